@@ -1,0 +1,56 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "math/Types.h"
+#include "robot/JointId.h"
+
+namespace plumbline {
+
+/// A convex primitive in a link's frame. box: size = full edge lengths; sphere: size.x = radius;
+/// capsule (axis z): size.x = radius, size.z = length of the cylinder part [m].
+struct Shape {
+  enum class Kind { box, sphere, capsule };
+  Kind kind = Kind::box;
+  Vec3 size = Vec3::Zero();
+  Pose3 T_link_shape = Pose3::Identity();
+};
+
+/// One rigid link and the hinge that joins it to its parent. The link's frame sits on its joint and has the
+/// parent's orientation when the joint is at zero (as in URDF with zero rpy).
+struct Link {
+  std::string name;               ///< field term: "torso", "lThigh", ...
+  int parent = -1;                ///< index into RobotModel::links, smaller than the link's own; -1: the root
+  JointId joint = numJoints;      ///< the hinge to the parent; numJoints for the root
+  Vec3 origin = Vec3::Zero();     ///< joint position in the parent's frame [m]
+  Vec3 axis = Vec3::UnitZ();      ///< joint axis, unit, in parent and child frame alike
+  double lower = 0, upper = 0;    ///< joint limits [rad]
+  double maxSpeed = 0;            ///< [rad/s]
+  double mass = 0;                ///< [kg]
+  Vec3 com = Vec3::Zero();        ///< centre of mass in the link's frame [m]
+  Mat3 inertia = Mat3::Zero();    ///< about com, axes of the link's frame [kg m^2]
+  Shape shape;                    ///< body as drawn
+  bool collides = false;          ///< whether shape takes part in collisions
+};
+
+/// A robot as data: a tree of links, parents before children, link 0 the torso.
+struct RobotModel {
+  std::string name;
+  std::vector<Link> links;
+  std::array<int, numJoints> linkOfJoint{};  ///< link moved by a joint, -1 if the robot lacks it
+
+  bool has(JointId joint) const { return linkOfJoint[joint] >= 0; }
+  const Link& linkMovedBy(JointId joint) const { return links[static_cast<std::size_t>(linkOfJoint[joint])]; }
+  /// Index of the link of that name, or -1.
+  int linkIndex(std::string_view linkName) const;
+  double totalMass() const;
+};
+
+/// The robot of SimSpark's type 0..4 (rcssserver3d naorobottypes.rb) in this project's axes.
+/// Link names: torso neck head {l,r}{Shoulder,UpperArm,Elbow,LowerArm,Hip1,Hip2,Thigh,Shank,Ankle,Foot,Toe}.
+/// Throws std::out_of_range for another type.
+RobotModel simsparkRobot(int type);
+constexpr int numSimsparkTypes = 5;
+
+}  // namespace plumbline

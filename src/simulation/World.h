@@ -1,0 +1,82 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "math/Pose2.h"
+#include "math/Types.h"
+#include "robot/RobotModel.h"
+
+namespace plumbline::simulation {
+
+/// A body in the world: pose and velocities of its frame's origin, world coordinates [m, m/s, rad/s].
+struct BodyState {
+  Pose3 pose = Pose3::Identity();
+  Vec3 linearVelocity = Vec3::Zero();
+  Vec3 angularVelocity = Vec3::Zero();
+};
+
+/// Force sensor of a foot or toe: force-weighted mean contact point and total force in the link's *body* frame
+/// (origin at its centre of mass, axes as the link's) [m, N]; absent when nothing touches.
+struct FootForce {
+  Vec3 point = Vec3::Zero();
+  Vec3 force = Vec3::Zero();
+};
+
+/// What a robot senses without noise, after a step; torso frame x forward, y left, z up.
+struct RobotReadings {
+  JointArray angle{};          ///< hinge angles [rad]
+  Vec3 gyro = Vec3::Zero();    ///< [rad/s]
+  Vec3 acc = Vec3::Zero();     ///< specific force, one cycle late as on the league's server; (0,0,9.81) at rest [m/s^2]
+  std::optional<FootForce> leftFoot, rightFoot, leftToe, rightToe;
+};
+
+/// Physics accidents of the league's server, each with its switch.
+struct WorldConfig {
+  std::string engine = "ode";
+  double stepSeconds = 0.02;
+  bool bouncingJointStops = true;
+  bool sleepingRobots = true;   ///< auto-disable; woken by a command that is not zero
+  bool selfCollision = false;   ///< off in effect on the league's server
+};
+
+/// Handle of a robot in a world; stays valid until removed.
+using RobotHandle = int;
+
+/// The physics of a soccer field: robots, one ball, ground, goals and walls. One object is one independent,
+/// deterministic world: same calls, same bytes. World frame: origin centre of field, x to the right goal, z up.
+class World {
+ public:
+  virtual ~World() = default;
+
+  /// Adds a robot with all joints at zero, its torso at T_world_torso, at rest.
+  virtual RobotHandle addRobot(const RobotModel& model, const Pose3& T_world_torso) = 0;
+  virtual void removeRobot(RobotHandle robot) = 0;
+  /// Moves all bodies rigidly so that the torso gets this pose, keeps the posture, zeroes velocities.
+  /// A sleeping robot is not woken by it (as on the league's server).
+  virtual void moveRobot(RobotHandle robot, const Pose3& T_world_torso) = 0;
+  /// Puts the joints to these angles about a fixed torso pose, at rest, motors at zero, awake.
+  virtual void setPosture(RobotHandle robot, const JointArray& angles) = 0;
+  /// Hinge motor target [rad/s]; clamped to the joint's speed; persists; ignored for a cycle at a stop.
+  virtual void setJointVelocity(RobotHandle robot, JointId joint, double velocity) = 0;
+
+  /// One cycle of stepSeconds.
+  virtual void step() = 0;
+  /// Everything as after construction but the robots removed; byte-identical behaviour afterwards.
+  virtual void reset() = 0;
+
+  virtual const RobotReadings& readings(RobotHandle robot) const = 0;
+  virtual BodyState linkState(RobotHandle robot, int link) const = 0;  ///< of the link's centre of mass frame
+  virtual BodyState torso(RobotHandle robot) const = 0;
+  virtual BodyState ball() const = 0;
+  virtual void setBall(const Vec3& position, const Vec3& velocity) = 0;  ///< zeroes its spin
+  /// Robots whose bodies touched the ball in the last step.
+  virtual const std::vector<RobotHandle>& ballTouchedBy() const = 0;
+};
+
+/// Errors: std::invalid_argument for an unknown engine (names those there are).
+std::unique_ptr<World> makeWorld(const WorldConfig& config = {});
+
+}  // namespace plumbline::simulation
