@@ -4,7 +4,8 @@
 
 namespace plumbline {
 
-/// Position [m] and heading [rad, counterclockwise] in a plane. As a transform T_a_b it maps b's points to a's.
+/// Position [m] and heading [rad, counterclockwise] in a plane. As a transform T_a_b it maps b's points to
+/// a's.
 struct Pose2 {
   Vec2 position = Vec2::Zero();
   double heading = 0;

@@ -9,20 +9,38 @@ namespace plumbline {
 /// positive pitch turns the moving part forward and down, a bent knee is positive. SimSpark has one hip
 /// yaw-pitch per leg and, in type 4, toes; a robot lacks a joint if RobotModel::linkOfJoint is -1.
 enum JointId : int {
-  headYaw, headPitch,
-  lShoulderPitch, lShoulderRoll, lElbowYaw, lElbowRoll,
-  rShoulderPitch, rShoulderRoll, rElbowYaw, rElbowRoll,
-  lHipYawPitch, lHipRoll, lHipPitch, lKneePitch, lAnklePitch, lAnkleRoll, lToePitch,
-  rHipYawPitch, rHipRoll, rHipPitch, rKneePitch, rAnklePitch, rAnkleRoll, rToePitch,
+  headYaw,
+  headPitch,
+  lShoulderPitch,
+  lShoulderRoll,
+  lElbowYaw,
+  lElbowRoll,
+  rShoulderPitch,
+  rShoulderRoll,
+  rElbowYaw,
+  rElbowRoll,
+  lHipYawPitch,
+  lHipRoll,
+  lHipPitch,
+  lKneePitch,
+  lAnklePitch,
+  lAnkleRoll,
+  lToePitch,
+  rHipYawPitch,
+  rHipRoll,
+  rHipPitch,
+  rKneePitch,
+  rAnklePitch,
+  rAnkleRoll,
+  rToePitch,
   numJoints
 };
 
 constexpr std::array<std::string_view, numJoints> jointNames = {
-    "HeadYaw", "HeadPitch",
-    "LShoulderPitch", "LShoulderRoll", "LElbowYaw", "LElbowRoll",
-    "RShoulderPitch", "RShoulderRoll", "RElbowYaw", "RElbowRoll",
-    "LHipYawPitch", "LHipRoll", "LHipPitch", "LKneePitch", "LAnklePitch", "LAnkleRoll", "LToePitch",
-    "RHipYawPitch", "RHipRoll", "RHipPitch", "RKneePitch", "RAnklePitch", "RAnkleRoll", "RToePitch"};
+    "HeadYaw",        "HeadPitch",     "LShoulderPitch", "LShoulderRoll", "LElbowYaw",    "LElbowRoll",
+    "RShoulderPitch", "RShoulderRoll", "RElbowYaw",      "RElbowRoll",    "LHipYawPitch", "LHipRoll",
+    "LHipPitch",      "LKneePitch",    "LAnklePitch",    "LAnkleRoll",    "LToePitch",    "RHipYawPitch",
+    "RHipRoll",       "RHipPitch",     "RKneePitch",     "RAnklePitch",   "RAnkleRoll",   "RToePitch"};
 
 enum class Side { left, right };
 

@@ -18,8 +18,8 @@ struct BodyState {
   Vec3 angularVelocity = Vec3::Zero();
 };
 
-/// Force sensor of a foot or toe: force-weighted mean contact point and total force in the link's *body* frame
-/// (origin at its centre of mass, axes as the link's) [m, N]; absent when nothing touches.
+/// Force sensor of a foot or toe: force-weighted mean contact point and total force in the link's *body*
+/// frame (origin at its centre of mass, axes as the link's) [m, N]; absent when nothing touches.
 struct FootForce {
   Vec3 point = Vec3::Zero();
   Vec3 force = Vec3::Zero();
@@ -27,9 +27,10 @@ struct FootForce {
 
 /// What a robot senses without noise, after a step; torso frame x forward, y left, z up.
 struct RobotReadings {
-  JointArray angle{};          ///< hinge angles [rad]
-  Vec3 gyro = Vec3::Zero();    ///< [rad/s]
-  Vec3 acc = Vec3::Zero();     ///< specific force, one cycle late as on the league's server; (0,0,9.81) at rest [m/s^2]
+  JointArray angle{};        ///< hinge angles [rad]
+  Vec3 gyro = Vec3::Zero();  ///< [rad/s]
+  Vec3 acc =
+      Vec3::Zero();  ///< specific force, one cycle late as on the league's server; (0,0,9.81) at rest [m/s^2]
   std::optional<FootForce> leftFoot, rightFoot, leftToe, rightToe;
 };
 
@@ -38,17 +39,18 @@ struct WorldConfig {
   std::string engine = "ode";
   double stepSeconds = 0.02;
   bool bouncingJointStops = true;
-  bool sleepingRobots = true;   ///< auto-disable; woken by a command that is not zero
-  bool selfCollision = false;   ///< off in effect on the league's server
+  bool sleepingRobots = true;  ///< auto-disable; woken by a command that is not zero
+  bool selfCollision = false;  ///< off in effect on the league's server
 };
 
 /// Handle of a robot in a world; stays valid until removed.
 using RobotHandle = int;
 
 /// The physics of a soccer field: robots, one ball, ground, goals and walls. One object is one independent,
-/// deterministic world: same calls, same bytes. World frame: origin centre of field, x to the right goal, z up.
+/// deterministic world: same calls, same bytes. World frame: origin centre of field, x to the right goal, z
+/// up.
 class World {
- public:
+public:
   virtual ~World() = default;
 
   /// Adds a robot with all joints at zero, its torso at T_world_torso, at rest.

@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+
+#include "framework/Representation.h"
+#include "math/Pose2.h"
+
+namespace plumbline {
+
+enum class Skill : std::uint8_t { none, stand, moveToPos, getBall, kick, dribble };
+
+/// What a behaviour wants done; positions in the team's field frame [m, rad].
+REPRESENTATION(SkillRequest)
+class SkillRequest : public SkillRequestBase {
+public:
+  Skill skill = Skill::none;
+  Pose2 target;  ///< moveToPos: where to be; getBall: heading to have at the ball; kick, dribble: where the
+                 ///< ball goes
+  bool lookForBall = true;
+  void stream(InStream* in, OutStream* out) override {
+    STREAM(skill);
+    STREAM("targetPosition", target.position);
+    STREAM("targetHeading", target.heading);
+    STREAM(lookForBall);
+  }
+};
+
+/// Where the robot wants to be put before a kick-off (team's frame, as SimSpark's beam effector takes it).
+REPRESENTATION(BeamRequest)
+class BeamRequest : public BeamRequestBase {
+public:
+  bool active = false;
+  Pose2 pose;
+  void stream(InStream* in, OutStream* out) override {
+    STREAM(active);
+    STREAM("position", pose.position);
+    STREAM("heading", pose.heading);
+  }
+};
+
+}  // namespace plumbline

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+
+#include "framework/Representation.h"
+
+namespace plumbline {
+
+/// Who this robot is.
+REPRESENTATION(PlayerInfo)
+class PlayerInfo : public PlayerInfoBase {
+public:
+  std::string team;
+  int number = 0;  ///< 0 until the server told it
+  int robotType = 0;
+  bool sideKnown = false;
+  bool leftSide = true;  ///< own goal at x = -15 of the server's field
+  void stream(InStream* in, OutStream* out) override {
+    STREAM(team);
+    STREAM(number);
+    STREAM(robotType);
+    STREAM(sideKnown);
+    STREAM(leftSide);
+  }
+};
+
+}  // namespace plumbline
