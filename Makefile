@@ -1,0 +1,86 @@
+# The front door; `make help` tells what there is. What is built, and how, stands in configure.sh.
+SHELL := /bin/bash
+MAKEFLAGS += -rR --no-print-directory
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.DEFAULT_GOAL := default
+comma := ,
+Q := $(if $(V),,@)
+say = printf '  %-6s%s\n' '$(1)' '$(2)'
+CCACHE ?= $(shell command -v ccache)
+export DEBIAN_FRONTEND ?= noninteractive
+
+# As many jobs as cores, unless -j says otherwise.
+ifeq (0,$(MAKELEVEL))
+ifeq (,$(filter -j% --jobserver%,$(MAKEFLAGS)))
+MAKEFLAGS += -j$(or $(JOBS),$(shell nproc))
+endif
+endif
+
+# ---- targets: those with settings and those configured by hand --------------------------------------------
+defaultTarget := $(or $(file <build/default),SimRelease)
+knownTargets := $(sort $(patsubst scripts/targets/%.settings,%,$(wildcard scripts/targets/*.settings)) \
+  $(patsubst build/%/target.mk,%,$(wildcard build/*/target.mk)))
+configuredTargets := $(or $(patsubst build/%/target.mk,%,$(wildcard build/*/target.mk)),$(defaultTarget))
+
+# The targets these goals are about; only they are looked at.
+goals := $(or $(MAKECMDGOALS),default)
+goalTargets := $(sort $(foreach t,$(knownTargets),$(if $(filter $(t) $(t)-% build/$(t)/%,$(goals)),$(t))) \
+  $(if $(filter default,$(goals)),$(defaultTarget)) \
+  $(if $(filter bin/% lib/%,$(goals)),SimRelease) \
+  $(if $(filter all,$(goals)),$(configuredTargets)))
+
+ifneq (,$(goalTargets))
+# Files that came or went since the last time are noticed here.
+targets := $(shell ./configure.sh --refresh $(goalTargets))
+ifneq (0,$(.SHELLSTATUS))
+$(error configuration failed)
+endif
+include $(foreach t,$(targets),build/$(t)/target.mk)
+include $(sort $(targets.makefiles))
+endif
+
+.PHONY: default all help packages run test bench format format-check tidy check clean
+default: $(defaultTarget)
+all: $(configuredTargets)
+
+help:
+	@scripts/make/help.sh "$(defaultTarget)" "$(knownTargets)"
+
+packages:
+	@scripts/install_packages.sh
+
+run: packages
+	@$(MAKE) SimRelease
+	@scripts/run.sh $(ARGS)
+
+test: packages
+	+@scripts/run_tests.sh --all
+
+test-%:
+	@$(MAKE) SimRelease-test-$*
+	@scripts/run_tests.sh SimRelease $*
+
+bench:
+	@$(MAKE) SimRelease-bench
+	@scripts/run_bench.sh
+
+bench-%:
+	@$(MAKE) SimRelease-bench-$*
+	@scripts/run_bench.sh $*
+
+check:
+	@scripts/check_floors.sh && scripts/check_sizes.sh
+
+format:
+	@scripts/format.sh
+
+format-check:
+	@scripts/format.sh --check
+
+tidy:
+	@scripts/tidy.sh $(FILES)
+
+clean:
+	@cat build/*/outputs 2>/dev/null | xargs -r rm -f
+	@rm -rf build compile_commands.json

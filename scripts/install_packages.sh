@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# Installs those packages of scripts/packages.txt that are missing; with all there it is done in a blink.
+#   scripts/install_packages.sh [FILE]...   other lists than scripts/packages.txt
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+export DEBIAN_FRONTEND=noninteractive
+
+lists=("$@")
+((${#lists[@]})) || lists=(scripts/packages.txt)
+mapfile -t wanted < <(sed 's/#.*//; s/[[:space:]]//g; /^$/d' "${lists[@]}")
+
+if ! command -v dpkg-query > /dev/null; then
+  echo "install_packages.sh: no dpkg here: this is not Debian; install by hand what ${lists[*]} lists, then make again with PACKAGES=no" >&2
+  exit 2
+fi
+installed=" $(dpkg-query -W -f='${db:Status-Abbrev} ${binary:Package}\n' 2> /dev/null |
+  sed -n 's/^ii  *//p' | sed 's/:.*//' | tr '\n' ' ')"
+missing=()
+for package in "${wanted[@]}"; do
+  [[ $installed == *" $package "* ]] || missing+=("$package")
+done
+((${#missing[@]})) || exit 0
+
+as=()
+if ((EUID != 0)); then
+  if ! command -v sudo > /dev/null; then
+    echo "install_packages.sh: missing ${missing[*]}: neither root nor sudo; run as root: apt-get install ${missing[*]}" >&2
+    exit 2
+  fi
+  as=(sudo)
+  # Where nobody can type a password, say so instead of waiting.
+  if [[ ! -t 0 ]] && ! sudo -n true 2> /dev/null; then
+    echo "install_packages.sh: missing ${missing[*]}: sudo wants a password; run: sudo apt-get install ${missing[*]}" >&2
+    exit 2
+  fi
+fi
+apt=("${as[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3)
+
+# The package lists are fetched only when they do not know what is missing, or when what they know is gone.
+install() { "${apt[@]}" install -y -q --no-install-recommends "${missing[@]}"; }
+update() {
+  echo "install_packages.sh: fetching the package lists"
+  "${apt[@]}" update -q || { echo "install_packages.sh: apt-get update failed; see above" >&2; exit 2; }
+}
+echo "install_packages.sh: installing ${missing[*]}"
+fresh=""
+if ! apt-get install -s --no-install-recommends "${missing[@]}" > /dev/null 2>&1; then update; fresh=1; fi
+if ! install; then
+  if [[ ! $fresh ]]; then update; fi
+  [[ ! $fresh ]] && install || {
+    echo "install_packages.sh: apt-get could not install ${missing[*]}; its own words stand above" >&2
+    exit 2
+  }
+fi
