@@ -1,0 +1,47 @@
+#include "robot/ForwardKinematics.h"
+
+#include <gtest/gtest.h>
+
+namespace plumbline {
+namespace {
+
+TEST(ForwardKinematics, kneeAndShoulderTurnTheRightWay) {
+  const RobotModel robot = simsparkRobot(0);
+  ForwardKinematics fk(robot);
+  JointArray angles{};
+  angles[lKneePitch] = 1;
+  angles[rShoulderPitch] = 1.5;
+  fk.update(angles);
+  const Vec3 foot = fk.link(robot.linkIndex("lFoot")).translation();
+  EXPECT_NEAR(foot.x(), -0.005 - 0.105 * std::sin(1.0), 1e-3) << "a bent knee draws the foot back";
+  const Vec3 hand = fk.link(robot.linkIndex("rLowerArm")).translation();
+  EXPECT_LT(hand.z(), 0) << "a positive shoulder pitch lowers the arm";
+}
+
+TEST(ForwardKinematics, comIsTheMeanOfTheLinks) {
+  const RobotModel robot = simsparkRobot(3);
+  ForwardKinematics fk(robot);
+  JointArray angles{};
+  for (std::size_t j = 0; j < numJoints; ++j) angles[j] = 0.05 * double(j) - 0.4;
+  fk.update(angles);
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < robot.links.size(); ++i)
+    sum += robot.links[i].mass * (fk.link(int(i)) * robot.links[i].com);
+  EXPECT_NEAR((fk.com() - sum / 4.6071).norm(), 0, 1e-12);
+}
+
+TEST(ForwardKinematics, standingComOfTypeZero) {
+  const RobotModel robot = simsparkRobot(0);
+  const ForwardKinematics fk(robot);
+  EXPECT_NEAR(fk.com().y(), 0, 1e-12);
+  EXPECT_NEAR(fk.com().x(), 0.0169, 2e-3);
+}
+
+TEST(ForwardKinematics, refusesTooManyLinks) {
+  RobotModel robot = simsparkRobot(0);
+  robot.links.resize(ForwardKinematics::maxLinks + 1);
+  EXPECT_THROW(ForwardKinematics{robot}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace plumbline
