@@ -146,7 +146,8 @@ fi
 mapfile -t found < <(findSources)
 # Unchanged since the last time? Then nothing is written. The list holds the file names and the settings.
 state=$(printf '%s\n' "${found[@]}"; for name in "${settingNames[@]}"; do printf '%s=%s\n' "$name" "${!name}"; done)
-if [[ $refresh && -f $build/state && $build/target.mk -nt $self && $(< "$build/state") == "$state" ]]; then exit 0; fi
+if [[ $refresh && -f $build/state && $build/target.mk -nt $self && $build/target.mk -nt scripts/make/write_target.sh &&
+  $(< "$build/state") == "$state" ]]; then exit 0; fi
 
 mkdir -p "$build"
 # shellcheck source=scripts/make/write_target.sh

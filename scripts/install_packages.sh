@@ -7,6 +7,9 @@ export DEBIAN_FRONTEND=noninteractive
 
 lists=("$@")
 ((${#lists[@]})) || lists=(scripts/packages.txt)
+for list in "${lists[@]}"; do
+  [[ -f $list ]] || { echo "install_packages.sh: no file $list" >&2; exit 2; }
+done
 mapfile -t wanted < <(sed 's/#.*//; s/[[:space:]]//g; /^$/d' "${lists[@]}")
 
 if ! command -v dpkg-query > /dev/null; then

@@ -185,7 +185,7 @@ $target.compile.c = \$(call $target.compile,\$(1),c,C)
 $target.archive = \$(Q)\$(call say,AR,\$@); mkdir -p \$(@D); rm -f \$@; ar rcsT \$@ \$(filter %.o,\$^)
 # \$1: objects, \$2: libraries of the tree, \$3: libraries of this kind of program, \$4: where it finds .so files
 $target.program = \$(Q)\$(call say,LINK,\$@); mkdir -p \$(@D); $cxx $flags $ldflags -o \$@ \$(1) \$(2) \$(3) \$(4) $libraries
-$target.shared = \$(Q)\$(call say,LINK,\$@); mkdir -p \$(@D); $cxx -shared -fPIC $flags $ldflags -o \$@ \$(1) \$(2) $libraries
+$target.shared = \$(Q)\$(call say,LINK,\$@); mkdir -p \$(@D); $cxx -shared -fPIC -Wl,-soname,\$(@F) $flags $ldflags -o \$@ \$(1) \$(2) $libraries
 .PHONY: $target $target-tests $target-bench
 $target: \$($target.libraries) \$($target.programs) $depends
 $target-tests: $target \$($target.tests)

@@ -1,0 +1,48 @@
+# For the tests of the build system: a small project in a folder of its own, built by the real scripts.
+# Sourced by tests/build/*.sh; the working directory becomes that project.
+set -uo pipefail
+repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES JOBS V
+export CCACHE="" LC_ALL=C
+project=$(mktemp -d "${TMPDIR:-/tmp}/plumbline-build-XXXXXX")
+trap 'rm -rf "$project"' EXIT
+cp -r "$repository"/{configure.sh,Makefile,scripts} "$project/"
+cd "$project" || exit 1
+mkdir -p src/math src/modules/perception src/main tests/math
+
+checks=0
+fail() { echo "FAILED at ${BASH_SOURCE[-1]##*/}:${BASH_LINENO[-2]}: $*" >&2; exit 1; }
+
+# Runs make; keeps its output in $log and its status in $status.
+build() { log=$(make "$@" 2>&1); status=$?; }
+builds() { build "$@"; ((status == 0)) || fail "make $* failed: $log"; }
+
+# The sources compiled by the last make, sorted, in one line.
+compiled() { sed -n 's/^  C\(++\)\{0,1\} *//p' <<< "$log" | sort | tr '\n' ' ' | sed 's/ $//'; }
+linked() { sed -n 's/^  LINK *//p' <<< "$log" | sort | tr '\n' ' ' | sed 's/ $//'; }
+
+# expect WHAT IS WANTED
+expect() { [[ $2 == "$3" ]] || fail "$1: is '$2', should be '$3'"; checks=$((checks + 1)); }
+contains() { [[ $2 == *"$3"* ]] || fail "$1: '$2' does not contain '$3'"; checks=$((checks + 1)); }
+lacks() { [[ $2 != *"$3"* ]] || fail "$1: '$2' contains '$3'"; checks=$((checks + 1)); }
+exists() { [[ -e $1 ]] || fail "no $1"; checks=$((checks + 1)); }
+missing() { [[ ! -e $1 ]] || fail "$1 is still there"; checks=$((checks + 1)); }
+
+# Two sources in the library, one module that registers itself, two programs, one test.
+writeSources() {
+  cat > src/math/One.h << 'E'
+#pragma once
+int one();
+E
+  printf '#include "math/One.h"\nint one() { return 1; }\n' > src/math/One.cpp
+  printf '#pragma once\nint two();\n' > src/math/Two.h
+  printf '#include "math/Two.h"\n#include "math/One.h"\nint two() { return one() + one(); }\n' > src/math/Two.cpp
+  printf '#pragma once\nint& registered();\n' > src/math/Registry.h
+  printf '#include "math/Registry.h"\nint& registered() { static int n = 0; return n; }\n' > src/math/Registry.cpp
+  printf '#include "math/Registry.h"\nnamespace { const int loader = ++registered(); }\n' > src/modules/perception/Seer.cpp
+  printf '#include <cstdio>\n#include "math/Registry.h"\nint main() { std::printf("%%d modules\\n", registered()); }\n' > src/main/agent.cpp
+  printf '#include <cstdio>\n#include "math/Two.h"\nint main() { std::printf("two %%d\\n", two()); }\n' > src/main/tool.cpp
+  printf '#include "math/Two.h"\n#include <gtest/gtest.h>\nTEST(Two, isTwo) { EXPECT_EQ(two(), 2); }\n' > tests/math/TwoTest.cpp
+}
+
+finish() { echo "$checks checks passed"; }

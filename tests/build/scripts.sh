@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# The scripts behind make: checks of floors and sizes, the test runner, the packages.
+source "$(dirname "$0")/project.bash"
+writeSources
+
+# Floors.
+mkdir -p src/{walking,framework,representations,robot}
+scripts/check_floors.sh || fail "clean tree refused"
+printf '#include <vector>\n#include "math/One.h"\n#include "framework/Module.h"\n' > src/walking/Step.cpp
+printf '#pragma once\n#include "math/Two.h"\n  #  include "robot/Joint.h"\n' > src/math/Up.h
+printf '#include "../math/One.h"\n' > src/robot/Joint.cpp
+text=$(scripts/check_floors.sh 2> floors.err)
+expect "floors: status" $? 1
+expect "floors: offenders" "$text" 'src/math/Up.h:3: src/math must not look up to "robot/Joint.h"
+src/robot/Joint.cpp:1: relative include "../math/One.h": write the path from src/
+src/walking/Step.cpp:3: src/walking may include math and robot only, not "framework/Module.h"'
+expect "floors: count" "$(cat floors.err)" "check_floors: 3 include(s) point up"
+rm -r src/walking src/math/Up.h src/robot
+
+# Sizes.
+scripts/check_sizes.sh > /dev/null || fail "short files refused"
+yes '//' | head -450 > src/math/Long.h
+expect "450 lines" "$(scripts/check_sizes.sh)" "src/math/Long.h: 450 lines: does it hold one idea?"
+yes '//' | head -601 > src/math/Long.h
+text=$(scripts/check_sizes.sh)
+expect "601 lines: status" $? 1
+expect "601 lines" "$text" "src/math/Long.h: 601 lines, more than 600: split it"
+rm src/math/Long.h
+
+# The test runner adds up test cases and scripts, and says what failed.
+printf '#!/usr/bin/env bash\ntrue\n' > tests/math/good.sh
+chmod +x tests/math/good.sh
+build test-math
+expect "good tests: status" "$status" 0
+expect "good tests: last line" "$(tail -1 <<< "$log")" "2 passed, 0 failed"
+printf '#include <gtest/gtest.h>\nTEST(One, isTwo) { EXPECT_EQ(1, 2); }\nTEST(One, isOne) { EXPECT_EQ(1, 1); }\n' > tests/math/OneTest.cpp
+printf '#!/usr/bin/env bash\necho oops at line 7; exit 3\n' > tests/math/good.sh
+build test-math
+expect "bad tests: status" "$status" 2
+contains "bad tests: count" "$log" "2 passed, 2 failed"
+contains "bad tests: log" "$log" "log: build/SimRelease/logs/math.log"
+contains "bad tests: what" "$log" "One.isTwo"
+contains "bad script: what" "$log" "oops at line 7"
+# A test program that dies counts as failed.
+printf '#include <gtest/gtest.h>\n#include <cstdlib>\nTEST(One, dies) { std::abort(); }\n' > tests/math/OneTest.cpp
+rm tests/math/good.sh
+build test-math
+expect "dying test: status" "$status" 2
+contains "dying test: count" "$log" "0 passed, 1 failed"
+# One that hangs is stopped.
+printf '#include <gtest/gtest.h>\n#include <unistd.h>\nTEST(One, hangs) { sleep(60); }\n' > tests/math/OneTest.cpp
+TEST_TIMEOUT=1 build test-math
+contains "hanging test" "$log" "stopped after 1 s"
+
+# Packages: nothing missing is silent and quick; who may not install is told so in one line.
+expect "nothing missing" "$(scripts/install_packages.sh 2>&1)" ""
+echo "no-such-package-of-any-kind  # made up" > list.txt
+mkdir tools
+for tool in bash dirname sed tr cat dpkg-query env; do ln -s "$(command -v $tool)" tools/$tool; done
+chmod -R a+rX "$project"
+if ((EUID == 0)); then as=(setpriv --reuid=65534 --regid=65534 --clear-groups --); else as=(); fi
+as+=(env -i "PATH=$project/tools" bash scripts/install_packages.sh)
+text=$("${as[@]}" list.txt 2>&1)
+expect "no right to install: status" $? 2
+expect "no right to install" "$text" "install_packages.sh: missing no-such-package-of-any-kind: neither root nor sudo; run as root: apt-get install no-such-package-of-any-kind"
+text=$("${as[@]}" gone.txt 2>&1)
+expect "no list: status" $? 2
+expect "no list" "$text" "install_packages.sh: no file gone.txt"
+finish
