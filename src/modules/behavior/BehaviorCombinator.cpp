@@ -1,0 +1,25 @@
+#include "modules/behavior/BehaviorCombinator.h"
+
+MAKE_MODULE(BehaviorCombinator)
+
+namespace plumbline {
+
+const BehaviorOutput* BehaviorCombinator::active() const {
+  for (const BehaviorOutput* output : {&theBeforeKickOffOutput->output, &theStrikerOutput->output})
+    if (output->active) return output;
+  return nullptr;
+}
+
+void BehaviorCombinator::update(SkillRequest* theSkillRequest) {
+  const BehaviorOutput* output = active();
+  theSkillRequest->skill = output ? output->skill : Skill::stand;
+  theSkillRequest->target = output ? output->target : Pose2();
+}
+
+void BehaviorCombinator::update(BeamRequest* theBeamRequest) {
+  const BehaviorOutput* output = active();
+  theBeamRequest->active = output && output->beam;
+  if (theBeamRequest->active) theBeamRequest->pose = output->beamPose;
+}
+
+}  // namespace plumbline

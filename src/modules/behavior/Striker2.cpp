@@ -1,0 +1,71 @@
+#include "modules/behavior/Striker2.h"
+
+#include <algorithm>
+#include <cmath>
+
+MAKE_MODULE(Striker2)
+
+namespace plumbline {
+
+namespace {
+
+bool opponentRestart(PlayMode mode) {
+  switch (mode) {
+    case PlayMode::kickOffOpponent:
+    case PlayMode::kickInOpponent:
+    case PlayMode::cornerOpponent:
+    case PlayMode::goalKickOpponent:
+    case PlayMode::freeKickOpponent:
+    case PlayMode::directFreeKickOpponent:
+    case PlayMode::passOpponent:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+void Striker2::init() {
+  kickAllowed_ = config.get<bool>("kickAllowed");
+  ballMaxAge_ = config.get<double>("ballMaxAge", 0.1, 60.0);
+  restartDistance_ = config.get<double>("restartDistance", 0.5, 10.0);
+  goalMargin_ = config.get<double>("goalMargin", 0.0, 1.0);
+  dribbleDistance_ = config.get<double>("dribbleDistance", 0.0, 30.0);
+}
+
+Vec2 Striker2::goalTarget() const {
+  // Behind the line, so that the direction stays defined when the ball is on it.
+  const double inside = theFieldDimensions->goalWidth / 2 - goalMargin_;
+  return {theFieldDimensions->opponentGoal().x() + 0.4, std::clamp(theBallPos->field.y(), -inside, inside)};
+}
+
+void Striker2::update(StrikerOutput* theStrikerOutput) {
+  BehaviorOutput& output = theStrikerOutput->output;
+  output = {};
+  output.active = true;
+  output.skill = Skill::stand;
+  if (theGameState->playMode == PlayMode::gameOver || theGameState->playMode == PlayMode::unknown) return;
+
+  const Pose2& robot = theRobotPose->pose;
+  if (!theRobotPose->valid || !theBallPos->valid || theBallPos->age > ballMaxAge_) {
+    // Turn on the spot: what is lost comes into view, landmarks too.
+    output.skill = Skill::moveToPos;
+    output.target = Pose2(robot.position, normalizeAngle(robot.heading + 1.0));
+    return;
+  }
+  if (opponentRestart(theGameState->playMode)) {
+    Vec2 away = Vec2(-theFieldDimensions->length / 2, 0) - theBallPos->field;
+    away = away.norm() > 1e-3 ? Vec2(away.normalized()) : Vec2(-1, 0);
+    const Vec2 toBall = -away;
+    output.skill = Skill::moveToPos;
+    output.target = Pose2(Vec2(theBallPos->field + restartDistance_ * away), std::atan2(toBall.y(), toBall.x()));
+    return;
+  }
+  const Vec2 target = goalTarget();
+  const double distance = (target - theBallPos->field).norm();
+  output.skill = kickAllowed_ && distance > dribbleDistance_ ? Skill::kick : Skill::dribble;
+  output.target = Pose2(target);
+}
+
+}  // namespace plumbline

@@ -1,0 +1,15 @@
+#include "modules/skills/SkillKick.h"
+
+MAKE_MODULE(SkillKick)
+
+namespace plumbline {
+
+void SkillKick::update(SkillKickOutput* theSkillKickOutput) {
+  SkillOutput& output = theSkillKickOutput->output;
+  output = theSkillGetBallOutput->output;
+  output.active = theSkillRequest->skill == Skill::kick;
+  // The motions finish a kick that has begun; here only the moment to begin is chosen.
+  if (output.active && theSkillGetBallOutput->atBall) output.motion = Motion::kick;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,10 @@
+#pragma once
+#include "framework/Config.h"
+#include "modules/skills/WalkToPose.h"
+
+namespace plumbline {
+
+/// Reads the parameters of walkToPose from a module's configuration; errors as Config::get.
+WalkToPoseParameters readWalkToPose(Config& config);
+
+}  // namespace plumbline

@@ -1,0 +1,33 @@
+#include "modules/skills/WalkToPose.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+
+Vec2 limitVelocity(const Vec2& velocity, const WalkToPoseParameters& parameters) {
+  const double maxX = velocity.x() >= 0 ? parameters.maxForward : parameters.maxBackward;
+  const double share = std::hypot(velocity.x() / maxX, velocity.y() / parameters.maxSideways);
+  return share > 1 ? Vec2(velocity / share) : velocity;
+}
+
+WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& parameters) {
+  const auto limitTurn = [&](double turn) { return std::clamp(turn, -parameters.maxTurn, parameters.maxTurn); };
+  const double distance = T_robot_target.position.norm();
+  WalkCommand command;
+  if (distance < parameters.nearDistance) {
+    command.velocity = limitVelocity(parameters.positionGain * T_robot_target.position, parameters);
+    command.turn = limitTurn(parameters.headingGain * T_robot_target.heading);
+    return command;
+  }
+  const double bearing = std::atan2(T_robot_target.y(), T_robot_target.x());
+  command.turn = limitTurn(parameters.headingGain * bearing);
+  if (std::abs(bearing) < parameters.turnFirst) {
+    // Slower while still turning: a fast walk in a tight curve swings out and loses time.
+    const double speed = parameters.maxForward * std::pow(std::cos(bearing), 3);
+    command.velocity = limitVelocity({std::min(speed, parameters.positionGain * distance), 0}, parameters);
+  }
+  return command;
+}
+
+}  // namespace plumbline

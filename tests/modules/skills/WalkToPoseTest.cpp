@@ -1,0 +1,34 @@
+#include "modules/skills/WalkToPose.h"
+
+#include <gtest/gtest.h>
+
+using namespace plumbline;
+
+namespace {
+
+TEST(WalkToPose, keepsDirectionWhenLimiting) {
+  const WalkToPoseParameters limits{.maxForward = 0.5, .maxBackward = 0.3, .maxSideways = 0.2};
+  EXPECT_TRUE(limitVelocity({0.1, 0.05}, limits).isApprox(Vec2(0.1, 0.05)));
+  EXPECT_NEAR(limitVelocity({9, 0}, limits).x(), 0.5, 1e-12);
+  EXPECT_NEAR(limitVelocity({-9, 0}, limits).x(), -0.3, 1e-12);
+  const Vec2 diagonal = limitVelocity({5, 2}, limits);
+  EXPECT_NEAR(diagonal.y() / diagonal.x(), 0.4, 1e-12);
+  EXPECT_NEAR(std::hypot(diagonal.x() / 0.5, diagonal.y() / 0.2), 1, 1e-12);
+}
+
+TEST(WalkToPose, turnsFirstToATargetBehind) {
+  const WalkCommand command = walkToPose(Pose2(-3, 0.1), {});
+  EXPECT_EQ(command.velocity.norm(), 0);
+  EXPECT_NEAR(command.turn, 1.5, 1e-12);
+}
+
+TEST(WalkToPose, walksFastAheadAndTakesTheFinalHeadingNearTheTarget) {
+  EXPECT_NEAR(walkToPose(Pose2(3, 0, 2.0), {}).velocity.x(), 0.5, 1e-12);
+  EXPECT_EQ(walkToPose(Pose2(3, 0, 2.0), {}).turn, 0);
+  const WalkCommand near = walkToPose(Pose2(0.1, -0.05, -0.2), {});
+  EXPECT_NEAR(near.velocity.x(), 0.15, 1e-12);
+  EXPECT_NEAR(near.velocity.y(), -0.075, 1e-12);
+  EXPECT_NEAR(near.turn, -0.4, 1e-12);
+}
+
+}  // namespace
