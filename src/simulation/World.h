@@ -8,15 +8,9 @@
 #include "math/Pose2.h"
 #include "math/Types.h"
 #include "robot/RobotModel.h"
+#include "simulation/BodyState.h"
 
 namespace plumbline::simulation {
-
-/// A body in the world: pose and velocities of its frame's origin, world coordinates [m, m/s, rad/s].
-struct BodyState {
-  Pose3 pose = Pose3::Identity();
-  Vec3 linearVelocity = Vec3::Zero();
-  Vec3 angularVelocity = Vec3::Zero();
-};
 
 /// Force sensor of a foot or toe: force-weighted mean contact point and total force in the link's *body*
 /// frame (origin at its centre of mass, axes as the link's) [m, N]; absent when nothing touches.

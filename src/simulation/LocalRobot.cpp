@@ -1,0 +1,67 @@
+#include "simulation/LocalRobot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plumbline::simulation {
+
+namespace {
+
+/// How far a shape reaches below its centre when its frame is turned so [m].
+double reachBelow(const Shape& shape, const Mat3& rotation) {
+  const Vec3 down = rotation.row(2).cwiseAbs();
+  switch (shape.kind) {
+    case Shape::Kind::sphere:
+      return shape.size.x();
+    case Shape::Kind::capsule:
+      return shape.size.x() + down.z() * shape.size.z() / 2;
+    case Shape::Kind::box:
+      break;
+  }
+  return down.dot(shape.size) / 2;
+}
+
+}  // namespace
+
+LocalRobot::LocalRobot(const RobotModel& model, const WorldConfig& config_)
+    : model_(model), config(config_), world_(makeWorld(config_)) {
+  restart();
+}
+
+void LocalRobot::act(const JointArray& velocities) {
+  for (int j = 0; j < numJoints; ++j)
+    if (const auto joint = static_cast<JointId>(j); model_.has(joint))
+      world_->setJointVelocity(handle, joint, pending[static_cast<std::size_t>(j)]);
+  world_->step();
+  pending = velocities;
+  ++cycles;
+}
+
+void LocalRobot::restart(const Pose2& place, const JointArray& angles) {
+  const Pose3 flat = translation(place.x(), place.y(), 0) * rotationZ(place.heading);
+  restart(flat, angles);
+  restart(translation(0, 0, -lowestPoint()) * flat, angles);
+}
+
+void LocalRobot::restart(const Pose3& T_world_torso, const JointArray& angles) {
+  world_->reset();
+  handle = world_->addRobot(model_, T_world_torso);
+  world_->setPosture(handle, angles);
+  pending.fill(0);
+  cycles = 0;
+}
+
+double LocalRobot::lowestPoint() const {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < model_.links.size(); ++i) {
+    const Link& link = model_.links[i];
+    if (!link.collides) continue;
+    const Pose3 pose = world_->linkState(handle, static_cast<int>(i)).pose * translation(-link.com) *
+                       link.shape.T_link_shape;
+    lowest = std::min(lowest, pose.translation().z() - reachBelow(link.shape, pose.linear()));
+  }
+  return lowest;
+}
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,48 @@
+#pragma once
+#include <memory>
+
+#include "math/Pose2.h"
+#include "robot/RobotModel.h"
+#include "simulation/World.h"
+
+namespace plumbline::simulation {
+
+/// One robot alone in a world of its own, in this process, with the league server's delay: what is answered
+/// to one message shows in the joint angles of the message after the next. For learning and closed-loop
+/// tests; an object is used by one thread at a time.
+class LocalRobot {
+public:
+  explicit LocalRobot(const RobotModel& model, const WorldConfig& config = {});
+
+  /// The message of this cycle.
+  const RobotReadings& sense() const { return world_->readings(handle); }
+  /// Answers it with joint velocities [rad/s] (those of joints the robot lacks are ignored) and lets a cycle
+  /// pass.
+  void act(const JointArray& velocities);
+
+  /// Starts anew: standing on the ground at a place of the field with these joint angles, torso upright, at
+  /// rest. Nothing of what was before has an effect afterwards.
+  void restart(const Pose2& place = {}, const JointArray& angles = {});
+  /// Starts anew with the torso at this pose, wherever the feet are.
+  void restart(const Pose3& T_world_torso, const JointArray& angles);
+
+  BodyState torso() const { return world_->torso(handle); }
+  /// Whether the torso leans by more than 60 degrees.
+  bool fallen() const { return torso().pose.linear()(2, 2) < 0.5; }
+  double time() const { return cycles * config.stepSeconds; }  ///< since the restart [s]
+  const RobotModel& model() const { return model_; }
+  World& world() { return *world_; }
+  RobotHandle robot() const { return handle; }
+
+private:
+  double lowestPoint() const;
+
+  RobotModel model_;
+  WorldConfig config;
+  std::unique_ptr<World> world_;
+  RobotHandle handle = 0;
+  JointArray pending{};  ///< the answer to the message before this one
+  long cycles = 0;
+};
+
+}  // namespace plumbline::simulation

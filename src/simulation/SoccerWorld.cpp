@@ -1,0 +1,181 @@
+#include "simulation/SoccerWorld.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "simulation/Field.h"
+#include "simulation/LeaguePhysics.h"
+
+namespace plumbline::simulation {
+
+namespace {
+
+/// Hinge i moves link i+1 (LeaguePhysics.h).
+int hingeOf(const RobotModel& model, JointId joint) { return model.linkOfJoint[joint] - 1; }
+
+}  // namespace
+
+std::unique_ptr<World> makeWorld(const WorldConfig& config) { return std::make_unique<SoccerWorld>(config); }
+
+SoccerWorld::SoccerWorld(const WorldConfig& config_) : config(config_) { reset(); }
+
+void SoccerWorld::reset() {
+  // A new engine is the one way to leave no trace of the past in it; it takes a tenth of a millisecond.
+  robots.clear();
+  touchedBall.clear();
+  physics = makePhysics(config.engine, leaguePhysics(config));
+  physics->addGround(material::ground);
+  for (const FieldObstacle& obstacle : fieldObstacles())
+    physics->addStatic(obstacle.shape, obstacle.T_world_shape, material::obstacle);
+  ballHandle = physics->addAssembly(leagueBall(), translation(0, 0, ballRadius));
+}
+
+RobotHandle SoccerWorld::addRobot(const RobotModel& model, const Pose3& T_world_torso) {
+  const RobotHandle handle =
+      physics->addAssembly(leagueRobot(model, config), T_world_torso * translation(model.links.at(0).com));
+  Robot& robot = robots[handle];
+  robot.model = model;
+  using Sensor = std::optional<FootForce> RobotReadings::*;
+  const std::pair<const char*, Sensor> sensors[] = {{"lFoot", &RobotReadings::leftFoot},
+                                                    {"rFoot", &RobotReadings::rightFoot},
+                                                    {"lToe", &RobotReadings::leftToe},
+                                                    {"rToe", &RobotReadings::rightToe}};
+  for (const auto& [name, sensor] : sensors)
+    if (const int link = model.linkIndex(name); link >= 0) robot.feet.emplace_back(link, sensor);
+  return handle;
+}
+
+void SoccerWorld::removeRobot(RobotHandle robot) {
+  get(robot);
+  physics->removeAssembly(robot);
+  robots.erase(robot);
+  std::erase(touchedBall, robot);
+}
+
+void SoccerWorld::moveRobot(RobotHandle robot, const Pose3& T_world_torso) {
+  physics->moveRigidly(robot, T_world_torso * translation(get(robot).model.links[0].com));
+}
+
+void SoccerWorld::setPosture(RobotHandle handle, const JointArray& angles) {
+  Robot& robot = get(handle);
+  AssemblyState state;
+  state.root.pose = physics->bodyState(handle, 0).pose;
+  state.angle.assign(robot.model.links.size() - 1, 0);
+  state.rate = state.angle;
+  for (int j = 0; j < numJoints; ++j) {
+    const int hinge = hingeOf(robot.model, static_cast<JointId>(j));
+    if (hinge < 0) continue;
+    state.angle[static_cast<std::size_t>(hinge)] = angles[static_cast<std::size_t>(j)];
+    physics->setMotor(handle, hinge, 0);
+  }
+  physics->setState(handle, state);
+  robot.lastVelocity.setZero();
+  senseAngles(handle, robot);
+}
+
+void SoccerWorld::setJointVelocity(RobotHandle handle, JointId joint, double velocity) {
+  const Robot& robot = get(handle);
+  if (joint < 0 || joint >= numJoints || !robot.model.has(joint))
+    throw std::invalid_argument("simulation: robot " + robot.model.name + " has no joint " +
+                                std::string(joint < 0 || joint >= numJoints ? "?" : jointNames[joint]));
+  if (!std::isfinite(velocity))
+    throw std::invalid_argument("simulation: velocity of " + std::string(jointNames[joint]) +
+                                " is not finite");
+  const Link& link = robot.model.linkMovedBy(joint);
+  const int hinge = hingeOf(robot.model, joint);
+  // At or beyond a stop the league's server leaves the motor as it is, whichever way the command goes.
+  const double angle = physics->hingeAngle(handle, hinge);
+  if (angle > link.lower && angle < link.upper)
+    physics->setMotor(handle, hinge, std::clamp(velocity, -link.maxSpeed, link.maxSpeed));
+  if (velocity != 0) physics->wake(handle, robot.model.linkOfJoint[joint]);
+}
+
+void SoccerWorld::step() {
+  for (auto& [handle, robot] : robots) senseAcceleration(handle, robot);
+  physics->step();
+  touchedBall.clear();
+  for (auto& [handle, robot] : robots) {
+    senseAngles(handle, robot);
+    senseFeet(handle, robot);
+    const BodyState body = physics->bodyState(handle, 0);
+    robot.readings.gyro = body.pose.linear().transpose() * body.angularVelocity;
+  }
+  for (const Contact& contact : physics->contacts())
+    if (contact.assemblyA == ballHandle && contact.assemblyB >= 0 &&
+        std::find(touchedBall.begin(), touchedBall.end(), contact.assemblyB) == touchedBall.end())
+      touchedBall.push_back(contact.assemblyB);
+}
+
+/// From the velocities before the step, so the reading is one cycle late.
+void SoccerWorld::senseAcceleration(RobotHandle handle, Robot& robot) const {
+  const BodyState body = physics->bodyState(handle, 0);
+  const Vec3 acceleration = (body.linearVelocity - robot.lastVelocity) / config.stepSeconds;
+  robot.lastVelocity = body.linearVelocity;
+  robot.readings.acc = body.pose.linear().transpose() * (acceleration + Vec3(0, 0, gravity));
+}
+
+void SoccerWorld::senseAngles(RobotHandle handle, Robot& robot) const {
+  for (int j = 0; j < numJoints; ++j) {
+    const int hinge = hingeOf(robot.model, static_cast<JointId>(j));
+    if (hinge >= 0) robot.readings.angle[static_cast<std::size_t>(j)] = physics->hingeAngle(handle, hinge);
+  }
+}
+
+void SoccerWorld::senseFeet(RobotHandle handle, Robot& robot) const {
+  for (const auto& [link, sensor] : robot.feet) {
+    Vec3 force = Vec3::Zero(), weighted = Vec3::Zero();
+    double weight = 0;
+    bool touched = false;
+    for (const Contact& contact : physics->contacts()) {
+      // The server's sensor hears of a contact through the first of the two colliders only, which the ball
+      // is.
+      const bool isA = contact.assemblyA == handle && contact.bodyA == link;
+      const bool isB =
+          contact.assemblyB == handle && contact.bodyB == link && contact.assemblyA != ballHandle;
+      if (!isA && !isB) continue;
+      touched = true;
+      force += isA ? contact.forceOnA : Vec3(-contact.forceOnA);
+      weighted += contact.forceOnA.norm() * contact.point;
+      weight += contact.forceOnA.norm();
+    }
+    std::optional<FootForce>& reading = robot.readings.*sensor;
+    if (!touched) {
+      reading.reset();
+    } else if (weight > 0) {
+      const Pose3 T_foot_world = physics->bodyState(handle, link).pose.inverse();
+      reading = FootForce{T_foot_world * Vec3(weighted / weight), T_foot_world.linear() * force};
+    } else if (!reading) {
+      reading.emplace();  // asleep since before it touched; otherwise a sleeper keeps its last reading
+    }
+  }
+}
+
+BodyState SoccerWorld::torso(RobotHandle robot) const {
+  const Vec3& com = get(robot).model.links[0].com;
+  BodyState state = physics->bodyState(robot, 0);
+  const Vec3 toOrigin = state.pose.linear() * -com;
+  state.pose.translation() += toOrigin;
+  state.linearVelocity += state.angularVelocity.cross(toOrigin);
+  return state;
+}
+
+void SoccerWorld::setBall(const Vec3& position, const Vec3& velocity) {
+  AssemblyState state;
+  state.root.pose = translation(position);
+  state.root.linearVelocity = velocity;
+  physics->setState(ballHandle, state);
+}
+
+SoccerWorld::Robot& SoccerWorld::get(RobotHandle robot) {
+  return const_cast<Robot&>(static_cast<const SoccerWorld*>(this)->get(robot));
+}
+
+const SoccerWorld::Robot& SoccerWorld::get(RobotHandle robot) const {
+  const auto it = robots.find(robot);
+  if (it == robots.end())
+    throw std::out_of_range("simulation: no robot " + std::to_string(robot) + " in this world");
+  return it->second;
+}
+
+}  // namespace plumbline::simulation

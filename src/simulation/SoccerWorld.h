@@ -1,0 +1,53 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "simulation/World.h"
+#include "simulation/physics/Physics.h"
+
+namespace plumbline::simulation {
+
+/// The league's soccer world on a physics engine.
+class SoccerWorld : public World {
+public:
+  explicit SoccerWorld(const WorldConfig& config);
+
+  RobotHandle addRobot(const RobotModel& model, const Pose3& T_world_torso) override;
+  void removeRobot(RobotHandle robot) override;
+  void moveRobot(RobotHandle robot, const Pose3& T_world_torso) override;
+  void setPosture(RobotHandle robot, const JointArray& angles) override;
+  void setJointVelocity(RobotHandle robot, JointId joint, double velocity) override;
+  void step() override;
+  void reset() override;
+  const RobotReadings& readings(RobotHandle robot) const override { return get(robot).readings; }
+  BodyState linkState(RobotHandle robot, int link) const override { return physics->bodyState(robot, link); }
+  BodyState torso(RobotHandle robot) const override;
+  BodyState ball() const override { return physics->bodyState(ballHandle, 0); }
+  void setBall(const Vec3& position, const Vec3& velocity) override;
+  const std::vector<RobotHandle>& ballTouchedBy() const override { return touchedBall; }
+
+private:
+  struct Robot {
+    RobotModel model;
+    RobotReadings readings;
+    Vec3 lastVelocity = Vec3::Zero();
+    std::vector<std::pair<int, std::optional<FootForce> RobotReadings::*>>
+        feet;  ///< links with force sensors
+  };
+
+  Robot& get(RobotHandle robot);
+  const Robot& get(RobotHandle robot) const;
+  void senseAcceleration(RobotHandle handle, Robot& robot) const;
+  void senseAngles(RobotHandle handle, Robot& robot) const;
+  void senseFeet(RobotHandle handle, Robot& robot) const;
+
+  WorldConfig config;
+  std::unique_ptr<Physics> physics;
+  int ballHandle = 0;
+  std::map<RobotHandle, Robot>
+      robots;  ///< by the assembly's handle; ordered, so that nothing depends on addresses
+  std::vector<RobotHandle> touchedBall;
+};
+
+}  // namespace plumbline::simulation

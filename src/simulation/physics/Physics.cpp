@@ -1,0 +1,17 @@
+#include "simulation/physics/Physics.h"
+
+#include <stdexcept>
+
+#include "simulation/physics/ode/OdePhysics.h"
+
+namespace plumbline::simulation {
+
+std::unique_ptr<Physics> makePhysics(std::string_view engine, const PhysicsConfig& config) {
+  for (const auto& row : config.surfaces)
+    if (row.size() != config.surfaces.size())
+      throw std::invalid_argument("physics: the table of contact surfaces must be square");
+  if (engine == "ode") return ode::makeOdePhysics(config);
+  throw std::invalid_argument("unknown physics engine \"" + std::string(engine) + "\"; there is: ode");
+}
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,197 @@
+#include "simulation/physics/ode/OdeAssembly.h"
+
+#include <stdexcept>
+
+namespace plumbline::simulation::ode {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+void check(const Assembly& assembly) {
+  if (assembly.bodies.empty()) throw std::invalid_argument("physics: an assembly needs a body");
+  const int count = static_cast<int>(assembly.bodies.size());
+  std::vector<bool> joined(assembly.bodies.size(), false);
+  for (const HingeSpec& hinge : assembly.hinges) {
+    if (hinge.parent < 0 || hinge.parent >= hinge.child || hinge.child >= count || joined[at(hinge.child)])
+      throw std::invalid_argument("physics: hinges must join each child once to a parent before it");
+    joined[at(hinge.child)] = true;
+  }
+}
+
+}  // namespace
+
+dGeomID makeGeom(const Shape& shape) {
+  const bool needsAll = shape.kind == Shape::Kind::box;
+  const bool needsZ = shape.kind != Shape::Kind::sphere;
+  if (!(shape.size.x() > 0) || (needsAll && !(shape.size.y() > 0)) || (needsZ && !(shape.size.z() > 0)))
+    throw std::invalid_argument("physics: a shape's size must be positive");
+  switch (shape.kind) {
+    case Shape::Kind::sphere:
+      return dCreateSphere(nullptr, shape.size.x());
+    case Shape::Kind::capsule:
+      return dCreateCapsule(nullptr, shape.size.x(), shape.size.z());
+    case Shape::Kind::box:
+      break;
+  }
+  return dCreateBox(nullptr, shape.size.x(), shape.size.y(), shape.size.z());
+}
+
+double boundingRadius(const Shape& shape) {
+  switch (shape.kind) {
+    case Shape::Kind::sphere:
+      return shape.size.x();
+    case Shape::Kind::capsule:
+      return shape.size.x() + shape.size.z() / 2;
+    case Shape::Kind::box:
+      break;
+  }
+  return shape.size.norm() / 2;
+}
+
+OdeAssembly::OdeAssembly(dWorldID world, const Assembly& assembly, const Pose3& T_world_root)
+    : spec(assembly) {
+  check(spec);
+  hingeOfBody.assign(spec.bodies.size(), -1);
+  for (std::size_t i = 0; i < spec.hinges.size(); ++i)
+    hingeOfBody[at(spec.hinges[i].child)] = static_cast<int>(i);
+  for (const BodySpec& body : spec.bodies) addBody(world, body, T_world_root);
+  for (const HingeSpec& hinge : spec.hinges) addHinge(world, hinge, T_world_root);
+}
+
+OdeAssembly::~OdeAssembly() {
+  for (const Collider& collider : colliderList) dGeomDestroy(collider.geom);
+  for (dJointID hinge : hinges) dJointDestroy(hinge);
+  for (dBodyID body : bodies) dBodyDestroy(body);
+}
+
+void OdeAssembly::addBody(dWorldID world, const BodySpec& body, const Pose3& T_world_root) {
+  const int index = static_cast<int>(bodies.size());
+  dBodyID id = dBodyCreate(world);
+  bodies.push_back(id);
+  dMass mass;
+  const Mat3& inertia = body.inertia;
+  dMassSetParameters(&mass, body.mass, 0, 0, 0, inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1),
+                     inertia(0, 2), inertia(1, 2));
+  dBodySetMass(id, &mass);
+  setBodyPose(id, T_world_root * body.T_root_body);
+  if (!body.shape) return;
+  dGeomID geom = makeGeom(*body.shape);
+  dGeomSetBody(geom, id);
+  const Pose3& offset = body.shape->T_link_shape;
+  if (!offset.isApprox(Pose3::Identity(), 0)) {
+    dMatrix3 rotation;
+    fromMat3(offset.linear(), rotation);
+    dGeomSetOffsetPosition(geom, offset.translation().x(), offset.translation().y(),
+                           offset.translation().z());
+    dGeomSetOffsetRotation(geom, rotation);
+  }
+  colliderList.push_back(
+      {geom, id, index, nearestColliderAbove(index), boundingRadius(*body.shape), body.material});
+}
+
+int OdeAssembly::nearestColliderAbove(int body) const {
+  while (hingeOfBody[at(body)] >= 0) {
+    body = spec.hinges[at(hingeOfBody[at(body)])].parent;
+    if (spec.bodies[at(body)].shape) return body;
+  }
+  return -1;
+}
+
+void OdeAssembly::addHinge(dWorldID world, const HingeSpec& hinge, const Pose3& T_world_root) {
+  dJointID id = dJointCreateHinge(world, nullptr);
+  hinges.push_back(id);
+  // The child is the first body: then angles and velocities are the child's against the parent's.
+  dJointAttach(id, body(hinge.child), body(hinge.parent));
+  const Vec3 anchor = T_world_root * hinge.anchor;
+  const Vec3 axis = T_world_root.linear() * hinge.axis;
+  dJointSetHingeAnchor(id, anchor.x(), anchor.y(), anchor.z());
+  dJointSetHingeAxis(id, axis.x(), axis.y(), axis.z());
+  dJointSetHingeParam(id, dParamFMax, hinge.maxTorque);
+  dJointSetHingeParam(id, dParamCFM, hinge.cfm);
+  dJointSetHingeParam(id, dParamStopCFM, hinge.stopCfm);
+  dJointSetHingeParam(id, dParamStopERP, hinge.stopErp);
+  dJointSetHingeParam(id, dParamFudgeFactor, hinge.fudgeFactor);
+  dJointSetHingeParam(id, dParamBounce, hinge.stopBounce);
+  dJointSetHingeParam(id, dParamLoStop, hinge.lower);
+  dJointSetHingeParam(id, dParamHiStop, hinge.upper);
+}
+
+void OdeAssembly::applyDrag() {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodySpec& body = spec.bodies[i];
+    const dReal* v = dBodyGetLinearVel(bodies[i]);
+    const dReal* w = dBodyGetAngularVel(bodies[i]);
+    dBodyAddForce(bodies[i], -body.linearDrag * v[0], -body.linearDrag * v[1], -body.linearDrag * v[2]);
+    dBodyAddTorque(bodies[i], -body.angularDrag * w[0], -body.angularDrag * w[1], -body.angularDrag * w[2]);
+  }
+}
+
+Eigen::AlignedBox3d OdeAssembly::bounds() const {
+  Eigen::AlignedBox3d box;
+  for (const Collider& collider : colliderList) {
+    const Vec3 centre = toVec3(dGeomGetPosition(collider.geom));
+    box.extend(Vec3(centre.array() - collider.radius));
+    box.extend(Vec3(centre.array() + collider.radius));
+  }
+  return box;
+}
+
+AssemblyState OdeAssembly::state() const {
+  AssemblyState state;
+  state.root.pose = bodyPose(bodies[0]);
+  state.root.linearVelocity = toVec3(dBodyGetLinearVel(bodies[0]));
+  state.root.angularVelocity = toVec3(dBodyGetAngularVel(bodies[0]));
+  for (dJointID hinge : hinges) {
+    state.angle.push_back(dJointGetHingeAngle(hinge));
+    state.rate.push_back(dJointGetHingeAngleRate(hinge));
+  }
+  return state;
+}
+
+void OdeAssembly::setState(const AssemblyState& state) {
+  if (state.angle.size() != hinges.size() || state.rate.size() != hinges.size())
+    throw std::invalid_argument("physics: a state needs an angle and a rate for each hinge");
+  std::vector<BodyState> placed(bodies.size(), state.root);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const int h = hingeOfBody[i];
+    if (h >= 0) {
+      const HingeSpec& hinge = spec.hinges[at(h)];
+      const BodyState& parent = placed[at(hinge.parent)];
+      // Both bodies' frames and the hinge are known in the root's frame with all hinges at zero.
+      const Pose3 T_world_zero = parent.pose * spec.bodies[at(hinge.parent)].T_root_body.inverse();
+      const Vec3 anchor = T_world_zero * hinge.anchor;
+      const Vec3 axis = T_world_zero.linear() * hinge.axis;
+      placed[i].pose = T_world_zero * translation(hinge.anchor) * rotation(hinge.axis, state.angle[at(h)]) *
+                       translation(-hinge.anchor) * spec.bodies[i].T_root_body;
+      const Vec3 spin = parent.angularVelocity + axis * state.rate[at(h)];
+      placed[i].angularVelocity = spin;
+      placed[i].linearVelocity = parent.linearVelocity +
+                                 parent.angularVelocity.cross(anchor - parent.pose.translation()) +
+                                 spin.cross(placed[i].pose.translation() - anchor);
+    }
+    const Vec3& v = placed[i].linearVelocity;
+    const Vec3& w = placed[i].angularVelocity;
+    setBodyPose(bodies[i], placed[i].pose);
+    dBodySetLinearVel(bodies[i], v.x(), v.y(), v.z());
+    dBodySetAngularVel(bodies[i], w.x(), w.y(), w.z());
+    dBodyEnable(bodies[i]);
+  }
+}
+
+void OdeAssembly::moveRigidly(const Pose3& T_world_root) {
+  const Pose3 T_new_old = T_world_root * bodyPose(bodies[0]).inverse();
+  for (dBodyID body : bodies) {
+    setBodyPose(body, T_new_old * bodyPose(body));
+    dBodySetLinearVel(body, 0, 0, 0);
+    dBodySetAngularVel(body, 0, 0, 0);
+  }
+}
+
+bool OdeAssembly::asleep() const {
+  for (dBodyID body : bodies)
+    if (dBodyIsEnabled(body)) return false;
+  return true;
+}
+
+}  // namespace plumbline::simulation::ode

@@ -1,0 +1,60 @@
+#pragma once
+#include <vector>
+
+#include "simulation/physics/Physics.h"
+#include "simulation/physics/ode/OdeTypes.h"
+
+namespace plumbline::simulation::ode {
+
+/// Makes the geom of a shape, in no space: pairs are found by OdeContacts. Error: std::invalid_argument for a
+/// size that is not positive.
+dGeomID makeGeom(const Shape& shape);
+
+/// Radius of the sphere about the shape's centre that holds it [m].
+double boundingRadius(const Shape& shape);
+
+/// An assembly as ODE's bodies, geoms and hinge joints; owns them.
+class OdeAssembly {
+public:
+  OdeAssembly(dWorldID world, const Assembly& assembly, const Pose3& T_world_root);
+  ~OdeAssembly();
+  OdeAssembly(const OdeAssembly&) = delete;
+  OdeAssembly& operator=(const OdeAssembly&) = delete;
+
+  /// A body that can touch something.
+  struct Collider {
+    dGeomID geom;
+    dBodyID body;
+    int index;      ///< of the body
+    int neighbour;  ///< nearest body up the tree that has a collider, -1: none
+    double radius;  ///< of the sphere that holds the geom
+    Material material;
+  };
+
+  /// Adds drag to the forces of the next step.
+  void applyDrag();
+  /// Box around all colliders.
+  Eigen::AlignedBox3d bounds() const;
+  const std::vector<Collider>& colliders() const { return colliderList; }
+  bool selfCollision() const { return spec.selfCollision; }
+
+  dBodyID body(int index) const { return bodies.at(static_cast<std::size_t>(index)); }
+  dJointID hinge(int index) const { return hinges.at(static_cast<std::size_t>(index)); }
+  AssemblyState state() const;
+  void setState(const AssemblyState& state);
+  void moveRigidly(const Pose3& T_world_root);
+  bool asleep() const;
+
+private:
+  void addBody(dWorldID world, const BodySpec& body, const Pose3& T_world_root);
+  void addHinge(dWorldID world, const HingeSpec& hinge, const Pose3& T_world_root);
+  int nearestColliderAbove(int body) const;
+
+  Assembly spec;
+  std::vector<dBodyID> bodies;
+  std::vector<dJointID> hinges;
+  std::vector<int> hingeOfBody;  ///< the hinge to the parent, -1: root
+  std::vector<Collider> colliderList;
+};
+
+}  // namespace plumbline::simulation::ode

@@ -1,0 +1,148 @@
+#include "simulation/physics/ode/OdeContacts.h"
+
+#include <stdexcept>
+
+namespace plumbline::simulation::ode {
+
+namespace {
+
+constexpr int maxContactsPerPair = 4;  // as on the league's server
+
+Eigen::AlignedBox3d sphereBox(const Vec3& centre, double radius) {
+  return {Vec3(centre.array() - radius), Vec3(centre.array() + radius)};
+}
+
+dSurfaceParameters toOde(const ContactSurface& surface) {
+  dSurfaceParameters result{};
+  // No dContactApprox1: friction has no Coulomb limit and holds at zero normal force, too.
+  result.mode = dContactSoftERP | dContactSoftCFM | dContactSlip1 | dContactSlip2;
+  result.mu = dInfinity;
+  result.soft_erp = surface.softErp;
+  result.soft_cfm = surface.softCfm;
+  result.slip1 = result.slip2 = surface.slip;
+  if (surface.bounce > 0) {
+    result.mode |= dContactBounce;
+    result.bounce = surface.bounce;
+    result.bounce_vel = surface.bounceVelocity;
+  }
+  return result;
+}
+
+}  // namespace
+
+OdeContacts::OdeContacts(dWorldID world_, const PhysicsConfig& config)
+    : world(world_), group(dJointGroupCreate(0)) {
+  for (const auto& row : config.surfaces) {
+    auto& converted = surfaces.emplace_back();
+    for (const ContactSurface& surface : row) converted.push_back(toOde(surface));
+  }
+}
+
+OdeContacts::~OdeContacts() {
+  dJointGroupDestroy(group);
+  for (const Static& s : statics) dGeomDestroy(s.geom);
+  if (ground) dGeomDestroy(ground);
+}
+
+void OdeContacts::addGround(Material material) {
+  if (ground) throw std::logic_error("physics: there is a ground already");
+  ground = dCreatePlane(nullptr, 0, 0, 1, 0);
+  groundMaterial = material;
+}
+
+void OdeContacts::addStatic(const Shape& shape, const Pose3& T_world_shape, Material material) {
+  dGeomID geom = makeGeom(shape);
+  const Pose3 pose = T_world_shape * shape.T_link_shape;
+  dMatrix3 rotation;
+  fromMat3(pose.linear(), rotation);
+  dGeomSetPosition(geom, pose.translation().x(), pose.translation().y(), pose.translation().z());
+  dGeomSetRotation(geom, rotation);
+  dReal aabb[6];
+  dGeomGetAABB(geom, aabb);
+  statics.push_back({geom, {Vec3(aabb[0], aabb[2], aabb[4]), Vec3(aabb[1], aabb[3], aabb[5])}, material});
+}
+
+void OdeContacts::makeJoints(const Assemblies& assemblies) {
+  contactList.clear();
+  found.clear();
+  bodies.clear();
+  boxes.clear();
+  for (const auto& [handle, assembly] : assemblies) boxes.push_back(assembly->bounds());
+
+  std::size_t i = 0;
+  for (auto a = assemblies.begin(); a != assemblies.end(); ++a, ++i) {
+    collideWithStatics(a->first, *a->second, boxes[i]);
+    if (a->second->selfCollision()) collideWithin(a->first, *a->second);
+    std::size_t j = i + 1;
+    for (auto b = std::next(a); b != assemblies.end(); ++b, ++j)
+      if (boxes[i].intersects(boxes[j]))
+        collideAssemblies(a->first, *a->second, b->first, *b->second, boxes[i].intersection(boxes[j]));
+  }
+
+  feedback.assign(found.size(), dJointFeedback{});
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    dJointID joint = dJointCreateContact(world, group, &found[k]);
+    dJointAttach(joint, bodies[k].first, bodies[k].second);
+    dJointSetFeedback(joint, &feedback[k]);
+  }
+}
+
+void OdeContacts::collideWithStatics(int handle, const OdeAssembly& assembly,
+                                     const Eigen::AlignedBox3d& box) {
+  if (ground && box.min().z() <= 0)
+    for (const auto& collider : assembly.colliders())
+      if (dGeomGetPosition(collider.geom)[2] <= collider.radius)
+        collide(side(handle, collider), {-1, -1, ground, nullptr, groundMaterial});
+  for (const Static& s : statics) {
+    if (!s.box.intersects(box)) continue;
+    for (const auto& collider : assembly.colliders())
+      if (s.box.intersects(sphereBox(toVec3(dGeomGetPosition(collider.geom)), collider.radius)))
+        collide(side(handle, collider), {-1, -1, s.geom, nullptr, s.material});
+  }
+}
+
+void OdeContacts::collideAssemblies(int handleA, const OdeAssembly& a, int handleB, const OdeAssembly& b,
+                                    const Eigen::AlignedBox3d& overlap) {
+  for (const auto& ca : a.colliders()) {
+    const Vec3 centreA = toVec3(dGeomGetPosition(ca.geom));
+    if (!overlap.intersects(sphereBox(centreA, ca.radius))) continue;
+    for (const auto& cb : b.colliders()) {
+      const double reach = ca.radius + cb.radius;
+      if ((toVec3(dGeomGetPosition(cb.geom)) - centreA).squaredNorm() <= reach * reach)
+        collide(side(handleA, ca), side(handleB, cb));
+    }
+  }
+}
+
+void OdeContacts::collideWithin(int handle, const OdeAssembly& assembly) {
+  const auto& colliders = assembly.colliders();
+  for (std::size_t i = 0; i < colliders.size(); ++i)
+    for (std::size_t j = i + 1; j < colliders.size(); ++j) {
+      // Neighbours along a limb always overlap at their joint.
+      if (colliders[j].neighbour == colliders[i].index) continue;
+      const double reach = colliders[i].radius + colliders[j].radius;
+      const Vec3 centre = toVec3(dGeomGetPosition(colliders[i].geom));
+      if ((toVec3(dGeomGetPosition(colliders[j].geom)) - centre).squaredNorm() <= reach * reach)
+        collide(side(handle, colliders[i]), side(handle, colliders[j]));
+    }
+}
+
+void OdeContacts::collide(const Side& a, const Side& b) {
+  dContactGeom points[maxContactsPerPair];
+  const int count = dCollide(a.geom, b.geom, maxContactsPerPair, points, sizeof(dContactGeom));
+  for (int i = 0; i < count; ++i) {
+    dContact contact{};
+    contact.surface = surfaces[static_cast<std::size_t>(a.material)][static_cast<std::size_t>(b.material)];
+    contact.geom = points[i];
+    found.push_back(contact);
+    bodies.emplace_back(a.body, b.body);
+    contactList.push_back({a.assembly, a.index, b.assembly, b.index, toVec3(points[i].pos), Vec3::Zero()});
+  }
+}
+
+void OdeContacts::finish() {
+  for (std::size_t i = 0; i < contactList.size(); ++i) contactList[i].forceOnA = toVec3(feedback[i].f1);
+  dJointGroupEmpty(group);
+}
+
+}  // namespace plumbline::simulation::ode

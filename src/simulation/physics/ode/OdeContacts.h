@@ -1,0 +1,68 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "simulation/physics/ode/OdeAssembly.h"
+
+namespace plumbline::simulation::ode {
+
+/// Assemblies by handle; ordered, so that the order of contacts is a matter of the calls alone.
+using Assemblies = std::map<int, std::unique_ptr<OdeAssembly>>;
+
+/// Finds what touches, makes ODE's contact joints for the step to come and reads their forces after it. Pairs
+/// are sought by boxes around assemblies, then spheres around bodies; what can never touch is never asked
+/// for.
+class OdeContacts {
+public:
+  OdeContacts(dWorldID world, const PhysicsConfig& config);
+  ~OdeContacts();
+  OdeContacts(const OdeContacts&) = delete;
+  OdeContacts& operator=(const OdeContacts&) = delete;
+
+  void addGround(Material material);
+  void addStatic(const Shape& shape, const Pose3& T_world_shape, Material material);
+
+  /// Collides everything and makes the joints.
+  void makeJoints(const Assemblies& assemblies);
+  /// After the step: takes the forces and lets the joints go.
+  void finish();
+  const std::vector<Contact>& contacts() const { return contactList; }
+
+private:
+  struct Static {
+    dGeomID geom;
+    Eigen::AlignedBox3d box;
+    Material material;
+  };
+  struct Side {
+    int assembly;
+    int index;
+    dGeomID geom;
+    dBodyID body;
+    Material material;
+  };
+  static Side side(int assembly, const OdeAssembly::Collider& c) {
+    return {assembly, c.index, c.geom, c.body, c.material};
+  }
+
+  void collideWithStatics(int handle, const OdeAssembly& assembly, const Eigen::AlignedBox3d& box);
+  void collideAssemblies(int handleA, const OdeAssembly& a, int handleB, const OdeAssembly& b,
+                         const Eigen::AlignedBox3d& overlap);
+  void collideWithin(int handle, const OdeAssembly& assembly);
+  void collide(const Side& a, const Side& b);
+
+  dWorldID world;
+  dJointGroupID group;
+  std::vector<std::vector<dSurfaceParameters>> surfaces;
+  std::vector<Static> statics;
+  dGeomID ground = nullptr;
+  Material groundMaterial = 0;
+  std::vector<dContact> found;
+  std::vector<std::pair<dBodyID, dBodyID>> bodies;
+  std::vector<dJointFeedback> feedback;
+  std::vector<Contact> contactList;
+  std::vector<Eigen::AlignedBox3d> boxes;
+};
+
+}  // namespace plumbline::simulation::ode

@@ -1,0 +1,102 @@
+#include "simulation/physics/ode/OdePhysics.h"
+
+#include <stdexcept>
+
+#include "simulation/physics/ode/OdeContacts.h"
+
+namespace plumbline::simulation::ode {
+
+namespace {
+
+static_assert(sizeof(dReal) == sizeof(double), "the league's physics needs ODE in double precision");
+
+/// A world of ODE that goes when its owner goes.
+struct OwnedWorld {
+  OwnedWorld() {
+    ensureThread();
+    id = dWorldCreate();
+  }
+  ~OwnedWorld() { dWorldDestroy(id); }
+  OwnedWorld(const OwnedWorld&) = delete;
+  OwnedWorld& operator=(const OwnedWorld&) = delete;
+  dWorldID id;
+};
+
+class OdePhysics : public Physics {
+public:
+  explicit OdePhysics(const PhysicsConfig& config_) : config(config_), contactFinder(world.id, config_) {
+    dWorldSetGravity(world.id, config.gravity.x(), config.gravity.y(), config.gravity.z());
+    dWorldSetERP(world.id, config.constraintErp);
+    dWorldSetCFM(world.id, config.constraintCfm);
+    dWorldSetContactSurfaceLayer(world.id, config.surfaceLayer);
+    dWorldSetAutoDisableFlag(world.id, config.autoDisable ? 1 : 0);
+  }
+
+  void addGround(Material material) override { contactFinder.addGround(material); }
+  void addStatic(const Shape& shape, const Pose3& T_world_shape, Material material) override {
+    contactFinder.addStatic(shape, T_world_shape, material);
+  }
+
+  int addAssembly(const Assembly& assembly, const Pose3& T_world_root) override {
+    ensureThread();
+    assemblies.emplace(nextHandle, std::make_unique<OdeAssembly>(world.id, assembly, T_world_root));
+    return nextHandle++;
+  }
+  void removeAssembly(int assembly) override {
+    get(assembly);
+    assemblies.erase(assembly);
+  }
+
+  void setMotor(int assembly, int hinge, double velocity) override {
+    dJointSetHingeParam(get(assembly).hinge(hinge), dParamVel, velocity);
+  }
+  double hingeAngle(int assembly, int hinge) const override {
+    return dJointGetHingeAngle(get(assembly).hinge(hinge));
+  }
+
+  void step() override {
+    ensureThread();
+    for (const auto& [handle, assembly] : assemblies) assembly->applyDrag();
+    contactFinder.makeJoints(assemblies);
+    dWorldStep(world.id, config.stepSeconds);
+    contactFinder.finish();
+  }
+  const std::vector<Contact>& contacts() const override { return contactFinder.contacts(); }
+
+  BodyState bodyState(int assembly, int body) const override {
+    dBodyID id = get(assembly).body(body);
+    return {bodyPose(id), toVec3(dBodyGetLinearVel(id)), toVec3(dBodyGetAngularVel(id))};
+  }
+  AssemblyState state(int assembly) const override { return get(assembly).state(); }
+  void setState(int assembly, const AssemblyState& state) override { get(assembly).setState(state); }
+  void moveRigidly(int assembly, const Pose3& T_world_root) override {
+    get(assembly).moveRigidly(T_world_root);
+  }
+  void wake(int assembly, int body) override {
+    dBodyID id = get(assembly).body(body);
+    if (!dBodyIsEnabled(id)) dBodyEnable(id);
+  }
+  bool asleep(int assembly) const override { return get(assembly).asleep(); }
+
+private:
+  OdeAssembly& get(int assembly) const {
+    const auto it = assemblies.find(assembly);
+    if (it == assemblies.end())
+      throw std::out_of_range("physics: no assembly " + std::to_string(assembly) + " in this world");
+    return *it->second;
+  }
+
+  PhysicsConfig config;
+  OwnedWorld world;
+  OdeContacts contactFinder;
+  Assemblies assemblies;
+  int nextHandle = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Physics> makeOdePhysics(const PhysicsConfig& config) {
+  return std::make_unique<OdePhysics>(config);
+}
+
+}  // namespace plumbline::simulation::ode
