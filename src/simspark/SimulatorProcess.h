@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "simspark/ChildProcess.h"
+
+namespace plumbline::simspark {
+
+struct Ports {
+  int agent = 3100;
+  int monitor = 3200;
+};
+
+/// The embedded simulator as a child process on free ports of the loopback interface.
+class SimulatorProcess {
+ public:
+  /// Starts `program` with `options` and waits until it has written its ports. `portsFile` is overwritten.
+  /// Throws std::runtime_error if it can't be started or has no ports after ten seconds.
+  SimulatorProcess(const std::string& program, std::vector<std::string> options, const std::string& portsFile,
+                   const std::string& outputFile = "");
+
+  const Ports& ports() const { return ports_; }
+  ChildProcess& process() { return process_; }
+
+ private:
+  ChildProcess process_;
+  Ports ports_;
+};
+
+}  // namespace plumbline::simspark
