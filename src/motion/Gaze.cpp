@@ -1,0 +1,62 @@
+#include "motion/Gaze.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::motion {
+
+namespace {
+
+constexpr double yawStep = 0.1;  // between the yaws that are tried [rad]
+constexpr double landmarkWorth = 1.0;
+constexpr double turnCost = 0.4;     // landmarks a turn of 1 rad has to bring
+constexpr double offBallCost = 0.8;  // landmarks 1 rad away from the ball has to bring
+
+/// Landmarks within the cone for that yaw; those at its edge count less, so that the view is stable.
+double landmarksInView(double yaw, const Pose2& robot, const std::vector<Vec2>& landmarks, double halfView) {
+  double sum = 0;
+  for (const Vec2& landmark : landmarks) {
+    const Vec2 seen = robot.inverse() * landmark;
+    const double off = std::abs(normalizeAngle(std::atan2(seen.y(), seen.x()) - yaw));
+    sum += std::clamp((halfView - off) / 0.15, 0.0, 1.0);
+  }
+  return sum;
+}
+
+}  // namespace
+
+HeadAngles lookAtBall(const Vec2& ball, const std::optional<Pose2>& robot, const std::vector<Vec2>& landmarks,
+                      double current, const GazeParameters& p) {
+  HeadAngles head;
+  const double distance = ball.norm();
+  // The ball a third of the half view below the axis: the near field and the far landmarks are both in view.
+  head.pitch = std::clamp(std::atan2(p.cameraHeight, distance) - p.halfView / 3, p.minPitch, p.maxPitch);
+  const double bearing = std::atan2(ball.y(), ball.x());
+  const double direct = std::clamp(bearing, -p.maxYaw, p.maxYaw);
+  head.yaw = direct;
+  if (!robot) return head;
+  double best = -1e9;
+  const double freedom = p.halfView - p.ballMargin;
+  const double farthest = std::max(freedom, std::abs(bearing - direct));
+  const int steps = static_cast<int>(freedom / yawStep);
+  for (int i = -steps; i <= steps; ++i) {
+    const double yaw = std::clamp(direct + i * yawStep, -p.maxYaw, p.maxYaw);
+    if (std::abs(bearing - yaw) > farthest) continue;
+    const double worth = landmarkWorth * landmarksInView(yaw, *robot, landmarks, p.halfView) -
+                         turnCost * std::abs(yaw - current) - offBallCost * std::abs(yaw - direct);
+    if (worth > best) {
+      best = worth;
+      head.yaw = yaw;
+    }
+  }
+  return head;
+}
+
+HeadAngles scan(double seconds, double firstSide, const GazeParameters& p) {
+  // A triangle wave that begins in the middle.
+  const double phase = std::fmod(seconds / p.scanSeconds + 0.25, 1.0);
+  const double wave = phase < 0.5 ? 4 * phase - 1 : 3 - 4 * phase;
+  return {firstSide * p.scanYaw * wave, 0.1};
+}
+
+}  // namespace plumbline::motion

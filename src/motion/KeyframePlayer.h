@@ -1,0 +1,33 @@
+#pragma once
+#include <array>
+
+#include "motion/Keyframes.h"
+
+namespace plumbline::motion {
+
+/// Plays one keyframe motion: call step once per cycle and send angles() to the joints.
+class KeyframePlayer {
+public:
+  /// Begins the motion at these joint angles [rad]. The motion is copied.
+  void start(const KeyframeMotion& motion, const JointArray& from);
+  /// Advances by seconds; still: the torso does not turn now (ends a wait to settle). After the last keyframe
+  /// its angles are held.
+  void step(double seconds, bool still);
+
+  bool finished() const { return index >= motion.keyframes.size(); }
+  const JointArray& angles() const { return current; }
+  /// The joints the motion has moved so far.
+  const std::array<bool, numJoints>& joints() const { return touched; }
+  std::size_t keyframe() const { return index; }
+
+private:
+  void enter();
+
+  KeyframeMotion motion;
+  std::size_t index = 0;
+  double elapsed = 0;  ///< since the keyframe's start, settling included [s]
+  JointArray begin{}, current{};
+  std::array<bool, numJoints> touched{};
+};
+
+}  // namespace plumbline::motion

@@ -1,0 +1,275 @@
+#include "motion/KeyframeReader.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "math/Angle.h"
+
+namespace plumbline::motion {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double maxSeconds = 60;        // a longer keyframe is a slip of the pen
+constexpr double limitTolerance = 1e-6;  // [rad]; degrees do not convert exactly
+constexpr std::size_t maxKeyframes = 1000;
+constexpr std::uintmax_t maxFileBytes = 1 << 20;
+constexpr double maxBallDistance = 1;  // [m]
+
+std::string shortNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+/// Levenshtein distance.
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+/// Everything a key of a keyframe can be, besides a single joint: a name without its side means both.
+std::vector<std::string> keyframeWords() {
+  std::vector<std::string> words = {"time", "settle", "ballX", "ballY"};
+  for (std::string_view name : jointNames) {
+    words.emplace_back(name);
+    if (name.front() == 'L') words.emplace_back(name.substr(1));
+  }
+  return words;
+}
+
+class Reader {
+public:
+  Reader(const fs::path& file_, const RobotModel& robot_, const std::vector<fs::path>& directories_,
+         int depth_)
+      : file(file_), robot(robot_), directories(directories_), depth(depth_) {}
+
+  KeyframeMotion read() {
+    std::error_code error;
+    const std::uintmax_t bytes = fs::file_size(file, error);
+    std::ifstream in(file);
+    if (error || !in)
+      throw KeyframeFileError(file.string() + ": cannot be read: no such file, or no right to");
+    if (bytes > maxFileBytes)
+      throw KeyframeFileError(file.string() + ": larger than 1 MB: not a keyframe file");
+    YAML::Node root;
+    try {
+      root = YAML::Load(in);
+    } catch (const YAML::ParserException& e) {
+      throw KeyframeFileError(file.string() + ":" + std::to_string(e.mark.line + 1) +
+                              ": broken YAML: " + e.msg);
+    }
+    if (!root.IsMap()) fail(root, "", "a motion is a map with the key keyframes (or mirror)");
+    KeyframeMotion motion;
+    if (root["mirror"]) {
+      motion = readMirrored(root);
+    } else {
+      forEachKey(root, [&](const std::string& key, const YAML::Node& keyNode, const YAML::Node& value) {
+        if (key == "keyframes")
+          readKeyframes(value, motion);
+        else if (key == "ball")
+          motion.ball = readPair(value, key, -maxBallDistance);
+        else if (key == "ballReach")
+          motion.ballReach = readPair(value, key, 0);
+        else
+          fail(keyNode, key, "unknown key" + nearest(key, {"keyframes", "mirror", "ball", "ballReach"}));
+      });
+      if (motion.keyframes.empty()) fail(root, "keyframes", "missing or empty");
+      checkReach(root, motion);
+    }
+    motion.name = file.stem().string();
+    return motion;
+  }
+
+private:
+  [[noreturn]] void fail(const YAML::Node& where, const std::string& key, const std::string& what) const {
+    const int line = where.Mark().is_null() ? 1 : where.Mark().line + 1;
+    throw KeyframeFileError(file.string() + ":" + std::to_string(line) + ": " +
+                            (key.empty() ? "" : key + ": ") + what);
+  }
+
+  template <class Visit>
+  void forEachKey(const YAML::Node& map, Visit visit) const {
+    std::set<std::string> seen;
+    for (const auto& item : map) {
+      if (!item.first.IsScalar()) fail(item.first, "", "a key has to be a word");
+      const std::string key = item.first.Scalar();
+      if (!seen.insert(key).second) fail(item.first, key, "given twice");
+      visit(key, item.first, item.second);
+    }
+  }
+
+  std::string nearest(const std::string& word, const std::vector<std::string>& words) const {
+    const auto best = std::min_element(words.begin(), words.end(), [&](const auto& a, const auto& b) {
+      return editDistance(word, a) < editDistance(word, b);
+    });
+    return "; nearest known name: " + *best;
+  }
+
+  double readNumber(const YAML::Node& value, const std::string& key) const {
+    double number = 0;
+    if (!value.IsScalar() || !YAML::convert<double>::decode(value, number) || !std::isfinite(number))
+      fail(value, key, value.IsScalar() ? "\"" + value.Scalar() + "\" is not a number" : "not a number");
+    return number;
+  }
+
+  double readSeconds(const YAML::Node& value, const std::string& key) const {
+    const double seconds = readNumber(value, key);
+    if (seconds < 0) fail(value, key, shortNumber(seconds) + " s is negative");
+    if (seconds > maxSeconds) fail(value, key, shortNumber(seconds) + " s is more than 60 s");
+    return seconds;
+  }
+
+  Vec2 readPair(const YAML::Node& value, const std::string& key, double lowest) const {
+    if (!value.IsSequence() || value.size() != 2) fail(value, key, "has to be [x, y] in metres");
+    const Vec2 pair(readNumber(value[0], key), readNumber(value[1], key));
+    if (pair.minCoeff() < lowest || pair.maxCoeff() > maxBallDistance)
+      fail(value, key,
+           "has to be between " + shortNumber(lowest) + " and " + shortNumber(maxBallDistance) + " m");
+    return pair;
+  }
+
+  KeyframeMotion readMirrored(const YAML::Node& root) const {
+    forEachKey(root, [&](const std::string& key, const YAML::Node& keyNode, const YAML::Node&) {
+      if (key != "mirror") fail(keyNode, key, "a motion with mirror has no other key");
+    });
+    const YAML::Node value = root["mirror"];
+    if (!value.IsScalar()) fail(value, "mirror", "has to be the name of a motion");
+    const std::string other = value.Scalar();
+    if (depth > 0) fail(value, "mirror", "a mirrored motion cannot be mirrored again");
+    for (auto directory = directories.rbegin(); directory != directories.rend(); ++directory) {
+      const fs::path path = *directory / (other + ".yaml");
+      if (fs::exists(path)) return mirrored(Reader(path, robot, directories, depth + 1).read());
+    }
+    fail(value, "mirror", "there is no motion " + other);
+  }
+
+  void readKeyframes(const YAML::Node& list, KeyframeMotion& motion) const {
+    if (!list.IsSequence()) fail(list, "keyframes", "has to be a list");
+    if (list.size() > maxKeyframes) fail(list, "keyframes", "more than 1000");
+    for (const YAML::Node& node : list) motion.keyframes.push_back(readKeyframe(node));
+  }
+
+  Keyframe readKeyframe(const YAML::Node& node) const {
+    if (!node.IsMap()) fail(node, "keyframes", "each has to be a map with time and joints");
+    Keyframe frame;
+    std::map<JointId, BallGain> gains;
+    bool hasTime = false;
+    forEachKey(node, [&](const std::string& key, const YAML::Node& keyNode, const YAML::Node& value) {
+      if (key == "time") {
+        frame.seconds = readSeconds(value, key);
+        hasTime = true;
+      } else if (key == "settle") {
+        frame.settleSeconds = readSeconds(value, key);
+      } else if (key == "ballX" || key == "ballY") {
+        if (!value.IsMap()) fail(value, key, "has to map joints to degrees per metre");
+        forEachKey(value, [&](const std::string& name, const YAML::Node& nameNode, const YAML::Node& gain) {
+          const JointId joint = jointByName(name);
+          if (joint == numJoints || !robot.has(joint)) failJoint(nameNode, name);
+          gains[joint].joint = joint;
+          gains[joint].gain[key == "ballX" ? 0 : 1] = fromDegrees(readNumber(gain, name));
+        });
+      } else {
+        readJoint(key, keyNode, value, frame);
+      }
+    });
+    if (!hasTime) fail(node, "time", "missing; give the seconds from the keyframe before");
+    for (const auto& [joint, gain] : gains) {
+      if (!frame.set[joint])
+        fail(node, std::string(jointNames[joint]), "has a gain for the ball, but no angle in this keyframe");
+      frame.ballGains.push_back(gain);
+    }
+    return frame;
+  }
+
+  [[noreturn]] void failJoint(const YAML::Node& node, const std::string& name) const {
+    if (jointByName(name) != numJoints || jointByName("L" + name) != numJoints)
+      fail(node, name, "robot " + robot.name + " has no such joint");
+    fail(node, name, "unknown joint" + nearest(name, keyframeWords()));
+  }
+
+  void readJoint(const std::string& key, const YAML::Node& keyNode, const YAML::Node& value,
+                 Keyframe& frame) const {
+    const JointId one = jointByName(key);
+    const JointId left = one == numJoints ? jointByName("L" + key) : numJoints;
+    const JointId first = one == numJoints ? left : one;
+    if (first == numJoints || !robot.has(first)) failJoint(keyNode, key);
+    const double degrees = readNumber(value, key);
+    setJoint(first, degrees, value, key, frame);
+    if (left != numJoints) setJoint(mirrored(left), mirrorSign(left) * degrees, value, key, frame);
+  }
+
+  void setJoint(JointId joint, double degrees, const YAML::Node& value, const std::string& key,
+                Keyframe& frame) const {
+    if (frame.set[joint])
+      fail(value, key, std::string(jointNames[joint]) + " has an angle already in this keyframe");
+    const Link& link = robot.linkMovedBy(joint);
+    const double angle = fromDegrees(degrees);
+    if (angle < link.lower - limitTolerance || angle > link.upper + limitTolerance)
+      fail(value, key,
+           shortNumber(degrees) + " degrees is out of the limits " + shortNumber(toDegrees(link.lower)) +
+               " to " + shortNumber(toDegrees(link.upper)) + " of " + std::string(jointNames[joint]) +
+               " in robot " + robot.name);
+    frame.angles[joint] = angle;
+    frame.set[joint] = true;
+  }
+
+  /// The angles have to stay within the limits for every place of the ball.
+  void checkReach(const YAML::Node& root, const KeyframeMotion& motion) const {
+    for (std::size_t i = 0; i < motion.keyframes.size(); ++i)
+      for (const BallGain& gain : motion.keyframes[i].ballGains) {
+        const double swing = gain.gain.cwiseAbs().dot(motion.ballReach);
+        const double angle = motion.keyframes[i].angles[gain.joint];
+        const Link& link = robot.linkMovedBy(gain.joint);
+        if (angle - swing < link.lower - limitTolerance || angle + swing > link.upper + limitTolerance)
+          fail(root["keyframes"][i], std::string(jointNames[gain.joint]),
+               "leaves its limits for a ball at the edge of ballReach");
+      }
+  }
+
+  const fs::path& file;
+  const RobotModel& robot;
+  const std::vector<fs::path>& directories;
+  int depth;
+};
+
+}  // namespace
+
+KeyframeMotion readKeyframeFile(const fs::path& file, const RobotModel& robot,
+                                const std::vector<fs::path>& directories) {
+  return Reader(file, robot, directories, 0).read();
+}
+
+std::vector<KeyframeMotion> readMotions(const std::vector<fs::path>& directories, const RobotModel& robot) {
+  std::map<std::string, fs::path> files;
+  for (std::size_t i = 0; i < directories.size(); ++i) {
+    if (!fs::is_directory(directories[i])) {
+      if (i == 0) throw KeyframeFileError(directories[i].string() + ": no such directory of motions");
+      continue;
+    }
+    for (const auto& entry : fs::directory_iterator(directories[i]))
+      if (entry.path().extension() == ".yaml") files[entry.path().stem().string()] = entry.path();
+  }
+  std::vector<KeyframeMotion> motions;
+  for (const auto& [name, path] : files) motions.push_back(readKeyframeFile(path, robot, directories));
+  return motions;
+}
+
+}  // namespace plumbline::motion

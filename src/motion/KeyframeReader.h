@@ -1,0 +1,30 @@
+#pragma once
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "motion/Keyframes.h"
+#include "robot/RobotModel.h"
+
+namespace plumbline::motion {
+
+/// A keyframe file that cannot be used; what() is one line "file:line: key: what is wrong and what to do".
+class KeyframeFileError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads one motion from a YAML file (format: doc/how-to/add-a-motion.md); degrees in the file, radians
+/// here. A file "mirror: other" is the mirror image of other.yaml, looked for along the same directories.
+/// Errors: KeyframeFileError.
+KeyframeMotion readKeyframeFile(const std::filesystem::path& file, const RobotModel& robot,
+                                const std::vector<std::filesystem::path>& directories);
+
+/// All motions of these directories by name; where a name appears twice the later directory wins, so a
+/// robot type's own directory comes last. A directory that does not exist holds no motion, but the first
+/// must exist. Errors: KeyframeFileError.
+std::vector<KeyframeMotion> readMotions(const std::vector<std::filesystem::path>& directories,
+                                        const RobotModel& robot);
+
+}  // namespace plumbline::motion

@@ -1,0 +1,47 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "math/Types.h"
+#include "robot/JointId.h"
+
+namespace plumbline::motion {
+
+/// How a joint's angle moves with the place of the ball, for kicks: angle += gain . (ball - nominal ball).
+struct BallGain {
+  JointId joint = numJoints;
+  Vec2 gain = Vec2::Zero();  ///< [rad/m], along x (forward) and y (left) of the robot's ground frame
+};
+
+/// A posture and the time to reach it from the one before, joint by joint in a straight line.
+struct Keyframe {
+  double seconds = 0;        ///< from the previous keyframe to this one [s]; 0: as fast as the joints can
+  double settleSeconds = 0;  ///< then wait until the torso is still, this long at most [s]
+  JointArray angles{};       ///< [rad]
+  std::array<bool, numJoints> set{};  ///< joints without an angle stay where the last keyframe put them
+  std::vector<BallGain> ballGains;
+};
+
+/// A motion as a list of keyframes.
+struct KeyframeMotion {
+  std::string name;
+  std::vector<Keyframe> keyframes;
+  Vec2 ball = Vec2::Zero();       ///< where a kick expects the ball, robot's ground frame [m]
+  Vec2 ballReach = Vec2::Zero();  ///< how far from there it may lie [m]; 0: the motion does not mind the ball
+
+  /// Time without waiting to settle [s].
+  double seconds() const;
+};
+
+/// The same joint of the other side; head joints stay.
+JointId mirrored(JointId joint);
+/// +1 if a mirrored posture has the same sign in the mirrored joint, else -1 (yaw and roll).
+double mirrorSign(JointId joint);
+/// Left and right exchanged, the ball's y too.
+KeyframeMotion mirrored(const KeyframeMotion& motion);
+
+/// The keyframes for a ball at that place: each gain applied to the offset, which is clamped to ballReach.
+KeyframeMotion shiftedToBall(const KeyframeMotion& motion, const Vec2& ball);
+
+}  // namespace plumbline::motion
