@@ -1,0 +1,41 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "math/Pose2.h"
+#include "math/Types.h"
+
+namespace plumbline {
+
+/// Motion of the torso over the ground from its orientation, the leg's kinematics and the feet's contact
+/// points, which are taken to stand still on the ground from one cycle to the next.
+class SupportOdometry {
+public:
+  /// A point of the robot that touches the ground: link, point in the link's frame [m], weight (its load) [N].
+  struct Contact {
+    int link = 0;
+    Vec3 point = Vec3::Zero();
+    double load = 0;
+  };
+
+  /// With no contact the last speed goes on for airborneSeconds, then the robot is taken to lie still [s].
+  explicit SupportOdometry(double airborneSeconds = 0.2) : airborneSeconds(airborneSeconds) {}
+
+  void reset();
+
+  /// One cycle; R_world_torso: z up, T_torso_link: kinematics of this cycle, contacts: during the step that
+  /// led to it. Returns T_before_now of the ground frame (below the torso, x the torso's heading); identity
+  /// in the first cycle.
+  Pose2 update(const Mat3& R_world_torso, std::span<const Pose3> T_torso_link,
+               std::span<const Contact> contacts, double dt);
+
+private:
+  double airborneSeconds;
+  bool started = false;
+  Mat3 R_before = Mat3::Identity();
+  std::vector<Pose3> linksBefore;
+  double airborneFor = 0;
+  Vec2 speed = Vec2::Zero();  ///< in the world's orientation [m/s]
+};
+
+}  // namespace plumbline
