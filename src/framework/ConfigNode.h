@@ -1,0 +1,40 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace plumbline {
+
+/// One value of a config file with the place it comes from.
+struct ConfigNode {
+  enum class Kind { null, scalar, list, map };
+  Kind kind = Kind::null;
+  std::string text;     ///< of a scalar
+  bool quoted = false;  ///< a scalar in quotes is a string, whatever it looks like
+  std::vector<std::pair<std::string, ConfigNode>> entries;  ///< of a map, in the file's order
+  std::vector<ConfigNode> elements;                         ///< of a list
+  std::shared_ptr<const std::string> file;
+  int line = 0;
+  std::string key;  ///< from the root of the file: `walk.stepHeight`, `skills[2].name`
+
+  // Who asked for it: what was never asked for is an unknown key.
+  mutable bool used = false;
+  mutable std::vector<std::string> asked;  ///< of a map: the keys looked for in it
+
+  const ConfigNode* find(std::string_view name) const;
+  /// `file:line`
+  std::string place() const { return *file + ":" + std::to_string(line); }
+  /// What it is, for error texts: `"abc"`, `a list of 3`, `a map`, `empty`.
+  std::string describe() const;
+};
+
+/// Parses a YAML file. Throws ConfigurationError naming file and line: unreadable, broken, a key twice, more
+/// than 4 MB or 100000 values.
+ConfigNode loadYaml(const std::string& path);
+
+/// Lays `over` on `base`: maps are merged key by key, anything else is replaced.
+void mergeConfig(ConfigNode& base, const ConfigNode& over);
+
+}  // namespace plumbline

@@ -1,0 +1,39 @@
+#pragma once
+#include <chrono>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "framework/Stopwatch.h"
+
+namespace plumbline {
+
+/// A module's debug object. Now it holds the module's own stopwatches, which stand beside those of its
+/// execute and updates in the timing report; drawings and debug requests will be reached through it too.
+class Debug {
+public:
+  /// Measures until it is destroyed.
+  class Measurement {
+  public:
+    explicit Measurement(Stopwatch& stopwatch) : stopwatch_(stopwatch), start_(Clock::now()) {}
+    Measurement(const Measurement&) = delete;
+    Measurement& operator=(const Measurement&) = delete;
+    ~Measurement() {
+      stopwatch_.add(static_cast<std::uint64_t>(std::chrono::nanoseconds(Clock::now() - start_).count()));
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Stopwatch& stopwatch_;
+    Clock::time_point start_;
+  };
+
+  /// `auto watch = debug.stopwatch("resampling");` measures to the end of the block.
+  [[nodiscard]] Measurement stopwatch(const std::string& name);
+  const std::map<std::string, std::unique_ptr<Stopwatch>>& stopwatches() const { return stopwatches_; }
+
+private:
+  std::map<std::string, std::unique_ptr<Stopwatch>> stopwatches_;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,117 @@
+#include "framework/Log.h"
+
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <mutex>
+#include <streambuf>
+
+#include "framework/LogBuffer.h"
+
+namespace plumbline {
+namespace {
+
+/// Collects one message in a string that keeps its memory.
+class MessageBuffer : public std::streambuf {
+public:
+  std::string text;
+
+protected:
+  int overflow(int c) override {
+    if (c != EOF) text.push_back(static_cast<char>(c));
+    return c;
+  }
+  std::streamsize xsputn(const char* data, std::streamsize size) override {
+    text.append(data, static_cast<std::size_t>(size));
+    return size;
+  }
+};
+
+struct MessageStream {
+  MessageBuffer buffer;
+  std::ostream stream{&buffer};
+};
+
+/// The streams of a thread: one per message under way, as an operator<< may itself log.
+class StreamStack {
+public:
+  std::ostream& push() {
+    if (used_ == streams_.size()) streams_.push_back(std::make_unique<MessageStream>());
+    MessageStream& top = *streams_[used_++];
+    top.buffer.text.clear();
+    top.stream.clear();
+    top.stream.flags(std::ios_base::dec | std::ios_base::skipws);
+    top.stream.precision(6);
+    return top.stream;
+  }
+  std::string& text() { return streams_[used_ - 1]->buffer.text; }
+  void pop() { used_--; }
+
+private:
+  std::vector<std::unique_ptr<MessageStream>> streams_;
+  std::size_t used_ = 0;
+};
+
+StreamStack& streams() {
+  thread_local StreamStack stack;
+  return stack;
+}
+
+std::mutex listenerMutex;
+std::function<void(std::string_view, std::string_view)>& listener() {
+  static std::function<void(std::string_view, std::string_view)> function;
+  return function;
+}
+
+}  // namespace
+
+LogLine::LogLine(const Log& log, std::string_view start) : log_(log), stream_(streams().push()) {
+  stream_ << start;
+}
+
+LogLine::~LogLine() {
+  std::string& text = streams().text();
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  LogBuffer::instance().add(log_.source(), text);
+  streams().pop();
+}
+
+LogLine Log::operator<<(std::ostream& (*)(std::ostream&)) { return LogLine(*this, ""); }
+LogLine Log::warning() { return LogLine(*this, "warning: "); }
+LogLine Log::error() { return LogLine(*this, "error: "); }
+
+LogBuffer::LogBuffer() : record_(new CrashRecord) {}
+
+LogBuffer& LogBuffer::instance() {
+  // Never destroyed: modules may log until the very end.
+  static LogBuffer* buffer = new LogBuffer;
+  return *buffer;
+}
+
+void LogBuffer::add(std::string_view source, std::string_view message) {
+  record_->add(source, message);
+  if (verbose_) {
+    std::string line = "[" + std::string(source) + "] " + std::string(message) + "\n";
+    std::fwrite(line.data(), 1, line.size(), stdout);
+  }
+  std::lock_guard lock(listenerMutex);
+  if (listener()) listener()(source, message);
+}
+
+void LogBuffer::trace(std::string_view text) {
+  std::string line(text);
+  line.push_back('\n');
+  std::fwrite(line.data(), 1, line.size(), stdout);
+}
+
+void LogBuffer::setListener(std::function<void(std::string_view, std::string_view)> function) {
+  std::lock_guard lock(listenerMutex);
+  listener() = std::move(function);
+}
+
+void LogBuffer::useRecord(CrashRecord* record) {
+  delete record_;
+  record_ = record;
+}
+
+}  // namespace plumbline

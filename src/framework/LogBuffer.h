@@ -1,0 +1,37 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "framework/CrashRecord.h"
+
+namespace plumbline {
+
+/// Takes all messages of the process: keeps the last ones in a ring for crash.log, prints them with -v.
+class LogBuffer {
+public:
+  static LogBuffer& instance();
+
+  /// One message; safe from any thread.
+  void add(std::string_view source, std::string_view message);
+  /// One line of the -v trace (`[thread] Module:execute`); not kept in the ring.
+  void trace(std::string_view line);
+
+  /// Prints messages and trace to standard output (the option -v).
+  void setVerbose(bool verbose) { verbose_ = verbose; }
+  bool verbose() const { return verbose_; }
+
+  /// Also hands every message to this function (tests, other log targets); called under a lock.
+  void setListener(std::function<void(std::string_view source, std::string_view message)> listener);
+
+  /// Moves the ring to memory another process can read. Before any other thread starts.
+  void useRecord(CrashRecord* record);
+  CrashRecord& record() { return *record_; }
+
+private:
+  LogBuffer();
+  CrashRecord* record_;
+  bool verbose_ = false;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,78 @@
+#pragma once
+#include "framework/ModuleDescription.h"
+#include "framework/PluginModuleBase.h"
+#include "framework/Registry.h"
+
+namespace plumbline {
+
+/// The common base of all modules. A module is declared so (and made known by MAKE_MODULE in its .cpp):
+///
+///     MODULE(BallLocator)
+///       REQUIRES(BallPercept)  // const BallPercept* theBallPercept: updated before this module executes
+///       REQUIRES_IF_PROVIDED(Odometry)  // the same if any module provides it, otherwise null
+///       USES(RobotPose)        // no effect on the order: may be of the last cycle; null if not provided
+///       PROVIDES(BallPos)      // void update(BallPos* theBallPos) must be implemented
+///     END_MODULE
+///     class BallLocator : public BallLocatorBase { ... };
+class Module : public PluginModuleBase {
+public:
+  Module() = default;
+  Module(const Module&) = delete;
+  Module& operator=(const Module&) = delete;
+  virtual ~Module() = default;
+
+  /// Once, before the first cycle; all representations are there.
+  virtual void init() {}
+  /// In every cycle, before the module's updates.
+  virtual void execute() {}
+};
+
+}  // namespace plumbline
+
+#define MODULE(Name)                                                    \
+  class Name;                                                           \
+  class Name##Base : public ::plumbline::Module {                       \
+    using ThisModuleBase = Name##Base;                                  \
+                                                                        \
+  public:                                                               \
+    static ::plumbline::ModuleDescription& moduleDescription() {        \
+      static ::plumbline::ModuleDescription description{#Name, {}, {}}; \
+      return description;                                               \
+    }
+
+#define PLUMBLINE_INPUT(Name, inputKind)                                                                   \
+protected:                                                                                                 \
+  const Name* the##Name = nullptr;                                                                         \
+                                                                                                           \
+private:                                                                                                   \
+  static void plumblineBind##Name(::plumbline::Module& module, const ::plumbline::Representation* value) { \
+    static_cast<ThisModuleBase&>(module).the##Name = static_cast<const Name*>(value);                      \
+  }                                                                                                        \
+  inline static const bool plumblineInput##Name =                                                          \
+      moduleDescription().add(::plumbline::representationLoader<Name>(),                                   \
+                              ::plumbline::ModuleInput::Kind::inputKind, &plumblineBind##Name);            \
+  static void plumblineEnd##Name() {}
+
+#define REQUIRES(Name) PLUMBLINE_INPUT(Name, required)
+#define REQUIRES_IF_PROVIDED(Name) PLUMBLINE_INPUT(Name, requiredIfProvided)
+#define USES(Name) PLUMBLINE_INPUT(Name, used)
+
+#define PROVIDES(Name)                                                                                 \
+public:                                                                                                \
+  virtual void update(Name* the##Name) = 0;                                                            \
+                                                                                                       \
+private:                                                                                               \
+  static void plumblineUpdate##Name(::plumbline::Module& module, ::plumbline::Representation& value) { \
+    static_cast<ThisModuleBase&>(module).update(static_cast<Name*>(&value));                           \
+  }                                                                                                    \
+  inline static const bool plumblineOutput##Name =                                                     \
+      moduleDescription().add(::plumbline::representationLoader<Name>(), &plumblineUpdate##Name);      \
+  static void plumblineProvided##Name() {}
+
+#define END_MODULE \
+  }                \
+  ;
+
+/// In the module's .cpp: makes the module known.
+#define MAKE_MODULE(Name) \
+  [[maybe_unused]] static const ::plumbline::ModuleLoaderOf<Name> plumblineLoader##Name{};

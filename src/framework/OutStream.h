@@ -1,0 +1,33 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace plumbline {
+
+/// Where a Streamable writes itself. A stream knows only these few shapes; StreamTypes.h breaks every
+/// supported type down to them, and STREAM names the members.
+class OutStream {
+public:
+  virtual ~OutStream() = default;
+  /// A value of 1, 2, 4 or 8 bytes.
+  virtual void writeSigned(std::int64_t value, unsigned bytes) = 0;
+  virtual void writeUnsigned(std::uint64_t value, unsigned bytes) = 0;
+  virtual void writeBool(bool value) = 0;
+  virtual void writeChar(char value) = 0;
+  virtual void writeFloat(float value) = 0;
+  virtual void writeDouble(double value) = 0;
+  virtual void writeString(std::string_view value) = 0;
+  /// A block of memory as it stands.
+  virtual void writeRaw(const void* data, std::size_t size) = 0;
+
+  /// Members follow, each with its label, until endObject.
+  virtual void beginObject() = 0;
+  virtual void endObject() = 0;
+  virtual void label(std::string_view name) = 0;
+  /// `size` elements follow, until endList. The reader does not know `size` unless `sized`.
+  virtual void beginList(std::size_t size, bool sized) = 0;
+  virtual void endList() = 0;
+};
+
+}  // namespace plumbline

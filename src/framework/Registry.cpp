@@ -1,0 +1,36 @@
+#include "framework/Registry.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace plumbline {
+
+Registry& Registry::instance() {
+  static Registry registry;
+  return registry;
+}
+
+void Registry::add(const ModuleLoader& loader) {
+  const std::string& name = loader.description().name;
+  if (!modules_.emplace(name, &loader).second) {
+    std::fprintf(stderr, "two modules with the name %s are linked into this program\n", name.c_str());
+    std::exit(2);
+  }
+}
+
+const std::map<std::string, const RepresentationLoader*>& Registry::representations() const {
+  // A module's description is complete only when all static objects are made: so not in add().
+  if (representations_.empty()) {
+    for (const auto& [name, loader] : modules_) {
+      for (const auto& input : loader->description().inputs) {
+        representations_.emplace(input.representation->name(), input.representation);
+      }
+      for (const auto& output : loader->description().outputs) {
+        representations_.emplace(output.representation->name(), output.representation);
+      }
+    }
+  }
+  return representations_;
+}
+
+}  // namespace plumbline

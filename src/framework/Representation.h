@@ -1,0 +1,47 @@
+#pragma once
+#include <type_traits>
+
+#include "framework/Streamable.h"
+
+namespace plumbline {
+
+/// Variables every representation shall have are added here (and filled by a Plugin). Must stay plain data.
+class PluginRepresentationBase {};
+
+/// The common base of everything on the blackboard.
+class Representation : public Streamable, public PluginRepresentationBase {
+protected:
+  ~Representation() = default;
+};
+
+/// What REPRESENTATION(R) puts below class R. Without a stream method of its own, R is streamed as the block
+/// of memory its members fill; the loader refuses that for members that own memory.
+template <typename R>
+class RepresentationOf : public Representation {
+public:
+  void stream(InStream* in, OutStream* out) override {
+    // A class whose members are destroyed without any work holds no string, vector or other owner.
+    if constexpr (std::is_trivially_destructible_v<R>) {
+      char* members = reinterpret_cast<char*>(static_cast<R*>(this)) + sizeof(Representation);
+      constexpr std::size_t size = sizeof(R) - sizeof(Representation);
+      if (out) out->writeRaw(members, size);
+      if (in) in->readRaw(members, size);
+    }
+  }
+
+protected:
+  ~RepresentationOf() = default;
+};
+
+}  // namespace plumbline
+
+/// REPRESENTATION(BallPos) before `class BallPos : public BallPosBase { ... };`
+#define REPRESENTATION(Name)                                            \
+  class Name;                                                           \
+  class Name##Base : public ::plumbline::RepresentationOf<Name> {       \
+  public:                                                               \
+    static constexpr const char* representationName() { return #Name; } \
+                                                                        \
+  protected:                                                            \
+    ~Name##Base() = default;                                            \
+  };

@@ -1,0 +1,63 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <type_traits>
+
+#include "framework/Representation.h"
+
+namespace plumbline {
+
+/// Owns one representation whose type only its loader knows.
+class RepresentationHolder {
+public:
+  virtual ~RepresentationHolder() = default;
+  virtual Representation& get() = 0;
+};
+
+/// What the framework knows of a type of representation: its name, how to make one and how to copy one.
+class RepresentationLoader {
+public:
+  virtual ~RepresentationLoader() = default;
+  virtual const std::string& name() const = 0;
+  virtual std::unique_ptr<RepresentationHolder> create() const = 0;
+  /// `to` = `from`; both must be of the loader's type.
+  virtual void copy(const Representation& from, Representation& to) const = 0;
+};
+
+template <typename R>
+class RepresentationLoaderOf final : public RepresentationLoader {
+  static_assert(std::is_base_of_v<Representation, R>, "declare it with REPRESENTATION");
+  static_assert(std::is_copy_assignable_v<R>, "a representation is copied from thread to thread");
+
+  static constexpr bool hasOwnStream =
+      std::is_same_v<decltype(&R::stream), void (R::*)(InStream*, OutStream*)>;
+  static_assert(hasOwnStream || std::is_trivially_destructible_v<R>,
+                "this representation has members that own memory: write its stream method");
+
+  class Holder final : public RepresentationHolder {
+  public:
+    Representation& get() override { return representation_; }
+
+  private:
+    R representation_{};
+  };
+
+public:
+  const std::string& name() const override { return name_; }
+  std::unique_ptr<RepresentationHolder> create() const override { return std::make_unique<Holder>(); }
+  void copy(const Representation& from, Representation& to) const override {
+    static_cast<R&>(to) = static_cast<const R&>(from);
+  }
+
+private:
+  std::string name_ = R::representationName();
+};
+
+/// The one loader of a type.
+template <typename R>
+const RepresentationLoader& representationLoader() {
+  static const RepresentationLoaderOf<R> loader;
+  return loader;
+}
+
+}  // namespace plumbline

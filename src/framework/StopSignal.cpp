@@ -1,0 +1,86 @@
+#include "framework/StopSignal.h"
+
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdint>
+#include <stdexcept>
+
+namespace plumbline {
+namespace {
+
+std::atomic<StopSignal*> signalTarget{nullptr};
+std::atomic<int> caughtSignal{0};
+
+}  // namespace
+
+StopSignal::StopSignal() : descriptor_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+  if (descriptor_ < 0) throw std::runtime_error("no file descriptor left for the stop signal");
+}
+
+StopSignal::~StopSignal() {
+  StopSignal* self = this;
+  if (signalTarget.compare_exchange_strong(self, nullptr)) {
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+  }
+  close(descriptor_);
+}
+
+void StopSignal::request(int exitCode, const std::string& reason) {
+  {
+    std::lock_guard lock(mutex_);
+    // A caught signal has set requested_ without deciding; then it came first.
+    if (decided_ || requested_.load()) return;
+    decided_ = true;
+    exitCode_ = exitCode;
+    reason_ = reason;
+  }
+  requested_.store(true);
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const auto written = write(descriptor_, &one, sizeof(one));
+}
+
+void StopSignal::wait() const {
+  pollfd entry{descriptor_, POLLIN, 0};
+  while (!requested()) poll(&entry, 1, -1);
+}
+
+int StopSignal::exitCode() const {
+  std::lock_guard lock(mutex_);
+  return exitCode_;
+}
+
+std::string StopSignal::reason() const {
+  std::lock_guard lock(mutex_);
+  if (decided_ || !requested_.load()) return reason_;
+  return caughtSignal.load() == SIGINT ? "interrupted (SIGINT)" : "terminated (SIGTERM)";
+}
+
+void StopSignal::handle(int signal) {
+  // Only what is allowed in a signal handler: atomics and write.
+  StopSignal* target = signalTarget.load();
+  if (!target || caughtSignal.exchange(signal) != 0) {
+    std::signal(signal, SIG_DFL);
+    raise(signal);
+    return;
+  }
+  target->requested_.store(true);
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const auto written = write(target->descriptor_, &one, sizeof(one));
+}
+
+void StopSignal::catchSignals() {
+  caughtSignal = 0;
+  signalTarget = this;
+  struct sigaction action {};
+  action.sa_handler = &StopSignal::handle;
+  sigemptyset(&action.sa_mask);
+  // No SA_RESTART: a module that waits in a system call is woken.
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+}  // namespace plumbline
