@@ -35,6 +35,8 @@ public:
   const Vec2& soleHalfSize() const { return soleHalfSize_; }
   /// Meeting point of the hip axes in the torso frame [m].
   const Vec3& hip() const { return hip_; }
+  /// Height of the ankle's pitch axis over the flat sole [m].
+  double ankleHeight() const { return -rollOffset.z() - T_foot_sole_.translation().z(); }
   /// Largest and smallest distance of the hip from the axis of the ankle's pitch within the knee's limits
   /// [m].
   double maxReach() const { return maxReach_; }

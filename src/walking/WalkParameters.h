@@ -7,11 +7,9 @@ namespace plumbline::walking {
 /// league's type 0 walk; config/robots/*/walking.yaml holds the values found for each robot.
 struct WalkParameters {
   // Posture
-  double hipHeight = 0.20;       ///< hip joint over the sole while walking [m], 0.15 .. leg length
-  double standHipHeight = 0.20;  ///< the same while standing; the walk blends between them [m]
-  double feetDistance = 0.11;    ///< between the soles' centres, walking on the spot [m], 0.09 .. 0.16
-  double torsoPitch = 0.0;       ///< lean forward [rad], -0.1 .. 0.4
-  double comOffsetX = 0.0;  ///< centre of mass before the sole's centre when nothing moves [m], -0.03 .. 0.03
+  double hipHeight = 0.20;     ///< hip joints over the sole [m], 0.1 .. leg length
+  double feetDistance = 0.11;  ///< between the soles' centres, walking on the spot [m], 0.09 .. 0.16
+  double torsoPitch = 0.0;     ///< lean forward [rad], -0.1 .. 0.4
 
   // Rhythm and limits
   double stepDuration = 0.18;             ///< of one step on the spot [s], 0.12 .. 0.5
@@ -32,11 +30,12 @@ struct WalkParameters {
   double swingStart = 0.0;       ///< share of the step before the swing foot moves over the ground, 0 .. 0.4
   double swingEnd = 1.0;         ///< share of the step when it has arrived, 0.6 .. 1
   double swingSmoothness = 0.5;  ///< 0: constant speed, 1: from rest to rest
-  double swingPitch = 0.0;       ///< of the swing foot when highest, toes up negative [rad], -0.3 .. 0.3
+  double swingSteepness = 1.5;   ///< of lifting and lowering: 1 a sine arch, 2 from rest to rest
+  double swingPitch = 0.0;       ///< of the swing foot when highest, toes down [rad], -0.3 .. 0.3
 
   // Model: the pendulum
-  double pendulumHeight = 0.25;  ///< of the centre of mass over the ground in the model [m], 0.15 .. 0.4
-  double copOffsetY = 0.0;  ///< centre of pressure outside of the supporting sole's centre [m], -0.02 .. 0.02
+  double pendulumHeight = 0.25;   ///< of the centre of mass over the ground in the model [m], 0.15 .. 0.4
+  Vec2 copOffset = Vec2::Zero();  ///< pressure on the supporting sole from its centre: forward, outward [m]
 
   // Start and stop
   double startDuration = 0.14;  ///< shift of the weight before the first step [s], 0.06 .. 0.4
@@ -50,15 +49,18 @@ struct WalkParameters {
       Vec2::Zero();  ///< share of the observed state's difference taken over per cycle (x, y), 0 .. 0.3
 
   // Arms
-  double armSwing = 0.0;        ///< of shoulder pitch per forward speed [rad s/m], 0 .. 1.5
+  double armSwing = 0.0;        ///< shoulder pitch per distance of the feet along x [rad/m], 0 .. 5
   double shoulderPitch = 1.57;  ///< [rad]
   double shoulderRoll = 0.25;   ///< outward [rad]
-  double elbowYaw = 0.0;        ///< inward... sign of the left arm [rad]
+  double elbowYaw = 0.0;        ///< turned so that a bent elbow points outward [rad]
   double elbowRoll = 0.6;       ///< bent, inward [rad]
 
   // Odometry: walked over planned
   Vec2 odometryScale = Vec2::Ones();
   double odometryTurnScale = 1.0;
+
+  /// Throws std::invalid_argument "walking parameter X = V must be ..." for the first one out of its range.
+  void check() const;
 };
 
 }  // namespace plumbline::walking

@@ -1,0 +1,262 @@
+#include "walking/WalkEngine.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "walking/BodyPosture.h"
+#include "walking/LinearInvertedPendulum.h"
+#include "walking/StepPlanner.h"
+#include "walking/SwingTrajectory.h"
+
+namespace plumbline::walking {
+namespace {
+
+enum class Mode { stand, start, walk };
+
+double approach(double value, double goal, double maxChange) {
+  return value + std::clamp(goal - value, -maxChange, maxChange);
+}
+
+StepLimits limitsOf(const WalkParameters& p, const LegKinematics& leg) {
+  StepLimits limits;
+  limits.forward = p.maxStepForward;
+  limits.backward = p.maxStepBackward;
+  limits.minOutward = p.minStepOutward;
+  limits.maxOutward = p.maxStepOutward;
+  limits.hipY = std::abs(leg.hip().y());
+  // The ankle lies over the sole; a little is kept for the torso's own shift.
+  const double drop = p.hipHeight - leg.ankleHeight();
+  limits.reach = 0.95 * std::sqrt(std::max(0.0, leg.maxReach() * leg.maxReach() - drop * drop));
+  limits.restX = p.copOffset.x();
+  limits.minDuration = p.minStepDuration;
+  limits.maxDuration = p.maxStepDuration;
+  return limits;
+}
+
+}  // namespace
+
+class WalkEngine::Implementation {
+public:
+  Implementation(const WalkParameters& parameters, const RobotModel& robot)
+      : p(parameters),
+        model(p.pendulumHeight, p.copOffset),
+        posture(robot),
+        planner(model, limitsOf(p, posture.leg(Side::left))),
+        swing{p.stepHeight, p.swingStart, p.swingEnd, p.swingSmoothness, p.swingSteepness} {
+    reset();
+  }
+
+  void reset() {
+    mode = Mode::stand;
+    state = {};
+    for (const Side side : {Side::left, Side::right})
+      state.foot[index(side)] = Pose2(-p.copOffset.x(), outward(side) * p.feetDistance / 2);
+    velocity.setZero();
+    turn = elapsed = phase = 0;
+    motion = {};
+    posture.reset();
+    place({});
+    torso = torsoOnGround();
+    standing = output();
+  }
+
+  const WalkOutput& stand() const { return standing; }
+
+  WalkOutput update(const WalkRequest& request, const WalkSensors& sensors) {
+    follow(request, sensors.dt);
+    motion = {};
+    advance(request, sensors.dt);
+    place(sensors.angles);
+    return output();
+  }
+
+  WalkOutput output() {
+    WalkOutput out;
+    out.angles = angles;
+    for (int j = lShoulderPitch; j < numJoints; ++j) out.set[static_cast<std::size_t>(j)] = true;
+    const Pose2 newTorso = torsoOnGround();
+    out.odometry = torso.inverse() * motion * newTorso;
+    out.odometry.position = out.odometry.position.cwiseProduct(p.odometryScale);
+    out.odometry.heading *= p.odometryTurnScale;
+    torso = newTorso;
+    out.support = state.support;
+    out.phase = phase;
+    out.standing = mode == Mode::stand && atRest();
+    out.velocity = velocity;
+    out.turn = turn;
+    return out;
+  }
+
+  WalkState state;
+
+private:
+  /// Draws the velocity walked to the request, within the limits of speed and acceleration.
+  void follow(const WalkRequest& request, double dt) {
+    Vec2 goal = request.walk ? request.velocity : Vec2(Vec2::Zero());
+    double goalTurn = request.walk ? request.turn : 0;
+    const double forward = goal.x() < 0 ? p.maxBackwardVelocity : p.maxVelocity.x();
+    const double effort = std::hypot(goal.x() / forward, goal.y() / p.maxVelocity.y(), goalTurn / p.maxTurn);
+    if (effort > 1) {
+      goal /= effort;
+      goalTurn /= effort;
+    }
+    if (mode == Mode::stand && !request.walk) {
+      velocity.setZero();
+      turn = 0;
+      return;
+    }
+    velocity.x() = approach(velocity.x(), goal.x(), p.maxAcceleration.x() * dt);
+    velocity.y() = approach(velocity.y(), goal.y(), p.maxAcceleration.y() * dt);
+    turn = approach(turn, goalTurn, p.maxTurnAcceleration * dt);
+    reference = findReferenceTrajectory(model, {velocity, turn, p.stepDuration, p.feetDistance, p.copOffset});
+  }
+
+  /// Lets the time pass, through as many changes of support as fall into it.
+  void advance(const WalkRequest& request, double dt) {
+    for (double left = dt; left > 1e-9;) {
+      switch (mode) {
+        case Mode::stand:
+          if (request.walk && planner.canStand(state, model.rate())) {
+            mode = Mode::start;
+            elapsed = 0;
+            first = request.velocity.y() + 0.1 * request.turn > 0 ? Side::right : Side::left;
+            break;
+          }
+          move(planner.stand(state, model.rate(), left), left);
+          left = 0;
+          phase = 0;
+          break;
+        case Mode::start: {
+          if (!request.walk) {
+            mode = Mode::stand;
+            break;
+          }
+          const WalkAction shift = planner.start(state, p.startDuration - elapsed, first, reference);
+          const double time = std::min(left, shift.duration);
+          move(shift, time);
+          left -= time;
+          phase = elapsed / p.startDuration;
+          if (elapsed >= p.startDuration - 1e-9) beginStep(first);
+          break;
+        }
+        case Mode::walk:
+          left -= walk(request, left);
+          break;
+      }
+    }
+  }
+
+  double walk(const WalkRequest& request, double left) {
+    const Side support = state.supportSide();
+    const WalkAction action = planner.step(state, elapsed, reference);
+    const WalkState end = model.predict(state, action);
+    if (action.duration <= left) {
+      motion = motion * state.foot[index(support)] * end.foot[index(support)].inverse();
+      state = end;
+      if (!request.walk && maySettle()) {
+        state.support = Support::both;
+        mode = Mode::stand;
+        elapsed = phase = 0;
+      } else {
+        beginStep(state.supportSide());
+      }
+      return action.duration;
+    }
+    const Pose2 target = end.foot[index(support)].inverse() * action.stepTarget;
+    move(action, left);
+    phase = elapsed / (elapsed + action.duration - left);
+    state.foot[index(other(support))] = state.foot[index(support)] * swing.between(liftOff, target, phase);
+    return left;
+  }
+
+  void beginStep(Side support) {
+    mode = Mode::walk;
+    state.support = supportOf(support);
+    elapsed = phase = 0;
+    liftOff = state.foot[index(support)].inverse() * state.foot[index(other(support))];
+  }
+
+  void move(const WalkAction& action, double time) {
+    const WalkState moved = model.move(state, action, time);
+    const std::size_t fixed = index(state.supportSide());
+    motion = motion * state.foot[fixed] * moved.foot[fixed].inverse();
+    state = moved;
+    elapsed += time;
+  }
+
+  /// Both feet stand side by side, slowly enough to stay there.
+  bool maySettle() const {
+    const Pose2 between = state.foot[1].inverse() * state.foot[0];
+    return std::abs(between.x()) < 0.02 && std::abs(between.heading) < 0.1 &&
+           std::abs(state.velocity.x()) < p.stopVelocity && planner.canStand(state, model.rate());
+  }
+
+  bool atRest() const {
+    const Vec2 middle = (state.foot[0].position + state.foot[1].position) / 2 + Vec2(p.copOffset.x(), 0);
+    return state.velocity.norm() < 0.02 && middle.norm() < 0.005;
+  }
+
+  /// The joint angles for the state.
+  void place(const JointArray& measured) {
+    angles[headYaw] = measured[headYaw];
+    angles[headPitch] = measured[headPitch];
+    const double stride = state.foot[0].x() - state.foot[1].x();
+    for (const Side side : {Side::left, Side::right}) {
+      const int arm = side == Side::left ? lShoulderPitch : rShoulderPitch;
+      const double out = outward(side);
+      double* joint = &angles[static_cast<std::size_t>(arm)];
+      joint[0] = p.shoulderPitch + p.armSwing * out * stride;
+      joint[1] = out * p.shoulderRoll;
+      joint[2] = -out * p.elbowYaw;
+      joint[3] = -out * p.elbowRoll;
+    }
+    std::array<FootPlacement, 2> feet;
+    for (std::size_t i = 0; i < 2; ++i) feet[i].ground = state.foot[i];
+    if (mode == Mode::walk) {
+      FootPlacement& foot = feet[index(other(state.supportSide()))];
+      foot.height = swing.height * swing.lift(phase);
+      foot.pitch = p.swingPitch * swing.lift(phase);
+    }
+    posture.solve(feet, {p.hipHeight, 0, p.torsoPitch}, angles);
+  }
+
+  Pose2 torsoOnGround() const { return Pose2(Vec2(posture.torso().translation().head<2>())); }
+
+  const WalkParameters p;
+  LinearInvertedPendulum model;
+  BodyPosture posture;
+  StepPlanner planner;
+  SwingTrajectory swing;
+
+  Mode mode = Mode::stand;
+  Vec2 velocity = Vec2::Zero();  ///< what the walk aims at now [m/s]
+  double turn = 0;               ///< [rad/s]
+  ReferenceTrajectory reference;
+  double elapsed = 0;  ///< of the step or of the shift before the first one [s]
+  double phase = 0;
+  Side first = Side::left;  ///< carries in the first step
+  Pose2 liftOff;            ///< the swing foot when the step began, in the supporting foot's frame
+  Pose2 motion;             ///< of the centre of mass frame in this cycle
+  Pose2 torso;              ///< in the centre of mass frame, last cycle
+  JointArray angles{};
+  WalkOutput standing;
+};
+
+WalkEngine::WalkEngine(const WalkParameters& parameters, const RobotModel& robot) {
+  parameters.check();
+  implementation = std::make_unique<Implementation>(parameters, robot);
+}
+WalkEngine::~WalkEngine() = default;
+WalkEngine::WalkEngine(WalkEngine&&) noexcept = default;
+
+WalkOutput WalkEngine::update(const WalkRequest& request, const WalkSensors& sensors) {
+  return implementation->update(request, sensors);
+}
+
+void WalkEngine::reset() { implementation->reset(); }
+
+WalkOutput WalkEngine::stand() const { return implementation->stand(); }
+
+const WalkState& WalkEngine::state() const { return implementation->state; }
+
+}  // namespace plumbline::walking
