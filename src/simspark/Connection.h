@@ -1,0 +1,41 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "simspark/Framing.h"
+
+namespace plumbline::simspark {
+
+/// A client's TCP connection that carries framed messages: to the agent port or the monitor port. Not shared
+/// between threads. After any failure it is closed, and connecting anew is the caller's decision.
+class Connection {
+public:
+  enum class Status { message, timeout, closed };
+
+  Connection() = default;
+  ~Connection() { close(); }
+  Connection(Connection&& other) noexcept;
+  Connection& operator=(Connection&& other) noexcept;
+
+  /// Empty on success, else one line why not ("cannot connect to localhost:3100: Connection refused").
+  std::string connect(const std::string& host, int port, double timeoutSeconds = 5);
+  bool connected() const { return fd >= 0; }
+  void close();
+
+  /// Waits for the next message; it stays valid until the next call. timeoutSeconds < 0: as long as it takes,
+  /// 0: only what is there. closed: the other side went away or sent a length beyond maxServerMessage;
+  /// error() says which.
+  Status receive(std::string_view& message, double timeoutSeconds = -1);
+  /// False if the connection broke; error() says why. Blocks while the other side does not read.
+  bool send(std::string_view text);
+  const std::string& error() const { return lastError; }
+
+private:
+  Status fail(const std::string& why);
+
+  int fd = -1;
+  FrameReader reader{maxServerMessage};
+  std::string outgoing, lastError;
+};
+
+}  // namespace plumbline::simspark
