@@ -19,7 +19,7 @@ bool BodyPosture::solve(const std::array<FootPlacement, 2>& feet, const TorsoPla
   for (std::size_t i = 0; i < 2; ++i) {
     const FootPlacement& foot = feet[i];
     soles[i] = translation(foot.ground.x(), foot.ground.y(), foot.height) * rotationZ(foot.ground.heading) *
-               rotationY(foot.pitch);
+               rotationY(foot.pitch) * rotationX(foot.roll);
   }
   bool reachable = true;
   for (int i = 0; i < iterations; ++i) {

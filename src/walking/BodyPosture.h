@@ -5,11 +5,12 @@
 
 namespace plumbline::walking {
 
-/// A foot in the frame of the centre of mass: sole's centre and heading, height over the ground and pitch.
+/// A foot in the frame of the centre of mass: sole's centre and heading, height over the ground and tilt.
 struct FootPlacement {
   Pose2 ground;
   double height = 0;  ///< [m]
   double pitch = 0;   ///< toes down positive [rad]
+  double roll = 0;    ///< right edge down positive [rad]
 };
 
 /// How the torso is carried.

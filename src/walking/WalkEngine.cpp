@@ -21,13 +21,13 @@ StepLimits limitsOf(const WalkParameters& p, const LegKinematics& leg) {
   StepLimits limits;
   limits.forward = p.maxStepForward;
   limits.backward = p.maxStepBackward;
-  limits.minOutward = p.minStepOutward;
+  limits.minOutward = p.minFeetDistance / 2;
   limits.maxOutward = p.maxStepOutward;
   limits.hipY = std::abs(leg.hip().y());
   // The ankle lies over the sole; a little is kept for the torso's own shift.
   const double drop = p.hipHeight - leg.ankleHeight();
   limits.reach = 0.95 * std::sqrt(std::max(0.0, leg.maxReach() * leg.maxReach() - drop * drop));
-  limits.restX = p.copOffset.x();
+  limits.restX = p.copForward;
   limits.minDuration = p.minStepDuration;
   limits.maxDuration = p.maxStepDuration;
   return limits;
@@ -39,7 +39,7 @@ class WalkEngine::Implementation {
 public:
   Implementation(const WalkParameters& parameters, const RobotModel& robot)
       : p(parameters),
-        model(p.pendulumHeight, p.copOffset),
+        model(p.pendulumHeight, Vec2(p.copForward, p.copOutward)),
         posture(robot),
         planner(model, limitsOf(p, posture.leg(Side::left))),
         swing{p.stepHeight, p.swingStart, p.swingEnd, p.swingSmoothness, p.swingSteepness} {
@@ -50,9 +50,11 @@ public:
     mode = Mode::stand;
     state = {};
     for (const Side side : {Side::left, Side::right})
-      state.foot[index(side)] = Pose2(-p.copOffset.x(), outward(side) * p.feetDistance / 2);
+      state.foot[index(side)] = Pose2(-p.copForward, outward(side) * p.feetDistance / 2);
     velocity.setZero();
     turn = elapsed = phase = 0;
+    tilt.setZero();
+    rate.setZero();
     motion = {};
     posture.reset();
     place({});
@@ -64,6 +66,7 @@ public:
 
   WalkOutput update(const WalkRequest& request, const WalkSensors& sensors) {
     follow(request, sensors.dt);
+    feel(sensors);
     motion = {};
     advance(request, sensors.dt);
     place(sensors.angles);
@@ -76,8 +79,8 @@ public:
     for (int j = lShoulderPitch; j < numJoints; ++j) out.set[static_cast<std::size_t>(j)] = true;
     const Pose2 newTorso = torsoOnGround();
     out.odometry = torso.inverse() * motion * newTorso;
-    out.odometry.position = out.odometry.position.cwiseProduct(p.odometryScale);
-    out.odometry.heading *= p.odometryTurnScale;
+    out.odometry.position = out.odometry.position.cwiseProduct(Vec2(p.odometryForward, p.odometrySideways));
+    out.odometry.heading *= p.odometryTurn;
     torso = newTorso;
     out.support = state.support;
     out.phase = phase;
@@ -94,8 +97,8 @@ private:
   void follow(const WalkRequest& request, double dt) {
     Vec2 goal = request.walk ? request.velocity : Vec2(Vec2::Zero());
     double goalTurn = request.walk ? request.turn : 0;
-    const double forward = goal.x() < 0 ? p.maxBackwardVelocity : p.maxVelocity.x();
-    const double effort = std::hypot(goal.x() / forward, goal.y() / p.maxVelocity.y(), goalTurn / p.maxTurn);
+    const double forward = goal.x() < 0 ? p.maxBackward : p.maxForward;
+    const double effort = std::hypot(goal.x() / forward, goal.y() / p.maxSideways, goalTurn / p.maxTurn);
     if (effort > 1) {
       goal /= effort;
       goalTurn /= effort;
@@ -105,10 +108,42 @@ private:
       turn = 0;
       return;
     }
-    velocity.x() = approach(velocity.x(), goal.x(), p.maxAcceleration.x() * dt);
-    velocity.y() = approach(velocity.y(), goal.y(), p.maxAcceleration.y() * dt);
-    turn = approach(turn, goalTurn, p.maxTurnAcceleration * dt);
-    reference = findReferenceTrajectory(model, {velocity, turn, p.stepDuration, p.feetDistance, p.copOffset});
+    velocity.x() = approach(velocity.x(), goal.x(), p.accelerationForward * dt);
+    velocity.y() = approach(velocity.y(), goal.y(), p.accelerationSideways * dt);
+    turn = approach(turn, goalTurn, p.accelerationTurn * dt);
+    reference = findReferenceTrajectory(
+        model, {velocity, turn, p.stepDuration, p.feetDistance, Vec2(p.copForward, p.copOutward)});
+  }
+
+  /// The torso's deviation from its planned attitude when the coming command takes effect.
+  void feel(const WalkSensors& sensors) {
+    rate = sensors.gyro.head<2>();
+    tilt = sensors.torsoAngles - Vec2(0, lean()) + p.delay * rate;
+  }
+
+  double lean() const { return p.torsoPitch + p.torsoPitchForward * velocity.x(); }
+
+  /// The state as planning sees it: a share of the torso's tilt is motion of the pendulum about the foot.
+  WalkState perceived() const {
+    const double h = p.pendulumHeight;
+    const Vec2 gain(p.stepForwardGain, p.stepSidewaysGain);
+    const Vec2 shift = gain.cwiseProduct(Vec2(tilt.y(), -tilt.x())) * h;
+    WalkState seen = state;
+    for (Pose2& foot : seen.foot) foot.position -= shift;
+    seen.velocity += gain.cwiseProduct(Vec2(rate.y(), -rate.x())) * h;
+    return seen;
+  }
+
+  /// The rest of the step in progress; its target keeps the place on the ground that it has for the perceived
+  /// state.
+  WalkAction planStep() const {
+    const Side support = state.supportSide();
+    const WalkState seen = perceived();
+    WalkAction action = planner.step(seen, elapsed, reference);
+    const Pose2 target = model.predict(seen, action).foot[index(support)].inverse() * action.stepTarget;
+    const Pose2 foot = model.predict(state, action).foot[index(support)];
+    action.stepTarget = planner.limitTarget(foot * target, foot, other(support));
+    return action;
   }
 
   /// Lets the time pass, through as many changes of support as fall into it.
@@ -148,7 +183,7 @@ private:
 
   double walk(const WalkRequest& request, double left) {
     const Side support = state.supportSide();
-    const WalkAction action = planner.step(state, elapsed, reference);
+    const WalkAction action = planStep();
     const WalkState end = model.predict(state, action);
     if (action.duration <= left) {
       motion = motion * state.foot[index(support)] * end.foot[index(support)].inverse();
@@ -192,7 +227,7 @@ private:
   }
 
   bool atRest() const {
-    const Vec2 middle = (state.foot[0].position + state.foot[1].position) / 2 + Vec2(p.copOffset.x(), 0);
+    const Vec2 middle = (state.foot[0].position + state.foot[1].position) / 2 + Vec2(p.copForward, 0);
     return state.velocity.norm() < 0.02 && middle.norm() < 0.005;
   }
 
@@ -215,9 +250,16 @@ private:
     if (mode == Mode::walk) {
       FootPlacement& foot = feet[index(other(state.supportSide()))];
       foot.height = swing.height * swing.lift(phase);
-      foot.pitch = p.swingPitch * swing.lift(phase);
+      foot.pitch = p.swingPitch * swing.lift(phase) - p.swingLevel * tilt.y();
+      foot.roll = -p.swingLevel * tilt.x();
     }
-    posture.solve(feet, {p.hipHeight, 0, p.torsoPitch}, angles);
+    posture.solve(feet, {p.hipHeight, 0, lean()}, angles);
+    for (const Side side : {Side::left, Side::right}) {
+      if (mode == Mode::walk && side != state.supportSide()) continue;
+      double* ankle = &angles[static_cast<std::size_t>(firstLegJoint(side) + 4)];
+      ankle[0] += p.anklePitchGain * tilt.y() + p.anklePitchRate * rate.y();
+      ankle[1] += p.ankleRollGain * tilt.x() + p.ankleRollRate * rate.x();
+    }
   }
 
   Pose2 torsoOnGround() const { return Pose2(Vec2(posture.torso().translation().head<2>())); }
@@ -232,7 +274,9 @@ private:
   Vec2 velocity = Vec2::Zero();  ///< what the walk aims at now [m/s]
   double turn = 0;               ///< [rad/s]
   ReferenceTrajectory reference;
-  double elapsed = 0;  ///< of the step or of the shift before the first one [s]
+  Vec2 tilt = Vec2::Zero();  ///< torso off its planned roll and pitch [rad]
+  Vec2 rate = Vec2::Zero();  ///< its turn rate about x and y [rad/s]
+  double elapsed = 0;        ///< of the step or of the shift before the first one [s]
   double phase = 0;
   Side first = Side::left;  ///< carries in the first step
   Pose2 liftOff;            ///< the swing foot when the step began, in the supporting foot's frame

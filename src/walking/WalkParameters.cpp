@@ -1,57 +1,80 @@
 #include "walking/WalkParameters.h"
 
+#include <array>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
 namespace plumbline::walking {
 namespace {
 
-void inRange(const char* name, double value, double low, double high) {
-  if (value >= low && value <= high) return;
-  const auto text = [](double number) {
-    std::string s = std::to_string(number);
-    s.erase(s.find_last_not_of('0') + 1);
-    if (s.back() == '.') s.pop_back();
-    return s;
-  };
-  throw std::invalid_argument("walking parameter " + std::string(name) + " = " + text(value) + " must be " +
-                              text(low) + " to " + text(high));
+constexpr WalkParameterInfo table[] = {
+    {"hipHeight", &WalkParameters::hipHeight, 0.1, 0.4},
+    {"feetDistance", &WalkParameters::feetDistance, 0.085, 0.25},
+    {"torsoPitch", &WalkParameters::torsoPitch, -0.3, 0.6},
+    {"torsoPitchForward", &WalkParameters::torsoPitchForward, -1, 1},
+    {"maxForward", &WalkParameters::maxForward, 0.01, 3},
+    {"maxBackward", &WalkParameters::maxBackward, 0.01, 3},
+    {"maxSideways", &WalkParameters::maxSideways, 0.01, 2},
+    {"maxTurn", &WalkParameters::maxTurn, 0.01, 10},
+    {"accelerationForward", &WalkParameters::accelerationForward, 0.01, 100},
+    {"accelerationSideways", &WalkParameters::accelerationSideways, 0.01, 100},
+    {"accelerationTurn", &WalkParameters::accelerationTurn, 0.01, 1000},
+    {"stepDuration", &WalkParameters::stepDuration, 0.08, 1},
+    {"minStepDuration", &WalkParameters::minStepDuration, 0.04, 1},
+    {"maxStepDuration", &WalkParameters::maxStepDuration, 0.08, 2},
+    {"maxStepForward", &WalkParameters::maxStepForward, 0.01, 0.4},
+    {"maxStepBackward", &WalkParameters::maxStepBackward, 0.01, 0.4},
+    {"maxStepOutward", &WalkParameters::maxStepOutward, 0.05, 0.4},
+    {"minFeetDistance", &WalkParameters::minFeetDistance, 0.08, 0.3},
+    {"stepHeight", &WalkParameters::stepHeight, 0.001, 0.1},
+    {"swingStart", &WalkParameters::swingStart, 0, 0.5},
+    {"swingEnd", &WalkParameters::swingEnd, 0.51, 1},
+    {"swingSmoothness", &WalkParameters::swingSmoothness, 0, 1},
+    {"swingSteepness", &WalkParameters::swingSteepness, 0.5, 3},
+    {"swingPitch", &WalkParameters::swingPitch, -0.5, 0.5},
+    {"pendulumHeight", &WalkParameters::pendulumHeight, 0.05, 1},
+    {"copForward", &WalkParameters::copForward, -0.06, 0.06},
+    {"copOutward", &WalkParameters::copOutward, -0.04, 0.04},
+    {"startDuration", &WalkParameters::startDuration, 0.04, 1},
+    {"stopVelocity", &WalkParameters::stopVelocity, 0.001, 0.5},
+    {"delay", &WalkParameters::delay, 0, 0.1},
+    {"ankleRollGain", &WalkParameters::ankleRollGain, -2, 2},
+    {"anklePitchGain", &WalkParameters::anklePitchGain, -2, 2},
+    {"ankleRollRate", &WalkParameters::ankleRollRate, -0.5, 0.5},
+    {"anklePitchRate", &WalkParameters::anklePitchRate, -0.5, 0.5},
+    {"stepForwardGain", &WalkParameters::stepForwardGain, -2, 3},
+    {"stepSidewaysGain", &WalkParameters::stepSidewaysGain, -2, 3},
+    {"swingLevel", &WalkParameters::swingLevel, 0, 1.5},
+    {"armSwing", &WalkParameters::armSwing, -10, 10},
+    {"shoulderPitch", &WalkParameters::shoulderPitch, -2, 2},
+    {"shoulderRoll", &WalkParameters::shoulderRoll, -0.01, 1.6},
+    {"elbowYaw", &WalkParameters::elbowYaw, -2, 2},
+    {"elbowRoll", &WalkParameters::elbowRoll, -0.01, 1.57},
+    {"odometryForward", &WalkParameters::odometryForward, 0.1, 3},
+    {"odometrySideways", &WalkParameters::odometrySideways, 0.1, 3},
+    {"odometryTurn", &WalkParameters::odometryTurn, 0.1, 3},
+};
+
+std::string text(double number) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%g", number);
+  return buffer.data();
 }
 
 }  // namespace
 
+std::span<const WalkParameterInfo> walkParameterTable() { return table; }
+
 void WalkParameters::check() const {
-  inRange("hipHeight", hipHeight, 0.1, 0.4);
-  inRange("feetDistance", feetDistance, 0.085, 0.25);
-  inRange("torsoPitch", torsoPitch, -0.3, 0.6);
-  inRange("stepDuration", stepDuration, 0.1, 1);
-  inRange("minStepDuration", minStepDuration, 0.04, stepDuration);
-  inRange("maxStepDuration", maxStepDuration, stepDuration, 2);
-  inRange("maxVelocity.x", maxVelocity.x(), 0.01, 3);
-  inRange("maxVelocity.y", maxVelocity.y(), 0.01, 2);
-  inRange("maxBackwardVelocity", maxBackwardVelocity, 0.01, 3);
-  inRange("maxTurn", maxTurn, 0.01, 10);
-  inRange("maxAcceleration.x", maxAcceleration.x(), 0.01, 100);
-  inRange("maxAcceleration.y", maxAcceleration.y(), 0.01, 100);
-  inRange("maxTurnAcceleration", maxTurnAcceleration, 0.01, 1000);
-  inRange("maxStepForward", maxStepForward, 0.01, 0.4);
-  inRange("maxStepBackward", maxStepBackward, 0.01, 0.4);
-  inRange("maxStepOutward", maxStepOutward, 0.05, 0.4);
-  inRange("minStepOutward", minStepOutward, 0.04, 0.2);
-  inRange("stepHeight", stepHeight, 0.001, 0.1);
-  inRange("swingStart", swingStart, 0, 0.5);
-  inRange("swingEnd", swingEnd, 0.51, 1);
-  inRange("swingSmoothness", swingSmoothness, 0, 1);
-  inRange("swingSteepness", swingSteepness, 0.5, 3);
-  inRange("swingPitch", swingPitch, -0.5, 0.5);
-  inRange("pendulumHeight", pendulumHeight, 0.05, 1);
-  inRange("copOffset.x", copOffset.x(), -0.06, 0.06);
-  inRange("copOffset.y", copOffset.y(), -0.04, 0.04);
-  inRange("startDuration", startDuration, 0.04, 1);
-  inRange("stopVelocity", stopVelocity, 0.001, 0.5);
-  inRange("odometryScale.x", odometryScale.x(), 0.1, 3);
-  inRange("odometryScale.y", odometryScale.y(), 0.1, 3);
-  inRange("odometryTurnScale", odometryTurnScale, 0.1, 3);
+  const auto demand = [&](const char* name, double value, double low, double high) {
+    if (!(value >= low && value <= high))
+      throw std::invalid_argument("walking parameter " + std::string(name) + " = " + text(value) +
+                                  " must be " + text(low) + " to " + text(high));
+  };
+  for (const WalkParameterInfo& info : table) demand(info.name, this->*info.value, info.low, info.high);
+  demand("minStepDuration", minStepDuration, 0, stepDuration);
+  demand("maxStepDuration", maxStepDuration, stepDuration, 10);
 }
 
 }  // namespace plumbline::walking

@@ -1,66 +1,83 @@
 #pragma once
-#include "math/Types.h"
+#include <span>
 
 namespace plumbline::walking {
 
-/// Everything about the walk that a user may set; each with unit and sensible range. The defaults make the
-/// league's type 0 walk; config/robots/*/walking.yaml holds the values found for each robot.
+/// Everything about the walk that a user may set. The defaults make every robot of the league walk slowly;
+/// config/robots/*/walking.yaml holds the values found for each. Ranges: walkParameterTable().
 struct WalkParameters {
   // Posture
-  double hipHeight = 0.20;     ///< hip joints over the sole [m], 0.1 .. leg length
-  double feetDistance = 0.11;  ///< between the soles' centres, walking on the spot [m], 0.09 .. 0.16
-  double torsoPitch = 0.0;     ///< lean forward [rad], -0.1 .. 0.4
+  double hipHeight = 0.20;       ///< hip joints over the sole [m]
+  double feetDistance = 0.11;    ///< between the soles' centres, walking on the spot [m]
+  double torsoPitch = 0;         ///< lean forward [rad]
+  double torsoPitchForward = 0;  ///< more of it per forward speed [rad s/m]
 
-  // Rhythm and limits
-  double stepDuration = 0.18;             ///< of one step on the spot [s], 0.12 .. 0.5
-  double minStepDuration = 0.12;          ///< [s]
-  double maxStepDuration = 0.30;          ///< [s]
-  Vec2 maxVelocity = Vec2(0.6, 0.3);      ///< forward and sideways the walk accepts [m/s]
-  double maxBackwardVelocity = 0.4;       ///< [m/s], positive
-  double maxTurn = 1.6;                   ///< [rad/s]
-  Vec2 maxAcceleration = Vec2(1.0, 1.0);  ///< of the requested velocity [m/s^2], 0.2 .. 5
-  double maxTurnAcceleration = 6.0;       ///< [rad/s^2]
-  double maxStepForward = 0.10;           ///< swing target before the centre of mass [m], 0.03 .. 0.15
-  double maxStepBackward = 0.08;          ///< the same behind it [m]
-  double maxStepOutward = 0.14;           ///< swing target beside the centre of mass [m]
-  double minStepOutward = 0.045;          ///< the feet do not cross: half of the smallest distance [m]
+  // Speed
+  double maxForward = 0.5;            ///< [m/s]
+  double maxBackward = 0.4;           ///< [m/s]
+  double maxSideways = 0.25;          ///< [m/s]
+  double maxTurn = 1.6;               ///< [rad/s]
+  double accelerationForward = 0.5;   ///< of the requested velocity [m/s^2]
+  double accelerationSideways = 0.5;  ///< [m/s^2]
+  double accelerationTurn = 6;        ///< [rad/s^2]
 
-  // Swing foot
-  double stepHeight = 0.02;      ///< [m], 0.005 .. 0.06
-  double swingStart = 0.0;       ///< share of the step before the swing foot moves over the ground, 0 .. 0.4
-  double swingEnd = 1.0;         ///< share of the step when it has arrived, 0.6 .. 1
-  double swingSmoothness = 0.5;  ///< 0: constant speed, 1: from rest to rest
-  double swingSteepness = 1.5;   ///< of lifting and lowering: 1 a sine arch, 2 from rest to rest
-  double swingPitch = 0.0;       ///< of the swing foot when highest, toes down [rad], -0.3 .. 0.3
+  // Step
+  double stepDuration = 0.18;     ///< of one step in the reference [s]
+  double minStepDuration = 0.12;  ///< [s]
+  double maxStepDuration = 0.30;  ///< [s]
+  double maxStepForward = 0.10;   ///< swing target before the centre of mass [m]
+  double maxStepBackward = 0.08;  ///< the same behind it [m]
+  double maxStepOutward = 0.14;   ///< the same beside it [m]
+  double minFeetDistance = 0.09;  ///< the feet do not cross: least distance of the soles' centres [m]
+  double stepHeight = 0.02;       ///< of the swing foot [m]
+  double swingStart = 0;          ///< share of the step before the swing foot moves over the ground
+  double swingEnd = 1;            ///< share of the step when it has arrived
+  double swingSmoothness = 0.5;   ///< 0: constant speed over the ground, 1: from rest to rest
+  double swingSteepness = 1.5;    ///< of lifting and lowering: 1 a sine arch, 2 from rest to rest
+  double swingPitch = 0;          ///< of the swing foot when highest, toes down [rad]
 
-  // Model: the pendulum
-  double pendulumHeight = 0.25;   ///< of the centre of mass over the ground in the model [m], 0.15 .. 0.4
-  Vec2 copOffset = Vec2::Zero();  ///< pressure on the supporting sole from its centre: forward, outward [m]
+  // Model
+  double pendulumHeight = 0.25;  ///< of the centre of mass over the ground in the pendulum [m]
+  double copForward = 0;         ///< pressure on the supporting sole, before its centre [m]
+  double copOutward = 0;         ///< the same to the outside [m]
 
   // Start and stop
-  double startDuration = 0.14;  ///< shift of the weight before the first step [s], 0.06 .. 0.4
-  double stopVelocity = 0.05;   ///< the walk stops only below this forward velocity [m/s]
+  double startDuration = 0.14;  ///< shift of the weight before the first step [s]
+  double stopVelocity = 0.05;   ///< both feet carry again only below this forward velocity [m/s]
 
-  // Feedback; all zero is the open loop
-  Vec2 ankleGain =
-      Vec2::Zero();  ///< of the torso's angle (roll, pitch) on the ankles of the supporting leg, 0 .. 1
-  Vec2 gyroGain = Vec2::Zero();  ///< of the torso's turn rate (roll, pitch) on the same [s], 0 .. 0.1
-  Vec2 stepGain =
-      Vec2::Zero();  ///< share of the observed state's difference taken over per cycle (x, y), 0 .. 0.3
+  // Feedback from the torso's angle and turn rate; zero is the open loop
+  double delay = 0.04;       ///< between a measurement and the effect of what it causes [s]
+  double ankleRollGain = 0;  ///< torso angle to the supporting ankle
+  double anklePitchGain = 0;
+  double ankleRollRate = 0;  ///< torso turn rate to the supporting ankle [s]
+  double anklePitchRate = 0;
+  double stepForwardGain =
+      0;  ///< share of the torso's tilt that step planning takes for motion of the pendulum
+  double stepSidewaysGain = 0;
+  double swingLevel = 0;  ///< share of the tilt that the swing foot is turned back by
 
   // Arms
-  double armSwing = 0.0;        ///< shoulder pitch per distance of the feet along x [rad/m], 0 .. 5
+  double armSwing = 0;          ///< shoulder pitch per distance of the feet along x [rad/m]
   double shoulderPitch = 1.57;  ///< [rad]
   double shoulderRoll = 0.25;   ///< outward [rad]
-  double elbowYaw = 0.0;        ///< turned so that a bent elbow points outward [rad]
-  double elbowRoll = 0.6;       ///< bent, inward [rad]
+  double elbowYaw = 0;          ///< so that a bent elbow points outward [rad]
+  double elbowRoll = 0.6;       ///< bent [rad]
 
   // Odometry: walked over planned
-  Vec2 odometryScale = Vec2::Ones();
-  double odometryTurnScale = 1.0;
+  double odometryForward = 1, odometrySideways = 1, odometryTurn = 1;
 
-  /// Throws std::invalid_argument "walking parameter X = V must be ..." for the first one out of its range.
+  /// Throws std::invalid_argument "walking parameter X = V must be A to B" for the first one out of its
+  /// range.
   void check() const;
 };
+
+struct WalkParameterInfo {
+  const char* name;  ///< as the member and the key in walking.yaml
+  double WalkParameters::*value;
+  double low, high;  ///< closed range
+};
+
+/// Every member of WalkParameters.
+std::span<const WalkParameterInfo> walkParameterTable();
 
 }  // namespace plumbline::walking
