@@ -12,6 +12,8 @@ void copyText(char* target, std::size_t size, std::string_view text) {
   target[length] = 0;
 }
 
+thread_local int placeOfThread = -1;
+
 }  // namespace
 
 void CrashRecord::add(std::string_view source, std::string_view message) {
@@ -61,13 +63,22 @@ std::uint32_t CrashRecord::addStep(std::string_view label) {
   return place;
 }
 
+void CrashRecord::enterThread(int thread) { placeOfThread = thread; }
+int CrashRecord::currentThread() { return placeOfThread; }
+
+const char* CrashRecord::stepOf(int thread) const {
+  if (thread < 0 || thread >= static_cast<int>(threads)) return nullptr;
+  const std::uint32_t step = threads_[static_cast<std::size_t>(thread)].step.load();
+  return step == 0 || step >= steps ? nullptr : steps_[step].data();
+}
+
 std::string CrashRecord::whereabouts() const {
   std::string result;
   const std::uint32_t count = std::min<std::uint32_t>(threadCount_.load(), threads);
   for (std::uint32_t i = 0; i < count; i++) {
-    const std::uint32_t step = threads_[i].step.load();
+    const char* step = stepOf(static_cast<int>(i));
     result += "[" + std::string(threads_[i].name.data()) + "] ";
-    result += step == 0 || step >= steps ? "between two steps" : steps_[step].data();
+    result += step ? step : "between two steps";
     result += static_cast<int>(i) == signalThread.load() ? " <- the signal struck here\n" : "\n";
   }
   return result;

@@ -30,6 +30,11 @@ public:
   void setStep(int thread, std::uint32_t step) {
     if (thread >= 0) threads_[static_cast<std::size_t>(thread)].step.store(step, std::memory_order_relaxed);
   }
+  /// The calling thread has this place; currentThread gives it back, -1 for other threads.
+  static void enterThread(int thread);
+  static int currentThread();
+  /// The label of what the thread does, or null; safe in a signal handler.
+  const char* stepOf(int thread) const;
   /// Where each thread is: `[thread] Module:execute`, a line each.
   std::string whereabouts() const;
 

@@ -41,6 +41,12 @@ struct ModuleContext {
 /// The objects every module has. To add one for all modules, edit this class or, better, make it a
 /// ModuleObject: then nothing here changes, and a module reaches it through object<T>().
 class PluginModuleBase {
+public:
+  /// What the module measured through its debug object.
+  const std::map<std::string, std::unique_ptr<Stopwatch>>& debugStopwatches() const {
+    return debug.stopwatches();
+  }
+
 protected:
   PluginModuleBase() : PluginModuleBase(ModuleContext::current()) {}
 
@@ -72,7 +78,6 @@ private:
   explicit PluginModuleBase(ModuleContext& context);
   [[noreturn]] void missingObject(const char* type) const;
 
-  friend class TimingReport;
   ModuleObjects& objects_;
   StopSignal& stop_;
 };

@@ -1,0 +1,39 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+
+#include "framework/RepresentationLoader.h"
+
+namespace plumbline {
+
+/// A module outside the module graph that can provide any representation, in several threads: one that copies
+/// from elsewhere (another thread, a network, a log file). It works before the first and after the last
+/// module of a cycle. In modules.cfg it stands like a module. One object per thread that names it.
+class SpecialModule {
+public:
+  virtual ~SpecialModule() = default;
+  /// For each line `name Representation`: this object fills `target` from now on. Before the first cycle.
+  virtual void provide(const RepresentationLoader& loader, Representation& target) = 0;
+  /// Each representation of the thread that somebody else provides, for reading. Before the first cycle.
+  virtual void offer(const RepresentationLoader&, const Representation&) {}
+  virtual void beginCycle() {}
+  virtual void endCycle() {}
+};
+
+/// The special modules of this program by the name they have in modules.cfg.
+class SpecialModules {
+public:
+  using Maker = std::unique_ptr<SpecialModule> (*)(const std::string& thread);
+  static std::map<std::string, Maker>& makers();
+  static bool add(const std::string& name, Maker maker) { return makers().emplace(name, maker).second; }
+};
+
+}  // namespace plumbline
+
+/// In a .cpp: MAKE_SPECIAL_MODULE(network, NetworkModule); the constructor takes the thread's name.
+#define MAKE_SPECIAL_MODULE(name, Class)                                                         \
+  [[maybe_unused]] static const bool plumblineSpecial##Class = ::plumbline::SpecialModules::add( \
+      #name, [](const std::string& thread) -> std::unique_ptr<::plumbline::SpecialModule> {      \
+        return std::make_unique<Class>(thread);                                                  \
+      });
