@@ -8,6 +8,8 @@ comma := ,
 Q := $(if $(V),,@)
 say = printf '  %-6s%s\n' '$(1)' '$(2)'
 CCACHE ?= $(shell command -v ccache)
+# What ccache must overlook to serve sources that use a precompiled header.
+export CCACHE_SLOPPINESS := $(if $(CCACHE_SLOPPINESS),$(CCACHE_SLOPPINESS)$(comma))pch_defines$(comma)time_macros
 export DEBIAN_FRONTEND ?= noninteractive
 
 # As many jobs as cores, unless -j says otherwise.
@@ -78,8 +80,8 @@ format:
 format-check:
 	@scripts/format.sh --check
 
-tidy:
-	@scripts/tidy.sh $(FILES)
+tidy: packages
+	+@scripts/tidy.sh $(FILES)
 
 clean:
 	@cat build/*/outputs 2>/dev/null | xargs -r rm -f

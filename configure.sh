@@ -39,6 +39,7 @@ systemIncludeDirs="/usr/include/eigen3"            # -isystem: no warnings from 
 warnings="-Wall -Wextra -Wpedantic -Werror"        # C and C++
 flags=""                          # code generation, C and C++, also given to the linker
 cxxflags="-std=c++20"             # C++ alone
+precompiled=""                    # a header compiled once and put before every C++ source; empty: none
 cflags="-std=c11"                 # C alone
 generatedFlags="-w"               # added for generated sources: nobody mends their warnings
 ldflags="-Wl,--as-needed"         # linker
@@ -134,6 +135,7 @@ elif [[ -z $output ]]; then
   known=(scripts/targets/*.settings); known=("${known[@]##*/}")
   fail "no target '$target': there is ${known[*]%.settings}; write $settingsFile or give --output NAME"
 fi
+[[ ! $precompiled || -f $precompiled ]] || fail "precompiled: no file $precompiled"
 for makefile in $includedMakefiles; do [[ -f $makefile ]] || fail "includedMakefiles: no file $makefile"; done
 
 build=build/$target

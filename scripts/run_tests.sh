@@ -28,12 +28,14 @@ account() {
 # Runs one test program or script in the background slot; leaves its result beside the log.
 runOne() { # $1 target, $2 kind, $3 path, $4 name
   local log=build/$1/logs/${4//\//-}.log status start end
+  local -x PLUMBLINE_TARGET=$1 PLUMBLINE_BIN=$root/build/$1/bin # for tests that start programs
+  [[ $1 == SimRelease ]] && PLUMBLINE_BIN=$root/bin
   start=$(date +%s%N)
   rm -f "$log" "$log.xml" "$log.result"
   if [[ $2 == program ]]; then
     timeout -k 10 "$timeout" "$3" --gtest_brief=1 --gtest_color=no "--gtest_output=xml:$log.xml" > "$log" 2>&1 < /dev/null
   else
-    PLUMBLINE_TARGET=$1 timeout -k 10 "$timeout" bash "$3" > "$log" 2>&1 < /dev/null
+    timeout -k 10 "$timeout" bash "$3" > "$log" 2>&1 < /dev/null
   fi
   status=$?
   end=$(date +%s%N)

@@ -156,7 +156,12 @@ writeTarget() {
   for i in $includeDirs; do include+=" -I$i"; done
   for i in $systemIncludeDirs; do include+=" -isystem $i"; done
   local common="$cppflags$include $warnings $flags$pic"
-  declare -g commandC="$cc $cflags $common" commandCpp="$cxx $cxxflags $common"
+  declare -g commandC="$cc $cflags $common" commandCpp="$cxx $cxxflags $common" commandHeader=""
+  if [[ $precompiled ]]; then
+    commandHeader="$commandCpp -x c++-header"
+    commandCpp+=" -include $build/precompiled.h -fpch-preprocess"
+    writeIfChanged "$build/precompiled.h" < "$precompiled"
+  fi
   printf '%s\n%s\n%s\n' "$commandC" "$commandCpp" "$generatedFlags" | writeIfChanged "$build/flags.compile"
   printf '%s\n' "$cxx $flags $ldflags $libraries | $testLibraries | $benchLibraries | $depends" | writeIfChanged "$build/flags.link"
 
@@ -196,6 +201,11 @@ $target-bench: $target \$($target.benches)
 \$(addprefix $target-bench-,\$(notdir \$($target.benches))): $target-bench-%: $build/bench/%
 RULES
     writeRules
+    if [[ $precompiled ]]; then
+      printf '$(filter-out %%.c.o,$(%s.objects)): %s.gch\n' "$target" "$build/precompiled.h"
+      printf '%s.gch: %s %s %s\n' "$build/precompiled.h" "$build/precompiled.h" "$precompiled" "$build/flags.compile"
+      printf '\t$(Q)$(call say,C++,%s); $(CCACHE) %s %s -o $@\n' "$precompiled" "$commandHeader" "$build/precompiled.h"
+    fi
     printf 'targets.makefiles += %s\n' "$includedMakefiles"
     printf 'include %s\n' "${objects[*]/%.o/.d}"
   } > "$build/target.mk.new"
