@@ -40,6 +40,7 @@ $(error configuration failed)
 endif
 include $(foreach t,$(targets),build/$(t)/target.mk)
 include $(sort $(targets.makefiles))
+$(foreach t,$(targets),$(if $(shell command -v $($(t).cxx)),,$(error no compiler $($(t).cxx) for $(t): `make packages` installs what scripts/packages.txt lists)))
 endif
 
 .PHONY: default all help packages run test bench format format-check tidy check clean

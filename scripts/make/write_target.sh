@@ -172,6 +172,7 @@ writeTarget() {
   outputsOf bench; benches=$REPLY
   {
     printf '# Written by configure.sh for target %s; a new run overwrites it.\n' "$target"
+    printf '%s.cxx := %s\n' "$target" "$cxx"
     printf '%s.objects := %s\n' "$target" "${objects[*]}"
     printf '%s.libraries := %s\n' "$target" "$libs"
     printf '%s.programs := %s\n' "$target" "$programs"

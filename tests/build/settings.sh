@@ -69,5 +69,9 @@ refused "no option" "configure.sh: argument 'SimRelease' is no option; options a
 refused "bad name" "configure.sh: target '../x': a name is letters and digits" --target ../x
 refused "no makefile" "configure.sh: includedMakefiles: no file gone.mk" --target SimRelease --included-makefiles gone.mk
 refused "no sources" "configure.sh: target Empty: no sources in none" --target Empty --output empty --source-dirs none
+./configure.sh --target Cross --output cross --cxx no-such-g++ > /dev/null
+build Cross
+expect "no compiler: status" "$status" 2
+contains "no compiler" "$log" "no compiler no-such-g++ for Cross: \`make packages\` installs what scripts/packages.txt lists"
 contains "configure --help" "$(./configure.sh --help)" "--ignoredDirs"
 finish
