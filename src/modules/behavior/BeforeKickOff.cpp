@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-MAKE_MODULE(BeforeKickOff)
-
 namespace plumbline {
+
+MAKE_MODULE(BeforeKickOff)
 
 void BeforeKickOff::init() {
   x_ = config.get<std::vector<double>>("x");
@@ -12,7 +12,7 @@ void BeforeKickOff::init() {
   heading_ = config.get<std::vector<double>>("heading");
   if (x_.empty() || y_.size() != x_.size() || heading_.size() != x_.size())
     config.fail("x", "x, y and heading need one entry per player each");
-  beamSeconds_ = config.get<double>("beamSeconds", 0.02, 10.0);
+  beamSeconds_ = config.get<double>("beamSeconds", {0.02, 10.0});
 }
 
 void BeforeKickOff::update(BeforeKickOffOutput* theBeforeKickOffOutput) {

@@ -1,8 +1,8 @@
 #include "modules/behavior/BehaviorCombinator.h"
 
-MAKE_MODULE(BehaviorCombinator)
-
 namespace plumbline {
+
+MAKE_MODULE(BehaviorCombinator)
 
 const BehaviorOutput* BehaviorCombinator::active() const {
   for (const BehaviorOutput* output : {&theBeforeKickOffOutput->output, &theStrikerOutput->output})

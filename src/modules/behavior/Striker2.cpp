@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-MAKE_MODULE(Striker2)
-
 namespace plumbline {
+
+MAKE_MODULE(Striker2)
 
 namespace {
 
@@ -28,10 +28,10 @@ bool opponentRestart(PlayMode mode) {
 
 void Striker2::init() {
   kickAllowed_ = config.get<bool>("kickAllowed");
-  ballMaxAge_ = config.get<double>("ballMaxAge", 0.1, 60.0);
-  restartDistance_ = config.get<double>("restartDistance", 0.5, 10.0);
-  goalMargin_ = config.get<double>("goalMargin", 0.0, 1.0);
-  dribbleDistance_ = config.get<double>("dribbleDistance", 0.0, 30.0);
+  ballMaxAge_ = config.get<double>("ballMaxAge", {0.1, 60.0});
+  restartDistance_ = config.get<double>("restartDistance", {0.5, 10.0});
+  goalMargin_ = config.get<double>("goalMargin", {0.0, 1.0});
+  dribbleDistance_ = config.get<double>("dribbleDistance", {0.0, 30.0});
 }
 
 Vec2 Striker2::goalTarget() const {
@@ -59,7 +59,8 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
     away = away.norm() > 1e-3 ? Vec2(away.normalized()) : Vec2(-1, 0);
     const Vec2 toBall = -away;
     output.skill = Skill::moveToPos;
-    output.target = Pose2(Vec2(theBallPos->field + restartDistance_ * away), std::atan2(toBall.y(), toBall.x()));
+    output.target =
+        Pose2(Vec2(theBallPos->field + restartDistance_ * away), std::atan2(toBall.y(), toBall.x()));
     return;
   }
   const Vec2 target = goalTarget();

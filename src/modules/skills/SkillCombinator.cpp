@@ -1,8 +1,8 @@
 #include "modules/skills/SkillCombinator.h"
 
-MAKE_MODULE(SkillCombinator)
-
 namespace plumbline {
+
+MAKE_MODULE(SkillCombinator)
 
 void SkillCombinator::update(MotionRequest* theMotionRequest) {
   theMotionRequest->motion = Motion::stand;

@@ -5,18 +5,18 @@
 
 #include "modules/skills/WalkConfig.h"
 
-MAKE_MODULE(SkillDribble)
-
 namespace plumbline {
+
+MAKE_MODULE(SkillDribble)
 
 void SkillDribble::init() {
   walk_ = readWalkToPose(config);
-  lateralGain_ = config.get<double>("lateralGain", 0.0, 20.0);
-  startLateral_ = config.get<double>("startLateral", 0.0, 1.0);
-  stopLateral_ = config.get<double>("stopLateral", 0.0, 1.0);
-  startHeading_ = config.get<double>("startHeading", 0.0, 3.2);
-  stopHeading_ = config.get<double>("stopHeading", 0.0, 3.2);
-  reach_ = config.get<double>("reach", 0.1, 5.0);
+  lateralGain_ = config.get<double>("lateralGain", {0.0, 20.0});
+  startLateral_ = config.get<double>("startLateral", {0.0, 1.0});
+  stopLateral_ = config.get<double>("stopLateral", {0.0, 1.0});
+  startHeading_ = config.get<double>("startHeading", {0.0, 3.2});
+  stopHeading_ = config.get<double>("stopHeading", {0.0, 3.2});
+  reach_ = config.get<double>("reach", {0.1, 5.0});
 }
 
 void SkillDribble::update(SkillDribbleOutput* theSkillDribbleOutput) {
@@ -39,8 +39,9 @@ void SkillDribble::update(SkillDribbleOutput* theSkillDribbleOutput) {
                        : lateral < startLateral_ && heading < startHeading_);
   if (!pushing_) return;
   output.motion = Motion::walk;
-  output.walkVelocity =
-      limitVelocity({walk_.maxForward * std::max(0.3, std::cos(direction)), lateralGain_ * theBallPos->relative.y()}, walk_);
+  output.walkVelocity = limitVelocity(
+      {walk_.maxForward * std::max(0.3, std::cos(direction)), lateralGain_ * theBallPos->relative.y()},
+      walk_);
   output.walkTurn = std::clamp(walk_.headingGain * direction, -walk_.maxTurn, walk_.maxTurn);
 }
 

@@ -4,16 +4,16 @@
 
 #include "modules/skills/WalkConfig.h"
 
-MAKE_MODULE(SkillGetBall)
-
 namespace plumbline {
+
+MAKE_MODULE(SkillGetBall)
 
 void SkillGetBall::init() {
   walk_ = readWalkToPose(config);
-  approach_.avoidRadius = config.get<double>("avoidRadius", 0.1, 2.0);
-  approach_.stepAngle = config.get<double>("stepAngle", 0.1, 1.5);
-  approach_.behindAngle = config.get<double>("behindAngle", 0.1, 1.5);
-  dribbleBall_ = {config.get<double>("dribbleDistance", 0.05, 1.0), 0};
+  approach_.avoidRadius = config.get<double>("avoidRadius", {0.1, 2.0});
+  approach_.stepAngle = config.get<double>("stepAngle", {0.1, 1.5});
+  approach_.behindAngle = config.get<double>("behindAngle", {0.1, 1.5});
+  dribbleBall_ = {config.get<double>("dribbleDistance", {0.05, 1.0}), 0};
 }
 
 Vec2 SkillGetBall::kickBallPosition() {
@@ -46,7 +46,8 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
 
   const Vec2 error = theBallPos->relative - wanted;
   const Vec2& tolerance = theSkillKickParameters->tolerance;
-  theSkillGetBallOutput->atBall = std::abs(error.x()) < tolerance.x() && std::abs(error.y()) < tolerance.y() &&
+  theSkillGetBallOutput->atBall = std::abs(error.x()) < tolerance.x() &&
+                                  std::abs(error.y()) < tolerance.y() &&
                                   std::abs(heading) < theSkillKickParameters->headingTolerance;
   output.motion = Motion::walk;
   output.walkVelocity = command.velocity;

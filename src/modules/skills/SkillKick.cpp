@@ -1,8 +1,8 @@
 #include "modules/skills/SkillKick.h"
 
-MAKE_MODULE(SkillKick)
-
 namespace plumbline {
+
+MAKE_MODULE(SkillKick)
 
 void SkillKick::update(SkillKickOutput* theSkillKickOutput) {
   SkillOutput& output = theSkillKickOutput->output;

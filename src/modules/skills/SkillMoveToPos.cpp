@@ -4,14 +4,14 @@
 
 #include "modules/skills/WalkConfig.h"
 
-MAKE_MODULE(SkillMoveToPos)
-
 namespace plumbline {
+
+MAKE_MODULE(SkillMoveToPos)
 
 void SkillMoveToPos::init() {
   walk_ = readWalkToPose(config);
-  positionTolerance_ = config.get<double>("positionTolerance", 0.0, 1.0);
-  headingTolerance_ = config.get<double>("headingTolerance", 0.0, 3.2);
+  positionTolerance_ = config.get<double>("positionTolerance", {0.0, 1.0});
+  headingTolerance_ = config.get<double>("headingTolerance", {0.0, 3.2});
 }
 
 void SkillMoveToPos::update(SkillMoveToPosOutput* theSkillMoveToPosOutput) {

@@ -5,6 +5,6 @@
 namespace plumbline {
 
 /// Reads the parameters of walkToPose from a module's configuration; errors as Config::get.
-WalkToPoseParameters readWalkToPose(Config& config);
+WalkToPoseParameters readWalkToPose(const Config& config);
 
 }  // namespace plumbline

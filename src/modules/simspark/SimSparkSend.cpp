@@ -1,0 +1,21 @@
+#include "modules/simspark/SimSparkSend.h"
+
+namespace plumbline {
+
+MAKE_MODULE(SimSparkSend)
+
+void SimSparkSend::init() {
+  link_ = &object<SimSparkLink>();
+  command_.syn = true;  // ignored by a server that does not run in sync mode
+}
+
+void SimSparkSend::execute() {
+  if (!link_->connection.connected()) return;
+  for (int joint = 0; joint < numJoints; ++joint)
+    if (theRobotDescription->model.has(static_cast<JointId>(joint)))
+      command_.velocity[joint] = theJointRequestWithSpeeds->speeds[joint];
+  command_.beam = theBeamRequest->active ? std::optional(theBeamRequest->pose) : std::nullopt;
+  link_->send(command_);
+}
+
+}  // namespace plumbline

@@ -1,0 +1,29 @@
+#pragma once
+#include "framework/Module.h"
+#include "modules/simspark/SimSparkLink.h"
+#include "representations/behavior/SkillRequest.h"
+#include "representations/infrastructure/RobotDescription.h"
+#include "representations/infrastructure/SimSparkInfo.h"
+#include "representations/motion/JointRequest.h"
+
+namespace plumbline {
+
+MODULE(SimSparkSend)
+REQUIRES(SimSparkInfo)
+REQUIRES(RobotDescription)
+REQUIRES(JointRequestWithSpeeds)
+REQUIRES(BeamRequest)
+END_MODULE
+
+/// Ends the cycle: hinge speeds, beam and synchronisation in one message to the simulator.
+class SimSparkSend : public SimSparkSendBase {
+public:
+  void init() override;
+  void execute() override;
+
+private:
+  SimSparkLink* link_ = nullptr;
+  simspark::AgentCommand command_;
+};
+
+}  // namespace plumbline
