@@ -22,6 +22,10 @@ public:
     return own().get<T>(key, range);
   }
   template <typename T>
+  T get(std::string_view key, double min, double max) const {
+    return own().get<T>(key, Range{min, max});
+  }
+  template <typename T>
   std::optional<T> find(std::string_view key, Range range = {}) const {
     return own().find<T>(key, range);
   }

@@ -88,6 +88,10 @@ public:
     readConfig(required(key), range, value);
     return value;
   }
+  template <typename T>
+  T get(std::string_view key, double min, double max) const {
+    return get<T>(key, Range{min, max});
+  }
   /// The value of a key that may be missing.
   template <typename T>
   std::optional<T> find(std::string_view key, Range range = {}) const {

@@ -73,6 +73,11 @@ private:                                                                        
   }                \
   ;
 
-/// In the module's .cpp: makes the module known.
-#define MAKE_MODULE(Name) \
-  [[maybe_unused]] static const ::plumbline::ModuleLoaderOf<Name> plumblineLoader##Name{};
+/// In the module's .cpp: makes the module known. Inside namespace plumbline or outside.
+#define MAKE_MODULE(Name)                                                          \
+  [[maybe_unused]] static const ::plumbline::ModuleLoader& plumblineLoader##Name = \
+      []() -> const ::plumbline::ModuleLoader& {                                   \
+    using namespace ::plumbline;                                                   \
+    static const ModuleLoaderOf<Name> loader;                                      \
+    return loader;                                                                 \
+  }();
