@@ -23,8 +23,7 @@ TEST(TrackPicture, putsTheCentreOfTheFieldIntoTheMiddle) {
 
 TEST(TrackPicture, marksAFallOnceAndEveryTenSeconds) {
   std::vector<TrackPoint> track;
-  for (int i = 0; i <= 250; ++i)
-    track.push_back({0.1 * i, {0.01 * i, 0}, {1, 0}, i >= 100 && i < 150});
+  for (int i = 0; i <= 250; ++i) track.push_back({0.1 * i, {0.01 * i, 0}, {1, 0}, i >= 100 && i < 150});
   const std::string svg = trackPicture(track, "fall");
   EXPECT_EQ(count(svg, ">fall</text>"), 2u);  // the fall and the title
   EXPECT_EQ(count(svg, " s</text>"), 3u);     // 0, 10 and 20 s
