@@ -10,9 +10,13 @@ class TorsoAngles : public TorsoAnglesBase {
 public:
   double roll = 0;   ///< positive: leaning to the right
   double pitch = 0;  ///< positive: leaning forward
+  /// How far the torso's x axis, seen from above, has turned since the start, counterclockwise, in (-pi, pi].
+  /// By the gyroscope alone; R_start_torso = Rz(heading) * Ry(pitch) * Rx(roll).
+  double heading = 0;
   void stream(InStream* in, OutStream* out) override {
     STREAM(roll);
     STREAM(pitch);
+    STREAM(heading);
   }
 };
 

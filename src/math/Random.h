@@ -1,0 +1,51 @@
+#pragma once
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace plumbline {
+
+/// Random numbers that are the same for the same seed on every machine: xoshiro256++ (Blackman and Vigna,
+/// "Scrambled Linear Pseudorandom Number Generators", 2021), its state filled by splitmix64.
+class Random {
+public:
+  explicit Random(std::uint64_t seed) {
+    for (std::uint64_t& word : state) {
+      seed += 0x9e3779b97f4a7c15ULL;
+      std::uint64_t z = seed;
+      z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+      z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+      word = z ^ (z >> 31);
+    }
+  }
+
+  std::uint64_t next() {
+    const std::uint64_t result = std::rotl(state[0] + state[3], 23) + state[0];
+    const std::uint64_t shifted = state[1] << 17;
+    state[2] ^= state[0];
+    state[3] ^= state[1];
+    state[1] ^= state[2];
+    state[0] ^= state[3];
+    state[2] ^= shifted;
+    state[3] = std::rotl(state[3], 45);
+    return result;
+  }
+
+  /// In [0, 1).
+  double uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
+  /// In [lower, upper).
+  double uniform(double lower, double upper) { return lower + (upper - lower) * uniform(); }
+  /// Mean 0, deviation 1 (Marsaglia's polar method).
+  double gaussian() {
+    for (;;) {
+      const double u = uniform(-1, 1), v = uniform(-1, 1), s = u * u + v * v;
+      if (s > 0 && s < 1) return u * std::sqrt(-2 * std::log(s) / s);
+    }
+  }
+
+private:
+  std::array<std::uint64_t, 4> state;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,73 @@
+#include "modules/evaluation/LocalizationEvaluation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "modules/evaluation/TruePose.h"
+
+namespace plumbline {
+
+MAKE_MODULE(LocalizationEvaluation)
+
+void LocalizationEvaluation::init() { file_ = config.get<std::string>("file"); }
+
+void LocalizationEvaluation::execute() {
+  if (!theGroundTruth->valid) return;
+  if (firstTime_ < 0) firstTime_ = theFrameInfo->time;
+  lastTime_ = theFrameInfo->time;
+  ++cycles_;
+  const Vec3 trueUp = theGroundTruth->T_field_torso.linear().row(2);
+  tilt_.add(toDegrees(std::acos(std::clamp(trueUp.dot(theUprightVec->up), -1.0, 1.0))));
+  if (!theRobotPose->valid) return;
+  ++validCycles_;
+  const Pose2 robot = groundPose(theGroundTruth->T_field_torso);
+  position_.add((theRobotPose->pose.position - robot.position).norm());
+  // A heading means little while the robot lies on its front or back.
+  if (!theFallState->lying())
+    heading_.add(std::abs(toDegrees(normalizeAngle(theRobotPose->pose.heading - robot.heading))));
+  if (!theBallPos->valid) return;
+  const Vec2 ball = theGroundTruth->ball.head<2>();
+  ball_.add((theBallPos->field - ball).norm());
+  ballRelative_.add((theBallPos->relative - robot.inverse() * ball).norm());
+}
+
+void LocalizationEvaluation::write() const {
+  const auto summary = [](const ErrorStatistics& errors) {
+    return nlohmann::ordered_json{{"median", errors.quantile(0.5)},
+                                  {"p95", errors.quantile(0.95)},
+                                  {"max", errors.largest()},
+                                  {"cycles", errors.count()}};
+  };
+  nlohmann::ordered_json report;
+  report["sim_time_s"] = cycles_ > 0 ? lastTime_ - firstTime_ : 0;
+  report["valid_share"] = cycles_ > 0 ? static_cast<double>(validCycles_) / static_cast<double>(cycles_) : 0;
+  report["position_error_m"] = summary(position_);
+  report["heading_error_deg"] = summary(heading_);
+  report["ball_field_error_m"] = summary(ball_);
+  report["ball_relative_error_m"] = summary(ballRelative_);
+  report["tilt_error_deg"] = summary(tilt_);
+
+  // Beside it first, so that a reader never finds half a file.
+  const std::filesystem::path path(file_), part(file_ + ".part");
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
+  std::ofstream out(part);
+  out << report.dump(2) << '\n';
+  out.close();
+  if (!out) throw std::runtime_error("cannot write " + part.string());
+  std::filesystem::rename(part, path);
+}
+
+LocalizationEvaluation::~LocalizationEvaluation() {
+  if (file_.empty()) return;
+  try {
+    write();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "LocalizationEvaluation: %s\n", error.what());
+  }
+}
+
+}  // namespace plumbline

@@ -1,0 +1,40 @@
+#include "modules/modeling/RobotModelProvider.h"
+
+#include "robot/LegKinematics.h"
+
+namespace plumbline {
+
+MAKE_MODULE(RobotModelProvider)
+
+void RobotModelProvider::execute() {
+  if (thePlayerInfo->robotType != type_) {
+    type_ = thePlayerInfo->robotType;
+    model_ = simsparkRobot(type_);
+    kinematics_ = std::make_unique<ForwardKinematics>(model_);
+    head_ = model_.linkIndex("head");
+    leftFoot_ = model_.linkIndex("lFoot");
+    rightFoot_ = model_.linkIndex("rFoot");
+    T_leftFoot_sole_ = LegKinematics(model_, Side::left).T_foot_sole();
+    T_rightFoot_sole_ = LegKinematics(model_, Side::right).T_foot_sole();
+  }
+  kinematics_->update(theJointData->angles);
+}
+
+void RobotModelProvider::update(RobotDescription* theRobotDescription) {
+  if (theRobotDescription->type == type_) return;
+  theRobotDescription->type = type_;
+  theRobotDescription->model = model_;
+}
+
+void RobotModelProvider::update(FKModel* theFKModel) {
+  theFKModel->T_torso_link.resize(model_.links.size());
+  for (std::size_t i = 0; i < model_.links.size(); ++i)
+    theFKModel->T_torso_link[i] = kinematics_->link(static_cast<int>(i));
+  theFKModel->com = kinematics_->com();
+  theFKModel->T_torso_leftSole = kinematics_->link(leftFoot_) * T_leftFoot_sole_;
+  theFKModel->T_torso_rightSole = kinematics_->link(rightFoot_) * T_rightFoot_sole_;
+  const Link& head = model_.links[static_cast<std::size_t>(head_)];
+  theFKModel->T_torso_head = kinematics_->link(head_) * translation(head.com);
+}
+
+}  // namespace plumbline

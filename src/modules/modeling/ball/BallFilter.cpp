@@ -1,0 +1,66 @@
+#include "modules/modeling/ball/BallFilter.h"
+
+#include <cmath>
+
+namespace plumbline {
+
+void BallFilter::reset() { *this = BallFilter(parameters); }
+
+void BallFilter::start(const Vec2& position, const Mat2& covariance, const Vec2& velocity) {
+  started_ = true;
+  state << position, velocity;
+  covariance_.setZero();
+  covariance_.topLeftCorner<2, 2>() = covariance;
+  const double v = parameters.startSpeedDeviation;
+  covariance_.bottomRightCorner<2, 2>() = v * v * Mat2::Identity();
+  heldBack.reset();
+}
+
+void BallFilter::predict(double dt, bool touchable, double drift) {
+  if (!started_ || !(dt > 0)) return;
+  const double tau = parameters.rollingTimeConstant;
+  const double keep = std::exp(-dt / tau), way = tau * (1 - keep);
+  Mat4 transition = Mat4::Identity();
+  transition.topRightCorner<2, 2>() = way * Mat2::Identity();
+  transition.bottomRightCorner<2, 2>() = keep * Mat2::Identity();
+  state = transition * state;
+  covariance_ = transition * covariance_ * transition.transpose();
+  const double noise = touchable ? parameters.touchedSpeedNoise : parameters.speedNoise;
+  const double q = noise * noise * dt;
+  covariance_.topLeftCorner<2, 2>().diagonal().array() += drift * drift + q * dt * dt / 3;
+  covariance_.bottomRightCorner<2, 2>().diagonal().array() += q;
+  covariance_.topRightCorner<2, 2>().diagonal().array() += q * dt / 2;
+  covariance_.bottomLeftCorner<2, 2>().diagonal().array() += q * dt / 2;
+  if (heldBack) heldBack->age += dt;
+}
+
+bool BallFilter::update(const Vec2& position, const Mat2& covariance) {
+  if (!position.allFinite()) return false;
+  if (!started_) {
+    start(position, covariance, Vec2::Zero());
+    return true;
+  }
+  const Mat2 innovationInverse = (covariance_.topLeftCorner<2, 2>() + covariance).inverse();
+  const Vec2 innovation = position - state.head<2>();
+  if (innovation.dot(innovationInverse * innovation) > parameters.gate * parameters.gate) {
+    if (heldBack && heldBack->age > 0 && heldBack->age < parameters.agreementSeconds) {
+      const Vec2 velocity = (position - heldBack->position) / heldBack->age;
+      if (velocity.norm() < parameters.agreementSpeed) {
+        start(position, covariance, velocity);
+        return true;
+      }
+    }
+    heldBack = HeldBack{position, 0};
+    return false;
+  }
+  heldBack.reset();
+  const Eigen::Matrix<double, 4, 2> gain = covariance_.leftCols<2>() * innovationInverse;
+  state += gain * innovation;
+  const Mat4 remaining = covariance_ - gain * covariance_.topRows<2>();
+  covariance_ = 0.5 * (remaining + remaining.transpose());
+  return true;
+}
+
+double BallFilter::deviation() const { return std::sqrt(0.5 * (covariance_(0, 0) + covariance_(1, 1))); }
+
+}  // namespace plumbline

@@ -1,0 +1,59 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+
+#include "math/Types.h"
+
+namespace plumbline {
+
+/// Position and speed of a ball that rolls over flat ground: a Kalman filter whose model lets the speed die
+/// away exponentially (SimSpark's ball keeps 0.9785 of it per 20 ms: time constant 0.92 s). Coordinates are
+/// those of any frame that stands still on the ground.
+class BallFilter {
+public:
+  struct Parameters {
+    double rollingTimeConstant = 0.92;  ///< [s]
+    double speedNoise = 0.1;            ///< unforeseen change of speed, ball alone [m/s per sqrt(s)]
+    double touchedSpeedNoise = 1.5;     ///< the same while a robot may touch it
+    double startSpeedDeviation = 1;     ///< [m/s]
+    double gate = 4;                    ///< percepts farther off are held back [deviations]
+    double agreementSpeed =
+        12;  ///< two that were held back agree if the ball could have rolled so fast [m/s]
+    double agreementSeconds = 0.5;  ///< ... and lie no farther apart [s]
+  };
+
+  BallFilter() = default;
+  explicit BallFilter(const Parameters& parameters) : parameters(parameters) {}
+
+  void reset();
+  bool started() const { return started_; }
+
+  /// dt passes [s]; drift: deviation of the frame's motion against the ground in that time [m].
+  void predict(double dt, bool touchable, double drift = 0);
+  /// The ball is seen there. The first percept starts the filter. One that does not fit is held back; if the
+  /// next one tells the same, the ball was moved, and the filter starts anew from both.
+  /// Returns whether the percept was used.
+  bool update(const Vec2& position, const Mat2& covariance);
+
+  Vec2 position() const { return state.head<2>(); }  ///< [m]
+  Vec2 velocity() const { return state.tail<2>(); }  ///< [m/s]
+  double deviation() const;                          ///< of the position, per axis [m]
+
+private:
+  using Vec4 = Eigen::Vector4d;
+  using Mat4 = Eigen::Matrix4d;
+  void start(const Vec2& position, const Mat2& covariance, const Vec2& velocity);
+
+  struct HeldBack {
+    Vec2 position;
+    double age;
+  };
+
+  Parameters parameters;
+  bool started_ = false;
+  Vec4 state = Vec4::Zero();  ///< x, y, vx, vy
+  Mat4 covariance_ = Mat4::Identity();
+  std::optional<HeldBack> heldBack;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,50 @@
+#pragma once
+#include <vector>
+
+#include "math/Types.h"
+
+namespace plumbline {
+
+/// How far SimSpark's vision is off (restrictedvisionperceptor), standard deviations.
+struct VisionNoise {
+  double distanceShare = 0.000965;  ///< of the distance
+  double distance = 0.0029;         ///< by rounding to a centimetre [m]
+  double azimuth = 0.00258;         ///< 0.148 degrees [rad]
+  double elevation = 0.00214;       ///< 0.1225 degrees [rad]
+  double offset = 0.0029;           ///< fixed offset per connection, along each axis of the head [m]
+  double tilt = 0.004;              ///< of the estimated orientation of the head [rad]
+};
+
+/// A seen point in the robot's ground frame (origin below the torso, x its heading).
+struct GroundPoint {
+  Vec2 position = Vec2::Zero();         ///< [m]
+  Mat2 covariance = Mat2::Identity();   ///< [m^2]
+  Mat2 information = Mat2::Identity();  ///< its inverse
+  double height = 0;                    ///< above the ground [m]
+};
+
+/// The point at this distance [m], azimuth [rad, + left] and elevation [rad, + up] from the head.
+GroundPoint projectToGround(double distance, double azimuth, double elevation, const Pose3& T_ground_head,
+                            const VisionNoise& noise);
+
+/// Whether a polar point lies at the border of SimSpark's picture (60 degrees to each side in the planes of
+/// azimuth and of elevation), where lines are cut off.
+bool atImageBorder(double azimuth, double elevation);
+
+struct SeenLandmark {
+  int index = 0;  ///< of FieldMap
+  GroundPoint point;
+};
+
+struct SeenFieldLine {
+  GroundPoint a, b;
+  bool aIsEnd = true, bIsEnd = true;  ///< the line ends there; else it was cut off by the picture's border
+};
+
+/// What one image shows of the field.
+struct FieldView {
+  std::vector<SeenLandmark> landmarks;
+  std::vector<SeenFieldLine> lines;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,43 @@
+#pragma once
+#include "math/Pose2.h"
+#include "modules/modeling/selflocator/FieldMap.h"
+#include "modules/modeling/selflocator/FieldView.h"
+
+namespace plumbline {
+
+/// One Gaussian belief of where the robot is: T_field_robot and the covariance of a small motion
+/// (forward, left [m], turn [rad]) in the robot's own frame.
+struct PoseBelief {
+  Pose2 pose;
+  Mat3 covariance = Mat3::Identity();
+
+  /// The robot moved by step (T_before_now); noise: deviations of the step (forward, left, turn).
+  void predict(const Pose2& step, const Vec3& noise);
+};
+
+/// How well an image fits a belief.
+struct Fit {
+  double error = 0;      ///< squared Mahalanobis distance of all that was matched, prior included
+  int measurements = 0;  ///< scalars that were matched
+  int matchedLines = 0;
+};
+
+/// Gauss-Newton update of a belief by an image: landmarks by their names, then lines matched to the nearest
+/// segments of the map that can only be meant. The error is the joint one of all innovations.
+class PoseUpdate {
+public:
+  PoseUpdate(const FieldMap& map, const FieldView& view) : map(map), view(view) {}
+
+  /// Changes the belief in place.
+  Fit apply(PoseBelief& belief) const;
+
+private:
+  struct Normal;
+  void addLandmarks(const Pose2& pose, Normal& sum) const;
+  void addLines(const PoseBelief& belief, Normal& sum, Fit& fit) const;
+
+  const FieldMap& map;
+  const FieldView& view;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,157 @@
+#include "modules/modeling/selflocator/PoseFilter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/Angle.h"
+
+namespace plumbline {
+namespace {
+
+constexpr double maxMeanError = 25;      ///< per measurement; beyond, a wrong particle is just wrong
+constexpr double uncertainFactor = 20;   ///< odometry's noise of a robot that falls or lies
+constexpr double clusterDistance = 0.4;  ///< particles nearer than this to the best make the estimate [m]
+constexpr double clusterTurn = 0.3;      ///< [rad]
+
+/// Likelihood of an image per measurement, in (0, 1]: 0.6 where all errors are as large as expected.
+double likelihood(const Fit& fit, std::size_t numLines) {
+  if (fit.measurements == 0 && numLines == 0) return 1;
+  const double mean = fit.error / std::max(1, fit.measurements);
+  const double lines = (1.0 + fit.matchedLines) / (1.0 + static_cast<double>(numLines));
+  return std::exp(-0.5 * std::min(mean, maxMeanError)) * lines;
+}
+
+}  // namespace
+
+PoseFilter::PoseFilter(const FieldMap& map_, const Parameters& parameters)
+    : map(map_), parameters(parameters), random(parameters.seed), proposals(map) {
+  const auto count = static_cast<std::size_t>(std::max(1, parameters.particles));
+  particles.reserve(count);
+  resampled.reserve(count);
+}
+
+void PoseFilter::reset() {
+  particles.clear();
+  slow = fast = 0;
+  estimate_ = Estimate();
+}
+
+void PoseFilter::predict(const Pose2& step, bool uncertain) {
+  const double factor = uncertain ? uncertainFactor : 1;
+  const double way = factor * (parameters.stepNoise + parameters.stepShare * step.position.norm());
+  const double turn = factor * (parameters.turnNoise + parameters.turnShare * std::abs(step.heading));
+  for (Particle& particle : particles) particle.belief.predict(step, Vec3(way, way, turn));
+  estimatePose();
+}
+
+void PoseFilter::update(const FieldView& view) {
+  if (view.landmarks.empty() && view.lines.empty()) return;
+  if (particles.empty()) {
+    start(view);
+    return;
+  }
+  const PoseUpdate image(map, view);
+  double total = 0, mean = 0;
+  for (Particle& particle : particles) {
+    const double l = likelihood(image.apply(particle.belief), view.lines.size());
+    mean += particle.weight * l;
+    particle.weight *= l;
+    total += particle.weight;
+  }
+  for (Particle& particle : particles) particle.weight /= total;
+  slow = slow > 0 ? slow + parameters.slowRate * (mean - slow) : mean;
+  fast = fast > 0 ? fast + parameters.fastRate * (mean - fast) : mean;
+
+  double squares = 0;
+  for (const Particle& particle : particles) squares += particle.weight * particle.weight;
+  if (2 / squares < static_cast<double>(particles.size())) resample();
+  const double share = std::max(0.0, 1 - fast / slow);
+  if (share > 0.2) resetFromImage(view, share);
+  estimatePose();
+}
+
+void PoseFilter::start(const FieldView& view) {
+  const std::vector<PoseBelief>& found = proposals.find(view);
+  if (found.empty()) return;
+  const auto count = static_cast<std::size_t>(std::max(1, parameters.particles));
+  for (std::size_t i = 0; i < count; ++i)
+    particles.push_back({found[i % found.size()], 1.0 / static_cast<double>(count)});
+  slow = fast = 0;
+  estimatePose();
+}
+
+/// Systematic resampling; copies are moved a little apart, by half a deviation of their belief.
+void PoseFilter::resample() {
+  const auto count = static_cast<double>(particles.size());
+  resampled.clear();
+  double position = random.uniform() / count, sum = 0;
+  for (const Particle& particle : particles) {
+    sum += particle.weight;
+    for (bool copy = false; position < sum && resampled.size() < particles.size(); copy = true) {
+      resampled.push_back({particle.belief, 1 / count});
+      if (copy) {
+        const auto jitter = [&](int i) {
+          return 0.5 * std::sqrt(particle.belief.covariance(i, i)) * random.gaussian();
+        };
+        Pose2& pose = resampled.back().belief.pose;
+        const double x = jitter(0), y = jitter(1), turn = jitter(2);
+        pose = pose * Pose2(x, y, turn);
+      }
+      position += 1 / count;
+    }
+  }
+  while (resampled.size() < particles.size()) resampled.push_back({particles.back().belief, 1 / count});
+  particles.swap(resampled);
+}
+
+void PoseFilter::resetFromImage(const FieldView& view, double share) {
+  const std::vector<PoseBelief>& found = proposals.find(view);
+  if (found.empty()) return;
+  const auto count =
+      std::max<std::size_t>(1, static_cast<std::size_t>(share * static_cast<double>(particles.size())));
+  // The worst make room.
+  std::stable_sort(particles.begin(), particles.end(),
+                   [](const Particle& a, const Particle& b) { return a.weight > b.weight; });
+  double total = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const std::size_t fromEnd = particles.size() - 1 - i;
+    if (fromEnd < count)
+      particles[i] = {found[fromEnd % found.size()], 1.0 / static_cast<double>(particles.size())};
+    total += particles[i].weight;
+  }
+  for (Particle& particle : particles) particle.weight /= total;
+  resets_ += static_cast<int>(count);
+}
+
+void PoseFilter::estimatePose() {
+  if (particles.empty()) {
+    estimate_ = Estimate();
+    return;
+  }
+  const Particle& best =
+      *std::max_element(particles.begin(), particles.end(),
+                        [](const Particle& a, const Particle& b) { return a.weight < b.weight; });
+  const Pose2& centre = best.belief.pose;
+  Vec2 shift = Vec2::Zero();
+  double turn = 0, total = 0, position = 0, heading = 0;
+  for (const Particle& particle : particles) {
+    const Vec2 d = particle.belief.pose.position - centre.position;
+    const double t = normalizeAngle(particle.belief.pose.heading - centre.heading);
+    if (d.norm() > clusterDistance || std::abs(t) > clusterTurn) continue;
+    const Mat3& covariance = particle.belief.covariance;
+    shift += particle.weight * d;
+    turn += particle.weight * t;
+    position += particle.weight * (d.squaredNorm() + covariance(0, 0) + covariance(1, 1));
+    heading += particle.weight * (t * t + covariance(2, 2));
+    total += particle.weight;
+  }
+  shift /= total;
+  turn /= total;
+  estimate_.pose = Pose2(Vec2(centre.position + shift), normalizeAngle(centre.heading + turn));
+  estimate_.positionDeviation = std::sqrt(std::max(0.0, position / total - shift.squaredNorm()));
+  estimate_.headingDeviation = std::sqrt(std::max(0.0, heading / total - turn * turn));
+  estimate_.valid = total > 0.5 && estimate_.positionDeviation < parameters.validDeviation &&
+                    estimate_.headingDeviation < parameters.validHeadingDeviation;
+}
+
+}  // namespace plumbline

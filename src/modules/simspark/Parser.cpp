@@ -1,0 +1,218 @@
+#include "modules/simspark/Parser.h"
+
+#include <algorithm>
+#include <array>
+
+#include "math/Angle.h"
+#include "simspark/ServerMessageParser.h"
+
+namespace plumbline {
+
+MAKE_MODULE(Parser)
+
+namespace {
+
+constexpr double nominalCycle = 0.02;  ///< of SimSpark [s]
+constexpr double longestCycle = 0.5;   ///< a later message is of a new start [s]
+
+PolarPoint pointOf(const simspark::Polar& polar) {
+  PolarPoint point;
+  point.distance = polar.distance;
+  point.azimuth = polar.azimuth;
+  point.elevation = polar.elevation;
+  return point;
+}
+
+FootForceData forceOf(const std::optional<simspark::ForceReading>& reading) {
+  FootForceData data;
+  data.contact = reading.has_value();
+  if (reading) {
+    data.point = reading->point;
+    data.force = reading->force;
+  }
+  return data;
+}
+
+}  // namespace
+
+void Parser::init() {
+  const AgentOptions& options = object<AgentOptions>();
+  player_.team = options.team;
+  player_.number = options.number;
+  player_.robotType = options.type;
+  cycleSeconds_ = nominalCycle;
+}
+
+void Parser::execute() {
+  ++cycle_;
+  restarted_ = false;
+  if (theSimSparkInfo) {
+    restarted_ = connections_ > 0 && theSimSparkInfo->connections != connections_;
+    connections_ = theSimSparkInfo->connections;
+  }
+  const auto error = simspark::parseServerMessage(theServerMessageText->text, next_);
+  readable_ = !error;
+  if (error) {
+    if (broken_++ < 10)
+      log.warning() << "message " << cycle_ << " of the simulator, byte " << error->position << ": "
+                    << error->what << "; it is left out";
+    return;
+  }
+  std::swap(message_, next_);
+  const double passed = message_.time - time_;
+  restarted_ = restarted_ || (started_ && (passed < 0 || passed > longestCycle));
+  if (started_ && !restarted_ && passed > 0) cycleSeconds_ = passed;
+  started_ = true;
+  if (restarted_) {
+    cycleSeconds_ = nominalCycle;
+    player_.sideKnown = false;
+    log << "the simulator started anew";
+  }
+  time_ = message_.time;
+
+  const simspark::GameState& game = message_.gameState;
+  if (game.unum) player_.number = *game.unum;
+  if (game.side) {
+    player_.leftSide = *game.side != "right";
+    player_.sideKnown = true;
+  }
+}
+
+void Parser::update(FrameInfo* theFrameInfo) {
+  theFrameInfo->time = time_;
+  theFrameInfo->cycleSeconds = cycleSeconds_;
+  theFrameInfo->cycle = cycle_;
+  theFrameInfo->restarted = restarted_;
+}
+
+void Parser::update(GameState* theGameState) {
+  if (!readable_) return;
+  const simspark::GameState& game = message_.gameState;
+  theGameState->playMode = playModeOf(game.playMode, player_.leftSide);
+  theGameState->time = game.time;
+  theGameState->ownScore = player_.leftSide ? game.scoreLeft : game.scoreRight;
+  theGameState->opponentScore = player_.leftSide ? game.scoreRight : game.scoreLeft;
+}
+
+void Parser::update(PlayerInfo* thePlayerInfo) { *thePlayerInfo = player_; }
+
+void Parser::update(JointData* theJointData) {
+  if (!readable_) return;
+  for (std::size_t i = 0; i < message_.angle.size(); ++i)
+    if (message_.angle[i]) theJointData->angles[i] = *message_.angle[i];
+}
+
+void Parser::update(SensorData* theSensorData) {
+  if (!readable_) return;
+  theSensorData->gyro = message_.gyro;
+  theSensorData->acc = message_.acc;
+  theSensorData->leftFoot = forceOf(message_.leftFoot);
+  theSensorData->rightFoot = forceOf(message_.rightFoot);
+  theSensorData->leftToe = forceOf(message_.leftToe);
+  theSensorData->rightToe = forceOf(message_.rightToe);
+}
+
+void Parser::update(VisionInfo* theVisionInfo) { theVisionInfo->newImage = readable_ && message_.see; }
+
+void Parser::update(PolarBallPercept* thePolarBallPercept) {
+  thePolarBallPercept->seen = false;
+  if (!readable_ || !message_.see) return;
+  for (const simspark::SeenObject& object : message_.see->objects) {
+    if (object.name != "B") continue;
+    thePolarBallPercept->seen = true;
+    thePolarBallPercept->position = pointOf(object.position);
+  }
+}
+
+void Parser::update(PolarLandmarkPercept* thePolarLandmarkPercept) {
+  thePolarLandmarkPercept->landmarks.clear();
+  if (!readable_ || !message_.see) return;
+  for (const simspark::SeenObject& object : message_.see->objects) {
+    if (object.name == "B") continue;
+    PolarLandmark& landmark = thePolarLandmarkPercept->landmarks.emplace_back();
+    landmark.name = object.name;
+    landmark.position = pointOf(object.position);
+  }
+}
+
+void Parser::update(PolarLinePercept* thePolarLinePercept) {
+  thePolarLinePercept->lines.clear();
+  if (!readable_ || !message_.see) return;
+  for (const simspark::SeenLine& seen : message_.see->lines) {
+    PolarLine& line = thePolarLinePercept->lines.emplace_back();
+    line.a = pointOf(seen.a);
+    line.b = pointOf(seen.b);
+  }
+}
+
+void Parser::update(PolarPlayerPercept* thePolarPlayerPercept) {
+  thePolarPlayerPercept->players.clear();
+  if (!readable_ || !message_.see) return;
+  for (const simspark::SeenPlayer& seen : message_.see->players) {
+    PolarPlayer& player = thePolarPlayerPercept->players.emplace_back();
+    player.team = seen.team;
+    player.number = seen.unum;
+    for (const simspark::SeenBodyPart& part : seen.parts) {
+      PolarBodyPart& bodyPart = player.parts.emplace_back();
+      bodyPart.name = part.name;
+      bodyPart.position = pointOf(part.position);
+    }
+  }
+}
+
+void Parser::update(HearPercept* theHearPercept) {
+  theHearPercept->messages.clear();
+  if (!readable_) return;
+  for (const simspark::HeardMessage& heard : message_.heard) {
+    HeardText& text = theHearPercept->messages.emplace_back();
+    text.team = heard.team;
+    text.time = heard.time;
+    text.self = heard.self;
+    text.direction = heard.direction;
+    text.text = heard.text;
+  }
+}
+
+void Parser::update(GroundTruth* theGroundTruth) {
+  theGroundTruth->valid = readable_ && message_.groundTruth && player_.sideKnown;
+  if (!theGroundTruth->valid) return;
+  // On the server's field; the right team's own frame is turned by half a turn.
+  const Pose3 T_field_world = player_.leftSide ? Pose3(Pose3::Identity()) : rotationZ(pi);
+  theGroundTruth->T_field_torso = T_field_world * message_.groundTruth->T_world_torso;
+  theGroundTruth->ball = T_field_world * message_.groundTruth->ball;
+}
+
+PlayMode playModeOf(const std::string& word, bool leftSide) {
+  struct Mode {
+    const char* word;
+    PlayMode ofLeft, ofRight;  ///< as the left and as the right team sees it
+  };
+  static constexpr std::array<Mode, 21> modes = {{
+      {"BeforeKickOff", PlayMode::beforeKickOff, PlayMode::beforeKickOff},
+      {"KickOff_Left", PlayMode::kickOffOwn, PlayMode::kickOffOpponent},
+      {"KickOff_Right", PlayMode::kickOffOpponent, PlayMode::kickOffOwn},
+      {"PlayOn", PlayMode::playOn, PlayMode::playOn},
+      {"KickIn_Left", PlayMode::kickInOwn, PlayMode::kickInOpponent},
+      {"KickIn_Right", PlayMode::kickInOpponent, PlayMode::kickInOwn},
+      {"corner_kick_left", PlayMode::cornerOwn, PlayMode::cornerOpponent},
+      {"corner_kick_right", PlayMode::cornerOpponent, PlayMode::cornerOwn},
+      {"goal_kick_left", PlayMode::goalKickOwn, PlayMode::goalKickOpponent},
+      {"goal_kick_right", PlayMode::goalKickOpponent, PlayMode::goalKickOwn},
+      {"offside_left", PlayMode::offsideOwn, PlayMode::offsideOpponent},
+      {"offside_right", PlayMode::offsideOpponent, PlayMode::offsideOwn},
+      {"GameOver", PlayMode::gameOver, PlayMode::gameOver},
+      {"Goal_Left", PlayMode::goalOwn, PlayMode::goalOpponent},
+      {"Goal_Right", PlayMode::goalOpponent, PlayMode::goalOwn},
+      {"free_kick_left", PlayMode::freeKickOwn, PlayMode::freeKickOpponent},
+      {"free_kick_right", PlayMode::freeKickOpponent, PlayMode::freeKickOwn},
+      {"direct_free_kick_left", PlayMode::directFreeKickOwn, PlayMode::directFreeKickOpponent},
+      {"direct_free_kick_right", PlayMode::directFreeKickOpponent, PlayMode::directFreeKickOwn},
+      {"pass_left", PlayMode::passOwn, PlayMode::passOpponent},
+      {"pass_right", PlayMode::passOpponent, PlayMode::passOwn},
+  }};
+  for (const Mode& mode : modes)
+    if (word == mode.word) return leftSide ? mode.ofLeft : mode.ofRight;
+  return PlayMode::unknown;
+}
+
+}  // namespace plumbline
