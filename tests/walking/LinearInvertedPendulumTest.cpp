@@ -1,0 +1,99 @@
+#include "walking/LinearInvertedPendulum.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace plumbline::walking {
+namespace {
+
+constexpr double height = 0.25;
+const double k = std::sqrt(9.81 / height);
+
+WalkState onLeft(const Pose2& foot, const Vec2& velocity) {
+  WalkState state;
+  state.support = Support::left;
+  state.foot = {foot, Pose2(0, -0.05)};
+  state.velocity = velocity;
+  return state;
+}
+
+WalkAction lasting(double duration) {
+  WalkAction action;
+  action.duration = duration;
+  return action;
+}
+
+TEST(LinearInvertedPendulum, isEquations41And42) {
+  const LinearInvertedPendulum model(height);
+  const WalkState end = model.move(onLeft(Pose2(0.03, 0.05), Vec2(0.2, 0.1)), lasting(0.3), 0.2);
+  // x of the equations is the mass relative to the foot, the state has the foot relative to the mass.
+  EXPECT_NEAR(-end.foot[0].x(), -0.03 * std::cosh(k * 0.2) + 0.2 / k * std::sinh(k * 0.2), 1e-12);
+  EXPECT_NEAR(-end.foot[0].y(), -0.05 * std::cosh(k * 0.2) + 0.1 / k * std::sinh(k * 0.2), 1e-12);
+  EXPECT_NEAR(end.velocity.x(), -0.03 * k * std::sinh(k * 0.2) + 0.2 * std::cosh(k * 0.2), 1e-12);
+  EXPECT_NEAR(end.velocity.y(), -0.05 * k * std::sinh(k * 0.2) + 0.1 * std::cosh(k * 0.2), 1e-12);
+}
+
+TEST(LinearInvertedPendulum, agreesWithIntegration) {
+  const LinearInvertedPendulum model(height, Vec2(0.01, -0.005));
+  const WalkState begin = onLeft(Pose2(-0.02, 0.06, 0.1), Vec2(0.4, 0.15));
+  const Vec2 pivot = Pose2(-0.02, 0.06, 0.1) * Vec2(0.01, -0.005);
+  Vec2 com = Vec2::Zero(), velocity = begin.velocity;
+  constexpr int steps = 200000;
+  constexpr double h = 0.18 / steps;
+  for (int i = 0; i < steps; ++i) {
+    velocity += h * k * k * (com - pivot);
+    com += h * velocity;
+  }
+  const WalkState end = model.move(begin, lasting(0.18), 0.18);
+  EXPECT_NEAR((end.velocity - velocity).norm(), 0, 1e-5);
+  EXPECT_NEAR((end.foot[0].position - (Vec2(-0.02, 0.06) - com)).norm(), 0, 1e-5);
+}
+
+TEST(LinearInvertedPendulum, aMoveInTwoPartsIsTheWholeMove) {
+  const LinearInvertedPendulum model(height, Vec2(0.01, -0.005));
+  const WalkState begin = onLeft(Pose2(0.02, 0.06, 0.2), Vec2(0.4, 0.15));
+  WalkAction whole = lasting(0.2), half = lasting(0.1);
+  whole.turn = 0.3;
+  half.turn = 0.15;
+  const WalkState once = model.move(begin, whole, 0.2);
+  const WalkState twice = model.move(model.move(begin, half, 0.1), half, 0.1);
+  EXPECT_NEAR((once.velocity - twice.velocity).norm(), 0, 1e-12);
+  EXPECT_NEAR((once.foot[0].position - twice.foot[0].position).norm(), 0, 1e-12);
+  EXPECT_NEAR(once.foot[0].heading, twice.foot[0].heading, 1e-12);
+  EXPECT_NEAR(once.foot[0].heading, 0.2 - 0.3, 1e-12) << "the torso turned left over the foot";
+}
+
+TEST(LinearInvertedPendulum, keepsTheOrbitalEnergy) {
+  const LinearInvertedPendulum model(height);
+  const WalkState begin = onLeft(Pose2(0.05, 0.06), Vec2(0.5, 0.2));
+  const auto energy = [](const WalkState& s) {
+    return Vec2(s.velocity.cwiseAbs2() - k * k * s.foot[0].position.cwiseAbs2());
+  };
+  EXPECT_NEAR((energy(model.move(begin, lasting(0.25), 0.25)) - energy(begin)).norm(), 0, 1e-12);
+}
+
+TEST(LinearInvertedPendulum, aStepEndsOnTheOtherFoot) {
+  const LinearInvertedPendulum model(height);
+  WalkAction action = lasting(0.2);
+  action.stepTarget = Pose2(0.04, -0.06, 0.1);
+  const WalkState end = model.predict(onLeft(Pose2(0, 0.05), Vec2(0, 0.1)), action);
+  EXPECT_EQ(end.support, Support::right);
+  EXPECT_DOUBLE_EQ(end.foot[1].x(), 0.04);
+  EXPECT_DOUBLE_EQ(end.foot[1].heading, 0.1);
+}
+
+TEST(LinearInvertedPendulum, doubleSupportLeavesItsCentreOfPressure) {
+  const LinearInvertedPendulum model(height);
+  WalkState state;
+  state.foot = {Pose2(0, 0.05), Pose2(0, -0.05)};
+  WalkAction action = lasting(0.1);
+  action.centerOfPressure = Vec2(-0.02, 0.03);
+  const WalkState end = model.predict(state, action);
+  EXPECT_EQ(end.support, Support::both);
+  EXPECT_NEAR(end.velocity.x(), 0.02 * k * std::sinh(k * 0.1), 1e-12);
+  EXPECT_NEAR(end.velocity.y(), -0.03 * k * std::sinh(k * 0.1), 1e-12);
+}
+
+}  // namespace
+}  // namespace plumbline::walking
