@@ -42,6 +42,9 @@ public:
   std::atomic<int> signal{0};
   /// The place of the thread it struck in, or -1.
   std::atomic<int> signalThread{-1};
+  /// The addresses of the calls that led to the signal, innermost first.
+  std::array<void*, 40> calls{};
+  std::atomic<int> callCount{0};
   /// Set when the agent ends in order: then there is nothing to write.
   std::atomic<bool> finished{false};
 

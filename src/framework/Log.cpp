@@ -1,10 +1,11 @@
 #include "framework/Log.h"
 
-#include <array>
+#include <atomic>
 #include <cstdio>
 #include <memory>
 #include <mutex>
 #include <streambuf>
+#include <vector>
 
 #include "framework/LogBuffer.h"
 
@@ -57,6 +58,7 @@ StreamStack& streams() {
   return stack;
 }
 
+std::atomic<bool> hasListener{false};
 std::mutex listenerMutex;
 std::function<void(std::string_view, std::string_view)>& listener() {
   static std::function<void(std::string_view, std::string_view)> function;
@@ -94,8 +96,15 @@ void LogBuffer::add(std::string_view source, std::string_view message) {
     std::string line = "[" + std::string(source) + "] " + std::string(message) + "\n";
     std::fwrite(line.data(), 1, line.size(), stdout);
   }
+  if (!hasListener) return;
   std::lock_guard lock(listenerMutex);
   if (listener()) listener()(source, message);
+}
+
+void LogBuffer::setVerbose(bool verbose) {
+  verbose_ = verbose;
+  // Line by line, so that everything is out when the agent dies.
+  if (verbose) std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
 }
 
 void LogBuffer::trace(std::string_view text) {
@@ -107,10 +116,11 @@ void LogBuffer::trace(std::string_view text) {
 void LogBuffer::setListener(std::function<void(std::string_view, std::string_view)> function) {
   std::lock_guard lock(listenerMutex);
   listener() = std::move(function);
+  hasListener = listener() != nullptr;
 }
 
 void LogBuffer::useRecord(CrashRecord* record) {
-  delete record_;
+  // The old one is not deleted: a thread may be about to write to it. It is small and there are few.
   record_ = record;
 }
 

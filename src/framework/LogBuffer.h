@@ -18,7 +18,7 @@ public:
   void trace(std::string_view line);
 
   /// Prints messages and trace to standard output (the option -v).
-  void setVerbose(bool verbose) { verbose_ = verbose; }
+  void setVerbose(bool verbose);
   bool verbose() const { return verbose_; }
 
   /// Also hands every message to this function (tests, other log targets); called under a lock.

@@ -1,6 +1,7 @@
 #include "framework/Process.h"
 
 #include "framework/ConfigurationError.h"
+#include "framework/CrashLog.h"
 #include "framework/LogBuffer.h"
 #include "framework/TracePlugin.h"
 
@@ -61,6 +62,7 @@ void Process::init() {
 void Process::start() {
   CrashRecord& record = LogBuffer::instance().record();
   crashThread_ = record.addThread(info_.name);
+  CrashLog::protectThread();
   CrashRecord::enterThread(crashThread_);
   for (const Step& step : info_.steps) crashSteps_.push_back(record.addStep(step.label));
   plugins_ = Plugins::make();

@@ -1,0 +1,181 @@
+#include "framework/CrashLog.h"
+
+#include <execinfo.h>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <new>
+
+#include "framework/CrashReport.h"
+#include "framework/Log.h"
+#include "framework/LogBuffer.h"
+
+namespace plumbline {
+namespace {
+
+constexpr std::array caughtSignals = {SIGSEGV, SIGBUS,  SIGFPE,  SIGILL, SIGABRT,
+                                      SIGSYS,  SIGTRAP, SIGQUIT, SIGXCPU};
+
+// What the signal handler needs; set before it is installed.
+CrashRecord* record = nullptr;
+int pipeToWriter = -1;
+pid_t writer = -1;
+char note[512];
+std::array<struct sigaction, caughtSignals.size()> previous;
+
+void say(const char* text) {
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, text, std::strlen(text));
+}
+
+/// Waits for the writer, but not for ever: it might hang on a full disk.
+void waitForWriter() {
+  for (int i = 0; i < 3000; i++) {
+    if (waitpid(writer, nullptr, WNOHANG) != 0) return;
+    const timespec millisecond{0, 1000000};
+    nanosleep(&millisecond, nullptr);
+  }
+}
+
+// Only what a signal handler may do (and backtrace, which was called once before to load what it needs).
+void handle(int signal, siginfo_t* info, void*) {
+  int none = 0;
+  if (!record->signal.compare_exchange_strong(none, signal)) {
+    // Another thread died first; it is being written about.
+    while (true) pause();
+  }
+  record->signalThread = CrashRecord::currentThread();
+  record->callCount = backtrace(record->calls.data(), static_cast<int>(record->calls.size()));
+  say("died by ");
+  say(signalName(signal));
+  if (const char* step = record->stepOf(CrashRecord::currentThread())) {
+    say(" in ");
+    say(step);
+  }
+  say(note);
+  const char byte = 1;
+  [[maybe_unused]] const auto written = write(pipeToWriter, &byte, 1);
+  waitForWriter();
+  for (std::size_t i = 0; i < caughtSignals.size(); i++) {
+    if (caughtSignals[i] == signal) sigaction(signal, &previous[i], nullptr);
+  }
+  // A fault strikes again on return, then at the right place for a debugger or sanitizer; a signal that was
+  // sent has to be sent again.
+  if (info->si_code <= 0) raise(signal);
+}
+
+/// The second process. Waits for a byte (a signal was caught) or the end of the pipe (the agent is gone).
+[[noreturn]] void writerMain(int pipe, pid_t agent, const std::string& path) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) std::signal(signal, SIG_IGN);
+  prctl(PR_SET_NAME, "crashlog");
+  pipe = fcntl(pipe, F_DUPFD, STDERR_FILENO + 1);
+  const int null = open("/dev/null", O_RDWR);
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(null, descriptor);
+  // What the agent has open must not stay open because of this process.
+  dup2(pipe, STDERR_FILENO + 1);
+  close_range(STDERR_FILENO + 2, ~0u, 0);
+  char byte = 0;
+  while (read(STDERR_FILENO + 1, &byte, 1) < 0 && errno == EINTR) {
+  }
+  if (!record->finished) writeCrashReport(*record, agent, path);
+  _exit(0);
+}
+
+/// Null, or what was not possible.
+const char* startWriter(const std::string& path) {
+  // Stays mapped to the end of the program: threads may log at any time.
+  void* memory =
+      mmap(nullptr, sizeof(CrashRecord), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return "no shared memory";
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) return "no pipe";
+  record = new (memory) CrashRecord;
+  const pid_t agent = getpid();
+  writer = fork();
+  if (writer == 0) {
+    close(ends[1]);
+    writerMain(ends[0], agent, path);
+  }
+  close(ends[0]);
+  if (writer < 0) {
+    close(ends[1]);
+    return "no second process";
+  }
+  pipeToWriter = ends[1];
+  return nullptr;
+}
+
+void markFinished() {
+  if (record) record->finished = true;
+}
+
+/// A signal handler needs a stack of its own if the thread's stack is what broke.
+class SignalStack {
+public:
+  SignalStack() : memory_(std::make_unique<char[]>(size)) {
+    stack_t stack{};
+    stack.ss_sp = memory_.get();
+    stack.ss_size = size;
+    active_ = sigaltstack(&stack, nullptr) == 0;
+  }
+  ~SignalStack() {
+    stack_t stack{};
+    stack.ss_flags = SS_DISABLE;
+    if (active_) sigaltstack(&stack, nullptr);
+  }
+
+private:
+  static constexpr std::size_t size = 64 * 1024;
+  std::unique_ptr<char[]> memory_;
+  bool active_ = false;
+};
+
+}  // namespace
+
+void CrashLog::protectThread() {
+  if (record) thread_local SignalStack stack;
+}
+
+CrashLog::CrashLog(const std::string& path) : path_(std::filesystem::absolute(path).string()) {
+  if (const char* failed = startWriter(path_)) {
+    Log("framework").warning() << "no " << path << " will be written: " << failed << ": "
+                               << std::strerror(errno);
+    return;
+  }
+  LogBuffer::instance().useRecord(record);
+  std::snprintf(note, sizeof(note), "; see %s\n", path.c_str());
+  protectThread();
+  void* first[1];
+  backtrace(first, 1);
+  // exit() somewhere is an end in order as well.
+  static const int registered = std::atexit(markFinished);
+  static_cast<void>(registered);
+  struct sigaction action {};
+  action.sa_sigaction = handle;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  sigemptyset(&action.sa_mask);
+  for (std::size_t i = 0; i < caughtSignals.size(); i++) {
+    sigaction(caughtSignals[i], &action, &previous[i]);
+  }
+}
+
+CrashLog::~CrashLog() {
+  if (pipeToWriter < 0) return;
+  for (std::size_t i = 0; i < caughtSignals.size(); i++) sigaction(caughtSignals[i], &previous[i], nullptr);
+  markFinished();
+  close(pipeToWriter);
+  pipeToWriter = -1;
+  waitpid(writer, nullptr, 0);
+  writer = -1;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+
+namespace plumbline {
+
+/// Looks after the agent from a second process: when the agent dies by a signal, that process writes a file
+/// with the signal's name, what each thread was doing, the calls that led there and the last log messages. An
+/// end in order, Ctrl-C and SIGTERM (see StopSignal::catchSignals) leave no file.
+class CrashLog {
+public:
+  /// Starts the second process. At the beginning of main, before any thread; one at a time. If that is not
+  /// possible there will be no crash log, and the log says so.
+  explicit CrashLog(const std::string& path = "crash.log");
+  /// The agent ends in order: ends the second process and waits for it.
+  ~CrashLog();
+  CrashLog(const CrashLog&) = delete;
+  CrashLog& operator=(const CrashLog&) = delete;
+
+  /// Lets a stack overflow of the calling thread be caught, too. Process does this for an agent's threads.
+  static void protectThread();
+
+private:
+  std::string path_;
+};
+
+}  // namespace plumbline
