@@ -51,8 +51,7 @@ struct WalkParameters {
   double anklePitchGain = 0;
   double ankleRollRate = 0;  ///< torso turn rate to the supporting ankle [s]
   double anklePitchRate = 0;
-  double stepForwardGain =
-      0;  ///< share of the torso's tilt that step planning takes for motion of the pendulum
+  double stepForwardGain = 0;  ///< share of the tilt that step planning takes for the pendulum moving
   double stepSidewaysGain = 0;
   double swingLevel = 0;  ///< share of the tilt that the swing foot is turned back by
 
