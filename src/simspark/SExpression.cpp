@@ -77,14 +77,14 @@ std::string_view SExpressions::Node::name() const {
 }
 
 SExpressions::Node SExpressions::Node::list(std::string_view listName) const {
-  if (!isList()) return Node(owner, -1);
+  if (!*this || !isList()) return Node(owner, -1);
   Node child = first();
   while (child && child.name() != listName) child = child.next();
   return child;
 }
 
 SExpressions::Node SExpressions::Node::at(int n) const {
-  Node child = isList() ? first() : Node(owner, -1);
+  Node child = *this && isList() ? first() : Node(owner, -1);
   while (child && n-- > 0) child = child.next();
   return child;
 }

@@ -34,7 +34,7 @@ public:
     Node first() const { return Node(owner, self().child); }
     Node next() const { return Node(owner, self().sibling); }
     explicit operator bool() const { return index >= 0; }
-    /// The child list of that name, or invalid.
+    /// The child list of that name, or invalid. An invalid node or an atom has no children.
     Node list(std::string_view listName) const;
     /// The n-th child (0: the name), or invalid.
     Node at(int n) const;

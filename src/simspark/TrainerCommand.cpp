@@ -1,0 +1,194 @@
+#include "simspark/TrainerCommand.h"
+
+#include <array>
+#include <initializer_list>
+
+#include "math/Angle.h"
+#include "simspark/NumberFormat.h"
+
+namespace plumbline::simspark {
+
+namespace {
+
+using Node = SExpressions::Node;
+constexpr int trainerDecimals = 6;
+
+// ---- reading
+// -----------------------------------------------------------------------------------------------
+
+std::optional<double> number(Node node) {
+  return node && !node.isList() ? parseNumber(node.text()) : std::nullopt;
+}
+std::optional<int> integer(Node node) {
+  return node && !node.isList() ? parseInteger(node.text()) : std::nullopt;
+}
+std::string_view word(Node node) { return node && !node.isList() ? node.text() : std::string_view(); }
+
+template <std::size_t n>
+bool numbers(Node list, std::array<double, n>& values) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto value = number(list.at(static_cast<int>(i) + 1));
+    if (!value) return false;
+    values[i] = *value;
+  }
+  return true;
+}
+
+std::optional<TeamSide> sideByName(std::string_view name) {
+  if (name == "Left") return TeamSide::left;
+  if (name == "Right") return TeamSide::right;
+  if (name == "None") return TeamSide::none;
+  return std::nullopt;
+}
+
+std::optional<PlayerName> player(Node list) {
+  const auto unum = integer(list.list("unum").at(1));
+  const auto side = sideByName(word(list.list("team").at(1)));
+  if (!unum || !side) return std::nullopt;
+  return PlayerName{*unum, *side};
+}
+
+std::optional<TrainerCommand> readAgent(Node list) {
+  MoveAgentCommand command;
+  command.player = player(list);
+  if (const Node position = list.list("pos")) {
+    std::array<double, 3> p;
+    if (!numbers(position, p)) return std::nullopt;
+    command.position = Vec3(p[0], p[1], p[2]);
+  }
+  if (const Node move = list.list("move")) {
+    std::array<double, 4> p;
+    if (!numbers(move, p)) return std::nullopt;
+    command.position = Vec3(p[0], p[1], p[2]);
+    command.heading = fromDegrees(p[3]) + pi / 2;  // SimSpark's robots look along y at 0
+  }
+  return command;
+}
+
+std::optional<TrainerCommand> readBall(Node list) {
+  BallCommand command;
+  for (auto [name, place] : {std::pair{"pos", &command.position}, {"vel", &command.velocity}}) {
+    const Node field = list.list(name);
+    if (!field) continue;
+    std::array<double, 3> p;
+    if (!numbers(field, p)) return std::nullopt;
+    *place = Vec3(p[0], p[1], p[2]);
+  }
+  return command;
+}
+
+std::optional<TrainerCommand> readScore(Node list) {
+  const auto left = integer(list.list("left").at(1)), right = integer(list.list("right").at(1));
+  if (!left || !right || *left < 0 || *right < 0) return std::nullopt;
+  return ScoreCommand{*left, *right};
+}
+
+std::optional<TrainerCommand> readOne(Node list) {
+  const std::string_view name = list.name();
+  if (name.empty()) return std::nullopt;
+  if (name == "agent") return readAgent(list);
+  if (name == "ball") return readBall(list);
+  if (name == "score") return readScore(list);
+  if (name == "dropBall") return DropBallCommand{};
+  if (name == "reqfullstate") return FullStateCommand{};
+  if (name == "getAck") return AcknowledgeCommand{};
+  if (name == "killsim") return KillSimulatorCommand{};
+  if (name == "kill") return KillCommand{player(list)};
+  if (name == "repos") return RepositionCommand{player(list)};
+  if (name == "select") {
+    return SelectCommand{player(list), integer(list.list("unum").at(1)) == -1};
+  }
+  if (name == "playMode") {
+    const auto mode = playModeByName(word(list.at(1)));
+    return mode ? std::optional<TrainerCommand>(PlayModeCommand{*mode}) : std::nullopt;
+  }
+  if (name == "kickOff") {
+    const auto side = sideByName(word(list.at(1)));
+    return side ? std::optional<TrainerCommand>(KickOffCommand{*side}) : std::nullopt;
+  }
+  if (name == "time") {
+    const auto time = number(list.at(1));
+    return time && *time >= 0 ? std::optional<TrainerCommand>(TimeCommand{*time}) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+// ---- writing
+// -----------------------------------------------------------------------------------------------
+
+std::string fixed(double value) {
+  std::string text;
+  appendFixed(text, value, trainerDecimals);
+  return text;
+}
+
+std::string vector(const char* name, const Vec3& v) {
+  return std::string("(") + name + ' ' + fixed(v.x()) + ' ' + fixed(v.y()) + ' ' + fixed(v.z()) + ')';
+}
+
+const char* trainerName(TeamSide side) {
+  return side == TeamSide::left ? "Left" : side == TeamSide::right ? "Right" : "None";
+}
+
+std::string playerText(const std::optional<PlayerName>& name) {
+  if (!name) return "";
+  return "(unum " + std::to_string(name->unum) + ")(team " + trainerName(name->side) + ')';
+}
+
+struct Writer {
+  std::string operator()(const MoveAgentCommand& c) const {
+    std::string text = "(agent " + playerText(c.player);
+    if (c.position && c.heading) {
+      const std::string place = vector("move", *c.position);
+      text += place.substr(0, place.size() - 1) + ' ' +
+              fixed(toDegrees(normalizeAngle(*c.heading - pi / 2))) + ')';
+    } else if (c.position) {
+      text += vector("pos", *c.position);
+    }
+    return text + ')';
+  }
+  std::string operator()(const BallCommand& c) const {
+    return "(ball " + (c.position ? vector("pos", *c.position) : "") +
+           (c.velocity ? vector("vel", *c.velocity) : "") + ')';
+  }
+  std::string operator()(const PlayModeCommand& c) const {
+    return "(playMode " + std::string(playModeName(c.mode)) + ')';
+  }
+  std::string operator()(const KickOffCommand& c) const {
+    return std::string("(kickOff ") + trainerName(c.side) + ')';
+  }
+  std::string operator()(const DropBallCommand&) const { return "(dropBall)"; }
+  std::string operator()(const TimeCommand& c) const { return "(time " + fixed(c.time) + ')'; }
+  std::string operator()(const ScoreCommand& c) const {
+    return "(score (left " + std::to_string(c.left) + ")(right " + std::to_string(c.right) + "))";
+  }
+  std::string operator()(const SelectCommand& c) const {
+    return "(select " + (c.clear ? "(unum -1)" : playerText(c.player)) + ')';
+  }
+  std::string operator()(const KillCommand& c) const { return "(kill " + playerText(c.player) + ')'; }
+  std::string operator()(const RepositionCommand& c) const { return "(repos " + playerText(c.player) + ')'; }
+  std::string operator()(const FullStateCommand&) const { return "(reqfullstate)"; }
+  std::string operator()(const AcknowledgeCommand&) const { return "(getAck)"; }
+  std::string operator()(const KillSimulatorCommand&) const { return "(killsim)"; }
+};
+
+}  // namespace
+
+std::string writeTrainerCommand(const TrainerCommand& command) { return std::visit(Writer(), command); }
+
+std::string TrainerCommandParser::parse(std::string_view text, std::vector<TrainerCommand>& commands) {
+  std::string problem;
+  if (!expressions.parse(text))
+    problem = expressions.error() + " at byte " + std::to_string(expressions.errorPosition());
+  for (auto node = expressions.first(); node; node = node.next()) {
+    if (auto command = readOne(node)) {
+      commands.push_back(std::move(*command));
+    } else if (problem.empty()) {
+      const std::string_view name = node.isList() ? node.name() : node.text();
+      problem = "cannot use (" + std::string(name.substr(0, 20)) + " ...)";
+    }
+  }
+  return problem;
+}
+
+}  // namespace plumbline::simspark

@@ -1,0 +1,77 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "math/Types.h"
+#include "simspark/PlayMode.h"
+#include "simspark/SExpression.h"
+#include "simspark/TeamSide.h"
+
+namespace plumbline::simspark {
+
+/// A player as a trainer names it.
+struct PlayerName {
+  int unum = 0;
+  TeamSide side = TeamSide::none;
+};
+
+// What a trainer may send to the monitor port, in metres, seconds and radians of the field frame.
+/// Teleport. heading [rad, 0: towards the right goal] also turns the robot upright; without it the robot
+/// keeps its orientation. Without a player: takes selected players off the selection.
+struct MoveAgentCommand {
+  std::optional<PlayerName> player;
+  std::optional<Vec3> position;
+  std::optional<double> heading;
+};
+struct BallCommand {
+  std::optional<Vec3> position, velocity;  ///< a velocity zeroes the spin
+};
+struct PlayModeCommand {
+  PlayMode mode;
+};
+struct KickOffCommand {
+  TeamSide side;
+};  ///< none: the simulator chooses
+struct DropBallCommand {};
+struct TimeCommand {
+  double time;
+};
+struct ScoreCommand {
+  int left, right;
+};
+/// clear: nobody; no player: the next one.
+struct SelectCommand {
+  std::optional<PlayerName> player;
+  bool clear = false;
+};
+struct KillCommand {
+  std::optional<PlayerName> player;
+};  ///< no player: the selected one
+struct RepositionCommand {
+  std::optional<PlayerName> player;
+};  ///< beside the field; likewise
+struct FullStateCommand {};
+struct AcknowledgeCommand {};  ///< (getAck): answered by the message "best"
+struct KillSimulatorCommand {};
+
+using TrainerCommand =
+    std::variant<MoveAgentCommand, BallCommand, PlayModeCommand, KickOffCommand, DropBallCommand, TimeCommand,
+                 ScoreCommand, SelectCommand, KillCommand, RepositionCommand, FullStateCommand,
+                 AcknowledgeCommand, KillSimulatorCommand>;
+
+std::string writeTrainerCommand(const TrainerCommand& command);
+
+class TrainerCommandParser {
+public:
+  /// Appends the commands of a message. The return value is empty or one line about the first part that is no
+  /// command; it is skipped.
+  std::string parse(std::string_view text, std::vector<TrainerCommand>& commands);
+
+private:
+  SExpressions expressions{{.depth = 8, .nodes = 4096}};
+};
+
+}  // namespace plumbline::simspark

@@ -1,0 +1,73 @@
+#pragma once
+#include <array>
+#include <string>
+
+#include "robot/RobotModel.h"
+#include "simspark/ServerMessage.h"
+#include "simulation/Game.h"
+#include "simulation/Random.h"
+#include "simulation/World.h"
+#include "simulation/sensors/Hearing.h"
+#include "simulation/sensors/Vision.h"
+
+namespace plumbline::simulation {
+
+/// Number of a player in the order of coming; never used twice.
+using PlayerId = int;
+
+struct PlayerConfig {
+  VisionNoise vision;
+  int visionInterval = 3;                      ///< cycles from image to image
+  double beamNoise = 0.05;                     ///< at most, per axis [m]
+  double beamTurnNoise = 0.17453292519943295;  ///< at most [rad]
+  bool groundTruth = false;                    ///< the true state in every message (thesis A.6.4)
+  int groundTruthDecimals = 2;
+};
+
+/// One robot with its senses and its place in a team.
+class Player {
+public:
+  Player(PlayerId id, int type, const PlayerConfig& config, std::uint64_t seed);
+
+  PlayerId id() const { return id_; }
+  int type() const { return type_; }
+  const RobotModel& model() const { return model_; }
+
+  RobotHandle robot = -1;
+  TeamSide side = TeamSide::none;
+  int unum = 0;
+  bool selected = false;
+  Hearing hearing;
+
+  /// Turns commanded speeds into the world's motors; joints the robot lacks are ignored.
+  void drive(World& world, const std::array<std::optional<double>, numJoints>& velocity) const;
+  /// The place with the beam's error.
+  Pose2 disturbed(const Pose2& place);
+  /// What others see of this robot.
+  VisibleWorld::Player visibleParts(const World& world, std::string_view team) const;
+  /// Makes the message of this cycle. truth: of all players, if it is told.
+  void sense(const World& world, const Game& game, double time, const VisibleWorld& visible,
+             const simspark::GroundTruth* truth);
+  const std::string& message() const { return text; }
+
+private:
+  static constexpr std::array<std::pair<const char*, const char*>, 5> partLinks = {
+      {{"head", "head"},
+       {"rlowerarm", "rLowerArm"},
+       {"llowerarm", "lLowerArm"},
+       {"rfoot", "rFoot"},
+       {"lfoot", "lFoot"}}};
+  PlayerId id_;
+  int type_;
+  PlayerConfig config;
+  RobotModel model_;
+  Random random;
+  Vision vision;
+  std::array<int, partLinks.size()> parts{};
+  bool toldPlace = false;  ///< number and side have been sent
+  int cycle = 0;
+  simspark::ServerMessage senses;
+  std::string text;
+};
+
+}  // namespace plumbline::simulation

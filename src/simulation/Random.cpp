@@ -1,0 +1,35 @@
+#include "simulation/Random.h"
+
+#include <cmath>
+
+namespace plumbline::simulation {
+
+Random::Random(std::uint64_t seed, std::uint64_t stream) {
+  std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
+                         static_cast<std::uint32_t>(stream), static_cast<std::uint32_t>(stream >> 32)};
+  engine.seed(sequence);
+}
+
+double Random::uniform(double low, double high) {
+  const double unit = static_cast<double>(engine() >> 11) * 0x1.0p-53;
+  return low + (high - low) * unit;
+}
+
+double Random::normal() {
+  if (haveSpare) {
+    haveSpare = false;
+    return spare;
+  }
+  double x = 0, y = 0, square = 0;
+  do {
+    x = uniform(-1, 1);
+    y = uniform(-1, 1);
+    square = x * x + y * y;
+  } while (square >= 1 || square == 0);
+  const double factor = std::sqrt(-2 * std::log(square) / square);
+  spare = y * factor;
+  haveSpare = true;
+  return x * factor;
+}
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,175 @@
+#include "simulation/Simulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/Angle.h"
+#include "simulation/Field.h"
+#include "simulation/Trainer.h"
+
+namespace plumbline::simulation {
+
+using simspark::AgentCommand;
+
+namespace {
+
+constexpr double agentRadius =
+    0.4;  ///< the league's idea of a robot's size; also the height a beam puts it to [m]
+constexpr double hearingRange = 50;  ///< [m]
+const Vec3 spawn(0, -1, 1.5);
+constexpr double spawnHeading = pi / 2;
+
+Pose3 upright(const Vec3& position, double heading) { return translation(position) * rotationZ(heading); }
+
+/// A place as its own team sees it, in the field frame.
+Pose2 toField(const Pose2& place, TeamSide side) {
+  return side == TeamSide::right ? Pose2(-place.x(), -place.y(), normalizeAngle(place.heading + pi)) : place;
+}
+
+}  // namespace
+
+Simulation::Simulation(const SimulationConfig& config_) : config(config_), world_(makeWorld(config.world)) {
+  reset();
+}
+
+void Simulation::reset() {
+  world_->reset();
+  players.clear();
+  killed.clear();
+  game_ = Game();
+  teams = Teams();
+  referee = std::make_unique<Referee>(config.rules, Random(config.seed));
+  starts.fill(Vec2(-fieldLength / 2 + 2 * agentRadius, fieldWidth / 2 - 2 * agentRadius));
+  starts[1].x() *= -1;
+  nextId = 1;
+  cycles = 0;
+  ++version;
+}
+
+PlayerId Simulation::addPlayer(int type) {
+  const PlayerId id = nextId;
+  auto player = std::make_unique<Player>(id, type, config.players, config.seed);
+  player->robot = world_->addRobot(player->model(), upright(spawn, spawnHeading));
+  players.emplace(id, std::move(player));
+  ++nextId;
+  ++version;
+  return id;
+}
+
+void Simulation::removePlayer(PlayerId id) {
+  const auto it = players.find(id);
+  if (it == players.end()) return;
+  world_->removeRobot(it->second->robot);
+  teams.release(it->second->side, it->second->unum, it->second->type());
+  players.erase(it);
+  ++version;
+}
+
+Player* Simulation::find(const simspark::PlayerName& name) {
+  for (auto& [id, player] : players)
+    if (player->unum == name.unum && player->side == name.side) return player.get();
+  return nullptr;
+}
+
+std::string Simulation::act(PlayerId id, const AgentCommand& command) {
+  Player& player = *players.at(id);
+  std::string problem;
+  if (command.init) initPlayer(player, *command.init, problem);
+  player.drive(*world_, command.velocity);
+  if (command.beam) beam(player, *command.beam);
+  if (command.say) say(player, *command.say);
+  return problem;
+}
+
+void Simulation::initPlayer(Player& player, const simspark::InitRequest& init, std::string& problem) {
+  if (player.side != TeamSide::none) {
+    problem = "team " + init.team + ": this robot has its number already";
+    return;
+  }
+  const Teams::Place place = teams.request(init.team, init.unum, player.type());
+  for (const TeamSide side : {TeamSide::left, TeamSide::right})
+    game_.teams[Game::index(side)] = teams.name(side);
+  if (!place.problem.empty()) {
+    problem = place.problem;
+    return;
+  }
+  player.side = place.side;
+  player.unum = place.unum;
+  const Pose2 start = nextStart(place.side);
+  world_->moveRobot(player.robot, upright(Vec3(start.x(), start.y(), agentRadius), start.heading));
+  ++version;
+}
+
+/// Along the side of the field, a new row behind a full one.
+Pose2 Simulation::nextStart(TeamSide side) {
+  Vec2& next = starts[Game::index(side)];
+  const Vec2 start = next;
+  next.y() -= 3 * agentRadius;
+  if (next.y() < -fieldWidth / 2) next = Vec2(next.x() + 2 * agentRadius, fieldWidth / 2 - 2 * agentRadius);
+  return Pose2(start, side == TeamSide::right ? pi : 0);
+}
+
+void Simulation::beam(Player& player, const Pose2& place) {
+  const bool allowed = game_.mode == PlayMode::beforeKickOff || game_.mode == PlayMode::goalLeft ||
+                       game_.mode == PlayMode::goalRight;
+  if (!allowed || player.side == TeamSide::none) return;
+  Pose2 start = player.disturbed(place);
+  start.position.x() = std::clamp(start.x(), -fieldLength / 2, 0.0);
+  start.position.y() = std::clamp(start.y(), -fieldWidth / 2, fieldWidth / 2);
+  start = toField(start, player.side);
+  world_->moveRobot(player.robot, upright(Vec3(start.x(), start.y(), agentRadius), start.heading));
+}
+
+void Simulation::say(const Player& speaker, const std::string& text) {
+  if (speaker.side == TeamSide::none) return;
+  const Vec3 from = world_->torso(speaker.robot).pose.translation();
+  const std::string& team = game_.teams[Game::index(speaker.side)];
+  for (auto& [id, listener] : players) {
+    if (listener->side == TeamSide::none) continue;
+    if (id == speaker.id()) {
+      listener->hearing.hearSelf(text);
+      continue;
+    }
+    Vec3 way = from - world_->torso(listener->robot).pose.translation();
+    if (way.norm() > hearingRange) continue;
+    if (listener->side == TeamSide::right) way = Vec3(-way.x(), -way.y(), way.z());
+    listener->hearing.hear(text, team, std::atan2(way.y(), way.x()), listener->side == speaker.side);
+  }
+}
+
+std::string Simulation::train(const simspark::TrainerCommand& command) {
+  return Trainer(*this).carryOut(command);
+}
+
+void Simulation::step() {
+  world_->step();
+  ++cycles;
+  Referee::Observation observation;
+  observation.playersPresent = !players.empty();
+  for (const RobotHandle robot : world_->ballTouchedBy())
+    for (const auto& [id, player] : players)
+      if (player->robot == robot && player->side != TeamSide::none && !observation.touch)
+        observation.touch = BallWatch::Touch{player->side, player->unum, 0};
+  referee->update(game_, *world_, observation, config.world.stepSeconds);
+  makeSenses();
+}
+
+void Simulation::makeSenses() {
+  visible.ball = world_->ball().pose.translation();
+  visible.players.clear();
+  simspark::GroundTruth truth;
+  truth.ball = visible.ball;
+  for (const auto& [id, player] : players) {
+    if (player->side == TeamSide::none) continue;
+    const std::string& team = game_.teams[Game::index(player->side)];
+    visible.players.push_back(player->visibleParts(*world_, team));
+    if (!config.players.groundTruth) continue;
+    const Pose3 torso = world_->torso(player->robot).pose;
+    truth.players.push_back({team, player->unum, torso.translation().x(), torso.translation().y(),
+                             std::atan2(torso.linear()(1, 0), torso.linear()(0, 0))});
+  }
+  for (const auto& [id, player] : players)
+    player->sense(*world_, game_, time(), visible, config.players.groundTruth ? &truth : nullptr);
+}
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,87 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "simspark/AgentCommand.h"
+#include "simspark/TrainerCommand.h"
+#include "simulation/Game.h"
+#include "simulation/Player.h"
+#include "simulation/Teams.h"
+#include "simulation/World.h"
+#include "simulation/referee/Referee.h"
+
+namespace plumbline::simulation {
+
+struct SimulationConfig {
+  WorldConfig world;
+  Rules rules;
+  PlayerConfig players;
+  std::uint64_t seed = 1;
+};
+
+/// A whole game in this process: world, players, referee, senses. No sockets, no clock: the same calls give
+/// the same bytes. What the server does in a cycle is: act() for every message that came, send message() of
+/// every player, step().
+class Simulation {
+public:
+  explicit Simulation(const SimulationConfig& config);
+
+  /// A robot of type 0..4 at the league's spawn, without a team. Errors: std::out_of_range for another type.
+  PlayerId addPlayer(int type);
+  void removePlayer(PlayerId id);
+  /// Carries out what a player commands (scene and syn are the connection's business). Returns why something
+  /// was refused, one line, or nothing.
+  std::string act(PlayerId id, const simspark::AgentCommand& command);
+
+  /// Carries out a trainer's command but fullstate, acknowledge and killsim, which are the connection's.
+  /// Returns why not, one line, or nothing.
+  std::string train(const simspark::TrainerCommand& command);
+  /// Players a trainer had removed since the last call; their connections are to be closed.
+  std::vector<PlayerId> takeKilled() { return std::exchange(killed, {}); }
+
+  /// One cycle of physics, rules, and new senses for everybody.
+  void step();
+  /// As after construction: nobody there, clock at zero.
+  void reset();
+
+  /// Senses made by the last step, as the wire wants them (without frame); empty before the first.
+  const std::string& message(PlayerId id) const { return players.at(id)->message(); }
+
+  const Game& game() const { return game_; }
+  World& world() { return *world_; }
+  const World& world() const { return *world_; }
+  double time() const { return static_cast<double>(cycles) * config.world.stepSeconds; }
+  std::uint64_t cycle() const { return cycles; }
+  std::size_t numPlayers() const { return players.size(); }
+  /// By id, in the order in which they came.
+  const std::map<PlayerId, std::unique_ptr<Player>>& allPlayers() const { return players; }
+  /// Grows when players come, go or get a number: the monitor's scene must be sent anew.
+  std::uint64_t sceneVersion() const { return version; }
+
+private:
+  friend class Trainer;
+  Player* find(const simspark::PlayerName& name);
+  void initPlayer(Player& player, const simspark::InitRequest& init, std::string& problem);
+  void beam(Player& player, const Pose2& place);
+  void say(const Player& speaker, const std::string& text);
+  void makeSenses();
+  Pose2 nextStart(TeamSide side);
+
+  SimulationConfig config;
+  std::unique_ptr<World> world_;
+  Game game_;
+  Teams teams;
+  std::unique_ptr<Referee> referee;
+  std::map<PlayerId, std::unique_ptr<Player>> players;
+  std::vector<PlayerId> killed;
+  PlayerId nextId = 1;
+  std::array<Vec2, 2> starts;  ///< where the next new player of a team is put
+  std::uint64_t cycles = 0, version = 1;
+  VisibleWorld visible;
+};
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,58 @@
+#include "simulation/Teams.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace plumbline::simulation {
+
+std::string Teams::typeProblem(const Team& team, int type) {
+  const auto t = static_cast<std::size_t>(type);
+  const std::string ofType = "robots of type " + std::to_string(type);
+  if (team.types[t] >= maxOfOneType)
+    return "there are already " + std::to_string(maxOfOneType) + ' ' + ofType;
+  for (std::size_t other = 0; other < team.types.size(); ++other)
+    if (other != t && team.types[t] + 1 + team.types[other] > maxOfTwoTypes)
+      return "robots of types " + std::to_string(type) + " and " + std::to_string(other) +
+             " would be more than " + std::to_string(maxOfTwoTypes);
+  const int robots = std::accumulate(team.types.begin(), team.types.end(), 0);
+  const auto differentTypes =
+      static_cast<int>(std::count_if(team.types.begin(), team.types.end(), [](int n) { return n > 0; }));
+  if (maxPlayers - robots <= minTypes - differentTypes && team.types[t] > 0)
+    return "a full team needs " + std::to_string(minTypes) + " types of robots";
+  return {};
+}
+
+Teams::Place Teams::request(const std::string& team, int unum, int type) {
+  Team* found = nullptr;
+  for (Team& candidate : teams) {
+    if (candidate.name.empty()) candidate.name = team;
+    if (candidate.name == team) {
+      found = &candidate;
+      break;
+    }
+  }
+  const auto refuse = [&](const std::string& why) {
+    return Place{TeamSide::none, 0, "team " + team + ": " + why};
+  };
+  if (!found) return refuse("two other teams play already");
+  if (unum == 0)
+    for (unum = 1; found->unums.count(unum);) ++unum;
+  if (found->unums.size() >= maxPlayers) return refuse("there are already 11 players");
+  if (unum < 1 || unum > maxPlayers) return refuse("number " + std::to_string(unum) + " is not 1 to 11");
+  if (found->unums.count(unum)) return refuse("number " + std::to_string(unum) + " is taken");
+  if (type < 0 || type >= numSimsparkTypes) return refuse("there is no robot type " + std::to_string(type));
+  if (const std::string problem = typeProblem(*found, type); !problem.empty()) return refuse(problem);
+  found->unums.insert(unum);
+  ++found->types[static_cast<std::size_t>(type)];
+  return {found == &teams[0] ? TeamSide::left : TeamSide::right, unum, {}};
+}
+
+void Teams::release(TeamSide side, int unum, int type) {
+  if (side == TeamSide::none) return;
+  Team& team = teams[side == TeamSide::right ? 1 : 0];
+  if (team.unums.erase(unum)) --team.types[static_cast<std::size_t>(type)];
+}
+
+const std::string& Teams::name(TeamSide side) const { return teams[side == TeamSide::right ? 1 : 0].name; }
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,197 @@
+#include "simulation/monitor/MonitorScene.h"
+
+#include <cmath>
+
+#include "simspark/NumberFormat.h"
+
+namespace plumbline::simulation {
+
+using simspark::appendGeneral;
+
+namespace {
+
+constexpr float precision = 0.005f;
+constexpr const char* bodyMeshTurn =
+    "(nd TRF (SLT -1 3.82137e-15 8.74228e-08 -0 8.74228e-08 4.37114e-08 1 0 0 1 "
+    "-4.37114e-08 0 0 0 0 1)";
+constexpr const char* unmoved = "(nd TRF (SLT 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1)";
+
+constexpr const char* rulesText =
+    "(FieldLength 30)(FieldWidth 20)(FieldHeight 40)(GoalWidth 2.1)(GoalDepth 0.6)(GoalHeight "
+    "0.8)(BorderSize 0)"
+    "(FreeKickDistance 2)(WaitBeforeKickOff 30)(AgentRadius 0.4)(BallRadius 0.042)(BallMass 0.026)"
+    "(RuleGoalPauseTime 3)(RuleKickInPauseTime 1)(RuleHalfTime 300)(PassModeMinOppBallDist "
+    "1)(PassModeDuration 4)";
+
+}  // namespace
+
+MonitorScene::Matrix MonitorScene::matrixOf(const Pose3& pose, bool robotAxes) {
+  Mat3 axes = pose.linear();
+  if (robotAxes) {  // SimSpark's robots have x to the right and y forward
+    const Vec3 right = -axes.col(1), forward = axes.col(0);
+    axes.col(0) = right;
+    axes.col(1) = forward;
+  }
+  Matrix matrix{};
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row)
+      matrix[static_cast<std::size_t>(4 * column + row)] = static_cast<float>(axes(row, column));
+  for (int row = 0; row < 3; ++row)
+    matrix[static_cast<std::size_t>(12 + row)] = static_cast<float>(pose.translation()[row]);
+  matrix[15] = 1;
+  return matrix;
+}
+
+void MonitorScene::appendTransform(const Matrix& matrix) {
+  text += " (SLT";
+  for (const float value : matrix) {
+    text += ' ';
+    appendGeneral(text, value);
+  }
+  text += ')';
+}
+
+void MonitorScene::appendIfMoved(const Matrix& matrix, Matrix& toldMatrix) {
+  for (std::size_t i = 0; i < matrix.size(); ++i) {
+    if (std::fabs(matrix[i] - toldMatrix[i]) <= precision) continue;
+    appendTransform(matrix);
+    toldMatrix = matrix;
+    return;
+  }
+}
+
+const std::vector<BodyLook>& MonitorScene::looks(int type) {
+  auto& cached = looksOfType[static_cast<std::size_t>(type)];
+  if (cached.empty()) cached = robotLooks(type);
+  return cached;
+}
+
+const std::vector<int>& MonitorScene::links(const Player& player) {
+  auto& cached = linksOfType[static_cast<std::size_t>(player.type())];
+  if (cached.empty())
+    for (const BodyLook& look : looks(player.type())) cached.push_back(player.model().linkIndex(look.link));
+  return cached;
+}
+
+void MonitorScene::gameState(const Game& game) {
+  const auto word = [this](const char* name, const std::string& value) {
+    text += '(';
+    text += name;
+    text += ' ';
+    text += value;
+    text += ')';
+  };
+  text += "(time ";
+  appendGeneral(text, static_cast<float>(game.time));
+  text += ')';
+  constexpr std::array<const char*, 2> teamWords = {"team_left", "team_right"},
+                                       scoreWords = {"score_left", "score_right"};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (game.teams[i] == told.teams[i]) continue;
+    word(teamWords[i], game.teams[i]);
+    told.teams[i] = game.teams[i];
+  }
+  if (told.half != game.half) word("half", std::to_string(game.half));
+  told.half = game.half;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (game.score[i] != told.score[i]) word(scoreWords[i], std::to_string(game.score[i]));
+    told.score[i] = game.score[i];
+  }
+  const int mode = static_cast<int>(game.mode);
+  if (mode != told.mode) word("play_mode", std::to_string(mode));
+  told.mode = mode;
+}
+
+const std::string& MonitorScene::full(const Simulation& simulation) {
+  told = GameTold();
+  robots.clear();
+  text = "(";
+  text += rulesText;
+  text += "(play_modes";
+  for (const std::string_view name : simspark::playModeNames) {
+    text += ' ';
+    text += name;
+  }
+  text += ')';
+  gameState(simulation.game());
+  text += ")(RSG 0 1)(";
+  text += fieldScene();
+  toldBall = matrixOf(simulation.world().ball().pose, false);
+  text += "(nd TRF";
+  appendTransform(toldBall);
+  text +=
+      "(nd StaticMesh (setVisible 1) (load models/soccerball.obj) (sSc 0.042 0.042 0.042)"
+      "(resetMaterials soccerball_rcs-soccerball.png)))";
+  for (const auto& [id, player] : simulation.allPlayers()) appendRobot(simulation, *player, robots[id]);
+  text += ')';
+  return text;
+}
+
+void MonitorScene::appendRobot(const Simulation& simulation, const Player& player, RobotView& view) {
+  view.selected = player.selected;
+  text += unmoved;
+  const auto& bodies = looks(player.type());
+  const auto& bodyLinks = links(player);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodyLook& look = bodies[i];
+    view.told.push_back(matrixOf(simulation.world().linkState(player.robot, bodyLinks[i]).pose, true));
+    text += "(nd TRF";
+    appendTransform(view.told.back());
+    if (look.turned) text += bodyMeshTurn;
+    if (look.mesh.empty())
+      text += "(nd SMN (setVisible 1) (load " + look.shape + ") (sSc " + look.scale + ") (sMat " +
+              look.material + "))";
+    else
+      text += "(nd StaticMesh (setVisible 1) (load models/" + look.mesh + ") (sSc " + look.scale +
+              ")(resetMaterials " + materialNames(look.materials, player.type(), player.unum, player.side) +
+              "))";
+    if (look.turned) text += ')';
+    if (look.marker) {
+      text += unmoved;
+      text += "(nd SMN (setVisible ";
+      text += player.selected ? '1' : '0';
+      text += ") (setTransparent) (load StdUnitCylinder 1 1) (sSc 0.2 0.2 0.02) (sMat matSelect)))";
+    }
+    text += ')';
+  }
+  text += ')';
+}
+
+const std::string& MonitorScene::difference(const Simulation& simulation) {
+  text = "(";
+  gameState(simulation.game());
+  text += ")(RDS 0 1)(";
+  text += fieldDifference();
+  text += "(nd";
+  appendIfMoved(matrixOf(simulation.world().ball().pose, false), toldBall);
+  text += "(nd StaticMesh))";
+  for (const auto& [id, player] : simulation.allPlayers())
+    if (const auto view = robots.find(id); view != robots.end())
+      appendRobotDifference(simulation, *player, view->second);
+  text += ')';
+  return text;
+}
+
+void MonitorScene::appendRobotDifference(const Simulation& simulation, const Player& player,
+                                         RobotView& view) {
+  text += "(nd";
+  const auto& bodies = looks(player.type());
+  const auto& bodyLinks = links(player);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodyLook& look = bodies[i];
+    text += "(nd";
+    appendIfMoved(matrixOf(simulation.world().linkState(player.robot, bodyLinks[i]).pose, true),
+                  view.told[i]);
+    text += look.mesh.empty() ? "(nd SMN)" : look.turned ? "(nd(nd StaticMesh))" : "(nd StaticMesh)";
+    if (look.marker) {
+      text += "(nd(nd SMN";
+      if (player.selected != view.selected) text += player.selected ? " (setVisible 1)" : " (setVisible 0)";
+      text += "))";
+      view.selected = player.selected;
+    }
+    text += ')';
+  }
+  text += ')';
+}
+
+}  // namespace plumbline::simulation

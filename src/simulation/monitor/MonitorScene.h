@@ -1,0 +1,53 @@
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "simulation/Simulation.h"
+#include "simulation/monitor/SceneTexts.h"
+
+namespace plumbline::simulation {
+
+/// What monitors are told: a whole scene, then differences to what was told last. A transform is told again
+/// only if one of its sixteen numbers changed by more than 0.005. Nodes, order and number format are those of
+/// the league's server, which its viewers and trainers read.
+class MonitorScene {
+public:
+  /// Everything. What was told before is forgotten: the next difference is one to this.
+  const std::string& full(const Simulation& simulation);
+  /// What changed since the last call of either. A scene that got or lost a robot needs full() first.
+  const std::string& difference(const Simulation& simulation);
+
+private:
+  using Matrix = std::array<float, 16>;  ///< by columns, SimSpark's axes
+  struct RobotView {
+    std::vector<Matrix> told;
+    bool selected = false;
+  };
+  struct GameTold {
+    std::array<std::string, 2> teams;
+    int half = 0, mode = -1;
+    std::array<int, 2> score = {-1, -1};
+  };
+
+  void gameState(const Game& game);
+  void appendRobot(const Simulation& simulation, const Player& player, RobotView& view);
+  void appendRobotDifference(const Simulation& simulation, const Player& player, RobotView& view);
+  void appendTransform(const Matrix& matrix);
+  /// " (SLT ...)" if the matrix moved far enough from what was told.
+  void appendIfMoved(const Matrix& matrix, Matrix& told);
+  static Matrix matrixOf(const Pose3& pose, bool robotAxes);
+
+  const std::vector<BodyLook>& looks(int type);
+  const std::vector<int>& links(const Player& player);
+
+  std::string text;
+  GameTold told;
+  Matrix toldBall{};
+  std::map<PlayerId, RobotView> robots;
+  std::array<std::vector<BodyLook>, numSimsparkTypes> looksOfType;
+  std::array<std::vector<int>, numSimsparkTypes> linksOfType;
+};
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,60 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "math/Types.h"
+#include "simspark/ServerMessage.h"
+#include "simulation/Random.h"
+
+namespace plumbline::simulation {
+
+/// Measurement error of the league's camera (restrictedvisionperceptor).
+struct VisionNoise {
+  double distancePercent = 0.0965;                   ///< standard deviation [% of the distance]
+  double azimuth = 0.1480 * 0.017453292519943295;    ///< [rad]
+  double elevation = 0.1225 * 0.017453292519943295;  ///< [rad]
+  double offset =
+      0.005;  ///< the same error of position in every image of a connection: at most, per axis [m]
+  static VisionNoise none() { return {0, 0, 0, 0}; }
+};
+
+/// What can be seen of the moving things, in the world frame; the field's marks are known.
+struct VisibleWorld {
+  struct Part {
+    std::string_view name;  ///< head rlowerarm llowerarm rfoot lfoot
+    Vec3 position;
+  };
+  struct Player {
+    std::string_view team;
+    int unum = 0;
+    std::vector<Part> parts;
+  };
+  Vec3 ball = Vec3::Zero();
+  std::vector<Player> players;
+};
+
+/// The restricted camera of the league's robots: it looks along x of the head, 60 degrees to each side and up
+/// and down, sees nothing nearer than 0.1 m, through everything, its own arms as well.
+class Vision {
+public:
+  explicit Vision(const VisionNoise& noise, Random& random);
+
+  simspark::See see(const Pose3& T_world_head, const VisibleWorld& world);
+
+private:
+  bool look(const Vec3& world, const Pose3& T_head_world, simspark::Polar& seen);
+  void addNoise(simspark::Polar& polar);
+
+  VisionNoise noise;
+  Random& random;
+  Vec3 offset = Vec3::Zero();  ///< constant error in the head frame [m]
+};
+
+/// Cuts a line in head coordinates to what the camera's image holds, as the league's server does: a line with
+/// both ends in the cone of view stays whole; otherwise it is cut at the near plane x = 0.1 m and at the
+/// edges of the square image. False: nothing is seen of it. (The cone is round in the corners, the image is
+/// not: a line whose one visible end lies outside of the image may vanish, on the league's server as well.)
+bool clipToView(Vec3& a, Vec3& b);
+
+}  // namespace plumbline::simulation
