@@ -7,7 +7,9 @@
 
 #include "framework/ConfigurationError.h"
 #include "framework/Controller.h"
+#include "framework/CrashLog.h"
 #include "framework/GraphWriter.h"
+#include "framework/LogBuffer.h"
 #include "framework/TimingPlugin.h"
 #include "game/WriteFile.h"
 #include "modules/simspark/AgentOptions.h"
@@ -22,7 +24,8 @@ using namespace plumbline;
 struct Options {
   std::shared_ptr<AgentOptions> agent = std::make_shared<AgentOptions>();
   std::string config, modules, graph, stats;
-  bool timing = false;
+  std::string crashLog = "crash.log";
+  bool timing = false, verbose = false;
 };
 
 // Paths in messages are short if the agent is started from near its folder.
@@ -56,6 +59,9 @@ void declare(CLI::App& app, Options& options) {
                  "draw the module graph to FILE (.svg, .pdf, .png or .dot) and end");
   app.add_option("--stats", options.stats, "write cycles and CPU per cycle to FILE as JSON at the end");
   app.add_flag("--timing", options.timing, "print a table of the time each module took at the end");
+  app.add_flag("-v,--verbose", options.verbose, "print every step of every cycle and all log messages");
+  app.add_option("--crash-log", options.crashLog, "file written if the agent dies by a signal")
+      ->capture_default_str();
   app.add_flag("--status", agent.status, "print a line per second: what the robot believes and does");
   app.footer(
       "Examples:\n"
@@ -84,6 +90,8 @@ int runAgent(const Options& options) {
     writeGraph(controller.threads(), options.graph);
     return 0;
   }
+  const CrashLog crashLog(options.crashLog);
+  LogBuffer::instance().setVerbose(options.verbose);
   controller.objects().set(options.agent);
   controller.stop().catchSignals();
   const int status = controller.run();
