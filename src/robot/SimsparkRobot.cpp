@@ -16,14 +16,15 @@ struct TypeParameters {
   double footLength, footMass, toeLength;  ///< [m, kg, m]; no toe: length 0
 };
 
-constexpr double normalSpeed = 6.1395;
+/// [rad/s] 351.77 deg/s for all joints, but for the ankles the file of types has four digits only.
+constexpr double normalSpeed = fromDegrees(351.77), ankleSpeed = 6.1395;
 constexpr double toeMass = 0.022199;
 constexpr TypeParameters types[numSimsparkTypes] = {
-    {0.055, -0.04, -0.055, 0.07, normalSpeed, normalSpeed, 0.03, 0.16, 0.2, 0},
-    {0.055, -0.05832, -0.07332, 0.10664, normalSpeed, normalSpeed, 0.03, 0.16, 0.2, 0},
+    {0.055, -0.04, -0.055, 0.07, ankleSpeed, ankleSpeed, 0.03, 0.16, 0.2, 0},
+    {0.055, -0.05832, -0.07332, 0.10664, ankleSpeed, ankleSpeed, 0.03, 0.16, 0.2, 0},
     {0.055, -0.04, -0.055, 0.07, 8.80667, 3.47234, 0.03, 0.16, 0.2, 0},
-    {0.072954143, -0.067868424, -0.082868424, 0.125736848, normalSpeed, normalSpeed, 0.03, 0.16, 0.2, 0},
-    {0.055, -0.04, -0.055, 0.07, normalSpeed, normalSpeed, 0.012241172, 0.124482344, 0.177801, 0.035517656}};
+    {0.072954143, -0.067868424, -0.082868424, 0.125736848, ankleSpeed, ankleSpeed, 0.03, 0.16, 0.2, 0},
+    {0.055, -0.04, -0.055, 0.07, ankleSpeed, ankleSpeed, 0.012241172, 0.124482344, 0.177801, 0.035517656}};
 
 Shape box(double x, double y, double z) { return {Shape::Kind::box, Vec3(x, y, z), Pose3::Identity()}; }
 Shape sphere(double radius) { return {Shape::Kind::sphere, Vec3(radius, 0, 0), Pose3::Identity()}; }

@@ -58,20 +58,42 @@ void SoccerWorld::moveRobot(RobotHandle robot, const Pose3& T_world_torso) {
 }
 
 void SoccerWorld::setPosture(RobotHandle handle, const JointArray& angles) {
+  for (std::size_t hinge = 0; hinge + 1 < get(handle).model.links.size(); ++hinge)
+    physics->setMotor(handle, static_cast<int>(hinge), 0);
+  setState(handle, {torso(handle).pose, Vec3::Zero(), Vec3::Zero()}, angles, JointArray{});
+}
+
+void SoccerWorld::setState(RobotHandle handle, const BodyState& torso, const JointArray& angles,
+                           const JointArray& rates) {
   Robot& robot = get(handle);
+  const AssemblyState state = toAssemblyState(robot, torso, angles, rates);
+  physics->setState(handle, state);
+  robot.lastVelocity = state.root.linearVelocity;
+  senseAngles(handle, robot);
+}
+
+void SoccerWorld::setVelocities(RobotHandle handle, const BodyState& torso, const JointArray& rates) {
+  Robot& robot = get(handle);
+  const AssemblyState state = toAssemblyState(robot, torso, JointArray{}, rates);
+  physics->setVelocities(handle, state);
+  robot.lastVelocity = state.root.linearVelocity;
+}
+
+AssemblyState SoccerWorld::toAssemblyState(const Robot& robot, const BodyState& torso,
+                                           const JointArray& angles, const JointArray& rates) {
   AssemblyState state;
-  state.root.pose = physics->bodyState(handle, 0).pose;
+  const Vec3 toCom = torso.pose.linear() * robot.model.links[0].com;
+  state.root = torso;
+  state.root.pose.translation() += toCom;
+  state.root.linearVelocity += torso.angularVelocity.cross(toCom);
   state.angle.assign(robot.model.links.size() - 1, 0);
   state.rate = state.angle;
-  for (int j = 0; j < numJoints; ++j) {
-    const int hinge = hingeOf(robot.model, static_cast<JointId>(j));
-    if (hinge < 0) continue;
-    state.angle[static_cast<std::size_t>(hinge)] = angles[static_cast<std::size_t>(j)];
-    physics->setMotor(handle, hinge, 0);
-  }
-  physics->setState(handle, state);
-  robot.lastVelocity.setZero();
-  senseAngles(handle, robot);
+  for (std::size_t j = 0; j < numJoints; ++j)
+    if (const int hinge = hingeOf(robot.model, static_cast<JointId>(j)); hinge >= 0) {
+      state.angle[static_cast<std::size_t>(hinge)] = angles[j];
+      state.rate[static_cast<std::size_t>(hinge)] = rates[j];
+    }
+  return state;
 }
 
 void SoccerWorld::setJointVelocity(RobotHandle handle, JointId joint, double velocity) {
@@ -161,11 +183,10 @@ BodyState SoccerWorld::torso(RobotHandle robot) const {
 }
 
 void SoccerWorld::setBall(const Vec3& position, const Vec3& velocity) {
-  AssemblyState state;
-  state.root.pose = translation(position);
-  state.root.linearVelocity = velocity;
-  physics->setState(ballHandle, state);
+  setBall({translation(position), velocity, Vec3::Zero()});
 }
+
+void SoccerWorld::setBall(const BodyState& state) { physics->setState(ballHandle, {state, {}, {}}); }
 
 SoccerWorld::Robot& SoccerWorld::get(RobotHandle robot) {
   return const_cast<Robot&>(static_cast<const SoccerWorld*>(this)->get(robot));

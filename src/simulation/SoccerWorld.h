@@ -17,6 +17,9 @@ public:
   void removeRobot(RobotHandle robot) override;
   void moveRobot(RobotHandle robot, const Pose3& T_world_torso) override;
   void setPosture(RobotHandle robot, const JointArray& angles) override;
+  void setState(RobotHandle robot, const BodyState& torso, const JointArray& angles,
+                const JointArray& rates) override;
+  void setVelocities(RobotHandle robot, const BodyState& torso, const JointArray& rates) override;
   void setJointVelocity(RobotHandle robot, JointId joint, double velocity) override;
   void step() override;
   void reset() override;
@@ -25,6 +28,7 @@ public:
   BodyState torso(RobotHandle robot) const override;
   BodyState ball() const override { return physics->bodyState(ballHandle, 0); }
   void setBall(const Vec3& position, const Vec3& velocity) override;
+  void setBall(const BodyState& state) override;
   const std::vector<RobotHandle>& ballTouchedBy() const override { return touchedBall; }
 
 private:
@@ -38,6 +42,8 @@ private:
 
   Robot& get(RobotHandle robot);
   const Robot& get(RobotHandle robot) const;
+  static AssemblyState toAssemblyState(const Robot& robot, const BodyState& torso, const JointArray& angles,
+                                       const JointArray& rates);
   void senseAcceleration(RobotHandle handle, Robot& robot) const;
   void senseAngles(RobotHandle handle, Robot& robot) const;
   void senseFeet(RobotHandle handle, Robot& robot) const;

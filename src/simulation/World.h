@@ -55,6 +55,11 @@ public:
   virtual void moveRobot(RobotHandle robot, const Pose3& T_world_torso) = 0;
   /// Puts the joints to these angles about a fixed torso pose, at rest, motors at zero, awake.
   virtual void setPosture(RobotHandle robot, const JointArray& angles) = 0;
+  /// Puts the torso and the joints to this state of motion [rad, rad/s]; motors go on at their speed, awake.
+  virtual void setState(RobotHandle robot, const BodyState& torso, const JointArray& angles,
+                        const JointArray& rates) = 0;
+  /// Sets velocities alone, those of the torso's state and of the joints; wakes nothing.
+  virtual void setVelocities(RobotHandle robot, const BodyState& torso, const JointArray& rates) = 0;
   /// Hinge motor target [rad/s]; clamped to the joint's speed; persists; ignored for a cycle at a stop.
   virtual void setJointVelocity(RobotHandle robot, JointId joint, double velocity) = 0;
 
@@ -68,6 +73,7 @@ public:
   virtual BodyState torso(RobotHandle robot) const = 0;
   virtual BodyState ball() const = 0;
   virtual void setBall(const Vec3& position, const Vec3& velocity) = 0;  ///< zeroes its spin
+  virtual void setBall(const BodyState& state) = 0;
   /// Robots whose bodies touched the ball in the last step.
   virtual const std::vector<RobotHandle>& ballTouchedBy() const = 0;
 };

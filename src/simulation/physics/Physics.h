@@ -104,6 +104,9 @@ public:
   virtual AssemblyState state(int assembly) const = 0;
   /// Places every body anew, wakes the assembly; motors keep their velocity.
   virtual void setState(int assembly, const AssemblyState& state) = 0;
+  /// The velocities of a state only; poses stay to the last bit, with the small gaps load has torn into
+  /// hinges; wakes nothing.
+  virtual void setVelocities(int assembly, const AssemblyState& state) = 0;
   /// Moves all bodies rigidly to the root's new pose and stops them, hinges as they are; wakes nothing.
   virtual void moveRigidly(int assembly, const Pose3& T_world_root) = 0;
   /// Wakes the body; what it is joined to or touches wakes in the next step.

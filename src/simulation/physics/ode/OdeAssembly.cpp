@@ -8,7 +8,7 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-void check(const Assembly& assembly) {
+void checkTree(const Assembly& assembly) {
   if (assembly.bodies.empty()) throw std::invalid_argument("physics: an assembly needs a body");
   const int count = static_cast<int>(assembly.bodies.size());
   std::vector<bool> joined(assembly.bodies.size(), false);
@@ -51,7 +51,7 @@ double boundingRadius(const Shape& shape) {
 
 OdeAssembly::OdeAssembly(dWorldID world, const Assembly& assembly, const Pose3& T_world_root)
     : spec(assembly) {
-  check(spec);
+  checkTree(spec);
   hingeOfBody.assign(spec.bodies.size(), -1);
   for (std::size_t i = 0; i < spec.hinges.size(); ++i)
     hingeOfBody[at(spec.hinges[i].child)] = static_cast<int>(i);
@@ -150,33 +150,49 @@ AssemblyState OdeAssembly::state() const {
 }
 
 void OdeAssembly::setState(const AssemblyState& state) {
-  if (state.angle.size() != hinges.size() || state.rate.size() != hinges.size())
-    throw std::invalid_argument("physics: a state needs an angle and a rate for each hinge");
-  std::vector<BodyState> placed(bodies.size(), state.root);
+  check(state);
+  std::vector<Pose3> poses(bodies.size(), state.root.pose);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const int h = hingeOfBody[i];
-    if (h >= 0) {
+    if (const int h = hingeOfBody[i]; h >= 0) {
       const HingeSpec& hinge = spec.hinges[at(h)];
-      const BodyState& parent = placed[at(hinge.parent)];
       // Both bodies' frames and the hinge are known in the root's frame with all hinges at zero.
-      const Pose3 T_world_zero = parent.pose * spec.bodies[at(hinge.parent)].T_root_body.inverse();
-      const Vec3 anchor = T_world_zero * hinge.anchor;
-      const Vec3 axis = T_world_zero.linear() * hinge.axis;
-      placed[i].pose = T_world_zero * translation(hinge.anchor) * rotation(hinge.axis, state.angle[at(h)]) *
-                       translation(-hinge.anchor) * spec.bodies[i].T_root_body;
-      const Vec3 spin = parent.angularVelocity + axis * state.rate[at(h)];
-      placed[i].angularVelocity = spin;
-      placed[i].linearVelocity = parent.linearVelocity +
-                                 parent.angularVelocity.cross(anchor - parent.pose.translation()) +
-                                 spin.cross(placed[i].pose.translation() - anchor);
+      const Pose3 T_world_zero =
+          poses[at(hinge.parent)] * spec.bodies[at(hinge.parent)].T_root_body.inverse();
+      poses[i] = T_world_zero * translation(hinge.anchor) * rotation(hinge.axis, state.angle[at(h)]) *
+                 translation(-hinge.anchor) * spec.bodies[i].T_root_body;
     }
-    const Vec3& v = placed[i].linearVelocity;
-    const Vec3& w = placed[i].angularVelocity;
-    setBodyPose(bodies[i], placed[i].pose);
-    dBodySetLinearVel(bodies[i], v.x(), v.y(), v.z());
-    dBodySetAngularVel(bodies[i], w.x(), w.y(), w.z());
+    setBodyPose(bodies[i], poses[i]);
     dBodyEnable(bodies[i]);
   }
+  setVelocities(state);
+}
+
+void OdeAssembly::setVelocities(const AssemblyState& state) {
+  check(state);
+  struct Velocity {
+    Vec3 linear, angular;
+  };
+  std::vector<Velocity> velocities(bodies.size(), {state.root.linearVelocity, state.root.angularVelocity});
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    Velocity& own = velocities[i];
+    if (const int h = hingeOfBody[i]; h >= 0) {
+      const int parent = spec.hinges[at(h)].parent;
+      dVector3 anchor, axis;
+      dJointGetHingeAnchor(hinges[at(h)], anchor);
+      dJointGetHingeAxis(hinges[at(h)], axis);
+      own = velocities[at(parent)];
+      own.linear += own.angular.cross(toVec3(anchor) - toVec3(dBodyGetPosition(bodies[at(parent)])));
+      own.angular += toVec3(axis) * state.rate[at(h)];
+      own.linear += own.angular.cross(toVec3(dBodyGetPosition(bodies[i])) - toVec3(anchor));
+    }
+    dBodySetLinearVel(bodies[i], own.linear.x(), own.linear.y(), own.linear.z());
+    dBodySetAngularVel(bodies[i], own.angular.x(), own.angular.y(), own.angular.z());
+  }
+}
+
+void OdeAssembly::check(const AssemblyState& state) const {
+  if (state.angle.size() != hinges.size() || state.rate.size() != hinges.size())
+    throw std::invalid_argument("physics: a state needs an angle and a rate for each hinge");
 }
 
 void OdeAssembly::moveRigidly(const Pose3& T_world_root) {

@@ -42,12 +42,14 @@ public:
   dJointID hinge(int index) const { return hinges.at(static_cast<std::size_t>(index)); }
   AssemblyState state() const;
   void setState(const AssemblyState& state);
+  void setVelocities(const AssemblyState& state);
   void moveRigidly(const Pose3& T_world_root);
   bool asleep() const;
 
 private:
   void addBody(dWorldID world, const BodySpec& body, const Pose3& T_world_root);
   void addHinge(dWorldID world, const HingeSpec& hinge, const Pose3& T_world_root);
+  void check(const AssemblyState& state) const;
   int nearestColliderAbove(int body) const;
 
   Assembly spec;

@@ -69,6 +69,9 @@ public:
   }
   AssemblyState state(int assembly) const override { return get(assembly).state(); }
   void setState(int assembly, const AssemblyState& state) override { get(assembly).setState(state); }
+  void setVelocities(int assembly, const AssemblyState& state) override {
+    get(assembly).setVelocities(state);
+  }
   void moveRigidly(int assembly, const Pose3& T_world_root) override {
     get(assembly).moveRigidly(T_world_root);
   }

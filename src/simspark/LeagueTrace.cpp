@@ -1,0 +1,196 @@
+#include "simspark/LeagueTrace.h"
+
+#include <zlib.h>
+
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+
+#include "math/Angle.h"
+#include "simspark/JointNames.h"
+
+namespace plumbline::simspark {
+
+namespace {
+
+constexpr std::size_t maxLineLength = 1 << 16;
+constexpr std::size_t maxRows = 1'000'000;  // over five hours
+
+/// Lines of a plain or gzip file, with errors that name file and line.
+class LineReader {
+public:
+  explicit LineReader(const std::filesystem::path& path)
+      : name(path.string()), file(gzopen(name.c_str(), "rb"), gzclose), buffer(maxLineLength, '\0') {
+    if (!file) throw std::runtime_error(name + ": cannot be read; give a trace as .csv or .csv.gz");
+  }
+
+  bool next(std::string_view& text) {
+    if (!gzgets(file.get(), buffer.data(), static_cast<int>(buffer.size()))) {
+      int code = Z_OK;
+      const char* message = gzerror(file.get(), &code);
+      if (code != Z_OK) fail(std::string("cannot be unpacked: ") + message);
+      return false;
+    }
+    ++line;
+    text = buffer.data();
+    if (text.size() + 1 == buffer.size()) fail("line is longer than 65536 characters; this is no trace");
+    while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
+    return true;
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw std::runtime_error(name + ":" + std::to_string(line) + ": " + what);
+  }
+
+private:
+  std::string name;
+  std::unique_ptr<gzFile_s, int (*)(gzFile)> file;
+  std::string buffer;
+  std::size_t line = 0;
+};
+
+void split(std::string_view text, std::vector<std::string_view>& fields) {
+  fields.clear();
+  for (;;) {
+    const std::size_t comma = text.find(',');
+    fields.push_back(text.substr(0, comma));
+    if (comma == std::string_view::npos) return;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+/// Where the columns are and what stands in them in the line at hand.
+class Columns {
+public:
+  Columns(LineReader& lines_, std::string_view header) : lines(lines_) {
+    split(header, values);
+    for (const std::string_view name : values) indices.emplace(name, static_cast<int>(indices.size()));
+    if (indices.size() != values.size()) lines.fail("the header names a column twice");
+    count = values.size();
+  }
+
+  bool has(const std::string& column) const { return find(column) >= 0; }
+
+  void read(std::string_view text) {
+    split(text, values);
+    if (values.size() != count)
+      lines.fail("has " + std::to_string(values.size()) + " fields, the header has " + std::to_string(count));
+  }
+
+  double number(const std::string& column) const {
+    const int index = find(column);
+    if (index < 0) lines.fail("the header lacks column " + column);
+    const std::string_view text = values[static_cast<std::size_t>(index)];
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+      lines.fail("column " + column + " is no number: " + std::string(text));
+    return value;
+  }
+
+  Vec3 vector(const std::string& prefix, const std::array<const char*, 3>& suffixes) const {
+    return {number(prefix + suffixes[0]), number(prefix + suffixes[1]), number(prefix + suffixes[2])};
+  }
+
+private:
+  int find(const std::string& column) const {
+    const auto it = indices.find(column);
+    return it == indices.end() ? -1 : it->second;
+  }
+
+  LineReader& lines;
+  std::map<std::string, int> indices;
+  std::size_t count = 0;
+  std::vector<std::string_view> values;
+};
+
+constexpr std::array xyz = {".x", ".y", ".z"};
+
+/// A vector in SimSpark's body axes (right, forward, up) in this project's (forward, left, up).
+Vec3 fromBodyAxes(const Vec3& v) { return {v.y(), -v.x(), v.z()}; }
+
+Vec3 radians(const Vec3& degrees) { return degrees * (pi / 180); }
+
+Pose3 readPose(const Columns& columns, const std::string& body) {
+  Mat3 rotation;  // its columns are the directions right, forward, up
+  for (int row = 0; row < 3; ++row)
+    for (int col = 0; col < 3; ++col)
+      rotation(row, col) = columns.number(body + ".R" + std::to_string(row) + std::to_string(col));
+  Mat3 house;
+  house << rotation.col(1), -rotation.col(0), rotation.col(2);
+  Pose3 pose = Pose3::Identity();
+  pose.linear() = Eigen::Quaterniond(house).normalized().toRotationMatrix();  // the file has six digits
+  pose.translation() = columns.vector(body, xyz);
+  return pose;
+}
+
+std::optional<ForceReading> readForce(const Columns& columns, const std::string& sensor) {
+  if (!columns.has("frp." + sensor + ".cx")) return std::nullopt;
+  ForceReading force;
+  force.point = fromBodyAxes(columns.vector("frp." + sensor, {".cx", ".cy", ".cz"}));
+  force.force = fromBodyAxes(columns.vector("frp." + sensor, {".fx", ".fy", ".fz"}));
+  if (force.point.isZero(0) && force.force.isZero(0)) return std::nullopt;
+  return force;
+}
+
+TraceRow readRow(const Columns& columns, const std::vector<JointId>& joints) {
+  TraceRow row;
+  for (const JointId joint : joints) {
+    const JointName& name = simsparkName(joint);
+    const double degree = name.sign * pi / 180;
+    row.command[joint] = name.sign * columns.number("cmd." + std::string(name.effector));
+    row.angle[joint] = degree * columns.number("hj." + std::string(name.perceptor));
+    row.axisAngle[joint] = degree * columns.number("q." + std::string(name.perceptor));
+  }
+  row.gyro = radians(fromBodyAxes(columns.vector("gyr", xyz)));
+  row.acc = fromBodyAxes(columns.vector("acc", xyz));
+  row.leftFootForce = readForce(columns, "lf");
+  row.rightFootForce = readForce(columns, "rf");
+  row.leftToeForce = readForce(columns, "lf1");
+  row.rightToeForce = readForce(columns, "rf1");
+  row.torso = readPose(columns, "torso");
+  row.leftFoot = readPose(columns, "lfoot");
+  row.rightFoot = readPose(columns, "rfoot");
+  row.ball = columns.vector("ball", xyz);
+  return row;
+}
+
+std::optional<int> typeInName(const std::string& name) {
+  const std::size_t end = name.size();
+  if (end < 3 || name[end - 3] != '_' || name[end - 2] != 't' || name[end - 1] < '0' || name[end - 1] > '4')
+    return std::nullopt;
+  return name[end - 1] - '0';
+}
+
+}  // namespace
+
+LeagueTrace readLeagueTrace(const std::filesystem::path& file) {
+  LineReader lines(file);
+  std::string_view text;
+  if (!lines.next(text)) lines.fail("is empty; the first line of a trace names its columns");
+  Columns columns(lines, text);
+
+  LeagueTrace trace;
+  // Names may hold a dot, as in "v1.5": take off the endings only.
+  std::filesystem::path stem = file.filename();
+  while (stem.extension() == ".gz" || stem.extension() == ".csv") stem = stem.stem();
+  trace.name = stem.string();
+  trace.robotType = typeInName(trace.name);
+  for (int j = 0; j < numJoints; ++j) {
+    const auto joint = static_cast<JointId>(j);
+    if (columns.has("cmd." + std::string(simsparkName(joint).effector))) trace.joints.push_back(joint);
+  }
+  while (lines.next(text)) {
+    if (text.empty()) continue;
+    if (trace.rows.size() == maxRows) lines.fail("is the millionth row; a trace is shorter");
+    columns.read(text);
+    trace.rows.push_back(readRow(columns, trace.joints));
+  }
+  if (trace.rows.size() < 3) lines.fail("a trace needs three rows at least");
+  return trace;
+}
+
+}  // namespace plumbline::simspark
