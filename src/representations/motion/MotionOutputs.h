@@ -52,6 +52,14 @@ public:
   void stream(InStream* in, OutStream* out) override { STREAM(targets); }
 };
 
+/// All joints slack.
+REPRESENTATION(DeadMotionOutput)
+class DeadMotionOutput : public DeadMotionOutputBase {
+public:
+  JointTargets targets;
+  void stream(InStream* in, OutStream* out) override { STREAM(targets); }
+};
+
 /// Head angles wanted [rad].
 REPRESENTATION(HeadMotionRequest)
 class HeadMotionRequest : public HeadMotionRequestBase {

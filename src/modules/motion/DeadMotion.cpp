@@ -1,0 +1,12 @@
+#include "modules/motion/DeadMotion.h"
+
+namespace plumbline {
+
+MAKE_MODULE(DeadMotion)
+
+void DeadMotion::update(DeadMotionOutput* theDeadMotionOutput) {
+  theDeadMotionOutput->targets.set.fill(true);
+  theDeadMotionOutput->targets.hardness.fill(0);
+}
+
+}  // namespace plumbline

@@ -1,0 +1,38 @@
+#pragma once
+#include <vector>
+
+#include "framework/Module.h"
+#include "motion/Gaze.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/modeling/BallPos.h"
+#include "representations/modeling/RobotPose.h"
+#include "representations/motion/MotionOutputs.h"
+
+namespace plumbline {
+
+MODULE(SimpleHeadMotion)
+REQUIRES(FrameInfo)
+USES(FieldDimensions)
+USES(BallPos)
+USES(RobotPose)
+PROVIDES(HeadMotionRequest)
+END_MODULE
+
+/// Keeps the ball in view and, as far as that allows, many landmarks for the self-localisation; looks around
+/// when the ball is lost or when the robot does not know where it is.
+class SimpleHeadMotion : public SimpleHeadMotionBase {
+public:
+  void init() override;
+  void update(HeadMotionRequest* theHeadMotionRequest) override;
+
+private:
+  std::vector<Vec2> landmarks() const;
+
+  motion::GazeParameters gaze_;
+  double ballMaxAge_ = 0;  ///< a ball not seen for longer is searched [s]
+  double scanStart_ = -1;  ///< time when the scan began, negative while there is none [s]
+  double scanSide_ = 1;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,38 @@
+#pragma once
+#include "framework/Module.h"
+#include "modules/motion/Motions.h"
+#include "motion/KeyframePlayer.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/JointData.h"
+#include "representations/infrastructure/RobotDescription.h"
+#include "representations/infrastructure/SensorData.h"
+#include "representations/motion/MotionOutputs.h"
+#include "representations/motion/MotionSelection.h"
+
+namespace plumbline {
+
+MODULE(SpecialActions)
+REQUIRES(FrameInfo)
+REQUIRES(RobotDescription)
+REQUIRES(MotionSelection)
+REQUIRES(JointData)
+REQUIRES(SensorData)
+PROVIDES(SpecialActionsOutput)
+END_MODULE
+
+/// Plays the keyframe motion that is selected, from the joint angles at its start.
+class SpecialActions : public SpecialActionsBase {
+public:
+  void init() override;
+  void update(SpecialActionsOutput* theSpecialActionsOutput) override;
+
+private:
+  void start();
+
+  std::vector<motion::KeyframeMotion> motions_;
+  motion::KeyframePlayer player_;
+  Stillness stillness_;
+  int type_ = -1;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,20 @@
+#include "modules/motion/StandMotion.h"
+
+#include "modules/motion/WalkConfig.h"
+#include "walking/WalkEngine.h"
+
+namespace plumbline {
+
+MAKE_MODULE(StandMotion)
+
+void StandMotion::init() { parameters_ = readWalkParameters(config); }
+
+void StandMotion::update(StandOutput* theStandOutput) {
+  if (theRobotDescription->type == type_) return;
+  type_ = theRobotDescription->type;
+  const walking::WalkOutput stand = walking::WalkEngine(parameters_, theRobotDescription->model).stand();
+  theStandOutput->targets.angles = stand.angles;
+  theStandOutput->targets.set = stand.set;
+}
+
+}  // namespace plumbline

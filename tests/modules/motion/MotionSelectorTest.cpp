@@ -1,0 +1,149 @@
+#include "modules/motion/MotionSelector.h"
+
+#include <gtest/gtest.h>
+
+#include "ModuleUnderTest.h"
+
+namespace plumbline {
+namespace {
+
+struct Selector : public MotionSelector {
+  using MotionSelector::theFallState;
+  using MotionSelector::theFrameInfo;
+  using MotionSelector::theKickMotionOutput;
+  using MotionSelector::theMotionRequest;
+  using MotionSelector::theSpecialActionsOutput;
+  using MotionSelector::theWalkingEngineOutput;
+};
+
+class MotionSelectorTest : public testing::Test {
+protected:
+  MotionSelectorTest() : selector("MotionSelector") {
+    selector->theFrameInfo = &frame;
+    selector->theMotionRequest = &request;
+    selector->theFallState = &fall;
+    selector->theWalkingEngineOutput = &walk;
+    selector->theSpecialActionsOutput = &special;
+    selector->theKickMotionOutput = &kick;
+  }
+  void cycle() {
+    selector->update(&selection);
+    double sum = 0;
+    for (const double ratio : selection.ratios) sum += ratio;
+    EXPECT_NEAR(sum, 1, 1e-12);
+  }
+  double ratio(Motion motion) const { return selection.ratios[static_cast<std::size_t>(motion)]; }
+
+  ModuleUnderTest<Selector> selector;
+  FrameInfo frame;
+  MotionRequest request;
+  FallState fall;
+  WalkingEngineOutput walk;
+  SpecialActionsOutput special;
+  KickMotionOutput kick;
+  MotionSelection selection;
+};
+
+TEST_F(MotionSelectorTest, fadesIntoTheWalkAndLeavesItOnlyStanding) {
+  request.motion = Motion::walk;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::walk);
+  EXPECT_TRUE(selection.started);
+  EXPECT_NEAR(ratio(Motion::walk), 0.02 / 0.06, 1e-9);
+  EXPECT_NEAR(ratio(Motion::stand), 1 - 0.02 / 0.06, 1e-9);
+  cycle();
+  EXPECT_FALSE(selection.started);
+  cycle();
+  EXPECT_NEAR(ratio(Motion::walk), 1, 1e-9);
+  walk.standing = false;
+  request.motion = Motion::kick;
+  for (int i = 0; i < 20; ++i) cycle();
+  EXPECT_EQ(selection.motion, Motion::walk) << "a step is under way";
+  walk.standing = true;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::kick);
+  EXPECT_TRUE(selection.started);
+  EXPECT_DOUBLE_EQ(ratio(Motion::kick), 1) << "a kick begins at the measured angles";
+}
+
+TEST_F(MotionSelectorTest, aKickIsFinishedBeforeAnythingElse) {
+  request.motion = Motion::kick;
+  cycle();
+  kick.finished = false;
+  request.motion = Motion::walk;
+  for (int i = 0; i < 10; ++i) cycle();
+  EXPECT_EQ(selection.motion, Motion::kick);
+  kick.finished = true;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::walk);
+  cycle();
+  request.motion = Motion::kick;
+  cycle();
+  EXPECT_TRUE(selection.started);
+  cycle();
+  EXPECT_TRUE(selection.started) << "a kick that is finished and still asked for is kicked again";
+}
+
+TEST_F(MotionSelectorTest, aFallInterruptsEverything) {
+  request.motion = Motion::walk;
+  cycle();
+  walk.standing = false;
+  fall.posture = Posture::falling;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::walk);
+  fall.posture = Posture::onFront;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::specialAction);
+  EXPECT_EQ(selection.specialAction, "standUpFront");
+  EXPECT_TRUE(selection.started);
+  EXPECT_DOUBLE_EQ(ratio(Motion::specialAction), 1);
+}
+
+TEST_F(MotionSelectorTest, standsUpUntilItIsUp) {
+  fall.posture = Posture::onBack;
+  cycle();
+  EXPECT_EQ(selection.specialAction, "standUpBack");
+  special.finished = false;
+  fall.posture = Posture::upright;  // for a moment, on the way up
+  cycle();
+  fall.posture = Posture::onFront;  // and over
+  cycle();
+  EXPECT_EQ(selection.specialAction, "standUpBack") << "the action is played to its end";
+  EXPECT_FALSE(selection.started);
+  special.finished = true;
+  cycle();
+  EXPECT_EQ(selection.specialAction, "standUpFront") << "and then the right one";
+  EXPECT_TRUE(selection.started);
+  special.finished = false;
+  cycle();
+  EXPECT_FALSE(selection.started);
+  special.finished = true;
+  fall.posture = Posture::upright;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::stand);
+  EXPECT_GT(ratio(Motion::specialAction), 0.5) << "the end of the action fades into the stand";
+}
+
+TEST_F(MotionSelectorTest, aRequestedActionRunsAndARestartForgetsEverything) {
+  request.motion = Motion::specialAction;
+  request.specialAction = "wave";
+  cycle();
+  EXPECT_EQ(selection.specialAction, "wave");
+  special.finished = false;
+  request.specialAction = "bow";
+  cycle();
+  EXPECT_EQ(selection.specialAction, "wave");
+  special.finished = true;
+  cycle();
+  EXPECT_EQ(selection.specialAction, "bow");
+  request.motion = Motion::stand;
+  special.finished = false;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::specialAction);
+  frame.restarted = true;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::stand);
+}
+
+}  // namespace
+}  // namespace plumbline
