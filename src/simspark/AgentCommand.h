@@ -47,7 +47,11 @@ public:
   /// is not: such a part is skipped, as the league's server does, so that a newer agent can still play.
   std::string parse(std::string_view text, AgentCommand& command);
 
+  /// Whether the last text was a list of s-expressions at all.
+  bool wellFormed() const { return wellFormed_; }
+
 private:
+  bool wellFormed_ = true;
   SExpressions expressions{{.depth = 8, .nodes = 4096}};
 };
 

@@ -2,9 +2,13 @@
 
 namespace plumbline::simspark {
 
-void appendFrame(std::string& out, std::string_view text) {
-  const auto n = static_cast<std::uint32_t>(text.size());
+void appendFrameHeader(std::string& out, std::size_t length) {
+  const auto n = static_cast<std::uint32_t>(length);
   for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>((n >> shift) & 0xff);
+}
+
+void appendFrame(std::string& out, std::string_view text) {
+  appendFrameHeader(out, text.size());
   out += text;
 }
 

@@ -12,7 +12,9 @@ constexpr std::size_t maxServerMessage =
     1u << 22;  ///< bytes a client accepts: a scene with 22 robots has 0.1 MB
 constexpr std::size_t maxAgentMessage = 1u << 16;  ///< bytes the simulator accepts from an agent or trainer
 
-/// Appends the frame of text.
+/// Appends what stands before a message of so many bytes.
+void appendFrameHeader(std::string& out, std::size_t length);
+/// Appends a message with its header.
 void appendFrame(std::string& out, std::string_view text);
 
 /// Cuts a stream of bytes into messages. Memory grows with the bytes that came, never with the length

@@ -178,9 +178,10 @@ std::string writeTrainerCommand(const TrainerCommand& command) { return std::vis
 
 std::string TrainerCommandParser::parse(std::string_view text, std::vector<TrainerCommand>& commands) {
   std::string problem;
-  if (!expressions.parse(text))
-    problem = expressions.error() + " at byte " + std::to_string(expressions.errorPosition());
+  wellFormed_ = expressions.parse(text);
+  if (!wellFormed_) problem = expressions.error() + " at byte " + std::to_string(expressions.errorPosition());
   for (auto node = expressions.first(); node; node = node.next()) {
+    wellFormed_ = wellFormed_ && node.isList();
     if (auto command = readOne(node)) {
       commands.push_back(std::move(*command));
     } else if (problem.empty()) {

@@ -70,7 +70,11 @@ public:
   /// command; it is skipped.
   std::string parse(std::string_view text, std::vector<TrainerCommand>& commands);
 
+  /// Whether the last text was a list of s-expressions at all.
+  bool wellFormed() const { return wellFormed_; }
+
 private:
+  bool wellFormed_ = true;
   SExpressions expressions{{.depth = 8, .nodes = 4096}};
 };
 

@@ -1,0 +1,156 @@
+#include "simulation/server/AgentPort.h"
+
+#include <algorithm>
+
+namespace plumbline::simulation {
+
+namespace {
+constexpr std::size_t maxQueue = 1 << 20;  ///< bytes an agent may leave unread
+constexpr std::size_t maxAgents = 64;      ///< connections at once
+constexpr std::size_t maxPending = 256;    ///< messages in one cycle
+// An agent that never says (syn) is not waited for after so many messages, as on the league's server; before
+// the first of them it gets a moment, so that one that is about to say it does.
+constexpr int unsyncedCycles = 5;
+constexpr double unsyncedPatience = 0.5;
+constexpr std::string_view hetero = "rsg/agent/nao/nao_hetero.rsg", standard = "rsg/agent/nao/nao.rsg";
+}  // namespace
+
+AgentPort::Agent::Agent(int fd, const std::string& address)
+    : client(fd, address, simspark::maxAgentMessage, maxQueue) {}
+
+AgentPort::AgentPort(const Config& config_, Simulation& simulation_, LogFunction log_)
+    : config(config_), simulation(simulation_), log(std::move(log_)), listener(config.address, config.port) {}
+
+void AgentPort::watch(std::vector<pollfd>& descriptors) {
+  descriptors.push_back({listener.descriptor(), POLLIN, 0});
+  for (const auto& agent : agents) descriptors.push_back(agent->client.watch());
+  watched = agents.size();
+}
+
+void AgentPort::serve(const pollfd* events) {
+  for (std::size_t i = 0; i < watched; ++i) {
+    Agent& agent = *agents[i];
+    if (events[1 + i].revents == 0) continue;
+    agent.client.serve(events[1 + i].revents);
+    receive(agent);
+  }
+  if (events[0].revents != 0) accept();
+}
+
+void AgentPort::accept() {
+  std::string address;
+  for (int fd = -1; (fd = listener.accept(address)) >= 0;) {
+    agents.push_back(std::make_unique<Agent>(fd, address));
+    if (agents.size() > maxAgents) agents.back()->client.drop("too many agents");
+  }
+}
+
+void AgentPort::receive(Agent& agent) {
+  for (std::string_view text; agent.client.next(text);) {
+    simspark::AgentCommand command;
+    const std::string problem = agent.parser.parse(text, command);
+    if (!agent.parser.wellFormed()) return agent.client.drop("sent garbage: " + problem);
+    if (!problem.empty()) complain(agent, problem);
+    if (agent.pending.size() >= maxPending) return agent.client.drop("sent too many messages in a cycle");
+    if (command.scene && !agent.sceneAsked) {
+      agent.sceneAsked = true;
+      agent.waitingSince = wallClock();
+    }
+    if (command.syn) agent.synced = agent.everSynced = true;
+    agent.pending.push_back(std::move(command));
+  }
+}
+
+int AgentPort::numAgents() const {
+  return static_cast<int>(std::count_if(agents.begin(), agents.end(), [](const auto& agent) {
+    return agent->sceneAsked && !agent->client.broken();
+  }));
+}
+
+bool AgentPort::ready(const Agent& agent) const {
+  if (!config.sync || !agent.sceneAsked || agent.synced || agent.client.broken()) return true;
+  if (agent.everSynced || agent.cycles >= unsyncedCycles) return false;
+  return wallClock() - agent.waitingSince > unsyncedPatience;
+}
+
+bool AgentPort::ready() const {
+  return std::all_of(agents.begin(), agents.end(), [this](const auto& agent) { return ready(*agent); });
+}
+
+void AgentPort::carryOut() {
+  for (const auto& agent : agents) {
+    for (const simspark::AgentCommand& command : agent->pending)
+      if (!agent->client.broken()) carryOut(*agent, command);
+    agent->pending.clear();
+    agent->synced = false;
+  }
+}
+
+void AgentPort::carryOut(Agent& agent, const simspark::AgentCommand& command) {
+  if (command.scene && !agent.player) {
+    if ((command.scene->file != hetero && command.scene->file != standard) || command.scene->type < 0 ||
+        command.scene->type >= numSimsparkTypes)
+      return agent.client.drop("asked for an unknown robot: " + command.scene->file.substr(0, 80) + ' ' +
+                               std::to_string(command.scene->type) + "; there is " + std::string(hetero) +
+                               " 0..4");
+    agent.player = simulation.addPlayer(command.scene->type);
+  }
+  if (!agent.player) return;  // nothing to command yet
+  const std::string problem = simulation.act(*agent.player, command);
+  if (!problem.empty()) complain(agent, problem);
+  if (command.init && problem.empty()) log(describe(agent) + " plays");
+}
+
+void AgentPort::sendSenses() {
+  for (const auto& agent : agents) {
+    if (!agent->player || agent->client.broken()) continue;
+    const std::string& message = simulation.message(*agent->player);
+    ++agent->cycles;
+    agent->waitingSince = config.sync ? wallClock() : 0;
+    if (message.empty())
+      agent->synced = true;  // it has nothing to answer
+    else
+      agent->client.send(message);
+  }
+}
+
+void AgentPort::dropBroken() {
+  for (const PlayerId id : simulation.takeKilled())
+    for (const auto& agent : agents)
+      if (agent->player == id) {
+        agent->client.drop("removed by a trainer");
+        agent->player.reset();
+      }
+  const double now = wallClock();
+  for (const auto& agent : agents) {
+    if (agent->client.halfSince() > 0 && now - agent->client.halfSince() > config.halfTimeout)
+      agent->client.drop("sent half a message and no more");
+    if (config.sync && config.syncTimeout > 0 && !ready(*agent) &&
+        now - agent->waitingSince > config.syncTimeout)
+      agent->client.drop("kept everybody waiting: no (syn) for " +
+                         std::to_string(static_cast<int>(config.syncTimeout)) + " s");
+  }
+  std::erase_if(agents, [this](const auto& agent) {
+    if (!agent->client.broken()) return false;
+    log(describe(*agent) + ' ' + agent->client.reason());
+    if (agent->player) simulation.removePlayer(*agent->player);
+    return true;
+  });
+}
+
+std::string AgentPort::describe(const Agent& agent) const {
+  std::string text = "agent " + agent.client.address();
+  if (!agent.player) return text;
+  const auto player = simulation.allPlayers().find(*agent.player);
+  if (player == simulation.allPlayers().end() || player->second->side == TeamSide::none) return text;
+  return text + " (" + simulation.game().teams[Game::index(player->second->side)] + ' ' +
+         std::to_string(player->second->unum) + ')';
+}
+
+void AgentPort::complain(Agent& agent, const std::string& problem) {
+  if (agent.complained) return;
+  agent.complained = true;
+  log(describe(agent) + ": " + problem + " (told once)");
+}
+
+}  // namespace plumbline::simulation

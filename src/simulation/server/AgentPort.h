@@ -1,0 +1,77 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simspark/AgentCommand.h"
+#include "simulation/Simulation.h"
+#include "simulation/server/Sockets.h"
+
+namespace plumbline::simulation {
+
+/// Receives one line about something worth knowing.
+using LogFunction = std::function<void(const std::string&)>;
+
+/// The agents' connections: what they command goes into the simulation, its messages go to them. Commands are
+/// kept until the start of the next cycle and carried out in the order of the players, so that the order of
+/// arrival does not matter.
+class AgentPort {
+public:
+  struct Config {
+    std::string address = "127.0.0.1";
+    int port = 3100;
+    bool sync = false;        ///< wait for (syn) of every agent
+    double syncTimeout = 60;  ///< give up on a silent agent after so many seconds; 0: never
+    double halfTimeout = 10;  ///< the same on half a message
+  };
+
+  AgentPort(const Config& config, Simulation& simulation, LogFunction log);
+
+  int port() const { return listener.port(); }
+  void watch(std::vector<pollfd>& descriptors);
+  /// events: those of the descriptors watch() appended.
+  void serve(const pollfd* events);
+
+  /// Agents that have a robot or have asked for one.
+  int numAgents() const;
+  /// Whether nobody has to be waited for; always so without sync.
+  bool ready() const;
+  /// Carries out what came since the last cycle.
+  void carryOut();
+  /// Sends everybody the senses of the last step.
+  void sendSenses();
+  /// Closes connections whose clients went away, sent garbage, or kept everybody waiting.
+  void dropBroken();
+
+private:
+  struct Agent {
+    Agent(int fd, const std::string& address);
+    FramedClient client;
+    simspark::AgentCommandParser parser;
+    std::vector<simspark::AgentCommand> pending;
+    std::optional<PlayerId> player;
+    bool sceneAsked = false;
+    bool synced = false, everSynced = false;
+    int cycles = 0;           ///< messages sent to it
+    double waitingSince = 0;  ///< wall clock of the last message to it, or of its scene
+    bool complained = false;
+  };
+
+  void accept();
+  void receive(Agent& agent);
+  void carryOut(Agent& agent, const simspark::AgentCommand& command);
+  bool ready(const Agent& agent) const;
+  std::string describe(const Agent& agent) const;
+  void complain(Agent& agent, const std::string& problem);
+
+  Config config;
+  Simulation& simulation;
+  LogFunction log;
+  Listener listener;
+  std::vector<std::unique_ptr<Agent>> agents;
+  std::size_t watched = 0;  ///< agents that watch() appended
+};
+
+}  // namespace plumbline::simulation

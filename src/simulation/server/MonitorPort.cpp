@@ -1,0 +1,120 @@
+#include "simulation/server/MonitorPort.h"
+
+#include <algorithm>
+
+namespace plumbline::simulation {
+
+namespace {
+constexpr std::size_t maxQueue =
+    4 << 20;  ///< bytes a monitor may leave unread: a minute of a full game, nearly
+constexpr std::size_t maxMonitors = 32;
+}  // namespace
+
+MonitorPort::Monitor::Monitor(int fd, const std::string& address)
+    : client(fd, address, simspark::maxAgentMessage, maxQueue) {}
+
+MonitorPort::MonitorPort(const Config& config_, Simulation& simulation_, LogFunction log_)
+    : config(config_), simulation(simulation_), log(std::move(log_)), listener(config.address, config.port) {}
+
+void MonitorPort::watch(std::vector<pollfd>& descriptors) {
+  descriptors.push_back({listener.descriptor(), POLLIN, 0});
+  for (const auto& monitor : monitors) descriptors.push_back(monitor->client.watch());
+  watched = monitors.size();
+}
+
+void MonitorPort::serve(const pollfd* events) {
+  for (std::size_t i = 0; i < watched; ++i) {
+    if (events[1 + i].revents == 0) continue;
+    monitors[i]->client.serve(events[1 + i].revents);
+    receive(*monitors[i]);
+  }
+  if (events[0].revents != 0) accept();
+}
+
+void MonitorPort::accept() {
+  std::string address;
+  for (int fd = -1; (fd = listener.accept(address)) >= 0;) {
+    monitors.push_back(std::make_unique<Monitor>(fd, address));
+    monitors.back()->admitted = config.token.empty();
+    if (monitors.size() > maxMonitors) monitors.back()->client.drop("too many monitors");
+  }
+}
+
+bool MonitorPort::admits(Monitor& monitor, std::string_view text) {
+  if (monitor.admitted) return true;
+  monitor.admitted = text == "(token " + config.token + ")";
+  if (!monitor.admitted) monitor.client.drop("did not name the token");
+  return false;
+}
+
+void MonitorPort::receive(Monitor& monitor) {
+  for (std::string_view text; monitor.client.next(text);) {
+    if (!admits(monitor, text)) continue;
+    std::vector<simspark::TrainerCommand> commands;
+    const std::string problem = monitor.parser.parse(text, commands);
+    if (!monitor.parser.wellFormed()) return monitor.client.drop("sent garbage: " + problem);
+    for (auto& command : commands) pending.emplace_back(&monitor, std::move(command));
+    if (problem.empty() || monitor.complained || text == "(init)")
+      continue;  // (init) is how viewers say hello
+    monitor.complained = true;
+    log("monitor " + monitor.client.address() + ": " + problem + " (told once)");
+  }
+}
+
+bool MonitorPort::carryOut() {
+  const bool any = !pending.empty();
+  for (const auto& [monitor, command] : pending) carryOut(*monitor, command);
+  pending.clear();
+  return any;
+}
+
+void MonitorPort::carryOut(Monitor& monitor, const simspark::TrainerCommand& command) {
+  if (std::holds_alternative<simspark::FullStateCommand>(command)) toldVersion = 0;
+  if (std::holds_alternative<simspark::AcknowledgeCommand>(command)) monitor.acknowledge = true;
+  if (std::holds_alternative<simspark::KillSimulatorCommand>(command)) killed = true;
+  const std::string problem = simulation.train(command);
+  if (!problem.empty()) log("monitor " + monitor.client.address() + ": " + problem);
+}
+
+void MonitorPort::tell(bool regular) {
+  bool anyNew = false, anyTold = false;
+  for (const auto& monitor : monitors) {
+    if (!monitor->admitted || monitor->client.broken()) continue;
+    (monitor->told ? anyTold : anyNew) = true;
+    if (monitor->acknowledge) monitor->client.send("best");
+    monitor->acknowledge = false;
+  }
+  if (!anyNew && !(anyTold && regular)) return;
+
+  // A robot came, went or got its number: everybody needs the whole scene. A new monitor needs it as well,
+  // but first the others get what changed, as the scene then forgets what it told them.
+  const bool whole = simulation.sceneVersion() != toldVersion;
+  toldVersion = simulation.sceneVersion();
+  if (anyTold && !whole) send(scene.difference(simulation), Recipients::told);
+  if (anyNew || whole) send(scene.full(simulation), whole ? Recipients::all : Recipients::untold);
+}
+
+void MonitorPort::send(const std::string& text, Recipients recipients) {
+  for (const auto& monitor : monitors) {
+    if (!monitor->admitted ||
+        (recipients != Recipients::all && monitor->told != (recipients == Recipients::told)))
+      continue;
+    monitor->client.send(text);
+    monitor->told = true;
+  }
+}
+
+void MonitorPort::dropBroken() {
+  const double now = wallClock();
+  for (const auto& monitor : monitors)
+    if (monitor->client.halfSince() > 0 && now - monitor->client.halfSince() > config.halfTimeout)
+      monitor->client.drop("sent half a message and no more");
+  std::erase_if(monitors, [this](const auto& monitor) {
+    if (!monitor->client.broken()) return false;
+    std::erase_if(pending, [&](const auto& command) { return command.first == monitor.get(); });
+    log("monitor " + monitor->client.address() + ' ' + monitor->client.reason());
+    return true;
+  });
+}
+
+}  // namespace plumbline::simulation

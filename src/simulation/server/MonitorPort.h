@@ -1,0 +1,68 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "simspark/TrainerCommand.h"
+#include "simulation/Simulation.h"
+#include "simulation/monitor/MonitorScene.h"
+#include "simulation/server/AgentPort.h"
+#include "simulation/server/Sockets.h"
+
+namespace plumbline::simulation {
+
+/// Monitors and trainers: they are told the scene and may command the simulation.
+class MonitorPort {
+public:
+  struct Config {
+    std::string address = "127.0.0.1";
+    int port = 3200;
+    int interval = 2;         ///< cycles between two messages
+    std::string token;        ///< if not empty, the first message must be (token TOKEN)
+    double halfTimeout = 10;  ///< give up on half a message after so many seconds
+  };
+
+  MonitorPort(const Config& config, Simulation& simulation, LogFunction log);
+
+  int port() const { return listener.port(); }
+  void watch(std::vector<pollfd>& descriptors);
+  void serve(const pollfd* events);
+
+  /// Carries out the trainers' commands. True if there were any.
+  bool carryOut();
+  /// Tells new monitors everything, and, if a message is due, the others what changed.
+  void tell(bool regular);
+  bool due() const { return simulation.cycle() % static_cast<std::uint64_t>(config.interval) == 0; }
+  void dropBroken();
+  bool killRequested() const { return killed; }
+
+private:
+  struct Monitor {
+    Monitor(int fd, const std::string& address);
+    FramedClient client;
+    simspark::TrainerCommandParser parser;
+    bool admitted = false, told = false, acknowledge = false, complained = false;
+  };
+
+  /// Those that have a scene, those that have none yet, or both.
+  enum class Recipients { told, untold, all };
+
+  void accept();
+  void send(const std::string& text, Recipients recipients);
+  void receive(Monitor& monitor);
+  bool admits(Monitor& monitor, std::string_view text);
+  void carryOut(Monitor& monitor, const simspark::TrainerCommand& command);
+
+  Config config;
+  Simulation& simulation;
+  LogFunction log;
+  Listener listener;
+  MonitorScene scene;
+  std::vector<std::unique_ptr<Monitor>> monitors;
+  std::vector<std::pair<Monitor*, simspark::TrainerCommand>> pending;
+  std::size_t watched = 0;
+  std::uint64_t toldVersion = 0;
+  bool killed = false;
+};
+
+}  // namespace plumbline::simulation

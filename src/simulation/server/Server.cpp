@@ -1,0 +1,91 @@
+#include "simulation/server/Server.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <cerrno>
+
+namespace plumbline::simulation {
+
+namespace {
+
+constexpr int patience = 100;   ///< longest wait before looking at `stop` again [ms]
+constexpr double maxLag = 0.1;  ///< a real-time run that is so late gives up on catching up [s]
+
+double cpuSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
+
+Server::Server(const ServerConfig& config_, LogFunction log)
+    : config(config_),
+      simulation_(config.simulation),
+      agents(config.agents, simulation_, log),
+      monitors(config.monitors, simulation_, log) {}
+
+void Server::listen(int milliseconds) {
+  descriptors.clear();
+  agents.watch(descriptors);
+  const std::size_t firstMonitor = descriptors.size();
+  monitors.watch(descriptors);
+  if (poll(descriptors.data(), descriptors.size(), milliseconds) <= 0) return;
+  agents.serve(descriptors.data());
+  monitors.serve(descriptors.data() + firstMonitor);
+}
+
+bool Server::clockStands() const {
+  if (config.waitForAgents == 0) return false;
+  return agents.numAgents() < (started ? 1 : config.waitForAgents);
+}
+
+bool Server::collect() {
+  const bool idle = clockStands() || !agents.ready();
+  listen(idle ? patience : 0);
+  agents.dropBroken();
+  monitors.dropBroken();
+  if (!clockStands()) return agents.ready();
+  // Nothing moves, but trainers may set the scene and are shown it.
+  const bool commanded = monitors.carryOut();
+  agents.dropBroken();
+  monitors.tell(commanded);
+  return false;
+}
+
+void Server::cycle() {
+  started = true;
+  monitors.carryOut();
+  agents.carryOut();
+  agents.sendSenses();
+  simulation_.step();
+  if (config.realTime) waitForClock();
+  monitors.tell(monitors.due());
+  agents.dropBroken();
+  ++statistics_.cycles;
+}
+
+void Server::waitForClock() {
+  const double step = config.simulation.world.stepSeconds, now = wallClock();
+  nextTick += step;
+  if (nextTick < now - maxLag || nextTick > now + step) nextTick = now;
+  if (nextTick <= now) return;
+  timespec rest{0, static_cast<long>((nextTick - now) * 1e9)};
+  nanosleep(&rest, nullptr);
+}
+
+void Server::run(const std::atomic<bool>& stop) {
+  const double wallStart = wallClock(), cpuStart = cpuSeconds();
+  const auto over = [&] {
+    return stop || monitors.killRequested() ||
+           (config.maxSeconds && simulation_.time() >= *config.maxSeconds - 1e-9);
+  };
+  while (!over())
+    if (collect()) cycle();
+  statistics_.wallSeconds += wallClock() - wallStart;
+  statistics_.cpuSeconds += cpuSeconds() - cpuStart;
+  statistics_.simulatedSeconds = simulation_.time();
+}
+
+}  // namespace plumbline::simulation

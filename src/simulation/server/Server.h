@@ -1,0 +1,65 @@
+#pragma once
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulation/Simulation.h"
+#include "simulation/server/AgentPort.h"
+#include "simulation/server/MonitorPort.h"
+
+namespace plumbline::simulation {
+
+struct ServerConfig {
+  SimulationConfig simulation;
+  AgentPort::Config agents;
+  MonitorPort::Config monitors;
+  bool realTime = true;
+  /// The clock stands until so many agents have come, and after that while none is there; 0: it never stands.
+  int waitForAgents = 0;
+  std::optional<double> maxSeconds;  ///< of simulated time, then run() returns
+};
+
+/// What a run has cost.
+struct ServerStatistics {
+  std::uint64_t cycles = 0;
+  double simulatedSeconds = 0, wallSeconds = 0;
+  double cpuSeconds = 0;  ///< of this process
+};
+
+/// The simulator as a server on two ports, in one thread. A cycle, in the order of the league's server: read
+/// and carry out actions, send the senses made at the end of the previous cycle, physics, wait for the clock,
+/// make senses.
+class Server {
+public:
+  /// Opens both ports; throws std::runtime_error, one line, if one cannot be had.
+  Server(const ServerConfig& config, LogFunction log);
+
+  int agentPort() const { return agents.port(); }
+  int monitorPort() const { return monitors.port(); }
+  /// Runs until stop is set (a signal handler may do it), a trainer kills the simulator, or the time is over.
+  void run(const std::atomic<bool>& stop);
+  const ServerStatistics& statistics() const { return statistics_; }
+  Simulation& simulation() { return simulation_; }
+
+private:
+  /// Reads and accepts what is there, waiting for something for at most so long.
+  void listen(int milliseconds);
+  /// Reads until everybody who has to be waited for is ready; false if it should be tried again.
+  bool collect();
+  bool clockStands() const;
+  void cycle();
+  void waitForClock();
+
+  ServerConfig config;
+  Simulation simulation_;
+  AgentPort agents;
+  MonitorPort monitors;
+  std::vector<pollfd> descriptors;
+  bool started = false;
+  double nextTick = 0;  ///< wall clock
+  ServerStatistics statistics_;
+};
+
+}  // namespace plumbline::simulation

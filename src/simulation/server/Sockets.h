@@ -1,0 +1,73 @@
+#pragma once
+#include <poll.h>
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "simspark/Framing.h"
+
+namespace plumbline::simulation {
+
+/// Seconds of the machine's steady clock; decides when to give up on a silent client, never what happens in
+/// the game.
+double wallClock();
+
+/// A listening TCP socket.
+class Listener {
+public:
+  /// port 0: a free one. Throws std::runtime_error, one line, if it cannot be had.
+  Listener(const std::string& address, int port);
+  ~Listener();
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
+  int port() const { return port_; }
+  int descriptor() const { return fd; }
+  /// A new client's socket, non-blocking, and its address; -1: none waits.
+  int accept(std::string& address);
+
+private:
+  int fd = -1;
+  int port_ = 0;
+};
+
+/// The server's end of a client's connection. Never blocks: what the client does not take is queued up to a
+/// limit. Once broken it stays so, with the reason, until its owner drops it.
+class FramedClient {
+public:
+  FramedClient(int fd, std::string address, std::size_t maxMessage, std::size_t maxQueue);
+  ~FramedClient();
+  FramedClient(const FramedClient&) = delete;
+  FramedClient& operator=(const FramedClient&) = delete;
+
+  /// What to wait for.
+  pollfd watch() const;
+  /// Reads and writes what the events allow.
+  void serve(short events);
+  /// The next message; valid until the next serve().
+  bool next(std::string_view& message);
+  void send(std::string_view text);
+
+  void drop(const std::string& why);
+  bool broken() const { return !reason_.empty(); }
+  const std::string& reason() const { return reason_; }
+  const std::string& address() const { return address_; }
+  /// Since when a message has been half received; 0: none is.
+  double halfSince() const { return halfMessageSince; }
+
+private:
+  void read();
+  void flush();
+
+  int fd;
+  std::string address_;
+  simspark::FrameReader reader;
+  std::size_t maxMessage, maxQueue;
+  std::string queue;
+  std::string reason_;
+  double halfMessageSince = 0;
+};
+
+}  // namespace plumbline::simulation
