@@ -11,7 +11,8 @@
 
 namespace plumbline::walking {
 
-/// The parameters of a league robot type as the agent reads them: config/walking.yaml and the type's own file.
+/// The parameters of a league robot type as the agent reads them: config/walking.yaml and the type's own
+/// file.
 inline WalkParameters readWalkParameters(int type) {
   const ConfigFile file("walking", {"config", "config/robots/type" + std::to_string(type)});
   WalkParameters parameters;
@@ -45,7 +46,8 @@ public:
   bool step(const WalkRequest& request) {
     WalkSensors sensors;
     const simulation::RobotReadings& sensed = local.sense();
-    for (std::size_t j = 0; j < numJoints; ++j) sensors.angles[j] = rounded(sensed.angle[j], fromDegrees(0.01));
+    for (std::size_t j = 0; j < numJoints; ++j)
+      sensors.angles[j] = rounded(sensed.angle[j], fromDegrees(0.01));
     Vec3 acc;
     for (int i = 0; i < 3; ++i) {
       sensors.gyro[i] = rounded(sensed.gyro[i], fromDegrees(0.01));

@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include "walking/WalkingRobot.h"
+
+namespace plumbline::walking {
+namespace {
+
+/// The robots walk in the simulator with the values in config/; slower than the benchmark asks, so that a
+/// change of a value shows there first.
+class WalkInWorld : public testing::TestWithParam<int> {
+protected:
+  WalkingRobot robot{GetParam()};
+
+  static WalkRequest walk(double x, double y, double turn) { return {Vec2(x, y), turn, true}; }
+  /// Mean velocity in the robot's own frame over the time.
+  Vec2 speed(const WalkRequest& request, double seconds) {
+    Vec2 way = Vec2::Zero();
+    for (int i = 0; i < seconds / 0.02; ++i) {
+      EXPECT_TRUE(robot.step(request)) << "fell after " << i << " cycles";
+      if (HasFailure()) break;
+      way += robot.moved.position;
+    }
+    return way / seconds;
+  }
+};
+
+TEST_P(WalkInWorld, forward) {
+  robot.run(walk(9, 0, 0), 2);
+  EXPECT_GT(speed(walk(9, 0, 0), 4).x(), 0.5);
+}
+
+TEST_P(WalkInWorld, sideways) {
+  robot.run(walk(0, 9, 0), 2);
+  EXPECT_GT(speed(walk(0, 9, 0), 3).y(), 0.2);
+  robot.restart();
+  robot.run(walk(0, -9, 0), 2);
+  EXPECT_LT(speed(walk(0, -9, 0), 3).y(), -0.2);
+}
+
+TEST_P(WalkInWorld, backward) {
+  robot.run(walk(-9, 0, 0), 2);
+  EXPECT_LT(speed(walk(-9, 0, 0), 3).x(), -0.2);
+}
+
+TEST_P(WalkInWorld, turns) {
+  for (const double direction : {1.0, -1.0}) {
+    robot.restart();
+    ASSERT_TRUE(robot.run(walk(0, 0, 9 * direction), 1));
+    const double before = robot.turned();
+    ASSERT_TRUE(robot.run(walk(0, 0, 9 * direction), 2));
+    EXPECT_GT(toDegrees(robot.turned() - before) * direction / 2, 75);
+  }
+}
+
+TEST_P(WalkInWorld, startsAndStopsAgainAndAgain) {
+  for (int i = 0; i < 4; ++i) {
+    ASSERT_TRUE(robot.run(walk(0.3, i % 2 == 0 ? 0.1 : -0.1, 0.3), 1.1));
+    ASSERT_TRUE(robot.run({}, 2));
+    EXPECT_TRUE(robot.output.standing);
+  }
+}
+
+TEST_P(WalkInWorld, odometryFitsTheWay) {
+  robot.run(walk(0.3, 0, 0), 1);
+  Pose2 told, way;
+  for (int i = 0; i < 200; ++i) {
+    robot.step(walk(0.3, 0, 0));
+    told = told * robot.output.odometry;
+    way = way * robot.moved;
+  }
+  EXPECT_NEAR(told.x() / way.x(), 1, 0.06);
+}
+
+TEST_P(WalkInWorld, walksThroughABall) {
+  for (int i = 0; i < 3; ++i) {
+    robot.restart();
+    robot.local.world().setBall(Vec3(0.5, 0.05 * (i - 1), 0.042), Vec3::Zero());
+    EXPECT_TRUE(robot.run(walk(9, 0, 0), 3));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(SimSpark, WalkInWorld, testing::Range(0, numSimsparkTypes));
+
+}  // namespace
+}  // namespace plumbline::walking
