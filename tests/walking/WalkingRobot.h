@@ -32,12 +32,12 @@ public:
     restart();
   }
 
-  /// Stands at the field's centre.
-  void restart() {
+  /// Stands at a place of the field.
+  void restart(const Pose2& place = {}) {
     engine.reset();
     control.reset();
     filter.reset();
-    local.restart(Pose2(), engine.stand().angles);
+    local.restart(place, engine.stand().angles);
     lastPose = pose();
     turned_ = 0;
   }

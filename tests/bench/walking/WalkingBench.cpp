@@ -45,7 +45,7 @@ WalkRequest randomRequest(std::mt19937& random, const WalkParameters& p) {
 
 /// Mean speed along the request after two seconds; counts falls.
 double fullSpeed(WalkingRobot& robot, const WalkRequest& request, double seconds, double& falls) {
-  robot.restart();
+  robot.restart(Pose2(-14, 5));  // clear of goals and walls for 30 m
   robot.run({}, 0.2);
   bool upright = robot.run(request, 2);
   const Vec2 direction =
@@ -65,8 +65,8 @@ Figures measure(int type, double minutes) {
   const WalkParameters p = readWalkParameters(type);
   WalkingRobot robot(type, p);
   const auto walk = [](double x, double y, double turn) { return WalkRequest{Vec2(x, y), turn, true}; };
-  f.forward = fullSpeed(robot, walk(9, 0, 0), 60, f.straightFalls);
-  f.backward = fullSpeed(robot, walk(-9, 0, 0), 20, f.straightFalls);
+  f.forward = fullSpeed(robot, walk(9, 0, 0), 25, f.straightFalls);
+  f.backward = fullSpeed(robot, walk(-9, 0, 0), 10, f.straightFalls);
   f.sideways = (fullSpeed(robot, walk(0, 9, 0), 10, f.straightFalls) +
                 fullSpeed(robot, walk(0, -9, 0), 10, f.straightFalls)) /
                2;
@@ -110,10 +110,8 @@ Figures measure(int type, double minutes) {
     }
     way += walked.position.norm();
     odometryError += (told.position - walked.position).norm();
-    if (!upright) {
-      falls += 1;
-      robot.restart();
-    }
+    falls += upright ? 0 : 1;
+    if (!upright || robot.pose().position.norm() > 8) robot.restart();
   }
   f.fallsPerMinute = falls / minutes;
   f.odometry = odometryError / way;
