@@ -16,9 +16,9 @@ std::optional<simspark::ForceReading> toTrace(const std::optional<FootForce>& fo
   return simspark::ForceReading{force->point, force->force};
 }
 
-class Player {
+class TracePlayer {
 public:
-  Player(const LeagueTrace& trace_, const RobotModel& model_, const WorldConfig& config_)
+  TracePlayer(const LeagueTrace& trace_, const RobotModel& model_, const WorldConfig& config_)
       : trace(trace_), model(model_), config(config_), world(makeWorld(config_)) {
     handle = world->addRobot(model, trace.rows[0].torso);
     leftFoot = model.linkIndex("lFoot");
@@ -106,7 +106,7 @@ private:
 }  // namespace
 
 std::vector<TraceRow> replay(const LeagueTrace& trace, const RobotModel& model, const WorldConfig& config) {
-  return Player(trace, model, config).play();
+  return TracePlayer(trace, model, config).play();
 }
 
 }  // namespace plumbline::simulation
