@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "math/Angle.h"
 #include "simspark/ServerMessage.h"
 #include "simspark/ServerMessageParser.h"
 
@@ -21,7 +22,9 @@ public:
   void fail(const char* what);
   bool failed() const { return error.has_value(); }
 
-  void gyro(double x, double y, double z) { message.gyro = axes(x, y, z); }
+  void gyro(double x, double y, double z) {
+    message.gyro = axes(fromDegrees(x), fromDegrees(y), fromDegrees(z));
+  }
   void acc(double x, double y, double z) { message.acc = axes(x, y, z); }
   void name(std::string_view word) { nodeName = word; }
   void angle(double degrees) { nodeAngle = degrees; }

@@ -22,7 +22,7 @@ public:
     gameState();
     for (const HeardMessage& heard : message.heard) hear(heard);
     out += "(GYR (n torso) (rt";
-    vector(message.gyro);
+    vector(message.gyro * toDegrees(1));
     out += "))(ACC (n torso) (a";
     vector(message.acc);
     out += "))";

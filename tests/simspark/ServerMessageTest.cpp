@@ -50,7 +50,8 @@ TEST(ServerMessage, convertsAxesDegreesAndSigns) {
   EXPECT_EQ(m.gameState.scoreRight, 2);
   EXPECT_DOUBLE_EQ(m.gameState.time, 0.48);
   EXPECT_EQ(m.gameState.playMode, "PlayOn");
-  EXPECT_EQ(m.gyro, Vec3(2, 57.3, 3)) << "pitching forward is positive about y";
+  EXPECT_LT((m.gyro - Vec3(fromDegrees(2), fromDegrees(57.3), fromDegrees(3))).norm(), 1e-12)
+      << "the server tells degrees; pitching forward is positive about y";
   EXPECT_EQ(m.acc, Vec3(2, -1, 9.81));
   EXPECT_DOUBLE_EQ(*m.angle[headPitch], fromDegrees(45));
   EXPECT_DOUBLE_EQ(*m.angle[rKneePitch], fromDegrees(90)) << "bent is positive";
