@@ -25,9 +25,7 @@ Controller::Controller(ControllerOptions options, std::string_view modulesConfig
       plans_(planThreads(parseModulesConfig(modulesConfigText, options_.modulesConfig))) {}
 
 Controller::~Controller() {
-  if (started_) {
-    for (auto& process : processes_) process->finish();
-  }
+  for (auto& process : processes_) process->finish();
   while (!processes_.empty()) processes_.pop_back();
 }
 
@@ -71,58 +69,50 @@ void Controller::init() {
   config_.checkUnknown();
 }
 
+void Controller::runProcess(Process& process) {
+  try {
+    process.start();
+    while (!stop_.requested()) process.cycle();
+  } catch (const ConfigurationError& error) {
+    stop_.request(ConfigurationError::exitCode, error.what());
+    std::lock_guard lock(errorMutex_);
+    if (!configurationError_) configurationError_ = std::current_exception();
+  } catch (const std::exception& error) {
+    stop_.request(1, error.what());
+  }
+  process.finish();
+}
+
 int Controller::run() {
   init();
   if (processes_.size() == 1) {
-    Process& process = *processes_.front();
-    if (!started_) process.start();
-    started_ = true;
-    try {
-      while (!stop_.requested()) process.cycle();
-    } catch (const ConfigurationError&) {
-      throw;
-    } catch (const std::exception& error) {
-      stop_.request(1, error.what());
+    runProcess(*processes_.front());
+  } else {
+    int highest = 0;
+    for (const auto& process : processes_) {
+      if (process->priority() < ThreadConfig::maxPriority) highest = std::max(highest, process->priority());
     }
-    return stop_.exitCode();
-  }
-  std::mutex mutex;
-  std::exception_ptr configurationError;
-  int highest = 0;
-  for (const auto& process : processes_) {
-    if (process->priority() < ThreadConfig::maxPriority) highest = std::max(highest, process->priority());
-  }
-  std::vector<std::thread> threads;
-  for (const auto& process : processes_) {
-    threads.emplace_back([&, this] {
-      try {
+    std::vector<std::thread> threads;
+    for (const auto& process : processes_) {
+      threads.emplace_back([&, highest, this] {
         const std::string refused = applyThreadPriority(process->priority(), highest);
         if (!refused.empty()) {
           Log("framework").warning() << "priority " << process->priority() << " of thread " << process->name()
                                      << ": " << refused;
         }
-        process->start();
-        while (!stop_.requested()) process->cycle();
-        process->finish();
-      } catch (const ConfigurationError& error) {
-        stop_.request(ConfigurationError::exitCode, error.what());
-        std::lock_guard lock(mutex);
-        if (!configurationError) configurationError = std::current_exception();
-      } catch (const std::exception& error) {
-        stop_.request(1, error.what());
-      }
-    });
+        runProcess(*process);
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
   }
-  for (std::thread& thread : threads) thread.join();
-  if (configurationError) std::rethrow_exception(configurationError);
+  if (configurationError_) std::rethrow_exception(configurationError_);
   return stop_.exitCode();
 }
 
 std::size_t Controller::runCycles(std::size_t count) {
   init();
   if (processes_.size() != 1) throw std::logic_error("runCycles runs agents of a single thread");
-  if (!started_) processes_.front()->start();
-  started_ = true;
+  processes_.front()->start();
   std::size_t done = 0;
   for (; done < count && !stop_.requested(); done++) processes_.front()->cycle();
   return done;

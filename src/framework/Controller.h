@@ -1,7 +1,7 @@
 #pragma once
-#include <functional>
-#include <map>
+#include <exception>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -65,6 +65,7 @@ public:
   std::string timingReport() const;
 
 private:
+  void runProcess(Process& process);
   Process* process(const std::string& thread) const;
 
   ControllerOptions options_;
@@ -75,7 +76,8 @@ private:
   std::vector<std::unique_ptr<ThreadCopy>> copies_;
   std::vector<std::unique_ptr<Process>> processes_;
   bool initialized_ = false;
-  bool started_ = false;
+  std::mutex errorMutex_;
+  std::exception_ptr configurationError_;
 };
 
 }  // namespace plumbline

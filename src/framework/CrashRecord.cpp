@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <mutex>
 
 namespace plumbline {
 namespace {
@@ -50,17 +51,31 @@ std::string CrashRecord::lastMessages() const {
 }
 
 int CrashRecord::addThread(std::string_view name) {
-  const std::uint32_t place = threadCount_.fetch_add(1);
-  if (place >= threads) return -1;
-  copyText(threads_[place].name.data(), labelLength, name);
-  return static_cast<int>(place);
+  for (std::size_t i = 0; i < threads; i++) {
+    if (threads_[i].taken.exchange(true)) continue;
+    threads_[i].step = 0;
+    copyText(threads_[i].name.data(), labelLength, name);
+    return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void CrashRecord::removeThread(int thread) {
+  if (thread >= 0) threads_[static_cast<std::size_t>(thread)].taken = false;
 }
 
 std::uint32_t CrashRecord::addStep(std::string_view label) {
-  const std::uint32_t place = stepCount_.fetch_add(1);
-  if (place >= steps) return 0;
-  copyText(steps_[place].data(), labelLength, label);
-  return place;
+  static std::mutex mutex;
+  std::lock_guard lock(mutex);
+  label = label.substr(0, labelLength - 1);
+  const std::uint32_t count = std::min<std::uint32_t>(stepCount_, steps);
+  for (std::uint32_t i = 1; i < count; i++) {
+    if (label == steps_[i].data()) return i;
+  }
+  if (count == steps) return 0;
+  copyText(steps_[count].data(), labelLength, label);
+  stepCount_ = count + 1;
+  return count;
 }
 
 void CrashRecord::enterThread(int thread) { placeOfThread = thread; }
@@ -74,14 +89,24 @@ const char* CrashRecord::stepOf(int thread) const {
 
 std::string CrashRecord::whereabouts() const {
   std::string result;
-  const std::uint32_t count = std::min<std::uint32_t>(threadCount_.load(), threads);
-  for (std::uint32_t i = 0; i < count; i++) {
+  for (std::size_t i = 0; i < threads; i++) {
+    if (!threads_[i].taken) continue;
     const char* step = stepOf(static_cast<int>(i));
     result += "[" + std::string(threads_[i].name.data()) + "] ";
     result += step ? step : "between two steps";
     result += static_cast<int>(i) == signalThread.load() ? " <- the signal struck here\n" : "\n";
   }
   return result;
+}
+
+CrashPlace::CrashPlace(CrashRecord& record, std::string_view threadName)
+    : record_(record), before_(CrashRecord::currentThread()), thread_(record.addThread(threadName)) {
+  CrashRecord::enterThread(thread_);
+}
+
+CrashPlace::~CrashPlace() {
+  CrashRecord::enterThread(before_);
+  record_.removeThread(thread_);
 }
 
 }  // namespace plumbline

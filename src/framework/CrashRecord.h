@@ -22,15 +22,18 @@ public:
   /// The messages kept, oldest first, each as `[source] message`.
   std::string lastMessages() const;
 
-  /// A place for a running thread, or -1 if all are taken.
+  /// A place for a running thread, or -1 if all are taken; removeThread gives it back.
   int addThread(std::string_view name);
-  /// A place for a step's label such as `Module:execute`, or 0 (no label) if all are taken.
+  void removeThread(int thread);
+  /// A place for a step's label such as `Module:execute` (always the same one), or 0 (no label) if all are
+  /// taken.
   std::uint32_t addStep(std::string_view label);
   /// What the thread does from now on; 0 for nothing.
   void setStep(int thread, std::uint32_t step) {
     if (thread >= 0) threads_[static_cast<std::size_t>(thread)].step.store(step, std::memory_order_relaxed);
   }
-  /// The calling thread has this place; currentThread gives it back, -1 for other threads.
+  /// The calling thread has this place until it enters another; currentThread gives it back, -1 for other
+  /// threads.
   static void enterThread(int thread);
   static int currentThread();
   /// The label of what the thread does, or null; safe in a signal handler.
@@ -54,15 +57,32 @@ private:
     std::array<char, messageLength> text;
   };
   struct Thread {
+    std::atomic<bool> taken{false};
     std::atomic<std::uint32_t> step{0};
     std::array<char, labelLength> name;
   };
   std::atomic<std::uint64_t> next_{1};
-  std::atomic<std::uint32_t> threadCount_{0};
   std::atomic<std::uint32_t> stepCount_{1};
   std::array<Message, messages> messages_;
   std::array<Thread, threads> threads_;
   std::array<std::array<char, labelLength>, steps> steps_{};
+};
+
+/// The calling thread's place in the record, from here to the end of the block.
+class CrashPlace {
+public:
+  CrashPlace(CrashRecord& record, std::string_view threadName);
+  ~CrashPlace();
+  CrashPlace(const CrashPlace&) = delete;
+  CrashPlace& operator=(const CrashPlace&) = delete;
+
+  /// What the thread does from now on.
+  void enter(std::string_view label) { record_.setStep(thread_, record_.addStep(label)); }
+
+private:
+  CrashRecord& record_;
+  int before_;
+  int thread_;
 };
 
 }  // namespace plumbline

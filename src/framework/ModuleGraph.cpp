@@ -37,7 +37,9 @@ public:
       plans_.push_back({thread.name, thread.priority, {}, {}, {}});
       providers_.emplace_back();
       for (const ModulesConfigLine& line : thread.lines) add(line);
-      if (plans_.back().modules.empty()) fail(thread.line, "thread " + thread.name + " has no modules");
+      if (plans_.back().modules.empty() && plans_.back().specials.empty()) {
+        fail(thread.line, "thread " + thread.name + " has no modules");
+      }
     }
     for (ThreadPlan& thread : plans_) {
       for (const CopyPlan& copy : thread.copies) checkCopy(thread, copy);
@@ -78,11 +80,12 @@ private:
       std::vector<std::string> names;
       appendKeys(names, registry_.modules());
       appendKeys(names, SpecialModules::makers());
-      if (!line.representation.empty()) {
+      if (!line.representation.empty() && config_.threads.size() > 1) {
         for (const ThreadConfig& thread : config_.threads) names.push_back(thread.name);
       }
-      fail(line.line, (line.representation.empty() ? "unknown module " : "unknown module or thread ") +
-                          line.provider + suggestion(line.provider, names));
+      const bool mayBeThread = !line.representation.empty() && config_.threads.size() > 1;
+      fail(line.line, (!mayBeThread ? "unknown module " : "unknown module or thread ") + line.provider +
+                          suggestion(line.provider, names));
     }
   }
 

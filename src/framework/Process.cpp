@@ -6,6 +6,21 @@
 #include "framework/TracePlugin.h"
 
 namespace plumbline {
+namespace {
+
+/// Runs part of a module; what it throws says where it was thrown.
+template <typename F>
+void named(const std::string& label, F&& function) {
+  try {
+    function();
+  } catch (const ConfigurationError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw std::runtime_error(label + ": " + error.what());
+  }
+}
+
+}  // namespace
 
 Process::Process(const ThreadPlan& plan, ConfigStore& config, ModuleObjects& objects, StopSignal& stop)
     : plan_(plan), info_{plan.name, plan.priority, {}} {
@@ -19,11 +34,14 @@ Process::Process(const ThreadPlan& plan, ConfigStore& config, ModuleObjects& obj
       specials_.back()->provide(*loader, holder->get());
     }
   }
+  CrashPlace place(LogBuffer::instance().record(), plan.name);
   for (const ModulePlan& module : plan.modules) {
     const ModuleDescription& description = module.loader->description();
     ModuleContext context{description.name, plan.name, config, objects, stop};
     ModuleContext::Scope scope(context);
-    modules_.push_back(module.loader->create());
+    place.enter(description.name + ":create");
+    named("[" + plan.name + "] " + description.name + ":create",
+          [&] { modules_.push_back(module.loader->create()); });
     const auto add = [&](const std::string& representation, const std::string& method, Representation* value,
                          void (*call)(Module&, Representation&)) {
       info_.steps.push_back({description.name, representation, description.name + ":" + method,
@@ -33,11 +51,27 @@ Process::Process(const ThreadPlan& plan, ConfigStore& config, ModuleObjects& obj
     for (const ModuleOutput* output : module.outputs) {
       const std::string& name = output->representation->name();
       auto& holder = representations_[name] = output->representation->create();
-      for (auto& special : specials_) special->offer(*output->representation, holder->get());
       add(name, "update" + name, &holder->get(), output->update);
     }
   }
+  offerToSpecials();
   timing_ = std::make_unique<TimingPlugin>(info_);
+}
+
+void Process::offerToSpecials() {
+  for (std::size_t i = 0; i < specials_.size(); i++) {
+    const auto offer = [&](const RepresentationLoader& loader) {
+      specials_[i]->offer(loader, *find(loader.name()));
+    };
+    for (const CopyPlan& copy : plan_.copies) offer(*copy.representation);
+    for (const SpecialPlan& special : plan_.specials) {
+      if (&special == &plan_.specials[i]) continue;
+      for (const auto* loader : special.representations) offer(*loader);
+    }
+    for (const ModulePlan& module : plan_.modules) {
+      for (const ModuleOutput* output : module.outputs) offer(*output->representation);
+    }
+  }
 }
 
 Process::~Process() {
@@ -56,15 +90,22 @@ void Process::init() {
       input.bind(*modules_[i], find(input.representation->name()));
     }
   }
-  for (const auto& module : modules_) module->init();
+  CrashPlace place(LogBuffer::instance().record(), info_.name);
+  for (std::size_t i = 0; i < modules_.size(); i++) {
+    const std::string label = plan_.modules[i].loader->description().name + ":init";
+    place.enter(label);
+    named("[" + info_.name + "] " + label, [&] { modules_[i]->init(); });
+  }
 }
 
 void Process::start() {
-  CrashRecord& record = LogBuffer::instance().record();
-  crashThread_ = record.addThread(info_.name);
+  if (running_) return;
+  running_ = true;
+  record_ = &LogBuffer::instance().record();
+  crashThread_ = record_->addThread(info_.name);
   CrashLog::protectThread();
   CrashRecord::enterThread(crashThread_);
-  for (const Step& step : info_.steps) crashSteps_.push_back(record.addStep(step.label));
+  for (const Step& step : info_.steps) crashSteps_.push_back(record_->addStep(step.label));
   plugins_ = Plugins::make();
   if (LogBuffer::instance().verbose()) plugins_.push_back(std::make_unique<TracePlugin>());
   for (auto& plugin : plugins_) plugin->threadStarted(info_);
@@ -72,40 +113,45 @@ void Process::start() {
 }
 
 void Process::finish() {
+  if (!running_) return;
+  running_ = false;
   for (auto& plugin : plugins_) plugin->threadStopped();
   plugins_.clear();
+  record_->removeThread(crashThread_);
+  CrashRecord::enterThread(-1);
+}
+
+void Process::runSteps(Plugin::Clock::time_point now) {
+  for (const Step& step : info_.steps) {
+    current_ = &step;
+    record_->setStep(crashThread_, crashSteps_[step.index]);
+    for (auto& plugin : plugins_) step.isExecute() ? plugin->beforeExecute(step) : plugin->beforeUpdate(step);
+    // The end of a step is the beginning of the next unless plugins work in between: reading the clock is the
+    // larger part of a step's overhead.
+    if (!plugins_.empty() || step.index == 0) now = Plugin::Clock::now();
+    step.isExecute() ? step.instance->execute() : step.call(*step.instance, *step.value);
+    const Plugin::Duration duration{now, Plugin::Clock::now()};
+    now = duration.end;
+    timing_->afterExecute(step, duration);
+    for (auto plugin = plugins_.rbegin(); plugin != plugins_.rend(); ++plugin) {
+      step.isExecute() ? (*plugin)->afterExecute(step, duration) : (*plugin)->afterUpdate(step, duration);
+    }
+  }
 }
 
 void Process::cycle() {
   const auto begin = Plugin::Clock::now();
-  CrashRecord& record = LogBuffer::instance().record();
   for (ThreadCopy* copy : fetched_) copy->fetch();
   for (auto& special : specials_) special->beginCycle();
   for (auto& plugin : plugins_) plugin->cycleStarted();
   try {
-    // The end of a step is the beginning of the next unless plugins work in between: reading the clock is
-    // the larger part of a step's overhead.
-    auto now = begin;
-    for (const Step& step : info_.steps) {
-      current_ = &step;
-      record.setStep(crashThread_, crashSteps_[step.index]);
-      for (auto& plugin : plugins_)
-        step.isExecute() ? plugin->beforeExecute(step) : plugin->beforeUpdate(step);
-      if (!plugins_.empty() || step.index == 0) now = Plugin::Clock::now();
-      step.isExecute() ? step.instance->execute() : step.call(*step.instance, *step.value);
-      const Plugin::Duration duration{now, Plugin::Clock::now()};
-      now = duration.end;
-      timing_->afterExecute(step, duration);
-      for (auto plugin = plugins_.rbegin(); plugin != plugins_.rend(); ++plugin) {
-        step.isExecute() ? (*plugin)->afterExecute(step, duration) : (*plugin)->afterUpdate(step, duration);
-      }
-    }
+    runSteps(begin);
   } catch (const ConfigurationError&) {
     throw;
   } catch (const std::exception& error) {
     throw std::runtime_error("[" + info_.name + "] " + current_->label + ": " + error.what());
   }
-  record.setStep(crashThread_, 0);
+  record_->setStep(crashThread_, 0);
   for (ThreadCopy* copy : published_) copy->publish();
   for (auto& special : specials_) special->endCycle();
   const Plugin::Duration duration{begin, Plugin::Clock::now()};

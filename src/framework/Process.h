@@ -12,6 +12,8 @@
 
 namespace plumbline {
 
+class CrashRecord;
+
 /// One thread of an agent: its representations, its modules in their order, and the cycle over them. Runs
 /// in whatever thread calls it.
 class Process {
@@ -24,9 +26,9 @@ public:
   void addPublished(ThreadCopy& copy) { published_.push_back(&copy); }
   void addFetched(ThreadCopy& copy) { fetched_.push_back(&copy); }
 
-  /// Gives the modules their pointers and calls init() of each, in their order.
+  /// Gives the modules their pointers and calls init() of each, in their order. Errors as in cycle().
   void init();
-  /// On the thread that will call cycle(), around all cycles.
+  /// On the thread that calls cycle(), around all cycles; a second call of either does nothing.
   void start();
   void finish();
   /// One cycle. Whatever a module throws comes out as std::runtime_error naming the step; a
@@ -41,6 +43,9 @@ public:
   const ThreadInfo& info() const { return info_; }
 
 private:
+  void offerToSpecials();
+  void runSteps(Plugin::Clock::time_point now);
+
   ThreadPlan plan_;
   ThreadInfo info_;
   std::map<std::string, std::unique_ptr<RepresentationHolder>> representations_;
@@ -51,6 +56,8 @@ private:
   std::unique_ptr<TimingPlugin> timing_;
   std::vector<std::uint32_t> crashSteps_;
   int crashThread_ = -1;
+  bool running_ = false;
+  CrashRecord* record_ = nullptr;
   const Step* current_ = nullptr;
 };
 
