@@ -1,0 +1,38 @@
+#pragma once
+#include <string>
+
+#include "simspark/Connection.h"
+#include "simspark/SceneState.h"
+#include "simspark/TrainerCommand.h"
+
+namespace plumbline::simspark {
+
+/// A monitor and trainer: follows the scene and sends commands. The other end is this project's simulator or
+/// the league's server.
+class MonitorClient {
+public:
+  /// Empty on success, else one line why not. token: what a simulator open to others asks for.
+  std::string connect(const std::string& host, int port, const std::string& token = "",
+                      double timeoutSeconds = 5);
+  bool connected() const { return connection.connected(); }
+  void close() { connection.close(); }
+
+  bool send(const TrainerCommand& command) { return connection.send(writeTrainerCommand(command)); }
+  /// A command as text, for what has no type here.
+  bool send(const std::string& command) { return connection.send(command); }
+
+  /// Waits for the next message and takes it into scene(). timeout: nothing came; closed: see error(). A
+  /// message that cannot be read closes the connection.
+  Connection::Status receive(double timeoutSeconds = -1);
+  /// Takes in all that has come, without waiting. False if the connection is gone.
+  bool poll();
+  const SceneState& scene() const { return state; }
+  const std::string& error() const { return problem.empty() ? connection.error() : problem; }
+
+private:
+  Connection connection;
+  SceneState state;
+  std::string problem;
+};
+
+}  // namespace plumbline::simspark

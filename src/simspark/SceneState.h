@@ -1,0 +1,64 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "math/Types.h"
+#include "simspark/PlayMode.h"
+#include "simspark/SExpression.h"
+#include "simspark/TeamSide.h"
+
+namespace plumbline::simspark {
+
+/// A robot as the monitor's scene shows it.
+struct SceneRobot {
+  TeamSide side = TeamSide::none;
+  int unum = 0;  ///< 0 without a team
+  int type = 0;
+  /// This project's axes: x forward, y left, z up; a difference tells it only when it moved by more than 5 mm
+  /// or 0.3 degrees.
+  Pose3 T_world_torso = Pose3::Identity();
+
+  /// Counterclockwise from the direction to the right goal [rad].
+  double heading() const;
+};
+
+/// The state of the game as it reaches a monitor; fed with the monitor port's messages, whole scenes and
+/// differences.
+class SceneState {
+public:
+  /// Empty, or one line why the message could not be read; then what it could not tell stays as it was.
+  std::string update(std::string_view message);
+
+  bool complete() const { return !nodes.empty(); }  ///< a whole scene has come
+  double time = 0;                                  ///< game clock [s]
+  int half = 0, scoreLeft = 0, scoreRight = 0;
+  std::string playMode, teamLeft, teamRight;
+  Vec3 ball = Vec3::Zero();
+  std::vector<SceneRobot> robots;
+
+  const SceneRobot* robot(TeamSide side, int unum) const;
+
+private:
+  struct Node {
+    bool transform = false;
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+    std::string mesh;  ///< of a drawn node: its file
+    std::vector<std::string> materials;
+    std::vector<Node> children;
+  };
+
+  void gameState(SExpressions::Node list);
+  static bool readNode(SExpressions::Node list, Node& node);
+  static bool updateNode(SExpressions::Node list, Node& node);
+  static bool readMatrix(SExpressions::Node list, Eigen::Matrix4d& matrix);
+  void find(const Node& node, const Eigen::Matrix4d& T_world_parent, const Eigen::Matrix4d& T_world_node);
+
+  SExpressions expressions;
+  std::vector<std::string> modeNames;
+  std::vector<Node> nodes;
+};
+
+}  // namespace plumbline::simspark
