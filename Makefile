@@ -61,8 +61,7 @@ test: packages
 	+@scripts/run_tests.sh --all
 
 test-%:
-	@$(MAKE) SimRelease-test-$*
-	@scripts/run_tests.sh SimRelease $*
+	+@scripts/run_tests.sh $*
 
 bench:
 	@$(MAKE) SimRelease-bench

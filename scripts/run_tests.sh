@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs tests and says what failed.
 #   scripts/run_tests.sh --all              builds SimRelease and SimSanitize and runs everything
-#   scripts/run_tests.sh TARGET AREA...     runs test programs that are built, and tests/AREA/*.sh with SimRelease
+#   scripts/run_tests.sh [TARGET] AREA...   builds and runs the tests of tests/AREA with SimRelease or TARGET
 # Logs go to build/<target>/logs/. The last line is "N passed, N failed".
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -10,18 +10,20 @@ jobs=${JOBS:-$(nproc)}
 timeout=${TEST_TIMEOUT:-600} # seconds for one program or script
 passed=0 failed=0
 failures=()
+progress=""
 export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
 
-# Adds one result: name, log, exit status, tests passed, tests failed, seconds.
+# Adds one result and prints it: name, log, exit status, tests passed, failed, seconds, tests skipped.
 account() {
-  local name=$1 log=$2 status=$3 good=$4 bad=$5 seconds=$6
+  local name=$1 log=$2 status=$3 good=$4 bad=$5 seconds=$6 skipped=${7:-0}
   if ((status != 0 && bad == 0)); then bad=1; fi
   passed=$((passed + good)) failed=$((failed + bad))
   if ((bad)); then
-    printf '  FAIL  %-38s %4d passed, %d failed  %5.1f s  log: %s\n' "$name" "$good" "$bad" "$seconds" "${log#"$root"/}"
+    printf '%s FAIL  %-38s %4d passed, %d failed %6.1f s  log: %s\n' "$progress" "$name" "$good" "$bad" "$seconds" "$log"
     failures+=("$log")
   else
-    printf '  ok    %-38s %4d passed            %5.1f s\n' "$name" "$good" "$seconds"
+    printf '%s ok    %-38s %4d passed%s           %6.1f s\n' "$progress" "$name" "$good" \
+      "$( ((skipped)) && echo ", $skipped skipped")" "$seconds"
   fi
 }
 
@@ -39,15 +41,17 @@ runOne() { # $1 target, $2 kind, $3 path, $4 name
   fi
   status=$?
   end=$(date +%s%N)
-  local good=0 bad=0
+  local good=0 bad=0 skipped=0
   if [[ $2 == program && -s $log.xml ]]; then
-    read -r good bad < <(sed -n '/<testsuites /{s/.*tests="\([0-9]*\)" failures="\([0-9]*\)" disabled="\([0-9]*\)" errors="\([0-9]*\)".*/\1 \2 \3 \4/p;q}' "$log.xml" |
-      awk '{ print $1 - $2 - $3 - $4, $2 + $4 }')
+    read -r good bad skipped < <(awk '
+      function number(key) { return match($0, " " key "=\"[0-9]+") ? substr($0, RSTART + length(key) + 3, RLENGTH - length(key) - 3) : 0 }
+      /<testsuite / { bad += number("failures") + number("errors"); skipped += number("skipped"); all += number("tests") - number("disabled") }
+      END { print all - bad - skipped, bad + 0, skipped + 0 }' "$log.xml")
   elif ((status == 0)); then good=1
   else bad=1
   fi
   ((status == 124 || status == 137)) && echo "run_tests.sh: stopped after $timeout s" >> "$log"
-  echo "$status ${good:-0} ${bad:-1} $(awk "BEGIN{print ($end - $start) / 1e9}")" > "$log.result"
+  echo "$status ${good:-0} ${bad:-1} $(awk "BEGIN{print ($end - $start) / 1e9}") $skipped" > "$log.result"
 }
 
 # Runs the tests of one target: test programs, then shell tests (SimRelease only), as many at once as jobs.
@@ -61,43 +65,70 @@ runTarget() { # $1 target, $2... areas
     if [[ $target == SimRelease && -d tests/$area ]]; then
       while read -r path; do
         names+=("${path#tests/}") kinds+=(script) paths+=("$path")
-      done < <(find "tests/$area" -name '*.sh' -perm -u+x | LC_ALL=C sort)
+      done < <(find "tests/$area" -name '*.sh' | LC_ALL=C sort)
     fi
   done
-  local running=0
-  for ((i = 0; i < ${#names[@]}; ++i)); do
-    if ((running >= jobs)); then wait -n; running=$((running - 1)); fi
-    runOne "$target" "${kinds[i]}" "${paths[i]}" "${names[i]}" &
-    running=$((running + 1))
+  local -A indexOf=()
+  local total=${#names[@]} pid finished=0 started=0 log status good bad seconds skipped
+  while ((finished < ${#names[@]})); do
+    if ((started < ${#names[@]} && started - finished < jobs)); then
+      runOne "$target" "${kinds[started]}" "${paths[started]}" "${names[started]}" &
+      indexOf[$!]=$started
+      started=$((started + 1))
+      continue
+    fi
+    wait -n -p pid
+    i=${indexOf[$pid]} status=1 good=0 bad=1 seconds=0 skipped=0
+    finished=$((finished + 1))
+    log=build/$target/logs/${names[i]//\//-}.log
+    [[ -f $log.result ]] && read -r status good bad seconds skipped < "$log.result"
+    progress=$(printf '[%*d/%d]' ${#total} "$finished" "${#names[@]}")
+    account "$target ${names[i]}" "$log" "$status" "$good" "$bad" "$seconds" "$skipped"
   done
-  wait
-  for ((i = 0; i < ${#names[@]}; ++i)); do
-    local log=build/$target/logs/${names[i]//\//-}.log status=1 good=0 bad=1 seconds=0
-    [[ -f $log.result ]] && read -r status good bad seconds < "$log.result"
-    account "$target ${names[i]}" "$log" "$status" "$good" "$bad" "$seconds"
-  done
+  progress=""
 }
 
-# Runs one command as a test of its own; its output is the log.
-runStep() { # $1 name, then the command
-  local name=$1 log=build/logs/${1// /-}.log start=$SECONDS
-  shift
+# Builds goals of one target ($1); only a failure counts.
+buildTests() {
+  local log=build/logs/$1.log start=$SECONDS
   mkdir -p build/logs
-  if "$@" > >(tee "$log") 2>&1; then account "$name" "$log" 0 1 0 $((SECONDS - start)); else account "$name" "$log" 1 0 1 $((SECONDS - start)); return 1; fi
+  make "${@:2}" 2>&1 | tee "$log"
+  if ((PIPESTATUS[0])); then account "build $1" "$log" 1 0 1 $((SECONDS - start)); return 1; fi
+  echo "Built the tests of $1 in $((SECONDS - start)) s"
+}
+
+# What has to be built for one area: its test program; the programs of the tree if its tests start them.
+goalsOf() { # $1 target, $2 area
+  [[ $(find "tests/$2" -name '*.cpp' -print -quit) ]] && echo "$1-test-$2"
+  if [[ $(find "tests/$2" -name '*.sh' -print -quit) ]] || grep -rqs PLUMBLINE_BIN "tests/$2"; then echo "$1"; fi
+}
+
+# Runs a check of the sources; what it says is shown.
+check() {
+  local log=build/logs/$1.log
+  mkdir -p build/logs
+  if "$2" > "$log" 2>&1; then account "$1" "$log" 0 1 0 0; else account "$1" "$log" 1 0 1 0; fi
+  cat "$log"
 }
 
 areasOf() { find tests -mindepth 1 -maxdepth 1 -type d ! -name bench ! -name support -printf '%f\n' | LC_ALL=C sort; }
 
 if [[ ${1-} == --all ]]; then
-  runStep "floors" scripts/check_floors.sh
-  runStep "sizes" scripts/check_sizes.sh
+  check floors scripts/check_floors.sh
+  check sizes scripts/check_sizes.sh
   mapfile -t areas < <(areasOf)
-  runStep "build SimRelease" make SimRelease SimRelease-tests && runTarget SimRelease "${areas[@]}"
-  runStep "build SimSanitize" make SimSanitize-tests && runTarget SimSanitize "${areas[@]}"
+  buildTests SimRelease SimRelease-tests && runTarget SimRelease "${areas[@]}"
+  buildTests SimSanitize SimSanitize-tests && runTarget SimSanitize "${areas[@]}"
 else
-  target=$1
-  shift
-  runTarget "$target" "$@"
+  target=SimRelease
+  if [[ -f scripts/targets/${1-}.settings ]]; then target=$1; shift; fi
+  (($#)) || { echo "run_tests.sh: give --all or areas: $(areasOf | tr '\n' ' ')" >&2; exit 2; }
+  goals=()
+  for area in "$@"; do
+    [[ -d tests/$area ]] || { echo "run_tests.sh: no tests/$area; there is: $(areasOf | tr '\n' ' ')" >&2; exit 2; }
+    mapfile -t -O ${#goals[@]} goals < <(goalsOf "$target" "$area")
+  done
+  buildTests "$target" "${goals[@]}" && runTarget "$target" "$@"
 fi
 
 for log in "${failures[@]}"; do

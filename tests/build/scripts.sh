@@ -52,6 +52,15 @@ printf '#include <gtest/gtest.h>\n#include <unistd.h>\nTEST(One, hangs) { sleep(
 TEST_TIMEOUT=1 build test-math
 contains "hanging test" "$log" "stopped after 1 s"
 
+build test-moon
+contains "unknown area" "$log" "run_tests.sh: no tests/moon; there is: math"
+# A skipped test is not a passed one.
+printf '#include <gtest/gtest.h>\nTEST(One, skips) { GTEST_SKIP(); }\nTEST(One, passes) {}\n' > tests/math/OneTest.cpp
+rm tests/math/TwoTest.cpp
+build test-math
+contains "skipped test" "$log" "1 passed, 1 skipped"
+expect "skipped test: last line" "$(tail -1 <<< "$log")" "1 passed, 0 failed"
+
 # Packages: nothing missing is silent and quick; who may not install is told so in one line.
 expect "nothing missing" "$(scripts/install_packages.sh 2>&1)" ""
 echo "no-such-package-of-any-kind  # made up" > list.txt
