@@ -1,0 +1,206 @@
+#include "game/GameRun.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "framework/StopSignal.h"
+#include "game/StatusReader.h"
+#include "game/WriteFile.h"
+#include "math/Angle.h"
+#include "simspark/ChildProcess.h"
+#include "simspark/MonitorClient.h"
+#include "simspark/SimulatorProcess.h"
+
+namespace plumbline::game {
+
+using simspark::Connection;
+
+/// The processes of a run.
+class GameRun::Session {
+public:
+  explicit Session(const GameOptions& options) : options_(options), programs_(simspark::programFolder()) {
+    std::filesystem::create_directories(options.output);
+    for (const char* name :
+         {"agent.log", "simulator.log", "agent.json", "simulator.json", "summary.json", "track.svg"})
+      std::filesystem::remove(file(name));
+    ports_ = {options.port, options.monitorPort};
+    if (options.host.empty()) startSimulator();
+    if (const std::string why = monitor.connect(host(), ports_.monitor); !why.empty())
+      throw std::runtime_error(why);
+    startAgent();
+  }
+
+  std::string file(const std::string& name) const { return options_.output + "/" + name; }
+
+  /// Throws if a program is no more though nobody has stopped it.
+  void check() {
+    if (!agent_->running())
+      throw std::runtime_error(fmt::format("the agent ended with status {}: {}", *agent_->exitStatus(),
+                                           lastLine(file("agent.log"))));
+    if (simulator_ && !simulator_->process().running() && *simulator_->process().exitStatus() != 0)
+      throw std::runtime_error(fmt::format("the simulator ended with status {}: {}",
+                                           *simulator_->process().exitStatus(),
+                                           lastLine(file("simulator.log"))));
+  }
+
+  /// The agent first: it would try to reconnect.
+  void stop() {
+    if (agent_) agent_->stop();
+    monitor.close();
+    if (simulator_) simulator_->process().stop();
+  }
+
+  /// What a program has written about its cost [us per cycle], and its cycles.
+  static std::pair<double, double> cost(const std::string& path) {
+    std::ifstream in(path);
+    const auto json = nlohmann::json::parse(in, nullptr, false);
+    if (json.is_discarded()) return {0, 0};
+    return {json.value("cpu_us_per_cycle", 0.0), json.value("cycles", 0.0)};
+  }
+
+  simspark::MonitorClient monitor;
+
+private:
+  std::string host() const { return options_.host.empty() ? "127.0.0.1" : options_.host; }
+
+  void startSimulator() {
+    std::vector<std::string> arguments = {"--sync",
+                                          "--seed",
+                                          std::to_string(options_.seed),
+                                          "--max-seconds",
+                                          fmt::format("{}", options_.limit),
+                                          "--kickoff-after",
+                                          "2",
+                                          "--monitor-step",
+                                          "0.1",
+                                          "--stats",
+                                          file("simulator.json"),
+                                          "--die-with-parent"};
+    if (options_.realtime) arguments.push_back("--realtime");
+    simulator_.emplace(programs_ + "/simulator", arguments, file("ports.json"), file("simulator.log"));
+    ports_ = simulator_->ports();
+  }
+
+  void startAgent() {
+    std::vector<std::string> arguments = {programs_ + "/agent",
+                                          "--type",
+                                          std::to_string(options_.type),
+                                          "--host",
+                                          host(),
+                                          "--port",
+                                          std::to_string(ports_.agent),
+                                          "--monitor-port",
+                                          std::to_string(ports_.monitor),
+                                          "--status",
+                                          "--stats",
+                                          file("agent.json")};
+    arguments.insert(arguments.end(), options_.agentOptions.begin(), options_.agentOptions.end());
+    agent_.emplace(arguments, file("agent.log"));
+  }
+
+  static std::string lastLine(const std::string& path) {
+    std::ifstream in(path);
+    std::string last;
+    for (std::string line; std::getline(in, line);)
+      if (!line.empty()) last = line;
+    return last.empty() ? "see " + path : last;
+  }
+
+  const GameOptions& options_;
+  std::string programs_;
+  simspark::Ports ports_;
+  std::optional<simspark::SimulatorProcess> simulator_;
+  std::optional<simspark::ChildProcess> agent_;
+};
+
+void GameRun::countFalls(const simspark::SceneRobot& robot, double time) {
+  const double up = robot.T_world_torso.linear()(2, 2);
+  if (up > 0.9) {
+    stood_ = true;
+    fallen_ = false;
+  }
+  if (stood_ && !fallen_ && up < 0.5) {
+    fallen_ = true;
+    ++summary_.falls;
+  }
+  track_.push_back({time, robot.T_world_torso.translation().head<2>(), Vec2::Zero(), fallen_});
+}
+
+void GameRun::watch(const simspark::SceneState& scene, const std::string& words) {
+  const simspark::SceneRobot* robot = scene.robots.empty() ? nullptr : &scene.robots.front();
+  if (!robot) return;
+  countFalls(*robot, scene.time);
+  track_.back().ball = scene.ball.head<2>();
+  if (!summary_.goal && scene.scoreLeft > 0) {
+    summary_.goal = true;
+    summary_.goalTime = scene.time;
+  }
+  if (scene.time < nextLine_ && !summary_.goal) return;
+  if (scene.time <= 0 && nextLine_ > 0) return;
+  nextLine_ = scene.time + 1 - 1e-6;
+  const Vec3 torso = robot->T_world_torso.translation();
+  fmt::print("{:5.0f} s  robot ({:6.2f}, {:6.2f}) {:4.0f} deg  ball ({:6.2f}, {:6.2f})  {:<13} {}\n",
+             scene.time, torso.x(), torso.y(), toDegrees(robot->heading()), scene.ball.x(), scene.ball.y(),
+             scene.playMode,
+             summary_.goal              ? "GOAL"
+             : fallen_ && words.empty() ? "fallen"
+                                        : words);
+  std::fflush(stdout);
+}
+
+Summary GameRun::play(StopSignal& stop) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto wall = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  Session session(options_);
+  StatusReader status(session.file("agent.log"));
+  bool kickedOff = options_.host.empty();
+  double lastMessage = 0;
+  while (!stop.requested() && !summary_.goal) {
+    const auto result = session.monitor.receive(0.1);
+    if (result == Connection::Status::closed) {
+      session.check();
+      break;  // the simulator has ended in time
+    }
+    if (result == Connection::Status::timeout) {
+      session.check();
+      if (wall() - lastMessage > 30) throw std::runtime_error("no message from the simulator for 30 s");
+      continue;
+    }
+    lastMessage = wall();
+    const simspark::SceneState& scene = session.monitor.scene();
+    watch(scene, status.read());
+    summary_.simTime = scene.time;
+    if (scene.time > options_.limit || scene.playMode == "GameOver") break;
+    // A server that runs already is told to kick off once the robot stands.
+    if (!kickedOff && stood_ && wall() > 2) {
+      session.monitor.send(simspark::KickOffCommand{simspark::TeamSide::left});
+      kickedOff = true;
+    }
+  }
+  session.stop();
+  summary_.wall = wall();
+  summary_.agentCpu = Session::cost(session.file("agent.json")).first;
+  const auto [cpu, cycles] = Session::cost(session.file("simulator.json"));
+  summary_.simulatorCpu = cpu;
+  if (cycles > 0) summary_.simTime = 0.02 * cycles;
+  writeFile(
+      session.file("track.svg"),
+      trackPicture(track_, fmt::format("Robot type {} (blue) and ball (orange), seed {}: {}", options_.type,
+                                       options_.seed,
+                                       summary_.goal ? fmt::format("goal after {:.1f} s", summary_.goalTime)
+                                                     : std::string("no goal"))));
+  writeFile(session.file("summary.json"), toJson(summary_));
+  return summary_;
+}
+
+}  // namespace plumbline::game

@@ -1,0 +1,51 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "game/Summary.h"
+#include "game/TrackPicture.h"
+#include "simspark/SceneState.h"
+
+namespace plumbline {
+class StopSignal;
+}
+
+namespace plumbline::game {
+
+struct GameOptions {
+  int type = 0;  ///< of the robot, 0..4
+  unsigned seed = 1;
+  double limit = 300;     ///< simulated [s]
+  bool realtime = false;  ///< 50 cycles a second instead of as fast as it goes
+  std::string output = "build/run";
+  std::string host;  ///< of a server that runs already; empty: an embedded simulator is started
+  int port = 3100, monitorPort = 3200;
+  std::vector<std::string> agentOptions;
+};
+
+/// One robot alone on the field until it scores: starts simulator and agent (programs beside this one), kicks
+/// off, prints a line per second of the game, and writes summary.json, track.svg and the programs' logs to
+/// the output folder. What `make run` does.
+class GameRun {
+public:
+  explicit GameRun(GameOptions options) : options_(std::move(options)) {}
+
+  /// Plays; returns when a goal was scored, the time is up, or the stop was requested. Nothing it started is
+  /// left running. Throws std::runtime_error if a program could not be started or died (naming its log).
+  Summary play(StopSignal& stop);
+
+private:
+  class Session;
+
+  void watch(const simspark::SceneState& scene, const std::string& words);
+  void countFalls(const simspark::SceneRobot& robot, double time);
+
+  GameOptions options_;
+  Summary summary_;
+  std::vector<TrackPoint> track_;
+  double nextLine_ = 0;
+  bool stood_ = false;  // has been upright since it came onto the field
+  bool fallen_ = false;
+};
+
+}  // namespace plumbline::game

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "framework/StopSignal.h"
+#include "game/GameRun.h"
+
+// bin/game: a robot alone on the field until it scores.
+
+int main(int argc, char** argv) {
+  using namespace plumbline;
+  game::GameOptions options;
+  CLI::App app("One robot, a ball and a goal: starts the embedded simulator and an agent and watches them.");
+  app.add_option("--type", options.type, "robot type 0..4")->check(CLI::Range(0, 4))->capture_default_str();
+  app.add_option("--seed", options.seed, "the same seed repeats the run, from 1")
+      ->check(CLI::Range(1u, 4000000000u))
+      ->capture_default_str();
+  app.add_option("--limit", options.limit, "simulated seconds it may take")
+      ->check(CLI::Range(1.0, 36000.0))
+      ->capture_default_str();
+  app.add_flag("--realtime", options.realtime, "at the pace of the clock instead of as fast as it goes");
+  app.add_option("--output", options.output, "folder for summary.json, track.svg and the logs")
+      ->capture_default_str();
+  app.add_option("--host", options.host, "play on a server that runs already, e.g. the league's");
+  app.add_option("--port", options.port, "its agent port")
+      ->check(CLI::Range(1, 65535))
+      ->capture_default_str();
+  app.add_option("--monitor-port", options.monitorPort, "its monitor port")
+      ->check(CLI::Range(1, 65535))
+      ->capture_default_str();
+  app.add_option("--agent-option", options.agentOptions, "passed to bin/agent; repeat for more")
+      ->allow_extra_args(false);
+  app.footer(
+      "Exit status: 0 after a goal, 1 without one, 2 for bad options, 130 after Ctrl-C.\n"
+      "Examples:\n"
+      "  bin/game --type 4 --seed 7\n"
+      "  bin/game --host 127.0.0.1 --port 3100 --monitor-port 3200");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "game: {}; see game --help\n", error.what());
+    return 2;
+  }
+  try {
+    StopSignal stop;
+    stop.catchSignals();
+    const game::Summary summary = game::GameRun(options).play(stop);
+    if (stop.requested()) {
+      fmt::print(stderr, "game: interrupted\n");
+      return 130;
+    }
+    if (summary.goal)
+      fmt::print(
+          "goal after {:.2f} s, {} fall{}; {:.1f} s in {:.1f} s of real time; {}/summary.json, "
+          "{}/track.svg\n",
+          summary.goalTime, summary.falls, summary.falls == 1 ? "" : "s", summary.simTime, summary.wall,
+          options.output, options.output);
+    else
+      fmt::print("no goal within {:.0f} s, {} fall{}; see {}\n", options.limit, summary.falls,
+                 summary.falls == 1 ? "" : "s", options.output);
+    return summary.goal ? 0 : 1;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "game: {}\n", error.what());
+    return 1;
+  }
+}
