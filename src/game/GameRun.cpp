@@ -23,6 +23,13 @@ namespace plumbline::game {
 
 using simspark::Connection;
 
+namespace {
+
+/// For the robot to drop onto the field, beam and come to rest [s].
+constexpr double secondsBeforeKickOff = 2;
+
+}  // namespace
+
 /// The processes of a run.
 class GameRun::Session {
 public:
@@ -58,12 +65,11 @@ public:
     if (simulator_) simulator_->process().stop();
   }
 
-  /// What a program has written about its cost [us per cycle], and its cycles.
-  static std::pair<double, double> cost(const std::string& path) {
+  /// What a program has written about its cost [us per cycle]; 0 if it has not.
+  static double cost(const std::string& path) {
     std::ifstream in(path);
     const auto json = nlohmann::json::parse(in, nullptr, false);
-    if (json.is_discarded()) return {0, 0};
-    return {json.value("cpu_us_per_cycle", 0.0), json.value("cycles", 0.0)};
+    return json.is_discarded() ? 0 : json.value("cpu_us_per_cycle", 0.0);
   }
 
   simspark::MonitorClient monitor;
@@ -78,7 +84,7 @@ private:
                                           "--max-seconds",
                                           fmt::format("{}", options_.limit),
                                           "--kickoff-after",
-                                          "2",
+                                          fmt::format("{}", secondsBeforeKickOff),
                                           "--monitor-step",
                                           "0.1",
                                           "--stats",
@@ -179,7 +185,7 @@ Summary GameRun::play(StopSignal& stop) {
     lastMessage = wall();
     const simspark::SceneState& scene = session.monitor.scene();
     watch(scene, status.read());
-    summary_.simTime = scene.time;
+    summary_.simTime = scene.time + (options_.host.empty() ? secondsBeforeKickOff : 0);
     if (scene.time > options_.limit || scene.playMode == "GameOver") break;
     // A server that runs already is told to kick off once the robot stands.
     if (!kickedOff && stood_ && wall() > 2) {
@@ -189,10 +195,8 @@ Summary GameRun::play(StopSignal& stop) {
   }
   session.stop();
   summary_.wall = wall();
-  summary_.agentCpu = Session::cost(session.file("agent.json")).first;
-  const auto [cpu, cycles] = Session::cost(session.file("simulator.json"));
-  summary_.simulatorCpu = cpu;
-  if (cycles > 0) summary_.simTime = 0.02 * cycles;
+  summary_.agentCpu = Session::cost(session.file("agent.json"));
+  summary_.simulatorCpu = Session::cost(session.file("simulator.json"));
   writeFile(
       session.file("track.svg"),
       trackPicture(track_, fmt::format("Robot type {} (blue) and ball (orange), seed {}: {}", options_.type,

@@ -1,0 +1,26 @@
+# What the end-to-end tests share: the programs, a scratch folder that goes at the end, and checks that say what
+# they expected.
+set -euo pipefail
+bin=${PLUMBLINE_BIN:-$(cd "$(dirname "${BASH_SOURCE[0]}")/../../bin" && pwd)}
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+scratch=$(mktemp -d)
+trap 'status=$?; jobs -p | xargs -r kill 2>/dev/null || true; rm -rf "$scratch"; exit $status' EXIT
+
+fail() { echo "FAILED: $*" >&2; exit 1; }
+# The value of a key of a flat JSON file.
+value() { sed -n 's/^ *"'"$2"'": *\([^,]*\),\{0,1\}$/\1/p' "$1"; }
+expectEqual() { [[ $1 == "$2" ]] || fail "$3: expected '$2', got '$1'"; }
+# Runs a command that must end with a status and print one line to standard error.
+expectError() { # status, line, command...
+  local status=$1 line=$2 got=0 text
+  shift 2
+  text=$("$@" 2>&1 > /dev/null < /dev/null) || got=$?
+  expectEqual "$got" "$status" "status of '$*'"
+  expectEqual "$text" "$line" "message of '$*'"
+}
+# Waits up to ten seconds for a command to succeed.
+waitFor() {
+  local i
+  for ((i = 0; i < 200; ++i)); do "$@" > /dev/null 2>&1 && return 0; sleep 0.05; done
+  fail "waited in vain for: $*"
+}
