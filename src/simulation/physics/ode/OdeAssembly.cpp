@@ -8,7 +8,15 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-void checkTree(const Assembly& assembly) {
+void check(const Shape& shape) {
+  const bool needsAll = shape.kind == Shape::Kind::box;
+  const bool needsZ = shape.kind != Shape::Kind::sphere;
+  if (!(shape.size.x() > 0) || (needsAll && !(shape.size.y() > 0)) || (needsZ && !(shape.size.z() > 0)))
+    throw std::invalid_argument("physics: a shape's size must be positive");
+}
+
+/// Before anything is made of it.
+void check(const Assembly& assembly) {
   if (assembly.bodies.empty()) throw std::invalid_argument("physics: an assembly needs a body");
   const int count = static_cast<int>(assembly.bodies.size());
   std::vector<bool> joined(assembly.bodies.size(), false);
@@ -17,15 +25,14 @@ void checkTree(const Assembly& assembly) {
       throw std::invalid_argument("physics: hinges must join each child once to a parent before it");
     joined[at(hinge.child)] = true;
   }
+  for (const BodySpec& body : assembly.bodies)
+    if (body.shape) check(*body.shape);
 }
 
 }  // namespace
 
 dGeomID makeGeom(const Shape& shape) {
-  const bool needsAll = shape.kind == Shape::Kind::box;
-  const bool needsZ = shape.kind != Shape::Kind::sphere;
-  if (!(shape.size.x() > 0) || (needsAll && !(shape.size.y() > 0)) || (needsZ && !(shape.size.z() > 0)))
-    throw std::invalid_argument("physics: a shape's size must be positive");
+  check(shape);
   switch (shape.kind) {
     case Shape::Kind::sphere:
       return dCreateSphere(nullptr, shape.size.x());
@@ -51,7 +58,7 @@ double boundingRadius(const Shape& shape) {
 
 OdeAssembly::OdeAssembly(dWorldID world, const Assembly& assembly, const Pose3& T_world_root)
     : spec(assembly) {
-  checkTree(spec);
+  check(spec);
   hingeOfBody.assign(spec.bodies.size(), -1);
   for (std::size_t i = 0; i < spec.hinges.size(); ++i)
     hingeOfBody[at(spec.hinges[i].child)] = static_cast<int>(i);
@@ -150,7 +157,7 @@ AssemblyState OdeAssembly::state() const {
 }
 
 void OdeAssembly::setState(const AssemblyState& state) {
-  check(state);
+  checkSize(state);
   std::vector<Pose3> poses(bodies.size(), state.root.pose);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (const int h = hingeOfBody[i]; h >= 0) {
@@ -168,7 +175,7 @@ void OdeAssembly::setState(const AssemblyState& state) {
 }
 
 void OdeAssembly::setVelocities(const AssemblyState& state) {
-  check(state);
+  checkSize(state);
   struct Velocity {
     Vec3 linear, angular;
   };
@@ -190,7 +197,7 @@ void OdeAssembly::setVelocities(const AssemblyState& state) {
   }
 }
 
-void OdeAssembly::check(const AssemblyState& state) const {
+void OdeAssembly::checkSize(const AssemblyState& state) const {
   if (state.angle.size() != hinges.size() || state.rate.size() != hinges.size())
     throw std::invalid_argument("physics: a state needs an angle and a rate for each hinge");
 }

@@ -49,7 +49,7 @@ public:
 private:
   void addBody(dWorldID world, const BodySpec& body, const Pose3& T_world_root);
   void addHinge(dWorldID world, const HingeSpec& hinge, const Pose3& T_world_root);
-  void check(const AssemblyState& state) const;
+  void checkSize(const AssemblyState& state) const;
   int nearestColliderAbove(int body) const;
 
   Assembly spec;

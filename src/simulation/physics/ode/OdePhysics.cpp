@@ -32,13 +32,18 @@ public:
     dWorldSetAutoDisableFlag(world.id, config.autoDisable ? 1 : 0);
   }
 
-  void addGround(Material material) override { contactFinder.addGround(material); }
+  void addGround(Material material) override {
+    check(material);
+    contactFinder.addGround(material);
+  }
   void addStatic(const Shape& shape, const Pose3& T_world_shape, Material material) override {
+    check(material);
     contactFinder.addStatic(shape, T_world_shape, material);
   }
 
   int addAssembly(const Assembly& assembly, const Pose3& T_world_root) override {
     ensureThread();
+    for (const BodySpec& body : assembly.bodies) check(body.material);
     assemblies.emplace(nextHandle, std::make_unique<OdeAssembly>(world.id, assembly, T_world_root));
     return nextHandle++;
   }
@@ -82,6 +87,11 @@ public:
   bool asleep(int assembly) const override { return get(assembly).asleep(); }
 
 private:
+  void check(Material material) const {
+    if (material < 0 || static_cast<std::size_t>(material) >= config.surfaces.size())
+      throw std::invalid_argument("physics: no contact surfaces for material " + std::to_string(material));
+  }
+
   OdeAssembly& get(int assembly) const {
     const auto it = assemblies.find(assembly);
     if (it == assemblies.end())
