@@ -58,6 +58,9 @@ TEST_P(Engine, fallsFreely) {
 }
 
 TEST_P(Engine, aBoxRestsOnTheGroundAndItsContactsCarryIt) {
+  PhysicsConfig awake = config();
+  awake.autoDisable = false;
+  engine = makePhysics(GetParam(), awake);
   engine->addGround(0);
   const int box1 = engine->addAssembly({{box(2, {0.2, 0.2, 0.1})}, {}, false}, translation(0, 0, 0.06));
   steps(20);
@@ -118,6 +121,7 @@ TEST_P(Engine, stopsHold) {
   }
   EXPECT_NEAR(largest, 0.5, 0.03);
   engine->setMotor(robot, 0, -1);
+  engine->wake(robot, 1);
   steps(150);
   EXPECT_NEAR(engine->hingeAngle(robot, 0), -1, 0.03);
 }
@@ -204,7 +208,7 @@ Assembly folded(bool selfCollision, const BodySpec& box) {
 TEST_P(Engine, selfCollisionIsASwitch) {
   for (const bool on : {false, true}) {
     const auto physics = makePhysics(GetParam(), config());
-    const int snake = physics->addAssembly(folded(on, box(1, {0.18, 0.1, 0.1})), translation(0, 0, 50));
+    const int snake = physics->addAssembly(folded(on, box(1, {0.18, 0.1, 0.25})), translation(0, 0, 50));
     AssemblyState state = physics->state(snake);
     state.angle = {1.5, 1.5};  // first and third now lie side by side, neighbours touch
     physics->setState(snake, state);

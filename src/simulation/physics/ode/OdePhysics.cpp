@@ -15,11 +15,18 @@ struct OwnedWorld {
   OwnedWorld() {
     ensureThread();
     id = dWorldCreate();
+    // ODE's default one is shared by all worlds and breaks when two of them step at the same time.
+    threading = dThreadingAllocateSelfThreadedImplementation();
+    dWorldSetStepThreadingImplementation(id, dThreadingImplementationGetFunctions(threading), threading);
   }
-  ~OwnedWorld() { dWorldDestroy(id); }
+  ~OwnedWorld() {
+    dWorldDestroy(id);
+    dThreadingFreeImplementation(threading);
+  }
   OwnedWorld(const OwnedWorld&) = delete;
   OwnedWorld& operator=(const OwnedWorld&) = delete;
   dWorldID id;
+  dThreadingImplementationID threading;
 };
 
 class OdePhysics : public Physics {
