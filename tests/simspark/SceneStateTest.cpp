@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "Samples.h"
+#include "support/Samples.h"
 
 namespace plumbline::simspark {
 namespace {

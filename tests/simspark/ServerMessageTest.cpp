@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "Samples.h"
+#include "support/Samples.h"
 #include "math/Angle.h"
 #include "simspark/ServerMessageParser.h"
 #include "simspark/ServerMessageWriter.h"

@@ -53,8 +53,9 @@ private:
 
 /// Cuts a line in head coordinates to what the camera's image holds, as the league's server does: a line with
 /// both ends in the cone of view stays whole; otherwise it is cut at the near plane x = 0.1 m and at the
-/// edges of the square image. False: nothing is seen of it. (The cone is round in the corners, the image is
-/// not: a line whose one visible end lies outside of the image may vanish, on the league's server as well.)
+/// edges of the square image. False: nothing is seen of it. The server's accidents are kept: the cone is
+/// round in the corners and the image is not, so a line whose one visible end lies outside of the image
+/// vanishes; and a quarter of those that leave the image above or below vanish by rounding.
 bool clipToView(Vec3& a, Vec3& b);
 
 }  // namespace plumbline::simulation
