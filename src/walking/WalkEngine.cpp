@@ -108,9 +108,19 @@ private:
       turn = 0;
       return;
     }
-    velocity.x() = approach(velocity.x(), goal.x(), p.accelerationForward * dt);
+    const bool braking = std::abs(goal.x()) < std::abs(velocity.x()) || goal.x() * velocity.x() < 0;
+    velocity.x() =
+        approach(velocity.x(), goal.x(), (braking ? p.decelerationForward : p.accelerationForward) * dt);
     velocity.y() = approach(velocity.y(), goal.y(), p.accelerationSideways * dt);
     turn = approach(turn, goalTurn, p.accelerationTurn * dt);
+    // The robot brakes before it turns: what forward speed leaves of the effort limits the rest.
+    const double used = velocity.x() / (velocity.x() < 0 ? p.maxBackward : p.maxForward);
+    const double rest = std::sqrt(std::max(0.0, 1 - used * used));
+    const double side = std::hypot(velocity.y() / p.maxSideways, turn / p.maxTurn);
+    if (side > rest) {
+      velocity.y() *= rest / side;
+      turn *= rest / side;
+    }
     reference = findReferenceTrajectory(
         model, {velocity, turn, p.stepDuration, p.feetDistance, Vec2(p.copForward, p.copOutward)});
   }

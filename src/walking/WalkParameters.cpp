@@ -18,6 +18,7 @@ constexpr WalkParameterInfo table[] = {
     {"maxSideways", &WalkParameters::maxSideways, 0.01, 2},
     {"maxTurn", &WalkParameters::maxTurn, 0.01, 10},
     {"accelerationForward", &WalkParameters::accelerationForward, 0.01, 100},
+    {"decelerationForward", &WalkParameters::decelerationForward, 0.01, 100},
     {"accelerationSideways", &WalkParameters::accelerationSideways, 0.01, 100},
     {"accelerationTurn", &WalkParameters::accelerationTurn, 0.01, 1000},
     {"stepDuration", &WalkParameters::stepDuration, 0.08, 1},

@@ -18,6 +18,7 @@ struct WalkParameters {
   double maxSideways = 0.25;          ///< [m/s]
   double maxTurn = 1.6;               ///< [rad/s]
   double accelerationForward = 0.5;   ///< of the requested velocity [m/s^2]
+  double decelerationForward = 0.5;   ///< the same when it becomes smaller [m/s^2]
   double accelerationSideways = 0.5;  ///< [m/s^2]
   double accelerationTurn = 6;        ///< [rad/s^2]
 
