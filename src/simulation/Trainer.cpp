@@ -41,9 +41,13 @@ std::string Trainer::apply(const MoveAgentCommand& command) {
 }
 
 std::string Trainer::apply(const BallCommand& command) {
-  const BodyState ball = s.world_->ball();
-  s.world_->setBall(command.position.value_or(ball.pose.translation()),
-                    command.velocity.value_or(ball.linearVelocity));
+  BodyState ball = s.world_->ball();
+  if (command.position) ball.pose.translation() = *command.position;
+  if (command.velocity) {
+    ball.linearVelocity = *command.velocity;
+    ball.angularVelocity.setZero();
+  }
+  s.world_->setBall(ball);
   return {};
 }
 

@@ -203,7 +203,9 @@ void OdeAssembly::checkSize(const AssemblyState& state) const {
 }
 
 void OdeAssembly::moveRigidly(const Pose3& T_world_root) {
-  const Pose3 T_new_old = T_world_root * bodyPose(bodies[0]).inverse();
+  Pose3 T_new_old = T_world_root * bodyPose(bodies[0]).inverse();
+  // The inverse of a rotation that is off by a bit is off by twice as much the next time: stay a rotation.
+  T_new_old.linear() = Eigen::Quaterniond(T_new_old.linear()).normalized().toRotationMatrix();
   for (dBodyID body : bodies) {
     setBodyPose(body, T_new_old * bodyPose(body));
     dBodySetLinearVel(body, 0, 0, 0);
