@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "modules/simspark/Monitor.h"
+
 namespace plumbline {
 
 MAKE_MODULE(SimSparkConnection)
@@ -57,6 +59,7 @@ bool SimSparkConnection::tryConnect(std::string& why) {
     link_->ports = link_->simulator->ports();
     host = "127.0.0.1";
   }
+  if (monitor) monitor->setServer(host, link_->ports.monitor);
   why = link_->connection.connect(host, link_->ports.agent, 1.0);
   if (!why.empty()) return false;
 

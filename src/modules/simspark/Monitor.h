@@ -1,0 +1,37 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "math/Pose2.h"
+#include "math/Types.h"
+#include "simspark/Connection.h"
+#include "simspark/TrainerCommand.h"
+
+namespace plumbline {
+
+/// The `monitor` object of every module: commands to SimSpark's monitor port, for training and tests. Places
+/// are in the server's field frame, x towards the right goal [m, rad]. Connects when first used, and anew
+/// after the simulator was restarted. Every command returns false if it could not be sent; error() says why.
+class Monitor {
+public:
+  /// The server to talk to from now on; an open connection to another one is closed.
+  void setServer(const std::string& host, int port);
+
+  bool moveBall(const Vec3& position, const Vec3& velocity = Vec3::Zero());
+  /// Upright at this place and heading, standing height above the ground.
+  bool moveRobot(simspark::TeamSide side, int number, const Pose2& place, double height = 0.4);
+  bool setPlayMode(simspark::PlayMode mode);
+  bool kickOff(simspark::TeamSide side);
+  bool send(const simspark::TrainerCommand& command);
+  const std::string& error() const { return error_; }
+
+private:
+  bool sendText(const std::string& text);
+
+  std::string host_ = "127.0.0.1";
+  int port_ = 3200;
+  simspark::Connection connection_;
+  std::string error_;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,49 @@
+#include "modules/behavior/BeforeKickOff.h"
+
+#include <gtest/gtest.h>
+
+#include "support/ModuleHarness.h"
+
+using namespace plumbline;
+
+namespace {
+
+struct BeforeKickOffTest : testing::Test {
+  const BehaviorOutput& at(double time, PlayMode mode, int number = 1) {
+    harness.input<FrameInfo>().time = time;
+    harness.input<GameState>().playMode = mode;
+    harness.input<PlayerInfo>().number = number;
+    harness.cycle();
+    return harness.output<BeforeKickOffOutput>().output;
+  }
+  test::ModuleHarness<BeforeKickOff> harness;
+};
+
+TEST_F(BeforeKickOffTest, beamsForHalfASecondAndThenWaits) {
+  EXPECT_TRUE(at(10.0, PlayMode::beforeKickOff).beam);
+  EXPECT_NEAR(at(10.2, PlayMode::beforeKickOff).beamPose.x(), -0.5, 1e-12);
+  EXPECT_TRUE(at(10.5, PlayMode::beforeKickOff).beam);
+  EXPECT_FALSE(at(10.6, PlayMode::beforeKickOff).beam);
+  EXPECT_EQ(at(10.7, PlayMode::beforeKickOff).skill, Skill::stand);
+}
+
+TEST_F(BeforeKickOffTest, isSilentInPlayAndBeamsAgainAfterAGoal) {
+  EXPECT_TRUE(at(1, PlayMode::beforeKickOff).active);
+  EXPECT_FALSE(at(2, PlayMode::playOn).active);
+  EXPECT_TRUE(at(30, PlayMode::goalOwn).beam);
+  EXPECT_TRUE(at(30.02, PlayMode::goalOpponent).beam);
+}
+
+TEST_F(BeforeKickOffTest, beamsAgainOnANewSimulator) {
+  at(10, PlayMode::beforeKickOff);
+  EXPECT_FALSE(at(20, PlayMode::beforeKickOff).beam);
+  harness.input<FrameInfo>().restarted = true;
+  EXPECT_TRUE(at(0.1, PlayMode::beforeKickOff).beam);
+}
+
+TEST_F(BeforeKickOffTest, everyNumberHasItsPlace) {
+  EXPECT_NEAR(at(0, PlayMode::beforeKickOff, 11).beamPose.x(), -14, 1e-12);
+  EXPECT_NEAR(at(0, PlayMode::beforeKickOff, 2).beamPose.y(), 2, 1e-12);
+}
+
+}  // namespace

@@ -1,0 +1,76 @@
+#include "modules/behavior/Striker2.h"
+
+#include <gtest/gtest.h>
+
+#include "support/ModuleHarness.h"
+
+using namespace plumbline;
+
+namespace {
+
+struct Striker2Test : testing::Test {
+  Striker2Test() {
+    harness.input<GameState>().playMode = PlayMode::playOn;
+    harness.input<RobotPose>().valid = true;
+    harness.input<RobotPose>().pose = Pose2(-1, 0, 0);
+    BallPos& ball = harness.input<BallPos>();
+    ball.valid = true;
+    ball.age = 0;
+    ball.field = {0, 0};
+    harness.input<FieldDimensions>();
+    harness.input<SkillKickParameters>();
+  }
+  const BehaviorOutput& decide() {
+    harness.cycle();
+    return harness.output<StrikerOutput>().output;
+  }
+  test::ModuleHarness<Striker2> harness;
+};
+
+TEST_F(Striker2Test, kicksAtTheGoalFromAfar) {
+  EXPECT_EQ(decide().skill, Skill::kick);
+  EXPECT_TRUE(decide().active);
+  EXPECT_NEAR(decide().target.x(), 15.4, 1e-12);
+  EXPECT_NEAR(decide().target.y(), 0, 1e-12);
+}
+
+TEST_F(Striker2Test, aimsInsideThePosts) {
+  harness.input<BallPos>().field = {3, 8};
+  EXPECT_NEAR(decide().target.y(), 2.1 / 2 - 0.35, 1e-12);
+  harness.input<BallPos>().field = {3, -8};
+  EXPECT_NEAR(decide().target.y(), -(2.1 / 2 - 0.35), 1e-12);
+}
+
+TEST_F(Striker2Test, dribblesOverTheLine) {
+  harness.input<BallPos>().field = {14.5, 0.2};
+  EXPECT_EQ(decide().skill, Skill::dribble);
+}
+
+TEST_F(Striker2Test, turnsToSearchALostBallOrItself) {
+  harness.input<BallPos>().age = 3.1;
+  EXPECT_EQ(decide().skill, Skill::moveToPos);
+  EXPECT_EQ(decide().target.x(), -1);
+  EXPECT_NEAR(decide().target.heading, 1, 1e-12);
+  harness.input<BallPos>().age = 0;
+  harness.input<RobotPose>().valid = false;
+  EXPECT_EQ(decide().skill, Skill::moveToPos);
+}
+
+TEST_F(Striker2Test, keepsItsDistanceAtTheOpponentsRestart) {
+  harness.input<GameState>().playMode = PlayMode::kickInOpponent;
+  harness.input<BallPos>().field = {5, 10};
+  const BehaviorOutput& output = decide();
+  EXPECT_EQ(output.skill, Skill::moveToPos);
+  EXPECT_NEAR((output.target.position - Vec2(5, 10)).norm(), 2.2, 1e-12);
+  // On the way to the own goal, facing the ball.
+  EXPECT_LT(output.target.x(), 5);
+  const Vec2 toBall = Vec2(5, 10) - output.target.position;
+  EXPECT_NEAR(output.target.heading, std::atan2(toBall.y(), toBall.x()), 1e-12);
+}
+
+TEST_F(Striker2Test, standsWhenTheGameIsOver) {
+  harness.input<GameState>().playMode = PlayMode::gameOver;
+  EXPECT_EQ(decide().skill, Skill::stand);
+}
+
+}  // namespace

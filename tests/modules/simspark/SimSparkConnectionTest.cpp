@@ -1,0 +1,109 @@
+#include "modules/simspark/SimSparkConnection.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "modules/simspark/FakeServer.h"
+#include "modules/simspark/SimSparkSend.h"
+#include "support/ModuleHarness.h"
+
+using namespace plumbline;
+
+namespace {
+
+std::shared_ptr<AgentOptions> optionsFor(const test::FakeServer& server) {
+  auto options = std::make_shared<AgentOptions>();
+  options->team = "Test";
+  options->number = 4;
+  options->type = 3;
+  options->port = server.port();
+  return options;
+}
+
+TEST(SimSparkConnection, asksForRobotAndPlaceAndProvidesEachMessage) {
+  test::FakeServer server;
+  std::string scene, init;
+  std::thread side([&] {
+    server.accept();
+    scene = server.receive();
+    server.send("(time (now 1.00))");
+    init = server.receive();
+    server.send("(time (now 1.02))");
+    server.send("(time (now 1.04))");
+  });
+  test::ModuleHarness<SimSparkConnection> harness;
+  harness.objects().set(optionsFor(server));
+  harness.cycle();
+  EXPECT_EQ(harness.output<ServerMessageText>().text, "(time (now 1.02))");
+  EXPECT_EQ(harness.output<SimSparkInfo>().connections, 1);
+  EXPECT_EQ(harness.output<SimSparkInfo>().cycles, 1u);
+  harness.cycle();
+  EXPECT_EQ(harness.output<ServerMessageText>().text, "(time (now 1.04))");
+  EXPECT_EQ(harness.output<SimSparkInfo>().cycles, 2u);
+  side.join();
+  EXPECT_EQ(scene, "(scene rsg/agent/nao/nao_hetero.rsg 3)(syn)");
+  EXPECT_EQ(init, "(init (unum 4)(teamname Test))(syn)");
+}
+
+TEST(SimSparkConnection, connectsAgainWhenTheServerWentAway) {
+  test::FakeServer server;
+  std::thread side([&] {
+    for (const char* last : {"(time (now 9.00))", "(time (now 0.04))"}) {
+      server.accept();
+      server.receive();
+      server.send("(time (now 0.02))");
+      server.receive();
+      server.send(last);
+      server.drop();
+    }
+  });
+  test::ModuleHarness<SimSparkConnection> harness;
+  harness.objects().set(optionsFor(server));
+  harness.cycle();
+  EXPECT_EQ(harness.output<ServerMessageText>().text, "(time (now 9.00))");
+  harness.cycle();
+  EXPECT_EQ(harness.output<ServerMessageText>().text, "(time (now 0.04))");
+  EXPECT_EQ(harness.output<SimSparkInfo>().connections, 2);
+  EXPECT_FALSE(harness.stop().requested());
+  side.join();
+}
+
+TEST(SimSparkConnection, waitingForTheServerEndsWithTheAgent) {
+  test::FakeServer server;  // never answers
+  test::ModuleHarness<SimSparkConnection> harness;
+  harness.objects().set(optionsFor(server));
+  harness.stop().request(0, "test");
+  harness.cycle();
+  EXPECT_EQ(harness.output<ServerMessageText>().text, "");
+}
+
+TEST(SimSparkSend, sendsSpeedsOfTheJointsThatTheRobotHasAndTheBeam) {
+  test::FakeServer server;
+  auto link = std::make_shared<SimSparkLink>();
+  ASSERT_EQ(link->connection.connect("127.0.0.1", server.port()), "");
+  server.accept();
+  test::ModuleHarness<SimSparkSend> harness;
+  harness.objects().set(link);
+  harness.input<SimSparkInfo>();
+  harness.input<RobotDescription>().model = simsparkRobot(0);
+  JointRequestWithSpeeds& request = harness.input<JointRequestWithSpeeds>();
+  request.speeds[headYaw] = 0.5;
+  request.speeds[lKneePitch] = 1.25;
+  harness.input<BeamRequest>();
+  harness.cycle();
+  const std::string plain = server.receive();
+  EXPECT_NE(plain.find("(he1 0.5"), std::string::npos) << plain;
+  EXPECT_NE(plain.find("(lle4 -1.25"), std::string::npos) << plain;
+  EXPECT_EQ(plain.find("lle7"), std::string::npos) << plain;
+  EXPECT_EQ(plain.find("(beam"), std::string::npos) << plain;
+  EXPECT_TRUE(plain.ends_with("(syn)")) << plain;
+
+  harness.input<BeamRequest>().active = true;
+  harness.input<BeamRequest>().pose = Pose2(-0.5, 1, fromDegrees(90));
+  harness.cycle();
+  const std::string beam = server.receive();
+  EXPECT_NE(beam.find("(beam -0.50000 1.00000 90.00000)"), std::string::npos) << beam;
+}
+
+}  // namespace

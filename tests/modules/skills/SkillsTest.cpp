@@ -1,0 +1,177 @@
+#include <gtest/gtest.h>
+
+#include "modules/skills/SkillCombinator.h"
+#include "modules/skills/SkillDribble.h"
+#include "modules/skills/SkillGetBall.h"
+#include "modules/skills/SkillKick.h"
+#include "modules/skills/SkillMoveToPos.h"
+#include "support/ModuleHarness.h"
+
+using namespace plumbline;
+
+namespace {
+
+void request(SkillRequest& request, Skill skill, const Pose2& target) {
+  request.skill = skill;
+  request.target = target;
+}
+
+TEST(SkillMoveToPos, walksThereAndStands) {
+  test::ModuleHarness<SkillMoveToPos> harness;
+  request(harness.input<SkillRequest>(), Skill::moveToPos, Pose2(2, 1, 0.5));
+  harness.input<RobotPose>().pose = Pose2(0, 1, 0);
+  harness.cycle();
+  const SkillOutput& output = harness.output<SkillMoveToPosOutput>().output;
+  EXPECT_TRUE(output.active);
+  EXPECT_EQ(output.motion, Motion::walk);
+  EXPECT_GT(output.walkVelocity.x(), 0.3);
+  harness.input<RobotPose>().pose = Pose2(2.02, 1.01, 0.45);
+  harness.cycle();
+  EXPECT_TRUE(output.active);
+  EXPECT_EQ(output.motion, Motion::stand);
+  // Twice the tolerance away it still stands, five times it walks.
+  harness.input<RobotPose>().pose = Pose2(2.1, 1, 0.5);
+  harness.cycle();
+  EXPECT_EQ(output.motion, Motion::stand);
+  harness.input<RobotPose>().pose = Pose2(2.25, 1, 0.5);
+  harness.cycle();
+  EXPECT_EQ(output.motion, Motion::walk);
+  EXPECT_LT(output.walkVelocity.x(), 0);
+}
+
+TEST(SkillMoveToPos, isInactiveForOtherSkills) {
+  test::ModuleHarness<SkillMoveToPos> harness;
+  harness.input<SkillRequest>().skill = Skill::kick;
+  harness.input<RobotPose>();
+  harness.cycle();
+  EXPECT_FALSE(harness.output<SkillMoveToPosOutput>().output.active);
+}
+
+struct GetBallTest : testing::Test {
+  GetBallTest() {
+    SkillKickParameters& kick = harness.input<SkillKickParameters>();
+    kick.ballPosition = {0.16, -0.05};
+    kick.tolerance = {0.03, 0.03};
+    kick.headingTolerance = 0.15;
+  }
+  // The robot at the origin looks along x, the ball lies here, and shall go along x.
+  const SkillGetBallOutput& ballAt(const Vec2& ball, Skill skill = Skill::kick) {
+    request(harness.input<SkillRequest>(), skill, Pose2(10, ball.y(), 0));
+    harness.input<RobotPose>().pose = Pose2();
+    harness.input<BallPos>().relative = ball;
+    harness.input<BallPos>().field = ball;
+    harness.cycle();
+    return harness.output<SkillGetBallOutput>();
+  }
+  test::ModuleHarness<SkillGetBall> harness;
+};
+
+TEST_F(GetBallTest, isAtTheBallOnlyWithinTheTolerance) {
+  EXPECT_TRUE(ballAt({0.16, -0.05}).atBall);
+  EXPECT_EQ(ballAt({0.16, -0.05}).output.kickFoot, Side::right);
+  EXPECT_TRUE(ballAt({0.18, -0.07}).atBall);
+  EXPECT_FALSE(ballAt({0.20, -0.05}).atBall);
+  EXPECT_FALSE(ballAt({0.16, -0.09}).atBall);
+}
+
+TEST_F(GetBallTest, kicksWithTheFootOnTheBallsSide) {
+  EXPECT_EQ(ballAt({0.16, 0.05}).output.kickFoot, Side::left);
+  EXPECT_TRUE(ballAt({0.16, 0.05}).atBall);
+  EXPECT_EQ(ballAt({0.16, 0.0}).output.kickFoot, Side::left);  // reluctant to change
+  EXPECT_EQ(ballAt({0.16, -0.05}).output.kickFoot, Side::right);
+}
+
+TEST_F(GetBallTest, walksTowardsTheBall) {
+  EXPECT_GT(ballAt({2, 0}).output.walkVelocity.x(), 0.3);
+  EXPECT_GT(ballAt({0, 2}).output.walkTurn, 0.5);
+}
+
+TEST_F(GetBallTest, isActiveByItselfOnlyForGetBall) {
+  EXPECT_FALSE(ballAt({1, 0}, Skill::kick).output.active);
+  EXPECT_TRUE(ballAt({1, 0}, Skill::getBall).output.active);
+}
+
+TEST(SkillKick, kicksOnceItIsAtTheBall) {
+  test::ModuleHarness<SkillKick> harness;
+  harness.input<SkillRequest>().skill = Skill::kick;
+  SkillGetBallOutput& getBall = harness.input<SkillGetBallOutput>();
+  getBall.output.motion = Motion::walk;
+  getBall.output.kickFoot = Side::left;
+  harness.cycle();
+  const SkillOutput& output = harness.output<SkillKickOutput>().output;
+  EXPECT_TRUE(output.active);
+  EXPECT_EQ(output.motion, Motion::walk);
+  getBall.atBall = true;
+  harness.cycle();
+  EXPECT_EQ(output.motion, Motion::kick);
+  EXPECT_EQ(output.kickFoot, Side::left);
+  harness.input<SkillRequest>().skill = Skill::dribble;
+  harness.cycle();
+  EXPECT_FALSE(output.active);
+}
+
+struct DribbleTest : testing::Test {
+  DribbleTest() {
+    SkillOutput& approach = harness.input<SkillGetBallOutput>().output;
+    approach.motion = Motion::walk;
+    approach.walkVelocity = {-0.123, 0};
+  }
+  // The robot at the origin looks along x; the ball lies here and shall go to this direction.
+  const SkillOutput& ballAt(const Vec2& ball, double direction = 0) {
+    request(harness.input<SkillRequest>(), Skill::dribble,
+            Pose2(Vec2(ball + 10 * Vec2(std::cos(direction), std::sin(direction))), 0));
+    harness.input<RobotPose>().pose = Pose2();
+    harness.input<BallPos>().relative = ball;
+    harness.input<BallPos>().field = ball;
+    harness.cycle();
+    return harness.output<SkillDribbleOutput>().output;
+  }
+  bool pushes(const Vec2& ball, double direction = 0) {
+    return ballAt(ball, direction).walkVelocity.x() != -0.123;
+  }
+  test::ModuleHarness<SkillDribble> harness;
+};
+
+TEST_F(DribbleTest, getsBehindTheBallFirst) {
+  EXPECT_FALSE(pushes({0.2, 0.3}));
+  EXPECT_FALSE(pushes({-0.2, 0}));
+  EXPECT_FALSE(pushes({0.2, 0}, 1.0));
+}
+
+TEST_F(DribbleTest, pushesStraightAheadAndStaysBehindTheBall) {
+  const SkillOutput& output = ballAt({0.2, 0.03});
+  EXPECT_TRUE(output.active);
+  EXPECT_GT(output.walkVelocity.x(), 0.2);
+  EXPECT_GT(output.walkVelocity.y(), 0);  // to the side on which the ball lies
+}
+
+TEST_F(DribbleTest, breaksOffLaterThanItBegins) {
+  EXPECT_FALSE(pushes({0.2, 0.1}));
+  EXPECT_TRUE(pushes({0.2, 0}));
+  EXPECT_TRUE(pushes({0.2, 0.1}));
+  EXPECT_FALSE(pushes({0.2, 0.2}));
+}
+
+TEST(SkillCombinator, takesTheActiveSkillOrStands) {
+  test::ModuleHarness<SkillCombinator> harness;
+  harness.input<SkillMoveToPosOutput>();
+  harness.input<SkillGetBallOutput>();
+  harness.input<SkillKickOutput>();
+  SkillOutput& dribble = harness.input<SkillDribbleOutput>().output;
+  harness.cycle();
+  EXPECT_EQ(harness.output<MotionRequest>().motion, Motion::stand);
+  dribble.active = true;
+  dribble.motion = Motion::walk;
+  dribble.walkVelocity = {0.3, 0.1};
+  dribble.walkTurn = -0.2;
+  harness.cycle();
+  EXPECT_EQ(harness.output<MotionRequest>().motion, Motion::walk);
+  EXPECT_EQ(harness.output<MotionRequest>().walkVelocity.x(), 0.3);
+  EXPECT_EQ(harness.output<MotionRequest>().walkTurn, -0.2);
+  dribble.active = false;
+  harness.cycle();
+  EXPECT_EQ(harness.output<MotionRequest>().motion, Motion::stand);
+  EXPECT_EQ(harness.output<MotionRequest>().walkVelocity.norm(), 0);
+}
+
+}  // namespace
