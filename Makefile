@@ -43,7 +43,7 @@ include $(sort $(targets.makefiles))
 $(foreach t,$(targets),$(if $(shell command -v $($(t).cxx)),,$(error no compiler $($(t).cxx) for $(t): `make packages` installs what scripts/packages.txt lists)))
 endif
 
-.PHONY: default all help packages run test bench format format-check tidy check clean
+.PHONY: default all help packages run test bench results format format-check tidy check clean
 default: $(defaultTarget)
 all: $(configuredTargets)
 
@@ -70,6 +70,9 @@ bench:
 bench-%:
 	@$(MAKE) SimRelease-bench-$*
 	@scripts/run_bench.sh $*
+
+results: bench
+	@scripts/make_results.sh
 
 check:
 	@scripts/check_floors.sh && scripts/check_sizes.sh
