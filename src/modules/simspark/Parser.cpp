@@ -50,7 +50,9 @@ void Parser::execute() {
     restarted_ = connections_ > 0 && theSimSparkInfo->connections != connections_;
     connections_ = theSimSparkInfo->connections;
   }
-  const auto error = simspark::parseServerMessage(theServerMessageText->text, next_);
+  auto error = simspark::parseServerMessage(theServerMessageText->text, next_);
+  if (!error && next_.time == 0 && next_.gameState.playMode.empty())
+    error = simspark::ParseError{0, "neither time nor play mode in it"};
   readable_ = !error;
   if (error) {
     if (broken_++ < 10)

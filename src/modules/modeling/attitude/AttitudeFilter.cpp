@@ -6,14 +6,19 @@
 namespace plumbline {
 namespace {
 constexpr double gravity = 9.81;
+constexpr double firstSettled = 10;  ///< what the first orientation counts like [s]
+constexpr double fastest = 0.5;     ///< time constant of a new estimate [s]
 }
 
 void AttitudeFilter::reset() { *this = AttitudeFilter(parameters); }
 
 void AttitudeFilter::update(const Vec3& gyro, const Vec3& acc, double dt) {
   if (!(dt > 0) || !gyro.allFinite() || !acc.allFinite()) return;
-  if (fresh && std::abs(acc.norm() - gravity) < parameters.stillAcc) correct(acc, 1);
-  fresh = false;
+  if (fresh) {
+    if (std::abs(acc.norm() - gravity) < parameters.stillAcc) correct(acc, 1);
+    settledFor = firstSettled;
+    fresh = false;
+  }
   // The accelerometer tells of the cycle before, so it is turned by the orientation of then.
   const Vec3 accWorld = R_world_torso * acc;
   integrate(gyro, dt);
@@ -28,14 +33,18 @@ void AttitudeFilter::update(const Vec3& gyro, const Vec3& acc, double dt) {
     correct(accWorld, std::min(1.0, dt / parameters.stillTimeConstant));
     meanAcc = Vec3(0, 0, gravity);
     lostFor = 0;
+    settledFor = parameters.movingTimeConstant;
     return;
   }
   // Accelerations of a walk average out in the world frame, so each sample counts as it is, without
   // normalising it; free fall pulls nothing, an impact what it gave back of a speed.
   const Vec3 pull = (accWorld / gravity).cross(Vec3::UnitZ());
   const double angle = pull.norm();
+  // A new estimate is drawn to the mean of all since its start before the pull gets as weak as it shall be.
+  settledFor = std::min(settledFor + dt, parameters.movingTimeConstant);
+  const double share = dt / std::max(settledFor, std::min(fastest, parameters.movingTimeConstant));
   if (angle > 0) {
-    q = Eigen::Quaterniond(Eigen::AngleAxisd(angle * dt / parameters.movingTimeConstant, pull / angle)) * q;
+    q = Eigen::Quaterniond(Eigen::AngleAxisd(angle * share, pull / angle)) * q;
     R_world_torso = q.toRotationMatrix();
   }
 
@@ -48,6 +57,7 @@ void AttitudeFilter::update(const Vec3& gyro, const Vec3& acc, double dt) {
   lostFor = tilted ? lostFor + dt : 0;
   if (lostFor > parameters.lostSeconds) {
     correct(meanAcc, 1);
+    settledFor = 0;
     meanAcc = Vec3(0, 0, gravity);
     lostFor = 0;
   }

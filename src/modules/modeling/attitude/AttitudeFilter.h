@@ -53,6 +53,7 @@ private:
   Vec3 meanAcc = Vec3::Zero();  ///< world frame
   bool fresh = true;  ///< before the first update, whose accelerometer is believed if it reads gravity
   int stillFor = 0;
+  double settledFor = 0;  ///< since the estimate was started or lost, up to movingTimeConstant [s]
   double lostFor = 0;
 };
 

@@ -1,0 +1,56 @@
+#include "support/PerceptionModules.h"
+
+#include "framework/Module.h"
+#include "representations/infrastructure/ServerMessageText.h"
+
+namespace plumbline {
+
+MODULE(TestServer)
+PROVIDES(ServerMessageText)
+END_MODULE
+
+/// Stands for the connection to a simulator.
+class TestServer : public TestServerBase {
+public:
+  void update(ServerMessageText* theServerMessageText) override {
+    theServerMessageText->text = object<test::MessageSource>().text;
+  }
+};
+
+MAKE_MODULE(TestServer)
+
+namespace test {
+
+const char* perceptionModules() {
+  return R"(TestServer ServerMessageText
+Parser FrameInfo
+Parser GameState
+Parser PlayerInfo
+Parser JointData
+Parser SensorData
+Parser VisionInfo
+Parser PolarBallPercept
+Parser PolarLandmarkPercept
+Parser PolarLinePercept
+Parser PolarPlayerPercept
+Parser HearPercept
+Parser GroundTruth
+CognitionConfigLoader FieldDimensions
+CognitionConfigLoader SkillKickParameters
+RobotModelProvider RobotDescription
+RobotModelProvider FKModel
+TorsoAngleEstimator TorsoAngles
+TorsoAngleEstimator UprightVec
+GroundContactDetector GroundContactState
+TorsoPoseProvider TorsoPose
+FallDetector FallState
+AccEvaluator Odometry
+PolarBallPerceptConverter BallPercept
+AugmentedSelfLocator RobotPose
+BallLocator LocalBallPos
+BeliefCombinator BallPos
+)";
+}
+
+}  // namespace test
+}  // namespace plumbline
