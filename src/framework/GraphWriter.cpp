@@ -59,15 +59,12 @@ void writeThread(std::string& text, const ThreadPlan& thread) {
   text += "  }\n";
 }
 
-void writeFile(const std::string& path, const std::string& text) {
+/// Returns what went wrong or an empty string.
+std::string writeFile(const std::string& path, const std::string& text) {
   std::ofstream stream(path, std::ios::binary);
   stream << text;
   stream.close();
-  if (!stream) {
-    const std::string reason = std::strerror(errno);
-    std::remove(path.c_str());
-    throw ConfigurationError(path + ": cannot be written: " + reason);
-  }
+  return stream ? "" : std::strerror(errno);
 }
 
 /// Runs `dot -Tformat input -o output`; returns what went wrong or an empty string.
@@ -109,11 +106,10 @@ void writeGraph(const std::vector<ThreadPlan>& threads, const std::string& path)
   // Written beside and moved, so that there is never half a file.
   const std::string beside = path + ".part" + std::to_string(getpid());
   const std::string dotFile = beside + ".dot";
-  writeFile(dotFile, graphText(threads));
-  std::string error;
-  if (extension == ".dot") {
+  std::string error = writeFile(dotFile, graphText(threads));
+  if (error.empty() && extension == ".dot") {
     error = std::rename(dotFile.c_str(), path.c_str()) == 0 ? "" : std::strerror(errno);
-  } else {
+  } else if (error.empty()) {
     error = runDot(extension.substr(1), dotFile, beside);
     if (error.empty() && std::rename(beside.c_str(), path.c_str()) != 0) error = std::strerror(errno);
   }

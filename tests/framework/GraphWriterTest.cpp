@@ -1,0 +1,102 @@
+#include "framework/GraphWriter.h"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "framework/ConfigurationError.h"
+#include "framework/TestModules.h"
+
+namespace plumbline {
+namespace {
+
+std::vector<ThreadPlan> twoThreads() {
+  return planThreads(parseModulesConfig(
+      "[a 2]\nAlphaFromLastGamma Alpha\nBetaFromAlpha Beta\n[b 1]\na Alpha\nOptionalReader\n",
+      "modules.cfg"));
+}
+
+std::string contents(const std::string& path) {
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+/// A folder of its own, removed at the end.
+class GraphWriterTest : public testing::Test {
+protected:
+  GraphWriterTest() { std::filesystem::create_directories(folder_); }
+  ~GraphWriterTest() override { std::filesystem::remove_all(folder_); }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
+  }
+  std::string errorOf(const std::string& path) const {
+    try {
+      writeGraph(twoThreads(), path);
+    } catch (const ConfigurationError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+  const std::string folder_ = testing::TempDir() + "/graph" + std::to_string(getpid());
+};
+
+TEST_F(GraphWriterTest, drawsModulesRepresentationsAndThreads) {
+  writeGraph(twoThreads(), folder_ + "/graph.dot");
+  EXPECT_EQ(files(), 1u);
+  EXPECT_EQ(contents(folder_ + "/graph.dot"),
+            R"(digraph modules {
+  node [fontname="Helvetica"];
+  subgraph "cluster_a" {
+    label="a";
+    "a/module/AlphaFromLastGamma" [label="AlphaFromLastGamma", shape=box];
+    "a/representation/Alpha" [label="Alpha", shape=ellipse];
+    "a/module/AlphaFromLastGamma" -> "a/representation/Alpha";
+    "a/module/BetaFromAlpha" [label="BetaFromAlpha", shape=box];
+    "a/representation/Beta" [label="Beta", shape=ellipse];
+    "a/module/BetaFromAlpha" -> "a/representation/Beta";
+    "a/representation/Alpha" -> "a/module/BetaFromAlpha";
+  }
+  subgraph "cluster_b" {
+    label="b";
+    "b/representation/Alpha" [label="Alpha", shape=ellipse];
+    "b/module/OptionalReader" [label="OptionalReader", shape=box];
+    "b/representation/Alpha" -> "b/module/OptionalReader" [color=gray50];
+  }
+  "a/representation/Alpha" -> "b/representation/Alpha" [style=dotted];
+}
+)");
+}
+
+TEST_F(GraphWriterTest, drawsPicturesThroughGraphviz) {
+  if (std::system("dot -V > /dev/null 2>&1") != 0) GTEST_SKIP() << "Graphviz is not installed";
+  writeGraph(twoThreads(), folder_ + "/graph.svg");
+  EXPECT_NE(contents(folder_ + "/graph.svg").find("AlphaFromLastGamma</text>"), std::string::npos);
+  writeGraph(twoThreads(), folder_ + "/graph.png");
+  EXPECT_EQ(contents(folder_ + "/graph.png").substr(1, 3), "PNG");
+  EXPECT_EQ(files(), 2u);
+}
+
+TEST_F(GraphWriterTest, saysWhatCannotBeWrittenAndLeavesNothing) {
+  EXPECT_EQ(errorOf(folder_ + "/graph.txt"),
+            folder_ + "/graph.txt: a graph is written as .dot, .svg, .pdf or .png");
+  EXPECT_EQ(errorOf(folder_ + "/graph"), folder_ + "/graph: a graph is written as .dot, .svg, .pdf or .png");
+  EXPECT_EQ(errorOf(folder_ + "/missing/graph.dot"),
+            folder_ + "/missing/graph.dot: cannot be written: No such file or directory");
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nowhere", 1);
+  EXPECT_EQ(errorOf(folder_ + "/graph.svg"),
+            folder_ +
+                "/graph.svg: cannot be written: Graphviz's program dot is not installed; install graphviz or "
+                "write a .dot file");
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(files(), 0u);
+}
+
+}  // namespace
+}  // namespace plumbline
