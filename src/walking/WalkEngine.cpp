@@ -70,15 +70,16 @@ public:
     motion = {};
     advance(request, sensors.dt);
     place(sensors.angles);
-    return output();
+    return output(sensors.dt);
   }
 
-  WalkOutput output() {
+  WalkOutput output(double dt = 0) {
     WalkOutput out;
     out.angles = angles;
     for (int j = lShoulderPitch; j < numJoints; ++j) out.set[static_cast<std::size_t>(j)] = true;
     const Pose2 newTorso = torsoOnGround();
     out.odometry = torso.inverse() * motion * newTorso;
+    if (mode == Mode::walk) out.odometry.position.x() -= p.trimForward * dt;
     out.odometry.position = out.odometry.position.cwiseProduct(Vec2(p.odometryForward, p.odometrySideways));
     out.odometry.heading *= p.odometryTurn;
     torso = newTorso;
@@ -121,8 +122,8 @@ private:
       velocity.y() *= rest / side;
       turn *= rest / side;
     }
-    reference = findReferenceTrajectory(
-        model, {velocity, turn, p.stepDuration, p.feetDistance, Vec2(p.copForward, p.copOutward)});
+    reference = findReferenceTrajectory(model, {velocity + Vec2(p.trimForward, 0), turn, p.stepDuration,
+                                                p.feetDistance, Vec2(p.copForward, p.copOutward)});
   }
 
   /// The torso's deviation from its planned attitude when the coming command takes effect.

@@ -13,6 +13,7 @@ constexpr WalkParameterInfo table[] = {
     {"feetDistance", &WalkParameters::feetDistance, 0.085, 0.25},
     {"torsoPitch", &WalkParameters::torsoPitch, -0.3, 0.6},
     {"torsoPitchForward", &WalkParameters::torsoPitchForward, -1, 1},
+    {"trimForward", &WalkParameters::trimForward, -0.3, 0.3},
     {"maxForward", &WalkParameters::maxForward, 0.01, 3},
     {"maxBackward", &WalkParameters::maxBackward, 0.01, 3},
     {"maxSideways", &WalkParameters::maxSideways, 0.01, 2},

@@ -13,6 +13,7 @@ struct WalkParameters {
   double torsoPitchForward = 0;  ///< more of it per forward speed [rad s/m]
 
   // Speed
+  double trimForward = 0;             ///< planned speed with which the robot stays on the spot [m/s]
   double maxForward = 0.5;            ///< [m/s]
   double maxBackward = 0.4;           ///< [m/s]
   double maxSideways = 0.25;          ///< [m/s]
