@@ -276,13 +276,15 @@ TEST_F(Playing, groundTruthIsTheTruth) {
 std::string transcript(Simulation& simulation) {
   std::string all;
   std::vector<PlayerId> players;
-  for (int i = 0; i < 4; ++i) players.push_back(simulation.addPlayer(i));
+  for (int i = 0; i < 4; ++i) {
+    players.push_back(simulation.addPlayer(i));
+    simulation.act(players.back(), init(i % 2 ? "Red" : "Blue"));
+  }
   simulation.step();
-  for (int i = 0; i < 4; ++i) simulation.act(players[std::size_t(i)], init(i % 2 ? "Red" : "Blue"));
   for (int cycle = 0; cycle < 120; ++cycle) {
     for (const PlayerId player : players) {
       AgentCommand command;
-      if (cycle == 3) command.beam = Pose2(-2, player, 0);
+      if (cycle == 3) command.beam = Pose2(-2, 2 * player, 0);
       command.velocity[rKneePitch] = std::sin(0.3 * cycle + player);
       command.velocity[headYaw] = 1.0 - cycle % 3;
       command.say = "x" + std::to_string(player);

@@ -10,7 +10,7 @@ constexpr std::size_t maxQueue =
 constexpr std::size_t maxMonitors = 32;
 }  // namespace
 
-MonitorPort::Monitor::Monitor(int fd, const std::string& address)
+MonitorPort::Monitor::Monitor(int fd, const std::string& address, std::size_t maxQueue)
     : client(fd, address, simspark::maxAgentMessage, maxQueue) {}
 
 MonitorPort::MonitorPort(const Config& config_, Simulation& simulation_, LogFunction log_)
@@ -34,7 +34,7 @@ void MonitorPort::serve(const pollfd* events) {
 void MonitorPort::accept() {
   std::string address;
   for (int fd = -1; (fd = listener.accept(address)) >= 0;) {
-    monitors.push_back(std::make_unique<Monitor>(fd, address));
+    monitors.push_back(std::make_unique<Monitor>(fd, address, config.maxQueue));
     monitors.back()->admitted = config.token.empty();
     if (monitors.size() > maxMonitors) monitors.back()->client.drop("too many monitors");
   }

@@ -17,9 +17,10 @@ public:
   struct Config {
     std::string address = "127.0.0.1";
     int port = 3200;
-    int interval = 2;         ///< cycles between two messages
-    std::string token;        ///< if not empty, the first message must be (token TOKEN)
-    double halfTimeout = 10;  ///< give up on half a message after so many seconds
+    int interval = 2;                ///< cycles between two messages
+    std::string token;               ///< if not empty, the first message must be (token TOKEN)
+    double halfTimeout = 10;         ///< give up on half a message after so many seconds
+    std::size_t maxQueue = 4 << 20;  ///< bytes a monitor may leave unread: nearly a minute of a full game
   };
 
   MonitorPort(const Config& config, Simulation& simulation, LogFunction log);
@@ -38,7 +39,7 @@ public:
 
 private:
   struct Monitor {
-    Monitor(int fd, const std::string& address);
+    Monitor(int fd, const std::string& address, std::size_t maxQueue);
     FramedClient client;
     simspark::TrainerCommandParser parser;
     bool admitted = false, told = false, acknowledge = false, complained = false;

@@ -56,7 +56,7 @@ bool Server::collect() {
 
 void Server::cycle() {
   started = true;
-  monitors.carryOut();
+  if (monitors.carryOut()) agents.dropBroken();  // a trainer may have removed players
   agents.carryOut();
   agents.sendSenses();
   simulation_.step();
