@@ -1,0 +1,128 @@
+#include "Options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "simspark/NumberFormat.h"
+
+namespace plumbline::simulation {
+
+namespace {
+
+/// Accepts a number for which `good` holds; says what is wanted otherwise.
+CLI::Validator number(const std::string& wanted, bool (*good)(double)) {
+  return CLI::Validator(
+      [wanted, good](const std::string& text) {
+        const auto value = simspark::parseNumber(text);
+        return value && good(*value) ? std::string() : "'" + text + "' is not " + wanted;
+      },
+      "");
+}
+
+bool isWhole(double value) { return value == std::floor(value); }
+
+const CLI::Validator aPort =
+    number("a port, 0 to 65535", [](double v) { return isWhole(v) && v >= 0 && v <= 65535; });
+const CLI::Validator aDuration = number("a time above 0 s", [](double v) { return v > 0; });
+const CLI::Validator aPatience = number("a time of 0 s or more", [](double v) { return v >= 0; });
+
+bool isLoopback(const std::string& address) {
+  return address == "localhost" || address == "::1" || address.starts_with("127.");
+}
+
+/// What the options say before they are put together.
+struct Given {
+  std::string bind = "127.0.0.1", token;
+  std::uint64_t seed = 0;
+  bool realTime = false;
+  double monitorStep = 0.04, maxSeconds = 0, kickOffAfter = 0;
+  int waitForAgents = 0, replayType = 0;
+};
+
+void complete(Options& options, const Given& given, const CLI::App& app) {
+  ServerConfig& server = options.server;
+  if (!isLoopback(given.bind) && given.token.empty())
+    throw std::runtime_error("--bind " + given.bind + " opens the monitor port to others: set a --token");
+  const auto set = [&app](const char* name) { return app.get_option(name)->count() > 0; };
+  server.agents.address = server.monitors.address = given.bind;
+  server.monitors.token = given.token;
+  server.monitors.interval =
+      std::max(1, static_cast<int>(std::lround(given.monitorStep / server.simulation.world.stepSeconds)));
+  server.realTime = set("--realtime") ? given.realTime : !server.agents.sync;
+  server.waitForAgents = set("--wait-agents") ? given.waitForAgents : server.realTime ? 0 : 1;
+  if (set("--max-seconds")) server.maxSeconds = given.maxSeconds;
+  if (set("--kickoff-after")) server.simulation.rules.kickOffAfter = given.kickOffAfter;
+  if (set("--type")) options.replayType = given.replayType;
+  server.simulation.seed = given.seed != 0 ? given.seed : std::random_device()();
+}
+
+}  // namespace
+
+Options parseOptions(int argc, char** argv) {
+  Options options;
+  Given given;
+  ServerConfig& server = options.server;
+  CLI::App app("Embedded simulator: SimSpark's protocol on an agent port and a monitor port.", "simulator");
+  app.set_help_flag("-h,--help", "Print this help");
+  app.add_option("--port", server.agents.port, "Agent port; 0: a free one [3100]")->check(aPort);
+  app.add_option("--monitor-port", server.monitors.port, "Monitor port; 0: a free one [3200]")->check(aPort);
+  app.add_option("--bind", given.bind, "Address to listen on [127.0.0.1]; any but loopback needs --token");
+  app.add_option("--token", given.token, "Monitors must first send (token TOKEN)");
+  app.add_option("--ports-file", options.portsFile,
+                 "Write {\"agent\": PORT, \"monitor\": PORT} here once both are open");
+  app.add_option("--seed", given.seed, "Same seed, same bytes; 0: one by chance, which is printed [0]")
+      ->check(
+          number("a whole number, 0 to 2^53", [](double v) { return isWhole(v) && v >= 0 && v <= 0x1p53; }));
+  app.add_flag("--sync", server.agents.sync, "Wait for (syn) of every agent in each cycle");
+  app.add_flag("--realtime,!--no-realtime", given.realTime,
+               "50 cycles a second, or as fast as it goes [the first without --sync]");
+  app.add_option("--wait-agents", given.waitForAgents,
+                 "The clock stands until so many agents are there [0 in real time, else 1]")
+      ->check(
+          number("a number of agents, 0 to 22", [](double v) { return isWhole(v) && v >= 0 && v <= 22; }));
+  app.add_option("--sync-timeout", server.agents.syncTimeout,
+                 "Drop an agent silent for so many seconds; 0: never [60]")
+      ->check(aPatience);
+  app.add_option("--max-seconds", given.maxSeconds, "End after so much simulated time")->check(aDuration);
+  app.add_option("--kickoff-after", given.kickOffAfter, "Kick off without a trainer after so many seconds")
+      ->check(aPatience);
+  app.add_option("--half-time", server.simulation.rules.halfTime, "Length of a half in seconds [300]")
+      ->check(aDuration);
+  app.add_option("--engine", server.simulation.world.engine, "Physics engine [ode]");
+  app.add_option("--monitor-step", given.monitorStep, "Seconds between two messages to a monitor [0.04]")
+      ->check(number("a time of 0.02 to 10 s", [](double v) { return v >= 0.02 && v <= 10; }));
+  app.add_flag("--ground-truth", server.simulation.players.groundTruth,
+               "Tell every agent the true state as well");
+  app.add_option("--ground-truth-decimals", server.simulation.players.groundTruthDecimals,
+                 "Digits behind the point of the true state [2]")
+      ->check(number("0 to 9", [](double v) { return isWhole(v) && v >= 0 && v <= 9; }));
+  app.add_option("--stats", options.statisticsFile, "Write what the run cost here at the end, as JSON");
+  app.add_flag("--die-with-parent", options.dieWithParent, "End when the process that started this one ends");
+  app.add_option("--replay", options.replayFile,
+                 "Repeat a recording of the league's server, say how near it comes, end");
+  app.add_option("--type", given.replayType, "Robot type of the recording, if its name does not end with it")
+      ->check(number("a robot type, 0 to 4", [](double v) { return isWhole(v) && v >= 0 && v <= 4; }));
+  app.add_flag("-v,--verbose", options.verbose, "Say what the run cost at the end");
+  try {
+    app.parse(argc, argv);
+    complete(options, given, app);
+  } catch (const CLI::CallForHelp&) {
+    options.help = true;
+    options.helpText = app.help();
+  } catch (const CLI::ExtrasError&) {
+    const auto extras = app.remaining();
+    throw std::runtime_error("unknown argument '" + (extras.empty() ? "" : extras.front()) +
+                             "'; see simulator --help");
+  } catch (const CLI::ArgumentMismatch& error) {
+    const std::string what = error.what();
+    throw std::runtime_error(what.substr(0, what.find(':')) + " takes one value, once");
+  } catch (const CLI::ParseError& error) {
+    throw std::runtime_error(error.what());
+  }
+  return options;
+}
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,22 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "simulation/server/Server.h"
+
+namespace plumbline::simulation {
+
+/// What the command line of bin/simulator says.
+struct Options {
+  ServerConfig server;
+  std::string portsFile, statisticsFile;
+  std::string replayFile;         ///< a recording to repeat instead of serving
+  std::optional<int> replayType;  ///< robot of the recording, if its name does not tell
+  bool verbose = false, dieWithParent = false, help = false;
+  std::string helpText;
+};
+
+/// Throws std::runtime_error, one line, for whatever cannot be.
+Options parseOptions(int argc, char** argv);
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,89 @@
+// bin/simulator: the embedded simulator as a server that speaks SimSpark's protocol.
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+#include "Options.h"
+#include "simspark/LeagueTrace.h"
+#include "simulation/replay/Fidelity.h"
+#include "simulation/replay/Replay.h"
+#include "simulation/server/Reports.h"
+#include "simulation/server/Server.h"
+
+using namespace plumbline;
+using namespace plumbline::simulation;
+
+namespace {
+
+constexpr int badInput = 2;
+std::atomic<bool> stopRequested = false;
+
+void requestStop(int) { stopRequested = true; }
+
+void handleSignals() {
+  struct sigaction action {};
+  action.sa_handler = requestStop;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  signal(SIGPIPE, SIG_IGN);
+}
+
+void replayRecording(const Options& options) {
+  const simspark::LeagueTrace trace = simspark::readLeagueTrace(options.replayFile);
+  const auto type = options.replayType ? options.replayType : trace.robotType;
+  if (!type)
+    throw std::runtime_error(options.replayFile +
+                             ": its name does not end with a robot type (_t0 to _t4): give --type");
+  const auto ours = replay(trace, simsparkRobot(*type), options.server.simulation.world);
+  std::printf("%s", fidelityReport(trace, ours, *type).c_str());
+}
+
+void serve(const Options& options) {
+  Server server(options.server,
+                [](const std::string& line) { std::fprintf(stderr, "simulator: %s\n", line.c_str()); });
+  if (!options.portsFile.empty()) writePorts(options.portsFile, server.agentPort(), server.monitorPort());
+  std::printf("simulator: agent port %d, monitor port %d, seed %llu\n", server.agentPort(),
+              server.monitorPort(), static_cast<unsigned long long>(options.server.simulation.seed));
+  std::fflush(stdout);
+  server.run(stopRequested);
+  const ServerStatistics& run = server.statistics();
+  if (!options.statisticsFile.empty()) writeStatistics(options.statisticsFile, run);
+  if (options.verbose)
+    std::printf("simulator: %llu cycles, %.1f us of CPU each, %.1f x real time\n",
+                static_cast<unsigned long long>(run.cycles),
+                1e6 * run.cpuSeconds / static_cast<double>(std::max<std::uint64_t>(1, run.cycles)),
+                run.simulatedSeconds / std::max(1e-9, run.wallSeconds));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const pid_t parent = getppid();
+    const Options options = parseOptions(argc, argv);
+    if (options.help) {
+      std::printf("%s", options.helpText.c_str());
+      return 0;
+    }
+    if (options.dieWithParent) {
+      prctl(PR_SET_PDEATHSIG, SIGTERM);
+      if (getppid() != parent) return 0;  // it ended before we asked
+    }
+    handleSignals();
+    if (options.replayFile.empty())
+      serve(options);
+    else
+      replayRecording(options);
+    return 0;
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "simulator: %s\n", problem.what());
+    return badInput;
+  }
+}

@@ -1,0 +1,104 @@
+#!/usr/bin/env bash
+# bin/simulator as a program: its options, its exit status, and that nothing of it is left behind.
+set -uo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+simulator=bin/simulator
+work=$(mktemp -d)
+started=()
+trap 'for p in "${started[@]}"; do kill "$p" 2>/dev/null; done; rm -rf "$work"' EXIT
+failures=0
+expect() { # what, got, wanted
+  [[ $2 == "$3" ]] && return
+  failures=$((failures + 1))
+  printf 'FAIL %s\n  got    %s\n  wanted %s\n' "$1" "$2" "$3"
+}
+free=(--port 0 --monitor-port 0)
+
+# Bad input: one line on standard error, exit 2, nothing started.
+refuses() { # wanted line, arguments...
+  local wanted=$1 output status
+  shift
+  output=$(timeout 20 "$simulator" "$@" 2>&1 > "$work/out")
+  status=$?
+  expect "text of: $*" "$output" "simulator: $wanted"
+  expect "status of: $*" "$status" 2
+  expect "standard output of: $*" "$(cat "$work/out")" ""
+}
+refuses "unknown argument '--foo'; see simulator --help" --foo
+refuses "unknown argument 'stray'; see simulator --help" stray
+refuses "--port: 'x' is not a port, 0 to 65535" --port x
+refuses "--port: '70000' is not a port, 0 to 65535" --port 70000
+refuses "--seed: '-1' is not a whole number, 0 to 2^53" --seed -1
+refuses "--max-seconds: '0' is not a time above 0 s" --max-seconds 0
+refuses "--max-seconds takes one value, once" --max-seconds
+refuses "--wait-agents: '23' is not a number of agents, 0 to 22" --wait-agents 23
+refuses "--monitor-step: '0' is not a time of 0.02 to 10 s" --monitor-step 0
+refuses 'unknown physics engine "foo"; there is: ode' --engine foo
+refuses "--bind 0.0.0.0 opens the monitor port to others: set a --token" --bind 0.0.0.0
+refuses "cannot write $work/no/ports: No such file or directory" "${free[@]}" --ports-file "$work/no/ports"
+refuses "$work/none.csv: cannot be read; give a trace as .csv or .csv.gz" --replay "$work/none.csv"
+
+# Starts one with the arguments; its ports are in $agent and $monitor, its process in $pid.
+start() {
+  rm -f "$work/ports"
+  "$simulator" "${free[@]}" --ports-file "$work/ports" "$@" > "$work/out" 2> "$work/err" &
+  pid=$!
+  started+=("$pid")
+  for ((i = 0; i < 1000; i++)); do [[ -s $work/ports ]] && break; sleep 0.01; done
+  agent=$(sed -n 's/.*"agent": \([0-9]*\).*/\1/p' "$work/ports")
+  monitor=$(sed -n 's/.*"monitor": \([0-9]*\).*/\1/p' "$work/ports")
+}
+# Waits for a process for at most ten seconds; leaves its status in $status.
+finish() {
+  local waited
+  for ((waited = 0; waited < 1000; waited++)); do
+    kill -0 "$1" 2> /dev/null || break
+    sleep 0.01
+  done
+  ((waited < 1000)) || echo "FAIL process $1 does not end"
+  wait "$1"
+  status=$?
+}
+# What a client reads first after it sent these bytes (printf's format).
+talk() { # port, bytes
+  exec 3<> "/dev/tcp/127.0.0.1/$1" || return
+  [[ -n $2 ]] && printf "$2" >&3
+  timeout 5 head -c "${3:-24}" <&3 | tail -c +5
+  exec 3>&-
+}
+
+# Ports, the line that tells them, an agent, a monitor, Ctrl-C.
+start --seed 5 --no-realtime --stats "$work/stats" -v
+expect "what it prints" "$(head -1 "$work/out")" "simulator: agent port $agent, monitor port $monitor, seed 5"
+scene='(scene rsg/agent/nao/nao_hetero.rsg 0)(syn)'
+expect "an agent is answered" "$(talk "$agent" "\\0\\0\\0\\x2b$scene")" "(time (now 0.04))(GS"
+expect "a monitor is told" "$(talk "$monitor" "")" "((FieldLength 30)(Fi"
+expect "a second one on the same port" \
+  "$("$simulator" --port "$agent" --monitor-port 0 2>&1 > /dev/null) $?" \
+  "simulator: port $agent of 127.0.0.1 is in use; choose another or 0 2"
+kill -INT "$pid"
+finish "$pid"
+expect "status after Ctrl-C" "$status" 0
+expect "statistics" "$(grep -cE '^\{"cycles": [0-9]+, "cpu_us_per_cycle": [0-9.]+, "sim_s": [0-9.]+, "wall_s": [0-9.]+, "x_real_time": [0-9.]+\}$' "$work/stats")" 1
+expect "what it says at the end" "$(grep -c 'cycles, .* us of CPU each' "$work/out")" 1
+expect "no half-written file" "$(find "$work" -name '*.part')" ""
+
+# In step with its agents, in simulated time.
+start --sync --wait-agents 0 --max-seconds 2
+finish "$pid"
+expect "status after its time" "$status" 0
+
+# It ends with its parent.
+rm -f "$work/ports"
+bash -c '"$0" --port 0 --monitor-port 0 --ports-file "$1/ports" --die-with-parent > /dev/null & echo $! > "$1/child"
+  until [[ -s $1/ports ]]; do sleep 0.01; done' "$simulator" "$work"
+child=$(cat "$work/child")
+started+=("$child")
+for ((i = 0; i < 500; i++)); do
+  kill -0 "$child" 2> /dev/null || break
+  sleep 0.01
+done
+expect "a child whose parent ended" "$(kill -0 "$child" 2>&1 | grep -c 'No such process')" 1
+
+((failures == 0)) && echo "simulator.sh: all good"
+exit $((failures > 0))
