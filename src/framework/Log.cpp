@@ -82,7 +82,7 @@ LogLine Log::operator<<(std::ostream& (*)(std::ostream&)) { return LogLine(*this
 LogLine Log::warning() { return LogLine(*this, "warning: "); }
 LogLine Log::error() { return LogLine(*this, "error: "); }
 
-LogBuffer::LogBuffer() : record_(new CrashRecord) {}
+LogBuffer::LogBuffer() : own_(std::make_unique<CrashRecord>()), record_(own_.get()) {}
 
 LogBuffer& LogBuffer::instance() {
   // Never destroyed: modules may log until the very end.
@@ -119,9 +119,6 @@ void LogBuffer::setListener(std::function<void(std::string_view, std::string_vie
   hasListener = listener() != nullptr;
 }
 
-void LogBuffer::useRecord(CrashRecord* record) {
-  // The old one is not deleted: a thread may be about to write to it. It is small and there are few.
-  record_ = record;
-}
+void LogBuffer::useRecord(CrashRecord* record) { record_ = record; }
 
 }  // namespace plumbline

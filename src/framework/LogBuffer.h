@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -24,12 +25,13 @@ public:
   /// Also hands every message to this function (tests, other log targets); called under a lock.
   void setListener(std::function<void(std::string_view source, std::string_view message)> listener);
 
-  /// Moves the ring to memory another process can read. Before any other thread starts.
+  /// Moves the ring to memory another process can read. Before any other thread logs.
   void useRecord(CrashRecord* record);
   CrashRecord& record() { return *record_; }
 
 private:
   LogBuffer();
+  std::unique_ptr<CrashRecord> own_;
   CrashRecord* record_;
   bool verbose_ = false;
 };

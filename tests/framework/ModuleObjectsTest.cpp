@@ -25,9 +25,9 @@ END_MODULE
 class ObjectUser : public ObjectUserBase {
 public:
   void init() override {
-    calls().push_back(object<Greeting>().text);
-    calls().push_back(monitor ? monitor->name() : "no monitor");
-    calls().push_back(findObject<Unknown>() ? "unknown found" : "unknown missing");
+    addCall(object<Greeting>().text);
+    addCall(monitor ? monitor->name() : "no monitor");
+    addCall(findObject<Unknown>() ? "unknown found" : "unknown missing");
   }
 };
 MAKE_MODULE(ObjectUser)

@@ -30,7 +30,7 @@ public:
 
 private:
   static void add(const std::string& text) {
-    if (recording) calls().push_back(text);
+    if (recording) addCall(text);
   }
   static void after(const Step& step, const Duration& duration) {
     EXPECT_GE(duration.end, duration.begin);
@@ -74,17 +74,17 @@ TEST(PluginTest, isCalledAroundEveryStepAndCycle) {
 /// Provides whatever it is asked for, and keeps what it was offered.
 class Loopback : public SpecialModule {
 public:
-  explicit Loopback(const std::string& thread) { calls().push_back("Loopback in " + thread); }
+  explicit Loopback(const std::string& thread) { addCall("Loopback in " + thread); }
   void provide(const RepresentationLoader& loader, Representation& target) override {
-    calls().push_back("provides " + loader.name());
+    addCall("provides " + loader.name());
     if (loader.name() == "Alpha") alpha_ = static_cast<Alpha*>(&target);
   }
   void offer(const RepresentationLoader& loader, const Representation& value) override {
-    calls().push_back("offered " + loader.name());
+    addCall("offered " + loader.name());
     if (loader.name() == "Beta") beta_ = static_cast<const Beta*>(&value);
   }
   void beginCycle() override { alpha_->value = 5; }
-  void endCycle() override { calls().push_back("Beta is " + std::to_string(beta_->value)); }
+  void endCycle() override { addCall("Beta is " + std::to_string(beta_->value)); }
 
 private:
   Alpha* alpha_ = nullptr;

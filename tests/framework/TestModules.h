@@ -10,6 +10,8 @@ namespace plumbline {
 
 /// What was called, in order: `Module:execute`, `Module:updateAlpha`, ...
 std::vector<std::string>& calls();
+/// Adds a call; from any thread.
+void addCall(const std::string& call);
 
 /// A controller for a modules.cfg of this text.
 Controller makeController(const std::string& modulesConfig);

@@ -1,0 +1,160 @@
+#include "framework/CrashLog.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <thread>
+
+#include "framework/LogBuffer.h"
+#include "framework/TestModules.h"
+
+namespace plumbline {
+
+int endlessRecursion(int depth) {
+  volatile char frame[4096];
+  frame[0] = static_cast<char>(depth);
+  return depth < 0 ? 0 : endlessRecursion(depth + 1) + frame[0];
+}
+
+/// Dies in its 600th cycle, in a way the test chooses.
+std::string& wayToDie() {
+  static std::string way;
+  return way;
+}
+
+MODULE(Crasher)
+END_MODULE
+class Crasher : public CrasherBase {
+public:
+  void execute() override {
+    log << "cycle " << ++cycle_;
+    if (cycle_ != 600) return;
+    if (wayToDie() == "fault") {
+      volatile std::uintptr_t nowhere = 64;
+      *reinterpret_cast<volatile int*>(nowhere) = 1;
+    }
+    if (wayToDie() == "abort") std::abort();
+    if (wayToDie() == "recursion") log << endlessRecursion(0);
+    if (wayToDie() == "kill") kill(getpid(), SIGKILL);
+    if (wayToDie() == "ctrl-c") raise(SIGINT);
+    if (wayToDie() == "terminate") raise(SIGTERM);
+    if (wayToDie() == "exit") std::exit(7);
+    if (wayToDie() == "stop") requestStop(5, "enough");
+    if (wayToDie() == "wait") raise(SIGSTOP);
+  }
+
+private:
+  int cycle_ = 0;
+};
+MAKE_MODULE(Crasher)
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;  // a fault ends in the sanitizer's own exit code
+#else
+constexpr bool sanitized = false;
+#endif
+
+/// The agent runs in a child process, as it is to die.
+class CrashLogTest : public testing::Test {
+protected:
+  CrashLogTest() { std::filesystem::create_directories(folder_); }
+  ~CrashLogTest() override { std::filesystem::remove_all(folder_); }
+
+  /// The agent's wait status.
+  int run(const std::string& way, const std::string& modulesConfig) {
+    wayToDie() = way;
+    const pid_t child = fork();
+    if (child == 0) {
+      if (!std::freopen((folder_ + "/stderr").c_str(), "w", stderr)) _exit(99);
+      int status = 98;
+      {
+        CrashLog crashLog(folder_ + "/crash.log");
+        Controller controller = makeController(modulesConfig);
+        controller.stop().catchSignals();
+        status = controller.run();
+      }
+      // All children of an agent that ends in order are gone.
+      if (waitpid(-1, nullptr, WNOHANG) != -1 || errno != ECHILD) status = 97;
+      _exit(status);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return status;
+  }
+  std::string contents(const std::string& name) const {
+    std::stringstream text;
+    text << std::ifstream(folder_ + "/" + name).rdbuf();
+    return text.str();
+  }
+  bool hasLog() const { return std::filesystem::exists(folder_ + "/crash.log"); }
+
+  const std::string folder_ = testing::TempDir() + "crash" + std::to_string(getpid());
+};
+
+TEST_F(CrashLogTest, tellsSignalStepAndLastMessages) {
+  const int status = run("fault", "[main 3]\nAlphaSource Alpha\nCrasher\n");
+  EXPECT_TRUE(sanitized || (WIFSIGNALED(status) && WTERMSIG(status) == SIGSEGV));
+  ASSERT_TRUE(hasLog());
+  const std::string text = contents("crash.log");
+  EXPECT_NE(text.find(" died by SIGSEGV (Segmentation fault), "), std::string::npos) << text;
+  EXPECT_NE(text.find("\nThreads:\n[main] Crasher:execute <- the signal struck here\n"), std::string::npos);
+  EXPECT_NE(text.find("\nCalls, innermost first"), std::string::npos);
+  EXPECT_NE(text.find("\nLast messages, oldest first:\n[Crasher] cycle 89\n"), std::string::npos);
+  EXPECT_EQ(text.substr(text.size() - 21), "\n[Crasher] cycle 600\n");
+  EXPECT_EQ(contents("stderr").substr(0, contents("stderr").find('\n')),
+            "died by SIGSEGV in Crasher:execute; see " + folder_ + "/crash.log");
+}
+
+TEST_F(CrashLogTest, tellsWhichThreadDied) {
+  run("fault", "[quiet 3]\nAlphaSource Alpha\n[loud 2]\nCrasher\n");
+  EXPECT_NE(contents("crash.log").find("[loud] Crasher:execute <- the signal struck here\n"),
+            std::string::npos);
+  EXPECT_NE(contents("crash.log").find("[quiet] "), std::string::npos);
+}
+
+TEST_F(CrashLogTest, tellsAnAbort) {
+  const int status = run("abort", "Crasher\n");
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGABRT);
+  EXPECT_NE(contents("crash.log").find("died by SIGABRT (Aborted)"), std::string::npos);
+}
+
+TEST_F(CrashLogTest, tellsAStackOverflowInEveryThread) {
+  if (sanitized) GTEST_SKIP() << "the sanitizer keeps signal stacks of its own";
+  run("recursion", "Crasher\n");
+  EXPECT_NE(contents("crash.log").find("died by SIGSEGV"), std::string::npos);
+  std::filesystem::remove(folder_ + "/crash.log");
+  run("recursion", "[a 1]\nAlphaSource\n[b 1]\nCrasher\n");
+  EXPECT_NE(contents("crash.log").find("[b] Crasher:execute <- the signal struck here"), std::string::npos);
+}
+
+TEST_F(CrashLogTest, tellsThatTheAgentWasKilled) {
+  run("kill", "Crasher\n");
+  // Nobody waits for the second process then.
+  for (int i = 0; i < 500 && !hasLog(); i++) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_NE(contents("crash.log").find("ended without a word: killed by SIGKILL"), std::string::npos);
+  EXPECT_NE(contents("crash.log").find("[default] Crasher:execute\n"), std::string::npos);
+}
+
+TEST_F(CrashLogTest, anEndInOrderLeavesNothing) {
+  for (const auto& [way, code] :
+       {std::pair("stop", 5), std::pair("ctrl-c", 0), std::pair("terminate", 0), std::pair("exit", 7)}) {
+    const int status = run(way, "Crasher\n");
+    EXPECT_TRUE(WIFEXITED(status)) << way;
+    EXPECT_EQ(WEXITSTATUS(status), code) << way;
+    EXPECT_FALSE(hasLog()) << way;
+    EXPECT_EQ(contents("stderr"), "") << way;
+  }
+}
+
+}  // namespace
+}  // namespace plumbline

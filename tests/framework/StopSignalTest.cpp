@@ -1,0 +1,73 @@
+#include "framework/StopSignal.h"
+
+#include <gtest/gtest.h>
+#include <poll.h>
+
+#include <csignal>
+#include <thread>
+
+namespace plumbline {
+namespace {
+
+bool readable(int descriptor) {
+  pollfd entry{descriptor, POLLIN, 0};
+  return poll(&entry, 1, 0) == 1;
+}
+
+TEST(StopSignalTest, theFirstRequestCounts) {
+  StopSignal stop;
+  EXPECT_FALSE(stop.requested());
+  EXPECT_FALSE(readable(stop.fileDescriptor()));
+  stop.request(3, "first");
+  stop.request(4, "second");
+  EXPECT_TRUE(stop.requested());
+  EXPECT_TRUE(readable(stop.fileDescriptor()));
+  EXPECT_EQ(stop.exitCode(), 3);
+  EXPECT_EQ(stop.reason(), "first");
+  stop.wait();  // returns at once
+}
+
+TEST(StopSignalTest, waitsForARequestOfAnotherThread) {
+  StopSignal stop;
+  std::thread other([&] { stop.request(1, "other"); });
+  stop.wait();
+  EXPECT_TRUE(stop.requested());
+  other.join();
+}
+
+TEST(StopSignalTest, signalsAreRequests) {
+  for (const auto& [signal, reason] :
+       {std::pair(SIGINT, "interrupted (SIGINT)"), std::pair(SIGTERM, "terminated (SIGTERM)")}) {
+    StopSignal stop;
+    stop.catchSignals();
+    raise(signal);
+    EXPECT_TRUE(stop.requested());
+    EXPECT_TRUE(readable(stop.fileDescriptor()));
+    stop.request(3, "later");
+    EXPECT_EQ(stop.exitCode(), 0);
+    EXPECT_EQ(stop.reason(), reason);
+  }
+}
+
+TEST(StopSignalTest, aSecondSignalEndsTheProcess) {
+  EXPECT_EXIT(
+      {
+        StopSignal stop;
+        stop.catchSignals();
+        raise(SIGINT);
+        raise(SIGINT);
+      },
+      testing::KilledBySignal(SIGINT), "");
+}
+
+TEST(StopSignalTest, afterItsEndSignalsDoWhatTheyDid) {
+  EXPECT_EXIT(
+      {
+        { StopSignal().catchSignals(); }
+        raise(SIGTERM);
+      },
+      testing::KilledBySignal(SIGTERM), "");
+}
+
+}  // namespace
+}  // namespace plumbline

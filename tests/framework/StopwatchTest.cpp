@@ -1,0 +1,95 @@
+#include "framework/Stopwatch.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "framework/TestModules.h"
+#include "framework/TimingPlugin.h"
+
+namespace plumbline {
+
+MODULE(Measurer)
+END_MODULE
+class Measurer : public MeasurerBase {
+public:
+  void execute() override {
+    const auto watch = debug.stopwatch("inner");
+    volatile int sum = 0;
+    for (int i = 0; i < 1000; i++) sum = sum + i;
+  }
+};
+MAKE_MODULE(Measurer)
+
+namespace {
+
+TEST(StopwatchTest, isZeroBeforeAnythingWasMeasured) {
+  const Stopwatch watch;
+  EXPECT_EQ(watch.count(), 0u);
+  EXPECT_EQ(watch.mean(), 0);
+  EXPECT_EQ(watch.max(), 0);
+  EXPECT_EQ(watch.percentile(0.5), 0);
+}
+
+TEST(StopwatchTest, knowsMeanMaximumAndPercentiles) {
+  Stopwatch watch;
+  for (std::uint64_t i = 1; i <= 1000; i++) watch.add(1000 * i);
+  EXPECT_EQ(watch.count(), 1000u);
+  EXPECT_NEAR(watch.total(), 500500e-6, 1e-12);
+  EXPECT_NEAR(watch.mean(), 500.5e-6, 1e-12);
+  EXPECT_NEAR(watch.max(), 1000e-6, 1e-12);
+  for (const double part : {0.001, 0.01, 0.5, 0.95, 0.99}) {
+    EXPECT_GE(watch.percentile(part), part * 1000e-6 * (1 - 1e-9));
+    EXPECT_LE(watch.percentile(part), part * 1000e-6 * 1.125);
+  }
+  EXPECT_EQ(watch.percentile(1), watch.max());
+}
+
+TEST(StopwatchTest, smallAndHugeDurationsHaveTheirBins) {
+  Stopwatch watch;
+  watch.add(0);
+  EXPECT_EQ(watch.percentile(1), 0);
+  watch.add(7);
+  EXPECT_NEAR(watch.percentile(1), 7e-9, 1e-18);
+  watch.add(~std::uint64_t{0});
+  EXPECT_NEAR(watch.percentile(1), 1.8446744073709552e10, 1e-3);
+  EXPECT_NEAR(watch.percentile(0.6), 7e-9, 1e-18);
+}
+
+TEST(TimingPluginTest, measuresEveryStepAndCycle) {
+  Controller controller = makeController("AlphaSource Alpha\nMeasurer\n");
+  controller.runCycles(10);
+  const TimingPlugin* timing = controller.timing();
+  ASSERT_NE(timing, nullptr);
+  EXPECT_EQ(timing->thread(), "default");
+  ASSERT_EQ(timing->steps().size(), 3u);
+  EXPECT_EQ(timing->steps()[0].name, "AlphaSource:execute");
+  EXPECT_EQ(timing->steps()[1].name, "AlphaSource:updateAlpha");
+  EXPECT_EQ(timing->steps()[2].name, "Measurer:execute");
+  double steps = 0;
+  for (const auto& step : timing->steps()) {
+    EXPECT_EQ(step.stopwatch->count(), 10u);
+    steps += step.stopwatch->total();
+  }
+  EXPECT_EQ(timing->cycle().count(), 10u);
+  EXPECT_EQ(timing->cpu().count(), 10u);
+  EXPECT_GE(timing->cycle().total(), steps);
+  EXPECT_GT(timing->cpu().total(), 0);
+}
+
+TEST(TimingReportTest, isATableOfAllStopwatches) {
+  Controller controller = makeController("AlphaSource Alpha\nMeasurer\n");
+  controller.runCycles(10);
+  std::vector<std::string> names;
+  std::istringstream lines(controller.timingReport());
+  for (std::string line; std::getline(lines, line);) {
+    names.push_back(line.substr(0, line.find("   ")));
+    EXPECT_EQ(line.size(), 96u) << line;
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"[default] microseconds", "cycle", "processor time per cycle",
+                                             "AlphaSource:execute", "AlphaSource:updateAlpha",
+                                             "Measurer:execute", "  Measurer:inner"}));
+}
+
+}  // namespace
+}  // namespace plumbline
