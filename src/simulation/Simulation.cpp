@@ -18,6 +18,7 @@ constexpr double agentRadius =
 constexpr double hearingRange = 50;  ///< [m]
 const Vec3 spawn(0, -1, 1.5);
 constexpr double spawnHeading = pi / 2;
+constexpr double spawnDistance = 1;  ///< of a new robot from others [m]
 
 Pose3 upright(const Vec3& position, double heading) { return translation(position) * rotationZ(heading); }
 
@@ -49,11 +50,25 @@ void Simulation::reset() {
 PlayerId Simulation::addPlayer(int type) {
   const PlayerId id = nextId;
   auto player = std::make_unique<Player>(id, type, config.players, config.seed);
-  player->robot = world_->addRobot(player->model(), upright(spawn, spawnHeading));
+  player->robot = world_->addRobot(player->model(), upright(freeSpawn(), spawnHeading));
   players.emplace(id, std::move(player));
   ++nextId;
   ++version;
   return id;
+}
+
+/// The league's server puts all new robots into one spot, where those that come together burst apart.
+Vec3 Simulation::freeSpawn() const {
+  const auto isFree = [this](const Vec3& place) {
+    return std::none_of(players.begin(), players.end(), [&](const auto& entry) {
+      const Vec3 way = world_->torso(entry.second->robot).pose.translation() - place;
+      return way.head<2>().norm() < spawnDistance;
+    });
+  };
+  Vec3 place = spawn;
+  for (int i = 1; !isFree(place); ++i)
+    place.x() = spawn.x() + (i % 2 ? 1 : -1) * ((i + 1) / 2) * spawnDistance;
+  return place;
 }
 
 void Simulation::removePlayer(PlayerId id) {

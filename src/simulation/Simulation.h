@@ -30,7 +30,8 @@ class Simulation {
 public:
   explicit Simulation(const SimulationConfig& config);
 
-  /// A robot of type 0..4 at the league's spawn, without a team. Errors: std::out_of_range for another type.
+  /// A robot of type 0..4 at the league's spawn, or a metre or more beside it while another one is there;
+  /// without a team. Errors: std::out_of_range for another type.
   PlayerId addPlayer(int type);
   void removePlayer(PlayerId id);
   /// Carries out what a player commands (scene and syn are the connection's business). Returns why something
@@ -70,6 +71,7 @@ private:
   void say(const Player& speaker, const std::string& text);
   void makeSenses();
   Pose2 nextStart(TeamSide side);
+  Vec3 freeSpawn() const;
 
   SimulationConfig config;
   std::unique_ptr<World> world_;

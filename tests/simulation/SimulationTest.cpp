@@ -322,6 +322,22 @@ TEST(Simulation, twentyTwoPlay) {
   EXPECT_EQ(simulation.numPlayers(), 22u);
 }
 
+TEST(Simulation, robotsThatComeTogetherDoNotTouch) {
+  Simulation simulation(SimulationConfig{});
+  std::vector<PlayerId> players;
+  for (int i = 0; i < 22; ++i) players.push_back(simulation.addPlayer(i % 5));
+  const auto place = [&](PlayerId id) {
+    return simulation.world().torso(simulation.allPlayers().at(id)->robot).pose.translation();
+  };
+  EXPECT_EQ(place(players[0]), Vec3(0, -1, 1.5)) << "the league's spawn";
+  EXPECT_NEAR(place(players[1]).x(), 1, 1e-9);
+  EXPECT_NEAR(place(players[2]).x(), -1, 1e-9);
+  for (int i = 0; i < 5; ++i) simulation.step();
+  for (const PlayerId id : players)
+    for (const auto& angle : sensed(simulation, id).angle)
+      EXPECT_NEAR(angle.value_or(0), 0, 1e-3);
+}
+
 TEST(Simulation, aGoalIsScored) {
   Simulation simulation(SimulationConfig{});
   const PlayerId id = simulation.addPlayer(0);
