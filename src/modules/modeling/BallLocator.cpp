@@ -12,6 +12,7 @@ void BallLocator::init() {
   p.speedNoise = config.get<double>("speedNoise", {1e-4, 100});
   p.touchedSpeedNoise = config.get<double>("touchedSpeedNoise", {1e-4, 100});
   p.startSpeedDeviation = config.get<double>("startSpeedDeviation", {1e-3, 100});
+  p.restDeviations = config.get<double>("restDeviations", {0, 100});
   p.gate = config.get<double>("gate", {0.1, 100});
   p.agreementSpeed = config.get<double>("agreementSpeed", {0, 100});
   p.agreementSeconds = config.get<double>("agreementSeconds", {0, 100});

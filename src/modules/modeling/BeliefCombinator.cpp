@@ -1,16 +1,39 @@
 #include "modules/modeling/BeliefCombinator.h"
 
+#include <cmath>
+
 namespace plumbline {
 
 MAKE_MODULE(BeliefCombinator)
 
+void BeliefCombinator::init() {
+  freshSeconds_ = config.get<double>("freshSeconds", {0, 100});
+  rollingTimeConstant_ = config.get<double>("rollingTimeConstant", {0.01, 100});
+}
+
+void BeliefCombinator::roll(double dt) {
+  const double keep = std::exp(-dt / rollingTimeConstant_);
+  position_ += rollingTimeConstant_ * (1 - keep) * velocity_;
+  velocity_ *= keep;
+}
+
 void BeliefCombinator::update(BallPos* theBallPos) {
   const LocalBallPos& local = *theLocalBallPos;
+  const Pose2& robot = theRobotPose->pose;
   theBallPos->valid = local.valid;
   theBallPos->age = local.lastSeen < 0 ? 1e3 : theFrameInfo->time - local.lastSeen;
-  theBallPos->relative = local.position;
-  theBallPos->relativeVelocity = local.velocity;
-  theBallPos->field = theRobotPose->pose * local.position;
+
+  roll(theFrameInfo->cycleSeconds);
+  const bool fresh = theBallPos->age <= freshSeconds_;
+  if (theFrameInfo->restarted || !theRobotPose->valid) onField_ = false;
+  if (fresh || !onField_) {
+    position_ = robot * local.position;
+    velocity_ = robot.rotation() * local.velocity;
+    onField_ = fresh && theRobotPose->valid;
+  }
+  theBallPos->field = position_;
+  theBallPos->relative = robot.inverse() * position_;
+  theBallPos->relativeVelocity = robot.rotation().transpose() * velocity_;
 }
 
 }  // namespace plumbline

@@ -13,10 +13,21 @@ REQUIRES(LocalBallPos)
 PROVIDES(BallPos)
 END_MODULE
 
-/// The ball to act on: what this robot tracks, placed on the field.
+/// The ball to act on: what this robot tracks, placed on the field. A ball that has not been seen for a while
+/// is kept at its place on the field rather than relative to the robot, because the self-localisation does
+/// not drift and the odometry does.
 class BeliefCombinator : public BeliefCombinatorBase {
 public:
+  void init() override;
   void update(BallPos* theBallPos) override;
+
+private:
+  void roll(double dt);
+
+  double freshSeconds_ = 0;         ///< seen within that time, the ball is where it is tracked [s]
+  double rollingTimeConstant_ = 1;  ///< [s]
+  bool onField_ = false;            ///< position_ and velocity_ are known
+  Vec2 position_ = Vec2::Zero(), velocity_ = Vec2::Zero();  ///< on the field [m, m/s]
 };
 
 }  // namespace plumbline

@@ -23,7 +23,9 @@ void BallFilter::predict(double dt, bool touchable, double drift) {
   Mat4 transition = Mat4::Identity();
   transition.topRightCorner<2, 2>() = way * Mat2::Identity();
   transition.bottomRightCorner<2, 2>() = keep * Mat2::Identity();
-  state = transition * state;
+  // Most balls lie still; the noise of the estimated speed would let them roll away while unseen.
+  if (!atRest()) state.head<2>() += way * state.tail<2>();
+  state.tail<2>() *= keep;
   covariance_ = transition * covariance_ * transition.transpose();
   const double noise = touchable ? parameters.touchedSpeedNoise : parameters.speedNoise;
   const double q = noise * noise * dt;
@@ -59,6 +61,11 @@ bool BallFilter::update(const Vec2& position, const Mat2& covariance) {
   const Mat4 remaining = covariance_ - gain * covariance_.topRows<2>();
   covariance_ = 0.5 * (remaining + remaining.transpose());
   return true;
+}
+
+bool BallFilter::atRest() const {
+  const double variance = 0.5 * (covariance_(2, 2) + covariance_(3, 3));
+  return state.tail<2>().squaredNorm() < parameters.restDeviations * parameters.restDeviations * variance;
 }
 
 double BallFilter::deviation() const { return std::sqrt(0.5 * (covariance_(0, 0) + covariance_(1, 1))); }

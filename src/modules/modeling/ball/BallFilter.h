@@ -16,6 +16,7 @@ public:
     double speedNoise = 0.1;            ///< unforeseen change of speed, ball alone [m/s per sqrt(s)]
     double touchedSpeedNoise = 1.5;     ///< the same while a robot may touch it
     double startSpeedDeviation = 1;     ///< [m/s]
+    double restDeviations = 2;          ///< a speed that differs less from zero counts as rest
     double gate = 4;                    ///< percepts farther off are held back [deviations]
     double agreementSpeed =
         12;  ///< two that were held back agree if the ball could have rolled so fast [m/s]
@@ -35,9 +36,11 @@ public:
   /// Returns whether the percept was used.
   bool update(const Vec2& position, const Mat2& covariance);
 
-  Vec2 position() const { return state.head<2>(); }  ///< [m]
-  Vec2 velocity() const { return state.tail<2>(); }  ///< [m/s]
-  double deviation() const;                          ///< of the position, per axis [m]
+  Vec2 position() const { return state.head<2>(); }                                        ///< [m]
+  Vec2 velocity() const { return atRest() ? Vec2(Vec2::Zero()) : Vec2(state.tail<2>()); }  ///< [m/s]
+  /// Whether the ball may as well lie still.
+  bool atRest() const;
+  double deviation() const;  ///< of the position, per axis [m]
 
 private:
   using Vec4 = Eigen::Vector4d;
