@@ -115,8 +115,8 @@ private:
     velocity.y() = approach(velocity.y(), goal.y(), p.accelerationSideways * dt);
     turn = approach(turn, goalTurn, p.accelerationTurn * dt);
     // The robot brakes before it turns: what forward speed leaves of the effort limits the rest.
-    const double used = velocity.x() / (velocity.x() < 0 ? p.maxBackward : p.maxForward);
-    const double rest = std::sqrt(std::max(0.0, 1 - used * used));
+    const double used = velocity.x() / (velocity.x() < 0 ? -p.maxBackward : p.maxForward);
+    const double rest = std::max(0.0, 1 - used);
     const double side = std::hypot(velocity.y() / p.maxSideways, turn / p.maxTurn);
     if (side > rest) {
       velocity.y() *= rest / side;
