@@ -63,12 +63,12 @@ test: packages
 test-%:
 	+@scripts/run_tests.sh $*
 
-bench:
+bench: packages
 	@$(MAKE) SimRelease-bench
 	@scripts/run_bench.sh
 
 bench-%:
-	@$(MAKE) SimRelease-bench-$*
+	@$(MAKE) SimRelease $(if $(wildcard tests/bench/$*.cpp tests/bench/$*/*.cpp),SimRelease-bench-$*)
 	@scripts/run_bench.sh $*
 
 results: bench

@@ -8,8 +8,10 @@ cd "$root"
 make SimRelease > /dev/null
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
-mkdir -p "$copy/bin"
-cp -a configure.sh Makefile scripts src tests build "$copy/"
+mkdir -p "$copy/bin" "$copy/build"
+cp -a configure.sh Makefile scripts src tests "$copy/"
+cp -a build/SimRelease "$copy/build/"
+[[ -d build/generated ]] && cp -a build/generated "$copy/build/"
 cp -a bin/. "$copy/bin/"
 cd "$copy"
 export CCACHE="" # what the compiler takes
