@@ -28,7 +28,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& argv, const std::stri
   if (pid_ == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(126);  // the parent died before prctl
-    setpgid(0, 0);  // Ctrl-C goes to the parent, which then stops its children in order
+    setpgid(0, 0);                        // Ctrl-C goes to the parent, which then stops its children in order
     signal(SIGPIPE, SIG_DFL);
     if (!outputFile.empty()) {
       const int file = open(outputFile.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
@@ -62,7 +62,9 @@ bool ChildProcess::reap(int options) {
     result = wait4(pid_, &status, options, &used);
   } while (result < 0 && errno == EINTR);
   if (result == 0) return false;
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   usage_ = {seconds(used.ru_utime) + seconds(used.ru_stime), static_cast<double>(used.ru_maxrss) / 1024.0};
   exitStatus_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return true;

@@ -16,9 +16,9 @@ struct ProcessUsage {
 /// A program started as a child: it is told to stop when this object ends and dies with this process
 /// (PR_SET_PDEATHSIG), so nothing is left behind.
 class ChildProcess {
- public:
-  /// Starts argv[0] (a path) with these arguments; its standard output and error go to `outputFile` (appended),
-  /// or are inherited if that is empty. Throws std::runtime_error "cannot start PATH: REASON".
+public:
+  /// Starts argv[0] (a path) with these arguments; its standard output and error go to `outputFile`
+  /// (appended), or are inherited if that is empty. Throws std::runtime_error "cannot start PATH: REASON".
   explicit ChildProcess(const std::vector<std::string>& argv, const std::string& outputFile = "");
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
@@ -34,7 +34,7 @@ class ChildProcess {
   /// Of a process that has ended.
   ProcessUsage usage() const { return usage_; }
 
- private:
+private:
   bool reap(int options);
 
   pid_t pid_ = -1;

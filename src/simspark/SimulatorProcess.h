@@ -13,7 +13,7 @@ struct Ports {
 
 /// The embedded simulator as a child process on free ports of the loopback interface.
 class SimulatorProcess {
- public:
+public:
   /// Starts `program` with `options` and waits until it has written its ports. `portsFile` is overwritten.
   /// Throws std::runtime_error if it can't be started or has no ports after ten seconds.
   SimulatorProcess(const std::string& program, std::vector<std::string> options, const std::string& portsFile,
@@ -22,7 +22,7 @@ class SimulatorProcess {
   const Ports& ports() const { return ports_; }
   ChildProcess& process() { return process_; }
 
- private:
+private:
   ChildProcess process_;
   Ports ports_;
 };

@@ -4,10 +4,10 @@
 
 #include <random>
 
-#include "support/Samples.h"
 #include "math/Angle.h"
 #include "simspark/ServerMessageParser.h"
 #include "simspark/ServerMessageWriter.h"
+#include "support/Samples.h"
 
 namespace plumbline::simspark {
 namespace {

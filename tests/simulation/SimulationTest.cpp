@@ -334,8 +334,7 @@ TEST(Simulation, robotsThatComeTogetherDoNotTouch) {
   EXPECT_NEAR(place(players[2]).x(), -1, 1e-9);
   for (int i = 0; i < 5; ++i) simulation.step();
   for (const PlayerId id : players)
-    for (const auto& angle : sensed(simulation, id).angle)
-      EXPECT_NEAR(angle.value_or(0), 0, 1e-3);
+    for (const auto& angle : sensed(simulation, id).angle) EXPECT_NEAR(angle.value_or(0), 0, 1e-3);
 }
 
 TEST(Simulation, aGoalIsScored) {
