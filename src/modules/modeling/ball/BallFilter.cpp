@@ -14,6 +14,7 @@ void BallFilter::start(const Vec2& position, const Mat2& covariance, const Vec2&
   const double v = parameters.startSpeedDeviation;
   covariance_.bottomRightCorner<2, 2>() = v * v * Mat2::Identity();
   heldBack.reset();
+  atRest_ = velocity.isZero();
 }
 
 void BallFilter::predict(double dt, bool touchable, double drift) {
@@ -24,7 +25,7 @@ void BallFilter::predict(double dt, bool touchable, double drift) {
   transition.topRightCorner<2, 2>() = way * Mat2::Identity();
   transition.bottomRightCorner<2, 2>() = keep * Mat2::Identity();
   // Most balls lie still; the noise of the estimated speed would let them roll away while unseen.
-  if (!atRest()) state.head<2>() += way * state.tail<2>();
+  if (!atRest_) state.head<2>() += way * state.tail<2>();
   state.tail<2>() *= keep;
   covariance_ = transition * covariance_ * transition.transpose();
   const double noise = touchable ? parameters.touchedSpeedNoise : parameters.speedNoise;
@@ -60,12 +61,9 @@ bool BallFilter::update(const Vec2& position, const Mat2& covariance) {
   state += gain * innovation;
   const Mat4 remaining = covariance_ - gain * covariance_.topRows<2>();
   covariance_ = 0.5 * (remaining + remaining.transpose());
-  return true;
-}
-
-bool BallFilter::atRest() const {
   const double variance = 0.5 * (covariance_(2, 2) + covariance_(3, 3));
-  return state.tail<2>().squaredNorm() < parameters.restDeviations * parameters.restDeviations * variance;
+  atRest_ = state.tail<2>().squaredNorm() < parameters.restDeviations * parameters.restDeviations * variance;
+  return true;
 }
 
 double BallFilter::deviation() const { return std::sqrt(0.5 * (covariance_(0, 0) + covariance_(1, 1))); }

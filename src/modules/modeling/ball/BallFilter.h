@@ -38,8 +38,8 @@ public:
 
   Vec2 position() const { return state.head<2>(); }                                        ///< [m]
   Vec2 velocity() const { return atRest() ? Vec2(Vec2::Zero()) : Vec2(state.tail<2>()); }  ///< [m/s]
-  /// Whether the ball may as well lie still.
-  bool atRest() const;
+  /// Whether, when it was last seen, the ball might as well have lain still.
+  bool atRest() const { return atRest_; }
   double deviation() const;  ///< of the position, per axis [m]
 
 private:
@@ -53,7 +53,7 @@ private:
   };
 
   Parameters parameters;
-  bool started_ = false;
+  bool started_ = false, atRest_ = true;
   Vec4 state = Vec4::Zero();  ///< x, y, vx, vy
   Mat4 covariance_ = Mat4::Identity();
   std::optional<HeldBack> heldBack;
