@@ -82,6 +82,7 @@ void ConfigFile::checkUnknown() const {
 }
 
 const ConfigFile& ConfigStore::file(const std::string& name) {
+  std::lock_guard lock(mutex_);
   const auto found = files_.find(name);
   if (found != files_.end()) return found->second;
   return files_.emplace(name, ConfigFile(name, directories_)).first->second;

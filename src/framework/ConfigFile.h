@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,7 @@ public:
 
 private:
   std::vector<std::string> directories_;
+  std::mutex mutex_;
   std::map<std::string, ConfigFile> files_;
 };
 

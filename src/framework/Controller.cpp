@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <thread>
 
@@ -85,24 +86,23 @@ void Controller::runProcess(Process& process) {
 
 int Controller::run() {
   init();
+  int highest = 0;
+  for (const auto& process : processes_) {
+    if (process->priority() < ThreadConfig::maxPriority) highest = std::max(highest, process->priority());
+  }
+  const auto runThread = [&](Process& process) {
+    const std::string refused = applyThreadPriority(process.priority(), highest);
+    if (!refused.empty()) {
+      Log("framework").warning() << "priority " << process.priority() << " of thread " << process.name()
+                                 << ": " << refused;
+    }
+    runProcess(process);
+  };
   if (processes_.size() == 1) {
-    runProcess(*processes_.front());
+    runThread(*processes_.front());
   } else {
-    int highest = 0;
-    for (const auto& process : processes_) {
-      if (process->priority() < ThreadConfig::maxPriority) highest = std::max(highest, process->priority());
-    }
     std::vector<std::thread> threads;
-    for (const auto& process : processes_) {
-      threads.emplace_back([&, highest, this] {
-        const std::string refused = applyThreadPriority(process->priority(), highest);
-        if (!refused.empty()) {
-          Log("framework").warning() << "priority " << process->priority() << " of thread " << process->name()
-                                     << ": " << refused;
-        }
-        runProcess(*process);
-      });
-    }
+    for (const auto& process : processes_) threads.emplace_back(runThread, std::ref(*process));
     for (std::thread& thread : threads) thread.join();
   }
   if (configurationError_) std::rethrow_exception(configurationError_);

@@ -73,7 +73,7 @@ TEST(ThreadCopyTest, neverTearsNeverGoesBackAndKeepsACycleTogether) {
     }
   });
   std::uint64_t last = 0;
-  for (int fetched = 0; fetched < 3000;) {
+  for (int fetched = 0; fetched < 500;) {
     if (!copy.fetch()) {
       std::this_thread::yield();
       continue;

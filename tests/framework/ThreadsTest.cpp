@@ -53,7 +53,7 @@ public:
     if (theStamp->cycle[0] == last_) std::this_thread::yield();  // others may need the processor
     changes_ += theStamp->cycle[0] != last_;
     last_ = theStamp->cycle[0];
-    if (changes_ == 200) requestStop(0, "200 new copies were whole");
+    if (changes_ == 100) requestStop(0, "100 new copies were whole");
   }
 
 private:
@@ -69,7 +69,7 @@ TEST(ThreadsTest, copiesAreWholeAndOfOneCycle) {
       "[source 1]\nStampSource Stamp\nStampSource StampEcho\n"
       "[checker 1]\nsource Stamp\nsource StampEcho\nStampChecker\n");
   EXPECT_EQ(controller.run(), 0);
-  EXPECT_EQ(controller.stop().reason(), "200 new copies were whole");
+  EXPECT_EQ(controller.stop().reason(), "100 new copies were whole");
 }
 
 TEST(ThreadsTest, copiesOfCopiesArrive) {
@@ -78,7 +78,7 @@ TEST(ThreadsTest, copiesOfCopiesArrive) {
       "[between 1]\nsource Stamp\nsource StampEcho\nOptionalReader\n"
       "[checker 1]\nbetween Stamp\nbetween StampEcho\nStampChecker\n");
   EXPECT_EQ(controller.run(), 0);
-  EXPECT_EQ(controller.stop().reason(), "200 new copies were whole");
+  EXPECT_EQ(controller.stop().reason(), "100 new copies were whole");
 }
 
 }  // namespace
