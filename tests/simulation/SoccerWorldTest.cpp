@@ -190,7 +190,7 @@ TEST(SoccerWorld, tellsWhoTouchedTheBall) {
     touched = true;
   }
   EXPECT_TRUE(touched);
-  world->setBall({0, 5, 1}, {});
+  world->setBall({0, 5, 1}, Vec3::Zero());
   world->step();
   EXPECT_TRUE(world->ballTouchedBy().empty());
 }

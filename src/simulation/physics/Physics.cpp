@@ -10,8 +10,10 @@ std::unique_ptr<Physics> makePhysics(std::string_view engine, const PhysicsConfi
   for (const auto& row : config.surfaces)
     if (row.size() != config.surfaces.size())
       throw std::invalid_argument("physics: the table of contact surfaces must be square");
-  if (engine == "ode") return ode::makeOdePhysics(config);
-  throw std::invalid_argument("unknown physics engine \"" + std::string(engine) + "\"; there is: ode");
+  if (engine == "ode") return ode::makeOdePhysics(config, ode::Solver::tree);
+  if (engine == "ode-dense") return ode::makeOdePhysics(config, ode::Solver::dense);
+  throw std::invalid_argument("unknown physics engine \"" + std::string(engine) +
+                              "\"; there are: ode, ode-dense");
 }
 
 }  // namespace plumbline::simulation

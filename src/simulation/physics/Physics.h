@@ -114,7 +114,8 @@ public:
   virtual bool asleep(int assembly) const = 0;
 };
 
-/// Makes an engine by name ("ode"). Error: std::invalid_argument naming the engines there are.
+/// Makes an engine by name: "ode", or "ode-dense", the same with ODE's own solver, which is slower. Error:
+/// std::invalid_argument naming the engines there are.
 std::unique_ptr<Physics> makePhysics(std::string_view engine, const PhysicsConfig& config);
 
 }  // namespace plumbline::simulation

@@ -6,6 +6,10 @@ namespace plumbline::simulation::ode {
 
 namespace {
 
+// ODE's defaults, which the league's server uses.
+constexpr int idleSteps = 10;
+constexpr double idleSpeed = 0.01;  // [m/s, rad/s]
+
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 void check(const Shape& shape) {
@@ -64,6 +68,8 @@ OdeAssembly::OdeAssembly(dWorldID world, const Assembly& assembly, const Pose3& 
     hingeOfBody[at(spec.hinges[i].child)] = static_cast<int>(i);
   for (const BodySpec& body : spec.bodies) addBody(world, body, T_world_root);
   for (const HingeSpec& hinge : spec.hinges) addHinge(world, hinge, T_world_root);
+  stepsToSleep.assign(bodies.size(), idleSteps);
+  equations.emplace(spec, bodies, hinges);
 }
 
 OdeAssembly::~OdeAssembly() {
@@ -169,7 +175,7 @@ void OdeAssembly::setState(const AssemblyState& state) {
                  translation(-hinge.anchor) * spec.bodies[i].T_root_body;
     }
     setBodyPose(bodies[i], poses[i]);
-    dBodyEnable(bodies[i]);
+    wake(static_cast<int>(i));
   }
   setVelocities(state);
 }
@@ -210,6 +216,25 @@ void OdeAssembly::moveRigidly(const Pose3& T_world_root) {
     setBodyPose(body, T_new_old * bodyPose(body));
     dBodySetLinearVel(body, 0, 0, 0);
     dBodySetAngularVel(body, 0, 0, 0);
+  }
+}
+
+void OdeAssembly::wake(int index) {
+  dBodyEnable(body(index));
+  stepsToSleep[at(index)] = idleSteps;
+}
+
+void OdeAssembly::doze(bool touching) {
+  if (hinges.empty() && !touching) return;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!dBodyIsEnabled(bodies[i])) continue;
+    const bool idle = toVec3(dBodyGetLinearVel(bodies[i])).squaredNorm() <= idleSpeed * idleSpeed &&
+                      toVec3(dBodyGetAngularVel(bodies[i])).squaredNorm() <= idleSpeed * idleSpeed;
+    stepsToSleep[i] = idle ? stepsToSleep[i] - 1 : idleSteps;
+    if (stepsToSleep[i] > 0) continue;
+    dBodyDisable(bodies[i]);
+    dBodySetLinearVel(bodies[i], 0, 0, 0);
+    dBodySetAngularVel(bodies[i], 0, 0, 0);
   }
 }
 

@@ -1,7 +1,9 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "simulation/physics/Physics.h"
+#include "simulation/physics/ode/OdeTree.h"
 #include "simulation/physics/ode/OdeTypes.h"
 
 namespace plumbline::simulation::ode {
@@ -44,7 +46,13 @@ public:
   void setState(const AssemblyState& state);
   void setVelocities(const AssemblyState& state);
   void moveRigidly(const Pose3& T_world_root);
+  /// Wakes one body.
+  void wake(int body);
   bool asleep() const;
+  /// ODE's auto-disabling: a body that has been slow for ten steps stops and sleeps; whatever it is joined to
+  /// or touches wakes it again in the same step. A free body in the air does not sleep.
+  void doze(bool touching);
+  OdeTree& tree() { return *equations; }
 
 private:
   void addBody(dWorldID world, const BodySpec& body, const Pose3& T_world_root);
@@ -57,6 +65,8 @@ private:
   std::vector<dJointID> hinges;
   std::vector<int> hingeOfBody;  ///< the hinge to the parent, -1: root
   std::vector<Collider> colliderList;
+  std::vector<int> stepsToSleep;
+  std::optional<OdeTree> equations;
 };
 
 }  // namespace plumbline::simulation::ode

@@ -62,9 +62,9 @@ void OdeContacts::addStatic(const Shape& shape, const Pose3& T_world_shape, Mate
   statics.push_back({geom, {Vec3(aabb[0], aabb[2], aabb[4]), Vec3(aabb[1], aabb[3], aabb[5])}, material});
 }
 
-void OdeContacts::makeJoints(const Assemblies& assemblies) {
+void OdeContacts::find(const Assemblies& assemblies) {
   contactList.clear();
-  found.clear();
+  foundContacts.clear();
   bodies.clear();
   boxes.clear();
   for (const auto& [handle, assembly] : assemblies) boxes.push_back(assembly->bounds());
@@ -78,10 +78,12 @@ void OdeContacts::makeJoints(const Assemblies& assemblies) {
       if (boxes[i].intersects(boxes[j]))
         collideAssemblies(a->first, *a->second, b->first, *b->second, boxes[i].intersection(boxes[j]));
   }
+}
 
-  feedback.assign(found.size(), dJointFeedback{});
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    dJointID joint = dJointCreateContact(world, group, &found[k]);
+void OdeContacts::makeJoints() {
+  feedback.assign(foundContacts.size(), dJointFeedback{});
+  for (std::size_t k = 0; k < foundContacts.size(); ++k) {
+    dJointID joint = dJointCreateContact(world, group, &foundContacts[k]);
     dJointAttach(joint, bodies[k].first, bodies[k].second);
     dJointSetFeedback(joint, &feedback[k]);
   }
@@ -134,13 +136,13 @@ void OdeContacts::collide(const Side& a, const Side& b) {
     dContact contact{};
     contact.surface = surfaces[static_cast<std::size_t>(a.material)][static_cast<std::size_t>(b.material)];
     contact.geom = points[i];
-    found.push_back(contact);
+    foundContacts.push_back(contact);
     bodies.emplace_back(a.body, b.body);
     contactList.push_back({a.assembly, a.index, b.assembly, b.index, toVec3(points[i].pos), Vec3::Zero()});
   }
 }
 
-void OdeContacts::finish() {
+void OdeContacts::takeForces() {
   for (std::size_t i = 0; i < contactList.size(); ++i) contactList[i].forceOnA = toVec3(feedback[i].f1);
   dJointGroupEmpty(group);
 }

@@ -23,11 +23,16 @@ public:
   void addGround(Material material);
   void addStatic(const Shape& shape, const Pose3& T_world_shape, Material material);
 
-  /// Collides everything and makes the joints.
-  void makeJoints(const Assemblies& assemblies);
-  /// After the step: takes the forces and lets the joints go.
-  void finish();
+  void find(const Assemblies& assemblies);
+  /// Makes ODE's joints of what was found.
+  void makeJoints();
+  /// After ODE's step: takes the forces and lets the joints go.
+  void takeForces();
+
   const std::vector<Contact>& contacts() const { return contactList; }
+  /// The same with their geometry and surface.
+  const std::vector<dContact>& found() const { return foundContacts; }
+  void setForce(std::size_t contact, const Vec3& forceOnA) { contactList[contact].forceOnA = forceOnA; }
 
 private:
   struct Static {
@@ -58,7 +63,7 @@ private:
   std::vector<Static> statics;
   dGeomID ground = nullptr;
   Material groundMaterial = 0;
-  std::vector<dContact> found;
+  std::vector<dContact> foundContacts;
   std::vector<std::pair<dBodyID, dBodyID>> bodies;
   std::vector<dJointFeedback> feedback;
   std::vector<Contact> contactList;

@@ -1,8 +1,10 @@
 #include "simulation/physics/ode/OdePhysics.h"
 
+#include <set>
 #include <stdexcept>
 
 #include "simulation/physics/ode/OdeContacts.h"
+#include "simulation/physics/ode/OdeTreeStep.h"
 
 namespace plumbline::simulation::ode {
 
@@ -31,12 +33,13 @@ struct OwnedWorld {
 
 class OdePhysics : public Physics {
 public:
-  explicit OdePhysics(const PhysicsConfig& config_) : config(config_), contactFinder(world.id, config_) {
+  OdePhysics(const PhysicsConfig& config_, Solver solver_)
+      : config(config_), solver(solver_), contactFinder(world.id, config_) {
     dWorldSetGravity(world.id, config.gravity.x(), config.gravity.y(), config.gravity.z());
     dWorldSetERP(world.id, config.constraintErp);
     dWorldSetCFM(world.id, config.constraintCfm);
     dWorldSetContactSurfaceLayer(world.id, config.surfaceLayer);
-    dWorldSetAutoDisableFlag(world.id, config.autoDisable ? 1 : 0);
+    dWorldSetAutoDisableFlag(world.id, config.autoDisable && solver == Solver::dense ? 1 : 0);
   }
 
   void addGround(Material material) override {
@@ -69,9 +72,15 @@ public:
   void step() override {
     ensureThread();
     for (const auto& [handle, assembly] : assemblies) assembly->applyDrag();
-    contactFinder.makeJoints(assemblies);
+    contactFinder.find(assemblies);
+    if (solver == Solver::tree) {
+      if (config.autoDisable) doze();
+      treeStep.step(config, assemblies, contactFinder);
+      return;
+    }
+    contactFinder.makeJoints();
     dWorldStep(world.id, config.stepSeconds);
-    contactFinder.finish();
+    contactFinder.takeForces();
   }
   const std::vector<Contact>& contacts() const override { return contactFinder.contacts(); }
 
@@ -88,12 +97,21 @@ public:
     get(assembly).moveRigidly(T_world_root);
   }
   void wake(int assembly, int body) override {
-    dBodyID id = get(assembly).body(body);
-    if (!dBodyIsEnabled(id)) dBodyEnable(id);
+    OdeAssembly& owner = get(assembly);
+    if (!dBodyIsEnabled(owner.body(body))) owner.wake(body);
   }
   bool asleep(int assembly) const override { return get(assembly).asleep(); }
 
 private:
+  void doze() {
+    std::set<int> touching;
+    for (const Contact& contact : contactFinder.contacts()) {
+      touching.insert(contact.assemblyA);
+      touching.insert(contact.assemblyB);
+    }
+    for (const auto& [handle, assembly] : assemblies) assembly->doze(touching.contains(handle));
+  }
+
   void check(Material material) const {
     if (material < 0 || static_cast<std::size_t>(material) >= config.surfaces.size())
       throw std::invalid_argument("physics: no contact surfaces for material " + std::to_string(material));
@@ -107,16 +125,18 @@ private:
   }
 
   PhysicsConfig config;
+  Solver solver;
   OwnedWorld world;
   OdeContacts contactFinder;
+  OdeTreeStep treeStep;
   Assemblies assemblies;
   int nextHandle = 0;
 };
 
 }  // namespace
 
-std::unique_ptr<Physics> makeOdePhysics(const PhysicsConfig& config) {
-  return std::make_unique<OdePhysics>(config);
+std::unique_ptr<Physics> makeOdePhysics(const PhysicsConfig& config, Solver solver) {
+  return std::make_unique<OdePhysics>(config, solver);
 }
 
 }  // namespace plumbline::simulation::ode

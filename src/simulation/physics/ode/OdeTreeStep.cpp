@@ -1,0 +1,187 @@
+#include "simulation/physics/ode/OdeTreeStep.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace plumbline::simulation::ode {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Two directions across a normal, as any would do: friction is the same in all.
+std::pair<Vec3, Vec3> across(const Vec3& normal) {
+  dVector3 n = {normal.x(), normal.y(), normal.z()}, p, q;
+  dPlaneSpace(n, p, q);
+  return {toVec3(p), toVec3(q)};
+}
+
+std::size_t placeOf(const std::vector<int>& handles, int handle) {
+  return static_cast<std::size_t>(std::lower_bound(handles.begin(), handles.end(), handle) - handles.begin());
+}
+
+}  // namespace
+
+void OdeTreeStep::step(const PhysicsConfig& config, const Assemblies& assemblies, OdeContacts& contacts) {
+  findIslands(assemblies, contacts);
+  for (std::size_t first = 0; first < all.size(); ++first) {
+    if (islandOf[first] != first) continue;
+    bool awake = false;
+    members.clear();
+    for (std::size_t i = first; i < all.size(); ++i)
+      if (islandOf[i] == first) {
+        members.push_back({all[i], {}, {}, {}});
+        awake = awake || !all[i]->asleep();
+      }
+    if (awake) stepIsland(config, contacts, first);
+  }
+}
+
+void OdeTreeStep::findIslands(const Assemblies& assemblies, const OdeContacts& contacts) {
+  handles.clear();
+  all.clear();
+  islandOf.clear();
+  for (const auto& [handle, assembly] : assemblies) {
+    islandOf.push_back(all.size());
+    handles.push_back(handle);
+    all.push_back(assembly.get());
+  }
+  const auto root = [&](std::size_t i) {
+    while (islandOf[i] != i) i = islandOf[i];
+    return i;
+  };
+  for (const Contact& contact : contacts.contacts()) {
+    if (contact.assemblyB < 0) continue;
+    const std::size_t a = root(placeOf(handles, contact.assemblyA)),
+                      b = root(placeOf(handles, contact.assemblyB));
+    islandOf[std::max(a, b)] = std::min(a, b);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) islandOf[i] = root(i);
+  contactIsland.clear();
+  for (const Contact& contact : contacts.contacts())
+    contactIsland.push_back(islandOf[placeOf(handles, contact.assemblyA)]);
+}
+
+void OdeTreeStep::stepIsland(const PhysicsConfig& config, OdeContacts& contacts, std::size_t island) {
+  for (Member& member : members) member.assembly->tree().begin(config);
+  contactIndices.clear();
+  for (std::size_t i = 0; i < contactIsland.size(); ++i)
+    if (contactIsland[i] == island) contactIndices.push_back(i);
+
+  for (bool done = false; !done;) {
+    rows.clear();
+    for (const std::size_t index : contactIndices) appendContactRows(config, contacts, index);
+    for (Member& member : members) member.assembly->tree().appendRows(config, rows);
+    if (!rows.empty()) solveRows();
+    done = true;
+    for (Member& member : members) done = member.assembly->tree().finish(config) && done;
+    if (!done)
+      for (Member& member : members) member.assembly->tree().solve(config);
+  }
+
+  const double h = config.stepSeconds;
+  for (std::size_t k = 0; k < contactIndices.size(); ++k) {
+    const dContact& contact = contacts.found()[contactIndices[k]];
+    const Vec3 normal = toVec3(contact.geom.normal);
+    const auto [t1, t2] = across(normal);
+    const auto x = system.solution().segment<3>(static_cast<Eigen::Index>(3 * k));
+    contacts.setForce(contactIndices[k], (x[0] * normal + x[1] * t1 + x[2] * t2) / h);
+  }
+  for (Member& member : members) member.assembly->tree().integrate(config);
+}
+
+OdeTree* OdeTreeStep::treeOf(int handle) {
+  return handle < 0 ? nullptr : &all[placeOf(handles, handle)]->tree();
+}
+
+void OdeTreeStep::appendContactRows(const PhysicsConfig& config, const OdeContacts& contacts,
+                                    std::size_t index) {
+  const double h = config.stepSeconds;
+  const Contact& pair = contacts.contacts()[index];
+  const dContact& contact = contacts.found()[index];
+  const dSurfaceParameters& surface = contact.surface;
+  const Vec3 normal = toVec3(contact.geom.normal), point = toVec3(contact.geom.pos);
+  const auto [t1, t2] = across(normal);
+  for (const Vec3& direction : {normal, t1, t2}) {
+    OutsideRow row;
+    row.sides[0].tree = treeOf(pair.assemblyA);
+    row.sides[0].body = pair.bodyA;
+    row.sides[1].tree = treeOf(pair.assemblyB);
+    row.sides[1].body = pair.bodyB;
+    for (int i = 0; i < 2; ++i)
+      if (OutsideRow::Side& side = row.sides[i]; side.tree)
+        side.direction = spatialImpulse(point - side.tree->origin(), i == 0 ? direction : Vec3(-direction));
+    row.compliance = surface.slip1 / h;
+    row.lower = -infinity;
+    row.upper = infinity;
+    rows.push_back(row);
+  }
+  OutsideRow& push = rows[rows.size() - 3];
+  push.compliance = surface.soft_cfm / h;
+  push.lower = 0;
+  push.wanted = surface.soft_erp / h * std::max(0.0, contact.geom.depth - config.surfaceLayer);
+  if (surface.mode & dContactBounce) {
+    double outgoing = 0;
+    for (const OutsideRow::Side& side : push.sides) {
+      if (!side.tree) continue;
+      const TreeSystem::Body& body = side.tree->tree().body(side.body);
+      const Vec3 arm = point - side.tree->origin() - body.position;
+      const Vec3 velocity = body.linearVelocity + body.angularVelocity.cross(arm);
+      outgoing += side.direction.head<3>().dot(velocity);
+    }
+    if (-outgoing > surface.bounce_vel) push.wanted = std::max(push.wanted, -surface.bounce * outgoing);
+  }
+}
+
+/// Tells each tree which rows reach it where.
+void OdeTreeStep::distributeRows() {
+  for (Member& member : members) {
+    member.touched.clear();
+    member.entries.clear();
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (const OutsideRow::Side& side : rows[r].sides) {
+        if (side.tree != &member.assembly->tree()) continue;
+        const auto place = std::find(member.touched.begin(), member.touched.end(), side.body);
+        const auto index = static_cast<std::size_t>(place - member.touched.begin());
+        if (place == member.touched.end()) member.touched.push_back(side.body);
+        member.entries.push_back({static_cast<Eigen::Index>(r), index, side.direction});
+      }
+    member.responses.clear();
+    TreeSystem& tree = member.assembly->tree().tree();
+    for (std::size_t i = 0; i < member.touched.size(); ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        member.responses.push_back(tree.response(member.touched[i], member.touched[j]));
+  }
+}
+
+void OdeTreeStep::solveRows() {
+  distributeRows();
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  system.reset(count);
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const OutsideRow& row = rows[static_cast<std::size_t>(r)];
+    system.a(r, r) = row.compliance;
+    system.b[r] = row.wanted;
+    system.lower[r] = row.lower;
+    system.upper[r] = row.upper;
+  }
+  for (Member& member : members) {
+    TreeSystem& tree = member.assembly->tree().tree();
+    answer.resize(member.touched.size());
+    for (const Member::Entry& from : member.entries) {
+      const std::size_t j = from.touched;
+      for (std::size_t i = 0; i < member.touched.size(); ++i)
+        answer[i] = i >= j ? Vec6(member.responses[i * (i + 1) / 2 + j] * from.direction)
+                           : Vec6(member.responses[j * (j + 1) / 2 + i].transpose() * from.direction);
+      for (const Member::Entry& to : member.entries)
+        if (to.row >= from.row) system.a(to.row, from.row) += to.direction.dot(answer[to.touched]);
+      system.b[from.row] -= from.direction.dot(tree.velocity(member.touched[j]));
+    }
+  }
+  const Eigen::VectorXd& x = system.solve();
+  for (Member& member : members)
+    for (const Member::Entry& entry : member.entries)
+      member.assembly->tree().tree().push(member.touched[entry.touched], x[entry.row] * entry.direction);
+}
+
+}  // namespace plumbline::simulation::ode

@@ -1,0 +1,50 @@
+#pragma once
+#include <vector>
+
+#include "simulation/physics/ode/OdeContacts.h"
+#include "simulation/physics/tree/BoundedSystem.h"
+
+namespace plumbline::simulation::ode {
+
+/// One step of everything that is awake. Assemblies that touch make an island; an island's free movement is
+/// solved tree by tree, then contacts, stops and motors at their limit in one bounded system over what they
+/// do to the trees. The solution is that of ODE's dWorldStep up to rounding, in a fraction of its time: that
+/// has a row in one dense matrix for each direction of each hinge.
+class OdeTreeStep {
+public:
+  void step(const PhysicsConfig& config, const Assemblies& assemblies, OdeContacts& contacts);
+
+private:
+  /// A tree of the island and how rows from outside reach it.
+  struct Member {
+    struct Entry {
+      Eigen::Index row;
+      std::size_t touched;
+      Vec6 direction;
+    };
+    OdeAssembly* assembly;
+    std::vector<int> touched;  ///< bodies
+    std::vector<Mat6>
+        responses;  ///< [i * (i + 1) / 2 + j]: of touched body i to an impulse on touched j <= i
+    std::vector<Entry> entries;
+  };
+
+  void findIslands(const Assemblies& assemblies, const OdeContacts& contacts);
+  void stepIsland(const PhysicsConfig& config, OdeContacts& contacts, std::size_t island);
+  void appendContactRows(const PhysicsConfig& config, const OdeContacts& contacts, std::size_t index);
+  void distributeRows();
+  void solveRows();
+  OdeTree* treeOf(int handle);
+
+  std::vector<int> handles;                ///< of all assemblies, ascending
+  std::vector<OdeAssembly*> all;           ///< the same
+  std::vector<std::size_t> islandOf;       ///< by place in these; an island is named by its first member
+  std::vector<std::size_t> contactIsland;  ///< by contact
+  std::vector<Member> members;
+  std::vector<std::size_t> contactIndices;  ///< of the island
+  std::vector<OutsideRow> rows;
+  std::vector<Vec6> answer;
+  BoundedSystem system;
+};
+
+}  // namespace plumbline::simulation::ode

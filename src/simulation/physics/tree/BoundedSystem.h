@@ -1,0 +1,35 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+namespace plumbline::simulation {
+
+/// A linear complementarity problem with bounds: find x with w = A x - b so that for each i
+/// lower <= x <= upper, w >= 0 where x is at its lower bound, w <= 0 at its upper, w = 0 between. A is
+/// symmetric and positive definite, so there is one solution.
+///
+/// Rows without bounds are eliminated first; among the others the set of those at a bound is found by block
+/// principal pivoting, which is finite (J. J. Judice, F. M. Pires, A block principal pivoting algorithm for
+/// large-scale strictly monotone linear complementarity problems, Computers & Operations Research 21, 1994).
+class BoundedSystem {
+public:
+  /// Size and zeroes for all; bounds infinite.
+  void reset(Eigen::Index size);
+  Eigen::MatrixXd a;  ///< its lower triangle counts
+  Eigen::VectorXd b, lower, upper;
+
+  /// The solution, valid until the next call.
+  const Eigen::VectorXd& solve();
+  const Eigen::VectorXd& solution() const { return x; }
+
+private:
+  void pivot();
+  void solveFree();
+  std::vector<Eigen::Index> free_, bounded, inner;
+  std::vector<int> bound;  ///< of the bounded rows: -1 lower, 0 between, 1 upper
+  Eigen::MatrixXd freeMatrix, cross_, rest, innerMatrix;
+  Eigen::VectorXd freeSide, restSide, restX, innerSide, x;
+  Eigen::VectorXd restLower, restUpper;
+};
+
+}  // namespace plumbline::simulation

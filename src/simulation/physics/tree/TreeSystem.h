@@ -1,0 +1,82 @@
+#pragma once
+#include <vector>
+
+#include "simulation/physics/tree/Spatial.h"
+
+namespace plumbline::simulation {
+
+/// The equations of one step of bodies joined to a tree, solved in time that grows with the number of bodies.
+///
+/// Unknown are the bodies' velocities v after the step and the joints' impulses p:
+///   M v = M v_before + h f + (impulses of joints and from outside),
+///   v_child - v_parent + C p = c   at each joint, in six directions,
+/// the same linear system that ODE's dWorldStep solves densely for hinges with unlimited motors (C:
+/// constraint force mixing by h; c: correction of gaps and motor velocity). Bodies are eliminated from the
+/// leaves to the root, as in D. Baraff, Linear-time dynamics using Lagrange multipliers, SIGGRAPH 1996.
+class TreeSystem {
+public:
+  struct Body {
+    double mass = 0;
+    Mat3 inertia = Mat3::Zero();   ///< about the centre of mass, world axes
+    Vec3 position = Vec3::Zero();  ///< of the centre of mass, relative to O
+    Vec3 linearVelocity = Vec3::Zero(), angularVelocity = Vec3::Zero();
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();  ///< about the centre of mass
+  };
+
+  /// The hinge above a body; anchors relative to O, as the child and as the parent have it.
+  struct Joint {
+    Vec3 childAnchor = Vec3::Zero(), parentAnchor = Vec3::Zero();
+    Vec3 axis = Vec3::UnitZ();
+    Vec3 linear = Vec3::Zero();   ///< wanted velocity of child's against parent's anchor
+    Vec3 angular = Vec3::Zero();  ///< wanted relative angular velocity, the motor's along the axis included
+    double compliance = 0;        ///< C of all directions but the axis
+    double axisCompliance = 0;    ///< C of the motor
+    bool axisFree = false;        ///< no motor: nothing but rows from outside acts about the axis
+  };
+
+  /// parents[i] < i is the body above body i; parents[0] is -1.
+  explicit TreeSystem(std::vector<int> parents);
+
+  Body& body(int i) { return bodies[at(i)]; }
+  Joint& joint(int child) { return joints[at(child)]; }
+  int parent(int i) const { return parents[at(i)]; }
+
+  /// Prepares everything that does not depend on velocities and forces.
+  void factor();
+  /// Solves for bodies, joints and forces as they are, step h [s], without impulses from outside.
+  void solve(double h);
+  /// Adds an impulse from outside to a body (about O), for resolve().
+  void push(int body, const Vec6& impulse) { pushes[at(body)] += impulse; }
+  /// Solves again with the pushes added since solve().
+  void resolve();
+
+  const Vec6& velocity(int body) const { return velocities[at(body)]; }
+  /// Impulse of the motor on the child about its axis [N m s].
+  double motorImpulse(int child) const;
+  /// Change of body a's velocity by an impulse on body b.
+  Mat6 response(int a, int b);
+
+private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  const Mat6& ownResponse(int body);
+  void pass();
+
+  std::vector<int> parents;
+  std::vector<Body> bodies;
+  std::vector<Joint> joints;
+  struct Factor {
+    Mat6 inverseInertia;  ///< of the body with everything below it
+    Mat6 stiffness;       ///< inverse of the joint's S = inverseInertia + C
+    Mat6 up;              ///< takes a momentum of the body to its parent
+    Mat6 own;             ///< velocity by momentum while the parent stands still
+    Mat6 response;
+    bool responseKnown = false;
+    Vec3 gap;     ///< parent's anchor - child's anchor
+    Vec6 wanted;  ///< c, about O
+  };
+  std::vector<Factor> factors;
+  std::vector<Mat6> inertias;
+  std::vector<Vec6> momenta, pushes, carried, velocities, impulses;
+};
+
+}  // namespace plumbline::simulation
