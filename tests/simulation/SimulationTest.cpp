@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cmath>
-#include <regex>
 
 #include "math/Angle.h"
 #include "simspark/ServerMessageParser.h"
@@ -37,8 +37,18 @@ std::string shape(std::string message) {
         depth += message[end] == '(' ? 1 : message[end] == ')' ? -1 : 0;
       message.erase(begin, end - begin);
     }
-  static const std::regex number("-?[0-9]+\\.[0-9]+");
-  return std::regex_replace(message, number, "#");
+  std::string out;
+  for (std::size_t i = 0; i < message.size(); ++i) {
+    const bool begins = message[i] == ' ' && i + 1 < message.size() &&
+                        (std::isdigit(message[i + 1]) || message[i + 1] == '-');
+    out += message[i];
+    if (!begins) continue;
+    const std::size_t end = message.find_first_of(" )", i + 1);
+    const bool whole = message.substr(i, end - i).find('.') == std::string::npos;
+    out += whole ? message.substr(i + 1, end - i - 1) : "#";
+    i = end - 1;
+  }
+  return out;
 }
 
 class OfType : public testing::TestWithParam<int> {};
