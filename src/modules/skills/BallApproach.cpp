@@ -13,8 +13,8 @@ Pose2 approachBall(const Vec2& ball, double heading, const Vec2& ballInTarget,
   // The robot's place around the ball, as an angle from the wanted one.
   const Vec2 fromBall = -ball;
   const Vec2 goalFromBall = goal.position - ball;
-  const double angle = normalizeAngle(std::atan2(fromBall.y(), fromBall.x()) -
-                                      std::atan2(goalFromBall.y(), goalFromBall.x()));
+  const double angle =
+      normalizeAngle(std::atan2(fromBall.y(), fromBall.x()) - std::atan2(goalFromBall.y(), goalFromBall.x()));
   if (std::abs(angle) < parameters.behindAngle) return goal;
 
   // Far away the straight way to the goal pose is free unless it passes the ball closely.

@@ -5,9 +5,9 @@ namespace plumbline {
 
 /// Where a robot goes to stand at the ball with a given heading without touching the ball on the way.
 struct BallApproachParameters {
-  double avoidRadius = 0.30;    ///< kept from the ball while walking around it [m]
-  double stepAngle = 0.9;       ///< how far ahead on the circle the next way point lies [rad]
-  double behindAngle = 0.5;     ///< within this angle of the line through ball and target it may close in [rad]
+  double avoidRadius = 0.30;  ///< kept from the ball while walking around it [m]
+  double stepAngle = 0.9;     ///< how far ahead on the circle the next way point lies [rad]
+  double behindAngle = 0.5;   ///< within this angle of the line through ball and target it may close in [rad]
 };
 
 /// The next way point in the robot's frame. `ball`: the ball relative to the robot [m]; `heading`: wanted

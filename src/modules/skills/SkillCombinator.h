@@ -6,16 +6,16 @@
 namespace plumbline {
 
 MODULE(SkillCombinator)
-  REQUIRES(SkillMoveToPosOutput)
-  REQUIRES(SkillGetBallOutput)
-  REQUIRES(SkillKickOutput)
-  REQUIRES(SkillDribbleOutput)
-  PROVIDES(MotionRequest)
+REQUIRES(SkillMoveToPosOutput)
+REQUIRES(SkillGetBallOutput)
+REQUIRES(SkillKickOutput)
+REQUIRES(SkillDribbleOutput)
+PROVIDES(MotionRequest)
 END_MODULE
 
 /// Hands the active skill's output to the motions; without one the robot stands.
 class SkillCombinator : public SkillCombinatorBase {
- public:
+public:
   void update(MotionRequest* theMotionRequest) override;
 };
 

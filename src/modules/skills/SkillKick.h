@@ -6,14 +6,14 @@
 namespace plumbline {
 
 MODULE(SkillKick)
-  REQUIRES(SkillRequest)
-  REQUIRES(SkillGetBallOutput)
-  PROVIDES(SkillKickOutput)
+REQUIRES(SkillRequest)
+REQUIRES(SkillGetBallOutput)
+PROVIDES(SkillKickOutput)
 END_MODULE
 
 /// Walks to the ball and kicks it towards a point on the field.
 class SkillKick : public SkillKickBase {
- public:
+public:
   void update(SkillKickOutput* theSkillKickOutput) override;
 };
 

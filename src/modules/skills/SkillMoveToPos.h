@@ -8,21 +8,21 @@
 namespace plumbline {
 
 MODULE(SkillMoveToPos)
-  REQUIRES(SkillRequest)
-  REQUIRES(RobotPose)
-  PROVIDES(SkillMoveToPosOutput)
+REQUIRES(SkillRequest)
+REQUIRES(RobotPose)
+PROVIDES(SkillMoveToPosOutput)
 END_MODULE
 
 /// Walks to a pose on the field; stands once it is there.
 class SkillMoveToPos : public SkillMoveToPosBase {
- public:
+public:
   void init() override;
   void update(SkillMoveToPosOutput* theSkillMoveToPosOutput) override;
 
- private:
+private:
   WalkToPoseParameters walk_;
-  double positionTolerance_ = 0;   ///< [m]
-  double headingTolerance_ = 0;    ///< [rad]
+  double positionTolerance_ = 0;  ///< [m]
+  double headingTolerance_ = 0;   ///< [rad]
   bool arrived_ = false;
 };
 

@@ -12,7 +12,9 @@ Vec2 limitVelocity(const Vec2& velocity, const WalkToPoseParameters& parameters)
 }
 
 WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& parameters) {
-  const auto limitTurn = [&](double turn) { return std::clamp(turn, -parameters.maxTurn, parameters.maxTurn); };
+  const auto limitTurn = [&](double turn) {
+    return std::clamp(turn, -parameters.maxTurn, parameters.maxTurn);
+  };
   const double distance = T_robot_target.position.norm();
   WalkCommand command;
   if (distance < parameters.nearDistance) {

@@ -49,6 +49,7 @@ TEST(SkillMoveToPos, isInactiveForOtherSkills) {
 
 struct GetBallTest : testing::Test {
   GetBallTest() {
+    harness.input<FrameInfo>().cycleSeconds = 0.02;
     SkillKickParameters& kick = harness.input<SkillKickParameters>();
     kick.ballPosition = {0.16, -0.05};
     kick.tolerance = {0.03, 0.03};
@@ -84,6 +85,16 @@ TEST_F(GetBallTest, kicksWithTheFootOnTheBallsSide) {
 TEST_F(GetBallTest, walksTowardsTheBall) {
   EXPECT_GT(ballAt({2, 0}).output.walkVelocity.x(), 0.3);
   EXPECT_GT(ballAt({0, 2}).output.walkTurn, 0.5);
+}
+
+TEST_F(GetBallTest, aRobotThatComesToRestShortOfTheBallAsksForMore) {
+  const double first = ballAt({0.21, -0.05}).output.walkVelocity.x();
+  for (int i = 0; i < 50; ++i) ballAt({0.21, -0.05});
+  // 5 cm short for a second: 1.5 / s^2 * 0.05 m * 1 s more.
+  EXPECT_NEAR(ballAt({0.21, -0.05}).output.walkVelocity.x() - first, 1.5 * 0.05 * 51 * 0.02, 1e-9);
+  // Far away nothing of it is left.
+  ballAt({2, 0});
+  EXPECT_NEAR(ballAt({0.21, -0.05}).output.walkVelocity.x(), first, 1e-9);
 }
 
 TEST_F(GetBallTest, isActiveByItselfOnlyForGetBall) {
