@@ -13,6 +13,7 @@
 #include "framework/TimingPlugin.h"
 #include "game/WriteFile.h"
 #include "modules/simspark/AgentOptions.h"
+#include "robot/RobotModel.h"
 #include "simspark/ChildProcess.h"
 
 // bin/agent: one robot of the 3D league.
@@ -93,6 +94,7 @@ int runAgent(const Options& options) {
   const CrashLog crashLog(options.crashLog);
   LogBuffer::instance().setVerbose(options.verbose);
   controller.objects().set(options.agent);
+  controller.objects().set(std::make_shared<RobotModel>(simsparkRobot(options.agent->type)));
   controller.stop().catchSignals();
   const int status = controller.run();
   if (!options.stats.empty()) writeStats(controller, options.stats);

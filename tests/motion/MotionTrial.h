@@ -135,7 +135,8 @@ public:
   /// The stand-up action the selector would choose for how the robot lies now.
   const KeyframeMotion& standUpMotion() const {
     const Vec3 u = up();
-    return motion(std::abs(u.x()) >= std::abs(u.y()) && u.x() < 0 ? "standUpFront" : "standUpBack");
+    if (std::abs(u.x()) < std::abs(u.y())) return motion("rollOver");
+    return motion(u.x() < 0 ? "standUpFront" : "standUpBack");
   }
 
   RobotModel model;
@@ -187,11 +188,10 @@ inline std::optional<StandUpResult> standUpTrial(MotionTrial& trial, int directi
   while (!result.up && trial.elapsed < maxSeconds) {
     ++result.tries;
     trial.play(trial.standUpMotion());
+    if (trial.lying()) continue;
     result.seconds = trial.elapsed;
-    // Falling over again within half a second belongs to the try.
-    trial.standStill(0.14);
+    trial.standStill(0.5);  // falling over again belongs to the try
     result.up = trial.tilt() < 0.45 && trial.height() > 0.85 * trial.standingHeight;
-    if (!result.up) trial.standStill(0.16);
   }
   if (!result.up) return result;
   const double angle = trial.random(-pi, pi);
