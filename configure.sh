@@ -146,6 +146,9 @@ if [[ $output ]]; then # one output takes everything
 fi
 
 mapfile -t found < <(findSources)
+for path in "${found[@]}"; do
+  [[ $path == *[!a-zA-Z0-9_./+-]* ]] && fail "source '$path': make takes letters, digits and _ . + - in a name; rename it"
+done
 # Unchanged since the last time? Then nothing is written. The list holds the file names and the settings.
 state=$(printf '%s\n' "${found[@]}"; for name in "${settingNames[@]}"; do printf '%s=%s\n' "$name" "${!name}"; done)
 if [[ $refresh && -f $build/state && $build/target.mk -nt $self && $build/target.mk -nt scripts/make/write_target.sh &&

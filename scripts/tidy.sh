@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs clang-tidy with .clang-tidy over all sources, or over the files given. A source that was clean is
+# Runs clang-tidy with .clang-tidy over the sources in src/, or over the files given. A source that was clean is
 # looked at again only when it, a header it includes, or .clang-tidy changed (build/tidy/ remembers).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -30,7 +30,7 @@ tidyOne() {
 export -f tidyOne
 
 files=("$@")
-((${#files[@]})) || mapfile -t files < <(find src tests -name '*.cpp' | LC_ALL=C sort)
+((${#files[@]})) || mapfile -t files < <(find src -name '*.cpp' | LC_ALL=C sort)
 todo=()
 for file in "${files[@]}"; do isClean "$file" || todo+=("$file"); done
 echo "clang-tidy: ${#todo[@]} of ${#files[@]} files to look at"

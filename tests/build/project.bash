@@ -4,7 +4,7 @@ set -uo pipefail
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES JOBS V
 export CCACHE="" LC_ALL=C
-project=$(mktemp -d "${TMPDIR:-/tmp}/plumbline-build-XXXXXX")
+project=$(mktemp -d "${TMPDIR:-/tmp}/plumbline build XXXXXX") # with spaces: the path of a clone is not ours to choose
 trap 'rm -rf "$project"' EXIT
 cp -r "$repository"/{configure.sh,Makefile,scripts} "$project/"
 cd "$project" || exit 1

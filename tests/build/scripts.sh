@@ -67,7 +67,11 @@ echo "no-such-package-of-any-kind  # made up" > list.txt
 mkdir tools
 for tool in bash dirname sed tr cat dpkg-query env; do ln -s "$(command -v $tool)" tools/$tool; done
 chmod -R a+rX "$project"
-if ((EUID == 0)); then as=(setpriv --reuid=65534 --regid=65534 --clear-groups --); else as=(); fi
+as=()
+if ((EUID == 0)); then
+  as=(setpriv --reuid=65534 --regid=65534 --clear-groups --)
+  "${as[@]}" true 2> /dev/null || { echo "root cannot become nobody here: the rest is left out"; finish; exit 0; }
+fi
 as+=(env -i "PATH=$project/tools" bash scripts/install_packages.sh)
 text=$("${as[@]}" list.txt 2>&1)
 expect "no right to install: status" $? 2

@@ -69,6 +69,9 @@ refused "no option" "configure.sh: argument 'SimRelease' is no option; options a
 refused "bad name" "configure.sh: target '../x': a name is letters and digits" --target ../x
 refused "no makefile" "configure.sh: includedMakefiles: no file gone.mk" --target SimRelease --included-makefiles gone.mk
 refused "no sources" "configure.sh: target Empty: no sources in none" --target Empty --output empty --source-dirs none
+touch "src/math/A b.cpp"
+refused "blank in a name" "configure.sh: source 'src/math/A b.cpp': make takes letters, digits and _ . + - in a name; rename it" --target SimRelease
+rm "src/math/A b.cpp"
 ./configure.sh --target Cross --output cross --cxx no-such-g++ > /dev/null
 build Cross
 expect "no compiler: status" "$status" 2
