@@ -24,14 +24,19 @@ public:
   virtual void copy(const Representation& from, Representation& to) const = 0;
 };
 
+/// True if the representation has a stream method of its own, or only members that can go as a block of
+/// memory: a class that is destroyed without any work owns nothing.
+template <typename R>
+inline constexpr bool knowsHowToStream =
+    std::is_same_v<decltype(&R::stream), void (R::*)(InStream*, OutStream*)> ||
+    std::is_trivially_destructible_v<R>;
+
 template <typename R>
 class RepresentationLoaderOf final : public RepresentationLoader {
   static_assert(std::is_base_of_v<Representation, R>, "declare it with REPRESENTATION");
   static_assert(std::is_copy_assignable_v<R>, "a representation is copied from thread to thread");
 
-  static constexpr bool hasOwnStream =
-      std::is_same_v<decltype(&R::stream), void (R::*)(InStream*, OutStream*)>;
-  static_assert(hasOwnStream || std::is_trivially_destructible_v<R>,
+  static_assert(knowsHowToStream<R>,
                 "this representation has members that own memory: write its stream method");
 
   class Holder final : public RepresentationHolder {

@@ -1,6 +1,5 @@
 #include "framework/StopSignal.h"
 
-#include <poll.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
 
@@ -41,11 +40,6 @@ void StopSignal::request(int exitCode, const std::string& reason) {
   requested_.store(true);
   const std::uint64_t one = 1;
   [[maybe_unused]] const auto written = write(descriptor_, &one, sizeof(one));
-}
-
-void StopSignal::wait() const {
-  pollfd entry{descriptor_, POLLIN, 0};
-  while (!requested()) poll(&entry, 1, -1);
 }
 
 int StopSignal::exitCode() const {

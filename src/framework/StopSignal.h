@@ -18,8 +18,6 @@ public:
   bool requested() const { return requested_.load(std::memory_order_relaxed); }
   /// Readable (poll, select) from the request on: for modules that wait for something else.
   int fileDescriptor() const { return descriptor_; }
-  /// Waits for the request.
-  void wait() const;
   int exitCode() const;
   std::string reason() const;
 

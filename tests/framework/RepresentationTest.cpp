@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "framework/BinaryStream.h"
 #include "framework/RepresentationLoader.h"
@@ -27,7 +30,37 @@ public:
 REPRESENTATION(EmptyData)
 class EmptyData : public EmptyDataBase {};
 
+REPRESENTATION(ForgetfulData)
+class ForgetfulData : public ForgetfulDataBase {
+public:
+  std::string word;
+};
+
+REPRESENTATION(MatrixData)
+class MatrixData : public MatrixDataBase {
+public:
+  Eigen::Vector3d vector = {1, 2, 3};
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  std::optional<double> maybe = 4;
+};
+
 namespace {
+
+// What is false here does not compile in a module.
+static_assert(knowsHowToStream<PlainData> && knowsHowToStream<OwningData> && knowsHowToStream<EmptyData>);
+static_assert(knowsHowToStream<MatrixData>);
+static_assert(!knowsHowToStream<ForgetfulData>);
+
+TEST(RepresentationTest, eigenAndOptionalMembersGoAsABlock) {
+  MatrixData data, back;
+  data.pose.translation() = Eigen::Vector3d(5, 6, 7);
+  back.vector.setZero();
+  back.maybe = std::nullopt;
+  EXPECT_EQ(fromBinary(toBinary(data), back), "");
+  EXPECT_EQ(back.vector, data.vector);
+  EXPECT_EQ(back.pose.translation(), data.pose.translation());
+  EXPECT_EQ(back.maybe, 4);
+}
 
 TEST(RepresentationTest, withoutAStreamMethodItIsABlockOfMemory) {
   PlainData data;
