@@ -7,8 +7,8 @@ namespace plumbline {
 namespace {
 constexpr double gravity = 9.81;
 constexpr double firstSettled = 10;  ///< what the first orientation counts like [s]
-constexpr double fastest = 0.5;     ///< time constant of a new estimate [s]
-}
+constexpr double fastest = 0.5;      ///< time constant of a new estimate [s]
+}  // namespace
 
 void AttitudeFilter::reset() { *this = AttitudeFilter(parameters); }
 
@@ -22,6 +22,7 @@ void AttitudeFilter::update(const Vec3& gyro, const Vec3& acc, double dt) {
   // The accelerometer tells of the cycle before, so it is turned by the orientation of then.
   const Vec3 accWorld = R_world_torso * acc;
   integrate(gyro, dt);
+  tiltVariance += parameters.tiltNoise * parameters.tiltNoise;
 
   const bool calm = gyro.norm() < parameters.stillGyro &&
                     std::abs(acc.norm() - gravity) < parameters.stillAcc &&
@@ -58,9 +59,37 @@ void AttitudeFilter::update(const Vec3& gyro, const Vec3& acc, double dt) {
   if (lostFor > parameters.lostSeconds) {
     correct(meanAcc, 1);
     settledFor = 0;
+    tiltVariance = unknownTilt;
     meanAcc = Vec3(0, 0, gravity);
     lostFor = 0;
   }
+}
+
+void AttitudeFilter::seeGround(const GroundPlane::Fit& ground) {
+  const Vec3 up = this->up();
+  double distance = 0;
+  Vec3 shift = Vec3::Zero();
+  for (std::size_t i = 0; i < ground.axes.size(); ++i) {
+    // How far the seen up leans away from the estimated one, along an axis of the seen ground.
+    const double lean = -up.dot(ground.axes[i]);
+    const double variance = tiltVariance + ground.variances[i];
+    distance += lean * lean / variance;
+    shift += tiltVariance / variance * lean * ground.axes[i];
+  }
+  const bool differs = distance > parameters.groundGate * parameters.groundGate || up.dot(ground.up) < 0.5;
+  if (differs && !groundDiffers) {
+    groundDiffers = true;
+    return;
+  }
+  groundDiffers = false;
+  if (differs) {
+    tiltVariance = unknownTilt;
+    shift = ground.up - up;
+    settledFor = parameters.movingTimeConstant;
+  }
+  tiltVariance = 1 / (1 / tiltVariance + 1 / ground.variances[1]);
+  // What is vertical: the estimate and its shift, both as the world sees them now.
+  correct(R_world_torso * (up + shift), 1);
 }
 
 void AttitudeFilter::integrate(const Vec3& gyro, double dt) {
