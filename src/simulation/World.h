@@ -30,7 +30,7 @@ struct RobotReadings {
 
 /// Physics accidents of the league's server, each with its switch.
 struct WorldConfig {
-  std::string engine = "ode";
+  std::string engine = "ode";  ///< a name makePhysics knows
   double stepSeconds = 0.02;
   bool bouncingJointStops = true;
   bool sleepingRobots = true;  ///< auto-disable; woken by a command that is not zero
