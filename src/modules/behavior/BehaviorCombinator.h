@@ -6,19 +6,19 @@
 namespace plumbline {
 
 MODULE(BehaviorCombinator)
-  REQUIRES(BeforeKickOffOutput)
-  REQUIRES(StrikerOutput)
-  PROVIDES(SkillRequest)
-  PROVIDES(BeamRequest)
+REQUIRES(BeforeKickOffOutput)
+REQUIRES(StrikerOutput)
+PROVIDES(SkillRequest)
+PROVIDES(BeamRequest)
 END_MODULE
 
 /// Takes the first active behaviour, those for special situations before the roles.
 class BehaviorCombinator : public BehaviorCombinatorBase {
- public:
+public:
   void update(SkillRequest* theSkillRequest) override;
   void update(BeamRequest* theBeamRequest) override;
 
- private:
+private:
   const BehaviorOutput* active() const;
 };
 

@@ -32,12 +32,20 @@ void Striker2::init() {
   restartDistance_ = config.get<double>("restartDistance", {0.5, 10.0});
   goalMargin_ = config.get<double>("goalMargin", {0.0, 1.0});
   dribbleDistance_ = config.get<double>("dribbleDistance", {0.0, 30.0});
+  minOpening_ = config.get<double>("minOpening", {0, 1});
 }
 
-Vec2 Striker2::goalTarget() const {
-  // Behind the line, so that the direction stays defined when the ball is on it.
-  const double inside = theFieldDimensions->goalWidth / 2 - goalMargin_;
-  return {theFieldDimensions->opponentGoal().x() + 0.4, std::clamp(theBallPos->field.y(), -inside, inside)};
+Striker2::Shot Striker2::shot() const {
+  const Vec2 goal = theFieldDimensions->opponentGoal();
+  const Vec2& ball = theBallPos->field;
+  const auto angleTo = [&](double y) { return std::atan2(y - ball.y(), goal.x() - ball.x()); };
+  const double left = angleTo(theFieldDimensions->goalWidth / 2 - goalMargin_);
+  const double right = angleTo(-theFieldDimensions->goalWidth / 2 + goalMargin_);
+  const double direction = (left + right) / 2;
+  // As far as the goal's middle: how it is brought there depends on the distance.
+  const double distance = std::max((goal - ball).norm(), 0.5);
+  return {Vec2(ball + distance * Vec2(std::cos(direction), std::sin(direction))), (left - right) / 2,
+          distance};
 }
 
 void Striker2::update(StrikerOutput* theStrikerOutput) {
@@ -63,10 +71,11 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
         Pose2(Vec2(theBallPos->field + restartDistance_ * away), std::atan2(toBall.y(), toBall.x()));
     return;
   }
-  const Vec2 target = goalTarget();
-  const double distance = (target - theBallPos->field).norm();
-  output.skill = kickAllowed_ && distance > dribbleDistance_ ? Skill::kick : Skill::dribble;
-  output.target = Pose2(target);
+  const Shot best = shot();
+  const bool inReach = best.distance < theSkillKickParameters->distance + 1;
+  const bool kick = best.distance > dribbleDistance_ && (!inReach || best.halfOpening > minOpening_);
+  output.skill = kickAllowed_ && kick ? Skill::kick : Skill::dribble;
+  output.target = Pose2(best.target);
 }
 
 }  // namespace plumbline

@@ -30,15 +30,25 @@ struct Striker2Test : testing::Test {
 TEST_F(Striker2Test, kicksAtTheGoalFromAfar) {
   EXPECT_EQ(decide().skill, Skill::kick);
   EXPECT_TRUE(decide().active);
-  EXPECT_NEAR(decide().target.x(), 15.4, 1e-12);
-  EXPECT_NEAR(decide().target.y(), 0, 1e-12);
+  EXPECT_NEAR(decide().target.x(), 15, 1e-9);
+  EXPECT_NEAR(decide().target.y(), 0, 1e-9);
 }
 
-TEST_F(Striker2Test, aimsInsideThePosts) {
-  harness.input<BallPos>().field = {3, 8};
-  EXPECT_NEAR(decide().target.y(), 2.1 / 2 - 0.35, 1e-12);
-  harness.input<BallPos>().field = {3, -8};
-  EXPECT_NEAR(decide().target.y(), -(2.1 / 2 - 0.35), 1e-12);
+TEST_F(Striker2Test, splitsTheAngleBetweenThePosts) {
+  // 1.8 m before the line and 3 m to the left: posts, less 15 cm, at -atan(2.1 / 1.8) and -atan(3.9 / 1.8).
+  harness.input<BallPos>().field = {13.2, 3};
+  const Vec2 line = decide().target.position - Vec2(13.2, 3);
+  EXPECT_NEAR(std::atan2(line.y(), line.x()), -(std::atan(2.1 / 1.8) + std::atan(3.9 / 1.8)) / 2, 1e-9);
+  EXPECT_EQ(decide().skill, Skill::dribble);  // too narrow for a kick
+}
+
+TEST_F(Striker2Test, theLineHitsTheGoalFromEverywhere) {
+  for (double x = -14; x < 14.6; x += 0.7)
+    for (double y = -9.5; y < 9.6; y += 0.5) {
+      harness.input<BallPos>().field = {x, y};
+      const Vec2 line = decide().target.position - Vec2(x, y);
+      EXPECT_LT(std::abs(y + line.y() / line.x() * (15 - x)), 1.05) << x << " " << y;
+    }
 }
 
 TEST_F(Striker2Test, dribblesOverTheLine) {
