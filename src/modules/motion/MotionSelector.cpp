@@ -18,6 +18,7 @@ void MotionSelector::init() {
   standUpFront_ = config.get<std::string>("standUp.front");
   standUpBack_ = config.get<std::string>("standUp.back");
   standUpSide_ = config.get<std::string>("standUp.side");
+  standUpGrace_ = config.get<double>("standUp.graceSeconds", {0, 5});
 }
 
 bool MotionSelector::safeToLeave(Motion motion) const {
@@ -71,11 +72,15 @@ void MotionSelector::update(MotionSelection* theMotionSelection) {
   selection.started = false;
   if (theFrameInfo->restarted) {
     standingUp_ = false;
+    grace_ = 0;
     start(selection, Motion::stand, "");
   }
   const bool safe = safeToLeave(selection.motion);
+  grace_ = std::max(0.0, grace_ - theFrameInfo->cycleSeconds);
   if (!standingUp_ || safe) {
-    standingUp_ = theFallState->lying();
+    // A stand-up ends while the torso still swings up; to begin it anew then would throw the robot over.
+    if (standingUp_) grace_ = standUpGrace_;
+    standingUp_ = theFallState->lying() && grace_ <= 0;
     if (standingUp_) {
       start(selection, Motion::specialAction, standUpAction());
     } else {

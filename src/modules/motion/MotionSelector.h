@@ -39,6 +39,8 @@ private:
   std::array<double, numMotions> fadeFrom_{};  ///< ratios when the fade began
   double fadeTime_ = 0;                        ///< since the fade began [s]
   bool standingUp_ = false;
+  double standUpGrace_ = 0;  ///< after a stand-up, until a robot that still lies tries again [s]
+  double grace_ = 0;         ///< what is left of it [s]
 };
 
 }  // namespace plumbline
