@@ -114,6 +114,23 @@ TEST(PoseFilter, findsItselfAfterBeingCarriedAway) {
   EXPECT_GT(robot.filter.resets(), 0);
 }
 
+// A robot is beamed as soon as it is connected: the first image shows where it hung before.
+TEST(PoseFilter, findsItselfWhenCarriedAwayAfterTheFirstImage) {
+  Wanderer robot(true, 18);
+  for (int i = 0; i < 3; ++i) robot.step();
+  robot.truth = Pose2(-3, 1, 0.4);
+  EXPECT_LE(robot.cyclesToFind(200), 12);
+}
+
+TEST(PoseFilter, findsItselfEvenIfNoLandmarkWasInViewForLong) {
+  Wanderer robot(true, 19);
+  for (int i = 0; i < 100; ++i) robot.step();
+  robot.truth = Pose2(-9, -5, 2);
+  for (int i = 0; i < 1000; ++i) robot.step(0);
+  if (!robot.lost()) GTEST_SKIP() << "lines sufficed";
+  EXPECT_LE(robot.cyclesToFind(200), 25);
+}
+
 TEST(PoseFilter, findsItselfAfterBeingCarriedAwayWithOneLandmarkInView) {
   Wanderer robot(true, 14);
   for (int i = 0; i < 200; ++i) robot.step(1);

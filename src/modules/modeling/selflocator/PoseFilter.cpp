@@ -9,6 +9,9 @@ namespace plumbline {
 namespace {
 
 constexpr double maxMeanError = 25;      ///< per measurement; beyond, a wrong particle is just wrong
+/// Likelihoods of images that fit are rarely lower in the mean; with a reference lower than that, a filter
+/// that never fitted would think that it cannot do better.
+constexpr double leastReference = 0.3;
 constexpr double uncertainFactor = 20;   ///< odometry's noise of a robot that falls or lies
 constexpr double clusterDistance = 0.4;  ///< particles nearer than this to the best make the estimate [m]
 constexpr double clusterTurn = 0.3;      ///< [rad]
@@ -32,7 +35,6 @@ PoseFilter::PoseFilter(const FieldMap& map_, const Parameters& parameters)
 
 void PoseFilter::reset() {
   particles.clear();
-  slow = fast = 0;
   estimate_ = Estimate();
 }
 
@@ -59,13 +61,13 @@ void PoseFilter::update(const FieldView& view) {
     total += particle.weight;
   }
   for (Particle& particle : particles) particle.weight /= total;
-  slow = slow > 0 ? slow + parameters.slowRate * (mean - slow) : mean;
-  fast = fast > 0 ? fast + parameters.fastRate * (mean - fast) : mean;
+  slow += parameters.slowRate * (mean - slow);
+  fast += parameters.fastRate * (mean - fast);
 
   double squares = 0;
   for (const Particle& particle : particles) squares += particle.weight * particle.weight;
   if (2 / squares < static_cast<double>(particles.size())) resample();
-  const double share = std::max(0.0, 1 - fast / slow);
+  const double share = std::max(0.0, 1 - fast / std::max(slow, leastReference));
   if (share > 0.2) resetFromImage(view, share);
   estimatePose();
 }
@@ -76,7 +78,7 @@ void PoseFilter::start(const FieldView& view) {
   const auto count = static_cast<std::size_t>(std::max(1, parameters.particles));
   for (std::size_t i = 0; i < count; ++i)
     particles.push_back({found[i % found.size()], 1.0 / static_cast<double>(count)});
-  slow = fast = 0;
+  slow = fast = leastReference;
   estimatePose();
 }
 
