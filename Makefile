@@ -43,7 +43,7 @@ include $(sort $(targets.makefiles))
 $(foreach t,$(targets),$(if $(shell command -v $($(t).cxx)),,$(error no compiler $($(t).cxx) for $(t): `make packages` installs what scripts/packages.txt lists)))
 endif
 
-.PHONY: default all help packages run test bench results format format-check tidy check clean
+.PHONY: default all help packages run web test bench results format format-check tidy check clean
 default: $(defaultTarget)
 all: $(configuredTargets)
 
@@ -55,9 +55,15 @@ packages:
 
 run: packages
 	@$(MAKE) SimRelease
+	@scripts/build_page.sh --if-easy
 	@scripts/run.sh $(ARGS)
 
+web:
+	@scripts/build_page.sh
+
 test: packages
+	@scripts/install_packages.sh scripts/packages-test.txt
+	@scripts/build_page.sh
 	+@scripts/run_tests.sh --all
 
 test-%:

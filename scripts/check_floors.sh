@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # Ground floor first; "walking" and "motion" stand beside the framework and see only math and robot.
 awk '
   BEGIN {
-    count = split("math robot framework optimization simspark simulation representations walking motion modules gap game main", f, " ")
+    count = split("math robot framework optimization simspark simulation representations walking motion modules gap game web main", f, " ")
     for (i = 1; i <= count; ++i) floorOf[f[i]] = i
     split("math robot walking", w, " ")
     for (i in w) walkingMay[w[i]] = 1

@@ -2,4 +2,6 @@
 # What `make run` starts once everything is built: one game.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-exec bin/game "$@"
+page=()
+[[ -f build/web/index.html && " $* " != *" --host"* ]] && page=(--web)
+exec bin/game "${page[@]}" "$@"

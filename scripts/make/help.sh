@@ -2,6 +2,7 @@
 # Prints what make can do. $1: the default target, $2: all targets.
 cat << END
 make run             install what is missing, build, play one game (ARGS="..." are handed on)
+make web             build the page that shows games in 3D (fetches three.js)
 make test            install what is missing, build, run every test, once more under sanitizers
 make                 build the target configured last, now $1
 make TARGET          build one target: ${2// /, }

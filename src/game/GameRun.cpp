@@ -91,8 +91,13 @@ private:
                                           file("simulator.json"),
                                           "--die-with-parent"};
     if (options_.realtime) arguments.push_back("--realtime");
+    if (options_.web) arguments.push_back("--web");
     simulator_.emplace(programs_ + "/simulator", arguments, file("ports.json"), file("simulator.log"));
     ports_ = simulator_->ports();
+    if (ports_.web > 0) {
+      fmt::print("watch at http://localhost:{}/\n", ports_.web);
+      std::fflush(stdout);
+    }
   }
 
   void startAgent() {

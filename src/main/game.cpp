@@ -20,6 +20,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1.0, 36000.0))
       ->capture_default_str();
   app.add_flag("--realtime", options.realtime, "at the pace of the clock instead of as fast as it goes");
+  app.add_flag("--web", options.web,
+               "shows it on a page, whose address is printed; `make web` builds the page");
   app.add_option("--output", options.output, "folder for summary.json, track.svg and the logs")
       ->capture_default_str();
   app.add_option("--host", options.host, "play on a server that runs already, e.g. the league's");

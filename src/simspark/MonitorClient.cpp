@@ -6,6 +6,7 @@ std::string MonitorClient::connect(const std::string& host, int port, const std:
                                    double timeoutSeconds) {
   problem.clear();
   state = SceneState();
+  clock_.reset();
   if (std::string error = connection.connect(host, port, timeoutSeconds); !error.empty()) return error;
   if (!token.empty()) connection.send("(token " + token + ")");
   return {};
@@ -16,6 +17,10 @@ Connection::Status MonitorClient::receive(double timeoutSeconds) {
   const auto status = connection.receive(message, timeoutSeconds);
   if (status != Connection::Status::message) return status;
   if (message == "best") return status;  // the answer to (getAck)
+  if (const auto told = readClock(message)) {
+    clock_ = told;
+    return status;
+  }
   problem = state.update(message);
   if (problem.empty()) return status;
   connection.close();

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "simspark/Connection.h"
@@ -27,11 +28,14 @@ public:
   /// Takes in all that has come, without waiting. False if the connection is gone.
   bool poll();
   const SceneState& scene() const { return state; }
+  /// Of the embedded simulator, once it has answered a ClockCommand; other servers never do.
+  const std::optional<SimulatorClock>& clock() const { return clock_; }
   const std::string& error() const { return problem.empty() ? connection.error() : problem; }
 
 private:
   Connection connection;
   SceneState state;
+  std::optional<SimulatorClock> clock_;
   std::string problem;
 };
 

@@ -1,6 +1,7 @@
 #include "simspark/SceneState.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "simspark/NumberFormat.h"
 
@@ -44,6 +45,19 @@ SceneRobot robotFrom(const std::string& mesh, const std::vector<std::string>& ma
 double SceneRobot::heading() const {
   const Vec3 forward = T_world_torso.linear().col(0);
   return std::atan2(forward.y(), forward.x());
+}
+
+std::vector<std::string> sceneBodies(int type) {
+  if (type < 0 || type > 4)
+    throw std::out_of_range("SimSpark has robot types 0 to 4, not " + std::to_string(type));
+  std::vector<std::string> names = {"torso", "neck", "head"};
+  for (const std::string side : {"r", "l"})
+    for (const char* body : {"Shoulder", "UpperArm", "Elbow", "LowerArm"}) names.push_back(side + body);
+  for (const std::string side : {"r", "l"}) {
+    for (const char* body : {"Hip1", "Hip2", "Thigh", "Shank", "Ankle", "Foot"}) names.push_back(side + body);
+    if (type == 4) names.push_back(side + "Toe");
+  }
+  return names;
 }
 
 const SceneRobot* SceneState::robot(TeamSide side, int unum) const {
@@ -117,6 +131,7 @@ void SceneState::find(const Node& node, const Matrix4d& T_world_parent, const Ma
     robots.push_back(robot);
   } else if (node.mesh == ballMesh) {
     ball = T_world_node.block<3, 1>(0, 3);
+    ballAxes = T_world_node.block<3, 3>(0, 0);
   }
   for (const Node& child : node.children) {
     if (child.transform)
@@ -124,6 +139,13 @@ void SceneState::find(const Node& node, const Matrix4d& T_world_parent, const Ma
     else
       find(child, T_world_parent, T_world_node);
   }
+}
+
+/// A robot is a node of the scene with a transform for each of its bodies.
+void SceneState::addBodies(const Node& robotNode, std::size_t firstRobot) {
+  if (robots.size() != firstRobot + 1) return;
+  for (const Node& body : robotNode.children)
+    if (body.transform) robots.back().T_world_bodies.push_back(robotPose(robotNode.matrix * body.matrix));
 }
 
 std::string SceneState::update(std::string_view message) {
@@ -152,7 +174,11 @@ std::string SceneState::update(std::string_view message) {
     return "neither a scene nor a difference";
   }
   robots.clear();
-  for (const Node& node : nodes) find(node, Matrix4d::Identity(), node.matrix);
+  for (const Node& node : nodes) {
+    const std::size_t before = robots.size();
+    find(node, Matrix4d::Identity(), node.matrix);
+    addBodies(node, before);
+  }
   return {};
 }
 

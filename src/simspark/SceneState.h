@@ -20,10 +20,16 @@ struct SceneRobot {
   /// This project's axes: x forward, y left, z up; a difference tells it only when it moved by more than 5 mm
   /// or 0.3 degrees.
   Pose3 T_world_torso = Pose3::Identity();
+  /// All its bodies in the scene's order, see sceneBodies(); the first is the torso.
+  std::vector<Pose3> T_world_bodies;
 
   /// Counterclockwise from the direction to the right goal [rad].
   double heading() const;
 };
+
+/// Names of the links of simsparkRobot(type) whose bodies the scene holds, in its order: the same on the
+/// league's server and here. Throws std::out_of_range for another type than 0..4.
+std::vector<std::string> sceneBodies(int type);
 
 /// The state of the game as it reaches a monitor; fed with the monitor port's messages, whole scenes and
 /// differences.
@@ -37,6 +43,7 @@ public:
   int half = 0, scoreLeft = 0, scoreRight = 0;
   std::string playMode, teamLeft, teamRight;
   Vec3 ball = Vec3::Zero();
+  Mat3 ballAxes = Mat3::Identity();
   std::vector<SceneRobot> robots;
 
   const SceneRobot* robot(TeamSide side, int unum) const;
@@ -55,6 +62,7 @@ private:
   static bool updateNode(SExpressions::Node list, Node& node);
   static bool readMatrix(SExpressions::Node list, Eigen::Matrix4d& matrix);
   void find(const Node& node, const Eigen::Matrix4d& T_world_parent, const Eigen::Matrix4d& T_world_node);
+  void addBodies(const Node& robotNode, std::size_t firstRobot);
 
   SExpressions expressions;
   std::vector<std::string> modeNames;

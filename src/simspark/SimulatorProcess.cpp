@@ -28,7 +28,7 @@ SimulatorProcess::SimulatorProcess(const std::string& program, std::vector<std::
     if (std::ifstream file(portsFile); file) {
       const auto ports = nlohmann::json::parse(file, nullptr, false);
       if (!ports.is_discarded() && ports.contains("agent") && ports.contains("monitor")) {
-        ports_ = {ports["agent"].get<int>(), ports["monitor"].get<int>()};
+        ports_ = {ports["agent"].get<int>(), ports["monitor"].get<int>(), ports.value("web", 0)};
         return;
       }
     }

@@ -9,6 +9,7 @@ namespace plumbline::simspark {
 struct Ports {
   int agent = 3100;
   int monitor = 3200;
+  int web = 0;  ///< of its page; 0: it has none
 };
 
 /// The embedded simulator as a child process on free ports of the loopback interface.

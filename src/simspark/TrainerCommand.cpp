@@ -83,6 +83,25 @@ std::optional<TrainerCommand> readScore(Node list) {
   return ScoreCommand{*left, *right};
 }
 
+std::optional<TrainerCommand> readClockCommand(Node list, std::string_view name) {
+  using Kind = ClockCommand::Kind;
+  if (name == "clock") return ClockCommand{Kind::tell};
+  if (name == "pause") return ClockCommand{Kind::pause};
+  if (name == "resume") return ClockCommand{Kind::resume};
+  if (name == "step" && !list.at(1)) return ClockCommand{Kind::step};
+  if (name == "step") {
+    const auto steps = integer(list.at(1));
+    if (steps && *steps > 0 && *steps <= maxSteps)
+      return ClockCommand{Kind::step, static_cast<double>(*steps)};
+  }
+  if (name == "speed") {
+    const auto speed = number(list.at(1));
+    if (speed && (*speed == 0 || (*speed >= minSpeed && *speed <= maxSpeed)))
+      return ClockCommand{Kind::speed, *speed};
+  }
+  return std::nullopt;
+}
+
 std::optional<TrainerCommand> readOne(Node list) {
   const std::string_view name = list.name();
   if (name.empty()) return std::nullopt;
@@ -106,6 +125,13 @@ std::optional<TrainerCommand> readOne(Node list) {
     const auto side = sideByName(word(list.at(1)));
     return side ? std::optional<TrainerCommand>(KickOffCommand{*side}) : std::nullopt;
   }
+  if (name == "viewer") {
+    const auto interval = number(list.at(1));
+    return interval && *interval >= 0.001 && *interval <= 60
+               ? std::optional<TrainerCommand>(ViewerCommand{*interval})
+               : std::nullopt;
+  }
+  if (auto command = readClockCommand(list, name)) return command;
   if (name == "time") {
     const auto time = number(list.at(1));
     return time && *time >= 0 ? std::optional<TrainerCommand>(TimeCommand{*time}) : std::nullopt;
@@ -170,11 +196,46 @@ struct Writer {
   std::string operator()(const FullStateCommand&) const { return "(reqfullstate)"; }
   std::string operator()(const AcknowledgeCommand&) const { return "(getAck)"; }
   std::string operator()(const KillSimulatorCommand&) const { return "(killsim)"; }
+  std::string operator()(const ClockCommand& c) const {
+    switch (c.kind) {
+      case ClockCommand::Kind::tell:
+        return "(clock)";
+      case ClockCommand::Kind::pause:
+        return "(pause)";
+      case ClockCommand::Kind::resume:
+        return "(resume)";
+      case ClockCommand::Kind::step:
+        return "(step " + std::to_string(static_cast<int>(c.value)) + ')';
+      case ClockCommand::Kind::speed:
+        break;
+    }
+    return "(speed " + fixed(c.value) + ')';
+  }
+  std::string operator()(const ViewerCommand& c) const { return "(viewer " + fixed(c.interval) + ')'; }
 };
 
 }  // namespace
 
 std::string writeTrainerCommand(const TrainerCommand& command) { return std::visit(Writer(), command); }
+
+std::string writeClock(const SimulatorClock& clock) {
+  std::string text = "(clock (paused ";
+  text += clock.paused ? '1' : '0';
+  text += ")(speed ";
+  appendGeneral(text, static_cast<float>(clock.speed));
+  return text + "))";
+}
+
+std::optional<SimulatorClock> readClock(std::string_view message) {
+  if (!message.starts_with("(clock ")) return std::nullopt;
+  SExpressions expressions({.depth = 4, .nodes = 64});
+  expressions.parse(message);
+  const Node list = expressions.first();
+  const auto paused = integer(list.list("paused").at(1));
+  const auto speed = number(list.list("speed").at(1));
+  if (!paused || !speed || *speed < 0) return std::nullopt;
+  return SimulatorClock{*paused != 0, *speed};
+}
 
 std::string TrainerCommandParser::parse(std::string_view text, std::vector<TrainerCommand>& commands) {
   std::string problem;

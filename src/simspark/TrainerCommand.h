@@ -57,10 +57,35 @@ struct FullStateCommand {};
 struct AcknowledgeCommand {};  ///< (getAck): answered by the message "best"
 struct KillSimulatorCommand {};
 
+// The embedded simulator's own; the league's server logs them as unknown and goes on.
+/// (clock): from now on tell me the clock whenever it changes; (pause), (resume), (step N): so many cycles
+/// though it is paused; (speed X): so many times real time, 0: as fast as it goes.
+struct ClockCommand {
+  enum class Kind { tell, pause, resume, step, speed };
+  Kind kind = Kind::tell;
+  double value = 1;  ///< of step and speed
+};
+/// (viewer S): this connection only looks. It is told at most every S seconds of real time, however fast the
+/// simulation runs, and nothing while it has not read what came before.
+struct ViewerCommand {
+  double interval = 0.03;
+};
+
 using TrainerCommand =
     std::variant<MoveAgentCommand, BallCommand, PlayModeCommand, KickOffCommand, DropBallCommand, TimeCommand,
                  ScoreCommand, SelectCommand, KillCommand, RepositionCommand, FullStateCommand,
-                 AcknowledgeCommand, KillSimulatorCommand>;
+                 AcknowledgeCommand, KillSimulatorCommand, ClockCommand, ViewerCommand>;
+
+/// How the embedded simulator's clock goes: "(clock (paused 0)(speed 1))".
+struct SimulatorClock {
+  bool paused = false;
+  double speed = 1;  ///< times real time; 0: as fast as it goes
+  bool operator==(const SimulatorClock&) const = default;
+};
+constexpr double minSpeed = 0.05, maxSpeed = 1000;
+constexpr int maxSteps = 1000000;
+std::string writeClock(const SimulatorClock& clock);
+std::optional<SimulatorClock> readClock(std::string_view message);
 
 std::string writeTrainerCommand(const TrainerCommand& command);
 

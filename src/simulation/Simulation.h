@@ -38,7 +38,8 @@ public:
   /// was refused, one line, or nothing.
   std::string act(PlayerId id, const simspark::AgentCommand& command);
 
-  /// Carries out a trainer's command but fullstate, acknowledge and killsim, which are the connection's.
+  /// Carries out a trainer's command but those that are the connection's: fullstate, acknowledge, killsim,
+  /// clock, viewer.
   /// Returns why not, one line, or nothing.
   std::string train(const simspark::TrainerCommand& command);
   /// Players a trainer had removed since the last call; their connections are to be closed.

@@ -39,7 +39,7 @@ struct Given {
   std::uint64_t seed = 0;
   bool realTime = false;
   double monitorStep = 0.04, maxSeconds = 0, kickOffAfter = 0;
-  int waitForAgents = 0, replayType = 0;
+  int waitForAgents = 0, replayType = 0, webPort = -1;
 };
 
 void complete(Options& options, const Given& given, const CLI::App& app) {
@@ -55,6 +55,12 @@ void complete(Options& options, const Given& given, const CLI::App& app) {
   server.waitForAgents = set("--wait-agents") ? given.waitForAgents : server.realTime ? 0 : 1;
   if (set("--max-seconds")) server.maxSeconds = given.maxSeconds;
   if (set("--kickoff-after")) server.simulation.rules.kickOffAfter = given.kickOffAfter;
+  if (set("--web")) {
+    options.anyWebPort = given.webPort < 0;
+    options.webPort = options.anyWebPort ? 8080 : given.webPort;
+  }
+  if (!options.recordFile.empty() && !options.webPort)
+    throw std::runtime_error("--record records what the page shows: give --web as well");
   if (set("--type")) options.replayType = given.replayType;
   server.simulation.seed = given.seed != 0 ? given.seed : std::random_device()();
 }
@@ -105,6 +111,11 @@ Options parseOptions(int argc, char** argv) {
                  "Repeat a recording of the league's server, say how near it comes, end");
   app.add_option("--type", given.replayType, "Robot type of the recording, if its name does not end with it")
       ->check(number("a robot type, 0 to 4", [](double v) { return isWhole(v) && v >= 0 && v <= 4; }));
+  app.add_option("--web", given.webPort,
+                 "Show the game on a page, on this port; 0: a free one [8080, or a free one if it is in use]")
+      ->expected(0, 1)
+      ->check(aPort);
+  app.add_option("--record", options.recordFile, "With --web: write the match to this file");
   app.add_flag("-v,--verbose", options.verbose, "Say what the run cost at the end");
   try {
     app.parse(argc, argv);

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -16,6 +17,7 @@
 #include "simulation/replay/Replay.h"
 #include "simulation/server/Reports.h"
 #include "simulation/server/Server.h"
+#include "web/WebMonitor.h"
 
 using namespace plumbline;
 using namespace plumbline::simulation;
@@ -45,10 +47,33 @@ void replayRecording(const Options& options) {
   std::printf("%s", fidelityReport(trace, ours, *type).c_str());
 }
 
+/// The page is one more monitor of this simulator, in threads of its own.
+std::unique_ptr<web::WebMonitor> openPage(const Options& options, const Server& server) {
+  web::WebMonitorConfig config;
+  config.server.port = *options.webPort;
+  config.server.anyPort = options.anyWebPort;
+  const std::string& address = options.server.monitors.address;
+  config.live.host = address == "0.0.0.0" || address == "::" ? "127.0.0.1" : address;
+  config.live.port = server.monitorPort();
+  config.live.token = options.server.monitors.token;
+  config.live.drawingPortOptional = true;
+  config.live.record = options.recordFile;
+  auto page = std::make_unique<web::WebMonitor>(config);
+  std::printf("simulator: watch at %s\n", page->address().c_str());
+  if (page->drawingPort() < 0)
+    std::printf("simulator: without the agents' drawings, as UDP port %d is in use\n",
+                config.live.drawingPort);
+  std::fflush(stdout);
+  return page;
+}
+
 void serve(const Options& options) {
   Server server(options.server,
                 [](const std::string& line) { std::fprintf(stderr, "simulator: %s\n", line.c_str()); });
-  if (!options.portsFile.empty()) writePorts(options.portsFile, server.agentPort(), server.monitorPort());
+  std::unique_ptr<web::WebMonitor> page;
+  if (options.webPort) page = openPage(options, server);
+  if (!options.portsFile.empty())
+    writePorts(options.portsFile, server.agentPort(), server.monitorPort(), page ? page->port() : 0);
   std::printf("simulator: agent port %d, monitor port %d, seed %llu\n", server.agentPort(),
               server.monitorPort(), static_cast<unsigned long long>(options.server.simulation.seed));
   std::fflush(stdout);

@@ -69,18 +69,68 @@ bool MonitorPort::carryOut() {
 }
 
 void MonitorPort::carryOut(Monitor& monitor, const simspark::TrainerCommand& command) {
-  if (std::holds_alternative<simspark::FullStateCommand>(command)) toldVersion = 0;
+  if (std::holds_alternative<simspark::FullStateCommand>(command)) toldVersion = monitor.viewVersion = 0;
   if (std::holds_alternative<simspark::AcknowledgeCommand>(command)) monitor.acknowledge = true;
   if (std::holds_alternative<simspark::KillSimulatorCommand>(command)) killed = true;
+  if (const auto* clock = std::get_if<simspark::ClockCommand>(&command)) return carryOut(monitor, *clock);
+  if (const auto* viewer = std::get_if<simspark::ViewerCommand>(&command)) return carryOut(monitor, *viewer);
   const std::string problem = simulation.train(command);
   if (!problem.empty()) log("monitor " + monitor.client.address() + ": " + problem);
+}
+
+void MonitorPort::carryOut(Monitor& monitor, const simspark::ClockCommand& command) {
+  using Kind = simspark::ClockCommand::Kind;
+  const simspark::SimulatorClock before = clock_;
+  switch (command.kind) {
+    case Kind::tell:
+      monitor.clockAsked = true;
+      break;
+    case Kind::pause:
+      clock_.paused = true;
+      break;
+    case Kind::resume:
+      clock_.paused = false;
+      clock_.steps = 0;
+      break;
+    case Kind::step:
+      if (clock_.paused) clock_.steps = static_cast<int>(command.value);
+      break;
+    case Kind::speed:
+      clock_.speed = command.value;
+      break;
+  }
+  if (clock_ != before) ++clock_.changes;
+}
+
+void MonitorPort::carryOut(Monitor& monitor, const simspark::ViewerCommand& command) {
+  monitor.interval = command.interval;
+  if (!monitor.view) monitor.view = std::make_unique<MonitorScene>();
+}
+
+void MonitorPort::tellViewer(Monitor& monitor, bool regular) {
+  monitor.viewStale = monitor.viewStale || regular;
+  if (!monitor.viewStale || !monitor.client.idle()) return;
+  const double now = wallClock();
+  if (now < monitor.nextView) return;
+  const bool whole = monitor.viewVersion != simulation.sceneVersion();
+  monitor.client.send(whole ? monitor.view->full(simulation) : monitor.view->difference(simulation));
+  monitor.viewVersion = simulation.sceneVersion();
+  monitor.nextView = now + monitor.interval;
+  monitor.viewStale = false;
 }
 
 void MonitorPort::tell(bool regular) {
   bool anyNew = false, anyTold = false;
   for (const auto& monitor : monitors) {
     if (!monitor->admitted || monitor->client.broken()) continue;
-    (monitor->told ? anyTold : anyNew) = true;
+    if (monitor->clockAsked && monitor->clockTold != clock_.changes) {
+      monitor->client.send(simspark::writeClock(clock_));
+      monitor->clockTold = clock_.changes;
+    }
+    if (monitor->view)
+      tellViewer(*monitor, regular);
+    else
+      (monitor->told ? anyTold : anyNew) = true;
     if (monitor->acknowledge) monitor->client.send("best");
     monitor->acknowledge = false;
   }
@@ -96,7 +146,7 @@ void MonitorPort::tell(bool regular) {
 
 void MonitorPort::send(const std::string& text, Recipients recipients) {
   for (const auto& monitor : monitors) {
-    if (!monitor->admitted ||
+    if (!monitor->admitted || monitor->view ||
         (recipients != Recipients::all && monitor->told != (recipients == Recipients::told)))
       continue;
     monitor->client.send(text);

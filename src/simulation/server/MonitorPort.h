@@ -11,6 +11,13 @@
 
 namespace plumbline::simulation {
 
+/// How fast the server lets time pass; trainers change it.
+struct RunClock : simspark::SimulatorClock {
+  int steps = 0;              ///< cycles to be done though it is paused
+  std::uint64_t changes = 1;  ///< grows with every change that trainers are told
+  bool stands() const { return paused && steps == 0; }
+};
+
 /// Monitors and trainers: they are told the scene and may command the simulation.
 class MonitorPort {
 public:
@@ -36,12 +43,20 @@ public:
   bool due() const { return simulation.cycle() % static_cast<std::uint64_t>(config.interval) == 0; }
   void dropBroken();
   bool killRequested() const { return killed; }
+  RunClock& clock() { return clock_; }
+  const RunClock& clock() const { return clock_; }
 
 private:
   struct Monitor {
     Monitor(int fd, const std::string& address, std::size_t maxQueue);
     FramedClient client;
     simspark::TrainerCommandParser parser;
+    std::unique_ptr<MonitorScene> view;  ///< of one that only looks: what it was told
+    double interval = 0, nextView = 0;   ///< [s], and wall clock
+    bool viewStale = true;
+    std::uint64_t viewVersion = 0;  ///< of the scene it was told
+    bool clockAsked = false;
+    std::uint64_t clockTold = 0;
     bool admitted = false, told = false, acknowledge = false, complained = false;
   };
 
@@ -53,6 +68,9 @@ private:
   void receive(Monitor& monitor);
   bool admits(Monitor& monitor, std::string_view text);
   void carryOut(Monitor& monitor, const simspark::TrainerCommand& command);
+  void carryOut(Monitor& monitor, const simspark::ClockCommand& command);
+  void carryOut(Monitor& monitor, const simspark::ViewerCommand& command);
+  void tellViewer(Monitor& monitor, bool regular);
 
   Config config;
   Simulation& simulation;
@@ -64,6 +82,7 @@ private:
   std::size_t watched = 0;
   std::uint64_t toldVersion = 0;
   bool killed = false;
+  RunClock clock_;
 };
 
 }  // namespace plumbline::simulation

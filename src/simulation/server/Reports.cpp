@@ -32,9 +32,10 @@ std::string number(double value, int decimals) {
 
 }  // namespace
 
-void writePorts(const std::string& file, int agentPort, int monitorPort) {
+void writePorts(const std::string& file, int agentPort, int monitorPort, int webPort) {
   writeWhole(file, "{\"agent\": " + std::to_string(agentPort) +
-                       ", \"monitor\": " + std::to_string(monitorPort) + "}\n");
+                       ", \"monitor\": " + std::to_string(monitorPort) +
+                       (webPort > 0 ? ", \"web\": " + std::to_string(webPort) : "") + "}\n");
 }
 
 void writeStatistics(const std::string& file, const ServerStatistics& s) {

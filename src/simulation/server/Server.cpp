@@ -24,7 +24,9 @@ Server::Server(const ServerConfig& config_, LogFunction log)
     : config(config_),
       simulation_(config.simulation),
       agents(config.agents, simulation_, log),
-      monitors(config.monitors, simulation_, log) {}
+      monitors(config.monitors, simulation_, log) {
+  if (!config.realTime) monitors.clock().speed = 0;
+}
 
 void Server::listen(int milliseconds) {
   descriptors.clear();
@@ -37,6 +39,7 @@ void Server::listen(int milliseconds) {
 }
 
 bool Server::clockStands() const {
+  if (monitors.clock().stands()) return true;
   if (config.waitForAgents == 0) return false;
   return agents.numAgents() < (started ? 1 : config.waitForAgents);
 }
@@ -60,14 +63,16 @@ void Server::cycle() {
   agents.carryOut();
   agents.sendSenses();
   simulation_.step();
-  if (config.realTime) waitForClock();
-  monitors.tell(monitors.due());
+  RunClock& clock = monitors.clock();
+  if (clock.steps > 0) --clock.steps;
+  if (clock.speed > 0) waitForClock();
+  monitors.tell(monitors.due() || clock.paused);
   agents.dropBroken();
   ++statistics_.cycles;
 }
 
 void Server::waitForClock() {
-  const double step = config.simulation.world.stepSeconds, now = wallClock();
+  const double step = config.simulation.world.stepSeconds / monitors.clock().speed, now = wallClock();
   nextTick += step;
   if (nextTick < now - maxLag || nextTick > now + step) nextTick = now;
   if (nextTick <= now) return;

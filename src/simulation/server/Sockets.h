@@ -51,6 +51,7 @@ public:
   void send(std::string_view text);
 
   void drop(const std::string& why);
+  bool idle() const { return queue.empty(); }  ///< it has taken all that was sent
   bool broken() const { return !reason_.empty(); }
   const std::string& reason() const { return reason_; }
   const std::string& address() const { return address_; }

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Puts the page of bin/webmonitor together in build/web/: its files from web/ and three.js from the npm registry
+# that npm is set up for. With nothing changed it is done in a blink, without network.
+#   scripts/build_page.sh [--if-easy]   --if-easy: leave it when that would need packages or network that are not there
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+packages=build/web-packages page=build/web
+easy=""
+if [[ ${1-} == --if-easy ]]; then easy=1; fi
+
+# three.js, exactly the version of the lock file, checked against its checksum there.
+if ! cmp -s web/package-lock.json "$packages/installed"; then
+  if ! command -v npm > /dev/null; then
+    if [[ $easy ]]; then echo "The 3D page needs npm: \`make web\` installs it and builds the page"; exit 0; fi
+    scripts/install_packages.sh scripts/packages-web.txt
+  fi
+  mkdir -p "$packages"
+  cp web/package.json web/package-lock.json "$packages/"
+  patience=()
+  if [[ $easy ]]; then patience=(--fetch-retries=0 --fetch-timeout=20000); fi
+  if ! npm ci "${patience[@]}" --prefix "$packages" --omit=dev --ignore-scripts --no-audit --no-fund --loglevel=error > "$packages/log" 2>&1; then
+    echo "build_page.sh: npm could not fetch three.js: $(grep -m1 -i error "$packages/log" || echo "see $packages/log")" >&2
+    if [[ $easy ]]; then exit 0; fi
+    exit 2
+  fi
+  cp web/package-lock.json "$packages/installed"
+fi
+
+new=$page.new
+rm -rf "$new"
+mkdir -p "$new/three"
+cp -r web/index.html web/style.css web/js "$new/"
+three=$packages/node_modules/three
+cp "$three/LICENSE" "$three/build/three.module.js" "$three/build/three.core.js" "$new/three/"
+# The add-ons name three.js and each other as packages do; a page without inline scripts needs paths.
+for addon in controls/OrbitControls geometries/RoundedBoxGeometry lines/LineSegments2 lines/LineSegmentsGeometry lines/LineMaterial; do
+  sed "s#from 'three'#from './three.module.js'#; s#from '\.\./lines/#from './#" \
+    "$three/examples/jsm/$addon.js" > "$new/three/${addon##*/}.js"
+done
+rm -rf "$page"
+mv "$new" "$page"

@@ -1,0 +1,38 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace plumbline::web {
+
+/// What pages are told. Each message says all of its channel, so only the last one counts.
+enum class Channel : std::uint8_t { geometry, game, drawings, frame, replay };
+constexpr std::size_t numChannels = 5;
+
+/// Carries messages from whoever knows the scene to the pages. It keeps the last message of each channel and
+/// nothing else: a page that reads slowly skips messages and holds up nobody. Safe between threads.
+class Broadcast {
+public:
+  using Message = std::shared_ptr<const std::string>;
+  struct Latest {
+    Message message;  ///< null: none yet
+    std::uint64_t version = 0;
+  };
+
+  void publish(Channel channel, std::string message);
+  Latest latest(Channel channel) const;
+  /// Forgets a channel's message.
+  void clear(Channel channel);
+  /// Called after every publish, in the publisher's thread. Set it before anything is published.
+  void onPublish(std::function<void()> notify_) { notify = std::move(notify_); }
+
+private:
+  mutable std::mutex mutex;
+  std::array<Latest, numChannels> messages;
+  std::function<void()> notify;
+};
+
+}  // namespace plumbline::web

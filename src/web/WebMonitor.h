@@ -1,0 +1,46 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "web/LiveFeed.h"
+#include "web/WebServer.h"
+
+namespace plumbline::web {
+
+struct WebMonitorConfig {
+  WebServer::Config server;  ///< folder empty: where the build puts the page
+  LiveFeed::Config live;
+  std::string replay{};  ///< a match file to show instead of a running game
+};
+
+/// The page with a game on it: everything bin/webmonitor does, in threads of its own until it is destroyed.
+class WebMonitor {
+public:
+  /// Throws std::runtime_error, one line, for what cannot be had.
+  explicit WebMonitor(const WebMonitorConfig& config);
+  ~WebMonitor();
+  WebMonitor(const WebMonitor&) = delete;
+  WebMonitor& operator=(const WebMonitor&) = delete;
+
+  /// "http://localhost:8080/", with the token if there is one.
+  const std::string& address() const { return address_; }
+  int port() const { return server.port(); }
+  /// UDP port of the agents' drawings; -1: none.
+  int drawingPort() const { return drawingPort_; }
+
+private:
+  Broadcast broadcast;
+  WebServer server;
+  std::unique_ptr<Feed> feed;
+  std::string address_;
+  int drawingPort_ = -1;
+};
+
+/// Where the page lies beside the running program; throws std::runtime_error, one line, if it is not built.
+std::string builtPage();
+
+/// Empty, or why a server may not listen there without a token, one line.
+std::string bindProblem(const std::string& address, const std::string& token);
+
+}  // namespace plumbline::web

@@ -1,0 +1,229 @@
+#include "web/WebServer.h"
+
+#include <libwebsockets.h>
+
+#include <array>
+#include <atomic>
+#include <stdexcept>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+namespace plumbline::web {
+
+namespace {
+
+constexpr std::size_t maxCommandBytes = 4096, maxPages = 64;
+constexpr const char* protocolName = "plumbline";
+
+/// A page's connection.
+struct Session {
+  std::array<std::uint64_t, numChannels> told{};
+  std::size_t nextChannel = 0;
+  std::string received;
+};
+
+std::string header(lws* wsi, lws_token_indexes token) {
+  std::array<char, 512> text{};
+  const int length = lws_hdr_copy(wsi, text.data(), static_cast<int>(text.size()), token);
+  return length > 0 ? std::string(text.data(), static_cast<std::size_t>(length)) : std::string();
+}
+
+bool isLoopbackHost(std::string_view host) {
+  if (const auto colon = host.rfind(':'); colon != std::string_view::npos && host.back() != ']')
+    host = host.substr(0, colon);
+  return host == "localhost" || host == "[::1]" || host.starts_with("127.");
+}
+
+/// Takes as long for every wrong text.
+bool sameText(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  unsigned difference = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) difference |= static_cast<unsigned char>(a[i] ^ b[i]);
+  return difference == 0;
+}
+
+}  // namespace
+
+struct WebServer::Implementation {
+  Implementation(const Config& config, Broadcast& broadcast);
+  ~Implementation();
+
+  /// Sets context and port, or leaves both unset.
+  void open(lws_context_creation_info info);
+  bool admits(lws* wsi) const;
+  void receive(Session& session, lws* wsi, std::string_view bytes);
+  /// Sends at most one message; whatever is waiting comes when the page has taken it.
+  bool sendNext(Session& session, lws* wsi);
+  int serve(lws* wsi, lws_callback_reasons reason, void* user, void* bytes, std::size_t size);
+  static int callback(lws* wsi, lws_callback_reasons reason, void* user, void* bytes, std::size_t size);
+
+  Config config;
+  Broadcast& broadcast;
+  std::array<lws_protocols, 3> protocols{};
+  lws_http_mount mount{};
+  lws_context* context = nullptr;
+  int port = 0;
+  std::size_t pages = 0;
+  std::vector<unsigned char> buffer;
+
+  Feed* feed = nullptr;
+  std::atomic<bool> stopping = false;
+  std::thread thread;
+};
+
+WebServer::Implementation::Implementation(const Config& config_, Broadcast& broadcast_)
+    : config(config_), broadcast(broadcast_) {
+  if (config.address == "localhost") config.address = "127.0.0.1";
+  protocols[0].name = "http";
+  protocols[0].callback = lws_callback_http_dummy;
+  protocols[1].name = protocolName;
+  protocols[1].callback = callback;
+  protocols[1].per_session_data_size = sizeof(Session*);
+  protocols[1].rx_buffer_size = maxCommandBytes;
+
+  mount.mountpoint = "/";
+  mount.mountpoint_len = 1;
+  mount.origin = config.folder.c_str();
+  mount.def = "index.html";
+  mount.origin_protocol = LWSMPRO_FILE;
+  mount.cache_max_age = 0;
+
+  lws_set_log_level(0, nullptr);
+  lws_context_creation_info info{};
+  info.port = config.port;
+  info.iface = config.address.c_str();
+  info.protocols = protocols.data();
+  info.mounts = &mount;
+  info.user = this;
+  info.fd_limit_per_thread = 256;
+  info.gid = info.uid = static_cast<unsigned>(-1);
+  info.options = LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND | LWS_SERVER_OPTION_DISABLE_IPV6 |
+                 LWS_SERVER_OPTION_HTTP_HEADERS_SECURITY_BEST_PRACTICES_ENFORCE;
+  open(info);
+  if (port <= 0 && config.anyPort) {
+    info.port = 0;
+    open(info);
+  }
+  if (port <= 0) {
+    throw std::runtime_error("cannot listen on " + config.address + ':' + std::to_string(config.port) +
+                             " for the page; is the port in use? Choose another or 0");
+  }
+  broadcast.onPublish([this] { lws_cancel_service(context); });
+}
+
+void WebServer::Implementation::open(lws_context_creation_info info) {
+  context = lws_create_context(&info);
+  lws_vhost* host = context ? lws_get_vhost_by_name(context, "default") : nullptr;
+  port = host ? lws_get_vhost_listen_port(host) : 0;
+  if (port > 0) return;
+  if (context) lws_context_destroy(context);
+  context = nullptr;
+}
+
+WebServer::Implementation::~Implementation() {
+  broadcast.onPublish({});
+  lws_context_destroy(context);
+}
+
+bool WebServer::Implementation::admits(lws* wsi) const {
+  if (pages >= maxPages) return false;
+  const std::string host = header(wsi, WSI_TOKEN_HOST);
+  const std::string origin = header(wsi, WSI_TOKEN_ORIGIN);
+  if (!origin.empty() && origin != "http://" + host && origin != "https://" + host) return false;
+  if (config.token.empty()) return isLoopbackHost(host);
+  std::array<char, 256> given{};
+  const char* found = lws_get_urlarg_by_name(wsi, "token=", given.data(), static_cast<int>(given.size()));
+  return found && sameText(found, config.token);
+}
+
+void WebServer::Implementation::receive(Session& session, lws* wsi, std::string_view bytes) {
+  if (session.received.size() + bytes.size() > maxCommandBytes) {
+    session.received.clear();
+    return lws_set_timeout(wsi, PENDING_TIMEOUT_CLOSE_SEND, LWS_TO_KILL_ASYNC);
+  }
+  session.received += bytes;
+  if (!lws_is_final_fragment(wsi) || lws_remaining_packet_payload(wsi) != 0) return;
+  PageCommand command;
+  if (parsePageCommand(session.received, command).empty() && feed) feed->command(command);
+  session.received.clear();
+}
+
+bool WebServer::Implementation::sendNext(Session& session, lws* wsi) {
+  for (std::size_t i = 0; i < numChannels; ++i) {
+    const std::size_t channel = (session.nextChannel + i) % numChannels;
+    const auto [message, version] = broadcast.latest(static_cast<Channel>(channel));
+    if (!message || version == session.told[channel]) continue;
+    session.told[channel] = version;
+    session.nextChannel = (channel + 1) % numChannels;
+    buffer.resize(LWS_PRE + message->size());
+    std::copy(message->begin(), message->end(), buffer.begin() + LWS_PRE);
+    const bool binary = static_cast<Channel>(channel) == Channel::frame;
+    const int sent =
+        lws_write(wsi, buffer.data() + LWS_PRE, message->size(), binary ? LWS_WRITE_BINARY : LWS_WRITE_TEXT);
+    if (sent < 0) return false;
+    lws_callback_on_writable(wsi);
+    return true;
+  }
+  return true;
+}
+
+int WebServer::Implementation::serve(lws* wsi, lws_callback_reasons reason, void* user, void* bytes,
+                                     std::size_t size) {
+  auto** session = static_cast<Session**>(user);
+  switch (reason) {
+    case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION:
+      return admits(wsi) ? 0 : 1;
+    case LWS_CALLBACK_ESTABLISHED:
+      *session = new Session();
+      ++pages;
+      lws_callback_on_writable(wsi);
+      return 0;
+    case LWS_CALLBACK_CLOSED:
+      if (*session) --pages;
+      delete *session;
+      *session = nullptr;
+      return 0;
+    case LWS_CALLBACK_RECEIVE:
+      receive(**session, wsi, std::string_view(static_cast<const char*>(bytes), size));
+      return 0;
+    case LWS_CALLBACK_SERVER_WRITEABLE:
+      return sendNext(**session, wsi) ? 0 : -1;
+    case LWS_CALLBACK_EVENT_WAIT_CANCELLED:
+      lws_callback_on_writable_all_protocol(context, &protocols[1]);
+      return 0;
+    default:
+      return 0;
+  }
+}
+
+int WebServer::Implementation::callback(lws* wsi, lws_callback_reasons reason, void* user, void* bytes,
+                                        std::size_t size) {
+  lws_context* context = lws_get_context(wsi);
+  auto* self = context ? static_cast<Implementation*>(lws_context_user(context)) : nullptr;
+  // While the context is being made or unmade there is nothing to do.
+  return self && self->context ? self->serve(wsi, reason, user, bytes, size) : 0;
+}
+
+WebServer::WebServer(const Config& config, Broadcast& broadcast)
+    : implementation(std::make_unique<Implementation>(config, broadcast)) {}
+
+WebServer::~WebServer() { stop(); }
+
+void WebServer::start(Feed& feed) {
+  implementation->feed = &feed;
+  implementation->thread = std::thread([self = implementation.get()] {
+    while (!self->stopping && lws_service(self->context, 0) >= 0) {
+    }
+  });
+}
+
+void WebServer::stop() {
+  implementation->stopping = true;
+  lws_cancel_service(implementation->context);
+  if (implementation->thread.joinable()) implementation->thread.join();
+}
+
+int WebServer::port() const { return implementation->port; }
+
+}  // namespace plumbline::web

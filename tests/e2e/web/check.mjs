@@ -1,0 +1,20 @@
+// Checks that say what they wanted, and patience: the machine may be slow, a test may not be.
+export function check(good, what) {
+  if (!good) throw new Error(what);
+  console.log(`ok: ${what}`);
+}
+
+export async function until(what, condition, seconds = 120) {
+  const end = Date.now() + 1000 * seconds;
+  for (;;) {
+    const value = await condition();
+    if (value) {
+      console.log(`ok: ${what}`);
+      return value;
+    }
+    if (Date.now() > end) throw new Error(`waited ${seconds} s in vain: ${what}`);
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+}
+
+export const near = (a, b, tolerance) => Math.hypot(...a.map((v, i) => v - b[i])) <= tolerance;

@@ -1,0 +1,28 @@
+// A recorded match on the page: it plays, stops, and shows any time of it.
+import { Browser } from './browser.mjs';
+import { check, near, until } from './check.mjs';
+
+const browser = await Browser.open(`${process.argv[2]}?quality=low&fps=4`, { width: 960, height: 600 });
+const state = () => browser.run('window.plumbline?.state()');
+try {
+  await until('the recording is shown', async () => (await state())?.replay?.duration > 5);
+  const { duration } = (await state()).replay;
+  await until('it plays', async () => (await state()).replay.time > 0.5);
+  const slider = (time) => browser.run(`(() => { const s = document.getElementById('replayTime'); s.value = ${time}; s.dispatchEvent(new Event('input')); })()`);
+  await slider(duration);
+  await until('the end has 22 robots and the ball in the middle', async () => {
+    const now = await state();
+    return now.robots.length === 22 && near(now.ball, [0, 0, 0.042], 0.05) && !now.replay.playing;
+  });
+  await slider(0);
+  await until('the begin has none', async () => (await state()).robots.length < 22);
+  await browser.click('#replayPlay');
+  await until('it plays again', async () => (await state()).replay.playing);
+  check(await browser.run("document.getElementById('trainer').hidden"), 'a recording takes no trainer commands');
+  check(browser.problems.length === 0, `no errors on the page: ${browser.problems.join('; ')}`);
+  await browser.close();
+} catch (error) {
+  console.error(`FAILED: ${error.message}`, JSON.stringify(await state().catch(() => null)));
+  await browser.close();
+  process.exit(1);
+}

@@ -1,0 +1,55 @@
+#include "web/Geometry.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "simspark/SceneState.h"
+
+namespace plumbline::web {
+namespace {
+
+using nlohmann::json;
+
+json part(const json& geometry, std::size_t type, const std::string& name) {
+  for (const json& part : geometry["types"][type]["parts"])
+    if (part["name"] == name) return part;
+  return {};
+}
+
+TEST(Geometry, sizesAreTheRobots) {
+  const json geometry = json::parse(geometryMessage());
+  EXPECT_EQ(geometry["kind"], "geometry");
+  ASSERT_EQ(geometry["types"].size(), 5u);
+  EXPECT_EQ(part(geometry, 0, "torso"),
+            json::parse(R"({"name":"torso","shape":"box","size":[0.1,0.1,0.18]})"));
+  EXPECT_EQ(part(geometry, 3, "neck"),
+            json::parse(R"({"name":"neck","shape":"capsule","size":[0.015,0.08]})"));
+  EXPECT_EQ(part(geometry, 1, "head"), json::parse(R"({"name":"head","shape":"sphere","size":[0.065]})"));
+  EXPECT_EQ(part(geometry, 0, "lFoot")["size"], json::parse("[0.16,0.08,0.02]"));
+  EXPECT_EQ(part(geometry, 4, "lFoot")["size"], json::parse("[0.124482344,0.08,0.02]"));
+  EXPECT_EQ(part(geometry, 4, "rToe")["size"], json::parse("[0.035517656,0.08,0.01]"));
+}
+
+TEST(Geometry, partsComeInTheOrderOfTheFrames) {
+  const json geometry = json::parse(geometryMessage());
+  for (int type = 0; type < 5; ++type) {
+    std::vector<std::string> names;
+    for (const json& part : geometry["types"][static_cast<std::size_t>(type)]["parts"])
+      names.push_back(part["name"]);
+    EXPECT_EQ(names, simspark::sceneBodies(type));
+  }
+}
+
+TEST(Geometry, theField) {
+  const json field = json::parse(geometryMessage())["field"];
+  EXPECT_EQ(field["length"], 30);
+  EXPECT_EQ(field["width"], 20);
+  EXPECT_EQ(field["goalWidth"], 2.1);
+  EXPECT_EQ(field["ballRadius"], 0.042);
+  ASSERT_EQ(field["lines"].size(), 21u);
+  EXPECT_EQ(field["lines"][0], json::parse("[0.0,-10.0,0.0,10.0]"));
+}
+
+}  // namespace
+}  // namespace plumbline::web
