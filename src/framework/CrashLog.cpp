@@ -23,8 +23,8 @@
 namespace plumbline {
 namespace {
 
-constexpr std::array caughtSignals = {SIGSEGV, SIGBUS,  SIGFPE,  SIGILL, SIGABRT,
-                                      SIGSYS,  SIGTRAP, SIGQUIT, SIGXCPU};
+constexpr std::array caughtSignals = {SIGSEGV, SIGBUS,  SIGFPE,  SIGILL,  SIGABRT,
+                                      SIGSYS,  SIGTRAP, SIGQUIT, SIGXCPU, SIGPIPE};
 
 // What the signal handler needs; set before it is installed.
 CrashRecord* record = nullptr;
@@ -165,6 +165,8 @@ CrashLog::CrashLog(const std::string& path) : path_(std::filesystem::absolute(pa
   sigemptyset(&action.sa_mask);
   for (std::size_t i = 0; i < caughtSignals.size(); i++) {
     sigaction(caughtSignals[i], &action, &previous[i]);
+    // Who started the agent may have chosen to ignore a signal: then it is no death.
+    if (previous[i].sa_handler == SIG_IGN) sigaction(caughtSignals[i], &previous[i], nullptr);
   }
 }
 

@@ -49,7 +49,8 @@ bool writeCrashReport(const CrashRecord& record, pid_t agent, const std::string&
     stream << "Process " << agent << " died by " << signalName(signal) << " (" << strsignal(signal) << "), "
            << date << ".\n";
   } else {
-    stream << "Process " << agent << " ended without a word: killed by SIGKILL, or by its own _exit, " << date
+    stream << "Process " << agent
+           << " ended without a word: by a signal that cannot be caught (SIGKILL), or its own _exit, " << date
            << ".\n";
   }
   stream << "\nThreads:\n" << record.whereabouts();

@@ -22,8 +22,7 @@ StopSignal::StopSignal() : descriptor_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
 StopSignal::~StopSignal() {
   StopSignal* self = this;
   if (signalTarget.compare_exchange_strong(self, nullptr)) {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
   }
   close(descriptor_);
 }
@@ -50,7 +49,14 @@ int StopSignal::exitCode() const {
 std::string StopSignal::reason() const {
   std::lock_guard lock(mutex_);
   if (decided_ || !requested_.load()) return reason_;
-  return caughtSignal.load() == SIGINT ? "interrupted (SIGINT)" : "terminated (SIGTERM)";
+  switch (caughtSignal.load()) {
+    case SIGINT:
+      return "interrupted (SIGINT)";
+    case SIGHUP:
+      return "terminal closed (SIGHUP)";
+    default:
+      return "terminated (SIGTERM)";
+  }
 }
 
 void StopSignal::handle(int signal) {
@@ -73,8 +79,7 @@ void StopSignal::catchSignals() {
   action.sa_handler = &StopSignal::handle;
   sigemptyset(&action.sa_mask);
   // No SA_RESTART: a module that waits in a system call is woken.
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
 }
 
 }  // namespace plumbline

@@ -21,8 +21,8 @@ public:
   int exitCode() const;
   std::string reason() const;
 
-  /// Ctrl-C and SIGTERM request the stop (exit code 0) of this signal until it is destroyed; a second one
-  /// ends the process at once.
+  /// Ctrl-C, SIGTERM and SIGHUP request the stop (exit code 0) of this signal until it is destroyed; a second
+  /// one ends the process at once.
   void catchSignals();
 
 private:

@@ -44,11 +44,12 @@ public:
     if (wayToDie() == "abort") std::abort();
     if (wayToDie() == "recursion") log << endlessRecursion(0);
     if (wayToDie() == "kill") kill(getpid(), SIGKILL);
+    if (wayToDie() == "pipe") raise(SIGPIPE);
+    if (wayToDie() == "hang-up") raise(SIGHUP);
     if (wayToDie() == "ctrl-c") raise(SIGINT);
     if (wayToDie() == "terminate") raise(SIGTERM);
     if (wayToDie() == "exit") std::exit(7);
     if (wayToDie() == "stop") requestStop(5, "enough");
-    if (wayToDie() == "wait") raise(SIGSTOP);
   }
 
 private:
@@ -76,6 +77,7 @@ protected:
     const pid_t child = fork();
     if (child == 0) {
       if (!std::freopen((folder_ + "/stderr").c_str(), "w", stderr)) _exit(99);
+      std::signal(SIGPIPE, SIG_DFL);  // whoever runs the tests may ignore it
       int status = 98;
       {
         CrashLog crashLog(folder_ + "/crash.log");
@@ -128,6 +130,12 @@ TEST_F(CrashLogTest, tellsAnAbort) {
   EXPECT_NE(contents("crash.log").find("died by SIGABRT (Aborted)"), std::string::npos);
 }
 
+TEST_F(CrashLogTest, tellsABrokenPipe) {
+  const int status = run("pipe", "Crasher\n");
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGPIPE);
+  EXPECT_NE(contents("crash.log").find("died by SIGPIPE (Broken pipe)"), std::string::npos);
+}
+
 TEST_F(CrashLogTest, tellsAStackOverflowInEveryThread) {
   if (sanitized) GTEST_SKIP() << "the sanitizer keeps signal stacks of its own";
   run("recursion", "Crasher\n");
@@ -141,13 +149,14 @@ TEST_F(CrashLogTest, tellsThatTheAgentWasKilled) {
   run("kill", "Crasher\n");
   // Nobody waits for the second process then.
   for (int i = 0; i < 500 && !hasLog(); i++) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  EXPECT_NE(contents("crash.log").find("ended without a word: killed by SIGKILL"), std::string::npos);
+  EXPECT_NE(contents("crash.log").find("ended without a word: by a signal that cannot be caught (SIGKILL)"),
+            std::string::npos);
   EXPECT_NE(contents("crash.log").find("[default] Crasher:execute\n"), std::string::npos);
 }
 
 TEST_F(CrashLogTest, anEndInOrderLeavesNothing) {
-  for (const auto& [way, code] :
-       {std::pair("stop", 5), std::pair("ctrl-c", 0), std::pair("terminate", 0), std::pair("exit", 7)}) {
+  for (const auto& [way, code] : {std::pair("stop", 5), std::pair("ctrl-c", 0), std::pair("hang-up", 0),
+                                  std::pair("terminate", 0), std::pair("exit", 7)}) {
     const int status = run(way, "Crasher\n");
     EXPECT_TRUE(WIFEXITED(status)) << way;
     EXPECT_EQ(WEXITSTATUS(status), code) << way;

@@ -37,7 +37,8 @@ TEST(StopSignalTest, wakesWhoPolls) {
 
 TEST(StopSignalTest, signalsAreRequests) {
   for (const auto& [signal, reason] :
-       {std::pair(SIGINT, "interrupted (SIGINT)"), std::pair(SIGTERM, "terminated (SIGTERM)")}) {
+       {std::pair(SIGINT, "interrupted (SIGINT)"), std::pair(SIGTERM, "terminated (SIGTERM)"),
+        std::pair(SIGHUP, "terminal closed (SIGHUP)")}) {
     StopSignal stop;
     stop.catchSignals();
     raise(signal);
