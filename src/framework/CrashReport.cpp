@@ -32,6 +32,8 @@ const char* signalName(int signal) {
       return "SIGQUIT";
     case SIGXCPU:
       return "SIGXCPU";
+    case SIGPIPE:
+      return "SIGPIPE";
     default:
       return "a signal";
   }
