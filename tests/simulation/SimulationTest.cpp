@@ -336,7 +336,7 @@ TEST(Simulation, robotsThatComeTogetherDoNotTouch) {
   Simulation simulation(SimulationConfig{});
   std::vector<PlayerId> players;
   for (int i = 0; i < 22; ++i) players.push_back(simulation.addPlayer(i % 5));
-  const auto place = [&](PlayerId id) {
+  const auto place = [&](PlayerId id) -> Vec3 {
     return simulation.world().torso(simulation.allPlayers().at(id)->robot).pose.translation();
   };
   EXPECT_EQ(place(players[0]), Vec3(0, -1, 1.5)) << "the league's spawn";
