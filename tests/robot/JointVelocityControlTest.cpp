@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "math/Angle.h"
+
 namespace plumbline {
 namespace {
 
@@ -51,7 +53,7 @@ TEST(JointVelocityControl, keepsSpeedsAndStops) {
   targets[headPitch] = -9;
   const JointArray speeds = control.update(zero, targets, dt);
   EXPECT_DOUBLE_EQ(speeds[lAnkleRoll], 3.47234);
-  EXPECT_DOUBLE_EQ(speeds[headPitch], -6.1395);
+  EXPECT_DOUBLE_EQ(speeds[headPitch], -fromDegrees(351.77));
   EXPECT_DOUBLE_EQ(speeds[lToePitch], 0) << "type 2 has no toe";
   JointArray nearStop{};
   nearStop[headPitch] = -0.785;

@@ -52,15 +52,18 @@ const Eigen::VectorXd& BoundedSystem::solve() {
 
   // Block elimination of the free rows: L L^T = A_ff, cross = L^-1 A_fb, side = L^-1 b_f.
   const InPlaceCholesky cholesky(freeMatrix);
-  cholesky.matrixL().solveInPlace(cross_);
-  cholesky.matrixL().solveInPlace(freeSide);
-  rest.selfadjointView<Eigen::Lower>().rankUpdate(cross_.transpose(), -1);
-  restSide.noalias() -= cross_.transpose() * freeSide;
+  // Eigen is not asked about matrices without a row or column: it would form references from null pointers.
+  if (nf > 0) cholesky.matrixL().solveInPlace(freeSide);
+  if (nf > 0 && nb > 0) {
+    cholesky.matrixL().solveInPlace(cross_);
+    rest.selfadjointView<Eigen::Lower>().rankUpdate(cross_.transpose(), -1);
+    restSide.noalias() -= cross_.transpose() * freeSide;
+  }
 
   pivot();
 
-  freeSide.noalias() -= cross_ * restX;
-  cholesky.matrixU().solveInPlace(freeSide);
+  if (nf > 0 && nb > 0) freeSide.noalias() -= cross_ * restX;
+  if (nf > 0) cholesky.matrixU().solveInPlace(freeSide);
   x.resize(b.size());
   for (Eigen::Index i = 0; i < nf; ++i) x[free_[static_cast<std::size_t>(i)]] = freeSide[i];
   for (Eigen::Index i = 0; i < nb; ++i) x[bounded[static_cast<std::size_t>(i)]] = restX[i];
