@@ -14,7 +14,7 @@ expectEqual() { [[ $1 == "$2" ]] || fail "$3: expected '$2', got '$1'"; }
 expectError() { # status, line, command...
   local status=$1 line=$2 got=0 text
   shift 2
-  text=$("$@" 2>&1 > /dev/null < /dev/null) || got=$?
+  text=$(timeout 20 "$@" 2>&1 > /dev/null < /dev/null) || got=$?
   expectEqual "$got" "$status" "status of '$*'"
   expectEqual "$text" "$line" "message of '$*'"
 }

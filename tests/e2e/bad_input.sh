@@ -33,8 +33,8 @@ mistake modules.cfg 's/^BallLocator .*/BallLocatr LocalBallPos/' \
 
 # A keyframe file with a mistake.
 motion=$c/motions/standUpBack.yaml
-sed -i '0,/LKneePitch/s/LKneePitch/LKneePitsch/' "$motion"
-expectError 2 "agent: $motion:$(grep -n LKneePitsch "$motion" | cut -d: -f1): LKneePitsch: unknown joint; nearest known name: LKneePitch" "${agent[@]}"
+sed -i '0,/KneePitch/s//KneePitsch/' "$motion"
+expectError 2 "agent: $motion:$(grep -n KneePitsch "$motion" | cut -d: -f1): KneePitsch: unknown joint; nearest known name: KneePitch" "${agent[@]}"
 
 # Ports.
 "$bin/simulator" --port 0 --monitor-port 0 --ports-file "$scratch/ports" > /dev/null &
@@ -42,6 +42,6 @@ waitFor test -s "$scratch/ports"
 port=$(value "$scratch/ports" agent)
 [[ $port ]] || port=$(sed 's/.*"agent": *\([0-9]*\).*/\1/' "$scratch/ports")
 expectError 2 "simulator: port $port of 127.0.0.1 is in use; choose another or 0" "$bin/simulator" --port "$port" --monitor-port 0
-expectError 2 "simulator: --port: Value 70000 not in range 0 to 65535" "$bin/simulator" --port 70000
-expectError 2 "simulator: unknown physics engine \"foo\"; there is: ode" "$bin/simulator" --engine foo
+expectError 2 "simulator: --port: '70000' is not a port, 0 to 65535" "$bin/simulator" --port 70000
+expectError 2 "simulator: unknown physics engine \"foo\"; there are: ode, ode-dense" "$bin/simulator" --engine foo
 expectError 2 "simulator: --bind 0.0.0.0 opens the monitor port to others: set a --token" "$bin/simulator" --bind 0.0.0.0
