@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "walking/BodyPosture.h"
 #include "walking/LinearInvertedPendulum.h"
@@ -59,6 +60,7 @@ public:
     posture.reset();
     place({});
     torso = torsoOnGround();
+    underway.clear();
     standing = output();
   }
 
@@ -82,6 +84,11 @@ public:
     if (mode == Mode::walk) out.odometry.position.x() -= p.trimForward * dt;
     out.odometry.position = out.odometry.position.cwiseProduct(Vec2(p.odometryForward, p.odometrySideways));
     out.odometry.heading *= p.odometryTurn;
+    // Told when it can be measured, not when it is commanded.
+    underway.push_back(out.odometry);
+    const auto delay = static_cast<std::size_t>(dt > 0 ? std::lround(p.odometryDelay / dt) : 0);
+    out.odometry = {};
+    for (; underway.size() > delay; underway.pop_front()) out.odometry = out.odometry * underway.front();
     torso = newTorso;
     out.support = state.support;
     out.phase = phase;
@@ -289,10 +296,11 @@ private:
   Vec2 rate = Vec2::Zero();  ///< its turn rate about x and y [rad/s]
   double elapsed = 0;        ///< of the step or of the shift before the first one [s]
   double phase = 0;
-  Side first = Side::left;  ///< carries in the first step
-  Pose2 liftOff;            ///< the swing foot when the step began, in the supporting foot's frame
-  Pose2 motion;             ///< of the centre of mass frame in this cycle
-  Pose2 torso;              ///< in the centre of mass frame, last cycle
+  Side first = Side::left;     ///< carries in the first step
+  Pose2 liftOff;               ///< the swing foot when the step began, in the supporting foot's frame
+  Pose2 motion;                ///< of the centre of mass frame in this cycle
+  Pose2 torso;                 ///< in the centre of mass frame, last cycle
+  std::deque<Pose2> underway;  ///< odometry of commands that have not taken effect
   JointArray angles{};
   WalkOutput standing;
 };

@@ -65,6 +65,7 @@ struct WalkParameters {
   double elbowRoll = 0.6;       ///< bent [rad]
 
   // Odometry: walked over planned
+  double odometryDelay = 0.04;  ///< between a joint target and the measurement that shows it [s]
   double odometryForward = 1, odometrySideways = 1, odometryTurn = 1;
 
   /// Throws std::invalid_argument "walking parameter X = V must be A to B" for the first one out of its
