@@ -55,6 +55,7 @@ public:
     velocity.setZero();
     turn = elapsed = phase = 0;
     tilt.setZero();
+    usualTilt.setZero();
     rate.setZero();
     motion = {};
     posture.reset();
@@ -133,10 +134,13 @@ private:
                                                 p.feetDistance, Vec2(p.copForward, p.copOutward)});
   }
 
-  /// The torso's deviation from its planned attitude when the coming command takes effect.
+  /// The torso's deviation from its planned and usual attitude when the coming command takes effect.
   void feel(const WalkSensors& sensors) {
     rate = sensors.gyro.head<2>();
-    tilt = sensors.torsoAngles - Vec2(0, lean()) + p.delay * rate;
+    const Vec2 deviation = sensors.torsoAngles - Vec2(0, lean());
+    // Every walk has its own mean lean, which is no error to correct (compare section 4.2.8).
+    if (p.tiltAverage > 0) usualTilt += (deviation - usualTilt) * std::min(1.0, sensors.dt / p.tiltAverage);
+    tilt = deviation - usualTilt + p.delay * rate;
   }
 
   double lean() const { return p.torsoPitch + p.torsoPitchForward * velocity.x(); }
@@ -292,9 +296,10 @@ private:
   Vec2 velocity = Vec2::Zero();  ///< what the walk aims at now [m/s]
   double turn = 0;               ///< [rad/s]
   ReferenceTrajectory reference;
-  Vec2 tilt = Vec2::Zero();  ///< torso off its planned roll and pitch [rad]
-  Vec2 rate = Vec2::Zero();  ///< its turn rate about x and y [rad/s]
-  double elapsed = 0;        ///< of the step or of the shift before the first one [s]
+  Vec2 tilt = Vec2::Zero();       ///< torso off its planned roll and pitch [rad]
+  Vec2 usualTilt = Vec2::Zero();  ///< running mean of the deviation [rad]
+  Vec2 rate = Vec2::Zero();       ///< its turn rate about x and y [rad/s]
+  double elapsed = 0;             ///< of the step or of the shift before the first one [s]
   double phase = 0;
   Side first = Side::left;     ///< carries in the first step
   Pose2 liftOff;               ///< the swing foot when the step began, in the supporting foot's frame

@@ -41,6 +41,7 @@ constexpr WalkParameterInfo table[] = {
     {"startDuration", &WalkParameters::startDuration, 0.04, 1},
     {"stopVelocity", &WalkParameters::stopVelocity, 0.001, 0.5},
     {"delay", &WalkParameters::delay, 0, 0.1},
+    {"tiltAverage", &WalkParameters::tiltAverage, 0, 100},
     {"ankleRollGain", &WalkParameters::ankleRollGain, -2, 2},
     {"anklePitchGain", &WalkParameters::anklePitchGain, -2, 2},
     {"ankleRollRate", &WalkParameters::ankleRollRate, -0.5, 0.5},

@@ -49,6 +49,7 @@ struct WalkParameters {
 
   // Feedback from the torso's angle and turn rate; zero is the open loop
   double delay = 0.04;       ///< between a measurement and the effect of what it causes [s]
+  double tiltAverage = 0;    ///< time over which a lasting tilt is taken as usual, 0: none is [s]
   double ankleRollGain = 0;  ///< torso angle to the supporting ankle
   double anklePitchGain = 0;
   double ankleRollRate = 0;  ///< torso turn rate to the supporting ankle [s]
