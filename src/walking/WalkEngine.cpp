@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "walking/BodyPosture.h"
 #include "walking/LinearInvertedPendulum.h"
@@ -54,11 +55,13 @@ public:
     velocity.setZero();
     turn = elapsed = phase = 0;
     tilt.setZero();
+    usualTilt.setZero();
     rate.setZero();
     motion = {};
     posture.reset();
     place({});
     torso = torsoOnGround();
+    underway.clear();
     standing = output();
   }
 
@@ -82,6 +85,11 @@ public:
     if (mode == Mode::walk) out.odometry.position.x() -= p.trimForward * dt;
     out.odometry.position = out.odometry.position.cwiseProduct(Vec2(p.odometryForward, p.odometrySideways));
     out.odometry.heading *= p.odometryTurn;
+    // Told when it can be measured, not when it is commanded.
+    underway.push_back(out.odometry);
+    const auto delay = static_cast<std::size_t>(dt > 0 ? std::lround(p.odometryDelay / dt) : 0);
+    out.odometry = {};
+    for (; underway.size() > delay; underway.pop_front()) out.odometry = out.odometry * underway.front();
     torso = newTorso;
     out.support = state.support;
     out.phase = phase;
@@ -126,10 +134,13 @@ private:
                                                 p.feetDistance, Vec2(p.copForward, p.copOutward)});
   }
 
-  /// The torso's deviation from its planned attitude when the coming command takes effect.
+  /// The torso's deviation from its planned and usual attitude when the coming command takes effect.
   void feel(const WalkSensors& sensors) {
     rate = sensors.gyro.head<2>();
-    tilt = sensors.torsoAngles - Vec2(0, lean()) + p.delay * rate;
+    const Vec2 deviation = sensors.torsoAngles - Vec2(0, lean());
+    // Every walk has its own mean lean, which is no error to correct (compare section 4.2.8).
+    if (p.tiltAverage > 0) usualTilt += (deviation - usualTilt) * std::min(1.0, sensors.dt / p.tiltAverage);
+    tilt = deviation - usualTilt + p.delay * rate;
   }
 
   double lean() const { return p.torsoPitch + p.torsoPitchForward * velocity.x(); }
@@ -285,14 +296,16 @@ private:
   Vec2 velocity = Vec2::Zero();  ///< what the walk aims at now [m/s]
   double turn = 0;               ///< [rad/s]
   ReferenceTrajectory reference;
-  Vec2 tilt = Vec2::Zero();  ///< torso off its planned roll and pitch [rad]
-  Vec2 rate = Vec2::Zero();  ///< its turn rate about x and y [rad/s]
-  double elapsed = 0;        ///< of the step or of the shift before the first one [s]
+  Vec2 tilt = Vec2::Zero();       ///< torso off its planned roll and pitch [rad]
+  Vec2 usualTilt = Vec2::Zero();  ///< running mean of the deviation [rad]
+  Vec2 rate = Vec2::Zero();       ///< its turn rate about x and y [rad/s]
+  double elapsed = 0;             ///< of the step or of the shift before the first one [s]
   double phase = 0;
-  Side first = Side::left;  ///< carries in the first step
-  Pose2 liftOff;            ///< the swing foot when the step began, in the supporting foot's frame
-  Pose2 motion;             ///< of the centre of mass frame in this cycle
-  Pose2 torso;              ///< in the centre of mass frame, last cycle
+  Side first = Side::left;     ///< carries in the first step
+  Pose2 liftOff;               ///< the swing foot when the step began, in the supporting foot's frame
+  Pose2 motion;                ///< of the centre of mass frame in this cycle
+  Pose2 torso;                 ///< in the centre of mass frame, last cycle
+  std::deque<Pose2> underway;  ///< odometry of commands that have not taken effect
   JointArray angles{};
   WalkOutput standing;
 };

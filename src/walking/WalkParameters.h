@@ -49,6 +49,7 @@ struct WalkParameters {
 
   // Feedback from the torso's angle and turn rate; zero is the open loop
   double delay = 0.04;       ///< between a measurement and the effect of what it causes [s]
+  double tiltAverage = 0;    ///< time over which a lasting tilt is taken as usual, 0: none is [s]
   double ankleRollGain = 0;  ///< torso angle to the supporting ankle
   double anklePitchGain = 0;
   double ankleRollRate = 0;  ///< torso turn rate to the supporting ankle [s]
@@ -65,6 +66,7 @@ struct WalkParameters {
   double elbowRoll = 0.6;       ///< bent [rad]
 
   // Odometry: walked over planned
+  double odometryDelay = 0.04;  ///< between a joint target and the measurement that shows it [s]
   double odometryForward = 1, odometrySideways = 1, odometryTurn = 1;
 
   /// Throws std::invalid_argument "walking parameter X = V must be A to B" for the first one out of its

@@ -11,7 +11,8 @@ namespace plumbline {
 /// points, which are taken to stand still on the ground from one cycle to the next.
 class SupportOdometry {
 public:
-  /// A point of the robot that touches the ground: link, point in the link's frame [m], weight (its load) [N].
+  /// A point of the robot that touches the ground: link, point in the link's frame [m], weight (its load)
+  /// [N].
   struct Contact {
     int link = 0;
     Vec3 point = Vec3::Zero();

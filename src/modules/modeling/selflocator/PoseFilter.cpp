@@ -8,7 +8,7 @@
 namespace plumbline {
 namespace {
 
-constexpr double maxMeanError = 25;      ///< per measurement; beyond, a wrong particle is just wrong
+constexpr double maxMeanError = 25;  ///< per measurement; beyond, a wrong particle is just wrong
 /// Likelihoods of images that fit are rarely lower in the mean; with a reference lower than that, a filter
 /// that never fitted would think that it cannot do better.
 constexpr double leastReference = 0.3;
