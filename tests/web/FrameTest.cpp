@@ -95,8 +95,8 @@ TEST(Frame, toTheByte) {
     EXPECT_EQ(bytes.get<std::int16_t>(), -1000);
     EXPECT_EQ(bytes.get<std::int16_t>(), 0);
     EXPECT_EQ(bytes.get<std::int16_t>(), 0);
-    EXPECT_EQ(bytes.get<std::int16_t>(), std::lround(32767 * std::sin(0.5)));
-    EXPECT_EQ(bytes.get<std::int16_t>(), std::lround(32767 * std::cos(0.5)));
+    EXPECT_EQ(bytes.get<std::int16_t>(), 16 * std::lround(32767 * std::sin(0.5) / 16));
+    EXPECT_EQ(bytes.get<std::int16_t>(), 16 * std::lround(32767 * std::cos(0.5) / 16));
   }
   EXPECT_EQ(bytes.get<std::uint8_t>(), 2);
   EXPECT_EQ(bytes.get<std::uint8_t>(), 7);

@@ -117,7 +117,8 @@ export class Hud {
 
   tick(now, fps) {
     const factor = this.realTimeFactor(now);
-    const pace = this.game.clock?.paused ? 'paused' : factor === null ? 'clock stands' : `${factor.toFixed(factor < 10 ? 2 : 0)} × real time`;
+    const stands = this.game.clock?.paused || (this.replay && !this.replay.playing);
+    const pace = stands ? 'paused' : factor === null ? 'clock stands' : `${factor.toFixed(factor < 10 ? 2 : 0)} × real time`;
     $('speed').textContent = fps ? `${pace} · ${fps.toFixed(0)} fps` : pace;
   }
 
