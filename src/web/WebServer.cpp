@@ -1,6 +1,10 @@
 #include "web/WebServer.h"
 
+#include <arpa/inet.h>
 #include <libwebsockets.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <array>
 #include <atomic>
@@ -33,6 +37,23 @@ bool isLoopbackHost(std::string_view host) {
   if (const auto colon = host.rfind(':'); colon != std::string_view::npos && host.back() != ']')
     host = host.substr(0, colon);
   return host == "localhost" || host == "[::1]" || host.starts_with("127.");
+}
+
+/// Whether the port is free: asked first, as libwebsockets 4.1.6 loses memory where it can't bind. True too
+/// for what is no IPv4 address (an interface's name), which only the library can tell.
+bool canListen(const std::string& address, int port) {
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_port = htons(static_cast<std::uint16_t>(port));
+  if (inet_pton(AF_INET, address.c_str(), &place.sin_addr) != 1) return true;
+  const int fd = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (fd < 0) return false;
+  const int yes = 1;
+  setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  const bool free =
+      bind(fd, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0 && listen(fd, 1) == 0;
+  close(fd);
+  return free;
 }
 
 /// Takes as long for every wrong text.
@@ -113,6 +134,7 @@ WebServer::Implementation::Implementation(const Config& config_, Broadcast& broa
 }
 
 void WebServer::Implementation::open(lws_context_creation_info info) {
+  if (!canListen(config.address, info.port)) return;
   context = lws_create_context(&info);
   lws_vhost* host = context ? lws_get_vhost_by_name(context, "default") : nullptr;
   port = host ? lws_get_vhost_listen_port(host) : 0;
