@@ -1,0 +1,25 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+
+#include "robot/Mechanism.h"
+
+namespace plumbline {
+
+/// A robot's file cannot be used; what() is one line: file, place in it, what is wrong, what to do.
+class MechanismError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads a robot from a `.json` file (the form of config/robots/nao_v5.json) or a `.urdf` with its servo
+/// table beside it: `<stem>.servo.json`, `<stem>.servo.yaml` or `<stem>.servo.yml`.
+/// doc/reference/robot-files.md describes both. Links joined by fixed joints become one. Throws
+/// MechanismError.
+Mechanism readMechanism(const std::string& path);
+
+/// The robot called `name` in a folder of robots (`<name>.json`, else `<name>.urdf`). Throws MechanismError,
+/// also for a name that is a path.
+Mechanism findMechanism(const std::string& name, const std::string& folder = "config/robots");
+
+}  // namespace plumbline

@@ -1,0 +1,312 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "robot/MechanismFile.h"
+#include "robot/MechanismParts.h"
+
+namespace plumbline {
+namespace {
+
+using nlohmann::json;
+using Joint = Mechanism::Joint;
+
+/// One object of the file, with its place for error texts.
+class Object {
+public:
+  Object(const json& value_, std::string place_, const std::string& file_)
+      : value(value_), place(std::move(place_)), file(file_) {
+    if (!value.is_object())
+      failMechanism(file, (place.empty() ? "it" : place) + " is no object; write { ... }");
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    failMechanism(file, place.empty() ? what : place + ": " + what);
+  }
+
+  bool has(const char* key) const { return value.contains(key) && !value[key].is_null(); }
+
+  const json& at(const char* key, const char* hint) const {
+    if (!has(key)) fail(std::string(key) + " is missing; give " + hint);
+    return value[key];
+  }
+
+  double number(const char* key, const char* hint) const { return toNumber(at(key, hint), key); }
+  double number(const char* key, double otherwise) const {
+    return has(key) ? toNumber(value[key], key) : otherwise;
+  }
+
+  double atLeast(double lowest, const char* key, const char* hint) const {
+    const double x = number(key, hint);
+    if (x < lowest) fail(std::string(key) + " is " + numberText(x) + "; give " + hint);
+    return x;
+  }
+
+  double positive(const char* key, const char* hint) const {
+    const double x = number(key, hint);
+    if (!(x > 0)) fail(std::string(key) + " is " + numberText(x) + "; give " + hint);
+    return x;
+  }
+
+  std::string text(const char* key, const char* hint) const {
+    const json& v = at(key, hint);
+    if (!v.is_string()) fail(std::string(key) + " is " + shown(v) + "; give " + hint);
+    return v.get<std::string>();
+  }
+
+  template <int n>
+  Eigen::Matrix<double, n, 1> vector(const char* key, const char* hint) const {
+    const json& v = at(key, hint);
+    if (!v.is_array() || v.size() != n) fail(std::string(key) + " is " + shown(v) + "; give " + hint);
+    Eigen::Matrix<double, n, 1> result;
+    for (int i = 0; i < n; ++i) result[i] = toNumber(v[static_cast<std::size_t>(i)], key);
+    return result;
+  }
+
+  Vec3 vector3(const char* key, const Vec3& otherwise) const {
+    return has(key) ? Vec3(vector<3>(key, "three numbers")) : otherwise;
+  }
+
+  Object child(const char* key, const char* hint) const {
+    return {at(key, hint), place.empty() ? key : place + ": " + key, file};
+  }
+
+  const json& value;
+  const std::string place;
+  const std::string& file;
+
+private:
+  static std::string shown(const json& v) {
+    if (v.is_array()) return "a list of " + std::to_string(v.size());
+    if (v.is_object()) return "an object";
+    std::string text = v.dump(-1, ' ', true, json::error_handler_t::replace);
+    if (text.size() > 40) text = text.substr(0, 40) + "...";
+    return text;
+  }
+
+  double toNumber(const json& v, const char* key) const {
+    if (!v.is_number()) fail(std::string(key) + " is " + shown(v) + ", no number");
+    const double x = v.get<double>();
+    if (!(std::abs(x) < 1e12)) fail(std::string(key) + " is " + numberText(x) + "; that is too large");
+    return x;
+  }
+};
+
+Mat3 inertiaOf(const Object& link) {
+  const auto i = link.vector<6>("inertia", "[ixx, iyy, izz, ixy, ixz, iyz] about the centre of mass, kg m^2");
+  Mat3 m;
+  m << i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2];
+  return m;
+}
+
+MechanismParts::Link readLink(const std::string& name, const Object& object) {
+  MechanismParts::Link part;
+  part.link.name = name;
+  part.link.mass = object.positive("mass", "a mass in kg above 0");
+  part.link.com = object.vector<3>("com", "[x, y, z] in m");
+  part.link.inertia = inertiaOf(object);
+  return part;
+}
+
+void readMotor(const Object& motor, Servo& servo) {
+  servo.kt = motor.positive("kt", "the motor's constant in N m/A at the joint");
+  servo.R = motor.positive("R", "its resistance in Ohm");
+  servo.vin = motor.positive("vin", "the supply in V");
+  servo.errorGain = motor.positive("error_gain", "the share of the supply per rad and unit of kp_firmware");
+  servo.kpFirmware = motor.atLeast(0, "kp_firmware", "the gain in the firmware's unit");
+  servo.maxPwm = motor.positive("max_pwm", "the largest share of the supply, up to 1");
+}
+
+void readServo(const Object& object, Servo& servo) {
+  if (object.has("model")) {
+    const std::string model = object.text("model", "position or dc_motor");
+    if (model != "position" && model != "dc_motor")
+      object.fail("model is \"" + model.substr(0, 40) + "\"; give position or dc_motor");
+    servo.model = model == "dc_motor" ? Servo::Model::dcMotor : Servo::Model::position;
+  }
+  if (object.has("dc_motor") || servo.model == Servo::Model::dcMotor)
+    readMotor(object.child("dc_motor", "{kt, R, vin, error_gain, kp_firmware, max_pwm}"), servo);
+  servo.kp = object.positive("kp", "the servo's gain in N m/rad, above 0");
+  servo.kd = object.atLeast(0, "kd", "the servo's damping in N m s/rad, 0 or more");
+  servo.armature = object.atLeast(0, "armature", "the rotor's inertia at the joint in kg m^2, 0 or more");
+}
+
+void readEncoder(const Object& object, Joint& joint) {
+  if (!object.has("encoder")) return;
+  const std::string side = object.text("encoder", "motor or link");
+  if (side != "motor" && side != "link")
+    object.fail("encoder is \"" + side.substr(0, 40) + "\"; give motor or link");
+  joint.encoder = side == "link" ? Joint::Encoder::link : Joint::Encoder::motor;
+}
+
+void readDriver(const Object& object, MechanismParts::Joint& part) {
+  if (!object.has("driven_by")) return;
+  part.driver = object.text("driven_by", "the joint whose motor moves this one too");
+  part.joint.driverRatio = object.number("driver_ratio", 1.0);
+  part.joint.driverOffset = object.number("driver_offset", 0.0);
+}
+
+void readLimits(const Object& object, Joint& joint) {
+  joint.maxTorque = object.positive("max_torque", "the motor's limit in N m, above 0");
+  joint.maxSpeed = object.positive("max_speed", "the motor's limit in rad/s, above 0");
+}
+
+MechanismParts::Joint readJoint(const json& value, std::size_t index, const std::string& file) {
+  std::string place = "joints[" + std::to_string(index) + "]";
+  const std::string name = Object(value, place, file).text("name", "its name");
+  checkName(name, place + ": joint", file);
+  const Object object(value, "joint " + name, file);
+  MechanismParts::Joint part;
+  Joint& joint = part.joint;
+  joint.name = name;
+  if (object.has("type")) {
+    const std::string type = object.text("type", "revolute, prismatic or fixed");
+    if (type != "revolute" && type != "prismatic" && type != "fixed")
+      object.fail("type is \"" + type.substr(0, 40) + "\"; give revolute, prismatic or fixed");
+    part.fixed = type == "fixed";
+    if (type == "prismatic") joint.type = Joint::Type::prismatic;
+  }
+  part.parent = object.text("parent", "the link that holds it");
+  part.child = object.text("child", "the link it moves");
+  joint.origin = object.vector<3>("origin", "[x, y, z] in m");
+  joint.rpy = object.vector3("rpy", Vec3::Zero());
+  if (part.fixed) return part;
+  joint.axis = object.vector<3>("axis", "[x, y, z], length 1");
+  if (std::abs(joint.axis.norm() - 1) > 1e-3)
+    object.fail("axis has length " + numberText(joint.axis.norm()) + "; give it length 1");
+  joint.axis.normalize();
+  joint.lower = object.number("lower", "the lower limit in rad");
+  joint.upper = object.number("upper", "the upper limit in rad");
+  if (!(joint.lower < joint.upper))
+    object.fail("lower " + numberText(joint.lower) + " is not below upper " + numberText(joint.upper));
+  readLimits(object, joint);
+  readEncoder(object, joint);
+  readDriver(object, part);
+  readServo(object.child("servo", "{kp, kd, armature}"), joint.servo);
+  part.hasServo = true;
+  return part;
+}
+
+MechanismParts::Foot& footOf(MechanismParts& parts, const std::string& name) {
+  for (MechanismParts::Foot& foot : parts.feet)
+    if (foot.foot.name == name) return foot;
+  parts.feet.emplace_back();
+  parts.feet.back().foot.name = name;
+  return parts.feet.back();
+}
+
+void readFeet(const Object& root, MechanismParts& parts) {
+  if (root.has("feet")) {
+    if (!root.value["feet"].is_array()) root.fail("feet is no list; write [ {...}, ... ]");
+    for (const json& value : root.value["feet"]) {
+      const std::string name = Object(value, "feet", root.file).text("name", "the foot's name");
+      checkName(name, "feet: foot", root.file);
+      const Object object(value, "foot " + name, root.file);
+      MechanismParts::Foot& foot = footOf(parts, name);
+      foot.link = object.text("link", "the link that stands on the ground");
+      foot.foot.soleCentre = object.vector<3>("sole_centre", "[x, y, z] in m");
+      foot.foot.soleSize = object.vector<3>("sole_size", "[x, y, z] in m");
+      if (foot.foot.soleSize.minCoeff() <= 0) object.fail("sole_size is not above 0");
+    }
+  }
+  if (!root.has("fsr")) return;
+  const Object fsr = root.child("fsr", "");
+  for (const auto& [key, position] : fsr.value.items()) {
+    const std::size_t dot = key.find('.');
+    const std::string corner = dot == std::string::npos ? "" : key.substr(dot + 1);
+    if (corner != "FrontLeft" && corner != "FrontRight" && corner != "RearLeft" && corner != "RearRight")
+      fsr.fail("\"" + key.substr(0, 60) +
+               "\" is no sensor; write FOOT.CORNER, corner FrontLeft, FrontRight, RearLeft or RearRight");
+    checkName(key.substr(0, dot), "fsr: foot", root.file);
+    footOf(parts, key.substr(0, dot))
+        .foot.sensors.push_back({corner, fsr.vector<3>(key.c_str(), "[x, y, z] in m")});
+  }
+}
+
+void readImu(const Object& root, MechanismParts& parts) {
+  if (!root.has("imu")) return;
+  const Object imu = root.child("imu", "");
+  parts.imuLink = imu.text("link", "the link that carries it");
+  parts.imu.gyro = imu.vector3("gyro", Vec3::Zero());
+  parts.imu.accelerometer = imu.vector3("accelerometer", Vec3::Zero());
+  parts.imu.rpy = imu.vector3("rpy", Vec3::Zero());
+}
+
+void readRest(const Object& root, MechanismParts& parts) {
+  if (root.has("base_link")) parts.base = root.text("base_link", "the link at the root");
+  parts.gravity = root.vector3("gravity", parts.gravity);
+  if (root.has("rates"))
+    parts.controlHz = root.child("rates", "").positive("control_hz", "cycles per second, above 0");
+  readImu(root, parts);
+  readFeet(root, parts);
+}
+
+/// "RHipYawPitch is driven by the LHipYawPitch motor": files made before `driven_by` say it in a note.
+void readDriverNotes(const Object& root, MechanismParts& parts) {
+  if (!root.has("notes") || !root.value["notes"].is_array()) return;
+  for (const json& note : root.value["notes"]) {
+    if (!note.is_string()) continue;
+    const std::string text = note.get<std::string>();
+    static const std::string middle = " is driven by the ";
+    const std::size_t at = text.find(middle);
+    if (at == std::string::npos) continue;
+    const std::size_t from = at + middle.size(), end = text.find(" motor", from);
+    if (end == std::string::npos) continue;
+    MechanismParts::Joint* joint = parts.find(text.substr(0, at));
+    const std::string driver = text.substr(from, end - from);
+    if (joint && joint->driver.empty() && parts.find(driver)) joint->driver = driver;
+  }
+}
+
+}  // namespace
+
+MechanismParts partsOfJson(const json& value, const std::string& file) {
+  const Object root(value, "", file);
+  MechanismParts parts;
+  parts.name = root.text("name", "the robot's name");
+  checkName(parts.name, "name", file);
+  const Object links = root.child("links", "{ NAME: {mass, com, inertia}, ... }");
+  for (const auto& [name, link] : links.value.items()) {
+    checkName(name, "links: link", file);
+    parts.links.push_back(readLink(name, Object(link, "link " + name, file)));
+  }
+  const json& joints = root.at("joints", "[ {name, parent, child, ...}, ... ]");
+  if (!joints.is_array()) root.fail("joints is no list; write [ {...}, ... ]");
+  for (std::size_t i = 0; i < joints.size(); ++i) parts.joints.push_back(readJoint(joints[i], i, file));
+  readRest(root, parts);
+  readDriverNotes(root, parts);
+  return parts;
+}
+
+void applyServoTable(const json& value, const std::string& file, MechanismParts& parts) {
+  const Object root(value, "", file);
+  const Object joints = root.child("joints", "{ JOINT: {kp, kd, armature}, ... }");
+  for (const auto& [name, entry] : joints.value.items()) {
+    const Object object(entry, "joint " + name.substr(0, 80), file);
+    MechanismParts::Joint* part = parts.find(name);
+    if (!part) object.fail("the URDF has no joint of this name");
+    if (part->fixed) object.fail("is fixed in the URDF; leave it out");
+    if (object.has("max_torque")) part->joint.maxTorque = object.number("max_torque", "");
+    if (object.has("max_speed")) part->joint.maxSpeed = object.number("max_speed", "");
+    readEncoder(object, part->joint);
+    readDriver(object, *part);
+    readServo(object, part->joint.servo);
+    part->hasServo = true;
+  }
+  for (MechanismParts::Joint& part : parts.joints) {
+    if (part.fixed) continue;
+    const MechanismParts::Joint* driver = part.driver.empty() ? nullptr : parts.find(part.driver);
+    if (!part.hasServo && driver && driver->hasServo) {
+      part.joint.servo = driver->joint.servo;
+      part.hasServo = true;
+    }
+    if (!part.hasServo)
+      failMechanism(file, "joint " + part.joint.name + " is missing; give it kp, kd and armature");
+    if (!(part.joint.maxTorque > 0) || !(part.joint.maxSpeed > 0))
+      failMechanism(
+          file, "joint " + part.joint.name +
+                    ": max_torque or max_speed is not above 0, here or as effort and velocity in the URDF");
+  }
+  readRest(root, parts);
+}
+
+}  // namespace plumbline

@@ -1,0 +1,283 @@
+#include "robot/MechanismParts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "robot/MechanismFile.h"
+
+namespace plumbline {
+namespace {
+
+constexpr std::size_t maxParts = 512;
+using Joint = Mechanism::Joint;
+
+/// What a group of links held together by fixed joints adds up to, in the frame of its first link.
+struct Body {
+  std::string name;
+  double mass = 0;
+  Vec3 moment = Vec3::Zero();   ///< mass times com
+  Mat3 inertia = Mat3::Zero();  ///< about the frame's origin
+  int links = 0;
+  const Mechanism::Link* only = nullptr;
+
+  void add(const Mechanism::Link& link, const Pose3& T_body_link) {
+    const Vec3 com = T_body_link * link.com;
+    mass += link.mass;
+    moment += link.mass * com;
+    inertia += T_body_link.linear() * link.inertia * T_body_link.linear().transpose() +
+               link.mass * (com.squaredNorm() * Mat3::Identity() - com * com.transpose());
+    only = ++links == 1 ? &link : nullptr;
+  }
+
+  Mechanism::Link finish() const {
+    if (only) return *only;  // exactly as written
+    Mechanism::Link link;
+    link.mass = mass;
+    if (mass > 0) link.com = moment / mass;
+    link.inertia =
+        inertia - mass * (link.com.squaredNorm() * Mat3::Identity() - link.com * link.com.transpose());
+    return link;
+  }
+};
+
+bool isPositiveDefinite(const Mat3& m) {
+  return m(0, 0) > 0 && m.topLeftCorner<2, 2>().determinant() > 0 && m.determinant() > 0;
+}
+
+class Assembler {
+public:
+  Assembler(const MechanismParts& parts_, const std::string& file_) : parts(parts_), file(file_) {}
+
+  Mechanism run() {
+    if (parts.links.size() > maxParts || parts.joints.size() > maxParts)
+      fail("more than " + std::to_string(maxParts) + " links or joints");
+    index();
+    placeLinks();
+    finishLinks();
+    finishDrivers();
+    finishSensors();
+    result.name = parts.name;
+    result.gravity = parts.gravity;
+    result.controlHz = parts.controlHz;
+    return std::move(result);
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& what) const { failMechanism(file, what); }
+
+  void index() {
+    for (std::size_t i = 0; i < parts.links.size(); ++i)
+      if (!linkAt.emplace(parts.links[i].link.name, i).second)
+        fail("link " + parts.links[i].link.name + " occurs twice; rename one");
+    std::map<std::string, std::string> moverOf;
+    std::map<std::string, int> names;
+    for (const auto& [joint, parent, child, driver, fixed, servo] : parts.joints) {
+      if (++names[joint.name] > 1) fail("joint " + joint.name + " occurs twice; rename one");
+      for (const std::string& end : {parent, child})
+        if (!linkAt.count(end)) fail("joint " + joint.name + ": there is no link " + end);
+      if (const auto [it, isNew] = moverOf.emplace(child, joint.name); !isNew)
+        fail("link " + child + " is the child of both " + it->second + " and " + joint.name +
+             "; a robot is a tree");
+    }
+    std::vector<std::string> roots;
+    for (const MechanismParts::Link& link : parts.links)
+      if (!moverOf.count(link.link.name)) roots.push_back(link.link.name);
+    if (roots.empty()) fail("no link is the base: the joints form a ring");
+    if (roots.size() > 1)
+      fail("links " + roots[0] + " and " + roots[1] +
+           " both lack a joint that holds them; join one to the rest");
+    if (!parts.base.empty() && parts.base != roots[0])
+      fail("base_link is " + parts.base + ", but the joints start at " + roots[0]);
+    bodies.push_back({});
+    bodies[0].name = roots[0];
+    enter(roots[0], 0, Pose3::Identity());
+  }
+
+  void enter(const std::string& link, int body, const Pose3& T_body_link) {
+    placed[link] = {body, T_body_link};
+    bodies[static_cast<std::size_t>(body)].add(parts.links[linkAt[link]].link, T_body_link);
+    if (link != bodies[static_cast<std::size_t>(body)].name)
+      result.frames.push_back({link, body, T_body_link});
+  }
+
+  /// Takes the first joint of the file whose parent has its place, again and again: parents come first, the
+  /// file's order stays where it can.
+  void placeLinks() {
+    std::vector<bool> done(parts.joints.size());
+    for (std::size_t placedJoints = 0; placedJoints < done.size(); ++placedJoints) {
+      std::size_t next = 0;
+      while (next < done.size() && (done[next] || !placed.count(parts.joints[next].parent))) ++next;
+      if (next == done.size()) {
+        next = static_cast<std::size_t>(std::find(done.begin(), done.end(), false) - done.begin());
+        fail("joint " + parts.joints[next].joint.name + " hangs in a ring of links; a robot is a tree");
+      }
+      done[next] = true;
+      place(parts.joints[next]);
+    }
+  }
+
+  void place(const MechanismParts::Joint& part) {
+    const auto [parentBody, T_body_parent] = placed[part.parent];
+    if (part.fixed) {
+      enter(part.child, parentBody, T_body_parent * part.joint.T_parent_joint());
+      return;
+    }
+    Joint joint = part.joint;
+    if (!part.hasServo) fail("joint " + joint.name + " has no servo; give it kp, kd and armature");
+    if (!T_body_parent.isApprox(Pose3::Identity(), 0)) {
+      const Pose3 T_body_joint = T_body_parent * joint.T_parent_joint();
+      joint.origin = T_body_joint.translation();
+      joint.rpy = rpyOfRotation(T_body_joint.linear());
+    }
+    joint.parent = parentBody;
+    joint.child = static_cast<int>(bodies.size());
+    bodies.push_back({});
+    bodies.back().name = part.child;
+    enter(part.child, joint.child, Pose3::Identity());
+    result.joints.push_back(joint);
+    drivers.push_back(part.driver);
+  }
+
+  void finishLinks() {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      Mechanism::Link link = bodies[i].finish();
+      link.name = bodies[i].name;
+      link.parent = i == 0 ? -1 : result.joints[i - 1].parent;
+      if (i > 0 && !(link.mass > 0))
+        fail("link " + link.name + ": mass is " + numberText(link.mass) + "; give what moves a mass");
+      if ((i > 0 || link.mass > 0) && !isPositiveDefinite(link.inertia))
+        fail("link " + link.name + ": the inertia is not positive definite; check order and signs");
+      result.links.push_back(std::move(link));
+    }
+  }
+
+  void finishDrivers() {
+    for (std::size_t j = 0; j < drivers.size(); ++j) {
+      if (drivers[j].empty()) continue;
+      Joint& joint = result.joints[j];
+      joint.driver = result.jointIndex(drivers[j]);
+      if (joint.driver < 0)
+        fail("joint " + joint.name + " is driven by " + drivers[j] + ", which is no joint");
+      if (joint.driver == static_cast<int>(j)) fail("joint " + joint.name + " is driven by itself");
+      const auto driver = static_cast<std::size_t>(joint.driver);
+      if (!drivers[driver].empty())
+        fail("joint " + joint.name + " is driven by " + drivers[j] + ", which has no motor of its own");
+    }
+  }
+
+  int linkOrFail(const std::string& name, const std::string& of) const {
+    const int link = result.linkIndex(name);
+    if (link < 0) fail(of + ": there is no link " + name);
+    return link;
+  }
+
+  Pose3 frameOf(const std::string& link) const { return placed.at(link).second; }
+
+  void finishSensors() {
+    if (!parts.imuLink.empty()) {
+      result.hasImu = true;
+      result.imu = parts.imu;
+      result.imu.link = linkOrFail(parts.imuLink, "imu");
+      const Pose3 T = frameOf(parts.imuLink);
+      result.imu.gyro = T * parts.imu.gyro;
+      result.imu.accelerometer = T * parts.imu.accelerometer;
+      if (!T.linear().isIdentity(0))
+        result.imu.rpy = rpyOfRotation(T.linear() * rotationOfRpy(parts.imu.rpy));
+    }
+    for (const MechanismParts::Foot& part : parts.feet) {
+      Mechanism::Foot foot = part.foot;
+      const std::string link = part.link.empty() ? lowestLink(foot.name) : part.link;
+      foot.link = linkOrFail(link, "foot " + foot.name);
+      const Pose3 T = frameOf(link);
+      if (!T.linear().isIdentity(1e-9))
+        fail("foot " + foot.name + ": link " + link +
+             " is turned against what it is fixed to; name that link");
+      for (Mechanism::ForceSensor& sensor : foot.sensors) sensor.position += T.translation();
+      if (foot.soleSize.isZero(0))
+        coverSensors(foot);
+      else
+        foot.soleCentre += T.translation();
+      result.feet.push_back(std::move(foot));
+    }
+  }
+
+  /// The lowest link with all joints at zero among those whose name begins with the foot's first letter.
+  std::string lowestLink(const std::string& foot) const {
+    const std::vector<Pose3> poses = linkPoses(result, std::vector<double>(result.joints.size(), 0));
+    int best = -1;
+    double height = 0;
+    for (std::size_t i = 1; i < poses.size(); ++i) {
+      if (std::tolower(static_cast<unsigned char>(result.links[i].name[0])) !=
+          std::tolower(static_cast<unsigned char>(foot[0])))
+        continue;
+      // Of links whose frames coincide the last carries the sole.
+      if (best < 0 || poses[i].translation().z() <= height + 1e-9) {
+        best = static_cast<int>(i);
+        height = poses[i].translation().z();
+      }
+    }
+    if (best < 0)
+      fail("fsr " + foot + ": no link begins with the same letter; add feet: [{name: " + foot +
+           ", link: ...}]");
+    return result.links[static_cast<std::size_t>(best)].name;
+  }
+
+  static void coverSensors(Mechanism::Foot& foot) {
+    if (foot.sensors.empty()) return;
+    Eigen::AlignedBox3d box;
+    for (const Mechanism::ForceSensor& sensor : foot.sensors) box.extend(sensor.position);
+    constexpr double thickness = 0.01;
+    foot.soleCentre = box.center() + Vec3(0, 0, thickness / 2);
+    foot.soleSize = Vec3(box.sizes().x(), box.sizes().y(), thickness);
+  }
+
+  const MechanismParts& parts;
+  const std::string& file;
+  Mechanism result;
+  std::map<std::string, std::size_t> linkAt;
+  std::map<std::string, std::pair<int, Pose3>> placed;
+  std::vector<Body> bodies;
+  std::vector<std::string> drivers;
+};
+
+}  // namespace
+
+MechanismParts::Joint* MechanismParts::find(const std::string& joint) {
+  for (Joint& j : joints)
+    if (j.joint.name == joint) return &j;
+  return nullptr;
+}
+
+Mechanism assemble(const MechanismParts& parts, const std::string& file) {
+  return Assembler(parts, file).run();
+}
+
+void failMechanism(const std::string& file, const std::string& what) {
+  throw MechanismError(file + ": " + what);
+}
+
+std::string numberText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+void checkName(const std::string& name, const std::string& what, const std::string& file) {
+  constexpr std::size_t maxLength = 80;
+  const bool bad =
+      name.empty() || name.size() > maxLength || std::any_of(name.begin(), name.end(), [](char c) {
+        return static_cast<unsigned char>(c) <= ' ' || c == 127 ||
+               std::string_view(".,/\\\"'*").find(c) != std::string_view::npos;
+      });
+  if (!bad) return;
+  std::string shown = name.substr(0, maxLength);
+  for (char& c : shown)
+    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
+  failMechanism(file, what + " \"" + shown +
+                          "\" cannot be a name; use up to 80 characters without blanks, dots, commas, "
+                          "slashes, quotes and stars");
+}
+
+}  // namespace plumbline

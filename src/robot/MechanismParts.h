@@ -1,0 +1,58 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/Mechanism.h"
+
+namespace plumbline {
+
+/// A robot as its files name it, before it is sorted and checked: what the readers of the two forms share.
+/// Indices of Mechanism's parts are not set; names stand in their place.
+struct MechanismParts {
+  struct Link {
+    Mechanism::Link link;
+    bool movable = true;  ///< false: its mass may be nought (URDF frames)
+  };
+  struct Joint {
+    Mechanism::Joint joint;
+    std::string parent, child;
+    std::string driver;
+    bool fixed = false;
+    bool hasServo = false;
+  };
+  struct Foot {
+    Mechanism::Foot foot;
+    std::string link;
+  };
+
+  std::string name, base, imuLink;
+  std::vector<Link> links;
+  std::vector<Joint> joints;
+  std::vector<Foot> feet;
+  Mechanism::Imu imu;
+  Vec3 gravity = Vec3(0, 0, -9.81);
+  double controlHz = 100;
+
+  Joint* find(const std::string& joint);
+};
+
+/// Sorts, joins what fixed joints hold together, and checks. `file` stands in errors.
+Mechanism assemble(const MechanismParts& parts, const std::string& file);
+
+/// Reads a whole JSON robot.
+MechanismParts partsOfJson(const nlohmann::json& json, const std::string& file);
+/// Reads a URDF; servos are still missing.
+MechanismParts partsOfUrdf(const std::string& text, const std::string& file);
+/// Adds a servo table to a URDF's parts.
+void applyServoTable(const nlohmann::json& table, const std::string& file, MechanismParts& parts);
+
+[[noreturn]] void failMechanism(const std::string& file, const std::string& what);
+std::string numberText(double value);
+
+/// Names what a column of a recording or a file can carry: throws for an empty one, a long one, dots, commas,
+/// slashes, quotes, blanks.
+void checkName(const std::string& name, const std::string& what, const std::string& file);
+
+}  // namespace plumbline
