@@ -20,6 +20,7 @@ public:
   /// Empty on success, else one line why not ("cannot connect to localhost:3100: Connection refused").
   std::string connect(const std::string& host, int port, double timeoutSeconds = 5);
   bool connected() const { return fd >= 0; }
+  int descriptor() const { return fd; }  ///< to wait for together with others; -1: not connected
   void close();
 
   /// Waits for the next message; it stays valid until the next call. timeoutSeconds < 0: as long as it takes,

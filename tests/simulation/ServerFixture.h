@@ -35,6 +35,7 @@ public:
   void join() { thread.join(); }
   int agentPort() const { return server->agentPort(); }
   int monitorPort() const { return server->monitorPort(); }
+  int fieldPort() const { return server->fieldPort(); }
   std::string log() {
     const std::lock_guard lock(mutex);
     return lines;

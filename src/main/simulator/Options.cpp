@@ -39,7 +39,7 @@ struct Given {
   std::uint64_t seed = 0;
   bool realTime = false;
   double monitorStep = 0.04, maxSeconds = 0, kickOffAfter = 0;
-  int waitForAgents = 0, replayType = 0, webPort = -1;
+  int waitForAgents = 0, replayType = 0, webPort = -1, fieldPort = 0;
 };
 
 void complete(Options& options, const Given& given, const CLI::App& app) {
@@ -53,6 +53,11 @@ void complete(Options& options, const Given& given, const CLI::App& app) {
       std::max(1, static_cast<int>(std::lround(given.monitorStep / server.simulation.world.stepSeconds)));
   server.realTime = set("--realtime") ? given.realTime : !server.agents.sync;
   server.waitForAgents = set("--wait-agents") ? given.waitForAgents : server.realTime ? 0 : 1;
+  if (set("--field-port") || (server.monitors.port > 0 && server.monitors.port < 65535)) {
+    server.field = {given.bind, set("--field-port") ? given.fieldPort : server.monitors.port + 1,
+                    given.token};
+    server.fieldOptional = !set("--field-port");
+  }
   if (set("--max-seconds")) server.maxSeconds = given.maxSeconds;
   if (set("--kickoff-after")) server.simulation.rules.kickOffAfter = given.kickOffAfter;
   if (set("--web")) {
@@ -75,6 +80,9 @@ Options parseOptions(int argc, char** argv) {
   app.set_help_flag("-h,--help", "Print this help");
   app.add_option("--port", server.agents.port, "Agent port; 0: a free one [3100]")->check(aPort);
   app.add_option("--monitor-port", server.monitors.port, "Monitor port; 0: a free one [3200]")->check(aPort);
+  app.add_option("--field-port", given.fieldPort,
+                 "Port of bin/simplemonitor; 0: a free one [the monitor port + 1; none if that is 0]")
+      ->check(aPort);
   app.add_option("--bind", given.bind, "Address to listen on [127.0.0.1]; any but loopback needs --token");
   app.add_option("--token", given.token, "Monitors must first send (token TOKEN)");
   app.add_option("--ports-file", options.portsFile,

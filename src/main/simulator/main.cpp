@@ -73,7 +73,8 @@ void serve(const Options& options) {
   std::unique_ptr<web::WebMonitor> page;
   if (options.webPort) page = openPage(options, server);
   if (!options.portsFile.empty())
-    writePorts(options.portsFile, server.agentPort(), server.monitorPort(), page ? page->port() : 0);
+    writePorts(options.portsFile, server.agentPort(), server.monitorPort(), page ? page->port() : 0,
+               server.fieldPort());
   std::printf("simulator: agent port %d, monitor port %d, seed %llu\n", server.agentPort(),
               server.monitorPort(), static_cast<unsigned long long>(options.server.simulation.seed));
   std::fflush(stdout);

@@ -32,10 +32,11 @@ std::string number(double value, int decimals) {
 
 }  // namespace
 
-void writePorts(const std::string& file, int agentPort, int monitorPort, int webPort) {
+void writePorts(const std::string& file, int agentPort, int monitorPort, int webPort, int fieldPort) {
   writeWhole(file, "{\"agent\": " + std::to_string(agentPort) +
                        ", \"monitor\": " + std::to_string(monitorPort) +
-                       (webPort > 0 ? ", \"web\": " + std::to_string(webPort) : "") + "}\n");
+                       (webPort > 0 ? ", \"web\": " + std::to_string(webPort) : "") +
+                       (fieldPort > 0 ? ", \"field\": " + std::to_string(fieldPort) : "") + "}\n");
 }
 
 void writeStatistics(const std::string& file, const ServerStatistics& s) {

@@ -8,8 +8,9 @@ namespace plumbline::simulation {
 // Small files for whoever started the simulator, written beside and renamed, so that nobody reads half of
 // one. Each throws std::runtime_error, one line, if the file cannot be written.
 
-/// {"agent": 3100, "monitor": 3200}, and "web": 8080 if there is a page.
-void writePorts(const std::string& file, int agentPort, int monitorPort, int webPort = 0);
+/// {"agent": 3100, "monitor": 3200}, and "web": 8080 if there is a page, "field": 3201 if bin/simplemonitor
+/// has its port.
+void writePorts(const std::string& file, int agentPort, int monitorPort, int webPort = 0, int fieldPort = 0);
 /// {"cycles":, "cpu_us_per_cycle":, "sim_s":, "wall_s":, "x_real_time":}
 void writeStatistics(const std::string& file, const ServerStatistics& statistics);
 

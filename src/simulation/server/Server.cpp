@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <stdexcept>
 
 namespace plumbline::simulation {
 
@@ -26,6 +27,16 @@ Server::Server(const ServerConfig& config_, LogFunction log)
       agents(config.agents, simulation_, log),
       monitors(config.monitors, simulation_, log) {
   if (!config.realTime) monitors.clock().speed = 0;
+  if (config.field) openField(log);
+}
+
+void Server::openField(const LogFunction& log) {
+  try {
+    field.emplace(*config.field, simulation_, log);
+  } catch (const std::runtime_error& problem) {
+    if (!config.fieldOptional) throw;
+    log("nothing for bin/simplemonitor at its own port: " + std::string(problem.what()));
+  }
 }
 
 void Server::listen(int milliseconds) {
@@ -33,9 +44,12 @@ void Server::listen(int milliseconds) {
   agents.watch(descriptors);
   const std::size_t firstMonitor = descriptors.size();
   monitors.watch(descriptors);
+  const std::size_t firstViewer = descriptors.size();
+  if (field) field->watch(descriptors);
   if (poll(descriptors.data(), descriptors.size(), milliseconds) <= 0) return;
   agents.serve(descriptors.data());
   monitors.serve(descriptors.data() + firstMonitor);
+  if (field) field->serve(descriptors.data() + firstViewer);
 }
 
 bool Server::clockStands() const {
@@ -54,6 +68,7 @@ bool Server::collect() {
   const bool commanded = monitors.carryOut();
   agents.dropBroken();
   monitors.tell(commanded);
+  tellField();
   return false;
 }
 
@@ -67,8 +82,15 @@ void Server::cycle() {
   if (clock.steps > 0) --clock.steps;
   if (clock.speed > 0) waitForClock();
   monitors.tell(monitors.due() || clock.paused);
+  tellField();
   agents.dropBroken();
   ++statistics_.cycles;
+}
+
+void Server::tellField() {
+  if (!field) return;
+  field->tell();
+  field->dropBroken();
 }
 
 void Server::waitForClock() {

@@ -7,6 +7,7 @@
 
 #include "simulation/Simulation.h"
 #include "simulation/server/AgentPort.h"
+#include "simulation/server/FieldPort.h"
 #include "simulation/server/MonitorPort.h"
 
 namespace plumbline::simulation {
@@ -15,6 +16,8 @@ struct ServerConfig {
   SimulationConfig simulation;
   AgentPort::Config agents;
   MonitorPort::Config monitors;
+  std::optional<FieldPort::Config> field;  ///< where bin/simplemonitor looks; none: no such port
+  bool fieldOptional = false;              ///< do without if its port is in use
   bool realTime = true;
   /// The clock stands until so many agents have come, and after that while none is there; 0: it never stands.
   int waitForAgents = 0;
@@ -38,6 +41,7 @@ public:
 
   int agentPort() const { return agents.port(); }
   int monitorPort() const { return monitors.port(); }
+  int fieldPort() const { return field ? field->port() : 0; }  ///< 0: there is none
   /// Runs until stop is set (a signal handler may do it), a trainer kills the simulator, or the time is over.
   void run(const std::atomic<bool>& stop);
   const ServerStatistics& statistics() const { return statistics_; }
@@ -50,12 +54,15 @@ private:
   bool collect();
   bool clockStands() const;
   void cycle();
+  void openField(const LogFunction& log);
+  void tellField();
   void waitForClock();
 
   ServerConfig config;
   Simulation simulation_;
   AgentPort agents;
   MonitorPort monitors;
+  std::optional<FieldPort> field;
   std::vector<pollfd> descriptors;
   bool started = false;
   double nextTick = 0;  ///< wall clock

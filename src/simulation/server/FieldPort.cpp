@@ -1,0 +1,97 @@
+#include "simulation/server/FieldPort.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simspark/FieldMessage.h"
+
+namespace plumbline::simulation {
+
+namespace {
+constexpr std::size_t maxViewers = 32;
+constexpr std::size_t maxMessage = 1024;   ///< bytes: a token and no more
+constexpr std::size_t maxQueue = 1 << 16;  ///< bytes a viewer may leave unread; it is told nothing meanwhile
+constexpr double uprightAxis = 0.5;        ///< as in simspark::fieldState
+}  // namespace
+
+std::string fieldMessage(const Simulation& simulation) {
+  const Game& game = simulation.game();
+  simspark::FieldState state;
+  state.time = game.time;
+  state.half = game.half;
+  state.scoreLeft = game.score[0];
+  state.scoreRight = game.score[1];
+  state.playMode = simspark::playModeName(game.mode);
+  state.teamLeft = game.teams[0];
+  state.teamRight = game.teams[1];
+  state.ball = simulation.world().ball().pose.translation();
+  for (const auto& [id, player] : simulation.allPlayers()) {
+    const Pose3 torso = simulation.world().torso(player->robot).pose;
+    const Vec3 forward = torso.linear().col(0);
+    state.robots.push_back({player->side, player->unum, torso.translation().head<2>(),
+                            std::atan2(forward.y(), forward.x()), torso.linear()(2, 2) < uprightAxis});
+  }
+  return simspark::writeFieldMessage(state);
+}
+
+FieldPort::Viewer::Viewer(int fd, const std::string& address) : client(fd, address, maxMessage, maxQueue) {}
+
+FieldPort::FieldPort(const Config& config_, Simulation& simulation_, LogFunction log_)
+    : config(config_), simulation(simulation_), log(std::move(log_)), listener(config.address, config.port) {}
+
+void FieldPort::watch(std::vector<pollfd>& descriptors) {
+  descriptors.push_back({listener.descriptor(), POLLIN, 0});
+  for (const auto& viewer : viewers) descriptors.push_back(viewer->client.watch());
+  watched = viewers.size();
+}
+
+void FieldPort::serve(const pollfd* events) {
+  for (std::size_t i = 0; i < watched; ++i) {
+    if (events[1 + i].revents == 0) continue;
+    viewers[i]->client.serve(events[1 + i].revents);
+    receive(*viewers[i]);
+  }
+  if (events[0].revents != 0) accept();
+}
+
+void FieldPort::accept() {
+  std::string address;
+  for (int fd = -1; (fd = listener.accept(address)) >= 0;) {
+    viewers.push_back(std::make_unique<Viewer>(fd, address));
+    viewers.back()->admitted = config.token.empty();
+    if (viewers.size() > maxViewers) viewers.back()->client.drop("too many viewers");
+  }
+}
+
+void FieldPort::receive(Viewer& viewer) {
+  for (std::string_view message; viewer.client.next(message);) {
+    if (viewer.admitted) continue;  // it has nothing to command
+    viewer.admitted = message == "(token " + config.token + ")";
+    if (!viewer.admitted) return viewer.client.drop("did not name the token");
+  }
+}
+
+void FieldPort::tell() {
+  if (viewers.empty()) return;
+  const double now = wallClock();
+  text.clear();
+  for (const auto& viewer : viewers) {
+    if (!viewer->admitted || viewer->client.broken() || now < viewer->nextTime || !viewer->client.idle())
+      continue;
+    if (text.empty()) text = fieldMessage(simulation);
+    if (viewer->told == text) continue;
+    viewer->client.send(text);
+    viewer->told = text;
+    viewer->nextTime = now + simspark::fieldInterval;
+  }
+}
+
+void FieldPort::dropBroken() {
+  std::erase_if(viewers, [this](const auto& viewer) {
+    if (!viewer->client.broken()) return false;
+    log("viewer " + viewer->client.address() + ' ' + viewer->client.reason());
+    return true;
+  });
+}
+
+}  // namespace plumbline::simulation

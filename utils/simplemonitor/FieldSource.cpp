@@ -1,0 +1,82 @@
+#include "FieldSource.h"
+
+#include <utility>
+
+#include "simspark/TrainerCommand.h"
+
+namespace plumbline::simplemonitor {
+
+using simspark::Connection;
+
+namespace {
+constexpr double patience = 3;  ///< for a connection [s]
+}  // namespace
+
+FieldSource::FieldSource(std::string host_, std::vector<int> ports_, std::string token_)
+    : host(std::move(host_)), token(std::move(token_)), ports(std::move(ports_)), port(ports.front()) {}
+
+std::string FieldSource::connect() {
+  std::string problems;
+  complete_ = false;
+  scene = simspark::SceneState();
+  for (const int candidate : ports) {
+    std::string why = connection.connect(host, candidate, patience);
+    if (why.empty()) {
+      port = candidate;
+      problem_.clear();
+      if (!token.empty()) connection.send("(token " + token + ")");
+      // This project's monitor port then tells no more often than it is looked at; others ignore it.
+      connection.send(simspark::writeTrainerCommand(simspark::ViewerCommand{simspark::fieldInterval}));
+      return {};
+    }
+    if (!problems.empty()) {
+      problems += ", nor to port " + std::to_string(candidate);
+      if (const auto colon = why.rfind(": "); colon != std::string::npos) problems += why.substr(colon);
+    } else {
+      problems = std::move(why);
+    }
+  }
+  return problems;
+}
+
+void FieldSource::lose(const std::string& why) {
+  problem_ = why.empty() ? "the simulator has gone" : why;
+  connection.close();
+  complete_ = false;
+}
+
+bool FieldSource::take(std::string_view message) {
+  if (message == "best" || simspark::readClock(message)) return false;
+  std::string why;
+  if (simspark::isFieldMessage(message)) {
+    why = simspark::readFieldMessage(message, state_);
+  } else {
+    why = scene.update(message);
+    if (why.empty() && !scene.complete()) return false;
+  }
+  if (!why.empty()) {
+    lose(name() + " sent no monitor's message: " + why);
+    return false;
+  }
+  complete_ = true;
+  return true;
+}
+
+bool FieldSource::receive(double timeoutSeconds) {
+  bool fresh = false;
+  while (connection.connected()) {
+    std::string_view message;
+    const auto status = connection.receive(message, fresh ? 0 : timeoutSeconds);
+    if (status == Connection::Status::timeout) break;
+    if (status == Connection::Status::closed) {
+      lose(connection.error());
+      break;
+    }
+    bytes_ += simspark::frameHeaderSize + message.size();
+    fresh = take(message) || fresh;
+  }
+  if (fresh && complete_ && scene.complete()) state_ = simspark::fieldState(scene);
+  return fresh && complete_;
+}
+
+}  // namespace plumbline::simplemonitor
