@@ -1,0 +1,67 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <deque>
+#include <string>
+
+#include "optimization/BoxTransform.h"
+#include "optimization/Optimizer.h"
+
+namespace plumbline {
+
+struct CmaesOptions {
+  int population = 0;  ///< candidates per generation; 0: 4 + floor(3 ln n); at least 4
+  std::uint64_t seed = 1;
+  bool active = true;  ///< bad candidates take variance away (negative weights)
+  StopCriteria stop;
+};
+
+/// CMA-ES with active covariance update: Hansen, "The CMA Evolution Strategy: A Tutorial" (arXiv:1604.00772,
+/// 2016), figure 6 and table 1, cm = 1. Bounds by BoxTransform. The covariance is decomposed anew only after
+/// 0.5 / ((c1 + cmu) n) generations. Each generation's numbers depend on seed and generation alone.
+class Cmaes : public Optimizer {
+public:
+  Cmaes(SearchSpace space, CmaesOptions options = {});
+
+  int population() const { return static_cast<int>(weights.size()); }
+  double sigma() const { return sigma_; }
+  Eigen::VectorXd favourite() const override;
+  /// Standard deviation of the candidates, per coordinate (bounds aside).
+  Eigen::VectorXd deviations() const;
+
+  /// Everything learnt, between tell() and ask(); restore() takes it in a Cmaes of the same space and
+  /// options. Throws std::invalid_argument for what is no such state.
+  std::string save() const;
+  void restore(const std::string& state);
+
+protected:
+  void sample(Eigen::MatrixXd& candidates) override;
+  void update(std::span<const double> costs, std::span<const int> order) override;
+  StopReason converged() const override;
+
+private:
+  void decompose();
+  void adaptCovariance(std::span<const int> order, bool pathIsShort);
+  void remember(std::span<const double> costs, std::span<const int> order);
+  template <typename Archive>
+  void visitState(Archive&& archive);
+
+  CmaesOptions options;
+  BoxTransform box;
+  int mu = 0;
+  Eigen::VectorXd weights;
+  double muEff = 0, cSigma = 0, dSigma = 0, cC = 0, c1 = 0, cMu = 0, chiN = 0;
+  std::int64_t decomposeEvery = 1;
+
+  // In coordinates whose unit is the first sigma.
+  Eigen::VectorXd mean, pathSigma, pathC, scales;
+  Eigen::MatrixXd covariance, axes;  // axes: eigenvectors times scales
+  Eigen::MatrixXd z, y;              // of this generation
+  double sigma_ = 1;
+  std::int64_t updates = 0, decomposedAt = 0;
+  double lastSpread = 0;
+  std::deque<double> bests, medians;
+  bool degenerate = false;
+};
+
+}  // namespace plumbline

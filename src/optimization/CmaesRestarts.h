@@ -1,0 +1,42 @@
+#pragma once
+#include <memory>
+
+#include "optimization/Cmaes.h"
+
+namespace plumbline {
+
+/// CMA-ES that begins anew where it has converged, until maxEvaluations, maxGenerations (of all runs
+/// together), targetCost or `restarts`. A restart begins at a random place: uniform in finite bounds, else
+/// normal around the start with sigma. IPOP (Auger and Hansen, CEC 2005): each restart has twice the
+/// population. BIPOP (Hansen, GECCO workshop 2009): the larger ones alternate with small ones of random size
+/// and smaller sigma, whichever kind has used fewer evaluations being next.
+class CmaesRestarts : public Optimizer {
+public:
+  enum class Kind { ipop, bipop };
+  /// options.population is the first run's; options.stop applies to each run, its limits to all together.
+  CmaesRestarts(SearchSpace space, CmaesOptions options, Kind kind = Kind::ipop, int restarts = 9);
+
+  int restartsDone() const { return run; }
+  int population() const { return current->population(); }
+  Eigen::VectorXd favourite() const override { return current->favourite(); }
+
+protected:
+  void sample(Eigen::MatrixXd& candidates) override { candidates = current->ask(); }
+  void update(std::span<const double> costs, std::span<const int> order) override;
+  StopReason converged() const override { return finished; }
+
+private:
+  void restart();
+
+  CmaesOptions options;
+  Kind kind;
+  int restarts;
+  int run = 0;         ///< restarts done
+  int doublings = 0;   ///< of the population
+  bool small = false;  ///< the current run is one of BIPOP's small ones
+  std::int64_t usedBySmall = 0, usedByLarge = 0;
+  std::unique_ptr<Cmaes> current;
+  StopReason finished = StopReason::none;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,131 @@
+#include "optimization/Optimizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace plumbline {
+namespace {
+
+[[noreturn]] void fail(const std::string& what, Eigen::Index coordinate, double value) {
+  throw std::invalid_argument("search space: " + what + " of coordinate " + std::to_string(coordinate) +
+                              " is " + std::to_string(value));
+}
+
+void check(SearchSpace& space) {
+  const Eigen::Index n = space.start.size();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (n == 0) throw std::invalid_argument("search space: no coordinates");
+  if (space.lower.size() == 0) space.lower = Eigen::VectorXd::Constant(n, -infinity);
+  if (space.upper.size() == 0) space.upper = Eigen::VectorXd::Constant(n, infinity);
+  for (const Eigen::VectorXd* v : {&space.sigma, &space.lower, &space.upper})
+    if (v->size() != n)
+      throw std::invalid_argument("search space: " + std::to_string(v->size()) + " numbers for " +
+                                  std::to_string(n) + " coordinates");
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (!std::isfinite(space.start[i])) fail("the start", i, space.start[i]);
+    if (!(space.sigma[i] > 0) || !std::isfinite(space.sigma[i])) fail("sigma", i, space.sigma[i]);
+    if (!(space.lower[i] < space.upper[i])) fail("the lower bound, not below the upper,", i, space.lower[i]);
+    if (space.start[i] < space.lower[i] || space.start[i] > space.upper[i])
+      fail("the start, outside its bounds,", i, space.start[i]);
+  }
+}
+
+}  // namespace
+
+SearchSpace SearchSpace::box(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  return {0.5 * (lower + upper), 0.3 * (upper - lower), lower, upper};
+}
+
+SearchSpace SearchSpace::around(const Eigen::VectorXd& start, double sigma) {
+  return {start, Eigen::VectorXd::Constant(start.size(), sigma), {}, {}};
+}
+
+const char* name(StopReason reason) {
+  switch (reason) {
+    case StopReason::none:
+      return "none";
+    case StopReason::targetCost:
+      return "targetCost";
+    case StopReason::maxEvaluations:
+      return "maxEvaluations";
+    case StopReason::maxGenerations:
+      return "maxGenerations";
+    case StopReason::tolFun:
+      return "tolFun";
+    case StopReason::tolX:
+      return "tolX";
+    case StopReason::stagnation:
+      return "stagnation";
+    case StopReason::condition:
+      return "condition";
+  }
+  return "none";
+}
+
+Optimizer::Optimizer(SearchSpace space, StopCriteria stop) : space_(std::move(space)), stop_(stop) {
+  check(space_);
+  best_ = space_.start;
+}
+
+const Eigen::MatrixXd& Optimizer::ask() {
+  if (!asked) sample(candidates);
+  asked = true;
+  return candidates;
+}
+
+void Optimizer::tell(std::span<const double> costs) {
+  if (!asked) throw std::logic_error("Optimizer::tell before ask");
+  if (static_cast<Eigen::Index>(costs.size()) != candidates.cols())
+    throw std::invalid_argument("Optimizer::tell: " + std::to_string(costs.size()) + " costs for " +
+                                std::to_string(candidates.cols()) + " candidates");
+  asked = false;
+  std::vector<double> clean(costs.begin(), costs.end());
+  for (double& cost : clean)
+    if (std::isnan(cost)) cost = std::numeric_limits<double>::infinity();
+  std::vector<int> order(clean.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto at = [&](int i) { return clean[static_cast<std::size_t>(i)]; };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return at(a) < at(b); });
+  evaluations_ += static_cast<std::int64_t>(clean.size());
+  ++generations_;
+  const double first = at(order[0]);
+  if (first < bestCost_) {
+    bestCost_ = first;
+    best_ = candidates.col(order[0]);
+  }
+  if (first < std::numeric_limits<double>::infinity()) update(clean, order);
+  reason = findReason();
+}
+
+StopReason Optimizer::findReason() const {
+  if (bestCost_ <= stop_.targetCost) return StopReason::targetCost;
+  if (const StopReason own = converged(); own != StopReason::none) return own;
+  if (evaluations_ >= stop_.maxEvaluations) return StopReason::maxEvaluations;
+  return generations_ >= stop_.maxGenerations ? StopReason::maxGenerations : StopReason::none;
+}
+
+void Optimizer::restoreProgress(std::int64_t evaluations, std::int64_t generations, double bestCost,
+                                const Eigen::VectorXd& best, StopReason reason_) {
+  evaluations_ = evaluations;
+  generations_ = generations;
+  bestCost_ = bestCost;
+  best_ = best;
+  reason = reason_;
+  asked = false;
+}
+
+double minimize(Optimizer& optimizer, const std::function<double(const Eigen::VectorXd&)>& cost) {
+  std::vector<double> costs;
+  while (!optimizer.isDone()) {
+    const Eigen::MatrixXd& candidates = optimizer.ask();
+    costs.clear();
+    for (Eigen::Index i = 0; i < candidates.cols(); ++i) costs.push_back(cost(candidates.col(i)));
+    optimizer.tell(costs);
+  }
+  return optimizer.bestCost();
+}
+
+}  // namespace plumbline

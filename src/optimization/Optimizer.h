@@ -1,0 +1,109 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+
+namespace plumbline {
+
+/// Where to search: a start, how far from it the first candidates lie, and a box that no candidate leaves.
+struct SearchSpace {
+  Eigen::VectorXd start;  ///< inside the box
+  Eigen::VectorXd sigma;  ///< standard deviation of the first candidates, per coordinate, above 0
+  Eigen::VectorXd lower;  ///< -infinity where there is no bound; empty: no bounds
+  Eigen::VectorXd upper;  ///< +infinity where there is no bound; empty: no bounds
+
+  /// The whole of a finite box: start in its middle, sigma 0.3 of its width.
+  static SearchSpace box(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
+  /// No bounds, the same sigma everywhere.
+  static SearchSpace around(const Eigen::VectorXd& start, double sigma);
+};
+
+/// When to stop; isDone() and stopReason() tell.
+struct StopCriteria {
+  double targetCost = -std::numeric_limits<double>::infinity();
+  std::int64_t maxEvaluations = std::numeric_limits<std::int64_t>::max();
+  std::int64_t maxGenerations = std::numeric_limits<std::int64_t>::max();
+  double tolFun = 1e-12;  ///< spread of the costs: of a generation and of the last generations' best
+  double tolX = 1e-11;    ///< spread of the candidates, in units of the first sigma
+};
+
+enum class StopReason {
+  none,
+  targetCost,
+  maxEvaluations,
+  maxGenerations,
+  tolFun,
+  tolX,
+  stagnation,
+  condition
+};
+const char* name(StopReason reason);
+
+/// A minimiser that asks for costs instead of calling a function, so that who evaluates may do so in any
+/// order, on any number of threads or machines:
+///
+///     while (!optimizer.isDone()) optimizer.tell(costsOf(optimizer.ask()));
+///
+/// The same space, options, seed and costs give the same bytes. A cost that is not a number counts as worse
+/// than any other, so does +infinity; a generation without a single finite cost is forgotten and drawn anew.
+class Optimizer {
+public:
+  virtual ~Optimizer() = default;
+  Optimizer(const Optimizer&) = delete;
+  Optimizer& operator=(const Optimizer&) = delete;
+
+  /// The candidates of this generation, one per column, all inside the box; the same until tell().
+  const Eigen::MatrixXd& ask();
+  /// Their costs, in the order of the columns. Throws std::invalid_argument for another number of costs and
+  /// std::logic_error where nothing was asked.
+  void tell(std::span<const double> costs);
+
+  int dimension() const { return static_cast<int>(space_.start.size()); }
+  const SearchSpace& space() const { return space_; }
+  std::int64_t evaluations() const { return evaluations_; }
+  std::int64_t generations() const { return generations_; }
+  /// The best candidate told so far; the start and +infinity before any.
+  const Eigen::VectorXd& best() const { return best_; }
+  double bestCost() const { return bestCost_; }
+  bool isDone() const { return reason != StopReason::none; }
+  StopReason stopReason() const { return reason; }
+  /// Where the distribution's centre is, in the box: the better estimate where costs are noisy.
+  virtual Eigen::VectorXd favourite() const { return best_; }
+
+protected:
+  /// Checks the space; throws std::invalid_argument naming coordinate and value.
+  Optimizer(SearchSpace space, StopCriteria stop);
+
+  /// Draws a generation, one candidate per column.
+  virtual void sample(Eigen::MatrixXd& candidates) = 0;
+  /// Learns from costs without NaN (+infinity instead), at least one of them finite; `order` are the columns
+  /// from best to worst, equal costs in the order of the columns.
+  virtual void update(std::span<const double> costs, std::span<const int> order) = 0;
+  /// A reason to stop of its own, asked after each update.
+  virtual StopReason converged() const { return StopReason::none; }
+
+  const StopCriteria& stop() const { return stop_; }
+  /// Puts back what was counted, for subclasses that restore a saved state.
+  void restoreProgress(std::int64_t evaluations, std::int64_t generations, double bestCost,
+                       const Eigen::VectorXd& best, StopReason reason);
+
+private:
+  StopReason findReason() const;
+
+  SearchSpace space_;
+  StopCriteria stop_;
+  Eigen::MatrixXd candidates;
+  bool asked = false;
+  std::int64_t evaluations_ = 0, generations_ = 0;
+  Eigen::VectorXd best_;
+  double bestCost_ = std::numeric_limits<double>::infinity();
+  StopReason reason = StopReason::none;
+};
+
+/// Runs until done, one evaluation after the other; gives the best cost.
+double minimize(Optimizer& optimizer, const std::function<double(const Eigen::VectorXd&)>& cost);
+
+}  // namespace plumbline

@@ -1,0 +1,106 @@
+// Evaluations to 1e-8 and time per generation of the optimisers, beside the figures of libcmaes and
+// pagmo 2.18 (measured with the same functions; where libpagmo-dev is installed its cmaes is measured here as
+// well).
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "optimization/Cmaes.h"
+#include "optimization/Functions.h"
+
+#if __has_include(<pagmo/algorithms/cmaes.hpp>) && defined(PLUMBLINE_WITH_PAGMO)
+#include <pagmo/pagmo.hpp>
+#endif
+
+using namespace plumbline;
+using Eigen::VectorXd;
+
+namespace {
+
+nlohmann::json report = nlohmann::json::array();
+
+void add(const std::string& name, double value, const char* unit, double peer, const char* peerName) {
+  std::printf("%-40s %10.6g %-12s %s %g\n", name.c_str(), value, unit, peerName, peer);
+  report.push_back({{"name", "optimization." + name},
+                    {"value", value},
+                    {"unit", unit},
+                    {"better", "lower"},
+                    {"target", peer},
+                    {"peer", peerName},
+                    {"peer_value", peer}});
+}
+
+double medianEvaluations(double (*cost)(const VectorXd&), int n, double start, int population) {
+  std::vector<double> counts;
+  for (std::uint64_t seed = 1; seed <= 9; ++seed) {
+    CmaesOptions options;
+    options.seed = seed;
+    options.population = population;
+    options.stop.targetCost = 1e-8;
+    options.stop.maxEvaluations = 1'000'000;
+    Cmaes cmaes(SearchSpace::around(VectorXd::Constant(n, start), 0.5), options);
+    minimize(cmaes, cost);
+    counts.push_back(cmaes.bestCost() <= 1e-8 ? static_cast<double>(cmaes.evaluations()) : 1e9);
+  }
+  std::sort(counts.begin(), counts.end());
+  return counts[4];
+}
+
+double millisecondsPerGeneration(int n) {
+  CmaesOptions options;
+  options.population = 30;
+  Cmaes cmaes(SearchSpace::around(VectorXd::Constant(n, 1), 0.5), options);
+  std::vector<double> costs(30);
+  double seconds = 0;
+  constexpr int generations = 200;
+  for (int i = 0; i < generations; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Eigen::MatrixXd& candidates = cmaes.ask();
+    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    for (int k = 0; k < 30; ++k) costs[static_cast<std::size_t>(k)] = sphere(candidates.col(k));
+    const auto again = std::chrono::steady_clock::now();
+    cmaes.tell(costs);
+    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - again).count();
+  }
+  return 1e3 * seconds / generations;
+}
+
+}  // namespace
+
+int main() {
+  struct Case {
+    const char* name;
+    double (*cost)(const VectorXd&);
+    int n;
+    double start, libcmaes;
+  };
+  // Populations by default, as in libcmaes.
+  for (const Case& c :
+       {Case{"sphere", sphere, 10, 1, 1440}, Case{"ellipsoid", ellipsoid, 10, 1, 4230},
+        Case{"rosenbrock", rosenbrock, 10, 0, 5500}, Case{"sphere", sphere, 40, 1, 5370},
+        Case{"ellipsoid", ellipsoid, 40, 1, 44000}, Case{"rosenbrock", rosenbrock, 40, 0, 58000}})
+    add("cmaes." + std::string(c.name) + std::to_string(c.n) + ".evaluations",
+        medianEvaluations(c.cost, c.n, c.start, 0), "evaluations", c.libcmaes, "libcmaes aCMA");
+  for (const Case& c : {Case{"sphere", sphere, 10, 1, 2960}, Case{"ellipsoid", ellipsoid, 10, 1, 7672},
+                        Case{"rosenbrock", rosenbrock, 10, 0, 9742}, Case{"sphere", sphere, 40, 1, 8136},
+                        Case{"ellipsoid", ellipsoid, 40, 1, 76900}})
+    add("cmaes." + std::string(c.name) + std::to_string(c.n) + ".evaluations_of_30",
+        medianEvaluations(c.cost, c.n, c.start, 30), "evaluations", c.libcmaes, "pagmo cmaes");
+  add("cmaes.generation96", millisecondsPerGeneration(96), "ms", 3.5, "pagmo cmaes");
+  add("cmaes.generation210", millisecondsPerGeneration(210), "ms", 37, "pagmo cmaes");
+
+#if __has_include(<pagmo/algorithms/cmaes.hpp>) && defined(PLUMBLINE_WITH_PAGMO)
+  for (const unsigned n : {96u, 210u}) {
+    pagmo::population population(pagmo::problem(pagmo::rosenbrock(n)), 30, 1);
+    const auto begin = std::chrono::steady_clock::now();
+    pagmo::algorithm(pagmo::cmaes(200)).evolve(population);
+    std::printf("pagmo here, %u dimensions: %.3g ms a generation\n", n,
+                1e3 / 200 * std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+#endif
+  std::ofstream("build/bench/optimization.json") << report.dump(1) << "\n";
+}
