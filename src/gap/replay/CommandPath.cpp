@@ -1,0 +1,61 @@
+#include "gap/replay/CommandPath.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::gap {
+
+namespace {
+
+double firstFinite(const std::vector<double>& values) {
+  for (const double value : values)
+    if (std::isfinite(value)) return value;
+  return 0;
+}
+
+}  // namespace
+
+CommandPath::CommandPath(const JointPlant& plant, const Trial& trial, std::size_t joint,
+                         const std::vector<std::uint8_t>* lostCycles)
+    : command(&trial.command[joint]), time(trial.time), lost(lostCycles),
+      shift(trial.commandAt[joint] + plant.commandDelay), acceleration(plant.accelerationLimit) {
+  if (!trial.stiffness[joint].empty()) stiffnesses = &trial.stiffness[joint];
+  if (!trial.voltage[joint].empty()) voltages = &trial.voltage[joint];
+  current = profile = firstFinite(*command);
+  if (stiffnesses) stiff = firstFinite(*stiffnesses);
+  if (voltages) volts = firstFinite(*voltages);
+}
+
+double CommandPath::target(double from, double to) {
+  double sum = 0, since = from;
+  while (next < time.size() && time[next] + shift < to) {
+    const double when = std::max(time[next] + shift, from);
+    if (!(lost && (*lost)[next])) {
+      if (next < command->size() && std::isfinite((*command)[next])) {
+        sum += current * (when - since);
+        since = when;
+        current = (*command)[next];
+      }
+      if (stiffnesses && std::isfinite((*stiffnesses)[next])) stiff = (*stiffnesses)[next];
+      if (voltages && std::isfinite((*voltages)[next])) volts = (*voltages)[next];
+    }
+    ++next;
+  }
+  return to > since ? (sum + current * (to - since)) / (to - from) : current;
+}
+
+double CommandPath::over(double from, double to) {
+  const double wanted = target(from, to);
+  if (acceleration <= 0) return wanted;
+  // The fastest approach that still can stop at the target (time-optimal, bang-bang).
+  const double h = to - from, before = profile, error = wanted - profile;
+  const double best = std::copysign(std::sqrt(2 * acceleration * std::abs(error)), error);
+  const double limited = std::clamp(best, speed - acceleration * h, speed + acceleration * h);
+  speed = std::abs(limited * h) > std::abs(error) && limited * error > 0 && std::abs(limited) <= acceleration * h
+              ? error / h
+              : limited;
+  profile += speed * h;
+  return (before + profile) / 2;
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,35 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "gap/replay/Plant.h"
+#include "gap/replay/Trial.h"
+
+namespace plumbline::gap {
+
+/// What one joint's servo is told over time: the trial's commands at the moments they reach it, lost cycles left
+/// out, smoothed by the servo's own profile if it keeps an acceleration limit. Asked in ascending time.
+class CommandPath {
+public:
+  /// lost: per cycle, whether its command never came; null: none.
+  CommandPath(const JointPlant& plant, const Trial& trial, std::size_t joint, const std::vector<std::uint8_t>* lost);
+
+  /// Mean command over (from, to] [rad]: a change within a step counts by its share, to second order in the step.
+  double over(double from, double to);
+  double stiffness() const { return stiff; }  ///< at the end of the last interval asked for
+  double voltage() const { return volts; }    ///< measured supply then; 0: not measured
+  bool commanded() const { return !(command && command->empty()); }
+
+private:
+  double target(double from, double to);
+
+  const std::vector<double>*command = nullptr, *stiffnesses = nullptr, *voltages = nullptr;
+  const std::vector<double>& time;
+  const std::vector<std::uint8_t>* lost;
+  double shift = 0, acceleration = 0;
+  std::size_t next = 0;
+  double current = 0, stiff = 1, volts = 0;
+  double profile = 0, speed = 0;
+};
+
+}  // namespace plumbline::gap

@@ -1,0 +1,113 @@
+#include "gap/replay/Contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr int sweeps = 40;
+constexpr double slipSoftness = 1e-5;  // [m/(s N)]: keeps opposed feet from an infinite strain
+
+}  // namespace
+
+Contacts::Contacts(const Plant& plant, const TreeDynamics& tree)
+    : friction(plant.ground.friction), stiffness(1 / std::max(plant.ground.compliance, 1e-9)), dimension(tree.size()) {
+  const double mass = plant.mechanism.totalMass() / 8;
+  damping = 2 * std::sqrt(stiffness * mass);
+  const double angle = plant.ground.slope.norm();
+  if (angle > 0) ground = Eigen::AngleAxisd(angle, plant.ground.slope / angle).toRotationMatrix();
+  for (std::size_t f = 0; f < plant.mechanism.feet.size(); ++f) {
+    const auto& foot = plant.mechanism.feet[f];
+    for (const double x : {0.5, -0.5})
+      for (const double y : {0.5, -0.5}) {
+        Corner corner;
+        corner.foot = static_cast<int>(f);
+        corner.link = foot.link;
+        corner.local = foot.soleCentre + Vec3(x * foot.soleSize.x(), y * foot.soleSize.y(), -0.5 * foot.soleSize.z());
+        corners.push_back(corner);
+      }
+  }
+  J.setZero(static_cast<Eigen::Index>(3 * corners.size()), dimension);
+}
+
+void Contacts::update(const TreeDynamics& tree, const Vec3& base) {
+  touched = false;
+  Eigen::MatrixXd world(3, tree.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    Corner& corner = corners[i];
+    corner.point = tree.origin(corner.link) + tree.rotation(corner.link) * corner.local;
+    corner.depth = -ground.col(2).dot(base + corner.point);
+    corner.active = corner.depth > -0.002;
+    if (!corner.active) {
+      corner.force.setZero();
+      continue;
+    }
+    touched = true;
+    tree.jacobian(corner.link, corner.point, world);
+    J.block(static_cast<Eigen::Index>(3 * i), 0, 3, tree.size()).noalias() = ground.transpose() * world;
+  }
+}
+
+void Contacts::solve(const Eigen::LLT<Eigen::MatrixXd>& factor, double scale, double h, Eigen::VectorXd& velocity) {
+  if (!touched) return;
+  const Eigen::Index size = velocity.size(), rows = J.rows();
+  solved.setZero(size, rows);
+  solved.topRows(J.cols()) = J.transpose();
+  factor.solveInPlace(solved);
+  W.noalias() = J * solved.topRows(J.cols());
+  W *= scale;
+  Eigen::VectorXd r = J * velocity.head(J.cols());
+  // Implicit spring and damper along the normal: force = k (depth - h v) - d v.
+  const double give = 1 / (h * stiffness + damping), pull = h * stiffness * give;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (!corners[i].active) continue;
+    const auto at = static_cast<Eigen::Index>(3 * i);
+    for (int a = 0; a < 3; ++a) r += W.col(at + a) * corners[i].force[a];
+  }
+  const auto change = [&](Eigen::Index row, double& force, double wanted) {
+    const double delta = wanted - force;
+    if (delta == 0) return 0.0;
+    force = wanted;
+    r += W.col(row) * delta;
+    return std::abs(delta);
+  };
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    double moved = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      Corner& corner = corners[i];
+      if (!corner.active) continue;
+      const auto at = static_cast<Eigen::Index>(3 * i);
+      const double error = r[at + 2] - pull * corner.depth / h + give * corner.force.z();
+      moved += change(at + 2, corner.force.z(), std::max(0.0, corner.force.z() - error / (W(at + 2, at + 2) + give)));
+      Vec2 wanted;
+      for (int a = 0; a < 2; ++a) {
+        wanted[a] = corner.force[a] -
+                    (r[at + a] + slipSoftness * corner.force[a]) / (W(at + a, at + a) + slipSoftness);
+      }
+      const double most = friction * corner.force.z(), norm = wanted.norm();
+      if (norm > most) wanted *= norm > 0 ? most / norm : 0;
+      for (int a = 0; a < 2; ++a) moved += change(at + a, corner.force[a], wanted[a]);
+    }
+    if (moved < 1e-4) break;
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (!corners[i].active) continue;
+    velocity.noalias() += solved.middleCols(static_cast<Eigen::Index>(3 * i), 3) * (corners[i].force * scale);
+  }
+}
+
+Contacts::FootForce Contacts::footForce(int foot, const TreeDynamics& tree) const {
+  FootForce result;
+  for (const Corner& corner : corners) {
+    if (corner.foot != foot || !corner.active) continue;
+    const Vec3 local = tree.rotation(corner.link).transpose() * (ground * corner.force);
+    result.normal += local.z();
+    result.centre += local.z() * corner.local.head<2>();
+  }
+  if (result.normal > 0) result.centre /= result.normal;
+  return result;
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,48 @@
+#pragma once
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <vector>
+
+#include "gap/replay/Plant.h"
+#include "gap/replay/TreeDynamics.h"
+
+namespace plumbline::gap {
+
+/// The corners of the soles on the ground: unilateral springs along the normal, Coulomb friction along the
+/// surface. Impulses are found by projected Gauss-Seidel on the step's own equation, warm-started.
+class Contacts {
+public:
+  Contacts(const Plant& plant, const TreeDynamics& tree);
+
+  /// Depth and Jacobian of every corner for the tree's present pose. base: position of the base's origin.
+  void update(const TreeDynamics& tree, const Vec3& base);
+  /// Finds forces so that the step's new velocity keeps the bounds, and adds their impulses' effect to the new
+  /// velocity. factor: of the step's matrix A; scale: new velocity += scale * A^-1 J^T f.
+  void solve(const Eigen::LLT<Eigen::MatrixXd>& factor, double scale, double h, Eigen::VectorXd& velocity);
+
+  /// Force that the ground puts on a foot along its own sole: normal force [N] and where it acts [m], in the
+  /// foot's link frame.
+  struct FootForce {
+    double normal = 0;
+    Vec2 centre = Vec2::Zero();
+  };
+  FootForce footForce(int foot, const TreeDynamics& tree) const;
+  bool touching() const { return touched; }
+
+private:
+  struct Corner {
+    int foot = 0, link = 0;
+    Vec3 local = Vec3::Zero(), point = Vec3::Zero();
+    double depth = 0;
+    bool active = false;
+    Vec3 force = Vec3::Zero();  ///< ground's axes: two along the surface, normal last
+  };
+  std::vector<Corner> corners;
+  Mat3 ground = Mat3::Identity();  ///< columns: two along the surface, normal
+  double friction, stiffness, damping;
+  int dimension = 0;
+  bool touched = false;
+  Eigen::MatrixXd J, solved, W;
+};
+
+}  // namespace plumbline::gap

@@ -1,0 +1,20 @@
+#include "gap/replay/Plant.h"
+
+namespace plumbline::gap {
+
+Plant nominalPlant(const Mechanism& mechanism) {
+  Plant plant;
+  plant.mechanism = mechanism;
+  for (const auto& joint : mechanism.joints) {
+    JointPlant drive;
+    drive.servo = joint.servo;
+    drive.maxTorque = joint.maxTorque;
+    drive.maxSpeed = joint.maxSpeed;
+    drive.linkEncoder = joint.encoder == Mechanism::Joint::Encoder::link;
+    plant.joints.push_back(drive);
+  }
+  plant.footGain.assign(mechanism.feet.size(), 1);
+  return plant;
+}
+
+}  // namespace plumbline::gap

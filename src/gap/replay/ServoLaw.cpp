@@ -1,0 +1,81 @@
+#include "gap/replay/ServoLaw.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double fadeShare = 0.1;  // of the speed limit, over which the torque fades to nothing
+
+/// Holds a torque within a limit that fades with the speed in the torque's direction.
+ServoLine limited(const ServoLine& line, double x, double w, double limit, double maxSpeed) {
+  const double torque = line.at(x, w), sign = torque < 0 ? -1 : 1;
+  const double speed = sign * w, fadeFrom = (1 - fadeShare) * maxSpeed;
+  double allowed = limit;
+  if (maxSpeed > 0 && speed > fadeFrom) allowed *= std::max(0.0, (maxSpeed - speed) / (fadeShare * maxSpeed));
+  if (std::abs(torque) <= allowed) return line;
+  ServoLine held;
+  if (maxSpeed > 0 && speed > fadeFrom && speed < maxSpeed) {
+    held.damping = limit / (fadeShare * maxSpeed);
+    held.torque = sign * held.damping * maxSpeed;
+    held.regime = sign > 0 ? 3 : 4;
+  } else {
+    held.torque = sign * allowed;
+    held.regime = allowed > 0 ? (sign > 0 ? 1 : 2) : 5;
+  }
+  return held;
+}
+
+}  // namespace
+
+double measuredAngle(const JointPlant& plant, double angle) {
+  const double shown = angle - plant.offset;
+  if (plant.encoderAmplitude == 0) return shown;
+  return shown + plant.encoderAmplitude * std::sin(shown + plant.encoderPhase);
+}
+
+ServoLine servoLine(const JointPlant& plant, double command, double share, double volts, double x, double w,
+                    double limitShare) {
+  ServoLine line;
+  if (share <= 0) return line;
+  // The encoder's error changes slowly enough to be taken at the state given.
+  double target = command + (x - measuredAngle(plant, x));
+  int band = 0;
+  if (plant.deadBand > 0) {
+    const double error = target - x;
+    if (std::abs(error) <= plant.deadBand) {
+      band = 10;
+    } else if (!plant.deadBandSteps) {
+      target -= std::copysign(plant.deadBand, error);
+      band = error > 0 ? 20 : 30;
+    }
+  }
+  const Servo& servo = plant.servo;
+  if (servo.model == Servo::Model::position) {
+    line.stiffness = band == 10 ? 0 : share * servo.kp;
+    line.damping = share * servo.kd;
+    line.torque = line.stiffness * target;
+    line = limited(line, x, w, share * plant.maxTorque * plant.torqueFactor * limitShare, plant.maxSpeed);
+  } else {
+    const double vin = (volts > 0 ? volts : servo.vin) * plant.supplyFactor;
+    const double gain = band == 10 ? 0 : servo.kpFirmware * servo.errorGain, push = share * servo.kt / servo.R * vin;
+    const double duty = gain * (target - x);
+    line.damping = share * servo.kt * servo.kt / servo.R;
+    if (std::abs(duty) > servo.maxPwm) {
+      line.torque = push * std::copysign(servo.maxPwm, duty);
+      line.regime = duty > 0 ? 6 : 7;
+    } else {
+      line.stiffness = push * gain;
+      line.torque = line.stiffness * target;
+    }
+    if (plant.torqueFactor < 1 || limitShare < 1) {
+      line = limited(line, x, w, share * plant.maxTorque * plant.torqueFactor * limitShare, 0);
+    }
+  }
+  line.regime += band;
+  return line;
+}
+
+}  // namespace plumbline::gap

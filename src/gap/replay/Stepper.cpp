@@ -1,0 +1,363 @@
+#include "gap/replay/Stepper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double playStiffness = 4000;  // [N m/rad]: flanks of a gear with play, far stiffer than any servo
+constexpr int maxRegimes = 5, frictionSweeps = 30;
+
+double firstFinite(const std::vector<double>& values, double otherwise) {
+  for (const double value : values)
+    if (std::isfinite(value)) return value;
+  return otherwise;
+}
+
+const std::vector<double>* positionsOf(const Trial& trial, int joint) {
+  for (const Signal& signal : trial.signals)
+    if (signal.kind == SignalKind::position && signal.joint == joint) return &signal.values;
+  return nullptr;
+}
+
+}  // namespace
+
+Stepper::Stepper(const Plant& plant_, const Trial& trial_, const std::vector<int>& joints,
+                 const std::vector<std::uint8_t>* lostCycles)
+    : plant(plant_), trial(trial_), tree(plant_.mechanism, joints, trial_.freeBase) {
+  n = tree.size();
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const auto joint = index(joints[i]);
+    const JointPlant& p = plant.joints[joint];
+    Drive drive{joints[i], tree.baseSize() + static_cast<int>(i), tree.baseSize() + static_cast<int>(i), 0,
+                CommandPath(p, trial, joint, lostCycles)};
+    drive.armature = p.servo.armature;
+    if (p.geared()) {
+      drive.motor = n++;
+      Gear gear;
+      gear.drive = static_cast<int>(i);
+      gear.play = p.backlash;
+      gear.stiffness = p.compliance > 0 ? 1 / p.compliance : playStiffness;
+      gear.damping = (p.compliance > 0 ? 0.1 : 0.6) * std::sqrt(gear.stiffness * std::max(p.servo.armature, 1e-4));
+      gears.push_back(gear);
+    }
+    drive.sensed = p.linkEncoder ? drive.link : drive.motor;
+    if (p.coulomb > 0 || p.stribeck > 0 || p.loadFriction > 0) {
+      frictions.push_back({static_cast<int>(i), drive.motor, 0, 0});
+    }
+    drives.push_back(std::move(drive));
+  }
+  weight = gears.empty() && !trial.freeBase ? 0.5 : 0.55;
+  q.setZero(n);
+  v.setZero(n);
+  for (Drive& drive : drives) {
+    const auto joint = index(drive.joint);
+    double start = firstFinite(trial.command[joint], 0);
+    const std::vector<double>* measured = trial.freeBase ? nullptr : positionsOf(trial, drive.joint);
+    if (measured) start = firstFinite(*measured, start);
+    q[drive.link] = q[drive.motor] = start + plant.joints[joint].offset;
+  }
+  qm = u = rhs = force = predicted = Eigen::VectorXd::Zero(n);
+  acceleration.setZero(tree.size());
+  A.setZero(n, n);
+  if (trial.freeBase) {
+    contacts = std::make_unique<Contacts>(plant, tree);
+    placeOnGround();
+  }
+  hold();
+}
+
+void Stepper::placeOnGround() {
+  T_world_base = rotationZ(trial.heading);
+  tree.update(T_world_base.linear(), q.data() + tree.baseSize(), v.data());
+  double lowest = 0;
+  for (const auto& foot : plant.mechanism.feet) {
+    for (const double x : {0.5, -0.5})
+      for (const double y : {0.5, -0.5}) {
+        const Vec3 corner =
+            foot.soleCentre + Vec3(x * foot.soleSize.x(), y * foot.soleSize.y(), -0.5 * foot.soleSize.z());
+        lowest = std::min(lowest, (tree.origin(foot.link) + tree.rotation(foot.link) * corner).z());
+      }
+  }
+  T_world_base.translation().z() = -lowest + 0.0005;
+}
+
+void Stepper::hold() {
+  for (Drive& drive : drives) {
+    const JointPlant& p = plant.joints[index(drive.joint)];
+    drive.shown = drive.shownBefore = measuredAngle(p, q[drive.sensed]);
+    drive.rate = drive.rateBefore = v[drive.sensed];
+  }
+}
+
+double Stepper::limitShare(const Drive& drive) const {
+  const double loss = plant.joints[index(drive.joint)].deratingPerJoule;
+  return loss > 0 ? std::max(0.0, 1 - loss * drive.heat) : 1;
+}
+
+double Stepper::frictionBound(const Drive& drive) const {
+  const JointPlant& p = plant.joints[index(drive.joint)];
+  const double s = v[drive.motor] / p.stribeckSpeed;
+  return p.coulomb + p.stribeck * std::exp(-s * s) + p.loadFriction * std::abs(drive.torque);
+}
+
+void Stepper::assemble(double h) {
+  const double a = weight * h;
+  const int rigid = tree.size();
+  A.setZero();
+  A.topLeftCorner(rigid, rigid) = tree.mass();
+  force.setZero();
+  force.head(rigid) = -tree.bias();
+  for (const ExternalForce& external : plant.forces) {
+    const auto& link = plant.mechanism.links[index(external.link)];
+    // Links of chains that are not replayed here carry it themselves.
+    if (external.link != 0 && !std::ranges::any_of(drives, [&](const Drive& d) {
+          return plant.mechanism.joints[index(d.joint)].child == external.link;
+        })) {
+      continue;
+    }
+    Eigen::VectorXd tau = Eigen::VectorXd::Zero(rigid);
+    tree.addForce(external.link, tree.origin(external.link) + tree.rotation(external.link) * link.com, external.force,
+                  tau);
+    force.head(rigid) += tau;
+  }
+  for (Drive& drive : drives) A(drive.motor, drive.motor) += drive.armature;
+  rhs.noalias() = A * v;
+  for (Drive& drive : drives) {
+    const JointPlant& p = plant.joints[index(drive.joint)];
+    const ServoLine& line = drive.line;
+    force[drive.motor] += line.torque - line.stiffness * q[drive.sensed];
+    if (drive.sensed == drive.motor) {
+      A(drive.motor, drive.motor) += a * a * line.stiffness;
+    } else {
+      force[drive.motor] -= line.stiffness * a * v[drive.sensed];
+    }
+    A(drive.motor, drive.motor) += a * (line.damping + p.viscous);
+    force[drive.link] += p.biasForce;
+  }
+  for (const Gear& gear : gears) {
+    if (gear.play > 0 && gear.side == 0) continue;
+    const Drive& drive = drives[index(gear.drive)];
+    const double stretch = q[drive.motor] - q[drive.link] - gear.side * gear.play / 2;
+    const double implicit = a * gear.damping + a * a * gear.stiffness;
+    force[drive.motor] -= gear.stiffness * stretch;
+    force[drive.link] += gear.stiffness * stretch;
+    A(drive.motor, drive.motor) += implicit;
+    A(drive.link, drive.link) += implicit;
+    A(drive.motor, drive.link) -= implicit;
+    A(drive.link, drive.motor) -= implicit;
+  }
+  rhs += a * force;
+}
+
+void Stepper::solve(double h) {
+  factor.compute(A);
+  u = factor.solve(rhs);
+  Eigen::VectorXd fresh = v + (u - v) / weight;  // velocity at the end of the step
+  if (!frictions.empty() || contacts) {
+    const Eigen::VectorXd unbound = fresh;
+    const auto rows = static_cast<Eigen::Index>(frictions.size());
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, rows);
+    for (Eigen::Index i = 0; i < rows; ++i) columns(frictions[static_cast<std::size_t>(i)].coordinate, i) = h;
+    factor.solveInPlace(columns);
+    Eigen::VectorXd pushed = Eigen::VectorXd::Zero(n);  // what contacts add
+    const int rounds = rows && contacts ? 3 : 1;
+    for (int round = 0; round < rounds; ++round) {
+      fresh = unbound + pushed;
+      for (Eigen::Index i = 0; i < rows; ++i) fresh += columns.col(i) * frictions[static_cast<std::size_t>(i)].force;
+      for (int sweep = 0; sweep < (rows > 1 ? frictionSweeps : 1); ++sweep) {
+        double moved = 0;
+        for (Eigen::Index i = 0; i < rows; ++i) {
+          Friction& friction = frictions[static_cast<std::size_t>(i)];
+          const double w = columns(friction.coordinate, i);
+          const double wanted =
+              std::clamp(friction.force - fresh[friction.coordinate] / w, -friction.bound, friction.bound);
+          const double delta = wanted - friction.force;
+          fresh += columns.col(i) * delta;
+          friction.force = wanted;
+          moved += std::abs(delta);
+        }
+        if (moved < 1e-9) break;
+      }
+      if (contacts) {
+        const Eigen::VectorXd before = fresh - pushed;
+        fresh = before;
+        contacts->solve(factor, h, h, fresh);
+        pushed = fresh - before;
+      }
+    }
+    u = v + weight * (fresh - v);
+  }
+  predicted = fresh;
+}
+
+bool Stepper::regimesHold(double h) {
+  const double a = weight * h;
+  bool same = true;
+  for (Drive& drive : drives) {
+    const ServoLine line = servoLine(plant.joints[index(drive.joint)], drive.command, drive.path.stiffness(),
+                                     drive.path.voltage(), q[drive.sensed] + a * u[drive.sensed], u[drive.motor],
+                                     limitShare(drive));
+    if (line.regime != drive.line.regime) same = false;
+    drive.line = line;
+  }
+  for (Gear& gear : gears) {
+    if (gear.play <= 0) continue;
+    const Drive& drive = drives[index(gear.drive)];
+    const double stretch = q[drive.motor] - q[drive.link] + a * (u[drive.motor] - u[drive.link]);
+    const int side = stretch > gear.play / 2 ? 1 : stretch < -gear.play / 2 ? -1 : 0;
+    if (side != gear.side) same = false;
+    gear.side = side;
+  }
+  return same;
+}
+
+void Stepper::step(double from, double to) {
+  const double h = to - from, a = weight * h;
+  for (Drive& drive : drives) {
+    drive.command = drive.path.over(from, to);
+    drive.shownBefore = drive.shown;
+    drive.rateBefore = drive.rate;
+  }
+  u = v;
+  qm = q + a * v;
+  Mat3 R = T_world_base.linear();
+  Vec3 middle = T_world_base.translation();
+  if (trial.freeBase) {
+    const Vec3 turn = a * v.segment<3>(3);
+    const double angle = turn.norm();
+    if (angle > 1e-12) R = Eigen::AngleAxisd(angle, turn / angle) * R;
+    middle += a * v.head<3>();
+  }
+  tree.update(R, qm.data() + tree.baseSize(), v.data());
+  if (contacts) contacts->update(tree, middle);
+  for (Friction& friction : frictions) friction.bound = frictionBound(drives[index(friction.drive)]);
+  regimesHold(h);
+  for (int round = 0; round < maxRegimes; ++round) {
+    assemble(h);
+    solve(h);
+    const std::vector<Gear> gearsUsed = gears;
+    if (regimesHold(h)) break;
+    if (round + 1 == maxRegimes) gears = gearsUsed;
+  }
+  advance(h);
+}
+
+void Stepper::advance(double h) {
+  acceleration = (predicted - v).head(tree.size()) / h;
+  for (Drive& drive : drives) {
+    drive.torque = drive.line.at(q[drive.sensed] + weight * h * u[drive.sensed], u[drive.motor]);
+    drive.heat += drive.torque * drive.torque * h;
+  }
+  q += h * u;
+  v = predicted;
+  if (trial.freeBase) {
+    T_world_base.translation() += h * u.head<3>();
+    const Vec3 turn = h * u.segment<3>(3);
+    const double angle = turn.norm();
+    if (angle > 1e-12) {
+      Eigen::Quaterniond rotation(Eigen::AngleAxisd(angle, turn / angle) * T_world_base.linear());
+      T_world_base.linear() = rotation.normalized().toRotationMatrix();
+    }
+    q.head<6>().setZero();
+    if (T_world_base.linear()(2, 2) < 0.5) hasFallen = true;
+  }
+  for (Drive& drive : drives) {
+    drive.shown = measuredAngle(plant.joints[index(drive.joint)], q[drive.sensed]);
+    drive.rate = v[drive.sensed];
+  }
+}
+
+double Stepper::current(int node) const {
+  const Drive& drive = drives[index(node)];
+  const double kt = plant.joints[index(drive.joint)].servo.kt;
+  return kt > 0 ? drive.torque / kt : nan;
+}
+
+double Stepper::duty(int node) const {
+  const Drive& drive = drives[index(node)];
+  const Servo& servo = plant.joints[index(drive.joint)].servo;
+  if (servo.model != Servo::Model::dcMotor) return nan;
+  const double duty = servo.kpFirmware * servo.errorGain * (drive.command - drive.shown);
+  return std::clamp(duty, -servo.maxPwm, servo.maxPwm);
+}
+
+void Stepper::beginBody() {
+  bodyTime.clear();
+  gyro.clear();
+  specificForce.clear();
+}
+
+void Stepper::readBody(std::size_t cycle, double t, const std::vector<std::size_t>& signals,
+                       std::vector<std::vector<double>>& values) {
+  tree.update(T_world_base.linear(), q.data() + tree.baseSize(), v.data());
+  const Mechanism::Imu& imu = plant.mechanism.imu;
+  const bool carried = imu.link == 0 || trial.freeBase;
+  const Mat3 R_world_sensor = (carried ? tree.rotation(imu.link) : Mat3(Mat3::Identity())) *
+                              rotationOfRpy(imu.rpy) * plant.imu.R_true_sensor;
+  bodyTime.push_back(t);
+  if (trial.freeBase) {
+    gyro.push_back(R_world_sensor.transpose() * tree.angularVelocity(imu.link));
+    const Vec3 point = tree.origin(imu.link) + tree.rotation(imu.link) * imu.accelerometer;
+    specificForce.push_back(R_world_sensor.transpose() * tree.specificForceAt(imu.link, point, acceleration.data()));
+  } else {
+    gyro.push_back(Vec3::Zero());
+    specificForce.push_back(-(R_world_sensor.transpose() * plant.mechanism.gravity));
+  }
+  gyro.back() += plant.imu.gyroBias;
+  if (!trial.freeBase) return;
+
+  Eigen::Quaterniond rotation(T_world_base.linear());
+  if (rotation.w() < 0) rotation.coeffs() *= -1;
+  const double pose[7] = {T_world_base.translation().x(), T_world_base.translation().y(),
+                          T_world_base.translation().z(), rotation.w(), rotation.x(), rotation.y(), rotation.z()};
+  std::vector<std::vector<double>> feet(plant.mechanism.feet.size());
+  for (const std::size_t s : signals) {
+    const Signal& signal = trial.signals[s];
+    if (signal.kind == SignalKind::truth) values[s][cycle] = pose[signal.axis];
+    if (signal.kind != SignalKind::force) continue;
+    auto& shares = feet[index(signal.place)];
+    if (shares.empty()) {
+      // A rigid plate on equal springs: the force at a corner is linear in its place.
+      const auto& foot = plant.mechanism.feet[index(signal.place)];
+      const Contacts::FootForce total = contacts->footForce(signal.place, tree);
+      Mat3 normal = Mat3::Zero();
+      for (const auto& sensor : foot.sensors) {
+        const Vec3 at(1, sensor.position.x(), sensor.position.y());
+        normal += at * at.transpose();
+      }
+      const Vec3 wanted = total.normal * Vec3(1, total.centre.x(), total.centre.y());
+      const Vec3 plane = normal.inverse() * wanted;
+      for (const auto& sensor : foot.sensors) {
+        const double share = plane.dot(Vec3(1, sensor.position.x(), sensor.position.y()));
+        shares.push_back(std::max(0.0, share) * plant.footGain[index(signal.place)]);
+      }
+    }
+    values[s][cycle] = shares[index(signal.axis)];
+  }
+}
+
+void Stepper::endBody(const std::vector<std::size_t>& signals, std::vector<std::vector<double>>& values) const {
+  for (const std::size_t s : signals) {
+    const Signal& signal = trial.signals[s];
+    if (signal.kind != SignalKind::gyro && signal.kind != SignalKind::accelerometer) continue;
+    const std::vector<Vec3>& series = signal.kind == SignalKind::gyro ? gyro : specificForce;
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < bodyTime.size(); ++k) {
+      const double when = bodyTime[k] - plant.imu.delay;
+      while (at + 1 < bodyTime.size() && bodyTime[at + 1] <= when) ++at;
+      double value = series[at][signal.axis];
+      if (at + 1 < bodyTime.size() && when > bodyTime[at]) {
+        const double share = (when - bodyTime[at]) / (bodyTime[at + 1] - bodyTime[at]);
+        value += share * (series[at + 1][signal.axis] - value);
+      }
+      values[s][k] = value;
+    }
+  }
+}
+
+}  // namespace plumbline::gap

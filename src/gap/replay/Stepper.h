@@ -1,0 +1,96 @@
+#pragma once
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "gap/replay/CommandPath.h"
+#include "gap/replay/Contacts.h"
+#include "gap/replay/Plant.h"
+#include "gap/replay/ServoLaw.h"
+#include "gap/replay/TreeDynamics.h"
+#include "gap/replay/Trial.h"
+
+namespace plumbline::gap {
+
+/// A plant in motion: its state and how it goes on by one step. Coordinates: the tree's (base if free, then the
+/// chosen joints), then one rotor for each joint whose gear has play or gives way.
+class Stepper {
+public:
+  Stepper(const Plant& plant, const Trial& trial, const std::vector<int>& joints,
+          const std::vector<std::uint8_t>* lostCycles);
+
+  bool geared() const { return !gears.empty(); }
+  void step(double from, double to);
+
+  /// What the encoder of the i-th chosen joint shows, and its speed; now and before the last step.
+  double shown(int node) const { return drives[index(node)].shown; }
+  double rate(int node) const { return drives[index(node)].rate; }
+  double shownBefore(int node) const { return drives[index(node)].shownBefore; }
+  double rateBefore(int node) const { return drives[index(node)].rateBefore; }
+  double torque(int node) const { return drives[index(node)].torque; }  ///< of the servo [N m]
+  double current(int node) const;                                       ///< [A]; NaN where the constant is unknown
+  double duty(int node) const;
+  /// Makes "before" equal "now".
+  void hold();
+
+  /// Readings of the whole robot: gyro, accelerometer, force sensors, true pose.
+  void beginBody();
+  void readBody(std::size_t cycle, double t, const std::vector<std::size_t>& signals,
+                std::vector<std::vector<double>>& values);
+  void endBody(const std::vector<std::size_t>& signals, std::vector<std::vector<double>>& values) const;
+  bool fell() const { return hasFallen; }
+
+private:
+  struct Drive {
+    int joint = 0;
+    int link = 0;   ///< coordinate of the link
+    int motor = 0;  ///< coordinate of the rotor; the link's where the gear is rigid
+    int sensed = 0; ///< coordinate that the encoder sees
+    CommandPath path;
+    double command = 0, armature = 0;
+    ServoLine line;
+    double torque = 0, heat = 0;
+    double shown = 0, rate = 0, shownBefore = 0, rateBefore = 0;
+  };
+  struct Gear {
+    int drive = 0;
+    double stiffness = 0, damping = 0, play = 0;
+    int side = 0;  ///< -1, 0, 1: which flank touches
+  };
+  struct Friction {
+    int drive = 0, coordinate = 0;
+    double bound = 0, force = 0;
+  };
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  double limitShare(const Drive& drive) const;
+  double frictionBound(const Drive& drive) const;
+  void assemble(double h);
+  bool regimesHold(double h);
+  void solve(double h);
+  void advance(double h);
+  void placeOnGround();
+
+  const Plant& plant;
+  const Trial& trial;
+  TreeDynamics tree;
+  std::vector<Drive> drives;
+  std::vector<Gear> gears;
+  std::vector<Friction> frictions;
+  std::unique_ptr<Contacts> contacts;
+  double weight;  ///< of the new velocity in the one that moves (1/2: midpoint)
+
+  int n = 0;                ///< coordinates
+  Eigen::VectorXd q, v;     ///< q has 0 for the base, whose pose is T
+  Pose3 T_world_base = Pose3::Identity();
+  Eigen::VectorXd qm, u, rhs, force, predicted;
+  Eigen::MatrixXd A;
+  Eigen::LLT<Eigen::MatrixXd> factor;
+  Eigen::VectorXd acceleration;
+  bool hasFallen = false;
+  // Whole-robot readings, kept for a late IMU.
+  std::vector<double> bodyTime;
+  std::vector<Vec3> gyro, specificForce;
+};
+
+}  // namespace plumbline::gap

@@ -1,0 +1,42 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "math/Types.h"
+
+namespace plumbline::gap {
+
+/// What a channel measures; joint or place and axis say which one.
+enum class SignalKind { position, velocity, torque, current, duty, gyro, accelerometer, force, truth };
+
+/// A measured channel of a trial: one value per cycle, NaN where lost.
+struct Signal {
+  std::string name;  ///< the contract's: pos.LKneePitch
+  SignalKind kind = SignalKind::position;
+  int joint = -1;   ///< of the mechanism, or -1
+  int place = -1;   ///< foot for force
+  int axis = 0;     ///< 0..2 of gyro, accelerometer; corner of force; 0..6 of truth (x y z qw qx qy qz)
+  bool unsignedValue = false;
+  std::vector<double> values;
+};
+
+/// A run made ready for replay on one mechanism: times, what was commanded, what was measured.
+struct Trial {
+  std::string name;    ///< for people: the run's folder
+  std::string motion;  ///< free text; runs of the same text are repeats of each other
+  std::string repeatOf;
+  bool freeBase = false;
+  double heading = 0;        ///< [rad]
+  std::vector<double> time;  ///< per cycle [s], strictly rising
+  /// Per joint, per cycle: the command that is valid from that cycle on [rad]; empty where never commanded.
+  std::vector<std::vector<double>> command;
+  std::vector<std::vector<double>> stiffness;  ///< empty: 1 throughout
+  std::vector<std::vector<double>> voltage;    ///< empty: as the servo table says [V]
+  std::vector<double> commandAt, positionAt, velocityAt;  ///< per joint, relative to the cycle's time [s]
+  std::vector<Signal> signals;
+
+  std::size_t cycles() const { return time.size(); }
+};
+
+}  // namespace plumbline::gap
