@@ -17,8 +17,11 @@ double firstFinite(const std::vector<double>& values) {
 
 CommandPath::CommandPath(const JointPlant& plant, const Trial& trial, std::size_t joint,
                          const std::vector<std::uint8_t>* lostCycles)
-    : command(&trial.command[joint]), time(trial.time), lost(lostCycles),
-      shift(trial.commandAt[joint] + plant.commandDelay), acceleration(plant.accelerationLimit) {
+    : command(&trial.command[joint]),
+      time(trial.time),
+      lost(lostCycles),
+      shift(trial.commandAt[joint] + plant.commandDelay),
+      acceleration(plant.accelerationLimit) {
   if (!trial.stiffness[joint].empty()) stiffnesses = &trial.stiffness[joint];
   if (!trial.voltage[joint].empty()) voltages = &trial.voltage[joint];
   current = profile = firstFinite(*command);
@@ -51,9 +54,10 @@ double CommandPath::over(double from, double to) {
   const double h = to - from, before = profile, error = wanted - profile;
   const double best = std::copysign(std::sqrt(2 * acceleration * std::abs(error)), error);
   const double limited = std::clamp(best, speed - acceleration * h, speed + acceleration * h);
-  speed = std::abs(limited * h) > std::abs(error) && limited * error > 0 && std::abs(limited) <= acceleration * h
-              ? error / h
-              : limited;
+  speed =
+      std::abs(limited * h) > std::abs(error) && limited * error > 0 && std::abs(limited) <= acceleration * h
+          ? error / h
+          : limited;
   profile += speed * h;
   return (before + profile) / 2;
 }

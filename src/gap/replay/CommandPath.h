@@ -7,14 +7,16 @@
 
 namespace plumbline::gap {
 
-/// What one joint's servo is told over time: the trial's commands at the moments they reach it, lost cycles left
-/// out, smoothed by the servo's own profile if it keeps an acceleration limit. Asked in ascending time.
+/// What one joint's servo is told over time: the trial's commands at the moments they reach it, lost cycles
+/// left out, smoothed by the servo's own profile if it keeps an acceleration limit. Asked in ascending time.
 class CommandPath {
 public:
   /// lost: per cycle, whether its command never came; null: none.
-  CommandPath(const JointPlant& plant, const Trial& trial, std::size_t joint, const std::vector<std::uint8_t>* lost);
+  CommandPath(const JointPlant& plant, const Trial& trial, std::size_t joint,
+              const std::vector<std::uint8_t>* lost);
 
-  /// Mean command over (from, to] [rad]: a change within a step counts by its share, to second order in the step.
+  /// Mean command over (from, to] [rad]: a change within a step counts by its share, to second order in the
+  /// step.
   double over(double from, double to);
   double stiffness() const { return stiff; }  ///< at the end of the last interval asked for
   double voltage() const { return volts; }    ///< measured supply then; 0: not measured

@@ -13,7 +13,9 @@ constexpr double slipSoftness = 1e-5;  // [m/(s N)]: keeps opposed feet from an 
 }  // namespace
 
 Contacts::Contacts(const Plant& plant, const TreeDynamics& tree)
-    : friction(plant.ground.friction), stiffness(1 / std::max(plant.ground.compliance, 1e-9)), dimension(tree.size()) {
+    : friction(plant.ground.friction),
+      stiffness(1 / std::max(plant.ground.compliance, 1e-9)),
+      dimension(tree.size()) {
   const double mass = plant.mechanism.totalMass() / 8;
   damping = 2 * std::sqrt(stiffness * mass);
   const double angle = plant.ground.slope.norm();
@@ -25,7 +27,8 @@ Contacts::Contacts(const Plant& plant, const TreeDynamics& tree)
         Corner corner;
         corner.foot = static_cast<int>(f);
         corner.link = foot.link;
-        corner.local = foot.soleCentre + Vec3(x * foot.soleSize.x(), y * foot.soleSize.y(), -0.5 * foot.soleSize.z());
+        corner.local =
+            foot.soleCentre + Vec3(x * foot.soleSize.x(), y * foot.soleSize.y(), -0.5 * foot.soleSize.z());
         corners.push_back(corner);
       }
   }
@@ -50,7 +53,8 @@ void Contacts::update(const TreeDynamics& tree, const Vec3& base) {
   }
 }
 
-void Contacts::solve(const Eigen::LLT<Eigen::MatrixXd>& factor, double scale, double h, Eigen::VectorXd& velocity) {
+void Contacts::solve(const Eigen::LLT<Eigen::MatrixXd>& factor, double scale, double h,
+                     Eigen::VectorXd& velocity) {
   if (!touched) return;
   const Eigen::Index size = velocity.size(), rows = J.rows();
   solved.setZero(size, rows);
@@ -80,7 +84,8 @@ void Contacts::solve(const Eigen::LLT<Eigen::MatrixXd>& factor, double scale, do
       if (!corner.active) continue;
       const auto at = static_cast<Eigen::Index>(3 * i);
       const double error = r[at + 2] - pull * corner.depth / h + give * corner.force.z();
-      moved += change(at + 2, corner.force.z(), std::max(0.0, corner.force.z() - error / (W(at + 2, at + 2) + give)));
+      moved += change(at + 2, corner.force.z(),
+                      std::max(0.0, corner.force.z() - error / (W(at + 2, at + 2) + give)));
       Vec2 wanted;
       for (int a = 0; a < 2; ++a) {
         wanted[a] = corner.force[a] -

@@ -16,8 +16,8 @@ public:
 
   /// Depth and Jacobian of every corner for the tree's present pose. base: position of the base's origin.
   void update(const TreeDynamics& tree, const Vec3& base);
-  /// Finds forces so that the step's new velocity keeps the bounds, and adds their impulses' effect to the new
-  /// velocity. factor: of the step's matrix A; scale: new velocity += scale * A^-1 J^T f.
+  /// Finds forces so that the step's new velocity keeps the bounds, and adds their impulses' effect to the
+  /// new velocity. factor: of the step's matrix A; scale: new velocity += scale * A^-1 J^T f.
   void solve(const Eigen::LLT<Eigen::MatrixXd>& factor, double scale, double h, Eigen::VectorXd& velocity);
 
   /// Force that the ground puts on a foot along its own sole: normal force [N] and where it acts [m], in the

@@ -17,6 +17,7 @@ struct JointPlant {
   double accelerationLimit = 0;        ///< of the servo's own profile [rad/s^2]; 0: none
   double deadBand = 0;                 ///< [rad]
   bool deadBandSteps = false;          ///< beyond the band the whole error counts, not what exceeds it
+  double extraDamping = 0;             ///< change of kd, which a DC motor adds to its back EMF [N m s/rad]
   double coulomb = 0, viscous = 0;     ///< [N m, N m s/rad]
   double stribeck = 0;                 ///< extra at rest [N m]
   double stribeckSpeed = 0.1;          ///< at which it has fallen to 1/e [rad/s]
@@ -24,7 +25,8 @@ struct JointPlant {
   double backlash = 0;                 ///< whole play [rad]
   double compliance = 0;               ///< of the gear [rad/(N m)]
   double biasForce = 0;                ///< [N m]
-  double deratingPerJoule = 0;         ///< share of maxTorque lost per joule of loss
+  double deratingPerJoule = 0;         ///< share of maxTorque lost per joule
+  bool heatIsWork = false;             ///< joules of |torque * speed|, else of torque squared
   double offset = 0;                   ///< link angle minus measured angle [rad]
   double encoderAmplitude = 0, encoderPhase = 0;  ///< measured = true + amplitude sin(true + phase)
 
@@ -45,7 +47,7 @@ struct ImuPlant {
 
 struct GroundPlant {
   double friction = 0.8;
-  double compliance = 2e-6;  ///< per contact point [m/N]
+  double compliance = 2e-6;   ///< per contact point [m/N]
   Vec3 slope = Vec3::Zero();  ///< rotation vector of the ground in the world [rad]
 };
 

@@ -11,6 +11,7 @@ namespace plumbline::gap {
 
 namespace {
 
+constexpr double freeSettle = 3;  // [s]: a robot put on its feet rocks longer than a hung one
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Where in the prediction a joint's readings go, and the next cycle that is due.
@@ -44,7 +45,8 @@ Prediction replay(const Plant& plant, const Trial& trial, const ReplayOptions& o
   }
   Stepper stepper(plant, trial, joints, options.lostCycles);
   std::vector<int> nodeOf(plant.joints.size(), -1);
-  for (std::size_t i = 0; i < joints.size(); ++i) nodeOf[static_cast<std::size_t>(joints[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    nodeOf[static_cast<std::size_t>(joints[i])] = static_cast<int>(i);
 
   std::vector<Reading> readings;
   std::vector<std::size_t> body;  // signals of the whole robot, read at the cycle's time
@@ -67,7 +69,8 @@ Prediction replay(const Plant& plant, const Trial& trial, const ReplayOptions& o
   const double longest = stepper.geared() ? options.gearStep : options.step;
   // Readings before the run's first cycle want a past: half a second at most is played before it.
   if (options.settle > 0) {
-    const int steps = static_cast<int>(std::ceil(options.settle / longest));
+    const double settle = trial.freeBase ? std::max(options.settle, freeSettle) : options.settle;
+    const int steps = static_cast<int>(std::ceil(settle / longest));
     for (int i = steps; i > 0; --i) {
       stepper.step(t - i * longest, t - (i - 1) * longest);
     }
@@ -87,10 +90,17 @@ Prediction replay(const Plant& plant, const Trial& trial, const ReplayOptions& o
           case SignalKind::velocity:
             value = (1 - s) * stepper.rateBefore(reading.node) + s * stepper.rate(reading.node);
             break;
-          case SignalKind::torque: value = stepper.torque(reading.node); break;
-          case SignalKind::current: value = stepper.current(reading.node); break;
-          case SignalKind::duty: value = stepper.duty(reading.node); break;
-          default: break;
+          case SignalKind::torque:
+            value = stepper.torque(reading.node);
+            break;
+          case SignalKind::current:
+            value = stepper.current(reading.node);
+            break;
+          case SignalKind::duty:
+            value = stepper.duty(reading.node);
+            break;
+          default:
+            break;
         }
         if (reading.unsignedValue) value = std::abs(value);
       }
@@ -98,9 +108,8 @@ Prediction replay(const Plant& plant, const Trial& trial, const ReplayOptions& o
   };
   stepper.hold();
   read(t, t);
-  const double last = std::accumulate(readings.begin(), readings.end(), 0.0, [](double most, const Reading& r) {
-    return std::max(most, r.shift);
-  });
+  const double last = std::accumulate(readings.begin(), readings.end(), 0.0,
+                                      [](double most, const Reading& r) { return std::max(most, r.shift); });
   stepper.beginBody();
   for (std::size_t k = 0; k < cycles; ++k) {
     if (!body.empty()) stepper.readBody(k, t, body, result.values);

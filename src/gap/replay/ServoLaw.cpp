@@ -60,9 +60,10 @@ ServoLine servoLine(const JointPlant& plant, double command, double share, doubl
     line = limited(line, x, w, share * plant.maxTorque * plant.torqueFactor * limitShare, plant.maxSpeed);
   } else {
     const double vin = (volts > 0 ? volts : servo.vin) * plant.supplyFactor;
-    const double gain = band == 10 ? 0 : servo.kpFirmware * servo.errorGain, push = share * servo.kt / servo.R * vin;
+    const double gain = band == 10 ? 0 : servo.kpFirmware * servo.errorGain,
+                 push = share * servo.kt / servo.R * vin;
     const double duty = gain * (target - x);
-    line.damping = share * servo.kt * servo.kt / servo.R;
+    line.damping = share * (servo.kt * servo.kt / servo.R + plant.extraDamping);
     if (std::abs(duty) > servo.maxPwm) {
       line.torque = push * std::copysign(servo.maxPwm, duty);
       line.regime = duty > 0 ? 6 : 7;

@@ -18,8 +18,8 @@ struct ServoLine {
 double measuredAngle(const JointPlant& plant, double angle);
 
 /// The contract's servo laws (position and dc_motor) with what effects change in them.
-/// command [rad]; share: stiffness 0..1; volts: measured supply, 0: the table's; x: true angle on the encoder's
-/// side, w: its speed; limitShare: share of the torque limit that heat has left.
+/// command [rad]; share: stiffness 0..1; volts: measured supply, 0: the table's; x: true angle on the
+/// encoder's side, w: its speed; limitShare: share of the torque limit that heat has left.
 ServoLine servoLine(const JointPlant& plant, double command, double share, double volts, double x, double w,
                     double limitShare);
 

@@ -1,5 +1,6 @@
 #include "gap/replay/Stepper.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,8 +34,9 @@ Stepper::Stepper(const Plant& plant_, const Trial& trial_, const std::vector<int
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const auto joint = index(joints[i]);
     const JointPlant& p = plant.joints[joint];
-    Drive drive{joints[i], tree.baseSize() + static_cast<int>(i), tree.baseSize() + static_cast<int>(i), 0,
-                CommandPath(p, trial, joint, lostCycles)};
+    Drive drive{.path = CommandPath(p, trial, joint, lostCycles)};
+    drive.joint = joints[i];
+    drive.link = drive.motor = tree.baseSize() + static_cast<int>(i);
     drive.armature = p.servo.armature;
     if (p.geared()) {
       drive.motor = n++;
@@ -42,7 +44,8 @@ Stepper::Stepper(const Plant& plant_, const Trial& trial_, const std::vector<int
       gear.drive = static_cast<int>(i);
       gear.play = p.backlash;
       gear.stiffness = p.compliance > 0 ? 1 / p.compliance : playStiffness;
-      gear.damping = (p.compliance > 0 ? 0.1 : 0.6) * std::sqrt(gear.stiffness * std::max(p.servo.armature, 1e-4));
+      gear.damping =
+          (p.compliance > 0 ? 0.1 : 0.6) * std::sqrt(gear.stiffness * std::max(p.servo.armature, 1e-4));
       gears.push_back(gear);
     }
     drive.sensed = p.linkEncoder ? drive.link : drive.motor;
@@ -121,8 +124,8 @@ void Stepper::assemble(double h) {
       continue;
     }
     Eigen::VectorXd tau = Eigen::VectorXd::Zero(rigid);
-    tree.addForce(external.link, tree.origin(external.link) + tree.rotation(external.link) * link.com, external.force,
-                  tau);
+    tree.addForce(external.link, tree.origin(external.link) + tree.rotation(external.link) * link.com,
+                  external.force, tau);
     force.head(rigid) += tau;
   }
   for (Drive& drive : drives) A(drive.motor, drive.motor) += drive.armature;
@@ -168,7 +171,8 @@ void Stepper::solve(double h) {
     const int rounds = rows && contacts ? 3 : 1;
     for (int round = 0; round < rounds; ++round) {
       fresh = unbound + pushed;
-      for (Eigen::Index i = 0; i < rows; ++i) fresh += columns.col(i) * frictions[static_cast<std::size_t>(i)].force;
+      for (Eigen::Index i = 0; i < rows; ++i)
+        fresh += columns.col(i) * frictions[static_cast<std::size_t>(i)].force;
       for (int sweep = 0; sweep < (rows > 1 ? frictionSweeps : 1); ++sweep) {
         double moved = 0;
         for (Eigen::Index i = 0; i < rows; ++i) {
@@ -200,8 +204,8 @@ bool Stepper::regimesHold(double h) {
   bool same = true;
   for (Drive& drive : drives) {
     const ServoLine line = servoLine(plant.joints[index(drive.joint)], drive.command, drive.path.stiffness(),
-                                     drive.path.voltage(), q[drive.sensed] + a * u[drive.sensed], u[drive.motor],
-                                     limitShare(drive));
+                                     drive.path.voltage(), q[drive.sensed] + a * u[drive.sensed],
+                                     u[drive.motor], limitShare(drive));
     if (line.regime != drive.line.regime) same = false;
     drive.line = line;
   }
@@ -251,7 +255,9 @@ void Stepper::advance(double h) {
   acceleration = (predicted - v).head(tree.size()) / h;
   for (Drive& drive : drives) {
     drive.torque = drive.line.at(q[drive.sensed] + weight * h * u[drive.sensed], u[drive.motor]);
-    drive.heat += drive.torque * drive.torque * h;
+    drive.heat +=
+        h * std::abs(drive.torque) *
+        (plant.joints[index(drive.joint)].heatIsWork ? std::abs(u[drive.motor]) : std::abs(drive.torque));
   }
   q += h * u;
   v = predicted;
@@ -303,7 +309,8 @@ void Stepper::readBody(std::size_t cycle, double t, const std::vector<std::size_
   if (trial.freeBase) {
     gyro.push_back(R_world_sensor.transpose() * tree.angularVelocity(imu.link));
     const Vec3 point = tree.origin(imu.link) + tree.rotation(imu.link) * imu.accelerometer;
-    specificForce.push_back(R_world_sensor.transpose() * tree.specificForceAt(imu.link, point, acceleration.data()));
+    specificForce.push_back(R_world_sensor.transpose() *
+                            tree.specificForceAt(imu.link, point, acceleration.data()));
   } else {
     gyro.push_back(Vec3::Zero());
     specificForce.push_back(-(R_world_sensor.transpose() * plant.mechanism.gravity));
@@ -313,8 +320,13 @@ void Stepper::readBody(std::size_t cycle, double t, const std::vector<std::size_
 
   Eigen::Quaterniond rotation(T_world_base.linear());
   if (rotation.w() < 0) rotation.coeffs() *= -1;
-  const double pose[7] = {T_world_base.translation().x(), T_world_base.translation().y(),
-                          T_world_base.translation().z(), rotation.w(), rotation.x(), rotation.y(), rotation.z()};
+  const double pose[7] = {T_world_base.translation().x(),
+                          T_world_base.translation().y(),
+                          T_world_base.translation().z(),
+                          rotation.w(),
+                          rotation.x(),
+                          rotation.y(),
+                          rotation.z()};
   std::vector<std::vector<double>> feet(plant.mechanism.feet.size());
   for (const std::size_t s : signals) {
     const Signal& signal = trial.signals[s];
@@ -341,7 +353,8 @@ void Stepper::readBody(std::size_t cycle, double t, const std::vector<std::size_
   }
 }
 
-void Stepper::endBody(const std::vector<std::size_t>& signals, std::vector<std::vector<double>>& values) const {
+void Stepper::endBody(const std::vector<std::size_t>& signals,
+                      std::vector<std::vector<double>>& values) const {
   for (const std::size_t s : signals) {
     const Signal& signal = trial.signals[s];
     if (signal.kind != SignalKind::gyro && signal.kind != SignalKind::accelerometer) continue;

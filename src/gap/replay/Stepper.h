@@ -13,8 +13,8 @@
 
 namespace plumbline::gap {
 
-/// A plant in motion: its state and how it goes on by one step. Coordinates: the tree's (base if free, then the
-/// chosen joints), then one rotor for each joint whose gear has play or gives way.
+/// A plant in motion: its state and how it goes on by one step. Coordinates: the tree's (base if free, then
+/// the chosen joints), then one rotor for each joint whose gear has play or gives way.
 class Stepper {
 public:
   Stepper(const Plant& plant, const Trial& trial, const std::vector<int>& joints,
@@ -29,7 +29,7 @@ public:
   double shownBefore(int node) const { return drives[index(node)].shownBefore; }
   double rateBefore(int node) const { return drives[index(node)].rateBefore; }
   double torque(int node) const { return drives[index(node)].torque; }  ///< of the servo [N m]
-  double current(int node) const;                                       ///< [A]; NaN where the constant is unknown
+  double current(int node) const;  ///< [A]; NaN where the constant is unknown
   double duty(int node) const;
   /// Makes "before" equal "now".
   void hold();
@@ -43,13 +43,13 @@ public:
 
 private:
   struct Drive {
-    int joint = 0;
-    int link = 0;   ///< coordinate of the link
-    int motor = 0;  ///< coordinate of the rotor; the link's where the gear is rigid
-    int sensed = 0; ///< coordinate that the encoder sees
     CommandPath path;
+    int joint = 0;
+    int link = 0;    ///< coordinate of the link
+    int motor = 0;   ///< coordinate of the rotor; the link's where the gear is rigid
+    int sensed = 0;  ///< coordinate that the encoder sees
     double command = 0, armature = 0;
-    ServoLine line;
+    ServoLine line = {};
     double torque = 0, heat = 0;
     double shown = 0, rate = 0, shownBefore = 0, rateBefore = 0;
   };
@@ -80,8 +80,8 @@ private:
   std::unique_ptr<Contacts> contacts;
   double weight;  ///< of the new velocity in the one that moves (1/2: midpoint)
 
-  int n = 0;                ///< coordinates
-  Eigen::VectorXd q, v;     ///< q has 0 for the base, whose pose is T
+  int n = 0;             ///< coordinates
+  Eigen::VectorXd q, v;  ///< q has 0 for the base, whose pose is T
   Pose3 T_world_base = Pose3::Identity();
   Eigen::VectorXd qm, u, rhs, force, predicted;
   Eigen::MatrixXd A;

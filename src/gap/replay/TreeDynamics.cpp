@@ -43,7 +43,8 @@ const TreeDynamics::Place& TreeDynamics::place(int link) const {
   return nodes[static_cast<std::size_t>(node)].place;
 }
 
-void TreeDynamics::setInertia(Inertia& inertia, const Place& place, double m, const Vec3& com, const Mat3& I) {
+void TreeDynamics::setInertia(Inertia& inertia, const Place& place, double m, const Vec3& com,
+                              const Mat3& I) {
   const Vec3 c = place.p + place.R * com;
   inertia.m = m;
   inertia.h = m * c;

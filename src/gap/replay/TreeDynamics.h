@@ -10,8 +10,8 @@ namespace plumbline::gap {
 /// Rigid-body dynamics M(q) dv + bias(q, v) = tau of a mechanism, or of some of its chains where the base is
 /// held: composite inertias for M, recursive Newton-Euler for the bias (Featherstone, Rigid Body Dynamics
 /// Algorithms, 2008, tables 6.2 and 5.1), everything in world axes about the base's origin.
-/// Coordinates: with a free base the first six are its linear velocity (world, of the base frame's origin) and
-/// its angular velocity (world); then one per chosen joint, in the mechanism's order.
+/// Coordinates: with a free base the first six are its linear velocity (world, of the base frame's origin)
+/// and its angular velocity (world); then one per chosen joint, in the mechanism's order.
 class TreeDynamics {
 public:
   using Mat6X = Eigen::Matrix<double, 6, Eigen::Dynamic>;
@@ -23,15 +23,15 @@ public:
   int baseSize() const { return offset; }
   const std::vector<int>& joints() const { return chosen; }
 
-  /// Poses, mass matrix and bias. T_world_base matters for its rotation only; q: one per chosen joint [rad, m];
-  /// v: size() velocities. Forces at links (addForce) are forgotten.
+  /// Poses, mass matrix and bias. T_world_base matters for its rotation only; q: one per chosen joint [rad,
+  /// m]; v: size() velocities. Forces at links (addForce) are forgotten.
   void update(const Mat3& R_world_base, const double* q, const double* v);
 
-  const Eigen::MatrixXd& mass() const { return M; }       ///< symmetric, armature not included
+  const Eigen::MatrixXd& mass() const { return M; }          ///< symmetric, armature not included
   const Eigen::VectorXd& bias() const { return biasForce; }  ///< Coriolis and gravity forces, to be overcome
 
-  /// Of a link (mechanism's index) among those that move, or the base: its rotation, and its origin relative to
-  /// the base's origin in world axes. Links that do not move are unknown: std::out_of_range.
+  /// Of a link (mechanism's index) among those that move, or the base: its rotation, and its origin relative
+  /// to the base's origin in world axes. Links that do not move are unknown: std::out_of_range.
   const Mat3& rotation(int link) const { return place(link).R; }
   const Vec3& origin(int link) const { return place(link).p; }
   /// Velocity of a link's point given relative to the base's origin, world axes [m/s].
@@ -47,8 +47,8 @@ public:
 private:
   struct Place {
     Mat3 R = Mat3::Identity();
-    Vec3 p = Vec3::Zero();               ///< of the link's origin
-    Vec3 w = Vec3::Zero(), u = Vec3::Zero();  ///< velocity: angular, and linear of the point at O
+    Vec3 p = Vec3::Zero();                      ///< of the link's origin
+    Vec3 w = Vec3::Zero(), u = Vec3::Zero();    ///< velocity: angular, and linear of the point at O
     Vec3 aw = Vec3::Zero(), au = Vec3::Zero();  ///< acceleration of the bias, gravity taken off
   };
   struct Inertia {  // about O, world axes
@@ -60,14 +60,14 @@ private:
     int link = 0, parent = -1;  ///< parent: index into nodes, -1: the base
     bool prismatic = false, turned = false;
     Mat3 R0 = Mat3::Identity();
-    Vec3 origin, axis;
-    Vec3 sw, su;  ///< joint's motion: angular, and linear at O
+    Vec3 origin = Vec3::Zero(), axis = Vec3::Zero();
+    Vec3 sw = Vec3::Zero(), su = Vec3::Zero();  ///< joint's motion: angular, and linear at O
     Place place;
     Inertia own, composite;
-    Vec3 fu, fn;  ///< force and moment about O
+    Vec3 fu = Vec3::Zero(), fn = Vec3::Zero();  ///< force and moment about O
     double m = 0;
-    Vec3 com;
-    Mat3 I;
+    Vec3 com = Vec3::Zero();
+    Mat3 I = Mat3::Zero();
   };
   const Place& place(int link) const;
   static void setInertia(Inertia& inertia, const Place& place, double m, const Vec3& com, const Mat3& I);

@@ -14,9 +14,9 @@ enum class SignalKind { position, velocity, torque, current, duty, gyro, acceler
 struct Signal {
   std::string name;  ///< the contract's: pos.LKneePitch
   SignalKind kind = SignalKind::position;
-  int joint = -1;   ///< of the mechanism, or -1
-  int place = -1;   ///< foot for force
-  int axis = 0;     ///< 0..2 of gyro, accelerometer; corner of force; 0..6 of truth (x y z qw qx qy qz)
+  int joint = -1;  ///< of the mechanism, or -1
+  int place = -1;  ///< foot for force
+  int axis = 0;    ///< 0..2 of gyro, accelerometer; corner of force; 0..6 of truth (x y z qw qx qy qz)
   bool unsignedValue = false;
   std::vector<double> values;
 };
@@ -31,8 +31,8 @@ struct Trial {
   std::vector<double> time;  ///< per cycle [s], strictly rising
   /// Per joint, per cycle: the command that is valid from that cycle on [rad]; empty where never commanded.
   std::vector<std::vector<double>> command;
-  std::vector<std::vector<double>> stiffness;  ///< empty: 1 throughout
-  std::vector<std::vector<double>> voltage;    ///< empty: as the servo table says [V]
+  std::vector<std::vector<double>> stiffness;             ///< empty: 1 throughout
+  std::vector<std::vector<double>> voltage;               ///< empty: as the servo table says [V]
   std::vector<double> commandAt, positionAt, velocityAt;  ///< per joint, relative to the cycle's time [s]
   std::vector<Signal> signals;
 

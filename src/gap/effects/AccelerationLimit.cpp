@@ -1,0 +1,22 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// The servo's own profile towards a new command.
+const Effect accelerationLimit{
+    .id = "acceleration_limit",
+    .unit = "rad/s^2",
+    .sites = {Site::joint},
+    .nominal = 400,
+    .lower = 1,
+    .upper = 400,
+    .starts = {10, 30, 80},
+    .sentence = "The servo of {at} smooths its commands: it keeps an acceleration limit.",
+    .exposedBy = "steps and fast moves",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int) {
+          atJoints(plant, place, [value](JointPlant& joint) { joint.accelerationLimit = value; });
+        },
+};
+
+}  // namespace plumbline::gap

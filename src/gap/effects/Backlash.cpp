@@ -1,0 +1,25 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// Whole play between motor and link; motor and link turn apart within it.
+const Effect backlash{
+    .id = "backlash",
+    .unit = "rad",
+    .sites = {Site::joint},
+    .lower = 0,
+    .upper = 0.2,
+    .starts = {0.01, 0.03, 0.08},
+    .variants = {"encoder where the model has it", "encoder on the other side of the gear"},
+    .sentence = "The gear of {at} has play.",
+    .exposedBy = "small reversals across the sign of gravity",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int variant) {
+          atJoints(plant, place, [value, variant](JointPlant& joint) {
+            joint.backlash += value;
+            if (variant == 1) joint.linkEncoder = !joint.linkEncoder;
+          });
+        },
+};
+
+}  // namespace plumbline::gap

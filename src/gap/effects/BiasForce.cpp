@@ -1,0 +1,21 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// A spring, a cable or a wrong zero of torque.
+const Effect biasForce{
+    .id = "bias_force",
+    .unit = "N m",
+    .sites = {Site::joint},
+    .lower = -0.6,
+    .upper = 0.6,
+    .starts = {-0.1, 0.1},
+    .sentence = "A constant torque pulls at {at}.",
+    .exposedBy = "static poses",
+    .scale = [](const Mechanism& m,
+                const Place& p) { return m.joints[static_cast<std::size_t>(p.index)].maxTorque; },
+    .apply = [](Plant& plant, const Place& place, double value,
+                int) { atJoints(plant, place, [value](JointPlant& joint) { joint.biasForce += value; }); },
+};
+
+}  // namespace plumbline::gap

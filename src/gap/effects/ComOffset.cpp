@@ -1,0 +1,23 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// Shift of a link's centre of mass.
+const Effect comOffset{
+    .id = "com_offset",
+    .unit = "m",
+    .sites = {Site::link},
+    .hasAxis = true,
+    .lower = -0.06,
+    .upper = 0.06,
+    .starts = {-0.01, 0.01},
+    .sentence = "The centre of mass of {at} is elsewhere than the model's.",
+    .exposedBy = "static poses, slow motions",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int) {
+          auto& link = plant.mechanism.links[static_cast<std::size_t>(place.index)];
+          link.com += value * unitVector(place.axis);
+        },
+};
+
+}  // namespace plumbline::gap

@@ -1,0 +1,21 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// Dry friction, independent of speed and load.
+const Effect coulombFriction{
+    .id = "coulomb_friction",
+    .unit = "N m",
+    .sites = {Site::joint},
+    .lower = 0,
+    .upper = 0.5,
+    .starts = {0.02, 0.08, 0.2},
+    .sentence = "Dry friction holds {at} back.",
+    .exposedBy = "slow reversals, small motions",
+    .scale = [](const Mechanism& m,
+                const Place& p) { return m.joints[static_cast<std::size_t>(p.index)].maxTorque; },
+    .apply = [](Plant& plant, const Place& place, double value,
+                int) { atJoints(plant, place, [value](JointPlant& joint) { joint.coulomb += value; }); },
+};
+
+}  // namespace plumbline::gap

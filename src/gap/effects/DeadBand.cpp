@@ -1,0 +1,25 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// Position error that the servo does not act on.
+const Effect deadBand{
+    .id = "dead_band",
+    .unit = "rad",
+    .sites = {Site::joint},
+    .lower = 0,
+    .upper = 0.1,
+    .starts = {0.004, 0.015, 0.04},
+    .variants = {"what exceeds the band counts", "beyond the band the whole error counts"},
+    .sentence = "The servo of {at} ignores small errors.",
+    .exposedBy = "slow motions and static poses",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int variant) {
+          atJoints(plant, place, [value, variant](JointPlant& joint) {
+            joint.deadBand += value;
+            joint.deadBandSteps = variant == 1;
+          });
+        },
+};
+
+}  // namespace plumbline::gap

@@ -1,0 +1,56 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gap/replay/Plant.h"
+
+namespace plumbline::gap {
+
+/// Where an effect can sit.
+enum class Site { joint, everywhere, link, imu, foot, ground };
+
+/// One place of one effect on one robot.
+struct Place {
+  Site site = Site::joint;
+  int index = -1;    ///< joint, link or foot of the mechanism
+  std::string at;    ///< the contract's name: a joint, a link, a foot, "*", "imu", "ground"
+  char axis = '\0';  ///< 'x', 'y', 'z', or 0 where the effect has no axis
+
+  bool operator==(const Place&) const = default;
+};
+
+/// What a simulator may lack: one physical cause with one parameter. Each stands in a file of its own.
+struct Effect {
+  std::string_view id;  ///< as in the contract
+  std::string_view unit;
+  std::vector<Site> sites;
+  bool hasAxis = false;
+  double nominal = 0;
+  double lower = 0, upper = 0;  ///< of the value, in the unit; scaled per place by scale()
+  /// Values that a search starts from, within the bounds; the effect is visible at these.
+  std::vector<double> starts;
+  /// Ways of building the same cause that data decide between (such as the encoder's side); empty: one.
+  std::vector<std::string_view> variants = {};
+  std::string_view sentence;   ///< for people; {at} is the place
+  std::string_view exposedBy;  ///< motions that show it
+  /// Factor on lower, upper and starts at a place: a joint's torque limit, say. Null: 1.
+  std::function<double(const Mechanism&, const Place&)> scale = {};
+  /// Puts the effect into a plant that may hold others already.
+  std::function<void(Plant&, const Place&, double value, int variant)> apply = {};
+
+  int numVariants() const { return variants.empty() ? 1 : static_cast<int>(variants.size()); }
+  double scaleAt(const Mechanism& mechanism, const Place& place) const {
+    return scale ? scale(mechanism, place) : 1;
+  }
+};
+
+/// Calls change(drive) for the joint of a place, or for all joints where the place is "*". An effect at one
+/// of two joints that share a motor is at both.
+void atJoints(Plant& plant, const Place& place, const std::function<void(JointPlant&)>& change);
+
+/// Unit vector of an axis letter.
+Vec3 unitVector(char axis);
+
+}  // namespace plumbline::gap

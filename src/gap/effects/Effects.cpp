@@ -1,0 +1,83 @@
+#include "gap/effects/Effects.h"
+
+#include <stdexcept>
+
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+const std::vector<const Effect*>& effects() {
+  static const std::vector<const Effect*> all{
+      &commandDelay, &commandDropout,  &servoGain,         &servoDamping,     &torqueLimit,
+      &speedLimit,   &coulombFriction, &viscousFriction,   &stribeckFriction, &loadFriction,
+      &backlash,     &jointCompliance, &accelerationLimit, &deadBand,         &supplyVoltage,
+      &biasForce,    &thermalDerating, &rotorInertia,      &jointOffset,      &encoderNonlinearity,
+      &linkMass,     &comOffset,       &linkLength,        &imuMisalignment,  &gyroBias,
+      &imuDelay,     &fsrGain,         &groundFriction,    &groundSlope,      &groundCompliance,
+      &externalForce};
+  return all;
+}
+
+const Effect* findEffect(std::string_view id) {
+  for (const Effect* effect : effects())
+    if (effect->id == id) return effect;
+  return nullptr;
+}
+
+std::vector<Place> placesOf(const Effect& effect, const Mechanism& mechanism) {
+  std::vector<Place> bare;
+  for (const Site site : effect.sites) {
+    switch (site) {
+      case Site::joint:
+        for (int i = 0; i < mechanism.numJoints(); ++i) {
+          const auto& joint = mechanism.joints[static_cast<std::size_t>(i)];
+          if (joint.driver < 0) bare.push_back({site, i, joint.name});
+        }
+        break;
+      case Site::link:
+        for (std::size_t i = 0; i < mechanism.links.size(); ++i)
+          bare.push_back({site, static_cast<int>(i), mechanism.links[i].name});
+        break;
+      case Site::foot:
+        for (std::size_t i = 0; i < mechanism.feet.size(); ++i)
+          bare.push_back({site, static_cast<int>(i), mechanism.feet[i].name});
+        break;
+      case Site::everywhere:
+        bare.push_back({site, -1, "*"});
+        break;
+      case Site::imu:
+        if (mechanism.hasImu) bare.push_back({site, -1, "imu"});
+        break;
+      case Site::ground:
+        if (!mechanism.feet.empty()) bare.push_back({site, -1, "ground"});
+        break;
+    }
+  }
+  if (!effect.hasAxis) return bare;
+  std::vector<Place> places;
+  for (const Place& place : bare)
+    for (const char axis : {'x', 'y', 'z'}) {
+      if (place.site == Site::ground && axis == 'z') continue;
+      places.push_back(place);
+      places.back().axis = axis;
+    }
+  return places;
+}
+
+Place findPlace(const Effect& effect, const Mechanism& mechanism, std::string_view at,
+                std::string_view axis) {
+  const std::vector<Place> places = placesOf(effect, mechanism);
+  const char letter = axis.empty() ? '\0' : axis.front();
+  std::string known;
+  for (const Place& place : places) {
+    if (place.at == at && place.axis == letter) return place;
+    std::string name = place.at;
+    if (place.axis) name += std::string(" axis ") + place.axis;
+    known += (known.empty() ? "" : ", ") + name;
+  }
+  throw std::invalid_argument(std::string(effect.id) + " cannot be at '" + std::string(at) +
+                              (axis.empty() ? "'" : "' axis '" + std::string(axis) + "'") +
+                              "; there is: " + known);
+}
+
+}  // namespace plumbline::gap

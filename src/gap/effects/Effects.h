@@ -1,0 +1,22 @@
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "gap/effects/Effect.h"
+
+namespace plumbline::gap {
+
+/// The library: every effect of the contract, in its order.
+const std::vector<const Effect*>& effects();
+
+/// By id; null where the library has none of that name.
+const Effect* findEffect(std::string_view id);
+
+/// All places where an effect can sit on a robot, axes included.
+std::vector<Place> placesOf(const Effect& effect, const Mechanism& mechanism);
+
+/// The place of that name and axis ("" or "x", "y", "z"). Throws std::invalid_argument in one line that names
+/// what there is.
+Place findPlace(const Effect& effect, const Mechanism& mechanism, std::string_view at, std::string_view axis);
+
+}  // namespace plumbline::gap

@@ -1,0 +1,22 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// Force on a link's centre of mass, fixed in the world.
+const Effect externalForce{
+    .id = "external_force",
+    .unit = "N",
+    .sites = {Site::link},
+    .hasAxis = true,
+    .lower = -15,
+    .upper = 15,
+    .starts = {-2, 2},
+    .sentence = "Something pulls at {at}: a cable, a hand.",
+    .exposedBy = "static poses with two headings",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int) {
+          plant.forces.push_back({place.index, value * unitVector(place.axis)});
+        },
+};
+
+}  // namespace plumbline::gap

@@ -1,0 +1,20 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// Factor on a foot's force sensors.
+const Effect fsrGain{
+    .id = "fsr_gain",
+    .unit = "1",
+    .sites = {Site::foot},
+    .nominal = 1,
+    .lower = 0.1,
+    .upper = 3,
+    .starts = {0.8, 1.2},
+    .sentence = "The force sensors of {at} show too much or too little.",
+    .exposedBy = "standing, weight shifts",
+    .apply = [](Plant& plant, const Place& place, double value,
+                int) { plant.footGain[static_cast<std::size_t>(place.index)] *= value; },
+};
+
+}  // namespace plumbline::gap

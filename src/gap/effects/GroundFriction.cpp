@@ -1,0 +1,23 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// Coefficient of Coulomb friction between sole and ground.
+const Effect groundFriction{
+    .id = "ground_friction",
+    .unit = "1",
+    .sites = {Site::ground},
+    .nominal = 0.8,
+    .lower = 0.02,
+    .upper = 1.5,
+    .starts = {0.1, 0.3, 0.5},
+    .sentence = "The ground is more slippery or rougher than the model's.",
+    .exposedBy = "feet pressed apart and twisted against the ground",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int) {
+          plant.ground.friction = value;
+          (void)place;
+        },
+};
+
+}  // namespace plumbline::gap

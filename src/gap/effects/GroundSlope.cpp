@@ -1,0 +1,20 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// Rotation of the ground about an axis of the world, x or y.
+const Effect groundSlope{
+    .id = "ground_slope",
+    .unit = "rad",
+    .sites = {Site::ground},
+    .hasAxis = true,
+    .lower = -0.15,
+    .upper = 0.15,
+    .starts = {-0.02, 0.02},
+    .sentence = "The ground is not level.",
+    .exposedBy = "the same stance with two headings",
+    .apply = [](Plant& plant, const Place& place, double value,
+                int) { plant.ground.slope += value * unitVector(place.axis); },
+};
+
+}  // namespace plumbline::gap

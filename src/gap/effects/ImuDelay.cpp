@@ -1,0 +1,22 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// Age of an inertial reading when it is reported.
+const Effect imuDelay{
+    .id = "imu_delay",
+    .unit = "s",
+    .sites = {Site::imu},
+    .lower = 0,
+    .upper = 0.1,
+    .starts = {0.01, 0.03},
+    .sentence = "Readings of the inertial sensor are late.",
+    .exposedBy = "motions of the torso",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int) {
+          plant.imu.delay += value;
+          (void)place;
+        },
+};
+
+}  // namespace plumbline::gap

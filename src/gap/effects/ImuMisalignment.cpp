@@ -1,0 +1,23 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// Rotation of the sensor about the torso's axis.
+const Effect imuMisalignment{
+    .id = "imu_misalignment",
+    .unit = "rad",
+    .sites = {Site::imu},
+    .hasAxis = true,
+    .lower = -0.5,
+    .upper = 0.5,
+    .starts = {-0.03, 0.03},
+    .sentence = "The inertial sensor is turned against the torso.",
+    .exposedBy = "any, standing still too",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int) {
+          plant.imu.R_true_sensor =
+              Eigen::AngleAxisd(value, unitVector(place.axis)) * plant.imu.R_true_sensor;
+        },
+};
+
+}  // namespace plumbline::gap

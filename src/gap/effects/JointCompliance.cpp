@@ -1,0 +1,25 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// A spring between motor and link.
+const Effect jointCompliance{
+    .id = "joint_compliance",
+    .unit = "rad/(N m)",
+    .sites = {Site::joint},
+    .lower = 0,
+    .upper = 0.2,
+    .starts = {0.005, 0.02, 0.06},
+    .variants = {"encoder where the model has it", "encoder on the other side of the gear"},
+    .sentence = "The gear of {at} gives way under torque.",
+    .exposedBy = "static poses under different loads, chirps",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int variant) {
+          atJoints(plant, place, [value, variant](JointPlant& joint) {
+            joint.compliance += value;
+            if (variant == 1) joint.linkEncoder = !joint.linkEncoder;
+          });
+        },
+};
+
+}  // namespace plumbline::gap

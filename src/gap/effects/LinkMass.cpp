@@ -1,0 +1,27 @@
+#include "gap/effects/Library.h"
+
+#include <algorithm>
+
+namespace plumbline::gap {
+
+/// Mass added to a link.
+const Effect linkMass{
+    .id = "link_mass",
+    .unit = "kg",
+    .sites = {Site::link},
+    .lower = -0.4,
+    .upper = 1.5,
+    .starts = {-0.05, 0.1, 0.4},
+    .variants = {"a load at the centre of mass", "spread over the link"},
+    .sentence = "{at} is heavier or lighter than the model's.",
+    .exposedBy = "static poses, slow motions",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int variant) {
+          auto& link = plant.mechanism.links[static_cast<std::size_t>(place.index)];
+          const double factor = variant == 1 ? std::max(0.05, (link.mass + value) / link.mass) : 1;
+          link.mass = std::max(1e-3, link.mass + value);
+          link.inertia *= factor;
+        },
+};
+
+}  // namespace plumbline::gap

@@ -1,0 +1,19 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// Dry friction in proportion to the torque that goes through the gear.
+const Effect loadFriction{
+    .id = "load_friction",
+    .unit = "1",
+    .sites = {Site::joint},
+    .lower = 0,
+    .upper = 0.9,
+    .starts = {0.05, 0.15, 0.35},
+    .sentence = "Friction of {at} grows with the load that the gear transmits.",
+    .exposedBy = "slow reversals under load",
+    .apply = [](Plant& plant, const Place& place, double value,
+                int) { atJoints(plant, place, [value](JointPlant& joint) { joint.loadFriction += value; }); },
+};
+
+}  // namespace plumbline::gap

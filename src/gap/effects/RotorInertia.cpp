@@ -1,0 +1,25 @@
+#include "gap/effects/Library.h"
+
+#include <algorithm>
+
+namespace plumbline::gap {
+
+/// Added to the rotor's inertia seen at the joint.
+const Effect rotorInertia{
+    .id = "rotor_inertia",
+    .unit = "kg m^2",
+    .sites = {Site::joint},
+    .lower = -0.005,
+    .upper = 0.08,
+    .starts = {0.003, 0.015},
+    .sentence = "The rotor of {at} is heavier than the model's.",
+    .exposedBy = "chirps and steps",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int) {
+          atJoints(plant, place, [value](JointPlant& joint) {
+            joint.servo.armature = std::max(1e-5, joint.servo.armature + value);
+          });
+        },
+};
+
+}  // namespace plumbline::gap

@@ -1,0 +1,26 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// Factor on the derivative gain; unlike viscous friction it lies within the torque limit.
+const Effect servoDamping{
+    .id = "servo_damping",
+    .unit = "1",
+    .sites = {Site::joint},
+    .nominal = 1,
+    .lower = 0,
+    .upper = 4,
+    .starts = {0.5, 2},
+    .sentence = "The servo of {at} brakes its own motion more or less than the model's.",
+    .exposedBy = "chirps and fast moves",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int) {
+          atJoints(plant, place, [value](JointPlant& joint) {
+            const double change = joint.servo.kd * (value - 1);
+            joint.servo.kd += change;
+            joint.extraDamping += change;
+          });
+        },
+};
+
+}  // namespace plumbline::gap

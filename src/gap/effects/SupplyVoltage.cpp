@@ -1,0 +1,26 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// Factor on the voltage that torque and speed limits come from.
+const Effect supplyVoltage{
+    .id = "supply_voltage",
+    .unit = "1",
+    .sites = {Site::everywhere},
+    .nominal = 1,
+    .lower = 0.2,
+    .upper = 1.5,
+    .starts = {0.4, 0.6, 0.85},
+    .sentence = "The supply is weaker than the model's: torque and speed limits shrink together.",
+    .exposedBy = "fast moves at the limits",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int) {
+          atJoints(plant, place, [value](JointPlant& joint) {
+            joint.supplyFactor *= value;
+            joint.torqueFactor *= value;
+            joint.maxSpeed *= value;
+          });
+        },
+};
+
+}  // namespace plumbline::gap

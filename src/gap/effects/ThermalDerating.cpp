@@ -1,0 +1,26 @@
+#include "gap/effects/Library.h"
+
+namespace plumbline::gap {
+
+/// Loss of torque limit per joule; the heat is the integral of torque^2 * 1 s/(kg m^2), or of |torque *
+/// speed|.
+const Effect thermalDerating{
+    .id = "thermal_derating",
+    .unit = "1/J",
+    .sites = {Site::joint, Site::everywhere},
+    .lower = 0,
+    .upper = 0.2,
+    .starts = {0.0005, 0.003, 0.02},
+    .variants = {"heat as the integral of torque squared", "heat as the integral of mechanical power"},
+    .sentence = "The motor of {at} loses torque as it warms up.",
+    .exposedBy = "long fast moves at the torque limit",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int variant) {
+          atJoints(plant, place, [value, variant](JointPlant& joint) {
+            joint.deratingPerJoule += value;
+            joint.heatIsWork = variant == 1;
+          });
+        },
+};
+
+}  // namespace plumbline::gap
