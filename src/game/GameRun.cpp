@@ -90,6 +90,7 @@ private:
                                           "--stats",
                                           file("simulator.json"),
                                           "--die-with-parent"};
+    arguments.insert(arguments.end(), {"--engine", options_.engine});
     if (options_.realtime) arguments.push_back("--realtime");
     if (options_.web) arguments.push_back("--web");
     simulator_.emplace(programs_ + "/simulator", arguments, file("ports.json"), file("simulator.log"));

@@ -5,6 +5,7 @@
 
 #include "framework/StopSignal.h"
 #include "game/GameRun.h"
+#include "simulation/physics/Physics.h"
 
 // bin/game: a robot alone on the field until it scores.
 
@@ -18,6 +19,9 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--limit", options.limit, "simulated seconds it may take")
       ->check(CLI::Range(1.0, 36000.0))
+      ->capture_default_str();
+  app.add_option("--engine", options.engine, "physics of the embedded simulator")
+      ->check(CLI::IsMember(simulation::physicsEngines()))
       ->capture_default_str();
   app.add_flag("--realtime", options.realtime, "at the pace of the clock instead of as fast as it goes");
   app.add_flag("--web", options.web,

@@ -43,5 +43,5 @@ port=$(value "$scratch/ports" agent)
 [[ $port ]] || port=$(sed 's/.*"agent": *\([0-9]*\).*/\1/' "$scratch/ports")
 expectError 2 "simulator: port $port of 127.0.0.1 is in use; choose another or 0" "$bin/simulator" --port "$port" --monitor-port 0
 expectError 2 "simulator: --port: '70000' is not a port, 0 to 65535" "$bin/simulator" --port 70000
-expectError 2 "simulator: unknown physics engine \"foo\"; there are: ode, ode-dense" "$bin/simulator" --engine foo
+expectError 2 "simulator: unknown physics engine \"foo\"; there are: ode, ode-dense, bullet" "$bin/simulator" --engine foo
 expectError 2 "simulator: --bind 0.0.0.0 opens the monitor port to others: set a --token" "$bin/simulator" --bind 0.0.0.0

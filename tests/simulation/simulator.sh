@@ -33,7 +33,7 @@ refuses "--max-seconds: '0' is not a time above 0 s" --max-seconds 0
 refuses "--max-seconds takes one value, once" --max-seconds
 refuses "--wait-agents: '23' is not a number of agents, 0 to 22" --wait-agents 23
 refuses "--monitor-step: '0' is not a time of 0.02 to 10 s" --monitor-step 0
-refuses 'unknown physics engine "foo"; there are: ode, ode-dense' --engine foo
+refuses 'unknown physics engine "foo"; there are: ode, ode-dense, bullet' --engine foo
 refuses "--bind 0.0.0.0 opens the monitor port to others: set a --token" --bind 0.0.0.0
 refuses "cannot write $work/no/ports: No such file or directory" "${free[@]}" --ports-file "$work/no/ports"
 refuses "$work/none.csv: cannot be read; give a trace as .csv or .csv.gz" --replay "$work/none.csv"

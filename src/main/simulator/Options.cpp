@@ -105,7 +105,8 @@ Options parseOptions(int argc, char** argv) {
       ->check(aPatience);
   app.add_option("--half-time", server.simulation.rules.halfTime, "Length of a half in seconds [300]")
       ->check(aDuration);
-  app.add_option("--engine", server.simulation.world.engine, "Physics engine [ode]");
+  app.add_option("--engine", server.simulation.world.engine,
+                 "Physics engine: ode, ode-dense or bullet [ode]");
   app.add_option("--monitor-step", given.monitorStep, "Seconds between two messages to a monitor [0.04]")
       ->check(number("a time of 0.02 to 10 s", [](double v) { return v >= 0.02 && v <= 10; }));
   app.add_flag("--ground-truth", server.simulation.players.groundTruth,

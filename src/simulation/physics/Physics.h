@@ -114,7 +114,11 @@ public:
   virtual bool asleep(int assembly) const = 0;
 };
 
-/// Makes an engine by name: "ode", or "ode-dense", the same with ODE's own solver, which is slower. Error:
+/// Names of the engines there are.
+const std::vector<std::string>& physicsEngines();
+
+/// Makes an engine by name: "ode", as the league's server; "ode-dense", the same with ODE's own solver, which
+/// is slower; "bullet", other physics for a second opinion. Error:
 /// std::invalid_argument naming the engines there are.
 std::unique_ptr<Physics> makePhysics(std::string_view engine, const PhysicsConfig& config);
 

@@ -276,14 +276,14 @@ TEST_P(Engine, refusesWhatMakesNoSense) {
   EXPECT_NEAR(engine->bodyState(robot, 0).linearVelocity.z(), -3 * 9.81 * 0.02, 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, Engine, testing::Values("ode", "ode-dense"));
+INSTANTIATE_TEST_SUITE_P(Engines, Engine, testing::Values("ode", "ode-dense", "bullet"));
 
 TEST(Physics, unknownEngineNamesThoseThereAre) {
   try {
     makePhysics("havok", {});
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "unknown physics engine \"havok\"; there are: ode, ode-dense");
+    EXPECT_STREQ(error.what(), "unknown physics engine \"havok\"; there are: ode, ode-dense, bullet");
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "simulation/physics/AssemblyCheck.h"
+
 namespace plumbline::simulation::ode {
 
 namespace {
@@ -12,31 +14,10 @@ constexpr double idleSpeed = 0.01;  // [m/s, rad/s]
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-void check(const Shape& shape) {
-  const bool needsAll = shape.kind == Shape::Kind::box;
-  const bool needsZ = shape.kind != Shape::Kind::sphere;
-  if (!(shape.size.x() > 0) || (needsAll && !(shape.size.y() > 0)) || (needsZ && !(shape.size.z() > 0)))
-    throw std::invalid_argument("physics: a shape's size must be positive");
-}
-
-/// Before anything is made of it.
-void check(const Assembly& assembly) {
-  if (assembly.bodies.empty()) throw std::invalid_argument("physics: an assembly needs a body");
-  const int count = static_cast<int>(assembly.bodies.size());
-  std::vector<bool> joined(assembly.bodies.size(), false);
-  for (const HingeSpec& hinge : assembly.hinges) {
-    if (hinge.parent < 0 || hinge.parent >= hinge.child || hinge.child >= count || joined[at(hinge.child)])
-      throw std::invalid_argument("physics: hinges must join each child once to a parent before it");
-    joined[at(hinge.child)] = true;
-  }
-  for (const BodySpec& body : assembly.bodies)
-    if (body.shape) check(*body.shape);
-}
-
 }  // namespace
 
 dGeomID makeGeom(const Shape& shape) {
-  check(shape);
+  checkShape(shape);
   switch (shape.kind) {
     case Shape::Kind::sphere:
       return dCreateSphere(nullptr, shape.size.x());
@@ -48,21 +29,9 @@ dGeomID makeGeom(const Shape& shape) {
   return dCreateBox(nullptr, shape.size.x(), shape.size.y(), shape.size.z());
 }
 
-double boundingRadius(const Shape& shape) {
-  switch (shape.kind) {
-    case Shape::Kind::sphere:
-      return shape.size.x();
-    case Shape::Kind::capsule:
-      return shape.size.x() + shape.size.z() / 2;
-    case Shape::Kind::box:
-      break;
-  }
-  return shape.size.norm() / 2;
-}
-
 OdeAssembly::OdeAssembly(dWorldID world, const Assembly& assembly, const Pose3& T_world_root)
     : spec(assembly) {
-  check(spec);
+  checkAssembly(spec);
   hingeOfBody.assign(spec.bodies.size(), -1);
   for (std::size_t i = 0; i < spec.hinges.size(); ++i)
     hingeOfBody[at(spec.hinges[i].child)] = static_cast<int>(i);

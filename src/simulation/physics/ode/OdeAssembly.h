@@ -12,9 +12,6 @@ namespace plumbline::simulation::ode {
 /// size that is not positive.
 dGeomID makeGeom(const Shape& shape);
 
-/// Radius of the sphere about the shape's centre that holds it [m].
-double boundingRadius(const Shape& shape);
-
 /// An assembly as ODE's bodies, geoms and hinge joints; owns them.
 class OdeAssembly {
 public:

@@ -1,0 +1,73 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "simulation/physics/bullet/BulletAssembly.h"
+
+namespace plumbline::simulation::bullet {
+
+/// Assemblies by handle; ordered, so that the order of contacts is a matter of the calls alone.
+using Assemblies = std::map<int, std::unique_ptr<BulletAssembly>>;
+
+/// Where two bodies touch, besides what Contact says.
+struct ContactGeometry {
+  Vec3 normal = Vec3::UnitZ();  ///< world, out of B into A
+  double depth = 0;             ///< [m]
+  ContactSurface surface;
+};
+
+/// Finds what touches. Pairs are sought by boxes around assemblies, then spheres around bodies; Bullet's
+/// algorithms find their points, without memory of the step before. The ground is met exactly: by corners of
+/// boxes, ends of capsules and lowest points of spheres, as Bullet's plane gives one point at a time.
+class BulletContacts {
+public:
+  explicit BulletContacts(const PhysicsConfig& config);
+
+  void addGround(Material material);
+  void addStatic(const Shape& shape, const Pose3& T_world_shape, Material material);
+  void find(const Assemblies& assemblies);
+
+  const std::vector<Contact>& contacts() const { return contactList; }
+  const std::vector<ContactGeometry>& geometry() const { return geometries; }
+  void setForce(std::size_t contact, const Vec3& forceOnA) { contactList[contact].forceOnA = forceOnA; }
+
+private:
+  using Collider = BulletAssembly::Collider;
+  struct Static {
+    std::unique_ptr<btCollisionShape> shape;
+    std::unique_ptr<btCollisionObject> object;
+    Eigen::AlignedBox3d box;
+    Material material;
+  };
+  struct Side {
+    int assembly, index;
+    const btCollisionObject* object;
+    Material material;
+  };
+  class Result;
+
+  static Side side(int assembly, const Collider& c) {
+    return {assembly, c.index, c.object.get(), c.material};
+  }
+  void collideWithStatics(int handle, const BulletAssembly& assembly, const Eigen::AlignedBox3d& box);
+  void collideWithGround(int handle, const Collider& collider);
+  void collideAssemblies(int handleA, const BulletAssembly& a, int handleB, const BulletAssembly& b,
+                         const Eigen::AlignedBox3d& overlap);
+  void collideWithin(int handle, const BulletAssembly& assembly);
+  void collide(const Side& a, const Side& b);
+  void add(const Side& a, const Side& b, const Vec3& point, const Vec3& normal, double depth);
+
+  std::vector<std::vector<ContactSurface>> surfaces;
+  std::unique_ptr<btDefaultCollisionConfiguration> configuration;
+  std::unique_ptr<btCollisionDispatcher> dispatcher;
+  btDispatcherInfo dispatchInfo;
+  std::vector<Static> statics;
+  bool hasGround = false;
+  Material groundMaterial = 0;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  std::vector<Contact> contactList;
+  std::vector<ContactGeometry> geometries;
+};
+
+}  // namespace plumbline::simulation::bullet

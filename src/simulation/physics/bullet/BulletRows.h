@@ -1,0 +1,58 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "simulation/physics/bullet/BulletTypes.h"
+#include "simulation/physics/tree/BoundedSystem.h"
+
+namespace plumbline::simulation::bullet {
+
+/// The rows of a step's equations that reach one btMultiBody: what an impulse of 1 along each does to its
+/// coordinates (base's turn and way in world axes, then joints).
+class BulletRows {
+public:
+  explicit BulletRows(const btMultiBody& body);
+
+  /// Forgets all rows; the velocities are those before the step.
+  void reset();
+  /// A row for an impulse on a link of Bullet's (-1: base) at a point along a direction (world); its local
+  /// index. `origin`: any point that stays the same for the link throughout the step.
+  int addPoint(int link, const Vec3& origin, const Vec3& point, const Vec3& direction);
+  /// A row along one joint coordinate.
+  int addJoint(int coordinate, double sign);
+
+  /// Place of a local row in the system of its island.
+  void place(int row, Eigen::Index global) { places[static_cast<std::size_t>(row)] = global; }
+  /// Adds what these rows do to each other, and takes their free velocities from the right-hand side.
+  void addTo(BoundedSystem& system) const;
+  /// Velocity along a row before the step.
+  double velocityBefore(int row) const { return jacobians.col(row).dot(before); }
+  /// Adds the solved impulses to the multi-body's velocities.
+  void apply(const Eigen::VectorXd& impulses, btMultiBody& body) const;
+
+private:
+  /// What impulses and angular impulses on a link along the world's axes do: all rows of its contacts are
+  /// sums of these six.
+  struct Basis {
+    int link;
+    Eigen::Matrix<double, Eigen::Dynamic, 6> jacobian, response;
+  };
+  const Basis& basisOf(int link, const Vec3& origin);
+  int newRow(int coordinate, double sign);
+
+  const btMultiBody& body;
+  Eigen::Index size;
+  Eigen::MatrixXd jacobians, responses;  ///< a column for each row
+  Eigen::VectorXd before;
+  std::vector<Eigen::Index> places;
+  std::vector<int> coordinates;  ///< of rows along one joint, else -1
+  std::vector<double> signs;
+  int count = 0;
+  std::vector<Basis> bases;  ///< the first of them are of this step
+  std::size_t basesUsed = 0;
+  btAlignedObjectArray<btScalar> scratchR;
+  btAlignedObjectArray<btVector3> scratchV;
+  btAlignedObjectArray<btMatrix3x3> scratchM;
+};
+
+}  // namespace plumbline::simulation::bullet

@@ -1,0 +1,152 @@
+#include "simulation/physics/bullet/BulletStep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plumbline::simulation::bullet {
+
+namespace {
+constexpr double infinity = std::numeric_limits<double>::infinity();
+}
+
+std::size_t BulletStep::placeOf(int handle) const {
+  return static_cast<std::size_t>(std::lower_bound(handles.begin(), handles.end(), handle) - handles.begin());
+}
+
+void BulletStep::step(const PhysicsConfig& config, const Assemblies& assemblies, BulletContacts& contacts) {
+  findIslands(assemblies, contacts);
+  for (std::size_t first = 0; first < all.size(); ++first) {
+    if (islandOf[first] != first) continue;
+    bool awake = false;
+    members.clear();
+    for (std::size_t i = first; i < all.size(); ++i)
+      if (islandOf[i] == first) {
+        members.push_back(all[i]);
+        awake = awake || !all[i]->asleep();
+      }
+    if (awake) stepIsland(config, contacts, first);
+  }
+}
+
+void BulletStep::findIslands(const Assemblies& assemblies, const BulletContacts& contacts) {
+  handles.clear();
+  all.clear();
+  islandOf.clear();
+  for (const auto& [handle, assembly] : assemblies) {
+    islandOf.push_back(all.size());
+    handles.push_back(handle);
+    all.push_back(assembly.get());
+  }
+  const auto root = [&](std::size_t i) {
+    while (islandOf[i] != i) i = islandOf[i];
+    return i;
+  };
+  for (const Contact& contact : contacts.contacts()) {
+    if (contact.assemblyB < 0) continue;
+    const std::size_t a = root(placeOf(contact.assemblyA)), b = root(placeOf(contact.assemblyB));
+    islandOf[std::max(a, b)] = std::min(a, b);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) islandOf[i] = root(i);
+  contactIsland.clear();
+  for (const Contact& contact : contacts.contacts())
+    contactIsland.push_back(islandOf[placeOf(contact.assemblyA)]);
+}
+
+void BulletStep::stepIsland(const PhysicsConfig& config, BulletContacts& contacts, std::size_t island) {
+  for (BulletAssembly* member : members) member->begin(config);
+  contactIndices.clear();
+  directions.clear();
+  outgoing.clear();
+  for (std::size_t i = 0; i < contactIsland.size(); ++i)
+    if (contactIsland[i] == island) {
+      contactIndices.push_back(i);
+      addContactRows(contacts, i);
+    }
+  hingeRows.clear();
+  for (BulletAssembly* member : members)
+    for (const BulletAssembly::HingeRow& row : member->addHingeRows(config))
+      hingeRows.push_back({member, row});
+  fillSystem(config, contacts);
+  if (system.b.size() > 0) {
+    solve(config);
+    for (BulletAssembly* member : members) member->applyImpulses(system.solution());
+  }
+  for (std::size_t k = 0; k < contactIndices.size(); ++k) {
+    Vec3 force = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+      force += system.solution()[static_cast<Eigen::Index>(3 * k + i)] / config.stepSeconds *
+               directions[3 * k + i];
+    contacts.setForce(contactIndices[k], force);
+  }
+  for (BulletAssembly* member : members) member->finish(config);
+}
+
+void BulletStep::addContactRows(const BulletContacts& contacts, std::size_t index) {
+  const Contact& pair = contacts.contacts()[index];
+  btVector3 t1, t2;
+  btPlaneSpace1(fromVec3(contacts.geometry()[index].normal), t1, t2);
+  double speed = 0;
+  for (const Vec3& direction : {contacts.geometry()[index].normal, toVec3(t1), toVec3(t2)}) {
+    const auto global = static_cast<Eigen::Index>(directions.size());
+    const auto add = [&](int handle, int body, const Vec3& along) {
+      if (handle < 0) return;
+      BulletAssembly& assembly = *all[placeOf(handle)];
+      const int row = assembly.addPointRow(body, pair.point, along);
+      assembly.rows().place(row, global);
+      if (global % 3 == 0) speed += assembly.rows().velocityBefore(row);
+    };
+    add(pair.assemblyA, pair.bodyA, direction);
+    add(pair.assemblyB, pair.bodyB, -direction);
+    directions.push_back(direction);
+  }
+  outgoing.push_back(speed);
+}
+
+void BulletStep::fillSystem(const PhysicsConfig& config, const BulletContacts& contacts) {
+  const double h = config.stepSeconds;
+  system.reset(static_cast<Eigen::Index>(directions.size() + hingeRows.size()));
+  for (std::size_t k = 0; k < contactIndices.size(); ++k) {
+    const ContactGeometry& contact = contacts.geometry()[contactIndices[k]];
+    const ContactSurface& surface = contact.surface;
+    const auto normal = static_cast<Eigen::Index>(3 * k);
+    system.a(normal, normal) = surface.softCfm / h;
+    system.b[normal] = surface.softErp / h * std::max(0.0, contact.depth - config.surfaceLayer);
+    if (surface.bounce > 0 && -outgoing[k] > surface.bounceVelocity)
+      system.b[normal] = std::max(system.b[normal], -surface.bounce * outgoing[k]);
+    system.lower[normal] = 0;
+    for (const Eigen::Index friction : {normal + 1, normal + 2})
+      system.a(friction, friction) = surface.slip / h;
+  }
+  auto place = static_cast<Eigen::Index>(directions.size());
+  for (HingeRow& hinge : hingeRows) {
+    hinge.assembly->rows().place(hinge.row.local, place);
+    system.a(place, place) = hinge.row.compliance;
+    system.b[place] = hinge.row.wanted;
+    system.lower[place] = hinge.row.lower;
+    system.upper[place] = hinge.row.upper;
+    ++place;
+  }
+  for (const BulletAssembly* member : members) member->rows().addTo(system);
+}
+
+void BulletStep::solve(const PhysicsConfig& config) {
+  const double h = config.stepSeconds;
+  for (bool done = false; !done;) {
+    system.solve();
+    done = true;
+    for (std::size_t i = 0; i < hingeRows.size(); ++i) {
+      HingeRow& hinge = hingeRows[i];
+      if (hinge.row.stop || hinge.saturated) continue;
+      const auto place = static_cast<Eigen::Index>(directions.size() + i);
+      const double most = hinge.assembly->maxTorque(hinge.row.hinge) * h;
+      if (std::abs(system.solution()[place]) <= most) continue;
+      hinge.saturated = true;
+      system.lower[place] = -most;
+      system.upper[place] = most;
+      done = false;
+    }
+  }
+}
+
+}  // namespace plumbline::simulation::bullet
