@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# Starts our team on a server and returns; the league's tournaments call it as start.sh HOST. bin/kill.sh ends it.
+set -euo pipefail
+bin=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# scripts/autoplay/ says by the environment where a game is.
+host=127.0.0.1 port=${PLUMBLINE_AGENT_PORT:-3100} monitor=${PLUMBLINE_MONITOR_PORT:-3200}
+team=${PLUMBLINE_TEAM_NAME:-Plumbline} players=11 logs=${PLUMBLINE_LOGS:-} config=""
+# At most 7 of a type, 9 of any two, three types in a full team.
+types=(0 4 4 1 4 0 3 1 3 4 0)
+
+usage() {
+  cat << END
+usage: start.sh [options] [HOST] [-- OPTIONS OF bin/agent]
+  HOST                where the server runs [$host]
+  -p, --port N        its agent port [$port]
+  -m, --monitor N     its monitor port [$monitor]
+  -t, --team NAME     [$team]
+  -n, --players N     numbers 1 to N, 1 to 11 [$players]
+  --types "T T ..."   robot types 0 to 4 of numbers 1, 2, ... [${types[*]}]
+  --logs FOLDER       output of each agent; without it there is none
+  --config FOLDER     configuration [config beside bin]
+examples:
+  bin/start.sh
+  bin/start.sh 192.168.1.20 --team Red --players 3 --logs build/logs
+END
+}
+fail() { echo "start.sh: $*; see start.sh --help" >&2; exit 2; }
+isNumber() { [[ $1 =~ ^[0-9]{1,5}$ ]]; }
+
+hostGiven=""
+while (($#)); do
+  case $1 in
+    -h | --help) usage; exit 0 ;;
+    --) shift; break ;;
+    -p | --port | -m | --monitor | -t | --team | -n | --players | --types | --logs | --config)
+      (($# > 1)) || fail "$1 needs a value"
+      case $1 in
+        -p | --port) port=$2 ;;
+        -m | --monitor) monitor=$2 ;;
+        -t | --team) team=$2 ;;
+        -n | --players) players=$2 ;;
+        --types) read -ra types <<< "$2" ;;
+        --logs) logs=$2 ;;
+        --config) config=$2 ;;
+      esac
+      shift 2 ;;
+    -*) fail "unknown option $1" ;;
+    *) [[ $hostGiven ]] && fail "two hosts: $host and $1"
+       host=$1 hostGiven=1; shift ;;
+  esac
+done
+isNumber "$port" || fail "port '$port' is no number"
+isNumber "$monitor" || fail "monitor port '$monitor' is no number"
+isNumber "$players" && ((players >= 1 && players <= 11)) || fail "--players '$players' is not 1 to 11"
+((${#types[@]} >= players)) || fail "${#types[@]} types for $players players"
+for type in "${types[@]}"; do [[ $type =~ ^[0-4]$ ]] || fail "type '$type' is not 0 to 4"; done
+[[ $team =~ ^[^[:space:]\(\)]+$ ]] || fail "team '$team' has blanks or parentheses"
+[[ -x $bin/agent ]] || fail "no $bin/agent: make SimRelease builds it"
+[[ $logs ]] && mkdir -p "$logs"
+
+export PLUMBLINE_TEAM=$team # by which kill.sh knows its own
+for ((number = 1; number <= players; ++number)); do
+  options=(--team "$team" --number "$number" --type "${types[number - 1]}" --host "$host" --port "$port" --monitor-port "$monitor")
+  [[ $config ]] && options+=(--config "$config")
+  if [[ $logs ]]; then output=$logs/agent$number.log options+=(--crash-log "$logs/crash$number.log"); else output=/dev/null; fi
+  # Not hung up with this shell, and not ended by its Ctrl-C.
+  setsid "$bin/agent" "${options[@]}" "$@" > "$output" 2>&1 < /dev/null &
+  disown
+  # One after the other, so that the server gives them their places in this order.
+  sleep "${PLUMBLINE_START_PAUSE:-0.1}"
+done

@@ -1,0 +1,66 @@
+#include "game/GameCounter.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace plumbline::game {
+
+using simspark::SceneRobot;
+using simspark::SceneState;
+using simspark::TeamSide;
+
+namespace {
+constexpr double standing = 0.9, lying = 0.5;  ///< upward part of the torso's axis
+}  // namespace
+
+void GameCounter::observe(const SceneState& scene) {
+  const bool running =
+      lastTime && scene.time > *lastTime && scene.playMode != "BeforeKickOff" && scene.playMode != "GameOver";
+  countFalls(scene, running);
+  if (running) {
+    countKicks(scene);
+  } else if (!lastTime || scene.time != *lastTime || scene.ball.head<2>() != lastBall) {
+    lastVelocity.reset();
+  }
+  lastTime = scene.time;
+  lastBall = scene.ball.head<2>();
+}
+
+void GameCounter::countFalls(const SceneState& scene, bool running) {
+  std::array<int, 2> here{};
+  for (const SceneRobot& robot : scene.robots) {
+    if (robot.side == TeamSide::none || robot.unum == 0) continue;
+    ++here[index(robot.side)];
+    Stance& stance = stances[{robot.side, robot.unum}];
+    const double up = robot.T_world_torso.linear()(2, 2);
+    if (up > standing) stance = {.stood = true, .fallen = false};
+    if (up < lying && stance.stood && !stance.fallen) {
+      stance.fallen = true;
+      if (running) ++falls_[index(robot.side)];
+    }
+  }
+  for (std::size_t i = 0; i < here.size(); ++i) players_[i] = std::max(players_[i], here[i]);
+}
+
+void GameCounter::countKicks(const SceneState& scene) {
+  const Vec2 ball = scene.ball.head<2>();
+  const Vec2 velocity = (ball - lastBall) / (scene.time - *lastTime);
+  const bool carried = velocity.norm() > maxBallSpeed;
+  const std::optional<Vec2> before =
+      std::exchange(lastVelocity, carried ? std::nullopt : std::optional(velocity));
+  if (carried || !before || velocity.norm() - before->norm() < kickGain || scene.time - lastKick < kickPause)
+    return;
+  const SceneRobot* kicker = nullptr;
+  double nearest = kickReach;
+  for (const SceneRobot& robot : scene.robots) {
+    const double distance = (robot.T_world_torso.translation().head<2>() - lastBall).norm();
+    if (robot.side == TeamSide::none || distance > nearest) continue;
+    nearest = distance;
+    kicker = &robot;
+  }
+  if (!kicker) return;
+  lastKick = scene.time;
+  ++kicks_[index(kicker->side)];
+}
+
+}  // namespace plumbline::game

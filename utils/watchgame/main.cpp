@@ -1,0 +1,103 @@
+// bin/watchgame: sees a game through on any server and writes a line about it; scripts/autoplay/ is made of
+// it.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+
+#include "framework/StopSignal.h"
+#include "game/FieldPicture.h"
+#include "game/GameWatch.h"
+
+namespace {
+
+using namespace plumbline;
+
+/// ISO 8601, with the difference to UTC.
+std::string now() {
+  const std::time_t time = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&time, &local);
+  char text[40];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S%z", &local);
+  return text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  constexpr int badInput = 2;
+  game::GameWatchOptions options;
+  game::GameLogEntry entry;
+  std::string log;
+  bool quiet = false, noKickOff = false;
+  CLI::App app(
+      "Sees a game through by the monitor port: kicks off both halves, counts goals, falls and kicks.",
+      "watchgame");
+  app.add_option("--host", options.host, "Where the server runs")->capture_default_str();
+  app.add_option("--port", options.port, "Its monitor port")
+      ->check(CLI::Range(1, 65535))
+      ->capture_default_str();
+  app.add_option("--players", options.players, "Kick-off waits for so many")
+      ->check(CLI::Range(0, 22))
+      ->capture_default_str();
+  app.add_option("--patience", options.patience, "So long; then it kicks off with those who are there [s]")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app.add_option("--settle", options.settle, "Pause before a kick-off [s of real time]")
+      ->check(CLI::Range(0.0, 1e4))
+      ->capture_default_str();
+  app.add_option("--hang", options.hang, "Give up when nothing has changed for so long [s of real time]")
+      ->check(CLI::Range(0.1, 1e6))
+      ->capture_default_str();
+  app.add_option("--limit", options.limit, "Give up after so long in all [s of real time]")
+      ->check(CLI::Range(0.1, 1e9));
+  app.add_flag("--no-kickoff", noKickOff, "The server kicks off by itself");
+  app.add_flag("--end-server", options.endServer, "Tell the server to end after the game");
+  app.add_option("--end-time", options.endTime,
+                 "The game is over at this time of its clock [when the server says so]")
+      ->check(CLI::Range(0.1, 1e6));
+  app.add_option("--log", log, "Append a line about the game to this file");
+  app.add_option("--server", entry.server, "Name of the server, for the log");
+  app.add_option("--seed", entry.seed, "Its seed, for the log");
+  app.add_option("--half-time", entry.halfTime, "Length of a half, for the log [s]")->capture_default_str();
+  app.add_option("--left", entry.nameLeft, "Name of the left team, for the log [the one it has given]");
+  app.add_option("--right", entry.nameRight, "Name of the right team, for the log");
+  app.add_flag("--quiet", quiet, "No line per second");
+  app.footer(
+      "Exit status: 0 the game is over, 1 it came to no end (the log says why), 2 bad options, 130 after "
+      "Ctrl-C.\n"
+      "Example:\n  bin/watchgame --port 3200 --players 22 --log games.log");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "watchgame: {}; see watchgame --help\n", error.what());
+    return badInput;
+  }
+  options.kickOff = !noKickOff;
+  try {
+    StopSignal stop;
+    stop.catchSignals();
+    entry.date = now();
+    const auto result = game::watchGame(options, stop, [&](const simspark::SceneState& scene) {
+      if (quiet) return;
+      fmt::print("{} {} {} : {} {} {} half {} robots {}\n", game::clockText(scene.time), scene.teamLeft,
+                 scene.scoreLeft, scene.scoreRight, scene.teamRight, scene.playMode, scene.half,
+                 scene.robots.size());
+      std::fflush(stdout);
+    });
+    const std::string line = game::gameLogLine(entry, result);
+    if (!log.empty() && result.end != game::GameEnd::interrupted) game::appendGameLog(log, line);
+    fmt::print("{}\n", line);
+    if (result.end == game::GameEnd::over) return 0;
+    fmt::print(stderr, "watchgame: {}\n", result.problem);
+    return result.end == game::GameEnd::interrupted ? 130 : 1;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "watchgame: {}\n", error.what());
+    return badInput;
+  }
+}
