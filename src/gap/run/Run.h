@@ -1,0 +1,74 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "framework/ConfigurationError.h"
+#include "gap/run/Channel.h"
+#include "robot/Mechanism.h"
+
+namespace plumbline::gap {
+
+/// A run cannot be used; what() is one line: where, what is wrong, what to do.
+class RunError : public ConfigurationError {
+public:
+  using ConfigurationError::ConfigurationError;
+};
+
+/// A channel was left out of a run, or is to be taken with care.
+struct RunWarning {
+  std::string channel;   ///< column, or "run.json"
+  bool leftOut = false;  ///< true: no longer in Run::channels
+  std::string why;
+  /// One line: `FOLDER: pos.LKneePitch is left out: ...`
+  std::string line(const std::string& folder) const;
+};
+
+/// What run.json may say about a joint's servo.
+struct ServoOverride {
+  std::optional<double> kp, kd, armature, maxTorque, maxSpeed, kpFirmware, vin;
+};
+
+/// When, relative to t [s], the cycle's command reached the servo and position and speed were taken.
+struct JointTiming {
+  double cmdAt = 0, posAt = 0, velAt = 0;
+};
+
+/// One recording of one motion on one robot: a table of channels by name.
+struct Run {
+  std::string folder;  ///< as it was given; stands in messages
+  std::string robot, motion, repeatOf;
+  bool freeBase = false, groundTruth = false;
+  double rateHz = 0;
+  std::optional<double> heading;        ///< yaw at which a free robot was put down [rad]
+  std::set<std::string> unsignedKinds;  ///< channels or prefixes recorded without sign, e.g. "current"
+  std::map<std::string, ServoOverride> servo;
+  std::map<std::string, JointTiming> timing;  ///< "*": every joint that has no entry
+
+  std::vector<double> t;  ///< grows strictly [s]
+  /// Column by name, as long as t; NaN is a sample that was lost.
+  std::map<std::string, std::vector<double>> channels;
+
+  std::size_t size() const { return t.size(); }
+  double duration() const { return t.empty() ? 0 : t.back() - t.front(); }
+  /// The column, or nullptr.
+  const std::vector<double>* find(const std::string& channel) const;
+  const std::vector<double>* find(ChannelKind kind, const std::string& place) const {
+    return find(channelName(kind, place));
+  }
+  JointTiming timingOf(const std::string& joint) const;
+  bool isUnsigned(const std::string& channel) const;
+  /// 0..1 of a joint in a cycle, 1 where it was not recorded; a lost sample counts as the last one read.
+  std::vector<double> stiffnessOf(const std::string& joint) const;
+  /// Joints that have a column of that kind, in the order of the names.
+  std::vector<std::string> jointsWith(ChannelKind kind) const;
+};
+
+/// The robot with the run's servo settings in place. For a DC motor kp, kd, kpFirmware and vin are kept
+/// consistent: what run.json gives counts, the rest follows from the law in Servo. Joints the robot lacks are
+/// passed over.
+Mechanism withServo(Mechanism robot, const Run& run);
+
+}  // namespace plumbline::gap

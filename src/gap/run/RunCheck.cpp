@@ -1,0 +1,417 @@
+#include "gap/run/RunCheck.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "gap/run/ColumnStatistics.h"
+#include "gap/run/RunFile.h"
+
+namespace plumbline::gap {
+namespace {
+
+constexpr double degreesPerRadian = 180 / M_PI;
+constexpr double moves = 0.02;         ///< rms of a joint that moves [rad]
+constexpr double beyondLimits = 0.35;  ///< rad; encoders and stops are not better than that in the worst case
+
+struct Bounds {
+  ChannelKind kind;
+  double low, high;
+};
+// What no sensor of a robot on legs or a bench gives in these units.
+constexpr Bounds bounds[] = {
+    {ChannelKind::stiffness, 0, 1},         {ChannelKind::velocity, -60, 60},
+    {ChannelKind::torque, -500, 500},       {ChannelKind::current, -200, 200},
+    {ChannelKind::voltage, -100, 100},      {ChannelKind::duty, -1.001, 1.001},
+    {ChannelKind::temperature, -30, 150},   {ChannelKind::gyro, -60, 60},
+    {ChannelKind::acceleration, -400, 400}, {ChannelKind::force, -10, 1000},
+};
+
+std::string text(double x) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.4g", x);
+  return buffer;
+}
+
+class Checker {
+public:
+  Checker(Run& run_, const Mechanism& robot_, std::vector<RunWarning>& warnings_)
+      : run(run_), robot(robot_), warnings(warnings_), period(medianStep(run.t)) {}
+
+  void all() {
+    checkTime();
+    checkNames();
+    checkBounds();
+    checkJoints();
+    checkBody();
+    checkWhatIsLeft();
+  }
+
+private:
+  [[noreturn]] void refuse(const std::string& why) const { throw RunError(run.folder + ": " + why); }
+  void warn(const std::string& channel, const std::string& why) { warnings.push_back({channel, false, why}); }
+  void leaveOut(const std::string& channel, const std::string& why) {
+    if (run.channels.erase(channel)) warnings.push_back({channel, true, why});
+  }
+
+  void checkTime() {
+    const double ratio = run.rateHz * period;
+    if (ratio < 0.8 || ratio > 1.25)
+      refuse("t advances " + text(period) + " s a line, but rate_hz " + text(run.rateHz) + " says " +
+             text(1 / run.rateHz) + " s" +
+             (std::abs(std::log10(ratio) - 3) < 0.1 ? "; is t in ms?" : "; correct one of them"));
+    if (run.t[0] < -1e-9 || run.t[0] > std::max(1.0, 20 * period))
+      warn("t", "starts at " + text(run.t[0]) + " s instead of 0; only differences are used");
+    double inGaps = 0;
+    for (std::size_t i = 1; i < run.size(); ++i)
+      if (run.t[i] - run.t[i - 1] > 1.8 * period) inGaps += run.t[i] - run.t[i - 1];
+    if (inGaps > 0.2 * run.duration())
+      warn("t", text(100 * inGaps / run.duration()) + " % of the time is in gaps");
+    if (run.duration() < 1)
+      warn("t", "the run is only " + text(run.duration()) + " s long; little can be learnt from it");
+  }
+
+  void checkNames() {
+    if (run.robot != robot.name)
+      warn("run.json", "the run names robot " + run.robot + ", the model is " + robot.name);
+    std::vector<std::string> columns;
+    std::size_t ofJoints = 0, unknown = 0;
+    std::string first;
+    for (const auto& [name, column] : run.channels) {
+      const auto channel = parseChannel(name);
+      if (!channel) continue;
+      const bool known = channel->ofJoint() ? robot.jointIndex(channel->place) >= 0
+                         : channel->kind == ChannelKind::force
+                             ? robot.footIndex(channel->place.substr(0, channel->place.find('.'))) >= 0
+                             : true;
+      if (channel->ofJoint()) ++ofJoints;
+      if (known) continue;
+      if (channel->ofJoint()) {
+        ++unknown;
+        if (first.empty()) first = channel->place;
+      }
+      columns.push_back(name);
+    }
+    if (2 * unknown > ofJoints)
+      refuse("this is a run of another robot: " + robot.name + " has no joint " + first +
+             ", nor most of the others");
+    for (const std::string& name : columns) {
+      const ChannelName channel = *parseChannel(name);
+      leaveOut(name, robot.name + (channel.ofJoint()
+                                       ? " has no joint " + channel.place
+                                       : " has no foot " + channel.place.substr(0, channel.place.find('.'))));
+    }
+    for (const auto& [joint, servo] : run.servo)
+      if (robot.jointIndex(joint) < 0)
+        warn("run.json", "servo." + joint + ": " + robot.name + " has no such joint");
+    for (const auto& [joint, timing] : run.timing)
+      if (joint != "*" && robot.jointIndex(joint) < 0)
+        warn("run.json", "timing names " + joint + ", which is no joint of " + robot.name);
+  }
+
+  bool slides(const std::string& joint) const {
+    return robot.joints[static_cast<std::size_t>(robot.jointIndex(joint))].type ==
+           Mechanism::Joint::Type::prismatic;
+  }
+
+  void checkBounds() {
+    std::vector<std::pair<std::string, std::string>> wrong;
+    for (const auto& [name, column] : run.channels) {
+      const ChannelName channel = *parseChannel(name);
+      const auto it = std::find_if(std::begin(bounds), std::end(bounds),
+                                   [&](const Bounds& b) { return b.kind == channel.kind; });
+      const double share = lostShare(column);
+      if (share > 0.5) warn(name, text(100 * share) + " % of the samples are lost");
+      if (it == std::end(bounds) || (channel.ofJoint() && slides(channel.place))) continue;
+      const Extremes e = extremesOf(column);
+      if (e.low < it->low || e.high > it->high)
+        wrong.emplace_back(name, "it reaches " + text(e.low < it->low ? e.low : e.high) + ", outside " +
+                                     text(it->low) + " to " + text(it->high) + "; check its unit");
+    }
+    for (const auto& [name, why] : wrong) leaveOut(name, why);
+  }
+
+  // ---- joints ----
+  struct Motion {
+    const std::vector<double>* cmd = nullptr;
+    const std::vector<double>* pos = nullptr;
+    std::vector<bool> on;  ///< the motor is on and was so for a second
+  };
+
+  Motion motionOf(const std::string& joint) const {
+    Motion m{run.find(ChannelKind::command, joint), run.find(ChannelKind::position, joint), {}};
+    const std::vector<double> stiffness = run.stiffnessOf(joint);
+    m.on.resize(run.size());
+    double since = run.t[0] - 1;
+    for (std::size_t i = 0; i < run.size(); ++i) {
+      if (stiffness[i] <= 0) since = run.t[i];
+      m.on[i] = stiffness[i] > 0 && run.t[i] - since >= 1;
+    }
+    return m;
+  }
+
+  void checkJoints() {
+    int inDegrees = 0, checked = 0;
+    std::vector<std::pair<std::string, std::string>> wrong;
+
+    bool anyCommandMoves = false;
+    for (const Mechanism::Joint& joint : robot.joints) {
+      for (const ChannelKind kind : {ChannelKind::command, ChannelKind::position}) {
+        const std::string name = channelName(kind, joint.name);
+        const std::vector<double>* column = run.find(name);
+        if (!column) continue;
+        ++checked;
+        const Extremes e = extremesOf(*column);
+        const double over = std::max(e.high - joint.upper, joint.lower - e.low);
+        const bool isSlider = joint.type == Mechanism::Joint::Type::prismatic;
+        if (over <= (isSlider ? 0.1 : beyondLimits)) {
+          if (over > 0.05)
+            warn(name, "it goes " + text(over) + (isSlider ? " m" : " rad") + " beyond the joint's limits");
+          continue;
+        }
+        const double most = std::max(std::abs(e.low), std::abs(e.high));
+        const bool degrees =
+            !isSlider &&
+            most / degreesPerRadian <= std::max(std::abs(joint.lower), std::abs(joint.upper)) + beyondLimits;
+        inDegrees += degrees && most > 5;
+        wrong.emplace_back(name, "it reaches " + text(over == e.high - joint.upper ? e.high : e.low) +
+                                     ", limits are " + text(joint.lower) + " to " + text(joint.upper) +
+                                     (isSlider  ? " m"
+                                      : degrees ? " rad; are these degrees?"
+                                                : " rad"));
+      }
+    }
+    if (checked > 2 && 2 * inDegrees > checked)
+      refuse("commands and positions are far outside the joints' limits (" + wrong[0].first + ": " +
+             wrong[0].second + "); convert to rad");
+    for (const auto& [name, why] : wrong) leaveOut(name, why);
+
+    for (const Mechanism::Joint& joint : robot.joints) {
+      if (run.find(ChannelKind::command, joint.name))
+        anyCommandMoves |= checkFollowing(joint);
+      else if (run.find(ChannelKind::position, joint.name) && joint.driver < 0)
+        warn("pos." + joint.name, "there is no cmd." + joint.name + "; the joint cannot be replayed");
+      else if (joint.driver < 0 && !run.find(ChannelKind::position, joint.name))
+        warn("run.csv", "has neither cmd." + joint.name + " nor pos." + joint.name);
+      checkSpeed(joint);
+    }
+    if (!anyCommandMoves && !run.jointsWith(ChannelKind::command).empty())
+      warn("run.csv", "no command moves; a still robot tells little");
+  }
+
+  /// Largest distance of the position from a constant command while the motor is on, a hundredth left out.
+  static double largestOffset(const Motion& m, double command) {
+    std::vector<double> offsets;
+    for (std::size_t i = 0; i < m.on.size(); ++i)
+      if (m.on[i] && !std::isnan((*m.pos)[i])) offsets.push_back(std::abs((*m.pos)[i] - command));
+    if (offsets.size() < 20) return 0;
+    const auto at = offsets.end() - 1 - static_cast<std::ptrdiff_t>(offsets.size() / 100);
+    std::nth_element(offsets.begin(), at, offsets.end());
+    return *at;
+  }
+
+  /// How far a load can push a held joint: twice the motor's limit, and on a held robot, whose joints carry
+  /// no more than what hangs on them, four times the largest weight's moment (half the gain, as much again
+  /// from motion) and the play of a gear.
+  double allowedOffset(const Mechanism::Joint& joint) const {
+    const bool slider = joint.type == Mechanism::Joint::Type::prismatic;
+    const double limit = std::max(slider ? 0.015 : 0.15, 2 * joint.maxTorque / joint.servo.kp);
+    if (run.freeBase) return limit;
+    return std::min(limit, (slider ? 0.005 : 0.05) + 4 * largestMoment(joint) / joint.servo.kp);
+  }
+
+  /// Moment about the joint of all it carries, stretched out level (a slider: its weight).
+  double largestMoment(const Mechanism::Joint& joint) const {
+    std::vector<double> reach(robot.links.size(), -1);
+    reach[static_cast<std::size_t>(joint.child)] = 0;
+    double moment = 0;
+    for (auto l = static_cast<std::size_t>(joint.child); l < robot.links.size(); ++l) {
+      if (reach[l] < 0) {
+        const double before = reach[static_cast<std::size_t>(robot.links[l].parent)];
+        if (before < 0) continue;
+        reach[l] = before + robot.joints[l - 1].origin.norm();
+      }
+      const bool slider = joint.type == Mechanism::Joint::Type::prismatic;
+      moment += robot.links[l].mass * (slider ? 1 : reach[l] + robot.links[l].com.norm());
+    }
+    return moment * robot.gravity.norm();
+  }
+
+  /// True if the command moves.
+  bool checkFollowing(const Mechanism::Joint& joint) {
+    const std::string cmdName = "cmd." + joint.name, posName = "pos." + joint.name;
+    const Motion m = motionOf(joint.name);
+    const Extremes command = extremesOf(*m.cmd);
+    const bool commandMoves = command.high > command.low;
+    if (!m.pos) {
+      warn(cmdName, "there is no " + posName);
+      return commandMoves;
+    }
+    const bool slider = joint.type == Mechanism::Joint::Type::prismatic;
+    const double unit = slider ? 0.1 : 1;  // a slider's metre against a joint's radian
+    const Likeness like = likenessOf(*m.cmd, *m.pos, m.on);
+    const Extremes position = extremesOf(*m.pos);
+    if (!commandMoves) {
+      const double off = largestOffset(m, command.low), most = allowedOffset(joint);
+      if (off > most)
+        leaveOut(cmdName, "it is constant while " + posName + " is up to " + text(off) +
+                              " away from it, more than a load explains; the command was not recorded");
+      return false;
+    }
+    if (like.pairs < 20 || like.rmsA < moves * unit) return true;
+    if (position.low == position.high) {
+      leaveOut(posName, "it never changes while " + cmdName + " moves by " +
+                            text(command.high - command.low) + "; the sensor is stuck");
+    } else if (like.correlation < -0.8) {
+      leaveOut(posName, "it moves against " + cmdName + "; is its sign turned round?");
+    } else if (!slider && like.correlation > 0.6 &&
+               std::abs(like.rmsB / like.rmsA * degreesPerRadian - 1) < 0.3) {
+      leaveOut(cmdName, "it moves " + text(like.rmsA / like.rmsB) + " times as far as " + posName +
+                            "; is it in degrees?");
+    } else if (!slider && like.correlation > 0.6 &&
+               std::abs(like.rmsB / like.rmsA / degreesPerRadian - 1) < 0.3) {
+      leaveOut(posName, "it moves " + text(like.rmsB / like.rmsA) + " times as far as " + cmdName +
+                            "; is it in degrees?");
+    } else if (like.rmsB > 5 * like.rmsA) {
+      warn(posName,
+           "it moves " + text(like.rmsB / like.rmsA) + " times as far as " + cmdName + "; check its unit");
+    } else if (like.rmsB < 0.02 * like.rmsA) {
+      warn(posName, "it does not follow " + cmdName + "; a stuck joint, or another one's sensor");
+    }
+    return true;
+  }
+
+  void checkSpeed(const Mechanism::Joint& joint) {
+    const std::string name = "vel." + joint.name;
+    const std::vector<double>* velocity = run.find(name);
+    const std::vector<double>* position = run.find(ChannelKind::position, joint.name);
+    if (!velocity || !position) return;
+    const SpeedLikeness like = speedLikeness(run.t, *position, *velocity, period);
+    if (like.rms < 0.1) return;
+    if (std::abs(like.correlation) > 0.6 && (like.slope < 0.6 || like.slope > 1.6)) {
+      const bool degrees = std::abs(like.slope / degreesPerRadian - 1) < 0.3;
+      leaveOut(name, "it is " + text(like.slope) + " times the speed of pos." + joint.name +
+                         (degrees          ? "; is it in degrees?"
+                          : like.slope < 0 ? "; is its sign turned round?"
+                                           : "; check its unit"));
+    } else if (std::abs(like.correlation) < 0.4 && extremesOf(*velocity).low >= 0 && !run.isUnsigned(name)) {
+      leaveOut(name, "it has no sign; say so in run.json: unsigned: [\"vel\"]");
+    } else if (std::abs(like.correlation) < 0.4) {
+      warn(name,
+           "it has little to do with pos." + joint.name + " (correlation " + text(like.correlation) + ")");
+    }
+  }
+
+  // ---- body ----
+  void leaveOutAll(const std::string& group, const std::string& why) {
+    std::vector<std::string> names;
+    for (const auto& [name, column] : run.channels)
+      if (name.compare(0, group.size() + 1, group + ".") == 0) names.push_back(name);
+    if (names.empty()) return;
+    for (const std::string& name : names) run.channels.erase(name);
+    warnings.push_back({group, true, why});
+  }
+
+  void checkBody() {
+    const std::vector<double>*a[3], *g[3];
+    const char* axes[] = {"x", "y", "z"};
+    for (int i = 0; i < 3; ++i) {
+      a[i] = run.find(std::string("acc.") + axes[i]);
+      g[i] = run.find(std::string("gyro.") + axes[i]);
+    }
+    if ((a[0] || a[1] || a[2] || g[0] || g[1] || g[2]) && !robot.hasImu) {
+      leaveOutAll("acc", robot.name + " has no imu");
+      leaveOutAll("gyro", robot.name + " has no imu");
+      return;
+    }
+    if (a[0] && a[1] && a[2]) {
+      const double size = medianLength(*a[0], *a[1], *a[2]), g0 = robot.gravity.norm();
+      if (!(size > 0.7 * g0 && size < 1.35 * g0))
+        leaveOutAll("acc", "its median length is " + text(size) + " m/s^2 instead of about " + text(g0) +
+                               "; check unit, and that gravity is in");
+    }
+    checkGyroUnit();
+    if (run.freeBase) checkForces();
+    checkTruth();
+  }
+
+  /// Turning seen by gravity's direction against turning seen by the gyro.
+  void checkGyroUnit() {
+    const std::vector<double>*ax = run.find("acc.x"), *az = run.find("acc.z"), *gy = run.find("gyro.y");
+    const std::vector<double>*ay = run.find("acc.y"), *gx = run.find("gyro.x");
+    if (!ax || !az || !ay || !gx || !gy) return;
+    for (const auto& [tilt, rate, name, sign] :
+         {std::tuple{ax, gy, "gyro.y", -1.0}, std::tuple{ay, gx, "gyro.x", 1.0}}) {
+      const Likeness like = tiltLikeness(run.t, *tilt, *az, *rate, sign);
+      if (like.pairs < 10 || like.rmsA < 0.02 || std::abs(like.correlation) < 0.7) continue;
+      const double ratio = like.rmsB / like.rmsA;
+      if (ratio > 0.4 * degreesPerRadian && ratio < 2.5 * degreesPerRadian) {
+        leaveOutAll("gyro", "it turns " + text(ratio) + " times as fast as gravity in acc does (" + name +
+                                "); is it in degrees?");
+        return;
+      }
+    }
+  }
+
+  void checkForces() {
+    std::vector<const std::vector<double>*> sensors;
+    for (const auto& [name, column] : run.channels)
+      if (parseChannel(name)->kind == ChannelKind::force) sensors.push_back(&column);
+    std::size_t all = 0;
+    for (const Mechanism::Foot& foot : robot.feet) all += foot.sensors.size();
+    if (sensors.empty() || sensors.size() < all) return;
+    const double weight = robot.totalMass() * robot.gravity.norm(), sum = medianSum(sensors);
+    if (sum < weight / 6 || sum > 6 * weight)
+      leaveOutAll("fsr", "their median sum is " + text(sum) + ", the robot weighs " + text(weight) +
+                             " N; check the unit");
+  }
+
+  void checkTruth() {
+    std::vector<const std::vector<double>*> q;
+    for (const char* part : {"qw", "qx", "qy", "qz"})
+      if (const auto* column = run.find(std::string("truth.") + part)) q.push_back(column);
+    if (q.empty()) return;
+    if (q.size() < 4) {
+      leaveOutAll("truth", "a quaternion has four columns");
+      return;
+    }
+    for (std::size_t i = 0; i < run.size(); ++i) {
+      double sum = 0;
+      for (const auto* column : q) sum += (*column)[i] * (*column)[i];
+      if (!std::isnan(sum) && std::abs(std::sqrt(sum) - 1) > 0.02) {
+        leaveOutAll("truth", "a quaternion has length " + text(std::sqrt(sum)) + " instead of 1");
+        return;
+      }
+    }
+  }
+
+  void checkWhatIsLeft() {
+    if (run.jointsWith(ChannelKind::command).empty()) refuse("no usable cmd column" + reasons());
+    if (run.jointsWith(ChannelKind::position).empty()) refuse("no usable pos column" + reasons());
+  }
+
+  std::string reasons() const {
+    for (const RunWarning& warning : warnings)
+      if (warning.leftOut) return " is left (" + warning.channel + ": " + warning.why + ")";
+    return "; a run needs commands and positions";
+  }
+
+  Run& run;
+  const Mechanism& robot;
+  std::vector<RunWarning>& warnings;
+  const double period;
+};
+
+}  // namespace
+
+void checkRun(Run& run, const Mechanism& robot, std::vector<RunWarning>& warnings) {
+  Checker(run, robot, warnings).all();
+}
+
+Run readCheckedRun(const std::string& folder, const Mechanism& robot, std::vector<RunWarning>& warnings) {
+  Run run = readRun(folder, warnings);
+  checkRun(run, robot, warnings);
+  return run;
+}
+
+}  // namespace plumbline::gap
