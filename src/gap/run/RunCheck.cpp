@@ -186,14 +186,19 @@ private:
              wrong[0].second + "); convert to rad");
     for (const auto& [name, why] : wrong) leaveOut(name, why);
 
+    for (const Mechanism::Joint& joint : robot.joints)
+      if (run.find(ChannelKind::command, joint.name)) anyCommandMoves |= checkFollowing(joint);
     for (const Mechanism::Joint& joint : robot.joints) {
-      if (run.find(ChannelKind::command, joint.name))
-        anyCommandMoves |= checkFollowing(joint);
-      else if (run.find(ChannelKind::position, joint.name) && joint.driver < 0)
-        warn("pos." + joint.name, "there is no cmd." + joint.name + "; the joint cannot be replayed");
-      else if (joint.driver < 0 && !run.find(ChannelKind::position, joint.name))
-        warn("run.csv", "has neither cmd." + joint.name + " nor pos." + joint.name);
       checkSpeed(joint);
+      if (joint.driver >= 0) continue;  // its driver's command is its own
+      const bool hasCommand = run.find(ChannelKind::command, joint.name),
+                 hasPosition = run.find(ChannelKind::position, joint.name);
+      if (!hasCommand && !hasPosition)
+        warn("run.csv", "has neither cmd." + joint.name + " nor pos." + joint.name);
+      else if (!hasCommand)
+        warn("pos." + joint.name, "there is no cmd." + joint.name + "; the joint cannot be replayed");
+      else if (!hasPosition)
+        warn("cmd." + joint.name, "there is no pos." + joint.name + " to hold against it");
     }
     if (!anyCommandMoves && !run.jointsWith(ChannelKind::command).empty())
       warn("run.csv", "no command moves; a still robot tells little");
@@ -243,10 +248,7 @@ private:
     const Motion m = motionOf(joint.name);
     const Extremes command = extremesOf(*m.cmd);
     const bool commandMoves = command.high > command.low;
-    if (!m.pos) {
-      warn(cmdName, "there is no " + posName);
-      return commandMoves;
-    }
+    if (!m.pos) return commandMoves;
     const bool slider = joint.type == Mechanism::Joint::Type::prismatic;
     const double unit = slider ? 0.1 : 1;  // a slider's metre against a joint's radian
     const Likeness like = likenessOf(*m.cmd, *m.pos, m.on);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -64,13 +65,19 @@ public:
     if (!v.is_number()) fail(key + " is " + shown(v) + "; give a number");
     const double x = v.get<double>();
     if (!(x >= low && x <= high))
-      fail(key + " is " + shown(v) + ", outside " + shown(low) + " to " + shown(high));
+      fail(key + " is " + shown(v) + ", outside " + text(low) + " to " + text(high));
     return x;
   }
 
   json value;
 
 private:
+  static std::string text(double x) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%g", x);
+    return buffer;
+  }
+
   void parse(const std::string& text) {
     std::vector<std::set<std::string>> keys;
     const auto check = [&](int depth, json::parse_event_t event, json& parsed) {
