@@ -24,7 +24,7 @@ Player::Player(PlayerId id, int type, const PlayerConfig& config_, std::uint64_t
 void Player::drive(World& world, const std::array<std::optional<double>, numJoints>& velocity) const {
   for (std::size_t i = 0; i < numJoints; ++i)
     if (const auto joint = static_cast<JointId>(i); velocity[i] && model_.has(joint))
-      world.setJointVelocity(robot, joint, *velocity[i]);
+      world.setJointVelocity(robot, joint, frozen[i] ? 0 : *velocity[i]);
 }
 
 Pose2 Player::disturbed(const Pose2& place) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <bitset>
 #include <string>
 
 #include "robot/RobotModel.h"
@@ -37,6 +38,7 @@ public:
   TeamSide side = TeamSide::none;
   int unum = 0;
   bool selected = false;
+  std::bitset<numJoints> frozen;  ///< joints that take no speed for now, by the referee
   Hearing hearing;
 
   /// Turns commanded speeds into the world's motors; joints the robot lacks are ignored.

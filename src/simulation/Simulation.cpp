@@ -38,7 +38,7 @@ void Simulation::reset() {
   players.clear();
   killed.clear();
   game_ = Game();
-  teams = Teams();
+  teams = Teams(config.rules.types);
   referee = std::make_unique<Referee>(config.rules, Random(config.seed));
   starts.fill(Vec2(-fieldLength / 2 + 2 * agentRadius, fieldWidth / 2 - 2 * agentRadius));
   starts[1].x() *= -1;
@@ -91,6 +91,7 @@ std::string Simulation::act(PlayerId id, const AgentCommand& command) {
   std::string problem;
   if (command.init) initPlayer(player, *command.init, problem);
   player.drive(*world_, command.velocity);
+  if (command.pass) referee->askForPass(game_, *world_, id);
   if (command.beam) beam(player, *command.beam);
   if (command.say) say(player, *command.say);
   return problem;
@@ -129,8 +130,10 @@ void Simulation::beam(Player& player, const Pose2& place) {
                        game_.mode == PlayMode::goalRight;
   if (!allowed || player.side == TeamSide::none) return;
   Pose2 start = player.disturbed(place);
-  start.position.x() = std::clamp(start.x(), -fieldLength / 2, 0.0);
-  start.position.y() = std::clamp(start.y(), -fieldWidth / 2, fieldWidth / 2);
+  if (!config.rules.moves.startAnywhere) {
+    start.position.x() = std::clamp(start.x(), -fieldLength / 2, 0.0);
+    start.position.y() = std::clamp(start.y(), -fieldWidth / 2, fieldWidth / 2);
+  }
   start = toField(start, player.side);
   world_->moveRobot(player.robot, upright(Vec3(start.x(), start.y(), agentRadius), start.heading));
 }
@@ -159,14 +162,30 @@ std::string Simulation::train(const simspark::TrainerCommand& command) {
 void Simulation::step() {
   world_->step();
   ++cycles;
-  Referee::Observation observation;
-  observation.playersPresent = !players.empty();
-  for (const RobotHandle robot : world_->ballTouchedBy())
-    for (const auto& [id, player] : players)
-      if (player->robot == robot && player->side != TeamSide::none && !observation.touch)
-        observation.touch = BallWatch::Touch{player->side, player->unum, 0};
-  referee->update(game_, *world_, observation, config.world.stepSeconds);
+  const Observation observation{members(), static_cast<int>(players.size()), world_->ballTouchedBy()};
+  if (referee->update(game_, *world_, observation, config.world.stepSeconds)) changeSides();
   makeSenses();
+}
+
+std::vector<Member> Simulation::members() const {
+  std::vector<Member> members;
+  for (const auto& [id, player] : players)
+    if (player->side != TeamSide::none)
+      members.push_back({id, player->side, player->unum, player->robot, &player->model(), &player->frozen,
+                         player->selected});
+  return members;
+}
+
+/// As on the league's server players are not told.
+void Simulation::changeSides() {
+  teams.swapSides();
+  for (auto& [id, player] : players) player->side = simspark::opponent(player->side);
+  ++version;
+}
+
+bool Simulation::finished() const {
+  constexpr double afterGame = 10;  ///< [s]
+  return config.rules.time.quitAfterGame && game_.mode == PlayMode::gameOver && game_.modeTime() >= afterGame;
 }
 
 void Simulation::makeSenses() {

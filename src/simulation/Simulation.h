@@ -54,6 +54,9 @@ public:
   const std::string& message(PlayerId id) const { return players.at(id)->message(); }
 
   const Game& game() const { return game_; }
+  const Rules& rules() const { return referee->rules(); }
+  /// Whether the rules end the simulator a while after the game, and it is time.
+  bool finished() const;
   World& world() { return *world_; }
   const World& world() const { return *world_; }
   double time() const { return static_cast<double>(cycles) * config.world.stepSeconds; }
@@ -70,6 +73,8 @@ private:
   void initPlayer(Player& player, const simspark::InitRequest& init, std::string& problem);
   void beam(Player& player, const Pose2& place);
   void say(const Player& speaker, const std::string& text);
+  std::vector<Member> members() const;
+  void changeSides();
   void makeSenses();
   Pose2 nextStart(TeamSide side);
   Vec3 freeSpawn() const;

@@ -24,6 +24,7 @@ void SoccerWorld::reset() {
   // A new engine is the one way to leave no trace of the past in it; it takes a tenth of a millisecond.
   robots.clear();
   touchedBall.clear();
+  touchedRobots.clear();
   physics = makePhysics(config.engine, leaguePhysics(config));
   physics->addGround(material::ground);
   for (const FieldObstacle& obstacle : fieldObstacles())
@@ -51,6 +52,7 @@ void SoccerWorld::removeRobot(RobotHandle robot) {
   physics->removeAssembly(robot);
   robots.erase(robot);
   std::erase(touchedBall, robot);
+  std::erase_if(touchedRobots, [robot](const RobotContact& c) { return c.a == robot || c.b == robot; });
 }
 
 void SoccerWorld::moveRobot(RobotHandle robot, const Pose3& T_world_torso) {
@@ -127,6 +129,11 @@ void SoccerWorld::step() {
     if (contact.assemblyA == ballHandle && contact.assemblyB >= 0 &&
         std::find(touchedBall.begin(), touchedBall.end(), contact.assemblyB) == touchedBall.end())
       touchedBall.push_back(contact.assemblyB);
+  touchedRobots.clear();
+  for (const Contact& contact : physics->contacts())
+    if (contact.assemblyA >= 0 && contact.assemblyB >= 0 && contact.assemblyA != contact.assemblyB &&
+        contact.assemblyA != ballHandle && contact.assemblyB != ballHandle)
+      touchedRobots.push_back({contact.assemblyA, contact.assemblyB, contact.point});
 }
 
 /// From the velocities before the step, so the reading is one cycle late.

@@ -30,6 +30,7 @@ public:
   void setBall(const Vec3& position, const Vec3& velocity) override;
   void setBall(const BodyState& state) override;
   const std::vector<RobotHandle>& ballTouchedBy() const override { return touchedBall; }
+  const std::vector<RobotContact>& robotContacts() const override { return touchedRobots; }
 
 private:
   struct Robot {
@@ -54,6 +55,7 @@ private:
   std::map<RobotHandle, Robot>
       robots;  ///< by the assembly's handle; ordered, so that nothing depends on addresses
   std::vector<RobotHandle> touchedBall;
+  std::vector<RobotContact> touchedRobots;
 };
 
 }  // namespace plumbline::simulation

@@ -5,20 +5,21 @@
 
 namespace plumbline::simulation {
 
-std::string Teams::typeProblem(const Team& team, int type) {
+std::string Teams::typeProblem(const Team& team, int type) const {
+  if (!rules.on) return {};
   const auto t = static_cast<std::size_t>(type);
   const std::string ofType = "robots of type " + std::to_string(type);
-  if (team.types[t] >= maxOfOneType)
-    return "there are already " + std::to_string(maxOfOneType) + ' ' + ofType;
+  if (team.types[t] >= rules.maxOfOne)
+    return "there are already " + std::to_string(rules.maxOfOne) + ' ' + ofType;
   for (std::size_t other = 0; other < team.types.size(); ++other)
-    if (other != t && team.types[t] + 1 + team.types[other] > maxOfTwoTypes)
+    if (other != t && team.types[t] + 1 + team.types[other] > rules.maxOfTwo)
       return "robots of types " + std::to_string(type) + " and " + std::to_string(other) +
-             " would be more than " + std::to_string(maxOfTwoTypes);
+             " would be more than " + std::to_string(rules.maxOfTwo);
   const int robots = std::accumulate(team.types.begin(), team.types.end(), 0);
   const auto differentTypes =
       static_cast<int>(std::count_if(team.types.begin(), team.types.end(), [](int n) { return n > 0; }));
-  if (maxPlayers - robots <= minTypes - differentTypes && team.types[t] > 0)
-    return "a full team needs " + std::to_string(minTypes) + " types of robots";
+  if (maxPlayers - robots <= rules.minDifferent - differentTypes && team.types[t] > 0)
+    return "a full team needs " + std::to_string(rules.minDifferent) + " types of robots";
   return {};
 }
 

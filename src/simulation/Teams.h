@@ -2,21 +2,22 @@
 #include <array>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "robot/RobotModel.h"
 #include "simspark/TeamSide.h"
+#include "simulation/referee/Rules.h"
 
 namespace plumbline::simulation {
 
 using simspark::TeamSide;
 
-/// Who plays with which number and which robot: the league's limits for a team.
+/// Who plays with which number and which robot, within the league's limits for a team of different robots.
 class Teams {
 public:
   static constexpr int maxPlayers = 11;
-  static constexpr int maxOfOneType = 7;
-  static constexpr int minTypes = 3;       ///< different types in a full team
-  static constexpr int maxOfTwoTypes = 9;  ///< robots of any two types together
+
+  explicit Teams(const Rules::Types& rules_ = {}) : rules(rules_) {}
 
   struct Place {
     TeamSide side = TeamSide::none;
@@ -30,6 +31,8 @@ public:
   void release(TeamSide side, int unum, int type);
   /// Empty for a side nobody plays on yet.
   const std::string& name(TeamSide side) const;
+  /// The teams change ends.
+  void swapSides() { std::swap(teams[0], teams[1]); }
 
 private:
   struct Team {
@@ -37,7 +40,8 @@ private:
     std::set<int> unums;
     std::array<int, numSimsparkTypes> types{};
   };
-  static std::string typeProblem(const Team& team, int type);
+  std::string typeProblem(const Team& team, int type) const;
+  Rules::Types rules;
   std::array<Team, 2> teams;
 };
 

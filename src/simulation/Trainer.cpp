@@ -2,8 +2,7 @@
 
 #include <variant>
 
-#include "math/Angle.h"
-#include "simulation/Field.h"
+#include "simulation/referee/Reposition.h"
 
 namespace plumbline::simulation {
 
@@ -11,7 +10,6 @@ using namespace simspark;
 
 namespace {
 const char* const noSuchPlayer = "trainer: no such player";
-constexpr double asideDistance = 1;  ///< beyond the side line [m]
 }  // namespace
 
 std::string Trainer::carryOut(const TrainerCommand& command) {
@@ -27,7 +25,7 @@ Player* Trainer::playerOrSelected(const std::optional<PlayerName>& name) {
 
 std::string Trainer::apply(const MoveAgentCommand& command) {
   if (!command.player) {
-    if (Player* player = playerOrSelected({})) moveAside(*player);
+    s.referee->clearSelected(s.game_, *s.world_, s.members());
     return {};
   }
   const Player* player = s.find(*command.player);
@@ -57,7 +55,7 @@ std::string Trainer::apply(const PlayModeCommand& command) {
 }
 
 std::string Trainer::apply(const KickOffCommand& command) {
-  s.referee->kickOff(s.game_, command.side);
+  s.referee->kickOff(s.game_, *s.world_, command.side);
   return {};
 }
 
@@ -109,13 +107,9 @@ std::string Trainer::apply(const RepositionCommand& command) {
   return {};
 }
 
-/// Beside the field, on the side away from the ball, each number at its own place of the own half.
 void Trainer::moveAside(Player& player) {
-  const double x = -(fieldLength / 2 - 1.0 - player.unum);
-  const double y = fieldWidth / 2 + asideDistance;
-  const double ballY = s.world_->ball().pose.translation().y();
   Pose3 pose = s.world_->torso(player.robot).pose;
-  pose.translation() = Vec3(player.side == TeamSide::right ? -x : x, ballY > 0 ? -y : y, 0.4);
+  pose.translation() = outsidePlace(s.world_->ball().pose.translation(), player.side, player.unum);
   s.world_->moveRobot(player.robot, pose);
 }
 

@@ -31,6 +31,7 @@ private:
 
   /// The player of that name, or the selected one without a name; null: there is none.
   Player* playerOrSelected(const std::optional<simspark::PlayerName>& name);
+  /// Beside the field, where the referee puts offenders.
   void moveAside(Player& player);
 
   Simulation& s;

@@ -40,6 +40,12 @@ struct WorldConfig {
 /// Handle of a robot in a world; stays valid until removed.
 using RobotHandle = int;
 
+/// Two robots that touched each other in the last step, at a point [m].
+struct RobotContact {
+  RobotHandle a, b;
+  Vec3 point;
+};
+
 /// The physics of a soccer field: robots, one ball, ground, goals and walls. One object is one independent,
 /// deterministic world: same calls, same bytes. World frame: origin centre of field, x to the right goal, z
 /// up.
@@ -76,6 +82,8 @@ public:
   virtual void setBall(const BodyState& state) = 0;
   /// Robots whose bodies touched the ball in the last step.
   virtual const std::vector<RobotHandle>& ballTouchedBy() const = 0;
+  /// Every point where two robots touched each other in the last step.
+  virtual const std::vector<RobotContact>& robotContacts() const = 0;
 };
 
 /// Errors: std::invalid_argument for an unknown engine (names those there are).

@@ -21,7 +21,7 @@ ServerConfig withFieldPort(int waitForAgents = 1) {
 
 TEST(FieldPort, tellsTheStateAndNoMoreThanFiveTimesASecond) {
   ServerConfig config = withFieldPort();
-  config.simulation.rules.kickOffAfter = 0;
+  config.simulation.rules.kickOff.after = 0;
   RunningServer server(config);
   TestAgent agent(server.agentPort(), 0, "Red", 4);
   Connection viewer;

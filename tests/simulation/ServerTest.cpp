@@ -93,7 +93,7 @@ TEST(Server, sameSeedSameBytesThroughTheSockets) {
   const auto game = [](std::uint64_t seed) {
     ServerConfig config = inStep(3);
     config.simulation.seed = seed;
-    config.simulation.rules.kickOffAfter = 0.2;
+    config.simulation.rules.kickOff.after = 0.2;
     RunningServer server(config);
     std::vector<std::unique_ptr<TestAgent>> agents;
     for (int i = 0; i < 3; ++i)

@@ -43,7 +43,7 @@ class Clock : public ::testing::Test {
 protected:
   static ServerConfig config() {
     ServerConfig config = test::inStep(0);
-    config.simulation.rules.kickOffAfter = 0.02;
+    config.simulation.rules.kickOff.after = 0.02;
     return config;
   }
   void SetUp() override { ASSERT_EQ(monitor.connect("127.0.0.1", server.monitorPort()), ""); }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "simspark/NumberFormat.h"
+#include "simulation/referee/RulesFile.h"
 
 namespace plumbline::simulation {
 
@@ -35,10 +36,10 @@ bool isLoopback(const std::string& address) {
 
 /// What the options say before they are put together.
 struct Given {
-  std::string bind = "127.0.0.1", token;
+  std::string bind = "127.0.0.1", token, rulesFile;
   std::uint64_t seed = 0;
   bool realTime = false;
-  double monitorStep = 0.04, maxSeconds = 0, kickOffAfter = 0;
+  double monitorStep = 0.04, maxSeconds = 0, kickOffAfter = 0, halfTime = 300;
   int waitForAgents = 0, replayType = 0, webPort = -1, fieldPort = 0;
 };
 
@@ -58,8 +59,11 @@ void complete(Options& options, const Given& given, const CLI::App& app) {
                     given.token};
     server.fieldOptional = !set("--field-port");
   }
+  Rules& rules = server.simulation.rules;
+  if (!given.rulesFile.empty()) rules = readRules(given.rulesFile);
+  if (set("--half-time")) rules.time.half = given.halfTime;
   if (set("--max-seconds")) server.maxSeconds = given.maxSeconds;
-  if (set("--kickoff-after")) server.simulation.rules.kickOffAfter = given.kickOffAfter;
+  if (set("--kickoff-after")) rules.kickOff.after = given.kickOffAfter;
   if (set("--web")) {
     options.anyWebPort = given.webPort < 0;
     options.webPort = options.anyWebPort ? 8080 : given.webPort;
@@ -103,7 +107,8 @@ Options parseOptions(int argc, char** argv) {
   app.add_option("--max-seconds", given.maxSeconds, "End after so much simulated time")->check(aDuration);
   app.add_option("--kickoff-after", given.kickOffAfter, "Kick off without a trainer after so many seconds")
       ->check(aPatience);
-  app.add_option("--half-time", server.simulation.rules.halfTime, "Length of a half in seconds [300]")
+  app.add_option("--rules", given.rulesFile, "Rules that differ from the league's, as in config/rules.yaml");
+  app.add_option("--half-time", given.halfTime, "Length of a half in seconds [300]")
       ->check(aDuration);
   app.add_option("--engine", server.simulation.world.engine,
                  "Physics engine: ode, ode-dense or bullet [ode]");

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "simspark/NumberFormat.h"
+#include "simulation/Field.h"
 
 namespace plumbline::simulation {
 
@@ -15,13 +16,6 @@ constexpr const char* bodyMeshTurn =
     "(nd TRF (SLT -1 3.82137e-15 8.74228e-08 -0 8.74228e-08 4.37114e-08 1 0 0 1 "
     "-4.37114e-08 0 0 0 0 1)";
 constexpr const char* unmoved = "(nd TRF (SLT 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1)";
-
-constexpr const char* rulesText =
-    "(FieldLength 30)(FieldWidth 20)(FieldHeight 40)(GoalWidth 2.1)(GoalDepth 0.6)(GoalHeight "
-    "0.8)(BorderSize 0)"
-    "(FreeKickDistance 2)(WaitBeforeKickOff 30)(AgentRadius 0.4)(BallRadius 0.042)(BallMass 0.026)"
-    "(RuleGoalPauseTime 3)(RuleKickInPauseTime 1)(RuleHalfTime 300)(PassModeMinOppBallDist "
-    "1)(PassModeDuration 4)";
 
 }  // namespace
 
@@ -73,14 +67,40 @@ const std::vector<int>& MonitorScene::links(const Player& player) {
   return cached;
 }
 
-void MonitorScene::gameState(const Game& game) {
-  const auto word = [this](const char* name, const std::string& value) {
-    text += '(';
-    text += name;
-    text += ' ';
-    text += value;
-    text += ')';
+void MonitorScene::word(std::string_view name, std::string_view value) {
+  text += '(';
+  text += name;
+  text += ' ';
+  text += value;
+  text += ')';
+}
+
+void MonitorScene::rules(const Rules& rules) {
+  const auto number = [this](const char* name, double value) {
+    std::string digits;
+    appendGeneral(digits, static_cast<float>(value));
+    word(name, digits);
   };
+  number("FieldLength", fieldLength);
+  number("FieldWidth", fieldWidth);
+  number("FieldHeight", 40);
+  number("GoalWidth", goalWidth);
+  number("GoalDepth", goalDepth);
+  number("GoalHeight", goalHeight);
+  number("BorderSize", 0);
+  number("FreeKickDistance", rules.restarts.distance);
+  number("WaitBeforeKickOff", rules.kickOff.after.value_or(rules.time.waitForKickOff));
+  number("AgentRadius", rules.moves.agentRadius);
+  number("BallRadius", ballRadius);
+  number("BallMass", ballMass);
+  number("RuleGoalPauseTime", rules.time.goalPause);
+  number("RuleKickInPauseTime", rules.time.kickPause);
+  number("RuleHalfTime", rules.time.half);
+  number("PassModeMinOppBallDist", rules.pass.minOpponentDistance);
+  number("PassModeDuration", rules.pass.duration);
+}
+
+void MonitorScene::gameState(const Game& game) {
   text += "(time ";
   appendGeneral(text, static_cast<float>(game.time));
   text += ')';
@@ -100,13 +120,26 @@ void MonitorScene::gameState(const Game& game) {
   const int mode = static_cast<int>(game.mode);
   if (mode != told.mode) word("play_mode", std::to_string(mode));
   told.mode = mode;
+  constexpr std::array<const char*, 2> waitWords = {"pass_mode_score_wait_left",
+                                                    "pass_mode_score_wait_right"};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (game.passScoreWait[i] <= 0) continue;
+    std::string seconds;
+    appendGeneral(seconds, static_cast<float>(game.passScoreWait[i]));
+    word(waitWords[i], seconds);
+  }
+  if (foulsTold < 0 || foulsTold > game.fouls.count()) foulsTold = game.fouls.count();
+  for (const Foul& foul : game.fouls.since(foulsTold))
+    word("foul", std::to_string(foul.index) + ' ' + std::to_string(static_cast<int>(foul.kind)) +
+                     (foul.side == TeamSide::right ? " 2 " : " 1 ") + std::to_string(foul.unum));
+  foulsTold = game.fouls.count();
 }
 
 const std::string& MonitorScene::full(const Simulation& simulation) {
   told = GameTold();
   robots.clear();
   text = "(";
-  text += rulesText;
+  rules(simulation.rules());
   text += "(play_modes";
   for (const std::string_view name : simspark::playModeNames) {
     text += ' ';

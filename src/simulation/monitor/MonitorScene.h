@@ -31,7 +31,9 @@ private:
     std::array<int, 2> score = {-1, -1};
   };
 
+  void rules(const Rules& rules);
   void gameState(const Game& game);
+  void word(std::string_view name, std::string_view value);
   void appendRobot(const Simulation& simulation, const Player& player, RobotView& view);
   void appendRobotDifference(const Simulation& simulation, const Player& player, RobotView& view);
   void appendTransform(const Matrix& matrix);
@@ -44,6 +46,7 @@ private:
 
   std::string text;
   GameTold told;
+  int foulsTold = -1;  ///< index of the last; -1: none is told from before the first message
   Matrix toldBall{};
   std::map<PlayerId, RobotView> robots;
   std::array<std::vector<BodyLook>, numSimsparkTypes> looksOfType;

@@ -1,5 +1,6 @@
 #include "simulation/referee/BallWatch.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "simulation/Field.h"
@@ -9,16 +10,38 @@ namespace plumbline::simulation {
 using simspark::TeamSide;
 
 namespace {
-constexpr double tolerance = 0.001;  ///< the league server's [m]
-constexpr double goalLine =
-    fieldLength / 2 + ballRadius;  ///< of the centre of a ball that is all behind it [m]
+
+constexpr double tolerance = 0.001;                        ///< the league server's [m]
+constexpr double goalLine = fieldLength / 2 + ballRadius;  ///< of the centre of a ball that is behind it [m]
+
 bool betweenPosts(double y, double z) { return std::fabs(y) < goalWidth / 2 && z < goalHeight; }
+
+/// Whether the ball reaches into the goal's inside.
+bool insideGoal(const Vec3& ball) {
+  const Vec3 half((goalDepth - 2 * ballRadius) / 2, goalWidth / 2 - ballRadius, goalHeight / 2);
+  const Vec3 centre(fieldLength / 2 + goalDepth / 2, 0, goalHeight / 2);
+  const Vec3 way(std::fabs(ball.x()) - centre.x(), ball.y(), ball.z() - centre.z());
+  return (way.cwiseAbs() - half).cwiseMax(0).norm() < ballRadius;
+}
+
 }  // namespace
 
-void BallWatch::update(const Vec3& ballPosition) {
-  previous = current;
-  current = ballPosition;
+void BallWatch::update(const BodyState& ball, const std::vector<BallTouch>& touching) {
+  current = ball.pose.translation();
+  velocity = ball.linearVelocity;
   if (onField()) valid = current;
+  touching_ = touching;
+  if (!touching_.empty()) lastTouch_ = touching_.front();
+}
+
+void BallWatch::placed(const Vec3& place) {
+  current = place;
+  velocity.setZero();
+}
+
+void BallWatch::swapSides() {
+  lastTouch_.side = simspark::opponent(lastTouch_.side);
+  for (BallTouch& touch : touching_) touch.side = simspark::opponent(touch.side);
 }
 
 bool BallWatch::onField() const {
@@ -26,17 +49,18 @@ bool BallWatch::onField() const {
          std::fabs(current.y()) < fieldWidth / 2 + ballRadius + tolerance;
 }
 
+bool BallWatch::touchedBy(TeamSide side) const {
+  return std::any_of(touching_.begin(), touching_.end(),
+                     [side](const BallTouch& touch) { return touch.side == side; });
+}
+
 TeamSide BallWatch::inGoalOf() const {
-  if (std::fabs(current.x()) < goalLine) return TeamSide::none;
   const TeamSide side = current.x() < 0 ? TeamSide::left : TeamSide::right;
+  if (insideGoal(current)) return side;
+  if (std::fabs(current.x()) < goalLine) return TeamSide::none;
+  if (std::fabs(current.x() - velocity.x()) > goalLine) return TeamSide::none;  // it came from elsewhere
   const double line = std::copysign(goalLine, current.x());
-  const bool wasBehind = previous.x() * std::copysign(1.0, line) >= goalLine;
-  if (wasBehind)  // it came in from elsewhere, or a trainer put it there
-    return betweenPosts(current.y(), current.z()) && std::fabs(current.x()) < fieldLength / 2 + goalDepth
-               ? side
-               : TeamSide::none;
-  const double t = (line - previous.x()) / (current.x() - previous.x());
-  const Vec3 crossing = previous + t * (current - previous);
+  const Vec3 crossing = current - velocity * ((current.x() - line) / velocity.x());
   return betweenPosts(crossing.y(), crossing.z()) ? side : TeamSide::none;
 }
 

@@ -1,34 +1,49 @@
 #pragma once
+#include <vector>
+
 #include "simspark/TeamSide.h"
 #include "simulation/World.h"
 
 namespace plumbline::simulation {
 
+/// A player at the ball.
+struct BallTouch {
+  simspark::TeamSide side = simspark::TeamSide::none;
+  int unum = 0;
+  double time = -1;  ///< game time [s]
+  bool samePlayer(const BallTouch& other) const { return side == other.side && unum == other.unum; }
+};
+
 /// What the referee knows of the ball: where it is, was last on the field, and who touched it last.
 class BallWatch {
 public:
-  struct Touch {
-    simspark::TeamSide side = simspark::TeamSide::none;
-    int unum = 0;
-    double time = -1;  ///< game time [s]
-  };
-
-  void update(const Vec3& ballPosition);
-  void touched(const Touch& touch) { lastTouch_ = touch; }
-  void reset() { *this = BallWatch(); }
+  /// A cycle has passed; touching: those who touched the ball in it, the first first.
+  void update(const BodyState& ball, const std::vector<BallTouch>& touching);
+  /// The referee laid the ball down.
+  void placed(const Vec3& place);
+  void swapSides();
 
   const Vec3& position() const { return current; }
+  double speed() const { return velocity.norm(); }  ///< [m/s]
   const Vec3& lastOnField() const { return valid; }
   bool onField() const;
   /// Whoever touched it last; side none: nobody yet.
-  const Touch& lastTouch() const { return lastTouch_; }
-  /// The side whose goal the ball is in as a whole, or none. Seen from the way since the last update, so that
-  /// a fast ball is not missed and one beside or above the goal is not counted.
+  const BallTouch& lastTouch() const { return lastTouch_; }
+  bool touchedSince(double time) const {
+    return lastTouch_.side != simspark::TeamSide::none && lastTouch_.time > time;
+  }
+  /// Those who touched it in this cycle.
+  const std::vector<BallTouch>& touching() const { return touching_; }
+  bool touchedBy(simspark::TeamSide side) const;
+  /// The side whose goal the ball is in, or none: as the league's server, when it reaches into the goal's
+  /// inside, the goal less a ball's radius on each side but for the height, so from its centre on the line;
+  /// or when it is behind the line and its velocity says that it came through the goal within a second.
   simspark::TeamSide inGoalOf() const;
 
 private:
-  Vec3 current = Vec3::Zero(), previous = Vec3::Zero(), valid = Vec3::Zero();
-  Touch lastTouch_;
+  Vec3 current = Vec3::Zero(), velocity = Vec3::Zero(), valid = Vec3::Zero();
+  BallTouch lastTouch_;
+  std::vector<BallTouch> touching_;
 };
 
 }  // namespace plumbline::simulation

@@ -1,177 +1,168 @@
 #include "simulation/referee/Referee.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "simulation/Field.h"
+#include "simulation/referee/Conduct.h"
+#include "simulation/referee/Reposition.h"
+#include "simulation/referee/rules/BallOut.h"
+#include "simulation/referee/rules/Charging.h"
+#include "simulation/referee/rules/Crowding.h"
+#include "simulation/referee/rules/DoubleTouch.h"
+#include "simulation/referee/rules/DropBall.h"
+#include "simulation/referee/rules/Goal.h"
+#include "simulation/referee/rules/HalfTime.h"
+#include "simulation/referee/rules/IllegalDefence.h"
+#include "simulation/referee/rules/Incapable.h"
+#include "simulation/referee/rules/KickOff.h"
+#include "simulation/referee/rules/PassMode.h"
+#include "simulation/referee/rules/Penalty.h"
+#include "simulation/referee/rules/Restart.h"
+#include "simulation/referee/rules/SelfCollision.h"
+#include "simulation/referee/rules/Touching.h"
 
 namespace plumbline::simulation {
 
-using simspark::opponent;
-
 namespace {
 
-constexpr double penaltyDepth = 1.8, penaltyHalfWidth = 3;
-constexpr double goalKickDistance = 1;  ///< of the ball from the goal line [m]
-constexpr double touchDelay = 0.03;     ///< a touch counts so long after the pause [s]
-
-/// A mode of the left team, or its twin of the right one, which follows it in the list.
-PlayMode forSide(PlayMode left, TeamSide side) {
-  return static_cast<PlayMode>(static_cast<int>(left) + (side == TeamSide::right ? 1 : 0));
+void playOn(Match& match) {
+  watchPass(match);
+  if (doubleTouch(match) || goal(match)) return;
+  ballOut(match);
 }
 
-TeamSide sideOf(PlayMode mode, PlayMode left) { return mode == left ? TeamSide::left : TeamSide::right; }
+void passMode(Match& match, TeamSide side) {
+  passModeBefore(match, side);
+  playOn(match);
+  passModeAfter(match, side);
+}
 
-bool inPenaltyArea(const Vec3& p, TeamSide side) {
-  const double depth = fieldLength / 2 - (side == TeamSide::left ? -p.x() : p.x());
-  return depth >= 0 && depth <= penaltyDepth && std::fabs(p.y()) <= penaltyHalfWidth;
+/// Fouls that need a look at the player alone, in the league's order.
+void judge(Match& match, Participant& player) {
+  if (player.offends()) return;
+  if (crowds(match, player))
+    player.commit(Foul::Kind::crowding);
+  else if (defendsIllegally(match, player))
+    punishDefence(match, player);
+  else if (incapable(match, player))
+    player.commit(Foul::Kind::incapable);
 }
 
 }  // namespace
 
-void Referee::update(Game& game, World& world, const Observation& observation, double seconds) {
+Match Referee::match(Game& game, World& world, double seconds) {
+  return {rules_, game, world, random, memory, world.robotContacts(), seconds};
+}
+
+bool Referee::update(Game& game, World& world, const Observation& observation, double seconds) {
+  Match match = this->match(game, world, seconds);
   game.advance(seconds);
-  ball.update(world.ball().pose.translation());
-  if (observation.touch) {
-    BallWatch::Touch touch = *observation.touch;
-    touch.time = game.time;
-    ball.touched(touch);
+  meet(world, observation.members);
+  memory.agents = observation.agents;
+  watchBall(match, observation);
+
+  const bool changed = halfTime(match);
+  watchKickOff(match);
+  const bool stands = judgeMode(match);
+  observeVelocities(match);
+  if (stands) {
+    for (Participant& player : memory.participants) forgive(match, player);
+    thawJoints(match, true);
+  } else {
+    judgeFouls(match);
   }
-  checkTime(game);
-  switch (game.mode) {
+  for (const TeamSide side : {TeamSide::left, TeamSide::right})
+    game.passScoreWait[Game::index(side)] = game.mode == PlayMode::playOn ? passScoreWait(match, side) : 0;
+  return changed;
+}
+
+/// Keeps what is known of those who are still there.
+void Referee::meet(World& world, const std::vector<Member>& members) {
+  std::vector<Participant> present;
+  present.reserve(members.size());
+  for (const Member& member : members) {
+    const auto known = std::find_if(memory.participants.begin(), memory.participants.end(),
+                                    [&](const Participant& p) { return p.id == member.id; });
+    if (known == memory.participants.end()) {
+      present.emplace_back(member);
+    } else {
+      static_cast<Member&>(*known) = member;
+      present.push_back(*known);
+    }
+    present.back().torso = world.torso(member.robot);
+  }
+  memory.participants = std::move(present);
+}
+
+void Referee::watchBall(Match& match, const Observation& observation) {
+  std::vector<BallTouch> touching;
+  for (const RobotHandle robot : observation.atBall)
+    if (const Participant* player = match.find(robot))
+      touching.push_back({player->side, player->unum, match.game.time});
+  memory.ball.update(match.world.ball(), touching);
+}
+
+bool Referee::judgeMode(Match& match) {
+  switch (match.game.mode) {
     case PlayMode::beforeKickOff:
-      return beforeKickOff(game, world, observation);
+      beforeKickOff(match);
+      return true;
     case PlayMode::kickOffLeft:
     case PlayMode::kickOffRight:
-      return kickingOff(game, world);
+      kickingOff(match, sideOf(match.game.mode, PlayMode::kickOffLeft));
+      return false;
     case PlayMode::goalLeft:
     case PlayMode::goalRight:
-      return goalPause(game, world);
+      afterGoal(match, sideOf(match.game.mode, PlayMode::goalLeft));
+      return true;
     case PlayMode::playOn:
+      playOn(match);
+      return false;
     case PlayMode::passLeft:
     case PlayMode::passRight:
-      return playOn(game, world);
+      passMode(match, sideOf(match.game.mode, PlayMode::passLeft));
+      return false;
+    case PlayMode::offsideLeft:
+    case PlayMode::offsideRight:
     case PlayMode::gameOver:
-      return;
+      return false;
     default:
-      return deadBall(game, world);
+      restart(match);
+      return false;
   }
 }
 
-void Referee::checkTime(Game& game) {
-  if (game.half == 1 && game.time >= rules.halfTime) {
-    game.setMode(PlayMode::beforeKickOff);
-    game.half = 2;
-  } else if (game.half == 2 && game.time >= 2 * rules.halfTime) {
-    game.setMode(PlayMode::gameOver);
-  }
-}
-
-void Referee::kickOff(Game& game, TeamSide side) {
-  if (side == TeamSide::none) {
-    side = random.uniform(0, 1) <= 0.5 ? TeamSide::left : TeamSide::right;
-    if (game.half != lastKickOffHalf) {
-      if (nextHalfKickOff != TeamSide::none) side = nextHalfKickOff;
-      nextHalfKickOff = opponent(side);
-    }
-  }
-  game.setMode(forSide(PlayMode::kickOffLeft, side));
-  lastKickOffHalf = game.half;
-}
-
-void Referee::beforeKickOff(Game& game, World& world, const Observation& observation) {
-  if (!observation.playersPresent) return;
-  placeBall(world, Vec3(0, 0, ballRadius));
-  if (rules.kickOffAfter && game.modeTime() >= *rules.kickOffAfter) kickOff(game, TeamSide::none);
-}
-
-void Referee::kickingOff(Game& game, World& world) {
-  if (rules.dropBall > 0 && game.modeTime() > rules.dropBall) return drop(game, world, ball.position());
-  if (ball.lastTouch().side != TeamSide::none && ball.lastTouch().time > game.lastModeChange)
-    game.setMode(PlayMode::playOn);
-}
-
-void Referee::playOn(Game& game, World& world) {
-  if (const TeamSide goal = ball.inGoalOf(); goal != TeamSide::none) {
-    const TeamSide scorer = opponent(goal);
-    ++game.score[Game::index(scorer)];
-    game.setMode(forSide(PlayMode::goalLeft, scorer));
-  } else if (!ball.onField()) {
-    ballLeftField(game, world);
-  } else {
-    kickPosition = ball.lastOnField();
-    kickPosition.z() = ballRadius;
-  }
-}
-
-void Referee::ballLeftField(Game& game, World&) {
-  const TeamSide toucher = ball.lastTouch().side;
-  if (toucher == TeamSide::none) return;  // nobody's fault: the league's server leaves it where it is
-  const Vec3& out = ball.position();
-  if (std::fabs(out.x()) >= fieldLength / 2) {
-    const TeamSide end = out.x() < 0 ? TeamSide::left : TeamSide::right;
-    const double sign = out.x() < 0 ? -1 : 1;
-    if (toucher != end) {
-      award(game, PlayMode::goalKickLeft, end,
-            Vec3(sign * (fieldLength / 2 - goalKickDistance), 0, ballRadius));
-    } else {
-      const double y = (fieldWidth + goalWidth) / 4 - ballRadius;
-      award(game, PlayMode::cornerKickLeft, opponent(end),
-            Vec3(sign * (fieldLength / 2 - ballRadius), out.y() > 0 ? y : -y, ballRadius));
-    }
-  } else {
-    const double y = fieldWidth / 2 - ballRadius;
-    award(game, PlayMode::kickInLeft, opponent(toucher),
-          Vec3(ball.lastOnField().x(), ball.lastOnField().y() > 0 ? y : -y, ballRadius));
-  }
-}
-
-void Referee::award(Game& game, PlayMode left, TeamSide side, const Vec3& position) {
-  kickPosition = position;
-  kickTaken = false;
-  game.setMode(forSide(left, side));
-}
-
-/// Kick-in, corner, goal and free kicks: after a pause the ball lies at its place until a player touches it.
-void Referee::deadBall(Game& game, World& world) {
-  if (game.modeTime() < rules.kickInPause) {
-    kickTaken = false;
-    return;
-  }
-  if (rules.dropBall > 0 && game.modeTime() > rules.dropBall) return drop(game, world, kickPosition);
-  kickTaken = kickTaken || (ball.lastTouch().side != TeamSide::none &&
-                            ball.lastTouch().time > game.lastModeChange + rules.kickInPause + touchDelay);
-  if (!kickTaken) return placeBall(world, kickPosition);
-  const bool goalKick = game.mode == PlayMode::goalKickLeft || game.mode == PlayMode::goalKickRight;
-  if (!goalKick || !inPenaltyArea(ball.position(), sideOf(game.mode, PlayMode::goalKickLeft)))
-    game.setMode(PlayMode::playOn);
-}
-
-void Referee::goalPause(Game& game, World& world) {
-  if (game.modeTime() < rules.goalPause) return;
-  placeBall(world, Vec3(0, 0, ballRadius));
-  const TeamSide scorer = sideOf(game.mode, PlayMode::goalLeft);
-  game.setMode(forSide(PlayMode::kickOffLeft, opponent(scorer)));
-  lastKickOffHalf = game.half;
-}
-
-void Referee::dropBall(Game& game, World& world) { drop(game, world, world.ball().pose.translation()); }
-
-void Referee::drop(Game& game, World& world, Vec3 position) {
+void Referee::judgeFouls(Match& match) {
+  observeConduct(match);
+  observeBallTouches(match);
+  judgeCharging(match);
+  judgeSelfCollisions(match);
   for (const TeamSide side : {TeamSide::left, TeamSide::right})
-    if (inPenaltyArea(position, side)) {
-      position.x() = (side == TeamSide::left ? -1 : 1) * (fieldLength / 2 - penaltyDepth);
-      position.y() = position.y() < 0 ? -penaltyHalfWidth : penaltyHalfWidth;
-    }
-  const double limit = fieldWidth / 2 - ballRadius;
-  position.y() = std::clamp(position.y(), -limit, limit);
-  placeBall(world, position);
-  game.setMode(PlayMode::playOn);
+    for (Participant* player : match.inRandomOrder(side)) judge(match, *player);
+  judgeTouching(match);
+  punishOffenders(match);
+  thawJoints(match, false);
 }
 
-void Referee::placeBall(World& world, const Vec3& position) {
-  world.setBall(position, Vec3::Zero());
-  kickPosition = Vec3(position.x(), position.y(), ballRadius);
+void Referee::kickOff(Game& game, World& world, TeamSide side) {
+  Match match = this->match(game, world);
+  startKickOff(match, side);
+}
+
+void Referee::dropBall(Game& game, World& world) {
+  Match match = this->match(game, world);
+  simulation::dropBall(match, world.ball().pose.translation());
+}
+
+void Referee::clearSelected(Game& game, World& world, const std::vector<Member>& members) {
+  meet(world, members);
+  Match match = this->match(game, world);
+  simulation::clearSelected(match);
+}
+
+void Referee::askForPass(Game& game, World& world, int playerId) {
+  Match match = this->match(game, world);
+  for (const Participant& player : memory.participants)
+    if (player.id == playerId) return simulation::askForPass(match, player);
 }
 
 }  // namespace plumbline::simulation

@@ -1,60 +1,51 @@
 #pragma once
-#include <optional>
+#include <vector>
 
-#include "simulation/Game.h"
-#include "simulation/Random.h"
-#include "simulation/World.h"
-#include "simulation/referee/BallWatch.h"
+#include "simulation/referee/Match.h"
 
 namespace plumbline::simulation {
 
-/// Durations of the league's rules [s].
-struct Rules {
-  double halfTime = 300;
-  double goalPause = 3;
-  double kickInPause = 1;
-  double dropBall = 15;  ///< nobody touches the ball: play on
-  /// Kick off by oneself after so long before kick-off; nothing: a trainer does it.
-  std::optional<double> kickOffAfter;
+/// Who plays, and who touched the ball, in a cycle.
+struct Observation {
+  std::vector<Member> members;      ///< players with a team, in the order in which they came
+  int agents = 0;                   ///< those without one as well
+  std::vector<RobotHandle> atBall;  ///< robots that touched the ball, the first first
 };
 
-/// The rules one robot and a goal need: kick-off, play on, goals, the ball out of the field, time and halves.
-/// Fouls, and keeping players away from the ball, are not judged yet.
+/// The league's referee (rcssserver3d 0.7.3, soccerruleaspect.cpp): every rule has a file in rules/, this is
+/// the order in which they are applied.
 class Referee {
 public:
-  Referee(const Rules& rules_, const Random& random_) : rules(rules_), random(random_) {}
+  Referee(const Rules& rules, const Random& random_) : rules_(rules), random(random_) {
+    if (rules.kickOff.byLot) memory.nextHalfKickOff = TeamSide::none;
+  }
 
-  struct Observation {
-    bool playersPresent = false;
-    std::optional<BallWatch::Touch> touch;  ///< a player touched the ball in this cycle
-  };
+  /// Judges the cycle that has just passed; may move the ball and the players and freeze joints. True if the
+  /// teams changed ends: the members' sides are to be swapped.
+  bool update(Game& game, World& world, const Observation& observation, double seconds);
 
-  /// Judges the cycle that has just passed; may move the ball.
-  void update(Game& game, World& world, const Observation& observation, double seconds);
-  /// side none: the side whose turn it is, else one by lot.
-  void kickOff(Game& game, TeamSide side);
-  /// Play goes on where the ball is, or on the edge of the penalty area and the field.
+  /// A trainer's wish. Side none: the side whose turn it is, else one by lot.
+  void kickOff(Game& game, World& world, TeamSide side);
+  /// A trainer's wish: play goes on where the ball is.
   void dropBall(Game& game, World& world);
+  /// A trainer's wish: selected players step back.
+  void clearSelected(Game& game, World& world, const std::vector<Member>& members);
+  /// A player asks for pass mode.
+  void askForPass(Game& game, World& world, int playerId);
+
+  const Rules& rules() const { return rules_; }
 
 private:
-  void checkTime(Game& game);
-  void beforeKickOff(Game& game, World& world, const Observation& observation);
-  void kickingOff(Game& game, World& world);
-  void playOn(Game& game, World& world);
-  void ballLeftField(Game& game, World& world);
-  void deadBall(Game& game, World& world);
-  void goalPause(Game& game, World& world);
-  void award(Game& game, PlayMode left, TeamSide side, const Vec3& position);
-  void placeBall(World& world, const Vec3& position);
-  void drop(Game& game, World& world, Vec3 position);
+  Match match(Game& game, World& world, double seconds = 0.02);
+  void meet(World& world, const std::vector<Member>& members);
+  void watchBall(Match& match, const Observation& observation);
+  /// Whatever belongs to the play mode. True if the game stands, so that fouls do not count.
+  bool judgeMode(Match& match);
+  void judgeFouls(Match& match);
 
-  Rules rules;
+  Rules rules_;
   Random random;
-  BallWatch ball;
-  Vec3 kickPosition = Vec3::Zero();
-  bool kickTaken = false;
-  TeamSide nextHalfKickOff = TeamSide::left;
-  int lastKickOffHalf = 0;
+  MatchMemory memory;
 };
 
 }  // namespace plumbline::simulation

@@ -105,7 +105,7 @@ void Server::waitForClock() {
 void Server::run(const std::atomic<bool>& stop) {
   const double wallStart = wallClock(), cpuStart = cpuSeconds();
   const auto over = [&] {
-    return stop || monitors.killRequested() ||
+    return stop || monitors.killRequested() || simulation_.finished() ||
            (config.maxSeconds && simulation_.time() >= *config.maxSeconds - 1e-9);
   };
   while (!over())

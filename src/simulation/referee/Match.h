@@ -1,0 +1,84 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "simulation/Game.h"
+#include "simulation/Random.h"
+#include "simulation/World.h"
+#include "simulation/referee/BallWatch.h"
+#include "simulation/referee/Participant.h"
+#include "simulation/referee/Rules.h"
+
+namespace plumbline::simulation {
+
+/// A restart that was taken: until somebody else touches the ball, its taker must not, and may not score from
+/// an indirect one.
+struct TakenKick {
+  bool watched = false;
+  bool indirect = false;
+  BallTouch taker;  ///< who took a restart last, and when
+};
+
+/// What the kick-off's team must do before it may score.
+struct TakenKickOff {
+  bool mayScore = true;
+  BallTouch taker;
+};
+
+/// A side's last pass mode.
+struct PassRecord {
+  double last = Participant::never;  ///< game time when it was last on [s]
+  Vec2 ball = Vec2::Zero();          ///< where it lay
+  bool leftCircle = false;           ///< the ball was too far from there since
+  int firstToucher = 0;              ///< number of the first player of the side at the ball since; 0: nobody
+  bool moreTouched = false;          ///< than that one
+  bool clearedToScore = false;
+};
+
+/// What the referee remembers from cycle to cycle, but for the game that everyone is told.
+struct MatchMemory {
+  BallWatch ball;
+  std::vector<Participant> participants;  ///< with a team, in the order in which they came
+  int agents = 0;                         ///< those without a team as well
+  Vec3 kickPosition = Vec3::Zero();       ///< where the next restart is
+  bool repelKickers = false;              ///< when the ball is laid down there
+  TakenKick kick;
+  TakenKickOff kickOff;
+  std::array<PassRecord, 2> pass;    ///< left, right
+  std::array<int, 2> inOwnArea{};    ///< players of a side in their penalty area
+  std::array<int, 2> movedInside{};  ///< more of them by the referee's moves in this cycle
+  TeamSide nextHalfKickOff = TeamSide::left;
+  int lastKickOffHalf = 0;
+};
+
+/// One cycle of a game, as the rules see it.
+struct Match {
+  const Rules& rules;
+  Game& game;
+  World& world;
+  Random& random;
+  MatchMemory& memory;
+  /// Robots that touched each other in this cycle.
+  const std::vector<RobotContact>& contacts;
+  double step = 0.02;  ///< of a cycle [s]
+
+  BallWatch& ball() { return memory.ball; }
+  std::vector<Participant>& participants() { return memory.participants; }
+  PassRecord& pass(TeamSide side) { return memory.pass[Game::index(side)]; }
+  double cycles(double seconds) const { return seconds / step; }
+
+  /// Null if that robot or number is nobody's.
+  Participant* find(RobotHandle robot);
+  Participant* find(TeamSide side, int unum);
+  /// Those of a side (none: of both) in an order by lot, so that no number is preferred.
+  std::vector<Participant*> inRandomOrder(TeamSide side);
+  /// Both sides, in an order by lot.
+  std::array<TeamSide, 2> sidesInRandomOrder();
+
+  /// Lays the ball down; the next restart is there, too.
+  void placeBall(const Vec3& position);
+  /// Puts a player's torso there, turned as it is, at rest, whoever else is there.
+  void move(Participant& player, const Vec3& place);
+};
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,66 @@
+#pragma once
+#include <array>
+#include <bitset>
+
+#include "robot/RobotModel.h"
+#include "simspark/TeamSide.h"
+#include "simulation/World.h"
+#include "simulation/referee/Fouls.h"
+
+namespace plumbline::simulation {
+
+using JointSet = std::bitset<numJoints>;
+
+/// Who is on the field. `frozen` are the joints that take no speed; the referee sets them.
+struct Member {
+  int id = 0;
+  simspark::TeamSide side = simspark::TeamSide::none;
+  int unum = 0;
+  RobotHandle robot = -1;
+  const RobotModel* model = nullptr;
+  JointSet* frozen = nullptr;
+  bool selected = false;  ///< by a trainer
+};
+
+/// A player as the referee knows it: how it stands in this cycle, and what is held against it. Durations are
+/// counted in cycles.
+struct Participant : Member {
+  explicit Participant(const Member& member) : Member(member) {
+    lastFrozen.fill(never);
+    velocities.fill(Vec3::Zero());
+  }
+
+  static constexpr double never = -1000;  ///< a game time long ago [s]
+
+  BodyState torso;
+  std::array<Vec3, 3> velocities;  ///< of the last cycles, the newest first [m/s]
+  double ballDistance = 1000;      ///< along the ground [m]
+  int ballRank = 1;                ///< 1: the nearest of its team to the ball
+  int goalRank =
+      1;  ///< 1: the nearest to its goal of those in the penalty area before, the goalie before all
+  bool inOwnArea = false, wasInOwnArea = false;
+
+  // As if it had stood for five seconds, and not moved by the referee for one.
+  int onGround = 0, notStanding = 0, standing = 250;
+  int sinceBallTouch = 50, sinceCollision = 10, sinceMoved = 50;
+
+  Foul::Kind foul = Foul::Kind::none;
+  int foulCycles = 0;
+  /// Game times [s].
+  std::array<double, numJoints> lastFrozen;
+  double lastSelfCollision = never;
+
+  int lastGroupSize = 1;  ///< of those who touched each other, in the cycle before
+
+  Vec2 place() const { return torso.pose.translation().head<2>(); }
+  Vec2 velocity() const { return (velocities[0] + velocities[1] + velocities[2]).head<2>() / 3; }
+  bool goalie() const { return unum == 1; }
+  /// Called for a foul: no further one is looked for until it is dealt with.
+  bool offends() const { return foul != Foul::Kind::none; }
+  void commit(Foul::Kind kind) {
+    foul = kind;
+    ++foulCycles;
+  }
+};
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,21 @@
+#pragma once
+#include "simulation/referee/Areas.h"
+#include "simulation/referee/Participant.h"
+
+namespace plumbline::simulation {
+
+/// Axis-parallel box around a robot, in the field frame [m].
+struct RobotBox {
+  Vec3 low, high;
+  /// Whether a ball of that radius around the centre reaches into the box.
+  bool reachedBy(const Vec3& centre, double radius) const;
+};
+
+/// Around what the league's server counts as a robot: all its bodies, and a plate of 0.56 x 0.4 m about the
+/// torso's middle (measured: thresholds of a standing robot of type 0, from all sides).
+RobotBox robotBox(const World& world, const Participant& player);
+/// From above, around the middles of its colliding bodies: with these alone the server judges who stands in a
+/// half or a penalty area.
+Area robotArea(const World& world, const Participant& player);
+
+}  // namespace plumbline::simulation

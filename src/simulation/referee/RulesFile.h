@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "simulation/referee/Rules.h"
+
+namespace plumbline::simulation {
+
+/// The rules of a file like config/rules.yaml: what it does not name keeps its value here. Throws
+/// ConfigurationError, one line with file, line and key, for what cannot be, and for a key there is not.
+Rules readRules(const std::string& path, const Rules& otherwise = {});
+
+}  // namespace plumbline::simulation

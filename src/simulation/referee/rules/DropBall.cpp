@@ -1,0 +1,23 @@
+#include "simulation/referee/rules/DropBall.h"
+
+#include <cmath>
+
+#include "simulation/referee/Reposition.h"
+#include "simulation/referee/rules/DoubleTouch.h"
+
+namespace plumbline::simulation {
+
+void dropBall(Match& match, Vec3 place) {
+  place = outOfPenaltyAreas(place);
+  if (std::fabs(place.y()) >= fieldWidth / 2)
+    place.y() = std::copysign(fieldWidth / 2 - ballRadius, place.y());
+  match.placeBall(place);
+  const Rules::Restarts& rules = match.rules.restarts;
+  if (rules.keepDistance)
+    for (const TeamSide side : match.sidesInRandomOrder())
+      clearCircle(match, place, rules.distance, rules.moveDistance, side);
+  forgetKick(match);
+  match.game.setMode(PlayMode::playOn);
+}
+
+}  // namespace plumbline::simulation

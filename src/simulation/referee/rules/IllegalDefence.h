@@ -1,0 +1,14 @@
+#pragma once
+#include "simulation/referee/Match.h"
+
+namespace plumbline::simulation {
+
+/// At most three players of a team, the goalie among them, may be in their own penalty area. The last to
+/// enter goes; if that is the goalie, the one of the others farthest from the goal. (AnalyseFouls)
+bool defendsIllegally(Match& match, const Participant& player);
+
+/// Calls the foul; unless such players go beside the field, this one is put 0.4 m outside the nearest edge of
+/// the area, but not into the goal. (PenalizeIllegelDefenseFoul)
+void punishDefence(Match& match, Participant& player);
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,39 @@
+#include "simulation/referee/rules/Penalty.h"
+
+#include "simulation/referee/Conduct.h"
+#include "simulation/referee/Reposition.h"
+
+namespace plumbline::simulation {
+
+namespace {
+
+bool alreadyMoved(const Rules& rules, Foul::Kind kind) {
+  return (kind == Foul::Kind::illegalDefence && !rules.illegalDefence.putOutside) ||
+         (kind == Foul::Kind::touching && !rules.touching.putOutside);
+}
+
+void punish(Match& match, Participant& player) {
+  match.game.fouls.add(player.foul, player.side, player.unum);
+  if (alreadyMoved(match.rules, player.foul)) return forgive(match, player);
+  const Rules::Moves& rules = match.rules.moves;
+  if (player.foulCycles <= match.cycles(rules.foulHold)) {
+    ++player.foulCycles;
+    Vec3 place = player.torso.pose.translation();
+    place.z() = 1 + 0.01 * player.foulCycles;
+    return match.move(player, place);
+  }
+  Vec3 place = outsidePlace(match.ball().position(), player.side, player.unum);
+  if (rules.foulHold > 0) place.z() = rules.agentRadius;
+  moveSafely(match, player, place);
+  forgive(match, player);
+}
+
+}  // namespace
+
+void punishOffenders(Match& match) {
+  for (const TeamSide side : match.sidesInRandomOrder())
+    for (Participant* player : match.inRandomOrder(side))
+      if (player->offends()) punish(match, *player);
+}
+
+}  // namespace plumbline::simulation
