@@ -1,0 +1,57 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "robot/Mechanism.h"
+
+namespace plumbline::gap {
+
+/// One piece of an excitation program: a wave on some joints that begins and ends at 0 and is added to the
+/// posture, or a move that changes the posture for what follows.
+struct Segment {
+  enum class Kind {
+    move,       ///< to `joints` (here absolute positions) without a jerk at either end
+    triangle,   ///< constant speed to and fro, corners rounded; `cycles` of them
+    chirp,      ///< sine whose frequency rises from fromHz to toHz
+    steps,      ///< jumps to +1, -1, +1/2, -1/2, 0
+    sine,       ///< fromHz, swelling over its first and last quarter
+    multisine,  ///< `tones` sines between fromHz and toHz, other phases and frequencies for each joint
+    fast        ///< random targets at `speed` of each joint's maximal speed, a short step after each
+  };
+  Kind kind = Kind::sine;
+  double start = 0, duration = 0;  ///< [s]
+  /// Joint and how far the wave takes it [rad]; the sign turns it round.
+  std::vector<std::pair<int, double>> joints;
+  double fromHz = 0.5, toHz = 4;
+  int cycles = 1, tones = 12;
+  double speed = 0.85;
+  std::uint64_t seed = 1;
+};
+const char* name(Segment::Kind kind);
+
+/// A program for one robot: what to command when.
+struct Excitation {
+  std::string name, about;
+  bool freeBase = false;
+  double heading = 0;           ///< yaw at which a free robot is put down [rad]
+  std::vector<double> posture;  ///< at the start, one position per joint [rad]
+  std::vector<Segment> segments;
+  double duration = 0;  ///< [s]
+};
+
+/// What is sent when: commands[joint][i] at t[i] = i / rate.
+struct CommandTable {
+  std::vector<double> t;                      ///< [s]
+  std::vector<std::vector<double>> commands;  ///< [rad], one list per joint of the robot, as long as t
+};
+
+/// Plays a program: positions within the joints' limits (limitMargin inside), joints with a driver follow it.
+CommandTable playExcitation(const Excitation& excitation, const Mechanism& robot, double rateHz);
+constexpr double limitMargin = 0.01;  ///< [rad] or [m], at most a hundredth of the range
+
+/// Torque that gravity asks of each joint at positions q, the base level and held [N m].
+std::vector<double> gravityTorques(const Mechanism& robot, const std::vector<double>& q);
+
+}  // namespace plumbline::gap

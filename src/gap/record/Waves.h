@@ -1,0 +1,36 @@
+#pragma once
+#include <vector>
+
+#include "gap/record/Excitation.h"
+
+namespace plumbline::gap {
+
+/// 0 before 0, 1 after 1, between them the curve of least jerk (Flash and Hogan 1985, equation 6).
+double smoothStep(double share);
+
+/// A segment's wave for one joint: within -1..1, 0 at both ends.
+class Wave {
+public:
+  /// `maxSpeed`: what the joint can do, in amplitudes per second.
+  Wave(const Segment& segment, int joint, double maxSpeed);
+  double operator()(double t) const;
+
+private:
+  struct Tone {
+    double hz, phase;
+  };
+  struct Leg {
+    double start, arrival, end, from, to, step;
+  };
+  void planMultisine();
+  void planFast(double maxSpeed);
+  double fast(double t) const;
+
+  const Segment& segment;
+  std::uint64_t seed;
+  std::vector<Tone> tones;
+  double scale = 1;
+  std::vector<Leg> legs;
+};
+
+}  // namespace plumbline::gap
