@@ -1,6 +1,7 @@
 #include "simspark/TrainerCommand.h"
 
 #include <array>
+#include <cmath>
 #include <initializer_list>
 
 #include "math/Angle.h"
@@ -102,6 +103,16 @@ std::optional<TrainerCommand> readClockCommand(Node list, std::string_view name)
   return std::nullopt;
 }
 
+/// Whole numbers a double holds exactly.
+constexpr double maxSeed = 0x1p53;
+
+std::optional<TrainerCommand> readReset(Node list) {
+  if (!list.at(1)) return ResetCommand{};
+  const auto seed = number(list.at(1));
+  if (!seed || *seed < 0 || *seed > maxSeed || *seed != std::floor(*seed)) return std::nullopt;
+  return ResetCommand{static_cast<std::uint64_t>(*seed)};
+}
+
 std::optional<TrainerCommand> readOne(Node list) {
   const std::string_view name = list.name();
   if (name.empty()) return std::nullopt;
@@ -125,6 +136,7 @@ std::optional<TrainerCommand> readOne(Node list) {
     const auto side = sideByName(word(list.at(1)));
     return side ? std::optional<TrainerCommand>(KickOffCommand{*side}) : std::nullopt;
   }
+  if (name == "reset") return readReset(list);
   if (name == "viewer") {
     const auto interval = number(list.at(1));
     return interval && *interval >= 0.001 && *interval <= 60
@@ -210,6 +222,9 @@ struct Writer {
         break;
     }
     return "(speed " + fixed(c.value) + ')';
+  }
+  std::string operator()(const ResetCommand& c) const {
+    return c.seed ? "(reset " + std::to_string(*c.seed) + ')' : "(reset)";
   }
   std::string operator()(const ViewerCommand& c) const { return "(viewer " + fixed(c.interval) + ')'; }
 };

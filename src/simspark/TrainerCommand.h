@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -71,10 +72,16 @@ struct ViewerCommand {
   double interval = 0.03;
 };
 
+/// (reset), (reset SEED): everything from the start, without a new process: time, game, chance, and every
+/// robot that is there, in its team.
+struct ResetCommand {
+  std::optional<std::uint64_t> seed;  ///< none: the one there was
+};
+
 using TrainerCommand =
     std::variant<MoveAgentCommand, BallCommand, PlayModeCommand, KickOffCommand, DropBallCommand, TimeCommand,
                  ScoreCommand, SelectCommand, KillCommand, RepositionCommand, FullStateCommand,
-                 AcknowledgeCommand, KillSimulatorCommand, ClockCommand, ViewerCommand>;
+                 AcknowledgeCommand, KillSimulatorCommand, ClockCommand, ViewerCommand, ResetCommand>;
 
 /// How the embedded simulator's clock goes: "(clock (paused 0)(speed 1))".
 struct SimulatorClock {

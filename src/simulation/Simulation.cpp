@@ -47,6 +47,32 @@ void Simulation::reset() {
   ++version;
 }
 
+std::map<PlayerId, PlayerId> Simulation::restart(std::optional<std::uint64_t> seed) {
+  struct Place {
+    PlayerId id;
+    int type, unum;
+    std::string team;
+  };
+  std::vector<Place> places;
+  for (const auto& [id, player] : players) {
+    const bool inTeam = player->side != TeamSide::none;
+    places.push_back(
+        {id, player->type(), player->unum, inTeam ? game_.teams[Game::index(player->side)] : std::string()});
+  }
+  if (seed) config.seed = *seed;
+  reset();
+  std::map<PlayerId, PlayerId> ids;
+  for (const Place& place : places) {
+    const PlayerId id = addPlayer(place.type);
+    ids[place.id] = id;
+    if (place.unum == 0) continue;
+    AgentCommand command;
+    command.init = simspark::InitRequest{place.unum, place.team};
+    act(id, command);
+  }
+  return ids;
+}
+
 PlayerId Simulation::addPlayer(int type) {
   const PlayerId id = nextId;
   auto player = std::make_unique<Player>(id, type, config.players, config.seed);

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,7 +40,7 @@ public:
   std::string act(PlayerId id, const simspark::AgentCommand& command);
 
   /// Carries out a trainer's command but those that are the connection's: fullstate, acknowledge, killsim,
-  /// clock, viewer.
+  /// clock, viewer, reset.
   /// Returns why not, one line, or nothing.
   std::string train(const simspark::TrainerCommand& command);
   /// Players a trainer had removed since the last call; their connections are to be closed.
@@ -49,6 +50,10 @@ public:
   void step();
   /// As after construction: nobody there, clock at zero.
   void reset();
+  /// As after construction, but with a new robot for everybody who is there, in the order in which they came
+  /// and with the team and number they have. A seed: instead of the one there was. Returns everybody's new id
+  /// by the old one.
+  std::map<PlayerId, PlayerId> restart(std::optional<std::uint64_t> seed = {});
 
   /// Senses made by the last step, as the wire wants them (without frame); empty before the first.
   const std::string& message(PlayerId id) const { return players.at(id)->message(); }

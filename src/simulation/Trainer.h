@@ -28,6 +28,7 @@ private:
   std::string apply(const simspark::KillSimulatorCommand&) { return {}; }
   std::string apply(const simspark::ClockCommand&) { return {}; }
   std::string apply(const simspark::ViewerCommand&) { return {}; }
+  std::string apply(const simspark::ResetCommand&) { return {}; }
 
   /// The player of that name, or the selected one without a name; null: there is none.
   Player* playerOrSelected(const std::optional<simspark::PlayerName>& name);

@@ -38,6 +38,8 @@ TEST(TrainerCommand, everyCommandIsReadAsItIsWritten) {
       {FullStateCommand{}, "(reqfullstate)"},
       {AcknowledgeCommand{}, "(getAck)"},
       {KillSimulatorCommand{}, "(killsim)"},
+      {ResetCommand{}, "(reset)"},
+      {ResetCommand{7}, "(reset 7)"},
   };
   for (const auto& [command, text] : all) {
     EXPECT_EQ(writeTrainerCommand(command), text);

@@ -1,6 +1,7 @@
 #include "simulation/server/AgentPort.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace plumbline::simulation {
 
@@ -79,8 +80,9 @@ bool AgentPort::ready() const {
 
 void AgentPort::carryOut() {
   for (const auto& agent : agents) {
+    const bool mindful = !std::exchange(agent->answersPast, false);
     for (const simspark::AgentCommand& command : agent->pending)
-      if (!agent->client.broken()) carryOut(*agent, command);
+      if (mindful && !agent->client.broken()) carryOut(*agent, command);
     agent->pending.clear();
     agent->synced = false;
   }
@@ -99,6 +101,15 @@ void AgentPort::carryOut(Agent& agent, const simspark::AgentCommand& command) {
   const std::string problem = simulation.act(*agent.player, command);
   if (!problem.empty()) complain(agent, problem);
   if (command.init && problem.empty()) log(describe(agent) + " plays");
+}
+
+void AgentPort::restarted(const std::map<PlayerId, PlayerId>& ids) {
+  for (const auto& agent : agents) {
+    const auto id = agent->player ? ids.find(*agent->player) : ids.end();
+    if (id == ids.end()) continue;
+    agent->player = id->second;
+    agent->answersPast = true;
+  }
 }
 
 void AgentPort::sendSenses() {

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,6 +43,8 @@ public:
   void carryOut();
   /// Sends everybody the senses of the last step.
   void sendSenses();
+  /// The simulation began anew, with other ids: what agents answer to messages from before is not minded.
+  void restarted(const std::map<PlayerId, PlayerId>& ids);
   /// Closes connections whose clients went away, sent garbage, or kept everybody waiting.
   void dropBroken();
 
@@ -57,6 +60,7 @@ private:
     int cycles = 0;           ///< messages sent to it
     double waitingSince = 0;  ///< wall clock of the last message to it, or of its scene
     bool complained = false;
+    bool answersPast = false;  ///< its next answer is to a message from before a restart
   };
 
   void accept();

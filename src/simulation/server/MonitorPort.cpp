@@ -72,6 +72,10 @@ void MonitorPort::carryOut(Monitor& monitor, const simspark::TrainerCommand& com
   if (std::holds_alternative<simspark::FullStateCommand>(command)) toldVersion = monitor.viewVersion = 0;
   if (std::holds_alternative<simspark::AcknowledgeCommand>(command)) monitor.acknowledge = true;
   if (std::holds_alternative<simspark::KillSimulatorCommand>(command)) killed = true;
+  if (const auto* wish = std::get_if<simspark::ResetCommand>(&command)) {
+    reset = *wish;
+    return;
+  }
   if (const auto* clock = std::get_if<simspark::ClockCommand>(&command)) return carryOut(monitor, *clock);
   if (const auto* viewer = std::get_if<simspark::ViewerCommand>(&command)) return carryOut(monitor, *viewer);
   const std::string problem = simulation.train(command);

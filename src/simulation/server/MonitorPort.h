@@ -1,6 +1,8 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "simspark/TrainerCommand.h"
@@ -43,6 +45,8 @@ public:
   bool due() const { return simulation.cycle() % static_cast<std::uint64_t>(config.interval) == 0; }
   void dropBroken();
   bool killRequested() const { return killed; }
+  /// The last wish for everything from the start since the last call.
+  std::optional<simspark::ResetCommand> takeReset() { return std::exchange(reset, std::nullopt); }
   RunClock& clock() { return clock_; }
   const RunClock& clock() const { return clock_; }
 
@@ -82,6 +86,7 @@ private:
   std::size_t watched = 0;
   std::uint64_t toldVersion = 0;
   bool killed = false;
+  std::optional<simspark::ResetCommand> reset;
   RunClock clock_;
 };
 

@@ -65,16 +65,22 @@ bool Server::collect() {
   monitors.dropBroken();
   if (!clockStands()) return agents.ready();
   // Nothing moves, but trainers may set the scene and are shown it.
-  const bool commanded = monitors.carryOut();
+  const bool commanded = obeyTrainers();
   agents.dropBroken();
   monitors.tell(commanded);
   tellField();
   return false;
 }
 
+bool Server::obeyTrainers() {
+  const bool any = monitors.carryOut();
+  if (const auto reset = monitors.takeReset()) agents.restarted(simulation_.restart(reset->seed));
+  return any;
+}
+
 void Server::cycle() {
   started = true;
-  if (monitors.carryOut()) agents.dropBroken();  // a trainer may have removed players
+  if (obeyTrainers()) agents.dropBroken();  // a trainer may have removed players
   agents.carryOut();
   agents.sendSenses();
   simulation_.step();

@@ -53,6 +53,8 @@ private:
   /// Reads until everybody who has to be waited for is ready; false if it should be tried again.
   bool collect();
   bool clockStands() const;
+  /// Carries out what trainers want; true if they wanted anything.
+  bool obeyTrainers();
   void cycle();
   void openField(const LogFunction& log);
   void tellField();
