@@ -77,6 +77,11 @@ bench-%:
 	@$(MAKE) SimRelease $(if $(wildcard tests/bench/$*.cpp tests/bench/$*/*.cpp),SimRelease-bench-$*)
 	@scripts/run_bench.sh $*
 
+# The whole table, line by line, is what one wants to see of this one.
+bench-fidelity:
+	@$(MAKE) SimRelease SimRelease-bench-fidelity
+	@scripts/run_bench.sh fidelity > build/bench/fidelity.sum; status=$$?; cat build/bench/fidelity.log; exit $$status
+
 results: bench
 	@scripts/make_results.sh
 

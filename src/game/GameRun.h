@@ -22,7 +22,7 @@ struct GameOptions {
   std::string output = "build/run";
   std::string host;  ///< of a server that runs already; empty: an embedded simulator is started
   int port = 3100, monitorPort = 3200;
-  std::vector<std::string> agentOptions;
+  std::vector<std::string> agentOptions, simulatorOptions;
 };
 
 /// One robot alone on the field until it scores: starts simulator and agent (programs beside this one), kicks

@@ -37,6 +37,9 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--agent-option", options.agentOptions, "passed to bin/agent; repeat for more")
       ->allow_extra_args(false);
+  app.add_option("--simulator-option", options.simulatorOptions,
+                 "passed to bin/simulator, e.g. --simulator-option=--no-bouncing-stops; repeat for more")
+      ->allow_extra_args(false);
   app.footer(
       "Exit status: 0 after a goal, 1 without one, 2 for bad options, 130 after Ctrl-C.\n"
       "Examples:\n"

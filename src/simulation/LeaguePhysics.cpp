@@ -53,7 +53,10 @@ PhysicsConfig leaguePhysics(const WorldConfig& config) {
   wishes[material::obstacle] = {std::nullopt, std::nullopt, std::nullopt, 0.8, 2.0};
   for (const Wishes& a : wishes) {
     auto& row = physics.surfaces.emplace_back();
-    for (const Wishes& b : wishes) row.push_back(mix(a, b, physics));
+    for (const Wishes& b : wishes) {
+      row.push_back(mix(a, b, physics));
+      if (!config.endlessFriction) row.back().friction = config.frictionCoefficient;
+    }
   }
   return physics;
 }

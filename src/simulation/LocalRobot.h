@@ -41,7 +41,7 @@ private:
   WorldConfig config;
   std::unique_ptr<World> world_;
   RobotHandle handle = 0;
-  JointArray pending{};  ///< the answer to the message before this one
+  JointArray pending{};  ///< the answer to the message before this one; without delay: to this one
   long cycles = 0;
 };
 

@@ -60,9 +60,13 @@ void SoccerWorld::moveRobot(RobotHandle robot, const Pose3& T_world_torso) {
 }
 
 void SoccerWorld::setPosture(RobotHandle handle, const JointArray& angles) {
+  stopMotors(handle);
+  setState(handle, {torso(handle).pose, Vec3::Zero(), Vec3::Zero()}, angles, JointArray{});
+}
+
+void SoccerWorld::stopMotors(RobotHandle handle) {
   for (std::size_t hinge = 0; hinge + 1 < get(handle).model.links.size(); ++hinge)
     physics->setMotor(handle, static_cast<int>(hinge), 0);
-  setState(handle, {torso(handle).pose, Vec3::Zero(), Vec3::Zero()}, angles, JointArray{});
 }
 
 void SoccerWorld::setState(RobotHandle handle, const BodyState& torso, const JointArray& angles,
@@ -118,6 +122,8 @@ void SoccerWorld::setJointVelocity(RobotHandle handle, JointId joint, double vel
 void SoccerWorld::step() {
   for (auto& [handle, robot] : robots) senseAcceleration(handle, robot);
   physics->step();
+  if (!config.lastingCommands)
+    for (const auto& [handle, robot] : robots) stopMotors(handle);
   touchedBall.clear();
   for (auto& [handle, robot] : robots) {
     senseAngles(handle, robot);

@@ -45,6 +45,7 @@ private:
   const Robot& get(RobotHandle robot) const;
   static AssemblyState toAssemblyState(const Robot& robot, const BodyState& torso, const JointArray& angles,
                                        const JointArray& rates);
+  void stopMotors(RobotHandle robot);
   void senseAcceleration(RobotHandle handle, Robot& robot) const;
   void senseAngles(RobotHandle handle, Robot& robot) const;
   void senseFeet(RobotHandle handle, Robot& robot) const;

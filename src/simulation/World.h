@@ -28,12 +28,19 @@ struct RobotReadings {
   std::optional<FootForce> leftFoot, rightFoot, leftToe, rightToe;
 };
 
-/// Physics accidents of the league's server, each with its switch.
+/// Engine, step and the physics that the league's server has by accident, each with its switch.
+/// (Limbs frozen at self-collision are the referee's: Rules::selfCollision.)
 struct WorldConfig {
   std::string engine = "ode";  ///< a name makePhysics knows
   double stepSeconds = 0.02;
-  bool bouncingJointStops = true;
-  bool sleepingRobots = true;  ///< auto-disable; woken by a command that is not zero
+  bool bouncingJointStops = true;  ///< a joint that runs into its stop comes back as fast
+  bool sleepingRobots = true;      ///< auto-disable; woken by a command that is not zero
+  bool endlessFriction = true;     ///< friction without Coulomb's limit; off: frictionCoefficient
+  bool lastingCommands = true;     ///< a joint's speed is kept until changed; off: it is a cycle's
+  /// The answer to message i shows in message i+2; off: in i+1. What drives the world sees to that (Server,
+  /// LocalRobot).
+  bool actionDelay = true;
+  double frictionCoefficient = 1;
   bool selfCollision = false;  ///< off in effect on the league's server
 };
 

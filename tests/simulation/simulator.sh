@@ -38,6 +38,20 @@ refuses "--bind 0.0.0.0 opens the monitor port to others: set a --token" --bind 
 refuses "cannot write $work/no/ports: No such file or directory" "${free[@]}" --ports-file "$work/no/ports"
 refuses "$work/none.csv: cannot be read; give a trace as .csv or .csv.gz" --replay "$work/none.csv"
 
+# Each accident of the league's server has a switch; those that a recording shows change its replay.
+report() { timeout 60 "$simulator" --replay "tests/data/traces/$1.csv.gz" "${@:2}" 2>&1; }
+for switch in bouncing-stops sleeping-robots frozen-limbs action-delay endless-friction lasting-commands; do
+  expect "help names --no-$switch" "$("$simulator" --help | grep -c -e "--no-$switch")" 1
+done
+kick=$(report ut_kick_t3)
+for switch in bouncing-stops endless-friction; do
+  expect "--$switch is the default" "$(report ut_kick_t3 "--$switch")" "$kick"
+  [[ $(report ut_kick_t3 "--no-$switch") != "$kick" ]] || expect "--no-$switch changes a kick" "nothing" "something"
+done
+[[ $(report fallF_t0 --no-sleeping-robots) != "$(report fallF_t0)" ]] ||
+  expect "--no-sleeping-robots changes a fall" "nothing" "something"
+[[ $(report ut_kick_t3 --engine bullet) != "$kick" ]] || expect "--engine bullet changes a kick" "nothing" "something"
+
 # Starts one with the arguments; its ports are in $agent and $monitor, its process in $pid.
 start() {
   rm -f "$work/ports"

@@ -74,6 +74,20 @@ void complete(Options& options, const Given& given, const CLI::App& app) {
   server.simulation.seed = given.seed != 0 ? given.seed : std::random_device()();
 }
 
+/// The league's accidents; each name is that of what is switched off.
+void addSwitches(CLI::App& app, SimulationConfig& simulation) {
+  WorldConfig& world = simulation.world;
+  const auto add = [&app](const std::string& name, bool& on, const std::string& meaning) {
+    app.add_flag("--" + name + ",!--no-" + name, on, meaning + " [on]");
+  };
+  add("bouncing-stops", world.bouncingJointStops, "A joint that runs into its stop comes back as fast");
+  add("sleeping-robots", world.sleepingRobots, "What is slow for ten cycles sleeps until commanded");
+  add("frozen-limbs", simulation.rules.selfCollision.on, "A limb that runs into its own robot stands still for a second");
+  add("action-delay", world.actionDelay, "An answer shows a message later than it could");
+  add("endless-friction", world.endlessFriction, "Friction without Coulomb's limit; off: coefficient 1");
+  add("lasting-commands", world.lastingCommands, "A joint's speed is kept until changed; off: for a cycle");
+}
+
 }  // namespace
 
 Options parseOptions(int argc, char** argv) {
@@ -112,6 +126,7 @@ Options parseOptions(int argc, char** argv) {
       ->check(aDuration);
   app.add_option("--engine", server.simulation.world.engine,
                  "Physics engine: ode, ode-dense or bullet [ode]");
+  addSwitches(app, server.simulation);
   app.add_option("--monitor-step", given.monitorStep, "Seconds between two messages to a monitor [0.04]")
       ->check(number("a time of 0.02 to 10 s", [](double v) { return v >= 0.02 && v <= 10; }));
   app.add_flag("--ground-truth", server.simulation.players.groundTruth,

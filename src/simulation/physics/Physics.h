@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,13 +13,15 @@
 namespace plumbline::simulation {
 
 /// How two touching materials push: softness by ERP (share of the depth undone a step) and CFM [s/kg], slip
-/// [m/(s N)] along the surface (friction without a Coulomb limit), and a bounce above a speed of impact.
+/// [m/(s N)] along the surface, friction, and a bounce above a speed of impact.
 struct ContactSurface {
   double softErp = 0.2;
   double softCfm = 1e-5;
   double slip = 0;
   double bounce = 0;          ///< coefficient of restitution
   double bounceVelocity = 0;  ///< slower impacts do not bounce [m/s]
+  /// Friction by push; infinite: no Coulomb limit, and friction holds even where nothing pushes.
+  double friction = std::numeric_limits<double>::infinity();
 };
 
 /// Settings of a whole physics world.

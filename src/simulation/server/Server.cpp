@@ -82,8 +82,10 @@ void Server::cycle() {
   started = true;
   if (obeyTrainers()) agents.dropBroken();  // a trainer may have removed players
   agents.carryOut();
-  agents.sendSenses();
+  const bool delay = config.simulation.world.actionDelay;
+  if (delay) agents.sendSenses();
   simulation_.step();
+  if (!delay) agents.sendSenses();
   RunClock& clock = monitors.clock();
   if (clock.steps > 0) --clock.steps;
   if (clock.speed > 0) waitForClock();

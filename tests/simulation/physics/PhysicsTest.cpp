@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "math/Angle.h"
 
 namespace plumbline::simulation {
@@ -231,6 +234,30 @@ TEST_P(Engine, bouncesByTheMaterials) {
   }
   EXPECT_NEAR(highestSoft, 0.05 + 0.25 * 0.95, 0.08) << "half the speed, a quarter of the height";
   EXPECT_LT(highestDull, 0.12);
+}
+
+TEST_P(Engine, frictionHasALimitOnlyIfToldSo) {
+  for (const double coefficient : {std::numeric_limits<double>::infinity(), 0.3}) {
+    PhysicsConfig rough = config();
+    for (auto& row : rough.surfaces)
+      for (ContactSurface& surface : row) {
+        surface.slip = 1e-3;
+        surface.friction = coefficient;
+      }
+    const auto physics = makePhysics(GetParam(), rough);
+    physics->addGround(0);
+    const int box1 = physics->addAssembly({{box(2, {0.4, 0.4, 0.1})}, {}, false}, translation(0, 0, 0.0489));
+    for (int i = 0; i < 5; ++i) physics->step();
+    AssemblyState state = physics->state(box1);
+    state.root.linearVelocity = {1, 0, 0};
+    physics->setState(box1, state);
+    for (int i = 0; i < 10; ++i) physics->step();
+    const double speed = physics->bodyState(box1, 0).linearVelocity.x();
+    if (std::isfinite(coefficient))
+      EXPECT_NEAR(speed, 1 - 0.3 * 9.81 * 0.2, 0.02);
+    else
+      EXPECT_NEAR(speed, 0, 1e-3);
+  }
 }
 
 TEST_P(Engine, dragSlows) {

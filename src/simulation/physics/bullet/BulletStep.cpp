@@ -106,6 +106,7 @@ void BulletStep::addContactRows(const BulletContacts& contacts, std::size_t inde
 void BulletStep::fillSystem(const PhysicsConfig& config, const BulletContacts& contacts) {
   const double h = config.stepSeconds;
   system.reset(static_cast<Eigen::Index>(directions.size() + hingeRows.size()));
+  frictionLimits.clear();
   for (std::size_t k = 0; k < contactIndices.size(); ++k) {
     const ContactGeometry& contact = contacts.geometry()[contactIndices[k]];
     const ContactSurface& surface = contact.surface;
@@ -115,8 +116,10 @@ void BulletStep::fillSystem(const PhysicsConfig& config, const BulletContacts& c
     if (surface.bounce > 0 && -outgoing[k] > surface.bounceVelocity)
       system.b[normal] = std::max(system.b[normal], -surface.bounce * outgoing[k]);
     system.lower[normal] = 0;
-    for (const Eigen::Index friction : {normal + 1, normal + 2})
+    for (const Eigen::Index friction : {normal + 1, normal + 2}) {
       system.a(friction, friction) = surface.slip / h;
+      if (std::isfinite(surface.friction)) frictionLimits.push_back({friction, normal, surface.friction});
+    }
   }
   auto place = static_cast<Eigen::Index>(directions.size());
   for (HingeRow& hinge : hingeRows) {
@@ -133,7 +136,7 @@ void BulletStep::fillSystem(const PhysicsConfig& config, const BulletContacts& c
 void BulletStep::solve(const PhysicsConfig& config) {
   const double h = config.stepSeconds;
   for (bool done = false; !done;) {
-    system.solve();
+    solveWithFriction(system, frictionLimits);
     done = true;
     for (std::size_t i = 0; i < hingeRows.size(); ++i) {
       HingeRow& hinge = hingeRows[i];

@@ -3,6 +3,7 @@
 
 #include "simulation/physics/bullet/BulletContacts.h"
 #include "simulation/physics/tree/BoundedSystem.h"
+#include "simulation/physics/tree/CoulombFriction.h"
 
 namespace plumbline::simulation::bullet {
 
@@ -37,6 +38,7 @@ private:
   std::vector<Vec3> directions;             ///< three for each of these
   std::vector<double> outgoing;             ///< speed of these contacts before the step
   std::vector<HingeRow> hingeRows;
+  std::vector<FrictionLimit> frictionLimits;
   BoundedSystem system;
 };
 

@@ -1,5 +1,6 @@
 #include "simulation/physics/ode/OdeContacts.h"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace plumbline::simulation::ode {
@@ -14,9 +15,13 @@ Eigen::AlignedBox3d sphereBox(const Vec3& centre, double radius) {
 
 dSurfaceParameters toOde(const ContactSurface& surface) {
   dSurfaceParameters result{};
-  // No dContactApprox1: friction has no Coulomb limit and holds at zero normal force, too.
+  // Without dContactApprox1 friction has no Coulomb limit and holds at zero normal force, too.
   result.mode = dContactSoftERP | dContactSoftCFM | dContactSlip1 | dContactSlip2;
   result.mu = dInfinity;
+  if (std::isfinite(surface.friction)) {
+    result.mode |= dContactApprox1;
+    result.mu = surface.friction;
+  }
   result.soft_erp = surface.softErp;
   result.soft_cfm = surface.softCfm;
   result.slip1 = result.slip2 = surface.slip;

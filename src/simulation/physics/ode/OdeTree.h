@@ -19,6 +19,8 @@ struct OutsideRow {
   double wanted = 0;            ///< relative velocity [m/s, rad/s]
   double compliance = 0;        ///< of velocity by impulse
   double lower = 0, upper = 0;  ///< of the impulse
+  int push = -1;                ///< friction with Coulomb's limit: the row of the push, else -1
+  double friction = 0;          ///< its coefficient
 };
 
 /// One assembly's part in a step: from ODE's bodies and hinges to a tree of equations and back. The equations

@@ -102,6 +102,7 @@ void OdeTreeStep::appendContactRows(const PhysicsConfig& config, const OdeContac
   const dSurfaceParameters& surface = contact.surface;
   const Vec3 normal = toVec3(contact.geom.normal), point = toVec3(contact.geom.pos);
   const auto [t1, t2] = across(normal);
+  const int first = static_cast<int>(rows.size());
   for (const Vec3& direction : {normal, t1, t2}) {
     OutsideRow row;
     row.sides[0].tree = treeOf(pair.assemblyA);
@@ -114,11 +115,16 @@ void OdeTreeStep::appendContactRows(const PhysicsConfig& config, const OdeContac
     row.compliance = surface.slip1 / h;
     row.lower = -infinity;
     row.upper = infinity;
+    if (surface.mode & dContactApprox1) {
+      row.push = first;
+      row.friction = surface.mu;
+    }
     rows.push_back(row);
   }
   OutsideRow& push = rows[rows.size() - 3];
   push.compliance = surface.soft_cfm / h;
   push.lower = 0;
+  push.push = -1;
   push.wanted = surface.soft_erp / h * std::max(0.0, contact.geom.depth - config.surfaceLayer);
   if (surface.mode & dContactBounce) {
     double outgoing = 0;
@@ -158,12 +164,14 @@ void OdeTreeStep::solveRows() {
   distributeRows();
   const auto count = static_cast<Eigen::Index>(rows.size());
   system.reset(count);
+  frictionLimits.clear();
   for (Eigen::Index r = 0; r < count; ++r) {
     const OutsideRow& row = rows[static_cast<std::size_t>(r)];
     system.a(r, r) = row.compliance;
     system.b[r] = row.wanted;
     system.lower[r] = row.lower;
     system.upper[r] = row.upper;
+    if (row.push >= 0) frictionLimits.push_back({r, row.push, row.friction});
   }
   for (Member& member : members) {
     TreeSystem& tree = member.assembly->tree().tree();
@@ -178,7 +186,7 @@ void OdeTreeStep::solveRows() {
       system.b[from.row] -= from.direction.dot(tree.velocity(member.touched[j]));
     }
   }
-  const Eigen::VectorXd& x = system.solve();
+  const Eigen::VectorXd& x = solveWithFriction(system, frictionLimits);
   for (Member& member : members)
     for (const Member::Entry& entry : member.entries)
       member.assembly->tree().tree().push(member.touched[entry.touched], x[entry.row] * entry.direction);

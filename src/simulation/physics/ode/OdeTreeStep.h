@@ -3,6 +3,7 @@
 
 #include "simulation/physics/ode/OdeContacts.h"
 #include "simulation/physics/tree/BoundedSystem.h"
+#include "simulation/physics/tree/CoulombFriction.h"
 
 namespace plumbline::simulation::ode {
 
@@ -44,6 +45,7 @@ private:
   std::vector<std::size_t> contactIndices;  ///< of the island
   std::vector<OutsideRow> rows;
   std::vector<Vec6> answer;
+  std::vector<FrictionLimit> frictionLimits;
   BoundedSystem system;
 };
 
