@@ -38,7 +38,7 @@ bool isLoopback(const std::string& address) {
 struct Given {
   std::string bind = "127.0.0.1", token, rulesFile;
   std::uint64_t seed = 0;
-  bool realTime = false;
+  bool realTime = false, frozenLimbs = true;
   double monitorStep = 0.04, maxSeconds = 0, kickOffAfter = 0, halfTime = 300;
   int waitForAgents = 0, replayType = 0, webPort = -1, fieldPort = 0;
 };
@@ -61,6 +61,7 @@ void complete(Options& options, const Given& given, const CLI::App& app) {
   }
   Rules& rules = server.simulation.rules;
   if (!given.rulesFile.empty()) rules = readRules(given.rulesFile);
+  if (set("--frozen-limbs")) rules.selfCollision.on = given.frozenLimbs;
   if (set("--half-time")) rules.time.half = given.halfTime;
   if (set("--max-seconds")) server.maxSeconds = given.maxSeconds;
   if (set("--kickoff-after")) rules.kickOff.after = given.kickOffAfter;
@@ -75,14 +76,13 @@ void complete(Options& options, const Given& given, const CLI::App& app) {
 }
 
 /// The league's accidents; each name is that of what is switched off.
-void addSwitches(CLI::App& app, SimulationConfig& simulation) {
-  WorldConfig& world = simulation.world;
+void addSwitches(CLI::App& app, WorldConfig& world, bool& frozenLimbs) {
   const auto add = [&app](const std::string& name, bool& on, const std::string& meaning) {
     app.add_flag("--" + name + ",!--no-" + name, on, meaning + " [on]");
   };
   add("bouncing-stops", world.bouncingJointStops, "A joint that runs into its stop comes back as fast");
   add("sleeping-robots", world.sleepingRobots, "What is slow for ten cycles sleeps until commanded");
-  add("frozen-limbs", simulation.rules.selfCollision.on, "A limb that runs into its own robot stands still for a second");
+  add("frozen-limbs", frozenLimbs, "A limb that runs into its own robot stands still for a second");
   add("action-delay", world.actionDelay, "An answer shows a message later than it could");
   add("endless-friction", world.endlessFriction, "Friction without Coulomb's limit; off: coefficient 1");
   add("lasting-commands", world.lastingCommands, "A joint's speed is kept until changed; off: for a cycle");
@@ -122,11 +122,10 @@ Options parseOptions(int argc, char** argv) {
   app.add_option("--kickoff-after", given.kickOffAfter, "Kick off without a trainer after so many seconds")
       ->check(aPatience);
   app.add_option("--rules", given.rulesFile, "Rules that differ from the league's, as in config/rules.yaml");
-  app.add_option("--half-time", given.halfTime, "Length of a half in seconds [300]")
-      ->check(aDuration);
+  app.add_option("--half-time", given.halfTime, "Length of a half in seconds [300]")->check(aDuration);
   app.add_option("--engine", server.simulation.world.engine,
                  "Physics engine: ode, ode-dense or bullet [ode]");
-  addSwitches(app, server.simulation);
+  addSwitches(app, server.simulation.world, given.frozenLimbs);
   app.add_option("--monitor-step", given.monitorStep, "Seconds between two messages to a monitor [0.04]")
       ->check(number("a time of 0.02 to 10 s", [](double v) { return v >= 0.02 && v <= 10; }));
   app.add_flag("--ground-truth", server.simulation.players.groundTruth,
