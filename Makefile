@@ -43,7 +43,7 @@ include $(sort $(targets.makefiles))
 $(foreach t,$(targets),$(if $(shell command -v $($(t).cxx)),,$(error no compiler $($(t).cxx) for $(t): `make packages` installs what scripts/packages.txt lists)))
 endif
 
-.PHONY: default all help packages run web test bench results format format-check tidy check clean
+.PHONY: default all help packages run web test bench fuzz results format format-check tidy check clean
 default: $(defaultTarget)
 all: $(configuredTargets)
 
@@ -81,6 +81,11 @@ bench-%:
 bench-fidelity:
 	@$(MAKE) SimRelease SimRelease-bench-fidelity
 	@scripts/run_bench.sh fidelity > build/bench/fidelity.sum; status=$$?; cat build/bench/fidelity.log; exit $$status
+
+fuzz:
+	@scripts/install_packages.sh scripts/packages.txt scripts/packages-fuzz.txt
+	@$(MAKE) Fuzz
+	@scripts/fuzz.sh $(or $(SECONDS),60) $(TARGETS)
 
 results: bench
 	@scripts/make_results.sh

@@ -42,7 +42,7 @@ expect "all: every configured target" "$(compiled)" ""
 touch src/math/One.cpp
 builds all
 expect "all compiles in each" "$(compiled)" "src/math/One.cpp src/math/One.cpp"
-contains "help lists targets" "$(make help)" "Nao, SimDebug, SimRelease, SimSanitize"
+contains "help lists targets" "$(make help)" "Fuzz, Nao, SimDebug, SimRelease, SimSanitize"
 
 # Warnings are errors in the debug build, but not in generated sources (see generated.sh).
 printf 'int unusedArgument(int a) { return 0; }\n' > src/math/Warn.cpp
@@ -61,7 +61,7 @@ refused() { # what, wanted text, arguments...
   expect "$what: status" $? 2
   expect "$what" "$text" "$wanted"
 }
-refused "unknown target" "configure.sh: no target 'Moon': there is Nao SimDebug SimRelease SimSanitize; write scripts/targets/Moon.settings or give --output NAME" --target Moon
+refused "unknown target" "configure.sh: no target 'Moon': there is Fuzz Nao SimDebug SimRelease SimSanitize; write scripts/targets/Moon.settings or give --output NAME" --target Moon
 missing build/Moon
 refused "unknown option" "configure.sh: unknown option --colour; see --help" --colour red
 refused "no value" "configure.sh: option --cxx needs a value" --target SimRelease --cxx

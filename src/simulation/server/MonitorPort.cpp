@@ -158,6 +158,12 @@ void MonitorPort::send(const std::string& text, Recipients recipients) {
   }
 }
 
+bool MonitorPort::owe() const {
+  return std::any_of(monitors.begin(), monitors.end(), [this](const auto& monitor) {
+    return (monitor->view ? monitor->viewVersion : toldVersion) != simulation.sceneVersion();
+  });
+}
+
 void MonitorPort::dropBroken() {
   const double now = wallClock();
   for (const auto& monitor : monitors)

@@ -43,6 +43,8 @@ public:
   /// Tells new monitors everything, and, if a message is due, the others what changed.
   void tell(bool regular);
   bool due() const { return simulation.cycle() % static_cast<std::uint64_t>(config.interval) == 0; }
+  /// Whether somebody has not been told yet that robots came or left.
+  bool owe() const;
   void dropBroken();
   bool killRequested() const { return killed; }
   /// The last wish for everything from the start since the last call.

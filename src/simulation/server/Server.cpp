@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <stdexcept>
+#include <utility>
 
 namespace plumbline::simulation {
 
@@ -67,7 +68,9 @@ bool Server::collect() {
   // Nothing moves, but trainers may set the scene and are shown it.
   const bool commanded = obeyTrainers();
   agents.dropBroken();
-  monitors.tell(commanded);
+  // What changed since the last message, or now as a robot left, would not be seen before the clock goes on.
+  const bool stopsNow = !std::exchange(stood, true);
+  monitors.tell(commanded || stopsNow || monitors.owe());
   tellField();
   return false;
 }
@@ -80,6 +83,7 @@ bool Server::obeyTrainers() {
 
 void Server::cycle() {
   started = true;
+  stood = false;
   if (obeyTrainers()) agents.dropBroken();  // a trainer may have removed players
   agents.carryOut();
   const bool delay = config.simulation.world.actionDelay;

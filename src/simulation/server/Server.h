@@ -66,6 +66,7 @@ private:
   MonitorPort monitors;
   std::optional<FieldPort> field;
   std::vector<pollfd> descriptors;
+  bool stood = false;  ///< the clock, when it was looked at last
   bool started = false;
   double nextTick = 0;  ///< wall clock
   ServerStatistics statistics_;
