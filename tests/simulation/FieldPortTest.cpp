@@ -35,14 +35,13 @@ TEST(FieldPort, tellsTheStateAndNoMoreThanFiveTimesASecond) {
   int messages = 0, cycles = 0;
   for (; wallClock() < start + 1; ++cycles) {
     agent.play(1);
-    while (viewer.receive(text, 0) == Connection::Status::message) ++messages;
+    for (; viewer.receive(text, 0) == Connection::Status::message; ++messages)
+      ASSERT_EQ(simspark::readFieldMessage(text, state), "") << text;
   }
   const double seconds = wallClock() - start;
   EXPECT_LE(messages, static_cast<int>(seconds / simspark::fieldInterval) + 1)
       << "in " << cycles << " cycles";
   EXPECT_GE(messages, 1);
-  ASSERT_EQ(viewer.receive(text, 10), Connection::Status::message);
-  ASSERT_EQ(simspark::readFieldMessage(text, state), "");
   ASSERT_EQ(state.robots.size(), 1u);
   EXPECT_EQ(state.teamLeft, "Red");
   EXPECT_EQ(state.robots[0].unum, 4);
