@@ -64,7 +64,11 @@ bool Server::collect() {
   listen(idle ? patience : 0);
   agents.dropBroken();
   monitors.dropBroken();
-  if (!clockStands()) return agents.ready();
+  if (!clockStands()) {
+    if (agents.ready()) return true;
+    tellField();  // who comes while an agent is waited for sees at least where everything is
+    return false;
+  }
   // Nothing moves, but trainers may set the scene and are shown it.
   const bool commanded = obeyTrainers();
   agents.dropBroken();
