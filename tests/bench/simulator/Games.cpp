@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "Figures.h"
+#include "simspark/ChildProcess.h"
+#include "simspark/Connection.h"
+#include "simspark/SimulatorProcess.h"
+
+namespace plumbline::bench {
+
+namespace {
+
+using simspark::ChildProcess;
+
+const std::string folder = "build/bench/", statistics = folder + "simulator.account";
+constexpr int types[] = {0, 4, 4, 1, 4, 0, 3, 1, 3, 4, 0};
+
+std::string agentStatistics(int i) { return folder + "simulator.agent" + std::to_string(i) + ".account"; }
+
+struct Account {
+  json simulator;
+  double speed = 0;        ///< of the game clock [x real time]
+  double agentCpu = 0;     ///< mean of the agents [us per cycle]
+  double agentCycles = 0;  ///< of the agent that played the fewest
+  double memory = 0;       ///< [MB]
+};
+
+double wallSeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// How fast the game clock goes from its first second to the simulator's end, as a monitor sees it.
+double clockSpeed(int monitorPort) {
+  simspark::Connection monitor;
+  if (const auto error = monitor.connect("127.0.0.1", monitorPort); !error.empty())
+    throw std::runtime_error(error);
+  monitor.send("(viewer 0.1)");  // so that looking costs little
+  double firstWall = 0, firstGame = 0, game = 0, wall = 0;
+  for (std::string_view text; monitor.receive(text, 60) == simspark::Connection::Status::message;) {
+    const auto at = text.substr(0, 600).find("(time ");
+    if (at == std::string_view::npos) continue;
+    game = std::strtod(std::string(text.substr(at + 6, 12)).c_str(), nullptr);
+    wall = wallSeconds();
+    if (game < 1 || firstWall > 0) continue;
+    firstWall = wall;
+    firstGame = game;
+  }
+  return (game - firstGame) / (wall - firstWall);
+}
+
+/// A game of bin/agent's until the simulator ends by itself.
+Account play(int agentsPerTeam, int teams, std::vector<std::string> options) {
+  for (const char* option : {"--seed", "1", "--kickoff-after", "2", "--die-with-parent", "--stats"})
+    options.emplace_back(option);
+  options.push_back(statistics);
+  simspark::SimulatorProcess simulator("bin/simulator", options, folder + "simulator.ports",
+                                       folder + "simulator.out");
+  std::vector<std::unique_ptr<ChildProcess>> agents;
+  for (int team = 0; team < teams; ++team)
+    for (int i = 0; i < agentsPerTeam; ++i)
+      agents.push_back(std::make_unique<ChildProcess>(
+          std::vector<std::string>{
+              "bin/agent", "--team", team ? "Blue" : "Red", "--number", std::to_string(i + 1), "--type",
+              std::to_string(types[i]), "--port", std::to_string(simulator.ports().agent), "--monitor-port",
+              std::to_string(simulator.ports().monitor), "--crash-log", folder + "simulator.crash.log",
+              "--stats", agentStatistics(static_cast<int>(agents.size()))},
+          folder + "simulator.agents.out"));
+  Account account;
+  account.speed = clockSpeed(simulator.ports().monitor);
+  while (simulator.process().running()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  for (auto& agent : agents) agent->stop(10);
+
+  account.memory = simulator.process().usage().maxResidentMegabytes;
+  std::ifstream file(statistics);
+  account.simulator = json::parse(file);
+  account.agentCycles = account.simulator["cycles"];
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    std::ifstream own(agentStatistics(static_cast<int>(i)));
+    const json agent = json::parse(own);
+    account.agentCpu += agent["cpu_us_per_cycle"].get<double>() / static_cast<double>(agents.size());
+    account.agentCycles = std::min(account.agentCycles, agent["cycles"].get<double>());
+  }
+  return account;
+}
+
+}  // namespace
+
+void measureGames(Figures& figures) {
+  // The best of three, as whatever else the machine does slows this one, in which processes take turns.
+  Account one;
+  for (int run = 0; run < 3; ++run)
+    if (const Account next = play(1, 1, {"--sync", "--max-seconds", "60"}); next.speed > one.speed)
+      one = next;
+  figures.add("agent_x_real_time_1", one.speed, "x", "higher", 100,
+              Peer{28, "rcssserver3d 0.7.3 with a UT agent"});
+  const double cpu = one.simulator["cpu_us_per_cycle"].get<double>() + one.agentCpu;
+  figures.add("agent_and_simulator_cpu_us_1", cpu, "us", "lower", 200);
+
+  const Account full = play(11, 2, {"--realtime", "--wait-agents", "22", "--max-seconds", "30"});
+  figures.add("game_x_real_time_22", full.speed, "x", "higher", 0.99);
+  figures.add("game_cycle_cpu_us_22", full.simulator["cpu_us_per_cycle"], "us", "lower", 5000, Peer{14600});
+  figures.add("game_agent_cpu_us", full.agentCpu, "us", "lower");
+  const double cycles = full.simulator["cycles"];
+  figures.add("game_cycles_of_slowest_agent", 100 * full.agentCycles / cycles, "%", "higher");
+  figures.add("game_memory_mb_22", full.memory, "MB", "lower", 150);
+}
+
+}  // namespace plumbline::bench
