@@ -1,10 +1,10 @@
 #include "simulation/physics/bullet/BulletAssembly.h"
 
-#include <Eigen/Eigenvalues>
 #include <limits>
 #include <stdexcept>
 
 #include "simulation/physics/AssemblyCheck.h"
+#include "simulation/physics/bullet/PrincipalAxes.h"
 
 namespace plumbline::simulation::bullet {
 
@@ -16,14 +16,6 @@ constexpr double idleSpeed = 0.01;  // [m/s, rad/s]
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-/// Axes in which the inertia is diagonal; the body's own, if they do.
-Mat3 principalAxesOf(const Mat3& inertia) {
-  if (inertia.isDiagonal(1e-12)) return Mat3::Identity();
-  Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(inertia).eigenvectors();
-  if (axes.determinant() < 0) axes.col(0) *= -1;
-  return axes;
-}
 
 }  // namespace
 

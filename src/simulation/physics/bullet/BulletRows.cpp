@@ -72,6 +72,16 @@ int BulletRows::addJoint(int coordinate, double sign) {
   return row;
 }
 
+int BulletRows::addJointPair(int first, int second, double ratio) {
+  const int row = newRow(-1, 1);
+  jacobians.col(row).setZero();
+  jacobians(first, row) = 1;
+  jacobians(second, row) = -ratio;
+  body.calcAccelerationDeltasMultiDof(jacobians.col(row).data(), responses.col(row).data(), scratchR,
+                                      scratchV);
+  return row;
+}
+
 void BulletRows::addTo(BoundedSystem& system) const {
   const Eigen::Map<const Eigen::VectorXd> velocity(body.getVelocityVector(), size);
   for (int r = 0; r < count; ++r) {

@@ -20,6 +20,8 @@ public:
   int addPoint(int link, const Vec3& origin, const Vec3& point, const Vec3& direction);
   /// A row along one joint coordinate.
   int addJoint(int coordinate, double sign);
+  /// A row along one joint coordinate against another: first - ratio * second.
+  int addJointPair(int first, int second, double ratio);
 
   /// Place of a local row in the system of its island.
   void place(int row, Eigen::Index global) { places[static_cast<std::size_t>(row)] = global; }

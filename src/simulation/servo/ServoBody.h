@@ -1,0 +1,56 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "robot/Mechanism.h"
+#include "simulation/BodyState.h"
+#include "simulation/physics/bullet/BulletRows.h"
+#include "simulation/physics/bullet/BulletTypes.h"
+
+namespace plumbline::simulation {
+
+/// A Mechanism as one btMultiBody of Bullet's: link i of the mechanism is Bullet's link i-1, whose frame is
+/// at the centre of mass in the principal axes; joint i is Bullet's joint i.
+class ServoBody {
+public:
+  ServoBody(const Mechanism& mechanism, bool fixedBase);
+
+  void place(const Pose3& T_world_base, const std::vector<double>& q);
+  double position(int joint) const { return body->getJointPos(joint); }
+  double velocity(int joint) const { return body->getJointVel(joint); }
+  /// Of a link's frame; the velocity is that of the frame's origin, world axes.
+  const BodyState& link(int index) const { return states.at(static_cast<std::size_t>(index)); }
+
+  /// A force at a point for the step to come, world.
+  void addForce(int link, const Vec3& force, const Vec3& point);
+  /// Moves on freely under gravity and forces for h [s]; then rows are gathered.
+  void begin(const Vec3& gravity, double h);
+  bullet::BulletRows& rows() { return rowSet; }
+  int addPointRow(int link, const Vec3& point, const Vec3& direction) {
+    return rowSet.addPoint(link - 1, comState(link).pose.translation(), point, direction);
+  }
+  /// Row along a joint, in the coordinates of rows().
+  int addJointRow(int joint) { return rowSet.addJoint(coordinate(joint), 1); }
+  int addDriveRow(int joint, int driver, double ratio) {
+    return rowSet.addJointPair(coordinate(joint), coordinate(driver), ratio);
+  }
+  /// Takes the rows' impulses and moves on by the new velocities.
+  void finish(const Eigen::VectorXd& impulses, double h);
+
+private:
+  const BodyState& comState(int link) const { return comStates[static_cast<std::size_t>(link)]; }
+  int coordinate(int joint) const { return 6 + body->getLink(joint).m_dofOffset; }
+  void refresh();
+
+  std::vector<double> masses;
+  std::vector<Pose3> T_link_com;  ///< centre of mass and principal axes
+  std::unique_ptr<btMultiBody> body;
+  bullet::BulletRows rowSet;
+  std::vector<BodyState> states, comStates;
+  btAlignedObjectArray<btScalar> scratchR;
+  btAlignedObjectArray<btVector3> scratchV, localVelocities;
+  btAlignedObjectArray<btMatrix3x3> scratchM;
+  btAlignedObjectArray<btQuaternion> scratchQ;
+};
+
+}  // namespace plumbline::simulation
