@@ -70,10 +70,12 @@ test-%:
 	+@scripts/run_tests.sh $*
 
 bench: packages
+	@scripts/install_packages.sh scripts/packages-bench.txt
 	@$(MAKE) SimRelease-bench
 	@scripts/run_bench.sh
 
 bench-%:
+	@scripts/install_packages.sh scripts/packages-bench.txt
 	@$(MAKE) SimRelease $(if $(wildcard tests/bench/$*.cpp tests/bench/$*/*.cpp),SimRelease-bench-$*)
 	@scripts/run_bench.sh $*
 

@@ -5,3 +5,6 @@ libraries="-lode -lBulletDynamics-float64 -lBulletCollision-float64 -lLinearMath
 strictFloat="-ffp-contract=off -fno-math-errno -fno-trapping-math"
 systemIncludeDirs="/usr/include/eigen3 /usr/include/bullet"
 ignoredDirs="src/modules/nao tests/modules/nao"
+# MuJoCo, where it is installed, is in benchmarks only: --as-needed keeps it out of those that do not use it.
+benchLibraries="-lbenchmark_main -lbenchmark -lgtest"
+[[ -f /usr/include/mujoco/mujoco.h ]] && benchLibraries+=" -lmujoco"

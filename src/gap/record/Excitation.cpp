@@ -54,9 +54,12 @@ CommandTable playExcitation(const Excitation& excitation, const Mechanism& robot
     }
     for (const Segment& segment : excitation.segments) {
       if (segment.kind == Segment::Kind::move) continue;
-      for (const auto& [joint, amplitude] : segment.joints) {
+      for (std::size_t k = 0; k < segment.joints.size(); ++k) {
+        const auto [joint, amplitude] = segment.joints[k];
         if (joint != static_cast<int>(j) || amplitude == 0) continue;
-        const Wave wave(segment, joint, robot.joints[j].maxSpeed / std::abs(amplitude));
+        const double most = k < segment.accelerations.size() ? segment.accelerations[k] : 1e9;
+        const Wave wave(segment, joint, robot.joints[j].maxSpeed / std::abs(amplitude),
+                        most / std::abs(amplitude));
         for (std::size_t i = 0; i < cycles; ++i) {
           const double t = table.t[i] - segment.start;
           if (t >= 0 && t < segment.duration) command[i] += amplitude * wave(t);
@@ -97,6 +100,43 @@ std::vector<double> gravityTorques(const Mechanism& robot, const std::vector<dou
     moment[parent] += moment[l];
   }
   return torques;
+}
+
+std::vector<double> feltInertias(const Mechanism& robot, const std::vector<double>& q) {
+  const std::vector<Pose3> poses = linkPoses(robot, q);
+  std::vector<double> result;
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    const Mechanism::Joint& joint = robot.joints[j];
+    const Pose3& at = poses[j + 1];
+    const Vec3 axis = at.linear() * joint.axis;
+    double sum = joint.servo.armature;
+    std::vector<bool> carried(robot.links.size());
+    carried[j + 1] = true;
+    for (std::size_t l = j + 1; l < robot.links.size(); ++l) {
+      const Mechanism::Link& link = robot.links[l];
+      carried[l] = carried[l] || carried[static_cast<std::size_t>(link.parent)];
+      if (!carried[l]) continue;
+      if (joint.type == Mechanism::Joint::Type::prismatic) {
+        sum += link.mass;
+        continue;
+      }
+      const Mat3& R = poses[l].linear();
+      const Vec3 arm = poses[l] * link.com - at.translation();
+      sum += axis.dot(R * link.inertia * R.transpose() * axis) + link.mass * axis.cross(arm).squaredNorm();
+    }
+    result.push_back(sum);
+  }
+  return result;
+}
+
+std::vector<double> reachableAccelerations(const Mechanism& robot, const std::vector<double>& q) {
+  const std::vector<double> inertias = feltInertias(robot, q), gravity = gravityTorques(robot, q);
+  std::vector<double> result;
+  for (std::size_t j = 0; j < inertias.size(); ++j) {
+    const double most = 0.7 * robot.joints[j].maxTorque;
+    result.push_back(std::max(0.1 * most, most - std::abs(gravity[j])) / std::max(1e-9, inertias[j]));
+  }
+  return result;
 }
 
 }  // namespace plumbline::gap

@@ -27,6 +27,7 @@ struct Segment {
   double fromHz = 0.5, toHz = 4;
   int cycles = 1, tones = 12;
   double speed = 0.85;
+  std::vector<double> accelerations;  ///< of fast: most of each of `joints` [rad/s^2]; empty: no limit
   std::uint64_t seed = 1;
 };
 const char* name(Segment::Kind kind);
@@ -53,5 +54,12 @@ constexpr double limitMargin = 0.01;  ///< [rad] or [m], at most a hundredth of 
 
 /// Torque that gravity asks of each joint at positions q, the base level and held [N m].
 std::vector<double> gravityTorques(const Mechanism& robot, const std::vector<double>& q);
+
+/// Inertia that each joint's motor feels at positions q, its own included, the other joints still [kg m^2].
+std::vector<double> feltInertias(const Mechanism& robot, const std::vector<double>& q);
+
+/// Acceleration that each joint reaches at positions q with seven tenths of its torque, gravity against it
+/// [rad/s^2]; at least a tenth of what it would reach without gravity.
+std::vector<double> reachableAccelerations(const Mechanism& robot, const std::vector<double>& q);
 
 }  // namespace plumbline::gap

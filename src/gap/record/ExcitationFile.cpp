@@ -167,28 +167,34 @@ private:
   }
 
   /// How far the wave takes each joint: `amplitude` in rad, or `share` of the way to the nearer limit; never
-  /// faster than nine tenths of what the joint can do.
+  /// faster than the joint can turn, nor with more torque than it has.
   void setJoints(const ConfigSection& entry, Segment& segment,
                  const std::vector<std::pair<int, double>>& wanted) {
     const auto amplitude = entry.find<double>("amplitude", Range{0, 1e3});
     const auto share = entry.find<double>("share", Range{0, 1});
     if (amplitude.has_value() == share.has_value())
       entry.fail("wave", "needs amplitude or share, one of them");
+    const std::vector<double> accelerations = reachableAccelerations(robot, posture);
     const double turn = 2 * M_PI;
     for (const auto& [j, coefficient] : wanted) {
       const Mechanism::Joint& joint = robot.joints[static_cast<std::size_t>(j)];
       const double q = posture[static_cast<std::size_t>(j)];
       double size = amplitude.value_or(0);
       if (share) size = *share * std::max(0.0, std::min({joint.upper - q, q - joint.lower, M_PI}));
-      double fastest = 0;  // of a wave of size 1
-      if (segment.kind == Kind::chirp || segment.kind == Kind::multisine) fastest = turn * segment.toHz;
-      if (segment.kind == Kind::sine) fastest = turn * segment.fromHz;
-      if (segment.kind == Kind::triangle) fastest = 4.4 * segment.cycles / segment.duration;
+      double speed = 0, acceleration = 0;  // of a wave of size 1
+      if (segment.kind == Kind::chirp || segment.kind == Kind::multisine) speed = turn * segment.toHz;
+      if (segment.kind == Kind::sine) speed = turn * segment.fromHz;
+      acceleration = speed * speed;
       // A multisine's tones hardly ever meet.
-      if (segment.kind == Kind::multisine) fastest *= 0.5;
-      if (fastest > 0)
-        size = std::min(size, 0.85 * joint.maxSpeed / fastest / std::max(1e-9, std::abs(coefficient)));
+      if (segment.kind == Kind::multisine) speed *= 0.5, acceleration *= 0.35;
+      if (segment.kind == Kind::triangle) speed = 4.4 * segment.cycles / segment.duration;
+      const double factor = std::max(1e-9, std::abs(coefficient)),
+                   most = accelerations[static_cast<std::size_t>(j)];
+      if (speed > 0) size = std::min(size, 0.85 * joint.maxSpeed / speed / factor);
+      // A standing robot's legs carry more than what hangs on them: there the program is trusted.
+      if (acceleration > 0 && !result.freeBase) size = std::min(size, most / acceleration / factor);
       segment.joints.emplace_back(j, coefficient * size);
+      if (segment.kind == Kind::fast) segment.accelerations.push_back(most);
     }
   }
 

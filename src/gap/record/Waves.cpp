@@ -24,10 +24,10 @@ double smoothStep(double x) {
   return x * x * x * (10 + x * (6 * x - 15));
 }
 
-Wave::Wave(const Segment& segment_, int joint, double maxSpeed)
+Wave::Wave(const Segment& segment_, int joint, double maxSpeed, double maxAcceleration)
     : segment(segment_), seed(segment_.seed * 1'000'003 + static_cast<std::uint64_t>(joint)) {
   if (segment.kind == Segment::Kind::multisine) planMultisine();
-  if (segment.kind == Segment::Kind::fast) planFast(maxSpeed);
+  if (segment.kind == Segment::Kind::fast) planFast(maxSpeed, maxAcceleration);
 }
 
 double Wave::operator()(double t) const {
@@ -75,13 +75,16 @@ void Wave::planMultisine() {
   scale = 1 / most;
 }
 
-void Wave::planFast(double maxSpeed) {
+void Wave::planFast(double maxSpeed, double maxAcceleration) {
   Random random(seed);
   double t = 0.05 * random.uniform(), from = 0;
   double side = random.uniform() < 0.5 ? -1 : 1;
   const double speed = std::max(1e-6, segment.speed * maxSpeed);
-  constexpr double peakOverMean = 1.875;  // of smoothStep
-  const auto timeFor = [&](double way) { return peakOverMean * std::abs(way) / speed; };
+  constexpr double peakSpeed = 1.875, peakAcceleration = 5.7735;  // of smoothStep
+  const auto timeFor = [&](double way) {
+    return std::max(peakSpeed * std::abs(way) / speed,
+                    std::sqrt(peakAcceleration * std::abs(way) / maxAcceleration));
+  };
   for (;;) {
     const double to = side * random.uniform(0.6, 1.0);
     side = -side;

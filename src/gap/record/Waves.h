@@ -11,8 +11,8 @@ double smoothStep(double share);
 /// A segment's wave for one joint: within -1..1, 0 at both ends.
 class Wave {
 public:
-  /// `maxSpeed`: what the joint can do, in amplitudes per second.
-  Wave(const Segment& segment, int joint, double maxSpeed);
+  /// What the joint can do, in amplitudes per second, and per second squared.
+  Wave(const Segment& segment, int joint, double maxSpeed, double maxAcceleration);
   double operator()(double t) const;
 
 private:
@@ -23,7 +23,7 @@ private:
     double start, arrival, end, from, to, step;
   };
   void planMultisine();
-  void planFast(double maxSpeed);
+  void planFast(double maxSpeed, double maxAcceleration);
   double fast(double t) const;
 
   const Segment& segment;

@@ -12,9 +12,6 @@
 #include "optimization/Cmaes.h"
 #include "optimization/Functions.h"
 
-#if __has_include(<pagmo/algorithms/cmaes.hpp>) && defined(PLUMBLINE_WITH_PAGMO)
-#include <pagmo/pagmo.hpp>
-#endif
 
 using namespace plumbline;
 using Eigen::VectorXd;
@@ -93,14 +90,5 @@ int main() {
   add("cmaes.generation96", millisecondsPerGeneration(96), "ms", 3.5, "pagmo cmaes");
   add("cmaes.generation210", millisecondsPerGeneration(210), "ms", 37, "pagmo cmaes");
 
-#if __has_include(<pagmo/algorithms/cmaes.hpp>) && defined(PLUMBLINE_WITH_PAGMO)
-  for (const unsigned n : {96u, 210u}) {
-    pagmo::population population(pagmo::problem(pagmo::rosenbrock(n)), 30, 1);
-    const auto begin = std::chrono::steady_clock::now();
-    pagmo::algorithm(pagmo::cmaes(200)).evolve(population);
-    std::printf("pagmo here, %u dimensions: %.3g ms a generation\n", n,
-                1e3 / 200 * std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-  }
-#endif
   std::ofstream("build/bench/optimization.json") << report.dump(1) << "\n";
 }
