@@ -1,9 +1,9 @@
 #pragma once
-#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "math/Types.h"
+#include "robot/Mechanism.h"
 
 namespace plumbline::gap {
 
@@ -25,7 +25,8 @@ struct Signal {
 struct Trial {
   std::string name;    ///< for people: the run's folder
   std::string motion;  ///< free text; runs of the same text are repeats of each other
-  std::string repeatOf;
+  /// The robot as this run drove it: the nominal one, but for gains that the run knows.
+  std::shared_ptr<const Mechanism> robot;
   bool freeBase = false;
   double heading = 0;        ///< [rad]
   std::vector<double> time;  ///< per cycle [s], strictly rising

@@ -1,0 +1,323 @@
+#include "gap/diagnosis/Diagnosis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "gap/diagnosis/LostCycles.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double present = 0.9;   // worst gap over noise below which nothing is looked for
+constexpr double visible = 0.7;   // least change over noise, in some channel, of a cause that earns its place
+constexpr double leastZ = 3;      // of the gain over blocks
+constexpr double leastGain = 30;  // of the sum of squares
+constexpr double unexplained = 1.3;       // worst gap over noise that may remain
+constexpr double unexplainedShare = 0.2;  // the same, of what was there
+constexpr double correlation = 8;         // samples per independent one
+constexpr double rivalShare = 0.01;       // probability that is worth a word
+
+struct Accepted {
+  std::vector<Candidate> list;  ///< what stood for choice, best first
+};
+
+/// Change that the evaluator's present base made against earlier predictions: the largest, over noise, of any
+/// channel in any run.
+double largestChange(const Evaluator& evaluator, const std::vector<Prediction>& before) {
+  double most = 0;
+  const Evidence& data = evaluator.evidence();
+  for (std::size_t t = 0; t < before.size(); ++t)
+    for (std::size_t s = 0; s < before[t].values.size(); ++s) {
+      const auto &a = before[t].values[s], &b = evaluator.basePrediction(t).values[s];
+      const auto& weights = data.weights(t, s);
+      double sum = 0, n = 0;
+      for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+        if (weights[k] <= 0 || !std::isfinite(a[k]) || !std::isfinite(b[k])) continue;
+        sum += weights[k] * (a[k] - b[k]) * (a[k] - b[k]);
+        ++n;
+      }
+      if (n > 0) most = std::max(most, std::sqrt(sum / n));
+    }
+  return most;
+}
+
+/// Mean gain over the blocks for judging in units of its own uncertainty.
+double gainZ(const Fit& before, const Fit& after) {
+  double sum = 0, squares = 0;
+  for (std::size_t b = 0; b < before.squares.size(); ++b) {
+    if (Evidence::forFitting(b)) continue;
+    const double d = before.squares[b] - after.squares[b];
+    sum += d;
+    squares += d * d;
+  }
+  return squares > 0 ? sum / std::sqrt(squares) : 0;
+}
+
+bool severalChainsOff(const Evaluator& evaluator) {
+  std::set<int> roots;
+  const auto& trials = evaluator.evidence().trials();
+  for (std::size_t t = 0; t < trials.size(); ++t)
+    for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
+      const Signal& signal = trials[t].signals[s];
+      if (trials[t].freeBase || signal.kind != SignalKind::position || !(evaluator.chi(t, s) > 1.5)) continue;
+      const auto chain = evaluator.jointsTouched({nullptr, {Site::joint, signal.joint, ""}, 0, 0});
+      roots.insert(chain.front());
+    }
+  return roots.size() >= 3;
+}
+
+void sortByJudging(std::vector<Candidate>& list) {
+  std::stable_sort(list.begin(), list.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.fit.judging < b.fit.judging; });
+}
+
+class Procedure {
+public:
+  Procedure(Evaluator& fine_, Evaluator& coarse_, const DiagnosisOptions& options_)
+      : fine(fine_), coarse(coarse_), options(options_) {}
+
+  Diagnosis run() {
+    setBase({});
+    nominal = fine.baseFit();
+    const WorstGap worst = worstGap(fine);
+    result.worstBefore = worst.size;
+    result.worstSignal = worst.signal;
+    rememberGap();
+    grow();
+    if (found.size() > 1) reconsider();
+    setBase(found);
+    result.worstAfter = worstGap(fine).size;
+    judge();
+    return result;
+  }
+
+private:
+  void setBase(const Explanation& causes) {
+    fine.setBase(causes);
+    coarse.setBase(causes);
+  }
+
+  std::vector<Candidate> candidates(const std::string& stage) {
+    SearchOptions search_;
+    search_.jobs = options.jobs;
+    search_.progress = [&](double share) {
+      if (options.progress) options.progress(stage, share);
+    };
+    std::vector<Candidate> list = search(fine, coarse, possibleCauses(fine), search_);
+    if (severalChainsOff(fine) &&
+        std::ranges::none_of(fine.base(), [](const Cause& c) { return c.effect->id == "command_dropout"; })) {
+      LostCycles lost = findLostCycles(fine.mechanism(), fine.evidence(), fine.base());
+      if (lost.found > 2) {
+        fine.setLostCycles(lost.cycles);
+        coarse.setLostCycles(lost.cycles);
+        Candidate candidate;
+        candidate.cause = {findEffect("command_dropout"), {Site::everywhere, -1, "*"}, lost.share, 0};
+        candidate.fit = fine.with(candidate.cause);
+        // Each cycle called lost was chosen to fit: it pays for the choice.
+        const double price = 14 * static_cast<double>(lost.found) / 2;
+        candidate.fit.judging += price;
+        list.push_back(std::move(candidate));
+        sortByJudging(list);
+      }
+    }
+    return list;
+  }
+
+  /// Tries the best candidate on top of the base; keeps it if it earns its place.
+  bool accept(const std::vector<Candidate>& list) {
+    if (list.empty()) return false;
+    const Fit before = fine.baseFit();
+    const Explanation old = fine.base();
+    std::vector<Prediction> predictions;
+    for (std::size_t t = 0; t < fine.evidence().trials().size(); ++t)
+      predictions.push_back(fine.basePrediction(t));
+    const WorstGap worst = worstGap(fine);
+    Explanation tried = old;
+    tried.push_back(list.front().cause);
+    setBase(tried);
+    const bool earned =
+        largestChange(fine, predictions) >= visible && before.judging - fine.baseFit().judging >= leastGain &&
+        gainZ(before, fine.baseFit()) >= leastZ && worstGap(fine).size < 0.98 * worst.size + 0.02;
+    if (!earned) setBase(old);
+    return earned;
+  }
+
+  void grow() {
+    while (found.size() < options.maxCauses) {
+      if (worstGap(fine).size <
+          (found.empty() ? present : std::max(present, unexplainedShare / 2 * result.worstBefore)))
+        break;
+      std::vector<Candidate> list = candidates(found.empty() ? "first cause" : "further cause");
+      if (!accept(list)) {
+        if (found.empty()) choices.push_back({list});
+        break;
+      }
+      found = fine.base();
+      choices.push_back({std::move(list)});
+      if (found.size() > 1) {
+        found = fitTogether(fine, found, 64, options.jobs);
+        setBase(found);
+      }
+    }
+  }
+
+  /// Each cause once more with the others in place: another may do better now, or it may not be needed.
+  void reconsider() {
+    for (std::size_t i = 0; i < found.size();) {
+      Explanation others = found;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      setBase(found);
+      const double whole = fine.baseFit().judging;
+      setBase(others);
+      if (fine.baseFit().judging - whole < leastGain) {
+        found = others;
+        choices.erase(choices.begin() + static_cast<std::ptrdiff_t>(i));
+        continue;
+      }
+      std::vector<Candidate> list = candidates("each cause again");
+      if (!list.empty() && list.front().fit.judging < whole - leastGain && accept(list)) {
+        // The new one goes to the old one's place, so that choices and causes keep their order.
+        const Cause cause = fine.base().back();
+        found[i] = cause;
+      }
+      choices[i].list = std::move(list);
+      ++i;
+    }
+    if (found.size() > 1) {
+      setBase(found);
+      found = fitTogether(fine, found, 48, options.jobs);
+    }
+  }
+
+  /// Signals that show something under the nominal model: the gap is measured on them.
+  void rememberGap() {
+    const auto& trials = fine.evidence().trials();
+    double least = 0.35;
+    for (int round = 0; round < 2; ++round, least = -INFINITY) {
+      counted.assign(trials.size(), {});
+      bool any = false;
+      for (std::size_t t = 0; t < trials.size(); ++t)
+        for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
+          const double chi = fine.chi(t, s);
+          counted[t].push_back(Evidence::counts(trials[t].signals[s]) && std::isfinite(chi) &&
+                               chi - 1 > least);
+          any = any || counted[t].back();
+        }
+      if (any) break;
+    }
+    result.gap.before = gapUnder();
+  }
+
+  double gapUnder() const {
+    const Evidence& data = fine.evidence();
+    double sum = 0, n = 0;
+    for (std::size_t t = 0; t < data.trials().size(); ++t) {
+      const Trial& trial = data.trials()[t];
+      for (std::size_t s = 0; s < trial.signals.size(); ++s) {
+        const auto& predicted = fine.basePrediction(t).values[s];
+        if (!counted[t][s] || predicted.empty()) continue;
+        const auto& weights = data.weights(t, s);
+        for (std::size_t k = 0; k < trial.cycles(); ++k) {
+          if (weights[k] <= 0 || !std::isfinite(predicted[k]) || Evidence::forFitting(data.block(t, k)))
+            continue;
+          const double r = trial.signals[s].values[k] - predicted[k];
+          sum += weights[k] * r * r;
+          ++n;
+        }
+      }
+    }
+    return n > 0 ? std::sqrt(sum / n) : 0;
+  }
+
+  void judge() {
+    result.gap.after = gapUnder();
+    const double remains = result.worstAfter, was = result.worstBefore;
+    const double allowed = std::max(unexplained, unexplainedShare * was);
+    result.knownProbability = 1 / (1 + std::exp(6 * (remains / allowed - 1)));
+    if (found.empty()) {
+      result.verdict = was < unexplained ? Verdict::none : Verdict::unknown;
+    } else {
+      result.verdict = remains > allowed ? Verdict::unknown : Verdict::effect;
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) result.findings.push_back(findingOf(i));
+    std::stable_sort(result.findings.begin(), result.findings.end(),
+                     [](const Finding& a, const Finding& b) { return a.closedLast > b.closedLast; });
+    setBase(found);
+  }
+
+  Finding findingOf(std::size_t i) {
+    Finding finding;
+    finding.cause = found[i];
+    Explanation others = found;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    fine.setBase(others);
+    const double without = gapUnder();
+    const Fit fit = fine.with(finding.cause);
+    // Curvature of the sum of squares in the share of the cause that is there.
+    const double spread = fit.change > 0 ? 1.96 * std::sqrt(correlation / fit.change) : 1;
+    const double nominal_ = finding.cause.effect->nominal, distance = finding.cause.value - nominal_;
+    finding.lower = nominal_ + distance * (1 - spread);
+    finding.upper = nominal_ + distance * (1 + spread);
+    if (finding.lower > finding.upper) std::swap(finding.lower, finding.upper);
+    fine.setBase({finding.cause});
+    const double alone = gapUnder();
+    const double whole = std::max(1e-9, result.gap.before - result.gap.floor);
+    finding.closedAlone = std::clamp((result.gap.before - alone) / whole, 0.0, 1.0);
+    finding.closedLast = std::clamp((without - result.gap.after) / whole, 0.0, 1.0);
+
+    // Weight of each that stood for choice, by how much worse it predicts what it was not fitted to.
+    const auto& list = choices[i].list;
+    double best = INFINITY, sum = 0;
+    for (const Candidate& c : list) best = std::min(best, c.fit.judging);
+    const auto weightOf = [&](const Candidate& c) {
+      return std::exp(-(c.fit.judging - best) / (2 * correlation));
+    };
+    for (const Candidate& c : list) sum += weightOf(c);
+    for (const Candidate& c : list) {
+      const double probability = result.knownProbability * weightOf(c) / std::max(sum, 1e-300);
+      if (c.cause.sameKind(finding.cause)) {
+        finding.probability = probability;
+      } else if (probability > rivalShare) {
+        finding.rivals.push_back({c.cause, probability});
+      }
+    }
+    return finding;
+  }
+
+  Evaluator &fine, &coarse;
+  const DiagnosisOptions& options;
+  Diagnosis result;
+  Fit nominal;
+  Explanation found;
+  std::vector<Accepted> choices;
+  std::vector<std::vector<bool>> counted;
+};
+
+}  // namespace
+
+Explanation Diagnosis::explanation() const {
+  Explanation causes;
+  for (const Finding& finding : findings) causes.push_back(finding.cause);
+  return causes;
+}
+
+WorstGap worstGap(const Evaluator& evaluator) {
+  WorstGap worst;
+  const auto& trials = evaluator.evidence().trials();
+  for (std::size_t t = 0; t < trials.size(); ++t)
+    for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
+      const double chi = evaluator.chi(t, s);
+      if (!Evidence::counts(trials[t].signals[s]) || !std::isfinite(chi)) continue;
+      const double size = std::sqrt(std::max(0.0, chi - 1));
+      if (size > worst.size) worst = {size, trials[t].signals[s].name};
+    }
+  return worst;
+}
+
+Diagnosis diagnose(Evaluator& fine, Evaluator& coarse, const DiagnosisOptions& options) {
+  return Procedure(fine, coarse, options).run();
+}
+
+}  // namespace plumbline::gap

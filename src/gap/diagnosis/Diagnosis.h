@@ -1,0 +1,62 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gap/diagnosis/Search.h"
+
+namespace plumbline::gap {
+
+enum class Verdict { none, effect, unknown };
+
+/// Another cause that would explain nearly as well.
+struct Rival {
+  Cause cause;
+  double probability = 0;
+};
+
+/// A cause found, with how sure that is.
+struct Finding {
+  Cause cause;
+  double lower = 0, upper = 0;  ///< interval of the value, 95 %
+  double probability = 0;
+  double closedAlone = 0, closedLast = 0;  ///< share of the gap: with this one only; by adding it last
+  std::vector<Rival> rivals;
+};
+
+/// Root mean squares on blocks that took no part in the fit, in units of each signal's own noise.
+struct GapSize {
+  double before = 0, after = 0, floor = 1;
+  double closed() const { return before > floor ? (before - after) / (before - floor) : 1; }
+};
+
+struct DiagnosisOptions {
+  int jobs = 1;
+  std::size_t maxCauses = 3;
+  std::function<void(const std::string& stage, double share)> progress = {};
+};
+
+/// What is missing from the nominal model.
+struct Diagnosis {
+  Verdict verdict = Verdict::none;
+  std::vector<Finding> findings;
+  GapSize gap;
+  double worstBefore = 0,
+         worstAfter = 0;    ///< gap beyond noise, in units of noise, in the channel and run that show most
+  std::string worstSignal;  ///< of the nominal model
+  double knownProbability = 1;  ///< that the library's effects account for the data
+  Explanation explanation() const;
+};
+
+/// Adds causes one at a time while each earns its place on data that it was not fitted to, then looks at each
+/// again with the others in place. Judges none, effect or unknown.
+Diagnosis diagnose(Evaluator& fine, Evaluator& coarse, const DiagnosisOptions& options);
+
+/// The gap beyond noise in units of noise, of the worst channel in any run: name and size.
+struct WorstGap {
+  double size = 0;
+  std::string signal;
+};
+WorstGap worstGap(const Evaluator& evaluator);
+
+}  // namespace plumbline::gap

@@ -1,0 +1,160 @@
+#include "gap/diagnosis/Evaluator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gap/diagnosis/SensorChange.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+bool losesCommands(const Explanation& causes) {
+  return std::ranges::any_of(causes,
+                             [](const Cause& cause) { return cause.effect->id == "command_dropout"; });
+}
+
+}  // namespace
+
+Evaluator::Evaluator(const Mechanism& mechanism, const Evidence& evidence, const ReplayOptions& accuracy_)
+    : robot(mechanism), data(evidence), accuracy(accuracy_) {
+  for (const Trial& trial : data.trials()) (trial.freeBase ? standingRuns : heldRuns) = true;
+  lost.resize(data.trials().size());
+  setBase({});
+}
+
+std::vector<Prediction> Evaluator::predict(const Explanation& explanation) const {
+  std::vector<Prediction> result;
+  for (std::size_t t = 0; t < data.trials().size(); ++t) {
+    ReplayOptions options = accuracy;
+    if (losesCommands(explanation) && !lost[t].empty()) options.lostCycles = &lost[t];
+    result.push_back(replay(plantOf(*data.trials()[t].robot, explanation), data.trials()[t], options));
+  }
+  return result;
+}
+
+void Evaluator::setBase(const Explanation& explanation) {
+  causes = explanation;
+  basePlants.clear();
+  for (const Trial& trial : data.trials()) basePlants.push_back(plantOf(*trial.robot, causes));
+  predictions = predict(causes);
+  chis.clear();
+  baseSquares = {};
+  baseSquares.squares.assign(data.numBlocks(), 0);
+  for (std::size_t t = 0; t < predictions.size(); ++t) {
+    const Trial& trial = data.trials()[t];
+    auto& perSignal = chis.emplace_back(trial.signals.size(), std::nan(""));
+    for (std::size_t s = 0; s < trial.signals.size(); ++s) {
+      const auto& predicted = predictions[t].values[s];
+      if (predicted.empty()) continue;
+      const auto& weights = data.weights(t, s);
+      double sum = 0, n = 0;
+      for (std::size_t k = 0; k < trial.cycles(); ++k) {
+        if (weights[k] <= 0 || !std::isfinite(predicted[k])) continue;
+        const double r = trial.signals[s].values[k] - predicted[k];
+        baseSquares.squares[data.block(t, k)] += weights[k] * r * r;
+        sum += weights[k] * r * r;
+        ++n;
+      }
+      if (n > 0) perSignal[s] = sum / n;
+    }
+  }
+  for (std::size_t b = 0; b < data.numBlocks(); ++b)
+    (Evidence::forFitting(b) ? baseSquares.fitting : baseSquares.judging) += baseSquares.squares[b];
+}
+
+std::vector<int> Evaluator::jointsTouched(const Cause& cause) const {
+  const Place& place = cause.place;
+  std::vector<int> all(robot.joints.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+  if (place.site == Site::everywhere) return all;
+  if (place.site == Site::imu || place.site == Site::foot || place.site == Site::ground) return {};
+  const auto rootOf = [&](int joint) {
+    const std::vector<int> chain = robot.chain(robot.joints[static_cast<std::size_t>(joint)].child);
+    return chain.empty() ? joint : chain.front();
+  };
+  std::vector<int> roots;
+  if (place.site == Site::joint) {
+    const auto motorOf = [&](int joint) {
+      const int driver = robot.joints[static_cast<std::size_t>(joint)].driver;
+      return driver < 0 ? joint : driver;
+    };
+    for (const int joint : all)
+      if (motorOf(joint) == motorOf(place.index)) roots.push_back(rootOf(joint));
+  } else {
+    const std::vector<int> chain = robot.chain(place.index);
+    if (chain.empty()) return {};
+    roots.push_back(chain.front());
+  }
+  std::vector<int> touched;
+  for (const int joint : all)
+    if (std::ranges::find(roots, rootOf(joint)) != roots.end()) touched.push_back(joint);
+  return touched;
+}
+
+Prediction Evaluator::changed(std::size_t t, const Cause& cause) const {
+  const Trial& trial = data.trials()[t];
+  Plant plant = basePlants[t];
+  cause.effect->apply(plant, cause.place, cause.value, cause.variant);
+  if (cause.place.site == Site::imu || cause.place.site == Site::foot) {
+    return sensorChange(basePlants[t], plant, trial, predictions[t]);
+  }
+  ReplayOptions options = accuracy;
+  if (!trial.freeBase) {
+    options.joints = jointsTouched(cause);
+    if (options.joints.empty()) return {};
+  }
+  if ((cause.effect->id == "command_dropout" || losesCommands(causes)) && !lost[t].empty()) {
+    options.lostCycles = &lost[t];
+  }
+  return replay(plant, trial, options);
+}
+
+Fit Evaluator::compare(const std::vector<Prediction>& candidates, const std::vector<bool>& replayed) const {
+  Fit fit;
+  fit.squares = baseSquares.squares;
+  for (std::size_t t = 0; t < candidates.size(); ++t) {
+    if (!replayed[t] || candidates[t].values.empty()) continue;
+    const Trial& trial = data.trials()[t];
+    for (std::size_t s = 0; s < trial.signals.size(); ++s) {
+      const auto& predicted = candidates[t].values[s];
+      const auto& before = predictions[t].values[s];
+      if (predicted.empty() || before.empty()) continue;
+      const auto& weights = data.weights(t, s);
+      for (std::size_t k = 0; k < trial.cycles(); ++k) {
+        if (weights[k] <= 0 || !std::isfinite(before[k])) continue;
+        const double r = trial.signals[s].values[k] - before[k];
+        // A replay that ran away counts as far off, not as lost.
+        const double d = std::isfinite(predicted[k]) ? predicted[k] - before[k] : 1e3;
+        const std::size_t b = data.block(t, k);
+        fit.squares[b] += weights[k] * (d * d - 2 * r * d);
+        if (Evidence::forFitting(b)) {
+          fit.product += weights[k] * r * d;
+          fit.change += weights[k] * d * d;
+        }
+      }
+    }
+  }
+  for (std::size_t b = 0; b < fit.squares.size(); ++b)
+    (Evidence::forFitting(b) ? fit.fitting : fit.judging) += fit.squares[b];
+  return fit;
+}
+
+double Evaluator::chi(std::size_t trial, std::size_t signal) const { return chis[trial][signal]; }
+
+Fit Evaluator::with(const Cause& cause, const TrialMask& mask) const {
+  std::vector<Prediction> candidates(data.trials().size());
+  std::vector<bool> replayed(data.trials().size(), false);
+  for (std::size_t t = 0; t < candidates.size(); ++t) {
+    if (!mask.empty() && !mask[t]) continue;
+    candidates[t] = changed(t, cause);
+    replayed[t] = true;
+  }
+  return compare(candidates, replayed);
+}
+
+Fit Evaluator::of(const Explanation& explanation) const {
+  return compare(predict(explanation), std::vector<bool>(data.trials().size(), true));
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,70 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "gap/diagnosis/Evidence.h"
+#include "gap/diagnosis/Explanation.h"
+
+namespace plumbline::gap {
+
+/// How well an explanation fits, per block, against the base explanation: only what an added cause can change
+/// is replayed, the rest is the base's.
+struct Fit {
+  std::vector<double> squares;      ///< per block: weighted squares of the residuals
+  double fitting = 0, judging = 0;  ///< sums over blocks for fitting and for judging
+  double product = 0, change = 0;   ///< over blocks for fitting: r * d and d * d, d = change against the base
+  /// Share of the change that fits best (1: as it is); what the squares would then be.
+  double bestShare() const { return change > 0 ? product / change : 0; }
+};
+
+/// Which trials are replayed, one flag each; empty: all.
+using TrialMask = std::vector<std::uint8_t>;
+
+class Evaluator {
+public:
+  /// accuracy: the steps of all replays; coarse ones do for a first look.
+  Evaluator(const Mechanism& mechanism, const Evidence& evidence, const ReplayOptions& accuracy = {});
+
+  /// Sets the explanation that candidates are added to, and replays it whole.
+  void setBase(const Explanation& causes);
+  const Explanation& base() const { return causes; }
+  const Fit& baseFit() const { return baseSquares; }
+  const Prediction& basePrediction(std::size_t trial) const { return predictions[trial]; }
+
+  /// Fit of base plus one cause; trials that are not replayed keep the base's squares. Thread-safe.
+  Fit with(const Cause& cause, const TrialMask& mask = {}) const;
+  /// Fit of an explanation from scratch. Thread-safe.
+  Fit of(const Explanation& causes) const;
+  std::vector<Prediction> predict(const Explanation& causes) const;
+
+  /// Lost cycles found under the present base, used wherever dropout is a cause: one vector per trial.
+  void setLostCycles(std::vector<std::vector<std::uint8_t>> cycles) { lost = std::move(cycles); }
+  const std::vector<std::vector<std::uint8_t>>& lostCycles() const { return lost; }
+
+  /// Joints that feel a cause where the base is held: its chain, all, or none.
+  std::vector<int> jointsTouched(const Cause& cause) const;
+  bool hasStanding() const { return standingRuns; }
+  bool hasHeld() const { return heldRuns; }
+  /// Mean weighted square of the residuals of a signal in a trial under the base; 1 where only noise is left,
+  /// NaN where nothing was compared.
+  double chi(std::size_t trial, std::size_t signal) const;
+  const Mechanism& mechanism() const { return robot; }
+  const Evidence& evidence() const { return data; }
+
+private:
+  Prediction changed(std::size_t trial, const Cause& cause) const;
+  Fit compare(const std::vector<Prediction>& candidates, const std::vector<bool>& replayed) const;
+
+  const Mechanism& robot;
+  const Evidence& data;
+  ReplayOptions accuracy;
+  Explanation causes;
+  std::vector<Plant> basePlants;  ///< per trial
+  std::vector<Prediction> predictions;
+  std::vector<std::vector<double>> chis;
+  Fit baseSquares;
+  std::vector<std::vector<std::uint8_t>> lost;
+  bool standingRuns = false, heldRuns = false;
+};
+
+}  // namespace plumbline::gap

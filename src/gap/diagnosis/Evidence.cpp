@@ -1,0 +1,76 @@
+#include "gap/diagnosis/Evidence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double blockSeconds = 0.5;
+constexpr double startSeconds = 0.3;  // of a run: what came before it still rings
+constexpr double timing = 1e-4;       // [s] commands and readings jitter at least so much
+// Two engines' contacts differ by this much where nothing is wrong (measured on runs without any effect).
+constexpr double freePosition = 4e-4, freeGyro = 0.008, freeAcceleration = 0.06, freeForce = 0.5;
+
+double engineSpread(const Trial& trial, const Signal& signal) {
+  if (!trial.freeBase) return 0;
+  switch (signal.kind) {
+    case SignalKind::position:
+      return freePosition;
+    case SignalKind::gyro:
+      return freeGyro;
+    case SignalKind::accelerometer:
+      return freeAcceleration;
+    case SignalKind::force:
+      return freeForce;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace
+
+bool Evidence::counts(const Signal& signal) {
+  switch (signal.kind) {
+    case SignalKind::position:
+    case SignalKind::gyro:
+    case SignalKind::accelerometer:
+    case SignalKind::force:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Evidence::Evidence(std::vector<Trial> trials) : runs(std::move(trials)), noises(estimateNoise(runs)) {
+  for (std::size_t t = 0; t < runs.size(); ++t) {
+    const Trial& trial = runs[t];
+    auto& of = blockOf.emplace_back();
+    firstBlock.push_back(blocks);
+    std::size_t last = 0;
+    for (const double time : trial.time) {
+      last = static_cast<std::size_t>((time - trial.time[0]) / blockSeconds);
+      of.push_back(last);
+    }
+    blocks += last + 1 + (last % 2 == 0);  // each run begins with a block for fitting
+    auto& perSignal = weight.emplace_back();
+    for (std::size_t s = 0; s < trial.signals.size(); ++s) {
+      const Signal& signal = trial.signals[s];
+      auto& w = perSignal.emplace_back(trial.cycles(), 0.0);
+      if (!counts(signal)) continue;
+      const double sigma = noises[t][s].sigma, spread = engineSpread(trial, signal);
+      for (std::size_t k = 0; k < trial.cycles(); ++k) {
+        if (!std::isfinite(signal.values[k]) || trial.time[k] - trial.time[0] < startSeconds) continue;
+        double rate = 0;
+        if (signal.kind == SignalKind::position && k > 0 && k + 1 < trial.cycles()) {
+          rate = (signal.values[k + 1] - signal.values[k - 1]) / (trial.time[k + 1] - trial.time[k - 1]);
+          if (!std::isfinite(rate)) rate = 0;
+        }
+        w[k] = 1 / (sigma * sigma + spread * spread + timing * timing * rate * rate);
+      }
+    }
+  }
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "gap/diagnosis/Noise.h"
+#include "gap/replay/Replay.h"
+#include "gap/replay/Trial.h"
+
+namespace plumbline::gap {
+
+/// Runs with the weight that each sample has in the judgement, cut into blocks of about half a second. Every
+/// other block is for fitting, the rest for judging.
+class Evidence {
+public:
+  explicit Evidence(std::vector<Trial> trials);
+
+  const std::vector<Trial>& trials() const { return runs; }
+  /// 1 / variance per sample; 0 where a sample does not count (lost, start of a run, not predicted).
+  const std::vector<double>& weights(std::size_t trial, std::size_t signal) const {
+    return weight[trial][signal];
+  }
+  const SignalNoise& noise(std::size_t trial, std::size_t signal) const { return noises[trial][signal]; }
+
+  std::size_t numBlocks() const { return blocks; }
+  std::size_t block(std::size_t trial, std::size_t cycle) const {
+    return firstBlock[trial] + blockOf[trial][cycle];
+  }
+  static bool forFitting(std::size_t block) { return block % 2 == 0; }
+  /// Whether a channel of this kind takes part: positions, inertial sensors, force sensors.
+  static bool counts(const Signal& signal);
+
+private:
+  std::vector<Trial> runs;
+  std::vector<std::vector<SignalNoise>> noises;
+  std::vector<std::vector<std::vector<double>>> weight;
+  std::vector<std::vector<std::size_t>> blockOf;
+  std::vector<std::size_t> firstBlock;
+  std::size_t blocks = 0;
+};
+
+/// Sums of weighted squares of measured minus predicted, per block: and how many samples are in them.
+struct BlockSums {
+  std::vector<double> squares, products, changes;  ///< r^2; r * d; d^2 with d what a candidate changes
+  void resize(std::size_t blocks) {
+    squares.assign(blocks, 0);
+    products.assign(blocks, 0);
+    changes.assign(blocks, 0);
+  }
+};
+
+}  // namespace plumbline::gap

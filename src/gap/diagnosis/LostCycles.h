@@ -1,0 +1,20 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "gap/diagnosis/Evidence.h"
+#include "gap/diagnosis/Explanation.h"
+
+namespace plumbline::gap {
+
+/// Which cycles' commands never came, found from the data of runs with a held base: a cycle counts as lost
+/// where the readings after it fit better so, by more than chance would give. share: of the cycles in which a
+/// loss would have shown.
+struct LostCycles {
+  std::vector<std::vector<std::uint8_t>> cycles;  ///< per trial; empty where not looked at
+  double share = 0;
+  std::size_t found = 0, visible = 0;
+};
+LostCycles findLostCycles(const Mechanism& mechanism, const Evidence& evidence, const Explanation& causes);
+
+}  // namespace plumbline::gap

@@ -1,0 +1,126 @@
+#include "gap/diagnosis/Noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <numbers>
+#include <string>
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double sameHeading = 0.01;  // [rad]
+constexpr double sameCommand = 1e-3;  // [rad], root mean square
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+double differenceOf(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+    const double d = a[k] - b[k];
+    if (!std::isfinite(d)) continue;
+    sum += d * d;
+    ++n;
+  }
+  return n ? std::sqrt(sum / static_cast<double>(n)) : 0;
+}
+
+bool sameTimes(const Trial& a, const Trial& b) {
+  const std::size_t n = std::min(a.cycles(), b.cycles());
+  if (n * 10 < std::max(a.cycles(), b.cycles()) * 9) return false;
+  for (std::size_t k = 0; k < n; ++k)
+    if (std::abs((a.time[k] - a.time[0]) - (b.time[k] - b.time[0])) > 2e-3) return false;
+  return true;
+}
+
+}  // namespace
+
+bool isRepeat(const Trial& a, const Trial& b) {
+  if (a.freeBase != b.freeBase ||
+      std::abs(std::remainder(a.heading - b.heading, 2 * std::numbers::pi)) > sameHeading)
+    return false;
+  if (!sameTimes(a, b)) return false;
+  for (std::size_t j = 0; j < a.command.size(); ++j)
+    if (differenceOf(a.command[j], b.command[j]) > sameCommand) return false;
+  return true;
+}
+
+double quantum(const std::vector<double>& values) {
+  constexpr std::size_t reach = 5;
+  for (int bits = 8; bits <= 16; ++bits) {
+    const double step = 2 * std::numbers::pi / std::exp2(bits);
+    // Only readings on the move count: those of a joint that holds still agree with any grid.
+    std::complex<double> sum = 0;
+    std::size_t n = 0;
+    for (std::size_t k = reach; k + reach < values.size(); ++k) {
+      const double travel = std::abs(values[k + reach] - values[k - reach]);
+      if (!std::isfinite(travel) || !std::isfinite(values[k]) || travel < 2 * step) continue;
+      sum += std::polar(1.0, 2 * std::numbers::pi * values[k] / step);
+      ++n;
+    }
+    if (n >= 100 && std::abs(sum) / static_cast<double>(n) > 0.25) return step;
+  }
+  return 0;
+}
+
+double fastNoise(const std::vector<double>& values) {
+  std::vector<double> sizes;
+  for (std::size_t k = 2; k < values.size(); ++k) {
+    const double e = values[k] - 2 * values[k - 1] + values[k - 2];
+    if (std::isfinite(e)) sizes.push_back(std::abs(e));
+  }
+  return sizes.size() < 10 ? 0 : 1.4826 * median(std::move(sizes)) / std::sqrt(6.0);
+}
+
+std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& trials) {
+  // A channel has one noise for all runs of the same kind of base.
+  struct Channel {
+    std::vector<double> repeats, fast, steps;
+  };
+  std::map<std::pair<std::string, bool>, Channel> channels;
+  for (const Trial& trial : trials)
+    for (const Signal& signal : trial.signals) {
+      Channel& channel = channels[{signal.name, trial.freeBase}];
+      channel.fast.push_back(fastNoise(signal.values));
+      if (signal.kind == SignalKind::position) channel.steps.push_back(quantum(signal.values));
+    }
+  for (std::size_t a = 0; a < trials.size(); ++a)
+    for (std::size_t b = a + 1; b < trials.size(); ++b) {
+      if (!isRepeat(trials[a], trials[b])) continue;
+      for (const Signal& first : trials[a].signals)
+        for (const Signal& second : trials[b].signals)
+          if (first.name == second.name) {
+            channels[{first.name, trials[a].freeBase}].repeats.push_back(
+                differenceOf(first.values, second.values) / std::numbers::sqrt2);
+          }
+    }
+  std::vector<std::vector<SignalNoise>> result;
+  for (const Trial& trial : trials) {
+    auto& noises = result.emplace_back();
+    for (const Signal& signal : trial.signals) {
+      const Channel& channel = channels[{signal.name, trial.freeBase}];
+      SignalNoise noise;
+      noise.repeated = !channel.repeats.empty();
+      const double step = channel.steps.empty() ? 0 : *std::ranges::max_element(channel.steps);
+      const double own = noise.repeated ? median(channel.repeats) : median(channel.fast);
+      // Repeats of a still joint fall on the same count: half a count is unknown even so.
+      noise.sigma = std::sqrt(own * own + step * step / 12);
+      double scale = 0;
+      for (const double value : signal.values)
+        if (std::isfinite(value)) scale = std::max(scale, std::abs(value));
+      noise.sigma = std::max({noise.sigma, 1e-7 * scale, 1e-9});
+      noises.push_back(noise);
+    }
+  }
+  return result;
+}
+
+}  // namespace plumbline::gap
