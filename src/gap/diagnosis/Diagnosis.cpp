@@ -68,9 +68,19 @@ bool severalChainsOff(const Evaluator& evaluator) {
   return roots.size() >= 3;
 }
 
-void sortByJudging(std::vector<Candidate>& list) {
+/// Every effect is as likely as any other before the data; one whose value can lie on either side of nominal
+/// has half of that for each side.
+double prior(const Cause& cause) {
+  return cause.effect->lower < cause.effect->nominal && cause.effect->nominal < cause.effect->upper ? 0.5 : 1;
+}
+
+/// Most probable first.
+void sortByProbability(std::vector<Candidate>& list) {
+  const auto cost = [](const Candidate& c) {
+    return c.fit.judging - 2 * correlation * std::log(prior(c.cause));
+  };
   std::stable_sort(list.begin(), list.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.fit.judging < b.fit.judging; });
+                   [&](const Candidate& a, const Candidate& b) { return cost(a) < cost(b); });
 }
 
 class Procedure {
@@ -119,9 +129,9 @@ private:
         const double price = 14 * static_cast<double>(lost.found) / 2;
         candidate.fit.judging += price;
         list.push_back(std::move(candidate));
-        sortByJudging(list);
       }
     }
+    sortByProbability(list);
     return list;
   }
 

@@ -11,7 +11,7 @@ constexpr double blockSeconds = 0.5;
 constexpr double startSeconds = 0.3;  // of a run: what came before it still rings
 constexpr double timing = 1e-4;       // [s] commands and readings jitter at least so much
 // Two engines' contacts differ by this much where nothing is wrong (measured on runs without any effect).
-constexpr double freePosition = 4e-4, freeGyro = 0.008, freeAcceleration = 0.06, freeForce = 0.5;
+constexpr double freePosition = 4e-4, freeGyro = 0.01, freeAcceleration = 0.06, freeForce = 1.2;
 
 double engineSpread(const Trial& trial, const Signal& signal) {
   if (!trial.freeBase) return 0;

@@ -1,0 +1,145 @@
+#include "gap/replay/TrialOf.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace plumbline::gap {
+
+namespace {
+
+const std::array<std::string_view, 7> poseAxes{"x", "y", "z", "qw", "qx", "qy", "qz"};
+
+std::optional<SignalKind> kindOf(ChannelKind kind) {
+  switch (kind) {
+    case ChannelKind::position:
+      return SignalKind::position;
+    case ChannelKind::velocity:
+      return SignalKind::velocity;
+    case ChannelKind::torque:
+      return SignalKind::torque;
+    case ChannelKind::current:
+      return SignalKind::current;
+    case ChannelKind::duty:
+      return SignalKind::duty;
+    case ChannelKind::gyro:
+      return SignalKind::gyro;
+    case ChannelKind::acceleration:
+      return SignalKind::accelerometer;
+    case ChannelKind::force:
+      return SignalKind::force;
+    case ChannelKind::truth:
+      return SignalKind::truth;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Finds the signal's joint, foot and axis; false where the robot has no such place.
+bool locate(const Mechanism& robot, const std::string& place, Signal& signal) {
+  switch (signal.kind) {
+    case SignalKind::gyro:
+    case SignalKind::accelerometer:
+      signal.axis = place == "x" ? 0 : place == "y" ? 1 : 2;
+      return robot.hasImu;
+    case SignalKind::truth: {
+      const auto* const found = std::ranges::find(poseAxes, place);
+      signal.axis = static_cast<int>(found - poseAxes.begin());
+      return found != poseAxes.end();
+    }
+    case SignalKind::force: {
+      const auto dot = place.find('.');
+      signal.place = robot.footIndex(place.substr(0, dot));
+      if (signal.place < 0 || dot == std::string::npos) return false;
+      const auto& sensors = robot.feet[static_cast<std::size_t>(signal.place)].sensors;
+      const auto found =
+          std::ranges::find(sensors, place.substr(dot + 1), [](const auto& sensor) { return sensor.corner; });
+      signal.axis = static_cast<int>(found - sensors.begin());
+      return found != sensors.end();
+    }
+    default:
+      signal.joint = robot.jointIndex(place);
+      return signal.joint >= 0;
+  }
+}
+
+/// A quaternion and its negative are one rotation: readings keep the sign that follows from the one before,
+/// and the first has w >= 0 (or the first of x, y, z that is not 0).
+void unwindQuaternion(std::vector<Signal>& signals) {
+  std::array<std::vector<double>*, 4> q{};
+  for (Signal& signal : signals)
+    if (signal.kind == SignalKind::truth && signal.axis >= 3)
+      q[static_cast<std::size_t>(signal.axis - 3)] = &signal.values;
+  if (std::ranges::find(q, nullptr) != q.end()) return;
+  std::array<double, 4> last{1, 0, 0, 0};
+  for (std::size_t k = 0; k < q[0]->size(); ++k) {
+    double dot = 0;
+    for (std::size_t i = 0; i < 4; ++i) dot += last[i] * (*q[i])[k];
+    if (!std::isfinite(dot)) continue;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (dot < 0) (*q[i])[k] *= -1;
+      last[i] = (*q[i])[k];
+    }
+  }
+}
+
+}  // namespace
+
+Trial trialOf(const Run& run, const Mechanism& nominal) {
+  Trial trial;
+  trial.name = run.folder;
+  trial.motion = run.motion;
+  trial.repeatOf = run.repeatOf;
+  trial.robot = std::make_shared<Mechanism>(withServo(nominal, run));
+  trial.freeBase = run.freeBase;
+  trial.heading = run.heading.value_or(0);
+  trial.time = run.t;
+  const std::size_t n = nominal.joints.size();
+  trial.command.resize(n);
+  trial.stiffness.resize(n);
+  trial.voltage.resize(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    const std::string& name = nominal.joints[j].name;
+    const JointTiming timing = run.timingOf(name);
+    trial.commandAt.push_back(timing.cmdAt);
+    trial.positionAt.push_back(timing.posAt);
+    trial.velocityAt.push_back(timing.velAt);
+    if (const auto* values = run.find(ChannelKind::command, name)) trial.command[j] = *values;
+    if (run.find(ChannelKind::stiffness, name)) trial.stiffness[j] = run.stiffnessOf(name);
+    if (const auto* values = run.find(ChannelKind::voltage, name)) trial.voltage[j] = *values;
+  }
+  // A joint without commands of its own follows its driver's, or stays where it was seen.
+  for (std::size_t j = 0; j < n; ++j) {
+    if (!trial.command[j].empty()) continue;
+    const auto& joint = nominal.joints[j];
+    if (joint.driver >= 0 && !trial.command[static_cast<std::size_t>(joint.driver)].empty()) {
+      trial.command[j] = trial.command[static_cast<std::size_t>(joint.driver)];
+      for (double& value : trial.command[j]) value = joint.driverRatio * value + joint.driverOffset;
+    } else if (const auto* seen = run.find(ChannelKind::position, joint.name)) {
+      trial.command[j] = *seen;
+    }
+  }
+  bool anyPosition = false;
+  for (const auto& [column, values] : run.channels) {
+    const auto channel = parseChannel(column);
+    const auto kind = channel ? kindOf(channel->kind) : std::nullopt;
+    if (!kind) continue;
+    Signal signal;
+    signal.name = column;
+    signal.kind = *kind;
+    if (!locate(nominal, channel->place, signal)) continue;
+    if (*kind == SignalKind::position && !run.find(ChannelKind::command, channel->place)) continue;
+    signal.unsignedValue = run.isUnsigned(column);
+    signal.values = values;
+    anyPosition = anyPosition || *kind == SignalKind::position;
+    trial.signals.push_back(std::move(signal));
+  }
+  unwindQuaternion(trial.signals);
+  if (!anyPosition) {
+    throw RunError(run.folder +
+                   ": no joint has both a command and a measured position; record cmd.JOINT and pos.JOINT");
+  }
+  return trial;
+}
+
+}  // namespace plumbline::gap

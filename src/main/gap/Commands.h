@@ -1,0 +1,18 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace plumbline::gap {
+
+// One subcommand of bin/gap per file: adds its options to the program and does its work from a callback. What
+// goes wrong is an exception whose text is one line; main ends with 2 then.
+void addDiagnose(CLI::App& app);
+void addImport(CLI::App& app);
+void addEffects(CLI::App& app);
+
+/// True once Ctrl-C or a termination was asked for; work that takes long looks at it.
+bool stopRequested();
+
+}  // namespace plumbline::gap

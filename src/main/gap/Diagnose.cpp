@@ -1,0 +1,155 @@
+// bin/gap diagnose: from runs to an answer.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "game/WriteFile.h"
+#include "gap/answer/Answer.h"
+#include "gap/replay/TrialOf.h"
+#include "gap/run/RunCheck.h"
+#include "gap/run/RunFile.h"
+#include "main/gap/Commands.h"
+#include "robot/MechanismFile.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+struct DiagnoseOptions {
+  std::vector<std::string> runs;
+  std::string robot, json;
+  int jobs = 0, maxCauses = 3;
+  bool quiet = false;
+};
+
+Mechanism robotOf(const std::string& given, const std::string& named) {
+  if (given.empty()) return findMechanism(named);
+  if (given.find('/') == std::string::npos && given.find('.') == std::string::npos)
+    return findMechanism(given);
+  return readMechanism(given);
+}
+
+/// A line that says what is being done, rewritten in place where a person looks on.
+class ProgressLine {
+public:
+  explicit ProgressLine(bool quiet) : shown(!quiet && isatty(STDERR_FILENO)) {}
+  ~ProgressLine() {
+    if (shown) std::fprintf(stderr, "\r\033[K");
+  }
+  void tell(const std::string& what, double share) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!shown || now - last < std::chrono::milliseconds(100)) return;
+    last = now;
+    std::fprintf(stderr, "\r\033[K%s: %3.0f %%", what.c_str(), 100 * share);
+    std::fflush(stderr);
+  }
+
+private:
+  bool shown;
+  std::chrono::steady_clock::time_point last;
+};
+
+void diagnoseRuns(const DiagnoseOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<std::string> folders;
+  for (const std::string& path : options.runs)
+    for (std::string& folder : findRuns(path)) folders.push_back(std::move(folder));
+  std::vector<RunWarning> ignored;
+  const std::string name = readRun(folders.front(), ignored).robot;
+  const Mechanism robot = robotOf(options.robot, name);
+
+  AnswerInput input;
+  input.robot = robot.name;
+  std::vector<Trial> trials;
+  std::string refused;
+  for (const std::string& folder : folders) {
+    RunNotes notes;
+    notes.folder = folder;
+    try {
+      const Run run = readCheckedRun(folder, robot, notes.warnings);
+      if (run.robot != name) {
+        throw RunError(folder + ": recorded on the robot '" + run.robot + "', the others on '" + name +
+                       "'; diagnose one robot at a time");
+      }
+      notes.motion = run.motion;
+      notes.freeBase = run.freeBase;
+      notes.duration = run.duration();
+      trials.push_back(trialOf(run, robot));
+    } catch (const RunError& error) {
+      // One bad run must not cost the good ones; none good is an error.
+      std::fprintf(stderr, "gap: %s; this run is left out\n", error.what());
+      refused = error.what();
+      continue;
+    }
+    for (const RunWarning& warning : notes.warnings)
+      std::fprintf(stderr, "gap: %s\n", warning.line(folder).c_str());
+    input.runs.push_back(std::move(notes));
+  }
+  if (trials.empty()) throw RunError(refused);
+
+  const Evidence evidence(std::move(trials));
+  Evaluator fine(robot, evidence);
+  ReplayOptions coarseSteps;
+  coarseSteps.step = 0.005;
+  coarseSteps.gearStep = 0.001;
+  Evaluator coarse(robot, evidence, coarseSteps);
+  DiagnosisOptions settings;
+  settings.jobs =
+      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  settings.maxCauses = static_cast<std::size_t>(options.maxCauses);
+  Diagnosis diagnosis;
+  {
+    ProgressLine line(options.quiet);
+    settings.progress = [&](const std::string& stage, double share) {
+      if (stopRequested()) throw std::runtime_error("stopped; nothing was written");
+      line.tell(stage, share);
+    };
+    diagnosis = diagnose(fine, coarse, settings);
+  }
+  input.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const std::string text = answerJson(input, diagnosis, fine) + "\n";
+  if (options.json == "-") {
+    std::fputs(text.c_str(), stdout);
+    return;
+  }
+  if (!options.json.empty()) writeFile(options.json, text);
+  std::printf("%s\n", verdictSentence(diagnosis).c_str());
+  for (const Finding& finding : diagnosis.findings) {
+    std::printf("  %-48s %5.1f %%  [%.3g, %.3g]  closes %.0f %% alone\n", describe(finding.cause).c_str(),
+                100 * finding.probability, finding.lower, finding.upper, 100 * finding.closedAlone);
+    for (const Rival& rival : finding.rivals)
+      std::printf("    or %-45s %5.1f %%\n", describe(rival.cause).c_str(), 100 * rival.probability);
+  }
+  std::printf("Gap on held-out data, in units of noise: %.2f before, %.2f after, floor %.2f.\n",
+              diagnosis.gap.before, diagnosis.gap.after, diagnosis.gap.floor);
+  std::printf("Next: %s\n", suggestion(diagnosis, evidence).c_str());
+}
+
+}  // namespace
+
+void addDiagnose(CLI::App& app) {
+  auto options = std::make_shared<DiagnoseOptions>();
+  CLI::App* command =
+      app.add_subcommand("diagnose", "Says where runs differ from the nominal model, and why");
+  command->add_option("run", options->runs, "Run folders, or folders of run folders")->required();
+  command->add_option("--robot", options->robot,
+                      "URDF with its servo table, or JSON file, or a name in config/robots "
+                      "[the robot that the runs name]");
+  command->add_option("--json", options->json, "Write the answer here; - for standard output");
+  command->add_option("--jobs", options->jobs, "Threads [as many as cores]")->check(CLI::Range(1, 256));
+  command->add_option("--max-causes", options->maxCauses, "Most causes in one answer")
+      ->check(CLI::Range(1, 6))
+      ->capture_default_str();
+  command->add_flag("--quiet", options->quiet, "No progress line");
+  command->footer(
+      "Examples:\n  bin/gap diagnose runs --json answer.json\n"
+      "  bin/gap diagnose sweep1 sweep2 --robot my_arm.urdf --jobs 4");
+  command->callback([options] { diagnoseRuns(*options); });
+}
+
+}  // namespace plumbline::gap

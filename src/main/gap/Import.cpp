@@ -1,0 +1,35 @@
+// bin/gap import: brings a recording of another form into a run folder.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "gap/run/RunFile.h"
+#include "gap/run/RunImport.h"
+#include "main/gap/Commands.h"
+
+namespace plumbline::gap {
+
+void addImport(CLI::App& app) {
+  struct Options {
+    std::string map, recording, out;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("import", "Turns a table of another recorder into a run");
+  command->add_option("recording", options->recording, "csv or csv.gz")->required();
+  command->add_option("--map", options->map, "YAML file: which column is which channel, units, signs")
+      ->required();
+  command->add_option("-o,--out", options->out, "Run folder to write")->required();
+  command->footer("Example:\n  bin/gap import --map config/import/my_logger.yaml raw.csv -o runs/sweep");
+  command->callback([options] {
+    const ImportedRun imported = importRecording(options->map, options->recording);
+    writeRun(imported.run, options->out);
+    std::printf("%s: %zu cycles, %zu channels\n", options->out.c_str(), imported.run.size(),
+                imported.run.channels.size());
+    for (const std::string& column : imported.unused)
+      std::printf("  column not in the map: %s\n", column.c_str());
+    if (imported.linesWithoutTime)
+      std::printf("  lines without a time, dropped: %zu\n", imported.linesWithoutTime);
+  });
+}
+
+}  // namespace plumbline::gap
