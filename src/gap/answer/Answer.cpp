@@ -162,7 +162,7 @@ std::string verdictSentence(const Diagnosis& diagnosis) {
       size, sizeof size,
       "Something is missing that no effect of the library accounts for: %.1f times the noise remain in the "
       "worst channel, %s.",
-      diagnosis.worstAfter, diagnosis.worstSignal.c_str());
+      diagnosis.worstAfter, diagnosis.worstSignalAfter.c_str());
   return size + (causes.empty() ? std::string()
                                 : " The nearest explanation is " + causes + ", and it is not enough.");
 }
@@ -244,7 +244,7 @@ std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Eva
               {"unit", "noise of each signal"}};
   j["worst"] = {{"before", number(diagnosis.worstBefore, 4)},
                 {"after", number(diagnosis.worstAfter, 4)},
-                {"signal", diagnosis.worstSignal}};
+                {"signal", diagnosis.worstSignal}, {"signal_after", diagnosis.worstSignalAfter}};
   j["known_probability"] = number(diagnosis.knownProbability, 4);
   j["next_motion"] =
       input.nextMotion.empty() ? suggestion(diagnosis, evaluator.evidence()) : input.nextMotion;

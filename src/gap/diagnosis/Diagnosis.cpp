@@ -98,7 +98,9 @@ public:
     grow();
     if (found.size() > 1) reconsider();
     setBase(found);
-    result.worstAfter = worstGap(fine).size;
+    const WorstGap left = worstGap(fine);
+    result.worstAfter = left.size;
+    result.worstSignalAfter = left.signal;
     judge();
     return result;
   }

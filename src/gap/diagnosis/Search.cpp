@@ -285,7 +285,13 @@ std::vector<Candidate> search(const Evaluator& evaluator, const Evaluator& coars
   parallel(chosen.size(), options.jobs, [&](std::size_t i) {
     const double screened = chosen[i].screened;
     const Cause start = chosen[i].cause;
-    chosen[i] = fitValue(evaluator, start, maskOf(start, every));
+    const TrialMask all = maskOf(start, every);
+    // Standing runs are dear: the value is fitted on those that tell most, then judged on all.
+    TrialMask fitted = all;
+    for (std::size_t t = 0; t < trials.size(); ++t)
+      if (trials[t].freeBase) fitted[t] = all[t] && telling[t];
+    chosen[i] = fitValue(evaluator, start, fitted);
+    if (fitted != all) chosen[i].fit = evaluator.with(chosen[i].cause, all);
     chosen[i].screened = screened;
     tell(0.5, 1, chosen.size());
   });

@@ -117,7 +117,7 @@ void diagnoseRuns(const DiagnoseOptions& options) {
     std::fputs(text.c_str(), stdout);
     return;
   }
-  if (!options.json.empty()) writeFile(options.json, text);
+  if (!options.json.empty()) game::writeFile(options.json, text);
   std::printf("%s\n", verdictSentence(diagnosis).c_str());
   for (const Finding& finding : diagnosis.findings) {
     std::printf("  %-48s %5.1f %%  [%.3g, %.3g]  closes %.0f %% alone\n", describe(finding.cause).c_str(),
