@@ -43,7 +43,7 @@ struct Diagnosis {
   GapSize gap;
   double worstBefore = 0,
          worstAfter = 0;    ///< gap beyond noise, in units of noise, in the channel and run that show most
-  std::string worstSignal;  ///< of the nominal model
+  std::string worstSignal, worstSignalAfter;
   double knownProbability = 1;  ///< that the library's effects account for the data
   Explanation explanation() const;
 };
