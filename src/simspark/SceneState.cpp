@@ -16,16 +16,6 @@ constexpr std::string_view bodyMesh = "models/naobody", ballMesh = "models/socce
 
 std::string_view wordOf(Word node) { return node && !node.isList() ? node.text() : std::string_view(); }
 
-/// SimSpark's robots have x to the right and y forward.
-Pose3 robotPose(const Matrix4d& matrix) {
-  Pose3 pose = Pose3::Identity();
-  pose.translation() = matrix.block<3, 1>(0, 3);
-  Mat3 axes;
-  axes << matrix.block<3, 1>(0, 1), -matrix.block<3, 1>(0, 0), matrix.block<3, 1>(0, 2);
-  pose.linear() = axes;
-  return pose;
-}
-
 /// Type, number and side from "models/naobody3.obj" and "matNum7 matLeft ...".
 SceneRobot robotFrom(const std::string& mesh, const std::vector<std::string>& materials) {
   SceneRobot robot;
@@ -41,6 +31,15 @@ SceneRobot robotFrom(const std::string& mesh, const std::vector<std::string>& ma
 }
 
 }  // namespace
+
+Pose3 sceneRobotPose(const Matrix4d& matrix) {
+  Pose3 pose = Pose3::Identity();
+  pose.translation() = matrix.block<3, 1>(0, 3);
+  Mat3 axes;
+  axes << matrix.block<3, 1>(0, 1), -matrix.block<3, 1>(0, 0), matrix.block<3, 1>(0, 2);
+  pose.linear() = axes;
+  return pose;
+}
 
 double SceneRobot::heading() const {
   const Vec3 forward = T_world_torso.linear().col(0);
@@ -127,7 +126,7 @@ void SceneState::gameState(Word list) {
 void SceneState::find(const Node& node, const Matrix4d& T_world_parent, const Matrix4d& T_world_node) {
   if (node.mesh.starts_with(bodyMesh)) {
     SceneRobot robot = robotFrom(node.mesh, node.materials);
-    robot.T_world_torso = robotPose(T_world_parent);
+    robot.T_world_torso = sceneRobotPose(T_world_parent);
     robots.push_back(robot);
   } else if (node.mesh == ballMesh) {
     ball = T_world_node.block<3, 1>(0, 3);
@@ -145,7 +144,8 @@ void SceneState::find(const Node& node, const Matrix4d& T_world_parent, const Ma
 void SceneState::addBodies(const Node& robotNode, std::size_t firstRobot) {
   if (robots.size() != firstRobot + 1) return;
   for (const Node& body : robotNode.children)
-    if (body.transform) robots.back().T_world_bodies.push_back(robotPose(robotNode.matrix * body.matrix));
+    if (body.transform)
+      robots.back().T_world_bodies.push_back(sceneRobotPose(robotNode.matrix * body.matrix));
 }
 
 std::string SceneState::update(std::string_view message) {

@@ -27,6 +27,10 @@ struct SceneRobot {
   double heading() const;
 };
 
+/// A body's transform in SimSpark's axes, which for robots are x to the right and y forward, as a pose in
+/// ours.
+Pose3 sceneRobotPose(const Eigen::Matrix4d& matrix);
+
 /// Names of the links of simsparkRobot(type) whose bodies the scene holds, in its order: the same on the
 /// league's server and here. Throws std::out_of_range for another type than 0..4.
 std::vector<std::string> sceneBodies(int type);

@@ -2,6 +2,7 @@
 #include "fuzz/Targets.h"
 #include "simspark/AgentCommand.h"
 #include "simspark/FieldMessage.h"
+#include "simspark/FieldScene.h"
 #include "simspark/Framing.h"
 #include "simspark/SceneState.h"
 #include "simspark/ServerMessageParser.h"
@@ -42,12 +43,16 @@ void serverMessage(std::string_view bytes) {
 
 void monitorScene(std::string_view bytes) {
   SceneState scene;
+  FieldScene quick;
   for (std::size_t begin = 0; begin <= bytes.size();) {
     const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
     scene.update(bytes.substr(begin, end - begin));
+    quick.update(bytes.substr(begin, end - begin));
     begin = end + 1;
   }
   FieldState state;
+  require(readFieldMessage(writeFieldMessage(quick.state()), state).empty(),
+          "the quick reader tells nonsense");
   require(readFieldMessage(writeFieldMessage(fieldState(scene)), state).empty(),
           "a scene's field message is not read");
 }

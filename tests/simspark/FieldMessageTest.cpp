@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "simspark/FieldScene.h"
 #include "simspark/Framing.h"
 #include "support/Samples.h"
 
@@ -96,6 +97,34 @@ TEST(FieldMessage, errorsAndNothingChanged) {
 TEST(FieldMessage, isTold) {
   EXPECT_TRUE(isFieldMessage("(field 1)(t 0)"));
   EXPECT_FALSE(isFieldMessage(test::samples("monitor_first3")[1]));
+}
+
+/// The quick reader tells the same as the thorough one, message by message.
+TEST(FieldScene, asTheSceneState) {
+  for (const char* name : {"monitor_two_agents", "monitor_first3"}) {
+    SceneState whole;
+    FieldScene quick;
+    int compared = 0;
+    for (const std::string& message : test::samples(name)) {
+      EXPECT_EQ(quick.update(message), whole.update(message));
+      EXPECT_EQ(quick.complete(), whole.complete());
+      if (!whole.complete()) continue;
+      EXPECT_EQ(writeFieldMessage(quick.state()), writeFieldMessage(fieldState(whole)));
+      ++compared;
+    }
+    EXPECT_GT(compared, 2) << name;
+  }
+}
+
+TEST(FieldScene, errors) {
+  FieldScene scene;
+  EXPECT_EQ(scene.update("((time 1)"), "no list of game state");
+  EXPECT_EQ(scene.update("((time 1))(RDS 0 1)((nd))"), "a difference before a whole scene");
+  const auto messages = test::samples("monitor_two_agents");
+  EXPECT_EQ(scene.update(messages[0]), "");
+  EXPECT_EQ(scene.update("((time 1))(RDS 0 1)((nd))"), "a difference to another scene");
+  EXPECT_EQ(scene.update(messages[1]), "") << "goes on";
+  EXPECT_EQ(scene.state().robots.size(), 2u);
 }
 
 TEST(FieldState, fromTheLeaguesMonitorPort) {

@@ -18,7 +18,7 @@ FieldSource::FieldSource(std::string host_, std::vector<int> ports_, std::string
 std::string FieldSource::connect() {
   std::string problems;
   complete_ = false;
-  scene = simspark::SceneState();
+  scene = simspark::FieldScene();
   for (const int candidate : ports) {
     std::string why = connection.connect(host, candidate, patience);
     if (why.empty()) {
@@ -75,7 +75,7 @@ bool FieldSource::receive(double timeoutSeconds) {
     bytes_ += simspark::frameHeaderSize + message.size();
     fresh = take(message) || fresh;
   }
-  if (fresh && complete_ && scene.complete()) state_ = simspark::fieldState(scene);
+  if (fresh && complete_ && scene.complete()) state_ = scene.state();
   return fresh && complete_;
 }
 

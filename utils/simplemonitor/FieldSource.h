@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "simspark/Connection.h"
-#include "simspark/FieldMessage.h"
+#include "simspark/FieldScene.h"
 
 namespace plumbline::simplemonitor {
 
@@ -37,7 +37,7 @@ private:
   std::vector<int> ports;
   int port = 0;
   simspark::Connection connection;
-  simspark::SceneState scene;  ///< of a SimSpark monitor port
+  simspark::FieldScene scene;  ///< of a SimSpark monitor port
   simspark::FieldState state_;
   bool complete_ = false;
   std::string problem_;
