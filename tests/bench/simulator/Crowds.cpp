@@ -47,11 +47,12 @@ std::unique_ptr<Connection> join(int port, int type) {
 
 /// So many cycles of a game in which everybody bends the knees; the simulator's own account of them, and its
 /// memory [MB].
-json play(int robots, int cycles) {
-  simspark::SimulatorProcess simulator("bin/simulator",
-                                       {"--sync", "--seed", "1", "--wait-agents", std::to_string(robots),
-                                        "--kickoff-after", "2", "--stats", statistics, "--die-with-parent"},
-                                       "build/bench/simulator.ports", "build/bench/simulator.out");
+json play(int robots, int cycles, const std::string& engine) {
+  simspark::SimulatorProcess simulator(
+      "bin/simulator",
+      {"--sync", "--seed", "1", "--wait-agents", std::to_string(robots), "--kickoff-after", "2", "--stats",
+       statistics, "--die-with-parent", "--engine", engine},
+      "build/bench/simulator.ports", "build/bench/simulator.out");
   std::thread monitor(watch, simulator.ports().monitor);
   std::vector<std::unique_ptr<Connection>> agents;
   for (int i = 0; i < robots; ++i)
@@ -77,14 +78,24 @@ json play(int robots, int cycles) {
 }  // namespace
 
 void measureCrowds(Figures& figures, int cycles) {
+  const auto measure = [&](int robots, const std::string& engine) {
+    return play(robots, std::max(200, cycles / (robots * robots)), engine);
+  };
   for (const Size& size : sizes) {
-    const json account = play(size.robots, std::max(200, cycles / (size.robots * size.robots)));
+    const json account = measure(size.robots, "ode");
     const std::string n = std::to_string(size.robots);
     figures.add("cycle_cpu_us_" + n, account["cpu_us_per_cycle"], "us", "lower", size.cpuTarget,
                 Peer{size.leagueCpu});
     figures.add("x_real_time_" + n, account["x_real_time"], "x", "higher", nullptr, Peer{size.leagueSpeed});
     figures.add("memory_mb_" + n, account["memory"], "MB", "lower", size.memoryTarget,
                 Peer{size.leagueMemory});
+  }
+  for (const int robots : {1, 22}) {
+    const json account = measure(robots, "bullet");
+    const std::string n = "_bullet_" + std::to_string(robots);
+    figures.add("cycle_cpu_us" + n, account["cpu_us_per_cycle"], "us", "lower");
+    figures.add("x_real_time" + n, account["x_real_time"], "x", "higher");
+    figures.add("memory_mb" + n, account["memory"], "MB", "lower");
   }
 }
 
