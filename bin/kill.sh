@@ -5,17 +5,13 @@ set -euo pipefail
 bin=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 case ${1-} in -h | --help) sed -n '2,3s/^# *//p' "${BASH_SOURCE[0]}"; exit 0 ;; esac
 
-program=$(readlink -f "$bin/agent")
-
-# Prints the agents' process ids; a program that was built anew is called "... (deleted)" there.
+# Prints the agents' process ids.
 find_agents() {
-  local process team
-  for process in /proc/[0-9]*; do
-    [[ $(readlink "$process/exe" 2> /dev/null) == "$program"* ]] || continue
-    team=$(tr '\0' '\n' 2> /dev/null < "$process/environ" | sed -n 's/^PLUMBLINE_TEAM=//p') || continue
-    [[ $team ]] || continue
-    if ((!$#)) || [[ " $* " == *" $team "* ]]; then echo "${process#/proc/}"; fi
-  done
+  local team file
+  while read -r file; do
+    team=$(tr '\0' '\n' 2> /dev/null < "$file" | sed -n 's/^PLUMBLINE_TEAM=//p') || continue
+    if ((!$#)) || [[ " $* " == *" $team "* ]]; then file=${file#/proc/}; echo "${file%/*}"; fi
+  done < <(grep -lzsxF "PLUMBLINE_START=$bin" /proc/[0-9]*/environ 2> /dev/null)
 }
 
 for signal in TERM KILL; do

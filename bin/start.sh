@@ -58,7 +58,7 @@ for type in "${types[@]}"; do [[ $type =~ ^[0-4]$ ]] || fail "type '$type' is no
 [[ -x $bin/agent ]] || fail "no $bin/agent: make SimRelease builds it"
 [[ $logs ]] && mkdir -p "$logs"
 
-export PLUMBLINE_TEAM=$team # by which kill.sh knows its own
+export PLUMBLINE_TEAM=$team PLUMBLINE_START=$bin # by which kill.sh knows its own
 for ((number = 1; number <= players; ++number)); do
   options=(--team "$team" --number "$number" --type "${types[number - 1]}" --host "$host" --port "$port" --monitor-port "$monitor")
   [[ $config ]] && options+=(--config "$config")

@@ -10,10 +10,7 @@ isNumber() { [[ $1 =~ ^[0-9]+([.][0-9]+)?$ ]]; }
 
 # Process ids of a game: whatever has its mark in the environment, wherever it has gone (setsid, nohup, fork).
 processesOf() { # $1: the game's mark
-  local process
-  for process in /proc/[0-9]*; do
-    if grep -qzsx "PLUMBLINE_GAME=$1" "$process/environ" 2> /dev/null; then echo "${process#/proc/}"; fi
-  done
+  grep -lzsx "PLUMBLINE_GAME=$1" /proc/[0-9]*/environ 2> /dev/null | cut -d / -f 3
 }
 
 # Ends a game's processes: asks, waits two seconds, kills.
@@ -47,7 +44,8 @@ freePort() {
 }
 
 # ---- servers: each starts in the background with the game's mark and is there when its ports are ---------------
-# They read: mark, seed, halfTime, realtime, players, folder; they set: agentPort, monitorPort, watchOptions.
+# Each in a session of its own, so that a Ctrl-C reaches the script first. They read: mark, seed, halfTime, realtime,
+# players, folder; they set: agentPort, monitorPort, watchOptions.
 
 # The embedded simulator: in step with its agents unless in real time; it kicks off by itself, at a time of its
 # own clock, so that a seed repeats the game.
@@ -56,7 +54,7 @@ startSimulator() {
   if [[ $agentPort ]]; then options+=(--port "$agentPort" --monitor-port "$monitorPort"); else options+=(--port 0 --monitor-port 0); fi
   if [[ $realtime ]]; then options+=(--wait-agents "$players"); else options+=(--sync --wait-agents "$players"); fi
   rm -f "$folder/ports.json"
-  PLUMBLINE_GAME=$mark "$bin/simulator" "${options[@]}" "${serverOptions[@]}" > "$folder/server.log" 2>&1 < /dev/null &
+  PLUMBLINE_GAME=$mark setsid "$bin/simulator" "${options[@]}" "${serverOptions[@]}" > "$folder/server.log" 2>&1 < /dev/null &
   local server=$! i
   for ((i = 0; i < 200; ++i)); do
     [[ -s $folder/ports.json ]] && break
@@ -94,7 +92,7 @@ startRcssserver3d() {
     cd "$folder/server" || exit 2
     export PLUMBLINE_GAME=$mark HOME=$folder/server
     export LD_LIBRARY_PATH=$prefix/lib/simspark:$prefix/lib/rcssserver3d${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
-    exec "$program" --init-script-prefix "$folder/server" --script-path rcssserver3d.rb --agent-port "$agentPort" \
+    exec setsid "$program" --init-script-prefix "$folder/server" --script-path rcssserver3d.rb --agent-port "$agentPort" \
       --server-port "$monitorPort" "${serverOptions[@]}"
   ) > "$folder/server.log" 2>&1 < /dev/null &
   waitForServer $!
@@ -109,7 +107,7 @@ startOther() { # $1: command
   command=${command//\{monitor\}/$monitorPort}
   command=${command//\{seed\}/$seed}
   command=${command//\{halftime\}/$halfTime}
-  PLUMBLINE_GAME=$mark bash -c "$command" > "$folder/server.log" 2>&1 < /dev/null &
+  PLUMBLINE_GAME=$mark setsid bash -c "$command" > "$folder/server.log" 2>&1 < /dev/null &
   waitForServer $!
   watchOptions=()
 }

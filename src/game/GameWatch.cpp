@@ -99,8 +99,9 @@ GameResult watchGame(const GameWatchOptions& options, const StopSignal& stop,
   while (!stop.requested()) {
     const auto status = monitor.receive(0.5);
     const double now = wallClock();
-    if (status == Connection::Status::closed)
+    if (status == Connection::Status::closed && !stop.requested())
       return end(GameEnd::serverGone, monitor.error().empty() ? "the server has gone" : monitor.error());
+    if (stop.requested()) break;
     const SceneState& scene = monitor.scene();
     if (status == Connection::Status::message && scene.complete()) {
       pulse.feel(scene, now);
