@@ -40,7 +40,7 @@ double clockSpeed(int monitorPort) {
   simspark::Connection monitor;
   if (const auto error = monitor.connect("127.0.0.1", monitorPort); !error.empty())
     throw std::runtime_error(error);
-  monitor.send("(viewer 0.1)");  // so that looking costs little
+  monitor.send("(viewer 0.02)");  // so that looking costs little
   double firstWall = 0, firstGame = 0, game = 0, wall = 0;
   for (std::string_view text; monitor.receive(text, 60) == simspark::Connection::Status::message;) {
     const auto at = text.substr(0, 600).find("(time ");
@@ -51,6 +51,7 @@ double clockSpeed(int monitorPort) {
     firstWall = wall;
     firstGame = game;
   }
+  if (wall <= firstWall) throw std::runtime_error("the game was too short to see how fast it goes");
   return (game - firstGame) / (wall - firstWall);
 }
 
@@ -98,7 +99,7 @@ void measureOne(Figures& figures, const std::string& engine, const std::string& 
                 const Peer& peer) {
   Account best;
   for (int run = 0; run < 3; ++run)
-    if (const Account next = play(1, 1, {"--sync", "--max-seconds", "60", "--engine", engine});
+    if (const Account next = play(1, 1, {"--sync", "--max-seconds", "300", "--engine", engine});
         next.speed > best.speed)
       best = next;
   figures.add("agent_x_real_time_1" + suffix, best.speed, "x", "higher", target, peer);
