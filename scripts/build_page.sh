@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Puts the page of bin/webmonitor together in build/web/: its files from web/ and three.js from the npm registry
-# that npm is set up for. With nothing changed it is done in a blink, without network.
+# Puts the page of bin/webmonitor together in build/web/, and that of bin/gap report in build/report/: their files
+# from web/, three.js and uPlot from the npm registry that npm is set up for. With nothing changed it is done in a
+# blink, without network.
 #   scripts/build_page.sh [--if-easy]   --if-easy: leave it when that would need packages or network that are not there
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -8,7 +9,7 @@ packages=build/web-packages page=build/web
 easy=""
 if [[ ${1-} == --if-easy ]]; then easy=1; fi
 
-# three.js, exactly the version of the lock file, checked against its checksum there.
+# Exactly the versions of the lock file, checked against their checksums there.
 if ! cmp -s web/package-lock.json "$packages/installed"; then
   if ! command -v npm > /dev/null; then
     if [[ $easy ]]; then echo "The 3D page needs npm: \`make web\` installs it and builds the page"; exit 0; fi
@@ -19,7 +20,7 @@ if ! cmp -s web/package-lock.json "$packages/installed"; then
   patience=()
   if [[ $easy ]]; then patience=(--fetch-retries=0 --fetch-timeout=20000); fi
   if ! npm ci "${patience[@]}" --prefix "$packages" --omit=dev --ignore-scripts --no-audit --no-fund --loglevel=error > "$packages/log" 2>&1; then
-    echo "build_page.sh: npm could not fetch three.js: $(grep -m1 -i error "$packages/log" || echo "see $packages/log")" >&2
+    echo "build_page.sh: npm could not fetch three.js and uPlot: $(grep -m1 -i error "$packages/log" || echo "see $packages/log")" >&2
     if [[ $easy ]]; then exit 0; fi
     exit 2
   fi
@@ -39,3 +40,5 @@ for addon in controls/OrbitControls geometries/RoundedBoxGeometry lines/LineSegm
 done
 rm -rf "$page"
 mv "$new" "$page"
+
+scripts/build_report_page.sh "$packages"

@@ -11,6 +11,9 @@ namespace plumbline::gap {
 void addDiagnose(CLI::App& app);
 void addImport(CLI::App& app);
 void addEffects(CLI::App& app);
+void addRecord(CLI::App& app);
+void addReport(CLI::App& app);
+void addReveal(CLI::App& app);
 
 /// True once Ctrl-C or a termination was asked for; work that takes long looks at it.
 bool stopRequested();

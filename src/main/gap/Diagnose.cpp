@@ -14,6 +14,7 @@
 #include "gap/run/RunCheck.h"
 #include "gap/run/RunFile.h"
 #include "main/gap/Commands.h"
+#include "main/gap/RobotOption.h"
 #include "robot/MechanismFile.h"
 
 namespace plumbline::gap {
@@ -26,13 +27,6 @@ struct DiagnoseOptions {
   int jobs = 0, maxCauses = 3;
   bool quiet = false;
 };
-
-Mechanism robotOf(const std::string& given, const std::string& named) {
-  if (given.empty()) return findMechanism(named);
-  if (given.find('/') == std::string::npos && given.find('.') == std::string::npos)
-    return findMechanism(given);
-  return readMechanism(given);
-}
 
 /// A line that says what is being done, rewritten in place where a person looks on.
 class ProgressLine {

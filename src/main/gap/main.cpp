@@ -25,11 +25,15 @@ int main(int argc, char** argv) {
       "gap");
   app.set_help_flag("-h,--help", "Print this help");
   app.require_subcommand(1);
+  gap::addRecord(app);
   gap::addDiagnose(app);
+  gap::addReport(app);
+  gap::addReveal(app);
   gap::addImport(app);
   gap::addEffects(app);
   app.footer(
-      "Examples:\n  bin/gap diagnose runs --json answer.json\n  bin/gap effects\n"
+      "Examples:\n  bin/gap record --battery hang --secret 7 -o runs\n"
+      "  bin/gap diagnose runs --json answer.json\n  bin/gap report answer.json\n"
       "Each has its own help: bin/gap diagnose --help");
   try {
     StopSignal stop;

@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "gap/diagnosis/Explanation.h"
+#include "simulation/effects/EffectFile.h"
+
+namespace plumbline::gap {
+
+/// The causes that a file of effects names, for one robot. Throws ConfigurationError with file, line and key:
+/// an effect that the library lacks, a place that the robot lacks, a value out of bounds.
+Explanation causesOf(const std::vector<simulation::EffectSetting>& settings, const Mechanism& robot);
+
+/// The other way round.
+std::vector<simulation::EffectSetting> settingsOf(const Explanation& causes);
+
+}  // namespace plumbline::gap

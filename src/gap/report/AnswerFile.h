@@ -1,0 +1,12 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace plumbline::gap {
+
+/// Reads an answer of bin/gap diagnose and checks what the commands after it rest on: a known verdict, causes
+/// with effect, place and value. Throws ConfigurationError in one line that names file and field; files above
+/// 256 MB are refused.
+nlohmann::json readAnswer(const std::string& path);
+
+}  // namespace plumbline::gap

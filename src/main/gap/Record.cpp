@@ -1,0 +1,152 @@
+// bin/gap record: plays excitation programs on a simulated robot and writes runs.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "game/WriteFile.h"
+#include "gap/diagnosis/ExplanationFile.h"
+#include "gap/record/ExcitationFile.h"
+#include "gap/record/Secret.h"
+#include "gap/record/SimulatedRecording.h"
+#include "gap/run/RunFile.h"
+#include "main/gap/Commands.h"
+#include "main/gap/RobotOption.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RecordOptions {
+  std::string robot = "nao_v5", battery, effects, output;
+  std::vector<std::string> programs;
+  std::uint64_t seed = 1, programSeed = 0, secret = 0;
+  bool hasSecret = false, noisy = true, truth = false;
+};
+
+/// What is played, and as whose repeat.
+struct Item {
+  Excitation program;
+  std::string name, repeatOf;
+};
+
+Excitation programOf(const std::string& given, const Mechanism& robot, std::uint64_t seed) {
+  if (given.find('/') != std::string::npos || given.ends_with(".yaml"))
+    return readExcitation(given, robot, seed);
+  return findExcitation(given, robot, seed);
+}
+
+std::vector<Item> itemsOf(const RecordOptions& options, const Mechanism& robot) {
+  std::vector<Item> items;
+  const auto add = [&](const std::string& program, bool again) {
+    Excitation e = programOf(program, robot, options.programSeed);
+    const std::string name = e.name;
+    items.push_back({std::move(e), again ? name + "_again" : name, again ? name : ""});
+  };
+  for (const std::string& program : options.programs) add(program, false);
+  if (options.battery == "hang" || options.battery == "all") {
+    for (const std::string& program : hangingBattery()) add(program, false);
+    add(hangingBattery().front(), true);
+  }
+  if (options.battery == "stand" || options.battery == "all") {
+    for (const std::string& program : standingBattery()) add(program, false);
+    add(standingBattery().front(), true);
+  }
+  return items;
+}
+
+void record(const RecordOptions& options) {
+  if (options.programs.empty() == options.battery.empty())
+    throw std::invalid_argument("record needs --program or --battery, one of them");
+  const Mechanism robot = robotOf(options.robot, "");
+  const std::vector<Item> items = itemsOf(options, robot);
+  const bool single = options.battery.empty() && items.size() == 1;
+  std::error_code error;
+  const fs::path output(options.output);
+  if (fs::exists(output, error) &&
+      (single || !fs::is_directory(output, error) || !fs::is_empty(output, error)))
+    throw std::invalid_argument(options.output + " is there already; name a new folder with -o");
+
+  SimulatedRecordingOptions recording;
+  recording.noisy = options.noisy;
+  recording.truth = options.truth;
+  if (!options.effects.empty()) recording.effects = causesOf(simulation::readEffects(options.effects), robot);
+  std::string sealed;
+  if (options.hasSecret) {
+    std::vector<Excitation> programs;
+    for (const Item& item : items)
+      if (item.repeatOf.empty()) programs.push_back(item.program);
+    recording.effects = {drawSecret(robot, programs, options.secret)};
+    sealed = seal(simulation::effectsText(settingsOf(recording.effects), robot.name), options.secret) + "\n";
+  }
+  // A battery appears as a whole: it is recorded beside its place.
+  const fs::path folder = single ? output : fs::path(output.string() + ".part");
+  if (!single) fs::remove_all(folder, error);
+  std::size_t done = 0;
+  for (const Item& item : items) {
+    if (stopRequested()) {
+      if (!single) fs::remove_all(folder, error);
+      throw std::runtime_error("stopped; nothing was written");
+    }
+    recording.seed = options.seed * 1000 + done;
+    Run run = recordSimulated(robot, item.program, recording);
+    run.repeatOf = item.repeatOf;
+    WriteRunOptions writing;
+    writing.digits = 5;
+    writeRun(run, (single ? output : folder / item.name).string(), writing);
+    std::printf("%zu/%zu %s: %.1f s\n", ++done, items.size(), item.name.c_str(), run.duration());
+    std::fflush(stdout);
+  }
+  if (!sealed.empty()) game::writeFile(((single ? output : folder) / "SECRET").string(), sealed);
+  if (!single) {
+    fs::remove(output, error);
+    fs::rename(folder, output);
+  }
+  std::printf("Written to %s%s\n", options.output.c_str(),
+              sealed.empty() ? ""
+                             : ("; what is different about this robot is sealed in it: bin/gap reveal " +
+                                options.output + " tells")
+                                   .c_str());
+}
+
+}  // namespace
+
+void addRecord(CLI::App& app) {
+  auto options = std::make_shared<RecordOptions>();
+  CLI::App* command =
+      app.add_subcommand("record", "Plays excitation programs on a simulated robot and writes runs");
+  command->add_option("--robot", options->robot, "Name in config/robots, URDF or JSON file")
+      ->capture_default_str();
+  command->add_option("--program", options->programs,
+                      "Programs: names in config/excitation, or files; several make several runs");
+  command->add_option("--battery", options->battery, "A standard set of programs, with a repeat")
+      ->check(CLI::IsMember({"hang", "stand", "all"}));
+  command->add_option("--effects", options->effects,
+                      "The robot has these effects: doc/reference/effects-file.md");
+  auto* secret = command->add_option("--secret", options->secret,
+                                     "The robot has one effect that this seed draws, sealed in SECRET");
+  secret->excludes("--effects");
+  command->add_option("--seed", options->seed, "Of the sensors' noise; same seed, same bytes")
+      ->capture_default_str();
+  command
+      ->add_option("--program-seed", options->programSeed,
+                   "Moves what is random in the programs; 0: as they stand")
+      ->capture_default_str();
+  command->add_flag("!--no-noise", options->noisy, "Sensors without noise");
+  command->add_flag("--truth", options->truth, "truth.* columns of a robot on its feet");
+  command
+      ->add_option("-o,--output", options->output, "Run folder; for several runs the folder that holds them")
+      ->required();
+  command->footer(
+      "Examples:\n  bin/gap record --battery hang --secret 7 -o runs\n"
+      "  bin/gap record --robot so101 --program hang_sweep -o sweep --effects effects.yaml");
+  command->callback([options, secret] {
+    options->hasSecret = secret->count() > 0;
+    record(*options);
+  });
+}
+
+}  // namespace plumbline::gap

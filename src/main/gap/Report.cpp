@@ -1,0 +1,54 @@
+// bin/gap report: an answer as a page for people.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "game/WriteFile.h"
+#include "gap/report/AnswerFile.h"
+#include "gap/report/ReportPage.h"
+#include "main/gap/Commands.h"
+#include "main/gap/RobotOption.h"
+#include "robot/MechanismFile.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+struct ReportOptions {
+  std::string answer, robot, output = "report.html";
+};
+
+void report(const ReportOptions& options) {
+  const nlohmann::json answer = readAnswer(options.answer);
+  std::optional<Mechanism> robot;
+  if (!options.robot.empty()) {
+    robot = robotOf(options.robot, "");
+  } else if (const std::string name =
+                 answer.value("robot", nlohmann::json("")).is_string() ? answer.value("robot", "") : "";
+             !name.empty()) {
+    try {
+      robot = findMechanism(name);
+    } catch (const MechanismError&) {
+      std::printf("Without a figure of %s, which is not in config/robots: --robot FILE shows it\n",
+                  name.c_str());
+    }
+  }
+  game::writeFile(options.output, reportPage(builtReportPage(), answer, robot));
+  std::printf("Written to %s; open it in a browser\n", options.output.c_str());
+}
+
+}  // namespace
+
+void addReport(CLI::App& app) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = app.add_subcommand("report", "Makes a page for people from an answer");
+  command->add_option("answer", options->answer, "The file that bin/gap diagnose --json wrote")->required();
+  command->add_option("-o,--output", options->output, "The page, one HTML file")->capture_default_str();
+  command->add_option("--robot", options->robot, "URDF or JSON file, for the figure [the answer's robot]");
+  command->footer("Example:\n  bin/gap report answer.json -o report.html");
+  command->callback([options] { report(*options); });
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,39 @@
+// bin/gap reveal: opens the secret that bin/gap record --secret sealed.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include "gap/record/Secret.h"
+#include "main/gap/Commands.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+void reveal(const std::string& folder) {
+  const std::string path = (std::filesystem::path(folder) / "SECRET").string();
+  std::ifstream file(path);
+  std::string sealed;
+  if (!file || !std::getline(file, sealed))
+    throw std::runtime_error(folder + ": no secret there; bin/gap record --secret writes one");
+  try {
+    std::fputs(unseal(sealed).c_str(), stdout);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(path + " " + error.what());
+  }
+}
+
+}  // namespace
+
+void addReveal(CLI::App& app) {
+  auto folder = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("reveal", "Tells the secret effect of runs recorded with --secret");
+  command->add_option("folder", *folder, "The folder that bin/gap record wrote")->required();
+  command->footer("Example:\n  bin/gap reveal runs");
+  command->callback([folder] { reveal(*folder); });
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,22 @@
+// The verdict in a sentence, and the numbers that matter most.
+report.verdict = (answer, section) => {
+  const { el, number, percent } = report;
+  const causes = answer.effects ?? [], gap = answer.gap ?? {};
+  const sure = causes.length ? Math.min(...causes.map((c) => c.probability)) : 1;
+  const badge = answer.verdict === 'none' ? ['none', 'No gap beyond noise'] : answer.verdict === 'unknown' ? ['unknown', 'Cause unknown']
+    : [sure < 0.65 ? 'unsure' : 'effect', causes.length > 1 ? `${causes.length} causes found` : 'Cause found'];
+  const tile = (value, text) => el('div', { class: 'tile' }, el('b', {}, value), el('small', {}, text));
+  const cells = answer.map?.cells ?? answer.where ?? [];
+  const top = cells.reduce((a, b) => ((b.share ?? 0) > (a?.share ?? 0) ? b : a), null);
+  const unit = gap.unit ?? 'units of each signal\u2019s noise';
+  section.append(
+    el('span', { class: `badge ${badge[0]}` }, badge[1]),
+    el('h1', { id: 'sentence' }, report.headline(answer)),
+    el('p', { class: 'dim', id: 'caveat' }, report.caveat(answer)),
+    el('div', { class: 'tiles' },
+      tile(`${number(gap.before)} \u2192 ${number(gap.after)}`, `gap before and after, ${unit}${gap.held_out ? '; on data that took no part in the fit' : ''}`),
+      answer.verdict === 'none' ? tile(number(gap.floor), 'the floor: what repeats and noise leave')
+        : tile(percent(gap.closed), `of what can be closed is closed; floor ${number(gap.floor)}`),
+      top && answer.verdict !== 'none' ? tile(top.signal, `shows most of it: ${percent(top.share)} of the gap, in ${top.phase}`) : null,
+      report.isNumber(answer.known_probability) && answer.verdict !== 'none' ? tile(percent(answer.known_probability), 'chance that the known effects are the whole story') : null));
+};
