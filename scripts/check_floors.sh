@@ -6,9 +6,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # Ground floor first; "walking" and "motion" stand beside the framework and see only math and robot.
 awk '
   BEGIN {
-    count = split("math robot framework optimization simspark simulation representations walking motion modules gap game web main", f, " ")
+    count = split("math robot framework optimization simspark simulation representations walking motion modules gap training game web main", f, " ")
     for (i = 1; i <= count; ++i) floorOf[f[i]] = i
-    split("math robot walking", w, " ")
+    split("math robot optimization walking", w, " ")
     for (i in w) walkingMay[w[i]] = 1
   }
   FNR == 1 { split(FILENAME, path, "/"); here = path[2] }
@@ -19,7 +19,7 @@ awk '
     if (target ~ /^\.\.?\//) { say("relative include \"" target "\": write the path from src/"); next }
     if (!sub(/\/.*/, "", there) || !(there in floorOf)) next
     if (!(here in floorOf)) { say("folder src/" here " has no floor: add it to scripts/check_floors.sh"); next }
-    if ((here == "walking" || here == "motion") && !(there in walkingMay) && there != here) say("src/" here " may include math and robot only, not \"" target "\"")
+    if ((here == "walking" || here == "motion") && !(there in walkingMay) && there != here) say("src/" here " may include math, robot and optimization only, not \"" target "\"")
     else if (floorOf[there] > floorOf[here]) say("src/" here " must not look up to \"" target "\"")
   }
   function say(what) { print FILENAME ":" FNR ": " what; ++bad }

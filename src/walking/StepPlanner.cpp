@@ -122,20 +122,46 @@ WalkAction StepPlanner::start(const WalkState& state, double duration, Side firs
   return action;
 }
 
-WalkAction StepPlanner::stand(const WalkState& state, double rate, double duration) const {
-  // Capture point (Pratt et al. 2006) drawn to the middle of the feet.
+Vec2 StepPlanner::calmingPressure(const WalkState& state) const {
+  // After a short while the mass shall move to the middle, slower the nearer it is.
+  constexpr double horizon = 0.15;   // [s]
   constexpr double convergence = 6;  // [1/s]
   const Vec2 middle = (state.foot[0].position + state.foot[1].position) / 2 + Vec2(limits.restX, 0);
-  const Vec2 capture = state.velocity / rate;
+  WalkState both = state;
+  both.support = Support::both;
+  WalkAction action;
+  action.duration = horizon;
+  const PlanarRoot root = findPlanarRoot(
+      [&](const Vec2& pressure) {
+        action.centerOfPressure = pressure;
+        const WalkState end = model.predict(both, action);
+        const Vec2 middleThen = (end.foot[0].position + end.foot[1].position) / 2 + Vec2(limits.restX, 0);
+        return Vec2(end.velocity - convergence * middleThen);
+      },
+      middle, velocityThreshold, maxIterations);
+  return root.x.allFinite() ? root.x : middle;
+}
+
+WalkAction StepPlanner::stand(const WalkState& state, double duration) const {
   WalkAction action;
   action.duration = duration;
-  action.centerOfPressure = limitPressure(state, capture + convergence / rate * (capture - middle), 1);
+  action.centerOfPressure = limitPressure(state, calmingPressure(state), 1);
   return action;
 }
 
-bool StepPlanner::canStand(const WalkState& state, double rate) const {
-  const Vec2 capture = state.velocity / rate;
-  return (limitPressure(state, capture, 0.8) - capture).norm() < 1e-9;
+bool StepPlanner::canStand(const WalkState& state) const {
+  // Tried out with the model, with pressure kept for what the model does not know.
+  constexpr double cycle = 0.04, patience = 0.8, calm = 0.03;  // [s, s, m/s]
+  WalkState tried = state;
+  tried.support = Support::both;
+  WalkAction action;
+  action.duration = cycle;
+  for (int i = 0; i * cycle < patience; ++i) {
+    action.centerOfPressure = limitPressure(tried, calmingPressure(tried), 0.8);
+    tried = model.predict(tried, action);
+    if (tried.velocity.norm() < calm) return true;
+  }
+  return false;
 }
 
 }  // namespace plumbline::walking

@@ -20,6 +20,7 @@ struct StepLimits {
 class StepPlanner {
 public:
   StepPlanner(const WalkModel& model, const StepLimits& limits) : model(model), limits(limits) {}
+  void setLimits(const StepLimits& newLimits) { limits = newLimits; }
 
   /// The rest of the step in progress, which has lasted `elapsed` [s]: the time from the lateral velocity at
   /// its end, the target from the state after the step that follows.
@@ -30,12 +31,11 @@ public:
   WalkAction start(const WalkState& state, double duration, Side first,
                    const ReferenceTrajectory& reference) const;
 
-  /// Double support that brings the centre of mass to rest over the middle of the feet; rate: of the pendulum
-  /// [1/s].
-  WalkAction stand(const WalkState& state, double rate, double duration) const;
+  /// Double support that brings the centre of mass to rest over the middle of the feet.
+  WalkAction stand(const WalkState& state, double duration) const;
 
   /// Whether stand() can hold the robot if both feet carried from now on.
-  bool canStand(const WalkState& state, double rate) const;
+  bool canStand(const WalkState& state) const;
 
   /// The step target moved to where the body allows it; support: the carrying foot in the same frame.
   Pose2 limitTarget(const Pose2& target, const Pose2& support, Side swing) const;
@@ -43,6 +43,7 @@ public:
 private:
   double remainingTime(const WalkState& state, double elapsed, double turnRate, double nominal,
                        double lateralVelocity) const;
+  Vec2 calmingPressure(const WalkState& state) const;
   Vec2 limitPressure(const WalkState& state, const Vec2& point, double share) const;
 
   const WalkModel& model;

@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "walking/BodyPosture.h"
+#include "walking/ClosedLoop.h"
 #include "walking/LinearInvertedPendulum.h"
 #include "walking/StepPlanner.h"
 #include "walking/SwingTrajectory.h"
@@ -38,26 +39,31 @@ StepLimits limitsOf(const WalkParameters& p, const LegKinematics& leg) {
 
 class WalkEngine::Implementation {
 public:
-  Implementation(const WalkParameters& parameters, const RobotModel& robot)
-      : p(parameters),
-        model(p.pendulumHeight, Vec2(p.copForward, p.copOutward)),
+  Implementation(const WalkGaits& gaits_, const RobotModel& robot)
+      : gaits(gaits_),
+        p(gaits.base),
+        loop(robot),
+        model(p.pendulumHeight),
         posture(robot),
-        planner(model, limitsOf(p, posture.leg(Side::left))),
-        swing{p.stepHeight, p.swingStart, p.swingEnd, p.swingSmoothness, p.swingSteepness} {
+        planner(model, {}) {
     reset();
   }
 
   void reset() {
+    velocity.setZero();
+    turn = elapsed = phase = 0;
+    useGait();
     mode = Mode::stand;
     state = {};
     for (const Side side : {Side::left, Side::right})
       state.foot[index(side)] = Pose2(-p.copForward, outward(side) * p.feetDistance / 2);
-    velocity.setZero();
-    turn = elapsed = phase = 0;
     tilt.setZero();
     usualTilt.setZero();
+    excess.setZero();
     rate.setZero();
     motion = {};
+    loop.reset();
+    recorder.reset();
     posture.reset();
     place({});
     torso = torsoOnGround();
@@ -71,7 +77,9 @@ public:
     follow(request, sensors.dt);
     feel(sensors);
     motion = {};
+    observe(sensors);
     advance(request, sensors.dt);
+    loop.endCycle();
     place(sensors.angles);
     return output(sensors.dt);
   }
@@ -93,13 +101,21 @@ public:
     torso = newTorso;
     out.support = state.support;
     out.phase = phase;
+    out.stepTarget = stepTarget;
+    out.stepTime = mode == Mode::walk ? stepTime : 0;
     out.standing = mode == Mode::stand && atRest();
     out.velocity = velocity;
     out.turn = turn;
     return out;
   }
 
+  const WalkGaits gaits;
+  WalkParameters p;  ///< at the present speed
   WalkState state;
+  ReferenceTrajectory reference;
+  ClosedLoop loop;
+  StepRecorder recorder;
+  ModelParameters fit;
 
 private:
   /// Draws the velocity walked to the request, within the limits of speed and acceleration.
@@ -112,9 +128,13 @@ private:
       goal /= effort;
       goalTurn /= effort;
     }
+    const double calm = std::clamp(1 - p.tiltBrake * excess.norm(), 0.0, 1.0);
+    goal *= calm;
+    goalTurn *= calm;
     if (mode == Mode::stand && !request.walk) {
       velocity.setZero();
       turn = 0;
+      useGait();
       return;
     }
     const bool braking = std::abs(goal.x()) < std::abs(velocity.x()) || goal.x() * velocity.x() < 0;
@@ -130,8 +150,18 @@ private:
       velocity.y() *= rest / side;
       turn *= rest / side;
     }
+    useGait();
     reference = findReferenceTrajectory(model, {velocity + Vec2(p.trimForward, 0), turn, p.stepDuration,
                                                 p.feetDistance, Vec2(p.copForward, p.copOutward)});
+  }
+
+  /// The parameters of the speed walked now.
+  void useGait() {
+    p = gaits.at(velocity, turn);
+    model = LinearInvertedPendulum(Vec2(p.pendulumHeight, p.pendulumHeight + p.pendulumSideways),
+                                   Vec2(p.copForward, p.copOutward), fit);
+    planner.setLimits(limitsOf(p, posture.leg(Side::left)));
+    swing = {p.stepHeight, p.swingStart, p.swingEnd, p.swingSmoothness, p.swingSteepness};
   }
 
   /// The torso's deviation from its planned and usual attitude when the coming command takes effect.
@@ -140,7 +170,31 @@ private:
     const Vec2 deviation = sensors.torsoAngles - Vec2(0, lean());
     // Every walk has its own mean lean, which is no error to correct (compare section 4.2.8).
     if (p.tiltAverage > 0) usualTilt += (deviation - usualTilt) * std::min(1.0, sensors.dt / p.tiltAverage);
+    const Vec2 tolerance = Vec2::Constant(p.tiltTolerance);
+    excess = deviation - deviation.cwiseMax(-tolerance).cwiseMin(tolerance);
     tilt = deviation - usualTilt + p.delay * rate;
+  }
+
+  /// Draws the walk state slowly to the observed one (section 4.2.5).
+  void observe(const WalkSensors& sensors) {
+    const auto delay = static_cast<std::size_t>(std::lround(p.observationDelay / sensors.dt));
+    const std::optional<WalkState> expected = loop.update(sensors, model, delay, p.imuAverage);
+    if (!expected) return;
+    recorder.add(
+        loop.observed().state(),
+        {Vec2(p.pendulumHeight, p.pendulumHeight + p.pendulumSideways), Vec2(p.copForward, p.copOutward)},
+        sensors.dt);
+    const auto pivot = [](const WalkState& s) {
+      return s.support == Support::both ? Vec2((s.foot[0].position + s.foot[1].position) / 2)
+                                        : s.supportFoot().position;
+    };
+    // No more in a cycle than a foot may slide.
+    constexpr double most = 0.01;  // [m]
+    Vec2 shift = p.observationPosition * (pivot(*expected) - pivot(state));
+    if (shift.norm() > most) shift *= most / shift.norm();
+    for (Pose2& foot : state.foot) foot.position += shift;
+    motion = Pose2(Vec2(-shift));
+    state.velocity += p.observationVelocity * (expected->velocity - state.velocity);
   }
 
   double lean() const { return p.torsoPitch + p.torsoPitchForward * velocity.x(); }
@@ -173,13 +227,13 @@ private:
     for (double left = dt; left > 1e-9;) {
       switch (mode) {
         case Mode::stand:
-          if (request.walk && planner.canStand(state, model.rate())) {
+          if (request.walk && planner.canStand(state)) {
             mode = Mode::start;
             elapsed = 0;
             first = request.velocity.y() + 0.1 * request.turn > 0 ? Side::right : Side::left;
             break;
           }
-          move(planner.stand(state, model.rate(), left), left);
+          move(planner.stand(state, left), left);
           left = 0;
           phase = 0;
           break;
@@ -193,7 +247,10 @@ private:
           move(shift, time);
           left -= time;
           phase = elapsed / p.startDuration;
-          if (elapsed >= p.startDuration - 1e-9) beginStep(first);
+          if (elapsed >= p.startDuration - 1e-9) {
+            loop.land({}, supportOf(first));
+            beginStep(first);
+          }
           break;
         }
         case Mode::walk:
@@ -206,11 +263,16 @@ private:
   double walk(const WalkRequest& request, double left) {
     const Side support = state.supportSide();
     const WalkAction action = planStep();
+    stepTarget = action.stepTarget;
     const WalkState end = model.predict(state, action);
     if (action.duration <= left) {
       motion = motion * state.foot[index(support)] * end.foot[index(support)].inverse();
+      loop.pass(action, action.duration);
       state = end;
-      if (!request.walk && maySettle()) {
+      const bool settles = !request.walk && maySettle();
+      loop.land(end.foot[index(support)].inverse() * end.foot[index(other(support))],
+                settles ? Support::both : end.support);
+      if (settles) {
         state.support = Support::both;
         mode = Mode::stand;
         elapsed = phase = 0;
@@ -221,6 +283,7 @@ private:
     }
     const Pose2 target = end.foot[index(support)].inverse() * action.stepTarget;
     move(action, left);
+    stepTime = action.duration - left;
     phase = elapsed / (elapsed + action.duration - left);
     state.foot[index(other(support))] = state.foot[index(support)] * swing.between(liftOff, target, phase);
     return left;
@@ -234,6 +297,7 @@ private:
   }
 
   void move(const WalkAction& action, double time) {
+    loop.pass(action, time);
     const WalkState moved = model.move(state, action, time);
     const std::size_t fixed = index(state.supportSide());
     motion = motion * state.foot[fixed] * moved.foot[fixed].inverse();
@@ -245,7 +309,7 @@ private:
   bool maySettle() const {
     const Pose2 between = state.foot[1].inverse() * state.foot[0];
     return std::abs(between.x()) < 0.02 && std::abs(between.heading) < 0.1 &&
-           std::abs(state.velocity.x()) < p.stopVelocity && planner.canStand(state, model.rate());
+           std::abs(state.velocity.x()) < p.stopVelocity && planner.canStand(state);
   }
 
   bool atRest() const {
@@ -268,41 +332,66 @@ private:
       joint[3] = -out * p.elbowRoll;
     }
     std::array<FootPlacement, 2> feet;
-    for (std::size_t i = 0; i < 2; ++i) feet[i].ground = state.foot[i];
+    // The mass that leans out over the feet is brought back over them.
+    const Vec2 lead = p.pendulumHeight * Vec2(p.comForwardGain * tilt.y(), -p.comSidewaysGain * tilt.x());
+    for (std::size_t i = 0; i < 2; ++i) {
+      feet[i].ground = state.foot[i];
+      feet[i].ground.position += lead;
+    }
     if (mode == Mode::walk) {
       FootPlacement& foot = feet[index(other(state.supportSide()))];
       foot.height = swing.height * swing.lift(phase);
       foot.pitch = p.swingPitch * swing.lift(phase) - p.swingLevel * tilt.y();
       foot.roll = -p.swingLevel * tilt.x();
     }
-    posture.solve(feet, {p.hipHeight, 0, lean()}, angles);
+    posture.solve(feet, carriage(), angles);
     for (const Side side : {Side::left, Side::right}) {
       if (mode == Mode::walk && side != state.supportSide()) continue;
-      double* ankle = &angles[static_cast<std::size_t>(firstLegJoint(side) + 4)];
-      ankle[0] += p.anklePitchGain * tilt.y() + p.anklePitchRate * rate.y();
-      ankle[1] += p.ankleRollGain * tilt.x() + p.ankleRollRate * rate.x();
+      double* leg = &angles[static_cast<std::size_t>(firstLegJoint(side))];
+      leg[1] += p.hipRollGain * tilt.x() + p.hipRollRate * rate.x();
+      leg[2] += p.hipPitchGain * tilt.y() + p.hipPitchRate * rate.y();
+      leg[4] += p.anklePitchGain * tilt.y() + p.anklePitchRate * rate.y();
+      leg[5] += p.ankleRollGain * tilt.x() + p.ankleRollRate * rate.x();
     }
+  }
+
+  /// The torso's attitude and height. It leans to the supporting leg in the middle of a step; then either the
+  /// supporting hip or the middle of both, and with it the centre of mass, keeps its height (section 4.2.8).
+  TorsoPlacement carriage() const {
+    TorsoPlacement torso;
+    torso.pitch = lean() + p.torsoMeasured * tilt.y();
+    torso.roll = p.torsoMeasured * tilt.x();
+    torso.hipHeight = p.hipHeight;
+    if (mode == Mode::walk && p.torsoRoll != 0) {
+      const double side = outward(state.supportSide());
+      const double lean = p.torsoRoll * std::sin(pi * phase);
+      torso.roll -= side * lean;
+      // Leaning to a leg lowers its hip under the middle.
+      torso.hipHeight += p.constantHipHeight * std::abs(posture.leg(Side::left).hip().y()) * std::sin(lean);
+    }
+    return torso;
   }
 
   Pose2 torsoOnGround() const { return Pose2(Vec2(posture.torso().translation().head<2>())); }
 
-  const WalkParameters p;
   LinearInvertedPendulum model;
   BodyPosture posture;
   StepPlanner planner;
   SwingTrajectory swing;
 
   Mode mode = Mode::stand;
-  Vec2 velocity = Vec2::Zero();  ///< what the walk aims at now [m/s]
-  double turn = 0;               ///< [rad/s]
-  ReferenceTrajectory reference;
+  Vec2 velocity = Vec2::Zero();   ///< what the walk aims at now [m/s]
+  double turn = 0;                ///< [rad/s]
   Vec2 tilt = Vec2::Zero();       ///< torso off its planned roll and pitch [rad]
+  Vec2 excess = Vec2::Zero();     ///< what of it is more than tolerated [rad]
   Vec2 usualTilt = Vec2::Zero();  ///< running mean of the deviation [rad]
   Vec2 rate = Vec2::Zero();       ///< its turn rate about x and y [rad/s]
   double elapsed = 0;             ///< of the step or of the shift before the first one [s]
   double phase = 0;
   Side first = Side::left;     ///< carries in the first step
   Pose2 liftOff;               ///< the swing foot when the step began, in the supporting foot's frame
+  double stepTime = 0;         ///< left of the step in progress [s]
+  Pose2 stepTarget;            ///< of the step in progress
   Pose2 motion;                ///< of the centre of mass frame in this cycle
   Pose2 torso;                 ///< in the centre of mass frame, last cycle
   std::deque<Pose2> underway;  ///< odometry of commands that have not taken effect
@@ -310,12 +399,13 @@ private:
   WalkOutput standing;
 };
 
-WalkEngine::WalkEngine(const WalkParameters& parameters, const RobotModel& robot) {
-  parameters.check();
-  implementation = std::make_unique<Implementation>(parameters, robot);
+WalkEngine::WalkEngine(const WalkGaits& gaits, const RobotModel& robot) {
+  gaits.check();
+  implementation = std::make_unique<Implementation>(gaits, robot);
 }
 WalkEngine::~WalkEngine() = default;
 WalkEngine::WalkEngine(WalkEngine&&) noexcept = default;
+WalkEngine& WalkEngine::operator=(WalkEngine&&) noexcept = default;
 
 WalkOutput WalkEngine::update(const WalkRequest& request, const WalkSensors& sensors) {
   return implementation->update(request, sensors);
@@ -326,5 +416,13 @@ void WalkEngine::reset() { implementation->reset(); }
 WalkOutput WalkEngine::stand() const { return implementation->stand(); }
 
 const WalkState& WalkEngine::state() const { return implementation->state; }
+const WalkState& WalkEngine::observed() const { return implementation->loop.observed().state(); }
+Vec2 WalkEngine::seenVelocity() const { return implementation->loop.observed().seenVelocity(); }
+const WalkParameters& WalkEngine::gait() const { return implementation->p; }
+Vec2 WalkEngine::imuDifference() const { return implementation->loop.observed().imuDifference(); }
+const ReferenceTrajectory& WalkEngine::reference() const { return implementation->reference; }
+void WalkEngine::setModelParameters(const ModelParameters& parameters) { implementation->fit = parameters; }
+const ModelParameters& WalkEngine::modelParameters() const { return implementation->fit; }
+const ObservedStep* WalkEngine::observedStep() { return implementation->recorder.take(); }
 
 }  // namespace plumbline::walking

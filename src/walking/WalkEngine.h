@@ -4,7 +4,10 @@
 
 #include "math/Pose2.h"
 #include "robot/RobotModel.h"
-#include "walking/WalkParameters.h"
+#include "walking/ObservedStep.h"
+#include "walking/ReferenceTrajectory.h"
+#include "walking/WalkGaits.h"
+#include "walking/WalkSensors.h"
 #include "walking/WalkState.h"
 
 namespace plumbline::walking {
@@ -15,35 +18,33 @@ struct WalkRequest {
   bool walk = false;             ///< false: come to a safe stop and stand
 };
 
-struct WalkSensors {
-  JointArray angles{};                ///< measured [rad]
-  Vec2 torsoAngles = Vec2::Zero();    ///< torso against gravity: roll (about x) and pitch (about y) [rad]
-  Vec3 gyro = Vec3::Zero();           ///< torso frame [rad/s]
-  std::array<double, 2> footForce{};  ///< vertical force on the left and right sole [N]
-  double dt = 0.02;                   ///< of one cycle [s]
-};
-
 struct WalkOutput {
   JointArray angles{};                ///< targets [rad] of
   std::array<bool, numJoints> set{};  ///< these joints: legs and arms, not the head
   Pose2 odometry;  ///< motion of the torso's ground frame since the last cycle, in that frame
   Support support = Support::both;
+  Pose2 stepTarget;              ///< where the swing foot will land, in the frame of the centre of mass then
+  double stepTime = 0;           ///< left of the current step [s]
   double phase = 0;              ///< passed share of the current step, 0 .. 1
   bool standing = true;          ///< both feet on the ground and at rest: another motion may begin
   Vec2 velocity = Vec2::Zero();  ///< walked now, mean over the step [m/s]
   double turn = 0;               ///< [rad/s]
 };
 
-/// The walk of chapter 4 (Seekircher 2015), sections 4.2.1 to 4.2.4: every cycle the step in progress is
-/// planned with the pendulum model and one cycle of it becomes joint targets. Call update() once per control
-/// cycle.
+/// The walk of chapter 4 (Seekircher 2015): every cycle the walk state is drawn to what is observed, the step
+/// in progress is planned with the pendulum model, and one cycle of it becomes joint targets. With
+/// observationPosition and observationVelocity at 0 it is the open loop of section 4.2.4. Call update() once
+/// per control cycle.
 class WalkEngine {
 public:
   /// Throws std::invalid_argument for parameters out of range (naming the parameter) or a robot whose legs it
   /// cannot move.
-  WalkEngine(const WalkParameters& parameters, const RobotModel& robot);
+  WalkEngine(const WalkGaits& gaits, const RobotModel& robot);
+  WalkEngine(const WalkParameters& parameters, const RobotModel& robot)
+      : WalkEngine(WalkGaits(parameters), robot) {}
   ~WalkEngine();
   WalkEngine(WalkEngine&&) noexcept;
+  WalkEngine& operator=(WalkEngine&&) noexcept;
 
   WalkOutput update(const WalkRequest& request, const WalkSensors& sensors);
   /// Stands from now on (after another motion moved the robot).
@@ -52,6 +53,22 @@ public:
   WalkOutput stand() const;
   /// The walk state that is being realised; for tests and plots.
   const WalkState& state() const;
+  /// What is observed, as old as the last measurement; its velocity is the particle filter's.
+  const WalkState& observed() const;
+  /// The velocity that the supporting foot's movement alone shows [m/s].
+  Vec2 seenVelocity() const;
+  /// The parameters at the present speed.
+  const WalkParameters& gait() const;
+  /// Mean difference of the torso's roll and pitch by IMU and by the supporting legs [rad].
+  Vec2 imuDifference() const;
+  /// The walk that is aimed at.
+  const ReferenceTrajectory& reference() const;
+
+  /// The ten parameters that fit the model to this robot (section 4.3.1), from the next cycle on.
+  void setModelParameters(const ModelParameters& parameters);
+  const ModelParameters& modelParameters() const;
+  /// The observed step that ended in the last update, if one did (nullptr); valid until the next update.
+  const ObservedStep* observedStep();
 
 private:
   class Implementation;

@@ -40,6 +40,7 @@ struct WalkParameters {
 
   // Model
   double pendulumHeight = 0.25;  ///< of the centre of mass over the ground in the pendulum [m]
+  double pendulumSideways = 0;   ///< added to it for the motion sideways [m]
   double copForward = 0;         ///< pressure on the supporting sole, before its centre [m]
   double copOutward = 0;         ///< the same to the outside [m]
 
@@ -56,7 +57,26 @@ struct WalkParameters {
   double anklePitchRate = 0;
   double stepForwardGain = 0;  ///< share of the tilt that step planning takes for the pendulum moving
   double stepSidewaysGain = 0;
-  double swingLevel = 0;  ///< share of the tilt that the swing foot is turned back by
+  double swingLevel = 0;   ///< share of the tilt that the swing foot is turned back by
+  double hipRollGain = 0;  ///< torso angle to the supporting hip (section 4.2.7)
+  double hipPitchGain = 0;
+  double hipRollRate = 0;  ///< torso turn rate to the supporting hip [s]
+  double hipPitchRate = 0;
+  double comForwardGain = 0;  ///< share of the tilt that the mass is moved back over the feet by
+  double comSidewaysGain = 0;
+  double tiltTolerance = 0.2;  ///< torso's deviation from its plan beyond which the walk slows down [rad]
+  double tiltBrake = 0;        ///< share of the requested speed taken off per such deviation [1/rad]
+
+  // Observation (section 4.2.5); both shares 0: the walk state follows the model alone
+  double observationDelay = 0.04;  ///< between a command and the measurement that shows it [s]
+  double observationPosition = 0;  ///< share of the observed error of the feet taken over in a cycle
+  double observationVelocity = 0;  ///< the same of the velocity
+  double imuAverage = 0;           ///< time over which IMU and legs are compared, 0: the IMU is right [s]
+
+  // Torso
+  double torsoMeasured = 0;      ///< share of its measured tilt that the legs are placed for
+  double torsoRoll = 0;          ///< lean to the supporting leg in the middle of a step [rad]
+  double constantHipHeight = 0;  ///< 1: the supporting hip keeps its height as it leans, 0: the mass does
 
   // Arms
   double armSwing = 0;          ///< shoulder pitch per distance of the feet along x [rad/m]
@@ -77,7 +97,8 @@ struct WalkParameters {
 struct WalkParameterInfo {
   const char* name;  ///< as the member and the key in walking.yaml
   double WalkParameters::*value;
-  double low, high;  ///< closed range
+  double low, high;    ///< closed range
+  bool blends = true;  ///< may differ between the directions of walking (WalkGaits)
 };
 
 /// Every member of WalkParameters.

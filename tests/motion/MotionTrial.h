@@ -27,7 +27,7 @@ public:
       : model(simsparkRobot(type)),
         robot(model),
         control(model),
-        walk(readWalkParameters(type), model),
+        walk(readWalkGaits(type), model),
         stand(walk.stand().angles),
         motions(readMotions(motionDirectories(type), model)) {
     robot.restart(Pose2(), stand);
@@ -42,12 +42,8 @@ public:
     for (const std::string& directory : directories(type)) paths.emplace_back(directory + "/motions");
     return paths;
   }
-  static walking::WalkParameters readWalkParameters(int type) {
-    const ConfigFile file("walking", directories(type));
-    walking::WalkParameters parameters;
-    for (const walking::WalkParameterInfo& info : walking::walkParameterTable())
-      parameters.*info.value = file.root().get<double>(info.name, {info.low, info.high});
-    return parameters;
+  static walking::WalkGaits readWalkGaits(int type) {
+    return walking::readWalkGaits(ConfigFile("walking", directories(type)).root());
   }
 
   const KeyframeMotion& motion(const std::string& name) const {

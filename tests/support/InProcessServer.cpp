@@ -17,7 +17,7 @@ simspark::ForceReading reading(const simulation::FootForce& force) { return {for
 InProcessServer::InProcessServer(const Setup& setup_)
     : setup(setup_),
       robot_(simsparkRobot(setup.type)),
-      engine({}, robot_.model()),
+      engine(walking::WalkParameters{}, robot_.model()),
       control(robot_.model()),
       vision(setup.seed) {
   robot_.restart(setup.start, engine.stand().angles);

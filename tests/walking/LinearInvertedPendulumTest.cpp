@@ -95,5 +95,75 @@ TEST(LinearInvertedPendulum, doubleSupportLeavesItsCentreOfPressure) {
   EXPECT_NEAR(end.velocity.y(), -0.03 * k * std::sinh(k * 0.1), 1e-12);
 }
 
+/// The ten parameters one by one against what they mean.
+class FittedPendulum : public testing::Test {
+protected:
+  const WalkState begin = onLeft(Pose2(-0.03, 0.05), Vec2(0.2, 0.1));
+  const WalkAction action = lasting(0.15);
+  ModelParameters fit;
+  WalkState end() const {
+    return LinearInvertedPendulum(height, Vec2::Zero(), fit).move(begin, action, 0.15);
+  }
+  WalkState plain(const WalkState& state, double h = height, double time = 0.15) const {
+    return LinearInvertedPendulum(h).move(state, action, time);
+  }
+};
+
+TEST_F(FittedPendulum, neutralValuesChangeNothing) {
+  EXPECT_EQ(end().velocity, plain(begin).velocity);
+  EXPECT_EQ(end().foot[0].position, plain(begin).foot[0].position);
+  for (std::size_t i = 0; i < ModelParameters::count; ++i)
+    EXPECT_DOUBLE_EQ(fit.values()[i], modelParameterTable[i].neutral) << modelParameterTable[i].name;
+}
+
+TEST_F(FittedPendulum, anOffsetOfTheMassMovesTheFootTheOtherWay) {
+  fit.massOffsetX = 0.01;
+  fit.massOffsetY = -0.004;
+  WalkState moved = begin;
+  moved.foot[0].position -= Vec2(0.01, -0.004);
+  EXPECT_NEAR((end().velocity - plain(moved).velocity).norm(), 0, 1e-12);
+  EXPECT_NEAR((end().foot[0].position - plain(moved).foot[0].position - Vec2(0.01, -0.004)).norm(), 0, 1e-12);
+}
+
+TEST_F(FittedPendulum, heightsOfBothDirectionsAreSeparate) {
+  fit.massOffsetZx = 0.05;
+  fit.massOffsetZy = -0.05;
+  EXPECT_NEAR(end().velocity.x(), plain(begin, height + 0.05).velocity.x(), 1e-12);
+  EXPECT_NEAR(end().velocity.y(), plain(begin, height - 0.05).velocity.y(), 1e-12);
+}
+
+TEST_F(FittedPendulum, velocityOffsetIsOfTheEstimate) {
+  fit.velocityOffsetX = 0.03;
+  fit.velocityOffsetY = -0.02;
+  WalkState faster = begin;
+  faster.velocity += Vec2(0.03, -0.02);
+  EXPECT_NEAR((end().velocity + Vec2(0.03, -0.02) - plain(faster).velocity).norm(), 0, 1e-12);
+  EXPECT_NEAR((end().foot[0].position - plain(faster).foot[0].position).norm(), 0, 1e-12);
+}
+
+TEST_F(FittedPendulum, footFactorsScaleTheDistance) {
+  fit.footFactor = 1.1;
+  fit.footFactorX = 0.9;
+  WalkState scaled = begin;
+  scaled.foot[0].position = Vec2(1.1 * 0.9 * -0.03, 1.1 * 0.05);
+  const WalkState moved = plain(scaled);
+  EXPECT_NEAR((end().velocity - moved.velocity).norm(), 0, 1e-12);
+  EXPECT_NEAR(end().foot[0].x(), moved.foot[0].x() / (1.1 * 0.9), 1e-12);
+  EXPECT_NEAR(end().foot[0].y(), moved.foot[0].y() / 1.1, 1e-12);
+}
+
+TEST_F(FittedPendulum, timeFactorLetsThePendulumsTimePassFaster) {
+  fit.timeFactor = 1.2;
+  EXPECT_NEAR((end().velocity - plain(begin, height, 0.18).velocity).norm(), 0, 1e-12);
+}
+
+TEST_F(FittedPendulum, aMoveInTwoPartsIsTheWholeMove) {
+  fit = ModelParameters::of({0.01, -0.004, 0.02, -0.03, 0.03, -0.02, 0.9, 1.05, 1.1, 1.2});
+  const LinearInvertedPendulum model(height, Vec2::Zero(), fit);
+  const WalkState twice = model.move(model.move(begin, action, 0.07), action, 0.08);
+  EXPECT_NEAR((end().velocity - twice.velocity).norm(), 0, 1e-12);
+  EXPECT_NEAR((end().foot[0].position - twice.foot[0].position).norm(), 0, 1e-12);
+}
+
 }  // namespace
 }  // namespace plumbline::walking

@@ -131,12 +131,12 @@ TEST_F(StepPlannerTest, pressureStaysOnTheSoles) {
 TEST_F(StepPlannerTest, standBringsTheMassToRestInTheMiddle) {
   WalkState state = standing();
   state.velocity = Vec2(0.05, 0.15);
-  ASSERT_TRUE(planner.canStand(state, model().rate()));
-  for (int i = 0; i < 75; ++i) state = model().predict(state, planner.stand(state, model().rate(), 0.02));
+  ASSERT_TRUE(planner.canStand(state));
+  for (int i = 0; i < 75; ++i) state = model().predict(state, planner.stand(state, 0.02));
   EXPECT_LT(state.velocity.norm(), 0.01);
   EXPECT_LT((state.foot[0].position + state.foot[1].position).norm() / 2, 0.003);
   state.velocity.x() = 0.6;
-  EXPECT_FALSE(planner.canStand(state, model().rate()));
+  EXPECT_FALSE(planner.canStand(state));
 }
 
 }  // namespace

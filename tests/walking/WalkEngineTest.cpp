@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "robot/LegKinematics.h"
 
@@ -122,6 +124,136 @@ TEST(WalkEngine, resetIsTheStand) {
   loop.run({}, dt);
   EXPECT_TRUE(loop.output.standing);
   EXPECT_NEAR(loop.output.odometry.position.norm(), 0, 1e-3);
+}
+
+/// The engine in closed loop with a robot that moves as the model says, measured two cycles late.
+struct PerfectRobot {
+  RobotModel robot = simsparkRobot(0);
+  WalkEngine engine;
+  std::deque<JointArray> underway;
+  WalkSensors sensors;
+  WalkOutput output;
+
+  explicit PerfectRobot(const WalkParameters& parameters) : engine(parameters, robot) {
+    underway.assign(2, engine.stand().angles);
+  }
+  void cycle(const WalkRequest& request) {
+    sensors.angles = underway.front();
+    underway.pop_front();
+    output = engine.update(request, sensors);
+    underway.push_back(output.angles);
+  }
+};
+
+WalkParameters closedLoop() {
+  WalkParameters p;
+  p.pendulumHeight = 0.22;
+  p.observationPosition = 0.1;
+  p.observationVelocity = 0.1;
+  return p;
+}
+
+TEST(WalkEngine, closedLoopWithAPerfectRobotIsTheOpenLoop) {
+  WalkParameters open = closedLoop();
+  open.observationPosition = open.observationVelocity = 0;
+  PerfectRobot a(closedLoop()), b(open);
+  double worst = 0;
+  for (int i = 0; i < 300; ++i) {
+    const WalkRequest request = i < 200 ? walk(0.2, 0.05, 0.2) : WalkRequest{};
+    a.cycle(request);
+    b.cycle(request);
+    worst = std::max(worst, (a.engine.state().velocity - b.engine.state().velocity).norm());
+  }
+  EXPECT_LT(worst, 0.08);
+  EXPECT_TRUE(a.output.standing);
+}
+
+TEST(WalkEngine, observedVelocityIsThatOfAPerfectRobot) {
+  PerfectRobot robot(closedLoop());
+  std::deque<Vec2> planned(1, Vec2::Zero());
+  double squares = 0;
+  int count = 0;
+  for (int i = 0; i < 300; ++i) {
+    robot.cycle(walk(0.2, 0, 0));
+    planned.push_back(robot.engine.state().velocity);
+    const Vec2 then = planned.front();
+    if (planned.size() > 2) planned.pop_front();
+    if (i < 50) continue;
+    squares += (robot.engine.observed().velocity - then).squaredNorm();
+    ++count;
+  }
+  EXPECT_LT(std::sqrt(squares / count), 0.06);
+}
+
+TEST(WalkEngine, theWalkStateIsDrawnSlowlyToTheObservedOne) {
+  WalkParameters p = closedLoop();
+  PerfectRobot robot(p);
+  for (int i = 0; i < 20; ++i) robot.cycle({});
+  robot.sensors.torsoAngles.y() = 0.05;  // the whole robot leans forward: the feet are behind its mass
+  robot.cycle({});
+  const double first = robot.engine.state().foot[0].x();
+  EXPECT_LT(first, -0.0005);
+  EXPECT_GT(first, -0.005) << "not at once";
+}
+
+TEST(WalkEngine, stepsAreObserved) {
+  PerfectRobot robot(closedLoop());
+  int steps = 0;
+  for (int i = 0; i < 250; ++i) {
+    robot.cycle(walk(0.1, 0, 0));
+    if (const ObservedStep* step = robot.engine.observedStep()) {
+      ++steps;
+      EXPECT_GT(step->samples.size(), 3u);
+      EXPECT_NEAR(step->pendulum.heights.x(), 0.22, 1e-12);
+    }
+  }
+  EXPECT_NEAR(steps, 5 / 0.18, 4);
+}
+
+TEST(WalkEngine, theHipsOfTheCarryingLegsTurnTheTorsoBack) {
+  WalkParameters p;
+  const auto hips = [&](const Vec2& tilt) {
+    WalkEngine engine(p, simsparkRobot(0));
+    WalkSensors sensors;
+    sensors.torsoAngles = tilt;
+    return engine.update({}, sensors).angles;
+  };
+  const JointArray without = hips(Vec2(0.1, 0.2));
+  p.hipRollGain = 0.3;
+  p.hipPitchGain = 0.5;
+  const JointArray with = hips(Vec2(0.1, 0.2));
+  for (const JointId joint : {lHipRoll, rHipRoll}) EXPECT_NEAR(with[joint] - without[joint], 0.03, 1e-9);
+  for (const JointId joint : {lHipPitch, rHipPitch}) EXPECT_NEAR(with[joint] - without[joint], 0.1, 1e-9);
+  EXPECT_DOUBLE_EQ(with[lKneePitch], without[lKneePitch]);
+  EXPECT_EQ(hips(Vec2::Zero()), hips(Vec2::Zero()));
+}
+
+TEST(WalkEngine, constantHipHeightKeepsTheSupportingHip) {
+  const RobotModel robot = simsparkRobot(0);
+  const LegKinematics left(robot, Side::left), right(robot, Side::right);
+  // How far the supporting hip comes up and down within the steps.
+  const auto range = [&](double constantHipHeight) {
+    WalkParameters p;
+    p.torsoRoll = 0.05;
+    p.constantHipHeight = constantHipHeight;
+    WalkEngine engine(p, robot);
+    double low = 1, high = 0;
+    for (int i = 0; i < 150; ++i) {
+      const WalkOutput out = engine.update(walk(0, 0, 0), {});
+      if (i < 50) continue;
+      const bool onLeft = out.support == Support::left;
+      LegAngles angles{};
+      std::copy_n(out.angles.begin() + firstLegJoint(onLeft ? Side::left : Side::right), 6, angles.begin());
+      const LegKinematics& leg = onLeft ? left : right;
+      // The hip over the flat sole.
+      const double height = (leg.sole(angles).inverse() * leg.hip()).z();
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+    return high - low;
+  };
+  EXPECT_LT(range(1), 1e-4);
+  EXPECT_GT(range(0), 1.5e-3);
 }
 
 TEST(WalkParameters, firstBadValueIsNamed) {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "walking/WalkingRobot.h"
+#include "training/WalkingRobot.h"
 
 namespace plumbline::walking {
 namespace {

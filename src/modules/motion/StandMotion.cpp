@@ -7,12 +7,12 @@ namespace plumbline {
 
 MAKE_MODULE(StandMotion)
 
-void StandMotion::init() { parameters_ = readWalkParameters(config); }
+void StandMotion::init() { gaits_ = readWalkGaits(config); }
 
 void StandMotion::update(StandOutput* theStandOutput) {
   if (theRobotDescription->type == type_) return;
   type_ = theRobotDescription->type;
-  const walking::WalkOutput stand = walking::WalkEngine(parameters_, theRobotDescription->model).stand();
+  const walking::WalkOutput stand = walking::WalkEngine(gaits_, theRobotDescription->model).stand();
   theStandOutput->targets.angles = stand.angles;
   theStandOutput->targets.set = stand.set;
 }

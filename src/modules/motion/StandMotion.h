@@ -2,7 +2,7 @@
 #include "framework/Module.h"
 #include "representations/infrastructure/RobotDescription.h"
 #include "representations/motion/MotionOutputs.h"
-#include "walking/WalkParameters.h"
+#include "walking/WalkGaits.h"
 
 namespace plumbline {
 
@@ -18,7 +18,7 @@ public:
   void update(StandOutput* theStandOutput) override;
 
 private:
-  walking::WalkParameters parameters_;
+  walking::WalkGaits gaits_;
   int type_ = -1;
 };
 

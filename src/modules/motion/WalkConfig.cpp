@@ -2,12 +2,8 @@
 
 namespace plumbline {
 
-walking::WalkParameters readWalkParameters(const Config& config) {
-  walking::WalkParameters parameters;
-  const ConfigSection& file = config.file("walking");
-  for (const walking::WalkParameterInfo& info : walking::walkParameterTable())
-    parameters.*info.value = file.get<double>(info.name, {info.low, info.high});
-  return parameters;
+walking::WalkGaits readWalkGaits(const Config& config) {
+  return walking::readWalkGaits(config.file("walking"));
 }
 
 }  // namespace plumbline

@@ -1,10 +1,10 @@
 #pragma once
 #include "framework/Config.h"
-#include "walking/WalkParameters.h"
+#include "walking/WalkGaits.h"
 
 namespace plumbline {
 
 /// The walk's parameters from walking.yaml, which may be overridden for each robot; errors as Config::get.
-walking::WalkParameters readWalkParameters(const Config& config);
+walking::WalkGaits readWalkGaits(const Config& config);
 
 }  // namespace plumbline

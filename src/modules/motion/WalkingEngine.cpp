@@ -1,18 +1,40 @@
 #include "modules/motion/WalkingEngine.h"
 
+#include "framework/ThreadPriority.h"
 #include "modules/motion/WalkConfig.h"
 
 namespace plumbline {
 
 MAKE_MODULE(WalkingEngine)
 
-void WalkingEngine::init() { parameters_ = readWalkParameters(config); }
+void WalkingEngine::init() {
+  gaits_ = readWalkGaits(config);
+  const bool fits = config.get<bool>("fit.enabled");
+  walking::BackgroundFitOptions options;
+  options.steps = static_cast<std::size_t>(config.get<int>("fit.steps", {6, 10000}));
+  options.maxSteps = 3 * options.steps;
+  options.duration = config.get<double>("fit.seconds", {0.1, 3600});
+  options.cpuShare = config.get<double>("fit.cpuShare", {0.01, 1});
+  options.wait = config.get<bool>("fit.wait");
+  options.fit.generations = config.get<int>("fit.generations", {1, 100000});
+  options.onThreadStart = [] { applyThreadPriority(0, 14); };
+  if (fits) fit_ = std::make_unique<walking::BackgroundFit>(options);
+}
+
+void WalkingEngine::fitModel() {
+  if (const walking::ObservedStep* step = engine_->observedStep()) fit_->add(*step);
+  const auto result = fit_->pass(theFrameInfo->cycleSeconds, engine_->modelParameters());
+  if (!result) return;
+  if (result->accepted) engine_->setModelParameters(result->parameters);
+  log << "walk model: error on held-out steps " << result->heldBefore << " -> " << result->heldAfter
+      << (result->accepted ? ", taken" : ", not taken");
+}
 
 void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
   if (theRobotDescription->type < 0) return;
   if (theRobotDescription->type != type_) {
     type_ = theRobotDescription->type;
-    engine_.emplace(parameters_, theRobotDescription->model);
+    engine_.emplace(gaits_, theRobotDescription->model);
   }
   const bool selected = theMotionSelection->motion == Motion::walk;
   if (!selected || theMotionSelection->started || theFrameInfo->restarted) engine_->reset();
@@ -30,6 +52,7 @@ void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
                          theSensorData->rightFoot.force.z() + theSensorData->rightToe.force.z()};
     sensors.dt = theFrameInfo->cycleSeconds;
     output = engine_->update(request, sensors);
+    if (fit_ && request.walk) fitModel();
   } else {
     output = engine_->stand();
   }

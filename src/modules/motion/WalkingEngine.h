@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 
 #include "framework/Module.h"
@@ -10,6 +11,7 @@
 #include "representations/motion/MotionOutputs.h"
 #include "representations/motion/MotionRequest.h"
 #include "representations/motion/MotionSelection.h"
+#include "walking/BackgroundFit.h"
 #include "walking/WalkEngine.h"
 
 namespace plumbline {
@@ -25,6 +27,7 @@ REQUIRES(TorsoAngles)
 PROVIDES(WalkingEngineOutput)
 END_MODULE
 
+/// While it walks, the model may be fitted to the robot (config/WalkingEngine.yaml, fit).
 /// Walks while the walk is selected; once another motion is requested it comes to a stop and stands, which
 /// allows the selector to leave it. While another motion moves the robot its output is the stand.
 class WalkingEngine : public WalkingEngineBase {
@@ -33,8 +36,11 @@ public:
   void update(WalkingEngineOutput* theWalkingEngineOutput) override;
 
 private:
-  walking::WalkParameters parameters_;
+  void fitModel();
+
+  walking::WalkGaits gaits_;
   std::optional<walking::WalkEngine> engine_;
+  std::unique_ptr<walking::BackgroundFit> fit_;
   int type_ = -1;
 };
 

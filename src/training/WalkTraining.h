@@ -1,0 +1,46 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "training/WalkTrial.h"
+
+namespace plumbline::walking {
+
+/// One number of the walk that is searched: a parameter of the base (section "") or of a corner.
+struct Variable {
+  std::string section;
+  const WalkParameterInfo* info;
+  double step;  ///< a sensible first change
+};
+
+/// What is searched for a task: the corner of a direction with its speed and acceleration; for the mixture
+/// the accelerations, the feedback and the speeds.
+std::vector<Variable> variablesOf(Task task);
+
+double valueOf(const WalkGaits& gaits, const Variable& variable);
+/// Sets it, within its range; durations of steps of the same section follow stepDuration.
+void setValue(WalkGaits& gaits, const Variable& variable, double value);
+
+struct TrainingSetup {
+  int type = 0;
+  Task task = Task::forward;
+  int generations = 100, population = 16;
+  std::uint64_t seed = 1;
+  TrialSetup trial;
+  double sigma = 0.5;  ///< of the first generation, in first steps of the variables
+};
+
+/// What a walk costs: lower is better. Falls weigh more than any speed they could be worth.
+double cost(Task task, const TrialResult& result);
+
+/// Searches with CMA-ES from the gaits given, every generation with tries of its own. Returns the middle of
+/// the last generation if it is better than the gaits given over many tries that neither was chosen by; else
+/// those. progress: a line to print and the best guess so far, every ten generations and at the end.
+WalkGaits train(const WalkGaits& gaits, const TrainingSetup& setup,
+                const std::function<void(const std::string&, const WalkGaits&)>& progress);
+
+/// The file robots/typeN/walking.yaml: what is different from the common walk.
+std::string walkFile(const WalkGaits& gaits, const WalkParameters& common, const std::string& heading);
+
+}  // namespace plumbline::walking

@@ -1,0 +1,176 @@
+#include "training/WalkTrial.h"
+
+#include "math/Random.h"
+
+namespace plumbline::walking {
+namespace {
+
+constexpr double cycle = 0.02, enough = 9;
+
+WalkRequest fullSpeed(Task task, double sign) {
+  switch (task) {
+    case Task::forward:
+      return {Vec2(enough, 0), 0, true};
+    case Task::backward:
+      return {Vec2(-enough, 0), 0, true};
+    case Task::sideways:
+      return {Vec2(0, sign * enough), 0, true};
+    case Task::turn:
+    case Task::mixture:
+      return {Vec2::Zero(), sign * enough, true};
+  }
+  return {};
+}
+
+/// Any request within the walk's limits, in one case of four full speed ahead, in one a turn on the spot, in
+/// some a stop.
+WalkRequest anyRequest(Random& random, const WalkParameters& p) {
+  WalkRequest request;
+  request.walk = random.uniform() > 0.15;
+  request.velocity =
+      Vec2(random.uniform(-p.maxBackward, p.maxForward), random.uniform(-p.maxSideways, p.maxSideways));
+  request.turn = random.uniform(-p.maxTurn, p.maxTurn);
+  const double kind = random.uniform(0, 4);
+  if (kind < 1) {
+    request.velocity = Vec2(p.maxForward, 0);
+    request.turn *= 0.2;
+  } else if (kind < 2) {
+    request.velocity.setZero();
+  }
+  return request;
+}
+
+class Try {
+public:
+  Try(WalkingRobot& robot, Random& random, double push) : robot(robot), random(random), push(push) {}
+
+  bool step(const WalkRequest& request) {
+    if (push > 0 && random.uniform() < cycle) {
+      const double direction = random.uniform(-pi, pi), size = random.uniform(0, push);
+      robot.push(size * Vec3(std::cos(direction), std::sin(direction), 0));
+    }
+    return robot.step(request);
+  }
+  bool run(const WalkRequest& request, double seconds) {
+    for (double t = 0; t < seconds; t += cycle)
+      if (!step(request)) return false;
+    return true;
+  }
+
+private:
+  WalkingRobot& robot;
+  Random& random;
+  double push;
+};
+
+/// One try in one direction; false if it ended in a fall.
+bool tryDirection(WalkingRobot& robot, Random& random, const WalkParameters& p, Task task,
+                  const TrialSetup& setup, TrialResult& result) {
+  Try attempt(robot, random, setup.push);
+  robot.restart(Pose2(-14, 5));  // clear of goals and walls
+  const double sign = random.uniform() < 0.5 ? -1 : 1;
+  const WalkRequest full = fullSpeed(task, sign);
+  if (!attempt.run({}, random.uniform(0.1, 0.5))) return false;
+  if (!attempt.run(full, 1.2)) return false;
+  const double time = setup.seconds - 1.2;
+  const double before = robot.turned();
+  double along = 0;
+  Vec2 way = Vec2::Zero();
+  WalkRequest request = full;
+  bool upright = true;
+  double change = random.uniform(1, 2);
+  for (double t = 0; upright && t < time; t += cycle) {
+    if ((change -= cycle) < 0) {
+      change = random.uniform(0.4, 1.2);
+      request = full;
+      if (random.uniform() < 0.4) {
+        if (task == Task::turn)
+          request.velocity = Vec2(random.uniform(-0.3, 0.5), 0) * p.maxForward;
+        else if (task == Task::forward)
+          request.turn = random.uniform(-0.3, 0.3) * p.maxTurn * enough / p.maxForward;
+        else
+          request.turn = random.uniform(-0.2, 0.2) * p.maxTurn;
+      }
+    }
+    upright = attempt.step(request);
+    way += robot.moved.position;
+    if (task == Task::turn)
+      along = (robot.turned() - before) * sign;
+    else
+      along = full.velocity.normalized().dot(way);
+  }
+  result.speed += along / time / setup.tries;
+  if (task != Task::turn && upright) {
+    const Vec2 across(-full.velocity.normalized().y(), full.velocity.normalized().x());
+    result.drift += std::abs(across.dot(way)) / time / setup.tries;
+  } else if (task == Task::turn && upright) {
+    result.drift += way.norm() / time / setup.tries;
+  }
+  return upright && attempt.run({}, 1.6) && robot.output.standing;
+}
+
+TrialResult tryMixture(WalkingRobot& robot, const WalkParameters& p, const TrialSetup& setup) {
+  TrialResult result;
+  const double minutes = setup.tries * setup.seconds / 60;
+  Random random(setup.seed);
+  Try attempt(robot, random, setup.push);
+  robot.restart();
+  double time = 0, wanted = 0, got = 0, length = 0, miss = 0;
+  int falls = 0;
+  while (time < 60 * minutes) {
+    const WalkRequest request = anyRequest(random, p);
+    const double duration = random.uniform(0.3, 2);
+    time += duration;
+    Pose2 walked, told;
+    bool upright = true;
+    for (double t = 0; upright && t < duration; t += cycle) {
+      upright = attempt.step(request);
+      walked = walked * robot.moved;
+      told = told * robot.output.odometry;
+    }
+    if (request.walk && request.velocity.norm() > 0.05) {
+      wanted += request.velocity.norm() * duration;
+      if (upright)
+        got += Eigen::Rotation2Dd(walked.heading / 2)
+                   .inverse()
+                   .
+                   operator*(walked.position)
+                   .dot(request.velocity.normalized());
+    }
+    length += walked.position.norm();
+    miss += (told.position - walked.position).norm();
+    if (!upright) {
+      ++falls;
+      if (setup.stopEarly && falls >= 6 && falls > 6 * time / 60) {
+        falls = static_cast<int>(falls * 60 * minutes / time);
+        break;
+      }
+    }
+    if (!upright || robot.pose().position.norm() > 8) robot.restart();
+  }
+  result.falls = falls / minutes;
+  result.odometry = length > 0 ? miss / length : 0;
+  result.speed = wanted > 0 ? got / wanted : 0;
+  return result;
+}
+
+}  // namespace
+
+TrialResult tryWalk(WalkingRobot& robot, const WalkGaits& gaits, Task task, const TrialSetup& setup) {
+  robot.use(gaits);
+  if (task == Task::mixture) return tryMixture(robot, gaits.base, setup);
+  TrialResult result;
+  int fallen = 0;
+  for (int i = 0; i < setup.tries; ++i) {
+    Random random(setup.seed * 1000 + static_cast<std::uint64_t>(i));
+    if (!tryDirection(robot, random, gaits.base, task, setup, result)) ++fallen;
+    if (setup.stopEarly && i == 2 && fallen == 3) {
+      fallen = setup.tries;
+      break;
+    }
+  }
+  result.falls = static_cast<double>(fallen) / setup.tries;
+  return result;
+}
+
+}  // namespace plumbline::walking

@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+
+#include "training/WalkingRobot.h"
+
+namespace plumbline::walking {
+
+/// What a walk is tried for.
+enum class Task { forward, backward, sideways, turn, mixture };
+inline constexpr std::array<const char*, 5> taskNames{"forward", "backward", "sideways", "turn", "mixture"};
+
+/// How a walk did in a number of tries.
+struct TrialResult {
+  double speed =
+      0;  ///< mean along the request, 0 from a fall on; turning [rad/s], mixture: share of the request
+  double falls = 0;     ///< per try; mixture: per minute
+  double odometry = 0;  ///< mixture: error of the told way per metre
+  double drift = 0;     ///< speed across the request, or away while turning [m/s]
+};
+
+struct TrialSetup {
+  std::uint64_t seed = 1;
+  int tries = 10;
+  double seconds = 6;     ///< of one try
+  double push = 0.1;      ///< greatest change of the body's velocity by a push, about one a second [m/s]
+  bool stopEarly = true;  ///< gives up when the first tries all end in falls, counting the rest as such
+};
+
+/// Lets the robot do the task: from a stand at full speed for some seconds, then to a stop; pushed and asked
+/// for small changes at random on the way.
+TrialResult tryWalk(WalkingRobot& robot, const WalkGaits& gaits, Task task, const TrialSetup& setup);
+
+}  // namespace plumbline::walking

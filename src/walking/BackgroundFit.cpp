@@ -1,0 +1,80 @@
+#include "walking/BackgroundFit.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace plumbline::walking {
+
+BackgroundFit::BackgroundFit(const BackgroundFitOptions& options_)
+    : options(options_), thread([this] { run(); }) {}
+
+BackgroundFit::~BackgroundFit() {
+  {
+    const std::lock_guard lock(mutex);
+    stop = true;
+  }
+  changed.notify_all();
+  thread.join();
+}
+
+void BackgroundFit::add(const ObservedStep& step) {
+  steps.push_back(step);
+  if (steps.size() > options.maxSteps) steps.pop_front();
+}
+
+std::optional<ModelFitResult> BackgroundFit::pass(double dt, const ModelParameters& now) {
+  if (!running) {
+    if (steps.size() < options.steps) return std::nullopt;
+    {
+      const std::lock_guard lock(mutex);
+      work.assign(steps.begin(), steps.end());
+      start = now;
+      seed = options.fit.seed + fits++;
+      result.reset();
+    }
+    changed.notify_all();
+    running = true;
+    elapsed = 0;
+  }
+  elapsed += dt;
+  if (elapsed < options.duration) return std::nullopt;
+  std::unique_lock lock(mutex);
+  if (options.wait) changed.wait(lock, [&] { return result.has_value(); });
+  if (!result) return std::nullopt;
+  running = false;
+  // Steps walked with the old parameters tell less of the new ones.
+  steps.clear();
+  return std::exchange(result, std::nullopt);
+}
+
+void BackgroundFit::run() {
+  if (options.onThreadStart) options.onThreadStart();
+  std::unique_lock lock(mutex);
+  for (;;) {
+    changed.wait(lock, [&] { return stop || !work.empty(); });
+    if (stop) return;
+    const std::vector<ObservedStep> mine = std::exchange(work, {});
+    const ModelParameters from = start;
+    ModelFitOptions fit = options.fit;
+    fit.seed = seed;
+    lock.unlock();
+    // Pauses keep it within its share; they change when it is done, not what it finds.
+    using Clock = std::chrono::steady_clock;
+    auto begin = Clock::now();
+    fit.goOn = [&] {
+      const auto used = Clock::now() - begin;
+      std::unique_lock pause(mutex);
+      if (!options.wait && options.cpuShare < 1)
+        changed.wait_for(pause, used * (1 / std::max(0.01, options.cpuShare) - 1), [&] { return stop; });
+      begin = Clock::now();
+      return !stop;
+    };
+    ModelFitResult found = fitModel(mine, from, fit);
+    lock.lock();
+    result = std::move(found);
+    changed.notify_all();
+  }
+}
+
+}  // namespace plumbline::walking

@@ -1,0 +1,59 @@
+#pragma once
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "walking/ModelFit.h"
+
+namespace plumbline::walking {
+
+struct BackgroundFitOptions {
+  std::size_t steps = 30;     ///< observed before a fit begins
+  std::size_t maxSteps = 90;  ///< kept at most, the newest
+  double duration = 20;       ///< walking time from a fit's beginning to the use of its result [s]
+  double cpuShare = 0.2;      ///< of one core, at most
+  /// Waits for a result that is due, so that a run depends on nothing but its input; else it comes late.
+  bool wait = false;
+  ModelFitOptions fit{};
+  std::function<void()> onThreadStart{};  ///< gives the thread its low priority
+};
+
+/// Fits the model to the robot while it walks (section 4.3.2): collects steps, fits in a thread of its own,
+/// hands over the result when it is due, and begins again.
+class BackgroundFit {
+public:
+  explicit BackgroundFit(const BackgroundFitOptions& options);
+  ~BackgroundFit();
+  BackgroundFit(const BackgroundFit&) = delete;
+  BackgroundFit& operator=(const BackgroundFit&) = delete;
+
+  /// A step walked with these parameters.
+  void add(const ObservedStep& step);
+  /// Lets walking time pass [s]; now: the parameters in use. The result that has become due, if any; use its
+  /// parameters if it is accepted.
+  std::optional<ModelFitResult> pass(double dt, const ModelParameters& now);
+  bool busy() const { return running; }
+
+private:
+  void run();
+
+  const BackgroundFitOptions options;
+  std::deque<ObservedStep> steps;
+  double elapsed = 0;    ///< since the fit began [s]
+  bool running = false;  ///< of the walking thread: a fit has begun and its result was not yet handed over
+  std::uint64_t fits = 0;
+
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool stop = false;
+  std::vector<ObservedStep> work;  ///< what the thread is to fit
+  ModelParameters start;
+  std::uint64_t seed = 1;
+  std::optional<ModelFitResult> result;
+  std::thread thread;
+};
+
+}  // namespace plumbline::walking

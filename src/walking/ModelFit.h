@@ -1,0 +1,35 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "walking/ObservedStep.h"
+
+namespace plumbline::walking {
+
+struct ModelFitOptions {
+  int population = 20;  ///< as in section 4.3.2
+  int generations = 60;
+  std::uint64_t seed = 1;
+  /// Called after every generation; false ends the fit without a result.
+  std::function<bool()> goOn{};
+};
+
+struct ModelFitResult {
+  ModelParameters parameters;            ///< those before if not accepted
+  bool accepted = false;                 ///< predicts the held-out steps better than the parameters before
+  double before = 0, after = 0;          ///< error on the steps it was fitted to
+  double heldBefore = 0, heldAfter = 0;  ///< on every third step, which it was not
+  std::vector<double> best;              ///< least error after each generation (figure 4.13)
+};
+
+/// Mean squared error of the positions and velocities that the model predicts from the beginning of each
+/// step; one at an error of 5 mm and 5 cm/s (section 4.3.2).
+double predictionError(std::span<const ObservedStep> steps, const ModelParameters& parameters);
+
+/// Fits the ten parameters to observed steps with CMA-ES. The result depends on its arguments alone.
+ModelFitResult fitModel(std::span<const ObservedStep> steps, const ModelParameters& before,
+                        const ModelFitOptions& options = {});
+
+}  // namespace plumbline::walking

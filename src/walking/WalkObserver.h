@@ -1,0 +1,45 @@
+#pragma once
+#include "robot/ForwardKinematics.h"
+#include "robot/LegKinematics.h"
+#include "walking/VelocityFilter.h"
+#include "walking/WalkSensors.h"
+
+namespace plumbline::walking {
+
+/// The walk state as the sensors tell it (section 4.2.5): feet from the joint angles and the torso's angles,
+/// velocity from the particle filter. What it tells is as old as the measurement.
+class WalkObserver {
+public:
+  explicit WalkObserver(const RobotModel& robot, const VelocityFilterParameters& filter = {});
+  WalkObserver(const WalkObserver&) = delete;
+  WalkObserver& operator=(const WalkObserver&) = delete;
+
+  void reset();
+  /// A measurement; `support` and `action` are what went on since the last one, in the model. average: time
+  /// over which the difference of IMU and legs is averaged [s]; 0: it is not taken off the IMU's angles.
+  void update(const WalkSensors& sensors, Support support, const WalkAction& action, const WalkModel& model,
+              double average);
+
+  const WalkState& state() const { return observed; }
+  /// Torso against gravity, roll and pitch, without the mean difference of IMU and legs [rad].
+  const Vec2& torsoAngles() const { return angles; }
+  /// Mean difference of the torso's roll and pitch by the IMU and by the supporting legs (section 4.2.8,
+  /// table 4.1) [rad].
+  const Vec2& imuDifference() const { return difference; }
+  /// Velocity of the centre of mass by the supporting foot's movement alone, last cycle [m/s].
+  const Vec2& seenVelocity() const { return seen; }
+
+private:
+  Vec2 legAngles(Support support) const;
+
+  RobotModel robot;
+  ForwardKinematics kinematics;
+  std::array<LegKinematics, 2> legs;
+  std::array<Pose3, 2> soles;  ///< in the torso frame
+  VelocityFilter filter;
+  WalkState observed;
+  Vec2 angles = Vec2::Zero(), difference = Vec2::Zero(), seen = Vec2::Zero();
+  bool begun = false;
+};
+
+}  // namespace plumbline::walking

@@ -1,0 +1,67 @@
+#include "bench/walking/Report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace plumbline::bench {
+
+Estimate estimate(const std::vector<double>& runs) {
+  Estimate e;
+  e.runs = runs.size();
+  if (runs.empty()) return e;
+  for (const double run : runs) e.mean += run / static_cast<double>(runs.size());
+  if (runs.size() < 2) return e;
+  double squares = 0;
+  for (const double run : runs) squares += (run - e.mean) * (run - e.mean);
+  constexpr double t[] = {12.71, 4.30, 3.18, 2.78, 2.57, 2.45, 2.36,
+                          2.31,  2.26, 2.23, 2.20, 2.18, 2.16, 2.14};
+  const std::size_t freedom = runs.size() - 1;
+  const double quantile =
+      freedom <= std::size(t) ? t[freedom - 1] : 1.96 + 2.5 / static_cast<double>(freedom);
+  e.half = quantile * std::sqrt(squares / static_cast<double>(freedom * runs.size()));
+  return e;
+}
+
+std::string text(const Estimate& value, int digits) {
+  return fmt::format("{:.{}f} ± {:.{}f}", value.mean, digits, value.half, digits);
+}
+
+void Report::figure(const std::string& name, double value, const std::string& unit, const Target& target,
+                    const std::string& peer, double peerValue) {
+  figures +=
+      fmt::format(R"({}  {{"name": "walking.{}", "value": {:.6g}, "unit": "{}", "better": "{}")",
+                  figures.empty() ? "[\n" : ",\n", name, value, unit, target.higher ? "higher" : "lower");
+  if (std::isfinite(target.value)) figures += fmt::format(R"(, "target": {:.6g})", target.value);
+  if (!peer.empty()) figures += fmt::format(R"(, "peer": "{}", "peer_value": {:.6g})", peer, peerValue);
+  figures += "}";
+}
+
+void Report::tableHead(const std::vector<std::string>& cells) {
+  row(cells);
+  markdown += "|";
+  for (std::size_t i = 0; i < cells.size(); ++i) markdown += "---|";
+  markdown += "\n";
+}
+
+void Report::row(const std::vector<std::string>& cells) {
+  std::string line = "|";
+  for (const std::string& cell : cells) line += " " + cell + " |";
+  markdown += line + "\n";
+  std::puts(line.c_str());
+  std::fflush(stdout);
+}
+
+void writeFile(const std::string& path, const std::string& content) {
+  std::ofstream file(path + ".new");
+  file << content;
+  file.close();
+  if (!file) throw std::runtime_error("cannot write " + path);
+  std::filesystem::rename(path + ".new", path);
+}
+
+}  // namespace plumbline::bench

@@ -1,0 +1,41 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace plumbline::bench {
+
+/// Mean of independent runs with the half width of its 95 % interval (Student's t).
+struct Estimate {
+  double mean = 0, half = 0;
+  std::size_t runs = 0;
+};
+Estimate estimate(const std::vector<double>& runs);
+/// "1.02 ± 0.03" with so many digits after the point.
+std::string text(const Estimate& value, int digits = 2);
+
+/// Figures for build/bench/walking.json and tables for build/bench/walking.md.
+class Report {
+public:
+  struct Target {
+    bool higher = true;
+    double value = 0;
+  };
+  void figure(const std::string& name, double value, const std::string& unit, const Target& target,
+              const std::string& peer = "", double peerValue = 0);
+  /// A heading, a paragraph or a table's row.
+  void heading(const std::string& line) { markdown += "\n## " + line + "\n\n"; }
+  void paragraph(const std::string& line) { markdown += line + "\n\n"; }
+  void tableHead(const std::vector<std::string>& cells);
+  void row(const std::vector<std::string>& cells);
+
+  const std::string& tables() const { return markdown; }
+  std::string json() const { return figures + "\n]\n"; }
+
+private:
+  std::string markdown, figures;
+};
+
+/// Writes a file beside its place and puts it there; throws std::runtime_error.
+void writeFile(const std::string& path, const std::string& content);
+
+}  // namespace plumbline::bench

@@ -1,0 +1,23 @@
+#pragma once
+#include "bench/walking/Plot.h"
+#include "bench/walking/Report.h"
+
+namespace plumbline::bench {
+
+struct BenchSetup {
+  int seeds = 10;
+  double minutes = 3;  ///< of random requests per type and seed
+  int tries = 100;     ///< of each push
+};
+
+/// How fast and how safely every type walks.
+void measureSpeeds(const BenchSetup& setup, Report& report);
+/// The thesis's tables 4.1 and 4.3 to 4.5, before and after the model's optimisation;
+/// figures 4.13, 4.14, 4.18 and 4.24.
+void measureThesisTables(const BenchSetup& setup, Report& report, Page& page);
+/// The largest push survived, open against closed loop.
+void measurePushes(const BenchSetup& setup, Report& report);
+/// Velocity estimate against the truth, cost per cycle; figures 4.2, 4.3, 4.5, 4.6, 4.9, 4.10.
+void measureEstimate(const BenchSetup& setup, Report& report, Page& page);
+
+}  // namespace plumbline::bench

@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include "math/Random.h"
+#include "training/WalkTrial.h"
+#include "bench/walking/Sections.h"
+
+namespace plumbline::bench {
+namespace {
+
+using namespace walking;
+
+constexpr double cycle = 0.02, enough = 9;
+
+struct Straight {
+  double speed = 0;
+  bool upright = true;
+};
+
+/// Mean speed along the request from two seconds after the start on; turning in deg/s.
+Straight fullSpeed(WalkingRobot& robot, const WalkRequest& request, double seconds, double wait) {
+  robot.restart(Pose2(-14.5, 5));
+  Straight result;
+  result.upright = robot.run({}, wait) && robot.run(request, 2);
+  const Vec2 direction = request.velocity.normalized();
+  const double before = robot.turned();
+  double way = 0, time = 0;
+  for (; result.upright && time < seconds; time += cycle) {
+    result.upright = robot.step(request);
+    way += robot.moved.position.dot(direction);
+    // A field is 30 m long; back to its beginning, the posture as it is.
+    if (std::abs(robot.pose().x()) > 14.8 || std::abs(robot.pose().y()) > 9.5) robot.carry(Vec2(0, 0));
+  }
+  if (time > 0)
+    result.speed = (request.turn != 0 ? toDegrees(std::abs(robot.turned() - before)) : way) / time;
+  return result;
+}
+
+WalkRequest walk(double x, double y, double turn) { return {Vec2(x, y), turn, true}; }
+
+}  // namespace
+
+void measureSpeeds(const BenchSetup& setup, Report& report) {
+  // Sustained forward speed of the better of two teams' published agents on the league's server.
+  const double peer[numSimsparkTypes] = {0.83, 0.79, 0.87, 0.82, 0.85};
+  report.heading("Speed and stability");
+  report.paragraph(fmt::format(
+      "Each cell: mean of {} runs and its 95 % interval. Forward: full speed for 60 s after the first 2 s; "
+      "the other "
+      "directions 20 s. Falls at full speed: share of all these runs. Random: any mixture of requests, "
+      "changed every 0.3 to 2 s, {:.0f} minutes per run.",
+      setup.seeds, setup.minutes));
+  report.tableHead({"type", "forward m/s", "backward m/s", "sideways m/s", "turn deg/s", "0.5 m from stand s",
+                    "falls at full speed", "random: falls/min", "safe stops", "odometry error"});
+  for (int type = 0; type < numSimsparkTypes; ++type) {
+    WalkingRobot robot(type);
+    const WalkGaits gaits = readWalkGaits(type);
+    std::vector<double> forward, backward, sideways, turn, half, falls, odometry, stops;
+    int fallen = 0, runs = 0;
+    const auto add = [&](std::vector<double>& to, const Straight& run) {
+      to.push_back(run.speed);
+      fallen += run.upright ? 0 : 1;
+      ++runs;
+    };
+    for (int seed = 0; seed < setup.seeds; ++seed) {
+      Random random(static_cast<std::uint64_t>(1000 + seed));
+      const double wait = random.uniform(0.1, 0.6), sign = seed % 2 == 0 ? 1 : -1;
+      add(forward, fullSpeed(robot, walk(enough, 0, 0), 60, wait));
+      add(backward, fullSpeed(robot, walk(-enough, 0, 0), 20, wait));
+      add(sideways, fullSpeed(robot, walk(0, sign * enough, 0), 20, wait));
+      add(turn, fullSpeed(robot, walk(0, 0, sign * enough), 20, wait));
+
+      robot.restart();
+      robot.run({}, wait);
+      const Pose2 start = robot.pose();
+      double time = 0;
+      while (robot.step(walk(enough, 0, 0)) && (start.inverse() * robot.pose()).x() < 0.5) time += cycle;
+      half.push_back(time);
+
+      double safe = 0;
+      for (int i = 0; i < 5; ++i) {
+        robot.restart();
+        robot.run({}, wait);
+        const WalkParameters& p = gaits.base;
+        robot.run(walk(random.uniform(-p.maxBackward, enough), random.uniform(-p.maxSideways, p.maxSideways),
+                       random.uniform(-p.maxTurn, p.maxTurn)),
+                  random.uniform(1, 3));
+        safe += robot.run({}, 2) && robot.output.standing ? 0.2 : 0;
+      }
+      stops.push_back(100 * safe);
+
+      TrialSetup trial;
+      trial.seed = static_cast<std::uint64_t>(500 + seed);
+      trial.tries = 1;
+      trial.seconds = 60 * setup.minutes;
+      trial.push = 0;
+      trial.stopEarly = false;
+      const TrialResult mixture = tryWalk(robot, gaits, Task::mixture, trial);
+      falls.push_back(mixture.falls);
+      odometry.push_back(100 * mixture.odometry);
+    }
+    const auto mean = [](const std::vector<double>& v) { return estimate(v).mean; };
+    report.row({std::to_string(type), text(estimate(forward)), text(estimate(backward)),
+                text(estimate(sideways)), text(estimate(turn), 0), text(estimate(half)),
+                fmt::format("{} of {}", fallen, runs), text(estimate(falls)), text(estimate(stops), 0) + " %",
+                text(estimate(odometry), 1) + " %"});
+    const std::string name = fmt::format("type{}.", type);
+    report.figure(name + "forward", mean(forward), "m/s", {true, 1.0}, "FC Portugal codebase 2024-10",
+                  peer[type]);
+    report.figure(name + "backward", mean(backward), "m/s", {true, 0.6});
+    report.figure(name + "sideways", mean(sideways), "m/s", {true, 0.5});
+    report.figure(name + "turn", mean(turn), "deg/s", {true, 120});
+    report.figure(name + "half_metre_from_stand", mean(half), "s", {false, 2.08});
+    report.figure(name + "falls_at_full_speed", 100.0 * fallen / runs, "%", {false, 0});
+    report.figure(name + "falls_random", mean(falls), "1/min", {false, 0.05});
+    report.figure(name + "safe_stops", mean(stops), "%", {true, 100});
+    report.figure(name + "odometry_error", mean(odometry), "%", {false, 10});
+  }
+}
+
+}  // namespace plumbline::bench

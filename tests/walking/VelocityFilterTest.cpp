@@ -1,0 +1,87 @@
+#include "walking/VelocityFilter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "walking/LinearInvertedPendulum.h"
+
+namespace plumbline::walking {
+namespace {
+
+constexpr double dt = 0.02;
+
+/// A pendulum on its left foot that the filter is told of.
+struct Watched {
+  LinearInvertedPendulum model{0.25};
+  WalkState truth;
+  VelocityFilter filter;
+  Random noise{7};
+  double squares = 0, seenSquares = 0;
+
+  explicit Watched(const Vec2& velocity, int particles = 60)
+      : filter({.particles = particles, .modelNoise = 0.06, .footNoise = 0.04, .seed = 1}) {
+    truth.support = Support::left;
+    truth.foot[0] = Pose2(-0.01, 0.05);
+    truth.velocity = velocity;
+  }
+  void cycle(double sigma = 0) {
+    // The pendulum swings to and fro over the foot: no step is needed.
+    truth.foot[0].position.x() = -truth.velocity.x() / 6;
+    WalkAction action;
+    action.duration = dt;
+    const WalkState after = model.move(truth, action, dt);
+    const Vec2 mean = (truth.foot[0].position - after.foot[0].position) / dt;
+    const Vec2 seen = mean + sigma * Vec2(noise.gaussian(), noise.gaussian());
+    filter.update(model, truth, action, dt, seen);
+    truth = after;
+    truth.foot[0] = Pose2(-0.01, 0.05);
+    squares += (filter.velocity() - truth.velocity).squaredNorm();
+    seenSquares += (seen - mean).squaredNorm();
+  }
+};
+
+TEST(VelocityFilter, findsAVelocityItWasNotToldOf) {
+  Watched watched(Vec2(0.4, 0.1));
+  for (int i = 0; i < 8; ++i) watched.cycle();
+  EXPECT_NEAR((watched.filter.velocity() - watched.truth.velocity).norm(), 0, 0.03);
+}
+
+TEST(VelocityFilter, aPushIsSeenWithinThreeCycles) {
+  Watched watched(Vec2(0.2, 0.1));
+  watched.filter.reset(Vec2(0.2, 0.1));
+  for (int i = 0; i < 10; ++i) watched.cycle();
+  watched.truth.velocity += Vec2(0.15, -0.2);
+  for (int i = 0; i < 3; ++i) watched.cycle();
+  EXPECT_NEAR((watched.filter.velocity() - watched.truth.velocity).norm(), 0, 0.05);
+}
+
+TEST(VelocityFilter, knowsMoreThanTheFootShows) {
+  // A foot whose movement is seen badly: the model makes up for it.
+  Watched watched(Vec2(0.2, 0), 500);
+  watched.filter = VelocityFilter({.particles = 500, .modelNoise = 0.02, .footNoise = 0.1, .seed = 3});
+  watched.filter.reset(Vec2(0.2, 0));
+  for (int i = 0; i < 12; ++i) watched.cycle(0.1);
+  EXPECT_LT(watched.squares, 0.5 * watched.seenSquares);
+}
+
+TEST(VelocityFilter, whatNoParticleExplainsBeginsAnew) {
+  Watched watched(Vec2(0.2, 0));
+  WalkAction action;
+  action.duration = dt;
+  EXPECT_EQ(watched.filter.update(watched.model, watched.truth, action, dt, Vec2(9, 0)), Vec2(9, 0));
+}
+
+TEST(VelocityFilter, sameCallsSameAnswers) {
+  Watched a(Vec2(0.2, 0)), b(Vec2(0.2, 0));
+  b.cycle(0.05);
+  b = Watched(Vec2(0.2, 0));
+  for (int i = 0; i < 20; ++i) {
+    a.cycle(0.02);
+    b.cycle(0.02);
+  }
+  EXPECT_EQ(a.filter.velocity(), b.filter.velocity());
+}
+
+}  // namespace
+}  // namespace plumbline::walking
