@@ -11,7 +11,7 @@
 
 #include "optimization/Cmaes.h"
 #include "optimization/Functions.h"
-
+#include "optimization/Xnes.h"
 
 using namespace plumbline;
 using Eigen::VectorXd;
@@ -47,10 +47,26 @@ double medianEvaluations(double (*cost)(const VectorXd&), int n, double start, i
   return counts[4];
 }
 
+template <typename T, typename Options>
+double medianOf(double (*cost)(const VectorXd&), int n, double start, Options options) {
+  std::vector<double> counts;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    options.seed = seed;
+    options.stop.targetCost = 1e-8;
+    options.stop.maxEvaluations = 1'000'000;
+    T optimizer(SearchSpace::around(VectorXd::Constant(n, start), 0.5), options);
+    minimize(optimizer, cost);
+    counts.push_back(optimizer.bestCost() <= 1e-8 ? static_cast<double>(optimizer.evaluations()) : 1e9);
+  }
+  std::sort(counts.begin(), counts.end());
+  return counts[2];
+}
+
+template <typename T, typename Options>
 double millisecondsPerGeneration(int n) {
-  CmaesOptions options;
+  Options options;
   options.population = 30;
-  Cmaes cmaes(SearchSpace::around(VectorXd::Constant(n, 1), 0.5), options);
+  T cmaes(SearchSpace::around(VectorXd::Constant(n, 1), 0.5), options);
   std::vector<double> costs(30);
   double seconds = 0;
   constexpr int generations = 200;
@@ -87,8 +103,16 @@ int main() {
                         Case{"ellipsoid", ellipsoid, 40, 1, 76900}})
     add("cmaes." + std::string(c.name) + std::to_string(c.n) + ".evaluations_of_30",
         medianEvaluations(c.cost, c.n, c.start, 30), "evaluations", c.libcmaes, "pagmo cmaes");
-  add("cmaes.generation96", millisecondsPerGeneration(96), "ms", 3.5, "pagmo cmaes");
-  add("cmaes.generation210", millisecondsPerGeneration(210), "ms", 37, "pagmo cmaes");
+  add("cmaes.generation96", millisecondsPerGeneration<Cmaes, CmaesOptions>(96), "ms", 3.5, "pagmo cmaes");
+  add("cmaes.generation210", millisecondsPerGeneration<Cmaes, CmaesOptions>(210), "ms", 37, "pagmo cmaes");
 
+  XnesOptions xnes;
+  add("xnes.sphere10.evaluations", medianOf<Xnes>(sphere, 10, 1, xnes), "evaluations", 15500, "pagmo xnes");
+  add("xnes.ellipsoid10.evaluations", medianOf<Xnes>(ellipsoid, 10, 1, xnes), "evaluations", 21900,
+      "pagmo xnes");
+  add("xnes.rosenbrock10.evaluations", medianOf<Xnes>(rosenbrock, 10, 0, xnes), "evaluations", 22200,
+      "pagmo xnes");
+  add("xnes.generation96", millisecondsPerGeneration<Xnes, XnesOptions>(96), "ms", 0.7, "pagmo xnes");
+  add("xnes.generation210", millisecondsPerGeneration<Xnes, XnesOptions>(210), "ms", 6.6, "pagmo xnes");
   std::ofstream("build/bench/optimization.json") << report.dump(1) << "\n";
 }

@@ -1,0 +1,41 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "optimization/Optimizer.h"
+
+namespace plumbline {
+
+struct ParticleSwarmOptions {
+  int population = 0;  ///< particles; 0: 40; at least 4
+  std::uint64_t seed = 1;
+  int neighbours = 2;  ///< on either side of a particle in the ring; 0: everybody knows everybody
+  StopCriteria stop;
+};
+
+/// Particle swarm with constriction: Clerc and Kennedy, "The particle swarm", IEEE Transactions on
+/// Evolutionary Computation 6(1), 2002 (chi 0.72984, phi 2.05 twice), each particle drawn to its own best and
+/// to the best of its neighbours in a ring (Bratton and Kennedy, "Defining a Standard for Particle Swarm
+/// Optimization", 2007). A particle that would leave the box stops at its wall.
+class ParticleSwarm : public Optimizer {
+public:
+  ParticleSwarm(SearchSpace space, ParticleSwarmOptions options = {});
+  int population() const { return static_cast<int>(place.cols()); }
+
+protected:
+  void sample(Eigen::MatrixXd& candidates) override;
+  void update(std::span<const double> costs, std::span<const int> order) override;
+  StopReason converged() const override;
+
+private:
+  int leaderOf(int particle) const;
+
+  ParticleSwarmOptions options;
+  Eigen::MatrixXd place, speed, ownBest;
+  std::vector<double> ownCost;
+  double bestBefore = 0;
+  int stillFor = 0;
+};
+
+}  // namespace plumbline

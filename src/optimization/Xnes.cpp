@@ -1,0 +1,75 @@
+#include "optimization/Xnes.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "math/Random.h"
+
+namespace plumbline {
+
+Xnes::Xnes(SearchSpace space_, XnesOptions options_)
+    : Optimizer(std::move(space_), options_.stop), options(options_), box(space().lower, space().upper) {
+  const int n = dimension();
+  if (options.population == 0) options.population = 4 + static_cast<int>(std::floor(3 * std::log(n)));
+  if (options.population < 4)
+    throw std::invalid_argument("Xnes: population " + std::to_string(options.population) +
+                                ", at least 4 are needed");
+  const int lambda = options.population;
+  utilities.resize(lambda);
+  for (int i = 0; i < lambda; ++i)
+    utilities[i] = std::max(0.0, std::log(lambda / 2.0 + 1) - std::log(i + 1.0));
+  utilities /= utilities.sum();
+  utilities.array() -= 1.0 / lambda;
+  rate = 3 * (3 + std::log(n)) / (5 * n * std::sqrt(n));
+  mean = box.fromBox(space().start).cwiseQuotient(space().sigma);
+  shape = Eigen::MatrixXd::Identity(n, n);
+  z.resize(n, lambda);
+}
+
+Eigen::VectorXd Xnes::favourite() const { return box.toBox(mean.cwiseProduct(space().sigma)); }
+
+void Xnes::sample(Eigen::MatrixXd& candidates) {
+  Random random(options.seed * 0xd1342543de82ef95ULL + static_cast<std::uint64_t>(generations()));
+  for (Eigen::Index i = 0; i < z.size(); ++i) z.data()[i] = random.gaussian();
+  candidates.noalias() = sigma_ * shape * z;
+  for (Eigen::Index k = 0; k < candidates.cols(); ++k)
+    for (Eigen::Index i = 0; i < candidates.rows(); ++i)
+      candidates(i, k) = box.toBox(i, space().sigma[i] * (mean[i] + candidates(i, k)));
+}
+
+void Xnes::update(std::span<const double> costs, std::span<const int> order) {
+  const int n = dimension(), lambda = population();
+  Eigen::VectorXd u(lambda);
+  for (int i = 0; i < lambda; ++i) u[order[static_cast<std::size_t>(i)]] = utilities[i];
+  // The utilities add up to 0, so the gradient of the covariance is z diag(u) z', of the population's rank.
+  const double gradientSigma = (z.colwise().squaredNorm().transpose().cwiseProduct(u)).sum() / n;
+  mean += sigma_ * (shape * (z * u));
+
+  const int rank = std::min(n, lambda);
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(z);
+  const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(n, rank);
+  const Eigen::MatrixXd r = q.transpose() * z;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(r * u.asDiagonal() * r.transpose());
+  const Eigen::VectorXd growth = (0.5 * rate * solver.eigenvalues()).array().exp() - 1;
+  const Eigen::MatrixXd inside = q * solver.eigenvectors();
+  shape += (shape * inside) * growth.asDiagonal() * inside.transpose();
+  shape *= std::exp(-0.5 * rate * gradientSigma);
+  sigma_ *= std::exp(0.5 * rate * gradientSigma);
+
+  const double best = costs[static_cast<std::size_t>(order[0])];
+  lastSpread = costs[static_cast<std::size_t>(order[static_cast<std::size_t>(lambda) - 1])] - best;
+  stillFor = std::max(lastSpread, std::abs(best - bestBefore)) < stop().tolFun ? stillFor + 1 : 0;
+  bestBefore = best;
+}
+
+StopReason Xnes::converged() const {
+  if (stillFor >= 10 + 30 * dimension() / population()) return StopReason::tolFun;
+  const double spread = sigma_ * std::sqrt(shape.rowwise().squaredNorm().maxCoeff());
+  if (!std::isfinite(spread) || spread > 1e4) return StopReason::condition;
+  return spread < stop().tolX ? StopReason::tolX : StopReason::none;
+}
+
+}  // namespace plumbline

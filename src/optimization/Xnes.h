@@ -1,0 +1,43 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "optimization/BoxTransform.h"
+#include "optimization/Optimizer.h"
+
+namespace plumbline {
+
+struct XnesOptions {
+  int population = 0;  ///< candidates per generation; 0: 4 + floor(3 ln n); at least 4
+  std::uint64_t seed = 1;
+  StopCriteria stop;
+};
+
+/// Exponential natural evolution strategy: Glasmachers, Schaul, Sun, Wierstra, Schmidhuber, "Exponential
+/// Natural Evolution Strategies", GECCO 2010, algorithm 1 and its learning rates. The gradient of the shape
+/// has the rank of the population, so its exponential is taken in that subspace: no generation costs more
+/// than O(n^2 population). Bounds by BoxTransform.
+class Xnes : public Optimizer {
+public:
+  Xnes(SearchSpace space, XnesOptions options = {});
+
+  int population() const { return static_cast<int>(utilities.size()); }
+  double sigma() const { return sigma_; }
+  Eigen::VectorXd favourite() const override;
+
+protected:
+  void sample(Eigen::MatrixXd& candidates) override;
+  void update(std::span<const double> costs, std::span<const int> order) override;
+  StopReason converged() const override;
+
+private:
+  XnesOptions options;
+  BoxTransform box;
+  Eigen::VectorXd utilities, mean;
+  Eigen::MatrixXd shape, z;  ///< shape: candidates are mean + sigma * shape * z, in units of the first sigma
+  double sigma_ = 1, rate = 0;
+  double lastSpread = 0, bestBefore = 0;
+  int stillFor = 0;
+};
+
+}  // namespace plumbline
