@@ -29,4 +29,5 @@ report.overlays = (answer, section) => {
   section.append(el('p', { class: 'dim' }, 'Drag over a plot to zoom in, double-click to see all again.'),
     el('div', { class: 'tools' }, buttons, report.legend(keys.map((k) => [k, colours[k]]))), plots);
   draw(false);
+  report.shown = () => [drawn[0].scales.x.min, drawn[0].scales.x.max]; // times that the first plot shows [s]
 };
