@@ -45,6 +45,23 @@ TEST(Game, twentyTwoPlayTwoHalvesToTheEnd) {
   EXPECT_NE(last.find("(t 3.0"), std::string::npos) << last;
 }
 
+TEST(Game, mayEndTheSimulatorTenSecondsLater) {
+  ServerConfig config = inStep(1);
+  config.simulation.rules.time.half = 0.2;
+  config.simulation.rules.time.quitAfterGame = true;
+  config.simulation.rules.kickOff.after = 0;
+  RunningServer server(config);
+  TestAgent agent(server.agentPort(), 0, "Red", 1);
+  std::string all = agent.play(100);
+  AgentCommand done;
+  done.syn = true;
+  std::string_view text;
+  while (agent.connection.receive(text, 1) == simspark::Connection::Status::message) agent.send(done);
+  server.join();
+  EXPECT_NE(all.find("(pm GameOver)"), std::string::npos);
+  EXPECT_NEAR(server.statistics().simulatedSeconds, 10.5, 0.2);
+}
+
 /// A game in this process, in which everybody moves and talks.
 std::string play(Simulation& simulation, const std::vector<PlayerId>& players) {
   std::string all;

@@ -37,6 +37,9 @@ refuses 'unknown physics engine "foo"; there are: ode, ode-dense, bullet' --engi
 refuses "--bind 0.0.0.0 opens the monitor port to others: set a --token" --bind 0.0.0.0
 refuses "cannot write $work/no/ports: No such file or directory" "${free[@]}" --ports-file "$work/no/ports"
 refuses "$work/none.csv: cannot be read; give a trace as .csv or .csv.gz" --replay "$work/none.csv"
+refuses "$work/none.yaml: cannot be read: No such file or directory" --rules "$work/none.yaml"
+printf 'time:\n  half: -3\n' > "$work/bad.yaml"
+refuses "$work/bad.yaml:2: time.half must be within [0.02, 1e+06], not -3" --rules "$work/bad.yaml"
 
 # Each accident of the league's server has a switch; those that a recording shows change its replay.
 report() { timeout 60 "$simulator" --replay "tests/data/traces/$1.csv.gz" "${@:2}" 2>&1; }
