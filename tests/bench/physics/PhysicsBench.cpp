@@ -81,28 +81,60 @@ private:
   std::vector<RobotHandle> robots;
 };
 
+/// Robots above each other, about to fall; their handles.
+std::vector<RobotHandle> heapUp(World& world, int count) {
+  std::vector<RobotHandle> robots;
+  for (int i = 0; i < count; ++i)
+    robots.push_back(
+        world.addRobot(simsparkRobot(i % 5), translation(0.3 * (i % 2), 0.3 * (i / 2 % 2), 0.4 + 0.2 * i) *
+                                                 rotation(Vec3(1, 2, 3).normalized(), 0.5 + i)));
+  return robots;
+}
+
+/// They struggle, or they would fall asleep.
+void struggle(World& world, const std::vector<RobotHandle>& robots, int cycle) {
+  for (const RobotHandle robot : robots) {
+    world.setJointVelocity(robot, lHipPitch, std::sin(0.1 * cycle + robot));
+    world.setJointVelocity(robot, rShoulderPitch, std::cos(0.1 * cycle + robot));
+  }
+}
+
 /// Robots that fall onto each other; every cycle's CPU time [s], sorted.
 std::vector<double> heap(int count, const std::string& engine, int cycles) {
   WorldConfig config;
   config.engine = engine;
   const auto world = makeWorld(config);
-  std::vector<RobotHandle> robots;
-  for (int i = 0; i < count; ++i)
-    robots.push_back(
-        world->addRobot(simsparkRobot(i % 5), translation(0.3 * (i % 2), 0.3 * (i / 2 % 2), 0.4 + 0.2 * i) *
-                                                  rotation(Vec3(1, 2, 3).normalized(), 0.5 + i)));
+  const std::vector<RobotHandle> robots = heapUp(*world, count);
   std::vector<double> times;
   for (int i = 0; i < cycles; ++i) {
     const double before = cpuSeconds();
-    for (const RobotHandle robot : robots) {  // they struggle, or they would fall asleep
-      world->setJointVelocity(robot, lHipPitch, std::sin(0.1 * i + robot));
-      world->setJointVelocity(robot, rShoulderPitch, std::cos(0.1 * i + robot));
-    }
+    struggle(*world, robots, i);
     world->step();
     times.push_back(cpuSeconds() - before);
   }
   std::sort(times.begin(), times.end());
   return times;
+}
+
+/// How far a heap on the tree's solver gets from the same on ODE's own within so many cycles [m].
+double heapDeviation(int count, int cycles) {
+  WorldConfig config;
+  const auto tree = makeWorld(config);
+  config.engine = "ode-dense";
+  const auto dense = makeWorld(config);
+  double largest = 0;
+  std::vector<RobotHandle> robots;
+  for (World* world : {tree.get(), dense.get()}) robots = heapUp(*world, count);
+  for (int i = 0; i < cycles; ++i) {
+    for (World* world : {tree.get(), dense.get()}) {
+      struggle(*world, robots, i);
+      world->step();
+    }
+    for (const RobotHandle robot : robots)
+      largest = std::max(
+          largest, (tree->torso(robot).pose.translation() - dense->torso(robot).pose.translation()).norm());
+  }
+  return largest;
 }
 
 double resetSeconds() {
@@ -169,15 +201,23 @@ int main(int argc, char** argv) {
              league);
   const double dense = 1e3 * WalkingCrowd(1, "ode-dense").measure(seconds);
   report.add("simulator.physics.1_robot_dense", dense, "ms", 0.18);
-  for (const int count : {2, 4, 8}) {
-    const std::vector<double> times = heap(count, "ode", 600);
-    report.add("simulator.physics.heap_of_" + std::to_string(count) + "_p95",
-               1e3 * times[times.size() * 95 / 100], "ms", count == 8 ? 10 : 2,
-               count == 2   ? 1.8
-               : count == 4 ? 17
-                            : 143,
-               "dense LCP");
-  }
+  for (const int count : {1, 22})
+    report.add("simulator.physics.bullet." + std::to_string(count) + (count == 1 ? "_robot" : "_robots"),
+               1e3 * WalkingCrowd(count, "bullet").measure(seconds), "ms", count == 1 ? 0.1 : 4,
+               count == 1 ? 0.36 : 16, league);
+  for (const std::string engine : {"ode", "bullet"})
+    for (const int count : {2, 4, 8, 22}) {
+      const std::vector<double> times = heap(count, engine, 600);
+      const double peer = count == 2 ? 1.8 : count == 4 ? 17 : count == 8 ? 143 : NAN;
+      report.add("simulator.physics." + (engine == "ode" ? std::string() : engine + ".") + "heap_of_" +
+                     std::to_string(count) + "_p95",
+                 1e3 * times[times.size() * 95 / 100], "ms",
+                 count > 8    ? 20
+                 : count == 8 ? 10
+                              : 2,
+                 peer, "dense LCP");
+    }
+  report.add("simulator.physics.heap_of_4_tree_off_dense_after_6_s", 1e6 * heapDeviation(4, 300), "um", 1);
   report.add("simulator.physics.reset_22_robots", 1e3 * resetSeconds(), "ms", 10);
 
   const auto mm2s = [](const TraceDeviation& d) { return 1e3 * d.position2s; };

@@ -13,6 +13,8 @@ class BulletRows {
 public:
   explicit BulletRows(const btMultiBody& body);
 
+  /// Forgets which rows are held.
+  void releaseAll() { held.clear(); }
   /// Forgets all rows; the velocities are those before the step.
   void reset();
   /// A row for an impulse on a link of Bullet's (-1: base) at a point along a direction (world); its local
@@ -25,11 +27,17 @@ public:
 
   /// Place of a local row in the system of its island.
   void place(int row, Eigen::Index global) { places[static_cast<std::size_t>(row)] = global; }
-  /// Adds what these rows do to each other, and takes their free velocities from the right-hand side.
-  void addTo(BoundedSystem& system) const;
+  /// A row along one joint that has no bounds and so no place: it is eliminated here, as no other body's rows
+  /// reach it. Its velocity is wanted with this compliance.
+  void hold(int row, double wanted, double compliance);
+  /// Adds what the placed rows do to each other, held joints holding, and takes their free velocities from
+  /// the right-hand side.
+  void addTo(BoundedSystem& system);
+  /// Impulses of the held rows, in the order of hold(), for the solution of the system.
+  const Eigen::VectorXd& heldImpulses(const Eigen::VectorXd& solution);
   /// Velocity along a row before the step.
   double velocityBefore(int row) const { return jacobians.col(row).dot(before); }
-  /// Adds the solved impulses to the multi-body's velocities.
+  /// Adds the solved impulses, and those of held rows as last asked for, to the multi-body's velocities.
   void apply(const Eigen::VectorXd& impulses, btMultiBody& body) const;
 
 private:
@@ -41,6 +49,8 @@ private:
   };
   const Basis& basisOf(int link, const Vec3& origin);
   int newRow(int coordinate, double sign);
+  double response(int r, int s) const;
+  void eliminateHeld(const Eigen::VectorXd& velocity);
 
   const btMultiBody& body;
   Eigen::Index size;
@@ -49,6 +59,14 @@ private:
   std::vector<Eigen::Index> places;
   std::vector<int> coordinates;  ///< of rows along one joint, else -1
   std::vector<double> signs;
+  struct Held {
+    int row;
+    double wanted, compliance;
+  };
+  std::vector<Held> held;
+  std::vector<int> placed;         ///< rows that are not held, while a system is made
+  Eigen::MatrixXd factor, across;  ///< L of the held rows' own matrix, and L^-1 of what they do to the placed
+  Eigen::VectorXd side, heldX;     ///< L^-1 of their right-hand side; their impulses
   int count = 0;
   std::vector<Basis> bases;  ///< the first of them are of this step
   std::size_t basesUsed = 0;

@@ -67,11 +67,9 @@ void BulletStep::stepIsland(const PhysicsConfig& config, BulletContacts& contact
   for (BulletAssembly* member : members)
     for (const BulletAssembly::HingeRow& row : member->addHingeRows(config))
       hingeRows.push_back({member, row});
-  fillSystem(config, contacts);
-  if (system.b.size() > 0) {
-    solve(config);
-    for (BulletAssembly* member : members) member->applyImpulses(system.solution());
+  while (!solve(config, contacts)) {
   }
+  for (BulletAssembly* member : members) member->applyImpulses(system.solution());
   for (std::size_t k = 0; k < contactIndices.size(); ++k) {
     Vec3 force = Vec3::Zero();
     for (std::size_t i = 0; i < 3; ++i)
@@ -105,7 +103,9 @@ void BulletStep::addContactRows(const BulletContacts& contacts, std::size_t inde
 
 void BulletStep::fillSystem(const PhysicsConfig& config, const BulletContacts& contacts) {
   const double h = config.stepSeconds;
-  system.reset(static_cast<Eigen::Index>(directions.size() + hingeRows.size()));
+  const auto bounded = std::count_if(hingeRows.begin(), hingeRows.end(),
+                                     [](const HingeRow& hinge) { return hinge.row.stop || hinge.saturated; });
+  system.reset(static_cast<Eigen::Index>(directions.size()) + bounded);
   frictionLimits.clear();
   for (std::size_t k = 0; k < contactIndices.size(); ++k) {
     const ContactGeometry& contact = contacts.geometry()[contactIndices[k]];
@@ -122,34 +122,43 @@ void BulletStep::fillSystem(const PhysicsConfig& config, const BulletContacts& c
     }
   }
   auto place = static_cast<Eigen::Index>(directions.size());
-  for (HingeRow& hinge : hingeRows) {
-    hinge.assembly->rows().place(hinge.row.local, place);
-    system.a(place, place) = hinge.row.compliance;
-    system.b[place] = hinge.row.wanted;
-    system.lower[place] = hinge.row.lower;
-    system.upper[place] = hinge.row.upper;
+  for (BulletAssembly* member : members) member->rows().releaseAll();
+  for (const HingeRow& hinge : hingeRows) {
+    const BulletAssembly::HingeRow& row = hinge.row;
+    if (!row.stop && !hinge.saturated) {
+      hinge.assembly->rows().hold(row.local, row.wanted, row.compliance);
+      continue;
+    }
+    hinge.assembly->rows().place(row.local, place);
+    system.a(place, place) = row.compliance;
+    system.b[place] = row.wanted;
+    const double most = hinge.assembly->maxTorque(row.hinge) * h;
+    system.lower[place] = hinge.saturated ? -most : row.lower;
+    system.upper[place] = hinge.saturated ? most : row.upper;
     ++place;
   }
-  for (const BulletAssembly* member : members) member->rows().addTo(system);
+  for (BulletAssembly* member : members) member->rows().addTo(system);
 }
 
-void BulletStep::solve(const PhysicsConfig& config) {
-  const double h = config.stepSeconds;
-  for (bool done = false; !done;) {
-    solveWithFriction(system, frictionLimits);
-    done = true;
-    for (std::size_t i = 0; i < hingeRows.size(); ++i) {
-      HingeRow& hinge = hingeRows[i];
-      if (hinge.row.stop || hinge.saturated) continue;
-      const auto place = static_cast<Eigen::Index>(directions.size() + i);
-      const double most = hinge.assembly->maxTorque(hinge.row.hinge) * h;
-      if (std::abs(system.solution()[place]) <= most) continue;
-      hinge.saturated = true;
-      system.lower[place] = -most;
-      system.upper[place] = most;
-      done = false;
+/// Solves the island with motors as they are known to be: at their limit or not. False, if more of them would
+/// need more than they have; then all is to be done again.
+bool BulletStep::solve(const PhysicsConfig& config, const BulletContacts& contacts) {
+  fillSystem(config, contacts);
+  solveWithFriction(system, frictionLimits);
+  bool done = true;
+  for (BulletAssembly* member : members) {
+    const Eigen::VectorXd& impulses = member->rows().heldImpulses(system.solution());
+    Eigen::Index i = 0;
+    for (HingeRow& hinge : hingeRows) {
+      if (hinge.assembly != member || hinge.row.stop || hinge.saturated) continue;
+      if (std::abs(impulses[i++]) > member->maxTorque(hinge.row.hinge) * config.stepSeconds) {
+        hinge.newlySaturated = true;
+        done = false;
+      }
     }
   }
+  for (HingeRow& hinge : hingeRows) hinge.saturated = hinge.saturated || hinge.newlySaturated;
+  return done;
 }
 
 }  // namespace plumbline::simulation::bullet

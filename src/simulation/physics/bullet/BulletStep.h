@@ -18,15 +18,14 @@ private:
   struct HingeRow {
     BulletAssembly* assembly;
     BulletAssembly::HingeRow row;
-    bool saturated = false;
+    bool saturated = false, newlySaturated = false;
   };
 
   void findIslands(const Assemblies& assemblies, const BulletContacts& contacts);
   void stepIsland(const PhysicsConfig& config, BulletContacts& contacts, std::size_t island);
   void addContactRows(const BulletContacts& contacts, std::size_t index);
   void fillSystem(const PhysicsConfig& config, const BulletContacts& contacts);
-  /// Solves; motors get rows with limits where they would need more than they have.
-  void solve(const PhysicsConfig& config);
+  bool solve(const PhysicsConfig& config, const BulletContacts& contacts);
   std::size_t placeOf(int handle) const;
 
   std::vector<int> handles;                ///< of all assemblies, ascending
