@@ -255,7 +255,10 @@ Mechanism assemble(const MechanismParts& parts, const std::string& file) {
 }
 
 void failMechanism(const std::string& file, const std::string& what) {
-  throw MechanismError(file + ": " + what);
+  std::string line = file + ": " + what;
+  for (char& c : line)  // names and numbers come from the file
+    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
+  throw MechanismError(line);
 }
 
 std::string numberText(double value) {
@@ -272,9 +275,7 @@ void checkName(const std::string& name, const std::string& what, const std::stri
                std::string_view(".,/\\\"'*").find(c) != std::string_view::npos;
       });
   if (!bad) return;
-  std::string shown = name.substr(0, maxLength);
-  for (char& c : shown)
-    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
+  const std::string shown = name.substr(0, maxLength);
   failMechanism(file, what + " \"" + shown +
                           "\" cannot be a name; use up to 80 characters without blanks, dots, commas, "
                           "slashes, quotes and stars");

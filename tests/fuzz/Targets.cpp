@@ -13,6 +13,9 @@ const std::vector<Target>& targets() {
       {"roboViz", roboViz, roboVizSeeds, 30000},
       {"matchFile", matchFile, matchSeeds, 6000},
       {"pageCommand", pageCommand, pageSeeds, 40000},
+      {"robotFile", robotFile, robotSeeds, 1200},
+      {"urdfFile", urdfFile, urdfSeeds, 2000},
+      {"gapRun", gapRun, runSeeds, 2000},
       {"session", session, sessionSeeds, 400},
   };
   return all;

@@ -36,6 +36,11 @@ void matchFile(std::string_view bytes);
 void pageCommand(std::string_view bytes);
 /// Lines "0 message" to "3 message" to four agents, "t message" to the trainer's port, "." a cycle.
 void session(std::string_view bytes);
+void robotFile(std::string_view bytes);
+/// A URDF and its servo table, "\n---\n" between them.
+void urdfFile(std::string_view bytes);
+/// run.json and run.csv, "\n---\n" between them.
+void gapRun(std::string_view bytes);
 
 std::vector<std::string> agentSeeds();
 std::vector<std::string> trainerSeeds();
@@ -47,5 +52,8 @@ std::vector<std::string> roboVizSeeds();
 std::vector<std::string> matchSeeds();
 std::vector<std::string> pageSeeds();
 std::vector<std::string> sessionSeeds();
+std::vector<std::string> robotSeeds();
+std::vector<std::string> urdfSeeds();
+std::vector<std::string> runSeeds();
 
 }  // namespace plumbline::fuzz

@@ -3,9 +3,21 @@
 #include <cmath>
 
 namespace plumbline::gap {
+namespace {
+
+/// Names and cells come from files: what is no letter there must not break the line.
+std::string oneLine(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
+  return text;
+}
+
+}  // namespace
+
+RunError::RunError(const std::string& what) : ConfigurationError(oneLine(what)) {}
 
 std::string RunWarning::line(const std::string& folder) const {
-  return folder + ": " + channel + (leftOut ? " is left out: " : ": ") + why;
+  return oneLine(folder + ": " + channel + (leftOut ? " is left out: " : ": ") + why);
 }
 
 const std::vector<double>* Run::find(const std::string& channel) const {

@@ -14,7 +14,7 @@ namespace plumbline::gap {
 /// A run cannot be used; what() is one line: where, what is wrong, what to do.
 class RunError : public ConfigurationError {
 public:
-  using ConfigurationError::ConfigurationError;
+  explicit RunError(const std::string& what);
 };
 
 /// A channel was left out of a run, or is to be taken with care.
