@@ -32,7 +32,8 @@ Cause causeOf(const simulation::EffectSetting& setting, const Mechanism& robot) 
   }
   const double scale = cause.effect->scaleAt(robot, cause.place);
   const double lower = cause.effect->lower * scale, upper = cause.effect->upper * scale;
-  if (setting.value < lower || setting.value > upper)
+  const double rounding = 1e-5 * (upper - lower);  // answers have six digits
+  if (setting.value < lower - rounding || setting.value > upper + rounding)
     setting.fail("value", "is " + text(setting.value) + "; " + setting.effect + " goes from " + text(lower) +
                               " to " + text(upper) + " " + std::string(cause.effect->unit));
   cause.value = setting.value;

@@ -17,20 +17,6 @@ namespace {
 
 constexpr double visible = 6, obvious = 60;
 
-double noiseOf(const Signal& signal) {
-  const SensorNoise noise;
-  switch (signal.kind) {
-    case SignalKind::gyro:
-      return noise.gyro;
-    case SignalKind::accelerometer:
-      return noise.accelerometer;
-    case SignalKind::force:
-      return noise.force;
-    default:
-      return std::hypot(noise.encoder, noise.encoderStep / std::sqrt(12.0));
-  }
-}
-
 Prediction played(const Mechanism& robot, const Trial& trial, const Explanation& causes) {
   const Plant plant = plantOf(robot, causes);
   ReplayOptions options;
@@ -43,7 +29,7 @@ Prediction played(const Mechanism& robot, const Trial& trial, const Explanation&
   return replay(plant, trial, options);
 }
 
-double difference(const Trial& trial, const Prediction& a, const Prediction& b, std::string* signal) {
+double difference(const Trial& trial, const Prediction& a, const Prediction& b) {
   if (a.fell || b.fell) return std::numeric_limits<double>::infinity();
   double most = 0;
   for (std::size_t s = 0; s < trial.signals.size(); ++s) {
@@ -55,20 +41,12 @@ double difference(const Trial& trial, const Prediction& a, const Prediction& b, 
       sum += d * d;
       ++n;
     }
-    const double size = std::sqrt(sum / n) / noiseOf(trial.signals[s]);
-    if (size > most && signal) *signal = trial.signals[s].name;
-    most = std::max(most, size);
+    most = std::max(most, std::sqrt(sum / n) / noiseOf(trial.signals[s]));
   }
   return most;
 }
 
 }  // namespace
-
-double separation(const Mechanism& robot, const Excitation& program, const Explanation& one,
-                  const Explanation& other, std::string* signal) {
-  const Trial trial = trialOf(blankRun(robot, program, robot.controlHz), robot);
-  return difference(trial, played(robot, trial, one), played(robot, trial, other), signal);
-}
 
 Cause drawSecret(const Mechanism& robot, const std::vector<Excitation>& programs, std::uint64_t seed) {
   std::vector<Trial> trials;
@@ -98,7 +76,7 @@ Cause drawSecret(const Mechanism& robot, const std::vector<Excitation>& programs
       if (cause.value < cause.effect->lower * scale || cause.value > cause.effect->upper * scale) break;
       double size = 0;
       for (std::size_t t = 0; t < trials.size() && size <= obvious; ++t)
-        size = std::max(size, difference(trials[t], nominal[t], played(robot, trials[t], {cause}), nullptr));
+        size = std::max(size, difference(trials[t], nominal[t], played(robot, trials[t], {cause})));
       if (size >= visible && size <= obvious) return cause;
       deviation *= size < visible ? 1.5 : 0.6;
     }

@@ -13,12 +13,6 @@ namespace plumbline::gap {
 /// programs are not drawn. Throws std::runtime_error where none is found.
 Cause drawSecret(const Mechanism& robot, const std::vector<Excitation>& programs, std::uint64_t seed);
 
-/// How far a robot with the causes differs from one with the others when it plays a program: root mean square
-/// of the difference in units of the sensors' noise, in the channel that shows most. `signal` tells which;
-/// where a free robot falls with either, infinity.
-double separation(const Mechanism& robot, const Excitation& program, const Explanation& one,
-                  const Explanation& other, std::string* signal = nullptr);
-
 /// A text that cannot be read by mistake; not proof against who wants to read it.
 std::string seal(const std::string& text, std::uint64_t salt);
 /// The text that was sealed. Throws std::invalid_argument for what is no sealed text.

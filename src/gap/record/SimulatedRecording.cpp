@@ -46,6 +46,19 @@ void addNoise(const Signal& signal, const SensorNoise& noise, std::uint64_t seed
 
 }  // namespace
 
+double noiseOf(const Signal& signal, const SensorNoise& noise) {
+  switch (signal.kind) {
+    case SignalKind::gyro:
+      return noise.gyro;
+    case SignalKind::accelerometer:
+      return noise.accelerometer;
+    case SignalKind::force:
+      return noise.force;
+    default:
+      return std::hypot(noise.encoder, noise.encoderStep / std::sqrt(12.0));
+  }
+}
+
 Run blankRun(const Mechanism& robot, const Excitation& program, double rateHz, bool truth) {
   const CommandTable table = playExcitation(program, robot, rateHz);
   Run run;

@@ -3,6 +3,7 @@
 
 #include "gap/diagnosis/Explanation.h"
 #include "gap/record/Excitation.h"
+#include "gap/replay/Trial.h"
 #include "gap/run/Run.h"
 
 namespace plumbline::gap {
@@ -15,6 +16,9 @@ struct SensorNoise {
   double accelerometer = 0.06;                             ///< [m/s^2]
   double force = 0.15;                                     ///< [N]; a force sensor never reads below 0
 };
+
+/// What such sensors leave in doubt of one reading: standard deviation, quantisation included.
+double noiseOf(const Signal& signal, const SensorNoise& noise = {});
 
 struct SimulatedRecordingOptions {
   Explanation effects;  ///< what this robot has and its nominal model has not

@@ -28,6 +28,8 @@ int main(int argc, char** argv) {
   gap::addRecord(app);
   gap::addDiagnose(app);
   gap::addReport(app);
+  gap::addApply(app);
+  gap::addNext(app);
   gap::addReveal(app);
   gap::addImport(app);
   gap::addEffects(app);

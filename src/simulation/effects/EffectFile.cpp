@@ -4,8 +4,28 @@
 #include <sstream>
 
 #include "framework/ConfigFile.h"
+#include "framework/ConfigurationError.h"
 
 namespace plumbline::simulation {
+
+void EffectSetting::fail(std::string_view key, const std::string& message) const {
+  if (source) source->fail(key, message);
+  throw ConfigurationError(origin + ": " + std::string(key) + " " + message);
+}
+
+namespace {
+
+/// A text in double quotes as YAML reads it.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return result + '"';
+}
+
+}  // namespace
 
 std::vector<EffectSetting> readEffects(const std::string& path) {
   constexpr std::size_t most = 1000;
@@ -36,10 +56,10 @@ std::string effectsText(const std::vector<EffectSetting>& effects, const std::st
   for (const EffectSetting& effect : effects) {
     char value[32];
     std::snprintf(value, sizeof value, "%.10g", effect.value);
-    text += "  - {effect: " + effect.effect + ", at: \"" + effect.at + "\"";
-    if (!effect.axis.empty()) text += ", axis: \"" + effect.axis + "\"";
+    text += "  - {effect: " + quoted(effect.effect) + ", at: " + quoted(effect.at);
+    if (!effect.axis.empty()) text += ", axis: " + quoted(effect.axis);
     text += std::string(", value: ") + value;
-    if (!effect.variant.empty()) text += ", variant: \"" + effect.variant + "\"";
+    if (!effect.variant.empty()) text += ", variant: " + quoted(effect.variant);
     text += "}\n";
   }
   return text;

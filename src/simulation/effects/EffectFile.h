@@ -1,5 +1,7 @@
 #pragma once
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "framework/ConfigSection.h"
@@ -13,12 +15,11 @@ struct EffectSetting {
   std::string axis;  ///< "x", "y", "z"; empty where the effect has none
   double value = 0;
   std::string variant;  ///< in words, where an effect can be built in more ways than one; empty: the first
-  ConfigSection source;
+  std::string origin;   ///< where it stands, if not in a file of effects
+  std::optional<ConfigSection> source;  ///< where it stands in a file of effects
 
-  /// Throws ConfigurationError: `FILE:LINE: KEY MESSAGE`.
-  [[noreturn]] void fail(std::string_view key, const std::string& message) const {
-    source.fail(key, message);
-  }
+  /// Throws ConfigurationError: `FILE:LINE: KEY MESSAGE`, or `ORIGIN: KEY MESSAGE`.
+  [[noreturn]] void fail(std::string_view key, const std::string& message) const;
 };
 
 /// Reads a file of effects, in order. Only its form is checked here: what ids and places there are depends on

@@ -1,0 +1,68 @@
+#include "gap/report/AnswerCauses.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gap/diagnosis/ExplanationFile.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+using nlohmann::json;
+
+std::string textOf(const json& map, const char* key) {
+  return map.contains(key) && map[key].is_string() ? map[key].get<std::string>() : std::string();
+}
+
+double numberOf(const json& map, const char* key, double otherwise) {
+  return map.contains(key) && map[key].is_number() ? map[key].get<double>() : otherwise;
+}
+
+simulation::EffectSetting settingOf(const json& cause, const std::string& origin) {
+  simulation::EffectSetting setting;
+  setting.effect = textOf(cause, "effect");
+  setting.at = textOf(cause, "at");
+  setting.axis = textOf(cause, "axis");
+  setting.value = numberOf(cause, "value", 0);
+  setting.variant = textOf(cause, "variant");
+  setting.origin = origin;
+  return setting;
+}
+
+}  // namespace
+
+std::vector<simulation::EffectSetting> settingsOf(const json& answer, const std::string& path) {
+  std::vector<simulation::EffectSetting> settings;
+  for (const json& cause : answer["effects"])
+    settings.push_back(settingOf(cause, path + ": effects[" + std::to_string(settings.size()) + "]"));
+  return settings;
+}
+
+AnswerCauses causesOf(const json& answer, const std::string& path, const Mechanism& robot) {
+  AnswerCauses result;
+  result.causes = causesOf(settingsOf(answer, path), robot);
+  std::size_t i = 0;
+  for (const json& cause : answer["effects"]) {
+    const double value = result.causes[i].value;
+    result.probabilities.push_back(numberOf(cause, "probability", 1));
+    result.intervals.emplace_back(value, value);
+    if (cause.contains("interval") && cause["interval"].is_array() && cause["interval"].size() == 2 &&
+        cause["interval"][0].is_number() && cause["interval"][1].is_number())
+      result.intervals.back() = {cause["interval"][0], cause["interval"][1]};
+    if (cause.contains("confounded_with"))
+      for (const json& rival : cause["confounded_with"]) {
+        simulation::EffectSetting setting =
+            settingOf(rival, path + ": effects[" + std::to_string(i) + "].confounded_with");
+        if (const Effect* effect = findEffect(setting.effect); effect && !rival.contains("value"))
+          setting.value = effect->starts.front();
+        result.rivals.push_back(
+            {i, causesOf(std::vector{setting}, robot).front(), numberOf(rival, "probability", 0)});
+      }
+    ++i;
+  }
+  std::ranges::stable_sort(result.rivals, std::ranges::greater(), &AnswerRival::probability);
+  return result;
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,13 @@
+#pragma once
+#include <vector>
+
+#include "gap/record/Excitation.h"
+
+namespace plumbline::gap {
+
+/// Programs for a held robot that move some of its joints, each built for one thing: slow triangles, small
+/// reversals at several gravity loadings, chirps, steps, fast moves, multisines, static poses, in several
+/// sizes. About 14 s long, within limits of place and speed.
+std::vector<Excitation> motionDesigns(const Mechanism& robot, const std::vector<int>& joints);
+
+}  // namespace plumbline::gap

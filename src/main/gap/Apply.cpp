@@ -1,0 +1,66 @@
+// bin/gap apply: the effects that an answer found, as a configuration of the simulators.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "framework/ConfigurationError.h"
+#include "game/WriteFile.h"
+#include "gap/report/AnswerCauses.h"
+#include "gap/report/AnswerFile.h"
+#include "main/gap/Commands.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+struct ApplyOptions {
+  std::string answer, output;
+  bool anyway = false;
+};
+
+void apply(const ApplyOptions& options) {
+  const nlohmann::json answer = readAnswer(options.answer);
+  const std::string verdict = answer["verdict"];
+  if (verdict == "unknown" && !options.anyway)
+    throw ConfigurationError(
+        options.answer +
+        ": the verdict is unknown, its effects are not the cause; --anyway writes the nearest");
+  std::vector<simulation::EffectSetting> effects;
+  if (verdict != "none") effects = settingsOf(answer, options.answer);
+  std::string comment = "What bin/gap diagnose found missing";
+  if (answer.contains("robot") && answer["robot"].is_string())
+    comment += " from the model of " + answer["robot"].get<std::string>();
+  comment +=
+      "; verdict: " + verdict + ".\nUse: bin/simulator --effects FILE, bin/gap record --effects FILE\n";
+  for (const nlohmann::json& effect : answer["effects"])
+    if (verdict != "none" && effect.contains("probability") && effect["probability"].is_number()) {
+      char sure[32];
+      std::snprintf(sure, sizeof sure, "%.0f", 100 * effect["probability"].get<double>());
+      comment += effect["effect"].get<std::string>() + ": probability " + sure + " %\n";
+    }
+  // A comment ends at a line's end; what others wrote must not.
+  for (char& c : comment)
+    if (static_cast<unsigned char>(c) < ' ' && c != '\n') c = ' ';
+  game::writeFile(options.output, simulation::effectsText(effects, comment));
+  std::printf("%zu %s written to %s\n", effects.size(), effects.size() == 1 ? "effect" : "effects",
+              options.output.c_str());
+}
+
+}  // namespace
+
+void addApply(CLI::App& app) {
+  auto options = std::make_shared<ApplyOptions>();
+  CLI::App* command = app.add_subcommand("apply", "Writes the effects found as a simulator's configuration");
+  command->add_option("answer", options->answer, "The file that bin/gap diagnose --json wrote")->required();
+  command->add_option("-o,--output", options->output, "File of effects, doc/reference/effects-file.md")
+      ->required();
+  command->add_flag("--anyway", options->anyway, "Also where the verdict is unknown");
+  command->footer(
+      "Examples:\n  bin/gap apply answer.json -o effects.yaml\n"
+      "  bin/gap record --program hang_fast --effects effects.yaml -o check");
+  command->callback([options] { apply(*options); });
+}
+
+}  // namespace plumbline::gap
