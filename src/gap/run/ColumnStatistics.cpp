@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace plumbline::gap {
@@ -36,6 +37,12 @@ Likeness likeness(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 }  // namespace
+
+std::string shownNumber(double x) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.4g", x);
+  return buffer;
+}
 
 Extremes extremesOf(const std::vector<double>& column) {
   Extremes e{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};

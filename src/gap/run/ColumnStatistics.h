@@ -1,10 +1,14 @@
 #pragma once
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace plumbline::gap {
 
 // Numbers about columns with lost samples (NaN), which are passed over.
+
+/// A number for people, four digits.
+std::string shownNumber(double x);
 
 struct Extremes {
   double low = 0, high = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "gap/run/BodyCheck.h"
 #include "gap/run/ColumnStatistics.h"
 #include "gap/run/RunFile.h"
 
@@ -27,12 +28,6 @@ constexpr Bounds bounds[] = {
     {ChannelKind::acceleration, -400, 400}, {ChannelKind::force, -10, 1000},
 };
 
-std::string text(double x) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.4g", x);
-  return buffer;
-}
-
 class Checker {
 public:
   Checker(Run& run_, const Mechanism& robot_, std::vector<RunWarning>& warnings_)
@@ -43,7 +38,7 @@ public:
     checkNames();
     checkBounds();
     checkJoints();
-    checkBody();
+    checkBodySensors(run, robot, warnings);
     checkWhatIsLeft();
   }
 
@@ -57,18 +52,18 @@ private:
   void checkTime() {
     const double ratio = run.rateHz * period;
     if (ratio < 0.8 || ratio > 1.25)
-      refuse("t advances " + text(period) + " s a line, but rate_hz " + text(run.rateHz) + " says " +
-             text(1 / run.rateHz) + " s" +
+      refuse("t advances " + shownNumber(period) + " s a line, but rate_hz " + shownNumber(run.rateHz) +
+             " says " + shownNumber(1 / run.rateHz) + " s" +
              (std::abs(std::log10(ratio) - 3) < 0.1 ? "; is t in ms?" : "; correct one of them"));
     if (run.t[0] < -1e-9 || run.t[0] > std::max(1.0, 20 * period))
-      warn("t", "starts at " + text(run.t[0]) + " s instead of 0; only differences are used");
+      warn("t", "starts at " + shownNumber(run.t[0]) + " s instead of 0; only differences are used");
     double inGaps = 0;
     for (std::size_t i = 1; i < run.size(); ++i)
       if (run.t[i] - run.t[i - 1] > 1.8 * period) inGaps += run.t[i] - run.t[i - 1];
     if (inGaps > 0.2 * run.duration())
-      warn("t", text(100 * inGaps / run.duration()) + " % of the time is in gaps");
+      warn("t", shownNumber(100 * inGaps / run.duration()) + " % of the time is in gaps");
     if (run.duration() < 1)
-      warn("t", "the run is only " + text(run.duration()) + " s long; little can be learnt from it");
+      warn("t", "the run is only " + shownNumber(run.duration()) + " s long; little can be learnt from it");
   }
 
   void checkNames() {
@@ -121,12 +116,13 @@ private:
       const auto it = std::find_if(std::begin(bounds), std::end(bounds),
                                    [&](const Bounds& b) { return b.kind == channel.kind; });
       const double share = lostShare(column);
-      if (share > 0.5) warn(name, text(100 * share) + " % of the samples are lost");
+      if (share > 0.5) warn(name, shownNumber(100 * share) + " % of the samples are lost");
       if (it == std::end(bounds) || (channel.ofJoint() && slides(channel.place))) continue;
       const Extremes e = extremesOf(column);
       if (e.low < it->low || e.high > it->high)
-        wrong.emplace_back(name, "it reaches " + text(e.low < it->low ? e.low : e.high) + ", outside " +
-                                     text(it->low) + " to " + text(it->high) + "; check its unit");
+        wrong.emplace_back(name, "it reaches " + shownNumber(e.low < it->low ? e.low : e.high) +
+                                     ", outside " + shownNumber(it->low) + " to " + shownNumber(it->high) +
+                                     "; check its unit");
     }
     for (const auto& [name, why] : wrong) leaveOut(name, why);
   }
@@ -166,7 +162,8 @@ private:
         const bool isSlider = joint.type == Mechanism::Joint::Type::prismatic;
         if (over <= (isSlider ? 0.1 : beyondLimits)) {
           if (over > 0.05)
-            warn(name, "it goes " + text(over) + (isSlider ? " m" : " rad") + " beyond the joint's limits");
+            warn(name,
+                 "it goes " + shownNumber(over) + (isSlider ? " m" : " rad") + " beyond the joint's limits");
           continue;
         }
         const double most = std::max(std::abs(e.low), std::abs(e.high));
@@ -174,8 +171,9 @@ private:
             !isSlider &&
             most / degreesPerRadian <= std::max(std::abs(joint.lower), std::abs(joint.upper)) + beyondLimits;
         inDegrees += degrees && most > 5;
-        wrong.emplace_back(name, "it reaches " + text(over == e.high - joint.upper ? e.high : e.low) +
-                                     ", limits are " + text(joint.lower) + " to " + text(joint.upper) +
+        wrong.emplace_back(name, "it reaches " + shownNumber(over == e.high - joint.upper ? e.high : e.low) +
+                                     ", limits are " + shownNumber(joint.lower) + " to " +
+                                     shownNumber(joint.upper) +
                                      (isSlider  ? " m"
                                       : degrees ? " rad; are these degrees?"
                                                 : " rad"));
@@ -256,27 +254,27 @@ private:
     if (!commandMoves) {
       const double off = largestOffset(m, command.low), most = allowedOffset(joint);
       if (off > most)
-        leaveOut(cmdName, "it is constant while " + posName + " is up to " + text(off) +
+        leaveOut(cmdName, "it is constant while " + posName + " is up to " + shownNumber(off) +
                               " away from it, more than a load explains; the command was not recorded");
       return false;
     }
     if (like.pairs < 20 || like.rmsA < moves * unit) return true;
     if (position.low == position.high) {
       leaveOut(posName, "it never changes while " + cmdName + " moves by " +
-                            text(command.high - command.low) + "; the sensor is stuck");
+                            shownNumber(command.high - command.low) + "; the sensor is stuck");
     } else if (like.correlation < -0.8) {
       leaveOut(posName, "it moves against " + cmdName + "; is its sign turned round?");
     } else if (!slider && like.correlation > 0.6 &&
                std::abs(like.rmsB / like.rmsA * degreesPerRadian - 1) < 0.3) {
-      leaveOut(cmdName, "it moves " + text(like.rmsA / like.rmsB) + " times as far as " + posName +
+      leaveOut(cmdName, "it moves " + shownNumber(like.rmsA / like.rmsB) + " times as far as " + posName +
                             "; is it in degrees?");
     } else if (!slider && like.correlation > 0.6 &&
                std::abs(like.rmsB / like.rmsA / degreesPerRadian - 1) < 0.3) {
-      leaveOut(posName, "it moves " + text(like.rmsB / like.rmsA) + " times as far as " + cmdName +
+      leaveOut(posName, "it moves " + shownNumber(like.rmsB / like.rmsA) + " times as far as " + cmdName +
                             "; is it in degrees?");
     } else if (like.rmsB > 5 * like.rmsA) {
-      warn(posName,
-           "it moves " + text(like.rmsB / like.rmsA) + " times as far as " + cmdName + "; check its unit");
+      warn(posName, "it moves " + shownNumber(like.rmsB / like.rmsA) + " times as far as " + cmdName +
+                        "; check its unit");
     } else if (like.rmsB < 0.02 * like.rmsA) {
       warn(posName, "it does not follow " + cmdName + "; a stuck joint, or another one's sensor");
     }
@@ -292,98 +290,15 @@ private:
     if (like.rms < 0.1) return;
     if (std::abs(like.correlation) > 0.6 && (like.slope < 0.6 || like.slope > 1.6)) {
       const bool degrees = std::abs(like.slope / degreesPerRadian - 1) < 0.3;
-      leaveOut(name, "it is " + text(like.slope) + " times the speed of pos." + joint.name +
+      leaveOut(name, "it is " + shownNumber(like.slope) + " times the speed of pos." + joint.name +
                          (degrees          ? "; is it in degrees?"
                           : like.slope < 0 ? "; is its sign turned round?"
                                            : "; check its unit"));
     } else if (std::abs(like.correlation) < 0.4 && extremesOf(*velocity).low >= 0 && !run.isUnsigned(name)) {
       leaveOut(name, "it has no sign; say so in run.json: unsigned: [\"vel\"]");
     } else if (std::abs(like.correlation) < 0.4) {
-      warn(name,
-           "it has little to do with pos." + joint.name + " (correlation " + text(like.correlation) + ")");
-    }
-  }
-
-  // ---- body ----
-  void leaveOutAll(const std::string& group, const std::string& why) {
-    std::vector<std::string> names;
-    for (const auto& [name, column] : run.channels)
-      if (name.compare(0, group.size() + 1, group + ".") == 0) names.push_back(name);
-    if (names.empty()) return;
-    for (const std::string& name : names) run.channels.erase(name);
-    warnings.push_back({group, true, why});
-  }
-
-  void checkBody() {
-    const std::vector<double>*a[3], *g[3];
-    const char* axes[] = {"x", "y", "z"};
-    for (int i = 0; i < 3; ++i) {
-      a[i] = run.find(std::string("acc.") + axes[i]);
-      g[i] = run.find(std::string("gyro.") + axes[i]);
-    }
-    if ((a[0] || a[1] || a[2] || g[0] || g[1] || g[2]) && !robot.hasImu) {
-      leaveOutAll("acc", robot.name + " has no imu");
-      leaveOutAll("gyro", robot.name + " has no imu");
-      return;
-    }
-    if (a[0] && a[1] && a[2]) {
-      const double size = medianLength(*a[0], *a[1], *a[2]), g0 = robot.gravity.norm();
-      if (!(size > 0.7 * g0 && size < 1.35 * g0))
-        leaveOutAll("acc", "its median length is " + text(size) + " m/s^2 instead of about " + text(g0) +
-                               "; check unit, and that gravity is in");
-    }
-    checkGyroUnit();
-    if (run.freeBase) checkForces();
-    checkTruth();
-  }
-
-  /// Turning seen by gravity's direction against turning seen by the gyro.
-  void checkGyroUnit() {
-    const std::vector<double>*ax = run.find("acc.x"), *az = run.find("acc.z"), *gy = run.find("gyro.y");
-    const std::vector<double>*ay = run.find("acc.y"), *gx = run.find("gyro.x");
-    if (!ax || !az || !ay || !gx || !gy) return;
-    for (const auto& [tilt, rate, name, sign] :
-         {std::tuple{ax, gy, "gyro.y", -1.0}, std::tuple{ay, gx, "gyro.x", 1.0}}) {
-      const Likeness like = tiltLikeness(run.t, *tilt, *az, *rate, sign);
-      if (like.pairs < 10 || like.rmsA < 0.02 || std::abs(like.correlation) < 0.7) continue;
-      const double ratio = like.rmsB / like.rmsA;
-      if (ratio > 0.4 * degreesPerRadian && ratio < 2.5 * degreesPerRadian) {
-        leaveOutAll("gyro", "it turns " + text(ratio) + " times as fast as gravity in acc does (" + name +
-                                "); is it in degrees?");
-        return;
-      }
-    }
-  }
-
-  void checkForces() {
-    std::vector<const std::vector<double>*> sensors;
-    for (const auto& [name, column] : run.channels)
-      if (parseChannel(name)->kind == ChannelKind::force) sensors.push_back(&column);
-    std::size_t all = 0;
-    for (const Mechanism::Foot& foot : robot.feet) all += foot.sensors.size();
-    if (sensors.empty() || sensors.size() < all) return;
-    const double weight = robot.totalMass() * robot.gravity.norm(), sum = medianSum(sensors);
-    if (sum < weight / 6 || sum > 6 * weight)
-      leaveOutAll("fsr", "their median sum is " + text(sum) + ", the robot weighs " + text(weight) +
-                             " N; check the unit");
-  }
-
-  void checkTruth() {
-    std::vector<const std::vector<double>*> q;
-    for (const char* part : {"qw", "qx", "qy", "qz"})
-      if (const auto* column = run.find(std::string("truth.") + part)) q.push_back(column);
-    if (q.empty()) return;
-    if (q.size() < 4) {
-      leaveOutAll("truth", "a quaternion has four columns");
-      return;
-    }
-    for (std::size_t i = 0; i < run.size(); ++i) {
-      double sum = 0;
-      for (const auto* column : q) sum += (*column)[i] * (*column)[i];
-      if (!std::isnan(sum) && std::abs(std::sqrt(sum) - 1) > 0.02) {
-        leaveOutAll("truth", "a quaternion has length " + text(std::sqrt(sum)) + " instead of 1");
-        return;
-      }
+      warn(name, "it has little to do with pos." + joint.name + " (correlation " +
+                     shownNumber(like.correlation) + ")");
     }
   }
 
