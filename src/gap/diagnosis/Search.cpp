@@ -14,6 +14,7 @@ constexpr double cleanChi =
     0.35;  // mean square beyond noise, in a channel, below which a chain counts as clean
 constexpr double chainShare = 0.02;  // of the worst joint's excess: chains below that wait for a later round
 constexpr double jointShare = 0.03;  // of the chain's worst
+constexpr std::size_t lookTwice = 60, leastRefined = 4;
 constexpr double refineShare = 0.2;  // of the best first look's gain: what promises less is not fitted
 
 struct Bounds {
@@ -264,7 +265,11 @@ std::vector<Candidate> search(const Evaluator& evaluator, const Evaluator& coars
     const Fit fit = coarse.with(causes[i], maskOf(causes[i], telling));
     const double share = std::clamp(fit.bestShare(), 0.0, 5.0);
     candidate.screened = 2 * share * fit.product - share * share * fit.change;
-    if (share > 0.02) candidate.cause = scaled(robot, causes[i], share);
+    const double gain = coarse.baseFit().fitting - fit.fitting;
+    if (gain > candidate.screened)
+      candidate.screened = gain;
+    else if (share > 0.02)
+      candidate.cause = scaled(robot, causes[i], share);
     tell(0, 0.5, causes.size());
   });
   // The best start of each kind and variant.
@@ -272,14 +277,37 @@ std::vector<Candidate> search(const Evaluator& evaluator, const Evaluator& coars
                    [](const Candidate& a, const Candidate& b) { return a.screened > b.screened; });
   std::vector<Candidate> chosen;
   for (const Candidate& candidate : looked) {
-    if (chosen.size() >= options.refine || candidate.screened <= refineShare * looked.front().screened) break;
-    if (candidate.screened <= 0) break;
+    if (chosen.size() >= lookTwice || candidate.screened <= 0) break;
     const bool known = std::ranges::any_of(chosen, [&](const Candidate& c) {
       return c.cause.sameKind(candidate.cause) && c.cause.variant == candidate.cause.variant &&
              (c.cause.value < c.cause.effect->nominal) ==
                  (candidate.cause.value < candidate.cause.effect->nominal);
     });
     if (!known) chosen.push_back(candidate);
+  }
+  // What the scaled change promises need not come true where an effect is far from linear: a second look
+  // there.
+  parallel(chosen.size(), options.jobs, [&](std::size_t i) {
+    Candidate& candidate = chosen[i];
+    const TrialMask mask = maskOf(candidate.cause, telling);
+    const double base = coarse.baseFit().fitting;
+    Fit fit = coarse.with(candidate.cause, mask);
+    double gain = base - fit.fitting;
+    const double share = std::clamp(fit.bestShare(), 0.3, 3.0);
+    if (std::abs(share - 1) > 0.05) {
+      const Cause further = scaled(robot, candidate.cause, share);
+      const double again = base - coarse.with(further, mask).fitting;
+      if (again > gain) gain = again, candidate.cause = further;
+    }
+    candidate.screened = gain;
+  });
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.screened > b.screened; });
+  while (!chosen.empty() &&
+         (chosen.size() > options.refine || chosen.back().screened <= refineShare * chosen.front().screened ||
+          chosen.back().screened <= 0)) {
+    if (chosen.back().screened > 0 && chosen.size() <= leastRefined) break;
+    chosen.pop_back();
   }
   done = 0;
   parallel(chosen.size(), options.jobs, [&](std::size_t i) {

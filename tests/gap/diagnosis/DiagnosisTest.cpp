@@ -1,0 +1,90 @@
+#include "gap/diagnosis/Diagnosis.h"
+
+#include <gtest/gtest.h>
+
+#include "../TwoJointArm.h"
+
+namespace plumbline::gap {
+namespace {
+
+constexpr double noise = 5e-4;
+
+/// Diagnoses two recordings of the arm with a cause in it; the reality takes other, finer steps.
+Diagnosis diagnosisOf(const std::function<void(Plant&)>& change, double size = 0.5) {
+  static const Mechanism arm = twoJointArm();
+  Plant reality = nominalPlant(arm);
+  change(reality);
+  ReplayOptions fineSteps;
+  fineSteps.step = fineSteps.gearStep = 0.0003;
+  std::vector<Trial> trials;
+  for (const std::uint64_t seed : {11, 12})
+    trials.push_back(recorded(reality, armTrial(arm, 6, size), noise, seed, fineSteps));
+  const Evidence evidence(trials);
+  Evaluator fine(arm, evidence);
+  ReplayOptions coarseSteps;
+  coarseSteps.step = 0.005;
+  coarseSteps.gearStep = 0.001;
+  Evaluator coarse(arm, evidence, coarseSteps);
+  return diagnose(fine, coarse, {});
+}
+
+void expectCause(const Diagnosis& diagnosis, std::string_view id, std::string_view at, double value,
+                 double tolerance) {
+  EXPECT_EQ(diagnosis.verdict, Verdict::effect);
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_EQ(diagnosis.findings[0].cause.effect->id, id);
+  EXPECT_EQ(diagnosis.findings[0].cause.place.at, at);
+  EXPECT_NEAR(diagnosis.findings[0].cause.value, value, tolerance);
+  EXPECT_GT(diagnosis.findings[0].probability, 0.8);
+  EXPECT_GT(diagnosis.gap.closed(), 0.9);
+}
+
+TEST(DiagnosisTest, nothingIsMissing) {
+  const Diagnosis diagnosis = diagnosisOf([](Plant&) {});
+  EXPECT_EQ(diagnosis.verdict, Verdict::none);
+  EXPECT_TRUE(diagnosis.findings.empty());
+  EXPECT_LT(diagnosis.worstBefore, 0.6);
+}
+
+TEST(DiagnosisTest, dryFriction) {
+  expectCause(diagnosisOf([](Plant& plant) { plant.joints[1].coulomb = 0.08; }), "coulomb_friction", "elbow",
+              0.08, 0.004);
+}
+
+TEST(DiagnosisTest, softServo) {
+  expectCause(diagnosisOf([](Plant& plant) { plant.joints[0].servo.kp *= 0.8; }), "servo_gain", "shoulder",
+              0.8, 0.01);
+}
+
+TEST(DiagnosisTest, aHeavierLink) {
+  expectCause(diagnosisOf([](Plant& plant) { plant.mechanism.links[2].mass += 0.05; }), "link_mass", "lower",
+              0.05, 0.004);
+}
+
+TEST(DiagnosisTest, lateCommands) {
+  expectCause(diagnosisOf([](Plant& plant) {
+                for (auto& joint : plant.joints) joint.commandDelay = 0.008;
+              }),
+              "command_delay", "*", 0.008, 0.0004);
+}
+
+TEST(DiagnosisTest, whatTheLibraryDoesNotHaveIsUnknown) {
+  // A spring that pulls the elbow to one place, and grows with the cube: no effect of the library does that
+  // alone.
+  const Mechanism arm = twoJointArm();
+  std::vector<Trial> trials;
+  for (const std::uint64_t seed : {21, 22}) {
+    Trial trial = recorded(nominalPlant(arm), armTrial(arm, 6), noise, seed);
+    for (std::size_t k = 0; k < trial.cycles(); ++k)
+      trial.signals[1].values[k] += 0.006 * std::sin(23 * trial.command[1][k]);
+    trials.push_back(std::move(trial));
+  }
+  const Evidence evidence(trials);
+  Evaluator fine(arm, evidence), coarse(arm, evidence);
+  const Diagnosis diagnosis = diagnose(fine, coarse, {});
+  EXPECT_EQ(diagnosis.verdict, Verdict::unknown);
+  EXPECT_LT(diagnosis.knownProbability, 0.2);
+}
+
+}  // namespace
+}  // namespace plumbline::gap

@@ -1,0 +1,78 @@
+#include "gap/effects/Effects.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "../TwoJointArm.h"
+#include "robot/MechanismFile.h"
+
+namespace plumbline::gap {
+namespace {
+
+TEST(EffectsTest, theContractsLibrary) {
+  const std::vector<std::string_view> expected{
+      "command_delay", "command_dropout",  "servo_gain",         "servo_damping",     "torque_limit",
+      "speed_limit",   "coulomb_friction", "viscous_friction",   "stribeck_friction", "load_friction",
+      "backlash",      "joint_compliance", "acceleration_limit", "dead_band",         "supply_voltage",
+      "bias_force",    "thermal_derating", "rotor_inertia",      "joint_offset",      "encoder_nonlinearity",
+      "link_mass",     "com_offset",       "link_length",        "imu_misalignment",  "gyro_bias",
+      "imu_delay",     "fsr_gain",         "ground_friction",    "ground_slope",      "ground_compliance",
+      "external_force"};
+  std::vector<std::string_view> ids;
+  for (const Effect* effect : effects()) ids.push_back(effect->id);
+  EXPECT_EQ(ids, expected);
+}
+
+TEST(EffectsTest, eachCanBePutSomewhereAndChangesThePlant) {
+  const Mechanism nao = findMechanism("nao_v5");
+  for (const Effect* effect : effects()) {
+    const auto places = placesOf(*effect, nao);
+    ASSERT_FALSE(places.empty()) << effect->id;
+    ASSERT_FALSE(effect->starts.empty()) << effect->id;
+    for (const double start : effect->starts) {
+      EXPECT_GE(start, effect->lower) << effect->id;
+      EXPECT_LE(start, effect->upper) << effect->id;
+      EXPECT_NE(start, effect->nominal) << effect->id;
+    }
+    EXPECT_FALSE(effect->sentence.empty());
+    EXPECT_FALSE(effect->exposedBy.empty());
+  }
+}
+
+TEST(EffectsTest, nominalValueChangesNothing) {
+  const Mechanism arm = twoJointArm();
+  const Trial trial = armTrial(arm, 2);
+  const auto plain = replay(nominalPlant(arm), trial).values;
+  for (const Effect* effect : effects())
+    for (const Place& place : placesOf(*effect, arm)) {
+      if (effect->id == "acceleration_limit") continue;  // nominal is none; the largest limit stands for it
+      Plant plant = nominalPlant(arm);
+      effect->apply(plant, place, effect->nominal, 0);
+      EXPECT_EQ(replay(plant, trial).values, plain) << effect->id << " at " << place.at;
+    }
+}
+
+TEST(EffectsTest, jointsThatShareAMotorShareTheEffect) {
+  const Mechanism nao = findMechanism("nao_v5");
+  Plant plant = nominalPlant(nao);
+  const Effect& friction = *findEffect("coulomb_friction");
+  friction.apply(plant, findPlace(friction, nao, "LHipYawPitch", ""), 0.2, 0);
+  EXPECT_EQ(plant.joints[static_cast<std::size_t>(nao.jointIndex("LHipYawPitch"))].coulomb, 0.2);
+  EXPECT_EQ(plant.joints[static_cast<std::size_t>(nao.jointIndex("RHipYawPitch"))].coulomb, 0.2);
+  EXPECT_EQ(plant.joints[static_cast<std::size_t>(nao.jointIndex("LHipRoll"))].coulomb, 0);
+}
+
+TEST(EffectsTest, aWrongPlaceNamesThoseThereAre) {
+  const Mechanism arm = twoJointArm();
+  try {
+    findPlace(*findEffect("backlash"), arm, "wrist", "");
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "backlash cannot be at 'wrist'; there is: shoulder, elbow");
+  }
+  EXPECT_EQ(findEffect("gremlins"), nullptr);
+}
+
+}  // namespace
+}  // namespace plumbline::gap

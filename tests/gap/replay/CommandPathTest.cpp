@@ -1,0 +1,68 @@
+#include "gap/replay/CommandPath.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "../TwoJointArm.h"
+
+namespace plumbline::gap {
+namespace {
+
+struct CommandPathTest : testing::Test {
+  CommandPathTest() {
+    trial.robot = std::make_shared<Mechanism>(arm);
+    for (int k = 0; k < 10; ++k) trial.time.push_back(0.01 * k);
+    trial.command.assign(2, std::vector<double>(10, 0.0));
+    for (std::size_t k = 5; k < 10; ++k) trial.command[0][k] = 1;
+    trial.stiffness.resize(2);
+    trial.voltage.resize(2);
+    trial.commandAt.assign(2, 0);
+    trial.positionAt = trial.velocityAt = trial.commandAt;
+  }
+  Mechanism arm = twoJointArm();
+  Trial trial;
+  JointPlant plant;
+};
+
+TEST_F(CommandPathTest, aChangeWithinAStepCountsByItsShare) {
+  CommandPath path(plant, trial, 0, nullptr);
+  EXPECT_DOUBLE_EQ(path.over(0, 0.04), 0);
+  EXPECT_NEAR(path.over(0.04, 0.06), 0.5, 1e-12);
+  EXPECT_DOUBLE_EQ(path.over(0.06, 0.07), 1);
+}
+
+TEST_F(CommandPathTest, aDelayShiftsIt) {
+  plant.commandDelay = 0.0075;
+  CommandPath path(plant, trial, 0, nullptr);
+  EXPECT_NEAR(path.over(0.05, 0.06), 0.25, 1e-9);
+}
+
+TEST_F(CommandPathTest, lostCyclesAndLostSamplesHoldTheLastCommand) {
+  std::vector<std::uint8_t> lost(10, 0);
+  lost[5] = 1;
+  trial.command[0][6] = std::numeric_limits<double>::quiet_NaN();
+  CommandPath path(plant, trial, 0, &lost);
+  EXPECT_DOUBLE_EQ(path.over(0.04, 0.069), 0);
+  EXPECT_DOUBLE_EQ(path.over(0.071, 0.08), 1);
+}
+
+TEST_F(CommandPathTest, anAccelerationLimitTakesItsTime) {
+  plant.accelerationLimit = 100;  // 1 rad: speeds up for 0.1 s and slows down for 0.1 s
+  for (int k = 10; k < 100; ++k) trial.time.push_back(0.01 * k);
+  trial.command[0].resize(100, 1.0);
+  CommandPath path(plant, trial, 0, nullptr);
+  double half = 0, before = 0, end = 0;
+  for (double t = 0; t < 0.5; t += 0.001) {
+    const double x = path.over(t, t + 0.001);
+    if (x >= 0.5 && half == 0) half = t;
+    if (t < 0.05) before = x;
+    end = x;
+  }
+  EXPECT_NEAR(before, 0, 1e-9);
+  EXPECT_NEAR(half - 0.05, 0.1, 0.003);
+  EXPECT_NEAR(end, 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace plumbline::gap

@@ -1,0 +1,128 @@
+#include "gap/replay/Replay.h"
+
+#include <gtest/gtest.h>
+
+#include "../TwoJointArm.h"
+#include "gap/effects/Effects.h"
+
+namespace plumbline::gap {
+namespace {
+
+double largest(const std::vector<double>& a, const std::vector<double>& b, std::size_t from = 0) {
+  double most = 0;
+  for (std::size_t k = from; k < a.size(); ++k) most = std::max(most, std::abs(a[k] - b[k]));
+  return most;
+}
+
+TEST(ReplayTest, stepsOfSecondOrder) {
+  const Mechanism arm = twoJointArm();
+  const Trial trial = armTrial(arm, 6, 0.05);  // small enough to stay below the torque limit
+  const Plant plant = nominalPlant(arm);
+  const auto at = [&](double step) {
+    ReplayOptions options;
+    options.step = step;
+    return replay(plant, trial, options).values[0];
+  };
+  const auto exact = at(0.0001);
+  const double coarse = largest(at(0.004), exact), fine = largest(at(0.002), exact);
+  EXPECT_LT(fine, 2e-4);
+  EXPECT_GT(coarse / fine, 3);
+}
+
+TEST(ReplayTest, aHeldPoseSagsByTorqueOverGain) {
+  const Mechanism arm = twoJointArm();
+  Trial trial = armTrial(arm, 3);
+  for (auto& command : trial.command) std::fill(command.begin(), command.end(), 0.8);
+  for (auto& signal : trial.signals) std::fill(signal.values.begin(), signal.values.end(), 0.8);
+  const Prediction p = replay(nominalPlant(arm), trial);
+  const double q0 = p.values[0].back(), q1 = p.values[1].back();
+  const double elbow = 9.81 * 0.2 * 0.2 * std::sin(q0 + q1);
+  const double shoulder = 9.81 * (0.3 * 0.2 + 0.2 * 0.2) * std::sin(q0) + elbow;
+  EXPECT_NEAR(20 * (0.8 - q1), elbow, 1e-6);
+  EXPECT_NEAR(20 * (0.8 - q0), shoulder, 1e-6);
+}
+
+TEST(ReplayTest, dryFrictionHoldsWhatIsBelowIt) {
+  const Mechanism arm = twoJointArm();
+  Trial trial = armTrial(arm, 3);
+  for (std::size_t j = 0; j < 2; ++j) {
+    std::fill(trial.command[j].begin(), trial.command[j].end(), 0.0);
+    std::fill(trial.signals[j].values.begin(), trial.signals[j].values.end(), 0.0);
+  }
+  for (std::size_t k = 100; k < trial.cycles(); ++k) trial.command[1][k] = 0.01;  // asks for 0.2 N m
+  Plant plant = nominalPlant(arm);
+  plant.joints[1].coulomb = 0.3;
+  EXPECT_NEAR(replay(plant, trial).values[1].back(), 0, 1e-9);
+  plant.joints[1].coulomb = 0.1;
+  EXPECT_GT(replay(plant, trial).values[1].back(), 0.003);
+}
+
+TEST(ReplayTest, playShowsAtTheReversalOfTheLoad) {
+  const Mechanism arm = twoJointArm();
+  Trial trial = armTrial(arm, 6);
+  Plant plant = nominalPlant(arm);
+  plant.joints[1].backlash = 0.05;
+  plant.joints[1].linkEncoder = true;  // sees the link, which leans on one flank and then the other
+  for (int k = 0; k < 600; ++k) {
+    trial.command[0][static_cast<std::size_t>(k)] = 0;
+    trial.command[1][static_cast<std::size_t>(k)] = k < 300 ? 0.4 : -0.4;
+  }
+  for (auto& signal : trial.signals) std::fill(signal.values.begin(), signal.values.end(), 0.0);
+  // The servo holds the link's angle: with the encoder at the motor the link would hang lower by half the
+  // play.
+  plant.joints[1].linkEncoder = false;
+  const double motor = replay(plant, trial).values[1][290];
+  EXPECT_NEAR(motor, replay(nominalPlant(arm), trial).values[1][290], 2e-3);
+  EXPECT_LT(motor, 0.4);
+}
+
+TEST(ReplayTest, complianceStretchesByTorque) {
+  const Mechanism arm = twoJointArm();
+  Trial trial = armTrial(arm, 3);
+  for (std::size_t j = 0; j < 2; ++j) {
+    std::fill(trial.command[j].begin(), trial.command[j].end(), j ? 0.9 : 0.0);
+    std::fill(trial.signals[j].values.begin(), trial.signals[j].values.end(), j ? 0.9 : 0.0);
+  }
+  Plant plant = nominalPlant(arm);
+  plant.joints[1].compliance = 0.1;
+  plant.joints[1].linkEncoder = true;
+  const Prediction link = replay(plant, trial);
+  plant.joints[1].linkEncoder = false;
+  const Prediction motor = replay(plant, trial);
+  // With the encoder on the motor, the torque there follows from its own error, and stretches the gear.
+  const double torque = 20 * (0.9 - motor.values[1].back());
+  EXPECT_NEAR(torque,
+              9.81 * 0.2 * 0.2 * std::sin(motor.values[0].back() + motor.values[1].back() - 0.1 * torque),
+              1e-3);
+  EXPECT_GT(motor.values[1].back(), link.values[1].back());
+}
+
+TEST(ReplayTest, chainsOfAHeldBaseDoNotFeelEachOther) {
+  const Mechanism nao = [] {
+    Mechanism two = twoJointArm();
+    Mechanism::Joint other = two.joints[0];
+    other.name = "other";
+    other.child = 3;
+    two.links.push_back({"third", 0, 0.4, Vec3(0, 0, -0.1), Mat3::Identity() * 1e-4});
+    two.joints.push_back(other);
+    return two;
+  }();
+  const Trial trial = armTrial(nao, 4);
+  ReplayOptions one;
+  one.joints = {2};
+  const Prediction whole = replay(nominalPlant(nao), trial), part = replay(nominalPlant(nao), trial, one);
+  EXPECT_EQ(whole.values[2], part.values[2]);
+  EXPECT_TRUE(part.values[0].empty());
+}
+
+TEST(ReplayTest, sameBytesEachTime) {
+  const Mechanism arm = twoJointArm();
+  const Trial trial = armTrial(arm, 4);
+  Plant plant = nominalPlant(arm);
+  plant.joints[0].coulomb = 0.1;
+  plant.joints[1].backlash = 0.02;
+  EXPECT_EQ(replay(plant, trial).values, replay(plant, trial).values);
+}
+
+}  // namespace
+}  // namespace plumbline::gap

@@ -1,0 +1,58 @@
+#include "gap/replay/ServoLaw.h"
+
+#include <gtest/gtest.h>
+
+#include "../TwoJointArm.h"
+#include "robot/MechanismFile.h"
+
+namespace plumbline::gap {
+namespace {
+
+double torque(const JointPlant& plant, double command, double x, double w, double share = 1) {
+  return servoLine(plant, command, share, 0, x, w, 1).at(x, w);
+}
+
+TEST(ServoLawTest, positionServoAsInTheContract) {
+  const JointPlant plant = nominalPlant(twoJointArm()).joints[0];
+  EXPECT_DOUBLE_EQ(torque(plant, 0.1, 0.02, 0.5), 20 * 0.08 - 0.4 * 0.5);
+  EXPECT_DOUBLE_EQ(torque(plant, 1, 0, 0), 3);
+  EXPECT_DOUBLE_EQ(torque(plant, -1, 0, 0), -3);
+  EXPECT_DOUBLE_EQ(torque(plant, 1, 0, 0, 0.5), 1.5);
+  EXPECT_DOUBLE_EQ(torque(plant, 1, 0, 0, 0), 0);
+}
+
+TEST(ServoLawTest, torqueFadesOverTheLastTenthOfTheSpeed) {
+  const JointPlant plant = nominalPlant(twoJointArm()).joints[0];
+  EXPECT_NEAR(torque(plant, 9, 0, 6.3), 3, 1e-12);
+  EXPECT_NEAR(torque(plant, 9, 0, 6.65), 1.5, 1e-12);
+  EXPECT_NEAR(torque(plant, 9, 0, 7.5), 0, 1e-12);
+  EXPECT_DOUBLE_EQ(torque(plant, -9, 0, 7.5), -3);  // braking is not limited
+}
+
+TEST(ServoLawTest, deadBandInBothForms) {
+  JointPlant plant = nominalPlant(twoJointArm()).joints[0];
+  plant.deadBand = 0.02;
+  EXPECT_DOUBLE_EQ(torque(plant, 0.015, 0, 0), 0);
+  EXPECT_NEAR(torque(plant, 0.05, 0, 0), 20 * 0.03, 1e-12);
+  plant.deadBandSteps = true;
+  EXPECT_NEAR(torque(plant, 0.05, 0, 0), 20 * 0.05, 1e-12);
+}
+
+TEST(ServoLawTest, dcMotorAsInTheContract) {
+  const Mechanism pendulum = findMechanism("xl330_pendulum");
+  const JointPlant plant = nominalPlant(pendulum).joints[0];
+  const double kt = 0.38042, R = 3.38007, vin = 7.4, duty = 400 * 0.00287738 * 0.3;
+  EXPECT_NEAR(torque(plant, 0.3, 0, 2), kt * (vin * duty - kt * 2) / R, 1e-9);
+  EXPECT_NEAR(torque(plant, 3, 0, 2), kt * (vin - kt * 2) / R, 1e-9);  // saturated
+}
+
+TEST(ServoLawTest, encoderShowsItsError) {
+  JointPlant plant;
+  plant.offset = 0.1;
+  EXPECT_DOUBLE_EQ(measuredAngle(plant, 0.5), 0.4);
+  plant.encoderAmplitude = 0.02;
+  EXPECT_DOUBLE_EQ(measuredAngle(plant, 0.5), 0.4 + 0.02 * std::sin(0.4));
+}
+
+}  // namespace
+}  // namespace plumbline::gap
