@@ -13,6 +13,7 @@ namespace {
 constexpr double present = 0.9;   // worst gap over noise below which nothing is looked for
 constexpr double visible = 0.7;   // least change over noise, in some channel, of a cause that earns its place
 constexpr double leastZ = 3;      // of the gain over blocks
+constexpr double oneWay = 0.75;   // of the gains' absolute values
 constexpr double leastGain = 30;  // of the sum of squares
 constexpr double unexplained = 1.3;       // worst gap over noise that may remain
 constexpr double unexplainedShare = 0.2;  // the same, of what was there
@@ -43,16 +44,18 @@ double largestChange(const Evaluator& evaluator, const std::vector<Prediction>& 
   return most;
 }
 
-/// Mean gain over the blocks for judging in units of its own uncertainty.
-double gainZ(const Fit& before, const Fit& after) {
-  double sum = 0, squares = 0;
+/// Whether a gain on the blocks for judging is no accident of a few of them: large against its own scatter
+/// over blocks, or, where little moves in most blocks, nearly all in one direction.
+bool consistent(const Fit& before, const Fit& after) {
+  double sum = 0, squares = 0, sizes = 0;
   for (std::size_t b = 0; b < before.squares.size(); ++b) {
     if (Evidence::forFitting(b)) continue;
     const double d = before.squares[b] - after.squares[b];
     sum += d;
     squares += d * d;
+    sizes += std::abs(d);
   }
-  return squares > 0 ? sum / std::sqrt(squares) : 0;
+  return sum > 0 && (sum >= leastZ * std::sqrt(squares) || sum >= oneWay * sizes);
 }
 
 bool severalChainsOff(const Evaluator& evaluator) {
@@ -149,9 +152,9 @@ private:
     Explanation tried = old;
     tried.push_back(list.front().cause);
     setBase(tried);
-    const bool earned =
-        largestChange(fine, predictions) >= visible && before.judging - fine.baseFit().judging >= leastGain &&
-        gainZ(before, fine.baseFit()) >= leastZ && worstGap(fine).size < 0.98 * worst.size + 0.02;
+    const bool earned = largestChange(fine, predictions) >= visible &&
+                        before.judging - fine.baseFit().judging >= leastGain &&
+                        consistent(before, fine.baseFit()) && worstGap(fine).size < 0.98 * worst.size + 0.02;
     if (!earned) setBase(old);
     return earned;
   }
