@@ -90,7 +90,7 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   Evaluator fine(robot, evidence);
   ReplayOptions coarseSteps;
   coarseSteps.step = 0.005;
-  coarseSteps.gearStep = 0.001;
+  coarseSteps.gearStep = 0.0025;
   Evaluator coarse(robot, evidence, coarseSteps);
   DiagnosisOptions settings;
   settings.jobs =
