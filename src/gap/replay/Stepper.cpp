@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "gap/replay/SolePlate.h"
+
 namespace plumbline::gap {
 
 namespace {
@@ -334,20 +336,9 @@ void Stepper::readBody(std::size_t cycle, double t, const std::vector<std::size_
     if (signal.kind != SignalKind::force) continue;
     auto& shares = feet[index(signal.place)];
     if (shares.empty()) {
-      // A rigid plate on equal springs: the force at a corner is linear in its place.
-      const auto& foot = plant.mechanism.feet[index(signal.place)];
       const Contacts::FootForce total = contacts->footForce(signal.place, tree);
-      Mat3 normal = Mat3::Zero();
-      for (const auto& sensor : foot.sensors) {
-        const Vec3 at(1, sensor.position.x(), sensor.position.y());
-        normal += at * at.transpose();
-      }
-      const Vec3 wanted = total.normal * Vec3(1, total.centre.x(), total.centre.y());
-      const Vec3 plane = normal.inverse() * wanted;
-      for (const auto& sensor : foot.sensors) {
-        const double share = plane.dot(Vec3(1, sensor.position.x(), sensor.position.y()));
-        shares.push_back(std::max(0.0, share) * plant.footGain[index(signal.place)]);
-      }
+      shares = plateForces(plant.mechanism.feet[index(signal.place)], total.normal, total.centre);
+      for (double& share : shares) share *= plant.footGain[index(signal.place)];
     }
     values[s][cycle] = shares[index(signal.axis)];
   }
