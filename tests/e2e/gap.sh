@@ -1,0 +1,53 @@
+# From a simulated robot with a secret effect to a right report in three commands; then what comes after: the motion
+# to record next, the effects in a simulator again, and a browser that shows the report.
+source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
+for program in node chromium; do
+  command -v $program > /dev/null || fail "no $program: scripts/install_packages.sh scripts/packages-test.txt installs it"
+done
+mkdir -p build/e2e
+scripts/build_page.sh || fail "the report's page could not be built"
+arm=tests/e2e/gap/arm.json
+gap() { timeout 120 "$bin/gap" "$@" > "$scratch/out" 2> "$scratch/err" || fail "gap $*: $(cat "$scratch/err")"; }
+
+# Two joints and two motions, so that it is quick; the three commands are those of the README.
+gap record --robot $arm --program hang_sweep --program hang_multisine --secret 5 -o "$scratch/runs"
+[[ $(find "$scratch/runs" -name run.json | wc -l) == 2 ]] || fail "there are not two runs: $(ls "$scratch/runs")"
+if grep -rqi 'load_friction' "$scratch/runs" "$scratch/out"; then fail "the secret can be read"; fi
+gap diagnose "$scratch/runs" --robot $arm --json "$scratch/answer.json"
+gap report "$scratch/answer.json" --robot $arm -o "$scratch/report.html"
+
+gap reveal "$scratch/runs"
+secret=$(sed -n 's/.*effect: "\([a-z_]*\)", at: "\([^"]*\)".*/\1 \2/p' "$scratch/out")
+expectEqual "$secret" "load_friction Elbow" "the secret"
+answer=$(node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1])); console.log(a.verdict, a.effects[0].effect, a.effects[0].at, a.effects[0].probability > 0.8, a.gap.closed > 0.9)' "$scratch/answer.json")
+expectEqual "$answer" "effect $secret true true" "the answer"
+timeout 100 node tests/e2e/gap/report.mjs "$scratch/report.html" "friction" build/e2e/gap-report.png ||
+  fail "the report in the browser; see above"
+
+# What was found goes into a simulator, and a robot with it is explained.
+gap apply "$scratch/answer.json" -o "$scratch/effects.yaml"
+gap record --robot $arm --program hang_sweep --effects "$scratch/effects.yaml" --seed 2 -o "$scratch/check"
+gap next "$scratch/answer.json" --robot $arm -o "$scratch/next.yaml"
+grep -q 'times the noise' "$scratch/out" || fail "gap next gives no figure: $(cat "$scratch/out")"
+gap record --robot $arm --program "$scratch/next.yaml" -o "$scratch/next"
+[[ -s $scratch/next/run.csv.gz ]] || fail "the next motion was not recorded"
+# The same seed, the same bytes.
+gap record --robot $arm --program hang_sweep --effects "$scratch/effects.yaml" --seed 2 -o "$scratch/again"
+cmp "$scratch/check/run.csv.gz" "$scratch/again/run.csv.gz" || fail "the same seed gives other bytes"
+
+# What cannot be is refused in one line.
+expectError 2 "gap: $scratch/check is there already; name a new folder with -o" \
+  "$bin/gap" record --robot $arm --program hang_sweep -o "$scratch/check"
+expectError 2 "gap: record needs --program or --battery, one of them" "$bin/gap" record --robot $arm -o "$scratch/x"
+printf 'effects:\n  - {effect: backlsh, at: Elbow, value: 0.1}\n' > "$scratch/bad.yaml"
+expectError 2 "gap: $scratch/bad.yaml:2: effects[0].effect is \"backlsh\", which is no effect of the library; did you mean \"backlash\"?" \
+  "$bin/gap" record --robot $arm --program hang_sweep --effects "$scratch/bad.yaml" -o "$scratch/x"
+printf 'effects:\n  - {effect: backlash, at: Elbow, value: 7}\n' > "$scratch/bad.yaml"
+expectError 2 "gap: $scratch/bad.yaml:2: effects[0].value is 7; backlash goes from 0 to 0.2 rad" \
+  "$bin/gap" record --robot $arm --program hang_sweep --effects "$scratch/bad.yaml" -o "$scratch/x"
+echo '{"verdict": "perhaps"}' > "$scratch/bad.json"
+expectError 2 "gap: $scratch/bad.json: has the verdict 'perhaps'; there is none, effect, unknown; bin/gap diagnose RUNS --json FILE writes an answer" \
+  "$bin/gap" report "$scratch/bad.json" -o "$scratch/x.html"
+expectError 2 "gap: $scratch/none.json: there is no such file" "$bin/gap" next "$scratch/none.json"
+expectError 2 "gap: $scratch: no secret there; bin/gap record --secret writes one" "$bin/gap" reveal "$scratch"
+[[ ! -e $scratch/x && ! -e $scratch/x.html ]] || fail "a refused command wrote something"
