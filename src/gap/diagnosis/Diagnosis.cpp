@@ -10,11 +10,12 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double present = 0.9;   // worst gap over noise below which nothing is looked for
-constexpr double visible = 0.7;   // least change over noise, in some channel, of a cause that earns its place
-constexpr double leastZ = 3;      // of the gain over blocks
-constexpr double oneWay = 0.75;   // of the gains' absolute values
-constexpr double leastGain = 30;  // of the sum of squares
+constexpr double present = 0.9;  // worst gap over noise below which nothing is looked for
+constexpr double visible = 0.7;  // least change over noise, in some channel, of a cause that earns its place
+constexpr double leastZ = 3;     // of the gain over blocks
+constexpr double oneWay = 0.75;  // of the gains' absolute values
+constexpr double leastShare = 0.05;       // of what is unexplained
+constexpr double leastGain = 30;          // of the sum of squares
 constexpr double unexplained = 1.3;       // worst gap over noise that may remain
 constexpr double unexplainedShare = 0.2;  // the same, of what was there
 constexpr double correlation = 8;         // samples per independent one
@@ -45,17 +46,22 @@ double largestChange(const Evaluator& evaluator, const std::vector<Prediction>& 
 }
 
 /// Whether a gain on the blocks for judging is no accident of a few of them: large against its own scatter
-/// over blocks, or, where little moves in most blocks, nearly all in one direction.
+/// over blocks, absolutely or in shares of each block, or, where little moves in most, nearly all in one
+/// direction.
 bool consistent(const Fit& before, const Fit& after) {
-  double sum = 0, squares = 0, sizes = 0;
+  double sum = 0, squares = 0, sizes = 0, share = 0, shareSquares = 0;
   for (std::size_t b = 0; b < before.squares.size(); ++b) {
     if (Evidence::forFitting(b)) continue;
-    const double d = before.squares[b] - after.squares[b];
+    const double d = before.squares[b] - after.squares[b], whole = before.squares[b] + after.squares[b];
+    const double part = whole > 0 ? d / whole : 0;
     sum += d;
     squares += d * d;
     sizes += std::abs(d);
+    share += part;
+    shareSquares += part * part;
   }
-  return sum > 0 && (sum >= leastZ * std::sqrt(squares) || sum >= oneWay * sizes);
+  return sum > 0 && (sum >= leastZ * std::sqrt(squares) || share >= leastZ * std::sqrt(shareSquares) ||
+                     sum >= oneWay * sizes);
 }
 
 bool severalChainsOff(const Evaluator& evaluator) {
@@ -99,6 +105,7 @@ public:
     result.worstSignal = worst.signal;
     rememberGap();
     grow();
+    beginOtherwise();
     if (found.size() > 1) reconsider();
     setBase(found);
     const WorstGap left = worstGap(fine);
@@ -140,42 +147,96 @@ private:
     return list;
   }
 
-  /// Tries the best candidate on top of the base; keeps it if it earns its place.
+  /// Tries the best candidates on top of the base, all values fitted together; keeps the one that predicts
+  /// best of those that earn their place.
   bool accept(const std::vector<Candidate>& list) {
-    if (list.empty()) return false;
     const Fit before = fine.baseFit();
     const Explanation old = fine.base();
     std::vector<Prediction> predictions;
     for (std::size_t t = 0; t < fine.evidence().trials().size(); ++t)
       predictions.push_back(fine.basePrediction(t));
     const WorstGap worst = worstGap(fine);
-    Explanation tried = old;
-    tried.push_back(list.front().cause);
-    setBase(tried);
-    const bool earned = largestChange(fine, predictions) >= visible &&
-                        before.judging - fine.baseFit().judging >= leastGain &&
-                        consistent(before, fine.baseFit()) && worstGap(fine).size < 0.98 * worst.size + 0.02;
-    if (!earned) setBase(old);
-    return earned;
+    const double excess = before.judging - noiseShare();
+    Explanation best;
+    double bestJudging = INFINITY;
+    const std::size_t tries = old.empty() ? 1 : 3;
+    for (std::size_t i = 0; i < std::min(tries, list.size()); ++i) {
+      if (list[i].fit.judging > list.front().fit.judging + 0.3 * (before.judging - list.front().fit.judging))
+        break;
+      Explanation tried = old;
+      tried.push_back(list[i].cause);
+      if (!old.empty()) tried = fitTogether(fine, tried, 40, options.jobs);
+      setBase(tried);
+      // It lowers the worst channel, or a good part of the whole: real robots have more than one thing
+      // missing.
+      const double gain = before.judging - fine.baseFit().judging;
+      const bool lowers = worstGap(fine).size < 0.98 * worst.size + 0.02 || gain > leastShare * excess;
+      const bool earned = lowers && gain >= leastGain && consistent(before, fine.baseFit()) &&
+                          largestChange(fine, predictions) >= visible;
+      if (earned && fine.baseFit().judging < bestJudging) {
+        best = tried;
+        bestJudging = fine.baseFit().judging;
+      }
+      setBase(old);
+    }
+    if (best.empty()) return false;
+    setBase(best);
+    return true;
   }
 
+  /// Sum of squares on the blocks for judging that noise alone would leave.
+  double noiseShare() const {
+    const Evidence& data = fine.evidence();
+    double n = 0;
+    for (std::size_t t = 0; t < data.trials().size(); ++t)
+      for (std::size_t s = 0; s < data.trials()[t].signals.size(); ++s) {
+        if (fine.basePrediction(t).values[s].empty()) continue;
+        const auto& weights = data.weights(t, s);
+        for (std::size_t k = 0; k < weights.size(); ++k)
+          n += weights[k] > 0 && !Evidence::forFitting(data.block(t, k));
+      }
+    return n;
+  }
+
+  /// Adds causes from the base on until none earns its place. first: the candidate to begin with in a list
+  /// known already; none: the list is looked for.
   void grow() {
     while (found.size() < options.maxCauses) {
-      if (worstGap(fine).size <
-          (found.empty() ? present : std::max(present, unexplainedShare / 2 * result.worstBefore)))
-        break;
+      const double enough =
+          found.empty() ? present : std::max(present, unexplainedShare / 2 * result.worstBefore);
+      if (worstGap(fine).size < enough) break;
       std::vector<Candidate> list = candidates(found.empty() ? "first cause" : "further cause");
-      if (!accept(list)) {
-        if (found.empty()) choices.push_back({list});
-        break;
-      }
+      if (found.empty()) firsts = list;
+      if (!accept(list)) break;
       found = fine.base();
       choices.push_back({std::move(list)});
-      if (found.size() > 1) {
-        found = fitTogether(fine, found, 64, options.jobs);
-        setBase(found);
+    }
+  }
+
+  /// Where much stays unexplained, the first cause may have been the wrong one: begins with others, keeps the
+  /// set that predicts best.
+  void beginOtherwise() {
+    if (firsts.empty() || worstGap(fine).size < std::max(unexplained, unexplainedShare * result.worstBefore))
+      return;
+    Explanation best = found;
+    std::vector<Accepted> bestChoices = choices;
+    double bestJudging = fine.baseFit().judging;
+    const std::vector<Candidate> list = firsts;
+    for (std::size_t i = 1; i < std::min<std::size_t>(list.size(), 4); ++i) {
+      if (list[i].fit.judging > nominal.judging - 0.5 * (nominal.judging - list.front().fit.judging)) break;
+      found = {list[i].cause};
+      choices = {{list}};
+      setBase(found);
+      grow();
+      if (fine.baseFit().judging < bestJudging - leastGain && found.size() > 1) {
+        best = found;
+        bestChoices = choices;
+        bestJudging = fine.baseFit().judging;
       }
     }
+    found = best;
+    choices = bestChoices;
+    setBase(found);
   }
 
   /// Each cause once more with the others in place: another may do better now, or it may not be needed.
@@ -192,10 +253,9 @@ private:
         continue;
       }
       std::vector<Candidate> list = candidates("each cause again");
-      if (!list.empty() && list.front().fit.judging < whole - leastGain && accept(list)) {
-        // The new one goes to the old one's place, so that choices and causes keep their order.
-        const Cause cause = fine.base().back();
-        found[i] = cause;
+      if (!list.empty() && list.front().fit.judging < whole - leastGain &&
+          !list.front().cause.sameKind(found[i])) {
+        found[i] = list.front().cause;
       }
       choices[i].list = std::move(list);
       ++i;
@@ -307,6 +367,7 @@ private:
   Fit nominal;
   Explanation found;
   std::vector<Accepted> choices;
+  std::vector<Candidate> firsts;
   std::vector<std::vector<bool>> counted;
 };
 

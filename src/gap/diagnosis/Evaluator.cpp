@@ -154,7 +154,29 @@ Fit Evaluator::with(const Cause& cause, const TrialMask& mask) const {
 }
 
 Fit Evaluator::of(const Explanation& explanation) const {
-  return compare(predict(explanation), std::vector<bool>(data.trials().size(), true));
+  // Only chains that either explanation touches differ from the base.
+  std::vector<int> joints;
+  for (const Explanation* set : {&explanation, &causes})
+    for (const Cause& cause : *set)
+      for (const int joint : jointsTouched(cause))
+        if (std::ranges::find(joints, joint) == joints.end()) joints.push_back(joint);
+  std::ranges::sort(joints);
+  std::vector<Prediction> candidates;
+  for (std::size_t t = 0; t < data.trials().size(); ++t) {
+    const Trial& trial = data.trials()[t];
+    ReplayOptions options = accuracy;
+    if (!trial.freeBase) options.joints = joints;
+    if (losesCommands(explanation) && !lost[t].empty()) options.lostCycles = &lost[t];
+    const bool sensors = std::ranges::any_of(explanation, [](const Cause& cause) {
+      return cause.place.site == Site::imu || cause.place.site == Site::foot;
+    });
+    if (!trial.freeBase && joints.empty() && !sensors) {
+      candidates.emplace_back();
+      continue;
+    }
+    candidates.push_back(replay(plantOf(*trial.robot, explanation), trial, options));
+  }
+  return compare(candidates, std::vector<bool>(data.trials().size(), true));
 }
 
 }  // namespace plumbline::gap
