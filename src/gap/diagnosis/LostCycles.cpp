@@ -8,8 +8,9 @@ namespace plumbline::gap {
 namespace {
 
 constexpr std::size_t spacing =
-    10;  // cycles between two that are tried in one replay: a servo settles within
-constexpr int rounds = 3;
+    10;                           // cycles between two that are tried in one replay: a servo settles within
+constexpr std::size_t reach = 4;  // cycles within which only one changes its mind in a round
+constexpr int rounds = 8;
 constexpr double leastGain = 14;  // of the sum of squares: e^-7 by chance, in thousands of cycles
 constexpr double visibleChange = 4 * leastGain;
 
@@ -24,11 +25,11 @@ LostCycles findLostCycles(const Mechanism& mechanism, const Evidence& evidence, 
     if (trial.freeBase) continue;
     lost.assign(trial.cycles(), 0);
     std::vector<double> seen(trial.cycles(), 0);
+    std::vector<double> gains(trial.cycles());
     for (int round = 0; round < rounds; ++round) {
       ReplayOptions options;
       options.lostCycles = &lost;
       const Prediction base = replay(plant, trial, options);
-      std::vector<std::size_t> toggled;
       for (std::size_t offset = 0; offset < spacing; ++offset) {
         std::vector<std::uint8_t> tried = lost;
         for (std::size_t k = offset; k < tried.size(); k += spacing) tried[k] ^= 1;
@@ -48,11 +49,23 @@ LostCycles findLostCycles(const Mechanism& mechanism, const Evidence& evidence, 
             }
           }
           seen[k] = change;
-          if (gain > (lost[k] ? 0 : leastGain)) toggled.push_back(k);
+          gains[k] = gain - (lost[k] ? 0 : leastGain);
         }
       }
-      for (const std::size_t k : toggled) lost[k] ^= 1;
-      if (toggled.empty()) break;
+      // Neighbours explain much of the same: in each round only the best of them changes.
+      bool any = false;
+      const std::vector<std::uint8_t> before = lost;
+      for (std::size_t k = 0; k < gains.size(); ++k) {
+        if (gains[k] <= 0) continue;
+        const std::size_t from = k >= reach ? k - reach : 0, to = std::min(k + reach + 1, gains.size());
+        bool best = true;
+        for (std::size_t i = from; i < to; ++i)
+          best = best && (gains[i] < gains[k] || i == k || (gains[i] == gains[k] && i > k));
+        if (!best) continue;
+        lost[k] = before[k] ^ 1;
+        any = true;
+      }
+      if (!any) break;
     }
     for (std::size_t k = 0; k < lost.size(); ++k) {
       if (seen[k] < visibleChange) continue;

@@ -137,11 +137,12 @@ void Stepper::assemble(double h) {
     const ServoLine& line = drive.line;
     force[drive.motor] += line.torque - line.stiffness * q[drive.sensed];
     if (drive.sensed == drive.motor) {
-      A(drive.motor, drive.motor) += a * a * line.stiffness;
+      A(drive.motor, drive.motor) += a * a * line.stiffness + a * line.damping;
     } else {
-      force[drive.motor] -= line.stiffness * a * v[drive.sensed];
+      // The servo feels the link across the gear: explicit, for a matrix that stays symmetric.
+      force[drive.motor] -= (line.stiffness * a + line.damping) * v[drive.sensed];
     }
-    A(drive.motor, drive.motor) += a * (line.damping + p.viscous);
+    A(drive.motor, drive.motor) += a * p.viscous;
     force[drive.link] += p.biasForce;
   }
   for (const Gear& gear : gears) {
@@ -256,7 +257,7 @@ void Stepper::step(double from, double to) {
 void Stepper::advance(double h) {
   acceleration = (predicted - v).head(tree.size()) / h;
   for (Drive& drive : drives) {
-    drive.torque = drive.line.at(q[drive.sensed] + weight * h * u[drive.sensed], u[drive.motor]);
+    drive.torque = drive.line.at(q[drive.sensed] + weight * h * u[drive.sensed], u[drive.sensed]);
     drive.heat +=
         h * std::abs(drive.torque) *
         (plant.joints[index(drive.joint)].heatIsWork ? std::abs(u[drive.motor]) : std::abs(drive.torque));
