@@ -1,5 +1,7 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "simulation/physics/tree/BoundedSystem.h"
@@ -12,19 +14,27 @@ struct FrictionLimit {
   double coefficient = 0;
 };
 
-/// Solves with Coulomb's limit as ODE's dContactApprox1 has it, a pyramid whose height is the push that there
-/// is without friction; two solutions. Without limits: one.
+/// Solves with Coulomb's limit as a pyramid over the push of the same solution, found by repetition from the
+/// push that there is without friction (to a thousandth, at most ten times: the problem need not have a
+/// solution). ODE's dContactApprox1 takes the push of a partial solution instead. Without limits: one
+/// solution.
 inline const Eigen::VectorXd& solveWithFriction(BoundedSystem& system,
                                                 const std::vector<FrictionLimit>& limits) {
   for (const FrictionLimit& limit : limits) system.lower[limit.friction] = system.upper[limit.friction] = 0;
   system.solve();
-  if (limits.empty()) return system.solution();
-  for (const FrictionLimit& limit : limits) {
-    const double most = limit.coefficient * std::abs(system.solution()[limit.push]);
-    system.lower[limit.friction] = -most;
-    system.upper[limit.friction] = most;
+  for (int round = 0; round < 10 && !limits.empty(); ++round) {
+    double change = 0, largest = 0;
+    for (const FrictionLimit& limit : limits) {
+      const double most = limit.coefficient * std::abs(system.solution()[limit.push]);
+      change = std::max(change, std::abs(most - system.upper[limit.friction]));
+      largest = std::max(largest, most);
+      system.lower[limit.friction] = -most;
+      system.upper[limit.friction] = most;
+    }
+    if (change <= 1e-3 * largest) break;
+    system.solve();
   }
-  return system.solve();
+  return system.solution();
 }
 
 }  // namespace plumbline::simulation
