@@ -11,7 +11,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double freeSettle = 3;  // [s]: a robot put on its feet rocks longer than a hung one
+constexpr double freeSettle = 2;  // [s]: a robot put on its feet rocks longer than a hung one
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Where in the prediction a joint's readings go, and the next cycle that is due.

@@ -120,8 +120,8 @@ private:
     }
     if (program.freeBase && !robot.feet.empty()) {
       const std::vector<Pose3> poses = linkPoses(robot, q);
-      const Mat3 R_foot = poses[static_cast<std::size_t>(robot.feet[0].link)].linear();
-      const Mat3 R = R_ground * rotationZ(program.heading).linear() * R_foot.transpose();
+      // Put down with the torso level with the ground, as a person does: soles that are not level rock.
+      const Mat3 R = R_ground * rotationZ(program.heading).linear();
       double lowest = 1e9;
       for (const Mechanism::Foot& foot : robot.feet)
         for (const double x : {-0.5, 0.5})
