@@ -244,7 +244,8 @@ std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Eva
               {"unit", "noise of each signal"}};
   j["worst"] = {{"before", number(diagnosis.worstBefore, 4)},
                 {"after", number(diagnosis.worstAfter, 4)},
-                {"signal", diagnosis.worstSignal}, {"signal_after", diagnosis.worstSignalAfter}};
+                {"signal", diagnosis.worstSignal},
+                {"signal_after", diagnosis.worstSignalAfter}};
   j["known_probability"] = number(diagnosis.knownProbability, 4);
   j["next_motion"] =
       input.nextMotion.empty() ? suggestion(diagnosis, evaluator.evidence()) : input.nextMotion;

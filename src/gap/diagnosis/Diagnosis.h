@@ -42,7 +42,7 @@ struct Diagnosis {
   std::vector<Finding> findings;
   GapSize gap;
   double worstBefore = 0,
-         worstAfter = 0;    ///< gap beyond noise, in units of noise, in the channel and run that show most
+         worstAfter = 0;  ///< gap beyond noise, in units of noise, in the channel and run that show most
   std::string worstSignal, worstSignalAfter;
   double knownProbability = 1;  ///< that the library's effects account for the data
   Explanation explanation() const;

@@ -10,10 +10,17 @@ const Effect loadFriction{
     .lower = 0,
     .upper = 0.9,
     .starts = {0.05, 0.15, 0.35},
+    .variants = {"load as the motor's torque less what turns the rotor", "load as what reaches the link",
+                 "load as the motor's torque"},
     .sentence = "Friction of {at} grows with the load that the gear transmits.",
     .exposedBy = "slow reversals under load",
-    .apply = [](Plant& plant, const Place& place, double value,
-                int) { atJoints(plant, place, [value](JointPlant& joint) { joint.loadFriction += value; }); },
+    .apply =
+        [](Plant& plant, const Place& place, double value, int variant) {
+          atJoints(plant, place, [value, variant](JointPlant& joint) {
+            joint.loadFriction += value;
+            joint.loadIs = static_cast<JointPlant::Load>(variant);
+          });
+        },
 };
 
 }  // namespace plumbline::gap

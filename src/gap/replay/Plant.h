@@ -22,12 +22,16 @@ struct JointPlant {
   double stribeck = 0;                 ///< extra at rest [N m]
   double stribeckSpeed = 0.1;          ///< at which it has fallen to 1/e [rad/s]
   double loadFriction = 0;             ///< share of the torque transmitted
-  double backlash = 0;                 ///< whole play [rad]
-  double compliance = 0;               ///< of the gear [rad/(N m)]
-  double biasForce = 0;                ///< [N m]
-  double deratingPerJoule = 0;         ///< share of maxTorque lost per joule
-  bool heatIsWork = false;             ///< joules of |torque * speed|, else of torque squared
-  double offset = 0;                   ///< link angle minus measured angle [rad]
+  /// What loads the gear: the motor's torque less what turns its rotor, what reaches the link behind the
+  /// friction, or the motor's torque.
+  enum class Load { gearTorque, linkTorque, motorTorque };
+  Load loadIs = Load::gearTorque;
+  double backlash = 0;                            ///< whole play [rad]
+  double compliance = 0;                          ///< of the gear [rad/(N m)]
+  double biasForce = 0;                           ///< [N m]
+  double deratingPerJoule = 0;                    ///< share of maxTorque lost per joule
+  bool heatIsWork = false;                        ///< joules of |torque * speed|, else of torque squared
+  double offset = 0;                              ///< link angle minus measured angle [rad]
   double encoderAmplitude = 0, encoderPhase = 0;  ///< measured = true + amplitude sin(true + phase)
 
   bool geared() const { return backlash > 0 || compliance > 0; }

@@ -11,7 +11,7 @@ struct ReplayOptions {
   /// Joints to move, closed under what carries them; empty: all. With a held base chains do not feel each
   /// other, so an effect at a joint needs its chain alone.
   std::vector<int> joints;
-  double step = 0.002;       ///< longest step of the integrator [s]
+  double step = 0.002;      ///< longest step of the integrator [s]
   double gearStep = 0.001;  ///< the same where a gear has play or gives way [s]
   double settle = 1;  ///< the first command is held so long before the run begins [s]; 0: starts as measured
   const std::vector<std::uint8_t>* lostCycles = nullptr;  ///< per cycle: its command never came

@@ -107,7 +107,7 @@ double Stepper::limitShare(const Drive& drive) const {
 double Stepper::frictionBound(const Drive& drive) const {
   const JointPlant& p = plant.joints[index(drive.joint)];
   const double s = v[drive.motor] / p.stribeckSpeed;
-  return p.coulomb + p.stribeck * std::exp(-s * s) + p.loadFriction * std::abs(drive.torque);
+  return p.coulomb + p.stribeck * std::exp(-s * s) + p.loadFriction * std::abs(drive.transmitted);
 }
 
 void Stepper::assemble(double h) {
@@ -261,6 +261,17 @@ void Stepper::advance(double h) {
     drive.heat +=
         h * std::abs(drive.torque) *
         (plant.joints[index(drive.joint)].heatIsWork ? std::abs(u[drive.motor]) : std::abs(drive.torque));
+  }
+  for (Drive& drive : drives) {
+    const JointPlant& p = plant.joints[index(drive.joint)];
+    drive.transmitted = drive.torque;
+    if (p.loadIs != JointPlant::Load::motorTorque)
+      drive.transmitted -= drive.armature * (predicted[drive.motor] - v[drive.motor]) / h;
+  }
+  for (const Friction& friction : frictions) {
+    Drive& drive = drives[index(friction.drive)];
+    if (plant.joints[index(drive.joint)].loadIs == JointPlant::Load::linkTorque)
+      drive.transmitted += friction.force;
   }
   q += h * u;
   v = predicted;

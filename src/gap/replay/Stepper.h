@@ -51,6 +51,7 @@ private:
     double command = 0, armature = 0;
     ServoLine line = {};
     double torque = 0, heat = 0;
+    double transmitted = 0;  ///< torque that presses the gear's teeth together [N m]
     double shown = 0, rate = 0, shownBefore = 0, rateBefore = 0;
   };
   struct Gear {
