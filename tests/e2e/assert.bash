@@ -18,9 +18,9 @@ expectError() { # status, line, command...
   expectEqual "$got" "$status" "status of '$*'"
   expectEqual "$text" "$line" "message of '$*'"
 }
-# Waits up to ten seconds for a command to succeed.
+# Waits up to half a minute for a command to succeed.
 waitFor() {
   local i
-  for ((i = 0; i < 200; ++i)); do "$@" > /dev/null 2>&1 && return 0; sleep 0.05; done
+  for ((i = 0; i < 600; ++i)); do "$@" > /dev/null 2>&1 && return 0; sleep 0.05; done
   fail "waited in vain for: $*"
 }
