@@ -2,6 +2,8 @@
 // what it did (rcssserver3d 0.7.3 with its own rules); and what monitors are told.
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "math/Angle.h"
 #include "simulation/Simulation.h"
 #include "simulation/monitor/MonitorScene.h"
@@ -82,6 +84,8 @@ struct Fall {
   bool charges;
   double x;  ///< of the one that fell, before anybody moved it: it lies against the other
 };
+
+std::ostream& operator<<(std::ostream& out, const Fall& fall) { return out << fall.gap << " m"; }
 
 class Charge : public League, public testing::WithParamInterface<Fall> {};
 
