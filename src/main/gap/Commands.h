@@ -16,6 +16,7 @@ void addReport(CLI::App& app);
 void addReveal(CLI::App& app);
 void addApply(CLI::App& app);
 void addNext(CLI::App& app);
+void addBlind(CLI::App& app);
 
 /// True once Ctrl-C or a termination was asked for; work that takes long looks at it.
 bool stopRequested();

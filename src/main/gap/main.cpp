@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   gap::addReport(app);
   gap::addApply(app);
   gap::addNext(app);
+  gap::addBlind(app);
   gap::addReveal(app);
   gap::addImport(app);
   gap::addEffects(app);

@@ -1,0 +1,120 @@
+#include "gap/blind/BlindCase.h"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "game/WriteFile.h"
+#include "gap/record/Secret.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array kinds = {BlindKind::none, BlindKind::single, BlindKind::mixture, BlindKind::outside,
+                              BlindKind::hard};
+
+json effectJson(const BlindEffect& e) {
+  json j = {{"effect", e.effect}, {"at", e.at}, {"value", e.value}};
+  j["axis"] = e.axis.empty() ? json(nullptr) : json(e.axis);
+  for (const auto& [key, value] : e.how) j["how"][key] = value;
+  return j;
+}
+
+BlindEffect effectOf(const json& j) {
+  BlindEffect e{j.at("effect"), j.at("at"), "", j.at("value"), {}};
+  if (j.at("axis").is_string()) e.axis = j.at("axis");
+  if (j.contains("how")) e.how = j.at("how").get<std::map<std::string, std::string>>();
+  return e;
+}
+
+std::string sealedPath(const std::string& folder) {
+  return (std::filesystem::path(folder) / "answers.sealed").string();
+}
+
+}  // namespace
+
+const char* nameOf(BlindKind kind) {
+  switch (kind) {
+    case BlindKind::none:
+      return "none";
+    case BlindKind::single:
+      return "single";
+    case BlindKind::mixture:
+      return "mixture";
+    case BlindKind::outside:
+      return "outside";
+    case BlindKind::hard:
+      return "hard";
+  }
+  return "";
+}
+
+std::string blindSetText(const BlindSet& set) {
+  json j = {{"robot", set.robot}, {"engine", set.engine}, {"battery", set.battery}, {"seed", set.seed}};
+  j["cases"] = json::array();
+  for (const BlindCase& c : set.cases) {
+    json entry = {{"case", c.name}, {"kind", nameOf(c.kind)},          {"ratio", c.ratio},
+                  {"seed", c.seed}, {"ratio_channel", c.ratioChannel}, {"effects", json::array()}};
+    for (const BlindEffect& e : c.effects) entry["effects"].push_back(effectJson(e));
+    j["cases"].push_back(std::move(entry));
+  }
+  return j.dump();
+}
+
+BlindSet parseBlindSet(const std::string& text) {
+  try {
+    const json j = json::parse(text);
+    BlindSet set{j.at("robot"), j.at("engine"), j.at("battery"), j.at("seed"), {}};
+    for (const json& entry : j.at("cases")) {
+      BlindCase c;
+      c.name = entry.at("case");
+      const std::string kind = entry.at("kind");
+      bool known = false;
+      for (const BlindKind k : kinds)
+        if (kind == nameOf(k)) c.kind = k, known = true;
+      if (!known) throw std::invalid_argument("kind '" + kind + "'");
+      c.ratio = entry.at("ratio");
+      c.ratioChannel = entry.at("ratio_channel");
+      c.seed = entry.at("seed");
+      for (const json& e : entry.at("effects")) c.effects.push_back(effectOf(e));
+      set.cases.push_back(std::move(c));
+    }
+    return set;
+  } catch (const std::exception& error) {
+    throw std::invalid_argument(std::string("no answers of a benchmark: ") + error.what());
+  }
+}
+
+void writeSealed(const BlindSet& set, const std::string& folder) {
+  const std::string text = blindSetText(set);
+  game::writeFile(sealedPath(folder), "sha256 " + sha256(text) + "\n" + seal(text, set.seed) + "\n");
+}
+
+BlindSet readSealed(const std::string& folder) {
+  const std::string path = sealedPath(folder);
+  std::ifstream file(path);
+  std::string word, sum, sealed;
+  if (!(file >> word >> sum >> sealed) || word != "sha256")
+    throw std::runtime_error(path + ": no sealed answers there; bin/gap blind make writes them");
+  try {
+    const std::string text = unseal(sealed);
+    if (sha256(text) != sum) throw std::invalid_argument("the answers were changed: SHA-256 differs");
+    return parseBlindSet(text);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(path + ": " + error.what());
+  }
+}
+
+std::string motorOf(const Mechanism& robot, const std::string& at) {
+  const int joint = robot.jointIndex(at);
+  if (joint < 0) return at;
+  const int driver = robot.joints[static_cast<std::size_t>(joint)].driver;
+  return driver < 0 ? at : robot.joints[static_cast<std::size_t>(driver)].name;
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,221 @@
+#include "gap/blind/Score.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+#include "gap/blind/Make.h"
+#include "gap/effects/Effects.h"
+#include "math/Random.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr std::array severityBins = {0.0, 3.0, 5.0, 10.0, 20.0, 50.0};
+
+double mean(const std::vector<double>& x) {
+  double sum = 0;
+  for (const double v : x) sum += v;
+  return x.empty() ? 0 : sum / static_cast<double>(x.size());
+}
+
+double median(std::vector<double> x) {
+  if (x.empty()) return 0;
+  std::ranges::sort(x);
+  const std::size_t n = x.size();
+  return n % 2 ? x[n / 2] : 0.5 * (x[n / 2 - 1] + x[n / 2]);
+}
+
+/// Percentile bootstrap (Efron 1979); the same sample draws the same.
+template <class T>
+Figure bootstrap(std::string id, std::string what, const std::vector<T>& sample,
+                 const std::function<double(const std::vector<T>&)>& statistic) {
+  Figure figure{std::move(id), std::move(what), statistic(sample), 0, 0, sample.size()};
+  if (sample.empty()) return figure;
+  constexpr std::size_t times = 1000;
+  Random random(1);
+  std::vector<double> values;
+  std::vector<T> again(sample.size());
+  for (std::size_t i = 0; i < times; ++i) {
+    for (T& x : again) x = sample[random.next() % sample.size()];
+    values.push_back(statistic(again));
+  }
+  std::ranges::sort(values);
+  figure.lower = values[times / 40];
+  figure.upper = values[times - 1 - times / 40];
+  return figure;
+}
+
+/// What is asked of one case after the other.
+class Judge {
+public:
+  explicit Judge(const Mechanism& robot_) : robot(robot_) {}
+
+  bool samePlace(const std::string& a, const std::string& b) const {
+    return motorOf(robot, a) == motorOf(robot, b);
+  }
+  bool same(const BlindEffect& truth, const NamedCause& named) const {
+    return truth.effect == named.effect && samePlace(truth.at, named.at) && truth.axis == named.axis;
+  }
+  bool first(const BlindCase& c, const BlindAnswer& a) const {
+    return a.verdict == "effect" && !a.effects.empty() && same(c.effects.front(), a.effects.front());
+  }
+  bool placeFirst(const BlindCase& c, const BlindAnswer& a) const {
+    return a.verdict == "effect" && !a.effects.empty() &&
+           samePlace(c.effects.front().at, a.effects.front().at);
+  }
+  /// The strongest one, then its rivals and the other causes by probability: among the first three.
+  bool amongThree(const BlindCase& c, const BlindAnswer& a) const {
+    if (a.verdict != "effect" || a.effects.empty()) return false;
+    if (first(c, a)) return true;
+    std::vector<NamedCause> others;
+    for (const BlindAnswer::Named& e : a.effects) {
+      if (&e != &a.effects.front()) others.push_back(e);
+      others.insert(others.end(), e.rivals.begin(), e.rivals.end());
+    }
+    std::ranges::stable_sort(others, std::greater(), &NamedCause::probability);
+    if (others.size() > 2) others.resize(2);
+    return std::ranges::any_of(others, [&](const NamedCause& n) { return same(c.effects.front(), n); });
+  }
+  /// 2 |both| / (|named| + |true|).
+  double setF1(const BlindCase& c, const BlindAnswer& a) const {
+    if (a.verdict != "effect") return 0;
+    std::size_t both = 0;
+    for (const BlindEffect& e : c.effects)
+      both += std::ranges::any_of(a.effects, [&](const NamedCause& n) { return same(e, n); });
+    return 2.0 * static_cast<double>(both) / static_cast<double>(c.effects.size() + a.effects.size());
+  }
+
+private:
+  const Mechanism& robot;
+};
+
+/// Of the distance from nominal; of the value where nominal is no number to measure from.
+double parameterError(const BlindEffect& truth, double value) {
+  const Effect* effect = findEffect(truth.effect);
+  const bool limit = truth.effect == "acceleration_limit" || truth.effect.starts_with("ground_");
+  const double from = effect && !limit ? effect->nominal : 0;
+  return std::abs(value - truth.value) / std::max(1e-12, std::abs(truth.value - from));
+}
+
+std::string binName(std::size_t b) {
+  const auto text = [](double x) { return std::to_string(static_cast<int>(x)); };
+  return b + 1 < severityBins.size() ? text(severityBins[b]) + " to " + text(severityBins[b + 1])
+                                     : text(severityBins[b]) + " and more";
+}
+
+}  // namespace
+
+Figure share(std::string id, std::string what, std::size_t hits, std::size_t count) {
+  Figure figure{std::move(id), std::move(what), 0, 0, 1, count};
+  if (count == 0) return figure;
+  constexpr double z = 1.959964;
+  const double n = static_cast<double>(count), p = static_cast<double>(hits) / n;
+  const double middle = (p + z * z / (2 * n)) / (1 + z * z / n);
+  const double half = z / (1 + z * z / n) * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
+  figure.value = p;
+  figure.lower = hits == 0 ? 0 : middle - half;
+  figure.upper = hits == count ? 1 : middle + half;
+  return figure;
+}
+
+double calibrationError(const std::vector<Graded>& graded) {
+  constexpr std::size_t bins = 10;
+  std::array<double, bins> sure{}, right{};
+  for (const Graded& g : graded) {
+    const auto b = std::min(bins - 1, static_cast<std::size_t>(std::max(0.0, g.probability) * bins));
+    sure[b] += g.probability;
+    right[b] += g.right;
+  }
+  double sum = 0;
+  for (std::size_t b = 0; b < bins; ++b) sum += std::abs(sure[b] - right[b]);
+  return graded.empty() ? 0 : sum / static_cast<double>(graded.size());
+}
+
+const Figure& BlindScore::figure(std::string_view id) const {
+  for (const Figure& f : figures)
+    if (f.id == id) return f;
+  throw std::invalid_argument("no figure " + std::string(id));
+}
+
+BlindScore scoreBlind(const BlindSet& set, const std::vector<BlindAnswer>& answers, const Mechanism& robot) {
+  if (answers.size() != set.cases.size()) throw std::invalid_argument("not one answer per case");
+  const Judge judge(robot);
+  BlindScore score;
+  score.cases = set.cases.size();
+  struct Count {
+    std::size_t hits = 0, all = 0;
+    void add(bool hit) { hits += hit, ++all; }
+  };
+  Count top1, top3, place, hard, alarms, unknown, falseUnknown, missed;
+  std::array<Count, severityBins.size()> bins;
+  std::vector<double> f1, errors, closed;
+  std::vector<std::vector<Graded>> graded;  // per case, so that cases are drawn again and not answers
+  for (std::size_t i = 0; i < set.cases.size(); ++i) {
+    const BlindCase& c = set.cases[i];
+    const BlindAnswer& a = answers[i];
+    score.missing += a.verdict.empty();
+    const bool single = c.kind == BlindKind::single || c.kind == BlindKind::hard;
+    if (single) {
+      std::size_t b = severityBins.size() - 1;
+      while (b > 0 && c.ratio < severityBins[b]) --b;
+      bins[b].add(judge.first(c, a));
+    }
+    if (c.kind != BlindKind::none && c.ratio < leastRatio) continue;
+    if (c.kind == BlindKind::none) alarms.add(a.verdict != "none");
+    if (c.kind == BlindKind::outside)
+      unknown.add(a.verdict == "unknown");
+    else
+      falseUnknown.add(a.verdict == "unknown");
+    if (c.inLibrary()) missed.add(a.verdict == "none");
+    if (single) {
+      top1.add(judge.first(c, a));
+      top3.add(judge.amongThree(c, a));
+      place.add(judge.placeFirst(c, a));
+      if (c.kind == BlindKind::hard) hard.add(judge.first(c, a));
+    }
+    if (c.kind == BlindKind::mixture) f1.push_back(judge.setF1(c, a));
+    if (c.inLibrary()) closed.push_back(std::clamp(a.closed.value_or(0), 0.0, 1.0));
+    std::vector<Graded> mine;
+    if (a.verdict == "effect")
+      for (const BlindAnswer::Named& named : a.effects) {
+        const auto it = std::ranges::find_if(c.effects, [&](const BlindEffect& e) {
+          return c.kind != BlindKind::outside && judge.same(e, named);
+        });
+        mine.push_back({named.probability, it != c.effects.end()});
+        if (it != c.effects.end()) errors.push_back(parameterError(*it, named.value));
+      }
+    if (!mine.empty()) graded.push_back(std::move(mine));
+  }
+  auto& f = score.figures;
+  f.push_back(share("top1", "effect and place first, singles", top1.hits, top1.all));
+  f.push_back(share("top3", "effect and place among three, singles", top3.hits, top3.all));
+  f.push_back(share("place", "place first, singles", place.hits, place.all));
+  f.push_back(share("hard", "effect and place first, pairs that look alike", hard.hits, hard.all));
+  f.push_back(
+      share("false_alarms", "an answer other than none where there is no effect", alarms.hits, alarms.all));
+  f.push_back(share("missed", "none where an effect of the library is there", missed.hits, missed.all));
+  f.push_back(
+      share("unknown_found", "unknown where the effect is outside the library", unknown.hits, unknown.all));
+  f.push_back(share("false_unknown", "unknown where it is not", falseUnknown.hits, falseUnknown.all));
+  f.push_back(bootstrap<double>("mixture_f1", "set F1 of mixtures, mean", f1, mean));
+  f.push_back(bootstrap<double>("parameter_error", "error of the value where the effect is right, median",
+                                errors, median));
+  f.push_back(bootstrap<double>("gap_closed", "closable gap closed on held-out motions, mean", closed, mean));
+  f.push_back(bootstrap<std::vector<Graded>>("ece", "expected calibration error", graded,
+                                             [](const std::vector<std::vector<Graded>>& cases) {
+                                               std::vector<Graded> all;
+                                               for (const auto& one : cases)
+                                                 all.insert(all.end(), one.begin(), one.end());
+                                               return calibrationError(all);
+                                             }));
+  for (std::size_t b = 0; b < bins.size(); ++b)
+    score.bySeverity.push_back(share("ratio_" + std::to_string(static_cast<int>(severityBins[b])), binName(b),
+                                     bins[b].hits, bins[b].all));
+  return score;
+}
+
+}  // namespace plumbline::gap

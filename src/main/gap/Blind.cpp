@@ -1,0 +1,89 @@
+// bin/gap blind: benchmarks whose answers are sealed, and how well answers do on them.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "gap/blind/Make.h"
+#include "gap/blind/Score.h"
+#include "main/gap/Commands.h"
+#include "robot/MechanismFile.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+struct ScoreCommand {
+  std::string folder, answers;
+  bool json = false;
+};
+
+void make(BlindMakeOptions options, const std::string& engine, const std::string& battery) {
+  options.engine = engine == "mujoco" ? BlindEngine::mujoco : BlindEngine::replay;
+  options.draw.battery = battery == "all" ? Battery::all : Battery::hang;
+  if (options.jobs <= 0) options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.progress = [&](std::size_t done) {
+    if (stopRequested()) throw std::runtime_error("stopped; nothing was written");
+    std::printf("%zu/%zu\n", done, options.draw.cases);
+    std::fflush(stdout);
+  };
+  const BlindSet set = makeBlind(options);
+  std::printf("%zu cases written to %s; their answers are in answers.sealed, not to be read by accident\n",
+              set.cases.size(), options.output.c_str());
+  if (options.engine == BlindEngine::replay)
+    std::printf("Without effects outside the library: engine replay has none\n");
+}
+
+void score(const ScoreCommand& options) {
+  const BlindSet set = readSealed(options.folder);
+  const Mechanism robot = findMechanism(set.robot);
+  const std::vector<BlindAnswer> answers = readAnswers(set, options.answers);
+  const BlindScore result = scoreBlind(set, answers, robot);
+  std::fputs((options.json ? scoreJson(result) + "\n" : scoreTable(result)).c_str(), stdout);
+}
+
+}  // namespace
+
+void addBlind(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("blind", "Makes sealed benchmarks and scores answers to them");
+  command->require_subcommand(1);
+
+  CLI::App* maker = command->add_subcommand("make", "Writes cases whose answers are sealed apart");
+  auto making = std::make_shared<BlindMakeOptions>();
+  auto engine = std::make_shared<std::string>("mujoco");
+  auto battery = std::make_shared<std::string>("hang");
+  maker->add_option("--seed", making->draw.seed, "Draws effects, places, sizes and noise")
+      ->capture_default_str();
+  maker->add_option("--cases", making->draw.cases, "How many")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  maker->add_option("--engine", *engine, "What simulates the reality")
+      ->check(CLI::IsMember({"mujoco", "replay"}))
+      ->capture_default_str();
+  maker->add_option("--battery", *battery, "Motions: hung up, or on the feet as well")
+      ->check(CLI::IsMember({"hang", "all"}))
+      ->capture_default_str();
+  maker->add_option("--engine-program", making->program, "The program of engine mujoco")
+      ->capture_default_str();
+  maker->add_option("--robot", making->robot, "Name in config/robots")->capture_default_str();
+  maker->add_option("--jobs", making->jobs, "Cases made at a time [as many as cores]")
+      ->check(CLI::Range(1, 256));
+  making->jobs = 0;
+  maker->add_option("-o,--output", making->output, "A new folder")->required();
+  maker->footer("Example:\n  bin/gap blind make --seed 5 --cases 27 --engine replay -o blind");
+  maker->callback([=] { make(*making, *engine, *battery); });
+
+  CLI::App* scorer = command->add_subcommand("score", "Compares answers with what is sealed");
+  auto scoring = std::make_shared<ScoreCommand>();
+  scorer->add_option("folder", scoring->folder, "What blind make wrote")->required();
+  scorer
+      ->add_option("answers", scoring->answers,
+                   "Folder with one <case>.json per case, as bin/gap diagnose FOLDER/<case> --json writes it")
+      ->required();
+  scorer->add_flag("--json", scoring->json, "The figures as JSON");
+  scorer->footer("Example:\n  bin/gap blind score blind answers");
+  scorer->callback([=] { score(*scoring); });
+}
+
+}  // namespace plumbline::gap
