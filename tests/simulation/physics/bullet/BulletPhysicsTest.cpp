@@ -35,7 +35,8 @@ std::vector<double> story(World& world) {
       for (const double value : state.pose.matrix().reshaped()) all.push_back(value);
       for (const double value : state.angularVelocity) all.push_back(value);
     }
-  for (const double value : world.ball().pose.translation()) all.push_back(value);
+  const Vec3 ball = world.ball().pose.translation();
+  for (const double value : ball) all.push_back(value);
   return all;
 }
 
