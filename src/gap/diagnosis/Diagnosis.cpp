@@ -19,6 +19,7 @@ constexpr double leastGain = 30;          // of the sum of squares
 constexpr double unexplained = 1.3;       // worst gap over noise that may remain
 constexpr double unexplainedShare = 0.2;  // the same, of what was there
 constexpr double correlation = 8;         // samples per independent one
+constexpr double engineShare = 0.0007;    // of a sum of squares, see temperature()
 constexpr double rivalShare = 0.01;       // probability that is worth a word
 
 struct Accepted {
@@ -80,8 +81,14 @@ bool severalChainsOff(const Evaluator& evaluator) {
 /// Every effect is as likely as any other before the data; one whose value can lie on either side of nominal
 /// has half of that for each side.
 double prior(const Cause& cause) {
-  return cause.effect->lower < cause.effect->nominal && cause.effect->nominal < cause.effect->upper ? 0.5 : 1;
+  const Effect& e = *cause.effect;
+  const double sides = e.lower < e.nominal && e.nominal < e.upper ? 2 : 1, axes = e.hasAxis ? 3 : 1;
+  return 1 / (sides * axes);
 }
+
+/// What a sum of squares has to differ by for a nat of evidence: samples are correlated, and where two causes
+/// come within a thousandth of each other, the engines' own difference may decide.
+double temperature(double judging) { return 2 * (correlation + engineShare * judging); }
 
 /// Most probable first.
 void sortByProbability(std::vector<Candidate>& list) {
@@ -347,7 +354,7 @@ private:
     double best = INFINITY, sum = 0;
     for (const Candidate& c : list) best = std::min(best, c.fit.judging);
     const auto weightOf = [&](const Candidate& c) {
-      return std::exp(-(c.fit.judging - best) / (2 * correlation));
+      return std::exp(-(c.fit.judging - best) / temperature(best));
     };
     for (const Candidate& c : list) sum += weightOf(c);
     for (const Candidate& c : list) {
