@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "simulation/Field.h"
+#include "simulation/effects/BodyEffects.h"
+#include "simulation/effects/GroundEffects.h"
 
 namespace plumbline::simulation {
 
@@ -58,6 +60,7 @@ PhysicsConfig leaguePhysics(const WorldConfig& config) {
       if (!config.endlessFriction) row.back().friction = config.frictionCoefficient;
     }
   }
+  addGroundEffects(config.effects, material::ground, physics);
   return physics;
 }
 
@@ -91,7 +94,7 @@ Assembly leagueRobot(const RobotModel& model, const WorldConfig& config) {
     hinge.axis = link.axis;
     hinge.lower = link.lower;
     hinge.upper = link.upper;
-    hinge.maxTorque = 10;
+    hinge.maxTorque = motorTorque(10, link.joint, config.effects);
     hinge.cfm = hinge.stopCfm = 1e-8;
     hinge.stopErp = 0.8;
     hinge.stopBounce = config.bouncingJointStops ? 1 : 0;

@@ -6,6 +6,8 @@
 
 #include "simulation/Field.h"
 #include "simulation/LeaguePhysics.h"
+#include "simulation/effects/EffectTable.h"
+#include "simulation/effects/EffectsWorld.h"
 
 namespace plumbline::simulation {
 
@@ -16,16 +18,25 @@ int hingeOf(const RobotModel& model, JointId joint) { return model.linkOfJoint[j
 
 }  // namespace
 
-std::unique_ptr<World> makeWorld(const WorldConfig& config) { return std::make_unique<SoccerWorld>(config); }
+std::unique_ptr<World> makeWorld(const WorldConfig& config) {
+  auto world = std::make_unique<SoccerWorld>(config);
+  if (config.effects.empty()) return world;
+  return std::make_unique<EffectsWorld>(std::move(world), config);
+}
 
-SoccerWorld::SoccerWorld(const WorldConfig& config_) : config(config_) { reset(); }
+SoccerWorld::SoccerWorld(const WorldConfig& config_) : config(config_) {
+  checkEffects(config.effects);
+  reset();
+}
 
 void SoccerWorld::reset() {
   // A new engine is the one way to leave no trace of the past in it; it takes a tenth of a millisecond.
   robots.clear();
   touchedBall.clear();
   touchedRobots.clear();
-  physics = makePhysics(config.engine, leaguePhysics(config));
+  const PhysicsConfig settings = leaguePhysics(config);
+  gravityForce = settings.gravity;
+  physics = makePhysics(config.engine, settings);
   physics->addGround(material::ground);
   for (const FieldObstacle& obstacle : fieldObstacles())
     physics->addStatic(obstacle.shape, obstacle.T_world_shape, material::obstacle);
@@ -147,7 +158,7 @@ void SoccerWorld::senseAcceleration(RobotHandle handle, Robot& robot) const {
   const BodyState body = physics->bodyState(handle, 0);
   const Vec3 acceleration = (body.linearVelocity - robot.lastVelocity) / config.stepSeconds;
   robot.lastVelocity = body.linearVelocity;
-  robot.readings.acc = body.pose.linear().transpose() * (acceleration + Vec3(0, 0, gravity));
+  robot.readings.acc = body.pose.linear().transpose() * (acceleration - gravityForce);
 }
 
 void SoccerWorld::senseAngles(RobotHandle handle, Robot& robot) const {

@@ -52,6 +52,7 @@ private:
 
   WorldConfig config;
   std::unique_ptr<Physics> physics;
+  Vec3 gravityForce = Vec3::Zero();  ///< per mass, world [m/s^2]
   int ballHandle = 0;
   std::map<RobotHandle, Robot>
       robots;  ///< by the assembly's handle; ordered, so that nothing depends on addresses

@@ -9,6 +9,7 @@
 #include "math/Types.h"
 #include "robot/RobotModel.h"
 #include "simulation/BodyState.h"
+#include "simulation/effects/EffectFile.h"
 
 namespace plumbline::simulation {
 
@@ -42,6 +43,9 @@ struct WorldConfig {
   bool actionDelay = true;
   double frictionCoefficient = 1;
   bool selfCollision = false;  ///< off in effect on the league's server
+  /// What the robots and the ground have and their models have not (simulation/effects/); makeWorld throws
+  /// ConfigurationError for those that cannot be here.
+  std::vector<EffectSetting> effects;
 };
 
 /// Handle of a robot in a world; stays valid until removed.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "simspark/NumberFormat.h"
+#include "simulation/effects/EffectTable.h"
 #include "simulation/referee/RulesFile.h"
 
 namespace plumbline::simulation {
@@ -36,7 +37,7 @@ bool isLoopback(const std::string& address) {
 
 /// What the options say before they are put together.
 struct Given {
-  std::string bind = "127.0.0.1", token, rulesFile;
+  std::string bind = "127.0.0.1", token, rulesFile, effectsFile;
   std::uint64_t seed = 0;
   bool realTime = false, frozenLimbs = true;
   double monitorStep = 0.04, maxSeconds = 0, kickOffAfter = 0, halfTime = 300;
@@ -61,6 +62,10 @@ void complete(Options& options, const Given& given, const CLI::App& app) {
   }
   Rules& rules = server.simulation.rules;
   if (!given.rulesFile.empty()) rules = readRules(given.rulesFile);
+  if (!given.effectsFile.empty()) {
+    server.simulation.world.effects = readEffects(given.effectsFile);
+    checkEffects(server.simulation.world.effects);
+  }
   if (set("--frozen-limbs")) rules.selfCollision.on = given.frozenLimbs;
   if (set("--half-time")) rules.time.half = given.halfTime;
   if (set("--max-seconds")) server.maxSeconds = given.maxSeconds;
@@ -122,6 +127,8 @@ Options parseOptions(int argc, char** argv) {
   app.add_option("--kickoff-after", given.kickOffAfter, "Kick off without a trainer after so many seconds")
       ->check(aPatience);
   app.add_option("--rules", given.rulesFile, "Rules that differ from the league's, as in config/rules.yaml");
+  app.add_option("--effects", given.effectsFile,
+                 "Robots and ground have these effects, as bin/gap apply writes them");
   app.add_option("--half-time", given.halfTime, "Length of a half in seconds [300]")->check(aDuration);
   app.add_option("--engine", server.simulation.world.engine,
                  "Physics engine: ode, ode-dense or bullet [ode]");

@@ -1,0 +1,53 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "simulation/World.h"
+#include "simulation/effects/MotorEffects.h"
+#include "simulation/effects/SensorEffects.h"
+
+namespace plumbline::simulation {
+
+/// A world whose robots have effects that their models do not tell of; what is around it sees an ordinary
+/// world. Effects of the ground and of torque are in the world itself (LeaguePhysics).
+class EffectsWorld : public World {
+public:
+  /// Throws ConfigurationError for effects that these robots cannot have.
+  EffectsWorld(std::unique_ptr<World> world, const WorldConfig& config);
+
+  RobotHandle addRobot(const RobotModel& model, const Pose3& T_world_torso) override;
+  void removeRobot(RobotHandle robot) override;
+  void moveRobot(RobotHandle robot, const Pose3& T_world_torso) override;
+  void setPosture(RobotHandle robot, const JointArray& angles) override;
+  void setState(RobotHandle robot, const BodyState& torso, const JointArray& angles,
+                const JointArray& rates) override;
+  void setVelocities(RobotHandle robot, const BodyState& torso, const JointArray& rates) override;
+  void setJointVelocity(RobotHandle robot, JointId joint, double velocity) override;
+  void step() override;
+  void reset() override;
+  const RobotReadings& readings(RobotHandle robot) const override;
+  BodyState linkState(RobotHandle robot, int link) const override { return world->linkState(robot, link); }
+  BodyState torso(RobotHandle robot) const override { return world->torso(robot); }
+  BodyState ball() const override { return world->ball(); }
+  void setBall(const Vec3& position, const Vec3& velocity) override { world->setBall(position, velocity); }
+  void setBall(const BodyState& state) override { world->setBall(state); }
+  const std::vector<RobotHandle>& ballTouchedBy() const override { return world->ballTouchedBy(); }
+  const std::vector<RobotContact>& robotContacts() const override { return world->robotContacts(); }
+
+private:
+  struct Robot {
+    RobotModel model;
+    MotorEffects motors;
+    SensorEffects sensors;
+    RobotReadings readings;
+  };
+  Robot& get(RobotHandle robot) { return robots.at(robot); }
+  void read(RobotHandle handle, bool newCycle);
+
+  std::unique_ptr<World> world;
+  WorldConfig config;
+  std::map<RobotHandle, Robot> robots;
+};
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,67 @@
+#include "simulation/effects/MotorEffects.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/effects/EffectTable.h"
+
+namespace plumbline::simulation {
+
+MotorEffects::MotorEffects(const std::vector<EffectSetting>& effects, double stepSeconds,
+                           std::uint64_t stream)
+    : step(stepSeconds), random(1, stream) {
+  for (const EffectSetting& effect : effects) {
+    if (effect.effect == "command_dropout") dropout = effect.value;
+    for (int j = 0; j < numJoints; ++j) {
+      if (!isAt(effect, static_cast<JointId>(j))) continue;
+      Path& path = paths[static_cast<std::size_t>(j)];
+      path.used = true;
+      if (effect.effect == "command_delay")
+        path.delay += effect.value;
+      else if (effect.effect == "servo_gain")
+        path.gain *= effect.value;
+      else if (effect.effect == "acceleration_limit")
+        path.acceleration = effect.value;
+      else if (effect.effect == "backlash")
+        path.play += effect.value;
+      else
+        path.used = path.delay != 0 || path.gain != 1 || path.acceleration != 0 || path.play != 0;
+    }
+  }
+}
+
+void MotorEffects::beginCycle() {
+  lost = lossy() && random.uniform(0, 1) < dropout;
+  if (!lost) arrived = commanded;
+}
+
+double MotorEffects::velocity(JointId joint) {
+  Path& path = paths[joint];
+  // Over a step the motor turns at the mean of the commands that are in force during it.
+  const double cycles = path.delay / step, whole = std::floor(cycles), rest = cycles - whole;
+  const auto n = static_cast<std::size_t>(whole);
+  path.sent.push_front(arrived[joint]);
+  if (path.sent.size() > n + 2) path.sent.resize(n + 2);
+  const auto at = [&](std::size_t i) { return i < path.sent.size() ? path.sent[i] : 0; };
+  double speed = path.gain * ((1 - rest) * at(n) + rest * at(n + 1));
+  if (path.acceleration > 0)
+    speed = std::clamp(speed, path.speed - path.acceleration * step, path.speed + path.acceleration * step);
+  path.speed = speed;
+  if (path.play > 0) {
+    const double moved = path.slack + speed * step;
+    path.slack = std::clamp(moved, -path.play / 2, path.play / 2);
+    speed = (moved - path.slack) / step;
+  }
+  return speed;
+}
+
+void MotorEffects::restart() {
+  commanded.fill(0);
+  arrived.fill(0);
+  for (Path& path : paths) {
+    path.sent.clear();
+    path.speed = path.slack = 0;
+  }
+}
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,33 @@
+#pragma once
+#include <deque>
+#include <vector>
+
+#include "simulation/World.h"
+#include "simulation/effects/EffectFile.h"
+
+namespace plumbline::simulation {
+
+/// What one robot's sensors make of the truth: joint_offset, encoder_nonlinearity, imu_misalignment,
+/// gyro_bias, imu_delay, fsr_gain.
+class SensorEffects {
+public:
+  SensorEffects(const std::vector<EffectSetting>& effects, double stepSeconds);
+
+  /// Readings as the robot gets them. slack: per joint, what the encoder on the motor's side of a gear with
+  /// play shows beyond the link's angle [rad]. newCycle: a step has passed since the last call.
+  RobotReadings read(const RobotReadings& truth, const JointArray& slack, bool newCycle);
+  void restart() { history.clear(); }
+
+private:
+  struct Imu {
+    Vec3 gyro, acc;
+  };
+  double step, delay = 0;
+  JointArray offset{}, amplitude{};
+  Mat3 R_true_sensor = Mat3::Identity();
+  Vec3 gyroBias = Vec3::Zero();
+  double footGain[4] = {1, 1, 1, 1};  ///< left and right foot, left and right toe
+  std::deque<Imu> history;            ///< newest first
+};
+
+}  // namespace plumbline::simulation

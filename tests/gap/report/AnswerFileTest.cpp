@@ -1,0 +1,102 @@
+#include "gap/report/AnswerFile.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "framework/ConfigurationError.h"
+#include "gap/TwoJointArm.h"
+#include "gap/report/AnswerCauses.h"
+#include "gap/report/ReportPage.h"
+
+namespace plumbline::gap {
+namespace {
+
+using nlohmann::json;
+
+std::string written(const std::string& text) {
+  const std::string path = (std::filesystem::path(testing::TempDir()) / "answer.json").string();
+  std::ofstream(path) << text;
+  return path;
+}
+
+std::string refusal(const std::string& text) {
+  const std::string path = written(text);
+  try {
+    readAnswer(path);
+  } catch (const ConfigurationError& error) {
+    const std::string what = error.what();
+    const std::string tail = "; bin/gap diagnose RUNS --json FILE writes an answer";
+    EXPECT_TRUE(what.starts_with(path + ": ")) << what;
+    EXPECT_TRUE(what.ends_with(tail)) << what;
+    return what.substr(path.size() + 2, what.size() - path.size() - 2 - tail.size());
+  }
+  return "";
+}
+
+TEST(AnswerFile, RefusesWhatIsNoAnswerInOneLine) {
+  EXPECT_EQ(refusal("{"), "is no JSON map");
+  EXPECT_EQ(refusal("[]"), "is no JSON map");
+  EXPECT_EQ(refusal("{}"), "has no 'verdict'");
+  EXPECT_EQ(refusal(R"({"verdict": "maybe"})"), "has the verdict 'maybe'; there is none, effect, unknown");
+  EXPECT_EQ(refusal(R"({"verdict": "none"})"), "has no list 'effects'");
+  EXPECT_EQ(refusal(R"({"verdict": "effect", "effects": [3]})"), "effects[0] is no map");
+  EXPECT_EQ(refusal(R"({"verdict": "effect", "effects": [{"effect": "backlash"}]})"),
+            "effects[0] lacks 'effect' or 'at'");
+  EXPECT_EQ(refusal(R"({"verdict": "effect", "effects": [{"effect": "backlash", "at": "A", "value": "x"}]})"),
+            "effects[0] has no number as 'value'");
+  EXPECT_EQ(refusal(R"({"verdict": "none", "effects": []})"), "");
+}
+
+TEST(AnswerFile, CausesForARobotWithTheirRivals) {
+  const Mechanism robot = twoJointArm();
+  const std::string joint = robot.joints[1].name;
+  json answer = {
+      {"verdict", "effect"},
+      {"effects",
+       {{{"effect", "backlash"},
+         {"at", joint},
+         {"axis", nullptr},
+         {"value", 0.03},
+         {"interval", {0.02, 0.04}},
+         {"probability", 0.7},
+         {"confounded_with",
+          {{{"effect", "dead_band"}, {"at", joint}, {"value", 0.01}, {"probability", 0.1}},
+           {{"effect", "joint_compliance"}, {"at", joint}, {"value", 0.01}, {"probability", 0.2}}}}}}}};
+  const AnswerCauses causes = causesOf(answer, "a.json", robot);
+  ASSERT_EQ(causes.causes.size(), 1U);
+  EXPECT_EQ(causes.causes[0].effect->id, "backlash");
+  EXPECT_EQ(causes.intervals[0], std::pair(0.02, 0.04));
+  ASSERT_EQ(causes.rivals.size(), 2U);
+  EXPECT_EQ(causes.rivals[0].cause.effect->id, "joint_compliance");
+  EXPECT_EQ(causes.rivals[1].cause.value, 0.01);
+
+  answer["effects"][0]["effect"] = "backlsh";
+  try {
+    causesOf(answer, "a.json", robot);
+    FAIL() << "an effect that is none";
+  } catch (const ConfigurationError& error) {
+    EXPECT_STREQ(error.what(),
+                 "a.json: effects[0]: effect is \"backlsh\", which is no effect of the library; did you mean "
+                 "\"backlash\"?");
+  }
+}
+
+TEST(ReportPage, HoldsTheAnswerAndNothingThatEndsItsScript) {
+  const json answer = {{"verdict", "none"}, {"effects", json::array()}, {"robot", "</script><b>"}};
+  const std::string page = reportPage("<script>/*ANSWER*/</script>", answer, twoJointArm());
+  EXPECT_TRUE(page.starts_with("<script>{")) << page;
+  EXPECT_TRUE(page.ends_with("}</script>"));
+  EXPECT_EQ(page.find("</script>"), page.size() - 9);
+  const json inside = json::parse(page.substr(8, page.size() - 17));
+  EXPECT_EQ(inside["robot"], "</script><b>");
+  EXPECT_EQ(inside["figure"]["joints"].size(), 2U);
+  EXPECT_EQ(inside["figure"]["joints"][1]["parent"], 0);
+  EXPECT_TRUE(inside["figure"]["joints"][1]["leaf"]);
+  EXPECT_FALSE(inside["figure"]["joints"][0]["leaf"]);
+}
+
+}  // namespace
+}  // namespace plumbline::gap

@@ -1,0 +1,64 @@
+#include "gap/report/NextMotion.h"
+
+#include <gtest/gtest.h>
+
+#include "gap/TwoJointArm.h"
+#include "gap/record/ExcitationFile.h"
+
+namespace plumbline::gap {
+namespace {
+
+Cause causeAt(const Mechanism& robot, const char* id, const std::string& at, double value) {
+  const Effect* effect = findEffect(id);
+  return {effect, findPlace(*effect, robot, at, ""), value, 0};
+}
+
+TEST(NextMotion, ServoDampingAndViscousFrictionCannotBeTold) {
+  // tau = -kd w either way, as long as the torque limit is far: there is no motion that separates them well.
+  const Mechanism robot = twoJointArm();
+  const std::string joint = robot.joints[1].name;
+  const double kd = robot.joints[1].servo.kd;
+  const Cause damping = causeAt(robot, "servo_damping", joint, 1.5);
+  const Cause friction = causeAt(robot, "viscous_friction", joint, 0.5 * kd);
+  const Cause backlash = causeAt(robot, "backlash", joint, 0.03);
+  const double alike = findNextMotion(robot, {{damping}, {friction}}).best.separation;
+  const double unlike = findNextMotion(robot, {{backlash}, {friction}}).best.separation;
+  EXPECT_GT(unlike, 1);
+  EXPECT_LT(alike, 0.3 * unlike);
+}
+
+TEST(NextMotion, TakesTheBestOfAllItTried) {
+  const Mechanism robot = twoJointArm();
+  const std::string joint = robot.joints[1].name;
+  const NextMotion next = findNextMotion(
+      robot, {{causeAt(robot, "backlash", joint, 0.03)}, {causeAt(robot, "coulomb_friction", joint, 0.1)}});
+  ASSERT_GE(next.others.size(), 10U);
+  EXPECT_GE(next.best.separation, next.others.front().separation);
+  for (std::size_t i = 1; i < next.others.size(); ++i)
+    EXPECT_GE(next.others[i - 1].separation, next.others[i].separation);
+  EXPECT_EQ(next.program.name, next.best.name);
+  EXPECT_GT(next.program.duration, 10);
+}
+
+TEST(NextMotion, AnEffectIsNoRivalOfItself) {
+  const Mechanism robot = twoJointArm();
+  const std::string joint = robot.joints[0].name;
+  const NextMotion next = findNextMotion(robot, {{causeAt(robot, "coulomb_friction", joint, 0.1)},
+                                                 {causeAt(robot, "coulomb_friction", joint, 0.1)}});
+  EXPECT_LT(next.best.separation, 1e-6);
+  EXPECT_THROW(findNextMotion(robot, {{causeAt(robot, "backlash", joint, 0.1)}}), std::invalid_argument);
+}
+
+TEST(NextMotion, SaysItInASentence) {
+  const Mechanism robot = twoJointArm();
+  const std::string joint = robot.joints[1].name;
+  const std::string text = nextMotion(robot, causeAt(robot, "backlash", joint, 0.03),
+                                      causeAt(robot, "viscous_friction", joint, 0.1));
+  EXPECT_TRUE(text.starts_with("Record ")) << text;
+  EXPECT_NE(text.find("backlash at " + joint + " and viscous_friction at " + joint + " come apart by "),
+            std::string::npos)
+      << text;
+}
+
+}  // namespace
+}  // namespace plumbline::gap
