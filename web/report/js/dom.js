@@ -26,7 +26,7 @@ report.number = (x, digits = 3) => {
 report.percent = (share) => {
   if (!report.isNumber(share)) return '-';
   const p = 100 * share;
-  return `${p > 99 && p < 100 ? '> 99' : p > 0 && p < 1 ? '< 1' : Math.round(p)} %`;
+  return `${p > 99 && p < 100 ? '>\u202f99' : p > 0 && p < 1 ? '<\u202f1' : Math.round(p)}\u202f%`;
 };
 /** Units as people write them. */
 report.unit = (unit) => ({ 1: '', 'N m s/rad': 'N\u202fm\u202fs/rad', 'N m': 'N\u202fm', 'm/s^2': 'm/s\u00b2', 'rad/s^2': 'rad/s\u00b2', 'kg m^2': 'kg\u202fm\u00b2' })[unit] ?? unit ?? '';

@@ -18,7 +18,7 @@ report.overlays = (answer, section) => {
       plots.append(box);
       const shown = difference ? keys.filter((k) => k !== 'measured') : keys;
       const values = (key) => o[key].map((x, i) => (!report.isNumber(x) ? null : difference ? (report.isNumber(o.measured[i]) ? o.measured[i] - x : null) : x));
-      return report.plot(box, { series: shown.map((k) => ({ label: difference ? `measured \u2212 ${k}` : k, colour: colours[k] })), data: [o.t, ...shown.map(values)], unit: o.unit, sync: `run${o.run}` });
+      return report.plot(box, { series: shown.map((k) => ({ label: difference ? `measured \u2212 ${k}` : k, colour: colours[k], ...(k === 'measured' ? { width: 4, faint: true } : {}) })), data: [o.t, ...shown.map(values)], unit: o.unit, sync: `run${o.run}` });
     });
   };
   const buttons = [['Signals', false], ['Difference to measured', true]].map(([text, difference]) => el('button', { onclick: (event) => {

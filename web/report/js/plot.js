@@ -9,7 +9,7 @@ report.plot = (container, { series, data, height = 210, unit = '', sync, logarit
     scales: { x: { time: false }, y: logarithmic ? { distr: 3 } : {} },
     axes: [{ ...axis, values: (_, ticks) => ticks.map((t) => `${Number(t.toFixed(3))} s`) }, { ...axis, size: 58, values: (_, ticks) => ticks.map((t) => (t === null ? '' : report.number(t))) }],
     series: [{ label: 't', value: (_, t) => (t === null || t === undefined ? '-' : `${t.toFixed(2)} s`) },
-      ...series.map((s) => ({ label: s.label, stroke: s.colour, width: s.width ?? 1.4, dash: s.dash, value, points: { show: false },
+      ...series.map((s) => ({ label: s.label, stroke: s.faint ? `${s.colour}66` : s.colour, width: s.width ?? 1.4, dash: s.dash, value, points: { show: false },
         ...(fill ? { fill: `${s.colour}22` } : {}), ...(s.points ? { width: 0, points: { show: true, size: 3, fill: s.colour, stroke: s.colour } } : {}) }))],
   };
   const plot = new uPlot(options, data, container);
