@@ -38,16 +38,16 @@ TEST(SimulatedRecording, SameSeedSameNumbersAndNoiseOfTheSensors) {
   const Mechanism robot = twoJointArm();
   const Excitation program = triangle(robot);
   SimulatedRecordingOptions options;
-  const Run one = recordSimulated(robot, program, options), same = recordSimulated(robot, program, options);
+  const auto one = recordSimulated(robot, program, options), same = recordSimulated(robot, program, options);
   const std::string channel = channelName(ChannelKind::position, robot.joints[1].name);
   EXPECT_EQ(one.channels, same.channels);
   EXPECT_EQ(one.motion, "slow triangle");
   EXPECT_FALSE(one.freeBase);
   options.noisy = false;
-  const Run clean = recordSimulated(robot, program, options);
+  const auto clean = recordSimulated(robot, program, options);
   options.noisy = true;
   options.seed = 2;
-  const Run other = recordSimulated(robot, program, options);
+  const auto other = recordSimulated(robot, program, options);
   const SensorNoise noise;
   const double expected = std::hypot(noise.encoder, noise.encoderStep / std::sqrt(12.0));
   EXPECT_NEAR(rms(*one.find(channel), *clean.find(channel)), expected, 0.15 * expected);
@@ -60,10 +60,10 @@ TEST(SimulatedRecording, AnOffsetShowsAsOne) {
   const Mechanism robot = twoJointArm();
   SimulatedRecordingOptions options;
   options.noisy = false;
-  const Run nominal = recordSimulated(robot, triangle(robot), options);
+  const auto nominal = recordSimulated(robot, triangle(robot), options);
   const Effect* effect = findEffect("bias_force");
   options.effects = {{effect, findPlace(*effect, robot, robot.joints[1].name, ""), 0.1, 0}};
-  const Run pushed = recordSimulated(robot, triangle(robot), options);
+  const auto pushed = recordSimulated(robot, triangle(robot), options);
   const std::string channel = channelName(ChannelKind::position, robot.joints[1].name);
   // At rest the servo and gravity balance the push: more than nothing, less than the servo alone would give.
   const double moved = pushed.find(channel)->front() - nominal.find(channel)->front();
