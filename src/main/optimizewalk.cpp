@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -7,42 +9,126 @@
 
 // bin/optimizewalk: finds the walk of a robot type in the simulator.
 
-int main(int argc, char** argv) {
-  using namespace plumbline;
-  using namespace plumbline::walking;
+namespace {
+
+using namespace plumbline;
+using namespace plumbline::walking;
+
+struct Options {
   TrainingSetup setup;
-  std::vector<std::string> tasks;
+  std::vector<std::string> tasks{taskNames.begin(), taskNames.end()};
   std::string from, output;
-  CLI::App app("Finds the walk of a robot type in the simulator with CMA-ES.");
-  app.add_option("--type", setup.type, "robot type 0..4")->check(CLI::Range(0, 4))->capture_default_str();
-  app.add_option("--task", tasks, "forward, backward, sideways, turn, mixture; in this order");
-  app.add_option("--generations", setup.generations)->capture_default_str();
-  app.add_option("--population", setup.population)->capture_default_str();
-  app.add_option("--tries", setup.trial.tries)->capture_default_str();
-  app.add_option("--push", setup.trial.push)->capture_default_str();
-  app.add_option("--seconds", setup.trial.seconds)->capture_default_str();
-  app.add_option("--sigma", setup.sigma)->capture_default_str();
-  app.add_option("--seed", setup.seed)->capture_default_str();
-  app.add_option("--from", from, "walking.yaml to begin with");
-  app.add_option("--output", output, "file to write; default: that of the type in config/");
-  CLI11_PARSE(app, argc, argv);
-  if (from.empty()) from = "config/robots/type" + std::to_string(setup.type);
-  if (output.empty()) output = "config/robots/type" + std::to_string(setup.type) + "/walking.yaml";
-  const ConfigFile file("walking", {"config", from});
+  int cornersOf = -1;
+  bool anew = false, tryOnly = false;
+};
+
+std::string folderOf(int type) { return "config/robots/type" + std::to_string(type); }
+
+/// Beside its place first, so that nobody reads half a file.
+void write(const std::string& path, const std::string& text) {
+  std::ofstream file(path + ".new");
+  file << text;
+  file.close();
+  if (!file) throw std::runtime_error(path + " cannot be written");
+  std::filesystem::rename(path + ".new", path);
+}
+
+void say(const std::string& line) {
+  std::puts(line.c_str());
+  std::fflush(stdout);
+}
+
+Task taskOf(const std::string& name) {
+  for (std::size_t i = 0; i < taskNames.size(); ++i)
+    if (name == taskNames[i]) return static_cast<Task>(i);
+  throw std::invalid_argument("no task " + name);
+}
+
+void run(Options& options) {
+  TrainingSetup& setup = options.setup;
+  const ConfigFile file("walking", {"config", options.from});
   WalkGaits gaits = readWalkGaits(file.root());
-  const ConfigFile commonFile("walking", {"config"});
-  const WalkParameters common = readWalkGaits(commonFile.root()).base;
-  for (const std::string& name : tasks) {
-    for (std::size_t i = 0; i < taskNames.size(); ++i)
-      if (name == taskNames[i]) setup.task = static_cast<Task>(i);
+  if (options.anew) gaits = WalkGaits(gaits.base);
+  if (options.cornersOf >= 0) gaits = withCornersOf(gaits, readWalkGaits(options.cornersOf));
+  const WalkParameters common = plainWalk().base;
+  for (const std::string& name : options.tasks) {
+    setup.task = taskOf(name);
+    if (options.tryOnly) {
+      WalkingRobot robot(setup.type, gaits);
+      const TrialResult r = tryWalk(robot, gaits, setup.task, setup.trial);
+      say(fmt::format("{}, type {}: speed {:.3f}, falls {:.3f}, drift {:.3f}", name, setup.type, r.speed,
+                      r.falls, r.drift));
+      continue;
+    }
     gaits = train(gaits, setup, [&](const std::string& line, const WalkGaits& best) {
-      std::puts(line.c_str());
-      std::fflush(stdout);
-      std::ofstream(output + ".new") << walkFile(
-          best, common,
-          "Walk of the league's robot type " + std::to_string(setup.type) + ", found by bin/optimizewalk.");
-      std::filesystem::rename(output + ".new", output);
+      say(line);
+      write(options.output,
+            walkFile(
+                best, common,
+                fmt::format("Walk of the league's robot type {}, found by bin/optimizewalk.", setup.type)));
     });
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  TrainingSetup& setup = options.setup;
+  CLI::App app(
+      "Finds the walk of a robot type in the simulator with CMA-ES: parameters at full speed in each "
+      "direction, then "
+      "speeds and feedback for any mixture.");
+  app.add_option("--type", setup.type, "robot type 0..4")->check(CLI::Range(0, 4))->capture_default_str();
+  app.add_option("--task", options.tasks,
+                 "what is searched for, in this order: forward, backward, sideways, turn, mixture")
+      ->check(CLI::IsMember(std::vector<std::string>{taskNames.begin(), taskNames.end()}))
+      ->capture_default_str();
+  app.add_option("--generations", setup.generations, "of each search")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app.add_option("--population", setup.population, "candidates of a generation")
+      ->check(CLI::Range(4, 10000))
+      ->capture_default_str();
+  app.add_option("--tries", setup.trial.tries, "of each candidate")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--seconds", setup.trial.seconds, "of one try")
+      ->check(CLI::Range(2.0, 600.0))
+      ->capture_default_str();
+  app.add_option("--push", setup.trial.push, "greatest change of velocity by a push, one a second [m/s]")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  app.add_option("--sigma", setup.sigma,
+                 "how far from the start the first generation lies, in sensible steps")
+      ->check(CLI::Range(0.01, 10.0))
+      ->capture_default_str();
+  app.add_option("--seed", setup.seed, "the same seed repeats the search")->capture_default_str();
+  app.add_option("--from", options.from,
+                 "folder of the walking.yaml to begin with; default: the type's in config/");
+  app.add_flag("--anew", options.anew, "begins with the same parameters in all directions");
+  app.add_option("--corners-of", options.cornersOf, "begins with the directions found for another type")
+      ->check(CLI::Range(0, 4));
+  app.add_flag("--try", options.tryOnly, "only tells how the walk does at the tasks, and writes nothing");
+  app.add_option("--output", options.output, "file to write; default: the type's in config/");
+  app.footer(
+      "Run it from the project's folder. scripts/optimise_walks.sh repeats the search for all types.\n"
+      "Example: bin/optimizewalk --type 3 --task forward --generations 50");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "optimizewalk: {}; see optimizewalk --help\n", error.what());
+    return 2;
+  }
+  if (options.from.empty()) options.from = folderOf(setup.type);
+  if (options.output.empty()) options.output = folderOf(setup.type) + "/walking.yaml";
+  try {
+    run(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "optimizewalk: {}\n", error.what());
+    return 2;
   }
   return 0;
 }

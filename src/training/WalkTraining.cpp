@@ -177,6 +177,19 @@ WalkGaits train(const WalkGaits& gaits, const TrainingSetup& setup,
   return found;
 }
 
+WalkGaits withCornersOf(const WalkGaits& gaits, const WalkGaits& other) {
+  WalkGaits result = gaits;
+  result.corner = other.corner;
+  for (WalkParameters& corner : result.corner)
+    corner.hipHeight += gaits.base.hipHeight - other.base.hipHeight;
+  for (const WalkParameterInfo& info : walkParameterTable()) {
+    const std::string name = info.name;
+    if (!info.blends && (name.starts_with("max") || name.find("celeration") != std::string::npos))
+      result.base.*info.value = other.base.*info.value;
+  }
+  return result;
+}
+
 std::string walkFile(const WalkGaits& gaits, const WalkParameters& common, const std::string& heading) {
   std::string text = "# " + heading + "\n";
   const auto line = [&](const char* indent, const WalkParameterInfo& info, double value) {

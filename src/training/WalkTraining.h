@@ -40,6 +40,10 @@ double cost(Task task, const TrialResult& result);
 WalkGaits train(const WalkGaits& gaits, const TrainingSetup& setup,
                 const std::function<void(const std::string&, const WalkGaits&)>& progress);
 
+/// The corners of another robot's walk and its speeds and accelerations, with hips as much higher as this
+/// robot's are on the spot.
+WalkGaits withCornersOf(const WalkGaits& gaits, const WalkGaits& other);
+
 /// The file robots/typeN/walking.yaml: what is different from the common walk.
 std::string walkFile(const WalkGaits& gaits, const WalkParameters& common, const std::string& heading);
 

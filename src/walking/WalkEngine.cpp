@@ -4,8 +4,10 @@
 #include <cmath>
 #include <deque>
 
+#include "walking/Approach.h"
 #include "walking/BodyPosture.h"
 #include "walking/ClosedLoop.h"
+#include "walking/KickStep.h"
 #include "walking/LinearInvertedPendulum.h"
 #include "walking/StepPlanner.h"
 #include "walking/SwingTrajectory.h"
@@ -54,6 +56,7 @@ public:
     turn = elapsed = phase = 0;
     useGait();
     mode = Mode::stand;
+    kick = {};
     state = {};
     for (const Side side : {Side::left, Side::right})
       state.foot[index(side)] = Pose2(-p.copForward, outward(side) * p.feetDistance / 2);
@@ -73,7 +76,8 @@ public:
 
   const WalkOutput& stand() const { return standing; }
 
-  WalkOutput update(const WalkRequest& request, const WalkSensors& sensors) {
+  WalkOutput update(const WalkRequest& asked, const WalkSensors& sensors) {
+    const WalkRequest request = withTarget(asked);
     follow(request, sensors.dt);
     feel(sensors);
     motion = {};
@@ -103,6 +107,9 @@ public:
     out.phase = phase;
     out.stepTarget = stepTarget;
     out.stepTime = mode == Mode::walk ? stepTime : 0;
+    out.kicking = kick.now;
+    out.kicked = kick.done;
+    out.stepsToTarget = stepsToTarget;
     out.standing = mode == Mode::stand && atRest();
     out.velocity = velocity;
     out.turn = turn;
@@ -118,6 +125,25 @@ public:
   ModelParameters fit;
 
 private:
+  /// A request for a target becomes one for a velocity or, there, for a stop or the kick.
+  WalkRequest withTarget(WalkRequest request) {
+    if (!request.kick) kick = {};
+    stepsToTarget = 0;
+    bool there = true;
+    if (request.walk && request.target) {
+      // The torso sways by some of this over its feet.
+      constexpr ApproachTolerance arrived{.position = 0.025, .heading = 0.08};
+      const ApproachPlan plan = planApproach(*request.target, velocity, turn, p, arrived);
+      stepsToTarget = plan.steps.size();
+      request.velocity = plan.velocity;
+      request.turn = plan.turn;
+      there = plan.steps.empty();
+      if (there && (!request.kick || kick.done)) request.walk = false;
+    }
+    if (request.walk && request.kick && there && !kick.done && !kick.prepared) kick.foot = request.kick;
+    return request;
+  }
+
   /// Draws the velocity walked to the request, within the limits of speed and acceleration.
   void follow(const WalkRequest& request, double dt) {
     Vec2 goal = request.walk ? request.velocity : Vec2(Vec2::Zero());
@@ -128,6 +154,9 @@ private:
       goal /= effort;
       goalTurn /= effort;
     }
+    goal.x() = outsideGap(goal.x(), forward);
+    goal.y() = outsideGap(goal.y(), p.maxSideways);
+    goalTurn = outsideGap(goalTurn, p.maxTurn);
     const double calm = std::clamp(1 - p.tiltBrake * excess.norm(), 0.0, 1.0);
     goal *= calm;
     goalTurn *= calm;
@@ -151,8 +180,17 @@ private:
       turn *= rest / side;
     }
     useGait();
-    reference = findReferenceTrajectory(model, {velocity + Vec2(p.trimForward, 0), turn, p.stepDuration,
+    const double duration = kick.prepared ? p.kickDuration : p.stepDuration;
+    reference = findReferenceTrajectory(model, {velocity + Vec2(p.trimForward, 0), turn, duration,
                                                 p.feetDistance, Vec2(p.copForward, p.copOutward)});
+  }
+
+  /// A speed between two gaits is walked at the lower one's.
+  double outsideGap(double speed, double full) const {
+    constexpr double nearlyFull = 0.9;
+    const double share = std::abs(speed) / full;
+    return p.blendStart > 0 && share < nearlyFull ? std::copysign(std::min(share, p.blendStart) * full, speed)
+                                                  : speed;
   }
 
   /// The parameters of the speed walked now.
@@ -160,7 +198,9 @@ private:
     p = gaits.at(velocity, turn);
     model = LinearInvertedPendulum(Vec2(p.pendulumHeight, p.pendulumHeight + p.pendulumSideways),
                                    Vec2(p.copForward, p.copOutward), fit);
-    planner.setLimits(limitsOf(p, posture.leg(Side::left)));
+    StepLimits limits = limitsOf(p, posture.leg(Side::left));
+    if (kick.prepared) limits.maxDuration = std::max(limits.maxDuration, 1.2 * p.kickDuration);
+    planner.setLimits(limits);
     swing = {p.stepHeight, p.swingStart, p.swingEnd, p.swingSmoothness, p.swingSteepness};
   }
 
@@ -285,12 +325,23 @@ private:
     move(action, left);
     stepTime = action.duration - left;
     phase = elapsed / (elapsed + action.duration - left);
-    state.foot[index(other(support))] = state.foot[index(support)] * swing.between(liftOff, target, phase);
+    state.foot[index(other(support))] = state.foot[index(support)] * swung(target);
     return left;
+  }
+
+  /// The swing foot in the supporting foot's frame.
+  Pose2 swung(const Pose2& target) const {
+    Pose2 foot = swing.between(liftOff, target, phase);
+    if (kick.now) foot.position.x() += KickStep{p.kickBack, p.kickForward}.offset(phase);
+    return foot;
   }
 
   void beginStep(Side support) {
     mode = Mode::walk;
+    if (kick.now) kick = {.foot = {}, .prepared = false, .now = false, .done = true};
+    // The step before the kick already swings as far as the long step needs.
+    if (kick.foot && kick.prepared && support == other(*kick.foot)) kick.now = true;
+    if (kick.foot && support == *kick.foot) kick.prepared = true;
     state.support = supportOf(support);
     elapsed = phase = 0;
     liftOff = state.foot[index(support)].inverse() * state.foot[index(other(support))];
@@ -388,8 +439,15 @@ private:
   Vec2 rate = Vec2::Zero();       ///< its turn rate about x and y [rad/s]
   double elapsed = 0;             ///< of the step or of the shift before the first one [s]
   double phase = 0;
-  Side first = Side::left;     ///< carries in the first step
-  Pose2 liftOff;               ///< the swing foot when the step began, in the supporting foot's frame
+  Side first = Side::left;  ///< carries in the first step
+  Pose2 liftOff;            ///< the swing foot when the step began, in the supporting foot's frame
+  struct Kick {
+    std::optional<Side> foot;  ///< to kick with
+    bool prepared = false;     ///< this step leads to it or is it
+    bool now = false;
+    bool done = false;
+  } kick;
+  std::size_t stepsToTarget = 0;
   double stepTime = 0;         ///< left of the step in progress [s]
   Pose2 stepTarget;            ///< of the step in progress
   Pose2 motion;                ///< of the centre of mass frame in this cycle

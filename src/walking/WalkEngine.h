@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "math/Pose2.h"
 #include "robot/RobotModel.h"
@@ -16,6 +17,12 @@ struct WalkRequest {
   Vec2 velocity = Vec2::Zero();  ///< in the robot's frame, clipped to what the parameters allow [m/s]
   double turn = 0;               ///< [rad/s], counterclockwise
   bool walk = false;             ///< false: come to a safe stop and stand
+  /// Walk to this pose and stop there; in the robot's frame now, told anew every cycle; velocity and turn do
+  /// not matter.
+  std::optional<Pose2> target{};
+  /// Kick with this foot in a step (section 4.4.1), at the target if there is one, as soon as it swings; once
+  /// until it is not asked for any more.
+  std::optional<Side> kick{};
 };
 
 struct WalkOutput {
@@ -23,12 +30,15 @@ struct WalkOutput {
   std::array<bool, numJoints> set{};  ///< these joints: legs and arms, not the head
   Pose2 odometry;  ///< motion of the torso's ground frame since the last cycle, in that frame
   Support support = Support::both;
-  Pose2 stepTarget;              ///< where the swing foot will land, in the frame of the centre of mass then
-  double stepTime = 0;           ///< left of the current step [s]
-  double phase = 0;              ///< passed share of the current step, 0 .. 1
-  bool standing = true;          ///< both feet on the ground and at rest: another motion may begin
-  Vec2 velocity = Vec2::Zero();  ///< walked now, mean over the step [m/s]
-  double turn = 0;               ///< [rad/s]
+  Pose2 stepTarget;               ///< where the swing foot will land, in the frame of the centre of mass then
+  double stepTime = 0;            ///< left of the current step [s]
+  double phase = 0;               ///< passed share of the current step, 0 .. 1
+  bool kicking = false;           ///< the step in progress is a kick
+  bool kicked = false;            ///< the kick that is asked for is over
+  std::size_t stepsToTarget = 0;  ///< planned
+  bool standing = true;           ///< both feet on the ground and at rest: another motion may begin
+  Vec2 velocity = Vec2::Zero();   ///< walked now, mean over the step [m/s]
+  double turn = 0;                ///< [rad/s]
 };
 
 /// The walk of chapter 4 (Seekircher 2015): every cycle the walk state is drawn to what is observed, the step

@@ -10,6 +10,7 @@ WalkParameters WalkGaits::at(const Vec2& velocity, double turn) const {
   std::array<double, numCorners> share{
       std::max(0.0, velocity.x() / base.maxForward), std::max(0.0, -velocity.x() / base.maxBackward),
       std::abs(velocity.y()) / base.maxSideways, std::abs(turn) / base.maxTurn};
+  for (double& s : share) s = std::max(0.0, s - base.blendStart) / (1 - base.blendStart);
   double sum = 0;
   for (const double s : share) sum += s;
   if (sum > 1)

@@ -13,13 +13,15 @@ struct WalkParameters {
   double torsoPitchForward = 0;  ///< more of it per forward speed [rad s/m]
 
   // Speed
-  double trimForward = 0;             ///< planned speed with which the robot stays on the spot [m/s]
-  double maxForward = 0.5;            ///< [m/s]
-  double maxBackward = 0.4;           ///< [m/s]
-  double maxSideways = 0.25;          ///< [m/s]
-  double maxTurn = 1.6;               ///< [rad/s]
-  double accelerationForward = 0.5;   ///< of the requested velocity [m/s^2]
-  double decelerationForward = 0.5;   ///< the same when it becomes smaller [m/s^2]
+  double trimForward = 0;            ///< planned speed with which the robot stays on the spot [m/s]
+  double maxForward = 0.5;           ///< [m/s]
+  double maxBackward = 0.4;          ///< [m/s]
+  double maxSideways = 0.25;         ///< [m/s]
+  double maxTurn = 1.6;              ///< [rad/s]
+  double blendStart = 0;             ///< share of full speed up to which the walk on the spot serves; what is
+                                     ///< asked for between it and nine tenths is walked at it
+  double accelerationForward = 0.5;  ///< of the requested velocity [m/s^2]
+  double decelerationForward = 0.5;  ///< the same when it becomes smaller [m/s^2]
   double accelerationSideways = 0.5;  ///< [m/s^2]
   double accelerationTurn = 6;        ///< [rad/s^2]
 
@@ -47,6 +49,11 @@ struct WalkParameters {
   // Start and stop
   double startDuration = 0.14;  ///< shift of the weight before the first step [s]
   double stopVelocity = 0.05;   ///< both feet carry again only below this forward velocity [m/s]
+
+  // Kick in a step
+  double kickDuration = 0.24;  ///< of the step that kicks [s]
+  double kickBack = 0.04;      ///< the foot is drawn back [m]
+  double kickForward = 0.09;   ///< and thrown forward [m]
 
   // Feedback from the torso's angle and turn rate; zero is the open loop
   double delay = 0.04;       ///< between a measurement and the effect of what it causes [s]

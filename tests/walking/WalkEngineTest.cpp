@@ -256,6 +256,54 @@ TEST(WalkEngine, constantHipHeightKeepsTheSupportingHip) {
   EXPECT_GT(range(0), 1.5e-3);
 }
 
+TEST(WalkEngine, walksToATargetAndStopsThere) {
+  OpenLoop loop;
+  const Pose2 target(0.6, 0.15, 0.5);
+  int cycles = 0;
+  WalkRequest request;
+  request.walk = true;
+  for (; cycles < 800; ++cycles) {
+    request.target = loop.odometry.inverse() * target;
+    loop.run(request, dt);
+    if (cycles > 20 && loop.output.standing) break;
+  }
+  EXPECT_LT(cycles, 500) << loop.odometry.position.transpose() << " " << loop.odometry.heading << " "
+                         << loop.output.stepsToTarget;
+  EXPECT_NEAR((loop.odometry.position - target.position).norm(), 0, 0.05);
+  EXPECT_NEAR(loop.odometry.heading, 0.5, 0.1);
+}
+
+TEST(WalkEngine, kicksWithAStep) {
+  OpenLoop loop;
+  WalkRequest request = walk(0, 0, 0);
+  loop.run(request, 1);
+  request.kick = Side::right;
+  double back = 0, forward = 0;
+  int kicking = 0, cycles = 0;
+  for (; cycles < 100 && !loop.output.kicked; ++cycles) {
+    loop.run(request, dt);
+    if (!loop.output.kicking) continue;
+    ++kicking;
+    EXPECT_EQ(loop.output.support, Support::left);
+    const WalkState& state = loop.engine.state();
+    const double ahead = (state.foot[0].inverse() * state.foot[1]).x();
+    back = std::min(back, ahead);
+    forward = std::max(forward, ahead);
+  }
+  EXPECT_LT(cycles, 100);
+  const WalkParameters p;
+  EXPECT_NEAR(kicking * dt, p.kickDuration, 0.06) << "a longer step";
+  EXPECT_LT(back, -0.5 * p.kickBack);
+  EXPECT_GT(forward, 0.6 * p.kickForward);
+  // Once only, and the walk goes on.
+  for (int i = 0; i < 50; ++i) {
+    loop.run(request, dt);
+    EXPECT_FALSE(loop.output.kicking);
+  }
+  loop.run({}, 2);
+  EXPECT_TRUE(loop.output.standing);
+}
+
 TEST(WalkParameters, firstBadValueIsNamed) {
   WalkParameters parameters;
   parameters.check();

@@ -39,6 +39,14 @@ TEST(WalkGaits, betweenTheyAreBlendedByTheShareOfTheSpeed) {
   EXPECT_NEAR(gaits.at(Vec2(1, 0), 2).hipHeight, 0.23, 1e-12);
 }
 
+TEST(WalkGaits, blendStartKeepsTheBaseAtLowSpeeds) {
+  WalkGaits gaits = someGaits();
+  gaits.base.blendStart = 0.5;
+  EXPECT_DOUBLE_EQ(gaits.at(Vec2(0.5, 0), 0).hipHeight, 0.20);
+  EXPECT_NEAR(gaits.at(Vec2(0.75, 0), 0).hipHeight, 0.22, 1e-12);
+  EXPECT_DOUBLE_EQ(gaits.at(Vec2(1, 0), 0).hipHeight, 0.24);
+}
+
 TEST(WalkGaits, whatHoldsForTheWholeWalkIsTheBases) {
   WalkGaits gaits = someGaits();
   gaits.corner[0].maxForward = 3;

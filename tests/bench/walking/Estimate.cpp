@@ -4,9 +4,9 @@
 #include <ctime>
 #include <optional>
 
+#include "bench/walking/Sections.h"
 #include "training/WalkingRobot.h"
 #include "walking/LinearInvertedPendulum.h"
-#include "bench/walking/Sections.h"
 #include "walking/StepPlanner.h"
 #include "walking/VelocityFilter.h"
 

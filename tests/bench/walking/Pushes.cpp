@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "bench/walking/Sections.h"
 #include "math/Random.h"
 #include "training/WalkTrial.h"
-#include "bench/walking/Sections.h"
 
 namespace plumbline::bench {
 namespace {

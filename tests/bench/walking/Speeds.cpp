@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
+#include "bench/walking/Sections.h"
 #include "math/Random.h"
 #include "training/WalkTrial.h"
-#include "bench/walking/Sections.h"
 
 namespace plumbline::bench {
 namespace {

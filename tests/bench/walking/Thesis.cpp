@@ -4,10 +4,10 @@
 #include <functional>
 #include <optional>
 
+#include "bench/walking/Sections.h"
 #include "math/Random.h"
 #include "training/WalkingRobot.h"
 #include "walking/BackgroundFit.h"
-#include "bench/walking/Sections.h"
 
 namespace plumbline::bench {
 namespace {
