@@ -84,6 +84,12 @@ bench-fidelity:
 	@$(MAKE) SimRelease SimRelease-bench-fidelity
 	@scripts/run_bench.sh fidelity > build/bench/fidelity.sum; status=$$?; cat build/bench/fidelity.log; exit $$status
 
+# Diagnoses sealed cases made in MuJoCo, a program of its own: CASES=200 for the full set, SEED for another one.
+bench-gap:
+	@scripts/install_packages.sh scripts/packages-bench.txt
+	@$(MAKE) SimRelease SimRelease-bench-gap SimRelease-bench-mujoco
+	@scripts/run_bench.sh gap
+
 fuzz:
 	@scripts/install_packages.sh scripts/packages.txt scripts/packages-fuzz.txt
 	@$(MAKE) Fuzz

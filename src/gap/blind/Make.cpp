@@ -13,7 +13,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include "game/WriteFile.h"
 #include "gap/diagnosis/Parallel.h"
 #include "gap/effects/Effects.h"
 #include "gap/record/ExcitationFile.h"
@@ -74,7 +73,7 @@ private:
     for (std::size_t i = 0; i < programs.size(); ++i)
       spec["runs"].push_back({{"folder", runName(i)}, {"program", programs[i]}, {"seed", 0}});
     const std::string file = folder + ".case.json", log = folder + ".log";
-    game::writeFile(file, spec.dump());
+    writeText(file, spec.dump());
     simspark::ChildProcess child({options.program, file, folder}, log);
     while (child.running()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     std::string said, line;

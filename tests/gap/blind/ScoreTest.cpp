@@ -1,0 +1,148 @@
+#include "gap/blind/Score.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "gap/blind/Draw.h"
+
+namespace plumbline::gap {
+namespace {
+
+Mechanism twoHips() {
+  Mechanism robot;
+  robot.joints.resize(3);
+  robot.joints[0].name = "LHip";
+  robot.joints[1].name = "RHip";
+  robot.joints[1].driver = 0;
+  robot.joints[2].name = "Knee";
+  return robot;
+}
+
+BlindCase caseOf(BlindKind kind, std::vector<BlindEffect> effects, double ratio = 8) {
+  BlindCase c;
+  c.kind = kind;
+  c.effects = std::move(effects);
+  c.ratio = ratio;
+  return c;
+}
+
+BlindAnswer answer(const char* verdict, std::vector<BlindAnswer::Named> effects = {}, double closed = 0) {
+  return {"", verdict, std::move(effects), closed};
+}
+
+BlindAnswer::Named named(const char* effect, const char* at, double value, double probability,
+                         std::vector<NamedCause> rivals = {}) {
+  return {{effect, at, "", value, probability}, std::move(rivals)};
+}
+
+TEST(BlindScore, CountsByHand) {
+  const BlindEffect friction{"coulomb_friction", "LHip", "", 0.2, {}};
+  const BlindEffect gain{"servo_gain", "Knee", "", 0.8, {}};
+  BlindSet set;
+  set.cases = {caseOf(BlindKind::none, {}, 0),
+               caseOf(BlindKind::none, {}, 0),
+               caseOf(BlindKind::single, {friction}),
+               caseOf(BlindKind::hard, {gain}),
+               caseOf(BlindKind::single, {gain}, 2),
+               caseOf(BlindKind::mixture, {friction, gain}),
+               caseOf(BlindKind::outside, {{"gear_ripple", "Knee", "", 1, {}}}),
+               caseOf(BlindKind::outside, {{"gear_ripple", "Knee", "", 1, {}}})};
+  const std::vector<BlindAnswer> answers = {
+      answer("none"), answer("unknown"),
+      // The other joint of the same motor; 10 % off.
+      answer("effect", {named("coulomb_friction", "RHip", 0.22, 0.9)}, 0.9),
+      // Right among the rivals.
+      answer("effect", {named("servo_damping", "Knee", 2, 0.6, {{"servo_gain", "Knee", "", 0.8, 0.3}})}, 0.5),
+      answer("none"),
+      // One of two, and one too many.
+      answer("effect", {named("servo_gain", "Knee", 0.76, 0.8), named("backlash", "Knee", 1, 0.5)}, 1.2),
+      answer("unknown"), answer("effect", {named("backlash", "Knee", 1, 0.7)})};
+  const BlindScore score = scoreBlind(set, answers, twoHips());
+  EXPECT_DOUBLE_EQ(score.figure("top1").value, 0.5);
+  EXPECT_EQ(score.figure("top1").count, 2U);  // the one below the least ratio stays out
+  EXPECT_DOUBLE_EQ(score.figure("top3").value, 1);
+  EXPECT_DOUBLE_EQ(score.figure("place").value, 1);
+  EXPECT_DOUBLE_EQ(score.figure("hard").value, 0);
+  EXPECT_DOUBLE_EQ(score.figure("false_alarms").value, 0.5);
+  EXPECT_DOUBLE_EQ(score.figure("missed").value, 0);
+  EXPECT_DOUBLE_EQ(score.figure("unknown_found").value, 0.5);
+  EXPECT_DOUBLE_EQ(score.figure("false_unknown").value, 0.2);
+  EXPECT_DOUBLE_EQ(score.figure("mixture_f1").value, 0.5);
+  // 0.02 of 0.2, and 0.04 of the 0.2 that the gain is off nominal.
+  EXPECT_NEAR(score.figure("parameter_error").value, 0.15, 1e-12);
+  EXPECT_NEAR(score.figure("gap_closed").value, (0.9 + 0.5 + 1) / 3, 1e-12);
+  // 0.9 right, 0.6 wrong, 0.8 right, 0.5 wrong, 0.7 wrong: each in a bin of its own.
+  EXPECT_NEAR(score.figure("ece").value, (0.1 + 0.6 + 0.2 + 0.5 + 0.7) / 5, 1e-12);
+  EXPECT_EQ(score.bySeverity[0].count, 1U);
+  EXPECT_EQ(score.bySeverity[2].what, "5 to 10");
+  EXPECT_EQ(score.bySeverity[2].count, 2U);
+  EXPECT_EQ(score.missing, 0U);
+}
+
+TEST(BlindScore, NoAnswerIsAWrongAnswer) {
+  BlindSet set;
+  set.cases = {caseOf(BlindKind::none, {}, 0), caseOf(BlindKind::single, {{"backlash", "Knee", "", 1, {}}})};
+  const BlindScore score = scoreBlind(set, {answer(""), answer("")}, twoHips());
+  EXPECT_EQ(score.missing, 2U);
+  EXPECT_DOUBLE_EQ(score.figure("false_alarms").value, 1);
+  EXPECT_DOUBLE_EQ(score.figure("top1").value, 0);
+}
+
+TEST(BlindScore, FourthIsNotAmongThree) {
+  BlindSet set;
+  set.cases = {caseOf(BlindKind::single, {{"backlash", "Knee", "", 1, {}}})};
+  const std::vector<NamedCause> rivals = {{"dead_band", "Knee", "", 1, 0.3},
+                                          {"servo_gain", "Knee", "", 1, 0.2},
+                                          {"backlash", "Knee", "", 1, 0.1}};
+  const BlindScore score =
+      scoreBlind(set, {answer("effect", {named("bias_force", "Knee", 1, 0.4, rivals)})}, twoHips());
+  EXPECT_DOUBLE_EQ(score.figure("top3").value, 0);
+}
+
+TEST(BlindScore, WilsonsInterval) {
+  const Figure nine = share("", "", 9, 10);
+  EXPECT_NEAR(nine.lower, 0.5958, 1e-4);
+  EXPECT_NEAR(nine.upper, 0.9821, 1e-4);
+  const Figure none = share("", "", 0, 40);
+  EXPECT_DOUBLE_EQ(none.lower, 0);
+  EXPECT_NEAR(none.upper, 0.0876, 1e-4);
+}
+
+TEST(BlindScore, CalibrationByBins) {
+  // Two in one bin with mean 0.95 and one of them right: |0.95 - 0.5|; one at 0.15, wrong.
+  EXPECT_NEAR(calibrationError({{0.93, true}, {0.97, false}, {0.15, false}}), (0.9 + 0.15) / 3, 1e-12);
+  EXPECT_DOUBLE_EQ(calibrationError({{1, true}, {0, false}}), 0);
+}
+
+TEST(BlindCase, SealsAndReadsBack) {
+  BlindSet set{"arm", "mujoco", "hang", 5, {}};
+  set.cases = {caseOf(BlindKind::single, {{"com_offset", "Thigh", "y", -0.02, {{"side", "link"}}}}, 7.5)};
+  set.cases[0].name = "12345";
+  const BlindSet again = parseBlindSet(blindSetText(set));
+  EXPECT_EQ(blindSetText(again), blindSetText(set));
+  EXPECT_EQ(again.cases[0].effects[0].axis, "y");
+  EXPECT_EQ(again.cases[0].effects[0].how.at("side"), "link");
+  EXPECT_THROW(parseBlindSet("{}"), std::invalid_argument);
+  // FIPS 180-4's examples.
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+}
+
+TEST(BlindDraw, KindsInTheSharesPromised) {
+  DrawOptions options;
+  options.cases = 200;
+  const std::vector<BlindKind> kinds = drawKinds(options);
+  EXPECT_EQ(std::count(kinds.begin(), kinds.end(), BlindKind::none), 40);
+  EXPECT_EQ(std::count(kinds.begin(), kinds.end(), BlindKind::mixture), 29);
+  EXPECT_EQ(std::count(kinds.begin(), kinds.end(), BlindKind::outside), 29);
+  EXPECT_EQ(std::count(kinds.begin(), kinds.end(), BlindKind::hard), 29);
+  EXPECT_EQ(kinds.size(), 200U);
+  EXPECT_EQ(kinds, drawKinds(options));
+  options.seed = 2;
+  EXPECT_NE(kinds, drawKinds(options));
+}
+
+}  // namespace
+}  // namespace plumbline::gap
