@@ -94,9 +94,10 @@ void check(const EffectSetting& setting) {
   }
   if (const std::string places = wrongPlace(*effect, setting.at); !places.empty())
     setting.fail("at", "is \"" + setting.at + "\"; " + setting.effect + " sits at " + places);
-  if (effect->hasAxis == setting.axis.empty())
-    setting.fail("axis", effect->hasAxis ? "is missing: " + setting.effect + " needs x, y or z"
-                                         : "is given, and " + setting.effect + " has none");
+  if (effect->hasAxis && setting.axis.empty())
+    setting.fail("effect", "is " + setting.effect + ", which needs an axis: x, y or z");
+  if (!effect->hasAxis && !setting.axis.empty())
+    setting.fail("axis", "is given, and " + setting.effect + " has none");
   if (effect->site == Site::ground && setting.axis == "z")
     setting.fail("axis", "is z; a slope is about x or y");
   if (setting.value < effect->lower || setting.value > effect->upper)
