@@ -77,7 +77,7 @@ costs() { screen | grep -o '^simplemonitor: [0-9]* bytes/s for [0-9.]* s, [0-9.]
 waitFor costs
 read -r _ bytes _ _ _ _ cpu _ <<< "$(costs)"
 echo "$(costs)"
-((bytes > 1000 && bytes <= 4000)) || fail "$bytes bytes a second"
+((bytes > 300 && bytes <= 4000)) || fail "$bytes bytes a second"
 awk "BEGIN { exit !($cpu < 1) }" || fail "$cpu % of a core"
 "${terminal[@]}" kill-server
 
