@@ -13,7 +13,7 @@
 
 #include "framework/StopSignal.h"
 #include "game/StatusReader.h"
-#include "game/WriteFile.h"
+#include "framework/WriteFile.h"
 #include "math/Angle.h"
 #include "simspark/ChildProcess.h"
 #include "simspark/MonitorClient.h"

@@ -11,7 +11,7 @@
 #include "framework/GraphWriter.h"
 #include "framework/LogBuffer.h"
 #include "framework/TimingPlugin.h"
-#include "game/WriteFile.h"
+#include "framework/WriteFile.h"
 #include "modules/simspark/AgentOptions.h"
 #include "robot/RobotModel.h"
 #include "simspark/ChildProcess.h"
@@ -78,7 +78,7 @@ void writeStats(const Controller& controller, const std::string& path) {
     json["cycles"] = timing->cpu().count();
     json["cpu_us_per_cycle"] = timing->cpu().mean() * 1e6;
   }
-  game::writeFile(path, json.dump(2) + "\n");
+  writeFile(path, json.dump(2) + "\n");
 }
 
 int runAgent(const Options& options) {

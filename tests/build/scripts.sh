@@ -13,7 +13,7 @@ text=$(scripts/check_floors.sh 2> floors.err)
 expect "floors: status" $? 1
 expect "floors: offenders" "$text" 'src/math/Up.h:3: src/math must not look up to "robot/Joint.h"
 src/robot/Joint.cpp:1: relative include "../math/One.h": write the path from src/
-src/walking/Step.cpp:3: src/walking may include math and robot only, not "framework/Module.h"'
+src/walking/Step.cpp:3: src/walking may include math, robot and optimization only, not "framework/Module.h"'
 expect "floors: count" "$(cat floors.err)" "check_floors: 3 include(s) point up"
 rm -r src/walking src/math/Up.h src/robot
 

@@ -12,7 +12,10 @@ port() { sed -n 's/.*"'"$1"'": \([0-9]*\).*/\1/p' "$scratch/ports.json"; }
 node tests/e2e/web/dummies.mjs "$(port agent)" > "$scratch/dummies.log" 2>&1 &
 waitFor grep -q 'all there' "$scratch/dummies.log"
 
-terminal=(tmux -L "plumbline-$$" -f /dev/null)
+# A server for each terminal: one that is just ending would take the next terminal down with it.
+terminals=0
+freshTerminal() { terminal=(tmux -L "plumbline-$$-$((++terminals))" -f /dev/null); }
+freshTerminal
 trap 'status=$?; "${terminal[@]}" kill-server 2> /dev/null || true; jobs -p | xargs -r kill 2> /dev/null || true; rm -rf "$scratch"; exit $status' EXIT
 screen() { "${terminal[@]}" capture-pane -p; }
 shows() { screen | grep -q "$1"; }
@@ -48,11 +51,13 @@ trainer() { node -e '
   const socket = require("net").connect(Number(port), "127.0.0.1", () => { socket.write(bytes); socket.end(text); });
   socket.on("data", () => {}); socket.on("close", () => process.exit(0)); setTimeout(() => process.exit(0), 300);' "$(port monitor)" "$1"; }
 for name in field monitor; do
+  freshTerminal
   "${terminal[@]}" new-session -d -x 100 -y 36 "exec $bin/simplemonitor 127.0.0.1 --port $(port $name) --seconds 8 > $scratch/last-$name.txt 2>&1 > /dev/tty"
   waitFor shows 'Plumb 0 : 0 Line'
   expectRobots "the $name port"
   "${terminal[@]}" kill-server
 done
+freshTerminal
 "${terminal[@]}" new-session -d -x 100 -y 36 "$bin/simplemonitor 127.0.0.1:$(port field); echo status \$? > $scratch/status"
 waitFor shows 'BeforeKickOff'
 trainer '(playMode PlayOn)(score (left 3)(right 2))(ball (pos 5 5 0.042)(vel 0 0 0))'
@@ -72,6 +77,7 @@ waitFor test -s "$scratch/status"
 expectEqual "$(cat "$scratch/status")" "status 0" "after q"
 
 # What it costs while the game runs: at most 4 kB/s and 1 % of a core over the compact port.
+freshTerminal
 "${terminal[@]}" new-session -d -x 100 -y 36 "$bin/simplemonitor 127.0.0.1:$(port field) --seconds 6 > /dev/tty; sleep 60"
 costs() { screen | grep -o '^simplemonitor: [0-9]* bytes/s for [0-9.]* s, [0-9.]* % of a core'; }
 waitFor costs
@@ -82,6 +88,7 @@ awk "BEGIN { exit !($cpu < 1) }" || fail "$cpu % of a core"
 "${terminal[@]}" kill-server
 
 # The simulator goes and another comes: it says so and shows the new one. Ctrl-C ends it.
+freshTerminal
 "${terminal[@]}" new-session -d -x 100 -y 36 "$bin/simplemonitor 127.0.0.1:$(port field); echo status \$? > $scratch/status2"
 waitFor shows 'PlayOn'
 field=$(port field)

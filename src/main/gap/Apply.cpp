@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "framework/ConfigurationError.h"
-#include "game/WriteFile.h"
+#include "framework/WriteFile.h"
 #include "gap/report/AnswerCauses.h"
 #include "gap/report/AnswerFile.h"
 #include "main/gap/Commands.h"
@@ -43,7 +43,7 @@ void apply(const ApplyOptions& options) {
   // A comment ends at a line's end; what others wrote must not.
   for (char& c : comment)
     if (static_cast<unsigned char>(c) < ' ' && c != '\n') c = ' ';
-  game::writeFile(options.output, simulation::effectsText(effects, comment));
+  writeFile(options.output, simulation::effectsText(effects, comment));
   std::printf("%zu %s written to %s\n", effects.size(), effects.size() == 1 ? "effect" : "effects",
               options.output.c_str());
 }

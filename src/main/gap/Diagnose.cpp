@@ -8,7 +8,7 @@
 #include <memory>
 #include <thread>
 
-#include "game/WriteFile.h"
+#include "framework/WriteFile.h"
 #include "gap/answer/Answer.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/run/RunCheck.h"
@@ -111,7 +111,7 @@ void diagnoseRuns(const DiagnoseOptions& options) {
     std::fputs(text.c_str(), stdout);
     return;
   }
-  if (!options.json.empty()) game::writeFile(options.json, text);
+  if (!options.json.empty()) writeFile(options.json, text);
   std::printf("%s\n", verdictSentence(diagnosis).c_str());
   for (const Finding& finding : diagnosis.findings) {
     std::printf("  %-48s %5.1f %%  [%.3g, %.3g]  closes %.0f %% alone\n", describe(finding.cause).c_str(),

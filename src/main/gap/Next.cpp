@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "framework/ConfigurationError.h"
-#include "game/WriteFile.h"
+#include "framework/WriteFile.h"
 #include "gap/record/ExcitationFile.h"
 #include "gap/report/AnswerCauses.h"
 #include "gap/report/AnswerFile.h"
@@ -104,7 +104,7 @@ void next(const NextOptions& options) {
     if (shown && share >= 1) std::fprintf(stderr, "\r\033[K");
   };
   const NextMotion found = findNextMotion(robot, question.explanations, search);
-  if (!options.output.empty()) game::writeFile(options.output, excitationText(found.program, robot));
+  if (!options.output.empty()) writeFile(options.output, excitationText(found.program, robot));
   std::printf("To tell %s:\n  %-18s %6.2f times the noise: %s\n", question.text.c_str(),
               found.best.name.c_str(), found.best.separation, found.program.about.c_str());
   for (std::size_t i = 0; i < std::min<std::size_t>(4, found.others.size()); ++i)

@@ -5,7 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "game/WriteFile.h"
+#include "framework/WriteFile.h"
 #include "gap/diagnosis/ExplanationFile.h"
 #include "gap/record/ExcitationFile.h"
 #include "gap/record/Secret.h"
@@ -100,7 +100,7 @@ void record(const RecordOptions& options) {
     std::printf("%zu/%zu %s: %.1f s\n", ++done, items.size(), item.name.c_str(), run.duration());
     std::fflush(stdout);
   }
-  if (!sealed.empty()) game::writeFile(((single ? output : folder) / "SECRET").string(), sealed);
+  if (!sealed.empty()) writeFile(((single ? output : folder) / "SECRET").string(), sealed);
   if (!single) {
     fs::remove(output, error);
     fs::rename(folder, output);

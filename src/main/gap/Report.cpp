@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "game/WriteFile.h"
+#include "framework/WriteFile.h"
 #include "gap/report/AnswerFile.h"
 #include "gap/report/ReportPage.h"
 #include "main/gap/Commands.h"
@@ -35,7 +35,7 @@ void report(const ReportOptions& options) {
                   name.c_str());
     }
   }
-  game::writeFile(options.output, reportPage(builtReportPage(), answer, robot));
+  writeFile(options.output, reportPage(builtReportPage(), answer, robot));
   std::printf("Written to %s; open it in a browser\n", options.output.c_str());
 }
 

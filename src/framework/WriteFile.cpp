@@ -1,4 +1,4 @@
-#include "game/WriteFile.h"
+#include "framework/WriteFile.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace plumbline::game {
+namespace plumbline {
 
 void writeFile(const std::string& path, const std::string& content) {
   const std::string beside = path + ".part";
@@ -20,4 +20,4 @@ void writeFile(const std::string& path, const std::string& content) {
   }
 }
 
-}  // namespace plumbline::game
+}  // namespace plumbline

@@ -1,4 +1,4 @@
-#include "game/WriteFile.h"
+#include "framework/WriteFile.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-using plumbline::game::writeFile;
+using plumbline::writeFile;
 
 namespace {
 
