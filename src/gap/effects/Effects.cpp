@@ -2,7 +2,37 @@
 
 #include <stdexcept>
 
-#include "gap/effects/Library.h"
+#include "gap/effects/AccelerationLimit.h"
+#include "gap/effects/Backlash.h"
+#include "gap/effects/BiasForce.h"
+#include "gap/effects/ComOffset.h"
+#include "gap/effects/CommandDelay.h"
+#include "gap/effects/CommandDropout.h"
+#include "gap/effects/CoulombFriction.h"
+#include "gap/effects/DeadBand.h"
+#include "gap/effects/EncoderNonlinearity.h"
+#include "gap/effects/ExternalForce.h"
+#include "gap/effects/FsrGain.h"
+#include "gap/effects/GroundCompliance.h"
+#include "gap/effects/GroundFriction.h"
+#include "gap/effects/GroundSlope.h"
+#include "gap/effects/GyroBias.h"
+#include "gap/effects/ImuDelay.h"
+#include "gap/effects/ImuMisalignment.h"
+#include "gap/effects/JointCompliance.h"
+#include "gap/effects/JointOffset.h"
+#include "gap/effects/LinkLength.h"
+#include "gap/effects/LinkMass.h"
+#include "gap/effects/LoadFriction.h"
+#include "gap/effects/RotorInertia.h"
+#include "gap/effects/ServoDamping.h"
+#include "gap/effects/ServoGain.h"
+#include "gap/effects/SpeedLimit.h"
+#include "gap/effects/StribeckFriction.h"
+#include "gap/effects/SupplyVoltage.h"
+#include "gap/effects/ThermalDerating.h"
+#include "gap/effects/TorqueLimit.h"
+#include "gap/effects/ViscousFriction.h"
 
 namespace plumbline::gap {
 

@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Factor on the voltage that torque and speed limits come from.
-const Effect supplyVoltage{
+inline const Effect supplyVoltage{
     .id = "supply_voltage",
     .unit = "1",
     .sites = {Site::everywhere},

@@ -1,11 +1,12 @@
-#include "gap/effects/Library.h"
-
+#pragma once
 #include <algorithm>
+
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Friction proportional to speed, on top of whatever the servo does.
-const Effect viscousFriction{
+inline const Effect viscousFriction{
     .id = "viscous_friction",
     .unit = "N m s/rad",
     .sites = {Site::joint},

@@ -1,11 +1,12 @@
-#include "gap/effects/Library.h"
-
+#pragma once
 #include <algorithm>
+
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Added to the rotor's inertia seen at the joint.
-const Effect rotorInertia{
+inline const Effect rotorInertia{
     .id = "rotor_inertia",
     .unit = "kg m^2",
     .sites = {Site::joint},

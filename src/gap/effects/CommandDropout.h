@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Lost cycles. Which ones is a matter of the record, not of the plant: see diagnosis/LostCycles.h.
-const Effect commandDropout{
+inline const Effect commandDropout{
     .id = "command_dropout",
     .unit = "1",
     .sites = {Site::everywhere},

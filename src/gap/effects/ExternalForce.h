@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Force on a link's centre of mass, fixed in the world.
-const Effect externalForce{
+inline const Effect externalForce{
     .id = "external_force",
     .unit = "N",
     .sites = {Site::link},

@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Of each corner of a sole; a lawn or a carpet.
-const Effect groundCompliance{
+inline const Effect groundCompliance{
     .id = "ground_compliance",
     .unit = "m/N",
     .sites = {Site::ground},

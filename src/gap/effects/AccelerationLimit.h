@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// The servo's own profile towards a new command.
-const Effect accelerationLimit{
+inline const Effect accelerationLimit{
     .id = "acceleration_limit",
     .unit = "rad/s^2",
     .sites = {Site::joint},

@@ -1,17 +1,14 @@
-#include "gap/effects/Library.h"
-
+#pragma once
 #include <array>
+
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
-namespace {
-
-constexpr std::array<double, 2> phases{0, 1.5707963267948966};
-
-}  // namespace
+inline constexpr std::array<double, 2> encoderPhases{0, 1.5707963267948966};
 
 /// Measured angle = true + value sin(true + phase).
-const Effect encoderNonlinearity{
+inline const Effect encoderNonlinearity{
     .id = "encoder_nonlinearity",
     .unit = "rad",
     .sites = {Site::joint},
@@ -25,7 +22,7 @@ const Effect encoderNonlinearity{
         [](Plant& plant, const Place& place, double value, int variant) {
           atJoints(plant, place, [value, variant](JointPlant& joint) {
             joint.encoderAmplitude = value;
-            joint.encoderPhase = phases[static_cast<std::size_t>(variant)];
+            joint.encoderPhase = encoderPhases[static_cast<std::size_t>(variant)];
           });
         },
 };

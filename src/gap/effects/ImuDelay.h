@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Age of an inertial reading when it is reported.
-const Effect imuDelay{
+inline const Effect imuDelay{
     .id = "imu_delay",
     .unit = "s",
     .sites = {Site::imu},

@@ -1,11 +1,12 @@
-#include "gap/effects/Library.h"
-
+#pragma once
 #include <algorithm>
+
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Mass added to a link.
-const Effect linkMass{
+inline const Effect linkMass{
     .id = "link_mass",
     .unit = "kg",
     .sites = {Site::link},

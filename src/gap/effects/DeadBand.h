@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Position error that the servo does not act on.
-const Effect deadBand{
+inline const Effect deadBand{
     .id = "dead_band",
     .unit = "rad",
     .sites = {Site::joint},

@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Rotation of the ground about an axis of the world, x or y.
-const Effect groundSlope{
+inline const Effect groundSlope{
     .id = "ground_slope",
     .unit = "rad",
     .sites = {Site::ground},

@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Factor on a foot's force sensors.
-const Effect fsrGain{
+inline const Effect fsrGain{
     .id = "fsr_gain",
     .unit = "1",
     .sites = {Site::foot},

@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// A spring, a cable or a wrong zero of torque.
-const Effect biasForce{
+inline const Effect biasForce{
     .id = "bias_force",
     .unit = "N m",
     .sites = {Site::joint},

@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Constant error of the gyro.
-const Effect gyroBias{
+inline const Effect gyroBias{
     .id = "gyro_bias",
     .unit = "rad/s",
     .sites = {Site::imu},

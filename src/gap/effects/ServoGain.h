@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Factor on the proportional gain.
-const Effect servoGain{
+inline const Effect servoGain{
     .id = "servo_gain",
     .unit = "1",
     .sites = {Site::joint},

@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Link angle minus measured angle.
-const Effect jointOffset{
+inline const Effect jointOffset{
     .id = "joint_offset",
     .unit = "rad",
     .sites = {Site::joint},

@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Transport and processing time between sending a command and its coming into force.
-const Effect commandDelay{
+inline const Effect commandDelay{
     .id = "command_delay",
     .unit = "s",
     .sites = {Site::everywhere, Site::joint},

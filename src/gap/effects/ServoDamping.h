@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Factor on the derivative gain; unlike viscous friction it lies within the torque limit.
-const Effect servoDamping{
+inline const Effect servoDamping{
     .id = "servo_damping",
     .unit = "1",
     .sites = {Site::joint},

@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Factor on the largest torque.
-const Effect torqueLimit{
+inline const Effect torqueLimit{
     .id = "torque_limit",
     .unit = "1",
     .sites = {Site::joint, Site::everywhere},

@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Rotation of the sensor about the torso's axis.
-const Effect imuMisalignment{
+inline const Effect imuMisalignment{
     .id = "imu_misalignment",
     .unit = "rad",
     .sites = {Site::imu},

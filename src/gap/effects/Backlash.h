@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Whole play between motor and link; motor and link turn apart within it.
-const Effect backlash{
+inline const Effect backlash{
     .id = "backlash",
     .unit = "rad",
     .sites = {Site::joint},

@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Coefficient of Coulomb friction between sole and ground.
-const Effect groundFriction{
+inline const Effect groundFriction{
     .id = "ground_friction",
     .unit = "1",
     .sites = {Site::ground},

@@ -1,17 +1,14 @@
-#include "gap/effects/Library.h"
-
+#pragma once
 #include <array>
+
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
-namespace {
-
-constexpr std::array<double, 3> speeds{0.1, 0.03, 0.3};  // [rad/s]
-
-}  // namespace
+inline constexpr std::array<double, 3> stribeckSpeeds{0.1, 0.03, 0.3};  // [rad/s]
 
 /// Extra friction at rest that falls off as exp(-(speed / v)^2) (Armstrong-Helouvry 1994).
-const Effect stribeckFriction{
+inline const Effect stribeckFriction{
     .id = "stribeck_friction",
     .unit = "N m",
     .sites = {Site::joint},
@@ -27,7 +24,7 @@ const Effect stribeckFriction{
         [](Plant& plant, const Place& place, double value, int variant) {
           atJoints(plant, place, [value, variant](JointPlant& joint) {
             joint.stribeck += value;
-            joint.stribeckSpeed = speeds[static_cast<std::size_t>(variant)];
+            joint.stribeckSpeed = stribeckSpeeds[static_cast<std::size_t>(variant)];
           });
         },
 };

@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Factor on the distance from a link's own joint to what it carries.
-const Effect linkLength{
+inline const Effect linkLength{
     .id = "link_length",
     .unit = "1",
     .sites = {Site::link},

@@ -1,10 +1,11 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Loss of torque limit per joule; the heat is the integral of torque^2 * 1 s/(kg m^2), or of |torque *
 /// speed|.
-const Effect thermalDerating{
+inline const Effect thermalDerating{
     .id = "thermal_derating",
     .unit = "1/J",
     .sites = {Site::joint, Site::everywhere},

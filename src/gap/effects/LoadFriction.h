@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Dry friction in proportion to the torque that goes through the gear.
-const Effect loadFriction{
+inline const Effect loadFriction{
     .id = "load_friction",
     .unit = "1",
     .sites = {Site::joint},

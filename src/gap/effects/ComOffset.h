@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Shift of a link's centre of mass.
-const Effect comOffset{
+inline const Effect comOffset{
     .id = "com_offset",
     .unit = "m",
     .sites = {Site::link},

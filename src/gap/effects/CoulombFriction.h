@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Dry friction, independent of speed and load.
-const Effect coulombFriction{
+inline const Effect coulombFriction{
     .id = "coulomb_friction",
     .unit = "N m",
     .sites = {Site::joint},

@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// A spring between motor and link.
-const Effect jointCompliance{
+inline const Effect jointCompliance{
     .id = "joint_compliance",
     .unit = "rad/(N m)",
     .sites = {Site::joint},

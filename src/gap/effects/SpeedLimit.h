@@ -1,9 +1,10 @@
-#include "gap/effects/Library.h"
+#pragma once
+#include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
 
 /// Factor on the speed at which the torque has faded to nothing.
-const Effect speedLimit{
+inline const Effect speedLimit{
     .id = "speed_limit",
     .unit = "1",
     .sites = {Site::joint, Site::everywhere},
