@@ -49,7 +49,7 @@ TEST(FieldPicture, headTellsTheGame) {
   state.teamLeft = "Red";
   state.teamRight = "Blue";
   const auto picture = fieldPicture(state, 80, 24, plain, "server:3201");
-  EXPECT_EQ(picture.row(0), std::string(19, ' ') + "Red 0 : 2 Blue   PlayOn   1:23.4   half 1");
+  EXPECT_EQ(picture.row(0), "                   Red 0 : 2 Blue   PlayOn   1:23.4   half 1");
   EXPECT_EQ(picture.row(23), "server:3201");
   EXPECT_EQ(picture.at(19, 0).ink, Ink::left);
   EXPECT_EQ(picture.at(30, 0).ink, Ink::right);
