@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
 jobs=${JOBS:-$(nproc)}
 timeout=${TEST_TIMEOUT:-600} # seconds for one program or script
-passed=0 failed=0
+passed=0 failed=0 runPrograms=1
 failures=()
 progress=""
 export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
@@ -66,7 +66,7 @@ runTarget() { # $1 target, $2... areas
   mkdir -p "build/$target/logs"
   for area in "$@"; do
     path=build/$target/tests/$area
-    [[ ${runPrograms:-1} == 1 && -x $path && -f $path ]] && names+=("$area") kinds+=(program) paths+=("$path")
+    [[ $runPrograms == 1 && -x $path && -f $path ]] && names+=("$area") kinds+=(program) paths+=("$path")
     if [[ $target == SimRelease && -d tests/$area ]]; then
       while read -r path; do
         names+=("${path#tests/}") kinds+=(script) paths+=("$path")
@@ -124,7 +124,7 @@ if [[ ${1-} == --all ]]; then
   mapfile -t areas < <(areasOf)
   # The programs as they are used play their scripts; test programs run under the sanitizers, which see more. To build
   # them a second time would cost a third of the whole: scripts/run_tests.sh SimRelease AREA... does it.
-  buildTests SimRelease SimRelease && runPrograms=0 runTarget SimRelease "${areas[@]}"
+  buildTests SimRelease SimRelease && { runPrograms=0; runTarget SimRelease "${areas[@]}"; runPrograms=1; }
   buildTests SimSanitize SimSanitize-tests && runTarget SimSanitize "${areas[@]}"
 else
   target=SimRelease
