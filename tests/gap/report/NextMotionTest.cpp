@@ -13,18 +13,19 @@ Cause causeAt(const Mechanism& robot, const char* id, const std::string& at, dou
   return {effect, findPlace(*effect, robot, at, ""), value, 0};
 }
 
-TEST(NextMotion, ServoDampingAndViscousFrictionCannotBeTold) {
-  // tau = -kd w either way, as long as the torque limit is far: there is no motion that separates them well.
+TEST(NextMotion, FindsThatDampingAndFrictionDifferAtTheTorqueLimitAlone) {
+  // tau = -kd w either way, but the servo's own damping is cut off with the rest of its torque.
   const Mechanism robot = twoJointArm();
   const std::string joint = robot.joints[1].name;
-  const double kd = robot.joints[1].servo.kd;
   const Cause damping = causeAt(robot, "servo_damping", joint, 1.5);
-  const Cause friction = causeAt(robot, "viscous_friction", joint, 0.5 * kd);
-  const Cause backlash = causeAt(robot, "backlash", joint, 0.03);
-  const double alike = findNextMotion(robot, {{damping}, {friction}}).best.separation;
-  const double unlike = findNextMotion(robot, {{backlash}, {friction}}).best.separation;
-  EXPECT_GT(unlike, 1);
-  EXPECT_LT(alike, 0.3 * unlike);
+  const Cause friction = causeAt(robot, "viscous_friction", joint, 0.5 * robot.joints[1].servo.kd);
+  const NextMotion next = findNextMotion(robot, {{damping}, {friction}});
+  EXPECT_GT(next.best.separation, 1);
+  EXPECT_TRUE(next.best.name.starts_with("steps") || next.best.name.starts_with("fast")) << next.best.name;
+  for (const MotionScore& other : next.others)
+    if (other.name.starts_with("triangle") || other.name.starts_with("reversals")) {
+      EXPECT_LT(other.separation, 0.01) << other.name;
+    }
 }
 
 TEST(NextMotion, TakesTheBestOfAllItTried) {
