@@ -19,6 +19,11 @@ for area in "${areas[@]}"; do
     echo "Written by \`make results\` (\`make bench-$area\` measures) on $(date -u +%Y-%m-%d), $(nproc) cores of ${machine:-an unknown CPU}, $(c++ --version | head -1)."
     echo "Seeds and numbers of runs are part of each figure's name or fixed in \`tests/bench/$area/\`."
     echo
+    # Tables that the benchmark wrote itself come before the bare figures.
+    if [[ -s build/bench/$area.md ]]; then
+      cat "build/bench/$area.md"
+      printf '\n## All figures\n\n'
+    fi
     awk '
       function field(text, key,   found) {
         if (!match(text, "\"" key "\"[ \t\n]*:[ \t\n]*(\"[^\"]*\"|[^,}\n]*)")) return ""

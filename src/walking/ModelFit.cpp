@@ -27,10 +27,13 @@ SearchSpace spaceFrom(const ModelParameters& start) {
   for (std::size_t i = 0; i < ModelParameters::count; ++i) {
     const ModelParameterInfo& info = modelParameterTable[i];
     const auto j = static_cast<Index>(i);
-    space.lower[j] = (info.low - info.neutral) / info.scale;
-    space.upper[j] = (info.high - info.neutral) / info.scale;
-    space.start[j] =
-        std::clamp((start.values()[i] - info.neutral) / info.scale, space.lower[j], space.upper[j]);
+    // Steps of one kind of walking tell little of some parameters; none goes far in one fit.
+    constexpr double furthest = 2;
+    const double from = (start.values()[i] - info.neutral) / info.scale;
+    const double low = (info.low - info.neutral) / info.scale, high = (info.high - info.neutral) / info.scale;
+    space.start[j] = std::clamp(from, low, high);
+    space.lower[j] = std::max(low, space.start[j] - furthest);
+    space.upper[j] = std::min(high, space.start[j] + furthest);
   }
   return space;
 }
@@ -74,7 +77,7 @@ ModelFitResult fitModel(std::span<const ObservedStep> steps, const ModelParamete
   search.stop.maxGenerations = options.generations;
   Cmaes optimizer(spaceFrom(before), search);
   // What the steps do not tell stays as it was: a little is paid for every change.
-  constexpr double weight = 0.002;
+  constexpr double weight = 0.03;
   while (!optimizer.isDone()) {
     const Eigen::MatrixXd& candidates = optimizer.ask();
     std::vector<double> costs;

@@ -10,9 +10,9 @@ namespace plumbline::walking {
 /// How far the filter trusts what it is told. The noise of the model is high on purpose: a difference to the
 /// model is what the estimate is for (section 4.2.5).
 struct VelocityFilterParameters {
-  int particles = 60;
-  double modelNoise = 0.06;  ///< of the velocity in one cycle [m/s]
-  double footNoise = 0.04;   ///< of the velocity seen in the supporting foot's movement [m/s]
+  int particles = 100;
+  double modelNoise = 0.1;   ///< of the velocity in one cycle [m/s]
+  double footNoise = 0.025;  ///< of the velocity seen in the supporting foot's movement [m/s]
   std::uint64_t seed = 1;
 };
 

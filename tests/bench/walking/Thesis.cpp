@@ -27,6 +27,7 @@ struct StepFigures {
 
 struct Observed {
   StepFigures figures;
+  int falls = 0;
   std::vector<Vec2> feet[2];  ///< supporting foot at the end of each step (figure 4.18)
   std::vector<Vec2> referenceFeet;
 };
@@ -45,8 +46,7 @@ public:
       }
       support = out.support;
       planned.reset();
-    }
-    if (support != Support::both) {
+    } else if (support != Support::both) {
       last = out.stepTarget;
       if (!planned) planned = last;
     }
@@ -140,11 +140,17 @@ Observed onTheSpot(WalkingRobot& robot, const ModelParameters& fit, double secon
   robot.restart();
   robot.engine.setModelParameters(fit);
   StepWatch watch(robot);
+  int falls = 0;
   for (double time = 0; time < seconds; time += cycle) {
-    if (!robot.step({Vec2::Zero(), 0, true})) robot.restart();
+    if (!robot.step({Vec2::Zero(), 0, true})) {
+      ++falls;
+      robot.restart();
+    }
     if (time > 3) watch.cycle();
   }
-  return watch.finish();
+  Observed seen = watch.finish();
+  seen.falls = falls;
+  return seen;
 }
 
 WalkRequest forwardBackward(double time) { return {Vec2(std::fmod(time, 6) < 3 ? 0.15 : -0.15, 0), 0, true}; }
@@ -158,8 +164,8 @@ void tableOnTheSpot(const std::vector<Subject>& subjects, const BenchSetup& setu
       "to the outside), change of the target within the step (mm), distance of the supporting foot from its "
       "place in the reference: of the mean, and mean over the steps (mm). Second row: after the model was "
       "optimised on 20 s of steps, twice.");
-  report.tableHead(
-      {"robot", "model", "x", "x'", "y", "y'", "change x", "change y", "foot mean", "foot mean abs"});
+  report.tableHead({"robot", "model", "x", "x'", "y", "y'", "change x", "change y", "foot mean",
+                    "foot mean abs", "falls"});
   for (const Subject& subject : subjects) {
     WalkingRobot robot(subject.type, subject.gaits);
     const ModelParameters fit = optimise(robot, [](double) { return WalkRequest{Vec2::Zero(), 0, true}; });
@@ -173,7 +179,7 @@ void tableOnTheSpot(const std::vector<Subject>& subjects, const BenchSetup& setu
       std::vector<std::string> cells{subject.name, optimised ? "optimised" : "as it is"};
       append(cells, cellsOf(seen.figures));
       append(cells, {fmt::format("{:.1f}", seen.figures.footMean.norm()),
-                     fmt::format("{:.1f}", seen.figures.footAbs)});
+                     fmt::format("{:.1f}", seen.figures.footAbs), std::to_string(seen.falls)});
       report.row(cells);
       bias[optimised] = std::hypot(seen.figures.velocity.x(), seen.figures.velocity.y());
       Plot plot{.title = optimised ? "with optimised model" : "without optimisation",
@@ -199,8 +205,8 @@ void tableForwardBackward(const std::vector<Subject>& subjects, const BenchSetup
       "Request 0.15 m/s forward and backward, changed every 3 s. Walk speed error: true mean speed of the "
       "last "
       "0.5 s before each change, along the request, minus 0.15 m/s: mean and deviation (mm/s).");
-  report.tableHead(
-      {"robot", "model", "x", "x'", "y", "y'", "change x", "change y", "speed error mean", "std. dev."});
+  report.tableHead({"robot", "model", "x", "x'", "y", "y'", "change x", "change y", "speed error mean",
+                    "std. dev.", "falls"});
   for (const Subject& subject : subjects) {
     WalkingRobot robot(subject.type, subject.gaits);
     const ModelParameters fit = optimise(robot, forwardBackward);
@@ -210,9 +216,13 @@ void tableForwardBackward(const std::vector<Subject>& subjects, const BenchSetup
       StepWatch watch(robot);
       std::vector<double> errors;
       double way = 0;
+      int falls = 0;
       for (double time = 0; time < 30.0 * setup.seeds; time += cycle) {
         const WalkRequest request = forwardBackward(time);
-        if (!robot.step(request)) robot.restart();
+        if (!robot.step(request)) {
+          ++falls;
+          robot.restart();
+        }
         watch.cycle();
         const double phase = std::fmod(time, 3);
         if (phase < 2.5) {
@@ -229,7 +239,8 @@ void tableForwardBackward(const std::vector<Subject>& subjects, const BenchSetup
       std::vector<std::string> cells{subject.name, optimised ? "optimised" : "as it is"};
       append(cells, cellsOf(seen.figures));
       append(cells,
-             {text(e, 1), fmt::format("{:.1f}", std::sqrt(squares / static_cast<double>(errors.size())))});
+             {text(e, 1), fmt::format("{:.1f}", std::sqrt(squares / static_cast<double>(errors.size()))),
+              std::to_string(falls)});
       report.row(cells);
       report.figure(fmt::format("{}.switching_speed_error{}", subject.name, optimised ? "_optimised" : ""),
                     std::abs(e.mean), "mm/s", {false, std::nan("")});
@@ -243,7 +254,7 @@ void tableAcceleration(const std::vector<Subject>& subjects, Report& report, Pag
       "Request 0.2 m/s from standing until 0.5 m are walked; 30 runs. Delay: until the torso is 5 mm ahead. "
       "Acceleration: until 90 % of 0.2 m/s are reached (mean over 0.2 s). Speed error: from then on.");
   report.tableHead({"robot", "model", "x", "x'", "y", "y'", "total time ms", "delay ms", "acc. m/s^2",
-                    "speed error mean mm/s", "std. dev."});
+                    "speed error mean mm/s", "std. dev.", "falls"});
   const Requests forward = [](double) { return WalkRequest{Vec2(0.2, 0), 0, true}; };
   for (const Subject& subject : subjects) {
     WalkingRobot robot(subject.type, subject.gaits);
@@ -253,6 +264,7 @@ void tableAcceleration(const std::vector<Subject>& subjects, Report& report, Pag
       Random random(5);
       std::vector<double> totals, delays, accelerations, errors, deviations;
       StepWatch watch(robot);
+      int fallen = 0;
       for (int run = 0; run < 30; ++run) {
         robot.restart();
         robot.engine.setModelParameters(optimised ? fit : ModelParameters{});
@@ -268,6 +280,10 @@ void tableAcceleration(const std::vector<Subject>& subjects, Report& report, Pag
           if (delay == 0 && way.back() > 0.005) delay = time;
           const std::size_t n = way.size();
           if (reached == 0 && n > 10 && way[n - 1] - way[n - 11] > 0.9 * 0.2 * 0.2) reached = time;
+        }
+        if (way.back() < 0.5) {
+          ++fallen;
+          continue;
         }
         const double total = cycle * static_cast<double>(way.size() - 1);
         totals.push_back(1000 * total);
@@ -293,7 +309,8 @@ void tableAcceleration(const std::vector<Subject>& subjects, Report& report, Pag
       append(cells, cellsOf(seen.figures));
       cells.resize(6);  // this table has no change of the target
       append(cells, {text(estimate(totals), 0), text(estimate(delays), 0), text(estimate(accelerations), 2),
-                     text(estimate(errors), 1), fmt::format("{:.1f}", estimate(deviations).mean)});
+                     text(estimate(errors), 1), fmt::format("{:.1f}", estimate(deviations).mean),
+                     std::to_string(fallen)});
       report.row(cells);
       if (!optimised) continue;
       report.figure(subject.name + ".acceleration_total", estimate(totals).mean, "ms", {false, 2080},
