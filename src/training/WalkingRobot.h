@@ -19,8 +19,7 @@ inline WalkGaits readWalkGaits(int type) {
   return gaits;
 }
 
-/// The common walk of config/walking.yaml alone: slow, after the thesis, with the closed loop, fitted to no
-/// robot.
+/// The common walk of config/walking.yaml alone: slow and in open loop, fitted to no robot.
 inline WalkGaits plainWalk() {
   const ConfigFile file("walking", {"config"});
   return readWalkGaits(file.root());

@@ -248,7 +248,10 @@ void measureEstimate(const BenchSetup&, Report& report, Page& page) {
   referenceFigure(page);
   searchFigure(page);
   walkFigures(plainWalk(), false, page);
-  walkFigures(plainWalk(), true, page);
+  WalkGaits closed = plainWalk();
+  closed.base.observationPosition = closed.base.observationVelocity = 0.05;
+  for (WalkParameters& corner : closed.corner) corner = closed.base;
+  walkFigures(closed, true, page);
 }
 
 }  // namespace plumbline::bench
