@@ -12,8 +12,8 @@
 #include <stdexcept>
 
 #include "framework/StopSignal.h"
-#include "game/StatusReader.h"
 #include "framework/WriteFile.h"
+#include "game/StatusReader.h"
 #include "math/Angle.h"
 #include "simspark/ChildProcess.h"
 #include "simspark/MonitorClient.h"
