@@ -31,27 +31,12 @@ void add(const std::string& name, double value, const char* unit, double peer, c
                     {"peer_value", peer}});
 }
 
-double medianEvaluations(double (*cost)(const VectorXd&), int n, double start, int population) {
-  std::vector<double> counts;
-  for (std::uint64_t seed = 1; seed <= 9; ++seed) {
-    CmaesOptions options;
-    options.seed = seed;
-    options.population = population;
-    options.stop.targetCost = 1e-8;
-    options.stop.maxEvaluations = 1'000'000;
-    Cmaes cmaes(SearchSpace::around(VectorXd::Constant(n, start), 0.5), options);
-    minimize(cmaes, cost);
-    counts.push_back(cmaes.bestCost() <= 1e-8 ? static_cast<double>(cmaes.evaluations()) : 1e9);
-  }
-  std::sort(counts.begin(), counts.end());
-  return counts[4];
-}
-
+/// Of as many runs as are told, those that did not get there counting as the longest.
 template <typename T, typename Options>
-double medianOf(double (*cost)(const VectorXd&), int n, double start, Options options) {
+double medianEvaluations(double (*cost)(const VectorXd&), int n, double start, int runs, Options options) {
   std::vector<double> counts;
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    options.seed = seed;
+  for (int seed = 1; seed <= runs; ++seed) {
+    options.seed = static_cast<std::uint64_t>(seed);
     options.stop.targetCost = 1e-8;
     options.stop.maxEvaluations = 1'000'000;
     T optimizer(SearchSpace::around(VectorXd::Constant(n, start), 0.5), options);
@@ -59,7 +44,17 @@ double medianOf(double (*cost)(const VectorXd&), int n, double start, Options op
     counts.push_back(optimizer.bestCost() <= 1e-8 ? static_cast<double>(optimizer.evaluations()) : 1e9);
   }
   std::sort(counts.begin(), counts.end());
-  return counts[2];
+  return counts[counts.size() / 2];
+}
+
+double cmaesEvaluations(double (*cost)(const VectorXd&), int n, double start, int population) {
+  CmaesOptions options;
+  options.population = population;
+  return medianEvaluations<Cmaes>(cost, n, start, 9, options);
+}
+
+double xnesEvaluations(double (*cost)(const VectorXd&), double start) {
+  return medianEvaluations<Xnes>(cost, 10, start, 5, XnesOptions{});
 }
 
 template <typename T, typename Options>
@@ -97,21 +92,18 @@ int main() {
         Case{"rosenbrock", rosenbrock, 10, 0, 5500}, Case{"sphere", sphere, 40, 1, 5370},
         Case{"ellipsoid", ellipsoid, 40, 1, 44000}, Case{"rosenbrock", rosenbrock, 40, 0, 58000}})
     add("cmaes." + std::string(c.name) + std::to_string(c.n) + ".evaluations",
-        medianEvaluations(c.cost, c.n, c.start, 0), "evaluations", c.libcmaes, "libcmaes aCMA");
+        cmaesEvaluations(c.cost, c.n, c.start, 0), "evaluations", c.libcmaes, "libcmaes aCMA");
   for (const Case& c : {Case{"sphere", sphere, 10, 1, 2960}, Case{"ellipsoid", ellipsoid, 10, 1, 7672},
                         Case{"rosenbrock", rosenbrock, 10, 0, 9742}, Case{"sphere", sphere, 40, 1, 8136},
                         Case{"ellipsoid", ellipsoid, 40, 1, 76900}})
     add("cmaes." + std::string(c.name) + std::to_string(c.n) + ".evaluations_of_30",
-        medianEvaluations(c.cost, c.n, c.start, 30), "evaluations", c.libcmaes, "pagmo cmaes");
+        cmaesEvaluations(c.cost, c.n, c.start, 30), "evaluations", c.libcmaes, "pagmo cmaes");
   add("cmaes.generation96", millisecondsPerGeneration<Cmaes, CmaesOptions>(96), "ms", 3.5, "pagmo cmaes");
   add("cmaes.generation210", millisecondsPerGeneration<Cmaes, CmaesOptions>(210), "ms", 37, "pagmo cmaes");
 
-  XnesOptions xnes;
-  add("xnes.sphere10.evaluations", medianOf<Xnes>(sphere, 10, 1, xnes), "evaluations", 15500, "pagmo xnes");
-  add("xnes.ellipsoid10.evaluations", medianOf<Xnes>(ellipsoid, 10, 1, xnes), "evaluations", 21900,
-      "pagmo xnes");
-  add("xnes.rosenbrock10.evaluations", medianOf<Xnes>(rosenbrock, 10, 0, xnes), "evaluations", 22200,
-      "pagmo xnes");
+  add("xnes.sphere10.evaluations", xnesEvaluations(sphere, 1), "evaluations", 15500, "pagmo xnes");
+  add("xnes.ellipsoid10.evaluations", xnesEvaluations(ellipsoid, 1), "evaluations", 21900, "pagmo xnes");
+  add("xnes.rosenbrock10.evaluations", xnesEvaluations(rosenbrock, 0), "evaluations", 22200, "pagmo xnes");
   add("xnes.generation96", millisecondsPerGeneration<Xnes, XnesOptions>(96), "ms", 0.7, "pagmo xnes");
   add("xnes.generation210", millisecondsPerGeneration<Xnes, XnesOptions>(210), "ms", 6.6, "pagmo xnes");
   std::ofstream("build/bench/optimization.json") << report.dump(1) << "\n";

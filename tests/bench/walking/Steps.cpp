@@ -1,0 +1,88 @@
+#include <cmath>
+
+#include "bench/walking/Steps.h"
+
+namespace plumbline::bench {
+
+using namespace walking;
+
+void StepWatch::cycle() {
+  const WalkOutput& out = robot.output;
+  if (out.support != support) {
+    if (support != Support::both && planned) {
+      const double side = support == Support::left ? 1 : -1;
+      result.figures.change += 1000 * Vec2(last.x() - planned->x(), -side * (last.y() - planned->y()));
+    }
+    support = out.support;
+    planned.reset();
+  } else if (support != Support::both) {
+    last = out.stepTarget;
+    if (!planned) planned = last;
+  }
+  if (const ObservedStep* step = robot.engine.observedStep()) add(*step);
+}
+Observed StepWatch::finish() {
+  StepFigures& f = result.figures;
+  if (f.steps > 0) {
+    const double n = f.steps;
+    f.position /= n;
+    f.velocity /= n;
+    f.change /= n;
+    f.footMean /= n;
+    f.footAbs /= n;
+  }
+  return result;
+}
+
+void StepWatch::add(const ObservedStep& step) {
+  const Side side = step.begin.supportSide();
+  const Vec2 outwards(1, outward(side));
+  const auto& end = step.samples.back();
+  const WalkState predicted = step.predicted(step.pendulum.with(robot.engine.modelParameters()), end.time);
+  StepFigures& f = result.figures;
+  f.position += 1000 * outwards.cwiseProduct(predicted.supportFoot().position - end.foot);
+  f.velocity += 1000 * outwards.cwiseProduct(predicted.velocity - end.velocity);
+  const ReferenceTrajectory& reference = robot.engine.reference();
+  const Vec2 planned = reference.begin[index(other(side))].foot[index(side)].position;
+  const Vec2 off = 1000 * outwards.cwiseProduct(end.foot - planned);
+  f.footMean += off;
+  f.footAbs += off.norm();
+  ++f.steps;
+  result.feet[index(side)].push_back(1000 * end.foot);
+  if (result.referenceFeet.size() < 2) result.referenceFeet.push_back(1000 * planned);
+}
+
+std::vector<std::string> cellsOf(const StepFigures& f) {
+  return {fmt::format("{:.1f}", f.position.x()), fmt::format("{:.1f}", f.velocity.x()),
+          fmt::format("{:.1f}", f.position.y()), fmt::format("{:.1f}", f.velocity.y()),
+          fmt::format("{:.2f}", f.change.x()),   fmt::format("{:.2f}", f.change.y())};
+}
+
+void append(std::vector<std::string>& cells, const std::vector<std::string>& more) {
+  cells.insert(cells.end(), more.begin(), more.end());
+}
+
+ModelParameters optimise(WalkingRobot& robot, const Requests& requests, std::vector<double>* errors,
+                         std::vector<ObservedStep>* steps) {
+  robot.engine.setModelParameters({});
+  robot.restart();
+  BackgroundFit fit({.steps = 60, .maxSteps = 120, .duration = 20, .wait = true});
+  int rounds = 0;
+  for (double time = 0; rounds < 2 && time < 200; time += cycle) {
+    if (!robot.step(requests(time))) robot.restart();
+    if (const ObservedStep* step = robot.engine.observedStep()) {
+      fit.add(*step);
+      if (steps && rounds == 0 && steps->size() < 60) steps->push_back(*step);
+    }
+    if (const auto result = fit.pass(cycle, robot.engine.modelParameters())) {
+      if (errors && rounds == 0) *errors = result->best;
+      robot.engine.setModelParameters(result->parameters);
+      ++rounds;
+    }
+  }
+  return robot.engine.modelParameters();
+}
+
+WalkRequest forwardBackward(double time) { return {Vec2(std::fmod(time, 6) < 3 ? 0.15 : -0.15, 0), 0, true}; }
+
+}  // namespace plumbline::bench

@@ -1,0 +1,77 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <functional>
+#include <optional>
+
+#include "bench/walking/Sections.h"
+#include "training/WalkingRobot.h"
+#include "walking/BackgroundFit.h"
+
+namespace plumbline::bench {
+
+constexpr double cycle = 0.02;
+
+/// What tables 4.3 to 4.5 tell of steps, in mm and mm/s; y to the outside of the supporting foot.
+struct StepFigures {
+  Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();  ///< predicted at the step's end minus observed
+  Vec2 change = Vec2::Zero();                             ///< of the target within the step
+  Vec2 footMean = Vec2::Zero();  ///< supporting foot at the step's end minus the reference's
+  double footAbs = 0;
+  int steps = 0;
+};
+
+struct Observed {
+  StepFigures figures;
+  int falls = 0;
+  std::vector<Vec2> feet[2];  ///< supporting foot at the end of each step (figure 4.18)
+  std::vector<Vec2> referenceFeet;
+};
+
+/// Follows a robot from step to step.
+class StepWatch {
+public:
+  explicit StepWatch(walking::WalkingRobot& robot) : robot(robot) {}
+
+  void cycle();
+  /// The means.
+  Observed finish();
+
+private:
+  void add(const walking::ObservedStep& step);
+
+  walking::WalkingRobot& robot;
+  Observed result;
+  walking::Support support = walking::Support::both;
+  std::optional<Pose2> planned;
+  Pose2 last;
+};
+
+/// A robot of a type that walks this gait, with or without a fit from walking before.
+struct Subject {
+  std::string name;
+  int type;
+  walking::WalkGaits gaits;
+};
+
+/// The cells of position, velocity and change of the target.
+std::vector<std::string> cellsOf(const StepFigures& f);
+void append(std::vector<std::string>& cells, const std::vector<std::string>& more);
+
+using Requests = std::function<walking::WalkRequest(double)>;
+
+/// Walks as asked while the model is fitted to it, twice 20 s; the parameters that came of it. errors: the
+/// least error after each generation of the first fit; steps: some that it was fitted to.
+walking::ModelParameters optimise(walking::WalkingRobot& robot, const Requests& requests,
+                                  std::vector<double>* errors = nullptr,
+                                  std::vector<walking::ObservedStep>* steps = nullptr);
+
+/// 0.15 m/s forward and backward, changed every 3 s.
+walking::WalkRequest forwardBackward(double time);
+
+/// Table 4.5.
+void tableAcceleration(const std::vector<Subject>& subjects, Report& report, Page& page);
+/// Figures 4.13 and 4.14.
+void figuresOfFit(const Subject& subject, Page& page);
+
+}  // namespace plumbline::bench
