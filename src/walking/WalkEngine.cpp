@@ -2,24 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 
 #include "walking/Approach.h"
-#include "walking/BodyPosture.h"
+#include "walking/BodyCommand.h"
 #include "walking/ClosedLoop.h"
 #include "walking/KickStep.h"
 #include "walking/LinearInvertedPendulum.h"
+#include "walking/SpeedControl.h"
 #include "walking/StepPlanner.h"
 #include "walking/SwingTrajectory.h"
+#include "walking/TorsoTilt.h"
+#include "walking/WalkOdometry.h"
 
 namespace plumbline::walking {
 namespace {
 
 enum class Mode { stand, start, walk };
-
-double approach(double value, double goal, double maxChange) {
-  return value + std::clamp(goal - value, -maxChange, maxChange);
-}
 
 StepLimits limitsOf(const WalkParameters& p, const LegKinematics& leg) {
   StepLimits limits;
@@ -42,36 +40,27 @@ StepLimits limitsOf(const WalkParameters& p, const LegKinematics& leg) {
 class WalkEngine::Implementation {
 public:
   Implementation(const WalkGaits& gaits_, const RobotModel& robot)
-      : gaits(gaits_),
-        p(gaits.base),
-        loop(robot),
-        model(p.pendulumHeight),
-        posture(robot),
-        planner(model, {}) {
+      : gaits(gaits_), p(gaits.base), loop(robot), model(p.pendulumHeight), body(robot), planner(model, {}) {
     reset();
   }
 
   void reset() {
-    velocity.setZero();
-    turn = elapsed = phase = 0;
+    speed.reset();
+    elapsed = phase = 0;
     useGait();
     mode = Mode::stand;
     kick = {};
     state = {};
     for (const Side side : {Side::left, Side::right})
       state.foot[index(side)] = Pose2(-p.copForward, outward(side) * p.feetDistance / 2);
-    tilt.setZero();
-    usualTilt.setZero();
-    excess.setZero();
-    rate.setZero();
+    tilt = {};
     motion = {};
     loop.reset();
     recorder.reset();
-    posture.reset();
+    body.reset();
     place({});
-    torso = torsoOnGround();
-    underway.clear();
-    standing = output();
+    odometry.reset(body.torsoOnGround());
+    standing = output({});
   }
 
   const WalkOutput& stand() const { return standing; }
@@ -79,30 +68,20 @@ public:
   WalkOutput update(const WalkRequest& asked, const WalkSensors& sensors) {
     const WalkRequest request = withTarget(asked);
     follow(request, sensors.dt);
-    feel(sensors);
+    tilt.update(sensors, lean(), p);
     motion = {};
     observe(sensors);
     advance(request, sensors.dt);
     loop.endCycle();
     place(sensors.angles);
-    return output(sensors.dt);
+    return output(odometry.update(motion, body.torsoOnGround(), mode == Mode::walk, p, sensors.dt));
   }
 
-  WalkOutput output(double dt = 0) {
+  WalkOutput output(const Pose2& moved) const {
     WalkOutput out;
-    out.angles = angles;
+    out.angles = body.angles();
     for (int j = lShoulderPitch; j < numJoints; ++j) out.set[static_cast<std::size_t>(j)] = true;
-    const Pose2 newTorso = torsoOnGround();
-    out.odometry = torso.inverse() * motion * newTorso;
-    if (mode == Mode::walk) out.odometry.position.x() -= p.trimForward * dt;
-    out.odometry.position = out.odometry.position.cwiseProduct(Vec2(p.odometryForward, p.odometrySideways));
-    out.odometry.heading *= p.odometryTurn;
-    // Told when it can be measured, not when it is commanded.
-    underway.push_back(out.odometry);
-    const auto delay = static_cast<std::size_t>(dt > 0 ? std::lround(p.odometryDelay / dt) : 0);
-    out.odometry = {};
-    for (; underway.size() > delay; underway.pop_front()) out.odometry = out.odometry * underway.front();
-    torso = newTorso;
+    out.odometry = moved;
     out.support = state.support;
     out.phase = phase;
     out.stepTarget = stepTarget;
@@ -111,8 +90,8 @@ public:
     out.kicked = kick.done;
     out.stepsToTarget = stepsToTarget;
     out.standing = mode == Mode::stand && atRest();
-    out.velocity = velocity;
-    out.turn = turn;
+    out.velocity = speed.velocity();
+    out.turn = speed.turn();
     return out;
   }
 
@@ -133,7 +112,7 @@ private:
     if (request.walk && request.target) {
       // The torso sways by some of this over its feet.
       constexpr ApproachTolerance arrived{.position = 0.025, .heading = 0.08};
-      const ApproachPlan plan = planApproach(*request.target, velocity, turn, p, arrived);
+      const ApproachPlan plan = planApproach(*request.target, speed.velocity(), speed.turn(), p, arrived);
       stepsToTarget = plan.steps.size();
       request.velocity = plan.velocity;
       request.turn = plan.turn;
@@ -144,75 +123,31 @@ private:
     return request;
   }
 
-  /// Draws the velocity walked to the request, within the limits of speed and acceleration.
+  /// Draws the speed walked to the request and finds the walk of it.
   void follow(const WalkRequest& request, double dt) {
-    Vec2 goal = request.walk ? request.velocity : Vec2(Vec2::Zero());
-    double goalTurn = request.walk ? request.turn : 0;
-    const double forward = goal.x() < 0 ? p.maxBackward : p.maxForward;
-    const double effort = std::hypot(goal.x() / forward, goal.y() / p.maxSideways, goalTurn / p.maxTurn);
-    if (effort > 1) {
-      goal /= effort;
-      goalTurn /= effort;
-    }
-    goal.x() = outsideGap(goal.x(), forward);
-    goal.y() = outsideGap(goal.y(), p.maxSideways);
-    goalTurn = outsideGap(goalTurn, p.maxTurn);
-    const double calm = std::clamp(1 - p.tiltBrake * excess.norm(), 0.0, 1.0);
-    goal *= calm;
-    goalTurn *= calm;
     if (mode == Mode::stand && !request.walk) {
-      velocity.setZero();
-      turn = 0;
+      speed.reset();
       useGait();
       return;
     }
-    const bool braking = std::abs(goal.x()) < std::abs(velocity.x()) || goal.x() * velocity.x() < 0;
-    velocity.x() =
-        approach(velocity.x(), goal.x(), (braking ? p.decelerationForward : p.accelerationForward) * dt);
-    velocity.y() = approach(velocity.y(), goal.y(), p.accelerationSideways * dt);
-    turn = approach(turn, goalTurn, p.accelerationTurn * dt);
-    // The robot brakes before it turns: what forward speed leaves of the effort limits the rest.
-    const double used = velocity.x() / (velocity.x() < 0 ? -p.maxBackward : p.maxForward);
-    const double rest = std::max(0.0, 1 - used);
-    const double side = std::hypot(velocity.y() / p.maxSideways, turn / p.maxTurn);
-    if (side > rest) {
-      velocity.y() *= rest / side;
-      turn *= rest / side;
-    }
+    const Vec2 goal = request.walk ? request.velocity : Vec2(Vec2::Zero());
+    const double calm = std::clamp(1 - p.tiltBrake * tilt.excess.norm(), 0.0, 1.0);
+    speed.update(goal, request.walk ? request.turn : 0, p, calm, dt);
     useGait();
     const double duration = kick.prepared ? p.kickDuration : p.stepDuration;
-    reference = findReferenceTrajectory(model, {velocity + Vec2(p.trimForward, 0), turn, duration,
-                                                p.feetDistance, Vec2(p.copForward, p.copOutward)});
-  }
-
-  /// A speed between two gaits is walked at the lower one's.
-  double outsideGap(double speed, double full) const {
-    constexpr double nearlyFull = 0.9;
-    const double share = std::abs(speed) / full;
-    return p.blendStart > 0 && share < nearlyFull ? std::copysign(std::min(share, p.blendStart) * full, speed)
-                                                  : speed;
+    reference = findReferenceTrajectory(model, {speed.velocity() + Vec2(p.trimForward, 0), speed.turn(),
+                                                duration, p.feetDistance, Vec2(p.copForward, p.copOutward)});
   }
 
   /// The parameters of the speed walked now.
   void useGait() {
-    p = gaits.at(velocity, turn);
+    p = gaits.at(speed.velocity(), speed.turn());
     model = LinearInvertedPendulum(Vec2(p.pendulumHeight, p.pendulumHeight + p.pendulumSideways),
                                    Vec2(p.copForward, p.copOutward), fit);
-    StepLimits limits = limitsOf(p, posture.leg(Side::left));
+    StepLimits limits = limitsOf(p, body.leg(Side::left));
     if (kick.prepared) limits.maxDuration = std::max(limits.maxDuration, 1.2 * p.kickDuration);
     planner.setLimits(limits);
     swing = {p.stepHeight, p.swingStart, p.swingEnd, p.swingSmoothness, p.swingSteepness};
-  }
-
-  /// The torso's deviation from its planned and usual attitude when the coming command takes effect.
-  void feel(const WalkSensors& sensors) {
-    rate = sensors.gyro.head<2>();
-    const Vec2 deviation = sensors.torsoAngles - Vec2(0, lean());
-    // Every walk has its own mean lean, which is no error to correct (compare section 4.2.8).
-    if (p.tiltAverage > 0) usualTilt += (deviation - usualTilt) * std::min(1.0, sensors.dt / p.tiltAverage);
-    const Vec2 tolerance = Vec2::Constant(p.tiltTolerance);
-    excess = deviation - deviation.cwiseMax(-tolerance).cwiseMin(tolerance);
-    tilt = deviation - usualTilt + p.delay * rate;
   }
 
   /// Draws the walk state slowly to the observed one (section 4.2.5).
@@ -237,16 +172,16 @@ private:
     state.velocity += p.observationVelocity * (expected->velocity - state.velocity);
   }
 
-  double lean() const { return p.torsoPitch + p.torsoPitchForward * velocity.x(); }
+  double lean() const { return p.torsoPitch + p.torsoPitchForward * speed.velocity().x(); }
 
   /// The state as planning sees it: a share of the torso's tilt is motion of the pendulum about the foot.
   WalkState perceived() const {
     const double h = p.pendulumHeight;
     const Vec2 gain(p.stepForwardGain, p.stepSidewaysGain);
-    const Vec2 shift = gain.cwiseProduct(Vec2(tilt.y(), -tilt.x())) * h;
+    const Vec2 shift = gain.cwiseProduct(Vec2(tilt.angle.y(), -tilt.angle.x())) * h;
     WalkState seen = state;
     for (Pose2& foot : seen.foot) foot.position -= shift;
-    seen.velocity += gain.cwiseProduct(Vec2(rate.y(), -rate.x())) * h;
+    seen.velocity += gain.cwiseProduct(Vec2(tilt.rate.y(), -tilt.rate.x())) * h;
     return seen;
   }
 
@@ -368,76 +303,19 @@ private:
     return state.velocity.norm() < 0.02 && middle.norm() < 0.005;
   }
 
-  /// The joint angles for the state.
   void place(const JointArray& measured) {
-    angles[headYaw] = measured[headYaw];
-    angles[headPitch] = measured[headPitch];
-    const double stride = state.foot[0].x() - state.foot[1].x();
-    for (const Side side : {Side::left, Side::right}) {
-      const int arm = side == Side::left ? lShoulderPitch : rShoulderPitch;
-      const double out = outward(side);
-      double* joint = &angles[static_cast<std::size_t>(arm)];
-      joint[0] = p.shoulderPitch + p.armSwing * out * stride;
-      joint[1] = out * p.shoulderRoll;
-      joint[2] = -out * p.elbowYaw;
-      joint[3] = -out * p.elbowRoll;
-    }
-    std::array<FootPlacement, 2> feet;
-    // The mass that leans out over the feet is brought back over them.
-    const Vec2 lead = p.pendulumHeight * Vec2(p.comForwardGain * tilt.y(), -p.comSidewaysGain * tilt.x());
-    for (std::size_t i = 0; i < 2; ++i) {
-      feet[i].ground = state.foot[i];
-      feet[i].ground.position += lead;
-    }
-    if (mode == Mode::walk) {
-      FootPlacement& foot = feet[index(other(state.supportSide()))];
-      foot.height = swing.height * swing.lift(phase);
-      foot.pitch = p.swingPitch * swing.lift(phase) - p.swingLevel * tilt.y();
-      foot.roll = -p.swingLevel * tilt.x();
-    }
-    posture.solve(feet, carriage(), angles);
-    for (const Side side : {Side::left, Side::right}) {
-      if (mode == Mode::walk && side != state.supportSide()) continue;
-      double* leg = &angles[static_cast<std::size_t>(firstLegJoint(side))];
-      leg[1] += p.hipRollGain * tilt.x() + p.hipRollRate * rate.x();
-      leg[2] += p.hipPitchGain * tilt.y() + p.hipPitchRate * rate.y();
-      leg[4] += p.anklePitchGain * tilt.y() + p.anklePitchRate * rate.y();
-      leg[5] += p.ankleRollGain * tilt.x() + p.ankleRollRate * rate.x();
-    }
+    body.update(state, mode == Mode::walk, swing, phase, lean(), tilt, p, measured);
   }
-
-  /// The torso's attitude and height. It leans to the supporting leg in the middle of a step; then either the
-  /// supporting hip or the middle of both, and with it the centre of mass, keeps its height (section 4.2.8).
-  TorsoPlacement carriage() const {
-    TorsoPlacement torso;
-    torso.pitch = lean() + p.torsoMeasured * tilt.y();
-    torso.roll = p.torsoMeasured * tilt.x();
-    torso.hipHeight = p.hipHeight;
-    if (mode == Mode::walk && p.torsoRoll != 0) {
-      const double side = outward(state.supportSide());
-      const double lean = p.torsoRoll * std::sin(pi * phase);
-      torso.roll -= side * lean;
-      // Leaning to a leg lowers its hip under the middle.
-      torso.hipHeight += p.constantHipHeight * std::abs(posture.leg(Side::left).hip().y()) * std::sin(lean);
-    }
-    return torso;
-  }
-
-  Pose2 torsoOnGround() const { return Pose2(Vec2(posture.torso().translation().head<2>())); }
 
   LinearInvertedPendulum model;
-  BodyPosture posture;
+  BodyCommand body;
   StepPlanner planner;
   SwingTrajectory swing;
 
   Mode mode = Mode::stand;
-  Vec2 velocity = Vec2::Zero();   ///< what the walk aims at now [m/s]
-  double turn = 0;                ///< [rad/s]
-  Vec2 tilt = Vec2::Zero();       ///< torso off its planned roll and pitch [rad]
-  Vec2 excess = Vec2::Zero();     ///< what of it is more than tolerated [rad]
-  Vec2 usualTilt = Vec2::Zero();  ///< running mean of the deviation [rad]
-  Vec2 rate = Vec2::Zero();       ///< its turn rate about x and y [rad/s]
-  double elapsed = 0;             ///< of the step or of the shift before the first one [s]
+  SpeedControl speed;  ///< that the walk aims at now
+  TorsoTilt tilt;
+  double elapsed = 0;  ///< of the step or of the shift before the first one [s]
   double phase = 0;
   Side first = Side::left;  ///< carries in the first step
   Pose2 liftOff;            ///< the swing foot when the step began, in the supporting foot's frame
@@ -448,12 +326,10 @@ private:
     bool done = false;
   } kick;
   std::size_t stepsToTarget = 0;
-  double stepTime = 0;         ///< left of the step in progress [s]
-  Pose2 stepTarget;            ///< of the step in progress
-  Pose2 motion;                ///< of the centre of mass frame in this cycle
-  Pose2 torso;                 ///< in the centre of mass frame, last cycle
-  std::deque<Pose2> underway;  ///< odometry of commands that have not taken effect
-  JointArray angles{};
+  double stepTime = 0;  ///< left of the step in progress [s]
+  Pose2 stepTarget;     ///< of the step in progress
+  Pose2 motion;         ///< of the centre of mass frame in this cycle
+  WalkOdometry odometry;
   WalkOutput standing;
 };
 

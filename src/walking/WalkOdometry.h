@@ -1,0 +1,39 @@
+#pragma once
+#include <cmath>
+#include <deque>
+
+#include "math/Pose2.h"
+#include "walking/WalkParameters.h"
+
+namespace plumbline::walking {
+
+/// Odometry of what is commanded, told when it can be measured.
+class WalkOdometry {
+public:
+  void reset(const Pose2& T_com_torso) {
+    torso = T_com_torso;
+    underway.clear();
+  }
+  /// A cycle of dt [s] in which the frame of the centre of mass moved by `motion`, with the torso's ground
+  /// frame in it at the end. Returns the motion of the torso's ground frame that has taken effect, in that
+  /// frame.
+  Pose2 update(const Pose2& motion, const Pose2& T_com_torso, bool walking, const WalkParameters& p,
+               double dt) {
+    Pose2 moved = torso.inverse() * motion * T_com_torso;
+    torso = T_com_torso;
+    if (walking) moved.position.x() -= p.trimForward * dt;
+    moved.position = moved.position.cwiseProduct(Vec2(p.odometryForward, p.odometrySideways));
+    moved.heading *= p.odometryTurn;
+    underway.push_back(moved);
+    const auto delay = static_cast<std::size_t>(std::lround(p.odometryDelay / dt));
+    Pose2 told;
+    for (; underway.size() > delay; underway.pop_front()) told = told * underway.front();
+    return told;
+  }
+
+private:
+  Pose2 torso;  ///< in the centre of mass frame, last cycle
+  std::deque<Pose2> underway;
+};
+
+}  // namespace plumbline::walking
