@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "simulation/physics/BroadPhase.h"
+
 namespace plumbline::simulation::bullet {
 
 namespace {
 
 constexpr std::size_t maxContactsPerPair = 4;
-
-Eigen::AlignedBox3d sphereBox(const Vec3& centre, double radius) {
-  return {Vec3(centre.array() - radius), Vec3(centre.array() + radius)};
-}
 
 bool reach(const BulletAssembly::Collider& a, const BulletAssembly::Collider& b) {
   const double sum = a.radius + b.radius;
@@ -72,17 +70,14 @@ void BulletContacts::addStatic(const Shape& shape, const Pose3& T_world_shape, M
 void BulletContacts::find(const Assemblies& assemblies) {
   contactList.clear();
   geometries.clear();
-  boxes.clear();
-  for (const auto& [handle, assembly] : assemblies) boxes.push_back(assembly->bounds());
-  std::size_t i = 0;
-  for (auto a = assemblies.begin(); a != assemblies.end(); ++a, ++i) {
-    collideWithStatics(a->first, *a->second, boxes[i]);
-    if (a->second->selfCollision()) collideWithin(a->first, *a->second);
-    std::size_t j = i + 1;
-    for (auto b = std::next(a); b != assemblies.end(); ++b, ++j)
-      if (boxes[i].intersects(boxes[j]))
-        collideAssemblies(a->first, *a->second, b->first, *b->second, boxes[i].intersection(boxes[j]));
-  }
+  findNear(
+      assemblies, boxes,
+      [this](int handle, const BulletAssembly& assembly, const Eigen::AlignedBox3d& box) {
+        collideWithStatics(handle, assembly, box);
+        if (assembly.selfCollision()) collideWithin(handle, assembly);
+      },
+      [this](int handleA, const BulletAssembly& a, int handleB, const BulletAssembly& b,
+             const Eigen::AlignedBox3d& overlap) { collideAssemblies(handleA, a, handleB, b, overlap); });
 }
 
 void BulletContacts::collideWithStatics(int handle, const BulletAssembly& assembly,

@@ -1,14 +1,13 @@
 #pragma once
-#include <map>
 #include <memory>
 #include <vector>
 
+#include "simulation/physics/Islands.h"
 #include "simulation/physics/bullet/BulletAssembly.h"
 
 namespace plumbline::simulation::bullet {
 
-/// Assemblies by handle; ordered, so that the order of contacts is a matter of the calls alone.
-using Assemblies = std::map<int, std::unique_ptr<BulletAssembly>>;
+using Assemblies = AssemblyMap<BulletAssembly>;
 
 /// Where two bodies touch, besides what Contact says.
 struct ContactGeometry {

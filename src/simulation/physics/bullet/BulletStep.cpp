@@ -10,59 +10,20 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 }
 
-std::size_t BulletStep::placeOf(int handle) const {
-  return static_cast<std::size_t>(std::lower_bound(handles.begin(), handles.end(), handle) - handles.begin());
-}
-
 void BulletStep::step(const PhysicsConfig& config, const Assemblies& assemblies, BulletContacts& contacts) {
-  findIslands(assemblies, contacts);
-  for (std::size_t first = 0; first < all.size(); ++first) {
-    if (islandOf[first] != first) continue;
-    bool awake = false;
-    members.clear();
-    for (std::size_t i = first; i < all.size(); ++i)
-      if (islandOf[i] == first) {
-        members.push_back(all[i]);
-        awake = awake || !all[i]->asleep();
-      }
-    if (awake) stepIsland(config, contacts, first);
-  }
+  islands.find(assemblies, contacts.contacts());
+  islands.forEachAwake([&](const auto& members_, const auto& contactIndices_) {
+    members = members_;
+    contactIndices = contactIndices_;
+    stepIsland(config, contacts);
+  });
 }
 
-void BulletStep::findIslands(const Assemblies& assemblies, const BulletContacts& contacts) {
-  handles.clear();
-  all.clear();
-  islandOf.clear();
-  for (const auto& [handle, assembly] : assemblies) {
-    islandOf.push_back(all.size());
-    handles.push_back(handle);
-    all.push_back(assembly.get());
-  }
-  const auto root = [&](std::size_t i) {
-    while (islandOf[i] != i) i = islandOf[i];
-    return i;
-  };
-  for (const Contact& contact : contacts.contacts()) {
-    if (contact.assemblyB < 0) continue;
-    const std::size_t a = root(placeOf(contact.assemblyA)), b = root(placeOf(contact.assemblyB));
-    islandOf[std::max(a, b)] = std::min(a, b);
-  }
-  for (std::size_t i = 0; i < all.size(); ++i) islandOf[i] = root(i);
-  contactIsland.clear();
-  for (const Contact& contact : contacts.contacts())
-    contactIsland.push_back(islandOf[placeOf(contact.assemblyA)]);
-}
-
-void BulletStep::stepIsland(const PhysicsConfig& config, BulletContacts& contacts, std::size_t island) {
+void BulletStep::stepIsland(const PhysicsConfig& config, BulletContacts& contacts) {
   for (BulletAssembly* member : members) member->begin(config);
-  contactIndices.clear();
   directions.clear();
   outgoing.clear();
-  for (std::size_t i = 0; i < contactIsland.size(); ++i)
-    if (contactIsland[i] == island) {
-      contactIndices.push_back(i);
-      addContactRows(contacts, i);
-    }
+  for (const std::size_t i : contactIndices) addContactRows(contacts, i);
   hingeRows.clear();
   for (BulletAssembly* member : members)
     for (const BulletAssembly::HingeRow& row : member->addHingeRows(config))
@@ -89,7 +50,7 @@ void BulletStep::addContactRows(const BulletContacts& contacts, std::size_t inde
     const auto global = static_cast<Eigen::Index>(directions.size());
     const auto add = [&](int handle, int body, const Vec3& along) {
       if (handle < 0) return;
-      BulletAssembly& assembly = *all[placeOf(handle)];
+      BulletAssembly& assembly = islands.assembly(handle);
       const int row = assembly.addPointRow(body, pair.point, along);
       assembly.rows().place(row, global);
       if (global % 3 == 0) speed += assembly.rows().velocityBefore(row);

@@ -21,19 +21,14 @@ private:
     bool saturated = false, newlySaturated = false;
   };
 
-  void findIslands(const Assemblies& assemblies, const BulletContacts& contacts);
-  void stepIsland(const PhysicsConfig& config, BulletContacts& contacts, std::size_t island);
+  void stepIsland(const PhysicsConfig& config, BulletContacts& contacts);
   void addContactRows(const BulletContacts& contacts, std::size_t index);
   void fillSystem(const PhysicsConfig& config, const BulletContacts& contacts);
   bool solve(const PhysicsConfig& config, const BulletContacts& contacts);
-  std::size_t placeOf(int handle) const;
 
-  std::vector<int> handles;                ///< of all assemblies, ascending
-  std::vector<BulletAssembly*> all;        ///< the same
-  std::vector<std::size_t> islandOf;       ///< by place in these; an island is named by its first member
-  std::vector<std::size_t> contactIsland;  ///< by contact
-  std::vector<BulletAssembly*> members;
-  std::vector<std::size_t> contactIndices;  ///< of the island
+  Islands<BulletAssembly> islands;
+  std::vector<BulletAssembly*> members;     ///< of the island
+  std::vector<std::size_t> contactIndices;  ///< of the same
   std::vector<Vec3> directions;             ///< three for each of these
   std::vector<double> outgoing;             ///< speed of these contacts before the step
   std::vector<HingeRow> hingeRows;

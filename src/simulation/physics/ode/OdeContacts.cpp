@@ -3,15 +3,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "simulation/physics/BroadPhase.h"
+
 namespace plumbline::simulation::ode {
 
 namespace {
 
 constexpr int maxContactsPerPair = 4;  // as on the league's server
-
-Eigen::AlignedBox3d sphereBox(const Vec3& centre, double radius) {
-  return {Vec3(centre.array() - radius), Vec3(centre.array() + radius)};
-}
 
 dSurfaceParameters toOde(const ContactSurface& surface) {
   dSurfaceParameters result{};
@@ -71,18 +69,14 @@ void OdeContacts::find(const Assemblies& assemblies) {
   contactList.clear();
   foundContacts.clear();
   bodies.clear();
-  boxes.clear();
-  for (const auto& [handle, assembly] : assemblies) boxes.push_back(assembly->bounds());
-
-  std::size_t i = 0;
-  for (auto a = assemblies.begin(); a != assemblies.end(); ++a, ++i) {
-    collideWithStatics(a->first, *a->second, boxes[i]);
-    if (a->second->selfCollision()) collideWithin(a->first, *a->second);
-    std::size_t j = i + 1;
-    for (auto b = std::next(a); b != assemblies.end(); ++b, ++j)
-      if (boxes[i].intersects(boxes[j]))
-        collideAssemblies(a->first, *a->second, b->first, *b->second, boxes[i].intersection(boxes[j]));
-  }
+  findNear(
+      assemblies, boxes,
+      [this](int handle, const OdeAssembly& assembly, const Eigen::AlignedBox3d& box) {
+        collideWithStatics(handle, assembly, box);
+        if (assembly.selfCollision()) collideWithin(handle, assembly);
+      },
+      [this](int handleA, const OdeAssembly& a, int handleB, const OdeAssembly& b,
+             const Eigen::AlignedBox3d& overlap) { collideAssemblies(handleA, a, handleB, b, overlap); });
 }
 
 void OdeContacts::makeJoints() {

@@ -1,14 +1,12 @@
 #pragma once
-#include <map>
-#include <memory>
 #include <vector>
 
+#include "simulation/physics/Islands.h"
 #include "simulation/physics/ode/OdeAssembly.h"
 
 namespace plumbline::simulation::ode {
 
-/// Assemblies by handle; ordered, so that the order of contacts is a matter of the calls alone.
-using Assemblies = std::map<int, std::unique_ptr<OdeAssembly>>;
+using Assemblies = AssemblyMap<OdeAssembly>;
 
 /// Finds what touches, makes ODE's contact joints for the step to come and reads their forces after it. Pairs
 /// are sought by boxes around assemblies, then spheres around bodies; what can never touch is never asked

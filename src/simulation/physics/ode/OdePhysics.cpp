@@ -1,8 +1,6 @@
 #include "simulation/physics/ode/OdePhysics.h"
 
-#include <set>
-#include <stdexcept>
-
+#include "simulation/physics/AssembliesPhysics.h"
 #include "simulation/physics/ode/OdeContacts.h"
 #include "simulation/physics/ode/OdeTreeStep.h"
 
@@ -31,16 +29,18 @@ struct OwnedWorld {
   dThreadingImplementationID threading;
 };
 
-class OdePhysics : public Physics {
+class OdePhysics : public AssembliesPhysics<OdeAssembly> {
 public:
   OdePhysics(const PhysicsConfig& config_, Solver solver_)
-      : config(config_), solver(solver_), contactFinder(world.id, config_) {
+      : AssembliesPhysics(config_), solver(solver_), contactFinder(world.id, config_) {
     dWorldSetGravity(world.id, config.gravity.x(), config.gravity.y(), config.gravity.z());
     dWorldSetERP(world.id, config.constraintErp);
     dWorldSetCFM(world.id, config.constraintCfm);
     dWorldSetContactSurfaceLayer(world.id, config.surfaceLayer);
     dWorldSetAutoDisableFlag(world.id, config.autoDisable && solver == Solver::dense ? 1 : 0);
   }
+
+  ~OdePhysics() override { assemblies.clear(); }  // before their world goes
 
   void addGround(Material material) override {
     check(material);
@@ -53,13 +53,7 @@ public:
 
   int addAssembly(const Assembly& assembly, const Pose3& T_world_root) override {
     ensureThread();
-    for (const BodySpec& body : assembly.bodies) check(body.material);
-    assemblies.emplace(nextHandle, std::make_unique<OdeAssembly>(world.id, assembly, T_world_root));
-    return nextHandle++;
-  }
-  void removeAssembly(int assembly) override {
-    get(assembly);
-    assemblies.erase(assembly);
+    return add(assembly, world.id, assembly, T_world_root);
   }
 
   void setMotor(int assembly, int hinge, double velocity) override {
@@ -88,49 +82,16 @@ public:
     dBodyID id = get(assembly).body(body);
     return {bodyPose(id), toVec3(dBodyGetLinearVel(id)), toVec3(dBodyGetAngularVel(id))};
   }
-  AssemblyState state(int assembly) const override { return get(assembly).state(); }
-  void setState(int assembly, const AssemblyState& state) override { get(assembly).setState(state); }
-  void setVelocities(int assembly, const AssemblyState& state) override {
-    get(assembly).setVelocities(state);
-  }
-  void moveRigidly(int assembly, const Pose3& T_world_root) override {
-    get(assembly).moveRigidly(T_world_root);
-  }
   void wake(int assembly, int body) override {
     OdeAssembly& owner = get(assembly);
     if (!dBodyIsEnabled(owner.body(body))) owner.wake(body);
   }
-  bool asleep(int assembly) const override { return get(assembly).asleep(); }
 
 private:
-  void doze() {
-    std::set<int> touching;
-    for (const Contact& contact : contactFinder.contacts()) {
-      touching.insert(contact.assemblyA);
-      touching.insert(contact.assemblyB);
-    }
-    for (const auto& [handle, assembly] : assemblies) assembly->doze(touching.contains(handle));
-  }
-
-  void check(Material material) const {
-    if (material < 0 || static_cast<std::size_t>(material) >= config.surfaces.size())
-      throw std::invalid_argument("physics: no contact surfaces for material " + std::to_string(material));
-  }
-
-  OdeAssembly& get(int assembly) const {
-    const auto it = assemblies.find(assembly);
-    if (it == assemblies.end())
-      throw std::out_of_range("physics: no assembly " + std::to_string(assembly) + " in this world");
-    return *it->second;
-  }
-
-  PhysicsConfig config;
   Solver solver;
   OwnedWorld world;
   OdeContacts contactFinder;
   OdeTreeStep treeStep;
-  Assemblies assemblies;
-  int nextHandle = 0;
 };
 
 }  // namespace

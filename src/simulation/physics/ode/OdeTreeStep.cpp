@@ -16,57 +16,20 @@ std::pair<Vec3, Vec3> across(const Vec3& normal) {
   return {toVec3(p), toVec3(q)};
 }
 
-std::size_t placeOf(const std::vector<int>& handles, int handle) {
-  return static_cast<std::size_t>(std::lower_bound(handles.begin(), handles.end(), handle) - handles.begin());
-}
-
 }  // namespace
 
 void OdeTreeStep::step(const PhysicsConfig& config, const Assemblies& assemblies, OdeContacts& contacts) {
-  findIslands(assemblies, contacts);
-  for (std::size_t first = 0; first < all.size(); ++first) {
-    if (islandOf[first] != first) continue;
-    bool awake = false;
+  islands.find(assemblies, contacts.contacts());
+  islands.forEachAwake([&](const auto& island, const auto& contactIndices_) {
     members.clear();
-    for (std::size_t i = first; i < all.size(); ++i)
-      if (islandOf[i] == first) {
-        members.push_back({all[i], {}, {}, {}});
-        awake = awake || !all[i]->asleep();
-      }
-    if (awake) stepIsland(config, contacts, first);
-  }
+    for (OdeAssembly* assembly : island) members.push_back({assembly, {}, {}, {}});
+    contactIndices = contactIndices_;
+    stepIsland(config, contacts);
+  });
 }
 
-void OdeTreeStep::findIslands(const Assemblies& assemblies, const OdeContacts& contacts) {
-  handles.clear();
-  all.clear();
-  islandOf.clear();
-  for (const auto& [handle, assembly] : assemblies) {
-    islandOf.push_back(all.size());
-    handles.push_back(handle);
-    all.push_back(assembly.get());
-  }
-  const auto root = [&](std::size_t i) {
-    while (islandOf[i] != i) i = islandOf[i];
-    return i;
-  };
-  for (const Contact& contact : contacts.contacts()) {
-    if (contact.assemblyB < 0) continue;
-    const std::size_t a = root(placeOf(handles, contact.assemblyA)),
-                      b = root(placeOf(handles, contact.assemblyB));
-    islandOf[std::max(a, b)] = std::min(a, b);
-  }
-  for (std::size_t i = 0; i < all.size(); ++i) islandOf[i] = root(i);
-  contactIsland.clear();
-  for (const Contact& contact : contacts.contacts())
-    contactIsland.push_back(islandOf[placeOf(handles, contact.assemblyA)]);
-}
-
-void OdeTreeStep::stepIsland(const PhysicsConfig& config, OdeContacts& contacts, std::size_t island) {
+void OdeTreeStep::stepIsland(const PhysicsConfig& config, OdeContacts& contacts) {
   for (Member& member : members) member.assembly->tree().begin(config);
-  contactIndices.clear();
-  for (std::size_t i = 0; i < contactIsland.size(); ++i)
-    if (contactIsland[i] == island) contactIndices.push_back(i);
 
   for (bool done = false; !done;) {
     rows.clear();
@@ -90,9 +53,7 @@ void OdeTreeStep::stepIsland(const PhysicsConfig& config, OdeContacts& contacts,
   for (Member& member : members) member.assembly->tree().integrate(config);
 }
 
-OdeTree* OdeTreeStep::treeOf(int handle) {
-  return handle < 0 ? nullptr : &all[placeOf(handles, handle)]->tree();
-}
+OdeTree* OdeTreeStep::treeOf(int handle) { return handle < 0 ? nullptr : &islands.assembly(handle).tree(); }
 
 void OdeTreeStep::appendContactRows(const PhysicsConfig& config, const OdeContacts& contacts,
                                     std::size_t index) {

@@ -30,17 +30,13 @@ private:
     std::vector<Entry> entries;
   };
 
-  void findIslands(const Assemblies& assemblies, const OdeContacts& contacts);
-  void stepIsland(const PhysicsConfig& config, OdeContacts& contacts, std::size_t island);
+  void stepIsland(const PhysicsConfig& config, OdeContacts& contacts);
   void appendContactRows(const PhysicsConfig& config, const OdeContacts& contacts, std::size_t index);
   void distributeRows();
   void solveRows();
   OdeTree* treeOf(int handle);
 
-  std::vector<int> handles;                ///< of all assemblies, ascending
-  std::vector<OdeAssembly*> all;           ///< the same
-  std::vector<std::size_t> islandOf;       ///< by place in these; an island is named by its first member
-  std::vector<std::size_t> contactIsland;  ///< by contact
+  Islands<OdeAssembly> islands;
   std::vector<Member> members;
   std::vector<std::size_t> contactIndices;  ///< of the island
   std::vector<OutsideRow> rows;
