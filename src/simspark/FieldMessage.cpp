@@ -82,14 +82,7 @@ bool readPart(Word part, FieldState& state) {
 
 FieldState fieldState(const SceneState& scene) {
   const auto finite = [](double value) { return std::isfinite(value) ? value : 0; };
-  FieldState state;
-  state.time = scene.time;
-  state.half = scene.half;
-  state.scoreLeft = scene.scoreLeft;
-  state.scoreRight = scene.scoreRight;
-  state.playMode = scene.playMode;
-  state.teamLeft = scene.teamLeft;
-  state.teamRight = scene.teamRight;
+  FieldState state{scene, {}, {}};
   state.ball = scene.ball.unaryExpr(finite);
   for (const SceneRobot& robot : scene.robots)
     state.robots.push_back({robot.side, robot.unum,

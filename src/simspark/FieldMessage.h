@@ -21,10 +21,7 @@ struct FieldRobot {
 };
 
 /// What the field message tells.
-struct FieldState {
-  double time = 0;  ///< game clock [s]
-  int half = 0, scoreLeft = 0, scoreRight = 0;
-  std::string playMode, teamLeft, teamRight;
+struct FieldState : Scoreboard {
   Vec3 ball = Vec3::Zero();  ///< [m]
   std::vector<FieldRobot> robots;
 };

@@ -140,13 +140,7 @@ Matrix4d FieldScene::compose(const Chain& chain) const {
 
 FieldState FieldScene::state() const {
   SceneState now;  // what fieldState() needs of it, with where everything is now
-  now.time = scene.time;
-  now.half = scene.half;
-  now.scoreLeft = scene.scoreLeft;
-  now.scoreRight = scene.scoreRight;
-  now.playMode = scene.playMode;
-  now.teamLeft = scene.teamLeft;
-  now.teamRight = scene.teamRight;
+  static_cast<Scoreboard&>(now) = scene;
   now.ball = compose(ball).block<3, 1>(0, 3);
   now.robots.resize(std::min(scene.robots.size(), robots.size()));
   for (std::size_t i = 0; i < now.robots.size(); ++i) {

@@ -35,17 +35,21 @@ Pose3 sceneRobotPose(const Eigen::Matrix4d& matrix);
 /// league's server and here. Throws std::out_of_range for another type than 0..4.
 std::vector<std::string> sceneBodies(int type);
 
+/// What a scoreboard shows.
+struct Scoreboard {
+  double time = 0;  ///< game clock [s]
+  int half = 0, scoreLeft = 0, scoreRight = 0;
+  std::string playMode, teamLeft, teamRight;
+};
+
 /// The state of the game as it reaches a monitor; fed with the monitor port's messages, whole scenes and
 /// differences.
-class SceneState {
+class SceneState : public Scoreboard {
 public:
   /// Empty, or one line why the message could not be read; then what it could not tell stays as it was.
   std::string update(std::string_view message);
 
   bool complete() const { return !nodes.empty(); }  ///< a whole scene has come
-  double time = 0;                                  ///< game clock [s]
-  int half = 0, scoreLeft = 0, scoreRight = 0;
-  std::string playMode, teamLeft, teamRight;
   Vec3 ball = Vec3::Zero();
   Mat3 ballAxes = Mat3::Identity();
   std::vector<SceneRobot> robots;
