@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "robot/MechanismFileFixture.h"
+
+namespace plumbline {
+namespace {
+
+using MechanismJson = MechanismFileFixture;
+
+/// A pendulum in JSON; {place} marks are replaced by tests.
+std::string pendulum(const std::string& from = "", const std::string& to = "") {
+  std::string text = R"({"name": "p", "links": {
+ "stand": {"mass": 1.0, "com": [0, 0, 0], "inertia": [0.001, 0.001, 0.001, 0, 0, 0]},
+ "arm": {"mass": 0.5, "com": [0, 0, -0.1], "inertia": [1e-05, 1e-05, 1e-05, 0, 0, 0]}},
+ "joints": [{"name": "swing", "parent": "stand", "child": "arm", "origin": [0, 0, 0.3], "axis": [0, 1, 0],
+  "lower": -3, "upper": 3, "max_torque": 0.8, "max_speed": 19, "servo": {"kp": 1, "kd": 0.1, "armature": 0}}]})";
+  if (const std::size_t at = text.find(from); !from.empty() && at != std::string::npos)
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+TEST_F(MechanismJson, badJsonIsNamed) {
+  EXPECT_EQ(errorOf("r.json", ""), "r.json:1: is empty");
+  EXPECT_EQ(errorOf("r.json", "{\n\"name\": \"r\",\n}"), "r.json:3: broken JSON");
+  EXPECT_EQ(errorOf("r.json", "[1]"), "r.json: it is no object; write { ... }");
+  EXPECT_EQ(errorOf("r.json", "{\"name\": \"r\", \"name\": \"s\"}"),
+            "r.json: key \"name\" occurs twice in one object");
+  EXPECT_EQ(errorOf("r.json", std::string(40, '[')), "r.json: is nested deeper than 16 levels");
+  EXPECT_EQ(errorOf("r.json", "{}"), "r.json: name is missing; give the robot's name");
+  EXPECT_EQ(
+      errorOf("r.json", pendulum("\"p\"", "\"p.q\"")),
+      "r.json: name \"p.q\" cannot be a name; use up to 80 characters without blanks, dots, commas, slashes, "
+      "quotes and stars");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"mass\": 0.5", "\"mass\": 0")),
+            "r.json: link arm: mass is 0; give a mass in kg above 0");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"mass\": 0.5", "\"mass\": \"heavy\"")),
+            "r.json: link arm: mass is \"heavy\", no number");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"mass\": 0.5, ", "")),
+            "r.json: link arm: mass is missing; give a mass in kg above 0");
+  EXPECT_EQ(errorOf("r.json", pendulum("[0, 0, -0.1]", "[0, 0]")),
+            "r.json: link arm: com is a list of 2; give [x, y, z] in m");
+  EXPECT_EQ(errorOf("r.json", pendulum("1e-05, 1e-05, 1e-05", "1e-05, -1e-05, 1e-05")),
+            "r.json: link arm: the inertia is not positive definite; check order and signs");
+  EXPECT_EQ(errorOf("r.json", pendulum("1e-05, 1e-05, 1e-05", "1e999, 1e-05, 1e-05")),
+            "r.json: holds a number that is too large");
+  EXPECT_EQ(errorOf("r.json", pendulum("[0, 1, 0]", "[0, 1, 1]")),
+            "r.json: joint swing: axis has length 1.41421; give it length 1");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"lower\": -3", "\"lower\": 4")),
+            "r.json: joint swing: lower 4 is not below upper 3");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"child\": \"arm\"", "\"child\": \"leg\"")),
+            "r.json: joint swing: there is no link leg");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"child\": \"arm\"", "\"child\": \"stand\"")),
+            "r.json: joint swing hangs in a ring of links; a robot is a tree");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"kp\": 1", "\"kp\": 0")),
+            "r.json: joint swing: servo: kp is 0; give the servo's gain in N m/rad, above 0");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"armature\": 0", "\"armature\": -1")),
+            "r.json: joint swing: servo: armature is -1; give the rotor's inertia at the joint in kg m^2, 0 "
+            "or more");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"kp\": 1", "\"model\": \"pid\", \"kp\": 1")),
+            "r.json: joint swing: servo: model is \"pid\"; give position or dc_motor");
+  EXPECT_EQ(
+      errorOf("r.json", pendulum("\"kp\": 1", "\"model\": \"dc_motor\", \"kp\": 1")),
+      "r.json: joint swing: servo: dc_motor is missing; give {kt, R, vin, error_gain, kp_firmware, max_pwm}");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"lower\"", "\"driven_by\": \"none\", \"lower\"")),
+            "r.json: joint swing is driven by none, which is no joint");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"lower\"", "\"encoder\": \"both\", \"lower\"")),
+            "r.json: joint swing: encoder is \"both\"; give motor or link");
+  EXPECT_EQ(errorOf("r.json", pendulum("{\"name\": \"p\"", "{\"base_link\": \"arm\", \"name\": \"p\"")),
+            "r.json: base_link is arm, but the joints start at stand");
+  EXPECT_EQ(
+      errorOf("r.json", pendulum("{\"name\": \"p\"", "{\"fsr\": {\"LFoot.Toe\": [0,0,0]}, \"name\": \"p\"")),
+      "r.json: fsr: \"LFoot.Toe\" is no sensor; write FOOT.CORNER, corner FrontLeft, FrontRight, RearLeft or "
+      "RearRight");
+  EXPECT_EQ(errorOf("r.txt", "x"), "r.txt: is no robot's file; give a .json or .urdf file");
+  EXPECT_EQ(errorOf("absent.json"), "absent.json: cannot be read: No such file or directory");
+}
+
+TEST_F(MechanismJson, everyCutOfAFileIsRefusedOrRead) {
+  std::ifstream stream("config/robots/xl330_pendulum.json");
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  for (std::size_t length = 0; length + 2 < text.size(); length += 7)
+    EXPECT_NE(errorOf("cut.json", text.substr(0, length)), "no error") << length;
+}
+
+}  // namespace
+}  // namespace plumbline
