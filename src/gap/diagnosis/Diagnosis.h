@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "gap/diagnosis/Search.h"
+#include "gap/diagnosis/Evaluator.h"
 
 namespace plumbline::gap {
 
@@ -51,12 +51,5 @@ struct Diagnosis {
 /// Adds causes one at a time while each earns its place on data that it was not fitted to, then looks at each
 /// again with the others in place. Judges none, effect or unknown.
 Diagnosis diagnose(Evaluator& fine, Evaluator& coarse, const DiagnosisOptions& options);
-
-/// The gap beyond noise in units of noise, of the worst channel in any run: name and size.
-struct WorstGap {
-  double size = 0;
-  std::string signal;
-};
-WorstGap worstGap(const Evaluator& evaluator);
 
 }  // namespace plumbline::gap

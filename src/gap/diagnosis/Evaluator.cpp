@@ -23,21 +23,56 @@ Evaluator::Evaluator(const Mechanism& mechanism, const Evidence& evidence, const
   setBase({});
 }
 
-std::vector<Prediction> Evaluator::predict(const Explanation& explanation) const {
-  std::vector<Prediction> result;
-  for (std::size_t t = 0; t < data.trials().size(); ++t) {
-    ReplayOptions options = accuracy;
-    if (losesCommands(explanation) && !lost[t].empty()) options.lostCycles = &lost[t];
-    result.push_back(replay(plantOf(*data.trials()[t].robot, explanation), data.trials()[t], options));
+ReplayOptions Evaluator::optionsOf(std::size_t trial, const Explanation& explanation) const {
+  ReplayOptions options = accuracy;
+  if (losesCommands(explanation) && !lost[trial].empty()) options.lostCycles = &lost[trial];
+  return options;
+}
+
+void Evaluator::setLostCycles(std::vector<std::vector<std::uint8_t>> cycles) {
+  lost = std::move(cycles);
+  if (losesCommands(causes)) predictions.clear();
+}
+
+std::vector<int> Evaluator::chainsThatDiffer(const Explanation& other) const {
+  std::vector<int> joints;
+  for (const auto& [one, two] : {std::pair(&causes, &other), std::pair(&other, &causes)})
+    for (const Cause& cause : *one) {
+      if (std::ranges::find(*two, cause) != two->end()) continue;
+      std::vector<int> touched = jointsTouched(cause);
+      // Any chain will do for readings of the body.
+      if (touched.empty()) touched = jointsTouched({nullptr, {Site::joint, 0, ""}, 0, 0});
+      for (const int joint : touched)
+        if (std::ranges::find(joints, joint) == joints.end()) joints.push_back(joint);
+    }
+  std::ranges::sort(joints);
+  return joints;
+}
+
+void Evaluator::replayBase(const Explanation& explanation) {
+  const bool partly = !predictions.empty();
+  const std::vector<int> joints = chainsThatDiffer(explanation);
+  causes = explanation;
+  if (partly && joints.empty()) return;
+  predictions.resize(data.trials().size());
+  basePlants.clear();
+  for (std::size_t t = 0; t < predictions.size(); ++t) {
+    const Trial& trial = data.trials()[t];
+    basePlants.push_back(plantOf(*trial.robot, causes));
+    ReplayOptions options = optionsOf(t, causes);
+    if (partly && !trial.freeBase) options.joints = joints;
+    Prediction fresh = replay(basePlants[t], trial, options);
+    if (options.joints.empty()) {
+      predictions[t] = std::move(fresh);
+      continue;
+    }
+    for (std::size_t s = 0; s < fresh.values.size(); ++s)
+      if (!fresh.values[s].empty()) predictions[t].values[s] = std::move(fresh.values[s]);
   }
-  return result;
 }
 
 void Evaluator::setBase(const Explanation& explanation) {
-  causes = explanation;
-  basePlants.clear();
-  for (const Trial& trial : data.trials()) basePlants.push_back(plantOf(*trial.robot, causes));
-  predictions = predict(causes);
+  replayBase(explanation);
   chis.clear();
   baseSquares = {};
   baseSquares.squares.assign(data.numBlocks(), 0);
@@ -47,15 +82,12 @@ void Evaluator::setBase(const Explanation& explanation) {
     for (std::size_t s = 0; s < trial.signals.size(); ++s) {
       const auto& predicted = predictions[t].values[s];
       if (predicted.empty()) continue;
-      const auto& weights = data.weights(t, s);
       double sum = 0, n = 0;
-      for (std::size_t k = 0; k < trial.cycles(); ++k) {
-        if (weights[k] <= 0 || !std::isfinite(predicted[k])) continue;
-        const double r = trial.signals[s].values[k] - predicted[k];
-        baseSquares.squares[data.block(t, k)] += weights[k] * r * r;
-        sum += weights[k] * r * r;
+      data.forEach(t, s, predicted, [&](std::size_t k, double w, double r) {
+        baseSquares.squares[data.block(t, k)] += w * r * r;
+        sum += w * r * r;
         ++n;
-      }
+      });
       if (n > 0) perSignal[s] = sum / n;
     }
   }
@@ -120,19 +152,16 @@ Fit Evaluator::compare(const std::vector<Prediction>& candidates, const std::vec
       const auto& predicted = candidates[t].values[s];
       const auto& before = predictions[t].values[s];
       if (predicted.empty() || before.empty()) continue;
-      const auto& weights = data.weights(t, s);
-      for (std::size_t k = 0; k < trial.cycles(); ++k) {
-        if (weights[k] <= 0 || !std::isfinite(before[k])) continue;
-        const double r = trial.signals[s].values[k] - before[k];
+      data.forEach(t, s, before, [&](std::size_t k, double w, double r) {
         // A replay that ran away counts as far off, not as lost.
         const double d = std::isfinite(predicted[k]) ? predicted[k] - before[k] : 1e3;
         const std::size_t b = data.block(t, k);
-        fit.squares[b] += weights[k] * (d * d - 2 * r * d);
+        fit.squares[b] += w * (d * d - 2 * r * d);
         if (Evidence::forFitting(b)) {
-          fit.product += weights[k] * r * d;
-          fit.change += weights[k] * d * d;
+          fit.product += w * r * d;
+          fit.change += w * d * d;
         }
-      }
+      });
     }
   }
   for (std::size_t b = 0; b < fit.squares.size(); ++b)
@@ -154,29 +183,16 @@ Fit Evaluator::with(const Cause& cause, const TrialMask& mask) const {
 }
 
 Fit Evaluator::of(const Explanation& explanation) const {
-  // Only chains that either explanation touches differ from the base.
-  std::vector<int> joints;
-  for (const Explanation* set : {&explanation, &causes})
-    for (const Cause& cause : *set)
-      for (const int joint : jointsTouched(cause))
-        if (std::ranges::find(joints, joint) == joints.end()) joints.push_back(joint);
-  std::ranges::sort(joints);
-  std::vector<Prediction> candidates;
-  for (std::size_t t = 0; t < data.trials().size(); ++t) {
+  const std::vector<int> joints = chainsThatDiffer(explanation);
+  std::vector<Prediction> candidates(data.trials().size());
+  const std::vector<bool> replayed(candidates.size(), !joints.empty());
+  for (std::size_t t = 0; t < candidates.size() && !joints.empty(); ++t) {
     const Trial& trial = data.trials()[t];
-    ReplayOptions options = accuracy;
+    ReplayOptions options = optionsOf(t, explanation);
     if (!trial.freeBase) options.joints = joints;
-    if (losesCommands(explanation) && !lost[t].empty()) options.lostCycles = &lost[t];
-    const bool sensors = std::ranges::any_of(explanation, [](const Cause& cause) {
-      return cause.place.site == Site::imu || cause.place.site == Site::foot;
-    });
-    if (!trial.freeBase && joints.empty() && !sensors) {
-      candidates.emplace_back();
-      continue;
-    }
-    candidates.push_back(replay(plantOf(*trial.robot, explanation), trial, options));
+    candidates[t] = replay(plantOf(*trial.robot, explanation), trial, options);
   }
-  return compare(candidates, std::vector<bool>(data.trials().size(), true));
+  return compare(candidates, replayed);
 }
 
 }  // namespace plumbline::gap

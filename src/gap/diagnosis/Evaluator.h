@@ -25,7 +25,7 @@ public:
   /// accuracy: the steps of all replays; coarse ones do for a first look.
   Evaluator(const Mechanism& mechanism, const Evidence& evidence, const ReplayOptions& accuracy = {});
 
-  /// Sets the explanation that candidates are added to, and replays it whole.
+  /// Sets the explanation that candidates are added to, and replays what that changes.
   void setBase(const Explanation& causes);
   const Explanation& base() const { return causes; }
   const Fit& baseFit() const { return baseSquares; }
@@ -33,12 +33,11 @@ public:
 
   /// Fit of base plus one cause; trials that are not replayed keep the base's squares. Thread-safe.
   Fit with(const Cause& cause, const TrialMask& mask = {}) const;
-  /// Fit of an explanation from scratch. Thread-safe.
+  /// Fit of another explanation. Thread-safe.
   Fit of(const Explanation& causes) const;
-  std::vector<Prediction> predict(const Explanation& causes) const;
 
   /// Lost cycles found under the present base, used wherever dropout is a cause: one vector per trial.
-  void setLostCycles(std::vector<std::vector<std::uint8_t>> cycles) { lost = std::move(cycles); }
+  void setLostCycles(std::vector<std::vector<std::uint8_t>> cycles);
   const std::vector<std::vector<std::uint8_t>>& lostCycles() const { return lost; }
 
   /// Joints that feel a cause where the base is held: its chain, all, or none.
@@ -52,6 +51,10 @@ public:
   const Evidence& evidence() const { return data; }
 
 private:
+  ReplayOptions optionsOf(std::size_t trial, const Explanation& explanation) const;
+  void replayBase(const Explanation& explanation);
+  /// Joints to replay with a held base where another explanation takes the base's place.
+  std::vector<int> chainsThatDiffer(const Explanation& other) const;
   Prediction changed(std::size_t trial, const Cause& cause) const;
   Fit compare(const std::vector<Prediction>& candidates, const std::vector<bool>& replayed) const;
 

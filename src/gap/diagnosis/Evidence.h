@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +27,14 @@ public:
     return firstBlock[trial] + blockOf[trial][cycle];
   }
   static bool forFitting(std::size_t block) { return block % 2 == 0; }
+  /// Calls use(cycle, weight, residual) for every sample of a channel that counts and was predicted.
+  template <class Use>
+  void forEach(std::size_t trial, std::size_t signal, const std::vector<double>& predicted, Use&& use) const {
+    const auto& w = weight[trial][signal];
+    const auto& measured = runs[trial].signals[signal].values;
+    for (std::size_t k = 0; k < predicted.size(); ++k)
+      if (w[k] > 0 && std::isfinite(predicted[k])) use(k, w[k], measured[k] - predicted[k]);
+  }
   /// Whether a channel of this kind takes part: positions, inertial sensors, force sensors.
   static bool counts(const Signal& signal);
 
@@ -36,16 +45,6 @@ private:
   std::vector<std::vector<std::size_t>> blockOf;
   std::vector<std::size_t> firstBlock;
   std::size_t blocks = 0;
-};
-
-/// Sums of weighted squares of measured minus predicted, per block: and how many samples are in them.
-struct BlockSums {
-  std::vector<double> squares, products, changes;  ///< r^2; r * d; d^2 with d what a candidate changes
-  void resize(std::size_t blocks) {
-    squares.assign(blocks, 0);
-    products.assign(blocks, 0);
-    changes.assign(blocks, 0);
-  }
 };
 
 }  // namespace plumbline::gap

@@ -13,6 +13,7 @@ struct Cause {
   double value = 0;
   int variant = 0;
 
+  bool operator==(const Cause&) const = default;
   bool sameKind(const Cause& other) const { return effect == other.effect && place == other.place; }
 };
 

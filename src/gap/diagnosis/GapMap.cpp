@@ -21,17 +21,15 @@ std::vector<GapCell> gapCells(const Evaluator& evaluator) {
       const Signal& signal = trial.signals[s];
       const auto& predicted = evaluator.basePrediction(t).values[s];
       if (!Evidence::counts(signal) || predicted.empty()) continue;
-      const auto& weights = data.weights(t, s);
       const std::vector<Phase> phases = phasesOf(trial, signal);
-      for (std::size_t k = 0; k < trial.cycles(); ++k) {
-        if (weights[k] <= 0 || !std::isfinite(predicted[k])) continue;
-        Sum& sum = sums[signal.name][static_cast<std::size_t>(phases[k])];
-        const double r = signal.values[k] - predicted[k];
+      std::array<Sum, numPhases>& perPhase = sums[signal.name];
+      data.forEach(t, s, predicted, [&](std::size_t k, double w, double r) {
+        Sum& sum = perPhase[static_cast<std::size_t>(phases[k])];
         sum.squares += r * r;
-        sum.noise += 1 / weights[k];
-        sum.weighted += weights[k] * r * r;
+        sum.noise += 1 / w;
+        sum.weighted += w * r * r;
         ++sum.n;
-      }
+      });
     }
   }
   std::vector<GapCell> cells;
@@ -58,24 +56,17 @@ std::vector<GapTrack> gapTracks(const Evaluator& evaluator) {
     const Trial& trial = data.trials()[t];
     GapTrack track;
     track.trial = t;
-    std::vector<double> counts;
     const std::size_t first = data.block(t, 0);
-    for (std::size_t k = 0; k < trial.cycles(); ++k) {
-      const std::size_t b = data.block(t, k) - first;
-      while (track.start.size() <= b) {
-        track.start.push_back(trial.time[k]);
-        track.size.push_back(0);
-        counts.push_back(0);
-      }
-      for (std::size_t s = 0; s < trial.signals.size(); ++s) {
-        const auto& predicted = evaluator.basePrediction(t).values[s];
-        const double w = data.weights(t, s)[k];
-        if (w <= 0 || predicted.empty() || !std::isfinite(predicted[k])) continue;
-        const double r = trial.signals[s].values[k] - predicted[k];
+    for (std::size_t k = 0; k < trial.cycles(); ++k)
+      while (track.start.size() <= data.block(t, k) - first) track.start.push_back(trial.time[k]);
+    track.size.assign(track.start.size(), 0);
+    std::vector<double> counts(track.start.size(), 0);
+    for (std::size_t s = 0; s < trial.signals.size(); ++s)
+      data.forEach(t, s, evaluator.basePrediction(t).values[s], [&](std::size_t k, double w, double r) {
+        const std::size_t b = data.block(t, k) - first;
         track.size[b] += w * r * r;
         ++counts[b];
-      }
-    }
+      });
     for (std::size_t b = 0; b < counts.size(); ++b)
       track.size[b] = counts[b] > 0 ? std::sqrt(track.size[b] / counts[b]) : 0;
     tracks.push_back(std::move(track));
@@ -95,16 +86,14 @@ std::vector<SignalGap> signalGaps(const Evaluator& evaluator, const std::vector<
       const auto &a = before[t].values[s], &b = evaluator.basePrediction(t).values[s];
       if (!Evidence::counts(trial.signals[s]) || a.empty() || b.empty()) continue;
       Sum& sum = sums[trial.signals[s].name];
-      for (std::size_t k = 0; k < trial.cycles(); ++k) {
-        const double w = data.weights(t, s)[k];
-        if (w <= 0 || Evidence::forFitting(data.block(t, k)) || !std::isfinite(a[k]) || !std::isfinite(b[k]))
-          continue;
-        const double value = trial.signals[s].values[k];
-        sum.before += (value - a[k]) * (value - a[k]);
-        sum.after += (value - b[k]) * (value - b[k]);
+      data.forEach(t, s, b, [&](std::size_t k, double w, double after) {
+        const double from = trial.signals[s].values[k] - a[k];
+        if (Evidence::forFitting(data.block(t, k)) || !std::isfinite(from)) return;
+        sum.before += from * from;
+        sum.after += after * after;
         sum.noise += 1 / w;
         ++sum.n;
-      }
+      });
     }
   }
   std::vector<SignalGap> gaps;

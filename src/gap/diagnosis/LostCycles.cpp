@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gap/diagnosis/Parallel.h"
+
 namespace plumbline::gap {
 
 namespace {
@@ -14,66 +16,109 @@ constexpr int rounds = 8;
 constexpr double leastGain = 14;  // of the sum of squares: e^-7 by chance, in thousands of cycles
 constexpr double visibleChange = 4 * leastGain;
 
-}  // namespace
-
-LostCycles findLostCycles(const Mechanism& mechanism, const Evidence& evidence, const Explanation& causes) {
-  LostCycles result;
-  const Plant plant = plantOf(mechanism, causes);
-  for (std::size_t t = 0; t < evidence.trials().size(); ++t) {
-    const Trial& trial = evidence.trials()[t];
-    auto& lost = result.cycles.emplace_back();
-    if (trial.freeBase) continue;
-    lost.assign(trial.cycles(), 0);
-    std::vector<double> seen(trial.cycles(), 0);
-    std::vector<double> gains(trial.cycles());
+/// Which commands one run lost, cycle by cycle.
+class Listener {
+public:
+  Listener(const Evidence& evidence_, std::size_t t_, const Explanation& causes)
+      : evidence(evidence_),
+        t(t_),
+        trial(evidence_.trials()[t_]),
+        plant(plantOf(*trial.robot, causes)),
+        lost(trial.cycles(), 0),
+        gains(trial.cycles(), 0),
+        seen(trial.cycles(), 0) {
     for (int round = 0; round < rounds; ++round) {
-      ReplayOptions options;
-      options.lostCycles = &lost;
-      const Prediction base = replay(plant, trial, options);
-      for (std::size_t offset = 0; offset < spacing; ++offset) {
-        std::vector<std::uint8_t> tried = lost;
-        for (std::size_t k = offset; k < tried.size(); k += spacing) tried[k] ^= 1;
-        options.lostCycles = &tried;
-        const Prediction other = replay(plant, trial, options);
-        for (std::size_t k = offset; k < tried.size(); k += spacing) {
-          double gain = 0, change = 0;
-          for (std::size_t s = 0; s < trial.signals.size(); ++s) {
-            if (trial.signals[s].joint < 0 || base.values[s].empty()) continue;
-            const auto& weights = evidence.weights(t, s);
-            for (std::size_t i = k + 1; i < std::min(k + spacing, trial.cycles()); ++i) {
-              if (weights[i] <= 0 || !std::isfinite(base.values[s][i])) continue;
-              const double r = trial.signals[s].values[i] - base.values[s][i];
-              const double d = other.values[s][i] - base.values[s][i];
-              gain += weights[i] * (2 * r * d - d * d);
-              change += weights[i] * d * d;
-            }
-          }
-          seen[k] = change;
-          gains[k] = gain - (lost[k] ? 0 : leastGain);
-        }
-      }
-      // Neighbours explain much of the same: in each round only the best of them changes.
-      bool any = false;
-      const std::vector<std::uint8_t> before = lost;
-      for (std::size_t k = 0; k < gains.size(); ++k) {
-        if (gains[k] <= 0) continue;
-        const std::size_t from = k >= reach ? k - reach : 0, to = std::min(k + reach + 1, gains.size());
-        bool best = true;
-        for (std::size_t i = from; i < to; ++i)
-          best = best && (gains[i] < gains[k] || i == k || (gains[i] == gains[k] && i > k));
-        if (!best) continue;
-        lost[k] = before[k] ^ 1;
-        any = true;
-      }
-      if (!any) break;
-    }
-    for (std::size_t k = 0; k < lost.size(); ++k) {
-      if (seen[k] < visibleChange) continue;
-      ++result.visible;
-      result.found += lost[k];
+      tryAll();
+      if (!changeBest()) break;
     }
   }
-  result.share = result.visible ? static_cast<double>(result.found) / static_cast<double>(result.visible) : 0;
+
+  std::vector<std::uint8_t> cycles() const { return lost; }
+  bool visible(std::size_t k) const { return seen[k] >= visibleChange; }
+
+private:
+  Prediction played(const std::vector<std::uint8_t>& cycles) const {
+    ReplayOptions options;
+    options.lostCycles = &cycles;
+    return replay(plant, trial, options);
+  }
+
+  /// What turning each cycle's loss over would gain, given the others.
+  void tryAll() {
+    const Prediction base = played(lost);
+    for (std::size_t offset = 0; offset < spacing; ++offset) {
+      std::vector<std::uint8_t> tried = lost;
+      for (std::size_t k = offset; k < tried.size(); k += spacing) tried[k] ^= 1;
+      const Prediction other = played(tried);
+      for (std::size_t k = offset; k < tried.size(); k += spacing) weigh(k, base, other);
+    }
+  }
+
+  void weigh(std::size_t k, const Prediction& base, const Prediction& other) {
+    double gain = 0, change = 0;
+    for (std::size_t s = 0; s < trial.signals.size(); ++s) {
+      if (trial.signals[s].joint < 0 || base.values[s].empty()) continue;
+      const auto& weights = evidence.weights(t, s);
+      for (std::size_t i = k + 1; i < std::min(k + spacing, trial.cycles()); ++i) {
+        if (weights[i] <= 0 || !std::isfinite(base.values[s][i])) continue;
+        const double r = trial.signals[s].values[i] - base.values[s][i];
+        const double d = other.values[s][i] - base.values[s][i];
+        gain += weights[i] * (2 * r * d - d * d);
+        change += weights[i] * d * d;
+      }
+    }
+    seen[k] = change;
+    gains[k] = gain - (lost[k] ? 0 : leastGain);
+  }
+
+  /// Neighbours explain much of the same: only the best of them changes in a round.
+  bool changeBest() {
+    bool any = false;
+    for (std::size_t k = 0; k < gains.size(); ++k) {
+      if (gains[k] <= 0) continue;
+      const std::size_t from = k >= reach ? k - reach : 0, to = std::min(k + reach + 1, gains.size());
+      bool best = true;
+      for (std::size_t i = from; i < to; ++i)
+        best = best && (gains[i] < gains[k] || i == k || (gains[i] == gains[k] && i > k));
+      if (!best) continue;
+      lost[k] ^= 1;
+      any = true;
+    }
+    return any;
+  }
+
+  const Evidence& evidence;
+  const std::size_t t;
+  const Trial& trial;
+  const Plant plant;
+  std::vector<std::uint8_t> lost;
+  std::vector<double> gains, seen;
+};
+
+}  // namespace
+
+LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, int jobs) {
+  LostCycles result;
+  const std::size_t count = evidence.trials().size();
+  result.cycles.resize(count);
+  std::vector<std::size_t> found(count, 0), visible(count, 0);
+  parallel(count, jobs, [&](std::size_t t) {
+    if (evidence.trials()[t].freeBase) return;
+    const Listener listener(evidence, t, causes);
+    result.cycles[t] = listener.cycles();
+    for (std::size_t k = 0; k < result.cycles[t].size(); ++k) {
+      if (!listener.visible(k)) continue;
+      ++visible[t];
+      found[t] += result.cycles[t][k];
+    }
+  });
+  std::size_t seen = 0;
+  for (std::size_t t = 0; t < count; ++t) {
+    result.found += found[t];
+    seen += visible[t];
+  }
+  result.share = seen ? static_cast<double>(result.found) / static_cast<double>(seen) : 0;
+  result.price = leastGain * static_cast<double>(result.found) / 2;  // half of the blocks are for judging
   return result;
 }
 

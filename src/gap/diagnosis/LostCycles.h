@@ -13,8 +13,9 @@ namespace plumbline::gap {
 struct LostCycles {
   std::vector<std::vector<std::uint8_t>> cycles;  ///< per trial; empty where not looked at
   double share = 0;
-  std::size_t found = 0, visible = 0;
+  std::size_t found = 0;
+  double price = 0;  ///< of the sum of squares for judging: each cycle was chosen to fit
 };
-LostCycles findLostCycles(const Mechanism& mechanism, const Evidence& evidence, const Explanation& causes);
+LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, int jobs);
 
 }  // namespace plumbline::gap

@@ -208,7 +208,7 @@ bool Stepper::regimesHold(double h) {
   for (Drive& drive : drives) {
     const ServoLine line = servoLine(plant.joints[index(drive.joint)], drive.command, drive.path.stiffness(),
                                      drive.path.voltage(), q[drive.sensed] + a * u[drive.sensed],
-                                     u[drive.motor], limitShare(drive));
+                                     u[drive.sensed], limitShare(drive));
     if (line.regime != drive.line.regime) same = false;
     drive.line = line;
   }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Search.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/run/RunCheck.h"

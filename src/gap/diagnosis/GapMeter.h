@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "gap/diagnosis/Evaluator.h"
+
+namespace plumbline::gap {
+
+/// The gap beyond noise in units of noise, of the worst channel in any run: name and size.
+struct WorstGap {
+  double size = 0;
+  std::string signal;
+};
+WorstGap worstGap(const Evaluator& evaluator);
+
+/// Size of the gap as a root mean square in units of each signal's own noise, on blocks that took no part in
+/// the fit, over the channels that show something under the base that it was made with (all where none does).
+class GapMeter {
+public:
+  explicit GapMeter(const Evaluator& nominal);
+  double under(const Evaluator& evaluator) const;
+
+private:
+  std::vector<std::vector<bool>> counted;  ///< per trial and signal
+};
+
+}  // namespace plumbline::gap

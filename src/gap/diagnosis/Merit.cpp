@@ -1,0 +1,83 @@
+#include "gap/diagnosis/Merit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double visible = 0.7;  // least change over noise, in some channel, of a cause that earns its place
+constexpr double leastZ = 3;     // of the gain over blocks
+constexpr double oneWay = 0.75;  // of the gains' absolute values
+constexpr double leastShare = 0.05;                      // of what is unexplained
+constexpr double lowerShare = 0.98, lowerWithin = 0.02;  // of the worst channel
+
+/// Change that the evaluator's present base made against earlier predictions: the largest, over noise, of any
+/// channel in any run.
+double largestChange(const Evaluator& evaluator, const std::vector<Prediction>& before) {
+  double most = 0;
+  const Evidence& data = evaluator.evidence();
+  for (std::size_t t = 0; t < before.size(); ++t)
+    for (std::size_t s = 0; s < before[t].values.size(); ++s) {
+      const auto &a = before[t].values[s], &b = evaluator.basePrediction(t).values[s];
+      if (a.size() != b.size()) continue;
+      double sum = 0, n = 0;
+      data.forEach(t, s, a, [&](std::size_t k, double w, double) {
+        if (!std::isfinite(b[k])) return;
+        sum += w * (a[k] - b[k]) * (a[k] - b[k]);
+        ++n;
+      });
+      if (n > 0) most = std::max(most, std::sqrt(sum / n));
+    }
+  return most;
+}
+
+/// Whether a gain on the blocks for judging is no accident of a few of them: large against its own scatter
+/// over blocks, absolutely or in shares of each block, or, where little moves in most, nearly all in one
+/// direction.
+bool consistent(const Fit& before, const Fit& after) {
+  double sum = 0, squares = 0, sizes = 0, share = 0, shareSquares = 0;
+  for (std::size_t b = 0; b < before.squares.size(); ++b) {
+    if (Evidence::forFitting(b)) continue;
+    const double d = before.squares[b] - after.squares[b], whole = before.squares[b] + after.squares[b];
+    const double part = whole > 0 ? d / whole : 0;
+    sum += d;
+    squares += d * d;
+    sizes += std::abs(d);
+    share += part;
+    shareSquares += part * part;
+  }
+  return sum > 0 && (sum >= leastZ * std::sqrt(squares) || share >= leastZ * std::sqrt(shareSquares) ||
+                     sum >= oneWay * sizes);
+}
+
+/// Sum of squares on the blocks for judging that noise alone would leave.
+double noiseShare(const Evaluator& evaluator) {
+  const Evidence& data = evaluator.evidence();
+  double n = 0;
+  for (std::size_t t = 0; t < data.trials().size(); ++t)
+    for (std::size_t s = 0; s < data.trials()[t].signals.size(); ++s)
+      data.forEach(t, s, evaluator.basePrediction(t).values[s],
+                   [&](std::size_t k, double, double) { n += !Evidence::forFitting(data.block(t, k)); });
+  return n;
+}
+
+}  // namespace
+
+Standing::Standing(const Evaluator& evaluator)
+    : fit(evaluator.baseFit()), worst(worstGap(evaluator).size), excess(fit.judging - noiseShare(evaluator)) {
+  for (std::size_t t = 0; t < evaluator.evidence().trials().size(); ++t)
+    predictions.push_back(evaluator.basePrediction(t));
+}
+
+bool Standing::betteredBy(const Evaluator& evaluator) const {
+  const double gain = fit.judging - evaluator.baseFit().judging;
+  // Real robots have more than one thing missing: the worst channel may wait for the next cause.
+  const bool lowers =
+      worstGap(evaluator).size < lowerShare * worst + lowerWithin || gain > leastShare * excess;
+  return lowers && gain >= leastGain && consistent(fit, evaluator.baseFit()) &&
+         largestChange(evaluator, predictions) >= visible;
+}
+
+}  // namespace plumbline::gap

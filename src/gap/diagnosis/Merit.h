@@ -1,0 +1,28 @@
+#pragma once
+#include <vector>
+
+#include "gap/diagnosis/GapMeter.h"
+
+namespace plumbline::gap {
+
+/// Least gain of the sum of squares on the blocks for judging that counts as one.
+constexpr double leastGain = 30;
+
+/// Where an evaluator's base stands: what an added cause has to better.
+class Standing {
+public:
+  explicit Standing(const Evaluator& evaluator);
+  double judging() const { return fit.judging; }
+
+  /// Whether the evaluator's present base earns the place of what was added to it: it lowers the worst
+  /// channel or a good part of the whole, by no accident of a few blocks, and changes something visibly.
+  bool betteredBy(const Evaluator& evaluator) const;
+
+private:
+  Fit fit;
+  std::vector<Prediction> predictions;
+  double worst = 0;
+  double excess = 0;  ///< of the sum of squares for judging, over what noise alone would leave
+};
+
+}  // namespace plumbline::gap

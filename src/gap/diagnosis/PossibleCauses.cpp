@@ -1,0 +1,104 @@
+#include "gap/diagnosis/PossibleCauses.h"
+
+#include <algorithm>
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double cleanChi =
+    0.35;  // mean square beyond noise, in a channel, below which a chain counts as clean
+constexpr double chainShare = 0.02;  // of the worst joint's excess: chains below that wait for a later round
+constexpr double jointShare = 0.03;  // of the chain's worst
+
+/// Joints that runs with a held base show to be off: themselves, and in a chain of which any is.
+struct Suspects {
+  std::vector<double> excess;  ///< per joint: mean square beyond noise in its worst run
+  std::vector<bool> joint, chain;
+  bool any = false;
+};
+
+Suspects suspectsOf(const Evaluator& evaluator) {
+  const Mechanism& robot = evaluator.mechanism();
+  const auto& trials = evaluator.evidence().trials();
+  const std::size_t n = robot.joints.size();
+  Suspects result{std::vector<double>(n, 0), std::vector<bool>(n), std::vector<bool>(n)};
+  for (std::size_t t = 0; t < trials.size(); ++t)
+    for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
+      const Signal& signal = trials[t].signals[s];
+      if (trials[t].freeBase || signal.kind != SignalKind::position) continue;
+      double& most = result.excess[static_cast<std::size_t>(signal.joint)];
+      most = std::max(most, evaluator.chi(t, s) - 1);
+    }
+  const double all = *std::ranges::max_element(result.excess);
+  for (std::size_t j = 0; j < n; ++j) {
+    double chain = 0;
+    const std::vector<int> near =
+        evaluator.jointsTouched({nullptr, {Site::joint, static_cast<int>(j), ""}, 0, 0});
+    for (const int other : near) chain = std::max(chain, result.excess[static_cast<std::size_t>(other)]);
+    result.chain[j] = chain > std::max(cleanChi, chainShare * all);
+    result.joint[j] = result.chain[j] && result.excess[j] > jointShare * chain;
+    result.any = result.any || result.chain[j];
+  }
+  if (!evaluator.hasHeld()) {
+    result.chain.assign(n, true);
+    result.joint.assign(n, true);
+    result.any = true;
+  }
+  return result;
+}
+
+bool measured(const Evidence& data, SignalKind a, SignalKind b) {
+  return std::ranges::any_of(data.trials(), [&](const Trial& trial) {
+    return std::ranges::any_of(trial.signals, [&](const Signal& s) { return s.kind == a || s.kind == b; });
+  });
+}
+
+/// Whether an effect at a joint can show elsewhere in the chain more than at the joint itself.
+bool showsElsewhere(const Effect& effect) {
+  return effect.id == "joint_offset" || effect.id == "encoder_nonlinearity";
+}
+
+}  // namespace
+
+std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
+  const Mechanism& robot = evaluator.mechanism();
+  const Suspects suspects = suspectsOf(evaluator);
+  const bool imu = measured(evaluator.evidence(), SignalKind::gyro, SignalKind::accelerometer);
+  const bool forces = measured(evaluator.evidence(), SignalKind::force, SignalKind::force);
+  const auto possible = [&](const Effect& effect, const Place& place) {
+    const auto index = static_cast<std::size_t>(place.index);
+    switch (place.site) {
+      case Site::imu:
+        return imu;
+      case Site::foot:
+        return forces;
+      case Site::ground:
+        return evaluator.hasStanding();
+      case Site::everywhere:
+        return suspects.any &&
+               (effect.id != "speed_limit" || robot.joints[0].servo.model != Servo::Model::dcMotor);
+      case Site::joint:
+        if (effect.id == "speed_limit" && robot.joints[index].servo.model == Servo::Model::dcMotor)
+          return false;
+        return suspects.joint[index] || (suspects.chain[index] && showsElsewhere(effect));
+      case Site::link: {
+        const std::vector<int> chain = robot.chain(place.index);
+        if (chain.empty()) return evaluator.hasStanding();
+        return static_cast<bool>(suspects.chain[static_cast<std::size_t>(chain.back())]);
+      }
+    }
+    return false;
+  };
+  std::vector<Cause> causes;
+  for (const Effect* effect : effects())
+    for (const Place& place : placesOf(*effect, robot)) {
+      if (!possible(*effect, place)) continue;
+      const double scale = effect->nominal != 0 ? 1 : effect->scaleAt(robot, place);
+      for (int variant = 0; variant < effect->numVariants(); ++variant)
+        for (const double start : effect->starts) causes.push_back({effect, place, start * scale, variant});
+    }
+  return causes;
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,52 @@
+#include "gap/diagnosis/Probability.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double engineShare = 0.0007;  // of a sum of squares
+
+/// Every effect is as likely as any other before the data; one whose value can lie on either side of nominal
+/// has half of that for each side, one with an axis a third for each.
+double logPrior(const Cause& cause) {
+  const Effect& e = *cause.effect;
+  const double sides = e.lower < e.nominal && e.nominal < e.upper ? 2 : 1, axes = e.hasAxis ? 3 : 1;
+  return -std::log(sides * axes);
+}
+
+/// What a sum of squares has to differ by for a nat of evidence: samples are correlated, and where two causes
+/// come within a thousandth of each other, the engines' own difference may decide.
+double temperature(double judging) { return 2 * (correlation + engineShare * judging); }
+
+double temperatureOf(const std::vector<Candidate>& list) {
+  double best = INFINITY;
+  for (const Candidate& c : list) best = std::min(best, c.fit.judging);
+  return temperature(best);
+}
+
+double logWeight(const Candidate& c, double temperature) {
+  return logPrior(c.cause) - c.fit.judging / temperature;
+}
+
+}  // namespace
+
+void sortByProbability(std::vector<Candidate>& list) {
+  const double t = temperatureOf(list);
+  std::stable_sort(list.begin(), list.end(),
+                   [t](const Candidate& a, const Candidate& b) { return logWeight(a, t) > logWeight(b, t); });
+}
+
+std::vector<double> probabilities(const std::vector<Candidate>& list) {
+  std::vector<double> result;
+  if (list.empty()) return result;
+  const double t = temperatureOf(list), most = logWeight(list.front(), t);
+  double sum = 0;
+  for (const Candidate& c : list) sum += result.emplace_back(std::exp(logWeight(c, t) - most));
+  for (double& p : result) p /= sum;
+  return result;
+}
+
+}  // namespace plumbline::gap

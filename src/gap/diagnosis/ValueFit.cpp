@@ -1,0 +1,144 @@
+#include "gap/diagnosis/ValueFit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gap/diagnosis/Parallel.h"
+#include "optimization/Brent.h"
+#include "optimization/Cmaes.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+struct Bounds {
+  double lower, upper;
+};
+
+Bounds boundsOf(const Mechanism& mechanism, const Cause& cause) {
+  const Effect& e = *cause.effect;
+  if (e.nominal != 0) return {e.lower, e.upper};
+  const double scale = e.scaleAt(mechanism, cause.place);
+  return {e.lower * scale, e.upper * scale};
+}
+
+/// Distance from nominal to the bound on the value's side.
+double farthest(const Mechanism& mechanism, const Cause& cause) {
+  const Bounds bounds = boundsOf(mechanism, cause);
+  const double nominal = cause.effect->nominal;
+  return std::max(1e-12, cause.value < nominal ? nominal - bounds.lower : bounds.upper - nominal);
+}
+
+/// Causes in groups that share joints; a free robot's joints all feel each other.
+std::vector<std::vector<std::size_t>> coupledGroups(const Evaluator& evaluator, const Explanation& causes) {
+  std::vector<std::vector<int>> joints;
+  for (const Cause& cause : causes) {
+    joints.push_back(evaluator.jointsTouched(cause));
+    std::ranges::sort(joints.back());
+  }
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < causes.size(); ++i) {
+    std::vector<std::size_t> group = {i};
+    std::erase_if(groups, [&](const std::vector<std::size_t>& other) {
+      const bool meets = evaluator.hasStanding() || std::ranges::any_of(other, [&](std::size_t j) {
+                           return std::ranges::any_of(
+                               joints[j], [&](int k) { return std::ranges::binary_search(joints[i], k); });
+                         });
+      if (meets) group.insert(group.end(), other.begin(), other.end());
+      return meets;
+    });
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+Explanation fitGroup(const Evaluator& evaluator, const Explanation& causes,
+                     const std::vector<std::size_t>& group, int evaluations, int jobs) {
+  const Mechanism& mechanism = evaluator.mechanism();
+  const auto n = static_cast<Eigen::Index>(group.size());
+  // Coordinates: logarithm of each distance from nominal against where it is now.
+  SearchSpace space;
+  space.start = Eigen::VectorXd::Zero(n);
+  space.sigma = Eigen::VectorXd::Constant(n, 0.15);
+  space.lower = Eigen::VectorXd::Constant(n, -2);
+  space.upper = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Cause& cause = causes[group[static_cast<std::size_t>(i)]];
+    const double distance = std::max(1e-12, std::abs(cause.value - cause.effect->nominal));
+    space.upper[i] = std::clamp(std::log(farthest(mechanism, cause) / distance), 0.01, 2.0);
+  }
+  const auto at = [&](const Eigen::VectorXd& x) {
+    Explanation tried = causes;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      Cause& cause = tried[group[static_cast<std::size_t>(i)]];
+      cause = scaled(mechanism, cause, std::exp(x[i]));
+    }
+    return tried;
+  };
+  CmaesOptions options;
+  options.seed = 7;
+  options.population = 8;
+  options.stop.maxEvaluations = evaluations;
+  options.stop.tolX = 0.02;
+  options.stop.tolFun = 0.5;
+  Cmaes optimizer(space, options);
+  while (!optimizer.isDone()) {
+    const Eigen::MatrixXd& asked = optimizer.ask();
+    std::vector<double> costs(static_cast<std::size_t>(asked.cols()));
+    parallel(costs.size(), jobs, [&](std::size_t i) {
+      costs[i] = evaluator.of(at(asked.col(static_cast<Eigen::Index>(i)))).fitting;
+    });
+    optimizer.tell(costs);
+  }
+  return optimizer.bestCost() < evaluator.of(causes).fitting ? at(optimizer.best()) : causes;
+}
+
+}  // namespace
+
+Cause scaled(const Mechanism& mechanism, Cause cause, double share) {
+  const Bounds bounds = boundsOf(mechanism, cause);
+  const double nominal = cause.effect->nominal;
+  cause.value = std::clamp(nominal + share * (cause.value - nominal), bounds.lower, bounds.upper);
+  return cause;
+}
+
+Candidate fitValue(const Evaluator& evaluator, const Cause& start, const TrialMask& mask,
+                   const ValueSearch& how) {
+  const double nominal = start.effect->nominal, most = farthest(evaluator.mechanism(), start);
+  const double distance = std::abs(start.value - nominal), sign = start.value < nominal ? -1 : 1;
+  Candidate best;
+  best.fit.fitting = INFINITY;
+  const auto evaluate = [&](double logShare) {
+    Cause cause = start;
+    cause.value = nominal + sign * std::min(most, distance * std::exp(logShare));
+    Fit fit = evaluator.with(cause, mask);
+    const double cost = fit.fitting;
+    if (cost < best.fit.fitting) best = {cause, std::move(fit), 0};
+    return cost;
+  };
+  const double top = std::log(most / distance);
+  Bracket b{-how.step, 0, std::min(how.step, top), 0, 0, 0};
+  if (b.hi <= 0) b.hi = top, b.x = top - 0.6 * how.step, b.lo = top - 1.6 * how.step;
+  b.fx = evaluate(b.x), b.fLo = evaluate(b.lo), b.fHi = evaluate(b.hi);
+  for (int i = 0; i < how.bracket && (b.fLo < b.fx || b.fHi < b.fx); ++i) {
+    if (b.fLo < b.fx) {
+      b = {b.lo - 1.6 * (b.x - b.lo), b.lo, b.x, 0, b.fLo, b.fx};
+      b.fLo = evaluate(b.lo);
+    } else {
+      if (b.hi >= top) break;
+      b = {b.x, b.hi, std::min(top, b.hi + 1.6 * (b.hi - b.x)), b.fx, b.fHi, 0};
+      b.fHi = evaluate(b.hi);
+    }
+  }
+  minimizeBrent(evaluate, b, how.tolerance, how.within);
+  return best;
+}
+
+Explanation fitTogether(const Evaluator& evaluator, const Explanation& causes, int evaluations, int jobs) {
+  Explanation result = causes;
+  for (const std::vector<std::size_t>& group : coupledGroups(evaluator, causes))
+    if (group.size() > 1) result = fitGroup(evaluator, result, group, evaluations, jobs);
+  return result;
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,31 @@
+#pragma once
+#include "gap/diagnosis/Evaluator.h"
+
+namespace plumbline::gap {
+
+/// A cause with its value fitted, on top of an evaluator's base.
+struct Candidate {
+  Cause cause;
+  Fit fit;
+  double screened = 0;  ///< gain on the blocks for fitting that the first look promised
+};
+
+/// The cause with its distance from nominal multiplied, held within bounds.
+Cause scaled(const Mechanism& mechanism, Cause cause, double share);
+
+/// How far a search for a value goes: first step and tolerance in the logarithm of the distance from nominal,
+/// values that may be taken to find a bracket and then within it.
+struct ValueSearch {
+  double step = 0.5, tolerance = 0.004;
+  int bracket = 8, within = 9;
+};
+
+/// Value of a cause that fits best on the evaluator's blocks for fitting, from where it is. Thread-safe.
+Candidate fitValue(const Evaluator& evaluator, const Cause& start, const TrialMask& mask,
+                   const ValueSearch& how = {});
+
+/// Values of causes that move the same joints fitted together by CMA-ES (seeded), from where they are; with a
+/// held base the others do not feel each other and stay.
+Explanation fitTogether(const Evaluator& evaluator, const Explanation& causes, int evaluations, int jobs);
+
+}  // namespace plumbline::gap

@@ -1,0 +1,42 @@
+#include "gap/diagnosis/Probability.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace plumbline::gap {
+namespace {
+
+Candidate candidate(const char* id, double judging) {
+  Candidate c;
+  c.cause = {findEffect(id), {}, 0, 0};
+  c.fit.judging = judging;
+  return c;
+}
+
+TEST(ProbabilityTest, aSideOfNominalHasHalfOfThePrior) {
+  // Friction can only be more than none; damping may be more or less.
+  std::vector<Candidate> list = {candidate("servo_damping", 0), candidate("viscous_friction", 0)};
+  sortByProbability(list);
+  EXPECT_EQ(list[0].cause.effect->id, "viscous_friction");
+  const std::vector<double> p = probabilities(list);
+  EXPECT_NEAR(p[0], 2.0 / 3, 1e-12);
+  EXPECT_NEAR(p[1], 1.0 / 3, 1e-12);
+}
+
+TEST(ProbabilityTest, anAxisHasAThirdOfThePrior) {
+  std::vector<Candidate> list = {candidate("link_mass", 0), candidate("com_offset", 0)};
+  const std::vector<double> p = probabilities(list);
+  EXPECT_NEAR(p[0] / p[1], 3, 1e-9);  // both have two sides
+}
+
+TEST(ProbabilityTest, whatPredictsBetterWinsByTheTemperature) {
+  // 16 per nat, and 0.0014 of the sum of squares for what engines differ by.
+  std::vector<Candidate> list = {candidate("viscous_friction", 10000), candidate("coulomb_friction", 10060)};
+  const std::vector<double> p = probabilities(list);
+  EXPECT_NEAR(std::log(p[0] / p[1]), 60 / (16 + 0.0014 * 10000), 1e-9);
+  EXPECT_TRUE(probabilities({}).empty());
+}
+
+}  // namespace
+}  // namespace plumbline::gap

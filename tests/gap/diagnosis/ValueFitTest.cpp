@@ -1,0 +1,45 @@
+#include "gap/diagnosis/ValueFit.h"
+
+#include <gtest/gtest.h>
+
+#include "../TwoJointArm.h"
+
+namespace plumbline::gap {
+namespace {
+
+TEST(ValueFitTest, findsValuesFromFarOff) {
+  const Mechanism arm = twoJointArm();
+  Plant reality = nominalPlant(arm);
+  reality.joints[1].viscous = 0.1;
+  const Evidence evidence({recorded(reality, armTrial(arm, 6), 5e-4, 3)});
+  const Evaluator evaluator(arm, evidence);
+  const Effect* effect = findEffect("viscous_friction");
+  for (const double start : {0.01, 0.09, 0.4}) {
+    const Candidate fitted =
+        fitValue(evaluator, {effect, findPlace(*effect, arm, "elbow", ""), start, 0}, {});
+    EXPECT_NEAR(fitted.cause.value, 0.1, 0.003) << start;
+  }
+}
+
+TEST(ValueFitTest, whatMeetsIsFittedTogether) {
+  const Mechanism arm = twoJointArm();
+  Plant reality = nominalPlant(arm);
+  reality.joints[0].coulomb = 0.1;
+  reality.joints[1].viscous = 0.1;
+  const Evidence evidence({recorded(reality, armTrial(arm, 6), 5e-4, 3)});
+  const Evaluator evaluator(arm, evidence);
+  const auto cause = [&](const char* id, const char* at, double value) {
+    const Effect* effect = findEffect(id);
+    return Cause{effect, findPlace(*effect, arm, at, ""), value, 0};
+  };
+  const Explanation alone = {cause("coulomb_friction", "shoulder", 0.05)};
+  EXPECT_EQ(fitTogether(evaluator, alone, 40, 1), alone);
+  const Explanation fitted = fitTogether(
+      evaluator, {cause("coulomb_friction", "shoulder", 0.08), cause("viscous_friction", "elbow", 0.13)}, 60,
+      1);
+  EXPECT_NEAR(fitted[0].value, 0.1, 0.01);
+  EXPECT_NEAR(fitted[1].value, 0.1, 0.01);
+}
+
+}  // namespace
+}  // namespace plumbline::gap
