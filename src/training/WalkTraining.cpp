@@ -69,15 +69,17 @@ std::vector<Variable> variablesOf(Task task) {
   switch (task) {
     case Task::forward:
       add("", "maxForward", 0.15);
-      add("", "accelerationForward", 0.2);
-      add("", "decelerationForward", 0.2);
+      add(corner, "accelerationForward", 0.2);
+      add(corner, "decelerationForward", 0.2);
       break;
     case Task::backward:
       add("", "maxBackward", 0.15);
+      add(corner, "accelerationForward", 0.2);
+      add(corner, "decelerationForward", 0.2);
       break;
     case Task::sideways:
       add("", "maxSideways", 0.1);
-      add("", "accelerationSideways", 0.1);
+      add(corner, "accelerationSideways", 0.1);
       break;
     case Task::turn:
       add("", "maxTurn", 0.4);
@@ -184,8 +186,7 @@ WalkGaits withCornersOf(const WalkGaits& gaits, const WalkGaits& other) {
     corner.hipHeight += gaits.base.hipHeight - other.base.hipHeight;
   for (const WalkParameterInfo& info : walkParameterTable()) {
     const std::string name = info.name;
-    if (!info.blends && (name.starts_with("max") || name.find("celeration") != std::string::npos))
-      result.base.*info.value = other.base.*info.value;
+    if (!info.blends && name.starts_with("max")) result.base.*info.value = other.base.*info.value;
   }
   return result;
 }

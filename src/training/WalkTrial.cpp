@@ -40,6 +40,15 @@ WalkRequest anyRequest(Random& random, const WalkParameters& p) {
   return request;
 }
 
+/// Full speed with little else.
+WalkRequest nearly(WalkRequest full, Random& random, const WalkParameters& p) {
+  const auto some = [&](double most) { return random.uniform(-0.15, 0.15) * most; };
+  full.velocity +=
+      Vec2(full.velocity.x() == 0 ? some(p.maxForward) : 0, full.velocity.y() == 0 ? some(p.maxSideways) : 0);
+  if (full.turn == 0) full.turn = some(p.maxTurn);
+  return full;
+}
+
 class Try {
 public:
   Try(WalkingRobot& robot, Random& random, double push) : robot(robot), random(random), push(push) {}
@@ -72,39 +81,33 @@ bool tryDirection(WalkingRobot& robot, Random& random, const WalkParameters& p, 
   const WalkRequest full = fullSpeed(task, sign);
   if (!attempt.run({}, random.uniform(0.1, 0.5))) return false;
   if (!attempt.run(full, 1.2)) return false;
-  const double time = setup.seconds - 1.2;
-  const double before = robot.turned();
-  double along = 0;
-  Vec2 way = Vec2::Zero();
-  WalkRequest request = full;
+  double along = 0, across = 0, time = 0;
   bool upright = true;
-  double change = random.uniform(1, 2);
-  for (double t = 0; upright && t < time; t += cycle) {
-    if ((change -= cycle) < 0) {
-      change = random.uniform(0.4, 1.2);
-      request = full;
-      if (random.uniform() < 0.4) {
-        if (task == Task::turn)
-          request.velocity = Vec2(random.uniform(-0.3, 0.5), 0) * p.maxForward;
-        else if (task == Task::forward)
-          request.turn = random.uniform(-0.3, 0.3) * p.maxTurn * enough / p.maxForward;
-        else
-          request.turn = random.uniform(-0.2, 0.2) * p.maxTurn;
+  for (double t = 1.2; upright && t < setup.seconds;) {
+    // Full speed, then something else for a while.
+    const auto go = [&](const WalkRequest& request, double duration, bool counts) {
+      const double end = std::min(setup.seconds, t + duration), turned = robot.turned();
+      Vec2 way = Vec2::Zero();
+      const double begin = t;
+      for (; upright && t < end; t += cycle) {
+        upright = attempt.step(request);
+        way += robot.moved.position;
+        const Pose2 place = robot.pose();
+        if (std::abs(place.x()) > 14.5 || std::abs(place.y()) > 9) robot.carry(Vec2(0, 5));
       }
-    }
-    upright = attempt.step(request);
-    way += robot.moved.position;
-    if (task == Task::turn)
-      along = (robot.turned() - before) * sign;
-    else
-      along = full.velocity.normalized().dot(way);
+      if (!counts) return;
+      time += t - begin;
+      const Vec2 direction = full.velocity.normalized();
+      along += task == Task::turn ? (robot.turned() - turned) * sign : direction.dot(way);
+      across += task == Task::turn ? way.norm() : std::abs(Vec2(-direction.y(), direction.x()).dot(way));
+    };
+    go(full, random.uniform(1, 3), true);
+    if (random.uniform() < 0.5) go(anyRequest(random, p), random.uniform(0.3, 1), false);
+    if (random.uniform() < 0.5) go(nearly(full, random, p), random.uniform(0.3, 1), true);
   }
-  result.speed += along / time / setup.tries;
-  if (task != Task::turn && upright) {
-    const Vec2 across(-full.velocity.normalized().y(), full.velocity.normalized().x());
-    result.drift += std::abs(across.dot(way)) / time / setup.tries;
-  } else if (task == Task::turn && upright) {
-    result.drift += way.norm() / time / setup.tries;
+  if (time > 0 && upright) {
+    result.speed += along / time / setup.tries;
+    result.drift += across / time / setup.tries;
   }
   return upright && attempt.run({}, 1.6) && robot.output.standing;
 }

@@ -79,6 +79,7 @@ public:
       sensors.gyro[i] = rounded(sensed.gyro[i], fromDegrees(0.01));
       acc[i] = rounded(sensed.acc[i], 0.01);
     }
+    sensors.feet = feltFeet(sensed);
     filter.update(sensors.gyro, acc, sensors.dt);
     sensors.torsoAngles = Vec2(filter.roll(), filter.pitch());
     output = engine.update(request, sensors);
@@ -139,6 +140,20 @@ public:
   Pose2 moved;  ///< in the last cycle
 
 private:
+  /// As the league's server prints it.
+  static FootSensors feltFeet(const simulation::RobotReadings& sensed) {
+    const auto felt = [](const std::optional<simulation::FootForce>& f) -> std::optional<FootContact> {
+      if (!f) return std::nullopt;
+      const auto printed = [](const Vec3& v) {
+        return Vec3(v.unaryExpr([](double x) { return rounded(x, 0.01); }));
+      };
+      return FootContact{printed(f->point), printed(f->force)};
+    };
+    FootSensors feet;
+    feet.foot = {felt(sensed.leftFoot), felt(sensed.rightFoot)};
+    feet.toe = {felt(sensed.leftToe), felt(sensed.rightToe)};
+    return feet;
+  }
   JointArray rates() const {
     JointArray rates{};
     for (std::size_t j = 0; j < numJoints; ++j)

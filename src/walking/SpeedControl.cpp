@@ -6,44 +6,104 @@
 namespace plumbline::walking {
 namespace {
 
+constexpr double nearlyFull = 0.9;    ///< share of the full speed that is meant to be a sprint
+constexpr double aside = 0.35;        ///< share of the mixable speeds that may be asked for beside it
+constexpr double walkedAside = 0.23;  ///< and that is walked
+
 double approach(double value, double goal, double maxChange) {
   return value + std::clamp(goal - value, -maxChange, maxChange);
 }
 
-/// A speed between two gaits is walked at the lower one's.
-double outsideGap(double speed, double full, double blendStart) {
-  constexpr double nearlyFull = 0.9;
-  const double share = std::abs(speed) / full;
-  return blendStart > 0 && share < nearlyFull ? std::copysign(std::min(share, blendStart) * full, speed)
-                                              : speed;
+double mixed(double mix, double most) { return mix > 0 ? std::min(mix, most) : most; }
+
+/// Speeds that may be mixed, and those of a sprint, when going forward or backward.
+Vec3 mixLimits(double forward, const WalkParameters& p) {
+  return {forward < 0 ? mixed(p.mixBackward, p.maxBackward) : mixed(p.mixForward, p.maxForward),
+          mixed(p.mixSideways, p.maxSideways), mixed(p.mixTurn, p.maxTurn)};
+}
+Vec3 fullLimits(double forward, const WalkParameters& p) {
+  return {forward < 0 ? p.maxBackward : p.maxForward, p.maxSideways, p.maxTurn};
+}
+
+/// How much is asked for beside an axis, as a share of what may be mixed.
+double beside(const Vec3& speeds, const Vec3& mix, int axis) {
+  Vec3 others = speeds.cwiseQuotient(mix);
+  others[axis] = 0;
+  return others.norm();
+}
+
+Vec3 withinMixture(const Vec3& wish, const Vec3& mix) {
+  return wish / std::max(1.0, wish.cwiseQuotient(mix).norm());
 }
 
 }  // namespace
 
-void SpeedControl::update(Vec2 goal, double goalTurn, const WalkParameters& p, double calm, double dt) {
-  const double forward = goal.x() < 0 ? p.maxBackward : p.maxForward;
-  const double effort = std::hypot(goal.x() / forward, goal.y() / p.maxSideways, goalTurn / p.maxTurn);
-  if (effort > 1) {
-    goal /= effort;
-    goalTurn /= effort;
+int SpeedControl::sprintAxis(const Vec3& wish, const WalkParameters& p) const {
+  const Vec3 mix = mixLimits(wish.x(), p), most = fullLimits(wish.x(), p);
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(wish[i]) < nearlyFull * most[i] || mix[i] >= most[i]) continue;
+    const Vec3 scaled = wish / std::max(1.0, std::abs(wish[i]) / most[i]);
+    if (beside(scaled, mix, i) <= aside) return i;
   }
-  goal.x() = outsideGap(goal.x(), forward, p.blendStart);
-  goal.y() = outsideGap(goal.y(), p.maxSideways, p.blendStart);
-  goalTurn = outsideGap(goalTurn, p.maxTurn, p.blendStart);
-  goal *= calm;
-  goalTurn *= calm;
-  const bool braking = std::abs(goal.x()) < std::abs(velocity_.x()) || goal.x() * velocity_.x() < 0;
-  velocity_.x() =
-      approach(velocity_.x(), goal.x(), (braking ? p.decelerationForward : p.accelerationForward) * dt);
-  velocity_.y() = approach(velocity_.y(), goal.y(), p.accelerationSideways * dt);
-  turn_ = approach(turn_, goalTurn, p.accelerationTurn * dt);
+  return -1;
+}
+
+Vec3 SpeedControl::feasible(const Vec3& wish, const WalkParameters& p, double dt) {
+  if (axis >= 0) return sprint(wish, p);
+  const int could = sprintAxis(wish, p);
+  patience = could == wished ? patience + dt : 0;
+  wished = could;
+  const Vec3 mix = mixLimits(wish.x(), p);
+  if (could >= 0 && patience >= p.sprintPatience) {
+    const double sign = wish[could] > 0 ? 1 : -1;
+    if (sign * now[could] >= nearlyFull * mix[could] && beside(now, mix, could) <= aside) {
+      axis = could;
+      rising = true;
+      falling = false;
+      full = sign * fullLimits(wish.x(), p)[could];
+      return sprint(wish, p);
+    }
+    // First at the speed of mixtures, in this direction alone.
+    Vec3 go = withinMixture(wish, mix);
+    for (int i = 0; i < 3; ++i)
+      if (i != could) go[i] = std::clamp(go[i], -walkedAside * mix[i], walkedAside * mix[i]);
+    go[could] = sign * mix[could];
+    return go;
+  }
+  return withinMixture(wish, mix);
+}
+
+Vec3 SpeedControl::sprint(const Vec3& wish, const WalkParameters& p) {
+  const double sign = full > 0 ? 1 : -1;
+  const Vec3 mix = mixLimits(axis == 0 ? full : wish.x(), p);
+  if (sign * now[axis] > 0.99 * std::abs(full)) rising = false;
+  Vec3 go = wish / std::max(1.0, std::abs(wish[axis] / full));
+  if (!rising && (sign * wish[axis] < nearlyFull * std::abs(full) || beside(go, mix, axis) > aside))
+    falling = true;
+  if (falling && sign * now[axis] <= mix[axis]) {
+    axis = wished = -1;
+    return withinMixture(wish, mixLimits(wish.x(), p));
+  }
+  for (int i = 0; i < 3; ++i)
+    if (i != axis) go[i] = std::clamp(go[i], -walkedAside * mix[i], walkedAside * mix[i]);
+  go[axis] = falling ? sign * std::clamp(sign * go[axis], 0.0, mix[axis]) : full;
+  return go;
+}
+
+void SpeedControl::update(const Vec2& goal, double turn, const WalkParameters& p, double calm, double dt) {
+  const Vec3 target = calm * feasible(Vec3(goal.x(), goal.y(), turn), p, dt);
+  const bool braking = std::abs(target.x()) < std::abs(now.x()) || target.x() * now.x() < 0;
+  now.x() = approach(now.x(), target.x(), (braking ? p.decelerationForward : p.accelerationForward) * dt);
+  now.y() = approach(now.y(), target.y(), p.accelerationSideways * dt);
+  now.z() = approach(now.z(), target.z(), p.accelerationTurn * dt);
   // The robot brakes before it turns: what forward speed leaves of the effort limits the rest.
-  const double used = velocity_.x() / (velocity_.x() < 0 ? -p.maxBackward : p.maxForward);
-  const double rest = std::max(0.0, 1 - used);
-  const double side = std::hypot(velocity_.y() / p.maxSideways, turn_ / p.maxTurn);
-  if (side > rest) {
-    velocity_.y() *= rest / side;
-    turn_ *= rest / side;
+  const Vec3 mix = mixLimits(now.x(), p);
+  const double used = std::abs(now.x()) / mix.x();
+  const double rest = std::max(axis == 0 ? walkedAside : 0.0, 1 - used);
+  const double side = std::hypot(now.y() / mix.y(), now.z() / mix.z());
+  if (side > rest && axis <= 0) {
+    now.y() *= rest / side;
+    now.z() *= rest / side;
   }
 }
 

@@ -5,23 +5,32 @@
 namespace plumbline::walking {
 
 /// The speed that the walk aims at now: follows what is asked for within the limits of speed and
-/// acceleration.
+/// acceleration. Any mixture of directions is walked within an ellipsoid of the speeds that may be mixed
+/// (mixForward ..); more, up to maxForward .., in one direction at a time: only when little else is asked
+/// for, has been for a while, and that direction already walks at its speed in mixtures. Such a sprint always
+/// passes through to its full speed or back, since no walk is known to be safe between.
 class SpeedControl {
 public:
-  void reset() {
-    velocity_.setZero();
-    turn_ = 0;
-  }
+  void reset() { *this = {}; }
   /// A cycle of dt [s]. goal, turn: asked for [m/s, rad/s]; p: the parameters at the present speed; calm: the
   /// share of the goal that the torso's deviation leaves, 0 .. 1.
-  void update(Vec2 goal, double goalTurn, const WalkParameters& p, double calm, double dt);
+  void update(const Vec2& goal, double turn, const WalkParameters& p, double calm, double dt);
 
-  const Vec2& velocity() const { return velocity_; }  ///< [m/s]
-  double turn() const { return turn_; }               ///< [rad/s]
+  Vec2 velocity() const { return now.head<2>(); }  ///< [m/s]
+  double turn() const { return now.z(); }          ///< [rad/s]
+  bool sprinting() const { return axis >= 0; }
 
 private:
-  Vec2 velocity_ = Vec2::Zero();
-  double turn_ = 0;
+  Vec3 feasible(const Vec3& wish, const WalkParameters& p, double dt);
+  int sprintAxis(const Vec3& wish, const WalkParameters& p) const;
+  Vec3 sprint(const Vec3& wish, const WalkParameters& p);
+
+  Vec3 now = Vec3::Zero();  ///< forward, sideways, turn
+  int axis = -1;            ///< in which the robot sprints
+  bool rising = false, falling = false;
+  double full = 0;      ///< speed of the sprint, with its sign
+  int wished = -1;      ///< axis that could be sprinted in, and
+  double patience = 0;  ///< for how long this has been asked for [s]
 };
 
 }  // namespace plumbline::walking

@@ -10,6 +10,7 @@ VelocityFilter::VelocityFilter(const VelocityFilterParameters& parameters_)
   const auto count = static_cast<std::size_t>(std::max(2, parameters.particles));
   particles.resize(count);
   drawn.resize(count);
+  before_.resize(count);
   weights.resize(count);
   reset();
 }
@@ -21,28 +22,52 @@ void VelocityFilter::reset(const Vec2& velocity) {
     particle = velocity + parameters.modelNoise * Vec2(random.gaussian(), random.gaussian());
 }
 
-const Vec2& VelocityFilter::update(const WalkModel& model, const WalkState& before, const WalkAction& action,
-                                   double dt, const Vec2& seen) {
+void VelocityFilter::predict(const WalkModel& model, const WalkState& before, const WalkAction& action,
+                             double dt, const VelocityEvidence& evidence) {
   const Eigen::Rotation2Dd turned(action.duration > 0 ? -action.turn * dt / action.duration : 0);
-  const double precision = 1 / (2 * parameters.footNoise * parameters.footNoise);
+  // What the feet do not feel, a push by another robot, some particles have to find.
+  constexpr double strayShare = 0.1;
+  const auto strays = static_cast<std::size_t>(strayShare * static_cast<double>(particles.size()));
   WalkState state = before;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    before_[i] = turned * particles[i];
+    double noise = parameters.modelNoise;
+    if (evidence.change) {
+      particles[i] = before_[i] + *evidence.change;
+      if (i >= strays) noise = parameters.forceNoise;
+    } else {
+      state.velocity = particles[i];
+      particles[i] = model.move(state, action, dt).velocity;
+    }
+    particles[i] += noise * Vec2(random.gaussian(), random.gaussian());
+  }
+}
+
+const Vec2& VelocityFilter::update(const WalkModel& model, const WalkState& before, const WalkAction& action,
+                                   double dt, const VelocityEvidence& evidence) {
+  predict(model, before, action, dt, evidence);
+  const bool forces = evidence.change.has_value();
+  const double noise = forces ? parameters.slipNoise : parameters.footNoise;
   double total = 0;
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    state.velocity = particles[i];
-    const Vec2 start = turned * particles[i];
-    particles[i] = model.move(state, action, dt).velocity +
-                   parameters.modelNoise * Vec2(random.gaussian(), random.gaussian());
-    const double miss = ((start + particles[i]) / 2 - seen).squaredNorm();
-    weights[i] = std::exp(-miss * precision);
+    weights[i] = 1;
+    if (evidence.seen && forces) {
+      // Student's t with three degrees of freedom: a foot that slides is an outlier.
+      const double miss = (particles[i] - *evidence.seen).squaredNorm() / (3 * noise * noise);
+      weights[i] = 1 / ((1 + miss) * (1 + miss));
+    } else if (evidence.seen) {
+      const double miss = ((before_[i] + particles[i]) / 2 - *evidence.seen).squaredNorm();
+      weights[i] = std::exp(-miss / (2 * noise * noise));
+    }
     total += weights[i];
     sum += weights[i] * particles[i];
   }
   // No particle explains what was seen: begin anew from it.
   if (!(total > 1e-12)) {
     for (Vec2& particle : particles)
-      particle = seen + parameters.modelNoise * Vec2(random.gaussian(), random.gaussian());
-    return mean = seen;
+      particle = *evidence.seen + parameters.modelNoise * Vec2(random.gaussian(), random.gaussian());
+    return mean = *evidence.seen;
   }
   mean = sum / total;
   resample(total);

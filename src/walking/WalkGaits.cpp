@@ -7,10 +7,15 @@
 namespace plumbline::walking {
 
 WalkParameters WalkGaits::at(const Vec2& velocity, double turn) const {
-  std::array<double, numCorners> share{
-      std::max(0.0, velocity.x() / base.maxForward), std::max(0.0, -velocity.x() / base.maxBackward),
-      std::abs(velocity.y()) / base.maxSideways, std::abs(turn) / base.maxTurn};
-  for (double& s : share) s = std::max(0.0, s - base.blendStart) / (1 - base.blendStart);
+  // What may be mixed is walked with the base.
+  const auto beyond = [](double speed, double mix, double full) {
+    const double from = mix > 0 ? std::min(mix, full) : 0;
+    return from < full ? std::clamp((speed - from) / (full - from), 0.0, 1.0) : 0.0;
+  };
+  std::array<double, numCorners> share{beyond(velocity.x(), base.mixForward, base.maxForward),
+                                       beyond(-velocity.x(), base.mixBackward, base.maxBackward),
+                                       beyond(std::abs(velocity.y()), base.mixSideways, base.maxSideways),
+                                       beyond(std::abs(turn), base.mixTurn, base.maxTurn)};
   double sum = 0;
   for (const double s : share) sum += s;
   if (sum > 1)

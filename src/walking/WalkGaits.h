@@ -7,9 +7,10 @@
 
 namespace plumbline::walking {
 
-/// The walk's parameters over its speeds: one set on the spot, and one for full speed in each direction. What
-/// lies between is blended linearly by the share of each direction's full speed, so one walk may be quick
-/// forward and another quick in turning.
+/// The walk's parameters over its speeds: one set up to the speeds that may be mixed
+/// (WalkParameters::mixForward
+/// ..), and one for full speed in each direction. What lies between is blended linearly, so one walk may be
+/// quick forward and another quick in turning.
 struct WalkGaits {
   static constexpr std::size_t numCorners = 4;
   static constexpr std::array<const char*, numCorners> cornerNames{"forward", "backward", "sideways", "turn"};

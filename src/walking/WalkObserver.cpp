@@ -9,6 +9,7 @@ WalkObserver::WalkObserver(const RobotModel& robot_, const VelocityFilterParamet
     : robot(robot_),
       kinematics(robot),
       legs{LegKinematics(robot, Side::left), LegKinematics(robot, Side::right)},
+      contacts(robot),
       filter(filter_) {}
 
 void WalkObserver::reset() {
@@ -16,6 +17,7 @@ void WalkObserver::reset() {
   difference.setZero();
   observed = {};
   filter.reset();
+  contacts.reset();
 }
 
 Vec2 WalkObserver::legAngles(Support support) const {
@@ -47,9 +49,28 @@ void WalkObserver::update(const WalkSensors& sensors, Support support, const Wal
   observed.support = support;
   if (!begun) {
     begun = true;
+    if (sensors.feet) contacts.update(kinematics, upright, 0, *sensors.feet, sensors.dt);
     return;
   }
-  // The supporting foot stands still, so its movement is that of the mass, and so is its turn.
+  WalkAction passed = action;
+  passed.duration = sensors.dt;
+  VelocityEvidence evidence;
+  if (sensors.feet) {
+    passed.turn = sensors.dt * upright.row(2).dot(sensors.gyro);
+    evidence = contacts.update(kinematics, upright, passed.turn, *sensors.feet, sensors.dt);
+    if (evidence.seen) seen = *evidence.seen;
+  } else {
+    passed.turn = watchFeet(before, support, sensors.dt);
+    evidence.seen = seen;
+  }
+  WalkState start = before;
+  start.support = support;
+  observed.velocity = filter.update(model, start, passed, sensors.dt, evidence);
+}
+
+/// The velocity seen in the commanded feet, which are taken to stand still; returns their turn under the
+/// torso.
+double WalkObserver::watchFeet(const WalkState& before, Support support, double dt) {
   Vec2 moved = Vec2::Zero();
   double turned = 0, feet = 0;
   for (const Side side : {Side::left, Side::right}) {
@@ -61,13 +82,8 @@ void WalkObserver::update(const WalkSensors& sensors, Support support, const Wal
     turned += turn;
     feet += 1;
   }
-  seen = moved / (feet * sensors.dt);
-  WalkAction passed = action;
-  passed.duration = sensors.dt;
-  passed.turn = turned / feet;
-  WalkState start = before;
-  start.support = support;
-  observed.velocity = filter.update(model, start, passed, sensors.dt, seen);
+  seen = moved / (feet * dt);
+  return turned / feet;
 }
 
 }  // namespace plumbline::walking

@@ -1,13 +1,14 @@
 #pragma once
 #include "robot/ForwardKinematics.h"
 #include "robot/LegKinematics.h"
-#include "walking/VelocityFilter.h"
+#include "walking/ContactVelocity.h"
 #include "walking/WalkSensors.h"
 
 namespace plumbline::walking {
 
 /// The walk state as the sensors tell it (section 4.2.5): feet from the joint angles and the torso's angles,
-/// velocity from the particle filter. What it tells is as old as the measurement.
+/// velocity from the particle filter, which is told of the forces on the feet where they are felt, else of
+/// the movement of the feet that are meant to carry. What it tells is as old as the measurement.
 class WalkObserver {
 public:
   explicit WalkObserver(const RobotModel& robot, const VelocityFilterParameters& filter = {});
@@ -26,16 +27,19 @@ public:
   /// Mean difference of the torso's roll and pitch by the IMU and by the supporting legs (section 4.2.8,
   /// table 4.1) [rad].
   const Vec2& imuDifference() const { return difference; }
-  /// Velocity of the centre of mass by the supporting foot's movement alone, last cycle [m/s].
+  /// Velocity of the centre of mass by the movement of what touches the ground, or of the commanded foot,
+  /// alone, last cycle [m/s].
   const Vec2& seenVelocity() const { return seen; }
 
 private:
   Vec2 legAngles(Support support) const;
+  double watchFeet(const WalkState& before, Support support, double dt);
 
   RobotModel robot;
   ForwardKinematics kinematics;
   std::array<LegKinematics, 2> legs;
   std::array<Pose3, 2> soles;  ///< in the torso frame
+  ContactVelocity contacts;
   VelocityFilter filter;
   WalkState observed;
   Vec2 angles = Vec2::Zero(), difference = Vec2::Zero(), seen = Vec2::Zero();

@@ -13,17 +13,19 @@ struct WalkParameters {
   double torsoPitchForward = 0;  ///< more of it per forward speed [rad s/m]
 
   // Speed
-  double trimForward = 0;            ///< planned speed with which the robot stays on the spot [m/s]
-  double maxForward = 0.5;           ///< [m/s]
-  double maxBackward = 0.4;          ///< [m/s]
-  double maxSideways = 0.25;         ///< [m/s]
-  double maxTurn = 1.6;              ///< [rad/s]
-  double blendStart = 0;             ///< share of full speed up to which the walk on the spot serves; what is
-                                     ///< asked for between it and nine tenths is walked at it
-  double accelerationForward = 0.5;  ///< of the requested velocity [m/s^2]
-  double decelerationForward = 0.5;  ///< the same when it becomes smaller [m/s^2]
-  double accelerationSideways = 0.5;  ///< [m/s^2]
-  double accelerationTurn = 6;        ///< [rad/s^2]
+  double trimForward = 0;     ///< planned speed with which the robot stays on the spot [m/s]
+  double maxForward = 0.5;    ///< [m/s]
+  double maxBackward = 0.4;   ///< [m/s]
+  double maxSideways = 0.25;  ///< [m/s]
+  double maxTurn = 1.6;       ///< [rad/s]
+  double mixForward = 0;      ///< up to here any mixture of directions may be asked for; 0: up to the
+  double mixBackward = 0;     ///< full speed. More is walked in one direction alone [m/s]
+  double mixSideways = 0, mixTurn = 0;  ///< the same [m/s, rad/s]
+  double sprintPatience = 0.3;          ///< for which more has to be asked for [s]
+  double accelerationForward = 0.5;     ///< of the requested velocity [m/s^2]
+  double decelerationForward = 0.5;     ///< the same when it becomes smaller [m/s^2]
+  double accelerationSideways = 0.5;    ///< [m/s^2]
+  double accelerationTurn = 6;          ///< [rad/s^2]
 
   // Step
   double stepDuration = 0.18;     ///< of one step in the reference [s]

@@ -121,8 +121,6 @@ public:
       const Vec3 u = up();
       sensors.torsoAngles = Vec2(std::atan2(u.y(), u.z()), std::atan2(-u.x(), u.z()));
       sensors.gyro = robot.sense().gyro;
-      if (robot.sense().leftFoot) sensors.footForce[0] = robot.sense().leftFoot->force.z();
-      if (robot.sense().rightFoot) sensors.footForce[1] = robot.sense().rightFoot->force.z();
       step(walk.update({velocity, turn, true}, sensors).angles);
       if (lying()) return false;
     }

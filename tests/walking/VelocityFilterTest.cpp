@@ -33,7 +33,7 @@ struct Watched {
     const WalkState after = model.move(truth, action, dt);
     const Vec2 mean = (truth.foot[0].position - after.foot[0].position) / dt;
     const Vec2 seen = mean + sigma * Vec2(noise.gaussian(), noise.gaussian());
-    filter.update(model, truth, action, dt, seen);
+    filter.update(model, truth, action, dt, {.change = {}, .seen = seen});
     truth = after;
     truth.foot[0] = Pose2(-0.01, 0.05);
     squares += (filter.velocity() - truth.velocity).squaredNorm();
@@ -69,7 +69,9 @@ TEST(VelocityFilter, whatNoParticleExplainsBeginsAnew) {
   Watched watched(Vec2(0.2, 0));
   WalkAction action;
   action.duration = dt;
-  EXPECT_EQ(watched.filter.update(watched.model, watched.truth, action, dt, Vec2(9, 0)), Vec2(9, 0));
+  EXPECT_EQ(
+      watched.filter.update(watched.model, watched.truth, action, dt, {.change = {}, .seen = Vec2(9, 0)}),
+      Vec2(9, 0));
 }
 
 TEST(VelocityFilter, sameCallsSameAnswers) {

@@ -39,9 +39,9 @@ TEST(WalkGaits, betweenTheyAreBlendedByTheShareOfTheSpeed) {
   EXPECT_NEAR(gaits.at(Vec2(1, 0), 2).hipHeight, 0.23, 1e-12);
 }
 
-TEST(WalkGaits, blendStartKeepsTheBaseAtLowSpeeds) {
+TEST(WalkGaits, whatMayBeMixedIsWalkedWithTheBase) {
   WalkGaits gaits = someGaits();
-  gaits.base.blendStart = 0.5;
+  gaits.base.mixForward = 0.5;
   EXPECT_DOUBLE_EQ(gaits.at(Vec2(0.5, 0), 0).hipHeight, 0.20);
   EXPECT_NEAR(gaits.at(Vec2(0.75, 0), 0).hipHeight, 0.22, 1e-12);
   EXPECT_DOUBLE_EQ(gaits.at(Vec2(1, 0), 0).hipHeight, 0.24);
@@ -50,9 +50,9 @@ TEST(WalkGaits, blendStartKeepsTheBaseAtLowSpeeds) {
 TEST(WalkGaits, whatHoldsForTheWholeWalkIsTheBases) {
   WalkGaits gaits = someGaits();
   gaits.corner[0].maxForward = 3;
-  gaits.corner[0].accelerationForward = 77;
+  gaits.corner[0].odometryDelay = 0.1;
   EXPECT_DOUBLE_EQ(gaits.at(Vec2(1, 0), 0).maxForward, 1.0);
-  EXPECT_DOUBLE_EQ(gaits.at(Vec2(1, 0), 0).accelerationForward, WalkParameters{}.accelerationForward);
+  EXPECT_DOUBLE_EQ(gaits.at(Vec2(1, 0), 0).odometryDelay, WalkParameters{}.odometryDelay);
 }
 
 TEST(WalkGaits, aBadValueIsNamedWithItsCorner) {

@@ -71,6 +71,20 @@ TEST_P(WalkInWorld, odometryFitsTheWay) {
   EXPECT_NEAR(told.x() / way.x(), 1, 0.06);
 }
 
+TEST_P(WalkInWorld, knowsTheVelocityOfItsMass) {
+  Vec2 squares = Vec2::Zero();
+  int count = 0;
+  for (const WalkRequest& request : {walk(9, 0, 0), walk(0, 0.2, 1), walk(-0.2, 0, 0)})
+    for (int i = 0; i < 100; ++i) {
+      const Vec2 truth = robot.comVelocity();
+      robot.step(request);
+      squares += (robot.engine.observed().velocity - truth).cwiseAbs2();
+      ++count;
+    }
+  EXPECT_LT(std::sqrt(squares.x() / count), 0.03);
+  EXPECT_LT(std::sqrt(squares.y() / count), 0.03);
+}
+
 TEST_P(WalkInWorld, walksThroughABall) {
   for (int i = 0; i < 3; ++i) {
     robot.restart();

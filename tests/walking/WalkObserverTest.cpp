@@ -66,6 +66,45 @@ TEST_F(WalkObserverTest, theFootsMovementIsTheMassesVelocity) {
   EXPECT_NEAR(observer.state().velocity.x(), 0.3, 0.06);
 }
 
+TEST_F(WalkObserverTest, aFootThatRollsOverItsEdgeShowsTheVelocityThere) {
+  // The right foot is said to carry but hangs in the air; the left one rolls over its front edge with the
+  // robot, which turns about that edge as a whole.
+  pose(Pose2(0, 0.05), Pose2(0, -0.05), 0, 0);
+  const ForwardKinematics kinematics = [&] {
+    ForwardKinematics k(robot);
+    k.update(sensors.angles);
+    return k;
+  }();
+  const LegKinematics leg(robot, Side::left);
+  const int link = robot.linkOfJoint[lAnkleRoll];
+  const Link& foot = robot.links[static_cast<std::size_t>(link)];
+  const Vec3 edge = leg.T_foot_sole() * Vec3(leg.soleHalfSize().x(), 0, 0);
+  const double weight = 9.81 * robot.totalMass();
+  sensors.feet.emplace();
+  sensors.feet->foot[0] = FootContact{edge - foot.com, Vec3(0, 0, weight)};
+  observe(Support::right);
+  constexpr double rate = 0.5;  // [rad/s]
+  sensors.torsoAngles.y() = rate * dt;
+  sensors.gyro.y() = rate;
+  observe(Support::right);
+  const Vec3 fromEdge = kinematics.com() - kinematics.link(link) * edge;
+  EXPECT_NEAR(observer.seenVelocity().x(), rate * fromEdge.z(), 0.01);
+  EXPECT_NEAR(observer.seenVelocity().y(), 0, 1e-3);
+}
+
+TEST_F(WalkObserverTest, inTheAirTheForcesAloneTellTheVelocity) {
+  pose(Pose2(0, 0.05), Pose2(0, -0.05), 0, 0);
+  const double mass = robot.totalMass();
+  sensors.feet.emplace();
+  // Pushed off with 0.5 m/s^2 for half a second, then nothing touches the ground.
+  sensors.feet->foot[0] = FootContact{Vec3::Zero(), Vec3(0.5 * mass, 0, 1e-9)};
+  for (int i = 0; i < 25; ++i) observe(Support::left);
+  sensors.feet->foot[0].reset();
+  const double left = observer.state().velocity.x();
+  for (int i = 0; i < 5; ++i) observe(Support::left);
+  EXPECT_NEAR(observer.state().velocity.x(), left, 0.08);
+}
+
 TEST_F(WalkObserverTest, meanDifferenceOfImuAndLegsIsTrackedAndTakenOff) {
   pose(Pose2(0, 0.05), Pose2(0, -0.05), 0, 0.03);
   sensors.torsoAngles.y() -= 0.08;  // as one of the thesis's robots, table 4.1

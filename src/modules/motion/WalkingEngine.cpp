@@ -21,6 +21,21 @@ void WalkingEngine::init() {
   if (fits) fit_ = std::make_unique<walking::BackgroundFit>(options);
 }
 
+namespace {
+
+walking::FootSensors feltFeet(const SensorData& data) {
+  const auto felt = [](const FootForceData& sensor) -> std::optional<walking::FootContact> {
+    if (!sensor.contact) return std::nullopt;
+    return walking::FootContact{sensor.point, sensor.force};
+  };
+  walking::FootSensors feet;
+  feet.foot = {felt(data.leftFoot), felt(data.rightFoot)};
+  feet.toe = {felt(data.leftToe), felt(data.rightToe)};
+  return feet;
+}
+
+}  // namespace
+
 void WalkingEngine::fitModel() {
   if (const walking::ObservedStep* step = engine_->observedStep()) fit_->add(*step);
   const auto result = fit_->pass(theFrameInfo->cycleSeconds, engine_->modelParameters());
@@ -48,8 +63,7 @@ void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
     sensors.angles = theJointData->angles;
     sensors.torsoAngles = Vec2(theTorsoAngles->roll, theTorsoAngles->pitch);
     sensors.gyro = theSensorData->gyro;
-    sensors.footForce = {theSensorData->leftFoot.force.z() + theSensorData->leftToe.force.z(),
-                         theSensorData->rightFoot.force.z() + theSensorData->rightToe.force.z()};
+    sensors.feet = feltFeet(*theSensorData);
     sensors.dt = theFrameInfo->cycleSeconds;
     output = engine_->update(request, sensors);
     if (fit_ && request.walk) fitModel();

@@ -75,7 +75,8 @@ void velocityError(const std::string& name, int type, const WalkGaits& gaits, Re
   WalkAction action;
   action.duration = cycle;
   begin = processorMicroseconds();
-  for (int i = 0; i < cycles; ++i) filter.update(model, state, action, cycle, Vec2(0.1, 0.1));
+  for (int i = 0; i < cycles; ++i)
+    filter.update(model, state, action, cycle, {.change = {}, .seen = Vec2(0.1, 0.1)});
   const double filtering = (processorMicroseconds() - begin) / cycles;
   report.row({name, fmt::format("{:.3f}", rms.x()), fmt::format("{:.3f}", rms.y()),
               fmt::format("{:.3f}", foot.x()), fmt::format("{:.3f}", foot.y()),
