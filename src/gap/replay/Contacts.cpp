@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gap/replay/SolePlate.h"
+
 namespace plumbline::gap {
 
 namespace {
@@ -22,15 +24,13 @@ Contacts::Contacts(const Plant& plant, const TreeDynamics& tree)
   if (angle > 0) ground = Eigen::AngleAxisd(angle, plant.ground.slope / angle).toRotationMatrix();
   for (std::size_t f = 0; f < plant.mechanism.feet.size(); ++f) {
     const auto& foot = plant.mechanism.feet[f];
-    for (const double x : {0.5, -0.5})
-      for (const double y : {0.5, -0.5}) {
-        Corner corner;
-        corner.foot = static_cast<int>(f);
-        corner.link = foot.link;
-        corner.local =
-            foot.soleCentre + Vec3(x * foot.soleSize.x(), y * foot.soleSize.y(), -0.5 * foot.soleSize.z());
-        corners.push_back(corner);
-      }
+    for (const Vec3& place : soleCorners(foot)) {
+      Corner corner;
+      corner.foot = static_cast<int>(f);
+      corner.link = foot.link;
+      corner.local = place;
+      corners.push_back(corner);
+    }
   }
   J.setZero(static_cast<Eigen::Index>(3 * corners.size()), dimension);
 }

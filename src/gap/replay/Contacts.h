@@ -27,7 +27,6 @@ public:
     Vec2 centre = Vec2::Zero();
   };
   FootForce footForce(int foot, const TreeDynamics& tree) const;
-  bool touching() const { return touched; }
 
 private:
   struct Corner {

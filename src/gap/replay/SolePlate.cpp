@@ -5,6 +5,14 @@
 
 namespace plumbline::gap {
 
+std::array<Vec3, 4> soleCorners(const Mechanism::Foot& foot) {
+  std::array<Vec3, 4> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] =
+        foot.soleCentre + Vec3(i < 2 ? 0.5 : -0.5, i % 2 ? -0.5 : 0.5, -0.5).cwiseProduct(foot.soleSize);
+  return corners;
+}
+
 std::vector<double> plateForces(const Mechanism::Foot& foot, double normal, const Vec2& centre) {
   std::vector<double> loads(foot.sensors.size(), 0.0);
   if (!(normal > 0) || loads.empty()) return loads;

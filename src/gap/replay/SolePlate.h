@@ -1,9 +1,13 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "robot/Mechanism.h"
 
 namespace plumbline::gap {
+
+/// Corners of a sole's underside (link frame) [m].
+std::array<Vec3, 4> soleCorners(const Mechanism::Foot& foot);
 
 /// What a foot's force sensors show of a force [N] that presses at a place of the sole (link frame) [m]: a
 /// rigid plate on equal springs that push and never pull, so the forces are a plane over the sensors' places

@@ -81,12 +81,8 @@ void Stepper::placeOnGround() {
   tree.update(T_world_base.linear(), q.data() + tree.baseSize(), v.data());
   double lowest = 0;
   for (const auto& foot : plant.mechanism.feet) {
-    for (const double x : {0.5, -0.5})
-      for (const double y : {0.5, -0.5}) {
-        const Vec3 corner =
-            foot.soleCentre + Vec3(x * foot.soleSize.x(), y * foot.soleSize.y(), -0.5 * foot.soleSize.z());
-        lowest = std::min(lowest, (tree.origin(foot.link) + tree.rotation(foot.link) * corner).z());
-      }
+    for (const Vec3& corner : soleCorners(foot))
+      lowest = std::min(lowest, (tree.origin(foot.link) + tree.rotation(foot.link) * corner).z());
   }
   T_world_base.translation().z() = -lowest + 0.0005;
 }

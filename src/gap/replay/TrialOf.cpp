@@ -89,7 +89,6 @@ Trial trialOf(const Run& run, const Mechanism& nominal) {
   Trial trial;
   trial.name = run.folder;
   trial.motion = run.motion;
-  trial.repeatOf = run.repeatOf;
   trial.robot = std::make_shared<Mechanism>(withServo(nominal, run));
   trial.freeBase = run.freeBase;
   trial.heading = run.heading.value_or(0);
