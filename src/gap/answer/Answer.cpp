@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gap/answer/Behaviour.h"
 #include "gap/diagnosis/GapMap.h"
 
 namespace plumbline::gap {
@@ -257,6 +258,12 @@ std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Eva
                                {"floor", number(gap.floor)}});
   j["overlays"] = overlays(evaluator, nominal);
   j["behaviour"] = json::array();
+  for (const Behaviour& b : behaviours(evaluator, nominal))
+    j["behaviour"].push_back({{"what", b.what},
+                              {"unit", b.unit},
+                              {"measured", number(b.measured)},
+                              {"nominal", number(b.nominal)},
+                              {"corrected", number(b.corrected)}});
   j["remarks"] = json::array();
   j["runs"] = json::array();
   for (const RunNotes& run : input.runs) {

@@ -1,0 +1,73 @@
+#include "gap/answer/Behaviour.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../TwoJointArm.h"
+
+namespace plumbline::gap {
+namespace {
+
+/// A body on its feet, seen for 4 s: it turns, tilts, bears on two feet and goes; what it did stands in the
+/// signals.
+Trial seen(const Mechanism& robot) {
+  Trial trial = armTrial(robot, 4);
+  trial.name = "runs/walk";
+  trial.freeBase = true;
+  trial.signals.clear();
+  const auto add = [&](SignalKind kind, int place, int axis, auto&& value) {
+    Signal signal{"x", kind, -1, place, axis, false, {}};
+    for (const double t : trial.time) signal.values.push_back(value(t));
+    trial.signals.push_back(std::move(signal));
+  };
+  add(SignalKind::gyro, -1, 0, [](double t) { return 0.5 + 0.2 * std::sin(2 * M_PI * t); });
+  add(SignalKind::gyro, -1, 1, [](double) { return 0.1; });
+  add(SignalKind::accelerometer, -1, 0, [](double) { return 9.81 * std::sin(0.1); });
+  add(SignalKind::accelerometer, -1, 1, [](double) { return 0.0; });
+  add(SignalKind::accelerometer, -1, 2, [](double) { return 9.81 * std::cos(0.1); });
+  add(SignalKind::force, 0, 0, [](double) { return 30.0; });
+  add(SignalKind::force, 1, 0, [](double) { return 10.0; });
+  add(SignalKind::truth, -1, 0, [](double t) { return 0.1 * t; });
+  add(SignalKind::truth, -1, 1, [](double) { return 2.0; });
+  return trial;
+}
+
+TEST(BehaviourTest, saysWhatTheRunDid) {
+  Mechanism robot = twoJointArm();
+  robot.feet.push_back({});
+  robot.feet.back().name = "LFoot";
+  robot.feet.back().link = 2;
+  robot.feet.back().sensors.emplace_back();
+  robot.feet.push_back(robot.feet.back());
+  const Trial trial = seen(robot);
+  const Evidence evidence({trial});
+  const Evaluator evaluator(robot, evidence);
+  Prediction nominal;
+  for (const Signal& signal : trial.signals) nominal.values.push_back(signal.values);
+  nominal.fell = true;
+  const std::vector<Behaviour> list = behaviours(evaluator, {nominal});
+  ASSERT_EQ(list.size(), 6u);
+  const std::pair<const char*, double> wanted[] = {{"sway (RMS turning rate), walk", 0.2 / std::sqrt(2)},
+                                                   {"largest tilt, walk", 0.1},
+                                                   {"weight on LFoot, walk", 0.75},
+                                                   {"way gone, walk", 0.399},
+                                                   {"mean speed, walk", 0.1},
+                                                   {"fell, walk", 0}};
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    EXPECT_EQ(list[i].what, wanted[i].first);
+    EXPECT_NEAR(list[i].measured, wanted[i].second, 1e-6) << list[i].what;
+  }
+  EXPECT_DOUBLE_EQ(list[0].nominal, list[0].measured);
+  EXPECT_DOUBLE_EQ(list[5].nominal, 1);
+}
+
+TEST(BehaviourTest, aHeldRunHasNone) {
+  const Mechanism arm = twoJointArm();
+  const Evidence evidence({recorded(nominalPlant(arm), armTrial(arm, 2), 5e-4, 1)});
+  const Evaluator evaluator(arm, evidence);
+  EXPECT_TRUE(behaviours(evaluator, {Prediction()}).empty());
+}
+
+}  // namespace
+}  // namespace plumbline::gap
