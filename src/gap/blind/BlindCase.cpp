@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "framework/WriteFile.h"
 #include "gap/record/Secret.h"
 
 namespace plumbline::gap {
@@ -91,7 +92,7 @@ BlindSet parseBlindSet(const std::string& text) {
 
 void writeSealed(const BlindSet& set, const std::string& folder) {
   const std::string text = blindSetText(set);
-  writeText(sealedPath(folder), "sha256 " + sha256(text) + "\n" + seal(text, set.seed) + "\n");
+  writeFile(sealedPath(folder), "sha256 " + sha256(text) + "\n" + seal(text, set.seed) + "\n");
 }
 
 BlindSet readSealed(const std::string& folder) {
@@ -107,16 +108,6 @@ BlindSet readSealed(const std::string& folder) {
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
-}
-
-void writeText(const std::string& path, const std::string& text) {
-  const std::string beside = path + ".new";
-  std::ofstream file(beside, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(beside, path, error);
-  if (!file || error) throw std::runtime_error("cannot write " + path);
 }
 
 std::string motorOf(const Mechanism& robot, const std::string& at) {

@@ -49,9 +49,6 @@ BlindSet parseBlindSet(const std::string& text);
 void writeSealed(const BlindSet& set, const std::string& folder);
 BlindSet readSealed(const std::string& folder);
 
-/// Writes a file beside its place, then renames it. Throws std::runtime_error "cannot write PATH".
-void writeText(const std::string& path, const std::string& text);
-
 /// Hexadecimal SHA-256 (FIPS 180-4).
 std::string sha256(const std::string& text);
 

@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "framework/WriteFile.h"
 #include "gap/diagnosis/Parallel.h"
 #include "gap/effects/Effects.h"
 #include "gap/record/ExcitationFile.h"
@@ -73,12 +74,13 @@ private:
     for (std::size_t i = 0; i < programs.size(); ++i)
       spec["runs"].push_back({{"folder", runName(i)}, {"program", programs[i]}, {"seed", 0}});
     const std::string file = folder + ".case.json", log = folder + ".log";
-    writeText(file, spec.dump());
+    writeFile(file, spec.dump());
     simspark::ChildProcess child({options.program, file, folder}, log);
     while (child.running()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     std::string said, line;
     std::ifstream text(log);
-    while (std::getline(text, line)) said = line;
+    while (std::getline(text, line))
+      if (!line.empty()) said = line;
     fs::remove(file);
     fs::remove(log);
     if (child.exitStatus() != 0) throw std::runtime_error(options.program + " failed: " + said);

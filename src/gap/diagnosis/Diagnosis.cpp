@@ -87,11 +87,24 @@ private:
     search_.progress = [&](double share) {
       if (options.progress) options.progress(stage, share);
     };
-    coarse.setBase(fine.base());
-    Candidates list = search(fine, coarse, possibleCauses(fine), search_);
-    addLostCycles(list);
-    sortByProbability(list);
-    return list;
+    SearchResult known;
+    if (auto remembered = options.memory ? options.memory->find(fine.base()) : std::nullopt) {
+      known = std::move(*remembered);
+      useLostCycles(known.lostCycles);
+    } else {
+      coarse.setBase(fine.base());
+      known.candidates = search(fine, coarse, possibleCauses(fine), search_);
+      addLostCycles(known.candidates);
+      known.lostCycles = fine.lostCycles();
+      if (options.memory) options.memory->keep(fine.base(), known);
+    }
+    sortByProbability(known.candidates);
+    return std::move(known.candidates);
+  }
+
+  void useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycles) {
+    fine.setLostCycles(cycles);
+    coarse.setLostCycles(cycles);
   }
 
   void addLostCycles(Candidates& list) {
@@ -99,10 +112,9 @@ private:
     if (!mostIsOff(fine) ||
         std::ranges::any_of(fine.base(), [&](const Cause& c) { return c.effect == dropout; }))
       return;
-    LostCycles lost = findLostCycles(fine.evidence(), fine.base(), options.jobs);
+    const LostCycles lost = findLostCycles(fine.evidence(), fine.base(), options.jobs);
     if (lost.found < leastLost) return;
-    fine.setLostCycles(lost.cycles);
-    coarse.setLostCycles(std::move(lost.cycles));
+    useLostCycles(lost.cycles);
     Candidate candidate;
     candidate.cause = {dropout, {Site::everywhere, -1, "*"}, lost.share, 0};
     candidate.fit = fine.with(candidate.cause);

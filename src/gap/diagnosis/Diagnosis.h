@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "gap/diagnosis/Evaluator.h"
+#include "gap/diagnosis/SearchMemory.h"
 
 namespace plumbline::gap {
 
@@ -33,6 +33,7 @@ struct GapSize {
 struct DiagnosisOptions {
   int jobs = 1;
   std::size_t maxCauses = 3;
+  SearchMemory* memory = nullptr;  ///< of searches done before; null: none
   std::function<void(const std::string& stage, double share)> progress = {};
 };
 

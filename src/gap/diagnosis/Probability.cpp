@@ -10,11 +10,12 @@ namespace {
 constexpr double engineShare = 0.0007;  // of a sum of squares
 
 /// Every effect is as likely as any other before the data; one whose value can lie on either side of nominal
-/// has half of that for each side, one with an axis a third for each.
+/// shares that between the sides, one with an axis has a third for each.
 double logPrior(const Cause& cause) {
   const Effect& e = *cause.effect;
-  const double sides = e.lower < e.nominal && e.nominal < e.upper ? 2 : 1, axes = e.hasAxis ? 3 : 1;
-  return -std::log(sides * axes);
+  const bool twoSided = e.lower < e.nominal && e.nominal < e.upper;
+  const double side = !twoSided ? 1 : cause.value < e.nominal ? e.belowShare : 1 - e.belowShare;
+  return std::log(side / (e.hasAxis ? 3 : 1));
 }
 
 /// What a sum of squares has to differ by for a nat of evidence: samples are correlated, and where two causes

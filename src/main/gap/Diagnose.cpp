@@ -96,11 +96,19 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   settings.jobs =
       options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   settings.maxCauses = static_cast<std::size_t>(options.maxCauses);
+  const bool toFile = !options.json.empty() && options.json != "-";
+  const std::string memoryFile = toFile ? options.json + ".part" : "";
+  SearchMemory memory(memoryFile, fine);
+  settings.memory = &memory;
+  if (memory.size() > 0 && !options.quiet)
+    std::fprintf(stderr, "gap: goes on from %s (%zu searches done)\n", memoryFile.c_str(), memory.size());
   Diagnosis diagnosis;
   {
     ProgressLine line(options.quiet);
     settings.progress = [&](const std::string& stage, double share) {
-      if (stopRequested()) throw std::runtime_error("stopped; nothing was written");
+      if (stopRequested())
+        throw std::runtime_error(memory.size() > 0 ? "stopped; the same command goes on from " + memoryFile
+                                                   : "stopped; nothing was written");
       line.tell(stage, share);
     };
     diagnosis = diagnose(fine, coarse, settings);
@@ -111,7 +119,8 @@ void diagnoseRuns(const DiagnoseOptions& options) {
     std::fputs(text.c_str(), stdout);
     return;
   }
-  if (!options.json.empty()) writeFile(options.json, text);
+  if (toFile) writeFile(options.json, text);
+  memory.forget();
   std::printf("%s\n", verdictSentence(diagnosis).c_str());
   for (const Finding& finding : diagnosis.findings) {
     std::printf("  %-48s %5.1f %%  [%.3g, %.3g]  closes %.0f %% alone\n", describe(finding.cause).c_str(),

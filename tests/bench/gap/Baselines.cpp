@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "framework/WriteFile.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Search.h"
 #include "gap/replay/TrialOf.h"
@@ -28,7 +29,7 @@ void write(const std::string& folder, const char* way, const std::string& name, 
   }
   const std::filesystem::path place = std::filesystem::path(folder) / way;
   std::filesystem::create_directories(place);
-  writeText((place / (name + ".json")).string(), j.dump(1));
+  writeFile((place / (name + ".json")).string(), j.dump(1));
 }
 
 }  // namespace
@@ -90,7 +91,7 @@ void writeLargestRmse(const BlindCase& c, const std::string& answer, const std::
                     {"effects", {{{"effect", "anything"}, {"at", joint}, {"axis", nullptr}, {"value", 0}}}}};
   const std::filesystem::path place = std::filesystem::path(folder) / "largest_rmse";
   std::filesystem::create_directories(place);
-  writeText((place / (c.name + ".json")).string(), out.dump(1));
+  writeFile((place / (c.name + ".json")).string(), out.dump(1));
 }
 
 }  // namespace plumbline::bench

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "Baselines.h"
+#include "framework/WriteFile.h"
 #include "gap/blind/Make.h"
 #include "gap/blind/Score.h"
 #include "robot/MechanismFile.h"
@@ -176,7 +177,7 @@ void writePage(const BlindSet& set, const std::vector<Way>& ways, const std::vec
       "- An axis is part of the place. A verdict of unknown names nothing, even where its nearest "
       "explanation is right.\n"
       "- Where all runs hang, effects of ground, feet and external forces are not drawn.\n";
-  writeText("doc/results/gap.md", text);
+  writeFile("doc/results/gap.md", text);
 }
 
 }  // namespace
@@ -238,7 +239,7 @@ int main() try {
       if (const Target* t = targetOf(f.id); t && way.id == "diagnosis") entry["target"] = t->value;
       report.push_back(entry);
     }
-  writeText("build/bench/gap.json", report.dump(1) + "\n");
+  writeFile("build/bench/gap.json", report.dump(1) + "\n");
   writePage(set, ways, answers, cpuSeconds, timed);
   std::fputs(scoreTable(ways.front().score).c_str(), stdout);
 } catch (const std::exception& error) {

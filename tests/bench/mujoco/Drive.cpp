@@ -63,6 +63,13 @@ Drive::Drive(const Mechanism& robot, int joint, const std::vector<RealityEffect>
 
 void Drive::start(double q) { current = profile = lagged = rest = bristleAt = q; }
 
+void Drive::carries(double inertia) {
+  const double least = std::min(inertia, armature);
+  gearStiffness = compliance > 0 ? 1 / compliance : std::min(toothStiffness, 0.2 * least / (step * step));
+  gearDamping =
+      std::min((compliance > 0 ? 0.1 : 1.2) * std::sqrt(gearStiffness * armature), 0.3 * least / step);
+}
+
 void Drive::command(double t, double value) { pending.emplace_back(t + delay, value); }
 
 double Drive::encoder(double qRotor, double qLink) const {
@@ -147,14 +154,12 @@ Drive::Torques Drive::update(double t, double qRotor, double vRotor, double qLin
   result.link -= spring * (qLink - rest);
   if (cable > 0 && qLink > rest) result.link -= cable * (qLink - rest);
   if (isGeared()) {
-    const double stiffness = compliance > 0 ? 1 / compliance : toothStiffness;
-    const double damping = (compliance > 0 ? 0.05 : 0.6) * 2 * std::sqrt(stiffness * armature);
     const double apart = qRotor - qLink, beyond = apart - std::clamp(apart, -play / 2, play / 2);
     if (beyond != 0) {
-      result.gear = stiffness * beyond + damping * (vRotor - vLink);
+      result.gear = gearStiffness * beyond + gearDamping * (vRotor - vLink);
       if (result.gear * beyond < 0) result.gear = 0;  // teeth push, they do not pull
     }
-    if (play == 0) result.gear = stiffness * apart + damping * (vRotor - vLink);
+    if (play == 0) result.gear = gearStiffness * apart + gearDamping * (vRotor - vLink);
   }
   const double s = vRotor / stribeckSpeed;
   result.friction = coulomb + stribeck * std::exp(-s * s) + load * std::abs(transmitted);

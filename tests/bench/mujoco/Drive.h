@@ -18,6 +18,9 @@ public:
   double rotorInertia() const { return armature; }
   double viscousFriction() const { return viscous; }
 
+  /// Inertia of what hangs on the gear [kg m^2]: teeth on a light link are taken softer, for the step's sake.
+  void carries(double inertia);
+
   /// A command that is sent at time t; it becomes valid later by the delay.
   void command(double t, double value);
   /// The posture at rest, from which springs pull, and the command of the beginning.
@@ -52,7 +55,8 @@ private:
   double extraDamping = 0;  ///< change of kd beside the back EMF
   bool encoderAtLink;
   double armature = 0, viscous = 0, coulomb = 0, stribeck = 0, stribeckSpeed = 0.1, load = 0;
-  double play = 0, compliance = 0, delay = 0, acceleration = 0, deadBand = 0;
+  double play = 0, compliance = 0, gearStiffness = 0, gearDamping = 0, delay = 0, acceleration = 0,
+         deadBand = 0;
   bool bandIsWhole = false, heatIsWork = false;
   double bias = 0, derating = 0, heat = 0, offset = 0, wobble = 0, wobblePhase = 0;
   double ripple = 0, ripplePeriods = 24, ripplePhase = 0.7;

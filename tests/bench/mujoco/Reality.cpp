@@ -143,6 +143,8 @@ private:
       for (int a = 0; a < 3; ++a) d->xfrc_applied[6 * body + a] += force[a];
     }
     mj_forward(world->model(), d);
+    for (std::size_t j = 0; j < drives.size(); ++j)
+      drives[j].carries(d->qM[world->model()->dof_Madr[world->joint(j).velocity]]);
   }
 
   void step(double t) {

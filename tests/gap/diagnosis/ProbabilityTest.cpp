@@ -7,9 +7,9 @@
 namespace plumbline::gap {
 namespace {
 
-Candidate candidate(const char* id, double judging) {
+Candidate candidate(const char* id, double judging, double value = 1) {
   Candidate c;
-  c.cause = {findEffect(id), {}, 0, 0};
+  c.cause = {findEffect(id), {}, value, 0};
   c.fit.judging = judging;
   return c;
 }
@@ -25,9 +25,15 @@ TEST(ProbabilityTest, aSideOfNominalHasHalfOfThePrior) {
 }
 
 TEST(ProbabilityTest, anAxisHasAThirdOfThePrior) {
-  std::vector<Candidate> list = {candidate("link_mass", 0), candidate("com_offset", 0)};
+  std::vector<Candidate> list = {candidate("bias_force", 0), candidate("com_offset", 0)};
   const std::vector<double> p = probabilities(list);
   EXPECT_NEAR(p[0] / p[1], 3, 1e-9);  // both have two sides
+}
+
+TEST(ProbabilityTest, massIsRatherAddedThanTakenOff) {
+  std::vector<Candidate> list = {candidate("link_mass", 0, 0.1), candidate("link_mass", 0, -0.1)};
+  const std::vector<double> p = probabilities(list);
+  EXPECT_NEAR(p[0] / p[1], 4, 1e-9);
 }
 
 TEST(ProbabilityTest, whatPredictsBetterWinsByTheTemperature) {
