@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "training/WalkTraining.h"
+#include "training/WalkingRobot.h"
 
 // bin/optimizewalk: finds the walk of a robot type in the simulator.
 

@@ -55,13 +55,14 @@ LegKinematics::LegKinematics(const RobotModel& model, Side side_) : side(side_) 
 
   const Link& foot = *link[5];
   const Vec3 footHalf = foot.shape.size / 2;
-  double front = foot.com.x() + footHalf.x();
-  const double back = foot.com.x() - footHalf.x();
+  const Vec3 middle = foot.shape.T_link_shape.translation();
+  double front = middle.x() + footHalf.x();
+  const double back = middle.x() - footHalf.x();
   if (model.has(static_cast<JointId>(first + 6))) {
     const Link& toe = model.linkMovedBy(static_cast<JointId>(first + 6));
     front = std::max(front, toe.origin.x() + toe.com.x() + toe.shape.size.x() / 2);
   }
-  T_foot_sole_ = translation((front + back) / 2, foot.com.y(), foot.com.z() - footHalf.z());
+  T_foot_sole_ = translation((front + back) / 2, middle.y(), middle.z() - footHalf.z());
   soleHalfSize_ = Vec2((front - back) / 2, footHalf.y());
 }
 
@@ -84,12 +85,7 @@ LegSolution LegKinematics::solve(const Pose3& T_torso_sole) const {
   // Hip seen from the ankle's pitch axis, in the ankle's frame: only x and z.
   const Vec3 ankleToHip = R_torso_ankle.transpose() * (hip_ - T_torso_foot.translation()) + rollOffset;
 
-  const double wanted = ankleToHip.norm();
-  const double distance = std::clamp(wanted, minReach_, maxReach_);
-  solution.reachable = std::abs(distance - wanted) < exact;
-  const double cosBend = (distance * distance - thighLength * thighLength - shankLength * shankLength) /
-                         (2 * thighLength * shankLength);
-  q[3] = std::acos(std::clamp(cosBend, -1.0, 1.0)) - bendAtZero;
+  q[3] = kneeFor(ankleToHip.norm(), solution.reachable);
 
   // Ankle pitch: direction of the hip at this knee angle and ankle pitch 0, against the wanted one.
   const Mat3 R_knee = Eigen::AngleAxisd(-q[3], Vec3::UnitY()).toRotationMatrix();
@@ -107,12 +103,50 @@ LegSolution LegKinematics::solve(const Pose3& T_torso_sole) const {
   q[1] = std::asin(std::clamp(m(2, 1), -1.0, 1.0)) + outside * pi / 4;
   q[2] = std::atan2(-m(2, 0), m(2, 2));
 
-  for (std::size_t i = 0; i < 6; ++i) {
-    const double clipped = std::clamp(q[i], lower[i], upper[i]);
-    if (std::abs(clipped - q[i]) > exact) solution.reachable = false;
-    q[i] = clipped;
-  }
+  clip(solution);
   return solution;
+}
+
+LegSolution LegKinematics::solve(const Pose3& T_torso_sole, double hipYawPitch) const {
+  if (rollOffset.norm() > exact)
+    throw std::logic_error("a leg whose ankle axes do not meet has no solution for a given hip yaw pitch");
+  LegSolution solution;
+  LegAngles& q = solution.angles;
+  const double outside = side == Side::left ? 1 : -1;
+  const Pose3 T_torso_foot = T_torso_sole * T_foot_sole_.inverse();
+  const Mat3 R_torso_pelvis =
+      Eigen::AngleAxisd(hipYawPitch, Vec3(0, 1, -outside).normalized()).toRotationMatrix();
+  const Vec3 ankle = R_torso_pelvis.transpose() * (T_torso_foot.translation() - hip_);
+  q[0] = hipYawPitch;
+  q[1] = std::atan2(ankle.y(), -ankle.z());
+  q[3] = kneeFor(ankle.norm(), solution.reachable);
+  // Direction of the ankle in the leg's plane against that at hip pitch 0.
+  const Vec3 inPlane = rotationX(-q[1]).linear() * ankle;
+  const Vec3 atZero = kneeOffset + rotationY(q[3]).linear() * ankleOffset;
+  q[2] = std::remainder(pitchOf(-inPlane) - pitchOf(-atZero), 2 * pi);
+  const Mat3 R_torso_shank = R_torso_pelvis * (rotationX(q[1]) * rotationY(q[2] + q[3])).linear();
+  const Vec3 up = R_torso_shank.transpose() * T_torso_foot.linear().col(2);
+  q[4] = std::atan2(up.x(), up.z());
+  q[5] = -std::asin(std::clamp(up.y(), -1.0, 1.0));
+  clip(solution);
+  return solution;
+}
+
+double LegKinematics::kneeFor(double wanted, bool& reachable) const {
+  const double distance = std::clamp(wanted, minReach_, maxReach_);
+  reachable = std::abs(distance - wanted) < exact;
+  const double cosBend = (distance * distance - thighLength * thighLength - shankLength * shankLength) /
+                         (2 * thighLength * shankLength);
+  return std::acos(std::clamp(cosBend, -1.0, 1.0)) - bendAtZero;
+}
+
+void LegKinematics::clip(LegSolution& solution) const {
+  for (std::size_t i = 0; i < 6; ++i) {
+    double& q = solution.angles[i];
+    const double clipped = std::clamp(q, lower[i], upper[i]);
+    if (std::abs(clipped - q) > exact) solution.reachable = false;
+    q = clipped;
+  }
 }
 
 Pose3 LegKinematics::sole(const LegAngles& q) const {

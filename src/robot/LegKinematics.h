@@ -26,6 +26,11 @@ public:
   /// Joint angles that bring the sole to the pose T_torso_sole.
   LegSolution solve(const Pose3& T_torso_sole) const;
 
+  /// The same with the hip yaw pitch given (a robot whose legs share that motor): the ankle comes where the
+  /// pose has it and the sole lies in its plane; its heading is what the hip makes of it. Throws
+  /// std::logic_error for a leg whose ankle axes do not meet.
+  LegSolution solve(const Pose3& T_torso_sole, double hipYawPitch) const;
+
   /// Sole of the leg with these angles, by the leg's own short chain.
   Pose3 sole(const LegAngles& angles) const;
 
@@ -44,6 +49,8 @@ public:
 
 private:
   double reach(double knee) const;
+  double kneeFor(double wanted, bool& reachable) const;
+  void clip(LegSolution& solution) const;
 
   Side side;
   Vec3 hip_, kneeOffset, ankleOffset,

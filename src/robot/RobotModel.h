@@ -39,6 +39,7 @@ struct RobotModel {
   std::string name;
   std::vector<Link> links;
   std::array<int, numJoints> linkOfJoint{};  ///< link moved by a joint, -1 if the robot lacks it
+  bool sharedHipYawPitch = false;  ///< one motor turns both hips' yaw pitch by the same angle, as in the NAO
 
   bool has(JointId joint) const { return linkOfJoint[joint] >= 0; }
   const Link& linkMovedBy(JointId joint) const { return links[static_cast<std::size_t>(linkOfJoint[joint])]; }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "optimization/Cmaes.h"
+#include "training/WalkingRobot.h"
 
 namespace plumbline::walking {
 namespace {

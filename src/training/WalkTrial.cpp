@@ -5,7 +5,7 @@
 namespace plumbline::walking {
 namespace {
 
-constexpr double cycle = 0.02, enough = 9;
+constexpr double enough = 9;
 
 WalkRequest fullSpeed(Task task, double sign) {
   switch (task) {
@@ -51,30 +51,30 @@ WalkRequest nearly(WalkRequest full, Random& random, const WalkParameters& p) {
 
 class Try {
 public:
-  Try(WalkingRobot& robot, Random& random, double push) : robot(robot), random(random), push(push) {}
+  Try(Walker& robot, Random& random, double push) : robot(robot), random(random), push(push) {}
 
   bool step(const WalkRequest& request) {
-    if (push > 0 && random.uniform() < cycle) {
+    if (push > 0 && random.uniform() < robot.cycle) {
       const double direction = random.uniform(-pi, pi), size = random.uniform(0, push);
       robot.push(size * Vec3(std::cos(direction), std::sin(direction), 0));
     }
     return robot.step(request);
   }
   bool run(const WalkRequest& request, double seconds) {
-    for (double t = 0; t < seconds; t += cycle)
+    for (double t = 0; t < seconds; t += robot.cycle)
       if (!step(request)) return false;
     return true;
   }
 
 private:
-  WalkingRobot& robot;
+  Walker& robot;
   Random& random;
   double push;
 };
 
 /// One try in one direction; false if it ended in a fall.
-bool tryDirection(WalkingRobot& robot, Random& random, const WalkParameters& p, Task task,
-                  const TrialSetup& setup, TrialResult& result) {
+bool tryDirection(Walker& robot, Random& random, const WalkParameters& p, Task task, const TrialSetup& setup,
+                  TrialResult& result) {
   Try attempt(robot, random, setup.push);
   robot.restart(Pose2(-14, 5));  // clear of goals and walls
   const double sign = random.uniform() < 0.5 ? -1 : 1;
@@ -89,7 +89,7 @@ bool tryDirection(WalkingRobot& robot, Random& random, const WalkParameters& p, 
       const double end = std::min(setup.seconds, t + duration), turned = robot.turned();
       Vec2 way = Vec2::Zero();
       const double begin = t;
-      for (; upright && t < end; t += cycle) {
+      for (; upright && t < end; t += robot.cycle) {
         upright = attempt.step(request);
         way += robot.moved.position;
         const Pose2 place = robot.pose();
@@ -112,7 +112,7 @@ bool tryDirection(WalkingRobot& robot, Random& random, const WalkParameters& p, 
   return upright && attempt.run({}, 1.6) && robot.output.standing;
 }
 
-TrialResult tryMixture(WalkingRobot& robot, const WalkParameters& p, const TrialSetup& setup) {
+TrialResult tryMixture(Walker& robot, const WalkParameters& p, const TrialSetup& setup) {
   TrialResult result;
   const double minutes = setup.tries * setup.seconds / 60;
   Random random(setup.seed);
@@ -126,7 +126,7 @@ TrialResult tryMixture(WalkingRobot& robot, const WalkParameters& p, const Trial
     time += duration;
     Pose2 walked, told;
     bool upright = true;
-    for (double t = 0; upright && t < duration; t += cycle) {
+    for (double t = 0; upright && t < duration; t += robot.cycle) {
       upright = attempt.step(request);
       walked = walked * robot.moved;
       told = told * robot.output.odometry;
@@ -159,7 +159,7 @@ TrialResult tryMixture(WalkingRobot& robot, const WalkParameters& p, const Trial
 
 }  // namespace
 
-TrialResult tryWalk(WalkingRobot& robot, const WalkGaits& gaits, Task task, const TrialSetup& setup) {
+TrialResult tryWalk(Walker& robot, const WalkGaits& gaits, Task task, const TrialSetup& setup) {
   robot.use(gaits);
   if (task == Task::mixture) return tryMixture(robot, gaits.base, setup);
   TrialResult result;

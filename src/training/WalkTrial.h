@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "training/WalkingRobot.h"
+#include "training/Walker.h"
 
 namespace plumbline::walking {
 
@@ -28,6 +28,6 @@ struct TrialSetup {
 
 /// Lets the robot do the task: from a stand at full speed for some seconds, then to a stop; pushed and asked
 /// for small changes at random on the way.
-TrialResult tryWalk(WalkingRobot& robot, const WalkGaits& gaits, Task task, const TrialSetup& setup);
+TrialResult tryWalk(Walker& robot, const WalkGaits& gaits, Task task, const TrialSetup& setup);
 
 }  // namespace plumbline::walking

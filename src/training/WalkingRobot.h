@@ -7,7 +7,7 @@
 #include "math/TorsoAngleFilter.h"
 #include "robot/JointVelocityControl.h"
 #include "simulation/LocalRobot.h"
-#include "walking/WalkEngine.h"
+#include "training/Walker.h"
 
 namespace plumbline::walking {
 
@@ -41,34 +41,50 @@ inline WalkGaits withoutFeedback(WalkGaits gaits) {
   return gaits;
 }
 
-/// A robot in a world of its own that walks with the engine and senses with the league's resolution of 0.01
-/// degrees and 0.01 m/s^2.
-class WalkingRobot {
+/// A robot of the league in a world of its own; it senses with the league's resolution of 0.01 degrees and
+/// 0.01 m/s^2.
+class WalkingRobot : public Walker {
 public:
   explicit WalkingRobot(int type) : WalkingRobot(type, readWalkGaits(type)) {}
   WalkingRobot(int type, const WalkGaits& gaits)
-      : model(simsparkRobot(type)), local(model), engine(gaits, model), control(model) {
-    restart();
-  }
-  /// Walks with other parameters from now on, standing.
-  void use(const WalkGaits& gaits) {
-    engine = WalkEngine(gaits, model);
+      : Walker(simsparkRobot(type), gaits, 0.02), local(model), control(model) {
     restart();
   }
 
-  /// Stands at a place of the field.
-  void restart(const Pose2& place = {}) {
-    engine.reset();
+  /// Changes the velocity of the whole body at once, as a push on its centre of mass does.
+  void push(const Vec3& change) override {
+    simulation::BodyState torso = local.torso();
+    torso.linearVelocity += change;
+    local.world().setVelocities(local.robot(), torso, rates());
+  }
+
+  Pose3 torso() const override { return local.torso().pose; }
+  Vec2 comVelocity() override {
+    Vec3 momentum = Vec3::Zero();
+    double mass = 0;
+    for (std::size_t i = 0; i < model.links.size(); ++i) {
+      momentum +=
+          model.links[i].mass * local.world().linkState(local.robot(), static_cast<int>(i)).linearVelocity;
+      mass += model.links[i].mass;
+    }
+    return Eigen::Rotation2Dd(-pose().heading) * Vec2(momentum.head<2>() / mass);
+  }
+
+  simulation::LocalRobot local;
+
+private:
+  void put(const Pose2& place, const JointArray& angles) override {
     control.reset();
     filter.reset();
-    local.restart(place, engine.stand().angles);
-    lastPose = pose();
+    local.restart(place, angles);
     lastAngles = local.sense().angle;
-    turned_ = 0;
   }
-
-  /// One cycle; false when the robot lies.
-  bool step(const WalkRequest& request) {
+  void move(const Vec2& place) override {
+    simulation::BodyState torso = local.torso();
+    torso.pose.translation().head<2>() = place;
+    local.world().setState(local.robot(), torso, local.sense().angle, rates());
+  }
+  WalkSensors sense() override {
     WalkSensors sensors;
     const simulation::RobotReadings& sensed = local.sense();
     lastAngles = sensed.angle;
@@ -82,64 +98,15 @@ public:
     sensors.feet = feltFeet(sensed);
     filter.update(sensors.gyro, acc, sensors.dt);
     sensors.torsoAngles = Vec2(filter.roll(), filter.pitch());
-    output = engine.update(request, sensors);
+    return sensors;
+  }
+  void act(const WalkOutput& output, const WalkSensors& sensors) override {
+    JointArray targets = output.angles;
     // The head looks around.
-    output.angles[headYaw] = 1.2 * std::sin(2 * local.time());
-    output.angles[headPitch] = 0.3 * std::sin(3.1 * local.time());
-    local.act(control.update(sensors.angles, output.angles, sensors.dt));
-
-    const Pose2 now = pose();
-    moved = lastPose.inverse() * now;
-    turned_ += moved.heading;
-    lastPose = now;
-    return !local.fallen();
+    targets[headYaw] = 1.2 * std::sin(2 * local.time());
+    targets[headPitch] = 0.3 * std::sin(3.1 * local.time());
+    local.act(control.update(sensors.angles, targets, sensors.dt));
   }
-  /// Many cycles; false as soon as the robot lies.
-  bool run(const WalkRequest& request, double seconds) {
-    for (long i = std::lround(seconds / cycleSeconds); i > 0; --i)
-      if (!step(request)) return false;
-    return true;
-  }
-
-  /// Goes on walking at another place, heading as before.
-  void carry(const Vec2& place) {
-    simulation::BodyState torso = local.torso();
-    torso.pose.translation().head<2>() = place;
-    local.world().setState(local.robot(), torso, local.sense().angle, rates());
-    lastPose = pose();
-  }
-  /// Changes the velocity of the whole body at once, as a push on its centre of mass does [m/s, world].
-  void push(const Vec3& change) {
-    simulation::BodyState torso = local.torso();
-    torso.linearVelocity += change;
-    local.world().setVelocities(local.robot(), torso, rates());
-  }
-
-  /// Place of the torso on the field.
-  Pose2 pose() const {
-    const Pose3 torso = local.torso().pose;
-    return Pose2(Vec2(torso.translation().head<2>()), std::atan2(torso.linear()(1, 0), torso.linear()(0, 0)));
-  }
-  /// True velocity of the centre of mass over the ground, in the torso's heading [m/s].
-  Vec2 comVelocity() {
-    Vec3 momentum = Vec3::Zero();
-    double mass = 0;
-    for (std::size_t i = 0; i < model.links.size(); ++i) {
-      momentum +=
-          model.links[i].mass * local.world().linkState(local.robot(), static_cast<int>(i)).linearVelocity;
-      mass += model.links[i].mass;
-    }
-    return Eigen::Rotation2Dd(-pose().heading) * Vec2(momentum.head<2>() / mass);
-  }
-  double turned() const { return turned_; }  ///< since the restart, without wrapping [rad]
-
-  const RobotModel model;
-  simulation::LocalRobot local;
-  WalkEngine engine;
-  WalkOutput output;
-  Pose2 moved;  ///< in the last cycle
-
-private:
   /// As the league's server prints it.
   static FootSensors feltFeet(const simulation::RobotReadings& sensed) {
     const auto felt = [](const std::optional<simulation::FootForce>& f) -> std::optional<FootContact> {
@@ -156,18 +123,14 @@ private:
   }
   JointArray rates() const {
     JointArray rates{};
-    for (std::size_t j = 0; j < numJoints; ++j)
-      rates[j] = (local.sense().angle[j] - lastAngles[j]) / cycleSeconds;
+    for (std::size_t j = 0; j < numJoints; ++j) rates[j] = (local.sense().angle[j] - lastAngles[j]) / cycle;
     return rates;
   }
-  static constexpr double cycleSeconds = 0.02;
   static double rounded(double value, double unit) { return std::round(value / unit) * unit; }
 
   JointVelocityControl control;
   TorsoAngleFilter filter;
-  Pose2 lastPose;
   JointArray lastAngles{};
-  double turned_ = 0;
 };
 
 }  // namespace plumbline::walking

@@ -25,8 +25,15 @@ bool BodyPosture::solve(const std::array<FootPlacement, 2>& feet, const TorsoPla
   for (int i = 0; i < iterations; ++i) {
     T_com_torso.translation() = Vec3(offset.x(), offset.y(), torso.hipHeight - hips.z());
     reachable = true;
+    std::array<LegSolution, 2> solution;
+    for (std::size_t l = 0; l < 2; ++l) solution[l] = legs[l].solve(T_com_torso.inverse() * soles[l]);
+    if (robot.sharedHipYawPitch) {
+      const double shared = (solution[0].angles[0] + solution[1].angles[0]) / 2;
+      for (std::size_t l = 0; l < 2; ++l)
+        solution[l] = legs[l].solve(T_com_torso.inverse() * soles[l], shared);
+    }
     for (const Side side : {Side::left, Side::right}) {
-      const LegSolution leg = legs[index(side)].solve(T_com_torso.inverse() * soles[index(side)]);
+      const LegSolution& leg = solution[index(side)];
       reachable = reachable && leg.reachable;
       std::copy(leg.angles.begin(), leg.angles.end(), angles.begin() + firstLegJoint(side));
     }

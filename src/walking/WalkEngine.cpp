@@ -6,10 +6,12 @@
 #include "walking/Approach.h"
 #include "walking/BodyCommand.h"
 #include "walking/ClosedLoop.h"
+#include "walking/FallGuard.h"
 #include "walking/KickStep.h"
 #include "walking/LinearInvertedPendulum.h"
 #include "walking/SpeedControl.h"
 #include "walking/StepPlanner.h"
+#include "walking/SupportSwitch.h"
 #include "walking/SwingTrajectory.h"
 #include "walking/TorsoTilt.h"
 #include "walking/WalkOdometry.h"
@@ -54,6 +56,8 @@ public:
     for (const Side side : {Side::left, Side::right})
       state.foot[index(side)] = Pose2(-p.copForward, outward(side) * p.feetDistance / 2);
     tilt = {};
+    contact.reset();
+    fall.reset();
     motion = {};
     loop.reset();
     recorder.reset();
@@ -69,6 +73,9 @@ public:
     const WalkRequest request = withTarget(asked);
     follow(request, sensors.dt);
     tilt.update(sensors, lean(), p);
+    contact.update(sensors);
+    fall.update(sensors.torsoAngles - Vec2(0, lean()), sensors.gyro.head<2>(), sensors.dt,
+                {.roll = p.fallRoll, .pitch = p.fallPitch, .lead = p.fallLead});
     motion = {};
     observe(sensors);
     advance(request, sensors.dt);
@@ -92,6 +99,14 @@ public:
     out.standing = mode == Mode::stand && atRest();
     out.velocity = speed.velocity();
     out.turn = speed.turn();
+    for (const Side side : {Side::left, Side::right}) {
+      double* leg = &out.hardness[static_cast<std::size_t>(firstLegJoint(side))];
+      leg[0] = leg[1] = leg[2] = p.hipHardness;
+      leg[3] = p.kneeHardness;
+      leg[4] = leg[5] = p.ankleHardness;
+    }
+    out.falling = fall.falling();
+    if (out.falling) out.hardness.fill(0);
     return out;
   }
 
@@ -237,7 +252,7 @@ private:
 
   double walk(const WalkRequest& request, double left) {
     const Side support = state.supportSide();
-    const WalkAction action = planStep();
+    const WalkAction action = contact.adapted(planStep(), state, phase, elapsed, left, p);
     stepTarget = action.stepTarget;
     const WalkState end = model.predict(state, action);
     if (action.duration <= left) {
@@ -315,6 +330,8 @@ private:
   Mode mode = Mode::stand;
   SpeedControl speed;  ///< that the walk aims at now
   TorsoTilt tilt;
+  SupportSwitch contact;
+  FallGuard fall;
   double elapsed = 0;  ///< of the step or of the shift before the first one [s]
   double phase = 0;
   Side first = Side::left;  ///< carries in the first step

@@ -39,6 +39,15 @@ struct WalkOutput {
   bool standing = true;           ///< both feet on the ground and at rest: another motion may begin
   Vec2 velocity = Vec2::Zero();   ///< walked now, mean over the step [m/s]
   double turn = 0;                ///< [rad/s]
+  /// Joint hardness (section 4.2.6), 0 .. 1, for robots that have it; all 0 while falling.
+  JointArray hardness = fullHardness();
+  bool falling = false;  ///< cannot be stopped any more (FallGuard); until reset() or at rest upright
+
+  static constexpr JointArray fullHardness() {
+    JointArray all{};
+    for (double& one : all) one = 1;
+    return all;
+  }
 };
 
 /// The walk of chapter 4 (Seekircher 2015): every cycle the walk state is drawn to what is observed, the step

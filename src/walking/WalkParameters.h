@@ -82,6 +82,23 @@ struct WalkParameters {
   double observationVelocity = 0;  ///< the same of the velocity
   double imuAverage = 0;           ///< time over which IMU and legs are compared, 0: the IMU is right [s]
 
+  // Force sensors: when a step ends
+  double contactShare = 0;  ///< of the weight on the swing foot that makes it carry, 0: steps end as planned
+  double contactPhase = 0.7;  ///< but not before this share of the step
+  double contactWait = 0;     ///< a step lasts so much longer at most where the ground is not there yet [s]
+
+  // Servos, where the platform has them
+  double hipHardness = 1;    ///< stiffness of the joints, 0 .. 1
+  double kneeHardness = 1;   ///< the same
+  double ankleHardness = 1;  ///< the same
+  double loadLead = 0;  ///< share of what a servo gives way under the robot's weight that targets lead by
+  double rateLead = 0;  ///< the same of its lag behind a moving target
+
+  // Fall: torso's angle plus fallLead times its rate, beyond which it cannot be stopped any more
+  double fallRoll = 0;     ///< [rad]; 0: the walk does not look
+  double fallPitch = 0;    ///< [rad]; 0: the walk does not look
+  double fallLead = 0.16;  ///< [s]
+
   // Torso
   double torsoMeasured = 0;      ///< share of its measured tilt that the legs are placed for
   double torsoRoll = 0;          ///< lean to the supporting leg in the middle of a step [rad]

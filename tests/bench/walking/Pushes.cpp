@@ -5,6 +5,7 @@
 #include "bench/walking/Sections.h"
 #include "math/Random.h"
 #include "training/WalkTrial.h"
+#include "training/WalkingRobot.h"
 
 namespace plumbline::bench {
 namespace {

@@ -1,0 +1,91 @@
+#pragma once
+#include <cmath>
+
+#include "math/Pose2.h"
+#include "walking/WalkEngine.h"
+
+namespace plumbline::walking {
+
+/// A robot in a world of its own that walks with the engine, whatever robot and whatever physics: what
+/// training, tests and benchmarks see of it.
+class Walker {
+public:
+  virtual ~Walker() = default;
+  Walker(const Walker&) = delete;
+  Walker& operator=(const Walker&) = delete;
+
+  /// Walks with other parameters from now on, standing.
+  void use(const WalkGaits& gaits) {
+    engine = WalkEngine(gaits, model);
+    restart();
+  }
+
+  /// Stands at a place of the ground.
+  void restart(const Pose2& place = {}) {
+    engine.reset();
+    put(place, engine.stand().angles);
+    lastPose = pose();
+    turned_ = 0;
+  }
+
+  /// One cycle; false when the robot lies.
+  bool step(const WalkRequest& request) {
+    const WalkSensors sensors = sense();
+    output = engine.update(request, sensors);
+    act(output, sensors);
+    const Pose2 now = pose();
+    moved = lastPose.inverse() * now;
+    turned_ += moved.heading;
+    lastPose = now;
+    return !fallen();
+  }
+  /// Many cycles; false as soon as the robot lies.
+  bool run(const WalkRequest& request, double seconds) {
+    for (long i = std::lround(seconds / cycle); i > 0; --i)
+      if (!step(request)) return false;
+    return true;
+  }
+
+  /// Goes on walking at another place, heading as before.
+  void carry(const Vec2& place) {
+    move(place);
+    lastPose = pose();
+  }
+  /// A push on the robot within the coming cycle that changes its momentum by its mass times this
+  /// [m/s, world].
+  virtual void push(const Vec3& change) = 0;
+
+  virtual Pose3 torso() const = 0;
+  /// Place of the torso over the ground.
+  Pose2 pose() const {
+    const Pose3 T = torso();
+    return Pose2(Vec2(T.translation().head<2>()), std::atan2(T.linear()(1, 0), T.linear()(0, 0)));
+  }
+  /// Whether the torso leans by more than 60 degrees.
+  bool fallen() const { return torso().linear()(2, 2) < 0.5; }
+  /// True velocity of the centre of mass over the ground, in the torso's heading [m/s].
+  virtual Vec2 comVelocity() = 0;
+  double turned() const { return turned_; }  ///< since the restart, without wrapping [rad]
+
+  const RobotModel model;
+  const double cycle;  ///< of control [s]
+  WalkEngine engine;
+  WalkOutput output;
+  Pose2 moved;  ///< in the last cycle
+
+protected:
+  Walker(const RobotModel& model_, const WalkGaits& gaits, double cycle_)
+      : model(model_), cycle(cycle_), engine(gaits, model) {}
+
+private:
+  virtual void put(const Pose2& place, const JointArray& angles) = 0;
+  virtual void move(const Vec2& place) = 0;
+  virtual WalkSensors sense() = 0;
+  /// Commands what the engine says and lets a cycle pass.
+  virtual void act(const WalkOutput& output, const WalkSensors& sensors) = 0;
+
+  Pose2 lastPose;
+  double turned_ = 0;
+};
+
+}  // namespace plumbline::walking
