@@ -13,8 +13,8 @@ struct Behaviour {
   double measured = 0, nominal = 0, corrected = 0;
 };
 
-/// Of every run with a free base: how its torso swayed and tilted, how its weight lay on the feet, how far and
-/// how fast it went where an outside system saw it, whether it fell. nominal: predictions per trial;
+/// Of every run with a free base: how its torso swayed and tilted, how its weight lay on the feet, how far
+/// and how fast it went where an outside system saw it, whether it fell. nominal: predictions per trial;
 /// corrected: the evaluator's base.
 std::vector<Behaviour> behaviours(const Evaluator& evaluator, const std::vector<Prediction>& nominal);
 

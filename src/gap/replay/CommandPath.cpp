@@ -7,6 +7,8 @@ namespace plumbline::gap {
 
 namespace {
 
+constexpr double profileStep = 0.00025;  // [s]: servos run their profiles far faster than a replay's steps
+
 double firstFinite(const std::vector<double>& values) {
   for (const double value : values)
     if (std::isfinite(value)) return value;
@@ -47,11 +49,9 @@ double CommandPath::target(double from, double to) {
   return to > since ? (sum + current * (to - since)) / (to - from) : current;
 }
 
-double CommandPath::over(double from, double to) {
-  const double wanted = target(from, to);
-  if (acceleration <= 0) return wanted;
+double CommandPath::profileOver(double from, double to) {
   // The fastest approach that still can stop at the target (time-optimal, bang-bang).
-  const double h = to - from, before = profile, error = wanted - profile;
+  const double h = to - from, before = profile, error = target(from, to) - profile;
   const double best = std::copysign(std::sqrt(2 * acceleration * std::abs(error)), error);
   const double limited = std::clamp(best, speed - acceleration * h, speed + acceleration * h);
   speed =
@@ -60,6 +60,15 @@ double CommandPath::over(double from, double to) {
           : limited;
   profile += speed * h;
   return (before + profile) / 2;
+}
+
+double CommandPath::over(double from, double to) {
+  if (acceleration <= 0) return target(from, to);
+  const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / profileStep - 1e-9)));
+  const double h = (to - from) / steps;
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) sum += profileOver(from + i * h, i + 1 == steps ? to : from + (i + 1) * h);
+  return sum / steps;
 }
 
 }  // namespace plumbline::gap

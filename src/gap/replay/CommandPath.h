@@ -20,10 +20,10 @@ public:
   double over(double from, double to);
   double stiffness() const { return stiff; }  ///< at the end of the last interval asked for
   double voltage() const { return volts; }    ///< measured supply then; 0: not measured
-  bool commanded() const { return !(command && command->empty()); }
 
 private:
   double target(double from, double to);
+  double profileOver(double from, double to);
 
   const std::vector<double>*command = nullptr, *stiffnesses = nullptr, *voltages = nullptr;
   const std::vector<double>& time;
