@@ -18,9 +18,10 @@ namespace {
 constexpr double present = 0.9;           // worst gap over noise below which nothing is looked for
 constexpr double unexplained = 1.3;       // worst gap over noise that may remain
 constexpr double unexplainedShare = 0.2;  // the same, of what was there
-constexpr double rivalShare = 0.01;       // probability that is worth a word
-constexpr double hopeless = 0.3;          // of the best candidate's gain lost: not tried as a further cause
-constexpr double otherStart = 0.5;        // of the best first cause's gain: what gains less is no other start
+constexpr double mostOfIt = 0.6;
+constexpr double rivalShare = 0.01;  // probability that is worth a word
+constexpr double hopeless = 0.3;     // of the best candidate's gain lost: not tried as a further cause
+constexpr double otherStart = 0.5;   // of the best first cause's gain: what gains less is no other start
 constexpr std::size_t tries = 3, otherStarts = 3;
 constexpr int evaluations = 40;  // of values that are fitted together
 constexpr std::size_t fewChains = 3;
@@ -127,6 +128,7 @@ private:
   bool accept(const Candidates& list) {
     if (list.empty()) return false;
     const Standing before(fine);
+    const double part = leastPart();
     const Explanation old = fine.base();
     const double front = list.front().fit.judging, least = front + hopeless * (before.judging() - front);
     Explanation best;
@@ -137,7 +139,7 @@ private:
       tried.push_back(list[i].cause);
       fine.setBase(old);
       fine.setBase(fitTogether(fine, tried, evaluations, options.jobs));
-      if (fine.baseFit().judging < bestJudging && before.betteredBy(fine)) {
+      if (fine.baseFit().judging < bestJudging && before.betteredBy(fine, part)) {
         best = fine.base();
         bestJudging = fine.baseFit().judging;
       }
@@ -146,15 +148,18 @@ private:
     return !best.empty();
   }
 
-  /// What must remain for a further cause to be looked for.
-  double enough() const {
-    return found.empty() ? present : std::max(present, unexplainedShare / 2 * result.worstBefore);
+  /// The share of what is unexplained that a further cause has to explain: where little is left of a large
+  /// gap, that may be what the effects found do otherwise in reality, and only what explains most of it
+  /// counts.
+  double leastPart() const {
+    const bool little = worstGap(fine).size < unexplainedShare / 2 * result.worstBefore;
+    return !fine.base().empty() && little ? mostOfIt : 0;
   }
   double mayRemain() const { return std::max(unexplained, unexplainedShare * result.worstBefore); }
 
   /// Adds causes from the base on until none earns its place.
   void grow() {
-    while (found.size() < options.maxCauses && worstGap(fine).size >= enough()) {
+    while (found.size() < options.maxCauses && worstGap(fine).size >= present) {
       Candidates list = candidates(found.empty() ? "first cause" : "further cause");
       if (!accept(list)) {
         if (choices.empty()) choices.push_back(std::move(list));

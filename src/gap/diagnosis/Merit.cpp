@@ -71,12 +71,12 @@ Standing::Standing(const Evaluator& evaluator)
     predictions.push_back(evaluator.basePrediction(t));
 }
 
-bool Standing::betteredBy(const Evaluator& evaluator) const {
+bool Standing::betteredBy(const Evaluator& evaluator, double leastPart) const {
   const double gain = fit.judging - evaluator.baseFit().judging;
   // Real robots have more than one thing missing: the worst channel may wait for the next cause.
   const bool lowers =
       worstGap(evaluator).size < lowerShare * worst + lowerWithin || gain > leastShare * excess;
-  return lowers && gain >= leastGain && consistent(fit, evaluator.baseFit()) &&
+  return lowers && gain >= std::max(leastGain, leastPart * excess) && consistent(fit, evaluator.baseFit()) &&
          largestChange(evaluator, predictions) >= visible;
 }
 

@@ -16,7 +16,8 @@ public:
 
   /// Whether the evaluator's present base earns the place of what was added to it: it lowers the worst
   /// channel or a good part of the whole, by no accident of a few blocks, and changes something visibly.
-  bool betteredBy(const Evaluator& evaluator) const;
+  /// leastPart: of the sum of squares beyond noise, that it has to explain.
+  bool betteredBy(const Evaluator& evaluator, double leastPart = 0) const;
 
 private:
   Fit fit;

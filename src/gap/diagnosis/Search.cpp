@@ -12,6 +12,7 @@ namespace {
 constexpr double nothing = 0.005;  // of the best promise: an effect that promises less has no other start
 constexpr std::size_t lookTwice = 60, leastRefined = 4;
 constexpr double refineShare = 0.2;  // of the best first look's gain: what promises less is not fitted
+constexpr double keptPromise = 0.5;  // of the first look's: below that its effect is looked at in between
 constexpr double polishShare = 0.7;  // of the best fit's gain: what gains less is no rival of the best
 constexpr ValueSearch roughly = {.step = 0.5, .tolerance = 0.02, .bracket = 8, .within = 6};
 constexpr ValueSearch finely = {.step = 0.08, .tolerance = 0.004, .bracket = 6, .within = 4};
@@ -61,6 +62,11 @@ TrialMask showing(const Evaluator& evaluator, const Cause& cause, TrialMask mask
 
 bool oneStart(const Cause& a, const Cause& b) { return a.sameKind(b) && a.variant == b.variant; }
 
+/// A candidate with the value that its first look was at.
+struct Lead : Candidate {
+  Cause start;
+};
+
 class Searcher {
 public:
   Searcher(const Evaluator& fine_, const Evaluator& coarse_, const SearchOptions& options_)
@@ -77,7 +83,7 @@ public:
                      [](const Candidate& a, const Candidate& b) { return a.fit.judging < b.fit.judging; });
     // One of each kind: its better variant.
     std::vector<Candidate> result;
-    for (Candidate& candidate : chosen)
+    for (Lead& candidate : chosen)
       if (std::ranges::none_of(result, [&](const Candidate& c) { return c.cause.sameKind(candidate.cause); }))
         result.push_back(std::move(candidate));
     return result;
@@ -87,7 +93,7 @@ private:
   TrialMask tellingOf(const Cause& cause) const { return showing(fine, cause, telling); }
 
   /// One replay for each effect and place, scaled to fit best; its other starting values where that shows
-  /// any promise.
+  /// any promise or says little of them.
   void firstLook(const std::vector<Cause>& causes) {
     looked.resize(causes.size());
     std::vector<double> promise(causes.size(), 0);
@@ -98,8 +104,8 @@ private:
       stage(from, to, which.size());
       parallel(which.size(), options.jobs, [&](std::size_t n) {
         const std::size_t i = which[n];
-        Candidate& candidate = looked[i];
-        candidate.cause = causes[i];
+        Lead& candidate = looked[i];
+        candidate.cause = candidate.start = causes[i];
         const Fit fit = coarse.with(causes[i], tellingOf(causes[i]));
         promise[i] = fit.change > 0 ? fit.product * fit.product / fit.change : 0;
         const double share = std::clamp(fit.bestShare(), 0.0, 5.0);
@@ -120,7 +126,7 @@ private:
     for (std::size_t i = 0; i < causes.size(); ++i) {
       if (at < first.size() && first[at] == i)
         promised = promise[i], ++at;
-      else if (promised > nothing * most)
+      else if (!causes[i].effect->linear || promised > nothing * most)
         hopeful.push_back(i);
     }
     look(hopeful, 0.3, 0.5);
@@ -130,7 +136,7 @@ private:
   void bestStarts() {
     std::stable_sort(looked.begin(), looked.end(),
                      [](const Candidate& a, const Candidate& b) { return a.screened > b.screened; });
-    for (const Candidate& candidate : looked) {
+    for (const Lead& candidate : looked) {
       if (chosen.size() >= lookTwice || candidate.screened <= 0) break;
       const auto below = [](const Cause& cause) { return cause.value < cause.effect->nominal; };
       const bool known = std::ranges::any_of(chosen, [&](const Candidate& c) {
@@ -140,22 +146,27 @@ private:
     }
   }
 
-  /// What the scaled change promises need not come true where an effect is far from linear. Keeps those that
-  /// are worth a fit.
+  /// What the scaled change promises need not come true where an effect is far from linear: a limit that is
+  /// hardly ever reached lies somewhere between. Keeps those that are worth a fit.
   void secondLook() {
     parallel(chosen.size(), options.jobs, [&](std::size_t i) {
-      Candidate& candidate = chosen[i];
-      const TrialMask mask = tellingOf(candidate.cause);
-      const double base = coarse.baseFit().fitting;
-      Fit fit = coarse.with(candidate.cause, mask);
-      double gain = base - fit.fitting;
+      Lead& lead = chosen[i];
+      const TrialMask mask = tellingOf(lead.cause);
+      const double base = coarse.baseFit().fitting, promised = lead.screened;
+      const Fit fit = coarse.with(lead.cause, mask);
+      lead.screened = base - fit.fitting;
+      const auto look = [&](const Cause& cause) {
+        const double gain = base - coarse.with(cause, mask).fitting;
+        if (gain > lead.screened) lead.screened = gain, lead.cause = cause;
+      };
       const double share = std::clamp(fit.bestShare(), 0.3, 3.0);
-      if (std::abs(share - 1) > 0.05) {
-        const Cause further = scaled(fine.mechanism(), candidate.cause, share);
-        const double again = base - coarse.with(further, mask).fitting;
-        if (again > gain) gain = again, candidate.cause = further;
-      }
-      candidate.screened = gain;
+      const Cause first = lead.cause;
+      if (std::abs(share - 1) > 0.05) look(scaled(fine.mechanism(), first, share));
+      const double nominal = first.effect->nominal,
+                   way = (first.value - nominal) / (lead.start.value - nominal);
+      if (first.effect->linear || lead.screened >= keptPromise * promised || !(way > 0)) return;
+      for (const double part : {0.25, 0.5, 0.75})
+        look(scaled(fine.mechanism(), lead.start, std::pow(way, part)));
     });
     std::stable_sort(chosen.begin(), chosen.end(),
                      [](const Candidate& a, const Candidate& b) { return a.screened > b.screened; });
@@ -171,7 +182,7 @@ private:
   void fitRoughly() {
     stage(0.5, 0.8, chosen.size());
     parallel(chosen.size(), options.jobs, [&](std::size_t i) {
-      Candidate& candidate = chosen[i];
+      Lead& candidate = chosen[i];
       candidate.cause = fitValue(coarse, candidate.cause, tellingOf(candidate.cause), roughly).cause;
       candidate.fit = fine.with(candidate.cause, showing(fine, candidate.cause, every));
       tell();
@@ -190,7 +201,7 @@ private:
       ++rivals;
     stage(0.8, 1, rivals);
     parallel(rivals, options.jobs, [&](std::size_t i) {
-      Candidate& candidate = chosen[i];
+      Lead& candidate = chosen[i];
       const TrialMask all = showing(fine, candidate.cause, every);
       TrialMask fitted = all;
       for (std::size_t t = 0; t < fitted.size(); ++t)
@@ -198,7 +209,7 @@ private:
       Candidate better = fitValue(fine, candidate.cause, fitted, finely);
       if (fitted != all) better.fit = fine.with(better.cause, all);
       better.screened = candidate.screened;
-      if (better.fit.fitting < candidate.fit.fitting) candidate = std::move(better);
+      if (better.fit.fitting < candidate.fit.fitting) static_cast<Candidate&>(candidate) = std::move(better);
       tell();
     });
   }
@@ -216,7 +227,7 @@ private:
   const Evaluator &fine, &coarse;
   const SearchOptions& options;
   const TrialMask telling, every = TrialMask(telling.size(), 1);
-  std::vector<Candidate> looked, chosen;
+  std::vector<Lead> looked, chosen;
   std::atomic<std::size_t> done = 0;
   double stageFrom = 0, stageShare = 0;
 };

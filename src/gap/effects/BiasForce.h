@@ -11,6 +11,7 @@ inline const Effect biasForce{
     .lower = -0.6,
     .upper = 0.6,
     .starts = {-0.1, 0.1},
+    .linear = true,
     .sentence = "A constant torque pulls at {at}.",
     .exposedBy = "static poses",
     .scale = [](const Mechanism& m,

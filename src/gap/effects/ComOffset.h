@@ -12,6 +12,7 @@ inline const Effect comOffset{
     .lower = -0.06,
     .upper = 0.06,
     .starts = {-0.01, 0.01},
+    .linear = true,
     .sentence = "The centre of mass of {at} is elsewhere than the model's.",
     .exposedBy = "static poses, slow motions",
     .apply =

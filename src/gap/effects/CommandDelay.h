@@ -11,6 +11,7 @@ inline const Effect commandDelay{
     .lower = 0,
     .upper = 0.08,
     .starts = {0.002, 0.01, 0.03},
+    .linear = true,
     .sentence = "Commands reach {at} later than the model says.",
     .exposedBy = "fast moves and steps",
     .apply = [](Plant& plant, const Place& place, double value,

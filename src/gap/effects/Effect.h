@@ -31,6 +31,8 @@ struct Effect {
   double lower = 0, upper = 0;  ///< of the value, in the unit; scaled per place by scale()
   /// Values that a search starts from, within the bounds; the effect is visible at these.
   std::vector<double> starts;
+  /// Whether twice the value is about twice the change: one starting value then tells of the others.
+  bool linear = false;
   /// How likely a value below nominal is before any data, where there can be one.
   double belowShare = 0.5;
   /// Ways of building the same cause that data decide between (such as the encoder's side); empty: one.

@@ -15,6 +15,7 @@ inline const Effect encoderNonlinearity{
     .lower = -0.15,
     .upper = 0.15,
     .starts = {-0.02, 0.02},
+    .linear = true,
     .variants = {"sine", "cosine"},
     .sentence = "The encoder of {at} is not round: its error repeats once a turn.",
     .exposedBy = "slow wide sweeps",

@@ -12,6 +12,7 @@ inline const Effect externalForce{
     .lower = -15,
     .upper = 15,
     .starts = {-2, 2},
+    .linear = true,
     .sentence = "Something pulls at {at}: a cable, a hand.",
     .exposedBy = "static poses with two headings",
     .apply =

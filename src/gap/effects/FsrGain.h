@@ -12,6 +12,7 @@ inline const Effect fsrGain{
     .lower = 0.1,
     .upper = 3,
     .starts = {0.8, 1.2},
+    .linear = true,
     .sentence = "The force sensors of {at} show too much or too little.",
     .exposedBy = "standing, weight shifts",
     .apply = [](Plant& plant, const Place& place, double value,

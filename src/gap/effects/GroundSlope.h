@@ -12,6 +12,7 @@ inline const Effect groundSlope{
     .lower = -0.15,
     .upper = 0.15,
     .starts = {-0.02, 0.02},
+    .linear = true,
     .sentence = "The ground is not level.",
     .exposedBy = "the same stance with two headings",
     .apply = [](Plant& plant, const Place& place, double value,

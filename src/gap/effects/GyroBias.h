@@ -12,6 +12,7 @@ inline const Effect gyroBias{
     .lower = -0.5,
     .upper = 0.5,
     .starts = {-0.02, 0.02},
+    .linear = true,
     .sentence = "The gyro shows a turn at rest.",
     .exposedBy = "any, standing still too",
     .apply = [](Plant& plant, const Place& place, double value,

@@ -11,6 +11,7 @@ inline const Effect imuDelay{
     .lower = 0,
     .upper = 0.1,
     .starts = {0.01, 0.03},
+    .linear = true,
     .sentence = "Readings of the inertial sensor are late.",
     .exposedBy = "motions of the torso",
     .apply =

@@ -12,6 +12,7 @@ inline const Effect imuMisalignment{
     .lower = -0.5,
     .upper = 0.5,
     .starts = {-0.03, 0.03},
+    .linear = true,
     .sentence = "The inertial sensor is turned against the torso.",
     .exposedBy = "any, standing still too",
     .apply =

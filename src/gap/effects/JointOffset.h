@@ -11,6 +11,7 @@ inline const Effect jointOffset{
     .lower = -0.3,
     .upper = 0.3,
     .starts = {-0.05, 0.05},
+    .linear = true,
     .sentence = "The zero of {at} is wrong: the link stands elsewhere than the encoder says.",
     .exposedBy = "static poses in several postures",
     .apply = [](Plant& plant, const Place& place, double value,

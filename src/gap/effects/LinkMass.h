@@ -13,6 +13,7 @@ inline const Effect linkMass{
     .lower = -0.4,
     .upper = 1.5,
     .starts = {-0.05, 0.1, 0.4},
+    .linear = true,
     .belowShare = 0.2,  // things are put on robots more often than taken off
     .variants = {"a load at the centre of mass", "spread over the link"},
     .sentence = "{at} is heavier or lighter than the model's.",

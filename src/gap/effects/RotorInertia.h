@@ -13,6 +13,7 @@ inline const Effect rotorInertia{
     .lower = -0.005,
     .upper = 0.08,
     .starts = {0.003, 0.015},
+    .linear = true,
     .sentence = "The rotor of {at} is heavier than the model's.",
     .exposedBy = "chirps and steps",
     .apply =

@@ -12,6 +12,7 @@ inline const Effect servoDamping{
     .lower = 0,
     .upper = 4,
     .starts = {0.5, 2},
+    .linear = true,
     .sentence = "The servo of {at} brakes its own motion more or less than the model's.",
     .exposedBy = "chirps and fast moves",
     .apply =

@@ -13,6 +13,7 @@ inline const Effect viscousFriction{
     .lower = 0,
     .upper = 3,
     .starts = {0.1, 0.5},
+    .linear = true,
     .sentence = "Friction that grows with speed holds {at} back.",
     .exposedBy = "chirps and fast moves",
     .scale =
