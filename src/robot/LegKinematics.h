@@ -42,10 +42,8 @@ public:
   const Vec3& hip() const { return hip_; }
   /// Height of the ankle's pitch axis over the flat sole [m].
   double ankleHeight() const { return -rollOffset.z() - T_foot_sole_.translation().z(); }
-  /// Largest and smallest distance of the hip from the axis of the ankle's pitch within the knee's limits
-  /// [m].
+  /// Largest distance of the hip from the axis of the ankle's pitch within the knee's limits [m].
   double maxReach() const { return maxReach_; }
-  double minReach() const { return minReach_; }
 
 private:
   double reach(double knee) const;

@@ -98,13 +98,13 @@ Mat3 inertiaOf(const Object& link) {
   return m;
 }
 
-MechanismParts::Link readLink(const std::string& name, const Object& object) {
-  MechanismParts::Link part;
-  part.link.name = name;
-  part.link.mass = object.positive("mass", "a mass in kg above 0");
-  part.link.com = object.vector<3>("com", "[x, y, z] in m");
-  part.link.inertia = inertiaOf(object);
-  return part;
+Mechanism::Link readLink(const std::string& name, const Object& object) {
+  Mechanism::Link link;
+  link.name = name;
+  link.mass = object.positive("mass", "a mass in kg above 0");
+  link.com = object.vector<3>("com", "[x, y, z] in m");
+  link.inertia = inertiaOf(object);
+  return link;
 }
 
 void readMotor(const Object& motor, Servo& servo) {

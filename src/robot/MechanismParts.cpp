@@ -69,8 +69,8 @@ private:
 
   void index() {
     for (std::size_t i = 0; i < parts.links.size(); ++i)
-      if (!linkAt.emplace(parts.links[i].link.name, i).second)
-        fail("link " + parts.links[i].link.name + " occurs twice; rename one");
+      if (!linkAt.emplace(parts.links[i].name, i).second)
+        fail("link " + parts.links[i].name + " occurs twice; rename one");
     std::map<std::string, std::string> moverOf;
     std::map<std::string, int> names;
     for (const auto& [joint, parent, child, driver, fixed, servo] : parts.joints) {
@@ -82,8 +82,8 @@ private:
              "; a robot is a tree");
     }
     std::vector<std::string> roots;
-    for (const MechanismParts::Link& link : parts.links)
-      if (!moverOf.count(link.link.name)) roots.push_back(link.link.name);
+    for (const Mechanism::Link& link : parts.links)
+      if (!moverOf.count(link.name)) roots.push_back(link.name);
     if (roots.empty()) fail("no link is the base: the joints form a ring");
     if (roots.size() > 1)
       fail("links " + roots[0] + " and " + roots[1] +
@@ -97,7 +97,7 @@ private:
 
   void enter(const std::string& link, int body, const Pose3& T_body_link) {
     placed[link] = {body, T_body_link};
-    bodies[static_cast<std::size_t>(body)].add(parts.links[linkAt[link]].link, T_body_link);
+    bodies[static_cast<std::size_t>(body)].add(parts.links[linkAt[link]], T_body_link);
     if (link != bodies[static_cast<std::size_t>(body)].name)
       result.frames.push_back({link, body, T_body_link});
   }

@@ -11,10 +11,6 @@ namespace plumbline {
 /// A robot as its files name it, before it is sorted and checked: what the readers of the two forms share.
 /// Indices of Mechanism's parts are not set; names stand in their place.
 struct MechanismParts {
-  struct Link {
-    Mechanism::Link link;
-    bool movable = true;  ///< false: its mass may be nought (URDF frames)
-  };
   struct Joint {
     Mechanism::Joint joint;
     std::string parent, child;
@@ -28,7 +24,7 @@ struct MechanismParts {
   };
 
   std::string name, base, imuLink;
-  std::vector<Link> links;
+  std::vector<Mechanism::Link> links;
   std::vector<Joint> joints;
   std::vector<Foot> feet;
   Mechanism::Imu imu;

@@ -86,30 +86,29 @@ private:
     return v;
   }
 
-  MechanismParts::Link readLink(const XMLElement& e) const {
-    MechanismParts::Link part;
-    part.link.name = attribute(e, "name");
-    checkName(part.link.name, "link", file + ":" + std::to_string(e.GetLineNum()));
+  Mechanism::Link readLink(const XMLElement& e) const {
+    Mechanism::Link link;
+    link.name = attribute(e, "name");
+    checkName(link.name, "link", file + ":" + std::to_string(e.GetLineNum()));
     const XMLElement* inertial = e.FirstChildElement("inertial");
-    if (!inertial) return part;
+    if (!inertial) return link;
     const XMLElement* origin = inertial->FirstChildElement("origin");
     const XMLElement* mass = inertial->FirstChildElement("mass");
     const XMLElement* inertia = inertial->FirstChildElement("inertia");
-    if (!mass || !inertia)
-      fail(*inertial, "link " + part.link.name + ": <inertial> needs <mass> and <inertia>");
-    part.link.mass = number(*mass, "value");
-    if (part.link.mass < 0)
-      fail(*mass, "link " + part.link.name + ": mass is " + numberText(part.link.mass) + "; give 0 or more");
-    part.link.com = vector(origin, "xyz", Vec3::Zero());
+    if (!mass || !inertia) fail(*inertial, "link " + link.name + ": <inertial> needs <mass> and <inertia>");
+    link.mass = number(*mass, "value");
+    if (link.mass < 0)
+      fail(*mass, "link " + link.name + ": mass is " + numberText(link.mass) + "; give 0 or more");
+    link.com = vector(origin, "xyz", Vec3::Zero());
     const double xx = number(*inertia, "ixx"), yy = number(*inertia, "iyy"), zz = number(*inertia, "izz");
     const double xy = number(*inertia, "ixy"), xz = number(*inertia, "ixz"), yz = number(*inertia, "iyz");
-    part.link.inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    link.inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
     const Vec3 rpy = vector(origin, "rpy", Vec3::Zero());
     if (!rpy.isZero(0)) {
       const Mat3 r = rotationOfRpy(rpy);
-      part.link.inertia = r * part.link.inertia * r.transpose();
+      link.inertia = r * link.inertia * r.transpose();
     }
-    return part;
+    return link;
   }
 
   std::string linkOf(const XMLElement& e, const char* end) const {
