@@ -40,8 +40,8 @@ PhysicsConfig leaguePhysics(const WorldConfig& config) {
   PhysicsConfig physics;
   physics.stepSeconds = config.stepSeconds;
   physics.gravity = {0, 0, -gravity};
-  physics.constraintErp = 0.2;
-  physics.constraintCfm = 1e-5;
+  physics.constraintErp = config.numbers.jointErp;
+  physics.constraintCfm = config.numbers.jointCfm;
   physics.surfaceLayer = 0.001;
   physics.autoDisable = config.sleepingRobots;
 
@@ -59,6 +59,13 @@ PhysicsConfig leaguePhysics(const WorldConfig& config) {
       row.push_back(mix(a, b, physics));
       if (!config.endlessFriction) row.back().friction = config.frictionCoefficient;
     }
+  }
+  for (const auto& [a, b] :
+       {std::pair{material::robot, material::ground}, {material::ground, material::robot}}) {
+    ContactSurface& surface = physics.surfaces[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
+    surface.softErp = config.numbers.contactErp;
+    surface.softCfm = config.numbers.contactCfm;
+    surface.slip = config.numbers.contactSlip;
   }
   addGroundEffects(config.effects, material::ground, physics);
   return physics;
@@ -83,7 +90,7 @@ Assembly leagueRobot(const RobotModel& model, const WorldConfig& config) {
       body.shape->T_link_shape = translation(-link.com) * link.shape.T_link_shape;
     }
     body.material = material::robot;
-    body.linearDrag = body.angularDrag = 0.01;
+    body.linearDrag = body.angularDrag = config.numbers.drag;
     assembly.bodies.push_back(body);
     if (isRoot) continue;
 
@@ -94,7 +101,7 @@ Assembly leagueRobot(const RobotModel& model, const WorldConfig& config) {
     hinge.axis = link.axis;
     hinge.lower = link.lower;
     hinge.upper = link.upper;
-    hinge.maxTorque = motorTorque(10, link.joint, config.effects);
+    hinge.maxTorque = motorTorque(config.numbers.motorTorque, link.joint, config.effects);
     hinge.cfm = hinge.stopCfm = 1e-8;
     hinge.stopErp = 0.8;
     hinge.stopBounce = config.bouncingJointStops ? 1 : 0;

@@ -29,6 +29,18 @@ struct RobotReadings {
   std::optional<FootForce> leftFoot, rightFoot, leftToe, rightToe;
 };
 
+/// Numbers of the league's physics that a world can do without one at a time, as a simulator would that does
+/// not know of them; the defaults are the server's (rcssserver3d 0.7.3).
+struct LeagueNumbers {
+  double drag = 0.01;         ///< of each of a robot's bodies: force -drag v, torque -drag w [N s/m, N m s]
+  double contactErp = 0.4;    ///< of a robot on the ground: share of the depth undone a step
+  double contactCfm = 1e-4;   ///< the same: give under force [s/kg]
+  double contactSlip = 5e-3;  ///< the same: speed along the ground per force [m/(s N)]
+  double jointErp = 0.2;      ///< of hinges: share of a gap that is closed in a step
+  double jointCfm = 1e-5;     ///< of hinges: give under force [s/kg]; Bullet's hinges never give
+  double motorTorque = 10;    ///< of every motor [N m]
+};
+
 /// Engine, step and the physics that the league's server has by accident, each with its switch.
 /// (Limbs frozen at self-collision are the referee's: Rules::selfCollision.)
 struct WorldConfig {
@@ -43,6 +55,7 @@ struct WorldConfig {
   bool actionDelay = true;
   double frictionCoefficient = 1;
   bool selfCollision = false;  ///< off in effect on the league's server
+  LeagueNumbers numbers;
   /// What the robots and the ground have and their models have not (simulation/effects/); makeWorld throws
   /// ConfigurationError for those that cannot be here.
   std::vector<EffectSetting> effects;

@@ -9,6 +9,7 @@ namespace plumbline::gap {
 // One subcommand of bin/gap per file: adds its options to the program and does its work from a callback. What
 // goes wrong is an exception whose text is one line; main ends with 2 then.
 void addDiagnose(CLI::App& app);
+void addSettings(CLI::App& app);
 void addImport(CLI::App& app);
 void addEffects(CLI::App& app);
 void addRecord(CLI::App& app);

@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   gap::addReveal(app);
   gap::addImport(app);
   gap::addEffects(app);
+  gap::addSettings(app);
   app.footer(
       "Examples:\n  bin/gap record --battery hang --secret 7 -o runs\n"
       "  bin/gap diagnose runs --json answer.json\n  bin/gap report answer.json\n"

@@ -1,5 +1,8 @@
 #include "simulation/physics/ode/OdePhysics.h"
 
+#include <cstdarg>
+#include <stdexcept>
+
 #include "simulation/physics/AssembliesPhysics.h"
 #include "simulation/physics/ode/OdeContacts.h"
 #include "simulation/physics/ode/OdeTreeStep.h"
@@ -10,10 +13,17 @@ namespace {
 
 static_assert(sizeof(dReal) == sizeof(double), "the league's physics needs ODE in double precision");
 
+/// What ODE would end the program for: numbers that went to infinity, mostly, after settings that cannot be.
+void failLoudly(int, const char*, va_list) {
+  throw std::runtime_error("ODE: the simulation came apart; its settings ask for what cannot be");
+}
+
 /// A world of ODE that goes when its owner goes.
 struct OwnedWorld {
   OwnedWorld() {
     ensureThread();
+    dSetErrorHandler(&failLoudly);
+    dSetDebugHandler(&failLoudly);
     id = dWorldCreate();
     // ODE's default one is shared by all worlds and breaks when two of them step at the same time.
     threading = dThreadingAllocateSelfThreadedImplementation();

@@ -1,0 +1,375 @@
+#include "gap/settings/SettingsDiagnosis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "gap/settings/SettingsEvaluator.h"
+#include "math/Random.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+using Part = SettingsEvaluator::Part;
+
+constexpr int looks = 9;             // values over a setting's range that are looked at
+constexpr std::size_t refined = 4;   // settings whose value is fitted
+constexpr double leastZ = 3;         // of the gain over held-out windows
+constexpr double oneWay = 0.5;       // of the gains' absolute values over held-out recordings
+constexpr double leastGain = 0.02;   // mean gain per held-out window [nat]
+constexpr double leastShare = 0.02;  // of what the score has to lose
+constexpr double rivalShare = 0.01;
+constexpr int resamples = 2000;
+
+/// A setting with its fitted value on top of a base.
+struct Candidate {
+  SettingValue value;
+  std::vector<double> gains;     ///< per held-out recording
+  double gain = 0, squares = 0;  ///< sums of gains and of their squares over held-out windows
+};
+
+class Procedure {
+public:
+  Procedure(const TraceEvidence& evidence_, const SimulatorSetup& nominal_, const SettingsOptions& options_)
+      : evidence(evidence_),
+        nominal(nominal_),
+        options(options_),
+        evaluator(evidence_, nominal_, options_.jobs) {}
+
+  SettingsDiagnosis run() {
+    const SetupFit bare = evaluator.of(nominal, Part::all);
+    result.gap.before = evaluator.gap(bare.errors);
+    grow();
+    if (found.size() > 1) reconsider();
+    const SetupFit end = evaluator.of(with(nominal, found), Part::all);
+    const std::vector<WindowError> own = evidence.ownErrors(with(nominal, found), options.jobs);
+    result.gap.after = evaluator.gap(end.errors);
+    result.gap.floor = evaluator.gap(own);
+    judge();
+    for (std::size_t i = 0; i < found.size(); ++i) result.findings.push_back(findingOf(i));
+    std::ranges::stable_sort(result.findings, std::ranges::greater(), &SettingFinding::closedLast);
+    result.cells = cellsOf(bare.errors, end.errors, own);
+    result.nextMotion = nextMotion();
+    result.windows = evidence.windows().size();
+    result.heldOutWindows =
+        static_cast<std::size_t>(std::ranges::count(evidence.windows(), true, &TraceWindow::heldOut));
+    result.evaluations = evaluator.evaluations();
+    return result;
+  }
+
+private:
+  void tell(const std::string& stage, double share) const {
+    if (options.progress) options.progress(stage, share);
+  }
+
+  double scoreOf(const std::vector<SettingValue>& base, const SettingValue& value, Part part,
+                 int type = -1) const {
+    std::vector<SettingValue> all = base;
+    all.push_back(value);
+    return evaluator.sum(evaluator.of(with(nominal, all), part, type));
+  }
+
+  /// Value in [a, b] (on a logarithmic scale) with the lowest score on the windows for fitting.
+  SettingValue golden(const std::vector<SettingValue>& base, const Setting& setting, double a, double b,
+                      int steps, int type = -1) const {
+    constexpr double ratio = 0.6180339887498949;
+    double low = std::log(a), high = std::log(b);
+    const auto score = [&](double x) { return scoreOf(base, {&setting, std::exp(x)}, Part::fitting, type); };
+    double x1 = high - ratio * (high - low), x2 = low + ratio * (high - low);
+    double f1 = score(x1), f2 = score(x2);
+    for (int i = 0; i < steps; ++i) {
+      if (f1 <= f2) {
+        high = x2, x2 = x1, f2 = f1;
+        f1 = score(x1 = high - ratio * (high - low));
+      } else {
+        low = x1, x1 = x2, f1 = f2;
+        f2 = score(x2 = low + ratio * (high - low));
+      }
+    }
+    return {&setting, std::exp(f1 <= f2 ? x1 : x2)};
+  }
+
+  static std::vector<double> valuesOf(const Setting& setting) {
+    std::vector<double> values;
+    if (setting.kind == Setting::Kind::positive) {
+      for (int i = 0; i < looks; ++i)
+        values.push_back(setting.lower * std::pow(setting.upper / setting.lower, i / (looks - 1.0)));
+    } else {
+      for (double v = setting.lower; v <= setting.upper; ++v) values.push_back(v);
+    }
+    return values;
+  }
+
+  /// Every setting that is not in the base, best on held-out recordings first.
+  std::vector<Candidate> search(const std::vector<SettingValue>& base, const std::string& stage) {
+    const SimulatorSetup start = with(nominal, base);
+    const double none = evaluator.sum(evaluator.of(start, Part::look));
+    struct Look {
+      const Setting* setting;
+      std::vector<double> values;
+      std::size_t best;
+      double score;
+    };
+    std::vector<Look> list;
+    std::size_t done = 0;
+    for (const Setting& setting : settings()) {
+      tell(stage, 0.7 * static_cast<double>(done++) / static_cast<double>(settings().size()));
+      if (std::ranges::any_of(base, [&](const SettingValue& v) { return v.setting == &setting; })) continue;
+      Look look{&setting, valuesOf(setting), 0, std::numeric_limits<double>::infinity()};
+      for (std::size_t i = 0; i < look.values.size(); ++i) {
+        if (look.values[i] == setting.get(start)) continue;
+        const double score = scoreOf(base, {&setting, look.values[i]}, Part::look);
+        if (score < look.score) look.best = i, look.score = score;
+      }
+      // A value between two that were looked at may do better than what is there: near misses are fitted too.
+      if (look.score < 1.1 * none + 1) list.push_back(std::move(look));
+    }
+    std::ranges::stable_sort(list, std::ranges::less(), &Look::score);
+    if (list.size() > refined) list.resize(refined);
+    const SetupFit held = evaluator.of(start, Part::heldOut);
+    std::vector<Candidate> candidates;
+    for (const Look& look : list) {
+      tell(stage, 0.7 + 0.3 * static_cast<double>(candidates.size()) / static_cast<double>(list.size()));
+      Candidate c;
+      c.value = {look.setting, look.values[look.best]};
+      if (look.setting->kind == Setting::Kind::positive) {
+        const std::size_t last = look.values.size() - 1;
+        c.value = golden(base, *look.setting, look.values[look.best > 0 ? look.best - 1 : 0],
+                         look.values[std::min(last, look.best + 1)], 6);
+      }
+      std::vector<SettingValue> all = base;
+      all.push_back(c.value);
+      const SetupFit fit = evaluator.of(with(nominal, all), Part::heldOut);
+      c.gains = evaluator.gains(held, fit);
+      for (std::size_t w = 0; w < fit.scores.size(); ++w)
+        if (evidence.windows()[w].heldOut) c.squares += std::pow(held.scores[w] - fit.scores[w], 2);
+      c.gain = std::accumulate(c.gains.begin(), c.gains.end(), 0.0);
+      candidates.push_back(std::move(c));
+    }
+    std::ranges::stable_sort(candidates, std::ranges::greater(), &Candidate::gain);
+    return candidates;
+  }
+
+  /// Large against its scatter over windows, mostly one way over recordings, and worth a word.
+  bool earns(const Candidate& c, double held) const {
+    double sizes = 0;
+    for (const double gain : c.gains) sizes += std::abs(gain);
+    const auto windows =
+        static_cast<double>(std::ranges::count(evidence.windows(), true, &TraceWindow::heldOut));
+    return c.gain >= leastZ * std::sqrt(c.squares) && c.gain >= oneWay * sizes &&
+           c.gain >= leastGain * windows && c.gain >= leastShare * held;
+  }
+
+  double heldOutScore(const std::vector<SettingValue>& base) const {
+    return evaluator.sum(evaluator.of(with(nominal, base), Part::heldOut));
+  }
+
+  /// Each value once more about where it is.
+  void refine(std::vector<SettingValue>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i].setting->kind != Setting::Kind::positive) continue;
+      std::vector<SettingValue> others = values;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      const Setting& s = *values[i].setting;
+      values[i] = golden(others, s, std::max(s.lower, values[i].value / 2),
+                         std::min(s.upper, 2 * values[i].value), 6);
+    }
+  }
+
+  void grow() {
+    while (found.size() < options.maxSettings) {
+      std::vector<Candidate> list = search(found, found.empty() ? "first setting" : "further setting");
+      if (list.empty() || !earns(list.front(), heldOutScore(found))) {
+        if (found.empty()) rejected = list;
+        break;
+      }
+      found.push_back(list.front().value);
+      if (found.size() > 1) refine(found);
+      choices.push_back(std::move(list));
+    }
+  }
+
+  /// Each once more with the others in place: another may do better now, or none may be needed.
+  void reconsider() {
+    for (std::size_t i = 0; i < found.size();) {
+      std::vector<SettingValue> others = found;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      std::vector<Candidate> list = search(others, "each setting again");
+      if (list.empty() || !earns(list.front(), heldOutScore(others))) {
+        found = others;
+        choices.erase(choices.begin() + static_cast<std::ptrdiff_t>(i));
+        continue;
+      }
+      found[i] = list.front().value;
+      choices[i] = std::move(list);
+      ++i;
+    }
+    refine(found);
+  }
+
+  void judge() {
+    const GapSize& gap = result.gap;
+    const double allowed = std::max(1.3 * gap.floor, gap.floor + 0.2 * (gap.before - gap.floor));
+    result.knownProbability = 1 / (1 + std::exp(12 * (gap.after / allowed - 1)));
+    if (found.empty())
+      result.verdict = gap.before <= 1.3 * gap.floor ? Verdict::none : Verdict::unknown;
+    else
+      result.verdict = gap.after <= allowed ? Verdict::effect : Verdict::unknown;
+  }
+
+  /// Share of resampled sets of held-out recordings in which each candidate gains most.
+  std::vector<double> shares(const std::vector<Candidate>& list) const {
+    std::vector<double> wins(list.size());
+    if (list.empty()) return wins;
+    Random random(options.seed);
+    const std::size_t n = list.front().gains.size();
+    for (int r = 0; r < resamples; ++r) {
+      std::vector<double> sums(list.size());
+      for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t drawn =
+            std::min(n - 1, static_cast<std::size_t>(random.uniform() * static_cast<double>(n)));
+        for (std::size_t c = 0; c < list.size(); ++c) sums[c] += list[c].gains[drawn];
+      }
+      wins[static_cast<std::size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin())] +=
+          1.0 / resamples;
+    }
+    const double most = (static_cast<double>(n) + 1) / (static_cast<double>(n) + 2);
+    for (double& share : wins) share = std::min(most, share) * result.knownProbability;
+    return wins;
+  }
+
+  SettingFinding findingOf(std::size_t i) {
+    SettingFinding finding;
+    finding.value = found[i];
+    finding.nominal = found[i].setting->get(nominal);
+    std::vector<SettingValue> others = found;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    const double whole = std::max(1e-9, result.gap.before - result.gap.floor);
+    const auto gapOf = [&](const std::vector<SettingValue>& values) {
+      return evaluator.gap(evaluator.of(with(nominal, values), Part::heldOut).errors);
+    };
+    finding.closedAlone = std::clamp((result.gap.before - gapOf({found[i]})) / whole, 0.0, 1.0);
+    finding.closedLast = std::clamp((gapOf(others) - result.gap.after) / whole, 0.0, 1.0);
+    finding.lower = finding.upper = found[i].value;
+    const Setting& s = *found[i].setting;
+    if (s.kind == Setting::Kind::positive) {
+      std::set<int> types;
+      for (std::size_t t = 0; t < evidence.traces().size(); ++t)
+        if (!evidence.heldOut(t)) types.insert(evidence.traces()[t].robotType.value_or(0));
+      for (const int type : types) {
+        const double v = golden(others, s, std::max(s.lower, finding.value.value / 3),
+                                std::min(s.upper, 3 * finding.value.value), 7, type)
+                             .value;
+        finding.lower = std::min(finding.lower, v);
+        finding.upper = std::max(finding.upper, v);
+      }
+    }
+    const std::vector<double> probability = shares(choices[i]);
+    for (std::size_t c = 0; c < probability.size(); ++c) {
+      if (choices[i][c].value.setting == found[i].setting)
+        finding.probability = probability[c];
+      else if (probability[c] > rivalShare)
+        finding.rivals.push_back({choices[i][c].value, probability[c]});
+    }
+    std::ranges::stable_sort(finding.rivals, std::ranges::greater(), &SettingRival::probability);
+    return finding;
+  }
+
+  static std::string motionOf(const std::string& trace) { return trace.substr(0, trace.find_last_of('_')); }
+
+  std::vector<SettingCell> cellsOf(const std::vector<WindowError>& before,
+                                   const std::vector<WindowError>& after,
+                                   const std::vector<WindowError>& own) const {
+    std::map<std::string, std::array<std::vector<WindowError>, 3>> motions;
+    for (std::size_t w = 0; w < before.size(); ++w) {
+      auto& [a, b, c] = motions[motionOf(evidence.traces()[evidence.windows()[w].trace].name)];
+      a.push_back(before[w]);
+      b.push_back(after[w]);
+      c.push_back(own[w]);
+    }
+    std::vector<SettingCell> cells;
+    double whole = 0;
+    for (const auto& [motion, errors] : motions) {
+      const WindowError gap = typicalError(errors[0]), left = typicalError(errors[1]),
+                        floor = typicalError(errors[2]);
+      for (std::size_t s = 0; s < numTraceSignals; ++s) {
+        const auto signal = static_cast<TraceSignal>(s);
+        const double unit = evaluator.unit()[s];
+        const double excess = std::max(0.0, (gap[s] * gap[s] - floor[s] * floor[s]) / (unit * unit)) *
+                              static_cast<double>(errors[0].size());
+        cells.push_back({nameOf(signal), motion, unitOf(signal), gap[s], floor[s], left[s], excess});
+        whole += excess;
+      }
+    }
+    for (SettingCell& cell : cells) cell.share = whole > 0 ? cell.share / whole : 0;
+    std::ranges::stable_sort(cells, std::ranges::greater(), &SettingCell::share);
+    return cells;
+  }
+
+  /// The held-out recording in which the leading explanations differ most.
+  std::string nextMotion() const {
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const auto& list = choices[i];
+      const auto it = std::ranges::find_if(
+          result.findings, [&](const SettingFinding& f) { return f.value.setting == found[i].setting; });
+      if (it == result.findings.end() || it->rivals.empty()) continue;
+      const Setting* rival = it->rivals.front().value.setting;
+      const auto gainsOf = [&](const Setting* setting) -> const std::vector<double>& {
+        return std::ranges::find_if(list, [&](const Candidate& c) { return c.value.setting == setting; })
+            ->gains;
+      };
+      const auto &a = gainsOf(found[i].setting), &b = gainsOf(rival);
+      std::size_t k = 0, most = 0;
+      std::string best;
+      std::size_t last = std::numeric_limits<std::size_t>::max();
+      for (const TraceWindow& window : evidence.windows()) {
+        if (!window.heldOut || window.trace == last) continue;
+        last = window.trace;
+        if (best.empty() || std::abs(a[k] - b[k]) > std::abs(a[most] - b[most])) {
+          most = k;
+          best = motionOf(evidence.traces()[window.trace].name);
+        }
+        ++k;
+      }
+      return std::string(found[i].setting->id) + " and " + std::string(rival->id) +
+             " come apart most in motions like " + best + ": record more of them, on other robot types.";
+    }
+    switch (result.verdict) {
+      case Verdict::none:
+        return "Nothing is needed for these motions; impacts, falls and kicks into the joints' stops would "
+               "show "
+               "what rests here.";
+      case Verdict::unknown:
+        return "No setting of this simulator explains what is left; record single parts of the motion that "
+               "shows "
+               "most (" +
+               (result.cells.empty() ? std::string() : result.cells.front().motion) +
+               ") slowly, to see whether contacts or hinges are behind it.";
+      case Verdict::effect:
+        break;
+    }
+    return "To make the values surer: the same motions on further robot types.";
+  }
+
+  const TraceEvidence& evidence;
+  const SimulatorSetup& nominal;
+  const SettingsOptions& options;
+  SettingsEvaluator evaluator;
+  SettingsDiagnosis result;
+  std::vector<SettingValue> found;
+  std::vector<std::vector<Candidate>> choices;
+  std::vector<Candidate> rejected;
+};
+
+}  // namespace
+
+SettingsDiagnosis diagnoseSettings(const TraceEvidence& evidence, const SimulatorSetup& nominal,
+                                   const SettingsOptions& options) {
+  return Procedure(evidence, nominal, options).run();
+}
+
+}  // namespace plumbline::gap

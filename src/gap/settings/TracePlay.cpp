@@ -1,0 +1,120 @@
+#include "gap/settings/TracePlay.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace plumbline::gap {
+
+namespace {
+
+using simspark::LeagueTrace;
+using simspark::TraceRow;
+using simspark::traceStep;
+
+std::optional<simspark::ForceReading> toTrace(const std::optional<simulation::FootForce>& force) {
+  if (!force) return std::nullopt;
+  return simspark::ForceReading{force->point, force->force};
+}
+
+class Player {
+public:
+  Player(const LeagueTrace& trace_, const SimulatorSetup& setup_, std::size_t start)
+      : trace(trace_), setup(setup_), model(robotOf(trace_)), world(simulation::makeWorld(setup_.world)) {
+    for (Link& link : model.links) {
+      link.mass *= setup.mass;
+      link.inertia *= setup.mass;
+    }
+    leftFoot = model.linkIndex("lFoot");
+    rightFoot = model.linkIndex("rFoot");
+    robot = world->addRobot(model, trace.rows[start].torso);
+    world->setState(robot, torsoAt(start), trace.rows[start].axisAngle, ratesAt(start));
+    setBall(start);
+  }
+
+  /// The step that makes row i.
+  void advance(std::size_t i) {
+    const TraceRow& sent = trace.rows[i - 1 - static_cast<std::size_t>(setup.delay)];
+    for (const JointId joint : trace.joints)
+      if (model.has(joint)) world->setJointVelocity(robot, joint, setup.gain * sent.command[joint]);
+    for (int step = 0; step < setup.stepsPerRow; ++step) world->step();
+  }
+
+  /// Back to where the recording is, with the posture that the simulator has.
+  void putBack(std::size_t i) {
+    world->moveRobot(robot, trace.rows[i].torso);
+    world->setVelocities(robot, torsoAt(i), ratesAt(i));
+    setBall(i);
+  }
+
+  TraceRow sense(std::size_t i) const {
+    const simulation::RobotReadings& readings = world->readings(robot);
+    TraceRow row;
+    row.command = trace.rows[i].command;
+    row.angle = row.axisAngle = readings.angle;
+    row.gyro = readings.gyro;
+    row.acc = readings.acc;
+    row.leftFootForce = toTrace(readings.leftFoot);
+    row.rightFootForce = toTrace(readings.rightFoot);
+    row.leftToeForce = toTrace(readings.leftToe);
+    row.rightToeForce = toTrace(readings.rightToe);
+    row.torso = world->linkState(robot, 0).pose;
+    row.leftFoot = world->linkState(robot, leftFoot).pose;
+    row.rightFoot = world->linkState(robot, rightFoot).pose;
+    row.ball = world->ball().pose.translation();
+    return row;
+  }
+
+private:
+  // The server integrates positions with the new velocity: differences are exact.
+  simulation::BodyState torsoAt(std::size_t i) const {
+    const TraceRow &now = trace.rows[i], &before = trace.rows[i - 1];
+    return {now.torso, (now.torso.translation() - before.torso.translation()) / traceStep,
+            now.torso.linear() * now.gyro};
+  }
+
+  JointArray ratesAt(std::size_t i) const {
+    JointArray rates{};
+    for (const JointId joint : trace.joints)
+      rates[joint] = (trace.rows[i].axisAngle[joint] - trace.rows[i - 1].axisAngle[joint]) / traceStep;
+    return rates;
+  }
+
+  void setBall(std::size_t i) {
+    world->setBall(trace.rows[i].ball, (trace.rows[i].ball - trace.rows[i - 1].ball) / traceStep);
+  }
+
+  const LeagueTrace& trace;
+  const SimulatorSetup& setup;
+  RobotModel model;
+  std::unique_ptr<simulation::World> world;
+  simulation::RobotHandle robot = 0;
+  int leftFoot = -1, rightFoot = -1;
+};
+
+}  // namespace
+
+RobotModel robotOf(const LeagueTrace& trace) {
+  if (!trace.robotType || *trace.robotType < 0 || *trace.robotType >= numSimsparkTypes)
+    throw std::invalid_argument(trace.name + ": the name does not end in a robot's type, _t0 to _t4");
+  return simsparkRobot(*trace.robotType);
+}
+
+std::vector<TraceRow> play(const LeagueTrace& trace, std::size_t first, std::size_t count,
+                           const SimulatorSetup& setup) {
+  if (first < firstRow || first >= trace.rows.size())
+    throw std::out_of_range(trace.name + ": no replay from row " + std::to_string(first));
+  const std::size_t start = first - std::min(first - firstRow, leadRows);
+  Player player(trace, setup, start);
+  for (std::size_t i = start + 1; i <= first; ++i) {
+    player.advance(i);
+    player.putBack(i);
+  }
+  std::vector<TraceRow> rows;
+  for (std::size_t i = first + 1; i < std::min(first + 1 + count, trace.rows.size()); ++i) {
+    player.advance(i);
+    rows.push_back(player.sense(i));
+  }
+  return rows;
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,98 @@
+// bin/gap settings: which settings of the embedded simulator are not as on the league's server.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "framework/WriteFile.h"
+#include "gap/settings/SettingsAnswer.h"
+#include "main/gap/Commands.h"
+#include "main/gap/ProgressLine.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+struct Options {
+  std::string traces = "tests/data/traces", engine = "ode", json;
+  std::vector<std::string> without;
+  int jobs = 0;
+  bool quiet = false;
+};
+
+void diagnose(const Options& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  SimulatorSetup nominal;
+  nominal.world.engine = options.engine;
+  for (const std::string& omission : options.without) nominal = without(nominal, omission);
+  const TraceEvidence evidence(readTraces(options.traces));
+  SettingsOptions settings;
+  settings.jobs =
+      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  SettingsDiagnosis diagnosis;
+  {
+    ProgressLine line(options.quiet);
+    settings.progress = [&](const std::string& stage, double share) {
+      if (stopRequested()) throw std::runtime_error("stopped; nothing was written");
+      line.tell(stage, share);
+    };
+    diagnosis = diagnoseSettings(evidence, nominal, settings);
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const std::string text = settingsJson(diagnosis, "simspark", seconds) + "\n";
+  if (options.json == "-") {
+    std::fputs(text.c_str(), stdout);
+    return;
+  }
+  if (!options.json.empty()) writeFile(options.json, text);
+  std::printf("%s\n", settingsSentence(diagnosis).c_str());
+  for (const SettingFinding& f : diagnosis.findings) {
+    const Setting& s = *f.value.setting;
+    std::printf("  %-34s %5.1f %%  [%.3g, %.3g], was %s; closes %.0f %% alone\n", describe(f.value).c_str(),
+                100 * f.probability, f.lower, f.upper, valueText(s, f.nominal).c_str(), 100 * f.closedAlone);
+    for (const SettingRival& rival : f.rivals)
+      std::printf("    or %-31s %5.1f %%\n", describe(rival.value).c_str(), 100 * rival.probability);
+  }
+  for (std::size_t i = 0; i < std::min<std::size_t>(5, diagnosis.cells.size()); ++i) {
+    const SettingCell& cell = diagnosis.cells[i];
+    if (cell.share < 0.005) break;
+    std::printf("  where: %-15s in %-14s %3.0f %% of the gap, %.2g %s, %.2g after, floor %.2g\n",
+                cell.signal.c_str(), cell.motion.c_str(), 100 * cell.share, cell.gap, cell.unit.c_str(),
+                cell.after, cell.floor);
+  }
+  std::printf(
+      "Gap on %zu held-out windows, in units of the nominal's own: %.2f before, %.2f after, floor %.2f.\n",
+      diagnosis.heldOutWindows, diagnosis.gap.before, diagnosis.gap.after, diagnosis.gap.floor);
+  std::printf("Next: %s\n", diagnosis.nextMotion.c_str());
+}
+
+}  // namespace
+
+void addSettings(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "settings", "Says which settings of the embedded simulator are not as on the league's server");
+  command
+      ->add_option("--traces", options->traces,
+                   "Folder of recordings of the league's server, *_t0.csv.gz to *_t4.csv.gz")
+      ->capture_default_str();
+  std::string names;
+  for (const std::string& name : omissions()) names += (names.empty() ? "" : ", ") + name;
+  command->add_option("--without", options->without,
+                      "Leave this out of the simulator first, to see whether it is found: " + names);
+  command->add_option("--engine", options->engine, "ode, or bullet")
+      ->check(CLI::IsMember({"ode", "ode-dense", "bullet"}))
+      ->capture_default_str();
+  command->add_option("--json", options->json, "Write the answer here; - for standard output");
+  command->add_option("--jobs", options->jobs, "Threads [as many as cores]")->check(CLI::Range(1, 256));
+  command->add_flag("--quiet", options->quiet, "No progress line");
+  command->footer(
+      "Examples:\n  bin/gap settings --without drag\n"
+      "  bin/gap settings --engine bullet --json answer.json\n"
+      "  bin/gap settings --traces my_recordings --without action_delay --without drag");
+  command->callback([options] { diagnose(*options); });
+}
+
+}  // namespace plumbline::gap
