@@ -238,9 +238,11 @@ private:
     const Fit fit = fine.with(finding.cause);
     // Curvature of the sum of squares in the share of the cause that is there.
     const double spread = fit.change > 0 ? 1.96 * std::sqrt(correlation / fit.change) : 1;
-    const double nominal = finding.cause.effect->nominal, distance = finding.cause.value - nominal;
-    finding.lower = nominal + distance * (1 - spread);
-    finding.upper = nominal + distance * (1 + spread);
+    const Effect& effect = *finding.cause.effect;
+    const double strength = effect.strengthOf(finding.cause.value);
+    // A limit is never higher than none.
+    finding.lower = effect.valueAt(strength * (effect.reciprocal ? std::max(0.0, 1 - spread) : 1 - spread));
+    finding.upper = effect.valueAt(strength * (1 + spread));
     if (finding.lower > finding.upper) std::swap(finding.lower, finding.upper);
     fine.setBase({finding.cause});
     const double gapAlone = meter.under(fine);

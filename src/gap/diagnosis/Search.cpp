@@ -162,8 +162,7 @@ private:
       const double share = std::clamp(fit.bestShare(), 0.3, 3.0);
       const Cause first = lead.cause;
       if (std::abs(share - 1) > 0.05) look(scaled(fine.mechanism(), first, share));
-      const double nominal = first.effect->nominal,
-                   way = (first.value - nominal) / (lead.start.value - nominal);
+      const double way = first.effect->strengthOf(first.value) / first.effect->strengthOf(lead.start.value);
       if (first.effect->linear || lead.screened >= keptPromise * promised || !(way > 0)) return;
       for (const double part : {0.25, 0.5, 0.75})
         look(scaled(fine.mechanism(), lead.start, std::pow(way, part)));

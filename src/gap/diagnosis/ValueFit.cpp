@@ -22,11 +22,11 @@ Bounds boundsOf(const Mechanism& mechanism, const Cause& cause) {
   return {e.lower * scale, e.upper * scale};
 }
 
-/// Distance from nominal to the bound on the value's side.
+/// Size of the strength at the bound on the value's side of nominal.
 double farthest(const Mechanism& mechanism, const Cause& cause) {
   const Bounds bounds = boundsOf(mechanism, cause);
-  const double nominal = cause.effect->nominal;
-  return std::max(1e-12, cause.value < nominal ? nominal - bounds.lower : bounds.upper - nominal);
+  const Effect& e = *cause.effect;
+  return std::max(1e-12, std::abs(e.strengthOf(cause.value < e.nominal ? bounds.lower : bounds.upper)));
 }
 
 /// Causes in groups that share joints; a free robot's joints all feel each other.
@@ -56,7 +56,7 @@ Explanation fitGroup(const Evaluator& evaluator, const Explanation& causes,
                      const std::vector<std::size_t>& group, int evaluations, int jobs) {
   const Mechanism& mechanism = evaluator.mechanism();
   const auto n = static_cast<Eigen::Index>(group.size());
-  // Coordinates: logarithm of each distance from nominal against where it is now.
+  // Coordinates: logarithm of each strength against where it is now.
   SearchSpace space;
   space.start = Eigen::VectorXd::Zero(n);
   space.sigma = Eigen::VectorXd::Constant(n, 0.15);
@@ -64,8 +64,8 @@ Explanation fitGroup(const Evaluator& evaluator, const Explanation& causes,
   space.upper = Eigen::VectorXd::Zero(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Cause& cause = causes[group[static_cast<std::size_t>(i)]];
-    const double distance = std::max(1e-12, std::abs(cause.value - cause.effect->nominal));
-    space.upper[i] = std::clamp(std::log(farthest(mechanism, cause) / distance), 0.01, 2.0);
+    const double strength = std::max(1e-12, std::abs(cause.effect->strengthOf(cause.value)));
+    space.upper[i] = std::clamp(std::log(farthest(mechanism, cause) / strength), 0.01, 2.0);
   }
   const auto at = [&](const Eigen::VectorXd& x) {
     Explanation tried = causes;
@@ -97,26 +97,27 @@ Explanation fitGroup(const Evaluator& evaluator, const Explanation& causes,
 
 Cause scaled(const Mechanism& mechanism, Cause cause, double share) {
   const Bounds bounds = boundsOf(mechanism, cause);
-  const double nominal = cause.effect->nominal;
-  cause.value = std::clamp(nominal + share * (cause.value - nominal), bounds.lower, bounds.upper);
+  const Effect& e = *cause.effect;
+  cause.value = std::clamp(e.valueAt(share * e.strengthOf(cause.value)), bounds.lower, bounds.upper);
   return cause;
 }
 
 Candidate fitValue(const Evaluator& evaluator, const Cause& start, const TrialMask& mask,
                    const ValueSearch& how) {
-  const double nominal = start.effect->nominal, most = farthest(evaluator.mechanism(), start);
-  const double distance = std::abs(start.value - nominal), sign = start.value < nominal ? -1 : 1;
+  const Effect& effect = *start.effect;
+  const double most = farthest(evaluator.mechanism(), start), strength = effect.strengthOf(start.value);
   Candidate best;
   best.fit.fitting = INFINITY;
   const auto evaluate = [&](double logShare) {
     Cause cause = start;
-    cause.value = nominal + sign * std::min(most, distance * std::exp(logShare));
+    cause.value =
+        effect.valueAt(std::copysign(std::min(most, std::abs(strength) * std::exp(logShare)), strength));
     Fit fit = evaluator.with(cause, mask);
     const double cost = fit.fitting;
     if (cost < best.fit.fitting) best = {cause, std::move(fit), 0};
     return cost;
   };
-  const double top = std::log(most / distance);
+  const double top = std::log(most / std::abs(strength));
   Bracket b{-how.step, 0, std::min(how.step, top), 0, 0, 0};
   if (b.hi <= 0) b.hi = top, b.x = top - 0.6 * how.step, b.lo = top - 1.6 * how.step;
   b.fx = evaluate(b.x), b.fLo = evaluate(b.lo), b.fHi = evaluate(b.hi);

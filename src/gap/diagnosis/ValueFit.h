@@ -10,11 +10,11 @@ struct Candidate {
   double screened = 0;  ///< gain on the blocks for fitting that the first look promised
 };
 
-/// The cause with its distance from nominal multiplied, held within bounds.
+/// The cause with its strength multiplied, held within bounds.
 Cause scaled(const Mechanism& mechanism, Cause cause, double share);
 
-/// How far a search for a value goes: first step and tolerance in the logarithm of the distance from nominal,
-/// values that may be taken to find a bracket and then within it.
+/// How far a search for a value goes: first step and tolerance in the logarithm of the strength, values that
+/// may be taken to find a bracket and then within it.
 struct ValueSearch {
   double step = 0.5, tolerance = 0.004;
   int bracket = 8, within = 9;

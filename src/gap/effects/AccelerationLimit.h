@@ -12,6 +12,7 @@ inline const Effect accelerationLimit{
     .lower = 1,
     .upper = 400,
     .starts = {10, 30, 80},
+    .reciprocal = true,
     .sentence = "The servo of {at} smooths its commands: it keeps an acceleration limit.",
     .exposedBy = "steps and fast moves",
     .apply =

@@ -33,6 +33,8 @@ struct Effect {
   std::vector<double> starts;
   /// Whether twice the value is about twice the change: one starting value then tells of the others.
   bool linear = false;
+  /// A limit or a share of one: acts by its reciprocal, and half the value is twice the effect.
+  bool reciprocal = false;
   /// How likely a value below nominal is before any data, where there can be one.
   double belowShare = 0.5;
   /// Ways of building the same cause that data decide between (such as the encoder's side); empty: one.
@@ -47,6 +49,12 @@ struct Effect {
   int numVariants() const { return variants.empty() ? 1 : static_cast<int>(variants.size()); }
   double scaleAt(const Mechanism& mechanism, const Place& place) const {
     return scale ? scale(mechanism, place) : 1;
+  }
+  /// How strong a value is: 0 where it is nominal, twice that for about twice the effect; and the other way
+  /// round.
+  double strengthOf(double value) const { return reciprocal ? 1 / value - 1 / nominal : value - nominal; }
+  double valueAt(double strength) const {
+    return reciprocal ? 1 / (strength + 1 / nominal) : strength + nominal;
   }
 };
 

@@ -12,6 +12,7 @@ inline const Effect speedLimit{
     .lower = 0.05,
     .upper = 1.5,
     .starts = {0.2, 0.4, 0.7},
+    .reciprocal = true,
     .sentence = "{at} does not reach the speed that the model allows.",
     .exposedBy = "fast moves near the speed limit",
     .apply = [](Plant& plant, const Place& place, double value,

@@ -21,6 +21,20 @@ TEST(ValueFitTest, findsValuesFromFarOff) {
   }
 }
 
+TEST(ValueFitTest, limitsAreFoundAsExactlyAsTheRest) {
+  // Its nominal value is far off: the value is fitted on a scale of what it does.
+  const Mechanism arm = twoJointArm();
+  Plant reality = nominalPlant(arm);
+  reality.joints[0].accelerationLimit = 25;
+  const Evidence evidence({recorded(reality, armTrial(arm, 6), 5e-4, 3)});
+  const Evaluator evaluator(arm, evidence);
+  const Effect* effect = findEffect("acceleration_limit");
+  EXPECT_DOUBLE_EQ(effect->valueAt(effect->strengthOf(25)), 25);
+  EXPECT_DOUBLE_EQ(effect->strengthOf(effect->nominal), 0);
+  const Candidate fitted = fitValue(evaluator, {effect, findPlace(*effect, arm, "shoulder", ""), 60, 0}, {});
+  EXPECT_NEAR(fitted.cause.value, 25, 0.2);
+}
+
 TEST(ValueFitTest, whatMeetsIsFittedTogether) {
   const Mechanism arm = twoJointArm();
   Plant reality = nominalPlant(arm);
