@@ -85,6 +85,7 @@ private:
   Candidates candidates(const std::string& stage) {
     SearchOptions search_;
     search_.jobs = options.jobs;
+    search_.leastGain = leastPart() / 2 * std::max(0.0, excess(fine));
     search_.progress = [&](double share) {
       if (options.progress) options.progress(stage, share);
     };

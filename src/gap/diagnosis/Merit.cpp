@@ -52,21 +52,20 @@ bool consistent(const Fit& before, const Fit& after) {
                      sum >= oneWay * sizes);
 }
 
-/// Sum of squares on the blocks for judging that noise alone would leave.
-double noiseShare(const Evaluator& evaluator) {
+}  // namespace
+
+double excess(const Evaluator& evaluator) {
   const Evidence& data = evaluator.evidence();
   double n = 0;
   for (std::size_t t = 0; t < data.trials().size(); ++t)
     for (std::size_t s = 0; s < data.trials()[t].signals.size(); ++s)
       data.forEach(t, s, evaluator.basePrediction(t).values[s],
                    [&](std::size_t k, double, double) { n += !Evidence::forFitting(data.block(t, k)); });
-  return n;
+  return evaluator.baseFit().judging - n;
 }
 
-}  // namespace
-
 Standing::Standing(const Evaluator& evaluator)
-    : fit(evaluator.baseFit()), worst(worstGap(evaluator).size), excess(fit.judging - noiseShare(evaluator)) {
+    : fit(evaluator.baseFit()), worst(worstGap(evaluator).size), unexplained(excess(evaluator)) {
   for (std::size_t t = 0; t < evaluator.evidence().trials().size(); ++t)
     predictions.push_back(evaluator.basePrediction(t));
 }
@@ -75,9 +74,9 @@ bool Standing::betteredBy(const Evaluator& evaluator, double leastPart) const {
   const double gain = fit.judging - evaluator.baseFit().judging;
   // Real robots have more than one thing missing: the worst channel may wait for the next cause.
   const bool lowers =
-      worstGap(evaluator).size < lowerShare * worst + lowerWithin || gain > leastShare * excess;
-  return lowers && gain >= std::max(leastGain, leastPart * excess) && consistent(fit, evaluator.baseFit()) &&
-         largestChange(evaluator, predictions) >= visible;
+      worstGap(evaluator).size < lowerShare * worst + lowerWithin || gain > leastShare * unexplained;
+  return lowers && gain >= std::max(leastGain, leastPart * unexplained) &&
+         consistent(fit, evaluator.baseFit()) && largestChange(evaluator, predictions) >= visible;
 }
 
 }  // namespace plumbline::gap

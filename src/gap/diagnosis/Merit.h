@@ -8,6 +8,9 @@ namespace plumbline::gap {
 /// Least gain of the sum of squares on the blocks for judging that counts as one.
 constexpr double leastGain = 30;
 
+/// Sum of squares on the blocks for judging beyond what noise alone would leave.
+double excess(const Evaluator& evaluator);
+
 /// Where an evaluator's base stands: what an added cause has to better.
 class Standing {
 public:
@@ -22,8 +25,7 @@ public:
 private:
   Fit fit;
   std::vector<Prediction> predictions;
-  double worst = 0;
-  double excess = 0;  ///< of the sum of squares for judging, over what noise alone would leave
+  double worst = 0, unexplained = 0;
 };
 
 }  // namespace plumbline::gap

@@ -169,6 +169,7 @@ private:
     });
     std::stable_sort(chosen.begin(), chosen.end(),
                      [](const Candidate& a, const Candidate& b) { return a.screened > b.screened; });
+    std::erase_if(chosen, [&](const Lead& lead) { return lead.screened < options.leastGain; });
     while (!chosen.empty() &&
            (chosen.size() > options.refine ||
             chosen.back().screened <= refineShare * chosen.front().screened || chosen.back().screened <= 0)) {
