@@ -15,8 +15,8 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double present = 0.9;           // worst gap over noise below which nothing is looked for
-constexpr double unexplained = 1.3;       // worst gap over noise that may remain
+constexpr double present = 0.9;      // worst gap over noise below which nothing is looked for
+constexpr double unexplained = 1.3;  // worst gap over noise that may remain: no further cause is looked for
 constexpr double unexplainedShare = 0.2;  // the same, of what was there
 constexpr double mostOfIt = 0.6;
 constexpr double rivalShare = 0.01;  // probability that is worth a word
@@ -160,7 +160,8 @@ private:
 
   /// Adds causes from the base on until none earns its place.
   void grow() {
-    while (found.size() < options.maxCauses && worstGap(fine).size >= present) {
+    while (found.size() < options.maxCauses &&
+           worstGap(fine).size >= (found.empty() ? present : unexplained)) {
       Candidates list = candidates(found.empty() ? "first cause" : "further cause");
       if (!accept(list)) {
         if (choices.empty()) choices.push_back(std::move(list));
