@@ -84,7 +84,8 @@ bench-fidelity:
 	@$(MAKE) SimRelease SimRelease-bench-fidelity
 	@scripts/run_bench.sh fidelity > build/bench/fidelity.sum; status=$$?; cat build/bench/fidelity.log; exit $$status
 
-# Diagnoses sealed cases made in MuJoCo, a program of its own: CASES=200 for the full set, SEED for another one.
+# Diagnoses sealed cases made in MuJoCo, a program of its own, beside simpler ways: CASES=200 for the full set, SEED for
+# another one, SET for a folder made before, BASELINES=n for the simpler ways on every n-th case, JOBS at a time.
 bench-gap:
 	@scripts/install_packages.sh scripts/packages-bench.txt
 	@$(MAKE) SimRelease SimRelease-bench-gap SimRelease-bench-mujoco

@@ -31,6 +31,7 @@ struct BlindCase {
   std::uint64_t seed = 0;
 
   bool inLibrary() const { return kind != BlindKind::none && kind != BlindKind::outside; }
+  bool isSingle() const { return kind == BlindKind::single || kind == BlindKind::hard; }
 };
 
 /// A benchmark's answers, and how it was made.

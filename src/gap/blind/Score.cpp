@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "gap/blind/Make.h"
+#include "gap/blind/ScoreJudge.h"
 #include "gap/effects/Effects.h"
 #include "math/Random.h"
 
@@ -49,50 +50,6 @@ Figure bootstrap(std::string id, std::string what, const std::vector<T>& sample,
   return figure;
 }
 
-/// What is asked of one case after the other.
-class Judge {
-public:
-  explicit Judge(const Mechanism& robot_) : robot(robot_) {}
-
-  bool samePlace(const std::string& a, const std::string& b) const {
-    return motorOf(robot, a) == motorOf(robot, b);
-  }
-  bool same(const BlindEffect& truth, const NamedCause& named) const {
-    return truth.effect == named.effect && samePlace(truth.at, named.at) && truth.axis == named.axis;
-  }
-  bool first(const BlindCase& c, const BlindAnswer& a) const {
-    return a.verdict == "effect" && !a.effects.empty() && same(c.effects.front(), a.effects.front());
-  }
-  bool placeFirst(const BlindCase& c, const BlindAnswer& a) const {
-    return a.verdict == "effect" && !a.effects.empty() &&
-           samePlace(c.effects.front().at, a.effects.front().at);
-  }
-  /// The strongest one, then its rivals and the other causes by probability: among the first three.
-  bool amongThree(const BlindCase& c, const BlindAnswer& a) const {
-    if (a.verdict != "effect" || a.effects.empty()) return false;
-    if (first(c, a)) return true;
-    std::vector<NamedCause> others;
-    for (const BlindAnswer::Named& e : a.effects) {
-      if (&e != &a.effects.front()) others.push_back(e);
-      others.insert(others.end(), e.rivals.begin(), e.rivals.end());
-    }
-    std::ranges::stable_sort(others, std::greater(), &NamedCause::probability);
-    if (others.size() > 2) others.resize(2);
-    return std::ranges::any_of(others, [&](const NamedCause& n) { return same(c.effects.front(), n); });
-  }
-  /// 2 |both| / (|named| + |true|).
-  double setF1(const BlindCase& c, const BlindAnswer& a) const {
-    if (a.verdict != "effect") return 0;
-    std::size_t both = 0;
-    for (const BlindEffect& e : c.effects)
-      both += std::ranges::any_of(a.effects, [&](const NamedCause& n) { return same(e, n); });
-    return 2.0 * static_cast<double>(both) / static_cast<double>(c.effects.size() + a.effects.size());
-  }
-
-private:
-  const Mechanism& robot;
-};
-
 /// Of the distance from nominal; of the value where nominal is no number to measure from.
 double parameterError(const BlindEffect& truth, double value) {
   const Effect* effect = findEffect(truth.effect);
@@ -122,16 +79,29 @@ Figure share(std::string id, std::string what, std::size_t hits, std::size_t cou
   return figure;
 }
 
-double calibrationError(const std::vector<Graded>& graded) {
+std::vector<CalibrationBin> calibrationBins(const std::vector<Graded>& graded) {
   constexpr std::size_t bins = 10;
-  std::array<double, bins> sure{}, right{};
+  std::array<double, bins> sure{};
+  std::array<std::size_t, bins> right{}, count{};
   for (const Graded& g : graded) {
-    const auto b = std::min(bins - 1, static_cast<std::size_t>(std::max(0.0, g.probability) * bins));
+    const auto b = std::min(bins - 1, static_cast<std::size_t>(std::clamp(g.probability, 0.0, 1.0) * bins));
     sure[b] += g.probability;
     right[b] += g.right;
+    ++count[b];
   }
+  std::vector<CalibrationBin> result;
+  for (std::size_t b = 0; b < bins; ++b) {
+    const double from = static_cast<double>(b) / bins, to = static_cast<double>(b + 1) / bins;
+    const double mean = count[b] ? sure[b] / static_cast<double>(count[b]) : 0;
+    result.push_back({from, to, mean, share("", "", right[b], count[b])});
+  }
+  return result;
+}
+
+double calibrationError(const std::vector<Graded>& graded) {
   double sum = 0;
-  for (std::size_t b = 0; b < bins; ++b) sum += std::abs(sure[b] - right[b]);
+  for (const CalibrationBin& bin : calibrationBins(graded))
+    sum += static_cast<double>(bin.right.count) * std::abs(bin.stated - bin.right.value);
   return graded.empty() ? 0 : sum / static_cast<double>(graded.size());
 }
 
@@ -143,14 +113,14 @@ const Figure& BlindScore::figure(std::string_view id) const {
 
 BlindScore scoreBlind(const BlindSet& set, const std::vector<BlindAnswer>& answers, const Mechanism& robot) {
   if (answers.size() != set.cases.size()) throw std::invalid_argument("not one answer per case");
-  const Judge judge(robot);
+  const BlindJudge judge(robot);
   BlindScore score;
   score.cases = set.cases.size();
   struct Count {
     std::size_t hits = 0, all = 0;
     void add(bool hit) { hits += hit, ++all; }
   };
-  Count top1, top3, place, hard, alarms, unknown, falseUnknown, missed;
+  Count top1, top3, place, hard, alarms, unknown, falseUnknown, missed, nearest, extra;
   std::array<Count, severityBins.size()> bins;
   std::vector<double> f1, errors, closed;
   std::vector<std::vector<Graded>> graded;  // per case, so that cases are drawn again and not answers
@@ -158,7 +128,7 @@ BlindScore scoreBlind(const BlindSet& set, const std::vector<BlindAnswer>& answe
     const BlindCase& c = set.cases[i];
     const BlindAnswer& a = answers[i];
     score.missing += a.verdict.empty();
-    const bool single = c.kind == BlindKind::single || c.kind == BlindKind::hard;
+    const bool single = c.isSingle();
     if (single) {
       std::size_t b = severityBins.size() - 1;
       while (b > 0 && c.ratio < severityBins[b]) --b;
@@ -171,11 +141,14 @@ BlindScore scoreBlind(const BlindSet& set, const std::vector<BlindAnswer>& answe
     else
       falseUnknown.add(a.verdict == "unknown");
     if (c.inLibrary()) missed.add(a.verdict == "none");
+    if (single && a.verdict == "unknown" && !a.effects.empty())
+      nearest.add(judge.same(c.effects.front(), a.effects.front()));
     if (single) {
       top1.add(judge.first(c, a));
       top3.add(judge.amongThree(c, a));
       place.add(judge.placeFirst(c, a));
       if (c.kind == BlindKind::hard) hard.add(judge.first(c, a));
+      extra.add(a.verdict == "effect" && a.effects.size() > 1);
     }
     if (c.kind == BlindKind::mixture) f1.push_back(judge.setF1(c, a));
     if (c.inLibrary()) closed.push_back(std::clamp(a.closed.value_or(0), 0.0, 1.0));
@@ -201,6 +174,9 @@ BlindScore scoreBlind(const BlindSet& set, const std::vector<BlindAnswer>& answe
   f.push_back(
       share("unknown_found", "unknown where the effect is outside the library", unknown.hits, unknown.all));
   f.push_back(share("false_unknown", "unknown where it is not", falseUnknown.hits, falseUnknown.all));
+  f.push_back(share("nearest_right", "nearest explanation right where a single was called unknown",
+                    nearest.hits, nearest.all));
+  f.push_back(share("extra", "more than one effect named where there is one", extra.hits, extra.all));
   f.push_back(bootstrap<double>("mixture_f1", "set F1 of mixtures, mean", f1, mean));
   f.push_back(bootstrap<double>("parameter_error", "error of the value where the effect is right, median",
                                 errors, median));
@@ -212,6 +188,9 @@ BlindScore scoreBlind(const BlindSet& set, const std::vector<BlindAnswer>& answe
                                                  all.insert(all.end(), one.begin(), one.end());
                                                return calibrationError(all);
                                              }));
+  std::vector<Graded> all;
+  for (const auto& one : graded) all.insert(all.end(), one.begin(), one.end());
+  score.calibration = calibrationBins(all);
   for (std::size_t b = 0; b < bins.size(); ++b)
     score.bySeverity.push_back(share("ratio_" + std::to_string(static_cast<int>(severityBins[b])), binName(b),
                                      bins[b].hits, bins[b].all));

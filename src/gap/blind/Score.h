@@ -36,18 +36,27 @@ struct Figure {
   std::size_t count = 0;  ///< cases, or answers, that it rests on; 0: there is no value
 };
 
+/// Answers whose probability lies in a range: what they say on average, and how many of them are right.
+struct CalibrationBin {
+  double from = 0, to = 0;
+  double stated = 0;  ///< mean of the probabilities given
+  Figure right;
+};
+
 struct BlindScore {
   /// On cases whose ratio is leastRatio or more, and on those without an effect.
   std::vector<Figure> figures;
   /// Effect and place first, of singles, by severity: all cases, from below leastRatio up.
   std::vector<Figure> bySeverity;
+  std::vector<CalibrationBin> calibration;  ///< ten, of the effects named
   std::size_t cases = 0, missing = 0;
 
   const Figure& figure(std::string_view id) const;
 };
 
-/// Scores answers, in the set's order. An effect counts as found at the same place, axis included; two
-/// joints of one motor count as one place. A verdict other than `effect` names nothing.
+/// Scores answers, in the set's order, as BlindJudge judges each. What is not answered is wrong; `unknown`
+/// is wrong wherever the library has the effect, even where its nearest explanation is the right one, and any
+/// other verdict is where it has not. Only effects named under the verdict `effect` count for calibration.
 BlindScore scoreBlind(const BlindSet& set, const std::vector<BlindAnswer>& answers, const Mechanism& robot);
 
 std::string scoreTable(const BlindScore& score);
@@ -56,12 +65,14 @@ std::string scoreJson(const BlindScore& score);
 /// Wilson's interval of a share, 95 % (Wilson, JASA 22, 1927).
 Figure share(std::string id, std::string what, std::size_t hits, std::size_t count);
 
-/// Expected calibration error: over ten bins of probability, the mean distance of how often answers were
-/// right from the mean probability given, weighted by the answers in the bin (Naeini et al., AAAI 2015).
+/// Calibration in ten bins of probability. Expected calibration error: over the bins, the mean distance of
+/// how often answers were right from the mean probability given, weighted by the answers in the bin (Naeini
+/// et al., AAAI 2015).
 struct Graded {
   double probability = 0;
   bool right = false;
 };
+std::vector<CalibrationBin> calibrationBins(const std::vector<Graded>& graded);
 double calibrationError(const std::vector<Graded>& graded);
 
 }  // namespace plumbline::gap

@@ -89,6 +89,12 @@ std::string scoreJson(const BlindScore& score) {
   json j = {{"cases", score.cases}, {"missing", score.missing}};
   for (const Figure& figure : score.figures) j["figures"].push_back(figureJson(figure));
   for (const Figure& figure : score.bySeverity) j["severity"].push_back(figureJson(figure));
+  for (const CalibrationBin& bin : score.calibration)
+    j["calibration"].push_back({{"from", bin.from},
+                                {"to", bin.to},
+                                {"stated", bin.right.count ? json(bin.stated) : json(nullptr)},
+                                {"right", bin.right.count ? json(bin.right.value) : json(nullptr)},
+                                {"answers", bin.right.count}});
   return j.dump(1);
 }
 

@@ -1,14 +1,16 @@
 #include "Baselines.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 
+#include "ChainReplay.h"
+#include "FitOfEverything.h"
+#include "NestedFriction.h"
+#include "SingleEffect.h"
 #include "framework/WriteFile.h"
-#include "gap/diagnosis/PossibleCauses.h"
-#include "gap/diagnosis/Search.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/run/RunCheck.h"
 #include "gap/run/RunFile.h"
@@ -17,63 +19,65 @@ namespace plumbline::bench {
 
 namespace {
 
+namespace fs = std::filesystem;
 using namespace gap;
 using nlohmann::json;
 
-void write(const std::string& folder, const char* way, const std::string& name, const Explanation& causes) {
+fs::path placeOf(const std::string& folder, const char* way, const BlindCase& c) {
+  return fs::path(folder) / way / (c.name + ".json");
+}
+
+void write(const fs::path& place, const Explanation& causes) {
   json j = {{"verdict", causes.empty() ? "none" : "effect"}, {"effects", json::array()}};
   for (const Cause& cause : causes) {
     json e = {{"effect", cause.effect->id}, {"at", cause.place.at}, {"value", cause.value}};
     e["axis"] = cause.place.axis ? json(std::string(1, cause.place.axis)) : json(nullptr);
     j["effects"].push_back(e);
   }
-  const std::filesystem::path place = std::filesystem::path(folder) / way;
-  std::filesystem::create_directories(place);
-  writeFile((place / (name + ".json")).string(), j.dump(1));
+  fs::create_directories(place.parent_path());
+  writeFile(place.string(), j.dump(1));
+}
+
+std::vector<Trial> trialsOf(const std::string& runs, const Mechanism& robot) {
+  std::vector<Trial> trials;
+  std::vector<RunWarning> ignored;
+  for (const std::string& run : findRuns(runs))
+    trials.push_back(trialOf(readCheckedRun(run, robot, ignored), robot));
+  return trials;
+}
+
+bool imuRecorded(const Evidence& evidence) {
+  return std::ranges::any_of(evidence.trials(), [](const Trial& trial) {
+    return std::ranges::any_of(trial.signals, [](const Signal& s) {
+      return s.kind == SignalKind::gyro || s.kind == SignalKind::accelerometer;
+    });
+  });
 }
 
 }  // namespace
 
 void writeBaselines(const BlindCase& c, const Mechanism& robot, const std::string& runs,
                     const std::string& folder, int jobs) {
-  std::vector<Trial> trials;
-  std::vector<RunWarning> ignored;
-  for (const std::string& run : findRuns(runs))
-    trials.push_back(trialOf(readCheckedRun(run, robot, ignored), robot));
-  const Evidence evidence(std::move(trials));
-  Evaluator fine(robot, evidence);
+  const auto wanted = [&](const BaselineWay& way) {
+    return way.id != std::string("largest_rmse") && (!way.libraryOnly || c.inLibrary()) &&
+           !fs::exists(placeOf(folder, way.id, c));
+  };
+  if (std::ranges::none_of(baselineWays, wanted)) return;
+  const Evidence evidence(trialsOf(runs, robot));
   ReplayOptions coarseSteps;
   coarseSteps.step = 0.005;
   coarseSteps.gearStep = 0.0025;
-  Evaluator coarse(robot, evidence, coarseSteps);
-  SearchOptions options;
-  options.jobs = jobs;
-  fine.setBase({});
-  coarse.setBase({});
-  const std::vector<Cause> all = possibleCauses(fine);
-
-  Explanation best;
-  double samples = 0;
-  for (std::size_t t = 0; t < evidence.trials().size(); ++t)
-    for (std::size_t s = 0; s < evidence.trials()[t].signals.size(); ++s)
-      samples +=
-          static_cast<double>(std::ranges::count_if(evidence.weights(t, s), [](double w) { return w > 0; }));
-  double least = fine.baseFit().fitting - std::log(std::max(2.0, samples / 2));
-  for (const Candidate& candidate : search(fine, coarse, all, options))
-    if (candidate.fit.fitting < least) least = candidate.fit.fitting, best = {candidate.cause};
-  write(folder, "best_bic", c.name, best);
-
-  if (!c.inLibrary()) return;
-  Explanation known;
-  for (const BlindEffect& truth : c.effects) {
-    fine.setBase(known);
-    coarse.setBase(known);
-    std::vector<Cause> causes = known.empty() ? all : possibleCauses(fine);
-    std::erase_if(causes, [&](const Cause& cause) { return cause.effect->id != truth.effect; });
-    const std::vector<Candidate> list = search(fine, coarse, causes, options);
-    if (!list.empty()) known.push_back(list.front().cause);
+  Evaluator fine(robot, evidence), coarse(robot, evidence, coarseSteps);
+  const ChainReplay chain(coarse, coarseSteps);
+  const std::pair<const char*, std::function<Explanation()>> ways[] = {
+      {"fit_everything", [&] { return fitOfEverything(robot, chain, imuRecorded(evidence), jobs); }},
+      {"nested_friction", [&] { return nestedFriction(robot, chain, jobs); }},
+      {"best_bic", [&] { return bestByBic(fine, coarse, jobs); }},
+      {"oracle", [&] { return oracle(c, fine, coarse, jobs); }}};
+  for (const auto& [id, answer] : ways) {
+    const auto* way = std::ranges::find(baselineWays, std::string_view(id), &BaselineWay::id);
+    if (wanted(*way)) write(placeOf(folder, id, c), answer());
   }
-  write(folder, "oracle", c.name, known);
 }
 
 void writeLargestRmse(const BlindCase& c, const std::string& answer, const std::string& folder) {
@@ -89,9 +93,9 @@ void writeLargestRmse(const BlindCase& c, const std::string& answer, const std::
   }
   const json out = {{"verdict", "effect"},
                     {"effects", {{{"effect", "anything"}, {"at", joint}, {"axis", nullptr}, {"value", 0}}}}};
-  const std::filesystem::path place = std::filesystem::path(folder) / "largest_rmse";
-  std::filesystem::create_directories(place);
-  writeFile((place / (c.name + ".json")).string(), out.dump(1));
+  const fs::path place = placeOf(folder, "largest_rmse", c);
+  fs::create_directories(place.parent_path());
+  writeFile(place.string(), out.dump(1));
 }
 
 }  // namespace plumbline::bench

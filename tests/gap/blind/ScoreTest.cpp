@@ -5,36 +5,10 @@
 #include <algorithm>
 
 #include "gap/blind/Draw.h"
+#include "gap/blind/HandMadeCases.h"
 
 namespace plumbline::gap {
 namespace {
-
-Mechanism twoHips() {
-  Mechanism robot;
-  robot.joints.resize(3);
-  robot.joints[0].name = "LHip";
-  robot.joints[1].name = "RHip";
-  robot.joints[1].driver = 0;
-  robot.joints[2].name = "Knee";
-  return robot;
-}
-
-BlindCase caseOf(BlindKind kind, std::vector<BlindEffect> effects, double ratio = 8) {
-  BlindCase c;
-  c.kind = kind;
-  c.effects = std::move(effects);
-  c.ratio = ratio;
-  return c;
-}
-
-BlindAnswer answer(const char* verdict, std::vector<BlindAnswer::Named> effects = {}, double closed = 0) {
-  return {"", verdict, std::move(effects), closed};
-}
-
-BlindAnswer::Named named(const char* effect, const char* at, double value, double probability,
-                         std::vector<NamedCause> rivals = {}) {
-  return {{effect, at, "", value, probability}, std::move(rivals)};
-}
 
 TEST(BlindScore, CountsByHand) {
   const BlindEffect friction{"coulomb_friction", "LHip", "", 0.2, {}};
@@ -89,15 +63,73 @@ TEST(BlindScore, NoAnswerIsAWrongAnswer) {
   EXPECT_DOUBLE_EQ(score.figure("top1").value, 0);
 }
 
-TEST(BlindScore, FourthIsNotAmongThree) {
+TEST(BlindScore, UnknownIsWrongEvenWhereItsNearestExplanationIsRight) {
   BlindSet set;
-  set.cases = {caseOf(BlindKind::single, {{"backlash", "Knee", "", 1, {}}})};
-  const std::vector<NamedCause> rivals = {{"dead_band", "Knee", "", 1, 0.3},
-                                          {"servo_gain", "Knee", "", 1, 0.2},
-                                          {"backlash", "Knee", "", 1, 0.1}};
+  set.cases = {
+      caseOf(BlindKind::single, {{"backlash", "Knee", "", 1, {}}}),
+      caseOf(BlindKind::single, {{"dead_band", "Knee", "", 1, {}}}),
+      caseOf(BlindKind::mixture, {{"backlash", "Knee", "", 1, {}}, {"dead_band", "LHip", "", 1, {}}})};
   const BlindScore score =
-      scoreBlind(set, {answer("effect", {named("bias_force", "Knee", 1, 0.4, rivals)})}, twoHips());
-  EXPECT_DOUBLE_EQ(score.figure("top3").value, 0);
+      scoreBlind(set,
+                 {answer("unknown", {named("backlash", "Knee", 1, 0.4)}),
+                  answer("unknown", {named("backlash", "Knee", 1, 0.4)}),
+                  answer("unknown", {named("backlash", "Knee", 1, 0.4), named("dead_band", "LHip", 1, 0.4)})},
+                 twoHips());
+  for (const char* id : {"top1", "top3", "place", "mixture_f1"})
+    EXPECT_DOUBLE_EQ(score.figure(id).value, 0) << id;
+  EXPECT_DOUBLE_EQ(score.figure("false_unknown").value, 1);
+  EXPECT_DOUBLE_EQ(score.figure("nearest_right").value, 0.5);
+  EXPECT_EQ(score.figure("nearest_right").count, 2U);
+  EXPECT_EQ(score.figure("parameter_error").count, 0U);
+  EXPECT_EQ(score.figure("ece").count, 0U);
+}
+
+TEST(BlindScore, OutsideTheLibraryOnlyUnknownIsRight) {
+  BlindSet set;
+  const std::vector<BlindEffect> ripple = {{"gear_ripple", "Knee", "", 1, {}}};
+  set.cases = {caseOf(BlindKind::outside, ripple), caseOf(BlindKind::outside, ripple),
+               caseOf(BlindKind::outside, ripple), caseOf(BlindKind::outside, ripple),
+               caseOf(BlindKind::outside, ripple, 2.9)};
+  // The effect named is right to the letter, and still no answer that the library can give.
+  const BlindScore score =
+      scoreBlind(set,
+                 {answer("unknown"), answer("none"), answer(""),
+                  answer("effect", {named("gear_ripple", "Knee", 1, 0.8)}), answer("unknown")},
+                 twoHips());
+  EXPECT_DOUBLE_EQ(score.figure("unknown_found").value, 0.25);
+  EXPECT_EQ(score.figure("unknown_found").count, 4U);  // the weak one stays out
+  EXPECT_EQ(score.figure("false_unknown").count, 0U);
+  EXPECT_NEAR(score.figure("ece").value, 0.8, 1e-12);
+  EXPECT_EQ(score.figure("missed").count, 0U);
+  EXPECT_EQ(score.figure("gap_closed").count, 0U);
+}
+
+TEST(BlindScore, ErrorIsMeasuredFromNominalAndOfLimitsByTheirValue) {
+  BlindSet set;
+  set.cases = {caseOf(BlindKind::single, {{"supply_voltage", "*", "", 0.8, {}}}),
+               caseOf(BlindKind::single, {{"acceleration_limit", "Knee", "", 20, {}}}),
+               caseOf(BlindKind::single, {{"bias_force", "Knee", "", -0.1, {}}})};
+  const BlindScore score =
+      scoreBlind(set,
+                 {answer("effect", {named("supply_voltage", "*", 0.82, 1)}),       // 0.02 of 0.2
+                  answer("effect", {named("acceleration_limit", "Knee", 25, 1)}),  // 5 of 20
+                  answer("effect", {named("bias_force", "Knee", 0.1, 1)})},        // the wrong way
+                 twoHips());
+  EXPECT_NEAR(score.figure("parameter_error").value, 0.25, 1e-12);
+  EXPECT_EQ(score.figure("parameter_error").count, 3U);
+}
+
+TEST(BlindScore, CountsEffectsTooMany) {
+  BlindSet set;
+  const std::vector<BlindEffect> play = {{"backlash", "Knee", "", 1, {}}};
+  set.cases = {caseOf(BlindKind::single, play), caseOf(BlindKind::single, play)};
+  const BlindScore score =
+      scoreBlind(set,
+                 {answer("effect", {named("backlash", "Knee", 1, 0.9)}),
+                  answer("effect", {named("backlash", "Knee", 1, 0.9), named("dead_band", "Knee", 1, 0.9)})},
+                 twoHips());
+  EXPECT_DOUBLE_EQ(score.figure("top1").value, 1);
+  EXPECT_DOUBLE_EQ(score.figure("extra").value, 0.5);
 }
 
 TEST(BlindScore, WilsonsInterval) {
@@ -113,6 +145,18 @@ TEST(BlindScore, CalibrationByBins) {
   // Two in one bin with mean 0.95 and one of them right: |0.95 - 0.5|; one at 0.15, wrong.
   EXPECT_NEAR(calibrationError({{0.93, true}, {0.97, false}, {0.15, false}}), (0.9 + 0.15) / 3, 1e-12);
   EXPECT_DOUBLE_EQ(calibrationError({{1, true}, {0, false}}), 0);
+}
+
+TEST(BlindScore, BinsSayWhatIsStatedAndWhatIsRight) {
+  const auto bins = calibrationBins({{0.93, true}, {0.97, false}, {1, true}, {0, false}, {0.3, true}});
+  ASSERT_EQ(bins.size(), 10U);
+  EXPECT_EQ(bins[9].right.count, 3U);
+  EXPECT_NEAR(bins[9].stated, 2.9 / 3, 1e-12);
+  EXPECT_NEAR(bins[9].right.value, 2.0 / 3, 1e-12);
+  EXPECT_EQ(bins[0].right.count, 1U);
+  EXPECT_DOUBLE_EQ(bins[3].from, 0.3);  // a bin holds its lower end
+  EXPECT_EQ(bins[3].right.count, 1U);
+  EXPECT_EQ(bins[5].right.count, 0U);
 }
 
 TEST(BlindCase, SealsAndReadsBack) {

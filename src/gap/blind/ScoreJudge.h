@@ -1,0 +1,32 @@
+#pragma once
+#include "gap/blind/Score.h"
+
+namespace plumbline::gap {
+
+/// What is asked of one case and its answer. Only the verdict `effect` names anything; an effect is found
+/// where id, place and axis are right, two joints of one motor being one place.
+class BlindJudge {
+public:
+  explicit BlindJudge(const Mechanism& robot_) : robot(robot_) {}
+
+  bool same(const BlindEffect& truth, const NamedCause& named) const;
+  /// The effect is among those named, rivals aside.
+  bool named(const BlindEffect& truth, const BlindAnswer& a) const;
+  /// The strongest effect named is the case's first one.
+  bool first(const BlindCase& c, const BlindAnswer& a) const;
+  bool placeFirst(const BlindCase& c, const BlindAnswer& a) const;
+  /// The strongest effect named, then its rivals and the other effects by probability, each cause once: among
+  /// the first three.
+  bool amongThree(const BlindCase& c, const BlindAnswer& a) const;
+  /// How many of the case's effects are named, each by an effect of its own.
+  std::size_t both(const BlindCase& c, const BlindAnswer& a) const;
+  /// 2 |both| / (|named| + |true|).
+  double setF1(const BlindCase& c, const BlindAnswer& a) const;
+  /// The right verdict with the right set: none, unknown, the single first, or all of a mixture and no more.
+  bool right(const BlindCase& c, const BlindAnswer& a) const;
+
+private:
+  const Mechanism& robot;
+};
+
+}  // namespace plumbline::gap

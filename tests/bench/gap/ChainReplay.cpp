@@ -1,0 +1,80 @@
+#include "ChainReplay.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gap/diagnosis/SensorChange.h"
+
+namespace plumbline::bench {
+
+using namespace gap;
+
+ChainReplay::ChainReplay(const Evaluator& nominal_, const ReplayOptions& steps)
+    : nominal(nominal_), nominalPlant(gap::nominalPlant(nominal_.mechanism())), options(steps) {
+  findJoint();
+  if (worst < 0) return;
+  options.joints = nominal.jointsTouched({nullptr, {Site::joint, worst, ""}, 0, 0});
+  findRuns();
+}
+
+void ChainReplay::findJoint() {
+  const auto& trials = nominal.evidence().trials();
+  std::vector<double> squares(nominal.mechanism().joints.size(), 0);
+  for (std::size_t t = 0; t < trials.size(); ++t)
+    for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
+      const Signal& signal = trials[t].signals[s];
+      const double chi = nominal.chi(t, s);
+      if (trials[t].freeBase || signal.kind != SignalKind::position || !std::isfinite(chi)) continue;
+      squares[static_cast<std::size_t>(signal.joint)] += chi;
+    }
+  const auto most = std::ranges::max_element(squares);
+  if (most == squares.end() || *most <= 0) return;
+  worst = static_cast<int>(most - squares.begin());
+  const int driver = nominal.mechanism().joints[static_cast<std::size_t>(worst)].driver;
+  if (driver >= 0) worst = driver;
+}
+
+void ChainReplay::findRuns() {
+  const auto& trials = nominal.evidence().trials();
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    if (trials[t].freeBase) continue;
+    double sum = 0;
+    for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
+      const Signal& signal = trials[t].signals[s];
+      const bool near = std::ranges::find(options.joints, signal.joint) != options.joints.end();
+      if (near && std::isfinite(nominal.chi(t, s))) sum += nominal.chi(t, s);
+    }
+    order.emplace_back(-sum, t);
+  }
+  std::ranges::sort(order);
+  for (const auto& [sum, t] : order)
+    if (runs.size() < 2 &&
+        std::ranges::none_of(runs, [&, t = t](std::size_t r) { return isRepeat(trials[r], trials[t]); }))
+      runs.push_back(t);
+}
+
+ChainReplay::Squares ChainReplay::of(const Explanation& causes) const {
+  constexpr double ranAway = 1e3;  // a replay that is no number counts as far off, not as lost
+  const Evidence& data = nominal.evidence();
+  Squares result;
+  for (const std::size_t t : runs) {
+    const Trial& trial = data.trials()[t];
+    const Plant plant = plantOf(*trial.robot, causes);
+    Prediction predicted = replay(plant, trial, options);
+    const Prediction sensors = sensorChange(nominalPlant, plant, trial, nominal.basePrediction(t));
+    for (std::size_t s = 0; s < trial.signals.size(); ++s) {
+      const std::vector<double>& values = sensors.values[s].empty() ? predicted.values[s] : sensors.values[s];
+      if (values.empty()) continue;
+      const std::vector<double>& weights = data.weights(t, s);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        if (!(weights[k] > 0)) continue;
+        const double r = std::isfinite(values[k]) ? trial.signals[s].values[k] - values[k] : ranAway;
+        (Evidence::forFitting(data.block(t, k)) ? result.fitting : result.judging) += weights[k] * r * r;
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace plumbline::bench

@@ -1,0 +1,96 @@
+#include "NestedFriction.h"
+
+#include <cmath>
+
+#include "Shares.h"
+#include "gap/diagnosis/Parallel.h"
+#include "gap/effects/Effects.h"
+#include "optimization/Cmaes.h"
+
+namespace plumbline::bench {
+
+using namespace gap;
+
+namespace {
+
+constexpr int evaluationsPerTerm = 40;
+constexpr double firstStep = 0.05;  // of the bounds
+
+class Models {
+public:
+  Models(const Mechanism& robot_, const ChainReplay& chain_, int jobs_)
+      : robot(robot_), chain(chain_), jobs(jobs_) {
+    for (const char* id : {"coulomb_friction", "viscous_friction", "stribeck_friction", "load_friction"}) {
+      const Effect* effect = findEffect(id);
+      const std::string& name = robot.joints[static_cast<std::size_t>(chain.joint())].name;
+      terms.push_back({effect, findPlace(*effect, robot, name, ""), 0, 0});
+    }
+  }
+
+  Explanation best() const {
+    Eigen::VectorXd chosen(0), shares(0);
+    double least = chain.of({}).judging;
+    while (static_cast<std::size_t>(shares.size()) < terms.size()) {
+      shares = fitted(shares);
+      const double judging = chain.of(at(shares)).judging;
+      if (judging < least) least = judging, chosen = shares;
+    }
+    if (chosen.size() == 0) return {};
+    Eigen::Index telling = 0;
+    double most = -INFINITY;
+    for (Eigen::Index i = 0; i < chosen.size(); ++i) {
+      Eigen::VectorXd without = chosen;
+      without[i] = 0;
+      const double judging = chain.of(at(without)).judging;
+      if (judging > most) most = judging, telling = i;
+    }
+    return {atShare(robot, terms[static_cast<std::size_t>(telling)], chosen[telling])};
+  }
+
+private:
+  Explanation at(const Eigen::VectorXd& shares) const {
+    Explanation causes;
+    for (Eigen::Index i = 0; i < shares.size(); ++i)
+      if (shares[i] > 0) causes.push_back(atShare(robot, terms[static_cast<std::size_t>(i)], shares[i]));
+    return causes;
+  }
+
+  /// The model with one more term, from where the one before came out.
+  Eigen::VectorXd fitted(const Eigen::VectorXd& before) const {
+    const Eigen::Index n = before.size() + 1;
+    SearchSpace space;
+    space.start = Eigen::VectorXd::Zero(n);
+    space.start.head(n - 1) = before;
+    space.sigma = Eigen::VectorXd::Constant(n, firstStep);
+    space.lower = Eigen::VectorXd::Zero(n);
+    space.upper = Eigen::VectorXd::Ones(n);
+    CmaesOptions options;
+    options.seed = 7;
+    options.stop.maxEvaluations = evaluationsPerTerm * n;
+    options.stop.tolX = 0.005;
+    Cmaes optimizer(space, options);
+    while (!optimizer.isDone()) {
+      const Eigen::MatrixXd& asked = optimizer.ask();
+      std::vector<double> costs(static_cast<std::size_t>(asked.cols()));
+      parallel(costs.size(), jobs, [&](std::size_t i) {
+        costs[i] = chain.of(at(asked.col(static_cast<Eigen::Index>(i)))).fitting;
+      });
+      optimizer.tell(costs);
+    }
+    return optimizer.bestCost() < chain.of(at(space.start)).fitting ? optimizer.best() : space.start;
+  }
+
+  const Mechanism& robot;
+  const ChainReplay& chain;
+  const int jobs;
+  Explanation terms;
+};
+
+}  // namespace
+
+Explanation nestedFriction(const Mechanism& robot, const ChainReplay& chain, int jobs) {
+  if (chain.joint() < 0) return {};
+  return Models(robot, chain, jobs).best();
+}
+
+}  // namespace plumbline::bench

@@ -1,0 +1,13 @@
+#pragma once
+#include "ChainReplay.h"
+
+namespace plumbline::bench {
+
+/// Friction models, each holding the one before: none, Coulomb, viscous as well, Stribeck's as well, and
+/// friction that grows with load (as Duclusaud et al., "Extended Friction Models for the Physics Simulation
+/// of Servo Actuators", 2024, choose for one servo), at the joint with the largest gap. Each is fitted by
+/// CMA-ES; the one with the least error on the blocks for judging is taken, and named after the term without
+/// which that error rises most. Empty where no friction judges best.
+gap::Explanation nestedFriction(const Mechanism& robot, const ChainReplay& chain, int jobs);
+
+}  // namespace plumbline::bench

@@ -1,0 +1,61 @@
+#include <cstdio>
+
+#include "Page.h"
+#include "gap/blind/ScoreJudge.h"
+
+namespace plumbline::bench {
+
+using namespace gap;
+
+namespace {
+
+std::string nameOfOne(const std::string& effect, const std::string& at, const std::string& axis, double v) {
+  char value[32];
+  std::snprintf(value, sizeof value, "%.3g", v);
+  return effect + " at " + (at == "*" ? "all joints" : at) + (axis.empty() ? "" : " " + axis) + " " + value;
+}
+
+void add(std::string& list, const std::string& item) { list += (list.empty() ? "" : ", ") + item; }
+
+std::string hidden(const BlindCase& c) {
+  std::string text;
+  for (const BlindEffect& e : c.effects) add(text, nameOfOne(e.effect, e.at, e.axis, e.value));
+  return text.empty() ? "nothing" : text;
+}
+
+std::string said(const BlindAnswer& a, bool withRivals) {
+  if (a.verdict.empty()) return "no answer";
+  std::string text;
+  for (const BlindAnswer::Named& e : a.effects) {
+    add(text, nameOfOne(e.effect, e.at, e.axis, e.value) + " (" + number(e.probability));
+    if (withRivals)
+      for (const NamedCause& rival : e.rivals)
+        text += "; or " + rival.effect + " at " + rival.at + (rival.axis.empty() ? "" : " " + rival.axis) +
+                " " + number(rival.probability);
+    text += ")";
+  }
+  if (a.verdict == "effect") return text;
+  return text.empty() || !withRivals ? a.verdict : a.verdict + ", nearest " + text;
+}
+
+}  // namespace
+
+std::string casesSection(const BenchResult& r) {
+  const BlindJudge judge(r.robot);
+  std::string misses, all;
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < r.set.cases.size(); ++i) {
+    const BlindCase& c = r.set.cases[i];
+    const BlindAnswer& a = r.answers[i];
+    const bool right = judge.right(c, a);
+    wrong += !right;
+    if (!right) misses += row({c.name, nameOf(c.kind), hidden(c), number(c.ratio), said(a, true)});
+    all += row({c.name, nameOf(c.kind), hidden(c), number(c.ratio), said(a, false), right ? "yes" : "no"});
+  }
+  return "\n## What went wrong\n\n" + std::to_string(wrong) + " of " + std::to_string(r.set.cases.size()) +
+         " cases, weak ones included. A mixture is right with both effects and no third.\n\n" +
+         (wrong ? head({"case", "kind", "hidden", "gap over noise", "said instead"}) + misses : "") +
+         "\n## Every case\n\n" + head({"case", "kind", "hidden", "gap over noise", "answer", "right"}) + all;
+}
+
+}  // namespace plumbline::bench
