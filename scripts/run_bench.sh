@@ -3,6 +3,7 @@
 # Each leaves build/bench/<area>.json: a list of {"name", "value", "unit", "better", "target", "peer", "peer_value"}.
 # A plain program or a script tests/bench/<area>/*.sh writes that file itself; the output of a program made with
 # Google Benchmark is turned into it (a counter named "target" or "peer_value" becomes that field).
+# BENCH_ARGS: arguments of plain programs.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 mkdir -p build/bench
@@ -49,7 +50,7 @@ for area in "${areas[@]}"; do
         echo "run_bench.sh: $program failed; see $log" >&2; failed=1
       fi
       rm -f "build/bench/$area.raw" "build/bench/$area.json.new"
-    elif ! "$program" >> "$log" 2>&1; then
+    elif ! "$program" ${BENCH_ARGS-} >> "$log" 2>&1; then
       echo "run_bench.sh: $program failed; see $log" >&2; failed=1
     fi
   fi

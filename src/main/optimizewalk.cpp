@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "training/ServoWalker.h"
 #include "training/WalkTraining.h"
 #include "training/WalkingRobot.h"
 
@@ -19,11 +20,14 @@ struct Options {
   TrainingSetup setup;
   std::vector<std::string> tasks{taskNames.begin(), taskNames.end()};
   std::string from, output;
-  int cornersOf = -1;
+  int cornersOf = -1, type = 0;
+  std::string robot;  ///< with position servos; empty: the league's type
   bool anew = false, tryOnly = false;
 };
 
-std::string folderOf(int type) { return "config/robots/type" + std::to_string(type); }
+std::string folderOf(const Options& options) {
+  return "config/robots/" + (options.robot.empty() ? "type" + std::to_string(options.type) : options.robot);
+}
 
 /// Beside its place first, so that nobody reads half a file.
 void write(const std::string& path, const std::string& text) {
@@ -52,21 +56,28 @@ void run(Options& options) {
   if (options.anew) gaits = WalkGaits(gaits.base);
   if (options.cornersOf >= 0) gaits = withCornersOf(gaits, readWalkGaits(options.cornersOf));
   const WalkParameters common = plainWalk().base;
+  setup.robot = options.robot.empty() ? "type " + std::to_string(options.type) : options.robot;
+  if (options.robot.empty())
+    setup.walker = [&](const WalkGaits& walk) { return std::make_unique<WalkingRobot>(options.type, walk); };
+  else
+    setup.walker = [robot = findMechanism(options.robot)](const WalkGaits& walk) {
+      return std::make_unique<ServoWalker>(robot, walk);
+    };
   for (const std::string& name : options.tasks) {
     setup.task = taskOf(name);
     if (options.tryOnly) {
-      WalkingRobot robot(setup.type, gaits);
-      const TrialResult r = tryWalk(robot, gaits, setup.task, setup.trial);
-      say(fmt::format("{}, type {}: speed {:.3f}, falls {:.3f}, drift {:.3f}", name, setup.type, r.speed,
-                      r.falls, r.drift));
+      const std::unique_ptr<Walker> robot = setup.walker(gaits);
+      const TrialResult r = tryWalk(*robot, gaits, setup.task, setup.trial);
+      say(fmt::format("{}, {}: speed {:.3f}, falls {:.3f}, drift {:.3f}", name, setup.robot, r.speed, r.falls,
+                      r.drift));
       continue;
     }
     gaits = train(gaits, setup, [&](const std::string& line, const WalkGaits& best) {
       say(line);
       write(options.output,
-            walkFile(
-                best, common,
-                fmt::format("Walk of the league's robot type {}, found by bin/optimizewalk.", setup.type)));
+            walkFile(best, common,
+                     fmt::format("Walk of the {}, found by bin/optimizewalk.",
+                                 options.robot.empty() ? "league's robot " + setup.robot : setup.robot)));
     });
   }
 }
@@ -80,7 +91,9 @@ int main(int argc, char** argv) {
       "Finds the walk of a robot type in the simulator with CMA-ES: parameters at full speed in each "
       "direction, then "
       "speeds and feedback for any mixture.");
-  app.add_option("--type", setup.type, "robot type 0..4")->check(CLI::Range(0, 4))->capture_default_str();
+  app.add_option("--type", options.type, "robot type 0..4")->check(CLI::Range(0, 4))->capture_default_str();
+  app.add_option("--robot", options.robot,
+                 "instead of a type: a robot with position servos, by the name of its file in config/robots");
   app.add_option("--task", options.tasks,
                  "what is searched for, in this order: forward, backward, sideways, turn, mixture")
       ->check(CLI::IsMember(std::vector<std::string>{taskNames.begin(), taskNames.end()}))
@@ -123,8 +136,8 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "optimizewalk: {}; see optimizewalk --help\n", error.what());
     return 2;
   }
-  if (options.from.empty()) options.from = folderOf(setup.type);
-  if (options.output.empty()) options.output = folderOf(setup.type) + "/walking.yaml";
+  if (options.from.empty()) options.from = folderOf(options);
+  if (options.output.empty()) options.output = folderOf(options) + "/walking.yaml";
   try {
     run(options);
   } catch (const std::exception& error) {

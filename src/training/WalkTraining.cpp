@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "optimization/Cmaes.h"
-#include "training/WalkingRobot.h"
 
 namespace plumbline::walking {
 namespace {
@@ -98,7 +97,12 @@ double valueOf(const WalkGaits& gaits, const Variable& variable) {
 
 void setValue(WalkGaits& gaits, const Variable& variable, double value) {
   WalkParameters& section = sectionOf(gaits, variable.section);
+  const double before = section.*variable.info->value;
   section.*variable.info->value = std::clamp(value, variable.info->low, variable.info->high);
+  if (&section == &gaits.base)
+    for (WalkParameters& corner : gaits.corner)
+      if (corner.*variable.info->value == before)
+        corner.*variable.info->value = section.*variable.info->value;
   if (std::string(variable.info->name) == "stepDuration") {
     section.minStepDuration = std::max(0.04, 0.88 * section.stepDuration);
     section.maxStepDuration = std::max(0.08, 1.16 * section.stepDuration);
@@ -146,7 +150,8 @@ WalkGaits train(const WalkGaits& gaits, const TrainingSetup& setup,
   options.seed = setup.seed;
   options.stop.maxGenerations = setup.generations;
   Cmaes search(space, options);
-  WalkingRobot robot(setup.type, gaits);
+  const std::unique_ptr<Walker> walker = setup.walker(gaits);
+  Walker& robot = *walker;
   const char* task = taskNames[static_cast<std::size_t>(setup.task)];
   char line[200];
   while (!search.isDone()) {
@@ -160,9 +165,9 @@ WalkGaits train(const WalkGaits& gaits, const TrainingSetup& setup,
     if (search.generations() % 10 != 0) continue;
     const WalkGaits favourite = decode(search.favourite());
     const TrialResult r = tryWalk(robot, favourite, setup.task, trial);
-    std::snprintf(
-        line, sizeof line, "%s, type %d, generation %d: speed %.3f, falls %.2f, drift %.3f, sigma %.3f", task,
-        setup.type, static_cast<int>(search.generations()), r.speed, r.falls, r.drift, search.sigma());
+    std::snprintf(line, sizeof line, "%s, %s, generation %d: speed %.3f, falls %.2f, drift %.3f, sigma %.3f",
+                  task, setup.robot.c_str(), static_cast<int>(search.generations()), r.speed, r.falls,
+                  r.drift, search.sigma());
     progress(line, favourite);
   }
   TrialSetup last = setup.trial;
@@ -174,8 +179,9 @@ WalkGaits train(const WalkGaits& gaits, const TrainingSetup& setup,
                     after = tryWalk(robot, found, setup.task, last);
   if (!(cost(setup.task, after) < cost(setup.task, before))) found = gaits;
   std::snprintf(line, sizeof line,
-                "%s, type %d: speed %.3f, falls %.3f, drift %.3f -> speed %.3f, falls %.3f, drift %.3f", task,
-                setup.type, before.speed, before.falls, before.drift, after.speed, after.falls, after.drift);
+                "%s, %s: speed %.3f, falls %.3f, drift %.3f -> speed %.3f, falls %.3f, drift %.3f", task,
+                setup.robot.c_str(), before.speed, before.falls, before.drift, after.speed, after.falls,
+                after.drift);
   progress(line, found);
   return found;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,13 @@ struct Variable {
 std::vector<Variable> variablesOf(Task task);
 
 double valueOf(const WalkGaits& gaits, const Variable& variable);
-/// Sets it, within its range; durations of steps of the same section follow stepDuration.
+/// Sets it, within its range; directions that have the base's value follow it; durations of steps of the same
+/// section follow stepDuration.
 void setValue(WalkGaits& gaits, const Variable& variable, double value);
 
 struct TrainingSetup {
-  int type = 0;
+  std::string robot = "type 0";                                     ///< in what is told
+  std::function<std::unique_ptr<Walker>(const WalkGaits&)> walker;  ///< makes the robot
   Task task = Task::forward;
   int generations = 100, population = 16;
   std::uint64_t seed = 1;

@@ -16,7 +16,10 @@ void tableAcceleration(const std::vector<Subject>& subjects, Report& report, Pag
                     "speed error mean mm/s", "std. dev.", "falls"});
   const Requests forward = [](double) { return WalkRequest{Vec2(0.2, 0), 0, true}; };
   for (const Subject& subject : subjects) {
-    WalkingRobot robot(subject.type, subject.gaits);
+    const std::unique_ptr<Walker> walker = subject.walker();
+    Walker& robot = *walker;
+    const double cycle = robot.cycle;
+    const auto window = static_cast<std::size_t>(std::lround(0.2 / cycle));
     const ModelParameters fit = optimise(robot, forward);
     Plot plot{.title = subject.name, .xLabel = "time [s]", .yLabel = "speed over 0.2 s [m/s]", .series = {}};
     for (const bool optimised : {false, true}) {
@@ -31,14 +34,15 @@ void tableAcceleration(const std::vector<Subject>& subjects, Report& report, Pag
         const Pose2 start = robot.pose();
         std::vector<double> way{0};
         double delay = 0, reached = 0;
-        while (way.back() < 0.5 && way.size() < 400) {
+        while (way.back() < 0.5 && cycle * static_cast<double>(way.size()) < 8) {
           if (!robot.step(forward(0))) break;
           watch.cycle();
           way.push_back((start.inverse() * robot.pose()).x());
           const double time = cycle * static_cast<double>(way.size() - 1);
           if (delay == 0 && way.back() > 0.005) delay = time;
           const std::size_t n = way.size();
-          if (reached == 0 && n > 10 && way[n - 1] - way[n - 11] > 0.9 * 0.2 * 0.2) reached = time;
+          if (reached == 0 && n > window && way[n - 1] - way[n - 1 - window] > 0.9 * 0.2 * 0.2)
+            reached = time;
         }
         if (way.back() < 0.5) {
           ++fallen;
@@ -49,9 +53,9 @@ void tableAcceleration(const std::vector<Subject>& subjects, Report& report, Pag
         delays.push_back(1000 * delay);
         if (reached > delay) accelerations.push_back(0.18 / (reached - delay));
         std::vector<double> speeds;
-        for (std::size_t i = 11; i < way.size(); ++i)
+        for (std::size_t i = window + 1; i < way.size(); ++i)
           if (cycle * static_cast<double>(i) > reached)
-            speeds.push_back(1000 * ((way[i] - way[i - 10]) / 0.2 - 0.2));
+            speeds.push_back(1000 * ((way[i] - way[i - window]) / 0.2 - 0.2));
         const Estimate e = estimate(speeds);
         double squares = 0;
         for (const double speed : speeds) squares += (speed - e.mean) * (speed - e.mean);
@@ -59,8 +63,8 @@ void tableAcceleration(const std::vector<Subject>& subjects, Report& report, Pag
         deviations.push_back(speeds.empty() ? 0 : std::sqrt(squares / static_cast<double>(speeds.size())));
         if (run == 0) {
           Series& series = plot.add(optimised ? "optimised model" : "as it is");
-          for (std::size_t i = 10; i < way.size(); ++i)
-            series.points.emplace_back(cycle * static_cast<double>(i), (way[i] - way[i - 10]) / 0.2);
+          for (std::size_t i = window; i < way.size(); ++i)
+            series.points.emplace_back(cycle * static_cast<double>(i), (way[i] - way[i - window]) / 0.2);
         }
       }
       const Observed seen = watch.finish();

@@ -44,8 +44,12 @@ WalkRequest tour(double time, const WalkParameters& p) {
 }
 
 /// Error of the velocity estimate against the truth of the cycle that was measured.
-void velocityError(const std::string& name, int type, const WalkGaits& gaits, Report& report) {
-  WalkingRobot robot(type, gaits);
+void velocityError(const Subject& subject, Report& report) {
+  const std::string& name = subject.name;
+  const WalkGaits& gaits = subject.gaits;
+  const std::unique_ptr<Walker> walker = subject.walker();
+  Walker& robot = *walker;
+  const double cycle = robot.cycle;
   Vec2 squares = Vec2::Zero(), plain = Vec2::Zero();
   int count = 0;
   robot.restart();
@@ -62,6 +66,7 @@ void velocityError(const std::string& name, int type, const WalkGaits& gaits, Re
 
   WalkEngine engine(gaits, robot.model);
   WalkSensors sensors;
+  sensors.dt = cycle;
   constexpr int cycles = 5000;
   double begin = processorMicroseconds();
   for (int i = 0; i < cycles; ++i)
@@ -235,7 +240,7 @@ void walkFigures(const WalkGaits& gaits, bool closed, Page& page) {
 
 }  // namespace
 
-void measureEstimate(const BenchSetup&, Report& report, Page& page) {
+void measureEstimate(const BenchSetup& setup, Report& report, Page& page) {
   report.heading("Velocity estimate and cost");
   report.paragraph(
       "Particle filter's velocity of the centre of mass against the simulator's, 200 s of all kinds of "
@@ -243,9 +248,7 @@ void measureEstimate(const BenchSetup&, Report& report, Page& page) {
       "beside it that of the supporting foot's movement alone. Cost on one core per cycle.");
   report.tableHead({"robot", "RMS x m/s", "RMS y m/s", "foot alone x", "foot alone y", "particle filter us",
                     "whole walk us"});
-  for (int type = 0; type < numSimsparkTypes; ++type)
-    velocityError(fmt::format("type{}", type), type, readWalkGaits(type), report);
-  velocityError("type0_plain", 0, plainWalk(), report);
+  for (const Subject& subject : subjects(setup.robots, true)) velocityError(subject, report);
   referenceFigure(page);
   searchFigure(page);
   walkFigures(plainWalk(), false, page);

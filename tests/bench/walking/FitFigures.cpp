@@ -7,7 +7,8 @@ namespace plumbline::bench {
 using namespace walking;
 
 void figuresOfFit(const Subject& subject, Page& page) {
-  WalkingRobot robot(subject.type, subject.gaits);
+  const std::unique_ptr<Walker> walker = subject.walker();
+  Walker& robot = *walker;
   std::vector<double> errors;
   std::vector<ObservedStep> steps;
   const ModelParameters fit = optimise(robot, forwardBackward, &errors, &steps);

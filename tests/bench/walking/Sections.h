@@ -1,6 +1,7 @@
 #pragma once
 #include "bench/walking/Plot.h"
 #include "bench/walking/Report.h"
+#include "bench/walking/Robots.h"
 
 namespace plumbline::bench {
 
@@ -8,9 +9,10 @@ struct BenchSetup {
   int seeds = 10;
   double minutes = 3;  ///< of random requests per type and seed
   int tries = 100;     ///< of each push
+  std::vector<std::string> robots = subjectNames();
 };
 
-/// How fast and how safely every type walks.
+/// How fast and how safely every robot walks.
 void measureSpeeds(const BenchSetup& setup, Report& report);
 /// The thesis's tables 4.1 and 4.3 to 4.5, before and after the model's optimisation;
 /// figures 4.13, 4.14, 4.18 and 4.24.

@@ -3,14 +3,13 @@
 #include "bench/walking/Sections.h"
 #include "math/Random.h"
 #include "training/WalkTrial.h"
-#include "training/WalkingRobot.h"
 
 namespace plumbline::bench {
 namespace {
 
 using namespace walking;
 
-constexpr double cycle = 0.02, enough = 9;
+constexpr double enough = 9;
 
 struct Straight {
   double speed = 0;
@@ -18,14 +17,14 @@ struct Straight {
 };
 
 /// Mean speed along the request from two seconds after the start on; turning in deg/s.
-Straight fullSpeed(WalkingRobot& robot, const WalkRequest& request, double seconds, double wait) {
+Straight fullSpeed(Walker& robot, const WalkRequest& request, double seconds, double wait) {
   robot.restart(Pose2(-14.5, 5));
   Straight result;
   result.upright = robot.run({}, wait) && robot.run(request, 2);
   const Vec2 direction = request.velocity.normalized();
   const double before = robot.turned();
   double way = 0, time = 0;
-  for (; result.upright && time < seconds; time += cycle) {
+  for (; result.upright && time < seconds; time += robot.cycle) {
     result.upright = robot.step(request);
     way += robot.moved.position.dot(direction);
     // A field is 30 m long; back to its beginning, the posture as it is.
@@ -41,8 +40,6 @@ WalkRequest walk(double x, double y, double turn) { return {Vec2(x, y), turn, tr
 }  // namespace
 
 void measureSpeeds(const BenchSetup& setup, Report& report) {
-  // Sustained forward speed of the better of two teams' published agents on the league's server.
-  const double peer[numSimsparkTypes] = {0.83, 0.79, 0.87, 0.82, 0.85};
   report.heading("Speed and stability");
   report.paragraph(fmt::format(
       "Each cell: mean of {} runs and its 95 % interval. Forward: full speed for 60 s after the first 2 s; "
@@ -50,11 +47,13 @@ void measureSpeeds(const BenchSetup& setup, Report& report) {
       "directions 20 s. Falls at full speed: share of all these runs. Random: any mixture of requests, "
       "changed every 0.3 to 2 s, {:.0f} minutes per run.",
       setup.seeds, setup.minutes));
-  report.tableHead({"type", "forward m/s", "backward m/s", "sideways m/s", "turn deg/s", "0.5 m from stand s",
-                    "falls at full speed", "random: falls/min", "safe stops", "odometry error"});
-  for (int type = 0; type < numSimsparkTypes; ++type) {
-    WalkingRobot robot(type);
-    const WalkGaits gaits = readWalkGaits(type);
+  report.tableHead({"robot", "forward m/s", "backward m/s", "sideways m/s", "turn deg/s",
+                    "0.5 m from stand s", "falls at full speed", "random: falls/min", "safe stops",
+                    "odometry error"});
+  for (const Subject& subject : subjects(setup.robots, false)) {
+    const std::unique_ptr<Walker> walker = subject.walker();
+    Walker& robot = *walker;
+    const WalkGaits& gaits = subject.gaits;
     std::vector<double> forward, backward, sideways, turn, half, falls, odometry, stops;
     int fallen = 0, runs = 0;
     const auto add = [&](std::vector<double>& to, const Straight& run) {
@@ -74,7 +73,8 @@ void measureSpeeds(const BenchSetup& setup, Report& report) {
       robot.run({}, wait);
       const Pose2 start = robot.pose();
       double time = 0;
-      while (robot.step(walk(enough, 0, 0)) && (start.inverse() * robot.pose()).x() < 0.5) time += cycle;
+      while (robot.step(walk(enough, 0, 0)) && (start.inverse() * robot.pose()).x() < 0.5)
+        time += robot.cycle;
       half.push_back(time);
 
       double safe = 0;
@@ -100,16 +100,15 @@ void measureSpeeds(const BenchSetup& setup, Report& report) {
       odometry.push_back(100 * mixture.odometry);
     }
     const auto mean = [](const std::vector<double>& v) { return estimate(v).mean; };
-    report.row({std::to_string(type), text(estimate(forward)), text(estimate(backward)),
-                text(estimate(sideways)), text(estimate(turn), 0), text(estimate(half)),
-                fmt::format("{} of {}", fallen, runs), text(estimate(falls)), text(estimate(stops), 0) + " %",
-                text(estimate(odometry), 1) + " %"});
-    const std::string name = fmt::format("type{}.", type);
-    report.figure(name + "forward", mean(forward), "m/s", {true, 1.0}, "FC Portugal codebase 2024-10",
-                  peer[type]);
-    report.figure(name + "backward", mean(backward), "m/s", {true, 0.6});
-    report.figure(name + "sideways", mean(sideways), "m/s", {true, 0.5});
-    report.figure(name + "turn", mean(turn), "deg/s", {true, 120});
+    report.row({subject.name, text(estimate(forward)), text(estimate(backward)), text(estimate(sideways)),
+                text(estimate(turn), 0), text(estimate(half)), fmt::format("{} of {}", fallen, runs),
+                text(estimate(falls)), text(estimate(stops), 0) + " %", text(estimate(odometry), 1) + " %"});
+    const std::string name = subject.name + ".";
+    report.figure(name + "forward", mean(forward), "m/s", {true, subject.forward}, subject.peer,
+                  subject.peerForward);
+    report.figure(name + "backward", mean(backward), "m/s", {true, subject.backward});
+    report.figure(name + "sideways", mean(sideways), "m/s", {true, subject.sideways});
+    report.figure(name + "turn", mean(turn), "deg/s", {true, subject.turn});
     report.figure(name + "half_metre_from_stand", mean(half), "s", {false, 2.08});
     report.figure(name + "falls_at_full_speed", 100.0 * fallen / runs, "%", {false, 0});
     report.figure(name + "falls_random", mean(falls), "1/min", {false, 0.05});

@@ -62,19 +62,19 @@ void append(std::vector<std::string>& cells, const std::vector<std::string>& mor
   cells.insert(cells.end(), more.begin(), more.end());
 }
 
-ModelParameters optimise(WalkingRobot& robot, const Requests& requests, std::vector<double>* errors,
+ModelParameters optimise(Walker& robot, const Requests& requests, std::vector<double>* errors,
                          std::vector<ObservedStep>* steps) {
   robot.engine.setModelParameters({});
   robot.restart();
   BackgroundFit fit({.steps = 60, .maxSteps = 120, .duration = 20, .wait = true});
   int rounds = 0;
-  for (double time = 0; rounds < 2 && time < 200; time += cycle) {
+  for (double time = 0; rounds < 2 && time < 200; time += robot.cycle) {
     if (!robot.step(requests(time))) robot.restart();
     if (const ObservedStep* step = robot.engine.observedStep()) {
       fit.add(*step);
       if (steps && rounds == 0 && steps->size() < 60) steps->push_back(*step);
     }
-    if (const auto result = fit.pass(cycle, robot.engine.modelParameters())) {
+    if (const auto result = fit.pass(robot.cycle, robot.engine.modelParameters())) {
       if (errors && rounds == 0) *errors = result->best;
       robot.engine.setModelParameters(result->parameters);
       ++rounds;

@@ -5,12 +5,10 @@
 #include <optional>
 
 #include "bench/walking/Sections.h"
-#include "training/WalkingRobot.h"
+#include "training/Walker.h"
 #include "walking/BackgroundFit.h"
 
 namespace plumbline::bench {
-
-constexpr double cycle = 0.02;
 
 /// What tables 4.3 to 4.5 tell of steps, in mm and mm/s; y to the outside of the supporting foot.
 struct StepFigures {
@@ -31,7 +29,7 @@ struct Observed {
 /// Follows a robot from step to step.
 class StepWatch {
 public:
-  explicit StepWatch(walking::WalkingRobot& robot) : robot(robot) {}
+  explicit StepWatch(walking::Walker& robot) : robot(robot) {}
 
   void cycle();
   /// The means.
@@ -40,18 +38,11 @@ public:
 private:
   void add(const walking::ObservedStep& step);
 
-  walking::WalkingRobot& robot;
+  walking::Walker& robot;
   Observed result;
   walking::Support support = walking::Support::both;
   std::optional<Pose2> planned;
   Pose2 last;
-};
-
-/// A robot of a type that walks this gait, with or without a fit from walking before.
-struct Subject {
-  std::string name;
-  int type;
-  walking::WalkGaits gaits;
 };
 
 /// The cells of position, velocity and change of the target.
@@ -62,7 +53,7 @@ using Requests = std::function<walking::WalkRequest(double)>;
 
 /// Walks as asked while the model is fitted to it, twice 20 s; the parameters that came of it. errors: the
 /// least error after each generation of the first fit; steps: some that it was fitted to.
-walking::ModelParameters optimise(walking::WalkingRobot& robot, const Requests& requests,
+walking::ModelParameters optimise(walking::Walker& robot, const Requests& requests,
                                   std::vector<double>* errors = nullptr,
                                   std::vector<walking::ObservedStep>* steps = nullptr);
 

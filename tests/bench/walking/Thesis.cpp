@@ -8,12 +8,12 @@ namespace {
 using namespace walking;
 
 /// Five minutes on the spot: table 4.3.
-Observed onTheSpot(WalkingRobot& robot, const ModelParameters& fit, double seconds) {
+Observed onTheSpot(Walker& robot, const ModelParameters& fit, double seconds) {
   robot.restart();
   robot.engine.setModelParameters(fit);
   StepWatch watch(robot);
   int falls = 0;
-  for (double time = 0; time < seconds; time += cycle) {
+  for (double time = 0; time < seconds; time += robot.cycle) {
     if (!robot.step({Vec2::Zero(), 0, true})) {
       ++falls;
       robot.restart();
@@ -37,7 +37,8 @@ void tableOnTheSpot(const std::vector<Subject>& subjects, const BenchSetup& setu
   report.tableHead({"robot", "model", "x", "x'", "y", "y'", "change x", "change y", "foot mean",
                     "foot mean abs", "falls"});
   for (const Subject& subject : subjects) {
-    WalkingRobot robot(subject.type, subject.gaits);
+    const std::unique_ptr<Walker> walker = subject.walker();
+    Walker& robot = *walker;
     const ModelParameters fit = optimise(robot, [](double) { return WalkRequest{Vec2::Zero(), 0, true}; });
     double bias[2] = {0, 0};
     Page::Figure figure{
@@ -78,7 +79,8 @@ void tableForwardBackward(const std::vector<Subject>& subjects, const BenchSetup
   report.tableHead({"robot", "model", "x", "x'", "y", "y'", "change x", "change y", "speed error mean",
                     "std. dev.", "falls"});
   for (const Subject& subject : subjects) {
-    WalkingRobot robot(subject.type, subject.gaits);
+    const std::unique_ptr<Walker> walker = subject.walker();
+    Walker& robot = *walker;
     const ModelParameters fit = optimise(robot, forwardBackward);
     for (const bool optimised : {false, true}) {
       robot.restart();
@@ -87,7 +89,7 @@ void tableForwardBackward(const std::vector<Subject>& subjects, const BenchSetup
       std::vector<double> errors;
       double way = 0;
       int falls = 0;
-      for (double time = 0; time < 30.0 * setup.seeds; time += cycle) {
+      for (double time = 0; time < 30.0 * setup.seeds; time += robot.cycle) {
         const WalkRequest request = forwardBackward(time);
         if (!robot.step(request)) {
           ++falls;
@@ -99,7 +101,7 @@ void tableForwardBackward(const std::vector<Subject>& subjects, const BenchSetup
           way = 0;
         } else {
           way += robot.moved.position.x() * (request.velocity.x() > 0 ? 1 : -1);
-          if (phase + 1.5 * cycle >= 3) errors.push_back(1000 * (way / 0.5 - 0.15));
+          if (phase + 1.5 * robot.cycle >= 3) errors.push_back(1000 * (way / 0.5 - 0.15));
         }
       }
       const Observed seen = watch.finish();
@@ -123,13 +125,14 @@ void tableImu(const std::vector<Subject>& subjects, Report& report) {
   report.paragraph("Mean difference of the torso's pitch by the IMU and by the supporting legs (rad).");
   report.tableHead({"robot", "standing", "walking on the spot"});
   for (const Subject& subject : subjects) {
-    WalkingRobot robot(subject.type, subject.gaits);
+    const std::unique_ptr<Walker> walker = subject.walker();
+    Walker& robot = *walker;
     std::vector<std::string> cells{subject.name};
     for (const bool walk : {false, true}) {
       robot.restart();
       double sum = 0;
       int count = 0;
-      for (double time = 0; time < 20; time += cycle) {
+      for (double time = 0; time < 20; time += robot.cycle) {
         robot.step({Vec2::Zero(), 0, walk});
         if (time < 5) continue;
         sum += robot.engine.imuDifference().y();
@@ -145,15 +148,19 @@ void tableImu(const std::vector<Subject>& subjects, Report& report) {
 
 void measureThesisTables(const BenchSetup& setup, Report& report, Page& page) {
   std::vector<Subject> subjects;
-  for (const int type : {0, 3}) {
-    subjects.push_back({fmt::format("type{}", type), type, readWalkGaits(type)});
-    subjects.push_back({fmt::format("type{}_plain", type), type, plainWalk()});
+  Subject fitted;
+  for (const Subject& subject : bench::subjects(setup.robots, true)) {
+    // The league's types 0 and 3 stand for all.
+    if (subject.name.starts_with("type") && subject.name[4] != '0' && subject.name[4] != '3') continue;
+    subjects.push_back(subject);
+    if (fitted.name.empty() || subject.name == "type0_plain") fitted = subject;
   }
+  if (subjects.empty()) return;
   tableImu(subjects, report);
   tableOnTheSpot(subjects, setup, report, page);
   tableForwardBackward(subjects, setup, report);
   tableAcceleration(subjects, report, page);
-  figuresOfFit(subjects[1], page);
+  figuresOfFit(fitted, page);
 }
 
 }  // namespace plumbline::bench

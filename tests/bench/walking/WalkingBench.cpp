@@ -1,33 +1,108 @@
-// The walk measured: speeds and falls of all robot types, the tables and figures of the thesis, pushes, the
+// The walk measured: speeds and falls of all robots, the tables and figures of the thesis, pushes, the
 // velocity estimate and the cost. Prints tables; writes build/bench/walking.json, walking.md and
-// walking.html. Arguments: seeds (10), minutes of random requests per type and seed (3), tries of a push
-// (100).
+// walking.html.
+//
+//   bench/walking [SEEDS [MINUTES [TRIES]]] [--robots A,B,..] [--sections A,B,..]
+//
+// SEEDS (10): of each measurement; MINUTES (3): of random requests per robot and seed; TRIES (100): of a
+// push. Robots: type0 .. type4, type0_plain, type3_plain, nao-bullet, nao-mujoco. Sections: speeds, thesis,
+// pushes, estimate.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
+#include <stdexcept>
 
 #include "bench/walking/Sections.h"
 
-int main(int argc, char** argv) {
-  using namespace plumbline::bench;
+namespace {
+
+using namespace plumbline::bench;
+
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    parts.push_back(list.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+struct Arguments {
   BenchSetup setup;
-  if (argc > 1) setup.seeds = std::max(2, std::atoi(argv[1]));
-  if (argc > 2) setup.minutes = std::max(0.1, std::atof(argv[2]));
-  if (argc > 3) setup.tries = std::max(20, std::atoi(argv[3]));
+  std::vector<std::string> sections{"speeds", "thesis", "pushes", "estimate"};
+
+  bool has(const char* section) const { return std::ranges::find(sections, section) != sections.end(); }
+};
+
+double numberOf(const std::string& text, double least) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !(value >= least))
+    throw std::invalid_argument(fmt::format("'{}' is no number of at least {}", text, least));
+  return value;
+}
+
+Arguments read(int argc, char** argv) {
+  Arguments arguments;
+  int position = 0;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word.starts_with("--")) {
+      if (i + 1 == argc) throw std::invalid_argument(word + " needs a list after it");
+      const std::vector<std::string> list = split(argv[++i]);
+      if (word == "--robots") {
+        for (const std::string& name : list) subjectOf(name);
+        arguments.setup.robots = list;
+      } else if (word == "--sections") {
+        for (const std::string& name : list)
+          if (!Arguments().has(name.c_str()))
+            throw std::invalid_argument("no section '" + name +
+                                        "'; there is speeds, thesis, pushes, estimate");
+        arguments.sections = list;
+      } else {
+        throw std::invalid_argument("no option '" + word + "'; there is --robots and --sections");
+      }
+      continue;
+    }
+    BenchSetup& setup = arguments.setup;
+    switch (position++) {
+      case 0:
+        setup.seeds = static_cast<int>(numberOf(word, 2));
+        break;
+      case 1:
+        setup.minutes = numberOf(word, 0.1);
+        break;
+      case 2:
+        setup.tries = static_cast<int>(numberOf(word, 20));
+        break;
+      default:
+        throw std::invalid_argument("'" + word + "' is one number too many");
+    }
+  }
+  return arguments;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
   try {
+    const Arguments arguments = read(argc, argv);
+    const BenchSetup& setup = arguments.setup;
     Report report;
     Page page;
     page.title = "The walk, measured";
     page.introduction =
         "Figures of chapter 4 of the thesis (Seekircher 2015) drawn from this walk in the embedded "
         "simulator; "
-        "written by make bench-walking.";
-    measureSpeeds(setup, report);
-    measureThesisTables(setup, report, page);
-    measurePushes(setup, report);
-    measureEstimate(setup, report, page);
+        "written by make bench-walk.";
+    if (arguments.has("speeds")) measureSpeeds(setup, report);
+    if (arguments.has("thesis")) measureThesisTables(setup, report, page);
+    if (arguments.has("pushes")) measurePushes(setup, report);
+    if (arguments.has("estimate")) measureEstimate(setup, report, page);
     writeFile("build/bench/walking.json", report.json());
     writeFile("build/bench/walking.md", report.tables());
     writeFile("build/bench/walking.html", page.html());
