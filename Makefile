@@ -99,6 +99,14 @@ bench-gap:
 	@$(MAKE) SimRelease SimRelease-bench-gap SimRelease-bench-mujoco
 	@scripts/run_bench.sh gap
 
+# The league's recordings against the simulator with one setting left out; TRACES=FOLDER for other recordings.
+# Real robots, whose recordings are not part of the project: DATA=FOLDER. Both write their page in doc/results/.
+bench-gap-simspark bench-gap-real: bench-%:
+	@scripts/install_packages.sh scripts/packages-bench.txt
+	@$(MAKE) SimRelease-bench-$*
+	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }
+	@scripts/make_results.sh $*
+
 fuzz:
 	@scripts/install_packages.sh scripts/packages.txt scripts/packages-fuzz.txt
 	@$(MAKE) Fuzz

@@ -1,6 +1,4 @@
 // bin/gap diagnose: from runs to an answer.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
@@ -11,9 +9,11 @@
 #include "framework/WriteFile.h"
 #include "gap/answer/Answer.h"
 #include "gap/replay/TrialOf.h"
+#include "gap/report/NextMotion.h"
 #include "gap/run/RunCheck.h"
 #include "gap/run/RunFile.h"
 #include "main/gap/Commands.h"
+#include "main/gap/ProgressLine.h"
 #include "main/gap/RobotOption.h"
 #include "robot/MechanismFile.h"
 
@@ -28,25 +28,26 @@ struct DiagnoseOptions {
   bool quiet = false;
 };
 
-/// A line that says what is being done, rewritten in place where a person looks on.
-class ProgressLine {
-public:
-  explicit ProgressLine(bool quiet) : shown(!quiet && isatty(STDERR_FILENO)) {}
-  ~ProgressLine() {
-    if (shown) std::fprintf(stderr, "\r\033[K");
-  }
-  void tell(const std::string& what, double share) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!shown || now - last < std::chrono::milliseconds(100)) return;
-    last = now;
-    std::fprintf(stderr, "\r\033[K%s: %3.0f %%", what.c_str(), 100 * share);
-    std::fflush(stderr);
-  }
+constexpr double worthSeparating = 0.05;
 
-private:
-  bool shown;
-  std::chrono::steady_clock::time_point last;
-};
+/// The motion that separates the likeliest rival from the cause it would replace, in words; empty where no
+/// rival is worth it, or no motion can be tried on this robot.
+std::string separatingMotion(const Mechanism& robot, const Diagnosis& diagnosis) {
+  const Cause* cause = nullptr;
+  const Rival* rival = nullptr;
+  for (const Finding& finding : diagnosis.findings)
+    for (const Rival& other : finding.rivals)
+      if (other.probability >= (rival ? rival->probability : worthSeparating)) {
+        cause = &finding.cause;
+        rival = &other;
+      }
+  if (!rival) return "";
+  try {
+    return nextMotion(robot, *cause, rival->cause);
+  } catch (const std::exception&) {
+    return "";  // the answer then says in general what would help
+  }
+}
 
 void diagnoseRuns(const DiagnoseOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
@@ -114,6 +115,8 @@ void diagnoseRuns(const DiagnoseOptions& options) {
     diagnosis = diagnose(fine, coarse, settings);
   }
   input.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  input.nextMotion = separatingMotion(robot, diagnosis);
+  if (input.nextMotion.empty()) input.nextMotion = suggestion(diagnosis, evidence);
   const std::string text = answerJson(input, diagnosis, fine) + "\n";
   if (options.json == "-") {
     std::fputs(text.c_str(), stdout);
@@ -130,7 +133,7 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   }
   std::printf("Gap on held-out data, in units of noise: %.2f before, %.2f after, floor %.2f.\n",
               diagnosis.gap.before, diagnosis.gap.after, diagnosis.gap.floor);
-  std::printf("Next: %s\n", suggestion(diagnosis, evidence).c_str());
+  std::printf("Next: %s\n", input.nextMotion.c_str());
 }
 
 }  // namespace

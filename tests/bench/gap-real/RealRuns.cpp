@@ -1,0 +1,136 @@
+#include "RealRuns.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "gap/replay/TrialOf.h"
+#include "gap/run/RunCheck.h"
+#include "robot/MechanismFile.h"
+
+namespace plumbline::bench {
+
+namespace {
+
+using namespace gap;
+
+constexpr double startSeconds = 0.3;  // what came before a recording still rings
+
+Trial trialAt(const std::string& folder, const Mechanism& robot, double seconds = 1e9) {
+  std::vector<RunWarning> warnings;
+  Run run = readCheckedRun(folder, robot, warnings);
+  const auto kept = static_cast<std::size_t>(
+      std::upper_bound(run.t.begin(), run.t.end(), run.t.front() + seconds) - run.t.begin());
+  run.t.resize(kept);
+  for (auto& [name, values] : run.channels) values.resize(kept);
+  for (const RunWarning& warning : warnings) std::printf("%s\n", warning.line(folder).c_str());
+  return trialOf(run, robot);
+}
+
+double rmsOf(const Trial& trial, const Prediction& prediction) {
+  double sum = 0, n = 0;
+  for (std::size_t s = 0; s < trial.signals.size(); ++s) {
+    const auto& predicted = prediction.values[s];
+    if (trial.signals[s].kind != SignalKind::position || predicted.empty()) continue;
+    for (std::size_t k = 0; k < trial.cycles(); ++k) {
+      const double r = trial.signals[s].values[k] - predicted[k];
+      if (!std::isfinite(r) || trial.time[k] - trial.time[0] < startSeconds) continue;
+      sum += r * r;
+      ++n;
+    }
+  }
+  return n > 0 ? std::sqrt(sum / n) : 0;
+}
+
+/// Lag of what was measured behind its command, which two sessions may share although their clocks do not.
+std::vector<double> lagOf(const Trial& trial, const Signal& signal) {
+  std::vector<double> lag = signal.values;
+  const auto& command = trial.command[static_cast<std::size_t>(signal.joint)];
+  for (std::size_t k = 0; k < lag.size(); ++k) lag[k] = command.empty() ? NAN : lag[k] - command[k];
+  return lag;
+}
+
+double between(const Trial& trial, const std::vector<double>& values, double time) {
+  const auto& t = trial.time;
+  const auto next = std::lower_bound(t.begin(), t.end(), time);
+  if (next == t.begin() || next == t.end()) return NAN;
+  const auto k = static_cast<std::size_t>(next - t.begin());
+  const double share = (time - t[k - 1]) / (t[k] - t[k - 1]);
+  return values[k - 1] + share * (values[k] - values[k - 1]);
+}
+
+/// One recording's own part of the difference between two.
+double repeatFloor(const Trial& a, const Trial& b) {
+  double sum = 0, n = 0;
+  for (const Signal& first : a.signals)
+    for (const Signal& second : b.signals) {
+      if (first.kind != SignalKind::position || first.name != second.name) continue;
+      const std::vector<double> own = lagOf(a, first), other = lagOf(b, second);
+      for (std::size_t k = 0; k < a.cycles(); ++k) {
+        const double since = a.time[k] - a.time[0];
+        const double d = own[k] - between(b, other, b.time[0] + since);
+        if (!std::isfinite(d) || since < startSeconds) continue;
+        sum += d * d;
+        ++n;
+      }
+    }
+  return n > 0 ? std::sqrt(sum / n / 2) : 0;
+}
+
+}  // namespace
+
+RealResult runSplit(const RealSplit& split, const std::string& robotName, const std::string& folder,
+                    std::size_t maxCauses, int jobs) {
+  const Mechanism robot = findMechanism(robotName);
+  std::vector<Trial> fit, test;
+  for (const std::string& run : split.fit)
+    fit.push_back(trialAt(folder + "/" + run, robot, split.fitSeconds));
+  for (const std::string& run : split.test) test.push_back(trialAt(folder + "/" + run, robot));
+
+  RealResult result;
+  const auto begin = std::chrono::steady_clock::now();
+  const Evidence evidence(std::move(fit));
+  Evaluator fine(robot, evidence);
+  ReplayOptions coarseSteps;
+  coarseSteps.step = 0.005;
+  coarseSteps.gearStep = 0.0025;
+  Evaluator coarse(robot, evidence, coarseSteps);
+  DiagnosisOptions options;
+  options.jobs = jobs;
+  options.maxCauses = maxCauses;
+  result.diagnosis = diagnose(fine, coarse, options);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+
+  const Evidence tests(test);
+  Evaluator judge(robot, tests);
+  const auto predictionsWith = [&](const Explanation& causes) {
+    judge.setBase(causes);
+    std::vector<Prediction> predictions;
+    for (std::size_t t = 0; t < test.size(); ++t) predictions.push_back(judge.basePrediction(t));
+    return predictions;
+  };
+  const std::vector<Prediction> nominal = predictionsWith({}),
+                                corrected = predictionsWith(result.diagnosis.explanation());
+  double before = 0, after = 0, floor = 0, n = 0;
+  for (std::size_t t = 0; t < test.size(); ++t) {
+    TestError error{split.test[t], rmsOf(test[t], nominal[t]), rmsOf(test[t], corrected[t]), 0, false};
+    if (const auto it = split.repeats.find(split.test[t]); it != split.repeats.end()) {
+      error.repeated = true;
+      error.floor = repeatFloor(test[t], trialAt(folder + "/" + it->second, robot));
+    }
+    if (split.repeats.empty() || error.repeated) {
+      before += error.before * error.before;
+      after += error.after * error.after;
+      floor += error.floor * error.floor;
+      ++n;
+    }
+    result.tests.push_back(error);
+  }
+  result.before = std::sqrt(before / n);
+  result.after = std::sqrt(after / n);
+  result.floor = std::sqrt(floor / n);
+  return result;
+}
+
+}  // namespace plumbline::bench

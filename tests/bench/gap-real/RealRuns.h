@@ -1,0 +1,41 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gap/diagnosis/Diagnosis.h"
+#include "gap/replay/Trial.h"
+
+namespace plumbline::bench {
+
+/// Recordings of one robot that take part in a fit, and those that test it.
+struct RealSplit {
+  std::string name, what;  ///< id for figures; in words
+  std::vector<std::string> fit, test;
+  std::map<std::string, std::string> repeats;  ///< of test recordings: the same motion once more
+  double fitSeconds = 1e9;                     ///< of each recording for fitting, from its start [s]
+};
+
+/// A test recording: root mean square of measured minus simulated position over all joints [rad].
+struct TestError {
+  std::string run;
+  double before = 0, after = 0;
+  double floor = 0;       ///< what a repeat differs by, over the square root of two; 0: there is none
+  bool repeated = false;  ///< by a recording that is a clean repeat
+};
+
+/// What came of a split.
+struct RealResult {
+  gap::Diagnosis diagnosis;
+  std::vector<TestError> tests;
+  double before = 0, after = 0, floor = 0;  ///< over the tests that count [rad]
+  double seconds = 0;                       ///< that the diagnosis took
+  double closed() const { return (before - after) / (before - floor); }
+};
+
+/// Diagnoses the recordings for fitting, then plays the test recordings' commands on the nominal robot and on
+/// the robot with what was found. Where some test recordings have a repeat, those alone count.
+RealResult runSplit(const RealSplit& split, const std::string& robot, const std::string& folder,
+                    std::size_t maxCauses, int jobs);
+
+}  // namespace plumbline::bench
