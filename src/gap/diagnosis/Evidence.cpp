@@ -43,7 +43,8 @@ bool Evidence::counts(const Signal& signal) {
   }
 }
 
-Evidence::Evidence(std::vector<Trial> trials) : runs(std::move(trials)), noises(estimateNoise(runs)) {
+Evidence::Evidence(std::vector<Trial> trials, double repeatShare)
+    : runs(std::move(trials)), noises(estimateNoise(runs, repeatShare)) {
   for (std::size_t t = 0; t < runs.size(); ++t) {
     const Trial& trial = runs[t];
     auto& of = blockOf.emplace_back();

@@ -13,7 +13,8 @@ namespace plumbline::gap {
 /// other block is for fitting, the rest for judging.
 class Evidence {
 public:
-  explicit Evidence(std::vector<Trial> trials);
+  /// repeatShare: see estimateNoise().
+  explicit Evidence(std::vector<Trial> trials, double repeatShare = 1);
 
   const std::vector<Trial>& trials() const { return runs; }
   /// 1 / variance per sample; 0 where a sample does not count (lost, start of a run, not predicted).

@@ -80,7 +80,7 @@ double fastNoise(const std::vector<double>& values) {
   return sizes.size() < 10 ? 0 : 1.4826 * median(std::move(sizes)) / std::sqrt(6.0);
 }
 
-std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& trials) {
+std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& trials, double repeatShare) {
   // A channel has one noise for all runs of the same kind of base.
   struct Channel {
     std::vector<double> repeats, fast, steps;
@@ -110,7 +110,10 @@ std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& tr
       SignalNoise noise;
       noise.repeated = !channel.repeats.empty();
       const double step = channel.steps.empty() ? 0 : *std::ranges::max_element(channel.steps);
-      const double own = noise.repeated ? median(channel.repeats) : median(channel.fast);
+      const double fast = median(channel.fast), repeats = median(channel.repeats);
+      const double own = !noise.repeated    ? fast
+                         : repeatShare >= 1 ? repeats
+                                            : std::hypot(fast, repeatShare * repeats);
       // Repeats of a still joint fall on the same count: half a count is unknown even so.
       noise.sigma = std::sqrt(own * own + step * step / 12);
       double scale = 0;

@@ -23,8 +23,9 @@ struct SignalNoise {
   bool repeated = false;  ///< found from repeats, else from the channel itself
 };
 
-/// Per trial and signal. Repeats are used where there are any (median over the pairs of a channel), the
-/// channel's fast noise otherwise; half a count of the encoder is uncertain in both.
-std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& trials);
+/// Per trial and signal. Where a channel was recorded in repeats, what they differ by (median over the
+/// pairs), else its own fast noise; half a count of the encoder is uncertain in both. repeatShare: 1, or less
+/// where repeats differ by more than noise: the channel's own noise and that share of what they differ by.
+std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& trials, double repeatShare = 1);
 
 }  // namespace plumbline::gap

@@ -8,6 +8,7 @@
 
 #include "framework/WriteFile.h"
 #include "gap/answer/Answer.h"
+#include "gap/diagnosis/RepeatNoise.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/report/NextMotion.h"
 #include "gap/run/RunCheck.h"
@@ -87,15 +88,16 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   }
   if (trials.empty()) throw RunError(refused);
 
-  const Evidence evidence(std::move(trials));
+  const int jobs =
+      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const Evidence evidence = evidenceOf(std::move(trials), jobs);
   Evaluator fine(robot, evidence);
   ReplayOptions coarseSteps;
   coarseSteps.step = 0.005;
   coarseSteps.gearStep = 0.0025;
   Evaluator coarse(robot, evidence, coarseSteps);
   DiagnosisOptions settings;
-  settings.jobs =
-      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  settings.jobs = jobs;
   settings.maxCauses = static_cast<std::size_t>(options.maxCauses);
   const bool toFile = !options.json.empty() && options.json != "-";
   const std::string memoryFile = toFile ? options.json + ".part" : "";

@@ -1,0 +1,72 @@
+#include "gap/diagnosis/RepeatNoise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gap/diagnosis/LostCycles.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double more = 1.5;       // what repeats differ by, over the channel's own noise
+constexpr double explained = 0.5;  // of the squares of what they differ by
+constexpr double unheard = 0.3;    // of what repeats differ by: losses too small to be called
+constexpr std::size_t leastLost = 3;
+
+/// Whether repeats differ by more than noise in half of the joints that were measured with the base held.
+bool repeatsDiffer(const Evidence& byRepeats, const Evidence& byChannel) {
+  std::size_t joints = 0, differ = 0;
+  for (std::size_t t = 0; t < byRepeats.trials().size(); ++t) {
+    const Trial& trial = byRepeats.trials()[t];
+    for (std::size_t s = 0; s < trial.signals.size(); ++s) {
+      const SignalNoise& noise = byRepeats.noise(t, s);
+      if (trial.freeBase || trial.signals[s].kind != SignalKind::position || !noise.repeated) continue;
+      ++joints;
+      differ += noise.sigma > more * byChannel.noise(t, s).sigma;
+    }
+  }
+  return differ * 2 > joints;
+}
+
+/// Share of the squares of what repeats differ by (beyond noise) that goes when commands are taken as lost.
+double explainedBy(const LostCycles& lost, const Evidence& evidence) {
+  const auto& trials = evidence.trials();
+  std::vector<Prediction> predictions(trials.size());
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    if (trials[t].freeBase) continue;
+    ReplayOptions options;
+    options.lostCycles = &lost.cycles[t];
+    predictions[t] = replay(nominalPlant(*trials[t].robot), trials[t], options);
+  }
+  double before = 0, after = 0, n = 0;
+  for (std::size_t a = 0; a < trials.size(); ++a)
+    for (std::size_t b = a + 1; b < trials.size(); ++b) {
+      if (trials[a].freeBase || !isRepeat(trials[a], trials[b])) continue;
+      for (std::size_t s = 0; s < std::min(trials[a].signals.size(), trials[b].signals.size()); ++s) {
+        const Signal &one = trials[a].signals[s], &two = trials[b].signals[s];
+        const auto &x = predictions[a].values[s], &y = predictions[b].values[s];
+        if (one.name != two.name || one.kind != SignalKind::position) continue;
+        for (std::size_t k = 0; k < std::min(x.size(), y.size()); ++k) {
+          const double w = evidence.weights(a, s)[k] / 2, d = one.values[k] - two.values[k], e = x[k] - y[k];
+          if (!(w > 0) || !std::isfinite(d) || !std::isfinite(e)) continue;
+          before += w * d * d;
+          after += w * (d - e) * (d - e);
+          ++n;
+        }
+      }
+    }
+  return before > n ? (before - after) / (before - n) : 0;
+}
+
+}  // namespace
+
+Evidence evidenceOf(std::vector<Trial> trials, int jobs) {
+  Evidence byRepeats(trials), byChannel(trials, 0);
+  if (!repeatsDiffer(byRepeats, byChannel)) return byRepeats;
+  const LostCycles lost = findLostCycles(byChannel, {}, jobs);
+  const bool losses = lost.found >= leastLost && explainedBy(lost, byChannel) > explained;
+  return losses ? Evidence(std::move(trials), unheard) : byRepeats;
+}
+
+}  // namespace plumbline::gap
