@@ -19,11 +19,12 @@ constexpr double present = 0.9;      // worst gap over noise below which nothing
 constexpr double unexplained = 1.3;  // worst gap over noise that may remain: no further cause is looked for
 constexpr double unexplainedShare = 0.2;  // the same, of what was there
 constexpr double mostOfIt = 0.6;
+constexpr double farOff = 3;         // times what may remain: no set of causes is worth another look
 constexpr double rivalShare = 0.01;  // probability that is worth a word
 constexpr double hopeless = 0.3;     // of the best candidate's gain lost: not tried as a further cause
-constexpr double otherStart = 0.5;   // of the best first cause's gain: what gains less is no other start
+constexpr double otherStart = 0.7;   // of the best first cause's gain: what gains less is no other start
 constexpr std::size_t tries = 3, otherStarts = 3;
-constexpr int evaluations = 40;  // of values that are fitted together
+constexpr int evaluations = 32;  // of values that are fitted together
 constexpr std::size_t fewChains = 3;
 constexpr double mostShare = 0.75;    // of chains off at a time, for lost commands to be worth a look
 constexpr double chainOff = 1.5;      // mean square over noise
@@ -68,7 +69,7 @@ public:
     result.gap.before = meter.under(fine);
     grow();
     beginOtherwise(nominal);
-    if (found.size() > 1) reconsider();
+    if (found.size() > 1 && worstGap(fine).size < farOff * mayRemain()) reconsider();
     fine.setBase(found);
     const WorstGap left = worstGap(fine);
     result.worstAfter = left.size;
@@ -138,8 +139,8 @@ private:
       if (list[i].fit.judging > least) break;
       Explanation tried = old;
       tried.push_back(list[i].cause);
-      fine.setBase(old);
-      fine.setBase(fitTogether(fine, tried, evaluations, options.jobs));
+      coarse.setBase(old);
+      fine.setBase(fitTogether(coarse, tried, evaluations, options.jobs));
       if (fine.baseFit().judging < bestJudging && before.betteredBy(fine, part)) {
         best = fine.base();
         bestJudging = fine.baseFit().judging;
@@ -158,10 +159,12 @@ private:
   }
   double mayRemain() const { return std::max(unexplained, unexplainedShare * result.worstBefore); }
 
-  /// Adds causes from the base on until none earns its place.
-  void grow() {
+  /// Adds causes from the base on until none earns its place. most: sum of squares for judging above which
+  /// two causes are not worth a third.
+  void grow(double most = INFINITY) {
     while (found.size() < options.maxCauses &&
            worstGap(fine).size >= (found.empty() ? present : unexplained)) {
+      if (found.size() > 1 && fine.baseFit().judging > most) break;
       Candidates list = candidates(found.empty() ? "first cause" : "further cause");
       if (!accept(list)) {
         if (choices.empty()) choices.push_back(std::move(list));
@@ -186,7 +189,7 @@ private:
       found = {firsts[i].cause};
       choices = {firsts};
       fine.setBase(found);
-      grow();
+      grow(bestJudging);
       if (fine.baseFit().judging < bestJudging - leastGain && found.size() > 1) {
         best = found;
         bestChoices = choices;

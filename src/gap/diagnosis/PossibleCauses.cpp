@@ -9,7 +9,7 @@ namespace {
 constexpr double cleanChi =
     0.35;  // mean square beyond noise, in a channel, below which a chain counts as clean
 constexpr double chainShare = 0.02;  // of the worst joint's excess: chains below that wait for a later round
-constexpr double jointShare = 0.03;  // of the chain's worst
+constexpr double jointShare = 0.08;  // of the chain's worst
 
 /// Joints that runs with a held base show to be off: themselves, and in a chain of which any is.
 struct Suspects {

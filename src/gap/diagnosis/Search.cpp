@@ -17,9 +17,9 @@ constexpr double polishShare = 0.7;  // of the best fit's gain: what gains less 
 constexpr ValueSearch roughly = {.step = 0.5, .tolerance = 0.02, .bracket = 8, .within = 6};
 constexpr ValueSearch finely = {.step = 0.08, .tolerance = 0.004, .bracket = 6, .within = 4};
 
-/// Trials that tell most about what is unexplained: of each base, the two with the largest excess, repeats
+/// Trials that tell most about what is unexplained: of each base, so many with the largest excess, repeats
 /// once.
-TrialMask tellingTrials(const Evaluator& evaluator) {
+TrialMask tellingTrials(const Evaluator& evaluator, std::size_t count) {
   const auto& trials = evaluator.evidence().trials();
   TrialMask mask(trials.size(), 0);
   for (const bool standing : {false, true}) {
@@ -36,7 +36,7 @@ TrialMask tellingTrials(const Evaluator& evaluator) {
     std::ranges::sort(order);
     std::vector<std::size_t> taken;
     for (const auto& [excess, t] : order) {
-      if (taken.size() >= 2) break;
+      if (taken.size() >= count) break;
       if (std::ranges::none_of(
               taken, [&, t = t](std::size_t other) { return isRepeat(trials[other], trials[t]); })) {
         taken.push_back(t);
@@ -70,7 +70,11 @@ struct Lead : Candidate {
 class Searcher {
 public:
   Searcher(const Evaluator& fine_, const Evaluator& coarse_, const SearchOptions& options_)
-      : fine(fine_), coarse(coarse_), options(options_), telling(tellingTrials(fine_)) {}
+      : fine(fine_),
+        coarse(coarse_),
+        options(options_),
+        most(tellingTrials(fine_, 1)),
+        telling(tellingTrials(fine_, 2)) {}
 
   std::vector<Candidate> run(const std::vector<Cause>& causes) {
     firstLook(causes);
@@ -92,8 +96,8 @@ public:
 private:
   TrialMask tellingOf(const Cause& cause) const { return showing(fine, cause, telling); }
 
-  /// One replay for each effect and place, scaled to fit best; its other starting values where that shows
-  /// any promise or says little of them.
+  /// One replay of the most telling run for each effect and place, scaled to fit best; its other starting
+  /// values where that shows any promise or says little of them.
   void firstLook(const std::vector<Cause>& causes) {
     looked.resize(causes.size());
     std::vector<double> promise(causes.size(), 0);
@@ -106,7 +110,7 @@ private:
         const std::size_t i = which[n];
         Lead& candidate = looked[i];
         candidate.cause = candidate.start = causes[i];
-        const Fit fit = coarse.with(causes[i], tellingOf(causes[i]));
+        const Fit fit = coarse.with(causes[i], showing(fine, causes[i], most));
         promise[i] = fit.change > 0 ? fit.product * fit.product / fit.change : 0;
         const double share = std::clamp(fit.bestShare(), 0.0, 5.0);
         candidate.screened = 2 * share * fit.product - share * share * fit.change;
@@ -119,14 +123,14 @@ private:
       });
     };
     look(first, 0, 0.3);
-    const double most = promise.empty() ? 0 : *std::ranges::max_element(promise);
+    const double best = promise.empty() ? 0 : *std::ranges::max_element(promise);
     double promised = 0;
     std::size_t at = 0;
     std::vector<std::size_t> hopeful;
     for (std::size_t i = 0; i < causes.size(); ++i) {
       if (at < first.size() && first[at] == i)
         promised = promise[i], ++at;
-      else if (!causes[i].effect->linear || promised > nothing * most)
+      else if (!causes[i].effect->linear || promised > nothing * best)
         hopeful.push_back(i);
     }
     look(hopeful, 0.3, 0.5);
@@ -226,7 +230,7 @@ private:
 
   const Evaluator &fine, &coarse;
   const SearchOptions& options;
-  const TrialMask telling, every = TrialMask(telling.size(), 1);
+  const TrialMask most, telling, every = TrialMask(telling.size(), 1);
   std::vector<Lead> looked, chosen;
   std::atomic<std::size_t> done = 0;
   double stageFrom = 0, stageShare = 0;
