@@ -19,6 +19,8 @@ const char* name(Segment::Kind kind) {
       return "steps";
     case Segment::Kind::sine:
       return "sine";
+    case Segment::Kind::bumps:
+      return "bumps";
     case Segment::Kind::multisine:
       return "multisine";
     case Segment::Kind::fast:

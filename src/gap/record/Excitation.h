@@ -17,6 +17,7 @@ struct Segment {
     chirp,      ///< sine whose frequency rises from fromHz to toHz
     steps,      ///< jumps to +1, -1, +1/2, -1/2, 0
     sine,       ///< fromHz, swelling over its first and last quarter
+    bumps,      ///< squares of such a sine where it is positive, rest between: steps of a foot
     multisine,  ///< `tones` sines between fromHz and toHz, other phases and frequencies for each joint
     fast        ///< random targets at `speed` of each joint's maximal speed, a short step after each
   };
@@ -25,6 +26,7 @@ struct Segment {
   /// Joint and how far the wave takes it [rad]; the sign turns it round.
   std::vector<std::pair<int, double>> joints;
   double fromHz = 0.5, toHz = 4;
+  double phase = 0;  ///< of sine and bumps, in turns
   int cycles = 1, tones = 12;
   double speed = 0.85;
   std::vector<double> accelerations;  ///< of fast: most of each of `joints` [rad/s^2]; empty: no limit

@@ -117,15 +117,21 @@ private:
     add(segment, now);
   }
 
+  static bool isSine(const Segment& segment) {
+    return segment.kind == Kind::sine || segment.kind == Kind::bumps;
+  }
+
   Segment readWave(const ConfigSection& entry) {
     Segment segment;
-    constexpr Kind kinds[] = {Kind::triangle, Kind::chirp,     Kind::steps,
-                              Kind::sine,     Kind::multisine, Kind::fast};
-    segment.kind = kinds[entry.choice("wave", {"triangle", "chirp", "steps", "sine", "multisine", "fast"})];
+    constexpr Kind kinds[] = {Kind::triangle,  Kind::chirp, Kind::steps, Kind::sine,
+                              Kind::multisine, Kind::fast,  Kind::bumps};
+    segment.kind =
+        kinds[entry.choice("wave", {"triangle", "chirp", "steps", "sine", "multisine", "fast", "bumps"})];
     segment.duration = entry.get<double>("duration", Range{0.01, longest});
     const Range frequency{1e-3, 100};
     segment.fromHz =
-        entry.find<double>(segment.kind == Kind::sine ? "hz" : "from_hz", frequency).value_or(segment.fromHz);
+        entry.find<double>(isSine(segment) ? "hz" : "from_hz", frequency).value_or(segment.fromHz);
+    segment.phase = entry.find<double>("phase", Range{-1, 1}).value_or(0);
     segment.toHz = entry.find<double>("to_hz", frequency).value_or(segment.toHz);
     segment.cycles = entry.find<int>("cycles", Range{1, 1000}).value_or(1);
     segment.tones = entry.find<int>("tones", Range{1, 200}).value_or(12);
@@ -183,7 +189,7 @@ private:
       if (share) size = *share * std::max(0.0, std::min({joint.upper - q, q - joint.lower, M_PI}));
       double speed = 0, acceleration = 0;  // of a wave of size 1
       if (segment.kind == Kind::chirp || segment.kind == Kind::multisine) speed = turn * segment.toHz;
-      if (segment.kind == Kind::sine) speed = turn * segment.fromHz;
+      if (isSine(segment)) speed = turn * segment.fromHz;
       acceleration = speed * speed;
       // A multisine's tones hardly ever meet.
       if (segment.kind == Kind::multisine) speed *= 0.5, acceleration *= 0.35;
@@ -317,7 +323,8 @@ std::string excitationText(const Excitation& excitation, const Mechanism& robot)
     }
     text += std::string("  - {wave: ") + name(s.kind) + ", duration: " + number(s.duration);
     if (together) text += ", with_last: true";
-    if (s.kind == Kind::sine) text += ", hz: " + number(s.fromHz);
+    if (s.kind == Kind::sine || s.kind == Kind::bumps) text += ", hz: " + number(s.fromHz);
+    if (s.phase != 0) text += ", phase: " + number(s.phase);
     if (s.kind == Kind::chirp || s.kind == Kind::multisine)
       text += ", from_hz: " + number(s.fromHz) + ", to_hz: " + number(s.toHz);
     if (s.kind == Kind::triangle) text += ", cycles: " + std::to_string(s.cycles);

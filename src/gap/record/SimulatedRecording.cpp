@@ -5,7 +5,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "gap/replay/Replay.h"
 #include "gap/replay/TrialOf.h"
 #include "math/Random.h"
 
@@ -19,6 +18,8 @@ Random generatorOf(const std::string& channel, std::uint64_t seed) {
   for (const char c : channel) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
   return Random(hash ^ (seed * 0x9e3779b97f4a7c15ULL));
 }
+
+}  // namespace
 
 void addNoise(const Signal& signal, const SensorNoise& noise, std::uint64_t seed,
               std::vector<double>& values) {
@@ -43,8 +44,6 @@ void addNoise(const Signal& signal, const SensorNoise& noise, std::uint64_t seed
     }
   }
 }
-
-}  // namespace
 
 double noiseOf(const Signal& signal, const SensorNoise& noise) {
   switch (signal.kind) {
@@ -91,23 +90,19 @@ Run blankRun(const Mechanism& robot, const Excitation& program, double rateHz, b
   return run;
 }
 
-Run recordSimulated(const Mechanism& robot, const Excitation& program,
-                    const SimulatedRecordingOptions& options) {
+Run recordWith(const Mechanism& robot, const Excitation& program, const SimulatedRecordingOptions& options,
+               const TrialPlayer& player) {
   if (program.freeBase && robot.feet.empty())
     throw std::invalid_argument(program.name + " stands on feet and " + robot.name + " has none");
   Run run = blankRun(robot, program, options.rateHz > 0 ? options.rateHz : robot.controlHz, options.truth);
   const Trial trial = trialOf(run, robot);
   const Plant plant = plantOf(robot, options.effects);
-  ReplayOptions replayOptions;
-  replayOptions.step = options.step;
-  replayOptions.gearStep = std::min(replayOptions.gearStep, options.step);
   std::vector<std::uint8_t> lost;
   if (plant.dropout > 0) {
     Random random = generatorOf("lost cycles", options.seed);
     for (std::size_t k = 0; k < trial.cycles(); ++k) lost.push_back(random.uniform() < plant.dropout);
-    replayOptions.lostCycles = &lost;
   }
-  Prediction prediction = replay(plant, trial, replayOptions);
+  Prediction prediction = player(plant, trial, lost);
   for (std::size_t s = 0; s < trial.signals.size(); ++s) {
     std::vector<double>& values = prediction.values[s];
     if (values.empty()) continue;
@@ -115,6 +110,19 @@ Run recordSimulated(const Mechanism& robot, const Excitation& program,
     run.channels[trial.signals[s].name] = std::move(values);
   }
   return run;
+}
+
+Run recordSimulated(const Mechanism& robot, const Excitation& program,
+                    const SimulatedRecordingOptions& options) {
+  return recordWith(
+      robot, program, options,
+      [&options](const Plant& plant, const Trial& trial, const std::vector<std::uint8_t>& lost) {
+        ReplayOptions replayOptions;
+        replayOptions.step = options.step;
+        replayOptions.gearStep = std::min(replayOptions.gearStep, options.step);
+        if (!lost.empty()) replayOptions.lostCycles = &lost;
+        return replay(plant, trial, replayOptions);
+      });
 }
 
 }  // namespace plumbline::gap

@@ -1,8 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 
 #include "gap/diagnosis/Explanation.h"
 #include "gap/record/Excitation.h"
+#include "gap/replay/Replay.h"
 #include "gap/replay/Trial.h"
 #include "gap/run/Run.h"
 
@@ -16,6 +18,10 @@ struct SensorNoise {
   double accelerometer = 0.06;                             ///< [m/s^2]
   double force = 0.15;                                     ///< [N]; a force sensor never reads below 0
 };
+
+/// What such sensors make of a channel's true values; the same for a seed and the channel's name.
+void addNoise(const Signal& signal, const SensorNoise& noise, std::uint64_t seed,
+              std::vector<double>& values);
 
 /// What such sensors leave in doubt of one reading: standard deviation, quantisation included.
 double noiseOf(const Signal& signal, const SensorNoise& noise = {});
@@ -35,6 +41,14 @@ struct SimulatedRecordingOptions {
 /// of a free one with force sensors fsr. The run has no folder yet. Same options, same numbers.
 Run recordSimulated(const Mechanism& robot, const Excitation& program,
                     const SimulatedRecordingOptions& options = {});
+
+/// What plays a trial's commands on a plant; cycles that are lost have a 1 (none where it is empty).
+using TrialPlayer =
+    std::function<Prediction(const Plant&, const Trial&, const std::vector<std::uint8_t>& lost)>;
+
+/// The same with another simulation than replay/.
+Run recordWith(const Mechanism& robot, const Excitation& program, const SimulatedRecordingOptions& options,
+               const TrialPlayer& player);
 
 /// The run's commands with nothing measured yet: every channel that a recording of it would have is NaN.
 Run blankRun(const Mechanism& robot, const Excitation& program, double rateHz, bool truth = false);

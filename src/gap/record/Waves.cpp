@@ -45,7 +45,11 @@ double Wave::operator()(double t) const {
       return levels[std::min<std::size_t>(4, static_cast<std::size_t>(5 * t / T))];
     }
     case Segment::Kind::sine:
-      return window(t, T, T / 4) * std::sin(turn * segment.fromHz * t);
+      return window(t, T, T / 4) * std::sin(turn * (segment.fromHz * t + segment.phase));
+    case Segment::Kind::bumps: {
+      const double up = std::max(0.0, std::sin(turn * (segment.fromHz * t + segment.phase)));
+      return window(t, T, T / 4) * up * up;
+    }
     case Segment::Kind::multisine: {
       double sum = 0;
       for (const Tone& tone : tones) sum += std::sin(turn * tone.hz * t + tone.phase);

@@ -1,5 +1,7 @@
-// bin/gap record: plays excitation programs on a simulated robot and writes runs.
+// bin/gap record: plays excitation programs on a simulated robot, or on one of a SimSpark server, and writes
+// runs.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -7,12 +9,15 @@
 
 #include "framework/WriteFile.h"
 #include "gap/diagnosis/ExplanationFile.h"
+#include "gap/record/BulletRecording.h"
 #include "gap/record/ExcitationFile.h"
 #include "gap/record/Secret.h"
+#include "gap/record/SimsparkRecording.h"
 #include "gap/record/SimulatedRecording.h"
 #include "gap/run/RunFile.h"
 #include "main/gap/Commands.h"
 #include "main/gap/RobotOption.h"
+#include "main/gap/WalkRecording.h"
 
 namespace plumbline::gap {
 
@@ -21,7 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RecordOptions {
-  std::string robot = "nao_v5", battery, effects, output;
+  std::string robot = "nao_v5", battery, effects, output, engine = "own";
+  SimsparkRecordingOptions simspark;
   std::vector<std::string> programs;
   std::uint64_t seed = 1, programSeed = 0, secret = 0;
   bool hasSecret = false, noisy = true, truth = false;
@@ -34,6 +40,11 @@ struct Item {
 };
 
 Excitation programOf(const std::string& given, const Mechanism& robot, std::uint64_t seed) {
+  if (std::ranges::find(walkPrograms(), given) != walkPrograms().end()) {
+    Excitation walk;  // is made up as it is walked
+    walk.name = given;
+    return walk;
+  }
   if (given.find('/') != std::string::npos || given.ends_with(".yaml"))
     return readExcitation(given, robot, seed);
   return findExcitation(given, robot, seed);
@@ -58,10 +69,44 @@ std::vector<Item> itemsOf(const RecordOptions& options, const Mechanism& robot) 
   return items;
 }
 
+/// Robots of a SimSpark server are asked for as "simspark" with a type.
+bool onServer(const RecordOptions& options) { return options.robot == "simspark"; }
+
+Run recordOne(const RecordOptions& options, const Mechanism& robot, const Item& item,
+              const SimulatedRecordingOptions& recording) {
+  if (std::ranges::find(walkPrograms(), item.program.name) != walkPrograms().end())
+    return recordWalk(robot, item.program.name, recording);
+  if (!onServer(options))
+    return options.engine == "bullet" ? recordBullet(robot, item.program, recording)
+                                      : recordSimulated(robot, item.program, recording);
+  SimsparkRecording recorded = recordSimspark(robot, item.program, options.simspark);
+  if (recorded.lostCycles > 0)
+    std::fprintf(stderr, "gap: %s: %zu cycles were lost; the run has gaps there\n", item.name.c_str(),
+                 recorded.lostCycles);
+  if (recorded.fell) std::fprintf(stderr, "gap: %s: the robot fell over\n", item.name.c_str());
+  return std::move(recorded.run);
+}
+
+void checkOptions(const RecordOptions& options) {
+  for (const std::string& program : options.programs)
+    if (std::ranges::find(walkPrograms(), program) != walkPrograms().end() &&
+        (onServer(options) || options.hasSecret))
+      throw std::invalid_argument(program + " is walked by a robot simulated here, without --secret");
+  if (!onServer(options)) return;
+  if (!options.effects.empty() || options.hasSecret)
+    throw std::invalid_argument(
+        "a robot of a server has the effects that its server gives it: start bin/simulator --effects FILE");
+  if (options.engine != "own" || options.truth)
+    throw std::invalid_argument(
+        "--engine and --truth are for robots simulated here, not for --robot simspark");
+}
+
 void record(const RecordOptions& options) {
   if (options.programs.empty() == options.battery.empty())
     throw std::invalid_argument("record needs --program or --battery, one of them");
-  const Mechanism robot = robotOf(options.robot, "");
+  checkOptions(options);
+  const Mechanism robot = robotOf(
+      onServer(options) ? "simspark_type" + std::to_string(options.simspark.type) : options.robot, "");
   const std::vector<Item> items = itemsOf(options, robot);
   const bool single = options.battery.empty() && items.size() == 1;
   std::error_code error;
@@ -92,7 +137,7 @@ void record(const RecordOptions& options) {
       throw std::runtime_error("stopped; nothing was written");
     }
     recording.seed = options.seed * 1000 + done;
-    Run run = recordSimulated(robot, item.program, recording);
+    Run run = recordOne(options, robot, item, recording);
     run.repeatOf = item.repeatOf;
     WriteRunOptions writing;
     writing.digits = 5;
@@ -116,12 +161,29 @@ void record(const RecordOptions& options) {
 
 void addRecord(CLI::App& app) {
   auto options = std::make_shared<RecordOptions>();
-  CLI::App* command =
-      app.add_subcommand("record", "Plays excitation programs on a simulated robot and writes runs");
-  command->add_option("--robot", options->robot, "Name in config/robots, URDF or JSON file")
+  CLI::App* command = app.add_subcommand("record", "Plays excitation programs on a robot and writes runs");
+  command
+      ->add_option("--robot", options->robot,
+                   "Simulated here: a name in config/robots, URDF or JSON file; simspark: a robot of a "
+                   "SimSpark server")
       ->capture_default_str();
-  command->add_option("--program", options->programs,
-                      "Programs: names in config/excitation, or files; several make several runs");
+  command
+      ->add_option(
+          "--engine", options->engine,
+          "own: the dynamics that the diagnosis explains with; bullet: another engine, not all effects")
+      ->check(CLI::IsMember({"own", "bullet"}))
+      ->capture_default_str();
+  command->add_option("--host", options->simspark.host, "Of the SimSpark server")->capture_default_str();
+  command->add_option("--port", options->simspark.port, "Its port for agents")
+      ->check(CLI::Range(1, 65535))
+      ->capture_default_str();
+  command->add_option("--type", options->simspark.type, "Of the SimSpark robot")
+      ->check(CLI::Range(0, 4))
+      ->capture_default_str();
+  command->add_option(
+      "--program", options->programs,
+      "Programs: names in config/excitation, files, or walk_forward, walk_sideways, walk_turn (the "
+      "project's own walk, in Bullet); several make several runs");
   command->add_option("--battery", options->battery, "A standard set of programs, with a repeat")
       ->check(CLI::IsMember({"hang", "stand", "all"}));
   command->add_option("--effects", options->effects,
@@ -142,8 +204,11 @@ void addRecord(CLI::App& app) {
       ->required();
   command->footer(
       "Examples:\n  bin/gap record --battery hang --secret 7 -o runs\n"
-      "  bin/gap record --robot so101 --program hang_sweep -o sweep --effects effects.yaml");
+      "  bin/gap record --robot so101 --program hang_sweep -o sweep --effects effects.yaml\n"
+      "  bin/gap record --battery stand --engine bullet -o standing\n"
+      "  bin/simulator --sync & bin/gap record --robot simspark --type 1 --program stand_squat -o squat");
   command->callback([options, secret] {
+    options->simspark.stop = [] { return stopRequested(); };
     options->hasSecret = secret->count() > 0;
     record(*options);
   });

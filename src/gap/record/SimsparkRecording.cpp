@@ -1,0 +1,197 @@
+#include "gap/record/SimsparkRecording.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "gap/record/SimulatedRecording.h"
+#include "gap/record/Waves.h"
+#include "robot/JointId.h"
+#include "simspark/AgentCommand.h"
+#include "simspark/Connection.h"
+#include "simspark/ServerMessageParser.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double cycle = 0.02, approach = 2.5, rest = 0.5;  // [s]
+
+JointId jointOf(const std::string& name, const Mechanism& robot) {
+  for (int j = 0; j < numJoints; ++j)
+    if (jointNames[static_cast<std::size_t>(j)] == name) return static_cast<JointId>(j);
+  throw std::invalid_argument(robot.name + " has a joint " + name + " that robots of SimSpark have not");
+}
+
+class Session {
+public:
+  Session(const Mechanism& robot_, const SimsparkRecordingOptions& options_)
+      : robot(robot_), options(options_) {
+    for (const Mechanism::Joint& joint : robot.joints) ids.push_back(jointOf(joint.name, robot));
+    angles_.resize(ids.size());
+    if (const std::string why = connection.connect(options.host, options.port, options.timeout); !why.empty())
+      throw std::runtime_error(why + "; start bin/simulator or the league's server first");
+    simspark::AgentCommand scene;
+    scene.scene = simspark::SceneRequest{.type = options.type};
+    scene.syn = true;
+    send(scene);
+    receive();
+    simspark::AgentCommand init;
+    init.init = simspark::InitRequest{options.number, options.team};
+    init.syn = true;
+    send(init);
+  }
+
+  /// Waits for the next message.
+  const simspark::ServerMessage& receive() {
+    std::string_view text;
+    if (options.stop && options.stop()) throw std::runtime_error("stopped; nothing was written");
+    switch (connection.receive(text, options.timeout)) {
+      case simspark::Connection::Status::message:
+        break;
+      case simspark::Connection::Status::timeout:
+        throw std::runtime_error("the server on port " + std::to_string(options.port) + " sent nothing for " +
+                                 std::to_string(static_cast<int>(options.timeout)) + " s");
+      case simspark::Connection::Status::closed:
+        throw std::runtime_error("the server on port " + std::to_string(options.port) +
+                                 " ended the connection: " + connection.error());
+    }
+    if (const auto error = simspark::parseServerMessage(text, message))
+      throw std::runtime_error("the server sent what cannot be read, at byte " +
+                               std::to_string(error->position) + ": " + error->what);
+    for (std::size_t j = 0; j < ids.size(); ++j)
+      if (const auto& angle = message.angle[ids[j]]) angles_[j] = *angle;
+    return message;
+  }
+
+  /// Answers the last message: every joint goes to its target.
+  void drive(const std::vector<double>& targets, const std::optional<Pose2>& beam = {}) {
+    simspark::AgentCommand command;
+    command.beam = beam;
+    for (std::size_t j = 0; j < ids.size(); ++j) {
+      const Mechanism::Joint& joint = robot.joints[j];
+      const double gain = joint.servo.kp / joint.servo.kd;
+      command.velocity[ids[j]] =
+          std::clamp(gain * (targets[j] - angles_[j]), -joint.maxSpeed, joint.maxSpeed);
+    }
+    command.syn = true;
+    send(command);
+  }
+
+  const std::vector<double>& angles() const { return angles_; }
+
+private:
+  void send(const simspark::AgentCommand& command) {
+    if (!connection.send(simspark::writeAgentCommand(command)))
+      throw std::runtime_error("the server on port " + std::to_string(options.port) +
+                               " ended the connection: " + connection.error());
+  }
+
+  const Mechanism& robot;
+  const SimsparkRecordingOptions& options;
+  std::vector<JointId> ids;
+  std::vector<double> angles_;
+  simspark::Connection connection;
+  simspark::ServerMessage message;
+};
+
+/// Forces on a sole's corners with the reading's sum and point.
+void writeForces(Run& run, std::size_t row, const Mechanism::Foot& foot,
+                 const std::optional<simspark::ForceReading>& reading) {
+  for (const Mechanism::ForceSensor& sensor : foot.sensors) {
+    double& value = run.channels[channelName(ChannelKind::force, foot.name + "." + sensor.corner)][row];
+    value = 0;
+    if (!reading) continue;
+    const auto share = [&](int axis) {
+      const double half = std::abs(sensor.position[axis] - foot.soleCentre[axis]);
+      const double at =
+          std::clamp((reading->point[axis] - foot.soleCentre[axis]) / std::max(1e-6, half), -1.0, 1.0);
+      return 0.5 * (1 + (sensor.position[axis] > foot.soleCentre[axis] ? at : -at));
+    };
+    value = reading->force.z() * share(0) * share(1);
+  }
+}
+
+}  // namespace
+
+SimsparkRecording recordSimspark(const Mechanism& robot, const Excitation& program,
+                                 const SimsparkRecordingOptions& options) {
+  if (!program.freeBase)
+    throw std::invalid_argument(
+        program.name +
+        " is for a robot that is held; robots of SimSpark stand: take a program on the "
+        "feet, such as stand_squat");
+  SimsparkRecording result;
+  result.run = blankRun(robot, program, 1 / cycle);
+  Run& run = result.run;
+  const std::vector<double> planned = run.t;
+  const CommandTable table = playExcitation(program, robot, 1 / cycle);
+  std::vector<double> targets(robot.joints.size());
+
+  Session session(robot, options);
+  // On its feet at its place, then slowly to where the program begins.
+  const Pose2 place(Vec2(-7, 0), program.heading);
+  std::vector<double> start;
+  const auto steps = static_cast<int>((approach + rest) / cycle);
+  for (int i = 0; i < steps; ++i) {
+    session.receive();
+    if (i == 0) {
+      session.drive(session.angles(), place);
+      continue;
+    }
+    if (start.empty()) start = session.angles();
+    const double share = smoothStep(i * cycle / approach);
+    for (std::size_t j = 0; j < targets.size(); ++j)
+      targets[j] = start[j] + share * (table.commands[j].front() - start[j]);
+    session.drive(targets);
+  }
+
+  double begin = 0;
+  std::vector<std::size_t> kept;  // planned cycles whose message came
+  for (std::size_t k = 0; k < planned.size();) {
+    const simspark::ServerMessage& message = session.receive();
+    if (kept.empty()) begin = message.time;
+    // The clock says which cycle this is: a message that was lost must not shift what follows.
+    const auto now = static_cast<std::size_t>(std::max<long>(0, std::lround((message.time - begin) / cycle)));
+    if (now >= planned.size()) break;
+    if (!kept.empty() && now <= kept.back()) {
+      session.drive(targets);  // the clock stood still
+      continue;
+    }
+    if (!kept.empty()) result.lostCycles += now - kept.back() - 1;
+    k = now;
+    kept.push_back(k);
+    for (std::size_t j = 0; j < targets.size(); ++j) {
+      targets[j] = table.commands[j][k];
+      run.channels[channelName(ChannelKind::position, robot.joints[j].name)][k] = session.angles()[j];
+    }
+    constexpr std::array axes = {"x", "y", "z"};
+    for (int axis = 0; axis < 3; ++axis) {
+      run.channels[channelName(ChannelKind::gyro, axes[static_cast<std::size_t>(axis)])][k] =
+          message.gyro[axis];
+      run.channels[channelName(ChannelKind::acceleration, axes[static_cast<std::size_t>(axis)])][k] =
+          message.acc[axis];
+    }
+    for (const Mechanism::Foot& foot : robot.feet)
+      writeForces(run, k, foot, foot.name.starts_with("L") ? message.leftFoot : message.rightFoot);
+    result.fell = result.fell || (k > 10 && message.acc.z() < 0.5 * message.acc.norm() &&
+                                  std::abs(message.acc.norm() - 9.81) < 3);
+    session.drive(targets);
+    ++k;
+  }
+  // Cycles that never came are left out: the times have gaps there.
+  const auto keep = [&](std::vector<double>& values) {
+    std::vector<double> left;
+    for (const std::size_t k : kept) left.push_back(values[k]);
+    values = std::move(left);
+  };
+  keep(run.t);
+  for (auto& [name, values] : run.channels) keep(values);
+  run.motion += "; a robot of type " + std::to_string(options.type) + " of a SimSpark server";
+  if (result.lostCycles > 0) run.motion += ", " + std::to_string(result.lostCycles) + " cycles lost";
+  return result;
+}
+
+}  // namespace plumbline::gap
