@@ -48,7 +48,40 @@ startDependencyFile() { # $1 object, $2 source, $3 language
   [[ -f $file ]] || printf '%s: %s\n\t$(call %s.compile.%s,%s)\n' "$1" "$2" "$target" "$3" "$2" > "$file"
 }
 
-language() { case $1 in *.c) REPLY=c ;; build/generated/*) REPLY=generated ;; *) REPLY=cpp ;; esac; }
+language() { case $1 in build/*/together/*) REPLY=together ;; *.c) REPLY=c ;; build/generated/*) REPLY=generated ;; *) REPLY=cpp ;; esac; }
+
+# Bundles up to $together neighbours among an output's C++ sources: what they include and instantiate alike costs
+# once then. Replaces their objects by those of the bundles.
+bundle() {
+  local o object members path kept i first next count
+  rm -rf "$build/together.new"
+  mkdir -p "$build/together" "$build/together.new" "$build/obj/together"
+  for o in "${outputs[@]}"; do
+    members=() kept=""
+    for object in ${objectsOf[$o]}; do
+      path=${sourceOf[$object]}
+      language "$path"
+      if [[ $REPLY == cpp ]]; then members+=("$object"); else kept+=" $object"; fi
+    done
+    count=$(((${#members[@]} + together - 1) / together))
+    for ((i = 0; i < count; ++i)); do
+      first=$((i * ${#members[@]} / count)) next=$(((i + 1) * ${#members[@]} / count))
+      path=${o##*/}.${kindOf[$o]}$i
+      for object in "${members[@]:first:next-first}"; do
+        printf '#include "%s"\n' "${sourceOf[$object]}" >> "$build/together.new/$path.cpp"
+        unset "sourceOf[$object]"
+      done
+      writeIfChanged "$build/together/$path.cpp" < "$build/together.new/$path.cpp"
+      object=$build/obj/together/$path.o
+      sourceOf[$object]=$build/together/$path.cpp
+      kept+=" $object"
+    done
+    objectsOf[$o]=$kept
+  done
+  for path in "$build/together"/*[0-9].cpp; do [[ -f $build/together.new/${path##*/} ]] || rm -f "$path"; done
+  rm -r "$build/together.new"
+  mapfile -t objects < <(printf '%s\n' ${objectsOf[@]} | sort)
+}
 
 # Prints every output with its objects and how it is built.
 writeRules() {
@@ -136,6 +169,7 @@ writeTarget() {
     classify "${placeOf[$path]}" "$o"
   done
   mkdir -p "${!directories[@]}" "$build/lists"
+  if ((together > 1)); then bundle; fi
   for o in "${objects[@]}"; do language "${sourceOf[$o]}"; startDependencyFile "$o" "${sourceOf[$o]}" "$REPLY"; done
 
   # What went away takes its object and its output along.
@@ -188,6 +222,8 @@ $target.compile = \$(Q)\$(call say,\$(3),\$(1)); \$(CCACHE) \$($target.command.\
 $target.compile.cpp = \$(call $target.compile,\$(1),cpp,C++)
 $target.compile.generated = \$(call $target.compile,\$(1),generated,C++)
 $target.compile.c = \$(call $target.compile,\$(1),c,C)
+$target.compile.together = \$(Q)\$(call say,C++,\$(1)); scripts/make/compile_together.sh \$@ \$(@:o=d).new \$(1) \$(CCACHE) \$($target.command.cpp) && \\
+  printf '\$@: \$(1)\\n\\t\$\$(call $target.compile.together,\$(1))\\n' >> \$(@:o=d).new && mv -f \$(@:o=d).new \$(@:o=d)
 $target.archive = \$(Q)\$(call say,AR,\$@); mkdir -p \$(@D); rm -f \$@; ar rcsT \$@ \$(filter %.o,\$^)
 # \$1: objects, \$2: libraries of the tree, \$3: libraries of this kind of program, \$4: where it finds .so files
 $target.program = \$(Q)\$(call say,LINK,\$@); mkdir -p \$(@D); $cxx $flags $ldflags -o \$@ \$(1) \$(2) \$(3) \$(4) $libraries
@@ -215,15 +251,15 @@ RULES
 
 # compile_commands.json in the root, for editors and clang-tidy.
 writeCompileCommands() {
-  local o command comma=""
+  local path command comma=""
   {
     printf '[\n'
-    for o in "${objects[@]}"; do
-      language "${sourceOf[$o]}"
+    for path in "${sources[@]}"; do
+      language "$path"
       case $REPLY in c) command=$commandC ;; *) command=$commandCpp ;; esac
       command=${command//\\/\\\\}
       printf '%s{"directory":"%s","file":"%s","output":"%s","command":"%s -c %s -o %s"}' "$comma" "$PWD" \
-        "${sourceOf[$o]}" "$o" "${command//\"/\\\"}" "${sourceOf[$o]}" "$o"
+        "$path" "$build/obj/${path#build/}.o" "${command//\"/\\\"}" "$path" "$build/obj/${path#build/}.o"
       comma=$',\n'
     done
     printf '\n]\n'
