@@ -32,7 +32,8 @@ inline WalkGaits withoutFeedback(WalkGaits gaits) {
       const std::string name = info.name;
       const bool gain = name.ends_with("Gain") || name.ends_with("Rate") ||
                         name.starts_with("observationP") || name.starts_with("observationV") ||
-                        name == "swingLevel" || name == "tiltBrake" || name == "torsoMeasured";
+                        name == "swingLevel" || name == "contactShare" || name == "tiltBrake" ||
+                        name == "torsoMeasured";
       if (gain) p.*info.value = 0;
     }
   };

@@ -93,7 +93,7 @@ TEST_F(NaoWalk, goesSoftBeforeItReachesTheGround) {
       }
     }
     ASSERT_FALSE(upright) << "the push was survived";
-    EXPECT_GT(heightWhenSoft, 0.75 * standing) << direction.transpose();
+    EXPECT_GT(heightWhenSoft, 0.85 * standing) << direction.transpose();
   }
 }
 
