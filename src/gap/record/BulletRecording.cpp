@@ -35,6 +35,13 @@ Mat3 groundOf(const Plant& plant) {
   return Eigen::AngleAxisd(angle, plant.ground.slope / angle).toRotationMatrix();
 }
 
+/// A joint that shares another's motor has a servo of its own with the same command, as in the replay and the
+/// contract's law; ServoWorld would let one servo carry both.
+Mechanism withOwnServos(Mechanism robot) {
+  for (Mechanism::Joint& joint : robot.joints) joint.driver = -1;
+  return robot;
+}
+
 class Recorder {
 public:
   Recorder(const Plant& plant_, const Trial& trial_, const std::vector<std::uint8_t>& lost_)
@@ -42,7 +49,7 @@ public:
         trial(trial_),
         lost(lost_),
         ground(groundOf(plant_)),
-        world(bulletMechanism(plant_, 1 / slice), bulletWorld(plant_, !trial_.freeBase)) {}
+        world(withOwnServos(bulletMechanism(plant_, 1 / slice)), bulletWorld(plant_, !trial_.freeBase)) {}
 
   Prediction play() {
     Prediction prediction;
