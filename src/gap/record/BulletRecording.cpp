@@ -12,7 +12,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double slice = 0.002;  // [s]: commands arrive and readings are taken to so much
+constexpr double slice = 0.001;  // [s]: commands arrive and readings are taken to so much
 constexpr double settle = 1;     // [s]
 constexpr double hung = 10;      // [m]: far from the ground
 

@@ -9,7 +9,7 @@ namespace plumbline::gap {
 
 /// The same as recordSimulated, but the robot lives in Bullet (simulation/servo/ServoWorld.h), an engine that
 /// the diagnosis does not use to explain: hung up, or put on its feet, settled in the first posture for a
-/// second. Delays are kept to 2 ms. Errors: ConfigurationError for an effect that this engine does not have
+/// second. Delays are kept to 1 ms. Errors: ConfigurationError for an effect that this engine does not have
 /// (it names those it has), std::invalid_argument for a program on feet that the robot lacks.
 Run recordBullet(const Mechanism& robot, const Excitation& program,
                  const SimulatedRecordingOptions& options = {});

@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gap/TwoJointArm.h"
+#include "gap/effects/Effects.h"
+#include "gap/record/BulletRecording.h"
+#include "gap/record/ExcitationFile.h"
+#include "gap/record/SimsparkRecording.h"
+#include "gap/run/RunCheck.h"
+#include "robot/MechanismFile.h"
+#include "robot/RobotModel.h"
+#include "simulation/ServerFixture.h"
+
+namespace plumbline::gap {
+namespace {
+
+double rms(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+Excitation swing(const Mechanism& robot) {
+  Excitation program;
+  program.name = program.about = "swing";
+  program.posture.assign(robot.joints.size(), 0.2);
+  Segment wave;
+  wave.kind = Segment::Kind::sine;
+  wave.start = 0.4;
+  wave.duration = 3;
+  wave.fromHz = 0.8;
+  wave.joints = {{0, 0.3}, {1, 0.4}};
+  program.segments = {wave};
+  program.duration = 4;
+  return program;
+}
+
+std::string errorOf(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+Cause cause(const char* id, const Mechanism& robot, const char* at, double value) {
+  const Effect* effect = findEffect(id);
+  return {effect, findPlace(*effect, robot, at, ""), value, 0};
+}
+
+TEST(BulletRecording, AgreesWithTheOwnDynamicsOnAHeldArm) {
+  const Mechanism arm = twoJointArm();
+  SimulatedRecordingOptions options;
+  options.noisy = false;
+  const gap::Run own = recordSimulated(arm, swing(arm), options),
+                 bullet = recordBullet(arm, swing(arm), options);
+  for (const char* joint : {"shoulder", "elbow"}) {
+    const std::string channel = channelName(ChannelKind::position, joint);
+    EXPECT_LT(rms(*own.find(channel), *bullet.find(channel)), 1e-3) << joint;
+  }
+  EXPECT_EQ(own.t, bullet.t);
+}
+
+TEST(BulletRecording, EffectsShowAsInTheOwnDynamics) {
+  const Mechanism arm = twoJointArm();
+  SimulatedRecordingOptions options;
+  options.noisy = false;
+  const gap::Run nominal = recordBullet(arm, swing(arm), options);
+  for (const Cause& c :
+       {cause("servo_gain", arm, "elbow", 0.6), cause("command_delay", arm, "elbow", 0.03),
+        cause("joint_offset", arm, "shoulder", 0.05), cause("link_mass", arm, "lower", 0.3)}) {
+    options.effects = {c};
+    const gap::Run own = recordSimulated(arm, swing(arm), options),
+                   bullet = recordBullet(arm, swing(arm), options);
+    double change = 0, apart = 0;
+    for (const char* joint : {"shoulder", "elbow"}) {
+      const std::string channel = channelName(ChannelKind::position, joint);
+      change += rms(*nominal.find(channel), *bullet.find(channel));
+      apart += rms(*own.find(channel), *bullet.find(channel));
+    }
+    EXPECT_GT(change, 3e-3) << describe(c);
+    EXPECT_LT(apart, 0.15 * change + 2e-3) << describe(c);
+  }
+}
+
+TEST(BulletRecording, NamesWhatItHasInsteadOfWhatItLacks) {
+  const Mechanism arm = twoJointArm();
+  SimulatedRecordingOptions options;
+  options.effects = {cause("backlash", arm, "elbow", 0.02)};
+  const std::string error = errorOf([&] { recordBullet(arm, swing(arm), options); });
+  EXPECT_TRUE(error.starts_with("engine bullet has no backlash; it has command_delay, command_dropout, "))
+      << error;
+  EXPECT_TRUE(error.ends_with("external_force; --engine own has all")) << error;
+}
+
+TEST(BulletRecording, ANaoStandsAndFeelsItsWeight) {
+  const Mechanism nao = findMechanism("nao_v5");
+  Excitation program = findExcitation("stand_sway", nao);
+  program.duration = 2.5;
+  SimulatedRecordingOptions options;
+  options.truth = true;
+  const gap::Run run = recordBullet(nao, program, options);
+  double weight = 0;
+  for (const auto& [name, values] : run.channels)
+    if (name.starts_with("fsr.")) weight += values.back();
+  double mass = 0;
+  for (const auto& link : nao.links) mass += link.mass;
+  EXPECT_NEAR(weight, 9.81 * mass, 0.1 * 9.81 * mass);
+  EXPECT_GT(run.find("truth.z")->back(), 0.2);
+  EXPECT_NEAR(run.find("acc.z")->back(), 9.81, 0.5);
+}
+
+TEST(SimsparkRecording, RobotFilesSayWhatTheLeaguesRobotsAre) {
+  for (int type = 0; type < numSimsparkTypes; ++type) {
+    const RobotModel model = simsparkRobot(type);
+    const Mechanism robot = findMechanism("simspark_type" + std::to_string(type));
+    ASSERT_EQ(robot.links.size(), model.links.size());
+    for (std::size_t i = 1; i < model.links.size(); ++i) {
+      const Link& link = model.links[i];
+      const int joint = robot.jointIndex(jointNames[link.joint]);
+      ASSERT_GE(joint, 0) << link.name;
+      const Mechanism::Joint& own = robot.joints[static_cast<std::size_t>(joint)];
+      EXPECT_NEAR((own.origin - link.origin).norm(), 0, 1e-7) << link.name;
+      EXPECT_NEAR((own.axis - link.axis).norm(), 0, 1e-6) << link.name;
+      EXPECT_NEAR(own.maxSpeed, link.maxSpeed, 1e-6) << link.name;
+      EXPECT_NEAR(robot.links[static_cast<std::size_t>(own.child)].mass, link.mass, 1e-7) << link.name;
+    }
+  }
+}
+
+TEST(SimsparkRecording, PlaysAProgramOnARobotOfAServer) {
+  const Mechanism robot = findMechanism("simspark_type1");
+  test::RunningServer server(test::inStep());
+  SimsparkRecordingOptions options;
+  options.port = server.agentPort();
+  options.type = 1;
+  const SimsparkRecording recording = recordSimspark(robot, findExcitation("stand_squat", robot), options);
+  EXPECT_EQ(recording.lostCycles, 0u);
+  EXPECT_FALSE(recording.fell);
+  gap::Run run = recording.run;
+  EXPECT_EQ(run.robot, "simspark_type1");
+  EXPECT_TRUE(run.freeBase);
+  ASSERT_GT(run.size(), 700u);
+  for (std::size_t k = 1; k < run.size(); ++k) ASSERT_NEAR(run.t[k] - run.t[k - 1], 0.02, 1e-9);
+  // The knees follow, late by the speed loop and the server's own cycles.
+  const auto &command = *run.find("cmd.LKneePitch"), &position = *run.find("pos.LKneePitch");
+  EXPECT_NEAR(position[10], command[10], 0.02);
+  double most = 0, off = 0;
+  for (std::size_t k = 0; k < run.size(); ++k) {
+    most = std::max(most, position[k]);
+    if (k >= 5) off = std::max(off, std::abs(position[k] - command[k - 5]));
+  }
+  EXPECT_GT(most, 1.3);
+  EXPECT_LT(off, 0.05);
+  std::vector<RunWarning> warnings;
+  checkRun(run, robot, warnings);
+  for (const RunWarning& warning : warnings) EXPECT_FALSE(warning.leftOut) << warning.line("run");
+}
+
+TEST(SimsparkRecording, SaysWhyItCannot) {
+  const Mechanism robot = findMechanism("simspark_type0");
+  SimsparkRecordingOptions options;
+  options.port = 1;
+  EXPECT_EQ(
+      errorOf([&] { recordSimspark(robot, findExcitation("stand_squat", robot), options); }),
+      "cannot connect to 127.0.0.1:1: Connection refused; start bin/simulator or the league's server first");
+  EXPECT_EQ(
+      errorOf([&] { recordSimspark(robot, findExcitation("hang_small", robot), options); }),
+      "hang_small is for a robot that is held; robots of SimSpark stand: take a program on the feet, such as "
+      "stand_squat");
+}
+
+}  // namespace
+}  // namespace plumbline::gap
