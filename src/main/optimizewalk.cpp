@@ -117,6 +117,8 @@ int main(int argc, char** argv) {
                  "how far from the start the first generation lies, in sensible steps")
       ->check(CLI::Range(0.01, 10.0))
       ->capture_default_str();
+  app.add_option("--only", setup.only,
+                 "names of the parameters that are searched; default: all of the task's");
   app.add_option("--seed", setup.seed, "the same seed repeats the search")->capture_default_str();
   app.add_option("--from", options.from,
                  "folder of the walking.yaml to begin with; default: the type's in config/");

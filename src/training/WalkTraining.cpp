@@ -126,7 +126,13 @@ double cost(Task task, const TrialResult& r) {
 
 WalkGaits train(const WalkGaits& gaits, const TrainingSetup& setup,
                 const std::function<void(const std::string&, const WalkGaits&)>& progress) {
-  const std::vector<Variable> variables = variablesOf(setup.task);
+  std::vector<Variable> variables = variablesOf(setup.task);
+  if (!setup.only.empty())
+    std::erase_if(variables, [&](const Variable& v) {
+      return std::find(setup.only.begin(), setup.only.end(), v.info->name) == setup.only.end();
+    });
+  if (variables.empty())
+    throw std::invalid_argument("none of the parameters named is searched for this task");
   const auto n = static_cast<Eigen::Index>(variables.size());
   SearchSpace space = SearchSpace::around(Eigen::VectorXd::Zero(n), setup.sigma);
   space.lower.resize(n);

@@ -31,7 +31,8 @@ struct TrainingSetup {
   int generations = 100, population = 16;
   std::uint64_t seed = 1;
   TrialSetup trial;
-  double sigma = 0.5;  ///< of the first generation, in first steps of the variables
+  std::vector<std::string> only;  ///< names of the parameters that are searched; empty: all of the task's
+  double sigma = 0.5;             ///< of the first generation, in first steps of the variables
 };
 
 /// What a walk costs: lower is better. Falls weigh more than any speed they could be worth.

@@ -24,6 +24,7 @@ void BackgroundFit::add(const ObservedStep& step) {
 }
 
 std::optional<ModelFitResult> BackgroundFit::pass(double dt, const ModelParameters& now) {
+  if (probation) return judge(now);
   if (!running) {
     if (steps.size() < options.steps) return std::nullopt;
     {
@@ -45,7 +46,28 @@ std::optional<ModelFitResult> BackgroundFit::pass(double dt, const ModelParamete
   running = false;
   // Steps walked with the old parameters tell less of the new ones.
   steps.clear();
+  if (result->accepted) {
+    probation = true;
+    fallen = false;
+    errorBefore = result->heldBefore;
+    previous = now;
+  }
   return std::exchange(result, std::nullopt);
+}
+
+std::optional<ModelFitResult> BackgroundFit::judge(const ModelParameters& now) {
+  if (!fallen && steps.size() < options.probation) return std::nullopt;
+  probation = false;
+  const std::vector<ObservedStep> walked(steps.begin(), steps.end());
+  const double error = predictionError(walked, now);
+  if (!fallen && error <= errorBefore) return std::nullopt;
+  ModelFitResult back;
+  back.parameters = previous;
+  back.accepted = back.rolledBack = true;
+  back.heldBefore = error;
+  back.heldAfter = errorBefore;
+  steps.clear();
+  return back;
 }
 
 void BackgroundFit::run() {

@@ -17,12 +17,15 @@ struct BackgroundFitOptions {
   double cpuShare = 0.2;      ///< of one core, at most
   /// Waits for a result that is due, so that a run depends on nothing but its input; else it comes late.
   bool wait = false;
+  std::size_t probation = 20;  ///< steps by which a new set is judged before the next fit
   ModelFitOptions fit{};
   std::function<void()> onThreadStart{};  ///< gives the thread its low priority
 };
 
 /// Fits the model to the robot while it walks (section 4.3.2): collects steps, fits in a thread of its own,
-/// hands over the result when it is due, and begins again.
+/// hands over the result when it is due, and begins again. A set that was taken is on probation: if it
+/// predicts the steps walked with it worse than the set before did its own, or the robot falls, the one
+/// before comes back.
 class BackgroundFit {
 public:
   explicit BackgroundFit(const BackgroundFitOptions& options);
@@ -36,8 +39,12 @@ public:
   /// parameters if it is accepted.
   std::optional<ModelFitResult> pass(double dt, const ModelParameters& now);
   bool busy() const { return running; }
+  /// The robot fell while walking: a set on probation has failed.
+  void fell() { fallen = true; }
+  bool onProbation() const { return probation; }
 
 private:
+  std::optional<ModelFitResult> judge(const ModelParameters& now);
   void run();
 
   const BackgroundFitOptions options;
@@ -45,6 +52,9 @@ private:
   double elapsed = 0;    ///< since the fit began [s]
   bool running = false;  ///< of the walking thread: a fit has begun and its result was not yet handed over
   std::uint64_t fits = 0;
+  bool probation = false, fallen = false;
+  double errorBefore = 0;    ///< of the set before on steps walked with it
+  ModelParameters previous;  ///< the set before
 
   std::mutex mutex;
   std::condition_variable changed;

@@ -15,26 +15,35 @@ double rate(double height) {
 
 LinearInvertedPendulum::LinearInvertedPendulum(const Vec2& heights, const Vec2& copOffset_,
                                                const ModelParameters& fit)
-    : k(rate(heights.x() + fit.massOffsetZx), rate(heights.y() + fit.massOffsetZy)),
+    : plainRate(rate(heights.x()), rate(heights.y())),
       copOffset(copOffset_),
-      massOffset(fit.massOffsetX, fit.massOffsetY),
-      velocityOffset(fit.velocityOffsetX, fit.velocityOffsetY),
-      footFactor(fit.footFactor * Vec2(fit.footFactorX, fit.footFactorY)),
-      timeFactor(fit.timeFactor) {}
+      fitted{{rate(heights.x() + fit.massOffsetZx), rate(heights.y() + fit.massOffsetZy)},
+             fit.timeFactor,
+             {fit.massOffsetX, fit.massOffsetY},
+             {fit.velocityOffsetX, fit.velocityOffsetY},
+             fit.footFactor * Vec2(fit.footFactorX, fit.footFactorY)} {}
 
 Vec2 LinearInvertedPendulum::pivot(const WalkState& state) const {
   return state.supportFoot() * Vec2(copOffset.x(), outward(state.supportSide()) * copOffset.y());
 }
 
 WalkState LinearInvertedPendulum::move(const WalkState& state, const WalkAction& action, double time) const {
-  const Vec2 cop = state.support == Support::both ? action.centerOfPressure : pivot(state);
+  // The parameters are those of steps on one foot; what they would do to a robot that stands nobody has seen.
+  if (state.support == Support::both)
+    return move(state, action.centerOfPressure, action, time,
+                {plainRate, 1, Vec2::Zero(), Vec2::Zero(), Vec2::Ones()});
+  return move(state, pivot(state), action, time, fitted);
+}
+
+WalkState LinearInvertedPendulum::move(const WalkState& state, const Vec2& cop, const WalkAction& action,
+                                       double time, const Coefficients& c) {
   Vec2 com, velocity;  // moved way and velocity at the end, in the frame at the start
   for (int i = 0; i < 2; ++i) {
-    const double t = k[i] * timeFactor * time, c = std::cosh(t), s = std::sinh(t);
-    const double x = massOffset[i] - footFactor[i] * cop[i];  // of the mass from the centre of pressure
-    const double v = state.velocity[i] + velocityOffset[i];
-    com[i] = (x * (c - 1) + v / k[i] * s) / footFactor[i];
-    velocity[i] = x * k[i] * s + v * c - velocityOffset[i];
+    const double k = c.rate[i], t = k * c.timeFactor * time, ch = std::cosh(t), sh = std::sinh(t);
+    const double x = c.massOffset[i] - c.footFactor[i] * cop[i];  // of the mass from the centre of pressure
+    const double v = state.velocity[i] + c.velocityOffset[i];
+    com[i] = (x * (ch - 1) + v / k * sh) / c.footFactor[i];
+    velocity[i] = x * k * sh + v * ch - c.velocityOffset[i];
   }
 
   const double heading = action.duration > 0 ? action.turn * time / action.duration : 0;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "optimization/Cmaes.h"
+#include "walking/FitSafety.h"
 
 namespace plumbline::walking {
 namespace {
@@ -77,13 +78,18 @@ ModelFitResult fitModel(std::span<const ObservedStep> steps, const ModelParamete
   search.stop.maxGenerations = options.generations;
   Cmaes optimizer(spaceFrom(before), search);
   // What the steps do not tell stays as it was: a little is paid for every change.
-  constexpr double weight = 0.03;
+  constexpr double weight = 0.03, weightOfChange = 0.05, weightOfDanger = 10;
+  const FitSafety safety(steps);
   while (!optimizer.isDone()) {
     const Eigen::MatrixXd& candidates = optimizer.ask();
     std::vector<double> costs;
-    for (Index i = 0; i < candidates.cols(); ++i)
-      costs.push_back(predictionError(fitted, parametersOf(candidates.col(i))) +
-                      weight * candidates.col(i).squaredNorm() / ModelParameters::count);
+    for (Index i = 0; i < candidates.cols(); ++i) {
+      const ModelParameters candidate = parametersOf(candidates.col(i));
+      const double change = safety.change(candidate);
+      costs.push_back(predictionError(fitted, candidate) +
+                      weight * candidates.col(i).squaredNorm() / ModelParameters::count +
+                      weightOfChange * change * change + weightOfDanger * std::max(0.0, change - 1));
+    }
     optimizer.tell(costs);
     result.best.push_back(optimizer.bestCost());
     if (options.goOn && !options.goOn()) return result;
@@ -91,7 +97,9 @@ ModelFitResult fitModel(std::span<const ObservedStep> steps, const ModelParamete
   const ModelParameters found = parametersOf(optimizer.best());
   result.after = predictionError(fitted, found);
   result.heldAfter = predictionError(held, found);
-  result.accepted = result.heldAfter < result.heldBefore && result.after < result.before;
+  result.change = safety.change(found);
+  result.accepted =
+      result.heldAfter < result.heldBefore && result.after < result.before && result.change <= 1;
   if (result.accepted) result.parameters = found;
   return result;
 }

@@ -17,9 +17,11 @@ struct ModelFitOptions {
 };
 
 struct ModelFitResult {
-  ModelParameters parameters;            ///< those before if not accepted
-  bool accepted = false;                 ///< predicts the held-out steps better than the parameters before
-  double before = 0, after = 0;          ///< error on the steps it was fitted to
+  ModelParameters parameters;    ///< those before if not accepted
+  bool accepted = false;         ///< predicts the held-out steps better than those before, and the walk stays
+  bool rolledBack = false;       ///< what was taken before did not prove itself: these are the ones before it
+  double change = 0;             ///< of the walk (FitSafety); 1: as much as is safe
+  double before = 0, after = 0;  ///< error on the steps it was fitted to
   double heldBefore = 0, heldAfter = 0;  ///< on every third step, which it was not
   std::vector<double> best;              ///< least error after each generation (figure 4.13)
 };

@@ -12,10 +12,10 @@ namespace plumbline::walking {
 /// model is what the estimate is for (section 4.2.5).
 struct VelocityFilterParameters {
   int particles = 100;
-  double modelNoise = 0.1;    ///< of the velocity in one cycle [m/s]
-  double footNoise = 0.025;   ///< of the velocity seen in the supporting foot's movement [m/s]
+  double modelNoise = 0.1;   ///< of the velocity in one cycle [m/s]
+  double footNoise = 0.025;  ///< of the velocity seen in the supporting foot's movement [m/s]
   double forceNoise = 0.01;  ///< of the change of velocity in one cycle, by the ground's forces [m/s]
-  double slipNoise = 0.03;    ///< of the velocity seen in the movement of what touches the ground [m/s]
+  double slipNoise = 0.03;   ///< of the velocity seen in the movement of what touches the ground [m/s]
   std::uint64_t seed = 1;
 };
 

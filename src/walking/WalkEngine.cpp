@@ -150,8 +150,9 @@ private:
     speed.update(goal, request.walk ? request.turn : 0, p, calm, dt);
     useGait();
     const double duration = kick.prepared ? p.kickDuration : p.stepDuration;
-    reference = findReferenceTrajectory(model, {speed.velocity() + Vec2(p.trimForward, 0), speed.turn(),
-                                                duration, p.feetDistance, Vec2(p.copForward, p.copOutward)});
+    reference =
+        findReferenceTrajectory(model, {speed.velocity() + Vec2(p.trimForward, 0), speed.turn(), duration,
+                                        p.feetDistance, Vec2(p.copForward, p.copOutward) - model.balance()});
   }
 
   /// The parameters of the speed walked now.

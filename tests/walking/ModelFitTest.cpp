@@ -6,6 +6,7 @@
 
 #include "math/Random.h"
 #include "walking/BackgroundFit.h"
+#include "walking/FitSafety.h"
 
 namespace plumbline::walking {
 namespace {
@@ -84,6 +85,52 @@ TEST(ModelFit, neverTakesWhatPredictsHeldOutStepsWorse) {
   EXPECT_GT(result.heldAfter, result.heldBefore);
   EXPECT_FALSE(result.accepted);
   EXPECT_EQ(result.parameters.values(), ModelParameters{}.values());
+}
+
+TEST(FitSafety, tellsASetThatWalksElsewhereFromOneThatDoesNot) {
+  const FitSafety safety(stepsOf({}, 12, 0));
+  EXPECT_NEAR(safety.change({}), 0, 1e-9);
+  ModelParameters taller;
+  taller.massOffsetZy = 0.01;
+  EXPECT_LT(safety.change(taller), 1);
+  // Found in steps at 0.2 m/s, which it predicts well; on the spot it walks backward.
+  ModelParameters open;
+  open.massOffsetX = 0.011;
+  open.velocityOffsetX = 0.03;
+  open.footFactorX = 0.95;
+  open.footFactor = 0.93;
+  EXPECT_GT(safety.change(open), 1);
+}
+
+TEST(BackgroundFit, whatPredictsWorseOnProbationIsRolledBack) {
+  BackgroundFit background({.steps = 30, .duration = 1, .wait = true, .probation = 10});
+  for (const ObservedStep& step : stepsOf(biased(), 30, 0.0005)) background.add(step);
+  std::optional<ModelFitResult> result;
+  while (!result) result = background.pass(0.02, {});
+  ASSERT_TRUE(result->accepted);
+  ASSERT_TRUE(background.onProbation());
+  // The robot turns out to be another one.
+  ModelParameters another;
+  another.massOffsetX = -0.02;
+  for (const ObservedStep& step : stepsOf(another, 10, 0.0005, 5)) background.add(step);
+  const auto back = background.pass(0.02, result->parameters);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_TRUE(back->rolledBack);
+  EXPECT_EQ(back->parameters.values(), ModelParameters{}.values());
+  EXPECT_FALSE(background.onProbation());
+}
+
+TEST(BackgroundFit, aFallOnProbationRollsBackAndATestThatIsPassedDoesNot) {
+  for (const bool falls : {true, false}) {
+    BackgroundFit background({.steps = 30, .duration = 1, .wait = true, .probation = 10});
+    for (const ObservedStep& step : stepsOf(biased(), 30, 0.0005)) background.add(step);
+    std::optional<ModelFitResult> result;
+    while (!result) result = background.pass(0.02, {});
+    if (falls) background.fell();
+    for (const ObservedStep& step : stepsOf(biased(), 10, 0.0005, 5)) background.add(step);
+    EXPECT_EQ(background.pass(0.02, result->parameters).has_value(), falls);
+    EXPECT_FALSE(background.onProbation());
+  }
 }
 
 TEST(ModelFit, dependsOnItsArgumentsAlone) {

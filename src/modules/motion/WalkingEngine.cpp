@@ -42,7 +42,9 @@ void WalkingEngine::fitModel() {
   if (!result) return;
   if (result->accepted) engine_->setModelParameters(result->parameters);
   log << "walk model: error on held-out steps " << result->heldBefore << " -> " << result->heldAfter
-      << (result->accepted ? ", taken" : ", not taken");
+      << (result->rolledBack ? ", rolled back"
+          : result->accepted ? ", taken"
+                             : ", not taken");
 }
 
 void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
@@ -52,6 +54,8 @@ void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
     engine_.emplace(gaits_, theRobotDescription->model);
   }
   const bool selected = theMotionSelection->motion == Motion::walk;
+  if (fit_ && !selected && !standing_) fit_->fell();
+  standing_ = true;
   if (!selected || theMotionSelection->started || theFrameInfo->restarted) engine_->reset();
   walking::WalkOutput output;
   if (selected) {
@@ -67,6 +71,7 @@ void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
     sensors.dt = theFrameInfo->cycleSeconds;
     output = engine_->update(request, sensors);
     if (fit_ && request.walk) fitModel();
+    standing_ = output.standing;
   } else {
     output = engine_->stand();
   }

@@ -42,6 +42,7 @@ private:
   std::optional<walking::WalkEngine> engine_;
   std::unique_ptr<walking::BackgroundFit> fit_;
   int type_ = -1;
+  bool standing_ = true;  ///< the walk did when it was last selected
 };
 
 }  // namespace plumbline

@@ -68,8 +68,11 @@ ModelParameters optimise(Walker& robot, const Requests& requests, std::vector<do
   robot.restart();
   BackgroundFit fit({.steps = 60, .maxSteps = 120, .duration = 20, .wait = true});
   int rounds = 0;
-  for (double time = 0; rounds < 2 && time < 200; time += robot.cycle) {
-    if (!robot.step(requests(time))) robot.restart();
+  for (double time = 0; (rounds < 2 || fit.onProbation()) && time < 200; time += robot.cycle) {
+    if (!robot.step(requests(time))) {
+      fit.fell();
+      robot.restart();
+    }
     if (const ObservedStep* step = robot.engine.observedStep()) {
       fit.add(*step);
       if (steps && rounds == 0 && steps->size() < 60) steps->push_back(*step);
@@ -77,7 +80,7 @@ ModelParameters optimise(Walker& robot, const Requests& requests, std::vector<do
     if (const auto result = fit.pass(robot.cycle, robot.engine.modelParameters())) {
       if (errors && rounds == 0) *errors = result->best;
       robot.engine.setModelParameters(result->parameters);
-      ++rounds;
+      rounds += result->rolledBack ? 0 : 1;
     }
   }
   return robot.engine.modelParameters();

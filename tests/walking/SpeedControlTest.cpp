@@ -1,0 +1,81 @@
+#include "walking/SpeedControl.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace plumbline::walking {
+namespace {
+
+WalkParameters limits() {
+  WalkParameters p;
+  p.maxForward = 1.0;
+  p.mixForward = 0.6;
+  p.maxBackward = 0.4;
+  p.maxSideways = 0.3;
+  p.maxTurn = 2;
+  p.accelerationForward = p.decelerationForward = 1;
+  p.accelerationSideways = 1;
+  p.accelerationTurn = 10;
+  p.sprintPatience = 0.3;
+  return p;
+}
+
+class SpeedControlTest : public testing::Test {
+protected:
+  WalkParameters p = limits();
+  SpeedControl speed;
+
+  void ask(double x, double y, double turn, double seconds) {
+    for (int i = 0; i < std::lround(seconds / 0.02); ++i) speed.update(Vec2(x, y), turn, p, 1, 0.02);
+  }
+};
+
+TEST_F(SpeedControlTest, mixturesStayWithinTheEllipsoidOfWhatMayBeMixed) {
+  ask(1, 0.3, 2, 5);
+  EXPECT_FALSE(speed.sprinting());
+  const double effort = Vec3(speed.velocity().x() / 0.6, speed.velocity().y() / 0.3, speed.turn() / 2).norm();
+  EXPECT_LE(effort, 1 + 1e-9);
+  EXPECT_GT(effort, 0.5);
+}
+
+TEST_F(SpeedControlTest, oneDirectionAloneIsWalkedAtFullSpeedOnceItIsMeant) {
+  ask(9, 0, 0, 0.58);
+  EXPECT_FALSE(speed.sprinting()) << "first at the speed of mixtures";
+  ask(9, 0, 0, 1);
+  EXPECT_TRUE(speed.sprinting());
+  EXPECT_NEAR(speed.velocity().x(), 1.0, 1e-9);
+}
+
+TEST_F(SpeedControlTest, aSprintIsNotBrokenOffBetweenTheGaits) {
+  ask(9, 0, 0, 0.8);
+  ASSERT_TRUE(speed.sprinting());
+  const double rising = speed.velocity().x();
+  ASSERT_LT(rising, 0.9);
+  ask(0.7, 0, 0, 0.06);
+  EXPECT_GT(speed.velocity().x(), rising) << "it first comes to its full speed";
+  ask(0.7, 0, 0, 2);
+  EXPECT_FALSE(speed.sprinting());
+  EXPECT_NEAR(speed.velocity().x(), 0.6, 1e-9) << "and then back to what may be mixed";
+}
+
+TEST_F(SpeedControlTest, littleElseIsWalkedBesideASprint) {
+  ask(9, 0, 0, 2);
+  ask(9, 0.05, 0.5, 1);
+  EXPECT_TRUE(speed.sprinting());
+  EXPECT_NEAR(speed.velocity().x(), 1.0, 1e-9);
+  EXPECT_GT(speed.turn(), 0.2);
+  EXPECT_LE(std::hypot(speed.velocity().y() / 0.3, speed.turn() / 2), 0.23 + 1e-9);
+  // A real curve ends it.
+  ask(9, 0, 2, 1);
+  EXPECT_FALSE(speed.sprinting());
+}
+
+TEST_F(SpeedControlTest, withoutSpeedsForMixturesFullSpeedIsWhatMayBeMixed) {
+  ask(-9, 0, 0, 2);
+  EXPECT_FALSE(speed.sprinting());
+  EXPECT_NEAR(speed.velocity().x(), -0.4, 1e-9);
+}
+
+}  // namespace
+}  // namespace plumbline::walking
