@@ -40,7 +40,7 @@ TEST_F(SpeedControlTest, mixturesStayWithinTheEllipsoidOfWhatMayBeMixed) {
 }
 
 TEST_F(SpeedControlTest, oneDirectionAloneIsWalkedAtFullSpeedOnceItIsMeant) {
-  ask(9, 0, 0, 0.58);
+  ask(9, 0, 0, 0.5);
   EXPECT_FALSE(speed.sprinting()) << "first at the speed of mixtures";
   ask(9, 0, 0, 1);
   EXPECT_TRUE(speed.sprinting());
@@ -61,13 +61,13 @@ TEST_F(SpeedControlTest, aSprintIsNotBrokenOffBetweenTheGaits) {
 
 TEST_F(SpeedControlTest, littleElseIsWalkedBesideASprint) {
   ask(9, 0, 0, 2);
-  ask(9, 0.05, 0.5, 1);
+  ask(1, 0.05, 0.5, 1);
   EXPECT_TRUE(speed.sprinting());
   EXPECT_NEAR(speed.velocity().x(), 1.0, 1e-9);
   EXPECT_GT(speed.turn(), 0.2);
   EXPECT_LE(std::hypot(speed.velocity().y() / 0.3, speed.turn() / 2), 0.23 + 1e-9);
   // A real curve ends it.
-  ask(9, 0, 2, 1);
+  ask(1, 0, 2, 1);
   EXPECT_FALSE(speed.sprinting());
 }
 
