@@ -54,8 +54,8 @@ public:
             fail(line, "key \"" + key + "\" is already in line " + std::to_string(first->line));
           }
           const std::string entryPath = path.empty() ? key : path + "." + key;
-          node.entries.emplace_back(key, convert(entry.second, entryPath, line, depth + 1));
-          node.entries.back().second.line = line;
+          node.entries.push_back({key, convert(entry.second, entryPath, line, depth + 1)});
+          node.entries.back().node.line = line;
         }
         break;
       default:
@@ -126,12 +126,12 @@ void mergeConfig(ConfigNode& base, const ConfigNode& over) {
   for (const auto& [key, node] : over.entries) {
     ConfigNode* existing = nullptr;
     for (auto& entry : base.entries) {
-      if (entry.first == key) existing = &entry.second;
+      if (entry.name == key) existing = &entry.node;
     }
     if (existing) {
       mergeConfig(*existing, node);
     } else {
-      base.entries.emplace_back(key, node);
+      base.entries.push_back({key, node});
     }
   }
 }

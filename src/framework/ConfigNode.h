@@ -2,7 +2,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace plumbline {
@@ -13,8 +12,9 @@ struct ConfigNode {
   Kind kind = Kind::null;
   std::string text;     ///< of a scalar
   bool quoted = false;  ///< a scalar in quotes is a string, whatever it looks like
-  std::vector<std::pair<std::string, ConfigNode>> entries;  ///< of a map, in the file's order
-  std::vector<ConfigNode> elements;                         ///< of a list
+  struct Entry;
+  std::vector<Entry> entries;        ///< of a map, in the file's order
+  std::vector<ConfigNode> elements;  ///< of a list
   std::shared_ptr<const std::string> file;
   int line = 0;
   std::string key;  ///< from the root of the file: `walk.stepHeight`, `skills[2].name`
@@ -28,6 +28,11 @@ struct ConfigNode {
   std::string place() const { return *file + ":" + std::to_string(line); }
   /// What it is, for error texts: `"abc"`, `a list of 3`, `a map`, `empty`.
   std::string describe() const;
+};
+
+struct ConfigNode::Entry {
+  std::string name;
+  ConfigNode node;
 };
 
 /// Parses a YAML file. Throws ConfigurationError naming file and line: unreadable, broken, a key twice, more
