@@ -125,7 +125,8 @@ TEST_F(MechanismFile, robotsAreFoundByName) {
   } catch (const MechanismError& error) {
     EXPECT_STREQ(
         error.what(),
-        "config/robots: no robot nao_v9; there are nao_v5, so101, xl330_pendulum; give the robot's file");
+        "config/robots: no robot nao_v9; there are nao_v5, simspark_type0, simspark_type1, simspark_type2, "
+        "simspark_type3, simspark_type4, so101, xl330_pendulum; give the robot's file");
   }
   EXPECT_THROW(findMechanism("../robots/nao_v5"), MechanismError);
 }

@@ -150,8 +150,9 @@ TEST(Excitation, aWrittenProgramReadsAsTheSame) {
 
 TEST(Excitation, badProgramsAreNamed) {
   const std::string head = "about: a\nbase: fixed\nposture: hang\nsegments:\n";
-  EXPECT_EQ(errorOf(head + "  - {wave: square, duration: 1, amplitude: 1}\n"),
-            "5: segments[0].wave must be triangle, chirp, steps, sine, multisine or fast, not \"square\"");
+  EXPECT_EQ(
+      errorOf(head + "  - {wave: square, duration: 1, amplitude: 1}\n"),
+      "5: segments[0].wave must be triangle, chirp, steps, sine, multisine, fast or bumps, not \"square\"");
   EXPECT_EQ(errorOf(head + "  - {wave: sine, duration: 1, amplitude: 1, joints: {LKneePich: 1}}\n"),
             "5: segments[0].joints.LKneePich is no joint of nao_v5; did you mean \"LKneePitch\"?");
   EXPECT_EQ(errorOf(head + "  - {wave: sine, duration: 1, amplitude: 1, joints: [Tail]}\n"),
@@ -171,7 +172,7 @@ TEST(Excitation, badProgramsAreNamed) {
     EXPECT_STREQ(error.what(),
                  "config/excitation: no program dance; there are hang_chirp, hang_fast, hang_multisine, "
                  "hang_small, hang_static, "
-                 "hang_sweep, stand_lean, stand_squat, stand_sway, stand_turn180");
+                 "hang_sweep, stand_lean, stand_squat, stand_sway, stand_turn180, stand_walk");
   }
 }
 
