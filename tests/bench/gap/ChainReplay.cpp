@@ -15,6 +15,8 @@ ChainReplay::ChainReplay(const Evaluator& nominal_, const ReplayOptions& steps)
   if (worst < 0) return;
   options.joints = nominal.jointsTouched({nullptr, {Site::joint, worst, ""}, 0, 0});
   findRuns();
+  for (const std::size_t t : runs)
+    before.push_back(predict(t, plantOf(*nominal.evidence().trials()[t].robot, {})));
 }
 
 void ChainReplay::findJoint() {
@@ -54,23 +56,34 @@ void ChainReplay::findRuns() {
       runs.push_back(t);
 }
 
+Prediction ChainReplay::predict(std::size_t t, const Plant& plant) const {
+  const Trial& trial = nominal.evidence().trials()[t];
+  Prediction predicted = replay(plant, trial, options);
+  Prediction sensors = sensorChange(nominalPlant, plant, trial, nominal.basePrediction(t));
+  for (std::size_t s = 0; s < trial.signals.size(); ++s)
+    if (!sensors.values[s].empty()) predicted.values[s] = std::move(sensors.values[s]);
+  return predicted;
+}
+
 ChainReplay::Squares ChainReplay::of(const Explanation& causes) const {
   constexpr double ranAway = 1e3;  // a replay that is no number counts as far off, not as lost
   const Evidence& data = nominal.evidence();
   Squares result;
-  for (const std::size_t t : runs) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::size_t t = runs[i];
     const Trial& trial = data.trials()[t];
-    const Plant plant = plantOf(*trial.robot, causes);
-    Prediction predicted = replay(plant, trial, options);
-    const Prediction sensors = sensorChange(nominalPlant, plant, trial, nominal.basePrediction(t));
+    const Prediction predicted = predict(t, plantOf(*trial.robot, causes));
     for (std::size_t s = 0; s < trial.signals.size(); ++s) {
-      const std::vector<double>& values = sensors.values[s].empty() ? predicted.values[s] : sensors.values[s];
-      if (values.empty()) continue;
+      const std::vector<double>&now = predicted.values[s], &then = before[i].values[s];
+      if (now.empty()) continue;
       const std::vector<double>& weights = data.weights(t, s);
-      for (std::size_t k = 0; k < values.size(); ++k) {
+      for (std::size_t k = 0; k < now.size(); ++k) {
         if (!(weights[k] > 0)) continue;
-        const double r = std::isfinite(values[k]) ? trial.signals[s].values[k] - values[k] : ranAway;
+        const bool lost = !std::isfinite(now[k]);
+        const double r = lost ? ranAway : trial.signals[s].values[k] - now[k];
+        const double d = lost ? ranAway : now[k] - then[k];
         (Evidence::forFitting(data.block(t, k)) ? result.fitting : result.judging) += weights[k] * r * r;
+        result.change += weights[k] * d * d;
       }
     }
   }

@@ -17,18 +17,21 @@ public:
   /// Weighted squares of the residuals of the chain's positions and of the inertial sensors.
   struct Squares {
     double fitting = 0, judging = 0;
+    double change = 0;  ///< of the prediction against the nominal one, on all blocks
   };
   Squares of(const gap::Explanation& causes) const;
 
 private:
   void findJoint();
   void findRuns();
+  gap::Prediction predict(std::size_t trial, const gap::Plant& plant) const;
 
   const gap::Evaluator& nominal;
   const gap::Plant nominalPlant;
   gap::ReplayOptions options;
   int worst = -1;
   std::vector<std::size_t> runs;
+  std::vector<gap::Prediction> before;  ///< per run: what the nominal model predicts
 };
 
 }  // namespace plumbline::bench

@@ -20,7 +20,8 @@ std::string ratio(double x) {
 std::string ratio(const std::optional<double>& x) { return x ? ratio(*x) : "-"; }
 
 std::string limitRow(const char* what, const DetectionLimit& limit) {
-  if (limit.count == 0) return row({what, "-", "-", "0"});
+  constexpr std::size_t tooFew = 10;
+  if (limit.count < tooFew) return row({what, "too few", "-", std::to_string(limit.count)});
   return row({what, (limit.below ? "at most " : "") + ratio(limit.ratio),
               "[" + ratio(limit.lower) + ", " + ratio(limit.upper) + "]", std::to_string(limit.count)});
 }
