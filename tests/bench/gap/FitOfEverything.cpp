@@ -14,11 +14,11 @@ using namespace gap;
 
 namespace {
 
-constexpr int evaluations = 600;
+constexpr int evaluations = 450;
 constexpr double leastGain = 0.1;  // of the sum of squares
 // The first steps, in shares of the bounds: all together they change a tenth of what there is to explain.
-constexpr double firstChange = 0.1, probe = 0.01, leastStep = 0.0005, mostStep = 0.03;
-constexpr double pull = 0.02;  // to nominal: cost of a parameter at its bound, of the nominal sum of squares
+constexpr double firstChange = 0.1, probe = 0.01, leastStep = 0.0005, mostStep = 0.01;
+constexpr double pull = 0.2;  // to nominal: cost of a parameter at its bound, of the nominal sum of squares
 
 /// One per effect: at the joint where it can be, on the first axis where it has any.
 Explanation everything(const Mechanism& robot, int joint, bool imuRecorded) {
@@ -40,7 +40,9 @@ Explanation everything(const Mechanism& robot, int joint, bool imuRecorded) {
   return causes;
 }
 
-/// Coordinates of the search: shares of the bounds, mirrored at nominal where a value has one side only.
+/// Coordinates of the search: shares of the bounds. Where a value has one side only, the other is off
+/// altogether: play or a profile, however small, moves differently from none, so it must be possible to have
+/// none.
 class Shares {
 public:
   Shares(const Mechanism& robot_, Explanation causes_) : robot(robot_), causes(std::move(causes_)) {}
@@ -48,14 +50,16 @@ public:
   Eigen::Index size() const { return static_cast<Eigen::Index>(causes.size()); }
   Cause at(Eigen::Index i, double x) const {
     const Cause& cause = causes[static_cast<std::size_t>(i)];
-    if (boundOf(robot, cause, false) >= cause.effect->nominal) x = std::abs(x);
-    if (boundOf(robot, cause, true) <= cause.effect->nominal) x = -std::abs(x);
+    if (boundOf(robot, cause, false) >= cause.effect->nominal) x = std::max(0.0, x);
+    if (boundOf(robot, cause, true) <= cause.effect->nominal) x = std::min(0.0, x);
     return atShare(robot, cause, x);
   }
   Explanation at(const Eigen::VectorXd& x) const {
     Explanation all;
-    for (Eigen::Index i = 0; i < size(); ++i)
-      if (x[i] != 0) all.push_back(at(i, x[i]));
+    for (Eigen::Index i = 0; i < size(); ++i) {
+      const Cause cause = at(i, x[i]);
+      if (cause.value != cause.effect->nominal) all.push_back(cause);
+    }
     return all;
   }
 
@@ -78,7 +82,8 @@ Explanation fitOfEverything(const Mechanism& robot, const ChainReplay& chain, bo
   space.upper = Eigen::VectorXd::Ones(n);
   parallel(static_cast<std::size_t>(n), jobs, [&](std::size_t k) {
     const auto i = static_cast<Eigen::Index>(k);
-    const double change = chain.of({shares.at(i, probe)}).change;
+    const double change =
+        std::max(chain.of({shares.at(i, probe)}).change, chain.of({shares.at(i, -probe)}).change);
     const double step =
         probe * std::sqrt(firstChange * nominal / static_cast<double>(n) / std::max(change, 1e-9));
     space.sigma[i] = std::clamp(step, leastStep, mostStep);
@@ -102,9 +107,15 @@ Explanation fitOfEverything(const Mechanism& robot, const ChainReplay& chain, bo
   const double atCentre = cost(centre), least = std::min(atCentre, optimizer.bestCost());
   if (least > (1 - leastGain) * nominal) return {};
   const Eigen::VectorXd found = atCentre < optimizer.bestCost() ? centre : optimizer.best();
-  Eigen::Index most = 0;
-  found.cwiseAbs().maxCoeff(&most);
-  return {shares.at(most, found[most])};
+  Explanation named;
+  double most = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Cause cause = shares.at(i, found[i]);
+    if (cause.value == cause.effect->nominal || std::abs(found[i]) <= most) continue;
+    most = std::abs(found[i]);
+    named = {cause};
+  }
+  return named;
 }
 
 }  // namespace plumbline::bench

@@ -102,7 +102,7 @@ std::string besideOthers(const BenchResult& r) {
       "\n## Beside simpler ways\n\nOn the same " + std::to_string(r.ways.front().score.cases) +
       " cases; the oracle is asked only where the library has the effect. A place alone names no effect. The "
       "simpler ways have no verdict `unknown`; each says `none` by a rule of its own:\n\n"
-      "- CMA-ES fit of everything: 600 evaluations of one value per effect at the joint with the largest "
+      "- CMA-ES fit of everything: 450 evaluations of one value per effect at the joint with the largest "
       "gap, "
       "its link, the whole robot and the inertial sensor; names the largest deviation in shares of its "
       "bounds.\n"
