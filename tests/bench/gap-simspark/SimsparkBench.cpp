@@ -209,7 +209,7 @@ void run(const std::string& folder, const std::string& only, int jobs) {
     (scenario.explicable ? right : unknownRight) += r["right"].get<bool>();
     if (scenario.explicable && !scenario.omitted.empty())
       leastClosed = std::min(leastClosed, r["closed"].get<double>());
-    if (!scenario.omitted.empty() || !scenario.explicable)
+    if (!none && (!scenario.omitted.empty() || !scenario.explicable))
       figure("closed." + idOf(scenario), r["closed"], "1", true);
     figure("time." + idOf(scenario), r["seconds"], "s", false);
   }
