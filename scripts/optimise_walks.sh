@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Finds the walks of all robot types anew, as those in config/robots/ were: type 0 in all directions, the other
+# Finds walks of all robot types anew (the sprints of those in config/robots/ were then chosen by hand): type 0 in all directions, the other
 # types from its result. Hours of CPU; the seeds are fixed. Arguments: generations of each search (150).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
