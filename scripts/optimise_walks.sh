@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Finds walks of all robot types anew (the sprints of those in config/robots/ were then chosen by hand): type 0 in all directions, the other
-# types from its result. Hours of CPU; the seeds are fixed. Arguments: generations of each search (150).
+# Finds walks of all robot types anew (the sprints of those in config/robots/ were then chosen by hand): type 0 in
+# all directions, the other types from its result. Hours of CPU; the seeds are fixed. Arguments: generations of each
+# search (150).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 generations=${1:-150}

@@ -2,9 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 
+#include "framework/WriteFile.h"
 #include "training/ServoWalker.h"
 #include "training/WalkTraining.h"
 #include "training/WalkingRobot.h"
@@ -27,15 +26,6 @@ struct Options {
 
 std::string folderOf(const Options& options) {
   return "config/robots/" + (options.robot.empty() ? "type" + std::to_string(options.type) : options.robot);
-}
-
-/// Beside its place first, so that nobody reads half a file.
-void write(const std::string& path, const std::string& text) {
-  std::ofstream file(path + ".new");
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(path + " cannot be written");
-  std::filesystem::rename(path + ".new", path);
 }
 
 void say(const std::string& line) {
@@ -74,10 +64,10 @@ void run(Options& options) {
     }
     gaits = train(gaits, setup, [&](const std::string& line, const WalkGaits& best) {
       say(line);
-      write(options.output,
-            walkFile(best, common,
-                     fmt::format("Walk of the {}, found by bin/optimizewalk.",
-                                 options.robot.empty() ? "league's robot " + setup.robot : setup.robot)));
+      writeFile(options.output,
+                walkFile(best, common,
+                         fmt::format("Walk of the {}, found by bin/optimizewalk.",
+                                     options.robot.empty() ? "league's robot " + setup.robot : setup.robot)));
     });
   }
 }

@@ -133,10 +133,6 @@ json overlays(const Evaluator& evaluator, const std::vector<Prediction>& nominal
   return result;
 }
 
-const char* nameOf(Verdict verdict) {
-  return verdict == Verdict::none ? "none" : verdict == Verdict::effect ? "effect" : "unknown";
-}
-
 }  // namespace
 
 std::string verdictSentence(const Diagnosis& diagnosis) {

@@ -199,8 +199,8 @@ BlindEffect strengthened(const Mechanism& robot, BlindEffect e, double factor) {
   if (range->growth == Growth::limit) e.value /= factor;
   if (const Effect* known = findEffect(e.effect)) {
     const Place place = findPlace(*known, robot, e.at, e.axis);
-    const double scale = known->nominal != 0 ? 1 : known->scaleAt(robot, place);
-    e.value = std::clamp(e.value, known->lower * scale, known->upper * scale);
+    const Bounds bounds = known->boundsAt(robot, place);
+    e.value = std::clamp(e.value, bounds.lower, bounds.upper);
   }
   return e;
 }

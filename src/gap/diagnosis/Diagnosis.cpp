@@ -26,9 +26,8 @@ constexpr double otherStart = 0.7;   // of the best first cause's gain: what gai
 constexpr std::size_t tries = 3, otherStarts = 3;
 constexpr int evaluations = 32;  // of values that are fitted together
 constexpr std::size_t fewChains = 3;
-constexpr double mostShare = 0.75;    // of chains off at a time, for lost commands to be worth a look
-constexpr double chainOff = 1.5;      // mean square over noise
-constexpr std::size_t leastLost = 3;  // cycles
+constexpr double mostShare = 0.75;  // of chains off at a time, for lost commands to be worth a look
+constexpr double chainOff = 1.5;    // mean square over noise
 
 /// Whether most of the robot is off, as lost commands would leave it: its chains, or the joints of a robot
 /// that has few chains.
@@ -116,7 +115,7 @@ private:
         std::ranges::any_of(fine.base(), [&](const Cause& c) { return c.effect == dropout; }))
       return;
     const LostCycles lost = findLostCycles(fine.evidence(), fine.base(), options.jobs);
-    if (lost.found < leastLost) return;
+    if (lost.found < LostCycles::least) return;
     useLostCycles(lost.cycles);
     Candidate candidate;
     candidate.cause = {dropout, {Site::everywhere, -1, "*"}, lost.share, 0};
@@ -276,6 +275,10 @@ private:
 };
 
 }  // namespace
+
+const char* nameOf(Verdict verdict) {
+  return verdict == Verdict::none ? "none" : verdict == Verdict::effect ? "effect" : "unknown";
+}
 
 Explanation Diagnosis::explanation() const {
   Explanation causes;

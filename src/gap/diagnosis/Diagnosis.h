@@ -8,6 +8,7 @@
 namespace plumbline::gap {
 
 enum class Verdict { none, effect, unknown };
+const char* nameOf(Verdict verdict);  ///< as in the contract
 
 /// Another cause that would explain nearly as well.
 struct Rival {

@@ -30,8 +30,7 @@ Cause causeOf(const simulation::EffectSetting& setting, const Mechanism& robot) 
   } catch (const std::invalid_argument& error) {
     setting.fail("at", std::string("does not fit: ") + error.what());
   }
-  const double scale = cause.effect->scaleAt(robot, cause.place);
-  const double lower = cause.effect->lower * scale, upper = cause.effect->upper * scale;
+  const auto [lower, upper] = cause.effect->boundsAt(robot, cause.place);
   const double rounding = 1e-5 * (upper - lower);  // answers have six digits
   if (setting.value < lower - rounding || setting.value > upper + rounding)
     setting.fail("value", "is " + text(setting.value) + "; " + setting.effect + " goes from " + text(lower) +

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -8,6 +9,11 @@
 #include <vector>
 
 namespace plumbline::gap {
+
+/// The number of threads asked for; 0: as many as the machine has cores.
+inline int threadsFor(int asked) {
+  return asked > 0 ? asked : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
 
 /// Calls work(i) for i = 0 .. count-1 on so many threads; results must go to places of their own, so that
 /// their number does not change them. The first exception is thrown on.

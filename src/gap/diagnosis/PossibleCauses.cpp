@@ -94,7 +94,7 @@ std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
   for (const Effect* effect : effects())
     for (const Place& place : placesOf(*effect, robot)) {
       if (!possible(*effect, place)) continue;
-      const double scale = effect->nominal != 0 ? 1 : effect->scaleAt(robot, place);
+      const double scale = effect->scaleAt(robot, place);
       for (int variant = 0; variant < effect->numVariants(); ++variant)
         for (const double start : effect->starts) causes.push_back({effect, place, start * scale, variant});
     }

@@ -12,7 +12,6 @@ namespace {
 constexpr double more = 1.5;       // what repeats differ by, over the channel's own noise
 constexpr double explained = 0.5;  // of the squares of what they differ by
 constexpr double unheard = 0.3;    // of what repeats differ by: losses too small to be called
-constexpr std::size_t leastLost = 3;
 
 /// Whether repeats differ by more than noise in half of the joints that were measured with the base held.
 bool repeatsDiffer(const Evidence& byRepeats, const Evidence& byChannel) {
@@ -65,7 +64,7 @@ Evidence evidenceOf(std::vector<Trial> trials, int jobs) {
   Evidence byRepeats(trials), byChannel(trials, 0);
   if (!repeatsDiffer(byRepeats, byChannel)) return byRepeats;
   const LostCycles lost = findLostCycles(byChannel, {}, jobs);
-  const bool losses = lost.found >= leastLost && explainedBy(lost, byChannel) > explained;
+  const bool losses = lost.found >= LostCycles::least && explainedBy(lost, byChannel) > explained;
   return losses ? Evidence(std::move(trials), unheard) : byRepeats;
 }
 

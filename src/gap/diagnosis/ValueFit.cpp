@@ -11,20 +11,9 @@ namespace plumbline::gap {
 
 namespace {
 
-struct Bounds {
-  double lower, upper;
-};
-
-Bounds boundsOf(const Mechanism& mechanism, const Cause& cause) {
-  const Effect& e = *cause.effect;
-  if (e.nominal != 0) return {e.lower, e.upper};
-  const double scale = e.scaleAt(mechanism, cause.place);
-  return {e.lower * scale, e.upper * scale};
-}
-
 /// Size of the strength at the bound on the value's side of nominal.
 double farthest(const Mechanism& mechanism, const Cause& cause) {
-  const Bounds bounds = boundsOf(mechanism, cause);
+  const Bounds bounds = cause.effect->boundsAt(mechanism, cause.place);
   const Effect& e = *cause.effect;
   return std::max(1e-12, std::abs(e.strengthOf(cause.value < e.nominal ? bounds.lower : bounds.upper)));
 }
@@ -96,7 +85,7 @@ Explanation fitGroup(const Evaluator& evaluator, const Explanation& causes,
 }  // namespace
 
 Cause scaled(const Mechanism& mechanism, Cause cause, double share) {
-  const Bounds bounds = boundsOf(mechanism, cause);
+  const Bounds bounds = cause.effect->boundsAt(mechanism, cause.place);
   const Effect& e = *cause.effect;
   cause.value = std::clamp(e.valueAt(share * e.strengthOf(cause.value)), bounds.lower, bounds.upper);
   return cause;

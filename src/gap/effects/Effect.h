@@ -21,6 +21,11 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
+/// Least and largest value.
+struct Bounds {
+  double lower, upper;
+};
+
 /// What a simulator may lack: one physical cause with one parameter. Each stands in a file of its own.
 struct Effect {
   std::string_view id;  ///< as in the contract
@@ -49,6 +54,10 @@ struct Effect {
   int numVariants() const { return variants.empty() ? 1 : static_cast<int>(variants.size()); }
   double scaleAt(const Mechanism& mechanism, const Place& place) const {
     return scale ? scale(mechanism, place) : 1;
+  }
+  Bounds boundsAt(const Mechanism& mechanism, const Place& place) const {
+    const double factor = scaleAt(mechanism, place);
+    return {lower * factor, upper * factor};
   }
   /// How strong a value is: 0 where it is nominal, twice that for about twice the effect; and the other way
   /// round.

@@ -53,8 +53,7 @@ public:
 
   Prediction play() {
     Prediction prediction;
-    for (const Signal& signal : trial.signals)
-      prediction.values.emplace_back(trial.cycles(), NAN), (void)signal;
+    prediction.values.assign(trial.signals.size(), std::vector<double>(trial.cycles(), NAN));
     std::vector<double> start;
     for (std::size_t j = 0; j < plant.joints.size(); ++j)
       start.push_back(commandAt(j, trial.time[0]) + plant.joints[j].offset);

@@ -25,10 +25,6 @@ json valueJson(const SettingValue& value) {
           {"unit", value.setting->unit}};
 }
 
-const char* nameOf(Verdict verdict) {
-  return verdict == Verdict::none ? "none" : verdict == Verdict::effect ? "effect" : "unknown";
-}
-
 }  // namespace
 
 std::string valueText(const Setting& setting, double value) {

@@ -32,6 +32,11 @@ struct Candidate {
   double gain = 0, squares = 0;  ///< sums of gains and of their squares over held-out windows
 };
 
+std::vector<SettingValue> without(std::vector<SettingValue> values, std::size_t i) {
+  values.erase(values.begin() + static_cast<std::ptrdiff_t>(i));
+  return values;
+}
+
 class Procedure {
 public:
   Procedure(const TraceEvidence& evidence_, const SimulatorSetup& nominal_, const SettingsOptions& options_)
@@ -57,7 +62,6 @@ public:
     result.windows = evidence.windows().size();
     result.heldOutWindows =
         static_cast<std::size_t>(std::ranges::count(evidence.windows(), true, &TraceWindow::heldOut));
-    result.evaluations = evaluator.evaluations();
     return result;
   }
 
@@ -172,8 +176,7 @@ private:
   void refine(std::vector<SettingValue>& values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (values[i].setting->kind != Setting::Kind::positive) continue;
-      std::vector<SettingValue> others = values;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      const std::vector<SettingValue> others = without(values, i);
       const Setting& s = *values[i].setting;
       values[i] = golden(others, s, std::max(s.lower, values[i].value / 2),
                          std::min(s.upper, 2 * values[i].value), 6);
@@ -183,10 +186,7 @@ private:
   void grow() {
     while (found.size() < options.maxSettings) {
       std::vector<Candidate> list = search(found, found.empty() ? "first setting" : "further setting");
-      if (list.empty() || !earns(list.front(), heldOutScore(found))) {
-        if (found.empty()) rejected = list;
-        break;
-      }
+      if (list.empty() || !earns(list.front(), heldOutScore(found))) break;
       found.push_back(list.front().value);
       if (found.size() > 1) refine(found);
       choices.push_back(std::move(list));
@@ -196,8 +196,7 @@ private:
   /// Each once more with the others in place: another may do better now, or none may be needed.
   void reconsider() {
     for (std::size_t i = 0; i < found.size();) {
-      std::vector<SettingValue> others = found;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      const std::vector<SettingValue> others = without(found, i);
       std::vector<Candidate> list = search(others, "each setting again");
       if (list.empty() || !earns(list.front(), heldOutScore(others))) {
         found = others;
@@ -246,8 +245,7 @@ private:
     SettingFinding finding;
     finding.value = found[i];
     finding.nominal = found[i].setting->get(nominal);
-    std::vector<SettingValue> others = found;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    const std::vector<SettingValue> others = without(found, i);
     const double whole = std::max(1e-9, result.gap.before - result.gap.floor);
     const auto gapOf = [&](const std::vector<SettingValue>& values) {
       return evaluator.gap(evaluator.of(with(nominal, values), Part::heldOut).errors);
@@ -362,7 +360,6 @@ private:
   SettingsDiagnosis result;
   std::vector<SettingValue> found;
   std::vector<std::vector<Candidate>> choices;
-  std::vector<Candidate> rejected;
 };
 
 }  // namespace

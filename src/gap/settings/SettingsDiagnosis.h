@@ -39,7 +39,7 @@ struct SettingsDiagnosis {
   double knownProbability = 1;
   std::vector<SettingCell> cells;  ///< largest share first
   std::string nextMotion;
-  std::size_t windows = 0, heldOutWindows = 0, evaluations = 0;
+  std::size_t windows = 0, heldOutWindows = 0;
 };
 
 struct SettingsOptions {

@@ -32,7 +32,6 @@ SetupFit SettingsEvaluator::of(const SimulatorSetup& setup, Part part, int onlyT
     // A simulation that goes to pieces explains nothing.
     fit.scores[w] = std::isfinite(score) ? score : 1e3;
   });
-  ++count;
   return fit;
 }
 

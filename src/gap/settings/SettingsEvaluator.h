@@ -25,14 +25,11 @@ public:
   /// Typical error over held-out windows, root mean square over the signals in units of unit().
   double gap(const std::vector<WindowError>& errors) const;
   const WindowError& unit() const { return own; }
-  const TraceEvidence& evidence() const { return data; }
-  std::size_t evaluations() const { return count; }
 
 private:
   const TraceEvidence& data;
   int jobs;
   WindowError own{};
-  mutable std::size_t count = 0;
 };
 
 }  // namespace plumbline::gap

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "simulation/replay/TraceRowOf.h"
+
 namespace plumbline::gap {
 
 namespace {
@@ -10,11 +12,6 @@ namespace {
 using simspark::LeagueTrace;
 using simspark::TraceRow;
 using simspark::traceStep;
-
-std::optional<simspark::ForceReading> toTrace(const std::optional<simulation::FootForce>& force) {
-  if (!force) return std::nullopt;
-  return simspark::ForceReading{force->point, force->force};
-}
 
 class Player {
 public:
@@ -47,21 +44,7 @@ public:
   }
 
   TraceRow sense(std::size_t i) const {
-    const simulation::RobotReadings& readings = world->readings(robot);
-    TraceRow row;
-    row.command = trace.rows[i].command;
-    row.angle = row.axisAngle = readings.angle;
-    row.gyro = readings.gyro;
-    row.acc = readings.acc;
-    row.leftFootForce = toTrace(readings.leftFoot);
-    row.rightFootForce = toTrace(readings.rightFoot);
-    row.leftToeForce = toTrace(readings.leftToe);
-    row.rightToeForce = toTrace(readings.rightToe);
-    row.torso = world->linkState(robot, 0).pose;
-    row.leftFoot = world->linkState(robot, leftFoot).pose;
-    row.rightFoot = world->linkState(robot, rightFoot).pose;
-    row.ball = world->ball().pose.translation();
-    return row;
+    return simulation::traceRowOf(*world, robot, leftFoot, rightFoot, trace.rows[i].command);
   }
 
 private:

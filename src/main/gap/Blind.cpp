@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 
 #include "gap/blind/Make.h"
 #include "gap/blind/Score.h"
+#include "gap/diagnosis/Parallel.h"
 #include "main/gap/Commands.h"
 #include "robot/MechanismFile.h"
 
@@ -22,7 +22,7 @@ struct ScoreCommand {
 void make(BlindMakeOptions options, const std::string& engine, const std::string& battery) {
   options.engine = engine == "mujoco" ? BlindEngine::mujoco : BlindEngine::replay;
   options.draw.battery = battery == "all" ? Battery::all : Battery::hang;
-  if (options.jobs <= 0) options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  options.jobs = threadsFor(options.jobs);
   options.progress = [&](std::size_t done) {
     if (stopRequested()) throw std::runtime_error("stopped; nothing was written");
     std::printf("%zu/%zu\n", done, options.draw.cases);

@@ -4,11 +4,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "framework/WriteFile.h"
 #include "gap/answer/Answer.h"
+#include "gap/diagnosis/Parallel.h"
 #include "gap/diagnosis/RepeatNoise.h"
+#include "gap/diagnosis/Search.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/report/NextMotion.h"
 #include "gap/run/RunCheck.h"
@@ -88,19 +89,15 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   }
   if (trials.empty()) throw RunError(refused);
 
-  const int jobs =
-      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int jobs = threadsFor(options.jobs);
   const Evidence evidence = evidenceOf(std::move(trials), jobs);
   Evaluator fine(robot, evidence);
-  ReplayOptions coarseSteps;
-  coarseSteps.step = 0.005;
-  coarseSteps.gearStep = 0.0025;
-  Evaluator coarse(robot, evidence, coarseSteps);
+  Evaluator coarse(robot, evidence, coarseSteps());
   DiagnosisOptions settings;
   settings.jobs = jobs;
   settings.maxCauses = static_cast<std::size_t>(options.maxCauses);
   const bool toFile = !options.json.empty() && options.json != "-";
-  const std::string memoryFile = toFile ? options.json + ".part" : "";
+  const std::string memoryFile = toFile ? options.json + ".searches" : "";
   SearchMemory memory(memoryFile, fine);
   settings.memory = &memory;
   if (memory.size() > 0 && !options.quiet)

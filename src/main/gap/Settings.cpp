@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 
 #include "framework/WriteFile.h"
+#include "gap/diagnosis/Parallel.h"
 #include "gap/settings/SettingsAnswer.h"
 #include "main/gap/Commands.h"
 #include "main/gap/ProgressLine.h"
@@ -29,8 +29,7 @@ void diagnose(const Options& options) {
   for (const std::string& omission : options.without) nominal = without(nominal, omission);
   const TraceEvidence evidence(readTraces(options.traces));
   SettingsOptions settings;
-  settings.jobs =
-      options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  settings.jobs = threadsFor(options.jobs);
   SettingsDiagnosis diagnosis;
   {
     ProgressLine line(options.quiet);

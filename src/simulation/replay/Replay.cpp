@@ -2,6 +2,7 @@
 
 #include "simulation/Field.h"
 #include "simulation/replay/BallStart.h"
+#include "simulation/replay/TraceRowOf.h"
 
 namespace plumbline::simulation {
 
@@ -10,11 +11,6 @@ namespace {
 using simspark::LeagueTrace;
 using simspark::TraceRow;
 using simspark::traceStep;
-
-std::optional<simspark::ForceReading> toTrace(const std::optional<FootForce>& force) {
-  if (!force) return std::nullopt;
-  return simspark::ForceReading{force->point, force->force};
-}
 
 class TracePlayer {
 public:
@@ -78,21 +74,7 @@ private:
   }
 
   TraceRow sense(std::size_t i) const {
-    const RobotReadings& readings = world->readings(handle);
-    TraceRow row;
-    row.command = trace.rows[i].command;
-    row.angle = row.axisAngle = readings.angle;
-    row.gyro = readings.gyro;
-    row.acc = readings.acc;
-    row.leftFootForce = toTrace(readings.leftFoot);
-    row.rightFootForce = toTrace(readings.rightFoot);
-    row.leftToeForce = toTrace(readings.leftToe);
-    row.rightToeForce = toTrace(readings.rightToe);
-    row.torso = world->linkState(handle, 0).pose;
-    row.leftFoot = world->linkState(handle, leftFoot).pose;
-    row.rightFoot = world->linkState(handle, rightFoot).pose;
-    row.ball = world->ball().pose.translation();
-    return row;
+    return traceRowOf(*world, handle, leftFoot, rightFoot, trace.rows[i].command);
   }
 
   const LeagueTrace& trace;

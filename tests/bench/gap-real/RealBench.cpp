@@ -59,10 +59,6 @@ std::vector<RealSplit> armSplits() {
   return splits;
 }
 
-const char* nameOf(gap::Verdict verdict) {
-  return verdict == gap::Verdict::none ? "none" : verdict == gap::Verdict::effect ? "effect" : "unknown";
-}
-
 void tell(std::ofstream& page, json& figures, const std::string& robot, const RealSplit& split,
           const RealResult& r) {
   const std::string name = robot + "." + split.name;

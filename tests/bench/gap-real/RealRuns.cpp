@@ -92,10 +92,7 @@ RealResult runSplit(const RealSplit& split, const std::string& robotName, const 
   const auto begin = std::chrono::steady_clock::now();
   const Evidence evidence(std::move(fit));
   Evaluator fine(robot, evidence);
-  ReplayOptions coarseSteps;
-  coarseSteps.step = 0.005;
-  coarseSteps.gearStep = 0.0025;
-  Evaluator coarse(robot, evidence, coarseSteps);
+  Evaluator coarse(robot, evidence, coarseSteps());
   DiagnosisOptions options;
   options.jobs = jobs;
   options.maxCauses = maxCauses;

@@ -74,10 +74,6 @@ double freeRun(const TraceEvidence& evidence, const SimulatorSetup& setup) {
   return off[off.size() / 2];
 }
 
-const char* nameOf(Verdict verdict) {
-  return verdict == Verdict::none ? "none" : verdict == Verdict::effect ? "effect" : "unknown";
-}
-
 std::string text(const char* format, double a) {
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, format, a);

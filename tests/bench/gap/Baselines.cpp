@@ -64,11 +64,8 @@ void writeBaselines(const BlindCase& c, const Mechanism& robot, const std::strin
   };
   if (std::ranges::none_of(baselineWays, wanted)) return;
   const Evidence evidence(trialsOf(runs, robot));
-  ReplayOptions coarseSteps;
-  coarseSteps.step = 0.005;
-  coarseSteps.gearStep = 0.0025;
-  Evaluator fine(robot, evidence), coarse(robot, evidence, coarseSteps);
-  const ChainReplay chain(coarse, coarseSteps);
+  Evaluator fine(robot, evidence), coarse(robot, evidence, coarseSteps());
+  const ChainReplay chain(coarse, coarseSteps());
   const std::pair<const char*, std::function<Explanation()>> ways[] = {
       {"fit_everything", [&] { return fitOfEverything(robot, chain, imuRecorded(evidence), jobs); }},
       {"nested_friction", [&] { return nestedFriction(robot, chain, jobs); }},

@@ -20,7 +20,7 @@ std::string timeFile(const std::string& answer) { return answer + ".seconds"; }
 void diagnoseCase(const std::string& runs, const std::string& answer) {
   namespace fs = std::filesystem;
   if (fs::exists(answer)) return;
-  const bool whole = !fs::exists(answer + ".part");  // else it goes on from where another stopped
+  const bool whole = !fs::exists(answer + ".searches");  // else it goes on from where another stopped
   simspark::ChildProcess child({"bin/gap", "diagnose", runs, "--json", answer, "--quiet", "--jobs", "1"},
                                "/dev/null");
   while (child.running()) std::this_thread::sleep_for(std::chrono::milliseconds(50));

@@ -5,8 +5,8 @@
 namespace plumbline::bench {
 
 double boundOf(const Mechanism& robot, const gap::Cause& cause, bool above) {
-  const gap::Effect& e = *cause.effect;
-  return (above ? e.upper : e.lower) * (e.nominal != 0 ? 1 : e.scaleAt(robot, cause.place));
+  const gap::Bounds bounds = cause.effect->boundsAt(robot, cause.place);
+  return above ? bounds.upper : bounds.lower;
 }
 
 gap::Cause atShare(const Mechanism& robot, gap::Cause cause, double share) {

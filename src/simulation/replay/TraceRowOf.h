@@ -1,0 +1,11 @@
+#pragma once
+#include "simspark/LeagueTrace.h"
+#include "simulation/World.h"
+
+namespace plumbline::simulation {
+
+/// What a recording would say of a robot in the world now; leftFoot, rightFoot: its model's links.
+simspark::TraceRow traceRowOf(const World& world, RobotHandle robot, int leftFoot, int rightFoot,
+                              const JointArray& command);
+
+}  // namespace plumbline::simulation
