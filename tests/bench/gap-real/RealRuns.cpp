@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "gap/diagnosis/Search.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/run/RunCheck.h"
 #include "robot/MechanismFile.h"
