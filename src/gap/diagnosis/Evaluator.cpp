@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gap/diagnosis/SensorChange.h"
+#include "gap/replay/Ensemble.h"
 
 namespace plumbline::gap {
 
@@ -12,6 +13,20 @@ namespace {
 bool losesCommands(const Explanation& causes) {
   return std::ranges::any_of(causes,
                              [](const Cause& cause) { return cause.effect->id == "command_dropout"; });
+}
+
+/// What doubt in a prediction costs: a wide guess is right more often and worth less.
+double doubt(double own, double weight) { return weight == own ? 0 : std::log(own / weight); }
+
+/// Puts the signals that were replayed in the place of those that were there.
+void takeOver(Prediction&& fresh, Prediction& all) {
+  for (std::size_t s = 0; s < fresh.values.size(); ++s) {
+    if (fresh.values[s].empty()) continue;
+    all.values[s] = std::move(fresh.values[s]);
+    if (fresh.scatter.empty() && all.scatter.empty()) continue;
+    all.scatter.resize(all.values.size());
+    all.scatter[s] = fresh.scatter.empty() ? std::vector<double>() : std::move(fresh.scatter[s]);
+  }
 }
 
 }  // namespace
@@ -61,13 +76,12 @@ void Evaluator::replayBase(const Explanation& explanation) {
     basePlants.push_back(plantOf(*trial.robot, causes));
     ReplayOptions options = optionsOf(t, causes);
     if (partly && !trial.freeBase) options.joints = joints;
-    Prediction fresh = replay(basePlants[t], trial, options);
+    Prediction fresh = replayForetold(basePlants[t], trial, options);
     if (options.joints.empty()) {
       predictions[t] = std::move(fresh);
       continue;
     }
-    for (std::size_t s = 0; s < fresh.values.size(); ++s)
-      if (!fresh.values[s].empty()) predictions[t].values[s] = std::move(fresh.values[s]);
+    takeOver(std::move(fresh), predictions[t]);
   }
 }
 
@@ -83,8 +97,9 @@ void Evaluator::setBase(const Explanation& explanation) {
       const auto& predicted = predictions[t].values[s];
       if (predicted.empty()) continue;
       double sum = 0, n = 0;
-      data.forEach(t, s, predicted, [&](std::size_t k, double w, double r) {
-        baseSquares.squares[data.block(t, k)] += w * r * r;
+      const std::vector<double>& weights = data.weights(t, s);
+      data.forEach(t, s, predictions[t], [&](std::size_t k, double w, double r) {
+        baseSquares.squares[data.block(t, k)] += w * r * r + doubt(weights[k], w);
         sum += w * r * r;
         ++n;
       });
@@ -139,7 +154,7 @@ Prediction Evaluator::changed(std::size_t t, const Cause& cause) const {
   if ((cause.effect->id == "command_dropout" || losesCommands(causes)) && !lost[t].empty()) {
     options.lostCycles = &lost[t];
   }
-  return replay(plant, trial, options);
+  return replayForetold(plant, trial, options);
 }
 
 Fit Evaluator::compare(const std::vector<Prediction>& candidates, const std::vector<bool>& replayed) const {
@@ -152,11 +167,15 @@ Fit Evaluator::compare(const std::vector<Prediction>& candidates, const std::vec
       const auto& predicted = candidates[t].values[s];
       const auto& before = predictions[t].values[s];
       if (predicted.empty() || before.empty()) continue;
-      data.forEach(t, s, before, [&](std::size_t k, double w, double r) {
+      const std::vector<double>& weights = data.weights(t, s);
+      data.forEach(t, s, predictions[t], [&](std::size_t k, double known, double r) {
         // A replay that ran away counts as far off, not as lost.
         const double d = std::isfinite(predicted[k]) ? predicted[k] - before[k] : 1e3;
+        const double w = weights[k] * Evidence::certainty(candidates[t], s, k, weights[k]);
         const std::size_t b = data.block(t, k);
         fit.squares[b] += w * (d * d - 2 * r * d);
+        if (w != known)
+          fit.squares[b] += (w - known) * r * r + doubt(weights[k], w) - doubt(weights[k], known);
         if (Evidence::forFitting(b)) {
           fit.product += w * r * d;
           fit.change += w * d * d;
@@ -190,7 +209,7 @@ Fit Evaluator::of(const Explanation& explanation) const {
     const Trial& trial = data.trials()[t];
     ReplayOptions options = optionsOf(t, explanation);
     if (!trial.freeBase) options.joints = joints;
-    candidates[t] = replay(plantOf(*trial.robot, explanation), trial, options);
+    candidates[t] = replayForetold(plantOf(*trial.robot, explanation), trial, options);
   }
   return compare(candidates, replayed);
 }

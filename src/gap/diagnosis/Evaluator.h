@@ -10,7 +10,9 @@ namespace plumbline::gap {
 /// How well an explanation fits, per block, against the base explanation: only what an added cause can change
 /// is replayed, the rest is the base's.
 struct Fit {
-  std::vector<double> squares;      ///< per block: weighted squares of the residuals
+  /// Per block: weighted squares of the residuals; where a prediction is in doubt, twice the negative
+  /// logarithm of its likelihood against one without noise but the channel's own.
+  std::vector<double> squares;
   double fitting = 0, judging = 0;  ///< sums over blocks for fitting and for judging
   double product = 0, change = 0;   ///< over blocks for fitting: r * d and d * d, d = change against the base
   /// Share of the change that fits best (1: as it is); what the squares would then be.

@@ -28,13 +28,23 @@ public:
     return firstBlock[trial] + blockOf[trial][cycle];
   }
   static bool forFitting(std::size_t block) { return block % 2 == 0; }
-  /// Calls use(cycle, weight, residual) for every sample of a channel that counts and was predicted.
+  /// Calls use(cycle, weight, residual) for every sample of a channel that counts and was predicted; the
+  /// weight is less where the prediction is in doubt.
   template <class Use>
-  void forEach(std::size_t trial, std::size_t signal, const std::vector<double>& predicted, Use&& use) const {
+  void forEach(std::size_t trial, std::size_t signal, const Prediction& prediction, Use&& use) const {
     const auto& w = weight[trial][signal];
+    const auto& predicted = prediction.values[signal];
     const auto& measured = runs[trial].signals[signal].values;
     for (std::size_t k = 0; k < predicted.size(); ++k)
-      if (w[k] > 0 && std::isfinite(predicted[k])) use(k, w[k], measured[k] - predicted[k]);
+      if (w[k] > 0 && std::isfinite(predicted[k]))
+        use(k, w[k] * certainty(prediction, signal, k, w[k]), measured[k] - predicted[k]);
+  }
+  /// Noise variance over noise and scatter of a prediction, for a sample of this weight; 1 where none is in
+  /// doubt.
+  static double certainty(const Prediction& prediction, std::size_t signal, std::size_t cycle,
+                          double weight) {
+    if (prediction.scatter.empty() || prediction.scatter[signal].empty()) return 1;
+    return 1 / (1 + weight * prediction.scatter[signal][cycle]);
   }
   /// Whether a channel of this kind takes part: positions, inertial sensors, force sensors.
   static bool counts(const Signal& signal);

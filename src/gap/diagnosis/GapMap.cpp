@@ -23,7 +23,7 @@ std::vector<GapCell> gapCells(const Evaluator& evaluator) {
       if (!Evidence::counts(signal) || predicted.empty()) continue;
       const std::vector<Phase> phases = phasesOf(trial, signal);
       std::array<Sum, numPhases>& perPhase = sums[signal.name];
-      data.forEach(t, s, predicted, [&](std::size_t k, double w, double r) {
+      data.forEach(t, s, evaluator.basePrediction(t), [&](std::size_t k, double w, double r) {
         Sum& sum = perPhase[static_cast<std::size_t>(phases[k])];
         sum.squares += r * r;
         sum.noise += 1 / w;
@@ -62,7 +62,7 @@ std::vector<GapTrack> gapTracks(const Evaluator& evaluator) {
     track.size.assign(track.start.size(), 0);
     std::vector<double> counts(track.start.size(), 0);
     for (std::size_t s = 0; s < trial.signals.size(); ++s)
-      data.forEach(t, s, evaluator.basePrediction(t).values[s], [&](std::size_t k, double w, double r) {
+      data.forEach(t, s, evaluator.basePrediction(t), [&](std::size_t k, double w, double r) {
         const std::size_t b = data.block(t, k) - first;
         track.size[b] += w * r * r;
         ++counts[b];
@@ -86,7 +86,7 @@ std::vector<SignalGap> signalGaps(const Evaluator& evaluator, const std::vector<
       const auto &a = before[t].values[s], &b = evaluator.basePrediction(t).values[s];
       if (!Evidence::counts(trial.signals[s]) || a.empty() || b.empty()) continue;
       Sum& sum = sums[trial.signals[s].name];
-      data.forEach(t, s, b, [&](std::size_t k, double w, double after) {
+      data.forEach(t, s, evaluator.basePrediction(t), [&](std::size_t k, double w, double after) {
         const double from = trial.signals[s].values[k] - a[k];
         if (Evidence::forFitting(data.block(t, k)) || !std::isfinite(from)) return;
         sum.before += from * from;

@@ -45,7 +45,7 @@ double GapMeter::under(const Evaluator& evaluator) const {
   for (std::size_t t = 0; t < counted.size(); ++t)
     for (std::size_t s = 0; s < counted[t].size(); ++s) {
       if (!counted[t][s]) continue;
-      data.forEach(t, s, evaluator.basePrediction(t).values[s], [&](std::size_t k, double w, double r) {
+      data.forEach(t, s, evaluator.basePrediction(t), [&](std::size_t k, double w, double r) {
         if (Evidence::forFitting(data.block(t, k))) return;
         sum += w * r * r;
         ++n;

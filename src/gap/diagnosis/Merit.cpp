@@ -23,7 +23,7 @@ double largestChange(const Evaluator& evaluator, const std::vector<Prediction>& 
       const auto &a = before[t].values[s], &b = evaluator.basePrediction(t).values[s];
       if (a.size() != b.size()) continue;
       double sum = 0, n = 0;
-      data.forEach(t, s, a, [&](std::size_t k, double w, double) {
+      data.forEach(t, s, before[t], [&](std::size_t k, double w, double) {
         if (!std::isfinite(b[k])) return;
         sum += w * (a[k] - b[k]) * (a[k] - b[k]);
         ++n;
@@ -59,7 +59,7 @@ double excess(const Evaluator& evaluator) {
   double n = 0;
   for (std::size_t t = 0; t < data.trials().size(); ++t)
     for (std::size_t s = 0; s < data.trials()[t].signals.size(); ++s)
-      data.forEach(t, s, evaluator.basePrediction(t).values[s],
+      data.forEach(t, s, evaluator.basePrediction(t),
                    [&](std::size_t k, double, double) { n += !Evidence::forFitting(data.block(t, k)); });
   return evaluator.baseFit().judging - n;
 }

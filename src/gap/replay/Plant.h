@@ -26,12 +26,14 @@ struct JointPlant {
   /// friction, or the motor's torque.
   enum class Load { gearTorque, linkTorque, motorTorque };
   Load loadIs = Load::gearTorque;
-  double backlash = 0;                            ///< whole play [rad]
-  double compliance = 0;                          ///< of the gear [rad/(N m)]
-  double biasForce = 0;                           ///< [N m]
-  double deratingPerJoule = 0;                    ///< share of maxTorque lost per joule
-  bool heatIsWork = false;                        ///< joules of |torque * speed|, else of torque squared
-  double offset = 0;                              ///< link angle minus measured angle [rad]
+  double backlash = 0;           ///< whole play [rad]
+  double toothStiffness = 4000;  ///< of the flanks of a gear with play, far stiffer than any servo [N m/rad]
+  double toothDamping = 0.6;     ///< of them, in parts of twice the critical one of the rotor
+  double compliance = 0;         ///< of the gear [rad/(N m)]
+  double biasForce = 0;          ///< [N m]
+  double deratingPerJoule = 0;   ///< share of maxTorque lost per joule
+  bool heatIsWork = false;       ///< joules of |torque * speed|, else of torque squared
+  double offset = 0;             ///< link angle minus measured angle [rad]
   double encoderAmplitude = 0, encoderPhase = 0;  ///< measured = true + amplitude sin(true + phase)
 
   bool geared() const { return backlash > 0 || compliance > 0; }

@@ -12,7 +12,6 @@ namespace plumbline::gap {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double playStiffness = 4000;  // [N m/rad]: flanks of a gear with play, far stiffer than any servo
 constexpr int maxRegimes = 5, frictionSweeps = 30;
 
 double firstFinite(const std::vector<double>& values, double otherwise) {
@@ -45,9 +44,9 @@ Stepper::Stepper(const Plant& plant_, const Trial& trial_, const std::vector<int
       Gear gear;
       gear.drive = static_cast<int>(i);
       gear.play = p.backlash;
-      gear.stiffness = p.compliance > 0 ? 1 / p.compliance : playStiffness;
-      gear.damping =
-          (p.compliance > 0 ? 0.1 : 0.6) * std::sqrt(gear.stiffness * std::max(p.servo.armature, 1e-4));
+      gear.stiffness = p.compliance > 0 ? 1 / p.compliance : p.toothStiffness;
+      gear.damping = (p.compliance > 0 ? 0.1 : p.toothDamping) *
+                     std::sqrt(gear.stiffness * std::max(p.servo.armature, 1e-4));
       gears.push_back(gear);
     }
     drive.sensed = p.linkEncoder ? drive.link : drive.motor;

@@ -1,0 +1,79 @@
+#include "gap/replay/Ensemble.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double reach = 0.25;  // [s]: over which the variance is smoothed, to each side
+
+struct Member {
+  double later;  ///< the run begins so much later: another phase of the hunting [s]
+  double toothStiffness, toothDamping;
+};
+constexpr std::array members = {Member{0, 4000, 0.6}, Member{0.0137, 2200, 1.1}, Member{0.0291, 7000, 0.35}};
+
+/// Mean of what is smoothed over `reach` cycles to each side.
+std::vector<double> smoothed(const std::vector<double>& values, std::size_t cycles) {
+  std::vector<double> sums(values.size() + 1, 0), result(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k) sums[k + 1] = sums[k] + values[k];
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::size_t from = k > cycles ? k - cycles : 0, to = std::min(values.size(), k + cycles + 1);
+    result[k] = (sums[to] - sums[from]) / static_cast<double>(to - from);
+  }
+  return result;
+}
+
+/// Mean and smoothed variance of one signal over the members; the variance is that of a further one around
+/// their mean.
+void combine(const std::vector<Prediction>& all, std::size_t signal, std::size_t cycles, Prediction& result) {
+  const double n = static_cast<double>(all.size());
+  std::vector<double>& mean = result.values[signal];
+  std::vector<double> variance(mean.size(), 0);
+  for (std::size_t k = 0; k < mean.size(); ++k) {
+    double sum = 0, squares = 0;
+    for (const Prediction& one : all) sum += one.values[signal][k];
+    mean[k] = sum / n;
+    for (const Prediction& one : all) squares += std::pow(one.values[signal][k] - mean[k], 2);
+    variance[k] = std::isfinite(mean[k]) ? squares / (n - 1) * (1 + 1 / n) : 0;
+  }
+  result.scatter[signal] = smoothed(variance, cycles);
+}
+
+}  // namespace
+
+bool hunts(const JointPlant& joint) { return joint.linkEncoder && joint.backlash > 0; }
+
+Prediction replayForetold(const Plant& plant, const Trial& trial, const ReplayOptions& options) {
+  bool any = false;
+  for (std::size_t j = 0; j < plant.joints.size(); ++j)
+    any = any || (hunts(plant.joints[j]) &&
+                  (options.joints.empty() ||
+                   std::ranges::find(options.joints, static_cast<int>(j)) != options.joints.end()));
+  if (!any) return replay(plant, trial, options);
+  std::vector<Prediction> all;
+  for (const Member& member : members) {
+    Plant other = plant;
+    for (JointPlant& joint : other.joints) {
+      joint.toothStiffness = member.toothStiffness;
+      joint.toothDamping = member.toothDamping;
+    }
+    ReplayOptions later = options;
+    later.settle += member.later;
+    all.push_back(replay(other, trial, later));
+  }
+  const double cycle =
+      trial.cycles() > 1 ? (trial.time.back() - trial.time.front()) / static_cast<double>(trial.cycles() - 1)
+                         : reach;
+  const auto cycles = static_cast<std::size_t>(std::clamp(std::round(reach / cycle), 1.0, 1000.0));
+  Prediction result = all.front();
+  result.scatter.resize(result.values.size());
+  for (std::size_t s = 0; s < result.values.size(); ++s)
+    if (!result.values[s].empty()) combine(all, s, cycles, result);
+  return result;
+}
+
+}  // namespace plumbline::gap

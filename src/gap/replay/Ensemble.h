@@ -1,0 +1,16 @@
+#pragma once
+#include "gap/replay/Replay.h"
+
+namespace plumbline::gap {
+
+/// Whether the plant does not come to rest by its own law: a servo that feels the link behind a gear with
+/// play hunts between the flanks, and where it is in that no recording tells.
+bool hunts(const JointPlant& joint);
+
+/// What a plant would have measured, as far as that can be foretold: the replay alone where nothing hunts;
+/// else the mean of several, with other phases of the hunting and other flanks (nobody knows how hard a
+/// gear's teeth are), and the variance among them in Prediction::scatter, over a quarter of a second to each
+/// side.
+Prediction replayForetold(const Plant& plant, const Trial& trial, const ReplayOptions& options);
+
+}  // namespace plumbline::gap
