@@ -155,11 +155,19 @@ std::string verdictSentence(const Diagnosis& diagnosis) {
                   100 * std::min(1.0, diagnosis.gap.closed()));
     return "Missing from the model: " + causes + size;
   }
-  std::snprintf(
-      size, sizeof size,
-      "Something is missing that no effect of the library accounts for: %.1f times the noise remain in the "
-      "worst channel, %s.",
-      diagnosis.worstAfter, diagnosis.worstSignalAfter.c_str());
+  if (!diagnosis.sensorOff.empty()) {
+    std::snprintf(
+        size, sizeof size,
+        "Something is missing that no effect of the library accounts for: with the base held, %s is "
+        "off by %.2f times its noise on average.",
+        diagnosis.sensorOff.c_str(), diagnosis.sensorOffBy);
+  } else {
+    std::snprintf(
+        size, sizeof size,
+        "Something is missing that no effect of the library accounts for: %.1f times the noise remain in the "
+        "worst channel, %s.",
+        diagnosis.worstAfter, diagnosis.worstSignalAfter.c_str());
+  }
   return size + (causes.empty() ? std::string()
                                 : " The nearest explanation is " + causes + ", and it is not enough.");
 }

@@ -18,6 +18,9 @@ namespace {
 constexpr double present = 0.9;      // worst gap over noise below which nothing is looked for
 constexpr double unexplained = 1.3;  // worst gap over noise that may remain: no further cause is looked for
 constexpr double unexplainedShare = 0.2;  // the same, of what was there
+constexpr double remaining = 1.7,
+                 remainingShare = 0.08;  // beyond these, an explanation is not the whole of it
+constexpr double heldOffset = 0.15;      // mean of a sensor at rest over its noise, that no cause may leave
 constexpr double mostOfIt = 0.6;
 constexpr double farOff = 3;         // times what may remain: no set of causes is worth another look
 constexpr double rivalShare = 0.01;  // probability that is worth a word
@@ -221,12 +224,16 @@ private:
   }
 
   void judge() {
-    const double remains = result.worstAfter;
-    result.knownProbability = 1 / (1 + std::exp(6 * (remains / mayRemain() - 1)));
+    // What another engine does otherwise may be left of a large gap.
+    double remains = result.worstAfter / std::max(remaining, remainingShare * result.worstBefore);
+    const WorstGap sensor = worstHeldOffset(fine);
+    if (sensor.size > heldOffset) result.sensorOff = sensor.signal, result.sensorOffBy = sensor.size;
+    remains = std::max(remains, sensor.size / heldOffset);
+    result.knownProbability = 1 / (1 + std::exp(6 * (remains - 1)));
     if (found.empty()) {
       result.verdict = result.worstBefore < unexplained ? Verdict::none : Verdict::unknown;
     } else {
-      result.verdict = remains > mayRemain() ? Verdict::unknown : Verdict::effect;
+      result.verdict = remains > 1 ? Verdict::unknown : Verdict::effect;
     }
     for (std::size_t i = 0; i < found.size(); ++i) result.findings.push_back(findingOf(i));
     std::stable_sort(result.findings.begin(), result.findings.end(),

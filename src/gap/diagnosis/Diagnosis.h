@@ -46,6 +46,10 @@ struct Diagnosis {
   double worstBefore = 0,
          worstAfter = 0;  ///< gap beyond noise, in units of noise, in the channel and run that show most
   std::string worstSignal, worstSignalAfter;
+  /// Sensor at rest whose readings are off on average by more than any cause may leave, and by how many times
+  /// its noise; empty: none.
+  std::string sensorOff;
+  double sensorOffBy = 0;
   double knownProbability = 1;  ///< that the library's effects account for the data
   Explanation explanation() const;
 };

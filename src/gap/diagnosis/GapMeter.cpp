@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace plumbline::gap {
 
@@ -21,6 +22,31 @@ WorstGap worstGap(const Evaluator& evaluator) {
       const double size = std::sqrt(std::max(0.0, chi - 1));
       if (size > worst.size) worst = {size, trials[t].signals[s].name};
     }
+  return worst;
+}
+
+WorstGap worstHeldOffset(const Evaluator& evaluator) {
+  struct Sum {
+    double residual = 0, n = 0;
+  };
+  std::map<std::string, Sum> sums;
+  const Evidence& data = evaluator.evidence();
+  for (std::size_t t = 0; t < data.trials().size(); ++t) {
+    const Trial& trial = data.trials()[t];
+    for (std::size_t s = 0; s < trial.signals.size() && !trial.freeBase; ++s) {
+      const SignalKind kind = trial.signals[s].kind;
+      if (kind != SignalKind::gyro && kind != SignalKind::accelerometer) continue;
+      Sum& sum = sums[trial.signals[s].name];
+      data.forEach(t, s, evaluator.basePrediction(t), [&](std::size_t, double w, double r) {
+        sum.residual += std::sqrt(w) * r;
+        ++sum.n;
+      });
+    }
+  }
+  WorstGap worst;
+  for (const auto& [name, sum] : sums)
+    if (sum.n > 0 && std::abs(sum.residual) / sum.n > worst.size)
+      worst = {std::abs(sum.residual) / sum.n, name};
   return worst;
 }
 

@@ -13,6 +13,10 @@ struct WorstGap {
 };
 WorstGap worstGap(const Evaluator& evaluator);
 
+/// The mean residual of an inertial sensor over all runs with a held base, in units of its noise: the largest
+/// of any channel. Nothing moves there, so nothing but the sensor itself can be off by it.
+WorstGap worstHeldOffset(const Evaluator& evaluator);
+
 /// Size of the gap as a root mean square in units of each signal's own noise, on blocks that took no part in
 /// the fit, over the channels that show something under the base that it was made with (all where none does).
 class GapMeter {

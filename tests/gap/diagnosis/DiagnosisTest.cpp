@@ -86,5 +86,46 @@ TEST(DiagnosisTest, whatTheLibraryDoesNotHaveIsUnknown) {
   EXPECT_LT(diagnosis.knownProbability, 0.2);
 }
 
+/// Two recordings of the arm on a base that is held and carries an accelerometer, which reads `acceleration`
+/// on average, with noise of 0.06 m/s^2.
+Diagnosis withAccelerometer(const Vec3& acceleration) {
+  static Mechanism arm = twoJointArm();
+  arm.hasImu = true;
+  std::vector<Trial> trials;
+  for (const std::uint64_t seed : {31, 32}) {
+    Trial trial = recorded(nominalPlant(arm), armTrial(arm, 6), noise, seed);
+    Random random(seed + 10);
+    for (int axis = 0; axis < 3; ++axis) {
+      Signal signal;
+      signal.name = std::string("acc.") + "xyz"[axis];
+      signal.kind = SignalKind::accelerometer;
+      signal.axis = axis;
+      for (std::size_t k = 0; k < trial.cycles(); ++k)
+        signal.values.push_back(acceleration[axis] + 0.06 * random.gaussian());
+      trial.signals.push_back(std::move(signal));
+    }
+    trials.push_back(std::move(trial));
+  }
+  const Evidence evidence(trials);
+  Evaluator fine(arm, evidence), coarse(arm, evidence);
+  return diagnose(fine, coarse, {});
+}
+
+TEST(DiagnosisTest, aTurnedAccelerometerStillReadsGravity) {
+  const Diagnosis diagnosis = withAccelerometer(9.81 * Vec3(std::sin(0.08), 0, std::cos(0.08)));
+  EXPECT_EQ(diagnosis.verdict, Verdict::effect);
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_EQ(diagnosis.findings[0].cause.effect->id, "imu_misalignment");
+  EXPECT_NEAR(std::abs(diagnosis.findings[0].cause.value), 0.08, 0.001);
+  EXPECT_EQ(diagnosis.sensorOff, "");
+}
+
+TEST(DiagnosisTest, anAccelerometerWithABiasIsNotTurned) {
+  const Diagnosis diagnosis = withAccelerometer(9.81 * Vec3(std::sin(0.08), 0, 1));
+  EXPECT_EQ(diagnosis.verdict, Verdict::unknown);
+  EXPECT_EQ(diagnosis.sensorOff, "acc.z");
+  EXPECT_NEAR(diagnosis.sensorOffBy, 9.81 * (1 - std::cos(0.08)) / 0.06, 0.1);
+}
+
 }  // namespace
 }  // namespace plumbline::gap
