@@ -5,23 +5,6 @@
 namespace plumbline::walking {
 namespace {
 
-constexpr double enough = 9;
-
-WalkRequest fullSpeed(Task task, double sign) {
-  switch (task) {
-    case Task::forward:
-      return {Vec2(enough, 0), 0, true};
-    case Task::backward:
-      return {Vec2(-enough, 0), 0, true};
-    case Task::sideways:
-      return {Vec2(0, sign * enough), 0, true};
-    case Task::turn:
-    case Task::mixture:
-      return {Vec2::Zero(), sign * enough, true};
-  }
-  return {};
-}
-
 /// Any request within the walk's limits, in one case of four full speed ahead, in one a turn on the spot, in
 /// some a stop.
 WalkRequest anyRequest(Random& random, const WalkParameters& p) {
@@ -109,7 +92,7 @@ bool tryDirection(Walker& robot, Random& random, const WalkParameters& p, Task t
     result.speed += along / time / setup.tries;
     result.drift += across / time / setup.tries;
   }
-  return upright && attempt.run({}, 1.6) && robot.output.standing;
+  return upright && attempt.run({}, 2) && robot.output.standing;
 }
 
 TrialResult tryMixture(Walker& robot, const WalkParameters& p, const TrialSetup& setup) {
@@ -158,6 +141,39 @@ TrialResult tryMixture(Walker& robot, const WalkParameters& p, const TrialSetup&
 }
 
 }  // namespace
+
+WalkRequest fullSpeed(Task task, double sign) {
+  constexpr double enough = 9;
+  switch (task) {
+    case Task::forward:
+      return {Vec2(enough, 0), 0, true};
+    case Task::backward:
+      return {Vec2(-enough, 0), 0, true};
+    case Task::sideways:
+      return {Vec2(0, sign * enough), 0, true};
+    case Task::turn:
+    case Task::mixture:
+      return {Vec2::Zero(), sign * enough, true};
+  }
+  return {};
+}
+
+HeldSpeed holdSpeed(Walker& robot, const WalkRequest& request, double seconds, double wait) {
+  robot.restart(Pose2(-14.5, 5));
+  HeldSpeed result;
+  result.upright = robot.run({}, wait) && robot.run(request, 2);
+  const Vec2 direction = request.velocity.normalized();
+  const double before = robot.turned();
+  double way = 0, time = 0;
+  for (; result.upright && time < seconds; time += robot.cycle) {
+    result.upright = robot.step(request);
+    way += robot.moved.position.dot(direction);
+    // A field is 30 m long; back to its beginning, the posture as it is.
+    if (std::abs(robot.pose().x()) > 14.8 || std::abs(robot.pose().y()) > 9.5) robot.carry(Vec2(0, 0));
+  }
+  if (time > 0) result.speed = (request.turn != 0 ? std::abs(robot.turned() - before) : way) / time;
+  return result;
+}
 
 TrialResult tryWalk(Walker& robot, const WalkGaits& gaits, Task task, const TrialSetup& setup) {
   robot.use(gaits);

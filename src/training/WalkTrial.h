@@ -30,4 +30,17 @@ struct TrialSetup {
 /// for small changes at random on the way.
 TrialResult tryWalk(Walker& robot, const WalkGaits& gaits, Task task, const TrialSetup& setup);
 
+/// The request for more than any walk's full speed in a direction; sign 1 or -1: left or right.
+WalkRequest fullSpeed(Task task, double sign);
+
+/// How a walk held a speed.
+struct HeldSpeed {
+  double speed = 0;  ///< mean along the request from two seconds after the start on [m/s]; turning [rad/s]
+  bool upright = true;
+};
+
+/// A request held for `seconds` after the first two, from a stand of `wait` [s]; at the field's end the robot
+/// is carried back as it walks.
+HeldSpeed holdSpeed(Walker& robot, const WalkRequest& request, double seconds, double wait);
+
 }  // namespace plumbline::walking

@@ -6,9 +6,8 @@
 namespace plumbline::walking {
 namespace {
 
-constexpr double nearlyFull = 0.9;    ///< share of the full speed that is meant to be a sprint
-constexpr double aside = 0.35;        ///< share of the mixable speeds that may be asked for beside it
-constexpr double walkedAside = 0.23;  ///< and that is walked
+constexpr double nearlyFull = 0.9;  ///< share of the full speed that is meant to be a sprint
+constexpr double aside = 0.2;       ///< share of the mixable speeds that may be asked for beside it
 
 double approach(double value, double goal, double maxChange) {
   return value + std::clamp(goal - value, -maxChange, maxChange);
@@ -49,7 +48,7 @@ int SpeedControl::sprintAxis(const Vec3& wish, const WalkParameters& p) const {
 }
 
 Vec3 SpeedControl::feasible(const Vec3& wish, const WalkParameters& p, double dt) {
-  if (axis >= 0) return sprint(wish, p);
+  if (axis >= 0) return sprint(wish, p, dt);
   const int could = sprintAxis(wish, p);
   patience = could == wished ? patience + dt : 0;
   wished = could;
@@ -58,48 +57,61 @@ Vec3 SpeedControl::feasible(const Vec3& wish, const WalkParameters& p, double dt
     const double sign = wish[could] > 0 ? 1 : -1;
     if (sign * now[could] >= nearlyFull * mix[could] && beside(now, mix, could) <= aside) {
       axis = could;
-      rising = true;
       falling = false;
       full = sign * fullLimits(wish.x(), p)[could];
-      return sprint(wish, p);
+      settled = 0;
+      return sprint(wish, p, dt);
     }
     // First at the speed of mixtures, in this direction alone.
-    Vec3 go = withinMixture(wish, mix);
-    for (int i = 0; i < 3; ++i)
-      if (i != could) go[i] = std::clamp(go[i], -walkedAside * mix[i], walkedAside * mix[i]);
+    Vec3 go = straight(withinMixture(wish, mix), mix, could, p.sprintAside);
     go[could] = sign * mix[could];
     return go;
   }
   return withinMixture(wish, mix);
 }
 
-Vec3 SpeedControl::sprint(const Vec3& wish, const WalkParameters& p) {
+/// The wish with a share of the mixable speeds at most beside an axis.
+Vec3 SpeedControl::straight(const Vec3& wish, const Vec3& mix, int axis, double share) {
+  Vec3 go = wish;
+  for (int i = 0; i < 3; ++i)
+    if (i != axis) go[i] = std::clamp(go[i], -share * mix[i], share * mix[i]);
+  return go;
+}
+
+Vec3 SpeedControl::sprint(const Vec3& wish, const WalkParameters& p, double dt) {
   const double sign = full > 0 ? 1 : -1;
   const Vec3 mix = mixLimits(axis == 0 ? full : wish.x(), p);
-  if (sign * now[axis] > 0.99 * std::abs(full)) rising = false;
   Vec3 go = wish / std::max(1.0, std::abs(wish[axis] / full));
-  if (!rising && (sign * wish[axis] < nearlyFull * std::abs(full) || beside(go, mix, axis) > aside))
-    falling = true;
+  if (sign * wish[axis] < nearlyFull * std::abs(full) || beside(go, mix, axis) > aside) falling = true;
   if (falling && sign * now[axis] <= mix[axis]) {
-    axis = wished = -1;
-    return withinMixture(wish, mixLimits(wish.x(), p));
+    if (settled >= p.sprintSettle - 1e-9) {
+      axis = wished = -1;
+      return withinMixture(wish, mixLimits(wish.x(), p));
+    }
+    settled += dt;
   }
-  for (int i = 0; i < 3; ++i)
-    if (i != axis) go[i] = std::clamp(go[i], -walkedAside * mix[i], walkedAside * mix[i]);
+  go = straight(go, mix, axis, p.sprintAside);
   go[axis] = falling ? sign * std::clamp(sign * go[axis], 0.0, mix[axis]) : full;
   return go;
+}
+
+/// Acceleration between the speed of mixtures and that of the sprint.
+double SpeedControl::sprintRate(double usual, const WalkParameters& p) const {
+  const double mix = mixLimits(axis == 0 ? full : 0, p)[axis], time = falling ? p.sprintFall : p.sprintRise;
+  return time > 0 && std::abs(now[axis]) >= mix ? (std::abs(full) - mix) / time : usual;
 }
 
 void SpeedControl::update(const Vec2& goal, double turn, const WalkParameters& p, double calm, double dt) {
   const Vec3 target = calm * feasible(Vec3(goal.x(), goal.y(), turn), p, dt);
   const bool braking = std::abs(target.x()) < std::abs(now.x()) || target.x() * now.x() < 0;
-  now.x() = approach(now.x(), target.x(), (braking ? p.decelerationForward : p.accelerationForward) * dt);
-  now.y() = approach(now.y(), target.y(), p.accelerationSideways * dt);
-  now.z() = approach(now.z(), target.z(), p.accelerationTurn * dt);
+  Vec3 rate(braking ? p.decelerationForward : p.accelerationForward, p.accelerationSideways,
+            p.accelerationTurn);
+  if (axis >= 0) rate[axis] = sprintRate(rate[axis], p);
+  for (int i = 0; i < 3; ++i) now[i] = approach(now[i], target[i], rate[i] * dt);
   // The robot brakes before it turns: what forward speed leaves of the effort limits the rest.
   const Vec3 mix = mixLimits(now.x(), p);
   const double used = std::abs(now.x()) / mix.x();
-  const double rest = std::max(axis == 0 ? walkedAside : 0.0, 1 - used);
+  const double rest = std::max(axis == 0 ? p.sprintAside : 0.0, 1 - used);
   const double side = std::hypot(now.y() / mix.y(), now.z() / mix.z());
   if (side > rest && axis <= 0) {
     now.y() *= rest / side;

@@ -23,14 +23,17 @@ public:
 private:
   Vec3 feasible(const Vec3& wish, const WalkParameters& p, double dt);
   int sprintAxis(const Vec3& wish, const WalkParameters& p) const;
-  Vec3 sprint(const Vec3& wish, const WalkParameters& p);
+  Vec3 sprint(const Vec3& wish, const WalkParameters& p, double dt);
+  double sprintRate(double usual, const WalkParameters& p) const;
+  static Vec3 straight(const Vec3& wish, const Vec3& mix, int axis, double share);
 
   Vec3 now = Vec3::Zero();  ///< forward, sideways, turn
   int axis = -1;            ///< in which the robot sprints
-  bool rising = false, falling = false;
-  double full = 0;      ///< speed of the sprint, with its sign
-  int wished = -1;      ///< axis that could be sprinted in, and
-  double patience = 0;  ///< for how long this has been asked for [s]
+  bool falling = false;     ///< the sprint is coming to its end
+  double full = 0;          ///< speed of the sprint, with its sign
+  double settled = 0;       ///< at the speed of mixtures since the sprint [s]
+  int wished = -1;          ///< axis that could be sprinted in, and
+  double patience = 0;      ///< for how long this has been asked for [s]
 };
 
 }  // namespace plumbline::walking

@@ -22,6 +22,10 @@ struct WalkParameters {
   double mixBackward = 0;     ///< full speed. More is walked in one direction alone [m/s]
   double mixSideways = 0, mixTurn = 0;  ///< the same [m/s, rad/s]
   double sprintPatience = 0.3;          ///< for which more has to be asked for [s]
+  double sprintAside = 0.23;            ///< share of the mixable speeds that is walked beside a sprint
+  double sprintRise = 0;                ///< from the speed of mixtures to full speed [s]
+  double sprintFall = 0;                ///< and back, both 0: with the accelerations below [s]
+  double sprintSettle = 0;              ///< straight on for so long when a sprint is over [s]
   double accelerationForward = 0.5;     ///< of the requested velocity [m/s^2]
   double decelerationForward = 0.5;     ///< the same when it becomes smaller [m/s^2]
   double accelerationSideways = 0.5;    ///< [m/s^2]

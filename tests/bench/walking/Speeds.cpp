@@ -11,30 +11,6 @@ using namespace walking;
 
 constexpr double enough = 9;
 
-struct Straight {
-  double speed = 0;
-  bool upright = true;
-};
-
-/// Mean speed along the request from two seconds after the start on; turning in deg/s.
-Straight fullSpeed(Walker& robot, const WalkRequest& request, double seconds, double wait) {
-  robot.restart(Pose2(-14.5, 5));
-  Straight result;
-  result.upright = robot.run({}, wait) && robot.run(request, 2);
-  const Vec2 direction = request.velocity.normalized();
-  const double before = robot.turned();
-  double way = 0, time = 0;
-  for (; result.upright && time < seconds; time += robot.cycle) {
-    result.upright = robot.step(request);
-    way += robot.moved.position.dot(direction);
-    // A field is 30 m long; back to its beginning, the posture as it is.
-    if (std::abs(robot.pose().x()) > 14.8 || std::abs(robot.pose().y()) > 9.5) robot.carry(Vec2(0, 0));
-  }
-  if (time > 0)
-    result.speed = (request.turn != 0 ? toDegrees(std::abs(robot.turned() - before)) : way) / time;
-  return result;
-}
-
 WalkRequest walk(double x, double y, double turn) { return {Vec2(x, y), turn, true}; }
 
 }  // namespace
@@ -56,18 +32,19 @@ void measureSpeeds(const BenchSetup& setup, Report& report) {
     const WalkGaits& gaits = subject.gaits;
     std::vector<double> forward, backward, sideways, turn, half, falls, odometry, stops;
     int fallen = 0, runs = 0;
-    const auto add = [&](std::vector<double>& to, const Straight& run) {
-      to.push_back(run.speed);
+    const auto add = [&](std::vector<double>& to, Task task, double seconds, double wait, double sign) {
+      const HeldSpeed run = holdSpeed(robot, fullSpeed(task, sign), seconds, wait);
+      to.push_back(task == Task::turn ? toDegrees(run.speed) : run.speed);
       fallen += run.upright ? 0 : 1;
       ++runs;
     };
     for (int seed = 0; seed < setup.seeds; ++seed) {
       Random random(static_cast<std::uint64_t>(1000 + seed));
       const double wait = random.uniform(0.1, 0.6), sign = seed % 2 == 0 ? 1 : -1;
-      add(forward, fullSpeed(robot, walk(enough, 0, 0), 60, wait));
-      add(backward, fullSpeed(robot, walk(-enough, 0, 0), 20, wait));
-      add(sideways, fullSpeed(robot, walk(0, sign * enough, 0), 20, wait));
-      add(turn, fullSpeed(robot, walk(0, 0, sign * enough), 20, wait));
+      add(forward, Task::forward, 60, wait, sign);
+      add(backward, Task::backward, 20, wait, sign);
+      add(sideways, Task::sideways, 20, wait, sign);
+      add(turn, Task::turn, 20, wait, sign);
 
       robot.restart();
       robot.run({}, wait);
