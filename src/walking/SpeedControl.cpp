@@ -107,7 +107,10 @@ void SpeedControl::update(const Vec2& goal, double turn, const WalkParameters& p
   Vec3 rate(braking ? p.decelerationForward : p.accelerationForward, p.accelerationSideways,
             p.accelerationTurn);
   if (axis >= 0) rate[axis] = sprintRate(rate[axis], p);
+  const double before = now.x();
   for (int i = 0; i < 3; ++i) now[i] = approach(now[i], target[i], rate[i] * dt);
+  constexpr double average = 0.1;  // about a step [s]
+  acceleration_ += std::min(1.0, dt / average) * ((now.x() - before) / dt - acceleration_);
   // The robot brakes before it turns: what forward speed leaves of the effort limits the rest.
   const Vec3 mix = mixLimits(now.x(), p);
   const double used = std::abs(now.x()) / mix.x();

@@ -18,6 +18,8 @@ public:
 
   Vec2 velocity() const { return now.head<2>(); }  ///< [m/s]
   double turn() const { return now.z(); }          ///< [rad/s]
+  /// Of the forward velocity while it comes nearer to zero, mean over about a step; else 0 [m/s^2].
+  double braking() const { return acceleration_ * now.x() < 0 ? acceleration_ : 0.0; }
   bool sprinting() const { return axis >= 0; }
 
 private:
@@ -28,12 +30,13 @@ private:
   static Vec3 straight(const Vec3& wish, const Vec3& mix, int axis, double share);
 
   Vec3 now = Vec3::Zero();  ///< forward, sideways, turn
-  int axis = -1;            ///< in which the robot sprints
-  bool falling = false;     ///< the sprint is coming to its end
-  double full = 0;          ///< speed of the sprint, with its sign
-  double settled = 0;       ///< at the speed of mixtures since the sprint [s]
-  int wished = -1;          ///< axis that could be sprinted in, and
-  double patience = 0;      ///< for how long this has been asked for [s]
+  double acceleration_ = 0;
+  int axis = -1;         ///< in which the robot sprints
+  bool falling = false;  ///< the sprint is coming to its end
+  double full = 0;       ///< speed of the sprint, with its sign
+  double settled = 0;    ///< at the speed of mixtures since the sprint [s]
+  int wished = -1;       ///< axis that could be sprinted in, and
+  double patience = 0;   ///< for how long this has been asked for [s]
 };
 
 }  // namespace plumbline::walking

@@ -138,6 +138,9 @@ private:
     return request;
   }
 
+  /// The velocity that is planned so that the robot walks at its own.
+  Vec2 planned() const { return speed.velocity() + Vec2(p.trimForward + p.brakeLead * speed.braking(), 0); }
+
   /// Draws the speed walked to the request and finds the walk of it.
   void follow(const WalkRequest& request, double dt) {
     if (mode == Mode::stand && !request.walk) {
@@ -150,9 +153,8 @@ private:
     speed.update(goal, request.walk ? request.turn : 0, p, calm, dt);
     useGait();
     const double duration = kick.prepared ? p.kickDuration : p.stepDuration;
-    reference =
-        findReferenceTrajectory(model, {speed.velocity() + Vec2(p.trimForward, 0), speed.turn(), duration,
-                                        p.feetDistance, Vec2(p.copForward, p.copOutward) - model.balance()});
+    reference = findReferenceTrajectory(model, {planned(), speed.turn(), duration, p.feetDistance,
+                                                Vec2(p.copForward, p.copOutward) - model.balance()});
   }
 
   /// The parameters of the speed walked now.

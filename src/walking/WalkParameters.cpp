@@ -14,6 +14,7 @@ constexpr WalkParameterInfo table[] = {
     {"torsoPitch", &WalkParameters::torsoPitch, -0.3, 0.6},
     {"torsoPitchForward", &WalkParameters::torsoPitchForward, -1, 1},
     {"trimForward", &WalkParameters::trimForward, -0.3, 0.3},
+    {"brakeLead", &WalkParameters::brakeLead, -0.5, 0.5},
     {"maxForward", &WalkParameters::maxForward, 0.01, 3, false},
     {"maxBackward", &WalkParameters::maxBackward, 0.01, 3, false},
     {"maxSideways", &WalkParameters::maxSideways, 0.01, 2, false},

@@ -14,6 +14,7 @@ struct WalkParameters {
 
   // Speed
   double trimForward = 0;     ///< planned speed with which the robot stays on the spot [m/s]
+  double brakeLead = 0;       ///< for which the planned speed is ahead while the robot brakes [s]
   double maxForward = 0.5;    ///< [m/s]
   double maxBackward = 0.4;   ///< [m/s]
   double maxSideways = 0.25;  ///< [m/s]
