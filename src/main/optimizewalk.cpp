@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 
 #include "framework/WriteFile.h"
 #include "training/ServoWalker.h"
+#include "training/WalkChoice.h"
 #include "training/WalkTraining.h"
 #include "training/WalkingRobot.h"
 
@@ -18,10 +20,12 @@ using namespace plumbline::walking;
 struct Options {
   TrainingSetup setup;
   std::vector<std::string> tasks{taskNames.begin(), taskNames.end()};
+  std::vector<std::string> searched;  ///< of the tasks, with choose
   std::string from, output;
   int cornersOf = -1, type = 0;
   std::string robot;  ///< with position servos; empty: the league's type
-  bool anew = false, tryOnly = false;
+  bool anew = false, tryOnly = false, choose = false;
+  ChoiceSetup choice;
 };
 
 std::string folderOf(const Options& options) {
@@ -39,6 +43,25 @@ Task taskOf(const std::string& name) {
   throw std::invalid_argument("no task " + name);
 }
 
+/// Searches and chooses: the mixture first, then each direction's sprint between what was there and what is
+/// found, then all together.
+void chooseAll(Options& options, WalkGaits gaits, const std::function<void(const WalkGaits&)>& write) {
+  TrainingSetup& setup = options.setup;
+  const std::unique_ptr<Walker> robot = setup.walker(gaits);
+  const auto tell = [&](const std::string& line) { say(setup.robot + ", " + line); };
+  gaits = chooseMixture(*robot, gaits, options.choice, tell);
+  for (const std::string& name : options.tasks) {
+    setup.task = taskOf(name);
+    if (setup.task == Task::mixture) continue;
+    std::vector<WalkGaits> sprints{gaits};
+    if (std::ranges::find(options.searched, name) != options.searched.end())
+      sprints.push_back(train(gaits, setup, [](const std::string& line, const WalkGaits&) { say(line); }));
+    gaits = chooseSprint(*robot, gaits, sprints, setup.task, options.choice, tell);
+    write(gaits);
+  }
+  write(chooseTogether(*robot, gaits, options.choice, tell));
+}
+
 void run(Options& options) {
   TrainingSetup& setup = options.setup;
   const ConfigFile file("walking", {"config", options.from});
@@ -53,21 +76,30 @@ void run(Options& options) {
     setup.walker = [robot = findMechanism(options.robot)](const WalkGaits& walk) {
       return std::make_unique<ServoWalker>(robot, walk);
     };
-  for (const std::string& name : options.tasks) {
-    setup.task = taskOf(name);
-    if (options.tryOnly) {
-      const std::unique_ptr<Walker> robot = setup.walker(gaits);
-      const TrialResult r = tryWalk(*robot, gaits, setup.task, setup.trial);
+  const std::string heading =
+      fmt::format("Walk of the {}, found by bin/optimizewalk.",
+                  options.robot.empty() ? "league's robot " + setup.robot : setup.robot);
+  const auto write = [&](const WalkGaits& walk) {
+    writeFile(options.output, walkFile(walk, common, heading));
+  };
+  if (options.tryOnly) {
+    const std::unique_ptr<Walker> robot = setup.walker(gaits);
+    for (const std::string& name : options.tasks) {
+      const TrialResult r = tryWalk(*robot, gaits, taskOf(name), setup.trial);
       say(fmt::format("{}, {}: speed {:.3f}, falls {:.3f}, drift {:.3f}", name, setup.robot, r.speed, r.falls,
                       r.drift));
-      continue;
     }
+    return;
+  }
+  if (options.choose) {
+    chooseAll(options, gaits, write);
+    return;
+  }
+  for (const std::string& name : options.tasks) {
+    setup.task = taskOf(name);
     gaits = train(gaits, setup, [&](const std::string& line, const WalkGaits& best) {
       say(line);
-      writeFile(options.output,
-                walkFile(best, common,
-                         fmt::format("Walk of the {}, found by bin/optimizewalk.",
-                                     options.robot.empty() ? "league's robot " + setup.robot : setup.robot)));
+      write(best);
     });
   }
 }
@@ -115,6 +147,14 @@ int main(int argc, char** argv) {
   app.add_flag("--anew", options.anew, "begins with the same parameters in all directions");
   app.add_option("--corners-of", options.cornersOf, "begins with the directions found for another type")
       ->check(CLI::Range(0, 4));
+  app.add_flag(
+      "--choose", options.choose,
+      "cuts the mixture and each sprint, that of the file and that of the search, to what goes through "
+      "minutes of tries without a fall, and takes the fastest");
+  app.add_option("--search", options.searched,
+                 "with --choose: those of the tasks whose sprints are searched; the others are only cut")
+      ->check(CLI::IsMember(std::vector<std::string>{taskNames.begin(), taskNames.end()}));
+  app.add_option("--choice-seed", options.choice.seed, "of those tries")->capture_default_str();
   app.add_flag("--try", options.tryOnly, "only tells how the walk does at the tasks, and writes nothing");
   app.add_option("--output", options.output, "file to write; default: the type's in config/");
   app.footer(

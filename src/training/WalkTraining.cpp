@@ -69,13 +69,11 @@ std::vector<Variable> variablesOf(Task task) {
   switch (task) {
     case Task::forward:
       add("", "maxForward", 0.15);
-      add(corner, "accelerationForward", 0.2);
-      add(corner, "decelerationForward", 0.2);
+      add(corner, "brakeLead", 0.03);
       break;
     case Task::backward:
       add("", "maxBackward", 0.15);
-      add(corner, "accelerationForward", 0.2);
-      add(corner, "decelerationForward", 0.2);
+      add(corner, "brakeLead", 0.03);
       break;
     case Task::sideways:
       add("", "maxSideways", 0.1);

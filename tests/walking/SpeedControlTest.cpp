@@ -47,27 +47,71 @@ TEST_F(SpeedControlTest, oneDirectionAloneIsWalkedAtFullSpeedOnceItIsMeant) {
   EXPECT_NEAR(speed.velocity().x(), 1.0, 1e-9);
 }
 
-TEST_F(SpeedControlTest, aSprintIsNotBrokenOffBetweenTheGaits) {
+TEST_F(SpeedControlTest, aSprintIsBrokenOffAtOnceAndGoesBackToMixturesFirst) {
   ask(9, 0, 0, 0.8);
   ASSERT_TRUE(speed.sprinting());
   const double rising = speed.velocity().x();
   ASSERT_LT(rising, 0.9);
-  ask(0.7, 0, 0, 0.06);
-  EXPECT_GT(speed.velocity().x(), rising) << "it first comes to its full speed";
+  ask(0.7, 0.2, 0, 0.04);
+  EXPECT_LT(speed.velocity().x(), rising) << "it need not come to its full speed";
+  EXPECT_LE(speed.velocity().y(), 0.23 * 0.3 + 1e-9) << "and stays straight until then";
   ask(0.7, 0, 0, 2);
   EXPECT_FALSE(speed.sprinting());
-  EXPECT_NEAR(speed.velocity().x(), 0.6, 1e-9) << "and then back to what may be mixed";
+  EXPECT_NEAR(speed.velocity().x(), 0.6, 1e-9) << "and then is what may be mixed";
+}
+
+TEST_F(SpeedControlTest, aSprintSetsInAndEndsOverTimesOfItsOwn) {
+  p.sprintRise = 2;
+  p.sprintFall = 0.5;
+  ask(9, 0, 0, 0.9);
+  const double before = speed.velocity().x();
+  ask(9, 0, 0, 0.5);
+  EXPECT_NEAR(speed.velocity().x() - before, 0.5 * (1.0 - 0.6) / 2, 1e-9);
+  ask(9, 0, 0, 3);
+  ASSERT_NEAR(speed.velocity().x(), 1.0, 1e-9);
+  ask(0, 0, 0, 0.24);
+  EXPECT_NEAR(speed.velocity().x(), 1.0 - 0.24 * (1.0 - 0.6) / 0.5, 1e-9);
+}
+
+TEST_F(SpeedControlTest, afterASprintTheRobotGoesStraightForAMoment) {
+  p.sprintSettle = 0.4;
+  ask(9, 0, 0, 2);
+  ask(0.6, 0.3, 2, 0.4 + 0.3);  // back to 0.6 m/s, and most of the moment
+  EXPECT_TRUE(speed.sprinting());
+  EXPECT_LE(std::hypot(speed.velocity().y() / 0.3, speed.turn() / 2), 0.23 * std::sqrt(2) + 1e-9);
+  ask(0.6, 0.3, 2, 1);
+  EXPECT_FALSE(speed.sprinting());
+  EXPECT_GT(std::hypot(speed.velocity().y() / 0.3, speed.turn() / 2), 0.4);
+}
+
+TEST_F(SpeedControlTest, brakingIsTheMeanDecelerationTowardsZero) {
+  ask(0.5, 0, 0, 0.4);
+  EXPECT_EQ(speed.braking(), 0) << "it speeds up";
+  ask(0.5, 0, 0, 2);
+  ask(0, 0, 0, 0.3);
+  EXPECT_LT(speed.braking(), -0.9 * (1 - std::exp(-3.0)));
+  EXPECT_GT(speed.braking(), -1);
+  ask(0, 0, 0, 2);
+  EXPECT_EQ(speed.braking(), 0);
+  ask(-0.3, 0, 0, 2);
+  ask(0, 0, 0, 0.2);
+  EXPECT_GT(speed.braking(), 0.7) << "of a walk backward it is positive";
 }
 
 TEST_F(SpeedControlTest, littleElseIsWalkedBesideASprint) {
   ask(9, 0, 0, 2);
-  ask(1, 0.05, 0.5, 1);
+  ask(1, 0.03, 0.3, 1);
   EXPECT_TRUE(speed.sprinting());
   EXPECT_NEAR(speed.velocity().x(), 1.0, 1e-9);
   EXPECT_GT(speed.turn(), 0.2);
   EXPECT_LE(std::hypot(speed.velocity().y() / 0.3, speed.turn() / 2), 0.23 + 1e-9);
-  // A real curve ends it.
-  ask(1, 0, 2, 1);
+  EXPECT_NEAR(speed.turn(), 0.3, 1e-9);
+  // The wish may be more than is walked, but a real curve ends it.
+  p.sprintAside = 0.05;
+  ask(1, 0, 0.3, 1);
+  EXPECT_TRUE(speed.sprinting());
+  EXPECT_NEAR(speed.turn(), 0.05 * 2, 1e-9);
+  ask(1, 0, 0.5, 1);
   EXPECT_FALSE(speed.sprinting());
 }
 

@@ -1,0 +1,177 @@
+#include "training/WalkChoice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "math/Random.h"
+
+namespace plumbline::walking {
+namespace {
+
+constexpr std::array directions{Task::forward, Task::backward, Task::sideways, Task::turn};
+
+struct Direction {
+  double WalkParameters::*most;
+  double WalkParameters::*mixed;
+};
+
+Direction directionOf(Task task) {
+  switch (task) {
+    case Task::forward:
+      return {&WalkParameters::maxForward, &WalkParameters::mixForward};
+    case Task::backward:
+      return {&WalkParameters::maxBackward, &WalkParameters::mixBackward};
+    case Task::sideways:
+      return {&WalkParameters::maxSideways, &WalkParameters::mixSideways};
+    case Task::turn:
+      return {&WalkParameters::maxTurn, &WalkParameters::mixTurn};
+    case Task::mixture:
+      break;
+  }
+  throw std::invalid_argument("a mixture of directions has no sprint");
+}
+
+bool same(const WalkParameters& a, const WalkParameters& b) {
+  return std::ranges::all_of(walkParameterTable(),
+                             [&](const WalkParameterInfo& info) { return a.*info.value == b.*info.value; });
+}
+
+}  // namespace
+
+WalkGaits cutSprint(const WalkGaits& gaits, Task direction, double share) {
+  const auto [most, mixed] = directionOf(direction);
+  WalkGaits cut = gaits;
+  WalkParameters& corner = cut.corner[static_cast<std::size_t>(direction)];
+  const double mix = gaits.base.*mixed;
+  // Without a speed of mixtures there is no sprint.
+  if (!(mix > 0 && mix < gaits.base.*most)) return cut;
+  const double full = mix + share * (gaits.base.*most - mix);
+  cut.base.*most = full;
+  for (WalkParameters& one : cut.corner) one.*most = full;
+  for (const WalkParameterInfo& info : walkParameterTable()) {
+    if (!info.blends) continue;
+    const double from = gaits.base.*info.value;
+    corner.*info.value = from + share * (corner.*info.value - from);
+  }
+  return cut;
+}
+
+WalkGaits cutSprints(const WalkGaits& gaits, double share) {
+  WalkGaits cut = gaits;
+  for (const Task direction : directions) cut = cutSprint(cut, direction, share);
+  return cut;
+}
+
+WalkGaits slowMixture(const WalkGaits& gaits, double share) {
+  WalkGaits slow = gaits;
+  for (const Task task : directions) {
+    const Direction direction = directionOf(task);
+    slow.base.*direction.mixed *= share;
+    for (WalkParameters& corner : slow.corner) corner.*direction.mixed = slow.base.*direction.mixed;
+  }
+  return slow;
+}
+
+double randomFalls(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup, double enough) {
+  double falls = 0;
+  for (int i = 0; i < setup.minutes; ++i) {
+    TrialSetup trial;
+    trial.seed = setup.seed * 1000 + static_cast<std::uint64_t>(i);
+    trial.tries = 1;
+    trial.seconds = 60;
+    trial.push = 0;
+    trial.stopEarly = false;
+    falls += tryWalk(robot, gaits, Task::mixture, trial).falls;
+    if (falls > enough * setup.minutes) break;
+  }
+  return falls / setup.minutes;
+}
+
+bool sprintHolds(Walker& robot, const WalkGaits& gaits, Task direction, const ChoiceSetup& setup) {
+  // What fails most often comes first.
+  for (int i = 0; i < setup.tries; ++i) {
+    TrialSetup trial;
+    trial.seed = setup.seed * 1000 + static_cast<std::uint64_t>(i);
+    trial.tries = 1;
+    trial.seconds = setup.trySeconds;
+    trial.push = setup.push;
+    if (tryWalk(robot, gaits, direction, trial).falls > 0) return false;
+  }
+  robot.use(gaits);
+  for (int i = 0; i < setup.holds; ++i) {
+    Random random(setup.seed * 1000 + static_cast<std::uint64_t>(i));
+    const WalkRequest full = fullSpeed(direction, i % 2 == 0 ? 1 : -1);
+    if (!holdSpeed(robot, full, setup.holdSeconds, random.uniform(0.1, 0.6)).upright) return false;
+  }
+  return true;
+}
+
+double safeShare(Walker& robot, const WalkGaits& gaits, Task direction, const ChoiceSetup& setup) {
+  const int steps = static_cast<int>(std::lround(1 / setup.sprintStep));
+  for (int i = steps; i > 0; --i) {
+    const double share = std::min(1.0, i * setup.sprintStep);
+    if (sprintHolds(robot, cutSprint(gaits, direction, share), direction, setup)) return share;
+  }
+  return 0;
+}
+
+WalkGaits chooseMixture(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup,
+                        const std::function<void(const std::string&)>& say) {
+  for (double share = 1; share > 0.5 - 1e-9; share -= setup.mixStep) {
+    const WalkGaits slow = slowMixture(gaits, share);
+    const double falls = randomFalls(robot, cutSprints(slow, 0), setup, 0);
+    say(fmt::format("mixture at {:.2f} of its speeds: {}", share, falls > 0 ? "falls" : "no fall"));
+    if (falls == 0) return slow;
+  }
+  return slowMixture(gaits, 0.5);
+}
+
+WalkGaits chooseSprint(Walker& robot, const WalkGaits& gaits, const std::vector<WalkGaits>& others,
+                       Task direction, const ChoiceSetup& setup,
+                       const std::function<void(const std::string&)>& say) {
+  const Direction d = directionOf(direction);
+  const auto corner = static_cast<std::size_t>(direction);
+  WalkGaits best = cutSprint(gaits, direction, 0);
+  double fastest = 0;
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const WalkGaits& other = others[i];
+    // A search that found nothing better returns what there was.
+    if (std::any_of(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(i), [&](const WalkGaits& o) {
+          return o.base.*d.most == other.base.*d.most && same(o.corner[corner], other.corner[corner]);
+        }))
+      continue;
+    WalkGaits tried = gaits;
+    tried.corner[corner] = other.corner[corner];
+    for (WalkParameters* one :
+         {&tried.base, &tried.corner[0], &tried.corner[1], &tried.corner[2], &tried.corner[3]})
+      one->*d.most = other.base.*d.most;
+    const double share = safeShare(robot, tried, direction, setup);
+    tried = cutSprint(tried, direction, share);
+    robot.use(tried);
+    const HeldSpeed held = holdSpeed(robot, fullSpeed(direction, 1), 20, 0.3);
+    say(fmt::format("{}: {:.1f} of the sprint holds, {:.3f}", taskNames[corner], share, held.speed));
+    if (!held.upright || held.speed <= fastest) continue;
+    fastest = held.speed;
+    best = tried;
+  }
+  return best;
+}
+
+WalkGaits chooseTogether(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup,
+                         const std::function<void(const std::string&)>& say) {
+  WalkGaits cut = gaits;
+  for (double share = 1; share > 0.05; share -= setup.sprintStep) {
+    cut = cutSprints(gaits, share);
+    const double falls = randomFalls(robot, cut, setup, setup.fallsPerMinute);
+    say(fmt::format("all sprints at {:.1f}: {:.3f} falls a minute{}", share, falls,
+                    falls > setup.fallsPerMinute ? " at least" : ""));
+    if (falls <= setup.fallsPerMinute) return cut;
+  }
+  return cutSprints(gaits, 0);
+}
+
+}  // namespace plumbline::walking

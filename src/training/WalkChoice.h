@@ -1,0 +1,57 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "training/WalkTrial.h"
+
+namespace plumbline::walking {
+
+/// The rule by which a walk is chosen from what searches found: the fastest of it that goes through all this
+/// without a single fall.
+struct ChoiceSetup {
+  std::uint64_t seed = 1;
+  double minutes = 20;           ///< of random requests, a minute from each stand
+  int tries = 24;                ///< of a sprint with interruptions, in which anything is asked for (tryWalk)
+  double trySeconds = 12;        ///< each
+  double push = 0.02;            ///< greatest push in those [m/s]
+  int holds = 2;                 ///< times a sprint is held, from a stand
+  double holdSeconds = 60;       ///< each
+  double sprintStep = 0.1;       ///< shares of a sprint that are tried: 1, 1 - sprintStep ..
+  double mixStep = 0.1;          ///< the same of the speeds that may be mixed, down to half of them
+  double fallsPerMinute = 0.05;  ///< at most under random requests, of the walk with its sprints
+};
+
+/// A sprint that ends earlier: the same way from the walk of mixtures towards the full speed of a direction,
+/// but only a share of it (0: no sprint, 1: all of it). Speeds on the way are walked as before. Throws
+/// std::invalid_argument for Task::mixture.
+WalkGaits cutSprint(const WalkGaits& gaits, Task direction, double share);
+/// All of them.
+WalkGaits cutSprints(const WalkGaits& gaits, double share);
+
+/// Speeds that may be mixed, all times this; full speeds as they are.
+WalkGaits slowMixture(const WalkGaits& gaits, double share);
+
+/// Falls per minute under random requests, at most about `enough`: it stops counting there.
+double randomFalls(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup, double enough);
+
+/// Whether the sprint of a direction is held and can be interrupted without a fall.
+bool sprintHolds(Walker& robot, const WalkGaits& gaits, Task direction, const ChoiceSetup& setup);
+
+/// The longest share of a sprint that holds; 0 if none does.
+double safeShare(Walker& robot, const WalkGaits& gaits, Task direction, const ChoiceSetup& setup);
+
+/// The mixture slowed down until random requests without sprints make no fall.
+WalkGaits chooseMixture(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup,
+                        const std::function<void(const std::string&)>& say);
+
+/// The fastest of several walks' sprints of a direction in the first walk, each cut to its safe share.
+WalkGaits chooseSprint(Walker& robot, const WalkGaits& gaits, const std::vector<WalkGaits>& others,
+                       Task direction, const ChoiceSetup& setup,
+                       const std::function<void(const std::string&)>& say);
+
+/// All sprints cut by the same share until random requests make no more falls than is allowed.
+WalkGaits chooseTogether(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup,
+                         const std::function<void(const std::string&)>& say);
+
+}  // namespace plumbline::walking

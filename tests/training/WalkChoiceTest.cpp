@@ -1,0 +1,90 @@
+#include "training/WalkChoice.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "training/WalkingRobot.h"
+
+namespace plumbline::walking {
+namespace {
+
+/// A slow walk whose sprint forward is three times as quick and higher.
+WalkGaits sprinter() {
+  WalkParameters base;
+  base.mixForward = 0.2;
+  base.maxForward = 0.6;
+  base.mixSideways = 0.1;
+  base.maxSideways = 0.3;
+  base.stepHeight = 0.02;
+  WalkGaits gaits(base);
+  gaits.corner[0].stepHeight = 0.04;
+  return gaits;
+}
+
+ChoiceSetup quick() {
+  ChoiceSetup setup;
+  setup.minutes = 1;
+  setup.tries = 2;
+  setup.trySeconds = 3;
+  setup.holds = 1;
+  setup.holdSeconds = 4;
+  return setup;
+}
+
+TEST(WalkChoice, aCutSprintGoesTheSameWayLessFar) {
+  const WalkGaits all = sprinter(), half = cutSprint(all, Task::forward, 0.5);
+  EXPECT_NEAR(half.base.maxForward, 0.4, 1e-12);
+  EXPECT_EQ(half.base.maxSideways, 0.3);
+  for (const double speed : {0.1, 0.2, 0.3, 0.4})
+    EXPECT_NEAR(half.at(Vec2(speed, 0), 0).stepHeight, all.at(Vec2(speed, 0), 0).stepHeight, 1e-12) << speed;
+  EXPECT_NEAR(half.at(Vec2(0.4, 0), 0).stepHeight, 0.03, 1e-12);
+}
+
+TEST(WalkChoice, nothingIsLeftOfASprintCutToNothing) {
+  const WalkGaits none = cutSprints(sprinter(), 0);
+  EXPECT_EQ(none.base.maxForward, 0.2);
+  EXPECT_EQ(none.base.maxSideways, 0.1);
+  EXPECT_EQ(none.corner[0].stepHeight, 0.02);
+  EXPECT_THROW(cutSprint(none, Task::mixture, 1), std::invalid_argument);
+}
+
+TEST(WalkChoice, aSlowerMixtureLeavesFullSpeedsAlone) {
+  const WalkGaits slow = slowMixture(sprinter(), 0.5);
+  EXPECT_EQ(slow.base.mixForward, 0.1);
+  EXPECT_EQ(slow.corner[2].mixSideways, 0.05);
+  EXPECT_EQ(slow.base.maxForward, 0.6);
+}
+
+TEST(WalkChoice, aSprintThatMakesTheRobotFallIsCutOrLeftAway) {
+  // Slow steps at 1.5 m/s: beyond what legs can do.
+  WalkGaits gaits = plainWalk();
+  for (WalkParameters* p :
+       {&gaits.base, &gaits.corner[0], &gaits.corner[1], &gaits.corner[2], &gaits.corner[3]}) {
+    p->mixForward = 0.1;
+    p->maxForward = 1.5;
+    p->maxStepForward = 0.3;
+    p->sprintRise = 1;
+  }
+  WalkingRobot robot(0, gaits);
+  const ChoiceSetup setup = quick();
+  EXPECT_FALSE(sprintHolds(robot, gaits, Task::forward, setup));
+  EXPECT_TRUE(sprintHolds(robot, cutSprint(gaits, Task::forward, 0), Task::forward, setup));
+  std::string said;
+  const WalkGaits chosen = chooseSprint(robot, gaits, {gaits}, Task::forward, setup,
+                                        [&](const std::string& line) { said += line; });
+  EXPECT_LT(chosen.base.maxForward, 1.5);
+  EXPECT_GE(chosen.base.maxForward, 0.1);
+  EXPECT_TRUE(sprintHolds(robot, chosen, Task::forward, setup));
+  EXPECT_NE(said.find("forward"), std::string::npos);
+}
+
+TEST(WalkChoice, theSameSeedChoosesTheSame) {
+  const WalkGaits gaits = plainWalk();
+  WalkingRobot robot(3, gaits), again(3, gaits);
+  const ChoiceSetup setup = quick();
+  EXPECT_EQ(randomFalls(robot, gaits, setup, 1), randomFalls(again, gaits, setup, 1));
+}
+
+}  // namespace
+}  // namespace plumbline::walking
