@@ -112,12 +112,12 @@ int main(int argc, char** argv) {
   CLI::App app(
       "Finds the walk of a robot type in the simulator with CMA-ES: parameters at full speed in each "
       "direction, then "
-      "speeds and feedback for any mixture.");
+      "speeds and feedback for any mixture, and the recovery from pushes.");
   app.add_option("--type", options.type, "robot type 0..4")->check(CLI::Range(0, 4))->capture_default_str();
   app.add_option("--robot", options.robot,
                  "instead of a type: a robot with position servos, by the name of its file in config/robots");
   app.add_option("--task", options.tasks,
-                 "what is searched for, in this order: forward, backward, sideways, turn, mixture")
+                 "what is searched for, in this order: forward, backward, sideways, turn, mixture, push")
       ->check(CLI::IsMember(std::vector<std::string>{taskNames.begin(), taskNames.end()}))
       ->capture_default_str();
   app.add_option("--generations", setup.generations, "of each search")
@@ -132,8 +132,9 @@ int main(int argc, char** argv) {
   app.add_option("--seconds", setup.trial.seconds, "of one try")
       ->check(CLI::Range(2.0, 600.0))
       ->capture_default_str();
-  app.add_option("--push", setup.trial.push, "greatest change of velocity by a push, one a second [m/s]")
-      ->check(CLI::Range(0.0, 1.0))
+  app.add_option("--push", setup.trial.push,
+                 "greatest change of velocity by a push, one a second, for the task push one a try [m/s]")
+      ->check(CLI::Range(0.0, 3.0))
       ->capture_default_str();
   app.add_option("--sigma", setup.sigma,
                  "how far from the start the first generation lies, in sensible steps")

@@ -10,6 +10,8 @@
 namespace plumbline::walking {
 namespace {
 
+constexpr const char* recoveryName = "recovery";
+
 struct Step {
   const char* name;
   double step;
@@ -27,6 +29,17 @@ constexpr Step feedback[] = {
     {"anklePitchRate", 0.01}, {"hipRollGain", 0.1},     {"hipPitchGain", 0.1},     {"hipRollRate", 0.01},
     {"hipPitchRate", 0.01},   {"stepForwardGain", 0.1}, {"stepSidewaysGain", 0.1}, {"swingLevel", 0.2},
     {"comForwardGain", 0.1},  {"comSidewaysGain", 0.1},
+};
+
+constexpr Step recovery[] = {
+    {"observationPosition", 0.2}, {"observationVelocity", 0.2}, {"observationSideways", 0.3},
+    {"observationBeside", 0.3},   {"swingMeasuredPitch", 0.3},  {"swingMeasuredRoll", 0.3},
+    {"torsoMeasured", 0.2},       {"maxStepForward", 0.03},     {"maxStepBackward", 0.03},
+    {"maxStepOutward", 0.03},     {"feetDistance", 0.01},       {"stepHeight", 0.006},
+    {"pendulumHeight", 0.03},     {"pendulumSideways", 0.03},   {"copForward", 0.01},
+    {"stepForwardGain", 0.2},     {"stepSidewaysGain", 0.2},    {"swingLevel", 0.3},
+    {"anklePitchGain", 0.15},     {"ankleRollGain", 0.15},      {"anklePitchRate", 0.015},
+    {"ankleRollRate", 0.015},     {"hipPitchGain", 0.15},       {"hipRollGain", 0.15},
 };
 
 const WalkParameterInfo* infoOf(const std::string& name) {
@@ -63,6 +76,13 @@ std::vector<Variable> variablesOf(Task task) {
     add("", "startDuration", 0.01);
     return variables;
   }
+  if (task == Task::push) {
+    for (const Step& s : recovery) add(recoveryName, s.name, s.step);
+    // Not when it begins to recover: with nothing but pushes that would be always.
+    add("", "recoverTime", 0.2);
+    add("", "captureMargin", 0.015);
+    return variables;
+  }
   const std::string corner = taskNames[static_cast<std::size_t>(task)];
   for (const Step& s : shape) add(corner, s.name, s.step);
   for (const Step& s : feedback) add(corner, s.name, s.step);
@@ -83,17 +103,24 @@ std::vector<Variable> variablesOf(Task task) {
       add("", "maxTurn", 0.4);
       break;
     case Task::mixture:
+    case Task::push:
       break;
   }
   return variables;
 }
 
 double valueOf(const WalkGaits& gaits, const Variable& variable) {
+  if (variable.section == recoveryName) return gaits.at(Vec2::Zero(), 0, 1).*variable.info->value;
   WalkGaits copy = gaits;
   return sectionOf(copy, variable.section).*variable.info->value;
 }
 
 void setValue(WalkGaits& gaits, const Variable& variable, double value) {
+  if (variable.section == recoveryName) {
+    std::erase_if(gaits.recovery, [&](const auto& other) { return other.first == variable.info; });
+    gaits.recovery.emplace_back(variable.info, std::clamp(value, variable.info->low, variable.info->high));
+    return;
+  }
   WalkParameters& section = sectionOf(gaits, variable.section);
   const double before = section.*variable.info->value;
   section.*variable.info->value = std::clamp(value, variable.info->low, variable.info->high);
@@ -118,6 +145,8 @@ double cost(Task task, const TrialResult& r) {
       return -r.speed / 2.5 + 0.5 * r.drift + 1.5 * r.falls;
     case Task::mixture:
       return -r.speed + 0.3 * r.falls;
+    case Task::push:
+      return r.falls;
   }
   return 0;
 }
@@ -221,6 +250,8 @@ std::string walkFile(const WalkGaits& gaits, const WalkParameters& common, const
       line("  ", info, value);
     }
   }
+  if (!gaits.recovery.empty()) text += std::string(recoveryName) + ":\n";
+  for (const auto& [info, value] : gaits.recovery) line("  ", *info, value);
   return text;
 }
 

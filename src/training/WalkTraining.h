@@ -8,7 +8,8 @@
 
 namespace plumbline::walking {
 
-/// One number of the walk that is searched: a parameter of the base (section "") or of a corner.
+/// One number of the walk that is searched: a parameter of the base (section ""), of a corner or of the
+/// recovery from pushes.
 struct Variable {
   std::string section;
   const WalkParameterInfo* info;
@@ -16,7 +17,7 @@ struct Variable {
 };
 
 /// What is searched for a task: the corner of a direction with its speed and acceleration; for the mixture
-/// the accelerations, the feedback and the speeds.
+/// the accelerations, the feedback and the speeds; for pushes the recovery.
 std::vector<Variable> variablesOf(Task task);
 
 double valueOf(const WalkGaits& gaits, const Variable& variable);

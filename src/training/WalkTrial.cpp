@@ -140,6 +140,32 @@ TrialResult tryMixture(Walker& robot, const WalkParameters& p, const TrialSetup&
   return result;
 }
 
+/// One push of 0.1 s while standing, stepping or walking, from anywhere; falls count the more the smaller it
+/// was, the hardest by half as much as the mean.
+TrialResult tryPushes(Walker& robot, const WalkParameters& p, const TrialSetup& setup) {
+  TrialResult result;
+  for (int i = 0; i < setup.tries; ++i) {
+    Random random(setup.seed * 1000 + static_cast<std::uint64_t>(i));
+    WalkRequest request;
+    if (i % 3 == 1) request = {Vec2::Zero(), 0, true};
+    if (i % 3 == 2) {
+      request = random.uniform() < 0.5 ? WalkRequest{Vec2(0.3, 0), 0, true} : anyRequest(random, p);
+      request.walk = true;
+    }
+    const double share = (i + random.uniform()) / setup.tries, direction = random.uniform(-pi, pi);
+    const auto cycles = static_cast<int>(std::lround(0.1 / robot.cycle));
+    const double change = setup.push * share / cycles;
+    robot.restart();
+    bool upright = robot.run({}, 0.3) && robot.run(request, random.uniform(1.5, 2.2));
+    for (int j = 0; upright && j < cycles; ++j) {
+      robot.push(change * Vec3(std::cos(direction), std::sin(direction), 0));
+      upright = robot.step(request);
+    }
+    if (!upright || !robot.run(request, 3)) result.falls += (1.5 - share) / setup.tries;
+  }
+  return result;
+}
+
 }  // namespace
 
 WalkRequest fullSpeed(Task task, double sign) {
@@ -153,6 +179,7 @@ WalkRequest fullSpeed(Task task, double sign) {
       return {Vec2(0, sign * enough), 0, true};
     case Task::turn:
     case Task::mixture:
+    case Task::push:
       return {Vec2::Zero(), sign * enough, true};
   }
   return {};
@@ -178,6 +205,7 @@ HeldSpeed holdSpeed(Walker& robot, const WalkRequest& request, double seconds, d
 TrialResult tryWalk(Walker& robot, const WalkGaits& gaits, Task task, const TrialSetup& setup) {
   robot.use(gaits);
   if (task == Task::mixture) return tryMixture(robot, gaits.base, setup);
+  if (task == Task::push) return tryPushes(robot, gaits.base, setup);
   TrialResult result;
   int fallen = 0;
   for (int i = 0; i < setup.tries; ++i) {

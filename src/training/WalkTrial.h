@@ -6,14 +6,15 @@
 namespace plumbline::walking {
 
 /// What a walk is tried for.
-enum class Task { forward, backward, sideways, turn, mixture };
-inline constexpr std::array<const char*, 5> taskNames{"forward", "backward", "sideways", "turn", "mixture"};
+enum class Task { forward, backward, sideways, turn, mixture, push };
+inline constexpr std::array<const char*, 6> taskNames{"forward", "backward", "sideways",
+                                                      "turn",    "mixture",  "push"};
 
 /// How a walk did in a number of tries.
 struct TrialResult {
   double speed =
       0;  ///< mean along the request, 0 from a fall on; turning [rad/s], mixture: share of the request
-  double falls = 0;     ///< per try; mixture: per minute
+  double falls = 0;     ///< per try; mixture: per minute; push: per try, a small push counting more
   double odometry = 0;  ///< mixture: error of the told way per metre
   double drift = 0;     ///< speed across the request, or away while turning [m/s]
 };
@@ -22,7 +23,8 @@ struct TrialSetup {
   std::uint64_t seed = 1;
   int tries = 10;
   double seconds = 6;     ///< of one try
-  double push = 0.1;      ///< greatest change of the body's velocity by a push, about one a second [m/s]
+  double push = 0.1;      ///< greatest change of the body's velocity by a push, about one a second, or
+                          ///< where pushes are the task the one of a try [m/s]
   bool stopEarly = true;  ///< gives up when the first tries all end in falls, counting the rest as such
 };
 

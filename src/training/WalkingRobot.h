@@ -33,12 +33,15 @@ inline WalkGaits withoutFeedback(WalkGaits gaits) {
       const bool gain = name.ends_with("Gain") || name.ends_with("Rate") ||
                         name.starts_with("observationP") || name.starts_with("observationV") ||
                         name == "swingLevel" || name == "contactShare" || name == "tiltBrake" ||
-                        name == "torsoMeasured";
+                        name == "torsoMeasured" || name.starts_with("swingMeasured");
       if (gain) p.*info.value = 0;
     }
   };
   open(gaits.base);
   for (WalkParameters& corner : gaits.corner) open(corner);
+  gaits.recovery.clear();
+  gaits.base.recoverFull = 0;
+  gaits.base.captureMargin = 1;
   return gaits;
 }
 

@@ -36,6 +36,12 @@ void BodyCommand::update(const WalkState& state, bool stepping, const SwingTraje
     foot.height = swing.height * swing.lift(phase);
     foot.pitch = p.swingPitch * swing.lift(phase) - p.swingLevel * tilt.angle.y();
     foot.roll = -p.swingLevel * tilt.angle.x();
+    // The body has turned about its mass, and the foot with it.
+    const Vec2 turned = tilt.angle.cwiseProduct(Vec2(p.swingMeasuredRoll, p.swingMeasuredPitch));
+    const Vec3 place(foot.ground.x(), foot.ground.y(), foot.height - posture.comHeight());
+    const Vec3 meant = (rotationX(-turned.x()) * rotationY(-turned.y())).linear() * place;
+    foot.ground.position = meant.head<2>();
+    foot.height = meant.z() + posture.comHeight();
   }
   posture.solve(feet, carriage(state, stepping, phase, lean, tilt, p), angles_);
   for (const Side side : {Side::left, Side::right}) {

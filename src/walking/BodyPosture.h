@@ -35,6 +35,8 @@ public:
 
   /// Where solve() put the torso: its frame in that of the centre of mass (z from the ground).
   const Pose3& torso() const { return T_com_torso; }
+  /// Of the centre of mass over the ground there [m].
+  double comHeight() const { return (T_com_torso * kinematics.com()).z(); }
   const LegKinematics& leg(Side side) const { return legs[index(side)]; }
   /// Forgets the last result.
   void reset() { offset.setZero(); }

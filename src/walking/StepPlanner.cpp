@@ -149,6 +149,22 @@ WalkAction StepPlanner::stand(const WalkState& state, double duration) const {
   return action;
 }
 
+bool StepPlanner::canHold(const WalkState& state, double margin) const {
+  // Where the pressure would have to be to stop the mass: the model's, whatever it is, tried with a pressure
+  // under the mass and with one beside it.
+  WalkState both = state;
+  both.support = Support::both;
+  WalkAction action;
+  action.duration = 1;
+  const PlanarRoot root = findPlanarRoot(
+      [&](const Vec2& pressure) {
+        action.centerOfPressure = pressure;
+        return model.predict(both, action).velocity;
+      },
+      Vec2::Zero(), velocityThreshold, maxIterations);
+  return !root.x.allFinite() || (root.x - limitPressure(state, root.x, 1)).norm() <= margin;
+}
+
 bool StepPlanner::canStand(const WalkState& state) const {
   // Tried out with the model, with pressure kept for what the model does not know.
   constexpr double cycle = 0.04, patience = 0.8, calm = 0.03;  // [s, s, m/s]

@@ -37,6 +37,10 @@ public:
   /// Whether stand() can hold the robot if both feet carried from now on.
   bool canStand(const WalkState& state) const;
 
+  /// Whether the capture point of a state on both feet is at most `margin` [m] outside the rectangle in which
+  /// the pressure may be.
+  bool canHold(const WalkState& state, double margin) const;
+
   /// The step target moved to where the body allows it; support: the carrying foot in the same frame.
   Pose2 limitTarget(const Pose2& target, const Pose2& support, Side swing) const;
 

@@ -25,16 +25,19 @@ void VelocityFilter::reset(const Vec2& velocity) {
 void VelocityFilter::predict(const WalkModel& model, const WalkState& before, const WalkAction& action,
                              double dt, const VelocityEvidence& evidence) {
   const Eigen::Rotation2Dd turned(action.duration > 0 ? -action.turn * dt / action.duration : 0);
-  // What the feet do not feel, a push by another robot, some particles have to find.
-  constexpr double strayShare = 0.1;
-  const auto strays = static_cast<std::size_t>(strayShare * static_cast<double>(particles.size()));
+  // What the feet do not feel, a push by another robot, some particles have to find: the strays in what is
+  // seen, as many others about what was known.
+  const std::size_t strays = numStrays(evidence);
   WalkState state = before;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     before_[i] = turned * particles[i];
     double noise = parameters.modelNoise;
-    if (evidence.change) {
+    if (i < strays) {
+      particles[i] = *evidence.seen;
+      noise = parameters.slipNoise;
+    } else if (evidence.change) {
       particles[i] = before_[i] + *evidence.change;
-      if (i >= strays) noise = parameters.forceNoise;
+      if (i >= 2 * strays) noise = parameters.forceNoise;
     } else {
       state.velocity = particles[i];
       particles[i] = model.move(state, action, dt).velocity;
@@ -43,10 +46,18 @@ void VelocityFilter::predict(const WalkModel& model, const WalkState& before, co
   }
 }
 
+/// So many particles take the velocity that is seen, whatever was known before.
+std::size_t VelocityFilter::numStrays(const VelocityEvidence& evidence) const {
+  constexpr double share = 0.1;
+  if (!evidence.change || !evidence.seen) return 0;
+  return static_cast<std::size_t>(share * static_cast<double>(particles.size()));
+}
+
 const Vec2& VelocityFilter::update(const WalkModel& model, const WalkState& before, const WalkAction& action,
                                    double dt, const VelocityEvidence& evidence) {
   predict(model, before, action, dt, evidence);
   const bool forces = evidence.change.has_value();
+  const std::size_t strays = numStrays(evidence);
   const double noise = forces ? parameters.slipNoise : parameters.footNoise;
   double total = 0;
   Vec2 sum = Vec2::Zero();
@@ -56,6 +67,8 @@ const Vec2& VelocityFilter::update(const WalkModel& model, const WalkState& befo
       // Student's t with three degrees of freedom: a foot that slides is an outlier.
       const double miss = (particles[i] - *evidence.seen).squaredNorm() / (3 * noise * noise);
       weights[i] = 1 / ((1 + miss) * (1 + miss));
+      // A foot that slides for a cycle is more common than a push; what lasts is believed in the next one.
+      if (i < strays) weights[i] *= parameters.pushOdds;
     } else if (evidence.seen) {
       const double miss = ((before_[i] + particles[i]) / 2 - *evidence.seen).squaredNorm();
       weights[i] = std::exp(-miss / (2 * noise * noise));

@@ -16,6 +16,7 @@ struct VelocityFilterParameters {
   double footNoise = 0.025;  ///< of the velocity seen in the supporting foot's movement [m/s]
   double forceNoise = 0.01;  ///< of the change of velocity in one cycle, by the ground's forces [m/s]
   double slipNoise = 0.03;   ///< of the velocity seen in the movement of what touches the ground [m/s]
+  double pushOdds = 0.001;   ///< that what is seen and not felt is a push, not a foot that slides
   std::uint64_t seed = 1;
 };
 
@@ -46,6 +47,7 @@ public:
 private:
   void predict(const WalkModel& model, const WalkState& before, const WalkAction& action, double dt,
                const VelocityEvidence& evidence);
+  std::size_t numStrays(const VelocityEvidence& evidence) const;
   void resample(double total);
 
   VelocityFilterParameters parameters;

@@ -6,6 +6,7 @@
 #include "walking/Approach.h"
 #include "walking/BodyCommand.h"
 #include "walking/ClosedLoop.h"
+#include "walking/Disturbance.h"
 #include "walking/FallGuard.h"
 #include "walking/KickStep.h"
 #include "walking/LinearInvertedPendulum.h"
@@ -58,6 +59,7 @@ public:
     tilt = {};
     contact.reset();
     fall.reset();
+    disturbance.reset();
     motion = {};
     loop.reset();
     recorder.reset();
@@ -68,6 +70,8 @@ public:
   }
 
   const WalkOutput& stand() const { return standing; }
+  double recovering() const { return disturbance.share(); }
+  const Vec2& capturePointError() const { return disturbance.capturePoint(); }
 
   WalkOutput update(const WalkRequest& asked, const WalkSensors& sensors) {
     const WalkRequest request = withTarget(asked);
@@ -152,6 +156,11 @@ private:
     const double calm = std::clamp(1 - p.tiltBrake * tilt.excess.norm(), 0.0, 1.0);
     speed.update(goal, request.walk ? request.turn : 0, p, calm, dt);
     useGait();
+    aim();
+  }
+
+  /// The walk of the speed aimed at.
+  void aim() {
     const double duration = kick.prepared ? p.kickDuration : p.stepDuration;
     reference = findReferenceTrajectory(model, {planned(), speed.turn(), duration, p.feetDistance,
                                                 Vec2(p.copForward, p.copOutward) - model.balance()});
@@ -159,7 +168,7 @@ private:
 
   /// The parameters of the speed walked now.
   void useGait() {
-    p = gaits.at(speed.velocity(), speed.turn());
+    p = gaits.at(speed.velocity(), speed.turn(), disturbance.share());
     model = LinearInvertedPendulum(Vec2(p.pendulumHeight, p.pendulumHeight + p.pendulumSideways),
                                    Vec2(p.copForward, p.copOutward), fit);
     StepLimits limits = limitsOf(p, body.leg(Side::left));
@@ -177,17 +186,25 @@ private:
         loop.observed().state(),
         {Vec2(p.pendulumHeight, p.pendulumHeight + p.pendulumSideways), Vec2(p.copForward, p.copOutward)},
         sensors.dt);
-    const auto pivot = [](const WalkState& s) {
-      return s.support == Support::both ? Vec2((s.foot[0].position + s.foot[1].position) / 2)
-                                        : s.supportFoot().position;
-    };
-    // No more in a cycle than a foot may slide.
-    constexpr double most = 0.01;  // [m]
-    Vec2 shift = p.observationPosition * (pivot(*expected) - pivot(state));
+    disturbance.update(state, *expected, phase, p.pendulumHeight, p, sensors.dt);
+    // No more in a cycle than a foot may slide, or than the body can have tilted.
+    const double most = 0.01 + 0.03 * disturbance.share();  // [m]
+    Vec2 shift = p.observationPosition * disturbance.foot().cwiseProduct(Vec2(1, p.observationBeside));
     if (shift.norm() > most) shift *= most / shift.norm();
     for (Pose2& foot : state.foot) foot.position += shift;
     motion = Pose2(Vec2(-shift));
-    state.velocity += p.observationVelocity * (expected->velocity - state.velocity);
+    state.velocity +=
+        p.observationVelocity * disturbance.velocity().cwiseProduct(Vec2(1, p.observationSideways));
+    if (mode == Mode::stand && !planner.canHold(*expected, p.captureMargin)) captureStep();
+  }
+
+  /// Standing cannot hold what was observed: the foot on the side of the capture point carries, the other one
+  /// steps.
+  void captureStep() {
+    speed.reset();
+    aim();
+    beginStep(disturbance.capturePoint().y() > 0 ? Side::left : Side::right);
+    loop.land({}, state.support);
   }
 
   double lean() const { return p.torsoPitch + p.torsoPitchForward * speed.velocity().x(); }
@@ -335,6 +352,7 @@ private:
   TorsoTilt tilt;
   SupportSwitch contact;
   FallGuard fall;
+  Disturbance disturbance;
   double elapsed = 0;  ///< of the step or of the shift before the first one [s]
   double phase = 0;
   Side first = Side::left;  ///< carries in the first step
@@ -374,6 +392,8 @@ const WalkState& WalkEngine::observed() const { return implementation->loop.obse
 Vec2 WalkEngine::seenVelocity() const { return implementation->loop.observed().seenVelocity(); }
 const WalkParameters& WalkEngine::gait() const { return implementation->p; }
 Vec2 WalkEngine::imuDifference() const { return implementation->loop.observed().imuDifference(); }
+double WalkEngine::recovering() const { return implementation->recovering(); }
+const Vec2& WalkEngine::capturePointError() const { return implementation->capturePointError(); }
 const ReferenceTrajectory& WalkEngine::reference() const { return implementation->reference; }
 void WalkEngine::setModelParameters(const ModelParameters& parameters) { implementation->fit = parameters; }
 const ModelParameters& WalkEngine::modelParameters() const { return implementation->fit; }

@@ -80,6 +80,10 @@ public:
   const WalkParameters& gait() const;
   /// Mean difference of the torso's roll and pitch by IMU and by the supporting legs [rad].
   Vec2 imuDifference() const;
+  /// How much of the walk is recovery from a push, 0 .. 1, and how far the observed capture point is from its
+  /// usual place [m].
+  double recovering() const;
+  const Vec2& capturePointError() const;
   /// The walk that is aimed at.
   const ReferenceTrajectory& reference() const;
 

@@ -6,7 +6,7 @@
 
 namespace plumbline::walking {
 
-WalkParameters WalkGaits::at(const Vec2& velocity, double turn) const {
+WalkParameters WalkGaits::at(const Vec2& velocity, double turn, double recovering) const {
   // What may be mixed is walked with the base.
   const auto beyond = [](double speed, double mix, double full) {
     const double from = mix > 0 ? std::min(mix, full) : 0;
@@ -27,18 +27,25 @@ WalkParameters WalkGaits::at(const Vec2& velocity, double turn) const {
     const double spot = value;
     for (std::size_t i = 0; i < numCorners; ++i) value += share[i] * (corner[i].*info.value - spot);
   }
+  if (recovering > 0)
+    for (const auto& [info, wanted] : recovery) {
+      double& value = blended.*info->value;
+      value += recovering * (wanted - value);
+    }
   return blended;
 }
 
 void WalkGaits::check() const {
   base.check();
-  for (std::size_t i = 0; i < numCorners; ++i) {
+  const auto checkPart = [](const std::string& name, const WalkParameters& part) {
     try {
-      corner[i].check();
+      part.check();
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(std::string(cornerNames[i]) + ": " + error.what());
+      throw std::invalid_argument(name + ": " + error.what());
     }
-  }
+  };
+  for (std::size_t i = 0; i < numCorners; ++i) checkPart(cornerNames[i], corner[i]);
+  checkPart("recovery", at(Vec2::Zero(), 0, 1));
 }
 
 }  // namespace plumbline::walking

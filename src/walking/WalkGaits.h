@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "math/Types.h"
 #include "walking/WalkParameters.h"
@@ -17,14 +19,16 @@ struct WalkGaits {
 
   WalkParameters base;
   std::array<WalkParameters, numCorners> corner;
+  /// What is different while the robot recovers from a push, whatever it was doing.
+  std::vector<std::pair<const WalkParameterInfo*, double>> recovery;
 
   WalkGaits() = default;
   /// The same at all speeds.
   explicit WalkGaits(const WalkParameters& all) : base(all) { corner.fill(all); }
 
   /// The parameters at a velocity [m/s, rad/s]; those that hold for the whole walk (WalkParameterInfo::blends
-  /// false) are the base's.
-  WalkParameters at(const Vec2& velocity, double turn) const;
+  /// false) are the base's. recovering: share of what is different in recovery, 0 .. 1.
+  WalkParameters at(const Vec2& velocity, double turn, double recovering = 0) const;
 
   /// Throws std::invalid_argument for the first parameter out of its range, corners with their name before
   /// it.
@@ -33,7 +37,8 @@ struct WalkGaits {
 
 /// Reads gaits from a section of a config file (framework/ConfigSection.h, or what has its get and find):
 /// every parameter must be there; below a key "forward", "backward", "sideways" or "turn" stands what is
-/// different at full speed in that direction. Errors are the section's.
+/// different at full speed in that direction, below "recovery" what is while recovering. Errors are the
+/// section's.
 template <class Section>
 WalkGaits readWalkGaits(const Section& file) {
   WalkParameters base;
@@ -47,6 +52,12 @@ WalkGaits readWalkGaits(const Section& file) {
       if (const auto value = file.template find<double>(key, {info.low, info.high}))
         gaits.corner[i].*info.value = *value;
     }
+  for (const WalkParameterInfo& info : walkParameterTable()) {
+    if (!info.blends) continue;
+    if (const auto value =
+            file.template find<double>(std::string("recovery.") + info.name, {info.low, info.high}))
+      gaits.recovery.emplace_back(&info, *value);
+  }
   return gaits;
 }
 

@@ -85,7 +85,18 @@ struct WalkParameters {
   double observationDelay = 0.04;  ///< between a command and the measurement that shows it [s]
   double observationPosition = 0;  ///< share of the observed error of the feet taken over in a cycle
   double observationVelocity = 0;  ///< the same of the velocity
+  double observationSideways = 1;  ///< times this in the velocity sideways
+  double observationBeside = 1;    ///< and this in the place of the feet sideways
   double imuAverage = 0;           ///< time over which IMU and legs are compared, 0: the IMU is right [s]
+
+  // Recovery from a push: how far the capture point is off its usual place
+  double usualAverage = 0;        ///< time over which an error of the model is taken as usual, 0: none is [s]
+  double recoverFrom = 0.03;      ///< from here on the walk recovers (WalkGaits::recovery) [m]
+  double recoverFull = 0;         ///< and does nothing else; not above recoverFrom: never [m]
+  double recoverTime = 0.5;       ///< until it walks as before [s]
+  double captureMargin = 1;       ///< standing: steps when the capture point is so far outside the soles [m]
+  double swingMeasuredPitch = 0;  ///< share of the measured tilt that the swing foot is placed for
+  double swingMeasuredRoll = 0;   ///< the same
 
   // Force sensors: when a step ends
   double contactShare = 0;  ///< of the weight on the swing foot that makes it carry, 0: steps end as planned

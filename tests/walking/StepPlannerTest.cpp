@@ -38,6 +38,23 @@ TEST_F(StepPlannerTest, onTheReferenceItPlansTheReference) {
   }
 }
 
+TEST_F(StepPlannerTest, canHoldWhatTheSolesReach) {
+  const double rate = std::sqrt(9.81 / 0.25);
+  WalkState state = standing();
+  EXPECT_TRUE(planner.canHold(state, 0));
+  // The capture point is as far ahead as the velocity over the pendulum's rate: 5 cm are on the soles.
+  state.velocity.x() = 0.048 * rate;
+  EXPECT_TRUE(planner.canHold(state, 0));
+  state.velocity.x() = 0.06 * rate;
+  EXPECT_FALSE(planner.canHold(state, 0));
+  EXPECT_TRUE(planner.canHold(state, 0.02));
+  // Sideways both feet hold.
+  state.velocity = Vec2(0, -0.07 * rate);
+  EXPECT_TRUE(planner.canHold(state, 0));
+  state.velocity = Vec2(0, -0.08 * rate);
+  EXPECT_FALSE(planner.canHold(state, 0));
+}
+
 TEST_F(StepPlannerTest, planningAgainInTheMiddleOfAStepChangesNothing) {
   const ReferenceTrajectory reference = walking(Vec2(0.4, 0));
   const WalkAction whole = planner.step(reference.begin[1], 0, reference);

@@ -56,6 +56,30 @@ TEST(VelocityFilter, aPushIsSeenWithinThreeCycles) {
   EXPECT_NEAR((watched.filter.velocity() - watched.truth.velocity).norm(), 0, 0.05);
 }
 
+/// A robot that stands with this velocity [m/s]: no force changes it, and this is seen of it.
+Vec2 told(VelocityFilter& filter, const Vec2& seen) {
+  static const LinearInvertedPendulum model(0.25);
+  WalkAction action;
+  action.duration = dt;
+  return filter.update(model, {}, action, dt, {.change = Vec2(0, 0), .seen = seen});
+}
+
+TEST(VelocityFilter, aPushThatTheFeetDoNotFeelIsBelievedWhenItLasts) {
+  VelocityFilter filter;
+  for (int i = 0; i < 5; ++i) told(filter, Vec2(0, 0));
+  // 0.1 m/s in each cycle for 0.1 s: seen, not felt.
+  for (int i = 1; i <= 5; ++i) told(filter, Vec2(0.1 * i, 0));
+  for (int i = 0; i < 2; ++i) told(filter, Vec2(0.5, 0));
+  EXPECT_NEAR(told(filter, Vec2(0.5, 0)).x(), 0.5, 0.03);
+}
+
+TEST(VelocityFilter, aFootThatSlidesForACycleIsNoPush) {
+  VelocityFilter filter;
+  for (int i = 0; i < 5; ++i) told(filter, Vec2(0.2, 0));
+  EXPECT_NEAR(told(filter, Vec2(0.4, 0.1)).x(), 0.2, 0.03);
+  EXPECT_NEAR(told(filter, Vec2(0.2, 0)).x(), 0.2, 0.03);
+}
+
 TEST(VelocityFilter, knowsMoreThanTheFootShows) {
   // A foot whose movement is seen badly: the model makes up for it.
   Watched watched(Vec2(0.2, 0), 500);

@@ -66,6 +66,24 @@ TEST(WalkGaits, aBadValueIsNamedWithItsCorner) {
   }
 }
 
+TEST(WalkGaits, recoveryIsBlendedOverWhateverIsWalked) {
+  WalkGaits gaits = someGaits();
+  for (const WalkParameterInfo& info : walkParameterTable())
+    if (std::string(info.name) == "stepHeight") gaits.recovery.emplace_back(&info, 0.05);
+  const double plain = gaits.at(Vec2(1, 0), 0).stepHeight;
+  EXPECT_DOUBLE_EQ(gaits.at(Vec2(1, 0), 0, 1).stepHeight, 0.05);
+  EXPECT_NEAR(gaits.at(Vec2(1, 0), 0, 0.5).stepHeight, (plain + 0.05) / 2, 1e-12);
+  // What is not named there stays as it was.
+  EXPECT_DOUBLE_EQ(gaits.at(Vec2(1, 0), 0, 1).hipHeight, gaits.at(Vec2(1, 0), 0).hipHeight);
+  gaits.recovery[0].second = 5;
+  try {
+    gaits.check();
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "recovery: walking parameter stepHeight = 5 must be 0.001 to 0.1");
+  }
+}
+
 TEST(WalkGaits, aCornersMissingKeyIsTheBases) {
   const ConfigFile file("walking", {"config", "config/robots/type0"});
   const WalkGaits gaits = readWalkGaits(file.root());
