@@ -30,6 +30,7 @@ Direction directionOf(Task task) {
     case Task::turn:
       return {&WalkParameters::maxTurn, &WalkParameters::mixTurn};
     case Task::mixture:
+    case Task::push:
       break;
   }
   throw std::invalid_argument("a mixture of directions has no sprint");
