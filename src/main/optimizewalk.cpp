@@ -50,16 +50,17 @@ void chooseAll(Options& options, WalkGaits gaits, const std::function<void(const
   const std::unique_ptr<Walker> robot = setup.walker(gaits);
   const auto tell = [&](const std::string& line) { say(setup.robot + ", " + line); };
   gaits = chooseMixture(*robot, gaits, options.choice, tell);
+  WalkGaits chosen = cutSprints(gaits, 0);
   for (const std::string& name : options.tasks) {
     setup.task = taskOf(name);
     if (setup.task == Task::mixture) continue;
     std::vector<WalkGaits> sprints{gaits};
     if (std::ranges::find(options.searched, name) != options.searched.end())
       sprints.push_back(train(gaits, setup, [](const std::string& line, const WalkGaits&) { say(line); }));
-    gaits = chooseSprint(*robot, gaits, sprints, setup.task, options.choice, tell);
-    write(gaits);
+    chosen = chooseSprint(*robot, chosen, sprints, setup.task, options.choice, tell);
+    write(chosen);
   }
-  write(chooseTogether(*robot, gaits, options.choice, tell));
+  write(chooseTogether(*robot, chosen, options.choice, tell));
 }
 
 void run(Options& options) {

@@ -136,7 +136,7 @@ WalkGaits chooseSprint(Walker& robot, const WalkGaits& gaits, const std::vector<
                        const std::function<void(const std::string&)>& say) {
   const Direction d = directionOf(direction);
   const auto corner = static_cast<std::size_t>(direction);
-  WalkGaits best = cutSprint(gaits, direction, 0);
+  WalkGaits best = gaits;
   double fastest = 0;
   for (std::size_t i = 0; i < others.size(); ++i) {
     const WalkGaits& other = others[i];

@@ -45,7 +45,8 @@ double safeShare(Walker& robot, const WalkGaits& gaits, Task direction, const Ch
 WalkGaits chooseMixture(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup,
                         const std::function<void(const std::string&)>& say);
 
-/// The fastest of several walks' sprints of a direction in the first walk, each cut to its safe share.
+/// The first walk with the fastest of several walks' sprints of a direction, each cut to its safe share;
+/// without if none is quicker than nothing.
 WalkGaits chooseSprint(Walker& robot, const WalkGaits& gaits, const std::vector<WalkGaits>& others,
                        Task direction, const ChoiceSetup& setup,
                        const std::function<void(const std::string&)>& say);

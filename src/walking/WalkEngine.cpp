@@ -85,7 +85,10 @@ public:
     advance(request, sensors.dt);
     loop.endCycle();
     place(sensors.angles);
-    return output(odometry.update(motion, body.torsoOnGround(), mode == Mode::walk, p, sensors.dt));
+    // At rest the velocity's noise is no motion.
+    std::optional<Pose2> observed;
+    if (sensors.feet && !(mode == Mode::stand && atRest())) observed = loop.observed().torsoMotion();
+    return output(odometry.update(motion, body.torsoOnGround(), mode == Mode::walk, p, sensors.dt, observed));
   }
 
   WalkOutput output(const Pose2& moved) const {

@@ -16,6 +16,8 @@ void WalkObserver::reset() {
   begun = false;
   difference.setZero();
   observed = {};
+  torsoPlace.setZero();
+  torsoMoved = {};
   filter.reset();
   contacts.reset();
 }
@@ -47,6 +49,9 @@ void WalkObserver::update(const WalkSensors& sensors, Support support, const Wal
     observed.foot[i] = Pose2(Vec2(position.head<2>()), std::atan2(ahead.y(), ahead.x()));
   }
   observed.support = support;
+  const Vec2 placeBefore = torsoPlace;
+  torsoPlace = -(upright * kinematics.com()).head<2>();
+  torsoMoved = {};
   if (!begun) {
     begun = true;
     if (sensors.feet) contacts.update(kinematics, upright, 0, *sensors.feet, sensors.dt);
@@ -66,6 +71,8 @@ void WalkObserver::update(const WalkSensors& sensors, Support support, const Wal
   WalkState start = before;
   start.support = support;
   observed.velocity = filter.update(model, start, passed, sensors.dt, evidence);
+  torsoMoved = Pose2(placeBefore).inverse() * Pose2(Vec2(sensors.dt * observed.velocity), passed.turn) *
+               Pose2(torsoPlace);
 }
 
 /// The velocity seen in the commanded feet, which are taken to stand still; returns their turn under the

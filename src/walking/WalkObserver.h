@@ -31,6 +31,10 @@ public:
   /// alone, last cycle [m/s].
   const Vec2& seenVelocity() const { return seen; }
 
+  /// Motion of the torso's ground frame in the last cycle: of the centre of mass by the velocity told, of the
+  /// torso over it by the joints, of the heading by the gyrometer, in that frame.
+  const Pose2& torsoMotion() const { return torsoMoved; }
+
 private:
   Vec2 legAngles(Support support) const;
   double watchFeet(const WalkState& before, Support support, double dt);
@@ -43,6 +47,8 @@ private:
   VelocityFilter filter;
   WalkState observed;
   Vec2 angles = Vec2::Zero(), difference = Vec2::Zero(), seen = Vec2::Zero();
+  Vec2 torsoPlace = Vec2::Zero();  ///< over the ground in the frame of the centre of mass [m]
+  Pose2 torsoMoved;
   bool begun = false;
 };
 

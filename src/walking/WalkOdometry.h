@@ -1,13 +1,15 @@
 #pragma once
 #include <cmath>
 #include <deque>
+#include <optional>
 
 #include "math/Pose2.h"
 #include "walking/WalkParameters.h"
 
 namespace plumbline::walking {
 
-/// Odometry of what is commanded, told when it can be measured.
+/// Odometry of what is commanded, told when it can be measured; or, where the velocity is known from the
+/// feet, of what was observed (odometryMeasured).
 class WalkOdometry {
 public:
   void reset(const Pose2& T_com_torso) {
@@ -15,10 +17,11 @@ public:
     underway.clear();
   }
   /// A cycle of dt [s] in which the frame of the centre of mass moved by `motion`, with the torso's ground
-  /// frame in it at the end. Returns the motion of the torso's ground frame that has taken effect, in that
-  /// frame.
+  /// frame in it at the end; observed: the motion of the torso's ground frame in the last cycle, where it is
+  /// known (WalkObserver::torsoMotion). Returns the motion of the torso's ground frame that has taken effect,
+  /// in that frame.
   Pose2 update(const Pose2& motion, const Pose2& T_com_torso, bool walking, const WalkParameters& p,
-               double dt) {
+               double dt, const std::optional<Pose2>& observed = std::nullopt) {
     Pose2 moved = torso.inverse() * motion * T_com_torso;
     torso = T_com_torso;
     if (walking) moved.position.x() -= p.trimForward * dt;
@@ -28,7 +31,10 @@ public:
     const auto delay = static_cast<std::size_t>(std::lround(p.odometryDelay / dt));
     Pose2 told;
     for (; underway.size() > delay; underway.pop_front()) told = told * underway.front();
-    return told;
+    if (!observed) return told;
+    const double share = p.odometryMeasured;
+    return Pose2(Vec2(told.position + share * (observed->position - told.position)),
+                 told.heading + share * (observed->heading - told.heading));
   }
 
 private:

@@ -104,6 +104,7 @@ constexpr WalkParameterInfo table[] = {
     {"elbowYaw", &WalkParameters::elbowYaw, -2, 2},
     {"elbowRoll", &WalkParameters::elbowRoll, -0.01, 1.57},
     {"odometryDelay", &WalkParameters::odometryDelay, 0, 0.2, false},
+    {"odometryMeasured", &WalkParameters::odometryMeasured, 0, 1, false},
     {"odometryForward", &WalkParameters::odometryForward, 0.1, 3},
     {"odometrySideways", &WalkParameters::odometrySideways, 0.1, 3},
     {"odometryTurn", &WalkParameters::odometryTurn, 0.1, 3},

@@ -129,6 +129,7 @@ struct WalkParameters {
 
   // Odometry: walked over planned
   double odometryDelay = 0.04;  ///< between a joint target and the measurement that shows it [s]
+  double odometryMeasured = 0;  ///< share of the observed motion in it, where the feet's forces are felt
   double odometryForward = 1, odometrySideways = 1, odometryTurn = 1;
 
   /// Throws std::invalid_argument "walking parameter X = V must be A to B" for the first one out of its

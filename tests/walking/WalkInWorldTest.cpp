@@ -71,6 +71,32 @@ TEST_P(WalkInWorld, odometryFitsTheWay) {
   EXPECT_NEAR(told.x() / way.x(), 1, 0.06);
 }
 
+TEST_P(WalkInWorld, whatWasObservedTellsTheWayBetterThanWhatWasPlanned) {
+  // Mean error over parts of a second of the way, for requests that change.
+  const auto error = [&](double measured) {
+    WalkGaits gaits = readWalkGaits(GetParam());
+    gaits.base.odometryMeasured = measured;
+    robot.use(gaits);
+    double miss = 0, length = 0;
+    for (const WalkRequest& request :
+         {walk(0.4, 0, 0), walk(0, 0.2, 1), walk(-0.2, 0, 0), walk(0.3, -0.1, -1)})
+      for (int part = 0; part < 3; ++part) {
+        Pose2 told, way;
+        for (int i = 0; i < 40; ++i) {
+          robot.step(request);
+          told = told * robot.output.odometry;
+          way = way * robot.moved;
+        }
+        miss += (told.position - way.position).norm();
+        length += way.position.norm();
+      }
+    return miss / length;
+  };
+  const double observed = error(1);
+  EXPECT_LT(observed, 0.08);
+  EXPECT_LT(observed, error(0));
+}
+
 TEST_P(WalkInWorld, knowsTheVelocityOfItsMass) {
   Vec2 squares = Vec2::Zero();
   int count = 0;
