@@ -27,7 +27,8 @@ constexpr double rivalShare = 0.01;  // probability that is worth a word
 constexpr double hopeless = 0.3;     // of the best candidate's gain lost: not tried as a further cause
 constexpr double otherStart = 0.7;   // of the best first cause's gain: what gains less is no other start
 constexpr std::size_t tries = 3, otherStarts = 3;
-constexpr int evaluations = 32;  // of values that are fitted together
+constexpr double coarseWithin = 1.2;  // of the squares with fine steps
+constexpr int evaluations = 32;       // of values that are fitted together
 constexpr std::size_t fewChains = 3;
 constexpr double mostShare = 0.75;  // of chains off at a time, for lost commands to be worth a look
 constexpr double chainOff = 1.5;    // mean square over noise
@@ -97,14 +98,20 @@ private:
       known = std::move(*remembered);
       useLostCycles(known.lostCycles);
     } else {
-      coarse.setBase(fine.base());
-      known.candidates = search(fine, coarse, possibleCauses(fine), search_);
+      known.candidates = search(fine, quickOn(fine.base()), possibleCauses(fine), search_);
       addLostCycles(known.candidates);
       known.lostCycles = fine.lostCycles();
       if (options.memory) options.memory->keep(fine.base(), known);
     }
     sortByProbability(known.candidates);
     return std::move(known.candidates);
+  }
+
+  /// What a first look is taken with on top of a base: coarse steps, but where these tell another tale, as
+  /// they do of a motor that just falls short of what it has to hold.
+  const Evaluator& quickOn(const Explanation& base) {
+    coarse.setBase(base);
+    return coarse.baseFit().fitting <= coarseWithin * fine.baseFit().fitting ? coarse : fine;
   }
 
   void useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycles) {
@@ -141,8 +148,10 @@ private:
       if (list[i].fit.judging > least) break;
       Explanation tried = old;
       tried.push_back(list[i].cause);
-      coarse.setBase(old);
-      fine.setBase(fitTogether(coarse, tried, evaluations, options.jobs));
+      fine.setBase(old);
+      const Explanation together = fitTogether(quickOn(old), tried, evaluations, options.jobs);
+      const bool better = together == tried || fine.of(together).fitting < fine.of(tried).fitting;
+      fine.setBase(better ? together : tried);
       if (fine.baseFit().judging < bestJudging && before.betteredBy(fine, part)) {
         best = fine.base();
         bestJudging = fine.baseFit().judging;

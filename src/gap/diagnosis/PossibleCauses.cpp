@@ -93,7 +93,8 @@ std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
   std::vector<Cause> causes;
   for (const Effect* effect : effects())
     for (const Place& place : placesOf(*effect, robot)) {
-      if (!possible(*effect, place)) continue;
+      const auto there = [&](const Cause& cause) { return cause.effect == effect && cause.place == place; };
+      if (!possible(*effect, place) || std::ranges::any_of(evaluator.base(), there)) continue;
       const double scale = effect->scaleAt(robot, place);
       for (int variant = 0; variant < effect->numVariants(); ++variant)
         for (const double start : effect->starts) causes.push_back({effect, place, start * scale, variant});

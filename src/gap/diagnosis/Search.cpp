@@ -187,8 +187,19 @@ private:
     stage(0.5, 0.8, chosen.size());
     parallel(chosen.size(), options.jobs, [&](std::size_t i) {
       Lead& candidate = chosen[i];
-      candidate.cause = fitValue(coarse, candidate.cause, tellingOf(candidate.cause), roughly).cause;
-      candidate.fit = fine.with(candidate.cause, showing(fine, candidate.cause, every));
+      const TrialMask mask = tellingOf(candidate.cause), all = showing(fine, candidate.cause, every);
+      const Cause first = candidate.cause;
+      const Candidate fitted = fitValue(coarse, first, mask, roughly);
+      candidate.cause = fitted.cause;
+      candidate.fit = fine.with(candidate.cause, all);
+      // Where the best value is a brink, coarse steps fall over it elsewhere.
+      if (fine.baseFit().fitting - candidate.fit.fitting <
+          keptPromise * (coarse.baseFit().fitting - fitted.fit.fitting)) {
+        const Candidate again = fitValue(fine, first, mask, roughly);
+        Fit fit = fine.with(again.cause, all);
+        if (fit.fitting < candidate.fit.fitting)
+          candidate.cause = again.cause, candidate.fit = std::move(fit);
+      }
       tell();
     });
   }

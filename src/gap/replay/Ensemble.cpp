@@ -10,6 +10,8 @@ namespace {
 
 constexpr double reach = 0.25;  // [s]: over which the variance is smoothed, to each side
 
+constexpr double halfAsRough = 2;  // what is half as rough as the hunting, or rougher, may be hunting
+
 struct Member {
   double later;  ///< the run begins so much later: another phase of the hunting [s]
   double toothStiffness, toothDamping;
@@ -27,9 +29,38 @@ std::vector<double> smoothed(const std::vector<double>& values, std::size_t cycl
   return result;
 }
 
+/// How much of a series is change from cycle to cycle: 0 for a slow one, 2 for white noise, 4 for one that
+/// turns over each time.
+class Roughness {
+public:
+  void add(double value) {
+    if (!std::isfinite(value)) {
+      last = value;
+      return;
+    }
+    if (std::isfinite(last)) changes += (value - last) * (value - last);
+    squares += value * value;
+    last = value;
+  }
+  void pause() { last = std::nan(""); }
+  double value() const { return squares > 0 ? changes / squares : 0; }
+
+private:
+  double last = std::nan(""), changes = 0, squares = 0;
+};
+
+/// The share of a residual that may be hunting: that of a residual which is much slower than the members'
+/// differences is not.
+double likeHunting(const std::vector<double>& measured, const std::vector<double>& mean, double roughness) {
+  Roughness residual;
+  for (std::size_t k = 0; k < mean.size(); ++k) residual.add(measured[k] - mean[k]);
+  return roughness > 0 ? std::min(1.0, halfAsRough * residual.value() / roughness) : 1;
+}
+
 /// Mean and smoothed variance of one signal over the members; the variance is that of a further one around
 /// their mean.
-void combine(const std::vector<Prediction>& all, std::size_t signal, std::size_t cycles, Prediction& result) {
+void combine(const std::vector<Prediction>& all, const Trial& trial, std::size_t signal, std::size_t cycles,
+             Prediction& result) {
   const double n = static_cast<double>(all.size());
   std::vector<double>& mean = result.values[signal];
   std::vector<double> variance(mean.size(), 0);
@@ -40,6 +71,13 @@ void combine(const std::vector<Prediction>& all, std::size_t signal, std::size_t
     for (const Prediction& one : all) squares += std::pow(one.values[signal][k] - mean[k], 2);
     variance[k] = std::isfinite(mean[k]) ? squares / (n - 1) * (1 + 1 / n) : 0;
   }
+  Roughness differences;
+  for (const Prediction& one : all) {
+    for (std::size_t k = 0; k < mean.size(); ++k) differences.add(one.values[signal][k] - mean[k]);
+    differences.pause();
+  }
+  const double share = likeHunting(trial.signals[signal].values, mean, differences.value());
+  for (double& v : variance) v *= share * share;
   result.scatter[signal] = smoothed(variance, cycles);
 }
 
@@ -72,7 +110,7 @@ Prediction replayForetold(const Plant& plant, const Trial& trial, const ReplayOp
   Prediction result = all.front();
   result.scatter.resize(result.values.size());
   for (std::size_t s = 0; s < result.values.size(); ++s)
-    if (!result.values[s].empty()) combine(all, s, cycles, result);
+    if (!result.values[s].empty()) combine(all, trial, s, cycles, result);
   return result;
 }
 

@@ -10,7 +10,8 @@ bool hunts(const JointPlant& joint);
 /// What a plant would have measured, as far as that can be foretold: the replay alone where nothing hunts;
 /// else the mean of several, with other phases of the hunting and other flanks (nobody knows how hard a
 /// gear's teeth are), and the variance among them in Prediction::scatter, over a quarter of a second to each
-/// side.
+/// side. Of it as little counts as the residual is slower than hunting is: a joint that drifts away does not
+/// hunt.
 Prediction replayForetold(const Plant& plant, const Trial& trial, const ReplayOptions& options);
 
 }  // namespace plumbline::gap

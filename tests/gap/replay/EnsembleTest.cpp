@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "../TwoJointArm.h"
 
 namespace plumbline::gap {
@@ -15,6 +17,8 @@ Plant armWithPlay(double play, bool linkEncoder) {
   return plant;
 }
 
+double sumOf(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
 TEST(EnsembleTest, whatDoesNotHuntIsForetoldAsItIsReplayed) {
   const Trial trial = armTrial(twoJointArm(), 3);
   const Plant plant = armWithPlay(0.03, false);
@@ -24,21 +28,26 @@ TEST(EnsembleTest, whatDoesNotHuntIsForetoldAsItIsReplayed) {
 }
 
 TEST(EnsembleTest, huntingThatNobodySeesIsInDoubt) {
-  const Trial trial = armTrial(twoJointArm(), 3);
+  const Trial trial = recorded(armWithPlay(0.04, true), armTrial(twoJointArm(), 3), 5e-4, 5);
   const Prediction narrow = replayForetold(armWithPlay(0.01, true), trial, {}),
                    wide = replayForetold(armWithPlay(0.04, true), trial, {});
   ASSERT_EQ(wide.scatter.size(), trial.signals.size());
   ASSERT_EQ(wide.scatter[1].size(), trial.cycles());
-  double narrowSum = 0, wideSum = 0;
-  for (std::size_t k = 0; k < trial.cycles(); ++k) {
-    ASSERT_GE(wide.scatter[1][k], 0);
-    narrowSum += narrow.scatter[1][k];
-    wideSum += wide.scatter[1][k];
-  }
-  const double n = static_cast<double>(trial.cycles());
+  for (const double variance : wide.scatter[1]) ASSERT_GE(variance, 0);
+  const double narrowSum = sumOf(narrow.scatter[1]), wideSum = sumOf(wide.scatter[1]),
+               n = static_cast<double>(trial.cycles());
   EXPECT_GT(std::sqrt(wideSum / n), 0.002);
   EXPECT_LT(std::sqrt(wideSum / n), 0.04);  // not beyond the play
   EXPECT_GT(wideSum, 3 * narrowSum);
+}
+
+TEST(EnsembleTest, aJointThatDriftsAwayDoesNotHunt) {
+  const Plant plant = armWithPlay(0.04, true);
+  Trial trial = recorded(plant, armTrial(twoJointArm(), 3), 5e-4, 5);
+  const double hunting = sumOf(replayForetold(plant, trial, {}).scatter[1]);
+  for (std::size_t k = 0; k < trial.cycles(); ++k)
+    trial.signals[1].values[k] += 0.2 * std::sin(2 * M_PI * 0.3 * trial.time[k]);
+  EXPECT_LT(sumOf(replayForetold(plant, trial, {}).scatter[1]), 0.05 * hunting);
 }
 
 TEST(EnsembleTest, jointsThatAreNotReplayedCannotHunt) {
