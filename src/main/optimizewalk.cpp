@@ -50,14 +50,17 @@ void chooseAll(Options& options, WalkGaits gaits, const std::function<void(const
   const std::unique_ptr<Walker> robot = setup.walker(gaits);
   const auto tell = [&](const std::string& line) { say(setup.robot + ", " + line); };
   gaits = chooseMixture(*robot, gaits, options.choice, tell);
-  WalkGaits chosen = cutSprints(gaits, 0);
+  // Each sprint has to hold alone; what they do together comes last.
+  const WalkGaits none = cutSprints(gaits, 0);
+  WalkGaits chosen = none;
   for (const std::string& name : options.tasks) {
     setup.task = taskOf(name);
     if (setup.task == Task::mixture) continue;
     std::vector<WalkGaits> sprints{gaits};
     if (std::ranges::find(options.searched, name) != options.searched.end())
       sprints.push_back(train(gaits, setup, [](const std::string& line, const WalkGaits&) { say(line); }));
-    chosen = chooseSprint(*robot, chosen, sprints, setup.task, options.choice, tell);
+    chosen =
+        withSprint(chosen, chooseSprint(*robot, none, sprints, setup.task, options.choice, tell), setup.task);
     write(chosen);
   }
   write(chooseTogether(*robot, chosen, options.choice, tell));

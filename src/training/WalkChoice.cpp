@@ -67,6 +67,15 @@ WalkGaits cutSprints(const WalkGaits& gaits, double share) {
   return cut;
 }
 
+WalkGaits withSprint(const WalkGaits& gaits, const WalkGaits& other, Task direction) {
+  const Direction d = directionOf(direction);
+  WalkGaits result = gaits;
+  result.corner[static_cast<std::size_t>(direction)] = other.corner[static_cast<std::size_t>(direction)];
+  result.base.*d.most = other.base.*d.most;
+  for (WalkParameters& corner : result.corner) corner.*d.most = other.base.*d.most;
+  return result;
+}
+
 WalkGaits slowMixture(const WalkGaits& gaits, double share) {
   WalkGaits slow = gaits;
   for (const Task task : directions) {
@@ -145,11 +154,7 @@ WalkGaits chooseSprint(Walker& robot, const WalkGaits& gaits, const std::vector<
           return o.base.*d.most == other.base.*d.most && same(o.corner[corner], other.corner[corner]);
         }))
       continue;
-    WalkGaits tried = gaits;
-    tried.corner[corner] = other.corner[corner];
-    for (WalkParameters* one :
-         {&tried.base, &tried.corner[0], &tried.corner[1], &tried.corner[2], &tried.corner[3]})
-      one->*d.most = other.base.*d.most;
+    WalkGaits tried = withSprint(gaits, other, direction);
     const double share = safeShare(robot, tried, direction, setup);
     tried = cutSprint(tried, direction, share);
     robot.use(tried);

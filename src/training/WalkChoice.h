@@ -11,11 +11,11 @@ namespace plumbline::walking {
 /// without a single fall.
 struct ChoiceSetup {
   std::uint64_t seed = 1;
-  double minutes = 20;           ///< of random requests, a minute from each stand
-  int tries = 24;                ///< of a sprint with interruptions, in which anything is asked for (tryWalk)
+  double minutes = 10;           ///< of random requests, a minute from each stand
+  int tries = 16;                ///< of a sprint with interruptions, in which anything is asked for (tryWalk)
   double trySeconds = 12;        ///< each
   double push = 0.02;            ///< greatest push in those [m/s]
-  int holds = 2;                 ///< times a sprint is held, from a stand
+  int holds = 1;                 ///< times a sprint is held, from a stand
   double holdSeconds = 60;       ///< each
   double sprintStep = 0.1;       ///< shares of a sprint that are tried: 1, 1 - sprintStep ..
   double mixStep = 0.1;          ///< the same of the speeds that may be mixed, down to half of them
@@ -28,6 +28,9 @@ struct ChoiceSetup {
 WalkGaits cutSprint(const WalkGaits& gaits, Task direction, double share);
 /// All of them.
 WalkGaits cutSprints(const WalkGaits& gaits, double share);
+
+/// The walk with another one's sprint of a direction.
+WalkGaits withSprint(const WalkGaits& gaits, const WalkGaits& other, Task direction);
 
 /// Speeds that may be mixed, all times this; full speeds as they are.
 WalkGaits slowMixture(const WalkGaits& gaits, double share);
