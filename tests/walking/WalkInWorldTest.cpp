@@ -119,6 +119,41 @@ TEST_P(WalkInWorld, walksThroughABall) {
   }
 }
 
+/// Steps on the spot or stands, is pushed from the front by 3.5 N s over 0.1 s; whether it stays upright.
+bool survivesAPush(const WalkGaits& gaits, const WalkRequest& request) {
+  WalkingRobot robot(0, gaits);
+  double mass = 0;
+  for (const Link& link : robot.model.links) mass += link.mass;
+  if (!robot.run(request, 2)) return false;
+  for (int i = 0; i < 5; ++i) {
+    robot.push(Vec3(-3.5 / mass / 5, 0, 0));
+    if (!robot.step(request)) return false;
+  }
+  return robot.run(request, 3);
+}
+
+TEST(WalkPushed, captureStepsSaveWhatFallsInOpenLoop) {
+  const WalkGaits gaits = readWalkGaits(0);
+  const WalkRequest onTheSpot{Vec2::Zero(), 0, true};
+  EXPECT_TRUE(survivesAPush(gaits, onTheSpot));
+  EXPECT_FALSE(survivesAPush(withoutFeedback(gaits), onTheSpot));
+}
+
+TEST(WalkPushed, standingItStepsAndStandsAgain) {
+  WalkingRobot robot(0);
+  ASSERT_TRUE(robot.run({}, 1));
+  bool stepped = false;
+  double mass = 0;
+  for (const Link& link : robot.model.links) mass += link.mass;
+  for (int i = 0; i < 200; ++i) {
+    if (i < 5) robot.push(Vec3(4.0 / mass / 5, 0, 0));
+    ASSERT_TRUE(robot.step({})) << "fell after " << i << " cycles";
+    stepped = stepped || robot.output.support != Support::both;
+  }
+  EXPECT_TRUE(stepped);
+  EXPECT_TRUE(robot.output.standing);
+}
+
 INSTANTIATE_TEST_SUITE_P(SimSpark, WalkInWorld, testing::Range(0, numSimsparkTypes));
 
 }  // namespace
