@@ -17,6 +17,10 @@ public:
   void update(const WalkState& planned, const WalkState& observed, double phase, double height,
               const WalkParameters& p, double dt);
 
+  /// A push was known by other means: all of the walk is recovery from now on, and for recoverTime less and
+  /// less.
+  void begin() { share_ = 1; }
+
   /// The carrying feet are so far from where they should be, in the frame of the centre of mass [m].
   const Vec2& foot() const { return now.foot; }
   /// The centre of mass is so much faster [m/s].

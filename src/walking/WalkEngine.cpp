@@ -205,6 +205,8 @@ private:
   /// steps.
   void captureStep() {
     speed.reset();
+    disturbance.begin();
+    useGait();
     aim();
     beginStep(disturbance.capturePoint().y() > 0 ? Side::left : Side::right);
     loop.land({}, state.support);
