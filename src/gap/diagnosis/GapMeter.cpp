@@ -12,12 +12,13 @@ constexpr double shows = 0.35;  // mean square beyond noise from which a channel
 
 }  // namespace
 
-WorstGap worstGap(const Evaluator& evaluator) {
+WorstGap worstGap(const Evaluator& evaluator, std::optional<bool> standing) {
   WorstGap worst;
   const auto& trials = evaluator.evidence().trials();
   for (std::size_t t = 0; t < trials.size(); ++t)
     for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
       const double chi = evaluator.chi(t, s);
+      if (standing && trials[t].freeBase != *standing) continue;
       if (!Evidence::counts(trials[t].signals[s]) || !std::isfinite(chi)) continue;
       const double size = std::sqrt(std::max(0.0, chi - 1));
       if (size > worst.size) worst = {size, trials[t].signals[s].name};

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -6,12 +7,13 @@
 
 namespace plumbline::gap {
 
-/// The gap beyond noise in units of noise, of the worst channel in any run: name and size.
+/// The gap beyond noise in units of noise, of the worst channel in any run: name and size. standing: of runs
+/// on the feet, or with a held base, alone.
 struct WorstGap {
   double size = 0;
   std::string signal;
 };
-WorstGap worstGap(const Evaluator& evaluator);
+WorstGap worstGap(const Evaluator& evaluator, std::optional<bool> standing = {});
 
 /// The mean residual of an inertial sensor over all runs with a held base, in units of its noise: the largest
 /// of any channel. Nothing moves there, so nothing but the sensor itself can be off by it.

@@ -13,10 +13,14 @@ inline const Effect groundSlope{
     .upper = 0.15,
     .starts = {-0.02, 0.02},
     .linear = true,
+    .variants = {"put down level with the ground", "put down upright"},
     .sentence = "The ground is not level.",
     .exposedBy = "the same stance with two headings",
-    .apply = [](Plant& plant, const Place& place, double value,
-                int) { plant.ground.slope += value * unitVector(place.axis); },
+    .apply =
+        [](Plant& plant, const Place& place, double value, int variant) {
+          plant.ground.slope += value * unitVector(place.axis);
+          plant.ground.putUpright = variant == 1;
+        },
 };
 
 }  // namespace plumbline::gap

@@ -55,6 +55,7 @@ struct GroundPlant {
   double friction = 0.8;
   double compliance = 2e-6;   ///< per contact point [m/N]
   Vec3 slope = Vec3::Zero();  ///< rotation vector of the ground in the world [rad]
+  bool putUpright = false;    ///< a robot is put down upright, not level with the ground
 };
 
 /// The simulated reality: a mechanism with drives, sensors and ground, all of whose parameters effects set.

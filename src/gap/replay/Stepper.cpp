@@ -76,14 +76,20 @@ Stepper::Stepper(const Plant& plant_, const Trial& trial_, const std::vector<int
 }
 
 void Stepper::placeOnGround() {
+  const Vec3 slope = plant.ground.slope;
+  Mat3 R_ground = Mat3::Identity();
+  if (slope.norm() > 0) R_ground = Eigen::AngleAxisd(slope.norm(), slope.normalized()).toRotationMatrix();
   T_world_base = rotationZ(trial.heading);
+  // Which foot carries how much depends on how the robot was put down: friction keeps what is pressed apart.
+  if (!plant.ground.putUpright) T_world_base.linear() = R_ground * T_world_base.linear();
   tree.update(T_world_base.linear(), q.data() + tree.baseSize(), v.data());
+  const Vec3 normal = R_ground.col(2);
   double lowest = 0;
   for (const auto& foot : plant.mechanism.feet) {
     for (const Vec3& corner : soleCorners(foot))
-      lowest = std::min(lowest, (tree.origin(foot.link) + tree.rotation(foot.link) * corner).z());
+      lowest = std::min(lowest, normal.dot(tree.origin(foot.link) + tree.rotation(foot.link) * corner));
   }
-  T_world_base.translation().z() = -lowest + 0.0005;
+  T_world_base.translation() = (0.0005 - lowest) * normal;
 }
 
 void Stepper::hold() {
