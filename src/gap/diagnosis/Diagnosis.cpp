@@ -73,7 +73,6 @@ public:
     result.gap.before = meter.under(fine);
     grow();
     beginOtherwise(nominal);
-    lookUnderLoad();
     if (found.size() > 1 && worstGap(fine).size < farOff * mayRemain()) reconsider();
     fine.setBase(found);
     const WorstGap left = worstGap(fine);
@@ -96,16 +95,14 @@ private:
       if (options.progress) options.progress(stage, share);
     };
     SearchResult known;
-    search_.underLoad = underLoad;
-    const bool remember = options.memory && !underLoad;  // the memory knows one search per base
-    if (auto remembered = remember ? options.memory->find(fine.base()) : std::nullopt) {
+    if (auto remembered = options.memory ? options.memory->find(fine.base()) : std::nullopt) {
       known = std::move(*remembered);
       useLostCycles(known.lostCycles);
     } else {
-      known.candidates = search(fine, quickOn(fine.base()), possibleCauses(fine, underLoad), search_);
+      known.candidates = search(fine, quickOn(fine.base()), possibleCauses(fine), search_);
       addLostCycles(known.candidates);
       known.lostCycles = fine.lostCycles();
-      if (remember) options.memory->keep(fine.base(), known);
+      if (options.memory) options.memory->keep(fine.base(), known);
     }
     sortByProbability(known.candidates);
     return std::move(known.candidates);
@@ -223,26 +220,6 @@ private:
     fine.setBase(found);
   }
 
-  /// Where much stays unexplained on the feet and held runs told nothing of it: once more from the beginning,
-  /// with causes that only a load brings out. Dear, so last.
-  void lookUnderLoad() {
-    if (unaccounted() < 1 || !fine.hasHeld() || !fine.hasStanding()) return;
-    const double judging = fine.baseFit().judging;
-    const Explanation narrow = std::move(found);
-    std::vector<Candidates> narrowChoices = std::move(choices);
-    found.clear();
-    choices.clear();
-    fine.setBase({});
-    underLoad = !fine.heldTells();
-    if (underLoad) grow();
-    if (!underLoad || fine.baseFit().judging > judging - leastGain) {
-      underLoad = false;
-      found = narrow;
-      choices = std::move(narrowChoices);
-    }
-    fine.setBase(found);
-  }
-
   /// Each cause once more with the others in place: another may do better now, or it may not be needed.
   void reconsider() {
     for (std::size_t i = 0; i < found.size();) {
@@ -318,7 +295,6 @@ private:
   const GapMeter meter;
   Diagnosis result;
   Explanation found;
-  bool underLoad = false;           ///< see lookUnderLoad()
   std::vector<Candidates> choices;  ///< per cause found: what stood for choice, most probable first
 };
 

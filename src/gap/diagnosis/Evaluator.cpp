@@ -10,9 +10,6 @@ namespace plumbline::gap {
 
 namespace {
 
-// Mean squares beyond noise of the worst position: least of a held run, and in parts of a standing run's.
-constexpr double heldShows = 0.8, heldShare = 0.02;
-
 bool losesCommands(const Explanation& causes) {
   return std::ranges::any_of(causes,
                              [](const Cause& cause) { return cause.effect->id == "command_dropout"; });
@@ -192,17 +189,6 @@ Fit Evaluator::compare(const std::vector<Prediction>& candidates, const std::vec
 }
 
 double Evaluator::chi(std::size_t trial, std::size_t signal) const { return chis[trial][signal]; }
-
-bool Evaluator::heldTells() const {
-  double held = 0, standing = 0;
-  for (std::size_t t = 0; t < chis.size(); ++t)
-    for (std::size_t s = 0; s < chis[t].size(); ++s) {
-      if (data.trials()[t].signals[s].kind != SignalKind::position || !std::isfinite(chis[t][s])) continue;
-      double& worst = data.trials()[t].freeBase ? standing : held;
-      worst = std::max(worst, chis[t][s] - 1);
-    }
-  return heldRuns && (!standingRuns || held >= std::max(heldShows, heldShare * standing));
-}
 
 Fit Evaluator::with(const Cause& cause, const TrialMask& mask) const {
   std::vector<Prediction> candidates(data.trials().size());

@@ -46,9 +46,6 @@ public:
   std::vector<int> jointsTouched(const Cause& cause) const;
   bool hasStanding() const { return standingRuns; }
   bool hasHeld() const { return heldRuns; }
-  /// Whether runs with a held base show what is missing, under the base: in a joint's position, and not next
-  /// to nothing against what shows on the feet.
-  bool heldTells() const;
   /// Mean weighted square of the residuals of a signal in a trial under the base; 1 where only noise is left,
   /// NaN where nothing was compared.
   double chi(std::size_t trial, std::size_t signal) const;

@@ -8,19 +8,17 @@ namespace {
 
 constexpr double cleanChi =
     0.35;  // mean square beyond noise, in a channel, below which a chain counts as clean
-constexpr double nearlyCleanChi = 0.8;  // the same, where runs on the feet show more
 constexpr double chainShare = 0.02;  // of the worst joint's excess: chains below that wait for a later round
 constexpr double jointShare = 0.08;  // of the chain's worst
 
-/// Joints that runs show to be off: themselves, and in a chain of which any is.
+/// Joints that runs with a held base show to be off: themselves, and in a chain of which any is.
 struct Suspects {
   std::vector<double> excess;  ///< per joint: mean square beyond noise in its worst run
   std::vector<bool> joint, chain;
   bool any = false;
 };
 
-/// By the runs with a held base, or by those on the feet.
-Suspects suspectsOf(const Evaluator& evaluator, bool standing, double clean = cleanChi) {
+Suspects suspectsOf(const Evaluator& evaluator) {
   const Mechanism& robot = evaluator.mechanism();
   const auto& trials = evaluator.evidence().trials();
   const std::size_t n = robot.joints.size();
@@ -28,7 +26,7 @@ Suspects suspectsOf(const Evaluator& evaluator, bool standing, double clean = cl
   for (std::size_t t = 0; t < trials.size(); ++t)
     for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
       const Signal& signal = trials[t].signals[s];
-      if (trials[t].freeBase != standing || signal.kind != SignalKind::position) continue;
+      if (trials[t].freeBase || signal.kind != SignalKind::position) continue;
       double& most = result.excess[static_cast<std::size_t>(signal.joint)];
       most = std::max(most, evaluator.chi(t, s) - 1);
     }
@@ -38,40 +36,17 @@ Suspects suspectsOf(const Evaluator& evaluator, bool standing, double clean = cl
     const std::vector<int> near =
         evaluator.jointsTouched({nullptr, {Site::joint, static_cast<int>(j), ""}, 0, 0});
     for (const int other : near) chain = std::max(chain, result.excess[static_cast<std::size_t>(other)]);
-    result.chain[j] = chain > std::max(clean, chainShare * all);
+    result.chain[j] = chain > std::max(cleanChi, chainShare * all);
     result.joint[j] = result.chain[j] && result.excess[j] > jointShare * chain;
     result.any = result.any || result.chain[j];
   }
+  if (!evaluator.hasHeld()) {
+    result.chain.assign(n, true);
+    result.joint.assign(n, true);
+    result.any = true;
+  }
   return result;
 }
-
-/// A held base shows a joint's faults best. Where it shows none, the load on the feet may: a leg's length, a
-/// motor that is too weak. Without a held base nobody is beyond suspicion.
-class Suspicion {
-public:
-  Suspicion(const Evaluator& evaluator, bool lookUnderLoad)
-      : held(suspectsOf(evaluator, false)), underLoad(held) {
-    if (!evaluator.hasHeld()) {
-      for (Suspects* all : {&held, &underLoad}) {
-        all->chain.assign(all->chain.size(), true);
-        all->joint.assign(all->joint.size(), true);
-        all->any = true;
-      }
-    } else if (lookUnderLoad && !evaluator.heldTells()) {
-      held = suspectsOf(evaluator, false, nearlyCleanChi);
-      const Suspects standing = suspectsOf(evaluator, true);
-      for (std::size_t j = 0; j < held.joint.size(); ++j) {
-        underLoad.joint[j] = held.joint[j] || standing.joint[j];
-        underLoad.chain[j] = held.chain[j] || standing.chain[j];
-      }
-      underLoad.any = held.any || standing.any;
-    }
-  }
-  const Suspects& by(const Effect& effect) const { return effect.underLoad ? underLoad : held; }
-
-private:
-  Suspects held, underLoad;
-};
 
 bool measured(const Evidence& data, SignalKind a, SignalKind b) {
   return std::ranges::any_of(data.trials(), [&](const Trial& trial) {
@@ -86,14 +61,13 @@ bool showsElsewhere(const Effect& effect) {
 
 }  // namespace
 
-std::vector<Cause> possibleCauses(const Evaluator& evaluator, bool underLoad) {
+std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
   const Mechanism& robot = evaluator.mechanism();
-  const Suspicion suspicion(evaluator, underLoad);
+  const Suspects suspects = suspectsOf(evaluator);
   const bool imu = measured(evaluator.evidence(), SignalKind::gyro, SignalKind::accelerometer);
   const bool forces = measured(evaluator.evidence(), SignalKind::force, SignalKind::force);
   const auto possible = [&](const Effect& effect, const Place& place) {
     const auto index = static_cast<std::size_t>(place.index);
-    const Suspects& suspects = suspicion.by(effect);
     switch (place.site) {
       case Site::imu:
         return imu;

@@ -7,8 +7,7 @@ namespace plumbline::gap {
 
 /// Causes worth a look on these data: effects that the runs can show, at places that can have them, one per
 /// place, variant and starting value (those of one place and variant beside each other). Where runs with a
-/// held base show a joint or its chain to be clean, nothing there is tried; with `underLoad` what may show
-/// only on the feet is, where these runs are off.
-std::vector<Cause> possibleCauses(const Evaluator& evaluator, bool underLoad = false);
+/// held base show a joint or its chain to be clean, nothing there is tried.
+std::vector<Cause> possibleCauses(const Evaluator& evaluator);
 
 }  // namespace plumbline::gap

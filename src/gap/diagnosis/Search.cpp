@@ -48,14 +48,13 @@ TrialMask tellingTrials(const Evaluator& evaluator, std::size_t count) {
 }
 
 /// What a held run can show, it shows for a hundredth of a standing run's price.
-TrialMask showing(const Evaluator& evaluator, const Cause& cause, TrialMask mask, bool underLoad) {
+TrialMask showing(const Evaluator& evaluator, const Cause& cause, TrialMask mask) {
   const auto& trials = evaluator.evidence().trials();
   const Site site = cause.place.site;
   const bool bodyOnly = site == Site::foot || site == Site::ground || site == Site::imu ||
                         (site == Site::link && evaluator.jointsTouched(cause).empty());
-  const bool onFeet = underLoad && !evaluator.heldTells();
   for (std::size_t t = 0; t < trials.size(); ++t) {
-    if (trials[t].freeBase && evaluator.hasHeld() && !bodyOnly && !onFeet) mask[t] = 0;
+    if (trials[t].freeBase && evaluator.hasHeld() && !bodyOnly) mask[t] = 0;
     if (!trials[t].freeBase && bodyOnly && site != Site::imu) mask[t] = 0;
   }
   return mask;
@@ -95,7 +94,7 @@ public:
   }
 
 private:
-  TrialMask tellingOf(const Cause& cause) const { return showing(fine, cause, telling, options.underLoad); }
+  TrialMask tellingOf(const Cause& cause) const { return showing(fine, cause, telling); }
 
   /// One replay of the most telling run for each effect and place, scaled to fit best; its other starting
   /// values where that shows any promise or says little of them.
@@ -111,7 +110,7 @@ private:
         const std::size_t i = which[n];
         Lead& candidate = looked[i];
         candidate.cause = candidate.start = causes[i];
-        const Fit fit = coarse.with(causes[i], showing(fine, causes[i], most, options.underLoad));
+        const Fit fit = coarse.with(causes[i], showing(fine, causes[i], most));
         promise[i] = fit.change > 0 ? fit.product * fit.product / fit.change : 0;
         const double share = std::clamp(fit.bestShare(), 0.0, 5.0);
         candidate.screened = 2 * share * fit.product - share * share * fit.change;
@@ -188,8 +187,7 @@ private:
     stage(0.5, 0.8, chosen.size());
     parallel(chosen.size(), options.jobs, [&](std::size_t i) {
       Lead& candidate = chosen[i];
-      const TrialMask mask = tellingOf(candidate.cause),
-                      all = showing(fine, candidate.cause, every, options.underLoad);
+      const TrialMask mask = tellingOf(candidate.cause), all = showing(fine, candidate.cause, every);
       const Cause first = candidate.cause;
       const Candidate fitted = fitValue(coarse, first, mask, roughly);
       candidate.cause = fitted.cause;
@@ -219,7 +217,7 @@ private:
     stage(0.8, 1, rivals);
     parallel(rivals, options.jobs, [&](std::size_t i) {
       Lead& candidate = chosen[i];
-      const TrialMask all = showing(fine, candidate.cause, every, options.underLoad);
+      const TrialMask all = showing(fine, candidate.cause, every);
       TrialMask fitted = all;
       for (std::size_t t = 0; t < fitted.size(); ++t)
         if (fine.evidence().trials()[t].freeBase) fitted[t] = all[t] && telling[t];

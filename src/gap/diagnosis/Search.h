@@ -8,8 +8,6 @@ namespace plumbline::gap {
 
 struct SearchOptions {
   int jobs = 1;
-  bool underLoad =
-      false;  ///< causes at joints are looked for on the feet as well, where held runs tell nothing
   std::size_t refine = 12;  ///< candidates whose value is fitted
   double leastGain = 0;     ///< of the sum of squares for fitting: what promises less is not fitted
   std::function<void(double)> progress = {};  ///< 0..1

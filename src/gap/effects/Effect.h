@@ -42,8 +42,6 @@ struct Effect {
   bool reciprocal = false;
   /// How likely a value below nominal is before any data, where there can be one.
   double belowShare = 0.5;
-  /// Whether it may show on the feet where a robot that hangs shows nothing.
-  bool underLoad = false;
   /// Ways of building the same cause that data decide between (such as the encoder's side); empty: one.
   std::vector<std::string_view> variants = {};
   std::string_view sentence;   ///< for people; {at} is the place

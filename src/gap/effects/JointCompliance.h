@@ -12,7 +12,6 @@ inline const Effect jointCompliance{
     .upper = 0.2,
     .starts = {0.005, 0.02, 0.06},
     .linear = true,
-    .underLoad = true,
     .variants = {"encoder where the model has it", "encoder on the other side of the gear"},
     .sentence = "The gear of {at} gives way under torque.",
     .exposedBy = "static poses under different loads, chirps",

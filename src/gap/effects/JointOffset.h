@@ -12,7 +12,6 @@ inline const Effect jointOffset{
     .upper = 0.3,
     .starts = {-0.05, 0.05},
     .linear = true,
-    .underLoad = true,
     .sentence = "The zero of {at} is wrong: the link stands elsewhere than the encoder says.",
     .exposedBy = "static poses in several postures",
     .apply = [](Plant& plant, const Place& place, double value,

@@ -13,7 +13,6 @@ inline const Effect linkLength{
     .upper = 1.6,
     .starts = {0.9, 1.1},
     .linear = true,
-    .underLoad = true,
     .variants = {"its centre of mass moves along", "its centre of mass stays"},
     .sentence = "{at} is longer or shorter than the model's.",
     .exposedBy = "static poses, slow motions",

@@ -13,7 +13,6 @@ inline const Effect supplyVoltage{
     .upper = 1.5,
     .starts = {0.4, 0.6, 0.85},
     .reciprocal = true,
-    .underLoad = true,
     .sentence = "The supply is weaker than the model's: torque and speed limits shrink together.",
     .exposedBy = "fast moves at the limits",
     .apply =
