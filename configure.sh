@@ -160,7 +160,7 @@ mkdir -p "$build"
 source scripts/make/write_target.sh
 writeTarget
 
-printf '%s\0' "${arguments[@]}" > "$build/arguments"
+if ((${#arguments[@]})); then printf '%s\0' "${arguments[@]}"; fi > "$build/arguments"
 if [[ ! $refresh ]]; then echo "$target" > build/default; fi
 if [[ ! $refresh || ! -f compile_commands.json || $(cat build/default 2>/dev/null || echo "$target") == "$target" ]]; then
   writeCompileCommands
