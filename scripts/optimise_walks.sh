@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Makes the walks of the league's robots, config/robots/type*/walking.yaml, from what searches found,
 # config/walks/type*/walking.yaml: cuts the speeds that may be mixed and each sprint to what goes through minutes of
-# tries without a fall (doc/reference/walk.md, "Finding a walk"). Nothing is chosen by hand, seeds are fixed: the same
-# program writes the same files. A minute of CPU. With SEARCH=GENERATIONS every sprint forward is searched on from
-# there first, and the quicker one after cutting is taken; hours.
+# tries without a fall (doc/reference/walk.md, "Finding a walk"). Seeds are fixed: the same program writes the same
+# files. With SEARCH=GENERATIONS every sprint forward is searched on from there first, and the quicker one after
+# cutting is taken; hours.
 # Arguments: types (0 1 2 3 4).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -55,7 +55,7 @@ void chooseAll(Options& options, WalkGaits gaits, const std::function<void(const
   WalkGaits chosen = none;
   for (const std::string& name : options.tasks) {
     setup.task = taskOf(name);
-    if (setup.task == Task::mixture) continue;
+    if (setup.task == Task::mixture || setup.task == Task::push) continue;  // no sprint
     std::vector<WalkGaits> sprints{gaits};
     if (std::ranges::find(options.searched, name) != options.searched.end())
       sprints.push_back(train(gaits, setup, [](const std::string& line, const WalkGaits&) { say(line); }));
@@ -152,14 +152,17 @@ int main(int argc, char** argv) {
   app.add_flag("--anew", options.anew, "begins with the same parameters in all directions");
   app.add_option("--corners-of", options.cornersOf, "begins with the directions found for another type")
       ->check(CLI::Range(0, 4));
-  app.add_flag(
+  CLI::Option* choose = app.add_flag(
       "--choose", options.choose,
       "cuts the mixture and each sprint, that of the file and that of the search, to what goes through "
       "minutes of tries without a fall, and takes the fastest");
   app.add_option("--search", options.searched,
                  "with --choose: those of the tasks whose sprints are searched; the others are only cut")
-      ->check(CLI::IsMember(std::vector<std::string>{taskNames.begin(), taskNames.end()}));
-  app.add_option("--choice-seed", options.choice.seed, "of those tries")->capture_default_str();
+      ->check(CLI::IsMember(std::vector<std::string>{taskNames.begin(), taskNames.end()}))
+      ->needs(choose);
+  app.add_option("--choice-seed", options.choice.seed, "of those tries")
+      ->needs(choose)
+      ->capture_default_str();
   app.add_flag("--try", options.tryOnly, "only tells how the walk does at the tasks, and writes nothing");
   app.add_option("--output", options.output, "file to write; default: the type's in config/");
   app.footer(

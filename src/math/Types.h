@@ -21,4 +21,9 @@ inline Pose3 rotationX(double angle) { return rotation(Vec3::UnitX(), angle); }
 inline Pose3 rotationY(double angle) { return rotation(Vec3::UnitY(), angle); }
 inline Pose3 rotationZ(double angle) { return rotation(Vec3::UnitZ(), angle); }
 
+/// A vector with its length cut to `most`.
+inline Vec2 shortened(const Vec2& v, double most) {
+  return v.norm() > most ? Vec2(v * (most / v.norm())) : v;
+}
+
 }  // namespace plumbline

@@ -159,7 +159,8 @@ WalkGaits chooseSprint(Walker& robot, const WalkGaits& gaits, const std::vector<
     tried = cutSprint(tried, direction, share);
     robot.use(tried);
     const HeldSpeed held = holdSpeed(robot, fullSpeed(direction, 1), 20, 0.3);
-    say(fmt::format("{}: {:.1f} of the sprint holds, {:.3f}", taskNames[corner], share, held.speed));
+    say(fmt::format("{}: {:.1f} of the sprint holds, {:.3f} {}", taskNames[corner], share, held.speed,
+                    direction == Task::turn ? "rad/s" : "m/s"));
     if (!held.upright || held.speed <= fastest) continue;
     fastest = held.speed;
     best = tried;

@@ -24,7 +24,7 @@ struct ChoiceSetup {
 
 /// A sprint that ends earlier: the same way from the walk of mixtures towards the full speed of a direction,
 /// but only a share of it (0: no sprint, 1: all of it). Speeds on the way are walked as before. Throws
-/// std::invalid_argument for Task::mixture.
+/// std::invalid_argument for Task::mixture and Task::push.
 WalkGaits cutSprint(const WalkGaits& gaits, Task direction, double share);
 /// All of them.
 WalkGaits cutSprints(const WalkGaits& gaits, double share);

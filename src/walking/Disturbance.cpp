@@ -11,8 +11,6 @@ Vec2 carrying(const WalkState& s) {
                                     : s.supportFoot().position;
 }
 
-Vec2 atMost(const Vec2& v, double length) { return v.norm() > length ? Vec2(v * (length / v.norm())) : v; }
-
 }  // namespace
 
 void Disturbance::update(const WalkState& planned, const WalkState& observed, double phase, double height,
@@ -29,8 +27,8 @@ void Disturbance::update(const WalkState& planned, const WalkState& observed, do
     const double passed = standing ? dt : 2 * p.stepDuration;
     const double learnt = std::min(1.0, passed / p.usualAverage) * (1 - share_);
     constexpr double most = 0.02;  // [m]
-    before.foot += learnt * atMost(now.foot, most);
-    before.velocity += learnt * atMost(now.velocity, most * rate);
+    before.foot += learnt * shortened(now.foot, most);
+    before.velocity += learnt * shortened(now.velocity, most * rate);
   }
   capture = now.velocity / rate - now.foot;
   double share = 0;

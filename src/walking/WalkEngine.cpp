@@ -22,22 +22,6 @@ namespace {
 
 enum class Mode { stand, start, walk };
 
-StepLimits limitsOf(const WalkParameters& p, const LegKinematics& leg) {
-  StepLimits limits;
-  limits.forward = p.maxStepForward;
-  limits.backward = p.maxStepBackward;
-  limits.minOutward = p.minFeetDistance / 2;
-  limits.maxOutward = p.maxStepOutward;
-  limits.hipY = std::abs(leg.hip().y());
-  // The ankle lies over the sole; a little is kept for the torso's own shift.
-  const double drop = p.hipHeight - leg.ankleHeight();
-  limits.reach = 0.95 * std::sqrt(std::max(0.0, leg.maxReach() * leg.maxReach() - drop * drop));
-  limits.restX = p.copForward;
-  limits.minDuration = p.minStepDuration;
-  limits.maxDuration = p.maxStepDuration;
-  return limits;
-}
-
 }  // namespace
 
 class WalkEngine::Implementation {
@@ -165,16 +149,15 @@ private:
   /// The walk of the speed aimed at.
   void aim() {
     const double duration = kick.prepared ? p.kickDuration : p.stepDuration;
-    reference = findReferenceTrajectory(model, {planned(), speed.turn(), duration, p.feetDistance,
-                                                Vec2(p.copForward, p.copOutward) - model.balance()});
+    reference = findReferenceTrajectory(
+        model, {planned(), speed.turn(), duration, p.feetDistance, pressure() - model.balance()});
   }
 
   /// The parameters of the speed walked now.
   void useGait() {
     p = gaits.at(speed.velocity(), speed.turn(), disturbance.share());
-    model = LinearInvertedPendulum(Vec2(p.pendulumHeight, p.pendulumHeight + p.pendulumSideways),
-                                   Vec2(p.copForward, p.copOutward), fit);
-    StepLimits limits = limitsOf(p, body.leg(Side::left));
+    model = LinearInvertedPendulum(heights(), pressure(), fit);
+    StepLimits limits = stepLimits(p, body.leg(Side::left));
     if (kick.prepared) limits.maxDuration = std::max(limits.maxDuration, 1.2 * p.kickDuration);
     planner.setLimits(limits);
     swing = {p.stepHeight, p.swingStart, p.swingEnd, p.swingSmoothness, p.swingSteepness};
@@ -185,15 +168,12 @@ private:
     const auto delay = static_cast<std::size_t>(std::lround(p.observationDelay / sensors.dt));
     const std::optional<WalkState> expected = loop.update(sensors, model, delay, p.imuAverage);
     if (!expected) return;
-    recorder.add(
-        loop.observed().state(),
-        {Vec2(p.pendulumHeight, p.pendulumHeight + p.pendulumSideways), Vec2(p.copForward, p.copOutward)},
-        sensors.dt);
+    recorder.add(loop.observed().state(), {heights(), pressure()}, sensors.dt);
     disturbance.update(state, *expected, phase, p.pendulumHeight, p, sensors.dt);
     // No more in a cycle than a foot may slide, or than the body can have tilted.
     const double most = 0.01 + 0.03 * disturbance.share();  // [m]
-    Vec2 shift = p.observationPosition * disturbance.foot().cwiseProduct(Vec2(1, p.observationBeside));
-    if (shift.norm() > most) shift *= most / shift.norm();
+    const Vec2 shift = shortened(
+        p.observationPosition * disturbance.foot().cwiseProduct(Vec2(1, p.observationBeside)), most);
     for (Pose2& foot : state.foot) foot.position += shift;
     motion = Pose2(Vec2(-shift));
     state.velocity +=
@@ -211,6 +191,11 @@ private:
     beginStep(disturbance.capturePoint().y() > 0 ? Side::left : Side::right);
     loop.land({}, state.support);
   }
+
+  /// Of the pendulum forward and sideways [m].
+  Vec2 heights() const { return {p.pendulumHeight, p.pendulumHeight + p.pendulumSideways}; }
+  /// The centre of pressure of a carrying foot, to the outside [m].
+  Vec2 pressure() const { return {p.copForward, p.copOutward}; }
 
   double lean() const { return p.torsoPitch + p.torsoPitchForward * speed.velocity().x(); }
 

@@ -29,12 +29,6 @@ void check(const Explanation& effects) {
   }
 }
 
-Mat3 groundOf(const Plant& plant) {
-  const double angle = plant.ground.slope.norm();
-  if (!(angle > 0)) return Mat3::Identity();
-  return Eigen::AngleAxisd(angle, plant.ground.slope / angle).toRotationMatrix();
-}
-
 /// A joint that shares another's motor has a servo of its own with the same command, as in the replay and the
 /// contract's law; ServoWorld would let one servo carry both.
 Mechanism withOwnServos(Mechanism robot) {
@@ -48,7 +42,7 @@ public:
       : plant(plant_),
         trial(trial_),
         lost(lost_),
-        ground(groundOf(plant_)),
+        ground(rotationOfGround(plant_.ground)),
         world(withOwnServos(bulletMechanism(plant_, 1 / slice)), bulletWorld(plant_, !trial_.freeBase)) {}
 
   Prediction play() {
@@ -173,7 +167,7 @@ Mechanism bulletMechanism(const Plant& plant, double controlHz) {
     joint.maxSpeed = drive.maxSpeed;
   }
   robot.controlHz = controlHz;
-  robot.gravity = groundOf(plant).transpose() * robot.gravity;
+  robot.gravity = rotationOfGround(plant.ground).transpose() * robot.gravity;
   return robot;
 }
 

@@ -20,8 +20,7 @@ Contacts::Contacts(const Plant& plant, const TreeDynamics& tree)
       dimension(tree.size()) {
   const double mass = plant.mechanism.totalMass() / 8;
   damping = 2 * std::sqrt(stiffness * mass);
-  const double angle = plant.ground.slope.norm();
-  if (angle > 0) ground = Eigen::AngleAxisd(angle, plant.ground.slope / angle).toRotationMatrix();
+  ground = rotationOfGround(plant.ground);
   for (std::size_t f = 0; f < plant.mechanism.feet.size(); ++f) {
     const auto& foot = plant.mechanism.feet[f];
     for (const Vec3& place : soleCorners(foot)) {

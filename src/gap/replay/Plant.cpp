@@ -2,6 +2,12 @@
 
 namespace plumbline::gap {
 
+Mat3 rotationOfGround(const GroundPlant& ground) {
+  const double angle = ground.slope.norm();
+  if (!(angle > 0)) return Mat3::Identity();
+  return Eigen::AngleAxisd(angle, ground.slope / angle).toRotationMatrix();
+}
+
 Plant nominalPlant(const Mechanism& mechanism) {
   Plant plant;
   plant.mechanism = mechanism;

@@ -69,6 +69,9 @@ struct Plant {
   double dropout = 0;  ///< share of lost cycles; which ones is found from the data
 };
 
+/// The ground's axes in the world: its normal last.
+Mat3 rotationOfGround(const GroundPlant& ground);
+
 /// The plant with nothing unmodelled.
 Plant nominalPlant(const Mechanism& mechanism);
 

@@ -76,9 +76,7 @@ Stepper::Stepper(const Plant& plant_, const Trial& trial_, const std::vector<int
 }
 
 void Stepper::placeOnGround() {
-  const Vec3 slope = plant.ground.slope;
-  Mat3 R_ground = Mat3::Identity();
-  if (slope.norm() > 0) R_ground = Eigen::AngleAxisd(slope.norm(), slope.normalized()).toRotationMatrix();
+  const Mat3 R_ground = rotationOfGround(plant.ground);
   T_world_base = rotationZ(trial.heading);
   // Which foot carries how much depends on how the robot was put down: friction keeps what is pressed apart.
   if (!plant.ground.putUpright) T_world_base.linear() = R_ground * T_world_base.linear();
