@@ -10,6 +10,7 @@
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Probability.h"
 #include "gap/diagnosis/Search.h"
+#include "gap/replay/Ensemble.h"
 
 namespace plumbline::gap {
 
@@ -22,7 +23,7 @@ constexpr double remaining = 1.7,
                  remainingShare = 0.08;  // beyond these, an explanation is not the whole of it
 constexpr double remainingOnFeet = 2.2, remainingShareOnFeet = 0.2;  // contacts differ more between engines
 constexpr double heldOffset = 0.15;  // mean of a sensor at rest over its noise, that no cause may leave
-constexpr double mostOfIt = 0.6;
+constexpr double mostOfIt = 0.6, surer = 0.5;
 constexpr double farOff = 3;         // times what may remain: no set of causes is worth another look
 constexpr double rivalShare = 0.01;  // probability that is worth a word
 constexpr double hopeless = 0.3;     // of the best candidate's gain lost: not tried as a further cause
@@ -31,8 +32,9 @@ constexpr std::size_t tries = 3, otherStarts = 3;
 constexpr double coarseWithin = 1.2;  // of the squares with fine steps
 constexpr int evaluations = 32;       // of values that are fitted together
 constexpr std::size_t fewChains = 3;
-constexpr double mostShare = 0.75;  // of chains off at a time, for lost commands to be worth a look
-constexpr double chainOff = 1.5;    // mean square over noise
+constexpr double mostShare = 0.75;    // of chains off at a time, for lost commands to be worth a look
+constexpr double huntingPrice = 0.1;  // of its gain
+constexpr double chainOff = 1.5;      // mean square over noise
 
 /// Whether most of the robot is off, as lost commands would leave it: its chains, or the joints of a robot
 /// that has few chains.
@@ -100,12 +102,22 @@ private:
       useLostCycles(known.lostCycles);
     } else {
       known.candidates = search(fine, quickOn(fine.base()), possibleCauses(fine), search_);
+      priceHunting(known.candidates);
       addLostCycles(known.candidates);
       known.lostCycles = fine.lostCycles();
       if (options.memory) options.memory->keep(fine.base(), known);
     }
     sortByProbability(known.candidates);
     return std::move(known.candidates);
+  }
+
+  /// What is foretold in doubt fits more easily: a cause that lets joints hunt has to gain this much more
+  /// than one that is definite.
+  void priceHunting(Candidates& list) const {
+    const double before = fine.baseFit().judging;
+    for (Candidate& candidate : list)
+      if (std::ranges::any_of(plantOf(fine.mechanism(), {candidate.cause}).joints, hunts))
+        candidate.fit.judging += huntingPrice * std::max(0.0, before - candidate.fit.judging);
   }
 
   /// What a first look is taken with on top of a base: coarse steps, but where these tell another tale, as
@@ -141,6 +153,8 @@ private:
     if (list.empty()) return false;
     const Standing before(fine);
     const double part = leastPart();
+    // Where little is left, a cause that is less probable than all others together is a guess.
+    if (part > 0 && probabilities(list).front() < surer) return false;
     const Explanation old = fine.base();
     const double front = list.front().fit.judging, least = front + hopeless * (before.judging() - front);
     Explanation best;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "gap/replay/Ensemble.h"
+
 namespace plumbline::gap {
 
 namespace {
@@ -59,6 +61,14 @@ bool showsElsewhere(const Effect& effect) {
   return effect.id == "joint_offset" || effect.id == "encoder_nonlinearity";
 }
 
+/// Whether a cause would let a joint hunt at which the base has a cause already: the doubt that hunting
+/// leaves would excuse whatever that one does not explain.
+bool wouldExcuse(const Cause& cause, const Evaluator& evaluator) {
+  const auto there = [&](const Cause& other) { return other.place == cause.place; };
+  if (cause.place.site != Site::joint || std::ranges::none_of(evaluator.base(), there)) return false;
+  return hunts(plantOf(evaluator.mechanism(), {cause}).joints[static_cast<std::size_t>(cause.place.index)]);
+}
+
 }  // namespace
 
 std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
@@ -97,7 +107,10 @@ std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
       if (!possible(*effect, place) || std::ranges::any_of(evaluator.base(), there)) continue;
       const double scale = effect->scaleAt(robot, place);
       for (int variant = 0; variant < effect->numVariants(); ++variant)
-        for (const double start : effect->starts) causes.push_back({effect, place, start * scale, variant});
+        for (const double start : effect->starts) {
+          const Cause cause{effect, place, start * scale, variant};
+          if (!wouldExcuse(cause, evaluator)) causes.push_back(cause);
+        }
     }
   return causes;
 }

@@ -11,6 +11,7 @@ namespace {
 constexpr double reach = 0.25;  // [s]: over which the variance is smoothed, to each side
 
 constexpr double halfAsRough = 2;  // what is half as rough as the hunting, or rougher, may be hunting
+constexpr double tooFar = 4, farTooFar = 8;  // mean square of a residual over the variance within `reach`
 
 struct Member {
   double later;  ///< the run begins so much later: another phase of the hunting [s]
@@ -57,6 +58,21 @@ double likeHunting(const std::vector<double>& measured, const std::vector<double
   return roughness > 0 ? std::min(1.0, halfAsRough * residual.value() / roughness) : 1;
 }
 
+/// Takes back the doubt where the members agree far better with each other than with what was measured: that
+/// is not hunting.
+void keepWhereBorneOut(std::vector<double>& scatter, const std::vector<double>& measured,
+                       const std::vector<double>& mean, std::size_t cycles) {
+  std::vector<double> squares(mean.size());
+  for (std::size_t k = 0; k < mean.size(); ++k) {
+    const double r = measured[k] - mean[k];
+    squares[k] = std::isfinite(r) ? r * r : 0;
+  }
+  squares = smoothed(squares, cycles);
+  for (std::size_t k = 0; k < mean.size(); ++k)
+    if (squares[k] > tooFar * scatter[k])
+      scatter[k] *= std::max(0.0, (farTooFar - squares[k] / scatter[k]) / (farTooFar - tooFar));
+}
+
 /// Mean and smoothed variance of one signal over the members; the variance is that of a further one around
 /// their mean.
 void combine(const std::vector<Prediction>& all, const Trial& trial, std::size_t signal, std::size_t cycles,
@@ -76,9 +92,11 @@ void combine(const std::vector<Prediction>& all, const Trial& trial, std::size_t
     for (std::size_t k = 0; k < mean.size(); ++k) differences.add(one.values[signal][k] - mean[k]);
     differences.pause();
   }
-  const double share = likeHunting(trial.signals[signal].values, mean, differences.value());
+  const std::vector<double>& measured = trial.signals[signal].values;
+  const double share = likeHunting(measured, mean, differences.value());
   for (double& v : variance) v *= share * share;
   result.scatter[signal] = smoothed(variance, cycles);
+  keepWhereBorneOut(result.scatter[signal], measured, mean, cycles);
 }
 
 }  // namespace

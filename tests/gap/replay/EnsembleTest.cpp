@@ -50,6 +50,27 @@ TEST(EnsembleTest, aJointThatDriftsAwayDoesNotHunt) {
   EXPECT_LT(sumOf(replayForetold(plant, trial, {}).scatter[1]), 0.05 * hunting);
 }
 
+TEST(EnsembleTest, whatHuntingCannotReachIsNoDoubt) {
+  const Plant plant = armWithPlay(0.04, true);
+  Trial trial = recorded(plant, armTrial(twoJointArm(), 4), 5e-4, 5);
+  const auto doubtIn = [&](double from, double to) {
+    const Prediction foretold = replayForetold(plant, trial, {});
+    double sum = 0;
+    for (std::size_t k = 0; k < trial.cycles(); ++k)
+      if (trial.time[k] - trial.time[0] >= from && trial.time[k] - trial.time[0] < to)
+        sum += foretold.scatter[1][k];
+    return sum;
+  };
+  const double before = doubtIn(0.5, 1.5), later = doubtIn(2.3, 2.7);
+  ASSERT_GT(later, 0);
+  // As rough as hunting, but five plays wide.
+  for (std::size_t k = 0; k < trial.cycles(); ++k)
+    if (trial.time[k] - trial.time[0] >= 2 && trial.time[k] - trial.time[0] < 3)
+      trial.signals[1].values[k] += k % 2 == 0 ? 0.2 : -0.2;
+  EXPECT_EQ(doubtIn(2.3, 2.7), 0);
+  EXPECT_NEAR(doubtIn(0.5, 1.5), before, 1e-9 * before);
+}
+
 TEST(EnsembleTest, jointsThatAreNotReplayedCannotHunt) {
   const Trial trial = armTrial(twoJointArm(), 3);
   ReplayOptions options;
