@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "gap/diagnosis/GapMeter.h"
 #include "gap/diagnosis/LostCycles.h"
@@ -68,25 +69,54 @@ public:
       : fine(fine_), coarse(coarse_), options(options_), meter((fine_.setBase({}), fine_)) {}
 
   Diagnosis run() {
-    const double nominal = fine.baseFit().judging;
     const WorstGap worst = worstGap(fine);
     result.worstBefore = worst.size;
     result.worstSignal = worst.signal;
     result.gap.before = meter.under(fine);
-    grow();
-    beginOtherwise(nominal);
-    if (found.size() > 1 && worstGap(fine).size < farOff * mayRemain()) reconsider();
+    double remainsHeld = 0;
+    if (fine.hasHeld() && fine.hasStanding() && heldRunsTell(fine)) remainsHeld = explainHeldRuns();
+    if (found.empty() && remainsHeld <= 1) {
+      explain();
+    } else if (remainsHeld <= 1) {
+      grow();
+    }
     fine.setBase(found);
+    // What came nearest on held runs may topple the robot.
+    if (remainsHeld > 1 && meter.under(fine) > result.gap.before)
+      found.clear(), choices.clear(), fine.setBase({});
     const WorstGap left = worstGap(fine);
     result.worstAfter = left.size;
     result.worstSignalAfter = left.signal;
     result.gap.after = meter.under(fine);
-    judge();
+    judge(remainsHeld);
     return result;
   }
 
 private:
   using Candidates = std::vector<Candidate>;
+
+  void explain() {
+    const double nominal = fine.baseFit().judging;
+    grow();
+    beginOtherwise(nominal);
+    if (found.size() > 1 && unexplainedYet() < farOff * mayRemain()) reconsider();
+  }
+
+  /// Where held runs show what is wrong, they tell it for a hundredth of the price; what remains of them over
+  /// what may remain. On the feet only what is found is then looked at, and what those runs show besides.
+  double explainHeldRuns() {
+    for (Evaluator* evaluator : {&fine, &coarse}) evaluator->leaveStandingOut(true);
+    const double whole = std::exchange(result.worstBefore, worstGap(fine).size);
+    onHeldRuns = true;
+    explain();
+    fine.setBase(found);
+    const double remains = worstGap(fine).size < unexplained ? 0 : unaccounted();
+    onHeldRuns = false;
+    result.worstBefore = whole;
+    for (Evaluator* evaluator : {&fine, &coarse}) evaluator->leaveStandingOut(false);
+    fine.setBase(found);
+    return remains;
+  }
 
   /// What could be added to the base, most probable first.
   Candidates candidates(const std::string& stage) {
@@ -97,15 +127,19 @@ private:
       if (options.progress) options.progress(stage, share);
     };
     SearchResult known;
-    if (auto remembered = options.memory ? options.memory->find(fine.base()) : std::nullopt) {
+    if (auto remembered = memory() ? memory()->find(fine.base()) : std::nullopt) {
       known = std::move(*remembered);
       useLostCycles(known.lostCycles);
     } else {
       known.candidates = search(fine, quickOn(fine.base()), possibleCauses(fine), search_);
+      std::erase_if(known.candidates, [](const Candidate& c) {
+        const Effect& effect = *c.cause.effect;
+        return std::abs(c.cause.value - effect.nominal) < effect.engineShare * effect.nominal;
+      });
       priceHunting(known.candidates);
       addLostCycles(known.candidates);
       known.lostCycles = fine.lostCycles();
-      if (options.memory) options.memory->keep(fine.base(), known);
+      if (memory()) memory()->keep(fine.base(), known);
     }
     sortByProbability(known.candidates);
     return std::move(known.candidates);
@@ -180,7 +214,7 @@ private:
   /// gap, that may be what the effects found do otherwise in reality, and only what explains most of it
   /// counts.
   double leastPart() const {
-    const bool little = worstGap(fine).size < unexplainedShare / 2 * result.worstBefore;
+    const bool little = unexplainedYet() < unexplainedShare / 2 * result.worstBefore;
     return !fine.base().empty() && little ? mostOfIt : 0;
   }
   /// What remains over what another engine may do otherwise: above 1, the causes found are not the whole of
@@ -188,15 +222,17 @@ private:
   double unaccounted() const {
     const double before = result.worstBefore;
     return std::max(worstGap(fine, false).size / std::max(remaining, remainingShare * before),
-                    worstGap(fine, true).size / std::max(remainingOnFeet, remainingShareOnFeet * before));
+                    gapOnFeet(fine) / std::max(remainingOnFeet, remainingShareOnFeet * before));
   }
+  /// What a further cause could be looked for in.
+  double unexplainedYet() const { return std::max(worstGap(fine, false).size, gapOnFeet(fine)); }
   double mayRemain() const { return std::max(unexplained, unexplainedShare * result.worstBefore); }
 
   /// Adds causes from the base on until none earns its place. most: sum of squares for judging above which
   /// two causes are not worth a third.
   void grow(double most = INFINITY) {
     while (found.size() < options.maxCauses &&
-           worstGap(fine).size >= (found.empty() ? present : unexplained)) {
+           (found.empty() ? worstGap(fine).size >= present : unexplainedYet() >= unexplained)) {
       if (found.size() > 1 && fine.baseFit().judging > most) break;
       Candidates list = candidates(found.empty() ? "first cause" : "further cause");
       if (!accept(list)) {
@@ -211,7 +247,9 @@ private:
   /// Where much stays unexplained, the first cause may have been the wrong one: begins with others, keeps the
   /// set that predicts best.
   void beginOtherwise(double nominal) {
-    if (choices.empty() || worstGap(fine).size < mayRemain()) return;
+    if (choices.empty() || unexplainedYet() < mayRemain()) return;
+    // Looking again on the feet takes minutes.
+    if (fine.hasStanding() && !found.empty() && unaccounted() <= 1) return;
     const Candidates firsts = choices.front();
     if (found.empty()) choices.clear();
     Explanation best = found;
@@ -254,9 +292,9 @@ private:
     found = fitTogether(fine, found, evaluations, options.jobs);
   }
 
-  void judge() {
+  void judge(double remainsHeld) {
     // What another engine does otherwise may be left of a large gap.
-    double remains = unaccounted();
+    double remains = std::max(unaccounted(), remainsHeld);
     const WorstGap sensor = worstHeldOffset(fine);
     if (sensor.size > heldOffset) result.sensorOff = sensor.signal, result.sensorOffBy = sensor.size;
     remains = std::max(remains, sensor.size / heldOffset);
@@ -304,8 +342,12 @@ private:
     return finding;
   }
 
+  /// Of searches in all runs.
+  SearchMemory* memory() const { return onHeldRuns ? nullptr : options.memory; }
+
   Evaluator &fine, &coarse;
   const DiagnosisOptions& options;
+  bool onHeldRuns = false;
   const GapMeter meter;
   Diagnosis result;
   Explanation found;

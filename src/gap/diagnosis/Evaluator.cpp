@@ -18,6 +18,24 @@ bool losesCommands(const Explanation& causes) {
 /// What doubt in a prediction costs: a wide guess is right more often and worth less.
 double doubt(double own, double weight) { return weight == own ? 0 : std::log(own / weight); }
 
+/// On the feet a foot that slips or lands a moment too late leads a whole run astray: beyond a limit the
+/// squares of a block count by their logarithm.
+class Squares {
+public:
+  explicit Squares(bool freeBase_) : freeBase(freeBase_) {}
+  void add(double square) { sum += square, ++n; }
+  double counted() const { return isFar() ? n * limit * (1 + std::log(sum / (n * limit))) : sum; }
+  /// Change of counted() for a change of the squares.
+  double slope() const { return isFar() ? n * limit / sum : 1; }
+
+private:
+  static constexpr double limit = 25;  // mean
+  bool isFar() const { return freeBase && sum > n * limit; }
+
+  double sum = 0, n = 0;
+  bool freeBase;
+};
+
 /// Puts the signals that were replayed in the place of those that were there.
 void takeOver(Prediction&& fresh, Prediction& all) {
   for (std::size_t s = 0; s < fresh.values.size(); ++s) {
@@ -49,6 +67,12 @@ void Evaluator::setLostCycles(std::vector<std::vector<std::uint8_t>> cycles) {
   if (losesCommands(causes)) predictions.clear();
 }
 
+void Evaluator::leaveStandingOut(bool out) {
+  standingOut = out;
+  predictions.clear();
+  setBase({});
+}
+
 std::vector<int> Evaluator::chainsThatDiffer(const Explanation& other) const {
   std::vector<int> joints;
   for (const auto& [one, two] : {std::pair(&causes, &other), std::pair(&other, &causes)})
@@ -74,6 +98,10 @@ void Evaluator::replayBase(const Explanation& explanation) {
   for (std::size_t t = 0; t < predictions.size(); ++t) {
     const Trial& trial = data.trials()[t];
     basePlants.push_back(plantOf(*trial.robot, causes));
+    if (leftOut(t)) {
+      predictions[t].values.resize(trial.signals.size());
+      continue;
+    }
     ReplayOptions options = optionsOf(t, causes);
     if (partly && !trial.freeBase) options.joints = joints;
     Prediction fresh = replayForetold(basePlants[t], trial, options);
@@ -98,11 +126,16 @@ void Evaluator::setBase(const Explanation& explanation) {
       if (predicted.empty()) continue;
       double sum = 0, n = 0;
       const std::vector<double>& weights = data.weights(t, s);
+      const std::size_t first = data.block(t, 0);
+      std::vector<Squares> blocks(data.block(t, trial.cycles() - 1) - first + 1, Squares(trial.freeBase));
       data.forEach(t, s, predictions[t], [&](std::size_t k, double w, double r) {
-        baseSquares.squares[data.block(t, k)] += w * r * r + doubt(weights[k], w);
+        const std::size_t b = data.block(t, k);
+        blocks[b - first].add(w * r * r);
+        baseSquares.squares[b] += doubt(weights[k], w);
         sum += w * r * r;
         ++n;
       });
+      for (std::size_t b = 0; b < blocks.size(); ++b) baseSquares.squares[first + b] += blocks[b].counted();
       if (n > 0) perSignal[s] = sum / n;
     }
   }
@@ -157,6 +190,38 @@ Prediction Evaluator::changed(std::size_t t, const Cause& cause) const {
   return replayForetold(plant, trial, options);
 }
 
+void Evaluator::compare(const Prediction& candidate, std::size_t t, std::size_t s, Fit& fit) const {
+  struct Block {
+    explicit Block(bool freeBase) : before(freeBase), after(freeBase) {}
+    Squares before, after;
+    double doubt = 0, product = 0, change = 0;
+  };
+  const Trial& trial = data.trials()[t];
+  const std::vector<double>&weights = data.weights(t, s), &predicted = candidate.values[s],
+        &before = predictions[t].values[s];
+  const std::size_t first = data.block(t, 0);
+  std::vector<Block> blocks(data.block(t, trial.cycles() - 1) - first + 1, Block(trial.freeBase));
+  data.forEach(t, s, predictions[t], [&](std::size_t k, double known, double r) {
+    // A replay that ran away counts as far off, not as lost.
+    const double d = std::isfinite(predicted[k]) ? predicted[k] - before[k] : 1e3;
+    const double w = weights[k] * Evidence::certainty(candidate, s, k, weights[k]);
+    Block& block = blocks[data.block(t, k) - first];
+    block.before.add(known * r * r);
+    block.after.add(w * (r - d) * (r - d));
+    if (w != known) block.doubt += doubt(weights[k], w) - doubt(weights[k], known);
+    block.product += w * r * d;
+    block.change += w * d * d;
+  });
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const std::size_t b = first + i;
+    const Block& block = blocks[i];
+    fit.squares[b] += block.after.counted() - block.before.counted() + block.doubt;
+    if (!Evidence::forFitting(b)) continue;
+    fit.product += block.before.slope() * block.product;
+    fit.change += block.before.slope() * block.change;
+  }
+}
+
 Fit Evaluator::compare(const std::vector<Prediction>& candidates, const std::vector<bool>& replayed) const {
   Fit fit;
   fit.squares = baseSquares.squares;
@@ -167,20 +232,7 @@ Fit Evaluator::compare(const std::vector<Prediction>& candidates, const std::vec
       const auto& predicted = candidates[t].values[s];
       const auto& before = predictions[t].values[s];
       if (predicted.empty() || before.empty()) continue;
-      const std::vector<double>& weights = data.weights(t, s);
-      data.forEach(t, s, predictions[t], [&](std::size_t k, double known, double r) {
-        // A replay that ran away counts as far off, not as lost.
-        const double d = std::isfinite(predicted[k]) ? predicted[k] - before[k] : 1e3;
-        const double w = weights[k] * Evidence::certainty(candidates[t], s, k, weights[k]);
-        const std::size_t b = data.block(t, k);
-        fit.squares[b] += w * (d * d - 2 * r * d);
-        if (w != known)
-          fit.squares[b] += (w - known) * r * r + doubt(weights[k], w) - doubt(weights[k], known);
-        if (Evidence::forFitting(b)) {
-          fit.product += w * r * d;
-          fit.change += w * d * d;
-        }
-      });
+      compare(candidates[t], t, s, fit);
     }
   }
   for (std::size_t b = 0; b < fit.squares.size(); ++b)
@@ -194,7 +246,7 @@ Fit Evaluator::with(const Cause& cause, const TrialMask& mask) const {
   std::vector<Prediction> candidates(data.trials().size());
   std::vector<bool> replayed(data.trials().size(), false);
   for (std::size_t t = 0; t < candidates.size(); ++t) {
-    if (!mask.empty() && !mask[t]) continue;
+    if (leftOut(t) || (!mask.empty() && !mask[t])) continue;
     candidates[t] = changed(t, cause);
     replayed[t] = true;
   }
@@ -206,6 +258,7 @@ Fit Evaluator::of(const Explanation& explanation) const {
   std::vector<Prediction> candidates(data.trials().size());
   const std::vector<bool> replayed(candidates.size(), !joints.empty());
   for (std::size_t t = 0; t < candidates.size() && !joints.empty(); ++t) {
+    if (leftOut(t)) continue;
     const Trial& trial = data.trials()[t];
     ReplayOptions options = optionsOf(t, explanation);
     if (!trial.freeBase) options.joints = joints;

@@ -10,8 +10,9 @@ namespace plumbline::gap {
 /// How well an explanation fits, per block, against the base explanation: only what an added cause can change
 /// is replayed, the rest is the base's.
 struct Fit {
-  /// Per block: weighted squares of the residuals; where a prediction is in doubt, twice the negative
-  /// logarithm of its likelihood against one without noise but the channel's own.
+  /// Per block: weighted squares of the residuals, of runs on the feet at most about their logarithm; where a
+  /// prediction is in doubt, twice the negative logarithm of its likelihood against one without noise but the
+  /// channel's own.
   std::vector<double> squares;
   double fitting = 0, judging = 0;  ///< sums over blocks for fitting and for judging
   double product = 0, change = 0;   ///< over blocks for fitting: r * d and d * d, d = change against the base
@@ -44,7 +45,10 @@ public:
 
   /// Joints that feel a cause where the base is held: its chain, all, or none.
   std::vector<int> jointsTouched(const Cause& cause) const;
-  bool hasStanding() const { return standingRuns; }
+  /// Leaves the runs on the feet out, as if there were none, or takes them in again. The base is nominal
+  /// then.
+  void leaveStandingOut(bool out);
+  bool hasStanding() const { return standingRuns && !standingOut; }
   bool hasHeld() const { return heldRuns; }
   /// Mean weighted square of the residuals of a signal in a trial under the base; 1 where only noise is left,
   /// NaN where nothing was compared.
@@ -53,12 +57,15 @@ public:
   const Evidence& evidence() const { return data; }
 
 private:
+  bool leftOut(std::size_t trial) const { return standingOut && data.trials()[trial].freeBase; }
   ReplayOptions optionsOf(std::size_t trial, const Explanation& explanation) const;
   void replayBase(const Explanation& explanation);
   /// Joints to replay with a held base where another explanation takes the base's place.
   std::vector<int> chainsThatDiffer(const Explanation& other) const;
   Prediction changed(std::size_t trial, const Cause& cause) const;
   Fit compare(const std::vector<Prediction>& candidates, const std::vector<bool>& replayed) const;
+  /// Adds what a candidate changes in one signal.
+  void compare(const Prediction& candidate, std::size_t trial, std::size_t signal, Fit& fit) const;
 
   const Mechanism& robot;
   const Evidence& data;
@@ -69,7 +76,7 @@ private:
   std::vector<std::vector<double>> chis;
   Fit baseSquares;
   std::vector<std::vector<std::uint8_t>> lost;
-  bool standingRuns = false, heldRuns = false;
+  bool standingRuns = false, heldRuns = false, standingOut = false;
 };
 
 }  // namespace plumbline::gap

@@ -9,6 +9,7 @@ namespace plumbline::gap {
 namespace {
 
 constexpr double shows = 0.35;  // mean square beyond noise from which a channel counts
+constexpr double muchLess = 0.1;
 
 }  // namespace
 
@@ -24,6 +25,48 @@ WorstGap worstGap(const Evaluator& evaluator, std::optional<bool> standing) {
       if (size > worst.size) worst = {size, trials[t].signals[s].name};
     }
   return worst;
+}
+
+double gapOnFeet(const Evaluator& evaluator) {
+  struct Sum {
+    double squares = 0, n = 0;
+  };
+  std::map<std::string, std::map<std::size_t, Sum>> signals;  // per block
+  const Evidence& data = evaluator.evidence();
+  for (std::size_t t = 0; t < data.trials().size(); ++t) {
+    const Trial& trial = data.trials()[t];
+    for (std::size_t s = 0; s < trial.signals.size() && trial.freeBase; ++s) {
+      if (!Evidence::counts(trial.signals[s])) continue;
+      auto& blocks = signals[trial.signals[s].name];
+      data.forEach(t, s, evaluator.basePrediction(t), [&](std::size_t k, double w, double r) {
+        Sum& sum = blocks[data.block(t, k)];
+        sum.squares += w * r * r;
+        ++sum.n;
+      });
+    }
+  }
+  double worst = 0;
+  for (const auto& [name, blocks] : signals) {
+    std::vector<double> sizes;
+    for (const auto& [block, sum] : blocks) sizes.push_back(sum.squares / sum.n);
+    if (sizes.empty()) continue;
+    const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(0.8 * static_cast<double>(sizes.size() - 1));
+    std::ranges::nth_element(sizes, at);
+    worst = std::max(worst, std::sqrt(std::max(0.0, *at - 1)));
+  }
+  return worst;
+}
+
+bool heldRunsTell(const Evaluator& evaluator) {
+  double held = 0, standing = 0;
+  const auto& trials = evaluator.evidence().trials();
+  for (std::size_t t = 0; t < trials.size(); ++t)
+    for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
+      if (trials[t].signals[s].kind != SignalKind::position) continue;
+      double& worst = trials[t].freeBase ? standing : held;
+      worst = std::max(worst, evaluator.chi(t, s) - 1);
+    }
+  return held >= muchLess * standing;
 }
 
 WorstGap worstHeldOffset(const Evaluator& evaluator) {

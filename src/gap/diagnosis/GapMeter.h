@@ -15,6 +15,13 @@ struct WorstGap {
 };
 WorstGap worstGap(const Evaluator& evaluator, std::optional<bool> standing = {});
 
+/// The gap beyond noise in units of noise that four fifths of the half-seconds on the feet stay below, of the
+/// worst channel: a foot that slips a moment too late leads the rest of its run astray. 0 without such runs.
+double gapOnFeet(const Evaluator& evaluator);
+
+/// Whether joints in runs with a held base are off about as far as on the feet: what is wrong shows in those.
+bool heldRunsTell(const Evaluator& evaluator);
+
 /// The mean residual of an inertial sensor over all runs with a held base, in units of its noise: the largest
 /// of any channel. Nothing moves there, so nothing but the sensor itself can be off by it.
 WorstGap worstHeldOffset(const Evaluator& evaluator);

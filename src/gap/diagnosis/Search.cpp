@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gap/diagnosis/GapMeter.h"
 #include "gap/diagnosis/Parallel.h"
+#include "gap/diagnosis/PossibleCauses.h"
 
 namespace plumbline::gap {
 
 namespace {
 
 constexpr double nothing = 0.005;  // of the best promise: an effect that promises less has no other start
-constexpr std::size_t lookTwice = 60, leastRefined = 4;
+constexpr std::size_t lookTwice = 60, lookOnFeet = 12, leastRefined = 4;
 constexpr double refineShare = 0.2;  // of the best first look's gain: what promises less is not fitted
 constexpr double keptPromise = 0.5;  // of the first look's: below that its effect is looked at in between
 constexpr double polishShare = 0.7;  // of the best fit's gain: what gains less is no rival of the best
@@ -47,15 +49,20 @@ TrialMask tellingTrials(const Evaluator& evaluator, std::size_t count) {
   return mask;
 }
 
-/// What a held run can show, it shows for a hundredth of a standing run's price.
-TrialMask showing(const Evaluator& evaluator, const Cause& cause, TrialMask mask) {
-  const auto& trials = evaluator.evidence().trials();
+/// Whether only the body as a whole shows a cause: it lies on the way from ground to torso, or in a sensor.
+bool bodyOnly(const Evaluator& evaluator, const Cause& cause) {
   const Site site = cause.place.site;
-  const bool bodyOnly = site == Site::foot || site == Site::ground || site == Site::imu ||
-                        (site == Site::link && evaluator.jointsTouched(cause).empty());
+  return site == Site::foot || site == Site::ground || site == Site::imu ||
+         (site == Site::link && evaluator.jointsTouched(cause).empty());
+}
+
+/// What a held run can show, it shows for a hundredth of a standing run's price; standing: those too.
+TrialMask showing(const Evaluator& evaluator, const Cause& cause, TrialMask mask, bool standing) {
+  const auto& trials = evaluator.evidence().trials();
+  const bool body = bodyOnly(evaluator, cause), held = !body && !standing && evaluator.hasHeld();
   for (std::size_t t = 0; t < trials.size(); ++t) {
-    if (trials[t].freeBase && evaluator.hasHeld() && !bodyOnly) mask[t] = 0;
-    if (!trials[t].freeBase && bodyOnly && site != Site::imu) mask[t] = 0;
+    if (trials[t].freeBase && held) mask[t] = 0;
+    if (!trials[t].freeBase && body && cause.place.site != Site::imu) mask[t] = 0;
   }
   return mask;
 }
@@ -74,7 +81,8 @@ public:
         coarse(coarse_),
         options(options_),
         most(tellingTrials(fine_, 1)),
-        telling(tellingTrials(fine_, 2)) {}
+        telling(tellingTrials(fine_, 2)),
+        heldTells(heldRunsTell(fine_)) {}
 
   std::vector<Candidate> run(const std::vector<Cause>& causes) {
     firstLook(causes);
@@ -94,7 +102,16 @@ public:
   }
 
 private:
-  TrialMask tellingOf(const Cause& cause) const { return showing(fine, cause, telling); }
+  /// Whether a cause that held runs could show is judged on standing runs too.
+  bool onFeet(const Cause& cause) const { return !heldTells || showsUnderLoad(fine, cause); }
+  /// Trials to fit on: the most telling held ones, of the standing ones the first.
+  TrialMask tellingOf(const Cause& cause) const {
+    TrialMask mask = showing(fine, cause, telling, onFeet(cause));
+    for (std::size_t t = 0; t < mask.size(); ++t)
+      if (fine.evidence().trials()[t].freeBase) mask[t] = mask[t] && most[t];
+    return mask;
+  }
+  TrialMask everyOf(const Cause& cause) const { return showing(fine, cause, every, onFeet(cause)); }
 
   /// One replay of the most telling run for each effect and place, scaled to fit best; its other starting
   /// values where that shows any promise or says little of them.
@@ -110,7 +127,8 @@ private:
         const std::size_t i = which[n];
         Lead& candidate = looked[i];
         candidate.cause = candidate.start = causes[i];
-        const Fit fit = coarse.with(causes[i], showing(fine, causes[i], most));
+        const Fit fit =
+            coarse.with(causes[i], showing(fine, causes[i], most, showsUnderLoad(fine, causes[i])));
         promise[i] = fit.change > 0 ? fit.product * fit.product / fit.change : 0;
         const double share = std::clamp(fit.bestShare(), 0.0, 5.0);
         candidate.screened = 2 * share * fit.product - share * share * fit.change;
@@ -136,17 +154,23 @@ private:
     look(hopeful, 0.3, 0.5);
   }
 
-  /// The best start of each kind, variant and direction.
+  /// The best start of each kind, variant and direction. What was looked at in held runs that tell little of
+  /// the whole is not to be compared with the rest yet: the best of it are taken along.
   void bestStarts() {
     std::stable_sort(looked.begin(), looked.end(),
                      [](const Candidate& a, const Candidate& b) { return a.screened > b.screened; });
+    std::size_t held = 0;
     for (const Lead& candidate : looked) {
       if (chosen.size() >= lookTwice || candidate.screened <= 0) break;
+      const bool inHeldRuns = !heldTells && !bodyOnly(fine, candidate.cause);
+      if (inHeldRuns && held >= lookOnFeet) continue;
       const auto below = [](const Cause& cause) { return cause.value < cause.effect->nominal; };
       const bool known = std::ranges::any_of(chosen, [&](const Candidate& c) {
         return oneStart(c.cause, candidate.cause) && below(c.cause) == below(candidate.cause);
       });
-      if (!known) chosen.push_back(candidate);
+      if (known) continue;
+      chosen.push_back(candidate);
+      held += inHeldRuns;
     }
   }
 
@@ -187,7 +211,7 @@ private:
     stage(0.5, 0.8, chosen.size());
     parallel(chosen.size(), options.jobs, [&](std::size_t i) {
       Lead& candidate = chosen[i];
-      const TrialMask mask = tellingOf(candidate.cause), all = showing(fine, candidate.cause, every);
+      const TrialMask mask = tellingOf(candidate.cause), all = everyOf(candidate.cause);
       const Cause first = candidate.cause;
       const Candidate fitted = fitValue(coarse, first, mask, roughly);
       candidate.cause = fitted.cause;
@@ -217,7 +241,7 @@ private:
     stage(0.8, 1, rivals);
     parallel(rivals, options.jobs, [&](std::size_t i) {
       Lead& candidate = chosen[i];
-      const TrialMask all = showing(fine, candidate.cause, every);
+      const TrialMask all = everyOf(candidate.cause);
       TrialMask fitted = all;
       for (std::size_t t = 0; t < fitted.size(); ++t)
         if (fine.evidence().trials()[t].freeBase) fitted[t] = all[t] && telling[t];
@@ -242,6 +266,7 @@ private:
   const Evaluator &fine, &coarse;
   const SearchOptions& options;
   const TrialMask most, telling, every = TrialMask(telling.size(), 1);
+  const bool heldTells;
   std::vector<Lead> looked, chosen;
   std::atomic<std::size_t> done = 0;
   double stageFrom = 0, stageShare = 0;

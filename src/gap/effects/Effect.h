@@ -40,6 +40,8 @@ struct Effect {
   bool linear = false;
   /// A limit or a share of one: acts by its reciprocal, and half the value is twice the effect.
   bool reciprocal = false;
+  /// What engines do otherwise with the same value looks like one that is off by up to this share of nominal.
+  double engineShare = 0;
   /// How likely a value below nominal is before any data, where there can be one.
   double belowShare = 0.5;
   /// Ways of building the same cause that data decide between (such as the encoder's side); empty: one.

@@ -12,6 +12,7 @@ inline const Effect groundFriction{
     .lower = 0.02,
     .upper = 1.5,
     .starts = {0.1, 0.3, 0.5},
+    .engineShare = 0.15,
     .sentence = "The ground is more slippery or rougher than the model's.",
     .exposedBy = "feet pressed apart and twisted against the ground",
     .apply =

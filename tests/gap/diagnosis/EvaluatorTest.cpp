@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../TwoJointArm.h"
+#include "../StandingLeg.h"
 
 namespace plumbline::gap {
 namespace {
@@ -75,6 +75,60 @@ TEST_F(EvaluatorTest, aBaseInDoubtCostsWhatItCostsAsACandidate) {
   EXPECT_NEAR(evaluator.of({}).judging, nominal, 1e-6 * nominal);
   evaluator.setBase({});
   EXPECT_EQ(evaluator.baseFit().judging, nominal);
+}
+
+/// A leg that hangs and stands, its hip off by `offset` in both.
+std::vector<Trial> legRuns(double offset) {
+  std::vector<Trial> trials;
+  for (const bool standing : {false, true}) {
+    trials.push_back(recorded(nominalPlant(standingLeg()), legTrial(standing), 5e-4, 3));
+    for (double& value : trials.back().signals[0].values) value += offset;
+  }
+  return trials;
+}
+
+TEST(EvaluatorOnFeetTest, squaresGrowByTheirLogarithm) {
+  const Mechanism leg = standingLeg();
+  const auto squares = [&](double offset, std::size_t trial) {
+    const Evidence evidence(std::vector<Trial>{legRuns(offset)[trial]});
+    return Evaluator(leg, evidence).baseFit().fitting;
+  };
+  EXPECT_NEAR(squares(0.2, 0) / squares(0.1, 0), 4, 0.05);
+  const Evidence evidence(std::vector<Trial>{legRuns(0)[1]});
+  std::size_t samples = 0;
+  Prediction nothing;
+  nothing.values.assign(2, std::vector<double>(evidence.trials()[0].cycles(), 0));
+  evidence.forEach(0, 0, nothing, [&](std::size_t k, double, double) {
+    samples += Evidence::forFitting(evidence.block(0, k));
+  });
+  EXPECT_NEAR(squares(0.2, 1) - squares(0.1, 1), 25 * std::log(4) * static_cast<double>(samples),
+              0.02 * 25 * std::log(4) * static_cast<double>(samples));
+}
+
+TEST(EvaluatorOnFeetTest, aCandidateCostsThereWhatItCostsAsABase) {
+  const Mechanism leg = standingLeg();
+  const Evidence evidence(legRuns(0.02));
+  Evaluator evaluator(leg, evidence);
+  const Effect* effect = findEffect("joint_offset");
+  const Cause cause{effect, findPlace(*effect, leg, "hip", ""), -0.02, 0};
+  const double asCandidate = evaluator.with(cause).judging;
+  evaluator.setBase({cause});
+  EXPECT_NEAR(asCandidate, evaluator.baseFit().judging, 1e-6 * asCandidate);
+}
+
+TEST(EvaluatorOnFeetTest, runsOnTheFeetMayBeLeftOut) {
+  const Mechanism leg = standingLeg();
+  const Evidence evidence(legRuns(0.02)), held(std::vector<Trial>{legRuns(0.02)[0]});
+  Evaluator evaluator(leg, evidence);
+  const double whole = evaluator.baseFit().judging;
+  EXPECT_TRUE(evaluator.hasStanding());
+  evaluator.leaveStandingOut(true);
+  EXPECT_FALSE(evaluator.hasStanding());
+  EXPECT_TRUE(std::isnan(evaluator.chi(1, 0)));
+  EXPECT_DOUBLE_EQ(evaluator.baseFit().judging, Evaluator(leg, held).baseFit().judging);
+  evaluator.leaveStandingOut(false);
+  EXPECT_EQ(evaluator.baseFit().judging, whole);
+  EXPECT_GT(evaluator.chi(1, 0), 100);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "../TwoJointArm.h"
+#include "../StandingLeg.h"
 
 namespace plumbline::gap {
 namespace {
@@ -48,6 +48,32 @@ TEST_F(PossibleCausesTest, noCauseTwiceAtAPlace) {
   evaluator.setBase({at("viscous_friction", "elbow", 0.3)});
   EXPECT_EQ(variants("viscous_friction", "elbow"), 0u);
   EXPECT_EQ(variants("viscous_friction", "shoulder"), 1u);
+}
+
+/// A leg that is clean where it hangs; on its foot the hip is off by an angle.
+bool lookedForOnFeet(double offset, const char* id, const char* place) {
+  const Mechanism leg = standingLeg();
+  std::vector<Trial> trials;
+  for (const bool standing : {false, true})
+    trials.push_back(recorded(nominalPlant(leg), legTrial(standing), 5e-4, 3));
+  for (double& value : trials[1].signals[0].values) value += offset;
+  const Evidence evidence(trials);
+  const Evaluator evaluator(leg, evidence);
+  const Effect* effect = findEffect(id);
+  const Cause wanted{effect, findPlace(*effect, leg, place, ""), 0, 0};
+  const std::vector<Cause> causes = possibleCauses(evaluator);
+  const bool listed = std::ranges::any_of(causes, [&](const Cause& cause) { return cause.sameKind(wanted); });
+  EXPECT_EQ(listed, showsUnderLoad(evaluator, wanted)) << id << " at " << place;
+  return listed;
+}
+
+TEST(PossibleCausesOnFeetTest, aLegThatIsCleanWhereItHangsMayBeOffUnderLoad) {
+  EXPECT_TRUE(lookedForOnFeet(0.02, "link_length", "lower"));
+  EXPECT_TRUE(lookedForOnFeet(0.02, "joint_offset", "knee"));
+  EXPECT_TRUE(lookedForOnFeet(0.02, "torque_limit", "hip"));
+  EXPECT_FALSE(lookedForOnFeet(0.02, "torque_limit", "knee")) << "the knee is where it should be";
+  EXPECT_FALSE(lookedForOnFeet(0.02, "viscous_friction", "hip")) << "held runs show that better";
+  EXPECT_FALSE(lookedForOnFeet(0, "link_length", "lower"));
 }
 
 }  // namespace

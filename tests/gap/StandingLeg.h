@@ -1,0 +1,31 @@
+#pragma once
+#include "TwoJointArm.h"
+
+namespace plumbline::gap {
+
+/// The two-joint arm as a leg: a body of 1 kg on a wide sole that its lower link ends in.
+inline Mechanism standingLeg() {
+  Mechanism leg = twoJointArm();
+  leg.name = "standing_leg";
+  leg.links[0].mass = 1;
+  leg.joints[0].origin = Vec3::Zero();
+  leg.joints[0].name = "hip";
+  leg.joints[1].name = "knee";
+  Mechanism::Foot foot;
+  foot.name = "Foot";
+  foot.link = 2;
+  foot.soleCentre = Vec3(0, 0, -0.2);
+  foot.soleSize = Vec3(0.3, 0.3, 0);
+  leg.feet.push_back(foot);
+  return leg;
+}
+
+/// armTrial() of small motions, hung up or on the foot.
+inline Trial legTrial(bool standing, double seconds = 6) {
+  Trial trial = armTrial(standingLeg(), seconds, standing ? 0.05 : 0.4);
+  trial.freeBase = standing;
+  if (standing) trial.motion = "on the foot";
+  return trial;
+}
+
+}  // namespace plumbline::gap

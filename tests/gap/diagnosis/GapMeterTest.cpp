@@ -1,0 +1,59 @@
+#include "gap/diagnosis/GapMeter.h"
+
+#include <gtest/gtest.h>
+
+#include "../StandingLeg.h"
+
+namespace plumbline::gap {
+namespace {
+
+constexpr double noise = 5e-4;
+
+Trial nominalRun(bool standing) {
+  return recorded(nominalPlant(standingLeg()), legTrial(standing), noise, standing ? 7 : 8);
+}
+
+/// A run whose hip is off by 0.02 rad for the last part of it.
+Trial astray(Trial trial, double share) {
+  const auto from = static_cast<std::size_t>((1 - share) * static_cast<double>(trial.cycles()));
+  for (std::size_t k = from; k < trial.cycles(); ++k) trial.signals[0].values[k] += 0.02;
+  return trial;
+}
+
+struct Judged {
+  explicit Judged(std::vector<Trial> trials) : evidence(std::move(trials)), evaluator(leg, evidence) {}
+  const Mechanism leg = standingLeg();
+  const Evidence evidence;
+  const Evaluator evaluator;
+};
+
+TEST(GapMeterTest, aLegStandsAsItIsForetold) {
+  const Judged judged({nominalRun(true), nominalRun(false)});
+  EXPECT_LT(worstGap(judged.evaluator).size, 0.5);
+  EXPECT_LT(gapOnFeet(judged.evaluator), 0.7);
+}
+
+TEST(GapMeterTest, onTheFeetAFifthMayGoAstray) {
+  const Judged little({astray(nominalRun(true), 0.1), nominalRun(false)}),
+      much({astray(nominalRun(true), 0.4), nominalRun(false)});
+  EXPECT_GT(worstGap(little.evaluator).size, 5);
+  EXPECT_LT(gapOnFeet(little.evaluator), 0.7);
+  EXPECT_GT(gapOnFeet(much.evaluator), 10);
+}
+
+TEST(GapMeterTest, aRobotThatHangsHasNoGapOnItsFeet) {
+  const Judged judged({astray(nominalRun(false), 0.5)});
+  EXPECT_EQ(gapOnFeet(judged.evaluator), 0);
+  EXPECT_GT(worstGap(judged.evaluator, false).size, 9);
+  EXPECT_EQ(worstGap(judged.evaluator, true).size, 0);
+}
+
+TEST(GapMeterTest, heldRunsTellWhereTheyAreOffAsWell) {
+  const Judged both({astray(nominalRun(true), 0.4), astray(nominalRun(false), 0.4)}),
+      onlyStanding({astray(nominalRun(true), 0.4), nominalRun(false)});
+  EXPECT_TRUE(heldRunsTell(both.evaluator));
+  EXPECT_FALSE(heldRunsTell(onlyStanding.evaluator));
+}
+
+}  // namespace
+}  // namespace plumbline::gap
