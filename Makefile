@@ -79,12 +79,13 @@ bench-%:
 	@$(MAKE) SimRelease $(if $(wildcard tests/bench/$*.cpp tests/bench/$*/*.cpp),SimRelease-bench-$*)
 	@scripts/run_bench.sh $*
 
-# The walk's tables, figures and page (build/bench/walking.md, .json, .html): all robots, or what ARGS says, as
+# The walk's tables, figures and page (doc/results/walking.md, build/bench/walking.html): all robots, or what ARGS says, as
 # ARGS="4 1 20 --robots nao-bullet,type0 --sections speeds,pushes".
 bench-walk:
 	@scripts/install_packages.sh scripts/packages-bench.txt
 	@$(MAKE) SimRelease-bench-walking
 	@BENCH_ARGS="$(ARGS)" scripts/run_bench.sh walking
+	@scripts/make_results.sh walking
 	@cat build/bench/walking.md
 
 # The whole table, line by line, is what one wants to see of this one.

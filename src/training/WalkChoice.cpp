@@ -159,7 +159,7 @@ WalkGaits chooseSprint(Walker& robot, const WalkGaits& gaits, const std::vector<
     tried = cutSprint(tried, direction, share);
     robot.use(tried);
     const HeldSpeed held = holdSpeed(robot, fullSpeed(direction, 1), 20, 0.3);
-    say(fmt::format("{}: {:.1f} of the sprint holds, {:.3f} {}", taskNames[corner], share, held.speed,
+    say(fmt::format("{}: {:.2f} of the sprint holds, {:.3f} {}", taskNames[corner], share, held.speed,
                     direction == Task::turn ? "rad/s" : "m/s"));
     if (!held.upright || held.speed <= fastest) continue;
     fastest = held.speed;
@@ -174,7 +174,7 @@ WalkGaits chooseTogether(Walker& robot, const WalkGaits& gaits, const ChoiceSetu
   for (double share = 1; share > 0.05; share -= setup.sprintStep) {
     cut = cutSprints(gaits, share);
     const double falls = randomFalls(robot, cut, setup, setup.fallsPerMinute);
-    say(fmt::format("all sprints at {:.1f}: {:.3f} falls a minute{}", share, falls,
+    say(fmt::format("all sprints at {:.2f}: {:.3f} falls a minute{}", share, falls,
                     falls > setup.fallsPerMinute ? " at least" : ""));
     if (falls <= setup.fallsPerMinute) return cut;
   }

@@ -11,13 +11,13 @@ namespace plumbline::walking {
 /// without a single fall.
 struct ChoiceSetup {
   std::uint64_t seed = 1;
-  double minutes = 10;           ///< of random requests, a minute from each stand
-  int tries = 16;                ///< of a sprint with interruptions, in which anything is asked for (tryWalk)
+  double minutes = 40;           ///< of random requests, a minute from each stand
+  int tries = 24;                ///< of a sprint with interruptions, in which anything is asked for (tryWalk)
   double trySeconds = 12;        ///< each
   double push = 0.02;            ///< greatest push in those [m/s]
-  int holds = 1;                 ///< times a sprint is held, from a stand
+  int holds = 12;                ///< times a sprint is held, from a stand; to either side in turn
   double holdSeconds = 60;       ///< each
-  double sprintStep = 0.1;       ///< shares of a sprint that are tried: 1, 1 - sprintStep ..
+  double sprintStep = 0.05;      ///< shares of a sprint that are tried: 1, 1 - sprintStep ..
   double mixStep = 0.1;          ///< the same of the speeds that may be mixed, down to half of them
   double fallsPerMinute = 0.05;  ///< at most under random requests, of the walk with its sprints
 };

@@ -105,7 +105,8 @@ int main(int argc, char** argv) {
     if (arguments.has("estimate")) measureEstimate(setup, report, page);
     writeFile("build/bench/walking.json", report.json());
     writeFile("build/bench/walking.md", report.tables());
-    writeFile("build/bench/walking.html", page.html());
+    // Sections without figures leave the page of an earlier run as it is.
+    if (!page.figures.empty()) writeFile("build/bench/walking.html", page.html());
   } catch (const std::exception& error) {
     fmt::print(stderr, "walking benchmark: {}\n", error.what());
     return 2;
