@@ -50,6 +50,14 @@ TEST(EnsembleTest, aJointThatDriftsAwayDoesNotHunt) {
   EXPECT_LT(sumOf(replayForetold(plant, trial, {}).scatter[1]), 0.05 * hunting);
 }
 
+TEST(EnsembleTest, aJointThatMovesSmoothlyDoesNotHunt) {
+  // Rubs, and is off by about the play; nothing in it is as quick as hunting.
+  Plant rubbing = armWithPlay(0, false);
+  rubbing.joints[1].coulomb = 0.3;
+  const Trial trial = recorded(rubbing, armTrial(twoJointArm(), 3), 5e-4, 5);
+  EXPECT_EQ(sumOf(replayForetold(armWithPlay(0.04, true), trial, {}).scatter[1]), 0);
+}
+
 TEST(EnsembleTest, whatHuntingCannotReachIsNoDoubt) {
   const Plant plant = armWithPlay(0.04, true);
   Trial trial = recorded(plant, armTrial(twoJointArm(), 4), 5e-4, 5);
