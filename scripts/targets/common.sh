@@ -7,4 +7,4 @@ systemIncludeDirs="/usr/include/eigen3 /usr/include/bullet"
 ignoredDirs="src/modules/nao tests/modules/nao"
 # MuJoCo, where it is installed, is in benchmarks only: --as-needed keeps it out of those that do not use it.
 benchLibraries="-lbenchmark_main -lbenchmark -lgtest"
-[[ -f /usr/include/mujoco/mujoco.h ]] && benchLibraries+=" -lmujoco"
+if [[ -f /usr/include/mujoco/mujoco.h ]]; then benchLibraries+=" -lmujoco"; fi
