@@ -17,45 +17,53 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double present = 0.9;      // worst gap over noise below which nothing is looked for
-constexpr double unexplained = 1.3;  // worst gap over noise that may remain: no further cause is looked for
+// Gaps beyond noise, of the worst channel, in units of its noise.
+constexpr double present = 0.9;           // below that nothing is looked for
+constexpr double unexplained = 1.3;       // may remain: no further cause is looked for
 constexpr double unexplainedShare = 0.2;  // the same, of what was there
 constexpr double remaining = 1.7,
                  remainingShare = 0.08;  // beyond these, an explanation is not the whole of it
 constexpr double remainingOnFeet = 2.2, remainingShareOnFeet = 0.2;  // contacts differ more between engines
 constexpr double heldOffset = 0.15;  // mean of a sensor at rest over its noise, that no cause may leave
-constexpr double mostOfIt = 0.6, surer = 0.5;
 constexpr double farOff = 3;         // times what may remain: no set of causes is worth another look
-constexpr double rivalShare = 0.01;  // probability that is worth a word
-constexpr double hopeless = 0.3;     // of the best candidate's gain lost: not tried as a further cause
-constexpr double otherStart = 0.7;   // of the best first cause's gain: what gains less is no other start
+
+// Where only a little of the gap is left (under half of unexplainedShare), a further cause has to explain
+// most of that, and to be more probable than all others together.
+constexpr double mostOfIt = 0.6, surer = 0.5;
+constexpr double rivalShare = 0.01;   // probability that is worth a word
+constexpr double huntingPrice = 0.1;  // of its gain: what a cause in doubt has to gain beyond a definite one
+constexpr double hopeless = 0.3;      // of the best candidate's gain lost: not tried as a further cause
+constexpr double otherStart = 0.7;    // of the best first cause's gain: what gains less is no other start
 constexpr std::size_t tries = 3, otherStarts = 3;
 constexpr double coarseWithin = 1.2;  // of the squares with fine steps
 constexpr int evaluations = 32;       // of values that are fitted together
-constexpr std::size_t fewChains = 3;
-constexpr double mostShare = 0.75;    // of chains off at a time, for lost commands to be worth a look
-constexpr double huntingPrice = 0.1;  // of its gain
-constexpr double chainOff = 1.5;      // mean square over noise
+
+// Lost commands leave most chains off at a time, by more than this mean square over noise.
+constexpr double mostShare = 0.75, chainOff = 1.5;
+constexpr std::size_t fewChains = 3;  // a robot with fewer is judged by its joints
 
 /// Whether most of the robot is off, as lost commands would leave it: its chains, or the joints of a robot
 /// that has few chains.
 bool mostIsOff(const Evaluator& evaluator) {
   std::set<int> roots, rootsOff, joints, jointsOff;
-  const auto& trials = evaluator.evidence().trials();
-  for (std::size_t t = 0; t < trials.size(); ++t)
-    for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
-      const Signal& signal = trials[t].signals[s];
-      if (trials[t].freeBase || signal.kind != SignalKind::position) continue;
-      const int root = evaluator.jointsTouched({nullptr, {Site::joint, signal.joint, ""}, 0, 0}).front();
-      roots.insert(root);
-      joints.insert(signal.joint);
-      if (!(evaluator.chi(t, s) > chainOff)) continue;
-      rootsOff.insert(root);
-      jointsOff.insert(signal.joint);
-    }
+  evaluator.forEachChannel([&](const Trial& trial, const Signal& signal, double chi) {
+    if (trial.freeBase || signal.kind != SignalKind::position) return;
+    const int root = evaluator.jointsTouched({nullptr, {Site::joint, signal.joint, ""}, 0, 0}).front();
+    roots.insert(root);
+    joints.insert(signal.joint);
+    if (!(chi > chainOff)) return;
+    rootsOff.insert(root);
+    jointsOff.insert(signal.joint);
+  });
   const bool few = roots.size() < fewChains;
   const auto &all = few ? joints : roots, &off = few ? jointsOff : rootsOff;
   return !off.empty() && static_cast<double>(off.size()) >= mostShare * static_cast<double>(all.size());
+}
+
+/// Whether a value is no farther from the model's than engines are from each other.
+bool withinEngines(const Candidate& candidate) {
+  const Effect& effect = *candidate.cause.effect;
+  return std::abs(candidate.cause.value - effect.nominal) < effect.engineShare * effect.nominal;
 }
 
 Explanation without(Explanation causes, std::size_t i) {
@@ -75,15 +83,15 @@ public:
     result.gap.before = meter.under(fine);
     double remainsHeld = 0;
     if (fine.hasHeld() && fine.hasStanding() && heldRunsTell(fine)) remainsHeld = explainHeldRuns();
-    if (found.empty() && remainsHeld <= 1) {
+    if (remainsHeld > 1) {
+      // Not known to the library. What came nearest on held runs may topple the robot.
+      if (meter.under(fine) > result.gap.before) forget();
+    } else if (found.empty()) {
       explain();
-    } else if (remainsHeld <= 1) {
+    } else {
       grow();
     }
     fine.setBase(found);
-    // What came nearest on held runs may topple the robot.
-    if (remainsHeld > 1 && meter.under(fine) > result.gap.before)
-      found.clear(), choices.clear(), fine.setBase({});
     const WorstGap left = worstGap(fine);
     result.worstAfter = left.size;
     result.worstSignalAfter = left.signal;
@@ -95,6 +103,13 @@ public:
 private:
   using Candidates = std::vector<Candidate>;
 
+  void forget() {
+    found.clear();
+    choices.clear();
+    fine.setBase({});
+  }
+
+  /// From nothing to the set of causes that predicts best.
   void explain() {
     const double nominal = fine.baseFit().judging;
     grow();
@@ -132,10 +147,7 @@ private:
       useLostCycles(known.lostCycles);
     } else {
       known.candidates = search(fine, quickOn(fine.base()), possibleCauses(fine), search_);
-      std::erase_if(known.candidates, [](const Candidate& c) {
-        const Effect& effect = *c.cause.effect;
-        return std::abs(c.cause.value - effect.nominal) < effect.engineShare * effect.nominal;
-      });
+      std::erase_if(known.candidates, withinEngines);
       priceHunting(known.candidates);
       addLostCycles(known.candidates);
       known.lostCycles = fine.lostCycles();
@@ -296,7 +308,10 @@ private:
     // What another engine does otherwise may be left of a large gap.
     double remains = std::max(unaccounted(), remainsHeld);
     const WorstGap sensor = worstHeldOffset(fine);
-    if (sensor.size > heldOffset) result.sensorOff = sensor.signal, result.sensorOffBy = sensor.size;
+    if (sensor.size > heldOffset) {
+      result.sensorOff = sensor.signal;
+      result.sensorOffBy = sensor.size;
+    }
     remains = std::max(remains, sensor.size / heldOffset);
     result.knownProbability = 1 / (1 + std::exp(6 * (remains - 1)));
     if (found.empty()) {

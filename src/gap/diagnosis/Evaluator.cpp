@@ -29,7 +29,7 @@ public:
   double slope() const { return isFar() ? n * limit / sum : 1; }
 
 private:
-  static constexpr double limit = 25;  // mean
+  static constexpr double limit = 25;  // noise variances, on average over the block
   bool isFar() const { return freeBase && sum > n * limit; }
 
   double sum = 0, n = 0;
@@ -190,7 +190,7 @@ Prediction Evaluator::changed(std::size_t t, const Cause& cause) const {
   return replayForetold(plant, trial, options);
 }
 
-void Evaluator::compare(const Prediction& candidate, std::size_t t, std::size_t s, Fit& fit) const {
+void Evaluator::addChange(const Prediction& candidate, std::size_t t, std::size_t s, Fit& fit) const {
   struct Block {
     explicit Block(bool freeBase) : before(freeBase), after(freeBase) {}
     Squares before, after;
@@ -232,7 +232,7 @@ Fit Evaluator::compare(const std::vector<Prediction>& candidates, const std::vec
       const auto& predicted = candidates[t].values[s];
       const auto& before = predictions[t].values[s];
       if (predicted.empty() || before.empty()) continue;
-      compare(candidates[t], t, s, fit);
+      addChange(candidates[t], t, s, fit);
     }
   }
   for (std::size_t b = 0; b < fit.squares.size(); ++b)

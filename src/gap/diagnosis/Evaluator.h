@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -10,9 +11,9 @@ namespace plumbline::gap {
 /// How well an explanation fits, per block, against the base explanation: only what an added cause can change
 /// is replayed, the rest is the base's.
 struct Fit {
-  /// Per block: weighted squares of the residuals, of runs on the feet at most about their logarithm; where a
-  /// prediction is in doubt, twice the negative logarithm of its likelihood against one without noise but the
-  /// channel's own.
+  /// Per block: squares of the residuals in units of noise variance; in runs on the feet what a block has
+  /// beyond 25 times its noise counts by its logarithm. Where a prediction is in doubt, twice the negative
+  /// logarithm of its likelihood against one without noise but the channel's own.
   std::vector<double> squares;
   double fitting = 0, judging = 0;  ///< sums over blocks for fitting and for judging
   double product = 0, change = 0;   ///< over blocks for fitting: r * d and d * d, d = change against the base
@@ -53,6 +54,13 @@ public:
   /// Mean weighted square of the residuals of a signal in a trial under the base; 1 where only noise is left,
   /// NaN where nothing was compared.
   double chi(std::size_t trial, std::size_t signal) const;
+  /// Calls use(trial, signal, chi) for every channel that was compared.
+  template <class Use>
+  void forEachChannel(Use&& use) const {
+    for (std::size_t t = 0; t < chis.size(); ++t)
+      for (std::size_t s = 0; s < chis[t].size(); ++s)
+        if (std::isfinite(chis[t][s])) use(data.trials()[t], data.trials()[t].signals[s], chis[t][s]);
+  }
   const Mechanism& mechanism() const { return robot; }
   const Evidence& evidence() const { return data; }
 
@@ -65,7 +73,7 @@ private:
   Prediction changed(std::size_t trial, const Cause& cause) const;
   Fit compare(const std::vector<Prediction>& candidates, const std::vector<bool>& replayed) const;
   /// Adds what a candidate changes in one signal.
-  void compare(const Prediction& candidate, std::size_t trial, std::size_t signal, Fit& fit) const;
+  void addChange(const Prediction& candidate, std::size_t trial, std::size_t signal, Fit& fit) const;
 
   const Mechanism& robot;
   const Evidence& data;

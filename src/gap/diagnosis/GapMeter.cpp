@@ -4,26 +4,25 @@
 #include <cmath>
 #include <map>
 
+#include "gap/diagnosis/Suspects.h"
+
 namespace plumbline::gap {
 
 namespace {
 
-constexpr double shows = 0.35;  // mean square beyond noise from which a channel counts
-constexpr double muchLess = 0.1;
+constexpr double shows = 0.35;      // mean square beyond noise from which a channel counts
+constexpr double asFar = 0.1;       // of the excess on the feet: held runs that show as much tell the cause
+constexpr double mostBlocks = 0.8;  // on the feet: the rest may have gone astray
 
 }  // namespace
 
 WorstGap worstGap(const Evaluator& evaluator, std::optional<bool> standing) {
   WorstGap worst;
-  const auto& trials = evaluator.evidence().trials();
-  for (std::size_t t = 0; t < trials.size(); ++t)
-    for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
-      const double chi = evaluator.chi(t, s);
-      if (standing && trials[t].freeBase != *standing) continue;
-      if (!Evidence::counts(trials[t].signals[s]) || !std::isfinite(chi)) continue;
-      const double size = std::sqrt(std::max(0.0, chi - 1));
-      if (size > worst.size) worst = {size, trials[t].signals[s].name};
-    }
+  evaluator.forEachChannel([&](const Trial& trial, const Signal& signal, double chi) {
+    if ((standing && trial.freeBase != *standing) || !Evidence::counts(signal)) return;
+    const double size = std::sqrt(std::max(0.0, chi - 1));
+    if (size > worst.size) worst = {size, signal.name};
+  });
   return worst;
 }
 
@@ -50,7 +49,8 @@ double gapOnFeet(const Evaluator& evaluator) {
     std::vector<double> sizes;
     for (const auto& [block, sum] : blocks) sizes.push_back(sum.squares / sum.n);
     if (sizes.empty()) continue;
-    const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(0.8 * static_cast<double>(sizes.size() - 1));
+    const auto at =
+        sizes.begin() + static_cast<std::ptrdiff_t>(mostBlocks * static_cast<double>(sizes.size() - 1));
     std::ranges::nth_element(sizes, at);
     worst = std::max(worst, std::sqrt(std::max(0.0, *at - 1)));
   }
@@ -58,15 +58,9 @@ double gapOnFeet(const Evaluator& evaluator) {
 }
 
 bool heldRunsTell(const Evaluator& evaluator) {
-  double held = 0, standing = 0;
-  const auto& trials = evaluator.evidence().trials();
-  for (std::size_t t = 0; t < trials.size(); ++t)
-    for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
-      if (trials[t].signals[s].kind != SignalKind::position) continue;
-      double& worst = trials[t].freeBase ? standing : held;
-      worst = std::max(worst, evaluator.chi(t, s) - 1);
-    }
-  return held >= muchLess * standing;
+  const double held = std::ranges::max(jointExcess(evaluator, false)),
+               standing = std::ranges::max(jointExcess(evaluator, true));
+  return held >= asFar * standing;
 }
 
 WorstGap worstHeldOffset(const Evaluator& evaluator) {

@@ -5,7 +5,7 @@
 
 #include "gap/diagnosis/GapMeter.h"
 #include "gap/diagnosis/Parallel.h"
-#include "gap/diagnosis/PossibleCauses.h"
+#include "gap/diagnosis/UnderLoad.h"
 
 namespace plumbline::gap {
 
@@ -82,7 +82,8 @@ public:
         options(options_),
         most(tellingTrials(fine_, 1)),
         telling(tellingTrials(fine_, 2)),
-        heldTells(heldRunsTell(fine_)) {}
+        heldTells(heldRunsTell(fine_)),
+        underLoad(fine_) {}
 
   std::vector<Candidate> run(const std::vector<Cause>& causes) {
     firstLook(causes);
@@ -103,7 +104,8 @@ public:
 
 private:
   /// Whether a cause that held runs could show is judged on standing runs too.
-  bool onFeet(const Cause& cause) const { return !heldTells || showsUnderLoad(fine, cause); }
+  bool onFeet(const Cause& cause) const { return !heldTells || onlyUnderLoad(cause); }
+  bool onlyUnderLoad(const Cause& cause) const { return underLoad.shows(*cause.effect, cause.place); }
   /// Trials to fit on: the most telling held ones, of the standing ones the first.
   TrialMask tellingOf(const Cause& cause) const {
     TrialMask mask = showing(fine, cause, telling, onFeet(cause));
@@ -127,8 +129,7 @@ private:
         const std::size_t i = which[n];
         Lead& candidate = looked[i];
         candidate.cause = candidate.start = causes[i];
-        const Fit fit =
-            coarse.with(causes[i], showing(fine, causes[i], most, showsUnderLoad(fine, causes[i])));
+        const Fit fit = coarse.with(causes[i], showing(fine, causes[i], most, onlyUnderLoad(causes[i])));
         promise[i] = fit.change > 0 ? fit.product * fit.product / fit.change : 0;
         const double share = std::clamp(fit.bestShare(), 0.0, 5.0);
         candidate.screened = 2 * share * fit.product - share * share * fit.change;
@@ -267,6 +268,7 @@ private:
   const SearchOptions& options;
   const TrialMask most, telling, every = TrialMask(telling.size(), 1);
   const bool heldTells;
+  const UnderLoad underLoad;
   std::vector<Lead> looked, chosen;
   std::atomic<std::size_t> done = 0;
   double stageFrom = 0, stageShare = 0;

@@ -13,6 +13,7 @@ constexpr double reach = 0.25;  // [s]: over which the variance is smoothed, to 
 constexpr double halfAsRough = 2;  // what is half as rough as the hunting, or rougher, may be hunting
 constexpr double tooFar = 4, farTooFar = 8;  // mean square of a residual over the variance within `reach`
 
+/// One of the replays whose scatter tells how far a hunting joint can be foretold.
 struct Member {
   double later;  ///< the run begins so much later: another phase of the hunting [s]
   double toothStiffness, toothDamping;
@@ -58,7 +59,8 @@ double likeHunting(const std::vector<double>& measured, const std::vector<double
   return roughness > 0 ? std::min(1.0, halfAsRough * residual.value() / roughness) : 1;
 }
 
-/// Mean square of the second differences: what is quick in a series.
+/// Mean square of the second differences: what is quick in a series, whatever its level and its slow motion
+/// (Roughness, a share, is for series around 0).
 double quickness(const std::vector<double>& values) {
   double squares = 0, n = 0;
   for (std::size_t k = 0; k + 2 < values.size(); ++k) {
@@ -69,8 +71,8 @@ double quickness(const std::vector<double>& values) {
 }
 
 /// Whether what was measured hunts at all, 0 to 1: a joint that does moves about as quickly as one that is
-/// foretold to, in the worst case seen (hung NAOs in MuJoCo) by a sixth of the squares; one that is off for
-/// another reason by a twentieth at most. calm: without play.
+/// foretold to. Of 16 joints of hung NAOs in MuJoCo those that hunt had a sixth of the foretold squares or
+/// more, those that are off for another reason a twentieth at most. calm: the same without play.
 double huntsToo(const std::vector<double>& measured, const std::vector<double>& calm, double hunting) {
   constexpr double none = 0.05, surely = 0.1;
   const double quick = quickness(calm), more = hunting - quick;

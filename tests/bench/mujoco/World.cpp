@@ -7,6 +7,8 @@ namespace plumbline::reality {
 namespace {
 
 mjModel* load(const std::string& text) {
+  // MuJoCo would write warnings to a file where it stands; those that matter are asked for after each step.
+  mju_user_warning = [](const char*) {};
   auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
   const int index = mj_makeEmptyFileVFS(files.get(), "robot.xml", static_cast<int>(text.size()));

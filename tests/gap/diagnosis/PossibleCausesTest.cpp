@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "../StandingLeg.h"
+#include "gap/diagnosis/UnderLoad.h"
 
 namespace plumbline::gap {
 namespace {
@@ -63,7 +64,7 @@ bool lookedForOnFeet(double offset, const char* id, const char* place) {
   const Cause wanted{effect, findPlace(*effect, leg, place, ""), 0, 0};
   const std::vector<Cause> causes = possibleCauses(evaluator);
   const bool listed = std::ranges::any_of(causes, [&](const Cause& cause) { return cause.sameKind(wanted); });
-  EXPECT_EQ(listed, showsUnderLoad(evaluator, wanted)) << id << " at " << place;
+  EXPECT_EQ(listed, UnderLoad(evaluator).shows(*effect, wanted.place)) << id << " at " << place;
   return listed;
 }
 

@@ -1,0 +1,49 @@
+#include "gap/diagnosis/Suspects.h"
+
+#include <algorithm>
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double cleanChi =
+    0.35;  // mean square beyond noise, in a channel, below which a chain counts as clean
+constexpr double chainShare = 0.02;  // of the worst joint's excess: chains below that wait for a later round
+constexpr double jointShare = 0.08;  // of the chain's worst
+
+}  // namespace
+
+std::vector<double> jointExcess(const Evaluator& evaluator, bool standing) {
+  std::vector<double> excess(evaluator.mechanism().joints.size(), 0);
+  evaluator.forEachChannel([&](const Trial& trial, const Signal& signal, double chi) {
+    if (trial.freeBase != standing || signal.kind != SignalKind::position) return;
+    double& most = excess[static_cast<std::size_t>(signal.joint)];
+    most = std::max(most, chi - 1);
+  });
+  return excess;
+}
+
+Suspects::Suspects(const Evaluator& evaluator) {
+  const std::size_t n = evaluator.mechanism().joints.size();
+  if (!evaluator.hasHeld()) {
+    chain.assign(n, true);
+    joint.assign(n, true);
+    any = true;
+    return;
+  }
+  chain.resize(n);
+  joint.resize(n);
+  const std::vector<double> excess = jointExcess(evaluator, false);
+  const double all = *std::ranges::max_element(excess);
+  for (std::size_t j = 0; j < n; ++j) {
+    double worst = 0;
+    const std::vector<int> near =
+        evaluator.jointsTouched({nullptr, {Site::joint, static_cast<int>(j), ""}, 0, 0});
+    for (const int other : near) worst = std::max(worst, excess[static_cast<std::size_t>(other)]);
+    chain[j] = worst > std::max(cleanChi, chainShare * all);
+    joint[j] = chain[j] && excess[j] > jointShare * worst;
+    any = any || chain[j];
+  }
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,20 @@
+#pragma once
+#include <vector>
+
+#include "gap/diagnosis/Evaluator.h"
+
+namespace plumbline::gap {
+
+/// The worst mean square beyond noise of each joint's positions under the base, in runs on the feet
+/// (standing) or with a held base. In units of noise variance, one per joint; 0 where nothing was compared.
+std::vector<double> jointExcess(const Evaluator& evaluator, bool standing);
+
+/// Joints that runs with a held base show to be off: themselves, and in a chain of which any is. All of them
+/// where there are no such runs.
+struct Suspects {
+  explicit Suspects(const Evaluator& evaluator);
+  std::vector<bool> joint, chain;  ///< one flag per joint
+  bool any = false;
+};
+
+}  // namespace plumbline::gap

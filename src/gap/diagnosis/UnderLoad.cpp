@@ -1,0 +1,41 @@
+#include "gap/diagnosis/UnderLoad.h"
+
+#include <algorithm>
+#include <array>
+
+#include "gap/diagnosis/Suspects.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double notClean = 3;        // noise variances of the worst joint, beyond noise
+constexpr double motorShare = 0.3;    // of that: what a joint with a weak motor is off by at least
+constexpr std::size_t mostFound = 2;  // causes: with as many found, nothing is looked for any more
+
+}  // namespace
+
+UnderLoad::UnderLoad(const Evaluator& evaluator) : robot(evaluator.mechanism()) {
+  if (!evaluator.hasHeld() || !evaluator.hasStanding() || evaluator.base().size() >= mostFound) return;
+  if (Suspects(evaluator).any) return;
+  excess = jointExcess(evaluator, true);
+  worst = *std::ranges::max_element(excess);
+  for (const auto& foot : robot.feet)
+    for (const int joint : robot.chain(foot.link)) legs.insert(joint);
+}
+
+bool UnderLoad::shows(const Effect& effect, const Place& place) const {
+  if (!(worst > notClean)) return false;
+  static constexpr std::array ofMotors{"torque_limit", "thermal_derating", "load_friction",
+                                       "joint_compliance"};
+  if (place.site == Site::link) {
+    const std::vector<int> chain = robot.chain(place.index);
+    return !chain.empty() && legs.contains(chain.back());
+  }
+  if (place.site != Site::joint || !legs.contains(place.index)) return false;
+  if (effect.id == "joint_offset") return true;
+  return std::ranges::find(ofMotors, effect.id) != ofMotors.end() &&
+         excess[static_cast<std::size_t>(place.index)] > motorShare * worst;
+}
+
+}  // namespace plumbline::gap
