@@ -17,7 +17,7 @@ struct ChoiceSetup {
   double push = 0.02;            ///< greatest push in those [m/s]
   int holds = 12;                ///< times a sprint is held, from a stand; to either side in turn
   double holdSeconds = 60;       ///< each
-  double sprintStep = 0.05;      ///< shares of a sprint that are tried: 1, 1 - sprintStep ..
+  double sprintStep = 0.02;      ///< shares of a sprint that are tried: 1, 1 - sprintStep ..
   double mixStep = 0.1;          ///< the same of the speeds that may be mixed, down to half of them
   double fallsPerMinute = 0.05;  ///< at most under random requests, of the walk with its sprints
 };

@@ -236,8 +236,11 @@ private:
     return std::max(worstGap(fine, false).size / std::max(remaining, remainingShare * before),
                     gapOnFeet(fine) / std::max(remainingOnFeet, remainingShareOnFeet * before));
   }
-  /// What a further cause could be looked for in.
-  double unexplainedYet() const { return std::max(worstGap(fine, false).size, gapOnFeet(fine)); }
+  /// What a further cause could be looked for in; on the feet, where looking takes minutes, only beyond what
+  /// contacts do otherwise in another engine.
+  double unexplainedYet() const {
+    return std::max(worstGap(fine, false).size, gapOnFeet(fine) * unexplained / remainingOnFeet);
+  }
   double mayRemain() const { return std::max(unexplained, unexplainedShare * result.worstBefore); }
 
   /// Adds causes from the base on until none earns its place. most: sum of squares for judging above which

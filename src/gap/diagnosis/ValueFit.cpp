@@ -67,7 +67,8 @@ Explanation fitGroup(const Evaluator& evaluator, const Explanation& causes,
   CmaesOptions options;
   options.seed = 7;
   options.population = 8;
-  options.stop.maxEvaluations = evaluations;
+  // Replays on the feet are too dear for more.
+  options.stop.maxEvaluations = evaluator.hasStanding() ? evaluations : evaluations * static_cast<int>(n - 1);
   options.stop.tolX = 0.02;
   options.stop.tolFun = 0.5;
   Cmaes optimizer(space, options);

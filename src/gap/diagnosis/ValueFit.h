@@ -25,7 +25,8 @@ Candidate fitValue(const Evaluator& evaluator, const Cause& start, const TrialMa
                    const ValueSearch& how = {});
 
 /// Values of causes that move the same joints fitted together by CMA-ES (seeded), from where they are; with a
-/// held base the others do not feel each other and stay.
+/// held base the others do not feel each other and stay. evaluations: for two; with a held base as many more
+/// for each further one.
 Explanation fitTogether(const Evaluator& evaluator, const Explanation& causes, int evaluations, int jobs);
 
 }  // namespace plumbline::gap
