@@ -95,7 +95,8 @@ double meanSpeed(Walker& robot, Task direction, const ChoiceSetup& setup) {
   for (int i = 0; i < stands; ++i) {
     Random random(setup.seed * 1000 + static_cast<std::uint64_t>(i));
     const WalkRequest full = fullSpeed(direction, i % 2 == 0 ? 1 : -1);
-    const HeldSpeed held = holdSpeed(robot, full, 20, random.uniform(0.1, 0.6));
+    const double wait = random.uniform(0.1, 0.6), aside = random.uniform(0, 1);
+    const HeldSpeed held = holdSpeed(robot, full, 20, wait, aside);
     if (!held.upright) return 0;
     sum += held.speed;
   }
@@ -121,21 +122,25 @@ double randomFalls(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& set
 
 bool sprintHolds(Walker& robot, const WalkGaits& gaits, Task direction, const ChoiceSetup& setup) {
   // What fails most often comes first.
-  for (int i = 0; i < setup.tries; ++i) {
+  double falls = 0;
+  for (int i = 0; i < setup.tries && falls <= setup.sprintFalls; ++i) {
     TrialSetup trial;
     trial.seed = setup.seed * 1000 + static_cast<std::uint64_t>(i);
     trial.tries = 1;
     trial.seconds = setup.trySeconds;
     trial.push = setup.push;
-    if (tryWalk(robot, gaits, direction, trial).falls > 0) return false;
+    falls += tryWalk(robot, gaits, direction, trial).falls;
   }
+  if (falls > setup.sprintFalls) return false;
   robot.use(gaits);
-  for (int i = 0; i < setup.holds; ++i) {
+  falls = 0;
+  for (int i = 0; i < setup.holds && falls <= setup.sprintFalls; ++i) {
     Random random(setup.seed * 1000 + static_cast<std::uint64_t>(i));
     const WalkRequest full = fullSpeed(direction, i % 2 == 0 ? 1 : -1);
-    if (!holdSpeed(robot, full, setup.holdSeconds, random.uniform(0.1, 0.6)).upright) return false;
+    const double wait = random.uniform(0.1, 0.6), aside = random.uniform(0, 1);
+    if (!holdSpeed(robot, full, setup.holdSeconds, wait, aside).upright) ++falls;
   }
-  return true;
+  return falls <= setup.sprintFalls;
 }
 
 double safeShare(Walker& robot, const WalkGaits& gaits, Task direction, const ChoiceSetup& setup) {

@@ -185,8 +185,8 @@ WalkRequest fullSpeed(Task task, double sign) {
   return {};
 }
 
-HeldSpeed holdSpeed(Walker& robot, const WalkRequest& request, double seconds, double wait) {
-  robot.restart(Pose2(-14.5, 5));
+HeldSpeed holdSpeed(Walker& robot, const WalkRequest& request, double seconds, double wait, double aside) {
+  robot.restart(Pose2(-14.5, 5 - aside));
   HeldSpeed result;
   result.upright = robot.run({}, wait) && robot.run(request, 2);
   const Vec2 direction = request.velocity.normalized();

@@ -41,8 +41,9 @@ struct HeldSpeed {
   bool upright = true;
 };
 
-/// A request held for `seconds` after the first two, from a stand of `wait` [s]; at the field's end the robot
-/// is carried back as it walks.
-HeldSpeed holdSpeed(Walker& robot, const WalkRequest& request, double seconds, double wait);
+/// A request held for `seconds` after the first two, from a stand of `wait` [s] at a place `aside` [m]: the
+/// simulator knows no chance, and from the same place after the same wait a robot does the same. At the
+/// field's end it is carried back as it walks.
+HeldSpeed holdSpeed(Walker& robot, const WalkRequest& request, double seconds, double wait, double aside);
 
 }  // namespace plumbline::walking

@@ -23,7 +23,11 @@ constexpr double unexplained = 1.3;       // may remain: no further cause is loo
 constexpr double unexplainedShare = 0.2;  // the same, of what was there
 constexpr double remaining = 1.7,
                  remainingShare = 0.08;  // beyond these, an explanation is not the whole of it
-constexpr double remainingOnFeet = 2.2, remainingShareOnFeet = 0.2;  // contacts differ more between engines
+constexpr double remainingOnFeet = 2.5, remainingShareOnFeet = 0.2;  // contacts differ more between engines
+// The same over what may remain, at most, of runs on the feet where held ones are explained: a joint that
+// sticks lets go a moment too late there and leads the rest astray.
+constexpr double heldExplained = 0.9;
+constexpr double crowded = 0.25;     // more of what remains counts for each further cause at one joint
 constexpr double heldOffset = 0.15;  // mean of a sensor at rest over its noise, that no cause may leave
 constexpr double farOff = 3;         // times what may remain: no set of causes is worth another look
 
@@ -66,6 +70,18 @@ bool withinEngines(const Candidate& candidate) {
   return std::abs(candidate.cause.value - effect.nominal) < effect.engineShare * effect.nominal;
 }
 
+bool ofSensor(const Cause& cause) { return cause.place.site == Site::imu || cause.place.site == Site::foot; }
+
+/// Effects that the library lacks can be put together from several of it: the largest number of causes at one
+/// joint, at least 1.
+int mostAtOneJoint(const Explanation& causes) {
+  std::ptrdiff_t most = 1;
+  for (const Cause& cause : causes)
+    if (cause.place.site == Site::joint)
+      most = std::max(most, std::ranges::count(causes, cause.place, &Cause::place));
+  return static_cast<int>(most);
+}
+
 Explanation without(Explanation causes, std::size_t i) {
   causes.erase(causes.begin() + static_cast<std::ptrdiff_t>(i));
   return causes;
@@ -83,6 +99,7 @@ public:
     result.gap.before = meter.under(fine);
     double remainsHeld = 0;
     if (fine.hasHeld() && fine.hasStanding() && heldRunsTell(fine)) remainsHeld = explainHeldRuns();
+    const bool heldTold = !found.empty();
     if (remainsHeld > 1) {
       // Not known to the library. What came nearest on held runs may topple the robot.
       if (meter.under(fine) > result.gap.before) forget();
@@ -96,7 +113,7 @@ public:
     result.worstAfter = left.size;
     result.worstSignalAfter = left.signal;
     result.gap.after = meter.under(fine);
-    judge(remainsHeld);
+    judge(remainsHeld, heldTold);
     return result;
   }
 
@@ -134,7 +151,7 @@ private:
   }
 
   /// What could be added to the base, most probable first.
-  Candidates candidates(const std::string& stage) {
+  Candidates candidates(const std::string& stage, bool onlySensors = false) {
     SearchOptions search_;
     search_.jobs = options.jobs;
     search_.leastGain = leastPart() / 2 * std::max(0.0, excess(fine));
@@ -146,7 +163,9 @@ private:
       known = std::move(*remembered);
       useLostCycles(known.lostCycles);
     } else {
-      known.candidates = search(fine, quickOn(fine.base()), possibleCauses(fine), search_);
+      std::vector<Cause> possible = possibleCauses(fine);
+      if (onlySensors) std::erase_if(possible, [](const Cause& cause) { return !ofSensor(cause); });
+      known.candidates = search(fine, quickOn(fine.base()), possible, search_);
       std::erase_if(known.candidates, withinEngines);
       priceHunting(known.candidates);
       addLostCycles(known.candidates);
@@ -210,7 +229,8 @@ private:
       Explanation tried = old;
       tried.push_back(list[i].cause);
       fine.setBase(old);
-      const Explanation together = fitTogether(quickOn(old), tried, evaluations, options.jobs);
+      const Explanation together =
+          ofSensor(list[i].cause) ? tried : fitTogether(quickOn(old), tried, evaluations, options.jobs);
       const bool better = together == tried || fine.of(together).fitting < fine.of(tried).fitting;
       fine.setBase(better ? together : tried);
       if (fine.baseFit().judging < bestJudging && before.betteredBy(fine, part)) {
@@ -231,15 +251,19 @@ private:
   }
   /// What remains over what another engine may do otherwise: above 1, the causes found are not the whole of
   /// it.
-  double unaccounted() const {
-    const double before = result.worstBefore;
-    return std::max(worstGap(fine, false).size / std::max(remaining, remainingShare * before),
-                    gapOnFeet(fine) / std::max(remainingOnFeet, remainingShareOnFeet * before));
+  double unaccounted() const { return std::max(unaccountedHeld(), unaccountedOnFeet()); }
+  double unaccountedHeld() const {
+    return worstGap(fine, false).size / std::max(remaining, remainingShare * result.worstBefore);
   }
-  /// What a further cause could be looked for in; on the feet, where looking takes minutes, only beyond what
-  /// contacts do otherwise in another engine.
-  double unexplainedYet() const {
-    return std::max(worstGap(fine, false).size, gapOnFeet(fine) * unexplained / remainingOnFeet);
+  double unaccountedOnFeet() const {
+    return gapOnFeet(fine) / std::max(remainingOnFeet, remainingShareOnFeet * result.worstBefore);
+  }
+  /// What a further cause could be looked for in.
+  double unexplainedYet() const { return std::max(worstGap(fine, false).size, gapOnFeet(fine)); }
+  /// On the feet, where replays take minutes, what contacts may do otherwise in another engine is only looked
+  /// through for sensors, which need none.
+  bool onlySensorsYet() const {
+    return !found.empty() && worstGap(fine, false).size < unexplained && gapOnFeet(fine) < remainingOnFeet;
   }
   double mayRemain() const { return std::max(unexplained, unexplainedShare * result.worstBefore); }
 
@@ -249,7 +273,7 @@ private:
     while (found.size() < options.maxCauses &&
            (found.empty() ? worstGap(fine).size >= present : unexplainedYet() >= unexplained)) {
       if (found.size() > 1 && fine.baseFit().judging > most) break;
-      Candidates list = candidates(found.empty() ? "first cause" : "further cause");
+      Candidates list = candidates(found.empty() ? "first cause" : "further cause", onlySensorsYet());
       if (!accept(list)) {
         if (choices.empty()) choices.push_back(std::move(list));
         break;
@@ -307,9 +331,12 @@ private:
     found = fitTogether(fine, found, evaluations, options.jobs);
   }
 
-  void judge(double remainsHeld) {
+  void judge(double remainsHeld, bool heldTold) {
     // What another engine does otherwise may be left of a large gap.
-    double remains = std::max(unaccounted(), remainsHeld);
+    double onFeet = unaccountedOnFeet();
+    if (heldTold && remainsHeld <= 1) onFeet = std::min(onFeet, heldExplained);
+    double remains =
+        std::max({unaccountedHeld(), onFeet, remainsHeld}) * (1 + crowded * (mostAtOneJoint(found) - 1));
     const WorstGap sensor = worstHeldOffset(fine);
     if (sensor.size > heldOffset) {
       result.sensorOff = sensor.signal;

@@ -32,8 +32,9 @@ void measureSpeeds(const BenchSetup& setup, Report& report) {
     const WalkGaits& gaits = subject.gaits;
     std::vector<double> forward, backward, sideways, turn, half, falls, odometry, stops;
     int fallen = 0, runs = 0;
-    const auto add = [&](std::vector<double>& to, Task task, double seconds, double wait, double sign) {
-      const HeldSpeed run = holdSpeed(robot, fullSpeed(task, sign), seconds, wait);
+    const auto add = [&](std::vector<double>& to, Task task, double seconds, double wait, double sign,
+                         int seed) {
+      const HeldSpeed run = holdSpeed(robot, fullSpeed(task, sign), seconds, wait, 0.1 * seed);
       to.push_back(task == Task::turn ? toDegrees(run.speed) : run.speed);
       fallen += run.upright ? 0 : 1;
       ++runs;
@@ -41,10 +42,10 @@ void measureSpeeds(const BenchSetup& setup, Report& report) {
     for (int seed = 0; seed < setup.seeds; ++seed) {
       Random random(static_cast<std::uint64_t>(1000 + seed));
       const double wait = random.uniform(0.1, 0.6), sign = seed % 2 == 0 ? 1 : -1;
-      add(forward, Task::forward, 60, wait, sign);
-      add(backward, Task::backward, 20, wait, sign);
-      add(sideways, Task::sideways, 20, wait, sign);
-      add(turn, Task::turn, 20, wait, sign);
+      add(forward, Task::forward, 60, wait, sign, seed);
+      add(backward, Task::backward, 20, wait, sign, seed);
+      add(sideways, Task::sideways, 20, wait, sign, seed);
+      add(turn, Task::turn, 20, wait, sign, seed);
 
       robot.restart();
       robot.run({}, wait);
