@@ -2,7 +2,7 @@
 # Makes the walks of the league's robots, config/robots/type*/walking.yaml, from what searches found,
 # config/walks/type*/walking.yaml: cuts the speeds that may be mixed and each sprint to what goes through minutes of
 # tries without a fall (doc/reference/walk.md, "Finding a walk"). Seeds are fixed: the same program writes the same
-# files. About ten minutes. With SEARCH=GENERATIONS every sprint forward and sideways is searched on from there first, and
+# files. Some minutes. With SEARCH=GENERATIONS every sprint forward and sideways is searched on from there first, and
 # the quicker one after cutting is taken: with 90 about 15 minutes per type and direction.
 # Arguments: types (0 1 2 3 4).
 set -euo pipefail

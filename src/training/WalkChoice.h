@@ -7,18 +7,17 @@
 
 namespace plumbline::walking {
 
-/// The rule by which a walk is chosen from what searches found: the fastest of it that goes through all
-/// this.
+/// The rule by which a walk is chosen from what searches found: the fastest of it that goes through all this
+/// without a single fall.
 struct ChoiceSetup {
   std::uint64_t seed = 1;
   double minutes = 40;           ///< of random requests, a minute from each stand
-  int tries = 40;                ///< of a sprint with interruptions, in which anything is asked for (tryWalk)
+  int tries = 24;                ///< of a sprint with interruptions, in which anything is asked for (tryWalk)
   double trySeconds = 12;        ///< each
   double push = 0.02;            ///< greatest push in those [m/s]
-  int holds = 60;                ///< times a sprint is held, from a stand; to either side in turn
+  int holds = 12;                ///< times a sprint is held, from a stand; to either side in turn
   double holdSeconds = 60;       ///< each
-  double sprintFalls = 1;        ///< at most, of all tries, and of all times a sprint is held
-  double sprintStep = 0.02;      ///< shares of a sprint that are tried: 1, 1 - sprintStep ..
+  double sprintStep = 0.05;      ///< shares of a sprint that are tried: 1, 1 - sprintStep ..
   double mixStep = 0.1;          ///< the same of the speeds that may be mixed, down to half of them
   double fallsPerMinute = 0.05;  ///< at most under random requests, of the walk with its sprints
 };
@@ -39,7 +38,7 @@ WalkGaits slowMixture(const WalkGaits& gaits, double share);
 /// Falls per minute under random requests, at most about `enough`: it stops counting there.
 double randomFalls(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup, double enough);
 
-/// Whether the sprint of a direction is held and can be interrupted, with sprintFalls at most.
+/// Whether the sprint of a direction is held and can be interrupted without a fall.
 bool sprintHolds(Walker& robot, const WalkGaits& gaits, Task direction, const ChoiceSetup& setup);
 
 /// The longest share of a sprint that holds; 0 if none does.
