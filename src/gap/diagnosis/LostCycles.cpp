@@ -13,8 +13,8 @@ constexpr std::size_t spacing =
     10;                           // cycles between two that are tried in one replay: a servo settles within
 constexpr std::size_t reach = 4;  // cycles within which only one changes its mind in a round
 constexpr int rounds = 8;
-constexpr double leastGain = 14;  // of the sum of squares: e^-7 by chance, in thousands of cycles
-constexpr double visibleChange = 4 * leastGain;
+constexpr double cycleGain = 14;  // of the sum of squares: e^-7 by chance, in thousands of cycles
+constexpr double visibleChange = 4 * cycleGain;
 
 /// Which commands one run lost, cycle by cycle.
 class Listener {
@@ -68,7 +68,7 @@ private:
       }
     }
     seen[k] = change;
-    gains[k] = gain - (lost[k] ? 0 : leastGain);
+    gains[k] = gain - (lost[k] ? 0 : cycleGain);
   }
 
   /// Neighbours explain much of the same: only the best of them changes in a round.
@@ -118,7 +118,7 @@ LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, i
     seen += visible[t];
   }
   result.share = seen ? static_cast<double>(result.found) / static_cast<double>(seen) : 0;
-  result.price = leastGain * static_cast<double>(result.found) / 2;  // half of the blocks are for judging
+  result.price = cycleGain * static_cast<double>(result.found) / 2;  // half of the blocks are for judging
   return result;
 }
 

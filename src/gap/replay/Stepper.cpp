@@ -11,7 +11,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double unmeasured = std::numeric_limits<double>::quiet_NaN();
 constexpr int maxRegimes = 5, frictionSweeps = 30;
 
 double firstFinite(const std::vector<double>& values, double otherwise) {
@@ -294,13 +294,13 @@ void Stepper::advance(double h) {
 double Stepper::current(int node) const {
   const Drive& drive = drives[index(node)];
   const double kt = plant.joints[index(drive.joint)].servo.kt;
-  return kt > 0 ? drive.torque / kt : nan;
+  return kt > 0 ? drive.torque / kt : unmeasured;
 }
 
 double Stepper::duty(int node) const {
   const Drive& drive = drives[index(node)];
   const Servo& servo = plant.joints[index(drive.joint)].servo;
-  if (servo.model != Servo::Model::dcMotor) return nan;
+  if (servo.model != Servo::Model::dcMotor) return unmeasured;
   const double duty = servo.kpFirmware * servo.errorGain * (drive.command - drive.shown);
   return std::clamp(duty, -servo.maxPwm, servo.maxPwm);
 }
