@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "gap/diagnosis/GapMeter.h"
@@ -10,7 +9,9 @@
 #include "gap/diagnosis/Merit.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Probability.h"
+#include "gap/diagnosis/Remainder.h"
 #include "gap/diagnosis/Search.h"
+#include "gap/diagnosis/Suspects.h"
 #include "gap/replay/Ensemble.h"
 
 namespace plumbline::gap {
@@ -18,12 +19,7 @@ namespace plumbline::gap {
 namespace {
 
 // Gaps beyond noise, of the worst channel, in units of its noise.
-constexpr double present = 0.9;           // below that nothing is looked for
-constexpr double unexplained = 1.3;       // may remain: no further cause is looked for
-constexpr double unexplainedShare = 0.2;  // the same, of what was there
-constexpr double remaining = 1.7,
-                 remainingShare = 0.08;  // beyond these, an explanation is not the whole of it
-constexpr double remainingOnFeet = 2.5, remainingShareOnFeet = 0.2;  // contacts differ more between engines
+constexpr double present = 0.9;  // below that nothing is looked for
 // The same over what may remain, at most, of runs on the feet where held ones are explained: a joint that
 // sticks lets go a moment too late there and leads the rest astray.
 constexpr double heldExplained = 0.9;
@@ -31,7 +27,7 @@ constexpr double crowded = 0.25;     // more of what remains counts for each fur
 constexpr double heldOffset = 0.15;  // mean of a sensor at rest over its noise, that no cause may leave
 constexpr double farOff = 3;         // times what may remain: no set of causes is worth another look
 
-// Where only a little of the gap is left (under half of unexplainedShare), a further cause has to explain
+// Where only a little of the gap is left (Remainder::little), a further cause has to explain
 // most of that, and to be more probable than all others together.
 constexpr double mostOfIt = 0.6, surer = 0.5;
 constexpr double rivalShare = 0.01;   // probability that is worth a word
@@ -41,28 +37,6 @@ constexpr double otherStart = 0.7;    // of the best first cause's gain: what ga
 constexpr std::size_t tries = 3, otherStarts = 3;
 constexpr double coarseWithin = 1.2;  // of the squares with fine steps
 constexpr int evaluations = 32;       // of values that are fitted together
-
-// Lost commands leave most chains off at a time, by more than this mean square over noise.
-constexpr double mostShare = 0.75, chainOff = 1.5;
-constexpr std::size_t fewChains = 3;  // a robot with fewer is judged by its joints
-
-/// Whether most of the robot is off, as lost commands would leave it: its chains, or the joints of a robot
-/// that has few chains.
-bool mostIsOff(const Evaluator& evaluator) {
-  std::set<int> roots, rootsOff, joints, jointsOff;
-  evaluator.forEachChannel([&](const Trial& trial, const Signal& signal, double chi) {
-    if (trial.freeBase || signal.kind != SignalKind::position) return;
-    const int root = evaluator.jointsTouched({nullptr, {Site::joint, signal.joint, ""}, 0, 0}).front();
-    roots.insert(root);
-    joints.insert(signal.joint);
-    if (!(chi > chainOff)) return;
-    rootsOff.insert(root);
-    jointsOff.insert(signal.joint);
-  });
-  const bool few = roots.size() < fewChains;
-  const auto &all = few ? joints : roots, &off = few ? jointsOff : rootsOff;
-  return !off.empty() && static_cast<double>(off.size()) >= mostShare * static_cast<double>(all.size());
-}
 
 /// Whether a value is no farther from the model's than engines are from each other.
 bool withinEngines(const Candidate& candidate) {
@@ -131,7 +105,7 @@ private:
     const double nominal = fine.baseFit().judging;
     grow();
     beginOtherwise(nominal);
-    if (found.size() > 1 && unexplainedYet() < farOff * mayRemain()) reconsider();
+    if (found.size() > 1 && remainder().mayRemain(farOff)) reconsider();
   }
 
   /// Where held runs show what is wrong, they tell it for a hundredth of the price; what remains of them over
@@ -142,7 +116,7 @@ private:
     onHeldRuns = true;
     explain();
     fine.setBase(found);
-    const double remains = worstGap(fine).size < unexplained ? 0 : unaccounted();
+    const double remains = worstGap(fine).size < unexplained ? 0 : remainder().unaccounted();
     onHeldRuns = false;
     result.worstBefore = whole;
     for (Evaluator* evaluator : {&fine, &coarse}) evaluator->leaveStandingOut(false);
@@ -159,7 +133,9 @@ private:
       if (options.progress) options.progress(stage, share);
     };
     SearchResult known;
-    if (auto remembered = memory() ? memory()->find(fine.base()) : std::nullopt) {
+    // A narrower search must not pass for the whole one of its base, and costs nothing to repeat.
+    SearchMemory* const memory = onlySensors ? nullptr : wholeMemory();
+    if (auto remembered = memory ? memory->find(fine.base()) : std::nullopt) {
       known = std::move(*remembered);
       useLostCycles(known.lostCycles);
     } else {
@@ -170,7 +146,7 @@ private:
       priceHunting(known.candidates);
       addLostCycles(known.candidates);
       known.lostCycles = fine.lostCycles();
-      if (memory()) memory()->keep(fine.base(), known);
+      if (memory) memory->keep(fine.base(), known);
     }
     sortByProbability(known.candidates);
     return std::move(known.candidates);
@@ -245,35 +221,17 @@ private:
   /// The share of what is unexplained that a further cause has to explain: where little is left of a large
   /// gap, that may be what the effects found do otherwise in reality, and only what explains most of it
   /// counts.
-  double leastPart() const {
-    const bool little = unexplainedYet() < unexplainedShare / 2 * result.worstBefore;
-    return !fine.base().empty() && little ? mostOfIt : 0;
-  }
-  /// What remains over what another engine may do otherwise: above 1, the causes found are not the whole of
-  /// it.
-  double unaccounted() const { return std::max(unaccountedHeld(), unaccountedOnFeet()); }
-  double unaccountedHeld() const {
-    return worstGap(fine, false).size / std::max(remaining, remainingShare * result.worstBefore);
-  }
-  double unaccountedOnFeet() const {
-    return gapOnFeet(fine) / std::max(remainingOnFeet, remainingShareOnFeet * result.worstBefore);
-  }
-  /// What a further cause could be looked for in.
-  double unexplainedYet() const { return std::max(worstGap(fine, false).size, gapOnFeet(fine)); }
-  /// On the feet, where replays take minutes, what contacts may do otherwise in another engine is only looked
-  /// through for sensors, which need none.
-  bool onlySensorsYet() const {
-    return !found.empty() && worstGap(fine, false).size < unexplained && gapOnFeet(fine) < remainingOnFeet;
-  }
-  double mayRemain() const { return std::max(unexplained, unexplainedShare * result.worstBefore); }
+  double leastPart() const { return !fine.base().empty() && remainder().little() ? mostOfIt : 0; }
+  Remainder remainder() const { return {fine, result.worstBefore}; }
 
   /// Adds causes from the base on until none earns its place. most: sum of squares for judging above which
   /// two causes are not worth a third.
   void grow(double most = INFINITY) {
     while (found.size() < options.maxCauses &&
-           (found.empty() ? worstGap(fine).size >= present : unexplainedYet() >= unexplained)) {
+           (found.empty() ? worstGap(fine).size >= present : remainder().size() >= unexplained)) {
       if (found.size() > 1 && fine.baseFit().judging > most) break;
-      Candidates list = candidates(found.empty() ? "first cause" : "further cause", onlySensorsYet());
+      Candidates list = candidates(found.empty() ? "first cause" : "further cause",
+                                   !found.empty() && remainder().onlyOfSensors());
       if (!accept(list)) {
         if (choices.empty()) choices.push_back(std::move(list));
         break;
@@ -286,9 +244,9 @@ private:
   /// Where much stays unexplained, the first cause may have been the wrong one: begins with others, keeps the
   /// set that predicts best.
   void beginOtherwise(double nominal) {
-    if (choices.empty() || unexplainedYet() < mayRemain()) return;
+    if (choices.empty() || remainder().mayRemain()) return;
     // Looking again on the feet takes minutes.
-    if (fine.hasStanding() && !found.empty() && unaccounted() <= 1) return;
+    if (fine.hasStanding() && !found.empty() && remainder().unaccounted() <= 1) return;
     const Candidates firsts = choices.front();
     if (found.empty()) choices.clear();
     Explanation best = found;
@@ -333,10 +291,11 @@ private:
 
   void judge(double remainsHeld, bool heldTold) {
     // What another engine does otherwise may be left of a large gap.
-    double onFeet = unaccountedOnFeet();
+    const Remainder left = remainder();
+    double onFeet = left.unaccountedOnFeet();
     if (heldTold && remainsHeld <= 1) onFeet = std::min(onFeet, heldExplained);
     double remains =
-        std::max({unaccountedHeld(), onFeet, remainsHeld}) * (1 + crowded * (mostAtOneJoint(found) - 1));
+        std::max({left.unaccountedHeld(), onFeet, remainsHeld}) * (1 + crowded * (mostAtOneJoint(found) - 1));
     const WorstGap sensor = worstHeldOffset(fine);
     if (sensor.size > heldOffset) {
       result.sensorOff = sensor.signal;
@@ -388,7 +347,7 @@ private:
   }
 
   /// Of searches in all runs.
-  SearchMemory* memory() const { return onHeldRuns ? nullptr : options.memory; }
+  SearchMemory* wholeMemory() const { return onHeldRuns ? nullptr : options.memory; }
 
   Evaluator &fine, &coarse;
   const DiagnosisOptions& options;

@@ -1,6 +1,7 @@
 #include "gap/diagnosis/Suspects.h"
 
 #include <algorithm>
+#include <set>
 
 namespace plumbline::gap {
 
@@ -10,6 +11,10 @@ constexpr double cleanChi =
     0.35;  // mean square beyond noise, in a channel, below which a chain counts as clean
 constexpr double chainShare = 0.02;  // of the worst joint's excess: chains below that wait for a later round
 constexpr double jointShare = 0.08;  // of the chain's worst
+
+// Lost commands leave most chains off at a time, by more than this mean square over noise.
+constexpr double mostShare = 0.75, chainOff = 1.5;
+constexpr std::size_t fewChains = 3;  // a robot with fewer is judged by its joints
 
 }  // namespace
 
@@ -44,6 +49,22 @@ Suspects::Suspects(const Evaluator& evaluator) {
     joint[j] = chain[j] && excess[j] > jointShare * worst;
     any = any || chain[j];
   }
+}
+
+bool mostIsOff(const Evaluator& evaluator) {
+  std::set<int> roots, rootsOff, joints, jointsOff;
+  evaluator.forEachChannel([&](const Trial& trial, const Signal& signal, double chi) {
+    if (trial.freeBase || signal.kind != SignalKind::position) return;
+    const int root = evaluator.jointsTouched({nullptr, {Site::joint, signal.joint, ""}, 0, 0}).front();
+    roots.insert(root);
+    joints.insert(signal.joint);
+    if (!(chi > chainOff)) return;
+    rootsOff.insert(root);
+    jointsOff.insert(signal.joint);
+  });
+  const bool few = roots.size() < fewChains;
+  const auto &all = few ? joints : roots, &off = few ? jointsOff : rootsOff;
+  return !off.empty() && static_cast<double>(off.size()) >= mostShare * static_cast<double>(all.size());
 }
 
 }  // namespace plumbline::gap

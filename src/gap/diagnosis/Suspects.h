@@ -17,4 +17,8 @@ struct Suspects {
   bool any = false;
 };
 
+/// Whether most of the robot is off, as lost commands would leave it: its chains, or the joints of a robot
+/// that has few chains.
+bool mostIsOff(const Evaluator& evaluator);
+
 }  // namespace plumbline::gap
