@@ -40,7 +40,7 @@ warnings="-Wall -Wextra -Wpedantic -Werror"        # C and C++
 flags=""                          # code generation, C and C++, also given to the linker
 cxxflags="-std=c++20"             # C++ alone
 precompiled=""                    # a header compiled once and put before every C++ source; empty: none
-together="1"                      # so many neighbouring C++ sources are compiled in one go
+together="1"                      # about so many neighbouring C++ sources are compiled in one go
 cflags="-std=c11"                 # C alone
 generatedFlags="-w"               # added for generated sources: nobody mends their warnings
 ldflags="-Wl,--as-needed"         # linker

@@ -50,37 +50,60 @@ startDependencyFile() { # $1 object, $2 source, $3 language
 
 language() { case $1 in build/*/together/*) REPLY=together ;; *.c) REPLY=c ;; build/generated/*) REPLY=generated ;; *) REPLY=cpp ;; esac; }
 
-# Bundles up to $together neighbours among an output's C++ sources: what they include and instantiate alike costs
-# once then. Replaces their objects by those of the bundles.
+# Bundles $together neighbours or so among an output's C++ sources: what they include and instantiate alike costs
+# once then. Replaces their objects by those of the bundles. A bundle stays within a folder or a few small ones side
+# by side, so that a file that comes or goes moves no other folder's.
 bundle() {
-  local o object members path kept i first next count
+  local o object members path kept folder group
   rm -rf "$build/together.new"
   mkdir -p "$build/together" "$build/together.new" "$build/obj/together"
   for o in "${outputs[@]}"; do
-    members=() kept=""
+    members=() kept="" group=""
     for object in ${objectsOf[$o]}; do
       path=${sourceOf[$object]}
       language "$path"
-      if [[ $REPLY == cpp ]]; then members+=("$object"); else kept+=" $object"; fi
+      if [[ $REPLY != cpp ]]; then
+        kept+=" $object"
+        continue
+      fi
+      folder=${path%/*}
+      if [[ $folder != "$group" ]] && ! { ((${#members[@]} < together / 2)) && areNear "$folder" "$group"; }; then
+        bundleGroup
+        members=() group=$folder
+      fi
+      members+=("$object")
     done
-    count=$(((${#members[@]} + together - 1) / together))
-    for ((i = 0; i < count; ++i)); do
-      first=$((i * ${#members[@]} / count)) next=$(((i + 1) * ${#members[@]} / count))
-      path=${o##*/}.${kindOf[$o]}$i
-      for object in "${members[@]:first:next-first}"; do
-        printf '#include "%s"\n' "${sourceOf[$object]}" >> "$build/together.new/$path.cpp"
-        unset "sourceOf[$object]"
-      done
-      writeIfChanged "$build/together/$path.cpp" < "$build/together.new/$path.cpp"
-      object=$build/obj/together/$path.o
-      sourceOf[$object]=$build/together/$path.cpp
-      kept+=" $object"
-    done
+    bundleGroup
     objectsOf[$o]=$kept
   done
   for path in "$build/together"/*[0-9].cpp; do [[ -f $build/together.new/${path##*/} ]] || rm -f "$path"; done
   rm -r "$build/together.new"
   mapfile -t objects < <(printf '%s\n' ${objectsOf[@]} | sort)
+}
+
+# True when folders $1 and $2 share their first two levels.
+areNear() {
+  local first second rest
+  IFS=/ read -r first second rest <<< "$1"
+  [[ $2/ == "$first/$second/"* ]]
+}
+
+# Writes $members of output $o, from folder $group on, as bundles of like size and adds their objects to $kept.
+bundleGroup() {
+  local i first next path object count=$(((${#members[@]} + together / 2) / together))
+  if ((!count && ${#members[@]})); then count=1; fi
+  for ((i = 0; i < count; ++i)); do
+    first=$((i * ${#members[@]} / count)) next=$(((i + 1) * ${#members[@]} / count))
+    path=${o##*/}.${kindOf[$o]}.${group//\//-}$i
+    for object in "${members[@]:first:next-first}"; do
+      printf '#include "%s"\n' "${sourceOf[$object]}" >> "$build/together.new/$path.cpp"
+      unset "sourceOf[$object]"
+    done
+    writeIfChanged "$build/together/$path.cpp" < "$build/together.new/$path.cpp"
+    object=$build/obj/together/$path.o
+    sourceOf[$object]=$build/together/$path.cpp
+    kept+=" $object"
+  done
 }
 
 # Prints every output with its objects and how it is built.

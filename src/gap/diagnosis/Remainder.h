@@ -1,5 +1,7 @@
 #pragma once
-#include "gap/diagnosis/Evaluator.h"
+#include <algorithm>
+
+#include "gap/diagnosis/GapMeter.h"
 
 namespace plumbline::gap {
 
@@ -11,23 +13,35 @@ constexpr double unexplained = 1.3;
 class Remainder {
 public:
   /// worstBefore: gap beyond noise of the worst channel without any cause, in units of its noise.
-  Remainder(const Evaluator& evaluator, double worstBefore);
+  Remainder(const Evaluator& evaluator, double worstBefore)
+      : held(worstGap(evaluator, false).size), onFeet(gapOnFeet(evaluator)), before(worstBefore) {}
 
   /// Over what another engine may do otherwise: above 1, the causes found are not the whole of it.
-  double unaccounted() const;
-  double unaccountedHeld() const;
-  double unaccountedOnFeet() const;
+  double unaccounted() const { return std::max(unaccountedHeld(), unaccountedOnFeet()); }
+  double unaccountedHeld() const { return held / std::max(remaining, remainingShare * before); }
+  double unaccountedOnFeet() const {
+    return onFeet / std::max(remainingOnFeet, remainingShareOnFeet * before);
+  }
   /// What a further cause could be looked for in.
-  double size() const;
+  double size() const { return std::max(held, onFeet); }
   /// Whether so little is left of a large gap that it may be what the effects found do otherwise in reality.
-  bool little() const;
+  bool little() const { return size() < unexplainedShare / 2 * before; }
   /// Whether it is below a multiple of what no other set of causes is tried for.
-  bool mayRemain(double times = 1) const;
+  bool mayRemain(double times = 1) const {
+    return size() < times * std::max(unexplained, unexplainedShare * before);
+  }
   /// On the feet, where replays take minutes, what contacts may do otherwise in another engine is only looked
   /// through for sensors, which need none.
-  bool onlyOfSensors() const;
+  bool onlyOfSensors() const { return held < unexplained && onFeet < remainingOnFeet; }
 
 private:
+  // In units of noise, and as shares of what was there.
+  static constexpr double unexplainedShare = 0.2;
+  // Beyond these, an explanation is not the whole of it.
+  static constexpr double remaining = 1.7, remainingShare = 0.08;
+  static constexpr double remainingOnFeet = 2.5,
+                          remainingShareOnFeet = 0.2;  // contacts differ more between engines
+
   double held, onFeet, before;
 };
 

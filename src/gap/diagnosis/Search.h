@@ -17,7 +17,7 @@ struct SearchOptions {
 inline ReplayOptions coarseSteps() {
   ReplayOptions options;
   options.step = 0.005;
-  options.gearStep = 0.0025;
+  options.gearStep = 0.00125;
   return options;
 }
 

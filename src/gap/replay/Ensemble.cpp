@@ -10,6 +10,9 @@ namespace {
 
 constexpr double reach = 0.25;  // [s]: over which the variance is smoothed, to each side
 
+constexpr double invisiblePlay = 5e-4;  // [rad]: a third of a twelve-bit encoder's count
+constexpr double widePlay = 0.1;        // [rad]: what swings free in it bounces, whoever holds the motor
+
 constexpr double halfAsRough = 2;  // what is half as rough as the hunting, or rougher, may be hunting
 constexpr double tooFar = 4, farTooFar = 8;  // mean square of a residual over the variance within `reach`
 
@@ -125,7 +128,9 @@ void combine(const std::vector<Prediction>& all, const Prediction& calm, const T
 
 }  // namespace
 
-bool hunts(const JointPlant& joint) { return joint.linkEncoder && joint.backlash > 0; }
+bool hunts(const JointPlant& joint) {
+  return joint.backlash > (joint.linkEncoder ? invisiblePlay : widePlay);
+}
 
 Prediction replayForetold(const Plant& plant, const Trial& trial, const ReplayOptions& options) {
   bool any = false;
