@@ -5,7 +5,8 @@
 set -euo pipefail
 object=$1 dependencies=$2 bundle=$3
 shift 3
-compiler=("$@")
+# What is without a name in a source is without one in its bundle, whose main file it is not.
+compiler=("$@" -Wno-subobject-linkage)
 notes=() # names that met
 parts=() # objects that succeeded, each with its dependencies beside it
 

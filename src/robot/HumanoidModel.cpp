@@ -2,10 +2,10 @@
 
 #include <stdexcept>
 
+#include "math/Index.h"
+
 namespace plumbline {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Mat3 aboutOther(const Mat3& inertia, double mass, const Vec3& offset) {
   return inertia + mass * (offset.squaredNorm() * Mat3::Identity() - offset * offset.transpose());

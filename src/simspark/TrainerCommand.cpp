@@ -173,7 +173,7 @@ std::string playerText(const std::optional<PlayerName>& name) {
   return "(unum " + std::to_string(name->unum) + ")(team " + trainerName(name->side) + ')';
 }
 
-struct Writer {
+struct CommandWriter {
   std::string operator()(const MoveAgentCommand& c) const {
     std::string text = "(agent " + playerText(c.player);
     if (c.position && c.heading) {
@@ -231,7 +231,9 @@ struct Writer {
 
 }  // namespace
 
-std::string writeTrainerCommand(const TrainerCommand& command) { return std::visit(Writer(), command); }
+std::string writeTrainerCommand(const TrainerCommand& command) {
+  return std::visit(CommandWriter(), command);
+}
 
 std::string writeClock(const SimulatorClock& clock) {
   std::string text = "(clock (paused ";

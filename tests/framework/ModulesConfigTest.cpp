@@ -10,7 +10,7 @@
 namespace plumbline {
 namespace {
 
-std::string errorOf(const std::string& text) {
+std::string problemWith(const std::string& text) {
   try {
     parseModulesConfig(text, "modules.cfg");
   } catch (const ConfigurationError& error) {
@@ -57,33 +57,33 @@ TEST(ModulesConfigTest, namesWhatIsNotOfTheForm) {
   const std::string form =
       "expected \"Module\", \"Module Representation\", \"thread Representation\" or \"[thread priority]\", "
       "not ";
-  EXPECT_EQ(errorOf("A B\nA B C\n"), "modules.cfg:2: " + form + "\"A B C\"");
-  EXPECT_EQ(errorOf("7up\n"), "modules.cfg:1: " + form + "\"7up\"");
-  EXPECT_EQ(errorOf("A B-C\n"), "modules.cfg:1: " + form + "\"A B-C\"");
-  EXPECT_EQ(errorOf("[main 1\nA\n"), "modules.cfg:1: " + form + "\"[main 1\"");
-  EXPECT_EQ(errorOf("[]\nA\n"), "modules.cfg:1: " + form + "\"[]\"");
-  EXPECT_EQ(errorOf("[a 1 2]\nA\n"), "modules.cfg:1: " + form + "\"[a 1 2]\"");
+  EXPECT_EQ(problemWith("A B\nA B C\n"), "modules.cfg:2: " + form + "\"A B C\"");
+  EXPECT_EQ(problemWith("7up\n"), "modules.cfg:1: " + form + "\"7up\"");
+  EXPECT_EQ(problemWith("A B-C\n"), "modules.cfg:1: " + form + "\"A B-C\"");
+  EXPECT_EQ(problemWith("[main 1\nA\n"), "modules.cfg:1: " + form + "\"[main 1\"");
+  EXPECT_EQ(problemWith("[]\nA\n"), "modules.cfg:1: " + form + "\"[]\"");
+  EXPECT_EQ(problemWith("[a 1 2]\nA\n"), "modules.cfg:1: " + form + "\"[a 1 2]\"");
 }
 
 TEST(ModulesConfigTest, namesABadPriority) {
-  EXPECT_EQ(errorOf("[main 16]\nA\n"),
+  EXPECT_EQ(problemWith("[main 16]\nA\n"),
             "modules.cfg:1: thread main needs a priority from 0 to 15, not \"16\"");
-  EXPECT_EQ(errorOf("[main -1]\nA\n"),
+  EXPECT_EQ(problemWith("[main -1]\nA\n"),
             "modules.cfg:1: thread main needs a priority from 0 to 15, not \"-1\"");
-  EXPECT_EQ(errorOf("[main high]\nA\n"),
+  EXPECT_EQ(problemWith("[main high]\nA\n"),
             "modules.cfg:1: thread main needs a priority from 0 to 15, not \"high\"");
-  EXPECT_EQ(errorOf("[main 99999999999]\nA\n"),
+  EXPECT_EQ(problemWith("[main 99999999999]\nA\n"),
             "modules.cfg:1: thread main needs a priority from 0 to 15, not \"99999999999\"");
-  EXPECT_EQ(errorOf("\n[main]\nA\n"), "modules.cfg:2: thread main needs a priority from 0 to 15");
+  EXPECT_EQ(problemWith("\n[main]\nA\n"), "modules.cfg:2: thread main needs a priority from 0 to 15");
 }
 
 TEST(ModulesConfigTest, namesMisplacedSections) {
-  EXPECT_EQ(errorOf("A\n[main 1]\nB\n"),
+  EXPECT_EQ(problemWith("A\n[main 1]\nB\n"),
             "modules.cfg:1: \"A\" stands before the first [thread priority]; put it below one");
-  EXPECT_EQ(errorOf("[main 1]\nA\n[main 2]\nB\n"), "modules.cfg:3: thread main is already in line 1");
-  EXPECT_EQ(errorOf("[main 1]\nA\n[other 2]\n"), "modules.cfg:3: thread other has no modules");
-  EXPECT_EQ(errorOf("# nothing\n"), "modules.cfg: no modules");
-  EXPECT_EQ(errorOf(""), "modules.cfg: no modules");
+  EXPECT_EQ(problemWith("[main 1]\nA\n[main 2]\nB\n"), "modules.cfg:3: thread main is already in line 1");
+  EXPECT_EQ(problemWith("[main 1]\nA\n[other 2]\n"), "modules.cfg:3: thread other has no modules");
+  EXPECT_EQ(problemWith("# nothing\n"), "modules.cfg: no modules");
+  EXPECT_EQ(problemWith(""), "modules.cfg: no modules");
 }
 
 TEST(ModulesConfigTest, namesAFileThatCannotBeRead) {

@@ -7,7 +7,7 @@
 namespace plumbline::simspark {
 namespace {
 
-std::vector<TrainerCommand> parsed(std::string_view text, const std::string& problem = "") {
+std::vector<TrainerCommand> commandsIn(std::string_view text, const std::string& problem = "") {
   std::vector<TrainerCommand> commands;
   EXPECT_EQ(TrainerCommandParser().parse(text, commands), problem) << text;
   return commands;
@@ -43,7 +43,7 @@ TEST(TrainerCommand, everyCommandIsReadAsItIsWritten) {
   };
   for (const auto& [command, text] : all) {
     EXPECT_EQ(writeTrainerCommand(command), text);
-    const auto again = parsed(text);
+    const auto again = commandsIn(text);
     ASSERT_EQ(again.size(), 1u) << text;
     EXPECT_EQ(again[0].index(), command.index()) << text;
     EXPECT_EQ(writeTrainerCommand(again[0]), text);
@@ -51,7 +51,7 @@ TEST(TrainerCommand, everyCommandIsReadAsItIsWritten) {
 }
 
 TEST(TrainerCommand, severalInOneMessage) {
-  const auto commands = parsed("(kickOff Left)(agent (team Left)(unum 2)(move -1 0.5 0.4 -90))(time 3)");
+  const auto commands = commandsIn("(kickOff Left)(agent (team Left)(unum 2)(move -1 0.5 0.4 -90))(time 3)");
   ASSERT_EQ(commands.size(), 3u);
   const auto& move = std::get<MoveAgentCommand>(commands[1]);
   EXPECT_EQ(move.player->unum, 2);
@@ -64,9 +64,9 @@ TEST(TrainerCommand, badOnesAreSkippedAndNamed) {
                           "(score (left 1))", "(score (left -1)(right 0))", "(ball (pos 1 2))",
                           "(agent (unum 1)(team Left)(move 1 2 3))", "(ball (vel 1 2 nan))"}) {
     const std::string name(bad + 1, std::string_view(bad).find_first_of(" )") - 1);
-    EXPECT_EQ(parsed(std::string(bad) + "(dropBall)", "cannot use (" + name + " ...)").size(), 1u) << bad;
+    EXPECT_EQ(commandsIn(std::string(bad) + "(dropBall)", "cannot use (" + name + " ...)").size(), 1u) << bad;
   }
-  EXPECT_TRUE(parsed("(time 1", "a parenthesis is not closed at byte 7").empty());
+  EXPECT_TRUE(commandsIn("(time 1", "a parenthesis is not closed at byte 7").empty());
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace plumbline::walking {
 namespace {
 
-constexpr double dt = 0.02;
+constexpr double period = 0.02;
 
 /// The engine with joints that are where it wants them: the open loop.
 struct OpenLoop {
@@ -22,7 +22,7 @@ struct OpenLoop {
   Pose2 odometry;
 
   void run(const WalkRequest& request, double seconds) {
-    for (int i = 0; i < std::lround(seconds / dt); ++i) {
+    for (int i = 0; i < std::lround(seconds / period); ++i) {
       output = engine.update(request, sensors);
       sensors.angles = output.angles;
       odometry = odometry * output.odometry;
@@ -61,7 +61,7 @@ TEST(WalkEngine, turnsAsAsked) {
   loop.run(walk(0, 0, 1.2), 1);
   double turned = 0;
   for (int i = 0; i < 100; ++i) {
-    loop.run(walk(0, 0, 1.2), dt);
+    loop.run(walk(0, 0, 1.2), period);
     turned += loop.output.odometry.heading;
   }
   EXPECT_NEAR(turned, 2.4, 0.1);
@@ -101,9 +101,10 @@ TEST(WalkEngine, jointsMoveWithoutJumps) {
   loop.run({}, 0.2);
   JointArray last = loop.output.angles;
   for (int i = 0; i < 250; ++i) {
-    loop.run(i < 200 ? walk(0.25, 0, 0.4) : WalkRequest{}, dt);
+    loop.run(i < 200 ? walk(0.25, 0, 0.4) : WalkRequest{}, period);
     for (std::size_t j = lShoulderPitch; j < numJoints; ++j)
-      ASSERT_LT(std::abs(loop.output.angles[j] - last[j]), 6.14 * dt) << jointNames[j] << " in cycle " << i;
+      ASSERT_LT(std::abs(loop.output.angles[j] - last[j]), 6.14 * period)
+          << jointNames[j] << " in cycle " << i;
     last = loop.output.angles;
   }
 }
@@ -121,7 +122,7 @@ TEST(WalkEngine, resetIsTheStand) {
   OpenLoop loop;
   loop.run(walk(0.3, 0, 0), 1.3);
   loop.engine.reset();
-  loop.run({}, dt);
+  loop.run({}, period);
   EXPECT_TRUE(loop.output.standing);
   EXPECT_NEAR(loop.output.odometry.position.norm(), 0, 1e-3);
 }
@@ -264,7 +265,7 @@ TEST(WalkEngine, walksToATargetAndStopsThere) {
   request.walk = true;
   for (; cycles < 800; ++cycles) {
     request.target = loop.odometry.inverse() * target;
-    loop.run(request, dt);
+    loop.run(request, period);
     if (cycles > 20 && loop.output.standing) break;
   }
   EXPECT_LT(cycles, 500) << loop.odometry.position.transpose() << " " << loop.odometry.heading << " "
@@ -281,7 +282,7 @@ TEST(WalkEngine, kicksWithAStep) {
   double back = 0, forward = 0;
   int kicking = 0, cycles = 0;
   for (; cycles < 100 && !loop.output.kicked; ++cycles) {
-    loop.run(request, dt);
+    loop.run(request, period);
     if (!loop.output.kicking) continue;
     ++kicking;
     EXPECT_EQ(loop.output.support, Support::left);
@@ -292,12 +293,12 @@ TEST(WalkEngine, kicksWithAStep) {
   }
   EXPECT_LT(cycles, 100);
   const WalkParameters p;
-  EXPECT_NEAR(kicking * dt, p.kickDuration, 0.06) << "a longer step";
+  EXPECT_NEAR(kicking * period, p.kickDuration, 0.06) << "a longer step";
   EXPECT_LT(back, -0.5 * p.kickBack);
   EXPECT_GT(forward, 0.6 * p.kickForward);
   // Once only, and the walk goes on.
   for (int i = 0; i < 50; ++i) {
-    loop.run(request, dt);
+    loop.run(request, period);
     EXPECT_FALSE(loop.output.kicking);
   }
   loop.run({}, 2);

@@ -9,7 +9,7 @@ namespace plumbline::gap {
 
 /// Which cycles' commands never came, found from the data of runs with a held base: a cycle counts as lost
 /// where the readings after it fit better so, by more than chance would give. share: of the cycles in which a
-/// loss would have shown. mendings: rounds, at most, in which losses are moved where a run is still far off.
+/// loss would have shown.
 struct LostCycles {
   std::vector<std::vector<std::uint8_t>> cycles;  ///< per trial; empty where not looked at
   double share = 0;
@@ -17,6 +17,6 @@ struct LostCycles {
   std::size_t found = 0;
   double price = 0;  ///< of the sum of squares for judging: each cycle was chosen to fit
 };
-LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, int jobs, int mendings = 6);
+LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, int jobs);
 
 }  // namespace plumbline::gap

@@ -63,7 +63,7 @@ double explainedBy(const LostCycles& lost, const Evidence& evidence) {
 Evidence evidenceOf(std::vector<Trial> trials, int jobs) {
   Evidence byRepeats(trials), byChannel(trials, 0);
   if (!repeatsDiffer(byRepeats, byChannel)) return byRepeats;
-  const LostCycles lost = findLostCycles(byChannel, {}, jobs, 0);
+  const LostCycles lost = findLostCycles(byChannel, {}, jobs);
   const bool losses = lost.found >= LostCycles::least && explainedBy(lost, byChannel) > explained;
   return losses ? Evidence(std::move(trials), unheard) : byRepeats;
 }

@@ -18,6 +18,8 @@ public:
   /// Mean command over (from, to] [rad]: a change within a step counts by its share, to second order in the
   /// step.
   double over(double from, double to);
+  /// From now on the commands of other cycles never come; null: all do.
+  void lose(const std::vector<std::uint8_t>* lostCycles) { lost = lostCycles; }
   double stiffness() const { return stiff; }  ///< at the end of the last interval asked for
   double voltage() const { return volts; }    ///< measured supply then; 0: not measured
 

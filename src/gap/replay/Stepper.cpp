@@ -69,10 +69,14 @@ Stepper::Stepper(const Plant& plant_, const Trial& trial_, const std::vector<int
   acceleration.setZero(tree.size());
   A.setZero(n, n);
   if (trial.freeBase) {
-    contacts = std::make_unique<Contacts>(plant, tree);
+    contacts = std::make_shared<Contacts>(plant, tree);
     placeOnGround();
   }
   hold();
+}
+
+void Stepper::lose(const std::vector<std::uint8_t>* lostCycles) {
+  for (Drive& drive : drives) drive.path.lose(lostCycles);
 }
 
 void Stepper::placeOnGround() {

@@ -14,11 +14,13 @@
 namespace plumbline::gap {
 
 /// A plant in motion: its state and how it goes on by one step. Coordinates: the tree's (base if free, then
-/// the chosen joints), then one rotor for each joint whose gear has play or gives way.
+/// the chosen joints), then one rotor for each joint whose gear has play or gives way. A copy with
+/// a held base goes on by itself; with a free base it would share its contacts.
 class Stepper {
 public:
   Stepper(const Plant& plant, const Trial& trial, const std::vector<int>& joints,
           const std::vector<std::uint8_t>* lostCycles);
+  void lose(const std::vector<std::uint8_t>* lostCycles);
 
   bool geared() const { return !gears.empty(); }
   void step(double from, double to);
@@ -78,7 +80,7 @@ private:
   std::vector<Drive> drives;
   std::vector<Gear> gears;
   std::vector<Friction> frictions;
-  std::unique_ptr<Contacts> contacts;
+  std::shared_ptr<Contacts> contacts;  ///< of a free base
   double weight;  ///< of the new velocity in the one that moves (1/2: midpoint)
 
   int n = 0;             ///< coordinates

@@ -76,7 +76,7 @@ bool parse(std::string_view text, double& x) {
 }
 
 /// What of a cell may stand in a message.
-std::string shown(std::string_view text) {
+std::string shownText(std::string_view text) {
   std::string result(text.substr(0, 30));
   for (char& c : result)
     if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
@@ -92,8 +92,8 @@ void readHeader(Lines& lines, std::string_view text, char separator, Table& tabl
   for (const std::string_view cell : cells) {
     if (cell.empty()) lines.fail("column " + std::to_string(table.names.size() + 1) + " has no name");
     const std::string name(cell);
-    if (shown(name.substr(0, 30)) != name.substr(0, 30) || name.size() > 200)
-      lines.fail("\"" + shown(name) + "\" cannot be a column's name");
+    if (shownText(name.substr(0, 30)) != name.substr(0, 30) || name.size() > 200)
+      lines.fail("\"" + shownText(name) + "\" cannot be a column's name");
     if (!seen.insert(name).second) lines.fail("column " + name + " occurs twice; leave one out");
     table.names.push_back(name);
   }
@@ -126,7 +126,7 @@ Table readTable(const std::string& path, char separator, const std::vector<std::
           cells[c].empty() || std::find(missing.begin(), missing.end(), cells[c]) != missing.end();
       if (!empty && !parse(cells[c], x)) {
         x = std::numeric_limits<double>::quiet_NaN();
-        table.bad.try_emplace(table.names[c], Table::BadCell{lines.line, shown(cells[c])});
+        table.bad.try_emplace(table.names[c], Table::BadCell{lines.line, shownText(cells[c])});
       }
       table.columns[c].push_back(x);
     }

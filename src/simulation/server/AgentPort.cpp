@@ -6,9 +6,9 @@
 namespace plumbline::simulation {
 
 namespace {
-constexpr std::size_t maxQueue = 1 << 20;  ///< bytes an agent may leave unread
-constexpr std::size_t maxAgents = 64;      ///< connections at once
-constexpr std::size_t maxPending = 256;    ///< messages in one cycle
+constexpr std::size_t mostUnread = 1 << 20;  ///< bytes an agent may leave unread
+constexpr std::size_t maxAgents = 64;        ///< connections at once
+constexpr std::size_t maxPending = 256;      ///< messages in one cycle
 // An agent that never says (syn) is not waited for after so many messages, as on the league's server; before
 // the first of them it gets a moment, so that one that is about to say it does.
 constexpr int unsyncedCycles = 5;
@@ -17,7 +17,7 @@ constexpr std::string_view hetero = "rsg/agent/nao/nao_hetero.rsg", standard = "
 }  // namespace
 
 AgentPort::Agent::Agent(int fd, const std::string& address)
-    : client(fd, address, simspark::maxAgentMessage, maxQueue) {}
+    : client(fd, address, simspark::maxAgentMessage, mostUnread) {}
 
 AgentPort::AgentPort(const Config& config_, Simulation& simulation_, LogFunction log_)
     : config(config_), simulation(simulation_), log(std::move(log_)), listener(config.address, config.port) {}

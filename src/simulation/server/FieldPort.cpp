@@ -9,9 +9,10 @@ namespace plumbline::simulation {
 
 namespace {
 constexpr std::size_t maxViewers = 32;
-constexpr std::size_t maxMessage = 1024;   ///< bytes: a token and no more
-constexpr std::size_t maxQueue = 1 << 16;  ///< bytes a viewer may leave unread; it is told nothing meanwhile
-constexpr double uprightAxis = 0.5;        ///< as in simspark::fieldState
+constexpr std::size_t maxMessage = 1024;  ///< bytes: a token and no more
+constexpr std::size_t mostUnread =
+    1 << 16;                         ///< bytes a viewer may leave unread; it is told nothing meanwhile
+constexpr double uprightAxis = 0.5;  ///< as in simspark::fieldState
 }  // namespace
 
 std::string fieldMessage(const Simulation& simulation) {
@@ -34,7 +35,7 @@ std::string fieldMessage(const Simulation& simulation) {
   return simspark::writeFieldMessage(state);
 }
 
-FieldPort::Viewer::Viewer(int fd, const std::string& address) : client(fd, address, maxMessage, maxQueue) {}
+FieldPort::Viewer::Viewer(int fd, const std::string& address) : client(fd, address, maxMessage, mostUnread) {}
 
 FieldPort::FieldPort(const Config& config_, Simulation& simulation_, LogFunction log_)
     : config(config_), simulation(simulation_), log(std::move(log_)), listener(config.address, config.port) {}

@@ -5,8 +5,6 @@
 namespace plumbline::simulation {
 
 namespace {
-constexpr std::size_t maxQueue =
-    4 << 20;  ///< bytes a monitor may leave unread: a minute of a full game, nearly
 constexpr std::size_t maxMonitors = 32;
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "simulation/servo/ServoBody.h"
 
+#include "math/Index.h"
 #include "simulation/physics/bullet/PrincipalAxes.h"
 
 namespace plumbline::simulation {
@@ -7,8 +8,6 @@ namespace plumbline::simulation {
 using namespace bullet;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<Pose3> centresOf(const Mechanism& mechanism) {
   std::vector<Pose3> all;

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "math/Index.h"
+
 namespace plumbline::simulation {
 
 namespace {
@@ -16,8 +18,6 @@ constexpr double stopErp = 0.2;      ///< share of a joint's way beyond its stop
 constexpr double leastRotor = 1e-9;  ///< a row needs some softness [kg m^2]
 constexpr double creep = 1e-5;       ///< of contacts that stick [m/(s N)]
 constexpr int mostRounds = 12;       ///< of solving with more and more limits reached
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 int stepsIn(double hz, double step) {
   if (!(step > 0) || !(hz > 0))

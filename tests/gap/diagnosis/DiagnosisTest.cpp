@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../TwoJointArm.h"
+#include "gap/diagnosis/Search.h"
 
 namespace plumbline::gap {
 namespace {
@@ -21,10 +22,7 @@ Diagnosis diagnosisOf(const std::function<void(Plant&)>& change, double size = 0
     trials.push_back(recorded(reality, armTrial(arm, 6, size), noise, seed, fineSteps));
   const Evidence evidence(trials);
   Evaluator fine(arm, evidence);
-  ReplayOptions coarseSteps;
-  coarseSteps.step = 0.005;
-  coarseSteps.gearStep = 0.001;
-  Evaluator coarse(arm, evidence, coarseSteps);
+  Evaluator coarse(arm, evidence, coarseSteps());
   return diagnose(fine, coarse, {});
 }
 
@@ -54,6 +52,20 @@ TEST(DiagnosisTest, dryFriction) {
 TEST(DiagnosisTest, softServo) {
   expectCause(diagnosisOf([](Plant& plant) { plant.joints[0].servo.kp *= 0.8; }), "servo_gain", "shoulder",
               0.8, 0.01);
+}
+
+TEST(DiagnosisTest, aGearAsSoftAsASpring) {
+  expectCause(diagnosisOf([](Plant& plant) { plant.joints[1].compliance = 0.25; }), "joint_compliance", "elbow",
+              0.25, 0.01);
+}
+
+TEST(DiagnosisTest, aLinkThatSwingsInWidePlay) {
+  expectCause(diagnosisOf([](Plant& plant) {
+                plant.joints[1].backlash = 0.18;
+                plant.joints[1].toothStiffness = 3000;
+                plant.joints[1].toothDamping = 0.8;
+              }),
+              "backlash", "elbow", 0.18, 0.02);
 }
 
 TEST(DiagnosisTest, aHeavierLink) {

@@ -41,6 +41,17 @@ TEST(EnsembleTest, huntingThatNobodySeesIsInDoubt) {
   EXPECT_GT(wideSum, 3 * narrowSum);
 }
 
+TEST(EnsembleTest, widePlayIsInDoubtWhereverTheEncoderSits) {
+  const Trial trial = recorded(armWithPlay(0.15, false), armTrial(twoJointArm(), 3), 5e-4, 5);
+  EXPECT_TRUE(hunts(armWithPlay(0.15, false).joints[1]));
+  EXPECT_FALSE(replayForetold(armWithPlay(0.15, false), trial, {}).scatter.empty());
+}
+
+TEST(EnsembleTest, playThatNoEncoderSeesDoesNotHunt) {
+  EXPECT_FALSE(hunts(armWithPlay(0.0003, true).joints[1]));
+  EXPECT_TRUE(hunts(armWithPlay(0.0008, true).joints[1]));
+}
+
 TEST(EnsembleTest, aJointThatDriftsAwayDoesNotHunt) {
   const Plant plant = armWithPlay(0.04, true);
   Trial trial = recorded(plant, armTrial(twoJointArm(), 3), 5e-4, 5);

@@ -10,7 +10,7 @@ using namespace plumbline::test;
 
 namespace {
 
-double distance(const Pose2& a, const Pose2& b) { return (a.position - b.position).norm(); }
+double apart(const Pose2& a, const Pose2& b) { return (a.position - b.position).norm(); }
 double turn(const Pose2& a, const Pose2& b) { return std::abs(normalizeAngle(a.heading - b.heading)); }
 
 Pose2 somewhere(Random& random) {
@@ -34,7 +34,7 @@ TEST(PoseProposals, twoLandmarksGiveTheExactPose) {
       ++found;
       const auto& poses = proposals.find(view);
       ASSERT_EQ(poses.size(), 1u);
-      EXPECT_LT(distance(poses[0].pose, truth), 1e-6);
+      EXPECT_LT(apart(poses[0].pose, truth), 1e-6);
       EXPECT_LT(turn(poses[0].pose, truth), 1e-6);
     }
     EXPECT_GT(found, 100);
@@ -56,7 +56,7 @@ TEST(PoseProposals, oneLandmarkAndLinesGiveThePoseAmongFew) {
     ++tried;
     const auto& poses = proposals.find(view);
     for (std::size_t k = 0; k < poses.size(); ++k) {
-      if (distance(poses[k].pose, truth) > 0.3 || turn(poses[k].pose, truth) > 0.05) continue;
+      if (apart(poses[k].pose, truth) > 0.3 || turn(poses[k].pose, truth) > 0.05) continue;
       ++among;
       if (k == 0) ++first;
     }

@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "math/Index.h"
 #include "simulation/physics/AssemblyCheck.h"
 #include "simulation/physics/bullet/PrincipalAxes.h"
 
@@ -14,8 +15,6 @@ namespace {
 constexpr int idleSteps = 10;
 constexpr double idleSpeed = 0.01;  // [m/s, rad/s]
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

@@ -3,11 +3,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
-namespace plumbline::simulation::bullet {
+#include "math/Index.h"
 
-namespace {
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-}  // namespace
+namespace plumbline::simulation::bullet {
 
 BulletRows::BulletRows(const btMultiBody& body_) : body(body_), size(6 + body_.getNumDofs()) {
   jacobians.resize(size, 64);

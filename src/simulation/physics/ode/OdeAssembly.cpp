@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "math/Index.h"
 #include "simulation/physics/AssemblyCheck.h"
 
 namespace plumbline::simulation::ode {
@@ -11,8 +12,6 @@ namespace {
 // ODE's defaults, which the league's server uses.
 constexpr int idleSteps = 10;
 constexpr double idleSpeed = 0.01;  // [m/s, rad/s]
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

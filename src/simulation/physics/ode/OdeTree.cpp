@@ -3,13 +3,13 @@
 #include <Eigen/LU>
 #include <limits>
 
+#include "math/Index.h"
+
 namespace plumbline::simulation::ode {
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<int> parentsOf(const Assembly& assembly) {
   std::vector<int> parents(assembly.bodies.size(), 0);

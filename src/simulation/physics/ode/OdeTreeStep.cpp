@@ -7,7 +7,7 @@ namespace plumbline::simulation::ode {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// Two directions across a normal, as any would do: friction is the same in all.
 std::pair<Vec3, Vec3> across(const Vec3& normal) {
@@ -74,8 +74,8 @@ void OdeTreeStep::appendContactRows(const PhysicsConfig& config, const OdeContac
       if (OutsideRow::Side& side = row.sides[i]; side.tree)
         side.direction = spatialImpulse(point - side.tree->origin(), i == 0 ? direction : Vec3(-direction));
     row.compliance = surface.slip1 / h;
-    row.lower = -infinity;
-    row.upper = infinity;
+    row.lower = -unbounded;
+    row.upper = unbounded;
     if (surface.mode & dContactApprox1) {
       row.push = first;
       row.friction = surface.mu;

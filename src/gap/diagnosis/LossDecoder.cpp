@@ -1,0 +1,116 @@
+#include "gap/diagnosis/LossDecoder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "gap/replay/Playback.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr std::size_t survivors = 12;
+constexpr std::size_t told = 6;  // cycles after which the readings have told whether one was lost
+
+/// What may have happened up to now, and how well it explains what was measured.
+struct Guess {
+  Playback playback;
+  std::vector<std::uint8_t> lost;
+  std::size_t held = 0;  ///< the last cycle whose command came
+  double cost = 0;
+
+  Guess(const Plant& plant, const Trial& trial) : playback(plant, trial, {}), lost(trial.cycles(), 0) {
+    playback.settle();
+    playback.lose(&lost);
+  }
+  Guess(const Guess& other)
+      : playback(other.playback), lost(other.lost), held(other.held), cost(other.cost) {
+    playback.lose(&lost);
+  }
+  Guess& operator=(const Guess&) = delete;
+
+  bool agreesWith(const Guess& other, std::size_t cycle) const {
+    const auto from = static_cast<std::ptrdiff_t>(cycle < told ? 0 : cycle + 1 - told);
+    return std::equal(lost.begin() + from, lost.begin() + static_cast<std::ptrdiff_t>(cycle) + 1,
+                      other.lost.begin() + from);
+  }
+};
+
+/// Whether another cycle's command would do as well.
+bool sameCommand(const Trial& trial, std::size_t a, std::size_t b) {
+  return std::ranges::none_of(trial.command, [&](const std::vector<double>& command) {
+    return std::isfinite(command[a]) && std::isfinite(command[b]) && command[a] != command[b];
+  });
+}
+
+class Decoder {
+public:
+  Decoder(const Evidence& evidence_, std::size_t t_, double price_)
+      : evidence(evidence_), t(t_), trial(evidence_.trials()[t_]), price(price_) {}
+
+  std::vector<std::uint8_t> decode(const Plant& plant) {
+    guesses.push_back(std::make_unique<Guess>(plant, trial));
+    for (std::size_t k = 0; k < trial.cycles(); ++k) {
+      branch(k);
+      for (const auto& guess : guesses) guess->cost += squares(guess->playback.play(k));
+      select(k);
+    }
+    return std::move(guesses.front()->lost);
+  }
+
+private:
+  /// Each guess once more, with this cycle lost where that can be seen.
+  void branch(std::size_t cycle) {
+    const std::size_t before = guesses.size();
+    for (std::size_t i = 0; i < before; ++i) {
+      if (cycle > 0 && !sameCommand(trial, guesses[i]->held, cycle)) {
+        guesses.push_back(std::make_unique<Guess>(*guesses[i]));
+        guesses.back()->lost[cycle] = 1;
+        guesses.back()->cost += price;
+      }
+      guesses[i]->held = cycle;
+    }
+  }
+
+  double squares(const std::vector<Playback::Shown>& shown) const {
+    double sum = 0;
+    for (const auto& [signal, cycle, value] : shown) {
+      const double w = evidence.weights(t, signal)[cycle];
+      if (!(w > 0)) continue;
+      // One that ran away is out.
+      const double r = std::isfinite(value) ? trial.signals[signal].values[cycle] - value : 1e3;
+      sum += w * r * r;
+    }
+    return sum;
+  }
+
+  /// The best of those that agree in their last cycles; of these the best.
+  void select(std::size_t cycle) {
+    std::stable_sort(guesses.begin(), guesses.end(),
+                     [](const auto& a, const auto& b) { return a->cost < b->cost; });
+    std::vector<std::unique_ptr<Guess>> kept;
+    for (auto& guess : guesses) {
+      if (kept.size() == survivors) break;
+      if (std::ranges::none_of(kept, [&](const auto& other) { return guess->agreesWith(*other, cycle); }))
+        kept.push_back(std::move(guess));
+    }
+    guesses = std::move(kept);
+  }
+
+  const Evidence& evidence;
+  const std::size_t t;
+  const Trial& trial;
+  const double price;
+  std::vector<std::unique_ptr<Guess>> guesses;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> decodeLosses(const Plant& plant, const Evidence& evidence, std::size_t trial,
+                                       double price) {
+  return Decoder(evidence, trial, price).decode(plant);
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,18 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "gap/diagnosis/Evidence.h"
+#include "gap/replay/Plant.h"
+
+namespace plumbline::gap {
+
+/// The lost cycles that explain a recording with a held base best, each at a price in squares over noise:
+/// guesses that differ in their last cycles are played side by side, and of those that agree in them the best
+/// goes on (Viterbi's algorithm with per-survivor processing: Raheli, Polydoros and Tzou, "Per-survivor
+/// processing", IEEE Trans. Communications 43, 1995; no more than a dozen guesses survive a cycle). One flag
+/// per cycle; a loss that changes nothing is none.
+std::vector<std::uint8_t> decodeLosses(const Plant& plant, const Evidence& evidence, std::size_t trial,
+                                       double price);
+
+}  // namespace plumbline::gap

@@ -1,0 +1,109 @@
+#include "gap/replay/Playback.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double freeSettle = 2;  // [s]: a robot put on its feet rocks longer than a hung one
+
+double hermite(double x0, double v0, double x1, double v1, double h, double s) {
+  const double a = x0, b = v0 * h, d = x1 - x0;
+  const double c2 = 3 * d - 2 * b - v1 * h, c3 = -2 * d + b + v1 * h;
+  return a + s * (b + s * (c2 + s * c3));
+}
+
+std::vector<int> jointsToPlay(const Plant& plant, const Trial& trial, const ReplayOptions& options) {
+  if (!options.joints.empty() && !trial.freeBase) return options.joints;
+  std::vector<int> all(plant.joints.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+}  // namespace
+
+Playback::Playback(const Plant& plant, const Trial& trial_, const ReplayOptions& options)
+    : trial(trial_),
+      stepper(plant, trial_, jointsToPlay(plant, trial_, options), options.lostCycles),
+      longest(stepper.geared() ? options.gearStep : options.step),
+      settleFor(options.settle > 0 && trial_.freeBase ? std::max(options.settle, freeSettle)
+                                                      : options.settle),
+      t(trial_.time[0]) {
+  const std::vector<int> joints = jointsToPlay(plant, trial, options);
+  for (std::size_t s = 0; s < trial.signals.size(); ++s) {
+    const Signal& signal = trial.signals[s];
+    const auto place = std::ranges::find(joints, signal.joint);
+    if (signal.joint < 0 || place == joints.end()) continue;
+    const auto joint = static_cast<std::size_t>(signal.joint);
+    double shift = 0;
+    if (signal.kind == SignalKind::position) shift = trial.positionAt[joint];
+    if (signal.kind == SignalKind::velocity) shift = trial.velocityAt[joint];
+    readings.push_back(
+        {s, static_cast<int>(place - joints.begin()), signal.kind, shift, signal.unsignedValue, 0});
+    lastShift = std::max(lastShift, shift);
+  }
+}
+
+bool Playback::reads(std::size_t signal) const {
+  return std::ranges::any_of(readings, [&](const Reading& reading) { return reading.signal == signal; });
+}
+
+const std::vector<Playback::Shown>& Playback::settle() {
+  due.clear();
+  if (settleFor > 0) {
+    const int steps = static_cast<int>(std::ceil(settleFor / longest));
+    for (int i = steps; i > 0; --i) stepper.step(t - i * longest, t - (i - 1) * longest);
+  }
+  stepper.hold();
+  read(t, t);
+  return due;
+}
+
+const std::vector<Playback::Shown>& Playback::play(std::size_t cycle) {
+  due.clear();
+  const double end = cycle + 1 < trial.cycles() ? trial.time[cycle + 1] : trial.time[cycle] + lastShift;
+  const int steps = static_cast<int>(std::ceil((end - t) / longest - 1e-9));
+  const double start = t;
+  for (int i = 1; i <= steps; ++i) {
+    const double to = i == steps ? end : start + i * (end - start) / steps;
+    stepper.step(t, to);
+    read(t, to);
+    t = to;
+  }
+  return due;
+}
+
+void Playback::read(double from, double to) {
+  const double h = to - from;
+  for (Reading& reading : readings)
+    while (reading.next < trial.cycles()) {
+      const double when = trial.time[reading.next] + reading.shift;
+      if (when > to + 1e-12) break;
+      const double value = valueOf(reading, h, h > 0 ? std::max(0.0, (when - from) / h) : 1);
+      due.push_back({reading.signal, reading.next++, reading.unsignedValue ? std::abs(value) : value});
+    }
+}
+
+double Playback::valueOf(const Reading& reading, double h, double s) const {
+  switch (reading.kind) {
+    case SignalKind::position:
+      return hermite(stepper.shownBefore(reading.node), stepper.rateBefore(reading.node),
+                     stepper.shown(reading.node), stepper.rate(reading.node), h, s);
+    case SignalKind::velocity:
+      return (1 - s) * stepper.rateBefore(reading.node) + s * stepper.rate(reading.node);
+    case SignalKind::torque:
+      return stepper.torque(reading.node);
+    case SignalKind::current:
+      return stepper.current(reading.node);
+    case SignalKind::duty:
+      return stepper.duty(reading.node);
+    default:
+      return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+}  // namespace plumbline::gap

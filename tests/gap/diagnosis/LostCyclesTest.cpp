@@ -1,0 +1,76 @@
+#include "gap/diagnosis/LostCycles.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "../TwoJointArm.h"
+
+namespace plumbline::gap {
+namespace {
+
+/// A recording of the arm that lost these cycles' commands.
+Evidence recordedWithout(const std::vector<std::uint8_t>& lost) {
+  const Mechanism arm = twoJointArm();
+  ReplayOptions options;
+  options.lostCycles = &lost;
+  return Evidence{{recorded(nominalPlant(arm), armTrial(arm, 6), 5e-4, 7, options)}};
+}
+
+/// That share of 600 cycles, at random.
+std::vector<std::uint8_t> someLost(double share, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<std::uint8_t> lost(600, 0);
+  for (auto& cycle : lost) cycle = random.uniform() < share;
+  return lost;
+}
+
+/// Squares over noise that the lost cycles leave.
+double squaresWith(const Evidence& evidence, const std::vector<std::uint8_t>& lost) {
+  const Trial& trial = evidence.trials()[0];
+  ReplayOptions options;
+  options.lostCycles = &lost;
+  const Prediction prediction = replay(nominalPlant(*trial.robot), trial, options);
+  double sum = 0;
+  for (std::size_t s = 0; s < trial.signals.size(); ++s)
+    for (std::size_t k = 0; k < trial.cycles(); ++k) {
+      const double r = trial.signals[s].values[k] - prediction.values[s][k];
+      sum += evidence.weights(0, s)[k] * r * r;
+    }
+  return sum;
+}
+
+TEST(LostCyclesTest, noneWhereNoneIsLost) {
+  const LostCycles found = findLostCycles(recordedWithout(std::vector<std::uint8_t>(600, 0)), {}, 1);
+  EXPECT_EQ(found.found, 0u);
+  EXPECT_EQ(found.share, 0);
+  EXPECT_EQ(found.price, 0);
+}
+
+TEST(LostCyclesTest, thoseThatWereLostExplainTheRecording) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const std::vector<std::uint8_t> lost = someLost(0.12, seed);
+    const Evidence evidence = recordedWithout(lost);
+    const LostCycles found = findLostCycles(evidence, {}, 1);
+    EXPECT_NEAR(found.share, 0.12, 0.04) << seed;
+    // Nothing that is at a price of 14 each explains it better, the truth neither.
+    const auto price = [](const std::vector<std::uint8_t>& cycles) {
+      return 14.0 * static_cast<double>(std::ranges::count(cycles, 1));
+    };
+    EXPECT_GT(squaresWith(evidence, std::vector<std::uint8_t>(600, 0)), 5000) << seed;
+    EXPECT_LE(squaresWith(evidence, found.cycles[0]) + price(found.cycles[0]),
+              squaresWith(evidence, lost) + price(lost))
+        << seed;
+  }
+}
+
+TEST(LostCyclesTest, severalInARowAreNoTrap) {
+  std::vector<std::uint8_t> lost(600, 0);
+  for (std::size_t k = 30; k + 6 < lost.size(); k += 40) std::fill_n(lost.begin() + static_cast<long>(k), 5, 1);
+  const Evidence evidence = recordedWithout(lost);
+  const std::vector<std::uint8_t> found = findLostCycles(evidence, {}, 1).cycles[0];
+  EXPECT_LT(squaresWith(evidence, found), 1.1 * squaresWith(evidence, lost));
+}
+
+}  // namespace
+}  // namespace plumbline::gap
