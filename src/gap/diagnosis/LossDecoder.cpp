@@ -25,8 +25,7 @@ struct Guess {
     playback.settle();
     playback.lose(&lost);
   }
-  Guess(const Guess& other)
-      : playback(other.playback), lost(other.lost), held(other.held), cost(other.cost) {
+  Guess(const Guess& other) : playback(other.playback), lost(other.lost), held(other.held), cost(other.cost) {
     playback.lose(&lost);
   }
   Guess& operator=(const Guess&) = delete;

@@ -21,6 +21,10 @@ bool showsElsewhere(const Effect& effect) {
   return effect.id == "joint_offset" || effect.id == "encoder_nonlinearity";
 }
 
+/// Whether an effect lets a link swing behind its gear: the encoder at the motor sees less of that than the
+/// joints that carry it.
+bool swingsBehind(const Effect& effect) { return effect.id == "joint_compliance" || effect.id == "backlash"; }
+
 /// Whether a cause would let a joint hunt at which the base has a cause already: the doubt that hunting
 /// leaves would excuse whatever that one does not explain.
 bool wouldExcuse(const Cause& cause, const Evaluator& evaluator) {
@@ -52,7 +56,8 @@ std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
       case Site::joint:
         if (effect.id == "speed_limit" && robot.joints[index].servo.model == Servo::Model::dcMotor)
           return false;
-        return suspects.joint[index] || (suspects.chain[index] && showsElsewhere(effect));
+        return suspects.joint[index] || (suspects.faintly[index] && swingsBehind(effect)) ||
+               (suspects.chain[index] && showsElsewhere(effect));
       case Site::link: {
         const std::vector<int> chain = robot.chain(place.index);
         if (chain.empty()) return evaluator.hasStanding();

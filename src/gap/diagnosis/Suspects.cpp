@@ -33,11 +33,13 @@ Suspects::Suspects(const Evaluator& evaluator) {
   if (!evaluator.hasHeld()) {
     chain.assign(n, true);
     joint.assign(n, true);
+    faintly.assign(n, true);
     any = true;
     return;
   }
   chain.resize(n);
   joint.resize(n);
+  faintly.resize(n);
   const std::vector<double> excess = jointExcess(evaluator, false);
   const double all = *std::ranges::max_element(excess);
   for (std::size_t j = 0; j < n; ++j) {
@@ -47,6 +49,7 @@ Suspects::Suspects(const Evaluator& evaluator) {
     for (const int other : near) worst = std::max(worst, excess[static_cast<std::size_t>(other)]);
     chain[j] = worst > std::max(cleanChi, chainShare * all);
     joint[j] = chain[j] && excess[j] > jointShare * worst;
+    faintly[j] = chain[j] && excess[j] > cleanChi;
     any = any || chain[j];
   }
 }

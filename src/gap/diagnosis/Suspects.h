@@ -14,6 +14,7 @@ std::vector<double> jointExcess(const Evaluator& evaluator, bool standing);
 struct Suspects {
   explicit Suspects(const Evaluator& evaluator);
   std::vector<bool> joint, chain;  ///< one flag per joint
+  std::vector<bool> faintly;       ///< themselves, however much more the joints are that carry them
   bool any = false;
 };
 

@@ -4,8 +4,8 @@
 namespace plumbline::gap {
 
 /// Whether the plant does not come to rest by its own law: a servo that feels the link behind a gear with
-/// play hunts between the flanks, and where it is in that no recording tells. So does what swings free in wide
-/// play and bounces, whichever side the encoder is on.
+/// play hunts between the flanks, and where it is in that no recording tells. So does what swings free in
+/// wide play and bounces, whichever side the encoder is on.
 bool hunts(const JointPlant& joint);
 
 /// What a plant would have measured, as far as that can be foretold: the replay alone where nothing hunts;

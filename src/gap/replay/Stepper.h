@@ -81,7 +81,7 @@ private:
   std::vector<Gear> gears;
   std::vector<Friction> frictions;
   std::shared_ptr<Contacts> contacts;  ///< of a free base
-  double weight;  ///< of the new velocity in the one that moves (1/2: midpoint)
+  double weight;                       ///< of the new velocity in the one that moves (1/2: midpoint)
 
   int n = 0;             ///< coordinates
   Eigen::VectorXd q, v;  ///< q has 0 for the base, whose pose is T

@@ -55,8 +55,8 @@ TEST(DiagnosisTest, softServo) {
 }
 
 TEST(DiagnosisTest, aGearAsSoftAsASpring) {
-  expectCause(diagnosisOf([](Plant& plant) { plant.joints[1].compliance = 0.25; }), "joint_compliance", "elbow",
-              0.25, 0.01);
+  expectCause(diagnosisOf([](Plant& plant) { plant.joints[1].compliance = 0.25; }), "joint_compliance",
+              "elbow", 0.25, 0.01);
 }
 
 TEST(DiagnosisTest, aLinkThatSwingsInWidePlay) {

@@ -66,7 +66,8 @@ TEST(LostCyclesTest, thoseThatWereLostExplainTheRecording) {
 
 TEST(LostCyclesTest, severalInARowAreNoTrap) {
   std::vector<std::uint8_t> lost(600, 0);
-  for (std::size_t k = 30; k + 6 < lost.size(); k += 40) std::fill_n(lost.begin() + static_cast<long>(k), 5, 1);
+  for (std::size_t k = 30; k + 6 < lost.size(); k += 40)
+    std::fill_n(lost.begin() + static_cast<long>(k), 5, 1);
   const Evidence evidence = recordedWithout(lost);
   const std::vector<std::uint8_t> found = findLostCycles(evidence, {}, 1).cycles[0];
   EXPECT_LT(squaresWith(evidence, found), 1.1 * squaresWith(evidence, lost));
