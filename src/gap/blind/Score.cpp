@@ -5,11 +5,12 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <tuple>
 
+#include "gap/blind/Bootstrap.h"
 #include "gap/blind/Make.h"
 #include "gap/blind/ScoreJudge.h"
 #include "gap/effects/Effects.h"
-#include "math/Random.h"
 
 namespace plumbline::gap {
 
@@ -30,23 +31,12 @@ double median(std::vector<double> x) {
   return n % 2 ? x[n / 2] : 0.5 * (x[n / 2 - 1] + x[n / 2]);
 }
 
-/// Percentile bootstrap (Efron 1979); the same sample draws the same.
 template <class T>
 Figure bootstrap(std::string id, std::string what, const std::vector<T>& sample,
                  const std::function<double(const std::vector<T>&)>& statistic) {
   Figure figure{std::move(id), std::move(what), statistic(sample), 0, 0, sample.size()};
   if (sample.empty()) return figure;
-  constexpr std::size_t times = 1000;
-  Random random(1);
-  std::vector<double> values;
-  std::vector<T> again(sample.size());
-  for (std::size_t i = 0; i < times; ++i) {
-    for (T& x : again) x = sample[random.next() % sample.size()];
-    values.push_back(statistic(again));
-  }
-  std::ranges::sort(values);
-  figure.lower = values[times / 40];
-  figure.upper = values[times - 1 - times / 40];
+  std::tie(figure.lower, figure.upper) = bootstrapInterval(sample, statistic, 1000);
   return figure;
 }
 

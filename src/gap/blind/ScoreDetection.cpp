@@ -4,10 +4,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <tuple>
 
+#include "gap/blind/Bootstrap.h"
 #include "gap/blind/ScoreJudge.h"
 #include "gap/effects/Effects.h"
-#include "math/Random.h"
 
 namespace plumbline::gap {
 
@@ -81,17 +82,8 @@ DetectionLimit detectionLimit(const std::vector<Detection>& trials, double share
   const Limit limit = limitOf(trials, share);
   result.ratio = limit.ratio;
   result.below = limit.below;
-  constexpr std::size_t times = 400;
-  Random random(1);
-  std::vector<double> values;
-  std::vector<Detection> again(trials.size());
-  for (std::size_t i = 0; i < times; ++i) {
-    for (Detection& d : again) d = trials[random.next() % trials.size()];
-    values.push_back(limitOf(again, share).ratio);
-  }
-  std::ranges::sort(values);
-  result.lower = values[times / 40];
-  result.upper = values[times - 1 - times / 40];
+  std::tie(result.lower, result.upper) = bootstrapInterval(
+      trials, [&](const std::vector<Detection>& again) { return limitOf(again, share).ratio; }, 400);
   return result;
 }
 

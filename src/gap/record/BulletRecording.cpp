@@ -6,6 +6,7 @@
 
 #include "framework/ConfigurationError.h"
 #include "gap/replay/TrialOf.h"
+#include "gap/replay/TruePose.h"
 #include "simulation/servo/ServoWorld.h"
 
 namespace plumbline::gap {
@@ -105,7 +106,7 @@ private:
     const Inertial& imu = history[history.size() - 1 - std::min(late, history.size() - 1)];
     const Mat3 toSensor = plant.imu.R_true_sensor.transpose();
     const Pose3 base = Pose3(ground) * world.base().pose;
-    const Eigen::Quaterniond turn(base.linear());
+    const std::array<double, 7> pose = poseValues(base);
     for (std::size_t s = 0; s < trial.signals.size(); ++s) {
       const Signal& signal = trial.signals[s];
       double& value = prediction.values[s][k];
@@ -129,17 +130,9 @@ private:
               readings
                   .footForce[static_cast<std::size_t>(signal.place)][static_cast<std::size_t>(signal.axis)];
           break;
-        case SignalKind::truth: {
-          const double pose[] = {base.translation().x(),
-                                 base.translation().y(),
-                                 base.translation().z(),
-                                 turn.w(),
-                                 turn.x(),
-                                 turn.y(),
-                                 turn.z()};
-          value = pose[signal.axis];
+        case SignalKind::truth:
+          value = pose[static_cast<std::size_t>(signal.axis)];
           break;
-        }
         default:
           break;
       }

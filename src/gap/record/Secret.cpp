@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "gap/record/LostCommands.h"
 #include "gap/record/SimulatedRecording.h"
 #include "gap/replay/Replay.h"
 #include "gap/replay/TrialOf.h"
@@ -20,12 +21,8 @@ constexpr double visible = 6, obvious = 60;
 Prediction played(const Mechanism& robot, const Trial& trial, const Explanation& causes) {
   const Plant plant = plantOf(robot, causes);
   ReplayOptions options;
-  std::vector<std::uint8_t> lost;
-  if (plant.dropout > 0) {
-    Random random(1);
-    for (std::size_t k = 0; k < trial.cycles(); ++k) lost.push_back(random.uniform() < plant.dropout);
-    options.lostCycles = &lost;
-  }
+  const std::vector<std::uint8_t> lost = drawLostCycles(plant, trial, Random(1));
+  if (!lost.empty()) options.lostCycles = &lost;
   return replay(plant, trial, options);
 }
 

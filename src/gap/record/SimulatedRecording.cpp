@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "gap/record/LostCommands.h"
 #include "gap/replay/TrialOf.h"
 #include "math/Random.h"
 
@@ -97,12 +98,8 @@ Run recordWith(const Mechanism& robot, const Excitation& program, const Simulate
   Run run = blankRun(robot, program, options.rateHz > 0 ? options.rateHz : robot.controlHz, options.truth);
   const Trial trial = trialOf(run, robot);
   const Plant plant = plantOf(robot, options.effects);
-  std::vector<std::uint8_t> lost;
-  if (plant.dropout > 0) {
-    Random random = generatorOf("lost cycles", options.seed);
-    for (std::size_t k = 0; k < trial.cycles(); ++k) lost.push_back(random.uniform() < plant.dropout);
-  }
-  Prediction prediction = player(plant, trial, lost);
+  Prediction prediction =
+      player(plant, trial, drawLostCycles(plant, trial, generatorOf("lost cycles", options.seed)));
   for (std::size_t s = 0; s < trial.signals.size(); ++s) {
     std::vector<double>& values = prediction.values[s];
     if (values.empty()) continue;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "gap/replay/SolePlate.h"
+#include "gap/replay/TruePose.h"
 
 namespace plumbline::gap {
 
@@ -335,19 +336,11 @@ void Stepper::readBody(std::size_t cycle, double t, const std::vector<std::size_
   gyro.back() += plant.imu.gyroBias;
   if (!trial.freeBase) return;
 
-  Eigen::Quaterniond rotation(T_world_base.linear());
-  if (rotation.w() < 0) rotation.coeffs() *= -1;
-  const double pose[7] = {T_world_base.translation().x(),
-                          T_world_base.translation().y(),
-                          T_world_base.translation().z(),
-                          rotation.w(),
-                          rotation.x(),
-                          rotation.y(),
-                          rotation.z()};
+  const std::array<double, 7> pose = poseValues(T_world_base);
   std::vector<std::vector<double>> feet(plant.mechanism.feet.size());
   for (const std::size_t s : signals) {
     const Signal& signal = trial.signals[s];
-    if (signal.kind == SignalKind::truth) values[s][cycle] = pose[signal.axis];
+    if (signal.kind == SignalKind::truth) values[s][cycle] = pose[index(signal.axis)];
     if (signal.kind != SignalKind::force) continue;
     auto& shares = feet[index(signal.place)];
     if (shares.empty()) {

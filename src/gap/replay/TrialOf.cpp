@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "gap/replay/TruePose.h"
+
 namespace plumbline::gap {
 
 namespace {
-
-const std::array<std::string_view, 7> poseAxes{"x", "y", "z", "qw", "qx", "qy", "qz"};
 
 std::optional<SignalKind> kindOf(ChannelKind kind) {
   switch (kind) {

@@ -6,6 +6,7 @@
 #include "framework/ConfigurationError.h"
 #include "gap/record/BulletRecording.h"
 #include "gap/replay/TrialOf.h"
+#include "gap/replay/TruePose.h"
 #include "training/ServoWalker.h"
 
 namespace plumbline::gap {
@@ -112,12 +113,8 @@ Run recordWalk(const Mechanism& robot, const std::string& program, const Simulat
         values[k] = cycle.measured.acc[signal.axis];
       else if (signal.kind == SignalKind::force)
         values[k] = plant.footGain[place] * cycle.measured.footForce[place][axis];
-      else if (signal.kind == SignalKind::truth) {
-        const Eigen::Quaterniond turn(cycle.torso.linear());
-        const Vec3 at = cycle.torso.translation();
-        const double pose[] = {at.x(), at.y(), at.z(), turn.w(), turn.x(), turn.y(), turn.z()};
-        values[k] = pose[axis];
-      }
+      else if (signal.kind == SignalKind::truth)
+        values[k] = poseValues(cycle.torso)[axis];
     }
     if (options.noisy) addNoise(signal, options.noise, options.seed, values);
   }
