@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "gap/diagnosis/AcrossSettings.h"
 #include "gap/diagnosis/GapMeter.h"
 #include "gap/diagnosis/LostCycles.h"
 #include "gap/diagnosis/Merit.h"
@@ -36,6 +37,7 @@ constexpr double hopeless = 0.3;      // of the best candidate's gain lost: not 
 constexpr double otherStart = 0.7;    // of the best first cause's gain: what gains less is no other start
 constexpr std::size_t tries = 3, otherStarts = 3;
 constexpr double coarseWithin = 1.2;  // of the squares with fine steps
+constexpr double surelyLess = 0.95;   // of the error across settings: another set is not worth it
 constexpr int evaluations = 32;       // of values that are fitted together
 
 /// Whether a value is no farther from the model's than engines are from each other.
@@ -82,6 +84,7 @@ public:
     } else {
       grow();
     }
+    acrossSettings();
     fine.setBase(found);
     const WorstGap left = worstGap(fine);
     result.worstAfter = left.size;
@@ -287,6 +290,47 @@ private:
     }
     fine.setBase(found);
     found = fitTogether(fine, found, evaluations, options.jobs);
+  }
+
+  /// Where runs were recorded under several servo settings and something remains: the set of causes that
+  /// predicts each setting from the others best, if it does better than what was found.
+  void acrossSettings() {
+    if (found.empty() || fine.hasStanding() || remainder().size() < unexplained) return;
+    const AcrossSettings settings(fine.mechanism(), fine.evidence(), options.jobs);
+    if (!settings.possible()) return;
+    const AcrossSettings quick(fine.mechanism(), fine.evidence(), options.jobs, coarseSteps());
+    fine.setBase({});
+    std::vector<Cause> starts = possibleCauses(fine);
+    // Lost commands belong to each run, and all joints are the one where there is one.
+    std::erase_if(starts, [&](const Cause& cause) {
+      return cause.effect->id == "command_dropout" ||
+             (cause.place.site == Site::everywhere && fine.mechanism().joints.size() == 1 &&
+              std::ranges::find(cause.effect->sites, Site::joint) != cause.effect->sites.end());
+    });
+    const AcrossSettings::Tried best = settings.of(quick
+                                                       .best(starts, options.maxCauses,
+                                                             [&](double share) {
+                                                               if (options.progress)
+                                                                 options.progress("across settings", share);
+                                                             })
+                                                       .causes);
+    if (best.error < surelyLess * settings.of(found).error) {
+      found = best.causes;
+      choices.assign(found.size(), {});
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      fine.setBase(without(found, i));
+      if (choices[i].empty()) choices[i] = withItself(candidates("each cause again"), found[i]);
+    }
+    fine.setBase(found);
+  }
+
+  /// What stood for choice besides a cause that was chosen otherwise; its value fitted like theirs.
+  Candidates withItself(Candidates list, const Cause& cause) {
+    std::erase_if(list, [&](const Candidate& c) { return c.cause.sameKind(cause); });
+    list.push_back(fitValue(fine, cause, {}));
+    sortByProbability(list);
+    return list;
   }
 
   void judge(double remainsHeld, bool heldTold) {

@@ -19,6 +19,11 @@ WorstGap worstGap(const Evaluator& evaluator, std::optional<bool> standing = {})
 /// worst channel: a foot that slips a moment too late leads the rest of its run astray. 0 without such runs.
 double gapOnFeet(const Evaluator& evaluator);
 
+/// The gap beyond noise in units of noise with a held base, of the worst channel in any run; of a joint where
+/// the base has a cause that sticks (Effect::sticks), over all runs but for the worst 3 % of their
+/// half-seconds.
+double gapHeld(const Evaluator& evaluator);
+
 /// Whether joints in runs with a held base are off about as far as on the feet: what is wrong shows in those.
 bool heldRunsTell(const Evaluator& evaluator);
 

@@ -116,10 +116,12 @@ std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& tr
                                             : std::hypot(fast, repeatShare * repeats);
       // Repeats of a still joint fall on the same count: half a count is unknown even so.
       noise.sigma = std::sqrt(own * own + step * step / 12);
+      noise.own = std::sqrt(fast * fast + step * step / 12);
       double scale = 0;
       for (const double value : signal.values)
         if (std::isfinite(value)) scale = std::max(scale, std::abs(value));
       noise.sigma = std::max({noise.sigma, 1e-7 * scale, 1e-9});
+      noise.own = std::max({noise.own, 1e-7 * scale, 1e-9});
       noises.push_back(noise);
     }
   }

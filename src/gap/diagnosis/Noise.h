@@ -20,6 +20,7 @@ double fastNoise(const std::vector<double>& values);
 /// What one signal of one trial may differ by without any cause.
 struct SignalNoise {
   double sigma = 0;       ///< noise and quantisation, in the signal's unit
+  double own = 0;         ///< the same from the channel itself alone
   bool repeated = false;  ///< found from repeats, else from the channel itself
 };
 

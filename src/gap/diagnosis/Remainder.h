@@ -14,7 +14,7 @@ class Remainder {
 public:
   /// worstBefore: gap beyond noise of the worst channel without any cause, in units of its noise.
   Remainder(const Evaluator& evaluator, double worstBefore)
-      : held(worstGap(evaluator, false).size), onFeet(gapOnFeet(evaluator)), before(worstBefore) {}
+      : held(gapHeld(evaluator)), onFeet(gapOnFeet(evaluator)), before(worstBefore) {}
 
   /// Over what another engine may do otherwise: above 1, the causes found are not the whole of it.
   double unaccounted() const { return std::max(unaccountedHeld(), unaccountedOnFeet()); }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gap/diagnosis/GapMeter.h"
+#include "gap/diagnosis/Onset.h"
 #include "gap/diagnosis/Parallel.h"
 #include "gap/diagnosis/UnderLoad.h"
 
@@ -86,7 +87,7 @@ public:
         underLoad(fine_) {}
 
   std::vector<Candidate> run(const std::vector<Cause>& causes) {
-    firstLook(causes);
+    firstLook(withOnsets(causes));
     bestStarts();
     secondLook();
     fitRoughly();
@@ -114,6 +115,21 @@ private:
     return mask;
   }
   TrialMask everyOf(const Cause& cause) const { return showing(fine, cause, every, onFeet(cause)); }
+
+  /// With the values added that moments of setting in tell, after the other starts of their kinds.
+  std::vector<Cause> withOnsets(const std::vector<Cause>& causes) const {
+    std::vector<std::optional<Cause>> told(causes.size());
+    parallel(causes.size(), options.jobs, [&](std::size_t i) {
+      const bool last = i + 1 == causes.size() || !oneStart(causes[i], causes[i + 1]);
+      if (causes[i].effect->setsIn && last) told[i] = causeByOnset(fine, causes[i]);
+    });
+    std::vector<Cause> result;
+    for (std::size_t i = 0; i < causes.size(); ++i) {
+      result.push_back(causes[i]);
+      if (told[i]) result.push_back(*told[i]);
+    }
+    return result;
+  }
 
   /// One replay of the most telling run for each effect and place, scaled to fit best; its other starting
   /// values where that shows any promise or says little of them.

@@ -12,9 +12,25 @@ constexpr double cleanChi =
 constexpr double chainShare = 0.02;  // of the worst joint's excess: chains below that wait for a later round
 constexpr double jointShare = 0.08;  // of the chain's worst
 
+constexpr double astray = 10;  // times its own noise that a joint's repeats differ by
+
 // Lost commands leave most chains off at a time, by more than this mean square over noise.
 constexpr double mostShare = 0.75, chainOff = 1.5;
 constexpr std::size_t fewChains = 3;  // a robot with fewer is judged by its joints
+
+/// Joints whose repeats differ by far more than their noise: what leads them astray hides in that.
+std::vector<bool> restlessJoints(const Evaluator& evaluator) {
+  std::vector<bool> restless(evaluator.mechanism().joints.size(), false);
+  const Evidence& data = evaluator.evidence();
+  for (std::size_t t = 0; t < data.trials().size(); ++t)
+    for (std::size_t s = 0; s < data.trials()[t].signals.size(); ++s) {
+      const Signal& signal = data.trials()[t].signals[s];
+      if (data.trials()[t].freeBase || signal.kind != SignalKind::position) continue;
+      const SignalNoise& noise = data.noise(t, s);
+      if (noise.sigma > astray * noise.own) restless[static_cast<std::size_t>(signal.joint)] = true;
+    }
+  return restless;
+}
 
 }  // namespace
 
@@ -42,13 +58,14 @@ Suspects::Suspects(const Evaluator& evaluator) {
   faintly.resize(n);
   const std::vector<double> excess = jointExcess(evaluator, false);
   const double all = *std::ranges::max_element(excess);
+  const std::vector<bool> restless = restlessJoints(evaluator);
   for (std::size_t j = 0; j < n; ++j) {
     double worst = 0;
     const std::vector<int> near =
         evaluator.jointsTouched({nullptr, {Site::joint, static_cast<int>(j), ""}, 0, 0});
     for (const int other : near) worst = std::max(worst, excess[static_cast<std::size_t>(other)]);
     chain[j] = worst > std::max(cleanChi, chainShare * all);
-    joint[j] = chain[j] && excess[j] > jointShare * worst;
+    joint[j] = chain[j] && (excess[j] > jointShare * worst || restless[j]);
     faintly[j] = chain[j] && excess[j] > cleanChi;
     any = any || chain[j];
   }

@@ -9,8 +9,8 @@ namespace plumbline::gap {
 /// (standing) or with a held base. In units of noise variance, one per joint; 0 where nothing was compared.
 std::vector<double> jointExcess(const Evaluator& evaluator, bool standing);
 
-/// Joints that runs with a held base show to be off: themselves, and in a chain of which any is. All of them
-/// where there are no such runs.
+/// Joints that runs with a held base show to be off: themselves (or by repeats that go apart), and in a chain
+/// of which any is. All of them where there are no such runs.
 struct Suspects {
   explicit Suspects(const Evaluator& evaluator);
   std::vector<bool> joint, chain;  ///< one flag per joint

@@ -11,6 +11,7 @@ inline const Effect coulombFriction{
     .lower = 0,
     .upper = 0.5,
     .starts = {0.02, 0.08, 0.2},
+    .sticks = true,
     .sentence = "Dry friction holds {at} back.",
     .exposedBy = "slow reversals, small motions",
     .scale = [](const Mechanism& m,

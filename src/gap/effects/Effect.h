@@ -38,6 +38,11 @@ struct Effect {
   std::vector<double> starts;
   /// Whether twice the value is about twice the change: one starting value then tells of the others.
   bool linear = false;
+  /// Acts from a moment on that comes the sooner the larger the value is; that moment tells the value.
+  bool setsIn = false;
+  /// Holds a joint until enough presses on it; when it lets go, another engine tells a moment sooner or
+  /// later.
+  bool sticks = false;
   /// A limit or a share of one: acts by its reciprocal, and half the value is twice the effect.
   bool reciprocal = false;
   /// What engines do otherwise with the same value looks like one that is off by up to this share of nominal.

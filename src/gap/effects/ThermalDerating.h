@@ -12,6 +12,7 @@ inline const Effect thermalDerating{
     .lower = 0,
     .upper = 0.5,
     .starts = {0.0005, 0.003, 0.02, 0.07, 0.2},  // a limit that is just reached shows at no other
+    .setsIn = true,
     .variants = {"heat as the integral of torque squared", "heat as the integral of mechanical power"},
     .sentence = "The motor of {at} loses torque as it warms up.",
     .exposedBy = "long fast moves at the torque limit",

@@ -1,0 +1,181 @@
+#include "gap/diagnosis/AcrossSettings.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "gap/diagnosis/Parallel.h"
+#include "gap/diagnosis/ValueFit.h"
+#include "gap/replay/Ensemble.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr std::size_t width = 3;        // sets that go on
+constexpr std::size_t fittedWell = 6;   // of those that were fitted shortly
+constexpr int shortly = 16, well = 60;  // evaluations of a fit
+constexpr int passes = 3;               // of fits, of a set that was chosen
+// What a further cause has to take away, of the error and of the nominal model's.
+constexpr double leastGain = 0.05, leastOfAll = 0.02;
+
+/// What tells one servo setting from another.
+std::vector<double> gainsOf(const Trial& trial) {
+  std::vector<double> gains;
+  for (const auto& joint : trial.robot->joints)
+    for (const double gain : {joint.servo.kp, joint.servo.kd, joint.servo.kpFirmware}) gains.push_back(gain);
+  return gains;
+}
+
+/// Whether what causes foretell is in doubt, which would excuse whatever they do not explain.
+bool inDoubt(const Mechanism& mechanism, const Explanation& causes) {
+  return std::ranges::any_of(plantOf(mechanism, causes).joints, hunts);
+}
+
+/// Starting values by kind: effect, place and variant.
+std::vector<std::vector<Cause>> byKind(const Mechanism& mechanism, const std::vector<Cause>& starts) {
+  std::vector<std::vector<Cause>> kinds;
+  for (const Cause& start : starts) {
+    if (inDoubt(mechanism, {start})) continue;
+    const auto same = std::ranges::find_if(kinds, [&](const std::vector<Cause>& kind) {
+      return kind.front().sameKind(start) && kind.front().variant == start.variant;
+    });
+    if (same == kinds.end())
+      kinds.push_back({start});
+    else
+      same->push_back(start);
+  }
+  return kinds;
+}
+
+bool better(const AcrossSettings::Tried& a, const AcrossSettings::Tried& b) { return a.error < b.error; }
+
+}  // namespace
+
+AcrossSettings::Fold::Fold(const Mechanism& mechanism, std::vector<Trial> fitted_, std::vector<Trial> left_,
+                           const ReplayOptions& accuracy)
+    : fitted(std::move(fitted_)),
+      left(std::move(left_)),
+      fit(mechanism, fitted, accuracy),
+      judge(mechanism, left, accuracy) {}
+
+AcrossSettings::AcrossSettings(const Mechanism& mechanism, const Evidence& evidence, int jobs_,
+                               const ReplayOptions& accuracy)
+    : robot(mechanism), jobs(jobs_) {
+  std::vector<std::vector<double>> settings;
+  std::vector<Trial> held;
+  for (const Trial& trial : evidence.trials()) {
+    if (trial.freeBase) continue;
+    held.push_back(trial);
+    if (std::ranges::find(settings, gainsOf(trial)) == settings.end()) settings.push_back(gainsOf(trial));
+  }
+  if (settings.size() < 2) return;
+  for (const std::vector<double>& out : settings) {
+    std::vector<Trial> fitted, left;
+    for (const Trial& trial : held) (gainsOf(trial) == out ? left : fitted).push_back(trial);
+    folds.push_back(std::make_unique<Fold>(mechanism, std::move(fitted), std::move(left), accuracy));
+    folds.back()->nominal = squaresLeft(*folds.back(), {});
+  }
+}
+
+double AcrossSettings::squaresLeft(const Fold& fold, const Explanation& causes) const {
+  const Fit fit = fold.judge.of(causes);
+  return std::max(0.0, fit.fitting + fit.judging);
+}
+
+AcrossSettings::Tried AcrossSettings::fitted(const Tried& from, int evaluations) const {
+  Tried result = from;
+  result.error = 0;
+  for (std::size_t f = 0; f < folds.size(); ++f) {
+    Explanation& causes = result.perFold[f];
+    causes = causes.size() > 1 ? fitTogether(folds[f]->fit, causes, evaluations, 1)
+                               : Explanation{fitValue(folds[f]->fit, causes.front(), {}).cause};
+    if (inDoubt(robot, causes)) result.error = INFINITY;
+    result.error +=
+        std::sqrt(squaresLeft(*folds[f], causes) / folds[f]->nominal) / static_cast<double>(folds.size());
+  }
+  result.causes = result.perFold.front();
+  for (std::size_t i = 0; i < result.causes.size(); ++i) {
+    const Effect& effect = *result.causes[i].effect;
+    double strength = 0;
+    for (const Explanation& fold : result.perFold)
+      strength += effect.strengthOf(fold[i].value) / static_cast<double>(folds.size());
+    result.causes[i].value = effect.valueAt(strength);
+  }
+  return result;
+}
+
+AcrossSettings::Tried AcrossSettings::refined(Tried tried) const {
+  for (int pass = 0; pass < passes; ++pass) {
+    Tried again = fitted(tried, well);
+    if (again.error >= tried.error && pass > 0) break;
+    tried = std::move(again);
+  }
+  return tried;
+}
+
+AcrossSettings::Tried AcrossSettings::of(const Explanation& causes) const {
+  Tried tried;
+  if (causes.empty()) return tried;
+  tried.perFold.assign(folds.size(), causes);
+  return refined(tried);
+}
+
+AcrossSettings::Tried AcrossSettings::withKind(const Tried& from, const std::vector<Cause>& starts,
+                                               int evaluations) const {
+  Tried tried = from;
+  tried.perFold.resize(folds.size());
+  for (std::size_t f = 0; f < folds.size(); ++f) {
+    double least = INFINITY;
+    Explanation best;
+    for (const Cause& start : starts) {
+      Explanation causes = tried.perFold[f];
+      causes.push_back(start);
+      const double fitting = folds[f]->fit.of(causes).fitting;
+      if (fitting >= least) continue;
+      least = fitting;
+      best = std::move(causes);
+    }
+    tried.perFold[f] = std::move(best);
+  }
+  // No start led anywhere.
+  if (std::ranges::any_of(tried.perFold, &Explanation::empty)) {
+    tried.error = INFINITY;
+    return tried;
+  }
+  return fitted(tried, evaluations);
+}
+
+AcrossSettings::Tried AcrossSettings::best(const std::vector<Cause>& starts, std::size_t maxCauses,
+                                           const std::function<void(double share)>& progress) const {
+  const std::vector<std::vector<Cause>> kinds = byKind(robot, starts);
+  std::vector<Tried> sets(1);
+  Tried best;
+  for (std::size_t size = 1; size <= maxCauses; ++size) {
+    std::vector<std::pair<const Tried*, const std::vector<Cause>*>> pairs;
+    for (const Tried& set : sets)
+      for (const std::vector<Cause>& kind : kinds)
+        if (std::ranges::none_of(set.causes, [&](const Cause& c) { return c.sameKind(kind.front()); }))
+          pairs.emplace_back(&set, &kind);
+    std::vector<Tried> longer(pairs.size());
+    std::atomic<std::size_t> done = 0;
+    parallel(pairs.size(), jobs, [&](std::size_t i) {
+      longer[i] = withKind(*pairs[i].first, *pairs[i].second, shortly);
+      progress(
+          (static_cast<double>(size - 1) + static_cast<double>(++done) / static_cast<double>(pairs.size())) /
+          static_cast<double>(maxCauses));
+    });
+    std::ranges::stable_sort(longer, better);
+    longer.resize(std::min(longer.size(), fittedWell));
+    if (size > 1) parallel(longer.size(), jobs, [&](std::size_t i) { longer[i] = fitted(longer[i], well); });
+    std::ranges::stable_sort(longer, better);
+    if (longer.empty() || best.error - longer.front().error < std::max(leastGain * best.error, leastOfAll))
+      break;
+    longer.resize(std::min(longer.size(), width));
+    best = longer.front();
+    sets = std::move(longer);
+  }
+  return best.causes.empty() ? best : refined(best);
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,53 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "gap/diagnosis/Evaluator.h"
+
+namespace plumbline::gap {
+
+/// Judges sets of causes across servo settings: fitted to the runs under all settings but one, by how well
+/// they predict the runs under that one, each in turn (cross-validation over groups). What absorbs another
+/// cause under one gain does not under another; blocks of the same runs do not tell that.
+class AcrossSettings {
+public:
+  /// Groups the runs with a held base by the gains they were recorded with. accuracy: the steps of all
+  /// replays.
+  AcrossSettings(const Mechanism& mechanism, const Evidence& evidence, int jobs,
+                 const ReplayOptions& accuracy = {});
+  /// Whether there are several settings.
+  bool possible() const { return folds.size() > 1; }
+
+  /// A set of causes as the settings left out in turn were predicted with.
+  struct Tried {
+    Explanation causes;                ///< values: means, in strength, of what was fitted
+    std::vector<Explanation> perFold;  ///< what was fitted with each setting left out
+    double error =
+        1;  ///< of what was left out: root of its squares over the nominal ones', mean over settings
+  };
+  Tried of(const Explanation& causes) const;
+  /// The set, of these kinds, that predicts best: causes are added one at a time to several sets at once
+  /// while that takes away at least a twentieth. Starts: each kind with its starting values.
+  Tried best(const std::vector<Cause>& starts, std::size_t maxCauses,
+             const std::function<void(double share)>& progress) const;
+
+private:
+  struct Fold {
+    Evidence fitted, left;
+    Evaluator fit, judge;
+    double nominal = 0;  ///< squares left out, under the nominal model
+    Fold(const Mechanism& mechanism, std::vector<Trial> fitted, std::vector<Trial> left,
+         const ReplayOptions& accuracy);
+  };
+  double squaresLeft(const Fold& fold, const Explanation& causes) const;
+  Tried fitted(const Tried& from, int evaluations) const;
+  Tried refined(Tried tried) const;
+  Tried withKind(const Tried& from, const std::vector<Cause>& starts, int evaluations) const;
+
+  const Mechanism& robot;
+  int jobs;
+  std::vector<std::unique_ptr<Fold>> folds;
+};
+
+}  // namespace plumbline::gap
