@@ -48,6 +48,22 @@ TEST(GapMeterTest, aRobotThatHangsHasNoGapOnItsFeet) {
   EXPECT_EQ(worstGap(judged.evaluator, true).size, 0);
 }
 
+TEST(GapMeterTest, aJointThatSticksMayLetGoLate) {
+  const Trial longRun = recorded(nominalPlant(standingLeg()), legTrial(false, 20), noise, 8);
+  Judged little({astray(longRun, 0.02)}), much({astray(longRun, 0.2)});
+  const Effect *sticks = findEffect("coulomb_friction"), *slides = findEffect("viscous_friction");
+  const auto judgedWith = [](Judged& judged, const Effect* effect) {
+    Evaluator evaluator(judged.leg, judged.evidence);
+    evaluator.setBase({{effect, findPlace(*effect, judged.leg, judged.leg.joints[0].name, ""), 1e-6, 0}});
+    return gapHeld(evaluator);
+  };
+  EXPECT_NEAR(gapHeld(little.evaluator), worstGap(little.evaluator, false).size, 1e-12);
+  EXPECT_NEAR(judgedWith(little, slides), worstGap(little.evaluator, false).size, 0.01);
+  EXPECT_GT(judgedWith(little, slides), 1.5);
+  EXPECT_LT(judgedWith(little, sticks), 0.7);
+  EXPECT_GT(judgedWith(much, sticks), 3);
+}
+
 TEST(GapMeterTest, heldRunsTellWhereTheyAreOffAsWell) {
   const Judged both({astray(nominalRun(true), 0.4), astray(nominalRun(false), 0.4)}),
       onlyStanding({astray(nominalRun(true), 0.4), nominalRun(false)});
