@@ -22,7 +22,7 @@ inline void parallel(std::size_t count, int threads, const std::function<void(st
   std::exception_ptr error;
   std::mutex mutex;
   const auto run = [&] {
-    for (std::size_t i; (i = next++) < count;) {
+    for (std::size_t i = next++; i < count; i = next++) {
       try {
         work(i);
       } catch (...) {

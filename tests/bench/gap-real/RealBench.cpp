@@ -143,6 +143,11 @@ int run(const std::string& folder, const std::string& only, int jobs) {
         folder.c_str());
     return 2;
   }
+  if (!only.empty() && only != "xl330" && only != "so101") {
+    std::fprintf(stderr, "bench gap-real: ROBOT=%s is not known; xl330, so101, or none for both\n",
+                 only.c_str());
+    return 2;
+  }
   fs::create_directories("build/bench");
   std::ofstream page("build/bench/gap-real.md");
   page
