@@ -43,7 +43,7 @@ printf 'effects:\n  - {effect: backlsh, at: Elbow, value: 0.1}\n' > "$scratch/ba
 expectError 2 "gap: $scratch/bad.yaml:2: effects[0].effect is \"backlsh\", which is no effect of the library; did you mean \"backlash\"?" \
   "$bin/gap" record --robot $arm --program hang_sweep --effects "$scratch/bad.yaml" -o "$scratch/x"
 printf 'effects:\n  - {effect: backlash, at: Elbow, value: 7}\n' > "$scratch/bad.yaml"
-expectError 2 "gap: $scratch/bad.yaml:2: effects[0].value is 7; backlash goes from 0 to 0.2 rad" \
+expectError 2 "gap: $scratch/bad.yaml:2: effects[0].value is 7; backlash goes from 0 to 0.4 rad" \
   "$bin/gap" record --robot $arm --program hang_sweep --effects "$scratch/bad.yaml" -o "$scratch/x"
 echo '{"verdict": "perhaps"}' > "$scratch/bad.json"
 expectError 2 "gap: $scratch/bad.json: has the verdict 'perhaps'; there is none, effect, unknown; bin/gap diagnose RUNS --json FILE writes an answer" \

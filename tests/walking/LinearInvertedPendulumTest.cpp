@@ -7,8 +7,8 @@
 namespace plumbline::walking {
 namespace {
 
-constexpr double height = 0.25;
-const double k = std::sqrt(9.81 / height);
+constexpr double pendulumHeight = 0.25;
+const double k = std::sqrt(9.81 / pendulumHeight);
 
 WalkState onLeft(const Pose2& foot, const Vec2& velocity) {
   WalkState state;
@@ -25,7 +25,7 @@ WalkAction lasting(double duration) {
 }
 
 TEST(LinearInvertedPendulum, isEquations41And42) {
-  const LinearInvertedPendulum model(height);
+  const LinearInvertedPendulum model(pendulumHeight);
   const WalkState end = model.move(onLeft(Pose2(0.03, 0.05), Vec2(0.2, 0.1)), lasting(0.3), 0.2);
   // x of the equations is the mass relative to the foot, the state has the foot relative to the mass.
   EXPECT_NEAR(-end.foot[0].x(), -0.03 * std::cosh(k * 0.2) + 0.2 / k * std::sinh(k * 0.2), 1e-12);
@@ -35,7 +35,7 @@ TEST(LinearInvertedPendulum, isEquations41And42) {
 }
 
 TEST(LinearInvertedPendulum, agreesWithIntegration) {
-  const LinearInvertedPendulum model(height, Vec2(0.01, -0.005));
+  const LinearInvertedPendulum model(pendulumHeight, Vec2(0.01, -0.005));
   const WalkState begin = onLeft(Pose2(-0.02, 0.06, 0.1), Vec2(0.4, 0.15));
   const Vec2 pivot = Pose2(-0.02, 0.06, 0.1) * Vec2(0.01, -0.005);
   Vec2 com = Vec2::Zero(), velocity = begin.velocity;
@@ -51,7 +51,7 @@ TEST(LinearInvertedPendulum, agreesWithIntegration) {
 }
 
 TEST(LinearInvertedPendulum, aMoveInTwoPartsIsTheWholeMove) {
-  const LinearInvertedPendulum model(height, Vec2(0.01, -0.005));
+  const LinearInvertedPendulum model(pendulumHeight, Vec2(0.01, -0.005));
   const WalkState begin = onLeft(Pose2(0.02, 0.06, 0.2), Vec2(0.4, 0.15));
   WalkAction whole = lasting(0.2), half = lasting(0.1);
   whole.turn = 0.3;
@@ -65,7 +65,7 @@ TEST(LinearInvertedPendulum, aMoveInTwoPartsIsTheWholeMove) {
 }
 
 TEST(LinearInvertedPendulum, keepsTheOrbitalEnergy) {
-  const LinearInvertedPendulum model(height);
+  const LinearInvertedPendulum model(pendulumHeight);
   const WalkState begin = onLeft(Pose2(0.05, 0.06), Vec2(0.5, 0.2));
   const auto energy = [](const WalkState& s) {
     return Vec2(s.velocity.cwiseAbs2() - k * k * s.foot[0].position.cwiseAbs2());
@@ -74,7 +74,7 @@ TEST(LinearInvertedPendulum, keepsTheOrbitalEnergy) {
 }
 
 TEST(LinearInvertedPendulum, aStepEndsOnTheOtherFoot) {
-  const LinearInvertedPendulum model(height);
+  const LinearInvertedPendulum model(pendulumHeight);
   WalkAction action = lasting(0.2);
   action.stepTarget = Pose2(0.04, -0.06, 0.1);
   const WalkState end = model.predict(onLeft(Pose2(0, 0.05), Vec2(0, 0.1)), action);
@@ -84,7 +84,7 @@ TEST(LinearInvertedPendulum, aStepEndsOnTheOtherFoot) {
 }
 
 TEST(LinearInvertedPendulum, doubleSupportLeavesItsCentreOfPressure) {
-  const LinearInvertedPendulum model(height);
+  const LinearInvertedPendulum model(pendulumHeight);
   WalkState state;
   state.foot = {Pose2(0, 0.05), Pose2(0, -0.05)};
   WalkAction action = lasting(0.1);
@@ -102,9 +102,9 @@ protected:
   const WalkAction action = lasting(0.15);
   ModelParameters fit;
   WalkState end() const {
-    return LinearInvertedPendulum(height, Vec2::Zero(), fit).move(begin, action, 0.15);
+    return LinearInvertedPendulum(pendulumHeight, Vec2::Zero(), fit).move(begin, action, 0.15);
   }
-  WalkState plain(const WalkState& state, double h = height, double time = 0.15) const {
+  WalkState plain(const WalkState& state, double h = pendulumHeight, double time = 0.15) const {
     return LinearInvertedPendulum(h).move(state, action, time);
   }
 };
@@ -128,8 +128,8 @@ TEST_F(FittedPendulum, anOffsetOfTheMassMovesTheFootTheOtherWay) {
 TEST_F(FittedPendulum, heightsOfBothDirectionsAreSeparate) {
   fit.massOffsetZx = 0.05;
   fit.massOffsetZy = -0.05;
-  EXPECT_NEAR(end().velocity.x(), plain(begin, height + 0.05).velocity.x(), 1e-12);
-  EXPECT_NEAR(end().velocity.y(), plain(begin, height - 0.05).velocity.y(), 1e-12);
+  EXPECT_NEAR(end().velocity.x(), plain(begin, pendulumHeight + 0.05).velocity.x(), 1e-12);
+  EXPECT_NEAR(end().velocity.y(), plain(begin, pendulumHeight - 0.05).velocity.y(), 1e-12);
 }
 
 TEST_F(FittedPendulum, velocityOffsetIsOfTheEstimate) {
@@ -154,12 +154,12 @@ TEST_F(FittedPendulum, footFactorsScaleTheDistance) {
 
 TEST_F(FittedPendulum, timeFactorLetsThePendulumsTimePassFaster) {
   fit.timeFactor = 1.2;
-  EXPECT_NEAR((end().velocity - plain(begin, height, 0.18).velocity).norm(), 0, 1e-12);
+  EXPECT_NEAR((end().velocity - plain(begin, pendulumHeight, 0.18).velocity).norm(), 0, 1e-12);
 }
 
 TEST_F(FittedPendulum, aMoveInTwoPartsIsTheWholeMove) {
   fit = ModelParameters::of({0.01, -0.004, 0.02, -0.03, 0.03, -0.02, 0.9, 1.05, 1.1, 1.2});
-  const LinearInvertedPendulum model(height, Vec2::Zero(), fit);
+  const LinearInvertedPendulum model(pendulumHeight, Vec2::Zero(), fit);
   const WalkState twice = model.move(model.move(begin, action, 0.07), action, 0.08);
   EXPECT_NEAR((end().velocity - twice.velocity).norm(), 0, 1e-12);
   EXPECT_NEAR((end().foot[0].position - twice.foot[0].position).norm(), 0, 1e-12);

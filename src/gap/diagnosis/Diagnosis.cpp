@@ -317,6 +317,7 @@ private:
     if (best.error < surelyLess * settings.of(found).error) {
       found = best.causes;
       choices.assign(found.size(), {});
+      heldAcross = true;
     }
     for (std::size_t i = 0; i < found.size(); ++i) {
       fine.setBase(without(found, i));
@@ -338,8 +339,9 @@ private:
     const Remainder left = remainder();
     double onFeet = left.unaccountedOnFeet();
     if (heldTold && remainsHeld <= 1) onFeet = std::min(onFeet, heldExplained);
-    double remains =
-        std::max({left.unaccountedHeld(), onFeet, remainsHeld}) * (1 + crowded * (mostAtOneJoint(found) - 1));
+    // What predicts a setting that it was not fitted to is not put together for the others.
+    const int together = heldAcross ? 1 : mostAtOneJoint(found);
+    double remains = std::max({left.unaccountedHeld(), onFeet, remainsHeld}) * (1 + crowded * (together - 1));
     const WorstGap sensor = worstHeldOffset(fine);
     if (sensor.size > heldOffset) {
       result.sensorOff = sensor.signal;
@@ -396,6 +398,7 @@ private:
   Evaluator &fine, &coarse;
   const DiagnosisOptions& options;
   bool onHeldRuns = false;
+  bool heldAcross = false;  ///< found by what it predicts of servo settings left out
   const GapMeter meter;
   Diagnosis result;
   Explanation found;

@@ -10,7 +10,7 @@ namespace plumbline::simulation {
 namespace {
 constexpr std::size_t maxViewers = 32;
 constexpr std::size_t maxMessage = 1024;  ///< bytes: a token and no more
-constexpr std::size_t mostUnread =
+constexpr std::size_t viewerMayLeave =
     1 << 16;                         ///< bytes a viewer may leave unread; it is told nothing meanwhile
 constexpr double uprightAxis = 0.5;  ///< as in simspark::fieldState
 }  // namespace
@@ -35,7 +35,8 @@ std::string fieldMessage(const Simulation& simulation) {
   return simspark::writeFieldMessage(state);
 }
 
-FieldPort::Viewer::Viewer(int fd, const std::string& address) : client(fd, address, maxMessage, mostUnread) {}
+FieldPort::Viewer::Viewer(int fd, const std::string& address)
+    : client(fd, address, maxMessage, viewerMayLeave) {}
 
 FieldPort::FieldPort(const Config& config_, Simulation& simulation_, LogFunction log_)
     : config(config_), simulation(simulation_), log(std::move(log_)), listener(config.address, config.port) {}

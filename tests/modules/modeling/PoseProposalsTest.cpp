@@ -11,7 +11,7 @@ using namespace plumbline::test;
 namespace {
 
 double apart(const Pose2& a, const Pose2& b) { return (a.position - b.position).norm(); }
-double turn(const Pose2& a, const Pose2& b) { return std::abs(normalizeAngle(a.heading - b.heading)); }
+double turned(const Pose2& a, const Pose2& b) { return std::abs(normalizeAngle(a.heading - b.heading)); }
 
 Pose2 somewhere(Random& random) {
   const double x = random.uniform(-14, 14), y = random.uniform(-9, 9), heading = random.uniform(-pi, pi);
@@ -35,7 +35,7 @@ TEST(PoseProposals, twoLandmarksGiveTheExactPose) {
       const auto& poses = proposals.find(view);
       ASSERT_EQ(poses.size(), 1u);
       EXPECT_LT(apart(poses[0].pose, truth), 1e-6);
-      EXPECT_LT(turn(poses[0].pose, truth), 1e-6);
+      EXPECT_LT(turned(poses[0].pose, truth), 1e-6);
     }
     EXPECT_GT(found, 100);
   }
@@ -56,7 +56,7 @@ TEST(PoseProposals, oneLandmarkAndLinesGiveThePoseAmongFew) {
     ++tried;
     const auto& poses = proposals.find(view);
     for (std::size_t k = 0; k < poses.size(); ++k) {
-      if (apart(poses[k].pose, truth) > 0.3 || turn(poses[k].pose, truth) > 0.05) continue;
+      if (apart(poses[k].pose, truth) > 0.3 || turned(poses[k].pose, truth) > 0.05) continue;
       ++among;
       if (k == 0) ++first;
     }
