@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "gap/diagnosis/Explanation.h"
 #include "gap/replay/Replay.h"
 #include "gap/replay/Trial.h"
 #include "math/Random.h"
@@ -35,6 +36,12 @@ inline Mechanism twoJointArm() {
     arm.joints.push_back(joint);
   }
   return arm;
+}
+
+/// An effect at a joint or link of the arm, in its first variant.
+inline Cause causeOfArm(const char* id, const char* place, double value) {
+  const Effect* effect = findEffect(id);
+  return {effect, findPlace(*effect, twoJointArm(), place, ""), value, 0};
 }
 
 /// A trial of 100 Hz in which both joints follow sums of sines of that size, then steps, then slow reversals.

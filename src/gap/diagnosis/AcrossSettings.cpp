@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gap/diagnosis/Parallel.h"
+#include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/ValueFit.h"
 #include "gap/replay/Ensemble.h"
 
@@ -29,7 +30,7 @@ std::vector<double> gainsOf(const Trial& trial) {
 
 /// Whether what causes foretell is in doubt, which would excuse whatever they do not explain.
 bool inDoubt(const Mechanism& mechanism, const Explanation& causes) {
-  return std::ranges::any_of(plantOf(mechanism, causes).joints, hunts);
+  return anyHunts(plantOf(mechanism, causes));
 }
 
 /// Starting values by kind: effect, place and variant.
@@ -176,6 +177,18 @@ AcrossSettings::Tried AcrossSettings::best(const std::vector<Cause>& starts, std
     sets = std::move(longer);
   }
   return best.causes.empty() ? best : refined(best);
+}
+
+std::vector<Cause> startsAcross(const Evaluator& evaluator) {
+  std::vector<Cause> starts = possibleCauses(evaluator);
+  const bool oneJoint = evaluator.mechanism().joints.size() == 1;
+  std::erase_if(starts, [&](const Cause& cause) {
+    const Effect& effect = *cause.effect;
+    return effect.id == "command_dropout" ||
+           (oneJoint && cause.place.site == Site::everywhere &&
+            std::ranges::find(effect.sites, Site::joint) != effect.sites.end());
+  });
+  return starts;
 }
 
 }  // namespace plumbline::gap

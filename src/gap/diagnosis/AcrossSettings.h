@@ -23,8 +23,8 @@ public:
   struct Tried {
     Explanation causes;                ///< values: means, in strength, of what was fitted
     std::vector<Explanation> perFold;  ///< what was fitted with each setting left out
-    double error =
-        1;  ///< of what was left out: root of its squares over the nominal ones', mean over settings
+    /// Of what was left out: root of its squares over the nominal ones', mean over settings.
+    double error = 1;
   };
   Tried of(const Explanation& causes) const;
   /// The set, of these kinds, that predicts best: causes are added one at a time to several sets at once
@@ -49,5 +49,9 @@ private:
   int jobs;
   std::vector<std::unique_ptr<Fold>> folds;
 };
+
+/// What sets of causes are begun with: all that is possible on the evaluator's base but lost commands, which
+/// belong to each run, and causes at all joints of a robot that has one.
+std::vector<Cause> startsAcross(const Evaluator& evaluator);
 
 }  // namespace plumbline::gap

@@ -40,29 +40,6 @@ constexpr double coarseWithin = 1.2;  // of the squares with fine steps
 constexpr double surelyLess = 0.95;   // of the error across settings: another set is not worth it
 constexpr int evaluations = 32;       // of values that are fitted together
 
-/// Whether a value is no farther from the model's than engines are from each other.
-bool withinEngines(const Candidate& candidate) {
-  const Effect& effect = *candidate.cause.effect;
-  return std::abs(candidate.cause.value - effect.nominal) < effect.engineShare * effect.nominal;
-}
-
-bool ofSensor(const Cause& cause) { return cause.place.site == Site::imu || cause.place.site == Site::foot; }
-
-/// Effects that the library lacks can be put together from several of it: the largest number of causes at one
-/// joint, at least 1.
-int mostAtOneJoint(const Explanation& causes) {
-  std::ptrdiff_t most = 1;
-  for (const Cause& cause : causes)
-    if (cause.place.site == Site::joint)
-      most = std::max(most, std::ranges::count(causes, cause.place, &Cause::place));
-  return static_cast<int>(most);
-}
-
-Explanation without(Explanation causes, std::size_t i) {
-  causes.erase(causes.begin() + static_cast<std::ptrdiff_t>(i));
-  return causes;
-}
-
 class Procedure {
 public:
   Procedure(Evaluator& fine_, Evaluator& coarse_, const DiagnosisOptions& options_)
@@ -145,7 +122,7 @@ private:
       std::vector<Cause> possible = possibleCauses(fine);
       if (onlySensors) std::erase_if(possible, [](const Cause& cause) { return !ofSensor(cause); });
       known.candidates = search(fine, quickOn(fine.base()), possible, search_);
-      std::erase_if(known.candidates, withinEngines);
+      std::erase_if(known.candidates, [](const Candidate& c) { return withinEngines(c.cause); });
       priceHunting(known.candidates);
       addLostCycles(known.candidates);
       known.lostCycles = fine.lostCycles();
@@ -160,7 +137,7 @@ private:
   void priceHunting(Candidates& list) const {
     const double before = fine.baseFit().judging;
     for (Candidate& candidate : list)
-      if (std::ranges::any_of(plantOf(fine.mechanism(), {candidate.cause}).joints, hunts))
+      if (anyHunts(plantOf(fine.mechanism(), {candidate.cause})))
         candidate.fit.judging += huntingPrice * std::max(0.0, before - candidate.fit.judging);
   }
 
@@ -300,13 +277,7 @@ private:
     if (!settings.possible()) return;
     const AcrossSettings quick(fine.mechanism(), fine.evidence(), options.jobs, coarseSteps());
     fine.setBase({});
-    std::vector<Cause> starts = possibleCauses(fine);
-    // Lost commands belong to each run, and all joints are the one where there is one.
-    std::erase_if(starts, [&](const Cause& cause) {
-      return cause.effect->id == "command_dropout" ||
-             (cause.place.site == Site::everywhere && fine.mechanism().joints.size() == 1 &&
-              std::ranges::find(cause.effect->sites, Site::joint) != cause.effect->sites.end());
-    });
+    const std::vector<Cause> starts = startsAcross(fine);
     const AcrossSettings::Tried best = settings.of(quick
                                                        .best(starts, options.maxCauses,
                                                              [&](double share) {

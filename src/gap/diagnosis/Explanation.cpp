@@ -1,5 +1,8 @@
 #include "gap/diagnosis/Explanation.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <cstdio>
 
 namespace plumbline::gap {
@@ -12,6 +15,26 @@ std::string describe(const Cause& cause) {
   text += std::string(" = ") + number;
   if (cause.effect->unit != "1") text += " " + std::string(cause.effect->unit);
   return text;
+}
+
+bool withinEngines(const Cause& cause) {
+  const Effect& effect = *cause.effect;
+  return std::abs(cause.value - effect.nominal) < effect.engineShare * effect.nominal;
+}
+
+bool ofSensor(const Cause& cause) { return cause.place.site == Site::imu || cause.place.site == Site::foot; }
+
+Explanation without(Explanation causes, std::size_t i) {
+  causes.erase(causes.begin() + static_cast<std::ptrdiff_t>(i));
+  return causes;
+}
+
+int mostAtOneJoint(const Explanation& causes) {
+  std::ptrdiff_t most = 1;
+  for (const Cause& cause : causes)
+    if (cause.place.site == Site::joint)
+      most = std::max(most, std::ranges::count(causes, cause.place, &Cause::place));
+  return static_cast<int>(most);
 }
 
 Plant plantOf(const Mechanism& mechanism, const Explanation& causes) {

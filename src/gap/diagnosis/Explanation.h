@@ -23,6 +23,19 @@ std::string describe(const Cause& cause);
 /// A set of causes that together are to explain the data.
 using Explanation = std::vector<Cause>;
 
+/// Whether a value is no farther from the model's than engines are from each other.
+bool withinEngines(const Cause& cause);
+
+/// Whether a cause lies in a sensor of the body: inertial, or of force.
+bool ofSensor(const Cause& cause);
+
+/// All but the i-th.
+Explanation without(Explanation causes, std::size_t i);
+
+/// The largest number of causes at one joint, at least 1: effects that the library lacks can be put together
+/// from several of it.
+int mostAtOneJoint(const Explanation& causes);
+
 /// The nominal plant with the causes put in, in order.
 Plant plantOf(const Mechanism& mechanism, const Explanation& causes);
 

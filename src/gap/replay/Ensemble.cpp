@@ -132,6 +132,8 @@ bool hunts(const JointPlant& joint) {
   return joint.backlash > (joint.linkEncoder ? invisiblePlay : widePlay);
 }
 
+bool anyHunts(const Plant& plant) { return std::ranges::any_of(plant.joints, hunts); }
+
 Prediction replayForetold(const Plant& plant, const Trial& trial, const ReplayOptions& options) {
   bool any = false;
   for (std::size_t j = 0; j < plant.joints.size(); ++j)

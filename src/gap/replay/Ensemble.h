@@ -7,6 +7,7 @@ namespace plumbline::gap {
 /// play hunts between the flanks, and where it is in that no recording tells. So does what swings free in
 /// wide play and bounces, whichever side the encoder is on.
 bool hunts(const JointPlant& joint);
+bool anyHunts(const Plant& plant);
 
 /// What a plant would have measured, as far as that can be foretold: the replay alone where nothing hunts;
 /// else the mean of several, with other phases of the hunting and other flanks (nobody knows how hard a

@@ -20,6 +20,7 @@ class Stepper {
 public:
   Stepper(const Plant& plant, const Trial& trial, const std::vector<int>& joints,
           const std::vector<std::uint8_t>* lostCycles);
+  /// From now on the commands of other cycles never come; must outlive it. Null: all come.
   void lose(const std::vector<std::uint8_t>* lostCycles);
 
   bool geared() const { return !gears.empty(); }

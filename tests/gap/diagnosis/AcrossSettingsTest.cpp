@@ -9,11 +9,6 @@ namespace {
 
 class AcrossSettingsTest : public ::testing::Test {
 protected:
-  static Cause at(const char* id, const char* place, double value) {
-    const Effect* effect = findEffect(id);
-    return {effect, findPlace(*effect, twoJointArm(), place, ""), value, 0};
-  }
-
   /// One recording per servo gain, all with these causes in them.
   static Evidence recordedWith(const Explanation& causes, const std::vector<double>& gains) {
     std::vector<Trial> trials;
@@ -34,25 +29,27 @@ TEST_F(AcrossSettingsTest, oneSettingIsNotEnough) {
 }
 
 TEST_F(AcrossSettingsTest, nothingPredictsWorseThanTheNominalModelAndTheTruthPredictsBest) {
-  const Explanation truth = {at("coulomb_friction", "elbow", 0.1), at("viscous_friction", "elbow", 0.15)};
+  const Explanation truth = {causeOfArm("coulomb_friction", "elbow", 0.1),
+                             causeOfArm("viscous_friction", "elbow", 0.15)};
   const AcrossSettings settings(arm, recordedWith(truth, {10, 40}), 1);
   EXPECT_EQ(settings.of({}).error, 1);
   const AcrossSettings::Tried tried = settings.of(truth);
   EXPECT_LT(tried.error, 0.1);
   EXPECT_NEAR(tried.causes[0].value, 0.1, 0.005);
   EXPECT_NEAR(tried.causes[1].value, 0.15, 0.01);
-  EXPECT_GT(settings.of({at("coulomb_friction", "elbow", 0.1)}).error, 3 * tried.error);
+  EXPECT_GT(settings.of({causeOfArm("coulomb_friction", "elbow", 0.1)}).error, 3 * tried.error);
 }
 
 TEST_F(AcrossSettingsTest, thePairIsFoundThatHoldsUnderBothSettings) {
-  const AcrossSettings settings(
-      arm,
-      recordedWith({at("coulomb_friction", "elbow", 0.1), at("viscous_friction", "elbow", 0.15)}, {10, 40}),
-      1);
+  const AcrossSettings settings(arm,
+                                recordedWith({causeOfArm("coulomb_friction", "elbow", 0.1),
+                                              causeOfArm("viscous_friction", "elbow", 0.15)},
+                                             {10, 40}),
+                                1);
   std::vector<Cause> starts;
   for (const auto& [id, value] :
        {std::pair("coulomb_friction", 0.05), {"viscous_friction", 0.05}, {"servo_gain", 0.8}})
-    starts.push_back(at(id, "elbow", value));
+    starts.push_back(causeOfArm(id, "elbow", value));
   double done = 0;
   const AcrossSettings::Tried best = settings.best(starts, 3, [&](double share) { done = share; });
   ASSERT_EQ(best.causes.size(), 2u);

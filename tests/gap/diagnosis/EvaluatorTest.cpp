@@ -9,17 +9,13 @@ namespace {
 
 class EvaluatorTest : public ::testing::Test {
 protected:
-  static Cause at(const char* id, const char* place, double value) {
-    const Effect* effect = findEffect(id);
-    return {effect, findPlace(*effect, twoJointArm(), place, ""), value, 0};
-  }
-
   const Mechanism arm = twoJointArm();
   const Evidence evidence{{recorded(nominalPlant(arm), armTrial(arm, 3), 5e-4, 3)}};
 };
 
 TEST_F(EvaluatorTest, aBaseThatChangedIsAsOneThatBeganSo) {
-  const Explanation causes = {at("coulomb_friction", "elbow", 0.05), at("servo_gain", "shoulder", 0.8)};
+  const Explanation causes = {causeOfArm("coulomb_friction", "elbow", 0.05),
+                              causeOfArm("servo_gain", "shoulder", 0.8)};
   Evaluator direct(arm, evidence), stepwise(arm, evidence);
   direct.setBase(causes);
   stepwise.setBase({causes[0]});
@@ -31,7 +27,7 @@ TEST_F(EvaluatorTest, aBaseThatChangedIsAsOneThatBeganSo) {
 
 TEST_F(EvaluatorTest, anExplanationCostsWhatItCostsAsABase) {
   Evaluator evaluator(arm, evidence);
-  const Explanation causes = {at("command_delay", "*", 0.01)};
+  const Explanation causes = {causeOfArm("command_delay", "*", 0.01)};
   const Fit fit = evaluator.of(causes), with = evaluator.with(causes[0]);
   evaluator.setBase(causes);
   EXPECT_NEAR(fit.fitting, evaluator.baseFit().fitting, 1e-6 * fit.fitting);
@@ -55,7 +51,7 @@ TEST_F(EvaluatorTest, playThatHuntsFitsBestAtItsOwnSize) {
   const Evidence hunting = huntingElbow(arm, 0.04);
   Evaluator evaluator(arm, hunting);
   const auto fitting = [&](double play) {
-    Cause cause = at("backlash", "elbow", play);
+    Cause cause = causeOfArm("backlash", "elbow", play);
     cause.variant = 1;
     return evaluator.with(cause).fitting;
   };
@@ -67,7 +63,7 @@ TEST_F(EvaluatorTest, playThatHuntsFitsBestAtItsOwnSize) {
 TEST_F(EvaluatorTest, aBaseInDoubtCostsWhatItCostsAsACandidate) {
   const Evidence hunting = huntingElbow(arm, 0.04);
   Evaluator evaluator(arm, hunting);
-  Cause play = at("backlash", "elbow", 0.04);
+  Cause play = causeOfArm("backlash", "elbow", 0.04);
   play.variant = 1;
   const double asCandidate = evaluator.with(play).judging, nominal = evaluator.baseFit().judging;
   evaluator.setBase({play});

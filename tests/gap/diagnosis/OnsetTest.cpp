@@ -9,10 +9,7 @@ namespace {
 
 class OnsetTest : public ::testing::Test {
 protected:
-  static Cause heat(double value) {
-    const Effect* effect = findEffect("thermal_derating");
-    return {effect, findPlace(*effect, twoJointArm(), "shoulder", ""), value, 0};
-  }
+  static Cause heat(double value) { return causeOfArm("thermal_derating", "shoulder", value); }
   /// Ten seconds of sines.
   Evidence recordedWith(const Explanation& causes) const {
     Trial sines = armTrial(arm, 30, 0.5);
