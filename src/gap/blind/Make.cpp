@@ -13,8 +13,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "framework/Parallel.h"
 #include "framework/WriteFile.h"
-#include "gap/diagnosis/Parallel.h"
 #include "gap/effects/Effects.h"
 #include "gap/record/ExcitationFile.h"
 #include "gap/record/SimulatedRecording.h"

@@ -65,11 +65,16 @@ Limit limitOf(const std::vector<Detection>& trials, double share) {
     middle += x.back() / static_cast<double>(trials.size());
   }
   for (double& v : x) v -= middle;
-  const Line line = firth(x, y);
+  Line line = firth(x, y);
+  if (line.b < 0) {
+    // A strong effect is no harder to find for being strong: the share that is found, penalised alike.
+    const auto found = static_cast<double>(std::ranges::count(y, true));
+    line = {std::log((found + 0.5) / (static_cast<double>(y.size()) - found + 0.5)), 0};
+  }
   const double logit = std::log(share / (1 - share));
   const auto reaches = [&](double ratio) { return line.a + line.b * (std::log(ratio) - middle) >= logit; };
-  if (reaches(least) && (line.b >= 0 || reaches(most))) return {least, true};
-  if (line.b <= 0 || !reaches(most)) return {infinite, false};
+  if (reaches(least)) return {least, true};
+  if (!reaches(most)) return {infinite, false};
   return {std::exp(middle + (logit - line.a) / line.b), false};
 }
 

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "gap/diagnosis/Parallel.h"
+#include "framework/Parallel.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/ValueFit.h"
 #include "gap/replay/Ensemble.h"

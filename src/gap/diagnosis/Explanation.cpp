@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-
 #include <cstdio>
 
 namespace plumbline::gap {
@@ -20,6 +19,16 @@ std::string describe(const Cause& cause) {
 bool withinEngines(const Cause& cause) {
   const Effect& effect = *cause.effect;
   return std::abs(cause.value - effect.nominal) < effect.engineShare * effect.nominal;
+}
+
+bool doesNothing(const Mechanism& mechanism, const Cause& cause) {
+  constexpr double part = 1e-4;  // of the least strength that a search starts from
+  const Effect& effect = *cause.effect;
+  const double scale = effect.scaleAt(mechanism, cause.place);
+  const auto strength = [&](double value) { return std::abs(effect.strengthOf(value)); };
+  double least = INFINITY;
+  for (const double start : effect.starts) least = std::min(least, strength(start * scale));
+  return strength(cause.value) < part * least;
 }
 
 bool ofSensor(const Cause& cause) { return cause.place.site == Site::imu || cause.place.site == Site::foot; }

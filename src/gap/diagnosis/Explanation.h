@@ -26,6 +26,10 @@ using Explanation = std::vector<Cause>;
 /// Whether a value is no farther from the model's than engines are from each other.
 bool withinEngines(const Cause& cause);
 
+/// Whether a value is so near the nominal one that it does nothing: what gains all the same gains by the
+/// finer steps that are taken where a gear has play or gives way.
+bool doesNothing(const Mechanism& mechanism, const Cause& cause);
+
 /// Whether a cause lies in a sensor of the body: inertial, or of force.
 bool ofSensor(const Cause& cause);
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/Parallel.h"
 #include "gap/diagnosis/LossDecoder.h"
-#include "gap/diagnosis/Parallel.h"
 
 namespace plumbline::gap {
 

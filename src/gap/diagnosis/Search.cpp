@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/Parallel.h"
 #include "gap/diagnosis/GapMeter.h"
 #include "gap/diagnosis/Onset.h"
-#include "gap/diagnosis/Parallel.h"
 #include "gap/diagnosis/UnderLoad.h"
 
 namespace plumbline::gap {
@@ -92,7 +92,9 @@ public:
     secondLook();
     fitRoughly();
     polish();
-    std::erase_if(chosen, [&](const Candidate& c) { return c.fit.fitting >= fine.baseFit().fitting; });
+    std::erase_if(chosen, [&](const Candidate& c) {
+      return c.fit.fitting >= fine.baseFit().fitting || doesNothing(fine.mechanism(), c.cause);
+    });
     std::stable_sort(chosen.begin(), chosen.end(),
                      [](const Candidate& a, const Candidate& b) { return a.fit.judging < b.fit.judging; });
     // One of each kind: its better variant.

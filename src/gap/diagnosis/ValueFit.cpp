@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gap/diagnosis/Parallel.h"
+#include "framework/Parallel.h"
 #include "optimization/Brent.h"
 #include "optimization/Cmaes.h"
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "gap/diagnosis/Parallel.h"
+#include "framework/Parallel.h"
 
 namespace plumbline::gap {
 

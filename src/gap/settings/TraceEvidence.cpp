@@ -5,7 +5,7 @@
 #include <set>
 
 #include "framework/ConfigurationError.h"
-#include "gap/diagnosis/Parallel.h"
+#include "framework/Parallel.h"
 
 namespace plumbline::gap {
 

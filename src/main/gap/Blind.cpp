@@ -4,9 +4,9 @@
 #include <memory>
 #include <stdexcept>
 
+#include "framework/Parallel.h"
 #include "gap/blind/Make.h"
 #include "gap/blind/Score.h"
-#include "gap/diagnosis/Parallel.h"
 #include "main/gap/Commands.h"
 #include "robot/MechanismFile.h"
 

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <memory>
 
+#include "framework/Parallel.h"
 #include "framework/WriteFile.h"
 #include "gap/answer/Answer.h"
-#include "gap/diagnosis/Parallel.h"
 #include "gap/diagnosis/RepeatNoise.h"
 #include "gap/diagnosis/Search.h"
 #include "gap/replay/TrialOf.h"

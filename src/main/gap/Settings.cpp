@@ -5,8 +5,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "framework/Parallel.h"
 #include "framework/WriteFile.h"
-#include "gap/diagnosis/Parallel.h"
 #include "gap/settings/SettingsAnswer.h"
 #include "main/gap/Commands.h"
 #include "main/gap/ProgressLine.h"

@@ -21,10 +21,10 @@
 #include "Baselines.h"
 #include "Diagnoses.h"
 #include "Page.h"
+#include "framework/Parallel.h"
 #include "framework/WriteFile.h"
 #include "gap/blind/Make.h"
 #include "gap/blind/ScoreDetection.h"
-#include "gap/diagnosis/Parallel.h"
 #include "robot/MechanismFile.h"
 
 using namespace plumbline;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "Shares.h"
-#include "gap/diagnosis/Parallel.h"
+#include "framework/Parallel.h"
 #include "gap/effects/Effects.h"
 #include "optimization/Cmaes.h"
 

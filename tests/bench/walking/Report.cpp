@@ -1,6 +1,7 @@
 #include "bench/walking/Report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <cstdio>
@@ -33,13 +34,19 @@ std::string text(const Estimate& value, int digits) {
 
 void Report::figure(const std::string& name, double value, const std::string& unit, const Target& target,
                     const std::string& peer, double peerValue) {
-  figures +=
-      fmt::format(R"({}  {{"name": "walking.{}", "value": {:.6g}, "unit": "{}", "better": "{}")",
-                  figures.empty() ? "[\n" : ",\n", name, value, unit, target.higher ? "higher" : "lower");
-  if (std::isfinite(target.value)) figures += fmt::format(R"(, "target": {:.6g})", target.value);
-  if (!peer.empty()) figures += fmt::format(R"(, "peer": "{}", "peer_value": {:.6g})", peer, peerValue);
-  figures += "}";
+  std::string line = fmt::format(R"({{"name": "walking.{}", "value": {:.6g}, "unit": "{}", "better": "{}")",
+                                 name, value, unit, target.higher ? "higher" : "lower");
+  if (std::isfinite(target.value)) line += fmt::format(R"(, "target": {:.6g})", target.value);
+  if (!peer.empty()) line += fmt::format(R"(, "peer": "{}", "peer_value": {:.6g})", peer, peerValue);
+  figures.push_back(line + "}");
 }
+
+void Report::append(const Report& part) {
+  markdown += part.markdown;
+  figures.insert(figures.end(), part.figures.begin(), part.figures.end());
+}
+
+std::string Report::json() const { return fmt::format("[\n  {}\n]\n", fmt::join(figures, ",\n  ")); }
 
 void Report::tableHead(const std::vector<std::string>& cells) {
   row(cells);

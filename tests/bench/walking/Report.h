@@ -28,11 +28,15 @@ public:
   void tableHead(const std::vector<std::string>& cells);
   void row(const std::vector<std::string>& cells);
 
+  /// What another report has, after what this one has.
+  void append(const Report& part);
+
   const std::string& tables() const { return markdown; }
-  std::string json() const { return figures + "\n]\n"; }
+  std::string json() const;
 
 private:
-  std::string markdown, figures;
+  std::string markdown;
+  std::vector<std::string> figures;
 };
 
 /// Writes a file beside its place and puts it there; throws std::runtime_error.

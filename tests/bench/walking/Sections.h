@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "bench/walking/Plot.h"
 #include "bench/walking/Report.h"
 #include "bench/walking/Robots.h"
@@ -9,8 +11,14 @@ struct BenchSetup {
   int seeds = 10;
   double minutes = 3;  ///< of random requests per type and seed
   int tries = 100;     ///< of each push
+  int jobs = 0;        ///< threads; 0: as many as cores
   std::vector<std::string> robots = subjectNames();
 };
+
+/// Calls measure(i, report, page) for i = 0 .. count-1 on the threads asked for; what they write comes in the
+/// order of i, whatever their number.
+void measureEach(std::size_t count, const BenchSetup& setup, Report& report, Page& page,
+                 const std::function<void(std::size_t, Report&, Page&)>& measure);
 
 /// How fast and how safely every robot walks.
 void measureSpeeds(const BenchSetup& setup, Report& report);

@@ -61,7 +61,8 @@ walking::ModelParameters optimise(walking::Walker& robot, const Requests& reques
 walking::WalkRequest forwardBackward(double time);
 
 /// Table 4.5.
-void tableAcceleration(const std::vector<Subject>& subjects, Report& report, Page& page);
+void tableAcceleration(const std::vector<Subject>& subjects, const BenchSetup& setup, Report& report,
+                       Page& page);
 /// Figures 4.13 and 4.14.
 void figuresOfFit(const Subject& subject, Page& page);
 

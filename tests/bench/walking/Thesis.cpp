@@ -25,6 +25,38 @@ Observed onTheSpot(Walker& robot, const ModelParameters& fit, double seconds) {
   return seen;
 }
 
+void walkOnTheSpot(const Subject& subject, const BenchSetup& setup, Report& report, Page& page) {
+  const std::unique_ptr<Walker> walker = subject.walker();
+  Walker& robot = *walker;
+  const ModelParameters fit = optimise(robot, [](double) { return WalkRequest{Vec2::Zero(), 0, true}; });
+  double bias[2] = {0, 0};
+  Page::Figure figure{
+      fmt::format("Figure 4.18, {}: the supporting foot at the end of each step on the spot.", subject.name),
+      {}};
+  for (const bool optimised : {false, true}) {
+    const Observed seen = onTheSpot(robot, optimised ? fit : ModelParameters{}, 30.0 * setup.seeds);
+    std::vector<std::string> cells{subject.name, optimised ? "optimised" : "as it is"};
+    append(cells, cellsOf(seen.figures));
+    append(cells, {fmt::format("{:.1f}", seen.figures.footMean.norm()),
+                   fmt::format("{:.1f}", seen.figures.footAbs), std::to_string(seen.falls)});
+    report.row(cells);
+    bias[optimised] = std::hypot(seen.figures.velocity.x(), seen.figures.velocity.y());
+    Plot plot{.title = optimised ? "with optimised model" : "without optimisation",
+              .xLabel = "x [mm]",
+              .yLabel = "y [mm]",
+              .series = {},
+              .equalScales = true};
+    plot.add("left", Series::Style::points).points = seen.feet[0];
+    plot.add("right", Series::Style::points).points = seen.feet[1];
+    plot.add("reference", Series::Style::points).points = seen.referenceFeet;
+    figure.plots.push_back(plot);
+  }
+  page.figures.push_back(figure);
+  report.figure(fmt::format("{}.spot_velocity_bias", subject.name), bias[0], "mm/s", {false, std::nan("")});
+  report.figure(fmt::format("{}.spot_velocity_bias_optimised", subject.name), bias[1], "mm/s",
+                {false, std::max(5.0, bias[0] / 2)});
+}
+
 void tableOnTheSpot(const std::vector<Subject>& subjects, const BenchSetup& setup, Report& report,
                     Page& page) {
   report.heading("Walking on the spot (table 4.3)");
@@ -36,41 +68,53 @@ void tableOnTheSpot(const std::vector<Subject>& subjects, const BenchSetup& setu
       "optimised on 20 s of steps, twice.");
   report.tableHead({"robot", "model", "x", "x'", "y", "y'", "change x", "change y", "foot mean",
                     "foot mean abs", "falls"});
-  for (const Subject& subject : subjects) {
-    const std::unique_ptr<Walker> walker = subject.walker();
-    Walker& robot = *walker;
-    const ModelParameters fit = optimise(robot, [](double) { return WalkRequest{Vec2::Zero(), 0, true}; });
-    double bias[2] = {0, 0};
-    Page::Figure figure{
-        fmt::format("Figure 4.18, {}: the supporting foot at the end of each step on the spot.",
-                    subject.name),
-        {}};
-    for (const bool optimised : {false, true}) {
-      const Observed seen = onTheSpot(robot, optimised ? fit : ModelParameters{}, 30.0 * setup.seeds);
-      std::vector<std::string> cells{subject.name, optimised ? "optimised" : "as it is"};
-      append(cells, cellsOf(seen.figures));
-      append(cells, {fmt::format("{:.1f}", seen.figures.footMean.norm()),
-                     fmt::format("{:.1f}", seen.figures.footAbs), std::to_string(seen.falls)});
-      report.row(cells);
-      bias[optimised] = std::hypot(seen.figures.velocity.x(), seen.figures.velocity.y());
-      Plot plot{.title = optimised ? "with optimised model" : "without optimisation",
-                .xLabel = "x [mm]",
-                .yLabel = "y [mm]",
-                .series = {},
-                .equalScales = true};
-      plot.add("left", Series::Style::points).points = seen.feet[0];
-      plot.add("right", Series::Style::points).points = seen.feet[1];
-      plot.add("reference", Series::Style::points).points = seen.referenceFeet;
-      figure.plots.push_back(plot);
+  measureEach(subjects.size(), setup, report, page, [&](std::size_t i, Report& part, Page& figures) {
+    walkOnTheSpot(subjects[i], setup, part, figures);
+  });
+}
+
+void walkForwardBackward(const Subject& subject, const BenchSetup& setup, Report& report) {
+  const std::unique_ptr<Walker> walker = subject.walker();
+  Walker& robot = *walker;
+  const ModelParameters fit = optimise(robot, forwardBackward);
+  for (const bool optimised : {false, true}) {
+    robot.restart();
+    robot.engine.setModelParameters(optimised ? fit : ModelParameters{});
+    StepWatch watch(robot);
+    std::vector<double> errors;
+    double way = 0;
+    int falls = 0;
+    for (double time = 0; time < 30.0 * setup.seeds; time += robot.cycle) {
+      const WalkRequest request = forwardBackward(time);
+      if (!robot.step(request)) {
+        ++falls;
+        robot.restart();
+      }
+      watch.cycle();
+      const double phase = std::fmod(time, 3);
+      if (phase < 2.5) {
+        way = 0;
+      } else {
+        way += robot.moved.position.x() * (request.velocity.x() > 0 ? 1 : -1);
+        if (phase + 1.5 * robot.cycle >= 3) errors.push_back(1000 * (way / 0.5 - 0.15));
+      }
     }
-    page.figures.push_back(figure);
-    report.figure(fmt::format("{}.spot_velocity_bias", subject.name), bias[0], "mm/s", {false, std::nan("")});
-    report.figure(fmt::format("{}.spot_velocity_bias_optimised", subject.name), bias[1], "mm/s",
-                  {false, std::max(5.0, bias[0] / 2)});
+    const Observed seen = watch.finish();
+    const Estimate e = estimate(errors);
+    double squares = 0;
+    for (const double error : errors) squares += (error - e.mean) * (error - e.mean);
+    std::vector<std::string> cells{subject.name, optimised ? "optimised" : "as it is"};
+    append(cells, cellsOf(seen.figures));
+    append(cells, {text(e, 1), fmt::format("{:.1f}", std::sqrt(squares / static_cast<double>(errors.size()))),
+                   std::to_string(falls)});
+    report.row(cells);
+    report.figure(fmt::format("{}.switching_speed_error{}", subject.name, optimised ? "_optimised" : ""),
+                  std::abs(e.mean), "mm/s", {false, std::nan("")});
   }
 }
 
-void tableForwardBackward(const std::vector<Subject>& subjects, const BenchSetup& setup, Report& report) {
+void tableForwardBackward(const std::vector<Subject>& subjects, const BenchSetup& setup, Report& report,
+                          Page& page) {
   report.heading("Forward and backward (table 4.4)");
   report.paragraph(
       "Request 0.15 m/s forward and backward, changed every 3 s. Walk speed error: true mean speed of the "
@@ -78,46 +122,8 @@ void tableForwardBackward(const std::vector<Subject>& subjects, const BenchSetup
       "0.5 s before each change, along the request, minus 0.15 m/s: mean and deviation (mm/s).");
   report.tableHead({"robot", "model", "x", "x'", "y", "y'", "change x", "change y", "speed error mean",
                     "std. dev.", "falls"});
-  for (const Subject& subject : subjects) {
-    const std::unique_ptr<Walker> walker = subject.walker();
-    Walker& robot = *walker;
-    const ModelParameters fit = optimise(robot, forwardBackward);
-    for (const bool optimised : {false, true}) {
-      robot.restart();
-      robot.engine.setModelParameters(optimised ? fit : ModelParameters{});
-      StepWatch watch(robot);
-      std::vector<double> errors;
-      double way = 0;
-      int falls = 0;
-      for (double time = 0; time < 30.0 * setup.seeds; time += robot.cycle) {
-        const WalkRequest request = forwardBackward(time);
-        if (!robot.step(request)) {
-          ++falls;
-          robot.restart();
-        }
-        watch.cycle();
-        const double phase = std::fmod(time, 3);
-        if (phase < 2.5) {
-          way = 0;
-        } else {
-          way += robot.moved.position.x() * (request.velocity.x() > 0 ? 1 : -1);
-          if (phase + 1.5 * robot.cycle >= 3) errors.push_back(1000 * (way / 0.5 - 0.15));
-        }
-      }
-      const Observed seen = watch.finish();
-      const Estimate e = estimate(errors);
-      double squares = 0;
-      for (const double error : errors) squares += (error - e.mean) * (error - e.mean);
-      std::vector<std::string> cells{subject.name, optimised ? "optimised" : "as it is"};
-      append(cells, cellsOf(seen.figures));
-      append(cells,
-             {text(e, 1), fmt::format("{:.1f}", std::sqrt(squares / static_cast<double>(errors.size()))),
-              std::to_string(falls)});
-      report.row(cells);
-      report.figure(fmt::format("{}.switching_speed_error{}", subject.name, optimised ? "_optimised" : ""),
-                    std::abs(e.mean), "mm/s", {false, std::nan("")});
-    }
-  }
+  measureEach(subjects.size(), setup, report, page,
+              [&](std::size_t i, Report& part, Page&) { walkForwardBackward(subjects[i], setup, part); });
 }
 
 void tableImu(const std::vector<Subject>& subjects, Report& report) {
@@ -158,8 +164,8 @@ void measureThesisTables(const BenchSetup& setup, Report& report, Page& page) {
   if (subjects.empty()) return;
   tableImu(subjects, report);
   tableOnTheSpot(subjects, setup, report, page);
-  tableForwardBackward(subjects, setup, report);
-  tableAcceleration(subjects, report, page);
+  tableForwardBackward(subjects, setup, report, page);
+  tableAcceleration(subjects, setup, report, page);
   figuresOfFit(fitted, page);
 }
 

@@ -2,11 +2,11 @@
 // velocity estimate and the cost. Prints tables; writes build/bench/walking.json, walking.md and
 // walking.html.
 //
-//   bench/walking [SEEDS [MINUTES [TRIES]]] [--robots A,B,..] [--sections A,B,..]
+//   bench/walking [SEEDS [MINUTES [TRIES]]] [--robots A,B,..] [--sections A,B,..] [--jobs N]
 //
 // SEEDS (10): of each measurement; MINUTES (3): of random requests per robot and seed; TRIES (100): of a
 // push. Robots: type0 .. type4, type0_plain, type3_plain, nao-bullet, nao-mujoco. Sections: speeds, thesis,
-// pushes, estimate.
+// pushes, estimate. Jobs: threads, as many as cores without it; the cost of a cycle is measured on one.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,7 +52,11 @@ Arguments read(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word.starts_with("--")) {
-      if (i + 1 == argc) throw std::invalid_argument(word + " needs a list after it");
+      if (i + 1 == argc) throw std::invalid_argument(word + " needs a value after it");
+      if (word == "--jobs") {
+        arguments.setup.jobs = static_cast<int>(numberOf(argv[++i], 1));
+        continue;
+      }
       const std::vector<std::string> list = split(argv[++i]);
       if (word == "--robots") {
         for (const std::string& name : list) subjectOf(name);
@@ -64,7 +68,7 @@ Arguments read(int argc, char** argv) {
                                         "'; there is speeds, thesis, pushes, estimate");
         arguments.sections = list;
       } else {
-        throw std::invalid_argument("no option '" + word + "'; there is --robots and --sections");
+        throw std::invalid_argument("no option '" + word + "'; there is --robots, --sections and --jobs");
       }
       continue;
     }

@@ -36,6 +36,15 @@ TEST(DetectionLimit, SaysNothingBeyondWhatWasTried) {
   EXPECT_EQ(detectionLimit({}).count, 0U);
 }
 
+TEST(DetectionLimit, StrongOnesThatAreMissedDoNotHideThatWeakOnesAreFound) {
+  std::vector<Detection> most, half;
+  for (int i = 0; i < 40; ++i) most.push_back({3.0 + i, i < 39}), half.push_back({3.0 + i, i < 20});
+  const DetectionLimit limit = detectionLimit(most);
+  EXPECT_TRUE(limit.below);
+  EXPECT_DOUBLE_EQ(limit.ratio, 3);
+  EXPECT_TRUE(std::isinf(detectionLimit(half).ratio));
+}
+
 TEST(DetectionLimit, EqualSeveritiesAreNoTrouble) {
   const std::vector<Detection> trials(30, {5, true});
   const DetectionLimit limit = detectionLimit(trials);

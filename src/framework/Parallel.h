@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace plumbline::gap {
+namespace plumbline {
 
 /// The number of threads asked for; 0: as many as the machine has cores.
 inline int threadsFor(int asked) {
@@ -39,4 +39,4 @@ inline void parallel(std::size_t count, int threads, const std::function<void(st
   if (error) std::rethrow_exception(error);
 }
 
-}  // namespace plumbline::gap
+}  // namespace plumbline
