@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "framework/WriteFile.h"
 #include "training/ServoWalker.h"
@@ -22,6 +23,7 @@ struct Options {
   std::vector<std::string> tasks{taskNames.begin(), taskNames.end()};
   std::vector<std::string> searched;  ///< of the tasks, with choose
   std::string from, output;
+  std::string over;  ///< folder of what is put over what was chosen
   int cornersOf = -1, type = 0;
   std::string robot;  ///< with position servos; empty: the league's type
   bool anew = false, tryOnly = false, choose = false;
@@ -97,6 +99,11 @@ void run(Options& options) {
   }
   if (options.choose) {
     chooseAll(options, gaits, write);
+    if (options.over.empty()) return;
+    const ConfigFile whole(
+        "walking", {"config", std::filesystem::path(options.output).parent_path().string(), options.over});
+    write(readWalkGaits(whole.root()));
+    whole.checkUnknown();
     return;
   }
   for (const std::string& name : options.tasks) {
@@ -163,6 +170,9 @@ int main(int argc, char** argv) {
   app.add_option("--choice-seed", options.choice.seed, "of those tries")
       ->needs(choose)
       ->capture_default_str();
+  app.add_option("--over", options.over, "folder of a walking.yaml that is put over what was chosen")
+      ->check(CLI::ExistingDirectory)
+      ->needs(choose);
   app.add_flag("--try", options.tryOnly, "only tells how the walk does at the tasks, and writes nothing");
   app.add_option("--output", options.output, "file to write; default: the type's in config/");
   app.footer(
@@ -178,6 +188,11 @@ int main(int argc, char** argv) {
   }
   if (options.from.empty()) options.from = folderOf(options);
   if (options.output.empty()) options.output = folderOf(options) + "/walking.yaml";
+  if (!options.over.empty() && std::filesystem::path(options.output).filename() != "walking.yaml") {
+    fmt::print(stderr, "optimizewalk: with --over the output is called walking.yaml, not '{}'\n",
+               options.output);
+    return 2;
+  }
   try {
     run(options);
   } catch (const std::exception& error) {
