@@ -7,6 +7,9 @@ expectError 2 "agent: The following argument was not expected: --speed; see agen
 expectError 2 "agent: --type: Value 5 not in range 0 to 4; see agent --help" "$bin/agent" --type 5
 expectError 2 "game: --type: Value 5 not in range 0 to 4; see game --help" "$bin/game" --type 5
 expectError 2 "game: The following argument was not expected: --fast; see game --help" "$bin/game" --fast
+expectError 2 "optimizewalk: with --over the output is called walking.yaml, not '$scratch/walk.yaml'" \
+  "$bin/optimizewalk" --choose --over config/walks/type0/over --output "$scratch/walk.yaml"
+expectError 2 "optimizewalk: --over requires --choose; see optimizewalk --help" "$bin/optimizewalk" --over config/walks/type0/over
 expectError 2 "agent: $scratch/none.cfg: cannot be read: No such file or directory" "$bin/agent" --modules "$scratch/none.cfg"
 
 # A file of the configuration with a mistake, and what is said of it.
