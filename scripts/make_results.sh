@@ -16,7 +16,7 @@ for area in "${areas[@]}"; do
   {
     echo "# Measured: $area"
     echo
-    echo "Written by \`make results\` (\`make bench-$area\` measures) on $(date -u +%Y-%m-%d), $(nproc) cores of ${machine:-an unknown CPU}, $(c++ --version | head -1)."
+    echo "Written by \`make results\` (\`make bench-${area/#walking/walk}\` measures) on $(date -u +%Y-%m-%d), $(nproc) cores of ${machine:-an unknown CPU}, $(c++ --version | head -1)."
     echo "Seeds and numbers of runs are part of each figure's name or fixed in \`tests/bench/$area/\`."
     echo
     # Tables that the benchmark wrote itself come before the bare figures.

@@ -2,8 +2,9 @@
 # Makes the walks of the league's robots, config/robots/type*/walking.yaml, from what searches found,
 # config/walks/type*/walking.yaml: cuts the speeds that may be mixed and each sprint to what goes through minutes of
 # tries without a fall (doc/reference/walk.md, "Finding a walk"). Seeds are fixed: the same program writes the same
-# files. Some minutes. Over what is cut goes config/walks/type*/over: the recovery from pushes. With SEARCH=GENERATIONS every sprint forward and sideways is searched on from there first, and
-# the quicker one after cutting is taken: with 90 about 15 minutes per type and direction.
+# files. Some minutes. Over what is cut goes config/walks/type*/over: the recovery from pushes. With SEARCH=GENERATIONS
+# every sprint forward and sideways is searched on from there first, and the quicker one after cutting is taken: with 90
+# about 15 minutes per type and direction.
 # Arguments: types (0 1 2 3 4).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -11,5 +12,6 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 search=()
 [ -z "${SEARCH:-}" ] || search=(--search forward sideways --generations "$SEARCH" --population 16 --tries 20 --seconds 8 --push 0.06 --sigma 0.5)
 for type; do
-  nice -n 10 bin/optimizewalk --type "$type" --from "config/walks/type$type" --task forward backward sideways turn --choose --over "config/walks/type$type/over" "${search[@]}"
+  nice -n 10 bin/optimizewalk --type "$type" --from "config/walks/type$type" --task forward backward sideways turn \
+    --choose --over "config/walks/type$type/over" "${search[@]}"
 done

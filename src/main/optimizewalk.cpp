@@ -98,12 +98,16 @@ void run(Options& options) {
     return;
   }
   if (options.choose) {
+    const auto withOver = [&](const std::string& folder) {
+      const ConfigFile whole("walking", {"config", folder, options.over});
+      WalkGaits walk = readWalkGaits(whole.root());
+      whole.checkUnknown();
+      return walk;
+    };
+    // A mistake in it is told before the minutes of choosing, not after them.
+    if (!options.over.empty()) withOver(options.from);
     chooseAll(options, gaits, write);
-    if (options.over.empty()) return;
-    const ConfigFile whole(
-        "walking", {"config", std::filesystem::path(options.output).parent_path().string(), options.over});
-    write(readWalkGaits(whole.root()));
-    whole.checkUnknown();
+    if (!options.over.empty()) write(withOver(std::filesystem::path(options.output).parent_path().string()));
     return;
   }
   for (const std::string& name : options.tasks) {

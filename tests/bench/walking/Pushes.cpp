@@ -39,7 +39,7 @@ public:
   /// The largest of the steps of 0.1 N s of which at least 95 % of the tries are survived. Halving with a
   /// fifth of them finds about where; all of them tell.
   double largest(const Vec2& direction, int tries) {
-    const auto ok = [&](int steps, int count) { return survived(direction * (step * steps), count); };
+    const auto ok = [&](int steps, int count) { return mostSurvive(direction * (step * steps), count); };
     int good = 0, bad = 64;
     while (bad - good > 1) {
       const int middle = good == 0 && bad == 64 ? 8 : (good + bad) / 2;
@@ -56,7 +56,8 @@ public:
 private:
   static constexpr double step = 0.1;  ///< [N s]
 
-  bool survived(const Vec2& momentum, int tries) {
+  /// Whether at least 95 % of the tries do.
+  bool mostSurvive(const Vec2& momentum, int tries) {
     const int allowed = tries / 20;
     Random random(17);
     int falls = 0;
@@ -82,8 +83,7 @@ void measurePushes(const BenchSetup& setup, Report& report) {
   report.tableHead({"robot", "loop", "doing", directions[0], directions[1], directions[2], directions[3]});
   const std::vector<Subject> robots = subjects(setup.robots, false);
   constexpr std::size_t numDoings = 3;
-  Page none;
-  measureEach(robots.size() * 2 * numDoings, setup, report, none, [&](std::size_t i, Report& part, Page&) {
+  measureEach(robots.size() * 2 * numDoings, setup, report, [&](std::size_t i, Report& part) {
     const Subject& subject = robots[i / (2 * numDoings)];
     const bool open = i / numDoings % 2 == 0;
     const std::pair<const char*, WalkRequest> doings[numDoings] = {

@@ -15,4 +15,10 @@ void measureEach(std::size_t count, const BenchSetup& setup, Report& report, Pag
   }
 }
 
+void measureEach(std::size_t count, const BenchSetup& setup, Report& report,
+                 const std::function<void(std::size_t, Report&)>& measure) {
+  Page none;
+  measureEach(count, setup, report, none, [&](std::size_t i, Report& part, Page&) { measure(i, part); });
+}
+
 }  // namespace plumbline::bench

@@ -19,6 +19,9 @@ struct BenchSetup {
 /// order of i, whatever their number.
 void measureEach(std::size_t count, const BenchSetup& setup, Report& report, Page& page,
                  const std::function<void(std::size_t, Report&, Page&)>& measure);
+/// The same for what draws no figures.
+void measureEach(std::size_t count, const BenchSetup& setup, Report& report,
+                 const std::function<void(std::size_t, Report&)>& measure);
 
 /// How fast and how safely every robot walks.
 void measureSpeeds(const BenchSetup& setup, Report& report);

@@ -94,9 +94,8 @@ void measureSpeeds(const BenchSetup& setup, Report& report) {
                     "0.5 m from stand s", "falls at full speed", "random: falls/min", "safe stops",
                     "odometry error"});
   const std::vector<Subject> robots = subjects(setup.robots, false);
-  Page none;
-  measureEach(robots.size(), setup, report, none,
-              [&](std::size_t i, Report& part, Page&) { measure(robots[i], setup, part); });
+  measureEach(robots.size(), setup, report,
+              [&](std::size_t i, Report& part) { measure(robots[i], setup, part); });
 }
 
 }  // namespace plumbline::bench

@@ -113,8 +113,7 @@ void walkForwardBackward(const Subject& subject, const BenchSetup& setup, Report
   }
 }
 
-void tableForwardBackward(const std::vector<Subject>& subjects, const BenchSetup& setup, Report& report,
-                          Page& page) {
+void tableForwardBackward(const std::vector<Subject>& subjects, const BenchSetup& setup, Report& report) {
   report.heading("Forward and backward (table 4.4)");
   report.paragraph(
       "Request 0.15 m/s forward and backward, changed every 3 s. Walk speed error: true mean speed of the "
@@ -122,8 +121,8 @@ void tableForwardBackward(const std::vector<Subject>& subjects, const BenchSetup
       "0.5 s before each change, along the request, minus 0.15 m/s: mean and deviation (mm/s).");
   report.tableHead({"robot", "model", "x", "x'", "y", "y'", "change x", "change y", "speed error mean",
                     "std. dev.", "falls"});
-  measureEach(subjects.size(), setup, report, page,
-              [&](std::size_t i, Report& part, Page&) { walkForwardBackward(subjects[i], setup, part); });
+  measureEach(subjects.size(), setup, report,
+              [&](std::size_t i, Report& part) { walkForwardBackward(subjects[i], setup, part); });
 }
 
 void tableImu(const std::vector<Subject>& subjects, Report& report) {
@@ -164,7 +163,7 @@ void measureThesisTables(const BenchSetup& setup, Report& report, Page& page) {
   if (subjects.empty()) return;
   tableImu(subjects, report);
   tableOnTheSpot(subjects, setup, report, page);
-  tableForwardBackward(subjects, setup, report, page);
+  tableForwardBackward(subjects, setup, report);
   tableAcceleration(subjects, setup, report, page);
   figuresOfFit(fitted, page);
 }

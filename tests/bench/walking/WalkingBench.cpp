@@ -97,6 +97,11 @@ int main(int argc, char** argv) {
     const Arguments arguments = read(argc, argv);
     const BenchSetup& setup = arguments.setup;
     Report report;
+    report.paragraph(
+        fmt::format("{} seeds, {:.3g} minutes of random requests per run, {} tries of every push. Why "
+                    "targets are missed: "
+                    "[the walk's reference](../reference/walk.md#where-it-misses-its-targets-and-why).",
+                    setup.seeds, setup.minutes, setup.tries));
     Page page;
     page.title = "The walk, measured";
     page.introduction =

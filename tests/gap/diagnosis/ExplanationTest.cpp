@@ -10,8 +10,7 @@ namespace {
 TEST(ExplanationTest, valuesNextToNominalDoNothing) {
   const Mechanism arm = twoJointArm();
   const auto nothing = [&](const char* id, double value) {
-    const Effect* effect = findEffect(id);
-    return doesNothing(arm, {effect, findPlace(*effect, arm, "elbow", ""), value, 0});
+    return doesNothing(arm, causeOfArm(id, "elbow", value));
   };
   EXPECT_TRUE(nothing("joint_compliance", 2.4e-12));
   EXPECT_FALSE(nothing("joint_compliance", 1e-4));
