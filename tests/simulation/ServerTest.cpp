@@ -245,6 +245,20 @@ TEST(Server, trainersCommandAndMonitorsFollow) {
   server.join();
 }
 
+TEST(Server, whoComesWhileAnAgentIsWaitedForSeesTheScene) {
+  RunningServer server(inStep(1));
+  TestAgent agent(server.agentPort(), 0, "Red", 1);
+  agent.play(3);
+  agent.receive();  // and thinks from here on
+  std::string_view scene;
+  for (int i = 0; i < 2; ++i) {
+    simspark::Connection monitor;
+    ASSERT_EQ(monitor.connect("127.0.0.1", server.monitorPort()), "");
+    ASSERT_EQ(monitor.receive(scene, 10), simspark::Connection::Status::message) << i;
+    EXPECT_NE(scene.find("(RSG 0 1)"), std::string_view::npos) << scene.substr(0, 200);
+  }
+}
+
 TEST(Server, aMonitorThatDoesNotReadDoesNotHoldUpThePlay) {
   ServerConfig config = inStep();
   config.monitors.interval = 1;

@@ -66,7 +66,9 @@ bool Server::collect() {
   monitors.dropBroken();
   if (!clockStands()) {
     if (agents.ready()) return true;
-    tellField();  // who comes while an agent is waited for sees at least where everything is
+    // Who comes while an agent is waited for sees at least where everything is.
+    monitors.tell(false);
+    tellField();
     return false;
   }
   // Nothing moves, but trainers may set the scene and are shown it.
