@@ -100,7 +100,7 @@ seeField: OTHER objectFields CLOSE { builder.closeObject($1); }
         ;
 
 objectFields: %empty | objectFields objectField;
-objectField: POL WORD WORD WORD CLOSE { builder.polar(NUMBER($2), NUMBER($3), NUMBER($4)); }
+objectField: POL WORD WORD WORD CLOSE { builder.polar($2, $3, $4); }
            | WORD
            | other
            ;

@@ -58,9 +58,12 @@ void ServerMessageBuilder::hear(std::string_view team, std::string_view time, st
   message.heard.push_back(std::move(heard));
 }
 
-void ServerMessageBuilder::polar(double distance, double azimuth, double elevation) {
-  if (numPolars < 2)
-    polars[static_cast<std::size_t>(numPolars)] = {distance, fromDegrees(azimuth), fromDegrees(elevation)};
+void ServerMessageBuilder::polar(std::string_view distance, std::string_view azimuth,
+                                 std::string_view elevation) {
+  for (const std::string_view word : {distance, azimuth, elevation})
+    if (word == "nan" || word == "-nan") return;
+  const Polar place{number(distance), fromDegrees(number(azimuth)), fromDegrees(number(elevation))};
+  if (numPolars < 2) polars[static_cast<std::size_t>(numPolars)] = place;
   ++numPolars;
 }
 

@@ -36,7 +36,9 @@ public:
   void hear(std::string_view team, std::string_view time, std::string_view direction, std::string_view text);
 
   void openSee() { message.see.emplace(); }
-  void polar(double distance, double azimuth, double elevation);
+  /// One with a "nan" is left out, and with it the line or object it belongs to: the league's server clips
+  /// lines to what is seen and now and then divides by zero there.
+  void polar(std::string_view distance, std::string_view azimuth, std::string_view elevation);
   void closeObject(std::string_view objectName);
   void openPlayer() { message.see->players.emplace_back(); }
   SeenPlayer& player() { return message.see->players.back(); }

@@ -83,6 +83,19 @@ TEST(ServerMessage, seenPointsInTheHeadFrame) {
   EXPECT_DOUBLE_EQ(m.see->lines[0].b.elevation, fromDegrees(6));
 }
 
+TEST(ServerMessage, aPointThatTheLeaguesServerCouldNotClipIsLeftOut) {
+  const ServerMessage message = parsed(
+      "(time (now 1746.74))(See (L (pol nan nan nan) (pol 19.04 -60.09 -7.29)) (L (pol 1 2 3) (pol 4 -nan 6))"
+      " (L (pol 1 2 3) (pol 4 5 6)) (F1L (pol nan 1 2)) (B (pol 7 8 9))"
+      " (P (team L) (id 8) (head (pol 1 nan 1)) (rfoot (pol 1 1 1))))");
+  ASSERT_EQ(message.see->lines.size(), 1u);
+  EXPECT_EQ(message.see->lines[0].b.distance, 4);
+  ASSERT_EQ(message.see->objects.size(), 1u);
+  EXPECT_EQ(message.see->objects[0].name, "B");
+  ASSERT_EQ(message.see->players.at(0).parts.size(), 1u);
+  EXPECT_EQ(message.see->players[0].parts[0].name, "rfoot");
+}
+
 TEST(ServerMessage, heardWordsMayLookLikeAnything) {
   const auto m =
       parsed("(hear UT 1.50 self hi)(hear time 2.00 -90.00 See)(hear 3.00 45 12)(hear B 0 180 self)");

@@ -248,7 +248,7 @@ void measureEstimate(const BenchSetup& setup, Report& report, Page& page) {
       "beside it that of the supporting foot's movement alone. Cost on one core per cycle.");
   report.tableHead({"robot", "RMS x m/s", "RMS y m/s", "foot alone x", "foot alone y", "particle filter us",
                     "whole walk us"});
-  for (const Subject& subject : subjects(setup.robots, true)) velocityError(subject, report);
+  for (const Subject& subject : embedded(subjects(setup.robots, true))) velocityError(subject, report);
   referenceFigure(page);
   searchFigure(page);
   walkFigures(plainWalk(), false, page);

@@ -81,7 +81,7 @@ void measurePushes(const BenchSetup& setup, Report& report) {
       "and forward at 0.3 m/s, the NAO at 0.15. Open loop: the same walk with all feedback at 0.",
       setup.tries));
   report.tableHead({"robot", "loop", "doing", directions[0], directions[1], directions[2], directions[3]});
-  const std::vector<Subject> robots = subjects(setup.robots, false);
+  const std::vector<Subject> robots = embedded(subjects(setup.robots, false));
   constexpr std::size_t numDoings = 3;
   measureEach(robots.size() * 2 * numDoings, setup, report, [&](std::size_t i, Report& part) {
     const Subject& subject = robots[i / (2 * numDoings)];

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "bench/walking/MujocoPlant.h"
+#include "training/ServerWalker.h"
 #include "training/ServoWalker.h"
 #include "training/WalkingRobot.h"
 
@@ -23,6 +24,21 @@ Subject leagueRobot(int type, bool plain) {
   subject.make = [type](const WalkGaits& gaits) { return std::make_unique<WalkingRobot>(type, gaits); };
   subject.peer = "FC Portugal codebase 2024-10";
   subject.peerForward = peer[type];
+  return subject;
+}
+
+/// type0@server, type3_plain@HOST:AGENTPORT:MONITORPORT: the same robot on a SimSpark server.
+Subject onServer(const std::string& name) {
+  const std::size_t at = name.find('@');
+  const ServerAddress server = ServerAddress::parse(name.substr(at + 1));
+  Subject subject = subjectOf(name.substr(0, at));
+  if (!subject.name.starts_with("type")) throw std::invalid_argument("no server has a robot '" + name + "'");
+  const int type = subject.name[4] - '0';
+  subject.name += "@server";
+  subject.onServer = true;
+  subject.make = [type, server](const WalkGaits& gaits) {
+    return std::make_unique<ServerWalker>(type, gaits, server);
+  };
   return subject;
 }
 
@@ -53,19 +69,27 @@ std::vector<std::string> subjectNames() {
 }
 
 Subject subjectOf(const std::string& name) {
+  if (name.find('@') != std::string::npos) return onServer(name);
   if (name == "nao-bullet" || name == "nao-mujoco") return nao(name.substr(4));
   for (int type = 0; type < numSimsparkTypes; ++type)
     for (const bool plain : {false, true})
       if (name == fmt::format("type{}{}", type, plain ? "_plain" : "")) return leagueRobot(type, plain);
   throw std::invalid_argument(
-      fmt::format("no robot '{}'; there is {}", name, fmt::join(subjectNames(), ", ")));
+      fmt::format("no robot '{}'; there is {}, and typeN@server on a SimSpark server", name, fmt::join(subjectNames(), ", ")));
 }
 
 std::vector<Subject> subjects(const std::vector<std::string>& names, bool plain) {
   std::vector<Subject> result;
-  for (const std::string& name : names)
-    if (plain || !name.ends_with("_plain")) result.push_back(subjectOf(name));
+  for (const std::string& name : names) {
+    Subject subject = subjectOf(name);
+    if (plain || subject.name.find("_plain") == std::string::npos) result.push_back(std::move(subject));
+  }
   return result;
+}
+
+std::vector<Subject> embedded(std::vector<Subject> subjects) {
+  std::erase_if(subjects, [](const Subject& subject) { return subject.onServer; });
+  return subjects;
 }
 
 }  // namespace plumbline::bench

@@ -10,10 +10,11 @@ namespace plumbline::bench {
 
 /// A robot that is measured: in its world, with a walk.
 struct Subject {
-  std::string name;  ///< type0 .. type4, type0_plain, type3_plain, nao-bullet, nao-mujoco
+  std::string name;  ///< type0 .. type4, type0_plain, type3_plain, nao-bullet, nao-mujoco; "@server"
   walking::WalkGaits gaits;
   std::function<std::unique_ptr<walking::Walker>(const walking::WalkGaits&)> make;
   double walkingSpeed = 0.3;  ///< forward, while it is pushed [m/s]
+  bool onServer = false;      ///< a SimSpark server's: not to be pushed, and its true pose is coarse
   std::string peer;           ///< whose forward speed stands beside its own
   double peerForward = 0;     ///< [m/s]
   /// Targets: those of the league's robots, or what the NAO's own teams walk.
@@ -29,5 +30,7 @@ Subject subjectOf(const std::string& name);
 
 /// Of the chosen robots those that are not "_plain", or all.
 std::vector<Subject> subjects(const std::vector<std::string>& names, bool plain);
+/// Those of them that are in this process.
+std::vector<Subject> embedded(std::vector<Subject> subjects);
 
 }  // namespace plumbline::bench

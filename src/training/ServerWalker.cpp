@@ -1,0 +1,209 @@
+#include "training/ServerWalker.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "math/Angle.h"
+#include "robot/LegKinematics.h"
+#include "simspark/ServerMessageParser.h"
+
+namespace plumbline::walking {
+namespace {
+
+constexpr double cycleSeconds = 0.02, patience = 10;  // [s]
+constexpr const char* startFirst = "; start bin/simulator --sync or the league's server first";
+constexpr long maxUnseen = 4;                 // cycles without a scene before one is waited for
+constexpr long clockEvery = 5000;             // cycles: the game never gets to the end of a half
+
+int portOf(const std::string& text, const std::string& whole) {
+  int port = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
+  if (error != std::errc() || end != text.data() + text.size() || port < 1 || port > 65535)
+    throw std::invalid_argument("'" + whole + "' is no server; say HOST:AGENTPORT:MONITORPORT or 'server'");
+  return port;
+}
+
+/// One robot at a time: those that are in step with each other on one field would be in each other's way.
+std::mutex& mutexOf(const std::string& server) {
+  static std::mutex guard;
+  static std::map<std::string, std::unique_ptr<std::mutex>> all;
+  const std::lock_guard lock(guard);
+  std::unique_ptr<std::mutex>& mutex = all[server];
+  if (!mutex) mutex = std::make_unique<std::mutex>();
+  return *mutex;
+}
+
+/// Height of an upright torso over its soles' lowest corner [m].
+double heightOver(const RobotModel& model, const JointArray& angles) {
+  double lowest = 0;
+  for (const Side side : {Side::left, Side::right}) {
+    const LegKinematics leg(model, side);
+    const std::size_t first = side == Side::left ? lHipYawPitch : rHipYawPitch;
+    LegAngles joints{};
+    for (std::size_t j = 0; j < joints.size(); ++j) joints[j] = angles[first + j];
+    const Pose3 sole = leg.sole(joints);
+    for (const double x : {-1, 1})
+      for (const double y : {-1, 1}) {
+        const Vec2 corner = leg.soleHalfSize().cwiseProduct(Vec2(x, y));
+        lowest = std::min(lowest, (sole * Vec3(corner.x(), corner.y(), 0)).z());
+      }
+  }
+  return -lowest;
+}
+
+FootSensors feltFeet(const simspark::ServerMessage& message) {
+  const auto felt = [](const std::optional<simspark::ForceReading>& f) -> std::optional<FootContact> {
+    if (!f) return std::nullopt;
+    return FootContact{f->point, f->force};
+  };
+  FootSensors feet;
+  feet.foot = {felt(message.leftFoot), felt(message.rightFoot)};
+  feet.toe = {felt(message.leftToe), felt(message.rightToe)};
+  return feet;
+}
+
+}  // namespace
+
+ServerAddress ServerAddress::parse(const std::string& text) {
+  if (text == "server") return {};
+  const std::size_t second = text.rfind(':'),
+                    first = second == std::string::npos || second == 0 ? second : text.rfind(':', second - 1);
+  if (first == std::string::npos || first == 0 || first == second) portOf("", text);
+  return {text.substr(0, first), portOf(text.substr(first + 1, second - first - 1), text),
+          portOf(text.substr(second + 1), text)};
+}
+
+std::string ServerAddress::text() const { return fmt::format("{}:{}:{}", host, agentPort, monitorPort); }
+
+ServerWalker::ServerWalker(int type_, const WalkGaits& gaits, const ServerAddress& server)
+    : Walker(simsparkRobot(type_), gaits, cycleSeconds),
+      type(type_),
+      address(server),
+      alone(mutexOf(server.text())),
+      control(model) {
+  if (const std::string why = trainer.connect(address.host, address.monitorPort); !why.empty())
+    throw std::runtime_error(why + startFirst);
+  join();
+  restart();
+}
+
+void ServerWalker::join() {
+  agent.close();
+  if (const std::string why = agent.connect(address.host, address.agentPort); !why.empty())
+    throw std::runtime_error(why + startFirst);
+  message = {};
+  simspark::AgentCommand scene, init;
+  scene.scene = simspark::SceneRequest{.type = type};
+  exchange(scene);
+  init.init = simspark::InitRequest{0, "Plumbline"};
+  exchange(init);
+  for (int i = 0; i < 20 && !message.gameState.unum; ++i) exchange({});
+  if (!message.gameState.unum || !message.gameState.side) throw failure("gave the robot no number in a team");
+  const bool left = *message.gameState.side == "left";
+  name = {*message.gameState.unum, left ? simspark::TeamSide::left : simspark::TeamSide::right};
+}
+
+void ServerWalker::push(const Vec3&) { throw std::logic_error("robots of a server cannot be pushed"); }
+Vec2 ServerWalker::comVelocity() { throw std::logic_error("a server does not tell the true velocity"); }
+
+std::runtime_error ServerWalker::failure(const std::string& what) const {
+  return std::runtime_error("the server at " + address.text() + ' ' + what);
+}
+
+void ServerWalker::exchange(simspark::AgentCommand command) {
+  command.syn = true;
+  if (!agent.send(simspark::writeAgentCommand(command))) throw failure("went away: " + agent.error());
+  std::string_view text;
+  const double before = message.time;
+  switch (agent.receive(text, patience)) {
+    case simspark::Connection::Status::message:
+      break;
+    case simspark::Connection::Status::timeout:
+      throw failure(fmt::format("sent nothing for {:.0f} s", patience));
+    case simspark::Connection::Status::closed:
+      throw failure("went away: " + agent.error());
+  }
+  if (const auto error = simspark::parseServerMessage(text, message))
+    throw failure(fmt::format("sent what cannot be read, at byte {}: {}", error->position, error->what));
+  for (std::size_t j = 0; j < numJoints; ++j)
+    if (message.angle[j]) measured[j] = *message.angle[j];
+  if (before > 0 && message.time > before + 1.5 * cycleSeconds) ++lost;
+  if (++cycles > 100 && lost > cycles / 20)
+    throw failure("does not wait for its agents; set $agentSyncMode = true in its spark.rb, or use --sync");
+  follow();
+}
+
+void ServerWalker::follow() {
+  // Scenes come every second cycle: how far they are behind must not depend on who runs when.
+  double wait = ++unseen > maxUnseen ? patience : 0;
+  for (;;) {
+    const auto status = trainer.receive(wait);
+    if (status == simspark::Connection::Status::closed)
+      throw failure("ended the monitor's connection: " + trainer.error());
+    if (status == simspark::Connection::Status::timeout) break;
+    wait = 0;
+    unseen = 0;
+  }
+  if (wait > 0) throw failure(fmt::format("told its monitor nothing for {:.0f} s", patience));
+  if (const auto* robot = trainer.scene().robot(name.side, name.unum)) T_world_torso = robot->T_world_torso;
+}
+
+void ServerWalker::drive(const JointArray& targets) {
+  simspark::AgentCommand command;
+  const JointArray& speeds = control.update(measured, targets, cycleSeconds);
+  for (std::size_t j = 0; j < numJoints; ++j)
+    if (model.has(static_cast<JointId>(j))) command.velocity[j] = speeds[j];
+  if (cycles % clockEvery == 0) trainer.send(simspark::TimeCommand{1});
+  exchange(command);
+}
+
+void ServerWalker::teleport(const Pose2& place, double height) {
+  trainer.send(simspark::MoveAgentCommand{name, Vec3(place.x(), place.y(), height), place.heading});
+}
+
+void ServerWalker::put(const Pose2& place, const JointArray& angles) {
+  // The league's server leaves joints bent out of shape after some falls: a robot that fell is replaced.
+  if (fallen()) join();
+  trainer.send(simspark::PlayModeCommand{simspark::PlayMode::playOn});
+  trainer.send(simspark::TimeCommand{1});
+  trainer.send(simspark::BallCommand{Vec3(14, -9.5, 0.042), Vec3::Zero()});
+  control.reset();
+  // Held in the air until the joints are where they should be, then let down on its feet.
+  constexpr double aloft = 1.5;
+  constexpr int ready = 75, settle = 40;
+  for (int i = 0; i < ready; ++i) {
+    if (i % 10 == 0) teleport(place, aloft);
+    drive(angles);
+  }
+  teleport(place, heightOver(model, angles));
+  filter.reset();
+  for (int i = 0; i < settle; ++i) {
+    drive(angles);
+    filter.update(message.gyro, message.acc, cycleSeconds);
+  }
+}
+
+WalkSensors ServerWalker::sense() {
+  WalkSensors sensors;
+  sensors.angles = measured;
+  sensors.gyro = message.gyro;
+  sensors.feet = feltFeet(message);
+  filter.update(message.gyro, message.acc, sensors.dt);
+  sensors.torsoAngles = Vec2(filter.roll(), filter.pitch());
+  return sensors;
+}
+
+void ServerWalker::act(const WalkOutput& out, const WalkSensors&) {
+  JointArray targets = out.angles;
+  // The head looks around.
+  const double time = cycleSeconds * static_cast<double>(cycles);
+  targets[headYaw] = 1.2 * std::sin(2 * time);
+  targets[headPitch] = 0.3 * std::sin(3.1 * time);
+  drive(targets);
+}
+
+}  // namespace plumbline::walking

@@ -1,0 +1,71 @@
+#pragma once
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "math/TorsoAngleFilter.h"
+#include "robot/JointVelocityControl.h"
+#include "simspark/AgentCommand.h"
+#include "simspark/Connection.h"
+#include "simspark/MonitorClient.h"
+#include "simspark/ServerMessage.h"
+#include "training/Walker.h"
+
+namespace plumbline::walking {
+
+/// Where a SimSpark server, the league's or bin/simulator, listens for agents and for trainers.
+struct ServerAddress {
+  std::string host = "127.0.0.1";
+  int agentPort = 3100, monitorPort = 3200;
+
+  /// From HOST:AGENTPORT:MONITORPORT, or "server" for the usual one. Throws std::invalid_argument, one line.
+  static ServerAddress parse(const std::string& text);
+  std::string text() const;
+};
+
+/// A robot of a SimSpark server that is in step with its agents ($agentSyncMode of the league's): senses and
+/// acts as a player does, is put to its places by the trainer, and its true pose is what the monitor port
+/// tells: within 5 mm and 0.3 degrees, up to two cycles old. One at a time per server; another one of this
+/// process waits for it. Errors: std::runtime_error, one line, for a server that is not there, goes away,
+/// stays silent or does not wait for its agents.
+class ServerWalker : public Walker {
+public:
+  ServerWalker(int type, const WalkGaits& gaits, const ServerAddress& address);
+
+  /// No server pushes robots: throws std::logic_error.
+  void push(const Vec3& change) override;
+  Pose3 torso() const override { return T_world_torso; }
+  /// The monitor's poses are too coarse for it: throws std::logic_error.
+  Vec2 comVelocity() override;
+
+private:
+  void put(const Pose2& place, const JointArray& angles) override;
+  /// The server's ground has no end: there is no need.
+  void move(const Vec2&) override {}
+  WalkSensors sense() override;
+  void act(const WalkOutput& output, const WalkSensors& sensors) override;
+
+  /// Comes to the server as a new robot.
+  void join();
+  void drive(const JointArray& targets);
+  /// Answers with a command and takes in what comes of it.
+  void exchange(simspark::AgentCommand command);
+  void follow();
+  void teleport(const Pose2& place, double height);
+  std::runtime_error failure(const std::string& what) const;
+
+  const int type;
+  const ServerAddress address;
+  const std::unique_lock<std::mutex> alone;  ///< among those of this server
+  simspark::Connection agent;
+  simspark::MonitorClient trainer;
+  simspark::ServerMessage message;
+  simspark::PlayerName name;
+  JointVelocityControl control;
+  TorsoAngleFilter filter;
+  JointArray measured{};
+  Pose3 T_world_torso = Pose3::Identity();
+  long cycles = 0, unseen = 0, lost = 0;  ///< unseen: since the last scene
+};
+
+}  // namespace plumbline::walking

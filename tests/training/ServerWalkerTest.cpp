@@ -1,0 +1,75 @@
+#include "training/ServerWalker.h"
+
+#include <gtest/gtest.h>
+
+#include "simulation/ServerFixture.h"
+#include "training/WalkingRobot.h"
+
+namespace plumbline::walking {
+namespace {
+
+ServerAddress of(const test::RunningServer& server) {
+  return {"127.0.0.1", server.agentPort(), server.monitorPort()};
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    ServerAddress::parse(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ServerAddress, isReadOrRefused) {
+  const ServerAddress usual = ServerAddress::parse("server");
+  EXPECT_EQ(usual.text(), "127.0.0.1:3100:3200");
+  EXPECT_EQ(ServerAddress::parse("field.example:4100:4200").text(), "field.example:4100:4200");
+  for (const char* bad : {"", "host", "host:3100", ":3100:3200", "host::3200", "host:3100:0", "host:3100:x",
+                          "host:3100:3200 ", "host:70000:3200"})
+    EXPECT_EQ(refusal(bad), "'" + std::string(bad) + "' is no server; say HOST:AGENTPORT:MONITORPORT or 'server'");
+}
+
+TEST(ServerWalker, walksThereAsItDoesHere) {
+  test::RunningServer server(test::inStep());
+  const WalkGaits gaits = readWalkGaits(0);
+  const WalkRequest forward{Vec2(0.3, 0), 0, true};
+  WalkingRobot here(0, gaits);
+  ServerWalker there(0, gaits, of(server));
+  for (Walker* robot : {static_cast<Walker*>(&here), static_cast<Walker*>(&there)}) {
+    robot->restart(Pose2(-3, 2, 1));
+    EXPECT_NEAR(robot->pose().x(), -3, 0.05);
+    EXPECT_NEAR(robot->pose().y(), 2, 0.05);
+    EXPECT_NEAR(robot->pose().heading, 1, 0.05);
+    EXPECT_TRUE(robot->run({}, 0.5));
+    EXPECT_TRUE(robot->run(forward, 10));
+  }
+  const auto way = [](Walker& robot) { return (robot.pose().position - Vec2(-3, 2)).norm(); };
+  EXPECT_GT(way(here), 2.5);
+  EXPECT_NEAR(way(there), way(here), 0.15);
+}
+
+TEST(ServerWalker, standsUpAgainAfterAFall) {
+  test::RunningServer server(test::inStep());
+  ServerWalker robot(3, readWalkGaits(3), of(server));
+  WalkGaits wild = readWalkGaits(3);
+  wild.base.torsoPitch = 0.6;
+  for (WalkParameters& corner : wild.corner) corner.torsoPitch = 0.6;
+  robot.use(wild);
+  EXPECT_FALSE(robot.run({Vec2(9, 0), 0, true}, 10)) << "bent so far forward nobody walks fast";
+  robot.use(readWalkGaits(3));
+  EXPECT_TRUE(robot.run({Vec2(0.3, 0), 0, true}, 3));
+}
+
+TEST(ServerWalker, saysWhatAServerCannot) {
+  EXPECT_THROW(ServerWalker(0, readWalkGaits(0), {"127.0.0.1", 1, 1}), std::runtime_error);
+  auto server = std::make_unique<test::RunningServer>(test::inStep());
+  ServerWalker robot(0, readWalkGaits(0), of(*server));
+  EXPECT_THROW(robot.push(Vec3::UnitX()), std::logic_error);
+  EXPECT_THROW(robot.comVelocity(), std::logic_error);
+  server.reset();
+  EXPECT_THROW(robot.run({}, 20), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace plumbline::walking
