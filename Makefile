@@ -88,6 +88,17 @@ bench-walk:
 	@scripts/make_results.sh walking
 	@cat build/bench/walking.md
 
+# The same speeds and tables on a SimSpark server that runs already and waits for its agents ($agentSyncMode = true and
+# $enableRealTimeMode = false of the league's, or bin/simulator --sync): SERVER=HOST:AGENTPORT:MONITORPORT for another one
+# than this machine's usual one. Writes doc/results/walking-server.md.
+SERVER ?= server
+serverRobots := type0 type0_plain type1 type2 type3 type3_plain type4
+bench-walk-server:
+	@$(MAKE) SimRelease-bench-walking
+	@build/SimRelease/bench/walking $(or $(ARGS),10 3 100) --name walking-server --sections speeds,thesis \
+	  --robots $(subst $() $(),$(comma),$(addsuffix @$(SERVER),$(serverRobots)))
+	@scripts/make_results.sh walking-server
+
 # The whole table, line by line, is what one wants to see of this one.
 bench-fidelity:
 	@$(MAKE) SimRelease SimRelease-bench-fidelity

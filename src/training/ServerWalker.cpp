@@ -108,6 +108,7 @@ void ServerWalker::join() {
 }
 
 void ServerWalker::push(const Vec3&) { throw std::logic_error("robots of a server cannot be pushed"); }
+void ServerWalker::move(const Vec2&) { throw std::logic_error("robots of a server cannot be carried"); }
 Vec2 ServerWalker::comVelocity() { throw std::logic_error("a server does not tell the true velocity"); }
 
 std::runtime_error ServerWalker::failure(const std::string& what) const {

@@ -32,16 +32,17 @@ class ServerWalker : public Walker {
 public:
   ServerWalker(int type, const WalkGaits& gaits, const ServerAddress& address);
 
-  /// No server pushes robots: throws std::logic_error.
+  /// No server pushes or carries robots: throws std::logic_error.
   void push(const Vec3& change) override;
+  /// Whom a trainer moves has lost its speed.
+  bool carries() const override { return false; }
   Pose3 torso() const override { return T_world_torso; }
   /// The monitor's poses are too coarse for it: throws std::logic_error.
   Vec2 comVelocity() override;
 
 private:
   void put(const Pose2& place, const JointArray& angles) override;
-  /// The server's ground has no end: there is no need.
-  void move(const Vec2&) override {}
+  void move(const Vec2& place) override;
   WalkSensors sense() override;
   void act(const WalkOutput& output, const WalkSensors& sensors) override;
 

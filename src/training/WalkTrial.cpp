@@ -186,19 +186,33 @@ WalkRequest fullSpeed(Task task, double sign) {
 }
 
 HeldSpeed holdSpeed(Walker& robot, const WalkRequest& request, double seconds, double wait, double aside) {
-  robot.restart(Pose2(-14.5, 5 - aside));
   HeldSpeed result;
-  result.upright = robot.run({}, wait) && robot.run(request, 2);
   const Vec2 direction = request.velocity.normalized();
-  const double before = robot.turned();
-  double way = 0, time = 0;
+  Vec2 begin(-14.5, 5 - aside);
+  if (!robot.carries() && direction.x() < 0) begin.x() = 14.5;
+  if (!robot.carries() && direction.y() != 0) begin.y() = -9 * direction.y() - aside;
+  double before = 0, way = 0, turned = 0, time = 0;
+  const auto setOff = [&] {
+    robot.restart(Pose2(begin));
+    const bool upright = robot.run({}, wait) && robot.run(request, 2);
+    before = robot.turned();
+    return upright;
+  };
+  result.upright = setOff();
   for (; result.upright && time < seconds; time += robot.cycle) {
     result.upright = robot.step(request);
     way += robot.moved.position.dot(direction);
-    // A field is 30 m long; back to its beginning, the posture as it is.
-    if (std::abs(robot.pose().x()) > 14.8 || std::abs(robot.pose().y()) > 9.5) robot.carry(Vec2(0, 0));
+    if (std::abs(robot.pose().x()) < 14.8 && std::abs(robot.pose().y()) < 9.5) continue;
+    // A field is 30 m long; back to its beginning, the posture as it is where that can be done.
+    if (robot.carries()) {
+      robot.carry(Vec2(0, 0));
+    } else if (result.upright) {
+      turned += robot.turned() - before;
+      result.upright = setOff();
+    }
   }
-  if (time > 0) result.speed = (request.turn != 0 ? std::abs(robot.turned() - before) : way) / time;
+  turned += robot.turned() - before;
+  if (time > 0) result.speed = (request.turn != 0 ? std::abs(turned) : way) / time;
   return result;
 }
 

@@ -43,7 +43,8 @@ struct HeldSpeed {
 
 /// A request held for `seconds` after the first two, from a stand of `wait` [s] at a place `aside` [m]: the
 /// simulator knows no chance, and from the same place after the same wait a robot does the same. At the
-/// field's end it is carried back as it walks.
+/// field's end it is carried back as it walks, or, where it cannot be carried, sets off anew from where there
+/// is most field ahead; its first two seconds never count.
 HeldSpeed holdSpeed(Walker& robot, const WalkRequest& request, double seconds, double wait, double aside);
 
 }  // namespace plumbline::walking

@@ -46,6 +46,8 @@ public:
     return true;
   }
 
+  /// Whether it can be carried.
+  virtual bool carries() const { return true; }
   /// Goes on walking at another place, heading as before.
   void carry(const Vec2& place) {
     move(place);

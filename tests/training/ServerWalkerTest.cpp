@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "simulation/ServerFixture.h"
+#include "training/WalkTrial.h"
 #include "training/WalkingRobot.h"
 
 namespace plumbline::walking {
@@ -61,11 +62,26 @@ TEST(ServerWalker, standsUpAgainAfterAFall) {
   EXPECT_TRUE(robot.run({Vec2(0.3, 0), 0, true}, 3));
 }
 
+TEST(ServerWalker, isHeldInLapsOfTheField) {
+  test::RunningServer server(test::inStep());
+  ServerWalker there(0, readWalkGaits(0), of(server));
+  WalkingRobot here(0, readWalkGaits(0));
+  for (const Task task : {Task::forward, Task::backward, Task::sideways, Task::turn})
+    for (const double sign : {-1.0, 1.0}) {
+      const WalkRequest full = fullSpeed(task, sign);
+      const HeldSpeed far = holdSpeed(there, full, 40, 0.3, 0), near = holdSpeed(here, full, 40, 0.3, 0);
+      EXPECT_TRUE(far.upright);
+      EXPECT_NEAR(far.speed, near.speed, 0.03 * near.speed);
+    }
+}
+
 TEST(ServerWalker, saysWhatAServerCannot) {
   EXPECT_THROW(ServerWalker(0, readWalkGaits(0), {"127.0.0.1", 1, 1}), std::runtime_error);
   auto server = std::make_unique<test::RunningServer>(test::inStep());
   ServerWalker robot(0, readWalkGaits(0), of(*server));
   EXPECT_THROW(robot.push(Vec3::UnitX()), std::logic_error);
+  EXPECT_FALSE(robot.carries());
+  EXPECT_THROW(robot.carry(Vec2::Zero()), std::logic_error);
   EXPECT_THROW(robot.comVelocity(), std::logic_error);
   server.reset();
   EXPECT_THROW(robot.run({}, 20), std::runtime_error);

@@ -2,11 +2,13 @@
 // velocity estimate and the cost. Prints tables; writes build/bench/walking.json, walking.md and
 // walking.html.
 //
-//   bench/walking [SEEDS [MINUTES [TRIES]]] [--robots A,B,..] [--sections A,B,..] [--jobs N]
+//   bench/walking [SEEDS [MINUTES [TRIES]]] [--robots A,B,..] [--sections A,B,..] [--jobs N] [--name NAME]
 //
 // SEEDS (10): of each measurement; MINUTES (3): of random requests per robot and seed; TRIES (100): of a
-// push. Robots: type0 .. type4, type0_plain, type3_plain, nao-bullet, nao-mujoco. Sections: speeds, thesis,
-// pushes, estimate. Jobs: threads, as many as cores without it; the cost of a cycle is measured on one.
+// push. Robots: type0 .. type4, type0_plain, type3_plain, nao-bullet, nao-mujoco, and type0@server or
+// type0@HOST:AGENTPORT:MONITORPORT on a SimSpark server that is in step with its agents. Sections: speeds, thesis,
+// pushes, estimate. Jobs: threads, as many as cores without it; the cost of a cycle is measured on one. Name: of the
+// files written, walking without it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,6 +36,7 @@ std::vector<std::string> split(const std::string& list) {
 struct Arguments {
   BenchSetup setup;
   std::vector<std::string> sections{"speeds", "thesis", "pushes", "estimate"};
+  std::string name = "walking";
 
   bool has(const char* section) const { return std::ranges::find(sections, section) != sections.end(); }
 };
@@ -57,6 +60,12 @@ Arguments read(int argc, char** argv) {
         arguments.setup.jobs = static_cast<int>(numberOf(argv[++i], 1));
         continue;
       }
+      if (word == "--name") {
+        arguments.name = argv[++i];
+        if (arguments.name.find_first_of("/.") != std::string::npos)
+          throw std::invalid_argument("'" + arguments.name + "' is no name; letters and - will do");
+        continue;
+      }
       const std::vector<std::string> list = split(argv[++i]);
       if (word == "--robots") {
         for (const std::string& name : list) subjectOf(name);
@@ -68,7 +77,7 @@ Arguments read(int argc, char** argv) {
                                         "'; there is speeds, thesis, pushes, estimate");
         arguments.sections = list;
       } else {
-        throw std::invalid_argument("no option '" + word + "'; there is --robots, --sections and --jobs");
+        throw std::invalid_argument("no option '" + word + "'; there is --robots, --sections, --jobs and --name");
       }
       continue;
     }
@@ -102,6 +111,12 @@ int main(int argc, char** argv) {
                     "targets are missed: "
                     "[the walk's reference](../reference/walk.md#where-it-misses-its-targets-and-why).",
                     setup.seeds, setup.minutes, setup.tries));
+    if (std::ranges::any_of(setup.robots, [](const std::string& name) { return subjectOf(name).onServer; }))
+      report.paragraph(
+          "Robots \"@server\" were on a SimSpark server that waits for its agents, one at a time, in play on, and "
+          "a trainer put them to their places. What is told of them is what the server's monitor port tells: poses "
+          "within 5 mm and 0.3 degrees, up to two cycles old. Nobody can push or carry a robot there, so 60 s at "
+          "full speed are laps of the field, each from a stand, whose first two seconds do not count.");
     Page page;
     page.title = "The walk, measured";
     page.introduction =
@@ -112,10 +127,11 @@ int main(int argc, char** argv) {
     if (arguments.has("thesis")) measureThesisTables(setup, report, page);
     if (arguments.has("pushes")) measurePushes(setup, report);
     if (arguments.has("estimate")) measureEstimate(setup, report, page);
-    writeFile("build/bench/walking.json", report.json());
-    writeFile("build/bench/walking.md", report.tables());
+    const std::string files = "build/bench/" + arguments.name;
+    writeFile(files + ".json", report.json());
+    writeFile(files + ".md", report.tables());
     // Sections without figures leave the page of an earlier run as it is.
-    if (!page.figures.empty()) writeFile("build/bench/walking.html", page.html());
+    if (!page.figures.empty()) writeFile(files + ".html", page.html());
   } catch (const std::exception& error) {
     fmt::print(stderr, "walking benchmark: {}\n", error.what());
     return 2;
