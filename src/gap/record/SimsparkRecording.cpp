@@ -116,6 +116,11 @@ void writeForces(Run& run, std::size_t row, const Mechanism::Foot& foot,
 
 }  // namespace
 
+std::size_t cyclesBetween(double before, double now) {
+  const double cycles = (now - before) / cycle;
+  return cycles < 0.25 ? 0 : static_cast<std::size_t>(std::max<long>(1, std::lround(std::min(cycles, 1e6) - 0.01)));
+}
+
 SimsparkRecording recordSimspark(const Mechanism& robot, const Excitation& program,
                                  const SimsparkRecordingOptions& options) {
   if (!program.freeBase)
@@ -148,15 +153,15 @@ SimsparkRecording recordSimspark(const Mechanism& robot, const Excitation& progr
     session.drive(targets);
   }
 
-  double begin = 0;
+  double last = 0;
   std::vector<std::size_t> kept;  // planned cycles whose message came
   for (std::size_t k = 0; k < planned.size();) {
     const simspark::ServerMessage& message = session.receive();
-    if (kept.empty()) begin = message.time;
     // The clock says which cycle this is: a message that was lost must not shift what follows.
-    const auto now = static_cast<std::size_t>(std::max<long>(0, std::lround((message.time - begin) / cycle)));
+    const std::size_t now = kept.empty() ? 0 : kept.back() + cyclesBetween(last, message.time);
+    last = message.time;
     if (now >= planned.size()) break;
-    if (!kept.empty() && now <= kept.back()) {
+    if (!kept.empty() && now == kept.back()) {
       session.drive(targets);  // the clock stood still
       continue;
     }

@@ -50,6 +50,17 @@ Cause cause(const char* id, const Mechanism& robot, const char* at, double value
   return {effect, findPlace(*effect, robot, at, ""), value, 0};
 }
 
+TEST(Simspark, cyclesAreCountedThoughTheClockIsCoarse) {
+  EXPECT_EQ(cyclesBetween(5, 5), 0u) << "it stood still";
+  EXPECT_EQ(cyclesBetween(5, 5.02), 1u);
+  // The league's server after six hours: single precision, and hundredths are printed.
+  EXPECT_EQ(cyclesBetween(21360.12, 21360.13), 1u);
+  EXPECT_EQ(cyclesBetween(21360.12, 21360.15), 1u);
+  EXPECT_EQ(cyclesBetween(5, 5.04), 2u) << "one was lost";
+  EXPECT_EQ(cyclesBetween(5, 5.2), 10u);
+  EXPECT_EQ(cyclesBetween(5, 4), 0u) << "back in time";
+}
+
 TEST(BulletRecording, AgreesWithTheOwnDynamicsOnAHeldArm) {
   const Mechanism arm = twoJointArm();
   SimulatedRecordingOptions options;
