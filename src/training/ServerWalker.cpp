@@ -16,8 +16,9 @@ namespace {
 
 constexpr double cycleSeconds = 0.02, patience = 10;  // [s]
 constexpr const char* startFirst = "; start bin/simulator --sync or the league's server first";
-constexpr long maxUnseen = 4;                 // cycles without a scene before one is waited for
-constexpr long clockEvery = 5000;             // cycles: the game never gets to the end of a half
+constexpr long maxUnseen = 4;      // cycles without a scene before one is waited for
+constexpr double maxTime = 65536;  // s: from there on the league's clock tells 0.01 s no more
+constexpr long clockEvery = 5000;  // cycles: the game never gets to the end of a half
 
 int portOf(const std::string& text, const std::string& whole) {
   int port = 0;
@@ -103,6 +104,11 @@ void ServerWalker::join() {
   exchange(init);
   for (int i = 0; i < 20 && !message.gameState.unum; ++i) exchange({});
   if (!message.gameState.unum || !message.gameState.side) throw failure("gave the robot no number in a team");
+  if (message.time > maxTime)
+    throw failure(fmt::format(
+        "has been running for {:.0f} s of its time, and its clock in single precision is too coarse "
+        "by now; start it anew",
+        message.time));
   const bool left = *message.gameState.side == "left";
   name = {*message.gameState.unum, left ? simspark::TeamSide::left : simspark::TeamSide::right};
 }

@@ -28,7 +28,8 @@ TEST(ServerAddress, isReadOrRefused) {
   EXPECT_EQ(ServerAddress::parse("field.example:4100:4200").text(), "field.example:4100:4200");
   for (const char* bad : {"", "host", "host:3100", ":3100:3200", "host::3200", "host:3100:0", "host:3100:x",
                           "host:3100:3200 ", "host:70000:3200"})
-    EXPECT_EQ(refusal(bad), "'" + std::string(bad) + "' is no server; say HOST:AGENTPORT:MONITORPORT or 'server'");
+    EXPECT_EQ(refusal(bad),
+              "'" + std::string(bad) + "' is no server; say HOST:AGENTPORT:MONITORPORT or 'server'");
 }
 
 TEST(ServerWalker, walksThereAsItDoesHere) {

@@ -118,7 +118,9 @@ void writeForces(Run& run, std::size_t row, const Mechanism::Foot& foot,
 
 std::size_t cyclesBetween(double before, double now) {
   const double cycles = (now - before) / cycle;
-  return cycles < 0.25 ? 0 : static_cast<std::size_t>(std::max<long>(1, std::lround(std::min(cycles, 1e6) - 0.01)));
+  return cycles < 0.25
+             ? 0
+             : static_cast<std::size_t>(std::max<long>(1, std::lround(std::min(cycles, 1e6) - 0.01)));
 }
 
 SimsparkRecording recordSimspark(const Mechanism& robot, const Excitation& program,

@@ -26,8 +26,9 @@ struct SimsparkRecording {
   bool fell = false;           ///< the torso leaned by more than 60 degrees
 };
 
-/// How many cycles lie between two of the server's clock's times [s]. The league's counts in single precision and
-/// prints hundredths: after hours a cycle is 0.01 to 0.03 s long there, and still one. 0: the clock stood still.
+/// How many cycles lie between two of the server's clock's times [s]. The league's counts in single precision
+/// and prints hundredths: after hours a cycle is 0.01 to 0.03 s long there, and still one. 0: the clock stood
+/// still.
 std::size_t cyclesBetween(double before, double now);
 
 /// Plays a program on a robot of a SimSpark server, the league's or bin/simulator, through its agent port:

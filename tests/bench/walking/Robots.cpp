@@ -74,8 +74,8 @@ Subject subjectOf(const std::string& name) {
   for (int type = 0; type < numSimsparkTypes; ++type)
     for (const bool plain : {false, true})
       if (name == fmt::format("type{}{}", type, plain ? "_plain" : "")) return leagueRobot(type, plain);
-  throw std::invalid_argument(
-      fmt::format("no robot '{}'; there is {}, and typeN@server on a SimSpark server", name, fmt::join(subjectNames(), ", ")));
+  throw std::invalid_argument(fmt::format("no robot '{}'; there is {}, and typeN@server on a SimSpark server",
+                                          name, fmt::join(subjectNames(), ", ")));
 }
 
 std::vector<Subject> subjects(const std::vector<std::string>& names, bool plain) {

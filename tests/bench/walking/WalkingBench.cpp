@@ -6,9 +6,9 @@
 //
 // SEEDS (10): of each measurement; MINUTES (3): of random requests per robot and seed; TRIES (100): of a
 // push. Robots: type0 .. type4, type0_plain, type3_plain, nao-bullet, nao-mujoco, and type0@server or
-// type0@HOST:AGENTPORT:MONITORPORT on a SimSpark server that is in step with its agents. Sections: speeds, thesis,
-// pushes, estimate. Jobs: threads, as many as cores without it; the cost of a cycle is measured on one. Name: of the
-// files written, walking without it.
+// type0@HOST:AGENTPORT:MONITORPORT on a SimSpark server that is in step with its agents. Sections: speeds,
+// thesis, pushes, estimate. Jobs: threads, as many as cores without it; the cost of a cycle is measured on
+// one. Name: of the files written, walking without it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -77,7 +77,8 @@ Arguments read(int argc, char** argv) {
                                         "'; there is speeds, thesis, pushes, estimate");
         arguments.sections = list;
       } else {
-        throw std::invalid_argument("no option '" + word + "'; there is --robots, --sections, --jobs and --name");
+        throw std::invalid_argument("no option '" + word +
+                                    "'; there is --robots, --sections, --jobs and --name");
       }
       continue;
     }
@@ -113,9 +114,12 @@ int main(int argc, char** argv) {
                     setup.seeds, setup.minutes, setup.tries));
     if (std::ranges::any_of(setup.robots, [](const std::string& name) { return subjectOf(name).onServer; }))
       report.paragraph(
-          "Robots \"@server\" were on a SimSpark server that waits for its agents, one at a time, in play on, and "
-          "a trainer put them to their places. What is told of them is what the server's monitor port tells: poses "
-          "within 5 mm and 0.3 degrees, up to two cycles old. Nobody can push or carry a robot there, so 60 s at "
+          "Robots \"@server\" were on a SimSpark server that waits for its agents, one at a time, in play "
+          "on, and "
+          "a trainer put them to their places. What is told of them is what the server's monitor port tells: "
+          "poses "
+          "within 5 mm and 0.3 degrees, up to two cycles old. Nobody can push or carry a robot there, so 60 "
+          "s at "
           "full speed are laps of the field, each from a stand, whose first two seconds do not count.");
     Page page;
     page.title = "The walk, measured";
