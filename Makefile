@@ -95,7 +95,7 @@ SERVER ?= server
 serverRobots := type0 type0_plain type1 type2 type3 type3_plain type4
 bench-walk-server:
 	@$(MAKE) SimRelease-bench-walking
-	@build/SimRelease/bench/walking $(or $(ARGS),10 3 100) --name walking-server --sections speeds,thesis \
+	@build/SimRelease/bench/walking $(or $(ARGS),10 1 100) --jobs 1 --name walking-server --sections speeds,thesis \
 	  --robots $(subst $() $(),$(comma),$(addsuffix @$(SERVER),$(serverRobots)))
 	@scripts/make_results.sh walking-server
 

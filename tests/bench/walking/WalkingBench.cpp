@@ -127,15 +127,18 @@ int main(int argc, char** argv) {
         "Figures of chapter 4 of the thesis (Seekircher 2015) drawn from this walk in the embedded "
         "simulator; "
         "written by make bench-walk.";
-    if (arguments.has("speeds")) measureSpeeds(setup, report);
-    if (arguments.has("thesis")) measureThesisTables(setup, report, page);
-    if (arguments.has("pushes")) measurePushes(setup, report);
-    if (arguments.has("estimate")) measureEstimate(setup, report, page);
-    const std::string files = "build/bench/" + arguments.name;
-    writeFile(files + ".json", report.json());
-    writeFile(files + ".md", report.tables());
-    // Sections without figures leave the page of an earlier run as it is.
-    if (!page.figures.empty()) writeFile(files + ".html", page.html());
+    // After each section: what was measured is not lost when a later one fails.
+    const auto write = [&] {
+      const std::string files = "build/bench/" + arguments.name;
+      writeFile(files + ".json", report.json());
+      writeFile(files + ".md", report.tables());
+      // Sections without figures leave the page of an earlier run as it is.
+      if (!page.figures.empty()) writeFile(files + ".html", page.html());
+    };
+    if (arguments.has("speeds")) measureSpeeds(setup, report), write();
+    if (arguments.has("thesis")) measureThesisTables(setup, report, page), write();
+    if (arguments.has("pushes")) measurePushes(setup, report), write();
+    if (arguments.has("estimate")) measureEstimate(setup, report, page), write();
   } catch (const std::exception& error) {
     fmt::print(stderr, "walking benchmark: {}\n", error.what());
     return 2;
