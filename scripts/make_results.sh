@@ -8,7 +8,7 @@ areas=("$@")
 ((${#areas[@]})) || mapfile -t areas < <(find build/bench -name '*.json' -printf '%f\n' 2> /dev/null | sed 's/\..*//' | LC_ALL=C sort -u)
 ((${#areas[@]})) || { echo "make_results.sh: no figures in build/bench; run make bench first" >&2; exit 1; }
 mkdir -p doc/results
-machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -1)
+machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | sed -n 1p)
 for area in "${areas[@]}"; do
   files=()
   for file in build/bench/"$area".json build/bench/"$area".*.json build/bench/"$area"_*.json; do [[ -s $file ]] && files+=("$file"); done
@@ -16,8 +16,8 @@ for area in "${areas[@]}"; do
   {
     echo "# Measured: $area"
     echo
-    echo "Written by \`make results\` (\`make bench-${area/#walking/walk}\` measures) on $(date -u +%Y-%m-%d), $(nproc) cores of ${machine:-an unknown CPU}, $(c++ --version | head -1)."
-    echo "Seeds and numbers of runs are part of each figure's name or fixed in \`tests/bench/$area/\`."
+    echo "Written by \`make results\` (\`make bench-${area/#walking/walk}\` measures) on $(date -u +%Y-%m-%d), $(nproc) cores of ${machine:-an unknown CPU}, $(c++ --version | sed -n 1p)."
+    echo "Seeds and numbers of runs are part of each figure's name or fixed in \`tests/bench/${area%-server}/\`."
     echo
     # Tables that the benchmark wrote itself come before the bare figures.
     if [[ -s build/bench/$area.md ]]; then

@@ -44,8 +44,11 @@ public:
     return robot.step(request);
   }
   bool run(const WalkRequest& request, double seconds) {
-    for (double t = 0; t < seconds; t += robot.cycle)
+    double t = 0;
+    while (t < seconds) {
       if (!step(request)) return false;
+      t += robot.cycle;
+    }
     return true;
   }
 

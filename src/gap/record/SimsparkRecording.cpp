@@ -191,6 +191,7 @@ SimsparkRecording recordSimspark(const Mechanism& robot, const Excitation& progr
   // Cycles that never came are left out: the times have gaps there.
   const auto keep = [&](std::vector<double>& values) {
     std::vector<double> left;
+    left.reserve(kept.size());
     for (const std::size_t k : kept) left.push_back(values[k]);
     values = std::move(left);
   };

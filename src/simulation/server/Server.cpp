@@ -1,9 +1,8 @@
 #include "simulation/server/Server.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cerrno>
+#include <ctime>
 #include <stdexcept>
 #include <utility>
 
@@ -22,7 +21,7 @@ double cpuSeconds() {
 
 }  // namespace
 
-Server::Server(const ServerConfig& config_, LogFunction log)
+Server::Server(const ServerConfig& config_, const LogFunction& log)
     : config(config_),
       simulation_(config.simulation),
       agents(config.agents, simulation_, log),

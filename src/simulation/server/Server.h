@@ -37,7 +37,7 @@ struct ServerStatistics {
 class Server {
 public:
   /// Opens both ports; throws std::runtime_error, one line, if one cannot be had.
-  Server(const ServerConfig& config, LogFunction log);
+  Server(const ServerConfig& config, const LogFunction& log);
 
   int agentPort() const { return agents.port(); }
   int monitorPort() const { return monitors.port(); }
