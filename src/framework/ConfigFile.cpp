@@ -30,12 +30,11 @@ void collectUnknown(const ConfigNode& node, Unknown& first) {
     if (element.kind == ConfigNode::Kind::map) collectUnknown(element, first);
   }
   for (const auto& [name, child] : node.entries) {
-    if (child.kind == ConfigNode::Kind::map && anyUsed(child)) {
-      collectUnknown(child, first);
-    } else if (!child.used) {
+    const bool usedMap = child.kind == ConfigNode::Kind::map && anyUsed(child);
+    if (!usedMap && !child.used) {
       const auto order = [](const ConfigNode& n) { return std::tie(*n.file, n.line); };
       if (!first.node || order(child) < order(*first.node)) first = {&child, &node, name};
-    } else if (child.kind == ConfigNode::Kind::list) {
+    } else if (usedMap || child.kind == ConfigNode::Kind::list) {
       collectUnknown(child, first);
     }
   }

@@ -161,7 +161,7 @@ std::vector<ConfigSection> ConfigSection::list(std::string_view key) const {
   std::vector<ConfigSection> result;
   for (const ConfigNode* element : configElements(required(key))) {
     if (element->kind != ConfigNode::Kind::map) failAt(*element, "must be a map, not " + element->describe());
-    result.push_back(ConfigSection(root_, *element));
+    result.emplace_back(root_, *element);
   }
   return result;
 }

@@ -91,8 +91,8 @@ private:
                                           file("simulator.json"),
                                           "--die-with-parent"};
     arguments.insert(arguments.end(), {"--engine", options_.engine});
-    if (options_.realtime) arguments.push_back("--realtime");
-    if (options_.web) arguments.push_back("--web");
+    if (options_.realtime) arguments.emplace_back("--realtime");
+    if (options_.web) arguments.emplace_back("--web");
     arguments.insert(arguments.end(), options_.simulatorOptions.begin(), options_.simulatorOptions.end());
     simulator_.emplace(programs_ + "/simulator", arguments, file("ports.json"), file("simulator.log"));
     ports_ = simulator_->ports();

@@ -39,7 +39,7 @@ json causeJson(const Cause& cause) {
 std::string sentenceOf(const Cause& cause) {
   std::string text(cause.effect->sentence);
   const std::string place = cause.place.at == "*" ? "every joint" : cause.place.at;
-  for (std::size_t at; (at = text.find("{at}")) != std::string::npos;) text.replace(at, 4, place);
+  for (std::size_t at = 0; (at = text.find("{at}")) != std::string::npos;) text.replace(at, 4, place);
   return text;
 }
 

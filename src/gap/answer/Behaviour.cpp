@@ -40,7 +40,7 @@ double sway(const Trial& trial, const Series& series) {
 
 /// Largest angle of the specific force, smoothed, from the torso's z axis [rad].
 double largestTilt(const Trial& trial, const Series& series) {
-  const std::vector<double>* acc[3];
+  const std::vector<double>* acc[3] = {};
   for (const int axis : {0, 1, 2})
     if (acc[axis] = find(trial, series, SignalKind::accelerometer, axis); !acc[axis]) return nan;
   Vec3 smooth = Vec3::Zero();
