@@ -28,7 +28,7 @@ struct Range {
   bool bothSigns = false;
   double low2 = 0, high2 = 0;  ///< another range, as likely
   Growth growth = Growth::distance;
-  std::string_view axes;
+  std::string_view axes = {};
   bool standing = false;  ///< only seen on the feet
 };
 
@@ -208,7 +208,8 @@ BlindEffect strengthened(const Mechanism& robot, BlindEffect e, double factor) {
 std::vector<std::string> programsOf(Battery battery) {
   std::vector<std::string> programs = {"hang_sweep", "hang_multisine", "hang_small", "hang_fast"};
   if (battery == Battery::all)
-    for (const char* p : {"stand_squat", "stand_sway", "stand_lean", "stand_turn180"}) programs.emplace_back(p);
+    for (const char* p : {"stand_squat", "stand_sway", "stand_lean", "stand_turn180"})
+      programs.emplace_back(p);
   programs.push_back(programs[3]);
   return programs;
 }
