@@ -94,6 +94,7 @@ bench-walk:
 SERVER ?= server
 serverRobots := type0 type0_plain type1 type2 type3 type3_plain type4
 bench-walk-server:
+	@scripts/install_packages.sh scripts/packages-bench.txt
 	@$(MAKE) SimRelease-bench-walking
 	@build/SimRelease/bench/walking $(or $(ARGS),10 1 100) --jobs 1 --name walking-server --sections speeds,thesis \
 	  --robots $(subst $() $(),$(comma),$(addsuffix @$(SERVER),$(serverRobots)))

@@ -166,6 +166,7 @@ void ServerWalker::drive(const JointArray& targets) {
     if (model.has(static_cast<JointId>(j))) command.velocity[j] = speeds[j];
   if (cycles % clockEvery == 0) trainer.send(simspark::TimeCommand{1});
   exchange(command);
+  filter.update(message.gyro, message.acc, cycleSeconds);
 }
 
 void ServerWalker::teleport(const Pose2& place, double height) {
@@ -173,7 +174,7 @@ void ServerWalker::teleport(const Pose2& place, double height) {
 }
 
 void ServerWalker::put(const Pose2& place, const JointArray& angles) {
-  // The league's server leaves joints bent out of shape after some falls: a robot that fell is replaced.
+  // A robot that fell is replaced: there were some on the league's server that then never stood again.
   if (fallen()) join();
   trainer.send(simspark::PlayModeCommand{simspark::PlayMode::playOn});
   trainer.send(simspark::TimeCommand{1});
@@ -188,10 +189,7 @@ void ServerWalker::put(const Pose2& place, const JointArray& angles) {
   }
   teleport(place, heightOver(model, angles));
   filter.reset();
-  for (int i = 0; i < settle; ++i) {
-    drive(angles);
-    filter.update(message.gyro, message.acc, cycleSeconds);
-  }
+  for (int i = 0; i < settle; ++i) drive(angles);
 }
 
 WalkSensors ServerWalker::sense() {
@@ -199,18 +197,12 @@ WalkSensors ServerWalker::sense() {
   sensors.angles = measured;
   sensors.gyro = message.gyro;
   sensors.feet = feltFeet(message);
-  filter.update(message.gyro, message.acc, sensors.dt);
   sensors.torsoAngles = Vec2(filter.roll(), filter.pitch());
   return sensors;
 }
 
 void ServerWalker::act(const WalkOutput& out, const WalkSensors&) {
-  JointArray targets = out.angles;
-  // The head looks around.
-  const double time = cycleSeconds * static_cast<double>(cycles);
-  targets[headYaw] = 1.2 * std::sin(2 * time);
-  targets[headPitch] = 0.3 * std::sin(3.1 * time);
-  drive(targets);
+  drive(lookingAround(out.angles, cycleSeconds * static_cast<double>(cycles)));
 }
 
 }  // namespace plumbline::walking

@@ -1,6 +1,5 @@
 #pragma once
 #include <mutex>
-#include <optional>
 #include <string>
 
 #include "math/TorsoAngleFilter.h"
@@ -48,10 +47,13 @@ private:
 
   /// Comes to the server as a new robot.
   void join();
+  /// A cycle in which the joints go to these angles [rad].
   void drive(const JointArray& targets);
   /// Answers with a command and takes in what comes of it.
   void exchange(simspark::AgentCommand command);
+  /// Takes in the scenes that came.
   void follow();
+  /// Puts it upright with its torso so high over a place [m].
   void teleport(const Pose2& place, double height);
   std::runtime_error failure(const std::string& what) const;
 

@@ -79,6 +79,13 @@ protected:
   Walker(const RobotModel& model_, const WalkGaits& gaits, double cycle_)
       : model(model_), cycle(cycle_), engine(gaits, model) {}
 
+  /// Targets with a head that looks around, as a player's does; time [s].
+  static JointArray lookingAround(JointArray targets, double time) {
+    targets[headYaw] = 1.2 * std::sin(2 * time);
+    targets[headPitch] = 0.3 * std::sin(3.1 * time);
+    return targets;
+  }
+
 private:
   virtual void put(const Pose2& place, const JointArray& angles) = 0;
   virtual void move(const Vec2& place) = 0;

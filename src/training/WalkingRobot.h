@@ -105,11 +105,7 @@ private:
     return sensors;
   }
   void act(const WalkOutput& output, const WalkSensors& sensors) override {
-    JointArray targets = output.angles;
-    // The head looks around.
-    targets[headYaw] = 1.2 * std::sin(2 * local.time());
-    targets[headPitch] = 0.3 * std::sin(3.1 * local.time());
-    local.act(control.update(sensors.angles, targets, sensors.dt));
+    local.act(control.update(sensors.angles, lookingAround(output.angles, local.time()), sensors.dt));
   }
   /// As the league's server prints it.
   static FootSensors feltFeet(const simulation::RobotReadings& sensed) {

@@ -118,6 +118,7 @@ void writeForces(Run& run, std::size_t row, const Mechanism::Foot& foot,
 
 std::size_t cyclesBetween(double before, double now) {
   const double cycles = (now - before) / cycle;
+  // 0.03 s are one cycle still, not two.
   return cycles < 0.25
              ? 0
              : static_cast<std::size_t>(std::max<long>(1, std::lround(std::min(cycles, 1e6) - 0.01)));

@@ -112,21 +112,22 @@ int main(int argc, char** argv) {
                     "targets are missed: "
                     "[the walk's reference](../reference/walk.md#where-it-misses-its-targets-and-why).",
                     setup.seeds, setup.minutes, setup.tries));
-    if (std::ranges::any_of(setup.robots, [](const std::string& name) { return subjectOf(name).onServer; }))
+    const bool onServer =
+        std::ranges::any_of(setup.robots, [](const std::string& name) { return subjectOf(name).onServer; });
+    if (onServer)
       report.paragraph(
           "Robots \"@server\" were on a SimSpark server that waits for its agents, one at a time, in play "
-          "on, and "
-          "a trainer put them to their places. What is told of them is what the server's monitor port tells: "
-          "poses "
-          "within 5 mm and 0.3 degrees, up to two cycles old. Nobody can push or carry a robot there, so 60 "
-          "s at "
-          "full speed are laps of the field, each from a stand, whose first two seconds do not count.");
+          "on, "
+          "and a trainer put them to their places. What is told of them is what the server's monitor port "
+          "tells: poses within 5 mm and 0.3 degrees, up to two cycles old. Nobody can push or carry a robot "
+          "there, so 60 s at full speed are laps of the field, each from a stand, whose first two seconds do "
+          "not count.");
     Page page;
     page.title = "The walk, measured";
-    page.introduction =
-        "Figures of chapter 4 of the thesis (Seekircher 2015) drawn from this walk in the embedded "
-        "simulator; "
-        "written by make bench-walk.";
+    page.introduction = fmt::format(
+        "Figures of chapter 4 of the thesis (Seekircher 2015) drawn from this walk {}; written by make {}.",
+        onServer ? "on a SimSpark server" : "in the embedded simulator",
+        onServer ? "bench-walk-server" : "bench-walk");
     // After each section: what was measured is not lost when a later one fails.
     const auto write = [&] {
       const std::string files = "build/bench/" + arguments.name;
