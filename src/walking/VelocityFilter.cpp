@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace plumbline::walking {
+namespace {
+
+constexpr double unknown = 0.1;  ///< spread of the particles about a velocity that is told or seen [m/s]
+
+}  // namespace
 
 VelocityFilter::VelocityFilter(const VelocityFilterParameters& parameters_)
     : parameters(parameters_), random(parameters.seed) {
@@ -19,7 +24,7 @@ void VelocityFilter::reset(const Vec2& velocity) {
   random = Random(parameters.seed);
   mean = velocity;
   for (Vec2& particle : particles)
-    particle = velocity + parameters.modelNoise * Vec2(random.gaussian(), random.gaussian());
+    particle = velocity + unknown * Vec2(random.gaussian(), random.gaussian());
 }
 
 void VelocityFilter::predict(const WalkModel& model, const WalkState& before, const WalkAction& action,
@@ -31,7 +36,7 @@ void VelocityFilter::predict(const WalkModel& model, const WalkState& before, co
   WalkState state = before;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     before_[i] = turned * particles[i];
-    double noise = parameters.modelNoise;
+    double noise = parameters.modelNoise * dt;
     if (i < strays) {
       particles[i] = *evidence.seen;
       noise = parameters.slipNoise;
@@ -58,7 +63,7 @@ const Vec2& VelocityFilter::update(const WalkModel& model, const WalkState& befo
   predict(model, before, action, dt, evidence);
   const bool forces = evidence.change.has_value();
   const std::size_t strays = numStrays(evidence);
-  const double noise = forces ? parameters.slipNoise : parameters.footNoise;
+  const double noise = forces ? parameters.slipNoise : parameters.footNoise / dt;
   double total = 0;
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -79,7 +84,7 @@ const Vec2& VelocityFilter::update(const WalkModel& model, const WalkState& befo
   // No particle explains what was seen: begin anew from it.
   if (!(total > 1e-12)) {
     for (Vec2& particle : particles)
-      particle = *evidence.seen + parameters.modelNoise * Vec2(random.gaussian(), random.gaussian());
+      particle = *evidence.seen + unknown * Vec2(random.gaussian(), random.gaussian());
     return mean = *evidence.seen;
   }
   mean = sum / total;

@@ -12,8 +12,8 @@ namespace plumbline::walking {
 /// model is what the estimate is for (section 4.2.5).
 struct VelocityFilterParameters {
   int particles = 100;
-  double modelNoise = 0.1;   ///< of the velocity in one cycle [m/s]
-  double footNoise = 0.025;  ///< of the velocity seen in the supporting foot's movement [m/s]
+  double modelNoise = 5;      ///< of the mass's acceleration by the model [m/s^2]
+  double footNoise = 0.0005;  ///< of the supporting foot's movement in one cycle [m]
   double forceNoise = 0.01;  ///< of the change of velocity in one cycle, by the ground's forces [m/s]
   double slipNoise = 0.03;   ///< of the velocity seen in the movement of what touches the ground [m/s]
   double pushOdds = 0.001;   ///< that what is seen and not felt is a push, not a foot that slides

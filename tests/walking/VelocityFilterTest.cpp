@@ -20,7 +20,7 @@ struct Watched {
   double squares = 0, seenSquares = 0;
 
   explicit Watched(const Vec2& velocity, int particles = 60)
-      : filter({.particles = particles, .modelNoise = 0.06, .footNoise = 0.04, .seed = 1}) {
+      : filter({.particles = particles, .modelNoise = 3, .footNoise = 0.0008, .seed = 1}) {
     truth.support = Support::left;
     truth.foot[0] = Pose2(-0.01, 0.05);
     truth.velocity = velocity;
@@ -83,10 +83,32 @@ TEST(VelocityFilter, aFootThatSlidesForACycleIsNoPush) {
 TEST(VelocityFilter, knowsMoreThanTheFootShows) {
   // A foot whose movement is seen badly: the model makes up for it.
   Watched watched(Vec2(0.2, 0), 500);
-  watched.filter = VelocityFilter({.particles = 500, .modelNoise = 0.02, .footNoise = 0.1, .seed = 3});
+  watched.filter = VelocityFilter({.particles = 500, .modelNoise = 1, .footNoise = 0.002, .seed = 3});
   watched.filter.reset(Vec2(0.2, 0));
   for (int i = 0; i < 12; ++i) watched.cycle(0.1);
   EXPECT_LT(watched.squares, 0.5 * watched.seenSquares);
+}
+
+TEST(VelocityFilter, trustsTheFootAsMuchInHalfTheCycle) {
+  // A foot's place is told as well as before, so its velocity half as well; the model errs half as much.
+  double rms[2];
+  for (const int share : {1, 2}) {
+    const double cycle = dt / share;
+    const LinearInvertedPendulum model(0.25);
+    VelocityFilter filter({.particles = 2000});
+    Random noise(11);
+    WalkState still;
+    still.support = Support::left;
+    WalkAction action;
+    action.duration = cycle;
+    double squares = 0;
+    for (int i = 0; i < 400 * share; ++i) {
+      const Vec2 seen = 0.0005 / cycle * Vec2(noise.gaussian(), noise.gaussian());
+      squares += filter.update(model, still, action, cycle, {.change = {}, .seen = seen}).squaredNorm();
+    }
+    rms[share - 1] = std::sqrt(squares / (400 * share));
+  }
+  EXPECT_NEAR(rms[1] / rms[0], 1, 0.25);
 }
 
 TEST(VelocityFilter, whatNoParticleExplainsBeginsAnew) {
