@@ -23,8 +23,7 @@ VelocityFilter::VelocityFilter(const VelocityFilterParameters& parameters_)
 void VelocityFilter::reset(const Vec2& velocity) {
   random = Random(parameters.seed);
   mean = velocity;
-  for (Vec2& particle : particles)
-    particle = velocity + unknown * Vec2(random.gaussian(), random.gaussian());
+  for (Vec2& particle : particles) particle = velocity + unknown * Vec2(random.gaussian(), random.gaussian());
 }
 
 void VelocityFilter::predict(const WalkModel& model, const WalkState& before, const WalkAction& action,

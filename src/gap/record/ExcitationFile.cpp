@@ -216,6 +216,7 @@ private:
       for (const ConfigSection& wave : waves) {
         Segment segment = readWave(wave);
         std::vector<std::pair<int, double>> wanted;
+        wanted.reserve(group.size());
         for (const int joint : group) wanted.emplace_back(joint, 1);
         setJoints(wave, segment, wanted);
         add(segment, now);
@@ -304,6 +305,7 @@ Excitation findExcitation(const std::string& name, const Mechanism& robot, std::
 
 std::string excitationText(const Excitation& excitation, const Mechanism& robot) {
   std::vector<std::pair<int, double>> start;
+  start.reserve(excitation.posture.size());
   for (int j = 0; j < robot.numJoints(); ++j)
     start.emplace_back(j, excitation.posture[static_cast<std::size_t>(j)]);
   std::string about = excitation.about;

@@ -59,6 +59,7 @@ std::vector<std::vector<int>> jointsInTurn(const Mechanism& robot) {
   }
   std::size_t longest = 0;
   for (const std::vector<int>& limb : limbs) longest = std::max(longest, limb.size());
+  if (longest == 0) return {};
   std::vector<std::vector<int>> groups(longest);
   for (std::size_t l = 0; l < limbs.size(); ++l)
     for (std::size_t k = 0; k < limbs[l].size(); ++k) groups[(k + l) % longest].push_back(limbs[l][k]);

@@ -71,9 +71,10 @@ void Wave::planMultisine() {
     tones.push_back({segment.fromHz * std::pow(ratio, place), turn * random.uniform()});
   }
   double most = 1e-9;
-  for (double t = 0; t < segment.duration; t += 0.005) {
+  constexpr double sample = 0.005;  // [s]
+  for (int i = 0; i * sample < segment.duration; ++i) {
     double sum = 0;
-    for (const Tone& tone : tones) sum += std::sin(turn * tone.hz * t + tone.phase);
+    for (const Tone& tone : tones) sum += std::sin(turn * tone.hz * i * sample + tone.phase);
     most = std::max(most, std::abs(sum));
   }
   scale = 1 / most;

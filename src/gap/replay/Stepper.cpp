@@ -54,7 +54,7 @@ Stepper::Stepper(const Plant& plant_, const Trial& trial_, const std::vector<int
     if (p.coulomb > 0 || p.stribeck > 0 || p.loadFriction > 0) {
       frictions.push_back({static_cast<int>(i), drive.motor, 0, 0});
     }
-    drives.push_back(std::move(drive));
+    drives.push_back(drive);
   }
   weight = gears.empty() && !trial.freeBase ? 0.5 : 0.55;
   q.setZero(n);
@@ -325,13 +325,13 @@ void Stepper::readBody(std::size_t cycle, double t, const std::vector<std::size_
                               rotationOfRpy(imu.rpy) * plant.imu.R_true_sensor;
   bodyTime.push_back(t);
   if (trial.freeBase) {
-    gyro.push_back(R_world_sensor.transpose() * tree.angularVelocity(imu.link));
+    gyro.emplace_back(R_world_sensor.transpose() * tree.angularVelocity(imu.link));
     const Vec3 point = tree.origin(imu.link) + tree.rotation(imu.link) * imu.accelerometer;
-    specificForce.push_back(R_world_sensor.transpose() *
-                            tree.specificForceAt(imu.link, point, acceleration.data()));
+    specificForce.emplace_back(R_world_sensor.transpose() *
+                               tree.specificForceAt(imu.link, point, acceleration.data()));
   } else {
-    gyro.push_back(Vec3::Zero());
-    specificForce.push_back(-(R_world_sensor.transpose() * plant.mechanism.gravity));
+    gyro.emplace_back(Vec3::Zero());
+    specificForce.emplace_back(-(R_world_sensor.transpose() * plant.mechanism.gravity));
   }
   gyro.back() += plant.imu.gyroBias;
   if (!trial.freeBase) return;

@@ -103,7 +103,7 @@ private:
       for (int i = 0; i < looks; ++i)
         values.push_back(setting.lower * std::pow(setting.upper / setting.lower, i / (looks - 1.0)));
     } else {
-      for (double v = setting.lower; v <= setting.upper; ++v) values.push_back(v);
+      for (int i = 0; setting.lower + i <= setting.upper; ++i) values.push_back(setting.lower + i);
     }
     return values;
   }

@@ -158,6 +158,7 @@ WindowError typicalError(const std::vector<WindowError>& errors) {
   WindowError typical{};
   for (std::size_t s = 0; s < numTraceSignals; ++s) {
     std::vector<double> sizes;
+    sizes.reserve(errors.size());
     for (const WindowError& error : errors) sizes.push_back(std::isfinite(error[s]) ? error[s] : 1e12);
     std::ranges::sort(sizes);
     sizes.resize((sizes.size() * 9 + 9) / 10);
