@@ -54,6 +54,18 @@ double Mechanism::totalMass() const {
   return sum;
 }
 
+bool Mechanism::sharesServo() const {
+  const Servo* first = nullptr;
+  int motors = 0;
+  for (const Joint& joint : joints) {
+    if (joint.driver >= 0) continue;
+    if (!first) first = &joint.servo;
+    if (joint.servo != *first) return false;
+    ++motors;
+  }
+  return motors > 1;
+}
+
 std::vector<int> Mechanism::chain(int link) const {
   std::vector<int> result;
   for (int l = link; l > 0; l = links[static_cast<std::size_t>(l)].parent) result.push_back(l - 1);

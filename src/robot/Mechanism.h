@@ -25,6 +25,8 @@ struct Servo {
   double errorGain = 0;   ///< share of the supply per rad and unit of kpFirmware
   double kpFirmware = 0;  ///< gain in the firmware's own unit
   double maxPwm = 0;      ///< largest share of the supply, 0..1
+
+  bool operator==(const Servo&) const = default;
 };
 
 /// Any robot as data: a tree of links with one motor per joint and names instead of numbers known in advance.
@@ -110,6 +112,8 @@ struct Mechanism {
   /// Index into feet, or -1.
   int footIndex(std::string_view foot) const;
   double totalMass() const;
+  /// Whether there are several motors and all are servos of one type.
+  bool sharesServo() const;
   /// Joints from the base to a link, base first.
   std::vector<int> chain(int link) const;
 };

@@ -40,14 +40,14 @@ double sway(const Trial& trial, const Series& series) {
 
 /// Largest angle of the specific force, smoothed, from the torso's z axis [rad].
 double largestTilt(const Trial& trial, const Series& series) {
-  const std::vector<double>* acc[3] = {};
-  for (const int axis : {0, 1, 2})
-    if (acc[axis] = find(trial, series, SignalKind::accelerometer, axis); !acc[axis]) return nan;
+  const auto axis = [&](int i) { return find(trial, series, SignalKind::accelerometer, i); };
+  const std::vector<double>*x = axis(0), *y = axis(1), *z = axis(2);
+  if (!x || !y || !z) return nan;
   Vec3 smooth = Vec3::Zero();
   bool begun = false;
   double most = nan;
   for (std::size_t k = 0; k < trial.cycles(); ++k) {
-    const Vec3 now((*acc[0])[k], (*acc[1])[k], (*acc[2])[k]);
+    const Vec3 now((*x)[k], (*y)[k], (*z)[k]);
     if (!now.allFinite()) continue;
     const double h = k ? trial.time[k] - trial.time[k - 1] : 0;
     smooth = begun ? Vec3(smooth + std::min(1.0, h / smoothing) * (now - smooth)) : now;

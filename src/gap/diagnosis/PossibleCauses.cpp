@@ -51,6 +51,8 @@ std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
       case Site::ground:
         return evaluator.hasStanding();
       case Site::everywhere:
+        // A servo's own effect is looked for in all of them where several joints are off.
+        if (effect.ofServo) return std::ranges::count(suspects.joint, true) > 1;
         return suspects.any &&
                (effect.id != "speed_limit" || robot.joints[0].servo.model != Servo::Model::dcMotor);
       case Site::joint:

@@ -11,6 +11,7 @@ inline const Effect backlash{
     .lower = 0,
     .upper = 0.4,
     .starts = {0.01, 0.03, 0.08, 0.17},
+    .ofServo = true,
     .variants = {"encoder where the model has it", "encoder on the other side of the gear"},
     .sentence = "The gear of {at} has play.",
     .exposedBy = "small reversals across the sign of gravity",

@@ -12,6 +12,7 @@ inline const Effect coulombFriction{
     .upper = 0.5,
     .starts = {0.02, 0.08, 0.2},
     .sticks = true,
+    .ofServo = true,
     .sentence = "Dry friction holds {at} back.",
     .exposedBy = "slow reversals, small motions",
     .scale = [](const Mechanism& m,

@@ -12,6 +12,7 @@ inline const Effect deadBand{
     .upper = 0.1,
     .starts = {0.004, 0.015, 0.04},
     .sticks = true,
+    .ofServo = true,
     .variants = {"what exceeds the band counts", "beyond the band the whole error counts"},
     .sentence = "The servo of {at} ignores small errors.",
     .exposedBy = "slow motions and static poses",

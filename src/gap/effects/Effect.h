@@ -45,6 +45,8 @@ struct Effect {
   bool sticks = false;
   /// A limit or a share of one: acts by its reciprocal, and half the value is twice the effect.
   bool reciprocal = false;
+  /// Of the servo and its gear: a robot whose servos are all of one type may have it in all of them alike.
+  bool ofServo = false;
   /// What engines do otherwise with the same value looks like one that is off by up to this share of nominal.
   double engineShare = 0;
   /// How likely a value below nominal is before any data, where there can be one.
@@ -60,7 +62,9 @@ struct Effect {
 
   int numVariants() const { return variants.empty() ? 1 : static_cast<int>(variants.size()); }
   double scaleAt(const Mechanism& mechanism, const Place& place) const {
-    return scale ? scale(mechanism, place) : 1;
+    // Everywhere a servo's effect has the size that it has at the first joint.
+    const bool all = ofServo && place.site == Site::everywhere;
+    return scale ? scale(mechanism, all ? Place{Site::joint, 0, mechanism.joints.front().name} : place) : 1;
   }
   Bounds boundsAt(const Mechanism& mechanism, const Place& place) const {
     const double factor = scaleAt(mechanism, place);

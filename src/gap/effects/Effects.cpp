@@ -83,6 +83,7 @@ std::vector<Place> placesOf(const Effect& effect, const Mechanism& mechanism) {
         break;
     }
   }
+  if (effect.ofServo && mechanism.sharesServo()) bare.push_back({Site::everywhere, -1, "*"});
   if (!effect.hasAxis) return bare;
   std::vector<Place> places;
   for (const Place& place : bare)

@@ -11,6 +11,7 @@ inline const Effect jointCompliance{
     .lower = 0,
     .upper = 0.5,
     .starts = {0.005, 0.02, 0.06, 0.2},
+    .ofServo = true,
     .variants = {"encoder where the model has it", "encoder on the other side of the gear"},
     .sentence = "The gear of {at} gives way under torque.",
     .exposedBy = "static poses under different loads, chirps",

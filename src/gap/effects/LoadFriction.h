@@ -12,6 +12,7 @@ inline const Effect loadFriction{
     .upper = 0.9,
     .starts = {0.05, 0.15, 0.35},
     .sticks = true,
+    .ofServo = true,
     .variants = {"load as the motor's torque less what turns the rotor", "load as what reaches the link",
                  "load as the motor's torque"},
     .sentence = "Friction of {at} grows with the load that the gear transmits.",

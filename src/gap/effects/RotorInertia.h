@@ -14,6 +14,7 @@ inline const Effect rotorInertia{
     .upper = 0.08,
     .starts = {0.003, 0.015},
     .linear = true,
+    .ofServo = true,
     .sentence = "The rotor of {at} is heavier than the model's.",
     .exposedBy = "chirps and steps",
     .apply =

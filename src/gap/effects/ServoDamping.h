@@ -13,6 +13,7 @@ inline const Effect servoDamping{
     .upper = 4,
     .starts = {0.5, 2},
     .linear = true,
+    .ofServo = true,
     .sentence = "The servo of {at} brakes its own motion more or less than the model's.",
     .exposedBy = "chirps and fast moves",
     .apply =

@@ -13,6 +13,7 @@ inline const Effect servoGain{
     .upper = 2.5,
     .starts = {0.8, 1.25},
     .linear = true,
+    .ofServo = true,
     .sentence = "The servo of {at} is softer or stiffer than the model's.",
     .exposedBy = "static poses under different loads, slow motions",
     .apply =

@@ -16,6 +16,7 @@ inline const Effect stribeckFriction{
     .upper = 0.5,
     .starts = {0.03, 0.1, 0.25},
     .sticks = true,
+    .ofServo = true,
     .variants = {"falls within 0.1 rad/s", "falls within 0.03 rad/s", "falls within 0.3 rad/s"},
     .sentence = "{at} sticks: friction at rest is larger than in motion.",
     .exposedBy = "slow reversals, starts from rest",

@@ -14,6 +14,7 @@ inline const Effect viscousFriction{
     .upper = 3,
     .starts = {0.1, 0.5},
     .linear = true,
+    .ofServo = true,
     .sentence = "Friction that grows with speed holds {at} back.",
     .exposedBy = "chirps and fast moves",
     .scale =

@@ -11,6 +11,7 @@
 #include "gap/diagnosis/RepeatNoise.h"
 #include "gap/diagnosis/Search.h"
 #include "gap/replay/TrialOf.h"
+#include "gap/replay/Windows.h"
 #include "gap/report/NextMotion.h"
 #include "gap/run/RunCheck.h"
 #include "gap/run/RunFile.h"
@@ -27,6 +28,7 @@ struct DiagnoseOptions {
   std::vector<std::string> runs;
   std::string robot, json;
   int jobs = 0, maxCauses = 3;
+  double seconds = 240;
   bool quiet = false;
 };
 
@@ -88,6 +90,10 @@ void diagnoseRuns(const DiagnoseOptions& options) {
     input.runs.push_back(std::move(notes));
   }
   if (trials.empty()) throw RunError(refused);
+  const std::size_t whole = trials.size();
+  if (options.seconds > 0) trials = windowsOf(trials, options.seconds);
+  if (trials.size() > whole && !options.quiet)
+    std::fprintf(stderr, "gap: looks at %zu windows of these long runs (--seconds)\n", trials.size());
 
   const int jobs = threadsFor(options.jobs);
   const Evidence evidence = evidenceOf(std::move(trials), jobs);
@@ -149,6 +155,11 @@ void addDiagnose(CLI::App& app) {
   command->add_option("--jobs", options->jobs, "Threads [as many as cores]")->check(CLI::Range(1, 256));
   command->add_option("--max-causes", options->maxCauses, "Most causes in one answer")
       ->check(CLI::Range(1, 6))
+      ->capture_default_str();
+  command
+      ->add_option("--seconds", options->seconds,
+                   "Of longer runs with a held base, windows that are together so long [s]; 0: all of them")
+      ->check(CLI::Range(0., 1e5))
       ->capture_default_str();
   command->add_flag("--quiet", options->quiet, "No progress line");
   command->footer(

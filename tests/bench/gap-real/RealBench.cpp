@@ -45,7 +45,7 @@ std::vector<RealSplit> armSplits() {
       "static_holding",     "step_response",      "trapezoidal_profile", "velocity_ramp"};
   std::vector<RealSplit> splits;
   for (std::size_t i = 0; i < halves.size(); ++i) {
-    RealSplit split{i == 0 ? "a" : "b", "fit on the first 20 s of", halves[i], {}, {}, 20};
+    RealSplit split{i == 0 ? "a" : "b", "fit on four windows of 5 s of each of", halves[i], {}, {}, 20};
     for (const std::string& motion : halves[i]) split.what += " " + motion;
     for (const std::string& motion : all) {
       if (std::ranges::find(halves[i], motion) != halves[i].end()) continue;
@@ -116,8 +116,8 @@ constexpr const char* pendulumLimits =
     "One unit, one load, 27 to 40 degrees: friction that depends on temperature is not apart from "
     "friction.\n";
 constexpr const char* armText =
-    "\n## SO-101 arm\n\nFourteen motions of 120 s, each recorded twice. The beginnings of four in session 2 "
-    "are fitted, "
+    "\n## SO-101 arm\n\nFourteen motions of 120 s, each recorded twice. Windows of four in session 2 are "
+    "fitted, "
     "all of session 2 of the others is the test. The floor is one session's part of the difference between "
     "the two "
     "(over the square root of two), which holds a new calibration of two joints, too. Tests whose repeat ran "

@@ -7,6 +7,7 @@
 
 #include "gap/diagnosis/Search.h"
 #include "gap/replay/TrialOf.h"
+#include "gap/replay/Windows.h"
 #include "gap/run/RunCheck.h"
 #include "robot/MechanismFile.h"
 
@@ -18,13 +19,9 @@ using namespace gap;
 
 constexpr double startSeconds = 0.3;  // what came before a recording still rings
 
-Trial trialAt(const std::string& folder, const Mechanism& robot, double seconds = 1e9) {
+Trial trialAt(const std::string& folder, const Mechanism& robot) {
   std::vector<RunWarning> warnings;
-  Run run = readCheckedRun(folder, robot, warnings);
-  const auto kept = static_cast<std::size_t>(
-      std::upper_bound(run.t.begin(), run.t.end(), run.t.front() + seconds) - run.t.begin());
-  run.t.resize(kept);
-  for (auto& [name, values] : run.channels) values.resize(kept);
+  const Run run = readCheckedRun(folder, robot, warnings);
   for (const RunWarning& warning : warnings) std::printf("%s\n", warning.line(folder).c_str());
   return trialOf(run, robot);
 }
@@ -86,7 +83,8 @@ RealResult runSplit(const RealSplit& split, const std::string& robotName, const 
   const Mechanism robot = findMechanism(robotName);
   std::vector<Trial> fit, test;
   for (const std::string& run : split.fit)
-    fit.push_back(trialAt(folder + "/" + run, robot, split.fitSeconds));
+    for (Trial& part : windowsOf(trialAt(folder + "/" + run, robot), split.fitSeconds))
+      fit.push_back(std::move(part));
   for (const std::string& run : split.test) test.push_back(trialAt(folder + "/" + run, robot));
 
   RealResult result;

@@ -54,6 +54,13 @@ TEST(DiagnosisTest, softServo) {
               0.8, 0.01);
 }
 
+TEST(DiagnosisTest, servosOfOneTypeThatAreAllSofter) {
+  expectCause(diagnosisOf([](Plant& plant) {
+                for (auto& joint : plant.joints) joint.servo.kp *= 0.6;
+              }),
+              "servo_gain", "*", 0.6, 0.01);
+}
+
 TEST(DiagnosisTest, aGearAsSoftAsASpring) {
   expectCause(diagnosisOf([](Plant& plant) { plant.joints[1].compliance = 0.25; }), "joint_compliance",
               "elbow", 0.25, 0.01);

@@ -40,6 +40,23 @@ TEST(EffectsTest, eachCanBePutSomewhereAndChangesThePlant) {
   }
 }
 
+TEST(EffectsTest, servosOfOneTypeMayAllBeAlike) {
+  const Effect& friction = *findEffect("coulomb_friction");
+  Mechanism arm = twoJointArm();
+  const Place all = findPlace(friction, arm, "*", "");
+  EXPECT_EQ(all.site, Site::everywhere);
+  EXPECT_EQ(friction.scaleAt(arm, all), arm.joints[0].maxTorque);
+  Plant plant = nominalPlant(arm);
+  friction.apply(plant, all, 0.1, 0);
+  EXPECT_EQ(plant.joints[0].coulomb, 0.1);
+  EXPECT_EQ(plant.joints[1].coulomb, 0.1);
+  // Of motors of several types, and of one motor alone, it is said joint by joint.
+  arm.joints[1].servo.kp += 1;
+  EXPECT_THROW(findPlace(friction, arm, "*", ""), std::invalid_argument);
+  EXPECT_THROW(findPlace(friction, findMechanism("nao_v5"), "*", ""), std::invalid_argument);
+  EXPECT_THROW(findPlace(friction, findMechanism("xl330_pendulum"), "*", ""), std::invalid_argument);
+}
+
 TEST(EffectsTest, nominalValueChangesNothing) {
   const Mechanism arm = twoJointArm();
   const Trial trial = armTrial(arm, 2);
@@ -69,7 +86,7 @@ TEST(EffectsTest, aWrongPlaceNamesThoseThereAre) {
     findPlace(*findEffect("backlash"), arm, "wrist", "");
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "backlash cannot be at 'wrist'; there is: shoulder, elbow");
+    EXPECT_STREQ(error.what(), "backlash cannot be at 'wrist'; there is: shoulder, elbow, *");
   }
   EXPECT_EQ(findEffect("gremlins"), nullptr);
 }

@@ -1,0 +1,72 @@
+#include "gap/replay/Windows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double window = 5, leadIn = 1.5;  // [s]
+
+double lengthOf(const Trial& trial) { return trial.time.back() - trial.time.front(); }
+
+std::size_t cycleAt(const Trial& trial, double time) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(trial.time, time) - trial.time.begin());
+}
+
+/// The cycles [from, to) of the trial, those before `compared` played alone.
+Trial cut(const Trial& trial, std::size_t from, std::size_t compared, std::size_t to) {
+  const auto keep = [&](std::vector<double>& values) {
+    if (values.empty()) return;
+    values = {values.begin() + static_cast<std::ptrdiff_t>(from),
+              values.begin() + static_cast<std::ptrdiff_t>(to)};
+  };
+  Trial part = trial;
+  keep(part.time);
+  for (auto* channels : {&part.command, &part.stiffness, &part.voltage})
+    for (std::vector<double>& values : *channels) keep(values);
+  for (Signal& signal : part.signals) {
+    keep(signal.values);
+    std::fill_n(signal.values.begin(), compared - from, std::numeric_limits<double>::quiet_NaN());
+  }
+  return part;
+}
+
+}  // namespace
+
+std::vector<Trial> windowsOf(const Trial& trial, double most) {
+  if (trial.freeBase || trial.cycles() < 2 || lengthOf(trial) <= std::max(most, window)) return {trial};
+  const double begin = trial.time.front(), length = lengthOf(trial);
+  const auto count = static_cast<int>(std::max(1L, std::lround(most / window)));
+  std::vector<Trial> windows;
+  for (int i = 0; i < count; ++i) {
+    // Each in the middle of its part of the recording.
+    const double from = (i + 0.5) * length / count - window / 2;
+    const double lead = std::max(0.0, from - leadIn);
+    Trial& part = windows.emplace_back(cut(trial, cycleAt(trial, begin + lead),
+                                           cycleAt(trial, begin + from),
+                                           cycleAt(trial, begin + from + window)));
+    // Repeats of the recording are repeats of each window, and no window is one of another.
+    const std::string where = " (" + std::to_string(std::lround(from)) + " s)";
+    part.name += where;
+    part.motion += where;
+  }
+  return windows;
+}
+
+std::vector<Trial> windowsOf(const std::vector<Trial>& trials, double most) {
+  double all = 0;
+  for (const Trial& trial : trials)
+    if (!trial.freeBase && trial.cycles() > 1) all += lengthOf(trial);
+  if (all <= most) return trials;
+  std::vector<Trial> windows;
+  for (const Trial& trial : trials) {
+    const double share = trial.cycles() > 1 ? most * lengthOf(trial) / all : 0;
+    for (Trial& part : windowsOf(trial, share)) windows.push_back(std::move(part));
+  }
+  return windows;
+}
+
+}  // namespace plumbline::gap
