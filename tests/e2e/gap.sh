@@ -24,6 +24,12 @@ expectEqual "$answer" "effect $secret true true" "the answer"
 timeout 100 node tests/e2e/gap/report.mjs "$scratch/report.html" "friction" build/e2e/gap-report.png ||
   fail "the report in the browser; see above"
 
+# Of long runs windows are looked at; they stand in the report like runs.
+gap diagnose "$scratch/runs" --robot $arm --seconds 12 --json "$scratch/windows.json"
+grep -q 'windows of these long runs' "$scratch/err" || fail "nothing is said of windows: $(cat "$scratch/err")"
+answer=$(node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1])); console.log(a.effects[0]?.effect, a.effects[0]?.at, a.runs.length === a.map.time.length, a.runs.every((r) => / \([0-9]+ s\)$/.test(r.motion)))' "$scratch/windows.json")
+expectEqual "$answer" "$secret true true" "the answer from windows"
+
 # What was found goes into a simulator, and a robot with it is explained.
 gap apply "$scratch/answer.json" -o "$scratch/effects.yaml"
 gap record --robot $arm --program hang_sweep --effects "$scratch/effects.yaml" --seed 2 -o "$scratch/check"

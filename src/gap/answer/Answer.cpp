@@ -207,7 +207,8 @@ std::string suggestion(const Diagnosis& diagnosis, const Evidence& evidence) {
 std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Evaluator& evaluator) {
   evaluator.setBase({});
   std::vector<Prediction> nominal;
-  for (std::size_t t = 0; t < input.runs.size(); ++t) nominal.push_back(evaluator.basePrediction(t));
+  for (std::size_t t = 0; t < evaluator.evidence().trials().size(); ++t)
+    nominal.push_back(evaluator.basePrediction(t));
   const std::vector<GapCell> cells = gapCells(evaluator);
   const std::vector<GapTrack> before = gapTracks(evaluator);
   evaluator.setBase(diagnosis.explanation());

@@ -45,8 +45,7 @@ std::vector<Trial> windowsOf(const Trial& trial, double most) {
     // Each in the middle of its part of the recording.
     const double from = (i + 0.5) * length / count - window / 2;
     const double lead = std::max(0.0, from - leadIn);
-    Trial& part = windows.emplace_back(cut(trial, cycleAt(trial, begin + lead),
-                                           cycleAt(trial, begin + from),
+    Trial& part = windows.emplace_back(cut(trial, cycleAt(trial, begin + lead), cycleAt(trial, begin + from),
                                            cycleAt(trial, begin + from + window)));
     // Repeats of the recording are repeats of each window, and no window is one of another.
     const std::string where = " (" + std::to_string(std::lround(from)) + " s)";
@@ -56,15 +55,14 @@ std::vector<Trial> windowsOf(const Trial& trial, double most) {
   return windows;
 }
 
-std::vector<Trial> windowsOf(const std::vector<Trial>& trials, double most) {
+std::vector<std::vector<Trial>> windowsOf(const std::vector<Trial>& trials, double most) {
   double all = 0;
   for (const Trial& trial : trials)
     if (!trial.freeBase && trial.cycles() > 1) all += lengthOf(trial);
-  if (all <= most) return trials;
-  std::vector<Trial> windows;
+  std::vector<std::vector<Trial>> windows;
   for (const Trial& trial : trials) {
-    const double share = trial.cycles() > 1 ? most * lengthOf(trial) / all : 0;
-    for (Trial& part : windowsOf(trial, share)) windows.push_back(std::move(part));
+    const bool whole = all <= most || trial.cycles() < 2;
+    windows.push_back(windowsOf(trial, whole ? all : most * lengthOf(trial) / all));
   }
   return windows;
 }

@@ -11,7 +11,7 @@ namespace plumbline::gap {
 /// compared: the joints forget how they began. Heat of before a window is not known in it.
 std::vector<Trial> windowsOf(const Trial& trial, double most);
 
-/// The same for recordings that share `most` [s].
-std::vector<Trial> windowsOf(const std::vector<Trial>& trials, double most);
+/// The same of each of several recordings that share `most` [s].
+std::vector<std::vector<Trial>> windowsOf(const std::vector<Trial>& trials, double most);
 
 }  // namespace plumbline::gap

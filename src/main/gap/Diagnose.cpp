@@ -53,6 +53,23 @@ std::string separatingMotion(const Mechanism& robot, const Diagnosis& diagnosis)
   }
 }
 
+/// Puts windows in the place of long recordings, in the notes for the answer too.
+void cutLongRuns(std::vector<Trial>& trials, std::vector<RunNotes>& notes, double seconds) {
+  const std::vector<std::vector<Trial>> windows = windowsOf(trials, seconds);
+  std::vector<RunNotes> cut;
+  trials.clear();
+  for (std::size_t i = 0; i < windows.size(); ++i)
+    for (const Trial& window : windows[i]) {
+      RunNotes& of = cut.emplace_back(notes[i]);
+      if (window.motion != of.motion) {
+        of.motion = window.motion;
+        of.duration = window.time.back() - window.time.front();
+      }
+      trials.push_back(window);
+    }
+  notes = std::move(cut);
+}
+
 void diagnoseRuns(const DiagnoseOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   std::vector<std::string> folders;
@@ -91,7 +108,7 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   }
   if (trials.empty()) throw RunError(refused);
   const std::size_t whole = trials.size();
-  if (options.seconds > 0) trials = windowsOf(trials, options.seconds);
+  if (options.seconds > 0) cutLongRuns(trials, input.runs, options.seconds);
   if (trials.size() > whole && !options.quiet)
     std::fprintf(stderr, "gap: looks at %zu windows of these long runs (--seconds)\n", trials.size());
 
