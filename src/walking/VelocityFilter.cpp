@@ -6,7 +6,7 @@
 namespace plumbline::walking {
 namespace {
 
-constexpr double unknown = 0.1;  ///< spread of the particles about a velocity that is told or seen [m/s]
+constexpr double spread = 0.1;  ///< of the particles about a velocity that is told or seen [m/s]
 
 }  // namespace
 
@@ -23,7 +23,7 @@ VelocityFilter::VelocityFilter(const VelocityFilterParameters& parameters_)
 void VelocityFilter::reset(const Vec2& velocity) {
   random = Random(parameters.seed);
   mean = velocity;
-  for (Vec2& particle : particles) particle = velocity + unknown * Vec2(random.gaussian(), random.gaussian());
+  for (Vec2& particle : particles) particle = velocity + spread * Vec2(random.gaussian(), random.gaussian());
 }
 
 void VelocityFilter::predict(const WalkModel& model, const WalkState& before, const WalkAction& action,
@@ -83,7 +83,7 @@ const Vec2& VelocityFilter::update(const WalkModel& model, const WalkState& befo
   // No particle explains what was seen: begin anew from it.
   if (!(total > 1e-12)) {
     for (Vec2& particle : particles)
-      particle = *evidence.seen + unknown * Vec2(random.gaussian(), random.gaussian());
+      particle = *evidence.seen + spread * Vec2(random.gaussian(), random.gaussian());
     return mean = *evidence.seen;
   }
   mean = sum / total;

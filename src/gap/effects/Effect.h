@@ -62,9 +62,11 @@ struct Effect {
 
   int numVariants() const { return variants.empty() ? 1 : static_cast<int>(variants.size()); }
   double scaleAt(const Mechanism& mechanism, const Place& place) const {
+    if (!scale) return 1;
     // Everywhere a servo's effect has the size that it has at the first joint.
-    const bool all = ofServo && place.site == Site::everywhere;
-    return scale ? scale(mechanism, all ? Place{Site::joint, 0, mechanism.joints.front().name} : place) : 1;
+    if (ofServo && place.site == Site::everywhere)
+      return scale(mechanism, {Site::joint, 0, mechanism.joints.front().name});
+    return scale(mechanism, place);
   }
   Bounds boundsAt(const Mechanism& mechanism, const Place& place) const {
     const double factor = scaleAt(mechanism, place);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace plumbline::gap {
 
@@ -36,11 +37,16 @@ Trial cut(const Trial& trial, std::size_t from, std::size_t compared, std::size_
 
 }  // namespace
 
-std::vector<Trial> windowsOf(const Trial& trial, double most) {
-  if (trial.freeBase || trial.cycles() < 2 || lengthOf(trial) <= std::max(most, window)) return {trial};
-  const double begin = trial.time.front(), length = lengthOf(trial);
-  const auto count = static_cast<int>(std::max(1L, std::lround(most / window)));
+std::vector<Trial> windowsOf(Trial trial, double most) {
   std::vector<Trial> windows;
+  if (trial.freeBase || trial.cycles() < 2 || lengthOf(trial) <= std::max(most, window)) {
+    windows.push_back(std::move(trial));
+    return windows;
+  }
+  const double begin = trial.time.front(), length = lengthOf(trial);
+  // As many as are asked for and do not overlap.
+  const auto count =
+      static_cast<int>(std::max(1.0, std::min(std::round(most / window), std::floor(length / window))));
   for (int i = 0; i < count; ++i) {
     // Each in the middle of its part of the recording.
     const double from = (i + 0.5) * length / count - window / 2;
@@ -55,14 +61,15 @@ std::vector<Trial> windowsOf(const Trial& trial, double most) {
   return windows;
 }
 
-std::vector<std::vector<Trial>> windowsOf(const std::vector<Trial>& trials, double most) {
+std::vector<std::vector<Trial>> windowsOf(std::vector<Trial> trials, double most) {
   double all = 0;
   for (const Trial& trial : trials)
     if (!trial.freeBase && trial.cycles() > 1) all += lengthOf(trial);
   std::vector<std::vector<Trial>> windows;
-  for (const Trial& trial : trials) {
+  for (Trial& trial : trials) {
     const bool whole = all <= most || trial.cycles() < 2;
-    windows.push_back(windowsOf(trial, whole ? all : most * lengthOf(trial) / all));
+    const double share = whole ? all : most * lengthOf(trial) / all;
+    windows.push_back(windowsOf(std::move(trial), share));
   }
   return windows;
 }

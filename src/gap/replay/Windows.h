@@ -9,9 +9,9 @@ namespace plumbline::gap {
 /// [s] long; the whole trial where it is no longer than that, or its base is free (a body's way over the
 /// ground cannot be begun from what is measured). The commands of 1.5 s before a window are played and not
 /// compared: the joints forget how they began. Heat of before a window is not known in it.
-std::vector<Trial> windowsOf(const Trial& trial, double most);
+std::vector<Trial> windowsOf(Trial trial, double most);
 
 /// The same of each of several recordings that share `most` [s].
-std::vector<std::vector<Trial>> windowsOf(const std::vector<Trial>& trials, double most);
+std::vector<std::vector<Trial>> windowsOf(std::vector<Trial> trials, double most);
 
 }  // namespace plumbline::gap

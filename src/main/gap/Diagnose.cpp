@@ -53,21 +53,24 @@ std::string separatingMotion(const Mechanism& robot, const Diagnosis& diagnosis)
   }
 }
 
-/// Puts windows in the place of long recordings, in the notes for the answer too.
-void cutLongRuns(std::vector<Trial>& trials, std::vector<RunNotes>& notes, double seconds) {
-  const std::vector<std::vector<Trial>> windows = windowsOf(trials, seconds);
+/// Puts windows in the place of long recordings, in the notes for the answer too; how many windows.
+std::size_t cutLongRuns(std::vector<Trial>& trials, std::vector<RunNotes>& notes, double seconds) {
+  std::vector<std::vector<Trial>> windows = windowsOf(std::move(trials), seconds);
   std::vector<RunNotes> cut;
+  std::size_t count = 0;
   trials.clear();
   for (std::size_t i = 0; i < windows.size(); ++i)
-    for (const Trial& window : windows[i]) {
+    for (Trial& window : windows[i]) {
       RunNotes& of = cut.emplace_back(notes[i]);
       if (window.motion != of.motion) {
         of.motion = window.motion;
         of.duration = window.time.back() - window.time.front();
+        ++count;
       }
-      trials.push_back(window);
+      trials.push_back(std::move(window));
     }
   notes = std::move(cut);
+  return count;
 }
 
 void diagnoseRuns(const DiagnoseOptions& options) {
@@ -107,10 +110,9 @@ void diagnoseRuns(const DiagnoseOptions& options) {
     input.runs.push_back(std::move(notes));
   }
   if (trials.empty()) throw RunError(refused);
-  const std::size_t whole = trials.size();
-  if (options.seconds > 0) cutLongRuns(trials, input.runs, options.seconds);
-  if (trials.size() > whole && !options.quiet)
-    std::fprintf(stderr, "gap: looks at %zu windows of these long runs (--seconds)\n", trials.size());
+  const std::size_t windows = options.seconds > 0 ? cutLongRuns(trials, input.runs, options.seconds) : 0;
+  if (windows > 0 && !options.quiet)
+    std::fprintf(stderr, "gap: looks at %zu windows of these long runs (--seconds)\n", windows);
 
   const int jobs = threadsFor(options.jobs);
   const Evidence evidence = evidenceOf(std::move(trials), jobs);

@@ -38,6 +38,15 @@ TEST(WindowsTest, aLongRunIsCutEvenly) {
   EXPECT_FALSE(isRepeat(windows[0], windows[1]));
 }
 
+TEST(WindowsTest, nothingIsLookedAtTwice) {
+  const std::vector<Trial> windows = windowsOf(armTrial(twoJointArm(), 13), 12.9);
+  ASSERT_EQ(windows.size(), 2u);
+  std::size_t compared = 0;
+  for (const Trial& window : windows)
+    for (const double value : window.signals[0].values) compared += std::isfinite(value);
+  EXPECT_EQ(compared, 1000u);
+}
+
 TEST(WindowsTest, severalRunsShareTheTime) {
   const Mechanism arm = twoJointArm();
   const std::vector<Trial> runs{armTrial(arm, 60), armTrial(arm, 20)};
