@@ -12,6 +12,7 @@
 #include "gap/diagnosis/Probability.h"
 #include "gap/diagnosis/Remainder.h"
 #include "gap/diagnosis/Search.h"
+#include "gap/diagnosis/SharedCauses.h"
 #include "gap/diagnosis/Suspects.h"
 #include "gap/replay/Ensemble.h"
 
@@ -62,7 +63,7 @@ public:
       grow();
     }
     acrossSettings();
-    fine.setBase(found);
+    lookForRivals();
     const WorstGap left = worstGap(fine);
     result.worstAfter = left.size;
     result.worstSignalAfter = left.signal;
@@ -224,7 +225,7 @@ private:
   /// Where much stays unexplained, the first cause may have been the wrong one: begins with others, keeps the
   /// set that predicts best.
   void beginOtherwise(double nominal) {
-    if (choices.empty() || remainder().mayRemain()) return;
+    if (choices.empty() || remainder().mayRemain() || beginShared()) return;
     // Looking again on the feet takes minutes.
     if (fine.hasStanding() && !found.empty() && remainder().unaccounted() <= 1) return;
     const Candidates firsts = choices.front();
@@ -247,6 +248,29 @@ private:
     found = std::move(best);
     choices = std::move(bestChoices);
     fine.setBase(found);
+  }
+
+  /// Where all servos are of one type: begins with what they share, chosen together. Whether that took the
+  /// place of what was found.
+  bool beginShared() {
+    if (!fine.mechanism().sharesServo() || fine.hasStanding()) return false;
+    const double least = fine.baseFit().judging;
+    const Explanation old = found;
+    const Explanation set =
+        sharedCauses(fine.mechanism(), fine.evidence(), options.maxCauses, options.jobs, [&](double share) {
+          if (options.progress) options.progress("what servos share", share);
+        });
+    std::vector<Candidates> kept = std::exchange(choices, std::vector<Candidates>(set.size()));
+    found = set;
+    fine.setBase(found);
+    if (!set.empty()) grow();
+    const bool better = !set.empty() && fine.baseFit().judging < least - leastGain;
+    if (!better) {
+      found = old;
+      choices = std::move(kept);
+      fine.setBase(found);
+    }
+    return better;
   }
 
   /// Each cause once more with the others in place: another may do better now, or it may not be needed.
@@ -290,9 +314,14 @@ private:
       choices.assign(found.size(), {});
       heldAcross = true;
     }
+  }
+
+  /// What stood for choice besides causes that were chosen together.
+  void lookForRivals() {
     for (std::size_t i = 0; i < found.size(); ++i) {
+      if (!choices[i].empty()) continue;
       fine.setBase(without(found, i));
-      if (choices[i].empty()) choices[i] = withItself(candidates("each cause again"), found[i]);
+      choices[i] = withItself(candidates("each cause again"), found[i]);
     }
     fine.setBase(found);
   }

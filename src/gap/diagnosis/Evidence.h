@@ -16,6 +16,16 @@ public:
   /// repeatShare: see estimateNoise().
   explicit Evidence(std::vector<Trial> trials, double repeatShare = 1);
 
+  /// The same with every channel's weights multiplied: factor(trial, signal).
+  template <class Factor>
+  Evidence weightedBy(Factor&& factor) const {
+    Evidence other = *this;
+    for (std::size_t t = 0; t < runs.size(); ++t)
+      for (std::size_t s = 0; s < weight[t].size(); ++s)
+        for (double& w : other.weight[t][s]) w *= factor(t, s);
+    return other;
+  }
+
   const std::vector<Trial>& trials() const { return runs; }
   /// 1 / variance per sample; 0 where a sample does not count (lost, start of a run, not predicted).
   const std::vector<double>& weights(std::size_t trial, std::size_t signal) const {

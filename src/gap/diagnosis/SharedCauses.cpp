@@ -1,0 +1,145 @@
+#include "gap/diagnosis/SharedCauses.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "framework/Parallel.h"
+#include "gap/diagnosis/PossibleCauses.h"
+#include "gap/diagnosis/Search.h"
+#include "gap/diagnosis/ValueFit.h"
+#include "gap/replay/Ensemble.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr std::size_t pairedFrom = 5;  // the kinds that fit best alone: all their pairs are tried
+constexpr int evaluations = 48;        // of two values that are fitted together
+// What a further cause has to explain of the nominal model's squares; from the third on also of what is left.
+constexpr double leastOfAll = 0.02, leastOfRest = 0.2;
+constexpr ValueSearch roughly = {.step = 0.5, .tolerance = 0.02, .bracket = 8, .within = 6};
+
+using Kinds = std::vector<std::vector<Cause>>;
+
+/// Starting values of each kind and variant that acts at all joints.
+Kinds kindsPossible(const Evaluator& evaluator) {
+  Kinds kinds;
+  for (const Cause& cause : possibleCauses(evaluator)) {
+    // Lost commands belong to each run; what is foretold in doubt would excuse whatever it does not explain.
+    if (cause.place.site != Site::everywhere || cause.effect->id == "command_dropout" ||
+        anyHunts(plantOf(evaluator.mechanism(), {cause})))
+      continue;
+    if (kinds.empty() || !kinds.back().front().sameKind(cause) ||
+        kinds.back().front().variant != cause.variant)
+      kinds.emplace_back();
+    kinds.back().push_back(cause);
+  }
+  return kinds;
+}
+
+/// From the start that fits best.
+Candidate fittedAlone(const Evaluator& evaluator, const std::vector<Cause>& starts) {
+  Candidate best;
+  best.fit.fitting = INFINITY;
+  for (const Cause& start : starts)
+    if (Fit fit = evaluator.with(start); fit.fitting < best.fit.fitting) best = {start, std::move(fit), 0};
+  return fitValue(evaluator, best.cause, {}, roughly);
+}
+
+/// The same runs; each channel weighs as much as any other, but where there is hardly more than noise.
+Evidence evenly(const Evaluator& nominal) {
+  return nominal.evidence().weightedBy([&](std::size_t trial, std::size_t signal) {
+    const double chi = nominal.chi(trial, signal);
+    return std::isfinite(chi) ? 1 / std::max(1.0, chi) : 1;
+  });
+}
+
+class Chooser {
+public:
+  Chooser(const Evaluator& nominal, int jobs_, const std::function<void(double)>& progress_)
+      : kinds(kindsPossible(nominal)),
+        evidence(evenly(nominal)),
+        fine(nominal.mechanism(), evidence),
+        coarse(nominal.mechanism(), evidence, coarseSteps()),
+        jobs(jobs_),
+        progress(progress_) {
+    fine.setBase({});
+    coarse.setBase({});
+  }
+
+  Explanation run(std::size_t maxCauses) {
+    std::vector<Candidate> alone(kinds.size());
+    rounds = static_cast<double>(maxCauses);
+    each(kinds.size(), [&](std::size_t i) { alone[i] = fittedAlone(coarse, kinds[i]); });
+    std::ranges::stable_sort(
+        alone, [](const Candidate& a, const Candidate& b) { return a.fit.fitting < b.fit.fitting; });
+    if (alone.size() < 2 || maxCauses < 2) return {};
+
+    std::vector<Explanation> pairs;
+    for (std::size_t i = 0; i < std::min(pairedFrom, alone.size()); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (!alone[i].cause.sameKind(alone[j].cause)) pairs.push_back({alone[j].cause, alone[i].cause});
+    Set best = bestOf(std::move(pairs));
+    const double least = leastOfAll * fine.baseFit().judging;
+    if (fine.of({alone.front().cause}).judging - best.left < least) return {};
+    while (best.causes.size() < maxCauses) {
+      std::vector<Explanation> larger;
+      for (const Candidate& candidate : alone) {
+        const auto there = [&](const Cause& cause) { return cause.sameKind(candidate.cause); };
+        if (std::ranges::any_of(best.causes, there)) continue;
+        larger.push_back(best.causes);
+        larger.back().push_back(candidate.cause);
+      }
+      Set next = bestOf(std::move(larger));
+      if (best.left - next.left < std::max(least, leastOfRest * best.left)) break;
+      best = std::move(next);
+    }
+    return best.causes;
+  }
+
+private:
+  struct Set {
+    Explanation causes;
+    double left = INFINITY;  ///< squares on the blocks for judging
+  };
+
+  /// Each with its values fitted together; the one that predicts best.
+  Set bestOf(std::vector<Explanation> sets) {
+    std::vector<double> left(sets.size());
+    each(sets.size(), [&](std::size_t i) {
+      sets[i] = fitTogether(coarse, sets[i], evaluations, 1);
+      left[i] = fine.of(sets[i]).judging;
+    });
+    if (sets.empty()) return {};
+    const auto best = static_cast<std::size_t>(std::ranges::min_element(left) - left.begin());
+    return {std::move(sets[best]), left[best]};
+  }
+
+  void each(std::size_t count, const std::function<void(std::size_t)>& work) {
+    std::atomic<std::size_t> done = 0;
+    parallel(count, jobs, [&](std::size_t i) {
+      work(i);
+      const double share = static_cast<double>(++done) / static_cast<double>(count);
+      if (progress) progress((round + share) / rounds);
+    });
+    ++round;
+  }
+
+  const Kinds kinds;
+  const Evidence evidence;
+  Evaluator fine, coarse;
+  const int jobs;
+  const std::function<void(double)>& progress;
+  double round = 0, rounds = 1;
+};
+
+}  // namespace
+
+Explanation sharedCauses(const Mechanism& mechanism, const Evidence& evidence, std::size_t maxCauses,
+                         int jobs, const std::function<void(double share)>& progress) {
+  Evaluator nominal(mechanism, evidence);
+  nominal.setBase({});
+  return Chooser(nominal, jobs, progress).run(maxCauses);
+}
+
+}  // namespace plumbline::gap
