@@ -177,7 +177,12 @@ int run(const std::string& folder, const std::string& only, int jobs) {
 }  // namespace
 }  // namespace plumbline::bench
 
-int main() {
+int main(int argc, char** argv) {
+  if (argc > 1) {
+    std::fprintf(stderr, "bench gap-real: %s is not known: DATA, JOBS and ROBOT of the environment are\n",
+                 argv[1]);
+    return 2;
+  }
   try {
     const char *data = std::getenv("DATA"), *jobs = std::getenv("JOBS"), *robot = std::getenv("ROBOT");
     return plumbline::bench::run(data ? data : "../shared/gap/real", robot ? robot : "",

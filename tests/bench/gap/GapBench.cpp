@@ -168,7 +168,10 @@ void answerAll(const BenchResult& r, const Setting& setting) {
 
 }  // namespace
 
-int main() try {
+int main(int argc, char** argv) try {
+  if (argc > 1)
+    throw std::runtime_error(std::string(argv[1]) +
+                             " is not known: CASES, SEED, JOBS, BASELINES and SET of the environment are");
   const Setting setting = settingOf();
   BenchResult result;
   result.set = theSet(setting);
