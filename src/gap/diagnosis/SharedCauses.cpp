@@ -14,6 +14,7 @@ namespace plumbline::gap {
 namespace {
 
 constexpr std::size_t pairedFrom = 5;  // the kinds that fit best alone: all their pairs are tried
+constexpr std::size_t extendedBy = 3;  // the kinds that fit best on top of a set: each is tried in it
 constexpr int evaluations = 48;        // of two values that are fitted together
 // What a further cause has to explain of the nominal model's squares; from the third on also of what is left.
 constexpr double leastOfAll = 0.02, leastOfRest = 0.2;
@@ -43,7 +44,7 @@ Candidate fittedAlone(const Evaluator& evaluator, const std::vector<Cause>& star
   best.fit.fitting = INFINITY;
   for (const Cause& start : starts)
     if (Fit fit = evaluator.with(start); fit.fitting < best.fit.fitting) best = {start, std::move(fit), 0};
-  return fitValue(evaluator, best.cause, {}, roughly);
+  return best.cause.effect ? fitValue(evaluator, best.cause, {}, roughly) : best;
 }
 
 /// The same runs; each channel weighs as much as any other, but where there is hardly more than noise.
@@ -68,12 +69,10 @@ public:
   }
 
   Explanation run(std::size_t maxCauses) {
-    std::vector<Candidate> alone(kinds.size());
-    rounds = static_cast<double>(maxCauses);
-    each(kinds.size(), [&](std::size_t i) { alone[i] = fittedAlone(coarse, kinds[i]); });
-    std::ranges::stable_sort(
-        alone, [](const Candidate& a, const Candidate& b) { return a.fit.fitting < b.fit.fitting; });
-    if (alone.size() < 2 || maxCauses < 2) return {};
+    if (maxCauses < 2) return {};
+    rounds = static_cast<double>(2 * maxCauses - 2);
+    const std::vector<Candidate> alone = ranked({});
+    if (alone.size() < 2) return {};
 
     std::vector<Explanation> pairs;
     for (std::size_t i = 0; i < std::min(pairedFrom, alone.size()); ++i)
@@ -83,12 +82,11 @@ public:
     const double least = leastOfAll * fine.baseFit().judging;
     if (fine.of({alone.front().cause}).judging - best.left < least) return {};
     while (best.causes.size() < maxCauses) {
+      const std::vector<Candidate> further = ranked(best.causes);
       std::vector<Explanation> larger;
-      for (const Candidate& candidate : alone) {
-        const auto there = [&](const Cause& cause) { return cause.sameKind(candidate.cause); };
-        if (std::ranges::any_of(best.causes, there)) continue;
+      for (std::size_t i = 0; i < std::min(extendedBy, further.size()); ++i) {
         larger.push_back(best.causes);
-        larger.back().push_back(candidate.cause);
+        larger.back().push_back(further[i].cause);
       }
       Set next = bestOf(std::move(larger));
       if (best.left - next.left < std::max(least, leastOfRest * best.left)) break;
@@ -102,6 +100,20 @@ private:
     Explanation causes;
     double left = INFINITY;  ///< squares on the blocks for judging
   };
+
+  /// Every kind that the causes do not have, fitted on top of them; the one that fits best first.
+  std::vector<Candidate> ranked(const Explanation& causes) {
+    coarse.setBase(causes);
+    std::vector<Candidate> list(kinds.size());
+    each(kinds.size(), [&](std::size_t i) {
+      const auto there = [&](const Cause& cause) { return cause.sameKind(kinds[i].front()); };
+      if (std::ranges::none_of(causes, there)) list[i] = fittedAlone(coarse, kinds[i]);
+    });
+    std::erase_if(list, [](const Candidate& candidate) { return !candidate.cause.effect; });
+    std::ranges::stable_sort(
+        list, [](const Candidate& a, const Candidate& b) { return a.fit.fitting < b.fit.fitting; });
+    return list;
+  }
 
   /// Each with its values fitted together; the one that predicts best.
   Set bestOf(std::vector<Explanation> sets) {
