@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "framework/Parallel.h"
 #include "gap/diagnosis/PossibleCauses.h"
@@ -61,19 +63,23 @@ AcrossSettings::Fold::Fold(const Mechanism& mechanism, std::vector<Trial> fitted
       judge(mechanism, left, accuracy) {}
 
 AcrossSettings::AcrossSettings(const Mechanism& mechanism, const Evidence& evidence, int jobs_,
-                               const ReplayOptions& accuracy)
+                               const ReplayOptions& accuracy, Left leftOut)
     : robot(mechanism), jobs(jobs_) {
-  std::vector<std::vector<double>> settings;
+  using Group = std::pair<std::string, std::vector<double>>;
+  const auto groupOf = [leftOut](const Trial& trial) {
+    return leftOut == Left::motion ? Group(trial.whole, {}) : Group("", gainsOf(trial));
+  };
+  std::vector<Group> groups;
   std::vector<Trial> held;
   for (const Trial& trial : evidence.trials()) {
     if (trial.freeBase) continue;
     held.push_back(trial);
-    if (std::ranges::find(settings, gainsOf(trial)) == settings.end()) settings.push_back(gainsOf(trial));
+    if (std::ranges::find(groups, groupOf(trial)) == groups.end()) groups.push_back(groupOf(trial));
   }
-  if (settings.size() < 2) return;
-  for (const std::vector<double>& out : settings) {
+  if (groups.size() < 2) return;
+  for (const Group& out : groups) {
     std::vector<Trial> fitted, left;
-    for (const Trial& trial : held) (gainsOf(trial) == out ? left : fitted).push_back(trial);
+    for (const Trial& trial : held) (groupOf(trial) == out ? left : fitted).push_back(trial);
     folds.push_back(std::make_unique<Fold>(mechanism, std::move(fitted), std::move(left), accuracy));
     folds.back()->nominal = squaresLeft(*folds.back(), {});
   }

@@ -7,16 +7,19 @@
 
 namespace plumbline::gap {
 
-/// Judges sets of causes across servo settings: fitted to the runs under all settings but one, by how well
-/// they predict the runs under that one, each in turn (cross-validation over groups). What absorbs another
-/// cause under one gain does not under another; blocks of the same runs do not tell that.
+/// Judges sets of causes across servo settings, or across motions: fitted to the runs under all settings but
+/// one, by how well they predict the runs under that one, each in turn (cross-validation over groups). What
+/// absorbs another cause under one gain, or in one motion, does not in another; blocks of the same runs do
+/// not tell that.
 class AcrossSettings {
 public:
-  /// Groups the runs with a held base by the gains they were recorded with. accuracy: the steps of all
-  /// replays.
+  enum class Left { setting, motion };  ///< what is left out in turn
+
+  /// Groups the runs with a held base by the gains they were recorded with, or by their motion (windows of
+  /// one recording go together). accuracy: the steps of all replays.
   AcrossSettings(const Mechanism& mechanism, const Evidence& evidence, int jobs,
-                 const ReplayOptions& accuracy = {});
-  /// Whether there are several settings.
+                 const ReplayOptions& accuracy = {}, Left left = Left::setting);
+  /// Whether there are several groups.
   bool possible() const { return folds.size() > 1; }
 
   /// A set of causes as the settings left out in turn were predicted with.

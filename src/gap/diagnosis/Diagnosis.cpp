@@ -1,9 +1,12 @@
 #include "gap/diagnosis/Diagnosis.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "framework/Parallel.h"
 #include "gap/diagnosis/AcrossSettings.h"
 #include "gap/diagnosis/GapMeter.h"
 #include "gap/diagnosis/LostCycles.h"
@@ -260,17 +263,31 @@ private:
         sharedCauses(fine.mechanism(), fine.evidence(), options.maxCauses, options.jobs, [&](double share) {
           if (options.progress) options.progress("what servos share", share);
         });
+    if (set.empty()) return false;
     std::vector<Candidates> kept = std::exchange(choices, std::vector<Candidates>(set.size()));
     found = set;
     fine.setBase(found);
-    if (!set.empty()) grow();
-    const bool better = !set.empty() && fine.baseFit().judging < least - leastGain;
+    grow();
+    const bool better =
+        predictsMotionsBetter(found, old).value_or(fine.baseFit().judging < least - leastGain);
     if (!better) {
       found = old;
       choices = std::move(kept);
       fine.setBase(found);
     }
     return better;
+  }
+
+  /// Whether the first set predicts each motion better from the others: what stands for something else in
+  /// all motions seen does not in one that was not. None where there is one motion or doubt.
+  std::optional<bool> predictsMotionsBetter(const Explanation& a, const Explanation& b) const {
+    const AcrossSettings motions(fine.mechanism(), fine.evidence(), options.jobs, coarseSteps(),
+                                 AcrossSettings::Left::motion);
+    if (!motions.possible()) return std::nullopt;
+    std::array<double, 2> error = {};
+    parallel(2, options.jobs, [&](std::size_t i) { error[i] = motions.of(i ? b : a).error; });
+    if (!std::isfinite(error[0]) || !std::isfinite(error[1])) return std::nullopt;
+    return error[0] < error[1];
   }
 
   /// Each cause once more with the others in place: another may do better now, or it may not be needed.

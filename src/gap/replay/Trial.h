@@ -25,6 +25,7 @@ struct Signal {
 struct Trial {
   std::string name;    ///< for people: the run's folder
   std::string motion;  ///< free text; runs of the same text are repeats of each other
+  std::string whole;   ///< the motion of the whole recording that this is a window of; empty: not known
   /// The robot as this run drove it: the nominal one, but for gains that the run knows.
   std::shared_ptr<const Mechanism> robot;
   bool freeBase = false;

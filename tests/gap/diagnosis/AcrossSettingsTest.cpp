@@ -28,6 +28,29 @@ TEST_F(AcrossSettingsTest, oneSettingIsNotEnough) {
   EXPECT_TRUE(AcrossSettings(arm, recordedWith({}, {20, 40}), 1).possible());
 }
 
+TEST_F(AcrossSettingsTest, motionsAreGroupsToo) {
+  const Explanation truth = {causeOfArm("coulomb_friction", "elbow", 0.1),
+                             causeOfArm("viscous_friction", "elbow", 0.15)};
+  Mechanism soft = arm;
+  for (auto& joint : soft.joints) joint.servo.kp = 10;
+  std::vector<Trial> trials;
+  for (const char* whole : {"wide", "narrow", "narrow"}) {
+    trials.push_back(recorded(plantOf(soft, truth), armTrial(soft, 3, *whole == 'w' ? 0.5 : 0.4), 5e-4, 3));
+    trials.back().whole = whole;
+    trials.back().motion += std::to_string(trials.size());
+  }
+  EXPECT_FALSE(AcrossSettings(arm, Evidence(trials), 1).possible());
+  const auto motion = AcrossSettings::Left::motion;
+  const AcrossSettings motions(arm, Evidence(trials), 1, {}, motion);
+  ASSERT_TRUE(motions.possible());
+  const AcrossSettings::Tried tried = motions.of(truth);
+  EXPECT_EQ(tried.perFold.size(), 2u) << "two windows of one recording are left out together";
+  EXPECT_LT(tried.error, 0.1);
+  EXPECT_GT(motions.of({truth[0]}).error, 3 * tried.error);
+  trials.erase(trials.begin());
+  EXPECT_FALSE(AcrossSettings(arm, Evidence(trials), 1, {}, motion).possible());
+}
+
 TEST_F(AcrossSettingsTest, nothingPredictsWorseThanTheNominalModelAndTheTruthPredictsBest) {
   const Explanation truth = {causeOfArm("coulomb_friction", "elbow", 0.1),
                              causeOfArm("viscous_friction", "elbow", 0.15)};
