@@ -284,6 +284,7 @@ private:
     const AcrossSettings motions(fine.mechanism(), fine.evidence(), options.jobs, coarseSteps(),
                                  AcrossSettings::Left::motion);
     if (!motions.possible()) return std::nullopt;
+    if (options.progress) options.progress("each motion from the others", 0);
     std::array<double, 2> error = {};
     parallel(2, options.jobs, [&](std::size_t i) { error[i] = motions.of(i ? b : a).error; });
     if (!std::isfinite(error[0]) || !std::isfinite(error[1])) return std::nullopt;
