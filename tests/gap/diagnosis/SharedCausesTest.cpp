@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "../TwoJointArm.h"
-#include "gap/diagnosis/Diagnosis.h"
-#include "gap/diagnosis/Search.h"
 
 namespace plumbline::gap {
 namespace {
@@ -29,12 +27,6 @@ double valueOf(const Explanation& causes, std::string_view id) {
 /// Soft servos with dry friction.
 void softAndDry(Plant& plant) {
   for (JointPlant& joint : plant.joints) joint.servo.kp *= 0.8, joint.coulomb = 0.2;
-}
-
-/// And a limit of the last joint that shows more than both.
-void softDryAndLimited(Plant& plant) {
-  softAndDry(plant);
-  plant.joints.back().accelerationLimit = 20;
 }
 
 class SharedCausesTest : public ::testing::Test {
@@ -62,20 +54,6 @@ TEST_F(SharedCausesTest, oneAloneIsNoSet) {
 
 TEST_F(SharedCausesTest, noneWhereOnlyOneIsAllowed) {
   EXPECT_TRUE(sharedCauses(arm, evidenceOf(arm, softAndDry), 1, 1).empty());
-}
-
-TEST_F(SharedCausesTest, aDiagnosisFindsTheOddJointToo) {
-  const Evidence evidence = evidenceOf(arm, softDryAndLimited);
-  Evaluator fine(arm, evidence), coarse(arm, evidence, coarseSteps());
-  const Diagnosis diagnosis = diagnose(fine, coarse, {});
-  const Explanation found = diagnosis.explanation();
-  EXPECT_EQ(diagnosis.verdict, Verdict::effect);
-  EXPECT_EQ(found.size(), 3u);
-  EXPECT_NEAR(valueOf(found, "servo_gain"), 0.8, 0.02);
-  EXPECT_NEAR(valueOf(found, "coulomb_friction"), 0.2, 0.02);
-  EXPECT_TRUE(std::ranges::any_of(found, [](const Cause& cause) {
-    return cause.effect->id == "acceleration_limit" && cause.place.at == "elbow";
-  }));
 }
 
 }  // namespace
