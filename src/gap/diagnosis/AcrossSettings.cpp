@@ -1,6 +1,7 @@
 #include "gap/diagnosis/AcrossSettings.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "framework/Parallel.h"
 #include "gap/diagnosis/PossibleCauses.h"
+#include "gap/diagnosis/Search.h"
 #include "gap/diagnosis/ValueFit.h"
 #include "gap/replay/Ensemble.h"
 
@@ -35,22 +37,6 @@ bool inDoubt(const Mechanism& mechanism, const Explanation& causes) {
   return anyHunts(plantOf(mechanism, causes));
 }
 
-/// Starting values by kind: effect, place and variant.
-std::vector<std::vector<Cause>> byKind(const Mechanism& mechanism, const std::vector<Cause>& starts) {
-  std::vector<std::vector<Cause>> kinds;
-  for (const Cause& start : starts) {
-    if (inDoubt(mechanism, {start})) continue;
-    const auto same = std::ranges::find_if(kinds, [&](const std::vector<Cause>& kind) {
-      return kind.front().sameKind(start) && kind.front().variant == start.variant;
-    });
-    if (same == kinds.end())
-      kinds.push_back({start});
-    else
-      same->push_back(start);
-  }
-  return kinds;
-}
-
 bool better(const AcrossSettings::Tried& a, const AcrossSettings::Tried& b) { return a.error < b.error; }
 
 }  // namespace
@@ -67,7 +53,7 @@ AcrossSettings::AcrossSettings(const Mechanism& mechanism, const Evidence& evide
     : robot(mechanism), jobs(jobs_) {
   using Group = std::pair<std::string, std::vector<double>>;
   const auto groupOf = [leftOut](const Trial& trial) {
-    return leftOut == Left::motion ? Group(trial.whole, {}) : Group("", gainsOf(trial));
+    return leftOut == Left::motion ? Group(trial.recordedMotion, {}) : Group("", gainsOf(trial));
   };
   std::vector<Group> groups;
   std::vector<Trial> held;
@@ -195,6 +181,17 @@ std::vector<Cause> startsAcross(const Evaluator& evaluator) {
             std::ranges::find(effect.sites, Site::joint) != effect.sites.end());
   });
   return starts;
+}
+
+std::optional<bool> predictsMotionsBetter(const Evaluator& evaluator, const Explanation& a,
+                                          const Explanation& b, int jobs) {
+  const AcrossSettings motions(evaluator.mechanism(), evaluator.evidence(), jobs, coarseSteps(),
+                               AcrossSettings::Left::motion);
+  if (!motions.possible()) return std::nullopt;
+  std::array<double, 2> error = {};
+  parallel(2, jobs, [&](std::size_t i) { error[i] = motions.of(i ? b : a).error; });
+  if (!std::isfinite(error[0]) || !std::isfinite(error[1])) return std::nullopt;
+  return error[0] < error[1];
 }
 
 }  // namespace plumbline::gap

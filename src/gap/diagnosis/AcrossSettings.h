@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "gap/diagnosis/Evaluator.h"
@@ -56,5 +57,10 @@ private:
 /// What sets of causes are begun with: all that is possible on the evaluator's base but lost commands, which
 /// belong to each run, and causes at all joints of a robot that has one.
 std::vector<Cause> startsAcross(const Evaluator& evaluator);
+
+/// Whether the first set predicts each motion better from the others than the second: what stands for
+/// something else in all motions seen does not in one that was not. None where there is one motion or doubt.
+std::optional<bool> predictsMotionsBetter(const Evaluator& evaluator, const Explanation& a,
+                                          const Explanation& b, int jobs);
 
 }  // namespace plumbline::gap

@@ -1,12 +1,9 @@
 #include "gap/diagnosis/Diagnosis.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
-#include "framework/Parallel.h"
 #include "gap/diagnosis/AcrossSettings.h"
 #include "gap/diagnosis/GapMeter.h"
 #include "gap/diagnosis/LostCycles.h"
@@ -259,36 +256,27 @@ private:
     if (!fine.mechanism().sharesServo() || fine.hasStanding()) return false;
     const double least = fine.baseFit().judging;
     const Explanation old = found;
-    const Explanation set =
-        sharedCauses(fine.mechanism(), fine.evidence(), options.maxCauses, options.jobs, [&](double share) {
-          if (options.progress) options.progress("what servos share", share);
-        });
-    if (set.empty()) return false;
+    fine.setBase({});
+    const Explanation set = sharedCauses(fine, options.maxCauses, options.jobs, [&](double share) {
+      if (options.progress) options.progress("what servos share", share);
+    });
+    if (set.empty()) {
+      fine.setBase(old);
+      return false;
+    }
     std::vector<Candidates> kept = std::exchange(choices, std::vector<Candidates>(set.size()));
     found = set;
     fine.setBase(found);
     grow();
-    const bool better =
-        predictsMotionsBetter(found, old).value_or(fine.baseFit().judging < least - leastGain);
+    if (options.progress) options.progress("each motion from the others", 0);
+    const bool better = predictsMotionsBetter(fine, found, old, options.jobs)
+                            .value_or(fine.baseFit().judging < least - leastGain);
     if (!better) {
       found = old;
       choices = std::move(kept);
       fine.setBase(found);
     }
     return better;
-  }
-
-  /// Whether the first set predicts each motion better from the others: what stands for something else in
-  /// all motions seen does not in one that was not. None where there is one motion or doubt.
-  std::optional<bool> predictsMotionsBetter(const Explanation& a, const Explanation& b) const {
-    const AcrossSettings motions(fine.mechanism(), fine.evidence(), options.jobs, coarseSteps(),
-                                 AcrossSettings::Left::motion);
-    if (!motions.possible()) return std::nullopt;
-    if (options.progress) options.progress("each motion from the others", 0);
-    std::array<double, 2> error = {};
-    parallel(2, options.jobs, [&](std::size_t i) { error[i] = motions.of(i ? b : a).error; });
-    if (!std::isfinite(error[0]) || !std::isfinite(error[1])) return std::nullopt;
-    return error[0] < error[1];
   }
 
   /// Each cause once more with the others in place: another may do better now, or it may not be needed.

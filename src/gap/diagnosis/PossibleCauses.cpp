@@ -85,4 +85,19 @@ std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
   return causes;
 }
 
+std::vector<std::vector<Cause>> byKind(const Mechanism& mechanism, const std::vector<Cause>& starts) {
+  std::vector<std::vector<Cause>> kinds;
+  for (const Cause& start : starts) {
+    if (anyHunts(plantOf(mechanism, {start}))) continue;
+    const auto same = std::ranges::find_if(kinds, [&](const std::vector<Cause>& kind) {
+      return kind.front().sameKind(start) && kind.front().variant == start.variant;
+    });
+    if (same == kinds.end())
+      kinds.push_back({start});
+    else
+      same->push_back(start);
+  }
+  return kinds;
+}
+
 }  // namespace plumbline::gap

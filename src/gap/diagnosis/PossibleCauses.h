@@ -10,4 +10,8 @@ namespace plumbline::gap {
 /// held base show a joint or its chain to be clean, nothing there is tried, but see UnderLoad.
 std::vector<Cause> possibleCauses(const Evaluator& evaluator);
 
+/// Starting values by kind (effect, place and variant), without those that let a joint hunt: what is foretold
+/// in doubt would excuse whatever it does not explain.
+std::vector<std::vector<Cause>> byKind(const Mechanism& mechanism, const std::vector<Cause>& starts);
+
 }  // namespace plumbline::gap

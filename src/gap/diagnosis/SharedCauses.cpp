@@ -4,10 +4,10 @@
 #include <atomic>
 
 #include "framework/Parallel.h"
+#include "gap/diagnosis/AcrossSettings.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Search.h"
 #include "gap/diagnosis/ValueFit.h"
-#include "gap/replay/Ensemble.h"
 
 namespace plumbline::gap {
 
@@ -20,22 +20,11 @@ constexpr int evaluations = 48;        // of two values that are fitted together
 constexpr double leastOfAll = 0.02, leastOfRest = 0.2;
 constexpr ValueSearch roughly = {.step = 0.5, .tolerance = 0.02, .bracket = 8, .within = 6};
 
-using Kinds = std::vector<std::vector<Cause>>;
-
 /// Starting values of each kind and variant that acts at all joints.
-Kinds kindsPossible(const Evaluator& evaluator) {
-  Kinds kinds;
-  for (const Cause& cause : possibleCauses(evaluator)) {
-    // Lost commands belong to each run; what is foretold in doubt would excuse whatever it does not explain.
-    if (cause.place.site != Site::everywhere || cause.effect->id == "command_dropout" ||
-        anyHunts(plantOf(evaluator.mechanism(), {cause})))
-      continue;
-    if (kinds.empty() || !kinds.back().front().sameKind(cause) ||
-        kinds.back().front().variant != cause.variant)
-      kinds.emplace_back();
-    kinds.back().push_back(cause);
-  }
-  return kinds;
+std::vector<std::vector<Cause>> kindsPossible(const Evaluator& nominal) {
+  std::vector<Cause> starts = startsAcross(nominal);
+  std::erase_if(starts, [](const Cause& cause) { return cause.place.site != Site::everywhere; });
+  return byKind(nominal.mechanism(), starts);
 }
 
 /// From the start that fits best.
@@ -137,7 +126,7 @@ private:
     ++round;
   }
 
-  const Kinds kinds;
+  const std::vector<std::vector<Cause>> kinds;
   const Evidence evidence;
   Evaluator fine, coarse;
   const int jobs;
@@ -147,10 +136,8 @@ private:
 
 }  // namespace
 
-Explanation sharedCauses(const Mechanism& mechanism, const Evidence& evidence, std::size_t maxCauses,
-                         int jobs, const std::function<void(double share)>& progress) {
-  Evaluator nominal(mechanism, evidence);
-  nominal.setBase({});
+Explanation sharedCauses(const Evaluator& nominal, std::size_t maxCauses, int jobs,
+                         const std::function<void(double share)>& progress) {
   return Chooser(nominal, jobs, progress).run(maxCauses);
 }
 

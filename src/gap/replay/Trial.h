@@ -25,7 +25,8 @@ struct Signal {
 struct Trial {
   std::string name;    ///< for people: the run's folder
   std::string motion;  ///< free text; runs of the same text are repeats of each other
-  std::string whole;   ///< the motion of the whole recording that this is a window of; empty: not known
+  /// Of the whole recording, which windows of it share; empty: not known.
+  std::string recordedMotion;
   /// The robot as this run drove it: the nominal one, but for gains that the run knows.
   std::shared_ptr<const Mechanism> robot;
   bool freeBase = false;

@@ -88,7 +88,7 @@ void unwindQuaternion(std::vector<Signal>& signals) {
 Trial trialOf(const Run& run, const Mechanism& nominal) {
   Trial trial;
   trial.name = run.folder;
-  trial.motion = trial.whole = run.motion;
+  trial.motion = trial.recordedMotion = run.motion;
   trial.robot = std::make_shared<Mechanism>(withServo(nominal, run));
   trial.freeBase = run.freeBase;
   trial.heading = run.heading.value_or(0);

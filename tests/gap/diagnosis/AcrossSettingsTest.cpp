@@ -34,9 +34,9 @@ TEST_F(AcrossSettingsTest, motionsAreGroupsToo) {
   Mechanism soft = arm;
   for (auto& joint : soft.joints) joint.servo.kp = 10;
   std::vector<Trial> trials;
-  for (const char* whole : {"wide", "narrow", "narrow"}) {
-    trials.push_back(recorded(plantOf(soft, truth), armTrial(soft, 3, *whole == 'w' ? 0.5 : 0.4), 5e-4, 3));
-    trials.back().whole = whole;
+  for (const char* motion : {"wide", "narrow", "narrow"}) {
+    trials.push_back(recorded(plantOf(soft, truth), armTrial(soft, 3, *motion == 'w' ? 0.5 : 0.4), 5e-4, 3));
+    trials.back().recordedMotion = motion;
     trials.back().motion += std::to_string(trials.size());
   }
   EXPECT_FALSE(AcrossSettings(arm, Evidence(trials), 1).possible());

@@ -31,15 +31,22 @@ void softAndDry(Plant& plant) {
 
 class SharedCausesTest : public ::testing::Test {
 protected:
+  Explanation found(const std::function<void(Plant&)>& change, std::size_t maxCauses,
+                    const std::function<void(double)>& progress = {}) const {
+    const Evidence evidence = evidenceOf(arm, change);
+    Evaluator nominal(arm, evidence);
+    nominal.setBase({});
+    return sharedCauses(nominal, maxCauses, 1, progress);
+  }
+
   const Mechanism arm = twoJointArm();
 };
 
 TEST_F(SharedCausesTest, twoAreFoundWithTheirValues) {
   std::vector<double> told;
-  const Explanation found =
-      sharedCauses(arm, evidenceOf(arm, softAndDry), 3, 1, [&](double share) { told.push_back(share); });
-  EXPECT_NEAR(valueOf(found, "servo_gain"), 0.8, 0.05);
-  EXPECT_NEAR(valueOf(found, "coulomb_friction"), 0.2, 0.06);
+  const Explanation set = found(softAndDry, 3, [&](double share) { told.push_back(share); });
+  EXPECT_NEAR(valueOf(set, "servo_gain"), 0.8, 0.05);
+  EXPECT_NEAR(valueOf(set, "coulomb_friction"), 0.2, 0.06);
   ASSERT_FALSE(told.empty());
   EXPECT_TRUE(std::ranges::is_sorted(told));
   EXPECT_DOUBLE_EQ(told.back(), 1);
@@ -49,12 +56,10 @@ TEST_F(SharedCausesTest, oneAloneIsNoSet) {
   const auto soft = [](Plant& plant) {
     for (JointPlant& joint : plant.joints) joint.servo.kp *= 0.75;
   };
-  EXPECT_TRUE(sharedCauses(arm, evidenceOf(arm, soft), 3, 1).empty());
+  EXPECT_TRUE(found(soft, 3).empty());
 }
 
-TEST_F(SharedCausesTest, noneWhereOnlyOneIsAllowed) {
-  EXPECT_TRUE(sharedCauses(arm, evidenceOf(arm, softAndDry), 1, 1).empty());
-}
+TEST_F(SharedCausesTest, noneWhereOnlyOneIsAllowed) { EXPECT_TRUE(found(softAndDry, 1).empty()); }
 
 }  // namespace
 }  // namespace plumbline::gap
