@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gap/diagnosis/AcrossSettings.h"
+#include "gap/diagnosis/FindingOf.h"
 #include "gap/diagnosis/GapMeter.h"
 #include "gap/diagnosis/LostCycles.h"
 #include "gap/diagnosis/Merit.h"
@@ -32,7 +33,6 @@ constexpr double farOff = 3;         // times what may remain: no set of causes 
 // Where only a little of the gap is left (Remainder::little), a further cause has to explain
 // most of that, and to be more probable than all others together.
 constexpr double mostOfIt = 0.6, surer = 0.5;
-constexpr double rivalShare = 0.01;   // probability that is worth a word
 constexpr double huntingPrice = 0.1;  // of its gain: what a cause in doubt has to gain beyond a definite one
 constexpr double hopeless = 0.3;      // of the best candidate's gain lost: not tried as a further cause
 constexpr double otherStart = 0.7;    // of the best first cause's gain: what gains less is no other start
@@ -360,42 +360,11 @@ private:
     } else {
       result.verdict = remains > 1 ? Verdict::unknown : Verdict::effect;
     }
-    for (std::size_t i = 0; i < found.size(); ++i) result.findings.push_back(findingOf(i));
+    for (std::size_t i = 0; i < found.size(); ++i)
+      result.findings.push_back(findingOf(i, found, choices[i], fine, meter, result));
     std::stable_sort(result.findings.begin(), result.findings.end(),
                      [](const Finding& a, const Finding& b) { return a.closedLast > b.closedLast; });
     fine.setBase(found);
-  }
-
-  Finding findingOf(std::size_t i) {
-    Finding finding;
-    finding.cause = found[i];
-    fine.setBase(without(found, i));
-    const double gapWithout = meter.under(fine);
-    const Fit fit = fine.with(finding.cause);
-    // Curvature of the sum of squares in the share of the cause that is there.
-    const double spread = fit.change > 0 ? 1.96 * std::sqrt(correlation / fit.change) : 1;
-    const Effect& effect = *finding.cause.effect;
-    const double strength = effect.strengthOf(finding.cause.value);
-    // A limit is never higher than none.
-    finding.lower = effect.valueAt(strength * (effect.reciprocal ? std::max(0.0, 1 - spread) : 1 - spread));
-    finding.upper = effect.valueAt(strength * (1 + spread));
-    if (finding.lower > finding.upper) std::swap(finding.lower, finding.upper);
-    fine.setBase({finding.cause});
-    const double gapAlone = meter.under(fine);
-    const double whole = std::max(1e-9, result.gap.before - result.gap.floor);
-    finding.closedAlone = std::clamp((result.gap.before - gapAlone) / whole, 0.0, 1.0);
-    finding.closedLast = std::clamp((gapWithout - result.gap.after) / whole, 0.0, 1.0);
-
-    const std::vector<double> shares = probabilities(choices[i]);
-    for (std::size_t c = 0; c < shares.size(); ++c) {
-      const double probability = result.knownProbability * shares[c];
-      if (choices[i][c].cause.sameKind(finding.cause)) {
-        finding.probability = probability;
-      } else if (probability > rivalShare) {
-        finding.rivals.push_back({choices[i][c].cause, probability});
-      }
-    }
-    return finding;
   }
 
   /// Of searches in all runs.
