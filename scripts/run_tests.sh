@@ -31,20 +31,36 @@ account() {
 steady=()
 setarch -R true 2> /dev/null && steady=(setarch -R)
 
+logOf() { echo "build/$1/logs/${2//[\/ ]/-}.log"; } # $1 target, $2 name
+
+testsPerPart=100
+# Into how many parts a test program ($1) goes, so that the longest do not keep one core busy at the end. One that
+# can't tell its tests is run as a whole, and fails there.
+partsOf() {
+  local tests
+  tests=$("${steady[@]}" timeout 60 "$1" --gtest_list_tests 2> /dev/null < /dev/null | grep -c '^  ')
+  echo $(((tests > 0 ? tests + testsPerPart - 1 : testsPerPart) / testsPerPart))
+}
+
 # Runs one test program or script in the background slot; leaves its result beside the log.
-runOne() { # $1 target, $2 kind, $3 path, $4 name
-  local log=build/$1/logs/${4//\//-}.log status start end
+runOne() { # $1 target, $2 kind, $3 path, $4 name, $5 $6 which part of how many
+  local log status start end
+  log=$(logOf "$1" "$4")
   local -x PLUMBLINE_TARGET=$1 PLUMBLINE_BIN=$root/build/$1/bin # for tests that start programs
   [[ $1 == SimRelease ]] && PLUMBLINE_BIN=$root/bin
   start=$(date +%s%N)
   rm -f "$log" "$log.xml" "$log.result"
   if [[ $2 == program ]]; then
     [[ $1 == *Sanitize* ]] || steady=()
+    local -x GTEST_SHARD_INDEX=$5 GTEST_TOTAL_SHARDS=$6 TMPDIR # parts run beside each other: no files in common
+    TMPDIR=$(mktemp -d)
     timeout -k 10 "$timeout" "${steady[@]}" "$3" --gtest_brief=1 --gtest_color=no "--gtest_output=xml:$log.xml" > "$log" 2>&1 < /dev/null
+    status=$?
+    rm -rf "$TMPDIR"
   else
     timeout -k 10 "$timeout" bash "$3" > "$log" 2>&1 < /dev/null
+    status=$?
   fi
-  status=$?
   end=$(date +%s%N)
   local good=0 bad=0 skipped=0
   if [[ $2 == program && -s $log.xml ]]; then
@@ -61,15 +77,20 @@ runOne() { # $1 target, $2 kind, $3 path, $4 name
 
 # Runs the tests of one target: test programs, then shell tests (SimRelease only), as many at once as jobs.
 runTarget() { # $1 target, $2... areas
-  local target=$1 area path names=() kinds=() paths=() i
+  local target=$1 area path names=() kinds=() paths=() part=() parts=() i p n
   shift
   mkdir -p "build/$target/logs"
   for area in "$@"; do
     path=build/$target/tests/$area
-    [[ $runPrograms == 1 && -x $path && -f $path ]] && names+=("$area") kinds+=(program) paths+=("$path")
+    if [[ $runPrograms == 1 && -x $path && -f $path ]]; then
+      n=$(partsOf "$path")
+      for ((p = 0; p < n; ++p)); do
+        names+=("$area$( ((n > 1)) && echo " $((p + 1)) of $n")") kinds+=(program) paths+=("$path") part+=($p) parts+=($n)
+      done
+    fi
     if [[ $target == SimRelease && -d tests/$area ]]; then
       while read -r path; do
-        names+=("${path#tests/}") kinds+=(script) paths+=("$path")
+        names+=("${path#tests/}") kinds+=(script) paths+=("$path") part+=(0) parts+=(1)
       done < <(find "tests/$area" -name '*.sh' | LC_ALL=C sort)
     fi
   done
@@ -77,7 +98,7 @@ runTarget() { # $1 target, $2... areas
   local total=${#names[@]} pid finished=0 started=0 log status good bad seconds skipped
   while ((finished < ${#names[@]})); do
     if ((started < ${#names[@]} && started - finished < jobs)); then
-      runOne "$target" "${kinds[started]}" "${paths[started]}" "${names[started]}" &
+      runOne "$target" "${kinds[started]}" "${paths[started]}" "${names[started]}" "${part[started]}" "${parts[started]}" &
       indexOf[$!]=$started
       started=$((started + 1))
       continue
@@ -85,7 +106,7 @@ runTarget() { # $1 target, $2... areas
     wait -n -p pid
     i=${indexOf[$pid]} status=1 good=0 bad=1 seconds=0 skipped=0
     finished=$((finished + 1))
-    log=build/$target/logs/${names[i]//\//-}.log
+    log=$(logOf "$target" "${names[i]}")
     [[ -f $log.result ]] && read -r status good bad seconds skipped < "$log.result"
     progress=$(printf '[%*d/%d]' ${#total} "$finished" "${#names[@]}")
     account "$target ${names[i]}" "$log" "$status" "$good" "$bad" "$seconds" "$skipped"

@@ -25,8 +25,8 @@ waitFor grep -q 'drawings on UDP port' "$scratch/webmonitor.log"
 drawingPort=$(sed -n 's/.*UDP port //p' "$scratch/webmonitor.log")
 
 timeout 400 node tests/e2e/web/match.mjs "$(address "$scratch/simulator.log")" "$(address "$scratch/webmonitor.log")" \
-  "$agentPort" "$monitorPort" "$drawingPort" build/e2e/web.png || fail "see above; $(tail -1 "$scratch/simulator.log")"
-kill -TERM $monitor $simulator
+  "$agentPort" "$monitorPort" "$drawingPort" "$simulator" build/e2e/web.png || fail "see above; $(tail -1 "$scratch/simulator.log")"
+kill -TERM $monitor
 wait $monitor || fail "webmonitor ended with status $?"
 wait $simulator || fail "simulator ended with status $?"
 

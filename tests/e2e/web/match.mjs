@@ -1,10 +1,11 @@
 // A running game on the page; web.sh starts what it needs.
+import { once } from 'node:events';
 import { Browser } from './browser.mjs';
 import { check, near, until } from './check.mjs';
 import * as draw from './drawings.mjs';
 import { Trainer, twoTeams } from './simspark.mjs';
 
-const [url, otherUrl, agentPort, monitorPort, drawingPort, picture] = process.argv.slice(2);
+const [url, otherUrl, agentPort, monitorPort, drawingPort, simulator, picture] = process.argv.slice(2);
 
 const page = (address) => `${address}?quality=low&fps=4`;
 
@@ -109,6 +110,10 @@ try {
   await browser.call('Page.navigate', { url: page(otherUrl) });
   await until('the other page is there', () => browser.run(`location.href.startsWith('${otherUrl}') && Boolean(window.plumbline?.state().online)`));
   await drawings(browser);
+  // While the robots are still there, or the recording may end with an empty field.
+  const ended = once(trainer.socket, 'close');
+  process.kill(Number(simulator), 'SIGTERM');
+  await ended;
   await browser.close();
   process.exit(0);
 } catch (error) {
