@@ -56,15 +56,9 @@ double heightOver(const RobotModel& model, const JointArray& angles) {
   return -lowest;
 }
 
-FootSensors feltFeet(const simspark::ServerMessage& message) {
-  const auto felt = [](const std::optional<simspark::ForceReading>& f) -> std::optional<FootContact> {
-    if (!f) return std::nullopt;
-    return FootContact{f->point, f->force};
-  };
-  FootSensors feet;
-  feet.foot = {felt(message.leftFoot), felt(message.rightFoot)};
-  feet.toe = {felt(message.leftToe), felt(message.rightToe)};
-  return feet;
+std::optional<FootContact> felt(const std::optional<simspark::ForceReading>& reading) {
+  if (!reading) return std::nullopt;
+  return FootContact{reading->point, reading->force};
 }
 
 }  // namespace
@@ -196,7 +190,7 @@ WalkSensors ServerWalker::sense() {
   WalkSensors sensors;
   sensors.angles = measured;
   sensors.gyro = message.gyro;
-  sensors.feet = feltFeet(message);
+  sensors.feet = feltFeet(message, felt);
   sensors.torsoAngles = Vec2(filter.roll(), filter.pitch());
   return sensors;
 }

@@ -99,7 +99,7 @@ private:
       sensors.gyro[i] = rounded(sensed.gyro[i], fromDegrees(0.01));
       acc[i] = rounded(sensed.acc[i], 0.01);
     }
-    sensors.feet = feltFeet(sensed);
+    sensors.feet = feltFeet(sensed, felt);
     filter.update(sensors.gyro, acc, sensors.dt);
     sensors.torsoAngles = Vec2(filter.roll(), filter.pitch());
     return sensors;
@@ -108,18 +108,12 @@ private:
     local.act(control.update(sensors.angles, lookingAround(output.angles, local.time()), sensors.dt));
   }
   /// As the league's server prints it.
-  static FootSensors feltFeet(const simulation::RobotReadings& sensed) {
-    const auto felt = [](const std::optional<simulation::FootForce>& f) -> std::optional<FootContact> {
-      if (!f) return std::nullopt;
-      const auto printed = [](const Vec3& v) {
-        return Vec3(v.unaryExpr([](double x) { return rounded(x, 0.01); }));
-      };
-      return FootContact{printed(f->point), printed(f->force)};
+  static std::optional<FootContact> felt(const std::optional<simulation::FootForce>& force) {
+    if (!force) return std::nullopt;
+    const auto printed = [](const Vec3& v) {
+      return Vec3(v.unaryExpr([](double x) { return rounded(x, 0.01); }));
     };
-    FootSensors feet;
-    feet.foot = {felt(sensed.leftFoot), felt(sensed.rightFoot)};
-    feet.toe = {felt(sensed.leftToe), felt(sensed.rightToe)};
-    return feet;
+    return FootContact{printed(force->point), printed(force->force)};
   }
   JointArray rates() const {
     JointArray rates{};

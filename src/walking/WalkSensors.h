@@ -19,6 +19,16 @@ struct FootSensors {
   bool shear = true;  ///< the forces along the sole are measured as well; else only that across it
 };
 
+/// What a robot's message tells of its feet; felt turns each of leftFoot, rightFoot, leftToe and rightToe
+/// into an optional FootContact.
+template <class Message, class Felt>
+FootSensors feltFeet(const Message& message, const Felt& felt) {
+  FootSensors feet;
+  feet.foot = {felt(message.leftFoot), felt(message.rightFoot)};
+  feet.toe = {felt(message.leftToe), felt(message.rightToe)};
+  return feet;
+}
+
 /// What the walk is told every cycle.
 struct WalkSensors {
   JointArray angles{};              ///< measured [rad]

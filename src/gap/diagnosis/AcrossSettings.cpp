@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "framework/Parallel.h"
+#include "gap/diagnosis/Merit.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Search.h"
 #include "gap/diagnosis/ValueFit.h"
@@ -22,7 +23,7 @@ constexpr std::size_t fittedWell = 6;   // of those that were fitted shortly
 constexpr int shortly = 16, well = 60;  // evaluations of a fit
 constexpr int passes = 3;               // of fits, of a set that was chosen
 // What a further cause has to take away, of the error and of the nominal model's.
-constexpr double leastGain = 0.05, leastOfAll = 0.02;
+constexpr double leastShare = 0.05, leastOfAll = 0.02;
 
 /// What tells one servo setting from another.
 std::vector<double> gainsOf(const Trial& trial) {
@@ -114,6 +115,24 @@ AcrossSettings::Tried AcrossSettings::of(const Explanation& causes) const {
   return refined(tried);
 }
 
+AcrossSettings::Tried AcrossSettings::withBestVariants(Tried best) const {
+  for (std::size_t i = 0; i < best.causes.size(); ++i) {
+    std::vector<Tried> tried(static_cast<std::size_t>(best.causes[i].effect->numVariants()), best);
+    if (tried.size() < 2) continue;
+    parallel(tried.size(), jobs, [&](std::size_t v) {
+      const auto variant = static_cast<int>(v);
+      if (std::ranges::all_of(best.perFold,
+                              [&](const Explanation& fold) { return fold[i].variant == variant; }))
+        return;
+      for (Explanation& fold : tried[v].perFold) fold[i].variant = variant;
+      tried[v] = refined(std::move(tried[v]));
+    });
+    Tried& least = *std::ranges::min_element(tried, better);
+    if (least.error < (1 - leastShare) * best.error) best = std::move(least);
+  }
+  return best;
+}
+
 AcrossSettings::Tried AcrossSettings::withKind(const Tried& from, const std::vector<Cause>& starts,
                                                int evaluations) const {
   Tried tried = from;
@@ -162,7 +181,7 @@ AcrossSettings::Tried AcrossSettings::best(const std::vector<Cause>& starts, std
     longer.resize(std::min(longer.size(), fittedWell));
     if (size > 1) parallel(longer.size(), jobs, [&](std::size_t i) { longer[i] = fitted(longer[i], well); });
     std::ranges::stable_sort(longer, better);
-    if (longer.empty() || best.error - longer.front().error < std::max(leastGain * best.error, leastOfAll))
+    if (longer.empty() || best.error - longer.front().error < std::max(leastShare * best.error, leastOfAll))
       break;
     longer.resize(std::min(longer.size(), width));
     best = longer.front();
@@ -183,15 +202,25 @@ std::vector<Cause> startsAcross(const Evaluator& evaluator) {
   return starts;
 }
 
-std::optional<bool> predictsMotionsBetter(const Evaluator& evaluator, const Explanation& a,
-                                          const Explanation& b, int jobs) {
+Explanation betterAcrossMotions(const Evaluator& evaluator, const Explanation& a, const Explanation& b,
+                                int jobs) {
   const AcrossSettings motions(evaluator.mechanism(), evaluator.evidence(), jobs, coarseSteps(),
                                AcrossSettings::Left::motion);
-  if (!motions.possible()) return std::nullopt;
-  std::array<double, 2> error = {};
-  parallel(2, jobs, [&](std::size_t i) { error[i] = motions.of(i ? b : a).error; });
-  if (!std::isfinite(error[0]) || !std::isfinite(error[1])) return std::nullopt;
-  return error[0] < error[1];
+  std::array<AcrossSettings::Tried, 2> tried;
+  if (motions.possible()) {
+    parallel(2, jobs, [&](std::size_t i) { tried[i] = motions.of(i ? b : a); });
+    if (!a.empty()) tried[0] = motions.withBestVariants(std::move(tried[0]));
+  }
+  if (!motions.possible() || !std::isfinite(tried[0].error) || !std::isfinite(tried[1].error))
+    return evaluator.of(a).judging < evaluator.of(b).judging - leastGain ? a : b;
+  if (tried[0].error >= tried[1].error) return b;
+  Explanation causes = std::move(tried[0].causes);
+  for (int pass = 0; pass < passes; ++pass) {
+    Explanation again = fitTogether(evaluator, causes, well, jobs);
+    if (again == causes) break;
+    causes = std::move(again);
+  }
+  return causes;
 }
 
 }  // namespace plumbline::gap

@@ -1,7 +1,6 @@
 #pragma once
 #include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "gap/diagnosis/Evaluator.h"
@@ -35,6 +34,9 @@ public:
   /// while that takes away at least a twentieth. Starts: each kind with its starting values.
   Tried best(const std::vector<Cause>& starts, std::size_t maxCauses,
              const std::function<void(double share)>& progress) const;
+  /// The same causes, each in the variant of its law that predicts best; another than it has comes in where
+  /// it takes away a twentieth of the error.
+  Tried withBestVariants(Tried best) const;
 
 private:
   struct Fold {
@@ -58,9 +60,10 @@ private:
 /// belong to each run, and causes at all joints of a robot that has one.
 std::vector<Cause> startsAcross(const Evaluator& evaluator);
 
-/// Whether the first set predicts each motion better from the others than the second: what stands for
-/// something else in all motions seen does not in one that was not. None where there is one motion or doubt.
-std::optional<bool> predictsMotionsBetter(const Evaluator& evaluator, const Explanation& a,
-                                          const Explanation& b, int jobs);
+/// The set of two that predicts each motion better from the others: what stands for something else in all
+/// motions seen does not in one that was not. The first counts in its best variants, and is returned in them,
+/// its values fitted until they stay. Where there is one motion or doubt: the one that judges better.
+Explanation betterAcrossMotions(const Evaluator& evaluator, const Explanation& a, const Explanation& b,
+                                int jobs);
 
 }  // namespace plumbline::gap

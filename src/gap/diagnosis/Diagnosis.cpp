@@ -254,7 +254,6 @@ private:
   /// place of what was found.
   bool beginShared() {
     if (!fine.mechanism().sharesServo() || fine.hasStanding()) return false;
-    const double least = fine.baseFit().judging;
     const Explanation old = found;
     fine.setBase({});
     const Explanation set = sharedCauses(fine, options.maxCauses, options.jobs, [&](double share) {
@@ -269,12 +268,14 @@ private:
     fine.setBase(found);
     grow();
     if (options.progress) options.progress("each motion from the others", 0);
-    const bool better = predictsMotionsBetter(fine, found, old, options.jobs)
-                            .value_or(fine.baseFit().judging < least - leastGain);
-    if (!better) {
-      found = old;
+    const Explanation chosen = betterAcrossMotions(fine, found, old, options.jobs);
+    const bool better = chosen != old;
+    found = chosen;
+    fine.setBase(found);
+    if (better) {
+      grow();
+    } else {
       choices = std::move(kept);
-      fine.setBase(found);
     }
     return better;
   }
@@ -308,13 +309,13 @@ private:
     const AcrossSettings quick(fine.mechanism(), fine.evidence(), options.jobs, coarseSteps());
     fine.setBase({});
     const std::vector<Cause> starts = startsAcross(fine);
-    const AcrossSettings::Tried best = settings.of(quick
-                                                       .best(starts, options.maxCauses,
-                                                             [&](double share) {
-                                                               if (options.progress)
-                                                                 options.progress("across settings", share);
-                                                             })
-                                                       .causes);
+    const Explanation set = quick
+                                .best(starts, options.maxCauses,
+                                      [&](double share) {
+                                        if (options.progress) options.progress("across settings", share);
+                                      })
+                                .causes;
+    const AcrossSettings::Tried best = settings.of(set);
     if (best.error < surelyLess * settings.of(found).error) {
       found = best.causes;
       choices.assign(found.size(), {});

@@ -23,15 +23,9 @@ void WalkingEngine::init() {
 
 namespace {
 
-walking::FootSensors feltFeet(const SensorData& data) {
-  const auto felt = [](const FootForceData& sensor) -> std::optional<walking::FootContact> {
-    if (!sensor.contact) return std::nullopt;
-    return walking::FootContact{sensor.point, sensor.force};
-  };
-  walking::FootSensors feet;
-  feet.foot = {felt(data.leftFoot), felt(data.rightFoot)};
-  feet.toe = {felt(data.leftToe), felt(data.rightToe)};
-  return feet;
+std::optional<walking::FootContact> felt(const FootForceData& sensor) {
+  if (!sensor.contact) return std::nullopt;
+  return walking::FootContact{sensor.point, sensor.force};
 }
 
 }  // namespace
@@ -67,7 +61,7 @@ void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
     sensors.angles = theJointData->angles;
     sensors.torsoAngles = Vec2(theTorsoAngles->roll, theTorsoAngles->pitch);
     sensors.gyro = theSensorData->gyro;
-    sensors.feet = feltFeet(*theSensorData);
+    sensors.feet = walking::feltFeet(*theSensorData, felt);
     sensors.dt = theFrameInfo->cycleSeconds;
     output = engine_->update(request, sensors);
     if (fit_ && request.walk) fitModel();

@@ -20,6 +20,20 @@ protected:
     return Evidence(trials);
   }
 
+  /// Two motions of a soft arm with these causes in it, one recorded in two windows.
+  std::vector<Trial> recordedIn(const Explanation& causes) const {
+    Mechanism soft = arm;
+    for (auto& joint : soft.joints) joint.servo.kp = 10;
+    std::vector<Trial> trials;
+    for (const char* motion : {"wide", "narrow", "narrow"}) {
+      trials.push_back(
+          recorded(plantOf(soft, causes), armTrial(soft, 3, *motion == 'w' ? 0.5 : 0.4), 5e-4, 3));
+      trials.back().recordedMotion = motion;
+      trials.back().motion += std::to_string(trials.size());
+    }
+    return trials;
+  }
+
   const Mechanism arm = twoJointArm();
 };
 
@@ -31,14 +45,7 @@ TEST_F(AcrossSettingsTest, oneSettingIsNotEnough) {
 TEST_F(AcrossSettingsTest, motionsAreGroupsToo) {
   const Explanation truth = {causeOfArm("coulomb_friction", "elbow", 0.1),
                              causeOfArm("viscous_friction", "elbow", 0.15)};
-  Mechanism soft = arm;
-  for (auto& joint : soft.joints) joint.servo.kp = 10;
-  std::vector<Trial> trials;
-  for (const char* motion : {"wide", "narrow", "narrow"}) {
-    trials.push_back(recorded(plantOf(soft, truth), armTrial(soft, 3, *motion == 'w' ? 0.5 : 0.4), 5e-4, 3));
-    trials.back().recordedMotion = motion;
-    trials.back().motion += std::to_string(trials.size());
-  }
+  std::vector<Trial> trials = recordedIn(truth);
   EXPECT_FALSE(AcrossSettings(arm, Evidence(trials), 1).possible());
   const auto motion = AcrossSettings::Left::motion;
   const AcrossSettings motions(arm, Evidence(trials), 1, {}, motion);
@@ -83,6 +90,46 @@ TEST_F(AcrossSettingsTest, thePairIsFoundThatHoldsUnderBothSettings) {
   EXPECT_NEAR(best.causes[1 - dry].value, 0.15, 0.01);
   EXPECT_EQ(best.perFold.size(), 2u);
   EXPECT_GT(done, 0.5);
+}
+
+TEST_F(AcrossSettingsTest, theVariantIsTakenThatPredictsMotionsLeftOut) {
+  Cause load = causeOfArm("load_friction", "shoulder", 0.3);
+  load.variant = 1;
+  const Evidence evidence(recordedIn({load}));
+  const AcrossSettings motions(arm, evidence, 1, {}, AcrossSettings::Left::motion);
+  const AcrossSettings::Tried other = motions.of({causeOfArm("load_friction", "shoulder", 0.2)});
+  const AcrossSettings::Tried best = motions.withBestVariants(other);
+  ASSERT_EQ(best.causes.size(), 1u);
+  EXPECT_EQ(best.causes[0].variant, 1);
+  EXPECT_NEAR(best.causes[0].value, 0.3, 0.01);
+  EXPECT_LT(best.error, 0.5 * other.error);
+  EXPECT_EQ(motions.withBestVariants(best).causes, best.causes);
+}
+
+TEST_F(AcrossSettingsTest, ofTwoSetsTheOneThatPredictsMotionsBetter) {
+  Cause load = causeOfArm("load_friction", "shoulder", 0.3);
+  load.variant = 1;
+  const Explanation truth = {load, causeOfArm("viscous_friction", "elbow", 0.15)};
+  const Evidence evidence(recordedIn(truth));
+  Evaluator evaluator(arm, evidence);
+  evaluator.setBase({});
+  Explanation otherLaw = truth;
+  otherLaw[0].variant = 0;
+  const Explanation less = {truth[1]};
+  const Explanation better = betterAcrossMotions(evaluator, otherLaw, less, 1);
+  ASSERT_EQ(better.size(), 2u);
+  EXPECT_EQ(better[0].variant, 1);
+  EXPECT_NEAR(better[0].value, 0.3, 0.01);
+  EXPECT_NEAR(better[1].value, 0.15, 0.01);
+  EXPECT_EQ(betterAcrossMotions(evaluator, less, truth, 1), truth);
+
+  std::vector<Trial> one = recordedIn(truth);
+  one.erase(one.begin());
+  const Evidence oneMotion(one);
+  Evaluator judging(arm, oneMotion);
+  judging.setBase({});
+  EXPECT_EQ(betterAcrossMotions(judging, truth, less, 1), truth) << "the blocks for judging tell";
+  EXPECT_EQ(betterAcrossMotions(judging, less, truth, 1), truth);
 }
 
 }  // namespace
