@@ -7,15 +7,14 @@
 #include "gap/diagnosis/AcrossSettings.h"
 #include "gap/diagnosis/FindingOf.h"
 #include "gap/diagnosis/GapMeter.h"
-#include "gap/diagnosis/LostCycles.h"
 #include "gap/diagnosis/Merit.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Probability.h"
+#include "gap/diagnosis/Proposals.h"
 #include "gap/diagnosis/Remainder.h"
 #include "gap/diagnosis/Search.h"
 #include "gap/diagnosis/SharedCauses.h"
 #include "gap/diagnosis/Suspects.h"
-#include "gap/replay/Ensemble.h"
 
 namespace plumbline::gap {
 
@@ -33,18 +32,20 @@ constexpr double farOff = 3;         // times what may remain: no set of causes 
 // Where only a little of the gap is left (Remainder::little), a further cause has to explain
 // most of that, and to be more probable than all others together.
 constexpr double mostOfIt = 0.6, surer = 0.5;
-constexpr double huntingPrice = 0.1;  // of its gain: what a cause in doubt has to gain beyond a definite one
-constexpr double hopeless = 0.3;      // of the best candidate's gain lost: not tried as a further cause
-constexpr double otherStart = 0.7;    // of the best first cause's gain: what gains less is no other start
+constexpr double hopeless = 0.3;    // of the best candidate's gain lost: not tried as a further cause
+constexpr double otherStart = 0.7;  // of the best first cause's gain: what gains less is no other start
 constexpr std::size_t tries = 3, otherStarts = 3;
-constexpr double coarseWithin = 1.2;  // of the squares with fine steps
-constexpr double surelyLess = 0.95;   // of the error across settings: another set is not worth it
-constexpr int evaluations = 32;       // of values that are fitted together
+constexpr double surelyLess = 0.95;  // of the error across settings: another set is not worth it
+constexpr int evaluations = 32;      // of values that are fitted together
 
 class Procedure {
 public:
   Procedure(Evaluator& fine_, Evaluator& coarse_, const DiagnosisOptions& options_)
-      : fine(fine_), coarse(coarse_), options(options_), meter((fine_.setBase({}), fine_)) {}
+      : fine(fine_),
+        coarse(coarse_),
+        options(options_),
+        proposals(fine_, coarse_, options_),
+        meter((fine_.setBase({}), fine_)) {}
 
   Diagnosis run() {
     const WorstGap worst = worstGap(fine);
@@ -107,66 +108,11 @@ private:
 
   /// What could be added to the base, most probable first.
   Candidates candidates(const std::string& stage, bool onlySensors = false) {
-    SearchOptions search_;
-    search_.jobs = options.jobs;
-    search_.leastGain = leastPart() / 2 * std::max(0.0, excess(fine));
-    search_.progress = [&](double share) {
-      if (options.progress) options.progress(stage, share);
-    };
-    SearchResult known;
-    // A narrower search must not pass for the whole one of its base, and costs nothing to repeat.
-    SearchMemory* const memory = onlySensors ? nullptr : wholeMemory();
-    if (auto remembered = memory ? memory->find(fine.base()) : std::nullopt) {
-      known = std::move(*remembered);
-      useLostCycles(known.lostCycles);
-    } else {
-      std::vector<Cause> possible = possibleCauses(fine);
-      if (onlySensors) std::erase_if(possible, [](const Cause& cause) { return !ofSensor(cause); });
-      known.candidates = search(fine, quickOn(fine.base()), possible, search_);
-      std::erase_if(known.candidates, [](const Candidate& c) { return withinEngines(c.cause); });
-      priceHunting(known.candidates);
-      addLostCycles(known.candidates);
-      known.lostCycles = fine.lostCycles();
-      if (memory) memory->keep(fine.base(), known);
-    }
-    sortByProbability(known.candidates);
-    return std::move(known.candidates);
-  }
-
-  /// What is foretold in doubt fits more easily: a cause that lets joints hunt has to gain this much more
-  /// than one that is definite.
-  void priceHunting(Candidates& list) const {
-    const double before = fine.baseFit().judging;
-    for (Candidate& candidate : list)
-      if (anyHunts(plantOf(fine.mechanism(), {candidate.cause})))
-        candidate.fit.judging += huntingPrice * std::max(0.0, before - candidate.fit.judging);
-  }
-
-  /// What a first look is taken with on top of a base: coarse steps, but where these tell another tale, as
-  /// they do of a motor that just falls short of what it has to hold.
-  const Evaluator& quickOn(const Explanation& base) {
-    coarse.setBase(base);
-    return coarse.baseFit().fitting <= coarseWithin * fine.baseFit().fitting ? coarse : fine;
-  }
-
-  void useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycles) {
-    fine.setLostCycles(cycles);
-    coarse.setLostCycles(cycles);
-  }
-
-  void addLostCycles(Candidates& list) {
-    const Effect* dropout = findEffect("command_dropout");
-    if (!mostIsOff(fine) ||
-        std::ranges::any_of(fine.base(), [&](const Cause& c) { return c.effect == dropout; }))
-      return;
-    const LostCycles lost = findLostCycles(fine.evidence(), fine.base(), options.jobs);
-    if (lost.found < LostCycles::least) return;
-    useLostCycles(lost.cycles);
-    Candidate candidate;
-    candidate.cause = {dropout, {Site::everywhere, -1, "*"}, lost.share, 0};
-    candidate.fit = fine.with(candidate.cause);
-    candidate.fit.judging += lost.price;
-    list.push_back(std::move(candidate));
+    return proposals.find({.stage = stage,
+                           .leastGain = leastPart() / 2 * std::max(0.0, excess(fine)),
+                           .onlySensors = onlySensors,
+                           .lostCommands = !lostLast,
+                           .memory = wholeMemory()});
   }
 
   /// Tries the best candidates on top of the base, values that depend on each other fitted together; keeps
@@ -187,7 +133,8 @@ private:
       tried.push_back(list[i].cause);
       fine.setBase(old);
       const Explanation together =
-          ofSensor(list[i].cause) ? tried : fitTogether(quickOn(old), tried, evaluations, options.jobs);
+          ofSensor(list[i].cause) ? tried
+                                  : fitTogether(proposals.quickOn(old), tried, evaluations, options.jobs);
       const bool better = together == tried || fine.of(together).fitting < fine.of(tried).fitting;
       fine.setBase(better ? together : tried);
       if (fine.baseFit().judging < bestJudging && before.betteredBy(fine, part)) {
@@ -266,6 +213,8 @@ private:
     std::vector<Candidates> kept = std::exchange(choices, std::vector<Candidates>(set.size()));
     found = set;
     fine.setBase(found);
+    // Lost commands are told cycle by cycle, which takes in much of whatever else is missing.
+    lostLast = true;
     grow();
     if (options.progress) options.progress("each motion from the others", 0);
     const Explanation chosen = betterAcrossMotions(fine, found, old, options.jobs);
@@ -277,7 +226,24 @@ private:
     } else {
       choices = std::move(kept);
     }
+    lostLast = better;
+    if (better) addLostIfNothingRemains();
     return better;
+  }
+
+  void addLostIfNothingRemains() {
+    Candidates lost;
+    if (found.size() < options.maxCauses && !remainder().mayRemain()) proposals.addLostCommands(lost);
+    if (lost.empty()) return;
+    found.push_back(lost.front().cause);
+    fine.setBase(found);
+    if (remainder().mayRemain()) {
+      choices.push_back(std::move(lost));
+      lostLast = false;
+    } else {
+      found.pop_back();
+      fine.setBase(found);
+    }
   }
 
   /// Each cause once more with the others in place: another may do better now, or it may not be needed.
@@ -373,7 +339,9 @@ private:
 
   Evaluator &fine, &coarse;
   const DiagnosisOptions& options;
+  Proposals proposals;
   bool onHeldRuns = false;
+  bool lostLast = false;    ///< lost commands are not looked for
   bool heldAcross = false;  ///< found by what it predicts of servo settings left out
   const GapMeter meter;
   Diagnosis result;

@@ -1,0 +1,83 @@
+#include "gap/diagnosis/Proposals.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "gap/diagnosis/LostCycles.h"
+#include "gap/diagnosis/PossibleCauses.h"
+#include "gap/diagnosis/Probability.h"
+#include "gap/diagnosis/Search.h"
+#include "gap/diagnosis/Suspects.h"
+#include "gap/replay/Ensemble.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double huntingPrice = 0.1;  // of its gain: what a cause in doubt has to gain beyond a definite one
+constexpr double coarseWithin = 1.2;  // of the squares with fine steps
+
+}  // namespace
+
+std::vector<Candidate> Proposals::find(const Look& look) {
+  SearchOptions search_;
+  search_.jobs = options.jobs;
+  search_.leastGain = look.leastGain;
+  search_.progress = [&](double share) {
+    if (options.progress) options.progress(look.stage, share);
+  };
+  SearchResult known;
+  // A narrower search must not pass for the whole one of its base.
+  SearchMemory* const memory = look.onlySensors || !look.lostCommands ? nullptr : look.memory;
+  if (auto remembered = memory ? memory->find(fine.base()) : std::nullopt) {
+    known = std::move(*remembered);
+    useLostCycles(known.lostCycles);
+  } else {
+    std::vector<Cause> possible = possibleCauses(fine);
+    if (look.onlySensors) std::erase_if(possible, [](const Cause& cause) { return !ofSensor(cause); });
+    known.candidates = search(fine, quickOn(fine.base()), possible, search_);
+    std::erase_if(known.candidates, [](const Candidate& c) { return withinEngines(c.cause); });
+    priceHunting(known.candidates);
+    if (look.lostCommands && !look.onlySensors) addLostCommands(known.candidates);
+    known.lostCycles = fine.lostCycles();
+    if (memory) memory->keep(fine.base(), known);
+  }
+  sortByProbability(known.candidates);
+  return std::move(known.candidates);
+}
+
+/// What is foretold in doubt fits more easily: a cause that lets joints hunt has to gain this much more than
+/// one that is definite.
+void Proposals::priceHunting(std::vector<Candidate>& list) const {
+  const double before = fine.baseFit().judging;
+  for (Candidate& candidate : list)
+    if (anyHunts(plantOf(fine.mechanism(), {candidate.cause})))
+      candidate.fit.judging += huntingPrice * std::max(0.0, before - candidate.fit.judging);
+}
+
+const Evaluator& Proposals::quickOn(const Explanation& base) {
+  coarse.setBase(base);
+  return coarse.baseFit().fitting <= coarseWithin * fine.baseFit().fitting ? coarse : fine;
+}
+
+void Proposals::useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycles) {
+  fine.setLostCycles(cycles);
+  coarse.setLostCycles(cycles);
+}
+
+void Proposals::addLostCommands(std::vector<Candidate>& list) {
+  const Effect* dropout = findEffect("command_dropout");
+  if (!mostIsOff(fine) ||
+      std::ranges::any_of(fine.base(), [&](const Cause& c) { return c.effect == dropout; }))
+    return;
+  const LostCycles lost = findLostCycles(fine.evidence(), fine.base(), options.jobs);
+  if (lost.found < LostCycles::least) return;
+  useLostCycles(lost.cycles);
+  Candidate candidate;
+  candidate.cause = {dropout, {Site::everywhere, -1, "*"}, lost.share, 0};
+  candidate.fit = fine.with(candidate.cause);
+  candidate.fit.judging += lost.price;
+  list.push_back(std::move(candidate));
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,41 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gap/diagnosis/Diagnosis.h"
+#include "gap/diagnosis/ValueFit.h"
+
+namespace plumbline::gap {
+
+/// What could be added to the fine evaluator's base, from one look at all that is possible.
+class Proposals {
+public:
+  /// coarse: with steps that do for a first look.
+  Proposals(Evaluator& fine_, Evaluator& coarse_, const DiagnosisOptions& options_)
+      : fine(fine_), coarse(coarse_), options(options_) {}
+
+  struct Look {
+    std::string stage;               ///< as progress is told
+    double leastGain = 0;            ///< of the sum of squares for fitting: what promises less is not fitted
+    bool onlySensors = false;        ///< not what moves the robot
+    bool lostCommands = true;        ///< cycles whose command was lost are looked for too
+    SearchMemory* memory = nullptr;  ///< of looks at everything; null: none
+  };
+  /// Most probable first.
+  std::vector<Candidate> find(const Look& look);
+  /// Command dropout with the cycles that it is found in, where it says anything.
+  void addLostCommands(std::vector<Candidate>& list);
+  /// What a first look is taken with on top of a base: coarse steps, but where these tell another tale, as
+  /// they do of a motor that just falls short of what it has to hold.
+  const Evaluator& quickOn(const Explanation& base);
+
+private:
+  void priceHunting(std::vector<Candidate>& list) const;
+  void useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycles);
+
+  Evaluator &fine, &coarse;
+  const DiagnosisOptions& options;
+};
+
+}  // namespace plumbline::gap
