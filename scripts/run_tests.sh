@@ -8,6 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
 jobs=${JOBS:-$(nproc)}
 timeout=${TEST_TIMEOUT:-600} # seconds for one program or script
+testsPerPart=100
 passed=0 failed=0 runPrograms=1
 failures=()
 progress=""
@@ -31,9 +32,11 @@ account() {
 steady=()
 setarch -R true 2> /dev/null && steady=(setarch -R)
 
+scratch=$(mktemp -d) # of the test programs; goes with Ctrl-C too
+trap 'rm -rf "$scratch"' EXIT
+
 logOf() { echo "build/$1/logs/${2//[\/ ]/-}.log"; } # $1 target, $2 name
 
-testsPerPart=100
 # Into how many parts a test program ($1) goes, so that the longest do not keep one core busy at the end. One that
 # can't tell its tests is run as a whole, and fails there.
 partsOf() {
@@ -53,14 +56,12 @@ runOne() { # $1 target, $2 kind, $3 path, $4 name, $5 $6 which part of how many
   if [[ $2 == program ]]; then
     [[ $1 == *Sanitize* ]] || steady=()
     local -x GTEST_SHARD_INDEX=$5 GTEST_TOTAL_SHARDS=$6 TMPDIR # parts run beside each other: no files in common
-    TMPDIR=$(mktemp -d)
+    TMPDIR=$(mktemp -d -p "$scratch")
     timeout -k 10 "$timeout" "${steady[@]}" "$3" --gtest_brief=1 --gtest_color=no "--gtest_output=xml:$log.xml" > "$log" 2>&1 < /dev/null
-    status=$?
-    rm -rf "$TMPDIR"
   else
     timeout -k 10 "$timeout" bash "$3" > "$log" 2>&1 < /dev/null
-    status=$?
   fi
+  status=$?
   end=$(date +%s%N)
   local good=0 bad=0 skipped=0
   if [[ $2 == program && -s $log.xml ]]; then

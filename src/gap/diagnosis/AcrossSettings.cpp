@@ -202,18 +202,18 @@ std::vector<Cause> startsAcross(const Evaluator& evaluator) {
   return starts;
 }
 
-Explanation betterAcrossMotions(const Evaluator& evaluator, const Explanation& a, const Explanation& b,
-                                int jobs) {
+Explanation betterAcrossMotions(const Evaluator& evaluator, const Explanation& proposed,
+                                const Explanation& old, int jobs) {
   const AcrossSettings motions(evaluator.mechanism(), evaluator.evidence(), jobs, coarseSteps(),
                                AcrossSettings::Left::motion);
   std::array<AcrossSettings::Tried, 2> tried;
   if (motions.possible()) {
-    parallel(2, jobs, [&](std::size_t i) { tried[i] = motions.of(i ? b : a); });
-    if (!a.empty()) tried[0] = motions.withBestVariants(std::move(tried[0]));
+    parallel(2, jobs, [&](std::size_t i) { tried[i] = motions.of(i ? old : proposed); });
+    tried[0] = motions.withBestVariants(std::move(tried[0]));
   }
   if (!motions.possible() || !std::isfinite(tried[0].error) || !std::isfinite(tried[1].error))
-    return evaluator.of(a).judging < evaluator.of(b).judging - leastGain ? a : b;
-  if (tried[0].error >= tried[1].error) return b;
+    return evaluator.of(proposed).judging < evaluator.of(old).judging - leastGain ? proposed : old;
+  if (tried[0].error >= tried[1].error) return old;
   Explanation causes = std::move(tried[0].causes);
   for (int pass = 0; pass < passes; ++pass) {
     Explanation again = fitTogether(evaluator, causes, well, jobs);

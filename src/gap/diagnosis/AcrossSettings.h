@@ -61,9 +61,9 @@ private:
 std::vector<Cause> startsAcross(const Evaluator& evaluator);
 
 /// The set of two that predicts each motion better from the others: what stands for something else in all
-/// motions seen does not in one that was not. The first counts in its best variants, and is returned in them,
-/// its values fitted until they stay. Where there is one motion or doubt: the one that judges better.
-Explanation betterAcrossMotions(const Evaluator& evaluator, const Explanation& a, const Explanation& b,
-                                int jobs);
+/// motions seen does not in one that was not. The proposed one counts in its best variants, and is returned
+/// in them, its values fitted until they stay. Where there is one motion or doubt, blocks for judging decide.
+Explanation betterAcrossMotions(const Evaluator& evaluator, const Explanation& proposed,
+                                const Explanation& old, int jobs);
 
 }  // namespace plumbline::gap

@@ -111,7 +111,7 @@ private:
     return proposals.find({.stage = stage,
                            .leastGain = leastPart() / 2 * std::max(0.0, excess(fine)),
                            .onlySensors = onlySensors,
-                           .lostCommands = !lostLast,
+                           .lostCommands = !lostCommandsLast,
                            .memory = wholeMemory()});
   }
 
@@ -214,7 +214,7 @@ private:
     found = set;
     fine.setBase(found);
     // Lost commands are told cycle by cycle, which takes in much of whatever else is missing.
-    lostLast = true;
+    lostCommandsLast = true;
     grow();
     if (options.progress) options.progress("each motion from the others", 0);
     const Explanation chosen = betterAcrossMotions(fine, found, old, options.jobs);
@@ -226,7 +226,7 @@ private:
     } else {
       choices = std::move(kept);
     }
-    lostLast = better;
+    lostCommandsLast = better;
     if (better) addLostIfNothingRemains();
     return better;
   }
@@ -239,7 +239,7 @@ private:
     fine.setBase(found);
     if (remainder().mayRemain()) {
       choices.push_back(std::move(lost));
-      lostLast = false;
+      lostCommandsLast = false;
     } else {
       found.pop_back();
       fine.setBase(found);
@@ -341,8 +341,8 @@ private:
   const DiagnosisOptions& options;
   Proposals proposals;
   bool onHeldRuns = false;
-  bool lostLast = false;    ///< lost commands are not looked for
-  bool heldAcross = false;  ///< found by what it predicts of servo settings left out
+  bool lostCommandsLast = false;  ///< they are not looked for
+  bool heldAcross = false;        ///< found by what it predicts of servo settings left out
   const GapMeter meter;
   Diagnosis result;
   Explanation found;

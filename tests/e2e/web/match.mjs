@@ -1,5 +1,4 @@
 // A running game on the page; web.sh starts what it needs.
-import { once } from 'node:events';
 import { Browser } from './browser.mjs';
 import { check, near, until } from './check.mjs';
 import * as draw from './drawings.mjs';
@@ -111,7 +110,7 @@ try {
   await until('the other page is there', () => browser.run(`location.href.startsWith('${otherUrl}') && Boolean(window.plumbline?.state().online)`));
   await drawings(browser);
   // While the robots are still there, or the recording may end with an empty field.
-  const ended = once(trainer.socket, 'close');
+  const ended = new Promise((resolve) => { trainer.socket.once('close', resolve); });
   process.kill(Number(simulator), 'SIGTERM');
   await ended;
   await browser.close();
