@@ -40,7 +40,8 @@ std::string sentenceOf(const Cause& cause) {
   std::string text(cause.effect->sentence);
   const std::string place = cause.place.at == "*" ? "every joint" : cause.place.at;
   for (std::size_t at = 0; (at = text.find("{at}")) != std::string::npos;) text.replace(at, 4, place);
-  return text;
+  const std::string notIn = describeNotIn(cause);
+  return notIn.empty() ? text : text + " It was " + notIn + ".";
 }
 
 json findingJson(const Finding& finding) {
@@ -51,6 +52,7 @@ json findingJson(const Finding& finding) {
   j["closed_alone"] = number(finding.closedAlone, 4);
   j["closed_last"] = number(finding.closedLast, 4);
   j["sentence"] = sentenceOf(finding.cause);
+  if (!finding.cause.notIn.empty()) j["not_in"] = finding.cause.notIn;
   const auto& variants = finding.cause.effect->variants;
   j["variant"] =
       variants.empty() ? json(nullptr) : json(variants[static_cast<std::size_t>(finding.cause.variant)]);

@@ -214,13 +214,7 @@ Explanation betterAcrossMotions(const Evaluator& evaluator, const Explanation& p
   if (!motions.possible() || !std::isfinite(tried[0].error) || !std::isfinite(tried[1].error))
     return evaluator.of(proposed).judging < evaluator.of(old).judging - leastGain ? proposed : old;
   if (tried[0].error >= tried[1].error) return old;
-  Explanation causes = std::move(tried[0].causes);
-  for (int pass = 0; pass < passes; ++pass) {
-    Explanation again = fitTogether(evaluator, causes, well, jobs);
-    if (again == causes) break;
-    causes = std::move(again);
-  }
-  return causes;
+  return fitSettled(evaluator, std::move(tried[0].causes), well, jobs);
 }
 
 }  // namespace plumbline::gap

@@ -7,34 +7,28 @@
 #include "gap/diagnosis/AcrossSettings.h"
 #include "gap/diagnosis/FindingOf.h"
 #include "gap/diagnosis/GapMeter.h"
+#include "gap/diagnosis/Growth.h"
 #include "gap/diagnosis/Merit.h"
-#include "gap/diagnosis/PossibleCauses.h"
-#include "gap/diagnosis/Probability.h"
-#include "gap/diagnosis/Proposals.h"
 #include "gap/diagnosis/Remainder.h"
+#include "gap/diagnosis/RunsWithout.h"
 #include "gap/diagnosis/Search.h"
 #include "gap/diagnosis/SharedCauses.h"
-#include "gap/diagnosis/Suspects.h"
+#include "gap/diagnosis/ValueFit.h"
 
 namespace plumbline::gap {
 
 namespace {
 
-// Gaps beyond noise, of the worst channel, in units of its noise.
-constexpr double present = 0.9;  // below that nothing is looked for
-// The same over what may remain, at most, of runs on the feet where held ones are explained: a joint that
-// sticks lets go a moment too late there and leads the rest astray.
+// Of runs on the feet, gap beyond noise over what may remain, at most, where held ones are explained: a joint
+// that sticks lets go a moment too late there and leads the rest astray.
 constexpr double heldExplained = 0.9;
 constexpr double crowded = 0.25;     // more of what remains counts for each further cause at one joint
 constexpr double heldOffset = 0.15;  // mean of a sensor at rest over its noise, that no cause may leave
 constexpr double farOff = 3;         // times what may remain: no set of causes is worth another look
 
-// Where only a little of the gap is left (Remainder::little), a further cause has to explain
-// most of that, and to be more probable than all others together.
-constexpr double mostOfIt = 0.6, surer = 0.5;
-constexpr double hopeless = 0.3;    // of the best candidate's gain lost: not tried as a further cause
 constexpr double otherStart = 0.7;  // of the best first cause's gain: what gains less is no other start
-constexpr std::size_t tries = 3, otherStarts = 3;
+constexpr std::size_t otherStarts = 3;
+constexpr int otherwise = 2;         // looks for recordings with other settings, causes added in between
 constexpr double surelyLess = 0.95;  // of the error across settings: another set is not worth it
 constexpr int evaluations = 32;      // of values that are fitted together
 
@@ -44,27 +38,28 @@ public:
       : fine(fine_),
         coarse(coarse_),
         options(options_),
-        proposals(fine_, coarse_, options_),
+        growth(fine_, coarse_, options_),
         meter((fine_.setBase({}), fine_)) {}
 
   Diagnosis run() {
     const WorstGap worst = worstGap(fine);
-    result.worstBefore = worst.size;
+    result.worstBefore = growth.worstBefore = worst.size;
     result.worstSignal = worst.signal;
     result.gap.before = meter.under(fine);
     double remainsHeld = 0;
     if (fine.hasHeld() && fine.hasStanding() && heldRunsTell(fine)) remainsHeld = explainHeldRuns();
-    const bool heldTold = !found.empty();
+    const bool heldTold = !growth.causes.empty();
     if (remainsHeld > 1) {
       // Not known to the library. What came nearest on held runs may topple the robot.
-      if (meter.under(fine) > result.gap.before) forget();
-    } else if (found.empty()) {
+      if (meter.under(fine) > result.gap.before) growth.clear();
+    } else if (growth.causes.empty()) {
       explain();
     } else {
-      grow();
+      growth.grow();
     }
     acrossSettings();
-    lookForRivals();
+    if (result.worstBefore >= Growth::present) setOtherwise();
+    growth.lookForRivals();
     const WorstGap left = worstGap(fine);
     result.worstAfter = left.size;
     result.worstSignalAfter = left.signal;
@@ -76,132 +71,63 @@ public:
 private:
   using Candidates = std::vector<Candidate>;
 
-  void forget() {
-    found.clear();
-    choices.clear();
-    fine.setBase({});
-  }
-
   /// From nothing to the set of causes that predicts best.
   void explain() {
     const double nominal = fine.baseFit().judging;
-    grow();
+    growth.grow();
     beginOtherwise(nominal);
-    if (found.size() > 1 && remainder().mayRemain(farOff)) reconsider();
+    if (growth.causes.size() > 1 && growth.remainder().mayRemain(farOff)) reconsider();
   }
 
   /// Where held runs show what is wrong, they tell it for a hundredth of the price; what remains of them over
   /// what may remain. On the feet only what is found is then looked at, and what those runs show besides.
   double explainHeldRuns() {
     for (Evaluator* evaluator : {&fine, &coarse}) evaluator->leaveStandingOut(true);
-    const double whole = std::exchange(result.worstBefore, worstGap(fine).size);
-    onHeldRuns = true;
+    const double whole = std::exchange(growth.worstBefore, worstGap(fine).size);
+    growth.onHeldRuns = true;
     explain();
-    fine.setBase(found);
-    const double remains = worstGap(fine).size < unexplained ? 0 : remainder().unaccounted();
-    onHeldRuns = false;
-    result.worstBefore = whole;
+    fine.setBase(growth.causes);
+    const double remains = worstGap(fine).size < unexplained ? 0 : growth.remainder().unaccounted();
+    growth.onHeldRuns = false;
+    growth.worstBefore = whole;
     for (Evaluator* evaluator : {&fine, &coarse}) evaluator->leaveStandingOut(false);
-    fine.setBase(found);
+    fine.setBase(growth.causes);
     return remains;
-  }
-
-  /// What could be added to the base, most probable first.
-  Candidates candidates(const std::string& stage, bool onlySensors = false) {
-    return proposals.find({.stage = stage,
-                           .leastGain = leastPart() / 2 * std::max(0.0, excess(fine)),
-                           .onlySensors = onlySensors,
-                           .lostCommands = !lostCommandsLast,
-                           .memory = wholeMemory()});
-  }
-
-  /// Tries the best candidates on top of the base, values that depend on each other fitted together; keeps
-  /// the one that predicts best of those that earn their place.
-  bool accept(const Candidates& list) {
-    if (list.empty()) return false;
-    const Standing before(fine);
-    const double part = leastPart();
-    // Where little is left, a cause that is less probable than all others together is a guess.
-    if (part > 0 && probabilities(list).front() < surer) return false;
-    const Explanation old = fine.base();
-    const double front = list.front().fit.judging, least = front + hopeless * (before.judging() - front);
-    Explanation best;
-    double bestJudging = INFINITY;
-    for (std::size_t i = 0; i < std::min(old.empty() ? 1 : tries, list.size()); ++i) {
-      if (list[i].fit.judging > least) break;
-      Explanation tried = old;
-      tried.push_back(list[i].cause);
-      fine.setBase(old);
-      const Explanation together =
-          ofSensor(list[i].cause) ? tried
-                                  : fitTogether(proposals.quickOn(old), tried, evaluations, options.jobs);
-      const bool better = together == tried || fine.of(together).fitting < fine.of(tried).fitting;
-      fine.setBase(better ? together : tried);
-      if (fine.baseFit().judging < bestJudging && before.betteredBy(fine, part)) {
-        best = fine.base();
-        bestJudging = fine.baseFit().judging;
-      }
-    }
-    fine.setBase(best.empty() ? old : best);
-    return !best.empty();
-  }
-
-  /// The share of what is unexplained that a further cause has to explain: where little is left of a large
-  /// gap, that may be what the effects found do otherwise in reality, and only what explains most of it
-  /// counts.
-  double leastPart() const { return !fine.base().empty() && remainder().little() ? mostOfIt : 0; }
-  Remainder remainder() const { return {fine, result.worstBefore}; }
-
-  /// Adds causes from the base on until none earns its place. most: sum of squares for judging above which
-  /// two causes are not worth a third.
-  void grow(double most = INFINITY) {
-    while (found.size() < options.maxCauses &&
-           (found.empty() ? worstGap(fine).size >= present : remainder().size() >= unexplained)) {
-      if (found.size() > 1 && fine.baseFit().judging > most) break;
-      Candidates list = candidates(found.empty() ? "first cause" : "further cause",
-                                   !found.empty() && remainder().onlyOfSensors());
-      if (!accept(list)) {
-        if (choices.empty()) choices.push_back(std::move(list));
-        break;
-      }
-      found = fine.base();
-      choices.push_back(std::move(list));
-    }
   }
 
   /// Where much stays unexplained, the first cause may have been the wrong one: begins with others, keeps the
   /// set that predicts best.
   void beginOtherwise(double nominal) {
-    if (choices.empty() || remainder().mayRemain() || beginShared()) return;
+    if (growth.choices.empty() || growth.remainder().mayRemain() || beginShared()) return;
     // Looking again on the feet takes minutes.
-    if (fine.hasStanding() && !found.empty() && remainder().unaccounted() <= 1) return;
-    const Candidates firsts = choices.front();
-    if (found.empty()) choices.clear();
-    Explanation best = found;
-    std::vector<Candidates> bestChoices = choices;
+    if (fine.hasStanding() && !growth.causes.empty() && growth.remainder().unaccounted() <= 1) return;
+    const Candidates firsts = growth.choices.front();
+    if (growth.causes.empty()) growth.choices.clear();
+    Explanation best = growth.causes;
+    std::vector<Candidates> bestChoices = growth.choices;
     double bestJudging = fine.baseFit().judging;
     for (std::size_t i = 1; i < std::min(firsts.size(), 1 + otherStarts); ++i) {
       if (nominal - firsts[i].fit.judging < otherStart * (nominal - firsts.front().fit.judging)) break;
-      found = {firsts[i].cause};
-      choices = {firsts};
-      fine.setBase(found);
-      grow(bestJudging);
-      if (fine.baseFit().judging < bestJudging - leastGain && found.size() > 1) {
-        best = found;
-        bestChoices = choices;
+      growth.causes = {firsts[i].cause};
+      growth.choices = {firsts};
+      fine.setBase(growth.causes);
+      growth.grow(bestJudging);
+      if (fine.baseFit().judging < bestJudging - leastGain && growth.causes.size() > 1) {
+        best = growth.causes;
+        bestChoices = growth.choices;
         bestJudging = fine.baseFit().judging;
       }
     }
-    found = std::move(best);
-    choices = std::move(bestChoices);
-    fine.setBase(found);
+    growth.causes = std::move(best);
+    growth.choices = std::move(bestChoices);
+    fine.setBase(growth.causes);
   }
 
   /// Where all servos are of one type: begins with what they share, chosen together. Whether that took the
   /// place of what was found.
   bool beginShared() {
     if (!fine.mechanism().sharesServo() || fine.hasStanding()) return false;
-    const Explanation old = found;
+    const Explanation old = growth.causes;
     fine.setBase({});
     const Explanation set = sharedCauses(fine, options.maxCauses, options.jobs, [&](double share) {
       if (options.progress) options.progress("what servos share", share);
@@ -210,66 +136,51 @@ private:
       fine.setBase(old);
       return false;
     }
-    std::vector<Candidates> kept = std::exchange(choices, std::vector<Candidates>(set.size()));
-    found = set;
-    fine.setBase(found);
+    std::vector<Candidates> kept = std::exchange(growth.choices, std::vector<Candidates>(set.size()));
+    growth.causes = set;
+    fine.setBase(growth.causes);
     // Lost commands are told cycle by cycle, which takes in much of whatever else is missing.
-    lostCommandsLast = true;
-    grow();
+    growth.lostCommandsLast = true;
+    growth.grow();
     if (options.progress) options.progress("each motion from the others", 0);
-    const Explanation chosen = betterAcrossMotions(fine, found, old, options.jobs);
+    const Explanation chosen = betterAcrossMotions(fine, growth.causes, old, options.jobs);
     const bool better = chosen != old;
-    found = chosen;
-    fine.setBase(found);
+    growth.causes = chosen;
+    fine.setBase(growth.causes);
     if (better) {
-      grow();
+      growth.grow();
     } else {
-      choices = std::move(kept);
+      growth.choices = std::move(kept);
     }
-    lostCommandsLast = better;
-    if (better) addLostIfNothingRemains();
+    growth.lostCommandsLast = better;
+    if (better) growth.addLostIfNothingRemains();
     return better;
-  }
-
-  void addLostIfNothingRemains() {
-    Candidates lost;
-    if (found.size() < options.maxCauses && !remainder().mayRemain()) proposals.addLostCommands(lost);
-    if (lost.empty()) return;
-    found.push_back(lost.front().cause);
-    fine.setBase(found);
-    if (remainder().mayRemain()) {
-      choices.push_back(std::move(lost));
-      lostCommandsLast = false;
-    } else {
-      found.pop_back();
-      fine.setBase(found);
-    }
   }
 
   /// Each cause once more with the others in place: another may do better now, or it may not be needed.
   void reconsider() {
-    for (std::size_t i = 0; i < found.size();) {
-      fine.setBase(found);
+    for (std::size_t i = 0; i < growth.causes.size();) {
+      fine.setBase(growth.causes);
       const double whole = fine.baseFit().judging;
-      fine.setBase(without(found, i));
+      fine.setBase(without(growth.causes, i));
       if (fine.baseFit().judging - whole < leastGain) {
-        found = fine.base();
-        choices.erase(choices.begin() + static_cast<std::ptrdiff_t>(i));
+        growth.causes = fine.base();
+        growth.choices.erase(growth.choices.begin() + static_cast<std::ptrdiff_t>(i));
         continue;
       }
-      choices[i] = candidates("each cause again");
-      if (!choices[i].empty() && choices[i].front().fit.judging < whole - leastGain)
-        found[i] = choices[i].front().cause;
+      growth.choices[i] = growth.candidates("each cause again");
+      if (!growth.choices[i].empty() && growth.choices[i].front().fit.judging < whole - leastGain)
+        growth.causes[i] = growth.choices[i].front().cause;
       ++i;
     }
-    fine.setBase(found);
-    found = fitTogether(fine, found, evaluations, options.jobs);
+    fine.setBase(growth.causes);
+    growth.causes = fitTogether(fine, growth.causes, evaluations, options.jobs);
   }
 
   /// Where runs were recorded under several servo settings and something remains: the set of causes that
   /// predicts each setting from the others best, if it does better than what was found.
   void acrossSettings() {
-    if (found.empty() || fine.hasStanding() || remainder().size() < unexplained) return;
+    if (growth.causes.empty() || fine.hasStanding() || growth.remainder().size() < unexplained) return;
     const AcrossSettings settings(fine.mechanism(), fine.evidence(), options.jobs);
     if (!settings.possible()) return;
     const AcrossSettings quick(fine.mechanism(), fine.evidence(), options.jobs, coarseSteps());
@@ -282,38 +193,59 @@ private:
                                       })
                                 .causes;
     const AcrossSettings::Tried best = settings.of(set);
-    if (best.error < surelyLess * settings.of(found).error) {
-      found = best.causes;
-      choices.assign(found.size(), {});
+    if (best.error < surelyLess * settings.of(growth.causes).error) {
+      growth.causes = best.causes;
+      growth.choices.assign(growth.causes.size(), {});
       heldAcross = true;
     }
   }
 
-  /// What stood for choice besides causes that were chosen together.
-  void lookForRivals() {
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      if (!choices[i].empty()) continue;
-      fine.setBase(without(found, i));
-      choices[i] = withItself(candidates("each cause again"), found[i]);
+  /// Where something remains: what can be set in a servo need not have been in every recording.
+  void setOtherwise() {
+    fine.setBase(growth.causes);
+    if (fine.hasStanding() || growth.remainder().mayRemain() || beginWithWhatSomeHave()) return;
+    for (int pass = 0; pass < otherwise && !growth.causes.empty() && !growth.remainder().mayRemain();
+         ++pass) {
+      if (options.progress) options.progress("recordings with other settings", 0);
+      Explanation set = withoutWhereNotSet(fine, options.jobs);
+      if (set == growth.causes) return;
+      growth.causes = std::move(set);
+      heldAcross = false;
+      growth.choices.assign(growth.causes.size(), {});
+      fine.setBase(growth.causes);
+      growth.grow();
     }
-    fine.setBase(found);
   }
 
-  /// What stood for choice besides a cause that was chosen otherwise; its value fitted like theirs.
-  Candidates withItself(Candidates list, const Cause& cause) {
-    std::erase_if(list, [&](const Candidate& c) { return c.cause.sameKind(cause); });
-    list.push_back(fitValue(fine, cause, {}));
-    sortByProbability(list);
-    return list;
+  /// A setting that some recordings had makes whatever fits both kinds best look better than it. Whether
+  /// beginning with it explains all.
+  bool beginWithWhatSomeHave() {
+    const Explanation old = growth.causes;
+    std::vector<Candidates> kept = growth.choices;
+    fine.setBase({});
+    growth.causes = setInSomeRecordings(fine, options.jobs);
+    fine.setBase(growth.causes);
+    if (!growth.causes.empty() && growth.remainder().mayRemain(farOff)) {
+      growth.choices.assign(1, {});
+      growth.grow();
+      if (growth.remainder().mayRemain()) {
+        heldAcross = false;
+        return true;
+      }
+    }
+    growth.causes = old;
+    growth.choices = std::move(kept);
+    fine.setBase(growth.causes);
+    return false;
   }
 
   void judge(double remainsHeld, bool heldTold) {
     // What another engine does otherwise may be left of a large gap.
-    const Remainder left = remainder();
+    const Remainder left = growth.remainder();
     double onFeet = left.unaccountedOnFeet();
     if (heldTold && remainsHeld <= 1) onFeet = std::min(onFeet, heldExplained);
     // What predicts a setting that it was not fitted to is not put together for the others.
-    const int together = heldAcross ? 1 : mostAtOneJoint(found);
+    const int together = heldAcross ? 1 : mostAtOneJoint(growth.causes);
     double remains = std::max({left.unaccountedHeld(), onFeet, remainsHeld}) * (1 + crowded * (together - 1));
     const WorstGap sensor = worstHeldOffset(fine);
     if (sensor.size > heldOffset) {
@@ -322,31 +254,24 @@ private:
     }
     remains = std::max(remains, sensor.size / heldOffset);
     result.knownProbability = 1 / (1 + std::exp(6 * (remains - 1)));
-    if (found.empty()) {
+    if (growth.causes.empty()) {
       result.verdict = result.worstBefore < unexplained ? Verdict::none : Verdict::unknown;
     } else {
       result.verdict = remains > 1 ? Verdict::unknown : Verdict::effect;
     }
-    for (std::size_t i = 0; i < found.size(); ++i)
-      result.findings.push_back(findingOf(i, found, choices[i], fine, meter, result));
+    for (std::size_t i = 0; i < growth.causes.size(); ++i)
+      result.findings.push_back(findingOf(i, growth.causes, growth.choices[i], fine, meter, result));
     std::stable_sort(result.findings.begin(), result.findings.end(),
                      [](const Finding& a, const Finding& b) { return a.closedLast > b.closedLast; });
-    fine.setBase(found);
+    fine.setBase(growth.causes);
   }
-
-  /// Of searches in all runs.
-  SearchMemory* wholeMemory() const { return onHeldRuns ? nullptr : options.memory; }
 
   Evaluator &fine, &coarse;
   const DiagnosisOptions& options;
-  Proposals proposals;
-  bool onHeldRuns = false;
-  bool lostCommandsLast = false;  ///< they are not looked for
-  bool heldAcross = false;        ///< found by what it predicts of servo settings left out
+  Growth growth;
+  bool heldAcross = false;  ///< found by what it predicts of servo settings left out
   const GapMeter meter;
   Diagnosis result;
-  Explanation found;
-  std::vector<Candidates> choices;  ///< per cause found: what stood for choice, most probable first
 };
 
 }  // namespace

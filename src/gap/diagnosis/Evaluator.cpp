@@ -97,7 +97,7 @@ void Evaluator::replayBase(const Explanation& explanation) {
   basePlants.clear();
   for (std::size_t t = 0; t < predictions.size(); ++t) {
     const Trial& trial = data.trials()[t];
-    basePlants.push_back(plantOf(*trial.robot, causes));
+    basePlants.push_back(plantOf(trial, causes));
     if (leftOut(t)) {
       predictions[t].values.resize(trial.signals.size());
       continue;
@@ -174,6 +174,7 @@ std::vector<int> Evaluator::jointsTouched(const Cause& cause) const {
 
 Prediction Evaluator::changed(std::size_t t, const Cause& cause) const {
   const Trial& trial = data.trials()[t];
+  if (!inForce(cause, trial)) return {};
   Plant plant = basePlants[t];
   cause.effect->apply(plant, cause.place, cause.value, cause.variant);
   if (cause.place.site == Site::imu || cause.place.site == Site::foot) {
@@ -262,7 +263,7 @@ Fit Evaluator::of(const Explanation& explanation) const {
     const Trial& trial = data.trials()[t];
     ReplayOptions options = optionsOf(t, explanation);
     if (!trial.freeBase) options.joints = joints;
-    candidates[t] = replayForetold(plantOf(*trial.robot, explanation), trial, options);
+    candidates[t] = replayForetold(plantOf(trial, explanation), trial, options);
   }
   return compare(candidates, replayed);
 }

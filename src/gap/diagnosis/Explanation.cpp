@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 namespace plumbline::gap {
 
@@ -14,6 +15,17 @@ std::string describe(const Cause& cause) {
   text += std::string(" = ") + number;
   if (cause.effect->unit != "1") text += " " + std::string(cause.effect->unit);
   return text;
+}
+
+std::string describeNotIn(const Cause& cause) {
+  if (cause.notIn.empty()) return "";
+  std::string names;
+  for (const std::string& recording : cause.notIn) {
+    const std::filesystem::path folder(recording);
+    names += (names.empty() ? "" : ", ") +
+             (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+  }
+  return "not set in " + names;
 }
 
 bool withinEngines(const Cause& cause) {
@@ -50,6 +62,17 @@ Plant plantOf(const Mechanism& mechanism, const Explanation& causes) {
   Plant plant = nominalPlant(mechanism);
   for (const Cause& cause : causes) cause.effect->apply(plant, cause.place, cause.value, cause.variant);
   return plant;
+}
+
+Plant plantOf(const Trial& trial, const Explanation& causes) {
+  Plant plant = nominalPlant(*trial.robot);
+  for (const Cause& cause : causes)
+    if (inForce(cause, trial)) cause.effect->apply(plant, cause.place, cause.value, cause.variant);
+  return plant;
+}
+
+bool inForce(const Cause& cause, const Trial& trial) {
+  return std::ranges::find(cause.notIn, trial.recording) == cause.notIn.end();
 }
 
 }  // namespace plumbline::gap

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "gap/effects/Effects.h"
+#include "gap/replay/Trial.h"
 
 namespace plumbline::gap {
 
@@ -12,6 +13,8 @@ struct Cause {
   Place place;
   double value = 0;
   int variant = 0;
+  /// Recordings (Trial::recording) without it: a servo may have been set otherwise there.
+  std::vector<std::string> notIn = {};
 
   bool operator==(const Cause&) const = default;
   bool sameKind(const Cause& other) const { return effect == other.effect && place == other.place; }
@@ -19,6 +22,8 @@ struct Cause {
 
 /// For people: "backlash at LKneePitch = 0.031 rad".
 std::string describe(const Cause& cause);
+/// For people, where a cause was not in force in every recording: "not set in multisine"; else empty.
+std::string describeNotIn(const Cause& cause);
 
 /// A set of causes that together are to explain the data.
 using Explanation = std::vector<Cause>;
@@ -42,5 +47,8 @@ int mostAtOneJoint(const Explanation& causes);
 
 /// The nominal plant with the causes put in, in order.
 Plant plantOf(const Mechanism& mechanism, const Explanation& causes);
+/// The robot as a trial drove it, with the causes put in that were in force in its recording.
+Plant plantOf(const Trial& trial, const Explanation& causes);
+bool inForce(const Cause& cause, const Trial& trial);
 
 }  // namespace plumbline::gap

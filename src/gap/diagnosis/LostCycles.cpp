@@ -24,7 +24,7 @@ public:
       : evidence(evidence_),
         t(t_),
         trial(evidence_.trials()[t_]),
-        plant(plantOf(*trial.robot, causes)),
+        plant(plantOf(trial, causes)),
         lost(decodeLosses(plant, evidence_, t_, cycleGain)),
         gains(trial.cycles(), 0),
         seen(trial.cycles(), 0) {

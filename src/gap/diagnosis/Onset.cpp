@@ -89,7 +89,7 @@ std::optional<Cause> causeByOnset(const Evaluator& evaluator, const Cause& start
     cause.value = value;
     Explanation causes = evaluator.base();
     causes.push_back(cause);
-    return departure.of(replay(plantOf(*trial.robot, causes), trial, options).values);
+    return departure.of(replay(plantOf(trial, causes), trial, options).values);
   };
   const double upper = start.effect->boundsAt(evaluator.mechanism(), start.place).upper;
   double low = leastOfUpper * upper, high = upper;

@@ -51,14 +51,14 @@ std::string markOf(const Evaluator& evaluator) {
 
 json jsonOf(const Cause& cause) {
   return {cause.effect->id, cause.place.at, std::string(cause.place.axis ? 1 : 0, cause.place.axis),
-          cause.value, cause.variant};
+          cause.value,      cause.variant,  cause.notIn};
 }
 
 Cause causeOf(const json& j, const Mechanism& mechanism) {
   const Effect* effect = findEffect(j.at(0).get<std::string>());
   if (!effect) throw std::invalid_argument("an effect that the library lacks");
   return {effect, findPlace(*effect, mechanism, j.at(1).get<std::string>(), j.at(2).get<std::string>()),
-          j.at(3).get<double>(), j.at(4).get<int>()};
+          j.at(3).get<double>(), j.at(4).get<int>(), j.at(5).get<std::vector<std::string>>()};
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ constexpr std::size_t extendedBy = 3;  // the kinds that fit best on top of a se
 constexpr int evaluations = 48;        // of two values that are fitted together
 // What a further cause has to explain of the nominal model's squares; from the third on also of what is left.
 constexpr double leastOfAll = 0.02, leastOfRest = 0.2;
+constexpr double nearlyAsGood = 2;  // times what is left: another form of a law that is extended too
 constexpr ValueSearch roughly = {.step = 0.5, .tolerance = 0.02, .bracket = 8, .within = 6};
 
 /// Starting values of each kind and variant that acts at all joints.
@@ -71,12 +72,17 @@ public:
     const double least = leastOfAll * fine.baseFit().judging;
     if (fine.of({alone.front().cause}).judging - best.left < least) return {};
     while (best.causes.size() < maxCauses) {
-      const std::vector<Candidate> further = ranked(best.causes);
       std::vector<Explanation> larger;
-      for (std::size_t i = 0; i < std::min(extendedBy, further.size()); ++i) {
-        larger.push_back(best.causes);
-        larger.back().push_back(further[i].cause);
+      const std::vector<Explanation> sets = inItsVariants(best);
+      parts = sets.size();
+      for (const Explanation& set : sets) {
+        const std::vector<Candidate> further = ranked(set);
+        for (std::size_t i = 0; i < std::min(extendedBy, further.size()); ++i) {
+          larger.push_back(set);
+          larger.back().push_back(further[i].cause);
+        }
       }
+      parts = 1;
       Set next = bestOf(std::move(larger));
       if (best.left - next.left < std::max(least, leastOfRest * best.left)) break;
       best = std::move(next);
@@ -89,6 +95,27 @@ private:
     Explanation causes;
     double left = INFINITY;  ///< squares on the blocks for judging
   };
+
+  /// The set, and with one cause in another form of its law each, values fitted anew: the form that fits best
+  /// while something is missing is the one that takes that in, and leaves nothing of it to be found.
+  std::vector<Explanation> inItsVariants(const Set& set) {
+    std::vector<Explanation> others;
+    for (std::size_t i = 0; i < set.causes.size(); ++i)
+      for (int v = 0; v < set.causes[i].effect->numVariants(); ++v) {
+        if (v == set.causes[i].variant) continue;
+        others.push_back(set.causes);
+        others.back()[i].variant = v;
+      }
+    std::vector<double> left(others.size());
+    parallel(others.size(), jobs, [&](std::size_t i) {
+      others[i] = fitTogether(coarse, others[i], evaluations, 1);
+      left[i] = fine.of(others[i]).judging;
+    });
+    std::vector<Explanation> sets = {set.causes};
+    for (std::size_t i = 0; i < others.size(); ++i)
+      if (left[i] < nearlyAsGood * set.left) sets.push_back(std::move(others[i]));
+    return sets;
+  }
 
   /// Every kind that the causes do not have, fitted on top of them; the one that fits best first.
   std::vector<Candidate> ranked(const Explanation& causes) {
@@ -121,9 +148,9 @@ private:
     parallel(count, jobs, [&](std::size_t i) {
       work(i);
       const double share = static_cast<double>(++done) / static_cast<double>(count);
-      if (progress) progress((round + share) / rounds);
+      if (progress) progress((round + share / static_cast<double>(parts)) / rounds);
     });
-    ++round;
+    round += 1 / static_cast<double>(parts);
   }
 
   const std::vector<std::vector<Cause>> kinds;
@@ -132,6 +159,7 @@ private:
   const int jobs;
   const std::function<void(double)>& progress;
   double round = 0, rounds = 1;
+  std::size_t parts = 1;  // of the round
 };
 
 }  // namespace

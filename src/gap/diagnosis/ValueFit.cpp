@@ -132,4 +132,13 @@ Explanation fitTogether(const Evaluator& evaluator, const Explanation& causes, i
   return result;
 }
 
+Explanation fitSettled(const Evaluator& evaluator, Explanation causes, int evaluations, int jobs) {
+  for (int pass = 0; pass < 3; ++pass) {
+    Explanation again = fitTogether(evaluator, causes, evaluations, jobs);
+    if (again == causes) break;
+    causes = std::move(again);
+  }
+  return causes;
+}
+
 }  // namespace plumbline::gap

@@ -28,5 +28,7 @@ Candidate fitValue(const Evaluator& evaluator, const Cause& start, const TrialMa
 /// held base the others do not feel each other and stay. evaluations: for two; with a held base as many more
 /// for each further one.
 Explanation fitTogether(const Evaluator& evaluator, const Explanation& causes, int evaluations, int jobs);
+/// fitTogether() begun anew until the values stay, three times at most.
+Explanation fitSettled(const Evaluator& evaluator, Explanation causes, int evaluations, int jobs);
 
 }  // namespace plumbline::gap

@@ -13,6 +13,8 @@ inline const Effect accelerationLimit{
     .upper = 400,
     .starts = {10, 30, 80},
     .reciprocal = true,
+    .ofServo = true,
+    .setting = true,
     .sentence = "The servo of {at} smooths its commands: it keeps an acceleration limit.",
     .exposedBy = "steps and fast moves",
     .apply =

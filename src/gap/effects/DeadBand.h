@@ -13,6 +13,7 @@ inline const Effect deadBand{
     .starts = {0.004, 0.015, 0.04},
     .sticks = true,
     .ofServo = true,
+    .setting = true,
     .variants = {"what exceeds the band counts", "beyond the band the whole error counts"},
     .sentence = "The servo of {at} ignores small errors.",
     .exposedBy = "slow motions and static poses",

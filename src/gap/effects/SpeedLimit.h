@@ -13,6 +13,7 @@ inline const Effect speedLimit{
     .upper = 1.5,
     .starts = {0.2, 0.4, 0.7},
     .reciprocal = true,
+    .setting = true,
     .sentence = "{at} does not reach the speed that the model allows.",
     .exposedBy = "fast moves near the speed limit",
     .apply = [](Plant& plant, const Place& place, double value,

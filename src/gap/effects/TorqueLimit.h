@@ -13,6 +13,7 @@ inline const Effect torqueLimit{
     .upper = 1.5,
     .starts = {0.15, 0.4, 0.7},
     .reciprocal = true,
+    .setting = true,
     .sentence = "The motor of {at} gives less torque than the model's.",
     .exposedBy = "fast moves at the torque limit",
     .apply = [](Plant& plant, const Place& place, double value,

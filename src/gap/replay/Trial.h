@@ -23,8 +23,9 @@ struct Signal {
 
 /// A run made ready for replay on one mechanism: times, what was commanded, what was measured.
 struct Trial {
-  std::string name;    ///< for people: the run's folder
-  std::string motion;  ///< free text; runs of the same text are repeats of each other
+  std::string name;       ///< for people: the run's folder, and which part of it
+  std::string recording;  ///< the run's folder, which windows of one recording share
+  std::string motion;     ///< free text; runs of the same text are repeats of each other
   /// Of the whole recording, which windows of it share; empty: not known.
   std::string recordedMotion;
   /// The robot as this run drove it: the nominal one, but for gains that the run knows.

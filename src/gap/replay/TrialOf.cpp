@@ -87,7 +87,7 @@ void unwindQuaternion(std::vector<Signal>& signals) {
 
 Trial trialOf(const Run& run, const Mechanism& nominal) {
   Trial trial;
-  trial.name = run.folder;
+  trial.name = trial.recording = run.folder;
   trial.motion = trial.recordedMotion = run.motion;
   trial.robot = std::make_shared<Mechanism>(withServo(nominal, run));
   trial.freeBase = run.freeBase;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "../TwoJointArm.h"
 #include "gap/diagnosis/Search.h"
 
@@ -10,20 +12,29 @@ namespace {
 
 constexpr double noise = 5e-4;
 
-/// Diagnoses two recordings of the arm with a cause in it; the reality takes other, finer steps.
-Diagnosis diagnosisOf(const std::function<void(Plant&)>& change, double size = 0.5) {
-  static const Mechanism arm = twoJointArm();
-  Plant reality = nominalPlant(arm);
-  change(reality);
+/// The reality takes other, finer steps.
+Trial madeOf(const Plant& reality, const Trial& trial, std::uint64_t seed) {
   ReplayOptions fineSteps;
   fineSteps.step = fineSteps.gearStep = 0.0003;
-  std::vector<Trial> trials;
-  for (const std::uint64_t seed : {11, 12})
-    trials.push_back(recorded(reality, armTrial(arm, 6, size), noise, seed, fineSteps));
+  return recorded(reality, trial, noise, seed, fineSteps);
+}
+
+Diagnosis diagnosisOf(const std::vector<Trial>& trials) {
+  static const Mechanism arm = twoJointArm();
   const Evidence evidence(trials);
   Evaluator fine(arm, evidence);
   Evaluator coarse(arm, evidence, coarseSteps());
   return diagnose(fine, coarse, {});
+}
+
+/// Diagnoses two recordings of the arm with a cause in it.
+Diagnosis diagnosisOf(const std::function<void(Plant&)>& change, double size = 0.5) {
+  const Mechanism arm = twoJointArm();
+  Plant reality = nominalPlant(arm);
+  change(reality);
+  std::vector<Trial> trials;
+  for (const std::uint64_t seed : {11, 12}) trials.push_back(madeOf(reality, armTrial(arm, 6, size), seed));
+  return diagnosisOf(trials);
 }
 
 void expectCause(const Diagnosis& diagnosis, std::string_view id, std::string_view at, double value,
@@ -59,6 +70,40 @@ TEST(DiagnosisTest, servosOfOneTypeThatAreAllSofter) {
                 for (auto& joint : plant.joints) joint.servo.kp *= 0.6;
               }),
               "servo_gain", "*", 0.6, 0.01);
+}
+
+/// One recording per limit of the servos' own profile (0: none), named after the days.
+std::vector<Trial> limited(const std::vector<double>& limits, bool stillShoulder = false) {
+  const Mechanism arm = twoJointArm();
+  std::vector<Trial> trials;
+  for (const double limit : limits) {
+    Plant reality = nominalPlant(arm);
+    for (auto& joint : reality.joints) joint.accelerationLimit = limit;
+    static const std::array days = {"monday", "tuesday"};
+    Trial trial = armTrial(arm, 6, 0.5 - 0.05 * static_cast<double>(trials.size()));
+    if (stillShoulder) std::ranges::fill(trial.command[0], 0.1);
+    trial.recording = days.at(trials.size());
+    trial.motion += trial.recording;
+    trials.push_back(madeOf(reality, trial, 11 + trials.size()));
+  }
+  return trials;
+}
+
+TEST(DiagnosisTest, whatIsSetInOneServoIsSetInAllUnlessTheDataSpeakAgainstIt) {
+  const Diagnosis diagnosis = diagnosisOf(limited({30, 30}, true));
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_EQ(describe(diagnosis.findings[0].cause), "acceleration_limit at * = 30 rad/s^2");
+  ASSERT_EQ(diagnosis.findings[0].rivals.size(), 1u) << "a shoulder that stands still does not tell";
+  EXPECT_EQ(diagnosis.findings[0].rivals[0].cause.place.at, "elbow");
+  expectCause(diagnosisOf([](Plant& plant) { plant.joints[1].accelerationLimit = 30; }), "acceleration_limit",
+              "elbow", 30, 0.5);
+}
+
+TEST(DiagnosisTest, aLimitThatWasNotSetInOneRecording) {
+  const Diagnosis diagnosis = diagnosisOf(limited({30, 0}));
+  expectCause(diagnosis, "acceleration_limit", "*", 30, 0.5);
+  ASSERT_FALSE(diagnosis.findings.empty());
+  EXPECT_EQ(diagnosis.findings[0].cause.notIn, std::vector<std::string>{"tuesday"});
 }
 
 TEST(DiagnosisTest, aGearAsSoftAsASpring) {

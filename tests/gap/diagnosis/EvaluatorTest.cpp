@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../StandingLeg.h"
+#include "gap/diagnosis/GapMeter.h"
 
 namespace plumbline::gap {
 namespace {
@@ -33,6 +34,26 @@ TEST_F(EvaluatorTest, anExplanationCostsWhatItCostsAsABase) {
   EXPECT_NEAR(fit.fitting, evaluator.baseFit().fitting, 1e-6 * fit.fitting);
   EXPECT_DOUBLE_EQ(fit.judging, with.judging);
   EXPECT_EQ(evaluator.of(causes).judging, evaluator.baseFit().judging);
+}
+
+TEST_F(EvaluatorTest, aCauseChangesNothingInARecordingThatRanWithoutIt) {
+  Trial with = armTrial(arm, 3), less = armTrial(arm, 3);
+  with.recording = "with";
+  less.recording = "without";
+  const Explanation there = {causeOfArm("acceleration_limit", "elbow", 20)};
+  const Evidence both(
+      {recorded(plantOf(arm, there), with, 5e-4, 3), recorded(nominalPlant(arm), less, 5e-4, 4)});
+  Cause cause = there[0];
+  cause.notIn = {"without"};
+  Evaluator evaluator(arm, both);
+  const double nominal = evaluator.baseFit().judging;
+  const Fit fit = evaluator.with(cause);
+  EXPECT_LT(fit.judging, 0.1 * nominal);
+  EXPECT_LT(fit.judging, 0.1 * evaluator.with(there[0]).judging);
+  EXPECT_EQ(evaluator.of({cause}).judging, fit.judging);
+  evaluator.setBase({cause});
+  EXPECT_NEAR(evaluator.baseFit().judging, fit.judging, 1e-6 * fit.judging);
+  EXPECT_LT(worstGap(evaluator).size, 0.5);
 }
 
 /// A recording of an elbow that hunts between the flanks of its gear, with teeth and a phase of its own.

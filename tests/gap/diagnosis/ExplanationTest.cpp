@@ -20,5 +20,21 @@ TEST(ExplanationTest, valuesNextToNominalDoNothing) {
   EXPECT_FALSE(nothing("speed_limit", 0.9));
 }
 
+TEST(ExplanationTest, whatWasNotSetInARecordingIsNotInItsPlant) {
+  const Mechanism arm = twoJointArm();
+  Trial trial = armTrial(arm, 1);
+  trial.recording = "runs/tuesday/";
+  Explanation causes = {causeOfArm("acceleration_limit", "elbow", 20),
+                        causeOfArm("coulomb_friction", "elbow", 0.1)};
+  EXPECT_EQ(plantOf(trial, causes).joints[1].accelerationLimit, 20);
+  EXPECT_EQ(describeNotIn(causes[0]), "");
+  causes[0].notIn = {"runs/monday", "runs/tuesday/"};
+  EXPECT_FALSE(inForce(causes[0], trial));
+  EXPECT_EQ(plantOf(trial, causes).joints[1].accelerationLimit, 0);
+  EXPECT_EQ(plantOf(trial, causes).joints[1].coulomb, 0.1);
+  EXPECT_EQ(plantOf(arm, causes).joints[1].accelerationLimit, 20);
+  EXPECT_EQ(describeNotIn(causes[0]), "not set in monday, tuesday");
+}
+
 }  // namespace
 }  // namespace plumbline::gap

@@ -1,0 +1,144 @@
+#include "gap/diagnosis/Growth.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "gap/diagnosis/Merit.h"
+#include "gap/diagnosis/Probability.h"
+#include "gap/diagnosis/Search.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+// Where only a little of the gap is left (Remainder::little), a further cause has to explain
+// most of that, and to be more probable than all others together.
+constexpr double mostOfIt = 0.6, surer = 0.5;
+constexpr double hopeless = 0.3;  // of the best candidate's gain lost: not tried as a further cause
+constexpr std::size_t tries = 3;
+constexpr double asWell = 1.05;  // times the squares for judging: no worse
+constexpr int evaluations = 32;  // of values that are fitted together
+
+}  // namespace
+
+void Growth::grow(double most) {
+  while (causes.size() < options.maxCauses &&
+         (causes.empty() ? worstGap(fine).size >= present : remainder().size() >= unexplained)) {
+    if (causes.size() > 1 && fine.baseFit().judging > most) break;
+    std::vector<Candidate> list = candidates(causes.empty() ? "first cause" : "further cause",
+                                             !causes.empty() && remainder().onlyOfSensors());
+    if (!accept(list)) {
+      if (choices.empty()) choices.push_back(std::move(list));
+      break;
+    }
+    causes = fine.base();
+    // What was set in one servo may have been taken for set in all: its rivals are looked for at the end.
+    const auto same = [&](const Candidate& c) { return c.cause.sameKind(causes.back()); };
+    if (std::ranges::none_of(list, same)) list.clear();
+    choices.push_back(std::move(list));
+  }
+}
+
+/// Tries the best candidates on top of the base, values that depend on each other fitted together; keeps
+/// the one that predicts best of those that earn their place.
+bool Growth::accept(const std::vector<Candidate>& list) {
+  if (list.empty()) return false;
+  const Standing before(fine);
+  const double part = leastPart();
+  // Where little is left, a cause that is less probable than all others together is a guess.
+  if (part > 0 && probabilities(list).front() < surer) return false;
+  const Explanation old = fine.base();
+  const double front = list.front().fit.judging, least = front + hopeless * (before.judging() - front);
+  Explanation best;
+  double bestJudging = INFINITY;
+  for (std::size_t i = 0; i < std::min(old.empty() ? 1 : tries, list.size()); ++i) {
+    if (list[i].fit.judging > least) break;
+    setBaseTo(old, list[i].cause);
+    if (fine.baseFit().judging < bestJudging && before.betteredBy(fine, part)) {
+      best = fine.base();
+      bestJudging = fine.baseFit().judging;
+    }
+  }
+  if (!best.empty() && isOneServosSetting(best.back())) {
+    Cause all = best.back();
+    all.place = {Site::everywhere, -1, "*"};
+    const auto isIt = [&](const Cause& cause) { return cause.sameKind(all); };
+    fine.setBase(best);
+    if (std::ranges::none_of(old, isIt)) setBaseTo(old, all);
+    if (fine.baseFit().judging < asWell * bestJudging && before.betteredBy(fine, part)) best = fine.base();
+  }
+  fine.setBase(best.empty() ? old : best);
+  return !best.empty();
+}
+
+/// Another cause on top of some, values that depend on each other fitted together.
+void Growth::setBaseTo(const Explanation& old, const Cause& cause) {
+  Explanation tried = old;
+  tried.push_back(cause);
+  fine.setBase(old);
+  const Explanation together =
+      ofSensor(cause) ? tried : fitTogether(proposals.quickOn(old), tried, evaluations, options.jobs);
+  const bool better = together == tried || fine.of(together).fitting < fine.of(tried).fitting;
+  fine.setBase(better ? together : tried);
+}
+
+/// Whether a cause is set in one servo of a robot whose servos are all of one type. What is set in one is
+/// set in all of them, unless the data speak against it.
+bool Growth::isOneServosSetting(const Cause& cause) const {
+  const Effect& effect = *cause.effect;
+  return effect.setting && effect.ofServo && cause.place.site == Site::joint &&
+         fine.mechanism().sharesServo();
+}
+
+/// The share of what is unexplained that a further cause has to explain: where little is left of a large
+/// gap, that may be what the effects found do otherwise in reality, and only what explains most of it
+/// counts.
+double Growth::leastPart() const { return !fine.base().empty() && remainder().little() ? mostOfIt : 0; }
+
+void Growth::addLostIfNothingRemains() {
+  std::vector<Candidate> lost;
+  if (causes.size() < options.maxCauses && !remainder().mayRemain()) proposals.addLostCommands(lost);
+  if (lost.empty()) return;
+  causes.push_back(lost.front().cause);
+  fine.setBase(causes);
+  if (remainder().mayRemain()) {
+    choices.push_back(std::move(lost));
+    lostCommandsLast = false;
+  } else {
+    causes.pop_back();
+    fine.setBase(causes);
+  }
+}
+
+std::vector<Candidate> Growth::candidates(const std::string& stage, bool onlySensors) {
+  return proposals.find({.stage = stage,
+                         .leastGain = leastPart() / 2 * std::max(0.0, excess(fine)),
+                         .onlySensors = onlySensors,
+                         .lostCommands = !lostCommandsLast,
+                         .memory = onHeldRuns ? nullptr : options.memory});
+}
+
+void Growth::lookForRivals() {
+  for (std::size_t i = 0; i < causes.size(); ++i) {
+    if (!choices[i].empty()) continue;
+    fine.setBase(without(causes, i));
+    choices[i] = withItself(candidates("each cause again"), causes[i]);
+  }
+  fine.setBase(causes);
+}
+
+/// What stood for choice besides a cause that was chosen otherwise; its value fitted like theirs.
+std::vector<Candidate> Growth::withItself(std::vector<Candidate> list, const Cause& cause) const {
+  std::erase_if(list, [&](const Candidate& c) { return c.cause.sameKind(cause); });
+  list.push_back(fitValue(fine, cause, {}));
+  sortByProbability(list);
+  return list;
+}
+
+void Growth::clear() {
+  causes.clear();
+  choices.clear();
+  fine.setBase({});
+}
+
+}  // namespace plumbline::gap

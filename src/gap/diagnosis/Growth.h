@@ -1,0 +1,52 @@
+#pragma once
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "gap/diagnosis/Proposals.h"
+#include "gap/diagnosis/Remainder.h"
+
+namespace plumbline::gap {
+
+/// A set of causes that grows from the fine evaluator's base while each further one earns its place. Whoever
+/// changes the set by hand sets the evaluator's base too.
+class Growth {
+public:
+  /// coarse: with steps that do for a first look.
+  Growth(Evaluator& fine_, Evaluator& coarse, const DiagnosisOptions& options_)
+      : fine(fine_), options(options_), proposals(fine_, coarse, options_) {}
+
+  /// Gap beyond noise of the worst channel, in units of its noise, below which nothing is looked for.
+  static constexpr double present = 0.9;
+
+  Explanation causes;
+  std::vector<std::vector<Candidate>> choices;  ///< per cause: what stood for choice, most probable first
+  double worstBefore = 0;         ///< gap beyond noise of the worst channel without any cause [its noise]
+  bool onHeldRuns = false;        ///< these searches are not kept for a diagnosis that goes on
+  bool lostCommandsLast = false;  ///< they are not looked for
+
+  /// Adds causes until none earns its place. most: sum of squares for judging above which two causes are not
+  /// worth a third.
+  void grow(double most = INFINITY);
+  /// Command dropout comes in where nothing remains then.
+  void addLostIfNothingRemains();
+  /// What could be added to the base, most probable first.
+  std::vector<Candidate> candidates(const std::string& stage, bool onlySensors = false);
+  /// What stood for choice besides causes that were chosen together.
+  void lookForRivals();
+  Remainder remainder() const { return {fine, worstBefore}; }
+  void clear();
+
+private:
+  bool accept(const std::vector<Candidate>& list);
+  void setBaseTo(const Explanation& old, const Cause& cause);
+  bool isOneServosSetting(const Cause& cause) const;
+  double leastPart() const;
+  std::vector<Candidate> withItself(std::vector<Candidate> list, const Cause& cause) const;
+
+  Evaluator& fine;
+  const DiagnosisOptions& options;
+  Proposals proposals;
+};
+
+}  // namespace plumbline::gap

@@ -1,0 +1,130 @@
+#include "gap/diagnosis/RunsWithout.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "framework/Parallel.h"
+#include "gap/diagnosis/Merit.h"
+#include "gap/diagnosis/PossibleCauses.h"
+#include "gap/diagnosis/ValueFit.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double farBetter = 0.2;  // of a recording's squares that has to go without the cause
+constexpr double worthIt = 0.05;   // of all squares, for each recording, with values fitted anew
+constexpr std::size_t fittedStarts = 6;
+constexpr double needless = 0.02;  // more squares without it: a cause that is not needed
+constexpr int evaluations = 60;    // of values that are fitted together
+
+/// Squares on the blocks for judging of each recording with a held base.
+std::map<std::string, double> squaresByRecording(const Evidence& data, const Fit& fit) {
+  std::map<std::string, double> sums;
+  for (std::size_t t = 0; t < data.trials().size(); ++t) {
+    const Trial& trial = data.trials()[t];
+    if (trial.freeBase || trial.cycles() == 0) continue;
+    double& sum = sums[trial.recording];
+    for (std::size_t b = data.block(t, 0); b <= data.block(t, trial.cycles() - 1); ++b)
+      if (!Evidence::forFitting(b)) sum += fit.squares[b];
+  }
+  return sums;
+}
+
+/// The recordings without the cause, one more or less: the one that gains most by that change, far more than
+/// nothing. As they are where that holds for no recording, or for the last that shows the cause.
+std::vector<std::string> changed(const Evaluator& evaluator, const Explanation& causes, std::size_t i) {
+  const Evidence& data = evaluator.evidence();
+  Explanation everywhere = causes;
+  everywhere[i].notIn.clear();
+  const auto with = squaresByRecording(data, evaluator.of(everywhere)),
+             less = squaresByRecording(data, evaluator.of(without(causes, i)));
+  std::vector<std::string> names = causes[i].notIn;
+  std::string most;
+  double mostGain = leastGain;
+  bool shown = false;
+  for (const auto& [name, squares] : with) {
+    const bool out = std::ranges::find(names, name) != names.end();
+    const double now = out ? less.at(name) : squares, then = out ? squares : less.at(name);
+    shown = shown || less.at(name) - squares > std::max(leastGain, farBetter * less.at(name));
+    if (now - then < std::max(mostGain, farBetter * now)) continue;
+    mostGain = now - then;
+    most = name;
+  }
+  if (most.empty() || !shown) return names;
+  if (std::erase(names, most) == 0) names.push_back(most);
+  std::ranges::sort(names);
+  return names;
+}
+
+/// The cause, out of the recordings that it makes far worse; in all where it makes none far better.
+Candidate setInSome(const Evaluator& nominal, Cause cause) {
+  const Evidence& data = nominal.evidence();
+  cause.notIn.clear();
+  Fit fit = nominal.with(cause);
+  const auto before = squaresByRecording(data, nominal.baseFit()), after = squaresByRecording(data, fit);
+  bool any = false;
+  for (const auto& [name, squares] : before) {
+    const double loss = after.at(name) - squares, far = std::max(leastGain, farBetter * squares);
+    any = any || -loss > far;
+    if (loss <= far) continue;
+    cause.notIn.push_back(name);
+    fit.judging -= loss;
+  }
+  if (!any) cause.notIn.clear();
+  return {cause, std::move(fit), 0};
+}
+
+/// Without the causes that only made up for the recordings that are told apart now.
+Explanation needed(const Evaluator& evaluator, Explanation causes, int jobs) {
+  double judging = evaluator.of(causes).judging;
+  for (std::size_t i = causes.size(); i-- > 0;) {
+    if (!causes[i].notIn.empty()) continue;
+    Explanation less = fitSettled(evaluator, without(causes, i), evaluations, jobs);
+    const double left = evaluator.of(less).judging;
+    if (left - judging >= std::max(leastGain, needless * judging)) continue;
+    causes = std::move(less);
+    judging = left;
+  }
+  return causes;
+}
+
+}  // namespace
+
+Explanation withoutWhereNotSet(const Evaluator& evaluator, int jobs) {
+  const Explanation& base = evaluator.base();
+  Explanation best = base;
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    while (best[i].effect->setting) {
+      Explanation tried = best;
+      tried[i].notIn = changed(evaluator, best, i);
+      if (tried[i].notIn == best[i].notIn) break;
+      tried = fitTogether(evaluator, tried, evaluations, jobs);
+      // The changes end: each takes away its share.
+      if (evaluator.of(tried).judging > (1 - worthIt) * evaluator.of(best).judging) break;
+      best = std::move(tried);
+    }
+  }
+  return best == base ? base : needed(evaluator, fitSettled(evaluator, best, evaluations, jobs), jobs);
+}
+
+Explanation setInSomeRecordings(const Evaluator& nominal, int jobs) {
+  std::vector<Cause> starts = possibleCauses(nominal);
+  std::erase_if(starts, [](const Cause& cause) { return !cause.effect->setting; });
+  std::vector<Candidate> tried(starts.size());
+  parallel(starts.size(), jobs, [&](std::size_t i) { tried[i] = setInSome(nominal, starts[i]); });
+  std::erase_if(tried, [](const Candidate& candidate) { return candidate.cause.notIn.empty(); });
+  const auto better = [](const Candidate& a, const Candidate& b) { return a.fit.judging < b.fit.judging; };
+  std::ranges::stable_sort(tried, better);
+  tried.resize(std::min(tried.size(), fittedStarts));
+  parallel(tried.size(), jobs, [&](std::size_t i) {
+    tried[i] = fitValue(nominal, tried[i].cause, {});
+    tried[i] = setInSome(nominal, tried[i].cause);
+  });
+  std::erase_if(tried, [](const Candidate& candidate) { return candidate.cause.notIn.empty(); });
+  if (tried.empty()) return {};
+  return {std::ranges::min_element(tried, better)->cause};
+}
+
+}  // namespace plumbline::gap

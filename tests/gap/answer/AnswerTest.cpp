@@ -1,0 +1,35 @@
+#include "gap/answer/Answer.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "../TwoJointArm.h"
+
+namespace plumbline::gap {
+namespace {
+
+TEST(AnswerTest, theRecordingsThatRanWithoutACauseAreNamed) {
+  const Mechanism arm = twoJointArm();
+  Trial trial = armTrial(arm, 1.5);
+  trial.recording = "runs/tuesday";
+  const Evidence evidence({recorded(nominalPlant(arm), trial, 5e-4, 3)});
+  Evaluator evaluator(arm, evidence);
+  Diagnosis diagnosis;
+  diagnosis.verdict = Verdict::effect;
+  for (const char* id : {"acceleration_limit", "coulomb_friction"}) {
+    diagnosis.findings.emplace_back();
+    diagnosis.findings.back().cause = causeOfArm(id, "elbow", id[0] == 'a' ? 20 : 0.1);
+  }
+  diagnosis.findings[0].cause.notIn = {"runs/tuesday"};
+  const auto answer = nlohmann::json::parse(answerJson({"two_joint_arm", 0, {{}}, ""}, diagnosis, evaluator));
+  const auto& effects = answer["effects"];
+  EXPECT_EQ(effects[0]["not_in"], nlohmann::json({"runs/tuesday"}));
+  EXPECT_EQ(effects[0]["sentence"],
+            "The servo of elbow smooths its commands: it keeps an acceleration limit. It was not set "
+            "in tuesday.");
+  EXPECT_FALSE(effects[1].contains("not_in"));
+}
+
+}  // namespace
+}  // namespace plumbline::gap
