@@ -113,7 +113,8 @@ bench-gap:
 	@scripts/run_bench.sh gap
 
 # The league's recordings against the simulator with one setting left out; TRACES=FOLDER for other recordings.
-# Real robots, whose recordings are not part of the project: DATA=FOLDER. Both write their page in doc/results/.
+# Real robots, whose recordings are not part of the project: DATA=FOLDER, ROBOT and SPLIT for a part. Both write their
+# page in doc/results/.
 bench-gap-simspark bench-gap-real: bench-%:
 	@scripts/install_packages.sh scripts/packages-bench.txt
 	@$(MAKE) SimRelease-bench-$*

@@ -40,7 +40,7 @@ for area in "${areas[@]}"; do
   program=build/SimRelease/bench/$area
   log=build/bench/$area.log
   : > "$log"
-  echo "bench $area"
+  echo "bench $area (how far it is: tail -f $log)"
   if [[ -x $program ]]; then
     if ldd "$program" | grep -q libbenchmark; then
       if "$program" --benchmark_out="build/bench/$area.raw" --benchmark_out_format=json >> "$log" 2>&1 &&

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "gap/diagnosis/Search.h"
 #include "gap/replay/TrialOf.h"
@@ -18,6 +19,10 @@ namespace {
 using namespace gap;
 
 constexpr double startSeconds = 0.3;  // what came before a recording still rings
+
+double since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
 
 Trial trialAt(const std::string& folder, const Mechanism& robot) {
   std::vector<RunWarning> warnings;
@@ -66,9 +71,9 @@ double repeatFloor(const Trial& a, const Trial& b) {
       if (first.kind != SignalKind::position || first.name != second.name) continue;
       const std::vector<double> own = lagOf(a, first), other = lagOf(b, second);
       for (std::size_t k = 0; k < a.cycles(); ++k) {
-        const double since = a.time[k] - a.time[0];
-        const double d = own[k] - between(b, other, b.time[0] + since);
-        if (!std::isfinite(d) || since < startSeconds) continue;
+        const double elapsed = a.time[k] - a.time[0];
+        const double d = own[k] - between(b, other, b.time[0] + elapsed);
+        if (!std::isfinite(d) || elapsed < startSeconds) continue;
         sum += d * d;
         ++n;
       }
@@ -95,8 +100,14 @@ RealResult runSplit(const RealSplit& split, const std::string& robotName, const 
   DiagnosisOptions options;
   options.jobs = jobs;
   options.maxCauses = maxCauses;
+  options.progress = [told = std::string(), begin](const std::string& stage, double) mutable {
+    if (stage == told) return;
+    told = stage;
+    std::printf("  %6.0f s  %s\n", since(begin), stage.c_str());
+    std::fflush(stdout);
+  };
   result.diagnosis = diagnose(fine, coarse, options);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.seconds = since(begin);
 
   const Evidence tests(test);
   Evaluator judge(robot, tests);

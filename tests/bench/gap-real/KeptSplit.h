@@ -1,0 +1,25 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "RealRuns.h"
+
+namespace plumbline::bench {
+
+/// What a split came to, kept in a folder so that a run that was stopped goes on and a split can be run
+/// alone: <folder>/<robot>.<split>.json with "page" (Markdown) and "figures".
+class KeptSplit {
+public:
+  KeptSplit(const std::string& folder, const std::string& robot, const std::string& split);
+
+  bool done() const;
+  /// Errors: none of it there, or not readable (std::runtime_error with the file's name).
+  nlohmann::json read() const;
+  void write(const RealSplit& split, const RealResult& result) const;
+
+private:
+  std::string id;  ///< <robot>.<split>
+  std::string file;
+};
+
+}  // namespace plumbline::bench
