@@ -223,11 +223,11 @@ void Evaluator::addChange(const Prediction& candidate, std::size_t t, std::size_
   }
 }
 
-Fit Evaluator::compare(const std::vector<Prediction>& candidates, const std::vector<bool>& replayed) const {
+Fit Evaluator::compare(const std::vector<Prediction>& candidates) const {
   Fit fit;
   fit.squares = baseSquares.squares;
   for (std::size_t t = 0; t < candidates.size(); ++t) {
-    if (!replayed[t] || candidates[t].values.empty()) continue;
+    if (candidates[t].values.empty()) continue;
     const Trial& trial = data.trials()[t];
     for (std::size_t s = 0; s < trial.signals.size(); ++s) {
       const auto& predicted = candidates[t].values[s];
@@ -245,19 +245,16 @@ double Evaluator::chi(std::size_t trial, std::size_t signal) const { return chis
 
 Fit Evaluator::with(const Cause& cause, const TrialMask& mask) const {
   std::vector<Prediction> candidates(data.trials().size());
-  std::vector<bool> replayed(data.trials().size(), false);
   for (std::size_t t = 0; t < candidates.size(); ++t) {
     if (leftOut(t) || (!mask.empty() && !mask[t])) continue;
     candidates[t] = changed(t, cause);
-    replayed[t] = true;
   }
-  return compare(candidates, replayed);
+  return compare(candidates);
 }
 
-Fit Evaluator::of(const Explanation& explanation) const {
+std::vector<Prediction> Evaluator::played(const Explanation& explanation) const {
   const std::vector<int> joints = chainsThatDiffer(explanation);
   std::vector<Prediction> candidates(data.trials().size());
-  const std::vector<bool> replayed(candidates.size(), !joints.empty());
   for (std::size_t t = 0; t < candidates.size() && !joints.empty(); ++t) {
     if (leftOut(t)) continue;
     const Trial& trial = data.trials()[t];
@@ -265,7 +262,7 @@ Fit Evaluator::of(const Explanation& explanation) const {
     if (!trial.freeBase) options.joints = joints;
     candidates[t] = replayForetold(plantOf(trial, explanation), trial, options);
   }
-  return compare(candidates, replayed);
+  return candidates;
 }
 
 }  // namespace plumbline::gap

@@ -38,7 +38,12 @@ public:
   /// Fit of base plus one cause; trials that are not replayed keep the base's squares. Thread-safe.
   Fit with(const Cause& cause, const TrialMask& mask = {}) const;
   /// Fit of another explanation. Thread-safe.
-  Fit of(const Explanation& causes) const;
+  Fit of(const Explanation& causes) const { return compare(played(causes)); }
+  /// What another explanation predicts, one per trial: with a held base only the signals of the joints that
+  /// differ from the base's, nothing where none do. Thread-safe.
+  std::vector<Prediction> played(const Explanation& causes) const;
+  /// Fit of predictions, each with the base's where it has none of its own. Thread-safe.
+  Fit compare(const std::vector<Prediction>& candidates) const;
 
   /// Lost cycles found under the present base, used wherever dropout is a cause: one vector per trial.
   void setLostCycles(std::vector<std::vector<std::uint8_t>> cycles);
@@ -71,7 +76,6 @@ private:
   /// Joints to replay with a held base where another explanation takes the base's place.
   std::vector<int> chainsThatDiffer(const Explanation& other) const;
   Prediction changed(std::size_t trial, const Cause& cause) const;
-  Fit compare(const std::vector<Prediction>& candidates, const std::vector<bool>& replayed) const;
   /// Adds what a candidate changes in one signal.
   void addChange(const Prediction& candidate, std::size_t trial, std::size_t signal, Fit& fit) const;
 

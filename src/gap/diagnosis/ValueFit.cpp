@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "framework/Parallel.h"
+#include "gap/diagnosis/GaussNewton.h"
 #include "optimization/Brent.h"
 #include "optimization/Cmaes.h"
 
@@ -41,8 +42,9 @@ std::vector<std::vector<std::size_t>> coupledGroups(const Evaluator& evaluator, 
   return groups;
 }
 
-Explanation fitGroup(const Evaluator& evaluator, const Explanation& causes,
-                     const std::vector<std::size_t>& group, int evaluations, int jobs) {
+/// With runs on the feet, whose squares jump where a foot slips or not, by CMA-ES.
+Explanation fitByEvolution(const Evaluator& evaluator, const Explanation& causes,
+                           const std::vector<std::size_t>& group, int evaluations, int jobs) {
   const Mechanism& mechanism = evaluator.mechanism();
   const auto n = static_cast<Eigen::Index>(group.size());
   // Coordinates: logarithm of each strength against where it is now.
@@ -67,8 +69,7 @@ Explanation fitGroup(const Evaluator& evaluator, const Explanation& causes,
   CmaesOptions options;
   options.seed = 7;
   options.population = 8;
-  // Replays on the feet are too dear for more.
-  options.stop.maxEvaluations = evaluator.hasStanding() ? evaluations : evaluations * static_cast<int>(n - 1);
+  options.stop.maxEvaluations = evaluations;
   options.stop.tolX = 0.02;
   options.stop.tolFun = 0.5;
   Cmaes optimizer(space, options);
@@ -127,8 +128,11 @@ Candidate fitValue(const Evaluator& evaluator, const Cause& start, const TrialMa
 
 Explanation fitTogether(const Evaluator& evaluator, const Explanation& causes, int evaluations, int jobs) {
   Explanation result = causes;
-  for (const std::vector<std::size_t>& group : coupledGroups(evaluator, causes))
-    if (group.size() > 1) result = fitGroup(evaluator, result, group, evaluations, jobs);
+  for (const std::vector<std::size_t>& group : coupledGroups(evaluator, causes)) {
+    if (group.size() < 2) continue;
+    result = evaluator.hasStanding() ? fitByEvolution(evaluator, result, group, evaluations, jobs)
+                                     : gaussNewton(evaluator, result, group, jobs).causes;
+  }
   return result;
 }
 

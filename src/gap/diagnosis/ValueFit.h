@@ -24,9 +24,9 @@ struct ValueSearch {
 Candidate fitValue(const Evaluator& evaluator, const Cause& start, const TrialMask& mask,
                    const ValueSearch& how = {});
 
-/// Values of causes that move the same joints fitted together by CMA-ES (seeded), from where they are; with a
-/// held base the others do not feel each other and stay. evaluations: for two; with a held base as many more
-/// for each further one.
+/// Values of causes that move the same joints fitted together, from where they are: with a held base by
+/// Gauss-Newton steps (see GaussNewton.h), where the others do not feel each other and stay; with runs on the
+/// feet by CMA-ES (seeded) in so many evaluations.
 Explanation fitTogether(const Evaluator& evaluator, const Explanation& causes, int evaluations, int jobs);
 /// fitTogether() begun anew until the values stay, three times at most.
 Explanation fitSettled(const Evaluator& evaluator, Explanation causes, int evaluations, int jobs);

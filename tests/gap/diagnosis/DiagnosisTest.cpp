@@ -80,7 +80,7 @@ std::vector<Trial> limited(const std::vector<double>& limits, bool stillShoulder
     Plant reality = nominalPlant(arm);
     for (auto& joint : reality.joints) joint.accelerationLimit = limit;
     static const std::array days = {"monday", "tuesday"};
-    Trial trial = armTrial(arm, 6, 0.5 - 0.05 * static_cast<double>(trials.size()));
+    Trial trial = armTrial(arm, 3, 0.5 - 0.05 * static_cast<double>(trials.size()));
     if (stillShoulder) std::ranges::fill(trial.command[0], 0.1);
     trial.recording = days.at(trials.size());
     trial.motion += trial.recording;
@@ -138,7 +138,7 @@ TEST(DiagnosisTest, whatTheLibraryDoesNotHaveIsUnknown) {
   const Mechanism arm = twoJointArm();
   std::vector<Trial> trials;
   for (const std::uint64_t seed : {21, 22}) {
-    Trial trial = recorded(nominalPlant(arm), armTrial(arm, 6), noise, seed);
+    Trial trial = recorded(nominalPlant(arm), armTrial(arm, 4), noise, seed);
     for (std::size_t k = 0; k < trial.cycles(); ++k)
       trial.signals[1].values[k] += 0.006 * std::sin(23 * trial.command[1][k]);
     trials.push_back(std::move(trial));
@@ -157,7 +157,7 @@ Diagnosis withAccelerometer(const Vec3& acceleration) {
   arm.hasImu = true;
   std::vector<Trial> trials;
   for (const std::uint64_t seed : {31, 32}) {
-    Trial trial = recorded(nominalPlant(arm), armTrial(arm, 6), noise, seed);
+    Trial trial = recorded(nominalPlant(arm), armTrial(arm, 4), noise, seed);
     Random random(seed + 10);
     for (int axis = 0; axis < 3; ++axis) {
       Signal signal;

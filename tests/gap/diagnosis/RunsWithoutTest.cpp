@@ -17,7 +17,7 @@ protected:
     std::vector<Trial> trials;
     for (const char* day : {"monday", "monday", "tuesday", "slow"}) {
       const bool without = differs && *day == 't';
-      Trial trial = armTrial(arm, 6, *day == 's' ? 0.02 : 0.4 + 0.02 * static_cast<double>(trials.size()));
+      Trial trial = armTrial(arm, 3, *day == 's' ? 0.02 : 0.4 + 0.02 * static_cast<double>(trials.size()));
       trial.recording = day;
       trial.motion += std::to_string(trials.size());
       const Explanation there(causes.begin() + (without ? 1 : 0), causes.end());

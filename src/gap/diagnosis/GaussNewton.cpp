@@ -1,0 +1,143 @@
+#include "gap/diagnosis/GaussNewton.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "framework/Parallel.h"
+#include "gap/diagnosis/ValueFit.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr int steps = 12, tries = 4;
+// Of a strength, for the derivative: what sticks or has limits is not smooth, and one of these may show where
+// to go where another does not.
+constexpr std::array shares = {0.02, 0.004, 0.08};
+constexpr double longest = 0.7;   // step of the logarithm of a strength
+constexpr double nothing = 2e-4;  // of the squares, a step that is not worth another
+constexpr double atLeast = 0.1;   // squares, likewise
+constexpr double damped = 1e-3;   // at first, of the diagonal
+
+using Predictions = std::vector<Prediction>;
+
+struct Slopes {
+  Eigen::MatrixXd normal;    ///< J^T W J
+  Eigen::VectorXd downhill;  ///< J^T W r
+};
+
+class Steps {
+public:
+  Steps(const Evaluator& evaluator_, const Explanation& causes, const std::vector<std::size_t>& group_,
+        int jobs_)
+      : evaluator(evaluator_), group(group_), jobs(jobs_) {
+    at.causes = causes;
+    played = evaluator.played(causes);
+    at.fitting = evaluator.compare(played).fitting;
+  }
+
+  Stepped run() {
+    double damping = damped;
+    std::size_t share = 0;
+    for (int step = 0; step < steps && !at.settled; ++step) {
+      if (take(slopesHere(shares[share]), damping)) continue;
+      if (++share == shares.size()) break;
+      damping = damped;
+    }
+    return at;
+  }
+
+private:
+  Explanation moved(const Eigen::VectorXd& x) const {
+    Explanation causes = at.causes;
+    for (std::size_t i = 0; i < group.size(); ++i)
+      causes[group[i]] =
+          scaled(evaluator.mechanism(), causes[group[i]], std::exp(x[static_cast<Eigen::Index>(i)]));
+    return causes;
+  }
+
+  /// What is predicted of a signal: the base's where nothing of it was replayed.
+  const std::vector<double>& valuesOf(const Predictions& p, std::size_t t, std::size_t s) const {
+    const bool own = s < p[t].values.size() && !p[t].values[s].empty();
+    return own ? p[t].values[s] : evaluator.basePrediction(t).values[s];
+  }
+
+  Slopes slopesHere(double share) const {
+    const auto n = static_cast<Eigen::Index>(group.size());
+    std::vector<Predictions> beside(group.size());
+    Eigen::VectorXd way(n);
+    for (Eigen::Index i = 0; i < n; ++i) way[i] = strengthens(i, share) ? share : -share;
+    parallel(group.size(), jobs, [&](std::size_t i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      beside[i] = evaluator.played(moved(way[k] * Eigen::VectorXd::Unit(n, k)));
+    });
+    Slopes slopes{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};
+    const Evidence& data = evaluator.evidence();
+    Eigen::VectorXd change(n);
+    for (std::size_t t = 0; t < data.trials().size(); ++t)
+      for (std::size_t s = 0; s < data.trials()[t].signals.size(); ++s) {
+        Prediction here;
+        here.values.resize(s + 1);
+        here.values[s] = valuesOf(played, t, s);
+        if (here.values[s].empty()) continue;
+        std::vector<const std::vector<double>*> there;
+        for (const Predictions& p : beside) there.push_back(&valuesOf(p, t, s));
+        data.forEach(t, s, here, [&](std::size_t k, double w, double r) {
+          if (!Evidence::forFitting(data.block(t, k))) return;
+          for (Eigen::Index i = 0; i < n; ++i) {
+            const double d = (*there[static_cast<std::size_t>(i)])[k] - here.values[s][k];
+            change[i] = std::isfinite(d) ? d / way[i] : 0;
+          }
+          slopes.normal.noalias() += w * change * change.transpose();
+          slopes.downhill.noalias() += w * r * change;
+        });
+      }
+    return slopes;
+  }
+
+  bool strengthens(Eigen::Index i, double by) const {
+    const auto n = static_cast<Eigen::Index>(group.size());
+    const std::size_t k = group[static_cast<std::size_t>(i)];
+    return moved(by * Eigen::VectorXd::Unit(n, i))[k].value != at.causes[k].value;
+  }
+
+  /// One step downhill, more damped until it is one; false where none is.
+  bool take(const Slopes& slopes, double& damping) {
+    for (int attempt = 0; attempt < tries; ++attempt, damping *= 10) {
+      Eigen::MatrixXd normal = slopes.normal;
+      normal.diagonal() *= 1 + damping;
+      normal.diagonal().array() += 1e-9;
+      const Eigen::VectorXd x = normal.ldlt().solve(slopes.downhill).cwiseMax(-longest).cwiseMin(longest);
+      const Explanation tried = moved(x);
+      Predictions there = evaluator.played(tried);
+      const double fitting = evaluator.compare(there).fitting;
+      if (!(fitting < at.fitting)) continue;
+      at.settled = damping < 1 && at.fitting - fitting < std::max(atLeast, nothing * at.fitting);
+      at.causes = tried;
+      at.fitting = fitting;
+      played = std::move(there);
+      damping = std::max(1e-6, damping / 10);
+      return true;
+    }
+    return false;
+  }
+
+  const Evaluator& evaluator;
+  const std::vector<std::size_t>& group;
+  const int jobs;
+  Stepped at;
+  Predictions played;
+};
+
+}  // namespace
+
+Stepped gaussNewton(const Evaluator& evaluator, const Explanation& causes,
+                    const std::vector<std::size_t>& group, int jobs) {
+  if (evaluator.hasStanding()) throw std::logic_error("gaussNewton: runs on the feet have no slopes");
+  return Steps(evaluator, causes, group, jobs).run();
+}
+
+}  // namespace plumbline::gap
