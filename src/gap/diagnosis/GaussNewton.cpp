@@ -84,6 +84,7 @@ private:
         here.values[s] = valuesOf(played, t, s);
         if (here.values[s].empty()) continue;
         std::vector<const std::vector<double>*> there;
+        there.reserve(beside.size());
         for (const Predictions& p : beside) there.push_back(&valuesOf(p, t, s));
         data.forEach(t, s, here, [&](std::size_t k, double w, double r) {
           if (!Evidence::forFitting(data.block(t, k))) return;
