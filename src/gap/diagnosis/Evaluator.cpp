@@ -36,6 +36,36 @@ private:
   bool freeBase;
 };
 
+/// Mean weighted square of a joint's residuals, but for what a constant lead or lag of up to 0.2 ms explains:
+/// the explicit steps of one engine put a motion ahead of the implicit ones of another (measured 0.14 ms for
+/// steps of 0.2 ms).
+class LeadingMean {
+public:
+  explicit LeadingMean(const Trial& trial_, const Signal& signal_)
+      : trial(trial_), signal(signal_), moves(signal_.kind == SignalKind::position && !trial_.freeBase) {}
+  void add(std::size_t k, double w, double r) {
+    const double v = moves ? rate(k) : 0;
+    rr += w * r * r, rv += w * r * v, vv += w * v * v, ++n;
+  }
+  double mean() const {
+    const double lead = vv > 0 ? std::clamp(rv / vv, -most, most) : 0;
+    return n > 0 ? (rr - lead * (2 * rv - lead * vv)) / n : std::nan("");
+  }
+
+private:
+  static constexpr double most = 2e-4;  // [s]
+  double rate(std::size_t k) const {
+    if (k == 0 || k + 1 >= trial.cycles()) return 0;
+    const double v = (signal.values[k + 1] - signal.values[k - 1]) / (trial.time[k + 1] - trial.time[k - 1]);
+    return std::isfinite(v) ? v : 0;
+  }
+
+  const Trial& trial;
+  const Signal& signal;
+  const bool moves;
+  double rr = 0, rv = 0, vv = 0, n = 0;
+};
+
 /// Puts the signals that were replayed in the place of those that were there.
 void takeOver(Prediction&& fresh, Prediction& all) {
   for (std::size_t s = 0; s < fresh.values.size(); ++s) {
@@ -124,7 +154,7 @@ void Evaluator::setBase(const Explanation& explanation) {
     for (std::size_t s = 0; s < trial.signals.size(); ++s) {
       const auto& predicted = predictions[t].values[s];
       if (predicted.empty()) continue;
-      double sum = 0, n = 0;
+      LeadingMean mean(trial, trial.signals[s]);
       const std::vector<double>& weights = data.weights(t, s);
       const std::size_t first = data.block(t, 0);
       std::vector<Squares> blocks(data.block(t, trial.cycles() - 1) - first + 1, Squares(trial.freeBase));
@@ -132,11 +162,10 @@ void Evaluator::setBase(const Explanation& explanation) {
         const std::size_t b = data.block(t, k);
         blocks[b - first].add(w * r * r);
         baseSquares.squares[b] += doubt(weights[k], w);
-        sum += w * r * r;
-        ++n;
+        mean.add(k, w, r);
       });
       for (std::size_t b = 0; b < blocks.size(); ++b) baseSquares.squares[first + b] += blocks[b].counted();
-      if (n > 0) perSignal[s] = sum / n;
+      perSignal[s] = mean.mean();
     }
   }
   for (std::size_t b = 0; b < data.numBlocks(); ++b)

@@ -56,8 +56,8 @@ public:
   void leaveStandingOut(bool out);
   bool hasStanding() const { return standingRuns && !standingOut; }
   bool hasHeld() const { return heldRuns; }
-  /// Mean weighted square of the residuals of a signal in a trial under the base; 1 where only noise is left,
-  /// NaN where nothing was compared.
+  /// Mean weighted square of the residuals of a signal in a trial under the base, but for what a lead or lag
+  /// of 0.2 ms explains (with a held base); 1 where only noise is left, NaN where nothing was compared.
   double chi(std::size_t trial, std::size_t signal) const;
   /// Calls use(trial, signal, chi) for every channel that was compared.
   template <class Use>

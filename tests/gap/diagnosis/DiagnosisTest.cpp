@@ -55,6 +55,23 @@ TEST(DiagnosisTest, nothingIsMissing) {
   EXPECT_LT(diagnosis.worstBefore, 0.9);
 }
 
+TEST(DiagnosisTest, whatTheStepsOfAnotherEngineLeadByIsNotMissing) {
+  const Mechanism arm = twoJointArm();
+  std::vector<Trial> trials;
+  for (const std::uint64_t seed : {11, 12}) {
+    const Trial asked = armTrial(arm, 6, 1.5);
+    Trial trial = recorded(nominalPlant(arm), asked, 2e-5, seed);
+    const Prediction clean = replay(nominalPlant(arm), asked);
+    for (std::size_t s = 0; s < trial.signals.size(); ++s)
+      for (std::size_t k = 1; k < trial.cycles(); ++k)
+        trial.signals[s].values[k] += 1.4e-4 * 100 * (clean.values[s][k] - clean.values[s][k - 1]);
+    trials.push_back(std::move(trial));
+  }
+  const Diagnosis diagnosis = diagnosisOf(trials);
+  EXPECT_EQ(diagnosis.verdict, Verdict::none);
+  EXPECT_LT(diagnosis.worstBefore, 0.9);
+}
+
 TEST(DiagnosisTest, dryFriction) {
   expectCause(diagnosisOf([](Plant& plant) { plant.joints[1].coulomb = 0.08; }), "coulomb_friction", "elbow",
               0.08, 0.004);
