@@ -19,8 +19,7 @@ namespace plumbline::gap {
 namespace {
 
 constexpr std::size_t width = 3;        // sets that go on
-constexpr std::size_t fittedWell = 6;   // of those that were fitted shortly
-constexpr int shortly = 16, well = 60;  // evaluations of a fit
+constexpr std::size_t fittedAgain = 6;  // of the longer sets: a fit that stuck may go on
 constexpr int passes = 3;               // of fits, of a set that was chosen
 // What a further cause has to take away, of the error and of the nominal model's.
 constexpr double leastShare = 0.05, leastOfAll = 0.02;
@@ -77,12 +76,12 @@ double AcrossSettings::squaresLeft(const Fold& fold, const Explanation& causes) 
   return std::max(0.0, fit.fitting + fit.judging);
 }
 
-AcrossSettings::Tried AcrossSettings::fitted(const Tried& from, int evaluations) const {
+AcrossSettings::Tried AcrossSettings::fitted(const Tried& from) const {
   Tried result = from;
   result.error = 0;
   for (std::size_t f = 0; f < folds.size(); ++f) {
     Explanation& causes = result.perFold[f];
-    causes = causes.size() > 1 ? fitTogether(folds[f]->fit, causes, evaluations, 1)
+    causes = causes.size() > 1 ? fitTogether(folds[f]->fit, causes, 1)
                                : Explanation{fitValue(folds[f]->fit, causes.front(), {}).cause};
     if (inDoubt(robot, causes)) result.error = INFINITY;
     result.error +=
@@ -101,7 +100,7 @@ AcrossSettings::Tried AcrossSettings::fitted(const Tried& from, int evaluations)
 
 AcrossSettings::Tried AcrossSettings::refined(Tried tried) const {
   for (int pass = 0; pass < passes; ++pass) {
-    Tried again = fitted(tried, well);
+    Tried again = fitted(tried);
     if (again.error >= tried.error && pass > 0) break;
     tried = std::move(again);
   }
@@ -133,8 +132,7 @@ AcrossSettings::Tried AcrossSettings::withBestVariants(Tried best) const {
   return best;
 }
 
-AcrossSettings::Tried AcrossSettings::withKind(const Tried& from, const std::vector<Cause>& starts,
-                                               int evaluations) const {
+AcrossSettings::Tried AcrossSettings::withKind(const Tried& from, const std::vector<Cause>& starts) const {
   Tried tried = from;
   tried.perFold.resize(folds.size());
   for (std::size_t f = 0; f < folds.size(); ++f) {
@@ -155,7 +153,7 @@ AcrossSettings::Tried AcrossSettings::withKind(const Tried& from, const std::vec
     tried.error = INFINITY;
     return tried;
   }
-  return fitted(tried, evaluations);
+  return fitted(tried);
 }
 
 AcrossSettings::Tried AcrossSettings::best(const std::vector<Cause>& starts, std::size_t maxCauses,
@@ -172,14 +170,14 @@ AcrossSettings::Tried AcrossSettings::best(const std::vector<Cause>& starts, std
     std::vector<Tried> longer(pairs.size());
     std::atomic<std::size_t> done = 0;
     parallel(pairs.size(), jobs, [&](std::size_t i) {
-      longer[i] = withKind(*pairs[i].first, *pairs[i].second, shortly);
+      longer[i] = withKind(*pairs[i].first, *pairs[i].second);
       progress(
           (static_cast<double>(size - 1) + static_cast<double>(++done) / static_cast<double>(pairs.size())) /
           static_cast<double>(maxCauses));
     });
     std::ranges::stable_sort(longer, better);
-    longer.resize(std::min(longer.size(), fittedWell));
-    if (size > 1) parallel(longer.size(), jobs, [&](std::size_t i) { longer[i] = fitted(longer[i], well); });
+    longer.resize(std::min(longer.size(), fittedAgain));
+    if (size > 1) parallel(longer.size(), jobs, [&](std::size_t i) { longer[i] = fitted(longer[i]); });
     std::ranges::stable_sort(longer, better);
     if (longer.empty() || best.error - longer.front().error < std::max(leastShare * best.error, leastOfAll))
       break;
@@ -214,7 +212,7 @@ Explanation betterAcrossMotions(const Evaluator& evaluator, const Explanation& p
   if (!motions.possible() || !std::isfinite(tried[0].error) || !std::isfinite(tried[1].error))
     return evaluator.of(proposed).judging < evaluator.of(old).judging - leastGain ? proposed : old;
   if (tried[0].error >= tried[1].error) return old;
-  return fitSettled(evaluator, std::move(tried[0].causes), well, jobs);
+  return fitSettled(evaluator, std::move(tried[0].causes), jobs);
 }
 
 }  // namespace plumbline::gap

@@ -47,9 +47,9 @@ private:
          const ReplayOptions& accuracy);
   };
   double squaresLeft(const Fold& fold, const Explanation& causes) const;
-  Tried fitted(const Tried& from, int evaluations) const;
+  Tried fitted(const Tried& from) const;
   Tried refined(Tried tried) const;
-  Tried withKind(const Tried& from, const std::vector<Cause>& starts, int evaluations) const;
+  Tried withKind(const Tried& from, const std::vector<Cause>& starts) const;
 
   const Mechanism& robot;
   int jobs;

@@ -30,7 +30,6 @@ constexpr double otherStart = 0.7;  // of the best first cause's gain: what gain
 constexpr std::size_t otherStarts = 3;
 constexpr int otherwise = 2;         // looks for recordings with other settings, causes added in between
 constexpr double surelyLess = 0.95;  // of the error across settings: another set is not worth it
-constexpr int evaluations = 32;      // of values that are fitted together
 
 class Procedure {
 public:
@@ -174,7 +173,7 @@ private:
       ++i;
     }
     fine.setBase(growth.causes);
-    growth.causes = fitTogether(fine, growth.causes, evaluations, options.jobs);
+    growth.causes = fitTogether(fine, growth.causes, options.jobs);
   }
 
   /// Where runs were recorded under several servo settings and something remains: the set of causes that

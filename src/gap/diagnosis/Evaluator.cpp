@@ -39,12 +39,12 @@ private:
 /// Mean weighted square of a joint's residuals, but for what a constant lead or lag of up to 0.2 ms explains:
 /// the explicit steps of one engine put a motion ahead of the implicit ones of another (measured 0.14 ms for
 /// steps of 0.2 ms).
-class LeadingMean {
+class MeanBesideLead {
 public:
-  explicit LeadingMean(const Trial& trial_, const Signal& signal_)
+  MeanBesideLead(const Trial& trial_, const Signal& signal_)
       : trial(trial_), signal(signal_), moves(signal_.kind == SignalKind::position && !trial_.freeBase) {}
   void add(std::size_t k, double w, double r) {
-    const double v = moves ? rate(k) : 0;
+    const double v = moves ? rateAt(trial, signal, k) : 0;
     rr += w * r * r, rv += w * r * v, vv += w * v * v, ++n;
   }
   double mean() const {
@@ -54,11 +54,6 @@ public:
 
 private:
   static constexpr double most = 2e-4;  // [s]
-  double rate(std::size_t k) const {
-    if (k == 0 || k + 1 >= trial.cycles()) return 0;
-    const double v = (signal.values[k + 1] - signal.values[k - 1]) / (trial.time[k + 1] - trial.time[k - 1]);
-    return std::isfinite(v) ? v : 0;
-  }
 
   const Trial& trial;
   const Signal& signal;
@@ -154,7 +149,7 @@ void Evaluator::setBase(const Explanation& explanation) {
     for (std::size_t s = 0; s < trial.signals.size(); ++s) {
       const auto& predicted = predictions[t].values[s];
       if (predicted.empty()) continue;
-      LeadingMean mean(trial, trial.signals[s]);
+      MeanBesideLead mean(trial, trial.signals[s]);
       const std::vector<double>& weights = data.weights(t, s);
       const std::size_t first = data.block(t, 0);
       std::vector<Squares> blocks(data.block(t, trial.cycles() - 1) - first + 1, Squares(trial.freeBase));

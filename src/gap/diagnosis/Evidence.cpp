@@ -63,11 +63,7 @@ Evidence::Evidence(std::vector<Trial> trials, double repeatShare)
       const double sigma = noises[t][s].sigma, spread = engineSpread(trial, signal);
       for (std::size_t k = 0; k < trial.cycles(); ++k) {
         if (!std::isfinite(signal.values[k]) || trial.time[k] - trial.time[0] < startSeconds) continue;
-        double rate = 0;
-        if (signal.kind == SignalKind::position && k > 0 && k + 1 < trial.cycles()) {
-          rate = (signal.values[k + 1] - signal.values[k - 1]) / (trial.time[k + 1] - trial.time[k - 1]);
-          if (!std::isfinite(rate)) rate = 0;
-        }
+        const double rate = signal.kind == SignalKind::position ? rateAt(trial, signal, k) : 0;
         w[k] = 1 / (sigma * sigma + spread * spread + timing * timing * rate * rate);
       }
     }

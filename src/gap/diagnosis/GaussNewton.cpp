@@ -39,7 +39,7 @@ public:
     at.fitting = evaluator.compare(played).fitting;
   }
 
-  Stepped run() {
+  GaussNewtonFit run() {
     double damping = damped;
     std::size_t share = 0;
     for (int step = 0; step < steps && !at.settled; ++step) {
@@ -67,30 +67,31 @@ private:
 
   Slopes slopesHere(double share) const {
     const auto n = static_cast<Eigen::Index>(group.size());
-    std::vector<Predictions> beside(group.size());
-    Eigen::VectorXd way(n);
-    for (Eigen::Index i = 0; i < n; ++i) way[i] = strengthens(i, share) ? share : -share;
+    std::vector<Predictions> perturbed(group.size());
+    Eigen::VectorXd stride(n);
+    for (Eigen::Index i = 0; i < n; ++i) stride[i] = strengthens(i, share) ? share : -share;
     parallel(group.size(), jobs, [&](std::size_t i) {
       const auto k = static_cast<Eigen::Index>(i);
-      beside[i] = evaluator.played(moved(way[k] * Eigen::VectorXd::Unit(n, k)));
+      perturbed[i] = evaluator.played(moved(stride[k] * Eigen::VectorXd::Unit(n, k)));
     });
     Slopes slopes{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};
     const Evidence& data = evaluator.evidence();
     Eigen::VectorXd change(n);
     for (std::size_t t = 0; t < data.trials().size(); ++t)
       for (std::size_t s = 0; s < data.trials()[t].signals.size(); ++s) {
+        // Doubt in a prediction does not weigh here; whether a step is taken is judged with it.
         Prediction here;
         here.values.resize(s + 1);
         here.values[s] = valuesOf(played, t, s);
         if (here.values[s].empty()) continue;
-        std::vector<const std::vector<double>*> there;
-        there.reserve(beside.size());
-        for (const Predictions& p : beside) there.push_back(&valuesOf(p, t, s));
+        std::vector<const std::vector<double>*> shifted;
+        shifted.reserve(perturbed.size());
+        for (const Predictions& p : perturbed) shifted.push_back(&valuesOf(p, t, s));
         data.forEach(t, s, here, [&](std::size_t k, double w, double r) {
           if (!Evidence::forFitting(data.block(t, k))) return;
           for (Eigen::Index i = 0; i < n; ++i) {
-            const double d = (*there[static_cast<std::size_t>(i)])[k] - here.values[s][k];
-            change[i] = std::isfinite(d) ? d / way[i] : 0;
+            const double d = (*shifted[static_cast<std::size_t>(i)])[k] - here.values[s][k];
+            change[i] = std::isfinite(d) ? d / stride[i] : 0;
           }
           slopes.normal.noalias() += w * change * change.transpose();
           slopes.downhill.noalias() += w * r * change;
@@ -129,14 +130,14 @@ private:
   const Evaluator& evaluator;
   const std::vector<std::size_t>& group;
   const int jobs;
-  Stepped at;
+  GaussNewtonFit at;
   Predictions played;
 };
 
 }  // namespace
 
-Stepped gaussNewton(const Evaluator& evaluator, const Explanation& causes,
-                    const std::vector<std::size_t>& group, int jobs) {
+GaussNewtonFit gaussNewton(const Evaluator& evaluator, const Explanation& causes,
+                           const std::vector<std::size_t>& group, int jobs) {
   if (evaluator.hasStanding()) throw std::logic_error("gaussNewton: runs on the feet have no slopes");
   return Steps(evaluator, causes, group, jobs).run();
 }

@@ -17,7 +17,6 @@ constexpr double mostOfIt = 0.6, surer = 0.5;
 constexpr double hopeless = 0.3;  // of the best candidate's gain lost: not tried as a further cause
 constexpr std::size_t tries = 3;
 constexpr double asWell = 1.05;  // times the squares for judging: no worse
-constexpr int evaluations = 32;  // of values that are fitted together
 
 }  // namespace
 
@@ -77,7 +76,7 @@ void Growth::setBaseTo(const Explanation& old, const Cause& cause) {
   tried.push_back(cause);
   fine.setBase(old);
   const Explanation together =
-      ofSensor(cause) ? tried : fitTogether(proposals.quickOn(old), tried, evaluations, options.jobs);
+      ofSensor(cause) ? tried : fitTogether(proposals.quickOn(old), tried, options.jobs);
   const bool better = together == tried || fine.of(together).fitting < fine.of(tried).fitting;
   fine.setBase(better ? together : tried);
 }

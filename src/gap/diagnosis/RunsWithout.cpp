@@ -17,7 +17,6 @@ constexpr double farBetter = 0.2;  // of a recording's squares that has to go wi
 constexpr double worthIt = 0.05;   // of all squares, for each recording, with values fitted anew
 constexpr std::size_t fittedStarts = 6;
 constexpr double needless = 0.02;  // more squares without it: a cause that is not needed
-constexpr int evaluations = 60;    // of values that are fitted together
 
 /// Squares on the blocks for judging of each recording with a held base.
 std::map<std::string, double> squaresByRecording(const Evidence& data, const Fit& fit) {
@@ -81,7 +80,7 @@ Explanation needed(const Evaluator& evaluator, Explanation causes, int jobs) {
   double judging = evaluator.of(causes).judging;
   for (std::size_t i = causes.size(); i-- > 0;) {
     if (!causes[i].notIn.empty()) continue;
-    Explanation less = fitSettled(evaluator, without(causes, i), evaluations, jobs);
+    Explanation less = fitSettled(evaluator, without(causes, i), jobs);
     const double left = evaluator.of(less).judging;
     if (left - judging >= std::max(leastGain, needless * judging)) continue;
     causes = std::move(less);
@@ -100,13 +99,13 @@ Explanation withoutWhereNotSet(const Evaluator& evaluator, int jobs) {
       Explanation tried = best;
       tried[i].notIn = changed(evaluator, best, i);
       if (tried[i].notIn == best[i].notIn) break;
-      tried = fitTogether(evaluator, tried, evaluations, jobs);
+      tried = fitTogether(evaluator, tried, jobs);
       // The changes end: each takes away its share.
       if (evaluator.of(tried).judging > (1 - worthIt) * evaluator.of(best).judging) break;
       best = std::move(tried);
     }
   }
-  return best == base ? base : needed(evaluator, fitSettled(evaluator, best, evaluations, jobs), jobs);
+  return best == base ? base : needed(evaluator, fitSettled(evaluator, best, jobs), jobs);
 }
 
 Explanation setInSomeRecordings(const Evaluator& nominal, int jobs) {

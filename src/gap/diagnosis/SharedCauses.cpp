@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t pairedFrom = 5;  // the kinds that fit best alone: all their pairs are tried
 constexpr std::size_t extendedBy = 3;  // the kinds that fit best on top of a set: each is tried in it
-constexpr int evaluations = 48;        // of two values that are fitted together
 // What a further cause has to explain of the nominal model's squares; from the third on also of what is left.
 constexpr double leastOfAll = 0.02, leastOfRest = 0.2;
 constexpr double nearlyAsGood = 2;  // times what is left: another form of a law that is extended too
@@ -108,7 +107,7 @@ private:
       }
     std::vector<double> left(others.size());
     parallel(others.size(), jobs, [&](std::size_t i) {
-      others[i] = fitTogether(coarse, others[i], evaluations, 1);
+      others[i] = fitTogether(coarse, others[i], 1);
       left[i] = fine.of(others[i]).judging;
     });
     std::vector<Explanation> sets = {set.causes};
@@ -135,7 +134,7 @@ private:
   Set bestOf(std::vector<Explanation> sets) {
     std::vector<double> left(sets.size());
     each(sets.size(), [&](std::size_t i) {
-      sets[i] = fitTogether(coarse, sets[i], evaluations, 1);
+      sets[i] = fitTogether(coarse, sets[i], 1);
       left[i] = fine.of(sets[i]).judging;
     });
     if (sets.empty()) return {};
@@ -148,9 +147,12 @@ private:
     parallel(count, jobs, [&](std::size_t i) {
       work(i);
       const double share = static_cast<double>(++done) / static_cast<double>(count);
-      if (progress) progress((round + share / static_cast<double>(parts)) / rounds);
+      const double part = static_cast<double>(partsDone) + share;
+      if (progress) progress((round + part / static_cast<double>(parts)) / rounds);
     });
-    round += 1 / static_cast<double>(parts);
+    if (++partsDone < parts) return;
+    partsDone = 0;
+    ++round;
   }
 
   const std::vector<std::vector<Cause>> kinds;
@@ -159,7 +161,7 @@ private:
   const int jobs;
   const std::function<void(double)>& progress;
   double round = 0, rounds = 1;
-  std::size_t parts = 1;  // of the round
+  std::size_t parts = 1, partsDone = 0;  // of the round
 };
 
 }  // namespace

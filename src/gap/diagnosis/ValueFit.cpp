@@ -12,6 +12,8 @@ namespace plumbline::gap {
 
 namespace {
 
+constexpr int evaluations = 32;  // of values fitted together with runs on the feet, which are dear
+
 /// Size of the strength at the bound on the value's side of nominal.
 double farthest(const Mechanism& mechanism, const Cause& cause) {
   const Bounds bounds = cause.effect->boundsAt(mechanism, cause.place);
@@ -44,7 +46,7 @@ std::vector<std::vector<std::size_t>> coupledGroups(const Evaluator& evaluator, 
 
 /// With runs on the feet, whose squares jump where a foot slips or not, by CMA-ES.
 Explanation fitByEvolution(const Evaluator& evaluator, const Explanation& causes,
-                           const std::vector<std::size_t>& group, int evaluations, int jobs) {
+                           const std::vector<std::size_t>& group, int jobs) {
   const Mechanism& mechanism = evaluator.mechanism();
   const auto n = static_cast<Eigen::Index>(group.size());
   // Coordinates: logarithm of each strength against where it is now.
@@ -126,19 +128,19 @@ Candidate fitValue(const Evaluator& evaluator, const Cause& start, const TrialMa
   return best;
 }
 
-Explanation fitTogether(const Evaluator& evaluator, const Explanation& causes, int evaluations, int jobs) {
+Explanation fitTogether(const Evaluator& evaluator, const Explanation& causes, int jobs) {
   Explanation result = causes;
   for (const std::vector<std::size_t>& group : coupledGroups(evaluator, causes)) {
     if (group.size() < 2) continue;
-    result = evaluator.hasStanding() ? fitByEvolution(evaluator, result, group, evaluations, jobs)
+    result = evaluator.hasStanding() ? fitByEvolution(evaluator, result, group, jobs)
                                      : gaussNewton(evaluator, result, group, jobs).causes;
   }
   return result;
 }
 
-Explanation fitSettled(const Evaluator& evaluator, Explanation causes, int evaluations, int jobs) {
+Explanation fitSettled(const Evaluator& evaluator, Explanation causes, int jobs) {
   for (int pass = 0; pass < 3; ++pass) {
-    Explanation again = fitTogether(evaluator, causes, evaluations, jobs);
+    Explanation again = fitTogether(evaluator, causes, jobs);
     if (again == causes) break;
     causes = std::move(again);
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,5 +43,14 @@ struct Trial {
 
   std::size_t cycles() const { return time.size(); }
 };
+
+/// Slope of a measured signal at a cycle, by central difference [its unit per second]; 0 at the ends and
+/// beside gaps.
+inline double rateAt(const Trial& trial, const Signal& signal, std::size_t cycle) {
+  if (cycle == 0 || cycle + 1 >= trial.cycles()) return 0;
+  const double rate =
+      (signal.values[cycle + 1] - signal.values[cycle - 1]) / (trial.time[cycle + 1] - trial.time[cycle - 1]);
+  return std::isfinite(rate) ? rate : 0;
+}
 
 }  // namespace plumbline::gap

@@ -30,7 +30,7 @@ TEST_F(GaussNewtonTest, threeThatMakeUpForEachOtherAreFoundFromFarOff) {
   const Evidence evidence = recordingOf(smooth);
   const Evaluator evaluator(arm, evidence);
   const double truth = evaluator.of(smooth).fitting;
-  const Stepped found = gaussNewton(evaluator, withValues(smooth, {0.9, 0.03, 0.2}), {0, 1, 2}, 1);
+  const GaussNewtonFit found = gaussNewton(evaluator, withValues(smooth, {0.9, 0.03, 0.2}), {0, 1, 2}, 1);
   EXPECT_NEAR(found.causes[0].value, 0.7, 0.002);
   EXPECT_NEAR(found.causes[1].value, 0.15, 0.002);
   EXPECT_NEAR(found.causes[2].value, 0.08, 0.001);
@@ -45,7 +45,7 @@ TEST_F(GaussNewtonTest, aNarrowValleyOfALimitAndFriction) {
                              causeOfArm("coulomb_friction", "elbow", 0.08)};
   const Evidence evidence = recordingOf(truth);
   const Evaluator evaluator(arm, evidence);
-  const Stepped found = gaussNewton(evaluator, withValues(truth, {28, 0.12}), {0, 1}, 1);
+  const GaussNewtonFit found = gaussNewton(evaluator, withValues(truth, {28, 0.12}), {0, 1}, 1);
   EXPECT_NEAR(found.causes[0].value, 20, 0.05);
   EXPECT_NEAR(found.causes[1].value, 0.08, 0.004);
 }
@@ -54,7 +54,7 @@ TEST_F(GaussNewtonTest, thoseThatAreNotAskedForStayAndSoDoBounds) {
   const Evidence evidence = recordingOf(smooth);
   const Evaluator evaluator(arm, evidence);
   Explanation start = withValues(smooth, {0.7, 0.1, 0.08});
-  Stepped found = gaussNewton(evaluator, start, {1}, 1);
+  GaussNewtonFit found = gaussNewton(evaluator, start, {1}, 1);
   EXPECT_NEAR(found.causes[1].value, 0.15, 0.002);
   EXPECT_EQ(found.causes[0], start[0]);
   EXPECT_EQ(found.causes[2], start[2]);
@@ -73,10 +73,10 @@ TEST_F(GaussNewtonTest, theSameOnAnyNumberOfThreadsAndWithAnotherBase) {
   const Evidence evidence = recordingOf(smooth);
   Evaluator evaluator(arm, evidence);
   const Explanation start = withValues(smooth, {0.8, 0.1, 0.1});
-  const Stepped one = gaussNewton(evaluator, start, {0, 1, 2}, 1);
+  const GaussNewtonFit one = gaussNewton(evaluator, start, {0, 1, 2}, 1);
   EXPECT_EQ(gaussNewton(evaluator, start, {0, 1, 2}, 3).causes, one.causes);
   evaluator.setBase(start);
-  const Stepped other = gaussNewton(evaluator, start, {0, 1, 2}, 1);
+  const GaussNewtonFit other = gaussNewton(evaluator, start, {0, 1, 2}, 1);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(other.causes[i].value / one.causes[i].value, 1, 1e-6);
 }
 

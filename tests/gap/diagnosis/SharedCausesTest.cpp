@@ -49,7 +49,7 @@ TEST_F(SharedCausesTest, twoAreFoundWithTheirValues) {
   EXPECT_NEAR(valueOf(set, "coulomb_friction"), 0.2, 0.06);
   ASSERT_FALSE(told.empty());
   EXPECT_TRUE(std::ranges::is_sorted(told));
-  EXPECT_NEAR(told.back(), 1, 1e-12);
+  EXPECT_DOUBLE_EQ(told.back(), 1);
 }
 
 TEST_F(SharedCausesTest, oneAloneIsNoSet) {
