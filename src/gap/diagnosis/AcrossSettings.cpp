@@ -193,9 +193,8 @@ std::vector<Cause> startsAcross(const Evaluator& evaluator) {
   const bool oneJoint = evaluator.mechanism().joints.size() == 1;
   std::erase_if(starts, [&](const Cause& cause) {
     const Effect& effect = *cause.effect;
-    return effect.id == "command_dropout" ||
-           (oneJoint && cause.place.site == Site::everywhere &&
-            std::ranges::find(effect.sites, Site::joint) != effect.sites.end());
+    return oneJoint && cause.place.site == Site::everywhere &&
+           std::ranges::find(effect.sites, Site::joint) != effect.sites.end();
   });
   return starts;
 }

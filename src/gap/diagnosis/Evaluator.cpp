@@ -11,8 +11,7 @@ namespace plumbline::gap {
 namespace {
 
 bool losesCommands(const Explanation& causes) {
-  return std::ranges::any_of(causes,
-                             [](const Cause& cause) { return cause.effect->id == "command_dropout"; });
+  return std::ranges::any_of(causes, [](const Cause& cause) { return cause.effect->decoded; });
 }
 
 /// What doubt in a prediction costs: a wide guess is right more often and worth less.
@@ -209,9 +208,7 @@ Prediction Evaluator::changed(std::size_t t, const Cause& cause) const {
     options.joints = jointsTouched(cause);
     if (options.joints.empty()) return {};
   }
-  if ((cause.effect->id == "command_dropout" || losesCommands(causes)) && !lost[t].empty()) {
-    options.lostCycles = &lost[t];
-  }
+  if ((cause.effect->decoded || losesCommands(causes)) && !lost[t].empty()) options.lostCycles = &lost[t];
   return replayForetold(plant, trial, options);
 }
 

@@ -43,8 +43,11 @@ bool Evidence::counts(const Signal& signal) {
   }
 }
 
-Evidence::Evidence(std::vector<Trial> trials, double repeatShare)
-    : runs(std::move(trials)), noises(estimateNoise(runs, repeatShare)) {
+Evidence::Evidence(std::vector<Trial> trials, NoiseFrom from)
+    : Evidence(trials, estimateNoise(trials, from)) {}
+
+Evidence::Evidence(std::vector<Trial> trials, std::vector<std::vector<SignalNoise>> noises_)
+    : runs(std::move(trials)), noises(std::move(noises_)) {
   for (std::size_t t = 0; t < runs.size(); ++t) {
     const Trial& trial = runs[t];
     auto& of = blockOf.emplace_back();

@@ -13,8 +13,9 @@ namespace plumbline::gap {
 /// other block is for fitting, the rest for judging.
 class Evidence {
 public:
-  /// repeatShare: see estimateNoise().
-  explicit Evidence(std::vector<Trial> trials, double repeatShare = 1);
+  explicit Evidence(std::vector<Trial> trials, NoiseFrom from = NoiseFrom::repeats);
+  /// With a noise told otherwise, per trial and signal.
+  Evidence(std::vector<Trial> trials, std::vector<std::vector<SignalNoise>> noises);
 
   /// The same with every channel's weights multiplied: factor(trial, signal).
   template <class Factor>

@@ -41,6 +41,55 @@ bool sameTimes(const Trial& a, const Trial& b) {
   return true;
 }
 
+/// What is left in each trial's signals tells the noise, the readings tell the encoder's steps.
+std::vector<std::vector<SignalNoise>> estimate(const std::vector<Trial>& trials,
+                                               const std::vector<Trial>& left, NoiseFrom from) {
+  // A channel has one noise for all runs of the same kind of base.
+  struct Channel {
+    std::vector<double> repeats, fast, steps;
+  };
+  std::map<std::pair<std::string, bool>, Channel> channels;
+  for (std::size_t t = 0; t < trials.size(); ++t)
+    for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
+      const Signal& signal = trials[t].signals[s];
+      Channel& channel = channels[{signal.name, trials[t].freeBase}];
+      channel.fast.push_back(fastNoise(left[t].signals[s].values));
+      if (signal.kind == SignalKind::position) channel.steps.push_back(quantum(signal.values));
+    }
+  for (std::size_t a = 0; a < trials.size(); ++a)
+    for (std::size_t b = a + 1; b < trials.size(); ++b) {
+      if (!isRepeat(trials[a], trials[b])) continue;
+      for (const Signal& first : left[a].signals)
+        for (const Signal& second : left[b].signals)
+          if (first.name == second.name) {
+            channels[{first.name, trials[a].freeBase}].repeats.push_back(
+                differenceOf(first.values, second.values) / std::numbers::sqrt2);
+          }
+    }
+  std::vector<std::vector<SignalNoise>> result;
+  for (const Trial& trial : trials) {
+    auto& noises = result.emplace_back();
+    for (const Signal& signal : trial.signals) {
+      const Channel& channel = channels[{signal.name, trial.freeBase}];
+      SignalNoise noise;
+      noise.repeated = !channel.repeats.empty();
+      const double step = channel.steps.empty() ? 0 : *std::ranges::max_element(channel.steps);
+      const double fast = median(channel.fast);
+      const double own = noise.repeated && from == NoiseFrom::repeats ? median(channel.repeats) : fast;
+      // Repeats of a still joint fall on the same count: half a count is unknown even so.
+      noise.sigma = std::sqrt(own * own + step * step / 12);
+      noise.own = std::sqrt(fast * fast + step * step / 12);
+      double scale = 0;
+      for (const double value : signal.values)
+        if (std::isfinite(value)) scale = std::max(scale, std::abs(value));
+      noise.sigma = std::max({noise.sigma, 1e-7 * scale, 1e-9});
+      noise.own = std::max({noise.own, 1e-7 * scale, 1e-9});
+      noises.push_back(noise);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 bool isRepeat(const Trial& a, const Trial& b) {
@@ -80,52 +129,18 @@ double fastNoise(const std::vector<double>& values) {
   return sizes.size() < 10 ? 0 : 1.4826 * median(std::move(sizes)) / std::sqrt(6.0);
 }
 
-std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& trials, double repeatShare) {
-  // A channel has one noise for all runs of the same kind of base.
-  struct Channel {
-    std::vector<double> repeats, fast, steps;
-  };
-  std::map<std::pair<std::string, bool>, Channel> channels;
-  for (const Trial& trial : trials)
-    for (const Signal& signal : trial.signals) {
-      Channel& channel = channels[{signal.name, trial.freeBase}];
-      channel.fast.push_back(fastNoise(signal.values));
-      if (signal.kind == SignalKind::position) channel.steps.push_back(quantum(signal.values));
-    }
-  for (std::size_t a = 0; a < trials.size(); ++a)
-    for (std::size_t b = a + 1; b < trials.size(); ++b) {
-      if (!isRepeat(trials[a], trials[b])) continue;
-      for (const Signal& first : trials[a].signals)
-        for (const Signal& second : trials[b].signals)
-          if (first.name == second.name) {
-            channels[{first.name, trials[a].freeBase}].repeats.push_back(
-                differenceOf(first.values, second.values) / std::numbers::sqrt2);
-          }
-    }
-  std::vector<std::vector<SignalNoise>> result;
-  for (const Trial& trial : trials) {
-    auto& noises = result.emplace_back();
-    for (const Signal& signal : trial.signals) {
-      const Channel& channel = channels[{signal.name, trial.freeBase}];
-      SignalNoise noise;
-      noise.repeated = !channel.repeats.empty();
-      const double step = channel.steps.empty() ? 0 : *std::ranges::max_element(channel.steps);
-      const double fast = median(channel.fast), repeats = median(channel.repeats);
-      const double own = !noise.repeated    ? fast
-                         : repeatShare >= 1 ? repeats
-                                            : std::hypot(fast, repeatShare * repeats);
-      // Repeats of a still joint fall on the same count: half a count is unknown even so.
-      noise.sigma = std::sqrt(own * own + step * step / 12);
-      noise.own = std::sqrt(fast * fast + step * step / 12);
-      double scale = 0;
-      for (const double value : signal.values)
-        if (std::isfinite(value)) scale = std::max(scale, std::abs(value));
-      noise.sigma = std::max({noise.sigma, 1e-7 * scale, 1e-9});
-      noise.own = std::max({noise.own, 1e-7 * scale, 1e-9});
-      noises.push_back(noise);
-    }
-  }
-  return result;
+std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& trials, NoiseFrom from) {
+  return estimate(trials, trials, from);
+}
+
+std::vector<std::vector<SignalNoise>> estimateNoiseBeside(const std::vector<Prediction>& predictions,
+                                                          const std::vector<Trial>& trials) {
+  std::vector<Trial> left = trials;
+  for (std::size_t t = 0; t < left.size(); ++t)
+    for (std::size_t s = 0; s < predictions[t].values.size(); ++s)
+      for (std::size_t k = 0; k < predictions[t].values[s].size(); ++k)
+        left[t].signals[s].values[k] -= predictions[t].values[s][k];
+  return estimate(trials, left, NoiseFrom::repeats);
 }
 
 }  // namespace plumbline::gap

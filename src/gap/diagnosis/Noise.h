@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "gap/replay/Replay.h"
 #include "gap/replay/Trial.h"
 
 namespace plumbline::gap {
@@ -24,9 +25,15 @@ struct SignalNoise {
   bool repeated = false;  ///< found from repeats, else from the channel itself
 };
 
-/// Per trial and signal. Where a channel was recorded in repeats, what they differ by (median over the
-/// pairs), else its own fast noise; half a count of the encoder is uncertain in both. repeatShare: 1, or less
-/// where repeats differ by more than noise: the channel's own noise and that share of what they differ by.
-std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& trials, double repeatShare = 1);
+/// Per trial and signal: where a channel was recorded in repeats and they are to be used, what they differ by
+/// (median over the pairs), else its own fast noise; half a count of the encoder is uncertain in both.
+enum class NoiseFrom { repeats, itself };
+std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& trials,
+                                                    NoiseFrom from = NoiseFrom::repeats);
+
+/// The same of what predictions leave, by repeats: for recordings that differ by more than noise, and by what
+/// is predicted. Signals that are not predicted count as they were read.
+std::vector<std::vector<SignalNoise>> estimateNoiseBeside(const std::vector<Prediction>& predictions,
+                                                          const std::vector<Trial>& trials);
 
 }  // namespace plumbline::gap

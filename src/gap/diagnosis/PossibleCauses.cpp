@@ -72,7 +72,7 @@ std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
   for (const Effect* effect : effects())
     for (const Place& place : placesOf(*effect, robot)) {
       const auto there = [&](const Cause& cause) { return cause.effect == effect && cause.place == place; };
-      if ((!possible(*effect, place) && !underLoad.shows(*effect, place)) ||
+      if (effect->decoded || (!possible(*effect, place) && !underLoad.shows(*effect, place)) ||
           std::ranges::any_of(evaluator.base(), there))
         continue;
       const double scale = effect->scaleAt(robot, place);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double more = 1.5;       // what repeats differ by, over the channel's own noise
 constexpr double explained = 0.5;  // of the squares of what they differ by
-constexpr double unheard = 0.3;    // of what repeats differ by: losses too small to be called
+constexpr int rounds = 2;          // losses jerk at a channel's own noise: it is lower once they are known
 
 /// Whether repeats differ by more than noise in half of the joints that were measured with the base held.
 bool repeatsDiffer(const Evidence& byRepeats, const Evidence& byChannel) {
@@ -28,8 +28,9 @@ bool repeatsDiffer(const Evidence& byRepeats, const Evidence& byChannel) {
   return differ * 2 > joints;
 }
 
-/// Share of the squares of what repeats differ by (beyond noise) that goes when commands are taken as lost.
-double explainedBy(const LostCycles& lost, const Evidence& evidence) {
+/// The nominal robot's motion where commands get lost, NaN where a sample does not count; runs on the feet are
+/// not predicted.
+std::vector<Prediction> predictionsWith(const LostCycles& lost, const Evidence& evidence) {
   const auto& trials = evidence.trials();
   std::vector<Prediction> predictions(trials.size());
   for (std::size_t t = 0; t < trials.size(); ++t) {
@@ -37,7 +38,16 @@ double explainedBy(const LostCycles& lost, const Evidence& evidence) {
     ReplayOptions options;
     options.lostCycles = &lost.cycles[t];
     predictions[t] = replay(nominalPlant(*trials[t].robot), trials[t], options);
+    for (std::size_t s = 0; s < predictions[t].values.size(); ++s)
+      for (std::size_t k = 0; k < predictions[t].values[s].size(); ++k)
+        if (!(evidence.weights(t, s)[k] > 0)) predictions[t].values[s][k] = std::nan("");
   }
+  return predictions;
+}
+
+/// Share of the squares of what repeats differ by (beyond noise) that is predicted.
+double explainedBy(const std::vector<Prediction>& predictions, const Evidence& evidence) {
+  const auto& trials = evidence.trials();
   double before = 0, after = 0, n = 0;
   for (std::size_t a = 0; a < trials.size(); ++a)
     for (std::size_t b = a + 1; b < trials.size(); ++b) {
@@ -61,11 +71,16 @@ double explainedBy(const LostCycles& lost, const Evidence& evidence) {
 }  // namespace
 
 Evidence evidenceOf(std::vector<Trial> trials, int jobs) {
-  Evidence byRepeats(trials), byChannel(trials, 0);
-  if (!repeatsDiffer(byRepeats, byChannel)) return byRepeats;
-  const LostCycles lost = findLostCycles(byChannel, {}, jobs);
-  const bool losses = lost.found >= LostCycles::least && explainedBy(lost, byChannel) > explained;
-  return losses ? Evidence(std::move(trials), unheard) : byRepeats;
+  Evidence byRepeats(trials), evidence(trials, NoiseFrom::itself);
+  if (!repeatsDiffer(byRepeats, evidence)) return byRepeats;
+  for (int round = 0; round < rounds; ++round) {
+    const LostCycles lost = findLostCycles(evidence, {}, jobs);
+    const std::vector<Prediction> predictions = predictionsWith(lost, evidence);
+    if (round == 0 && (lost.found < LostCycles::least || explainedBy(predictions, evidence) <= explained))
+      return byRepeats;
+    evidence = Evidence(trials, estimateNoiseBeside(predictions, trials));
+  }
+  return evidence;
 }
 
 }  // namespace plumbline::gap

@@ -6,8 +6,7 @@
 namespace plumbline::gap {
 
 /// Evidence whose noise is what repeats differ by, unless they differ because commands were lost: that is a
-/// cause to be found, not a floor, and the noise is then each channel's own and
-/// a part of that.
+/// cause to be found, not a floor. The noise is then what repeats differ by beside what lost commands explain.
 Evidence evidenceOf(std::vector<Trial> trials, int jobs);
 
 }  // namespace plumbline::gap

@@ -21,7 +21,7 @@ double farthest(const Mechanism& mechanism, const Cause& cause) {
   return std::max(1e-12, std::abs(e.strengthOf(cause.value < e.nominal ? bounds.lower : bounds.upper)));
 }
 
-/// Causes in groups that share joints; a free robot's joints all feel each other.
+/// Causes whose values are fitted, in groups that share joints; a free robot's joints all feel each other.
 std::vector<std::vector<std::size_t>> coupledGroups(const Evaluator& evaluator, const Explanation& causes) {
   std::vector<std::vector<int>> joints;
   for (const Cause& cause : causes) {
@@ -30,6 +30,7 @@ std::vector<std::vector<std::size_t>> coupledGroups(const Evaluator& evaluator, 
   }
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < causes.size(); ++i) {
+    if (causes[i].effect->decoded) continue;
     std::vector<std::size_t> group = {i};
     std::erase_if(groups, [&](const std::vector<std::size_t>& other) {
       const bool meets = evaluator.hasStanding() || std::ranges::any_of(other, [&](std::size_t j) {

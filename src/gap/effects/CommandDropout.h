@@ -11,6 +11,7 @@ inline const Effect commandDropout{
     .lower = 0,
     .upper = 0.5,
     .starts = {0.05},
+    .decoded = true,
     .sentence = "Some commands are lost on the way; the last one holds.",
     .exposedBy = "fast moves",
     .apply =

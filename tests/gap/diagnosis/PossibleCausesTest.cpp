@@ -51,6 +51,14 @@ TEST_F(PossibleCausesTest, noCauseTwiceAtAPlace) {
   EXPECT_EQ(variants("viscous_friction", "shoulder"), 1u);
 }
 
+TEST_F(PossibleCausesTest, lostCommandsAreDecodedNotSearchedFor) {
+  // Cycles decoded before, as others stood in the base, would make any share of them look like a cause.
+  evaluator.setLostCycles({std::vector<std::uint8_t>(600, 1)});
+  evaluator.setBase({});
+  EXPECT_EQ(variants("command_dropout", "*"), 0u);
+  EXPECT_EQ(variants("command_delay", "*"), 1u);
+}
+
 /// A leg that is clean where it hangs; on its foot the hip is off by an angle.
 bool lookedForOnFeet(double offset, const char* id, const char* place) {
   const Mechanism leg = standingLeg();

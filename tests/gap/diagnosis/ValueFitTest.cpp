@@ -52,6 +52,9 @@ TEST(ValueFitTest, whatMeetsIsFittedTogether) {
       evaluator, {cause("coulomb_friction", "shoulder", 0.08), cause("viscous_friction", "elbow", 0.13)}, 1);
   EXPECT_NEAR(fitted[0].value, 0.1, 0.01);
   EXPECT_NEAR(fitted[1].value, 0.1, 0.01);
+  // A share of lost commands is counted; no fit may move it.
+  const Explanation withLosses = {fitted[0], cause("command_dropout", "*", 0.12), fitted[1]};
+  EXPECT_EQ(fitTogether(evaluator, withLosses, 1)[1], withLosses[1]);
 }
 
 }  // namespace
