@@ -9,12 +9,12 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double more = 1.5;       // what repeats differ by, over the channel's own noise
+constexpr double more = 1.5;       // what repeats differ by, over another noise
 constexpr double explained = 0.5;  // of the squares of what they differ by
 constexpr int rounds = 2;          // losses jerk at a channel's own noise: it is lower once they are known
 
-/// Whether repeats differ by more than noise in half of the joints that were measured with the base held.
-bool repeatsDiffer(const Evidence& byRepeats, const Evidence& byChannel) {
+/// Whether repeats differ by more than another noise in half of the joints that were measured with the base held.
+bool repeatsDiffer(const Evidence& byRepeats, const Evidence& other) {
   std::size_t joints = 0, differ = 0;
   for (std::size_t t = 0; t < byRepeats.trials().size(); ++t) {
     const Trial& trial = byRepeats.trials()[t];
@@ -22,22 +22,23 @@ bool repeatsDiffer(const Evidence& byRepeats, const Evidence& byChannel) {
       const SignalNoise& noise = byRepeats.noise(t, s);
       if (trial.freeBase || trial.signals[s].kind != SignalKind::position || !noise.repeated) continue;
       ++joints;
-      differ += noise.sigma > more * byChannel.noise(t, s).sigma;
+      differ += noise.sigma > more * other.noise(t, s).sigma;
     }
   }
   return differ * 2 > joints;
 }
 
-/// The nominal robot's motion where commands get lost, NaN where a sample does not count; runs on the feet are
+/// The motion of the robot with these causes where commands get lost, NaN where a sample does not count; runs on the feet are
 /// not predicted.
-std::vector<Prediction> predictionsWith(const LostCycles& lost, const Evidence& evidence) {
+std::vector<Prediction> predictionsWith(const LostCycles& lost, const Explanation& causes,
+                                        const Evidence& evidence) {
   const auto& trials = evidence.trials();
   std::vector<Prediction> predictions(trials.size());
   for (std::size_t t = 0; t < trials.size(); ++t) {
     if (trials[t].freeBase) continue;
     ReplayOptions options;
     options.lostCycles = &lost.cycles[t];
-    predictions[t] = replay(nominalPlant(*trials[t].robot), trials[t], options);
+    predictions[t] = replay(plantOf(trials[t], causes), trials[t], options);
     for (std::size_t s = 0; s < predictions[t].values.size(); ++s)
       for (std::size_t k = 0; k < predictions[t].values[s].size(); ++k)
         if (!(evidence.weights(t, s)[k] > 0)) predictions[t].values[s][k] = std::nan("");
@@ -70,17 +71,25 @@ double explainedBy(const std::vector<Prediction>& predictions, const Evidence& e
 
 }  // namespace
 
-Evidence evidenceOf(std::vector<Trial> trials, int jobs) {
-  Evidence byRepeats(trials), evidence(trials, NoiseFrom::itself);
-  if (!repeatsDiffer(byRepeats, evidence)) return byRepeats;
+std::optional<Evidence> evidenceBesideLosses(const Evidence& byRepeats, const Explanation& causes, int jobs) {
+  const std::vector<Trial>& trials = byRepeats.trials();
+  Evidence evidence(trials, NoiseFrom::itself);
+  if (!repeatsDiffer(byRepeats, evidence)) return {};
   for (int round = 0; round < rounds; ++round) {
-    const LostCycles lost = findLostCycles(evidence, {}, jobs);
-    const std::vector<Prediction> predictions = predictionsWith(lost, evidence);
+    const LostCycles lost = findLostCycles(evidence, causes, jobs);
+    const std::vector<Prediction> predictions = predictionsWith(lost, causes, evidence);
     if (round == 0 && (lost.found < LostCycles::least || explainedBy(predictions, evidence) <= explained))
-      return byRepeats;
+      return {};
     evidence = Evidence(trials, estimateNoiseBeside(predictions, trials));
   }
+  if (!repeatsDiffer(byRepeats, evidence)) return {};
   return evidence;
+}
+
+Evidence evidenceOf(std::vector<Trial> trials, int jobs) {
+  Evidence byRepeats(std::move(trials));
+  std::optional<Evidence> besideLosses = evidenceBesideLosses(byRepeats, {}, jobs);
+  return besideLosses ? *std::move(besideLosses) : byRepeats;
 }
 
 }  // namespace plumbline::gap

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "framework/Parallel.h"
 #include "framework/WriteFile.h"
@@ -73,6 +75,35 @@ std::size_t cutLongRuns(std::vector<Trial>& trials, std::vector<RunNotes>& notes
   return count;
 }
 
+/// A diagnosis of some evidence, with the file that remembers its searches.
+class Attempt {
+public:
+  Attempt(const Mechanism& robot, Evidence evidence_, const std::string& memoryFile, bool quiet)
+      : evidence(std::move(evidence_)), fine(robot, evidence), memory(memoryFile, fine), file(memoryFile) {
+    if (memory.size() > 0 && !quiet)
+      std::fprintf(stderr, "gap: goes on from %s (%zu searches done)\n", file.c_str(), memory.size());
+  }
+
+  Diagnosis run(DiagnosisOptions settings, ProgressLine& line) {
+    settings.memory = &memory;
+    settings.progress = [&](const std::string& stage, double share) {
+      if (stopRequested())
+        throw std::runtime_error(memory.size() > 0 ? "stopped; the same command goes on from " + file
+                                                   : "stopped; nothing was written");
+      line.tell(stage, share);
+    };
+    Evaluator coarse(fine.mechanism(), evidence, coarseSteps());
+    return diagnose(fine, coarse, settings);
+  }
+
+  const Evidence evidence;
+  Evaluator fine;
+  SearchMemory memory;
+
+private:
+  const std::string file;
+};
+
 void diagnoseRuns(const DiagnoseOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   std::vector<std::string> folders;
@@ -115,39 +146,39 @@ void diagnoseRuns(const DiagnoseOptions& options) {
     std::fprintf(stderr, "gap: looks at %zu windows of these long runs (--seconds)\n", windows);
 
   const int jobs = threadsFor(options.jobs);
-  const Evidence evidence = evidenceOf(std::move(trials), jobs);
-  Evaluator fine(robot, evidence);
-  Evaluator coarse(robot, evidence, coarseSteps());
   DiagnosisOptions settings;
   settings.jobs = jobs;
   settings.maxCauses = static_cast<std::size_t>(options.maxCauses);
   const bool toFile = !options.json.empty() && options.json != "-";
   const std::string memoryFile = toFile ? options.json + ".searches" : "";
-  SearchMemory memory(memoryFile, fine);
-  settings.memory = &memory;
-  if (memory.size() > 0 && !options.quiet)
-    std::fprintf(stderr, "gap: goes on from %s (%zu searches done)\n", memoryFile.c_str(), memory.size());
+  std::vector<std::unique_ptr<Attempt>> attempts;
   Diagnosis diagnosis;
   {
     ProgressLine line(options.quiet);
-    settings.progress = [&](const std::string& stage, double share) {
-      if (stopRequested())
-        throw std::runtime_error(memory.size() > 0 ? "stopped; the same command goes on from " + memoryFile
-                                                   : "stopped; nothing was written");
-      line.tell(stage, share);
-    };
-    diagnosis = diagnose(fine, coarse, settings);
+    attempts.push_back(std::make_unique<Attempt>(robot, evidenceOf(std::move(trials), jobs), memoryFile,
+                                                 options.quiet));
+    diagnosis = attempts.back()->run(settings, line);
+    // What repeats differ by may be commands that were lost, which show only beside the causes found.
+    std::optional<Evidence> other;
+    if (!diagnosis.findings.empty())
+      other = evidenceBesideLosses(attempts.back()->evidence, diagnosis.explanation(), jobs);
+    if (other) {
+      attempts.push_back(std::make_unique<Attempt>(robot, *std::move(other),
+                                                   toFile ? memoryFile + "2" : "", options.quiet));
+      diagnosis = attempts.back()->run(settings, line);
+    }
   }
+  Evaluator& fine = attempts.back()->fine;
   input.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   input.nextMotion = separatingMotion(robot, diagnosis);
-  if (input.nextMotion.empty()) input.nextMotion = suggestion(diagnosis, evidence);
+  if (input.nextMotion.empty()) input.nextMotion = suggestion(diagnosis, fine.evidence());
   const std::string text = answerJson(input, diagnosis, fine) + "\n";
   if (options.json == "-") {
     std::fputs(text.c_str(), stdout);
     return;
   }
   if (toFile) writeFile(options.json, text);
-  memory.forget();
+  for (const auto& attempt : attempts) attempt->memory.forget();
   std::printf("%s\n", verdictSentence(diagnosis).c_str());
   for (const Finding& finding : diagnosis.findings) {
     std::printf("  %-48s %5.1f %%  [%.3g, %.3g]  closes %.0f %% alone\n", describe(finding.cause).c_str(),
