@@ -4,16 +4,23 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 command -v clang-tidy > /dev/null || scripts/install_packages.sh scripts/packages-developer.txt
-make SimRelease-tests # the dependency files and the generated sources
+make SimRelease-tests # the generated sources, and compile_commands.json
 
-# True when the record of a source is newer than everything it was made from.
+# True when the record of a source, which lists what it is made from, is newer than all of that.
 isClean() {
-  local record=build/tidy/$1.clean d=build/SimRelease/obj/$1.d file
-  [[ -f $record && -f $d && $record -nt .clang-tidy ]] || return 1
-  for file in $(sed -n '1,/[^\\]$/{s/^[^:]*://;s/\\$//;p}' "$d"); do
-    [[ $file -nt $record ]] && return 1
-  done
+  local record=build/tidy/$1.clean file
+  [[ -s $record && $record -nt .clang-tidy ]] || return 1
+  while read -r file; do
+    [[ $file -nt $record || ! -f $file ]] && return 1
+  done < "$record"
   return 0
+}
+
+# Prints what a source is made from, a line each.
+madeFrom() {
+  local command
+  command=$(sed -n "s#.*\"file\":\"$1\".*\"command\":\"\(.*\) -c .*#\1#p" compile_commands.json)
+  ${command:-g++ -std=c++20 -Isrc} -MM "$1" | sed 's/^[^:]*://;s/\\$//' | xargs -n 1
 }
 
 tidyOne() {
@@ -21,13 +28,13 @@ tidyOne() {
   out=$(clang-tidy --quiet -p . --extra-arg=-Wno-unknown-warning-option "$1" 2> /dev/null) || status=$?
   if ((status == 0)) && [[ ! $out ]]; then
     mkdir -p "build/tidy/${1%/*}"
-    touch "build/tidy/$1.clean"
+    madeFrom "$1" > "build/tidy/$1.clean.new" && mv -f "build/tidy/$1.clean.new" "build/tidy/$1.clean"
   else
     printf '%s\n' "$out"
     return 1
   fi
 }
-export -f tidyOne
+export -f tidyOne madeFrom
 
 files=("$@")
 ((${#files[@]})) || mapfile -t files < <(find src -name '*.cpp' | LC_ALL=C sort)

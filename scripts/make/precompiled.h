@@ -1,5 +1,6 @@
 // Headers that many sources include and that never change here, compiled once for a target that sets
-// `precompiled`. Only the sanitizer build does: the others prove that each source includes what it uses.
+// `precompiled`. Only the sanitizer build does: SimDebug, which compiles each source by itself, and clang-tidy prove
+// that each includes what it uses.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>

@@ -8,6 +8,7 @@ project=$(mktemp -d "${TMPDIR:-/tmp}/plumbline build XXXXXX") # with spaces: the
 trap 'rm -rf "$project"' EXIT
 cp -r "$repository"/{configure.sh,Makefile,scripts} "$project/"
 cd "$project" || exit 1
+sed -i '/^together=/d' scripts/targets/SimRelease.settings # each source by itself tells what a change compiles
 mkdir -p src/math src/modules/perception src/main tests/math
 
 checks=0

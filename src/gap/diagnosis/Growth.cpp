@@ -15,7 +15,7 @@ namespace {
 // most of that, and to be more probable than all others together.
 constexpr double mostOfIt = 0.6, surer = 0.5;
 constexpr double hopeless = 0.3;  // of the best candidate's gain lost: not tried as a further cause
-constexpr std::size_t tries = 3;
+constexpr std::size_t mostTried = 3;
 constexpr double asWell = 1.05;  // times the squares for judging: no worse
 
 }  // namespace
@@ -39,7 +39,7 @@ void Growth::grow(double most) {
 }
 
 /// Tries the best candidates on top of the base, values that depend on each other fitted together; keeps
-/// the one that predicts best of those that earn their place.
+/// the most probable of those that earn their place.
 bool Growth::accept(const std::vector<Candidate>& list) {
   if (list.empty()) return false;
   const Standing before(fine);
@@ -49,13 +49,15 @@ bool Growth::accept(const std::vector<Candidate>& list) {
   const Explanation old = fine.base();
   const double front = list.front().fit.judging, least = front + hopeless * (before.judging() - front);
   Explanation best;
-  double bestJudging = INFINITY;
-  for (std::size_t i = 0; i < std::min(old.empty() ? 1 : tries, list.size()); ++i) {
+  double bestJudging = INFINITY, bestPriced = INFINITY;
+  for (std::size_t i = 0; i < std::min(old.empty() ? 1 : mostTried, list.size()); ++i) {
     if (list[i].fit.judging > least) break;
     setBaseTo(old, list[i].cause);
-    if (fine.baseFit().judging < bestJudging && before.betteredBy(fine, part)) {
+    const double judging = fine.baseFit().judging, priced = withPrior(list[i].cause, judging);
+    if (priced < bestPriced && before.betteredBy(fine, part)) {
       best = fine.base();
-      bestJudging = fine.baseFit().judging;
+      bestJudging = judging;
+      bestPriced = priced;
     }
   }
   if (!best.empty() && isOneServosSetting(best.back())) {

@@ -40,6 +40,10 @@ void sortByProbability(std::vector<Candidate>& list) {
                    [t](const Candidate& a, const Candidate& b) { return logWeight(a, t) > logWeight(b, t); });
 }
 
+double withPrior(const Cause& cause, double judging) {
+  return judging - temperature(judging) * logPrior(cause);
+}
+
 std::vector<double> probabilities(const std::vector<Candidate>& list) {
   std::vector<double> result;
   if (list.empty()) return result;

@@ -44,5 +44,12 @@ TEST(ProbabilityTest, whatPredictsBetterWinsByTheTemperature) {
   EXPECT_TRUE(probabilities({}).empty());
 }
 
+TEST(ProbabilityTest, aPriorInSquares) {
+  // A force in one of three directions and either way has a sixth, dry friction has all of it.
+  const Candidate force = candidate("external_force", 10000), friction = candidate("coulomb_friction", 10000);
+  EXPECT_DOUBLE_EQ(withPrior(friction.cause, 10000), 10000);
+  EXPECT_NEAR(withPrior(force.cause, 10000), 10000 + (16 + 0.0014 * 10000) * std::log(6), 1e-9);
+}
+
 }  // namespace
 }  // namespace plumbline::gap
