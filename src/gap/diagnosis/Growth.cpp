@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gap/diagnosis/LostCycles.h"
 #include "gap/diagnosis/Merit.h"
 #include "gap/diagnosis/Probability.h"
 #include "gap/diagnosis/Search.h"
@@ -16,6 +17,8 @@ namespace {
 constexpr double mostOfIt = 0.6, surer = 0.5;
 constexpr double hopeless = 0.3;  // of the best candidate's gain lost: not tried as a further cause
 constexpr std::size_t mostTried = 3;
+constexpr int passes = 6;        // of decoding and fitting in turn
+constexpr double more = 1.5;     // of a strength, that losses may stand in for
 constexpr double asWell = 1.05;  // times the squares for judging: no worse
 
 }  // namespace
@@ -31,6 +34,7 @@ void Growth::grow(double most) {
       break;
     }
     causes = fine.base();
+    settleLosses();
     // What was set in one servo may have been taken for set in all: its rivals are looked for at the end.
     const auto same = [&](const Candidate& c) { return c.cause.sameKind(causes.back()); };
     if (std::ranges::none_of(list, same)) list.clear();
@@ -81,6 +85,43 @@ void Growth::setBaseTo(const Explanation& old, const Cause& cause) {
       ofSensor(cause) ? tried : fitTogether(proposals.quickOn(old), tried, options.jobs);
   const bool better = together == tried || fine.of(together).fitting < fine.of(tried).fitting;
   fine.setBase(better ? together : tried);
+}
+
+/// Which commands were lost was decoded before what else is there was known, and that fitted to what was
+/// taken for lost: both once more, in turn, while that predicts better. Losses stand in for a part of what is
+/// there, so that is also tried as more than it was fitted to.
+void Growth::settleLosses() {
+  const auto decoded = [](const Cause& cause) { return cause.effect->decoded; };
+  if (causes.size() < 2 || std::ranges::none_of(causes, decoded)) return;
+  for (int pass = 0; pass < passes; ++pass)
+    if (!decodeBeside(1) && !decodeBeside(more)) return;
+}
+
+/// Decodes lost commands beside the other causes, these so many times as strong, and fits those to that;
+/// keeps it if it predicts better.
+bool Growth::decodeBeside(double strength) {
+  const double before = fine.baseFit().judging;
+  const auto cyclesBefore = fine.lostCycles();
+  Explanation others, tried = causes;
+  for (Cause& cause : tried) {
+    if (cause.effect->decoded) continue;
+    cause = scaled(fine.mechanism(), cause, strength);
+    others.push_back(cause);
+  }
+  const LostCycles again = findLostCycles(fine.evidence(), others, options.jobs);
+  proposals.useLostCycles(again.cycles);
+  for (Cause& cause : tried)
+    if (cause.effect->decoded) cause.value = again.share;
+  fine.setBase(tried);
+  fine.setBase(fitTogether(fine, tried, options.jobs));
+  const bool better = fine.baseFit().judging < before - leastGain;
+  if (better) {
+    causes = fine.base();
+  } else {
+    proposals.useLostCycles(cyclesBefore);
+    fine.setBase(causes);
+  }
+  return better;
 }
 
 /// Whether a cause is set in one servo of a robot whose servos are all of one type. What is set in one is

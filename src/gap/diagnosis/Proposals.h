@@ -30,9 +30,11 @@ public:
   /// they do of a motor that just falls short of what it has to hold.
   const Evaluator& quickOn(const Explanation& base);
 
+  /// Whose commands count as lost from now on, per trial and cycle.
+  void useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycles);
+
 private:
   void priceHunting(std::vector<Candidate>& list) const;
-  void useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycles);
 
   Evaluator &fine, &coarse;
   const DiagnosisOptions& options;

@@ -13,7 +13,8 @@ constexpr double more = 1.5;       // what repeats differ by, over another noise
 constexpr double explained = 0.5;  // of the squares of what they differ by
 constexpr int rounds = 2;          // losses jerk at a channel's own noise: it is lower once they are known
 
-/// Whether repeats differ by more than another noise in half of the joints that were measured with the base held.
+/// Whether repeats differ by more than another noise in half of the joints that were measured with the base
+/// held.
 bool repeatsDiffer(const Evidence& byRepeats, const Evidence& other) {
   std::size_t joints = 0, differ = 0;
   for (std::size_t t = 0; t < byRepeats.trials().size(); ++t) {
@@ -28,8 +29,8 @@ bool repeatsDiffer(const Evidence& byRepeats, const Evidence& other) {
   return differ * 2 > joints;
 }
 
-/// The motion of the robot with these causes where commands get lost, NaN where a sample does not count; runs on the feet are
-/// not predicted.
+/// The motion of the robot with these causes where commands get lost, NaN where a sample does not count; runs
+/// on the feet are not predicted.
 std::vector<Prediction> predictionsWith(const LostCycles& lost, const Explanation& causes,
                                         const Evidence& evidence) {
   const auto& trials = evidence.trials();

@@ -8,7 +8,8 @@
 namespace plumbline::gap {
 
 /// Evidence whose noise is what repeats differ by, unless they differ because commands were lost: that is a
-/// cause to be found, not a floor. The noise is then what repeats differ by beside what lost commands explain.
+/// cause to be found, not a floor. The noise is then what repeats differ by beside what lost commands
+/// explain.
 Evidence evidenceOf(std::vector<Trial> trials, int jobs);
 
 /// The same for a robot that has these causes, beside which lost commands may show better; nothing where that

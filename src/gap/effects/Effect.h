@@ -47,7 +47,8 @@ struct Effect {
   bool reciprocal = false;
   /// Of the servo and its gear: a robot whose servos are all of one type may have it in all of them alike.
   bool ofServo = false;
-  /// What matters is when it happened, which is decoded from a recording; the value is then counted, not fitted.
+  /// What matters is when it happened, which is decoded from a recording; the value is then counted, not
+  /// fitted.
   bool decoded = false;
   /// Can be set in a servo: recordings of one robot may have been made with and without it.
   bool setting = false;

@@ -155,16 +155,16 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   Diagnosis diagnosis;
   {
     ProgressLine line(options.quiet);
-    attempts.push_back(std::make_unique<Attempt>(robot, evidenceOf(std::move(trials), jobs), memoryFile,
-                                                 options.quiet));
+    attempts.push_back(
+        std::make_unique<Attempt>(robot, evidenceOf(std::move(trials), jobs), memoryFile, options.quiet));
     diagnosis = attempts.back()->run(settings, line);
     // What repeats differ by may be commands that were lost, which show only beside the causes found.
     std::optional<Evidence> other;
     if (!diagnosis.findings.empty())
       other = evidenceBesideLosses(attempts.back()->evidence, diagnosis.explanation(), jobs);
     if (other) {
-      attempts.push_back(std::make_unique<Attempt>(robot, *std::move(other),
-                                                   toFile ? memoryFile + "2" : "", options.quiet));
+      attempts.push_back(
+          std::make_unique<Attempt>(robot, *std::move(other), toFile ? memoryFile + "2" : "", options.quiet));
       diagnosis = attempts.back()->run(settings, line);
     }
   }

@@ -60,8 +60,7 @@ TEST(RepeatNoiseTest, besideAStrongCauseOnceItIsKnown) {
                               causeOfArm("viscous_friction", "elbow", 1)};
   const std::optional<Evidence> evidence = evidenceBesideLosses(byRepeats, causes, 1);
   ASSERT_TRUE(evidence);
-  for (std::size_t s = 0; s < 2; ++s)
-    EXPECT_NEAR(evidence->noise(0, s).sigma, noise, 0.15 * noise) << s;
+  for (std::size_t s = 0; s < 2; ++s) EXPECT_NEAR(evidence->noise(0, s).sigma, noise, 0.15 * noise) << s;
   EXPECT_FALSE(evidenceBesideLosses(*evidence, causes, 1)) << "told already";
 }
 
