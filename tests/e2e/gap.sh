@@ -30,6 +30,17 @@ grep -q 'windows of these long runs' "$scratch/err" || fail "nothing is said of 
 answer=$(node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1])); console.log(a.effects[0]?.effect, a.effects[0]?.at, a.runs.length === a.map.time.length, a.runs.every((r) => / \([0-9]+ s\)$/.test(r.motion)))' "$scratch/windows.json")
 expectEqual "$answer" "$secret true true" "the answer from windows"
 
+# Lost commands that show only beside what else is found: repeats differ by more than noise until both are known.
+printf 'effects:\n  - {effect: %s, at: "%s", value: %s}\n  - {effect: %s, at: "%s", value: %s}\n  - {effect: %s, at: "%s", value: %s}\n' \
+  viscous_friction Elbow 0.3 viscous_friction Shoulder 0.3 command_dropout '*' 0.08 > "$scratch/three.yaml"
+for seed in 2 3; do
+  gap record --robot $arm --program hang_multisine --effects "$scratch/three.yaml" --seed $seed -o "$scratch/lost$seed"
+done
+gap diagnose "$scratch/lost2" "$scratch/lost3" --robot $arm --json "$scratch/lost.json"
+answer=$(node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1])); console.log(a.verdict, a.effects.map((e) => e.effect + " " + e.at + " " + e.value.toFixed(e.at === "*" ? 1 : 2)).sort().join(", "))' "$scratch/lost.json")
+expectEqual "$answer" "effect command_dropout * 0.1, viscous_friction Elbow 0.30, viscous_friction Shoulder 0.30" "the answer with lost commands"
+[[ ! -e $scratch/lost.json.searches && ! -e $scratch/lost.json.searches2 ]] || fail "the diagnosis left its memory behind"
+
 # What was found goes into a simulator, and a robot with it is explained.
 gap apply "$scratch/answer.json" -o "$scratch/effects.yaml"
 gap record --robot $arm --program hang_sweep --effects "$scratch/effects.yaml" --seed 2 -o "$scratch/check"

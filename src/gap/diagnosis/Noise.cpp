@@ -11,8 +11,8 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double sameHeading = 0.01;  // [rad]
-constexpr double sameCommand = 1e-3;  // [rad], root mean square
+constexpr double headingWithin = 0.01;  // [rad]
+constexpr double commandWithin = 1e-3;  // [rad], root mean square
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -94,11 +94,11 @@ std::vector<std::vector<SignalNoise>> estimate(const std::vector<Trial>& trials,
 
 bool isRepeat(const Trial& a, const Trial& b) {
   if (a.freeBase != b.freeBase ||
-      std::abs(std::remainder(a.heading - b.heading, 2 * std::numbers::pi)) > sameHeading)
+      std::abs(std::remainder(a.heading - b.heading, 2 * std::numbers::pi)) > headingWithin)
     return false;
   if (!sameTimes(a, b)) return false;
   for (std::size_t j = 0; j < a.command.size(); ++j)
-    if (differenceOf(a.command[j], b.command[j]) > sameCommand) return false;
+    if (differenceOf(a.command[j], b.command[j]) > commandWithin) return false;
   return true;
 }
 

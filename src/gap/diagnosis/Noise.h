@@ -25,9 +25,10 @@ struct SignalNoise {
   bool repeated = false;  ///< found from repeats, else from the channel itself
 };
 
+enum class NoiseFrom { repeats, itself };
+
 /// Per trial and signal: where a channel was recorded in repeats and they are to be used, what they differ by
 /// (median over the pairs), else its own fast noise; half a count of the encoder is uncertain in both.
-enum class NoiseFrom { repeats, itself };
 std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& trials,
                                                     NoiseFrom from = NoiseFrom::repeats);
 

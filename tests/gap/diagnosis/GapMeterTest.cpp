@@ -7,10 +7,10 @@
 namespace plumbline::gap {
 namespace {
 
-constexpr double noise = 5e-4;
+constexpr double readingNoise = 5e-4;
 
 Trial nominalRun(bool standing) {
-  return recorded(nominalPlant(standingLeg()), legTrial(standing), noise, standing ? 7 : 8);
+  return recorded(nominalPlant(standingLeg()), legTrial(standing), readingNoise, standing ? 7 : 8);
 }
 
 /// A run whose hip is off by 0.02 rad for the last part of it.
@@ -49,7 +49,7 @@ TEST(GapMeterTest, aRobotThatHangsHasNoGapOnItsFeet) {
 }
 
 TEST(GapMeterTest, aJointThatSticksMayLetGoLate) {
-  const Trial longRun = recorded(nominalPlant(standingLeg()), legTrial(false, 20), noise, 8);
+  const Trial longRun = recorded(nominalPlant(standingLeg()), legTrial(false, 20), readingNoise, 8);
   Judged little({astray(longRun, 0.02)}), much({astray(longRun, 0.2)});
   const Effect *sticks = findEffect("coulomb_friction"), *slides = findEffect("viscous_friction");
   const auto judgedWith = [](Judged& judged, const Effect* effect) {
