@@ -155,11 +155,14 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   Diagnosis diagnosis;
   {
     ProgressLine line(options.quiet);
+    const char* const stage = "what repeats differ by";
+    line.tell(stage, 0);
     attempts.push_back(
         std::make_unique<Attempt>(robot, evidenceOf(std::move(trials), jobs), memoryFile, options.quiet));
     diagnosis = attempts.back()->run(settings, line);
     // What repeats differ by may be commands that were lost, which show only beside the causes found.
     std::optional<Evidence> other;
+    line.tell(stage, 0);
     if (!diagnosis.findings.empty())
       other = evidenceBesideLosses(attempts.back()->evidence, diagnosis.explanation(), jobs);
     if (other) {
