@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 command -v clang-tidy > /dev/null || scripts/install_packages.sh scripts/packages-developer.txt
-make SimRelease-tests # the generated sources, and compile_commands.json
+make SimRelease # the generated sources, and compile_commands.json
 
 # True when the record of a source, which lists what it is made from, is newer than all of that.
 isClean() {
@@ -20,7 +20,7 @@ isClean() {
 madeFrom() {
   local command
   command=$(sed -n "s#.*\"file\":\"$1\".*\"command\":\"\(.*\) -c .*#\1#p" compile_commands.json)
-  ${command:-g++ -std=c++20 -Isrc} -MM "$1" | sed 's/^[^:]*://;s/\\$//' | xargs -n 1
+  ${command:-g++ -std=c++20 -Isrc} -MM "$1" | sed 's/^[^:]*://;s/\\$//' | tr -s ' ' '\n' | sed '/^$/d'
 }
 
 tidyOne() {

@@ -31,8 +31,12 @@ answer=$(node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1
 expectEqual "$answer" "$secret true true" "the answer from windows"
 
 # Lost commands that show only beside what else is found: repeats differ by more than noise until both are known.
-printf 'effects:\n  - {effect: %s, at: "%s", value: %s}\n  - {effect: %s, at: "%s", value: %s}\n  - {effect: %s, at: "%s", value: %s}\n' \
-  viscous_friction Elbow 0.3 viscous_friction Shoulder 0.3 command_dropout '*' 0.08 > "$scratch/three.yaml"
+cat > "$scratch/three.yaml" << 'E'
+effects:
+  - {effect: viscous_friction, at: Elbow, value: 0.3}
+  - {effect: viscous_friction, at: Shoulder, value: 0.3}
+  - {effect: command_dropout, at: "*", value: 0.08}
+E
 for seed in 2 3; do
   gap record --robot $arm --program hang_multisine --effects "$scratch/three.yaml" --seed $seed -o "$scratch/lost$seed"
 done

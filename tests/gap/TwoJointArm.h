@@ -95,4 +95,18 @@ inline Trial recorded(const Plant& plant, Trial trial, double noise, std::uint64
   return trial;
 }
 
+/// Six seconds of the arm's motion recorded twice, each time with another such share of the commands lost.
+inline std::vector<Trial> recordedTwice(const Plant& plant, double noise, double lostShare) {
+  std::vector<Trial> trials;
+  for (const std::uint64_t seed : {11, 12}) {
+    Random random(seed);
+    std::vector<std::uint8_t> lost(600, 0);
+    for (auto& cycle : lost) cycle = random.uniform() < lostShare;
+    ReplayOptions options;
+    options.lostCycles = &lost;
+    trials.push_back(recorded(plant, armTrial(twoJointArm(), 6), noise, seed, options));
+  }
+  return trials;
+}
+
 }  // namespace plumbline::gap

@@ -10,10 +10,6 @@ namespace plumbline::gap {
 
 namespace {
 
-bool losesCommands(const Explanation& causes) {
-  return std::ranges::any_of(causes, [](const Cause& cause) { return cause.effect->decoded; });
-}
-
 /// What doubt in a prediction costs: a wide guess is right more often and worth less.
 double doubt(double own, double weight) { return weight == own ? 0 : std::log(own / weight); }
 

@@ -45,6 +45,10 @@ bool doesNothing(const Mechanism& mechanism, const Cause& cause) {
 
 bool ofSensor(const Cause& cause) { return cause.place.site == Site::imu || cause.place.site == Site::foot; }
 
+bool losesCommands(const Explanation& causes) {
+  return std::ranges::any_of(causes, [](const Cause& cause) { return cause.effect->decoded; });
+}
+
 Explanation without(Explanation causes, std::size_t i) {
   causes.erase(causes.begin() + static_cast<std::ptrdiff_t>(i));
   return causes;

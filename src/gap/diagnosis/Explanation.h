@@ -41,6 +41,9 @@ bool ofSensor(const Cause& cause);
 /// All but the i-th.
 Explanation without(Explanation causes, std::size_t i);
 
+/// Whether lost commands are among the causes (Effect::decoded).
+bool losesCommands(const Explanation& causes);
+
 /// The largest number of causes at one joint, at least 1: effects that the library lacks can be put together
 /// from several of it.
 int mostAtOneJoint(const Explanation& causes);

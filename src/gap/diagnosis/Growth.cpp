@@ -17,9 +17,9 @@ namespace {
 constexpr double mostOfIt = 0.6, surer = 0.5;
 constexpr double hopeless = 0.3;  // of the best candidate's gain lost: not tried as a further cause
 constexpr std::size_t mostTried = 3;
-constexpr int passes = 6;        // of decoding and fitting in turn
-constexpr double more = 1.5;     // of a strength, that losses may stand in for
-constexpr double asWell = 1.05;  // times the squares for judging: no worse
+constexpr int passes = 6;         // of decoding and fitting in turn
+constexpr double stronger = 1.5;  // times what was fitted: losses may stand in for the rest
+constexpr double asWell = 1.05;   // times the squares for judging: no worse
 
 }  // namespace
 
@@ -91,10 +91,9 @@ void Growth::setBaseTo(const Explanation& old, const Cause& cause) {
 /// taken for lost: both once more, in turn, while that predicts better. Losses stand in for a part of what is
 /// there, so that is also tried as more than it was fitted to.
 void Growth::settleLosses() {
-  const auto decoded = [](const Cause& cause) { return cause.effect->decoded; };
-  if (causes.size() < 2 || std::ranges::none_of(causes, decoded)) return;
+  if (causes.size() < 2 || !losesCommands(causes)) return;
   for (int pass = 0; pass < passes; ++pass)
-    if (!decodeBeside(1) && !decodeBeside(more)) return;
+    if (!decodeBeside(1) && !decodeBeside(stronger)) return;
 }
 
 /// Decodes lost commands beside the other causes, these so many times as strong, and fits those to that;

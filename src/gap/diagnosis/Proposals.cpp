@@ -67,8 +67,7 @@ void Proposals::useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycl
 
 void Proposals::addLostCommands(std::vector<Candidate>& list) {
   const Effect* dropout = findEffect("command_dropout");
-  if (!mostIsOff(fine) || std::ranges::any_of(fine.base(), [](const Cause& c) { return c.effect->decoded; }))
-    return;
+  if (!mostIsOff(fine) || losesCommands(fine.base())) return;
   const LostCycles lost = findLostCycles(fine.evidence(), fine.base(), options.jobs);
   if (lost.found < LostCycles::least) return;
   useLostCycles(lost.cycles);

@@ -9,13 +9,13 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double more = 1.5;       // what repeats differ by, over another noise
+constexpr double clearly = 1.5;    // times another noise
 constexpr double explained = 0.5;  // of the squares of what they differ by
 constexpr int rounds = 2;          // losses jerk at a channel's own noise: it is lower once they are known
 
-/// Whether repeats differ by more than another noise in half of the joints that were measured with the base
-/// held.
-bool repeatsDiffer(const Evidence& byRepeats, const Evidence& other) {
+/// Whether what was taken for noise is clearly more than in another evidence of the same runs, in half of the
+/// joints that were repeated with the base held.
+bool isNoisier(const Evidence& byRepeats, const Evidence& other) {
   std::size_t joints = 0, differ = 0;
   for (std::size_t t = 0; t < byRepeats.trials().size(); ++t) {
     const Trial& trial = byRepeats.trials()[t];
@@ -23,7 +23,7 @@ bool repeatsDiffer(const Evidence& byRepeats, const Evidence& other) {
       const SignalNoise& noise = byRepeats.noise(t, s);
       if (trial.freeBase || trial.signals[s].kind != SignalKind::position || !noise.repeated) continue;
       ++joints;
-      differ += noise.sigma > more * other.noise(t, s).sigma;
+      differ += noise.sigma > clearly * other.noise(t, s).sigma;
     }
   }
   return differ * 2 > joints;
@@ -75,7 +75,7 @@ double explainedBy(const std::vector<Prediction>& predictions, const Evidence& e
 std::optional<Evidence> evidenceBesideLosses(const Evidence& byRepeats, const Explanation& causes, int jobs) {
   const std::vector<Trial>& trials = byRepeats.trials();
   Evidence evidence(trials, NoiseFrom::itself);
-  if (!repeatsDiffer(byRepeats, evidence)) return {};
+  if (!isNoisier(byRepeats, evidence)) return {};
   for (int round = 0; round < rounds; ++round) {
     const LostCycles lost = findLostCycles(evidence, causes, jobs);
     const std::vector<Prediction> predictions = predictionsWith(lost, causes, evidence);
@@ -83,7 +83,7 @@ std::optional<Evidence> evidenceBesideLosses(const Evidence& byRepeats, const Ex
       return {};
     evidence = Evidence(trials, estimateNoiseBeside(predictions, trials));
   }
-  if (!repeatsDiffer(byRepeats, evidence)) return {};
+  if (!isNoisier(byRepeats, evidence)) return {};
   return evidence;
 }
 

@@ -132,7 +132,7 @@ Candidate fitValue(const Evaluator& evaluator, const Cause& start, const TrialMa
 Explanation fitTogether(const Evaluator& evaluator, const Explanation& causes, int jobs) {
   Explanation result = causes;
   // What is decoded moves every joint: what was fitted before meets that.
-  const bool meetAll = std::ranges::any_of(causes, [](const Cause& cause) { return cause.effect->decoded; });
+  const bool meetAll = losesCommands(causes);
   for (const std::vector<std::size_t>& group : coupledGroups(evaluator, causes)) {
     if (group.size() < 2 && !meetAll) continue;
     result = evaluator.hasStanding() ? fitByEvolution(evaluator, result, group, jobs)

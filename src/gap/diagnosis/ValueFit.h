@@ -25,8 +25,8 @@ Candidate fitValue(const Evaluator& evaluator, const Cause& start, const TrialMa
                    const ValueSearch& how = {});
 
 /// Values of causes that move the same joints fitted together, from where they are: with a held base by
-/// Gauss-Newton steps (see GaussNewton.h), where the others do not feel each other and stay; with runs on the
-/// feet by CMA-ES (seeded).
+/// Gauss-Newton steps (see GaussNewton.h), where the others do not feel each other and stay unless commands
+/// were lost, which all feel; with runs on the feet by CMA-ES (seeded).
 Explanation fitTogether(const Evaluator& evaluator, const Explanation& causes, int jobs);
 /// fitTogether() begun anew until the values stay, three times at most: steps that stuck may go on.
 Explanation fitSettled(const Evaluator& evaluator, Explanation causes, int jobs);

@@ -78,18 +78,22 @@ std::size_t cutLongRuns(std::vector<Trial>& trials, std::vector<RunNotes>& notes
 /// A diagnosis of some evidence, with the file that remembers its searches.
 class Attempt {
 public:
-  Attempt(const Mechanism& robot, Evidence evidence_, const std::string& memoryFile, bool quiet)
-      : evidence(std::move(evidence_)), fine(robot, evidence), memory(memoryFile, fine), file(memoryFile) {
-    if (memory.size() > 0 && !quiet)
-      std::fprintf(stderr, "gap: goes on from %s (%zu searches done)\n", file.c_str(), memory.size());
-  }
+  Attempt(const Mechanism& robot, Evidence evidence_, const std::string& memoryFile)
+      : evidence(std::move(evidence_)), fine(robot, evidence), memory(memoryFile, fine), file(memoryFile) {}
 
-  Diagnosis run(DiagnosisOptions settings, ProgressLine& line) {
+  /// remembered: the file of an attempt before this one; empty: there was none.
+  Diagnosis run(DiagnosisOptions settings, ProgressLine& line, bool quiet, const std::string& remembered) {
+    if (memory.size() > 0 && !quiet) {
+      line.clear();
+      std::fprintf(stderr, "gap: goes on from %s (%zu searches done)\n", file.c_str(), memory.size());
+    }
     settings.memory = &memory;
     settings.progress = [&](const std::string& stage, double share) {
-      if (stopRequested())
-        throw std::runtime_error(memory.size() > 0 ? "stopped; the same command goes on from " + file
-                                                   : "stopped; nothing was written");
+      if (stopRequested()) {
+        const std::string& from = memory.size() > 0 ? file : remembered;
+        throw std::runtime_error(from.empty() ? "stopped; nothing was written"
+                                              : "stopped; the same command goes on from " + from);
+      }
       line.tell(stage, share);
     };
     Evaluator coarse(fine.mechanism(), evidence, coarseSteps());
@@ -157,18 +161,18 @@ void diagnoseRuns(const DiagnoseOptions& options) {
     ProgressLine line(options.quiet);
     const char* const stage = "what repeats differ by";
     line.tell(stage, 0);
-    attempts.push_back(
-        std::make_unique<Attempt>(robot, evidenceOf(std::move(trials), jobs), memoryFile, options.quiet));
-    diagnosis = attempts.back()->run(settings, line);
+    attempts.push_back(std::make_unique<Attempt>(robot, evidenceOf(std::move(trials), jobs), memoryFile));
+    const Attempt& first = *attempts.front();
+    diagnosis = attempts.back()->run(settings, line, options.quiet, "");
     // What repeats differ by may be commands that were lost, which show only beside the causes found.
     std::optional<Evidence> other;
     line.tell(stage, 0);
     if (!diagnosis.findings.empty())
-      other = evidenceBesideLosses(attempts.back()->evidence, diagnosis.explanation(), jobs);
+      other = evidenceBesideLosses(first.evidence, diagnosis.explanation(), jobs);
     if (other) {
-      attempts.push_back(
-          std::make_unique<Attempt>(robot, *std::move(other), toFile ? memoryFile + "2" : "", options.quiet));
-      diagnosis = attempts.back()->run(settings, line);
+      // A memory of its own: it does not know which noise it was made with.
+      attempts.push_back(std::make_unique<Attempt>(robot, *std::move(other), toFile ? memoryFile + "2" : ""));
+      diagnosis = attempts.back()->run(settings, line, options.quiet, first.memory.size() ? memoryFile : "");
     }
   }
   Evaluator& fine = attempts.back()->fine;

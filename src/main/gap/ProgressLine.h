@@ -11,11 +11,13 @@ namespace plumbline::gap {
 class ProgressLine {
 public:
   explicit ProgressLine(bool quiet) : shown(!quiet && isatty(STDERR_FILENO)) {}
-  ~ProgressLine() {
-    if (shown) std::fprintf(stderr, "\r\033[K");
-  }
+  ~ProgressLine() { clear(); }
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void clear() {
+    if (shown) std::fprintf(stderr, "\r\033[K");
+  }
 
   void tell(const std::string& what, double share) {
     const auto now = std::chrono::steady_clock::now();

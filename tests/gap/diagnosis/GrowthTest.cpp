@@ -9,24 +9,10 @@
 namespace plumbline::gap {
 namespace {
 
-/// The arm with these causes, recorded twice, each time with a tenth of other commands lost.
-std::vector<Trial> recordedWith(const Explanation& causes) {
-  std::vector<Trial> trials;
-  for (const std::uint64_t seed : {11, 12}) {
-    Random random(seed);
-    std::vector<std::uint8_t> lost(600, 0);
-    for (auto& cycle : lost) cycle = random.uniform() < 0.1;
-    ReplayOptions options;
-    options.lostCycles = &lost;
-    trials.push_back(
-        recorded(plantOf(twoJointArm(), causes), armTrial(twoJointArm(), 6), 5e-4, seed, options));
-  }
-  return trials;
-}
-
 TEST(GrowthTest, whatIsBesideLostCommandsIsFittedBesideThem) {
   const Mechanism arm = twoJointArm();
-  const Evidence evidence = evidenceOf(recordedWith({causeOfArm("coulomb_friction", "elbow", 0.1)}), 1);
+  const Plant plant = plantOf(arm, {causeOfArm("coulomb_friction", "elbow", 0.1)});
+  const Evidence evidence = evidenceOf(recordedTwice(plant, 5e-4, 0.1), 1);
   Evaluator fine(arm, evidence), coarse(arm, evidence, coarseSteps());
   const DiagnosisOptions options;
   Growth growth(fine, coarse, options);

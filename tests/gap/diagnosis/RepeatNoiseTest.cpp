@@ -9,22 +9,8 @@ namespace {
 
 constexpr double noise = 5e-4;
 
-/// The arm's motion recorded twice, each time with other commands lost.
-std::vector<Trial> recordedTwice(const Plant& plant, double lostShare) {
-  std::vector<Trial> trials;
-  for (const std::uint64_t seed : {11, 12}) {
-    Random random(seed);
-    std::vector<std::uint8_t> lost(600, 0);
-    for (auto& cycle : lost) cycle = random.uniform() < lostShare;
-    ReplayOptions options;
-    options.lostCycles = &lost;
-    trials.push_back(recorded(plant, armTrial(twoJointArm(), 6), noise, seed, options));
-  }
-  return trials;
-}
-
 TEST(RepeatNoiseTest, whatRepeatsDifferBy) {
-  const Evidence evidence = evidenceOf(recordedTwice(nominalPlant(twoJointArm()), 0), 1);
+  const Evidence evidence = evidenceOf(recordedTwice(nominalPlant(twoJointArm()), noise, 0), 1);
   for (std::size_t s = 0; s < 2; ++s) {
     EXPECT_TRUE(evidence.noise(0, s).repeated);
     EXPECT_NEAR(evidence.noise(0, s).sigma, noise, 0.1 * noise);
@@ -32,7 +18,7 @@ TEST(RepeatNoiseTest, whatRepeatsDifferBy) {
 }
 
 TEST(RepeatNoiseTest, lostCommandsAreNoNoise) {
-  const std::vector<Trial> trials = recordedTwice(nominalPlant(twoJointArm()), 0.1);
+  const std::vector<Trial> trials = recordedTwice(nominalPlant(twoJointArm()), noise, 0.1);
   const Evidence evidence = evidenceOf(trials, 1), byRepeats(trials);
   for (std::size_t s = 0; s < 2; ++s) {
     EXPECT_GT(byRepeats.noise(0, s).sigma, 5 * noise);
@@ -45,7 +31,7 @@ TEST(RepeatNoiseTest, lostCommandsAreNoNoise) {
 TEST(RepeatNoiseTest, neitherAreTheyBesideAnotherCause) {
   Plant plant = nominalPlant(twoJointArm());
   plant.joints[1].coulomb += 0.1;
-  const std::vector<Trial> trials = recordedTwice(plant, 0.1);
+  const std::vector<Trial> trials = recordedTwice(plant, noise, 0.1);
   const Evidence evidence = evidenceOf(trials, 1), byRepeats(trials);
   for (std::size_t s = 0; s < 2; ++s)
     EXPECT_LT(evidence.noise(0, s).sigma, byRepeats.noise(0, s).sigma / 4) << s;
@@ -54,7 +40,7 @@ TEST(RepeatNoiseTest, neitherAreTheyBesideAnotherCause) {
 TEST(RepeatNoiseTest, besideAStrongCauseOnceItIsKnown) {
   Plant plant = nominalPlant(twoJointArm());
   for (JointPlant& joint : plant.joints) joint.viscous += 1;
-  const Evidence byRepeats(recordedTwice(plant, 0.1));
+  const Evidence byRepeats(recordedTwice(plant, noise, 0.1));
   EXPECT_FALSE(evidenceBesideLosses(byRepeats, {}, 1)) << "nothing tells losses from the rest";
   const Explanation causes = {causeOfArm("viscous_friction", "shoulder", 1),
                               causeOfArm("viscous_friction", "elbow", 1)};
@@ -67,10 +53,10 @@ TEST(RepeatNoiseTest, besideAStrongCauseOnceItIsKnown) {
 TEST(RepeatNoiseTest, whatElseRepeatsDifferByStays) {
   // A robot that is warmer the second time: no commands were lost.
   Plant warm = nominalPlant(twoJointArm());
-  std::vector<Trial> trials = recordedTwice(warm, 0);
+  std::vector<Trial> trials = recordedTwice(warm, noise, 0);
   warm.joints[0].viscous += 0.3;
   warm.joints[1].viscous += 0.3;
-  trials[1] = recordedTwice(warm, 0)[1];
+  trials[1] = recordedTwice(warm, noise, 0)[1];
   const Evidence evidence = evidenceOf(trials, 1), byRepeats(trials);
   for (std::size_t s = 0; s < 2; ++s) EXPECT_EQ(evidence.noise(0, s).sigma, byRepeats.noise(0, s).sigma);
 }
