@@ -139,4 +139,9 @@ Mechanism findMechanism(const std::string& name, const std::string& folder) {
                             "; give the robot's file");
 }
 
+Mechanism namedMechanism(const std::string& nameOrFile) {
+  return nameOrFile.find_first_of("/.") == std::string::npos ? findMechanism(nameOrFile)
+                                                             : readMechanism(nameOrFile);
+}
+
 }  // namespace plumbline

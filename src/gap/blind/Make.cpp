@@ -63,7 +63,7 @@ public:
 private:
   void writeMujoco(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
                    const std::string& folder) const {
-    json spec = {{"robot", robot.name}, {"seed", seed}, {"noise", noise}, {"truth", false}};
+    json spec = {{"robot", options.robot}, {"seed", seed}, {"noise", noise}, {"truth", false}};
     spec["effects"] = json::array();
     for (const BlindEffect& e : effects) {
       json entry = {{"effect", e.effect}, {"at", e.at}, {"value", e.value}};
@@ -212,7 +212,7 @@ Severity severity(const std::string& folder, const std::string& nominal,
 BlindSet makeBlind(const BlindMakeOptions& given) {
   BlindMakeOptions options = given;
   if (options.engine == BlindEngine::replay) options.draw.outside = false;
-  const Mechanism robot = findMechanism(options.robot);
+  const Mechanism robot = namedMechanism(options.robot);
   const Workshop workshop(options, robot);
   std::error_code error;
   const fs::path output(options.output);
@@ -226,7 +226,7 @@ BlindSet makeBlind(const BlindMakeOptions& given) {
     const std::string nominal = (part / "nominal").string();
     workshop.write({}, 1, false, nominal);
     BlindSet set;
-    set.robot = robot.name;
+    set.robot = options.robot;
     set.engine = options.engine == BlindEngine::mujoco ? "mujoco" : "replay";
     set.battery = options.draw.battery == Battery::hang ? "hang" : "all";
     set.seed = options.draw.seed;

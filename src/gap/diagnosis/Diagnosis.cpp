@@ -108,7 +108,7 @@ private:
     for (std::size_t i = 1; i < std::min(firsts.size(), 1 + otherStarts); ++i) {
       if (nominal - firsts[i].fit.judging < otherStart * (nominal - firsts.front().fit.judging)) break;
       growth.causes = {firsts[i].cause};
-      growth.choices = {firsts};
+      growth.choices.assign(1, {});  // what stood for choice before was judged without what comes in now
       fine.setBase(growth.causes);
       growth.grow(bestJudging);
       if (fine.baseFit().judging < bestJudging - leastGain && growth.causes.size() > 1) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "gap/diagnosis/LostCycles.h"
+#include "gap/diagnosis/Merit.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Probability.h"
 #include "gap/diagnosis/Search.h"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double huntingPrice = 0.1;  // of its gain: what a cause in doubt has to gain beyond a definite one
 constexpr double coarseWithin = 1.2;  // of the squares with fine steps
+constexpr double coarseAdds = 0.5;    // of what is unexplained, at most, where that is little
 
 }  // namespace
 
@@ -57,7 +59,10 @@ void Proposals::priceHunting(std::vector<Candidate>& list) const {
 
 const Evaluator& Proposals::quickOn(const Explanation& base) {
   coarse.setBase(base);
-  return coarse.baseFit().fitting <= coarseWithin * fine.baseFit().fitting ? coarse : fine;
+  const double adds = coarse.baseFit().judging - fine.baseFit().judging;
+  const bool close = coarse.baseFit().fitting <= coarseWithin * fine.baseFit().fitting &&
+                     (fine.hasStanding() || adds <= coarseAdds * excess(fine));
+  return close ? coarse : fine;
 }
 
 void Proposals::useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycles) {

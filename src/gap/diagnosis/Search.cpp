@@ -13,12 +13,33 @@ namespace plumbline::gap {
 namespace {
 
 constexpr double nothing = 0.005;  // of the best promise: an effect that promises less has no other start
+// A start that changes so many times more than there is to explain says nothing of smaller values.
+constexpr double overshoots = 4;
+constexpr int againLess = 2;
 constexpr std::size_t lookTwice = 60, lookOnFeet = 12, leastRefined = 4;
 constexpr double refineShare = 0.2;  // of the best first look's gain: what promises less is not fitted
 constexpr double keptPromise = 0.5;  // of the first look's: below that its effect is looked at in between
 constexpr double polishShare = 0.7;  // of the best fit's gain: what gains less is no rival of the best
 constexpr ValueSearch roughly = {.step = 0.5, .tolerance = 0.02, .bracket = 8, .within = 6};
 constexpr ValueSearch finely = {.step = 0.08, .tolerance = 0.004, .bracket = 6, .within = 4};
+
+/// Squares beyond noise on the blocks for fitting: what shows on the others alone is nothing to fit to.
+double excessForFitting(const Evaluator& evaluator, std::size_t t) {
+  const Evidence& data = evaluator.evidence();
+  const Trial& trial = data.trials()[t];
+  double excess = 0;
+  for (std::size_t s = 0; s < trial.signals.size(); ++s) {
+    if (!Evidence::counts(trial.signals[s])) continue;
+    double sum = 0, n = 0;
+    data.forEach(t, s, evaluator.basePrediction(t), [&](std::size_t k, double w, double r) {
+      if (!Evidence::forFitting(data.block(t, k))) return;
+      sum += w * r * r;
+      ++n;
+    });
+    if (n > 0) excess += std::max(0.0, sum / n - 1);
+  }
+  return excess;
+}
 
 /// Trials that tell most about what is unexplained: of each base, so many with the largest excess, repeats
 /// once.
@@ -29,12 +50,7 @@ TrialMask tellingTrials(const Evaluator& evaluator, std::size_t count) {
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t t = 0; t < trials.size(); ++t) {
       if (trials[t].freeBase != standing) continue;
-      double excess = 0;
-      for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
-        const double chi = evaluator.chi(t, s);
-        if (Evidence::counts(trials[t].signals[s]) && std::isfinite(chi)) excess += std::max(0.0, chi - 1);
-      }
-      order.emplace_back(-excess, t);
+      order.emplace_back(-excessForFitting(evaluator, t), t);
     }
     std::ranges::sort(order);
     std::vector<std::size_t> taken;
@@ -133,21 +149,29 @@ private:
     return result;
   }
 
-  /// One replay of the most telling run for each effect and place, scaled to fit best; its other starting
-  /// values where that shows any promise or says little of them.
+  /// One replay of the most telling run for each effect and place, scaled to fit best (more of them where the
+  /// start is far too strong for this joint); its other starting values where that shows any promise or says
+  /// little of them.
   void firstLook(const std::vector<Cause>& causes) {
     looked.resize(causes.size());
     std::vector<double> promise(causes.size(), 0);
     std::vector<std::size_t> first, other;
     for (std::size_t i = 0; i < causes.size(); ++i)
       (i == 0 || !oneStart(causes[i], causes[i - 1]) ? first : other).push_back(i);
+    const double whole = coarse.baseFit().fitting;
     const auto look = [&](const std::vector<std::size_t>& which, double from, double to) {
       stage(from, to, which.size());
       parallel(which.size(), options.jobs, [&](std::size_t n) {
         const std::size_t i = which[n];
         Lead& candidate = looked[i];
         candidate.cause = candidate.start = causes[i];
-        const Fit fit = coarse.with(causes[i], showing(fine, causes[i], most, onlyUnderLoad(causes[i])));
+        const TrialMask mask = showing(fine, causes[i], most, onlyUnderLoad(causes[i]));
+        Fit fit = coarse.with(causes[i], mask);
+        for (int again = 0; again < againLess && fit.change > overshoots * whole; ++again) {
+          candidate.cause = candidate.start =
+              scaled(fine.mechanism(), candidate.cause, std::sqrt(whole / fit.change));
+          fit = coarse.with(candidate.cause, mask);
+        }
         promise[i] = fit.change > 0 ? fit.product * fit.product / fit.change : 0;
         const double share = std::clamp(fit.bestShare(), 0.0, 5.0);
         candidate.screened = 2 * share * fit.product - share * share * fit.change;
@@ -155,7 +179,7 @@ private:
         if (gain > candidate.screened)
           candidate.screened = gain;
         else if (share > 0.02)
-          candidate.cause = scaled(fine.mechanism(), causes[i], share);
+          candidate.cause = scaled(fine.mechanism(), candidate.cause, share);
         tell();
       });
     };

@@ -32,6 +32,31 @@ std::vector<bool> restlessJoints(const Evaluator& evaluator) {
   return restless;
 }
 
+/// Joints without a position in some run with a held base: what is wrong there shows in their neighbours.
+std::vector<bool> unseenJoints(const Evaluator& evaluator) {
+  std::vector<bool> unseen(evaluator.mechanism().joints.size(), false);
+  for (const Trial& trial : evaluator.evidence().trials()) {
+    if (trial.freeBase) continue;
+    std::vector<bool> seen(unseen.size(), false);
+    for (const Signal& signal : trial.signals)
+      if (signal.kind == SignalKind::position) seen[static_cast<std::size_t>(signal.joint)] = true;
+    for (std::size_t j = 0; j < unseen.size(); ++j) unseen[j] = unseen[j] || !seen[j];
+  }
+  return unseen;
+}
+
+/// Of joints that one motor drives, the most: what is wrong with the motor shows in any of them.
+std::vector<double> motorExcess(const Mechanism& robot, std::vector<double> excess) {
+  for (std::size_t j = 0; j < excess.size(); ++j) {
+    const int driver = robot.joints[j].driver;
+    if (driver >= 0) {
+      double& most = excess[static_cast<std::size_t>(driver)];
+      most = std::max(most, excess[j]);
+    }
+  }
+  return excess;
+}
+
 }  // namespace
 
 std::vector<double> jointExcess(const Evaluator& evaluator, bool standing) {
@@ -56,16 +81,16 @@ Suspects::Suspects(const Evaluator& evaluator) {
   chain.resize(n);
   joint.resize(n);
   faintly.resize(n);
-  const std::vector<double> excess = jointExcess(evaluator, false);
+  const std::vector<double> excess = motorExcess(evaluator.mechanism(), jointExcess(evaluator, false));
   const double all = *std::ranges::max_element(excess);
-  const std::vector<bool> restless = restlessJoints(evaluator);
+  const std::vector<bool> restless = restlessJoints(evaluator), unseen = unseenJoints(evaluator);
   for (std::size_t j = 0; j < n; ++j) {
     double worst = 0;
     const std::vector<int> near =
         evaluator.jointsTouched({nullptr, {Site::joint, static_cast<int>(j), ""}, 0, 0});
     for (const int other : near) worst = std::max(worst, excess[static_cast<std::size_t>(other)]);
     chain[j] = worst > std::max(cleanChi, chainShare * all);
-    joint[j] = chain[j] && (excess[j] > jointShare * worst || restless[j]);
+    joint[j] = chain[j] && (excess[j] > jointShare * worst || restless[j] || unseen[j]);
     faintly[j] = chain[j] && excess[j] > cleanChi;
     any = any || chain[j];
   }

@@ -8,10 +8,10 @@ inline const Effect accelerationLimit{
     .id = "acceleration_limit",
     .unit = "rad/s^2",
     .sites = {Site::joint},
-    .nominal = 400,
+    .nominal = 4000,  // none: a servo that follows within a cycle of 10 ms
     .lower = 1,
-    .upper = 400,
-    .starts = {10, 30, 80},
+    .upper = 4000,
+    .starts = {10, 30, 80, 250},
     .reciprocal = true,
     .ofServo = true,
     .setting = true,

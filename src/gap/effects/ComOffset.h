@@ -1,5 +1,5 @@
 #pragma once
-#include "gap/effects/Effect.h"
+#include "gap/effects/Sizes.h"
 
 namespace plumbline::gap {
 
@@ -15,6 +15,7 @@ inline const Effect comOffset{
     .linear = true,
     .sentence = "The centre of mass of {at} is elsewhere than the model's.",
     .exposedBy = "static poses, slow motions",
+    .scale = scaleOfLength,
     .apply =
         [](Plant& plant, const Place& place, double value, int) {
           auto& link = plant.mechanism.links[static_cast<std::size_t>(place.index)];

@@ -9,7 +9,7 @@ inline const Effect commandDelay{
     .unit = "s",
     .sites = {Site::everywhere, Site::joint},
     .lower = 0,
-    .upper = 0.08,
+    .upper = 0.2,
     .starts = {0.002, 0.01, 0.03},
     .linear = true,
     .sentence = "Commands reach {at} later than the model says.",

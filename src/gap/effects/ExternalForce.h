@@ -1,5 +1,5 @@
 #pragma once
-#include "gap/effects/Effect.h"
+#include "gap/effects/Sizes.h"
 
 namespace plumbline::gap {
 
@@ -15,6 +15,7 @@ inline const Effect externalForce{
     .linear = true,
     .sentence = "Something pulls at {at}: a cable, a hand.",
     .exposedBy = "static poses with two headings",
+    .scale = scaleOfMass,
     .apply =
         [](Plant& plant, const Place& place, double value, int) {
           plant.forces.push_back({place.index, value * unitVector(place.axis)});

@@ -1,5 +1,5 @@
 #pragma once
-#include "gap/effects/Effect.h"
+#include "gap/effects/Sizes.h"
 
 namespace plumbline::gap {
 
@@ -15,6 +15,7 @@ inline const Effect jointCompliance{
     .variants = {"encoder where the model has it", "encoder on the other side of the gear"},
     .sentence = "The gear of {at} gives way under torque.",
     .exposedBy = "static poses under different loads, chirps",
+    .scale = scaleOfCompliance,
     .apply =
         [](Plant& plant, const Place& place, double value, int variant) {
           atJoints(plant, place, [value, variant](JointPlant& joint) {

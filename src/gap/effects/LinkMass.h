@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 
-#include "gap/effects/Effect.h"
+#include "gap/effects/Sizes.h"
 
 namespace plumbline::gap {
 
@@ -18,6 +18,7 @@ inline const Effect linkMass{
     .variants = {"a load at the centre of mass", "spread over the link"},
     .sentence = "{at} is heavier or lighter than the model's.",
     .exposedBy = "static poses, slow motions",
+    .scale = scaleOfMass,
     .apply =
         [](Plant& plant, const Place& place, double value, int variant) {
           auto& link = plant.mechanism.links[static_cast<std::size_t>(place.index)];

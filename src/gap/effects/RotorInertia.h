@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 
-#include "gap/effects/Effect.h"
+#include "gap/effects/Sizes.h"
 
 namespace plumbline::gap {
 
@@ -17,6 +17,7 @@ inline const Effect rotorInertia{
     .ofServo = true,
     .sentence = "The rotor of {at} is heavier than the model's.",
     .exposedBy = "chirps and steps",
+    .scale = scaleOfRotor,
     .apply =
         [](Plant& plant, const Place& place, double value, int) {
           atJoints(plant, place, [value](JointPlant& joint) {

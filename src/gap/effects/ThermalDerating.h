@@ -1,5 +1,5 @@
 #pragma once
-#include "gap/effects/Effect.h"
+#include "gap/effects/Sizes.h"
 
 namespace plumbline::gap {
 
@@ -16,6 +16,7 @@ inline const Effect thermalDerating{
     .variants = {"heat as the integral of torque squared", "heat as the integral of mechanical power"},
     .sentence = "The motor of {at} loses torque as it warms up.",
     .exposedBy = "long fast moves at the torque limit",
+    .scale = scalePerHeat,
     .apply =
         [](Plant& plant, const Place& place, double value, int variant) {
           atJoints(plant, place, [value, variant](JointPlant& joint) {

@@ -59,6 +59,29 @@ double lostShare(const std::vector<double>& column) {
   return column.empty() ? 1 : static_cast<double>(lost) / static_cast<double>(column.size());
 }
 
+Following followingOf(const std::vector<double>& a, const std::vector<double>& b, double from) {
+  std::vector<double> distance, size;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!(std::abs(a[i]) > from) || std::isnan(b[i])) continue;
+    distance.push_back(std::abs(b[i] - a[i]));
+    size.push_back(std::abs(a[i]));
+  }
+  if (distance.empty()) return {};
+  return {distance.size(), median(distance), median(size)};
+}
+
+double fastest(const std::vector<double>& t, const std::vector<double>& column, double jump) {
+  double most = 0;
+  std::size_t last = column.size();
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    if (std::isnan(column[i])) continue;
+    if (last < column.size())
+      most = std::max(most, (std::abs(column[i] - column[last]) - jump) / (t[i] - t[last]));
+    last = i;
+  }
+  return most;
+}
+
 double medianStep(const std::vector<double>& t) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < t.size(); ++i) steps.push_back(t[i] - t[i - 1]);

@@ -31,6 +31,15 @@ struct Likeness {
 };
 Likeness likenessOf(const std::vector<double>& a, const std::vector<double>& b, const std::vector<bool>& use);
 
+/// How far b stays from a where a is beyond +-from: medians of |b - a| and of |a|.
+struct Following {
+  std::size_t pairs = 0;
+  double distance = 0, size = 0;
+};
+Following followingOf(const std::vector<double>& a, const std::vector<double>& b, double from);
+/// Largest speed between neighbours that are there, of what they differ by beyond a jump that is allowed.
+double fastest(const std::vector<double>& t, const std::vector<double>& column, double jump);
+
 /// A recorded speed against the derivative of the position, at the lag (0 to 8 cycles) at which they agree
 /// best.
 struct SpeedLikeness {

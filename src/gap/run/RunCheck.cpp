@@ -15,6 +15,10 @@ constexpr double degreesPerRadian = 180 / M_PI;
 constexpr double moves = 0.02;         ///< rms of a joint that moves [rad]
 constexpr double beyondLimits = 0.35;  ///< rad; encoders and stops are not better than that in the worst case
 
+constexpr double followsFrom = 0.05;  ///< command from which on degrees would be far from it [rad]
+constexpr double fallsAt = 3;         ///< times its motor's speed, that a joint that falls reaches
+constexpr double encoderJump = 0.05;  ///< rad between two samples
+
 struct Bounds {
   ChannelKind kind;
   double low, high;
@@ -166,6 +170,13 @@ private:
                  "it goes " + shownNumber(over) + (isSlider ? " m" : " rad") + " beyond the joint's limits");
           continue;
         }
+        if (kind == ChannelKind::position && leavesItsCommand(joint)) {
+          warn(name, "it goes " + shownNumber(over) +
+                         " rad beyond the joint's limits, where its command never "
+                         "is; kept, as it follows that most of the time and moves no faster than a joint "
+                         "that falls");
+          continue;
+        }
         const double most = std::max(std::abs(e.low), std::abs(e.high));
         const bool degrees =
             !isSlider &&
@@ -200,6 +211,19 @@ private:
     }
     if (!anyCommandMoves && !run.jointsWith(ChannelKind::command).empty())
       warn("run.csv", "no command moves; a still robot tells little");
+  }
+
+  /// Whether a hinge's position is beyond its limits because the joint went there: it follows its command,
+  /// which is not, most of the time, and never jumps.
+  bool leavesItsCommand(const Mechanism::Joint& joint) const {
+    const std::vector<double>*pos = run.find(ChannelKind::position, joint.name),
+          *cmd = run.find(ChannelKind::command, joint.name);
+    if (!cmd || joint.type == Mechanism::Joint::Type::prismatic) return false;
+    const Extremes command = extremesOf(*cmd);
+    if (command.low < joint.lower - beyondLimits || command.high > joint.upper + beyondLimits) return false;
+    const Following like = followingOf(*cmd, *pos, followsFrom);
+    return like.pairs > 50 && 2 * like.distance < like.size &&
+           fastest(run.t, *pos, encoderJump) < fallsAt * joint.maxSpeed;
   }
 
   /// Largest distance of the position from a constant command while the motor is on, a hundredth left out.

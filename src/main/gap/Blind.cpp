@@ -37,7 +37,7 @@ void make(BlindMakeOptions options, const std::string& engine, const std::string
 
 void score(const ScoreCommand& options) {
   const BlindSet set = readSealed(options.folder);
-  const Mechanism robot = findMechanism(set.robot);
+  const Mechanism robot = namedMechanism(set.robot);
   const std::vector<BlindAnswer> answers = readAnswers(set, options.answers);
   const BlindScore result = scoreBlind(set, answers, robot);
   std::fputs((options.json ? scoreJson(result) + "\n" : scoreTable(result)).c_str(), stdout);
@@ -66,7 +66,7 @@ void addBlind(CLI::App& app) {
       ->capture_default_str();
   maker->add_option("--engine-program", making->program, "The program of engine mujoco")
       ->capture_default_str();
-  maker->add_option("--robot", making->robot, "Name in config/robots")->capture_default_str();
+  maker->add_option("--robot", making->robot, "Name in config/robots, or a URDF or JSON file")->capture_default_str();
   maker->add_option("--jobs", making->jobs, "Cases made at a time [as many as cores]")
       ->check(CLI::Range(1, 256));
   making->jobs = 0;

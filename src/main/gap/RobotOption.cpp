@@ -5,10 +5,7 @@
 namespace plumbline::gap {
 
 Mechanism robotOf(const std::string& given, const std::string& named) {
-  if (given.empty()) return findMechanism(named);
-  if (given.find('/') == std::string::npos && given.find('.') == std::string::npos)
-    return findMechanism(given);
-  return readMechanism(given);
+  return given.empty() ? findMechanism(named) : namedMechanism(given);
 }
 
 }  // namespace plumbline::gap

@@ -175,7 +175,7 @@ int main(int argc, char** argv) try {
   const Setting setting = settingOf();
   BenchResult result;
   result.set = theSet(setting);
-  result.robot = findMechanism(result.set.robot);
+  result.robot = namedMechanism(result.set.robot);
   answerAll(result, setting);
   const std::string own = setting.answers + "/diagnose";
   result.answers = readAnswers(result.set, own);

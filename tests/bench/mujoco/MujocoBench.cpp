@@ -48,10 +48,6 @@ reality::RealityEffect readEffect(const json& entry) {
   return effect;
 }
 
-Mechanism robotOf(const std::string& name) {
-  return name.find('/') == std::string::npos ? findMechanism(name) : readMechanism(name);
-}
-
 gap::Excitation programOf(const std::string& name, const Mechanism& robot, std::uint64_t seed) {
   return name.find('/') == std::string::npos ? gap::findExcitation(name, robot, seed)
                                              : gap::readExcitation(name, robot, seed);
@@ -61,7 +57,7 @@ void writeCase(const std::string& file, const std::string& folder) {
   std::ifstream stream(file);
   if (!stream) throw std::runtime_error(file + ": cannot be read");
   const json spec = json::parse(stream);
-  const Mechanism robot = robotOf(spec.at("robot").get<std::string>());
+  const Mechanism robot = namedMechanism(spec.at("robot").get<std::string>());
   std::vector<reality::RealityEffect> effects;
   for (const json& entry : spec.at("effects")) effects.push_back(readEffect(entry));
   reality::RealityOptions options;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "../StandingLeg.h"
+#include "gap/diagnosis/Suspects.h"
 #include "gap/diagnosis/UnderLoad.h"
 
 namespace plumbline::gap {
@@ -57,6 +58,34 @@ TEST_F(PossibleCausesTest, lostCommandsAreDecodedNotSearchedFor) {
   evaluator.setBase({});
   EXPECT_EQ(variants("command_dropout", "*"), 0u);
   EXPECT_EQ(variants("command_delay", "*"), 1u);
+}
+
+TEST(PossibleCausesOfJoints, whatDrivesTheWorstJointIsLookedAtThoughItIsFarLessOff) {
+  Mechanism arm = twoJointArm();
+  arm.joints[1].driver = 0;
+  Trial trial = recorded(nominalPlant(arm), armTrial(arm, 6), 5e-4, 3);
+  for (double& value : trial.signals[0].values) value += 0.002;
+  for (double& value : trial.signals[1].values) value += 0.1;
+  const Evidence evidence({trial});
+  const Evaluator evaluator(arm, evidence);
+  EXPECT_LT(jointExcess(evaluator, false)[0], 0.01 * jointExcess(evaluator, false)[1]);
+  const Suspects suspects(evaluator);
+  EXPECT_TRUE(suspects.joint[0]);
+  arm.joints[1].driver = -1;
+  const Evaluator undriven(arm, evidence);
+  EXPECT_FALSE(Suspects(undriven).joint[0]);
+}
+
+TEST(PossibleCausesOfJoints, aJointThatWasNotSeenIsLookedAtWhereItsNeighbourIsOff) {
+  const Mechanism arm = twoJointArm();
+  Trial trial = recorded(nominalPlant(arm), armTrial(arm, 6), 5e-4, 3);
+  for (double& value : trial.signals[0].values) value += 0.1;
+  trial.signals.pop_back();
+  const Evidence evidence({trial});
+  const Evaluator evaluator(arm, evidence);
+  const Suspects suspects(evaluator);
+  EXPECT_TRUE(suspects.joint[0]);
+  EXPECT_TRUE(suspects.joint[1]);
 }
 
 /// A leg that is clean where it hangs; on its foot the hip is off by an angle.

@@ -114,6 +114,23 @@ TEST_F(RunCheck, oneColumnInDegrees) {
   EXPECT_NE(text.find("are these degrees?\n"), std::string::npos) << text;
 }
 
+TEST_F(RunCheck, aJointThatFallsBeyondItsLimitsIsKept) {
+  Recording run = load("nao_friction_sweep");
+  std::vector<double>& pos = run.channels["pos.LKneePitch"];
+  for (std::size_t i = 0; i < 60; ++i) pos[pos.size() - 60 + i] = -0.0125 * static_cast<double>(i);
+  for (std::size_t i = 0; i < 30; ++i) pos[pos.size() - 90 + i] *= 1 - static_cast<double>(i) / 30;
+  Recording jumps = run;
+  EXPECT_EQ(
+      check(run),
+      "r: pos.LKneePitch: it goes 0.6452 rad beyond the joint's limits, where its command never is; kept, "
+      "as it follows that most of the time and moves no faster than a joint that falls\n");
+  jumps.channels["pos.LKneePitch"].back() = -3;
+  EXPECT_EQ(check(jumps),
+            "r: pos.LKneePitch is left out: it reaches -3, limits are -0.09233 to 2.113 rad; are these "
+            "degrees?\n"
+            "r: cmd.LKneePitch: there is no pos.LKneePitch to hold against it\n");
+}
+
 TEST_F(RunCheck, degreesThatStayWithinTheLimits) {
   Recording run = load("so101_multisine");
   scale(run, "cmd.Rotation", 57.3 * 0.2);

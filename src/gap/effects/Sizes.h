@@ -1,0 +1,62 @@
+#pragma once
+#include <algorithm>
+
+#include "gap/effects/Effect.h"
+
+namespace plumbline::gap {
+
+// The ranges of effects are written for a robot of a NAO's size. What follows are factors on them for others:
+// for a NAO and what is smaller 1, unless said otherwise. A start that is still far too strong for a joint is
+// weakened by the search.
+
+namespace sizes {
+
+constexpr double mass = 5.5;        // [kg] of a NAO
+constexpr double reach = 0.14;      // [m] from joint to joint, a little more than a NAO's longest
+constexpr double torque = 3.5;      // [N m] of its strongest motor
+constexpr double weakTorque = 0.3;  // [N m], less than its weakest
+constexpr double armature = 0.006;  // [kg m^2]
+constexpr double gain = 5;          // [N m/rad] of its weakest servo
+
+}  // namespace sizes
+
+/// A place's joint; the first for all of them.
+inline const Mechanism::Joint& jointOf(const Mechanism& m, const Place& p) {
+  return m.joints[p.site == Site::joint ? static_cast<std::size_t>(p.index) : 0];
+}
+
+/// By the robot's mass.
+inline double scaleOfMass(const Mechanism& m, const Place&) {
+  double whole = 0;
+  for (const auto& link : m.links) whole += link.mass;
+  return std::max(1.0, whole / sizes::mass);
+}
+
+/// By the longest way from one joint to the next.
+inline double scaleOfLength(const Mechanism& m, const Place&) {
+  double longest = 0;
+  for (const auto& joint : m.joints)
+    if (joint.parent > 0 && joint.type == Mechanism::Joint::Type::revolute)
+      longest = std::max(longest, joint.origin.norm());
+  return std::max(1.0, longest / sizes::reach);
+}
+
+/// By the rotor's inertia, or the motor's strength where the model's rotor weighs little.
+inline double scaleOfRotor(const Mechanism& m, const Place& p) {
+  const auto& joint = jointOf(m, p);
+  return std::max({1.0, joint.servo.armature / sizes::armature, joint.maxTorque / sizes::torque});
+}
+
+/// What a torque twists at a soft servo.
+inline double scaleOfCompliance(const Mechanism& m, const Place& p) {
+  return std::max(1.0, sizes::gain / std::max(1e-3, jointOf(m, p).servo.kp));
+}
+
+/// Per heat, which grows with the square of the torque: less than 1 for a strong motor.
+inline double scalePerHeat(const Mechanism& m, const Place& p) {
+  const double most = std::max(1e-3, jointOf(m, p).maxTorque);
+  const double like = std::clamp(most, sizes::weakTorque, sizes::torque);
+  return like * like / (most * most);
+}
+
+}  // namespace plumbline::gap
