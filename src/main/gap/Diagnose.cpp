@@ -10,6 +10,7 @@
 #include "framework/Parallel.h"
 #include "framework/WriteFile.h"
 #include "gap/answer/Answer.h"
+#include "gap/diagnosis/FineSteps.h"
 #include "gap/diagnosis/RepeatNoise.h"
 #include "gap/diagnosis/Search.h"
 #include "gap/replay/TrialOf.h"
@@ -78,8 +79,11 @@ std::size_t cutLongRuns(std::vector<Trial>& trials, std::vector<RunNotes>& notes
 /// A diagnosis of some evidence, with the file that remembers its searches.
 class Attempt {
 public:
-  Attempt(const Mechanism& robot, Evidence evidence_, const std::string& memoryFile)
-      : evidence(std::move(evidence_)), fine(robot, evidence), memory(memoryFile, fine), file(memoryFile) {}
+  Attempt(const Mechanism& robot, Evidence evidence_, const std::string& memoryFile, int jobs)
+      : evidence(std::move(evidence_)),
+        fine(robot, evidence, fineSteps(evidence, jobs)),
+        memory(memoryFile, fine),
+        file(memoryFile) {}
 
   /// remembered: the file of an attempt before this one; empty: there was none.
   Diagnosis run(DiagnosisOptions settings, ProgressLine& line, bool quiet, const std::string& remembered) {
@@ -161,7 +165,8 @@ void diagnoseRuns(const DiagnoseOptions& options) {
     ProgressLine line(options.quiet);
     const char* const stage = "what repeats differ by";
     line.tell(stage, 0);
-    attempts.push_back(std::make_unique<Attempt>(robot, evidenceOf(std::move(trials), jobs), memoryFile));
+    attempts.push_back(
+        std::make_unique<Attempt>(robot, evidenceOf(std::move(trials), jobs), memoryFile, jobs));
     const Attempt& first = *attempts.front();
     diagnosis = attempts.back()->run(settings, line, options.quiet, "");
     // What repeats differ by may be commands that were lost, which show only beside the causes found.
@@ -171,7 +176,8 @@ void diagnoseRuns(const DiagnoseOptions& options) {
       other = evidenceBesideLosses(first.evidence, diagnosis.explanation(), jobs);
     if (other) {
       // A memory of its own: it does not know which noise it was made with.
-      attempts.push_back(std::make_unique<Attempt>(robot, *std::move(other), toFile ? memoryFile + "2" : ""));
+      attempts.push_back(
+          std::make_unique<Attempt>(robot, *std::move(other), toFile ? memoryFile + "2" : "", jobs));
       diagnosis = attempts.back()->run(settings, line, options.quiet, first.memory.size() ? memoryFile : "");
     }
   }

@@ -57,6 +57,39 @@ TEST(EffectsTest, servosOfOneTypeMayAllBeAlike) {
   EXPECT_THROW(findPlace(friction, findMechanism("xl330_pendulum"), "*", ""), std::invalid_argument);
 }
 
+TEST(EffectsTest, rangesAreForANaoAndGrowWithTheRobot) {
+  const Mechanism nao = findMechanism("nao_v5"), so101 = findMechanism("so101");
+  for (const char* id : {"link_mass", "com_offset", "rotor_inertia", "joint_compliance", "thermal_derating",
+                         "external_force", "command_delay"}) {
+    const Effect& effect = *findEffect(id);
+    for (const Place& place : placesOf(effect, nao)) EXPECT_EQ(effect.scaleAt(nao, place), 1) << id;
+  }
+  Mechanism giant = twoJointArm();
+  for (auto& link : giant.links) link.mass *= 50;
+  for (auto& joint : giant.joints) {
+    joint.origin *= 4;
+    joint.maxTorque = 70;
+    joint.servo.kp = 0.5;
+  }
+  const auto scale = [&](const char* id, const char* place, const char* axis) {
+    return findEffect(id)->scaleAt(giant, findPlace(*findEffect(id), giant, place, axis));
+  };
+  EXPECT_NEAR(scale("link_mass", "lower", ""), 75 / 5.5, 1e-12);
+  EXPECT_NEAR(scale("com_offset", "lower", "x"), 0.8 / 0.14, 1e-12);
+  EXPECT_NEAR(scale("rotor_inertia", "elbow", ""), 20, 1e-12);
+  EXPECT_NEAR(scale("joint_compliance", "elbow", ""), 10, 1e-12);
+  EXPECT_NEAR(scale("thermal_derating", "elbow", ""), 1 / 400.0, 1e-12);
+  EXPECT_NEAR(scale("thermal_derating", "*", ""), 1 / 400.0, 1e-12);
+  const Effect& rotor = *findEffect("rotor_inertia");
+  EXPECT_NEAR(rotor.scaleAt(so101, findPlace(rotor, so101, "Elbow", "")), 5.41, 0.001);
+}
+
+TEST(EffectsTest, anAccelerationLimitOf400IsOne) {
+  const Effect& limit = *findEffect("acceleration_limit");
+  EXPECT_NEAR(limit.strengthOf(400), 1 / 400.0 - 1 / 4000.0, 1e-15);
+  EXPECT_NEAR(limit.valueAt(limit.strengthOf(400)), 400, 1e-9);
+}
+
 TEST(EffectsTest, nominalValueChangesNothing) {
   const Mechanism arm = twoJointArm();
   const Trial trial = armTrial(arm, 2);
