@@ -72,3 +72,17 @@ expectError 2 "gap: $scratch/bad.json: has the verdict 'perhaps'; there is none,
 expectError 2 "gap: $scratch/none.json: there is no such file" "$bin/gap" next "$scratch/none.json"
 expectError 2 "gap: $scratch: no secret there; bin/gap record --secret writes one" "$bin/gap" reveal "$scratch"
 [[ ! -e $scratch/x && ! -e $scratch/x.html ]] || fail "a refused command wrote something"
+
+# How far values go on a robot.
+gap effects --robot $arm
+head -1 "$scratch/out" | grep -q 'Values looked for on ' || fail "no head line: $(head -1 "$scratch/out")"
+expectEqual "$(grep -A2 '^link_mass ' "$scratch/out" | tail -1 | sed 's/^ *//')" "Looked for: -0.4 to 1.5" "masses"
+grep -A2 '^fsr_gain ' "$scratch/out" | grep -q 'no place on this robot' || fail "an arm has force sensors"
+
+# A benchmark on a robot of one's own.
+gap blind make --robot $arm --engine replay --cases 3 --seed 4 -o "$scratch/blind"
+[[ $(find "$scratch/blind" -mindepth 1 -maxdepth 1 -type d | wc -l) == 3 ]] || fail "there are not three cases"
+case=$(find "$scratch/blind" -mindepth 1 -maxdepth 1 -type d | sort | head -1)
+gap diagnose "$case" --robot $arm --json "$scratch/answers/$(basename "$case").json"
+gap blind score "$scratch/blind" "$scratch/answers"
+grep -q '^3 cases' "$scratch/out" || fail "no score: $(cat "$scratch/out")"

@@ -76,6 +76,14 @@ std::size_t cutLongRuns(std::vector<Trial>& trials, std::vector<RunNotes>& notes
   return count;
 }
 
+/// Makes the folder that a file is to be in.
+void makeFolderOf(const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  std::error_code error;
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  if (error) throw std::runtime_error(folder.string() + " cannot be made: " + error.message());
+}
+
 /// A diagnosis of some evidence, with the file that remembers its searches.
 class Attempt {
 public:
@@ -158,6 +166,7 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   settings.jobs = jobs;
   settings.maxCauses = static_cast<std::size_t>(options.maxCauses);
   const bool toFile = !options.json.empty() && options.json != "-";
+  if (toFile) makeFolderOf(options.json);
   const std::string memoryFile = toFile ? options.json + ".searches" : "";
   std::vector<std::unique_ptr<Attempt>> attempts;
   Diagnosis diagnosis;
