@@ -66,6 +66,16 @@ bool Mechanism::sharesServo() const {
   return motors > 1;
 }
 
+int Mechanism::onlyMotor() const {
+  int only = -1;
+  for (int j = 0; j < numJoints(); ++j) {
+    if (joints[static_cast<std::size_t>(j)].driver >= 0) continue;
+    if (only >= 0) return -1;
+    only = j;
+  }
+  return only;
+}
+
 std::vector<int> Mechanism::chain(int link) const {
   std::vector<int> result;
   for (int l = link; l > 0; l = links[static_cast<std::size_t>(l)].parent) result.push_back(l - 1);

@@ -114,6 +114,8 @@ struct Mechanism {
   double totalMass() const;
   /// Whether there are several motors and all are servos of one type.
   bool sharesServo() const;
+  /// The joint of the only motor; -1 where there are several.
+  int onlyMotor() const;
   /// Joints from the base to a link, base first.
   std::vector<int> chain(int link) const;
 };

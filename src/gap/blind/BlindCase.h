@@ -53,7 +53,8 @@ BlindSet readSealed(const std::string& folder);
 /// Hexadecimal SHA-256 (FIPS 180-4).
 std::string sha256(const std::string& text);
 
-/// A place's motor: of joints that share one the driver's name, else the place itself.
+/// A place's motor: of joints that share one the driver's name, of all joints (*) that share one its joint's,
+/// else the place itself.
 std::string motorOf(const Mechanism& robot, const std::string& at);
 
 }  // namespace plumbline::gap

@@ -107,9 +107,7 @@ std::vector<std::string> placesFor(const Mechanism& robot, Where where) {
     for (const Mechanism::Joint& joint : robot.joints)
       if (joint.driver < 0) places.push_back(joint.name);
   } else if (where == Where::link) {
-    double whole = 0;
-    for (const auto& link : robot.links) whole += link.mass;
-    const double lightest = std::min(0.07, whole / 60);  // [kg]; below that a link is a bracket
+    const double lightest = std::min(0.07, robot.totalMass() / 60);  // [kg]; below that a link is a bracket
     for (std::size_t l = 1; l < robot.links.size(); ++l)
       if (robot.links[l].mass > lightest) places.push_back(robot.links[l].name);
   } else if (where == Where::foot) {
@@ -117,7 +115,8 @@ std::vector<std::string> placesFor(const Mechanism& robot, Where where) {
   } else {
     places.emplace_back(where == Where::imu ? "imu" : where == Where::ground ? "ground" : "*");
   }
-  if (places.empty()) throw std::invalid_argument(robot.name + " has no place for some effects of a blind set");
+  if (places.empty())
+    throw std::invalid_argument(robot.name + " has no place for some effects of a blind set");
   return places;
 }
 

@@ -14,7 +14,7 @@ bool names(const BlindAnswer& a) { return a.verdict == "effect" && !a.effects.em
 /// A link may have a joint's name; only joints share motors.
 bool sitsAtJoints(const std::string& id) {
   const Effect* effect = findEffect(id);
-  return !effect || std::ranges::find(effect->sites, Site::joint) != effect->sites.end();
+  return !effect || gap::sitsAtJoints(*effect);
 }
 
 bool sameCause(const NamedCause& a, const NamedCause& b) {

@@ -188,17 +188,6 @@ AcrossSettings::Tried AcrossSettings::best(const std::vector<Cause>& starts, std
   return best.causes.empty() ? best : refined(best);
 }
 
-std::vector<Cause> startsAcross(const Evaluator& evaluator) {
-  std::vector<Cause> starts = possibleCauses(evaluator);
-  const bool oneJoint = evaluator.mechanism().joints.size() == 1;
-  std::erase_if(starts, [&](const Cause& cause) {
-    const Effect& effect = *cause.effect;
-    return oneJoint && cause.place.site == Site::everywhere &&
-           std::ranges::find(effect.sites, Site::joint) != effect.sites.end();
-  });
-  return starts;
-}
-
 Explanation betterAcrossMotions(const Evaluator& evaluator, const Explanation& proposed,
                                 const Explanation& old, int jobs) {
   const AcrossSettings motions(evaluator.mechanism(), evaluator.evidence(), jobs, coarseSteps(),

@@ -56,10 +56,6 @@ private:
   std::vector<std::unique_ptr<Fold>> folds;
 };
 
-/// What sets of causes are begun with: all that is possible on the evaluator's base but lost commands, which
-/// belong to each run, and causes at all joints of a robot that has one.
-std::vector<Cause> startsAcross(const Evaluator& evaluator);
-
 /// The set of two that predicts each motion better from the others: what stands for something else in all
 /// motions seen does not in one that was not. The proposed one counts in its best variants, and is returned
 /// in them, its values fitted until they stay. Where there is one motion or doubt, blocks for judging decide.

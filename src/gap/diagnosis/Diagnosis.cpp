@@ -9,6 +9,7 @@
 #include "gap/diagnosis/GapMeter.h"
 #include "gap/diagnosis/Growth.h"
 #include "gap/diagnosis/Merit.h"
+#include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Remainder.h"
 #include "gap/diagnosis/RunsWithout.h"
 #include "gap/diagnosis/Search.h"
@@ -184,7 +185,7 @@ private:
     if (!settings.possible()) return;
     const AcrossSettings quick(fine.mechanism(), fine.evidence(), options.jobs, coarseSteps());
     fine.setBase({});
-    const std::vector<Cause> starts = startsAcross(fine);
+    const std::vector<Cause> starts = possibleCauses(fine);
     const Explanation set = quick
                                 .best(starts, options.maxCauses,
                                       [&](double share) {

@@ -22,7 +22,7 @@ constexpr ValueSearch roughly = {.step = 0.5, .tolerance = 0.02, .bracket = 8, .
 
 /// Starting values of each kind and variant that acts at all joints.
 std::vector<std::vector<Cause>> kindsPossible(const Evaluator& nominal) {
-  std::vector<Cause> starts = startsAcross(nominal);
+  std::vector<Cause> starts = possibleCauses(nominal);
   std::erase_if(starts, [](const Cause& cause) { return cause.place.site != Site::everywhere; });
   return byKind(nominal.mechanism(), starts);
 }

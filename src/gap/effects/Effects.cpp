@@ -1,5 +1,6 @@
 #include "gap/effects/Effects.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "gap/effects/AccelerationLimit.h"
@@ -54,6 +55,10 @@ const Effect* findEffect(std::string_view id) {
   return nullptr;
 }
 
+bool sitsAtJoints(const Effect& effect) {
+  return std::ranges::find(effect.sites, Site::joint) != effect.sites.end();
+}
+
 std::vector<Place> placesOf(const Effect& effect, const Mechanism& mechanism) {
   std::vector<Place> bare;
   for (const Site site : effect.sites) {
@@ -73,7 +78,8 @@ std::vector<Place> placesOf(const Effect& effect, const Mechanism& mechanism) {
           bare.push_back({site, static_cast<int>(i), mechanism.feet[i].name});
         break;
       case Site::everywhere:
-        bare.push_back({site, -1, "*"});
+        // All joints of a robot with one motor are that one.
+        if (!sitsAtJoints(effect) || mechanism.onlyMotor() < 0) bare.push_back({site, -1, "*"});
         break;
       case Site::imu:
         if (mechanism.hasImu) bare.push_back({site, -1, "imu"});
@@ -97,6 +103,9 @@ std::vector<Place> placesOf(const Effect& effect, const Mechanism& mechanism) {
 
 Place findPlace(const Effect& effect, const Mechanism& mechanism, std::string_view at,
                 std::string_view axis) {
+  const bool everywhere = std::ranges::find(effect.sites, Site::everywhere) != effect.sites.end();
+  if (const int only = mechanism.onlyMotor(); at == "*" && everywhere && sitsAtJoints(effect) && only >= 0)
+    at = mechanism.joints[static_cast<std::size_t>(only)].name;
   const std::vector<Place> places = placesOf(effect, mechanism);
   const char letter = axis.empty() ? '\0' : axis.front();
   std::string known;

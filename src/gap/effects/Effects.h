@@ -12,7 +12,11 @@ const std::vector<const Effect*>& effects();
 /// By id; null where the library has none of that name.
 const Effect* findEffect(std::string_view id);
 
-/// All places where an effect can sit on a robot, axes included.
+/// Whether one of its places is a joint.
+bool sitsAtJoints(const Effect& effect);
+
+/// All places where an effect can sit on a robot, axes included. All joints of a robot with one motor are no
+/// place besides that one.
 std::vector<Place> placesOf(const Effect& effect, const Mechanism& mechanism);
 
 /// The place of that name and axis ("" or "x", "y", "z"). Throws std::invalid_argument in one line that names

@@ -27,9 +27,7 @@ inline const Mechanism::Joint& jointOf(const Mechanism& m, const Place& p) {
 
 /// By the robot's mass.
 inline double scaleOfMass(const Mechanism& m, const Place&) {
-  double whole = 0;
-  for (const auto& link : m.links) whole += link.mass;
-  return std::max(1.0, whole / sizes::mass);
+  return std::max(1.0, m.totalMass() / sizes::mass);
 }
 
 /// By the longest way from one joint to the next.

@@ -66,7 +66,8 @@ void addBlind(CLI::App& app) {
       ->capture_default_str();
   maker->add_option("--engine-program", making->program, "The program of engine mujoco")
       ->capture_default_str();
-  maker->add_option("--robot", making->robot, "Name in config/robots, or a URDF or JSON file")->capture_default_str();
+  maker->add_option("--robot", making->robot, "Name in config/robots, or a URDF or JSON file")
+      ->capture_default_str();
   maker->add_option("--jobs", making->jobs, "Cases made at a time [as many as cores]")
       ->check(CLI::Range(1, 256));
   making->jobs = 0;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gap/blind/HandMadeCases.h"
+#include "robot/MechanismFile.h"
 
 namespace plumbline::gap {
 namespace {
@@ -18,6 +19,9 @@ TEST(BlindJudge, JointsOfOneMotorAreOnePlaceAndLinksAreNot) {
   // Links that happen to be called like the joints.
   EXPECT_FALSE(judge.same({"link_mass", "LHip", "", 1, {}}, named("link_mass", "RHip", 1, 1)));
   EXPECT_FALSE(judge.same({"command_delay", "*", "", 1, {}}, named("command_delay", "LHip", 1, 1)));
+  const Mechanism pendulum = findMechanism("xl330_pendulum");
+  EXPECT_TRUE(
+      BlindJudge(pendulum).same({"command_delay", "*", "", 1, {}}, named("command_delay", "pendulum", 1, 1)));
 }
 
 TEST(BlindJudge, AxisIsPartOfThePlace) {

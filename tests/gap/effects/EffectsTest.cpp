@@ -57,6 +57,16 @@ TEST(EffectsTest, servosOfOneTypeMayAllBeAlike) {
   EXPECT_THROW(findPlace(friction, findMechanism("xl330_pendulum"), "*", ""), std::invalid_argument);
 }
 
+TEST(EffectsTest, allJointsOfARobotWithOneMotorAreThatOne) {
+  const Effect& delay = *findEffect("command_delay");
+  const Mechanism pendulum = findMechanism("xl330_pendulum");
+  ASSERT_EQ(placesOf(delay, pendulum).size(), 1u);
+  EXPECT_EQ(placesOf(delay, pendulum)[0].at, "pendulum");
+  EXPECT_EQ(findPlace(delay, pendulum, "*", "").at, "pendulum");
+  EXPECT_EQ(findPlace(*findEffect("command_dropout"), pendulum, "*", "").at, "*");
+  EXPECT_EQ(findPlace(delay, twoJointArm(), "*", "").at, "*");
+}
+
 TEST(EffectsTest, rangesAreForANaoAndGrowWithTheRobot) {
   const Mechanism nao = findMechanism("nao_v5"), so101 = findMechanism("so101");
   for (const char* id : {"link_mass", "com_offset", "rotor_inertia", "joint_compliance", "thermal_derating",
