@@ -52,15 +52,18 @@ void Contacts::update(const TreeDynamics& tree, const Vec3& base) {
   }
 }
 
-void Contacts::solve(const Eigen::LLT<Eigen::MatrixXd>& factor, double scale, double h,
-                     Eigen::VectorXd& velocity) {
+void Contacts::prepare(const Eigen::LLT<Eigen::MatrixXd>& factor, double scale_) {
   if (!touched) return;
-  const Eigen::Index size = velocity.size(), rows = J.rows();
-  solved.setZero(size, rows);
+  scale = scale_;
+  solved.setZero(factor.rows(), J.rows());
   solved.topRows(J.cols()) = J.transpose();
   factor.solveInPlace(solved);
   W.noalias() = J * solved.topRows(J.cols());
   W *= scale;
+}
+
+void Contacts::solve(double h, Eigen::VectorXd& velocity) {
+  if (!touched) return;
   Eigen::VectorXd r = J * velocity.head(J.cols());
   // Implicit spring and damper along the normal: force = k (depth - h v) - d v.
   const double give = 1 / (h * stiffness + damping), pull = h * stiffness * give;

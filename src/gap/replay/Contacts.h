@@ -16,9 +16,11 @@ public:
 
   /// Depth and Jacobian of every corner for the tree's present pose. base: position of the base's origin.
   void update(const TreeDynamics& tree, const Vec3& base);
-  /// Finds forces so that the step's new velocity keeps the bounds, and adds their impulses' effect to the
-  /// new velocity. factor: of the step's matrix A; scale: new velocity += scale * A^-1 J^T f.
-  void solve(const Eigen::LLT<Eigen::MatrixXd>& factor, double scale, double h, Eigen::VectorXd& velocity);
+  /// What forces at the corners do to the step's new velocity: scale * A^-1 J^T f. factor: of its matrix A.
+  void prepare(const Eigen::LLT<Eigen::MatrixXd>& factor, double scale);
+  /// Finds forces so that the new velocity of a step of h seconds keeps the bounds, beginning with those of
+  /// the last time, and adds their effect to it. Prepared for the step.
+  void solve(double h, Eigen::VectorXd& velocity);
 
   /// Force that the ground puts on a foot along its own sole: normal force [N] and where it acts [m], in the
   /// foot's link frame.
@@ -41,6 +43,7 @@ private:
   double friction, stiffness, damping;
   int dimension = 0;
   bool touched = false;
+  double scale = 0;
   Eigen::MatrixXd J, solved, W;
 };
 

@@ -14,6 +14,8 @@ namespace {
 
 constexpr double unmeasured = std::numeric_limits<double>::quiet_NaN();
 constexpr int maxRegimes = 5, frictionSweeps = 30;
+constexpr int mostRounds = 30;    // of frictions and contacts in turn
+constexpr double agreed = 0.002;  // of what frictions can hold: change in the last
 
 double firstFinite(const std::vector<double>& values, double otherwise) {
   for (const double value : values)
@@ -175,11 +177,15 @@ void Stepper::solve(double h) {
     for (Eigen::Index i = 0; i < rows; ++i) columns(frictions[static_cast<std::size_t>(i)].coordinate, i) = h;
     factor.solveInPlace(columns);
     Eigen::VectorXd pushed = Eigen::VectorXd::Zero(n);  // what contacts add
-    const int rounds = rows && contacts ? 3 : 1;
+    double hold = 0;
+    for (const Friction& friction : frictions) hold += friction.bound;
+    if (contacts) contacts->prepare(factor, h);
+    const int rounds = rows && contacts ? mostRounds : 1;
     for (int round = 0; round < rounds; ++round) {
       fresh = unbound + pushed;
       for (Eigen::Index i = 0; i < rows; ++i)
         fresh += columns.col(i) * frictions[static_cast<std::size_t>(i)].force;
+      double changed = 0;  // what contacts have undone of what frictions hold
       for (int sweep = 0; sweep < (rows > 1 ? frictionSweeps : 1); ++sweep) {
         double moved = 0;
         for (Eigen::Index i = 0; i < rows; ++i) {
@@ -192,14 +198,15 @@ void Stepper::solve(double h) {
           friction.force = wanted;
           moved += std::abs(delta);
         }
+        if (sweep == 0) changed = moved;
         if (moved < 1e-9) break;
       }
-      if (contacts) {
-        const Eigen::VectorXd before = fresh - pushed;
-        fresh = before;
-        contacts->solve(factor, h, h, fresh);
-        pushed = fresh - before;
-      }
+      // Else what sticks would creep.
+      if (!contacts || (round > 0 && changed <= agreed * hold)) break;
+      const Eigen::VectorXd before = fresh - pushed;
+      fresh = before;
+      contacts->solve(h, fresh);
+      pushed = fresh - before;
     }
     u = v + weight * (fresh - v);
   }
