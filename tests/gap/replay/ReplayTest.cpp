@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../TwoJointArm.h"
+#include "../StandingLeg.h"
 #include "gap/effects/Effects.h"
 
 namespace plumbline::gap {
@@ -55,6 +55,16 @@ TEST(ReplayTest, dryFrictionHoldsWhatIsBelowIt) {
   EXPECT_NEAR(replay(plant, trial).values[1].back(), 0, 1e-9);
   plant.joints[1].coulomb = 0.1;
   EXPECT_GT(replay(plant, trial).values[1].back(), 0.003);
+}
+
+TEST(ReplayTest, whatSticksDoesNotCreepOnTheFoot) {
+  const Mechanism leg = standingLeg();
+  Trial trial = legTrial(true, 12);
+  std::fill(trial.command[1].begin(), trial.command[1].end(), 0.02);
+  Plant plant = nominalPlant(leg);
+  plant.joints[1].coulomb = 1.5;  // several times what the moving body asks of the knee
+  const std::vector<double> knee = replay(plant, trial).values[1];
+  EXPECT_LT(largest(knee, std::vector<double>(knee.size(), knee[0])), 1e-5);
 }
 
 TEST(ReplayTest, playShowsAtTheReversalOfTheLoad) {
