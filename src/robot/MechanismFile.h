@@ -22,7 +22,8 @@ Mechanism readMechanism(const std::string& path);
 /// also for a name that is a path.
 Mechanism findMechanism(const std::string& name, const std::string& folder = "config/robots");
 
-/// A robot by its name in config/robots, or by its file where there is a slash or a dot. Throws MechanismError.
+/// A robot by its name in config/robots, or by its file where there is a slash or a dot. Throws
+/// MechanismError.
 Mechanism namedMechanism(const std::string& nameOrFile);
 
 }  // namespace plumbline
