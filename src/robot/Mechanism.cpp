@@ -69,7 +69,7 @@ bool Mechanism::sharesServo() const {
 int Mechanism::onlyMotor() const {
   int only = -1;
   for (int j = 0; j < numJoints(); ++j) {
-    if (joints[static_cast<std::size_t>(j)].driver >= 0) continue;
+    if (motorOf(j) != j) continue;
     if (only >= 0) return -1;
     only = j;
   }

@@ -114,6 +114,11 @@ struct Mechanism {
   double totalMass() const;
   /// Whether there are several motors and all are servos of one type.
   bool sharesServo() const;
+  /// The joint whose motor moves a joint: its driver, or itself.
+  int motorOf(int joint) const {
+    const int driver = joints[static_cast<std::size_t>(joint)].driver;
+    return driver < 0 ? joint : driver;
+  }
   /// The joint of the only motor; -1 where there are several.
   int onlyMotor() const;
   /// Joints from the base to a link, base first.

@@ -111,12 +111,8 @@ BlindSet readSealed(const std::string& folder) {
 }
 
 std::string motorOf(const Mechanism& robot, const std::string& at) {
-  if (const int only = robot.onlyMotor(); at == "*" && only >= 0)
-    return robot.joints[static_cast<std::size_t>(only)].name;
-  const int joint = robot.jointIndex(at);
-  if (joint < 0) return at;
-  const int driver = robot.joints[static_cast<std::size_t>(joint)].driver;
-  return driver < 0 ? at : robot.joints[static_cast<std::size_t>(driver)].name;
+  const int joint = at == "*" ? robot.onlyMotor() : robot.jointIndex(at);
+  return joint < 0 ? at : robot.joints[static_cast<std::size_t>(robot.motorOf(joint))].name;
 }
 
 }  // namespace plumbline::gap

@@ -10,7 +10,7 @@ enum class BlindEngine { replay, mujoco };
 
 struct BlindMakeOptions {
   DrawOptions draw;
-  std::string robot = "nao_v5";  ///< name in config/robots
+  std::string robot = "nao_v5";  ///< name in config/robots, or a file
   BlindEngine engine = BlindEngine::mujoco;
   std::string program = "build/SimRelease/bench/mujoco";  ///< of engine mujoco
   std::string output;                                     ///< a new folder

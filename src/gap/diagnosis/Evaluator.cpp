@@ -174,12 +174,8 @@ std::vector<int> Evaluator::jointsTouched(const Cause& cause) const {
   };
   std::vector<int> roots;
   if (place.site == Site::joint) {
-    const auto motorOf = [&](int joint) {
-      const int driver = robot.joints[static_cast<std::size_t>(joint)].driver;
-      return driver < 0 ? joint : driver;
-    };
     for (const int joint : all)
-      if (motorOf(joint) == motorOf(place.index)) roots.push_back(rootOf(joint));
+      if (robot.motorOf(joint) == robot.motorOf(place.index)) roots.push_back(rootOf(joint));
   } else {
     const std::vector<int> chain = robot.chain(place.index);
     if (chain.empty()) return {};

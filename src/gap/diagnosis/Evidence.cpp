@@ -73,4 +73,20 @@ Evidence::Evidence(std::vector<Trial> trials, std::vector<std::vector<SignalNois
   }
 }
 
+double Evidence::difference(std::size_t trial, const Prediction& a, const Prediction& b) const {
+  double most = 0;
+  for (std::size_t s = 0; s < a.values.size(); ++s) {
+    const auto &x = a.values[s], &y = b.values[s];
+    if (x.size() != y.size()) continue;
+    double sum = 0, n = 0;
+    forEach(trial, s, a, [&](std::size_t k, double w, double) {
+      if (!std::isfinite(y[k])) return;
+      sum += w * (x[k] - y[k]) * (x[k] - y[k]);
+      ++n;
+    });
+    if (n > 0) most = std::max(most, std::sqrt(sum / n));
+  }
+  return most;
+}
+
 }  // namespace plumbline::gap

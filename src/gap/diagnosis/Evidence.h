@@ -57,6 +57,9 @@ public:
     if (prediction.scatter.empty() || prediction.scatter[signal].empty()) return 1;
     return 1 / (1 + weight * prediction.scatter[signal][cycle]);
   }
+  /// What two predictions of a trial differ by, in the channel in which that is most: root mean square over
+  /// its noise.
+  double difference(std::size_t trial, const Prediction& a, const Prediction& b) const;
   /// Whether a channel of this kind takes part: positions, inertial sensors, force sensors.
   static bool counts(const Signal& signal);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "framework/Parallel.h"
 #include "gap/diagnosis/Explanation.h"
@@ -11,29 +12,13 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double converged = 1.0 / 7;  // mean square of what half the step changes, in units of noise
+constexpr double converged = 0.378;  // of its noise: what half the step changes in a channel, at most
 constexpr int halvings = 3;
 
 ReplayOptions halved(ReplayOptions options) {
   options.step /= 2;
   options.gearStep /= 2;
   return options;
-}
-
-/// The largest mean square, over noise, of any channel that two predictions of a trial differ by.
-double difference(const Evidence& evidence, std::size_t t, const Prediction& a, const Prediction& b) {
-  double most = 0;
-  for (std::size_t s = 0; s < a.values.size(); ++s) {
-    if (!Evidence::counts(evidence.trials()[t].signals[s])) continue;
-    double sum = 0, n = 0;
-    evidence.forEach(t, s, a, [&](std::size_t k, double w, double) {
-      const double d = a.values[s][k] - b.values[s][k];
-      sum += w * d * d;
-      ++n;
-    });
-    if (n > 0) most = std::max(most, sum / n);
-  }
-  return most;
 }
 
 }  // namespace
@@ -45,15 +30,20 @@ ReplayOptions fineSteps(const Evidence& evidence, int jobs) {
     const auto repeats = [&](std::size_t other) { return isRepeat(trials[other], trials[t]); };
     if (!trials[t].freeBase && std::ranges::none_of(which, repeats)) which.push_back(t);
   }
+  std::vector<Prediction> predictions(which.size());
+  const auto play = [&](std::size_t i, const ReplayOptions& options) {
+    const Trial& trial = trials[which[i]];
+    return replay(plantOf(trial, {}), trial, options);
+  };
   ReplayOptions options;
+  parallel(which.size(), jobs, [&](std::size_t i) { predictions[i] = play(i, options); });
   for (int halving = 0; halving < halvings; ++halving) {
     const ReplayOptions shorter = halved(options);
     std::vector<double> change(which.size());
     parallel(which.size(), jobs, [&](std::size_t i) {
-      const Trial& trial = trials[which[i]];
-      const Plant plant = plantOf(trial, {});
-      change[i] =
-          difference(evidence, which[i], replay(plant, trial, options), replay(plant, trial, shorter));
+      Prediction finer = play(i, shorter);
+      change[i] = evidence.difference(which[i], predictions[i], finer);
+      predictions[i] = std::move(finer);
     });
     if (std::ranges::all_of(change, [](double c) { return c <= converged; })) break;
     options = shorter;

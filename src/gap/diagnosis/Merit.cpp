@@ -17,19 +17,8 @@ constexpr double lowerShare = 0.98, lowerWithin = 0.02;  // of the worst channel
 /// channel in any run.
 double largestChange(const Evaluator& evaluator, const std::vector<Prediction>& before) {
   double most = 0;
-  const Evidence& data = evaluator.evidence();
   for (std::size_t t = 0; t < before.size(); ++t)
-    for (std::size_t s = 0; s < before[t].values.size(); ++s) {
-      const auto &a = before[t].values[s], &b = evaluator.basePrediction(t).values[s];
-      if (a.size() != b.size()) continue;
-      double sum = 0, n = 0;
-      data.forEach(t, s, before[t], [&](std::size_t k, double w, double) {
-        if (!std::isfinite(b[k])) return;
-        sum += w * (a[k] - b[k]) * (a[k] - b[k]);
-        ++n;
-      });
-      if (n > 0) most = std::max(most, std::sqrt(sum / n));
-    }
+    most = std::max(most, evaluator.evidence().difference(t, before[t], evaluator.basePrediction(t)));
   return most;
 }
 

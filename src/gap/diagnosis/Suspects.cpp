@@ -48,11 +48,8 @@ std::vector<bool> unseenJoints(const Evaluator& evaluator) {
 /// Of joints that one motor drives, the most: what is wrong with the motor shows in any of them.
 std::vector<double> motorExcess(const Mechanism& robot, std::vector<double> excess) {
   for (std::size_t j = 0; j < excess.size(); ++j) {
-    const int driver = robot.joints[j].driver;
-    if (driver >= 0) {
-      double& most = excess[static_cast<std::size_t>(driver)];
-      most = std::max(most, excess[j]);
-    }
+    double& most = excess[static_cast<std::size_t>(robot.motorOf(static_cast<int>(j)))];
+    most = std::max(most, excess[j]);
   }
   return excess;
 }

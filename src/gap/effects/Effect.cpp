@@ -7,13 +7,10 @@ void atJoints(Plant& plant, const Place& place, const std::function<void(JointPl
     for (JointPlant& joint : plant.joints) change(joint);
     return;
   }
-  const auto& joints = plant.mechanism.joints;
-  const auto motorOf = [&](int joint) {
-    const int driver = joints[static_cast<std::size_t>(joint)].driver;
-    return driver < 0 ? joint : driver;
-  };
-  for (int joint = 0; joint < plant.mechanism.numJoints(); ++joint) {
-    if (motorOf(joint) == motorOf(place.index)) change(plant.joints[static_cast<std::size_t>(joint)]);
+  const Mechanism& robot = plant.mechanism;
+  for (int joint = 0; joint < robot.numJoints(); ++joint) {
+    if (robot.motorOf(joint) == robot.motorOf(place.index))
+      change(plant.joints[static_cast<std::size_t>(joint)]);
   }
 }
 

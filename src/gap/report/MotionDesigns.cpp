@@ -16,8 +16,7 @@ class Designer {
 public:
   Designer(const Mechanism& robot_, const std::vector<int>& joints_) : robot(robot_) {
     for (int joint : joints_) {
-      const int driver = robot.joints[static_cast<std::size_t>(joint)].driver;
-      if (driver >= 0) joint = driver;
+      joint = robot.motorOf(joint);
       if (std::ranges::find(joints, joint) == joints.end()) joints.push_back(joint);
     }
     home = namedPosture("hang", robot, "config/excitation").value_or(neutralPosture(robot));

@@ -17,6 +17,7 @@ constexpr double beyondLimits = 0.35;  ///< rad; encoders and stops are not bett
 
 constexpr double followsFrom = 0.05;  ///< command from which on degrees would be far from it [rad]
 constexpr double fallsAt = 3;         ///< times its motor's speed, that a joint that falls reaches
+constexpr std::size_t leastPairs = 50;
 constexpr double encoderJump = 0.05;  ///< rad between two samples
 
 struct Bounds {
@@ -222,7 +223,7 @@ private:
     const Extremes command = extremesOf(*cmd);
     if (command.low < joint.lower - beyondLimits || command.high > joint.upper + beyondLimits) return false;
     const Following like = followingOf(*cmd, *pos, followsFrom);
-    return like.pairs > 50 && 2 * like.distance < like.size &&
+    return like.pairs > leastPairs && 2 * like.distance < like.size &&
            fastest(run.t, *pos, encoderJump) < fallsAt * joint.maxSpeed;
   }
 

@@ -8,7 +8,7 @@
 
 #include "gap/effects/Effects.h"
 #include "main/gap/Commands.h"
-#include "main/gap/RobotOption.h"
+#include "robot/MechanismFile.h"
 
 namespace plumbline::gap {
 
@@ -45,7 +45,7 @@ void addEffects(CLI::App& app) {
   auto robot = std::make_shared<std::string>("nao_v5");
   command->add_option("--robot", *robot, "A name in config/robots, URDF or JSON file; says how far values go")
       ->capture_default_str();
-  command->callback([robot] { list(robotOf(*robot, "")); });
+  command->callback([robot] { list(namedMechanism(*robot)); });
   command->footer("Examples:\n  bin/gap effects\n  bin/gap effects --robot so101");
 }
 

@@ -9,7 +9,6 @@
 #include "gap/report/AnswerFile.h"
 #include "gap/report/ReportPage.h"
 #include "main/gap/Commands.h"
-#include "main/gap/RobotOption.h"
 #include "robot/MechanismFile.h"
 
 namespace plumbline::gap {
@@ -24,7 +23,7 @@ void report(const ReportOptions& options) {
   const nlohmann::json answer = readAnswer(options.answer);
   std::optional<Mechanism> robot;
   if (!options.robot.empty()) {
-    robot = robotOf(options.robot, "");
+    robot = namedMechanism(options.robot);
   } else if (const std::string name =
                  answer.value("robot", nlohmann::json("")).is_string() ? answer.value("robot", "") : "";
              !name.empty()) {
