@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "gap/diagnosis/AcrossSettings.h"
 #include "gap/diagnosis/FindingOf.h"
 #include "gap/diagnosis/GapMeter.h"
 #include "gap/diagnosis/Growth.h"
+#include "gap/diagnosis/Harm.h"
 #include "gap/diagnosis/Merit.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Remainder.h"
@@ -59,6 +61,7 @@ public:
     }
     acrossSettings();
     if (result.worstBefore >= Growth::present) setOtherwise();
+    leaveOutHarm(growth, fine, meter, result.gap.before, options.jobs);
     growth.lookForRivals();
     const WorstGap left = worstGap(fine);
     result.worstAfter = left.size;
@@ -82,17 +85,32 @@ private:
   /// Where held runs show what is wrong, they tell it for a hundredth of the price; what remains of them over
   /// what may remain. On the feet only what is found is then looked at, and what those runs show besides.
   double explainHeldRuns() {
-    for (Evaluator* evaluator : {&fine, &coarse}) evaluator->leaveStandingOut(true);
+    double remains = onHeldRuns([&] { explain(); });
+    if (leaveOutHarm(growth, fine, meter, result.gap.before, options.jobs))
+      remains = onHeldRuns([&] {
+        fine.setBase(growth.causes);
+        growth.causes = fitTogether(fine, growth.causes, options.jobs);
+      });
+    return remains;
+  }
+
+  /// Changes the causes as if there were held runs alone; what remains of those over what may remain.
+  double onHeldRuns(const std::function<void()>& change) {
+    leaveStandingOut(true);
     const double whole = std::exchange(growth.worstBefore, worstGap(fine).size);
     growth.onHeldRuns = true;
-    explain();
+    change();
     fine.setBase(growth.causes);
     const double remains = worstGap(fine).size < unexplained ? 0 : growth.remainder().unaccounted();
     growth.onHeldRuns = false;
     growth.worstBefore = whole;
-    for (Evaluator* evaluator : {&fine, &coarse}) evaluator->leaveStandingOut(false);
+    leaveStandingOut(false);
     fine.setBase(growth.causes);
     return remains;
+  }
+
+  void leaveStandingOut(bool out) {
+    for (Evaluator* evaluator : {&fine, &coarse}) evaluator->leaveStandingOut(out);
   }
 
   /// Where much stays unexplained, the first cause may have been the wrong one: begins with others, keeps the

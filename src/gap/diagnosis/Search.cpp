@@ -20,7 +20,6 @@ constexpr std::size_t lookTwice = 60, lookOnFeet = 12, leastRefined = 4;
 constexpr double refineShare = 0.2;  // of the best first look's gain: what promises less is not fitted
 constexpr double keptPromise = 0.5;  // of the first look's: below that its effect is looked at in between
 constexpr double polishShare = 0.7;  // of the best fit's gain: what gains less is no rival of the best
-constexpr ValueSearch roughly = {.step = 0.5, .tolerance = 0.02, .bracket = 8, .within = 6};
 constexpr ValueSearch finely = {.step = 0.08, .tolerance = 0.004, .bracket = 6, .within = 4};
 
 /// Squares beyond noise on the blocks for fitting: what shows on the others alone is nothing to fit to.

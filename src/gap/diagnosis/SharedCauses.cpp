@@ -18,7 +18,6 @@ constexpr std::size_t extendedBy = 3;  // the kinds that fit best on top of a se
 // What a further cause has to explain of the nominal model's squares; from the third on also of what is left.
 constexpr double leastOfAll = 0.02, leastOfRest = 0.2;
 constexpr double nearlyAsGood = 2;  // times what is left: another form of a law that is extended too
-constexpr ValueSearch roughly = {.step = 0.5, .tolerance = 0.02, .bracket = 8, .within = 6};
 
 /// Starting values of each kind and variant that acts at all joints.
 std::vector<std::vector<Cause>> kindsPossible(const Evaluator& nominal) {

@@ -19,6 +19,8 @@ struct ValueSearch {
   double step = 0.5, tolerance = 0.004;
   int bracket = 8, within = 9;
 };
+/// Near enough to choose between causes.
+inline constexpr ValueSearch roughly = {.step = 0.5, .tolerance = 0.02, .bracket = 8, .within = 6};
 
 /// Value of a cause that fits best on the evaluator's blocks for fitting, from where it is. Thread-safe.
 Candidate fitValue(const Evaluator& evaluator, const Cause& start, const TrialMask& mask,
