@@ -95,7 +95,15 @@ std::vector<Behaviour> behaviours(const Evaluator& evaluator, const std::vector<
     const std::string run = std::filesystem::path(trial.name).filename().string();
     Series measured;
     for (const Signal& signal : trial.signals) measured.push_back(signal.values);
-    const Prediction &plain = nominal[t], &better = evaluator.basePrediction(t);
+    // What a robot that steps does by itself, not from step to step.
+    const auto free = [&](const Explanation& causes, const Prediction& known) {
+      if (trial.restarts.empty()) return known;
+      ReplayOptions inOnePiece;
+      inOnePiece.restarts = false;
+      return replay(plantOf(trial, causes), trial, inOnePiece);
+    };
+    const Prediction plain = free({}, nominal[t]),
+                     better = free(evaluator.base(), evaluator.basePrediction(t));
     const auto add = [&](const std::string& what, const std::string& unit, auto&& of) {
       const double seen = of(trial, measured);
       if (std::isfinite(seen))

@@ -12,6 +12,8 @@ constexpr double startSeconds = 0.3;  // of a run: what came before it still rin
 constexpr double timing = 1e-4;       // [s] commands and readings jitter at least so much
 // Two engines' contacts differ by this much where nothing is wrong (measured on runs without any effect).
 constexpr double freePosition = 4e-4, freeGyro = 0.01, freeAcceleration = 0.06, freeForce = 1.2;
+// The same where a robot steps, of how far a signal swings.
+constexpr double stepping = 0.05, steppingAcceleration = 0.15;
 
 double engineSpread(const Trial& trial, const Signal& signal) {
   if (!trial.freeBase) return 0;
@@ -27,6 +29,21 @@ double engineSpread(const Trial& trial, const Signal& signal) {
     default:
       return 0;
   }
+}
+
+/// What engines differ by where a robot steps, in the signal's unit: a share of how far it swings, of a joint
+/// beside its command.
+double steppingSpread(const Trial& trial, const Signal& signal) {
+  if (trial.restarts.empty()) return 0;
+  double n = 0, sum = 0, squares = 0;
+  for (std::size_t k = 0; k < trial.cycles(); ++k) {
+    const double x =
+        signal.values[k] -
+        (signal.kind == SignalKind::position ? trial.command[static_cast<std::size_t>(signal.joint)][k] : 0);
+    if (std::isfinite(x)) ++n, sum += x, squares += x * x;
+  }
+  const double share = signal.kind == SignalKind::accelerometer ? steppingAcceleration : stepping;
+  return n > 1 ? share * std::sqrt(std::max(0.0, squares / n - sum / n * sum / n)) : 0;
 }
 
 }  // namespace
@@ -63,9 +80,12 @@ Evidence::Evidence(std::vector<Trial> trials, std::vector<std::vector<SignalNois
       const Signal& signal = trial.signals[s];
       auto& w = perSignal.emplace_back(trial.cycles(), 0.0);
       if (!counts(signal)) continue;
-      const double sigma = noises[t][s].sigma, spread = engineSpread(trial, signal);
+      const double sigma = noises[t][s].sigma,
+                   spread = std::hypot(engineSpread(trial, signal), steppingSpread(trial, signal));
       for (std::size_t k = 0; k < trial.cycles(); ++k) {
         if (!std::isfinite(signal.values[k]) || trial.time[k] - trial.time[0] < startSeconds) continue;
+        // How hard a foot lands is the engine's own.
+        if (signal.joint < 0 && !trial.betweenSteps.empty() && !trial.betweenSteps[k]) continue;
         const double rate = signal.kind == SignalKind::position ? rateAt(trial, signal, k) : 0;
         w[k] = 1 / (sigma * sigma + spread * spread + timing * timing * rate * rate);
       }

@@ -54,6 +54,11 @@ std::vector<double> motorExcess(const Mechanism& robot, std::vector<double> exce
   return excess;
 }
 
+/// Whether every run is of a robot that steps, whose joints begin anew where they were measured.
+bool allStep(const Evidence& data) {
+  return std::ranges::none_of(data.trials(), [](const Trial& trial) { return trial.restarts.empty(); });
+}
+
 }  // namespace
 
 std::vector<double> jointExcess(const Evaluator& evaluator, bool standing) {
@@ -73,6 +78,7 @@ Suspects::Suspects(const Evaluator& evaluator) {
     joint.assign(n, true);
     faintly.assign(n, true);
     any = true;
+    if (allStep(evaluator.evidence())) onlyWhatIsOff(evaluator);
     return;
   }
   chain.resize(n);
@@ -90,6 +96,16 @@ Suspects::Suspects(const Evaluator& evaluator) {
     joint[j] = chain[j] && (excess[j] > jointShare * worst || restless[j] || unseen[j]);
     faintly[j] = chain[j] && excess[j] > cleanChi;
     any = any || chain[j];
+  }
+}
+
+/// What is wrong in a joint's drive shows there first, even where the ground carries it on to the others.
+void Suspects::onlyWhatIsOff(const Evaluator& evaluator) {
+  const std::vector<double> excess = motorExcess(evaluator.mechanism(), jointExcess(evaluator, true));
+  const double all = *std::ranges::max_element(excess);
+  for (std::size_t j = 0; j < excess.size(); ++j) {
+    faintly[j] = excess[j] > cleanChi;
+    joint[j] = faintly[j] && excess[j] > jointShare * all;
   }
 }
 

@@ -16,6 +16,9 @@ struct Suspects {
   std::vector<bool> joint, chain;  ///< one flag per joint
   std::vector<bool> faintly;       ///< themselves, however much more the joints are that carry them
   bool any = false;
+
+private:
+  void onlyWhatIsOff(const Evaluator& evaluator);
 };
 
 /// Whether most of the robot is off, as lost commands would leave it: its chains, or the joints of a robot

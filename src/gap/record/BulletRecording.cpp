@@ -30,13 +30,6 @@ void check(const Explanation& effects) {
   }
 }
 
-/// A joint that shares another's motor has a servo of its own with the same command, as in the replay and the
-/// contract's law; ServoWorld would let one servo carry both.
-Mechanism withOwnServos(Mechanism robot) {
-  for (Mechanism::Joint& joint : robot.joints) joint.driver = -1;
-  return robot;
-}
-
 class Recorder {
 public:
   Recorder(const Plant& plant_, const Trial& trial_, const std::vector<std::uint8_t>& lost_)
@@ -44,7 +37,7 @@ public:
         trial(trial_),
         lost(lost_),
         ground(rotationOfGround(plant_.ground)),
-        world(withOwnServos(bulletMechanism(plant_, 1 / slice)), bulletWorld(plant_, !trial_.freeBase)) {}
+        world(bulletMechanism(plant_, 1 / slice), bulletWorld(plant_, !trial_.freeBase)) {}
 
   Prediction play() {
     Prediction prediction;
@@ -158,6 +151,8 @@ Mechanism bulletMechanism(const Plant& plant, double controlHz) {
     joint.servo.vin *= drive.supplyFactor;
     joint.maxTorque = drive.maxTorque * drive.torqueFactor;
     joint.maxSpeed = drive.maxSpeed;
+    // Else ServoWorld would let one servo carry both.
+    joint.driver = -1;
   }
   robot.controlHz = controlHz;
   robot.gravity = rotationOfGround(plant.ground).transpose() * robot.gravity;

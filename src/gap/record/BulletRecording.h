@@ -15,6 +15,8 @@ Run recordBullet(const Mechanism& robot, const Excitation& program,
                  const SimulatedRecordingOptions& options = {});
 
 /// A plant as ServoWorld takes it: its drives and links, gravity seen from its ground, and the ground itself.
+/// A joint that shares another's motor has a servo of its own, to be told the same, as in the replay and the
+/// contract's law.
 Mechanism bulletMechanism(const Plant& plant, double controlHz);
 simulation::ServoWorldConfig bulletWorld(const Plant& plant, bool fixedBase);
 

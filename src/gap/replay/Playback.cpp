@@ -17,6 +17,12 @@ double hermite(double x0, double v0, double x1, double v1, double h, double s) {
   return a + s * (b + s * (c2 + s * c3));
 }
 
+double settlingTime(const Trial& trial, const ReplayOptions& options) {
+  // Put into a measured state at once.
+  if (options.restarts && !trial.restarts.empty()) return 0;
+  return options.settle > 0 && trial.freeBase ? std::max(options.settle, freeSettle) : options.settle;
+}
+
 std::vector<int> jointsToPlay(const Plant& plant, const Trial& trial, const ReplayOptions& options) {
   if (!options.joints.empty() && !trial.freeBase) return options.joints;
   std::vector<int> all(plant.joints.size());
@@ -30,8 +36,7 @@ Playback::Playback(const Plant& plant, const Trial& trial_, const ReplayOptions&
     : trial(trial_),
       stepper(plant, trial_, jointsToPlay(plant, trial_, options), options.lostCycles),
       longest(stepper.geared() ? options.gearStep : options.step),
-      settleFor(options.settle > 0 && trial_.freeBase ? std::max(options.settle, freeSettle)
-                                                      : options.settle),
+      settleFor(settlingTime(trial_, options)),
       t(trial_.time[0]) {
   const std::vector<int> joints = jointsToPlay(plant, trial, options);
   for (std::size_t s = 0; s < trial.signals.size(); ++s) {

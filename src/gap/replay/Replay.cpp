@@ -3,8 +3,22 @@
 #include <limits>
 
 #include "gap/replay/Playback.h"
+#include "gap/replay/Restarts.h"
 
 namespace plumbline::gap {
+
+namespace {
+
+/// What is read while a robot that was put into another state comes to rest on its feet is no prediction.
+void leaveSettlingOut(const Trial& trial, Prediction& prediction) {
+  for (const Restart& restart : trial.restarts)
+    for (std::size_t k = restart.cycle;
+         k < trial.cycles() && trial.time[k] < trial.time[restart.cycle] + settling; ++k)
+      for (std::vector<double>& values : prediction.values)
+        if (!values.empty()) values[k] = std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
 
 Prediction replay(const Plant& plant, const Trial& trial, const ReplayOptions& options) {
   Prediction result;
@@ -25,12 +39,16 @@ Prediction replay(const Plant& plant, const Trial& trial, const ReplayOptions& o
   keep(playback.settle());
   Stepper& stepper = playback.body();
   stepper.beginBody();
+  auto restart = trial.restarts.begin();
   for (std::size_t k = 0; k < cycles; ++k) {
+    if (options.restarts && restart != trial.restarts.end() && restart->cycle == k)
+      stepper.restart(*restart++);
     if (!body.empty()) stepper.readBody(k, playback.time(), body, result.values);
     keep(playback.play(k));
   }
   stepper.endBody(body, result.values);
   result.fell = stepper.fell();
+  if (options.restarts) leaveSettlingOut(trial, result);
   return result;
 }
 

@@ -14,6 +14,7 @@ struct ReplayOptions {
   double step = 0.002;      ///< longest step of the integrator [s]
   double gearStep = 0.001;  ///< the same where a gear has play or gives way [s]
   double settle = 1;  ///< the first command is held so long before the run begins [s]; 0: starts as measured
+  bool restarts = true;  ///< goes on from what was measured wherever the trial says; false: in one piece
   const std::vector<std::uint8_t>* lostCycles = nullptr;  ///< per cycle: its command never came
 };
 

@@ -23,6 +23,10 @@ public:
   /// From now on the commands of other cycles never come; must outlive it. Null: all come.
   void lose(const std::vector<std::uint8_t>* lostCycles);
 
+  /// Puts the joints where they were measured and the body so that the foot that carries most lies flat on
+  /// the ground and stays; place and heading stay as they are. Play in gears stays on the side it is on.
+  void restart(const Restart& seen);
+
   bool geared() const { return !gears.empty(); }
   void step(double from, double to);
 
@@ -74,6 +78,8 @@ private:
   void solve(double h);
   void advance(double h);
   void placeOnGround();
+  void standOn(int foot);
+  double heightOnGround() const;
 
   const Plant& plant;
   const Trial& trial;

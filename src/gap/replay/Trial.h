@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +23,13 @@ struct Signal {
   std::vector<double> values;
 };
 
+/// The robot as it was measured in a cycle, for a replay to go on from.
+struct Restart {
+  std::size_t cycle = 0;
+  std::vector<double> position, speed;  ///< per joint, as its encoder shows [rad, rad/s]; NaN: as replayed
+  std::vector<double> load;             ///< per foot: its share of what all feet carry
+};
+
 /// A run made ready for replay on one mechanism: times, what was commanded, what was measured.
 struct Trial {
   std::string name;       ///< for people: the run's folder, and which part of it
@@ -40,6 +48,10 @@ struct Trial {
   std::vector<std::vector<double>> voltage;               ///< empty: as the servo table says [V]
   std::vector<double> commandAt, positionAt, velocityAt;  ///< per joint, relative to the cycle's time [s]
   std::vector<Signal> signals;
+  /// Of a robot that steps, in ascending order (see Restarts.h); none: replayed in one piece.
+  std::vector<Restart> restarts;
+  /// Of such a robot, per cycle: no foot is about to land or has just landed or lifted off; else empty.
+  std::vector<std::uint8_t> betweenSteps;
 
   std::size_t cycles() const { return time.size(); }
 };

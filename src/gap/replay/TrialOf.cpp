@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "gap/replay/Restarts.h"
 #include "gap/replay/TruePose.h"
 
 namespace plumbline::gap {
@@ -134,6 +135,7 @@ Trial trialOf(const Run& run, const Mechanism& nominal) {
     trial.signals.push_back(std::move(signal));
   }
   unwindQuaternion(trial.signals);
+  cutIntoSteps(trial);
   if (!anyPosition) {
     throw RunError(run.folder +
                    ": no joint has both a command and a measured position; record cmd.JOINT and pos.JOINT");

@@ -21,15 +21,26 @@ struct Cycle {
   Pose3 torso;
 };
 
-/// A plant that remembers what it was told and what it told.
+/// A plant that remembers what it was told and what it told. Joints of one motor are told the same.
 class RecordedPlant : public walking::BulletPlant {
 public:
-  using BulletPlant::BulletPlant;
-  void command(const walking::ServoCommand& given) override {
+  RecordedPlant(const Mechanism& robot, const Plant& plant)
+      : BulletPlant(bulletMechanism(plant, robot.controlHz), bulletWorld(plant, false)),
+        joints(robot.joints) {}
+
+  void command(const walking::ServoCommand& asked) override {
+    walking::ServoCommand given = asked;
+    for (std::size_t j = 0; j < joints.size(); ++j)
+      if (joints[j].driver >= 0)
+        given.target[j] = joints[j].driverRatio * given.target[static_cast<std::size_t>(joints[j].driver)] +
+                          joints[j].driverOffset;
     cycles.push_back({measure(), given, torso()});
     BulletPlant::command(given);
   }
   std::vector<Cycle> cycles;
+
+private:
+  const std::vector<Mechanism::Joint> joints;
 };
 
 walking::WalkRequest requestOf(const std::string& program) {
@@ -69,8 +80,7 @@ Run recordWalk(const Mechanism& robot, const std::string& program, const Simulat
   check(options.effects);
   const walking::WalkRequest request = requestOf(program);
   const Plant plant = plantOf(robot, options.effects);
-  auto owned =
-      std::make_unique<RecordedPlant>(bulletMechanism(plant, robot.controlHz), bulletWorld(plant, false));
+  auto owned = std::make_unique<RecordedPlant>(robot, plant);
   RecordedPlant& recorded = *owned;
   walking::ServoWalker walker(robot, walking::readServoGaits(robot.name), std::move(owned));
   recorded.cycles.clear();

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "../TwoJointArm.h"
+#include "../StandingLeg.h"
 
 namespace plumbline::gap {
 namespace {
@@ -67,6 +67,26 @@ TEST(BehaviourTest, aHeldRunHasNone) {
   const Evidence evidence({recorded(nominalPlant(arm), armTrial(arm, 2), 5e-4, 1)});
   const Evaluator evaluator(arm, evidence);
   EXPECT_TRUE(behaviours(evaluator, {Prediction()}).empty());
+}
+
+TEST(BehaviourTest, whatSteppedIsPlayedInOnePiece) {
+  const Mechanism leg = standingLeg();
+  Trial trial = legTrial(true, 3);
+  Signal gyro{"gyro.y", SignalKind::gyro, -1, -1, 1, false, std::vector<double>(trial.cycles())};
+  trial.signals.push_back(gyro);
+  gyro.axis = 0;
+  trial.signals.push_back(gyro);
+  const Prediction whole = replay(nominalPlant(leg), trial);
+  for (std::size_t s = 0; s < trial.signals.size(); ++s) trial.signals[s].values = whole.values[s];
+  // From here on it goes where no command led it.
+  trial.restarts.push_back({150, {0.3, -0.3}, {0, 0}, {1}});
+  const Evidence evidence({trial});
+  Evaluator evaluator(leg, evidence);
+  evaluator.setBase({});
+  const std::vector<Behaviour> list = behaviours(evaluator, {evaluator.basePrediction(0)});
+  ASSERT_EQ(list[0].what, "sway (RMS turning rate), arm");
+  EXPECT_NEAR(list[0].nominal, list[0].measured, 1e-9);
+  EXPECT_NEAR(list[0].corrected, list[0].measured, 1e-9);
 }
 
 }  // namespace

@@ -19,5 +19,26 @@ TEST(EvidenceTest, weightsAreMultipliedByChannel) {
   EXPECT_EQ(other.weights(0, 1).front(), 0) << "what does not count still does not";
 }
 
+TEST(EvidenceTest, ofARobotThatStepsTheBodyCountsBetweenStepsAndAShareOfEverySwingIsTheEngines) {
+  const Mechanism arm = twoJointArm();
+  Trial trial = recorded(nominalPlant(arm), armTrial(arm, 2), 5e-4, 3);
+  trial.freeBase = true;
+  Signal gyro{"gyro.x", SignalKind::gyro, -1, -1, 0, false, {}};
+  for (std::size_t k = 0; k < trial.cycles(); ++k) gyro.values.push_back(k % 4 < 2 ? 0.6 : -0.6);
+  trial.signals.push_back(gyro);
+  const auto noise = estimateNoise({trial});
+  const Evidence standing({trial}, noise);
+  trial.restarts.push_back({2, {0, 0}, {0, 0}, {1}});
+  trial.betweenSteps.assign(trial.cycles(), 1);
+  trial.betweenSteps[60] = 0;
+  const Evidence stepping({trial}, noise);
+  const std::size_t last = trial.signals.size() - 1;
+  EXPECT_EQ(stepping.weights(0, last)[60], 0);
+  EXPECT_GT(standing.weights(0, last)[60], 0);
+  EXPECT_GT(stepping.weights(0, 0)[60], 0) << "joints always count";
+  // A twentieth of 0.6 rad/s.
+  EXPECT_NEAR(1 / stepping.weights(0, last)[61] - 1 / standing.weights(0, last)[61], 0.03 * 0.03, 1e-9);
+}
+
 }  // namespace
 }  // namespace plumbline::gap

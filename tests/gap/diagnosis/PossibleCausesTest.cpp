@@ -114,5 +114,29 @@ TEST(PossibleCausesOnFeetTest, aLegThatIsCleanWhereItHangsMayBeOffUnderLoad) {
   EXPECT_FALSE(lookedForOnFeet(0, "link_length", "lower"));
 }
 
+TEST(PossibleCausesOnFeetTest, ofARobotThatStepsTheDrivesOfWhatIsOff) {
+  const Mechanism leg = standingLeg();
+  Trial trial = legTrial(true);
+  const Prediction nominal = replay(nominalPlant(leg), trial);
+  for (std::size_t s = 0; s < trial.signals.size(); ++s)
+    for (std::size_t k = 0; k < trial.cycles(); ++k)
+      trial.signals[s].values[k] = nominal.values[s][k] + (s == 1 && k % 2 ? 0.05 : 0);
+  const auto looksFor = [&](const Trial& run, const char* id, const char* place) {
+    const Evidence evidence({run}, {{{1e-3, 1e-3, false}, {1e-3, 1e-3, false}}});
+    Evaluator evaluator(leg, evidence);
+    evaluator.setBase({});
+    const Effect* effect = findEffect(id);
+    const Cause wanted{effect, findPlace(*effect, leg, place, ""), 0, 0};
+    return std::ranges::any_of(possibleCauses(evaluator), [&](const Cause& c) { return c.sameKind(wanted); });
+  };
+  EXPECT_TRUE(looksFor(trial, "servo_gain", "hip")) << "in one piece, where it sways as a whole";
+  Trial stepping = trial;
+  stepping.restarts.push_back({2, {NAN, NAN}, {NAN, NAN}, {}});
+  EXPECT_TRUE(looksFor(stepping, "servo_gain", "knee"));
+  EXPECT_FALSE(looksFor(stepping, "servo_gain", "hip")) << "it is where it should be";
+  EXPECT_TRUE(looksFor(stepping, "link_mass", "upper"));
+  EXPECT_TRUE(looksFor(stepping, "joint_offset", "hip")) << "shows in other joints";
+}
+
 }  // namespace
 }  // namespace plumbline::gap
