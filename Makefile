@@ -113,11 +113,12 @@ bench-gap:
 	@scripts/run_bench.sh gap
 
 # The league's recordings against the simulator with one setting left out; TRACES=FOLDER for other recordings.
-# Real robots, whose recordings are not part of the project: DATA=FOLDER, ROBOT and SPLIT for a part. Both write their
+# Real robots, whose recordings are not part of the project: DATA=FOLDER, ROBOT and SPLIT for a part. All write their
 # page in doc/results/.
-bench-gap-simspark bench-gap-real: bench-%:
+# A NAO that walks in Bullet, diagnosed by its walks alone: CASES, SEED, JOBS.
+bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 	@scripts/install_packages.sh scripts/packages-bench.txt
-	@$(MAKE) SimRelease-bench-$*
+	@$(MAKE) SimRelease SimRelease-bench-$*
 	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }
 	@scripts/make_results.sh $*
 

@@ -29,3 +29,9 @@ awk -v x="$(last truth.x)" -v z="$(last truth.z)" 'BEGIN { exit !(x > 1 && x < 6
 expectError 2 "gap: walk_forward is walked by a robot simulated here, without --secret" \
   "$bin/gap" "${walk[@]}" --secret 3 -o "$scratch/x"
 [[ ! -e $scratch/x ]] || fail "a refused command wrote something"
+
+# Replayed from step to step, a walk with nothing wrong shows nothing.
+gap record --robot nao_v5 --program walk_sideways -o "$scratch/sideways"
+gap diagnose "$scratch/sideways" --json "$scratch/answer.json"
+grep -q '"verdict": "none"' "$scratch/answer.json" || fail "not none: $(cat "$scratch/out")"
+grep -q '"restarts": 11' "$scratch/answer.json" || fail "not from step to step: $(grep restarts "$scratch/answer.json")"

@@ -281,6 +281,7 @@ std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Eva
                          {"motion", run.motion},
                          {"base", run.freeBase ? "free" : "fixed"},
                          {"duration_s", number(run.duration)},
+                         {"restarts", run.restarts},
                          {"left_out", left}});
   }
   return j.dump(1);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace plumbline::gap {
 struct RunNotes {
   std::string folder, motion;
   bool freeBase = false;
-  double duration = 0;  ///< [s]
+  double duration = 0;       ///< [s]
+  std::size_t restarts = 0;  ///< see Trial::restarts
   std::vector<RunWarning> warnings;
 };
 

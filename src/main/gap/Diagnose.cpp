@@ -146,6 +146,7 @@ void diagnoseRuns(const DiagnoseOptions& options) {
       notes.freeBase = run.freeBase;
       notes.duration = run.duration();
       trials.push_back(trialOf(run, robot));
+      notes.restarts = trials.back().restarts.size();
     } catch (const RunError& error) {
       // One bad run must not cost the good ones; none good is an error.
       std::fprintf(stderr, "gap: %s; this run is left out\n", error.what());

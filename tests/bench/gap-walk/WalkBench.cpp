@@ -1,0 +1,212 @@
+// A NAO that walks closed loop in Bullet with one thing in it that the nominal model lacks: is it named from
+// three walks of 12 s alone? Effects, places and sizes are drawn as those of sealed sets, among those that
+// walks in Bullet can have; every fourth robot has none. Environment: CASES [16], SEED [1], JOBS at a time.
+// Walks and answers in build/bench/gap-walk-SEED/ are kept: a bench that was stopped goes on; remove the
+// folder after a change of the diagnosis. Writes build/bench/gap-walk.json and .md.
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "framework/Parallel.h"
+#include "framework/WriteFile.h"
+#include "gap/blind/Draw.h"
+#include "gap/blind/ScoreJudge.h"
+#include "robot/MechanismFile.h"
+#include "simspark/ChildProcess.h"
+
+using namespace plumbline;
+using namespace plumbline::gap;
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::array walks{"walk_forward", "walk_sideways", "walk_turn"};
+constexpr std::array inWalks{"servo_gain",     "servo_damping",   "torque_limit", "speed_limit",
+                             "supply_voltage", "rotor_inertia",   "link_mass",    "com_offset",
+                             "link_length",    "ground_friction", "ground_slope", "ground_compliance"};
+constexpr int weaker = 3;  // times a robot that falls is tried with half as much
+
+std::uint64_t environment(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  if (!text || !*text) return otherwise;
+  char* end = nullptr;
+  const std::uint64_t value = std::strtoull(text, &end, 10);
+  if (*end || *text == '-') throw std::runtime_error(std::string(name) + "=" + text + " is no whole number");
+  return value;
+}
+
+/// Whether bin/gap ended well; its CPU time goes to `seconds`.
+bool gap(std::vector<std::string> arguments, double* seconds = nullptr) {
+  arguments.insert(arguments.begin(), "bin/gap");
+  simspark::ChildProcess child(arguments, "/dev/null");
+  while (child.running()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  if (seconds) *seconds = child.usage().cpuSeconds;
+  return child.exitStatus() == 0;
+}
+
+std::string describe(const BlindEffect& e) {
+  char value[32];
+  std::snprintf(value, sizeof value, " %.3g", e.value);
+  return e.effect + " at " + e.at + (e.axis.empty() ? "" : " " + e.axis) + value;
+}
+
+void writeEffects(const BlindCase& c, const std::string& file) {
+  std::string text = "effects:\n";
+  for (const BlindEffect& e : c.effects) {
+    char value[32];
+    std::snprintf(value, sizeof value, "%.9g", e.value);
+    text += "  - {effect: " + e.effect + ", at: \"" + e.at + "\", " +
+            (e.axis.empty() ? "" : "axis: " + e.axis + ", ") + "value: " + value + "}\n";
+  }
+  writeFile(file, text);
+}
+
+/// One robot: its walks are recorded, then an answer is asked of a process that sees those alone.
+class Case {
+public:
+  Case(const Mechanism& robot_, std::string folder_, std::size_t turn, std::uint64_t seed)
+      : robot(robot_), folder(std::move(folder_)), noise(seed * 1000 + turn) {
+    truth.name = "case" + std::to_string(turn + 1);
+    if (turn % 4 == 0) return;
+    truth.kind = BlindKind::single;
+    DrawOptions options;
+    options.seed = seed;
+    options.battery = Battery::all;
+    Random random(noise);
+    // The turn walks through all effects: those that a walk cannot have are passed over.
+    for (std::size_t at = 7 * turn; truth.effects.empty(); ++at) {
+      std::vector<BlindEffect> drawn = drawEffects(robot, BlindKind::single, at, options, random);
+      if (std::ranges::find(inWalks, drawn.front().effect) != inWalks.end()) truth.effects = std::move(drawn);
+    }
+  }
+
+  void run() {
+    record();
+    const std::string answer = folder + "/answers/" + truth.name + ".json", time = answer + ".seconds";
+    if (!fs::exists(answer)) {
+      double seconds = 0;
+      if (!gap({"diagnose", folder + "/" + truth.name, "--json", answer, "--quiet", "--jobs", "1"}, &seconds))
+        throw std::runtime_error("bin/gap diagnose " + folder + "/" + truth.name + " failed");
+      writeFile(time, std::to_string(seconds) + "\n");
+    }
+    std::ifstream(time) >> cpu;
+    given = readAnswers({"", "", "", 0, {truth}}, folder + "/answers").front();
+    text = json::parse(std::ifstream(answer));
+  }
+
+  BlindCase truth;
+  BlindAnswer given;
+  json text;
+  double cpu = 0;
+
+private:
+  void record() {
+    const std::string runs = folder + "/" + truth.name, effects = runs + ".yaml";
+    for (int strength = 0;; ++strength) {
+      if (std::ranges::all_of(walks, [&](const char* walk) { return fs::exists(fs::path(runs) / walk); }))
+        return;
+      fs::remove_all(runs);
+      if (strength > weaker) throw std::runtime_error(describe(truth.effects[0]) + ": it does not walk");
+      for (BlindEffect& e : truth.effects)
+        if (strength > 0) e = strengthened(robot, e, 0.5);
+      writeEffects(truth, effects);
+      std::vector<std::string> arguments = {"record", "--seed", std::to_string(noise),
+                                            "-o",     runs,     "--program"};
+      arguments.insert(arguments.end(), walks.begin(), walks.end());
+      if (!truth.effects.empty()) arguments.insert(arguments.end(), {"--effects", effects});
+      gap(arguments);
+    }
+  }
+
+  const Mechanism& robot;
+  const std::string folder;
+  const std::uint64_t noise;
+};
+
+json figure(const char* name, double value, const char* unit, const char* better) {
+  return {{"name", std::string("gap-walk.") + name}, {"value", value}, {"unit", unit}, {"better", better}};
+}
+
+void write(const std::vector<Case>& cases, const Mechanism& robot, std::uint64_t seed) {
+  const BlindJudge judge(robot);
+  std::size_t singles = 0, first = 0, three = 0, none = 0, alarms = 0;
+  std::vector<double> closed, errors;
+  double cpu = 0;
+  std::string rows;
+  for (const Case& c : cases) {
+    cpu += c.cpu / static_cast<double>(cases.size());
+    std::string named;
+    for (const auto& e : c.given.effects)
+      named += (named.empty() ? "" : ", ") + describe({e.effect, e.at, e.axis, e.value, {}});
+    const bool right = judge.right(c.truth, c.given);
+    if (c.truth.effects.empty()) {
+      ++none;
+      alarms += c.given.verdict != "none";
+    } else {
+      ++singles;
+      first += judge.first(c.truth, c.given);
+      three += judge.amongThree(c.truth, c.given);
+      closed.push_back(std::clamp(c.given.closed.value_or(0), 0.0, 1.0));
+    }
+    char numbers[96];
+    std::snprintf(numbers, sizeof numbers, "%.2f to %.2f | %.0f", c.text["gap"]["before"].get<double>(),
+                  c.text["gap"]["after"].get<double>(), c.cpu);
+    rows += "| " + (c.truth.effects.empty() ? "nothing" : describe(c.truth.effects[0])) + " | " +
+            c.given.verdict + " | " + named + " | " + (right ? "yes" : "no") + " | " + numbers + " |\n";
+  }
+  double mean = 0;
+  for (const double share : closed) mean += share / static_cast<double>(closed.size());
+  const Figure f = share("", "", first, singles), t = share("", "", three, singles),
+               a = share("", "", alarms, none);
+  char text[1200];
+  std::snprintf(
+      text, sizeof text,
+      "A NAO walks in Bullet with the project's own walk, forward, sideways and turning, 12 s each; "
+      "`bin/gap diagnose` sees these three runs and nothing else. %zu robots, seed %llu.\n\n"
+      "Named first: %zu of %zu (95 %%: %.2f to %.2f), among three %zu (%.2f to %.2f); false alarms: "
+      "%zu of %zu (up to %.2f); gap closed on half-seconds held out: %.2f on average; %.0f s of CPU on "
+      "average.\n\n| in the robot | verdict | named | right | gap, times the noise | CPU s |\n"
+      "|---|---|---|---|---|---|\n",
+      cases.size(), static_cast<unsigned long long>(seed), first, singles, f.lower, f.upper, three, t.lower,
+      t.upper, alarms, none, a.upper, mean, cpu);
+  writeFile("build/bench/gap-walk.md", text + rows);
+  const json figures = {figure("first", f.value, "1", "higher"),
+                        figure("among_three", t.value, "1", "higher"),
+                        figure("false_alarms", a.value, "1", "lower"), figure("closed", mean, "1", "higher"),
+                        figure("diagnosis_cpu_mean", cpu, "s", "lower")};
+  writeFile("build/bench/gap-walk.json", figures.dump(1) + "\n");
+}
+
+}  // namespace
+
+int main() try {
+  const std::uint64_t seed = environment("SEED", 1);
+  const auto count = std::clamp<std::uint64_t>(environment("CASES", 16), 2, 1000);
+  const int jobs = static_cast<int>(
+      std::clamp<std::uint64_t>(environment("JOBS", std::thread::hardware_concurrency()), 1, 256));
+  const Mechanism robot = namedMechanism("nao_v5");
+  const std::string folder = "build/bench/gap-walk-" + std::to_string(seed);
+  fs::create_directories(folder + "/answers");
+  std::vector<Case> cases;
+  for (std::size_t i = 0; i < count; ++i) cases.emplace_back(robot, folder, i, seed);
+  std::atomic<std::size_t> done = 0;
+  parallel(cases.size(), jobs, [&](std::size_t i) {
+    cases[i].run();
+    std::printf("%zu/%zu %s\n", ++done, cases.size(), cases[i].truth.name.c_str());
+    std::fflush(stdout);
+  });
+  write(cases, robot, seed);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "bench gap-walk: %s\n", error.what());
+  return 2;
+}
