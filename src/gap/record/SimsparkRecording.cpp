@@ -31,6 +31,7 @@ public:
       : robot(robot_), options(options_) {
     for (const Mechanism::Joint& joint : robot.joints) ids.push_back(jointOf(joint.name, robot));
     angles_.resize(ids.size());
+    speeds.resize(ids.size());
     if (const std::string why = connection.connect(options.host, options.port, options.timeout); !why.empty())
       throw std::runtime_error(why + "; start bin/simulator or the league's server first");
     simspark::AgentCommand scene;
@@ -66,15 +67,18 @@ public:
     return message;
   }
 
-  /// Answers the last message: every joint goes to its target.
+  /// Answers the last message: every joint goes to its target as the servo law would take it there,
+  /// dq/dt = kp/kd (target - q), from where it is when the answer comes into force: one cycle later, until
+  /// when it goes on at the speed of the answer before.
   void drive(const std::vector<double>& targets, const std::optional<Pose2>& beam = {}) {
     simspark::AgentCommand command;
     command.beam = beam;
     for (std::size_t j = 0; j < ids.size(); ++j) {
       const Mechanism::Joint& joint = robot.joints[j];
-      const double gain = joint.servo.kp / joint.servo.kd;
-      command.velocity[ids[j]] =
-          std::clamp(gain * (targets[j] - angles_[j]), -joint.maxSpeed, joint.maxSpeed);
+      const double way = 1 - std::exp(-cycle * joint.servo.kp / joint.servo.kd);  // share of it in a cycle
+      const double then = std::clamp(angles_[j] + cycle * speeds[j], joint.lower, joint.upper);
+      speeds[j] = std::clamp(way * (targets[j] - then) / cycle, -joint.maxSpeed, joint.maxSpeed);
+      command.velocity[ids[j]] = speeds[j];
     }
     command.syn = true;
     send(command);
@@ -92,7 +96,7 @@ private:
   const Mechanism& robot;
   const SimsparkRecordingOptions& options;
   std::vector<JointId> ids;
-  std::vector<double> angles_;
+  std::vector<double> angles_, speeds;  ///< per joint: as last heard, as last commanded
   simspark::Connection connection;
   simspark::ServerMessage message;
 };
@@ -198,6 +202,7 @@ SimsparkRecording recordSimspark(const Mechanism& robot, const Excitation& progr
   };
   keep(run.t);
   for (auto& [name, values] : run.channels) keep(values);
+  run.timing["*"].cmdAt = cycle;
   run.motion += "; a robot of type " + std::to_string(options.type) + " of a SimSpark server";
   if (result.lostCycles > 0) run.motion += ", " + std::to_string(result.lostCycles) + " cycles lost";
   return result;

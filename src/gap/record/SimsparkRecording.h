@@ -33,11 +33,12 @@ std::size_t cyclesBetween(double before, double now);
 
 /// Plays a program on a robot of a SimSpark server, the league's or bin/simulator, through its agent port:
 /// asks for the robot, has it put on its feet, takes it to the first posture in 3 s, then plays. The server's
-/// joints are turned by speed: v = kp/kd (cmd - pos) with the gains of the robot's file, which is thereby its
-/// servo law. The resultant force on a foot is given as forces on four corners that have the same sum and
-/// point. Channels: cmd, pos, gyro, acc, fsr. Errors: std::runtime_error, one line, for a server that is not
-/// there, goes away or stays silent; std::invalid_argument for a program on a held base (a robot of the
-/// server's cannot be hung up), or a robot with a joint that SimSpark's have not.
+/// joints are turned by speed, one cycle after it was told: so that in a cycle they get as far as the servo
+/// law of the robot's file takes them, dq/dt = kp/kd (cmd - q). The run says that commands come into force a
+/// cycle late (timing). The resultant force on a foot is given as forces on four corners that have the same
+/// sum and point. Channels: cmd, pos, gyro, acc, fsr. Errors: std::runtime_error, one line, for a server that
+/// is not there, goes away or stays silent; std::invalid_argument for a program on a held base (a robot of
+/// the server's cannot be hung up), or a robot with a joint that SimSpark's have not.
 SimsparkRecording recordSimspark(const Mechanism& robot, const Excitation& program,
                                  const SimsparkRecordingOptions& options);
 

@@ -81,5 +81,18 @@ TEST_F(ProposalsTest, coarseStepsWhereTheyTellTheSame) {
   EXPECT_EQ(&proposals->quickOn({}), coarse.get());
 }
 
+TEST_F(ProposalsTest, fineStepsWhereCoarseOnesAddMoreThanThereIsToExplain) {
+  const Evidence evidence = recordedWith({}, 0);
+  look(evidence);
+  ReplayOptions long_;
+  long_.step = 0.003;
+  Evaluator rough(arm, evidence, long_);
+  Proposals withRough(*fine, rough, options);
+  const Evaluator& chosen = withRough.quickOn({});
+  ASSERT_LE(rough.baseFit().fitting, 1.2 * fine->baseFit().fitting) << "close enough by its squares";
+  ASSERT_GT(rough.baseFit().judging, fine->baseFit().judging + 1);
+  EXPECT_EQ(&chosen, fine.get());
+}
+
 }  // namespace
 }  // namespace plumbline::gap
