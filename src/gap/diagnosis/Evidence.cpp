@@ -13,7 +13,7 @@ constexpr double timing = 1e-4;       // [s] commands and readings jitter at lea
 // Two engines' contacts differ by this much where nothing is wrong (measured on runs without any effect).
 constexpr double freePosition = 4e-4, freeGyro = 0.01, freeAcceleration = 0.06, freeForce = 1.2;
 // The same where a robot steps, of how far a signal swings.
-constexpr double stepping = 0.05, steppingAcceleration = 0.15;
+constexpr double stepping = 0.05, steppingGyro = 0.12, steppingAcceleration = 0.2;
 
 double engineSpread(const Trial& trial, const Signal& signal) {
   if (!trial.freeBase) return 0;
@@ -31,19 +31,25 @@ double engineSpread(const Trial& trial, const Signal& signal) {
   }
 }
 
+double steppingShare(SignalKind kind) {
+  return kind == SignalKind::gyro            ? steppingGyro
+         : kind == SignalKind::accelerometer ? steppingAcceleration
+                                             : stepping;
+}
+
 /// What engines differ by where a robot steps, in the signal's unit: a share of how far it swings, of a joint
 /// beside its command.
 double steppingSpread(const Trial& trial, const Signal& signal) {
   if (trial.restarts.empty()) return 0;
   double n = 0, sum = 0, squares = 0;
   for (std::size_t k = 0; k < trial.cycles(); ++k) {
-    const double x =
-        signal.values[k] -
-        (signal.kind == SignalKind::position ? trial.command[static_cast<std::size_t>(signal.joint)][k] : 0);
+    const double command =
+        signal.kind == SignalKind::position ? trial.command[static_cast<std::size_t>(signal.joint)][k] : 0;
+    const double x = signal.values[k] - command;
     if (std::isfinite(x)) ++n, sum += x, squares += x * x;
   }
-  const double share = signal.kind == SignalKind::accelerometer ? steppingAcceleration : stepping;
-  return n > 1 ? share * std::sqrt(std::max(0.0, squares / n - sum / n * sum / n)) : 0;
+  const double swing = n > 1 ? std::sqrt(std::max(0.0, squares / n - sum / n * sum / n)) : 0;
+  return steppingShare(signal.kind) * swing;
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ TEST(EvidenceTest, ofARobotThatStepsTheBodyCountsBetweenStepsAndAShareOfEverySwi
   EXPECT_EQ(stepping.weights(0, last)[60], 0);
   EXPECT_GT(standing.weights(0, last)[60], 0);
   EXPECT_GT(stepping.weights(0, 0)[60], 0) << "joints always count";
-  // A twentieth of 0.6 rad/s.
-  EXPECT_NEAR(1 / stepping.weights(0, last)[61] - 1 / standing.weights(0, last)[61], 0.03 * 0.03, 1e-9);
+  // 12 % of 0.6 rad/s.
+  EXPECT_NEAR(1 / stepping.weights(0, last)[61] - 1 / standing.weights(0, last)[61], 0.072 * 0.072, 1e-9);
 }
 
 }  // namespace
