@@ -78,6 +78,8 @@ private:
   void explain() {
     const double nominal = fine.baseFit().judging;
     growth.grow();
+    // With nothing but runs on the feet each look takes a minute, and a second round ten.
+    if (!fine.hasHeld()) return;
     beginOtherwise(nominal);
     if (growth.causes.size() > 1 && growth.remainder().mayRemain(farOff)) reconsider();
   }
