@@ -224,7 +224,11 @@ void write(const std::vector<Case>& cases, const Mechanism& robot, std::uint64_t
       "%zu of %zu (up to %.2f); gap closed on half-seconds held out: %.2f on average; %.0f s of CPU on "
       "average. Severity: what the effect changes in replays of these walks over the noise, in the channel "
       "that shows it "
-      "best; less than 3 is drawn again.\n\n| in the robot | severity | verdict | named | right | gap, times "
+      "best; less than 3 is drawn again. Not blind for seed 1: what is taken for the engines' own (decision "
+      "6) was set "
+      "on walks without any effect and on robots of that seed.\n\n| in the robot | severity | verdict | "
+      "named | first right | gap, "
+      "times "
       "the noise | CPU s |\n"
       "|---|---|---|---|---|---|---|\n",
       cases.size(), static_cast<unsigned long long>(seed), first, singles, f.lower, f.upper, three, t.lower,
