@@ -113,12 +113,11 @@ bench-gap:
 	@scripts/run_bench.sh gap
 
 # The league's recordings against the simulator with one setting left out; TRACES=FOLDER for other recordings.
-# Real robots, whose recordings are not part of the project: DATA=FOLDER, ROBOT and SPLIT for a part. All write their
-# page in doc/results/.
-# A NAO that walks in Bullet, diagnosed by its walks alone: CASES, SEED, JOBS.
+# Real robots, whose recordings are not part of the project: DATA=FOLDER, ROBOT and SPLIT for a part. A NAO that walks in
+# Bullet, diagnosed by bin/gap from its walks alone: CASES, SEED, JOBS. All write their page in doc/results/.
 bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 	@scripts/install_packages.sh scripts/packages-bench.txt
-	@$(MAKE) SimRelease SimRelease-bench-$*
+	@$(MAKE) $(if $(filter gap-walk,$*),SimRelease) SimRelease-bench-$*
 	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }
 	@scripts/make_results.sh $*
 

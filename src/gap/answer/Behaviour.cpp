@@ -84,6 +84,14 @@ double wayGone(const Trial& trial, const Series& series) {
   return to > from ? std::hypot((*x)[to - 1] - (*x)[from], (*y)[to - 1] - (*y)[from]) : nan;
 }
 
+/// What a robot does by itself: of one that steps, not from step to step.
+Prediction inOnePiece(const Trial& trial, const Explanation& causes, const Prediction& known) {
+  if (trial.restarts.empty()) return known;
+  ReplayOptions options;
+  options.restarts = false;
+  return replay(plantOf(trial, causes), trial, options);
+}
+
 }  // namespace
 
 std::vector<Behaviour> behaviours(const Evaluator& evaluator, const std::vector<Prediction>& nominal) {
@@ -95,15 +103,8 @@ std::vector<Behaviour> behaviours(const Evaluator& evaluator, const std::vector<
     const std::string run = std::filesystem::path(trial.name).filename().string();
     Series measured;
     for (const Signal& signal : trial.signals) measured.push_back(signal.values);
-    // What a robot that steps does by itself, not from step to step.
-    const auto free = [&](const Explanation& causes, const Prediction& known) {
-      if (trial.restarts.empty()) return known;
-      ReplayOptions inOnePiece;
-      inOnePiece.restarts = false;
-      return replay(plantOf(trial, causes), trial, inOnePiece);
-    };
-    const Prediction plain = free({}, nominal[t]),
-                     better = free(evaluator.base(), evaluator.basePrediction(t));
+    const Prediction plain = inOnePiece(trial, {}, nominal[t]),
+                     better = inOnePiece(trial, evaluator.base(), evaluator.basePrediction(t));
     const auto add = [&](const std::string& what, const std::string& unit, auto&& of) {
       const double seen = of(trial, measured);
       if (std::isfinite(seen))

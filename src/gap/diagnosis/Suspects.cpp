@@ -10,7 +10,7 @@ namespace {
 constexpr double cleanChi =
     0.35;  // mean square beyond noise, in a channel, below which a chain counts as clean
 constexpr double chainShare = 0.02;  // of the worst joint's excess: chains below that wait for a later round
-constexpr double jointShare = 0.08;  // of the chain's worst
+constexpr double jointShare = 0.08;  // of the chain's worst, or of the robot's where it steps
 
 constexpr double astray = 10;  // times its own noise that a joint's repeats differ by
 

@@ -177,6 +177,14 @@ const std::vector<std::string_view>& bulletEffects() {
   return ids;
 }
 
+const std::vector<std::string_view>& walkEffects() {
+  static const std::vector<std::string_view> ids = {"servo_gain",      "servo_damping",  "torque_limit",
+                                                    "speed_limit",     "supply_voltage", "rotor_inertia",
+                                                    "link_mass",       "com_offset",     "link_length",
+                                                    "ground_friction", "ground_slope",   "ground_compliance"};
+  return ids;
+}
+
 Run recordBullet(const Mechanism& robot, const Excitation& program,
                  const SimulatedRecordingOptions& options) {
   check(options.effects);

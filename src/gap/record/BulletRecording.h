@@ -20,7 +20,9 @@ Run recordBullet(const Mechanism& robot, const Excitation& program,
 Mechanism bulletMechanism(const Plant& plant, double controlHz);
 simulation::ServoWorldConfig bulletWorld(const Plant& plant, bool fixedBase);
 
-/// Ids of the effects that recordBullet has.
+/// Ids of the effects that recordBullet has, and of those that a walk in Bullet has: of drives, links,
+/// ground.
 const std::vector<std::string_view>& bulletEffects();
+const std::vector<std::string_view>& walkEffects();
 
 }  // namespace plumbline::gap

@@ -73,7 +73,7 @@ CommandTable playExcitation(const Excitation& excitation, const Mechanism& robot
     const Mechanism::Joint& joint = robot.joints[j];
     if (joint.driver >= 0) {
       table.commands[j] = table.commands[static_cast<std::size_t>(joint.driver)];
-      for (double& x : table.commands[j]) x = joint.driverRatio * x + joint.driverOffset;
+      for (double& x : table.commands[j]) x = joint.driven(x);
     }
     const double margin = std::min(limitMargin, 0.01 * (joint.upper - joint.lower));
     for (double& x : table.commands[j]) x = std::clamp(x, joint.lower + margin, joint.upper - margin);

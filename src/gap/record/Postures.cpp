@@ -77,8 +77,7 @@ std::vector<std::vector<double>> gravityLoadings(const Mechanism& robot, const s
       const double x = random.uniform(-1, 1), way = x > 0 ? std::min(M_PI, joint.upper - home[j])
                                                           : std::min(M_PI, home[j] - joint.lower);
       q[j] += share * x * way;
-      if (joint.driver >= 0)
-        q[j] = joint.driverRatio * q[static_cast<std::size_t>(joint.driver)] + joint.driverOffset;
+      if (joint.driver >= 0) q[j] = joint.driven(q[static_cast<std::size_t>(joint.driver)]);
     }
     return q;
   };

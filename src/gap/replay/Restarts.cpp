@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <ranges>
+#include <span>
 #include <utility>
 
 namespace plumbline::gap {
@@ -70,19 +72,13 @@ Restart restartAt(const Trial& trial, std::size_t k, std::vector<double> load) {
 
 /// Whether load stays where it is from a little before the cycle to a little after it.
 bool isBetweenSteps(const Trial& trial, const std::vector<std::vector<double>>& shares, std::size_t k) {
+  const auto from = std::ranges::lower_bound(trial.time, trial.time[k] - before) - trial.time.begin();
+  const auto to = std::ranges::upper_bound(trial.time, trial.time[k] + after) - trial.time.begin();
+  const std::span around(shares.begin() + from, shares.begin() + to);
+  if (std::ranges::any_of(around, &std::vector<double>::empty)) return false;
   for (std::size_t foot = 0; foot < trial.robot->feet.size(); ++foot) {
-    double least = 1, most = 0;
-    for (std::size_t i = k; trial.time[i] >= trial.time[k] - before; --i) {
-      if (shares[i].empty()) return false;
-      least = std::min(least, shares[i][foot]);
-      most = std::max(most, shares[i][foot]);
-      if (i == 0) break;
-    }
-    for (std::size_t i = k; i < trial.cycles() && trial.time[i] <= trial.time[k] + after; ++i) {
-      if (shares[i].empty()) return false;
-      least = std::min(least, shares[i][foot]);
-      most = std::max(most, shares[i][foot]);
-    }
+    const auto [least, most] = std::ranges::minmax(
+        around | std::views::transform([&](const std::vector<double>& loads) { return loads[foot]; }));
     if (most - least > shifts) return false;
   }
   return true;

@@ -114,7 +114,7 @@ Trial trialOf(const Run& run, const Mechanism& nominal) {
     const auto& joint = nominal.joints[j];
     if (joint.driver >= 0 && !trial.command[static_cast<std::size_t>(joint.driver)].empty()) {
       trial.command[j] = trial.command[static_cast<std::size_t>(joint.driver)];
-      for (double& value : trial.command[j]) value = joint.driverRatio * value + joint.driverOffset;
+      for (double& value : trial.command[j]) value = joint.driven(value);
     } else if (const auto* seen = run.find(ChannelKind::position, joint.name)) {
       trial.command[j] = *seen;
     }

@@ -24,23 +24,22 @@ struct Cycle {
 /// A plant that remembers what it was told and what it told. Joints of one motor are told the same.
 class RecordedPlant : public walking::BulletPlant {
 public:
-  RecordedPlant(const Mechanism& robot, const Plant& plant)
-      : BulletPlant(bulletMechanism(plant, robot.controlHz), bulletWorld(plant, false)),
-        joints(robot.joints) {}
+  /// The robot must outlive it.
+  RecordedPlant(const Mechanism& robot_, const Plant& plant)
+      : BulletPlant(bulletMechanism(plant, robot_.controlHz), bulletWorld(plant, false)), robot(robot_) {}
 
   void command(const walking::ServoCommand& asked) override {
     walking::ServoCommand given = asked;
-    for (std::size_t j = 0; j < joints.size(); ++j)
-      if (joints[j].driver >= 0)
-        given.target[j] = joints[j].driverRatio * given.target[static_cast<std::size_t>(joints[j].driver)] +
-                          joints[j].driverOffset;
+    for (std::size_t j = 0; j < given.target.size(); ++j)
+      if (const Mechanism::Joint& joint = robot.joints[j]; joint.driver >= 0)
+        given.target[j] = joint.driven(given.target[static_cast<std::size_t>(joint.driver)]);
     cycles.push_back({measure(), given, torso()});
     BulletPlant::command(given);
   }
   std::vector<Cycle> cycles;
 
 private:
-  const std::vector<Mechanism::Joint> joints;
+  const Mechanism& robot;
 };
 
 walking::WalkRequest requestOf(const std::string& program) {
@@ -59,11 +58,7 @@ walking::WalkRequest requestOf(const std::string& program) {
 
 void check(const Explanation& effects) {
   for (const Cause& cause : effects) {
-    constexpr std::string_view known[] = {"servo_gain",      "servo_damping",  "torque_limit",
-                                          "speed_limit",     "supply_voltage", "rotor_inertia",
-                                          "link_mass",       "com_offset",     "link_length",
-                                          "ground_friction", "ground_slope",   "ground_compliance"};
-    if (std::ranges::find(known, cause.effect->id) == std::end(known))
+    if (std::ranges::find(walkEffects(), cause.effect->id) == walkEffects().end())
       throw ConfigurationError("a walk is recorded with effects of drives, links and ground; " +
                                std::string(cause.effect->id) + " is none; other programs have it");
   }

@@ -65,7 +65,7 @@ void ServoWorld::restart(const Pose3& T_world_base, const std::vector<double>& q
   std::vector<double> start = q;
   for (std::size_t i = 0; i < q.size(); ++i)
     if (const Mechanism::Joint& joint = mechanism_.joints[i]; joint.driver >= 0)
-      start[i] = joint.driverRatio * start[at(joint.driver)] + joint.driverOffset;
+      start[i] = joint.driven(start[at(joint.driver)]);
   body->place(T_world_base, start);
   joints.assign(q.size(), {});
   for (std::size_t i = 0; i < q.size(); ++i) joints[i].target = start[i];
@@ -150,8 +150,7 @@ void ServoWorld::addRow(const Row& row, int local) {
 void ServoWorld::addServoRow(int joint) {
   const Mechanism::Joint& spec = mechanism_.joints[at(joint)];
   if (spec.driver >= 0) {
-    const double gap =
-        body->position(joint) - spec.driverRatio * body->position(spec.driver) - spec.driverOffset;
+    const double gap = body->position(joint) - spec.driven(body->position(spec.driver));
     addRow({Row::Kind::drive, joint, -stopErp / h * gap, 1e-9, -infinity, infinity},
            body->addDriveRow(joint, spec.driver, spec.driverRatio));
     return;

@@ -7,9 +7,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -24,51 +22,29 @@
 #include "gap/diagnosis/Evidence.h"
 #include "gap/diagnosis/Explanation.h"
 #include "gap/effects/Effects.h"
+#include "gap/record/BulletRecording.h"
 #include "gap/replay/Replay.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/run/RunFile.h"
 #include "robot/MechanismFile.h"
 #include "simspark/ChildProcess.h"
+#include "support/CaseText.h"
+#include "support/Diagnoses.h"
+#include "support/Environment.h"
 
 using namespace plumbline;
 using namespace plumbline::gap;
+using namespace plumbline::bench;
 namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
 
 constexpr std::array walks{"walk_forward", "walk_sideways", "walk_turn"};
-constexpr std::array inWalks{"servo_gain",     "servo_damping",   "torque_limit", "speed_limit",
-                             "supply_voltage", "rotor_inertia",   "link_mass",    "com_offset",
-                             "link_length",    "ground_friction", "ground_slope", "ground_compliance"};
 constexpr int weaker = 3;  // times a robot that falls is tried with half as much
 
-std::uint64_t environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  if (!text || !*text) return otherwise;
-  char* end = nullptr;
-  const std::uint64_t value = std::strtoull(text, &end, 10);
-  if (*end || *text == '-') throw std::runtime_error(std::string(name) + "=" + text + " is no whole number");
-  return value;
-}
-
-/// Whether bin/gap ended well; its CPU time goes to `seconds`.
-bool gap(std::vector<std::string> arguments, double* seconds = nullptr) {
-  arguments.insert(arguments.begin(), "bin/gap");
-  simspark::ChildProcess child(arguments, "/dev/null");
-  while (child.running()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  if (seconds) *seconds = child.usage().cpuSeconds;
-  return child.exitStatus() == 0;
-}
-
-std::string describe(const BlindEffect& e) {
-  char value[32];
-  std::snprintf(value, sizeof value, " %.3g", e.value);
-  return e.effect + " at " + e.at + (e.axis.empty() ? "" : " " + e.axis) + value;
-}
-
 std::string effectsText(const BlindCase& c) {
-  std::string text = c.effects.empty() ? "effects: []\n" : "effects:\n";
+  std::string text = "effects:\n";
   for (const BlindEffect& e : c.effects) {
     char value[32];
     std::snprintf(value, sizeof value, "%.9g", e.value);
@@ -82,8 +58,12 @@ std::string effectsText(const BlindCase& c) {
 class Case {
 public:
   Case(const Mechanism& robot_, std::string folder_, std::size_t turn, std::uint64_t seed)
-      : robot(robot_), folder(std::move(folder_)), noise(seed * 1000 + turn), at(7 * turn), random(noise) {
-    truth.name = "case" + std::to_string(turn + 1);
+      : robot(robot_),
+        folder(std::move(folder_)),
+        name("case" + std::to_string(turn + 1)),
+        noise(seed * 1000 + turn),
+        at(7 * turn),
+        random(noise) {
     if (turn % 4 == 0) return;
     truth.kind = BlindKind::single;
     draw.seed = seed;
@@ -91,15 +71,11 @@ public:
   }
 
   void run() {
-    record();
-    const std::string answer = folder + "/answers/" + truth.name + ".json", time = answer + ".seconds";
-    if (!fs::exists(answer)) {
-      double seconds = 0;
-      if (!gap({"diagnose", folder + "/" + truth.name, "--json", answer, "--quiet", "--jobs", "1"}, &seconds))
-        throw std::runtime_error("bin/gap diagnose " + folder + "/" + truth.name + " failed");
-      writeFile(time, std::to_string(seconds) + "\n");
-    }
-    std::ifstream(time) >> cpu;
+    findWalks();
+    const std::string answer = folder + "/answers/" + truth.name + ".json";
+    diagnoseCase(folder + "/" + truth.name, answer);
+    if (!fs::exists(answer)) throw std::runtime_error(truth.name + " has no answer");
+    cpu = secondsOf(answer).value_or(0);
     given = readAnswers({"", "", "", 0, {truth}}, folder + "/answers").front();
     text = json::parse(std::ifstream(answer));
   }
@@ -112,42 +88,40 @@ public:
 private:
   /// The turn walks through all effects: those that a walk cannot have are passed over.
   void drawNext() {
-    truth.effects.clear();
-    while (truth.effects.empty()) {
-      std::vector<BlindEffect> drawn = drawEffects(robot, BlindKind::single, at++, draw, random);
-      if (std::ranges::find(inWalks, drawn.front().effect) != inWalks.end()) truth.effects = std::move(drawn);
-    }
+    do truth.effects = drawEffects(robot, BlindKind::single, at++, draw, random);
+    while (std::ranges::find(walkEffects(), truth.effects.front().effect) == walkEffects().end());
   }
 
-  /// Draws and records until a robot walks and what is in it shows.
-  void record() {
-    while (true) {
+  /// Draws and records until a robot walks and what is in it shows. Each attempt keeps its folder.
+  void findWalks() {
+    for (int attempts = 0;;) {
       if (truth.kind == BlindKind::single) drawNext();
       for (int strength = 0; strength <= weaker; ++strength) {
         if (strength > 0) truth.effects[0] = strengthened(robot, truth.effects[0], 0.5);
+        truth.name = name + "-" + std::to_string(++attempts);
         if (!walked()) continue;
         truth.ratio = severity();
         if (truth.kind == BlindKind::none || truth.ratio >= leastRatio) return;
         break;
       }
-      fs::remove_all(folder + "/" + truth.name);
     }
   }
 
   bool walked() const {
     const std::string runs = folder + "/" + truth.name, effects = runs + ".yaml";
-    const auto there = [&] {
-      return std::ranges::all_of(walks, [&](const char* walk) { return fs::exists(fs::path(runs) / walk); });
-    };
-    std::string said;
-    std::getline(std::ifstream(effects), said, '\0');
-    if (there() && said == effectsText(truth)) return true;
+    if (std::ranges::all_of(walks, [&](const char* walk) { return fs::exists(fs::path(runs) / walk); }))
+      return true;
     fs::remove_all(runs);
-    writeFile(effects, effectsText(truth));
-    std::vector<std::string> arguments = {"record", "--seed", std::to_string(noise), "-o", runs, "--program"};
-    arguments.insert(arguments.end(), walks.begin(), walks.end());
-    if (!truth.effects.empty()) arguments.insert(arguments.end(), {"--effects", effects});
-    return gap(arguments) && there();
+    std::vector<std::string> command = {"bin/gap", "record", "--seed",   std::to_string(noise),
+                                        "-o",      runs,     "--program"};
+    command.insert(command.end(), walks.begin(), walks.end());
+    if (!truth.effects.empty()) {
+      writeFile(effects, effectsText(truth));
+      command.insert(command.end(), {"--effects", effects});
+    }
+    simspark::ChildProcess child(command, "/dev/null");
+    while (child.running()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return child.exitStatus() == 0;
   }
 
   /// What the effect changes in replays of the walks, over noise, in the channel that shows it best.
@@ -170,7 +144,7 @@ private:
   }
 
   const Mechanism& robot;
-  const std::string folder;
+  const std::string folder, name;
   const std::uint64_t noise;
   std::size_t at;  ///< where the next draw begins
   Random random;
@@ -184,14 +158,14 @@ json figure(const char* name, double value, const char* unit, const char* better
 void write(const std::vector<Case>& cases, const Mechanism& robot, std::uint64_t seed) {
   const BlindJudge judge(robot);
   std::size_t singles = 0, first = 0, three = 0, none = 0, alarms = 0;
-  std::vector<double> closed, errors;
+  std::vector<double> closed;
   double cpu = 0;
   std::string rows;
   for (const Case& c : cases) {
     cpu += c.cpu / static_cast<double>(cases.size());
     std::string named;
     for (const auto& e : c.given.effects)
-      named += (named.empty() ? "" : ", ") + describe({e.effect, e.at, e.axis, e.value, {}});
+      named += (named.empty() ? "" : ", ") + nameOfOne(e.effect, e.at, e.axis, e.value);
     const bool right = judge.right(c.truth, c.given);
     if (c.truth.effects.empty()) {
       ++none;
@@ -207,9 +181,8 @@ void write(const std::vector<Case>& cases, const Mechanism& robot, std::uint64_t
     if (!c.truth.effects.empty()) std::snprintf(severity, sizeof severity, "%.1f", c.truth.ratio);
     std::snprintf(numbers, sizeof numbers, "%.2f to %.2f | %.0f", c.text["gap"]["before"].get<double>(),
                   c.text["gap"]["after"].get<double>(), c.cpu);
-    rows += "| " + (c.truth.effects.empty() ? "nothing" : describe(c.truth.effects[0])) + " | " + severity +
-            " | " + c.given.verdict + " | " + named + " | " + (right ? "yes" : "no") + " | " + numbers +
-            " |\n";
+    rows += "| " + hidden(c.truth) + " | " + severity + " | " + c.given.verdict + " | " + named + " | " +
+            (right ? "yes" : "no") + " | " + numbers + " |\n";
   }
   double mean = 0;
   for (const double share : closed) mean += share / static_cast<double>(closed.size());
@@ -223,13 +196,9 @@ void write(const std::vector<Case>& cases, const Mechanism& robot, std::uint64_t
       "Named first: %zu of %zu (95 %%: %.2f to %.2f), among three %zu (%.2f to %.2f); false alarms: "
       "%zu of %zu (up to %.2f); gap closed on half-seconds held out: %.2f on average; %.0f s of CPU on "
       "average. Severity: what the effect changes in replays of these walks over the noise, in the channel "
-      "that shows it "
-      "best; less than 3 is drawn again. Not blind for seed 1: what is taken for the engines' own (decision "
-      "6) was set "
-      "on walks without any effect and on robots of that seed.\n\n| in the robot | severity | verdict | "
-      "named | first right | gap, "
-      "times "
-      "the noise | CPU s |\n"
+      "that shows it best; less than 3 is drawn again. Not blind for seed 1: what is taken for the engines' "
+      "own (decision 6) was set on walks without any effect and on robots of that seed.\n\n"
+      "| in the robot | severity | verdict | named | first right | gap, times the noise | CPU s |\n"
       "|---|---|---|---|---|---|---|\n",
       cases.size(), static_cast<unsigned long long>(seed), first, singles, f.lower, f.upper, three, t.lower,
       t.upper, alarms, none, a.upper, mean, cpu);

@@ -19,13 +19,14 @@
 #include <thread>
 
 #include "Baselines.h"
-#include "Diagnoses.h"
 #include "Page.h"
 #include "framework/Parallel.h"
 #include "framework/WriteFile.h"
 #include "gap/blind/Make.h"
 #include "gap/blind/ScoreDetection.h"
 #include "robot/MechanismFile.h"
+#include "support/Diagnoses.h"
+#include "support/Environment.h"
 
 using namespace plumbline;
 using namespace plumbline::gap;
@@ -34,17 +35,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-
-std::uint64_t environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  if (!text || !*text) return otherwise;
-  char* end = nullptr;
-  const std::uint64_t value = std::strtoull(text, &end, 10);
-  if (*end || *text == '-')
-    throw std::runtime_error(std::string(name) + "=" + text + " is no whole number; leave it out for " +
-                             std::to_string(otherwise));
-  return value;
-}
 
 struct Setting {
   std::string cases, answers;  ///< folders

@@ -2,6 +2,7 @@
 
 #include "Page.h"
 #include "gap/blind/ScoreJudge.h"
+#include "support/CaseText.h"
 
 namespace plumbline::bench {
 
@@ -9,19 +10,7 @@ using namespace gap;
 
 namespace {
 
-std::string nameOfOne(const std::string& effect, const std::string& at, const std::string& axis, double v) {
-  char value[32];
-  std::snprintf(value, sizeof value, "%.3g", v);
-  return effect + " at " + (at == "*" ? "all joints" : at) + (axis.empty() ? "" : " " + axis) + " " + value;
-}
-
 void add(std::string& list, const std::string& item) { list += (list.empty() ? "" : ", ") + item; }
-
-std::string hidden(const BlindCase& c) {
-  std::string text;
-  for (const BlindEffect& e : c.effects) add(text, nameOfOne(e.effect, e.at, e.axis, e.value));
-  return text.empty() ? "nothing" : text;
-}
 
 std::string said(const BlindAnswer& a, bool withRivals) {
   if (a.verdict.empty()) return "no answer";

@@ -84,9 +84,9 @@ TEST_F(ProposalsTest, coarseStepsWhereTheyTellTheSame) {
 TEST_F(ProposalsTest, fineStepsWhereCoarseOnesAddMoreThanThereIsToExplain) {
   const Evidence evidence = recordedWith({}, 0);
   look(evidence);
-  ReplayOptions long_;
-  long_.step = 0.003;
-  Evaluator rough(arm, evidence, long_);
+  ReplayOptions longSteps;
+  longSteps.step = 0.003;
+  Evaluator rough(arm, evidence, longSteps);
   Proposals withRough(*fine, rough, options);
   const Evaluator& chosen = withRough.quickOn({});
   ASSERT_LE(rough.baseFit().fitting, 1.2 * fine->baseFit().fitting) << "close enough by its squares";

@@ -1,9 +1,10 @@
-#include "Diagnoses.h"
-
+#pragma once
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <string>
 #include <thread>
 
 #include "framework/WriteFile.h"
@@ -11,13 +12,9 @@
 
 namespace plumbline::bench {
 
-namespace {
-
-std::string timeFile(const std::string& answer) { return answer + ".seconds"; }
-
-}  // namespace
-
-void diagnoseCase(const std::string& runs, const std::string& answer) {
+/// Has bin/gap diagnose the runs in a folder, a process of its own that sees nothing else, unless the answer
+/// is there; keeps the CPU seconds in a file beside it, unless it took more than one go.
+inline void diagnoseCase(const std::string& runs, const std::string& answer) {
   namespace fs = std::filesystem;
   if (fs::exists(answer)) return;
   const bool whole = !fs::exists(answer + ".searches");  // else it goes on from where another stopped
@@ -28,11 +25,12 @@ void diagnoseCase(const std::string& runs, const std::string& answer) {
     std::fprintf(stderr, "%s: bin/gap diagnose ended with %d\n", runs.c_str(),
                  child.exitStatus().value_or(-1));
   else if (whole)
-    writeFile(timeFile(answer), std::to_string(child.usage().cpuSeconds) + "\n");
+    writeFile(answer + ".seconds", std::to_string(child.usage().cpuSeconds) + "\n");
 }
 
-std::optional<double> secondsOf(const std::string& answer) {
-  std::ifstream file(timeFile(answer));
+/// CPU time that an answer took [s]; nothing where it was made in more than one go.
+inline std::optional<double> secondsOf(const std::string& answer) {
+  std::ifstream file(answer + ".seconds");
   double seconds = 0;
   if (file >> seconds) return seconds;
   return {};
