@@ -38,7 +38,9 @@ public:
   }
   const ServoMeasurement& measure() override {
     const simulation::ServoReadings& r = world.readings();
-    measured.position = r.position;
+    measured.position.resize(r.position.size());
+    for (std::size_t j = 0; j < r.position.size(); ++j)
+      measured.position[j] = world.encoder(static_cast<int>(j));
     measured.gyro = r.gyro;
     measured.acc = r.acc;
     measured.footForce = r.footForce;

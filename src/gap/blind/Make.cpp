@@ -1,113 +1,25 @@
 #include "gap/blind/Make.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
-#include <thread>
 
 #include "framework/Parallel.h"
-#include "framework/WriteFile.h"
-#include "gap/effects/Effects.h"
-#include "gap/record/ExcitationFile.h"
+#include "gap/blind/Workshop.h"
 #include "gap/record/SimulatedRecording.h"
-#include "gap/replay/TrialOf.h"
 #include "gap/run/RunFile.h"
 #include "robot/MechanismFile.h"
-#include "simspark/ChildProcess.h"
 
 namespace plumbline::gap {
 
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
-
 constexpr int draws = 4, sizes = 5;
-
-std::string runName(std::size_t i) { return "run" + std::to_string(i + 1); }
-
-/// Writes the runs of one robot with effects into a folder, in one of the engines.
-class Workshop {
-public:
-  Workshop(const BlindMakeOptions& options_, const Mechanism& robot_)
-      : options(options_), robot(robot_), programs(programsOf(options_.draw.battery)) {
-    if (options.engine == BlindEngine::mujoco && access(options.program.c_str(), X_OK) != 0)
-      throw std::runtime_error(options.program +
-                               " is not there: `make SimRelease-bench-mujoco` builds it, or --engine replay "
-                               "needs no other program");
-  }
-
-  std::vector<std::string> runs() const {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < programs.size(); ++i) names.push_back(runName(i));
-    return names;
-  }
-
-  void write(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
-             const std::string& folder) const {
-    fs::remove_all(folder);
-    if (options.engine == BlindEngine::mujoco)
-      writeMujoco(effects, seed, noise, folder);
-    else
-      writeReplay(effects, seed, noise, folder);
-  }
-
-private:
-  void writeMujoco(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
-                   const std::string& folder) const {
-    json spec = {{"robot", options.robot}, {"seed", seed}, {"noise", noise}, {"truth", false}};
-    spec["effects"] = json::array();
-    for (const BlindEffect& e : effects) {
-      json entry = {{"effect", e.effect}, {"at", e.at}, {"value", e.value}};
-      entry["axis"] = e.axis.empty() ? json(nullptr) : json(e.axis);
-      for (const auto& [key, value] : e.how) entry[key] = value;
-      spec["effects"].push_back(entry);
-    }
-    for (std::size_t i = 0; i < programs.size(); ++i)
-      spec["runs"].push_back({{"folder", runName(i)}, {"program", programs[i]}, {"seed", 0}});
-    const std::string file = folder + ".case.json", log = folder + ".log";
-    writeFile(file, spec.dump());
-    simspark::ChildProcess child({options.program, file, folder}, log);
-    while (child.running()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    std::string said, line;
-    std::ifstream text(log);
-    while (std::getline(text, line))
-      if (!line.empty()) said = line;
-    fs::remove(file);
-    fs::remove(log);
-    if (child.exitStatus() != 0) throw std::runtime_error(options.program + " failed: " + said);
-  }
-
-  void writeReplay(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
-                   const std::string& folder) const {
-    SimulatedRecordingOptions recording;
-    recording.noisy = noise;
-    recording.step = 0.0005;  // a quarter of what the diagnosis takes
-    for (const BlindEffect& e : effects) {
-      const Effect* effect = findEffect(e.effect);
-      if (!effect) throw std::runtime_error("the project's replay has no effect " + e.effect);
-      recording.effects.push_back({effect, findPlace(*effect, robot, e.at, e.axis), e.value, 0});
-    }
-    fs::create_directories(folder);
-    for (std::size_t i = 0; i < programs.size(); ++i) {
-      recording.seed = seed * 1'000'003 + i + 1;
-      const Run run = recordSimulated(robot, findExcitation(programs[i], robot), recording);
-      writeRun(run, (fs::path(folder) / runName(i)).string(), {5, true});
-    }
-  }
-
-  const BlindMakeOptions& options;
-  const Mechanism& robot;
-  const std::vector<std::string> programs;
-};
 
 /// One case in the making.
 class CaseMaker {
@@ -213,7 +125,8 @@ BlindSet makeBlind(const BlindMakeOptions& given) {
   BlindMakeOptions options = given;
   if (options.engine == BlindEngine::replay) options.draw.outside = false;
   const Mechanism robot = namedMechanism(options.robot);
-  const Workshop workshop(options, robot);
+  const Workshop workshop(options.engine, options.robot, robot, programsOf(options.draw.battery),
+                          options.program);
   std::error_code error;
   const fs::path output(options.output);
   if (fs::exists(output, error))
@@ -227,7 +140,7 @@ BlindSet makeBlind(const BlindMakeOptions& given) {
     workshop.write({}, 1, false, nominal);
     BlindSet set;
     set.robot = options.robot;
-    set.engine = options.engine == BlindEngine::mujoco ? "mujoco" : "replay";
+    set.engine = nameOf(options.engine);
     set.battery = options.draw.battery == Battery::hang ? "hang" : "all";
     set.seed = options.draw.seed;
     const std::vector<BlindKind> kinds = drawKinds(options.draw);

@@ -3,10 +3,9 @@
 #include <string>
 
 #include "gap/blind/Draw.h"
+#include "gap/blind/Workshop.h"
 
 namespace plumbline::gap {
-
-enum class BlindEngine { replay, mujoco };
 
 struct BlindMakeOptions {
   DrawOptions draw;

@@ -7,22 +7,33 @@
 
 namespace plumbline::gap {
 
+/// What a robot in Bullet has that no effect of the library says: it may change what joints are told, and
+/// push them. One per recording.
+class StrangeRobot {
+public:
+  virtual ~StrangeRobot() = default;
+  /// Before the recording: the first commands of all joints [rad].
+  virtual void start(const std::vector<double>& commands) = 0;
+  /// Before a slice of h [s] from this time on: may change targets [rad] and put loads on joints.
+  virtual void act(double time, double h, simulation::ServoWorld& world, std::vector<double>& targets) = 0;
+  /// [m/s^2], the sensor's axes.
+  virtual Vec3 accBias() const { return Vec3::Zero(); }
+};
+
 /// The same as recordSimulated, but the robot lives in Bullet (simulation/servo/ServoWorld.h), an engine that
 /// the diagnosis does not use to explain: hung up, or put on its feet, settled in the first posture for a
-/// second. Delays are kept to 1 ms. Errors: ConfigurationError for an effect that this engine does not have
-/// (it names those it has), std::invalid_argument for a program on feet that the robot lacks.
+/// second. Its drives are written apart from those that explain. Errors: ConfigurationError for two external
+/// forces, std::invalid_argument for a program on feet that the robot lacks.
 Run recordBullet(const Mechanism& robot, const Excitation& program,
-                 const SimulatedRecordingOptions& options = {});
+                 const SimulatedRecordingOptions& options = {}, StrangeRobot* strange = nullptr);
 
 /// A plant as ServoWorld takes it: its drives and links, gravity seen from its ground, and the ground itself.
 /// A joint that shares another's motor has a servo of its own, to be told the same, as in the replay and the
-/// contract's law.
+/// contract's law. step: of the physics [s].
 Mechanism bulletMechanism(const Plant& plant, double controlHz);
-simulation::ServoWorldConfig bulletWorld(const Plant& plant, bool fixedBase);
+simulation::ServoWorldConfig bulletWorld(const Plant& plant, bool fixedBase, double step = 0.001);
 
-/// Ids of the effects that recordBullet has, and of those that a walk in Bullet has: of drives, links,
-/// ground.
-const std::vector<std::string_view>& bulletEffects();
+/// Ids of the effects that a walk in Bullet has: of drives, links, ground.
 const std::vector<std::string_view>& walkEffects();
 
 }  // namespace plumbline::gap

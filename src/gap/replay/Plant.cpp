@@ -11,14 +11,7 @@ Mat3 rotationOfGround(const GroundPlant& ground) {
 Plant nominalPlant(const Mechanism& mechanism) {
   Plant plant;
   plant.mechanism = mechanism;
-  for (const auto& joint : mechanism.joints) {
-    JointPlant drive;
-    drive.servo = joint.servo;
-    drive.maxTorque = joint.maxTorque;
-    drive.maxSpeed = joint.maxSpeed;
-    drive.linkEncoder = joint.encoder == Mechanism::Joint::Encoder::link;
-    plant.joints.push_back(drive);
-  }
+  for (const auto& joint : mechanism.joints) plant.joints.push_back(JointPlant::nominal(joint));
   plant.footGain.assign(mechanism.feet.size(), 1);
   return plant;
 }

@@ -2,42 +2,10 @@
 #include <vector>
 
 #include "math/Types.h"
+#include "robot/JointPlant.h"
 #include "robot/Mechanism.h"
 
 namespace plumbline::gap {
-
-/// A joint with its drive as it is replayed. Everything that no effect touches has its nominal value.
-struct JointPlant {
-  Servo servo;
-  double maxTorque = 0, maxSpeed = 0;  ///< [N m, rad/s]
-  double torqueFactor = 1;             ///< on maxTorque; a DC motor has a limit only where this is below 1
-  double supplyFactor = 1;             ///< on a DC motor's supply
-  bool linkEncoder = false;            ///< position measured behind the gear
-  double commandDelay = 0;             ///< [s]
-  double accelerationLimit = 0;        ///< of the servo's own profile [rad/s^2]; 0: none
-  double deadBand = 0;                 ///< [rad]
-  bool deadBandSteps = false;          ///< beyond the band the whole error counts, not what exceeds it
-  double extraDamping = 0;             ///< change of kd, which a DC motor adds to its back EMF [N m s/rad]
-  double coulomb = 0, viscous = 0;     ///< [N m, N m s/rad]
-  double stribeck = 0;                 ///< extra at rest [N m]
-  double stribeckSpeed = 0.1;          ///< at which it has fallen to 1/e [rad/s]
-  double loadFriction = 0;             ///< share of the torque transmitted
-  /// What loads the gear: the motor's torque less what turns its rotor, what reaches the link behind the
-  /// friction, or the motor's torque.
-  enum class Load { gearTorque, linkTorque, motorTorque };
-  Load loadIs = Load::gearTorque;
-  double backlash = 0;           ///< whole play [rad]
-  double toothStiffness = 4000;  ///< of the flanks of a gear with play, far stiffer than any servo [N m/rad]
-  double toothDamping = 0.6;     ///< of them, in parts of twice the critical one of the rotor
-  double compliance = 0;         ///< of the gear [rad/(N m)]
-  double biasForce = 0;          ///< [N m]
-  double deratingPerJoule = 0;   ///< share of maxTorque lost per joule
-  bool heatIsWork = false;       ///< joules of |torque * speed|, else of torque squared
-  double offset = 0;             ///< link angle minus measured angle [rad]
-  double encoderAmplitude = 0, encoderPhase = 0;  ///< measured = true + amplitude sin(true + phase)
-
-  bool geared() const { return backlash > 0 || compliance > 0; }
-};
 
 /// A force on a link that no sensor tells of: at its centre of mass, world axes [N].
 struct ExternalForce {

@@ -20,7 +20,7 @@ struct ScoreCommand {
 };
 
 void make(BlindMakeOptions options, const std::string& engine, const std::string& battery) {
-  options.engine = engine == "mujoco" ? BlindEngine::mujoco : BlindEngine::replay;
+  options.engine = engineOf(engine);
   options.draw.battery = battery == "all" ? Battery::all : Battery::hang;
   options.jobs = threadsFor(options.jobs);
   options.progress = [&](std::size_t done) {
@@ -58,8 +58,9 @@ void addBlind(CLI::App& app) {
   maker->add_option("--cases", making->draw.cases, "How many")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  maker->add_option("--engine", *engine, "What simulates the reality")
-      ->check(CLI::IsMember({"mujoco", "replay"}))
+  maker
+      ->add_option("--engine", *engine, "What simulates the reality; bullet and replay need no other program")
+      ->check(CLI::IsMember({"mujoco", "bullet", "replay"}))
       ->capture_default_str();
   maker->add_option("--battery", *battery, "Motions: hung up, or on the feet as well")
       ->check(CLI::IsMember({"hang", "all"}))
@@ -72,7 +73,7 @@ void addBlind(CLI::App& app) {
       ->check(CLI::Range(1, 256));
   making->jobs = 0;
   maker->add_option("-o,--output", making->output, "A new folder")->required();
-  maker->footer("Example:\n  bin/gap blind make --seed 5 --cases 27 --engine replay -o blind");
+  maker->footer("Example:\n  bin/gap blind make --seed 5 --cases 27 --engine bullet -o blind");
   maker->callback([=] { make(*making, *engine, *battery); });
 
   CLI::App* scorer = command->add_subcommand("score", "Compares answers with what is sealed");

@@ -23,6 +23,8 @@ public:
 
   /// A force at a point for the step to come, world.
   void addForce(int link, const Vec3& force, const Vec3& point);
+  /// A torque along a joint for the step to come.
+  void addTorque(int joint, double torque) { body->addJointTorque(joint, torque); }
   /// Moves on freely under gravity and forces for h [s]; then rows are gathered.
   void begin(const Vec3& gravity, double h);
   bullet::BulletRows& rows() { return rowSet; }

@@ -1,6 +1,5 @@
 #include "simulation/servo/ServoWorld.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,11 +17,36 @@ constexpr double stopErp = 0.2;      ///< share of a joint's way beyond its stop
 constexpr double leastRotor = 1e-9;  ///< a row needs some softness [kg m^2]
 constexpr double creep = 1e-5;       ///< of contacts that stick [m/(s N)]
 constexpr int mostRounds = 12;       ///< of solving with more and more limits reached
+constexpr double rotorMass =
+    1e-6;  ///< of a rotor's own body; what turns with it is the servo's armature [kg]
 
 int stepsIn(double hz, double step) {
   if (!(step > 0) || !(hz > 0))
     throw std::invalid_argument("servo world: the step and the control rate must be above zero");
   return std::max(1, static_cast<int>(std::ceil(1 / hz / step - 1e-9)));
+}
+
+/// Appends a rotor beside every joint whose motor turns apart from its link; motors: who turns what.
+Mechanism withRotors(const Mechanism& robot, const std::vector<JointPlant>& drives,
+                     std::vector<int>& motors) {
+  Mechanism result = robot;
+  motors.clear();
+  for (int i = 0; i < robot.numJoints(); ++i) {
+    motors.push_back(i);
+    if (drives.empty() || !drives[at(i)].geared()) continue;
+    motors.back() = result.numJoints();
+    Mechanism::Joint rotor = robot.joints[at(i)];
+    rotor.name += " motor";
+    rotor.child = static_cast<int>(result.links.size());
+    Mechanism::Link body;
+    body.name = rotor.name;
+    body.parent = rotor.parent;
+    body.mass = rotorMass;
+    body.inertia = rotorMass * Mat3::Identity();
+    result.joints.push_back(rotor);
+    result.links.push_back(body);
+  }
+  return result;
 }
 
 }  // namespace
@@ -32,6 +56,14 @@ ServoWorld::ServoWorld(const Mechanism& mechanism, const ServoWorldConfig& confi
       config(config_),
       stepsPerCycle(stepsIn(mechanism.controlHz, config_.stepSeconds)),
       h(1 / mechanism.controlHz / stepsPerCycle) {
+  const bool detailed = !config.drives.empty();
+  if (detailed && config.drives.size() != mechanism_.joints.size())
+    throw std::invalid_argument("servo world: " + std::to_string(config.drives.size()) + " drives for " +
+                                std::to_string(mechanism_.numJoints()) + " joints");
+  for (std::size_t i = 0; i < mechanism_.joints.size(); ++i)
+    drives.emplace_back(detailed ? config.drives[i] : JointPlant::nominal(mechanism_.joints[i]), detailed);
+  geared = withRotors(mechanism_, config.drives, motors);
+  loads.assign(mechanism_.joints.size(), 0);
   std::vector<bool> isFoot(mechanism_.links.size(), false);
   for (std::size_t f = 0; f < mechanism_.feet.size(); ++f) {
     const Mechanism::Foot& foot = mechanism_.feet[f];
@@ -61,14 +93,17 @@ void ServoWorld::restart(const Pose3& T_world_base, const std::vector<double>& q
     throw std::invalid_argument("servo world: " + std::to_string(q.size()) + " positions for " +
                                 std::to_string(mechanism_.numJoints()) + " joints");
   // A new multi-body is the one way to leave no trace of the past in it.
-  body = std::make_unique<ServoBody>(mechanism_, config.fixedBase);
+  body = std::make_unique<ServoBody>(geared, config.fixedBase);
   std::vector<double> start = q;
   for (std::size_t i = 0; i < q.size(); ++i)
     if (const Mechanism::Joint& joint = mechanism_.joints[i]; joint.driver >= 0)
       start[i] = joint.driven(start[at(joint.driver)]);
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    drives[i].start(start[i]);
+    if (motors[i] >= mechanism_.numJoints()) start.push_back(start[i]);
+  }
   body->place(T_world_base, start);
-  joints.assign(q.size(), {});
-  for (std::size_t i = 0; i < q.size(); ++i) joints[i].target = start[i];
+  loads.assign(q.size(), 0);
   for (Point& point : points) point.force.setZero();
   pushSteps = cycles = 0;
   torqueSum.assign(q.size(), 0);
@@ -88,13 +123,13 @@ void ServoWorld::restart(const std::vector<double>& q, double heading) {
 }
 
 void ServoWorld::command(const std::vector<double>& targets) {
-  if (targets.size() != joints.size())
+  if (targets.size() != drives.size())
     throw std::invalid_argument("servo world: " + std::to_string(targets.size()) + " targets for " +
-                                std::to_string(joints.size()) + " joints");
-  for (std::size_t i = 0; i < joints.size(); ++i)
+                                std::to_string(drives.size()) + " joints");
+  for (std::size_t i = 0; i < drives.size(); ++i)
     if (!std::isfinite(targets[i]))
       throw std::invalid_argument("servo world: target of " + mechanism_.joints[i].name + " is not finite");
-  for (std::size_t i = 0; i < joints.size(); ++i) joints[i].target = targets[i];
+  for (std::size_t i = 0; i < drives.size(); ++i) drives[i].command(targets[i]);
 }
 
 void ServoWorld::setStiffness(double stiffness) {
@@ -102,7 +137,7 @@ void ServoWorld::setStiffness(double stiffness) {
 }
 
 void ServoWorld::setStiffness(int joint, double stiffness) {
-  joints.at(at(joint)).stiffness = std::clamp(stiffness, 0.0, 1.0);
+  drives.at(at(joint)).setStiffness(std::clamp(stiffness, 0.0, 1.0));
 }
 
 void ServoWorld::push(const Vec3& force, double seconds, int link) {
@@ -131,10 +166,20 @@ void ServoWorld::substep() {
     body->addForce(pushLink, pushForce, link(pushLink).pose * mechanism_.links[at(pushLink)].com);
   }
   rates.clear();
-  for (int i = 0; i < mechanism_.numJoints(); ++i) rates.push_back(body->velocity(i));
+  linkRates.clear();
+  for (int i = 0; i < mechanism_.numJoints(); ++i) {
+    rates.push_back(body->velocity(motor(i)));
+    linkRates.push_back(body->velocity(i));
+    const double load = loads[at(i)] + drives[at(i)].drive().biasForce;
+    if (load != 0) body->addTorque(i, load);
+  }
   body->begin(mechanism_.gravity, h);
   rows.clear();
   for (int i = 0; i < mechanism_.numJoints(); ++i) addServoRow(i);
+  for (int i = 0; i < mechanism_.numJoints(); ++i) {
+    addGearRow(i);
+    addFrictionRows(i);
+  }
   for (int i = 0; i < mechanism_.numJoints(); ++i) addStopRow(i);
   for (std::size_t i = 0; i < points.size(); ++i) addContactRows(static_cast<int>(i));
   solve();
@@ -155,8 +200,35 @@ void ServoWorld::addServoRow(int joint) {
            body->addDriveRow(joint, spec.driver, spec.driverRatio));
     return;
   }
-  linearLaw(joint);
-  addRow({Row::Kind::servo, joint, 0, 0, -infinity, infinity}, body->addJointRow(joint));
+  drives[at(joint)].begin(h, {body->position(motor(joint)), rates[at(joint)]},
+                          {body->position(joint), linkRates[at(joint)]});
+  addRow({Row::Kind::servo, joint, 0, 0, -infinity, infinity}, body->addJointRow(motor(joint)));
+}
+
+/// A spring and a damper between motor and link, as contacts have them; with play it pushes only at its ends.
+void ServoWorld::addGearRow(int joint) {
+  if (motor(joint) == joint) return;
+  const JointPlant& drive = drives[at(joint)].drive();
+  const double k = drive.compliance > 0 ? 1 / drive.compliance : drive.toothStiffness;
+  const double d = (drive.compliance > 0 ? 0.1 : 2 * drive.toothDamping) *
+                   std::sqrt(k * std::max(drive.servo.armature, leastRotor));
+  const double apart = body->position(joint) - body->position(motor(joint));
+  const double beyond = apart - std::clamp(apart, -drive.backlash / 2, drive.backlash / 2);
+  if (drive.backlash > 0 && beyond == 0) return;
+  const double soft = 1 / (h * h * k + h * d);
+  const bool oneWay = drive.backlash > 0;
+  addRow({Row::Kind::gear, joint, soft * h * k * -beyond, soft, oneWay && beyond < 0 ? 0 : -infinity,
+          oneWay && beyond > 0 ? 0 : infinity},
+         body->addDriveRow(joint, motor(joint), 1));
+}
+
+/// Both at the motor.
+void ServoWorld::addFrictionRows(int joint) {
+  const double viscous = drives[at(joint)].drive().viscous, dry = drives[at(joint)].dryLimit();
+  if (viscous > 0)
+    addRow({Row::Kind::viscous, joint, 0, 1 / (h * viscous), -infinity, infinity},
+           body->addJointRow(motor(joint)));
+  if (dry > 0) addRow({Row::Kind::dry, joint, 0, 1e-9, -h * dry, h * dry}, body->addJointRow(motor(joint)));
 }
 
 void ServoWorld::addStopRow(int joint) {
@@ -185,50 +257,17 @@ void ServoWorld::addContactRows(int index) {
            body->addPointRow(point.link, point.world, across));
 }
 
-/// Torque of the servo below its limits.
-void ServoWorld::linearLaw(int joint) {
-  const Servo& servo = mechanism_.joints[at(joint)].servo;
-  JointState& state = joints[at(joint)];
-  const double s = state.stiffness, error = state.target - body->position(joint);
-  // The error at the end of the step is smaller by what the joint moves until then.
-  state.law0 = s * servo.kp * error;
-  state.law1 = s * (servo.kd + h * servo.kp);
-  state.saturated = false;
-}
-
-/// Torque of a servo that gives all it has in the direction of sign; a DC motor still brakes itself.
-void ServoWorld::saturatedLaw(int joint, double sign) {
-  const Servo& servo = mechanism_.joints[at(joint)].servo;
-  JointState& state = joints[at(joint)];
-  state.saturated = true;
-  state.law1 = 0;
-  state.law0 = sign * limit(joint, sign);
-  if (servo.model == Servo::Model::dcMotor) {
-    state.law0 = sign * state.stiffness * servo.kt * servo.vin * servo.maxPwm / servo.R;
-    state.law1 = state.stiffness * servo.kt * servo.kt / servo.R;
-  }
-}
-
-/// Most torque in the direction of sign: it fades over the last tenth below the top speed.
-double ServoWorld::limit(int joint, double sign) const {
-  const Mechanism::Joint& spec = mechanism_.joints[at(joint)];
-  const double speed = sign * rates[at(joint)];
-  const double fade =
-      spec.maxSpeed > 0 ? std::clamp((spec.maxSpeed - speed) / (0.1 * spec.maxSpeed), 0.0, 1.0) : 1.0;
-  return joints[at(joint)].stiffness * spec.maxTorque * fade;
-}
-
-/// impulse = h (law0 - law1 v) + rotor (v before - v), as a row v + impulse / (h law1 + rotor) = wanted.
+/// impulse = h (offset - slope v) + rotor (v before - v), as a row v + impulse / (h slope + rotor) = wanted.
 void ServoWorld::setLaw(std::size_t row) {
   const int joint = rows[row].index;
-  const JointState& state = joints[at(joint)];
-  const double rotor = std::max(mechanism_.joints[at(joint)].servo.armature, leastRotor);
-  const double soft = 1 / (h * state.law1 + rotor);
+  const ServoDrive& drive = drives[at(joint)];
+  const double rotor = std::max(drive.rotor(), leastRotor);
+  const double soft = 1 / (h * drive.slope() + rotor);
   const auto i = static_cast<Eigen::Index>(row);
   system.a(i, i) += soft - rows[row].compliance;
-  system.b[i] += soft * (h * state.law0 + rotor * rates[at(joint)]) - rows[row].wanted;
+  system.b[i] += soft * (h * drive.offset() + rotor * rates[at(joint)]) - rows[row].wanted;
   rows[row].compliance = soft;
-  rows[row].wanted = soft * (h * state.law0 + rotor * rates[at(joint)]);
+  rows[row].wanted = soft * (h * drive.offset() + rotor * rates[at(joint)]);
 }
 
 void ServoWorld::solve() {
@@ -256,19 +295,9 @@ bool ServoWorld::limitServos() {
   bool changed = false;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     if (rows[r].kind != Row::Kind::servo) continue;
-    JointState& state = joints[at(rows[r].index)];
-    if (state.saturated) continue;
     const double velocity =
         rows[r].wanted - rows[r].compliance * system.solution()[static_cast<Eigen::Index>(r)];
-    const double torque = state.law0 - state.law1 * velocity, sign = torque < 0 ? -1 : 1;
-    const Servo& servo = mechanism_.joints[at(rows[r].index)].servo;
-    bool beyond = std::abs(torque) > limit(rows[r].index, sign);
-    if (servo.model == Servo::Model::dcMotor) {
-      const double error = state.target - body->position(rows[r].index) - h * velocity;
-      beyond = std::abs(servo.kpFirmware * servo.errorGain * error) > servo.maxPwm;
-    }
-    if (!beyond) continue;
-    saturatedLaw(rows[r].index, sign);
+    if (!drives[at(rows[r].index)].limitAt(velocity)) continue;
     setLaw(r);
     changed = true;
   }
@@ -297,72 +326,29 @@ bool ServoWorld::limitFriction() {
 }
 
 void ServoWorld::takeForces() {
+  frictions.assign(drives.size(), 0);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    if (rows[r].kind == Row::Kind::dry)
+      frictions[at(rows[r].index)] = impulses[static_cast<Eigen::Index>(r)] / h;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const auto i = static_cast<Eigen::Index>(r);
     const Row& row = rows[r];
     if (row.kind == Row::Kind::push)
       points[at(row.index)].force = Vec3(impulses[i + 1], impulses[i + 2], impulses[i]) / h;
     if (row.kind == Row::Kind::servo) {
-      JointState& state = joints[at(row.index)];
-      state.torque = state.law0 - state.law1 * (row.wanted - row.compliance * impulses[i]);
-      torqueSum[at(row.index)] += state.torque;
+      const double velocity = row.wanted - row.compliance * impulses[i];
+      drives[at(row.index)].end(velocity, frictions[at(row.index)]);
+      torqueSum[at(row.index)] += drives[at(row.index)].torque(velocity);
     }
   }
 }
 
-void ServoWorld::senseImu() {
-  const BodyState& carrier = link(mechanism_.imu.link);
-  imuVelocity = carrier.linearVelocity +
-                carrier.angularVelocity.cross(carrier.pose.linear() * mechanism_.imu.accelerometer);
-  readings_.gyro =
-      (carrier.pose.linear() * rotationOfRpy(mechanism_.imu.rpy)).transpose() * carrier.angularVelocity;
+ServoDrive::Side ServoWorld::motorSide(int joint) const {
+  return {body->position(motor(joint)), body->velocity(motor(joint))};
 }
 
-void ServoWorld::sense() {
-  readings_.time = static_cast<double>(cycles) * stepsPerCycle * h;
-  readings_.position.resize(joints.size());
-  readings_.velocity.resize(joints.size());
-  readings_.torque.resize(joints.size());
-  for (int i = 0; i < mechanism_.numJoints(); ++i) {
-    readings_.position[at(i)] = body->position(i);
-    readings_.velocity[at(i)] = body->velocity(i);
-    readings_.torque[at(i)] = torqueSum[at(i)] / stepsPerCycle;
-  }
-  readings_.footForce.clear();
-  for (std::size_t f = 0; f < mechanism_.feet.size(); ++f)
-    readings_.footForce.push_back(footForces(static_cast<int>(f)));
-}
-
-/// The sole's force along its normal, shared by the sensors as a plane over them with the same centre of
-/// pressure would; no sensor pulls.
-std::vector<double> ServoWorld::footForces(int index) const {
-  const Mechanism::Foot& foot = mechanism_.feet[at(index)];
-  const Mat3 toFoot = link(foot.link).pose.linear().transpose();
-  double whole = 0;
-  Vec2 centre = Vec2::Zero();
-  for (const Point& point : points)
-    if (point.foot == index && !point.force.isZero(0)) {
-      const double normal = (toFoot * point.force).z();
-      whole += normal;
-      centre += normal * point.local.head<2>();
-    }
-  std::vector<double> shares(foot.sensors.size(), 0);
-  if (!(whole > 0) || shares.empty()) return shares;
-  centre /= whole;
-  Mat3 moments = 1e-9 * Mat3::Identity();
-  for (const Mechanism::ForceSensor& sensor : foot.sensors) {
-    const Vec3 m(1, sensor.position.x(), sensor.position.y());
-    moments += m * m.transpose();
-  }
-  const Vec3 plane = moments.inverse() * Vec3(1, centre.x(), centre.y());
-  double sum = 0;
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const Vec3& p = foot.sensors[i].position;
-    shares[i] = std::max(0.0, plane.dot(Vec3(1, p.x(), p.y())));
-    sum += shares[i];
-  }
-  for (double& share : shares) share *= sum > 0 ? whole / sum : 0;
-  return shares;
+ServoDrive::Side ServoWorld::linkSide(int joint) const {
+  return {body->position(joint), body->velocity(joint)};
 }
 
 }  // namespace plumbline::simulation

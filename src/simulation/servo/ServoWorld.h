@@ -6,6 +6,7 @@
 #include "simulation/BodyState.h"
 #include "simulation/physics/tree/BoundedSystem.h"
 #include "simulation/servo/ServoBody.h"
+#include "simulation/servo/ServoDrive.h"
 
 namespace plumbline::simulation {
 
@@ -15,6 +16,8 @@ struct ServoWorldConfig {
   double groundFriction = 0.8;
   double groundStiffness = 5e5;  ///< per point of contact [N/m]
   double groundDamping = 500;    ///< per point of contact [N s/m]
+  /// What the drives of all joints have that the robot's file lacks; empty: nothing. Delays are the caller's.
+  std::vector<JointPlant> drives = {};
 };
 
 /// What a robot with position servos measures at the start of a control cycle, without noise.
@@ -50,10 +53,16 @@ public:
   void setStiffness(int joint, double stiffness);
   /// A force on a link's centre of mass, world [N], for so many seconds from now; one at a time.
   void push(const Vec3& force, double seconds, int link = 0);
+  /// An extra torque on a joint's link from now on [N m].
+  void load(int joint, double torque) { loads.at(static_cast<std::size_t>(joint)) = torque; }
   /// Lets one control cycle pass.
   void step();
 
+  /// Positions and speeds are the links'.
   const ServoReadings& readings() const { return readings_; }
+  /// What the joint's encoder shows, with what its drive does to it, and the speed on that side of its gear.
+  double encoder(int joint) const;
+  double encoderSpeed(int joint) const;
   /// Of a link's frame [m, m/s], world.
   const BodyState& link(int index) const { return body->link(index); }
   const BodyState& base() const { return body->link(0); }
@@ -61,11 +70,6 @@ public:
   const Mechanism& mechanism() const { return mechanism_; }
 
 private:
-  struct JointState {
-    double target = 0, stiffness = 1, torque = 0;
-    double law0 = 0, law1 = 0;  ///< torque = law0 - law1 * velocity after the step
-    bool saturated = false;
-  };
   /// A point of the robot that can touch the ground; its forces are those of the last step [N].
   struct Point {
     int link = 0, foot = -1;
@@ -74,7 +78,7 @@ private:
     Vec3 world = Vec3::Zero(), force = Vec3::Zero();
   };
   struct Row {
-    enum class Kind { servo, drive, stop, push, friction } kind;
+    enum class Kind { servo, drive, gear, stop, dry, viscous, push, friction } kind;
     int index = 0;  ///< joint or point
     double wanted = 0, compliance = 0, lower = 0, upper = 0;
   };
@@ -88,25 +92,31 @@ private:
   bool limitServos();
   bool limitFriction();
   void takeForces();
-  void linearLaw(int joint);
-  void saturatedLaw(int joint, double sign);
   void setLaw(std::size_t row);
-  double limit(int joint, double sign) const;
+  void addGearRow(int joint);
+  void addFrictionRows(int joint);
+  ServoDrive::Side sideOf(int coordinate) const;
+  ServoDrive::Side motorSide(int joint) const;
+  ServoDrive::Side linkSide(int joint) const;
+  int motor(int joint) const { return motors[static_cast<std::size_t>(joint)]; }
   void sense();
   void senseImu();
   std::vector<double> footForces(int foot) const;
 
   Mechanism mechanism_;
+  Mechanism geared;         ///< the same with a rotor more for every gear that gives way
+  std::vector<int> motors;  ///< per joint of mechanism_ the joint of `geared` that its motor turns
   ServoWorldConfig config;
   int stepsPerCycle;
   double h;  ///< of a step [s]
   std::unique_ptr<ServoBody> body;
-  std::vector<JointState> joints;
+  std::vector<ServoDrive> drives;
+  std::vector<double> loads, frictions;  ///< extra torques on links; of dry friction, last step [N m]
   std::vector<Point> points;
   std::vector<Row> rows;
   BoundedSystem system;
   Eigen::VectorXd impulses;
-  std::vector<double> rates;  ///< of the joints before the step
+  std::vector<double> rates, linkRates;  ///< of the motors and the joints before the step
   ServoReadings readings_;
   std::vector<double> torqueSum;
   Vec3 imuVelocity = Vec3::Zero();

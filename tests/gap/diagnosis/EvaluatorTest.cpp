@@ -56,6 +56,23 @@ TEST_F(EvaluatorTest, aCauseChangesNothingInARecordingThatRanWithoutIt) {
   EXPECT_LT(worstGap(evaluator).size, 0.5);
 }
 
+TEST_F(EvaluatorTest, ofARobotThatStepsTheWorstSixthHasGoneAstray) {
+  Trial trial = recorded(nominalPlant(arm), armTrial(arm, 6), 5e-4, 3);
+  const auto within = [&](double from, double to, double by) {
+    Trial off = trial;
+    for (std::size_t k = 0; k < off.cycles(); ++k)
+      if (off.time[k] >= from && off.time[k] < to) off.signals[1].values[k] += by;
+    return off;
+  };
+  const auto worst = [&](Trial run, bool steps) {
+    if (steps) run.restarts.push_back({run.cycles() - 1, {NAN, NAN}, {NAN, NAN}, {}});
+    return worstGap(Evaluator(arm, Evidence({run}, estimateNoise({trial})))).size;
+  };
+  EXPECT_GT(worst(within(2, 3, 0.1), false), 30);
+  EXPECT_LT(worst(within(2, 3, 0.1), true), 0.5) << "two of twelve half-seconds";
+  EXPECT_GT(worst(within(2, 4, 0.1), true), 1.5) << "a third of a walk is no accident";
+}
+
 /// A recording of an elbow that hunts between the flanks of its gear, with teeth and a phase of its own.
 Evidence huntingElbow(const Mechanism& arm, double play) {
   Plant plant = nominalPlant(arm);

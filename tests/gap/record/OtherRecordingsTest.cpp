@@ -77,36 +77,66 @@ TEST(BulletRecording, AgreesWithTheOwnDynamicsOnAHeldArm) {
   EXPECT_EQ(own.t, bullet.t);
 }
 
-TEST(BulletRecording, EffectsShowAsInTheOwnDynamics) {
+TEST(BulletRecording, EveryEffectShowsAsInTheOwnDynamics) {
   const Mechanism arm = twoJointArm();
   SimulatedRecordingOptions options;
   options.noisy = false;
   const gap::Run nominal = recordBullet(arm, swing(arm), options);
-  for (const Cause& c :
-       {cause("servo_gain", arm, "elbow", 0.6), cause("command_delay", arm, "elbow", 0.03),
-        cause("joint_offset", arm, "shoulder", 0.05), cause("link_mass", arm, "lower", 0.3)}) {
-    options.effects = {c};
-    const gap::Run own = recordSimulated(arm, swing(arm), options),
-                   bullet = recordBullet(arm, swing(arm), options);
-    double change = 0, apart = 0;
-    for (const char* joint : {"shoulder", "elbow"}) {
-      const std::string channel = channelName(ChannelKind::position, joint);
-      change += rms(*nominal.find(channel), *bullet.find(channel));
-      apart += rms(*own.find(channel), *bullet.find(channel));
+  struct Size {
+    const char* effect;
+    const char* at;
+    double value;
+  };
+  for (const Size& size : {Size{"servo_gain", "elbow", 0.6},
+                           Size{"servo_damping", "elbow", 2},
+                           Size{"torque_limit", "*", 0.15},
+                           Size{"speed_limit", "elbow", 0.25},
+                           Size{"command_delay", "elbow", 0.0123},
+                           Size{"coulomb_friction", "elbow", 0.2},
+                           Size{"viscous_friction", "elbow", 0.3},
+                           Size{"stribeck_friction", "elbow", 0.25},
+                           Size{"load_friction", "shoulder", 0.3},
+                           Size{"backlash", "elbow", 0.1},
+                           Size{"joint_compliance", "elbow", 0.1},
+                           Size{"acceleration_limit", "elbow", 8},
+                           Size{"dead_band", "elbow", 0.02},
+                           Size{"supply_voltage", "*", 0.2},
+                           Size{"bias_force", "elbow", 0.2},
+                           Size{"thermal_derating", "shoulder", 4},
+                           Size{"rotor_inertia", "elbow", 0.03},
+                           Size{"joint_offset", "shoulder", 0.05},
+                           Size{"encoder_nonlinearity", "elbow", 0.1},
+                           Size{"link_mass", "lower", 0.3},
+                           Size{"link_length", "upper", 1.2}}) {
+    const Effect* effect = findEffect(size.effect);
+    for (int variant = 0; variant < effect->numVariants(); ++variant) {
+      Cause c = cause(size.effect, arm, size.at, size.value);
+      c.variant = variant;
+      options.effects = {c};
+      const gap::Run own = recordSimulated(arm, swing(arm), options),
+                     bullet = recordBullet(arm, swing(arm), options);
+      double change = 0, apart = 0;
+      for (const char* joint : {"shoulder", "elbow"}) {
+        const std::string channel = channelName(ChannelKind::position, joint);
+        change += rms(*nominal.find(channel), *bullet.find(channel));
+        apart += rms(*own.find(channel), *bullet.find(channel));
+      }
+      EXPECT_GT(change, 1.5e-3) << describe(c) << " " << variant;
+      // With its encoder behind such a gear the joint hunts, in no two engines at the same time.
+      if (variant == 1 && (effect->id == "backlash" || effect->id == "joint_compliance")) continue;
+      EXPECT_LT(apart, 0.05 * change + 6e-4) << describe(c) << " " << variant;
     }
-    EXPECT_GT(change, 3e-3) << describe(c);
-    EXPECT_LT(apart, 0.15 * change + 2e-3) << describe(c);
   }
 }
 
-TEST(BulletRecording, NamesWhatItHasInsteadOfWhatItLacks) {
-  const Mechanism arm = twoJointArm();
+TEST(BulletRecording, TwoForcesAtOnceAreOneTooMany) {
+  const Mechanism nao = findMechanism("nao_v5");
   SimulatedRecordingOptions options;
-  options.effects = {cause("backlash", arm, "elbow", 0.02)};
-  const std::string error = errorOf([&] { recordBullet(arm, swing(arm), options); });
-  EXPECT_TRUE(error.starts_with("engine bullet has no backlash; it has command_delay, command_dropout, "))
-      << error;
-  EXPECT_TRUE(error.ends_with("external_force; --engine own has all")) << error;
+  const Effect* force = findEffect("external_force");
+  options.effects = {{force, findPlace(*force, nao, "torso", "x"), 3, 0},
+                     {force, findPlace(*force, nao, "Head", "y"), 2, 0}};
+  EXPECT_EQ(errorOf([&] { recordBullet(nao, findExcitation("stand_sway", nao), options); }),
+            "engine bullet has one external_force at a time; --engine own has several");
 }
 
 TEST(BulletRecording, ANaoStandsAndFeelsItsWeight) {

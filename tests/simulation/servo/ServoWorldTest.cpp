@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <stdexcept>
 
 #include "math/Angle.h"
 #include "robot/MechanismFile.h"
@@ -291,6 +294,89 @@ TEST(ServoWorld, refusesWhatMakesNoSense) {
   EXPECT_THROW(world.restart(Pose3::Identity(), {}), std::invalid_argument);
   EXPECT_THROW(world.setStiffness(5, 1), std::out_of_range);
   EXPECT_THROW(world.push({1, 0, 0}, 1, 9), std::out_of_range);
+}
+
+/// The rod held at its base with a servo of kp 5, kd 0.1, armature 0.001, and what `change` does to its
+/// drive; after 3 s at that command.
+ServoWorld rested(double target, const std::function<void(JointPlant&)>& change) {
+  Mechanism robot = pendulum();
+  robot.joints[0].servo.kp = 5;
+  robot.joints[0].servo.kd = 0.1;
+  robot.joints[0].servo.armature = 0.001;
+  ServoWorldConfig config;
+  config.fixedBase = true;
+  config.stepSeconds = 0.0005;
+  config.drives = {JointPlant::nominal(robot.joints[0])};
+  change(config.drives[0]);
+  ServoWorld world(robot, config);
+  for (int i = 0; i < 800; ++i) {
+    world.command({target * std::min(1.0, i / 200.0)});
+    world.step();
+  }
+  return world;
+}
+
+/// Of the rod's weight about the hinge.
+double weight(double q) { return 0.2 * 9.81 * 0.2 * std::sin(q); }
+
+TEST(ServoWorld, aDrivesFrictionHoldsWhatItCan) {
+  // 5 (0.06 - q) = weight(q) without friction: at 0.0556 rad. With it the joint sticks where it started.
+  EXPECT_NEAR(rested(0.06, [](JointPlant&) {}).readings().position[0], 0.0556, 2e-4);
+  EXPECT_NEAR(rested(0.06, [](JointPlant& d) { d.coulomb = 0.31; }).readings().position[0], 0, 1e-4);
+  const double q = rested(0.3, [](JointPlant& d) { d.coulomb = 0.31; }).readings().position[0];
+  EXPECT_NEAR(5 * (0.3 - q) - weight(q), 0.295, 0.016)
+      << "it stops where the rest is as large as the friction, less what the rod's swing takes it on";
+}
+
+TEST(ServoWorld, aSoftGearGivesWayBehindItsEncoder) {
+  const ServoWorld world = rested(0.5, [](JointPlant& d) { d.compliance = 0.2; });
+  const double link = world.readings().position[0], motor = world.encoder(0);
+  EXPECT_NEAR(motor - link, 0.2 * weight(link), 1e-4);
+  EXPECT_NEAR(5 * (0.5 - motor), weight(link), 1e-4);
+}
+
+TEST(ServoWorld, playLetsTheLinkHangAtItsEnd) {
+  const auto play = [](JointPlant& d) { d.backlash = 0.1; };
+  const ServoWorld up = rested(0.5, play), down = rested(-0.5, play);
+  EXPECT_NEAR(up.encoder(0) - up.readings().position[0], 0.05, 5e-4);
+  EXPECT_NEAR(down.encoder(0) - down.readings().position[0], -0.05, 5e-4);
+  const ServoWorld seen = rested(0.5, [&](JointPlant& d) {
+    play(d);
+    d.linkEncoder = true;
+  });
+  EXPECT_DOUBLE_EQ(seen.encoder(0), seen.readings().position[0]);
+}
+
+TEST(ServoWorld, drivesBrakePushAndAreLoaded) {
+  EXPECT_NEAR(rested(0, [](JointPlant& d) { d.biasForce = 0.2; }).readings().position[0], 0.2 / (5 + 0.3924),
+              1e-4);
+  ServoWorld loaded = rested(0, [](JointPlant&) {});
+  loaded.load(0, -0.2);
+  for (int i = 0; i < 300; ++i) loaded.step();
+  EXPECT_NEAR(loaded.readings().position[0], -0.2 / (5 + 0.3924), 1e-4);
+  // Without a servo the rod swings about the hinge by I q'' = -c q' - m g l q, with I of rod and rotor.
+  const double c = 0.01;
+  ServoWorld swinging = rested(0, [c](JointPlant& d) {
+    d.servo.kp = d.servo.kd = 0;
+    d.viscous = c;
+  });
+  const double start = 0.05, inertia = rodInertia + 0.001;
+  swinging.restart(Pose3::Identity(), {start});
+  const double rate = c / (2 * inertia), w = std::sqrt(0.2 * 9.81 * 0.2 / inertia - rate * rate);
+  for (int i = 0; i < 100; ++i) swinging.step();
+  EXPECT_NEAR(swinging.readings().position[0],
+              start * std::exp(-rate) * (std::cos(w) + rate / w * std::sin(w)), 2e-4);
+}
+
+TEST(ServoWorld, wantsADriveForEveryJoint) {
+  ServoWorldConfig config;
+  config.drives.resize(3);
+  try {
+    const ServoWorld world(pendulum(), config);
+    ADD_FAILURE() << "it took 3 drives for 1 joint";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "servo world: 3 drives for 1 joints");
+  }
 }
 
 }  // namespace

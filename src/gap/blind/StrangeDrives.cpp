@@ -1,0 +1,103 @@
+#include "gap/blind/StrangeDrives.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "gap/effects/Effect.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double teeth = 24;         ///< ripples per turn
+constexpr double phase = 0.7;        ///< of the ripple [rad]
+constexpr double bristleWay = 0.02;  ///< over which a bristle's force builds up [rad]
+constexpr double driftTime = 15;     ///< in which a gain falls [s]
+
+}  // namespace
+
+StrangeDrives::StrangeDrives(const Mechanism& robot_, const std::vector<BlindEffect>& effects)
+    : robot(robot_), drives(robot_.joints.size()) {
+  for (const BlindEffect& e : effects) {
+    if (e.effect == "acc_bias") {
+      bias += e.value * unitVector(e.axis.at(0));
+      continue;
+    }
+    const int at = robot.jointIndex(e.at);
+    if (at < 0) throw std::runtime_error(e.effect + ": " + robot.name + " has no joint " + e.at);
+    for (int j = 0; j < robot.numJoints(); ++j) {
+      if (robot.motorOf(j) != robot.motorOf(at)) continue;
+      Drive& drive = drives[static_cast<std::size_t>(j)];
+      if (e.effect == "gear_ripple")
+        drive.ripple += e.value;
+      else if (e.effect == "joint_spring")
+        drive.spring += e.value;
+      else if (e.effect == "cable_spring")
+        drive.cable += e.value;
+      else if (e.effect == "asymmetric_damping")
+        drive.dampingOneWay += e.value;
+      else if (e.effect == "bristle_friction")
+        drive.bristle += e.value;
+      else if (e.effect == "gain_drift")
+        drive.drift += e.value;
+      else if (e.effect == "servo_integral")
+        drive.integral += e.value;
+      else if (e.effect == "command_lag")
+        drive.lag += e.value;
+      else if (e.effect == "crosstalk")
+        drive.crosstalk += e.value;
+      else
+        throw std::runtime_error("engine bullet has no effect " + e.effect);
+    }
+  }
+}
+
+void StrangeDrives::start(const std::vector<double>& commands) {
+  for (std::size_t j = 0; j < drives.size(); ++j)
+    drives[j].rest = drives[j].lagged = drives[j].bristleAt = commands[j];
+}
+
+void StrangeDrives::act(double time, double h, simulation::ServoWorld& world, std::vector<double>& targets) {
+  const std::vector<double> asked = targets;
+  for (std::size_t j = 0; j < drives.size(); ++j) {
+    const auto joint = static_cast<int>(j);
+    world.load(joint, torque(drives[j], world.readings().position[j], world.readings().velocity[j]));
+    targets[j] = told(drives[j], j, time, h, world.encoder(joint), asked);
+  }
+}
+
+double StrangeDrives::torque(Drive& drive, double q, double speed) const {
+  double sum = drive.ripple * std::sin(teeth * q + phase) - drive.spring * (q - drive.rest) -
+               drive.cable * std::max(0.0, q - drive.rest) - drive.dampingOneWay * std::max(0.0, speed);
+  if (drive.bristle > 0) {
+    // Bent as far as it gives, then dragged along (Dahl's model with straight flanks).
+    drive.bristleAt = std::clamp(drive.bristleAt, q - bristleWay, q + bristleWay);
+    sum -= drive.bristle / bristleWay * (q - drive.bristleAt);
+  }
+  return sum;
+}
+
+/// The command as the servo would have to be told for the law that it has not: its integral, its weaker gain,
+/// its lag, its neighbour's share.
+double StrangeDrives::told(Drive& drive, std::size_t j, double time, double h, double measured,
+                           const std::vector<double>& targets) const {
+  double target = targets[j];
+  if (drive.crosstalk != 0) {
+    const int parent = robot.joints[j].parent;
+    const std::size_t other =
+        parent > 0 ? static_cast<std::size_t>(parent) - 1 : std::min(j + 1, drives.size() - 1);
+    target += drive.crosstalk * (targets[other] - drives[other].rest);
+  }
+  if (drive.lag > 0) target = drive.lagged += (target - drive.lagged) * std::min(1.0, h / drive.lag);
+  if (drive.integral > 0) {
+    const double most = robot.joints[j].maxTorque / robot.joints[j].servo.kp;  // against winding up
+    drive.summed = std::clamp(drive.summed + drive.integral * (target - measured) * h, -most, most);
+    target += drive.summed;
+  }
+  if (drive.drift == 0) return target;
+  const double gain = 1 - drive.drift * std::clamp(time / driftTime, 0.0, 1.0);
+  return measured + gain * (target - measured);
+}
+
+}  // namespace plumbline::gap

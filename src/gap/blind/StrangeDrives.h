@@ -1,0 +1,37 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "gap/blind/BlindCase.h"
+#include "gap/record/BulletRecording.h"
+
+namespace plumbline::gap {
+
+/// Effects outside the library for a robot in Bullet (doc/reference/gap-blind.md lists them), at the drives
+/// of joints, and the accelerometer's bias. Joints of one motor have them alike.
+class StrangeDrives : public StrangeRobot {
+public:
+  /// The robot must outlive it. Throws std::runtime_error for an effect that is none of these, or a place
+  /// that the robot lacks.
+  StrangeDrives(const Mechanism& robot, const std::vector<BlindEffect>& effects);
+
+  void start(const std::vector<double>& commands) override;
+  void act(double time, double h, simulation::ServoWorld& world, std::vector<double>& targets) override;
+  Vec3 accBias() const override { return bias; }
+
+private:
+  struct Drive {
+    double ripple = 0, spring = 0, cable = 0, dampingOneWay = 0, bristle = 0;
+    double drift = 0, integral = 0, lag = 0, crosstalk = 0;
+    double rest = 0, lagged = 0, summed = 0, bristleAt = 0;
+  };
+  double torque(Drive& drive, double q, double speed) const;
+  double told(Drive& drive, std::size_t joint, double time, double h, double measured,
+              const std::vector<double>& targets) const;
+
+  const Mechanism& robot;
+  std::vector<Drive> drives;
+  Vec3 bias = Vec3::Zero();
+};
+
+}  // namespace plumbline::gap

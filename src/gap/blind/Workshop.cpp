@@ -1,0 +1,137 @@
+#include "gap/blind/Workshop.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "framework/WriteFile.h"
+#include "gap/blind/StrangeDrives.h"
+#include "gap/effects/Effects.h"
+#include "gap/record/BulletRecording.h"
+#include "gap/record/ExcitationFile.h"
+#include "gap/replay/TrialOf.h"
+#include "gap/run/RunFile.h"
+#include "simspark/ChildProcess.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr double stepHere = 0.0005;  ///< a quarter of what the diagnosis takes [s]
+constexpr std::array engineNames = {"replay", "bullet", "mujoco"};
+
+std::string runName(std::size_t i) { return "run" + std::to_string(i + 1); }
+
+/// An effect of the library as its plug-in takes it: a gear that gives way has its encoder on the side that
+/// was drawn.
+Cause causeOf(const BlindEffect& e, const Effect& effect, const Mechanism& robot) {
+  Cause cause{&effect, findPlace(effect, robot, e.at, e.axis), e.value, 0};
+  const auto side = e.how.find("side");
+  if (side == e.how.end() || cause.place.site != Site::joint) return cause;
+  const Mechanism::Joint& joint = robot.joints[static_cast<std::size_t>(cause.place.index)];
+  const bool atLink = joint.encoder == Mechanism::Joint::Encoder::link;
+  cause.variant = atLink == (side->second == "link") ? 0 : 1;
+  return cause;
+}
+
+}  // namespace
+
+const char* nameOf(BlindEngine engine) { return engineNames.at(static_cast<std::size_t>(engine)); }
+
+BlindEngine engineOf(const std::string& name) {
+  for (std::size_t i = 0; i < engineNames.size(); ++i)
+    if (name == engineNames[i]) return static_cast<BlindEngine>(i);
+  throw std::invalid_argument("there is no engine " + name + "; there are replay, bullet and mujoco");
+}
+
+Workshop::Workshop(BlindEngine engine_, std::string robotName_, const Mechanism& robot_,
+                   std::vector<std::string> programs_, std::string program_)
+    : engine(engine_),
+      robotName(std::move(robotName_)),
+      robot(robot_),
+      programs(std::move(programs_)),
+      program(std::move(program_)) {
+  if (engine == BlindEngine::mujoco && access(program.c_str(), X_OK) != 0)
+    throw std::runtime_error(program +
+                             " is not there: `make SimRelease-bench-mujoco` builds it, or --engine bullet "
+                             "needs no other program");
+}
+
+std::vector<std::string> Workshop::runs() const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < programs.size(); ++i) names.push_back(runName(i));
+  return names;
+}
+
+void Workshop::write(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
+                     const std::string& folder) const {
+  fs::remove_all(folder);
+  if (engine == BlindEngine::mujoco)
+    writeMujoco(effects, seed, noise, folder);
+  else
+    writeHere(effects, seed, noise, folder);
+}
+
+void Workshop::writeMujoco(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
+                           const std::string& folder) const {
+  json spec = {{"robot", robotName}, {"seed", seed}, {"noise", noise}, {"truth", false}};
+  spec["effects"] = json::array();
+  for (const BlindEffect& e : effects) {
+    json entry = {{"effect", e.effect}, {"at", e.at}, {"value", e.value}};
+    entry["axis"] = e.axis.empty() ? json(nullptr) : json(e.axis);
+    for (const auto& [key, value] : e.how) entry[key] = value;
+    spec["effects"].push_back(entry);
+  }
+  for (std::size_t i = 0; i < programs.size(); ++i)
+    spec["runs"].push_back({{"folder", runName(i)}, {"program", programs[i]}, {"seed", 0}});
+  const std::string file = folder + ".case.json", log = folder + ".log";
+  writeFile(file, spec.dump());
+  simspark::ChildProcess child({program, file, folder}, log);
+  while (child.running()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  std::string said, line;
+  std::ifstream text(log);
+  while (std::getline(text, line))
+    if (!line.empty()) said = line;
+  fs::remove(file);
+  fs::remove(log);
+  if (child.exitStatus() != 0) throw std::runtime_error(program + " failed: " + said);
+}
+
+void Workshop::writeHere(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
+                         const std::string& folder) const {
+  SimulatedRecordingOptions recording;
+  recording.noisy = noise;
+  recording.step = stepHere;
+  std::vector<BlindEffect> strange;
+  for (const BlindEffect& e : effects) {
+    const Effect* effect = findEffect(e.effect);
+    if (effect)
+      recording.effects.push_back(causeOf(e, *effect, robot));
+    else if (engine == BlindEngine::bullet)
+      strange.push_back(e);
+    else
+      throw std::runtime_error("the project's replay has no effect " + e.effect);
+  }
+  fs::create_directories(folder);
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    recording.seed = seed * 1'000'003 + i + 1;
+    const Excitation motion = findExcitation(programs[i], robot);
+    StrangeDrives drives(robot, strange);
+    const Run run = engine == BlindEngine::bullet
+                        ? recordBullet(robot, motion, recording, strange.empty() ? nullptr : &drives)
+                        : recordSimulated(robot, motion, recording);
+    writeRun(run, (fs::path(folder) / runName(i)).string(), {5, true});
+  }
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,46 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gap/blind/BlindCase.h"
+
+namespace plumbline::gap {
+
+/// What simulates a benchmark's reality: the dynamics that explain, in finer steps; or one of two other
+/// engines, MuJoCo in a program of its own.
+enum class BlindEngine { replay, bullet, mujoco };
+const char* nameOf(BlindEngine engine);
+/// Throws std::invalid_argument for a name of none.
+BlindEngine engineOf(const std::string& name);
+
+/// Writes the runs of one robot with effects into a folder, in one of the engines.
+class Workshop {
+public:
+  /// robotName: for the program of engine mujoco, whose file `program` is. The robot must outlive it. Throws
+  /// std::runtime_error where that program is not there.
+  Workshop(BlindEngine engine, std::string robotName, const Mechanism& robot,
+           std::vector<std::string> programs, std::string program);
+
+  /// Folders of the runs, in order.
+  std::vector<std::string> runs() const;
+
+  /// Replaces the folder by one run for each program. Throws std::runtime_error where the engine lacks an
+  /// effect or its program fails.
+  void write(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
+             const std::string& folder) const;
+
+private:
+  void writeMujoco(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
+                   const std::string& folder) const;
+  void writeHere(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
+                 const std::string& folder) const;
+
+  const BlindEngine engine;
+  const std::string robotName;
+  const Mechanism& robot;
+  const std::vector<std::string> programs;
+  const std::string program;
+};
+
+}  // namespace plumbline::gap

@@ -1,0 +1,118 @@
+#include "gap/blind/StrangeDrives.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gap/TwoJointArm.h"
+
+namespace plumbline::gap {
+namespace {
+
+simulation::ServoWorld held(const Mechanism& arm, const std::vector<double>& q) {
+  simulation::ServoWorldConfig config;
+  config.fixedBase = true;
+  config.stepSeconds = 0.0005;
+  for (const Mechanism::Joint& joint : arm.joints) config.drives.push_back(JointPlant::nominal(joint));
+  Mechanism fine = arm;
+  fine.controlHz = 2000;
+  simulation::ServoWorld world(fine, config);
+  world.restart(Pose3::Identity(), q);
+  return world;
+}
+
+/// What joints at q are told that were asked to be at `asked`, in the first slice or after so many seconds.
+std::vector<double> told(const BlindEffect& effect, const std::vector<double>& q,
+                         const std::vector<double>& asked, double time = 0, int slices = 1) {
+  const Mechanism arm = twoJointArm();
+  simulation::ServoWorld world = held(arm, q);
+  StrangeDrives drives(arm, {effect});
+  drives.start({0.1, 0.1});
+  std::vector<double> targets;
+  for (int i = 0; i < slices; ++i) {
+    targets = asked;
+    drives.act(time + i * 0.001, 0.001, world, targets);
+  }
+  return targets;
+}
+
+TEST(StrangeDrives, aGainThatFallsALagAnIntegralAndANeighbour) {
+  EXPECT_EQ(told({"acc_bias", "imu", "x", 1, {}}, {0.1, 0.1}, {0.3, 0.2}), (std::vector{0.3, 0.2}));
+  EXPECT_NEAR(told({"gain_drift", "elbow", "", 0.5, {}}, {0.1, 0.1}, {0.3, 0.2}, 15)[1], 0.15, 1e-12);
+  EXPECT_NEAR(told({"gain_drift", "elbow", "", 0.5, {}}, {0.1, 0.1}, {0.3, 0.2}, 7.5)[1], 0.175, 1e-12);
+  // 1 - (1 - h / T)^n of the way.
+  EXPECT_NEAR(told({"command_lag", "elbow", "", 0.02, {}}, {0.1, 0.1}, {0.3, 0.2}, 0, 20)[1],
+              0.1 + 0.1 * (1 - std::pow(0.95, 20)), 1e-12);
+  EXPECT_NEAR(told({"servo_integral", "elbow", "", 2, {}}, {0.1, 0.1}, {0.3, 0.2}, 0, 50)[1],
+              0.2 + 2 * 0.1 * 0.05, 1e-12);
+  EXPECT_NEAR(told({"servo_integral", "elbow", "", 2, {}}, {0.1, 0.1}, {0.3, 5.1}, 0, 5000)[1],
+              5.1 + 3 / 20.0, 1e-12)
+      << "no more than the servo's torque";
+  EXPECT_NEAR(told({"crosstalk", "elbow", "", 0.2, {}}, {0.1, 0.1}, {0.3, 0.2})[1], 0.2 + 0.2 * 0.2, 1e-12);
+  EXPECT_EQ(told({"crosstalk", "elbow", "", 0.2, {}}, {0.1, 0.1}, {0.3, 0.2})[0], 0.3);
+}
+
+/// Where the elbow comes to rest, told to go there from where it hangs straight down within 2 s.
+double rest(const BlindEffect& effect, double target) {
+  const Mechanism arm = twoJointArm();
+  simulation::ServoWorld world = held(arm, {0, 0});
+  StrangeDrives drives(arm, {effect});
+  drives.start({0, 0});
+  for (int i = 0; i < 8000; ++i) {
+    std::vector<double> targets = {0, target * std::min(1.0, i / 4000.0)};
+    drives.act(i * 0.0005, 0.0005, world, targets);
+    world.command(targets);
+    world.step();
+  }
+  return world.readings().position[1];
+}
+
+TEST(StrangeDrives, springsPullAndRipplesShift) {
+  // 20 (target - q) - spring q - the weight of both links, as the shoulder gives way too.
+  const double nominal = rest({"joint_spring", "elbow", "", 0, {}}, 0.5);
+  const double spring = rest({"joint_spring", "elbow", "", 5, {}}, 0.5);
+  EXPECT_NEAR((20 * (nominal - spring)) / (5 * spring), 1, 0.03);
+  EXPECT_NEAR(rest({"cable_spring", "elbow", "", 5, {}}, 0.5), spring, 1e-6);
+  EXPECT_NEAR(rest({"cable_spring", "elbow", "", 5, {}}, -0.5),
+              rest({"cable_spring", "elbow", "", 0, {}}, -0.5), 1e-9);
+  const double ripple = rest({"gear_ripple", "elbow", "", 0.4, {}}, 0.5);
+  EXPECT_NEAR(20 * (ripple - nominal), 0.4 * std::sin(24 * ripple + 0.7), 0.03);
+  EXPECT_NEAR(20 * (nominal - rest({"bristle_friction", "elbow", "", 0.3, {}}, 0.5)), 0.3, 0.03)
+      << "bent as far as it gives since the start at 0";
+}
+
+TEST(StrangeDrives, dampingInOneDirectionSlowsThatOne) {
+  const Mechanism arm = twoJointArm();
+  const auto after = [&arm](double value, double target) {
+    simulation::ServoWorld world = held(arm, {0, 0});
+    StrangeDrives drives(arm, {{"asymmetric_damping", "elbow", "", value, {}}});
+    drives.start({0, 0});
+    for (int i = 0; i < 100; ++i) {
+      std::vector<double> targets = {0, target};
+      drives.act(i * 0.0005, 0.0005, world, targets);
+      world.command(targets);
+      world.step();
+    }
+    return world.readings().position[1];
+  };
+  EXPECT_LT(after(0.8, 0.3), 0.8 * after(0, 0.3));
+  EXPECT_DOUBLE_EQ(after(0.8, -0.3), after(0, -0.3));
+}
+
+TEST(StrangeDrives, saysWhatItDoesNotKnow) {
+  const Mechanism arm = twoJointArm();
+  const auto error = [&arm](const BlindEffect& effect) -> std::string {
+    try {
+      const StrangeDrives drives(arm, {effect});
+    } catch (const std::runtime_error& e) {
+      return e.what();
+    }
+    return "nothing thrown";
+  };
+  EXPECT_EQ(error({"moon_phase", "elbow", "", 1, {}}), "engine bullet has no effect moon_phase");
+  EXPECT_EQ(error({"gear_ripple", "knee", "", 1, {}}), "gear_ripple: two_joint_arm has no joint knee");
+}
+
+}  // namespace
+}  // namespace plumbline::gap
