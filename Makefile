@@ -88,6 +88,13 @@ bench-walk:
 	@scripts/make_results.sh walking
 	@cat build/bench/walking.md
 
+# The same of the NAO alone, in Bullet and in MuJoCo. Writes doc/results/walking-nao.md.
+bench-walk-nao:
+	@scripts/install_packages.sh scripts/packages-bench.txt
+	@$(MAKE) SimRelease-bench-walking
+	@build/SimRelease/bench/walking $(or $(ARGS),10 10 100) --name walking-nao --robots nao-bullet,nao-mujoco
+	@scripts/make_results.sh walking-nao
+
 # The same speeds and tables on a SimSpark server that runs already and waits for its agents ($agentSyncMode = true and
 # $enableRealTimeMode = false of the league's, or bin/simulator --sync): SERVER=HOST:AGENTPORT:MONITORPORT for another one
 # than this machine's usual one. Writes doc/results/walking-server.md.

@@ -37,6 +37,11 @@ Vec3 withinMixture(const Vec3& wish, const Vec3& mix) {
 
 }  // namespace
 
+void SpeedControl::begin(const Vec2& goal, const WalkParameters& p) {
+  const double least = std::clamp(goal.x(), -p.startSpeed, p.startSpeed);
+  if (std::abs(now.x()) < std::abs(least)) now.x() = least;
+}
+
 int SpeedControl::sprintAxis(const Vec3& wish, const WalkParameters& p) const {
   const Vec3 mix = mixLimits(wish.x(), p), most = fullLimits(wish.x(), p);
   for (int i = 0; i < 3; ++i) {

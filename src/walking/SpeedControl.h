@@ -12,6 +12,9 @@ namespace plumbline::walking {
 class SpeedControl {
 public:
   void reset() { *this = {}; }
+  /// In a cycle in which the robot still stands: its first step already goes forward or backward at
+  /// startSpeed, if so much is asked for.
+  void begin(const Vec2& goal, const WalkParameters& p);
   /// A cycle of dt [s]. goal, turn: asked for [m/s, rad/s]; p: the parameters at the present speed; calm: the
   /// share of the goal that the torso's deviation leaves, 0 .. 1.
   void update(const Vec2& goal, double turn, const WalkParameters& p, double calm, double dt);

@@ -140,6 +140,7 @@ private:
       return;
     }
     const Vec2 goal = request.walk ? request.velocity : Vec2(Vec2::Zero());
+    if (mode == Mode::stand) speed.begin(goal, p);
     const double calm = std::clamp(1 - p.tiltBrake * tilt.excess.norm(), 0.0, 1.0);
     speed.update(goal, request.walk ? request.turn : 0, p, calm, dt);
     useGait();

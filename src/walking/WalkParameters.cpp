@@ -50,6 +50,7 @@ constexpr WalkParameterInfo table[] = {
     {"copForward", &WalkParameters::copForward, -0.06, 0.06},
     {"copOutward", &WalkParameters::copOutward, -0.04, 0.04},
     {"startDuration", &WalkParameters::startDuration, 0.04, 1, false},
+    {"startSpeed", &WalkParameters::startSpeed, 0, 0.3, false},
     {"stopVelocity", &WalkParameters::stopVelocity, 0.001, 0.5, false},
     {"kickDuration", &WalkParameters::kickDuration, 0.08, 1, false},
     {"kickBack", &WalkParameters::kickBack, 0, 0.2, false},

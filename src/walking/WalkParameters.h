@@ -55,6 +55,7 @@ struct WalkParameters {
 
   // Start and stop
   double startDuration = 0.14;  ///< shift of the weight before the first step [s]
+  double startSpeed = 0;        ///< forward or backward in that step, if asked for [m/s]
   double stopVelocity = 0.05;   ///< both feet carry again only below this forward velocity [m/s]
 
   // Kick in a step

@@ -121,5 +121,23 @@ TEST_F(SpeedControlTest, withoutSpeedsForMixturesFullSpeedIsWhatMayBeMixed) {
   EXPECT_NEAR(speed.velocity().x(), -0.4, 1e-9);
 }
 
+TEST_F(SpeedControlTest, aStartTakesItsFirstStepAtASpeedAtOnce) {
+  p.startSpeed = 0.15;
+  speed.begin(Vec2(0.1, 0.2), p);
+  EXPECT_EQ(speed.velocity(), Vec2(0.1, 0)) << "no more than asked for, and sideways as ever";
+  speed.reset();
+  speed.begin(Vec2(-9, 0), p);
+  EXPECT_EQ(speed.velocity(), Vec2(-0.15, 0));
+  ask(-9, 0, 0, 0.2);
+  const Vec2 going = speed.velocity();
+  EXPECT_NEAR(going.x(), -0.35, 1e-9);
+  speed.begin(Vec2(-9, 0), p);
+  EXPECT_EQ(speed.velocity(), going) << "a cycle later it still stands: it is not slowed down";
+  p.startSpeed = 0;
+  speed.reset();
+  speed.begin(Vec2(1, 0), p);
+  EXPECT_EQ(speed.velocity(), Vec2(0, 0));
+}
+
 }  // namespace
 }  // namespace plumbline::walking

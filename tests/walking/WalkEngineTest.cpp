@@ -74,6 +74,22 @@ TEST(WalkEngine, leavesTheStandWithoutSteppingOnTheSpot) {
   EXPECT_GT(loop.engine.state().velocity.x(), 0.05) << "the first step goes forward";
 }
 
+TEST(WalkEngine, aStartAtASpeedIsSooner) {
+  // How far it got 0.35 s after it was asked.
+  const auto way = [](double startSpeed) {
+    WalkParameters parameters;
+    parameters.startSpeed = startSpeed;
+    OpenLoop loop;
+    loop.engine = WalkEngine(parameters, loop.robot);
+    loop.run({}, 0.2);
+    loop.odometry = {};
+    loop.run(walk(0.2, 0, 0), 0.36);
+    return loop.odometry.x();
+  };
+  EXPECT_GT(way(0.15), way(0) + 0.01);
+  EXPECT_EQ(way(0.2), way(0.3)) << "no faster than asked for";
+}
+
 TEST(WalkEngine, stopsWithFeetSideBySide) {
   OpenLoop loop;
   loop.run(walk(0.3, 0.1, 0.5), 3);

@@ -9,9 +9,9 @@ namespace plumbline::bench {
 
 struct BenchSetup {
   int seeds = 10;
-  double minutes = 3;  ///< of random requests per type and seed
-  int tries = 100;     ///< of each push
-  int jobs = 0;        ///< threads; 0: as many as cores
+  double minutes = 10;  ///< of random requests per type and seed
+  int tries = 100;      ///< of each push
+  int jobs = 0;         ///< threads; 0: as many as cores
   std::vector<std::string> robots = subjectNames();
 };
 
