@@ -141,7 +141,7 @@ void ServoWorld::setStiffness(int joint, double stiffness) {
 }
 
 void ServoWorld::push(const Vec3& force, double seconds, int link) {
-  mechanism_.links.at(at(link));
+  static_cast<void>(mechanism_.links.at(at(link)));
   pushForce = force;
   pushLink = link;
   pushSteps = std::lround(seconds / h);

@@ -15,6 +15,7 @@
 #include <charconv>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <stdexcept>
 
 #include "bench/walking/Sections.h"
@@ -106,6 +107,7 @@ int main(int argc, char** argv) {
   try {
     const Arguments arguments = read(argc, argv);
     const BenchSetup& setup = arguments.setup;
+    std::filesystem::create_directories("build/bench");
     Report report;
     report.paragraph(
         fmt::format("{} seeds, {:.3g} minutes of random requests per run, {} tries of every push. Why "
