@@ -88,12 +88,15 @@ bench-walk:
 	@scripts/make_results.sh walking
 	@cat build/bench/walking.md
 
-# The same of the NAO alone, in Bullet and in MuJoCo. Writes doc/results/walking-nao.md.
-bench-walk-nao:
+# Parts of it with pages of their own, doc/results/walking-nao.md and walking-fit.md: the NAO alone, in Bullet and in
+# MuJoCo; the thesis's tables before and after the model is fitted, of all robots.
+walk-nao := --robots nao-bullet,nao-mujoco --sections speeds,thesis,estimate
+walk-fit := --sections thesis
+bench-walk-nao bench-walk-fit: bench-%:
 	@scripts/install_packages.sh scripts/packages-bench.txt
 	@$(MAKE) SimRelease-bench-walking
-	@build/SimRelease/bench/walking $(or $(ARGS),10 10 100) --name walking-nao --robots nao-bullet,nao-mujoco
-	@scripts/make_results.sh walking-nao
+	@build/SimRelease/bench/walking $(or $(ARGS),10 10 100) --name $(subst walk,walking,$*) $($*)
+	@scripts/make_results.sh $(subst walk,walking,$*)
 
 # The same speeds and tables on a SimSpark server that runs already and waits for its agents ($agentSyncMode = true and
 # $enableRealTimeMode = false of the league's, or bin/simulator --sync): SERVER=HOST:AGENTPORT:MONITORPORT for another one

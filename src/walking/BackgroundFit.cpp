@@ -23,14 +23,16 @@ void BackgroundFit::add(const ObservedStep& step) {
   if (steps.size() > options.maxSteps) steps.pop_front();
 }
 
-std::optional<ModelFitResult> BackgroundFit::pass(double dt, const ModelParameters& now) {
-  if (probation) return judge(now);
+std::optional<ModelFitResult> BackgroundFit::pass(double dt, const ModelParameters& now,
+                                                  const ModelParameters& prediction) {
+  if (probation) return judge(now, prediction);
   if (!running) {
     if (steps.size() < options.steps) return std::nullopt;
     {
       const std::lock_guard lock(mutex);
       work.assign(steps.begin(), steps.end());
       start = now;
+      startPrediction = prediction;
       seed = options.fit.seed + fits++;
       result.reset();
     }
@@ -46,26 +48,35 @@ std::optional<ModelFitResult> BackgroundFit::pass(double dt, const ModelParamete
   running = false;
   // Steps walked with the old parameters tell less of the new ones.
   steps.clear();
-  if (result->accepted) {
+  if (result->anyNew()) {
     probation = true;
     fallen = false;
     errorBefore = result->heldBefore;
+    predictionErrorBefore = result->predictionHeldBefore;
     previous = now;
+    previousPrediction = prediction;
   }
   return std::exchange(result, std::nullopt);
 }
 
-std::optional<ModelFitResult> BackgroundFit::judge(const ModelParameters& now) {
+std::optional<ModelFitResult> BackgroundFit::judge(const ModelParameters& now,
+                                                   const ModelParameters& prediction) {
   if (!fallen && steps.size() < options.probation) return std::nullopt;
   probation = false;
   const std::vector<ObservedStep> walked(steps.begin(), steps.end());
-  const double error = predictionError(walked, now);
-  if (!fallen && error <= errorBefore) return std::nullopt;
+  const double error = predictionError(walked, now), errorPredicting = predictionError(walked, prediction);
+  const bool worse = now.values() != previous.values() && error > errorBefore,
+             predictsWorse = prediction.values() != previousPrediction.values() &&
+                             errorPredicting > predictionErrorBefore;
+  if (!fallen && !worse && !predictsWorse) return std::nullopt;
   ModelFitResult back;
-  back.parameters = previous;
-  back.accepted = back.rolledBack = true;
+  back.parameters = fallen || worse ? previous : now;
+  back.prediction = fallen || predictsWorse ? previousPrediction : prediction;
+  back.accepted = back.predicts = back.rolledBack = true;
   back.heldBefore = error;
   back.heldAfter = errorBefore;
+  back.predictionHeldBefore = errorPredicting;
+  back.predictionHeldAfter = predictionErrorBefore;
   steps.clear();
   return back;
 }
@@ -80,6 +91,7 @@ void BackgroundFit::run() {
     const ModelParameters from = start;
     ModelFitOptions fit = options.fit;
     fit.seed = seed;
+    fit.prediction = startPrediction;
     lock.unlock();
     // Pauses keep it within its share; they change when it is done, not what it finds.
     using Clock = std::chrono::steady_clock;

@@ -25,7 +25,7 @@ struct BackgroundFitOptions {
 /// Fits the model to the robot while it walks (section 4.3.2): collects steps, fits in a thread of its own,
 /// hands over the result when it is due, and begins again. A set that was taken is on probation: if it
 /// predicts the steps walked with it worse than the set before did its own, or the robot falls, the one
-/// before comes back.
+/// before comes back. So it is with the set that only predicts.
 class BackgroundFit {
 public:
   explicit BackgroundFit(const BackgroundFitOptions& options);
@@ -35,16 +35,17 @@ public:
 
   /// A step walked with these parameters.
   void add(const ObservedStep& step);
-  /// Lets walking time pass [s]; now: the parameters in use. The result that has become due, if any; use its
-  /// parameters if it is accepted.
-  std::optional<ModelFitResult> pass(double dt, const ModelParameters& now);
+  /// Lets walking time pass [s]; now, prediction: the parameters in use. The result that has become due, if
+  /// any; use its two sets from now on (they are those in use where nothing better was found).
+  std::optional<ModelFitResult> pass(double dt, const ModelParameters& now,
+                                     const ModelParameters& prediction = {});
   bool busy() const { return running; }
   /// The robot fell while walking: a set on probation has failed.
   void fell() { fallen = true; }
   bool onProbation() const { return probation; }
 
 private:
-  std::optional<ModelFitResult> judge(const ModelParameters& now);
+  std::optional<ModelFitResult> judge(const ModelParameters& now, const ModelParameters& prediction);
   void run();
 
   const BackgroundFitOptions options;
@@ -53,14 +54,15 @@ private:
   bool running = false;  ///< of the walking thread: a fit has begun and its result was not yet handed over
   std::uint64_t fits = 0;
   bool probation = false, fallen = false;
-  double errorBefore = 0;    ///< of the set before on steps walked with it
-  ModelParameters previous;  ///< the set before
+  /// Of the set before on steps walked with it; of the prediction before.
+  double errorBefore = 0, predictionErrorBefore = 0;
+  ModelParameters previous, previousPrediction;  ///< the sets before
 
   std::mutex mutex;
   std::condition_variable changed;
   bool stop = false;
   std::vector<ObservedStep> work;  ///< what the thread is to fit
-  ModelParameters start;
+  ModelParameters start, startPrediction;
   std::uint64_t seed = 1;
   std::optional<ModelFitResult> result;
   std::thread thread;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "optimization/Cmaes.h"
 #include "walking/FitSafety.h"
@@ -18,7 +19,8 @@ ModelParameters parametersOf(const Eigen::VectorXd& x) {
   return ModelParameters::of(values);
 }
 
-SearchSpace spaceFrom(const ModelParameters& start) {
+/// furthest: from where it starts, in typical deviations.
+SearchSpace spaceFrom(const ModelParameters& start, double furthest) {
   constexpr auto n = static_cast<Index>(ModelParameters::count);
   SearchSpace space;
   space.start.resize(n);
@@ -28,8 +30,6 @@ SearchSpace spaceFrom(const ModelParameters& start) {
   for (std::size_t i = 0; i < ModelParameters::count; ++i) {
     const ModelParameterInfo& info = modelParameterTable[i];
     const auto j = static_cast<Index>(i);
-    // Steps of one kind of walking tell little of some parameters; none goes far in one fit.
-    constexpr double furthest = 2;
     const double from = (start.values()[i] - info.neutral) / info.scale;
     const double low = (info.low - info.neutral) / info.scale, high = (info.high - info.neutral) / info.scale;
     space.start[j] = std::clamp(from, low, high);
@@ -37,6 +37,26 @@ SearchSpace spaceFrom(const ModelParameters& start) {
     space.upper[j] = std::min(high, space.start[j] + furthest);
   }
   return space;
+}
+
+/// The parameters of least cost; nothing where the options end it.
+template <class Cost>
+std::optional<ModelParameters> search(const SearchSpace& space, const ModelFitOptions& options,
+                                      std::vector<double>& best, const Cost& cost) {
+  CmaesOptions cmaes;
+  cmaes.population = options.population;
+  cmaes.seed = options.seed;
+  cmaes.stop.maxGenerations = options.generations;
+  Cmaes optimizer(space, cmaes);
+  while (!optimizer.isDone()) {
+    const Eigen::MatrixXd& candidates = optimizer.ask();
+    std::vector<double> costs;
+    for (Index i = 0; i < candidates.cols(); ++i) costs.push_back(cost(candidates.col(i)));
+    optimizer.tell(costs);
+    best.push_back(optimizer.bestCost());
+    if (options.goOn && !options.goOn()) return std::nullopt;
+  }
+  return parametersOf(optimizer.best());
 }
 
 }  // namespace
@@ -68,39 +88,39 @@ ModelFitResult fitModel(std::span<const ObservedStep> steps, const ModelParamete
   }
   ModelFitResult result;
   result.parameters = before;
+  result.prediction = options.prediction;
   result.before = result.after = predictionError(fitted, before);
   result.heldBefore = result.heldAfter = predictionError(held, before);
+  result.predictionHeldBefore = result.predictionHeldAfter = predictionError(held, options.prediction);
   if (fitted.empty() || held.empty()) return result;
 
-  CmaesOptions search;
-  search.population = options.population;
-  search.seed = options.seed;
-  search.stop.maxGenerations = options.generations;
-  Cmaes optimizer(spaceFrom(before), search);
   // What the steps do not tell stays as it was: a little is paid for every change.
   constexpr double weight = 0.03, weightOfChange = 0.05, weightOfDanger = 10;
+  const auto costOf = [&](const Eigen::VectorXd& x) {
+    return predictionError(fitted, parametersOf(x)) + weight * x.squaredNorm() / ModelParameters::count;
+  };
+  // Steps of one kind of walking tell little of some parameters; none that is planned with goes far in one
+  // fit.
+  constexpr double furthestPlanned = 2, anywhere = 1e3;
   const FitSafety safety(steps);
-  while (!optimizer.isDone()) {
-    const Eigen::MatrixXd& candidates = optimizer.ask();
-    std::vector<double> costs;
-    for (Index i = 0; i < candidates.cols(); ++i) {
-      const ModelParameters candidate = parametersOf(candidates.col(i));
-      const double change = safety.change(candidate);
-      costs.push_back(predictionError(fitted, candidate) +
-                      weight * candidates.col(i).squaredNorm() / ModelParameters::count +
-                      weightOfChange * change * change + weightOfDanger * std::max(0.0, change - 1));
-    }
-    optimizer.tell(costs);
-    result.best.push_back(optimizer.bestCost());
-    if (options.goOn && !options.goOn()) return result;
-  }
-  const ModelParameters found = parametersOf(optimizer.best());
-  result.after = predictionError(fitted, found);
-  result.heldAfter = predictionError(held, found);
-  result.change = safety.change(found);
+  const auto planned = search(spaceFrom(before, furthestPlanned), options, result.best, [&](const auto& x) {
+    const double change = safety.change(parametersOf(x));
+    return costOf(x) + weightOfChange * change * change + weightOfDanger * std::max(0.0, change - 1);
+  });
+  if (!planned) return result;
+  const auto predicting =
+      search(spaceFrom(options.prediction, anywhere), options, result.bestPrediction, costOf);
+  if (!predicting) return result;
+
+  result.after = predictionError(fitted, *planned);
+  result.heldAfter = predictionError(held, *planned);
+  result.change = safety.change(*planned);
   result.accepted =
       result.heldAfter < result.heldBefore && result.after < result.before && result.change <= 1;
-  if (result.accepted) result.parameters = found;
+  if (result.accepted) result.parameters = *planned;
+  result.predictionHeldAfter = predictionError(held, *predicting);
+  result.predicts = result.predictionHeldAfter < result.predictionHeldBefore;
+  if (result.predicts) result.prediction = *predicting;
   return result;
 }
 

@@ -107,7 +107,7 @@ public:
   ReferenceTrajectory reference;
   ClosedLoop loop;
   StepRecorder recorder;
-  ModelParameters fit;
+  ModelParameters fit, prediction;
 
 private:
   /// A request for a target becomes one for a velocity or, there, for a stop or the kick.
@@ -167,7 +167,8 @@ private:
   /// Draws the walk state slowly to the observed one (section 4.2.5).
   void observe(const WalkSensors& sensors) {
     const auto delay = static_cast<std::size_t>(std::lround(p.observationDelay / sensors.dt));
-    const std::optional<WalkState> expected = loop.update(sensors, model, delay, p.imuAverage);
+    const LinearInvertedPendulum observing(heights(), pressure(), prediction);
+    const std::optional<WalkState> expected = loop.update(sensors, observing, delay, p.imuAverage);
     if (!expected) return;
     recorder.add(loop.observed().state(), {heights(), pressure()}, sensors.dt);
     disturbance.update(state, *expected, phase, p.pendulumHeight, p, sensors.dt);
@@ -388,6 +389,8 @@ const Vec2& WalkEngine::capturePointError() const { return implementation->captu
 const ReferenceTrajectory& WalkEngine::reference() const { return implementation->reference; }
 void WalkEngine::setModelParameters(const ModelParameters& parameters) { implementation->fit = parameters; }
 const ModelParameters& WalkEngine::modelParameters() const { return implementation->fit; }
+void WalkEngine::setPrediction(const ModelParameters& parameters) { implementation->prediction = parameters; }
+const ModelParameters& WalkEngine::prediction() const { return implementation->prediction; }
 const ObservedStep* WalkEngine::observedStep() { return implementation->recorder.take(); }
 
 }  // namespace plumbline::walking

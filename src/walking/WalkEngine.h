@@ -87,9 +87,12 @@ public:
   /// The walk that is aimed at.
   const ReferenceTrajectory& reference() const;
 
-  /// The ten parameters that fit the model to this robot (section 4.3.1), from the next cycle on.
+  /// The ten parameters that fit the model to this robot (section 4.3.1), from the next cycle on: those that
+  /// steps are planned with, and those by which the observed state is filtered and carried over the delay.
   void setModelParameters(const ModelParameters& parameters);
   const ModelParameters& modelParameters() const;
+  void setPrediction(const ModelParameters& parameters);
+  const ModelParameters& prediction() const;
   /// The observed step that ended in the last update, if one did (nullptr); valid until the next update.
   const ObservedStep* observedStep();
 

@@ -63,12 +63,33 @@ TEST(ModelFit, removesABias) {
   EXPECT_LT(result.heldAfter, 0.1 * result.heldBefore);
 }
 
+TEST(ModelFit, whatOnlyPredictsIsNotHeldToTheWalk) {
+  // A robot whose mass is 2 cm off and that is braked by less than the pendulum says: planned with, another
+  // walk.
+  ModelParameters slow;
+  slow.timeFactor = 0.85;
+  slow.massOffsetX = 0.02;
+  const auto steps = stepsOf(slow, 30, 0.0005), others = stepsOf(slow, 30, 0.0005, 99);
+  const ModelFitResult result = fitModel(steps, {});
+  EXPECT_TRUE(result.predicts);
+  EXPECT_LT(predictionError(others, result.prediction), 0.02 * predictionError(others, {}));
+  EXPECT_GT(FitSafety(steps).change(result.prediction), 1);
+  EXPECT_LE(FitSafety(steps).change(result.parameters), 1);
+  EXPECT_GT(predictionError(others, result.parameters), 2 * predictionError(others, result.prediction));
+  EXPECT_EQ(result.bestPrediction.size(), 60u);
+  // In use already, it stays unless there is a better one.
+  const ModelFitResult again = fitModel(steps, {}, {.generations = 1, .prediction = result.prediction});
+  EXPECT_FALSE(again.predicts);
+  EXPECT_EQ(again.prediction.values(), result.prediction.values());
+}
+
 TEST(ModelFit, doesNoHarmWhereThereIsNone) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const auto steps = stepsOf({}, 30, 0.002, seed);
     const ModelFitResult result = fitModel(steps, {}, {.seed = seed});
     const auto others = stepsOf({}, 300, 0, seed + 50);
     EXPECT_LT(predictionError(others, result.parameters), 0.05) << "a twentieth of 5 mm squared";
+    EXPECT_LT(predictionError(others, result.prediction), 0.05);
     if (!result.accepted) {
       EXPECT_EQ(result.parameters.values(), ModelParameters{}.values());
     }
@@ -85,6 +106,9 @@ TEST(ModelFit, neverTakesWhatPredictsHeldOutStepsWorse) {
   EXPECT_GT(result.heldAfter, result.heldBefore);
   EXPECT_FALSE(result.accepted);
   EXPECT_EQ(result.parameters.values(), ModelParameters{}.values());
+  EXPECT_GT(result.predictionHeldAfter, result.predictionHeldBefore);
+  EXPECT_FALSE(result.predicts);
+  EXPECT_EQ(result.prediction.values(), ModelParameters{}.values());
 }
 
 TEST(FitSafety, tellsASetThatWalksElsewhereFromOneThatDoesNot) {
@@ -113,11 +137,28 @@ TEST(BackgroundFit, whatPredictsWorseOnProbationIsRolledBack) {
   ModelParameters another;
   another.massOffsetX = -0.02;
   for (const ObservedStep& step : stepsOf(another, 10, 0.0005, 5)) background.add(step);
-  const auto back = background.pass(0.02, result->parameters);
+  const auto back = background.pass(0.02, result->parameters, result->prediction);
   ASSERT_TRUE(back.has_value());
   EXPECT_TRUE(back->rolledBack);
   EXPECT_EQ(back->parameters.values(), ModelParameters{}.values());
+  EXPECT_EQ(back->prediction.values(), ModelParameters{}.values());
   EXPECT_FALSE(background.onProbation());
+}
+
+TEST(BackgroundFit, onlyTheSetThatGotWorseIsRolledBack) {
+  BackgroundFit background({.steps = 30, .duration = 1, .wait = true, .probation = 10});
+  for (const ObservedStep& step : stepsOf(biased(), 30, 0.0005)) background.add(step);
+  std::optional<ModelFitResult> result;
+  while (!result) result = background.pass(0.02, {});
+  ASSERT_TRUE(result->accepted && result->predicts);
+  for (const ObservedStep& step : stepsOf(biased(), 10, 0.0005, 5)) background.add(step);
+  // What is said to be in use for predictions is of another robot.
+  ModelParameters another;
+  another.massOffsetX = -0.02;
+  const auto back = background.pass(0.02, result->parameters, another);
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->parameters.values(), result->parameters.values());
+  EXPECT_EQ(back->prediction.values(), ModelParameters{}.values());
 }
 
 TEST(BackgroundFit, aFallOnProbationRollsBackAndATestThatIsPassedDoesNot) {
@@ -128,7 +169,7 @@ TEST(BackgroundFit, aFallOnProbationRollsBackAndATestThatIsPassedDoesNot) {
     while (!result) result = background.pass(0.02, {});
     if (falls) background.fell();
     for (const ObservedStep& step : stepsOf(biased(), 10, 0.0005, 5)) background.add(step);
-    EXPECT_EQ(background.pass(0.02, result->parameters).has_value(), falls);
+    EXPECT_EQ(background.pass(0.02, result->parameters, result->prediction).has_value(), falls);
     EXPECT_FALSE(background.onProbation());
   }
 }

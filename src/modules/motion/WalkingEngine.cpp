@@ -10,6 +10,7 @@ MAKE_MODULE(WalkingEngine)
 void WalkingEngine::init() {
   gaits_ = readWalkGaits(config);
   const bool fits = config.get<bool>("fit.enabled");
+  fitsPlan_ = config.get<bool>("fit.plan");
   walking::BackgroundFitOptions options;
   options.steps = static_cast<std::size_t>(config.get<int>("fit.steps", {6, 10000}));
   options.maxSteps = 3 * options.steps;
@@ -32,13 +33,18 @@ std::optional<walking::FootContact> felt(const FootForceData& sensor) {
 
 void WalkingEngine::fitModel() {
   if (const walking::ObservedStep* step = engine_->observedStep()) fit_->add(*step);
-  const auto result = fit_->pass(theFrameInfo->cycleSeconds, engine_->modelParameters());
+  const auto result =
+      fit_->pass(theFrameInfo->cycleSeconds, engine_->modelParameters(), engine_->prediction());
   if (!result) return;
-  if (result->accepted) engine_->setModelParameters(result->parameters);
-  log << "walk model: error on held-out steps " << result->heldBefore << " -> " << result->heldAfter
-      << (result->rolledBack ? ", rolled back"
-          : result->accepted ? ", taken"
-                             : ", not taken");
+  if (fitsPlan_) engine_->setModelParameters(result->parameters);
+  engine_->setPrediction(result->prediction);
+  const auto fate = [&result](bool taken) {
+    return result->rolledBack ? ", rolled back" : taken ? ", taken" : ", not taken";
+  };
+  log << "walk model: error on held-out steps, predicting " << result->predictionHeldBefore << " -> "
+      << result->predictionHeldAfter << fate(result->predicts);
+  if (fitsPlan_)
+    log << "; planning " << result->heldBefore << " -> " << result->heldAfter << fate(result->accepted);
 }
 
 void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {

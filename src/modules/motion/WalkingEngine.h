@@ -41,6 +41,7 @@ private:
   walking::WalkGaits gaits_;
   std::optional<walking::WalkEngine> engine_;
   std::unique_ptr<walking::BackgroundFit> fit_;
+  bool fitsPlan_ = false;
   int type_ = -1;
   bool standing_ = true;  ///< the walk did when it was last selected
 };

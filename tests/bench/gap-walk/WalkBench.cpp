@@ -190,7 +190,7 @@ void write(const std::vector<Case>& cases, const Mechanism& robot, std::uint64_t
   for (const double share : closed) mean += share / static_cast<double>(closed.size());
   const Figure f = share("", "", first, singles), t = share("", "", three, singles),
                a = share("", "", alarms, none);
-  char text[1600];
+  char text[2400];
   std::snprintf(
       text, sizeof text,
       "A NAO walks in Bullet with the project's own walk, forward, sideways and turning, 12 s each; "

@@ -15,16 +15,16 @@ void accelerate(const Subject& subject, Report& report, Page& page) {
   Walker& robot = *walker;
   const double cycle = robot.cycle;
   const auto window = static_cast<std::size_t>(std::lround(0.2 / cycle));
-  const ModelParameters fit = optimise(robot, forward);
+  const FittedWalk fitted = optimise(robot, forward);
   Plot plot{.title = subject.name, .xLabel = "time [s]", .yLabel = "speed over 0.2 s [m/s]", .series = {}};
-  for (const bool optimised : {false, true}) {
+  for (const Fit fit : fits) {
     Random random(5);
     std::vector<double> totals, delays, accelerations, errors, deviations;
     StepWatch watch(robot);
     int fallen = 0;
     for (int run = 0; run < 30; ++run) {
       robot.restart();
-      robot.engine.setModelParameters(optimised ? fit : ModelParameters{});
+      fitted.give(robot.engine, fit);
       robot.run({}, random.uniform(0.3, 0.7));
       const Pose2 start = robot.pose();
       std::vector<double> way{0};
@@ -56,20 +56,20 @@ void accelerate(const Subject& subject, Report& report, Page& page) {
       errors.push_back(e.mean);
       deviations.push_back(speeds.empty() ? 0 : std::sqrt(squares / static_cast<double>(speeds.size())));
       if (run == 0) {
-        Series& series = plot.add(optimised ? "optimised model" : "as it is");
+        Series& series = plot.add(nameOf(fit));
         for (std::size_t i = window; i < way.size(); ++i)
           series.points.emplace_back(cycle * static_cast<double>(i), (way[i] - way[i - window]) / 0.2);
       }
     }
     const Observed seen = watch.finish();
-    std::vector<std::string> cells{subject.name, optimised ? "optimised" : "as it is"};
+    std::vector<std::string> cells{subject.name, nameOf(fit)};
     append(cells, cellsOf(seen.figures));
     cells.resize(6);  // this table has no change of the target
     append(cells, {text(estimate(totals), 0), text(estimate(delays), 0), text(estimate(accelerations), 2),
                    text(estimate(errors), 1), fmt::format("{:.1f}", estimate(deviations).mean),
                    std::to_string(fallen)});
     report.row(cells);
-    if (!optimised) continue;
+    if (fit != Fit::prediction) continue;
     report.figure(subject.name + ".acceleration_total", estimate(totals).mean, "ms", {false, 2080},
                   "thesis, SimSpark type 0, optimised", 2082);
     report.figure(subject.name + ".acceleration_delay", estimate(delays).mean, "ms", {false, 300},

@@ -202,7 +202,7 @@ void walkFigures(const WalkGaits& gaits, bool closed, Page& page) {
     if (single) {
       const WalkParameters p = robot.engine.gait();
       const LinearInvertedPendulum model(Vec2(p.pendulumHeight, p.pendulumHeight + p.pendulumSideways),
-                                         Vec2(p.copForward, p.copOutward), robot.engine.modelParameters());
+                                         Vec2(p.copForward, p.copOutward), robot.engine.prediction());
       WalkAction rest;
       rest.duration = robot.output.stepTime;
       end = model.move(state, rest, rest.duration);

@@ -11,7 +11,7 @@ void figuresOfFit(const Subject& subject, Page& page) {
   Walker& robot = *walker;
   std::vector<double> errors;
   std::vector<ObservedStep> steps;
-  const ModelParameters fit = optimise(robot, forwardBackward, &errors, &steps);
+  const ModelParameters fit = optimise(robot, forwardBackward, &errors, &steps).prediction;
   Plot curve{.title = "error of the best parameters so far",
              .xLabel = "generation",
              .yLabel = "mean squared error",

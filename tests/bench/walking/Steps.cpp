@@ -38,7 +38,7 @@ void StepWatch::add(const ObservedStep& step) {
   const Side side = step.begin.supportSide();
   const Vec2 outwards(1, outward(side));
   const auto& end = step.samples.back();
-  const WalkState predicted = step.predicted(step.pendulum.with(robot.engine.modelParameters()), end.time);
+  const WalkState predicted = step.predicted(step.pendulum.with(robot.engine.prediction()), end.time);
   StepFigures& f = result.figures;
   f.position += 1000 * outwards.cwiseProduct(predicted.supportFoot().position - end.foot);
   f.velocity += 1000 * outwards.cwiseProduct(predicted.velocity - end.velocity);
@@ -62,28 +62,46 @@ void append(std::vector<std::string>& cells, const std::vector<std::string>& mor
   cells.insert(cells.end(), more.begin(), more.end());
 }
 
-ModelParameters optimise(Walker& robot, const Requests& requests, std::vector<double>* errors,
-                         std::vector<ObservedStep>* steps) {
-  robot.engine.setModelParameters({});
-  robot.restart();
-  BackgroundFit fit({.steps = 60, .maxSteps = 120, .duration = 20, .wait = true});
-  int rounds = 0;
-  for (double time = 0; (rounds < 2 || fit.onProbation()) && time < 200; time += robot.cycle) {
-    if (!robot.step(requests(time))) {
-      fit.fell();
-      robot.restart();
-    }
-    if (const ObservedStep* step = robot.engine.observedStep()) {
-      fit.add(*step);
-      if (steps && rounds == 0 && steps->size() < 60) steps->push_back(*step);
-    }
-    if (const auto result = fit.pass(robot.cycle, robot.engine.modelParameters())) {
-      if (errors && rounds == 0) *errors = result->best;
-      robot.engine.setModelParameters(result->parameters);
-      rounds += result->rolledBack ? 0 : 1;
+const char* nameOf(Fit fit) {
+  return fit == Fit::none ? "as it is" : fit == Fit::prediction ? "predicts" : "plans";
+}
+
+void FittedWalk::give(WalkEngine& engine, Fit fit) const {
+  engine.setPrediction(fit == Fit::none         ? ModelParameters{}
+                       : fit == Fit::prediction ? prediction
+                                                : predictionOfPlan);
+  engine.setModelParameters(fit == Fit::plan ? plan : ModelParameters{});
+}
+
+FittedWalk optimise(Walker& robot, const Requests& requests, std::vector<double>* errors,
+                    std::vector<ObservedStep>* steps) {
+  FittedWalk found;
+  for (const Fit use : {Fit::prediction, Fit::plan}) {
+    const bool first = use == Fit::prediction;
+    found.give(robot.engine, Fit::none);
+    robot.restart();
+    BackgroundFit fit({.steps = 60, .maxSteps = 120, .duration = 20, .wait = true});
+    int rounds = 0;
+    for (double time = 0; (rounds < 2 || fit.onProbation()) && time < 200; time += robot.cycle) {
+      if (!robot.step(requests(time))) {
+        fit.fell();
+        robot.restart();
+      }
+      if (const ObservedStep* step = robot.engine.observedStep()) {
+        fit.add(*step);
+        if (steps && first && rounds == 0 && steps->size() < 60) steps->push_back(*step);
+      }
+      if (const auto result =
+              fit.pass(robot.cycle, robot.engine.modelParameters(), robot.engine.prediction())) {
+        if (errors && first && rounds == 0) *errors = result->bestPrediction;
+        (first ? found.prediction : found.predictionOfPlan) = result->prediction;
+        if (!first) found.plan = result->parameters;
+        found.give(robot.engine, use);
+        rounds += result->rolledBack ? 0 : 1;
+      }
     }
   }
-  return robot.engine.modelParameters();
+  return found;
 }
 
 WalkRequest forwardBackward(double time) { return {Vec2(std::fmod(time, 6) < 3 ? 0.15 : -0.15, 0), 0, true}; }

@@ -1,6 +1,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -51,11 +52,23 @@ void append(std::vector<std::string>& cells, const std::vector<std::string>& mor
 
 using Requests = std::function<walking::WalkRequest(double)>;
 
+/// The walk as it is; with the fitted prediction; planned with what was fitted as well.
+enum class Fit { none, prediction, plan };
+inline constexpr std::array fits{Fit::none, Fit::prediction, Fit::plan};
+const char* nameOf(Fit fit);
+
+/// What models that were fitted to a robot give it: one while it walked as ever, one while it walked as that
+/// planned.
+struct FittedWalk {
+  walking::ModelParameters prediction, plan, predictionOfPlan;
+
+  void give(walking::WalkEngine& engine, Fit fit) const;
+};
+
 /// Walks as asked while the model is fitted to it, twice 20 s; the parameters that came of it. errors: the
 /// least error after each generation of the first fit; steps: some that it was fitted to.
-walking::ModelParameters optimise(walking::Walker& robot, const Requests& requests,
-                                  std::vector<double>* errors = nullptr,
-                                  std::vector<walking::ObservedStep>* steps = nullptr);
+FittedWalk optimise(walking::Walker& robot, const Requests& requests, std::vector<double>* errors = nullptr,
+                    std::vector<walking::ObservedStep>* steps = nullptr);
 
 /// 0.15 m/s forward and backward, changed every 3 s.
 walking::WalkRequest forwardBackward(double time);

@@ -8,9 +8,9 @@ namespace {
 using namespace walking;
 
 /// Five minutes on the spot: table 4.3.
-Observed onTheSpot(Walker& robot, const ModelParameters& fit, double seconds) {
+Observed onTheSpot(Walker& robot, const FittedWalk& fitted, Fit fit, double seconds) {
   robot.restart();
-  robot.engine.setModelParameters(fit);
+  fitted.give(robot.engine, fit);
   StepWatch watch(robot);
   int falls = 0;
   for (double time = 0; time < seconds; time += robot.cycle) {
@@ -28,24 +28,21 @@ Observed onTheSpot(Walker& robot, const ModelParameters& fit, double seconds) {
 void walkOnTheSpot(const Subject& subject, const BenchSetup& setup, Report& report, Page& page) {
   const std::unique_ptr<Walker> walker = subject.walker();
   Walker& robot = *walker;
-  const ModelParameters fit = optimise(robot, [](double) { return WalkRequest{Vec2::Zero(), 0, true}; });
-  double bias[2] = {0, 0};
+  const FittedWalk fitted = optimise(robot, [](double) { return WalkRequest{Vec2::Zero(), 0, true}; });
+  std::array<double, fits.size()> bias{};
   Page::Figure figure{
       fmt::format("Figure 4.18, {}: the supporting foot at the end of each step on the spot.", subject.name),
       {}};
-  for (const bool optimised : {false, true}) {
-    const Observed seen = onTheSpot(robot, optimised ? fit : ModelParameters{}, 30.0 * setup.seeds);
-    std::vector<std::string> cells{subject.name, optimised ? "optimised" : "as it is"};
+  for (const Fit fit : fits) {
+    const Observed seen = onTheSpot(robot, fitted, fit, 30.0 * setup.seeds);
+    std::vector<std::string> cells{subject.name, nameOf(fit)};
     append(cells, cellsOf(seen.figures));
     append(cells, {fmt::format("{:.1f}", seen.figures.footMean.norm()),
                    fmt::format("{:.1f}", seen.figures.footAbs), std::to_string(seen.falls)});
     report.row(cells);
-    bias[optimised] = std::hypot(seen.figures.velocity.x(), seen.figures.velocity.y());
-    Plot plot{.title = optimised ? "with optimised model" : "without optimisation",
-              .xLabel = "x [mm]",
-              .yLabel = "y [mm]",
-              .series = {},
-              .equalScales = true};
+    bias[static_cast<std::size_t>(fit)] = std::hypot(seen.figures.velocity.x(), seen.figures.velocity.y());
+    Plot plot{
+        .title = nameOf(fit), .xLabel = "x [mm]", .yLabel = "y [mm]", .series = {}, .equalScales = true};
     plot.add("left", Series::Style::points).points = seen.feet[0];
     plot.add("right", Series::Style::points).points = seen.feet[1];
     plot.add("reference", Series::Style::points).points = seen.referenceFeet;
@@ -64,8 +61,11 @@ void tableOnTheSpot(const std::vector<Subject>& subjects, const BenchSetup& setu
       "Five minutes, requested speed 0. Predicted state at the end of a step minus the observed one (mm, "
       "mm/s; y "
       "to the outside), change of the target within the step (mm), distance of the supporting foot from its "
-      "place in the reference: of the mean, and mean over the steps (mm). Second row: after the model was "
-      "optimised on 20 s of steps, twice.");
+      "place in the reference: of the mean, and mean over the steps (mm). Predicts: the model was optimised "
+      "on "
+      "20 s of steps, twice, and tells the closed loop what the robot will do; plans: one that is safe to "
+      "walk "
+      "by plans the steps, too.");
   report.tableHead({"robot", "model", "x", "x'", "y", "y'", "change x", "change y", "foot mean",
                     "foot mean abs", "falls"});
   measureEach(subjects.size(), setup, report, page, [&](std::size_t i, Report& part, Page& figures) {
@@ -76,10 +76,10 @@ void tableOnTheSpot(const std::vector<Subject>& subjects, const BenchSetup& setu
 void walkForwardBackward(const Subject& subject, const BenchSetup& setup, Report& report) {
   const std::unique_ptr<Walker> walker = subject.walker();
   Walker& robot = *walker;
-  const ModelParameters fit = optimise(robot, forwardBackward);
-  for (const bool optimised : {false, true}) {
+  const FittedWalk fitted = optimise(robot, forwardBackward);
+  for (const Fit fit : fits) {
     robot.restart();
-    robot.engine.setModelParameters(optimised ? fit : ModelParameters{});
+    fitted.give(robot.engine, fit);
     StepWatch watch(robot);
     std::vector<double> errors;
     double way = 0;
@@ -103,12 +103,15 @@ void walkForwardBackward(const Subject& subject, const BenchSetup& setup, Report
     const Estimate e = estimate(errors);
     double squares = 0;
     for (const double error : errors) squares += (error - e.mean) * (error - e.mean);
-    std::vector<std::string> cells{subject.name, optimised ? "optimised" : "as it is"};
+    std::vector<std::string> cells{subject.name, nameOf(fit)};
     append(cells, cellsOf(seen.figures));
     append(cells, {text(e, 1), fmt::format("{:.1f}", std::sqrt(squares / static_cast<double>(errors.size()))),
                    std::to_string(falls)});
     report.row(cells);
-    report.figure(fmt::format("{}.switching_speed_error{}", subject.name, optimised ? "_optimised" : ""),
+    report.figure(fmt::format("{}.switching_speed_error{}", subject.name,
+                              fit == Fit::none         ? ""
+                              : fit == Fit::prediction ? "_optimised"
+                                                       : "_planned"),
                   std::abs(e.mean), "mm/s", {false, std::nan("")});
   }
 }
