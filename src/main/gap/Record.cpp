@@ -170,7 +170,7 @@ void addRecord(CLI::App& app) {
   command
       ->add_option(
           "--engine", options->engine,
-          "own: the dynamics that the diagnosis explains with; bullet: another engine, not all effects")
+          "own: the dynamics that the diagnosis explains with; bullet: another engine")
       ->check(CLI::IsMember({"own", "bullet"}))
       ->capture_default_str();
   command->add_option("--host", options->simspark.host, "Of the SimSpark server")->capture_default_str();
