@@ -102,25 +102,26 @@ ModelFitResult fitModel(std::span<const ObservedStep> steps, const ModelParamete
   // Steps of one kind of walking tell little of some parameters; none that is planned with goes far in one
   // fit.
   constexpr double furthestPlanned = 2, anywhere = 1e3;
+  const auto predicting =
+      search(spaceFrom(options.prediction, anywhere), options, result.bestPrediction, costOf);
+  if (!predicting) return result;
+  result.predictionHeldAfter = predictionError(held, *predicting);
+  result.predicts = result.predictionHeldAfter < result.predictionHeldBefore;
+  if (result.predicts) result.prediction = *predicting;
+  if (!options.plan) return result;
+
   const FitSafety safety(steps);
   const auto planned = search(spaceFrom(before, furthestPlanned), options, result.best, [&](const auto& x) {
     const double change = safety.change(parametersOf(x));
     return costOf(x) + weightOfChange * change * change + weightOfDanger * std::max(0.0, change - 1);
   });
   if (!planned) return result;
-  const auto predicting =
-      search(spaceFrom(options.prediction, anywhere), options, result.bestPrediction, costOf);
-  if (!predicting) return result;
-
   result.after = predictionError(fitted, *planned);
   result.heldAfter = predictionError(held, *planned);
   result.change = safety.change(*planned);
   result.accepted =
       result.heldAfter < result.heldBefore && result.after < result.before && result.change <= 1;
   if (result.accepted) result.parameters = *planned;
-  result.predictionHeldAfter = predictionError(held, *predicting);
-  result.predicts = result.predictionHeldAfter < result.predictionHeldBefore;
-  if (result.predicts) result.prediction = *predicting;
   return result;
 }
 

@@ -13,6 +13,7 @@ struct ModelFitOptions {
   int generations = 60;
   std::uint64_t seed = 1;
   ModelParameters prediction{};  ///< in use
+  bool plan = true;              ///< looks for `parameters`, too
   /// Called after every generation; false ends the fit without a result.
   std::function<bool()> goOn{};
 };

@@ -77,6 +77,10 @@ TEST(ModelFit, whatOnlyPredictsIsNotHeldToTheWalk) {
   EXPECT_LE(FitSafety(steps).change(result.parameters), 1);
   EXPECT_GT(predictionError(others, result.parameters), 2 * predictionError(others, result.prediction));
   EXPECT_EQ(result.bestPrediction.size(), 60u);
+  const ModelFitResult alone = fitModel(steps, {}, {.plan = false});
+  EXPECT_EQ(alone.prediction.values(), result.prediction.values());
+  EXPECT_FALSE(alone.accepted);
+  EXPECT_TRUE(alone.best.empty());
   // In use already, it stays unless there is a better one.
   const ModelFitResult again = fitModel(steps, {}, {.generations = 1, .prediction = result.prediction});
   EXPECT_FALSE(again.predicts);

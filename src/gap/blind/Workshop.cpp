@@ -6,13 +6,12 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <thread>
 
 #include "framework/WriteFile.h"
-#include "gap/blind/StrangeDrives.h"
+#include "gap/blind/OutsideDrives.h"
 #include "gap/effects/Effects.h"
 #include "gap/record/BulletRecording.h"
 #include "gap/record/ExcitationFile.h"
@@ -112,13 +111,13 @@ void Workshop::writeHere(const std::vector<BlindEffect>& effects, std::uint64_t 
   SimulatedRecordingOptions recording;
   recording.noisy = noise;
   recording.step = stepHere;
-  std::vector<BlindEffect> strange;
+  std::vector<BlindEffect> outside;
   for (const BlindEffect& e : effects) {
     const Effect* effect = findEffect(e.effect);
     if (effect)
       recording.effects.push_back(causeOf(e, *effect, robot));
     else if (engine == BlindEngine::bullet)
-      strange.push_back(e);
+      outside.push_back(e);
     else
       throw std::runtime_error("the project's replay has no effect " + e.effect);
   }
@@ -126,9 +125,9 @@ void Workshop::writeHere(const std::vector<BlindEffect>& effects, std::uint64_t 
   for (std::size_t i = 0; i < programs.size(); ++i) {
     recording.seed = seed * 1'000'003 + i + 1;
     const Excitation motion = findExcitation(programs[i], robot);
-    StrangeDrives drives(robot, strange);
+    OutsideDrives drives(robot, outside);
     const Run run = engine == BlindEngine::bullet
-                        ? recordBullet(robot, motion, recording, strange.empty() ? nullptr : &drives)
+                        ? recordBullet(robot, motion, recording, outside.empty() ? nullptr : &drives)
                         : recordSimulated(robot, motion, recording);
     writeRun(run, (fs::path(folder) / runName(i)).string(), {5, true});
   }

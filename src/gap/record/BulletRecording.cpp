@@ -27,12 +27,12 @@ void check(const Explanation& effects) {
 class Recorder {
 public:
   Recorder(const Plant& plant_, const Trial& trial_, const std::vector<std::uint8_t>& lost_, double slice_,
-           StrangeRobot* strange_)
+           OutsideEffects* outside_)
       : plant(plant_),
         trial(trial_),
         lost(lost_),
         slice(slice_),
-        strange(strange_),
+        outside(outside_),
         ground(rotationOfGround(plant_.ground)),
         world(bulletMechanism(plant_, 1 / slice_), bulletWorld(plant_, !trial_.freeBase, slice_)) {}
 
@@ -48,7 +48,7 @@ public:
       world.restart(start, trial.heading);
     else
       world.restart(translation(0, 0, hung), start);
-    if (strange) strange->start(first);
+    if (outside) outside->start(first);
     for (int i = 0; i < static_cast<int>(settle / slice); ++i) advance(trial.time[0] - settle, first);
     for (const ExternalForce& force : plant.forces)
       world.push(ground.transpose() * force.force, 1e6, force.link);
@@ -72,7 +72,7 @@ public:
 
 private:
   void advance(double now, std::vector<double> targets) {
-    if (strange) strange->act(now, slice, world, targets);
+    if (outside) outside->act(now, slice, world, targets);
     world.command(targets);
     world.step();
   }
@@ -138,7 +138,7 @@ private:
           value = (toSensor * gyro + plant.imu.gyroBias)[signal.axis];
           break;
         case SignalKind::accelerometer:
-          value = (toSensor * acc)[signal.axis] + (strange ? strange->accBias()[signal.axis] : 0);
+          value = (toSensor * acc)[signal.axis] + (outside ? outside->accBias()[signal.axis] : 0);
           break;
         case SignalKind::force:
           value =
@@ -159,7 +159,7 @@ private:
   const Trial& trial;
   const std::vector<std::uint8_t>& lost;
   const double slice;  ///< commands are averaged over so much [s]
-  StrangeRobot* const strange;
+  OutsideEffects* const outside;
   const Mat3 ground;  ///< R_world_ground; the simulated world is the ground's
   simulation::ServoWorld world;
   std::vector<Inertial> history;
@@ -197,11 +197,11 @@ const std::vector<std::string_view>& walkEffects() {
 }
 
 Run recordBullet(const Mechanism& robot, const Excitation& program, const SimulatedRecordingOptions& options,
-                 StrangeRobot* strange) {
+                 OutsideEffects* outside) {
   check(options.effects);
   return recordWith(robot, program, options,
                     [&](const Plant& plant, const Trial& trial, const std::vector<std::uint8_t>& lost) {
-                      return Recorder(plant, trial, lost, std::min(finest, options.step), strange).play();
+                      return Recorder(plant, trial, lost, std::min(finest, options.step), outside).play();
                     });
 }
 

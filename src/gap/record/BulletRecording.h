@@ -9,9 +9,9 @@ namespace plumbline::gap {
 
 /// What a robot in Bullet has that no effect of the library says: it may change what joints are told, and
 /// push them. One per recording.
-class StrangeRobot {
+class OutsideEffects {
 public:
-  virtual ~StrangeRobot() = default;
+  virtual ~OutsideEffects() = default;
   /// Before the recording: the first commands of all joints [rad].
   virtual void start(const std::vector<double>& commands) = 0;
   /// Before a slice of h [s] from this time on: may change targets [rad] and put loads on joints.
@@ -25,7 +25,7 @@ public:
 /// second. Its drives are written apart from those that explain. Errors: ConfigurationError for two external
 /// forces, std::invalid_argument for a program on feet that the robot lacks.
 Run recordBullet(const Mechanism& robot, const Excitation& program,
-                 const SimulatedRecordingOptions& options = {}, StrangeRobot* strange = nullptr);
+                 const SimulatedRecordingOptions& options = {}, OutsideEffects* outside = nullptr);
 
 /// A plant as ServoWorld takes it: its drives and links, gravity seen from its ground, and the ground itself.
 /// A joint that shares another's motor has a servo of its own, to be told the same, as in the replay and the

@@ -168,9 +168,8 @@ void addRecord(CLI::App& app) {
                    "SimSpark server")
       ->capture_default_str();
   command
-      ->add_option(
-          "--engine", options->engine,
-          "own: the dynamics that the diagnosis explains with; bullet: another engine")
+      ->add_option("--engine", options->engine,
+                   "own: the dynamics that the diagnosis explains with; bullet: another engine")
       ->check(CLI::IsMember({"own", "bullet"}))
       ->capture_default_str();
   command->add_option("--host", options->simspark.host, "Of the SimSpark server")->capture_default_str();

@@ -17,6 +17,7 @@ void WalkingEngine::init() {
   options.duration = config.get<double>("fit.seconds", {0.1, 3600});
   options.cpuShare = config.get<double>("fit.cpuShare", {0.01, 1});
   options.wait = config.get<bool>("fit.wait");
+  options.fit.plan = fitsPlan_;
   options.fit.generations = config.get<int>("fit.generations", {1, 100000});
   options.onThreadStart = [] { applyThreadPriority(0, 14); };
   if (fits) fit_ = std::make_unique<walking::BackgroundFit>(options);
@@ -36,7 +37,7 @@ void WalkingEngine::fitModel() {
   const auto result =
       fit_->pass(theFrameInfo->cycleSeconds, engine_->modelParameters(), engine_->prediction());
   if (!result) return;
-  if (fitsPlan_) engine_->setModelParameters(result->parameters);
+  engine_->setModelParameters(result->parameters);
   engine_->setPrediction(result->prediction);
   const auto fate = [&result](bool taken) {
     return result->rolledBack ? ", rolled back" : taken ? ", taken" : ", not taken";

@@ -69,13 +69,12 @@ void ServoDrive::begin(double h, const Side& motor, const Side& link) {
     else if (!plant.deadBandSteps)
       error -= std::copysign(plant.deadBand, error);
   }
-  gain = kp;
   law0 = stiffness * kp * error;
   if (behindGear) {
     law0 -= stiffness * kd * link.speed;
     law1 = 0;
   } else if (detailed) {
-    // Speeds by the trapezoid, positions half a step ahead of them (leapfrog): of second order in the step.
+    // Speeds by the trapezoid, positions half a step ahead of them (leapfrog).
     law1 = stiffness * kd / 2;
     law0 -= law1 * motor.speed;
   } else {
@@ -85,9 +84,8 @@ void ServoDrive::begin(double h, const Side& motor, const Side& link) {
 }
 
 double ServoDrive::fullLimit() const {
-  double most = stiffness * plant.maxTorque;
-  if (detailed) most *= plant.torqueFactor * std::max(0.0, 1 - plant.deratingPerJoule * heat);
-  return most;
+  return stiffness * plant.maxTorque *
+         (plant.torqueFactor * std::max(0.0, 1 - plant.deratingPerJoule * heat));
 }
 
 /// Most torque in the direction of sign at this speed: it fades over the last tenth below the top speed.
@@ -105,19 +103,17 @@ bool ServoDrive::limitAt(double speedAfter) {
   const double torqueNow = torque(speedAfter);
   if (regime == Regime::linear && dc) {
     const double asked = detailed ? error : error - step * speedAfter;
-    const double duty =
-        detailed && gain == 0 ? 0 : servo.kpFirmware * servo.errorGain * asked;  // within the dead band: none
+    const double duty = servo.kpFirmware * servo.errorGain * asked;
     if (std::abs(duty) > servo.maxPwm) {
       regime = Regime::fullDuty;
       sense = torqueNow < 0 ? -1 : 1;
       if (detailed) sense = duty < 0 ? -1 : 1;
-      const double supply = servo.vin * (detailed ? plant.supplyFactor : 1);
-      law0 = sense * stiffness * servo.kt * supply * servo.maxPwm / servo.R;
-      law1 = stiffness * (servo.kt * servo.kt / servo.R + (detailed ? plant.extraDamping : 0));
+      law0 = sense * stiffness * servo.kt * (servo.vin * plant.supplyFactor) * servo.maxPwm / servo.R;
+      law1 = stiffness * (servo.kt * servo.kt / servo.R + plant.extraDamping);
       return true;
     }
   }
-  if (dc && !(detailed && (plant.torqueFactor < 1 || plant.deratingPerJoule > 0))) return false;
+  if (dc && plant.torqueFactor >= 1 && plant.deratingPerJoule <= 0) return false;
   if (regime == Regime::linear || regime == Regime::fullDuty) {
     sense = torqueNow < 0 ? -1 : 1;
     const bool fades = !dc && detailed;
@@ -153,11 +149,15 @@ void ServoDrive::end(double speedAfter, double friction) {
 }
 
 double ServoDrive::dryLimit() const {
-  const double v = speedBefore / plant.stribeckSpeed;
+  double most = plant.coulomb;
+  if (plant.stribeck > 0) {
+    const double v = speedBefore / plant.stribeckSpeed;
+    most += plant.stribeck * std::exp(-v * v);
+  }
   double load = std::abs(transmitted);
   if (plant.loadIs == JointPlant::Load::linkTorque) load = std::abs(onLink);
   if (plant.loadIs == JointPlant::Load::motorTorque) load = std::abs(motorTorque);
-  return plant.coulomb + plant.stribeck * std::exp(-v * v) + plant.loadFriction * load;
+  return most + plant.loadFriction * load;
 }
 
 }  // namespace plumbline::simulation

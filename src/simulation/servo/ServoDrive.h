@@ -8,7 +8,7 @@ namespace plumbline::simulation {
 /// and link are, and what came out. Law of the servo: robot/Mechanism.h; of the rest: JointPlant.
 class ServoDrive {
 public:
-  /// detailed: of second order in the step where positions are read half a step of speed earlier (leapfrog),
+  /// detailed: speeds by the trapezoid, for positions that are read half a step of speed earlier (leapfrog),
   /// and limits fade by the speed after the step, which stays calm at any limit. Else implicit Euler, which
   /// stays calm at any gain.
   explicit ServoDrive(const JointPlant& plant, bool detailed);
@@ -31,6 +31,7 @@ public:
   double offset() const { return law0; }
   double slope() const { return law1; }
   double torque(double speedAfter) const { return law0 - law1 * speedAfter; }
+  double speedAtBegin() const { return speedBefore; }  ///< of the motor
   double rotor() const { return plant.servo.armature; }
   /// Most that dry friction holds in this step [N m]; 0: none.
   double dryLimit() const;
@@ -50,7 +51,7 @@ private:
   bool detailed;
   double wanted = 0, stiffness = 1;
   double profile = 0, profileSpeed = 0;
-  double law0 = 0, law1 = 0, error = 0, gain = 0, sense = 1;  ///< of the step
+  double law0 = 0, law1 = 0, error = 0, sense = 1;  ///< of the step
   double speedBefore = 0, step = 0, heat = 0, transmitted = 0, onLink = 0, motorTorque = 0;
   bool behindGear = false;  ///< the encoder and the motor are on two sides of a gear that gives way
   Regime regime = Regime::linear;

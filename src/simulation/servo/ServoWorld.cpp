@@ -165,11 +165,10 @@ void ServoWorld::substep() {
     --pushSteps;
     body->addForce(pushLink, pushForce, link(pushLink).pose * mechanism_.links[at(pushLink)].com);
   }
-  rates.clear();
-  linkRates.clear();
   for (int i = 0; i < mechanism_.numJoints(); ++i) {
-    rates.push_back(body->velocity(motor(i)));
-    linkRates.push_back(body->velocity(i));
+    // With the speeds before gravity and forces have moved it on.
+    drives[at(i)].begin(h, {body->position(motor(i)), body->velocity(motor(i))},
+                        {body->position(i), body->velocity(i)});
     const double load = loads[at(i)] + drives[at(i)].drive().biasForce;
     if (load != 0) body->addTorque(i, load);
   }
@@ -200,8 +199,6 @@ void ServoWorld::addServoRow(int joint) {
            body->addDriveRow(joint, spec.driver, spec.driverRatio));
     return;
   }
-  drives[at(joint)].begin(h, {body->position(motor(joint)), rates[at(joint)]},
-                          {body->position(joint), linkRates[at(joint)]});
   addRow({Row::Kind::servo, joint, 0, 0, -infinity, infinity}, body->addJointRow(motor(joint)));
 }
 
@@ -265,9 +262,9 @@ void ServoWorld::setLaw(std::size_t row) {
   const double soft = 1 / (h * drive.slope() + rotor);
   const auto i = static_cast<Eigen::Index>(row);
   system.a(i, i) += soft - rows[row].compliance;
-  system.b[i] += soft * (h * drive.offset() + rotor * rates[at(joint)]) - rows[row].wanted;
+  system.b[i] += soft * (h * drive.offset() + rotor * drive.speedAtBegin()) - rows[row].wanted;
   rows[row].compliance = soft;
-  rows[row].wanted = soft * (h * drive.offset() + rotor * rates[at(joint)]);
+  rows[row].wanted = soft * (h * drive.offset() + rotor * drive.speedAtBegin());
 }
 
 void ServoWorld::solve() {

@@ -116,7 +116,6 @@ private:
   std::vector<Row> rows;
   BoundedSystem system;
   Eigen::VectorXd impulses;
-  std::vector<double> rates, linkRates;  ///< of the motors and the joints before the step
   ServoReadings readings_;
   std::vector<double> torqueSum;
   Vec3 imuVelocity = Vec3::Zero();

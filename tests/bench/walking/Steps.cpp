@@ -73,35 +73,45 @@ void FittedWalk::give(WalkEngine& engine, Fit fit) const {
   engine.setModelParameters(fit == Fit::plan ? plan : ModelParameters{});
 }
 
-FittedWalk optimise(Walker& robot, const Requests& requests, std::vector<double>* errors,
-                    std::vector<ObservedStep>* steps) {
-  FittedWalk found;
-  for (const Fit use : {Fit::prediction, Fit::plan}) {
-    const bool first = use == Fit::prediction;
-    found.give(robot.engine, Fit::none);
-    robot.restart();
-    BackgroundFit fit({.steps = 60, .maxSteps = 120, .duration = 20, .wait = true});
-    int rounds = 0;
-    for (double time = 0; (rounds < 2 || fit.onProbation()) && time < 200; time += robot.cycle) {
-      if (!robot.step(requests(time))) {
-        fit.fell();
-        robot.restart();
-      }
-      if (const ObservedStep* step = robot.engine.observedStep()) {
-        fit.add(*step);
-        if (steps && first && rounds == 0 && steps->size() < 60) steps->push_back(*step);
-      }
-      if (const auto result =
-              fit.pass(robot.cycle, robot.engine.modelParameters(), robot.engine.prediction())) {
-        if (errors && first && rounds == 0) *errors = result->bestPrediction;
-        (first ? found.prediction : found.predictionOfPlan) = result->prediction;
-        if (!first) found.plan = result->parameters;
-        found.give(robot.engine, use);
-        rounds += result->rolledBack ? 0 : 1;
-      }
+namespace {
+
+/// Two fits while the robot walks so; plans: with what they plan in use, too.
+ModelFitResult fitWhileWalking(Walker& robot, const Requests& requests, bool plans,
+                               std::vector<double>* errors, std::vector<ObservedStep>* steps) {
+  ModelFitResult last;
+  robot.engine.setPrediction({});
+  robot.engine.setModelParameters({});
+  robot.restart();
+  BackgroundFit fit({.steps = 60, .maxSteps = 120, .duration = 20, .wait = true});
+  int rounds = 0;
+  for (double time = 0; (rounds < 2 || fit.onProbation()) && time < 200; time += robot.cycle) {
+    if (!robot.step(requests(time))) {
+      fit.fell();
+      robot.restart();
+    }
+    if (const ObservedStep* step = robot.engine.observedStep()) {
+      fit.add(*step);
+      if (steps && rounds == 0 && steps->size() < 60) steps->push_back(*step);
+    }
+    if (const auto result =
+            fit.pass(robot.cycle, robot.engine.modelParameters(), robot.engine.prediction())) {
+      if (errors && rounds == 0) *errors = result->bestPrediction;
+      robot.engine.setPrediction(result->prediction);
+      if (plans) robot.engine.setModelParameters(result->parameters);
+      rounds += result->rolledBack ? 0 : 1;
+      last = *result;
     }
   }
-  return found;
+  return last;
+}
+
+}  // namespace
+
+FittedWalk optimise(Walker& robot, const Requests& requests, std::vector<double>* errors,
+                    std::vector<ObservedStep>* steps) {
+  const ModelFitResult predicts = fitWhileWalking(robot, requests, false, errors, steps),
+                       plans = fitWhileWalking(robot, requests, true, nullptr, nullptr);
+  return {predicts.prediction, plans.parameters, plans.prediction};
 }
 
 WalkRequest forwardBackward(double time) { return {Vec2(std::fmod(time, 6) < 3 ? 0.15 : -0.15, 0), 0, true}; }

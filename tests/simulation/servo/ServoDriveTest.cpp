@@ -28,7 +28,7 @@ ServoDrive begun(const JointPlant& plant, double target, double q, double speed,
   return drive;
 }
 
-TEST(ServoDrive, theContractsLawImplicitOrOfSecondOrder) {
+TEST(ServoDrive, theContractsLawImplicitOrByTheTrapezoid) {
   const ServoDrive implicit = begun(servo(), 0.05, 0, 1, false);
   EXPECT_DOUBLE_EQ(implicit.torque(1), 20 * (0.05 - h) - 0.4) << "where it is after the step";
   const ServoDrive trapezoid = begun(servo(), 0.05, 0, 1);

@@ -9,11 +9,11 @@ namespace plumbline::gap {
 
 /// Effects outside the library for a robot in Bullet (doc/reference/gap-blind.md lists them), at the drives
 /// of joints, and the accelerometer's bias. Joints of one motor have them alike.
-class StrangeDrives : public StrangeRobot {
+class OutsideDrives : public OutsideEffects {
 public:
   /// The robot must outlive it. Throws std::runtime_error for an effect that is none of these, or a place
   /// that the robot lacks.
-  StrangeDrives(const Mechanism& robot, const std::vector<BlindEffect>& effects);
+  OutsideDrives(const Mechanism& robot, const std::vector<BlindEffect>& effects);
 
   void start(const std::vector<double>& commands) override;
   void act(double time, double h, simulation::ServoWorld& world, std::vector<double>& targets) override;
@@ -25,6 +25,8 @@ private:
     double drift = 0, integral = 0, lag = 0, crosstalk = 0;
     double rest = 0, lagged = 0, summed = 0, bristleAt = 0;
   };
+  /// What an effect's value is added to.
+  static double Drive::*sizeOf(const std::string& effect);
   double torque(Drive& drive, double q, double speed) const;
   double told(Drive& drive, std::size_t joint, double time, double h, double measured,
               const std::vector<double>& targets) const;

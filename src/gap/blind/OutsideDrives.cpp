@@ -1,7 +1,8 @@
-#include "gap/blind/StrangeDrives.h"
+#include "gap/blind/OutsideDrives.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "gap/effects/Effect.h"
@@ -17,7 +18,7 @@ constexpr double driftTime = 15;     ///< in which a gain falls [s]
 
 }  // namespace
 
-StrangeDrives::StrangeDrives(const Mechanism& robot_, const std::vector<BlindEffect>& effects)
+OutsideDrives::OutsideDrives(const Mechanism& robot_, const std::vector<BlindEffect>& effects)
     : robot(robot_), drives(robot_.joints.size()) {
   for (const BlindEffect& e : effects) {
     if (e.effect == "acc_bias") {
@@ -28,37 +29,29 @@ StrangeDrives::StrangeDrives(const Mechanism& robot_, const std::vector<BlindEff
     if (at < 0) throw std::runtime_error(e.effect + ": " + robot.name + " has no joint " + e.at);
     for (int j = 0; j < robot.numJoints(); ++j) {
       if (robot.motorOf(j) != robot.motorOf(at)) continue;
-      Drive& drive = drives[static_cast<std::size_t>(j)];
-      if (e.effect == "gear_ripple")
-        drive.ripple += e.value;
-      else if (e.effect == "joint_spring")
-        drive.spring += e.value;
-      else if (e.effect == "cable_spring")
-        drive.cable += e.value;
-      else if (e.effect == "asymmetric_damping")
-        drive.dampingOneWay += e.value;
-      else if (e.effect == "bristle_friction")
-        drive.bristle += e.value;
-      else if (e.effect == "gain_drift")
-        drive.drift += e.value;
-      else if (e.effect == "servo_integral")
-        drive.integral += e.value;
-      else if (e.effect == "command_lag")
-        drive.lag += e.value;
-      else if (e.effect == "crosstalk")
-        drive.crosstalk += e.value;
-      else
-        throw std::runtime_error("engine bullet has no effect " + e.effect);
+      drives[static_cast<std::size_t>(j)].*sizeOf(e.effect) += e.value;
     }
   }
 }
 
-void StrangeDrives::start(const std::vector<double>& commands) {
+double OutsideDrives::Drive::*OutsideDrives::sizeOf(const std::string& effect) {
+  static const std::map<std::string, double Drive::*> sizes = {
+      {"gear_ripple", &Drive::ripple},       {"joint_spring", &Drive::spring},
+      {"cable_spring", &Drive::cable},       {"asymmetric_damping", &Drive::dampingOneWay},
+      {"bristle_friction", &Drive::bristle}, {"gain_drift", &Drive::drift},
+      {"servo_integral", &Drive::integral},  {"command_lag", &Drive::lag},
+      {"crosstalk", &Drive::crosstalk}};
+  const auto it = sizes.find(effect);
+  if (it == sizes.end()) throw std::runtime_error("engine bullet has no effect " + effect);
+  return it->second;
+}
+
+void OutsideDrives::start(const std::vector<double>& commands) {
   for (std::size_t j = 0; j < drives.size(); ++j)
     drives[j].rest = drives[j].lagged = drives[j].bristleAt = commands[j];
 }
 
-void StrangeDrives::act(double time, double h, simulation::ServoWorld& world, std::vector<double>& targets) {
+void OutsideDrives::act(double time, double h, simulation::ServoWorld& world, std::vector<double>& targets) {
   const std::vector<double> asked = targets;
   for (std::size_t j = 0; j < drives.size(); ++j) {
     const auto joint = static_cast<int>(j);
@@ -67,7 +60,7 @@ void StrangeDrives::act(double time, double h, simulation::ServoWorld& world, st
   }
 }
 
-double StrangeDrives::torque(Drive& drive, double q, double speed) const {
+double OutsideDrives::torque(Drive& drive, double q, double speed) const {
   double sum = drive.ripple * std::sin(teeth * q + phase) - drive.spring * (q - drive.rest) -
                drive.cable * std::max(0.0, q - drive.rest) - drive.dampingOneWay * std::max(0.0, speed);
   if (drive.bristle > 0) {
@@ -80,7 +73,7 @@ double StrangeDrives::torque(Drive& drive, double q, double speed) const {
 
 /// The command as the servo would have to be told for the law that it has not: its integral, its weaker gain,
 /// its lag, its neighbour's share.
-double StrangeDrives::told(Drive& drive, std::size_t j, double time, double h, double measured,
+double OutsideDrives::told(Drive& drive, std::size_t j, double time, double h, double measured,
                            const std::vector<double>& targets) const {
   double target = targets[j];
   if (drive.crosstalk != 0) {

@@ -1,4 +1,4 @@
-#include "gap/blind/StrangeDrives.h"
+#include "gap/blind/OutsideDrives.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ std::vector<double> told(const BlindEffect& effect, const std::vector<double>& q
                          const std::vector<double>& asked, double time = 0, int slices = 1) {
   const Mechanism arm = twoJointArm();
   simulation::ServoWorld world = held(arm, q);
-  StrangeDrives drives(arm, {effect});
+  OutsideDrives drives(arm, {effect});
   drives.start({0.1, 0.1});
   std::vector<double> targets;
   for (int i = 0; i < slices; ++i) {
@@ -37,7 +37,7 @@ std::vector<double> told(const BlindEffect& effect, const std::vector<double>& q
   return targets;
 }
 
-TEST(StrangeDrives, aGainThatFallsALagAnIntegralAndANeighbour) {
+TEST(OutsideDrives, aGainThatFallsALagAnIntegralAndANeighbour) {
   EXPECT_EQ(told({"acc_bias", "imu", "x", 1, {}}, {0.1, 0.1}, {0.3, 0.2}), (std::vector{0.3, 0.2}));
   EXPECT_NEAR(told({"gain_drift", "elbow", "", 0.5, {}}, {0.1, 0.1}, {0.3, 0.2}, 15)[1], 0.15, 1e-12);
   EXPECT_NEAR(told({"gain_drift", "elbow", "", 0.5, {}}, {0.1, 0.1}, {0.3, 0.2}, 7.5)[1], 0.175, 1e-12);
@@ -57,7 +57,7 @@ TEST(StrangeDrives, aGainThatFallsALagAnIntegralAndANeighbour) {
 double rest(const BlindEffect& effect, double target) {
   const Mechanism arm = twoJointArm();
   simulation::ServoWorld world = held(arm, {0, 0});
-  StrangeDrives drives(arm, {effect});
+  OutsideDrives drives(arm, {effect});
   drives.start({0, 0});
   for (int i = 0; i < 8000; ++i) {
     std::vector<double> targets = {0, target * std::min(1.0, i / 4000.0)};
@@ -68,7 +68,7 @@ double rest(const BlindEffect& effect, double target) {
   return world.readings().position[1];
 }
 
-TEST(StrangeDrives, springsPullAndRipplesShift) {
+TEST(OutsideDrives, springsPullAndRipplesShift) {
   // 20 (target - q) - spring q - the weight of both links, as the shoulder gives way too.
   const double nominal = rest({"joint_spring", "elbow", "", 0, {}}, 0.5);
   const double spring = rest({"joint_spring", "elbow", "", 5, {}}, 0.5);
@@ -82,11 +82,11 @@ TEST(StrangeDrives, springsPullAndRipplesShift) {
       << "bent as far as it gives since the start at 0";
 }
 
-TEST(StrangeDrives, dampingInOneDirectionSlowsThatOne) {
+TEST(OutsideDrives, dampingInOneDirectionSlowsThatOne) {
   const Mechanism arm = twoJointArm();
   const auto after = [&arm](double value, double target) {
     simulation::ServoWorld world = held(arm, {0, 0});
-    StrangeDrives drives(arm, {{"asymmetric_damping", "elbow", "", value, {}}});
+    OutsideDrives drives(arm, {{"asymmetric_damping", "elbow", "", value, {}}});
     drives.start({0, 0});
     for (int i = 0; i < 100; ++i) {
       std::vector<double> targets = {0, target};
@@ -100,11 +100,11 @@ TEST(StrangeDrives, dampingInOneDirectionSlowsThatOne) {
   EXPECT_DOUBLE_EQ(after(0.8, -0.3), after(0, -0.3));
 }
 
-TEST(StrangeDrives, saysWhatItDoesNotKnow) {
+TEST(OutsideDrives, saysWhatItDoesNotKnow) {
   const Mechanism arm = twoJointArm();
   const auto error = [&arm](const BlindEffect& effect) -> std::string {
     try {
-      const StrangeDrives drives(arm, {effect});
+      const OutsideDrives drives(arm, {effect});
     } catch (const std::runtime_error& e) {
       return e.what();
     }
