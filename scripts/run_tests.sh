@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Runs tests and says what failed.
-#   scripts/run_tests.sh --all              runs everything: scripts with SimRelease, test programs with SimSanitize
+#   scripts/run_tests.sh --all              runs everything: scripts and what computes for long with SimRelease, the
+#                                           other test programs with SimSanitize
 #   scripts/run_tests.sh [TARGET] AREA...   builds and runs the tests of tests/AREA with SimRelease or TARGET
 # Logs go to build/<target>/logs/. The last line is "N passed, N failed".
 set -uo pipefail
@@ -9,7 +10,8 @@ root=$PWD
 jobs=${JOBS:-$(nproc)}
 timeout=${TEST_TIMEOUT:-600} # seconds for one program or script
 testsPerPart=100
-passed=0 failed=0 runPrograms=1
+longAreas=(diagnosis) # seconds per test, whose parts others show under the sanitizers, where all takes five times as long
+passed=0 failed=0 programAreas=() # empty: all
 failures=()
 progress=""
 export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
@@ -83,7 +85,7 @@ runTarget() { # $1 target, $2... areas
   mkdir -p "build/$target/logs"
   for area in "$@"; do
     path=build/$target/tests/$area
-    if [[ $runPrograms == 1 && -x $path && -f $path ]]; then
+    if [[ (${#programAreas[@]} == 0 || " ${programAreas[*]} " == *" $area "*) && -x $path && -f $path ]]; then
       n=$(partsOf "$path")
       for ((p = 0; p < n; ++p)); do
         names+=("$area$( ((n > 1)) && echo " $((p + 1)) of $n")") kinds+=(program) paths+=("$path") part+=($p) parts+=($n)
@@ -146,10 +148,16 @@ if [[ ${1-} == --all ]]; then
   mapfile -t areas < <(areasOf)
   # The programs as they are used play their scripts; test programs run under the sanitizers, which see more. To build
   # them a second time would cost a third of the whole: scripts/run_tests.sh SimRelease AREA... does it.
-  buildTests SimRelease SimRelease && { runPrograms=0; runTarget SimRelease "${areas[@]}"; runPrograms=1; }
-  goals=() # the test programs alone: what scripts start is the release's
-  for area in "${areas[@]}"; do [[ $(find "tests/$area" -name '*.cpp' -print -quit) ]] && goals+=("SimSanitize-test-$area"); done
-  buildTests SimSanitize "${goals[@]}" && runTarget SimSanitize "${areas[@]}"
+  programAreas=("${longAreas[@]}")
+  buildTests SimRelease SimRelease "${longAreas[@]/#/SimRelease-test-}" && runTarget SimRelease "${areas[@]}"
+  programAreas=() goals=() short=()
+  for area in "${areas[@]}"; do
+    [[ " ${longAreas[*]} " == *" $area "* ]] && continue
+    short+=("$area")
+    # The test programs alone: what scripts start is the release's.
+    [[ $(find "tests/$area" -name '*.cpp' -print -quit) ]] && goals+=("SimSanitize-test-$area")
+  done
+  buildTests SimSanitize "${goals[@]}" && runTarget SimSanitize "${short[@]}"
 else
   target=SimRelease
   if [[ -f scripts/targets/${1-}.settings ]]; then target=$1; shift; fi

@@ -1,8 +1,29 @@
 #include "optimization/Brent.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumbline {
+
+Bracket bracketFrom(const std::function<double(double)>& f, double lo, double x, double hi, double least,
+                    double most, int evaluations) {
+  constexpr double growth = 1.6;
+  Bracket b{lo, x, hi, 0, f(x), 0};
+  b.fLo = f(lo);
+  b.fHi = f(hi);
+  for (int i = 0; i < evaluations && (b.fLo < b.fx || b.fHi < b.fx); ++i) {
+    if (b.fLo < b.fx) {
+      if (b.lo <= least) break;
+      b = {std::max(least, b.lo - growth * (b.x - b.lo)), b.lo, b.x, 0, b.fLo, b.fx};
+      b.fLo = f(b.lo);
+    } else {
+      if (b.hi >= most) break;
+      b = {b.x, b.hi, std::min(most, b.hi + growth * (b.hi - b.x)), b.fx, b.fHi, 0};
+      b.fHi = f(b.hi);
+    }
+  }
+  return b;
+}
 
 double minimizeBrent(const std::function<double(double)>& f, const Bracket& bracket, double tolerance,
                      int evaluations) {

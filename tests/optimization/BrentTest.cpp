@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace plumbline {
 namespace {
@@ -37,6 +38,26 @@ TEST(BrentTest, staysWithinTheBracketAndTheBudget) {
   calls = 0;
   EXPECT_NEAR(minimizeBrent(f, bracket, 1e-8, 5), 3.2, 0.02);
   EXPECT_EQ(calls, 5);
+}
+
+TEST(BrentTest, aBracketIsFollowedToWhereItRises) {
+  std::vector<double> tried;
+  const auto f = [&](double x) { return tried.push_back(x), (x - 5) * (x - 5); };
+  const Bracket b = bracketFrom(f, -1, 0, 1, -10, 10, 6);
+  EXPECT_EQ(tried, (std::vector<double>{0, -1, 1, 2.6, 5.16, 9.256}));
+  EXPECT_DOUBLE_EQ(b.lo, 2.6);
+  EXPECT_DOUBLE_EQ(b.x, 5.16);
+  EXPECT_DOUBLE_EQ(b.hi, 9.256);
+  EXPECT_LT(b.fx, std::min(b.fLo, b.fHi));
+}
+
+TEST(BrentTest, aBracketEndsAtTheRangeAndAtItsBudget) {
+  const auto f = [](double x) { return x; };
+  const Bracket atEnd = bracketFrom(f, -1, 0, 1, -2, 10, 6);
+  EXPECT_EQ(atEnd.lo, -2);
+  EXPECT_EQ(atEnd.x, -1);
+  EXPECT_EQ(atEnd.fLo, -2);
+  EXPECT_DOUBLE_EQ(bracketFrom(f, -1, 0, 1, -100, 10, 2).lo, -1 - 1.6 - 2.56);
 }
 
 }  // namespace

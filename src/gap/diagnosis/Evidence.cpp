@@ -66,7 +66,7 @@ bool Evidence::counts(const Signal& signal) {
   }
 }
 
-Evidence::Evidence(std::vector<Trial> trials, NoiseFrom from)
+Evidence::Evidence(const std::vector<Trial>& trials, NoiseFrom from)
     : Evidence(trials, estimateNoise(trials, from)) {}
 
 Evidence::Evidence(std::vector<Trial> trials, std::vector<std::vector<SignalNoise>> noises_)

@@ -13,7 +13,7 @@ namespace plumbline::gap {
 /// other block is for fitting, the rest for judging.
 class Evidence {
 public:
-  explicit Evidence(std::vector<Trial> trials, NoiseFrom from = NoiseFrom::repeats);
+  explicit Evidence(const std::vector<Trial>& trials, NoiseFrom from = NoiseFrom::repeats);
   /// With a noise told otherwise, per trial and signal.
   Evidence(std::vector<Trial> trials, std::vector<std::vector<SignalNoise>> noises);
 

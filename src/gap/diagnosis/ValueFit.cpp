@@ -112,19 +112,9 @@ Candidate fitValue(const Evaluator& evaluator, const Cause& start, const TrialMa
     return cost;
   };
   const double top = std::log(most / std::abs(strength));
-  Bracket b{-how.step, 0, std::min(how.step, top), 0, 0, 0};
-  if (b.hi <= 0) b.hi = top, b.x = top - 0.6 * how.step, b.lo = top - 1.6 * how.step;
-  b.fx = evaluate(b.x), b.fLo = evaluate(b.lo), b.fHi = evaluate(b.hi);
-  for (int i = 0; i < how.bracket && (b.fLo < b.fx || b.fHi < b.fx); ++i) {
-    if (b.fLo < b.fx) {
-      b = {b.lo - 1.6 * (b.x - b.lo), b.lo, b.x, 0, b.fLo, b.fx};
-      b.fLo = evaluate(b.lo);
-    } else {
-      if (b.hi >= top) break;
-      b = {b.x, b.hi, std::min(top, b.hi + 1.6 * (b.hi - b.x)), b.fx, b.fHi, 0};
-      b.fHi = evaluate(b.hi);
-    }
-  }
+  double lo = -how.step, x = 0, hi = std::min(how.step, top);
+  if (hi <= 0) hi = top, x = top - 0.6 * how.step, lo = top - 1.6 * how.step;
+  const Bracket b = bracketFrom(evaluate, lo, x, hi, -INFINITY, top, how.bracket);
   minimizeBrent(evaluate, b, how.tolerance, how.within);
   return best;
 }

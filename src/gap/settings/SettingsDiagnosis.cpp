@@ -9,6 +9,7 @@
 
 #include "gap/settings/SettingsEvaluator.h"
 #include "math/Random.h"
+#include "optimization/Brent.h"
 
 namespace plumbline::gap {
 
@@ -77,24 +78,28 @@ private:
     return evaluator.sum(evaluator.of(with(nominal, all), part, type));
   }
 
-  /// Value in [a, b] (on a logarithmic scale) with the lowest score on the windows for fitting.
-  SettingValue golden(const std::vector<SettingValue>& base, const Setting& setting, double a, double b,
-                      int steps, int type = -1) const {
-    constexpr double ratio = 0.6180339887498949;
-    double low = std::log(a), high = std::log(b);
-    const auto score = [&](double x) { return scoreOf(base, {&setting, std::exp(x)}, Part::fitting, type); };
-    double x1 = high - ratio * (high - low), x2 = low + ratio * (high - low);
-    double f1 = score(x1), f2 = score(x2);
-    for (int i = 0; i < steps; ++i) {
-      if (f1 <= f2) {
-        high = x2, x2 = x1, f2 = f1;
-        f1 = score(x1 = high - ratio * (high - low));
-      } else {
-        low = x1, x1 = x2, f1 = f2;
-        f2 = score(x2 = low + ratio * (high - low));
-      }
-    }
-    return {&setting, std::exp(f1 <= f2 ? x1 : x2)};
+  /// Value with the lowest score on the windows for fitting, on a logarithmic scale, from a start and values
+  /// a factor away on, within the setting's range.
+  SettingValue fitted(const std::vector<SettingValue>& base, const SettingValue& start, double factor,
+                      int type = -1) const {
+    constexpr int follow = 3, within = 5;
+    constexpr double tolerance = 0.005;
+    const Setting& s = *start.setting;
+    SettingValue best = start;
+    double least = std::numeric_limits<double>::infinity();
+    const auto score = [&](double logValue) {
+      const SettingValue value{&s, std::exp(logValue)};
+      const double of = scoreOf(base, value, Part::fitting, type);
+      if (of < least) least = of, best = value;
+      return of;
+    };
+    const double lower = std::log(s.lower), upper = std::log(s.upper), step = std::log(factor);
+    const double x = std::clamp(std::log(start.value), lower + step / 2, upper - step / 2);
+    minimizeBrent(
+        score,
+        bracketFrom(score, std::max(lower, x - step), x, std::min(upper, x + step), lower, upper, follow),
+        tolerance, within);
+    return best;
   }
 
   static std::vector<double> valuesOf(const Setting& setting) {
@@ -141,9 +146,7 @@ private:
       Candidate c;
       c.value = {look.setting, look.values[look.best]};
       if (look.setting->kind == Setting::Kind::positive) {
-        const std::size_t last = look.values.size() - 1;
-        c.value = golden(base, *look.setting, look.values[look.best > 0 ? look.best - 1 : 0],
-                         look.values[std::min(last, look.best + 1)], 6);
+        c.value = fitted(base, c.value, look.values[1] / look.values[0]);
       }
       std::vector<SettingValue> all = base;
       all.push_back(c.value);
@@ -176,10 +179,7 @@ private:
   void refine(std::vector<SettingValue>& values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (values[i].setting->kind != Setting::Kind::positive) continue;
-      const std::vector<SettingValue> others = without(values, i);
-      const Setting& s = *values[i].setting;
-      values[i] = golden(others, s, std::max(s.lower, values[i].value / 2),
-                         std::min(s.upper, 2 * values[i].value), 6);
+      values[i] = fitted(without(values, i), values[i], 1.5);
     }
   }
 
@@ -253,15 +253,12 @@ private:
     finding.closedAlone = std::clamp((result.gap.before - gapOf({found[i]})) / whole, 0.0, 1.0);
     finding.closedLast = std::clamp((gapOf(others) - result.gap.after) / whole, 0.0, 1.0);
     finding.lower = finding.upper = found[i].value;
-    const Setting& s = *found[i].setting;
-    if (s.kind == Setting::Kind::positive) {
+    if (found[i].setting->kind == Setting::Kind::positive) {
       std::set<int> types;
       for (std::size_t t = 0; t < evidence.traces().size(); ++t)
         if (!evidence.heldOut(t)) types.insert(evidence.traces()[t].robotType.value_or(0));
       for (const int type : types) {
-        const double v = golden(others, s, std::max(s.lower, finding.value.value / 3),
-                                std::min(s.upper, 3 * finding.value.value), 7, type)
-                             .value;
+        const double v = fitted(others, finding.value, 2, type).value;
         finding.lower = std::min(finding.lower, v);
         finding.upper = std::max(finding.upper, v);
       }

@@ -50,7 +50,7 @@ struct SettingsOptions {
 };
 
 /// Which settings of the nominal simulator are not as in the recordings. Every setting is tried: looked at
-/// over its range on windows for fitting, its value fitted by golden section, judged on recordings that took
+/// over its range on windows for fitting, its value fitted (minimizeBrent), judged on recordings that took
 /// no part. A window counts by the logarithm of its error, as one contact more or less must not decide.
 /// Settings are added while each gains on most held-out recordings; then each is looked for again with the
 /// others in place. A probability is the share of resampled sets of held-out recordings in which the setting

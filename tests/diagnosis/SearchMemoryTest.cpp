@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "../TwoJointArm.h"
+#include "../gap/TwoJointArm.h"
 #include "gap/diagnosis/Diagnosis.h"
 
 namespace plumbline::gap {
