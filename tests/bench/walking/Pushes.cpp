@@ -83,7 +83,10 @@ void measurePushes(const BenchSetup& setup, Report& report) {
   report.tableHead({"robot", "loop", "doing", directions[0], directions[1], directions[2], directions[3]});
   const std::vector<Subject> robots = embedded(subjects(setup.robots, false));
   constexpr std::size_t numDoings = 3;
-  measureEach(robots.size() * 2 * numDoings, setup, report, [&](std::size_t i, Report& part) {
+  const auto name = [&](std::size_t i) {
+    return LongPart{robots[i / (2 * numDoings)], fmt::format("pushes {}", i % (2 * numDoings))};
+  };
+  measureLong(robots.size() * 2 * numDoings, setup, report, name, [&](std::size_t i, Report& part) {
     const Subject& subject = robots[i / (2 * numDoings)];
     const bool open = i / numDoings % 2 == 0;
     const std::pair<const char*, WalkRequest> doings[numDoings] = {

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 namespace plumbline::bench {
@@ -47,6 +48,22 @@ void Report::append(const Report& part) {
 }
 
 std::string Report::json() const { return fmt::format("[\n  {}\n]\n", fmt::join(figures, ",\n  ")); }
+
+void Report::keep(const std::string& path) const {
+  writeFile(path, nlohmann::json{{"tables", markdown}, {"figures", figures}}.dump(1) + "\n");
+}
+
+std::optional<Report> Report::kept(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) return {};
+  const nlohmann::json json = nlohmann::json::parse(file);
+  Report report;
+  report.markdown = json.at("tables");
+  report.figures = json.at("figures");
+  std::fputs(report.markdown.c_str(), stdout);
+  std::fflush(stdout);
+  return report;
+}
 
 void Report::tableHead(const std::vector<std::string>& cells) {
   row(cells);

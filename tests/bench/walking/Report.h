@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,11 @@ public:
 
   const std::string& tables() const { return markdown; }
   std::string json() const;
+
+  /// Puts it away in a file, beside its place first; throws std::runtime_error.
+  void keep(const std::string& path) const;
+  /// One that was put away, which it prints; nothing where there is none.
+  static std::optional<Report> kept(const std::string& path);
 
 private:
   std::string markdown;

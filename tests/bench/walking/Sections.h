@@ -13,6 +13,7 @@ struct BenchSetup {
   int tries = 100;      ///< of each push
   int jobs = 0;         ///< threads; 0: as many as cores
   std::vector<std::string> robots = subjectNames();
+  std::string parts = "build/bench/walking-parts";  ///< where what takes long is kept
 };
 
 /// Calls measure(i, report, page) for i = 0 .. count-1 on the threads asked for; what they write comes in the
@@ -21,6 +22,16 @@ void measureEach(std::size_t count, const BenchSetup& setup, Report& report, Pag
                  const std::function<void(std::size_t, Report&, Page&)>& measure);
 /// The same for what draws no figures.
 void measureEach(std::size_t count, const BenchSetup& setup, Report& report,
+                 const std::function<void(std::size_t, Report&)>& measure);
+
+/// The same for what takes long: a part that this program has measured already in this setup with this walk
+/// of the robot is taken from where it is kept, so that a benchmark that was stopped goes on.
+struct LongPart {
+  const Subject& robot;
+  std::string what;
+};
+void measureLong(std::size_t count, const BenchSetup& setup, Report& report,
+                 const std::function<LongPart(std::size_t)>& part,
                  const std::function<void(std::size_t, Report&)>& measure);
 
 /// How fast and how safely every robot walks.

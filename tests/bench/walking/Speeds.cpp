@@ -94,8 +94,12 @@ void measureSpeeds(const BenchSetup& setup, Report& report) {
                     "0.5 m from stand s", "falls at full speed", "random: falls/min", "safe stops",
                     "odometry error"});
   const std::vector<Subject> robots = subjects(setup.robots, false);
-  measureEach(robots.size(), setup, report,
-              [&](std::size_t i, Report& part) { measure(robots[i], setup, part); });
+  measureLong(
+      robots.size(), setup, report,
+      [&](std::size_t i) {
+        return LongPart{robots[i], "speeds"};
+      },
+      [&](std::size_t i, Report& part) { measure(robots[i], setup, part); });
 }
 
 }  // namespace plumbline::bench

@@ -4,7 +4,9 @@
 //
 //   bench/walking [SEEDS [MINUTES [TRIES]]] [--robots A,B,..] [--sections A,B,..] [--jobs N] [--name NAME]
 //
-// SEEDS (10): of each measurement; MINUTES (3): of random requests per robot and seed; TRIES (100): of a
+// What takes long is kept in build/bench/walking-parts: a benchmark that was stopped goes on with it.
+//
+// SEEDS (10): of each measurement; MINUTES (10): of random requests per robot and seed; TRIES (100): of a
 // push. Robots: type0 .. type4, type0_plain, type3_plain, nao-bullet, nao-mujoco, and type0@server or
 // type0@HOST:AGENTPORT:MONITORPORT on a SimSpark server that is in step with its agents. Sections: speeds,
 // thesis, pushes, estimate. Jobs: threads, as many as cores without it; the cost of a cycle is measured on
