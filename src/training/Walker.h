@@ -20,8 +20,13 @@ public:
     restart();
   }
 
-  /// Stands at a place of the ground.
+  /// Stands at a place of the ground, as a robot that has never walked.
   void restart(const Pose2& place = {}) {
+    engine.forget();
+    putBack(place);
+  }
+  /// Stands there, and keeps what it has learnt of its speed.
+  void putBack(const Pose2& place = {}) {
     engine.reset();
     put(place, engine.stand().angles);
     lastPose = pose();

@@ -11,6 +11,7 @@
 #include "walking/KickStep.h"
 #include "walking/LinearInvertedPendulum.h"
 #include "walking/SpeedControl.h"
+#include "walking/SpeedScale.h"
 #include "walking/StepPlanner.h"
 #include "walking/SupportSwitch.h"
 #include "walking/SwingTrajectory.h"
@@ -52,6 +53,8 @@ public:
     odometry.reset(body.torsoOnGround());
     standing = output({});
   }
+
+  void forget() { scale = {}; }
 
   const WalkOutput& stand() const { return standing; }
   double recovering() const { return disturbance.share(); }
@@ -129,8 +132,12 @@ private:
     return request;
   }
 
-  /// The velocity that is planned so that the robot walks at its own.
-  Vec2 planned() const { return speed.velocity() + Vec2(p.trimForward + p.brakeLead * speed.braking(), 0); }
+  Vec3 aimed() const { return {speed.velocity().x(), speed.velocity().y(), speed.turn()}; }
+
+  /// The speed that is planned so that the robot walks at its own.
+  Vec3 planned() const {
+    return scale.planned(aimed()) + Vec3(p.trimForward + p.brakeLead * speed.braking(), 0, 0);
+  }
 
   /// Draws the speed walked to the request and finds the walk of it.
   void follow(const WalkRequest& request, double dt) {
@@ -150,8 +157,9 @@ private:
   /// The walk of the speed aimed at.
   void aim() {
     const double duration = kick.prepared ? p.kickDuration : p.stepDuration;
+    const Vec3 plan = planned();
     reference = findReferenceTrajectory(
-        model, {planned(), speed.turn(), duration, p.feetDistance, pressure() - model.balance()});
+        model, {plan.head<2>(), plan.z(), duration, p.feetDistance, pressure() - model.balance()});
   }
 
   /// The parameters of the speed walked now.
@@ -171,6 +179,7 @@ private:
     const std::optional<WalkState> expected = loop.update(sensors, observing, delay, p.imuAverage);
     if (!expected) return;
     recorder.add(loop.observed().state(), {heights(), pressure()}, sensors.dt);
+    learnSpeed(sensors);
     disturbance.update(state, *expected, phase, p.pendulumHeight, p, sensors.dt);
     // No more in a cycle than a foot may slide, or than the body can have tilted.
     const double most = 0.01 + 0.03 * disturbance.share();  // [m]
@@ -181,6 +190,13 @@ private:
     state.velocity +=
         p.observationVelocity * disturbance.velocity().cwiseProduct(Vec2(1, p.observationSideways));
     if (mode == Mode::stand && !planner.canHold(*expected, p.captureMargin)) captureStep();
+  }
+
+  /// Where the feet's forces tell how the robot moves.
+  void learnSpeed(const WalkSensors& sensors) {
+    if (!sensors.feet || mode != Mode::walk || kick.prepared || disturbance.share() > 0) return;
+    const Pose2& moved = loop.observed().torsoMotion();
+    scale.update(aimed(), Vec3(moved.x(), moved.y(), moved.heading) / sensors.dt, p.speedAverage, sensors.dt);
   }
 
   /// Standing cannot hold what was observed: the foot on the side of the capture point carries, the other one
@@ -341,6 +357,7 @@ private:
 
   Mode mode = Mode::stand;
   SpeedControl speed;  ///< that the walk aims at now
+  SpeedScale scale;    ///< of the robot: stays when the walk is reset
   TorsoTilt tilt;
   SupportSwitch contact;
   FallGuard fall;
@@ -376,6 +393,8 @@ WalkOutput WalkEngine::update(const WalkRequest& request, const WalkSensors& sen
 }
 
 void WalkEngine::reset() { implementation->reset(); }
+
+void WalkEngine::forget() { implementation->forget(); }
 
 WalkOutput WalkEngine::stand() const { return implementation->stand(); }
 

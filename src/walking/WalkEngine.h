@@ -66,8 +66,10 @@ public:
   WalkEngine& operator=(WalkEngine&&) noexcept;
 
   WalkOutput update(const WalkRequest& request, const WalkSensors& sensors);
-  /// Stands from now on (after another motion moved the robot).
+  /// Stands from now on (after another motion moved the robot). What was learnt of its speeds stays.
   void reset();
+  /// Forgets that (speedAverage).
+  void forget();
   /// Targets of the stand, with set as in WalkOutput.
   WalkOutput stand() const;
   /// The walk state that is being realised; for tests and plots.

@@ -15,6 +15,7 @@ constexpr WalkParameterInfo table[] = {
     {"torsoPitchForward", &WalkParameters::torsoPitchForward, -1, 1},
     {"trimForward", &WalkParameters::trimForward, -0.3, 0.3},
     {"brakeLead", &WalkParameters::brakeLead, -0.5, 0.5},
+    {"speedAverage", &WalkParameters::speedAverage, 0, 1000, false},
     {"maxForward", &WalkParameters::maxForward, 0.01, 3, false},
     {"maxBackward", &WalkParameters::maxBackward, 0.01, 3, false},
     {"maxSideways", &WalkParameters::maxSideways, 0.01, 2, false},

@@ -15,6 +15,8 @@ struct WalkParameters {
   // Speed
   double trimForward = 0;     ///< planned speed with which the robot stays on the spot [m/s]
   double brakeLead = 0;       ///< for which the planned speed is ahead while the robot brakes [s]
+  double speedAverage = 0;    ///< walking time over which it is learnt how much faster than planned the robot
+                              ///< walks (SpeedScale), 0: it is not [s]
   double maxForward = 0.5;    ///< [m/s]
   double maxBackward = 0.4;   ///< [m/s]
   double maxSideways = 0.25;  ///< [m/s]

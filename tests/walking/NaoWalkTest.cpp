@@ -54,6 +54,22 @@ TEST_F(NaoWalk, turnsToBothSides) {
   }
 }
 
+TEST_F(NaoWalk, comesToWalkAsFastAsItIsAskedTo) {
+  ASSERT_TRUE(robot.run(walk(0.2, 0, 0), 10));
+  EXPECT_NEAR(way(walk(0.2, 0, 0), 5).x() / 5, 0.2, 0.005);
+  ASSERT_TRUE(robot.run(walk(-0.15, 0, 0), 10));
+  EXPECT_NEAR(way(walk(-0.15, 0, 0), 5).x() / 5, -0.15, 0.005);
+  // Without learning it walks this much faster than asked.
+  WalkGaits plain = readServoGaits("nao_v5");
+  plain.base.speedAverage = 0;
+  for (WalkParameters& corner : plain.corner) corner.speedAverage = 0;
+  ServoWalker other(findMechanism("nao_v5"), plain);
+  ASSERT_TRUE(other.run(walk(0.2, 0, 0), 10));
+  const Pose2 start = other.pose();
+  ASSERT_TRUE(other.run(walk(0.2, 0, 0), 5));
+  EXPECT_GT((start.inverse() * other.pose()).x() / 5, 0.208);
+}
+
 TEST_F(NaoWalk, stopsAndStands) {
   ASSERT_TRUE(robot.run(walk(0.15, 0.05, 0.3), 3));
   ASSERT_TRUE(robot.run({}, 2));

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <ranges>
 #include <span>
 #include <utility>
 
@@ -77,9 +76,9 @@ bool isBetweenSteps(const Trial& trial, const std::vector<std::vector<double>>& 
   const std::span around(shares.begin() + from, shares.begin() + to);
   if (std::ranges::any_of(around, &std::vector<double>::empty)) return false;
   for (std::size_t foot = 0; foot < trial.robot->feet.size(); ++foot) {
-    const auto [least, most] = std::ranges::minmax(
-        around | std::views::transform([&](const std::vector<double>& loads) { return loads[foot]; }));
-    if (most - least > shifts) return false;
+    const auto [least, most] = std::ranges::minmax_element(
+        around, {}, [&](const std::vector<double>& loads) { return loads[foot]; });
+    if ((*most)[foot] - (*least)[foot] > shifts) return false;
   }
   return true;
 }

@@ -23,7 +23,7 @@ void accelerate(const Subject& subject, Report& report, Page& page) {
     StepWatch watch(robot);
     int fallen = 0;
     for (int run = 0; run < 30; ++run) {
-      robot.restart();
+      robot.putBack();
       fitted.give(robot.engine, fit);
       robot.run({}, random.uniform(0.3, 0.7));
       const Pose2 start = robot.pose();
@@ -87,7 +87,8 @@ void tableAcceleration(const std::vector<Subject>& subjects, const BenchSetup& s
                        Page& page) {
   report.heading("From stand to 0.2 m/s (table 4.5)");
   report.paragraph(
-      "Request 0.2 m/s from standing until 0.5 m are walked; 30 runs. Delay: until the torso is 5 mm ahead. "
+      "Request 0.2 m/s from standing until 0.5 m are walked; 30 runs, between which what was learnt of the "
+      "speed stays. Delay: until the torso is 5 mm ahead. "
       "Acceleration: until 90 % of 0.2 m/s are reached (mean over 0.2 s). Speed error: from then on.");
   report.tableHead({"robot", "model", "x", "x'", "y", "y'", "total time ms", "delay ms", "acc. m/s^2",
                     "speed error mean mm/s", "std. dev.", "falls"});
