@@ -8,6 +8,7 @@
 #include "walking/ClosedLoop.h"
 #include "walking/Disturbance.h"
 #include "walking/FallGuard.h"
+#include "walking/KickRequest.h"
 #include "walking/KickStep.h"
 #include "walking/LinearInvertedPendulum.h"
 #include "walking/SpeedControl.h"
@@ -57,8 +58,6 @@ public:
   void forget() { scale = {}; }
 
   const WalkOutput& stand() const { return standing; }
-  double recovering() const { return disturbance.share(); }
-  const Vec2& capturePointError() const { return disturbance.capturePoint(); }
 
   WalkOutput update(const WalkRequest& asked, const WalkSensors& sensors) {
     const WalkRequest request = withTarget(asked);
@@ -93,12 +92,7 @@ public:
     out.standing = mode == Mode::stand && atRest();
     out.velocity = speed.velocity();
     out.turn = speed.turn();
-    for (const Side side : {Side::left, Side::right}) {
-      double* leg = &out.hardness[static_cast<std::size_t>(firstLegJoint(side))];
-      leg[0] = leg[1] = leg[2] = p.hipHardness;
-      leg[3] = p.kneeHardness;
-      leg[4] = leg[5] = p.ankleHardness;
-    }
+    out.hardness = WalkOutput::legHardness(p.hipHardness, p.kneeHardness, p.ankleHardness);
     out.falling = fall.falling();
     if (out.falling) out.hardness.fill(0);
     return out;
@@ -110,6 +104,7 @@ public:
   ReferenceTrajectory reference;
   ClosedLoop loop;
   StepRecorder recorder;
+  Disturbance disturbance;
   ModelParameters fit, prediction;
 
 private:
@@ -134,7 +129,7 @@ private:
 
   Vec3 aimed() const { return {speed.velocity().x(), speed.velocity().y(), speed.turn()}; }
 
-  /// The speed that is planned so that the robot walks at its own.
+  /// What is planned so that the robot walks at its own speed.
   Vec3 planned() const {
     return scale.planned(aimed()) + Vec3(p.trimForward + p.brakeLead * speed.braking(), 0, 0);
   }
@@ -316,10 +311,7 @@ private:
 
   void beginStep(Side support) {
     mode = Mode::walk;
-    if (kick.now) kick = {.foot = {}, .prepared = false, .now = false, .done = true};
-    // The step before the kick already swings as far as the long step needs.
-    if (kick.foot && kick.prepared && support == other(*kick.foot)) kick.now = true;
-    if (kick.foot && support == *kick.foot) kick.prepared = true;
+    kick.beginStep(support);
     state.support = supportOf(support);
     elapsed = phase = 0;
     liftOff = state.foot[index(support)].inverse() * state.foot[index(other(support))];
@@ -361,17 +353,11 @@ private:
   TorsoTilt tilt;
   SupportSwitch contact;
   FallGuard fall;
-  Disturbance disturbance;
   double elapsed = 0;  ///< of the step or of the shift before the first one [s]
   double phase = 0;
   Side first = Side::left;  ///< carries in the first step
   Pose2 liftOff;            ///< the swing foot when the step began, in the supporting foot's frame
-  struct Kick {
-    std::optional<Side> foot;  ///< to kick with
-    bool prepared = false;     ///< this step leads to it or is it
-    bool now = false;
-    bool done = false;
-  } kick;
+  KickRequest kick;
   std::size_t stepsToTarget = 0;
   double stepTime = 0;  ///< left of the step in progress [s]
   Pose2 stepTarget;     ///< of the step in progress
@@ -393,7 +379,6 @@ WalkOutput WalkEngine::update(const WalkRequest& request, const WalkSensors& sen
 }
 
 void WalkEngine::reset() { implementation->reset(); }
-
 void WalkEngine::forget() { implementation->forget(); }
 
 WalkOutput WalkEngine::stand() const { return implementation->stand(); }
@@ -403,8 +388,8 @@ const WalkState& WalkEngine::observed() const { return implementation->loop.obse
 Vec2 WalkEngine::seenVelocity() const { return implementation->loop.observed().seenVelocity(); }
 const WalkParameters& WalkEngine::gait() const { return implementation->p; }
 Vec2 WalkEngine::imuDifference() const { return implementation->loop.observed().imuDifference(); }
-double WalkEngine::recovering() const { return implementation->recovering(); }
-const Vec2& WalkEngine::capturePointError() const { return implementation->capturePointError(); }
+double WalkEngine::recovering() const { return implementation->disturbance.share(); }
+const Vec2& WalkEngine::capturePointError() const { return implementation->disturbance.capturePoint(); }
 const ReferenceTrajectory& WalkEngine::reference() const { return implementation->reference; }
 void WalkEngine::setModelParameters(const ModelParameters& parameters) { implementation->fit = parameters; }
 const ModelParameters& WalkEngine::modelParameters() const { return implementation->fit; }

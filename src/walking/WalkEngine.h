@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -46,6 +47,13 @@ struct WalkOutput {
   static constexpr JointArray fullHardness() {
     JointArray all{};
     for (double& one : all) one = 1;
+    return all;
+  }
+  static JointArray legHardness(double hip, double knee, double ankle) {
+    JointArray all = fullHardness();
+    const std::array<double, 6> leg{hip, hip, hip, knee, ankle, ankle};
+    for (const Side side : {Side::left, Side::right})
+      std::ranges::copy(leg, all.begin() + firstLegJoint(side));
     return all;
   }
 };

@@ -10,14 +10,15 @@ namespace plumbline::walking {
 namespace {
 
 constexpr double height = 0.25;
-const double k = std::sqrt(9.81 / height);
+const double naturalRate = std::sqrt(9.81 / height);  // of the pendulum [1/s]
 
 TEST(ReferenceTrajectory, onTheSpotIsTheClosedForm) {
   const LinearInvertedPendulum model(height);
   const Gait gait{.stepDuration = 0.2, .feetDistance = 0.12};
   const ReferenceTrajectory reference = findReferenceTrajectory(model, gait);
-  // Swinging between the feet: v = d k tanh(k T / 2) towards the foot that begins to carry.
-  const double v = 0.06 * k * std::tanh(k * 0.1);
+  // Swinging between the feet: v = d k tanh(k T / 2), k the natural rate, towards the foot that begins to
+  // carry.
+  const double v = 0.06 * naturalRate * std::tanh(naturalRate * 0.1);
   EXPECT_NEAR(reference.begin[0].velocity.y(), v, 1e-4);
   EXPECT_NEAR(reference.begin[1].velocity.y(), -v, 1e-4);
   EXPECT_NEAR(reference.begin[0].velocity.x(), 0, 1e-9);
