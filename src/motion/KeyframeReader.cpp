@@ -139,7 +139,7 @@ private:
 
   Vec2 readPair(const YAML::Node& value, const std::string& key, double lowest) const {
     if (!value.IsSequence() || value.size() != 2) fail(value, key, "has to be [x, y] in metres");
-    const Vec2 pair(readNumber(value[0], key), readNumber(value[1], key));
+    Vec2 pair(readNumber(value[0], key), readNumber(value[1], key));
     if (pair.minCoeff() < lowest || pair.maxCoeff() > maxBallDistance)
       fail(value, key,
            "has to be between " + shortNumber(lowest) + " and " + shortNumber(maxBallDistance) + " m");
@@ -152,7 +152,7 @@ private:
     });
     const YAML::Node value = root["mirror"];
     if (!value.IsScalar()) fail(value, "mirror", "has to be the name of a motion");
-    const std::string other = value.Scalar();
+    const std::string& other = value.Scalar();
     if (depth > 0) fail(value, "mirror", "a mirrored motion cannot be mirrored again");
     for (auto directory = directories.rbegin(); directory != directories.rend(); ++directory) {
       const fs::path path = *directory / (other + ".yaml");
@@ -268,6 +268,7 @@ std::vector<KeyframeMotion> readMotions(const std::vector<fs::path>& directories
       if (entry.path().extension() == ".yaml") files[entry.path().stem().string()] = entry.path();
   }
   std::vector<KeyframeMotion> motions;
+  motions.reserve(files.size());
   for (const auto& [name, path] : files) motions.push_back(readKeyframeFile(path, robot, directories));
   return motions;
 }

@@ -20,6 +20,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& argv, const std::stri
   int report[2];
   if (pipe2(report, O_CLOEXEC) != 0) throw std::runtime_error(std::string("pipe: ") + std::strerror(errno));
   std::vector<char*> arguments;
+  arguments.reserve(argv.size() + 1);
   for (const std::string& argument : argv) arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.push_back(nullptr);
   const pid_t parent = getpid();
@@ -57,7 +58,7 @@ bool ChildProcess::reap(int options) {
   if (exitStatus_) return true;
   int status = 0;
   rusage used{};
-  pid_t result;
+  pid_t result = 0;
   do {
     result = wait4(pid_, &status, options, &used);
   } while (result < 0 && errno == EINTR);

@@ -82,7 +82,8 @@ bool readPart(Word part, FieldState& state) {
 
 FieldState fieldState(const SceneState& scene) {
   const auto finite = [](double value) { return std::isfinite(value) ? value : 0; };
-  FieldState state{scene, {}, {}};
+  const Scoreboard& board = scene;
+  FieldState state{board, {}, {}};
   state.ball = scene.ball.unaryExpr(finite);
   for (const SceneRobot& robot : scene.robots)
     state.robots.push_back({robot.side, robot.unum,

@@ -140,7 +140,8 @@ Matrix4d FieldScene::compose(const Chain& chain) const {
 
 FieldState FieldScene::state() const {
   SceneState now;  // what fieldState() needs of it, with where everything is now
-  static_cast<Scoreboard&>(now) = scene;
+  const Scoreboard& board = scene;
+  static_cast<Scoreboard&>(now) = board;
   now.ball = compose(ball).block<3, 1>(0, 3);
   now.robots.resize(std::min(scene.robots.size(), robots.size()));
   for (std::size_t i = 0; i < now.robots.size(); ++i) {

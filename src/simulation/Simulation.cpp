@@ -93,7 +93,7 @@ Vec3 Simulation::freeSpawn() const {
   };
   Vec3 place = spawn;
   for (int i = 1; !isFree(place); ++i)
-    place.x() = spawn.x() + (i % 2 ? 1 : -1) * ((i + 1) / 2) * spawnDistance;
+    place.x() = spawn.x() + ((i % 2 ? 1 : -1) * ((i + 1) / 2)) * spawnDistance;
   return place;
 }
 

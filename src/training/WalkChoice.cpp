@@ -101,6 +101,27 @@ double randomFalls(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& set
   return falls / setup.minutes;
 }
 
+namespace {
+
+/// The i-th of the times a sprint is held.
+HeldSpeed hold(Walker& robot, Task direction, double seconds, int i, const ChoiceSetup& setup) {
+  Random random(setup.seed * 1000 + static_cast<std::uint64_t>(i));
+  return holdSpeed(robot, fullSpeed(direction, i % 2 == 0 ? 1 : -1), seconds, random.uniform(0.1, 0.6), 0);
+}
+
+/// Of a sprint that holds, mean over the beginnings of the times it is held; 0 where it does not.
+double heldSpeed(Walker& robot, Task direction, const ChoiceSetup& setup) {
+  double sum = 0;
+  for (int i = 0; i < setup.holds; ++i) {
+    const HeldSpeed held = hold(robot, direction, std::min(20.0, setup.holdSeconds), i, setup);
+    if (!held.upright) return 0;
+    sum += held.speed;
+  }
+  return sum / setup.holds;
+}
+
+}  // namespace
+
 bool sprintHolds(Walker& robot, const WalkGaits& gaits, Task direction, const ChoiceSetup& setup) {
   // What fails most often comes first.
   for (int i = 0; i < setup.tries; ++i) {
@@ -112,11 +133,8 @@ bool sprintHolds(Walker& robot, const WalkGaits& gaits, Task direction, const Ch
     if (tryWalk(robot, gaits, direction, trial).falls > 0) return false;
   }
   robot.use(gaits);
-  for (int i = 0; i < setup.holds; ++i) {
-    Random random(setup.seed * 1000 + static_cast<std::uint64_t>(i));
-    const WalkRequest full = fullSpeed(direction, i % 2 == 0 ? 1 : -1);
-    if (!holdSpeed(robot, full, setup.holdSeconds, random.uniform(0.1, 0.6), 0).upright) return false;
-  }
+  for (int i = 0; i < setup.holds; ++i)
+    if (!hold(robot, direction, setup.holdSeconds, i, setup).upright) return false;
   return true;
 }
 
@@ -131,8 +149,10 @@ double safeShare(Walker& robot, const WalkGaits& gaits, Task direction, const Ch
 
 WalkGaits chooseMixture(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup,
                         const std::function<void(const std::string&)>& say) {
-  for (double share = 1; share > 0.5 - 1e-9; share -= setup.mixStep) {
-    const WalkGaits slow = slowMixture(gaits, share);
+  const int last = static_cast<int>(std::lround(0.5 / setup.mixStep));
+  double share = 1;
+  for (int i = 0; i <= last; ++i, share -= setup.mixStep) {
+    WalkGaits slow = slowMixture(gaits, share);
     const double falls = randomFalls(robot, cutSprints(slow, 0), setup, 0);
     say(fmt::format("mixture at {:.2f} of its speeds: {}", share, falls > 0 ? "falls" : "no fall"));
     if (falls == 0) return slow;
@@ -158,11 +178,11 @@ WalkGaits chooseSprint(Walker& robot, const WalkGaits& gaits, const std::vector<
     const double share = safeShare(robot, tried, direction, setup);
     tried = cutSprint(tried, direction, share);
     robot.use(tried);
-    const HeldSpeed held = holdSpeed(robot, fullSpeed(direction, 1), 20, 0.3, 0);
-    say(fmt::format("{}: {:.2f} of the sprint holds, {:.3f} {}", taskNames[corner], share, held.speed,
+    const double speed = heldSpeed(robot, direction, setup);
+    say(fmt::format("{}: {:.2f} of the sprint holds, {:.3f} {}", taskNames[corner], share, speed,
                     direction == Task::turn ? "rad/s" : "m/s"));
-    if (!held.upright || held.speed <= fastest) continue;
-    fastest = held.speed;
+    if (speed <= fastest) continue;
+    fastest = speed;
     best = tried;
   }
   return best;
@@ -171,7 +191,9 @@ WalkGaits chooseSprint(Walker& robot, const WalkGaits& gaits, const std::vector<
 WalkGaits chooseTogether(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup,
                          const std::function<void(const std::string&)>& say) {
   WalkGaits cut = gaits;
-  for (double share = 1; share > 0.05; share -= setup.sprintStep) {
+  const int steps = static_cast<int>(std::lround(1 / setup.sprintStep));
+  double share = 1;
+  for (int i = steps; i > 1; --i, share -= setup.sprintStep) {
     cut = cutSprints(gaits, share);
     const double falls = randomFalls(robot, cut, setup, setup.fallsPerMinute);
     say(fmt::format("all sprints at {:.2f}: {:.3f} falls a minute{}", share, falls,

@@ -50,7 +50,7 @@ struct Shape {
 struct AgentName {
   simspark::TeamSide side = simspark::TeamSide::left;
   int unum = 1;
-  auto operator<=>(const AgentName&) const = default;
+  auto operator<=>(const AgentName&) const = default;  // NOLINT(modernize-use-nullptr): none is there
 };
 /// Shows what has been drawn in all sets whose name begins so, in place of what they showed.
 struct SwapSets {

@@ -44,7 +44,7 @@ bool SimSparkConnection::tryConnect(std::string& why) {
       const std::string base =
           (std::filesystem::temp_directory_path() / ("plumbline-" + std::to_string(getpid()))).string();
       std::vector<std::string> simulatorOptions = options_->simulatorOptions;
-      simulatorOptions.push_back("--die-with-parent");
+      simulatorOptions.emplace_back("--die-with-parent");
       try {
         link_->simulator = std::make_unique<simspark::SimulatorProcess>(simulatorProgram_, simulatorOptions,
                                                                         base + ".ports", base + ".log");

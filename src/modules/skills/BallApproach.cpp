@@ -8,7 +8,7 @@ namespace plumbline {
 Pose2 approachBall(const Vec2& ball, double heading, const Vec2& ballInTarget,
                    const BallApproachParameters& parameters) {
   const Mat2 R = Eigen::Rotation2Dd(heading).toRotationMatrix();
-  const Pose2 goal(Vec2(ball - R * ballInTarget), heading);
+  Pose2 goal(Vec2(ball - R * ballInTarget), heading);
 
   // The robot's place around the ball, as an angle from the wanted one.
   const Vec2 fromBall = -ball;

@@ -82,7 +82,8 @@ void MonitorPort::carryOut(Monitor& monitor, const simspark::TrainerCommand& com
 
 void MonitorPort::carryOut(Monitor& monitor, const simspark::ClockCommand& command) {
   using Kind = simspark::ClockCommand::Kind;
-  const simspark::SimulatorClock before = clock_;
+  const simspark::SimulatorClock& clock = clock_;  // what trainers are told of it
+  const simspark::SimulatorClock before = clock;
   switch (command.kind) {
     case Kind::tell:
       monitor.clockAsked = true;

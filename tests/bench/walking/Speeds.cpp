@@ -10,6 +10,7 @@ namespace {
 using namespace walking;
 
 constexpr double enough = 9;
+constexpr int lanes = 40;  ///< along the field, beside the goals
 
 WalkRequest walk(double x, double y, double turn) { return {Vec2(x, y), turn, true}; }
 
@@ -21,7 +22,7 @@ void measure(const Subject& subject, const BenchSetup& setup, Report& report) {
   int fallen = 0, runs = 0;
   const auto add = [&](std::vector<double>& to, Task task, double seconds, double wait, double sign,
                        int seed) {
-    const HeldSpeed run = holdSpeed(robot, fullSpeed(task, sign), seconds, wait, 0.1 * seed);
+    const HeldSpeed run = holdSpeed(robot, fullSpeed(task, sign), seconds, wait, 0.1 * (seed % lanes));
     to.push_back(task == Task::turn ? toDegrees(run.speed) : run.speed);
     fallen += run.upright ? 0 : 1;
     ++runs;

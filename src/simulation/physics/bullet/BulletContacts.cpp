@@ -103,7 +103,7 @@ void BulletContacts::collideWithGround(int handle, const Collider& collider) {
       break;
     case Shape::Kind::capsule:
       for (const double end : {-half.z(), half.z()})
-        points.push_back(pose * Vec3(0, 0, end) - collider.spec.size.x() * Vec3::UnitZ());
+        points.emplace_back(pose * Vec3(0, 0, end) - collider.spec.size.x() * Vec3::UnitZ());
       break;
     case Shape::Kind::box:
       for (int corner = 0; corner < 8; ++corner)
