@@ -33,7 +33,8 @@ inline WalkGaits withoutFeedback(WalkGaits gaits) {
       const bool gain = name.ends_with("Gain") || name.ends_with("Rate") ||
                         name.starts_with("observationP") || name.starts_with("observationV") ||
                         name == "swingLevel" || name == "contactShare" || name == "tiltBrake" ||
-                        name == "torsoMeasured" || name.starts_with("swingMeasured");
+                        name == "torsoMeasured" || name.starts_with("swingMeasured") ||
+                        name == "speedAverage";
       if (gain) p.*info.value = 0;
     }
   };
