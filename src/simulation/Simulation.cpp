@@ -92,8 +92,10 @@ Vec3 Simulation::freeSpawn() const {
     });
   };
   Vec3 place = spawn;
-  for (int i = 1; !isFree(place); ++i)
-    place.x() = spawn.x() + ((i % 2 ? 1 : -1) * ((i + 1) / 2)) * spawnDistance;
+  for (int i = 1; !isFree(place); ++i) {
+    const int away = (i + 1) / 2;  // to either side in turn
+    place.x() = spawn.x() + (i % 2 ? away : -away) * spawnDistance;
+  }
   return place;
 }
 
