@@ -10,7 +10,7 @@ root=$PWD
 jobs=${JOBS:-$(nproc)}
 timeout=${TEST_TIMEOUT:-600} # seconds for one program or script
 testsPerPart=100
-longAreas=(diagnosis) # seconds per test, whose parts others show under the sanitizers, where all takes five times as long
+longAreas=(diagnosis) # seconds per test, five times as many under the sanitizers, which see the same code in shorter ones
 passed=0 failed=0 programAreas=() # empty: all
 failures=()
 progress=""

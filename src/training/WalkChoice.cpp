@@ -193,7 +193,7 @@ WalkGaits chooseTogether(Walker& robot, const WalkGaits& gaits, const ChoiceSetu
   WalkGaits cut = gaits;
   const int steps = static_cast<int>(std::lround(1 / setup.sprintStep));
   double share = 1;
-  for (int i = steps; i > 1; --i, share -= setup.sprintStep) {
+  for (int i = 1; i < steps; ++i, share -= setup.sprintStep) {
     cut = cutSprints(gaits, share);
     const double falls = randomFalls(robot, cut, setup, setup.fallsPerMinute);
     say(fmt::format("all sprints at {:.2f}: {:.3f} falls a minute{}", share, falls,

@@ -31,8 +31,8 @@ public:
 
 private:
   static constexpr double settling = 0.6;  ///< after a change of speed: a step or two, and the delays [s]
-  static constexpr double most = 1.25;
-  /// As if a second had been walked at these speeds with a scale of 1.
+  static constexpr double most = 1.25;     ///< of the scale, and of its inverse
+  /// As if a second had been walked at these speeds with a scale of 1 [m/s, m/s, rad/s].
   static constexpr double knownSpeed[] = {0.1, 0.1, 0.4};
 
   Vec3 before = Vec3::Zero(), scale = Vec3::Ones(), products = Vec3::Zero(), squares = Vec3::Zero();

@@ -49,6 +49,7 @@ struct WalkOutput {
     for (double& one : all) one = 1;
     return all;
   }
+  /// Of both legs alike; full everywhere else.
   static JointArray legHardness(double hip, double knee, double ankle) {
     JointArray all = fullHardness();
     const std::array<double, 6> leg{hip, hip, hip, knee, ankle, ankle};
@@ -76,7 +77,7 @@ public:
   WalkOutput update(const WalkRequest& request, const WalkSensors& sensors);
   /// Stands from now on (after another motion moved the robot). What was learnt of its speeds stays.
   void reset();
-  /// Forgets that (speedAverage).
+  /// Forgets what was learnt of the robot's speeds (SpeedScale), as for another robot.
   void forget();
   /// Targets of the stand, with set as in WalkOutput.
   WalkOutput stand() const;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../gap/TwoJointArm.h"
+#include "gap/TwoJointArm.h"
 
 namespace plumbline::gap {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "../gap/TwoJointArm.h"
+#include "gap/TwoJointArm.h"
 #include "gap/diagnosis/Search.h"
 
 namespace plumbline::gap {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../gap/TwoJointArm.h"
+#include "gap/TwoJointArm.h"
 #include "gap/diagnosis/RepeatNoise.h"
 #include "gap/diagnosis/Search.h"
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "../gap/TwoJointArm.h"
+#include "gap/TwoJointArm.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Search.h"
 

@@ -145,9 +145,8 @@ private:
       tell(stage, 0.7 + 0.3 * static_cast<double>(candidates.size()) / static_cast<double>(list.size()));
       Candidate c;
       c.value = {look.setting, look.values[look.best]};
-      if (look.setting->kind == Setting::Kind::positive) {
+      if (look.setting->kind == Setting::Kind::positive)
         c.value = fitted(base, c.value, look.values[1] / look.values[0]);
-      }
       std::vector<SettingValue> all = base;
       all.push_back(c.value);
       const SetupFit fit = evaluator.of(with(nominal, all), Part::heldOut);

@@ -10,7 +10,7 @@ namespace {
 using namespace walking;
 
 constexpr double enough = 9;
-constexpr int lanes = 40;  ///< along the field, beside the goals
+constexpr int lanes = 40;  ///< 0.1 m apart, from the field's side to its goals
 
 WalkRequest walk(double x, double y, double turn) { return {Vec2(x, y), turn, true}; }
 

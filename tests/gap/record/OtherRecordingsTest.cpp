@@ -14,6 +14,7 @@
 #include "robot/MechanismFile.h"
 #include "robot/RobotModel.h"
 #include "simulation/ServerFixture.h"
+#include "support/Thrown.h"
 
 namespace plumbline::gap {
 namespace {
@@ -37,15 +38,6 @@ Excitation swing(const Mechanism& robot) {
   program.segments = {wave};
   program.duration = 4;
   return program;
-}
-
-std::string errorOf(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "nothing thrown";
 }
 
 Cause cause(const char* id, const Mechanism& robot, const char* at, double value) {
@@ -135,7 +127,7 @@ TEST(BulletRecording, TwoForcesAtOnceAreOneTooMany) {
   const Effect* force = findEffect("external_force");
   options.effects = {{force, findPlace(*force, nao, "torso", "x"), 3, 0},
                      {force, findPlace(*force, nao, "Head", "y"), 2, 0}};
-  EXPECT_EQ(errorOf([&] { recordBullet(nao, findExcitation("stand_sway", nao), options); }),
+  EXPECT_EQ(thrownBy([&] { recordBullet(nao, findExcitation("stand_sway", nao), options); }),
             "engine bullet has one external_force at a time; --engine own has several");
 }
 
@@ -215,10 +207,10 @@ TEST(SimsparkRecording, SaysWhyItCannot) {
   SimsparkRecordingOptions options;
   options.port = 1;
   EXPECT_EQ(
-      errorOf([&] { recordSimspark(robot, findExcitation("stand_squat", robot), options); }),
+      thrownBy([&] { recordSimspark(robot, findExcitation("stand_squat", robot), options); }),
       "cannot connect to 127.0.0.1:1: Connection refused; start bin/simulator or the league's server first");
   EXPECT_EQ(
-      errorOf([&] { recordSimspark(robot, findExcitation("hang_small", robot), options); }),
+      thrownBy([&] { recordSimspark(robot, findExcitation("hang_small", robot), options); }),
       "hang_small is for a robot that is held; robots of SimSpark stand: take a program on the feet, such as "
       "stand_squat");
 }

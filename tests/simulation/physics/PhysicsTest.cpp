@@ -294,9 +294,9 @@ TEST_P(Engine, refusesWhatMakesNoSense) {
   Assembly flat = arm();
   flat.bodies[0].shape->size.z() = 0;
   EXPECT_THROW(engine->addAssembly(flat, Pose3::Identity()), std::invalid_argument);
-  Assembly outside = arm();
-  outside.bodies[1].material = 2;
-  EXPECT_THROW(engine->addAssembly(outside, Pose3::Identity()), std::invalid_argument);
+  Assembly strange = arm();
+  strange.bodies[1].material = 2;
+  EXPECT_THROW(engine->addAssembly(strange, Pose3::Identity()), std::invalid_argument);
   const int robot = engine->addAssembly(arm(), translation(0, 0, 5));
   EXPECT_THROW(engine->setState(robot, AssemblyState{}), std::invalid_argument);
   steps(3);  // what was refused left nothing behind

@@ -31,12 +31,12 @@ protected:
 
 TEST_F(RulesFile, theProjectsOneSaysWhatHoldsWithoutIt) {
   EXPECT_EQ(readRules("config/rules.yaml"), Rules{});
-  Rules outside;
-  outside.time.half = 1;
-  outside.crowding.on = outside.types.on = true;
-  outside.pass.duration = 9;
-  outside.moves.attempts = 3;
-  EXPECT_EQ(readRules("config/rules.yaml", outside), Rules{}) << "and names everything";
+  Rules strange;
+  strange.time.half = 1;
+  strange.crowding.on = strange.types.on = true;
+  strange.pass.duration = 9;
+  strange.moves.attempts = 3;
+  EXPECT_EQ(readRules("config/rules.yaml", strange), Rules{}) << "and names everything";
 }
 
 TEST_F(RulesFile, changesWhatItNames) {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "../gap/TwoJointArm.h"
+#include "../TwoJointArm.h"
 #include "gap/diagnosis/Diagnosis.h"
 
 namespace plumbline::gap {
