@@ -11,8 +11,8 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr std::size_t survivors = 12;
-constexpr std::size_t told = 6;  // cycles after which the readings have told whether one was lost
+/// Of guesses that differ in so many cycles: a dozen of 6, more than the pairs among 20.
+std::size_t survivorsOf(std::size_t told) { return told * told / 3; }
 
 /// What may have happened up to now, and how well it explains what was measured.
 struct Guess {
@@ -30,7 +30,7 @@ struct Guess {
   }
   Guess& operator=(const Guess&) = delete;
 
-  bool agreesWith(const Guess& other, std::size_t cycle) const {
+  bool agreesWith(const Guess& other, std::size_t cycle, std::size_t told) const {
     const auto from = static_cast<std::ptrdiff_t>(cycle < told ? 0 : cycle + 1 - told);
     return std::equal(lost.begin() + from, lost.begin() + static_cast<std::ptrdiff_t>(cycle) + 1,
                       other.lost.begin() + from);
@@ -46,8 +46,8 @@ bool sameCommand(const Trial& trial, std::size_t a, std::size_t b) {
 
 class Decoder {
 public:
-  Decoder(const Evidence& evidence_, std::size_t t_, double price_)
-      : evidence(evidence_), t(t_), trial(evidence_.trials()[t_]), price(price_) {}
+  Decoder(const Evidence& evidence_, std::size_t t_, double price_, std::size_t told_)
+      : evidence(evidence_), t(t_), trial(evidence_.trials()[t_]), price(price_), told(told_) {}
 
   std::vector<std::uint8_t> decode(const Plant& plant) {
     guesses.push_back(std::make_unique<Guess>(plant, trial));
@@ -91,8 +91,9 @@ private:
                      [](const auto& a, const auto& b) { return a->cost < b->cost; });
     std::vector<std::unique_ptr<Guess>> kept;
     for (auto& guess : guesses) {
-      if (kept.size() == survivors) break;
-      if (std::ranges::none_of(kept, [&](const auto& other) { return guess->agreesWith(*other, cycle); }))
+      if (kept.size() == survivorsOf(told)) break;
+      if (std::ranges::none_of(kept,
+                               [&](const auto& other) { return guess->agreesWith(*other, cycle, told); }))
         kept.push_back(std::move(guess));
     }
     guesses = std::move(kept);
@@ -102,14 +103,15 @@ private:
   const std::size_t t;
   const Trial& trial;
   const double price;
+  const std::size_t told;
   std::vector<std::unique_ptr<Guess>> guesses;
 };
 
 }  // namespace
 
 std::vector<std::uint8_t> decodeLosses(const Plant& plant, const Evidence& evidence, std::size_t trial,
-                                       double price) {
-  return Decoder(evidence, trial, price).decode(plant);
+                                       double price, std::size_t told) {
+  return Decoder(evidence, trial, price, told).decode(plant);
 }
 
 }  // namespace plumbline::gap

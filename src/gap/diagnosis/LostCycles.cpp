@@ -5,13 +5,12 @@
 
 #include "framework/Parallel.h"
 #include "gap/diagnosis/LossDecoder.h"
+#include "gap/diagnosis/LossEcho.h"
 
 namespace plumbline::gap {
 
 namespace {
 
-constexpr std::size_t spacing =
-    10;                           // cycles between two that are tried in one replay: a servo settles within
 constexpr std::size_t reach = 4;  // cycles within which only one changes its mind in a round
 constexpr int rounds = 8;
 constexpr double cycleGain = 14;  // of the sum of squares: e^-7 by chance, in thousands of cycles
@@ -25,7 +24,8 @@ public:
         t(t_),
         trial(evidence_.trials()[t_]),
         plant(plantOf(trial, causes)),
-        lost(decodeLosses(plant, evidence_, t_, cycleGain)),
+        echo(lossEcho(plant, evidence_, t_, cycleGain)),
+        lost(decodeLosses(plant, evidence_, t_, cycleGain, echo.told)),
         gains(trial.cycles(), 0),
         seen(trial.cycles(), 0) {
     for (int round = 0; round < rounds; ++round) {
@@ -47,6 +47,8 @@ private:
   /// What turning each cycle's loss over would gain, given the others.
   void tryAll() {
     const Prediction base = played(lost);
+    // What two cycles that are tried in one replay change does not mix.
+    const std::size_t spacing = echo.over;
     for (std::size_t offset = 0; offset < spacing; ++offset) {
       std::vector<std::uint8_t> tried = lost;
       for (std::size_t k = offset; k < tried.size(); k += spacing) tried[k] ^= 1;
@@ -60,7 +62,7 @@ private:
     for (std::size_t s = 0; s < trial.signals.size(); ++s) {
       if (trial.signals[s].joint < 0 || base.values[s].empty()) continue;
       const auto& weights = evidence.weights(t, s);
-      for (std::size_t i = k + 1; i < std::min(k + spacing, trial.cycles()); ++i) {
+      for (std::size_t i = k + 1; i < std::min(k + echo.over, trial.cycles()); ++i) {
         if (weights[i] <= 0 || !std::isfinite(base.values[s][i])) continue;
         const double r = trial.signals[s].values[i] - base.values[s][i];
         const double d = other.values[s][i] - base.values[s][i];
@@ -92,6 +94,7 @@ private:
   const std::size_t t;
   const Trial& trial;
   const Plant plant;
+  const LossEcho echo;
   std::vector<std::uint8_t> lost;
   std::vector<double> gains, seen;
 };

@@ -20,6 +20,7 @@ constexpr std::size_t lookTwice = 60, lookOnFeet = 12, leastRefined = 4;
 constexpr double refineShare = 0.2;  // of the best first look's gain: what promises less is not fitted
 constexpr double keptPromise = 0.5;  // of the first look's: below that its effect is looked at in between
 constexpr double polishShare = 0.7;  // of the best fit's gain: what gains less is no rival of the best
+constexpr double tellsShare = 0.5;   // of the best fit's gain: what gains more does something
 constexpr ValueSearch finely = {.step = 0.08, .tolerance = 0.004, .bracket = 6, .within = 4};
 
 /// Squares beyond noise on the blocks for fitting: what shows on the others alone is nothing to fit to.
@@ -107,8 +108,13 @@ public:
     secondLook();
     fitRoughly();
     polish();
+    const double before = fine.baseFit().fitting;
+    double most = 0;
+    for (const Candidate& c : chosen) most = std::max(most, before - c.fit.fitting);
     std::erase_if(chosen, [&](const Candidate& c) {
-      return c.fit.fitting >= fine.baseFit().fitting || doesNothing(fine.mechanism(), c.cause);
+      const double gain = before - c.fit.fitting;
+      // A limit on a DC motor, which has none, tells by being there, however little of it there is.
+      return gain <= 0 || (doesNothing(fine.mechanism(), c.cause) && gain < tellsShare * most);
     });
     std::stable_sort(chosen.begin(), chosen.end(),
                      [](const Candidate& a, const Candidate& b) { return a.fit.judging < b.fit.judging; });

@@ -18,7 +18,11 @@ inline const Effect supplyVoltage{
     .apply =
         [](Plant& plant, const Place& place, double value, int) {
           atJoints(plant, place, [value](JointPlant& joint) {
-            joint.supplyFactor *= value;
+            // A DC motor's law has the voltage in it, and no limit but what that drives through the winding.
+            if (joint.servo.model == Servo::Model::dcMotor) {
+              joint.supplyFactor *= value;
+              return;
+            }
             joint.torqueFactor *= value;
             joint.maxSpeed *= value;
           });

@@ -18,7 +18,7 @@ protected:
     ReplayOptions options;
     options.lostCycles = &lost;
     const Evidence evidence{{recorded(nominalPlant(arm), trial, 2e-5, 7, options)}};
-    return decodeLosses(nominalPlant(arm), evidence, 0, price);
+    return decodeLosses(nominalPlant(arm), evidence, 0, price, 6);
   }
 
   Trial trial = armTrial(twoJointArm(), 6);

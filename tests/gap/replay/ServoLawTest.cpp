@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "../TwoJointArm.h"
+#include "gap/diagnosis/Explanation.h"
+#include "gap/effects/Effects.h"
 #include "robot/MechanismFile.h"
 
 namespace plumbline::gap {
@@ -44,6 +46,26 @@ TEST(ServoLawTest, dcMotorAsInTheContract) {
   const double kt = 0.38042, R = 3.38007, vin = 7.4, duty = 400 * 0.00287738 * 0.3;
   EXPECT_NEAR(torque(plant, 0.3, 0, 2), kt * (vin * duty - kt * 2) / R, 1e-9);
   EXPECT_NEAR(torque(plant, 3, 0, 2), kt * (vin - kt * 2) / R, 1e-9);  // saturated
+}
+
+TEST(ServoLawTest, lessSupplyOfADcMotorIsLessVoltageAndNoLimit) {
+  const Mechanism pendulum = findMechanism("xl330_pendulum");
+  const Effect& supply = *findEffect("supply_voltage");
+  const JointPlant plant =
+      plantOf(pendulum, {{&supply, {Site::everywhere, -1, "*"}, 0.9, 0}}).joints[0];
+  const double kt = 0.38042, R = 3.38007, vin = 0.9 * 7.4, duty = 400 * 0.00287738 * 0.3;
+  EXPECT_NEAR(torque(plant, 0.3, 0, 2), kt * (vin * duty - kt * 2) / R, 1e-9);
+  // Against the motion the winding's own voltage comes on top: more than max_torque.
+  EXPECT_NEAR(torque(plant, -3, 0, 5), kt * (-vin - kt * 5) / R, 1e-9);
+  EXPECT_GT(-torque(plant, -3, 0, 5), plant.maxTorque);
+}
+
+TEST(ServoLawTest, lessSupplyOfAPositionServoLowersItsLimits) {
+  const Mechanism arm = twoJointArm();
+  const Effect& supply = *findEffect("supply_voltage");
+  const JointPlant plant = plantOf(arm, {{&supply, {Site::everywhere, -1, "*"}, 0.5, 0}}).joints[0];
+  EXPECT_DOUBLE_EQ(torque(plant, 1, 0, 0), 1.5);
+  EXPECT_NEAR(torque(plant, 9, 0, 3.325), 0.75, 1e-12);
 }
 
 TEST(ServoLawTest, encoderShowsItsError) {

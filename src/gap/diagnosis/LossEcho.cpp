@@ -1,0 +1,75 @@
+#include "gap/diagnosis/LossEcho.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "gap/replay/Replay.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr std::size_t samples = 4;              // replays, each with a loss in every reach cycles
+constexpr double enough = 2, visible = 4;       // times the price
+constexpr double most = 0.9, nearlyAll = 0.95;  // of the losses; of what one changes
+constexpr double margin = 1.25;                 // losses near each other take longer to tell apart
+
+/// Sum of what a loss changes, in squares over noise, up to each of the cycles after it.
+std::vector<double> changeAfter(std::size_t cycle, const Prediction& with, const Prediction& without,
+                                const Evidence& evidence, std::size_t t) {
+  std::vector<double> change;
+  for (std::size_t k = cycle + 1; k < cycle + LossEcho::reach; ++k) {
+    double& sum = change.emplace_back(0);
+    for (std::size_t s = 0; s < without.values.size(); ++s) {
+      if (evidence.trials()[t].signals[s].joint < 0 || without.values[s].empty()) continue;
+      const double w = evidence.weights(t, s)[k], d = with.values[s][k] - without.values[s][k];
+      if (w > 0 && std::isfinite(d)) sum += w * d * d;
+    }
+  }
+  std::partial_sum(change.begin(), change.end(), change.begin());
+  return change;
+}
+
+/// Cycles until a sum has come to a size.
+std::size_t cyclesTo(double size, const std::vector<double>& sums) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(sums, size) - sums.begin()) + 1;
+}
+
+std::size_t quantile(std::vector<std::size_t> values, double share) {
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::ranges::nth_element(values, at);
+  return *at;
+}
+
+}  // namespace
+
+LossEcho lossEcho(const Plant& plant, const Evidence& evidence, std::size_t t, double price) {
+  const std::size_t cycles = evidence.trials()[t].cycles();
+  const Prediction none = replay(plant, evidence.trials()[t], {});
+  std::vector<std::size_t> told, over;
+  for (std::size_t n = 0; n < samples; ++n) {
+    const std::size_t first = n * LossEcho::reach / samples;
+    std::vector<std::uint8_t> lost(cycles, 0);
+    for (std::size_t k = first; k < cycles; k += LossEcho::reach) lost[k] = 1;
+    ReplayOptions options;
+    options.lostCycles = &lost;
+    const Prediction some = replay(plant, evidence.trials()[t], options);
+    for (std::size_t k = first; k + LossEcho::reach <= cycles; k += LossEcho::reach) {
+      const std::vector<double> change = changeAfter(k, some, none, evidence, t);
+      if (change.back() < visible * price) continue;
+      told.push_back(cyclesTo(enough * price, change));
+      over.push_back(cyclesTo(nearlyAll * change.back(), change));
+    }
+  }
+  LossEcho echo;
+  if (told.empty()) return echo;
+  echo.told = std::max(echo.told, static_cast<std::size_t>(margin * static_cast<double>(quantile(told, most))));
+  echo.over = std::max(echo.over, quantile(over, 0.5));
+  return echo;
+}
+
+}  // namespace plumbline::gap
