@@ -11,7 +11,9 @@
 #include "gap/diagnosis/Growth.h"
 #include "gap/diagnosis/Harm.h"
 #include "gap/diagnosis/Merit.h"
+#include "gap/diagnosis/Pairs.h"
 #include "gap/diagnosis/PossibleCauses.h"
+#include "gap/diagnosis/Probability.h"
 #include "gap/diagnosis/Remainder.h"
 #include "gap/diagnosis/RunsWithout.h"
 #include "gap/diagnosis/Search.h"
@@ -63,6 +65,7 @@ public:
     if (result.worstBefore >= Growth::present) setOtherwise();
     leaveOutHarm(growth, fine, meter, result.gap.before, options.jobs);
     growth.lookForRivals();
+    nameTheMostProbable();
     const WorstGap left = worstGap(fine);
     result.worstAfter = left.size;
     result.worstSignalAfter = left.signal;
@@ -82,6 +85,32 @@ private:
     if (!fine.hasHeld()) return;
     beginOtherwise(nominal);
     if (growth.causes.size() > 1 && growth.remainder().mayRemain(farOff)) reconsider();
+    otherPair();
+  }
+
+  /// What overlaps comes out in pairs and triples that are not there. Where three causes stand for what two
+  /// explain, or another two on a robot's only joint predict better, takes these.
+  void otherPair() {
+    const bool one = allOnOneJoint(fine.mechanism());
+    const bool explained = !growth.causes.empty() && growth.remainder().mayRemain();
+    if (growth.worstBefore < Growth::present || fine.hasStanding()) return;
+    if (explained && (growth.causes.size() < 2 || losesCommands(growth.causes))) return;
+    if (!one && (growth.causes.size() < 3 || !onOneChain(fine, growth.causes))) return;
+    const Explanation old = growth.causes;
+    const double leftByOld = fine.baseFit().judging;
+    for (Evaluator* evaluator : {&fine, &coarse}) evaluator->setBase({});
+    const Explanation pair = bestPair(fine, coarse, options.jobs, [&](double share) {
+      if (options.progress) options.progress("pairs of causes", share);
+    });
+    fine.setBase(pair);
+    const bool less = old.size() > 2 && !pair.empty() && growth.remainder().size() < unexplained;
+    if (less || (one && !pair.empty() && fine.baseFit().judging < leftByOld - leastGain)) {
+      growth.causes = pair;
+      growth.choices.assign(pair.size(), {});
+      growth.grow();
+    } else {
+      fine.setBase(old);
+    }
   }
 
   /// Where held runs show what is wrong, they tell it for a hundredth of the price; what remains of them over
@@ -257,6 +286,27 @@ private:
     growth.choices = std::move(kept);
     fine.setBase(growth.causes);
     return false;
+  }
+
+  /// What is left beyond noise may be what a cause predicts better than its rival: of causes that differ by no
+  /// more than that, the one named is the more probable one before the data.
+  void nameTheMostProbable() {
+    fine.setBase(growth.causes);
+    result.left = leftPerDirection(fine);
+    for (std::size_t i = 0; i < growth.causes.size() && !fine.hasStanding(); ++i) {
+      Candidates& list = growth.choices[i];
+      sortByProbability(list, result.left);
+      // Where an effect is may have been chosen otherwise (what is set in one servo is set in all).
+      if (list.empty() || list.front().cause.effect == growth.causes[i].effect) continue;
+      Explanation other = growth.causes;
+      other[i] = list.front().cause;
+      other = fitTogether(fine, other, options.jobs);
+      if (withPrior(other[i], fine.of(other).judging, result.left) <
+          withPrior(growth.causes[i], fine.baseFit().judging, result.left)) {
+        growth.causes = std::move(other);
+        fine.setBase(growth.causes);
+      }
+    }
   }
 
   void judge(double remainsHeld, bool heldTold) {

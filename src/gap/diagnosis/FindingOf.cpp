@@ -35,7 +35,7 @@ Finding findingOf(std::size_t i, const Explanation& found, const std::vector<Can
   finding.closedAlone = std::clamp((result.gap.before - gapAlone) / whole, 0.0, 1.0);
   finding.closedLast = std::clamp((gapWithout - result.gap.after) / whole, 0.0, 1.0);
 
-  const std::vector<double> shares = probabilities(choices);
+  const std::vector<double> shares = probabilities(choices, result.left);
   for (std::size_t c = 0; c < shares.size(); ++c) {
     const double probability = result.knownProbability * shares[c];
     if (choices[c].cause.sameKind(finding.cause)) {

@@ -19,15 +19,19 @@ constexpr double visibleChange = 4 * cycleGain;
 /// Which commands one run lost, cycle by cycle.
 class Listener {
 public:
-  Listener(const Evidence& evidence_, std::size_t t_, const Explanation& causes)
+  /// noChance: repeats agree. Where a loss takes long to show, much else can be told as losses; that it never
+  /// came by chance tells these apart, and saves the time.
+  Listener(const Evidence& evidence_, std::size_t t_, const Explanation& causes, bool noChance)
       : evidence(evidence_),
         t(t_),
         trial(evidence_.trials()[t_]),
         plant(plantOf(trial, causes)),
         echo(lossEcho(plant, evidence_, t_, cycleGain)),
-        lost(decodeLosses(plant, evidence_, t_, cycleGain, echo.told)),
+        lost(trial.cycles(), 0),
         gains(trial.cycles(), 0),
         seen(trial.cycles(), 0) {
+    if (noChance && echo.told > LossEcho::leastTold) return;
+    lost = decodeLosses(plant, evidence, t, cycleGain, echo.told);
     for (int round = 0; round < rounds; ++round) {
       tryAll();
       if (!changeBest()) break;
@@ -106,9 +110,10 @@ LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, i
   const std::size_t count = evidence.trials().size();
   result.cycles.resize(count);
   std::vector<std::size_t> found(count, 0), visible(count, 0);
+  const bool noChance = repeatsAgree(evidence.trials());
   parallel(count, jobs, [&](std::size_t t) {
     if (evidence.trials()[t].freeBase) return;
-    const Listener listener(evidence, t, causes);
+    const Listener listener(evidence, t, causes, noChance);
     result.cycles[t] = listener.cycles();
     for (std::size_t k = 0; k < result.cycles[t].size(); ++k) {
       if (!listener.visible(k)) continue;

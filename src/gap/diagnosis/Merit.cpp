@@ -11,6 +11,7 @@ constexpr double visible = 0.7;  // least change over noise, in some channel, of
 constexpr double leastZ = 3;     // of the gain over blocks
 constexpr double oneWay = 0.75;  // of the gains' absolute values
 constexpr double leastShare = 0.05;                      // of what is unexplained
+constexpr double directionsPerChannel = 2;
 constexpr double lowerShare = 0.98, lowerWithin = 0.02;  // of the worst channel
 
 /// Change that the evaluator's present base made against earlier predictions: the largest, over noise, of any
@@ -51,6 +52,14 @@ double excess(const Evaluator& evaluator) {
       data.forEach(t, s, evaluator.basePrediction(t),
                    [&](std::size_t k, double, double) { n += !Evidence::forFitting(data.block(t, k)); });
   return evaluator.baseFit().judging - n;
+}
+
+double leftPerDirection(const Evaluator& evaluator) {
+  double directions = 0;
+  evaluator.forEachChannel([&](const Trial&, const Signal& signal, double) {
+    if (Evidence::counts(signal)) directions += directionsPerChannel;
+  });
+  return directions > 0 ? std::max(0.0, excess(evaluator)) / directions : 0;
 }
 
 Standing::Standing(const Evaluator& evaluator)

@@ -133,6 +133,20 @@ std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& tr
   return estimate(trials, trials, from);
 }
 
+bool repeatsAgree(const std::vector<Trial>& trials) {
+  constexpr double hardlyMore = 1.25;
+  bool any = false;
+  const std::vector<std::vector<SignalNoise>> noises = estimateNoise(trials);
+  for (std::size_t t = 0; t < trials.size(); ++t)
+    for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
+      const SignalNoise& noise = noises[t][s];
+      if (trials[t].freeBase || trials[t].signals[s].kind != SignalKind::position || !noise.repeated) continue;
+      if (noise.sigma > hardlyMore * noise.own) return false;
+      any = true;
+    }
+  return any;
+}
+
 std::vector<std::vector<SignalNoise>> estimateNoiseBeside(const std::vector<Prediction>& predictions,
                                                           const std::vector<Trial>& trials) {
   std::vector<Trial> left = trials;

@@ -20,12 +20,14 @@ double logPrior(const Cause& cause) {
 
 /// What a sum of squares has to differ by for a nat of evidence: samples are correlated, and where two causes
 /// come within a thousandth of each other, the engines' own difference may decide.
-double temperature(double judging) { return 2 * (correlation + engineShare * judging); }
+double temperature(double judging, double left = 0) {
+  return 2 * (correlation + engineShare * judging + left);
+}
 
-double temperatureOf(const std::vector<Candidate>& list) {
+double temperatureOf(const std::vector<Candidate>& list, double left) {
   double best = INFINITY;
   for (const Candidate& c : list) best = std::min(best, c.fit.judging);
-  return temperature(best);
+  return temperature(best, left);
 }
 
 double logWeight(const Candidate& c, double temperature) {
@@ -34,20 +36,20 @@ double logWeight(const Candidate& c, double temperature) {
 
 }  // namespace
 
-void sortByProbability(std::vector<Candidate>& list) {
-  const double t = temperatureOf(list);
+void sortByProbability(std::vector<Candidate>& list, double left) {
+  const double t = temperatureOf(list, left);
   std::stable_sort(list.begin(), list.end(),
                    [t](const Candidate& a, const Candidate& b) { return logWeight(a, t) > logWeight(b, t); });
 }
 
-double withPrior(const Cause& cause, double judging) {
-  return judging - temperature(judging) * logPrior(cause);
+double withPrior(const Cause& cause, double judging, double left) {
+  return judging - temperature(judging, left) * logPrior(cause);
 }
 
-std::vector<double> probabilities(const std::vector<Candidate>& list) {
+std::vector<double> probabilities(const std::vector<Candidate>& list, double left) {
   std::vector<double> result;
   if (list.empty()) return result;
-  const double t = temperatureOf(list), most = logWeight(list.front(), t);
+  const double t = temperatureOf(list, left), most = logWeight(list.front(), t);
   double sum = 0;
   for (const Candidate& c : list) sum += result.emplace_back(std::exp(logWeight(c, t) - most));
   for (double& p : result) p /= sum;

@@ -9,13 +9,15 @@ namespace plumbline::gap {
 constexpr double correlation = 8;
 
 /// Most probable first: by how much worse each predicts what it was not fitted to, and by its prior.
-void sortByProbability(std::vector<Candidate>& list);
+/// left: squares beyond noise that remain in one direction of the data, whatever is chosen (see Merit.h); what
+/// one candidate explains better than another may be of these.
+void sortByProbability(std::vector<Candidate>& list, double left = 0);
 
 /// A sum of squares for judging with what a cause's prior adds to it: of two causes, the lower is more
 /// probable.
-double withPrior(const Cause& cause, double judging);
+double withPrior(const Cause& cause, double judging, double left = 0);
 
-/// Probability of each in a sorted list, given that one of them is the cause.
-std::vector<double> probabilities(const std::vector<Candidate>& list);
+/// Probability of each in a list sorted so, given that one of them is the cause.
+std::vector<double> probabilities(const std::vector<Candidate>& list, double left = 0);
 
 }  // namespace plumbline::gap
