@@ -288,8 +288,8 @@ private:
     return false;
   }
 
-  /// What is left beyond noise may be what a cause predicts better than its rival: of causes that differ by no
-  /// more than that, the one named is the more probable one before the data.
+  /// What is left beyond noise may be what a cause predicts better than its rival: of causes that differ by
+  /// no more than that, the one named is the more probable one before the data.
   void nameTheMostProbable() {
     fine.setBase(growth.causes);
     result.left = leftPerDirection(fine);

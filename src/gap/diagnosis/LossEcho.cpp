@@ -67,7 +67,8 @@ LossEcho lossEcho(const Plant& plant, const Evidence& evidence, std::size_t t, d
   }
   LossEcho echo;
   if (told.empty()) return echo;
-  echo.told = std::max(echo.told, static_cast<std::size_t>(margin * static_cast<double>(quantile(told, most))));
+  echo.told =
+      std::max(echo.told, static_cast<std::size_t>(margin * static_cast<double>(quantile(told, most))));
   echo.over = std::max(echo.over, quantile(over, 0.5));
   return echo;
 }

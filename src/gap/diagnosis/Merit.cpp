@@ -10,7 +10,7 @@ namespace {
 constexpr double visible = 0.7;  // least change over noise, in some channel, of a cause that earns its place
 constexpr double leastZ = 3;     // of the gain over blocks
 constexpr double oneWay = 0.75;  // of the gains' absolute values
-constexpr double leastShare = 0.05;                      // of what is unexplained
+constexpr double leastShare = 0.05;  // of what is unexplained
 constexpr double directionsPerChannel = 2;
 constexpr double lowerShare = 0.98, lowerWithin = 0.02;  // of the worst channel
 
@@ -63,17 +63,31 @@ double leftPerDirection(const Evaluator& evaluator) {
 }
 
 Standing::Standing(const Evaluator& evaluator)
-    : fit(evaluator.baseFit()), worst(worstGap(evaluator).size), unexplained(excess(evaluator)) {
+    : fit(evaluator.baseFit()), worst(worstGap(evaluator)), unexplained(excess(evaluator)) {
+  worstHasCause = std::ranges::any_of(
+      evaluator.base(), [&](const Cause& cause) { return worst.signal == "pos." + cause.place.at; });
   for (std::size_t t = 0; t < evaluator.evidence().trials().size(); ++t)
     predictions.push_back(evaluator.basePrediction(t));
+}
+
+/// What engines do otherwise in all channels is much, together: another cause may tell in one alone. At a
+/// joint that has a cause already, what is left there may be what that does otherwise.
+bool Standing::explainsWorst(const Evaluator& evaluator, double leastPart) const {
+  if (worstHasCause) return false;
+  double left = 0;
+  evaluator.forEachChannel([&](const Trial&, const Signal& signal, double chi) {
+    if (signal.name == worst.signal) left = std::max(left, chi - 1);
+  });
+  return left <= (1 - leastPart) * worst.size * worst.size;
 }
 
 bool Standing::betteredBy(const Evaluator& evaluator, double leastPart) const {
   const double gain = fit.judging - evaluator.baseFit().judging;
   // Real robots have more than one thing missing: the worst channel may wait for the next cause.
   const bool lowers =
-      worstGap(evaluator).size < lowerShare * worst + lowerWithin || gain > leastShare * unexplained;
-  return lowers && gain >= std::max(leastGain, leastPart * unexplained) &&
+      worstGap(evaluator).size < lowerShare * worst.size + lowerWithin || gain > leastShare * unexplained;
+  return lowers && gain >= leastGain &&
+         (gain >= leastPart * unexplained || explainsWorst(evaluator, leastPart)) &&
          consistent(fit, evaluator.baseFit()) && largestChange(evaluator, predictions) >= visible;
 }
 

@@ -140,7 +140,8 @@ bool repeatsAgree(const std::vector<Trial>& trials) {
   for (std::size_t t = 0; t < trials.size(); ++t)
     for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
       const SignalNoise& noise = noises[t][s];
-      if (trials[t].freeBase || trials[t].signals[s].kind != SignalKind::position || !noise.repeated) continue;
+      if (trials[t].freeBase || trials[t].signals[s].kind != SignalKind::position || !noise.repeated)
+        continue;
       if (noise.sigma > hardlyMore * noise.own) return false;
       any = true;
     }

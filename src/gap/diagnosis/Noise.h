@@ -32,12 +32,12 @@ enum class NoiseFrom { repeats, itself };
 std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& trials,
                                                     NoiseFrom from = NoiseFrom::repeats);
 
-/// Whether repeats with a held base are there and differ, in each joint's position, by hardly more than its own
-/// fast noise: nothing in them came by chance.
+/// Whether repeats with a held base are there and differ, in each joint's position, by hardly more than its
+/// own fast noise: nothing in them came by chance.
 bool repeatsAgree(const std::vector<Trial>& trials);
 
-/// The noise of what predictions leave, by repeats: for recordings that differ by more than noise, and by what
-/// is predicted. Signals that are not predicted count as they were read.
+/// The noise of what predictions leave, by repeats: for recordings that differ by more than noise, and by
+/// what is predicted. Signals that are not predicted count as they were read.
 std::vector<std::vector<SignalNoise>> estimateNoiseBeside(const std::vector<Prediction>& predictions,
                                                           const std::vector<Trial>& trials);
 

@@ -9,8 +9,8 @@ namespace plumbline::gap {
 constexpr double correlation = 8;
 
 /// Most probable first: by how much worse each predicts what it was not fitted to, and by its prior.
-/// left: squares beyond noise that remain in one direction of the data, whatever is chosen (see Merit.h); what
-/// one candidate explains better than another may be of these.
+/// left: squares beyond noise that remain in one direction of the data, whatever is chosen (see Merit.h);
+/// what one candidate explains better than another may be of these.
 void sortByProbability(std::vector<Candidate>& list, double left = 0);
 
 /// A sum of squares for judging with what a cause's prior adds to it: of two causes, the lower is more

@@ -129,7 +129,8 @@ private:
       double& value = prediction.values[s][k];
       switch (signal.kind) {
         case SignalKind::position:
-          value = world.encoder(signal.joint);
+          // Drives step by the leapfrog: their positions are half a step ahead of their speeds (ServoDrive).
+          value = world.encoder(signal.joint) - slice / 2 * world.encoderSpeed(signal.joint);
           break;
         case SignalKind::velocity:
           value = world.encoderSpeed(signal.joint);

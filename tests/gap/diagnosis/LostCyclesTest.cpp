@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "../TwoJointArm.h"
+#include "../Pendulum.h"
 
 namespace plumbline::gap {
 namespace {
@@ -71,6 +71,23 @@ TEST(LostCyclesTest, severalInARowAreNoTrap) {
   const Evidence evidence = recordedWithout(lost);
   const std::vector<std::uint8_t> found = findLostCycles(evidence, {}, 1).cycles[0];
   EXPECT_LT(squaresWith(evidence, found), 1.1 * squaresWith(evidence, lost));
+}
+
+TEST(LostCyclesTest, whereAServoTakesLongToShowThem) {
+  const Evidence evidence(pendulumRecordedTwice(nominalPlant(pendulum()), 0.08), NoiseFrom::itself);
+  const LostCycles found = findLostCycles(evidence, {}, 1);
+  EXPECT_NEAR(found.share, 0.08, 0.04);
+  const std::vector<std::uint8_t> none(evidence.trials()[0].cycles(), 0);
+  EXPECT_LT(squaresWith(evidence, found.cycles[0]), squaresWith(evidence, none) / 10);
+}
+
+TEST(LostCyclesTest, noneThereWhereRepeatsAgreeWhateverElseIsOff) {
+  Plant plant = nominalPlant(pendulum());
+  plant.joints[0].viscous += 0.01;
+  const Evidence evidence(pendulumRecordedTwice(plant, 0));
+  const std::vector<std::uint8_t> none(evidence.trials()[0].cycles(), 0);
+  ASSERT_GT(squaresWith(evidence, none), 5 * static_cast<double>(none.size()));
+  EXPECT_EQ(findLostCycles(evidence, {}, 1).found, 0u);
 }
 
 }  // namespace

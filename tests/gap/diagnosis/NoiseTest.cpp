@@ -42,5 +42,12 @@ TEST(NoiseTest, repeatsTellTheNoise) {
   EXPECT_FALSE(isRepeat(a, turned));
 }
 
+TEST(NoiseTest, repeatsAgreeUnlessSomethingCameByChance) {
+  const Plant plant = nominalPlant(twoJointArm());
+  EXPECT_TRUE(repeatsAgree(recordedTwice(plant, 5e-4, 0)));
+  EXPECT_FALSE(repeatsAgree(recordedTwice(plant, 5e-4, 0.05)));
+  EXPECT_FALSE(repeatsAgree({recordedTwice(plant, 5e-4, 0)[0]})) << "nothing was repeated";
+}
+
 }  // namespace
 }  // namespace plumbline::gap

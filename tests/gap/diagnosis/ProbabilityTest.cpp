@@ -44,6 +44,18 @@ TEST(ProbabilityTest, whatPredictsBetterWinsByTheTemperature) {
   EXPECT_TRUE(probabilities({}).empty());
 }
 
+TEST(ProbabilityTest, whatNoCauseExplainsMayBeWhatOneExplainsBetter) {
+  std::vector<Candidate> list = {candidate("viscous_friction", 10000), candidate("coulomb_friction", 10060)};
+  const std::vector<double> p = probabilities(list, 300);
+  EXPECT_NEAR(std::log(p[0] / p[1]), 60 / (16 + 0.0014 * 10000 + 2 * 300), 1e-9);
+  // A force in any direction against an offset: 200 squares count for less than the prior of three.
+  list = {candidate("external_force", 10000), candidate("joint_offset", 10200)};
+  sortByProbability(list);
+  EXPECT_EQ(list[0].cause.effect->id, "external_force");
+  sortByProbability(list, 300);
+  EXPECT_EQ(list[0].cause.effect->id, "joint_offset");
+}
+
 TEST(ProbabilityTest, aPriorInSquares) {
   // A force in one of three directions and either way has a sixth, dry friction has all of it.
   const Candidate force = candidate("external_force", 10000), friction = candidate("coulomb_friction", 10000);

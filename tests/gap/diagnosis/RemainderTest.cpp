@@ -30,7 +30,7 @@ TEST(RemainderTest, heldRunsMayLeaveLessThanThoseOnTheFeet) {
   ASSERT_GT(held, 5);
   const Remainder small(evaluator, 0), large(evaluator, 100 * held);
   EXPECT_NEAR(small.unaccountedHeld(), held / 1.7, 1e-12);
-  EXPECT_NEAR(large.unaccountedHeld(), 1 / 8.0, 1e-12);
+  EXPECT_NEAR(large.unaccountedHeld(), 1 / 5.0, 1e-12);
   EXPECT_LT(small.unaccountedOnFeet(), 0.5);
   EXPECT_EQ(small.unaccounted(), small.unaccountedHeld());
   EXPECT_FALSE(small.mayRemain());

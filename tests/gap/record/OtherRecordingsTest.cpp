@@ -69,6 +69,24 @@ TEST(BulletRecording, AgreesWithTheOwnDynamicsOnAHeldArm) {
   EXPECT_EQ(own.t, bullet.t);
 }
 
+TEST(BulletRecording, IsNotAheadOfTheOwnDynamics) {
+  const Mechanism arm = twoJointArm();
+  SimulatedRecordingOptions options;
+  options.noisy = false;
+  const gap::Run own = recordSimulated(arm, swing(arm), options),
+                 bullet = recordBullet(arm, swing(arm), options);
+  for (const char* joint : {"shoulder", "elbow"}) {
+    const std::string channel = channelName(ChannelKind::position, joint);
+    const std::vector<double>&x = *own.find(channel), &y = *bullet.find(channel);
+    double product = 0, squares = 0;
+    for (std::size_t k = 1; k + 1 < x.size(); ++k) {
+      const double speed = (x[k + 1] - x[k - 1]) / (own.t[k + 1] - own.t[k - 1]);
+      product += (y[k] - x[k]) * speed, squares += speed * speed;
+    }
+    EXPECT_LT(std::abs(product / squares), 2e-5) << joint << ", in seconds; half a step is 2.5e-4";
+  }
+}
+
 TEST(BulletRecording, EveryEffectShowsAsInTheOwnDynamics) {
   const Mechanism arm = twoJointArm();
   SimulatedRecordingOptions options;

@@ -51,8 +51,7 @@ TEST(ServoLawTest, dcMotorAsInTheContract) {
 TEST(ServoLawTest, lessSupplyOfADcMotorIsLessVoltageAndNoLimit) {
   const Mechanism pendulum = findMechanism("xl330_pendulum");
   const Effect& supply = *findEffect("supply_voltage");
-  const JointPlant plant =
-      plantOf(pendulum, {{&supply, {Site::everywhere, -1, "*"}, 0.9, 0}}).joints[0];
+  const JointPlant plant = plantOf(pendulum, {{&supply, {Site::everywhere, -1, "*"}, 0.9, 0}}).joints[0];
   const double kt = 0.38042, R = 3.38007, vin = 0.9 * 7.4, duty = 400 * 0.00287738 * 0.3;
   EXPECT_NEAR(torque(plant, 0.3, 0, 2), kt * (vin * duty - kt * 2) / R, 1e-9);
   // Against the motion the winding's own voltage comes on top: more than max_torque.
