@@ -289,24 +289,18 @@ private:
   }
 
   /// What is left beyond noise may be what a cause predicts better than its rival: of causes that differ by
-  /// no more than that, the one named is the more probable one before the data.
+  /// no more than that, the one named is the more probable one before the data. Sets of several were chosen
+  /// by what they predict together.
   void nameTheMostProbable() {
     fine.setBase(growth.causes);
     result.left = leftPerDirection(fine);
-    for (std::size_t i = 0; i < growth.causes.size() && !fine.hasStanding(); ++i) {
-      Candidates& list = growth.choices[i];
-      sortByProbability(list, result.left);
-      // Where an effect is may have been chosen otherwise (what is set in one servo is set in all).
-      if (list.empty() || list.front().cause.effect == growth.causes[i].effect) continue;
-      Explanation other = growth.causes;
-      other[i] = list.front().cause;
-      other = fitTogether(fine, other, options.jobs);
-      if (withPrior(other[i], fine.of(other).judging, result.left) <
-          withPrior(growth.causes[i], fine.baseFit().judging, result.left)) {
-        growth.causes = std::move(other);
-        fine.setBase(growth.causes);
-      }
-    }
+    if (growth.causes.size() != 1 || heldAcross || fine.hasStanding()) return;
+    Candidates& list = growth.choices.front();
+    sortByProbability(list, result.left);
+    // Where an effect is may have been chosen otherwise (what is set in one servo is set in all).
+    if (list.empty() || list.front().cause.effect == growth.causes.front().effect) return;
+    growth.causes.front() = list.front().cause;
+    fine.setBase(growth.causes);
   }
 
   void judge(double remainsHeld, bool heldTold) {
