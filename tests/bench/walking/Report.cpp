@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+
+#include "framework/WriteFile.h"
 
 namespace plumbline::bench {
 
@@ -78,14 +78,6 @@ void Report::row(const std::vector<std::string>& cells) {
   markdown += line + "\n";
   std::puts(line.c_str());
   std::fflush(stdout);
-}
-
-void writeFile(const std::string& path, const std::string& content) {
-  std::ofstream file(path + ".new");
-  file << content;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + path);
-  std::filesystem::rename(path + ".new", path);
 }
 
 }  // namespace plumbline::bench

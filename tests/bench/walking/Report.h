@@ -45,7 +45,4 @@ private:
   std::vector<std::string> figures;
 };
 
-/// Writes a file beside its place and puts it there; throws std::runtime_error.
-void writeFile(const std::string& path, const std::string& content);
-
 }  // namespace plumbline::bench

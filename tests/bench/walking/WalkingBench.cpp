@@ -21,6 +21,7 @@
 #include <stdexcept>
 
 #include "bench/walking/Sections.h"
+#include "framework/WriteFile.h"
 
 namespace {
 
@@ -135,10 +136,10 @@ int main(int argc, char** argv) {
     // After each section: what was measured is not lost when a later one fails.
     const auto write = [&] {
       const std::string files = "build/bench/" + arguments.name;
-      writeFile(files + ".json", report.json());
-      writeFile(files + ".md", report.tables());
+      plumbline::writeFile(files + ".json", report.json());
+      plumbline::writeFile(files + ".md", report.tables());
       // Sections without figures leave the page of an earlier run as it is.
-      if (!page.figures.empty()) writeFile(files + ".html", page.html());
+      if (!page.figures.empty()) plumbline::writeFile(files + ".html", page.html());
     };
     if (arguments.has("speeds")) measureSpeeds(setup, report), write();
     if (arguments.has("thesis")) measureThesisTables(setup, report, page), write();
