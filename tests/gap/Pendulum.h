@@ -9,23 +9,12 @@ namespace plumbline::gap {
 inline Mechanism pendulum() { return findMechanism("xl330_pendulum"); }
 
 inline Cause causeOfPendulum(const char* id, const char* place, double value) {
-  const Effect* effect = findEffect(id);
-  return {effect, findPlace(*effect, pendulum(), place, ""), value, 0};
+  return causeOf(pendulum(), id, place, value);
 }
 
 /// 12 s of its motion, recorded twice, each time with another such share of the commands lost.
 inline std::vector<Trial> pendulumRecordedTwice(const Plant& plant, double lostShare) {
-  std::vector<Trial> trials;
-  for (const std::uint64_t seed : {11, 12}) {
-    Trial trial = armTrial(pendulum(), 12, 0.9);
-    Random random(seed);
-    std::vector<std::uint8_t> lost(trial.cycles(), 0);
-    for (auto& cycle : lost) cycle = random.uniform() < lostShare;
-    ReplayOptions options;
-    options.lostCycles = &lost;
-    trials.push_back(recorded(plant, std::move(trial), 5e-4, seed, options));
-  }
-  return trials;
+  return recordedTwice(plant, 5e-4, lostShare, armTrial(pendulum(), 12, 0.9));
 }
 
 }  // namespace plumbline::gap

@@ -38,10 +38,14 @@ inline Mechanism twoJointArm() {
   return arm;
 }
 
-/// An effect at a joint or link of the arm, in its first variant.
-inline Cause causeOfArm(const char* id, const char* place, double value) {
+/// An effect at a joint or link of a robot, in its first variant.
+inline Cause causeOf(const Mechanism& robot, const char* id, const char* place, double value) {
   const Effect* effect = findEffect(id);
-  return {effect, findPlace(*effect, twoJointArm(), place, ""), value, 0};
+  return {effect, findPlace(*effect, robot, place, ""), value, 0};
+}
+
+inline Cause causeOfArm(const char* id, const char* place, double value) {
+  return causeOf(twoJointArm(), id, place, value);
 }
 
 /// A trial of 100 Hz in which both joints follow sums of sines of that size, then steps, then slow reversals.
@@ -95,16 +99,18 @@ inline Trial recorded(const Plant& plant, Trial trial, double noise, std::uint64
   return trial;
 }
 
-/// Six seconds of the arm's motion recorded twice, each time with another such share of the commands lost.
-inline std::vector<Trial> recordedTwice(const Plant& plant, double noise, double lostShare) {
+/// A motion, six seconds of the arm's, recorded twice, each time with another such share of the commands
+/// lost.
+inline std::vector<Trial> recordedTwice(const Plant& plant, double noise, double lostShare,
+                                        const Trial& motion = armTrial(twoJointArm(), 6)) {
   std::vector<Trial> trials;
   for (const std::uint64_t seed : {11, 12}) {
     Random random(seed);
-    std::vector<std::uint8_t> lost(600, 0);
+    std::vector<std::uint8_t> lost(motion.cycles(), 0);
     for (auto& cycle : lost) cycle = random.uniform() < lostShare;
     ReplayOptions options;
     options.lostCycles = &lost;
-    trials.push_back(recorded(plant, armTrial(twoJointArm(), 6), noise, seed, options));
+    trials.push_back(recorded(plant, motion, noise, seed, options));
   }
   return trials;
 }

@@ -91,7 +91,7 @@ private:
   /// What overlaps comes out in pairs and triples that are not there. Where three causes stand for what two
   /// explain, or another two on a robot's only joint predict better, takes these.
   void otherPair() {
-    const bool one = allOnOneJoint(fine.mechanism());
+    const bool one = hasOneMotor(fine.mechanism());
     const bool explained = !growth.causes.empty() && growth.remainder().mayRemain();
     if (growth.worstBefore < Growth::present || fine.hasStanding()) return;
     if (explained && (growth.causes.size() < 2 || losesCommands(growth.causes))) return;

@@ -50,7 +50,7 @@ struct Diagnosis {
   /// its noise; empty: none.
   std::string sensorOff;
   double sensorOffBy = 0;
-  double left = 0;              ///< see leftPerDirection()
+  double left = 0;              ///< squares beyond noise; see leftPerDirection()
   double knownProbability = 1;  ///< that the library's effects account for the data
   Explanation explanation() const;
 };

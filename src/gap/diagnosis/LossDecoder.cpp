@@ -11,7 +11,7 @@ namespace plumbline::gap {
 
 namespace {
 
-/// Of guesses that differ in so many cycles: a dozen of 6, more than the pairs among 20.
+/// Of guesses that differ in so many cycles: a dozen of 6, most of the pairs of losses among more.
 std::size_t survivorsOf(std::size_t told) { return told * told / 3; }
 
 /// What may have happened up to now, and how well it explains what was measured.

@@ -19,9 +19,7 @@ constexpr double visibleChange = 4 * cycleGain;
 /// Which commands one run lost, cycle by cycle.
 class Listener {
 public:
-  /// noChance: repeats agree. Where a loss takes long to show, much else can be told as losses; that it never
-  /// came by chance tells these apart, and saves the time.
-  Listener(const Evidence& evidence_, std::size_t t_, const Explanation& causes, bool noChance)
+  Listener(const Evidence& evidence_, std::size_t t_, const Explanation& causes)
       : evidence(evidence_),
         t(t_),
         trial(evidence_.trials()[t_]),
@@ -30,7 +28,9 @@ public:
         lost(trial.cycles(), 0),
         gains(trial.cycles(), 0),
         seen(trial.cycles(), 0) {
-    if (noChance && echo.told > LossEcho::leastTold) return;
+    // Where a loss takes long to show, much else can be told as losses; that repeats agree tells these apart,
+    // and saves the time.
+    if (echo.told > LossEcho::leastTold && repeatsAgree(evidence.trials())) return;
     lost = decodeLosses(plant, evidence, t, cycleGain, echo.told);
     for (int round = 0; round < rounds; ++round) {
       tryAll();
@@ -52,12 +52,11 @@ private:
   void tryAll() {
     const Prediction base = played(lost);
     // What two cycles that are tried in one replay change does not mix.
-    const std::size_t spacing = echo.over;
-    for (std::size_t offset = 0; offset < spacing; ++offset) {
+    for (std::size_t offset = 0; offset < echo.over; ++offset) {
       std::vector<std::uint8_t> tried = lost;
-      for (std::size_t k = offset; k < tried.size(); k += spacing) tried[k] ^= 1;
+      for (std::size_t k = offset; k < tried.size(); k += echo.over) tried[k] ^= 1;
       const Prediction other = played(tried);
-      for (std::size_t k = offset; k < tried.size(); k += spacing) weigh(k, base, other);
+      for (std::size_t k = offset; k < tried.size(); k += echo.over) weigh(k, base, other);
     }
   }
 
@@ -110,10 +109,9 @@ LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, i
   const std::size_t count = evidence.trials().size();
   result.cycles.resize(count);
   std::vector<std::size_t> found(count, 0), visible(count, 0);
-  const bool noChance = repeatsAgree(evidence.trials());
   parallel(count, jobs, [&](std::size_t t) {
     if (evidence.trials()[t].freeBase) return;
-    const Listener listener(evidence, t, causes, noChance);
+    const Listener listener(evidence, t, causes);
     result.cycles[t] = listener.cycles();
     for (std::size_t k = 0; k < result.cycles[t].size(); ++k) {
       if (!listener.visible(k)) continue;

@@ -11,8 +11,9 @@ constexpr double leastGain = 30;
 /// Sum of squares on the blocks for judging beyond what noise alone would leave.
 double excess(const Evaluator& evaluator);
 
-/// What the base leaves beyond noise, by direction of the data: engines, or a robot and its model, differ in
-/// a few ways, two per channel and run as a rule, and which cause that favours is chance.
+/// Squares over noise variance that the base leaves beyond noise, by direction of the data: engines, or a
+/// robot and its model, differ in a few ways, two per channel and run as a rule, and which cause that favours
+/// is chance.
 double leftPerDirection(const Evaluator& evaluator);
 
 /// Where an evaluator's base stands: what an added cause has to better.

@@ -127,7 +127,7 @@ std::vector<Pair> promising(const Evaluator& evaluator, int jobs) {
 
 }  // namespace
 
-bool allOnOneJoint(const Mechanism& robot) {
+bool hasOneMotor(const Mechanism& robot) {
   std::set<int> motors;
   for (std::size_t i = 0; i < robot.joints.size(); ++i) motors.insert(robot.motorOf(static_cast<int>(i)));
   return motors.size() == 1;

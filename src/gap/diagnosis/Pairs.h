@@ -5,8 +5,8 @@
 
 namespace plumbline::gap {
 
-/// Whether all effects that move the robot move the same joint, so that each looks much like the others.
-bool allOnOneJoint(const Mechanism& robot);
+/// Whether one motor moves all of the robot, so that each effect looks much like the others.
+bool hasOneMotor(const Mechanism& robot);
 /// Whether causes all move the same joints of a robot whose base is held.
 bool onOneChain(const Evaluator& evaluator, const Explanation& causes);
 

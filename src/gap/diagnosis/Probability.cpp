@@ -20,9 +20,7 @@ double logPrior(const Cause& cause) {
 
 /// What a sum of squares has to differ by for a nat of evidence: samples are correlated, and where two causes
 /// come within a thousandth of each other, the engines' own difference may decide.
-double temperature(double judging, double left = 0) {
-  return 2 * (correlation + engineShare * judging + left);
-}
+double temperature(double judging, double left) { return 2 * (correlation + engineShare * judging + left); }
 
 double temperatureOf(const std::vector<Candidate>& list, double left) {
   double best = INFINITY;
@@ -42,8 +40,8 @@ void sortByProbability(std::vector<Candidate>& list, double left) {
                    [t](const Candidate& a, const Candidate& b) { return logWeight(a, t) > logWeight(b, t); });
 }
 
-double withPrior(const Cause& cause, double judging, double left) {
-  return judging - temperature(judging, left) * logPrior(cause);
+double withPrior(const Cause& cause, double judging) {
+  return judging - temperature(judging, 0) * logPrior(cause);
 }
 
 std::vector<double> probabilities(const std::vector<Candidate>& list, double left) {

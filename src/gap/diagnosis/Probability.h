@@ -15,7 +15,7 @@ void sortByProbability(std::vector<Candidate>& list, double left = 0);
 
 /// A sum of squares for judging with what a cause's prior adds to it: of two causes, the lower is more
 /// probable.
-double withPrior(const Cause& cause, double judging, double left = 0);
+double withPrior(const Cause& cause, double judging);
 
 /// Probability of each in a list sorted so, given that one of them is the cause.
 std::vector<double> probabilities(const std::vector<Candidate>& list, double left = 0);

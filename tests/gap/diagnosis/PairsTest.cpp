@@ -49,15 +49,12 @@ TEST(PairsTest, aGainAndALinkThatPullBothWays) {
 
 TEST(PairsTest, oneChainIsWhatAllCausesMove) {
   const Mechanism robot = findMechanism("nao_v5");
-  EXPECT_TRUE(allOnOneJoint(pendulum()));
-  EXPECT_FALSE(allOnOneJoint(twoJointArm()));
+  EXPECT_TRUE(hasOneMotor(pendulum()));
+  EXPECT_FALSE(hasOneMotor(twoJointArm()));
   const std::vector<Trial> trials = {recorded(nominalPlant(robot), armTrial(robot, 1), 5e-4, 1)};
   const Evidence evidence(trials);
   const Evaluator evaluator(robot, evidence);
-  const auto cause = [&](const char* id, const char* at) {
-    const Effect* effect = findEffect(id);
-    return Cause{effect, findPlace(*effect, robot, at, ""), 0.1, 0};
-  };
+  const auto cause = [&](const char* id, const char* at) { return causeOf(robot, id, at, 0.1); };
   const Cause knee = cause("coulomb_friction", "LKneePitch"), ankle = cause("bias_force", "LAnkleRoll"),
               head = cause("bias_force", "HeadYaw"), all = cause("command_delay", "*");
   EXPECT_TRUE(onOneChain(evaluator, {knee, ankle}));

@@ -40,9 +40,16 @@ Excitation swing(const Mechanism& robot) {
   return program;
 }
 
-Cause cause(const char* id, const Mechanism& robot, const char* at, double value) {
-  const Effect* effect = findEffect(id);
-  return {effect, findPlace(*effect, robot, at, ""), value, 0};
+/// The arm's swing without noise, in the own dynamics and in Bullet.
+struct Swings {
+  gap::Run own, bullet;
+};
+Swings swings(const Explanation& effects = {}) {
+  const Mechanism arm = twoJointArm();
+  SimulatedRecordingOptions options;
+  options.noisy = false;
+  options.effects = effects;
+  return {recordSimulated(arm, swing(arm), options), recordBullet(arm, swing(arm), options)};
 }
 
 TEST(Simspark, cyclesAreCountedThoughTheClockIsCoarse) {
@@ -57,11 +64,7 @@ TEST(Simspark, cyclesAreCountedThoughTheClockIsCoarse) {
 }
 
 TEST(BulletRecording, AgreesWithTheOwnDynamicsOnAHeldArm) {
-  const Mechanism arm = twoJointArm();
-  SimulatedRecordingOptions options;
-  options.noisy = false;
-  const gap::Run own = recordSimulated(arm, swing(arm), options),
-                 bullet = recordBullet(arm, swing(arm), options);
+  const auto [own, bullet] = swings();
   for (const char* joint : {"shoulder", "elbow"}) {
     const std::string channel = channelName(ChannelKind::position, joint);
     EXPECT_LT(rms(*own.find(channel), *bullet.find(channel)), 1e-3) << joint;
@@ -70,11 +73,7 @@ TEST(BulletRecording, AgreesWithTheOwnDynamicsOnAHeldArm) {
 }
 
 TEST(BulletRecording, IsNotAheadOfTheOwnDynamics) {
-  const Mechanism arm = twoJointArm();
-  SimulatedRecordingOptions options;
-  options.noisy = false;
-  const gap::Run own = recordSimulated(arm, swing(arm), options),
-                 bullet = recordBullet(arm, swing(arm), options);
+  const auto [own, bullet] = swings();
   for (const char* joint : {"shoulder", "elbow"}) {
     const std::string channel = channelName(ChannelKind::position, joint);
     const std::vector<double>&x = *own.find(channel), &y = *bullet.find(channel);
@@ -88,10 +87,7 @@ TEST(BulletRecording, IsNotAheadOfTheOwnDynamics) {
 }
 
 TEST(BulletRecording, EveryEffectShowsAsInTheOwnDynamics) {
-  const Mechanism arm = twoJointArm();
-  SimulatedRecordingOptions options;
-  options.noisy = false;
-  const gap::Run nominal = recordBullet(arm, swing(arm), options);
+  const gap::Run nominal = swings().bullet;
   struct Size {
     const char* effect;
     const char* at;
@@ -120,11 +116,9 @@ TEST(BulletRecording, EveryEffectShowsAsInTheOwnDynamics) {
                            Size{"link_length", "upper", 1.2}}) {
     const Effect* effect = findEffect(size.effect);
     for (int variant = 0; variant < effect->numVariants(); ++variant) {
-      Cause c = cause(size.effect, arm, size.at, size.value);
+      Cause c = causeOfArm(size.effect, size.at, size.value);
       c.variant = variant;
-      options.effects = {c};
-      const gap::Run own = recordSimulated(arm, swing(arm), options),
-                     bullet = recordBullet(arm, swing(arm), options);
+      const auto [own, bullet] = swings({c});
       double change = 0, apart = 0;
       for (const char* joint : {"shoulder", "elbow"}) {
         const std::string channel = channelName(ChannelKind::position, joint);
