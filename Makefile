@@ -1,65 +1,70 @@
-# The front door; `make help` tells what there is. What is built, and how, stands in configure.sh.
+# The front door; `make help` tells what there is. Behind it stands CMake: CMakeLists.txt, CMakePresets.json.
 SHELL := /bin/bash
 MAKEFLAGS += -rR --no-print-directory
-.DELETE_ON_ERROR:
 .SUFFIXES:
 .DEFAULT_GOAL := default
+.NOTPARALLEL:
 comma := ,
-Q := $(if $(V),,@)
-say = printf '  %-6s%s\n' '$(1)' '$(2)'
-CCACHE ?= $(shell command -v ccache)
-# What ccache must overlook to serve sources that use a precompiled header.
-export CCACHE_SLOPPINESS := $(if $(CCACHE_SLOPPINESS),$(CCACHE_SLOPPINESS)$(comma))pch_defines$(comma)time_macros
 export DEBIAN_FRONTEND ?= noninteractive
-
-# As many jobs as cores, unless -j says otherwise.
-ifeq (0,$(MAKELEVEL))
-ifeq (,$(filter -j% --jobserver%,$(MAKEFLAGS)))
-MAKEFLAGS += -j$(or $(JOBS),$(shell nproc))
+# As many jobs as cores, unless -j or JOBS says otherwise.
+JOBS ?= $(or $(patsubst -j%,%,$(filter -j%,$(MAKEFLAGS))),$(shell nproc))
+export JOBS V
+ifneq (undefined,$(origin CCACHE))
+export CCACHE
 endif
-endif
 
-# ---- targets: those with settings and those configured by hand --------------------------------------------
+# ---- targets: the presets -----------------------------------------------------------------------------------
 defaultTarget := $(or $(file <build/default),SimRelease)
-knownTargets := $(sort $(patsubst scripts/targets/%.settings,%,$(wildcard scripts/targets/*.settings)) \
-  $(patsubst build/%/target.mk,%,$(wildcard build/*/target.mk)))
-configuredTargets := $(or $(patsubst build/%/target.mk,%,$(wildcard build/*/target.mk)),$(defaultTarget))
+knownTargets := $(shell scripts/list_targets.sh)
+configuredTargets := $(or $(patsubst build/%/cmake/build.ninja,%,$(wildcard build/*/cmake/build.ninja)),$(defaultTarget))
 
-# The targets these goals are about; only they are looked at.
-goals := $(or $(MAKECMDGOALS),default)
-goalTargets := $(sort $(foreach t,$(knownTargets),$(if $(filter $(t) $(t)-% build/$(t)/%,$(goals)),$(t))) \
-  $(if $(filter default,$(goals)),$(defaultTarget)) \
-  $(if $(filter bin/% lib/%,$(goals)),SimRelease) \
-  $(if $(filter all,$(goals)),$(configuredTargets)))
+.PHONY: $(knownTargets)
+$(knownTargets):
+	@scripts/build.sh $@ $(if $(filter Fuzz,$@),fuzz)
 
-ifneq (,$(goalTargets))
-# Files that came or went since the last time are noticed here.
-targets := $(shell ./configure.sh --refresh $(goalTargets))
-ifneq (0,$(.SHELLSTATUS))
-$(error configuration failed)
-endif
-include $(foreach t,$(targets),build/$(t)/target.mk)
-include $(sort $(targets.makefiles))
-$(foreach t,$(targets),$(if $(shell command -v $($(t).cxx)),,$(error no compiler $($(t).cxx) for $(t): `make packages` installs what scripts/packages.txt lists)))
-endif
+define targetRules
+$(1)-%:
+	@scripts/build.sh $(1) $$(if $$(filter tests bench,$$*),all) $$*
+build/$(1)/tests/%: force
+	@scripts/build.sh $(1) test-$$*
+build/$(1)/bench/%: force
+	@scripts/build.sh $(1) bench-$$*
+endef
+$(foreach t,$(knownTargets),$(eval $(call targetRules,$(t))))
+bin/%: force
+	@scripts/build.sh SimRelease $*
+.PHONY: force
 
-.PHONY: default all help packages run web test bench fuzz results format format-check tidy check clean
+.PHONY: default all help packages run match web pictures test bench fuzz thread coverage install deb results format format-check tidy check clean
 default: $(defaultTarget)
 all: $(configuredTargets)
 
 help:
-	@scripts/make/help.sh "$(defaultTarget)" "$(knownTargets)"
+	@scripts/help.sh "$(defaultTarget)" "$(knownTargets)"
 
 packages:
 	@scripts/install_packages.sh
 
 run: packages
-	@$(MAKE) SimRelease
+	@scripts/build.sh SimRelease agent simulator game
 	@scripts/build_page.sh --if-easy
 	@scripts/run.sh $(ARGS)
 
+# Eleven against eleven on a page; ARGS="--help" tells what can be chosen.
+match: packages
+	@$(MAKE) SimRelease
+	@scripts/build_page.sh --if-easy
+	@scripts/match.sh $(ARGS)
+
 web:
 	@scripts/build_page.sh
+
+# The pictures and the sample output of README and doc/, by the commands that stand beside them.
+pictures: packages
+	@$(MAKE) SimRelease
+	@scripts/install_packages.sh scripts/packages-test.txt
+	@scripts/build_page.sh
+	@scripts/make_pictures.sh $(ARGS)
 
 test: packages
 	@scripts/install_packages.sh scripts/packages-test.txt
@@ -141,6 +146,27 @@ results: bench
 
 check:
 	@scripts/check_floors.sh && scripts/check_sizes.sh
+	@scripts/install_packages.sh scripts/packages.txt scripts/packages-test.txt
+	@scripts/build_page.sh
+	@PLUMBLINE_SLOW=1 scripts/run_tests.sh --all
+	@scripts/run_tests.sh SimThread framework
+
+# The programs and libraries for this machine: PREFIX=FOLDER for another than configured [/usr/local], DESTDIR=FOLDER for a
+# root of its own; and as a Debian package.
+install deb: packages
+	@scripts/install_packages.sh scripts/packages-install.txt
+	@scripts/build.sh SimRelease
+	@scripts/make_man.sh
+	@$($@Command) > build/SimRelease/$@.log || { tail -5 build/SimRelease/$@.log >&2; exit 2; }
+	@echo "$@: what went where is in build/SimRelease/$@.log"
+installCommand = cmake --install build/SimRelease/cmake $(if $(PREFIX),--prefix "$(abspath $(PREFIX))")
+debCommand = cpack --config build/SimRelease/cmake/CPackConfig.cmake
+
+thread: packages
+	@scripts/run_tests.sh SimThread $(or $(AREAS),framework)
+
+coverage: packages
+	@scripts/coverage.sh $(AREAS)
 
 format:
 	@scripts/format.sh
@@ -151,6 +177,10 @@ format-check:
 tidy: packages
 	+@scripts/tidy.sh $(FILES)
 
+# Anything else: what there is.
+.DEFAULT:
+	@echo "make: no target '$@'; targets are $(knownTargets), and \`make help\` tells what else there is" >&2; exit 2
+
 clean:
-	@cat build/*/outputs 2>/dev/null | xargs -r rm -f
+	@for program in build/SimRelease/cmake/links/plumbline-*; do rm -f "bin/$${program##*/plumbline-}"; done
 	@rm -rf build compile_commands.json

@@ -4,7 +4,7 @@ set -euo pipefail
 bin=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # scripts/autoplay/ says by the environment where a game is.
 host=127.0.0.1 port=${PLUMBLINE_AGENT_PORT:-3100} monitor=${PLUMBLINE_MONITOR_PORT:-3200}
-team=${PLUMBLINE_TEAM_NAME:-Plumbline} players=11 logs=${PLUMBLINE_LOGS:-} config=""
+team=${PLUMBLINE_TEAM_NAME:-Plumbline} players=11 logs=${PLUMBLINE_LOGS:-} config="" token="" wait=""
 # At most 7 of a type, 9 of any two, three types in a full team.
 types=(0 4 4 1 4 0 3 1 3 4 0)
 
@@ -16,9 +16,11 @@ usage: start.sh [options] [HOST] [-- OPTIONS OF bin/agent]
   -m, --monitor N     its monitor port [$monitor]
   -t, --team NAME     [$team]
   -n, --players N     numbers 1 to N, 1 to 11 [$players]
-  --types "T T ..."   robot types 0 to 4 of numbers 1, 2, ... [${types[*]}]
+  --types "T T ..."   robot types (0 to 4) of numbers 1, 2, ... [${types[*]}]
   --logs FOLDER       output of each agent; without it there is none
   --config FOLDER     configuration [config beside bin]
+  --token TOKEN       what a simulator that is open to others wants to hear first
+  --wait              start the agents though no server is there yet; they wait for it
 examples:
   bin/start.sh
   bin/start.sh 192.168.1.20 --team Red --players 3 --logs build/logs
@@ -32,7 +34,7 @@ while (($#)); do
   case $1 in
     -h | --help) usage; exit 0 ;;
     --) shift; break ;;
-    -p | --port | -m | --monitor | -t | --team | -n | --players | --types | --logs | --config)
+    -p | --port | -m | --monitor | -t | --team | -n | --players | --types | --logs | --config | --token)
       (($# > 1)) || fail "$1 needs a value"
       case $1 in
         -p | --port) port=$2 ;;
@@ -42,8 +44,10 @@ while (($#)); do
         --types) read -ra types <<< "$2" ;;
         --logs) logs=$2 ;;
         --config) config=$2 ;;
+        --token) token=$2 ;;
       esac
       shift 2 ;;
+    --wait) wait=1; shift ;;
     -*) fail "unknown option $1" ;;
     *) [[ $hostGiven ]] && fail "two hosts: $host and $1"
        host=$1 hostGiven=1; shift ;;
@@ -53,14 +57,22 @@ isNumber "$port" || fail "port '$port' is no number"
 isNumber "$monitor" || fail "monitor port '$monitor' is no number"
 isNumber "$players" && ((players >= 1 && players <= 11)) || fail "--players '$players' is not 1 to 11"
 ((${#types[@]} >= players)) || fail "${#types[@]} types for $players players"
-for type in "${types[@]}"; do [[ $type =~ ^[0-4]$ ]] || fail "type '$type' is not 0 to 4"; done
-[[ $team =~ ^[^[:space:]\(\)]+$ ]] || fail "team '$team' has blanks or parentheses"
+robots=${config:-${bin%/bin}/config}/robots
+for type in "${types[@]}"; do
+  [[ $type =~ ^[0-9]$ && (! -d $robots || -e $robots/simspark_type$type.json) ]] || fail "there is no robot type '$type' in $robots"
+done
+isTeamName() { local LC_ALL=C; [[ $1 =~ ^[!-~]{1,20}$ && $1 != *[\(\)\"]* ]]; }
+isTeamName "$team" || fail "team '$team': a team's name is 1 to 20 printable ASCII characters without blanks, parentheses or quotes"
 [[ -x $bin/agent ]] || fail "no $bin/agent: make SimRelease builds it"
+if [[ ! $wait ]] && ! timeout 3 bash -c 'exec 3<> "/dev/tcp/$0/$1"' "$host" "$port" 2> /dev/null; then
+  fail "no server at $host:$port: start one first, or give --wait"
+fi
 [[ $logs ]] && mkdir -p "$logs"
 
 export PLUMBLINE_TEAM=$team PLUMBLINE_START=$bin # by which kill.sh knows its own
 for ((number = 1; number <= players; ++number)); do
   options=(--team "$team" --number "$number" --type "${types[number - 1]}" --host "$host" --port "$port" --monitor-port "$monitor")
+  [[ $token ]] && options+=(--token "$token")
   [[ $config ]] && options+=(--config "$config")
   if [[ $logs ]]; then output=$logs/agent$number.log options+=(--crash-log "$logs/crash$number.log"); else output=/dev/null; fi
   # Not hung up with this shell, and not ended by its Ctrl-C.

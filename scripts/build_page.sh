@@ -3,11 +3,18 @@
 # from web/, three.js and uPlot from the npm registry that npm is set up for. With nothing changed it is done in a
 # blink, without network.
 #   scripts/build_page.sh [--if-easy]   --if-easy: leave it when that would need packages or network that are not there
+# Examples:
+#   scripts/build_page.sh             what `make web` does
+#   scripts/build_page.sh --if-easy   what `make run` does
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 packages=build/web-packages page=build/web
 easy=""
-if [[ ${1-} == --if-easy ]]; then easy=1; fi
+case ${1-} in
+  --if-easy) easy=1 ;;
+  ?*) echo "build_page.sh: no option $1; see build_page.sh --help" >&2; exit 2 ;;
+esac
 
 # Exactly the versions of the lock file, checked against their checksums there.
 if ! cmp -s web/package-lock.json "$packages/installed"; then

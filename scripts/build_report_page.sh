@@ -2,7 +2,9 @@
 # Puts the page of bin/gap report together in build/report/page.html: one file with its style, its scripts and uPlot
 # inside. scripts/build_page.sh calls it once the packages from npm are there.
 #   scripts/build_report_page.sh PACKAGES
+# Example: scripts/build_report_page.sh build/web-packages
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 uplot=$1/node_modules/uplot
 from=web/report new=build/report.new

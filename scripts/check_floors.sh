@@ -1,15 +1,26 @@
 #!/usr/bin/env bash
-# Checks that includes point down the floors of src/ only (doc/architecture.md). Each offender: file:line: why.
+# Checks that includes point down the floors of src/ only (doc/architecture.md), that a platform's folders are included from
+# no other module, and that no folders include each other in a circle. Each offender: file:line: why.
+# Example: scripts/check_floors.sh
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
+noArguments "$@"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# Ground floor first; "walking" and "motion" stand beside the framework and see only math and robot.
+files=$(find src -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.c' -o -name '*.y' -o -name '*.l' \) | LC_ALL=C sort)
+folders=$(find src -type d | LC_ALL=C sort)
+exceptions=$(sed 's/#.*//' scripts/circles.txt 2> /dev/null || true)
+status=0
+
+# Ground floor first; "walking" and "motion" stand beside the representations: "walking" sees only
+# parameters, math, robot and optimization, "motion" the framework's readers of files as well.
 awk '
   BEGIN {
-    count = split("math robot framework optimization simspark simulation representations walking motion modules gap training game web main", f, " ")
+    count = split("parameters math framework robot optimization simspark simulation representations walking motion inspect modules training gap game web main", f, " ")
     for (i = 1; i <= count; ++i) floorOf[f[i]] = i
-    split("math robot optimization walking", w, " ")
-    for (i in w) walkingMay[w[i]] = 1
+    split("parameters math robot optimization walking", w, " ")
+    for (i in w) may["walking " w[i]] = may["motion " w[i]] = 1
+    may["walking walking"] = may["motion motion"] = may["motion framework"] = 1
   }
   FNR == 1 { split(FILENAME, path, "/"); here = path[2] }
   /^[ \t]*#[ \t]*include[ \t]*"/ {
@@ -19,9 +30,58 @@ awk '
     if (target ~ /^\.\.?\//) { say("relative include \"" target "\": write the path from src/"); next }
     if (!sub(/\/.*/, "", there) || !(there in floorOf)) next
     if (!(here in floorOf)) { say("folder src/" here " has no floor: add it to scripts/check_floors.sh"); next }
-    if ((here == "walking" || here == "motion") && !(there in walkingMay) && there != here) say("src/" here " may include math, robot and optimization only, not \"" target "\"")
+    if ((here == "walking" || here == "motion") && !((here " " there) in may)) say("src/" here " may include parameters, math, robot and optimization only, not \"" target "\"")
     else if (floorOf[there] > floorOf[here]) say("src/" here " must not look up to \"" target "\"")
   }
   function say(what) { print FILENAME ":" FNR ": " what; ++bad }
   END { if (bad) { print "check_floors: " bad " include(s) point up" > "/dev/stderr"; exit 1 } }
-' $(find src -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.c' -o -name '*.y' -o -name '*.l' \) | LC_ALL=C sort) < /dev/null
+' $files < /dev/null || status=1
+
+# A platform is a folder of src/modules/ that registers one; a folder of src/ of its name is its wire. Only its own modules
+# include them.
+platforms=$(grep -rl '^MAKE_PLATFORM(' src/modules 2> /dev/null | sed 's#^src/modules/##; s#/.*##' | LC_ALL=C sort -u | tr '\n' ' ' || true)
+awk -v platforms="$platforms" '
+  BEGIN { n = split(platforms, p, " "); for (i = 1; i <= n; ++i) isPlatform[p[i]] = 1 }
+  FNR == 1 { split(FILENAME, path, "/"); here = path[2] == "modules" ? path[3] : "" }
+  here != "" && /^[ \t]*#[ \t]*include[ \t]*"/ {
+    target = $0
+    sub(/^[^"]*"/, "", target); sub(/".*/, "", target)
+    split(target, to, "/")
+    there = to[1] == "modules" ? to[2] : to[1]
+    if (there in isPlatform && there != here) {
+      print FILENAME ":" FNR ": only modules of the platform " there " include \"" target "\""; bad = 1
+    }
+  }
+  END { exit bad }' $files < /dev/null || status=1
+
+# Folders that include each other, also round about: take away, again and again, each folder that includes none of the
+# others; what stays is in a circle or includes one.
+awk -v folders="$folders" -v exceptions="$exceptions" '
+  BEGIN {
+    n = split(folders, f, "\n"); for (i = 1; i <= n; ++i) isFolder[f[i]] = 1
+    n = split(exceptions, e, "\n"); for (i = 1; i <= n; ++i) if (split(e[i], p, " ") == 2) excepted[p[1] " " p[2]] = 1
+  }
+  FNR == 1 { here = FILENAME; sub(/\/[^\/]*$/, "", here) }
+  /^[ \t]*#[ \t]*include[ \t]*"/ {
+    there = $0
+    sub(/^[^"]*"/, "", there); sub(/".*/, "", there)
+    if (!sub(/\/[^\/]*$/, "", there)) next
+    there = "src/" there
+    if (there == here || !(there in isFolder)) next
+    edge = here " " there
+    if (!(edge in where)) where[edge] = FILENAME ":" FNR
+  }
+  END {
+    for (edge in excepted) if (!(edge in where)) print "scripts/circles.txt: " edge ": no include is like that any more; take the line out"
+    for (edge in where) if (!(edge in excepted)) { left[edge] = 1; split(edge, p, " "); ++outOf[p[1]]; ++into[p[2]] }
+    do { # both ends of what hangs on a circle go
+      gone = 0
+      for (edge in left) {
+        split(edge, p, " ")
+        if (!outOf[p[2]] || !into[p[1]]) { delete left[edge]; --outOf[p[1]]; --into[p[2]]; gone = 1 }
+      }
+    } while (gone)
+    for (edge in left) { split(edge, p, " "); print where[edge] ": " p[1] " and " p[2] " are in a circle of folders"; bad = 1 }
+    exit bad
+  }' $files < /dev/null | LC_ALL=C sort || status=1
+exit $status

@@ -3,7 +3,9 @@
 #   scripts/fuzz.sh [SECONDS] [TARGET]...     seconds of each target [60]; targets [all]
 # What was found before goes on from build/fuzz/TARGET/; an input that breaks a reader is kept in
 # build/fuzz/findings/, and the status is 1.
+# Example: scripts/fuzz.sh 300 matchFile robotFile
 set -uo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 program=build/Fuzz/bin/fuzz
 fail() { echo "fuzz.sh: $*" >&2; exit 2; }

@@ -2,7 +2,9 @@
 # Writes doc/results/<area>.md from the figures in build/bench/<area>*.json (`make bench` measures them), with the
 # machine and the date. `make results` does both.
 #   scripts/make_results.sh [AREA...]
+# Example: scripts/make_results.sh walking
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 areas=("$@")
 ((${#areas[@]})) || mapfile -t areas < <(find build/bench -name '*.json' -printf '%f\n' 2> /dev/null | sed 's/\..*//' | LC_ALL=C sort -u)

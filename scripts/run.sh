@@ -1,7 +1,11 @@
 #!/usr/bin/env bash
-# What `make run` starts once everything is built: one game.
+# What `make run` starts once everything is built: one game. In a terminal it goes in real time on a page that stays open;
+# elsewhere, or without a page, as fast as it goes.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 page=()
-[[ -f build/web/index.html && " $* " != *" --host"* ]] && page=(--web)
+if [[ -f build/web/index.html && " $* " != *" --host"* ]]; then
+  page=(--web)
+  if [[ -t 1 && " $* " != *" --web"* ]]; then page=(--web --realtime --stay); fi
+fi
 exec bin/game "${page[@]}" "$@"

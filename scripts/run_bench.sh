@@ -4,7 +4,9 @@
 # A plain program or a script tests/bench/<area>/*.sh writes that file itself; the output of a program made with
 # Google Benchmark is turned into it (a counter named "target" or "peer_value" becomes that field).
 # BENCH_ARGS: arguments of plain programs.
+# Example: scripts/run_bench.sh gap
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 mkdir -p build/bench
 areas=("$@")

@@ -4,11 +4,16 @@
 #                                           other test programs with SimSanitize
 #   scripts/run_tests.sh [TARGET] AREA...   builds and runs the tests of tests/AREA with SimRelease or TARGET
 # Logs go to build/<target>/logs/. The last line is "N passed, N failed".
+# Examples:
+#   scripts/run_tests.sh framework robot
+#   scripts/run_tests.sh SimSanitize web
 set -uo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
 jobs=${JOBS:-$(nproc)}
-timeout=${TEST_TIMEOUT:-600} # seconds for one program or script
+cpuSeconds=${TEST_CPU_SECONDS:-600} # of one program or script: what it computes, however busy the machine is
+timeout=${TEST_TIMEOUT:-3600} # seconds until one that waits for ever is stopped
 testsPerPart=100
 longAreas=(diagnosis) # seconds per test, five times as many under the sanitizers, which see the same code in shorter ones
 passed=0 failed=0 programAreas=() # empty: all
@@ -55,8 +60,9 @@ runOne() { # $1 target, $2 kind, $3 path, $4 name, $5 $6 which part of how many
   [[ $1 == SimRelease ]] && PLUMBLINE_BIN=$root/bin
   start=$(date +%s%N)
   rm -f "$log" "$log.xml" "$log.result"
+  ulimit -S -t "$cpuSeconds" # runOne has a shell of its own
   if [[ $2 == program ]]; then
-    [[ $1 == *Sanitize* ]] || steady=()
+    [[ $1 == *Sanitize* || $1 == *Thread* ]] || steady=()
     local -x GTEST_SHARD_INDEX=$5 GTEST_TOTAL_SHARDS=$6 TMPDIR # parts run beside each other: no files in common
     TMPDIR=$(mktemp -d -p "$scratch")
     timeout -k 10 "$timeout" "${steady[@]}" "$3" --gtest_brief=1 --gtest_color=no "--gtest_output=xml:$log.xml" > "$log" 2>&1 < /dev/null
@@ -75,6 +81,8 @@ runOne() { # $1 target, $2 kind, $3 path, $4 name, $5 $6 which part of how many
   else bad=1
   fi
   ((status == 124 || status == 137)) && echo "run_tests.sh: stopped after $timeout s" >> "$log"
+  # 152: the signal of the limit; a script that it meets in a child fails by itself.
+  ((status == 152)) && echo "run_tests.sh: stopped after $cpuSeconds s of computing" >> "$log"
   echo "$status ${good:-0} ${bad:-1} $(awk "BEGIN{print ($end - $start) / 1e9}") $skipped" > "$log.result"
 }
 
@@ -117,19 +125,19 @@ runTarget() { # $1 target, $2... areas
   progress=""
 }
 
-# Builds goals of one target ($1); only a failure counts.
+# Builds goals of one target ($1), as scripts/build.sh names them; only a failure counts.
 buildTests() {
   local log=build/logs/$1.log start=$SECONDS
   mkdir -p build/logs
-  make "${@:2}" 2>&1 | tee "$log"
+  scripts/build.sh "$@" 2>&1 | tee "$log"
   if ((PIPESTATUS[0])); then account "build $1" "$log" 1 0 1 $((SECONDS - start)); return 1; fi
   echo "Built the tests of $1 in $((SECONDS - start)) s"
 }
 
 # What has to be built for one area: its test program; the programs of the tree if its tests start them.
-goalsOf() { # $1 target, $2 area
-  [[ $(find "tests/$2" -name '*.cpp' -print -quit) ]] && echo "$1-test-$2"
-  if [[ $(find "tests/$2" -name '*.sh' -print -quit) ]] || grep -rqs PLUMBLINE_BIN "tests/$2"; then echo "$1"; fi
+goalsOf() { # $1 area
+  [[ $(find "tests/$1" -name '*.cpp' -print -quit) ]] && echo "test-$1"
+  if [[ $(find "tests/$1" -name '*.sh' -print -quit) ]] || grep -rqs PLUMBLINE_BIN "tests/$1"; then echo all; fi
 }
 
 # Runs a check of the sources; what it says is shown.
@@ -149,23 +157,23 @@ if [[ ${1-} == --all ]]; then
   # The programs as they are used play their scripts; test programs run under the sanitizers, which see more. To build
   # them a second time would cost a third of the whole: scripts/run_tests.sh SimRelease AREA... does it.
   programAreas=("${longAreas[@]}")
-  buildTests SimRelease SimRelease "${longAreas[@]/#/SimRelease-test-}" && runTarget SimRelease "${areas[@]}"
+  buildTests SimRelease all "${longAreas[@]/#/test-}" && runTarget SimRelease "${areas[@]}"
   programAreas=() goals=() short=()
   for area in "${areas[@]}"; do
     [[ " ${longAreas[*]} " == *" $area "* ]] && continue
     short+=("$area")
     # The test programs alone: what scripts start is the release's.
-    [[ $(find "tests/$area" -name '*.cpp' -print -quit) ]] && goals+=("SimSanitize-test-$area")
+    [[ $(find "tests/$area" -name '*.cpp' -print -quit) ]] && goals+=("test-$area")
   done
   buildTests SimSanitize "${goals[@]}" && runTarget SimSanitize "${short[@]}"
 else
   target=SimRelease
-  if [[ -f scripts/targets/${1-}.settings ]]; then target=$1; shift; fi
+  if [[ ${1-} && $'\n'$(scripts/list_targets.sh)$'\n' == *$'\n'$1$'\n'* ]]; then target=$1; shift; fi
   (($#)) || { echo "run_tests.sh: give --all or areas: $(areasOf | tr '\n' ' ')" >&2; exit 2; }
   goals=()
   for area in "$@"; do
     [[ -d tests/$area ]] || { echo "run_tests.sh: no tests/$area; there is: $(areasOf | tr '\n' ' ')" >&2; exit 2; }
-    mapfile -t -O ${#goals[@]} goals < <(goalsOf "$target" "$area")
+    mapfile -t -O ${#goals[@]} goals < <(goalsOf "$area")
   done
   buildTests "$target" "${goals[@]}" && runTarget "$target" "$@"
 fi

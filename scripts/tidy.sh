@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
 # Runs clang-tidy with .clang-tidy over the sources in src/, or over the files given. A source that was clean is
 # looked at again only when it, a header it includes, or .clang-tidy changed (build/tidy/ remembers).
+# Example: scripts/tidy.sh src/framework/Log.cpp
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 command -v clang-tidy > /dev/null || scripts/install_packages.sh scripts/packages-developer.txt
-make SimRelease # the generated sources, and compile_commands.json
+make SimRelease # the generated sources
+scripts/compile_commands.sh SimRelease
 
 # True when the record of a source, which lists what it is made from, is newer than all of that.
 isClean() {
@@ -19,7 +22,7 @@ isClean() {
 # Prints what a source is made from, a line each.
 madeFrom() {
   local command
-  command=$(sed -n "s#.*\"file\":\"$1\".*\"command\":\"\(.*\) -c .*#\1#p" compile_commands.json)
+  command=$(grep -F -B1 "\"file\": \"$PWD/$1\"" compile_commands.json | sed -n 's#.*"command": "\(.*\) -c .*#\1#p')
   ${command:-g++ -std=c++20 -Isrc} -MM "$1" | sed 's/^[^:]*://;s/\\$//' | tr -s ' ' '\n' | sed '/^$/d'
 }
 

@@ -10,6 +10,8 @@ usage() {
   cat << END
 Goals, falls and kicks of both teams: mean of a game and its 95 % confidence interval (Student's t). Games that came
 to no end are not counted and named below. Exit status: 0; 2 for bad options or logs, or without a game.
+example:
+  scripts/autoplay/$self --team Plumbline games.log
 END
 }
 

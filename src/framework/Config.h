@@ -38,6 +38,9 @@ public:
   std::vector<std::string> keys() const { return own().keys(); }
   [[noreturn]] void fail(std::string_view key, const std::string& message) const { own().fail(key, message); }
 
+  /// Throws ConfigurationError "Module.key message", with file and line where a file sets the key.
+  [[noreturn]] void refuse(const std::string& key, const std::string& message) const;
+
   /// The module's own file; it must exist.
   const ConfigSection& own() const { return file(name_); }
   /// Another file by its name without .yaml; several modules may read one.

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "framework/ConfigNode.h"
+#include "framework/ConfigOverlay.h"
 #include "framework/ConfigurationError.h"
 #include "framework/NearestName.h"
 
@@ -67,7 +68,7 @@ ConfigFile::ConfigFile(const std::string& path) { load({path}); }
 
 void ConfigFile::load(const std::vector<std::string>& paths) {
   auto node = std::make_shared<ConfigNode>(loadYaml(paths.front()));
-  for (std::size_t i = 1; i < paths.size(); i++) mergeConfig(*node, loadYaml(paths[i]));
+  for (std::size_t i = 1; i < paths.size(); i++) layOver(*node, loadYaml(paths[i]));
   node_ = node;
   root_ = ConfigSection(node_, *node_);
 }

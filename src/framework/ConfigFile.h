@@ -10,7 +10,8 @@
 namespace plumbline {
 
 /// One config file, read through its root(). `name` is looked for as DIRECTORY/name.yaml in each directory;
-/// a later directory overrides single keys of an earlier one (lists as a whole). It must be in one of them.
+/// a later directory overrides single keys of an earlier one (lists as a whole) and says so
+/// (ConfigOverlay.h). It must be in one of them.
 ///
 ///     ConfigFile file("Walk", {"config", "config/robots/type3"});
 ///     double height = file.root().get<double>("stepHeight", {0, 0.1});

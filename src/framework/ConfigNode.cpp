@@ -1,13 +1,7 @@
 #include "framework/ConfigNode.h"
 
-#include <yaml-cpp/yaml.h>
-
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
-
 #include "framework/ConfigurationError.h"
+#include "framework/YamlDocument.h"
 
 namespace plumbline {
 namespace {
@@ -96,43 +90,27 @@ std::string ConfigNode::describe() const {
 }
 
 ConfigNode loadYaml(const std::string& path) {
-  std::ifstream stream(path);
-  if (!stream) throw ConfigurationError(path + ": cannot be read: " + std::strerror(errno));
-  std::string text(maxFileSize + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) throw ConfigurationError(path + ": cannot be read: " + std::strerror(errno));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > maxFileSize) throw ConfigurationError(path + ": larger than 4 MB");
-  try {
-    const YAML::Node yaml = YAML::Load(text);
-    ConfigNode root = Converter(std::make_shared<const std::string>(path)).convert(yaml, "", 1, 0);
-    root.line = 1;
-    if (root.kind == ConfigNode::Kind::null) root.kind = ConfigNode::Kind::map;
-    if (root.kind != ConfigNode::Kind::map) {
-      throw ConfigurationError(path + ":1: expected lines of the form \"key: value\"");
-    }
-    return root;
-  } catch (const YAML::Exception& error) {
-    throw ConfigurationError(path + ":" + std::to_string(error.mark.line + 1) +
-                             ": broken YAML: " + error.msg);
+  const YAML::Node yaml = readYaml(path, maxFileSize);
+  ConfigNode root = Converter(std::make_shared<const std::string>(path)).convert(yaml, "", 1, 0);
+  root.line = 1;
+  if (root.kind == ConfigNode::Kind::null) root.kind = ConfigNode::Kind::map;
+  if (root.kind != ConfigNode::Kind::map) {
+    throw ConfigurationError(path + ":1: expected lines of the form \"key: value\"");
   }
+  return root;
 }
 
-void mergeConfig(ConfigNode& base, const ConfigNode& over) {
-  if (base.kind != ConfigNode::Kind::map || over.kind != ConfigNode::Kind::map) {
-    base = over;
-    return;
-  }
-  for (const auto& [key, node] : over.entries) {
-    ConfigNode* existing = nullptr;
-    for (auto& entry : base.entries) {
-      if (entry.name == key) existing = &entry.node;
-    }
-    if (existing) {
-      mergeConfig(*existing, node);
-    } else {
-      base.entries.push_back({key, node});
-    }
+ConfigNode parseYamlValue(const std::string& text, const std::string& name) {
+  if (text.size() > maxFileSize) throw ConfigurationError(name + ": longer than 4 MB");
+  try {
+    const auto documents = YAML::LoadAll(text);
+    if (documents.size() > 1) throw ConfigurationError(name + " takes one value");
+    const YAML::Node yaml = documents.empty() ? YAML::Node() : documents.front();
+    ConfigNode node = Converter(std::make_shared<const std::string>("value")).convert(yaml, name, 1, 0);
+    node.line = 0;
+    return node;
+  } catch (const YAML::Exception& error) {
+    throw ConfigurationError(name + ": broken YAML: " + error.msg);
   }
 }
 

@@ -16,7 +16,7 @@ struct ConfigNode {
   std::vector<Entry> entries;        ///< of a map, in the file's order
   std::vector<ConfigNode> elements;  ///< of a list
   std::shared_ptr<const std::string> file;
-  int line = 0;
+  int line = 0;     ///< 0: not from a file
   std::string key;  ///< from the root of the file: `walk.stepHeight`, `skills[2].name`
 
   // Who asked for it: what was never asked for is an unknown key.
@@ -35,11 +35,11 @@ struct ConfigNode::Entry {
   ConfigNode node;
 };
 
-/// Parses a YAML file. Throws ConfigurationError naming file and line: unreadable, broken, a key twice, more
-/// than 4 MB or 100000 values.
+/// Parses a YAML file. Throws ConfigurationError naming file and line: unreadable, broken, a key twice, a
+/// second document, more than 4 MB or 100000 values.
 ConfigNode loadYaml(const std::string& path);
 
-/// Lays `over` on `base`: maps are merged key by key, anything else is replaced.
-void mergeConfig(ConfigNode& base, const ConfigNode& over);
+/// One value written as in a YAML file: `0.5`, `[1, 2]`, `"a text"`. `name` stands for it in errors.
+ConfigNode parseYamlValue(const std::string& text, const std::string& name);
 
 }  // namespace plumbline

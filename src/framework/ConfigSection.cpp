@@ -12,7 +12,8 @@ namespace plumbline {
 namespace {
 
 [[noreturn]] void failAt(const ConfigNode& node, const std::string& message) {
-  throw ConfigurationError(node.place() + ": " + node.key + " " + message);
+  const std::string place = node.line > 0 ? node.place() + ": " : "";
+  throw ConfigurationError(place + node.key + " " + message);
 }
 
 void use(const ConfigNode& node) {

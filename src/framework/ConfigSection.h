@@ -1,24 +1,17 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "parameters/Range.h"
+
 namespace plumbline {
 
 struct ConfigNode;
-
-/// Bounds of a number, both included: `{0, 1}`, `Range::atLeast(0)`, `Range::atMost(1)`.
-struct Range {
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-  static Range atLeast(double min) { return {min, std::numeric_limits<double>::infinity()}; }
-  static Range atMost(double max) { return {-std::numeric_limits<double>::infinity(), max}; }
-};
 
 // Reading one value: throws ConfigurationError naming file, line and key if it is of another type, not finite
 // or out of range.
@@ -102,6 +95,8 @@ public:
     return value;
   }
   bool has(std::string_view key) const { return optional(key) != nullptr; }
+  /// The node of a key, null if it is missing: for readConfig().
+  const ConfigNode* node(std::string_view key) const { return optional(key); }
   /// The index of the key's value among the words it may be.
   std::size_t choice(std::string_view key, const std::vector<std::string>& words) const;
 

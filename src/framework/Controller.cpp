@@ -6,6 +6,7 @@
 #include <mutex>
 #include <thread>
 
+#include "framework/AgentDebug.h"
 #include "framework/ConfigurationError.h"
 #include "framework/Log.h"
 #include "framework/Process.h"
@@ -16,14 +17,16 @@
 namespace plumbline {
 
 Controller::Controller(ControllerOptions options)
-    : options_(std::move(options)),
-      config_(options_.configDirectories),
-      plans_(planThreads(readModulesConfig(options_.modulesConfig))) {}
+    : Controller(options, readModulesConfig(options.modulesConfig)) {}
 
 Controller::Controller(ControllerOptions options, std::string_view modulesConfigText)
+    : Controller(options, parseModulesConfig(modulesConfigText, options.modulesConfig)) {}
+
+Controller::Controller(ControllerOptions options, const ModulesConfig& modules)
     : options_(std::move(options)),
+      debug_(std::make_shared<AgentDebug>()),
       config_(options_.configDirectories),
-      plans_(planThreads(parseModulesConfig(modulesConfigText, options_.modulesConfig))) {}
+      plans_(planThreads(modules)) {}
 
 Controller::~Controller() {
   for (auto& process : processes_) process->finish();
@@ -40,8 +43,9 @@ Process* Controller::process(const std::string& thread) const {
 void Controller::init() {
   if (initialized_) return;
   initialized_ = true;
+  objects_.set(debug_);
   for (const ThreadPlan& plan : plans_) {
-    processes_.push_back(std::make_unique<Process>(plan, config_, objects_, stop_));
+    processes_.push_back(std::make_unique<Process>(plan, config_, objects_, stop_, debug_));
   }
   std::map<std::pair<std::string, std::string>, ThreadCopy*> copyOf;  // by source and destination
   for (const ThreadPlan& plan : plans_) {
@@ -130,9 +134,14 @@ const TimingPlugin* Controller::timing(const std::string& thread) const {
 }
 
 std::string Controller::timingReport() const {
-  std::string result;
-  for (const auto& process : processes_) result += plumbline::timingReport(*process);
-  return result;
+  for (const auto& process : processes_) process->addStopwatches();
+  return debug_->timingReport();
+}
+
+std::map<std::string, double> Controller::moduleTimes() const {
+  std::map<std::string, double> times;
+  for (const auto& process : processes_) times.merge(plumbline::moduleTimes(*process));
+  return times;
 }
 
 }  // namespace plumbline

@@ -1,5 +1,6 @@
 #pragma once
 #include <exception>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -12,12 +13,13 @@
 
 namespace plumbline {
 
+class AgentDebug;
 class Process;
 class ThreadCopy;
 class TimingPlugin;
 
 struct ControllerOptions {
-  std::string modulesConfig = "config/modules.cfg";
+  std::string modulesConfig = "modules.cfg";
   /// Where config files are looked for; later directories override values of earlier ones.
   std::vector<std::string> configDirectories = {"config"};
 };
@@ -30,6 +32,8 @@ public:
   explicit Controller(ControllerOptions options);
   /// From text instead of options.modulesConfig, which then only is its name in errors.
   Controller(ControllerOptions options, std::string_view modulesConfigText);
+  /// From one that was read, and may have been changed.
+  Controller(ControllerOptions options, const ModulesConfig& modules);
   ~Controller();
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
@@ -62,7 +66,12 @@ public:
   /// thread.
   const TimingPlugin* timing(const std::string& thread = "") const;
   /// A table of all stopwatches.
+  /// Not while threads run.
   std::string timingReport() const;
+  /// What can be looked at from outside, at any time.
+  AgentDebug& debug() { return *debug_; }
+  /// What each module cost [us per cycle], by name, once the threads have ended.
+  std::map<std::string, double> moduleTimes() const;
 
 private:
   void runProcess(Process& process);
@@ -71,6 +80,7 @@ private:
   ControllerOptions options_;
   StopSignal stop_;
   ModuleObjects objects_;
+  std::shared_ptr<AgentDebug> debug_;
   ConfigStore config_;
   std::vector<ThreadPlan> plans_;
   std::vector<std::unique_ptr<ThreadCopy>> copies_;

@@ -4,7 +4,7 @@ namespace plumbline {
 
 Debug::Measurement Debug::stopwatch(const std::string& name) {
   auto& stopwatch = stopwatches_[name];
-  if (!stopwatch) stopwatch = std::make_unique<Stopwatch>();
+  if (!stopwatch) stopwatch = std::make_shared<Stopwatch>();
   return Measurement(*stopwatch);
 }
 

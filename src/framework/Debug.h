@@ -8,8 +8,8 @@
 
 namespace plumbline {
 
-/// A module's debug object. Now it holds the module's own stopwatches, which stand beside those of its
-/// execute and updates in the timing report; drawings and debug requests will be reached through it too.
+/// A module's debug object: the module's own stopwatches, which stand beside those of its execute and updates
+/// in the timing report and in the debug interface (DebugSite.h holds the rest of that).
 class Debug {
 public:
   /// Measures until it is destroyed.
@@ -30,10 +30,10 @@ public:
 
   /// `auto watch = debug.stopwatch("resampling");` measures to the end of the block.
   [[nodiscard]] Measurement stopwatch(const std::string& name);
-  const std::map<std::string, std::unique_ptr<Stopwatch>>& stopwatches() const { return stopwatches_; }
+  const std::map<std::string, std::shared_ptr<Stopwatch>>& stopwatches() const { return stopwatches_; }
 
 private:
-  std::map<std::string, std::unique_ptr<Stopwatch>> stopwatches_;
+  std::map<std::string, std::shared_ptr<Stopwatch>> stopwatches_;
 };
 
 }  // namespace plumbline

@@ -5,11 +5,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include "framework/ConfigurationError.h"
 
@@ -22,42 +24,93 @@ std::string id(const std::string& thread, const std::string& kind, const std::st
   return '"' + thread + "/" + kind + "/" + name + '"';
 }
 
-void writeThread(std::string& text, const ThreadPlan& thread) {
-  const auto representation = [&](const std::string& name) {
-    return id(thread.name, "representation", name);
-  };
-  text += "  subgraph \"cluster_" + thread.name + "\" {\n    label=\"" + thread.name + "\";\n";
-  const auto addRepresentation = [&](const std::string& name) {
-    text += "    " + representation(name) + " [label=\"" + name + "\", shape=ellipse];\n";
-  };
-  for (const CopyPlan& copy : thread.copies) addRepresentation(copy.representation->name());
-  for (const SpecialPlan& special : thread.specials) {
-    const std::string module = id(thread.name, "module", special.name);
-    text += "    " + module + " [label=\"" + special.name + "\", shape=box, style=rounded];\n";
-    for (const auto* loader : special.representations) {
-      addRepresentation(loader->name());
-      text += "    " + module + " -> " + representation(loader->name()) + ";\n";
+/// Pale enough for black words, apart for most eyes; areas take them in the order in which they come.
+constexpr std::array<const char*, 9> palette = {"#cfe2f3", "#d9ead3", "#fff2cc", "#f4cccc", "#d9d2e9",
+                                                "#fce5cd", "#d0e0e3", "#ead1dc", "#e3e3d0"};
+
+/// Nodes of one thread in frames of their areas, and the lines between them.
+class ThreadGraph {
+public:
+  ThreadGraph(const ThreadPlan& thread, const ModuleTimes& times) : thread_(thread), times_(times) {}
+
+  std::string text() {
+    for (const CopyPlan& copy : thread_.copies) addRepresentation("", copy.representation->name());
+    for (const SpecialPlan& special : thread_.specials) {
+      const std::string module = addModule("", special.name, ", style=rounded");
+      for (const auto* loader : special.representations) provide("", module, loader->name());
     }
+    for (const ModulePlan& plan : thread_.modules) add(plan);
+    std::string text = "  subgraph \"cluster_" + thread_.name + "\" {\n    label=\"" + thread_.name + "\";\n";
+    for (std::size_t i = 0; i < areas_.size(); ++i) {
+      const auto& [area, nodes] = areas_[i];
+      if (area.empty()) {
+        text += nodes;
+        continue;
+      }
+      text += "    subgraph \"cluster_" + thread_.name + "/" + area + "\" {\n    label=\"" + area +
+              "\"; labelloc=t; fontsize=24; style=\"filled,rounded\"; color=\"" +
+              palette[i % palette.size()] + "\";\n" + nodes + "    }\n";
+    }
+    return text + lines_ + "  }\n";
   }
-  for (const ModulePlan& plan : thread.modules) {
+
+private:
+  std::string& nodesOf(const std::string& area) {
+    for (auto& [name, nodes] : areas_)
+      if (name == area) return nodes;
+    return areas_.emplace_back(area, "").second;
+  }
+
+  std::string representation(const std::string& name) const {
+    return id(thread_.name, "representation", name);
+  }
+
+  void addRepresentation(const std::string& area, const std::string& name) {
+    nodesOf(area) += "    " + representation(name) + " [label=\"" + name + "\", shape=ellipse];\n";
+  }
+
+  std::string addModule(const std::string& area, const std::string& name, const std::string& style) {
+    std::string module = id(thread_.name, "module", name);
+    std::string label = name;
+    if (const auto time = times_.find(name); time != times_.end()) {
+      char text[32];
+      std::snprintf(text, sizeof text, "\\n%.1f us", time->second);
+      label += text;
+    }
+    nodesOf(area) += "    " + module + " [label=\"" + label + "\", shape=box" + style + "];\n";
+    return module;
+  }
+
+  void provide(const std::string& area, const std::string& module, const std::string& name) {
+    addRepresentation(area, name);
+    lines_ += "    " + module + " -> " + representation(name) + ";\n";
+  }
+
+  void add(const ModulePlan& plan) {
     const ModuleDescription& description = plan.loader->description();
-    const std::string module = id(thread.name, "module", description.name);
-    text += "    " + module + " [label=\"" + description.name + "\", shape=box];\n";
-    for (const ModuleOutput* output : plan.outputs) {
-      addRepresentation(output->representation->name());
-      text += "    " + module + " -> " + representation(output->representation->name()) + ";\n";
-    }
-    for (const ModuleInput& input : description.inputs) {
+    const std::string area = description.area();
+    const std::string module =
+        addModule(area, description.name, area.empty() ? "" : ", style=filled, fillcolor=white");
+    for (const ModuleOutput* output : plan.outputs) provide(area, module, output->representation->name());
+    for (const ModuleInput& input : plan.inputs) {
       const std::string& name = input.representation->name();
-      if (thread.provider(name).empty()) continue;
-      text += "    " + representation(name) + " -> " + module;
-      if (input.kind == ModuleInput::Kind::requiredIfProvided) text += " [color=gray50]";
-      if (input.kind == ModuleInput::Kind::used) text += " [style=dashed, constraint=false]";
-      text += ";\n";
+      if (thread_.provider(name).empty()) continue;
+      lines_ += "    " + representation(name) + " -> " + module;
+      if (input.kind == ModuleInput::Kind::requiredIfProvided) lines_ += " [color=gray50]";
+      if (input.kind == ModuleInput::Kind::used) lines_ += " [style=dashed, constraint=false]";
+      lines_ += ";\n";
     }
   }
-  text += "  }\n";
-}
+
+  const ThreadPlan& thread_;
+  const ModuleTimes& times_;
+  std::vector<std::pair<std::string, std::string>> areas_;  ///< name and nodes, in the order of the modules
+  std::string lines_;
+};
+
+constexpr const char* legend =
+    "  labelloc=b;\n  label=\"box: module    ellipse: representation    full line: REQUIRES, PROVIDES    "
+    "grey: REQUIRES_IF_PROVIDED    dashed: USES    dotted: copy between threads\";\n";
 
 /// Returns what went wrong or an empty string.
 std::string writeFile(const std::string& path, const std::string& text) {
@@ -85,9 +138,12 @@ std::string runDot(const std::string& format, const std::string& input, const st
 
 }  // namespace
 
-std::string graphText(const std::vector<ThreadPlan>& threads) {
-  std::string text = "digraph modules {\n  node [fontname=\"Helvetica\"];\n";
-  for (const ThreadPlan& thread : threads) writeThread(text, thread);
+std::string graphText(const std::vector<ThreadPlan>& threads, const ModuleTimes& times) {
+  std::string text =
+      "digraph modules {\n  node [fontname=\"Helvetica\"];\n  graph [fontname=\"Helvetica\", rankdir=LR, "
+      "ranksep=0.4, nodesep=0.12];\n";
+  text += legend;
+  for (const ThreadPlan& thread : threads) text += ThreadGraph(thread, times).text();
   for (const ThreadPlan& thread : threads) {
     for (const CopyPlan& copy : thread.copies) {
       const std::string& name = copy.representation->name();
@@ -98,7 +154,7 @@ std::string graphText(const std::vector<ThreadPlan>& threads) {
   return text + "}\n";
 }
 
-void writeGraph(const std::vector<ThreadPlan>& threads, const std::string& path) {
+void writeGraph(const std::vector<ThreadPlan>& threads, const std::string& path, const ModuleTimes& times) {
   const std::string extension = std::filesystem::path(path).extension().string();
   if (extension != ".dot" && extension != ".svg" && extension != ".pdf" && extension != ".png") {
     throw ConfigurationError(path + ": a graph is written as .dot, .svg, .pdf or .png");
@@ -106,7 +162,7 @@ void writeGraph(const std::vector<ThreadPlan>& threads, const std::string& path)
   // Written beside and moved, so that there is never half a file.
   const std::string beside = path + ".part" + std::to_string(getpid());
   const std::string dotFile = beside + ".dot";
-  std::string error = writeFile(dotFile, graphText(threads));
+  std::string error = writeFile(dotFile, graphText(threads, times));
   if (error.empty() && extension == ".dot") {
     error = std::rename(dotFile.c_str(), path.c_str()) == 0 ? "" : std::strerror(errno);
   } else if (error.empty()) {

@@ -1,6 +1,7 @@
 #include "framework/Log.h"
 
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <mutex>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "framework/LogBuffer.h"
+#include "framework/RepeatLimit.h"
 
 namespace plumbline {
 namespace {
@@ -67,20 +69,34 @@ std::function<void(std::string_view, std::string_view)>& listener() {
 
 }  // namespace
 
-LogLine::LogLine(const Log& log, std::string_view start) : log_(log), stream_(streams().push()) {
+LogLine::LogLine(const Log& log, std::string_view start, std::optional<unsigned> keptBack)
+    : log_(log), stream_(streams().push()), keptBack_(keptBack) {
   stream_ << start;
 }
 
 LogLine::~LogLine() {
   std::string& text = streams().text();
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  LogBuffer::instance().add(log_.source(), text);
+  if (keptBack_.value_or(0) > 0)
+    text += " (" + std::to_string(*keptBack_) + " more like it were not written)";
+  if (keptBack_) LogBuffer::instance().add(log_.source(), text);
   streams().pop();
 }
 
 LogLine Log::operator<<(std::ostream& (*)(std::ostream&)) { return LogLine(*this, ""); }
-LogLine Log::warning() { return LogLine(*this, "warning: "); }
-LogLine Log::error() { return LogLine(*this, "error: "); }
+LogLine Log::warning(const char* file, int line) { return limited("warning: ", file, line); }
+LogLine Log::error(const char* file, int line) { return limited("error: ", file, line); }
+
+LogLine Log::limited(std::string_view start, const char* file, int line) {
+  // The clock decides what is written, never what is done.
+  static std::mutex mutex;
+  static RepeatLimit limit(perSecond, 1024);
+  const double now =
+      std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  const std::string kind = source_ + ' ' + file + ':' + std::to_string(line);
+  const std::lock_guard lock(mutex);
+  return LogLine(*this, start, limit.admit(kind, now));
+}
 
 LogBuffer::LogBuffer() : own_(std::make_unique<CrashRecord>()), record_(own_.get()) {}
 

@@ -10,8 +10,10 @@ namespace plumbline {
 ///     MODULE(BallLocator)
 ///       REQUIRES(BallPercept)  // const BallPercept* theBallPercept: updated before this module executes
 ///       REQUIRES_IF_PROVIDED(Odometry)  // the same if any module provides it, otherwise null
+///       REQUIRES_ALL(TeamBall) // std::vector<const TeamBall*> allTeamBalls: every one of that kind there is
 ///       USES(RobotPose)        // no effect on the order: may be of the last cycle; null if not provided
 ///       PROVIDES(BallPos)      // void update(BallPos* theBallPos) must be implemented
+///       PARAMETER(double, forgetSeconds, 10, "s", Range(0, 100), "time after which an unseen ball is lost")
 ///     END_MODULE
 ///     class BallLocator : public BallLocatorBase { ... };
 class Module : public PluginModuleBase {
@@ -21,6 +23,9 @@ public:
   Module& operator=(const Module&) = delete;
   virtual ~Module() = default;
 
+  /// After the parameters were read, before init(), and each time one of them was changed while the module
+  /// runs: derives what depends on them. Refuses values that do not fit together by refuse().
+  virtual void parametersChanged() {}
   /// Once, before the first cycle; all representations are there.
   virtual void init() {}
   /// In every cycle, before the module's updates.
@@ -29,15 +34,19 @@ public:
 
 }  // namespace plumbline
 
-#define MODULE(Name)                                                    \
-  class Name;                                                           \
-  class Name##Base : public ::plumbline::Module {                       \
-    using ThisModuleBase = Name##Base;                                  \
-                                                                        \
-  public:                                                               \
-    static ::plumbline::ModuleDescription& moduleDescription() {        \
-      static ::plumbline::ModuleDescription description{#Name, {}, {}}; \
-      return description;                                               \
+#define MODULE(Name)                                                                              \
+  class Name;                                                                                     \
+  class Name##Base : public ::plumbline::Module {                                                 \
+    using ThisModuleBase = Name##Base;                                                            \
+                                                                                                  \
+  public:                                                                                         \
+    static ::plumbline::ModuleDescription& moduleDescription() {                                  \
+      static ::plumbline::ModuleDescription description{#Name, {}, {}, __FILE__};                 \
+      return description;                                                                         \
+    }                                                                                             \
+    static ::plumbline::ParameterList& parameterList() { return moduleDescription().parameters; } \
+    static ThisModuleBase* plumblineOwner(void* module) {                                         \
+      return static_cast<ThisModuleBase*>(static_cast<::plumbline::Module*>(module));             \
     }
 
 #define PLUMBLINE_INPUT(Name, inputKind)                                                                   \
@@ -56,6 +65,24 @@ private:                                                                        
 #define REQUIRES(Name) PLUMBLINE_INPUT(Name, required)
 #define REQUIRES_IF_PROVIDED(Name) PLUMBLINE_INPUT(Name, requiredIfProvided)
 #define USES(Name) PLUMBLINE_INPUT(Name, used)
+
+/// The list is `all` and the kind's name with an s: allMotionOutputs, in the order of the lines of
+/// modules.cfg.
+#define PLUMBLINE_INPUTS(Kind_, inputKind)                                                          \
+protected:                                                                                          \
+  std::vector<const Kind_*> all##Kind_##s;                                                          \
+                                                                                                    \
+private:                                                                                            \
+  static void plumblineBindAll##Kind_(::plumbline::Module& module,                                  \
+                                      const ::plumbline::Representation* value) {                   \
+    static_cast<ThisModuleBase&>(module).all##Kind_##s.push_back(static_cast<const Kind_*>(value)); \
+  }                                                                                                 \
+  inline static const bool plumblineInputs##Kind_ = moduleDescription().addAll(                     \
+      Kind_::kindName(), ::plumbline::ModuleInput::Kind::inputKind, &plumblineBindAll##Kind_);      \
+  static void plumblineEndAll##Kind_() {}
+
+#define REQUIRES_ALL(Kind) PLUMBLINE_INPUTS(Kind, required)
+#define USES_ALL(Kind) PLUMBLINE_INPUTS(Kind, used)
 
 #define PROVIDES(Name)                                                                                 \
 public:                                                                                                \

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "framework/RepresentationLoader.h"
+#include "parameters/Parameter.h"
 
 namespace plumbline {
 
@@ -17,6 +18,15 @@ struct ModuleInput {
   void (*bind)(Module& module, const Representation* representation);
 };
 
+/// All representations of one kind: filled in by REQUIRES_ALL and USES_ALL. The module graph makes a
+/// ModuleInput of each that the module's thread has.
+struct ModuleInputs {
+  std::string representationKind;
+  ModuleInput::Kind kind;
+  /// Appends to the module's list.
+  void (*bind)(Module& module, const Representation* representation);
+};
+
 /// What a module can provide: filled in by PROVIDES.
 struct ModuleOutput {
   const RepresentationLoader* representation;
@@ -28,6 +38,18 @@ struct ModuleDescription {
   std::string name;
   std::vector<ModuleInput> inputs;
   std::vector<ModuleOutput> outputs;
+  std::string file;  ///< its header, as the compiler was given it
+  std::vector<ModuleInputs> inputsOfKinds{};
+  ParameterList parameters{};  ///< their owner is the Module
+
+  /// The folder below modules/ that it lies in ("perception"); empty elsewhere.
+  std::string area() const {
+    const std::string mark = "modules/";
+    const auto at = file.rfind(mark);
+    if (at == std::string::npos) return {};
+    const auto begin = at + mark.size(), end = file.find('/', begin);
+    return end == std::string::npos ? std::string() : file.substr(begin, end - begin);
+  }
 
   bool add(const RepresentationLoader& representation, ModuleInput::Kind kind,
            void (*bind)(Module&, const Representation*)) {
@@ -36,6 +58,11 @@ struct ModuleDescription {
   }
   bool add(const RepresentationLoader& representation, void (*update)(Module&, Representation&)) {
     outputs.push_back({&representation, update});
+    return true;
+  }
+  bool addAll(const std::string& representationKind, ModuleInput::Kind kind,
+              void (*bind)(Module&, const Representation*)) {
+    inputsOfKinds.push_back({representationKind, kind, bind});
     return true;
   }
   /// The output of that name, or null.

@@ -30,28 +30,38 @@ public:
   std::vector<ThreadPlan> plan() {
     for (const ThreadConfig& thread : config_.threads) {
       if (registry_.modules().count(thread.name) || SpecialModules::makers().count(thread.name)) {
-        fail(thread.line, "thread " + thread.name + " has the name of a module");
+        fail(thread, "thread " + thread.name + " has the name of a module");
       }
     }
     for (const ThreadConfig& thread : config_.threads) {
-      plans_.push_back({thread.name, thread.priority, {}, {}, {}});
+      plans_.push_back({thread.name, thread.priority, {}, {}, {}, thread.rate});
       providers_.emplace_back();
       for (const ModulesConfigLine& line : thread.lines) add(line);
       if (plans_.back().modules.empty() && plans_.back().specials.empty()) {
-        fail(thread.line, "thread " + thread.name + " has no modules");
+        fail(thread, "thread " + thread.name + " has no modules");
       }
     }
     for (ThreadPlan& thread : plans_) {
       for (const CopyPlan& copy : thread.copies) checkCopy(thread, copy);
-      for (const ModulePlan& module : thread.modules) checkInputs(thread, module);
+      for (ModulePlan& module : thread.modules) {
+        module.inputs = inputsOf(thread, module);
+        checkInputs(thread, module);
+      }
     }
-    for (ThreadPlan& thread : plans_) sortModules(thread, config_.path);
+    for (ThreadPlan& thread : plans_) sortModules(thread);
     return std::move(plans_);
   }
 
 private:
-  [[noreturn]] void fail(int line, const std::string& message) const {
-    throw ConfigurationError(config_.path + ":" + std::to_string(line) + ": " + message);
+  /// at: a line, section, module or copy; it knows its file and line.
+  template <typename At>
+  [[noreturn]] static void fail(const At& at, const std::string& message) {
+    throw ConfigurationError(at.path + ":" + std::to_string(at.line) + ": " + message);
+  }
+
+  /// Where something else stands, for an error at `at`.
+  static std::string whereIs(const std::string& path, int line, const ModulesConfigLine& at) {
+    return (path == at.path ? "line " : path + ":") + std::to_string(line);
   }
 
   bool isThread(const std::string& name) const {
@@ -65,7 +75,7 @@ private:
     if (found != known.end()) return *found->second;
     std::vector<std::string> names;
     appendKeys(names, known);
-    fail(line.line, "unknown representation " + line.representation + suggestion(line.representation, names));
+    fail(line, "unknown representation " + line.representation + suggestion(line.representation, names));
   }
 
   void add(const ModulesConfigLine& line) {
@@ -84,28 +94,29 @@ private:
         for (const ThreadConfig& thread : config_.threads) names.push_back(thread.name);
       }
       const bool mayBeThread = !line.representation.empty() && config_.threads.size() > 1;
-      fail(line.line, (!mayBeThread ? "unknown module " : "unknown module or thread ") + line.provider +
-                          suggestion(line.provider, names));
+      fail(line, (!mayBeThread ? "unknown module " : "unknown module or thread ") + line.provider +
+                     suggestion(line.provider, names));
     }
   }
 
   void addModule(const ModulesConfigLine& line, const ModuleLoader& loader) {
-    const auto [entry, isNew] = threadOfModule_.emplace(line.provider, Place{plans_.size() - 1, line.line});
+    const auto [entry, isNew] =
+        threadOfModule_.emplace(line.provider, Place{plans_.size() - 1, line.line, line.path});
     const Place& first = entry->second;
     if (first.thread != plans_.size() - 1) {
-      fail(line.line, "module " + line.provider + " is already in thread " + plans_[first.thread].name +
-                          " (line " + std::to_string(first.line) + "); a module runs in one thread");
+      fail(line, "module " + line.provider + " is already in thread " + plans_[first.thread].name + " (" +
+                     whereIs(first.path, first.line, line) + "); a module runs in one thread");
     }
     auto& modules = plans_.back().modules;
-    if (isNew) modules.push_back({&loader, line.line, {}});
+    if (isNew) modules.push_back({&loader, line.line, {}, {}, line.path});
     if (line.representation.empty()) return;
     representation(line);
     const ModuleOutput* output = loader.description().output(line.representation);
     if (!output) {
       std::vector<std::string> possible;
       for (const auto& other : loader.description().outputs) possible.push_back(other.representation->name());
-      fail(line.line, "module " + line.provider + " cannot provide " + line.representation + ", only " +
-                          (possible.empty() ? "be executed" : joined(possible, " and ")));
+      fail(line, "module " + line.provider + " cannot provide " + line.representation + ", only " +
+                     (possible.empty() ? "be executed" : joined(possible, " and ")));
     }
     provide(line);
     const auto self = std::find_if(modules.begin(), modules.end(),
@@ -126,20 +137,20 @@ private:
 
   void addCopy(const ModulesConfigLine& line) {
     if (line.provider == plans_.back().name) {
-      fail(line.line, "thread " + line.provider + " cannot copy " + line.representation + " from itself");
+      fail(line, "thread " + line.provider + " cannot copy " + line.representation + " from itself");
     }
     const RepresentationLoader& loader = representation(line);
     provide(line);
-    plans_.back().copies.push_back({line.provider, &loader, line.line});
+    plans_.back().copies.push_back({line.provider, &loader, line.line, line.path});
   }
 
   /// Notes who provides a representation in the current thread.
   void provide(const ModulesConfigLine& line) {
     const auto [entry, isNew] = providers_.back().emplace(line.representation, &line);
     if (isNew) return;
-    fail(line.line, "representation " + line.representation + " is already provided by " +
-                        entry->second->provider + " in thread " + plans_.back().name + " (line " +
-                        std::to_string(entry->second->line) + ")");
+    fail(line, "representation " + line.representation + " is already provided by " +
+                   entry->second->provider + " in thread " + plans_.back().name + " (" +
+                   whereIs(entry->second->path, entry->second->line, line) + ")");
   }
 
   std::size_t indexOf(const std::string& thread) const {
@@ -155,23 +166,38 @@ private:
     for (std::size_t hops = 0; hops <= plans_.size(); hops++) {
       const auto provider = providers_[at].find(name);
       if (provider == providers_[at].end()) {
-        fail(copy.line, "no provider for representation " + name + " in thread " + plans_[at].name +
-                            ", from where thread " + thread.name + " copies it");
+        fail(copy, "no provider for representation " + name + " in thread " + plans_[at].name +
+                       ", from where thread " + thread.name + " copies it");
       }
       if (!isThread(provider->second->provider)) return;
       at = indexOf(provider->second->provider);
     }
-    fail(copy.line,
+    fail(copy,
          "representation " + name + " is copied between threads in a circle, and no module provides it");
+  }
+
+  /// The module's inputs, those of kinds in the order of the lines.
+  std::vector<ModuleInput> inputsOf(const ThreadPlan& thread, const ModulePlan& module) const {
+    const ModuleDescription& description = module.loader->description();
+    std::vector<ModuleInput> inputs = description.inputs;
+    std::map<const ModulesConfigLine*, const RepresentationLoader*> byLine;  // the lines stand in one vector
+    for (const auto& [name, line] : providers_[indexOf(thread.name)])
+      byLine[line] = registry_.representations().at(name);
+    for (const ModuleInputs& all : description.inputsOfKinds) {
+      for (const auto& [line, loader] : byLine) {
+        if (loader->kind() == all.representationKind) inputs.push_back({loader, all.kind, all.bind});
+      }
+    }
+    return inputs;
   }
 
   void checkInputs(const ThreadPlan& thread, const ModulePlan& module) const {
     const auto& providers = providers_[indexOf(thread.name)];
-    for (const ModuleInput& input : module.loader->description().inputs) {
+    for (const ModuleInput& input : module.inputs) {
       const std::string& name = input.representation->name();
       if (input.kind != ModuleInput::Kind::required || providers.count(name)) continue;
-      fail(module.line, "no provider for representation " + name + " required by module " +
-                            module.loader->description().name + " in thread " + thread.name + remedy(name));
+      fail(module, "no provider for representation " + name + " required by module " +
+                       module.loader->description().name + " in thread " + thread.name + remedy(name));
     }
   }
 
@@ -191,6 +217,7 @@ private:
   struct Place {
     std::size_t thread;
     int line;
+    std::string path;
   };
   const ModulesConfig& config_;
   const Registry& registry_;

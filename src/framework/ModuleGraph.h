@@ -12,6 +12,9 @@ struct ModulePlan {
   const ModuleLoader* loader;
   int line;  ///< the first one that names it
   std::vector<const ModuleOutput*> outputs;
+  /// What it reads, with those of REQUIRES_ALL and USES_ALL one by one.
+  std::vector<ModuleInput> inputs{};
+  std::string path{};  ///< of the file with that line
 };
 
 /// A representation taken from another thread.
@@ -19,6 +22,7 @@ struct CopyPlan {
   std::string fromThread;
   const RepresentationLoader* representation;
   int line;
+  std::string path;
 };
 
 /// A special module in a thread.
@@ -36,6 +40,7 @@ struct ThreadPlan {
   /// In the order of execution: a module comes after all that provide what it requires. Among modules that
   /// could come next, the one that stands first in modules.cfg does.
   std::vector<ModulePlan> modules;
+  double rate = 0;  ///< cycles per second that modules.cfg states; 0: none
 
   /// Who provides the representation here, for people to read: a module, thread or special module. Empty:
   /// nobody.
@@ -49,6 +54,6 @@ std::vector<ThreadPlan> planThreads(const ModulesConfig& config,
                                     const Registry& registry = Registry::instance());
 
 /// Sorts the modules of a thread (Kahn's algorithm, first line first). Throws ConfigurationError for a cycle.
-void sortModules(ThreadPlan& thread, const std::string& path);
+void sortModules(ThreadPlan& thread);
 
 }  // namespace plumbline

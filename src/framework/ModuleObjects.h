@@ -36,19 +36,6 @@ private:
   std::map<const void*, std::shared_ptr<void>> objects_;
 };
 
-/// Points to the agent's object of type T; T need only be declared until it is used. Null if there is none.
-template <typename T>
-class ModuleObject {
-public:
-  explicit ModuleObject(ModuleObjects& objects) : object_(objects.find<T>()) {}
-  explicit operator bool() const { return object_ != nullptr; }
-  T* operator->() const { return object_; }
-  T& operator*() const { return *object_; }
-
-private:
-  T* object_;
-};
-
 }  // namespace plumbline
 
 /// In a .cpp: every agent has an object of type Interface, an Implementation made when a module first asks.

@@ -4,14 +4,16 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <stdexcept>
 
 #include "framework/ConfigurationError.h"
 
 namespace plumbline {
 namespace {
 
-constexpr std::size_t maxFileSize = 1 << 20;
+constexpr std::size_t maxFileSize = 1 << 20, maxFiles = 100;
 
 bool isName(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); i++) {
@@ -38,47 +40,90 @@ std::vector<std::string_view> words(std::string_view text) {
   return result;
 }
 
+/// The text of a file. Throws std::runtime_error with what is wrong, without the path.
+std::string textOf(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw std::runtime_error(std::string("cannot be read: ") + std::strerror(errno));
+  std::string text(maxFileSize + 1, '\0');
+  errno = 0;
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad())
+    throw std::runtime_error(std::string("cannot be read: ") + std::strerror(errno ? errno : EISDIR));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > maxFileSize) throw std::runtime_error("larger than 1 MB");
+  return text;
+}
+
 class Parser {
 public:
   explicit Parser(const std::string& path) { config_.path = path; }
 
   ModulesConfig parse(std::string_view text) {
-    while (!text.empty()) {
-      line_++;
-      const std::size_t end = text.find('\n');
-      std::string_view line = text.substr(0, end);
-      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-      line = trimmed(line.substr(0, line.find('#')));
-      if (line.empty()) continue;
-      line.front() == '[' ? section(line) : entry(line);
-    }
-    for (const ThreadConfig& thread : config_.threads) {
-      line_ = thread.line;
-      if (thread.lines.empty()) fail("thread " + thread.name + " has no modules");
-    }
+    parseFile(text, config_.path);
+    for (const ThreadConfig& thread : config_.threads)
+      if (thread.lines.empty()) failAt(thread.path, thread.line, "thread " + thread.name + " has no modules");
     if (config_.threads.empty()) throw ConfigurationError(config_.path + ": no modules");
     return std::move(config_);
   }
 
 private:
+  void parseFile(std::string_view text, const std::string& path) {
+    open_.push_back({path, 0});
+    while (!text.empty()) {
+      open_.back().line++;
+      const std::size_t end = text.find('\n');
+      std::string_view line = text.substr(0, end);
+      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+      line = trimmed(line.substr(0, line.find('#')));
+      if (line.empty()) continue;
+      if (line.front() == '[')
+        section(line);
+      else
+        entry(line);
+    }
+    open_.pop_back();
+  }
+
+  void include(const std::vector<std::string_view>& parts) {
+    if (parts.size() != 2) fail("include names one file: include FILE");
+    namespace fs = std::filesystem;
+    const std::string path =
+        (fs::path(open_.back().path).parent_path() / fs::path(parts[1])).lexically_normal().string();
+    for (const Place& file : open_)
+      if (fs::path(file.path).lexically_normal() == path)
+        fail("include " + path + ": a file cannot include itself");
+    if (++files_ > maxFiles) fail("include " + path + ": more than 100 files are included");
+    std::string text;
+    try {
+      text = textOf(path);
+    } catch (const std::runtime_error& error) {
+      fail("include " + path + ": " + error.what());
+    }
+    parseFile(text, path);
+  }
+
+  [[noreturn]] static void failAt(const std::string& path, int line, const std::string& message) {
+    throw ConfigurationError(path + ":" + std::to_string(line) + ": " + message);
+  }
   [[noreturn]] void fail(const std::string& message) const {
-    throw ConfigurationError(config_.path + ":" + std::to_string(line_) + ": " + message);
+    failAt(open_.back().path, open_.back().line, message);
   }
   [[noreturn]] void failForm(std::string_view line) const {
     fail(
-        "expected \"Module\", \"Module Representation\", \"thread Representation\" or \"[thread priority]\", "
-        "not \"" +
+        "expected \"Module\", \"Module Representation\", \"thread Representation\", \"include FILE\" or "
+        "\"[thread priority]\", not \"" +
         std::string(line.substr(0, 60)) + "\"");
   }
 
   void section(std::string_view line) {
     if (line.back() != ']') failForm(line);
     const auto parts = words(line.substr(1, line.size() - 2));
-    if (parts.empty() || parts.size() > 2 || !isName(parts[0])) failForm(line);
+    if (parts.empty() || parts.size() > 3 || !isName(parts[0])) failForm(line);
     ThreadConfig thread;
     thread.name = parts[0];
-    thread.line = line_;
-    const std::string_view priority = parts.size() == 2 ? parts[1] : "";
+    thread.line = open_.back().line;
+    thread.path = open_.back().path;
+    const std::string_view priority = parts.size() >= 2 ? parts[1] : "";
     const auto [end, error] =
         std::from_chars(priority.data(), priority.data() + priority.size(), thread.priority);
     if (error != std::errc{} || end != priority.data() + priority.size() || thread.priority < 0 ||
@@ -86,32 +131,52 @@ private:
       fail("thread " + thread.name + " needs a priority from 0 to 15" +
            (priority.empty() ? "" : ", not \"" + std::string(priority) + "\""));
     }
+    if (parts.size() == 3) thread.rate = rate(thread.name, parts[2]);
     for (const ThreadConfig& other : config_.threads) {
       if (other.line == 0) {
-        line_ = other.lines.front().line;
-        fail("\"" + other.lines.front().provider +
-             "\" stands before the first [thread priority]; put it below one");
+        const ModulesConfigLine& first = other.lines.front();
+        failAt(first.path, first.line,
+               "\"" + first.provider + "\" stands before the first [thread priority]; put it below one");
       }
       if (other.name == thread.name) {
-        fail("thread " + thread.name + " is already in line " + std::to_string(other.line));
+        fail("thread " + thread.name + " is already in " +
+             (other.path == thread.path ? "line " : other.path + ":") + std::to_string(other.line));
       }
     }
     config_.threads.push_back(std::move(thread));
   }
 
+  double rate(const std::string& thread, std::string_view text) const {
+    double value = 0;
+    const bool hertz = text.size() > 2 && text.substr(text.size() - 2) == "Hz";
+    const char* last = text.data() + text.size() - (hertz ? 2 : 0);
+    const auto [end, error] = std::from_chars(text.data(), last, value);
+    if (!hertz || error != std::errc{} || end != last || !(value > 0 && value <= ThreadConfig::maxRate))
+      fail("thread " + thread + ": a rate is a number of Hz up to 100000, as 100Hz, not \"" +
+           std::string(text.substr(0, 60)) + "\"");
+    return value;
+  }
+
   void entry(std::string_view line) {
     const auto parts = words(line);
+    if (parts[0] == "include") return include(parts);
     if (parts.size() > 2 || !isName(parts[0]) || (parts.size() == 2 && !isName(parts[1]))) failForm(line);
     if (config_.threads.empty()) {
       config_.threads.emplace_back();
       config_.threads.back().name = ModulesConfig::defaultThread;
     }
-    config_.threads.back().lines.push_back(
-        {line_, std::string(parts[0]), parts.size() == 2 ? std::string(parts[1]) : ""});
+    config_.threads.back().lines.push_back({open_.back().line, std::string(parts[0]),
+                                            parts.size() == 2 ? std::string(parts[1]) : "",
+                                            open_.back().path});
   }
 
+  struct Place {
+    std::string path;
+    int line;
+  };
   ModulesConfig config_;
-  int line_ = 0;
+  std::vector<Place> open_;  ///< the file that is read, and those that include it
+  std::size_t files_ = 0;
 };
 
 }  // namespace
@@ -121,15 +186,12 @@ ModulesConfig parseModulesConfig(std::string_view text, const std::string& path)
 }
 
 ModulesConfig readModulesConfig(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw ConfigurationError(path + ": cannot be read: " + std::strerror(errno));
-  std::string text(maxFileSize + 1, '\0');
-  errno = 0;
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad())
-    throw ConfigurationError(path + ": cannot be read: " + std::strerror(errno ? errno : EISDIR));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > maxFileSize) throw ConfigurationError(path + ": larger than 1 MB");
+  std::string text;
+  try {
+    text = textOf(path);
+  } catch (const std::runtime_error& error) {
+    throw ConfigurationError(path + ": " + error.what());
+  }
   return parseModulesConfig(text, path);
 }
 

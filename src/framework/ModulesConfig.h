@@ -10,18 +10,23 @@ struct ModulesConfigLine {
   int line;
   std::string provider;
   std::string representation;  ///< empty: only executed
+  std::string path{};          ///< of the file that it stands in
 };
 
-/// A section `[name priority]`.
+/// A section `[name priority]` or `[name priority rate]`.
 struct ThreadConfig {
   static constexpr int maxPriority = 15;
   std::string name;
   int priority = 0;
   int line = 0;
+  static constexpr double maxRate = 1e5;
+  double rate = 0;  ///< cycles that it shall have per second [1/s]; 0: not stated
   std::vector<ModulesConfigLine> lines;
+  std::string path{};  ///< of the file that the section begins in
 };
 
-/// modules.cfg as it is written; what the names mean is checked by ModuleGraph.
+/// modules.cfg as it is written, with the files that it includes in their places; what the names mean is
+/// checked by ModuleGraph.
 struct ModulesConfig {
   std::string path;
   std::vector<ThreadConfig> threads;
@@ -31,7 +36,7 @@ struct ModulesConfig {
 };
 
 /// Throws ConfigurationError with file and line for what is not of the form modules.cfg has
-/// (doc/reference/modules-cfg.md).
+/// (doc/reference/modules-cfg.md). Files that it includes are looked for from the folder of `path`.
 ModulesConfig parseModulesConfig(std::string_view text, const std::string& path);
 ModulesConfig readModulesConfig(const std::string& path);
 

@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "framework/StopSignal.h"
+
 namespace plumbline {
 
 /// The number of threads asked for; 0: as many as the machine has cores.
@@ -16,7 +18,8 @@ inline int threadsFor(int asked) {
 }
 
 /// Calls work(i) for i = 0 .. count-1 on so many threads; results must go to places of their own, so that
-/// their number does not change them. The first exception is thrown on.
+/// their number does not change them. The first exception is thrown on. Throws Stopped once a signal that
+/// StopSignal catches has come.
 inline void parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr error;
@@ -24,6 +27,7 @@ inline void parallel(std::size_t count, int threads, const std::function<void(st
   const auto run = [&] {
     for (std::size_t i = next++; i < count; i = next++) {
       try {
+        StopSignal::throwIfCaught();
         work(i);
       } catch (...) {
         const std::lock_guard lock(mutex);

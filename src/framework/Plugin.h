@@ -25,6 +25,7 @@ struct ThreadInfo {
   std::string name;
   int priority;
   std::vector<Step> steps;  ///< in their order
+  double rate = 0;          ///< cycles per second that modules.cfg states; 0: none
 };
 
 /// Extends the framework without changing it: called around every step of a thread. Each thread has an object

@@ -34,9 +34,12 @@ ModuleContext::Scope::~Scope() { currentContext = before_; }
 PluginModuleBase::PluginModuleBase(ModuleContext& context)
     : log(context.module),
       config(context.config, context.module),
-      monitor(context.objects),
       objects_(context.objects),
       stop_(context.stop) {}
+
+void PluginModuleBase::refuse(const std::string& key, const std::string& message) const {
+  config.refuse(key, message);
+}
 
 void PluginModuleBase::missingObject(const char* type) const {
   int status = 0;

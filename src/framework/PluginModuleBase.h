@@ -10,10 +10,6 @@
 
 namespace plumbline {
 
-/// Commands to the world an agent lives in, where that world takes any. Only declared here: a floor above
-/// defines the class and makes the object (MAKE_MODULE_OBJECT).
-class Monitor;
-
 /// What a module is told when it is made.
 struct ModuleContext {
   std::string module;
@@ -43,7 +39,7 @@ struct ModuleContext {
 class PluginModuleBase {
 public:
   /// What the module measured through its debug object.
-  const std::map<std::string, std::unique_ptr<Stopwatch>>& debugStopwatches() const {
+  const std::map<std::string, std::shared_ptr<Stopwatch>>& debugStopwatches() const {
     return debug.stopwatches();
   }
 
@@ -53,7 +49,6 @@ protected:
   Log log;
   Config config;
   Debug debug;
-  ModuleObject<Monitor> monitor;
 
   /// The agent's object of type T (see ModuleObjects). Throws ConfigurationError if there is none.
   template <typename T>
@@ -67,6 +62,10 @@ protected:
   T* findObject() const {
     return objects_.find<T>();
   }
+
+  /// For parametersChanged(): values that do not fit together. Throws ConfigurationError "Module.key
+  /// message".
+  [[noreturn]] void refuse(const std::string& key, const std::string& message) const;
 
   /// Ends the agent after this step: main returns exitCode and prints the reason. The first request counts.
   void requestStop(int exitCode, const std::string& reason) { stop_.request(exitCode, reason); }

@@ -1,8 +1,11 @@
 #include "framework/Process.h"
 
+#include <algorithm>
+
 #include "framework/ConfigurationError.h"
 #include "framework/CrashLog.h"
 #include "framework/LogBuffer.h"
+#include "framework/ModuleParameters.h"
 #include "framework/TracePlugin.h"
 
 namespace plumbline {
@@ -22,8 +25,14 @@ void named(const std::string& label, F&& function) {
 
 }  // namespace
 
-Process::Process(const ThreadPlan& plan, ConfigStore& config, ModuleObjects& objects, StopSignal& stop)
-    : plan_(plan), info_{plan.name, plan.priority, {}} {
+Process::Process(const ThreadPlan& plan, ConfigStore& config, ModuleObjects& objects, StopSignal& stop,
+                 std::shared_ptr<AgentDebug> debug)
+    : plan_(plan),
+      info_{plan.name, plan.priority, {}, plan.rate},
+      config_(config),
+      objects_(objects),
+      stop_(stop),
+      agentDebug_(std::move(debug)) {
   for (const CopyPlan& copy : plan.copies) {
     representations_[copy.representation->name()] = copy.representation->create();
   }
@@ -34,28 +43,27 @@ Process::Process(const ThreadPlan& plan, ConfigStore& config, ModuleObjects& obj
       specials_.back()->provide(*loader, holder->get());
     }
   }
-  CrashPlace place(LogBuffer::instance().record(), plan.name);
   for (const ModulePlan& module : plan.modules) {
     const ModuleDescription& description = module.loader->description();
-    ModuleContext context{description.name, plan.name, config, objects, stop};
-    ModuleContext::Scope scope(context);
-    place.enter(description.name + ":create");
-    named("[" + plan.name + "] " + description.name + ":create",
-          [&] { modules_.push_back(module.loader->create()); });
+    modules_.emplace_back();
+    makeModule(modules_.size() - 1);
     const auto add = [&](const std::string& representation, const std::string& method, Representation* value,
                          void (*call)(Module&, Representation&)) {
       info_.steps.push_back({description.name, representation, description.name + ":" + method,
                              info_.steps.size(), modules_.back().get(), call, value});
+      guards_.emplace_back();
     };
     add("", "execute", nullptr, nullptr);
     for (const ModuleOutput* output : module.outputs) {
       const std::string& name = output->representation->name();
       auto& holder = representations_[name] = output->representation->create();
       add(name, "update" + name, &holder->get(), output->update);
+      guards_.back().emplace(*output->representation, holder->get());
     }
   }
   offerToSpecials();
   timing_ = std::make_unique<TimingPlugin>(info_);
+  debug_ = std::make_unique<ProcessDebug>(*agentDebug_, plan_, info_, modules_, *timing_);
 }
 
 void Process::offerToSpecials() {
@@ -75,6 +83,7 @@ void Process::offerToSpecials() {
 }
 
 Process::~Process() {
+  debug_.reset();
   // Later ones may hold on to what earlier ones made.
   while (!modules_.empty()) modules_.pop_back();
 }
@@ -84,17 +93,53 @@ Representation* Process::find(const std::string& representation) const {
   return found == representations_.end() ? nullptr : &found->second->get();
 }
 
-void Process::init() {
-  for (std::size_t i = 0; i < modules_.size(); i++) {
-    for (const ModuleInput& input : plan_.modules[i].loader->description().inputs) {
-      input.bind(*modules_[i], find(input.representation->name()));
-    }
+void Process::makeModule(std::size_t index) {
+  const ModuleLoader& loader = *plan_.modules[index].loader;
+  const std::string& name = loader.description().name;
+  ModuleContext context{name, info_.name, config_, objects_, stop_};
+  ModuleContext::Scope scope(context);
+  CrashPlace place(LogBuffer::instance().record(), info_.name);
+  place.enter(name + ":create");
+  named("[" + info_.name + "] " + name + ":create", [&] { modules_[index] = loader.create(); });
+  configureModule(*modules_[index], loader.description(), config_);
+}
+
+void Process::connectModule(std::size_t index) {
+  for (const ModuleInput& input : plan_.modules[index].inputs) {
+    input.bind(*modules_[index], find(input.representation->name()));
   }
+}
+
+void Process::init() {
+  for (std::size_t i = 0; i < modules_.size(); i++) connectModule(i);
   CrashPlace place(LogBuffer::instance().record(), info_.name);
   for (std::size_t i = 0; i < modules_.size(); i++) {
     const std::string label = plan_.modules[i].loader->description().name + ":init";
     place.enter(label);
     named("[" + info_.name + "] " + label, [&] { modules_[i]->init(); });
+  }
+}
+
+void Process::reject(const Step& step) {
+  log_.error() << "[" << info_.name << "] " << step.label
+               << ": a value is not finite; the last good one is kept and the module starts anew";
+  if (std::find(rejected_.begin(), rejected_.end(), step.instance) == rejected_.end())
+    rejected_.push_back(step.instance);
+}
+
+void Process::remakeModules() {
+  // Only behind the last step: what else a module provides in a cycle rests on its own execute.
+  for (std::size_t i = 0; i < modules_.size(); i++) {
+    const Module* old = modules_[i].get();
+    if (std::find(rejected_.begin(), rejected_.end(), old) == rejected_.end()) continue;
+    std::erase(rejected_, old);
+    makeModule(i);
+    for (Step& step : info_.steps) {
+      if (step.instance == old) step.instance = modules_[i].get();
+    }
+    connectModule(i);
+    named("[" + info_.name + "] " + plan_.modules[i].loader->description().name + ":init",
+          [&] { modules_[i]->init(); });
   }
 }
 
@@ -129,7 +174,13 @@ void Process::runSteps(Plugin::Clock::time_point now) {
     // The end of a step is the beginning of the next unless plugins work in between: reading the clock is the
     // larger part of a step's overhead.
     if (!plugins_.empty() || step.index == 0) now = Plugin::Clock::now();
-    step.isExecute() ? step.instance->execute() : step.call(*step.instance, *step.value);
+    if (step.isExecute()) {
+      step.instance->execute();
+    } else {
+      step.call(*step.instance, *step.value);
+      if (!guards_[step.index]->accept()) reject(step);
+      if (debugging_) debug_->updated(step);
+    }
     const Plugin::Duration duration{now, Plugin::Clock::now()};
     now = duration.end;
     timing_->afterExecute(step, duration);
@@ -144,6 +195,8 @@ void Process::cycle() {
   for (ThreadCopy* copy : fetched_) copy->fetch();
   for (auto& special : specials_) special->beginCycle();
   for (auto& plugin : plugins_) plugin->cycleStarted();
+  debugging_ = debug_->wanted();
+  if (debugging_) debug_->beginCycle();
   try {
     runSteps(begin);
   } catch (const ConfigurationError&) {
@@ -151,6 +204,7 @@ void Process::cycle() {
   } catch (const std::exception& error) {
     throw std::runtime_error("[" + info_.name + "] " + current_->label + ": " + error.what());
   }
+  if (!rejected_.empty()) remakeModules();
   record_->setStep(crashThread_, 0);
   for (ThreadCopy* copy : published_) copy->publish();
   for (auto& special : specials_) special->endCycle();

@@ -1,11 +1,14 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "framework/ModuleGraph.h"
+#include "framework/OutputGuard.h"
 #include "framework/Plugin.h"
+#include "framework/ProcessDebug.h"
 #include "framework/SpecialModule.h"
 #include "framework/ThreadCopy.h"
 #include "framework/TimingPlugin.h"
@@ -15,11 +18,13 @@ namespace plumbline {
 class CrashRecord;
 
 /// One thread of an agent: its representations, its modules in their order, and the cycle over them. Runs
-/// in whatever thread calls it.
+/// in whatever thread calls it. A module that provides a number that is not finite is made anew at the end of
+/// the cycle, and what it provides keeps the last good value.
 class Process {
 public:
   /// Makes representations and modules; they are connected by bind().
-  Process(const ThreadPlan& plan, ConfigStore& config, ModuleObjects& objects, StopSignal& stop);
+  Process(const ThreadPlan& plan, ConfigStore& config, ModuleObjects& objects, StopSignal& stop,
+          std::shared_ptr<AgentDebug> debug);
   ~Process();
 
   /// What this thread publishes to, or fetches from, another one. Both before start().
@@ -41,19 +46,34 @@ public:
   Representation* find(const std::string& representation) const;
   const TimingPlugin& timing() const { return *timing_; }
   const ThreadInfo& info() const { return info_; }
+  /// Has the modules' own stopwatches known; on the thread, or when it has ended.
+  void addStopwatches() { debug_->addStopwatches(); }
 
 private:
   void offerToSpecials();
+  void makeModule(std::size_t index);
+  void connectModule(std::size_t index);
+  void reject(const Step& step);
+  void remakeModules();
   void runSteps(Plugin::Clock::time_point now);
 
   ThreadPlan plan_;
   ThreadInfo info_;
+  ConfigStore& config_;
+  ModuleObjects& objects_;
+  StopSignal& stop_;
+  Log log_{"framework"};
   std::map<std::string, std::unique_ptr<RepresentationHolder>> representations_;
   std::vector<std::unique_ptr<Module>> modules_;
   std::vector<std::unique_ptr<SpecialModule>> specials_;
   std::vector<ThreadCopy*> published_, fetched_;
   std::vector<std::unique_ptr<Plugin>> plugins_;
   std::unique_ptr<TimingPlugin> timing_;
+  std::shared_ptr<AgentDebug> agentDebug_;
+  std::unique_ptr<ProcessDebug> debug_;
+  bool debugging_ = false;                          ///< in this cycle
+  std::vector<std::optional<OutputGuard>> guards_;  ///< of each step; none: it executes
+  std::vector<const Module*> rejected_;             ///< provided something that was not finite in this cycle
   std::vector<std::uint32_t> crashSteps_;
   int crashThread_ = -1;
   bool running_ = false;

@@ -35,6 +35,21 @@ protected:
 
 }  // namespace plumbline
 
+/// REPRESENTATION_OF(KickMotionOutput, MotionOutput) before `class KickMotionOutput : public
+/// KickMotionOutputBase`: one of the representations of a kind, which modules read by
+/// REQUIRES_ALL(MotionOutput). The kind is a class that derives from Representation, with `static constexpr
+/// const char* kindName()` and a stream method that each representation's calls.
+#define REPRESENTATION_OF(Name, Kind)                                   \
+  class Name;                                                           \
+  class Name##Base : public Kind {                                      \
+  public:                                                               \
+    static constexpr const char* representationName() { return #Name; } \
+                                                                        \
+  protected:                                                            \
+    using Kind::Kind;                                                   \
+    ~Name##Base() = default;                                            \
+  };
+
 /// REPRESENTATION(BallPos) before `class BallPos : public BallPosBase { ... };`
 #define REPRESENTATION(Name)                                            \
   class Name;                                                           \

@@ -19,16 +19,18 @@ class RepresentationLoader {
 public:
   virtual ~RepresentationLoader() = default;
   virtual const std::string& name() const = 0;
+  /// The kind of REPRESENTATION_OF, or empty.
+  virtual const std::string& kind() const = 0;
   virtual std::unique_ptr<RepresentationHolder> create() const = 0;
   /// `to` = `from`; both must be of the loader's type.
   virtual void copy(const Representation& from, Representation& to) const = 0;
 };
 
-/// True if the representation has a stream method of its own, or only members that can go as a block of
-/// memory: a class that is destroyed without any work owns nothing.
+/// True if the representation has a stream method of its own or of its kind, or only members that can go as a
+/// block of memory: a class that is destroyed without any work owns nothing.
 template <typename R>
 inline constexpr bool knowsHowToStream =
-    std::is_same_v<decltype(&R::stream), void (R::*)(InStream*, OutStream*)> ||
+    !std::is_same_v<decltype(&R::stream), void (RepresentationOf<R>::*)(InStream*, OutStream*)> ||
     std::is_trivially_destructible_v<R>;
 
 template <typename R>
@@ -49,13 +51,23 @@ class RepresentationLoaderOf final : public RepresentationLoader {
 
 public:
   const std::string& name() const override { return name_; }
+  const std::string& kind() const override { return kind_; }
   std::unique_ptr<RepresentationHolder> create() const override { return std::make_unique<Holder>(); }
   void copy(const Representation& from, Representation& to) const override {
     static_cast<R&>(to) = static_cast<const R&>(from);
   }
 
 private:
+  static std::string kindOf() {
+    if constexpr (requires { R::kindName(); }) {
+      return R::kindName();
+    } else {
+      return "";
+    }
+  }
+
   std::string name_ = R::representationName();
+  std::string kind_ = kindOf();
 };
 
 /// The one loader of a type.

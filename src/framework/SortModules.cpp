@@ -24,7 +24,7 @@ std::vector<std::vector<Edge>> edges(const ThreadPlan& thread) {
   }
   std::vector<std::vector<Edge>> result(thread.modules.size());
   for (std::size_t i = 0; i < thread.modules.size(); i++) {
-    for (const ModuleInput& input : thread.modules[i].loader->description().inputs) {
+    for (const ModuleInput& input : thread.modules[i].inputs) {
       const auto provider = providers.find(input.representation->name());
       if (input.kind == ModuleInput::Kind::used || provider == providers.end()) continue;
       result[i].push_back({provider->second, input.representation});
@@ -54,7 +54,7 @@ std::vector<Edge> shortestCycle(const std::vector<std::vector<Edge>>& edges, std
 
 }  // namespace
 
-void sortModules(ThreadPlan& thread, const std::string& path) {
+void sortModules(ThreadPlan& thread) {
   const std::size_t count = thread.modules.size();
   const auto before = edges(thread);
   std::vector<std::vector<std::size_t>> after(count);
@@ -85,8 +85,8 @@ void sortModules(ThreadPlan& thread, const std::string& path) {
     std::string text = name(i);
     for (const Edge& edge : cycle)
       text += " requires " + edge.representation->name() + " of " + name(edge.from);
-    throw ConfigurationError(path + ":" + std::to_string(thread.modules[i].line) + ": cycle in thread " +
-                             thread.name + ": " + text + "; one of them must be USES");
+    throw ConfigurationError(thread.modules[i].path + ":" + std::to_string(thread.modules[i].line) +
+                             ": cycle in thread " + thread.name + ": " + text + "; one of them must be USES");
   }
 }
 

@@ -11,7 +11,6 @@ namespace plumbline {
 namespace {
 
 std::atomic<StopSignal*> signalTarget{nullptr};
-std::atomic<int> caughtSignal{0};
 
 }  // namespace
 
@@ -23,6 +22,7 @@ StopSignal::~StopSignal() {
   StopSignal* self = this;
   if (signalTarget.compare_exchange_strong(self, nullptr)) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+    caughtSignal = 0;
   }
   close(descriptor_);
 }

@@ -2,8 +2,20 @@
 #include <atomic>
 #include <mutex>
 #include <string>
+#include <utility>
 
 namespace plumbline {
+
+/// Thrown from the midst of long work that a person ended; no std::exception, so that what goes on after an
+/// error does not go on after this. Main prints what() and ends.
+class Stopped {
+public:
+  explicit Stopped(std::string text_ = "stopped; nothing was written") : text(std::move(text_)) {}
+  const std::string& what() const { return text; }
+
+private:
+  std::string text;
+};
 
 /// The request to end an agent, made once by a module, main or a signal and seen by all threads.
 class StopSignal {
@@ -24,9 +36,16 @@ public:
   /// Ctrl-C, SIGTERM and SIGHUP request the stop (exit code 0) of this signal until it is destroyed; a second
   /// one ends the process at once.
   void catchSignals();
+  /// Throws Stopped once a signal that is caught has come: for the innermost loops of long work. Costs a
+  /// read.
+  static void throwIfCaught() {
+    if (caughtSignal.load(std::memory_order_relaxed) != 0) throw Stopped();
+  }
 
 private:
   static void handle(int signal);
+
+  static inline std::atomic<int> caughtSignal{0};
 
   std::atomic<bool> requested_{false};
   int descriptor_;

@@ -15,6 +15,8 @@ public:
   void add(std::uint64_t nanoseconds) {
     bump(count_, 1);
     bump(sum_, nanoseconds);
+    if (nanoseconds < min_.load(std::memory_order_relaxed))
+      min_.store(nanoseconds, std::memory_order_relaxed);
     if (nanoseconds > max_.load(std::memory_order_relaxed))
       max_.store(nanoseconds, std::memory_order_relaxed);
     bump(bins_[bin(nanoseconds)], 1);
@@ -23,6 +25,9 @@ public:
   std::uint64_t count() const { return count_.load(std::memory_order_relaxed); }
   /// [s]; 0 if nothing was measured.
   double mean() const;
+  double min() const {
+    return count() == 0 ? 0 : 1e-9 * static_cast<double>(min_.load(std::memory_order_relaxed));
+  }
   double max() const { return 1e-9 * static_cast<double>(max_.load(std::memory_order_relaxed)); }
   double total() const { return 1e-9 * static_cast<double>(sum_.load(std::memory_order_relaxed)); }
   /// [s] that the given part (0 to 1) of all durations does not exceed, at most 12.5 % too high.
@@ -43,7 +48,7 @@ private:
     value.store(value.load(std::memory_order_relaxed) + by, std::memory_order_relaxed);
   }
 
-  std::atomic<std::uint64_t> count_{0}, sum_{0}, max_{0};
+  std::atomic<std::uint64_t> count_{0}, sum_{0}, min_{~std::uint64_t{0}}, max_{0};
   std::array<std::atomic<std::uint64_t>, binCount> bins_{};
 };
 

@@ -1,10 +1,13 @@
 #pragma once
+#include <algorithm>
+#include <atomic>
+#include <deque>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "framework/Plugin.h"
 #include "framework/Stopwatch.h"
+#include "framework/Waiting.h"
 
 namespace plumbline {
 
@@ -13,7 +16,10 @@ class TimingPlugin final : public Plugin {
 public:
   struct Entry {
     std::string name;  ///< the step's label
-    std::unique_ptr<Stopwatch> stopwatch;
+    std::string module;
+    std::shared_ptr<Stopwatch> stopwatch;
+    std::atomic<std::uint64_t> overruns{0};  ///< cycles that ran over and in which this took longest
+    std::uint64_t worked = 0;                ///< in this cycle, without waiting [ns]
   };
 
   explicit TimingPlugin(const ThreadInfo& thread);
@@ -23,24 +29,40 @@ public:
   void cycleFinished(const Duration& duration) override;
 
   const std::string& thread() const { return thread_; }
-  const std::vector<Entry>& steps() const { return steps_; }
+  const std::deque<Entry>& steps() const { return steps_; }
   /// From the beginning to the end of a cycle; includes waiting for input.
   const Stopwatch& cycle() const { return cycle_; }
   /// The thread's processor time from the end of one cycle to the end of the next.
   const Stopwatch& cpu() const { return cpu_; }
+  /// From the beginning to the end of a cycle without what modules waited (Waiting).
+  const Stopwatch& busy() const { return busy_; }
+  /// busy() as part of the time that has passed since the first cycle, 0 to 1.
+  double load() const;
+  /// Cycles per second that modules.cfg states; 0: none.
+  double rate() const { return rate_; }
+  /// Cycles that were busy for longer than the rate allows.
+  std::uint64_t overruns() const { return overruns_.load(std::memory_order_relaxed); }
 
 private:
   void add(const Step& step, const Duration& duration) {
-    steps_[step.index].stopwatch->add(nanoseconds(duration));
+    Entry& entry = steps_[step.index];
+    const std::uint64_t taken = nanoseconds(duration);
+    entry.stopwatch->add(taken);
+    const std::uint64_t waited = std::min(Waiting::take(), taken);
+    entry.worked = taken - waited;
+    waited_ += waited;
   }
   static std::uint64_t nanoseconds(const Duration& duration) {
     return static_cast<std::uint64_t>(std::chrono::nanoseconds(duration.end - duration.begin).count());
   }
 
   std::string thread_;
-  std::vector<Entry> steps_;
-  Stopwatch cycle_, cpu_;
+  double rate_;
+  std::deque<Entry> steps_;
+  Stopwatch cycle_, cpu_, busy_;
+  std::atomic<std::uint64_t> overruns_{0}, first_{0}, last_{0};
   std::uint64_t cpuBefore_ = 0;
+  std::uint64_t waited_ = 0;  ///< in this cycle [ns]
 };
 
 }  // namespace plumbline

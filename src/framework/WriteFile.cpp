@@ -1,23 +1,76 @@
 #include "framework/WriteFile.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
+#include <filesystem>
 #include <stdexcept>
+#include <string_view>
 
 namespace plumbline {
+namespace {
+
+/// Closes itself; keeps errno.
+class Descriptor {
+public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return fd_; }
+  bool close() {
+    if (fd_ < 0) return true;
+    const int error = errno;
+    const bool good = ::close(fd_) == 0;
+    if (good) errno = error;
+    fd_ = -1;
+    return good;
+  }
+
+private:
+  int fd_;
+};
+
+bool writeAll(int fd, std::string_view rest) {
+  while (!rest.empty()) {
+    const ssize_t written = ::write(fd, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+/// Some file systems cannot sync (EINVAL): what they hold is as safe as it gets.
+bool sync(int fd) { return ::fsync(fd) == 0 || errno == EINVAL; }
+
+bool writeBeside(const std::string& beside, const std::string& content) {
+  Descriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  return file.get() >= 0 && writeAll(file.get(), content) && sync(file.get()) && file.close();
+}
+
+/// Makes the rename outlast a loss of power. The file is complete in either case, so that a folder which
+/// cannot be opened is no error.
+bool syncFolderOf(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  const Descriptor directory(
+      ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return directory.get() < 0 || sync(directory.get());
+}
+
+}  // namespace
 
 void writeFile(const std::string& path, const std::string& content) {
   const std::string beside = path + ".part";
-  std::ofstream file(beside, std::ios::binary | std::ios::trunc);
-  file << content;
-  file.close();
-  if (!file || std::rename(beside.c_str(), path.c_str()) != 0) {
+  if (!writeBeside(beside, content) || std::rename(beside.c_str(), path.c_str()) != 0) {
     const int error = errno;
     std::remove(beside.c_str());
     throw std::runtime_error("cannot write " + path + ": " + std::strerror(error));
   }
+  if (!syncFolderOf(path)) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
 }
 
 }  // namespace plumbline

@@ -3,8 +3,8 @@
 
 namespace plumbline {
 
-/// Writes the whole file beside its place and renames it there, so that a reader never sees half of it.
-/// Throws std::runtime_error "cannot write PATH: REASON".
+/// Writes the whole file beside its place, syncs it to the disk and renames it there: a reader never sees
+/// half of it, nor does anybody after a loss of power. Throws std::runtime_error "cannot write PATH: REASON".
 void writeFile(const std::string& path, const std::string& content);
 
 }  // namespace plumbline

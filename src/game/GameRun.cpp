@@ -4,15 +4,16 @@
 
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
+#include "framework/ConfigFolder.h"
 #include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
+#include "game/OutputFolder.h"
 #include "game/StatusReader.h"
 #include "math/Angle.h"
 #include "simspark/ChildProcess.h"
@@ -28,18 +29,23 @@ namespace {
 /// For the robot to drop onto the field, beam and come to rest [s].
 constexpr double secondsBeforeKickOff = 2;
 
+void print(const std::string& text) {
+  fmt::print("{}", text);
+  std::fflush(stdout);
+}
+
 }  // namespace
 
 /// The processes of a run.
 class GameRun::Session {
 public:
-  explicit Session(const GameOptions& options) : options_(options), programs_(simspark::programFolder()) {
-    std::filesystem::create_directories(options.output);
-    for (const char* name :
-         {"agent.log", "simulator.log", "agent.json", "simulator.json", "summary.json", "track.svg"})
-      std::filesystem::remove(file(name));
+  Session(const GameOptions& options, const StopSignal& stop)
+      : options_(options), programs_(programFolder()) {
+    prepareOutput(options.output, {"agent.log", "simulator.log", "agent.json", "simulator.json",
+                                   "summary.json", "track.svg"});
     ports_ = {options.port, options.monitorPort};
     if (options.host.empty()) startSimulator();
+    monitor.interruptBy(stop.fileDescriptor());
     if (const std::string why = monitor.connect(host(), ports_.monitor); !why.empty())
       throw std::runtime_error(why);
     startAgent();
@@ -81,16 +87,18 @@ private:
     std::vector<std::string> arguments = {"--sync",
                                           "--seed",
                                           std::to_string(options_.seed),
-                                          "--max-seconds",
-                                          fmt::format("{}", options_.limit),
                                           "--kickoff-after",
                                           fmt::format("{}", secondsBeforeKickOff),
+                                          "--wait-agents",  // in real time, too: the start decides the run
+                                          "1",
                                           "--monitor-step",
                                           "0.1",
                                           "--stats",
                                           file("simulator.json"),
                                           "--die-with-parent"};
     arguments.insert(arguments.end(), {"--engine", options_.engine});
+    if (!options_.stay)
+      arguments.insert(arguments.end(), {"--max-seconds", fmt::format("{}", options_.limit)});
     if (options_.realtime) arguments.emplace_back("--realtime");
     if (options_.web) arguments.emplace_back("--web");
     arguments.insert(arguments.end(), options_.simulatorOptions.begin(), options_.simulatorOptions.end());
@@ -147,7 +155,7 @@ void GameRun::countFalls(const simspark::SceneRobot& robot, double time) {
   track_.push_back({time, robot.T_world_torso.translation().head<2>(), Vec2::Zero(), fallen_});
 }
 
-void GameRun::watch(const simspark::SceneState& scene, const std::string& words) {
+void GameRun::watch(const simspark::SceneState& scene) {
   const simspark::SceneRobot* robot = scene.robots.empty() ? nullptr : &scene.robots.front();
   if (!robot) return;
   countFalls(*robot, scene.time);
@@ -160,13 +168,20 @@ void GameRun::watch(const simspark::SceneState& scene, const std::string& words)
   if (scene.time <= 0 && nextLine_ > 0) return;
   nextLine_ = scene.time + 1 - 1e-6;
   const Vec3 torso = robot->T_world_torso.translation();
-  fmt::print("{:5.0f} s  robot ({:6.2f}, {:6.2f}) {:4.0f} deg  ball ({:6.2f}, {:6.2f})  {:<13} {}\n",
-             scene.time, torso.x(), torso.y(), toDegrees(robot->heading()), scene.ball.x(), scene.ball.y(),
-             scene.playMode,
-             summary_.goal              ? "GOAL"
-             : fallen_ && words.empty() ? "fallen"
-                                        : words);
+  lines_.add({scene.time,
+              fmt::format("{:5.0f} s  robot ({:6.2f}, {:6.2f}) {:4.0f} deg  ball ({:6.2f}, {:6.2f})  {:<13}",
+                          scene.time, torso.x(), torso.y(), toDegrees(robot->heading()), scene.ball.x(),
+                          scene.ball.y(), scene.playMode),
+              fallen_, summary_.goal});
+}
+
+void GameRun::stay(Session& session, StopSignal& stop) const {
+  session.monitor.send(simspark::ClockCommand{simspark::ClockCommand::Kind::pause});
+  fmt::print("{}; the page stays on the last picture: press Ctrl-C to end\n",
+             summary_.goal ? fmt::format("goal after {:.2f} s", summary_.goalTime) : "no goal");
   std::fflush(stdout);
+  // What comes is read, or the simulator would have to keep it.
+  while (!stop.requested() && session.monitor.receive(0.1) != Connection::Status::closed) session.check();
 }
 
 Summary GameRun::play(StopSignal& stop) {
@@ -174,7 +189,7 @@ Summary GameRun::play(StopSignal& stop) {
   const auto wall = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  Session session(options_);
+  Session session(options_, stop);
   StatusReader status(session.file("agent.log"));
   bool kickedOff = options_.host.empty();
   double lastMessage = 0;
@@ -191,15 +206,20 @@ Summary GameRun::play(StopSignal& stop) {
     }
     lastMessage = wall();
     const simspark::SceneState& scene = session.monitor.scene();
-    watch(scene, status.read());
+    watch(scene);
+    print(lines_.due(scene.time, status.read()));
     summary_.simTime = scene.time + (options_.host.empty() ? secondsBeforeKickOff : 0);
     if (scene.time > options_.limit || scene.playMode == "GameOver") break;
+    if (options_.stay && summary_.simTime >= options_.limit) break;
     // A server that runs already is told to kick off once the robot stands.
     if (!kickedOff && stood_ && wall() > 2) {
       session.monitor.send(simspark::KickOffCommand{simspark::TeamSide::left});
       kickedOff = true;
     }
   }
+  print(lines_.rest(session.monitor.scene().time, status.read()));
+  summary_.over = !stop.requested();
+  if (options_.stay && summary_.over) stay(session, stop);
   session.stop();
   summary_.wall = wall();
   summary_.agentCpu = Session::cost(session.file("agent.json"));

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "game/RunLines.h"
 #include "game/Summary.h"
 #include "game/TrackPicture.h"
 #include "simspark/SceneState.h"
@@ -15,12 +16,13 @@ namespace plumbline::game {
 struct GameOptions {
   int type = 0;  ///< of the robot, 0..4
   unsigned seed = 1;
-  double limit = 300;          ///< simulated [s]
-  bool web = false;            ///< the simulator shows the game on a page
-  bool realtime = false;       ///< 50 cycles a second instead of as fast as it goes
+  double limit = 300;     ///< simulated [s]
+  bool web = false;       ///< the simulator shows the game on a page
+  bool stay = false;      ///< after the end the game stands still on the page until the stop is requested
+  bool realtime = false;  ///< 50 cycles a second instead of as fast as it goes
   std::string engine = "ode";  ///< physics of the embedded simulator
-  std::string output = "build/run";
-  std::string host;  ///< of a server that runs already; empty: an embedded simulator is started
+  std::string output;          ///< folder
+  std::string host;            ///< of a server that runs already; empty: an embedded simulator is started
   int port = 3100, monitorPort = 3200;
   std::vector<std::string> agentOptions, simulatorOptions;
 };
@@ -33,18 +35,21 @@ public:
   explicit GameRun(GameOptions options) : options_(std::move(options)) {}
 
   /// Plays; returns when a goal was scored, the time is up, or the stop was requested. Nothing it started is
-  /// left running. Throws std::runtime_error if a program could not be started or died (naming its log).
+  /// left running. Throws std::runtime_error if a program could not be started or died (naming its log),
+  /// or the folder cannot be written.
   Summary play(StopSignal& stop);
 
 private:
   class Session;
 
-  void watch(const simspark::SceneState& scene, const std::string& words);
+  void watch(const simspark::SceneState& scene);
+  void stay(Session& session, StopSignal& stop) const;
   void countFalls(const simspark::SceneRobot& robot, double time);
 
   GameOptions options_;
   Summary summary_;
   std::vector<TrackPoint> track_;
+  RunLines lines_;
   double nextLine_ = 0;
   bool stood_ = false;  // has been upright since it came onto the field
   bool fallen_ = false;

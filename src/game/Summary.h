@@ -12,6 +12,7 @@ struct Summary {
   double wall = 0;          ///< real time [s]
   double agentCpu = 0;      ///< of the agent's process [us per cycle]
   double simulatorCpu = 0;  ///< [us per cycle]
+  bool over = false;        ///< a goal or the time was up; false: it was stopped
 };
 
 /// {"goal": ..., "goal_time_s": ... or null, "falls", "sim_time_s", "wall_s", "agent_cpu_us_per_cycle",

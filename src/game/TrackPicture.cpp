@@ -15,12 +15,28 @@ constexpr double margin = 1.2;  // metres around the field
 double px(double x) { return scale * (x + 15 + margin); }
 double py(double y) { return scale * (10 + margin - y); }
 
-std::string polyline(const std::vector<TrackPoint>& track, Vec2 TrackPoint::*member, const char* style) {
-  std::string points;
-  for (const TrackPoint& point : track)
+constexpr double jump = 0.6;        // further between two points nobody goes: it was put there [m]
+constexpr double kickSpeed = 1;     // what a kick adds at least [m/s]
+constexpr double kickDistance = 1;  // of the robot from the ball it kicked, at most [m]
+constexpr double markEvery = 5;     // [s]
+
+/// The parts of a way without the jumps between them.
+std::string ways(const std::vector<TrackPoint>& track, Vec2 TrackPoint::*member, double longest,
+                 const char* style) {
+  std::string svg, points;
+  const auto finish = [&] {
+    if (!points.empty()) svg += fmt::format("<polyline points=\"{}\" {}/>\n", points, style);
+    points.clear();
+  };
+  const TrackPoint* before = nullptr;
+  for (const TrackPoint& point : track) {
+    if (before && ((point.*member) - (before->*member)).norm() > longest) finish();
     fmt::format_to(std::back_inserter(points), "{:.1f},{:.1f} ", px((point.*member).x()),
                    py((point.*member).y()));
-  return fmt::format("<polyline points=\"{}\" {}/>\n", points, style);
+    before = &point;
+  }
+  finish();
+  return svg;
 }
 
 std::string rectangle(double x0, double y0, double x1, double y1, const char* style) {
@@ -28,49 +44,106 @@ std::string rectangle(double x0, double y0, double x1, double y1, const char* st
                      py(y1), scale * (x1 - x0), scale * (y1 - y0), style);
 }
 
-}  // namespace
+std::string text(double x, double y, const std::string& words, const char* style) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, style, words);
+}
 
-std::string trackPicture(const std::vector<TrackPoint>& track, const std::string& title) {
+std::string kickMark(double x, double y) {
+  return fmt::format(
+      "<path d=\"M{:.1f} {:.1f}l5 -9l5 9z\" fill=\"#ffe14a\" stroke=\"black\" stroke-width=\"0.8\"/>\n",
+      x - 5, y + 4);
+}
+
+std::string dot(double x, double y, double radius, const char* colour) {
+  return fmt::format(
+      "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:g}\" fill=\"{}\" stroke=\"black\" stroke-width=\"0.8\"/>\n",
+      x, y, radius, colour);
+}
+
+constexpr const char* robotColour = "#2f6fe8";
+constexpr const char* ballColour = "#ff8c1a";
+constexpr const char* robotStyle =
+    "fill=\"none\" stroke=\"#2f6fe8\" stroke-width=\"3\" stroke-linejoin=\"round\" stroke-linecap=\"round\"";
+constexpr const char* ballStyle =
+    "fill=\"none\" stroke=\"#ff8c1a\" stroke-width=\"2\" stroke-linejoin=\"round\" stroke-dasharray=\"7 3\"";
+
+std::string field() {
   const char* line = "fill=\"none\" stroke=\"white\" stroke-width=\"2\"";
-  const double width = scale * (30 + 2 * margin), height = scale * (20 + 2 * margin);
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
-      "{1:.0f}\" "
-      "font-family=\"sans-serif\" font-size=\"15\">\n",
-      width, height + 34);
-  svg += fmt::format("<rect width=\"{:.0f}\" height=\"{:.0f}\" fill=\"#3a7d44\"/>\n", width, height);
-  svg += rectangle(-15, -10, 15, 10, line);
+  std::string svg = rectangle(-15, -10, 15, 10, line);
   svg += rectangle(-15, -3, -13.2, 3, line) + rectangle(13.2, -3, 15, 3, line);
   svg += rectangle(-15.6, -1.05, -15, 1.05, "fill=\"#f2d94e\" fill-opacity=\"0.5\" stroke=\"#f2d94e\"");
   svg += rectangle(15, -1.05, 15.6, 1.05, "fill=\"#8ec5ff\" fill-opacity=\"0.5\" stroke=\"#8ec5ff\"");
   svg += fmt::format("<line x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{0:.1f}\" y2=\"{2:.1f}\" {3}/>\n", px(0),
                      py(-10), py(10), line);
-  svg +=
-      fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.0f}\" {}/>\n", px(0), py(0), 2 * scale, line);
-  svg += polyline(track, &TrackPoint::robot,
-                  "fill=\"none\" stroke=\"#1c3faa\" stroke-width=\"3\" stroke-linejoin=\"round\"");
-  svg += polyline(track, &TrackPoint::ball,
-                  "fill=\"none\" stroke=\"#ff8c1a\" stroke-width=\"2\" stroke-linejoin=\"round\"");
+  return svg + fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.0f}\" {}/>\n", px(0), py(0), 2 * scale,
+                           line);
+}
 
+/// Falls, and every five seconds where robot and ball were.
+std::string marks(const std::vector<TrackPoint>& track) {
+  std::string svg;
   bool fallen = false;
-  double nextLabel = 0;
+  double next = 0;
   for (const TrackPoint& point : track) {
     if (point.fallen && !fallen)
-      svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"#c00\" font-weight=\"bold\">fall</text>\n",
-                         px(point.robot.x()) + 6, py(point.robot.y()) - 6);
+      svg += text(px(point.robot.x()) + 6, py(point.robot.y()) - 6, "fall",
+                  "fill=\"#c00\" font-weight=\"bold\"");
     fallen = point.fallen;
-    if (point.time < nextLabel) continue;
-    svg += fmt::format(
-        "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"4\" fill=\"#1c3faa\"/><text x=\"{2:.1f}\" y=\"{3:.1f}\" "
-        "fill=\"white\">{4:.0f} s</text>\n",
-        px(point.robot.x()), py(point.robot.y()), px(point.robot.x()) + 5, py(point.robot.y()) + 18,
-        point.time);
-    nextLabel += 10;
+    if (point.time < next) continue;
+    svg += dot(px(point.ball.x()), py(point.ball.y()), 3, ballColour);
+    svg += dot(px(point.robot.x()), py(point.robot.y()), 4, robotColour);
+    svg += text(px(point.robot.x()) + 5, py(point.robot.y()) + 18, fmt::format("{:.0f} s", point.time),
+                "fill=\"white\"");
+    next += markEvery;
   }
+  return svg;
+}
+
+std::string legend(double y) {
+  const auto line = [&](double x, const char* style) {
+    return fmt::format("<line x1=\"{0:.0f}\" y1=\"{2:.0f}\" x2=\"{1:.0f}\" y2=\"{2:.0f}\" {3}/>\n", x, x + 34,
+                       y - 5, style);
+  };
+  return line(12, robotStyle) + text(54, y, "robot, a dot every 5 s", "") + line(230, ballStyle) +
+         text(272, y, "ball", "") + kickMark(334, y - 6) + text(350, y, "kick", "");
+}
+
+}  // namespace
+
+std::vector<TrackPoint> kicksOf(const std::vector<TrackPoint>& track) {
+  std::vector<TrackPoint> kicks;
+  double speed = 0;
+  for (std::size_t i = 1; i < track.size(); ++i) {
+    const TrackPoint &from = track[i - 1], &to = track[i];
+    const double passed = to.time - from.time, way = (to.ball - from.ball).norm();
+    if (passed <= 0) continue;
+    const double now = way > 3 * jump ? 0 : way / passed;  // put elsewhere is not rolled there
+    const bool near = (from.ball - from.robot).norm() < kickDistance;
+    // One kick takes some points to reach its speed.
+    const bool same = !kicks.empty() && from.time - kicks.back().time < 0.5;
+    if (now > speed + kickSpeed && near && !same) kicks.push_back(from);
+    speed = now;
+  }
+  return kicks;
+}
+
+std::string trackPicture(const std::vector<TrackPoint>& track, const std::string& title) {
+  const double width = scale * (30 + 2 * margin), height = scale * (20 + 2 * margin);
+  std::string svg = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
+      "{1:.0f}\" "
+      "font-family=\"sans-serif\" font-size=\"15\">\n",
+      width, height + 56);
+  svg += fmt::format("<rect width=\"{:.0f}\" height=\"{:.0f}\" fill=\"#3a7d44\"/>\n", width, height);
+  svg += field();
+  svg +=
+      ways(track, &TrackPoint::robot, jump, robotStyle) + ways(track, &TrackPoint::ball, 3 * jump, ballStyle);
+  svg += marks(track);
+  for (const TrackPoint& kick : kicksOf(track)) svg += kickMark(px(kick.ball.x()), py(kick.ball.y()));
   if (!track.empty())
     svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\" fill=\"#ff8c1a\" stroke=\"black\"/>\n",
                        px(track.back().ball.x()), py(track.back().ball.y()));
-  svg += fmt::format("<text x=\"10\" y=\"{:.0f}\">{}</text>\n</svg>\n", height + 23, title);
+  svg += text(10, height + 23, title, "font-weight=\"bold\"") + legend(height + 46) + "</svg>\n";
   return svg;
 }
 

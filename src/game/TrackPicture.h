@@ -14,7 +14,11 @@ struct TrackPoint {
   bool fallen = false;
 };
 
-/// The run from above as an SVG picture: field, way of the robot (falls marked) and of the ball.
+/// Where and when the ball was kicked: it got faster by 1 m/s within a metre of the robot.
+std::vector<TrackPoint> kicksOf(const std::vector<TrackPoint>& track);
+
+/// The run from above as an SVG picture: field, ways of robot and ball with the time, falls and kicks, and a
+/// legend. What was beamed or put elsewhere did not go there: its way begins anew.
 std::string trackPicture(const std::vector<TrackPoint>& track, const std::string& title);
 
 }  // namespace plumbline::game

@@ -1,74 +1,80 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
-#include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 
+#include "framework/CommandLine.h"
+#include "framework/ConfigFolder.h"
 #include "framework/ConfigurationError.h"
 #include "framework/Controller.h"
 #include "framework/CrashLog.h"
 #include "framework/GraphWriter.h"
 #include "framework/LogBuffer.h"
+#include "framework/ParameterPage.h"
+#include "framework/Platform.h"
 #include "framework/TimingPlugin.h"
 #include "framework/WriteFile.h"
-#include "modules/simspark/AgentOptions.h"
-#include "robot/RobotModel.h"
-#include "simspark/ChildProcess.h"
+#include "modules/behavior/MotionPlayer.h"
+#include "modules/infrastructure/DebugModule.h"
+#include "modules/infrastructure/StatusReport.h"
 
-// bin/agent: one robot of the 3D league.
+// bin/agent: one robot, on the platform that the command line names.
 
 namespace {
 
 using namespace plumbline;
 
+constexpr const char* defaultPlatform = "simspark";
+
 struct Options {
-  std::shared_ptr<AgentOptions> agent = std::make_shared<AgentOptions>();
-  std::string config, modules, graph, stats;
+  std::string platform = defaultPlatform, config, modules, graph, stats, motion;
   std::string crashLog = "crash.log";
-  bool timing = false, verbose = false;
+  std::shared_ptr<DebugOptions> debug = std::make_shared<DebugOptions>();
+  bool debugs = false;
+  bool motionOnce = false, status = false, timing = false, verbose = false, parameters = false;
 };
 
-// Paths in messages are short if the agent is started from near its folder.
-std::string nearPath(const std::filesystem::path& path) {
-  std::error_code error;
-  const auto shorter = std::filesystem::proximate(path, error);
-  return error || shorter.string().starts_with("../../..") ? path.lexically_normal().string()
-                                                           : shorter.string();
-}
-
-void declare(CLI::App& app, Options& options) {
-  AgentOptions& agent = *options.agent;
-  app.add_option("--team", agent.team, "team name")->capture_default_str();
-  app.add_option("--number", agent.number, "uniform number 1..11, 0: the next free one")
-      ->check(CLI::Range(0, 11))
+void declare(CLI::App& app, Options& options, Platform& platform) {
+  std::string names;
+  for (const std::string& name : Platforms::names()) names += (names.empty() ? "" : ", ") + name;
+  app.add_option("--platform", options.platform,
+                 "what the agent runs on, of: " + names + "; each has options of its own, see --help with it")
       ->capture_default_str();
-  app.add_option("--type", agent.type, "robot type 0..4")->check(CLI::Range(0, 4))->capture_default_str();
-  app.add_option("--host", agent.host, "host of the simulator")->capture_default_str();
-  app.add_option("--port", agent.port, "its agent port")->check(CLI::Range(1, 65535))->capture_default_str();
-  app.add_option("--monitor-port", agent.monitorPort, "its monitor port, for trainer commands")
-      ->check(CLI::Range(1, 65535))
-      ->capture_default_str();
-  app.add_flag("--start-simulator", agent.startSimulator,
-               "start a simulator on free ports and restart it when it dies");
-  app.add_option("--simulator-option", agent.simulatorOptions,
-                 "an option for that simulator; repeat for more")
-      ->allow_extra_args(false);
+  platform.declareOptions(app);
+  auto* motion = app.add_option("--motion", options.motion,
+                                "play this motion of config/motions again and again instead of soccer");
+  app.add_flag("--once", options.motionOnce, "with --motion: once, then end")->needs(motion);
   app.add_option("--config", options.config, "folder of the configuration")->capture_default_str();
-  app.add_option("--modules", options.modules, "modules.cfg; default: the one in the configuration's folder");
-  app.add_option("--graph", options.graph,
-                 "draw the module graph to FILE (.svg, .pdf, .png or .dot) and end");
+  app.add_option("--modules", options.modules,
+                 "modules.cfg; default: platforms/NAME/modules.cfg in the configuration's folder");
+  app.add_option(
+      "--graph", options.graph,
+      "draw the module graph to FILE (.svg, .pdf, .png or .dot) and end; with --timing at the end of "
+      "the run, with what each module cost");
+  app.add_flag("--parameters", options.parameters, "print a page of all parameters of all modules and end");
   app.add_option("--stats", options.stats, "write cycles and CPU per cycle to FILE as JSON at the end");
   app.add_flag("--timing", options.timing, "print a table of the time each module took at the end");
+  auto* debug = app.add_option("--debug", options.debug->server.port,
+                               "open the debug port for bin/rdb; 0: a free one, which is printed")
+                    ->expected(0, 1)
+                    ->default_str(std::to_string(inspect::DebugServerOptions::standardPort))
+                    ->check(CLI::Range(0, 65535));
+  debug->each([&options](const std::string&) { options.debugs = true; });
+  app.add_option("--debug-address", options.debug->server.address,
+                 "with --debug: where others may reach it; needs --debug-token")
+      ->needs(debug)
+      ->capture_default_str();
+  app.add_option("--debug-token", options.debug->server.token, "with --debug: what clients must say first")
+      ->needs(debug);
   app.add_flag("-v,--verbose", options.verbose, "print every step of every cycle and all log messages");
   app.add_option("--crash-log", options.crashLog, "file written if the agent dies by a signal")
       ->capture_default_str();
-  app.add_flag("--status", agent.status, "print a line per second: what the robot believes and does");
-  app.footer(
-      "Examples:\n"
-      "  bin/agent --team Plumbline --number 1 --type 0           play on a server at port 3100\n"
-      "  bin/agent --start-simulator --status                     start a simulator, too\n"
-      "  bin/agent --graph graph.svg                              draw the module graph");
+  app.add_flag("--status", options.status, "print a line per second: what the robot believes and does");
+  app.footer("Examples:\n" + platform.examples() +
+             "  bin/agent --graph graph.svg                              draw the module graph");
 }
 
 void writeStats(const Controller& controller, const std::string& path) {
@@ -81,42 +87,92 @@ void writeStats(const Controller& controller, const std::string& path) {
   writeFile(path, json.dump(2) + "\n");
 }
 
-int runAgent(const Options& options) {
+/// A modules.cfg with the module MotionPlayer in the place of whoever provides the MotionRequest.
+ModulesConfig withMotionPlayer(const std::string& path) {
+  ModulesConfig modules = readModulesConfig(path);
+  bool replaced = false;
+  const auto isThread = [&modules](const std::string& name) {
+    return std::ranges::any_of(modules.threads, [&](const ThreadConfig& t) { return t.name == name; });
+  };
+  for (ThreadConfig& thread : modules.threads)
+    for (ModulesConfigLine& line : thread.lines) {
+      if (line.representation != "MotionRequest" || isThread(line.provider)) continue;
+      line.provider = "MotionPlayer";
+      replaced = true;
+    }
+  if (!replaced)
+    throw ConfigurationError(path + ": nothing provides MotionRequest, so --motion has no place");
+  return modules;
+}
+
+void requireModule(const Controller& controller, const std::string& modulesConfig, const std::string& name,
+                   const std::string& what) {
+  const bool runs = std::ranges::any_of(controller.threads(), [&](const ThreadPlan& thread) {
+    return std::ranges::any_of(thread.modules,
+                               [&](const ModulePlan& m) { return m.loader->description().name == name; });
+  });
+  if (!runs)
+    throw ConfigurationError(fmt::format(
+        "{}: this agent {}: no line has the module {}; was the file cut off?", modulesConfig, what, name));
+}
+
+// A modules.cfg that was cut off is still a valid graph: of an agent that plays no part.
+void requirePlatform(const Controller& controller, const Platform& platform,
+                     const std::string& modulesConfig) {
+  for (const auto& [name, what] : platform.neededModules())
+    requireModule(controller, modulesConfig, name, what);
+}
+
+int runAgent(const Options& options, const Platform& platform) {
+  if (options.parameters) {
+    fmt::print("{}", parameterPage());
+    return 0;
+  }
+  useConfigFolder(options.config);
+  platform.check();
   ControllerOptions setup;
-  setup.modulesConfig = options.modules.empty() ? options.config + "/modules.cfg" : options.modules;
-  setup.configDirectories = {options.config,
-                             options.config + "/robots/type" + std::to_string(options.agent->type)};
-  Controller controller(setup);
-  if (!options.graph.empty()) {
+  setup.modulesConfig = options.modules.empty()
+                            ? options.config + "/platforms/" + options.platform + "/modules.cfg"
+                            : options.modules;
+  setup.configDirectories = {options.config};
+  for (const std::string& folder : platform.configFolders(options.config))
+    setup.configDirectories.push_back(folder);
+  Controller controller(setup, options.motion.empty() ? readModulesConfig(setup.modulesConfig)
+                                                      : withMotionPlayer(setup.modulesConfig));
+  if (!options.graph.empty() && !options.timing) {
     writeGraph(controller.threads(), options.graph);
     return 0;
   }
+  requirePlatform(controller, platform, setup.modulesConfig);
   const CrashLog crashLog(options.crashLog);
   LogBuffer::instance().setVerbose(options.verbose);
-  controller.objects().set(options.agent);
-  controller.objects().set(std::make_shared<RobotModel>(simsparkRobot(options.agent->type)));
+  const auto tell = [](const std::string& line) { fmt::print(stderr, "agent: {}\n", line); };
+  platform.addObjects(controller.objects(), tell);
+  controller.objects().set(std::make_shared<MotionToPlay>(MotionToPlay{options.motion, options.motionOnce}));
+  controller.objects().set(std::make_shared<StatusOptions>(StatusOptions{options.status}));
+  if (options.debugs) {
+    requireModule(controller, setup.modulesConfig, "DebugModule", "has no debug port");
+    options.debug->tell = tell;
+    controller.objects().set(options.debug);
+  }
   controller.stop().catchSignals();
   const int status = controller.run();
   if (!options.stats.empty()) writeStats(controller, options.stats);
   if (options.timing) fmt::print("{}", controller.timingReport());
+  if (!options.graph.empty()) writeGraph(controller.threads(), options.graph, controller.moduleTimes());
   if (status != 0) fmt::print(stderr, "agent: {}\n", controller.stop().reason());
   return status;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int runProgram(int argc, char** argv) {
   Options options;
-  options.config = nearPath(std::filesystem::path(simspark::programFolder()) / ".." / "config");
-  CLI::App app("A robot of the RoboCup 3D soccer simulation league.");
-  declare(app, options);
+  options.config = configFolder();
   try {
-    app.parse(argc, argv);
-    return runAgent(options);
-  } catch (const CLI::Success& success) {
-    return app.exit(success);
-  } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "agent: {}; see agent --help\n", error.what());
+    const auto platform = Platforms::make(chosenPlatform(argc, argv, defaultPlatform));
+    CLI::App app("A humanoid robot that plays soccer, on one of the platforms; simspark is the 3D league.");
+    declare(app, options, *platform);
+    if (const auto status = readCommandLine(app, argc, argv)) return *status;
+    return runAgent(options, *platform);
   } catch (const ConfigurationError& error) {
     fmt::print(stderr, "agent: {}\n", error.what());
   } catch (const std::exception& error) {
@@ -125,3 +181,7 @@ int main(int argc, char** argv) {
   }
   return ConfigurationError::exitCode;
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return plumbline::flushedStatus("agent", runProgram(argc, argv)); }

@@ -3,17 +3,24 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "framework/CommandLine.h"
 #include "framework/StopSignal.h"
 #include "game/GameRun.h"
+#include "game/OutputFolder.h"
+#include "simspark/LeagueRobots.h"
 #include "simulation/physics/Physics.h"
 
 // bin/game: a robot alone on the field until it scores.
 
-int main(int argc, char** argv) {
+namespace {
+
+int runProgram(int argc, char** argv) {
   using namespace plumbline;
   game::GameOptions options;
   CLI::App app("One robot, a ball and a goal: starts the embedded simulator and an agent and watches them.");
-  app.add_option("--type", options.type, "robot type 0..4")->check(CLI::Range(0, 4))->capture_default_str();
+  app.add_option("--type", options.type, "robot type: N of config/robots/simspark_typeN.json")
+      ->check(CLI::Range(0, 9))
+      ->capture_default_str();
   app.add_option("--seed", options.seed, "the same seed repeats the run, from 1")
       ->check(CLI::Range(1u, 4000000000u))
       ->capture_default_str();
@@ -24,8 +31,10 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember(simulation::physicsEngines()))
       ->capture_default_str();
   app.add_flag("--realtime", options.realtime, "at the pace of the clock instead of as fast as it goes");
-  app.add_flag("--web", options.web,
-               "shows it on a page, whose address is printed; `make web` builds the page");
+  auto* web = app.add_flag("--web", options.web,
+                           "shows it on a page, whose address is printed; `make web` builds the page");
+  app.add_flag("--stay", options.stay, "keeps the page open on the last picture until Ctrl-C")->needs(web);
+  options.output = game::defaultOutput();
   app.add_option("--output", options.output, "folder for summary.json, track.svg and the logs")
       ->capture_default_str();
   app.add_option("--host", options.host, "play on a server that runs already, e.g. the league's");
@@ -41,38 +50,35 @@ int main(int argc, char** argv) {
                  "passed to bin/simulator, e.g. --simulator-option=--no-bouncing-stops; repeat for more")
       ->allow_extra_args(false);
   app.footer(
-      "Exit status: 0 after a goal, 1 without one, 2 for bad options, 130 after Ctrl-C.\n"
+      "Exit status: 0 after a goal, 1 without one, 2 for bad options and what else keeps it from playing, "
+      "130 after\n"
+      "Ctrl-C in the game.\n"
       "Examples:\n"
       "  bin/game --type 4 --seed 7\n"
       "  bin/game --host 127.0.0.1 --port 3100 --monitor-port 3200");
+  if (const auto status = readCommandLine(app, argc, argv)) return *status;
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    return app.exit(success);
-  } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "game: {}; see game --help\n", error.what());
-    return 2;
-  }
-  try {
+    if (options.agentOptions.empty()) simsparkRobot(options.type);  // else it may have a folder of its own
     StopSignal stop;
     stop.catchSignals();
     const game::Summary summary = game::GameRun(options).play(stop);
-    if (stop.requested()) {
+    if (!summary.over) {
       fmt::print(stderr, "game: interrupted\n");
       return 130;
     }
     if (summary.goal)
-      fmt::print(
-          "goal after {:.2f} s, {} fall{}; {:.1f} s in {:.1f} s of real time; {}/summary.json, "
-          "{}/track.svg\n",
-          summary.goalTime, summary.falls, summary.falls == 1 ? "" : "s", summary.simTime, summary.wall,
-          options.output, options.output);
+      fmt::print("goal after {:.2f} s, {} fall{}; {}/summary.json, {}/track.svg\n", summary.goalTime,
+                 summary.falls, summary.falls == 1 ? "" : "s", options.output, options.output);
     else
       fmt::print("no goal within {:.0f} s, {} fall{}; see {}\n", options.limit, summary.falls,
                  summary.falls == 1 ? "" : "s", options.output);
     return summary.goal ? 0 : 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "game: {}\n", error.what());
-    return 1;
+    return 2;
   }
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return plumbline::flushedStatus("game", runProgram(argc, argv)); }

@@ -1,12 +1,25 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <zlib.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
+#include "framework/CommandLine.h"
+#include "framework/ConfigFolder.h"
+#include "framework/NearestName.h"
+#include "framework/Parallel.h"
+#include "framework/ProgressReport.h"
+#include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
+#include "optimization/Optimizers.h"
+#include "simspark/LeagueRobots.h"
 #include "training/ServoWalker.h"
+#include "training/WalkCheckpoint.h"
 #include "training/WalkChoice.h"
 #include "training/WalkTraining.h"
 #include "training/WalkingRobot.h"
@@ -28,10 +41,12 @@ struct Options {
   std::string robot;  ///< with position servos; empty: the league's type
   bool anew = false, tryOnly = false, choose = false;
   ChoiceSetup choice;
+  std::string checkpoint;  ///< its file, once there is one
 };
 
 std::string folderOf(const Options& options) {
-  return "config/robots/" + (options.robot.empty() ? "type" + std::to_string(options.type) : options.robot);
+  return configPath("robots/" +
+                    (options.robot.empty() ? "type" + std::to_string(options.type) : options.robot));
 }
 
 void say(const std::string& line) {
@@ -45,13 +60,65 @@ Task taskOf(const std::string& name) {
   throw std::invalid_argument("no task " + name);
 }
 
+/// Thrown out of a robot's cycle by Ctrl-C.
+struct Stopped {};
+
+std::string textOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string checksum(const std::string& text) {
+  return fmt::format("{:08x}",
+                     crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
+}
+
+/// All that decides what is found. The walk to begin with is in the checkpoint itself where the search
+/// overwrites it.
+std::string markOf(const Options& options) {
+  const TrainingSetup& setup = options.setup;
+  std::string mark = fmt::format(
+      "{} {}; robot {} {}; optimizer {} generations {} population {} tries {} seconds {} push {} sigma {} "
+      "seed {}; anew "
+      "{} corners {} "
+      "choose {} choice-seed {}; tasks {}; search {}; only {}; from {}; walking.yaml {}",
+      versionText(), checksum(textOf("/proc/self/exe")), options.type, options.robot, setup.optimizer,
+      setup.generations, setup.population, setup.trial.tries, setup.trial.seconds, setup.trial.push,
+      setup.sigma, setup.seed, options.anew, options.cornersOf, options.choose, options.choice.seed,
+      fmt::join(options.tasks, ","), fmt::join(options.searched, ","), fmt::join(setup.only, ","),
+      options.from, checksum(textOf(configPath("walking.yaml"))));
+  const std::filesystem::path from = std::filesystem::path(options.from) / "walking.yaml";
+  std::error_code error;
+  if (!std::filesystem::equivalent(from, options.output, error))
+    mark += "; begins with " + checksum(textOf(from));
+  if (!options.over.empty()) mark += "; over " + checksum(textOf(options.over + "/walking.yaml"));
+  if (!options.robot.empty())
+    mark += "; robot " + checksum(textOf(configPath("robots/" + options.robot + ".json")));
+  return mark;
+}
+
+/// A search that goes on from its checkpoint, if it was interrupted.
+WalkGaits search(const WalkGaits& gaits, TrainingSetup setup, WalkCheckpoint& checkpoint,
+                 const std::function<void(const std::string&, const WalkGaits&)>& progress) {
+  return checkpoint.stage([&] {
+    setup.state = checkpoint.search();
+    setup.store = [&](const std::string& state) { checkpoint.storeSearch(state); };
+    return train(gaits, setup, progress);
+  });
+}
+
 /// Searches and chooses: the mixture first, then each direction's sprint between what was there and what is
 /// found, then all together.
-void chooseAll(Options& options, WalkGaits gaits, const std::function<void(const WalkGaits&)>& write) {
+void chooseAll(Options& options, WalkGaits gaits, WalkCheckpoint& checkpoint,
+               const std::function<void(const WalkGaits&)>& write) {
   TrainingSetup& setup = options.setup;
   const std::unique_ptr<Walker> robot = setup.walker(gaits);
   const auto tell = [&](const std::string& line) { say(setup.robot + ", " + line); };
-  gaits = chooseMixture(*robot, gaits, options.choice, tell);
+  const auto stage = [&](const std::string& what, const std::function<WalkGaits()>& work) {
+    setup.report("choosing " + what + ", " + setup.robot, -1);
+    return checkpoint.stage(work);
+  };
+  gaits = stage("the mixture", [&] { return chooseMixture(*robot, gaits, options.choice, tell); });
   // Each sprint has to hold alone; what they do together comes last.
   const WalkGaits none = cutSprints(gaits, 0);
   WalkGaits chosen = none;
@@ -60,80 +127,127 @@ void chooseAll(Options& options, WalkGaits gaits, const std::function<void(const
     if (setup.task == Task::mixture || setup.task == Task::push) continue;  // no sprint
     std::vector<WalkGaits> sprints{gaits};
     if (std::ranges::find(options.searched, name) != options.searched.end())
-      sprints.push_back(train(gaits, setup, [](const std::string& line, const WalkGaits&) { say(line); }));
-    chosen =
-        withSprint(chosen, chooseSprint(*robot, none, sprints, setup.task, options.choice, tell), setup.task);
+      sprints.push_back(
+          search(gaits, setup, checkpoint, [](const std::string& line, const WalkGaits&) { say(line); }));
+    chosen = withSprint(
+        chosen,
+        stage("the sprint " + name,
+              [&] { return chooseSprint(*robot, none, sprints, setup.task, options.choice, tell); }),
+        setup.task);
     write(chosen);
   }
-  write(chooseTogether(*robot, chosen, options.choice, tell));
+  write(stage("all together", [&] { return chooseTogether(*robot, chosen, options.choice, tell); }));
 }
 
-void run(Options& options) {
-  TrainingSetup& setup = options.setup;
-  const ConfigFile file("walking", {"config", options.from});
+void tryTasks(const Options& options, const WalkGaits& gaits) {
+  const std::unique_ptr<Walker> robot = options.setup.walker(gaits);
+  for (const std::string& name : options.tasks) {
+    const TrialResult r = tryWalk(*robot, gaits, taskOf(name), options.setup.trial);
+    say(fmt::format("{}, {}: speed {:.3f}, falls {:.3f}, drift {:.3f}", name, options.setup.robot, r.speed,
+                    r.falls, r.drift));
+  }
+}
+
+/// The walk to begin with.
+WalkGaits firstWalk(const Options& options) {
+  const ConfigFile file("walking", {configFolder(), options.from});
   WalkGaits gaits = readWalkGaits(file.root());
+  file.checkUnknown();
   if (options.anew) gaits = WalkGaits(gaits.base);
   if (options.cornersOf >= 0) gaits = withCornersOf(gaits, readWalkGaits(options.cornersOf));
-  const WalkParameters common = plainWalk().base;
+  return gaits;
+}
+
+void makeRobots(Options& options, const StopSignal& stop) {
+  TrainingSetup& setup = options.setup;
   setup.robot = options.robot.empty() ? "type " + std::to_string(options.type) : options.robot;
+  const auto interrupt = [&stop] {
+    if (stop.requested()) throw Stopped();
+  };
   if (options.robot.empty())
-    setup.walker = [&](const WalkGaits& walk) { return std::make_unique<WalkingRobot>(options.type, walk); };
-  else
-    setup.walker = [robot = findMechanism(options.robot)](const WalkGaits& walk) {
-      return std::make_unique<ServoWalker>(robot, walk);
+    setup.walker = [type = options.type, interrupt](const WalkGaits& walk) {
+      auto robot = std::make_unique<WalkingRobot>(type, walk);
+      robot->interrupt = interrupt;
+      return robot;
     };
+  else
+    setup.walker = [mechanism = findMechanism(options.robot), interrupt](const WalkGaits& walk) {
+      auto robot = std::make_unique<ServoWalker>(mechanism, walk);
+      robot->interrupt = interrupt;
+      return robot;
+    };
+}
+
+void run(Options& options, const StopSignal& stop) {
+  TrainingSetup& setup = options.setup;
+  checkWalkParameters(setup.only);
+  makeRobots(options, stop);
+  ProgressReport report("optimizewalk");
+  setup.report = [&](const std::string& what, double share) { report.tell(what, share); };
+  const WalkParameters common = plainWalk().base;
   const std::string heading =
       fmt::format("Walk of the {}, found by bin/optimizewalk.",
                   options.robot.empty() ? "league's robot " + setup.robot : setup.robot);
   const auto write = [&](const WalkGaits& walk) {
     writeFile(options.output, walkFile(walk, common, heading));
   };
-  if (options.tryOnly) {
-    const std::unique_ptr<Walker> robot = setup.walker(gaits);
-    for (const std::string& name : options.tasks) {
-      const TrialResult r = tryWalk(*robot, gaits, taskOf(name), setup.trial);
-      say(fmt::format("{}, {}: speed {:.3f}, falls {:.3f}, drift {:.3f}", name, setup.robot, r.speed, r.falls,
-                      r.drift));
-    }
-    return;
-  }
+  if (options.tryOnly) return tryTasks(options, firstWalk(options));
+  WalkCheckpoint checkpoint(options.output + ".search", markOf(options));
+  options.checkpoint = checkpoint.file();
+  if (checkpoint.resumed()) say("goes on from " + checkpoint.file());
+  WalkGaits gaits = checkpoint.stage([&] { return firstWalk(options); });
   if (options.choose) {
     const auto withOver = [&](const std::string& folder) {
-      const ConfigFile whole("walking", {"config", folder, options.over});
+      const ConfigFile whole("walking", {configFolder(), folder, options.over});
       WalkGaits walk = readWalkGaits(whole.root());
       whole.checkUnknown();
       return walk;
     };
     // A mistake in it is told before the minutes of choosing, not after them.
     if (!options.over.empty()) withOver(options.from);
-    chooseAll(options, gaits, write);
+    chooseAll(options, gaits, checkpoint, write);
     if (!options.over.empty()) write(withOver(std::filesystem::path(options.output).parent_path().string()));
-    return;
+  } else {
+    for (const std::string& name : options.tasks) {
+      setup.task = taskOf(name);
+      gaits = search(gaits, setup, checkpoint, [&](const std::string& line, const WalkGaits& best) {
+        say(line);
+        write(best);
+      });
+    }
+    write(gaits);
   }
-  for (const std::string& name : options.tasks) {
-    setup.task = taskOf(name);
-    gaits = train(gaits, setup, [&](const std::string& line, const WalkGaits& best) {
-      say(line);
-      write(best);
-    });
-  }
+  checkpoint.forget();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int runProgram(int argc, char** argv) {
   Options options;
   TrainingSetup& setup = options.setup;
+  int jobs = 0;
   CLI::App app(
-      "Finds the walk of a robot type in the simulator with CMA-ES: parameters at full speed in each "
+      "Finds the walk of a robot type in the simulator: parameters at full speed in each "
       "direction, then "
       "speeds and feedback for any mixture, and the recovery from pushes.");
-  app.add_option("--type", options.type, "robot type 0..4")->check(CLI::Range(0, 4))->capture_default_str();
+  app.add_option("--type", options.type, "robot type: N of config/robots/simspark_typeN.json")
+      ->check(CLI::Range(0, 9))
+      ->capture_default_str();
   app.add_option("--robot", options.robot,
                  "instead of a type: a robot with position servos, by the name of its file in config/robots");
   app.add_option("--task", options.tasks,
                  "what is searched for, in this order: forward, backward, sideways, turn, mixture, push")
       ->check(CLI::IsMember(std::vector<std::string>{taskNames.begin(), taskNames.end()}))
+      ->capture_default_str();
+  app.add_option("--optimizer", setup.optimizer,
+                 fmt::format("what searches: {}", fmt::join(optimizerNames(), ", ")))
+      ->check(CLI::Validator(
+          [](std::string& name) -> std::string {
+            if (std::ranges::count(optimizerNames(), name) > 0) return {};
+            const std::string near = suggestion(name, optimizerNames());
+            return fmt::format(
+                "there is no optimiser \"{}\"{}", name,
+                near.empty() ? fmt::format("; there are: {}", fmt::join(optimizerNames(), ", ")) : near);
+          },
+          ""))
       ->capture_default_str();
   app.add_option("--generations", setup.generations, "of each search")
       ->check(CLI::Range(1, 100000))
@@ -156,13 +270,13 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.01, 10.0))
       ->capture_default_str();
   app.add_option("--only", setup.only,
-                 "names of the parameters that are searched; default: all of the task's");
+                 "paths of the parameters that are searched, as step.duration; default: all of the task's");
   app.add_option("--seed", setup.seed, "the same seed repeats the search")->capture_default_str();
   app.add_option("--from", options.from,
                  "folder of the walking.yaml to begin with; default: the type's in config/");
   app.add_flag("--anew", options.anew, "begins with the same parameters in all directions");
   app.add_option("--corners-of", options.cornersOf, "begins with the directions found for another type")
-      ->check(CLI::Range(0, 4));
+      ->check(CLI::Range(0, 9));
   CLI::Option* choose = app.add_flag(
       "--choose", options.choose,
       "cuts the mixture and each sprint, that of the file and that of the search, to what goes through "
@@ -177,19 +291,20 @@ int main(int argc, char** argv) {
   app.add_option("--over", options.over, "folder of a walking.yaml that is put over what was chosen")
       ->check(CLI::ExistingDirectory)
       ->needs(choose);
+  app.add_option("--jobs", jobs, "candidates tried at a time, which changes nothing else [as many as cores]")
+      ->check(CLI::Range(1, 256));
+  app.add_option_function<std::string>(
+      "--config", useConfigFolder, "folder of the configuration [config/ here, else the one beside bin/]");
   app.add_flag("--try", options.tryOnly, "only tells how the walk does at the tasks, and writes nothing");
   app.add_option("--output", options.output, "file to write; default: the type's in config/");
   app.footer(
-      "Run it from the project's folder. scripts/optimise_walks.sh repeats the search for all types.\n"
-      "Example: bin/optimizewalk --type 3 --task forward --generations 50");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    return app.exit(success);
-  } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "optimizewalk: {}; see optimizewalk --help\n", error.what());
-    return 2;
-  }
+      "Stopped by Ctrl-C or a loss of power it goes on where it was: FILE.search beside the output keeps "
+      "what was found,\n"
+      "and the same command takes it up. scripts/optimise_walks.sh repeats the search for all types.\n"
+      "Examples:\n"
+      "  bin/optimizewalk --type 3 --task forward --generations 50\n"
+      "  bin/optimizewalk --type 3 --try");
+  if (const auto status = readCommandLine(app, argc, argv)) return *status;
   if (options.from.empty()) options.from = folderOf(options);
   if (options.output.empty()) options.output = folderOf(options) + "/walking.yaml";
   if (!options.over.empty() && std::filesystem::path(options.output).filename() != "walking.yaml") {
@@ -197,11 +312,24 @@ int main(int argc, char** argv) {
                options.output);
     return 2;
   }
+  setup.jobs = threadsFor(jobs);
+  StopSignal stop;
+  stop.catchSignals();
   try {
-    run(options);
+    if (options.robot.empty()) simsparkRobot(options.type);
+    run(options, stop);
+  } catch (const Stopped&) {
+    const bool kept = !options.checkpoint.empty();
+    fmt::print(stderr, "optimizewalk: stopped; {}\n",
+               kept ? "the same command goes on from " + options.checkpoint : "nothing was written");
+    return 130;
   } catch (const std::exception& error) {
     fmt::print(stderr, "optimizewalk: {}\n", error.what());
     return 2;
   }
   return 0;
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return plumbline::flushedStatus("optimizewalk", runProgram(argc, argv)); }

@@ -2,18 +2,22 @@
 #include <poll.h>
 
 #include <CLI/CLI.hpp>
+#include <atomic>
 #include <cstdio>
 #include <exception>
+#include <optional>
 
+#include "framework/CommandLine.h"
 #include "framework/StopSignal.h"
 #include "web/WebMonitor.h"
 
-int main(int argc, char** argv) {
+namespace {
+
+int runProgram(int argc, char** argv) {
   using namespace plumbline;
   constexpr int badInput = 2;
   web::WebMonitorConfig config;
   CLI::App app("Shows a game of SimSpark in the browser; attaches to any monitor port.", "webmonitor");
-  app.set_help_flag("-h,--help", "Print this help");
   app.add_option("--host", config.live.host, "Where the simulator runs")->capture_default_str();
   app.add_option("--port", config.live.port, "Its monitor port")
       ->check(CLI::Range(1, 65535))
@@ -25,36 +29,43 @@ int main(int argc, char** argv) {
   app.add_option("--bind", config.server.address, "Address of the page; any but loopback needs --token")
       ->capture_default_str();
   app.add_option("--token", config.server.token, "The page opens with ?token=TOKEN only");
-  app.add_option("--drawing-port", config.live.drawingPort,
-                 "UDP port of the agents' drawings; 0: a free one, -1: none")
-      ->check(CLI::Range(-1, 65535))
-      ->capture_default_str();
+  const auto* drawingPort = app.add_option("--drawing-port", config.live.drawingPort,
+                                           "UDP port of the agents' drawings; 0: a free one, -1: none")
+                                ->check(CLI::Range(-1, 65535))
+                                ->capture_default_str();
   auto* record = app.add_option("--record", config.live.record, "Write the match to this file");
   app.add_option("--replay", config.replay, "Show this match file instead of a running game")
       ->excludes(record);
   app.add_option("--page", config.server.folder, "Folder of the page [where `make web` puts it]");
   app.footer("Examples:\n  bin/webmonitor --port 3200\n  bin/webmonitor --replay match.plm");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    return app.exit(success);
-  } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "webmonitor: %s; see webmonitor --help\n", error.what());
-    return badInput;
-  }
+  if (const auto status = readCommandLine(app, argc, argv)) return *status;
+  config.live.drawingPortOptional = drawingPort->count() == 0;
   try {
     StopSignal stop;
     stop.catchSignals();
-    const web::WebMonitor monitor(config);
+    std::atomic<bool> recordingLost = false;
+    config.live.recordingLost = [&](const std::string& why) {
+      std::fprintf(stderr, "webmonitor: the recording ends here: %s\n", why.c_str());
+      recordingLost = true;
+    };
+    std::optional<web::WebMonitor> running(std::in_place, config);
+    const web::WebMonitor& monitor = *running;
     std::printf("webmonitor: %s\n", monitor.address().c_str());
     if (monitor.drawingPort() > 0)
       std::printf("webmonitor: drawings on UDP port %d\n", monitor.drawingPort());
+    else if (!monitor.drawingProblem().empty())
+      std::printf("webmonitor: without the agents' drawings: %s\n", monitor.drawingProblem().c_str());
     std::fflush(stdout);
     pollfd stopped{stop.fileDescriptor(), POLLIN, 0};
     while (!stop.requested()) poll(&stopped, 1, -1);
-    return 0;
+    running.reset();
+    return recordingLost ? badInput : 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "webmonitor: %s\n", error.what());
     return badInput;
   }
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return plumbline::flushedStatus("webmonitor", runProgram(argc, argv)); }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "math/Pose2.h"
+#include "parameters/Parameter.h"
 
 namespace plumbline::motion {
 
@@ -14,14 +15,17 @@ struct HeadAngles {
 
 /// The head's joints and its camera [rad, m].
 struct GazeParameters {
-  double maxYaw = 2.05;       ///< reached by the neck, a little inside of the joint's limit
-  double maxPitch = 0.75;     ///< downwards
-  double minPitch = -0.3;     ///< upwards
-  double halfView = 1.047;    ///< half the opening of the view cone, both axes
-  double ballMargin = 0.2;    ///< the ball is kept this far inside of the cone
-  double cameraHeight = 0.5;  ///< above the ground
-  double scanYaw = 1.6;       ///< turning point of the scan
-  double scanSeconds = 2.4;   ///< from the left to the right and back
+  PARAMETERS(GazeParameters)
+  PARAMETER(double, maxYaw, 2.05, "rad", Range(0, 2.09),
+            "reached by the neck, a little inside of the limit of the joint")
+  PARAMETER(double, maxPitch, 0.75, "rad", Range(0, 0.78), "the same downwards")
+  PARAMETER(double, minPitch, -0.3, "rad", Range(-0.78, 0), "the same upwards")
+  PARAMETER(double, halfView, 1.047, "rad", Range(0.1, 1.5),
+            "half the opening of the view of the camera, both axes")
+  PARAMETER(double, ballMargin, 0.2, "rad", Range(0, 1), "the ball is kept this far inside of the view")
+  PARAMETER(double, cameraHeight, 0.5, "m", Range(0.1, 2), "of the camera above the ground")
+  PARAMETER(double, scanYaw, 1.6, "rad", Range(0, 2.09), "turning point of the scan for a lost ball")
+  PARAMETER(double, scanSeconds, 2.4, "s", Range(0.5, 60), "of the scan from side to side and back")
 };
 
 /// Where to look for the ball to stay in view and, within that freedom, for as many landmarks as possible to

@@ -1,14 +1,14 @@
 #include "motion/KeyframeReader.h"
 
-#include <yaml-cpp/yaml.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <set>
 
+#include "framework/ConfigurationError.h"
+#include "framework/NearestName.h"
+#include "framework/YamlDocument.h"
 #include "math/Angle.h"
 
 namespace plumbline::motion {
@@ -20,29 +20,13 @@ namespace {
 constexpr double maxSeconds = 60;        // a longer keyframe is a slip of the pen
 constexpr double limitTolerance = 1e-6;  // [rad]; degrees do not convert exactly
 constexpr std::size_t maxKeyframes = 1000;
-constexpr std::uintmax_t maxFileBytes = 1 << 20;
+constexpr std::size_t maxFileBytes = 1 << 20;
 constexpr double maxBallDistance = 1;  // [m]
 
 std::string shortNumber(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
-}
-
-/// Levenshtein distance.
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
 }
 
 /// Everything a key of a keyframe can be, besides a single joint: a name without its side means both.
@@ -62,22 +46,15 @@ public:
       : file(file_), robot(robot_), directories(directories_), depth(depth_) {}
 
   KeyframeMotion read() {
-    std::error_code error;
-    const std::uintmax_t bytes = fs::file_size(file, error);
-    std::ifstream in(file);
-    if (error || !in)
-      throw KeyframeFileError(file.string() + ": cannot be read: no such file, or no right to");
-    if (bytes > maxFileBytes)
-      throw KeyframeFileError(file.string() + ": larger than 1 MB: not a keyframe file");
     YAML::Node root;
     try {
-      root = YAML::Load(in);
-    } catch (const YAML::ParserException& e) {
-      throw KeyframeFileError(file.string() + ":" + std::to_string(e.mark.line + 1) +
-                              ": broken YAML: " + e.msg);
+      root = readYaml(file.string(), maxFileBytes);
+    } catch (const ConfigurationError& error) {
+      throw KeyframeFileError(error.what());
     }
     if (!root.IsMap()) fail(root, "", "a motion is a map with the key keyframes (or mirror)");
     KeyframeMotion motion;
+    bool restStays = false;
     if (root["mirror"]) {
       motion = readMirrored(root);
     } else {
@@ -88,10 +65,14 @@ public:
           motion.ball = readPair(value, key, -maxBallDistance);
         else if (key == "ballReach")
           motion.ballReach = readPair(value, key, 0);
+        else if (key == "rest")
+          restStays = readRest(value);
         else
-          fail(keyNode, key, "unknown key" + nearest(key, {"keyframes", "mirror", "ball", "ballReach"}));
+          fail(keyNode, key,
+               "unknown key" + suggestion(key, {"keyframes", "mirror", "ball", "ballReach", "rest"}));
       });
       if (motion.keyframes.empty()) fail(root, "keyframes", "missing or empty");
+      if (!restStays) checkComplete(root, motion);
       checkReach(root, motion);
     }
     motion.name = file.stem().string();
@@ -114,13 +95,6 @@ private:
       if (!seen.insert(key).second) fail(item.first, key, "given twice");
       visit(key, item.first, item.second);
     }
-  }
-
-  std::string nearest(const std::string& word, const std::vector<std::string>& words) const {
-    const auto best = std::min_element(words.begin(), words.end(), [&](const auto& a, const auto& b) {
-      return editDistance(word, a) < editDistance(word, b);
-    });
-    return "; nearest known name: " + *best;
   }
 
   double readNumber(const YAML::Node& value, const std::string& key) const {
@@ -202,7 +176,7 @@ private:
   [[noreturn]] void failJoint(const YAML::Node& node, const std::string& name) const {
     if (jointByName(name) != numJoints || jointByName("L" + name) != numJoints)
       fail(node, name, "robot " + robot.name + " has no such joint");
-    fail(node, name, "unknown joint" + nearest(name, keyframeWords()));
+    fail(node, name, "unknown joint" + suggestion(name, keyframeWords()));
   }
 
   void readJoint(const std::string& key, const YAML::Node& keyNode, const YAML::Node& value,
@@ -229,6 +203,28 @@ private:
                " in robot " + robot.name);
     frame.angles[joint] = angle;
     frame.set[joint] = true;
+  }
+
+  bool readRest(const YAML::Node& value) const {
+    if (!value.IsScalar() || value.Scalar() != "stays")
+      fail(value, "rest", "has to be stays: joints that a keyframe leaves out stay where they are");
+    return true;
+  }
+
+  /// A joint that was lost from a keyframe would silently stay where it is. A keyframe that moves nothing is
+  /// a pause.
+  void checkComplete(const YAML::Node& root, const KeyframeMotion& motion) const {
+    for (std::size_t i = 0; i < motion.keyframes.size(); ++i) {
+      const auto& set = motion.keyframes[i].set;
+      if (std::none_of(set.begin(), set.end(), [](bool named) { return named; })) continue;
+      for (const Keyframe& other : motion.keyframes)
+        for (std::size_t j = 0; j < set.size(); ++j)
+          if (other.set[j] && !set[j])
+            fail(root["keyframes"][i], std::string(jointNames[j]),
+                 "has an angle in another keyframe, but not in this one; give it one, or write rest: stays "
+                 "beside "
+                 "keyframes if joints that are left out shall stay where they are");
+    }
   }
 
   /// The angles have to stay within the limits for every place of the ball.

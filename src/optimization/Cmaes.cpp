@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "math/Random.h"
+#include "optimization/Optimizers.h"
 
 namespace plumbline {
 namespace {
@@ -268,5 +269,15 @@ void Cmaes::restore(const std::string& state) {
   if (reader.at != state.size()) throw std::invalid_argument("Cmaes::restore: the state is too long");
   restoreProgress(header[3], header[4], cost, where, static_cast<StopReason>(reason));
 }
+
+MAKE_OPTIMIZER(cmaes,
+               {"cmaes", 10,
+                [](const SearchSpace& space, const OptimizerOptions& given) -> std::unique_ptr<Optimizer> {
+                  CmaesOptions options;
+                  options.population = given.population;
+                  options.seed = given.seed;
+                  options.stop = given.stop;
+                  return std::make_unique<Cmaes>(space, options);
+                }});
 
 }  // namespace plumbline

@@ -24,20 +24,19 @@ public:
   Cmaes(SearchSpace space, CmaesOptions options = {});
 
   int population() const { return static_cast<int>(weights.size()); }
-  double sigma() const { return sigma_; }
+  double sigma() const override { return sigma_; }
   Eigen::VectorXd favourite() const override;
   /// Standard deviation of the candidates, per coordinate (bounds aside).
   Eigen::VectorXd deviations() const;
 
-  /// Everything learnt, between tell() and ask(); restore() takes it in a Cmaes of the same space and
-  /// options. Throws std::invalid_argument for what is no such state.
-  std::string save() const;
-  void restore(const std::string& state);
+  std::string save() const override;
+  void restore(const std::string& state) override;
 
 protected:
   void sample(Eigen::MatrixXd& candidates) override;
   void update(std::span<const double> costs, std::span<const int> order) override;
   StopReason converged() const override;
+  bool savesItself() const override { return true; }
 
 private:
   void decompose();

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "math/Random.h"
+#include "optimization/Optimizers.h"
 
 namespace plumbline {
 namespace {
@@ -68,5 +69,25 @@ void CmaesRestarts::restart() {
   }
   current = std::make_unique<Cmaes>(std::move(from), next);
 }
+
+namespace {
+
+std::unique_ptr<Optimizer> makeRestarts(const SearchSpace& space, const OptimizerOptions& given,
+                                        CmaesRestarts::Kind kind) {
+  CmaesOptions options;
+  options.population = given.population;
+  options.seed = given.seed;
+  options.stop = given.stop;
+  return std::make_unique<CmaesRestarts>(space, options, kind);
+}
+
+}  // namespace
+
+MAKE_OPTIMIZER(ipop, {"ipop-cmaes", 40, [](const SearchSpace& space, const OptimizerOptions& given) {
+                        return makeRestarts(space, given, CmaesRestarts::Kind::ipop);
+                      }});
+MAKE_OPTIMIZER(bipop, {"bipop-cmaes", 50, [](const SearchSpace& space, const OptimizerOptions& given) {
+                         return makeRestarts(space, given, CmaesRestarts::Kind::bipop);
+                       }});
 
 }  // namespace plumbline

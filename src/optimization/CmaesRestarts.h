@@ -19,6 +19,7 @@ public:
   int restartsDone() const { return run; }
   int population() const { return current->population(); }
   Eigen::VectorXd favourite() const override { return current->favourite(); }
+  double sigma() const override { return current->sigma(); }
 
 protected:
   void sample(Eigen::MatrixXd& candidates) override { candidates = current->ask(); }

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 namespace plumbline {
 namespace {
+
+constexpr std::string_view savedMark = "costs of a search\n";
 
 [[noreturn]] void fail(const std::string& what, Eigen::Index coordinate, double value) {
   throw std::invalid_argument("search space: " + what + " of coordinate " + std::to_string(coordinate) +
@@ -82,6 +86,7 @@ void Optimizer::tell(std::span<const double> costs) {
     throw std::invalid_argument("Optimizer::tell: " + std::to_string(costs.size()) + " costs for " +
                                 std::to_string(candidates.cols()) + " candidates");
   asked = false;
+  if (!savesItself()) told.insert(told.end(), costs.begin(), costs.end());
   std::vector<double> clean(costs.begin(), costs.end());
   for (double& cost : clean)
     if (std::isnan(cost)) cost = std::numeric_limits<double>::infinity();
@@ -105,6 +110,44 @@ StopReason Optimizer::findReason() const {
   if (const StopReason own = converged(); own != StopReason::none) return own;
   if (evaluations_ >= stop_.maxEvaluations) return StopReason::maxEvaluations;
   return generations_ >= stop_.maxGenerations ? StopReason::maxGenerations : StopReason::none;
+}
+
+double Optimizer::sigma() const {
+  if (candidates.cols() < 2) return 1;
+  const Eigen::VectorXd middle = candidates.rowwise().mean();
+  const Eigen::VectorXd variances =
+      (candidates.colwise() - middle).rowwise().squaredNorm() / static_cast<double>(candidates.cols() - 1);
+  return std::sqrt(variances.cwiseQuotient(space_.sigma.cwiseAbs2()).mean());
+}
+
+std::string Optimizer::save() const {
+  const auto dimension64 = static_cast<std::uint64_t>(dimension());
+  std::string state(savedMark);
+  state.append(reinterpret_cast<const char*>(&dimension64), sizeof dimension64);
+  state.append(reinterpret_cast<const char*>(told.data()), told.size() * sizeof(double));
+  return state;
+}
+
+void Optimizer::restore(const std::string& state) {
+  if (evaluations_ > 0) throw std::logic_error("Optimizer::restore: it was told costs before");
+  std::uint64_t dimension64 = 0;
+  const std::size_t header = savedMark.size() + sizeof dimension64;
+  if (state.size() < header || !state.starts_with(savedMark))
+    throw std::invalid_argument("Optimizer::restore: the state is of another search");
+  std::memcpy(&dimension64, state.data() + savedMark.size(), sizeof dimension64);
+  if (dimension64 != static_cast<std::uint64_t>(dimension()))
+    throw std::invalid_argument("Optimizer::restore: the state is of another search");
+  std::vector<double> costs((state.size() - header) / sizeof(double));
+  if (header + costs.size() * sizeof(double) != state.size())
+    throw std::invalid_argument("Optimizer::restore: the state is cut short");
+  if (!costs.empty()) std::memcpy(costs.data(), state.data() + header, costs.size() * sizeof(double));
+  for (std::size_t at = 0; at < costs.size();) {
+    const auto size = static_cast<std::size_t>(ask().cols());
+    if (isDone() || size > costs.size() - at)
+      throw std::invalid_argument("Optimizer::restore: the state is of another search");
+    tell(std::span(costs).subspan(at, size));
+    at += size;
+  }
 }
 
 void Optimizer::restoreProgress(std::int64_t evaluations, std::int64_t generations, double bestCost,

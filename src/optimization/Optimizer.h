@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace plumbline {
 
@@ -72,6 +73,14 @@ public:
   StopReason stopReason() const { return reason; }
   /// Where the distribution's centre is, in the box: the better estimate where costs are noisy.
   virtual Eigen::VectorXd favourite() const { return best_; }
+  /// How far the candidates spread, in units of the first sigma.
+  virtual double sigma() const;
+
+  /// Everything learnt, between tell() and ask(). restore() takes it into an optimiser of the same space and
+  /// options that was told nothing yet; throws std::invalid_argument for what is no such state. Unless an
+  /// optimiser has a shorter way, these are all costs it was told, which it is then told again.
+  virtual std::string save() const;
+  virtual void restore(const std::string& state);
 
 protected:
   /// Checks the space; throws std::invalid_argument naming coordinate and value.
@@ -84,6 +93,8 @@ protected:
   virtual void update(std::span<const double> costs, std::span<const int> order) = 0;
   /// A reason to stop of its own, asked after each update.
   virtual StopReason converged() const { return StopReason::none; }
+  /// Whether it has save() and restore() of its own, so that costs need not be kept.
+  virtual bool savesItself() const { return false; }
 
   const StopCriteria& stop() const { return stop_; }
   /// Puts back what was counted, for subclasses that restore a saved state.
@@ -101,6 +112,7 @@ private:
   Eigen::VectorXd best_;
   double bestCost_ = std::numeric_limits<double>::infinity();
   StopReason reason = StopReason::none;
+  std::vector<double> told;  ///< all costs, unless it saves itself
 };
 
 /// Runs until done, one evaluation after the other; gives the best cost.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "math/Random.h"
+#include "optimization/Optimizers.h"
 
 namespace plumbline {
 namespace {
@@ -87,5 +88,15 @@ StopReason ParticleSwarm::converged() const {
       (ownBest.rowwise().maxCoeff() - ownBest.rowwise().minCoeff()).cwiseQuotient(space().sigma);
   return spread.maxCoeff() < stop().tolX ? StopReason::tolX : StopReason::none;
 }
+
+MAKE_OPTIMIZER(pso,
+               {"pso", 30,
+                [](const SearchSpace& space, const OptimizerOptions& given) -> std::unique_ptr<Optimizer> {
+                  ParticleSwarmOptions options;
+                  options.population = given.population;
+                  options.seed = given.seed;
+                  options.stop = given.stop;
+                  return std::make_unique<ParticleSwarm>(space, options);
+                }});
 
 }  // namespace plumbline

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "math/Random.h"
+#include "optimization/Optimizers.h"
 
 namespace plumbline {
 
@@ -71,5 +72,11 @@ StopReason Xnes::converged() const {
   if (!std::isfinite(spread) || spread > 1e4) return StopReason::condition;
   return spread < stop().tolX ? StopReason::tolX : StopReason::none;
 }
+
+MAKE_OPTIMIZER(xnes,
+               {"xnes", 20,
+                [](const SearchSpace& space, const OptimizerOptions& given) -> std::unique_ptr<Optimizer> {
+                  return std::make_unique<Xnes>(space, XnesOptions{given.population, given.seed, given.stop});
+                }});
 
 }  // namespace plumbline

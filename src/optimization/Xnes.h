@@ -22,7 +22,7 @@ public:
   Xnes(SearchSpace space, XnesOptions options = {});
 
   int population() const { return static_cast<int>(utilities.size()); }
-  double sigma() const { return sigma_; }
+  double sigma() const override { return sigma_; }
   Eigen::VectorXd favourite() const override;
 
 protected:

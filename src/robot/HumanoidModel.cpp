@@ -15,11 +15,24 @@ Mat3 aboutOther(const Mat3& inertia, double mass, const Vec3& offset) {
 void join(Link& link, double mass, const Vec3& com, const Mat3& inertia) {
   const double total = link.mass + mass;
   if (!(total > 0)) return;
+  if (link.mass == 0) {  // exactly as written
+    link.mass = mass;
+    link.com = com;
+    link.inertia = inertia;
+    return;
+  }
   const Vec3 centre = (link.mass * link.com + mass * com) / total;
   link.inertia =
       aboutOther(link.inertia, link.mass, link.com - centre) + aboutOther(inertia, mass, com - centre);
   link.mass = total;
   link.com = centre;
+}
+
+/// Takes over the shape; without one the link is a point in its centre of mass.
+void wear(Link& link, const Mechanism::Link& own) {
+  link.shape.T_link_shape = translation(link.com);
+  if (own.shape) link.shape = *own.shape;
+  link.collides = own.collides;
 }
 
 }  // namespace
@@ -37,6 +50,7 @@ Humanoid::Humanoid(const Mechanism& mechanism) : mechanismJoints(mechanism.joint
   Link torso;
   torso.name = "torso";
   join(torso, mechanism.links[0].mass, mechanism.links[0].com, mechanism.links[0].inertia);
+  if (mechanism.links[0].shape) wear(torso, mechanism.links[0]);
   model_.links.push_back(torso);
   for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
     const Mechanism::Joint& joint = mechanism.joints[j];
@@ -56,12 +70,12 @@ Humanoid::Humanoid(const Mechanism& mechanism) : mechanismJoints(mechanism.joint
     link.parent = linkOf[at(joint.parent)];
     link.joint = id;
     link.origin = place;
-    link.axis = joint.axis.normalized();
+    link.axis = joint.axis;
     link.lower = joint.lower;
     link.upper = joint.upper;
     link.maxSpeed = joint.maxSpeed;
     join(link, child.mass, child.com, child.inertia);
-    link.shape.T_link_shape = translation(link.com);
+    wear(link, child);
     indices[at(id)] = static_cast<int>(j);
     linkOf[at(joint.child)] = model_.linkOfJoint[at(id)] = static_cast<int>(model_.links.size());
     model_.links.push_back(link);
@@ -70,6 +84,7 @@ Humanoid::Humanoid(const Mechanism& mechanism) : mechanismJoints(mechanism.joint
     Link& link = model_.links[at(linkOf[at(foot.link)])];
     if (link.joint != lAnkleRoll && link.joint != rAnkleRoll)
       refuse(foot.name, "a foot must be moved by the ankle's roll");
+    if (mechanism.links[at(foot.link)].shape) continue;
     link.shape = {Shape::Kind::box, foot.soleSize, translation(origin[at(foot.link)] + foot.soleCentre)};
     link.collides = true;
   }

@@ -9,8 +9,9 @@ namespace plumbline {
 
 /// A mechanism with the names of a humanoid's joints (JointId) as the model that kinematics and walk know:
 /// names instead of indices stop here. Joints without such a name (wrists, fingers) are taken as fixed at
-/// zero, their links' masses belong to the link that carries them. A foot's link has the sole's box as its
-/// shape; a leg driven at the hip by the other leg's motor makes RobotModel::sharedHipYawPitch true.
+/// zero, their links' masses belong to the link that carries them. A foot's link without a shape of its own
+/// has the sole's box; a leg driven at the hip by the other leg's motor makes RobotModel::sharedHipYawPitch
+/// true.
 class Humanoid {
 public:
   /// Throws std::invalid_argument for a mechanism whose axes the model cannot say: a joint frame turned in

@@ -1,7 +1,14 @@
 #pragma once
+#include <functional>
+#include <vector>
+
 #include "robot/Mechanism.h"
 
 namespace plumbline {
+
+/// A torque on a joint's link, positive as the joint turns [N m], of its angle [rad] and its speed [rad/s].
+/// It must be smooth: a simulation takes it as it is when a step begins.
+using JointTorque = std::function<double(double angle, double speed)>;
 
 /// A joint with its drive as a simulation takes it: its servo, and what such a drive may have that the
 /// contract's nominal law lacks. What no effect touches has its nominal value.
@@ -33,6 +40,7 @@ struct JointPlant {
   bool heatIsWork = false;       ///< joules of |torque * speed|, else of torque squared
   double offset = 0;             ///< link angle minus measured angle [rad]
   double encoderAmplitude = 0, encoderPhase = 0;  ///< measured = true + amplitude sin(true + phase)
+  std::vector<JointTorque> torques;               ///< whatever else acts on the link
 
   /// The drive of a joint with nothing unmodelled.
   static JointPlant nominal(const Mechanism::Joint& joint) {

@@ -5,16 +5,24 @@
 namespace plumbline {
 
 JointVelocityControl::JointVelocityControl(const RobotModel& model,
-                                           const JointVelocityParameters& parameters_)
-    : parameters(parameters_) {
+                                           const JointVelocityParameters& parameters) {
   for (std::size_t j = 0; j < numJoints; ++j) {
     if (model.linkOfJoint[j] < 0) continue;
     const Link& link = model.linkMovedBy(static_cast<JointId>(j));
-    // A joint whose range includes only a degree beyond zero keeps its zero.
-    const double margin = std::min(parameters.stopMargin, (link.upper - link.lower) / 4);
-    lower[j] = link.lower + margin;
-    upper[j] = link.upper - margin;
+    lowerStop[j] = link.lower;
+    upperStop[j] = link.upper;
     maxSpeed[j] = link.maxSpeed;
+  }
+  setParameters(parameters);
+}
+
+void JointVelocityControl::setParameters(const JointVelocityParameters& changed) {
+  parameters = changed;
+  for (std::size_t j = 0; j < numJoints; ++j) {
+    // A joint whose range includes only a degree beyond zero keeps its zero.
+    const double margin = std::min(parameters.stopMargin, (upperStop[j] - lowerStop[j]) / 4);
+    lower[j] = lowerStop[j] + margin;
+    upper[j] = upperStop[j] - margin;
   }
 }
 

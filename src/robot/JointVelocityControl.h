@@ -1,11 +1,15 @@
 #pragma once
+#include "parameters/Parameter.h"
 #include "robot/RobotModel.h"
 
 namespace plumbline {
 
 struct JointVelocityParameters {
-  double gain = 1;           ///< share of the predicted error to remove in one cycle, (0, 1]
-  double stopMargin = 0.01;  ///< targets keep this far from the joint limits [rad]; the league's stops bounce
+  PARAMETERS(JointVelocityParameters)
+  PARAMETER(double, gain, 1, "", Range(0.05, 1),
+            "share of the predicted error removed in one cycle; 1 reaches the target at once")
+  PARAMETER(double, stopMargin, 0.01, "rad", Range(0, 0.2),
+            "targets keep this far from the stops of the joints, which bounce")
 };
 
 /// Turns joint targets into motor speeds for a platform whose command answers a measurement one cycle late:
@@ -18,6 +22,7 @@ public:
   /// Speeds [rad/s] that move the joints from the measured angles to the targets [rad]; dt is the cycle [s].
   /// Joints the robot lacks get 0.
   const JointArray& update(const JointArray& measured, const JointArray& targets, double dt);
+  void setParameters(const JointVelocityParameters& changed);
   /// Angles the joints will have when the next command takes effect [rad].
   const JointArray& predicted() const { return predicted_; }
   /// Forgets the command in flight (after a reconnect).
@@ -25,7 +30,8 @@ public:
 
 private:
   JointVelocityParameters parameters;
-  JointArray lower{}, upper{}, maxSpeed{};
+  JointArray lowerStop{}, upperStop{}, maxSpeed{};
+  JointArray lower{}, upper{};  ///< of the targets, inside the stops [rad]
   JointArray speeds{}, predicted_{};
 };
 

@@ -1,9 +1,11 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "math/Types.h"
+#include "robot/Shape.h"
 
 namespace plumbline {
 
@@ -35,10 +37,12 @@ struct Servo {
 struct Mechanism {
   struct Link {
     std::string name;
-    int parent = -1;              ///< index into links, smaller than the link's own; -1: the base
-    double mass = 0;              ///< [kg]
-    Vec3 com = Vec3::Zero();      ///< in the link's frame, which sits on the joint that moves it [m]
-    Mat3 inertia = Mat3::Zero();  ///< about com, axes of the link's frame [kg m^2]
+    int parent = -1;               ///< index into links, smaller than the link's own; -1: the base
+    double mass = 0;               ///< [kg]
+    Vec3 com = Vec3::Zero();       ///< in the link's frame, which sits on the joint that moves it [m]
+    Mat3 inertia = Mat3::Zero();   ///< about com, axes of the link's frame [kg m^2]
+    std::optional<Shape> shape{};  ///< its body, where the file has one
+    bool collides = false;         ///< whether shape takes part in collisions
   };
 
   struct Joint {

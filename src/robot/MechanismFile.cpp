@@ -1,7 +1,5 @@
 #include "robot/MechanismFile.h"
 
-#include <yaml-cpp/yaml.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
@@ -11,6 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "framework/ConfigFolder.h"
+#include "framework/ConfigurationError.h"
+#include "framework/Json.h"
+#include "framework/YamlDocument.h"
 #include "robot/MechanismParts.h"
 
 namespace plumbline {
@@ -35,26 +37,12 @@ std::string readText(const std::string& path) {
   return text;
 }
 
-json parseJson(const std::string& text, const std::string& path) {
-  std::vector<std::set<std::string>> keys;
-  const auto check = [&](int depth, json::parse_event_t event, json& value) {
-    if (depth > maxDepth)
-      failMechanism(path, "is nested deeper than " + std::to_string(maxDepth) + " levels");
-    if (event == json::parse_event_t::object_start) keys.emplace_back();
-    if (event == json::parse_event_t::object_end) keys.pop_back();
-    if (event == json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
-      failMechanism(path,
-                    "key \"" + value.get<std::string>().substr(0, 60) + "\" occurs twice in one object");
-    return true;
-  };
+json jsonOf(const std::string& text, const std::string& path) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) failMechanism(path + ":1", "is empty");
   try {
-    return json::parse(text, check);
-  } catch (const json::parse_error& error) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    failMechanism(path + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')),
-                  text.find_first_not_of(" \t\r\n") == std::string::npos ? "is empty" : "broken JSON");
-  } catch (const json::exception&) {
-    failMechanism(path, "holds a number that is too large");
+    return parseJson(text, path);
+  } catch (const JsonError& error) {
+    throw MechanismError(error.what());
   }
 }
 
@@ -85,10 +73,12 @@ json jsonOfYaml(const YAML::Node& node, const std::string& path, int depth, std:
   return text;
 }
 
-json parseYaml(const std::string& text, const std::string& path) {
+json servoTableOfYaml(const std::string& text, const std::string& path) {
   try {
     std::size_t count = 0;
-    return jsonOfYaml(YAML::Load(text), path, 0, count);
+    return jsonOfYaml(parseYaml(text, path), path, 0, count);
+  } catch (const ConfigurationError& error) {
+    throw MechanismError(error.what());
   } catch (const YAML::Exception& error) {
     failMechanism(path + ":" + std::to_string(error.mark.line + 1), "broken YAML: " + error.msg);
   }
@@ -101,7 +91,7 @@ json readServoTable(const fs::path& urdf, std::string& path) {
     std::error_code error;
     if (!fs::exists(path, error)) continue;
     const std::string text = readText(path);
-    return std::string_view(ending) == ".servo.json" ? parseJson(text, path) : parseYaml(text, path);
+    return std::string_view(ending) == ".servo.json" ? jsonOf(text, path) : servoTableOfYaml(text, path);
   }
   failMechanism(urdf.string(),
                 "has no servo table; write one beside it: " + stem.filename().string() + ".servo.json");
@@ -109,29 +99,36 @@ json readServoTable(const fs::path& urdf, std::string& path) {
 
 }  // namespace
 
-Mechanism readMechanism(const std::string& path) {
+Mechanism readMechanism(const std::string& path, const MechanismWarnings& warn) {
   const std::string ending = fs::path(path).extension().string();
-  if (ending == ".json") return assemble(partsOfJson(parseJson(readText(path), path), path), path);
-  if (ending != ".urdf") failMechanism(path, "is no robot's file; give a .json or .urdf file");
-  MechanismParts parts = partsOfUrdf(readText(path), path);
-  std::string tablePath;
-  const json table = readServoTable(path, tablePath);
-  applyServoTable(table, tablePath, parts);
-  return assemble(parts, path);
+  MechanismParts parts;
+  if (ending == ".json") {
+    parts = partsOfJson(jsonOf(readText(path), path), path);
+  } else if (ending == ".urdf") {
+    parts = partsOfUrdf(readText(path), path);
+    std::string tablePath;
+    const json table = readServoTable(path, tablePath);
+    applyServoTable(table, tablePath, parts);
+  } else {
+    failMechanism(path, "is no robot's file; give a .json or .urdf file");
+  }
+  Mechanism mechanism = assemble(parts, path);
+  checkMechanism(mechanism, path, warn);
+  return mechanism;
 }
 
-Mechanism findMechanism(const std::string& name, const std::string& folder) {
+Mechanism findMechanism(const std::string& name, const std::string& givenFolder) {
+  const std::string folder = givenFolder.empty() ? configPath("robots") : givenFolder;
   checkName(name, "robot", folder);
-  for (const char* ending : {".json", ".urdf"}) {
-    const fs::path path = fs::path(folder) / (name + ending);
-    std::error_code error;
-    if (fs::exists(path, error)) return readMechanism(path.string());
-  }
   std::set<std::string> known;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string ending = entry.path().extension().string(), stem = entry.path().stem().string();
     if ((ending == ".json" || ending == ".urdf") && stem.find('.') == std::string::npos) known.insert(stem);
+  }
+  for (const char* ending : {".json", ".urdf"}) {
+    const fs::path path = fs::path(folder) / (name + ending);
+    if (fs::exists(path, error)) return readMechanism(path.string());
   }
   std::string list;
   for (const std::string& robot : known) list += (list.empty() ? "" : ", ") + robot;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "robot/Mechanism.h"
+#include "robot/MechanismCheck.h"
 
 namespace plumbline {
 
@@ -15,14 +16,15 @@ public:
 /// Reads a robot from a `.json` file (the form of config/robots/nao_v5.json) or a `.urdf` with its servo
 /// table beside it: `<stem>.servo.json`, `<stem>.servo.yaml` or `<stem>.servo.yml`.
 /// doc/reference/robot-files.md describes both. Links joined by fixed joints become one. Throws
-/// MechanismError.
-Mechanism readMechanism(const std::string& path);
+/// MechanismError, also for unknown keys and for what no robot can be; what is merely implausible goes to
+/// `warn`.
+Mechanism readMechanism(const std::string& path, const MechanismWarnings& warn = warnOnStandardError);
 
-/// The robot called `name` in a folder of robots (`<name>.json`, else `<name>.urdf`). Throws MechanismError,
-/// also for a name that is a path.
-Mechanism findMechanism(const std::string& name, const std::string& folder = "config/robots");
+/// The robot called `name` in a folder of robots (`<name>.json`, else `<name>.urdf`); without a folder that
+/// of the configuration (framework/ConfigFolder.h). Throws MechanismError, also for a name that is a path.
+Mechanism findMechanism(const std::string& name, const std::string& folder = "");
 
-/// A robot by its name in config/robots, or by its file where there is a slash or a dot. Throws
+/// A robot by its name in the configuration's robots, or by its file where there is a slash or a dot. Throws
 /// MechanismError.
 Mechanism namedMechanism(const std::string& nameOrFile);
 

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "framework/NearestName.h"
 #include "robot/MechanismFile.h"
 #include "robot/MechanismParts.h"
 
@@ -13,14 +15,23 @@ using Joint = Mechanism::Joint;
 /// One object of the file, with its place for error texts.
 class Object {
 public:
-  Object(const json& value_, std::string place_, const std::string& file_)
-      : value(value_), place(std::move(place_)), file(file_) {
+  /// place: for people, `joint Knee`; path: where it stands in the file, `joints[3]`.
+  Object(const json& value_, std::string place_, std::string path_, const std::string& file_)
+      : value(value_), place(std::move(place_)), path(std::move(path_)), file(file_) {
     if (!value.is_object())
       failMechanism(file, (place.empty() ? "it" : place) + " is no object; write { ... }");
   }
 
   [[noreturn]] void fail(const std::string& what) const {
     failMechanism(file, place.empty() ? what : place + ": " + what);
+  }
+
+  /// Refuses all keys but these.
+  void only(const std::vector<std::string>& known) const {
+    for (const auto& [key, unused] : value.items())
+      if (std::find(known.begin(), known.end(), key) == known.end())
+        failMechanism(file, (path.empty() ? "" : path + ".") + key.substr(0, 60) + ": unknown key" +
+                                suggestion(key, known));
   }
 
   bool has(const char* key) const { return value.contains(key) && !value[key].is_null(); }
@@ -47,6 +58,13 @@ public:
     return x;
   }
 
+  bool flag(const char* key) const {
+    if (!has(key)) return false;
+    if (!value[key].is_boolean())
+      fail(std::string(key) + " is " + shown(value[key]) + "; give true or false");
+    return value[key].get<bool>();
+  }
+
   std::string text(const char* key, const char* hint) const {
     const json& v = at(key, hint);
     if (!v.is_string()) fail(std::string(key) + " is " + shown(v) + "; give " + hint);
@@ -67,11 +85,12 @@ public:
   }
 
   Object child(const char* key, const char* hint) const {
-    return {at(key, hint), place.empty() ? key : place + ": " + key, file};
+    return {at(key, hint), place.empty() ? key : place + ": " + key, path.empty() ? key : path + "." + key,
+            file};
   }
 
   const json& value;
-  const std::string place;
+  const std::string place, path;
   const std::string& file;
 
 private:
@@ -98,16 +117,44 @@ Mat3 inertiaOf(const Object& link) {
   return m;
 }
 
+Shape readShape(const Object& object, const Vec3& com) {
+  object.only({"box", "sphere", "capsule", "centre", "rpy"});
+  if (object.has("box") + object.has("sphere") + object.has("capsule") != 1)
+    object.fail("give one of box: [x, y, z], sphere: radius and capsule: [radius, length], in m");
+  Shape shape;
+  if (object.has("box")) {
+    shape.size = object.vector<3>("box", "its edge lengths [x, y, z] in m");
+    if (!(shape.size.minCoeff() > 0)) object.fail("box: an edge is not above 0");
+  } else if (object.has("sphere")) {
+    shape.kind = Shape::Kind::sphere;
+    shape.size.x() = object.positive("sphere", "its radius in m, above 0");
+  } else {
+    shape.kind = Shape::Kind::capsule;
+    const Vec2 size = object.vector<2>("capsule", "[radius, length between the caps] in m");
+    if (!(size.minCoeff() > 0)) object.fail("capsule: radius or length is not above 0");
+    shape.size = Vec3(size.x(), 0, size.y());
+  }
+  shape.T_link_shape = translation(object.vector3("centre", com));
+  if (object.has("rpy")) shape.T_link_shape.linear() = rotationOfRpy(object.vector3("rpy", Vec3::Zero()));
+  return shape;
+}
+
 Mechanism::Link readLink(const std::string& name, const Object& object) {
+  object.only({"mass", "com", "inertia", "shape", "collides"});
   Mechanism::Link link;
   link.name = name;
   link.mass = object.positive("mass", "a mass in kg above 0");
   link.com = object.vector<3>("com", "[x, y, z] in m");
   link.inertia = inertiaOf(object);
+  if (object.has("shape"))
+    link.shape = readShape(object.child("shape", "{box: [x, y, z]}, a sphere or a capsule"), link.com);
+  link.collides = object.flag("collides");
+  if (link.collides && !link.shape) object.fail("collides, but has no shape; give it one");
   return link;
 }
 
 void readMotor(const Object& motor, Servo& servo) {
+  motor.only({"kt", "R", "vin", "error_gain", "kp_firmware", "max_pwm"});
   servo.kt = motor.positive("kt", "the motor's constant in N m/A at the joint");
   servo.R = motor.positive("R", "its resistance in Ohm");
   servo.vin = motor.positive("vin", "the supply in V");
@@ -115,6 +162,8 @@ void readMotor(const Object& motor, Servo& servo) {
   servo.kpFirmware = motor.atLeast(0, "kp_firmware", "the gain in the firmware's unit");
   servo.maxPwm = motor.positive("max_pwm", "the largest share of the supply, up to 1");
 }
+
+const std::vector<std::string> servoKeys = {"kp", "kd", "armature", "model", "dc_motor"};
 
 void readServo(const Object& object, Servo& servo) {
   if (object.has("model")) {
@@ -152,9 +201,11 @@ void readLimits(const Object& object, Joint& joint) {
 
 MechanismParts::Joint readJoint(const json& value, std::size_t index, const std::string& file) {
   std::string place = "joints[" + std::to_string(index) + "]";
-  const std::string name = Object(value, place, file).text("name", "its name");
+  const std::string name = Object(value, place, place, file).text("name", "its name");
   checkName(name, place + ": joint", file);
-  const Object object(value, "joint " + name, file);
+  const Object object(value, "joint " + name, place, file);
+  object.only({"name", "type", "parent", "child", "origin", "rpy", "axis", "lower", "upper", "max_torque",
+               "max_speed", "encoder", "driven_by", "driver_ratio", "driver_offset", "servo"});
   MechanismParts::Joint part;
   Joint& joint = part.joint;
   joint.name = name;
@@ -173,7 +224,7 @@ MechanismParts::Joint readJoint(const json& value, std::size_t index, const std:
   joint.axis = object.vector<3>("axis", "[x, y, z], length 1");
   if (std::abs(joint.axis.norm() - 1) > 1e-3)
     object.fail("axis has length " + numberText(joint.axis.norm()) + "; give it length 1");
-  joint.axis.normalize();
+  joint.axis = unitAxis(joint.axis);
   joint.lower = object.number("lower", "the lower limit in rad");
   joint.upper = object.number("upper", "the upper limit in rad");
   if (!(joint.lower < joint.upper))
@@ -181,7 +232,9 @@ MechanismParts::Joint readJoint(const json& value, std::size_t index, const std:
   readLimits(object, joint);
   readEncoder(object, joint);
   readDriver(object, part);
-  readServo(object.child("servo", "{kp, kd, armature}"), joint.servo);
+  const Object servo = object.child("servo", "{kp, kd, armature}");
+  servo.only(servoKeys);
+  readServo(servo, joint.servo);
   part.hasServo = true;
   return part;
 }
@@ -197,10 +250,13 @@ MechanismParts::Foot& footOf(MechanismParts& parts, const std::string& name) {
 void readFeet(const Object& root, MechanismParts& parts) {
   if (root.has("feet")) {
     if (!root.value["feet"].is_array()) root.fail("feet is no list; write [ {...}, ... ]");
-    for (const json& value : root.value["feet"]) {
-      const std::string name = Object(value, "feet", root.file).text("name", "the foot's name");
+    for (std::size_t i = 0; i < root.value["feet"].size(); ++i) {
+      const json& value = root.value["feet"][i];
+      const std::string path = "feet[" + std::to_string(i) + "]";
+      const std::string name = Object(value, "feet", path, root.file).text("name", "the foot's name");
       checkName(name, "feet: foot", root.file);
-      const Object object(value, "foot " + name, root.file);
+      const Object object(value, "foot " + name, path, root.file);
+      object.only({"name", "link", "sole_centre", "sole_size"});
       MechanismParts::Foot& foot = footOf(parts, name);
       foot.link = object.text("link", "the link that stands on the ground");
       foot.foot.soleCentre = object.vector<3>("sole_centre", "[x, y, z] in m");
@@ -225,17 +281,25 @@ void readFeet(const Object& root, MechanismParts& parts) {
 void readImu(const Object& root, MechanismParts& parts) {
   if (!root.has("imu")) return;
   const Object imu = root.child("imu", "");
+  imu.only({"link", "gyro", "accelerometer", "rpy"});
   parts.imuLink = imu.text("link", "the link that carries it");
   parts.imu.gyro = imu.vector3("gyro", Vec3::Zero());
   parts.imu.accelerometer = imu.vector3("accelerometer", Vec3::Zero());
   parts.imu.rpy = imu.vector3("rpy", Vec3::Zero());
 }
 
+/// What both forms have beside links and joints. `source` and `notes` are for people.
+const std::vector<std::string> restKeys = {"base_link", "gravity", "rates",  "imu",
+                                           "feet",      "fsr",     "source", "notes"};
+
 void readRest(const Object& root, MechanismParts& parts) {
   if (root.has("base_link")) parts.base = root.text("base_link", "the link at the root");
   parts.gravity = root.vector3("gravity", parts.gravity);
-  if (root.has("rates"))
-    parts.controlHz = root.child("rates", "").positive("control_hz", "cycles per second, above 0");
+  if (root.has("rates")) {
+    const Object rates = root.child("rates", "");
+    rates.only({"control_hz"});
+    parts.controlHz = rates.positive("control_hz", "cycles per second, above 0");
+  }
   readImu(root, parts);
   readFeet(root, parts);
 }
@@ -260,14 +324,17 @@ void readDriverNotes(const Object& root, MechanismParts& parts) {
 }  // namespace
 
 MechanismParts partsOfJson(const json& value, const std::string& file) {
-  const Object root(value, "", file);
+  const Object root(value, "", "", file);
+  std::vector<std::string> known = {"name", "units", "links", "joints"};
+  known.insert(known.end(), restKeys.begin(), restKeys.end());
+  root.only(known);
   MechanismParts parts;
   parts.name = root.text("name", "the robot's name");
   checkName(parts.name, "name", file);
   const Object links = root.child("links", "{ NAME: {mass, com, inertia}, ... }");
   for (const auto& [name, link] : links.value.items()) {
     checkName(name, "links: link", file);
-    parts.links.push_back(readLink(name, Object(link, "link " + name, file)));
+    parts.links.push_back(readLink(name, Object(link, "link " + name, "links." + name, file)));
   }
   const json& joints = root.at("joints", "[ {name, parent, child, ...}, ... ]");
   if (!joints.is_array()) root.fail("joints is no list; write [ {...}, ... ]");
@@ -278,13 +345,20 @@ MechanismParts partsOfJson(const json& value, const std::string& file) {
 }
 
 void applyServoTable(const json& value, const std::string& file, MechanismParts& parts) {
-  const Object root(value, "", file);
+  const Object root(value, "", "", file);
+  std::vector<std::string> known = {"joints"};
+  known.insert(known.end(), restKeys.begin(), restKeys.end());
+  root.only(known);
+  std::vector<std::string> jointKeys = {"max_torque", "max_speed",    "encoder",
+                                        "driven_by",  "driver_ratio", "driver_offset"};
+  jointKeys.insert(jointKeys.end(), servoKeys.begin(), servoKeys.end());
   const Object joints = root.child("joints", "{ JOINT: {kp, kd, armature}, ... }");
   for (const auto& [name, entry] : joints.value.items()) {
-    const Object object(entry, "joint " + name.substr(0, 80), file);
+    const Object object(entry, "joint " + name.substr(0, 80), "joints." + name.substr(0, 80), file);
     MechanismParts::Joint* part = parts.find(name);
     if (!part) object.fail("the URDF has no joint of this name");
     if (part->fixed) object.fail("is fixed in the URDF; leave it out");
+    object.only(jointKeys);
     if (object.has("max_torque")) part->joint.maxTorque = object.number("max_torque", "");
     if (object.has("max_speed")) part->joint.maxSpeed = object.number("max_speed", "");
     readEncoder(object, part->joint);

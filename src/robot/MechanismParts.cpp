@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 
 #include "robot/MechanismFile.h"
@@ -21,6 +22,8 @@ struct Body {
   Mat3 inertia = Mat3::Zero();  ///< about the frame's origin
   int links = 0;
   const Mechanism::Link* only = nullptr;
+  std::optional<Shape> shape;  ///< of its first link
+  bool collides = false;
 
   void add(const Mechanism::Link& link, const Pose3& T_body_link) {
     const Vec3 com = T_body_link * link.com;
@@ -29,11 +32,16 @@ struct Body {
     inertia += T_body_link.linear() * link.inertia * T_body_link.linear().transpose() +
                link.mass * (com.squaredNorm() * Mat3::Identity() - com * com.transpose());
     only = ++links == 1 ? &link : nullptr;
+    if (!only) return;
+    shape = link.shape;
+    collides = link.collides;
   }
 
   Mechanism::Link finish() const {
     if (only) return *only;  // exactly as written
     Mechanism::Link link;
+    link.shape = shape;
+    link.collides = collides;
     link.mass = mass;
     if (mass > 0) link.com = moment / mass;
     link.inertia =
@@ -41,10 +49,6 @@ struct Body {
     return link;
   }
 };
-
-bool isPositiveDefinite(const Mat3& m) {
-  return m(0, 0) > 0 && m.topLeftCorner<2, 2>().determinant() > 0 && m.determinant() > 0;
-}
 
 class Assembler {
 public:
@@ -147,8 +151,6 @@ private:
       link.parent = i == 0 ? -1 : result.joints[i - 1].parent;
       if (i > 0 && !(link.mass > 0))
         fail("link " + link.name + ": mass is " + numberText(link.mass) + "; give what moves a mass");
-      if ((i > 0 || link.mass > 0) && !isPositiveDefinite(link.inertia))
-        fail("link " + link.name + ": the inertia is not positive definite; check order and signs");
       result.links.push_back(std::move(link));
     }
   }
@@ -252,6 +254,11 @@ MechanismParts::Joint* MechanismParts::find(const std::string& joint) {
 
 Mechanism assemble(const MechanismParts& parts, const std::string& file) {
   return Assembler(parts, file).run();
+}
+
+Vec3 unitAxis(const Vec3& axis) {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  return std::abs(axis.squaredNorm() - 1) <= rounding ? axis : axis.normalized();
 }
 
 void failMechanism(const std::string& file, const std::string& what) {

@@ -44,6 +44,9 @@ MechanismParts partsOfUrdf(const std::string& text, const std::string& file);
 /// Adds a servo table to a URDF's parts.
 void applyServoTable(const nlohmann::json& table, const std::string& file, MechanismParts& parts);
 
+/// An axis that has length 1 but for rounding stays as it is, so that a file can hold one to the last digit.
+Vec3 unitAxis(const Vec3& axis);
+
 [[noreturn]] void failMechanism(const std::string& file, const std::string& what);
 std::string numberText(double value);
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "framework/NearestName.h"
 #include "robot/MechanismParts.h"
 
 namespace plumbline {
@@ -42,6 +43,16 @@ private:
     const char* text = e.Attribute(name);
     if (!text) fail(e, std::string("<") + e.Name() + "> lacks " + name + "=\"...\"");
     return text;
+  }
+
+  /// Refuses attributes that nobody reads, where one of those read may be left out: a misspelt one would be
+  /// silently missing.
+  void only(const XMLElement* e, const std::vector<std::string>& known) const {
+    if (!e) return;
+    for (const tinyxml2::XMLAttribute* a = e->FirstAttribute(); a; a = a->Next())
+      if (std::find(known.begin(), known.end(), a->Name()) == known.end())
+        fail(*e, std::string("<") + e->Name() + "> " + std::string(a->Name()).substr(0, 60) +
+                     ": unknown attribute" + suggestion(a->Name(), known));
   }
 
   /// Takes one number off the front of the text; false at its end.
@@ -96,6 +107,7 @@ private:
     const XMLElement* mass = inertial->FirstChildElement("mass");
     const XMLElement* inertia = inertial->FirstChildElement("inertia");
     if (!mass || !inertia) fail(*inertial, "link " + link.name + ": <inertial> needs <mass> and <inertia>");
+    only(origin, {"xyz", "rpy"});
     link.mass = number(*mass, "value");
     if (link.mass < 0)
       fail(*mass, "link " + link.name + ": mass is " + numberText(link.mass) + "; give 0 or more");
@@ -125,6 +137,7 @@ private:
     part.parent = linkOf(e, "parent");
     part.child = linkOf(e, "child");
     const XMLElement* origin = e.FirstChildElement("origin");
+    only(origin, {"xyz", "rpy"});
     joint.origin = vector(origin, "xyz", Vec3::Zero());
     joint.rpy = vector(origin, "rpy", Vec3::Zero());
     part.fixed = type == "fixed";
@@ -135,11 +148,13 @@ private:
                   "\"; what can be used is revolute, continuous, prismatic and fixed");
     if (type == "prismatic") joint.type = Joint::Type::prismatic;
     const XMLElement* axis = e.FirstChildElement("axis");
+    only(axis, {"xyz"});
     joint.axis = vector(axis, "xyz", Vec3::UnitX());
     if (!(joint.axis.norm() > 1e-6)) fail(axis ? *axis : e, "joint " + joint.name + ": the axis is zero");
-    joint.axis.normalize();
+    joint.axis = unitAxis(joint.axis);
     readLimit(e, type == "continuous", joint);
     if (const XMLElement* mimic = e.FirstChildElement("mimic")) {
+      only(mimic, {"joint", "multiplier", "offset"});
       part.driver = attribute(*mimic, "joint");
       joint.driverRatio = number(*mimic, "multiplier", 1);
       joint.driverOffset = number(*mimic, "offset", 0);
@@ -149,6 +164,7 @@ private:
 
   void readLimit(const XMLElement& e, bool continuous, Joint& joint) const {
     const XMLElement* limit = e.FirstChildElement("limit");
+    only(limit, {"lower", "upper", "effort", "velocity"});
     if (!limit && !continuous) fail(e, "joint " + joint.name + ": <limit> is missing");
     if (limit) {
       joint.maxTorque = number(*limit, "effort", 0);

@@ -5,17 +5,9 @@
 
 #include "math/Types.h"
 #include "robot/JointId.h"
+#include "robot/Shape.h"
 
 namespace plumbline {
-
-/// A convex primitive in a link's frame. box: size = full edge lengths; sphere: size.x = radius;
-/// capsule (axis z): size.x = radius, size.z = length of the cylinder part [m].
-struct Shape {
-  enum class Kind { box, sphere, capsule };
-  Kind kind = Kind::box;
-  Vec3 size = Vec3::Zero();
-  Pose3 T_link_shape = Pose3::Identity();
-};
 
 /// One rigid link and the hinge that joins it to its parent. The link's frame sits on its joint and has the
 /// parent's orientation when the joint is at zero (as in URDF with zero rpy).
@@ -47,11 +39,5 @@ struct RobotModel {
   int linkIndex(std::string_view linkName) const;
   double totalMass() const;
 };
-
-/// The robot of SimSpark's type 0..4 (rcssserver3d naorobottypes.rb) in this project's axes.
-/// Link names: torso neck head {l,r}{Shoulder,UpperArm,Elbow,LowerArm,Hip1,Hip2,Thigh,Shank,Ankle,Foot,Toe}.
-/// Throws std::out_of_range for another type.
-RobotModel simsparkRobot(int type);
-constexpr int numSimsparkTypes = 5;
 
 }  // namespace plumbline

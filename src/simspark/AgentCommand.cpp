@@ -9,7 +9,7 @@ namespace plumbline::simspark {
 
 namespace {
 constexpr int commandDecimals = 5;
-constexpr std::size_t maxSay = 20;
+constexpr std::size_t maxSay = 20, maxTeamName = 20;
 
 /// Numbers of the children 1..n of a list; false if one is missing or no number.
 template <std::size_t n>
@@ -73,6 +73,12 @@ bool readOne(SExpressions::Node list, AgentCommand& command) {
 bool isSayable(std::string_view text) {
   return !text.empty() && text.size() <= maxSay && std::all_of(text.begin(), text.end(), [](char c) {
     return c > ' ' && c <= '~' && c != '(' && c != ')';
+  });
+}
+
+bool isTeamName(std::string_view text) {
+  return !text.empty() && text.size() <= maxTeamName && std::all_of(text.begin(), text.end(), [](char c) {
+    return c > ' ' && c <= '~' && c != '(' && c != ')' && c != '"';
   });
 }
 

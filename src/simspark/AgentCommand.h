@@ -55,6 +55,11 @@ private:
   SExpressions expressions{{.depth = 8, .nodes = 4096}};
 };
 
+/// What a team may be called: 1 to 20 characters 0x21..0x7E but parentheses and quotes.
+bool isTeamName(std::string_view text);
+constexpr const char* teamNameRule =
+    "1 to 20 printable ASCII characters without blanks, parentheses or quotes";
+
 /// Whether the league's server passes this text on: 1 to 20 characters 0x20..0x7E, no space, no parenthesis.
 bool isSayable(std::string_view text);
 

@@ -83,10 +83,4 @@ void ChildProcess::stop(double patienceSeconds) {
   reap(0);
 }
 
-std::string programFolder() {
-  std::error_code error;
-  const auto path = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? std::string(".") : path.parent_path().string();
-}
-
 }  // namespace plumbline::simspark

@@ -42,7 +42,4 @@ private:
   ProcessUsage usage_;
 };
 
-/// The folder of the running program, for finding its neighbours in bin/.
-std::string programFolder();
-
 }  // namespace plumbline::simspark

@@ -12,6 +12,9 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <memory>
+#include <optional>
+#include <thread>
 #include <utility>
 
 namespace plumbline::simspark {
@@ -30,30 +33,83 @@ Clock::time_point after(double seconds) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
+enum class Ready { yes, timeout, signal, stopped, failed };
+
+/// Waits until the descriptor allows it (POLLIN, POLLOUT), the stop descriptor becomes readable, or a signal
+/// comes. milliseconds < 0: as long as it takes.
+Ready waitFor(int fd, short events, int stopDescriptor, int milliseconds) {
+  std::array<pollfd, 2> waiting{{{fd, events, 0}, {stopDescriptor, POLLIN, 0}}};
+  const int ready = poll(waiting.data(), waiting.size(), milliseconds);
+  if (ready < 0) return errno == EINTR ? Ready::signal : Ready::failed;
+  if (waiting[1].revents != 0) return Ready::stopped;
+  return ready == 0 ? Ready::timeout : Ready::yes;
+}
+
 /// Connects a socket within the time; returns errno, 0 on success.
-int connectWithin(int fd, const addrinfo& address, Clock::time_point end) {
-  const int flags = fcntl(fd, F_GETFL);
-  fcntl(fd, F_SETFL, flags | O_NONBLOCK);
-  if (::connect(fd, address.ai_addr, address.ai_addrlen) != 0) {
-    if (errno != EINPROGRESS) return errno;
-    pollfd waiting{fd, POLLOUT, 0};
-    int ready = 0;
-    do ready = poll(&waiting, 1, millisecondsUntil(end));
-    while (ready < 0 && errno == EINTR);
-    if (ready == 0) return ETIMEDOUT;
-    int result = 0;
-    socklen_t size = sizeof result;
-    if (ready < 0 || getsockopt(fd, SOL_SOCKET, SO_ERROR, &result, &size) != 0) return errno;
-    if (result != 0) return result;
+int connectWithin(int fd, const addrinfo& address, int stopDescriptor, Clock::time_point end) {
+  if (::connect(fd, address.ai_addr, address.ai_addrlen) == 0) return 0;
+  if (errno != EINPROGRESS) return errno;
+  Ready ready = Ready::signal;
+  while (ready == Ready::signal) ready = waitFor(fd, POLLOUT, stopDescriptor, millisecondsUntil(end));
+  if (ready == Ready::timeout) return ETIMEDOUT;
+  if (ready == Ready::stopped) return ECANCELED;
+  int result = 0;
+  socklen_t size = sizeof result;
+  if (ready == Ready::failed || getsockopt(fd, SOL_SOCKET, SO_ERROR, &result, &size) != 0) return errno;
+  return result;
+}
+
+/// What looking a name up has brought; shared with the thread that looks, which may outlive the wait.
+struct LookUp {
+  std::string host, port;
+  int done[2] = {-1, -1};  ///< a pipe that ends when the answer is there
+  int code = 0;
+  addrinfo* found = nullptr;
+
+  LookUp(std::string host_, int port_) : host(std::move(host_)), port(std::to_string(port_)) {}
+  LookUp(const LookUp&) = delete;
+  LookUp& operator=(const LookUp&) = delete;
+  ~LookUp() {
+    if (found) freeaddrinfo(found);
+    if (done[0] >= 0) ::close(done[0]);
+    endPipe();
   }
-  fcntl(fd, F_SETFL, flags);
-  return 0;
+  void endPipe() {
+    if (done[1] >= 0) ::close(done[1]);
+    done[1] = -1;
+  }
+  int look(int flags) {
+    addrinfo hints{};
+    hints.ai_family = AF_UNSPEC;
+    hints.ai_socktype = SOCK_STREAM;
+    hints.ai_flags = flags;
+    return getaddrinfo(host.c_str(), port.c_str(), &hints, &found);
+  }
+};
+
+/// Looks a host up; empty on success, else why not. A name server may take longer than anybody waits, and no
+/// signal stops the system's call: a thread makes it.
+std::string lookUp(const std::shared_ptr<LookUp>& lookUp, int stopDescriptor, Clock::time_point end) {
+  lookUp->code = lookUp->look(AI_NUMERICHOST);
+  if (lookUp->code == 0) return {};
+  if (pipe2(lookUp->done, O_CLOEXEC) != 0) return std::strerror(errno);
+  std::thread([lookUp] {
+    lookUp->code = lookUp->look(0);
+    lookUp->endPipe();
+  }).detach();
+  Ready ready = Ready::signal;
+  while (ready == Ready::signal)
+    ready = waitFor(lookUp->done[0], POLLIN, stopDescriptor, millisecondsUntil(end));
+  if (ready == Ready::timeout) return "no answer about its name";
+  if (ready != Ready::yes) return std::strerror(ECANCELED);
+  return lookUp->code == 0 ? std::string() : gai_strerror(lookUp->code);
 }
 
 }  // namespace
 
 Connection::Connection(Connection&& other) noexcept
     : fd(std::exchange(other.fd, -1)),
+      stopDescriptor(other.stopDescriptor),
       reader(std::move(other.reader)),
       outgoing(std::move(other.outgoing)),
       lastError(std::move(other.lastError)) {}
@@ -62,6 +118,7 @@ Connection& Connection::operator=(Connection&& other) noexcept {
   if (this != &other) {
     close();
     fd = std::exchange(other.fd, -1);
+    stopDescriptor = other.stopDescriptor;
     reader = std::move(other.reader);
     outgoing = std::move(other.outgoing);
     lastError = std::move(other.lastError);
@@ -72,20 +129,18 @@ Connection& Connection::operator=(Connection&& other) noexcept {
 std::string Connection::connect(const std::string& host, int port, double timeoutSeconds) {
   close();
   const std::string where = "cannot connect to " + host + ":" + std::to_string(port) + ": ";
-  addrinfo hints{};
-  hints.ai_family = AF_UNSPEC;
-  hints.ai_socktype = SOCK_STREAM;
-  addrinfo* found = nullptr;
-  if (const int code = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found); code != 0)
-    return lastError = where + gai_strerror(code);
   const auto end = after(timeoutSeconds);
+  const auto names = std::make_shared<LookUp>(host, port);
+  if (const std::string why = lookUp(names, stopDescriptor, end); !why.empty())
+    return lastError = where + why;
   int problem = ECONNREFUSED;
-  for (const addrinfo* address = found; address && fd < 0; address = address->ai_next) {
-    fd = socket(address->ai_family, address->ai_socktype | SOCK_CLOEXEC, address->ai_protocol);
-    problem = fd < 0 ? errno : connectWithin(fd, *address, end);
+  for (const addrinfo* address = names->found; address && fd < 0; address = address->ai_next) {
+    fd =
+        socket(address->ai_family, address->ai_socktype | SOCK_CLOEXEC | SOCK_NONBLOCK, address->ai_protocol);
+    problem = fd < 0 ? errno : connectWithin(fd, *address, stopDescriptor, end);
     if (problem != 0) close();
+    if (problem == ECANCELED) break;
   }
-  freeaddrinfo(found);
   if (fd < 0) return lastError = where + std::strerror(problem);
   const int on = 1;
   setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
@@ -114,16 +169,12 @@ Connection::Status Connection::receive(std::string_view& message, double timeout
     if (status == FrameReader::Status::tooLong)
       return fail("a message of " + std::to_string(reader.announced()) + " bytes was announced");
     if (fd < 0) return fail("not connected");
-    pollfd waiting{fd, POLLIN, 0};
-    const int ready = poll(&waiting, 1,
-                           timeoutSeconds < 0   ? -1
-                           : timeoutSeconds > 0 ? millisecondsUntil(end)
-                                                : 0);
-    if (ready == 0) return Status::timeout;
-    if (ready < 0) {
-      if (errno == EINTR) return Status::timeout;  // a signal: let the caller look around
-      return fail(std::strerror(errno));
-    }
+    const Ready ready = waitFor(fd, POLLIN, stopDescriptor,
+                                timeoutSeconds < 0   ? -1
+                                : timeoutSeconds > 0 ? millisecondsUntil(end)
+                                                     : 0);
+    if (ready == Ready::failed) return fail(std::strerror(errno));
+    if (ready != Ready::yes) return Status::timeout;  // a signal, too: let the caller look around
     std::array<char, 1 << 16> bytes;
     const ssize_t n = recv(fd, bytes.data(), bytes.size(), 0);
     // The league's server gathers small messages until the last is acknowledged, and who only listens, as a
@@ -139,16 +190,22 @@ Connection::Status Connection::receive(std::string_view& message, double timeout
   }
 }
 
-bool Connection::send(std::string_view text) {
+bool Connection::send(std::string_view text, double timeoutSeconds) {
   if (fd < 0) return false;
   outgoing.clear();
   appendFrame(outgoing, text);
+  std::optional<Clock::time_point> end;  // the clock is looked at only by who has to wait
   for (std::size_t sent = 0; sent < outgoing.size();) {
     const ssize_t n = ::send(fd, outgoing.data() + sent, outgoing.size() - sent, MSG_NOSIGNAL);
     if (n < 0) {
       if (errno == EINTR) continue;
-      fail(std::strerror(errno));
-      return false;
+      if (errno != EAGAIN) return fail(std::strerror(errno)), false;
+      if (!end) end = after(timeoutSeconds);
+      const Ready ready = waitFor(fd, POLLOUT, stopDescriptor, millisecondsUntil(*end));
+      if (ready == Ready::timeout) return fail("the other side does not read"), false;
+      if (ready == Ready::stopped) return fail("interrupted"), false;
+      if (ready == Ready::failed) return fail(std::strerror(errno)), false;
+      continue;
     }
     sent += static_cast<std::size_t>(n);
   }

@@ -7,7 +7,8 @@
 namespace plumbline::simspark {
 
 /// A client's TCP connection that carries framed messages: to the agent port or the monitor port. Not shared
-/// between threads. After any failure it is closed, and connecting anew is the caller's decision.
+/// between threads. After any failure it is closed, and connecting anew is the caller's decision. No call
+/// outlasts its time limit, and each ends at once when the descriptor of interruptBy() becomes readable.
 class Connection {
 public:
   enum class Status { message, timeout, closed };
@@ -20,6 +21,9 @@ public:
   /// Empty on success, else one line why not ("cannot connect to localhost:3100: Connection refused").
   std::string connect(const std::string& host, int port, double timeoutSeconds = 5);
   bool connected() const { return fd >= 0; }
+  /// What ends every wait, e.g. StopSignal::fileDescriptor(); -1: nothing. It is only looked at. Then connect
+  /// fails, send closes the connection and receive reports a timeout.
+  void interruptBy(int descriptor) { stopDescriptor = descriptor; }
   int descriptor() const { return fd; }  ///< to wait for together with others; -1: not connected
   void close();
 
@@ -27,14 +31,15 @@ public:
   /// 0: only what is there. closed: the other side went away or sent a length beyond maxServerMessage;
   /// error() says which.
   Status receive(std::string_view& message, double timeoutSeconds = -1);
-  /// False if the connection broke; error() says why. Blocks while the other side does not read.
-  bool send(std::string_view text);
+  /// False if the connection broke; error() says why. Waits while the other side does not read; one that does
+  /// not for so long is given up.
+  bool send(std::string_view text, double timeoutSeconds = 10);
   const std::string& error() const { return lastError; }
 
 private:
   Status fail(const std::string& why);
 
-  int fd = -1;
+  int fd = -1, stopDescriptor = -1;
   FrameReader reader{maxServerMessage};
   std::string outgoing, lastError;
 };

@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -158,14 +159,29 @@ TraceRow readRow(const Columns& columns, const std::vector<JointId>& joints) {
   return row;
 }
 
-std::optional<int> typeInName(const std::string& name) {
-  const std::size_t end = name.size();
-  if (end < 3 || name[end - 3] != '_' || name[end - 2] != 't' || name[end - 1] < '0' || name[end - 1] > '4')
-    return std::nullopt;
-  return name[end - 1] - '0';
-}
-
 }  // namespace
+
+TraceName traceName(const std::filesystem::path& file) {
+  std::filesystem::path stem = file.filename();
+  while (stem.extension() == ".gz" || stem.extension() == ".csv") stem = stem.stem();
+  TraceName result{stem.string(), stem.string(), {}, {}};
+  // It ends with "_t3" or "_r2t3": robot 1 to 99 and its type.
+  const std::string& name = result.name;
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  const std::size_t mark = name.rfind('_');
+  if (mark == std::string::npos || name.size() < mark + 3 || name.back() < '0' || name.back() > '4' ||
+      name[name.size() - 2] != 't')
+    return result;
+  const std::string robot = name.substr(mark + 1, name.size() - mark - 3);
+  const bool numbered = (robot.size() == 2 || robot.size() == 3) && robot[0] == 'r' && robot[1] != '0' &&
+                        std::all_of(robot.begin() + 1, robot.end(), digit);
+  if (!robot.empty() && !numbered) return result;
+  result.type = name.back() - '0';
+  if (!numbered) return result;
+  result.robot = std::stoi(robot.substr(1));
+  result.recording = name.substr(0, mark);
+  return result;
+}
 
 LeagueTrace readLeagueTrace(const std::filesystem::path& file) {
   LineReader lines(file);
@@ -174,11 +190,10 @@ LeagueTrace readLeagueTrace(const std::filesystem::path& file) {
   Columns columns(lines, text);
 
   LeagueTrace trace;
-  // Names may hold a dot, as in "v1.5": take off the endings only.
-  std::filesystem::path stem = file.filename();
-  while (stem.extension() == ".gz" || stem.extension() == ".csv") stem = stem.stem();
-  trace.name = stem.string();
-  trace.robotType = typeInName(trace.name);
+  const TraceName name = traceName(file);
+  trace.name = name.name;
+  trace.robotType = name.type;
+  trace.robot = name.robot;
   for (int j = 0; j < numJoints; ++j) {
     const auto joint = static_cast<JointId>(j);
     if (columns.has("cmd." + std::string(simsparkName(joint).effector))) trace.joints.push_back(joint);

@@ -25,12 +25,21 @@ struct TraceRow {
 /// A recording of one robot on the league's server, a row per 20 ms.
 struct LeagueTrace {
   std::string name;              ///< of the file, without its endings
-  std::optional<int> robotType;  ///< from the end of the name, "_t3"
+  std::optional<int> robotType;  ///< from the end of the name, "_t3" or "_r2t3"
+  std::optional<int> robot;      ///< 2 of "_r2t3", where the recording has several
   std::vector<JointId> joints;   ///< those the file has columns for
   std::vector<TraceRow> rows;
 };
 
 constexpr double traceStep = 0.02;  ///< [s]
+
+/// What a trace's name says: NAME_t3 is of type 3; NAME_r2t3 is robot 2, of type 3, of recording NAME.
+struct TraceName {
+  std::string name;       ///< the file's without its endings; may hold a dot, as in "v1.5"
+  std::string recording;  ///< the name without "_r2t3"
+  std::optional<int> robot, type;
+};
+TraceName traceName(const std::filesystem::path& file);
 
 /// Reads a trace: CSV with a header line, plain or gzip. Other columns than those named above are ignored.
 /// Error: std::runtime_error "file:line: what to do" for a missing file or column, a broken or absurdly long

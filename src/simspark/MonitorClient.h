@@ -15,6 +15,8 @@ public:
   /// Empty on success, else one line why not. token: what a simulator open to others asks for.
   std::string connect(const std::string& host, int port, const std::string& token = "",
                       double timeoutSeconds = 5);
+  /// See Connection.
+  void interruptBy(int stopDescriptor) { connection.interruptBy(stopDescriptor); }
   bool connected() const { return connection.connected(); }
   void close() { connection.close(); }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "simspark/LeagueRobots.h"
 #include "simspark/NumberFormat.h"
 
 namespace plumbline::simspark {
@@ -47,14 +48,13 @@ double SceneRobot::heading() const {
 }
 
 std::vector<std::string> sceneBodies(int type) {
-  if (type < 0 || type > 4)
-    throw std::out_of_range("SimSpark has robot types 0 to 4, not " + std::to_string(type));
+  const bool toes = simsparkRobot(type).has(lToePitch);
   std::vector<std::string> names = {"torso", "neck", "head"};
   for (const std::string side : {"r", "l"})
     for (const char* body : {"Shoulder", "UpperArm", "Elbow", "LowerArm"}) names.push_back(side + body);
   for (const std::string side : {"r", "l"}) {
     for (const char* body : {"Hip1", "Hip2", "Thigh", "Shank", "Ankle", "Foot"}) names.push_back(side + body);
-    if (type == 4) names.push_back(side + "Toe");
+    if (toes) names.push_back(side + "Toe");
   }
   return names;
 }

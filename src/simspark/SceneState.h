@@ -32,7 +32,7 @@ struct SceneRobot {
 Pose3 sceneRobotPose(const Eigen::Matrix4d& matrix);
 
 /// Names of the links of simsparkRobot(type) whose bodies the scene holds, in its order: the same on the
-/// league's server and here. Throws std::out_of_range for another type than 0..4.
+/// league's server and here. Throws ConfigurationError for a type that is not there.
 std::vector<std::string> sceneBodies(int type);
 
 /// What a scoreboard shows.

@@ -25,11 +25,12 @@ std::optional<int> integer(Node node) {
 }
 std::string_view word(Node node) { return node && !node.isList() ? node.text() : std::string_view(); }
 
+/// The numbers behind the list's name; false if one is missing or beyond +-most.
 template <std::size_t n>
-bool numbers(Node list, std::array<double, n>& values) {
+bool numbers(Node list, std::array<double, n>& values, double most) {
   for (std::size_t i = 0; i < n; ++i) {
     const auto value = number(list.at(static_cast<int>(i) + 1));
-    if (!value) return false;
+    if (!value || std::abs(*value) > most) return false;
     values[i] = *value;
   }
   return true;
@@ -54,12 +55,14 @@ std::optional<TrainerCommand> readAgent(Node list) {
   command.player = player(list);
   if (const Node position = list.list("pos")) {
     std::array<double, 3> p;
-    if (!numbers(position, p)) return std::nullopt;
+    if (!numbers(position, p, maxPlace)) return std::nullopt;
     command.position = Vec3(p[0], p[1], p[2]);
   }
   if (const Node move = list.list("move")) {
     std::array<double, 4> p;
-    if (!numbers(move, p)) return std::nullopt;
+    if (!numbers(move, p, maxTurn) || std::abs(p[0]) > maxPlace || std::abs(p[1]) > maxPlace ||
+        std::abs(p[2]) > maxPlace)
+      return std::nullopt;
     command.position = Vec3(p[0], p[1], p[2]);
     command.heading = fromDegrees(p[3]) + pi / 2;  // SimSpark's robots look along y at 0
   }
@@ -68,11 +71,17 @@ std::optional<TrainerCommand> readAgent(Node list) {
 
 std::optional<TrainerCommand> readBall(Node list) {
   BallCommand command;
-  for (auto [name, place] : {std::pair{"pos", &command.position}, {"vel", &command.velocity}}) {
+  struct Field {
+    const char* name;
+    std::optional<Vec3>* value;
+    double most;
+  };
+  for (const auto& [name, place, most] :
+       {Field{"pos", &command.position, maxPlace}, Field{"vel", &command.velocity, maxBallSpeed}}) {
     const Node field = list.list(name);
     if (!field) continue;
     std::array<double, 3> p;
-    if (!numbers(field, p)) return std::nullopt;
+    if (!numbers(field, p, most)) return std::nullopt;
     *place = Vec3(p[0], p[1], p[2]);
   }
   return command;
@@ -80,7 +89,8 @@ std::optional<TrainerCommand> readBall(Node list) {
 
 std::optional<TrainerCommand> readScore(Node list) {
   const auto left = integer(list.list("left").at(1)), right = integer(list.list("right").at(1));
-  if (!left || !right || *left < 0 || *right < 0) return std::nullopt;
+  if (!left || !right || *left < 0 || *right < 0 || *left > maxScore || *right > maxScore)
+    return std::nullopt;
   return ScoreCommand{*left, *right};
 }
 
@@ -146,7 +156,8 @@ std::optional<TrainerCommand> readOne(Node list) {
   if (auto command = readClockCommand(list, name)) return command;
   if (name == "time") {
     const auto time = number(list.at(1));
-    return time && *time >= 0 ? std::optional<TrainerCommand>(TimeCommand{*time}) : std::nullopt;
+    return time && *time >= 0 && *time <= maxGameTime ? std::optional<TrainerCommand>(TimeCommand{*time})
+                                                      : std::nullopt;
   }
   return std::nullopt;
 }

@@ -13,6 +13,13 @@
 
 namespace plumbline::simspark {
 
+// What a trainer may name; a command with a number beyond is refused whole.
+constexpr double maxPlace = 1000;     ///< of a coordinate [m]
+constexpr double maxBallSpeed = 100;  ///< of a coordinate [m/s]
+constexpr double maxTurn = 3600;      ///< of a heading [degrees]
+constexpr double maxGameTime = 1e6;   ///< [s]
+constexpr int maxScore = 9999;
+
 /// A player as a trainer names it.
 struct PlayerName {
   int unum = 0;

@@ -1,5 +1,6 @@
 #include "simulation/Player.h"
 
+#include "simspark/LeagueRobots.h"
 #include "simspark/ServerMessageWriter.h"
 
 namespace plumbline::simulation {

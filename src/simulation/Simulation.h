@@ -31,7 +31,7 @@ class Simulation {
 public:
   explicit Simulation(const SimulationConfig& config);
 
-  /// A robot of type 0..4 at the league's spawn, or a metre or more beside it while another one is there;
+  /// A robot of a league type at the league's spawn, or a metre or more beside it while another one is there;
   /// without a team. Errors: std::out_of_range for another type.
   PlayerId addPlayer(int type);
   void removePlayer(PlayerId id);

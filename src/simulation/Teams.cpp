@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "simspark/AgentCommand.h"
+
 namespace plumbline::simulation {
 
 std::string Teams::typeProblem(const Team& team, int type) const {
@@ -24,6 +26,8 @@ std::string Teams::typeProblem(const Team& team, int type) const {
 }
 
 Teams::Place Teams::request(const std::string& team, int unum, int type) {
+  if (!simspark::isTeamName(team))
+    return {TeamSide::none, 0, "a team's name is " + std::string(simspark::teamNameRule)};
   Team* found = nullptr;
   for (Team& candidate : teams) {
     if (candidate.name.empty()) candidate.name = team;
@@ -41,7 +45,7 @@ Teams::Place Teams::request(const std::string& team, int unum, int type) {
   if (found->unums.size() >= maxPlayers) return refuse("there are already 11 players");
   if (unum < 1 || unum > maxPlayers) return refuse("number " + std::to_string(unum) + " is not 1 to 11");
   if (found->unums.count(unum)) return refuse("number " + std::to_string(unum) + " is taken");
-  if (type < 0 || type >= numSimsparkTypes) return refuse("there is no robot type " + std::to_string(type));
+  if (type < 0 || type >= numSimsparkTypes()) return refuse("there is no robot type " + std::to_string(type));
   if (const std::string problem = typeProblem(*found, type); !problem.empty()) return refuse(problem);
   found->unums.insert(unum);
   ++found->types[static_cast<std::size_t>(type)];

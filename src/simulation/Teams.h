@@ -3,8 +3,9 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "robot/RobotModel.h"
+#include "simspark/LeagueRobots.h"
 #include "simspark/TeamSide.h"
 #include "simulation/referee/Rules.h"
 
@@ -26,7 +27,7 @@ public:
   };
 
   /// A place in the team of that name (the first name is the left team, the second the right) for a robot of
-  /// a type 0..4; unum 0 asks for the next free number.
+  /// a type; unum 0 asks for the next free number.
   Place request(const std::string& team, int unum, int type);
   void release(TeamSide side, int unum, int type);
   /// Empty for a side nobody plays on yet.
@@ -38,7 +39,7 @@ private:
   struct Team {
     std::string name;
     std::set<int> unums;
-    std::array<int, numSimsparkTypes> types{};
+    std::vector<int> types = std::vector<int>(simsparkRobots().size());  ///< robots of each
   };
   std::string typeProblem(const Team& team, int type) const;
   Rules::Types rules;

@@ -9,6 +9,7 @@
 
 #include "math/Angle.h"
 #include "robot/LegKinematics.h"
+#include "simspark/LeagueRobots.h"
 #include "simspark/ServerMessageParser.h"
 
 namespace plumbline::walking {

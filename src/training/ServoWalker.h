@@ -1,40 +1,62 @@
 #pragma once
+#include <functional>
+#include <memory>
+
 #include "framework/ConfigFile.h"
+#include "framework/ConfigFolder.h"
 #include "robot/MechanismFile.h"
-#include "training/ServoPlant.h"
+#include "simulation/servo/RobotSimulation.h"
 #include "training/Walker.h"
+#include "walking/engine/ServoDriver.h"
 
 namespace plumbline::walking {
 
 /// The walk of a robot with position servos: config/walking.yaml and what config/robots/<name>/walking.yaml
 /// has of its own.
 inline WalkGaits readServoGaits(const std::string& robot) {
-  const ConfigFile file("walking", {"config", "config/robots/" + robot});
+  const ConfigFile file("walking", {configFolder(), configPath("robots/" + robot)});
   WalkGaits gaits = readWalkGaits(file.root());
   file.checkUnknown();
   return gaits;
 }
 
-/// A robot with position servos that walks with the engine, by default in the project's own physics.
+/// What the walk feels of a simulated robot.
+inline ServoMeasurement measurementOf(const simulation::RobotSimulation& robot) {
+  const simulation::ServoReadings& readings = robot.readings();
+  ServoMeasurement measured;
+  measured.position.resize(readings.position.size());
+  for (std::size_t j = 0; j < readings.position.size(); ++j)
+    measured.position[j] = robot.encoder(static_cast<int>(j));
+  measured.gyro = readings.gyro;
+  measured.acc = readings.acc;
+  measured.footForce = readings.footForce;
+  return measured;
+}
+
+/// A robot with position servos that walks with the engine, by default in Bullet's dynamics.
 class ServoWalker : public Walker {
 public:
   explicit ServoWalker(const std::string& robot) : ServoWalker(findMechanism(robot), readServoGaits(robot)) {}
   ServoWalker(const Mechanism& robot, const WalkGaits& gaits)
-      : ServoWalker(robot, gaits, std::make_unique<BulletPlant>(robot)) {}
-  ServoWalker(const Mechanism& robot, const WalkGaits& gaits, std::unique_ptr<ServoPlant> plant_)
-      : Walker(Humanoid(robot).model(), gaits, 1 / robot.controlHz),
-        mass(robot.totalMass()),
-        driver(robot),
+      : ServoWalker(robot, gaits, simulation::RobotSimulations::make("bullet", robot)) {}
+  ServoWalker(const Mechanism& robot_, const WalkGaits& gaits,
+              std::unique_ptr<simulation::RobotSimulation> plant_)
+      : Walker(Humanoid(robot_).model(), gaits, 1 / robot_.controlHz),
+        robot(robot_),
+        mass(robot_.totalMass()),
+        driver(robot_),
         plant_(std::move(plant_)) {
     restart();
   }
 
-  void push(const Vec3& change) override { plant_->push(mass * change / cycle); }
-  Pose3 torso() const override { return translation(offset.x(), offset.y(), 0) * plant_->torso(); }
+  void push(const Vec3& change) override { plant_->push(mass * change / cycle, cycle, 0); }
+  Pose3 torso() const override { return translation(offset.x(), offset.y(), 0) * plant_->base().pose; }
   Vec2 comVelocity() override {
     return Eigen::Rotation2Dd(-pose().heading) * Vec2(plant_->comVelocity().head<2>());
   }
-  ServoPlant& plant() { return *plant_; }
+  simulation::RobotSimulation& plant() { return *plant_; }
+  /// Called each cycle with what the robot feels and is told, before it moves.
+  std::function<void(const ServoMeasurement&, const ServoCommand&)> observer;
   /// What the robot was told last.
   const WalkSensors& sensors() const { return sensed; }
 
@@ -45,16 +67,29 @@ private:
     offset.setZero();
     move(place.position);
   }
-  void move(const Vec2& place) override { offset = place - plant_->torso().translation().head<2>(); }
-  WalkSensors sense() override { return sensed = driver.sense(plant_->measure()); }
+  void move(const Vec2& place) override { offset = place - plant_->base().pose.translation().head<2>(); }
+  WalkSensors sense() override {
+    measured = measurementOf(*plant_);
+    return sensed = driver.sense(measured);
+  }
   void act(const WalkOutput& output, const WalkSensors& sensors) override {
-    plant_->command(driver.command(output, engine.gait(), sensors));
+    ServoCommand command = driver.command(output, engine.gait(), sensors);
+    // A simulation whose joints of one motor have a servo each wants them told alike; others do not look.
+    for (std::size_t j = 0; j < command.target.size(); ++j)
+      if (const Mechanism::Joint& joint = robot.joints[j]; joint.driver >= 0)
+        command.target[j] = joint.driven(command.target[static_cast<std::size_t>(joint.driver)]);
+    if (observer) observer(measured, command);
+    plant_->command(command.target);
+    for (std::size_t j = 0; j < command.stiffness.size(); ++j)
+      plant_->setStiffness(static_cast<int>(j), command.stiffness[j]);
     plant_->step();
   }
 
+  const Mechanism robot;
   double mass;
   ServoDriver driver;
-  std::unique_ptr<ServoPlant> plant_;
+  std::unique_ptr<simulation::RobotSimulation> plant_;
+  ServoMeasurement measured;
   WalkSensors sensed;
   Vec2 offset = Vec2::Zero();  ///< the ground has no end
 };

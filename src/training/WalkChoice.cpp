@@ -15,20 +15,20 @@ namespace {
 constexpr std::array directions{Task::forward, Task::backward, Task::sideways, Task::turn};
 
 struct Direction {
-  double WalkParameters::*most;
-  double WalkParameters::*mixed;
+  double SpeedParameters::*most;
+  double SpeedParameters::*omni;
 };
 
 Direction directionOf(Task task) {
   switch (task) {
     case Task::forward:
-      return {&WalkParameters::maxForward, &WalkParameters::mixForward};
+      return {&SpeedParameters::maxForward, &SpeedParameters::omniForward};
     case Task::backward:
-      return {&WalkParameters::maxBackward, &WalkParameters::mixBackward};
+      return {&SpeedParameters::maxBackward, &SpeedParameters::omniBackward};
     case Task::sideways:
-      return {&WalkParameters::maxSideways, &WalkParameters::mixSideways};
+      return {&SpeedParameters::maxSideways, &SpeedParameters::omniSideways};
     case Task::turn:
-      return {&WalkParameters::maxTurn, &WalkParameters::mixTurn};
+      return {&SpeedParameters::maxTurn, &SpeedParameters::omniTurn};
     case Task::mixture:
     case Task::push:
       break;
@@ -37,26 +37,26 @@ Direction directionOf(Task task) {
 }
 
 bool same(const WalkParameters& a, const WalkParameters& b) {
-  return std::ranges::all_of(walkParameterTable(),
-                             [&](const WalkParameterInfo& info) { return a.*info.value == b.*info.value; });
+  return std::ranges::all_of(walkParameters(),
+                             [&](const WalkParameter& one) { return one.of(a) == one.of(b); });
 }
 
 }  // namespace
 
 WalkGaits cutSprint(const WalkGaits& gaits, Task direction, double share) {
-  const auto [most, mixed] = directionOf(direction);
+  const auto [most, omni] = directionOf(direction);
   WalkGaits cut = gaits;
   WalkParameters& corner = cut.corner[static_cast<std::size_t>(direction)];
-  const double mix = gaits.base.*mixed;
+  const double mix = gaits.base.speed.*omni;
   // Without a speed of mixtures there is no sprint.
-  if (!(mix > 0 && mix < gaits.base.*most)) return cut;
-  const double full = mix + share * (gaits.base.*most - mix);
-  cut.base.*most = full;
-  for (WalkParameters& one : cut.corner) one.*most = full;
-  for (const WalkParameterInfo& info : walkParameterTable()) {
-    if (!info.blends) continue;
-    const double from = gaits.base.*info.value;
-    corner.*info.value = from + share * (corner.*info.value - from);
+  if (!(mix > 0 && mix < gaits.base.speed.*most)) return cut;
+  const double full = mix + share * (gaits.base.speed.*most - mix);
+  cut.base.speed.*most = full;
+  for (WalkParameters& one : cut.corner) one.speed.*most = full;
+  for (const WalkParameter& one : walkParameters()) {
+    if (!one.blends) continue;
+    const double from = one.of(gaits.base);
+    one.of(corner) = from + share * (one.of(corner) - from);
   }
   return cut;
 }
@@ -71,8 +71,8 @@ WalkGaits withSprint(const WalkGaits& gaits, const WalkGaits& other, Task direct
   const Direction d = directionOf(direction);
   WalkGaits result = gaits;
   result.corner[static_cast<std::size_t>(direction)] = other.corner[static_cast<std::size_t>(direction)];
-  result.base.*d.most = other.base.*d.most;
-  for (WalkParameters& corner : result.corner) corner.*d.most = other.base.*d.most;
+  result.base.speed.*d.most = other.base.speed.*d.most;
+  for (WalkParameters& corner : result.corner) corner.speed.*d.most = other.base.speed.*d.most;
   return result;
 }
 
@@ -80,8 +80,8 @@ WalkGaits slowMixture(const WalkGaits& gaits, double share) {
   WalkGaits slow = gaits;
   for (const Task task : directions) {
     const Direction direction = directionOf(task);
-    slow.base.*direction.mixed *= share;
-    for (WalkParameters& corner : slow.corner) corner.*direction.mixed = slow.base.*direction.mixed;
+    slow.base.speed.*direction.omni *= share;
+    for (WalkParameters& corner : slow.corner) corner.speed.*direction.omni = slow.base.speed.*direction.omni;
   }
   return slow;
 }
@@ -171,7 +171,8 @@ WalkGaits chooseSprint(Walker& robot, const WalkGaits& gaits, const std::vector<
     const WalkGaits& other = others[i];
     // A search that found nothing better returns what there was.
     if (std::any_of(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(i), [&](const WalkGaits& o) {
-          return o.base.*d.most == other.base.*d.most && same(o.corner[corner], other.corner[corner]);
+          return o.base.speed.*d.most == other.base.speed.*d.most &&
+                 same(o.corner[corner], other.corner[corner]);
         }))
       continue;
     WalkGaits tried = withSprint(gaits, other, direction);

@@ -1,11 +1,19 @@
 #include "training/WalkTraining.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <mutex>
 #include <stdexcept>
 
-#include "optimization/Cmaes.h"
+#include "framework/ConfigOverlay.h"
+#include "framework/ConfigurationError.h"
+#include "framework/NearestName.h"
+#include "framework/Parallel.h"
+#include "optimization/Optimizers.h"
 
 namespace plumbline::walking {
 namespace {
@@ -18,35 +26,89 @@ struct Step {
 };
 
 constexpr Step shape[] = {
-    {"hipHeight", 0.006},    {"feetDistance", 0.006},  {"torsoPitch", 0.04},      {"trimForward", 0.02},
-    {"stepDuration", 0.008}, {"maxStepForward", 0.02}, {"maxStepBackward", 0.02}, {"maxStepOutward", 0.02},
-    {"stepHeight", 0.006},   {"swingStart", 0.06},     {"swingEnd", 0.06},        {"swingSmoothness", 0.15},
-    {"swingSteepness", 0.2}, {"swingPitch", 0.06},     {"pendulumHeight", 0.03},  {"pendulumSideways", 0.03},
-    {"copForward", 0.006},   {"copOutward", 0.006},    {"armSwing", 1.5},
+    {"posture.hipHeight", 0.006},
+    {"posture.feetDistance", 0.006},
+    {"posture.torsoPitch", 0.04},
+    {"speed.trimForward", 0.02},
+    {"step.duration", 0.008},
+    {"step.maxForward", 0.02},
+    {"step.maxBackward", 0.02},
+    {"step.maxOutward", 0.02},
+    {"step.height", 0.006},
+    {"step.swingStart", 0.06},
+    {"step.swingEnd", 0.06},
+    {"step.swingSmoothness", 0.15},
+    {"step.swingSteepness", 0.2},
+    {"step.swingPitch", 0.06},
+    {"model.pendulumHeight", 0.03},
+    {"model.lateralHeightOffset", 0.03},
+    {"model.copForward", 0.006},
+    {"model.copOutward", 0.006},
+    {"arms.swing", 1.5},
 };
 constexpr Step feedback[] = {
-    {"delay", 0.01},          {"ankleRollGain", 0.1},   {"anklePitchGain", 0.1},   {"ankleRollRate", 0.01},
-    {"anklePitchRate", 0.01}, {"hipRollGain", 0.1},     {"hipPitchGain", 0.1},     {"hipRollRate", 0.01},
-    {"hipPitchRate", 0.01},   {"stepForwardGain", 0.1}, {"stepSidewaysGain", 0.1}, {"swingLevel", 0.2},
-    {"comForwardGain", 0.1},  {"comSidewaysGain", 0.1},
+    {"feedback.delay", 0.01},          {"feedback.ankleRollGain", 0.1},    {"feedback.anklePitchGain", 0.1},
+    {"feedback.ankleRollRate", 0.01},  {"feedback.anklePitchRate", 0.01},  {"feedback.hipRollGain", 0.1},
+    {"feedback.hipPitchGain", 0.1},    {"feedback.hipRollRate", 0.01},     {"feedback.hipPitchRate", 0.01},
+    {"feedback.stepForwardGain", 0.1}, {"feedback.stepSidewaysGain", 0.1}, {"feedback.swingLevel", 0.2},
+    {"feedback.comForwardGain", 0.1},  {"feedback.comSidewaysGain", 0.1},
 };
 
 constexpr Step recovery[] = {
-    {"observationPosition", 0.2}, {"observationVelocity", 0.2}, {"observationSideways", 0.3},
-    {"observationBeside", 0.3},   {"swingMeasuredPitch", 0.3},  {"swingMeasuredRoll", 0.3},
-    {"torsoMeasured", 0.2},       {"maxStepForward", 0.03},     {"maxStepBackward", 0.03},
-    {"maxStepOutward", 0.03},     {"feetDistance", 0.01},       {"stepHeight", 0.006},
-    {"pendulumHeight", 0.03},     {"pendulumSideways", 0.03},   {"copForward", 0.01},
-    {"stepForwardGain", 0.2},     {"stepSidewaysGain", 0.2},    {"swingLevel", 0.3},
-    {"anklePitchGain", 0.15},     {"ankleRollGain", 0.15},      {"anklePitchRate", 0.015},
-    {"ankleRollRate", 0.015},     {"hipPitchGain", 0.15},       {"hipRollGain", 0.15},
+    {"observation.positionGain", 0.2},
+    {"observation.velocityGain", 0.2},
+    {"observation.velocityGainLateral", 0.3},
+    {"observation.positionGainLateral", 0.3},
+    {"feedback.swingMeasuredPitch", 0.3},
+    {"feedback.swingMeasuredRoll", 0.3},
+    {"feedback.torsoMeasured", 0.2},
+    {"step.maxForward", 0.03},
+    {"step.maxBackward", 0.03},
+    {"step.maxOutward", 0.03},
+    {"posture.feetDistance", 0.01},
+    {"step.height", 0.006},
+    {"model.pendulumHeight", 0.03},
+    {"model.lateralHeightOffset", 0.03},
+    {"model.copForward", 0.01},
+    {"feedback.stepForwardGain", 0.2},
+    {"feedback.stepSidewaysGain", 0.2},
+    {"feedback.swingLevel", 0.3},
+    {"feedback.anklePitchGain", 0.15},
+    {"feedback.ankleRollGain", 0.15},
+    {"feedback.anklePitchRate", 0.015},
+    {"feedback.ankleRollRate", 0.015},
+    {"feedback.hipPitchGain", 0.15},
+    {"feedback.hipRollGain", 0.15},
 };
 
-const WalkParameterInfo* infoOf(const std::string& name) {
-  for (const WalkParameterInfo& info : walkParameterTable())
-    if (name == info.name) return &info;
-  throw std::invalid_argument("no walking parameter " + name);
-}
+/// Robots to try walks on, as many as are needed at a time. A try begins with everything reset, so that it
+/// does not matter on which of them it is made.
+class WalkerPool {
+public:
+  WalkerPool(const TrainingSetup& setup_, const WalkGaits& gaits_) : setup(setup_), gaits(gaits_) {}
+
+  TrialResult tryOn(const WalkGaits& walk, const TrialSetup& trial) {
+    std::unique_ptr<Walker> robot = take();
+    const TrialResult result = tryWalk(*robot, walk, setup.task, trial);
+    const std::lock_guard lock(mutex);
+    idle.push_back(std::move(robot));
+    return result;
+  }
+
+private:
+  std::unique_ptr<Walker> take() {
+    const std::lock_guard lock(mutex);
+    if (idle.empty()) return setup.walker(gaits);
+    std::unique_ptr<Walker> robot = std::move(idle.back());
+    idle.pop_back();
+    return robot;
+  }
+
+  const TrainingSetup& setup;
+  const WalkGaits& gaits;
+  std::mutex mutex;
+  std::vector<std::unique_ptr<Walker>> idle;
+};
 
 WalkParameters& sectionOf(WalkGaits& gaits, const std::string& name) {
   for (std::size_t i = 0; i < WalkGaits::numCorners; ++i)
@@ -56,31 +118,39 @@ WalkParameters& sectionOf(WalkGaits& gaits, const std::string& name) {
 
 }  // namespace
 
+void checkWalkParameters(const std::vector<std::string>& paths) {
+  std::vector<std::string> known;
+  for (const WalkParameter& one : walkParameters()) known.push_back(one.path);
+  for (const std::string& path : paths)
+    if (!findWalkParameter(path))
+      throw ConfigurationError("no walking parameter \"" + path + "\"" + suggestion(path, known));
+}
+
 std::vector<Variable> variablesOf(Task task) {
   std::vector<Variable> variables;
   const auto add = [&](const std::string& section, const char* name, double step) {
-    variables.push_back({section, infoOf(name), step});
+    variables.push_back({section, &walkParameter(name), step});
   };
   if (task == Task::mixture) {
     for (const Step& s : feedback) add("", s.name, s.step / 2);
-    add("", "maxForward", 0.05);
-    add("", "maxBackward", 0.05);
-    add("", "maxSideways", 0.05);
-    add("", "maxTurn", 0.15);
-    add("", "accelerationForward", 0.15);
-    add("", "decelerationForward", 0.15);
-    add("", "accelerationSideways", 0.1);
-    add("", "accelerationTurn", 1);
-    add("", "tiltTolerance", 0.05);
-    add("", "tiltBrake", 1);
-    add("", "startDuration", 0.01);
+    add("", "speed.maxForward", 0.05);
+    add("", "speed.maxBackward", 0.05);
+    add("", "speed.maxSideways", 0.05);
+    add("", "speed.maxTurn", 0.15);
+    add("", "speed.accelerationForward", 0.15);
+    add("", "speed.decelerationForward", 0.15);
+    add("", "speed.accelerationSideways", 0.1);
+    add("", "speed.accelerationTurn", 1);
+    add("", "feedback.tiltTolerance", 0.05);
+    add("", "feedback.tiltBrake", 1);
+    add("", "startStop.duration", 0.01);
     return variables;
   }
   if (task == Task::push) {
     for (const Step& s : recovery) add(recoveryName, s.name, s.step);
     // Not when it begins to recover: with nothing but pushes that would be always.
-    add("", "recoverTime", 0.2);
-    add("", "captureMargin", 0.015);
+    add("", "recovery.fadeTime", 0.2);
+    add("", "recovery.captureMargin", 0.015);
     return variables;
   }
   const std::string corner = taskNames[static_cast<std::size_t>(task)];
@@ -88,19 +158,19 @@ std::vector<Variable> variablesOf(Task task) {
   for (const Step& s : feedback) add(corner, s.name, s.step);
   switch (task) {
     case Task::forward:
-      add("", "maxForward", 0.15);
-      add(corner, "brakeLead", 0.03);
+      add("", "speed.maxForward", 0.15);
+      add(corner, "speed.brakeLead", 0.03);
       break;
     case Task::backward:
-      add("", "maxBackward", 0.15);
-      add(corner, "brakeLead", 0.03);
+      add("", "speed.maxBackward", 0.15);
+      add(corner, "speed.brakeLead", 0.03);
       break;
     case Task::sideways:
-      add("", "maxSideways", 0.1);
-      add(corner, "accelerationSideways", 0.1);
+      add("", "speed.maxSideways", 0.1);
+      add(corner, "speed.accelerationSideways", 0.1);
       break;
     case Task::turn:
-      add("", "maxTurn", 0.4);
+      add("", "speed.maxTurn", 0.4);
       break;
     case Task::mixture:
     case Task::push:
@@ -110,27 +180,26 @@ std::vector<Variable> variablesOf(Task task) {
 }
 
 double valueOf(const WalkGaits& gaits, const Variable& variable) {
-  if (variable.section == recoveryName) return gaits.at(Vec2::Zero(), 0, 1).*variable.info->value;
+  if (variable.section == recoveryName) return variable.parameter->of(gaits.at(Vec2::Zero(), 0, 1));
   WalkGaits copy = gaits;
-  return sectionOf(copy, variable.section).*variable.info->value;
+  return variable.parameter->of(sectionOf(copy, variable.section));
 }
 
 void setValue(WalkGaits& gaits, const Variable& variable, double value) {
+  const WalkParameter& parameter = *variable.parameter;
+  const double allowed = std::clamp(value, parameter.declared->range.min, parameter.declared->range.max);
   if (variable.section == recoveryName) {
-    std::erase_if(gaits.recovery, [&](const auto& other) { return other.first == variable.info; });
-    gaits.recovery.emplace_back(variable.info, std::clamp(value, variable.info->low, variable.info->high));
+    parameter.of(gaits.recovery) = allowed;
     return;
   }
   WalkParameters& section = sectionOf(gaits, variable.section);
-  const double before = section.*variable.info->value;
-  section.*variable.info->value = std::clamp(value, variable.info->low, variable.info->high);
   if (&section == &gaits.base)
-    for (WalkParameters& corner : gaits.corner)
-      if (corner.*variable.info->value == before)
-        corner.*variable.info->value = section.*variable.info->value;
-  if (std::string(variable.info->name) == "stepDuration") {
-    section.minStepDuration = std::max(0.04, 0.88 * section.stepDuration);
-    section.maxStepDuration = std::max(0.08, 1.16 * section.stepDuration);
+    gaits.setBase(parameter, allowed);
+  else
+    parameter.of(section) = allowed;
+  if (parameter.path == "step.duration") {
+    section.step.minDuration = std::max(0.04, 0.88 * section.step.duration);
+    section.step.maxDuration = std::max(0.08, 1.16 * section.step.duration);
   }
 }
 
@@ -153,10 +222,11 @@ double cost(Task task, const TrialResult& r) {
 
 WalkGaits train(const WalkGaits& gaits, const TrainingSetup& setup,
                 const std::function<void(const std::string&, const WalkGaits&)>& progress) {
+  checkWalkParameters(setup.only);
   std::vector<Variable> variables = variablesOf(setup.task);
   if (!setup.only.empty())
     std::erase_if(variables, [&](const Variable& v) {
-      return std::find(setup.only.begin(), setup.only.end(), v.info->name) == setup.only.end();
+      return std::find(setup.only.begin(), setup.only.end(), v.parameter->path) == setup.only.end();
     });
   if (variables.empty())
     throw std::invalid_argument("none of the parameters named is searched for this task");
@@ -168,8 +238,8 @@ WalkGaits train(const WalkGaits& gaits, const TrainingSetup& setup,
     const Variable& v = variables[static_cast<std::size_t>(i)];
     const double start = valueOf(gaits, v);
     // A value on its bound may still move a little.
-    space.lower[i] = std::min(-0.1, (v.info->low - start) / v.step);
-    space.upper[i] = std::max(0.1, (v.info->high - start) / v.step);
+    space.lower[i] = std::min(-0.1, (v.parameter->declared->range.min - start) / v.step);
+    space.upper[i] = std::max(0.1, (v.parameter->declared->range.max - start) / v.step);
   }
   const auto decode = [&](const Eigen::VectorXd& x) {
     WalkGaits decoded = gaits;
@@ -178,38 +248,52 @@ WalkGaits train(const WalkGaits& gaits, const TrainingSetup& setup,
                valueOf(gaits, variables[i]) + variables[i].step * x[static_cast<Eigen::Index>(i)]);
     return decoded;
   };
-  CmaesOptions options;
+  OptimizerOptions options;
   options.population = setup.population;
   options.seed = setup.seed;
   options.stop.maxGenerations = setup.generations;
-  Cmaes search(space, options);
-  const std::unique_ptr<Walker> walker = setup.walker(gaits);
-  Walker& robot = *walker;
+  const std::unique_ptr<Optimizer> optimizer = makeOptimizer(setup.optimizer, space, options);
+  Optimizer& search = *optimizer;
+  if (!setup.state.empty()) search.restore(setup.state);
+  WalkerPool pool(setup, gaits);
   const char* task = taskNames[static_cast<std::size_t>(setup.task)];
   char line[200];
   while (!search.isDone()) {
     const Eigen::MatrixXd candidates = search.ask();
     TrialSetup trial = setup.trial;
     trial.seed = setup.seed * 100000 + static_cast<std::uint64_t>(search.generations());
-    std::vector<double> costs;
-    for (Eigen::Index i = 0; i < candidates.cols(); ++i)
-      costs.push_back(cost(setup.task, tryWalk(robot, decode(candidates.col(i)), setup.task, trial)));
+    const auto count = static_cast<std::size_t>(candidates.cols());
+    std::vector<double> costs(count);
+    std::atomic<int> tried = 0;
+    parallel(count, setup.jobs, [&](std::size_t i) {
+      const WalkGaits candidate = decode(candidates.col(static_cast<Eigen::Index>(i)));
+      costs[i] = cost(setup.task, pool.tryOn(candidate, trial));
+      if (setup.report)
+        setup.report(std::string(task) + ", " + setup.robot,
+                     (static_cast<double>(search.generations()) + ++tried / static_cast<double>(count)) /
+                         setup.generations);
+    });
     search.tell(costs);
-    if (search.generations() % 10 != 0) continue;
-    const WalkGaits favourite = decode(search.favourite());
-    const TrialResult r = tryWalk(robot, favourite, setup.task, trial);
-    std::snprintf(line, sizeof line, "%s, %s, generation %d: speed %.3f, falls %.2f, drift %.3f, sigma %.3f",
-                  task, setup.robot.c_str(), static_cast<int>(search.generations()), r.speed, r.falls,
-                  r.drift, search.sigma());
-    progress(line, favourite);
+    if (search.generations() % 10 == 0) {
+      const WalkGaits favourite = decode(search.favourite());
+      const TrialResult r = pool.tryOn(favourite, trial);
+      std::snprintf(line, sizeof line,
+                    "%s, %s, generation %d: speed %.3f, falls %.2f, drift %.3f, sigma %.3f", task,
+                    setup.robot.c_str(), static_cast<int>(search.generations()), r.speed, r.falls, r.drift,
+                    search.sigma());
+      progress(line, favourite);
+    }
+    if (setup.store) setup.store(search.save());
   }
   TrialSetup last = setup.trial;
   last.seed = setup.seed * 100000 + 99999;
   last.tries *= 8;
   last.stopEarly = false;
   WalkGaits found = decode(search.favourite());
-  const TrialResult before = tryWalk(robot, gaits, setup.task, last),
-                    after = tryWalk(robot, found, setup.task, last);
+  if (setup.report) setup.report("comparing what was found, " + std::string(task), -1);
+  TrialResult before, after;
+  parallel(2, setup.jobs,
+           [&](std::size_t i) { (i == 0 ? before : after) = pool.tryOn(i == 0 ? gaits : found, last); });
   if (!(cost(setup.task, after) < cost(setup.task, before))) found = gaits;
   std::snprintf(line, sizeof line,
                 "%s, %s: speed %.3f, falls %.3f, drift %.3f -> speed %.3f, falls %.3f, drift %.3f", task,
@@ -223,36 +307,59 @@ WalkGaits withCornersOf(const WalkGaits& gaits, const WalkGaits& other) {
   WalkGaits result = gaits;
   result.corner = other.corner;
   for (WalkParameters& corner : result.corner)
-    corner.hipHeight += gaits.base.hipHeight - other.base.hipHeight;
-  for (const WalkParameterInfo& info : walkParameterTable()) {
-    const std::string name = info.name;
-    if (!info.blends && name.starts_with("max")) result.base.*info.value = other.base.*info.value;
-  }
+    corner.posture.hipHeight += gaits.base.posture.hipHeight - other.base.posture.hipHeight;
+  SpeedParameters& speed = result.base.speed;
+  speed.maxForward = other.base.speed.maxForward;
+  speed.maxBackward = other.base.speed.maxBackward;
+  speed.maxSideways = other.base.speed.maxSideways;
+  speed.maxTurn = other.base.speed.maxTurn;
   return result;
 }
 
-std::string walkFile(const WalkGaits& gaits, const WalkParameters& common, const std::string& heading) {
-  std::string text = "# " + heading + "\n";
-  const auto line = [&](const char* indent, const WalkParameterInfo& info, double value) {
-    char buffer[100];
-    std::snprintf(buffer, sizeof buffer, "%s%s: %.5g\n", indent, info.name, value);
-    text += buffer;
-  };
-  for (const WalkParameterInfo& info : walkParameterTable())
-    if (gaits.base.*info.value != common.*info.value) line("", info, gaits.base.*info.value);
-  for (std::size_t i = 0; i < WalkGaits::numCorners; ++i) {
-    bool first = true;
-    for (const WalkParameterInfo& info : walkParameterTable()) {
-      const double value = gaits.corner[i].*info.value;
-      if (!info.blends || value == gaits.base.*info.value) continue;
-      if (first) text += std::string(WalkGaits::cornerNames[i]) + ":\n";
-      first = false;
-      line("  ", info, value);
-    }
+namespace {
+
+/// Lines of a YAML file, grouped as WalkParameters is.
+class GroupedLines {
+public:
+  explicit GroupedLines(std::string indent_) : indent(std::move(indent_)) {}
+
+  void add(const std::string& path, double value) {
+    const std::size_t dot = path.find('.');
+    if (path.substr(0, dot) != group) text += indent + (group = path.substr(0, dot)) + ":\n";
+    text += indent + "  " + path.substr(dot + 1) + fmt::format(": {:.5g}\n", value);
+    ++count;
   }
-  if (!gaits.recovery.empty()) text += std::string(recoveryName) + ":\n";
-  for (const auto& [info, value] : gaits.recovery) line("  ", *info, value);
-  return text;
+
+  std::string text;
+  std::size_t count = 0;
+
+private:
+  std::string indent, group;
+};
+
+}  // namespace
+
+std::string walkFile(const WalkGaits& gaits, const WalkParameters& common, const std::string& heading) {
+  GroupedLines base("");
+  for (const WalkParameter& one : walkParameters())
+    if (one.of(gaits.base) != one.of(common)) base.add(one.path, one.of(gaits.base));
+  std::string others;
+  std::size_t count = base.count;
+  const auto addGait = [&](const char* name, const WalkParameters& gait) {
+    const bool isRecovery = &gait == &gaits.recovery;
+    GroupedLines lines("    ");
+    for (const WalkParameter& one : walkParameters()) {
+      const double value = one.of(gait);
+      const bool same = isRecovery ? std::isnan(value) : value == one.of(gaits.base);
+      if (one.blends && !same) lines.add(one.path, value);
+    }
+    if (lines.count > 0) others += std::string("  ") + name + ":\n" + lines.text;
+    count += lines.count;
+  };
+  for (std::size_t i = 0; i < WalkGaits::numCorners; ++i) addGait(WalkGaits::cornerNames[i], gaits.corner[i]);
+  addGait(recoveryName, gaits.recovery);
+  return "# " + heading + "\n" + overlayLine("walking.yaml", count) + "\n" + base.text +
+         (others.empty() ? "" : "gaits:\n" + others);
 }
 
 }  // namespace plumbline::walking

@@ -12,9 +12,12 @@ namespace plumbline::walking {
 /// recovery from pushes.
 struct Variable {
   std::string section;
-  const WalkParameterInfo* info;
+  const WalkParameter* parameter;
   double step;  ///< a sensible first change
 };
+
+/// Throws ConfigurationError naming the nearest one for a path that no parameter of the walk has.
+void checkWalkParameters(const std::vector<std::string>& paths);
 
 /// What is searched for a task: the corner of a direction with its speed and acceleration; for the mixture
 /// the accelerations, the feedback and the speeds; for pushes the recovery.
@@ -29,19 +32,25 @@ struct TrainingSetup {
   std::string robot = "type 0";                                     ///< in what is told
   std::function<std::unique_ptr<Walker>(const WalkGaits&)> walker;  ///< makes the robot
   Task task = Task::forward;
+  std::string optimizer = "cmaes";  ///< one of optimizerNames()
   int generations = 100, population = 16;
   std::uint64_t seed = 1;
   TrialSetup trial;
   std::vector<std::string> only;  ///< names of the parameters that are searched; empty: all of the task's
   double sigma = 0.5;             ///< of the first generation, in first steps of the variables
+  int jobs = 1;                   ///< candidates tried at a time; their number changes nothing else
+  std::string state;  ///< of a search that was interrupted, as `store` got it; empty: from the beginning
+  std::function<void(const std::string&)> store;  ///< the search's state after each generation
+  /// What is being done, and which share of it is done.
+  std::function<void(const std::string&, double)> report;
 };
 
 /// What a walk costs: lower is better. Falls weigh more than any speed they could be worth.
 double cost(Task task, const TrialResult& result);
 
-/// Searches with CMA-ES from the gaits given, every generation with tries of its own. Returns the middle of
-/// the last generation if it is better than the gaits given over many tries that neither was chosen by; else
-/// those. progress: a line to print and the best guess so far, every ten generations and at the end.
+/// Searches with an optimiser from the gaits given, every generation with tries of its own. Returns the
+/// middle of the last generation if it is better than the gaits given over many tries that neither was chosen
+/// by; else those. progress: a line to print and the best guess so far, every ten generations and at the end.
 WalkGaits train(const WalkGaits& gaits, const TrainingSetup& setup,
                 const std::function<void(const std::string&, const WalkGaits&)>& progress);
 

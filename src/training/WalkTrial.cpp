@@ -10,12 +10,12 @@ namespace {
 WalkRequest anyRequest(Random& random, const WalkParameters& p) {
   WalkRequest request;
   request.walk = random.uniform() > 0.15;
-  request.velocity =
-      Vec2(random.uniform(-p.maxBackward, p.maxForward), random.uniform(-p.maxSideways, p.maxSideways));
-  request.turn = random.uniform(-p.maxTurn, p.maxTurn);
+  request.velocity = Vec2(random.uniform(-p.speed.maxBackward, p.speed.maxForward),
+                          random.uniform(-p.speed.maxSideways, p.speed.maxSideways));
+  request.turn = random.uniform(-p.speed.maxTurn, p.speed.maxTurn);
   const double kind = random.uniform(0, 4);
   if (kind < 1) {
-    request.velocity = Vec2(p.maxForward, 0);
+    request.velocity = Vec2(p.speed.maxForward, 0);
     request.turn *= 0.2;
   } else if (kind < 2) {
     request.velocity.setZero();
@@ -26,9 +26,9 @@ WalkRequest anyRequest(Random& random, const WalkParameters& p) {
 /// Full speed with little else.
 WalkRequest nearly(WalkRequest full, Random& random, const WalkParameters& p) {
   const auto some = [&](double most) { return random.uniform(-0.15, 0.15) * most; };
-  full.velocity +=
-      Vec2(full.velocity.x() == 0 ? some(p.maxForward) : 0, full.velocity.y() == 0 ? some(p.maxSideways) : 0);
-  if (full.turn == 0) full.turn = some(p.maxTurn);
+  full.velocity += Vec2(full.velocity.x() == 0 ? some(p.speed.maxForward) : 0,
+                        full.velocity.y() == 0 ? some(p.speed.maxSideways) : 0);
+  if (full.turn == 0) full.turn = some(p.speed.maxTurn);
   return full;
 }
 

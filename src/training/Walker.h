@@ -1,8 +1,9 @@
 #pragma once
 #include <cmath>
+#include <functional>
 
 #include "math/Pose2.h"
-#include "walking/WalkEngine.h"
+#include "walking/engine/WalkEngine.h"
 
 namespace plumbline::walking {
 
@@ -35,6 +36,7 @@ public:
 
   /// One cycle; false when the robot lies.
   bool step(const WalkRequest& request) {
+    if (interrupt) interrupt();
     const WalkSensors sensors = sense();
     output = engine.update(request, sensors);
     act(output, sensors);
@@ -77,6 +79,7 @@ public:
   const RobotModel model;
   const double cycle;  ///< of control [s]
   WalkEngine engine;
+  std::function<void()> interrupt;  ///< called each cycle; what it throws ends the walk
   WalkOutput output;
   Pose2 moved;  ///< in the last cycle
 

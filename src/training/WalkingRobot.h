@@ -3,9 +3,11 @@
 #include <string>
 
 #include "framework/ConfigFile.h"
+#include "framework/ConfigFolder.h"
 #include "math/Angle.h"
 #include "math/TorsoAngleFilter.h"
 #include "robot/JointVelocityControl.h"
+#include "simspark/LeagueRobots.h"
 #include "simulation/LocalRobot.h"
 #include "training/Walker.h"
 
@@ -13,7 +15,7 @@ namespace plumbline::walking {
 
 /// The walk of a league robot type as the agent reads it: config/walking.yaml and the type's own file.
 inline WalkGaits readWalkGaits(int type) {
-  const ConfigFile file("walking", {"config", "config/robots/type" + std::to_string(type)});
+  const ConfigFile file("walking", {configFolder(), configPath("robots/type" + std::to_string(type))});
   WalkGaits gaits = readWalkGaits(file.root());
   file.checkUnknown();
   return gaits;
@@ -21,28 +23,15 @@ inline WalkGaits readWalkGaits(int type) {
 
 /// The common walk of config/walking.yaml alone: slow and in open loop, fitted to no robot.
 inline WalkGaits plainWalk() {
-  const ConfigFile file("walking", {"config"});
-  return readWalkGaits(file.root());
+  const ConfigFile file("walking", {configFolder()});
+  const WalkGaits gaits = readWalkGaits(file.root());
+  file.checkUnknown();
+  return gaits;
 }
 
 /// The same walk in open loop: nothing measured has an effect.
 inline WalkGaits withoutFeedback(WalkGaits gaits) {
-  const auto open = [](WalkParameters& p) {
-    for (const WalkParameterInfo& info : walkParameterTable()) {
-      const std::string name = info.name;
-      const bool gain = name.ends_with("Gain") || name.ends_with("Rate") ||
-                        name.starts_with("observationP") || name.starts_with("observationV") ||
-                        name == "swingLevel" || name == "contactShare" || name == "tiltBrake" ||
-                        name == "torsoMeasured" || name.starts_with("swingMeasured") ||
-                        name == "speedAverage";
-      if (gain) p.*info.value = 0;
-    }
-  };
-  open(gaits.base);
-  for (WalkParameters& corner : gaits.corner) open(corner);
-  gaits.recovery.clear();
-  gaits.base.recoverFull = 0;
-  gaits.base.captureMargin = 1;
+  gaits.openLoop();
   return gaits;
 }
 

@@ -29,8 +29,7 @@ DrawingPort::DrawingPort(int port) {
       getsockname(fd, reinterpret_cast<sockaddr*>(&address), &size) != 0) {
     const std::string why = std::strerror(errno);
     if (fd >= 0) close(fd);
-    throw std::runtime_error("UDP port " + std::to_string(port) + " for drawings: " + why +
-                             "; give --drawing-port another, 0 for a free one, or -1 for none");
+    throw std::runtime_error("UDP port " + std::to_string(port) + " for drawings: " + why);
   }
   setsockopt(fd, SOL_SOCKET, SO_RCVBUF, &kernelQueue, sizeof kernelQueue);
   port_ = ntohs(address.sin_port);

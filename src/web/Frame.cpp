@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "robot/RobotModel.h"
+#include "simspark/LeagueRobots.h"
 
 namespace plumbline::web {
 
@@ -40,12 +41,12 @@ void putOrientation(std::string& out, const Mat3& axes) {
   for (int i = 0; i < 4; ++i) putScaled(out, q.coeffs()[i], orientationUnit, orientationStep);
 }
 
-using BodyCounts = std::array<std::size_t, numSimsparkTypes>;
+using BodyCounts = std::vector<std::size_t>;
 
 void putRobot(std::string& out, const simspark::SceneRobot& robot, const BodyCounts& bodiesOf) {
   const auto& bodies = robot.T_world_bodies;
-  const bool known =
-      robot.type < numSimsparkTypes && bodies.size() == bodiesOf[static_cast<std::size_t>(robot.type)];
+  const auto type = static_cast<std::size_t>(robot.type);
+  const bool known = type < bodiesOf.size() && bodies.size() == bodiesOf[type];
   const std::size_t parts = known ? bodies.size() : 0;
   put(out, static_cast<std::uint8_t>(robot.side));
   put(out, static_cast<std::uint8_t>(std::clamp(robot.unum, 0, 255)));
@@ -73,8 +74,8 @@ std::string frameMessage(const simspark::SceneState& scene) {
   putPosition(out, scene.ball);
   putOrientation(out, scene.ballAxes);
   BodyCounts bodiesOf;
-  for (int type = 0; type < numSimsparkTypes; ++type)
-    bodiesOf[static_cast<std::size_t>(type)] = simspark::sceneBodies(type).size();
+  for (int type = 0; type < numSimsparkTypes(); ++type)
+    bodiesOf.push_back(simspark::sceneBodies(type).size());
   for (std::size_t i = 0; i < robots; ++i) putRobot(out, scene.robots[i], bodiesOf);
   return out;
 }

@@ -12,6 +12,7 @@ std::string gameMessage(const GameStatus& status, const simspark::SceneState& sc
                   {"source", status.source},
                   {"problem", status.problem},
                   {"live", status.live},
+                  {"connected", status.connected},
                   {"recording", status.recording},
                   {"half", scene.half},
                   {"mode", scene.playMode},

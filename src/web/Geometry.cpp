@@ -1,8 +1,9 @@
 #include "web/Geometry.h"
 
 #include <nlohmann/json.hpp>
+#include <span>
 
-#include "robot/RobotModel.h"
+#include "simspark/LeagueRobots.h"
 #include "simspark/SceneState.h"
 #include "simulation/Field.h"
 #include "simulation/sensors/FieldMarks.h"
@@ -12,6 +13,17 @@ namespace plumbline::web {
 using nlohmann::json;
 
 namespace {
+
+/// Where a body's joints are in its own axes, from its middle: its own, then those of what hangs on it.
+json jointsJson(const RobotModel& model, std::size_t index) {
+  const Link& link = model.links[index];
+  json joints = json::array();
+  const auto add = [&](const Vec3& place) { joints.push_back({place.x(), place.y(), place.z()}); };
+  if (link.parent >= 0) add(-link.com);
+  for (const Link& child : model.links)
+    if (child.parent == static_cast<int>(index)) add(child.origin - link.com);
+  return joints;
+}
 
 json partJson(const Link& link) {
   const Vec3 size = link.shape.size;
@@ -36,22 +48,25 @@ json partJson(const Link& link) {
 json fieldJson() {
   using namespace simulation;
   json lines = json::array();
-  for (const FieldLine& line : fieldLines())
+  for (const FieldLine& line : std::span(fieldLines()).first(numStraightLines))
     lines.push_back({line.begin.x(), line.begin.y(), line.end.x(), line.end.y()});
-  return {{"length", fieldLength},    {"width", fieldWidth},      {"goalWidth", goalWidth},
-          {"goalDepth", goalDepth},   {"goalHeight", goalHeight}, {"barDiameter", goalBarDiameter},
-          {"ballRadius", ballRadius}, {"lines", std::move(lines)}};
+  return {{"length", fieldLength},    {"width", fieldWidth},       {"goalWidth", goalWidth},
+          {"goalDepth", goalDepth},   {"goalHeight", goalHeight},  {"barDiameter", goalBarDiameter},
+          {"ballRadius", ballRadius}, {"lines", std::move(lines)}, {"circle", {0, 0, centreCircleRadius}}};
 }
 
 }  // namespace
 
 std::string geometryMessage() {
   json types = json::array();
-  for (int type = 0; type < numSimsparkTypes; ++type) {
-    const RobotModel model = simsparkRobot(type);
+  for (int type = 0; type < numSimsparkTypes(); ++type) {
+    const RobotModel& model = simsparkRobot(type);
     json parts = json::array();
-    for (const std::string& name : simspark::sceneBodies(type))
-      parts.push_back(partJson(model.links[static_cast<std::size_t>(model.linkIndex(name))]));
+    for (const std::string& name : simspark::sceneBodies(type)) {
+      const auto index = static_cast<std::size_t>(model.linkIndex(name));
+      parts.push_back(partJson(model.links[index]));
+      parts.back()["joints"] = jointsJson(model, index);
+    }
     types.push_back({{"parts", std::move(parts)}});
   }
   return json{{"kind", "geometry"}, {"field", fieldJson()}, {"types", std::move(types)}}.dump();

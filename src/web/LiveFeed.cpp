@@ -1,6 +1,10 @@
 #include "web/LiveFeed.h"
 
+#include <sys/eventfd.h>
+#include <unistd.h>
+
 #include <chrono>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
@@ -32,17 +36,32 @@ LiveFeed::LiveFeed(const Config& config_, Broadcast& broadcast_)
   if (config.drawingPort >= 0) {
     try {
       drawings = std::make_unique<DrawingPort>(config.drawingPort);
-    } catch (const std::runtime_error&) {
-      if (!config.drawingPortOptional) throw;
+    } catch (const std::runtime_error& error) {
+      if (!config.drawingPortOptional)
+        throw std::runtime_error(
+            error.what() + std::string("; give --drawing-port another, 0 for a free one, or -1 for none"));
+      drawingProblem_ = error.what();
     }
   }
   publish(Channel::geometry, geometryMessage());
+  stopDescriptor = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  if (stopDescriptor < 0) throw std::runtime_error("no file descriptor left");
+  monitor.interruptBy(stopDescriptor);
   thread = std::thread([this] { run(); });
 }
 
 LiveFeed::~LiveFeed() {
   stop = true;
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const auto written = write(stopDescriptor, &one, sizeof one);
   thread.join();
+  close(stopDescriptor);
+  if (!writer) return;
+  try {
+    writer->flush();
+  } catch (const std::runtime_error& error) {
+    loseRecording(error.what());
+  }
 }
 
 double LiveFeed::now() const { return wallClock() - start; }
@@ -60,12 +79,17 @@ void LiveFeed::publish(Channel channel, std::string message) {
     try {
       writer->add(now(), channel, message);
     } catch (const std::runtime_error& error) {
-      writer.reset();
-      status.recording.clear();
-      status.problem = error.what();
+      loseRecording(error.what());
     }
   }
   broadcast.publish(channel, std::move(message));
+}
+
+void LiveFeed::loseRecording(const std::string& why) {
+  writer.reset();
+  status.recording.clear();
+  status.problem = why;
+  if (config.recordingLost) config.recordingLost(why);
 }
 
 void LiveFeed::publishGame() {
@@ -107,6 +131,7 @@ void LiveFeed::follow() {
     result = monitor.receive(patience);
   sendCommands();
   if (result == Connection::Status::closed) {
+    status.connected = false;
     status.problem = monitor.error().empty() ? "the simulator has gone" : monitor.error();
     publishGame();
     return;
@@ -116,6 +141,7 @@ void LiveFeed::follow() {
     status.problem.clear();
     publish(Channel::frame, frameMessage(monitor.scene()));
   }
+  status.connected = true;
   if (monitor.scene().complete()) publishGame();
 }
 

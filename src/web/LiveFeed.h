@@ -1,5 +1,6 @@
 #pragma once
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -24,8 +25,10 @@ public:
     int port = 3200;
     std::string token{};               ///< of the monitor port
     int drawingPort = 32769;           ///< UDP on the loopback interface; -1: none
-    bool drawingPortOptional = false;  ///< do without if it is in use
+    bool drawingPortOptional = false;  ///< go without if it cannot be had
     std::string record{};              ///< file; empty: none
+    /// Told once, in the feed's thread or its destructor, why the recording ended before the match.
+    std::function<void(const std::string&)> recordingLost{};
   };
   /// Throws std::runtime_error, one line, if the drawing port or the file cannot be had.
   LiveFeed(const Config& config, Broadcast& broadcast);
@@ -33,6 +36,8 @@ public:
 
   void command(const PageCommand& command) override;
   int drawingPort() const { return drawings ? drawings->port() : -1; }
+  /// Why it goes without the agents' drawings, one line; empty: it does not, or nobody asked for them.
+  const std::string& drawingProblem() const { return drawingProblem_; }
 
 private:
   void run();
@@ -41,6 +46,7 @@ private:
   void sendCommands();
   void publishGame();
   void publish(Channel channel, std::string message);
+  void loseRecording(const std::string& why);
   double now() const;
 
   Config config;
@@ -49,12 +55,13 @@ private:
   std::unique_ptr<MatchWriter> writer;
   simspark::MonitorClient monitor;
   GameStatus status;
-  std::string toldGame;
+  std::string toldGame, drawingProblem_;
   double start, lastFrame = -1;
 
   std::mutex mutex;
   std::vector<simspark::TrainerCommand> commands;
   std::atomic<bool> stop = false;
+  int stopDescriptor;  ///< readable from then on
   std::thread thread;
 };
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace plumbline::web {
 
@@ -45,7 +46,7 @@ void ReplayFeed::command(const PageCommand& command) {
 /// A recorded game is not live, wherever it was recorded.
 void ReplayFeed::publish(const MatchRecord& record) {
   if (record.channel != Channel::game) return broadcast.publish(record.channel, record.message);
-  json game = json::parse(record.message, nullptr, false);
+  json game = gameOf(record, name);
   if (!game.is_object()) return;
   game["live"] = false;
   game["source"] = name;
@@ -95,12 +96,27 @@ void ReplayFeed::advance(double to) {
   time = to;
 }
 
+void ReplayFeed::findGoals() {
+  if (scanned >= reader.numChunks()) return;
+  const std::size_t before = marks.goals().size();
+  try {
+    marks.add(reader.read(scanned++), name);
+  } catch (const std::runtime_error&) {  // whoever goes there is told
+    scanned = reader.numChunks();
+  }
+  if (marks.goals().size() != before) statusChanged = true;
+}
+
 void ReplayFeed::publishStatus() {
+  json goals = json::array();
+  for (const GoalMarks::Goal& goal : marks.goals())
+    goals.push_back({{"time", goal.time}, {"side", goal.left ? "left" : "right"}});
   broadcast.publish(Channel::replay, json{{"kind", "replay"},
                                           {"time", time},
                                           {"duration", reader.duration()},
                                           {"playing", playing},
                                           {"rate", rate},
+                                          {"goals", std::move(goals)},
                                           {"problem", problem}}
                                          .dump());
 }
@@ -131,12 +147,13 @@ void ReplayFeed::run() {
       wanted.reset();
       statusChanged = true;
     }
+    findGoals();
     if (statusChanged || (playing && now - lastStatus > std::chrono::duration<double>(statusInterval))) {
       publishStatus();
       lastStatus = now;
       statusChanged = false;
     }
-    if (playing) {
+    if (playing || scanned < reader.numChunks()) {
       wake.wait_for(lock, std::chrono::duration<double>(tick));
     } else {
       wake.wait(lock, [&] { return stop || playing || wanted || statusChanged; });

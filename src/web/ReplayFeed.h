@@ -8,12 +8,13 @@
 
 #include "web/Broadcast.h"
 #include "web/Feed.h"
+#include "web/GoalMarks.h"
 #include "web/MatchFile.h"
 
 namespace plumbline::web {
 
 /// Shows a recorded match; pages may stop it, choose its rate and any time of it. On channel replay it tells
-/// {"kind":"replay","time":,"duration":,"playing":,"rate":}.
+/// {"kind":"replay","time":,"duration":,"playing":,"rate":,"goals":[{"time":,"side":}],"problem":}.
 class ReplayFeed : public Feed {
 public:
   /// Throws std::runtime_error, one line, if the file cannot be read.
@@ -30,6 +31,8 @@ private:
   void load(std::size_t chunk);
   void publish(const MatchRecord& record);
   void publishStatus();
+  /// Looks through one more chunk of the file.
+  void findGoals();
 
   std::string name;
   Broadcast& broadcast;
@@ -37,6 +40,8 @@ private:
   std::vector<MatchRecord> records;  ///< of the chunk being shown
   std::size_t chunk = 0, next = 0;
   double time = 0;
+  GoalMarks marks;
+  std::size_t scanned = 0;  ///< chunks that have been looked through for goals
 
   std::mutex mutex;
   std::condition_variable wake;

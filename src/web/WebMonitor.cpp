@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "framework/ConfigFolder.h"
 #include "simspark/ChildProcess.h"
+#include "simspark/Loopback.h"
 #include "web/ReplayFeed.h"
 
 namespace plumbline::web {
@@ -19,17 +21,15 @@ WebServer::Config complete(WebServer::Config config) {
   return config;
 }
 
-bool isLoopback(const std::string& address) { return address == "localhost" || address.starts_with("127."); }
-
 }  // namespace
 
 std::string bindProblem(const std::string& address, const std::string& token) {
-  if (isLoopback(address) || !token.empty()) return {};
+  if (simspark::isLoopbackAddress(address) || !token.empty()) return {};
   return "--bind " + address + " opens the page to others: set a --token";
 }
 
 std::string builtPage() {
-  const std::string programs = simspark::programFolder();
+  const std::string programs = programFolder();
   for (const char* folder : {"/../build/web", "/../../web"})
     if (std::filesystem::exists(programs + folder + "/index.html"))
       return std::filesystem::canonical(programs + folder).string();
@@ -40,11 +40,12 @@ WebMonitor::WebMonitor(const WebMonitorConfig& config) : server(complete(config.
   if (config.replay.empty()) {
     auto live = std::make_unique<LiveFeed>(config.live, broadcast);
     drawingPort_ = live->drawingPort();
+    drawingProblem_ = live->drawingProblem();
     feed = std::move(live);
   } else {
     feed = std::make_unique<ReplayFeed>(config.replay, broadcast);
   }
-  const bool loopback = isLoopback(config.server.address);
+  const bool loopback = simspark::isLoopbackAddress(config.server.address);
   address_ = "http://" + (loopback ? "localhost" : config.server.address) + ':' +
              std::to_string(server.port()) + '/';
   if (!config.server.token.empty()) address_ += "?token=" + config.server.token;

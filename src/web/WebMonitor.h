@@ -28,12 +28,14 @@ public:
   int port() const { return server.port(); }
   /// UDP port of the agents' drawings; -1: none.
   int drawingPort() const { return drawingPort_; }
+  /// Why it goes without drawings, one line; empty: it has them, or nobody asked for them.
+  const std::string& drawingProblem() const { return drawingProblem_; }
 
 private:
   Broadcast broadcast;
   WebServer server;
   std::unique_ptr<Feed> feed;
-  std::string address_;
+  std::string address_, drawingProblem_;
   int drawingPort_ = -1;
 };
 

@@ -13,6 +13,8 @@
 #include <thread>
 #include <vector>
 
+#include "simspark/Loopback.h"
+
 namespace plumbline::web {
 
 namespace {
@@ -36,7 +38,8 @@ std::string header(lws* wsi, lws_token_indexes token) {
 bool isLoopbackHost(std::string_view host) {
   if (const auto colon = host.rfind(':'); colon != std::string_view::npos && host.back() != ']')
     host = host.substr(0, colon);
-  return host == "localhost" || host == "[::1]" || host.starts_with("127.");
+  if (host.starts_with('[') && host.ends_with(']')) return host == "[::1]";
+  return host != "::1" && simspark::isLoopbackAddress(host);
 }
 
 /// Whether the port is free: asked first, as libwebsockets 4.1.6 loses memory where it can't bind. True too
@@ -54,14 +57,6 @@ bool canListen(const std::string& address, int port) {
       bind(fd, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0 && listen(fd, 1) == 0;
   close(fd);
   return free;
-}
-
-/// Takes as long for every wrong text.
-bool sameText(std::string_view a, std::string_view b) {
-  if (a.size() != b.size()) return false;
-  unsigned difference = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) difference |= static_cast<unsigned char>(a[i] ^ b[i]);
-  return difference == 0;
 }
 
 }  // namespace
@@ -156,7 +151,7 @@ bool WebServer::Implementation::admits(lws* wsi) const {
   if (config.token.empty()) return isLoopbackHost(host);
   std::array<char, 256> given{};
   const char* found = lws_get_urlarg_by_name(wsi, "token=", given.data(), static_cast<int>(given.size()));
-  return found && sameText(found, config.token);
+  return found && simspark::sameSecret(found, config.token);
 }
 
 void WebServer::Implementation::receive(Session& session, lws* wsi, std::string_view bytes) {

@@ -2,6 +2,7 @@
 # The scripts behind make: checks of floors and sizes, the test runner, the packages.
 source "$(dirname "$0")/project.bash"
 writeSources
+rm scripts/circles.txt
 
 # Floors.
 mkdir -p src/{walking,framework,representations,robot}
@@ -13,9 +14,39 @@ text=$(scripts/check_floors.sh 2> floors.err)
 expect "floors: status" $? 1
 expect "floors: offenders" "$text" 'src/math/Up.h:3: src/math must not look up to "robot/Joint.h"
 src/robot/Joint.cpp:1: relative include "../math/One.h": write the path from src/
-src/walking/Step.cpp:3: src/walking may include math, robot and optimization only, not "framework/Module.h"'
+src/walking/Step.cpp:3: src/walking may include parameters, math, robot and optimization only, not "framework/Module.h"'
 expect "floors: count" "$(cat floors.err)" "check_floors: 3 include(s) point up"
 rm -r src/walking src/math/Up.h src/robot
+
+# Platforms: their own modules alone see them and their wires.
+mkdir -p src/modules/{motion,simspark,nao} src/simspark
+printf 'MAKE_PLATFORM("simspark", SimSpark)\n' > src/modules/simspark/SimSpark.cpp
+printf '#include "simspark/Wire.h"\n#include "modules/simspark/Link.h"\n#include "modules/motion/Walk.h"\n' > src/modules/simspark/Send.cpp
+scripts/check_floors.sh || fail "a platform of its own modules refused"
+printf '#include "math/One.h"\n#include "simspark/Wire.h"\n' > src/modules/motion/Walk.cpp
+printf '#include "modules/simspark/Link.h"\n' > src/modules/nao/Nao.cpp
+text=$(scripts/check_floors.sh)
+expect "platforms: status" $? 1
+expect "platforms" "$text" 'src/modules/motion/Walk.cpp:2: only modules of the platform simspark include "simspark/Wire.h"
+src/modules/nao/Nao.cpp:1: only modules of the platform simspark include "modules/simspark/Link.h"'
+rm -r src/modules/{simspark,motion,nao} src/simspark
+
+# Circles of folders, the exceptions aside.
+: > scripts/circles.txt
+mkdir -p src/math/a src/math/b
+printf '#include "math/b/B.h"\n' > src/math/a/A.h
+printf '#include "math/One.h"\n' > src/math/b/B.h
+scripts/check_floors.sh || fail "no circle refused"
+printf '#include "math/a/A.h"\n' > src/math/One.cpp
+printf '#include "math/a/A.h"\n' > src/math/b/B.h
+text=$(scripts/check_floors.sh)
+expect "circle: status" $? 1
+expect "circle" "$text" 'src/math/a/A.h:1: src/math/a and src/math/b are in a circle of folders
+src/math/b/B.h:1: src/math/b and src/math/a are in a circle of folders'
+echo "src/math/b src/math/a  # for now" > scripts/circles.txt
+scripts/check_floors.sh || fail "an exception refused"
+rm -r src/math/a src/math/b scripts/circles.txt
+writeSources
 
 # Sizes.
 scripts/check_sizes.sh > /dev/null || fail "short files refused"
@@ -47,10 +78,13 @@ rm tests/math/good.sh
 build test-math
 expect "dying test: status" "$status" 2
 contains "dying test: count" "$log" "0 passed, 1 failed"
-# One that hangs is stopped.
-printf '#include <gtest/gtest.h>\n#include <unistd.h>\nTEST(One, hangs) { sleep(60); }\n' > tests/math/OneTest.cpp
+# One that computes for ever is stopped by its CPU time, however busy the machine is; one that waits, in the end.
+printf '#include <gtest/gtest.h>\n#include <unistd.h>\nTEST(One, hangs) { volatile bool on = true; while (on) {} }\n' > tests/math/OneTest.cpp
+TEST_CPU_SECONDS=1 build test-math
+contains "test that computes for ever" "$log" "stopped after 1 s of computing"
+printf '#include <gtest/gtest.h>\n#include <unistd.h>\nTEST(One, waits) { sleep(60); }\n' > tests/math/OneTest.cpp
 TEST_TIMEOUT=1 build test-math
-contains "hanging test" "$log" "stopped after 1 s"
+contains "test that waits" "$log" "stopped after 1 s"
 
 build test-moon
 contains "unknown area" "$log" "run_tests.sh: no tests/moon; there is: math"
@@ -63,6 +97,33 @@ expect "skipped test: last line" "$(tail -1 <<< "$log")" "1 passed, 0 failed"
 
 # Packages: nothing missing is silent and quick; who may not install is told so in one line.
 expect "nothing missing" "$(scripts/install_packages.sh 2>&1)" ""
+expect "PACKAGES=no" "$(PACKAGES=no scripts/install_packages.sh no-such-list.txt 2>&1)" ""
+mkdir elsewhere doc
+cp "$repository/doc/dependencies.md" doc/
+for tool in bash dirname sed tr cat env; do ln -s "$(command -v $tool)" elsewhere/$tool; done
+text=$(env -i "PATH=$project/elsewhere" bash scripts/install_packages.sh 2>&1)
+expect "no dpkg: status" $? 2
+contains "no dpkg: what to do" "$text" "this is no Debian. Install these by hand, then make again with PACKAGES=no:"
+contains "no dpkg: names" "$text" "libeigen3-dev"
+contains "no dpkg: other names" "$text" "eigen3-devel"
+rm -r elsewhere doc
+
+# Help does nothing but print; a wrong word is named.
+for script in scripts/*.sh; do
+  [[ $script == scripts/run.sh ]] && continue # hands it on to bin/game
+  text=$(timeout 10 bash "$script" --help 2>&1)
+  expect "$script --help: status" $? 0
+  contains "$script --help" "$text" "Example"
+done
+for script in build_page.sh format.sh; do
+  text=$(bash scripts/$script --foo 2>&1)
+  expect "$script --foo: status" $? 2
+  expect "$script --foo" "$text" "$script: no option --foo; see $script --help"
+done
+text=$(bash scripts/check_sizes.sh --foo 2>&1)
+expect "check_sizes.sh --foo" "$text" "check_sizes.sh: unexpected argument '--foo'; see check_sizes.sh --help"
+text=$(bash scripts/optimise_walks.sh 7 2>&1)
+expect "optimise_walks.sh 7" "$text" "optimise_walks.sh: no robot type '7'; see optimise_walks.sh --help"
 echo "no-such-package-of-any-kind  # made up" > list.txt
 mkdir tools
 for tool in bash dirname sed tr cat dpkg-query env; do ln -s "$(command -v $tool)" tools/$tool; done

@@ -60,7 +60,7 @@ TEST_F(ProposalsTest, lostCommandsWhereTheyAreAskedFor) {
   look(evidence);
   const std::string path = ::testing::TempDir() + "proposals-memory";
   std::filesystem::remove(path);
-  SearchMemory memory(path, *fine);
+  SearchMemory memory(path, "mark", arm);
   EXPECT_FALSE(
       has(proposals->find({.stage = "first", .lostCommands = false, .memory = &memory}), "command_dropout"));
   EXPECT_EQ(memory.size(), 0u) << "a narrower look must not pass for the whole";

@@ -18,7 +18,7 @@ TEST(SettingsDiagnosis, FindsTheDelayThatWasLeftOut) {
   EXPECT_EQ(diagnosis.findings[0].value.value, 1);
   EXPECT_EQ(diagnosis.findings[0].nominal, 0);
   EXPECT_GT(diagnosis.gap.closed(), 0.9);
-  const auto answer = nlohmann::json::parse(settingsJson(diagnosis, "simspark", 1));
+  const auto answer = nlohmann::json::parse(settingsJson(diagnosis, "simspark"));
   EXPECT_EQ(answer["verdict"], "effect");
   EXPECT_EQ(answer["effects"][0]["effect"], "action_delay");
   EXPECT_EQ(answer["effects"][0]["at"], "simulator");

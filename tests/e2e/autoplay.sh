@@ -113,5 +113,5 @@ expectError 2 "runOppList.sh: $scratch/list:1: NAME COMMAND is wanted, there is 
 expectError 2 "getAvgForEachOpp.sh: cannot read nowhere.log" "$auto/getAvgForEachOpp.sh" nowhere.log
 printf '1,2\n' > "$scratch/bad.log"
 expectError 2 "getAvgSteps.sh: $scratch/bad.log:1: no header; is this a games.log?" "$auto/getAvgSteps.sh" "$scratch/bad.log"
-expectError 2 "start.sh: type '5' is not 0 to 4; see start.sh --help" bin/start.sh --types 5 -n 1
+expectError 2 "start.sh: there is no robot type '5' in $PWD/config/robots; see start.sh --help" bin/start.sh --types 5 -n 1
 expectError 2 "watchgame: --players: Value 23 not in range 0 to 22; see watchgame --help" "$bin/watchgame" --players 23

@@ -45,6 +45,46 @@ answer=$(node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1
 expectEqual "$answer" "effect command_dropout * 0.1, viscous_friction Elbow 0.30, viscous_friction Shoulder 0.30" "the answer with lost commands"
 [[ ! -e $scratch/lost.json.searches && ! -e $scratch/lost.json.searches2 ]] || fail "the diagnosis left its memory behind"
 
+# The same again, to the byte, and what it took in a file of its own.
+gap diagnose "$scratch/lost2" "$scratch/lost3" --robot $arm --json "$scratch/again.json" --timing "$scratch/took.json" --jobs 1
+cmp "$scratch/lost.json" "$scratch/again.json" || fail "the same recordings give another answer"
+grep -q '^{"seconds": [0-9.]*, "cpu_seconds": [0-9.]*}$' "$scratch/took.json" || fail "timing: $(cat "$scratch/took.json")"
+
+# A joint that was not logged: neither its commands nor its positions; another without commands alone.
+for kept in 'Shoulder' 'Shoulder pos.Elbow'; do
+  mkdir "$scratch/part"
+  for seed in 2 3; do
+    mkdir "$scratch/part/$seed"
+    cp "$scratch/lost$seed/run.json" "$scratch/part/$seed"
+    zcat "$scratch/lost$seed/run.csv.gz" | awk -F, -v kept="$kept" 'NR == 1 { n = split(kept, k, " ")
+        for (i = 1; i <= NF; ++i) { use[i] = $i == "t"; for (j in k) if (index($i, k[j])) use[i] = 1 } }
+      { line = ""; for (i = 1; i <= NF; ++i) if (use[i]) line = line (line == "" ? "" : ",") $i; print line }' > "$scratch/part/$seed/run.csv"
+  done
+  gap diagnose "$scratch/part" --robot $arm --json "$scratch/part.json"
+  answer=$(node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1])); console.log(a.effects.some((e) => e.effect === "command_dropout"))' "$scratch/part.json")
+  expectEqual "$answer" "true" "lost commands in an arm of which $kept was logged"
+  rm -r "$scratch/part"
+done
+
+# Stopped at once, nothing half-written; standard output that is full; a memory that cannot be written.
+status=0
+timeout -s INT --preserve-status 1 "$bin/gap" diagnose "$scratch/runs" --robot $arm --jobs 1 --json "$scratch/stopped.json" 2> "$scratch/err" ||
+  status=$?
+expectEqual $status 130 "the status of a diagnosis that was stopped"
+grep -q '^gap: stopped; ' "$scratch/err" || fail "stopped: $(cat "$scratch/err")"
+[[ ! -e $scratch/stopped.json && ! -e $scratch/stopped.json.part ]] || fail "a diagnosis that was stopped wrote an answer"
+for command in "effects --robot $arm" "reveal $scratch/runs" "--help" "apply $scratch/answer.json -o $scratch/full.yaml"; do
+  status=0
+  "$bin/gap" $command > /dev/full 2> "$scratch/err" || status=$?
+  expectEqual $status 2 "the status of gap $command on a full disk"
+  grep -q '^gap: cannot write to standard output' "$scratch/err" || fail "gap $command on a full disk: $(cat "$scratch/err")"
+done
+mkdir "$scratch/memory" "$scratch/memory/a.json.searches"
+gap diagnose "$scratch/lost2" --robot $arm --json "$scratch/memory/a.json"
+grep -q '^gap: cannot write .*/a.json.searches: Is a directory; a diagnosis that is stopped from now on repeats what follows$' "$scratch/err" ||
+  fail "a memory that cannot be written: $(cat "$scratch/err")"
+[[ -s $scratch/memory/a.json ]] || fail "no answer where the memory cannot be written"
+
 # What was found goes into a simulator, and a robot with it is explained.
 gap apply "$scratch/answer.json" -o "$scratch/effects.yaml"
 gap record --robot $arm --program hang_sweep --effects "$scratch/effects.yaml" --seed 2 -o "$scratch/check"
@@ -56,8 +96,16 @@ gap record --robot $arm --program "$scratch/next.yaml" -o "$scratch/next"
 gap record --robot $arm --program hang_sweep --effects "$scratch/effects.yaml" --seed 2 -o "$scratch/again"
 cmp "$scratch/check/run.csv.gz" "$scratch/again/run.csv.gz" || fail "the same seed gives other bytes"
 
+# What is there is replaced where that is asked for.
+gap record --robot $arm --program hang_sweep --force -o "$scratch/again"
+cmp -s "$scratch/check/run.csv.gz" "$scratch/again/run.csv.gz" && fail "--force replaced nothing"
+mkdir "$scratch/home" && touch "$scratch/home/thesis.tex"
+expectError 2 "gap: $scratch/home/thesis.tex is no recording; --force replaces folders of recordings alone" \
+  "$bin/gap" record --robot $arm --program hang_sweep --force -o "$scratch/home"
+
 # What cannot be is refused in one line.
-expectError 2 "gap: $scratch/check is there already; name a new folder with -o" \
+expectError 2 "gap: there is no command diagnos; did you mean \"diagnose\"?; see gap --help" "$bin/gap" diagnos runs
+expectError 2 "gap: $scratch/check is there already; --force replaces it, or name a new folder with -o" \
   "$bin/gap" record --robot $arm --program hang_sweep -o "$scratch/check"
 expectError 2 "gap: record needs --program or --battery, one of them" "$bin/gap" record --robot $arm -o "$scratch/x"
 printf 'effects:\n  - {effect: backlsh, at: Elbow, value: 0.1}\n' > "$scratch/bad.yaml"

@@ -237,21 +237,22 @@ TEST_F(ConfigFileTest, namesBrokenFiles) {
 
 TEST_F(ConfigFileTest, laterDirectoriesOverrideSingleKeys) {
   write("Walk.yaml", "speed: 1\nstep: {height: 2, length: 3}\ngains: [1, 2]\n");
-  write("type3/Walk.yaml", "step: {height: 20}\ngains: [5]\nmass: 4\n");
+  write("type3/Walk.yaml",
+        "overlay: {base: Walk.yaml, values: 3}\nstep: {height: 20}\ngains: [5]\nmass: 4\n");
   const ConfigFile file("Walk", {folder_, folder_ + "type3"});
   const ConfigSection& root = file.root();
   EXPECT_EQ(root.get<int>("speed"), 1);
   EXPECT_EQ(root.get<int>("step.height"), 20);
   EXPECT_EQ(root.get<int>("step.length"), 3);
   EXPECT_EQ(root.get<std::vector<int>>("gains"), (std::vector<int>{5}));
-  EXPECT_EQ(errorOf([&] { file.checkUnknown(); }), "type3/Walk.yaml:3: unknown key \"mass\"");
+  EXPECT_EQ(errorOf([&] { file.checkUnknown(); }), "type3/Walk.yaml:4: unknown key \"mass\"");
   EXPECT_EQ(root.get<int>("mass"), 4);
   EXPECT_NO_THROW(file.checkUnknown());
 }
 
 TEST_F(ConfigFileTest, errorsNameTheFileOfTheValue) {
   write("Walk.yaml", "a: 1\nb: x\n");
-  write("type3/Walk.yaml", "\na: y\n");
+  write("type3/Walk.yaml", "overlay: {base: Walk.yaml, values: 1}\na: y\n");
   const ConfigFile file("Walk", {folder_, folder_ + "type3"});
   EXPECT_EQ(errorOf([&] { file.root().get<int>("a"); }),
             "type3/Walk.yaml:2: a must be an integer, not \"y\"");

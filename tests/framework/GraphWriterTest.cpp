@@ -52,13 +52,16 @@ TEST_F(GraphWriterTest, drawsModulesRepresentationsAndThreads) {
   EXPECT_EQ(contents(folder_ + "/graph.dot"),
             R"(digraph modules {
   node [fontname="Helvetica"];
+  graph [fontname="Helvetica", rankdir=LR, ranksep=0.4, nodesep=0.12];
+  labelloc=b;
+  label="box: module    ellipse: representation    full line: REQUIRES, PROVIDES    grey: REQUIRES_IF_PROVIDED    dashed: USES    dotted: copy between threads";
   subgraph "cluster_a" {
     label="a";
     "a/module/AlphaFromLastGamma" [label="AlphaFromLastGamma", shape=box];
     "a/representation/Alpha" [label="Alpha", shape=ellipse];
-    "a/module/AlphaFromLastGamma" -> "a/representation/Alpha";
     "a/module/BetaFromAlpha" [label="BetaFromAlpha", shape=box];
     "a/representation/Beta" [label="Beta", shape=ellipse];
+    "a/module/AlphaFromLastGamma" -> "a/representation/Alpha";
     "a/module/BetaFromAlpha" -> "a/representation/Beta";
     "a/representation/Alpha" -> "a/module/BetaFromAlpha";
   }
@@ -71,6 +74,35 @@ TEST_F(GraphWriterTest, drawsModulesRepresentationsAndThreads) {
   "a/representation/Alpha" -> "b/representation/Alpha" [style=dotted];
 }
 )");
+}
+
+TEST_F(GraphWriterTest, timesStandInTheModules) {
+  const std::string text = graphText(twoThreads(), {{"BetaFromAlpha", 12.34}});
+  EXPECT_NE(text.find(R"([label="BetaFromAlpha\n12.3 us", shape=box])"), std::string::npos);
+  EXPECT_NE(text.find(R"([label="AlphaFromLastGamma", shape=box])"), std::string::npos);
+}
+
+TEST_F(GraphWriterTest, anAreaIsTheFolderOfAModule) {
+  EXPECT_EQ((ModuleDescription{"A", {}, {}, "src/modules/perception/ball/A.h"}).area(), "perception");
+  EXPECT_EQ((ModuleDescription{"A", {}, {}, "modules/A.h"}).area(), "");
+  EXPECT_EQ((ModuleDescription{"A", {}, {}, "tests/framework/TestModules.h"}).area(), "");
+}
+
+TEST_F(GraphWriterTest, anAreaIsAFrameOfItsOwnColour) {
+  std::vector<ThreadPlan> threads = twoThreads();
+  ModuleDescription& description =
+      const_cast<ModuleDescription&>(threads[0].modules[1].loader->description());
+  description.file = "src/modules/modeling/B.h";
+  const std::string text = graphText(threads);
+  description.file.clear();
+  EXPECT_NE(text.find(R"(    subgraph "cluster_a/modeling" {
+    label="modeling"; labelloc=t; fontsize=24; style="filled,rounded"; color="#d9ead3";
+    "a/module/BetaFromAlpha" [label="BetaFromAlpha", shape=box, style=filled, fillcolor=white];
+    "a/representation/Beta" [label="Beta", shape=ellipse];
+    }
+)"),
+            std::string::npos)
+      << text;
 }
 
 TEST_F(GraphWriterTest, drawsPicturesThroughGraphviz) {

@@ -7,10 +7,10 @@
 
 namespace plumbline {
 
-/// What the framework only declares, a program defines.
-class Monitor {
+/// Made when a module first asks for it.
+class Clock {
 public:
-  virtual ~Monitor() = default;
+  virtual ~Clock() = default;
   virtual std::string name() const = 0;
 };
 
@@ -26,7 +26,7 @@ class ObjectUser : public ObjectUserBase {
 public:
   void init() override {
     addCall(object<Greeting>().text);
-    addCall(monitor ? monitor->name() : "no monitor");
+    addCall(object<Clock>().name());
     addCall(findObject<Unknown>() ? "unknown found" : "unknown missing");
   }
 };
@@ -42,22 +42,22 @@ MAKE_MODULE(ObjectMisser)
 
 namespace {
 
-class TestMonitor : public Monitor {
+class TestClock : public Clock {
 public:
-  TestMonitor() { made++; }
-  std::string name() const override { return "test monitor"; }
+  TestClock() { made++; }
+  std::string name() const override { return "test clock"; }
   static inline int made = 0;
 };
-MAKE_MODULE_OBJECT(Monitor, TestMonitor)
+MAKE_MODULE_OBJECT(Clock, TestClock)
 
 TEST(ModuleObjectsTest, modulesReachThemByType) {
-  TestMonitor::made = 0;
+  TestClock::made = 0;
   Controller controller = makeController("ObjectUser\nStopper\n");
-  EXPECT_EQ(TestMonitor::made, 0);
+  EXPECT_EQ(TestClock::made, 0);
   controller.objects().set(std::make_shared<Greeting>(Greeting{"hello"}));
   controller.init();
-  EXPECT_EQ(calls(), (std::vector<std::string>{"hello", "test monitor", "unknown missing"}));
-  EXPECT_EQ(TestMonitor::made, 1);  // one for all modules
+  EXPECT_EQ(calls(), (std::vector<std::string>{"hello", "test clock", "unknown missing"}));
+  EXPECT_EQ(TestClock::made, 1);  // one for all modules
 }
 
 TEST(ModuleObjectsTest, aMissingOneIsNamed) {

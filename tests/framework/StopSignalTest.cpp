@@ -6,6 +6,8 @@
 #include <csignal>
 #include <thread>
 
+#include "framework/Parallel.h"
+
 namespace plumbline {
 namespace {
 
@@ -48,6 +50,19 @@ TEST(StopSignalTest, signalsAreRequests) {
     EXPECT_EQ(stop.exitCode(), 0);
     EXPECT_EQ(stop.reason(), reason);
   }
+}
+
+TEST(StopSignalTest, longWorkIsStoppedFromWithin) {
+  StopSignal::throwIfCaught();
+  {
+    StopSignal stop;
+    stop.catchSignals();
+    StopSignal::throwIfCaught();
+    raise(SIGTERM);
+    EXPECT_THROW(StopSignal::throwIfCaught(), Stopped);
+    EXPECT_THROW(parallel(100, 3, [](std::size_t) { FAIL() << "no work is begun"; }), Stopped);
+  }
+  StopSignal::throwIfCaught();
 }
 
 TEST(StopSignalTest, aSecondSignalEndsTheProcess) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <sstream>
+#include <thread>
 
 #include "framework/TestModules.h"
 #include "framework/TimingPlugin.h"
@@ -84,11 +85,48 @@ TEST(TimingReportTest, isATableOfAllStopwatches) {
   std::istringstream lines(controller.timingReport());
   for (std::string line; std::getline(lines, line);) {
     names.push_back(line.substr(0, line.find("   ")));
-    EXPECT_EQ(line.size(), 96u) << line;
+    if (names.size() > 1) {
+      EXPECT_EQ(line.size(), 106u) << line;
+    }
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"[default] microseconds", "cycle", "processor time per cycle",
-                                             "AlphaSource:execute", "AlphaSource:updateAlpha",
-                                             "Measurer:execute", "  Measurer:inner"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{names[0], "microseconds", "cycle", "cycle without waiting",
+                                      "processor time per cycle", "AlphaSource:execute",
+                                      "AlphaSource:updateAlpha", "Measurer:execute", "  Measurer:inner"}));
+  EXPECT_EQ(names[0].substr(0, 15), "[default] load ");
+}
+
+MODULE(SlowNow)
+END_MODULE
+/// Every other cycle takes 12 ms; in each it also waits for 30 ms, which does not count.
+class SlowNow : public SlowNowBase {
+public:
+  void execute() override {
+    {
+      const Waiting waiting;
+      const Waiting within;
+      std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    }
+    if (cycle_++ % 2 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(12));
+  }
+
+private:
+  int cycle_ = 0;
+};
+MAKE_MODULE(SlowNow)
+
+TEST(TimingPluginTest, countsAndNamesTheCyclesThatRunOver) {
+  Controller controller = makeController("[main 4 100Hz]\nAlphaSource Alpha\nSlowNow\n");
+  controller.runCycles(6);
+  const TimingPlugin& timing = *controller.timing();
+  EXPECT_EQ(timing.rate(), 100);
+  EXPECT_GE(timing.overruns(), 3u);
+  EXPECT_EQ(timing.steps()[2].name, "SlowNow:execute");
+  EXPECT_GE(timing.steps()[2].overruns, 3u);
+  EXPECT_LT(timing.busy().mean(), timing.cycle().mean() - 0.029);
+  const std::string head = controller.timingReport().substr(0, controller.timingReport().find('\n'));
+  EXPECT_NE(head.find("; at 100 Hz "), std::string::npos) << head;
+  EXPECT_NE(head.find(" of 6 cycles ran over, longest in "), std::string::npos) << head;
 }
 
 }  // namespace

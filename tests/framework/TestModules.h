@@ -46,7 +46,7 @@ public:
 
 /// Counts cycles into Alpha.
 MODULE(AlphaSource)
-PROVIDES(Alpha)
+  PROVIDES(Alpha)
 END_MODULE
 class AlphaSource : public AlphaSourceBase {
 public:
@@ -60,8 +60,8 @@ private:
 
 /// Beta = 10 Alpha.
 MODULE(BetaFromAlpha)
-REQUIRES(Alpha)
-PROVIDES(Beta)
+  REQUIRES(Alpha)
+  PROVIDES(Beta)
 END_MODULE
 class BetaFromAlpha : public BetaFromAlphaBase {
 public:
@@ -71,8 +71,8 @@ public:
 
 /// Gamma = Beta + 1.
 MODULE(GammaFromBeta)
-REQUIRES(Beta)
-PROVIDES(Gamma)
+  REQUIRES(Beta)
+  PROVIDES(Gamma)
 END_MODULE
 class GammaFromBeta : public GammaFromBetaBase {
 public:
@@ -82,8 +82,8 @@ public:
 
 /// Can close a cycle with the two before it.
 MODULE(AlphaFromGamma)
-REQUIRES(Gamma)
-PROVIDES(Alpha)
+  REQUIRES(Gamma)
+  PROVIDES(Alpha)
 END_MODULE
 class AlphaFromGamma : public AlphaFromGammaBase {
 public:
@@ -92,8 +92,8 @@ public:
 
 /// Alpha = Gamma of the last cycle + 1: USES makes no cycle.
 MODULE(AlphaFromLastGamma)
-USES(Gamma)
-PROVIDES(Alpha)
+  USES(Gamma)
+  PROVIDES(Alpha)
 END_MODULE
 class AlphaFromLastGamma : public AlphaFromLastGammaBase {
 public:
@@ -103,8 +103,8 @@ public:
 
 /// One module, two representations: one node of the graph.
 MODULE(TwinSource)
-PROVIDES(Alpha)
-PROVIDES(Beta)
+  PROVIDES(Alpha)
+  PROVIDES(Beta)
 END_MODULE
 class TwinSource : public TwinSourceBase {
 public:
@@ -115,8 +115,8 @@ public:
 
 /// Requires what it provides.
 MODULE(SelfLoop)
-REQUIRES(Beta)
-PROVIDES(Beta)
+  REQUIRES(Beta)
+  PROVIDES(Beta)
 END_MODULE
 class SelfLoop : public SelfLoopBase {
 public:
@@ -125,8 +125,8 @@ public:
 
 /// Writes down which of its inputs are there.
 MODULE(OptionalReader)
-REQUIRES_IF_PROVIDED(Alpha)
-USES(Beta)
+  REQUIRES_IF_PROVIDED(Alpha)
+  USES(Beta)
 END_MODULE
 class OptionalReader : public OptionalReaderBase {
 public:
@@ -134,7 +134,7 @@ public:
 };
 
 MODULE(OrphanReader)
-REQUIRES(Orphan)
+  REQUIRES(Orphan)
 END_MODULE
 class OrphanReader : public OrphanReaderBase {};
 

@@ -23,8 +23,8 @@ public:
 };
 
 MODULE(StampSource)
-PROVIDES(Stamp)
-PROVIDES(StampEcho)
+  PROVIDES(Stamp)
+  PROVIDES(StampEcho)
 END_MODULE
 class StampSource : public StampSourceBase {
 public:
@@ -39,8 +39,8 @@ MAKE_MODULE(StampSource)
 
 /// Ends the agent with 0 after enough good copies and with 1 at the first bad one.
 MODULE(StampChecker)
-REQUIRES(Stamp)
-REQUIRES(StampEcho)
+  REQUIRES(Stamp)
+  REQUIRES(StampEcho)
 END_MODULE
 class StampChecker : public StampCheckerBase {
 public:

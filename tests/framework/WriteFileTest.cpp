@@ -1,7 +1,10 @@
 #include "framework/WriteFile.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -28,6 +31,35 @@ TEST(WriteFile, saysWhatCannotBeWritten) {
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "cannot write /no/such/folder/file: No such file or directory");
   }
+}
+
+/// 0 if a file that may not grow so far is left as it was, with the reason told.
+int statusOfWritingTooMuch(const std::string& path) {
+  signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{1000, 1000};
+  setrlimit(RLIMIT_FSIZE, &limit);
+  try {
+    writeFile(path, std::string(5000, 'x'));
+  } catch (const std::runtime_error& error) {
+    const bool said = error.what() == "cannot write " + path + ": File too large";
+    const bool kept = std::filesystem::file_size(path) == 5;
+    return said && kept && !std::filesystem::exists(path + ".part") ? 0 : 1;
+  }
+  return 2;
+}
+
+TEST(WriteFile, leavesTheOldFileWhereTheDiskIsFull) {
+  try {
+    writeFile("/dev/full/file", "x");
+    FAIL() << "written";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "cannot write /dev/full/file: Not a directory");
+  }
+  // A file may not grow beyond the limit: writing it fails in the middle.
+  const std::string path = testing::TempDir() + "write_file_limit.txt";
+  writeFile(path, "first");
+  EXPECT_EXIT(_exit(statusOfWritingTooMuch(path)), testing::ExitedWithCode(0), "");
+  std::filesystem::remove(path);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ t,cmd.pendulum,pos.pendulum,vel.pendulum,stiffness.pendulum
 
 void robotFile(std::string_view bytes) {
   try {
-    checkRobot(readMechanism(folder().write("robot.json", bytes)));
+    checkRobot(readMechanism(folder().write("robot.json", bytes), expectOneLine));
   } catch (const MechanismError& error) {
     expectOneLine(error.what());
   }
@@ -102,7 +102,7 @@ void urdfFile(std::string_view bytes) {
   const auto [robot, table] = halves(bytes);
   folder().write("robot.servo.yaml", table);
   try {
-    checkRobot(readMechanism(folder().write("robot.urdf", robot)));
+    checkRobot(readMechanism(folder().write("robot.urdf", robot), expectOneLine));
   } catch (const MechanismError& error) {
     expectOneLine(error.what());
   }

@@ -5,6 +5,7 @@
 
 #include "fuzz/Targets.h"
 #include "simspark/FieldMessage.h"
+#include "simspark/LeagueRobots.h"
 #include "simspark/SceneState.h"
 #include "simspark/ServerMessageParser.h"
 #include "simulation/Simulation.h"
@@ -32,7 +33,7 @@ struct Table {
     simspark::AgentCommand command;
     agentParser.parse(text, command);
     auto& player = players[who];
-    if (command.scene && !player && command.scene->type >= 0 && command.scene->type < numSimsparkTypes)
+    if (command.scene && !player && command.scene->type >= 0 && command.scene->type < numSimsparkTypes())
       player = simulation.addPlayer(command.scene->type);
     if (player) simulation.act(*player, command);
   }

@@ -90,7 +90,7 @@ inline Trial armTrial(const Mechanism& arm, double seconds = 12, double size = 0
 inline Trial recorded(const Plant& plant, Trial trial, double noise, std::uint64_t seed,
                       const ReplayOptions& options = {}) {
   for (Signal& signal : trial.signals) signal.values.assign(trial.cycles(), 0);
-  for (std::size_t j = 0; j < trial.command.size(); ++j) trial.signals[j].values[0] = trial.command[j][0];
+  for (std::size_t j = 0; j < trial.command.size(); ++j) trial.signals[j].values[0] = trial.targets(j)[0];
   const Prediction prediction = replay(plant, trial, options);
   Random random(seed);
   for (std::size_t s = 0; s < trial.signals.size(); ++s)

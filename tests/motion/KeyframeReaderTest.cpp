@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "math/Angle.h"
+#include "simspark/LeagueRobots.h"
 
 namespace plumbline::motion {
 namespace {
@@ -44,6 +45,7 @@ protected:
 
 TEST_F(KeyframeReaderTest, readsDegreesAndBothSides) {
   const KeyframeMotion motion = read(
+      "rest: stays\n"
       "keyframes:\n"
       "  - time: 0.2\n"
       "    LHipPitch: -30\n"
@@ -98,8 +100,8 @@ TEST_F(KeyframeReaderTest, theTypesOwnFileWins) {
 TEST_F(KeyframeReaderTest, errorsNameFileLineAndKey) {
   const std::string head = "keyframes:\n  - time: 0.2\n    ";
   EXPECT_EQ(errorOf(head + "LHipPich: 3\n"),
-            "m.yaml:3: LHipPich: unknown joint; nearest known name: LHipPitch");
-  EXPECT_EQ(errorOf(head + "HipRol: 3\n"), "m.yaml:3: HipRol: unknown joint; nearest known name: HipRoll");
+            "m.yaml:3: LHipPich: unknown joint; did you mean \"LHipPitch\"?");
+  EXPECT_EQ(errorOf(head + "HipRol: 3\n"), "m.yaml:3: HipRol: unknown joint; did you mean \"HipRoll\"?");
   EXPECT_EQ(errorOf(head + "LToePitch: 3\n"),
             "m.yaml:3: LToePitch: robot " + simsparkRobot(0).name + " has no such joint");
   EXPECT_EQ(errorOf(head + "LToePitch: -3\n", 4), "no error");
@@ -118,7 +120,7 @@ TEST_F(KeyframeReaderTest, errorsNameFileLineAndKey) {
             "m.yaml:2: time: missing; give the seconds from the keyframe before");
   EXPECT_EQ(errorOf("keyframes: 3\n"), "m.yaml:1: keyframes: has to be a list");
   EXPECT_EQ(errorOf("keyframes: []\n"), "m.yaml:1: keyframes: missing or empty");
-  EXPECT_EQ(errorOf("keyframe: []\n"), "m.yaml:1: keyframe: unknown key; nearest known name: keyframes");
+  EXPECT_EQ(errorOf("keyframe: []\n"), "m.yaml:1: keyframe: unknown key; did you mean \"keyframes\"?");
   EXPECT_EQ(errorOf("mirror: other\n"), "m.yaml:1: mirror: there is no motion other");
   EXPECT_EQ(errorOf("mirror: m\n"), "m.yaml:1: mirror: a mirrored motion cannot be mirrored again");
   EXPECT_EQ(errorOf("ball: [1]\nkeyframes: [{time: 1}]\n"), "m.yaml:1: ball: has to be [x, y] in metres");
@@ -131,7 +133,25 @@ TEST_F(KeyframeReaderTest, errorsNameFileLineAndKey) {
   EXPECT_EQ(errorOf("3\n"), "m.yaml:1: a motion is a map with the key keyframes (or mirror)");
   EXPECT_EQ(errorOf(""), "m.yaml:1: a motion is a map with the key keyframes (or mirror)");
   EXPECT_EQ(errorOf("keyframes: [\n").substr(0, 22), "m.yaml:2: broken YAML:");
-  EXPECT_EQ(errorOf(std::string((1 << 20) + 1, '#')), "m.yaml: larger than 1 MB: not a keyframe file");
+  EXPECT_EQ(errorOf(std::string((1 << 20) + 1, '#')), "m.yaml: larger than 1 MB");
+}
+
+TEST_F(KeyframeReaderTest, aKeyframeNamesAllJointsOrTheMotionSaysThatTheRestStays) {
+  const std::string frames =
+      "keyframes:\n  - {time: 1, HeadYaw: 1, HeadPitch: 2}\n  - {time: 1, HeadYaw: 3}\n";
+  EXPECT_EQ(errorOf(frames),
+            "m.yaml:3: HeadPitch: has an angle in another keyframe, but not in this one; give it one, or "
+            "write rest: "
+            "stays beside keyframes if joints that are left out shall stay where they are");
+  EXPECT_EQ(errorOf("rest: stays\n" + frames), "no error");
+  EXPECT_EQ(errorOf("rest: moves\n" + frames),
+            "m.yaml:1: rest: has to be stays: joints that a keyframe leaves out stay where they are");
+  EXPECT_EQ(errorOf("keyframes:\n  - {time: 1, HeadYaw: 1}\n  - {time: 1}\n"), "no error") << "a pause";
+}
+
+TEST_F(KeyframeReaderTest, aSecondDocumentIsRefused) {
+  EXPECT_EQ(errorOf("keyframes:\n  - {time: 1, HeadYaw: 1}\n---\nkeyframes: 3\n"),
+            "m.yaml:3: a second document begins at ---; a file holds one: take this line out");
 }
 
 TEST_F(KeyframeReaderTest, missingFile) {
@@ -140,7 +160,7 @@ TEST_F(KeyframeReaderTest, missingFile) {
     FAIL();
   } catch (const KeyframeFileError& error) {
     EXPECT_EQ(std::string(error.what()),
-              (directory / "none.yaml").string() + ": cannot be read: no such file, or no right to");
+              (directory / "none.yaml").string() + ": cannot be read: No such file or directory");
   }
 }
 

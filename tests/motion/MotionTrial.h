@@ -11,8 +11,9 @@
 #include "motion/KeyframePlayer.h"
 #include "motion/KeyframeReader.h"
 #include "robot/JointVelocityControl.h"
+#include "simspark/LeagueRobots.h"
 #include "simulation/LocalRobot.h"
-#include "walking/WalkEngine.h"
+#include "walking/engine/WalkEngine.h"
 
 namespace plumbline::motion {
 

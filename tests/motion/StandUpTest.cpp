@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "MotionTrial.h"
+#include "simspark/LeagueRobots.h"
 
 namespace plumbline::motion {
 namespace {
@@ -23,7 +24,7 @@ TEST_P(StandUpTest, isUpSoonAndWalksOn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllTypes, StandUpTest,
-                         testing::Combine(testing::Range(0, numSimsparkTypes), testing::Values(1, -1, 0)));
+                         testing::Combine(testing::Range(0, numSimsparkTypes()), testing::Values(1, -1, 0)));
 
 class KickTest : public testing::TestWithParam<int> {};
 
@@ -39,11 +40,11 @@ TEST_P(KickTest, carriesTwoMetresAndDoesNotFall) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllTypes, KickTest, testing::Range(0, numSimsparkTypes));
+INSTANTIATE_TEST_SUITE_P(AllTypes, KickTest, testing::Range(0, numSimsparkTypes()));
 
 /// The files and what the skills are told have to agree.
 TEST(KickTest, theSkillsStandWhereTheKickExpectsTheBall) {
-  for (int type = 0; type < numSimsparkTypes; ++type) {
+  for (int type = 0; type < numSimsparkTypes(); ++type) {
     const KeyframeMotion kick = MotionTrial(type).motion("kickRight");
     const ConfigFile file("kick", MotionTrial::directories(type));
     EXPECT_NEAR(file.root().get<double>("ballX"), kick.ball.x(), 1e-9) << type;

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "robot/ForwardKinematics.h"
+#include "simspark/LeagueRobots.h"
 
 namespace plumbline {
 namespace {
@@ -62,7 +63,7 @@ TEST_P(LegKinematicsOfType, jointLimitsAreKept) {
   EXPECT_TRUE(outward.reachable);
 }
 
-INSTANTIATE_TEST_SUITE_P(SimSpark, LegKinematicsOfType, testing::Range(0, numSimsparkTypes));
+INSTANTIATE_TEST_SUITE_P(SimSpark, LegKinematicsOfType, testing::Range(0, numSimsparkTypes()));
 
 TEST(LegKinematics, soleOfFootAndToe) {
   const RobotModel plain = simsparkRobot(0), toed = simsparkRobot(4);

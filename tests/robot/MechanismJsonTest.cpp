@@ -77,11 +77,80 @@ TEST_F(MechanismJson, badJsonIsNamed) {
   EXPECT_EQ(errorOf("absent.json"), "absent.json: cannot be read: No such file or directory");
 }
 
+TEST_F(MechanismJson, unknownKeysAreNamedWithTheNearest) {
+  EXPECT_EQ(errorOf("r.json", pendulum("\"lower\"", "\"encode\": \"link\", \"lower\"")),
+            "r.json: joints[0].encode: unknown key; did you mean \"encoder\"?");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"kp\": 1", "\"models\": \"dc_motor\", \"kp\": 1")),
+            "r.json: joints[0].servo.models: unknown key; did you mean \"model\"?");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"mass\": 0.5", "\"colour\": 1, \"mass\": 0.5")),
+            "r.json: links.arm.colour: unknown key");
+  EXPECT_EQ(errorOf("r.json", pendulum("{\"name\": \"p\"", "{\"baselink\": \"arm\", \"name\": \"p\"")),
+            "r.json: baselink: unknown key; did you mean \"base_link\"?");
+  EXPECT_EQ(errorOf("r.json", pendulum("{\"name\": \"p\"", "{\"rates\": {\"control\": 1}, \"name\": \"p\"")),
+            "r.json: rates.control: unknown key");
+  EXPECT_EQ(errorOf("r.json", pendulum("{\"name\": \"p\"",
+                                       "{\"imu\": {\"link\": \"arm\", \"giro\": [0,0,0]}, \"name\": \"p\"")),
+            "r.json: imu.giro: unknown key; did you mean \"gyro\"?");
+  EXPECT_EQ(errorOf("r.json", pendulum("{\"name\": \"p\"",
+                                       "{\"feet\": [{\"name\": \"L\", \"lnk\": \"arm\"}], \"name\": \"p\"")),
+            "r.json: feet[0].lnk: unknown key; did you mean \"link\"?");
+  EXPECT_EQ(
+      errorOf("r.json", pendulum("{\"name\": \"p\"",
+                                 "{\"source\": \"a data sheet\", \"notes\": [\"x\"], \"units\": \"SI\", "
+                                 "\"name\": \"p\"")),
+      "no error");
+}
+
 TEST_F(MechanismJson, everyCutOfAFileIsRefusedOrRead) {
   std::ifstream stream("config/robots/xl330_pendulum.json");
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   for (std::size_t length = 0; length + 2 < text.size(); length += 7)
     EXPECT_NE(errorOf("cut.json", text.substr(0, length)), "no error") << length;
+}
+
+TEST_F(MechanismJson, aLinkMayHaveAShape) {
+  const auto with = [](const std::string& more) {
+    return pendulum("\"inertia\": [1e-05, 1e-05, 1e-05, 0, 0, 0]",
+                    "\"inertia\": [1e-05, 1e-05, 1e-05, 0, 0, 0], " + more);
+  };
+  const Mechanism box =
+      readMechanism(write("r.json", with(R"("shape": {"box": [0.1, 0.2, 0.3]}, "collides": true)")));
+  EXPECT_FALSE(box.links[0].shape);
+  ASSERT_TRUE(box.links[1].shape);
+  EXPECT_EQ(box.links[1].shape->kind, Shape::Kind::box);
+  EXPECT_EQ(box.links[1].shape->size, Vec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(box.links[1].shape->T_link_shape.translation(), Vec3(0, 0, -0.1)) << "its centre of mass";
+  EXPECT_TRUE(box.links[1].collides);
+  const Mechanism capsule =
+      readMechanism(write("r.json", with(R"("shape": {"capsule": [0.02, 0.3], "centre": [0, 0, 1]})")));
+  EXPECT_EQ(capsule.links[1].shape->kind, Shape::Kind::capsule);
+  EXPECT_EQ(capsule.links[1].shape->size, Vec3(0.02, 0, 0.3));
+  EXPECT_EQ(capsule.links[1].shape->T_link_shape.translation(), Vec3(0, 0, 1));
+  EXPECT_FALSE(capsule.links[1].collides);
+  EXPECT_EQ(readMechanism(write("r.json", with(R"("shape": {"sphere": 0.05})"))).links[1].shape->size.x(),
+            0.05);
+
+  EXPECT_EQ(errorOf("r.json", with(R"("collides": true)")),
+            "r.json: link arm: collides, but has no shape; give it one");
+  EXPECT_EQ(
+      errorOf("r.json", with(R"("shape": {})")),
+      "r.json: link arm: shape: give one of box: [x, y, z], sphere: radius and capsule: [radius, length], "
+      "in m");
+  EXPECT_EQ(errorOf("r.json", with(R"("shape": {"bxo": [1, 1, 1]})")),
+            "r.json: links.arm.shape.bxo: unknown key; did you mean \"box\"?");
+  EXPECT_EQ(errorOf("r.json", with(R"("shape": {"box": [0.1, 0, 0.3]})")),
+            "r.json: link arm: shape: box: an edge is not above 0");
+  EXPECT_EQ(errorOf("r.json", with(R"("shape": {"sphere": 1}, "collides": 1)")),
+            "r.json: link arm: collides is 1; give true or false");
+}
+
+/// A last digit decides when a foot lands; a file that holds an axis to it keeps it.
+TEST_F(MechanismJson, anAxisOfLengthOneStaysAsItIsWritten) {
+  const Mechanism exact =
+      readMechanism(write("r.json", pendulum("[0, 1, 0]", "[0, 0.7071067811865475, -0.7071067811865475]")));
+  EXPECT_EQ(exact.joints[0].axis, Vec3(0, 0.7071067811865475, -0.7071067811865475));
+  const Mechanism rounded = readMechanism(write("r.json", pendulum("[0, 1, 0]", "[0, 0.7071, -0.7071]")));
+  EXPECT_NEAR(rounded.joints[0].axis.norm(), 1, 1e-15);
 }
 
 }  // namespace

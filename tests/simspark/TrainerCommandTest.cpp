@@ -60,9 +60,12 @@ TEST(TrainerCommand, severalInOneMessage) {
 }
 
 TEST(TrainerCommand, badOnesAreSkippedAndNamed) {
-  for (const char* bad : {"(fly)", "(playMode Sleep)", "(kickOff Up)", "(time -1)", "(time)",
-                          "(score (left 1))", "(score (left -1)(right 0))", "(ball (pos 1 2))",
-                          "(agent (unum 1)(team Left)(move 1 2 3))", "(ball (vel 1 2 nan))"}) {
+  for (const char* bad :
+       {"(fly)", "(playMode Sleep)", "(kickOff Up)", "(time -1)", "(time)", "(score (left 1))",
+        "(score (left -1)(right 0))", "(ball (pos 1 2))", "(agent (unum 1)(team Left)(move 1 2 3))",
+        "(ball (vel 1 2 nan))", "(ball (vel 1e308 1e308 1e308))", "(ball (pos 1e4 0 0))", "(time 1e300)",
+        "(agent (unum 1)(team Left)(pos 0 0 -1e9))", "(score (left 10000)(right 0))",
+        "(agent (unum 1)(team Left)(move 2000 0 0 0))", "(agent (unum 1)(team Left)(move 1 2 0.4 1e9))"}) {
     const std::string name(bad + 1, std::string_view(bad).find_first_of(" )") - 1);
     EXPECT_EQ(commandsIn(std::string(bad) + "(dropBall)", "cannot use (" + name + " ...)").size(), 1u) << bad;
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "math/Angle.h"
+#include "simspark/LeagueRobots.h"
 
 namespace plumbline::simulation {
 namespace {

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "math/Angle.h"
+#include "simspark/LeagueRobots.h"
 #include "simulation/Field.h"
 
 namespace plumbline::simulation {
@@ -22,7 +23,7 @@ TEST(SoccerWorld, standsAsHighAsOnTheLeaguesServer) {
   const double nominal[] = {0.385, 0.42164, 0.385, 0.440737, 0.385};
   const double league[] = {0.38387, 0.42051, 0.38387, 0.43962, 0.38388};
   const auto world = makeWorld();
-  for (int type = 0; type < numSimsparkTypes; ++type) {
+  for (int type = 0; type < numSimsparkTypes(); ++type) {
     world->reset();
     const RobotHandle robot = world->addRobot(simsparkRobot(type), translation(-5, 0, nominal[type] + 0.005));
     run(*world, 100);

@@ -3,6 +3,7 @@
 
 #include "ServerFixture.h"
 #include "math/Angle.h"
+#include "simspark/LeagueRobots.h"
 #include "simulation/LocalRobot.h"
 #include "simulation/Simulation.h"
 

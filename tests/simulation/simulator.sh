@@ -24,17 +24,17 @@ refuses() { # wanted line, arguments...
   expect "status of: $*" "$status" 2
   expect "standard output of: $*" "$(cat "$work/out")" ""
 }
-refuses "unknown argument '--foo'; see simulator --help" --foo
-refuses "unknown argument 'stray'; see simulator --help" stray
-refuses "--port: 'x' is not a port, 0 to 65535" --port x
-refuses "--port: '70000' is not a port, 0 to 65535" --port 70000
-refuses "--seed: '-1' is not a whole number, 0 to 2^53" --seed -1
-refuses "--max-seconds: '0' is not a time above 0 s" --max-seconds 0
-refuses "--max-seconds takes one value, once" --max-seconds
-refuses "--wait-agents: '23' is not a number of agents, 0 to 22" --wait-agents 23
-refuses "--monitor-step: '0' is not a time of 0.02 to 10 s" --monitor-step 0
+refuses "there is no option --foo; see simulator --help" --foo
+refuses "unexpected argument \"stray\"; see simulator --help" stray
+refuses "--port: 'x' is not a port, 0 to 65535; see simulator --help" --port x
+refuses "--port: '70000' is not a port, 0 to 65535; see simulator --help" --port 70000
+refuses "--seed: '-1' is not a whole number, 0 to 2^53; see simulator --help" --seed -1
+refuses "--max-seconds: '0' is not a time above 0 s; see simulator --help" --max-seconds 0
+refuses "--max-seconds takes one value, once; see simulator --help" --max-seconds
+refuses "--wait-agents: '23' is not a number of agents, 0 to 22; see simulator --help" --wait-agents 23
+refuses "--monitor-step: '0' is not a time of 0.02 to 10 s; see simulator --help" --monitor-step 0
 refuses 'unknown physics engine "foo"; there are: ode, ode-dense, bullet' --engine foo
-refuses "--bind 0.0.0.0 opens the monitor port to others: set a --token" --bind 0.0.0.0
+refuses "--bind 0.0.0.0 opens the ports to others: set a --token" --bind 0.0.0.0
 refuses "cannot write $work/no/ports: No such file or directory" "${free[@]}" --ports-file "$work/no/ports"
 refuses "$work/none.csv: cannot be read; give a trace as .csv or .csv.gz" --replay "$work/none.csv"
 refuses "$work/none.yaml: cannot be read: No such file or directory" --rules "$work/none.yaml"

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "math/Angle.h"
+#include "simspark/LeagueRobots.h"
 #include "simspark/ServerMessageWriter.h"
 
 namespace plumbline::test {

@@ -5,7 +5,7 @@
 #include "simspark/ServerMessage.h"
 #include "simulation/LocalRobot.h"
 #include "support/SyntheticImage.h"
-#include "walking/WalkEngine.h"
+#include "walking/engine/WalkEngine.h"
 
 namespace plumbline::test {
 

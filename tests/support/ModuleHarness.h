@@ -7,6 +7,7 @@
 
 #include "framework/ConfigFile.h"
 #include "framework/Module.h"
+#include "framework/ModuleParameters.h"
 
 namespace plumbline::test {
 
@@ -25,7 +26,8 @@ public:
   /// Objects for the module; before the first cycle.
   ModuleObjects& objects() { return objects_; }
   StopSignal& stop() { return stop_; }
-  /// An input to be filled; before the first cycle. The reference stays valid.
+  /// An input to be filled; before the first cycle. The reference stays valid. Those of a kind that the
+  /// module reads come in the order of these calls.
   template <typename R>
   R& input() {
     return static_cast<R&>(representation(representationLoader<R>()));
@@ -58,18 +60,27 @@ private:
       ModuleContext::Scope scope(context);
       module_ = std::make_unique<M>();
     }
+    configureModule(*module_, M::moduleDescription(), config_);
     for (const ModuleInput& input : M::moduleDescription().inputs) {
       const std::string& name = input.representation->name();
       if (input.kind == ModuleInput::Kind::required) representation(*input.representation);
       const auto found = representations_.find(name);
       input.bind(*module_, found == representations_.end() ? nullptr : &found->second->get());
     }
+    for (const ModuleInputs& all : M::moduleDescription().inputsOfKinds) {
+      for (const auto& [loader, holder] : inOrder_) {
+        if (loader->kind() == all.representationKind) all.bind(*module_, &holder->get());
+      }
+    }
     module_->init();
   }
 
   Representation& representation(const RepresentationLoader& loader) {
     auto& holder = representations_[loader.name()];
-    if (!holder) holder = loader.create();
+    if (!holder) {
+      holder = loader.create();
+      inOrder_.emplace_back(&loader, holder.get());
+    }
     return holder->get();
   }
 
@@ -77,6 +88,7 @@ private:
   ModuleObjects objects_;
   StopSignal stop_;
   std::map<std::string, std::unique_ptr<RepresentationHolder>> representations_;
+  std::vector<std::pair<const RepresentationLoader*, RepresentationHolder*>> inOrder_;
   std::unique_ptr<Module> module_;
 };
 

@@ -6,7 +6,7 @@
 namespace plumbline {
 
 MODULE(TestServer)
-PROVIDES(ServerMessageText)
+  PROVIDES(ServerMessageText)
 END_MODULE
 
 /// Stands for the connection to a simulator.

@@ -55,8 +55,8 @@ TEST(ServerWalker, standsUpAgainAfterAFall) {
   test::RunningServer server(test::inStep());
   ServerWalker robot(3, readWalkGaits(3), of(server));
   WalkGaits wild = readWalkGaits(3);
-  wild.base.torsoPitch = 0.6;
-  for (WalkParameters& corner : wild.corner) corner.torsoPitch = 0.6;
+  wild.base.posture.torsoPitch = 0.6;
+  for (WalkParameters& corner : wild.corner) corner.posture.torsoPitch = 0.6;
   robot.use(wild);
   EXPECT_FALSE(robot.run({Vec2(9, 0), 0, true}, 10)) << "bent so far forward nobody walks fast";
   robot.use(readWalkGaits(3));

@@ -12,13 +12,13 @@ namespace {
 /// A slow walk whose sprint forward is three times as quick and higher.
 WalkGaits sprinter() {
   WalkParameters base;
-  base.mixForward = 0.2;
-  base.maxForward = 0.6;
-  base.mixSideways = 0.1;
-  base.maxSideways = 0.3;
-  base.stepHeight = 0.02;
+  base.speed.omniForward = 0.2;
+  base.speed.maxForward = 0.6;
+  base.speed.omniSideways = 0.1;
+  base.speed.maxSideways = 0.3;
+  base.step.height = 0.02;
   WalkGaits gaits(base);
-  gaits.corner[0].stepHeight = 0.04;
+  gaits.corner[0].step.height = 0.04;
   return gaits;
 }
 
@@ -34,26 +34,27 @@ ChoiceSetup quick() {
 
 TEST(WalkChoice, aCutSprintGoesTheSameWayLessFar) {
   const WalkGaits all = sprinter(), half = cutSprint(all, Task::forward, 0.5);
-  EXPECT_NEAR(half.base.maxForward, 0.4, 1e-12);
-  EXPECT_EQ(half.base.maxSideways, 0.3);
+  EXPECT_NEAR(half.base.speed.maxForward, 0.4, 1e-12);
+  EXPECT_EQ(half.base.speed.maxSideways, 0.3);
   for (const double speed : {0.1, 0.2, 0.3, 0.4})
-    EXPECT_NEAR(half.at(Vec2(speed, 0), 0).stepHeight, all.at(Vec2(speed, 0), 0).stepHeight, 1e-12) << speed;
-  EXPECT_NEAR(half.at(Vec2(0.4, 0), 0).stepHeight, 0.03, 1e-12);
+    EXPECT_NEAR(half.at(Vec2(speed, 0), 0).step.height, all.at(Vec2(speed, 0), 0).step.height, 1e-12)
+        << speed;
+  EXPECT_NEAR(half.at(Vec2(0.4, 0), 0).step.height, 0.03, 1e-12);
 }
 
 TEST(WalkChoice, nothingIsLeftOfASprintCutToNothing) {
   const WalkGaits none = cutSprints(sprinter(), 0);
-  EXPECT_EQ(none.base.maxForward, 0.2);
-  EXPECT_EQ(none.base.maxSideways, 0.1);
-  EXPECT_EQ(none.corner[0].stepHeight, 0.02);
+  EXPECT_EQ(none.base.speed.maxForward, 0.2);
+  EXPECT_EQ(none.base.speed.maxSideways, 0.1);
+  EXPECT_EQ(none.corner[0].step.height, 0.02);
   EXPECT_THROW(cutSprint(none, Task::mixture, 1), std::invalid_argument);
 }
 
 TEST(WalkChoice, aSlowerMixtureLeavesFullSpeedsAlone) {
   const WalkGaits slow = slowMixture(sprinter(), 0.5);
-  EXPECT_EQ(slow.base.mixForward, 0.1);
-  EXPECT_EQ(slow.corner[2].mixSideways, 0.05);
-  EXPECT_EQ(slow.base.maxForward, 0.6);
+  EXPECT_EQ(slow.base.speed.omniForward, 0.1);
+  EXPECT_EQ(slow.corner[2].speed.omniSideways, 0.05);
+  EXPECT_EQ(slow.base.speed.maxForward, 0.6);
 }
 
 TEST(WalkChoice, aSprintThatMakesTheRobotFallIsCutOrLeftAway) {
@@ -61,10 +62,10 @@ TEST(WalkChoice, aSprintThatMakesTheRobotFallIsCutOrLeftAway) {
   WalkGaits gaits = plainWalk();
   for (WalkParameters* p :
        {&gaits.base, &gaits.corner[0], &gaits.corner[1], &gaits.corner[2], &gaits.corner[3]}) {
-    p->mixForward = 0.1;
-    p->maxForward = 1.5;
-    p->maxStepForward = 0.3;
-    p->sprintRise = 1;
+    p->speed.omniForward = 0.1;
+    p->speed.maxForward = 1.5;
+    p->step.maxForward = 0.3;
+    p->sprint.riseTime = 1;
   }
   WalkingRobot robot(0, gaits);
   const ChoiceSetup setup = quick();
@@ -73,8 +74,8 @@ TEST(WalkChoice, aSprintThatMakesTheRobotFallIsCutOrLeftAway) {
   std::string said;
   const WalkGaits chosen = chooseSprint(robot, gaits, {gaits}, Task::forward, setup,
                                         [&](const std::string& line) { said += line; });
-  EXPECT_LT(chosen.base.maxForward, 1.5);
-  EXPECT_GE(chosen.base.maxForward, 0.1);
+  EXPECT_LT(chosen.base.speed.maxForward, 1.5);
+  EXPECT_GE(chosen.base.speed.maxForward, 0.1);
   EXPECT_TRUE(sprintHolds(robot, chosen, Task::forward, setup));
   EXPECT_NE(said.find("forward"), std::string::npos);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "math/Random.h"
+#include "simspark/LeagueRobots.h"
 #include "training/ServoWalker.h"
 
 namespace plumbline::walking {

@@ -22,7 +22,7 @@ protected:
 };
 
 TEST_F(NaoWalk, isPutDownStanding) {
-  EXPECT_NEAR(robot.torso().translation().z(), robot.engine.gait().hipHeight + 0.085, 0.003);
+  EXPECT_NEAR(robot.torso().translation().z(), robot.engine.gait().posture.hipHeight + 0.085, 0.003);
   ASSERT_TRUE(robot.run({}, 1));
   EXPECT_TRUE(robot.output.standing);
   EXPECT_LT(robot.sensors().torsoAngles.norm(), 0.02);
@@ -61,8 +61,8 @@ TEST_F(NaoWalk, comesToWalkAsFastAsItIsAskedTo) {
   EXPECT_NEAR(way(walk(-0.15, 0, 0), 5).x() / 5, -0.15, 0.005);
   // Without learning it walks this much faster than asked.
   WalkGaits plain = readServoGaits("nao_v5");
-  plain.base.speedAverage = 0;
-  for (WalkParameters& corner : plain.corner) corner.speedAverage = 0;
+  plain.base.speed.scaleWindow = 0;
+  for (WalkParameters& corner : plain.corner) corner.speed.scaleWindow = 0;
   ServoWalker other(findMechanism("nao_v5"), plain);
   ASSERT_TRUE(other.run(walk(0.2, 0, 0), 10));
   const Pose2 start = other.pose();
@@ -105,7 +105,7 @@ TEST_F(NaoWalk, goesSoftBeforeItReachesTheGround) {
       upright = robot.step(walk(0.1, 0, 0));
       if (robot.output.falling && heightWhenSoft == 0) {
         heightWhenSoft = robot.torso().translation().z();
-        for (const double hardness : robot.output.hardness) ASSERT_EQ(hardness, 0);
+        for (const double stiffness : robot.output.stiffness) ASSERT_EQ(stiffness, 0);
       }
     }
     ASSERT_FALSE(upright) << "the push was survived";

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "simspark/LeagueRobots.h"
 #include "training/WalkingRobot.h"
 
 namespace plumbline::walking {
@@ -75,7 +76,7 @@ TEST_P(WalkInWorld, whatWasObservedTellsTheWayBetterThanWhatWasPlanned) {
   // Mean error over parts of a second of the way, for requests that change.
   const auto error = [&](double measured) {
     WalkGaits gaits = readWalkGaits(GetParam());
-    gaits.base.odometryMeasured = measured;
+    gaits.base.odometry.observedShare = measured;
     robot.use(gaits);
     double miss = 0, length = 0;
     for (const WalkRequest& request :
@@ -154,7 +155,7 @@ TEST(WalkPushed, standingItStepsAndStandsAgain) {
   EXPECT_TRUE(robot.output.standing);
 }
 
-INSTANTIATE_TEST_SUITE_P(SimSpark, WalkInWorld, testing::Range(0, numSimsparkTypes));
+INSTANTIATE_TEST_SUITE_P(SimSpark, WalkInWorld, testing::Range(0, numSimsparkTypes()));
 
 }  // namespace
 }  // namespace plumbline::walking

@@ -4,7 +4,9 @@
 
 #include <cstring>
 
+#include "framework/ConfigurationError.h"
 #include "robot/RobotModel.h"
+#include "simspark/LeagueRobots.h"
 #include "simulation/monitor/SceneTexts.h"
 #include "support/Samples.h"
 
@@ -28,12 +30,12 @@ struct Bytes {
 };
 
 TEST(SceneBodies, areThoseOfTheScene) {
-  for (int type = 0; type < numSimsparkTypes; ++type) {
+  for (int type = 0; type < numSimsparkTypes(); ++type) {
     std::vector<std::string> links;
     for (const simulation::BodyLook& look : simulation::robotLooks(type)) links.push_back(look.link);
     EXPECT_EQ(simspark::sceneBodies(type), links) << type;
   }
-  EXPECT_THROW(simspark::sceneBodies(5), std::out_of_range);
+  EXPECT_THROW(simspark::sceneBodies(5), ConfigurationError);
 }
 
 TEST(SceneBodies, ofTheLeaguesServer) {

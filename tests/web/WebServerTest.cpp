@@ -156,6 +156,9 @@ TEST_F(WebServerTest, onlyItsOwnPagesMayConnect) {
   EXPECT_FALSE(admitted(server, upgrade("localhost" + port, "http://elsewhere.example")));
   EXPECT_FALSE(admitted(server, upgrade("elsewhere.example" + port, "http://elsewhere.example" + port)));
   EXPECT_FALSE(admitted(server, upgrade("elsewhere.example" + port, "")));
+  // A name that only looks like the loopback interface may lead anywhere.
+  for (const char* host : {"127.evil.example", "127.0.0.1.evil.example", "127.0.0.1@evil.example"})
+    EXPECT_FALSE(admitted(server, upgrade(host + port, std::string("http://") + host + port))) << host;
 }
 
 TEST_F(WebServerTest, aTokenIsAskedFor) {

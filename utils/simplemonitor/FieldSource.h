@@ -16,6 +16,8 @@ public:
 
   /// Empty, or one line why none of the ports could be had.
   std::string connect();
+  /// Ends waits when it becomes readable.
+  void interruptBy(int stopDescriptor) { connection.interruptBy(stopDescriptor); }
   bool connected() const { return connection.connected(); }
   /// Readable when something came; -1: not connected.
   int descriptor() const { return connection.descriptor(); }

@@ -17,6 +17,7 @@
 
 #include "FieldSource.h"
 #include "Terminal.h"
+#include "framework/CommandLine.h"
 #include "framework/StopSignal.h"
 #include "simspark/NumberFormat.h"
 
@@ -148,7 +149,6 @@ void show(const Options& options, FieldSource& source, const StopSignal& stop) {
 }
 
 void declare(CLI::App& app, Options& options) {
-  app.set_help_flag("-h,--help", "Print this help");
   app.add_option("host", options.host, "Where the simulator runs: HOST or HOST:PORT")->capture_default_str();
   app.add_option("--port", options.port, "Its compact port or any SimSpark monitor port [3201, else 3200]")
       ->check(CLI::Range(1, 65535));
@@ -170,20 +170,16 @@ void declare(CLI::App& app, Options& options) {
       "  bin/simplemonitor --once --size 120x40            the picture as text");
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int runProgram(int argc, char** argv) {
   Options options;
   CLI::App app("The field of a running simulation in a terminal.", "simplemonitor");
   declare(app, options);
+  if (const auto status = readCommandLine(app, argc, argv)) return *status;
   try {
-    app.parse(argc, argv);
     complete(options);
     if (!options.size.empty() && !options.once) throw std::runtime_error("--size is for --once");
-  } catch (const CLI::Success& success) {
-    return app.exit(success);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "simplemonitor: %s; see simplemonitor --help\n", error.what());
+    std::fprintf(stderr, "simplemonitor: %s\n", commandLineError(app, error.what()).c_str());
     return badInput;
   }
   try {
@@ -194,9 +190,12 @@ int main(int argc, char** argv) {
     FieldSource source(options.host,
                        options.port ? std::vector{options.port} : std::vector{fieldPort, monitorPort},
                        options.token);
+    source.interruptBy(stop.fileDescriptor());
     const double start = wallClock();
-    if (const std::string why = source.connect(); !why.empty())
+    if (const std::string why = source.connect(); !why.empty()) {
+      if (stop.requested()) return 0;
       throw std::runtime_error(why + "; is a simulator running there?");
+    }
     if (options.once) {
       printOnce(options, source, stop);
       return 0;
@@ -214,3 +213,7 @@ int main(int argc, char** argv) {
     return badInput;
   }
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return plumbline::flushedStatus("simplemonitor", runProgram(argc, argv)); }

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <exception>
 
+#include "framework/CommandLine.h"
 #include "framework/StopSignal.h"
 #include "game/FieldPicture.h"
 #include "game/GameWatch.h"
@@ -25,9 +26,7 @@ std::string now() {
   return text;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int runProgram(int argc, char** argv) {
   constexpr int badInput = 2;
   game::GameWatchOptions options;
   game::GameLogEntry entry;
@@ -70,14 +69,7 @@ int main(int argc, char** argv) {
       "Exit status: 0 the game is over, 1 it came to no end (the log says why), 2 bad options, 130 after "
       "Ctrl-C.\n"
       "Example:\n  bin/watchgame --port 3200 --players 22 --log games.log");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    return app.exit(success);
-  } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "watchgame: {}; see watchgame --help\n", error.what());
-    return badInput;
-  }
+  if (const auto status = readCommandLine(app, argc, argv)) return *status;
   options.kickOff = !noKickOff;
   try {
     StopSignal stop;
@@ -101,3 +93,7 @@ int main(int argc, char** argv) {
     return badInput;
   }
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return plumbline::flushedStatus("watchgame", runProgram(argc, argv)); }

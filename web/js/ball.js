@@ -1,5 +1,8 @@
-// The ball, and a ring on the grass that shows from afar where it is.
+// The ball with a dark outline, its trail, and a ring on the grass that shows from afar where it is.
 import * as THREE from '../three/three.module.js';
+import { Trail } from './trail.js';
+
+const smallest = 0.0065; // its radius on the screen, per distance: far balls are drawn larger than they are
 
 function ballTexture() {
   const canvas = document.createElement('canvas');
@@ -28,20 +31,30 @@ function ballTexture() {
 
 export class Ball {
   constructor(scene, radius) {
+    this.radius = radius;
     this.mesh = new THREE.Mesh(new THREE.SphereGeometry(radius, 32, 20),
-      new THREE.MeshStandardMaterial({ map: ballTexture(), roughness: 0.45 }));
+      new THREE.MeshStandardMaterial({ map: ballTexture(), roughness: 0.45, emissive: 0xffffff, emissiveIntensity: 0.12 }));
     this.mesh.castShadow = true;
-    this.ring = new THREE.Mesh(new THREE.RingGeometry(0.86, 1, 40),
-      new THREE.MeshBasicMaterial({ color: 0xfff3a0, transparent: true, opacity: 0.75, depthWrite: false }));
-    scene.add(this.mesh, this.ring);
+    this.outline = new THREE.Mesh(new THREE.SphereGeometry(radius, 24, 16),
+      new THREE.MeshBasicMaterial({ color: 0x101418, side: THREE.BackSide }));
+    this.ring = new THREE.Mesh(new THREE.RingGeometry(0.84, 1, 48),
+      new THREE.MeshBasicMaterial({ color: 0xffe24a, transparent: true, opacity: 0.9, depthWrite: false, toneMapped: false }));
+    this.trail = new Trail(scene);
+    scene.add(this.mesh, this.outline, this.ring);
   }
 
-  pose(p, camera) {
+  pose(p, camera, now) {
     this.mesh.position.set(p[0], p[1], p[2]);
-    this.mesh.quaternion.set(p[3], p[4], p[5], p[6]);
     const distance = camera.position.distanceTo(this.mesh.position);
+    const scale = Math.max(1, (smallest * distance) / this.radius);
+    this.mesh.position.z += (scale - 1) * this.radius;
+    this.mesh.quaternion.set(p[3], p[4], p[5], p[6]);
+    this.mesh.scale.setScalar(scale);
+    this.outline.position.copy(this.mesh.position);
+    this.outline.scale.setScalar(scale + (0.0016 * distance) / this.radius);
     this.ring.visible = distance > 5;
     this.ring.position.set(p[0], p[1], 0.012);
-    this.ring.scale.setScalar(0.012 * distance + 0.05);
+    this.ring.scale.setScalar(0.014 * distance + 0.05);
+    this.trail.pose(p, camera, now);
   }
 }

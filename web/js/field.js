@@ -1,7 +1,8 @@
 // Grass, lines and goals, from the sizes the server tells.
 import * as THREE from '../three/three.module.js';
+import { makeLines } from './lines.js';
 
-const lineWidth = 0.06, border = 5;
+const border = 5;
 
 function random(seed) { // the same grass in every visit
   let state = seed;
@@ -44,29 +45,11 @@ function ground(field) {
   };
   const length = field.length + 2 * border, width = field.width + 2 * border, stripe = length / stripes;
   for (let i = 0; i < stripes; ++i) plane(-length / 2 + (i + 0.5) * stripe, 0, stripe, width, i % 2 ? 0xffffff : 0xd8e8cf);
-  const around = new THREE.Mesh(new THREE.CircleGeometry(110, 48),
-    new THREE.MeshStandardMaterial({ color: 0x6d7f6a, roughness: 1, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 }));
+  const around = new THREE.Mesh(new THREE.CircleGeometry(225, 64),
+    new THREE.MeshStandardMaterial({ color: 0x3d6f3c, roughness: 1, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 }));
   around.position.z = -0.02;
   group.add(around);
   return group;
-}
-
-function lines(field) {
-  const positions = [];
-  for (const [x1, y1, x2, y2] of field.lines) {
-    const length = Math.hypot(x2 - x1, y2 - y1) || 1;
-    const dx = ((x2 - x1) / length) * lineWidth / 2, dy = ((y2 - y1) / length) * lineWidth / 2;
-    // A little longer at both ends, so that corners close.
-    const a = [x1 - dx - dy, y1 - dy + dx], b = [x1 - dx + dy, y1 - dy - dx];
-    const c = [x2 + dx + dy, y2 + dy - dx], d = [x2 + dx - dy, y2 + dy + dx];
-    for (const [x, y] of [a, b, c, a, c, d]) positions.push(x, y, 0.003);
-  }
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.Float32BufferAttribute(positions, 3));
-  geometry.setAttribute('normal', new THREE.Float32BufferAttribute(positions.map((_, i) => (i % 3 === 2 ? 1 : 0)), 3));
-  const mesh = new THREE.Mesh(geometry, new THREE.MeshStandardMaterial({ color: 0xf4f6f2, roughness: 0.9 }));
-  mesh.receiveShadow = true;
-  return mesh;
 }
 
 function netTexture() {
@@ -122,6 +105,6 @@ function goal(field, sign, texture) {
 export function makeField(field) {
   const group = new THREE.Group();
   const texture = netTexture();
-  group.add(ground(field), lines(field), goal(field, -1, texture), goal(field, 1, texture));
+  group.add(ground(field), makeLines(field), goal(field, -1, texture), goal(field, 1, texture));
   return group;
 }

@@ -1,4 +1,7 @@
 // Score board, trainer's buttons and the bar of a recorded match.
+import { GoalMarks } from './marks.js';
+
+const oneFrame = 0.04; // between two pictures of a recording [s]
 const $ = (id) => document.getElementById(id);
 
 function clockText(seconds, digits = 1) {
@@ -14,7 +17,8 @@ function modeText(mode) {
 export class Hud {
   constructor({ send, onCamera, onLabels, onDrawings, onSet }) {
     Object.assign(this, { send, onCamera, onSet });
-    this.game = { live: true, clock: null };
+    this.game = { live: true, clock: null, connected: false };
+    this.online = false;
     this.replay = null;
     for (const button of document.querySelectorAll('[data-camera]')) button.onclick = () => this.camera(button.dataset.camera);
     for (const button of document.querySelectorAll('[data-do]')) button.onclick = () => this.trainer(button.dataset.do);
@@ -22,6 +26,8 @@ export class Hud {
     $('showLabels').onchange = () => onLabels($('showLabels').checked);
     $('showDrawings').onchange = () => onDrawings($('showDrawings').checked);
     $('replayPlay').onclick = () => this.togglePlay();
+    for (const button of document.querySelectorAll('[data-skip]')) button.onclick = () => this.skip(Number(button.dataset.skip));
+    this.marks = new GoalMarks($('replayMarks'), (time) => send({ do: 'seek', time }));
     $('replayTime').oninput = () => send({ do: 'seek', time: Number($('replayTime').value) });
     $('replayRate').onchange = () => send({ do: 'rate', rate: Number($('replayRate').value) });
     window.addEventListener('keydown', (e) => this.key(e));
@@ -29,7 +35,9 @@ export class Hud {
   }
 
   key(event) {
-    if (/INPUT|SELECT/.test(document.activeElement?.tagName) && event.key !== 'Escape') return;
+    const field = document.activeElement;
+    if (field?.id === 'replayTime') field.blur();
+    else if (/INPUT|SELECT/.test(field?.tagName) && event.key !== 'Escape') return;
     const cameras = ['free', 'side', 'ball', 'robot', 'top'];
     if (cameras[Number(event.key) - 1]) this.camera(cameras[Number(event.key) - 1]);
     if (event.key === ' ') {
@@ -37,7 +45,13 @@ export class Hud {
       if (this.replay) this.togglePlay();
       else this.trainer('pause');
     }
-    if (event.key === '.') this.trainer('step');
+    if (this.replay) {
+      const skip = { ArrowLeft: -5, ArrowRight: 5, ',': -oneFrame, '.': oneFrame }[event.key];
+      if (skip) this.skip(skip);
+      if (skip) event.preventDefault();
+    } else if (event.key === '.') {
+      this.trainer('step');
+    }
   }
 
   camera(mode) {
@@ -45,8 +59,11 @@ export class Hud {
     this.onCamera(mode);
   }
 
+  // Whether a server listens to the trainer's buttons.
+  playable() { return Boolean(this.online && this.game.live && this.game.connected !== false); }
+
   trainer(what) {
-    if (!this.game.live) return;
+    if (!this.playable()) return;
     const { clock } = this.game;
     if ((what === 'pause' || what === 'step') && !clock) return;
     const commands = {
@@ -62,6 +79,15 @@ export class Hud {
     this.send(commands[what]);
   }
 
+  // To another time of the recording [s]; a step by one frame stops it.
+  skip(seconds) {
+    if (!this.replay) return;
+    if (Math.abs(seconds) < 1 && this.replay.playing) this.send({ do: 'stop' });
+    const time = Math.max(0, Math.min(this.replay.duration, this.replay.time + seconds));
+    this.replay.time = time;
+    this.send({ do: 'seek', time });
+  }
+
   togglePlay() { this.send({ do: this.replay?.playing ? 'stop' : 'play' }); }
 
   takeGame(game) {
@@ -74,12 +100,10 @@ export class Hud {
     $('source').textContent = game.source;
     $('recording').hidden = !game.recording;
     $('recording').title = game.recording;
-    $('problem').textContent = game.problem;
+    this.say(game.problem);
     $('trainer').hidden = !game.live;
-    for (const element of document.querySelectorAll('[data-clock]')) {
-      element.disabled = !game.clock;
-      if (!game.clock) element.title = 'This server cannot do that';
-    }
+    $('clock').title = game.live ? 'Time of the match' : 'Time of the recorded match';
+    this.enable();
     document.querySelector('[data-do=pause]').textContent = game.clock?.paused ? 'Resume' : 'Pause';
     const rate = $('rate');
     if (game.clock && document.activeElement !== rate) {
@@ -96,8 +120,9 @@ export class Hud {
     const slider = $('replayTime');
     slider.max = replay.duration;
     if (!slider.matches(':active')) slider.value = replay.time;
-    $('replayClock').textContent = `${clockText(replay.time)} / ${clockText(replay.duration)}`;
-    if (replay.problem) $('problem').textContent = replay.problem;
+    $('replayClock').textContent = `recording ${clockText(replay.time)} of ${clockText(replay.duration)}`;
+    if (replay.problem) this.say(replay.problem);
+    this.marks.show(replay);
   }
 
   takeTime(time, now) {
@@ -115,14 +140,36 @@ export class Hud {
     return factor > 0.001 ? factor : null;
   }
 
-  tick(now, fps) {
+  tick(now, fps, robots) {
+    $('empty').hidden = !(this.playable() && robots === 0);
     const factor = this.realTimeFactor(now);
     const stands = this.game.clock?.paused || (this.replay && !this.replay.playing);
     const pace = stands ? 'paused' : factor === null ? 'clock stands' : `${factor.toFixed(factor < 10 ? 2 : 0)} × real time`;
     $('speed').textContent = fps ? `${pace} · ${fps.toFixed(0)} fps` : pace;
   }
 
-  offline() { $('problem').textContent = 'No connection to the server of this page'; }
+  // One line about what is wrong, in a place of its own; empty: nothing is.
+  say(problem) {
+    $('problem').textContent = problem ?? '';
+    $('problem').hidden = !problem;
+  }
+
+  setOnline(online) {
+    this.online = online;
+    if (!online) this.say('No connection to the server of this page; it connects again by itself');
+    else this.say(this.game.problem);
+    this.enable();
+  }
+
+  enable() {
+    const playable = this.playable();
+    for (const element of document.querySelectorAll('#trainer button, #trainer select')) {
+      const can = playable && (!element.hasAttribute('data-clock') || this.game.clock);
+      element.disabled = !can;
+      element.dataset.help ??= element.title;
+      element.title = can ? element.dataset.help : playable ? 'This server cannot do that' : 'No simulator is connected';
+    }
+  }
 
   showSets(names, hidden) {
     const shown = names.slice(0, 60).join('\n');

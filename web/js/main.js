@@ -6,27 +6,28 @@ import { Connection } from './connection.js';
 import { Drag } from './drag.js';
 import { Drawings } from './drawings.js';
 import { makeField } from './field.js';
-import { decodeFrame } from './frame.js';
+import { decodeFrame, poseSize } from './frame.js';
 import { Hud } from './hud.js';
 import { Motion } from './motion.js';
 import { Robots } from './robots.js';
 import { Stage } from './stage.js';
+import { nameTeams } from './teams.js';
 
 const canvas = document.getElementById('view');
 const stage = new Stage(canvas);
 const cameras = new Cameras(stage.camera, canvas);
 const drawings = new Drawings(stage.scene);
 const motion = new Motion();
-let robots = null, ball = null, field = null, shown = null, frames = 0, online = false, rosterChanged = false;
+let robots = null, ball = null, field = null, shown = null, frames = 0, online = false, drawn = null;
 
 const connection = new Connection({
   onState(open) {
     online = open;
-    if (!open) hud.offline();
+    hud.setOnline(open);
   },
   onMessage(message) {
     if (message.kind === 'geometry') build(message);
-    if (message.kind === 'game') hud.takeGame(message);
+    if (message.kind === 'game') takeGame(message);
     if (message.kind === 'replay') hud.takeReplay(message);
     if (message.kind === 'drawings') {
       drawings.take(message);
@@ -38,7 +39,7 @@ const connection = new Connection({
     const frame = decodeFrame(buffer);
     if (!frame) return;
     const now = performance.now();
-    rosterChanged = motion.take(frame, now) || rosterChanged;
+    motion.take(frame, now);
     hud.takeTime(frame.time, now);
     ++frames;
   },
@@ -56,7 +57,7 @@ hud.camera(new URLSearchParams(location.search).get('camera') ?? 'free');
 new Drag({
   canvas, camera: stage.camera, cameras, scene: stage.scene,
   shown: () => shown,
-  allowed: () => hud.game.live,
+  allowed: () => hud.playable(),
   onMoveRobot: (robot, x, y, z) => connection.send({ do: 'moveRobot', side: robot.side, unum: robot.unum, x, y, z: Math.max(0.05, z) + 0.005 }),
   onMoveBall: (x, y) => connection.send({ do: 'moveBall', x, y, z: field.ballRadius }),
   onSelect(robot) {
@@ -71,7 +72,11 @@ function build(geometry) {
   stage.scene.add(makeField(field));
   robots = new Robots(stage.scene, geometry.types);
   ball = new Ball(stage.scene, field.ballRadius);
-  rosterChanged = true;
+}
+
+function takeGame(game) {
+  if (nameTeams(game.left.name, game.right.name)) drawn = null;
+  hud.takeGame(game);
 }
 
 const pause = 1000 / (Number(new URLSearchParams(location.search).get('fps')) || 1000); // between two pictures [ms]
@@ -82,11 +87,12 @@ function animate(now) {
   const seconds = Math.min(0.2, Math.max(0, (now - last) / 1000));
   last = now;
   if (robots) {
-    shown = motion.advance(now);
+    // Not the picture's own time, which is that of its start: messages may have come since.
+    shown = motion.advance(performance.now());
     if (shown) {
-      if (rosterChanged) robots.setRobots(shown.robots);
-      rosterChanged = false;
-      ball.pose(shown.ball, stage.camera);
+      if (drawn !== shown.robots) robots.setRobots(shown.robots);
+      drawn = shown.robots;
+      ball.pose(shown.ball, stage.camera, now);
       robots.pose(shown.robots, stage.camera);
       drawings.follow(shown, stage.camera);
     }
@@ -95,17 +101,26 @@ function animate(now) {
   stage.light(cameras.controls.target, stage.camera.position.distanceTo(cameras.controls.target));
   stage.render(now);
   if (now - lastHud > 250) {
-    hud.tick(now, stage.fps);
+    hud.tick(now, stage.fps, shown?.robots.length ?? 0);
     lastHud = now;
   }
 }
 requestAnimationFrame(animate);
+
+function reachOf({ poses }) {
+  let reach = 0;
+  for (let i = poseSize; i < poses.length; i += poseSize)
+    reach = Math.max(reach, Math.hypot(poses[i] - poses[0], poses[i + 1] - poses[1], poses[i + 2] - poses[2]));
+  return reach;
+}
 
 // For tests and the console: what is on the page.
 window.plumbline = {
   state: () => ({
     online, frames,
     bodies: robots?.numBodies() ?? 0,
+    // Furthest a body is from its robot's torso [m].
+    reach: Math.max(0, ...(shown?.robots ?? []).map(reachOf)),
     robots: (shown?.robots ?? []).map((r) => ({ side: r.side, unum: r.unum, type: r.type, position: [...r.poses.slice(0, 3)] })),
     ball: shown ? [...shown.ball.slice(0, 3)] : null,
     time: motion.frame?.time ?? null,

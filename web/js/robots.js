@@ -3,9 +3,10 @@
 import * as THREE from '../three/three.module.js';
 import { RoundedBoxGeometry } from '../three/RoundedBoxGeometry.js';
 import { poseSize } from './frame.js';
+import { bonesOf } from './bones.js';
+import { cssColour, teamColours } from './teams.js';
 
-export const teamColours = { left: 0x2f6fe8, right: 0xe0452f, none: 0x8b9499 };
-const white = 0xf1f3f2, grey = 0x9aa3a8, dark = 0x2b3035;
+const white = 0xf1f3f2, grey = 0x9aa3a8, dark = 0x2b3035, joint = 0x555d63;
 const inTeamColour = /torso|UpperArm|Thigh|Foot/;
 
 function makeGeometry({ shape, size }) {
@@ -25,7 +26,7 @@ function numberTexture(number, side, round) {
   canvas.width = canvas.height = 128;
   const c = canvas.getContext('2d');
   if (round) {
-    c.fillStyle = `#${teamColours[side].toString(16).padStart(6, '0')}`;
+    c.fillStyle = cssColour(teamColours[side]);
     c.globalAlpha = 0.88;
     c.beginPath();
     c.arc(64, 64, 56, 0, 2 * Math.PI);
@@ -41,6 +42,10 @@ function numberTexture(number, side, round) {
   texture.colorSpace = THREE.SRGBColorSpace;
   texture.anisotropy = 4;
   return texture;
+}
+
+function turnTo(direction) {
+  return new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 0, 1), new THREE.Vector3(...direction));
 }
 
 // A number on breast and back of a torso of this size.
@@ -70,11 +75,12 @@ export class Robots {
     this.matrix = new THREE.Matrix4();
     this.position = new THREE.Vector3();
     this.rotation = new THREE.Quaternion();
+    this.offset = new THREE.Vector3();
     this.one = new THREE.Vector3(1, 1, 1);
   }
 
   texture(number, side, round) {
-    const key = `${number} ${side} ${round}`;
+    const key = `${number} ${round ? teamColours[side] : ''} ${round}`;
     if (!this.textures.has(key)) this.textures.set(key, numberTexture(number, side, round));
     return this.textures.get(key);
   }
@@ -94,10 +100,10 @@ export class Robots {
   setRobots(robots) {
     this.clear();
     const forms = new Map();
-    const slot = (part, colour, offset) => {
+    const slot = (part, colour) => {
       const key = JSON.stringify([part.shape, part.size]);
       if (!forms.has(key)) forms.set(key, { part, slots: [] });
-      const place = { form: forms.get(key), index: forms.get(key).slots.length, offset };
+      const place = { form: forms.get(key), index: forms.get(key).slots.length };
       place.form.slots.push(colour);
       return place;
     };
@@ -106,10 +112,14 @@ export class Robots {
       const places = [];
       parts.forEach((part, i) => {
         places.push({ ...slot(part, colourOf(part, robot.side)), pose: i });
+        for (const bone of bonesOf(part)) {
+          const form = bone.length < 1e-3 ? { shape: 'sphere', size: [bone.radius] } : { shape: 'capsule', size: [bone.radius, Number(bone.length.toFixed(4))] };
+          places.push({ ...slot(form, joint), pose: i, offset: new THREE.Vector3(...bone.middle), turn: turnTo(bone.direction) });
+        }
         if (part.name === 'head') { // eyes, so that one sees where it looks
           const r = part.size[0];
           const visor = { shape: 'box', size: [r * 0.5, r * 1.35, r * 0.42] };
-          places.push({ ...slot(visor, dark, new THREE.Vector3(r * 0.79, 0, r * 0.15)), pose: i });
+          places.push({ ...slot(visor, dark), pose: i, offset: new THREE.Vector3(r * 0.79, 0, r * 0.15) });
         }
       });
       return { ...robot, places, number: this.addNumber(robot, parts[0]), label: this.addLabel(robot) };
@@ -150,7 +160,8 @@ export class Robots {
         const i = place.pose * poseSize;
         this.position.set(p[i], p[i + 1], p[i + 2]);
         this.rotation.set(p[i + 3], p[i + 4], p[i + 5], p[i + 6]);
-        if (place.offset) this.position.add(place.offset.clone().applyQuaternion(this.rotation));
+        if (place.offset) this.position.add(this.offset.copy(place.offset).applyQuaternion(this.rotation));
+        if (place.turn) this.rotation.multiply(place.turn);
         place.form.mesh.setMatrixAt(place.index, this.matrix.compose(this.position, this.rotation, this.one));
       }
       if (own.number) {

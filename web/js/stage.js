@@ -1,5 +1,6 @@
 // Renderer, light, sky, and how much of it this machine can do.
 import * as THREE from '../three/three.module.js';
+import { haze, makeSky } from './sky.js';
 
 export class Stage {
   constructor(canvas) {
@@ -11,33 +12,17 @@ export class Stage {
     this.renderer.toneMapping = THREE.ACESFilmicToneMapping;
     this.renderer.toneMappingExposure = 1.05;
     this.scene = new THREE.Scene();
-    this.scene.background = new THREE.Color(0xa9c3d4);
-    this.scene.fog = new THREE.Fog(0xa9c3d4, 45, 110);
+    this.scene.background = new THREE.Color(haze);
+    this.scene.fog = new THREE.Fog(haze, 40, 190);
     this.camera = new THREE.PerspectiveCamera(42, 1, 0.05, 250);
     this.camera.up.set(0, 0, 1);
-    this.addSky();
+    this.scene.add(makeSky());
     this.addLight();
     this.ratio = Math.min(window.devicePixelRatio, 2) * (this.quality === 'low' ? 0.7 : 1);
     this.slow = { frames: 0, since: performance.now(), steps: 0 };
     this.fps = 0;
     window.addEventListener('resize', () => this.resize());
     this.resize();
-  }
-
-  addSky() {
-    const geometry = new THREE.SphereGeometry(120, 24, 12);
-    const colours = [], low = new THREE.Color(0xc9d8e0), high = new THREE.Color(0x4f86b8);
-    const position = geometry.attributes.position;
-    for (let i = 0; i < position.count; ++i) {
-      const up = Math.max(0, position.getY(i) / 120);
-      const c = low.clone().lerp(high, Math.pow(up, 0.6));
-      colours.push(c.r, c.g, c.b);
-    }
-    geometry.setAttribute('color', new THREE.Float32BufferAttribute(colours, 3));
-    geometry.rotateX(Math.PI / 2);
-    const sky = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ vertexColors: true, side: THREE.BackSide, fog: false, depthWrite: false }));
-    sky.renderOrder = -10;
-    this.scene.add(sky);
   }
 
   addLight() {

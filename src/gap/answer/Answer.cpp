@@ -220,7 +220,6 @@ std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Eva
   j["verdict"] = nameOf(diagnosis.verdict);
   j["sentence"] = verdictSentence(diagnosis);
   j["robot"] = input.robot;
-  j["seconds"] = number(input.seconds, 3);
   j["where"] = json::array();
   j["map"]["cells"] = json::array();
   for (const GapCell& cell : cells) {

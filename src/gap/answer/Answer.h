@@ -19,7 +19,6 @@ struct RunNotes {
 
 struct AnswerInput {
   std::string robot;
-  double seconds = 0;  ///< that the diagnosis took
   std::vector<RunNotes> runs;
   std::string nextMotion;
 };

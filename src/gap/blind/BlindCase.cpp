@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "framework/Json.h"
 #include "framework/WriteFile.h"
 #include "gap/record/Secret.h"
 
@@ -68,7 +69,7 @@ std::string blindSetText(const BlindSet& set) {
 
 BlindSet parseBlindSet(const std::string& text) {
   try {
-    const json j = json::parse(text);
+    const json j = parseJson(text, "the sealed text");
     BlindSet set{j.at("robot"), j.at("engine"), j.at("battery"), j.at("seed"), {}};
     for (const json& entry : j.at("cases")) {
       BlindCase c;

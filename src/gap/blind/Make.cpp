@@ -123,7 +123,7 @@ Severity severity(const std::string& folder, const std::string& nominal,
 
 BlindSet makeBlind(const BlindMakeOptions& given) {
   BlindMakeOptions options = given;
-  if (options.engine == BlindEngine::replay) options.draw.outside = false;
+  if (options.engine == blindReplay) options.draw.outside = false;
   const Mechanism robot = namedMechanism(options.robot);
   const Workshop workshop(options.engine, options.robot, robot, programsOf(options.draw.battery),
                           options.program);
@@ -140,7 +140,7 @@ BlindSet makeBlind(const BlindMakeOptions& given) {
     workshop.write({}, 1, false, nominal);
     BlindSet set;
     set.robot = options.robot;
-    set.engine = nameOf(options.engine);
+    set.engine = options.engine;
     set.battery = options.draw.battery == Battery::hang ? "hang" : "all";
     set.seed = options.draw.seed;
     const std::vector<BlindKind> kinds = drawKinds(options.draw);

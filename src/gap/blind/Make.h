@@ -10,8 +10,8 @@ namespace plumbline::gap {
 struct BlindMakeOptions {
   DrawOptions draw;
   std::string robot = "nao_v5";  ///< name in config/robots, or a file
-  BlindEngine engine = BlindEngine::mujoco;
-  std::string program = "build/SimRelease/bench/mujoco";  ///< of engine mujoco
+  std::string engine = blindProgram;
+  std::string program = "build/SimRelease/bench/mujoco";  ///< of engine program
   std::string output;                                     ///< a new folder
   int jobs = 1;
   std::function<void(std::size_t done)> progress = {};  ///< may throw to stop; called from any thread

@@ -42,7 +42,7 @@ double OutsideDrives::Drive::*OutsideDrives::sizeOf(const std::string& effect) {
       {"servo_integral", &Drive::integral},  {"command_lag", &Drive::lag},
       {"crosstalk", &Drive::crosstalk}};
   const auto it = sizes.find(effect);
-  if (it == sizes.end()) throw std::runtime_error("engine bullet has no effect " + effect);
+  if (it == sizes.end()) throw std::runtime_error("no engine of this program has the effect " + effect);
   return it->second;
 }
 
@@ -51,7 +51,8 @@ void OutsideDrives::start(const std::vector<double>& commands) {
     drives[j].rest = drives[j].lagged = drives[j].bristleAt = commands[j];
 }
 
-void OutsideDrives::act(double time, double h, simulation::ServoWorld& world, std::vector<double>& targets) {
+void OutsideDrives::act(double time, double h, simulation::RobotSimulation& world,
+                        std::vector<double>& targets) {
   const std::vector<double> asked = targets;
   for (std::size_t j = 0; j < drives.size(); ++j) {
     const auto joint = static_cast<int>(j);

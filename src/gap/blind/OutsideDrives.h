@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "gap/blind/BlindCase.h"
-#include "gap/record/BulletRecording.h"
+#include "gap/record/EngineRecording.h"
 
 namespace plumbline::gap {
 
-/// Effects outside the library for a robot in Bullet (doc/reference/gap-blind.md lists them), at the drives
-/// of joints, and the accelerometer's bias. Joints of one motor have them alike.
+/// Effects outside the library for a robot in an engine (doc/reference/gap-blind.md lists them), at the
+/// drives of joints, and the accelerometer's bias. Joints of one motor have them alike.
 class OutsideDrives : public OutsideEffects {
 public:
   /// The robot must outlive it. Throws std::runtime_error for an effect that is none of these, or a place
@@ -16,7 +16,7 @@ public:
   OutsideDrives(const Mechanism& robot, const std::vector<BlindEffect>& effects);
 
   void start(const std::vector<double>& commands) override;
-  void act(double time, double h, simulation::ServoWorld& world, std::vector<double>& targets) override;
+  void act(double time, double h, simulation::RobotSimulation& world, std::vector<double>& targets) override;
   Vec3 accBias() const override { return bias; }
 
 private:

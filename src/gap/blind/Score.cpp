@@ -43,8 +43,8 @@ Figure bootstrap(std::string id, std::string what, const std::vector<T>& sample,
 /// Of the distance from nominal; of the value where nominal is no number to measure from.
 double parameterError(const BlindEffect& truth, double value) {
   const Effect* effect = findEffect(truth.effect);
-  const bool limit = truth.effect == "acceleration_limit" || truth.effect.starts_with("ground_");
-  const double from = effect && !limit ? effect->nominal : 0;
+  const bool fromNominal = effect && !effect->nominalIsNone && effect->sites != std::vector{Site::ground};
+  const double from = fromNominal ? effect->nominal : 0;
   return std::abs(value - truth.value) / std::max(1e-12, std::abs(truth.value - from));
 }
 

@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -10,14 +9,16 @@
 #include <stdexcept>
 #include <thread>
 
+#include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
 #include "gap/blind/OutsideDrives.h"
 #include "gap/effects/Effects.h"
-#include "gap/record/BulletRecording.h"
+#include "gap/record/EngineRecording.h"
 #include "gap/record/ExcitationFile.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/run/RunFile.h"
 #include "simspark/ChildProcess.h"
+#include "simulation/servo/RobotSimulation.h"
 
 namespace plumbline::gap {
 
@@ -27,7 +28,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr double stepHere = 0.0005;  ///< a quarter of what the diagnosis takes [s]
-constexpr std::array engineNames = {"replay", "bullet", "mujoco"};
 
 std::string runName(std::size_t i) { return "run" + std::to_string(i + 1); }
 
@@ -45,22 +45,19 @@ Cause causeOf(const BlindEffect& e, const Effect& effect, const Mechanism& robot
 
 }  // namespace
 
-const char* nameOf(BlindEngine engine) { return engineNames.at(static_cast<std::size_t>(engine)); }
-
-BlindEngine engineOf(const std::string& name) {
-  for (std::size_t i = 0; i < engineNames.size(); ++i)
-    if (name == engineNames[i]) return static_cast<BlindEngine>(i);
-  throw std::invalid_argument("there is no engine " + name + "; there are replay, bullet and mujoco");
+void requireBlindEngine(const std::string& engine) {
+  simulation::RobotSimulations::require(engine, {blindProgram, blindReplay});
 }
 
-Workshop::Workshop(BlindEngine engine_, std::string robotName_, const Mechanism& robot_,
+Workshop::Workshop(std::string engine_, std::string robotName_, const Mechanism& robot_,
                    std::vector<std::string> programs_, std::string program_)
-    : engine(engine_),
+    : engine(std::move(engine_)),
       robotName(std::move(robotName_)),
       robot(robot_),
       programs(std::move(programs_)),
       program(std::move(program_)) {
-  if (engine == BlindEngine::mujoco && access(program.c_str(), X_OK) != 0)
+  requireBlindEngine(engine);
+  if (engine == blindProgram && access(program.c_str(), X_OK) != 0)
     throw std::runtime_error(program +
                              " is not there: `make SimRelease-bench-mujoco` builds it, or --engine bullet "
                              "needs no other program");
@@ -75,14 +72,14 @@ std::vector<std::string> Workshop::runs() const {
 void Workshop::write(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
                      const std::string& folder) const {
   fs::remove_all(folder);
-  if (engine == BlindEngine::mujoco)
-    writeMujoco(effects, seed, noise, folder);
+  if (engine == blindProgram)
+    writeByProgram(effects, seed, noise, folder);
   else
     writeHere(effects, seed, noise, folder);
 }
 
-void Workshop::writeMujoco(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
-                           const std::string& folder) const {
+void Workshop::writeByProgram(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
+                              const std::string& folder) const {
   json spec = {{"robot", robotName}, {"seed", seed}, {"noise", noise}, {"truth", false}};
   spec["effects"] = json::array();
   for (const BlindEffect& e : effects) {
@@ -96,7 +93,10 @@ void Workshop::writeMujoco(const std::vector<BlindEffect>& effects, std::uint64_
   const std::string file = folder + ".case.json", log = folder + ".log";
   writeFile(file, spec.dump());
   simspark::ChildProcess child({program, file, folder}, log);
-  while (child.running()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  while (child.running()) {
+    StopSignal::throwIfCaught();  // and the child ends with its owner
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
   std::string said, line;
   std::ifstream text(log);
   while (std::getline(text, line))
@@ -116,7 +116,7 @@ void Workshop::writeHere(const std::vector<BlindEffect>& effects, std::uint64_t 
     const Effect* effect = findEffect(e.effect);
     if (effect)
       recording.effects.push_back(causeOf(e, *effect, robot));
-    else if (engine == BlindEngine::bullet)
+    else if (engine != blindReplay)
       outside.push_back(e);
     else
       throw std::runtime_error("the project's replay has no effect " + e.effect);
@@ -126,9 +126,9 @@ void Workshop::writeHere(const std::vector<BlindEffect>& effects, std::uint64_t 
     recording.seed = seed * 1'000'003 + i + 1;
     const Excitation motion = findExcitation(programs[i], robot);
     OutsideDrives drives(robot, outside);
-    const Run run = engine == BlindEngine::bullet
-                        ? recordBullet(robot, motion, recording, outside.empty() ? nullptr : &drives)
-                        : recordSimulated(robot, motion, recording);
+    const Run run = engine == blindReplay ? recordSimulated(robot, motion, recording)
+                                          : recordInEngine(engine, robot, motion, recording,
+                                                           outside.empty() ? nullptr : &drives);
     writeRun(run, (fs::path(folder) / runName(i)).string(), {5, true});
   }
 }

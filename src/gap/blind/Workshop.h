@@ -7,19 +7,18 @@
 
 namespace plumbline::gap {
 
-/// What simulates a benchmark's reality: the dynamics that explain, in finer steps; or one of two other
-/// engines, MuJoCo in a program of its own.
-enum class BlindEngine { replay, bullet, mujoco };
-const char* nameOf(BlindEngine engine);
-/// Throws std::invalid_argument for a name of none.
-BlindEngine engineOf(const std::string& name);
+/// What simulates a benchmark's reality, beside the engines for servo robots by their names
+/// (simulation/servo/RobotSimulation.h): the dynamics that explain, in finer steps; a program of its own.
+inline const std::string blindReplay = "replay", blindProgram = "program";
+/// Throws std::invalid_argument for a name of none, with what to install where it is that.
+void requireBlindEngine(const std::string& engine);
 
 /// Writes the runs of one robot with effects into a folder, in one of the engines.
 class Workshop {
 public:
-  /// robotName: for the program of engine mujoco, whose file `program` is. The robot must outlive it. Throws
+  /// robotName: for a program of its own, whose file `program` is. The robot must outlive it. Throws
   /// std::runtime_error where that program is not there.
-  Workshop(BlindEngine engine, std::string robotName, const Mechanism& robot,
+  Workshop(std::string engine, std::string robotName, const Mechanism& robot,
            std::vector<std::string> programs, std::string program);
 
   /// Folders of the runs, in order.
@@ -31,13 +30,12 @@ public:
              const std::string& folder) const;
 
 private:
-  void writeMujoco(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
-                   const std::string& folder) const;
+  void writeByProgram(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
+                      const std::string& folder) const;
   void writeHere(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
                  const std::string& folder) const;
 
-  const BlindEngine engine;
-  const std::string robotName;
+  const std::string engine, robotName;
   const Mechanism& robot;
   const std::vector<std::string> programs;
   const std::string program;

@@ -99,8 +99,11 @@ ReplayOptions Evaluator::optionsOf(std::size_t trial, const Explanation& explana
 }
 
 void Evaluator::setLostCycles(std::vector<std::vector<std::uint8_t>> cycles) {
+  if (cycles == lost) return;
   lost = std::move(cycles);
-  if (losesCommands(causes)) predictions.clear();
+  if (!losesCommands(causes)) return;
+  predictions.clear();  // all of them, not only what other causes would change
+  setBase(Explanation(causes));
 }
 
 void Evaluator::leaveStandingOut(bool out) {

@@ -45,7 +45,8 @@ public:
   /// Fit of predictions, each with the base's where it has none of its own. Thread-safe.
   Fit compare(const std::vector<Prediction>& candidates) const;
 
-  /// Lost cycles found under the present base, used wherever dropout is a cause: one vector per trial.
+  /// Lost cycles found under the present base, used wherever dropout is a cause: one vector per trial. A base
+  /// with dropout is replayed with them at once.
   void setLostCycles(std::vector<std::vector<std::uint8_t>> cycles);
   const std::vector<std::vector<std::uint8_t>>& lostCycles() const { return lost; }
 
@@ -68,6 +69,7 @@ public:
   }
   const Mechanism& mechanism() const { return robot; }
   const Evidence& evidence() const { return data; }
+  const ReplayOptions& replayOptions() const { return accuracy; }
 
 private:
   bool leftOut(std::size_t trial) const { return standingOut && data.trials()[trial].freeBase; }

@@ -44,7 +44,7 @@ double steppingSpread(const Trial& trial, const Signal& signal) {
   double n = 0, sum = 0, squares = 0;
   for (std::size_t k = 0; k < trial.cycles(); ++k) {
     const double command =
-        signal.kind == SignalKind::position ? trial.command[static_cast<std::size_t>(signal.joint)][k] : 0;
+        signal.kind == SignalKind::position ? trial.targets(static_cast<std::size_t>(signal.joint))[k] : 0;
     const double x = signal.values[k] - command;
     if (std::isfinite(x)) ++n, sum += x, squares += x * x;
   }

@@ -11,6 +11,26 @@ namespace plumbline::gap {
 namespace {
 
 constexpr double rivalShare = 0.01;  // probability that is worth a word
+constexpr double z = 1.96;           // of 95 %
+
+/// Interval of a rate of which `found` cases were counted (Wilson, "Probable inference, the law of
+/// succession, and statistical inference", J. American Statistical Association 22, 1927).
+Bounds rateInterval(double rate, double found) {
+  if (!(rate > 0) || !(found > 0)) return {0, 1};
+  const double n = found / rate, middle = (rate + z * z / (2 * n)) / (1 + z * z / n),
+               reach = z / (1 + z * z / n) * std::sqrt(rate * (1 - rate) / n + z * z / (4 * n * n));
+  return {std::max(0.0, middle - reach), std::min(1.0, middle + reach)};
+}
+
+/// Which commands got lost is chance: a rate differs from the share that happened to be lost.
+void addChance(const Evaluator& fine, Finding& finding) {
+  double found = 0;
+  for (const auto& cycles : fine.lostCycles()) found += static_cast<double>(std::ranges::count(cycles, 1));
+  const double rate = finding.cause.value;
+  const Bounds chance = rateInterval(rate, found);
+  finding.lower = std::max(0.0, rate - std::hypot(rate - finding.lower, rate - chance.lower));
+  finding.upper = std::min(1.0, rate + std::hypot(finding.upper - rate, chance.upper - rate));
+}
 
 }  // namespace
 
@@ -22,13 +42,14 @@ Finding findingOf(std::size_t i, const Explanation& found, const std::vector<Can
   const double gapWithout = meter.under(fine);
   const Fit fit = fine.with(finding.cause);
   // Curvature of the sum of squares in the share of the cause that is there.
-  const double spread = fit.change > 0 ? 1.96 * std::sqrt(correlation / fit.change) : 1;
+  const double spread = fit.change > 0 ? z * std::sqrt(correlation / fit.change) : 1;
   const Effect& effect = *finding.cause.effect;
   const double strength = effect.strengthOf(finding.cause.value);
   // A limit is never higher than none.
   finding.lower = effect.valueAt(strength * (effect.reciprocal ? std::max(0.0, 1 - spread) : 1 - spread));
   finding.upper = effect.valueAt(strength * (1 + spread));
   if (finding.lower > finding.upper) std::swap(finding.lower, finding.upper);
+  if (effect.decoded) addChance(fine, finding);
   fine.setBase({finding.cause});
   const double gapAlone = meter.under(fine);
   const double whole = std::max(1e-9, result.gap.before - result.gap.floor);

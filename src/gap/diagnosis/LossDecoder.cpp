@@ -40,7 +40,8 @@ struct Guess {
 /// Whether another cycle's command would do as well.
 bool sameCommand(const Trial& trial, std::size_t a, std::size_t b) {
   return std::ranges::none_of(trial.command, [&](const std::vector<double>& command) {
-    return std::isfinite(command[a]) && std::isfinite(command[b]) && command[a] != command[b];
+    return !command.empty() && std::isfinite(command[a]) && std::isfinite(command[b]) &&
+           command[a] != command[b];
   });
 }
 

@@ -11,8 +11,9 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double headingWithin = 0.01;  // [rad]
-constexpr double commandWithin = 1e-3;  // [rad], root mean square
+constexpr double headingWithin = 0.01;   // [rad]
+constexpr double commandWithin = 1e-3;   // [rad], root mean square
+constexpr double followedWithin = 0.01;  // [rad]: far more than encoders err, far less than a hand
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -98,7 +99,9 @@ bool isRepeat(const Trial& a, const Trial& b) {
     return false;
   if (!sameTimes(a, b)) return false;
   for (std::size_t j = 0; j < a.command.size(); ++j)
-    if (differenceOf(a.command[j], b.command[j]) > commandWithin) return false;
+    if (differenceOf(a.command[j], b.command[j]) > commandWithin ||
+        differenceOf(a.targets(j), b.targets(j)) > followedWithin)
+      return false;
   return true;
 }
 

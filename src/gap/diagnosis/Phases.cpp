@@ -17,7 +17,7 @@ constexpr double impactJump = 0.3;    // of the weight, within a cycle
 
 std::vector<Phase> jointPhases(const Trial& trial, const Signal& signal) {
   const auto& joint = trial.robot->joints[static_cast<std::size_t>(signal.joint)];
-  const auto& command = trial.command[static_cast<std::size_t>(signal.joint)];
+  const auto& command = trial.targets(static_cast<std::size_t>(signal.joint));
   const Signal* position = &signal;
   for (const Signal& other : trial.signals)
     if (other.kind == SignalKind::position && other.joint == signal.joint) position = &other;

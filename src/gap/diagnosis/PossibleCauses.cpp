@@ -16,15 +16,6 @@ bool measured(const Evidence& data, SignalKind a, SignalKind b) {
   });
 }
 
-/// Whether an effect at a joint can show elsewhere in the chain more than at the joint itself.
-bool showsElsewhere(const Effect& effect) {
-  return effect.id == "joint_offset" || effect.id == "encoder_nonlinearity";
-}
-
-/// Whether an effect lets a link swing behind its gear: the encoder at the motor sees less of that than the
-/// joints that carry it.
-bool swingsBehind(const Effect& effect) { return effect.id == "joint_compliance" || effect.id == "backlash"; }
-
 /// Whether a cause would let a joint hunt at which the base has a cause already: the doubt that hunting
 /// leaves would excuse whatever that one does not explain.
 bool wouldExcuse(const Cause& cause, const Evaluator& evaluator) {
@@ -53,13 +44,10 @@ std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
       case Site::everywhere:
         // A servo's own effect is looked for in all of them where several joints are off.
         if (effect.ofServo) return std::ranges::count(suspects.joint, true) > 1;
-        return suspects.any &&
-               (effect.id != "speed_limit" || robot.joints[0].servo.model != Servo::Model::dcMotor);
+        return suspects.any;
       case Site::joint:
-        if (effect.id == "speed_limit" && robot.joints[index].servo.model == Servo::Model::dcMotor)
-          return false;
-        return suspects.joint[index] || (suspects.faintly[index] && swingsBehind(effect)) ||
-               (suspects.chain[index] && showsElsewhere(effect));
+        return suspects.joint[index] || (suspects.faintly[index] && effect.screening.behindGear) ||
+               (suspects.chain[index] && effect.screening.inNeighbours);
       case Site::link: {
         const std::vector<int> chain = robot.chain(place.index);
         if (chain.empty()) return evaluator.hasStanding();
@@ -72,7 +60,8 @@ std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
   for (const Effect* effect : effects())
     for (const Place& place : placesOf(*effect, robot)) {
       const auto there = [&](const Cause& cause) { return cause.effect == effect && cause.place == place; };
-      if (effect->decoded || (!possible(*effect, place) && !underLoad.shows(*effect, place)) ||
+      if (effect->decoded || (effect->canBeAt && !effect->canBeAt(robot, place)) ||
+          (!possible(*effect, place) && !underLoad.shows(*effect, place)) ||
           std::ranges::any_of(evaluator.base(), there))
         continue;
       const double scale = effect->scaleAt(robot, place);

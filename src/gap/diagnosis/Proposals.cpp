@@ -31,7 +31,9 @@ std::vector<Candidate> Proposals::find(const Look& look) {
   SearchResult known;
   // A narrower search must not pass for the whole one of its base.
   SearchMemory* const memory = look.onlySensors || !look.lostCommands ? nullptr : look.memory;
-  if (auto remembered = memory ? memory->find(fine.base()) : std::nullopt) {
+  SearchStart start{fine.base(), look.leastGain, {}};
+  if (losesCommands(fine.base())) start.lostCycles = fine.lostCycles();
+  if (auto remembered = memory ? memory->find(start) : std::nullopt) {
     known = std::move(*remembered);
     useLostCycles(known.lostCycles);
   } else {
@@ -42,7 +44,14 @@ std::vector<Candidate> Proposals::find(const Look& look) {
     priceHunting(known.candidates);
     if (look.lostCommands && !look.onlySensors) addLostCommands(known.candidates);
     known.lostCycles = fine.lostCycles();
-    if (memory) memory->keep(fine.base(), known);
+    // What goes on from here has what is remembered, no more.
+    for (Candidate& candidate : known.candidates) {
+      Fit sums;
+      sums.fitting = candidate.fit.fitting;
+      sums.judging = candidate.fit.judging;
+      candidate = {candidate.cause, std::move(sums), 0};
+    }
+    if (memory) memory->keep(start, known);
   }
   sortByProbability(known.candidates);
   return std::move(known.candidates);
@@ -71,13 +80,14 @@ void Proposals::useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycl
 }
 
 void Proposals::addLostCommands(std::vector<Candidate>& list) {
-  const Effect* dropout = findEffect("command_dropout");
+  const auto dropout = std::ranges::find(effects(), true, &Effect::decoded);
+  if (dropout == effects().end()) return;
   if (!mostIsOff(fine) || losesCommands(fine.base())) return;
   const LostCycles lost = findLostCycles(fine.evidence(), fine.base(), options.jobs);
   if (lost.found < LostCycles::least) return;
   useLostCycles(lost.cycles);
   Candidate candidate;
-  candidate.cause = {dropout, {Site::everywhere, -1, "*"}, lost.share, 0};
+  candidate.cause = {*dropout, {Site::everywhere, -1, "*"}, lost.share, 0};
   candidate.fit = fine.with(candidate.cause);
   candidate.fit.judging += lost.price;
   list.push_back(std::move(candidate));

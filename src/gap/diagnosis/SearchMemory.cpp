@@ -1,10 +1,10 @@
 #include "gap/diagnosis/SearchMemory.h"
 
-#include <bit>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "framework/Json.h"
 #include "framework/WriteFile.h"
 
 namespace plumbline::gap {
@@ -14,40 +14,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::uintmax_t mostBytes = 64u << 20;
-
-/// FNV-1a of all that the diagnosis sees.
-std::string markOf(const Evaluator& evaluator) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  const auto byte = [&](unsigned char b) { hash = (hash ^ b) * 0x100000001b3; };
-  const auto text = [&](std::string_view s) {
-    for (const char c : s) byte(static_cast<unsigned char>(c));
-    byte(0);
-  };
-  const auto series = [&](const std::vector<double>& values) {
-    for (const double v : values) {
-      const auto bits = std::bit_cast<std::uint64_t>(v);
-      for (int shift = 0; shift < 64; shift += 8) byte(static_cast<unsigned char>(bits >> shift));
-    }
-  };
-  text(evaluator.mechanism().name);
-  for (const Effect* effect : effects()) text(effect->id);
-  for (const Mechanism::Joint& joint : evaluator.mechanism().joints)
-    series({joint.servo.kp, joint.servo.kd, joint.servo.armature, joint.maxTorque, joint.maxSpeed});
-  for (const Mechanism::Link& link : evaluator.mechanism().links)
-    series({link.mass, link.com.x(), link.com.y(), link.com.z()});
-  for (const Trial& trial : evaluator.evidence().trials()) {
-    series(trial.time);
-    for (const auto* list : {&trial.command, &trial.stiffness, &trial.voltage})
-      for (const std::vector<double>& values : *list) series(values);
-    for (const Signal& signal : trial.signals) {
-      text(signal.name);
-      series(signal.values);
-    }
-  }
-  char mark[17];
-  std::snprintf(mark, sizeof mark, "%016llx", static_cast<unsigned long long>(hash));
-  return mark;
-}
 
 json jsonOf(const Cause& cause) {
   return {cause.effect->id, cause.place.at, std::string(cause.place.axis ? 1 : 0, cause.place.axis),
@@ -61,12 +27,15 @@ Cause causeOf(const json& j, const Mechanism& mechanism) {
           j.at(3).get<double>(), j.at(4).get<int>(), j.at(5).get<std::vector<std::string>>()};
 }
 
+std::vector<std::vector<std::uint8_t>> cyclesOf(const json& j) {
+  return j.get<std::vector<std::vector<std::uint8_t>>>();
+}
+
 }  // namespace
 
-SearchMemory::SearchMemory(std::string path_, const Evaluator& evaluator) : path(std::move(path_)) {
-  if (path.empty()) return;
-  mark = markOf(evaluator);
-  read(evaluator.mechanism());
+SearchMemory::SearchMemory(std::string path_, std::string mark_, const Mechanism& mechanism, Warn warn_)
+    : path(std::move(path_)), mark(std::move(mark_)), warn(std::move(warn_)) {
+  if (!path.empty()) read(mechanism);
 }
 
 void SearchMemory::read(const Mechanism& mechanism) {
@@ -76,11 +45,13 @@ void SearchMemory::read(const Mechanism& mechanism) {
   std::ifstream file(path);
   // A file that is damaged or of other runs is as good as none: everything in it can be found again.
   try {
-    const json j = json::parse(file);
+    const json j = parseJson(std::string(std::istreambuf_iterator<char>(file), {}), path);
     if (j.at("mark") != mark) return;
     for (const json& stored : j.at("searches")) {
       Entry entry;
-      for (const json& cause : stored.at("base")) entry.base.push_back(causeOf(cause, mechanism));
+      for (const json& cause : stored.at("base")) entry.start.base.push_back(causeOf(cause, mechanism));
+      entry.start.leastGain = stored.at("least_gain");
+      entry.start.lostCycles = cyclesOf(stored.at("lost_before"));
       for (const json& found : stored.at("found")) {
         Candidate candidate;
         candidate.cause = causeOf(found.at(0), mechanism);
@@ -88,43 +59,55 @@ void SearchMemory::read(const Mechanism& mechanism) {
         candidate.fit.judging = found.at(2);
         entry.result.candidates.push_back(std::move(candidate));
       }
-      entry.result.lostCycles = stored.at("lost").get<std::vector<std::vector<std::uint8_t>>>();
+      entry.result.lostCycles = cyclesOf(stored.at("lost"));
       entries.push_back(std::move(entry));
     }
+    stored = entries.size();
   } catch (const std::exception&) {
     entries.clear();
   }
 }
 
-std::optional<SearchResult> SearchMemory::find(const Explanation& base) const {
+std::optional<SearchResult> SearchMemory::find(const SearchStart& start) const {
   for (const Entry& entry : entries)
-    if (entry.base == base) return entry.result;
+    if (entry.start == start) return entry.result;
   return std::nullopt;
 }
 
-void SearchMemory::keep(const Explanation& base, const SearchResult& result) {
+void SearchMemory::keep(const SearchStart& start, const SearchResult& result) {
   if (path.empty()) return;
-  entries.push_back({base, result});
-  for (Candidate& candidate : entries.back().result.candidates) candidate.fit.squares.clear();
-  write();
+  entries.push_back({start, result});
+  if (writable) write();
 }
 
-void SearchMemory::write() const {
+void SearchMemory::write() {
   json j = {{"mark", mark}, {"searches", json::array()}};
   for (const Entry& entry : entries) {
-    json stored = {{"base", json::array()}, {"found", json::array()}, {"lost", entry.result.lostCycles}};
-    for (const Cause& cause : entry.base) stored["base"].push_back(jsonOf(cause));
+    json stored = {{"base", json::array()},
+                   {"least_gain", entry.start.leastGain},
+                   {"lost_before", entry.start.lostCycles},
+                   {"found", json::array()},
+                   {"lost", entry.result.lostCycles}};
+    for (const Cause& cause : entry.start.base) stored["base"].push_back(jsonOf(cause));
     for (const Candidate& c : entry.result.candidates)
       stored["found"].push_back({jsonOf(c.cause), c.fit.fitting, c.fit.judging});
     j["searches"].push_back(std::move(stored));
   }
-  writeFile(path, j.dump());
+  try {
+    writeFile(path, j.dump());
+    stored = entries.size();
+  } catch (const std::runtime_error& error) {
+    // Only time is lost where the diagnosis is stopped later.
+    writable = false;
+    if (warn) warn(error.what());
+  }
 }
 
 void SearchMemory::forget() {
   std::error_code none;
-  if (!path.empty()) std::filesystem::remove(path, none);
+  if (!path.empty() && std::filesystem::is_regular_file(path, none)) std::filesystem::remove(path, none);
   entries.clear();
+  stored = 0;
 }
 
 }  // namespace plumbline::gap

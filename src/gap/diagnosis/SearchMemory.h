@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,36 +8,52 @@
 
 namespace plumbline::gap {
 
+/// What a search starts from: all that its result depends on beside the evidence and the program.
+struct SearchStart {
+  Explanation base;
+  double leastGain = 0;
+  std::vector<std::vector<std::uint8_t>> lostCycles;  ///< that the base is played with; of one with dropout
+  bool operator==(const SearchStart&) const = default;
+};
+
 /// What one search found: the candidates, and the lost cycles that go with them.
 struct SearchResult {
   std::vector<Candidate> candidates;  ///< of their fits only the sums are kept
   std::vector<std::vector<std::uint8_t>> lostCycles;
 };
 
-/// Remembers searches in a file, so that a diagnosis that was stopped goes on where it was. The file belongs
-/// to the evidence it was made from: one of other runs, another robot or another library is not taken.
+/// Remembers searches in a file, so that a diagnosis that was stopped goes on where it was, to the same
+/// bytes. The file belongs to what its mark stands for (EvidenceMark.h): one of other recordings, another
+/// robot, other options or another version of the program is not taken.
 class SearchMemory {
 public:
-  /// path: read if it is there and fits, written after each search; empty: nothing is remembered.
-  SearchMemory(std::string path, const Evaluator& evaluator);
+  using Warn = std::function<void(const std::string&)>;
 
-  std::optional<SearchResult> find(const Explanation& base) const;
-  /// Throws std::runtime_error where the file cannot be written.
-  void keep(const Explanation& base, const SearchResult& result);
-  std::size_t size() const { return entries.size(); }
+  /// path: read if it is there and fits, written after each search; empty: nothing is remembered. warn is
+  /// told once where the file cannot be written; the diagnosis goes on then, remembered only while it runs.
+  SearchMemory(std::string path, std::string mark, const Mechanism& mechanism, Warn warn = {});
+
+  std::optional<SearchResult> find(const SearchStart& start) const;
+  void keep(const SearchStart& start, const SearchResult& result);
+  /// Searches that are in the file.
+  std::size_t size() const { return stored; }
+  const std::string& file() const { return path; }
   /// Removes the file: the diagnosis is done.
   void forget();
 
 private:
   struct Entry {
-    Explanation base;
+    SearchStart start;
     SearchResult result;
   };
   void read(const Mechanism& mechanism);
-  void write() const;
+  void write();
 
-  std::string path, mark;  ///< mark: of the evidence
+  std::string path, mark;
+  Warn warn;
   std::vector<Entry> entries;
+  std::size_t stored = 0;
+  bool writable = true;
 };
 
 }  // namespace plumbline::gap

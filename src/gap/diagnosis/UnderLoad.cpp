@@ -1,7 +1,6 @@
 #include "gap/diagnosis/UnderLoad.h"
 
 #include <algorithm>
-#include <array>
 
 #include "gap/diagnosis/Suspects.h"
 
@@ -26,16 +25,20 @@ UnderLoad::UnderLoad(const Evaluator& evaluator) : robot(evaluator.mechanism()) 
 
 bool UnderLoad::shows(const Effect& effect, const Place& place) const {
   if (!(worst > notClean)) return false;
-  static constexpr std::array ofMotors{"torque_limit", "thermal_derating", "load_friction",
-                                       "joint_compliance"};
   if (place.site == Site::link) {
     const std::vector<int> chain = robot.chain(place.index);
     return !chain.empty() && legs.contains(chain.back());
   }
   if (place.site != Site::joint || !legs.contains(place.index)) return false;
-  if (effect.id == "joint_offset") return true;
-  return std::ranges::find(ofMotors, effect.id) != ofMotors.end() &&
-         excess[static_cast<std::size_t>(place.index)] > motorShare * worst;
+  switch (effect.screening.underLoad) {
+    case Screening::UnderLoad::anyLeg:
+      return true;
+    case Screening::UnderLoad::weakMotor:
+      return excess[static_cast<std::size_t>(place.index)] > motorShare * worst;
+    case Screening::UnderLoad::no:
+      break;
+  }
+  return false;
 }
 
 }  // namespace plumbline::gap

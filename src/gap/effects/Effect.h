@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gap/effects/Drawing.h"
 #include "gap/replay/Plant.h"
 
 namespace plumbline::gap {
@@ -26,9 +27,29 @@ struct Bounds {
   double lower, upper;
 };
 
-/// What a simulator may lack: one physical cause with one parameter. Each stands in a file of its own.
+/// What the screening of a diagnosis has to know of an effect before it tries it.
+struct Screening {
+  bool inNeighbours = false;  ///< can show elsewhere in the chain more than at the joint itself
+  /// Lets a link swing behind its gear: the encoder at the motor sees less of that than the joints that carry
+  /// it.
+  bool behindGear = false;
+  /// What of it shows only on the feet: nothing; a weak motor, in the leg joint that is off most; in any leg
+  /// joint.
+  enum class UnderLoad { no, weakMotor, anyLeg };
+  UnderLoad underLoad = UnderLoad::no;
+};
+
+/// The effect that it has been taken for. Hard cases of blind benchmarks are drawn from those that have one.
+struct LookAlike {
+  std::string_view id = {};
+  int turn = 1000;  ///< where it stands among the hard cases; those of the same turn by their order
+};
+
+/// What a simulator may lack: one physical cause with one parameter. Each stands in a file of its own, which
+/// MAKE_EFFECT makes known.
 struct Effect {
   std::string_view id;  ///< as in the contract
+  int order = 1000;     ///< where it stands in lists; those of the same order by their ids
   std::string_view unit;
   std::vector<Site> sites;
   bool hasAxis = false;
@@ -64,6 +85,18 @@ struct Effect {
   std::function<double(const Mechanism&, const Place&)> scale = {};
   /// Puts the effect into a plant that may hold others already.
   std::function<void(Plant&, const Place&, double value, int variant)> apply = {};
+  /// Whether the project's own walk in Bullet can be recorded with it.
+  bool inWalk = false;
+  /// Where it stands among what a gap at a joint that nothing explains is suspected to be, from 1; 0: not
+  /// one.
+  int suspect = 0;
+  /// The nominal value stands for none: nothing is measured from it, no scale shows it.
+  bool nominalIsNone = false;
+  LookAlike alike = {};
+  /// Whether a robot can have it at one of its places. Null: yes.
+  std::function<bool(const Mechanism&, const Place&)> canBeAt = {};
+  Screening screening = {};
+  Drawing drawing = {};
 
   int numVariants() const { return variants.empty() ? 1 : static_cast<int>(variants.size()); }
   double scaleAt(const Mechanism& mechanism, const Place& place) const {
@@ -88,6 +121,16 @@ struct Effect {
 /// Calls change(drive) for the joint of a place, or for all joints where the place is "*". An effect at one
 /// of two joints that share a motor is at both.
 void atJoints(Plant& plant, const Place& place, const std::function<void(JointPlant&)>& change);
+
+/// Takes an effect into effects() before main. An effect that is not whole, or a second one of the same id,
+/// ends the program start: that is a mistake of the build.
+class EffectLoader {
+public:
+  explicit EffectLoader(const Effect& effect);
+};
+
+/// In the effect's .cpp: makes it known to recording, diagnosis, report and benchmarks.
+#define MAKE_EFFECT(name) static const ::plumbline::gap::EffectLoader name##Loader(name)
 
 /// Unit vector of an axis letter.
 Vec3 unitVector(char axis);

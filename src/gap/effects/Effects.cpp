@@ -1,53 +1,47 @@
 #include "gap/effects/Effects.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
-
-#include "gap/effects/AccelerationLimit.h"
-#include "gap/effects/Backlash.h"
-#include "gap/effects/BiasForce.h"
-#include "gap/effects/ComOffset.h"
-#include "gap/effects/CommandDelay.h"
-#include "gap/effects/CommandDropout.h"
-#include "gap/effects/CoulombFriction.h"
-#include "gap/effects/DeadBand.h"
-#include "gap/effects/EncoderNonlinearity.h"
-#include "gap/effects/ExternalForce.h"
-#include "gap/effects/FsrGain.h"
-#include "gap/effects/GroundCompliance.h"
-#include "gap/effects/GroundFriction.h"
-#include "gap/effects/GroundSlope.h"
-#include "gap/effects/GyroBias.h"
-#include "gap/effects/ImuDelay.h"
-#include "gap/effects/ImuMisalignment.h"
-#include "gap/effects/JointCompliance.h"
-#include "gap/effects/JointOffset.h"
-#include "gap/effects/LinkLength.h"
-#include "gap/effects/LinkMass.h"
-#include "gap/effects/LoadFriction.h"
-#include "gap/effects/RotorInertia.h"
-#include "gap/effects/ServoDamping.h"
-#include "gap/effects/ServoGain.h"
-#include "gap/effects/SpeedLimit.h"
-#include "gap/effects/StribeckFriction.h"
-#include "gap/effects/SupplyVoltage.h"
-#include "gap/effects/ThermalDerating.h"
-#include "gap/effects/TorqueLimit.h"
-#include "gap/effects/ViscousFriction.h"
+#include <tuple>
 
 namespace plumbline::gap {
 
-const std::vector<const Effect*>& effects() {
-  static const std::vector<const Effect*> all{
-      &commandDelay, &commandDropout,  &servoGain,         &servoDamping,     &torqueLimit,
-      &speedLimit,   &coulombFriction, &viscousFriction,   &stribeckFriction, &loadFriction,
-      &backlash,     &jointCompliance, &accelerationLimit, &deadBand,         &supplyVoltage,
-      &biasForce,    &thermalDerating, &rotorInertia,      &jointOffset,      &encoderNonlinearity,
-      &linkMass,     &comOffset,       &linkLength,        &imuMisalignment,  &gyroBias,
-      &imuDelay,     &fsrGain,         &groundFriction,    &groundSlope,      &groundCompliance,
-      &externalForce};
+namespace {
+
+std::vector<const Effect*>& registered() {
+  static std::vector<const Effect*> all;
   return all;
 }
+
+void demand(bool fits, const Effect& effect, const char* what) {
+  if (fits) return;
+  std::fprintf(stderr, "effect \"%.*s\" %s\n", static_cast<int>(effect.id.size()), effect.id.data(), what);
+  std::exit(2);
+}
+
+}  // namespace
+
+EffectLoader::EffectLoader(const Effect& effect) {
+  demand(!effect.id.empty() && !effect.unit.empty() && !effect.sites.empty() && !effect.sentence.empty(),
+         effect, "needs an id, a unit, sites and a sentence");
+  demand(effect.apply != nullptr, effect, "has nothing to apply");
+  demand(effect.lower < effect.upper, effect, "has no range: lower must be less than upper");
+  demand(!effect.starts.empty() && std::ranges::all_of(effect.starts,
+                                                       [&](double start) {
+                                                         return start >= effect.lower &&
+                                                                start <= effect.upper &&
+                                                                start != effect.nominal;
+                                                       }),
+         effect, "needs starts within lower and upper, beside nominal");
+  demand(findEffect(effect.id) == nullptr, effect, "is there twice in this program");
+  const auto place = [](const Effect* e) { return std::tuple(e->order, e->id); };
+  std::vector<const Effect*>& all = registered();
+  all.insert(std::ranges::upper_bound(all, place(&effect), {}, place), &effect);
+}
+
+const std::vector<const Effect*>& effects() { return registered(); }
 
 const Effect* findEffect(std::string_view id) {
   for (const Effect* effect : effects())

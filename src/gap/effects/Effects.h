@@ -6,7 +6,7 @@
 
 namespace plumbline::gap {
 
-/// The library: every effect of the contract, in its order.
+/// The library: every effect linked into the program, the contract's in its order. Complete once main runs.
 const std::vector<const Effect*>& effects();
 
 /// By id; null where the library has none of that name.

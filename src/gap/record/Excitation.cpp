@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "gap/record/Waves.h"
 
@@ -30,6 +31,8 @@ const char* name(Segment::Kind kind) {
 }
 
 CommandTable playExcitation(const Excitation& excitation, const Mechanism& robot, double rateHz) {
+  if (excitation.walk)
+    throw std::invalid_argument(excitation.name + " is a walk: its commands are not known before");
   CommandTable table;
   const auto cycles = static_cast<std::size_t>(std::floor(excitation.duration * rateHz + 1e-9)) + 1;
   for (std::size_t i = 0; i < cycles; ++i) table.t.push_back(static_cast<double>(i) / rateHz);

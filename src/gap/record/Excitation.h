@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,14 @@ struct Segment {
 };
 const char* name(Segment::Kind kind);
 
+/// The project's own walk instead of segments: what to ask of it, and how long the robot stands before and
+/// after [m/s, rad/s, s].
+struct WalkSegment {
+  Vec2 velocity = Vec2::Zero();  ///< forward, to the left
+  double turn = 0;
+  double standBefore = 1, duration = 10, standAfter = 1;
+};
+
 /// A program for one robot: what to command when.
 struct Excitation {
   std::string name, about;
@@ -42,6 +51,8 @@ struct Excitation {
   std::vector<double> posture;  ///< at the start, one position per joint [rad]
   std::vector<Segment> segments;
   double duration = 0;  ///< [s]
+  /// A walk depends on what the robot feels: recordWalk walks it, and no table of commands has it.
+  std::optional<WalkSegment> walk{};
 };
 
 /// What is sent when: commands[joint][i] at t[i] = i / rate.
@@ -50,7 +61,8 @@ struct CommandTable {
   std::vector<std::vector<double>> commands;  ///< [rad], one list per joint of the robot, as long as t
 };
 
-/// Plays a program: positions within the joints' limits (limitMargin inside), joints with a driver follow it.
+/// Plays a program; throws std::invalid_argument for a walk. Positions are within the joints' limits
+/// (limitMargin inside), joints with a driver follow it.
 CommandTable playExcitation(const Excitation& excitation, const Mechanism& robot, double rateHz);
 constexpr double limitMargin = 0.01;  ///< [rad] or [m], at most a hundredth of the range
 

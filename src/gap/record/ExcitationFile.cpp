@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <set>
+#include <stdexcept>
 
 #include "framework/ConfigFile.h"
+#include "framework/ConfigFolder.h"
 #include "framework/ConfigurationError.h"
 #include "framework/NearestName.h"
 #include "gap/record/Postures.h"
@@ -33,6 +35,7 @@ public:
     result.about = root.get<std::string>("about");
     result.freeBase = root.choice("base", {"fixed", "free"}) == 1;
     result.heading = root.find<double>("heading", Range{-100, 100}).value_or(0);
+    if (root.has("walk")) return readWalk();
     posture = result.posture = postureOf(root, "posture");
     now = root.find<double>("lead_in", Range{0, 60}).value_or(0.4);
     for (const ConfigSection& entry : root.list("segments")) readSegment(entry);
@@ -42,6 +45,24 @@ public:
   }
 
 private:
+  Excitation readWalk() {
+    const ConfigSection entry = root.section("walk");
+    if (!result.freeBase) entry.fail("forward", "needs base: free; a robot that is held does not walk");
+    WalkSegment walk;
+    const Range speed{-2, 2};
+    walk.velocity.x() = entry.find<double>("forward", speed).value_or(0);
+    walk.velocity.y() = entry.find<double>("left", speed).value_or(0);
+    walk.turn = entry.find<double>("turn", Range{-3, 3}).value_or(0);
+    walk.duration = entry.get<double>("duration", Range{0.1, longest});
+    walk.standBefore = root.find<double>("lead_in", Range{0, 60}).value_or(walk.standBefore);
+    walk.standAfter = root.find<double>("lead_out", Range{0, 60}).value_or(walk.standAfter);
+    file.checkUnknown();
+    result.posture.assign(robot.joints.size(), 0);
+    result.duration = walk.standBefore + walk.duration + walk.standAfter;
+    result.walk = walk;
+    return std::move(result);
+  }
+
   std::vector<double> postureOf(const ConfigSection& section, const char* key) {
     std::vector<double> positions = posture.empty() ? neutralPosture(robot) : posture;
     for (const ConfigSection& map : isMap(section, key) ? std::vector<ConfigSection>{section.section(key)}
@@ -289,7 +310,8 @@ Excitation readExcitation(const std::string& file, const Mechanism& robot, std::
 }
 
 Excitation findExcitation(const std::string& name, const Mechanism& robot, std::uint64_t seed,
-                          const std::string& folder) {
+                          const std::string& givenFolder) {
+  const std::string folder = givenFolder.empty() ? configPath("excitation") : givenFolder;
   const fs::path path = fs::path(folder) / (name + ".yaml");
   std::error_code error;
   if (name.find('/') == std::string::npos && name != "postures" && fs::exists(path, error))
@@ -304,6 +326,8 @@ Excitation findExcitation(const std::string& name, const Mechanism& robot, std::
 }
 
 std::string excitationText(const Excitation& excitation, const Mechanism& robot) {
+  if (excitation.walk)
+    throw std::invalid_argument(excitation.name + " is a walk: its commands are not known before");
   std::vector<std::pair<int, double>> start;
   start.reserve(excitation.posture.size());
   for (int j = 0; j < robot.numJoints(); ++j)

@@ -12,9 +12,9 @@ namespace plumbline::gap {
 /// a joint the robot lacks, an unknown wave, a program longer than an hour.
 Excitation readExcitation(const std::string& file, const Mechanism& robot, std::uint64_t seed = 0);
 
-/// `folder`/`name`.yaml; the error names the programs there are.
+/// `folder`/`name`.yaml, without a folder that of the configuration; the error names the programs there are.
 Excitation findExcitation(const std::string& name, const Mechanism& robot, std::uint64_t seed = 0,
-                          const std::string& folder = "config/excitation");
+                          const std::string& folder = "");
 
 /// The program as a file that reads as the same commands for the same robot.
 std::string excitationText(const Excitation& excitation, const Mechanism& robot);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "framework/ConfigFile.h"
+#include "framework/ConfigFolder.h"
 #include "framework/ConfigurationError.h"
 #include "gap/record/Excitation.h"
 #include "math/Random.h"
@@ -21,7 +22,7 @@ std::optional<std::vector<double>> namedPosture(const std::string& name, const M
                                                 const std::string& folder) {
   std::error_code noFolder;
   std::string path = (std::filesystem::path(folder) / "postures.yaml").string();
-  if (!std::filesystem::exists(path, noFolder)) path = "config/excitation/postures.yaml";
+  if (!std::filesystem::exists(path, noFolder)) path = configPath("excitation/postures.yaml");
   std::vector<double> q = neutralPosture(robot);
   std::error_code error;
   if (std::filesystem::exists(path, error)) {

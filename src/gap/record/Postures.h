@@ -11,11 +11,11 @@ namespace plumbline::gap {
 /// All joints at 0, or as near to it as their limits allow.
 std::vector<double> neutralPosture(const Mechanism& robot);
 
-/// A posture by name from FOLDER/postures.yaml, or config/excitation/postures.yaml where that is missing;
-/// each robot has a map of them; joints it does not name are neutral. `hang` is neutral for a robot that is
-/// not in the file. Throws ConfigurationError for a broken file.
+/// A posture by name from FOLDER/postures.yaml, or excitation/postures.yaml of the configuration where that
+/// is missing; each robot has a map of them; joints it does not name are neutral. `hang` is neutral for a
+/// robot that is not in the file. Throws ConfigurationError for a broken file.
 std::optional<std::vector<double>> namedPosture(const std::string& name, const Mechanism& robot,
-                                                const std::string& folder);
+                                                const std::string& folder = "");
 
 /// Groups of joints that can move at once without much disturbing each other: the first joint of each limb,
 /// the second of each, and so on, limbs out of step, so that no two of a limb are in one group.

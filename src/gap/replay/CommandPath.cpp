@@ -19,9 +19,10 @@ double firstFinite(const std::vector<double>& values) {
 
 CommandPath::CommandPath(const JointPlant& plant, const Trial& trial, std::size_t joint,
                          const std::vector<std::uint8_t>* lostCycles)
-    : command(&trial.command[joint]),
+    : command(&trial.targets(joint)),
       time(trial.time),
       lost(lostCycles),
+      losable(!trial.command[joint].empty()),
       shift(trial.commandAt[joint] + plant.commandDelay),
       acceleration(plant.accelerationLimit) {
   if (!trial.stiffness[joint].empty()) stiffnesses = &trial.stiffness[joint];
@@ -35,7 +36,7 @@ double CommandPath::target(double from, double to) {
   double sum = 0, since = from;
   while (next < time.size() && time[next] + shift < to) {
     const double when = std::max(time[next] + shift, from);
-    if (!(lost && (*lost)[next])) {
+    if (!(losable && lost && (*lost)[next])) {
       if (next < command->size() && std::isfinite((*command)[next])) {
         sum += current * (when - since);
         since = when;

@@ -30,6 +30,7 @@ private:
   const std::vector<double>*command = nullptr, *stiffnesses = nullptr, *voltages = nullptr;
   const std::vector<double>& time;
   const std::vector<std::uint8_t>* lost;
+  bool losable = true;  ///< it is told commands
   double shift = 0, acceleration = 0;
   std::size_t next = 0;
   double current = 0, stiff = 1, volts = 0;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "framework/StopSignal.h"
+
 namespace plumbline::gap {
 
 namespace {
@@ -61,7 +63,10 @@ const std::vector<Playback::Shown>& Playback::settle() {
   due.clear();
   if (settleFor > 0) {
     const int steps = static_cast<int>(std::ceil(settleFor / longest));
-    for (int i = steps; i > 0; --i) stepper.step(t - i * longest, t - (i - 1) * longest);
+    for (int i = steps; i > 0; --i) {
+      StopSignal::throwIfCaught();
+      stepper.step(t - i * longest, t - (i - 1) * longest);
+    }
   }
   stepper.hold();
   read(t, t);
@@ -74,6 +79,7 @@ const std::vector<Playback::Shown>& Playback::play(std::size_t cycle) {
   const int steps = static_cast<int>(std::ceil((end - t) / longest - 1e-9));
   const double start = t;
   for (int i = 1; i <= steps; ++i) {
+    StopSignal::throwIfCaught();
     const double to = i == steps ? end : start + i * (end - start) / steps;
     stepper.step(t, to);
     read(t, to);

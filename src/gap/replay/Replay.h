@@ -29,7 +29,8 @@ struct Prediction {
 
 /// Plays a trial's commands on a plant. Second-order linearly implicit midpoint steps; dry friction and
 /// contacts as bounds on impulses (velocity-level complementarity), solved exactly for one joint and by
-/// projected Gauss-Seidel for more. Same inputs, same bytes.
+/// projected Gauss-Seidel for more. Same inputs, same bytes. Throws Stopped (framework/StopSignal.h) once a
+/// caught signal has come.
 Prediction replay(const Plant& plant, const Trial& trial, const ReplayOptions& options = {});
 
 }  // namespace plumbline::gap

@@ -63,7 +63,7 @@ Stepper::Stepper(const Plant& plant_, const Trial& trial_, const std::vector<int
   v.setZero(n);
   for (Drive& drive : drives) {
     const auto joint = index(drive.joint);
-    double start = firstFinite(trial.command[joint], 0);
+    double start = firstFinite(trial.targets(joint), 0);
     const std::vector<double>* measured = trial.freeBase ? nullptr : positionsOf(trial, drive.joint);
     if (measured) start = firstFinite(*measured, start);
     q[drive.link] = q[drive.motor] = start + plant.joints[joint].offset;
@@ -127,6 +127,7 @@ void Stepper::assemble(double h) {
     }
     A(drive.motor, drive.motor) += a * p.viscous;
     force[drive.link] += p.biasForce;
+    for (const JointTorque& torque : p.torques) force[drive.link] += torque(q[drive.link], v[drive.link]);
   }
   for (const Gear& gear : gears) {
     if (gear.play > 0 && gear.side == 0) continue;

@@ -44,6 +44,10 @@ struct Trial {
   std::vector<double> time;  ///< per cycle [s], strictly rising
   /// Per joint, per cycle: the command that is valid from that cycle on [rad]; empty where never commanded.
   std::vector<std::vector<double>> command;
+  /// Per joint, per cycle: where a joint that was never commanded is moved to, by its own servo [rad]: along
+  /// its measured positions (as a person or another program moved it), else it is held at 0, or at its limit
+  /// nearest to that. No command that could be lost. Empty where commanded; empty altogether: all are.
+  std::vector<std::vector<double>> followed;
   std::vector<std::vector<double>> stiffness;             ///< empty: 1 throughout
   std::vector<std::vector<double>> voltage;               ///< empty: as the servo table says [V]
   std::vector<double> commandAt, positionAt, velocityAt;  ///< per joint, relative to the cycle's time [s]
@@ -54,6 +58,10 @@ struct Trial {
   std::vector<std::uint8_t> betweenSteps;
 
   std::size_t cycles() const { return time.size(); }
+  /// What a joint's servo is told, per cycle: its commands, or what it follows without any.
+  const std::vector<double>& targets(std::size_t joint) const {
+    return command[joint].empty() && joint < followed.size() ? followed[joint] : command[joint];
+  }
 };
 
 /// Slope of a measured signal at a cycle, by central difference [its unit per second]; 0 at the ends and

@@ -84,6 +84,29 @@ void unwindQuaternion(std::vector<Signal>& signals) {
   }
 }
 
+/// A joint without commands of its own follows its driver, or goes where it was seen, or stays.
+void moveTheUncommanded(const Run& run, const Mechanism& nominal, Trial& trial) {
+  trial.followed.resize(nominal.joints.size());
+  for (std::size_t j = 0; j < nominal.joints.size(); ++j) {
+    if (!trial.command[j].empty()) continue;
+    const Mechanism::Joint& joint = nominal.joints[j];
+    const auto* const seen = run.find(ChannelKind::position, joint.name);
+    const auto driver = static_cast<std::size_t>(joint.driver);
+    if (joint.driver >= 0 && !trial.command[driver].empty()) {
+      trial.command[j] = trial.command[driver];
+      for (double& value : trial.command[j]) value = joint.driven(value);
+    } else if (joint.driver >= 0 && driver < j &&
+               (!seen || run.find(ChannelKind::position, nominal.joints[driver].name))) {
+      trial.followed[j] = trial.followed[driver];
+      for (double& value : trial.followed[j]) value = joint.driven(value);
+    } else if (seen) {
+      trial.followed[j] = *seen;
+    } else {
+      trial.followed[j].assign(trial.cycles(), std::clamp(0.0, joint.lower, joint.upper));
+    }
+  }
+}
+
 }  // namespace
 
 Trial trialOf(const Run& run, const Mechanism& nominal) {
@@ -108,17 +131,7 @@ Trial trialOf(const Run& run, const Mechanism& nominal) {
     if (run.find(ChannelKind::stiffness, name)) trial.stiffness[j] = run.stiffnessOf(name);
     if (const auto* values = run.find(ChannelKind::voltage, name)) trial.voltage[j] = *values;
   }
-  // A joint without commands of its own follows its driver's, or stays where it was seen.
-  for (std::size_t j = 0; j < n; ++j) {
-    if (!trial.command[j].empty()) continue;
-    const auto& joint = nominal.joints[j];
-    if (joint.driver >= 0 && !trial.command[static_cast<std::size_t>(joint.driver)].empty()) {
-      trial.command[j] = trial.command[static_cast<std::size_t>(joint.driver)];
-      for (double& value : trial.command[j]) value = joint.driven(value);
-    } else if (const auto* seen = run.find(ChannelKind::position, joint.name)) {
-      trial.command[j] = *seen;
-    }
-  }
+  moveTheUncommanded(run, nominal, trial);
   bool anyPosition = false;
   for (const auto& [column, values] : run.channels) {
     const auto channel = parseChannel(column);

@@ -26,7 +26,7 @@ Trial cut(const Trial& trial, std::size_t from, std::size_t compared, std::size_
   };
   Trial part = trial;
   keep(part.time);
-  for (auto* channels : {&part.command, &part.stiffness, &part.voltage})
+  for (auto* channels : {&part.command, &part.followed, &part.stiffness, &part.voltage})
     for (std::vector<double>& values : *channels) keep(values);
   for (Signal& signal : part.signals) {
     keep(signal.values);

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "framework/ConfigurationError.h"
+#include "framework/Json.h"
 
 namespace plumbline::gap {
 
@@ -35,8 +37,14 @@ json readAnswer(const std::string& path) {
     throw ConfigurationError(path + ": there is no such file");
   if (std::filesystem::file_size(path, error) > longest) refuse(path, "is too long for an answer");
   std::ifstream file(path, std::ios::binary);
-  json answer = json::parse(file, nullptr, false);
-  if (answer.is_discarded() || !answer.is_object()) refuse(path, "is no JSON map");
+  json answer;
+  try {
+    answer = parseJson(std::string(std::istreambuf_iterator<char>(file), {}), path);
+  } catch (const JsonError& error) {
+    throw ConfigurationError(std::string(error.what()) +
+                             "; bin/gap diagnose RUNS --json FILE writes an answer");
+  }
+  if (!answer.is_object()) refuse(path, "is no JSON map");
   if (!isText(answer, "verdict")) refuse(path, "has no 'verdict'");
   const std::string verdict = answer["verdict"];
   if (verdict != "none" && verdict != "effect" && verdict != "unknown")

@@ -19,7 +19,7 @@ public:
       joint = robot.motorOf(joint);
       if (std::ranges::find(joints, joint) == joints.end()) joints.push_back(joint);
     }
-    home = namedPosture("hang", robot, "config/excitation").value_or(neutralPosture(robot));
+    home = namedPosture("hang", robot).value_or(neutralPosture(robot));
     for (const int joint : joints)
       names += (names.empty() ? "" : ", ") + robot.joints[static_cast<std::size_t>(joint)].name;
     if (joints.size() > 4) names = std::to_string(joints.size()) + " joints";

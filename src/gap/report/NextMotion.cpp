@@ -104,9 +104,10 @@ std::vector<int> jointsShowing(const Mechanism& robot, const Place& place) {
 std::vector<Explanation> suspectsAt(const Mechanism& robot, int joint) {
   std::vector<Explanation> suspects;
   const std::string& name = robot.joints[static_cast<std::size_t>(joint)].name;
-  for (const char* id : {"servo_gain", "coulomb_friction", "viscous_friction", "backlash", "joint_compliance",
-                         "rotor_inertia", "command_delay"}) {
-    const Effect* effect = findEffect(id);
+  std::vector<const Effect*> list = effects();
+  std::erase_if(list, [](const Effect* effect) { return effect->suspect == 0 || !sitsAtJoints(*effect); });
+  std::ranges::stable_sort(list, {}, &Effect::suspect);
+  for (const Effect* effect : list) {
     Cause cause{effect, findPlace(*effect, robot, name, ""), 0, 0};
     cause.value = effect->starts[effect->starts.size() / 2] * effect->scaleAt(robot, cause.place);
     suspects.push_back({cause});

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "framework/ConfigFolder.h"
 #include "gap/effects/Effects.h"
 #include "gap/record/Postures.h"
 #include "simspark/ChildProcess.h"
@@ -25,7 +26,7 @@ json point(const Vec3& p) {
 json figureOf(const Mechanism& robot) {
   std::vector<double> posture = neutralPosture(robot);
   try {
-    posture = namedPosture("hang", robot, "config/excitation").value_or(posture);
+    posture = namedPosture("hang", robot).value_or(posture);
   } catch (const std::exception&) {
     // A broken file of postures costs the figure its posture, not the report.
   }
@@ -61,7 +62,7 @@ std::string reportPage(const std::string& builtPage, json answer, const std::opt
     const Effect* effect = findEffect(cause["effect"].get<std::string>());
     if (!effect) continue;
     // A limit that is not there has no nominal value that a scale could show.
-    if (effect->id != "acceleration_limit") cause["nominal"] = effect->nominal;
+    if (!effect->nominalIsNone) cause["nominal"] = effect->nominal;
     if (!cause.contains("unit")) cause["unit"] = effect->unit;
   }
   constexpr std::string_view mark = "/*ANSWER*/";
@@ -76,7 +77,7 @@ std::string reportPage(const std::string& builtPage, json answer, const std::opt
 }
 
 std::string builtReportPage() {
-  const std::string programs = simspark::programFolder();
+  const std::string programs = programFolder();
   for (const char* place : {"/../build/report/page.html", "/../../report/page.html"}) {
     std::ifstream file(programs + place, std::ios::binary);
     if (file) return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

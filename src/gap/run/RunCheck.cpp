@@ -6,6 +6,7 @@
 
 #include "gap/run/BodyCheck.h"
 #include "gap/run/ColumnStatistics.h"
+#include "gap/run/Plausibility.h"
 #include "gap/run/RunFile.h"
 
 namespace plumbline::gap {
@@ -43,6 +44,7 @@ public:
     checkNames();
     checkBounds();
     checkJoints();
+    checkPlausibility(run, robot, warnings);
     checkBodySensors(run, robot, warnings);
     checkWhatIsLeft();
   }
@@ -204,9 +206,9 @@ private:
       const bool hasCommand = run.find(ChannelKind::command, joint.name),
                  hasPosition = run.find(ChannelKind::position, joint.name);
       if (!hasCommand && !hasPosition)
-        warn("run.csv", "has neither cmd." + joint.name + " nor pos." + joint.name);
+        warn("run.csv", "has neither cmd." + joint.name + " nor pos." + joint.name + "; it is held still");
       else if (!hasCommand)
-        warn("pos." + joint.name, "there is no cmd." + joint.name + "; the joint cannot be replayed");
+        warn("pos." + joint.name, "there is no cmd." + joint.name + "; the joint is moved as it was seen");
       else if (!hasPosition)
         warn("cmd." + joint.name, "there is no pos." + joint.name + " to hold against it");
     }
@@ -265,6 +267,12 @@ private:
     return moment * robot.gravity.norm();
   }
 
+  /// A command that its joint follows a thousand times as far.
+  static bool isThousandth(const Likeness& like, double unit) {
+    return like.rmsB > moves * unit && like.correlation > 0.6 &&
+           std::abs(like.rmsB / like.rmsA / 1000 - 1) < 0.3;
+  }
+
   /// True if the command moves.
   bool checkFollowing(const Mechanism::Joint& joint) {
     const std::string cmdName = "cmd." + joint.name, posName = "pos." + joint.name;
@@ -282,6 +290,11 @@ private:
         leaveOut(cmdName, "it is constant while " + posName + " is up to " + shownNumber(off) +
                               " away from it, more than a load explains; the command was not recorded");
       return false;
+    }
+    if (like.pairs >= 20 && isThousandth(like, unit)) {
+      leaveOut(cmdName, posName + " moves " + shownNumber(like.rmsB / like.rmsA) +
+                            " times as far; was it divided by a thousand?");
+      return true;
     }
     if (like.pairs < 20 || like.rmsA < moves * unit) return true;
     if (position.low == position.high) {

@@ -8,8 +8,9 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <set>
 
+#include "framework/Json.h"
+#include "framework/NearestName.h"
 #include "gap/run/Table.h"
 
 namespace plumbline::gap {
@@ -19,7 +20,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::size_t maxJsonSize = 1 << 20;
-constexpr int maxDepth = 16;
 
 std::string shown(const json& value) {
   std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
@@ -36,7 +36,11 @@ public:
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
     if (text.size() > maxJsonSize) fail("is larger than 1 MB");
-    parse(text);
+    try {
+      value = parseJson(text, path);
+    } catch (const JsonError& error) {
+      throw RunError(error.what());
+    }
     if (!value.is_object()) fail("is no object; write { ... }");
   }
 
@@ -61,6 +65,13 @@ public:
     return v.get<std::string>();
   }
 
+  /// Every key of an object is one of those; `of`: the object's own key with a dot, empty for the whole.
+  void only(const json& object, const std::string& of, const std::vector<std::string>& keys) const {
+    for (const auto& [key, v] : object.items())
+      if (std::ranges::find(keys, key) == keys.end())
+        fail("there is no key " + of + key.substr(0, 60) + suggestion(key, keys));
+  }
+
   double number(const json& v, const std::string& key, double low, double high) const {
     if (!v.is_number()) fail(key + " is " + shown(v) + "; give a number");
     const double x = v.get<double>();
@@ -78,26 +89,6 @@ private:
     return buffer;
   }
 
-  void parse(const std::string& text) {
-    std::vector<std::set<std::string>> keys;
-    const auto check = [&](int depth, json::parse_event_t event, json& parsed) {
-      if (depth > maxDepth) fail("is nested deeper than " + std::to_string(maxDepth) + " levels");
-      if (event == json::parse_event_t::object_start) keys.emplace_back();
-      if (event == json::parse_event_t::object_end) keys.pop_back();
-      if (event == json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
-        fail("key \"" + parsed.get<std::string>().substr(0, 60) + "\" occurs twice in one object");
-      return true;
-    };
-    try {
-      value = json::parse(text, check);
-    } catch (const json::parse_error& error) {
-      const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-      throw RunError(path + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')) + ": broken JSON");
-    } catch (const json::exception&) {
-      fail("holds a number that is too large");
-    }
-  }
-
   const std::string path;
 };
 
@@ -108,6 +99,8 @@ void readServo(const Meta& meta, Run& run) {
   for (const auto& [joint, given] : servo->items()) {
     const std::string place = "servo." + joint.substr(0, 80);
     if (!given.is_object()) meta.fail(place + " is " + shown(given) + "; give {kp, kd}");
+    meta.only(given, place + ".",
+              {"kp", "kd", "armature", "max_torque", "max_speed", "dc_motor", "kp_firmware", "vin"});
     ServoOverride& target = run.servo[joint];
     const auto read = [&](const json& from, const char* key, std::optional<double>& x) {
       if (const json* v = meta.find(from, key)) x = meta.number(*v, place + "." + key, 0, 1e9);
@@ -120,6 +113,7 @@ void readServo(const Meta& meta, Run& run) {
     const json* motor = meta.find(given, "dc_motor");
     if (motor && !motor->is_object())
       meta.fail(place + ".dc_motor is " + shown(*motor) + "; give {kp_firmware, vin}");
+    if (motor) meta.only(*motor, place + ".dc_motor.", {"kp_firmware", "vin"});
     for (const json* from : {&given, motor}) {
       if (!from) continue;
       read(*from, "kp_firmware", target.kpFirmware);
@@ -136,6 +130,7 @@ void readTiming(const Meta& meta, Run& run) {
   constexpr std::pair<const char*, double JointTiming::*> fields[] = {{"cmd_at_s", &JointTiming::cmdAt},
                                                                       {"pos_at_s", &JointTiming::posAt},
                                                                       {"vel_at_s", &JointTiming::velAt}};
+  meta.only(*timing, "timing.", {"cmd_at_s", "pos_at_s", "vel_at_s", "note"});
   // One number for all first, so that a joint's own entry starts from it.
   for (const auto& [key, field] : fields) {
     const json* v = meta.find(*timing, key);
@@ -153,6 +148,9 @@ void readTiming(const Meta& meta, Run& run) {
 
 void readMeta(const std::string& path, Run& run) {
   const Meta meta(path);
+  meta.only(meta.value, "",
+            {"robot", "base", "rate_hz", "motion", "ground_truth", "servo", "repeat_of", "repeat", "heading",
+             "unsigned", "timing", "source", "session", "rig", "note"});
   run.robot = meta.text("robot", "the robot's name");
   if (run.robot.empty() || run.robot.find('/') != std::string::npos)
     meta.fail("robot is " + shown(run.robot) + "; give the robot's name");

@@ -10,6 +10,7 @@
 #include <set>
 #include <string_view>
 
+#include "framework/StopSignal.h"
 #include "gap/run/Run.h"
 
 namespace plumbline::gap {
@@ -34,6 +35,9 @@ public:
     }
     ++line;
     text = buffer.data();
+    const z_off_t end = gztell(file.get());
+    if (end - at != static_cast<z_off_t>(text.size())) fail("holds a NUL character; the file is damaged");
+    at = end;
     if (text.size() + 1 == buffer.size()) fail("the line is longer than 131072 characters");
     while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
     return true;
@@ -48,6 +52,7 @@ public:
 
 private:
   std::unique_ptr<gzFile_s, int (*)(gzFile)> file;
+  z_off_t at = 0;  ///< where the next line begins
   std::string buffer;
 };
 
@@ -113,6 +118,7 @@ Table readTable(const std::string& path, char separator, const std::vector<std::
   std::vector<std::string_view> cells;
   std::size_t rows = 0;
   while (lines.next(text)) {
+    StopSignal::throwIfCaught();
     if (text.empty()) continue;
     split(text, separator, cells);
     if (cells.size() != table.names.size())

@@ -58,12 +58,11 @@ std::string settingsSentence(const SettingsDiagnosis& diagnosis) {
   return text + (list.empty() ? std::string() : " What helps, and is not enough: " + list + ".");
 }
 
-std::string settingsJson(const SettingsDiagnosis& diagnosis, const std::string& robot, double seconds) {
+std::string settingsJson(const SettingsDiagnosis& diagnosis, const std::string& robot) {
   json j;
   j["verdict"] = nameOf(diagnosis.verdict);
   j["sentence"] = settingsSentence(diagnosis);
   j["robot"] = robot;
-  j["seconds"] = number(std::round(seconds * 10) / 10);
   j["where"] = json::array();
   for (const SettingCell& cell : diagnosis.cells)
     if (cell.share >= 0.005)

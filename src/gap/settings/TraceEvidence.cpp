@@ -181,7 +181,8 @@ std::vector<LeagueTrace> readTraces(const std::filesystem::path& folder) {
   for (const auto& file : files) {
     if (file.filename().string().starts_with("ball")) continue;
     LeagueTrace trace = simspark::readLeagueTrace(file);
-    if (trace.robotType && trace.rows.size() > firstRow + 1) traces.push_back(std::move(trace));
+    const bool alone = !trace.robot;
+    if (alone && trace.robotType && trace.rows.size() > firstRow + 1) traces.push_back(std::move(trace));
   }
   if (traces.empty())
     throw ConfigurationError(folder.string() +

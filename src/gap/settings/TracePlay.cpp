@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "framework/StopSignal.h"
+#include "simspark/LeagueRobots.h"
 #include "simulation/replay/TraceRowOf.h"
 
 namespace plumbline::gap {
@@ -30,6 +32,7 @@ public:
 
   /// The step that makes row i.
   void advance(std::size_t i) {
+    StopSignal::throwIfCaught();
     const TraceRow& sent = trace.rows[i - 1 - static_cast<std::size_t>(setup.delay)];
     for (const JointId joint : trace.joints)
       if (model.has(joint)) world->setJointVelocity(robot, joint, setup.gain * sent.command[joint]);
@@ -77,8 +80,11 @@ private:
 }  // namespace
 
 RobotModel robotOf(const LeagueTrace& trace) {
-  if (!trace.robotType || *trace.robotType < 0 || *trace.robotType >= numSimsparkTypes)
-    throw std::invalid_argument(trace.name + ": the name does not end in a robot's type, _t0 to _t4");
+  if (trace.robot)
+    throw std::invalid_argument(trace.name + ": is one of several robots; give recordings of a robot alone");
+  if (!trace.robotType || *trace.robotType < 0 || *trace.robotType >= numSimsparkTypes())
+    throw std::invalid_argument(trace.name + ": the name does not end in a robot's type, _t0 to _t" +
+                                std::to_string(numSimsparkTypes() - 1));
   return simsparkRobot(*trace.robotType);
 }
 

@@ -8,6 +8,7 @@
 #include "gap/blind/Make.h"
 #include "gap/blind/Score.h"
 #include "main/gap/Commands.h"
+#include "main/gap/ProgressLine.h"
 #include "robot/MechanismFile.h"
 
 namespace plumbline::gap {
@@ -19,19 +20,20 @@ struct ScoreCommand {
   bool json = false;
 };
 
-void make(BlindMakeOptions options, const std::string& engine, const std::string& battery) {
-  options.engine = engineOf(engine);
+void make(BlindMakeOptions options, const std::string& battery) {
   options.draw.battery = battery == "all" ? Battery::all : Battery::hang;
   options.jobs = threadsFor(options.jobs);
+  ProgressLine line(false);
+  line.tell("cases", 0);
   options.progress = [&](std::size_t done) {
-    if (stopRequested()) throw std::runtime_error("stopped; nothing was written");
+    line.tell("cases", static_cast<double>(done) / static_cast<double>(options.draw.cases));
     std::printf("%zu/%zu\n", done, options.draw.cases);
     std::fflush(stdout);
   };
   const BlindSet set = makeBlind(options);
   std::printf("%zu cases written to %s; their answers are in answers.sealed, not to be read by accident\n",
               set.cases.size(), options.output.c_str());
-  if (options.engine == BlindEngine::replay)
+  if (options.engine == blindReplay)
     std::printf("Without effects outside the library: engine replay has none\n");
 }
 
@@ -48,10 +50,12 @@ void score(const ScoreCommand& options) {
 void addBlind(CLI::App& app) {
   CLI::App* command = app.add_subcommand("blind", "Makes sealed benchmarks and scores answers to them");
   command->require_subcommand(1);
+  command->footer(
+      "Examples:\n  bin/gap blind make --seed 5 --cases 27 --engine bullet -o blind\n"
+      "  bin/gap blind score blind answers");
 
   CLI::App* maker = command->add_subcommand("make", "Writes cases whose answers are sealed apart");
   auto making = std::make_shared<BlindMakeOptions>();
-  auto engine = std::make_shared<std::string>("mujoco");
   auto battery = std::make_shared<std::string>("hang");
   maker->add_option("--seed", making->draw.seed, "Draws effects, places, sizes and noise")
       ->capture_default_str();
@@ -59,13 +63,14 @@ void addBlind(CLI::App& app) {
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   maker
-      ->add_option("--engine", *engine, "What simulates the reality; bullet and replay need no other program")
-      ->check(CLI::IsMember({"mujoco", "bullet", "replay"}))
+      ->add_option("--engine", making->engine,
+                   "What simulates the reality: bullet, mujoco (where it is installed), replay (the dynamics "
+                   "that explain), or program (one of its own: --engine-program)")
       ->capture_default_str();
   maker->add_option("--battery", *battery, "Motions: hung up, or on the feet as well")
       ->check(CLI::IsMember({"hang", "all"}))
       ->capture_default_str();
-  maker->add_option("--engine-program", making->program, "The program of engine mujoco")
+  maker->add_option("--engine-program", making->program, "The program of engine program")
       ->capture_default_str();
   maker->add_option("--robot", making->robot, "Name in config/robots, or a URDF or JSON file")
       ->capture_default_str();
@@ -74,7 +79,7 @@ void addBlind(CLI::App& app) {
   making->jobs = 0;
   maker->add_option("-o,--output", making->output, "A new folder")->required();
   maker->footer("Example:\n  bin/gap blind make --seed 5 --cases 27 --engine bullet -o blind");
-  maker->callback([=] { make(*making, *engine, *battery); });
+  maker->callback([=] { make(*making, *battery); });
 
   CLI::App* scorer = command->add_subcommand("score", "Compares answers with what is sealed");
   auto scoring = std::make_shared<ScoreCommand>();

@@ -1,6 +1,5 @@
 // bin/gap diagnose: from runs to an answer.
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -8,8 +7,10 @@
 #include <utility>
 
 #include "framework/Parallel.h"
+#include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
 #include "gap/answer/Answer.h"
+#include "gap/diagnosis/EvidenceMark.h"
 #include "gap/diagnosis/FineSteps.h"
 #include "gap/diagnosis/RepeatNoise.h"
 #include "gap/diagnosis/Search.h"
@@ -19,8 +20,10 @@
 #include "gap/run/RunCheck.h"
 #include "gap/run/RunFile.h"
 #include "main/gap/Commands.h"
+#include "main/gap/DiagnoseSets.h"
 #include "main/gap/ProgressLine.h"
 #include "main/gap/RobotOption.h"
+#include "main/gap/Timing.h"
 #include "robot/MechanismFile.h"
 
 namespace plumbline::gap {
@@ -29,8 +32,8 @@ namespace {
 
 struct DiagnoseOptions {
   std::vector<std::string> runs;
-  std::string robot, json;
-  int jobs = 0, maxCauses = 3;
+  std::string robot, json, timing, method = "blocks";
+  int jobs = 0, maxCauses = 0;
   double seconds = 240;
   bool quiet = false;
 };
@@ -87,27 +90,23 @@ void makeFolderOf(const std::string& file) {
 /// A diagnosis of some evidence, with the file that remembers its searches.
 class Attempt {
 public:
-  Attempt(const Mechanism& robot, Evidence evidence_, const std::string& memoryFile, int jobs)
+  Attempt(const Mechanism& robot, Evidence evidence_, const std::string& memoryFile,
+          const DiagnosisOptions& settings_, ProgressLine& line_)
       : evidence(std::move(evidence_)),
-        fine(robot, evidence, fineSteps(evidence, jobs)),
-        memory(memoryFile, fine),
-        file(memoryFile) {}
-
-  /// remembered: the file of an attempt before this one; empty: there was none.
-  Diagnosis run(DiagnosisOptions settings, ProgressLine& line, bool quiet, const std::string& remembered) {
-    if (memory.size() > 0 && !quiet) {
-      line.clear();
-      std::fprintf(stderr, "gap: goes on from %s (%zu searches done)\n", file.c_str(), memory.size());
-    }
+        fine(robot, evidence, fineSteps(evidence, settings_.jobs)),
+        memory(memoryFile, memoryFile.empty() ? "" : markOf(fine, settings_), robot,
+               [&line_](const std::string& problem) {
+                 line_.say(problem + "; a diagnosis that is stopped from now on repeats what follows");
+               }),
+        settings(settings_),
+        line(line_) {
     settings.memory = &memory;
-    settings.progress = [&](const std::string& stage, double share) {
-      if (stopRequested()) {
-        const std::string& from = memory.size() > 0 ? file : remembered;
-        throw std::runtime_error(from.empty() ? "stopped; nothing was written"
-                                              : "stopped; the same command goes on from " + from);
-      }
-      line.tell(stage, share);
-    };
+    settings.progress = [this](const std::string& stage, double share) { line.tell(stage, share); };
+  }
+
+  Diagnosis run(bool quiet) {
+    if (memory.size() > 0 && !quiet)
+      line.say("goes on from " + memory.file() + " (" + std::to_string(memory.size()) + " searches done)");
     Evaluator coarse(fine.mechanism(), evidence, coarseSteps());
     return diagnose(fine, coarse, settings);
   }
@@ -117,11 +116,60 @@ public:
   SearchMemory memory;
 
 private:
-  const std::string file;
+  DiagnosisOptions settings;
+  ProgressLine& line;
+};
+
+/// From trials to a diagnosis: once, and once more where what repeats differ by are commands that were lost,
+/// which shows only beside the causes found.
+class Attempts {
+public:
+  /// memoryFile: empty for none.
+  Attempts(const Mechanism& robot_, DiagnosisOptions settings_, std::string memoryFile_, bool quiet_)
+      : robot(robot_), settings(std::move(settings_)), memoryFile(std::move(memoryFile_)), quiet(quiet_) {}
+
+  /// Throws Stopped that says how to go on.
+  Diagnosis run(std::vector<Trial> trials) {
+    try {
+      ProgressLine line(quiet);
+      line.tell(stage, 0);
+      Diagnosis diagnosis = add(evidenceOf(std::move(trials), settings.jobs), memoryFile, line);
+      if (diagnosis.findings.empty()) return diagnosis;
+      line.tell(stage, 0);
+      std::optional<Evidence> other =
+          evidenceBesideLosses(all.front()->evidence, diagnosis.explanation(), settings.jobs);
+      if (!other) return diagnosis;
+      // A memory of its own: each belongs to its noise.
+      return add(*std::move(other), memoryFile.empty() ? "" : memoryFile + "2", line);
+    } catch (const Stopped&) {
+      for (auto attempt = all.rbegin(); attempt != all.rend(); ++attempt)
+        if ((*attempt)->memory.size() > 0)
+          throw Stopped("stopped; the same command goes on from " + (*attempt)->memory.file());
+      throw;
+    }
+  }
+
+  Evaluator& last() { return all.back()->fine; }
+  void forget() {
+    for (const auto& attempt : all) attempt->memory.forget();
+  }
+
+private:
+  Diagnosis add(Evidence evidence, const std::string& file, ProgressLine& line) {
+    all.push_back(std::make_unique<Attempt>(robot, std::move(evidence), file, settings, line));
+    return all.back()->run(quiet);
+  }
+
+  static constexpr const char* stage = "what repeats differ by";
+  const Mechanism& robot;
+  const DiagnosisOptions settings;
+  const std::string memoryFile;
+  const bool quiet;
+  std::vector<std::unique_ptr<Attempt>> all;
 };
 
 void diagnoseRuns(const DiagnoseOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Timing timing;
   std::vector<std::string> folders;
   for (const std::string& path : options.runs)
     for (std::string& folder : findRuns(path)) folders.push_back(std::move(folder));
@@ -163,45 +211,29 @@ void diagnoseRuns(const DiagnoseOptions& options) {
     std::fprintf(stderr, "gap: looks at %zu windows of these long runs (--seconds)\n", windows);
 
   const int jobs = threadsFor(options.jobs);
+  if (options.method == "sets") {
+    const SetsRequest request{robot, options.json, options.timing, jobs, options.maxCauses, options.quiet};
+    diagnoseBySets(request, std::move(trials), std::move(input), timing, separatingMotion);
+    return;
+  }
   DiagnosisOptions settings;
   settings.jobs = jobs;
-  settings.maxCauses = static_cast<std::size_t>(options.maxCauses);
+  if (options.maxCauses > 0) settings.maxCauses = static_cast<std::size_t>(options.maxCauses);
   const bool toFile = !options.json.empty() && options.json != "-";
   if (toFile) makeFolderOf(options.json);
-  const std::string memoryFile = toFile ? options.json + ".searches" : "";
-  std::vector<std::unique_ptr<Attempt>> attempts;
-  Diagnosis diagnosis;
-  {
-    ProgressLine line(options.quiet);
-    const char* const stage = "what repeats differ by";
-    line.tell(stage, 0);
-    attempts.push_back(
-        std::make_unique<Attempt>(robot, evidenceOf(std::move(trials), jobs), memoryFile, jobs));
-    const Attempt& first = *attempts.front();
-    diagnosis = attempts.back()->run(settings, line, options.quiet, "");
-    // What repeats differ by may be commands that were lost, which show only beside the causes found.
-    std::optional<Evidence> other;
-    line.tell(stage, 0);
-    if (!diagnosis.findings.empty())
-      other = evidenceBesideLosses(first.evidence, diagnosis.explanation(), jobs);
-    if (other) {
-      // A memory of its own: it does not know which noise it was made with.
-      attempts.push_back(
-          std::make_unique<Attempt>(robot, *std::move(other), toFile ? memoryFile + "2" : "", jobs));
-      diagnosis = attempts.back()->run(settings, line, options.quiet, first.memory.size() ? memoryFile : "");
-    }
-  }
-  Evaluator& fine = attempts.back()->fine;
-  input.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  Attempts attempts(robot, settings, toFile ? options.json + ".searches" : "", options.quiet);
+  const Diagnosis diagnosis = attempts.run(std::move(trials));
+  Evaluator& fine = attempts.last();
   input.nextMotion = separatingMotion(robot, diagnosis);
   if (input.nextMotion.empty()) input.nextMotion = suggestion(diagnosis, fine.evidence());
   const std::string text = answerJson(input, diagnosis, fine) + "\n";
+  timing.write(options.timing);
   if (options.json == "-") {
     std::fputs(text.c_str(), stdout);
     return;
   }
   if (toFile) writeFile(options.json, text);
-  for (const auto& attempt : attempts) attempt->memory.forget();
+  attempts.forget();
   std::printf("%s\n", verdictSentence(diagnosis).c_str());
   for (const Finding& finding : diagnosis.findings) {
     std::printf("  %-48s %5.1f %%  [%.3g, %.3g]  closes %.0f %% alone\n", describe(finding.cause).c_str(),
@@ -228,15 +260,21 @@ void addDiagnose(CLI::App& app) {
                       "[the robot that the runs name]");
   command->add_option("--json", options->json, "Write the answer here; - for standard output");
   command->add_option("--jobs", options->jobs, "Threads [as many as cores]")->check(CLI::Range(1, 256));
-  command->add_option("--max-causes", options->maxCauses, "Most causes in one answer")
-      ->check(CLI::Range(1, 6))
+  command->add_option("--max-causes", options->maxCauses, "Most causes in one answer [3; sets: 8]")
+      ->check(CLI::Range(1, 12));
+  command
+      ->add_option("--method", options->method,
+                   "blocks: causes one at a time, judged on half-seconds left out; sets: sets of causes, "
+                   "judged on recordings left out")
+      ->check(CLI::IsMember({"blocks", "sets"}))
       ->capture_default_str();
   command
       ->add_option("--seconds", options->seconds,
                    "Of longer runs with a held base, windows that are together so long [s]; 0: all of them")
       ->check(CLI::Range(0., 1e5))
       ->capture_default_str();
-  command->add_flag("--quiet", options->quiet, "No progress line");
+  addTiming(*command, options->timing);
+  command->add_flag("--quiet", options->quiet, "No progress");
   command->footer(
       "Examples:\n  bin/gap diagnose runs --json answer.json\n"
       "  bin/gap diagnose sweep1 sweep2 --robot my_arm.urdf --jobs 4");

@@ -6,12 +6,14 @@
 #include "gap/run/RunFile.h"
 #include "gap/run/RunImport.h"
 #include "main/gap/Commands.h"
+#include "main/gap/OutputFolder.h"
 
 namespace plumbline::gap {
 
 void addImport(CLI::App& app) {
   struct Options {
     std::string map, recording, out;
+    bool force = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("import", "Turns a table of another recorder into a run");
@@ -19,10 +21,13 @@ void addImport(CLI::App& app) {
   command->add_option("--map", options->map, "YAML file: which column is which channel, units, signs")
       ->required();
   command->add_option("-o,--out", options->out, "Run folder to write")->required();
-  command->footer("Example:\n  bin/gap import --map config/import/my_logger.yaml raw.csv -o runs/sweep");
+  command->add_flag("--force", options->force, "Replaces a recording that is there already");
+  command->footer("Example:\n  bin/gap import --map my_logger.yaml raw.csv -o runs/sweep");
   command->callback([options] {
+    OutputFolder out(options->out, options->force);
     const ImportedRun imported = importRecording(options->map, options->recording);
-    writeRun(imported.run, options->out);
+    writeRun(imported.run, out.beside());
+    out.putInPlace();
     std::printf("%s: %zu cycles, %zu channels\n", options->out.c_str(), imported.run.size(),
                 imported.run.channels.size());
     for (const std::string& column : imported.unused)

@@ -1,6 +1,4 @@
 // bin/gap next: designs the motion that separates what an answer leaves open.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
@@ -14,6 +12,7 @@
 #include "gap/report/AnswerFile.h"
 #include "gap/report/NextMotion.h"
 #include "main/gap/Commands.h"
+#include "main/gap/ProgressLine.h"
 #include "main/gap/RobotOption.h"
 
 namespace plumbline::gap {
@@ -97,13 +96,13 @@ void next(const NextOptions& options) {
   NextMotionOptions search;
   search.joints = question.joints;
   search.fromFirst = question.fromFirst;
-  const bool shown = isatty(STDERR_FILENO);
-  search.progress = [shown](double share) {
-    if (stopRequested()) throw std::runtime_error("stopped; nothing was written");
-    if (shown) std::fprintf(stderr, "\r\033[Ktrying motions: %3.0f %%", 100 * share);
-    if (shown && share >= 1) std::fprintf(stderr, "\r\033[K");
-  };
-  const NextMotion found = findNextMotion(robot, question.explanations, search);
+  NextMotion found;
+  {
+    ProgressLine line(false);
+    line.tell("trying motions", 0);
+    search.progress = [&line](double share) { line.tell("trying motions", share); };
+    found = findNextMotion(robot, question.explanations, search);
+  }
   if (!options.output.empty()) writeFile(options.output, excitationText(found.program, robot));
   std::printf("To tell %s:\n  %-18s %6.2f times the noise: %s\n", question.text.c_str(),
               found.best.name.c_str(), found.best.separation, found.program.about.c_str());

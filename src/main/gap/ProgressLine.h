@@ -1,35 +1,39 @@
 #pragma once
-#include <unistd.h>
-
 #include <chrono>
-#include <cstdio>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace plumbline::gap {
 
-/// A line that says what is being done, rewritten in place where a person looks on.
+/// Says on standard error what is being done: in a terminal a line that is rewritten in place, elsewhere a
+/// line of its own every 10 s, "gap: STAGE: 34 %, 120 s". It goes on by itself while nothing is told, so that
+/// long work never looks dead. Thread-safe.
 class ProgressLine {
 public:
-  explicit ProgressLine(bool quiet) : shown(!quiet && isatty(STDERR_FILENO)) {}
-  ~ProgressLine() { clear(); }
+  explicit ProgressLine(bool quiet);
+  ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  void clear() {
-    if (shown) std::fprintf(stderr, "\r\033[K");
-  }
-
-  void tell(const std::string& what, double share) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!shown || now - last < std::chrono::milliseconds(100)) return;
-    last = now;
-    std::fprintf(stderr, "\r\033[K%s: %3.0f %%", what.c_str(), 100 * share);
-    std::fflush(stderr);
-  }
+  void tell(const std::string& what, double share);
+  /// A message of its own, which the line does not overwrite; also where it is quiet.
+  void say(const std::string& text);
 
 private:
-  bool shown;
-  std::chrono::steady_clock::time_point last;
+  using Clock = std::chrono::steady_clock;
+  void write();  ///< with the mutex held
+  void clear();
+
+  const bool shown, inPlace;
+  const Clock::time_point begin = Clock::now();
+  std::mutex mutex;
+  std::condition_variable_any ended;
+  std::string stage;
+  double done = 0;
+  Clock::time_point last = begin;
+  std::jthread ticker;
 };
 
 }  // namespace plumbline::gap

@@ -7,17 +7,21 @@
 #include <memory>
 #include <stdexcept>
 
+#include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
 #include "gap/diagnosis/ExplanationFile.h"
-#include "gap/record/BulletRecording.h"
+#include "gap/record/EngineRecording.h"
 #include "gap/record/ExcitationFile.h"
 #include "gap/record/Secret.h"
 #include "gap/record/SimsparkRecording.h"
 #include "gap/record/SimulatedRecording.h"
+#include "gap/record/WalkRecording.h"
 #include "gap/run/RunFile.h"
 #include "main/gap/Commands.h"
+#include "main/gap/OutputFolder.h"
 #include "main/gap/RobotOption.h"
-#include "main/gap/WalkRecording.h"
+#include "simspark/LeagueRobots.h"
+#include "simulation/servo/RobotSimulation.h"
 
 namespace plumbline::gap {
 
@@ -25,12 +29,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* ownEngine = "own";
+
 struct RecordOptions {
-  std::string robot = "nao_v5", battery, effects, output, engine = "own";
+  std::string robot = "nao_v5", battery, effects, output, engine = ownEngine;
   SimsparkRecordingOptions simspark;
   std::vector<std::string> programs;
   std::uint64_t seed = 1, programSeed = 0, secret = 0;
-  bool hasSecret = false, noisy = true, truth = false;
+  bool hasSecret = false, noisy = true, truth = false, force = false;
 };
 
 /// What is played, and as whose repeat.
@@ -40,11 +46,6 @@ struct Item {
 };
 
 Excitation programOf(const std::string& given, const Mechanism& robot, std::uint64_t seed) {
-  if (std::ranges::find(walkPrograms(), given) != walkPrograms().end()) {
-    Excitation walk;  // is made up as it is walked
-    walk.name = given;
-    return walk;
-  }
   if (given.find('/') != std::string::npos || given.ends_with(".yaml"))
     return readExcitation(given, robot, seed);
   return findExcitation(given, robot, seed);
@@ -74,11 +75,12 @@ bool onServer(const RecordOptions& options) { return options.robot == "simspark"
 
 Run recordOne(const RecordOptions& options, const Mechanism& robot, const Item& item,
               const SimulatedRecordingOptions& recording) {
-  if (std::ranges::find(walkPrograms(), item.program.name) != walkPrograms().end())
-    return recordWalk(robot, item.program.name, recording);
+  const bool own = options.engine == ownEngine;
+  // The project's own dynamics know no closed loop.
+  if (item.program.walk) return recordWalk(own ? "bullet" : options.engine, robot, item.program, recording);
   if (!onServer(options))
-    return options.engine == "bullet" ? recordBullet(robot, item.program, recording)
-                                      : recordSimulated(robot, item.program, recording);
+    return own ? recordSimulated(robot, item.program, recording)
+               : recordInEngine(options.engine, robot, item.program, recording);
   SimsparkRecording recorded = recordSimspark(robot, item.program, options.simspark);
   if (recorded.lostCycles > 0)
     std::fprintf(stderr, "gap: %s: %zu cycles were lost; the run has gaps there\n", item.name.c_str(),
@@ -87,16 +89,19 @@ Run recordOne(const RecordOptions& options, const Mechanism& robot, const Item& 
   return std::move(recorded.run);
 }
 
+void checkWalks(const RecordOptions& options, const std::vector<Item>& items) {
+  for (const Item& item : items)
+    if (item.program.walk && (onServer(options) || options.hasSecret))
+      throw std::invalid_argument(item.name + " is walked by a robot simulated here, without --secret");
+}
+
 void checkOptions(const RecordOptions& options) {
-  for (const std::string& program : options.programs)
-    if (std::ranges::find(walkPrograms(), program) != walkPrograms().end() &&
-        (onServer(options) || options.hasSecret))
-      throw std::invalid_argument(program + " is walked by a robot simulated here, without --secret");
+  simulation::RobotSimulations::require(options.engine, {ownEngine});
   if (!onServer(options)) return;
   if (!options.effects.empty() || options.hasSecret)
     throw std::invalid_argument(
         "a robot of a server has the effects that its server gives it: start bin/simulator --effects FILE");
-  if (options.engine != "own" || options.truth)
+  if (options.engine != ownEngine || options.truth)
     throw std::invalid_argument(
         "--engine and --truth are for robots simulated here, not for --robot simspark");
 }
@@ -105,15 +110,12 @@ void record(const RecordOptions& options) {
   if (options.programs.empty() == options.battery.empty())
     throw std::invalid_argument("record needs --program or --battery, one of them");
   checkOptions(options);
-  const Mechanism robot = robotOf(
-      onServer(options) ? "simspark_type" + std::to_string(options.simspark.type) : options.robot, "");
+  const Mechanism robot =
+      robotOf(onServer(options) ? simsparkRobotName(options.simspark.type) : options.robot, "");
   const std::vector<Item> items = itemsOf(options, robot);
+  checkWalks(options, items);
   const bool single = options.battery.empty() && items.size() == 1;
-  std::error_code error;
-  const fs::path output(options.output);
-  if (fs::exists(output, error) &&
-      (single || !fs::is_directory(output, error) || !fs::is_empty(output, error)))
-    throw std::invalid_argument(options.output + " is there already; name a new folder with -o");
+  OutputFolder output(options.output, options.force);
 
   SimulatedRecordingOptions recording;
   recording.noisy = options.noisy;
@@ -127,29 +129,21 @@ void record(const RecordOptions& options) {
     recording.effects = {drawSecret(robot, programs, options.secret)};
     sealed = seal(simulation::effectsText(settingsOf(recording.effects), robot.name), options.secret) + "\n";
   }
-  // A battery appears as a whole: it is recorded beside its place.
-  const fs::path folder = single ? output : fs::path(output.string() + ".part");
-  if (!single) fs::remove_all(folder, error);
+  const fs::path folder(output.beside());
   std::size_t done = 0;
   for (const Item& item : items) {
-    if (stopRequested()) {
-      if (!single) fs::remove_all(folder, error);
-      throw std::runtime_error("stopped; nothing was written");
-    }
+    StopSignal::throwIfCaught();
     recording.seed = options.seed * 1000 + done;
     Run run = recordOne(options, robot, item, recording);
     run.repeatOf = item.repeatOf;
     WriteRunOptions writing;
     writing.digits = 5;
-    writeRun(run, (single ? output : folder / item.name).string(), writing);
+    writeRun(run, (single ? folder : folder / item.name).string(), writing);
     std::printf("%zu/%zu %s: %.1f s\n", ++done, items.size(), item.name.c_str(), run.duration());
     std::fflush(stdout);
   }
-  if (!sealed.empty()) writeFile(((single ? output : folder) / "SECRET").string(), sealed);
-  if (!single) {
-    fs::remove(output, error);
-    fs::rename(folder, output);
-  }
+  if (!sealed.empty()) writeFile((folder / "SECRET").string(), sealed);
+  output.putInPlace();
   std::printf("Written to %s%s\n", options.output.c_str(),
               sealed.empty() ? ""
                              : ("; what is different about this robot is sealed in it: bin/gap reveal " +
@@ -169,20 +163,20 @@ void addRecord(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--engine", options->engine,
-                   "own: the dynamics that the diagnosis explains with; bullet: another engine")
-      ->check(CLI::IsMember({"own", "bullet"}))
+                   "own: the dynamics that the diagnosis explains with; or another engine: bullet, mujoco "
+                   "(where it is installed)")
       ->capture_default_str();
   command->add_option("--host", options->simspark.host, "Of the SimSpark server")->capture_default_str();
   command->add_option("--port", options->simspark.port, "Its port for agents")
       ->check(CLI::Range(1, 65535))
       ->capture_default_str();
   command->add_option("--type", options->simspark.type, "Of the SimSpark robot")
-      ->check(CLI::Range(0, 4))
+      ->check(CLI::Range(0, 9))
       ->capture_default_str();
   command->add_option(
       "--program", options->programs,
-      "Programs: names in config/excitation, files, or walk_forward, walk_sideways, walk_turn (the "
-      "project's own walk, in Bullet); several make several runs");
+      "Programs: names in config/excitation, or files; several make several runs. Walks are walked in "
+      "Bullet, or in --engine");
   command->add_option("--battery", options->battery, "A standard set of programs, with a repeat")
       ->check(CLI::IsMember({"hang", "stand", "all"}));
   command->add_option("--effects", options->effects,
@@ -201,13 +195,17 @@ void addRecord(CLI::App& app) {
   command
       ->add_option("-o,--output", options->output, "Run folder; for several runs the folder that holds them")
       ->required();
+  command->add_flag("--force", options->force, "Replaces recordings that are there already");
   command->footer(
-      "Examples:\n  bin/gap record --battery hang --secret 7 -o runs\n"
+      "Examples:\n  bin/gap record --battery hang --secret 10 -o runs\n"
       "  bin/gap record --robot so101 --program hang_sweep -o sweep --effects effects.yaml\n"
       "  bin/gap record --battery stand --engine bullet -o standing\n"
       "  bin/simulator --sync & bin/gap record --robot simspark --type 1 --program stand_squat -o squat");
   command->callback([options, secret] {
-    options->simspark.stop = [] { return stopRequested(); };
+    options->simspark.stop = [] {
+      StopSignal::throwIfCaught();
+      return false;
+    };
     options->hasSecret = secret->count() > 0;
     record(*options);
   });

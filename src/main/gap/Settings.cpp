@@ -1,29 +1,34 @@
 // bin/gap settings: which settings of the embedded simulator are not as on the league's server.
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 
+#include "framework/ConfigFolder.h"
 #include "framework/Parallel.h"
 #include "framework/WriteFile.h"
 #include "gap/settings/SettingsAnswer.h"
 #include "main/gap/Commands.h"
 #include "main/gap/ProgressLine.h"
+#include "main/gap/Timing.h"
+#include "simulation/physics/Physics.h"
 
 namespace plumbline::gap {
 
 namespace {
 
 struct Options {
-  std::string traces = "tests/data/traces", engine = "ode", json;
+  /// The recordings that come with the project lie beside its configuration.
+  std::string traces = (std::filesystem::path(configFolder()) / "../tests/data/traces").lexically_normal();
+  std::string engine = "ode", json, timing;
   std::vector<std::string> without;
   int jobs = 0;
   bool quiet = false;
 };
 
 void diagnose(const Options& options) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Timing timing;
   SimulatorSetup nominal;
   nominal.world.engine = options.engine;
   for (const std::string& omission : options.without) nominal = without(nominal, omission);
@@ -33,14 +38,11 @@ void diagnose(const Options& options) {
   SettingsDiagnosis diagnosis;
   {
     ProgressLine line(options.quiet);
-    settings.progress = [&](const std::string& stage, double share) {
-      if (stopRequested()) throw std::runtime_error("stopped; nothing was written");
-      line.tell(stage, share);
-    };
+    settings.progress = [&](const std::string& stage, double share) { line.tell(stage, share); };
     diagnosis = diagnoseSettings(evidence, nominal, settings);
   }
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const std::string text = settingsJson(diagnosis, "simspark", seconds) + "\n";
+  timing.write(options.timing);
+  const std::string text = settingsJson(diagnosis, "simspark") + "\n";
   if (options.json == "-") {
     std::fputs(text.c_str(), stdout);
     return;
@@ -81,12 +83,13 @@ void addSettings(CLI::App& app) {
   for (const std::string& name : omissions()) names += (names.empty() ? "" : ", ") + name;
   command->add_option("--without", options->without,
                       "Leave this out of the simulator first, to see whether it is found: " + names);
-  command->add_option("--engine", options->engine, "ode, or bullet")
-      ->check(CLI::IsMember({"ode", "ode-dense", "bullet"}))
+  command->add_option("--engine", options->engine, "Physics of the simulator")
+      ->check(CLI::IsMember(simulation::physicsEngines()))
       ->capture_default_str();
   command->add_option("--json", options->json, "Write the answer here; - for standard output");
+  addTiming(*command, options->timing);
   command->add_option("--jobs", options->jobs, "Threads [as many as cores]")->check(CLI::Range(1, 256));
-  command->add_flag("--quiet", options->quiet, "No progress line");
+  command->add_flag("--quiet", options->quiet, "No progress");
   command->footer(
       "Examples:\n  bin/gap settings --without drag\n"
       "  bin/gap settings --engine bullet --json answer.json\n"

@@ -4,29 +4,25 @@
 #include <exception>
 #include <memory>
 
+#include "framework/CommandLine.h"
+#include "framework/ConfigFolder.h"
 #include "framework/StopSignal.h"
 #include "main/gap/Commands.h"
 
 namespace {
 
-plumbline::StopSignal* stopSignal = nullptr;
-
-}  // namespace
-
-bool plumbline::gap::stopRequested() { return stopSignal && stopSignal->requested(); }
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   using namespace plumbline;
-  constexpr int badInput = 2;
+  constexpr int badInput = 2, interrupted = 130;
   CLI::App app(
       "Finds what a simulator lacks: where it differs from a real robot, which unmodelled effect is the "
       "cause, "
       "and how far the gap shrinks once that effect is in.",
       "gap");
-  app.set_help_flag("-h,--help", "Print this help");
   app.require_subcommand(1);
   gap::addRecord(app);
   gap::addDiagnose(app);
+  gap::addCheck(app);
   gap::addReport(app);
   gap::addApply(app);
   gap::addNext(app);
@@ -35,23 +31,32 @@ int main(int argc, char** argv) {
   gap::addImport(app);
   gap::addEffects(app);
   gap::addSettings(app);
+  app.add_option_function<std::string>(
+         "--config", useConfigFolder,
+         "Folder of the configuration [config/ here, else the one beside this program's bin/]")
+      ->trigger_on_parse();
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
+    command->fallthrough();
+    for (CLI::App* part : command->get_subcommands([](CLI::App*) { return true; })) part->fallthrough();
+  }
   app.footer(
-      "Examples:\n  bin/gap record --battery hang --secret 7 -o runs\n"
+      "Examples:\n  bin/gap record --battery hang --secret 10 -o runs\n"
       "  bin/gap diagnose runs --json answer.json\n  bin/gap report answer.json\n"
       "Each has its own help: bin/gap diagnose --help");
   try {
     StopSignal stop;
     stop.catchSignals();
-    stopSignal = &stop;
-    app.parse(argc, argv);
-    return stop.requested() ? 130 : 0;
-  } catch (const CLI::Success& success) {
-    return app.exit(success);
-  } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "gap: %s; see gap --help\n", error.what());
-    return badInput;
+    if (const auto status = readCommandLine(app, argc, argv)) return *status;
+    return 0;
+  } catch (const Stopped& stopped) {
+    std::fprintf(stderr, "gap: %s\n", stopped.what().c_str());
+    return interrupted;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "gap: %s\n", error.what());
     return badInput;
   }
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return plumbline::flushedStatus("gap", run(argc, argv)); }

@@ -1,13 +1,19 @@
 #include "Options.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
 
+#include "framework/CommandLine.h"
+#include "simspark/Loopback.h"
 #include "simspark/NumberFormat.h"
 #include "simulation/effects/EffectTable.h"
+#include "simulation/physics/Physics.h"
 #include "simulation/referee/RulesFile.h"
 
 namespace plumbline::simulation {
@@ -31,26 +37,25 @@ const CLI::Validator aPort =
 const CLI::Validator aDuration = number("a time above 0 s", [](double v) { return v > 0; });
 const CLI::Validator aPatience = number("a time of 0 s or more", [](double v) { return v >= 0; });
 
-bool isLoopback(const std::string& address) {
-  return address == "localhost" || address == "::1" || address.starts_with("127.");
-}
-
 /// What the options say before they are put together.
 struct Given {
   std::string bind = "127.0.0.1", token, rulesFile, effectsFile;
   std::uint64_t seed = 0;
-  bool realTime = false, frozenLimbs = true;
+  bool realTime = false, frozenLimbs = true, openAgents = false;
   double monitorStep = 0.04, maxSeconds = 0, kickOffAfter = 0, halfTime = 300;
   int waitForAgents = 0, replayType = 0, webPort = -1, fieldPort = 0;
 };
 
 void complete(Options& options, const Given& given, const CLI::App& app) {
   ServerConfig& server = options.server;
-  if (!isLoopback(given.bind) && given.token.empty())
-    throw std::runtime_error("--bind " + given.bind + " opens the monitor port to others: set a --token");
+  const bool open = !simspark::isLoopbackAddress(given.bind);
+  if (open && given.token.empty())
+    throw std::runtime_error("--bind " + given.bind + " opens the ports to others: set a --token");
   const auto set = [&app](const char* name) { return app.get_option(name)->count() > 0; };
   server.agents.address = server.monitors.address = given.bind;
   server.monitors.token = given.token;
+  // On this machine teams that cannot send one play, as on the league's server.
+  if (open && !given.openAgents) server.agents.token = given.token;
   server.monitors.interval =
       std::max(1, static_cast<int>(std::lround(given.monitorStep / server.simulation.world.stepSeconds)));
   server.realTime = set("--realtime") ? given.realTime : !server.agents.sync;
@@ -100,14 +105,16 @@ Options parseOptions(int argc, char** argv) {
   Given given;
   ServerConfig& server = options.server;
   CLI::App app("Embedded simulator: SimSpark's protocol on an agent port and a monitor port.", "simulator");
-  app.set_help_flag("-h,--help", "Print this help");
   app.add_option("--port", server.agents.port, "Agent port; 0: a free one [3100]")->check(aPort);
   app.add_option("--monitor-port", server.monitors.port, "Monitor port; 0: a free one [3200]")->check(aPort);
   app.add_option("--field-port", given.fieldPort,
                  "Port of bin/simplemonitor; 0: a free one [the monitor port + 1; none if that is 0]")
       ->check(aPort);
   app.add_option("--bind", given.bind, "Address to listen on [127.0.0.1]; any but loopback needs --token");
-  app.add_option("--token", given.token, "Monitors must first send (token TOKEN)");
+  app.add_option("--token", given.token,
+                 "Monitors must first send (token TOKEN); agents, too, if --bind is not loopback");
+  app.add_flag("--agents-without-token", given.openAgents,
+               "With --bind: agents need no token, for teams that cannot send one");
   app.add_option("--ports-file", options.portsFile,
                  "Write {\"agent\": PORT, \"monitor\": PORT} here once both are open");
   app.add_option("--seed", given.seed, "Same seed, same bytes; 0: one by chance, which is printed [0]")
@@ -131,7 +138,7 @@ Options parseOptions(int argc, char** argv) {
                  "Robots and ground have these effects, as bin/gap apply writes them");
   app.add_option("--half-time", given.halfTime, "Length of a half in seconds [300]")->check(aDuration);
   app.add_option("--engine", server.simulation.world.engine,
-                 "Physics engine: ode, ode-dense or bullet [ode]");
+                 fmt::format("Physics engine: {} [ode]", fmt::join(simulation::physicsEngines(), ", ")));
   addSwitches(app, server.simulation.world, given.frozenLimbs);
   app.add_option("--monitor-step", given.monitorStep, "Seconds between two messages to a monitor [0.04]")
       ->check(number("a time of 0.02 to 10 s", [](double v) { return v >= 0.02 && v <= 10; }));
@@ -145,29 +152,21 @@ Options parseOptions(int argc, char** argv) {
   app.add_option("--replay", options.replayFile,
                  "Repeat a recording of the league's server, say how near it comes, end");
   app.add_option("--type", given.replayType, "Robot type of the recording, if its name does not end with it")
-      ->check(number("a robot type, 0 to 4", [](double v) { return isWhole(v) && v >= 0 && v <= 4; }));
+      ->check(number("a robot type, from 0", [](double v) { return isWhole(v) && v >= 0 && v <= 9; }));
   app.add_option("--web", given.webPort,
                  "Show the game on a page, on this port; 0: a free one [8080, or a free one if it is in use]")
       ->expected(0, 1)
       ->check(aPort);
   app.add_option("--record", options.recordFile, "With --web: write the match to this file");
   app.add_flag("-v,--verbose", options.verbose, "Say what the run cost at the end");
-  try {
-    app.parse(argc, argv);
-    complete(options, given, app);
-  } catch (const CLI::CallForHelp&) {
-    options.help = true;
-    options.helpText = app.help();
-  } catch (const CLI::ExtrasError&) {
-    const auto extras = app.remaining();
-    throw std::runtime_error("unknown argument '" + (extras.empty() ? "" : extras.front()) +
-                             "'; see simulator --help");
-  } catch (const CLI::ArgumentMismatch& error) {
-    const std::string what = error.what();
-    throw std::runtime_error(what.substr(0, what.find(':')) + " takes one value, once");
-  } catch (const CLI::ParseError& error) {
-    throw std::runtime_error(error.what());
-  }
+  app.footer(
+      "Examples:\n"
+      "  bin/simulator --web                          a field with its page; bin/start.sh brings a team\n"
+      "  bin/simulator --sync --seed 7                as fast as it goes, the same bytes each time\n"
+      "  bin/simulator --web --record match.plm       bin/webmonitor --replay match.plm shows it again\n"
+      "  bin/simulator --effects effects.yaml         robots with what bin/gap found");
+  options.exitStatus = readCommandLine(app, argc, argv);
+  if (!options.exitStatus) complete(options, given, app);
   return options;
 }
 

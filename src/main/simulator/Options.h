@@ -15,11 +15,11 @@ struct Options {
   bool anyWebPort = false;        ///< a free one if that is in use
   std::string recordFile;         ///< where the page's match is recorded; empty: nowhere
   std::optional<int> replayType;  ///< robot of the recording, if its name does not tell
-  bool verbose = false, dieWithParent = false, help = false;
-  std::string helpText;
+  bool verbose = false, dieWithParent = false;
+  std::optional<int> exitStatus;  ///< the command line is done with: help was printed, or what is wrong
 };
 
-/// Throws std::runtime_error, one line, for whatever cannot be.
+/// Throws std::runtime_error, one line, for options that do not go together.
 Options parseOptions(int argc, char** argv);
 
 }  // namespace plumbline::simulation

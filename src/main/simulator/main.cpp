@@ -12,7 +12,9 @@
 #include <string>
 
 #include "Options.h"
-#include "simspark/LeagueTrace.h"
+#include "framework/CommandLine.h"
+#include "simspark/LeagueRecording.h"
+#include "simspark/LeagueRobots.h"
 #include "simulation/replay/Fidelity.h"
 #include "simulation/replay/Replay.h"
 #include "simulation/server/Reports.h"
@@ -25,7 +27,7 @@ using namespace plumbline::simulation;
 namespace {
 
 constexpr int badInput = 2;
-std::atomic<bool> stopRequested = false;
+std::atomic<bool> stopRequested = false, recordingLost = false;
 
 void requestStop(int) { stopRequested = true; }
 
@@ -38,13 +40,23 @@ void handleSignals() {
 }
 
 void replayRecording(const Options& options) {
-  const simspark::LeagueTrace trace = simspark::readLeagueTrace(options.replayFile);
-  const auto type = options.replayType ? options.replayType : trace.robotType;
-  if (!type)
-    throw std::runtime_error(options.replayFile +
-                             ": its name does not end with a robot type (_t0 to _t4): give --type");
-  const auto ours = replay(trace, simsparkRobot(*type), options.server.simulation.world);
-  std::printf("%s", fidelityReport(trace, ours, *type).c_str());
+  const auto traces = simspark::readLeagueRecording(options.replayFile);
+  if (options.replayType && traces.size() > 1)
+    throw std::runtime_error(options.replayFile + ": is of " + std::to_string(traces.size()) +
+                             " robots, whose names say their types; leave --type out");
+  std::vector<int> types;
+  std::vector<RobotModel> models;
+  for (const simspark::LeagueTrace& trace : traces) {
+    const auto type = options.replayType ? options.replayType : trace.robotType;
+    if (!type)
+      throw std::runtime_error(options.replayFile +
+                               ": its name does not end with a robot type (_t0, _t1, ...): give --type");
+    types.push_back(*type);
+    models.push_back(simsparkRobot(*type));
+  }
+  const auto ours = replay(traces, models, options.server.simulation.world);
+  for (std::size_t i = 0; i < traces.size(); ++i)
+    std::printf("%s%s", i > 0 ? "\n" : "", fidelityReport(traces[i], ours[i], types[i]).c_str());
 }
 
 /// The page is one more monitor of this simulator, in threads of its own.
@@ -58,11 +70,14 @@ std::unique_ptr<web::WebMonitor> openPage(const Options& options, const Server& 
   config.live.token = options.server.monitors.token;
   config.live.drawingPortOptional = true;
   config.live.record = options.recordFile;
+  config.live.recordingLost = [](const std::string& why) {
+    std::fprintf(stderr, "simulator: the recording ends here: %s\n", why.c_str());
+    recordingLost = true;
+  };
   auto page = std::make_unique<web::WebMonitor>(config);
   std::printf("simulator: watch at %s\n", page->address().c_str());
-  if (page->drawingPort() < 0)
-    std::printf("simulator: without the agents' drawings, as UDP port %d is in use\n",
-                config.live.drawingPort);
+  if (!page->drawingProblem().empty())
+    std::printf("simulator: without the agents' drawings: %s\n", page->drawingProblem().c_str());
   std::fflush(stdout);
   return page;
 }
@@ -79,6 +94,7 @@ void serve(const Options& options) {
               server.monitorPort(), static_cast<unsigned long long>(options.server.simulation.seed));
   std::fflush(stdout);
   server.run(stopRequested);
+  page.reset();  // its recording ends here
   const ServerStatistics& run = server.statistics();
   if (!options.statisticsFile.empty()) writeStatistics(options.statisticsFile, run);
   if (options.verbose)
@@ -88,16 +104,11 @@ void serve(const Options& options) {
                 run.simulatedSeconds / std::max(1e-9, run.wallSeconds));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int runProgram(int argc, char** argv) {
   try {
     const pid_t parent = getppid();
     const Options options = parseOptions(argc, argv);
-    if (options.help) {
-      std::printf("%s", options.helpText.c_str());
-      return 0;
-    }
+    if (options.exitStatus) return *options.exitStatus;
     if (options.dieWithParent) {
       prctl(PR_SET_PDEATHSIG, SIGTERM);
       if (getppid() != parent) return 0;  // it ended before we asked
@@ -107,9 +118,13 @@ int main(int argc, char** argv) {
       serve(options);
     else
       replayRecording(options);
-    return 0;
+    return recordingLost ? badInput : 0;
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "simulator: %s\n", problem.what());
     return badInput;
   }
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return plumbline::flushedStatus("simulator", runProgram(argc, argv)); }

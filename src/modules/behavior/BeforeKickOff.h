@@ -1,6 +1,6 @@
 #pragma once
 #include "framework/Module.h"
-#include "representations/behavior/BehaviorOutputs.h"
+#include "representations/behavior/BeforeKickOffOutput.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GameState.h"
 #include "representations/infrastructure/PlayerInfo.h"
@@ -8,21 +8,27 @@
 namespace plumbline {
 
 MODULE(BeforeKickOff)
-REQUIRES(GameState)
-REQUIRES(PlayerInfo)
-REQUIRES(FrameInfo)
-PROVIDES(BeforeKickOffOutput)
+  REQUIRES(GameState)
+  REQUIRES(PlayerInfo)
+  REQUIRES(FrameInfo)
+  PROVIDES(BeforeKickOffOutput)
+  PARAMETER(std::vector<double>, x, (std::vector<double>{-0.5, -3, -3, -6, -6, -9, -9, -11, -11, -13, -14}),
+            "m", Range(-100, 0),
+            "places before a kick-off by uniform number, in the own half of the frame of the team")
+  PARAMETER(std::vector<double>, y, (std::vector<double>{0, 2, -2, 4, -4, 2, -2, 4, -4, 0, 0}), "m",
+            Range(-100, 100), "see x")
+  PARAMETER(std::vector<double>, heading, (std::vector<double>(11, 0.0)), "rad", Range(-6.3, 6.3), "see x")
+  PARAMETER(double, beamSeconds, 0.5, "s", Range(0.02, 10),
+            "time for which the beam is repeated after a change of the play mode")
 END_MODULE
 
 /// Puts the robot to its place by SimSpark's beam before a kick-off and after a goal, and waits there.
 class BeforeKickOff : public BeforeKickOffBase {
 public:
-  void init() override;
+  void parametersChanged() override;
   void update(BeforeKickOffOutput* theBeforeKickOffOutput) override;
 
 private:
-  std::vector<double> x_, y_, heading_;  ///< by uniform number [m, m, rad]
-  double beamSeconds_ = 0;               ///< how long the beam is repeated after a change [s]
   bool waiting_ = false;
   double since_ = 0;
 };

@@ -5,7 +5,7 @@ namespace plumbline {
 MAKE_MODULE(BehaviorCombinator)
 
 const BehaviorOutput* BehaviorCombinator::active() const {
-  for (const BehaviorOutput* output : {&theBeforeKickOffOutput->output, &theStrikerOutput->output})
+  for (const BehaviorOutput* output : allBehaviorOutputs)
     if (output->active) return output;
   return nullptr;
 }

@@ -1,18 +1,18 @@
 #pragma once
 #include "framework/Module.h"
-#include "representations/behavior/BehaviorOutputs.h"
+#include "representations/behavior/BehaviorOutput.h"
 #include "representations/behavior/SkillRequest.h"
 
 namespace plumbline {
 
 MODULE(BehaviorCombinator)
-REQUIRES(BeforeKickOffOutput)
-REQUIRES(StrikerOutput)
-PROVIDES(SkillRequest)
-PROVIDES(BeamRequest)
+  REQUIRES_ALL(BehaviorOutput)
+  PROVIDES(SkillRequest)
+  PROVIDES(BeamRequest)
 END_MODULE
 
-/// Takes the first active behaviour, those for special situations before the roles.
+/// Takes the first active behaviour in the order of modules.cfg: those for special situations stand before
+/// the roles.
 class BehaviorCombinator : public BehaviorCombinatorBase {
 public:
   void update(SkillRequest* theSkillRequest) override;

@@ -26,21 +26,12 @@ bool opponentRestart(PlayMode mode) {
 
 }  // namespace
 
-void Striker2::init() {
-  kickAllowed_ = config.get<bool>("kickAllowed");
-  ballMaxAge_ = config.get<double>("ballMaxAge", {0.1, 60.0});
-  restartDistance_ = config.get<double>("restartDistance", {0.5, 10.0});
-  goalMargin_ = config.get<double>("goalMargin", {0.0, 1.0});
-  dribbleDistance_ = config.get<double>("dribbleDistance", {0.0, 30.0});
-  minOpening_ = config.get<double>("minOpening", {0, 1});
-}
-
 Striker2::Shot Striker2::shot() const {
   const Vec2 goal = theFieldDimensions->opponentGoal();
   const Vec2& ball = theBallPos->field;
   const auto angleTo = [&](double y) { return std::atan2(y - ball.y(), goal.x() - ball.x()); };
-  const double left = angleTo(theFieldDimensions->goalWidth / 2 - goalMargin_);
-  const double right = angleTo(-theFieldDimensions->goalWidth / 2 + goalMargin_);
+  const double left = angleTo(theFieldDimensions->goalWidth / 2 - goalMargin);
+  const double right = angleTo(-theFieldDimensions->goalWidth / 2 + goalMargin);
   const double direction = (left + right) / 2;
   // As far as the goal's middle: how it is brought there depends on the distance.
   const double distance = std::max((goal - ball).norm(), 0.5);
@@ -49,14 +40,14 @@ Striker2::Shot Striker2::shot() const {
 }
 
 void Striker2::update(StrikerOutput* theStrikerOutput) {
-  BehaviorOutput& output = theStrikerOutput->output;
-  output = {};
+  BehaviorOutput& output = *theStrikerOutput;
+  output.clear();
   output.active = true;
   output.skill = Skill::stand;
   if (theGameState->playMode == PlayMode::gameOver || theGameState->playMode == PlayMode::unknown) return;
 
   const Pose2& robot = theRobotPose->pose;
-  if (!theRobotPose->valid || !theBallPos->valid || theBallPos->age > ballMaxAge_) {
+  if (!theRobotPose->valid || !theBallPos->valid || theBallPos->age > ballMaxAge) {
     // Turn on the spot: what is lost comes into view, landmarks too.
     output.skill = Skill::moveToPos;
     output.target = Pose2(robot.position, normalizeAngle(robot.heading + 1.0));
@@ -68,13 +59,13 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
     const Vec2 toBall = -away;
     output.skill = Skill::moveToPos;
     output.target =
-        Pose2(Vec2(theBallPos->field + restartDistance_ * away), std::atan2(toBall.y(), toBall.x()));
+        Pose2(Vec2(theBallPos->field + restartDistance * away), std::atan2(toBall.y(), toBall.x()));
     return;
   }
   const Shot best = shot();
   const bool inReach = best.distance < theSkillKickParameters->distance + 1;
-  const bool kick = best.distance > dribbleDistance_ && (!inReach || best.halfOpening > minOpening_);
-  output.skill = kickAllowed_ && kick ? Skill::kick : Skill::dribble;
+  const bool kick = best.distance > dribbleDistance && (!inReach || best.halfOpening > minOpening);
+  output.skill = kickAllowed && kick ? Skill::kick : Skill::dribble;
   output.target = Pose2(best.target);
 }
 

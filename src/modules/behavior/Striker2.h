@@ -1,6 +1,6 @@
 #pragma once
 #include "framework/Module.h"
-#include "representations/behavior/BehaviorOutputs.h"
+#include "representations/behavior/StrikerOutput.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/GameState.h"
 #include "representations/modeling/BallPos.h"
@@ -10,19 +10,27 @@
 namespace plumbline {
 
 MODULE(Striker2)
-REQUIRES(GameState)
-REQUIRES(RobotPose)
-REQUIRES(BallPos)
-REQUIRES(FieldDimensions)
-REQUIRES(SkillKickParameters)
-PROVIDES(StrikerOutput)
+  REQUIRES(GameState)
+  REQUIRES(RobotPose)
+  REQUIRES(BallPos)
+  REQUIRES(FieldDimensions)
+  REQUIRES(SkillKickParameters)
+  PROVIDES(StrikerOutput)
+  PARAMETER(bool, kickAllowed, true, "", Range(), "false: the robot only dribbles")
+  PARAMETER(double, ballMaxAge, 3, "s", Range(0.1, 60), "a ball that was not seen for longer is searched")
+  PARAMETER(double, restartDistance, 2.2, "m", Range(0.5, 10),
+            "distance kept from the ball at restarts of the opponent")
+  PARAMETER(double, goalMargin, 0.15, "m", Range(0, 1), "the aim lies at least this far inside the posts")
+  PARAMETER(double, dribbleDistance, 1.5, "m", Range(0, 30),
+            "closer to the goal than this the ball is dribbled in")
+  PARAMETER(double, minOpening, 0.15, "rad", Range(0, 1),
+            "half the angle between the posts; a narrower goal in reach is dribbled at")
 END_MODULE
 
 /// The player at the ball: kicks at the goal in reach, else brings the ball there; searches a lost ball and
 /// keeps its distance at the opponent's restarts.
 class Striker2 : public Striker2Base {
 public:
-  void init() override;
   void update(StrikerOutput* theStrikerOutput) override;
 
 private:
@@ -33,13 +41,6 @@ private:
     double distance = 0;         ///< of ball and goal [m]
   };
   Shot shot() const;
-
-  bool kickAllowed_ = true;
-  double ballMaxAge_ = 0;       ///< [s]
-  double restartDistance_ = 0;  ///< from the ball at the opponent's restarts [m]
-  double goalMargin_ = 0;       ///< aimed at least this far inside the posts [m]
-  double minOpening_ = 0;       ///< a narrower goal in reach is dribbled at [rad]
-  double dribbleDistance_ = 0;  ///< closer to the goal than this the ball is dribbled in [m]
 };
 
 }  // namespace plumbline

@@ -8,10 +8,10 @@
 namespace plumbline {
 
 MODULE(GroundtruthModule)
-REQUIRES(FrameInfo)
-REQUIRES(GroundTruth)
-PROVIDES(RobotPose)
-PROVIDES(BallPos)
+  REQUIRES(FrameInfo)
+  REQUIRES(GroundTruth)
+  PROVIDES(RobotPose)
+  PROVIDES(BallPos)
 END_MODULE
 
 /// The true pose and ball instead of the estimated ones, for experiments; only where modules.cfg asks for it

@@ -13,8 +13,6 @@ namespace plumbline {
 
 MAKE_MODULE(LocalizationEvaluation)
 
-void LocalizationEvaluation::init() { file_ = config.get<std::string>("file"); }
-
 void LocalizationEvaluation::execute() {
   if (!theGroundTruth->valid) return;
   if (firstTime_ < 0) firstTime_ = theFrameInfo->time;
@@ -52,7 +50,7 @@ void LocalizationEvaluation::write() const {
   report["tilt_error_deg"] = summary(tilt_);
 
   // Beside it first, so that a reader never finds half a file.
-  const std::filesystem::path path(file_), part(file_ + ".part");
+  const std::filesystem::path path(file), part(file + ".part");
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
   std::ofstream out(part);
   out << report.dump(2) << '\n';
@@ -62,7 +60,7 @@ void LocalizationEvaluation::write() const {
 }
 
 LocalizationEvaluation::~LocalizationEvaluation() {
-  if (file_.empty()) return;
+  if (file.empty()) return;
   try {
     write();
   } catch (const std::exception& error) {

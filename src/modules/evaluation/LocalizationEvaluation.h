@@ -13,12 +13,14 @@
 namespace plumbline {
 
 MODULE(LocalizationEvaluation)
-REQUIRES(FrameInfo)
-REQUIRES(GroundTruth)
-REQUIRES(RobotPose)
-REQUIRES(BallPos)
-REQUIRES(UprightVec)
-REQUIRES(FallState)
+  REQUIRES(FrameInfo)
+  REQUIRES(GroundTruth)
+  REQUIRES(RobotPose)
+  REQUIRES(BallPos)
+  REQUIRES(UprightVec)
+  REQUIRES(FallState)
+  PARAMETER(std::string, file, "build/run/localization.json", "", Range(),
+            "medians and 95th percentiles, written when the agent ends")
 END_MODULE
 
 /// Compares the estimated pose, ball and tilt with the ground truth in every cycle and writes medians and
@@ -26,13 +28,11 @@ END_MODULE
 class LocalizationEvaluation : public LocalizationEvaluationBase {
 public:
   ~LocalizationEvaluation() override;
-  void init() override;
   void execute() override;
 
 private:
   void write() const;
 
-  std::string file_;
   double firstTime_ = -1, lastTime_ = 0;  ///< [s]
   std::size_t cycles_ = 0, validCycles_ = 0;
   ErrorStatistics position_, heading_, ball_, ballRelative_, tilt_;  ///< m, degrees, m, m, degrees

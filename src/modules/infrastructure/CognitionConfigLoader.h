@@ -6,8 +6,8 @@
 namespace plumbline {
 
 MODULE(CognitionConfigLoader)
-PROVIDES(FieldDimensions)
-PROVIDES(SkillKickParameters)
+  PROVIDES(FieldDimensions)
+  PROVIDES(SkillKickParameters)
 END_MODULE
 
 /// Representations that come from configuration and stay as they are: config/field.yaml and config/kick.yaml.

@@ -6,11 +6,9 @@ namespace plumbline {
 
 MAKE_MODULE(AccEvaluator)
 
-void AccEvaluator::init() {
-  source_ = static_cast<Source>(config.choice("source", {"feet", "walkingEngine"}));
-  support_ = SupportOdometry(config.get<double>("airborneSeconds", {0, 10}));
-  contacts_.reserve(4);
-}
+void AccEvaluator::parametersChanged() { support_.setAirborneSeconds(airborneSeconds); }
+
+void AccEvaluator::init() { contacts_.reserve(4); }
 
 void AccEvaluator::findContacts() {
   contacts_.clear();
@@ -45,7 +43,7 @@ void AccEvaluator::update(Odometry* theOdometry) {
       support_.update(R_world_torso, theFKModel->T_torso_link, contacts_, theFrameInfo->cycleSeconds);
   if (theFallState->lying()) {
     // Feet that touch the ground do not carry the robot then; it stays where it is.
-  } else if (source_ == Source::feet) {
+  } else if (source == "feet") {
     step.position = overFeet.position;
   } else if (theWalkingEngineOutput) {
     step.position = theWalkingEngineOutput->odometry.position;

@@ -10,33 +10,37 @@
 #include "representations/modeling/FallState.h"
 #include "representations/modeling/Odometry.h"
 #include "representations/modeling/TorsoAngles.h"
-#include "representations/motion/MotionOutputs.h"
+#include "representations/motion/WalkingEngineOutput.h"
 
 namespace plumbline {
 
 MODULE(AccEvaluator)
-REQUIRES(FrameInfo)
-REQUIRES(SensorData)
-REQUIRES(RobotDescription)
-REQUIRES(FKModel)
-REQUIRES(TorsoAngles)
-REQUIRES(FallState)
-USES(WalkingEngineOutput)
-PROVIDES(Odometry)
+  REQUIRES(FrameInfo)
+  REQUIRES(SensorData)
+  REQUIRES(RobotDescription)
+  REQUIRES(FKModel)
+  REQUIRES(TorsoAngles)
+  REQUIRES(FallState)
+  USES(WalkingEngineOutput)
+  PROVIDES(Odometry)
+  PARAMETER_CHOICE(source, "feet",
+                   "feet: torso over the feet that carry load; walkingEngine: the way as planned", "feet",
+                   "walkingEngine")
+  PARAMETER(double, airborneSeconds, 0.2, "s", Range(0, 10),
+            "time for which the last speed goes on when no foot touches the ground")
 END_MODULE
 
 /// How the robot moves over the ground. The turn is the gyroscope's; the way is that of the torso over the
 /// feet that carry load (source: feet), or what the walking engine planned (source: walkingEngine).
 class AccEvaluator : public AccEvaluatorBase {
 public:
+  void parametersChanged() override;
   void init() override;
   void update(Odometry* theOdometry) override;
 
 private:
   void findContacts();
 
-  enum class Source { feet, walkingEngine };
-  Source source_ = Source::feet;
   SupportOdometry support_;
   std::vector<SupportOdometry::Contact> contacts_;
   double headingBefore_ = 0;

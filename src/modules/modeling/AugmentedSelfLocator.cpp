@@ -1,28 +1,17 @@
 #include "modules/modeling/AugmentedSelfLocator.h"
 
+#include "framework/DebugSite.h"
+
 namespace plumbline {
 
 MAKE_MODULE(AugmentedSelfLocator)
 
+void AugmentedSelfLocator::parametersChanged() {
+  if (filter.fastRate < filter.slowRate) refuse("filter.fastRate", "must not be below filter.slowRate");
+  if (filter_) filter_->setParameters(filter);
+}
+
 void AugmentedSelfLocator::init() {
-  PoseFilter::Parameters& p = parameters_;
-  p.particles = config.get<int>("particles", {1, 10000});
-  p.seed = config.get<unsigned>("seed");
-  p.slowRate = config.get<double>("slowRate", {0, 1});
-  p.fastRate = config.get<double>("fastRate", {p.slowRate, 1});
-  p.stepShare = config.get<double>("stepShare", {0, 1});
-  p.stepNoise = config.get<double>("stepNoise", {1e-6, 1});
-  p.turnShare = config.get<double>("turnShare", {0, 1});
-  p.turnNoise = config.get<double>("turnNoise", {1e-6, 1});
-  p.validDeviation = config.get<double>("validDeviation", {0, 100});
-  p.validHeadingDeviation = config.get<double>("validHeadingDeviation", {0, 10});
-  const ConfigSection vision = config.section("vision");
-  noise_.distanceShare = vision.get<double>("distanceShare", {0, 1});
-  noise_.distance = vision.get<double>("distance", {1e-6, 1});
-  noise_.azimuth = vision.get<double>("azimuth", {1e-6, 1});
-  noise_.elevation = vision.get<double>("elevation", {1e-6, 1});
-  noise_.offset = vision.get<double>("offset", {0, 1});
-  noise_.tilt = vision.get<double>("tilt", {0, 1});
   view_.landmarks.reserve(FieldMap::numLandmarks);
   view_.lines.reserve(FieldMap::numSegments);
 }
@@ -33,13 +22,13 @@ void AugmentedSelfLocator::start() {
   filter_.emplace(FieldMap({field.length, field.width, field.goalWidth, field.penaltyDepth,
                             field.penaltyWidth, field.centreCircleRadius},
                            leftSide_),
-                  parameters_);
+                  filter);
 }
 
 void AugmentedSelfLocator::look() {
   const Pose3 T_ground_head = theTorsoPose->T_ground_torso * theFKModel->T_torso_head;
   const auto project = [&](const PolarPoint& point) {
-    return projectToGround(point.distance, point.azimuth, point.elevation, T_ground_head, noise_);
+    return projectToGround(point.distance, point.azimuth, point.elevation, T_ground_head, vision);
   };
   view_.landmarks.clear();
   for (const PolarLandmark& seen : thePolarLandmarkPercept->landmarks)
@@ -60,6 +49,10 @@ void AugmentedSelfLocator::update(RobotPose* theRobotPose) {
     look();
     filter_->update(view_);
   }
+  DEBUG_RESPONSE_ONCE("module:AugmentedSelfLocator:forget", filter_->reset();
+                      DEBUG_RESPONSE_OUTPUT("the pose is forgotten"));
+  OUTPUT_BY_VALUE("module:AugmentedSelfLocator:particles", filter_->particleCount());
+  OUTPUT_BY_VALUE("module:AugmentedSelfLocator:resets", filter_->resets());
   const PoseFilter::Estimate& estimate = filter_->estimate();
   theRobotPose->pose = estimate.pose;
   theRobotPose->positionDeviation = estimate.positionDeviation;

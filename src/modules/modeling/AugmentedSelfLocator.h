@@ -16,22 +16,25 @@
 namespace plumbline {
 
 MODULE(AugmentedSelfLocator)
-REQUIRES(FrameInfo)
-REQUIRES(FieldDimensions)
-REQUIRES(PlayerInfo)
-REQUIRES(VisionInfo)
-REQUIRES(PolarLandmarkPercept)
-REQUIRES(PolarLinePercept)
-REQUIRES(TorsoPose)
-REQUIRES(FKModel)
-REQUIRES(FallState)
-REQUIRES(Odometry)
-PROVIDES(RobotPose)
+  REQUIRES(FrameInfo)
+  REQUIRES(FieldDimensions)
+  REQUIRES(PlayerInfo)
+  REQUIRES(VisionInfo)
+  REQUIRES(PolarLandmarkPercept)
+  REQUIRES(PolarLinePercept)
+  REQUIRES(TorsoPose)
+  REQUIRES(FKModel)
+  REQUIRES(FallState)
+  REQUIRES(Odometry)
+  PROVIDES(RobotPose)
+  PARAMETER_GROUP(PoseFilter::Parameters, filter, "the particle filter")
+  PARAMETER_GROUP(VisionNoise, vision, "standard deviations of what is seen")
 END_MODULE
 
 /// Where the robot is on the field: a particle filter over flags, goal posts and field lines (PoseFilter).
 class AugmentedSelfLocator : public AugmentedSelfLocatorBase {
 public:
+  void parametersChanged() override;
   void init() override;
   void update(RobotPose* theRobotPose) override;
 
@@ -39,8 +42,6 @@ private:
   void start();
   void look();
 
-  PoseFilter::Parameters parameters_;
-  VisionNoise noise_;
   std::optional<PoseFilter> filter_;
   bool leftSide_ = true;  ///< the side filter_ is for
   FieldView view_;

@@ -2,36 +2,19 @@
 
 #include <cmath>
 
+#include "framework/DebugSite.h"
+
 namespace plumbline {
 
 MAKE_MODULE(BallLocator)
 
-void BallLocator::init() {
-  BallFilter::Parameters p;
-  p.rollingTimeConstant = config.get<double>("rollingTimeConstant", {0.01, 100});
-  p.speedNoise = config.get<double>("speedNoise", {1e-4, 100});
-  p.touchedSpeedNoise = config.get<double>("touchedSpeedNoise", {1e-4, 100});
-  p.startSpeedDeviation = config.get<double>("startSpeedDeviation", {1e-3, 100});
-  p.restDeviations = config.get<double>("restDeviations", {0, 100});
-  p.gate = config.get<double>("gate", {0.1, 100});
-  p.agreementSpeed = config.get<double>("agreementSpeed", {0, 100});
-  p.agreementSeconds = config.get<double>("agreementSeconds", {0, 100});
-  filter_ = BallFilter(p);
-  distanceShare_ = config.get<double>("distanceShare", {0, 1});
-  distanceNoise_ = config.get<double>("distanceNoise", {1e-6, 1});
-  angleNoise_ = config.get<double>("angleNoise", {1e-6, 1});
-  stepShare_ = config.get<double>("stepShare", {0, 1});
-  touchDistance_ = config.get<double>("touchDistance", {0, 10});
-  forgetSeconds_ = config.get<double>("forgetSeconds", {0, 1e4});
-  viewAngle_ = config.get<double>("viewAngle", {0, 1.5});
-  missedImages_ = config.get<int>("missedImages", {1, 10000});
-}
+void BallLocator::parametersChanged() { filter_.setParameters(filter); }
 
 Mat2 BallLocator::perceptCovariance(const Vec2& position) const {
   const double distance = position.norm();
   const Vec2 along = distance > 1e-6 ? Vec2(position / distance) : Vec2(Vec2::UnitX());
   const Vec2 across(-along.y(), along.x());
-  const double a = distanceNoise_ + distanceShare_ * distance, b = distanceNoise_ + angleNoise_ * distance;
+  const double a = distanceNoise + distanceShare * distance, b = distanceNoise + angleNoise * distance;
   return a * a * along * along.transpose() + b * b * across * across.transpose();
 }
 
@@ -40,7 +23,7 @@ bool BallLocator::shouldBeInView() const {
   const Vec2 relative = theOdometry->total.inverse() * filter_.position();
   const Pose3 T_head_ground = (theTorsoPose->T_ground_torso * theFKModel->T_torso_head).inverse();
   const Vec3 p = T_head_ground * Vec3(relative.x(), relative.y(), 0);
-  const double reach = std::tan(viewAngle_) * p.x();
+  const double reach = std::tan(viewAngle) * p.x();
   return theTorsoPose->valid && std::abs(p.y()) < reach && std::abs(p.z()) < reach;
 }
 
@@ -53,7 +36,7 @@ void BallLocator::see(LocalBallPos& ball) {
     missed_ = 0;
     valid_ = true;
   } else if (valid_ && shouldBeInView()) {
-    if (++missed_ >= missedImages_) valid_ = false;
+    if (++missed_ >= missedImages) valid_ = false;
   }
 }
 
@@ -65,13 +48,16 @@ void BallLocator::update(LocalBallPos* theLocalBallPos) {
   }
   if (filter_.started()) {
     const Vec2 relative = theOdometry->total.inverse() * filter_.position();
-    filter_.predict(theFrameInfo->cycleSeconds, relative.norm() < touchDistance_,
-                    stepShare_ * theOdometry->step.position.norm());
+    filter_.predict(theFrameInfo->cycleSeconds, relative.norm() < touchDistance,
+                    stepShare * theOdometry->step.position.norm());
   }
   if (theVisionInfo->newImage) see(*theLocalBallPos);
-  if (theFrameInfo->time - lastSeen_ > forgetSeconds_) valid_ = false;
+  if (theFrameInfo->time - lastSeen_ > forgetSeconds) valid_ = false;
   theLocalBallPos->valid = valid_;
+  DEBUG_RESPONSE_ONCE("module:BallLocator:forget", filter_.reset();
+                      DEBUG_RESPONSE_OUTPUT("the ball is forgotten"));
   if (!filter_.started()) return;
+  OUTPUT_BY_VALUE("module:BallLocator:onField", filter_.position());
   theLocalBallPos->position = theOdometry->total.inverse() * filter_.position();
   theLocalBallPos->velocity = theOdometry->total.rotation().transpose() * filter_.velocity();
   theLocalBallPos->deviation = filter_.deviation();

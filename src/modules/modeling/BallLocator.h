@@ -12,19 +12,33 @@
 namespace plumbline {
 
 MODULE(BallLocator)
-REQUIRES(FrameInfo)
-REQUIRES(VisionInfo)
-REQUIRES(BallPercept)
-REQUIRES(Odometry)
-REQUIRES(TorsoPose)
-REQUIRES(FKModel)
-PROVIDES(LocalBallPos)
+  REQUIRES(FrameInfo)
+  REQUIRES(VisionInfo)
+  REQUIRES(BallPercept)
+  REQUIRES(Odometry)
+  REQUIRES(TorsoPose)
+  REQUIRES(FKModel)
+  PROVIDES(LocalBallPos)
+  PARAMETER_GROUP(BallFilter::Parameters, filter, "the Kalman filter")
+  PARAMETER(double, distanceShare, 0.001, "", Range(0, 1),
+            "standard deviation of a percept along the line of sight, share of the distance")
+  PARAMETER(double, distanceNoise, 0.004, "m", Range(1e-6, 1),
+            "standard deviation of a percept at no distance")
+  PARAMETER(double, angleNoise, 0.0026, "rad", Range(1e-6, 1),
+            "standard deviation of a percept across the line of sight")
+  PARAMETER(double, stepShare, 0.05, "", Range(0, 1), "error of the odometry, share of the distance walked")
+  PARAMETER(double, touchDistance, 0.4, "m", Range(0, 10), "the robot may touch a ball that is nearer")
+  PARAMETER(double, forgetSeconds, 10, "s", Range(0, 1e4), "time after which an unseen ball is lost")
+  PARAMETER(double, viewAngle, 0.9, "rad", Range(0, 1.5),
+            "the ball would be seen within this angle of the axis of the head")
+  PARAMETER(int, missedImages, 10, "", Range(1, 10000),
+            "number of images without a ball that should be in view after which it is lost")
 END_MODULE
 
 /// Tracks the ball relative to the robot: a Kalman filter in the frame of the odometry (BallFilter).
 class BallLocator : public BallLocatorBase {
 public:
-  void init() override;
+  void parametersChanged() override;
   void update(LocalBallPos* theLocalBallPos) override;
 
 private:
@@ -33,12 +47,6 @@ private:
   void see(LocalBallPos& ball);
 
   BallFilter filter_;
-  double distanceShare_ = 0, distanceNoise_ = 0, angleNoise_ = 0;  ///< [-], [m], [rad]
-  double stepShare_ = 0;      ///< error of the odometry, share of the way
-  double touchDistance_ = 0;  ///< nearer than this the robot may touch the ball [m]
-  double forgetSeconds_ = 0;  ///< not seen for so long, the ball is lost [s]
-  double viewAngle_ = 0;      ///< within it the ball would be seen [rad]
-  int missedImages_ = 0;      ///< so often in view but not seen, it is lost
   double lastSeen_ = -1;
   int missed_ = 0;
   bool valid_ = false;

@@ -6,14 +6,9 @@ namespace plumbline {
 
 MAKE_MODULE(BeliefCombinator)
 
-void BeliefCombinator::init() {
-  freshSeconds_ = config.get<double>("freshSeconds", {0, 100});
-  rollingTimeConstant_ = config.get<double>("rollingTimeConstant", {0.01, 100});
-}
-
 void BeliefCombinator::roll(double dt) {
-  const double keep = std::exp(-dt / rollingTimeConstant_);
-  position_ += rollingTimeConstant_ * (1 - keep) * velocity_;
+  const double keep = std::exp(-dt / rollingTimeConstant);
+  position_ += rollingTimeConstant * (1 - keep) * velocity_;
   velocity_ *= keep;
 }
 
@@ -24,7 +19,7 @@ void BeliefCombinator::update(BallPos* theBallPos) {
   theBallPos->age = local.lastSeen < 0 ? 1e3 : theFrameInfo->time - local.lastSeen;
 
   roll(theFrameInfo->cycleSeconds);
-  const bool fresh = theBallPos->age <= freshSeconds_;
+  const bool fresh = theBallPos->age <= freshSeconds;
   if (theFrameInfo->restarted || !theRobotPose->valid) onField_ = false;
   if (fresh || !onField_) {
     position_ = robot * local.position;

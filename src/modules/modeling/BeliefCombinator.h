@@ -7,10 +7,14 @@
 namespace plumbline {
 
 MODULE(BeliefCombinator)
-REQUIRES(FrameInfo)
-REQUIRES(RobotPose)
-REQUIRES(LocalBallPos)
-PROVIDES(BallPos)
+  REQUIRES(FrameInfo)
+  REQUIRES(RobotPose)
+  REQUIRES(LocalBallPos)
+  PROVIDES(BallPos)
+  PARAMETER(double, freshSeconds, 0.1, "s", Range(0, 100),
+            "a ball not seen for longer is kept at its place on the field")
+  PARAMETER(double, rollingTimeConstant, 0.92, "s", Range(0.01, 100),
+            "time constant with which the speed of a rolling ball dies away")
 END_MODULE
 
 /// The ball to act on: what this robot tracks, placed on the field. A ball that has not been seen for a while
@@ -18,15 +22,12 @@ END_MODULE
 /// not drift and the odometry does.
 class BeliefCombinator : public BeliefCombinatorBase {
 public:
-  void init() override;
   void update(BallPos* theBallPos) override;
 
 private:
   void roll(double dt);
 
-  double freshSeconds_ = 0;         ///< seen within that time, the ball is where it is tracked [s]
-  double rollingTimeConstant_ = 1;  ///< [s]
-  bool onField_ = false;            ///< position_ and velocity_ are known
+  bool onField_ = false;                                    ///< position_ and velocity_ are known
   Vec2 position_ = Vec2::Zero(), velocity_ = Vec2::Zero();  ///< on the field [m, m/s]
 };
 

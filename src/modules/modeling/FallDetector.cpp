@@ -22,30 +22,26 @@ bool lies(Posture posture) {
 
 }  // namespace
 
-void FallDetector::init() {
-  fallingTilt_ = config.get<double>("fallingTilt", {0, 3.2});
-  lyingTilt_ = config.get<double>("lyingTilt", {fallingTilt_, 3.2});
-  uprightTilt_ = config.get<double>("uprightTilt", {0, fallingTilt_});
-  lyingSeconds_ = config.get<double>("lyingSeconds", {0, 10});
-  sittingHeight_ = config.get<double>("sittingHeight", {0, 1});
-  sittingSeconds_ = config.get<double>("sittingSeconds", {0, 100});
+void FallDetector::parametersChanged() {
+  if (lyingTilt < fallingTilt) refuse("lyingTilt", "must not be below fallingTilt");
+  if (uprightTilt > fallingTilt) refuse("uprightTilt", "must not be above fallingTilt");
 }
 
 Posture FallDetector::postureNow(const FallState& before) {
   const Vec3& up = theUprightVec->up;
   const double tilt = std::acos(std::clamp(up.z(), -1.0, 1.0));
   const double dt = theFrameInfo->cycleSeconds;
-  tiltedFor_ = tilt > lyingTilt_ ? tiltedFor_ + dt : 0;
-  const bool low = tilt < uprightTilt_ && theTorsoPose->T_ground_torso.translation().z() < sittingHeight_;
+  tiltedFor_ = tilt > lyingTilt ? tiltedFor_ + dt : 0;
+  const bool low = tilt < uprightTilt && theTorsoPose->T_ground_torso.translation().z() < sittingHeight;
   lowFor_ = low ? lowFor_ + dt : 0;
 
-  if (tiltedFor_ > 0 && (lies(before.posture) || tiltedFor_ >= lyingSeconds_)) return side(up);
-  if (lowFor_ > 0 && (before.posture == Posture::sitting || lowFor_ >= sittingSeconds_))
+  if (tiltedFor_ > 0 && (lies(before.posture) || tiltedFor_ >= lyingSeconds)) return side(up);
+  if (lowFor_ > 0 && (before.posture == Posture::sitting || lowFor_ >= sittingSeconds))
     return Posture::sitting;
-  if (tilt < uprightTilt_) return Posture::upright;
+  if (tilt < uprightTilt) return Posture::upright;
   // Between the angles what was before goes on: lying until it is up again, upright until it falls.
   if (before.posture != Posture::upright && before.posture != Posture::sitting) return before.posture;
-  return tilt > fallingTilt_ ? Posture::falling : before.posture;
+  return tilt > fallingTilt ? Posture::falling : before.posture;
 }
 
 void FallDetector::update(FallState* theFallState) {

@@ -6,21 +6,19 @@ namespace plumbline {
 
 MAKE_MODULE(GroundContactDetector)
 
-void GroundContactDetector::init() {
-  timeConstant_ = config.get<double>("timeConstant", {0, 10});
-  on_ = config.get<double>("contactLoad", {0, 1000});
-  off_ = config.get<double>("releaseLoad", {0, on_});
+void GroundContactDetector::parametersChanged() {
+  if (releaseLoad > contactLoad) refuse("releaseLoad", "must not be above contactLoad");
 }
 
 void GroundContactDetector::update(GroundContactState* theGroundContactState) {
   GroundContactState& state = *theGroundContactState;
   const double dt = theFrameInfo->cycleSeconds;
-  const double share = timeConstant_ > 0 ? 1 - std::exp(-dt / timeConstant_) : 1;
+  const double share = timeConstant > 0 ? 1 - std::exp(-dt / timeConstant) : 1;
   const auto upward = [](const FootForceData& sensor) { return sensor.contact ? sensor.force.z() : 0.0; };
   const auto foot = [&](const FootForceData& sole, const FootForceData& toe, double& load, bool& contact) {
     if (theFrameInfo->restarted) load = 0;
     load += share * (std::max(0.0, upward(sole) + upward(toe)) - load);
-    contact = load > (contact ? off_ : on_);
+    contact = load > (contact ? releaseLoad : contactLoad);
   };
   foot(theSensorData->leftFoot, theSensorData->leftToe, state.leftLoad, state.leftContact);
   foot(theSensorData->rightFoot, theSensorData->rightToe, state.rightLoad, state.rightContact);

@@ -7,20 +7,21 @@
 namespace plumbline {
 
 MODULE(GroundContactDetector)
-REQUIRES(FrameInfo)
-REQUIRES(SensorData)
-PROVIDES(GroundContactState)
+  REQUIRES(FrameInfo)
+  REQUIRES(SensorData)
+  PROVIDES(GroundContactState)
+  PARAMETER(double, timeConstant, 0.03, "s", Range(0, 10), "time constant of the low-pass on the load")
+  PARAMETER(double, contactLoad, 6, "N", Range(0, 1000), "a foot with more load touches the ground")
+  PARAMETER(double, releaseLoad, 2, "N", Range(0, 1000), "a foot with less load has left the ground")
 END_MODULE
 
 /// Which feet carry the robot, from the force sensors, low-pass filtered.
 class GroundContactDetector : public GroundContactDetectorBase {
 public:
-  void init() override;
+  void parametersChanged() override;
   void update(GroundContactState* theGroundContactState) override;
 
 private:
-  double timeConstant_ = 0;  ///< of the low-pass [s]
-  double on_ = 0, off_ = 0;  ///< load that makes a contact, and below which it ends [N]
 };
 
 }  // namespace plumbline

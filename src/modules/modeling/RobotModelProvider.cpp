@@ -7,9 +7,9 @@ namespace plumbline {
 MAKE_MODULE(RobotModelProvider)
 
 void RobotModelProvider::execute() {
-  if (thePlayerInfo->robotType != type_) {
-    type_ = thePlayerInfo->robotType;
-    model_ = simsparkRobot(type_);
+  if (thePlayerInfo->robot != name_) {
+    name_ = thePlayerInfo->robot;
+    model_ = Humanoid(findMechanism(name_)).model();
     kinematics_ = std::make_unique<ForwardKinematics>(model_);
     head_ = model_.linkIndex("head");
     leftFoot_ = model_.linkIndex("lFoot");
@@ -17,16 +17,17 @@ void RobotModelProvider::execute() {
     T_leftFoot_sole_ = LegKinematics(model_, Side::left).T_foot_sole();
     T_rightFoot_sole_ = LegKinematics(model_, Side::right).T_foot_sole();
   }
-  kinematics_->update(theJointData->angles);
+  if (kinematics_) kinematics_->update(theJointData->angles);
 }
 
 void RobotModelProvider::update(RobotDescription* theRobotDescription) {
-  if (theRobotDescription->type == type_) return;
-  theRobotDescription->type = type_;
+  if (theRobotDescription->name == name_) return;
+  theRobotDescription->name = name_;
   theRobotDescription->model = model_;
 }
 
 void RobotModelProvider::update(FKModel* theFKModel) {
+  if (!kinematics_) return;
   theFKModel->T_torso_link.resize(model_.links.size());
   for (std::size_t i = 0; i < model_.links.size(); ++i)
     theFKModel->T_torso_link[i] = kinematics_->link(static_cast<int>(i));

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <string>
 
 #include "framework/Module.h"
 #include "representations/infrastructure/JointData.h"
@@ -11,13 +12,13 @@
 namespace plumbline {
 
 MODULE(RobotModelProvider)
-REQUIRES(PlayerInfo)
-REQUIRES(JointData)
-PROVIDES(RobotDescription)
-PROVIDES(FKModel)
+  REQUIRES(PlayerInfo)
+  REQUIRES(JointData)
+  PROVIDES(RobotDescription)
+  PROVIDES(FKModel)
 END_MODULE
 
-/// The robot of PlayerInfo's type, and where its links are for the measured angles.
+/// The robot that PlayerInfo names, and where its links are for the measured angles.
 class RobotModelProvider : public RobotModelProviderBase {
 public:
   void execute() override;
@@ -25,7 +26,7 @@ public:
   void update(FKModel* theFKModel) override;
 
 private:
-  int type_ = -1;
+  std::string name_;
   RobotModel model_;
   std::unique_ptr<ForwardKinematics> kinematics_;
   int head_ = 0, leftFoot_ = 0, rightFoot_ = 0;

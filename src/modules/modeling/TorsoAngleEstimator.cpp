@@ -6,22 +6,7 @@ namespace plumbline {
 
 MAKE_MODULE(TorsoAngleEstimator)
 
-void TorsoAngleEstimator::init() {
-  AttitudeFilter::Parameters p;
-  p.movingTimeConstant = config.get<double>("movingTimeConstant", {0.1, 1e4});
-  p.stillTimeConstant = config.get<double>("stillTimeConstant", {0.01, 1e4});
-  p.stillGyro = config.get<double>("stillGyro", {0, 10});
-  p.stillAcc = config.get<double>("stillAcc", {0, 10});
-  p.stillCycles = config.get<int>("stillCycles", {1, 1000});
-  p.averageTimeConstant = config.get<double>("averageTimeConstant", {0.01, 100});
-  p.lostAngle = config.get<double>("lostAngle", {0.01, 3.2});
-  p.lostSeconds = config.get<double>("lostSeconds", {0, 100});
-  p.tiltNoise = config.get<double>("tiltNoise", {0, 1});
-  p.groundGate = config.get<double>("groundGate", {0.1, 1000});
-  elevationNoise_ = config.get<double>("elevationNoise", {1e-6, 1});
-  rangeNoise_ = config.get<double>("rangeNoise", {1e-6, 1});
-  filter_ = AttitudeFilter(p);
-}
+void TorsoAngleEstimator::parametersChanged() { filter_.setParameters(filter); }
 
 void TorsoAngleEstimator::execute() {
   if (theFrameInfo->restarted) filter_.reset();
@@ -33,8 +18,8 @@ void TorsoAngleEstimator::addToGround(const PolarPoint& point) {
   const double flat = point.distance * std::cos(point.elevation);
   const Vec3 inHead(flat * std::cos(point.azimuth), flat * std::sin(point.azimuth),
                     point.distance * std::sin(point.elevation));
-  const double deviation = elevationNoise_ * point.distance;
-  ground_.add(theFKModel->T_torso_head * inHead, deviation * deviation + rangeNoise_ * rangeNoise_);
+  const double deviation = elevationNoise * point.distance;
+  ground_.add(theFKModel->T_torso_head * inHead, deviation * deviation + rangeNoise * rangeNoise);
 }
 
 void TorsoAngleEstimator::lookAtGround() {

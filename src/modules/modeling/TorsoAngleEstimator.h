@@ -10,19 +10,23 @@
 namespace plumbline {
 
 MODULE(TorsoAngleEstimator)
-REQUIRES(FrameInfo)
-REQUIRES(SensorData)
-REQUIRES_IF_PROVIDED(FKModel)
-REQUIRES_IF_PROVIDED(PolarLinePercept)
-PROVIDES(TorsoAngles)
-PROVIDES(UprightVec)
+  REQUIRES(FrameInfo)
+  REQUIRES(SensorData)
+  REQUIRES_IF_PROVIDED(FKModel)
+  REQUIRES_IF_PROVIDED(PolarLinePercept)
+  PROVIDES(TorsoAngles)
+  PROVIDES(UprightVec)
+  PARAMETER_GROUP(AttitudeFilter::Parameters, filter, "the filter of the tilt")
+  PARAMETER(double, elevationNoise, 0.00214, "rad", Range(1e-6, 1),
+            "standard deviation of the elevation of seen points")
+  PARAMETER(double, rangeNoise, 0.004, "m", Range(1e-6, 1), "standard deviation of seen points nearby")
 END_MODULE
 
 /// Tilt of the torso, and how far it has turned, from gyroscope, accelerometer and the ground that field
 /// lines show (see AttitudeFilter).
 class TorsoAngleEstimator : public TorsoAngleEstimatorBase {
 public:
-  void init() override;
+  void parametersChanged() override;
   void execute() override;
   void update(TorsoAngles* theTorsoAngles) override;
   void update(UprightVec* theUprightVec) override;
@@ -33,7 +37,6 @@ private:
 
   AttitudeFilter filter_;
   GroundPlane ground_;
-  double elevationNoise_ = 0, rangeNoise_ = 0;  ///< [rad, m]
 };
 
 }  // namespace plumbline

@@ -6,7 +6,7 @@ MAKE_MODULE(DeadMotion)
 
 void DeadMotion::update(DeadMotionOutput* theDeadMotionOutput) {
   theDeadMotionOutput->targets.set.fill(true);
-  theDeadMotionOutput->targets.hardness.fill(0);
+  theDeadMotionOutput->targets.stiffness.fill(0);
 }
 
 }  // namespace plumbline

@@ -1,11 +1,11 @@
 #pragma once
 #include "framework/Module.h"
-#include "representations/motion/MotionOutputs.h"
+#include "representations/motion/DeadMotionOutput.h"
 
 namespace plumbline {
 
 MODULE(DeadMotion)
-PROVIDES(DeadMotionOutput)
+  PROVIDES(DeadMotionOutput)
 END_MODULE
 
 /// Makes every joint slack. For robots that can: SimSpark's motors cannot, and it is never selected there.

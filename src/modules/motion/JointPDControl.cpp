@@ -4,17 +4,15 @@ namespace plumbline {
 
 MAKE_MODULE(JointPDControl)
 
-void JointPDControl::init() {
-  parameters_.gain = config.get<double>("gain", {0.05, 1});
-  parameters_.stopMargin = config.get<double>("stopMargin", {0, 0.2});
-  cycle_ = config.get<double>("cycle", {0.001, 0.1});
+void JointPDControl::parametersChanged() {
+  if (control_) control_->setParameters(control);
 }
 
 void JointPDControl::update(JointRequestWithSpeeds* theJointRequestWithSpeeds) {
-  if (theRobotDescription->type < 0) return;
-  if (theRobotDescription->type != type_) {
-    type_ = theRobotDescription->type;
-    control_.emplace(theRobotDescription->model, parameters_);
+  if (!theRobotDescription->known()) return;
+  if (theRobotDescription->name != robot_) {
+    robot_ = theRobotDescription->name;
+    control_.emplace(theRobotDescription->model, control);
     targets_ = theJointData->angles;
   }
   if (theFrameInfo->restarted) {
@@ -24,7 +22,7 @@ void JointPDControl::update(JointRequestWithSpeeds* theJointRequestWithSpeeds) {
   const JointTargets& wanted = theJointRequest->targets;
   for (std::size_t j = 0; j < numJoints; ++j)
     if (wanted.set[j]) targets_[j] = wanted.angles[j];
-  theJointRequestWithSpeeds->speeds = control_->update(theJointData->angles, targets_, cycle_);
+  theJointRequestWithSpeeds->speeds = control_->update(theJointData->angles, targets_, cycle);
 }
 
 }  // namespace plumbline

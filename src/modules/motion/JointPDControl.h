@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 
 #include "framework/Module.h"
 #include "representations/infrastructure/FrameInfo.h"
@@ -11,26 +12,26 @@
 namespace plumbline {
 
 MODULE(JointPDControl)
-REQUIRES(FrameInfo)
-REQUIRES(RobotDescription)
-REQUIRES(JointData)
-REQUIRES(JointRequest)
-PROVIDES(JointRequestWithSpeeds)
+  REQUIRES(FrameInfo)
+  REQUIRES(RobotDescription)
+  REQUIRES(JointData)
+  REQUIRES(JointRequest)
+  PROVIDES(JointRequestWithSpeeds)
+  PARAMETER_GROUP(JointVelocityParameters, control, "from joint angles to motor speeds")
+  PARAMETER(double, cycle, 0.02, "s", Range(0.001, 0.1), "duration of a cycle of the motors")
 END_MODULE
 
 /// Hinge speeds that reach the requested angles as soon as the motors' speed and the platform's delay of one
 /// cycle allow. Joints without a request stand still.
 class JointPDControl : public JointPDControlBase {
 public:
-  void init() override;
+  void parametersChanged() override;
   void update(JointRequestWithSpeeds* theJointRequestWithSpeeds) override;
 
 private:
-  JointVelocityParameters parameters_;
-  double cycle_ = 0;  ///< [s]
   std::optional<JointVelocityControl> control_;
   JointArray targets_{};
-  int type_ = -1;
+  std::string robot_;
 };
 
 }  // namespace plumbline

@@ -5,22 +5,21 @@ namespace plumbline {
 MAKE_MODULE(KickMotion)
 
 void KickMotion::init() {
-  name_ = config.get<std::string>("rightFoot");
   if (const RobotModel* robot = findObject<RobotModel>()) read(*robot);
 }
 
 void KickMotion::read(const RobotModel& robot) {
   const std::vector<motion::KeyframeMotion> motions = readMotions(config, robot);
-  const motion::KeyframeMotion* kick = findMotion(motions, name_);
-  if (!kick) config.fail("rightFoot", "there is no motion " + name_ + " in motions/");
+  const motion::KeyframeMotion* kick = findMotion(motions, rightFoot);
+  if (!kick) config.refuse("rightFoot", missingMotion(motions, rightFoot));
   right_ = *kick;
   left_ = mirrored(*kick);
 }
 
 void KickMotion::update(KickMotionOutput* theKickMotionOutput) {
-  if (theRobotDescription->type < 0) return;
-  if (theRobotDescription->type != type_) {
-    type_ = theRobotDescription->type;
+  if (!theRobotDescription->known()) return;
+  if (theRobotDescription->name != robot_) {
+    robot_ = theRobotDescription->name;
     read(theRobotDescription->model);
     player_ = {};
   }

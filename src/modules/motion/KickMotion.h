@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "framework/Module.h"
 #include "modules/motion/Motions.h"
 #include "motion/KeyframePlayer.h"
@@ -6,20 +8,22 @@
 #include "representations/infrastructure/JointData.h"
 #include "representations/infrastructure/RobotDescription.h"
 #include "representations/infrastructure/SensorData.h"
-#include "representations/motion/MotionOutputs.h"
+#include "representations/motion/KickMotionOutput.h"
 #include "representations/motion/MotionRequest.h"
 #include "representations/motion/MotionSelection.h"
 
 namespace plumbline {
 
 MODULE(KickMotion)
-REQUIRES(FrameInfo)
-REQUIRES(RobotDescription)
-REQUIRES(MotionRequest)
-REQUIRES(MotionSelection)
-REQUIRES(JointData)
-REQUIRES(SensorData)
-PROVIDES(KickMotionOutput)
+  REQUIRES(FrameInfo)
+  REQUIRES(RobotDescription)
+  REQUIRES(MotionRequest)
+  REQUIRES(MotionSelection)
+  REQUIRES(JointData)
+  REQUIRES(SensorData)
+  PROVIDES(KickMotionOutput)
+  PARAMETER(std::string, rightFoot, "kickRight", "", Range(),
+            "motion of motions/ that kicks with the right foot; its mirror image kicks with the left")
 END_MODULE
 
 /// The quick kick with either foot: keyframes for the right foot, shifted to where the ball lies.
@@ -31,11 +35,10 @@ public:
 private:
   void read(const RobotModel& robot);
 
-  std::string name_;
   motion::KeyframeMotion right_, left_;
   motion::KeyframePlayer player_;
   Stillness stillness_;
-  int type_ = -1;
+  std::string robot_;
 };
 
 }  // namespace plumbline

@@ -5,31 +5,29 @@ namespace plumbline {
 MAKE_MODULE(MotionCombinator)
 
 void MotionCombinator::update(JointRequest* theJointRequest) {
-  std::array<const JointTargets*, numMotions> motions{};
-  motions[static_cast<std::size_t>(Motion::stand)] = &theStandOutput->targets;
-  motions[static_cast<std::size_t>(Motion::walk)] = &theWalkingEngineOutput->targets;
-  motions[static_cast<std::size_t>(Motion::specialAction)] = &theSpecialActionsOutput->targets;
-  motions[static_cast<std::size_t>(Motion::kick)] = &theKickMotionOutput->targets;
-  if (theDeadMotionOutput) motions[static_cast<std::size_t>(Motion::dead)] = &theDeadMotionOutput->targets;
-
+  ratios_.clear();
+  const JointTargets* selected = nullptr;
+  for (const MotionOutput* output : allMotionOutputs) {
+    ratios_.push_back(theMotionSelection->ratio(output->motion));
+    if (output->motion == theMotionSelection->motion) selected = &output->targets;
+  }
   JointTargets& result = theJointRequest->targets;
   for (std::size_t j = 0; j < numJoints; ++j) {
-    double weight = 0, angle = 0, hardness = 0;
-    for (std::size_t m = 0; m < motions.size(); ++m) {
-      const double ratio = theMotionSelection->ratios[m];
-      if (!motions[m] || !motions[m]->set[j] || ratio <= 0) continue;
-      weight += ratio;
-      angle += ratio * motions[m]->angles[j];
-      hardness += ratio * motions[m]->hardness[j];
+    double weight = 0, angle = 0, stiffness = 0;
+    for (std::size_t m = 0; m < allMotionOutputs.size(); ++m) {
+      const JointTargets& targets = allMotionOutputs[m]->targets;
+      if (!targets.set[j] || ratios_[m] <= 0) continue;
+      weight += ratios_[m];
+      angle += ratios_[m] * targets.angles[j];
+      stiffness += ratios_[m] * targets.stiffness[j];
     }
     // A joint nobody moves now keeps its last target.
     if (weight <= 0) continue;
     result.angles[j] = angle / weight;
-    result.hardness[j] = hardness / weight;
+    result.stiffness[j] = stiffness / weight;
     result.set[j] = true;
   }
 
-  const JointTargets* selected = motions[static_cast<std::size_t>(theMotionSelection->motion)];
   if (!selected || !selected->set[headYaw]) result.setTo(headYaw, theHeadMotionRequest->yaw);
   if (!selected || !selected->set[headPitch]) result.setTo(headPitch, theHeadMotionRequest->pitch);
 }

@@ -1,54 +1,45 @@
 #include "modules/motion/MotionSelector.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "modules/motion/Motions.h"
 
 namespace plumbline {
 
 MAKE_MODULE(MotionSelector)
 
-namespace {
-
-constexpr std::size_t indexOf(Motion motion) { return static_cast<std::size_t>(motion); }
-
-}  // namespace
-
 void MotionSelector::init() {
-  fadeSeconds_[indexOf(Motion::stand)] = config.get<double>("fadeSeconds.stand", {0, 2});
-  fadeSeconds_[indexOf(Motion::walk)] = config.get<double>("fadeSeconds.walk", {0, 2});
-  standUpFront_ = config.get<std::string>("standUp.front");
-  standUpBack_ = config.get<std::string>("standUp.back");
-  standUpSide_ = config.get<std::string>("standUp.side");
-  standUpGrace_ = config.get<double>("standUp.graceSeconds", {0, 5});
+  // Where main knows the robot, a name that nothing has is told before anything else starts.
+  const RobotModel* robot = findObject<RobotModel>();
+  if (!robot) return;
+  const auto motions = readMotions(config, *robot);
+  for (const auto& [key, name] : {std::pair{"standUp.front", &standUp.front},
+                                  {"standUp.back", &standUp.back},
+                                  {"standUp.side", &standUp.side}})
+    if (!findMotion(motions, *name)) config.refuse(key, missingMotion(motions, *name));
 }
 
-bool MotionSelector::safeToLeave(Motion motion) const {
-  switch (motion) {
-    case Motion::walk:
-      return !theWalkingEngineOutput || theWalkingEngineOutput->standing;
-    case Motion::specialAction:
-      return !theSpecialActionsOutput || theSpecialActionsOutput->finished;
-    case Motion::kick:
-      return !theKickMotionOutput || theKickMotionOutput->finished;
-    case Motion::stand:
-    case Motion::dead:
-      break;
-  }
-  return true;
+const MotionOutput* MotionSelector::output(const std::string& motion) const {
+  for (const MotionOutput* output : allMotionOutputs)
+    if (output->motion == motion) return output;
+  return nullptr;
 }
 
 const std::string& MotionSelector::standUpAction() const {
   switch (theFallState->posture) {
     case Posture::onFront:
-      return standUpFront_;
+      return standUp.front;
     case Posture::onLeft:
     case Posture::onRight:
-      return standUpSide_;
+      return standUp.side;
     default:
-      return standUpBack_;
+      return standUp.back;
   }
 }
 
-void MotionSelector::start(MotionSelection& selection, Motion motion, const std::string& specialAction) {
+void MotionSelector::start(MotionSelection& selection, const std::string& motion,
+                           const std::string& specialAction) {
   // What begins at the measured joint angles needs no fading, nor does what is only begun again.
   if (motion != selection.motion) {
     fadeFrom_ = selection.ratios;
@@ -61,35 +52,50 @@ void MotionSelector::start(MotionSelection& selection, Motion motion, const std:
 
 void MotionSelector::fade(MotionSelection& selection) {
   fadeTime_ += theFrameInfo->cycleSeconds;
-  const double seconds = fadeSeconds_[indexOf(selection.motion)];
+  const MotionOutput* selected = output(selection.motion);
+  const double seconds = selected ? selected->fadeSeconds : 0;
   const double share = fadeTime_ < seconds ? fadeTime_ / seconds : 1;
   for (std::size_t m = 0; m < selection.ratios.size(); ++m)
-    selection.ratios[m] = (1 - share) * fadeFrom_[m] + (m == indexOf(selection.motion) ? share : 0);
+    selection.ratios[m] = (1 - share) * fadeFrom_[m] + (selection.motions[m] == selection.motion ? share : 0);
 }
 
 void MotionSelector::update(MotionSelection* theMotionSelection) {
   MotionSelection& selection = *theMotionSelection;
   selection.started = false;
+  if (selection.motions.size() != allMotionOutputs.size()) {
+    selection.motions.clear();
+    for (const MotionOutput* output : allMotionOutputs) selection.motions.push_back(output->motion);
+    selection.ratios.assign(selection.motions.size(), 0);
+    for (std::size_t m = 0; m < selection.motions.size(); ++m)
+      selection.ratios[m] = selection.motions[m] == selection.motion;
+    fadeFrom_ = selection.ratios;
+  }
   if (theFrameInfo->restarted) {
     standingUp_ = false;
     grace_ = 0;
     start(selection, Motion::stand, "");
   }
-  const bool safe = safeToLeave(selection.motion);
+  const MotionOutput* current = output(selection.motion);
+  const bool safe = !current || current->finished;
   grace_ = std::max(0.0, grace_ - theFrameInfo->cycleSeconds);
   if (!standingUp_ || safe) {
     // A stand-up ends while the torso still swings up; to begin it anew then would throw the robot over.
-    if (standingUp_) grace_ = standUpGrace_;
+    if (standingUp_) grace_ = standUp.graceSeconds;
     standingUp_ = theFallState->lying() && grace_ <= 0;
     if (standingUp_) {
       start(selection, Motion::specialAction, standUpAction());
     } else {
-      const Motion wanted = theMotionRequest->motion;
+      const MotionOutput* next = output(theMotionRequest->motion);
+      if (!next && unknown_ != theMotionRequest->motion)
+        log.error() << "no module of modules.cfg provides the motion \"" << theMotionRequest->motion
+                    << "\": the robot stands";
+      unknown_ = next ? "" : theMotionRequest->motion;
+      const std::string wanted = next ? next->motion : Motion::stand;
       const bool same =
           wanted == selection.motion &&
           (wanted != Motion::specialAction || selection.specialAction == theMotionRequest->specialAction);
-      const bool endsByItself = wanted == Motion::specialAction || wanted == Motion::kick;
-      if (safe && (!same || endsByItself)) start(selection, wanted, theMotionRequest->specialAction);
+      if (safe && (!same || (next && next->endsByItself)))
+        start(selection, wanted, theMotionRequest->specialAction);
     }
   }
   fade(selection);

@@ -4,20 +4,29 @@
 #include "framework/Module.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/modeling/FallState.h"
-#include "representations/motion/MotionOutputs.h"
+#include "representations/motion/MotionOutput.h"
 #include "representations/motion/MotionRequest.h"
 #include "representations/motion/MotionSelection.h"
 
 namespace plumbline {
 
+struct StandUpParameters {
+  PARAMETERS(StandUpParameters)
+  PARAMETER(std::string, front, "standUpFront", "", Range(),
+            "motion of motions/ for a robot that lies on its front")
+  PARAMETER(std::string, back, "standUpBack", "", Range(), "for one on its back")
+  PARAMETER(std::string, side, "rollOver", "", Range(), "for one on its side")
+  PARAMETER(double, graceSeconds, 0.5, "s", Range(0, 5),
+            "time until the next try, since a stand-up ends while the torso still swings up")
+};
+
 MODULE(MotionSelector)
-REQUIRES(FrameInfo)
-REQUIRES(MotionRequest)
-REQUIRES(FallState)
-USES(WalkingEngineOutput)
-USES(SpecialActionsOutput)
-USES(KickMotionOutput)
-PROVIDES(MotionSelection)
+  REQUIRES(FrameInfo)
+  REQUIRES(MotionRequest)
+  REQUIRES(FallState)
+  USES_ALL(MotionOutput)
+  PROVIDES(MotionSelection)
+  PARAMETER_GROUP(StandUpParameters, standUp, "what a robot does that lies")
 END_MODULE
 
 /// Which motion drives the joints: the requested one as soon as the one before it can be left safely. A robot
@@ -28,19 +37,18 @@ public:
   void update(MotionSelection* theMotionSelection) override;
 
 private:
-  bool safeToLeave(Motion motion) const;
+  /// The motion's output, null if there is no such motion.
+  const MotionOutput* output(const std::string& motion) const;
   /// The special action that stands up from how the robot lies.
   const std::string& standUpAction() const;
-  void start(MotionSelection& selection, Motion motion, const std::string& specialAction);
+  void start(MotionSelection& selection, const std::string& motion, const std::string& specialAction);
   void fade(MotionSelection& selection);
 
-  std::array<double, numMotions> fadeSeconds_{};  ///< to fade into each motion; 0: at once [s]
-  std::string standUpFront_, standUpBack_, standUpSide_;
-  std::array<double, numMotions> fadeFrom_{};  ///< ratios when the fade began
-  double fadeTime_ = 0;                        ///< since the fade began [s]
+  std::vector<double> fadeFrom_;  ///< ratios when the fade began
+  double fadeTime_ = 0;           ///< since the fade began [s]
   bool standingUp_ = false;
-  double standUpGrace_ = 0;  ///< after a stand-up, until a robot that still lies tries again [s]
-  double grace_ = 0;         ///< what is left of it [s]
+  double grace_ = 0;     ///< what is left of standUp.graceSeconds [s]
+  std::string unknown_;  ///< the last motion asked for that there is not
 };
 
 }  // namespace plumbline

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "framework/ConfigurationError.h"
+#include "framework/NearestName.h"
 #include "motion/KeyframeReader.h"
 
 namespace plumbline {
@@ -29,6 +30,12 @@ const motion::KeyframeMotion* findMotion(const std::vector<motion::KeyframeMotio
   const auto found =
       std::find_if(motions.begin(), motions.end(), [&](const auto& motion) { return motion.name == name; });
   return found == motions.end() ? nullptr : &*found;
+}
+
+std::string missingMotion(const std::vector<motion::KeyframeMotion>& motions, const std::string& name) {
+  std::vector<std::string> names;
+  for (const motion::KeyframeMotion& motion : motions) names.push_back(motion.name);
+  return "there is no motion " + name + " in motions/" + suggestion(name, names);
 }
 
 bool Stillness::update(const Vec3& gyro) {

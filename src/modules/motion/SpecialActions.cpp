@@ -17,9 +17,9 @@ void SpecialActions::start() {
 }
 
 void SpecialActions::update(SpecialActionsOutput* theSpecialActionsOutput) {
-  if (theRobotDescription->type < 0) return;
-  if (theRobotDescription->type != type_) {
-    type_ = theRobotDescription->type;
+  if (!theRobotDescription->known()) return;
+  if (theRobotDescription->name != robot_) {
+    robot_ = theRobotDescription->name;
     motions_ = readMotions(config, theRobotDescription->model);
     player_ = {};
   }

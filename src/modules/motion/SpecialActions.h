@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "framework/Module.h"
 #include "modules/motion/Motions.h"
 #include "motion/KeyframePlayer.h"
@@ -6,18 +8,18 @@
 #include "representations/infrastructure/JointData.h"
 #include "representations/infrastructure/RobotDescription.h"
 #include "representations/infrastructure/SensorData.h"
-#include "representations/motion/MotionOutputs.h"
 #include "representations/motion/MotionSelection.h"
+#include "representations/motion/SpecialActionsOutput.h"
 
 namespace plumbline {
 
 MODULE(SpecialActions)
-REQUIRES(FrameInfo)
-REQUIRES(RobotDescription)
-REQUIRES(MotionSelection)
-REQUIRES(JointData)
-REQUIRES(SensorData)
-PROVIDES(SpecialActionsOutput)
+  REQUIRES(FrameInfo)
+  REQUIRES(RobotDescription)
+  REQUIRES(MotionSelection)
+  REQUIRES(JointData)
+  REQUIRES(SensorData)
+  PROVIDES(SpecialActionsOutput)
 END_MODULE
 
 /// Plays the keyframe motion that is selected, from the joint angles at its start.
@@ -32,7 +34,7 @@ private:
   std::vector<motion::KeyframeMotion> motions_;
   motion::KeyframePlayer player_;
   Stillness stillness_;
-  int type_ = -1;
+  std::string robot_;
 };
 
 }  // namespace plumbline

@@ -1,14 +1,18 @@
 #pragma once
+#include <string>
+
 #include "framework/Module.h"
 #include "representations/infrastructure/RobotDescription.h"
-#include "representations/motion/MotionOutputs.h"
-#include "walking/WalkGaits.h"
+#include "representations/motion/StandOutput.h"
+#include "walking/parameters/WalkGaits.h"
 
 namespace plumbline {
 
 MODULE(StandMotion)
-REQUIRES(RobotDescription)
-PROVIDES(StandOutput)
+  REQUIRES(RobotDescription)
+  PROVIDES(StandOutput)
+  PARAMETER(double, fadeSeconds, 0.14, "s", Range(0, 2),
+            "time in which the motion before fades into the stand")
 END_MODULE
 
 /// Stands as the walk does between steps, so that walk and stand need no way from one to the other.
@@ -19,7 +23,7 @@ public:
 
 private:
   walking::WalkGaits gaits_;
-  int type_ = -1;
+  std::string robot_;
 };
 
 }  // namespace plumbline

@@ -1,6 +1,6 @@
 #pragma once
 #include "framework/Config.h"
-#include "walking/WalkGaits.h"
+#include "walking/parameters/WalkGaits.h"
 
 namespace plumbline {
 

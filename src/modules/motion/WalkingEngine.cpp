@@ -1,5 +1,6 @@
 #include "modules/motion/WalkingEngine.h"
 
+#include "framework/DebugSite.h"
 #include "framework/ThreadPriority.h"
 #include "modules/motion/WalkConfig.h"
 
@@ -7,20 +8,34 @@ namespace plumbline {
 
 MAKE_MODULE(WalkingEngine)
 
+void WalkingEngine::parametersChanged() {
+  if (!used_) return;
+  walking::WalkGaits wanted = walk;
+  for (const walking::WalkParameter& one : walking::walkParameters()) {
+    for (std::size_t i = 0; i < walking::WalkGaits::numCorners; ++i)
+      if (one.of(used_->corner[i]) == one.of(used_->base) && one.of(walk.corner[i]) == one.of(used_->base))
+        one.of(wanted.corner[i]) = one.of(walk.base);
+  }
+  wanted.check();
+  if (engine_) engine_->setGaits(wanted);
+  used_ = walk = wanted;
+}
+
 void WalkingEngine::init() {
-  gaits_ = readWalkGaits(config);
-  const bool fits = config.get<bool>("fit.enabled");
-  fitsPlan_ = config.get<bool>("fit.plan");
+  if (config.exists("WalkingEngine") && config.has("walk"))
+    config.fail("walk", "stands in walking.yaml, for all that walks");
+  walk = readWalkGaits(config);
+  used_ = walk;
   walking::BackgroundFitOptions options;
-  options.steps = static_cast<std::size_t>(config.get<int>("fit.steps", {6, 10000}));
+  options.steps = static_cast<std::size_t>(fit.steps);
   options.maxSteps = 3 * options.steps;
-  options.duration = config.get<double>("fit.seconds", {0.1, 3600});
-  options.cpuShare = config.get<double>("fit.cpuShare", {0.01, 1});
-  options.wait = config.get<bool>("fit.wait");
-  options.fit.plan = fitsPlan_;
-  options.fit.generations = config.get<int>("fit.generations", {1, 100000});
+  options.duration = fit.seconds;
+  options.cpuShare = fit.cpuShare;
+  options.wait = fit.wait;
+  options.fit.plan = fit.plan;
+  options.fit.generations = fit.generations;
   options.onThreadStart = [] { applyThreadPriority(0, 14); };
-  if (fits) fit_ = std::make_unique<walking::BackgroundFit>(options);
+  if (fit.enabled) fit_ = std::make_unique<walking::BackgroundFit>(options);
 }
 
 namespace {
@@ -44,15 +59,15 @@ void WalkingEngine::fitModel() {
   };
   log << "walk model: error on held-out steps, predicting " << result->predictionHeldBefore << " -> "
       << result->predictionHeldAfter << fate(result->predicts);
-  if (fitsPlan_)
+  if (fit.plan)
     log << "; planning " << result->heldBefore << " -> " << result->heldAfter << fate(result->accepted);
 }
 
 void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
-  if (theRobotDescription->type < 0) return;
-  if (theRobotDescription->type != type_) {
-    type_ = theRobotDescription->type;
-    engine_.emplace(gaits_, theRobotDescription->model);
+  if (!theRobotDescription->known()) return;
+  if (theRobotDescription->name != robot_) {
+    robot_ = theRobotDescription->name;
+    engine_.emplace(walk, theRobotDescription->model);
   }
   const bool selected = theMotionSelection->motion == Motion::walk;
   if (fit_ && !selected && !standing_) fit_->fell();
@@ -64,6 +79,8 @@ void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
     request.walk = theMotionRequest->motion == Motion::walk;
     request.velocity = theMotionRequest->walkVelocity;
     request.turn = theMotionRequest->walkTurn;
+    MODIFY("module:WalkingEngine:velocity", request.velocity);
+    MODIFY("module:WalkingEngine:turn", request.turn);
     walking::WalkSensors sensors;
     sensors.angles = theJointData->angles;
     sensors.torsoAngles = Vec2(theTorsoAngles->roll, theTorsoAngles->pitch);
@@ -73,13 +90,15 @@ void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
     output = engine_->update(request, sensors);
     if (fit_ && request.walk) fitModel();
     standing_ = output.standing;
+    OUTPUT("module:WalkingEngine:standing", standing_);
   } else {
     output = engine_->stand();
   }
   theWalkingEngineOutput->targets.angles = output.angles;
   theWalkingEngineOutput->targets.set = output.set;
   theWalkingEngineOutput->odometry = output.odometry;
-  theWalkingEngineOutput->standing = output.standing;
+  theWalkingEngineOutput->finished = output.standing;
+  theWalkingEngineOutput->fadeSeconds = fadeSeconds;
   theWalkingEngineOutput->velocity = output.velocity;
   theWalkingEngineOutput->turn = output.turn;
 }

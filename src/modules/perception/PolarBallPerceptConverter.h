@@ -8,10 +8,10 @@
 namespace plumbline {
 
 MODULE(PolarBallPerceptConverter)
-REQUIRES(PolarBallPercept)
-REQUIRES(TorsoPose)
-REQUIRES(FKModel)
-PROVIDES(BallPercept)
+  REQUIRES(PolarBallPercept)
+  REQUIRES(TorsoPose)
+  REQUIRES(FKModel)
+  PROVIDES(BallPercept)
 END_MODULE
 
 /// The seen ball relative to the robot on the ground, from the head's pose.

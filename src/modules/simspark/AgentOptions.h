@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -7,14 +8,16 @@ namespace plumbline {
 /// What the command line of the SimSpark agent says; a module reaches it through object<AgentOptions>().
 struct AgentOptions {
   std::string team = "Plumbline";
-  int number = 1;  ///< uniform number 1..11, or 0: the next free one
-  int type = 0;    ///< robot type 0..4
+  int number = 1;     ///< uniform number 1..11, or 0: the next free one
+  std::string token;  ///< what a server that is open to others wants to hear first; empty: nothing
+  int type = 0;       ///< robot type, 0 to numSimsparkTypes() - 1
   std::string host = "127.0.0.1";
   int port = 3100;              ///< agent port
   int monitorPort = 3200;       ///< trainer commands go there
   bool startSimulator = false;  ///< start a simulator of its own on free ports instead of connecting to host
   std::vector<std::string> simulatorOptions;  ///< passed to that simulator
-  bool status = false;                        ///< a line per second of simulated time on standard output
+  /// Takes a line for the user about what is waited for; may be empty.
+  std::function<void(const std::string&)> tell;
 };
 
 }  // namespace plumbline

@@ -35,6 +35,7 @@ bool Monitor::sendText(const std::string& text) {
   if (!connection_.connected()) {
     error_ = connection_.connect(host_, port_, 1.0);
     if (!error_.empty()) return false;
+    if (!token_.empty()) connection_.send("(token " + token_ + ")");
   }
   // The scene that the port sends is of no use here, but nobody else would take it away.
   std::string_view scene;

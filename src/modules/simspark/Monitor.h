@@ -9,13 +9,19 @@
 
 namespace plumbline {
 
-/// The `monitor` object of every module: commands to SimSpark's monitor port, for training and tests. Places
-/// are in the server's field frame, x towards the right goal [m, rad]. Connects when first used, and anew
-/// after the simulator was restarted. Every command returns false if it could not be sent; error() says why.
+/// A module reaches it through object<Monitor>(): commands to SimSpark's monitor port, for training and
+/// tests. Places are in the server's field frame, x towards the right goal [m, rad]. Connects when first
+/// used, and anew after the simulator was restarted. Every command returns false if it could not be sent;
+/// error() says why.
 class Monitor {
 public:
   /// The server to talk to from now on; an open connection to another one is closed.
   void setServer(const std::string& host, int port);
+
+  /// What the server wants to hear first; empty: nothing.
+  void setToken(const std::string& token) { token_ = token; }
+  /// Ends every wait when it becomes readable (simspark::Connection).
+  void interruptBy(int stopDescriptor) { connection_.interruptBy(stopDescriptor); }
 
   bool moveBall(const Vec3& position, const Vec3& velocity = Vec3::Zero());
   /// Upright at this place and heading, standing height above the ground.
@@ -31,7 +37,7 @@ private:
   std::string host_ = "127.0.0.1";
   int port_ = 3200;
   simspark::Connection connection_;
-  std::string error_;
+  std::string token_, error_;
 };
 
 }  // namespace plumbline

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "math/Angle.h"
+#include "simspark/LeagueRobots.h"
+#include "simspark/PerceptLimits.h"
 #include "simspark/ServerMessageParser.h"
 
 namespace plumbline {
@@ -12,8 +15,9 @@ MAKE_MODULE(Parser)
 
 namespace {
 
-constexpr double nominalCycle = 0.02;  ///< of SimSpark [s]
-constexpr double longestCycle = 0.5;   ///< a later message is of a new start [s]
+constexpr double nominalCycle = 0.02;   ///< of SimSpark [s]
+constexpr double longestCycle = 0.5;    ///< a later message is of a new start [s]
+constexpr double shortestCycle = 1e-3;  ///< what comes sooner says nothing of the cycle's length [s]
 
 PolarPoint pointOf(const simspark::Polar& polar) {
   PolarPoint point;
@@ -39,7 +43,7 @@ void Parser::init() {
   const AgentOptions& options = object<AgentOptions>();
   player_.team = options.team;
   player_.number = options.number;
-  player_.robotType = options.type;
+  player_.robot = simsparkRobotName(options.type);
   cycleSeconds_ = nominalCycle;
 }
 
@@ -53,17 +57,24 @@ void Parser::execute() {
   auto error = simspark::parseServerMessage(theServerMessageText->text, next_);
   if (!error && next_.time == 0 && next_.gameState.playMode.empty())
     error = simspark::ParseError{0, "neither time nor play mode in it"};
+  if (!error && !(std::abs(next_.time) <= simspark::maxServerTime))
+    error = simspark::ParseError{0, "its time is beyond all bounds"};
   readable_ = !error;
   if (error) {
-    if (broken_++ < 10)
-      log.warning() << "message " << cycle_ << " of the simulator, byte " << error->position << ": "
-                    << error->what << "; it is left out";
+    log.warning() << "message " << cycle_ << " of the simulator, byte " << error->position << ": "
+                  << error->what << "; it is left out";
     return;
+  }
+  std::string first;
+  if (const int dropped = simspark::dropImplausible(next_, message_, first); dropped > 0) {
+    dropped_ += static_cast<unsigned>(dropped);
+    log.warning() << "message " << cycle_ << " of the simulator: " << first
+                  << " is beyond what can be measured; left out, " << dropped_ << " such so far";
   }
   std::swap(message_, next_);
   const double passed = message_.time - time_;
   restarted_ = restarted_ || (started_ && (passed < 0 || passed > longestCycle));
-  if (started_ && !restarted_ && passed > 0) cycleSeconds_ = passed;
+  if (started_ && !restarted_ && passed >= shortestCycle) cycleSeconds_ = passed;
   started_ = true;
   if (restarted_) {
     cycleSeconds_ = nominalCycle;

@@ -16,24 +16,25 @@
 namespace plumbline {
 
 MODULE(Parser)
-REQUIRES(ServerMessageText)
-REQUIRES_IF_PROVIDED(SimSparkInfo)
-PROVIDES(FrameInfo)
-PROVIDES(GameState)
-PROVIDES(PlayerInfo)
-PROVIDES(JointData)
-PROVIDES(SensorData)
-PROVIDES(VisionInfo)
-PROVIDES(PolarBallPercept)
-PROVIDES(PolarLandmarkPercept)
-PROVIDES(PolarLinePercept)
-PROVIDES(PolarPlayerPercept)
-PROVIDES(HearPercept)
-PROVIDES(GroundTruth)
+  REQUIRES(ServerMessageText)
+  REQUIRES_IF_PROVIDED(SimSparkInfo)
+  PROVIDES(FrameInfo)
+  PROVIDES(GameState)
+  PROVIDES(PlayerInfo)
+  PROVIDES(JointData)
+  PROVIDES(SensorData)
+  PROVIDES(VisionInfo)
+  PROVIDES(PolarBallPercept)
+  PROVIDES(PolarLandmarkPercept)
+  PROVIDES(PolarLinePercept)
+  PROVIDES(PolarPlayerPercept)
+  PROVIDES(HearPercept)
+  PROVIDES(GroundTruth)
 END_MODULE
 
 /// Takes the simulator's message apart. Of a message that cannot be read to its end nothing is taken: it is
-/// logged, measured values stay as they were, and there is no image and nothing heard in that cycle.
+/// logged, measured values stay as they were, and there is no image and nothing heard in that cycle. A single
+/// percept beyond what can be measured (simspark/PerceptLimits.h) is left out alone.
 class Parser : public ParserBase {
 public:
   void init() override;
@@ -56,7 +57,7 @@ private:
   simspark::ServerMessage next_;
   bool started_ = false;
   bool readable_ = false;  ///< this cycle's message could be read
-  unsigned broken_ = 0;
+  unsigned dropped_ = 0;   ///< percepts beyond what can be measured, so far
   PlayerInfo player_;
   double time_ = 0, cycleSeconds_ = 0;  ///< [s]
   unsigned cycle_ = 0;

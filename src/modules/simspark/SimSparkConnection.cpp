@@ -1,11 +1,14 @@
 #include "modules/simspark/SimSparkConnection.h"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
 #include <stdexcept>
 
+#include "framework/ConfigFolder.h"
+#include "framework/Waiting.h"
 #include "modules/simspark/Monitor.h"
 
 namespace plumbline {
@@ -16,7 +19,16 @@ namespace {
 
 std::string inFolderOfAgent(const std::string& path) {
   const std::filesystem::path file(path);
-  return file.is_absolute() ? path : (std::filesystem::path(simspark::programFolder()) / file).string();
+  return file.is_absolute() ? path : (std::filesystem::path(programFolder()) / file).string();
+}
+
+constexpr double connectPause = 0.1, refusedPause = 1;  // [s]
+constexpr double tellAfter = 2;                         ///< a wait is worth a word [s]
+constexpr double placeInterval = 5;                     ///< between two requests for a place [s]
+constexpr int maxPlaceRequests = 200;
+
+double wallClock() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace
@@ -24,107 +36,182 @@ std::string inFolderOfAgent(const std::string& path) {
 void SimSparkConnection::init() {
   options_ = &object<AgentOptions>();
   link_ = &object<SimSparkLink>();
-  simulatorProgram_ = inFolderOfAgent(config.get<std::string>("simulator"));
-  connectSeconds_ = config.get<double>("connectSeconds", {0, 3600});
-  reconnect_ = config.get<bool>("reconnect");
-  maxRestarts_ = config.get<int>("maxRestarts", {0, 1e9});
+  link_->connection.interruptBy(stopDescriptor());
+  monitor_ = &object<Monitor>();
+  monitor_->interruptBy(stopDescriptor());
+  monitor_->setToken(options_->token);
+  simulatorProgram_ = inFolderOfAgent(simulator);
 }
 
-bool SimSparkConnection::tryConnect(std::string& why) {
-  link_->ports = {options_->port, options_->monitorPort};
-  std::string host = options_->host;
-  if (options_->startSimulator) {
-    if (link_->simulator && !link_->simulator->process().running()) link_->simulator.reset();
-    if (!link_->simulator) {
-      if (connections_ > 0 && restarts_++ >= maxRestarts_) {
-        requestStop(1, "the simulator died " + std::to_string(restarts_) +
-                           " times; see SimSparkConnection.yaml: maxRestarts");
-        return false;
-      }
-      const std::string base =
-          (std::filesystem::temp_directory_path() / ("plumbline-" + std::to_string(getpid()))).string();
-      std::vector<std::string> simulatorOptions = options_->simulatorOptions;
-      simulatorOptions.emplace_back("--die-with-parent");
-      try {
-        link_->simulator = std::make_unique<simspark::SimulatorProcess>(simulatorProgram_, simulatorOptions,
-                                                                        base + ".ports", base + ".log");
-      } catch (const std::runtime_error& error) {
-        requestStop(1, error.what());
-        return false;
-      }
-      std::filesystem::remove(base + ".ports");
-      std::filesystem::remove(base + ".log");  // the child keeps its descriptor; nothing stays in the folder
-      log << "started " << simulatorProgram_ << " on port " << link_->simulator->ports().agent;
+bool SimSparkConnection::startSimulator() {
+  if (link_->simulator && !link_->simulator->process().running()) link_->simulator.reset();
+  if (!link_->simulator) {
+    if (connections_ > 0 && restarts_++ >= maxRestarts) {
+      requestStop(1, "the simulator died " + std::to_string(restarts_) +
+                         " times; see SimSparkConnection.yaml: maxRestarts");
+      return false;
     }
-    link_->ports = link_->simulator->ports();
-    host = "127.0.0.1";
+    const std::string base =
+        (std::filesystem::temp_directory_path() / ("plumbline-" + std::to_string(getpid()))).string();
+    std::vector<std::string> simulatorOptions = options_->simulatorOptions;
+    simulatorOptions.emplace_back("--die-with-parent");
+    try {
+      link_->simulator = std::make_unique<simspark::SimulatorProcess>(simulatorProgram_, simulatorOptions,
+                                                                      base + ".ports", base + ".log");
+    } catch (const std::runtime_error& error) {
+      requestStop(1, error.what());
+      return false;
+    }
+    std::filesystem::remove(base + ".ports");
+    std::filesystem::remove(base + ".log");  // the child keeps its descriptor; nothing stays in the folder
+    log << "started " << simulatorProgram_ << " on port " << link_->simulator->ports().agent;
+    if (const int web = link_->simulator->ports().web; web > 0)
+      tell("watch at http://localhost:" + std::to_string(web) + "/");
   }
-  if (monitor) monitor->setServer(host, link_->ports.monitor);
-  why = link_->connection.connect(host, link_->ports.agent, 1.0);
-  if (!why.empty()) return false;
-
-  // The server makes the robot, answers once, and then takes the place in the team.
-  simspark::AgentCommand scene;
-  scene.scene = simspark::SceneRequest{.type = options_->type};
-  scene.syn = true;
-  link_->send(scene);
-  std::string_view answer;
-  if (link_->connection.receive(answer, 5.0) != simspark::Connection::Status::message) {
-    why = "no answer to (scene) from port " + std::to_string(link_->ports.agent);
-    link_->connection.close();
-    return false;
-  }
-  simspark::AgentCommand init;
-  init.init = simspark::InitRequest{options_->number, options_->team};
-  init.syn = true;
-  link_->send(init);
+  link_->ports = link_->simulator->ports();
   return true;
 }
 
 bool SimSparkConnection::connect() {
-  std::string why;
-  // How long to try is a matter of patience, not of behaviour: the clock decides nothing else.
-  const auto start = std::chrono::steady_clock::now();
+  const Waiting waiting;
+  const double start = wallClock();
+  std::string host = options_->startSimulator ? "127.0.0.1" : options_->host;
+  link_->ports = {options_->port, options_->monitorPort};
   while (!stopRequested()) {
-    if (tryConnect(why)) {
-      ++connections_;
-      cycles_ = 0;
+    if (options_->startSimulator && !startSimulator()) return false;
+    monitor_->setServer(host, link_->ports.monitor);
+    const std::string why = link_->connection.connect(host, link_->ports.agent, 1.0);
+    if (why.empty()) {
       log << "connected to port " << link_->ports.agent;
+      askForRobot();
       return true;
     }
     if (stopRequested()) break;
-    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > connectSeconds_) {
+    if (connectSeconds > 0 && wallClock() - start > connectSeconds) {
       requestStop(1, why);
       break;
     }
-    usleep(100'000);
+    if (!waitTold_) tell("waiting for a server: " + why);
+    pause(connectPause);
   }
   return false;
 }
 
+void SimSparkConnection::askForRobot() {
+  // The server makes the robot, answers once, and then takes the place in the team.
+  if (!options_->token.empty()) link_->connection.send("(token " + options_->token + ")");
+  simspark::AgentCommand scene;
+  scene.scene = simspark::SceneRequest{.type = options_->type};
+  scene.syn = true;
+  link_->send(scene);
+  phase_ = Phase::scene;
+  attached_ = true;
+  placed_ = false;
+  phaseSince_ = wallClock();
+  phaseTold_ = false;
+}
+
+void SimSparkConnection::askForPlace() {
+  simspark::AgentCommand init;
+  init.init = simspark::InitRequest{options_->number, options_->team};
+  init.syn = true;
+  link_->send(init);
+  ++placeRequests_;
+  placeAsked_ = wallClock();
+}
+
+void SimSparkConnection::answered() {
+  if (phase_ == Phase::scene) {
+    phase_ = Phase::place;
+    phaseSince_ = wallClock();
+    phaseTold_ = false;
+    ++connections_;
+    cycles_ = 0;
+    placeRequests_ = 0;
+    askForPlace();
+    return;
+  }
+  phase_ = Phase::play;
+}
+
+void SimSparkConnection::lookForPlace(std::string_view text) {
+  // The first message to a robot with a place says which; without one it stays beside the field.
+  placed_ = text.find("(unum ") != std::string_view::npos;
+  if (!placed_) return tellWait(wallClock() - phaseSince_);
+  if (waitTold_ || wasHere_)
+    tell((wasHere_ ? "back on port " : "plays on port ") + std::to_string(link_->ports.agent));
+  waitTold_ = wasHere_ = false;
+}
+
+void SimSparkConnection::tellWait(double seconds) {
+  const std::string port = std::to_string(link_->ports.agent);
+  const bool due = !phaseTold_ && seconds > tellAfter;
+  phaseTold_ = phaseTold_ || due;
+  if (phase_ == Phase::scene && due)
+    tell("connected; port " + port + " gives no robot yet: its clock may stand until all agents are there");
+  if (phase_ == Phase::scene) return;
+  const std::string number =
+      options_->number > 0 ? "number " + std::to_string(options_->number) : std::string("a number");
+  if (due)
+    tell("port " + port + " gives no place in team " + options_->team + " yet: " + number +
+         " may be taken, the team full, or the clock stands");
+  // Whoever has the number may go. Few enough requests not to be taken for a flood when the clock goes on.
+  if (wallClock() - placeAsked_ > placeInterval && placeRequests_ < maxPlaceRequests) askForPlace();
+}
+
+void SimSparkConnection::lost() {
+  const Waiting waiting;
+  attached_ = false;
+  const std::string why = link_->connection.error();
+  log << "connection lost: " << why;
+  if (!reconnect) return requestStop(1, "connection to the simulator lost: " + why);
+  if (placed_ || !waitTold_) tell("connection lost: " + why + "; trying again");
+  wasHere_ = wasHere_ || placed_;
+  // A server that sends us away is not asked again at once.
+  if (phase_ != Phase::play) pause(refusedPause);
+}
+
 bool SimSparkConnection::receive() {
+  const Waiting waiting;
   while (!stopRequested()) {
     std::string_view text;
     switch (link_->connection.receive(text, 0.1)) {
       case simspark::Connection::Status::message:
+        if (phase_ != Phase::play) answered();
+        if (phase_ == Phase::place) break;
+        if (!placed_) lookForPlace(text);
         message_.assign(text);
         ++cycles_;
         return true;
       case simspark::Connection::Status::timeout:
+        if (!placed_) tellWait(wallClock() - phaseSince_);
         break;
       case simspark::Connection::Status::closed:
-        log << "connection lost: " << link_->connection.error();
-        if (!reconnect_) requestStop(1, "connection to the simulator lost: " + link_->connection.error());
+        lost();
         return false;
     }
   }
   return false;
+}
+
+void SimSparkConnection::tell(const std::string& line) {
+  waitTold_ = true;
+  log << line;
+  if (options_->tell) options_->tell(line);
+}
+
+void SimSparkConnection::pause(double seconds) const {
+  pollfd stopped{stopDescriptor(), POLLIN, 0};
+  poll(&stopped, 1, static_cast<int>(1000 * seconds));
 }
 
 void SimSparkConnection::execute() {
   message_.clear();
   while (!stopRequested()) {
-    if (!link_->connection.connected() && !connect()) return;
+    if (!link_->connection.connected()) {
+      if (attached_) lost();  // it broke while something was sent
+      if (stopRequested() || !connect()) return;
+    }
     if (receive()) return;
   }
 }

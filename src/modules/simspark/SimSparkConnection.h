@@ -7,14 +7,23 @@
 
 namespace plumbline {
 
+class Monitor;
+
 MODULE(SimSparkConnection)
-PROVIDES(ServerMessageText)
-PROVIDES(SimSparkInfo)
+  PROVIDES(ServerMessageText)
+  PROVIDES(SimSparkInfo)
+  PARAMETER(std::string, simulator, "simulator", "", Range(),
+            "program started with --start-simulator, relative to the folder of the agent")
+  PARAMETER(double, connectSeconds, 0, "s", Range(0, 3600),
+            "time after which the agent gives up to connect; 0: never")
+  PARAMETER(bool, reconnect, true, "", Range(), "connects again when the simulator went away")
+  PARAMETER(int, maxRestarts, 100, "", Range(0, 1e9), "restarts of a simulator that the agent has started")
 END_MODULE
 
 /// Receives one message of the simulator per cycle and thereby sets the agent's pace. Connects, asks for the
 /// robot and its place in the team, connects again when the simulator went away, and can start a simulator of
-/// its own on free ports and restart it when it dies.
+/// its own on free ports and restart it when it dies. Waits as long as it takes, says for what
+/// (AgentOptions::tell), and ends at once when the agent shall.
 class SimSparkConnection : public SimSparkConnectionBase {
 public:
   void init() override;
@@ -23,16 +32,34 @@ public:
   void update(SimSparkInfo* theSimSparkInfo) override;
 
 private:
+  /// What the server owes us.
+  enum class Phase { scene, place, play };
+
   bool connect();
-  bool tryConnect(std::string& why);
+  bool startSimulator();
+  void askForRobot();
+  void askForPlace();
   bool receive();
+  void answered();
+  void lookForPlace(std::string_view text);
+  void tellWait(double seconds);
+  void lost();
+  void tell(const std::string& line);
+  void pause(double seconds) const;
 
   const AgentOptions* options_ = nullptr;
   SimSparkLink* link_ = nullptr;
+  Monitor* monitor_ = nullptr;
   std::string simulatorProgram_;  ///< path, relative to the agent's own folder
-  double connectSeconds_ = 0;     ///< how long a connect is tried [s]
-  bool reconnect_ = true;
-  int maxRestarts_ = 0;
+  Phase phase_ = Phase::scene;
+  double phaseSince_ = 0,
+         placeAsked_ = 0;  ///< wall clock: when to say what is waited for decides nothing else
+  int placeRequests_ = 0;
+  bool attached_ = false;   ///< connected as far as was told
+  bool placed_ = false;     ///< the server has given a number
+  bool phaseTold_ = false;  ///< what this phase waits for was told
+  bool waitTold_ = false;   ///< something was told since the last message: so is that it goes on
+  bool wasHere_ = false;    ///< a server has been lost
   int restarts_ = 0;
   int connections_ = 0;
   unsigned cycles_ = 0;

@@ -9,10 +9,10 @@
 namespace plumbline {
 
 MODULE(SimSparkSend)
-REQUIRES(SimSparkInfo)
-REQUIRES(RobotDescription)
-REQUIRES(JointRequestWithSpeeds)
-REQUIRES(BeamRequest)
+  REQUIRES(SimSparkInfo)
+  REQUIRES(RobotDescription)
+  REQUIRES(JointRequestWithSpeeds)
+  REQUIRES(BeamRequest)
 END_MODULE
 
 /// Ends the cycle: hinge speeds, beam and synchronisation in one message to the simulator.

@@ -1,13 +1,18 @@
 #pragma once
 #include "math/Pose2.h"
+#include "parameters/Parameter.h"
 
 namespace plumbline {
 
 /// Where a robot goes to stand at the ball with a given heading without touching the ball on the way.
 struct BallApproachParameters {
-  double avoidRadius = 0.30;  ///< kept from the ball while walking around it [m]
-  double stepAngle = 0.9;     ///< how far ahead on the circle the next way point lies [rad]
-  double behindAngle = 0.5;   ///< within this angle of the line through ball and target it may close in [rad]
+  PARAMETERS(BallApproachParameters)
+  PARAMETER(double, avoidRadius, 0.30, "m", Range(0.1, 2),
+            "distance kept from the ball while walking around it")
+  PARAMETER(double, stepAngle, 0.9, "rad", Range(0.1, 1.5),
+            "how far ahead on the circle around the ball the next way point lies")
+  PARAMETER(double, behindAngle, 0.5, "rad", Range(0.1, 1.5),
+            "within this angle of the line through ball and target the robot may close in")
 };
 
 /// The next way point in the robot's frame. `ball`: the ball relative to the robot [m]; `heading`: wanted

@@ -3,25 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modules/skills/WalkConfig.h"
-
 namespace plumbline {
 
 MAKE_MODULE(SkillDribble)
 
-void SkillDribble::init() {
-  walk_ = readWalkToPose(config);
-  lateralGain_ = config.get<double>("lateralGain", {0.0, 20.0});
-  startLateral_ = config.get<double>("startLateral", {0.0, 1.0});
-  stopLateral_ = config.get<double>("stopLateral", {0.0, 1.0});
-  startHeading_ = config.get<double>("startHeading", {0.0, 3.2});
-  stopHeading_ = config.get<double>("stopHeading", {0.0, 3.2});
-  reach_ = config.get<double>("reach", {0.1, 5.0});
-}
-
 void SkillDribble::update(SkillDribbleOutput* theSkillDribbleOutput) {
-  SkillOutput& output = theSkillDribbleOutput->output;
-  output = theSkillGetBallOutput->output;
+  SkillDribbleOutput& output = *theSkillDribbleOutput;
+  output.takeOver(*theSkillGetBallOutput);
   output.active = theSkillRequest->skill == Skill::dribble;
   if (!output.active) {
     pushing_ = false;
@@ -34,15 +22,14 @@ void SkillDribble::update(SkillDribbleOutput* theSkillDribbleOutput) {
   const Vec2 ball = Eigen::Rotation2Dd(-direction) * theBallPos->relative;
   const double lateral = std::abs(ball.y());
   const double heading = std::abs(direction);
-  pushing_ = ball.x() > 0 && ball.x() < reach_ &&
-             (pushing_ ? lateral < stopLateral_ && heading < stopHeading_
-                       : lateral < startLateral_ && heading < startHeading_);
+  pushing_ = ball.x() > 0 && ball.x() < reach &&
+             (pushing_ ? lateral < stopLateral && heading < stopHeading
+                       : lateral < startLateral && heading < startHeading);
   if (!pushing_) return;
   output.motion = Motion::walk;
   output.walkVelocity = limitVelocity(
-      {walk_.maxForward * std::max(0.3, std::cos(direction)), lateralGain_ * theBallPos->relative.y()},
-      walk_);
-  output.walkTurn = std::clamp(walk_.headingGain * direction, -walk_.maxTurn, walk_.maxTurn);
+      {walk.maxForward * std::max(0.3, std::cos(direction)), lateralGain * theBallPos->relative.y()}, walk);
+  output.walkTurn = std::clamp(walk.headingGain * direction, -walk.maxTurn, walk.maxTurn);
 }
 
 }  // namespace plumbline

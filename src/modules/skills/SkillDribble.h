@@ -4,30 +4,33 @@
 #include "representations/behavior/SkillRequest.h"
 #include "representations/modeling/BallPos.h"
 #include "representations/modeling/RobotPose.h"
-#include "representations/skills/SkillOutputs.h"
+#include "representations/skills/SkillDribbleOutput.h"
+#include "representations/skills/SkillGetBallOutput.h"
 
 namespace plumbline {
 
 MODULE(SkillDribble)
-REQUIRES(SkillRequest)
-REQUIRES(RobotPose)
-REQUIRES(BallPos)
-REQUIRES(SkillGetBallOutput)
-PROVIDES(SkillDribbleOutput)
+  REQUIRES(SkillRequest)
+  REQUIRES(RobotPose)
+  REQUIRES(BallPos)
+  REQUIRES(SkillGetBallOutput)
+  PROVIDES(SkillDribbleOutput)
+  PARAMETER_GROUP(WalkToPoseParameters, walk, "limits and gains of walking to a pose")
+  PARAMETER(double, lateralGain, 4, "1/s", Range(0, 20),
+            "sideways speed per metre that the ball is off the middle")
+  PARAMETER(double, startLateral, 0.06, "m", Range(0, 1), "ball off the line to the target to begin pushing")
+  PARAMETER(double, stopLateral, 0.14, "m", Range(0, 1), "ball off the line to the target to break off")
+  PARAMETER(double, startHeading, 0.25, "rad", Range(0, 3.2), "error of the heading to begin pushing")
+  PARAMETER(double, stopHeading, 0.6, "rad", Range(0, 3.2), "error of the heading to break off")
+  PARAMETER(double, reach, 0.8, "m", Range(0.1, 5), "a ball farther ahead is walked to again")
 END_MODULE
 
 /// Pushes the ball to a point on the field by walking through it; gets behind it first.
 class SkillDribble : public SkillDribbleBase {
 public:
-  void init() override;
   void update(SkillDribbleOutput* theSkillDribbleOutput) override;
 
 private:
-  WalkToPoseParameters walk_;
-  double lateralGain_ = 0;                     ///< [1/s]
-  double startLateral_ = 0, stopLateral_ = 0;  ///< ball off the line to begin and to break off [m]
-  double startHeading_ = 0, stopHeading_ = 0;  ///< heading error likewise [rad]
-  double reach_ = 0;                           ///< the ball is lost beyond this distance ahead [m]
   bool pushing_ = false;
 };
 

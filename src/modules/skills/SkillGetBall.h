@@ -6,39 +6,41 @@
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/modeling/BallPos.h"
 #include "representations/modeling/RobotPose.h"
+#include "representations/skills/SkillGetBallOutput.h"
 #include "representations/skills/SkillKickParameters.h"
-#include "representations/skills/SkillOutputs.h"
 
 namespace plumbline {
 
 MODULE(SkillGetBall)
-REQUIRES(FrameInfo)
-REQUIRES(SkillRequest)
-REQUIRES(RobotPose)
-REQUIRES(BallPos)
-REQUIRES(SkillKickParameters)
-PROVIDES(SkillGetBallOutput)
+  REQUIRES(FrameInfo)
+  REQUIRES(SkillRequest)
+  USES_ALL(SkillOutput)
+  REQUIRES(RobotPose)
+  REQUIRES(BallPos)
+  REQUIRES(SkillKickParameters)
+  PROVIDES(SkillGetBallOutput)
+  PARAMETER_GROUP(WalkToPoseParameters, walk, "limits and gains of walking to a pose")
+  PARAMETER_GROUP(BallApproachParameters, approach, "way around the ball")
+  PARAMETER(double, dribbleDistance, 0.2, "m", Range(0.05, 1), "the ball ahead of the robot before a dribble")
+  PARAMETER(double, biasGain, 1.5, "1/s^2", Range(0, 10),
+            "how fast a drift of the walk is learned near the target")
+  PARAMETER(double, biasDistance, 0.15, "m", Range(0, 1),
+            "closer to the target than this the drift is learned")
+  PARAMETER(double, maxBias, 0.15, "m/s", Range(0, 1), "largest drift that is learned")
 END_MODULE
 
-/// Walks to the ball without touching it and takes a heading there: for getBall the requested one, for a kick
-/// or a dribble the direction to where the ball shall go.
+/// Walks to the ball without touching it and stands there as the requested skill wants it (its BallApproach).
 class SkillGetBall : public SkillGetBallBase {
 public:
-  void init() override;
   void update(SkillGetBallOutput* theSkillGetBallOutput) override;
 
 private:
+  BallApproach requestedApproach() const;
   Vec2 kickBallPosition();
   /// The walk's own bias near the target: what the requested speed has to be raised by, learned there [m/s].
   void learnBias(const Pose2& T_robot_target);
 
-  WalkToPoseParameters walk_;
-  BallApproachParameters approach_;
-  Vec2 dribbleBall_ = Vec2::Zero();  ///< where the ball lies in the robot's frame before a dribble [m]
-  double biasGain_ = 0;              ///< [1/s^2]
-  double biasDistance_ = 0;          ///< closer to the target than this it is learned [m]
-  double maxBias_ = 0;               ///< [m/s]
-  Vec2 bias_ = Vec2::Zero();         ///< in the robot's frame [m/s]
+  Vec2 bias_ = Vec2::Zero();  ///< in the robot's frame [m/s]
   Side foot_ = Side::right;
 };
 

@@ -3,26 +3,26 @@
 #include "modules/skills/WalkToPose.h"
 #include "representations/behavior/SkillRequest.h"
 #include "representations/modeling/RobotPose.h"
-#include "representations/skills/SkillOutputs.h"
+#include "representations/skills/SkillMoveToPosOutput.h"
 
 namespace plumbline {
 
 MODULE(SkillMoveToPos)
-REQUIRES(SkillRequest)
-REQUIRES(RobotPose)
-PROVIDES(SkillMoveToPosOutput)
+  REQUIRES(SkillRequest)
+  REQUIRES(RobotPose)
+  PROVIDES(SkillMoveToPosOutput)
+  PARAMETER_GROUP(WalkToPoseParameters, walk, "limits and gains of walking to a pose")
+  PARAMETER(double, positionTolerance, 0.05, "m", Range(0, 1), "the robot has arrived when it is nearer")
+  PARAMETER(double, headingTolerance, 0.15, "rad", Range(0, 3.2),
+            "the robot has arrived when its heading is off by less")
 END_MODULE
 
 /// Walks to a pose on the field; stands once it is there.
 class SkillMoveToPos : public SkillMoveToPosBase {
 public:
-  void init() override;
   void update(SkillMoveToPosOutput* theSkillMoveToPosOutput) override;
 
 private:
-  WalkToPoseParameters walk_;
-  double positionTolerance_ = 0;  ///< [m]
-  double headingTolerance_ = 0;   ///< [rad]
   bool arrived_ = false;
 };
 

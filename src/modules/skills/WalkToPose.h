@@ -1,16 +1,22 @@
 #pragma once
 #include "math/Pose2.h"
+#include "parameters/Parameter.h"
 
 namespace plumbline {
 
 /// Speed limits and gains of walking to a pose. Speeds in m/s and rad/s, gains in 1/s.
 struct WalkToPoseParameters {
-  double maxForward = 0.5, maxBackward = 0.3, maxSideways = 0.2, maxTurn = 1.5;
-  double positionGain = 1.5;  ///< speed per metre to go
-  double headingGain = 2.0;   ///< turn per radian to go
-  double nearDistance =
-      0.6;  ///< closer than this the robot keeps its final heading and walks in any direction [m]
-  double turnFirst = 1.0;  ///< a target further off than this angle is turned to before walking [rad]
+  PARAMETERS(WalkToPoseParameters)
+  PARAMETER(double, maxForward, 0.5, "m/s", Range(0.01, 3), "fastest walk forward")
+  PARAMETER(double, maxBackward, 0.25, "m/s", Range(0.01, 3), "fastest walk backward")
+  PARAMETER(double, maxSideways, 0.2, "m/s", Range(0.01, 3), "fastest walk sideways")
+  PARAMETER(double, maxTurn, 1.2, "rad/s", Range(0.01, 6), "fastest turn")
+  PARAMETER(double, positionGain, 2, "1/s", Range(0.01, 20), "speed per metre to go")
+  PARAMETER(double, headingGain, 2, "1/s", Range(0.01, 20), "turn per radian to go")
+  PARAMETER(double, nearDistance, 0.5, "m", Range(0, 5),
+            "closer than this the robot keeps its final heading and walks in any direction")
+  PARAMETER(double, turnFirst, 0.8, "rad", Range(0.1, 3.2),
+            "a target farther off than this angle is turned to before walking")
 };
 
 /// A walk request in the robot's frame [m/s, rad/s].

@@ -1,18 +1,17 @@
 #pragma once
-#include <cstdint>
+#include <string>
 
 #include "framework/Representation.h"
 #include "math/Pose2.h"
+#include "representations/behavior/Skill.h"
 
 namespace plumbline {
-
-enum class Skill : std::uint8_t { none, stand, moveToPos, getBall, kick, dribble };
 
 /// What a behaviour wants done; positions in the team's field frame [m, rad].
 REPRESENTATION(SkillRequest)
 class SkillRequest : public SkillRequestBase {
 public:
-  Skill skill = Skill::none;
+  std::string skill = Skill::none;  ///< name of a SkillOutput
   Pose2 target;  ///< moveToPos: where to be; getBall: heading to have at the ball; kick, dribble: where the
                  ///< ball goes
   bool lookForBall = true;

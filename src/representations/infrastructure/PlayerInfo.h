@@ -10,14 +10,14 @@ REPRESENTATION(PlayerInfo)
 class PlayerInfo : public PlayerInfoBase {
 public:
   std::string team;
-  int number = 0;  ///< 0 until the server told it
-  int robotType = 0;
+  int number = 0;     ///< 0 until the server told it
+  std::string robot;  ///< name of its file in config/robots
   bool sideKnown = false;
   bool leftSide = true;  ///< own goal at x = -15 of the server's field
   void stream(InStream* in, OutStream* out) override {
     STREAM(team);
     STREAM(number);
-    STREAM(robotType);
+    STREAM(robot);
     STREAM(sideKnown);
     STREAM(leftSide);
   }

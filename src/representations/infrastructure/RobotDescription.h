@@ -1,19 +1,24 @@
 #pragma once
+#include <string>
+
 #include "framework/Representation.h"
-#include "robot/RobotModel.h"
+#include "robot/HumanoidModel.h"
+#include "robot/MechanismFile.h"
 
 namespace plumbline {
 
-/// The robot as data. The model is set once at start; only its type travels through streams.
+/// The robot as data. Only its name travels through streams; what reads one finds the model in the
+/// configuration's robots and throws MechanismError if it is not there.
 REPRESENTATION(RobotDescription)
 class RobotDescription : public RobotDescriptionBase {
 public:
-  int type = -1;
+  std::string name;  ///< of its file in config/robots; empty: not known yet
   RobotModel model;
+  bool known() const { return !name.empty(); }
   void stream(InStream* in, OutStream* out) override {
-    const int before = type;
-    STREAM(type);
-    if (in && type != before && type >= 0 && type < numSimsparkTypes) model = simsparkRobot(type);
+    const std::string before = name;
+    STREAM(name);
+    if (in && name != before && known()) model = Humanoid(findMechanism(name)).model();
   }
 };
 

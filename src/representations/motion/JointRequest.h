@@ -6,12 +6,12 @@
 
 namespace plumbline {
 
-/// Target angles [rad] and hardness (0..1, where the platform has it); a joint with set = false is left
+/// Target angles [rad] and stiffness (0..1, where the platform has it); a joint with set = false is left
 /// alone.
 struct JointTargets : public Streamable {
   JointArray angles{};
   std::array<bool, numJoints> set{};
-  JointArray hardness = [] {
+  JointArray stiffness = [] {
     JointArray all;
     all.fill(1.0);
     return all;
@@ -23,7 +23,7 @@ struct JointTargets : public Streamable {
   void stream(InStream* in, OutStream* out) override {
     STREAM(angles);
     STREAM(set);
-    STREAM(hardness);
+    STREAM(stiffness);
   }
 };
 

@@ -1,23 +1,21 @@
 #pragma once
-#include <cstdint>
 #include <string>
 
 #include "framework/Representation.h"
 #include "math/Pose2.h"
+#include "representations/motion/Motion.h"
 #include "robot/JointId.h"
 
 namespace plumbline {
-
-enum class Motion : std::uint8_t { stand, walk, specialAction, kick, dead };
 
 /// What the motions shall do.
 REPRESENTATION(MotionRequest)
 class MotionRequest : public MotionRequestBase {
 public:
-  Motion motion = Motion::stand;
-  Vec2 walkVelocity = Vec2::Zero();  ///< in the robot's frame [m/s]
-  double walkTurn = 0;               ///< [rad/s]
-  std::string specialAction;         ///< name of a keyframe file without its ending
+  std::string motion = Motion::stand;  ///< name of a MotionOutput
+  Vec2 walkVelocity = Vec2::Zero();    ///< in the robot's frame [m/s]
+  double walkTurn = 0;                 ///< [rad/s]
+  std::string specialAction;           ///< name of a keyframe file without its ending
   Side kickFoot = Side::right;
   Vec2 kickBall = Vec2::Zero();  ///< the ball relative to the robot at the moment of the request [m]
   void stream(InStream* in, OutStream* out) override {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "framework/NearestName.h"
+#include "simspark/LeagueRobots.h"
 
 namespace plumbline::simulation {
 
@@ -48,8 +49,8 @@ bool same(std::string_view a, std::string_view b) {
 }
 
 bool isLink(const std::string& name) {
-  for (int type = 0; type < numSimsparkTypes; ++type)
-    for (const Link& link : simsparkRobot(type).links)
+  for (const RobotModel& robot : simsparkRobots())
+    for (const Link& link : robot.links)
       if (same(link.name, name)) return true;
   return false;
 }

@@ -55,13 +55,13 @@ void MonitorScene::appendIfMoved(const Matrix& matrix, Matrix& toldMatrix) {
 }
 
 const std::vector<BodyLook>& MonitorScene::looks(int type) {
-  auto& cached = looksOfType[static_cast<std::size_t>(type)];
+  auto& cached = looksOfType[type];
   if (cached.empty()) cached = robotLooks(type);
   return cached;
 }
 
 const std::vector<int>& MonitorScene::links(const Player& player) {
-  auto& cached = linksOfType[static_cast<std::size_t>(player.type())];
+  auto& cached = linksOfType[player.type()];
   if (cached.empty())
     for (const BodyLook& look : looks(player.type())) cached.push_back(player.model().linkIndex(look.link));
   return cached;

@@ -49,8 +49,8 @@ private:
   int foulsTold = -1;  ///< index of the last; -1: none is told from before the first message
   Matrix toldBall{};
   std::map<PlayerId, RobotView> robots;
-  std::array<std::vector<BodyLook>, numSimsparkTypes> looksOfType;
-  std::array<std::vector<int>, numSimsparkTypes> linksOfType;
+  std::map<int, std::vector<BodyLook>> looksOfType;
+  std::map<int, std::vector<int>> linksOfType;
 };
 
 }  // namespace plumbline::simulation

@@ -1,5 +1,7 @@
 #include "simulation/monitor/SceneTexts.h"
 
+#include "simspark/LeagueRobots.h"
+
 namespace plumbline::simulation {
 
 using simspark::TeamSide;
@@ -93,7 +95,7 @@ const std::string& fieldDifference() {
 
 std::vector<BodyLook> robotLooks(int type) {
   const std::string digit = std::to_string(type);
-  const bool toes = type == 4;
+  const bool toes = simsparkRobot(type).has(lToePitch);
   const std::string typed = toes ? "team naowhite" : "team type naowhite";
   std::vector<BodyLook> looks;
   looks.push_back(meshLook("torso", "naobody" + digit, "0.1 0.1 0.1", "num " + typed));

@@ -26,7 +26,7 @@ struct BodyLook {
   bool marker = false;      ///< the marker of a selected player follows
 };
 
-/// The bodies of a robot of type 0..4 in the scene's order.
+/// The bodies of a robot of a type in the scene's order.
 std::vector<BodyLook> robotLooks(int type);
 
 /// "matNum3 matLeft matType0 naowhite" of "num team type naowhite"; without a team as the meshes are.

@@ -1,14 +1,40 @@
 #include "simulation/physics/Physics.h"
 
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
+#include <tuple>
 
-#include "simulation/physics/bullet/BulletPhysics.h"
-#include "simulation/physics/ode/OdePhysics.h"
+#include "simulation/physics/PhysicsEngine.h"
 
 namespace plumbline::simulation {
 
+namespace {
+
+std::vector<PhysicsEngine>& registered() {
+  static std::vector<PhysicsEngine> engines;
+  return engines;
+}
+
+}  // namespace
+
+PhysicsLoader::PhysicsLoader(const PhysicsEngine& engine) {
+  std::vector<PhysicsEngine>& engines = registered();
+  const auto place = [](const PhysicsEngine& e) { return std::tuple(e.order, std::string_view(e.name)); };
+  if (std::ranges::count(engines, std::string_view(engine.name), &PhysicsEngine::name) > 0) {
+    std::fprintf(stderr, "two physics engines with the name %s are linked into this program\n", engine.name);
+    std::exit(2);
+  }
+  engines.insert(std::ranges::upper_bound(engines, place(engine), {}, place), engine);
+}
+
 const std::vector<std::string>& physicsEngines() {
-  static const std::vector<std::string> names = {"ode", "ode-dense", "bullet"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const PhysicsEngine& engine : registered()) list.emplace_back(engine.name);
+    return list;
+  }();
   return names;
 }
 
@@ -16,12 +42,11 @@ std::unique_ptr<Physics> makePhysics(std::string_view engine, const PhysicsConfi
   for (const auto& row : config.surfaces)
     if (row.size() != config.surfaces.size())
       throw std::invalid_argument("physics: the table of contact surfaces must be square");
-  if (engine == "ode") return ode::makeOdePhysics(config, ode::Solver::tree);
-  if (engine == "ode-dense") return ode::makeOdePhysics(config, ode::Solver::dense);
-  if (engine == "bullet") return bullet::makeBulletPhysics(config);
-  std::string known;
-  for (const std::string& name : physicsEngines()) known += (known.empty() ? "" : ", ") + name;
-  throw std::invalid_argument("unknown physics engine \"" + std::string(engine) + "\"; there are: " + known);
+  for (const PhysicsEngine& known : registered())
+    if (known.name == engine) return known.make(config);
+  std::string names;
+  for (const std::string& name : physicsEngines()) names += (names.empty() ? "" : ", ") + name;
+  throw std::invalid_argument("unknown physics engine \"" + std::string(engine) + "\"; there are: " + names);
 }
 
 }  // namespace plumbline::simulation

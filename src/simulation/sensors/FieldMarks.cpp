@@ -11,7 +11,6 @@ namespace {
 
 constexpr double halfLength = fieldLength / 2, halfWidth = fieldWidth / 2;
 constexpr double penaltyX = halfLength - 1.8, penaltyY = 3;
-constexpr double circleRadius = 2;
 constexpr int circleChords = 10;
 
 Vec3 ground(double x, double y) { return Vec3(x, y, 0); }
@@ -32,8 +31,9 @@ std::array<FieldLine, 21> makeLines() {
   }};
   for (int i = 0; i < circleChords; ++i) {
     const double begin = 2 * pi * i / circleChords, end = 2 * pi * (i + 1) / circleChords;
-    lines[static_cast<std::size_t>(11 + i)] = {circleRadius * ground(std::cos(begin), std::sin(begin)),
-                                               circleRadius * ground(std::cos(end), std::sin(end))};
+    lines[numStraightLines + static_cast<std::size_t>(i)] = {
+        centreCircleRadius * ground(std::cos(begin), std::sin(begin)),
+        centreCircleRadius * ground(std::cos(end), std::sin(end))};
   }
   return lines;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 #include "math/Types.h"
@@ -17,7 +18,9 @@ struct FieldLine {
 
 /// Goal posts (at the height of the bar) and corners.
 const std::array<Flag, 8>& flags();
-/// Half-way line, goal lines, side lines, penalty areas, centre circle in ten chords.
+constexpr double centreCircleRadius = 2;  ///< [m]
+constexpr std::size_t numStraightLines = 11;
+/// Half-way line, goal lines, side lines, penalty areas (these are straight), centre circle in ten chords.
 const std::array<FieldLine, 21>& fieldLines();
 
 }  // namespace plumbline::simulation

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "simspark/LeagueRobots.h"
+#include "simspark/Loopback.h"
+
 namespace plumbline::simulation {
 
 namespace {
@@ -40,14 +43,24 @@ void AgentPort::serve(const pollfd* events) {
 
 void AgentPort::accept() {
   std::string address;
-  for (int fd = -1; (fd = listener.accept(address)) >= 0;) {
+  for (std::size_t i = 0; i < mostAccepted; ++i) {
+    const int fd = listener.accept(address);
+    if (fd < 0) return;
     agents.push_back(std::make_unique<Agent>(fd, address));
-    if (agents.size() > maxAgents) agents.back()->client.drop("too many agents");
+    agents.back()->admitted = config.token.empty();
+    makeRoom(
+        agents, maxAgents, "too many agents", [this](Agent& agent) { receive(agent); },
+        [](const Agent& agent) { return !agent.sceneAsked; });
   }
 }
 
 void AgentPort::receive(Agent& agent) {
   for (std::string_view text; agent.client.next(text);) {
+    if (!agent.admitted) {
+      agent.admitted = simspark::sameSecret(text, "(token " + config.token + ")");
+      if (!agent.admitted) return agent.client.drop("did not name the token");
+      continue;
+    }
     simspark::AgentCommand command;
     const std::string problem = agent.parser.parse(text, command);
     if (!agent.parser.wellFormed()) return agent.client.drop("sent garbage: " + problem);
@@ -91,10 +104,10 @@ void AgentPort::carryOut() {
 void AgentPort::carryOut(Agent& agent, const simspark::AgentCommand& command) {
   if (command.scene && !agent.player) {
     if ((command.scene->file != hetero && command.scene->file != standard) || command.scene->type < 0 ||
-        command.scene->type >= numSimsparkTypes)
+        command.scene->type >= numSimsparkTypes())
       return agent.client.drop("asked for an unknown robot: " + command.scene->file.substr(0, 80) + ' ' +
                                std::to_string(command.scene->type) + "; there is " + std::string(hetero) +
-                               " 0..4");
+                               " 0.." + std::to_string(numSimsparkTypes() - 1));
     agent.player = simulation.addPlayer(command.scene->type);
   }
   if (!agent.player) return;  // nothing to command yet
@@ -136,6 +149,8 @@ void AgentPort::dropBroken() {
   for (const auto& agent : agents) {
     if (agent->client.halfSince() > 0 && now - agent->client.halfSince() > config.halfTimeout)
       agent->client.drop("sent half a message and no more");
+    if (!agent->sceneAsked && now - agent->client.since() > config.sceneTimeout)
+      agent->client.drop("asked for no robot");
     if (config.sync && config.syncTimeout > 0 && !ready(*agent) &&
         now - agent->waitingSince > config.syncTimeout)
       agent->client.drop("kept everybody waiting: no (syn) for " +

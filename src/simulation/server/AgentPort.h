@@ -8,12 +8,11 @@
 
 #include "simspark/AgentCommand.h"
 #include "simulation/Simulation.h"
+#include "simulation/server/Admission.h"
+#include "simulation/server/LimitedLog.h"
 #include "simulation/server/Sockets.h"
 
 namespace plumbline::simulation {
-
-/// Receives one line about something worth knowing.
-using LogFunction = std::function<void(const std::string&)>;
 
 /// The agents' connections: what they command goes into the simulation, its messages go to them. Commands are
 /// kept until the start of the next cycle and carried out in the order of the players, so that the order of
@@ -23,9 +22,11 @@ public:
   struct Config {
     std::string address = "127.0.0.1";
     int port = 3100;
-    bool sync = false;        ///< wait for (syn) of every agent
-    double syncTimeout = 60;  ///< give up on a silent agent after so many seconds; 0: never
-    double halfTimeout = 10;  ///< the same on half a message
+    bool sync = false;                    ///< wait for (syn) of every agent
+    double syncTimeout = 60;              ///< give up on a silent agent after so many seconds; 0: never
+    double halfTimeout = 10;              ///< the same on half a message
+    std::string token{};                  ///< if not empty, the first message must be (token TOKEN)
+    double sceneTimeout = silentTimeout;  ///< who asks for no robot for so many seconds goes
   };
 
   AgentPort(const Config& config, Simulation& simulation, LogFunction log);
@@ -55,7 +56,7 @@ private:
     simspark::AgentCommandParser parser;
     std::vector<simspark::AgentCommand> pending;
     std::optional<PlayerId> player;
-    bool sceneAsked = false;
+    bool admitted = false, sceneAsked = false;
     bool synced = false, everSynced = false;
     int cycles = 0;           ///< messages sent to it
     double waitingSince = 0;  ///< wall clock of the last message to it, or of its scene

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simspark/FieldMessage.h"
+#include "simspark/Loopback.h"
 
 namespace plumbline::simulation {
 
@@ -58,17 +59,22 @@ void FieldPort::serve(const pollfd* events) {
 
 void FieldPort::accept() {
   std::string address;
-  for (int fd = -1; (fd = listener.accept(address)) >= 0;) {
+  for (std::size_t i = 0; i < mostAccepted; ++i) {
+    const int fd = listener.accept(address);
+    if (fd < 0) return;
     viewers.push_back(std::make_unique<Viewer>(fd, address));
     viewers.back()->admitted = config.token.empty();
-    if (viewers.size() > maxViewers) viewers.back()->client.drop("too many viewers");
+    makeRoom(
+        viewers, maxViewers, "too many viewers", [this](Viewer& viewer) { receive(viewer); },
+        [](const Viewer& viewer) { return !viewer.spoke; });
   }
 }
 
 void FieldPort::receive(Viewer& viewer) {
   for (std::string_view message; viewer.client.next(message);) {
-    if (viewer.admitted) continue;  // it has nothing to command
-    viewer.admitted = message == "(token " + config.token + ")";
+    // It has nothing to command; that it says anything keeps its place when others want it.
+    if (!viewer.admitted) viewer.admitted = simspark::sameSecret(message, "(token " + config.token + ")");
+    viewer.spoke = viewer.admitted;
     if (!viewer.admitted) return viewer.client.drop("did not name the token");
   }
 }
@@ -89,6 +95,10 @@ void FieldPort::tell() {
 }
 
 void FieldPort::dropBroken() {
+  const double now = wallClock();
+  for (const auto& viewer : viewers)
+    if (!viewer->admitted && now - viewer->client.since() > silentTimeout)
+      viewer->client.drop("did not name the token");
   std::erase_if(viewers, [this](const auto& viewer) {
     if (!viewer->client.broken()) return false;
     log("viewer " + viewer->client.address() + ' ' + viewer->client.reason());

@@ -34,7 +34,7 @@ private:
   struct Viewer {
     Viewer(int fd, const std::string& address);
     FramedClient client;
-    bool admitted = false;
+    bool admitted = false, spoke = false;
     double nextTime = 0;  ///< wall clock
     std::string told;
   };

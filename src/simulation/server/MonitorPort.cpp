@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "simspark/Loopback.h"
+
 namespace plumbline::simulation {
 
 namespace {
 constexpr std::size_t maxMonitors = 32;
+constexpr std::size_t maxCommands = 256;  ///< commands of a monitor in one cycle
 }  // namespace
 
 MonitorPort::Monitor::Monitor(int fd, const std::string& address, std::size_t maxQueue)
@@ -31,16 +34,21 @@ void MonitorPort::serve(const pollfd* events) {
 
 void MonitorPort::accept() {
   std::string address;
-  for (int fd = -1; (fd = listener.accept(address)) >= 0;) {
+  for (std::size_t i = 0; i < mostAccepted; ++i) {
+    const int fd = listener.accept(address);
+    if (fd < 0) return;
     monitors.push_back(std::make_unique<Monitor>(fd, address, config.maxQueue));
     monitors.back()->admitted = config.token.empty();
-    if (monitors.size() > maxMonitors) monitors.back()->client.drop("too many monitors");
+    makeRoom(
+        monitors, maxMonitors, "too many monitors", [this](Monitor& monitor) { receive(monitor); },
+        [](const Monitor& monitor) { return !monitor.spoke; });
   }
 }
 
 bool MonitorPort::admits(Monitor& monitor, std::string_view text) {
   if (monitor.admitted) return true;
-  monitor.admitted = text == "(token " + config.token + ")";
+  monitor.admitted = simspark::sameSecret(text, "(token " + config.token + ")");
+  monitor.spoke = monitor.admitted;
   if (!monitor.admitted) monitor.client.drop("did not name the token");
   return false;
 }
@@ -51,6 +59,9 @@ void MonitorPort::receive(Monitor& monitor) {
     std::vector<simspark::TrainerCommand> commands;
     const std::string problem = monitor.parser.parse(text, commands);
     if (!monitor.parser.wellFormed()) return monitor.client.drop("sent garbage: " + problem);
+    monitor.spoke = true;
+    monitor.pending += commands.size();
+    if (monitor.pending > maxCommands) return monitor.client.drop("sent too many commands in a cycle");
     for (auto& command : commands) pending.emplace_back(&monitor, std::move(command));
     if (problem.empty() || monitor.complained || text == "(init)")
       continue;  // (init) is how viewers say hello
@@ -63,6 +74,7 @@ bool MonitorPort::carryOut() {
   const bool any = !pending.empty();
   for (const auto& [monitor, command] : pending) carryOut(*monitor, command);
   pending.clear();
+  for (const auto& monitor : monitors) monitor->pending = 0;
   return any;
 }
 
@@ -165,9 +177,12 @@ bool MonitorPort::owe() const {
 
 void MonitorPort::dropBroken() {
   const double now = wallClock();
-  for (const auto& monitor : monitors)
+  for (const auto& monitor : monitors) {
     if (monitor->client.halfSince() > 0 && now - monitor->client.halfSince() > config.halfTimeout)
       monitor->client.drop("sent half a message and no more");
+    if (!monitor->admitted && now - monitor->client.since() > config.tokenTimeout)
+      monitor->client.drop("did not name the token");
+  }
   std::erase_if(monitors, [this](const auto& monitor) {
     if (!monitor->client.broken()) return false;
     std::erase_if(pending, [&](const auto& command) { return command.first == monitor.get(); });

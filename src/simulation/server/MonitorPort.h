@@ -26,9 +26,10 @@ public:
   struct Config {
     std::string address = "127.0.0.1";
     int port = 3200;
-    int interval = 2;                ///< cycles between two messages
-    std::string token;               ///< if not empty, the first message must be (token TOKEN)
-    double halfTimeout = 10;         ///< give up on half a message after so many seconds
+    int interval = 2;                     ///< cycles between two messages
+    std::string token;                    ///< if not empty, the first message must be (token TOKEN)
+    double halfTimeout = 10;              ///< give up on half a message after so many seconds
+    double tokenTimeout = silentTimeout;  ///< the same on the token
     std::size_t maxQueue = 4 << 20;  ///< bytes a monitor may leave unread: nearly a minute of a full game
   };
 
@@ -63,6 +64,8 @@ private:
     std::uint64_t viewVersion = 0;  ///< of the scene it was told
     bool clockAsked = false;
     std::uint64_t clockTold = 0;
+    std::size_t pending = 0;  ///< commands of this cycle
+    bool spoke = false;       ///< said anything, so that it is no idle connection
     bool admitted = false, told = false, acknowledge = false, complained = false;
   };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <ctime>
+#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -10,7 +11,8 @@ namespace plumbline::simulation {
 
 namespace {
 
-constexpr int patience = 100;   ///< longest wait before looking at `stop` again [ms]
+constexpr int patience = 100;                          ///< longest wait before looking at `stop` again [ms]
+constexpr double waitPatience = 2, waitInterval = 10;  ///< until a wait is told, and told again [s]
 constexpr double maxLag = 0.1;  ///< a real-time run that is so late gives up on catching up [s]
 
 double cpuSeconds() {
@@ -21,18 +23,19 @@ double cpuSeconds() {
 
 }  // namespace
 
-Server::Server(const ServerConfig& config_, const LogFunction& log)
+Server::Server(const ServerConfig& config_, const LogFunction& log_)
     : config(config_),
+      log(log_),
       simulation_(config.simulation),
-      agents(config.agents, simulation_, log),
-      monitors(config.monitors, simulation_, log) {
+      agents(config.agents, simulation_, std::ref(log)),
+      monitors(config.monitors, simulation_, std::ref(log)) {
   if (!config.realTime) monitors.clock().speed = 0;
-  if (config.field) openField(log);
+  if (config.field) openField();
 }
 
-void Server::openField(const LogFunction& log) {
+void Server::openField() {
   try {
-    field.emplace(*config.field, simulation_, log);
+    field.emplace(*config.field, simulation_, std::ref(log));
   } catch (const std::runtime_error& problem) {
     if (!config.fieldOptional) throw;
     log("nothing for bin/simplemonitor at its own port: " + std::string(problem.what()));
@@ -46,6 +49,10 @@ void Server::listen(int milliseconds) {
   monitors.watch(descriptors);
   const std::size_t firstViewer = descriptors.size();
   if (field) field->watch(descriptors);
+  if (const double now = wallClock(); now - logLooked > 1) {
+    log.tellOverdue();
+    logLooked = now;
+  }
   if (poll(descriptors.data(), descriptors.size(), milliseconds) <= 0) return;
   agents.serve(descriptors.data());
   monitors.serve(descriptors.data() + firstMonitor);
@@ -56,6 +63,23 @@ bool Server::clockStands() const {
   if (monitors.clock().stands()) return true;
   if (config.waitForAgents == 0) return false;
   return agents.numAgents() < (started ? 1 : config.waitForAgents);
+}
+
+void Server::tellWait() {
+  if (monitors.clock().stands()) return;  // a trainer wants it so
+  const double now = wallClock();
+  if (!stood || waitTold == 0) {
+    waitTold = now;
+    agentsTold = -1;
+  }
+  const int here = agents.numAgents();
+  if (here == agentsTold || now - waitTold < (agentsTold < 0 ? waitPatience : waitInterval)) return;
+  const int wanted = started ? 1 : config.waitForAgents;
+  log("waiting for " + std::to_string(wanted) + (wanted == 1 ? " agent" : " agents") + " on port " +
+      std::to_string(agentPort()) + ", " + std::to_string(here) + " so far; the clock stands" +
+      (config.maxSeconds ? ", and the time until the end is simulated time" : ""));
+  waitTold = now;
+  agentsTold = here;
 }
 
 bool Server::collect() {
@@ -70,6 +94,7 @@ bool Server::collect() {
     tellField();
     return false;
   }
+  tellWait();
   // Nothing moves, but trainers may set the scene and are shown it.
   const bool commanded = obeyTrainers();
   agents.dropBroken();

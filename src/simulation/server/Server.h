@@ -56,11 +56,15 @@ private:
   /// Carries out what trainers want; true if they wanted anything.
   bool obeyTrainers();
   void cycle();
-  void openField(const LogFunction& log);
+  void openField();
   void tellField();
   void waitForClock();
 
+  /// Says why nothing moves, when it has not moved for a while.
+  void tellWait();
+
   ServerConfig config;
+  LimitedLog log;
   Simulation simulation_;
   AgentPort agents;
   MonitorPort monitors;
@@ -68,7 +72,10 @@ private:
   std::vector<pollfd> descriptors;
   bool stood = false;  ///< the clock, when it was looked at last
   bool started = false;
-  double nextTick = 0;  ///< wall clock
+  double nextTick = 0;   ///< wall clock
+  double waitTold = 0;   ///< wall clock of the last line about waiting, or of the beginning of the wait
+  int agentsTold = -1;   ///< how many were there then; -1: nothing told of this wait
+  double logLooked = 0;  ///< wall clock
   ServerStatistics statistics_;
 };
 

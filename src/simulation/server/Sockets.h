@@ -55,6 +55,7 @@ public:
   bool broken() const { return !reason_.empty(); }
   const std::string& reason() const { return reason_; }
   const std::string& address() const { return address_; }
+  double since() const { return connectedSince; }  ///< wall clock
   /// Since when a message has been half received; 0: none is.
   double halfSince() const { return halfMessageSince; }
 
@@ -69,6 +70,7 @@ private:
   std::string queue;
   std::string reason_;
   double halfMessageSince = 0;
+  const double connectedSince = wallClock();
 };
 
 }  // namespace plumbline::simulation

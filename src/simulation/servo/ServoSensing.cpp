@@ -1,8 +1,6 @@
 // What a ServoWorld's sensors read.
-#include <Eigen/LU>
-#include <algorithm>
-
 #include "math/Index.h"
+#include "simulation/servo/FootSensors.h"
 #include "simulation/servo/ServoWorld.h"
 
 namespace plumbline::simulation {
@@ -38,8 +36,6 @@ void ServoWorld::sense() {
     readings_.footForce.push_back(footForces(static_cast<int>(f)));
 }
 
-/// The sole's force along its normal, shared by the sensors as a plane over them with the same centre of
-/// pressure would; no sensor pulls.
 std::vector<double> ServoWorld::footForces(int index) const {
   const Mechanism::Foot& foot = mechanism_.feet[at(index)];
   const Mat3 toFoot = link(foot.link).pose.linear().transpose();
@@ -51,23 +47,8 @@ std::vector<double> ServoWorld::footForces(int index) const {
       whole += normal;
       centre += normal * point.local.head<2>();
     }
-  std::vector<double> shares(foot.sensors.size(), 0);
-  if (!(whole > 0) || shares.empty()) return shares;
-  centre /= whole;
-  Mat3 moments = 1e-9 * Mat3::Identity();
-  for (const Mechanism::ForceSensor& sensor : foot.sensors) {
-    const Vec3 m(1, sensor.position.x(), sensor.position.y());
-    moments += m * m.transpose();
-  }
-  const Vec3 plane = moments.inverse() * Vec3(1, centre.x(), centre.y());
-  double sum = 0;
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const Vec3& p = foot.sensors[i].position;
-    shares[i] = std::max(0.0, plane.dot(Vec3(1, p.x(), p.y())));
-    sum += shares[i];
-  }
-  for (double& share : shares) share *= sum > 0 ? whole / sum : 0;
-  return shares;
+  if (whole > 0) centre /= whole;
+  return footSensorForces(foot, whole, centre);
 }
 
 }  // namespace plumbline::simulation

@@ -51,7 +51,9 @@ Mechanism withRotors(const Mechanism& robot, const std::vector<JointPlant>& driv
 
 }  // namespace
 
-ServoWorld::ServoWorld(const Mechanism& mechanism, const ServoWorldConfig& config_)
+MAKE_ROBOT_SIMULATION("bullet", ServoWorld)
+
+ServoWorld::ServoWorld(const Mechanism& mechanism, const RobotSimulationOptions& config_)
     : mechanism_(mechanism),
       config(config_),
       stepsPerCycle(stepsIn(mechanism.controlHz, config_.stepSeconds)),
@@ -132,10 +134,6 @@ void ServoWorld::command(const std::vector<double>& targets) {
   for (std::size_t i = 0; i < drives.size(); ++i) drives[i].command(targets[i]);
 }
 
-void ServoWorld::setStiffness(double stiffness) {
-  for (int i = 0; i < mechanism_.numJoints(); ++i) setStiffness(i, stiffness);
-}
-
 void ServoWorld::setStiffness(int joint, double stiffness) {
   drives.at(at(joint)).setStiffness(std::clamp(stiffness, 0.0, 1.0));
 }
@@ -169,7 +167,9 @@ void ServoWorld::substep() {
     // With the speeds before gravity and forces have moved it on.
     drives[at(i)].begin(h, {body->position(motor(i)), body->velocity(motor(i))},
                         {body->position(i), body->velocity(i)});
-    const double load = loads[at(i)] + drives[at(i)].drive().biasForce;
+    double load = loads[at(i)] + drives[at(i)].drive().biasForce;
+    for (const JointTorque& torque : drives[at(i)].drive().torques)
+      load += torque(body->position(i), body->velocity(i));
     if (load != 0) body->addTorque(i, load);
   }
   body->begin(mechanism_.gravity, h);

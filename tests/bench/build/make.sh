@@ -1,24 +1,20 @@
 #!/usr/bin/env bash
-# How long make takes when nothing changed, and when one module did. Works on a copy of the built tree, so that
-# the tree itself stays as it is.
+# How long make takes when nothing changed, and when one module did: in a copy, so that the tree stays as it is.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../../.." && pwd)
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 cd "$root"
-make SimRelease > /dev/null
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 mkdir -p "$copy/bin" "$copy/build"
-cp -a configure.sh Makefile scripts src tests "$copy/"
-cp -a build/SimRelease "$copy/build/"
-[[ -d build/generated ]] && cp -a build/generated "$copy/build/"
-cp -a bin/. "$copy/bin/"
+cp -a configure.sh Makefile CMakeLists.txt CMakePresets.json cmake scripts src utils tests "$copy/"
+cp -a bin/*.sh "$copy/bin/"
 cd "$copy"
+make SimRelease > /dev/null # from the compiler cache, where there is one
 export CCACHE="" # what the compiler takes
 seconds() { local start end; start=$(date +%s%N); make SimRelease > log.txt; end=$(date +%s%N); awk "BEGIN { print ($end - $start) / 1e9 }"; }
-make SimRelease > /dev/null # the copy's own files
 nothing=$(seconds)
-grep -q "Nothing to be done" log.txt
+grep -q "^Nothing to be done" log.txt
 module=$(find src/modules -name '*.cpp' | LC_ALL=C sort | head -1)
 one=0 lines=""
 if [[ $module ]]; then

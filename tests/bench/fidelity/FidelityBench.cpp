@@ -9,6 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "simspark/LeagueRobots.h"
 #include "simulation/World.h"
 #include "simulation/replay/Fidelity.h"
 #include "simulation/replay/FidelityTable.h"

@@ -6,6 +6,7 @@
 
 #include "framework/BinaryStream.h"
 #include "framework/Controller.h"
+#include "framework/DebugSite.h"
 #include "framework/Process.h"
 #include "framework/TextStream.h"
 #include "framework/ThreadCopy.h"
@@ -148,6 +149,16 @@ void binaryStream(benchmark::State& state) {
   }
 }
 BENCHMARK(binaryStream)->Name("framework.binary_stream_1kB_round_trip");
+
+/// What a site of the debug interface costs while nobody looks.
+void debugSiteOff(benchmark::State& state) {
+  double value = 1;
+  for (auto _ : state) {
+    MODIFY("bench:off", value);
+    benchmark::DoNotOptimize(value);
+  }
+}
+BENCHMARK(debugSiteOff)->Name("framework.debug_site_off");
 
 void textStream(benchmark::State& state) {
   Numbers numbers, back;

@@ -22,7 +22,7 @@
 #include "gap/diagnosis/Evidence.h"
 #include "gap/diagnosis/Explanation.h"
 #include "gap/effects/Effects.h"
-#include "gap/record/BulletRecording.h"
+#include "gap/record/EngineRecording.h"
 #include "gap/replay/Replay.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/run/RunFile.h"
@@ -89,7 +89,7 @@ private:
   /// The turn walks through all effects: those that a walk cannot have are passed over.
   void drawNext() {
     do truth.effects = drawEffects(robot, BlindKind::single, at++, draw, random);
-    while (std::ranges::find(walkEffects(), truth.effects.front().effect) == walkEffects().end());
+    while (!findEffect(truth.effects.front().effect)->inWalk);
   }
 
   /// Draws and records until a robot walks and what is in it shows. Each attempt keeps its folder.

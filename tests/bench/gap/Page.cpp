@@ -51,8 +51,10 @@ std::string introduction(const BenchResult& r) {
                      "with one that has a neighbour which looks alike, " + many(BlindKind::mixture) +
                      "with two, " + many(BlindKind::outside) + "with one that the library lacks. ";
   text += r.set.robot + " simulated in " +
-          (r.set.engine == "mujoco" ? "MuJoCo" : "the project's own replay at a quarter of its step") + ", " +
-          (r.set.battery == "hang" ? "hung up, five runs" : "hung up and standing") +
+          (r.set.engine == "mujoco" || r.set.engine == "program"
+               ? "MuJoCo"
+               : "the project's own replay at a quarter of its step") +
+          ", " + (r.set.battery == "hang" ? "hung up, five runs" : "hung up and standing") +
           " per case. The diagnosis runs as a process of its own on a folder without the answer.\n";
   if (r.timing.count) {
     char line[200];

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "../../motion/MotionTrial.h"
+#include "simspark/LeagueRobots.h"
 
 namespace {
 
@@ -104,9 +105,9 @@ void kick(Report& report, MotionTrial& trial, const std::string& type, Side foot
 int main(int argc, char** argv) {
   const int count = argc > 1 ? std::atoi(argv[1]) : 60;
   const int only = argc > 2 ? std::atoi(argv[2]) : -1;
-  constexpr double kickPeers[numSimsparkTypes] = {4.5, 5.1, 4.5, 4.5, 5.1};
+  constexpr double kickPeers[] = {4.5, 5.1, 4.5, 4.5, 5.1};
   Report report;
-  for (int type = 0; type < numSimsparkTypes; ++type) {
+  for (int type = 0; type < numSimsparkTypes(); ++type) {
     if (only >= 0 && type != only) continue;
     MotionTrial trial(type);
     const std::string name = std::to_string(type);

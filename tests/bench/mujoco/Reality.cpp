@@ -7,15 +7,19 @@
 #include <stdexcept>
 
 #include "Drive.h"
-#include "ModelText.h"
-#include "SoftGround.h"
-#include "World.h"
 #include "math/Random.h"
+#include "simulation/servo/mujoco/MujocoModel.h"
+#include "simulation/servo/mujoco/MujocoWorld.h"
+#include "simulation/servo/mujoco/SoftGround.h"
 
 namespace plumbline::reality {
 namespace {
 
 using gap::ChannelKind;
+using simulation::mujoco::ModelOptions;
+using simulation::mujoco::modelText;
+using simulation::mujoco::SoftGround;
+using simulation::mujoco::World;
 
 double valueOf(const std::vector<RealityEffect>& effects, const char* id, double nominal) {
   for (const RealityEffect& e : effects)

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "math/Angle.h"
+#include "simspark/LeagueRobots.h"
 #include "simulation/World.h"
 #include "simulation/replay/Fidelity.h"
 #include "simulation/replay/Replay.h"

@@ -6,9 +6,9 @@
 
 #include "bench/walking/Sections.h"
 #include "training/WalkingRobot.h"
-#include "walking/LinearInvertedPendulum.h"
-#include "walking/StepPlanner.h"
-#include "walking/VelocityFilter.h"
+#include "walking/estimation/VelocityFilter.h"
+#include "walking/model/LinearInvertedPendulum.h"
+#include "walking/planning/StepPlanner.h"
 
 namespace plumbline::bench {
 namespace {
@@ -29,15 +29,15 @@ WalkRequest tour(double time, const WalkParameters& p) {
     case 1:
       return {Vec2(0.2, 0), 0, true};
     case 2:
-      return {Vec2(p.maxForward, 0), 0, true};
+      return {Vec2(p.speed.maxForward, 0), 0, true};
     case 3:
-      return {Vec2(0, p.maxSideways / 2), 0, true};
+      return {Vec2(0, p.speed.maxSideways / 2), 0, true};
     case 4:
-      return {Vec2(0.1, 0), p.maxTurn / 2, true};
+      return {Vec2(0.1, 0), p.speed.maxTurn / 2, true};
     case 5:
-      return {Vec2(-p.maxBackward, 0), 0, true};
+      return {Vec2(-p.speed.maxBackward, 0), 0, true};
     case 6:
-      return {Vec2(0.15, -0.1), -p.maxTurn / 3, true};
+      return {Vec2(0.15, -0.1), -p.speed.maxTurn / 3, true};
     default:
       return {};
   }
@@ -201,8 +201,7 @@ void walkFigures(const WalkGaits& gaits, bool closed, Page& page) {
     WalkState end;
     if (single) {
       const WalkParameters p = robot.engine.gait();
-      const LinearInvertedPendulum model(Vec2(p.pendulumHeight, p.pendulumHeight + p.pendulumSideways),
-                                         Vec2(p.copForward, p.copOutward), robot.engine.prediction());
+      const LinearInvertedPendulum model(p.model.heights(), p.model.pressure(), robot.engine.prediction());
       WalkAction rest;
       rest.duration = robot.output.stepTime;
       end = model.move(state, rest, rest.duration);
@@ -253,7 +252,7 @@ void measureEstimate(const BenchSetup& setup, Report& report, Page& page) {
   searchFigure(page);
   walkFigures(plainWalk(), false, page);
   WalkGaits closed = plainWalk();
-  closed.base.observationPosition = closed.base.observationVelocity = 0.05;
+  closed.base.observation.positionGain = closed.base.observation.velocityGain = 0.05;
   for (WalkParameters& corner : closed.corner) corner = closed.base;
   walkFigures(closed, true, page);
 }

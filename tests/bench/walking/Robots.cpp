@@ -5,7 +5,8 @@
 
 #include <stdexcept>
 
-#include "bench/walking/MujocoPlant.h"
+#include "bench/walking/NoisySensors.h"
+#include "simspark/LeagueRobots.h"
 #include "training/ServerWalker.h"
 #include "training/ServoWalker.h"
 #include "training/WalkingRobot.h"
@@ -17,7 +18,7 @@ using namespace walking;
 
 Subject leagueRobot(int type, bool plain) {
   // Sustained forward speed of the better of two teams' published agents on the league's server.
-  const double peer[numSimsparkTypes] = {0.83, 0.79, 0.87, 0.82, 0.85};
+  const double peer[] = {0.83, 0.79, 0.87, 0.82, 0.85};
   Subject subject;
   subject.name = fmt::format("type{}{}", type, plain ? "_plain" : "");
   subject.gaits = plain ? plainWalk() : readWalkGaits(type);
@@ -49,7 +50,8 @@ Subject nao(const std::string& engine) {
   subject.make = [engine](const WalkGaits& gaits) -> std::unique_ptr<Walker> {
     const Mechanism robot = findMechanism("nao_v5");
     if (engine == "bullet") return std::make_unique<ServoWalker>(robot, gaits);
-    return std::make_unique<ServoWalker>(robot, gaits, std::make_unique<MujocoPlant>(robot));
+    return std::make_unique<ServoWalker>(
+        robot, gaits, std::make_unique<NoisySensors>(simulation::RobotSimulations::make("mujoco", robot)));
   };
   subject.walkingSpeed = 0.15;
   subject.peer = "B-Human, NAO";
@@ -71,7 +73,7 @@ std::vector<std::string> subjectNames() {
 Subject subjectOf(const std::string& name) {
   if (name.find('@') != std::string::npos) return onServer(name);
   if (name == "nao-bullet" || name == "nao-mujoco") return nao(name.substr(4));
-  for (int type = 0; type < numSimsparkTypes; ++type)
+  for (int type = 0; type < numSimsparkTypes(); ++type)
     for (const bool plain : {false, true})
       if (name == fmt::format("type{}{}", type, plain ? "_plain" : "")) return leagueRobot(type, plain);
   throw std::invalid_argument(fmt::format("no robot '{}'; there is {}, and typeN@server on a SimSpark server",

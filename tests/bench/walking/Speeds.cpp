@@ -47,8 +47,9 @@ void measure(const Subject& subject, const BenchSetup& setup, Report& report) {
       robot.restart();
       robot.run({}, wait);
       const WalkParameters& p = gaits.base;
-      robot.run(walk(random.uniform(-p.maxBackward, enough), random.uniform(-p.maxSideways, p.maxSideways),
-                     random.uniform(-p.maxTurn, p.maxTurn)),
+      robot.run(walk(random.uniform(-p.speed.maxBackward, enough),
+                     random.uniform(-p.speed.maxSideways, p.speed.maxSideways),
+                     random.uniform(-p.speed.maxTurn, p.speed.maxTurn)),
                 random.uniform(1, 3));
       safe += robot.run({}, 2) && robot.output.standing ? 0.2 : 0;
     }

@@ -7,7 +7,7 @@
 
 #include "bench/walking/Sections.h"
 #include "training/Walker.h"
-#include "walking/BackgroundFit.h"
+#include "walking/estimation/BackgroundFit.h"
 
 namespace plumbline::bench {
 

@@ -31,8 +31,12 @@ try {
   const box = await browser.run("(() => { const b = document.querySelector('#overlays .u-over').getBoundingClientRect(); return [b.x, b.y, b.width, b.height]; })()");
   await browser.drag([box[0] + 0.3 * box[2], box[1] + 0.5 * box[3]], [box[0] + 0.5 * box[2], box[1] + 0.5 * box[3]]);
   await until('dragging zooms', async () => { const [a, b] = await range(); return b - a < 0.5 * (right - left); });
+  const legend = () => browser.run("document.querySelector('#overlays .u-legend').textContent");
+  check((await legend()).includes('measured \u2212 nominal'), 'the difference to what was measured comes first');
+  check(!(await legend()).includes('-'), 'a legend that nobody points at holds names only');
   await browser.run("[...document.querySelectorAll('#overlays button')].at(-1).click()");
-  check(await browser.run("document.querySelector('#overlays .u-legend').textContent.includes('measured \\u2212 nominal')"), 'differences can be shown');
+  check((await legend()).includes('nominal') && !(await legend()).includes('\u2212'), 'the signals can be shown');
+  check((await browser.run("document.getElementById('causes').textContent")).includes('Causes that lost, and why'), 'the causes that lost are listed');
   check(browser.problems.length === 0, `no errors on the page: ${browser.problems.join('; ')}`);
   if (picture) {
     await browser.run("[...document.querySelectorAll('#overlays button')][0].click(); scrollTo(0, 0)");

@@ -8,6 +8,6 @@ await new Promise((r) => setTimeout(r, 1000 * Number(seconds)));
 for (const e of expressions) console.log(await browser.run(e));
 if (expressions.length) await new Promise((r) => setTimeout(r, 3000));
 await browser.screenshot(file);
-console.log(JSON.stringify(await browser.run('(({robots, ...rest}) => ({...rest, robots: robots.length}))(window.plumbline.state())')));
+console.log(JSON.stringify(await browser.run('window.plumbline && (({robots, ...rest}) => ({...rest, robots: robots.length}))(window.plumbline.state())') ?? null));
 console.log(browser.problems.slice(0, 10).join('\n'));
 await browser.close();

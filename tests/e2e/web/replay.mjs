@@ -14,6 +14,16 @@ try {
     const now = await state();
     return now.robots.length === 22 && near(now.ball, [0, 0, 0.042], 0.05) && !now.replay.playing;
   });
+  const time = async () => (await state()).replay.time;
+  const nearTime = (wanted) => async () => Math.abs(await time() - wanted) < 0.05;
+  const press = async (key, code) => { for (const type of ['keyDown', 'keyUp']) await browser.call('Input.dispatchKeyEvent', { type, key, code }); };
+  const back = Math.max(0, duration - 5);
+  await browser.click('[data-skip="-5"]');
+  await until('five seconds back by the button', nearTime(back));
+  await press(',', 'Comma');
+  await until('one picture back by the comma', nearTime(Math.max(0, back - 0.04)));
+  await press('ArrowRight', 'ArrowRight');
+  await until('five seconds on by the arrow', nearTime(Math.min(duration, Math.max(0, back - 0.04) + 5)));
   await slider(0);
   await until('the begin has none', async () => (await state()).robots.length < 22);
   await browser.click('#replayPlay');

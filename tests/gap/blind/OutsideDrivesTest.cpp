@@ -6,12 +6,13 @@
 #include <cmath>
 
 #include "gap/TwoJointArm.h"
+#include "simulation/servo/ServoWorld.h"
 
 namespace plumbline::gap {
 namespace {
 
 simulation::ServoWorld held(const Mechanism& arm, const std::vector<double>& q) {
-  simulation::ServoWorldConfig config;
+  simulation::RobotSimulationOptions config;
   config.fixedBase = true;
   config.stepSeconds = 0.0005;
   for (const Mechanism::Joint& joint : arm.joints) config.drives.push_back(JointPlant::nominal(joint));
@@ -110,7 +111,7 @@ TEST(OutsideDrives, saysWhatItDoesNotKnow) {
     }
     return "nothing thrown";
   };
-  EXPECT_EQ(error({"moon_phase", "elbow", "", 1, {}}), "engine bullet has no effect moon_phase");
+  EXPECT_EQ(error({"moon_phase", "elbow", "", 1, {}}), "no engine of this program has the effect moon_phase");
   EXPECT_EQ(error({"gear_ripple", "knee", "", 1, {}}), "gear_ripple: two_joint_arm has no joint knee");
 }
 

@@ -26,6 +26,21 @@ TEST_F(EvaluatorTest, aBaseThatChangedIsAsOneThatBeganSo) {
   EXPECT_GT(direct.baseFit().judging, 1000);
 }
 
+TEST_F(EvaluatorTest, aBaseWithDropoutHasItsPredictionsWhateverCyclesItIsTold) {
+  Evaluator evaluator(arm, evidence), other(arm, evidence);
+  std::vector<std::vector<std::uint8_t>> lost = {std::vector<std::uint8_t>(300, 0)};
+  for (std::size_t k = 20; k < 300; k += 20) lost[0][k] = 1;
+  const Explanation dropout = {causeOfArm("command_dropout", "*", 0.05)};
+  evaluator.setBase(dropout);
+  const double none = evaluator.baseFit().judging;
+  evaluator.setLostCycles(lost);
+  ASSERT_EQ(evaluator.basePrediction(0).values.size(), 2u);
+  EXPECT_GT(evaluator.baseFit().judging, none);
+  other.setLostCycles(lost);
+  other.setBase(dropout);
+  EXPECT_EQ(evaluator.baseFit().squares, other.baseFit().squares);
+}
+
 TEST_F(EvaluatorTest, anExplanationCostsWhatItCostsAsABase) {
   Evaluator evaluator(arm, evidence);
   const Explanation causes = {causeOfArm("command_delay", "*", 0.01)};

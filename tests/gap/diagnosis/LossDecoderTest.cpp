@@ -36,6 +36,16 @@ TEST_F(LossDecoderTest, aLossOfACommandThatStayedTheSameIsNone) {
   EXPECT_EQ(std::ranges::count(decoded(trial, lost, 14), 1), 0);
 }
 
+TEST_F(LossDecoderTest, ofAJointThatWasNeverCommandedNothingIsLost) {
+  for (const std::size_t k : {60, 100, 101}) lost[k] = 1;
+  trial.command[1].clear();
+  trial.followed.resize(2);
+  for (const double time : trial.time)
+    trial.followed[1].push_back(0.3 * std::sin(9 * time));  // moved by hand
+  // What the hand does in each cycle is no command that could be lost.
+  EXPECT_LE(std::ranges::count(decoded(trial, lost, 14), 1), 6);
+}
+
 TEST_F(LossDecoderTest, noLossIsWorthMoreThanItExplains) {
   lost[60] = lost[100] = 1;
   EXPECT_EQ(std::ranges::count(decoded(trial, lost, 1e9), 1), 0);

@@ -39,14 +39,12 @@ TEST_F(SearchMemoryTest, aDiagnosisThatGoesOnFindsTheSame) {
   };
   const Diagnosis whole = run(nullptr, false);
   {
-    Evaluator fine(arm, evidence);
-    SearchMemory memory(path, fine);
+    SearchMemory memory(path, "mark", arm);
     EXPECT_EQ(memory.size(), 0u);
     run(&memory, false);
     EXPECT_GE(memory.size(), 1u);
   }
-  Evaluator fine(arm, evidence);
-  SearchMemory memory(path, fine);
+  SearchMemory memory(path, "mark", arm);
   ASSERT_GE(memory.size(), 1u);
   const Diagnosis again = run(&memory, true);  // would throw if it searched
   ASSERT_EQ(again.findings.size(), whole.findings.size());
@@ -57,15 +55,41 @@ TEST_F(SearchMemoryTest, aDiagnosisThatGoesOnFindsTheSame) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST_F(SearchMemoryTest, aFileOfOtherRunsOrADamagedOneIsNotTaken) {
-  const Evidence one = evidenceOf(3), other = evidenceOf(4);
-  Evaluator fine(arm, one);
-  SearchMemory memory(path, fine);
+TEST_F(SearchMemoryTest, aFileOfAnotherMarkOrADamagedOneIsNotTaken) {
+  SearchMemory memory(path, "mark", arm);
   memory.keep({}, {});
-  EXPECT_EQ(SearchMemory(path, fine).size(), 1u);
-  EXPECT_EQ(SearchMemory(path, Evaluator(arm, other)).size(), 0u);
+  EXPECT_EQ(SearchMemory(path, "mark", arm).size(), 1u);
+  EXPECT_EQ(SearchMemory(path, "other", arm).size(), 0u);
   std::filesystem::resize_file(path, std::filesystem::file_size(path) - 3);
-  EXPECT_EQ(SearchMemory(path, fine).size(), 0u);
+  EXPECT_EQ(SearchMemory(path, "mark", arm).size(), 0u);
+}
+
+TEST_F(SearchMemoryTest, ASearchIsFoundByAllItStartedFrom) {
+  SearchMemory memory(path, "mark", arm);
+  const SearchStart start{{causeOfArm("viscous_friction", "elbow", 0.1)}, 3, {{0, 1}}};
+  memory.keep(start, {{}, {{1, 0}}});
+  const SearchMemory again(path, "mark", arm);
+  ASSERT_TRUE(again.find(start));
+  EXPECT_EQ(again.find(start)->lostCycles, (std::vector<std::vector<std::uint8_t>>{{1, 0}}));
+  SearchStart other = start;
+  other.leastGain = 4;
+  EXPECT_FALSE(again.find(other));
+  other = start;
+  other.lostCycles[0][0] = 1;
+  EXPECT_FALSE(again.find(other));
+  other = start;
+  other.base[0].value = 0.2;
+  EXPECT_FALSE(again.find(other));
+}
+
+TEST_F(SearchMemoryTest, aFileThatCannotBeWrittenIsToldOnceAndStopsNothing) {
+  std::vector<std::string> told;
+  SearchMemory memory("/proc/none/searches", "mark", arm,
+                      [&](const std::string& problem) { told.push_back(problem); });
+  memory.keep({}, {});
+  memory.keep({}, {});
+  EXPECT_EQ(told, std::vector<std::string>{"cannot write /proc/none/searches: No such file or directory"});
+  EXPECT_EQ(memory.size(), 0u);
 }
 
 }  // namespace

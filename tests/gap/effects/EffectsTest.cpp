@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "../TwoJointArm.h"
@@ -38,6 +39,43 @@ TEST(EffectsTest, eachCanBePutSomewhereAndChangesThePlant) {
     EXPECT_FALSE(effect->sentence.empty());
     EXPECT_FALSE(effect->exposedBy.empty());
   }
+}
+
+TEST(EffectsTest, lookAlikesAreInTheLibraryAndMutual) {
+  int pairs = 0;
+  for (const Effect* effect : effects()) {
+    if (effect->alike.id.empty()) continue;
+    const Effect* other = findEffect(effect->alike.id);
+    ASSERT_TRUE(other) << effect->id;
+    EXPECT_EQ(other->alike.id, effect->id);
+    EXPECT_NE(other->alike.turn, effect->alike.turn);
+    ++pairs;
+  }
+  EXPECT_EQ(pairs, 16);
+}
+
+TEST(EffectsTest, eachIsDrawnWithinWhatIsLookedFor) {
+  for (const Effect* effect : effects()) {
+    const Drawing& drawing = effect->drawing;
+    ASSERT_NE(drawing.where, Drawing::Where::nowhere) << effect->id;
+    EXPECT_LT(drawing.low, drawing.high) << effect->id;
+    EXPECT_LE(drawing.low2, drawing.high2) << effect->id;
+    EXPECT_EQ(effect->hasAxis, !drawing.axes.empty()) << effect->id;
+    // A supply that has dropped is drawn lower than a fit looks for it.
+    if (drawing.unit != Drawing::Unit::plain || effect->id == "supply_voltage") continue;
+    EXPECT_GE(drawing.low, effect->lower) << effect->id;
+    EXPECT_LE(std::max(drawing.high, drawing.high2), effect->upper) << effect->id;
+    if (drawing.bothSigns) {
+      EXPECT_LE(effect->lower, -drawing.high) << effect->id;
+    }
+  }
+}
+
+TEST(EffectsTest, aDcMotorHasNoSpeedLimit) {
+  const Effect& limit = *findEffect("speed_limit");
+  const Mechanism nao = findMechanism("nao_v5"), pendulum = findMechanism("xl330_pendulum");
+  EXPECT_TRUE(limit.canBeAt(nao, placesOf(limit, nao)[0]));
+  EXPECT_FALSE(limit.canBeAt(pendulum, placesOf(limit, pendulum)[0]));
 }
 
 TEST(EffectsTest, servosOfOneTypeMayAllBeAlike) {

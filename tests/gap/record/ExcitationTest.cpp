@@ -148,6 +148,25 @@ TEST(Excitation, aWrittenProgramReadsAsTheSame) {
   }
 }
 
+TEST(Excitation, walksAreFilesToo) {
+  const Mechanism nao = findMechanism("nao_v5");
+  const Excitation forward = findExcitation("walk_forward", nao);
+  ASSERT_TRUE(forward.walk);
+  EXPECT_EQ(forward.about, "walk_forward: the project's own walk, closed loop");
+  EXPECT_EQ(forward.walk->velocity, Vec2(0.15, 0));
+  EXPECT_EQ(forward.walk->duration, 10);
+  EXPECT_EQ(forward.duration, 12);
+  EXPECT_TRUE(forward.freeBase);
+  EXPECT_EQ(findExcitation("walk_sideways", nao).walk->velocity, Vec2(0, 0.06));
+  EXPECT_EQ(findExcitation("walk_turn", nao).walk->turn, 0.4);
+  EXPECT_THROW(playExcitation(forward, nao, 100), std::invalid_argument);
+  EXPECT_THROW(excitationText(forward, nao), std::invalid_argument);
+  EXPECT_EQ(errorOf("about: a\nbase: fixed\nwalk: {forward: 0.1, duration: 1}\n"),
+            "3: walk.forward needs base: free; a robot that is held does not walk");
+  EXPECT_EQ(errorOf("about: a\nbase: free\nwalk: {foward: 0.1, duration: 1}\n"),
+            "3: unknown key \"walk.foward\"; did you mean \"forward\"?");
+}
+
 TEST(Excitation, badProgramsAreNamed) {
   const std::string head = "about: a\nbase: fixed\nposture: hang\nsegments:\n";
   EXPECT_EQ(
@@ -172,7 +191,8 @@ TEST(Excitation, badProgramsAreNamed) {
     EXPECT_STREQ(error.what(),
                  "config/excitation: no program dance; there are hang_chirp, hang_fast, hang_multisine, "
                  "hang_small, hang_static, "
-                 "hang_sweep, stand_lean, stand_squat, stand_sway, stand_turn180, stand_walk");
+                 "hang_sweep, stand_lean, stand_squat, stand_sway, stand_turn180, stand_walk, walk_forward, "
+                 "walk_sideways, walk_turn");
   }
 }
 

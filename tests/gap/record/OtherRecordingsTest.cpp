@@ -5,7 +5,7 @@
 
 #include "gap/TwoJointArm.h"
 #include "gap/effects/Effects.h"
-#include "gap/record/BulletRecording.h"
+#include "gap/record/EngineRecording.h"
 #include "gap/record/ExcitationFile.h"
 #include "gap/record/SimsparkRecording.h"
 #include "gap/replay/Replay.h"
@@ -49,7 +49,7 @@ Swings swings(const Explanation& effects = {}) {
   SimulatedRecordingOptions options;
   options.noisy = false;
   options.effects = effects;
-  return {recordSimulated(arm, swing(arm), options), recordBullet(arm, swing(arm), options)};
+  return {recordSimulated(arm, swing(arm), options), recordInEngine("bullet", arm, swing(arm), options)};
 }
 
 TEST(Simspark, cyclesAreCountedThoughTheClockIsCoarse) {
@@ -63,7 +63,7 @@ TEST(Simspark, cyclesAreCountedThoughTheClockIsCoarse) {
   EXPECT_EQ(cyclesBetween(5, 4), 0u) << "back in time";
 }
 
-TEST(BulletRecording, AgreesWithTheOwnDynamicsOnAHeldArm) {
+TEST(EngineRecording, AgreesWithTheOwnDynamicsOnAHeldArm) {
   const auto [own, bullet] = swings();
   for (const char* joint : {"shoulder", "elbow"}) {
     const std::string channel = channelName(ChannelKind::position, joint);
@@ -72,7 +72,7 @@ TEST(BulletRecording, AgreesWithTheOwnDynamicsOnAHeldArm) {
   EXPECT_EQ(own.t, bullet.t);
 }
 
-TEST(BulletRecording, IsNotAheadOfTheOwnDynamics) {
+TEST(EngineRecording, IsNotAheadOfTheOwnDynamics) {
   const auto [own, bullet] = swings();
   for (const char* joint : {"shoulder", "elbow"}) {
     const std::string channel = channelName(ChannelKind::position, joint);
@@ -86,7 +86,7 @@ TEST(BulletRecording, IsNotAheadOfTheOwnDynamics) {
   }
 }
 
-TEST(BulletRecording, EveryEffectShowsAsInTheOwnDynamics) {
+TEST(EngineRecording, EveryEffectShowsAsInTheOwnDynamics) {
   const gap::Run nominal = swings().bullet;
   struct Size {
     const char* effect;
@@ -133,23 +133,23 @@ TEST(BulletRecording, EveryEffectShowsAsInTheOwnDynamics) {
   }
 }
 
-TEST(BulletRecording, TwoForcesAtOnceAreOneTooMany) {
+TEST(EngineRecording, TwoForcesAtOnceAreOneTooMany) {
   const Mechanism nao = findMechanism("nao_v5");
   SimulatedRecordingOptions options;
   const Effect* force = findEffect("external_force");
   options.effects = {{force, findPlace(*force, nao, "torso", "x"), 3, 0},
                      {force, findPlace(*force, nao, "Head", "y"), 2, 0}};
-  EXPECT_EQ(thrownBy([&] { recordBullet(nao, findExcitation("stand_sway", nao), options); }),
+  EXPECT_EQ(thrownBy([&] { recordInEngine("bullet", nao, findExcitation("stand_sway", nao), options); }),
             "engine bullet has one external_force at a time; --engine own has several");
 }
 
-TEST(BulletRecording, ANaoStandsAndFeelsItsWeight) {
+TEST(EngineRecording, ANaoStandsAndFeelsItsWeight) {
   const Mechanism nao = findMechanism("nao_v5");
   Excitation program = findExcitation("stand_sway", nao);
   program.duration = 2.5;
   SimulatedRecordingOptions options;
   options.truth = true;
-  const gap::Run run = recordBullet(nao, program, options);
+  const gap::Run run = recordInEngine("bullet", nao, program, options);
   double weight = 0;
   for (const auto& [name, values] : run.channels)
     if (name.starts_with("fsr.")) weight += values.back();
@@ -158,24 +158,6 @@ TEST(BulletRecording, ANaoStandsAndFeelsItsWeight) {
   EXPECT_NEAR(weight, 9.81 * mass, 0.1 * 9.81 * mass);
   EXPECT_GT(run.find("truth.z")->back(), 0.2);
   EXPECT_NEAR(run.find("acc.z")->back(), 9.81, 0.5);
-}
-
-TEST(SimsparkRecording, RobotFilesSayWhatTheLeaguesRobotsAre) {
-  for (int type = 0; type < numSimsparkTypes; ++type) {
-    const RobotModel model = simsparkRobot(type);
-    const Mechanism robot = findMechanism("simspark_type" + std::to_string(type));
-    ASSERT_EQ(robot.links.size(), model.links.size());
-    for (std::size_t i = 1; i < model.links.size(); ++i) {
-      const Link& link = model.links[i];
-      const int joint = robot.jointIndex(jointNames[link.joint]);
-      ASSERT_GE(joint, 0) << link.name;
-      const Mechanism::Joint& own = robot.joints[static_cast<std::size_t>(joint)];
-      EXPECT_NEAR((own.origin - link.origin).norm(), 0, 1e-7) << link.name;
-      EXPECT_NEAR((own.axis - link.axis).norm(), 0, 1e-6) << link.name;
-      EXPECT_NEAR(own.maxSpeed, link.maxSpeed, 1e-6) << link.name;
-      EXPECT_NEAR(robot.links[static_cast<std::size_t>(own.child)].mass, link.mass, 1e-7) << link.name;
-    }
-  }
 }
 
 TEST(SimsparkRecording, PlaysAProgramOnARobotOfAServer) {

@@ -47,6 +47,15 @@ TEST_F(CommandPathTest, lostCyclesAndLostSamplesHoldTheLastCommand) {
   EXPECT_DOUBLE_EQ(path.over(0.071, 0.08), 1);
 }
 
+TEST_F(CommandPathTest, aJointWithoutCommandsFollowsAndLosesNothing) {
+  trial.followed = {trial.command[0], {}};
+  trial.command[0].clear();
+  const std::vector<std::uint8_t> lost(10, 1);
+  CommandPath path(plant, trial, 0, &lost);
+  EXPECT_DOUBLE_EQ(path.over(0, 0.04), 0);
+  EXPECT_DOUBLE_EQ(path.over(0.06, 0.07), 1);
+}
+
 TEST_F(CommandPathTest, anAccelerationLimitTakesItsTime) {
   plant.accelerationLimit = 100;  // 1 rad: speeds up for 0.1 s and slows down for 0.1 s
   for (int k = 10; k < 100; ++k) trial.time.push_back(0.01 * k);

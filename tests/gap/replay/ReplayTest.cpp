@@ -29,6 +29,24 @@ TEST(ReplayTest, stepsOfSecondOrder) {
   EXPECT_GT(coarse / fine, 3.5);
 }
 
+TEST(ReplayTest, aTorqueOfAngleAndSpeedActsOnTheLink) {
+  const Mechanism arm = twoJointArm();
+  const Trial trial = armTrial(arm, 3);
+  Plant biased = nominalPlant(arm), pushed = biased;
+  biased.joints[1].biasForce = 0.2;
+  pushed.joints[1].torques = {[](double, double) { return 0.15; }, [](double, double) { return 0.05; }};
+  const auto byBias = replay(biased, trial).values, byTorques = replay(pushed, trial).values;
+  for (std::size_t s = 0; s < byBias.size(); ++s) EXPECT_LT(largest(byBias[s], byTorques[s]), 1e-12);
+  // Of the angle, a spring; of the speed, what viscous friction does.
+  Plant sprung = nominalPlant(arm), damped = sprung;
+  sprung.joints[0].torques = {[](double angle, double) { return -2 * angle; }};
+  damped.joints[0].torques = {[](double, double speed) { return -0.2 * speed; }};
+  Plant viscous = nominalPlant(arm);
+  viscous.joints[0].viscous = 0.2;
+  EXPECT_GT(largest(replay(sprung, trial).values[0], replay(nominalPlant(arm), trial).values[0]), 0.01);
+  EXPECT_LT(largest(replay(damped, trial).values[0], replay(viscous, trial).values[0]), 0.002);
+}
+
 TEST(ReplayTest, aHeldPoseSagsByTorqueOverGain) {
   const Mechanism arm = twoJointArm();
   Trial trial = armTrial(arm, 3);

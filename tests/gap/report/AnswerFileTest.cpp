@@ -29,15 +29,20 @@ std::string refusal(const std::string& text) {
   } catch (const ConfigurationError& error) {
     const std::string what = error.what();
     const std::string tail = "; bin/gap diagnose RUNS --json FILE writes an answer";
-    EXPECT_TRUE(what.starts_with(path + ": ")) << what;
+    EXPECT_TRUE(what.starts_with(path + ":")) << what;
     EXPECT_TRUE(what.ends_with(tail)) << what;
-    return what.substr(path.size() + 2, what.size() - path.size() - 2 - tail.size());
+    const std::size_t from = path.size() + (what[path.size() + 1] == ' ' ? 2 : 1);  // else there is a line
+    return what.substr(from, what.size() - from - tail.size());
   }
   return "";
 }
 
 TEST(AnswerFile, RefusesWhatIsNoAnswerInOneLine) {
-  EXPECT_EQ(refusal("{"), "is no JSON map");
+  EXPECT_EQ(refusal("{"), "1: broken JSON");
+  EXPECT_EQ(
+      refusal("{\"verdict\": \"none\", \"x\": " + std::string(100000, '[') + std::string(100000, ']') + "}"),
+      "is nested deeper than 16 levels");
+  EXPECT_EQ(refusal(R"({"a": 1, "a": 2})"), "key \"a\" occurs twice in one object");
   EXPECT_EQ(refusal("[]"), "is no JSON map");
   EXPECT_EQ(refusal("{}"), "has no 'verdict'");
   EXPECT_EQ(refusal(R"({"verdict": "maybe"})"), "has the verdict 'maybe'; there is none, effect, unknown");

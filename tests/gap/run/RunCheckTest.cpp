@@ -148,7 +148,7 @@ TEST_F(RunCheck, aCommandThatWasNotRecorded) {
     const std::string text = check(run);
     EXPECT_EQ(text.substr(0, 67), "r: cmd.RHipPitch is left out: it is constant while pos.RHipPitch is")
         << name << text;
-    EXPECT_NE(text.find("r: pos.RHipPitch: there is no cmd.RHipPitch; the joint cannot be replayed\n"),
+    EXPECT_NE(text.find("r: pos.RHipPitch: there is no cmd.RHipPitch; the joint is moved as it was seen\n"),
               std::string::npos)
         << text;
   }
@@ -168,8 +168,8 @@ TEST_F(RunCheck, missingColumns) {
   run.channels.erase("cmd.HeadYaw");
   run.channels.erase("pos.HeadYaw");
   EXPECT_EQ(check(run),
-            "r: run.csv: has neither cmd.HeadYaw nor pos.HeadYaw\n"
-            "r: pos.LKneePitch: there is no cmd.LKneePitch; the joint cannot be replayed\n"
+            "r: run.csv: has neither cmd.HeadYaw nor pos.HeadYaw; it is held still\n"
+            "r: pos.LKneePitch: there is no cmd.LKneePitch; the joint is moved as it was seen\n"
             "r: cmd.RKneePitch: there is no pos.RKneePitch to hold against it\n");
   run = load("xl330_kp200_sin_sin");
   run.channels.erase("cmd.pendulum");
@@ -245,6 +245,58 @@ TEST_F(RunCheck, brokenTruth) {
   EXPECT_EQ(check(run), "r: truth is left out: a quaternion has length 1.2 instead of 1\n");
   for (const char* part : {"truth.qw", "truth.qx", "truth.qy"}) run.channels[part].assign(run.size(), 0.5);
   EXPECT_EQ(check(run), "r: truth is left out: a quaternion has four columns\n");
+}
+
+TEST_F(RunCheck, commandsInThousandsAreLeftOut) {
+  Recording run = load("so101_multisine");
+  scale(run, "cmd.", 1e-3);
+  const std::string said = check(run, "so101");
+  EXPECT_NE(said.find(" times as far; was it divided by a thousand?"), std::string::npos) << said;
+}
+
+TEST_F(RunCheck, settingsThatHardlyAreAreToldAndUsed) {
+  Recording run = load("xl330_kp200_sin_sin");
+  run.servo["pendulum"].kp = 0;
+  run.servo["pendulum"].vin = 7400;
+  run.servo["pendulum"].kpFirmware = 400;
+  EXPECT_EQ(
+      check(run, "xl330_pendulum"),
+      "r: run.json: servo.pendulum.kp is 0: the motor would do nothing; leave it out where it was not set\n"
+      "r: run.json: servo.pendulum.vin is 7400, 1000 times that of xl330_pendulum; check its unit\n");
+}
+
+TEST_F(RunCheck, timesThatHardlyAreAreToldAndUsed) {
+  Recording run = load("xl330_kp200_sin_sin");
+  run.timing["*"] = {1, 0, 0};
+  EXPECT_TRUE(check(run, "xl330_pendulum")
+                  .starts_with("r: run.json: timing.cmd_at_s is 1 s, 188 cycles; is it in s?"));
+  run = load("xl330_kp200_sin_sin");
+  run.rateHz *= 1.2;
+  EXPECT_NE(check(run, "xl330_pendulum").find("r: run.json: rate_hz "), std::string::npos);
+  run = load("xl330_kp200_sin_sin");
+  run.groundTruth = true;
+  EXPECT_EQ(check(run, "xl330_pendulum"),
+            "r: run.json: ground_truth is true, but there is no column truth.*\n");
+}
+
+TEST_F(RunCheck, clocksThatAreApartAreTold) {
+  for (const int lines : {-90, 90}) {
+    Recording run = load("so101_multisine");
+    for (auto& [name, column] : run.channels)
+      if (name.starts_with("pos.")) {
+        std::vector<double> moved(column.size(), std::nan(""));
+        for (std::size_t i = 0; i < column.size(); ++i) {
+          const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(i) - lines;
+          if (from >= 0 && from < static_cast<std::ptrdiff_t>(column.size()))
+            moved[i] = column[static_cast<std::size_t>(from)];
+        }
+        column = moved;
+      }
+    const std::string said = check(run, "so101");
+    EXPECT_NE(said.find(lines < 0 ? " s later; are both of one clock" : " s before; are both of one clock"),
+              std::string::npos)
+        << said;
+  }
 }
 
 }  // namespace

@@ -151,6 +151,28 @@ TEST_F(RunFile, whatIsWrittenIsReadAgain) {
   EXPECT_TRUE(warnings.empty());
 }
 
+TEST_F(RunFile, keysThatThereAreNotAreNamed) {
+  EXPECT_EQ(outcome(replaced(meta, "\"rate_hz\"", "\"rows\": 1e9, \"rate_hz\""), table),
+            "run.json: there is no key rows");
+  EXPECT_EQ(outcome(replaced(meta, "\"rate_hz\"", "\"headnig\": 1, \"rate_hz\""), table),
+            "run.json: there is no key headnig; did you mean \"heading\"?");
+  EXPECT_EQ(outcome(replaced(meta, "\"rate_hz\"", "\"timing\": {\"pos_at\": 0}, \"rate_hz\""), table),
+            "run.json: there is no key timing.pos_at; did you mean \"pos_at_s\"?");
+  EXPECT_EQ(outcome(replaced(meta, "\"rate_hz\"", "\"servo\": {\"A\": {\"kpp\": 0}}, \"rate_hz\""), table),
+            "run.json: there is no key servo.A.kpp; did you mean \"kp\"?");
+  EXPECT_EQ(
+      outcome(replaced(meta, "\"rate_hz\"", "\"servo\": {\"A\": {\"dc_motor\": {\"vinn\": 0}}}, \"rate_hz\""),
+              table),
+      "run.json: there is no key servo.A.dc_motor.vinn; did you mean \"vin\"?");
+  EXPECT_EQ(outcome(replaced(meta, "\"rate_hz\"", "\"note\": \"by hand\", \"rate_hz\""), table), "");
+}
+
+TEST_F(RunFile, aLineWithANulIsNoEmptyLine) {
+  std::string broken = table;
+  broken.insert(broken.find('\n') + 1, 1, '\0');
+  EXPECT_EQ(outcome(meta, broken), "run.csv:2: holds a NUL character; the file is damaged");
+}
+
 TEST_F(RunFile, badRunJsonIsNamed) {
   EXPECT_EQ(outcome("", table), "run.json:1: broken JSON");
   EXPECT_EQ(outcome("{\n\"robot\": NaN}", table), "run.json:2: broken JSON");

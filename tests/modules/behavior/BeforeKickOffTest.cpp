@@ -14,7 +14,7 @@ struct BeforeKickOffTest : testing::Test {
     harness.input<GameState>().playMode = mode;
     harness.input<PlayerInfo>().number = number;
     harness.cycle();
-    return harness.output<BeforeKickOffOutput>().output;
+    return harness.output<BeforeKickOffOutput>();
   }
   test::ModuleHarness<BeforeKickOff> harness;
 };

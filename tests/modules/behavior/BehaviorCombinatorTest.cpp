@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "representations/behavior/BeforeKickOffOutput.h"
+#include "representations/behavior/StrikerOutput.h"
 #include "support/ModuleHarness.h"
 
 using namespace plumbline;
@@ -10,8 +12,8 @@ namespace {
 
 TEST(BehaviorCombinator, situationsComeBeforeRoles) {
   test::ModuleHarness<BehaviorCombinator> harness;
-  BehaviorOutput& before = harness.input<BeforeKickOffOutput>().output;
-  BehaviorOutput& striker = harness.input<StrikerOutput>().output;
+  BehaviorOutput& before = harness.input<BeforeKickOffOutput>();
+  BehaviorOutput& striker = harness.input<StrikerOutput>();
   striker.active = true;
   striker.skill = Skill::kick;
   striker.target = Pose2(15, 0.5);
@@ -36,6 +38,21 @@ TEST(BehaviorCombinator, standsWhenNobodyWantsAnything) {
   harness.input<StrikerOutput>();
   harness.cycle();
   EXPECT_EQ(harness.output<SkillRequest>().skill, Skill::stand);
+}
+
+/// A behaviour that no file of the project names.
+REPRESENTATION_OF(GoalieOutput, BehaviorOutput)
+class GoalieOutput : public GoalieOutputBase {};
+
+TEST(BehaviorCombinator, asksTheBehavioursInTheOrderOfTheLines) {
+  test::ModuleHarness<BehaviorCombinator> harness;
+  BehaviorOutput& goalie = harness.input<GoalieOutput>();
+  BehaviorOutput& striker = harness.input<StrikerOutput>();
+  goalie.active = striker.active = true;
+  goalie.skill = "dive";
+  striker.skill = Skill::kick;
+  harness.cycle();
+  EXPECT_EQ(harness.output<SkillRequest>().skill, "dive");
 }
 
 }  // namespace

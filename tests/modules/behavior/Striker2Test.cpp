@@ -22,7 +22,7 @@ struct Striker2Test : testing::Test {
   }
   const BehaviorOutput& decide() {
     harness.cycle();
-    return harness.output<StrikerOutput>().output;
+    return harness.output<StrikerOutput>();
   }
   test::ModuleHarness<Striker2> harness;
 };

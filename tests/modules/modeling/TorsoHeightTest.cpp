@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/ForwardKinematics.h"
+#include "simspark/LeagueRobots.h"
 
 using namespace plumbline;
 
@@ -21,7 +22,7 @@ std::vector<Pose3> linksOf(const RobotModel& model) {
 // The heights at which the league's robots stand straight, from their scene files.
 TEST(TorsoHeight, standingStraight) {
   const double expected[] = {0.385, 0.42164, 0.385, 0.440737, 0.385};
-  for (int type = 0; type < numSimsparkTypes; ++type) {
+  for (int type = 0; type < numSimsparkTypes(); ++type) {
     const RobotModel model = simsparkRobot(type);
     const auto links = linksOf(model);
     EXPECT_NEAR(TorsoHeight(model).aboveFeet(Vec3::UnitZ(), links), expected[type], 1e-6) << "type " << type;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ModuleUnderTest.h"
+#include "simspark/LeagueRobots.h"
 #include "simulation/LocalRobot.h"
 
 namespace plumbline {
@@ -22,8 +23,8 @@ protected:
     control->theRobotDescription = &description;
     control->theJointData = &joints;
     control->theJointRequest = &request;
-    description.type = GetParam();
     description.model = simsparkRobot(GetParam());
+    description.name = description.model.name;
     robot.restart(Pose3(translation(0, 0, 20)), JointArray{});
   }
   void cycle() {
@@ -73,7 +74,7 @@ TEST_P(JointPDControlTest, jointsWithoutARequestStay) {
   EXPECT_NEAR(robot.sense().angle[lShoulderPitch], 0, 1e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllTypes, JointPDControlTest, testing::Range(0, numSimsparkTypes));
+INSTANTIATE_TEST_SUITE_P(AllTypes, JointPDControlTest, testing::Range(0, numSimsparkTypes()));
 
 }  // namespace
 }  // namespace plumbline

@@ -6,6 +6,7 @@
 
 #include "framework/ConfigFile.h"
 #include "framework/ModuleObjects.h"
+#include "framework/ModuleParameters.h"
 #include "framework/PluginModuleBase.h"
 #include "framework/StopSignal.h"
 
@@ -19,6 +20,7 @@ public:
   explicit ModuleUnderTest(const std::string& name, std::vector<std::string> directories = {"config"})
       : store(std::move(directories)), context{name, "test", store, objects, stop}, scope(context) {
     module = std::make_unique<M>();
+    configureModule(*module, M::moduleDescription(), store);
     module->init();
   }
   M* operator->() { return module.get(); }

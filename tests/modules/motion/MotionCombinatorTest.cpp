@@ -2,27 +2,27 @@
 
 #include <gtest/gtest.h>
 
+#include "representations/motion/DeadMotionOutput.h"
+#include "representations/motion/KickMotionOutput.h"
+#include "representations/motion/SpecialActionsOutput.h"
+#include "representations/motion/StandOutput.h"
+#include "representations/motion/WalkingEngineOutput.h"
+
 namespace plumbline {
 namespace {
 
 struct Combinator : public MotionCombinator {
-  using MotionCombinator::theDeadMotionOutput;
+  using MotionCombinator::allMotionOutputs;
   using MotionCombinator::theHeadMotionRequest;
-  using MotionCombinator::theKickMotionOutput;
   using MotionCombinator::theMotionSelection;
-  using MotionCombinator::theSpecialActionsOutput;
-  using MotionCombinator::theStandOutput;
-  using MotionCombinator::theWalkingEngineOutput;
 };
 
 class MotionCombinatorTest : public testing::Test {
 protected:
   MotionCombinatorTest() {
     combinator.theMotionSelection = &selection;
-    combinator.theStandOutput = &stand;
-    combinator.theWalkingEngineOutput = &walk;
-    combinator.theSpecialActionsOutput = &special;
-    combinator.theKickMotionOutput = &kick;
+    combinator.allMotionOutputs = {&stand, &walk, &special, &kick, &dead};
+    selection.motions = {"stand", "walk", "specialAction", "kick", "dead"};
     combinator.theHeadMotionRequest = &head;
     head.yaw = 0.4;
     head.pitch = -0.1;
@@ -33,6 +33,7 @@ protected:
   WalkingEngineOutput walk;
   SpecialActionsOutput special;
   KickMotionOutput kick;
+  DeadMotionOutput dead;
   HeadMotionRequest head;
   JointRequest request;
 };
@@ -67,14 +68,12 @@ TEST_F(MotionCombinatorTest, aJointNobodyMovesKeepsItsTarget) {
 }
 
 TEST_F(MotionCombinatorTest, deadMakesSlack) {
-  DeadMotionOutput dead;
   dead.targets.set.fill(true);
-  dead.targets.hardness.fill(0);
-  combinator.theDeadMotionOutput = &dead;
+  dead.targets.stiffness.fill(0);
   selection.motion = Motion::dead;
   selection.ratios = {0, 0, 0, 0, 1};
   combinator.update(&request);
-  EXPECT_DOUBLE_EQ(request.targets.hardness[lKneePitch], 0);
+  EXPECT_DOUBLE_EQ(request.targets.stiffness[lKneePitch], 0);
 }
 
 }  // namespace

@@ -3,17 +3,26 @@
 #include <gtest/gtest.h>
 
 #include "ModuleUnderTest.h"
+#include "representations/motion/KickMotionOutput.h"
+#include "representations/motion/SpecialActionsOutput.h"
+#include "representations/motion/StandOutput.h"
+#include "representations/motion/WalkingEngineOutput.h"
 
 namespace plumbline {
 namespace {
 
+/// A motion that no file of the project names.
+REPRESENTATION_OF(BowOutput, MotionOutput)
+class BowOutput : public BowOutputBase {
+public:
+  BowOutput() : BowOutputBase("bow") {}
+};
+
 struct Selector : public MotionSelector {
+  using MotionSelector::allMotionOutputs;
   using MotionSelector::theFallState;
   using MotionSelector::theFrameInfo;
-  using MotionSelector::theKickMotionOutput;
   using MotionSelector::theMotionRequest;
-  using MotionSelector::theSpecialActionsOutput;
-  using MotionSelector::theWalkingEngineOutput;
 };
 
 class MotionSelectorTest : public testing::Test {
@@ -22,9 +31,9 @@ protected:
     selector->theFrameInfo = &frame;
     selector->theMotionRequest = &request;
     selector->theFallState = &fall;
-    selector->theWalkingEngineOutput = &walk;
-    selector->theSpecialActionsOutput = &special;
-    selector->theKickMotionOutput = &kick;
+    selector->allMotionOutputs = {&stand, &walk, &special, &kick, &bow};
+    stand.fadeSeconds = 0.14;
+    walk.fadeSeconds = 0.06;
   }
   void cycle() {
     selector->update(&selection);
@@ -32,15 +41,17 @@ protected:
     for (const double ratio : selection.ratios) sum += ratio;
     EXPECT_NEAR(sum, 1, 1e-12);
   }
-  double ratio(Motion motion) const { return selection.ratios[static_cast<std::size_t>(motion)]; }
+  double ratio(const std::string& motion) const { return selection.ratio(motion); }
 
   ModuleUnderTest<Selector> selector;
   FrameInfo frame;
   MotionRequest request;
   FallState fall;
+  StandOutput stand;
   WalkingEngineOutput walk;
   SpecialActionsOutput special;
   KickMotionOutput kick;
+  BowOutput bow;
   MotionSelection selection;
 };
 
@@ -55,11 +66,11 @@ TEST_F(MotionSelectorTest, fadesIntoTheWalkAndLeavesItOnlyStanding) {
   EXPECT_FALSE(selection.started);
   cycle();
   EXPECT_NEAR(ratio(Motion::walk), 1, 1e-9);
-  walk.standing = false;
+  walk.finished = false;
   request.motion = Motion::kick;
   for (int i = 0; i < 20; ++i) cycle();
   EXPECT_EQ(selection.motion, Motion::walk) << "a step is under way";
-  walk.standing = true;
+  walk.finished = true;
   cycle();
   EXPECT_EQ(selection.motion, Motion::kick);
   EXPECT_TRUE(selection.started);
@@ -87,7 +98,7 @@ TEST_F(MotionSelectorTest, aKickIsFinishedBeforeAnythingElse) {
 TEST_F(MotionSelectorTest, aFallInterruptsEverything) {
   request.motion = Motion::walk;
   cycle();
-  walk.standing = false;
+  walk.finished = false;
   fall.posture = Posture::falling;
   cycle();
   EXPECT_EQ(selection.motion, Motion::walk);
@@ -146,6 +157,29 @@ TEST_F(MotionSelectorTest, aRequestedActionRunsAndARestartForgetsEverything) {
   cycle();
   EXPECT_EQ(selection.motion, Motion::specialAction);
   frame.restarted = true;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::stand);
+}
+
+TEST_F(MotionSelectorTest, aNewMotionFadesInAndIsLeftWhenItIsFinished) {
+  bow.fadeSeconds = 0.1;
+  request.motion = "bow";
+  cycle();
+  EXPECT_EQ(selection.motion, "bow");
+  EXPECT_NEAR(ratio("bow"), 0.2, 1e-12);
+  bow.finished = false;
+  request.motion = Motion::walk;
+  for (int i = 0; i < 10; ++i) cycle();
+  EXPECT_EQ(selection.motion, "bow");
+  bow.finished = true;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::walk);
+}
+
+TEST_F(MotionSelectorTest, standsWhereThereIsNoSuchMotion) {
+  request.motion = Motion::walk;
+  cycle();
+  request.motion = "juggle";
   cycle();
   EXPECT_EQ(selection.motion, Motion::stand);
 }

@@ -7,6 +7,7 @@
 
 #include "ModuleUnderTest.h"
 #include "framework/ConfigurationError.h"
+#include "simspark/LeagueRobots.h"
 
 namespace plumbline {
 namespace {
@@ -27,8 +28,8 @@ protected:
     fs::remove_all(directory);
     fs::create_directories(directory / "motions");
     write("wave", "keyframes:\n  - {time: 0.1, LShoulderPitch: -57.29577951308232, settle: 0.5}\n");
-    description.type = 0;
     description.model = simsparkRobot(0);
+    description.name = description.model.name;
   }
   ~SpecialActionsTest() override { fs::remove_all(directory); }
   void write(const std::string& name, const std::string& text) {
@@ -101,7 +102,7 @@ TEST_F(SpecialActionsTest, aBrokenFileEndsTheAgent) {
     FAIL();
   } catch (const ConfigurationError& error) {
     EXPECT_EQ(error.what(), (directory / "motions/broken.yaml").string() +
-                                ":2: LShoulderPich: unknown joint; nearest known name: LShoulderPitch");
+                                ":2: LShoulderPich: unknown joint; did you mean \"LShoulderPitch\"?");
   }
 }
 

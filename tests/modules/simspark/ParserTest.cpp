@@ -53,7 +53,7 @@ TEST_F(ParserTest, takesTheMessageApart) {
   EXPECT_FALSE(get<FrameInfo>().restarted);
   EXPECT_EQ(get<PlayerInfo>().team, "Home");
   EXPECT_EQ(get<PlayerInfo>().number, 7) << "the server's word counts";
-  EXPECT_EQ(get<PlayerInfo>().robotType, 2);
+  EXPECT_EQ(get<PlayerInfo>().robot, "simspark_type2");
   EXPECT_TRUE(get<PlayerInfo>().sideKnown);
   EXPECT_FALSE(get<PlayerInfo>().leftSide);
   EXPECT_EQ(get<GameState>().playMode, PlayMode::kickOffOpponent);

@@ -6,6 +6,7 @@
 
 #include "modules/simspark/FakeServer.h"
 #include "modules/simspark/SimSparkSend.h"
+#include "simspark/LeagueRobots.h"
 #include "support/ModuleHarness.h"
 
 using namespace plumbline;
@@ -67,6 +68,34 @@ TEST(SimSparkConnection, connectsAgainWhenTheServerWentAway) {
   EXPECT_EQ(harness.output<SimSparkInfo>().connections, 2);
   EXPECT_FALSE(harness.stop().requested());
   side.join();
+}
+
+TEST(SimSparkConnection, namesTheTokenFirstAndSaysWhatItLost) {
+  test::FakeServer server;
+  std::vector<std::string> heard;
+  std::thread side([&] {
+    for (int i = 0; i < 2; ++i) {
+      server.accept();
+      heard.push_back(server.receive());
+      server.receive();
+      server.send("(time (now 0.02))");
+      server.receive();
+      server.send("(time (now 0.04))(GS (unum 4) (team left) (t 0.00) (pm BeforeKickOff))");
+      server.drop();
+    }
+  });
+  auto options = optionsFor(server);
+  options->token = "secret";
+  std::vector<std::string> told;
+  options->tell = [&](const std::string& line) { told.push_back(line); };
+  test::ModuleHarness<SimSparkConnection> harness;
+  harness.objects().set(options);
+  harness.cycle(2);
+  side.join();
+  EXPECT_EQ(heard, std::vector<std::string>(2, "(token secret)"));
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[0], "connection lost: the other side closed the connection; trying again");
+  EXPECT_EQ(told[1], "back on port " + std::to_string(server.port()));
 }
 
 TEST(SimSparkConnection, waitingForTheServerEndsWithTheAgent) {

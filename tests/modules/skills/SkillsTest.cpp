@@ -5,13 +5,15 @@
 #include "modules/skills/SkillGetBall.h"
 #include "modules/skills/SkillKick.h"
 #include "modules/skills/SkillMoveToPos.h"
+#include "representations/skills/SkillDribbleOutput.h"
+#include "representations/skills/SkillKickOutput.h"
 #include "support/ModuleHarness.h"
 
 using namespace plumbline;
 
 namespace {
 
-void request(SkillRequest& request, Skill skill, const Pose2& target) {
+void request(SkillRequest& request, const char* skill, const Pose2& target) {
   request.skill = skill;
   request.target = target;
 }
@@ -21,7 +23,7 @@ TEST(SkillMoveToPos, walksThereAndStands) {
   request(harness.input<SkillRequest>(), Skill::moveToPos, Pose2(2, 1, 0.5));
   harness.input<RobotPose>().pose = Pose2(0, 1, 0);
   harness.cycle();
-  const SkillOutput& output = harness.output<SkillMoveToPosOutput>().output;
+  const SkillOutput& output = harness.output<SkillMoveToPosOutput>();
   EXPECT_TRUE(output.active);
   EXPECT_EQ(output.motion, Motion::walk);
   EXPECT_GT(output.walkVelocity.x(), 0.3);
@@ -44,7 +46,7 @@ TEST(SkillMoveToPos, isInactiveForOtherSkills) {
   harness.input<SkillRequest>().skill = Skill::kick;
   harness.input<RobotPose>();
   harness.cycle();
-  EXPECT_FALSE(harness.output<SkillMoveToPosOutput>().output.active);
+  EXPECT_FALSE(harness.output<SkillMoveToPosOutput>().active);
 }
 
 struct GetBallTest : testing::Test {
@@ -54,9 +56,10 @@ struct GetBallTest : testing::Test {
     kick.ballPosition = {0.16, -0.05};
     kick.tolerance = {0.03, 0.03};
     kick.headingTolerance = 0.15;
+    harness.input<SkillKickOutput>();  // how a skill wants to stand at the ball, its output says
   }
   // The robot at the origin looks along x, the ball lies here, and shall go along x.
-  const SkillGetBallOutput& ballAt(const Vec2& ball, Skill skill = Skill::kick) {
+  const SkillGetBallOutput& ballAt(const Vec2& ball, const char* skill = Skill::kick) {
     request(harness.input<SkillRequest>(), skill, Pose2(10, ball.y(), 0));
     harness.input<RobotPose>().pose = Pose2();
     harness.input<BallPos>().relative = ball;
@@ -69,47 +72,47 @@ struct GetBallTest : testing::Test {
 
 TEST_F(GetBallTest, isAtTheBallOnlyWithinTheTolerance) {
   EXPECT_TRUE(ballAt({0.16, -0.05}).atBall);
-  EXPECT_EQ(ballAt({0.16, -0.05}).output.kickFoot, Side::right);
+  EXPECT_EQ(ballAt({0.16, -0.05}).kickFoot, Side::right);
   EXPECT_TRUE(ballAt({0.18, -0.07}).atBall);
   EXPECT_FALSE(ballAt({0.20, -0.05}).atBall);
   EXPECT_FALSE(ballAt({0.16, -0.09}).atBall);
 }
 
 TEST_F(GetBallTest, kicksWithTheFootOnTheBallsSide) {
-  EXPECT_EQ(ballAt({0.16, 0.05}).output.kickFoot, Side::left);
+  EXPECT_EQ(ballAt({0.16, 0.05}).kickFoot, Side::left);
   EXPECT_TRUE(ballAt({0.16, 0.05}).atBall);
-  EXPECT_EQ(ballAt({0.16, 0.0}).output.kickFoot, Side::left);  // reluctant to change
-  EXPECT_EQ(ballAt({0.16, -0.05}).output.kickFoot, Side::right);
+  EXPECT_EQ(ballAt({0.16, 0.0}).kickFoot, Side::left);  // reluctant to change
+  EXPECT_EQ(ballAt({0.16, -0.05}).kickFoot, Side::right);
 }
 
 TEST_F(GetBallTest, walksTowardsTheBall) {
-  EXPECT_GT(ballAt({2, 0}).output.walkVelocity.x(), 0.3);
-  EXPECT_GT(ballAt({0, 2}).output.walkTurn, 0.5);
+  EXPECT_GT(ballAt({2, 0}).walkVelocity.x(), 0.3);
+  EXPECT_GT(ballAt({0, 2}).walkTurn, 0.5);
 }
 
 TEST_F(GetBallTest, aRobotThatComesToRestShortOfTheBallAsksForMore) {
-  const double first = ballAt({0.21, -0.05}).output.walkVelocity.x();
+  const double first = ballAt({0.21, -0.05}).walkVelocity.x();
   for (int i = 0; i < 50; ++i) ballAt({0.21, -0.05});
   // 5 cm short for a second: 1.5 / s^2 * 0.05 m * 1 s more.
-  EXPECT_NEAR(ballAt({0.21, -0.05}).output.walkVelocity.x() - first, 1.5 * 0.05 * 51 * 0.02, 1e-9);
+  EXPECT_NEAR(ballAt({0.21, -0.05}).walkVelocity.x() - first, 1.5 * 0.05 * 51 * 0.02, 1e-9);
   // Far away nothing of it is left.
   ballAt({2, 0});
-  EXPECT_NEAR(ballAt({0.21, -0.05}).output.walkVelocity.x(), first, 1e-9);
+  EXPECT_NEAR(ballAt({0.21, -0.05}).walkVelocity.x(), first, 1e-9);
 }
 
 TEST_F(GetBallTest, isActiveByItselfOnlyForGetBall) {
-  EXPECT_FALSE(ballAt({1, 0}, Skill::kick).output.active);
-  EXPECT_TRUE(ballAt({1, 0}, Skill::getBall).output.active);
+  EXPECT_FALSE(ballAt({1, 0}, Skill::kick).active);
+  EXPECT_TRUE(ballAt({1, 0}, Skill::getBall).active);
 }
 
 TEST(SkillKick, kicksOnceItIsAtTheBall) {
   test::ModuleHarness<SkillKick> harness;
   harness.input<SkillRequest>().skill = Skill::kick;
   SkillGetBallOutput& getBall = harness.input<SkillGetBallOutput>();
-  getBall.output.motion = Motion::walk;
-  getBall.output.kickFoot = Side::left;
+  getBall.motion = Motion::walk;
+  getBall.kickFoot = Side::left;
   harness.cycle();
-  const SkillOutput& output = harness.output<SkillKickOutput>().output;
+  const SkillOutput& output = harness.output<SkillKickOutput>();
   EXPECT_TRUE(output.active);
   EXPECT_EQ(output.motion, Motion::walk);
   getBall.atBall = true;
@@ -123,7 +126,7 @@ TEST(SkillKick, kicksOnceItIsAtTheBall) {
 
 struct DribbleTest : testing::Test {
   DribbleTest() {
-    SkillOutput& approach = harness.input<SkillGetBallOutput>().output;
+    SkillOutput& approach = harness.input<SkillGetBallOutput>();
     approach.motion = Motion::walk;
     approach.walkVelocity = {-0.123, 0};
   }
@@ -135,7 +138,7 @@ struct DribbleTest : testing::Test {
     harness.input<BallPos>().relative = ball;
     harness.input<BallPos>().field = ball;
     harness.cycle();
-    return harness.output<SkillDribbleOutput>().output;
+    return harness.output<SkillDribbleOutput>();
   }
   bool pushes(const Vec2& ball, double direction = 0) {
     return ballAt(ball, direction).walkVelocity.x() != -0.123;
@@ -163,12 +166,26 @@ TEST_F(DribbleTest, breaksOffLaterThanItBegins) {
   EXPECT_FALSE(pushes({0.2, 0.2}));
 }
 
+/// A skill that no file of the project names.
+REPRESENTATION_OF(SkillPassOutput, SkillOutput)
+class SkillPassOutput : public SkillPassOutputBase {
+public:
+  SkillPassOutput() : SkillPassOutputBase("pass", "passing", BallApproach::dribble) {}
+};
+
+TEST_F(GetBallTest, standsAtTheBallAsANewSkillWants) {
+  harness.input<SkillPassOutput>();
+  EXPECT_TRUE(ballAt({0.2, 0}, "pass").atBall) << "the ball ahead, as before a dribble";
+  EXPECT_FALSE(ballAt({0.16, -0.05}, "pass").atBall);
+  EXPECT_FALSE(ballAt({0.2, 0}, "juggle").atBall) << "nobody provides that skill";
+}
+
 TEST(SkillCombinator, takesTheActiveSkillOrStands) {
   test::ModuleHarness<SkillCombinator> harness;
   harness.input<SkillMoveToPosOutput>();
   harness.input<SkillGetBallOutput>();
   harness.input<SkillKickOutput>();
-  SkillOutput& dribble = harness.input<SkillDribbleOutput>().output;
+  SkillOutput& dribble = harness.input<SkillDribbleOutput>();
   harness.cycle();
   EXPECT_EQ(harness.output<MotionRequest>().motion, Motion::stand);
   dribble.active = true;

@@ -6,6 +6,15 @@ using namespace plumbline;
 
 namespace {
 
+const WalkToPoseParameters parameters{.maxForward = 0.5,
+                                      .maxBackward = 0.3,
+                                      .maxSideways = 0.2,
+                                      .maxTurn = 1.5,
+                                      .positionGain = 1.5,
+                                      .headingGain = 2,
+                                      .nearDistance = 0.6,
+                                      .turnFirst = 1};
+
 TEST(WalkToPose, keepsDirectionWhenLimiting) {
   const WalkToPoseParameters limits{.maxForward = 0.5, .maxBackward = 0.3, .maxSideways = 0.2};
   EXPECT_TRUE(limitVelocity({0.1, 0.05}, limits).isApprox(Vec2(0.1, 0.05)));
@@ -17,15 +26,15 @@ TEST(WalkToPose, keepsDirectionWhenLimiting) {
 }
 
 TEST(WalkToPose, turnsFirstToATargetBehind) {
-  const WalkCommand command = walkToPose(Pose2(-3, 0.1), {});
+  const WalkCommand command = walkToPose(Pose2(-3, 0.1), parameters);
   EXPECT_EQ(command.velocity.norm(), 0);
   EXPECT_NEAR(command.turn, 1.5, 1e-12);
 }
 
 TEST(WalkToPose, walksFastAheadAndTakesTheFinalHeadingNearTheTarget) {
-  EXPECT_NEAR(walkToPose(Pose2(3, 0, 2.0), {}).velocity.x(), 0.5, 1e-12);
-  EXPECT_EQ(walkToPose(Pose2(3, 0, 2.0), {}).turn, 0);
-  const WalkCommand near = walkToPose(Pose2(0.1, -0.05, -0.2), {});
+  EXPECT_NEAR(walkToPose(Pose2(3, 0, 2.0), parameters).velocity.x(), 0.5, 1e-12);
+  EXPECT_EQ(walkToPose(Pose2(3, 0, 2.0), parameters).turn, 0);
+  const WalkCommand near = walkToPose(Pose2(0.1, -0.05, -0.2), parameters);
   EXPECT_NEAR(near.velocity.x(), 0.15, 1e-12);
   EXPECT_NEAR(near.velocity.y(), -0.075, 1e-12);
   EXPECT_NEAR(near.turn, -0.4, 1e-12);

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "framework/ConfigurationError.h"
+#include "simspark/LeagueRobots.h"
 #include "simulation/LocalRobot.h"
 #include "simulation/effects/EffectTable.h"
 #include "simulation/effects/MotorEffects.h"

@@ -6,6 +6,7 @@
 
 #include "../FakeWorld.h"
 #include "math/Angle.h"
+#include "simspark/LeagueRobots.h"
 #include "simulation/Field.h"
 #include "simulation/referee/Referee.h"
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "simspark/LeagueRobots.h"
 #include "simulation/World.h"
 #include "simulation/replay/Replay.h"
 

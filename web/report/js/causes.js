@@ -27,7 +27,30 @@ report.causes = (answer, section) => {
           el('dt', {}, 'closes alone'), el('dd', {}, percent(cause.closed_alone ?? cause.gap_closed)),
           report.isNumber(cause.closed_last) ? [el('dt', {}, 'closes when added last'), el('dd', {}, percent(cause.closed_last))] : []))));
   });
+  report.lost(answer, section);
 };
+
+/** What was weighed against the causes found and lost, and by how much. */
+report.lost = (answer, section) => {
+  const { el, percent } = report;
+  const names = new Set((answer.effects ?? []).map((c) => report.describe(c)));
+  const rows = (answer.effects ?? []).flatMap((cause) => (cause.confounded_with ?? []).map((rival) => ({ cause, rival })))
+    .filter(({ rival }) => report.isNumber(rival.probability) && !names.has(report.describe(rival)))
+    .sort((a, b) => b.rival.probability - a.rival.probability);
+  section.append(el('h3', { style: { marginTop: '18px' } }, 'Causes that lost, and why'));
+  if (!rows.length) {
+    section.append(el('p', { class: 'dim small' }, 'Every other effect of the library, at every place, explains the data held back so much worse that less than 1 % is left for it.'));
+    return;
+  }
+  section.append(el('table', { class: 'lost' }, el('tr', {}, ['instead of', 'the other cause', 'its best value'].map((t) => el('th', {}, t)), el('th', { class: 'number' }, 'probability'), el('th', {}, 'why it lost')),
+    rows.map(({ cause, rival }) => el('tr', {}, el('td', {}, report.describe(cause)), el('td', {}, report.describe(rival)),
+      el('td', {}, report.isNumber(rival.value) ? report.withUnit(rival.value, rival.unit) : ''), el('td', { class: 'number' }, percent(rival.probability)),
+      el('td', {}, `even with its best value it explains the data held back worse: the odds are ${report.odds(cause.probability, rival.probability)} against it`)))),
+  el('p', { class: 'dim small' }, 'All other effects and places have less than 1 %.'));
+};
+
+/** "12 to 1", from two probabilities. */
+report.odds = (won, lost) => (lost > 0 && won > lost ? `${report.number(won / lost, 2)} to 1` : 'even');
 
 /** The value with its interval on an axis that shows the nominal value too. */
 report.range = (cause) => {

@@ -6,8 +6,7 @@
   const runs = answer.runs ?? [];
   const seconds = runs.reduce((sum, r) => sum + (r.duration_s ?? 0), 0);
   document.title = `Gap report: ${answer.robot ?? 'robot'}`;
-  section('about').append(el('b', {}, answer.robot ?? ''), ` \u00b7 ${runs.length} ${runs.length === 1 ? 'run' : 'runs'}, ${report.number(seconds)} s`,
-    report.isNumber(answer.seconds) ? ` \u00b7 diagnosed in ${report.number(answer.seconds)} s` : '');
+  section('about').append(el('b', {}, answer.robot ?? ''), ` \u00b7 ${runs.length} ${runs.length === 1 ? 'run' : 'runs'}, ${report.number(seconds)} s`);
   report.verdict(answer, section('verdict'));
 
   const rows = report.rowsOf(answer.map?.cells ?? answer.where ?? []);

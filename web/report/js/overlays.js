@@ -21,13 +21,13 @@ report.overlays = (answer, section) => {
       return report.plot(box, { series: shown.map((k) => ({ label: difference ? `measured \u2212 ${k}` : k, colour: colours[k], ...(k === 'measured' ? { width: 4, faint: true } : {}) })), data: [o.t, ...shown.map(values)], unit: o.unit, sync: `run${o.run}` });
     });
   };
-  const buttons = [['Signals', false], ['Difference to measured', true]].map(([text, difference]) => el('button', { onclick: (event) => {
+  const buttons = [['Difference to measured', true], ['Signals', false]].map(([text, difference]) => el('button', { onclick: (event) => {
     for (const b of buttons) b.classList.toggle('chosen', b === event.currentTarget);
     draw(difference);
   } }, text));
   buttons[0].classList.add('chosen');
-  section.append(el('p', { class: 'dim' }, 'Drag over a plot to zoom in, double-click to see all again.'),
+  section.append(el('p', { class: 'dim' }, 'First the difference, as the curves themselves often lie on each other. Drag over a plot to zoom in, double-click to see all again.'),
     el('div', { class: 'tools' }, buttons, report.legend(keys.map((k) => [k, colours[k]]))), plots);
-  draw(false);
+  draw(true);
   report.shown = () => [drawn[0].scales.x.min, drawn[0].scales.x.max]; // times that the first plot shows [s]
 };

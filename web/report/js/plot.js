@@ -2,13 +2,13 @@
 report.plot = (container, { series, data, height = 210, unit = '', sync, logarithmic = false, fill = false }) => {
   const line = report.colour('line'), dim = report.colour('dim');
   const axis = { stroke: dim, grid: { stroke: line, width: 1 }, ticks: { stroke: line, width: 1, size: 5 }, font: '11.5px system-ui, sans-serif' };
-  const value = (_, x) => (x === null || x === undefined ? '-' : report.withUnit(x, unit));
+  const value = (_, x) => (x === null || x === undefined ? '\u2007' : report.withUnit(x, unit));
   const options = {
     width: Math.max(260, container.clientWidth), height,
     cursor: { drag: { x: true, y: false, uni: 10 }, ...(sync ? { sync: { key: sync } } : {}) },
     scales: { x: { time: false }, y: logarithmic ? { distr: 3 } : {} },
     axes: [{ ...axis, values: (_, ticks) => ticks.map((t) => `${Number(t.toFixed(3))} s`) }, { ...axis, size: 58, values: (_, ticks) => ticks.map((t) => (t === null ? '' : report.number(t))) }],
-    series: [{ label: 't', value: (_, t) => (t === null || t === undefined ? '-' : `${t.toFixed(2)} s`) },
+    series: [{ label: 'time', value: (_, t) => (t === null || t === undefined ? '\u2007' : `${t.toFixed(2)} s`) },
       ...series.map((s) => ({ label: s.label, stroke: s.faint ? `${s.colour}66` : s.colour, width: s.width ?? 1.4, dash: s.dash, value, points: { show: false },
         ...(fill ? { fill: `${s.colour}22` } : {}), ...(s.points ? { width: 0, points: { show: true, size: 3, fill: s.colour, stroke: s.colour } } : {}) }))],
   };

@@ -1,6 +1,7 @@
 #pragma once
 #include "math/Types.h"
 #include "modules/modeling/attitude/GroundPlane.h"
+#include "parameters/Parameter.h"
 
 namespace plumbline {
 
@@ -12,21 +13,32 @@ namespace plumbline {
 class AttitudeFilter {
 public:
   struct Parameters {
-    double movingTimeConstant = 40;    ///< of the pull towards the accelerometer while moving [s]
-    double stillTimeConstant = 0.2;    ///< the same while still [s]
-    double stillGyro = 0.05;           ///< largest turn speed of a still robot [rad/s]
-    double stillAcc = 0.1;             ///< largest difference from gravity, and between two cycles [m/s^2]
-    int stillCycles = 10;              ///< so long must it have been still
-    double averageTimeConstant = 0.5;  ///< of the mean acceleration that detects a lost orientation [s]
-    double lostAngle = 0.35;  ///< tilt of the mean acceleration against the estimate that means lost [rad]
-    double lostSeconds = 1;   ///< ... if it lasts so long [s]
-    double tiltNoise = 1e-4;  ///< what a cycle adds to the deviation of the tilt [rad]
-    double groundGate = 5;    ///< a seen ground farther off must be seen so twice [deviations]
+    PARAMETERS(Parameters)
+    PARAMETER(double, movingTimeConstant, 40, "s", Range(0.1, 1e4),
+              "time constant of the pull towards the accelerometer while the robot moves")
+    PARAMETER(double, stillTimeConstant, 0.2, "s", Range(0.01, 1e4),
+              "the same time constant while the robot is still")
+    PARAMETER(double, stillGyro, 0.05, "rad/s", Range(0, 10), "a still robot turns no faster")
+    PARAMETER(double, stillAcc, 0.1, "m/s^2", Range(0, 10),
+              "largest difference of a still robot's acceleration from gravity and between two cycles")
+    PARAMETER(int, stillCycles, 10, "", Range(1, 1000),
+              "number of cycles after which the robot counts as still")
+    PARAMETER(double, averageTimeConstant, 0.5, "s", Range(0.01, 100),
+              "time constant of the mean acceleration that shows a lost orientation")
+    PARAMETER(double, lostAngle, 0.35, "rad", Range(0.01, 3.2),
+              "angle between mean acceleration and estimate that means a lost orientation")
+    PARAMETER(double, lostSeconds, 1, "s", Range(0, 100), "time for which that angle must last")
+    PARAMETER(double, tiltNoise, 1e-4, "rad", Range(0, 1),
+              "growth of the standard deviation of the tilt in a cycle")
+    PARAMETER(double, groundGate, 5, "", Range(0.1, 1000),
+              "a seen ground farther off must be seen twice, in standard deviations")
   };
 
   AttitudeFilter() = default;
   explicit AttitudeFilter(const Parameters& parameters) : parameters(parameters) {}
 
+  /// The state stays.
+  void setParameters(const Parameters& changed) { parameters = changed; }
   /// Forgets everything: heading 0 and upright, unless the next accelerometer reading has gravity's strength.
   void reset();
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "math/Types.h"
+#include "parameters/Parameter.h"
 
 namespace plumbline {
 
@@ -12,20 +13,30 @@ namespace plumbline {
 class BallFilter {
 public:
   struct Parameters {
-    double rollingTimeConstant = 0.92;  ///< [s]
-    double speedNoise = 0.1;            ///< unforeseen change of speed, ball alone [m/s per sqrt(s)]
-    double touchedSpeedNoise = 1.5;     ///< the same while a robot may touch it
-    double startSpeedDeviation = 1;     ///< [m/s]
-    double restDeviations = 2;          ///< a speed that differs less from zero counts as rest
-    double gate = 4;                    ///< percepts farther off are held back [deviations]
-    double agreementSpeed =
-        12;  ///< two that were held back agree if the ball could have rolled so fast [m/s]
-    double agreementSeconds = 0.5;  ///< ... and lie no farther apart [s]
+    PARAMETERS(Parameters)
+    PARAMETER(double, rollingTimeConstant, 0.92, "s", Range(0.01, 100),
+              "time constant with which the speed of a rolling ball dies away")
+    PARAMETER(double, speedNoise, 0.1, "m/s/sqrt(s)", Range(1e-4, 100),
+              "unforeseen change of speed of a ball that nobody touches")
+    PARAMETER(double, touchedSpeedNoise, 1.5, "m/s/sqrt(s)", Range(1e-4, 100),
+              "unforeseen change of speed of a ball that the robot may touch")
+    PARAMETER(double, startSpeedDeviation, 1, "m/s", Range(1e-3, 100),
+              "standard deviation of the unknown speed at first sight")
+    PARAMETER(double, restDeviations, 2, "", Range(0, 100),
+              "a speed that differs less from zero counts as rest, in standard deviations")
+    PARAMETER(double, gate, 4, "", Range(0.1, 100),
+              "a percept farther off waits until the next one agrees, in standard deviations")
+    PARAMETER(double, agreementSpeed, 12, "m/s", Range(0, 100),
+              "two waiting percepts agree if the ball could have rolled this fast")
+    PARAMETER(double, agreementSeconds, 0.5, "s", Range(0, 100),
+              "two waiting percepts agree if they are no farther apart in time")
   };
 
   BallFilter() = default;
   explicit BallFilter(const Parameters& parameters) : parameters(parameters) {}
 
+  /// The state stays.
+  void setParameters(const Parameters& changed) { parameters = changed; }
   void reset();
   bool started() const { return started_; }
 

@@ -22,6 +22,7 @@ public:
   /// With no contact the last speed goes on for airborneSeconds, then the robot is taken to lie still [s].
   explicit SupportOdometry(double airborneSeconds = 0.2) : airborneSeconds(airborneSeconds) {}
 
+  void setAirborneSeconds(double seconds) { airborneSeconds = seconds; }
   void reset();
 
   /// One cycle; R_world_torso: z up, T_torso_link: kinematics of this cycle, contacts: during the step that

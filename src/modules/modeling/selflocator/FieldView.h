@@ -2,17 +2,20 @@
 #include <vector>
 
 #include "math/Types.h"
+#include "parameters/Parameter.h"
 
 namespace plumbline {
 
 /// How far SimSpark's vision is off (restrictedvisionperceptor), standard deviations.
 struct VisionNoise {
-  double distanceShare = 0.000965;  ///< of the distance
-  double distance = 0.0029;         ///< by rounding to a centimetre [m]
-  double azimuth = 0.00258;         ///< 0.148 degrees [rad]
-  double elevation = 0.00214;       ///< 0.1225 degrees [rad]
-  double offset = 0.0029;           ///< fixed offset per connection, along each axis of the head [m]
-  double tilt = 0.004;              ///< of the estimated orientation of the head [rad]
+  PARAMETERS(VisionNoise)
+  PARAMETER(double, distanceShare, 0.000965, "", Range(0, 1), "of the distance, share of it")
+  PARAMETER(double, distance, 0.0029, "m", Range(1e-6, 1), "of the distance, by rounding to a centimetre")
+  PARAMETER(double, azimuth, 0.00258, "rad", Range(1e-6, 1), "of the azimuth (0.148 degrees)")
+  PARAMETER(double, elevation, 0.00214, "rad", Range(1e-6, 1), "of the elevation (0.1225 degrees)")
+  PARAMETER(double, offset, 0.0029, "m", Range(0, 1),
+            "fixed offset of a connection, along each axis of the head")
+  PARAMETER(double, tilt, 0.004, "rad", Range(0, 1), "of the estimated orientation of the head")
 };
 
 /// A seen point in the robot's ground frame (origin below the torso, x its heading).

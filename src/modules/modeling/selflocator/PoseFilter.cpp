@@ -33,6 +33,13 @@ PoseFilter::PoseFilter(const FieldMap& map_, const Parameters& parameters)
   resampled.reserve(count);
 }
 
+void PoseFilter::setParameters(const Parameters& changed) {
+  parameters = changed;
+  const auto count = static_cast<std::size_t>(std::max(1, parameters.particles));
+  particles.reserve(count);
+  resampled.reserve(count);
+}
+
 void PoseFilter::reset() {
   particles.clear();
   estimate_ = Estimate();

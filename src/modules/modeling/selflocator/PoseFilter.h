@@ -5,6 +5,7 @@
 #include "math/Random.h"
 #include "modules/modeling/selflocator/PoseBelief.h"
 #include "modules/modeling/selflocator/PoseProposals.h"
+#include "parameters/Parameter.h"
 
 namespace plumbline {
 
@@ -14,16 +15,21 @@ namespace plumbline {
 class PoseFilter {
 public:
   struct Parameters {
-    int particles = 30;
-    std::uint64_t seed = 1;
-    double slowRate = 0.02;              ///< of the long-term mean of the image's likelihood, per image
-    double fastRate = 0.3;               ///< of the short-term mean
-    double stepShare = 0.05;             ///< odometry's error as a share of the way [-]
-    double stepNoise = 0.0015;           ///< and per cycle [m]
-    double turnShare = 0.01;             ///< error of the turn [-]
-    double turnNoise = 0.0003;           ///< and per cycle [rad]
-    double validDeviation = 0.3;         ///< of the position, for an estimate to be valid [m]
-    double validHeadingDeviation = 0.2;  ///< [rad]
+    PARAMETERS(Parameters)
+    PARAMETER(int, particles, 30, "", Range(1, 10000), "number of particles, each a Gaussian")
+    PARAMETER(unsigned, seed, 1, "", Range(), "of the random numbers")
+    PARAMETER(double, slowRate, 0.02, "", Range(0, 1),
+              "rate per image of the long-term mean of the likelihood of an image")
+    PARAMETER(double, fastRate, 0.3, "", Range(0, 1),
+              "rate per image of the short-term mean; where it falls behind, particles come from the image")
+    PARAMETER(double, stepShare, 0.05, "", Range(0, 1), "error of the odometry, share of the distance walked")
+    PARAMETER(double, stepNoise, 0.0015, "m", Range(1e-6, 1), "error of the odometry in each cycle")
+    PARAMETER(double, turnShare, 0.01, "", Range(0, 1), "error of the turn, share of the turn")
+    PARAMETER(double, turnNoise, 0.0003, "rad", Range(1e-6, 1), "error of the turn in each cycle")
+    PARAMETER(double, validDeviation, 0.3, "m", Range(0, 100),
+              "largest standard deviation of the position of a valid pose")
+    PARAMETER(double, validHeadingDeviation, 0.2, "rad", Range(0, 10),
+              "largest standard deviation of the heading of a valid pose")
   };
 
   struct Estimate {
@@ -37,6 +43,8 @@ public:
   PoseFilter(const PoseFilter&) = delete;  // its parts refer to its map
   PoseFilter& operator=(const PoseFilter&) = delete;
 
+  /// The state stays; the number of particles changes with the next reset.
+  void setParameters(const Parameters& changed);
   /// Forgets the pose; the generator goes on.
   void reset();
   /// The ground frame moved by step (T_before_now). uncertain: the odometry may be off by much more than
@@ -47,6 +55,7 @@ public:
   const Estimate& estimate() const { return estimate_; }
   /// Particles replaced by poses from images since the start.
   int resets() const { return resets_; }
+  std::size_t particleCount() const { return particles.size(); }
 
 private:
   struct Particle {

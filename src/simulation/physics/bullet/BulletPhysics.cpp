@@ -1,6 +1,7 @@
 #include "simulation/physics/bullet/BulletPhysics.h"
 
 #include "simulation/physics/AssembliesPhysics.h"
+#include "simulation/physics/PhysicsEngine.h"
 #include "simulation/physics/bullet/BulletStep.h"
 
 namespace plumbline::simulation::bullet {
@@ -53,5 +54,8 @@ private:
 std::unique_ptr<Physics> makeBulletPhysics(const PhysicsConfig& config) {
   return std::make_unique<BulletPhysics>(config);
 }
+
+// Other physics for a second opinion.
+MAKE_PHYSICS(bullet, {"bullet", 30, makeBulletPhysics});
 
 }  // namespace plumbline::simulation::bullet

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "simulation/physics/AssembliesPhysics.h"
+#include "simulation/physics/PhysicsEngine.h"
 #include "simulation/physics/ode/OdeContacts.h"
 #include "simulation/physics/ode/OdeTreeStep.h"
 
@@ -109,5 +110,11 @@ private:
 std::unique_ptr<Physics> makeOdePhysics(const PhysicsConfig& config, Solver solver) {
   return std::make_unique<OdePhysics>(config, solver);
 }
+
+// As the league's server; and the same with ODE's own solver, which is slower.
+MAKE_PHYSICS(ode,
+             {"ode", 10, [](const PhysicsConfig& config) { return makeOdePhysics(config, Solver::tree); }});
+MAKE_PHYSICS(odeDense, {"ode-dense", 20,
+                        [](const PhysicsConfig& config) { return makeOdePhysics(config, Solver::dense); }});
 
 }  // namespace plumbline::simulation::ode

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "math/Angle.h"
+#include "simspark/LeagueRobots.h"
 #include "simulation/World.h"
 
 namespace plumbline::simulation {
@@ -49,7 +50,7 @@ TEST(BulletPhysics, resetsAndFreshStartsGiveTheSameBytes) {
 }
 
 TEST(BulletPhysics, eachTypeStandsForTenSeconds) {
-  for (int type = 0; type < numSimsparkTypes; ++type) {
+  for (int type = 0; type < numSimsparkTypes(); ++type) {
     WorldConfig config = onBullet();
     config.sleepingRobots = false;
     const auto world = makeWorld(config);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <random>
 
+#include "simspark/LeagueRobots.h"
 #include "simulation/World.h"
 #include "simulation/physics/Physics.h"
 
@@ -72,7 +73,7 @@ TEST_P(Types, movesAsOdeOwnSolverMoves) {
     }
   }
 }
-INSTANTIATE_TEST_SUITE_P(Robots, Types, testing::Range(0, numSimsparkTypes));
+INSTANTIATE_TEST_SUITE_P(Robots, Types, testing::Range(0, numSimsparkTypes()));
 
 TEST(OdeTreeStep, motorsAtTheirLimitAndStopsAsOdeHasThem) {
   const RobotModel model = simsparkRobot(0);

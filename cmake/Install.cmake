@@ -1,0 +1,53 @@
+# What `make install` and `make deb` take: programs as plumbline-NAME (they find each other and their configuration beside
+# themselves in lib/plumbline), libraries and headers for find_package(Plumbline), manual pages, completion.
+include(CMakePackageConfigHelpers)
+
+get_property(programs GLOBAL PROPERTY PLUMBLINE_PROGRAM_NAMES)
+install(TARGETS ${programs} DESTINATION lib/plumbline/bin)
+install(PROGRAMS bin/start.sh bin/kill.sh DESTINATION lib/plumbline/bin)
+set(links ${PROJECT_BINARY_DIR}/links)
+file(REMOVE_RECURSE ${links})
+file(MAKE_DIRECTORY ${links}/completions)
+foreach(program IN LISTS programs)
+  file(CREATE_LINK ../lib/plumbline/bin/${program} ${links}/plumbline-${program} SYMBOLIC)
+  install(FILES ${links}/plumbline-${program} DESTINATION bin)
+  file(CREATE_LINK plumbline ${links}/completions/plumbline-${program} SYMBOLIC)
+  install(FILES ${links}/completions/plumbline-${program} DESTINATION share/bash-completion/completions)
+endforeach()
+foreach(script start kill)
+  file(CREATE_LINK ../lib/plumbline/bin/${script}.sh ${links}/plumbline-${script} SYMBOLIC)
+  install(FILES ${links}/plumbline-${script} DESTINATION bin)
+endforeach()
+install(FILES cmake/completion.bash DESTINATION share/bash-completion/completions RENAME plumbline)
+install(DIRECTORY ${PLUMBLINE_OUTPUT}/man/ DESTINATION share/man/man1 OPTIONAL FILES_MATCHING PATTERN "*.1")
+
+install(DIRECTORY config DESTINATION share/plumbline)
+file(CREATE_LINK ../../share/plumbline/config ${links}/config SYMBOLIC)
+install(FILES ${links}/config DESTINATION lib/plumbline)
+# The pages, where `make web` built them, as beside the programs of the tree.
+install(DIRECTORY build/web build/report DESTINATION share/plumbline OPTIONAL)
+file(CREATE_LINK ../../share/plumbline ${links}/build SYMBOLIC)
+install(FILES ${links}/build DESTINATION lib/plumbline)
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION share/doc/plumbline)
+
+install(DIRECTORY src/ DESTINATION include/plumbline FILES_MATCHING PATTERN "*.h" PATTERN main EXCLUDE)
+install(EXPORT Plumbline NAMESPACE plumbline:: FILE PlumblineTargets.cmake DESTINATION lib/cmake/Plumbline)
+get_property(PLUMBLINE_LIBRARIES GLOBAL PROPERTY PLUMBLINE_LIBRARIES)
+configure_package_config_file(cmake/PlumblineConfig.cmake.in ${PROJECT_BINARY_DIR}/PlumblineConfig.cmake
+  INSTALL_DESTINATION lib/cmake/Plumbline NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/PlumblineConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/PlumblineConfig.cmake ${PROJECT_BINARY_DIR}/PlumblineConfigVersion.cmake cmake/Externals.cmake
+  DESTINATION lib/cmake/Plumbline)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME plumbline)
+set(CPACK_PACKAGE_CONTACT "The Plumbline developers <plumbline@example.org>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
+set(CPACK_PACKAGE_DIRECTORY ${PLUMBLINE_OUTPUT})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS graphviz)
+include(CPack)

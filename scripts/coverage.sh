@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Runs the test programs with every line counted, and says what part of each folder of src/ they run; files and lines
+# that none runs are in build/coverage/. `make coverage` calls it.
+#   scripts/coverage.sh [AREA]...     areas of tests/ [all but diagnosis and build]
+# Example: scripts/coverage.sh framework robot
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+areas=("$@")
+((${#areas[@]})) || mapfile -t areas < <(find tests -mindepth 1 -maxdepth 1 -type d ! -name bench ! -name support ! -name data \
+  ! -name diagnosis ! -name build ! -name e2e -printf '%f\n' | LC_ALL=C sort)
+find build/Coverage/cmake -name '*.gcda' -delete 2> /dev/null || true
+status=0
+scripts/run_tests.sh Coverage "${areas[@]}" || status=$?
+mkdir -p build/coverage
+# A line counts once, however many programs and templates it is in.
+find build/Coverage/cmake -name '*.gcda' -print0 | xargs -0 -r gcov -t -r 2> /dev/null | awk '
+  /^ *-: +0:Source:/ { file = $0; sub(/.*:Source:/, "", file); wanted = file ~ /^src\//; next }
+  wanted && match($0, /^ *([0-9]+\*?|#+|=+): *[0-9]+:/) {
+    split($0, f, ":"); gsub(/ /, "", f[1]); gsub(/ /, "", f[2])
+    key = file SUBSEP f[2]
+    if (!(key in all)) all[key] = 0
+    if (f[1] ~ /^[0-9]/ && f[1] + 0 > 0) all[key] = 1
+  }
+  END {
+    for (key in all) {
+      split(key, k, SUBSEP); split(k[1], p, "/")
+      ++lines[p[2]]; ++of[k[1]]
+      if (all[key]) { ++run[p[2]]; ++runOf[k[1]] } else print k[1] ":" k[2] > "build/coverage/lines.txt"
+    }
+    for (f in of) printf "%5.1f %% %6d %s\n", 100 * runOf[f] / of[f], of[f], f > "build/coverage/files.txt"
+    for (d in lines) printf "%-16s %5.1f %% of %6d lines\n", "src/" d, 100 * run[d] / lines[d], lines[d]
+  }' | LC_ALL=C sort > build/coverage/folders.txt
+for file in lines files; do [[ ! -f build/coverage/$file.txt ]] || LC_ALL=C sort -t: -k1,1 -k2n -o build/coverage/$file.txt build/coverage/$file.txt; done
+cat build/coverage/folders.txt
+exit $status

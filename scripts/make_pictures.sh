@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# Makes the pictures of doc/img/ and README's sample output anew, by the commands that stand beside them there; `make
+# pictures` builds first what this needs.
+#   scripts/make_pictures.sh [goal] [match] [graph] [report]   all, if none is named; report takes some minutes
+# Example: scripts/make_pictures.sh goal
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+fail() { echo "make_pictures.sh: $*" >&2; exit 2; }
+wanted=("$@")
+((${#wanted[@]})) || wanted=(goal match graph report)
+work=$(mktemp -d)
+server=""
+trap '[[ $server ]] && kill "$server" 2> /dev/null; rm -rf "$work"' EXIT
+
+# Into doc/img/ at once and whole.
+put() { mv "$1" "doc/img/.$2.part"; mv "doc/img/.$2.part" "doc/img/$2"; echo "doc/img/$2"; }
+look() { node tests/e2e/web/look.mjs "$@" > "$work/look.log" 2>&1 || fail "the browser: $(tail -3 "$work/look.log")"; }
+
+goal() {
+  bin/game --output "$work/game" > "$work/game.out"
+  put "$work/game/track.svg" first-goal.svg
+  # The block of text below the picture.
+  awk -v sample="$work/game.out" '
+    BEGIN { while ((getline line < sample) > 0) lines[++n] = line; sub(/;.*/, "", lines[n]) }
+    { print }
+    /first-goal.svg/ { below = 1 }
+    below && /^```text/ {
+      print lines[1]; print lines[2]; print "  ..."; print lines[n - 1]; print lines[n]
+      while ((getline line) > 0) if (line == "```") break
+      print line; below = 0
+    }' README.md > "$work/README.md"
+  cat "$work/README.md" > README.md
+  echo README.md
+}
+
+match() {
+  scripts/match.sh --fast --seconds 40 --seed 1 --page 0 --record "$work/match.plm" > "$work/match.log" || fail "$(cat "$work/match.log")"
+  (cd "$work" && exec "$OLDPWD/bin/webmonitor" --replay match.plm --web-port 0 > page.log) &
+  server=$!
+  until grep -qs http "$work/page.log"; do kill -0 $server || fail "$(cat "$work/page.log")"; sleep 0.1; done
+  node tests/e2e/web/moment.mjs "$(sed -n 's#.*\(http://localhost:[0-9]*/\).*#\1#p' "$work/page.log")" "$work/match.jpg" 25 \
+    > "$work/look.log" || fail "the browser: $(tail -3 "$work/look.log")"
+  kill $server
+  server=""
+  put "$work/match.jpg" webmonitor.jpg
+}
+
+graph() {
+  bin/agent --graph "$work/modules.svg"
+  put "$work/modules.svg" modules.svg
+}
+
+report() {
+  bin/gap record --battery hang --secret 7 -o "$work/runs" > /dev/null
+  bin/gap diagnose "$work/runs" --json "$work/answer.json" > /dev/null
+  bin/gap report "$work/answer.json" -o "$work/report.html" > /dev/null
+  look "file://$work/report.html" "$work/report.png" 1240 1000 4
+  put "$work/report.png" gap-report.png
+}
+
+for name in "${wanted[@]}"; do
+  case $name in
+    goal | match | graph | report) "$name" ;;
+    *) fail "no picture '$name'; there is goal, match, graph, report" ;;
+  esac
+done

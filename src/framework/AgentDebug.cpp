@@ -1,0 +1,41 @@
+#include "framework/AgentDebug.h"
+
+#include "framework/TimingReport.h"
+
+namespace plumbline {
+
+void AgentDebug::addStopwatch(const std::string& id, std::shared_ptr<const Stopwatch> stopwatch) {
+  const std::lock_guard lock(mutex_);
+  stopwatches_[id] = std::move(stopwatch);
+}
+
+bool AgentDebug::tryAddStopwatch(const std::string& id, std::shared_ptr<const Stopwatch> stopwatch) {
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (lock) stopwatches_[id] = std::move(stopwatch);
+  return lock.owns_lock();
+}
+
+void AgentDebug::addThread(const TimingPlugin& timing) {
+  const std::lock_guard lock(mutex_);
+  threads_.push_back(&timing);
+}
+
+void AgentDebug::removeThread(const TimingPlugin& timing, const std::vector<std::string>& stopwatches) {
+  const std::lock_guard lock(mutex_);
+  std::erase(threads_, &timing);
+  for (const std::string& id : stopwatches) stopwatches_.erase(id);
+}
+
+std::map<std::string, std::shared_ptr<const Stopwatch>> AgentDebug::stopwatches() const {
+  const std::lock_guard lock(mutex_);
+  return stopwatches_;
+}
+
+std::string AgentDebug::timingReport() const {
+  const std::lock_guard lock(mutex_);
+  std::string text;
+  for (const TimingPlugin* thread : threads_) text += plumbline::timingReport(*thread, stopwatches_);
+  return text;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,19 @@
+#pragma once
+#include "framework/ConfigNode.h"
+
+namespace plumbline {
+
+/// Lays a file of a later config directory over that of an earlier one: maps are merged key by key, anything
+/// else is replaced. A line that was lost from the later file would silently give the earlier one's value. So
+/// that file either has every value of the earlier one, or says on top what it is and how many values of its
+/// own follow:
+///
+///     overlay: {base: kick.yaml, values: 3}
+///
+/// Throws ConfigurationError naming file and line for anything else, also where the number is wrong.
+void layOver(ConfigNode& base, ConfigNode over);
+
+/// The line that such a file begins with, for programs that write one.
+std::string overlayLine(const std::string& baseName, std::size_t values);
+
+}  // namespace plumbline

@@ -1,0 +1,93 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "framework/InStream.h"
+#include "framework/OutStream.h"
+
+namespace plumbline {
+
+/// A value of any type as the debug interface sees it: it writes itself and may read itself.
+class DebugValue {
+public:
+  virtual void write(OutStream& out) const = 0;
+  virtual bool writable() const { return false; }
+  virtual void read(InStream&) {}
+
+protected:
+  ~DebugValue() = default;
+};
+
+/// What somebody outside wants at a debug point. Called on the thread that passes the point: no call may
+/// wait or throw.
+class DebugRequest {
+public:
+  virtual ~DebugRequest() = default;
+  /// At a value: reads it, or changes it.
+  virtual void serve(DebugValue&) noexcept {}
+  /// At a block of code: true if it shall run now.
+  virtual bool run() noexcept { return false; }
+  /// What the block says while it runs.
+  virtual void output(std::string_view) noexcept {}
+  /// The block has run.
+  virtual void finished() noexcept {}
+};
+
+using DebugRequests = std::vector<std::shared_ptr<DebugRequest>>;
+
+/// output: a value to read. modify: one that may be set. parameter: one that is set once. timing: a
+/// stopwatch. code, codeOnce: a block that runs on request, again and again or once.
+enum class DebugKind : std::uint8_t { output, modify, parameter, timing, code, codeOnce };
+/// "output", "modify", "parameter", "timing", "response", "response once".
+std::string_view nameOf(DebugKind kind);
+
+/// A place that execution passes and where a value can be looked at or set, or a block of code be switched
+/// on. While nobody wants anything there, passing it costs a relaxed load. Static ones (DebugSite.h) make
+/// themselves known when they are passed first.
+class DebugPoint {
+public:
+  constexpr DebugPoint(const char* id, DebugKind kind) : id_(id), kind_(kind) {}
+  DebugPoint(const DebugPoint&) = delete;
+  DebugPoint& operator=(const DebugPoint&) = delete;
+
+  const char* id() const { return id_; }
+  DebugKind kind() const { return kind_; }
+
+  bool active() const { return state_.load(std::memory_order_relaxed) != State::off; }
+  /// The rest of passing an active point.
+  void pass(DebugValue& value);
+
+  /// Holds the requests of an active point that is a block of code while the block runs.
+  class Visit {
+  public:
+    explicit Visit(DebugPoint& point);
+    ~Visit();
+    Visit(const Visit&) = delete;
+    Visit& operator=(const Visit&) = delete;
+    bool run() const { return run_; }
+    void output(std::string_view text) const;
+
+  private:
+    DebugPoint& point_;
+    const DebugRequests* requests_ = nullptr;
+    bool run_ = false;
+  };
+
+private:
+  friend class DebugPoints;
+  enum class State : std::uint8_t { off, on, unknown };
+
+  const DebugRequests* enter();
+  void leave() { readers_.fetch_sub(1, std::memory_order_release); }
+
+  const char* id_;
+  DebugKind kind_;
+  std::atomic<State> state_{State::unknown};
+  std::atomic<unsigned> readers_{0};  ///< threads that look at the requests now
+  std::atomic<const DebugRequests*> requests_{nullptr};
+};
+
+}  // namespace plumbline

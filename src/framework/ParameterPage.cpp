@@ -1,0 +1,94 @@
+#include "framework/ParameterPage.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "framework/Module.h"
+
+namespace plumbline {
+namespace {
+
+std::string numberText(double value) {
+  if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
+  std::array<char, 40> buffer{};
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
+std::string allowed(const Parameter& parameter) {
+  std::string text;
+  for (const std::string& word : parameter.words) text += (text.empty() ? "" : ", ") + word;
+  if (!text.empty()) return text;
+  const Range& range = parameter.range;
+  if (std::isinf(range.min) && std::isinf(range.max)) return "";
+  return numberText(range.min) + " … " + numberText(range.max);
+}
+
+/// A bar would end the cell of a table.
+std::string cell(std::string text) {
+  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
+    text.insert(at, 1, '\\');
+  return text;
+}
+
+/// Rows of a list's parameters. A group of parameters that were all described before (a set that differs from
+/// another one) is one row.
+class Rows {
+public:
+  void add(const ParameterList& list, void* owner, const std::string& prefix) {
+    for (const ParameterList::Entry& entry : list.entries()) {
+      const std::string path = prefix + entry.parameter.name;
+      if (!entry.group) {
+        described.insert(entry.pointer);
+        addRow(path, entry.parameter, entry.pointer(owner));
+      } else if (isDescribed(*entry.group)) {
+        text += "| `" + path + ".` … | | | | | " + cell(entry.parameter.comment) + ": names as above |\n";
+      } else {
+        add(*entry.group, entry.groupOf(owner), path + ".");
+      }
+    }
+  }
+
+  std::string text;
+
+private:
+  bool isDescribed(const ParameterList& list) const {
+    return std::ranges::all_of(list.entries(), [&](const ParameterList::Entry& entry) {
+      return entry.group ? isDescribed(*entry.group) : described.contains(entry.pointer);
+    });
+  }
+  void addRow(const std::string& path, const Parameter& parameter, const ParameterPointer& value) {
+    text += "| `" + path + "` | " + parameterType(value) + " | " + cell(parameter.defaultText) + " | " +
+            parameter.unit + " | " + allowed(parameter) + " | " + cell(parameter.comment) + " |\n";
+  }
+
+  std::set<ParameterList::Pointer> described;
+};
+
+}  // namespace
+
+std::string parameterPage(const Registry& registry) {
+  std::string page =
+      "# Parameters of the modules\n\n"
+      "Made by `bin/agent --parameters`. `config/<Module>.yaml` holds what deviates from these values; a "
+      "group's\n"
+      "parameters stand in a map of the group's name. A value out of its range and an unknown key end the "
+      "start with\n"
+      "file and line.\n";
+  for (const auto& [name, loader] : registry.modules()) {
+    const ParameterList& parameters = loader->description().parameters;
+    if (parameters.empty()) continue;
+    page += "\n## " + name +
+            "\n\n| parameter | type | default | unit | range | what it does |\n|---|---|---|---|---|---|\n";
+    // The types are those of the members: a module made only to look at them.
+    const std::unique_ptr<Module> module = loader->create();
+    Rows rows;
+    rows.add(parameters, module.get(), "");
+    page += rows.text;
+  }
+  return page;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,62 @@
+#pragma once
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/AgentDebug.h"
+#include "framework/Module.h"
+#include "framework/ModuleGraph.h"
+#include "framework/Plugin.h"
+#include "framework/TimingPlugin.h"
+
+namespace plumbline {
+
+/// The debug points of one thread: `representation:NAME` behind each update, `config:MODULE.path` at the
+/// beginning of a cycle; and its stopwatches as `timing:MODULE:step` and `timing:MODULE:name`.
+class ProcessDebug {
+public:
+  /// All must outlive this; `modules` are those of `plan`, in its order, and may be made anew in between.
+  ProcessDebug(AgentDebug& agent, const ThreadPlan& plan, const ThreadInfo& info,
+               const std::vector<std::unique_ptr<Module>>& modules, const TimingPlugin& timing);
+  ~ProcessDebug();
+  ProcessDebug(const ProcessDebug&) = delete;
+  ProcessDebug& operator=(const ProcessDebug&) = delete;
+
+  /// False: nothing is wanted in this cycle, and nothing below need be called.
+  bool wanted() const { return agent_.watched(); }
+  void beginCycle();
+  void updated(const Step& step);
+  /// On the thread, or when it has ended: the modules' own stopwatches come with their first use.
+  void addStopwatches();
+
+private:
+  struct ParameterPoint {
+    std::string id;
+    std::size_t module;
+    std::string path;
+    DebugPoint point;
+    ParameterPoint(std::string id_, std::size_t module_, std::string path_)
+        : id(std::move(id_)),
+          module(module_),
+          path(std::move(path_)),
+          point(id.c_str(), DebugKind::parameter) {}
+  };
+  struct ValuePoint {
+    std::string id;
+    DebugPoint point;
+    explicit ValuePoint(std::string id_) : id(std::move(id_)), point(id.c_str(), DebugKind::modify) {}
+  };
+
+  AgentDebug& agent_;
+  const ThreadPlan& plan_;
+  const std::vector<std::unique_ptr<Module>>& modules_;
+  const TimingPlugin& timing_;
+  std::deque<ParameterPoint> parameters_;
+  std::deque<ValuePoint> values_;
+  std::vector<DebugPoint*> ofStep_;         ///< null: the step executes
+  std::vector<std::size_t> stopwatchesOf_;  ///< of each module, as many as are known
+  std::vector<std::string> stopwatches_;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,41 @@
+#pragma once
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace plumbline {
+
+/// Says on standard error how far long work has come, on a terminal and without one alike: first after
+/// `first` seconds, then every `interval`: `PROGRAM: STAGE: 12 %, about 3 min left`. From a thread of its
+/// own, so that a slow step does not look like a hang. The clock decides nothing but these lines.
+class ProgressReport {
+public:
+  using Seconds = std::chrono::duration<double>;
+  explicit ProgressReport(std::string program, Seconds first = Seconds(5), Seconds interval = Seconds(10));
+  ~ProgressReport();
+  ProgressReport(const ProgressReport&) = delete;
+  ProgressReport& operator=(const ProgressReport&) = delete;
+
+  /// What is being done and which share of it is done, 0 .. 1; below 0: nobody knows. From any thread.
+  void tell(const std::string& stage, double share = -1);
+
+private:
+  void run(Seconds first, Seconds interval);
+  std::string line() const;
+
+  const std::string program_;
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  bool end_ = false;
+  std::string stage_;
+  double share_ = -1, firstShare_ = -1;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::jthread thread_;
+};
+
+/// "40 s", "12 min", "3.5 h".
+std::string durationText(double seconds);
+
+}  // namespace plumbline

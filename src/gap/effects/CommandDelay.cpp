@@ -1,0 +1,24 @@
+#include "gap/effects/Effect.h"
+
+namespace plumbline::gap {
+
+/// Transport and processing time between sending a command and its coming into force.
+const Effect commandDelay{
+    .id = "command_delay",
+    .order = 10,
+    .unit = "s",
+    .sites = {Site::everywhere, Site::joint},
+    .lower = 0,
+    .upper = 0.2,
+    .starts = {0.002, 0.01, 0.03},
+    .linear = true,
+    .sentence = "Commands reach {at} later than the model says.",
+    .exposedBy = "fast moves and steps",
+    .apply = [](Plant& plant, const Place& place, double value,
+                int) { atJoints(plant, place, [value](JointPlant& joint) { joint.commandDelay += value; }); },
+    .suspect = 7,
+    .drawing = {.where = Drawing::Where::jointOrAll, .low = 0.003, .high = 0.02},
+};
+MAKE_EFFECT(commandDelay);
+
+}  // namespace plumbline::gap

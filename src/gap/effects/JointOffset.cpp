@@ -1,0 +1,26 @@
+#include "gap/effects/Effect.h"
+
+namespace plumbline::gap {
+
+/// Link angle minus measured angle.
+const Effect jointOffset{
+    .id = "joint_offset",
+    .order = 190,
+    .unit = "rad",
+    .sites = {Site::joint},
+    .lower = -0.3,
+    .upper = 0.3,
+    .starts = {-0.05, 0.05},
+    .linear = true,
+    .sentence = "The zero of {at} is wrong: the link stands elsewhere than the encoder says.",
+    .exposedBy = "static poses in several postures",
+    .apply = [](Plant& plant, const Place& place, double value,
+                int) { atJoints(plant, place, [value](JointPlant& joint) { joint.offset += value; }); },
+    .inWalk = true,
+    .alike = {"bias_force", 13},
+    .screening = {.inNeighbours = true, .underLoad = Screening::UnderLoad::anyLeg},
+    .drawing = {.where = Drawing::Where::joint, .low = 0.04, .high = 0.15, .bothSigns = true},
+};
+MAKE_EFFECT(jointOffset);
+
+}  // namespace plumbline::gap

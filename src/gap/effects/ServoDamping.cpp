@@ -1,0 +1,38 @@
+#include "gap/effects/Effect.h"
+
+namespace plumbline::gap {
+
+/// Factor on the derivative gain; unlike viscous friction it lies within the torque limit.
+const Effect servoDamping{
+    .id = "servo_damping",
+    .order = 40,
+    .unit = "1",
+    .sites = {Site::joint},
+    .nominal = 1,
+    .lower = 0,
+    .upper = 4,
+    .starts = {0.5, 2},
+    .linear = true,
+    .ofServo = true,
+    .sentence = "The servo of {at} brakes its own motion more or less than the model's.",
+    .exposedBy = "chirps and fast moves",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int) {
+          atJoints(plant, place, [value](JointPlant& joint) {
+            const double change = joint.servo.kd * (value - 1);
+            joint.servo.kd += change;
+            joint.extraDamping += change;
+          });
+        },
+    .inWalk = true,
+    .alike = {"viscous_friction", 6},
+    .drawing = {.where = Drawing::Where::joint,
+                .low = 0.3,
+                .high = 0.7,
+                .low2 = 1.4,
+                .high2 = 2.5,
+                .growth = Drawing::Growth::factor},
+};
+MAKE_EFFECT(servoDamping);
+
+}  // namespace plumbline::gap

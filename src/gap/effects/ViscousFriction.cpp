@@ -1,0 +1,33 @@
+#include <algorithm>
+
+#include "gap/effects/Effect.h"
+
+namespace plumbline::gap {
+
+/// Friction proportional to speed, on top of whatever the servo does.
+const Effect viscousFriction{
+    .id = "viscous_friction",
+    .order = 80,
+    .unit = "N m s/rad",
+    .sites = {Site::joint},
+    .lower = 0,
+    .upper = 3,
+    .starts = {0.1, 0.5},
+    .linear = true,
+    .ofServo = true,
+    .sentence = "Friction that grows with speed holds {at} back.",
+    .exposedBy = "chirps and fast moves",
+    .scale =
+        [](const Mechanism& m, const Place& p) {
+          return std::max(0.05, m.joints[static_cast<std::size_t>(p.index)].servo.kd);
+        },
+    .apply = [](Plant& plant, const Place& place, double value,
+                int) { atJoints(plant, place, [value](JointPlant& joint) { joint.viscous += value; }); },
+    .inWalk = true,
+    .suspect = 3,
+    .alike = {"servo_damping", 5},
+    .drawing = {.where = Drawing::Where::joint, .low = 0.3, .high = 1, .unit = Drawing::Unit::damping},
+};
+MAKE_EFFECT(viscousFriction);
+
+}  // namespace plumbline::gap

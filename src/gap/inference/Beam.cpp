@@ -1,0 +1,170 @@
+#include "gap/inference/Beam.h"
+
+#include <algorithm>
+#include <map>
+
+#include "gap/inference/Strengths.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr int stepsInSearch = 4, stepsAtLast = 12;
+
+/// Names a set whatever its values and order.
+std::string nameOfSet(const Explanation& causes) {
+  std::vector<std::string> names;
+  for (const Cause& cause : causes)
+    names.push_back(std::string(cause.effect->id) + "@" + cause.place.at + cause.place.axis + "/" +
+                    std::to_string(cause.variant) + (cause.effect->strengthOf(cause.value) < 0 ? "-" : "+"));
+  std::ranges::sort(names);
+  std::string all;
+  for (const std::string& name : names) all += name + " ";
+  return all;
+}
+
+class Search {
+public:
+  Search(const Replayer& replayer_, const BeamOptions& options_)
+      : replayer(replayer_),
+        options(options_),
+        shares(sharesOf(replayer.groups(), replayer.residuals({}))),
+        screening(replayer, shares) {}
+
+  BeamResult run() {
+    add({});
+    for (std::size_t size = 0; size < options.mostCauses; ++size) {
+      tell(0.9 * static_cast<double>(size) / static_cast<double>(options.mostCauses));
+      const std::string before = nameOfSet(best().causes());
+      for (const Scored& set : top(options.width)) extend(set.causes());
+      if (nameOfSet(best().causes()) == before) break;
+      improve();
+      renewShares();
+    }
+    improve();
+    tell(0.95);
+    return last();
+  }
+
+private:
+  void tell(double share) const {
+    if (options.progress) options.progress("sets of causes", share);
+  }
+
+  void add(const Explanation& causes, int steps = stepsInSearch) {
+    if (causes.size() > options.mostCauses) return;
+    std::string name = nameOfSet(causes);
+    if (scored.contains(name)) return;
+    scored.emplace(std::move(name), score(replayer, shares, causes, screening.numKinds(), steps));
+  }
+
+  std::vector<Scored> top(std::size_t most) const {
+    std::vector<Scored> sets;
+    for (const auto& [name, set] : scored) sets.push_back(set);
+    std::ranges::stable_sort(sets, std::ranges::greater(), &Scored::score);
+    if (sets.size() > most) sets.resize(most);
+    return sets;
+  }
+  Scored best() const { return top(1).front(); }
+
+  void extend(const Explanation& base) {
+    for (const Proposal& proposal : screening.propose(base, shares, options.proposals)) {
+      Explanation larger = base;
+      larger.push_back(proposal.cause);
+      add(larger);
+    }
+  }
+
+  /// Sets one move away, until none of them is better.
+  void improve() {
+    constexpr int mostRounds = 3;
+    for (int round = 0; round < mostRounds; ++round) {
+      const Explanation causes = best().causes();
+      for (std::size_t i = 0; i < causes.size(); ++i) {
+        const Explanation rest = without(causes, i);
+        add(rest);
+        for (const Proposal& proposal : screening.propose(rest, shares, options.width)) {
+          Explanation other = rest;
+          other.push_back(proposal.cause);
+          add(other);
+        }
+        Explanation otherWay = causes;
+        for (int variant = 0; variant < causes[i].effect->numVariants(); ++variant) {
+          otherWay[i].variant = variant;
+          add(otherWay);
+        }
+        shared(causes, i);
+      }
+      if (nameOfSet(best().causes()) == nameOfSet(causes)) return;
+    }
+  }
+
+  /// All joints share a cause, instead of one or some that have it.
+  void shared(const Explanation& causes, std::size_t i) {
+    const Cause& cause = causes[i];
+    if (cause.place.site != Site::joint || !cause.effect->ofServo) return;
+    for (const Place& place : placesOf(*cause.effect, replayer.mechanism())) {
+      if (place.site != Site::everywhere) continue;
+      Explanation other;
+      for (const Cause& one : causes)
+        if (one.effect != cause.effect) other.push_back(one);
+      other.push_back(cause);
+      other.back().place = place;
+      add(other);
+    }
+  }
+
+  /// Scores the best sets anew under the shares of what the best of them leaves.
+  void renewShares() {
+    const std::vector<Scored> sets = top(2 * options.width);
+    shares = sharesOf(replayer.groups(), replayer.residuals(sets.front().causes()));
+    scored.clear();
+    for (const Scored& set : sets) add(set.causes());
+    add({});
+  }
+
+  BeamResult last() {
+    constexpr std::size_t kept = 12;
+    const std::vector<Scored> sets = top(kept);
+    shares = sharesOf(replayer.groups(), replayer.residuals(sets.front().causes()));
+    scored.clear();
+    for (const Scored& set : sets) add(set.causes(), stepsInSearch);
+    add({});
+    return {top(kept + 1), shares, screening.numKinds()};
+  }
+
+  const Replayer& replayer;
+  const BeamOptions& options;
+  Shares shares;
+  CandidateScreening screening;
+  std::map<std::string, Scored> scored;
+};
+
+}  // namespace
+
+BeamResult searchSets(const Replayer& replayer, const BeamOptions& options) {
+  BeamResult result = Search(replayer, options).run();
+  // What is answered is fitted to the end, and each group is left out by a fit of its own; so is what it is
+  // without one of its causes, for one that the fit to the end made useless must go.
+  const auto settled = [&](const Explanation& causes) {
+    return score(replayer, result.shares, causes, result.kinds, stepsAtLast, LeaveOut::refit);
+  };
+  Scored best = settled(result.sets.front().causes());
+  for (std::size_t i = 0; i < best.causes().size();) {
+    Scored rest = settled(without(best.causes(), i));
+    if (rest.score() >= best.score()) {
+      best = std::move(rest);
+      i = 0;
+    } else {
+      ++i;
+    }
+  }
+  const std::string name = nameOfSet(best.causes()), tried = nameOfSet(result.sets.front().causes());
+  std::erase_if(result.sets, [&](const Scored& set) {
+    return nameOfSet(set.causes()) == name || nameOfSet(set.causes()) == tried;
+  });
+  result.sets.insert(result.sets.begin(), std::move(best));
+  return result;
+}
+
+}  // namespace plumbline::gap

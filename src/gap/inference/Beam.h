@@ -1,0 +1,30 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gap/inference/CandidateScreening.h"
+#include "gap/inference/Score.h"
+
+namespace plumbline::gap {
+
+struct BeamOptions {
+  std::size_t mostCauses = 8;
+  std::size_t width = 2;      ///< sets that are extended
+  std::size_t proposals = 5;  ///< causes that each is extended by
+  std::function<void(const std::string& stage, double share)> progress = {};
+};
+
+/// What a search came to: sets scored under the same shares, the best first.
+struct BeamResult {
+  std::vector<Scored> sets;
+  Shares shares;
+  std::size_t kinds = 0;
+};
+
+/// Searches for the set of causes with the best score. Moves: add a cause, drop one, put another in its
+/// place, build it another way (variant), have all joints share it. Shares are those of what the best set so
+/// far leaves, and all that is compared is scored under the same.
+BeamResult searchSets(const Replayer& replayer, const BeamOptions& options);
+
+}  // namespace plumbline::gap

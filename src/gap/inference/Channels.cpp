@@ -1,0 +1,133 @@
+#include "gap/inference/Channels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "gap/diagnosis/Noise.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double jitter = 1e-4;      // [s] of commands and readings
+constexpr double onTheGrid = 0.9;    // share of differences that must be multiples of a step
+constexpr double offTheGrid = 0.1;   // of a step, that a multiple may be off by rounding in a file
+constexpr double leastShare = 1e-7;  // of a channel's range: numbers in a file have no more digits
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+double rmsRate(const Trial& trial, const Signal& signal) {
+  double sum = 0, n = 0;
+  for (std::size_t k = 1; k + 1 < trial.cycles(); ++k) {
+    const double rate = rateAt(trial, signal, k);
+    sum += rate * rate;
+    ++n;
+  }
+  return n > 0 ? std::sqrt(sum / n) : 0;
+}
+
+double differenceOf(const Signal& a, const Signal& b) {
+  double sum = 0, n = 0;
+  for (std::size_t k = 0; k < std::min(a.values.size(), b.values.size()); ++k) {
+    const double d = a.values[k] - b.values[k];
+    if (!std::isfinite(d)) continue;
+    sum += d * d;
+    ++n;
+  }
+  return n > 0 ? std::sqrt(sum / n / 2) : 0;
+}
+
+std::string whyNot(const Trial& trial, const Signal& signal) {
+  switch (signal.kind) {
+    case SignalKind::velocity:
+      return "it is the derivative of the position, which is used";
+    case SignalKind::duty:
+      return "the servo's law makes it of the position's error, which is used";
+    case SignalKind::truth:
+      return "a body's way over the ground is shown, not scored";
+    case SignalKind::current: {
+      const auto joint = static_cast<std::size_t>(signal.joint);
+      if (!(trial.robot->joints[joint].servo.kt > 0)) return "the robot's file gives no torque per ampere";
+      return "";
+    }
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+double smallestStep(std::vector<double> values) {
+  std::erase_if(values, [](double v) { return !std::isfinite(v); });
+  std::ranges::sort(values);
+  if (values.size() < 20) return 0;
+  const double least = leastShare * std::max(std::abs(values.front()), std::abs(values.back()));
+  std::vector<double> steps;
+  for (std::size_t k = 1; k < values.size(); ++k)
+    if (values[k] - values[k - 1] > std::max(least, 1e-12)) steps.push_back(values[k] - values[k - 1]);
+  if (steps.size() < 5) return 0;
+  const double most = values.back() - values.front();
+  // Rounding to so many digits spreads one step over a few values: their median is the step.
+  const double smallest = *std::ranges::min_element(steps);
+  std::vector<double> alike;
+  for (const double step : steps)
+    if (step < 1.5 * smallest) alike.push_back(step);
+  const double step = medianOf(alike);
+  // A grid as fine as the readings are many is no grid.
+  if (most / step > 4 * static_cast<double>(values.size())) return 0;
+  std::size_t multiples = 0;
+  for (const double other : steps)
+    if (std::abs(std::remainder(other, step)) < offTheGrid * step) ++multiples;
+  return static_cast<double>(multiples) >= onTheGrid * static_cast<double>(steps.size()) ? step : 0;
+}
+
+std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trials) {
+  struct Found {
+    std::vector<double> repeats, fast, steps, rates;
+    double largest = 0;
+  };
+  std::map<std::pair<std::string, bool>, Found> channels;
+  for (const Trial& trial : trials)
+    for (const Signal& signal : trial.signals) {
+      Found& found = channels[{signal.name, trial.freeBase}];
+      found.fast.push_back(fastNoise(signal.values));
+      if (const double step = smallestStep(signal.values); step > 0) found.steps.push_back(step);
+      found.rates.push_back(rmsRate(trial, signal));
+      for (const double value : signal.values)
+        if (std::isfinite(value)) found.largest = std::max(found.largest, std::abs(value));
+    }
+  for (std::size_t a = 0; a < trials.size(); ++a)
+    for (std::size_t b = a + 1; b < trials.size(); ++b) {
+      if (!isRepeat(trials[a], trials[b])) continue;
+      for (const Signal& first : trials[a].signals)
+        for (const Signal& second : trials[b].signals)
+          if (first.name == second.name)
+            channels[{first.name, trials[a].freeBase}].repeats.push_back(differenceOf(first, second));
+    }
+  std::vector<std::vector<ChannelUse>> uses;
+  for (const Trial& trial : trials) {
+    auto& of = uses.emplace_back();
+    for (const Signal& signal : trial.signals) {
+      const Found& found = channels[{signal.name, trial.freeBase}];
+      ChannelUse use;
+      use.why = whyNot(trial, signal);
+      use.used = use.why.empty();
+      const double step = found.steps.empty() ? 0 : medianOf(found.steps);
+      const double own = std::max(medianOf(found.repeats), medianOf(found.fast));
+      const double late = signal.kind == SignalKind::position ? jitter * medianOf(found.rates) : 0;
+      use.noise = std::sqrt(own * own + step * step / 12 + late * late);
+      use.noise = std::max({use.noise, leastShare * found.largest, 1e-9});
+      of.push_back(std::move(use));
+    }
+  }
+  return uses;
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,44 @@
+#include "gap/inference/Density.h"
+
+#include "gap/inference/Likelihood.h"
+
+namespace plumbline::gap {
+
+std::vector<double> residualsOf(const Cell& cell, const Residuals& residuals) {
+  const Series& series = residuals[cell.trial][cell.signal];
+  if (!series) return {};
+  return {series->begin() + static_cast<std::ptrdiff_t>(cell.from),
+          series->begin() + static_cast<std::ptrdiff_t>(cell.to)};
+}
+
+Shares sharesOf(const Groups& groups, const Residuals& residuals) {
+  Shares shares;
+  for (const Cell& cell : groups.cells()) shares.push_back(1 / correlationTime(residualsOf(cell, residuals)));
+  return shares;
+}
+
+double densityOf(const Cell& cell, const Residuals& residuals, double share) {
+  const std::vector<double> values = residualsOf(cell, residuals);
+  return values.empty() ? 0 : share * logDensity(values, likeliestScale(values, cell.noise));
+}
+
+std::vector<double> densities(const Groups& groups, const Residuals& residuals, const Shares& shares,
+                              const std::vector<char>& wantedGroups) {
+  std::vector<double> sums(groups.count(), 0.0);
+  for (std::size_t c = 0; c < groups.cells().size(); ++c) {
+    const Cell& cell = groups.cells()[c];
+    if (wantedGroups.empty() || wantedGroups[cell.group])
+      sums[cell.group] += densityOf(cell, residuals, shares[c]);
+  }
+  return sums;
+}
+
+std::vector<char> trialsOf(const Groups& groups, const std::vector<char>& wantedGroups) {
+  std::vector<char> wanted(groups.trials().size(), wantedGroups.empty());
+  for (std::size_t t = 0; t < wanted.size(); ++t)
+    for (std::size_t g = 0; g < wantedGroups.size(); ++g)
+      if (wantedGroups[g] && groups.holds(g, t)) wanted[t] = 1;
+  return wanted;
+}
+
+}  // namespace plumbline::gap

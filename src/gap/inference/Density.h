@@ -1,0 +1,27 @@
+#pragma once
+#include <vector>
+
+#include "gap/inference/Replayer.h"
+
+namespace plumbline::gap {
+
+/// Per cell: what one residual says, in parts of an independent one (1 / correlationTime).
+using Shares = std::vector<double>;
+
+/// Shares from what a hypothesis leaves.
+Shares sharesOf(const Groups& groups, const Residuals& residuals);
+
+/// A cell's residuals; empty where it was not predicted.
+std::vector<double> residualsOf(const Cell& cell, const Residuals& residuals);
+
+/// Logarithm of the density of a cell's residuals, its own discrepancy's scale being the likeliest one.
+double densityOf(const Cell& cell, const Residuals& residuals, double share);
+
+/// Sum over the cells of each group; 0 for groups that are not wanted (empty: all are).
+std::vector<double> densities(const Groups& groups, const Residuals& residuals, const Shares& shares,
+                              const std::vector<char>& wantedGroups = {});
+
+/// Flags of the trials that hold anything of the wanted groups.
+std::vector<char> trialsOf(const Groups& groups, const std::vector<char>& wantedGroups);
+
+}  // namespace plumbline::gap

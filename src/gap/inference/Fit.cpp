@@ -1,0 +1,115 @@
+#include "gap/inference/Fit.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "gap/inference/Likelihood.h"
+#include "gap/inference/Strengths.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double difference = 0.02;  // step of derivatives, in the logarithm of a strength
+constexpr double farthest = 1;       // step of a value, in the same
+constexpr double settled = 0.05;     // gain of log density below which a fit ends
+
+double sumOf(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+/// Derivatives of all cells at the present values.
+void linearise(const Replayer& replayer, const Shares& shares, const std::vector<char>& wantedGroups,
+               const Residuals& at, Fitted& fitted) {
+  const Groups& groups = replayer.groups();
+  const std::vector<char> trials = trialsOf(groups, wantedGroups);
+  const Eigen::VectorXd x = logStrengths(fitted.causes);
+  const auto n = x.size();
+  std::vector<Residuals> moved;
+  std::vector<double> steps;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    // Away from a bound, if one is near.
+    double step = difference;
+    Explanation other;
+    for (int attempt = 0; attempt < 2; ++attempt, step = -step) {
+      Eigen::VectorXd y = x;
+      y[i] += step;
+      other = withLogStrengths(replayer.mechanism(), fitted.causes, y);
+      if (other[static_cast<std::size_t>(i)].value != fitted.causes[static_cast<std::size_t>(i)].value) break;
+    }
+    steps.push_back(logStrengths(other)[i] - x[i]);
+    moved.push_back(replayer.residuals(other, trials));
+  }
+  fitted.information.assign(groups.count(), Eigen::MatrixXd::Zero(n, n));
+  fitted.gradient.assign(groups.count(), Eigen::VectorXd::Zero(n));
+  Eigen::VectorXd slope(n);
+  for (std::size_t c = 0; c < groups.cells().size(); ++c) {
+    const Cell& cell = groups.cells()[c];
+    if (!wantedGroups.empty() && !wantedGroups[cell.group]) continue;
+    const Series& here = at[cell.trial][cell.signal];
+    if (!here) continue;
+    const double scale = likeliestScale(residualsOf(cell, at), cell.noise);
+    for (std::size_t k = cell.from; k < cell.to; ++k) {
+      const double r = (*here)[k];
+      if (!std::isfinite(r)) continue;
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const double r1 = (*moved[static_cast<std::size_t>(i)][cell.trial][cell.signal])[k];
+        slope[i] =
+            steps[static_cast<std::size_t>(i)] == 0 ? 0 : (r1 - r) / steps[static_cast<std::size_t>(i)];
+      }
+      const double w = shares[c] * weightOf(r, scale);
+      fitted.gradient[cell.group] -= w * r * slope;
+      fitted.information[cell.group] += w * slope * slope.transpose();
+    }
+  }
+}
+
+}  // namespace
+
+Fitted fit(const Replayer& replayer, const Shares& shares, Explanation start, int mostSteps,
+           const std::vector<char>& wantedGroups) {
+  const Groups& groups = replayer.groups();
+  const std::vector<char> trials = trialsOf(groups, wantedGroups);
+  Fitted fitted;
+  fitted.causes = withLogStrengths(replayer.mechanism(), start, logStrengths(start));
+  Residuals here = replayer.residuals(fitted.causes, trials);
+  fitted.density = sumOf(densities(groups, here, shares, wantedGroups));
+  const auto n = static_cast<Eigen::Index>(fitted.causes.size());
+  linearise(replayer, shares, wantedGroups, here, fitted);
+  double damping = 1e-2;
+  for (int step = 0; n > 0 && step < mostSteps; ++step) {
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(n, n);
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n);
+    for (std::size_t g = 0; g < groups.count(); ++g) {
+      information += fitted.information[g];
+      gradient += fitted.gradient[g];
+    }
+    const Eigen::VectorXd x = logStrengths(fitted.causes);
+    bool better = false;
+    double gained = 0;
+    for (int attempt = 0; attempt < 4 && !better; ++attempt, damping *= 8) {
+      Eigen::MatrixXd damped = information;
+      // What nothing depends on stays.
+      damped.diagonal() += damping * information.diagonal() + Eigen::VectorXd::Constant(n, 1e-6);
+      Eigen::VectorXd way = damped.llt().solve(gradient);
+      way *= std::min(1.0, farthest / std::max(1e-12, way.lpNorm<Eigen::Infinity>()));
+      Explanation next = withLogStrengths(replayer.mechanism(), fitted.causes, x + way);
+      if (next == fitted.causes) break;
+      Residuals there = replayer.residuals(next, trials);
+      const double density = sumOf(densities(groups, there, shares, wantedGroups));
+      if (density <= fitted.density) continue;
+      gained = density - fitted.density;
+      fitted.causes = std::move(next);
+      fitted.density = density;
+      here = std::move(there);
+      better = true;
+    }
+    if (!better) break;
+    damping = std::max(1e-6, damping / 40);
+    linearise(replayer, shares, wantedGroups, here, fitted);
+    if (gained < settled) break;
+  }
+  return fitted;
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,44 @@
+#pragma once
+#include <vector>
+
+#include "gap/inference/Channels.h"
+#include "gap/replay/Trial.h"
+
+namespace plumbline::gap {
+
+/// A stretch of one channel of one trial: the smallest thing that is scored by itself.
+struct Cell {
+  std::size_t group = 0, trial = 0, signal = 0;
+  std::size_t from = 0, to = 0;  ///< cycles [from, to)
+  double noise = 0;              ///< least scale of its residuals
+};
+
+/// Recordings in groups of which each is left out by itself: windows and repeats of one recording are one
+/// group. Where that makes one group alone, four stretches of time stand for groups, and the answer says so.
+class Groups {
+public:
+  explicit Groups(std::vector<Trial> trials);
+
+  const std::vector<Trial>& trials() const { return all; }
+  const std::vector<std::vector<ChannelUse>>& uses() const { return channels; }
+  const std::vector<Cell>& cells() const { return scored; }
+  std::size_t count() const { return groups; }
+  bool stretchesOfOne() const { return stretches; }
+  /// Whether a trial has anything in a group.
+  bool holds(std::size_t group, std::size_t trial) const;
+  /// The groups' numbers in a trial: one, or all stretches.
+  std::size_t groupOf(std::size_t trial, std::size_t cycle) const;
+
+private:
+  std::vector<Trial> all;
+  std::vector<std::vector<ChannelUse>> channels;
+  std::vector<std::size_t> groupOfTrial;
+  std::vector<Cell> scored;
+  std::size_t groups = 0;
+  bool stretches = false;
+};
+
+/// First cycle of a trial that is scored: what came before a recording still rings for 0.3 s.
+std::size_t firstScored(const Trial& trial);
+
+}  // namespace plumbline::gap

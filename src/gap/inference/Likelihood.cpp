@@ -1,0 +1,59 @@
+#include "gap/inference/Likelihood.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace plumbline::gap {
+
+double likeliestScale(const std::vector<double>& residuals, double least) {
+  constexpr int rounds = 60;
+  constexpr double settled = 1e-4;
+  double squares = 0, n = 0;
+  for (const double r : residuals)
+    if (std::isfinite(r)) squares += r * r, ++n;
+  if (n == 0) return least;
+  double square = std::max(squares / n, least * least);
+  for (int round = 0; round < rounds; ++round) {
+    double sum = 0;
+    for (const double r : residuals)
+      if (std::isfinite(r)) sum += r * r / (tailFreedom + r * r / square);
+    const double next = std::max((tailFreedom + 1) * sum / n, least * least);
+    const bool done = std::abs(next - square) <= settled * square;
+    square = next;
+    if (done) break;
+  }
+  return std::sqrt(square);
+}
+
+double logDensity(const std::vector<double>& residuals, double scale) {
+  const double constant = std::lgamma((tailFreedom + 1) / 2) - std::lgamma(tailFreedom / 2) -
+                          std::log(tailFreedom * std::numbers::pi) / 2 - std::log(scale);
+  double sum = 0;
+  for (const double r : residuals)
+    if (std::isfinite(r))
+      sum += constant - (tailFreedom + 1) / 2 * std::log1p(r * r / (tailFreedom * scale * scale));
+  return sum;
+}
+
+double correlationTime(const std::vector<double>& residuals) {
+  std::vector<double> x;
+  for (const double r : residuals) x.push_back(std::isfinite(r) ? r : 0);
+  const std::size_t n = x.size();
+  const auto covariance = [&](std::size_t lag) {
+    double sum = 0;
+    for (std::size_t k = lag; k < n; ++k) sum += x[k] * x[k - lag];
+    return sum;
+  };
+  const double variance = covariance(0);
+  if (n < 4 || !(variance > 0)) return 1;
+  double sum = 0;
+  for (std::size_t lag = 1; lag + 1 < n / 2; lag += 2) {
+    const double pair = (covariance(lag) + covariance(lag + 1)) / variance;
+    if (pair <= 0) break;
+    sum += pair;
+  }
+  return std::max(1.0, 1 + 2 * sum);
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,27 @@
+#pragma once
+#include <vector>
+
+namespace plumbline::gap {
+
+/// Degrees of freedom of the residuals' distribution: heavy tails, a mean square that exists.
+inline constexpr double tailFreedom = 4;
+
+/// Scale of Student-t residuals that is likeliest, not below a least one: the root of the squared noise and
+/// the squared amplitude of the model's discrepancy (Kennedy and O'Hagan, "Bayesian calibration of computer
+/// models", J. R. Stat. Soc. B 63, 2001). Residuals that are not finite are passed over.
+double likeliestScale(const std::vector<double>& residuals, double least);
+
+/// Sum of the logarithms of the density at that scale.
+double logDensity(const std::vector<double>& residuals, double scale);
+
+/// Derivative weight of one residual: minus d(log density)/dr = weight * r.
+inline double weightOf(double residual, double scale) {
+  return (tailFreedom + 1) / (tailFreedom * scale * scale + residual * residual);
+}
+
+/// How many successive residuals say as much as one that is independent: 1 + 2 * sum of autocorrelations, by
+/// the initial positive sequence (Geyer, "Practical Markov chain Monte Carlo", Stat. Science 7, 1992); at
+/// least 1.
+double correlationTime(const std::vector<double>& residuals);
+
+}  // namespace plumbline::gap

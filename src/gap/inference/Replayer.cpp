@@ -1,0 +1,159 @@
+#include "gap/inference/Replayer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "framework/Parallel.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double mostLead = 2e-4;             // [s]
+constexpr std::size_t mostKept = 40'000'000;  // numbers in the cache
+
+/// Takes off what a constant lead of the prediction explains.
+void takeLeadOff(const Trial& trial, const Signal& signal, std::vector<double>& residual) {
+  if (signal.kind != SignalKind::position) return;
+  double product = 0, squares = 0;
+  std::vector<double> rates(residual.size(), 0.0);
+  for (std::size_t k = firstScored(trial); k < residual.size(); ++k) {
+    if (!std::isfinite(residual[k])) continue;
+    rates[k] = rateAt(trial, signal, k);
+    product += residual[k] * rates[k];
+    squares += rates[k] * rates[k];
+  }
+  if (!(squares > 0)) return;
+  const double lead = std::clamp(product / squares, -mostLead, mostLead);
+  for (std::size_t k = 0; k < residual.size(); ++k) residual[k] -= lead * rates[k];
+}
+
+}  // namespace
+
+Replayer::Replayer(const Mechanism& robot_, const Groups& groups_, int jobs_, const ReplayOptions& options)
+    : robot(robot_), data(groups_), threads(jobs_), accuracy(options) {
+  std::map<int, std::size_t> chainOfRoot;
+  for (int joint = 0; joint < robot.numJoints(); ++joint) {
+    const std::vector<int> chain = robot.chain(robot.joints[static_cast<std::size_t>(joint)].child);
+    const int root = chain.empty() ? joint : chain.front();
+    const auto [at, fresh] = chainOfRoot.try_emplace(root, chainJoints.size());
+    if (fresh) chainJoints.emplace_back();
+    chainJoints[at->second].push_back(joint);
+  }
+}
+
+bool Replayer::feels(std::size_t chain, const Cause& cause) const {
+  const auto has = [&](int joint) {
+    return std::ranges::find(chainJoints[chain], joint) != chainJoints[chain].end();
+  };
+  switch (cause.place.site) {
+    case Site::everywhere:
+      return true;
+    case Site::joint:
+      return std::ranges::any_of(chainJoints[chain], [&](int joint) {
+        return robot.motorOf(joint) == robot.motorOf(cause.place.index);
+      });
+    case Site::link: {
+      const std::vector<int> carried = robot.chain(cause.place.index);
+      return !carried.empty() && has(carried.front());
+    }
+    default:
+      return false;
+  }
+}
+
+bool Replayer::hasBodySignals(std::size_t trial) const {
+  return std::ranges::any_of(data.trials()[trial].signals, [](const Signal& s) { return s.joint < 0; });
+}
+
+// With a held base one more than there are: the readings of the body.
+std::size_t Replayer::chainsOf(std::size_t trial) const {
+  if (data.trials()[trial].freeBase) return 1;
+  return chainJoints.size() + (hasBodySignals(trial) ? 1 : 0);
+}
+
+std::string Replayer::keyOf(std::size_t trial, std::size_t chain, const Explanation& causes) const {
+  std::string key = std::to_string(trial) + ":" + std::to_string(chain);
+  const bool whole = data.trials()[trial].freeBase;
+  for (const Cause& cause : causes) {
+    const bool felt =
+        whole || (chain < chainJoints.size() ? feels(chain, cause) : cause.place.site == Site::imu);
+    if (!felt || !inForce(cause, data.trials()[trial])) continue;
+    char text[64];
+    std::snprintf(text, sizeof text, "/%d/%.17g", cause.variant, cause.value);
+    key += "|" + std::string(cause.effect->id) + "@" + cause.place.at + cause.place.axis + text;
+  }
+  return key;
+}
+
+Replayer::Played Replayer::play(std::size_t t, std::size_t chain, const Explanation& causes) const {
+  const Trial& trial = data.trials()[t];
+  const bool whole = trial.freeBase, body = !whole && chain == chainJoints.size();
+  ReplayOptions options = accuracy;
+  if (!whole) options.joints = chainJoints[body ? 0 : chain];
+  const Plant plant = plantOf(trial, causes);
+  const Prediction prediction = replay(plant, trial, options);
+  auto played = std::make_shared<std::vector<std::pair<std::size_t, Series>>>();
+  for (std::size_t s = 0; s < trial.signals.size(); ++s) {
+    const Signal& signal = trial.signals[s];
+    if (prediction.values[s].empty() || (!whole && body != (signal.joint < 0))) continue;
+    auto residual = std::make_shared<std::vector<double>>(prediction.values[s].size());
+    for (std::size_t k = 0; k < residual->size(); ++k) {
+      const double predicted = prediction.values[s][k];
+      const double r = signal.values[k] - predicted;
+      // What ran away is far off, not missing.
+      (*residual)[k] = std::isnan(signal.values[k]) || std::isfinite(r) ? r : 1e6;
+    }
+    takeLeadOff(trial, signal, *residual);
+    played->emplace_back(s, std::move(residual));
+  }
+  return played;
+}
+
+Residuals Replayer::residuals(const Explanation& causes, const std::vector<char>& wanted) const {
+  std::vector<Task> tasks;
+  const std::size_t count = data.trials().size();
+  for (std::size_t t = 0; t < count; ++t)
+    for (std::size_t chain = 0; (wanted.empty() || wanted[t]) && chain < chainsOf(t); ++chain)
+      tasks.push_back({t, chain, keyOf(t, chain, causes), {}});
+  std::vector<std::size_t> missing;
+  {
+    const std::lock_guard lock(mutex);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      const auto at = cache.find(tasks[i].key);
+      if (at == cache.end()) {
+        missing.push_back(i);
+        continue;
+      }
+      tasks[i].played = at->second.first;
+      recent.splice(recent.begin(), recent, at->second.second);
+    }
+  }
+  parallel(missing.size(), threads, [&](std::size_t i) {
+    Task& task = tasks[missing[i]];
+    task.played = play(task.trial, task.chain, causes);
+  });
+  const std::lock_guard lock(mutex);
+  for (const std::size_t i : missing) {
+    ++replays;
+    if (cache.contains(tasks[i].key)) continue;
+    recent.push_front(tasks[i].key);
+    cache[tasks[i].key] = {tasks[i].played, recent.begin()};
+    for (const auto& [s, series] : *tasks[i].played) kept += series->size();
+  }
+  while (kept > mostKept && recent.size() > 1) {
+    const auto oldest = cache.find(recent.back());
+    for (const auto& [s, series] : *oldest->second.first) kept -= series->size();
+    cache.erase(oldest);
+    recent.pop_back();
+  }
+  Residuals result(count);
+  for (std::size_t t = 0; t < count; ++t) result[t].resize(data.trials()[t].signals.size());
+  for (const Task& task : tasks)
+    for (const auto& [s, series] : *task.played) result[task.trial][s] = series;
+  return result;
+}
+
+}  // namespace plumbline::gap

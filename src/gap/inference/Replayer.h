@@ -1,0 +1,61 @@
+#pragma once
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "gap/diagnosis/Explanation.h"
+#include "gap/inference/Groups.h"
+#include "gap/replay/Replay.h"
+
+namespace plumbline::gap {
+
+/// Measured less predicted, per cycle; NaN where nothing was measured. Null: not predicted.
+using Series = std::shared_ptr<const std::vector<double>>;
+/// Per trial and signal.
+using Residuals = std::vector<std::vector<Series>>;
+
+/// A pure function from a hypothesis (causes with their values) to residuals. Chains of a held base do not
+/// feel each other: each is replayed by itself, and once for all hypotheses that are alike in what it feels.
+/// A constant lead of a channel within 0.2 ms, as two integrators differ by, is taken off.
+class Replayer {
+public:
+  Replayer(const Mechanism& robot, const Groups& groups, int jobs, const ReplayOptions& accuracy = {});
+
+  /// wanted: one flag per trial; empty: all. Trials not wanted stay empty.
+  Residuals residuals(const Explanation& causes, const std::vector<char>& wanted = {}) const;
+  /// Joints of the chains that feel a cause where the base is held.
+  const std::vector<std::vector<int>>& chains() const { return chainJoints; }
+  bool feels(std::size_t chain, const Cause& cause) const;
+
+  const Mechanism& mechanism() const { return robot; }
+  const Groups& groups() const { return data; }
+  int jobs() const { return threads; }
+  std::size_t numReplays() const { return replays; }
+
+private:
+  using Played = std::shared_ptr<const std::vector<std::pair<std::size_t, Series>>>;
+  struct Task {
+    std::size_t trial, chain;
+    std::string key;
+    Played played;
+  };
+  Played play(std::size_t trial, std::size_t chain, const Explanation& causes) const;
+  std::string keyOf(std::size_t trial, std::size_t chain, const Explanation& causes) const;
+  bool hasBodySignals(std::size_t trial) const;
+  std::size_t chainsOf(std::size_t trial) const;
+
+  const Mechanism& robot;
+  const Groups& data;
+  int threads;
+  ReplayOptions accuracy;
+  std::vector<std::vector<int>> chainJoints;
+  mutable std::mutex mutex;
+  mutable std::map<std::string, std::pair<Played, std::list<std::string>::iterator>> cache;
+  mutable std::list<std::string> recent;  ///< keys, the last used first
+  mutable std::size_t kept = 0, replays = 0;
+};
+
+}  // namespace plumbline::gap

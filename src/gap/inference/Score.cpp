@@ -1,0 +1,59 @@
+#include "gap/inference/Score.h"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <numeric>
+
+#include "gap/inference/Strengths.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double farthest = 1;  // step of a value when a group is left out, in the logarithm of its strength
+
+/// Values that the other groups are likeliest under, by one Newton step.
+Explanation steppedWithout(const Replayer& replayer, const Fitted& fitted, std::size_t left) {
+  const auto n = static_cast<Eigen::Index>(fitted.causes.size());
+  Eigen::MatrixXd information = 1e-6 * Eigen::MatrixXd::Identity(n, n);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n);
+  for (std::size_t g = 0; g < fitted.information.size(); ++g) {
+    if (g == left) continue;
+    information += fitted.information[g];
+    gradient += fitted.gradient[g];
+  }
+  Eigen::VectorXd way = information.llt().solve(gradient);
+  way *= std::min(1.0, farthest / std::max(1e-12, way.lpNorm<Eigen::Infinity>()));
+  return withLogStrengths(replayer.mechanism(), fitted.causes, logStrengths(fitted.causes) + way);
+}
+
+}  // namespace
+
+double Scored::score() const { return std::accumulate(density.begin(), density.end(), -price); }
+
+double priceOf(std::size_t causes, std::size_t kinds) {
+  return static_cast<double>(causes) * std::log(static_cast<double>(std::max<std::size_t>(kinds, 2)));
+}
+
+Scored score(const Replayer& replayer, const Shares& shares, const Explanation& start, std::size_t kinds,
+             int mostSteps, LeaveOut how) {
+  const Groups& groups = replayer.groups();
+  Scored scored;
+  scored.fitted = fit(replayer, shares, start, mostSteps);
+  scored.price = priceOf(start.size(), kinds);
+  for (std::size_t g = 0; g < groups.count(); ++g) {
+    std::vector<char> left(groups.count(), 0), others(groups.count(), 1);
+    left[g] = 1;
+    others[g] = 0;
+    Explanation causes = scored.causes();
+    if (!causes.empty())
+      causes = how == LeaveOut::refit ? fit(replayer, shares, causes, mostSteps, others).causes
+                                      : steppedWithout(replayer, scored.fitted, g);
+    const Residuals residuals = replayer.residuals(causes, trialsOf(groups, left));
+    scored.density.push_back(densities(groups, residuals, shares, left)[g]);
+    scored.without.push_back(std::move(causes));
+  }
+  return scored;
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,30 @@
+#pragma once
+#include <vector>
+
+#include "gap/inference/Fit.h"
+
+namespace plumbline::gap {
+
+/// A set of causes with the one figure that it is judged by.
+struct Scored {
+  Fitted fitted;                     ///< to all groups
+  std::vector<Explanation> without;  ///< per group: as fitted to the others
+  std::vector<double> density;       ///< per group: log density under the values fitted to the others
+  double price = 0;                  ///< minus the logarithm of the set's prior probability
+
+  const Explanation& causes() const { return fitted.causes; }
+  double score() const;  ///< sum of density, less price
+};
+
+/// Minus the log prior of so many causes out of so many kinds that are possible, all alike.
+double priceOf(std::size_t causes, std::size_t kinds);
+
+/// How the values without a group are found: by one Newton step from the fit to all, or fitted anew.
+enum class LeaveOut { newtonStep, refit };
+
+/// Fits the set to all groups, then leaves each group out in turn and replays it, free from its beginning,
+/// with the values of the others.
+Scored score(const Replayer& replayer, const Shares& shares, const Explanation& start, std::size_t kinds,
+             int mostSteps, LeaveOut how = LeaveOut::newtonStep);
+
+}  // namespace plumbline::gap

@@ -1,0 +1,45 @@
+#include "gap/inference/Strengths.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double nothing = 1e-3;  // of the least start
+
+double leastStrength(const Mechanism& robot, const Cause& cause) {
+  const double scale = cause.effect->scaleAt(robot, cause.place);
+  double least = HUGE_VAL;
+  for (const double start : cause.effect->starts)
+    least = std::min(least, std::abs(cause.effect->strengthOf(start * scale)));
+  return nothing * least;
+}
+
+}  // namespace
+
+Eigen::VectorXd logStrengths(const Explanation& causes) {
+  Eigen::VectorXd x(static_cast<Eigen::Index>(causes.size()));
+  for (std::size_t i = 0; i < causes.size(); ++i)
+    x[static_cast<Eigen::Index>(i)] =
+        std::log(std::max(1e-300, std::abs(causes[i].effect->strengthOf(causes[i].value))));
+  return x;
+}
+
+Explanation withLogStrengths(const Mechanism& robot, Explanation causes, const Eigen::VectorXd& x) {
+  for (std::size_t i = 0; i < causes.size(); ++i) {
+    Cause& cause = causes[i];
+    const double sign = cause.effect->strengthOf(cause.value) < 0 ? -1 : 1;
+    const double strength = std::max(leastStrength(robot, cause), std::exp(x[static_cast<Eigen::Index>(i)]));
+    const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
+    // A reciprocal strength of minus the nominal one's would be an infinite value.
+    double value = cause.effect->valueAt(sign * strength);
+    if (cause.effect->reciprocal && sign * strength + 1 / cause.effect->nominal <= 1 / bounds.upper)
+      value = bounds.upper;
+    cause.value = std::clamp(value, bounds.lower, bounds.upper);
+  }
+  return causes;
+}
+
+}  // namespace plumbline::gap

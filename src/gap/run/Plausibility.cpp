@@ -1,0 +1,130 @@
+#include "gap/run/Plausibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "gap/run/ColumnStatistics.h"
+
+namespace plumbline::gap {
+namespace {
+
+constexpr double farFrom = 50;       // times the robot's own gain or supply, or a part of it
+constexpr double rateWithin = 0.05;  // of the step that the times have
+constexpr double mostShift = 0.25;   // [s]: more than any bus, firmware or effect of the library delays
+constexpr double mostLag = 0.5;      // [s] that a joint follows its command by, slow servos included
+constexpr double mostLead = 0.02;    // [s] that it goes before it, by how clocks are read
+constexpr double lookedAt = 2;       // [s] to either side
+constexpr double coarsest = 0.01;    // [s] between the samples that are compared
+constexpr double alike = 0.9, other = 0.2;  // correlation of speeds; that it is more than at a plausible lag
+constexpr std::size_t mostSamples = 6000;
+
+class Plausibility {
+public:
+  Plausibility(const Run& run_, const Mechanism& robot_, std::vector<RunWarning>& warnings_)
+      : run(run_), robot(robot_), warnings(warnings_), period(medianStep(run_.t)) {}
+
+  void all() {
+    const double ratio = run.rateHz * period;
+    if (std::abs(ratio - 1) > rateWithin)
+      warn("run.json", "rate_hz " + shownNumber(run.rateHz) + " says " + shownNumber(1 / run.rateHz) +
+                           " s a line, t advances by " + shownNumber(period) + " s; t is used");
+    const auto isTruth = [](const auto& column) { return column.first.starts_with("truth."); };
+    if (run.groundTruth && std::ranges::none_of(run.channels, isTruth))
+      warn("run.json", "ground_truth is true, but there is no column truth.*");
+    for (const Mechanism::Joint& joint : robot.joints) checkServo(joint);
+    for (const auto& [joint, timing] : run.timing) checkTiming(joint, timing);
+    for (const Mechanism::Joint& joint : robot.joints) checkClocks(joint);
+  }
+
+private:
+  void warn(const std::string& channel, const std::string& why) { warnings.push_back({channel, false, why}); }
+
+  void checkServo(const Mechanism::Joint& joint) {
+    const auto found = run.servo.find(joint.name);
+    if (found == run.servo.end()) return;
+    const ServoOverride& given = found->second;
+    const auto check = [&](const char* key, const std::optional<double>& x, double nominal) {
+      if (!x) return;
+      const std::string name = "servo." + joint.name + "." + key + " is " + shownNumber(*x);
+      if (*x == 0 && nominal > 0)
+        warn("run.json", name + ": the motor would do nothing; leave it out where it was not set");
+      else if (nominal > 0 && (*x > farFrom * nominal || *x < nominal / farFrom))
+        warn("run.json",
+             name + ", " + shownNumber(*x / nominal) + " times that of " + robot.name + "; check its unit");
+    };
+    check("kp", given.kp, joint.servo.kp);
+    check("max_torque", given.maxTorque, joint.maxTorque);
+    check("max_speed", given.maxSpeed, joint.maxSpeed);
+    check("kp_firmware", given.kpFirmware, joint.servo.kpFirmware);
+    check("vin", given.vin, joint.servo.vin);
+  }
+
+  void checkTiming(const std::string& joint, const JointTiming& timing) {
+    const double most = std::max(mostShift, 5 * period);
+    for (const auto& [key, seconds] :
+         {std::pair("cmd_at_s", timing.cmdAt), std::pair("pos_at_s", timing.posAt),
+          std::pair("vel_at_s", timing.velAt)})
+      if (std::abs(seconds) > most)
+        warn("run.json", std::string("timing.") + key + (joint == "*" ? "" : "." + joint) + " is " +
+                             shownNumber(seconds) + " s, " + shownNumber(seconds / period) +
+                             " cycles; is it in s?");
+  }
+
+  /// Whether a joint moves as commanded, but at a time that no delay explains.
+  void checkClocks(const Mechanism::Joint& joint) {
+    const auto* const cmd = run.find(ChannelKind::command, joint.name);
+    const auto* const pos = run.find(ChannelKind::position, joint.name);
+    if (!cmd || !pos) return;
+    const auto stride = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(coarsest / period)));
+    const std::vector<double> a = speeds(*cmd, stride), b = speeds(*pos, stride);
+    const double step = period * static_cast<double>(stride);
+    const int reach = static_cast<int>(std::min(lookedAt / step, static_cast<double>(a.size()) / 4));
+    double best = 0, plausible = 0;
+    int at = 0;
+    for (int lag = -reach; lag <= reach; ++lag) {
+      const double like = correlation(a, b, lag), seconds = lag * step;
+      if (seconds >= -std::max(mostLead, step) - 1e-9 && seconds <= mostLag)
+        plausible = std::max(plausible, like);
+      if (like > best) best = like, at = lag;
+    }
+    if (best < alike || best < plausible + other) return;
+    warn("pos." + joint.name, "it moves as cmd." + joint.name + " does " + shownNumber(std::abs(at) * step) +
+                                  (at < 0 ? " s later" : " s before") +
+                                  "; are both of one clock, and in the right lines?");
+  }
+
+  static std::vector<double> speeds(const std::vector<double>& column, std::size_t stride) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i + stride < column.size() && result.size() < mostSamples; i += stride)
+      result.push_back(column[i + stride] - column[i]);
+    return result;
+  }
+
+  /// Of a with b so many samples later; 0 where too little is there or moves.
+  static double correlation(const std::vector<double>& a, const std::vector<double>& b, int lag) {
+    double ab = 0, aa = 0, bb = 0;
+    std::size_t n = 0;
+    const std::size_t from = lag < 0 ? static_cast<std::size_t>(-lag) : 0;
+    for (std::size_t i = from; i < a.size(); ++i) {
+      const std::size_t k = lag < 0 ? i - from : i + static_cast<std::size_t>(lag);
+      if (k >= b.size()) break;
+      if (!std::isfinite(a[i]) || !std::isfinite(b[k])) continue;
+      ab += a[i] * b[k], aa += a[i] * a[i], bb += b[k] * b[k], ++n;
+    }
+    return n >= 50 && aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
+  }
+
+  const Run& run;
+  const Mechanism& robot;
+  std::vector<RunWarning>& warnings;
+  const double period;
+};
+
+}  // namespace
+
+void checkPlausibility(const Run& run, const Mechanism& robot, std::vector<RunWarning>& warnings) {
+  Plausibility(run, robot, warnings).all();
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,151 @@
+#include "inspect/Command.h"
+
+#include <array>
+#include <charconv>
+#include <vector>
+
+#include "framework/NearestName.h"
+
+namespace plumbline::inspect {
+namespace {
+
+using Verb = Command::Verb;
+
+constexpr std::size_t maxTag = 40;
+
+struct Form {
+  std::string_view word;
+  Verb verb;
+  bool needsName;
+  std::string_view usage;
+};
+constexpr std::array forms{
+    Form{"get", Verb::get, true, "get NAME"},
+    Form{"watch", Verb::watch, true, "watch NAME [every N | every SECONDSs]"},
+    Form{"unwatch", Verb::unwatch, false, "unwatch [NAME]"},
+    Form{"set", Verb::set, true, "set NAME VALUE"},
+    Form{"setOnce", Verb::setOnce, true, "setOnce NAME VALUE"},
+    Form{"unset", Verb::unset, true, "unset NAME"},
+    Form{"dr", Verb::run, true, "dr NAME [once | off]"},
+    Form{"list", Verb::list, false, "list [PREFIX]"},
+    Form{"complete", Verb::complete, false, "complete [PREFIX]"},
+    Form{"format", Verb::format, true, "format text|json"},
+    Form{"timing", Verb::timing, false, "timing"},
+    Form{"help", Verb::help, false, "help"},
+};
+
+std::string_view trimmed(std::string_view text) {
+  const auto isSpace = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
+  while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// The first word, which is taken off.
+std::string_view word(std::string_view& text) {
+  text = trimmed(text);
+  const std::string_view result = text.substr(0, text.find_first_of(" \t"));
+  text = trimmed(text.substr(result.size()));
+  return result;
+}
+
+std::string inQuotes(std::string_view text) { return '"' + std::string(text.substr(0, 60)) + '"'; }
+
+std::string parseInterval(std::string_view text, Interval& interval) {
+  if (text.empty()) return {};
+  const std::string wrong =
+      "watch NAME every N cycles or every SECONDSs, as 10 or 0.5s, not " + inQuotes(text);
+  if (word(text) != "every") return wrong;
+  const std::string_view number = word(text);
+  if (number.empty() || !text.empty()) return wrong;
+  const bool seconds = number.back() == 's';
+  const char* last = number.data() + number.size() - (seconds ? 1 : 0);
+  interval = {};
+  if (seconds) {
+    interval.cycles = 0;
+    const auto read = std::from_chars(number.data(), last, interval.seconds);
+    if (read.ec != std::errc{} || read.ptr != last || !(interval.seconds > 0 && interval.seconds <= 3600))
+      return wrong;
+  } else {
+    const auto read = std::from_chars(number.data(), last, interval.cycles);
+    if (read.ec != std::errc{} || read.ptr != last || interval.cycles == 0) return wrong;
+  }
+  return {};
+}
+
+std::string parseRest(Command& command, std::string_view rest) {
+  switch (command.verb) {
+    case Verb::watch:
+      return parseInterval(rest, command.interval);
+    case Verb::set:
+    case Verb::setOnce: {
+      if (rest.empty()) return "set NAME VALUE: the value is missing";
+      const std::string error = parseTree(rest, command.value);
+      return error.empty() ? "" : "the value: " + error;
+    }
+    case Verb::run:
+      if (rest == "once") command.verb = Verb::runOnce;
+      if (rest == "off") command.verb = Verb::runOff;
+      if (!rest.empty() && command.verb == Verb::run) return "dr NAME [once | off], not " + inQuotes(rest);
+      return {};
+    case Verb::format:
+      if (command.name != "text" && command.name != "json")
+        return "format text|json, not " + inQuotes(command.name);
+      [[fallthrough]];
+    default:
+      return rest.empty() ? "" : "too much: " + inQuotes(rest);
+  }
+}
+
+}  // namespace
+
+Command parseCommand(std::string_view line) {
+  Command command;
+  line = trimmed(line);
+  if (!line.empty() && line.front() == '#') {
+    command.tag = word(line).substr(1, maxTag);
+    if (command.tag.empty()) {
+      command.error = "a tag is missing behind #";
+      return command;
+    }
+  }
+  const std::string_view verb = word(line);
+  if (verb.empty()) return command;
+  const Form* found = nullptr;
+  std::vector<std::string> words;
+  for (const Form& form : forms) {
+    words.emplace_back(form.word);
+    if (form.word == verb) found = &form;
+  }
+  if (!found) {
+    command.error =
+        "no command " + inQuotes(verb) + suggestion(verb.substr(0, 60), words) + " (help lists them)";
+    return command;
+  }
+  command.verb = found->verb;
+  command.name = word(line);
+  if (command.name.empty() && found->needsName) {
+    command.error = std::string(found->usage) + ": the name is missing";
+    return command;
+  }
+  command.error = parseRest(command, line);
+  return command;
+}
+
+std::string_view commandHelp() {
+  return "get NAME                    the value once; NAME may be a part: representation:BallPos.relative.x\n"
+         "watch NAME [every N|every Ss]  the value each cycle, each N cycles or each S seconds\n"
+         "unwatch [NAME]              no more of it; without a name: of all\n"
+         "set NAME VALUE              overwrites it in each cycle until unset; a parameter: from now on\n"
+         "setOnce NAME VALUE          overwrites it in the next cycle\n"
+         "unset NAME                  ends set; a parameter gets the value it had before\n"
+         "dr NAME [once|off]          switches a block of code on, on for once, off\n"
+         "list [PREFIX]               all names that begin so, and what each is\n"
+         "complete [PREFIX]           how a name that begins so may go on\n"
+         "timing                      what each module takes\n"
+         "format text|json            how answers are written\n"
+         "help                        this\n"
+         "#TAG COMMAND                each line of the answer begins with #TAG, the last is \"#TAG .\"\n";
+}
+
+}  // namespace plumbline::inspect

@@ -1,0 +1,43 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace plumbline::inspect {
+
+/// What a request has to say.
+struct Outcome {
+  enum class Kind { value, done, error };
+  std::uint64_t request = 0;
+  Kind kind = Kind::value;
+  std::string text;
+};
+
+/// From the threads of an agent to the thread that answers: nobody waits. Bounded; what does not fit is
+/// refused.
+class Outbox {
+public:
+  static constexpr std::size_t most = 8192;
+  static constexpr std::size_t mostBytes = std::size_t{16} << 20;
+
+  Outbox() = default;
+  ~Outbox() { take(); }
+  Outbox(const Outbox&) = delete;
+  Outbox& operator=(const Outbox&) = delete;
+
+  /// From any thread. False: full, or no memory.
+  bool push(Outcome outcome) noexcept;
+  /// All in their order; one thread only.
+  std::vector<Outcome> take();
+
+private:
+  struct Node {
+    Outcome outcome;
+    Node* next;
+  };
+  std::atomic<Node*> newest_{nullptr};
+  std::atomic<std::size_t> count_{0}, bytes_{0};
+};
+
+}  // namespace plumbline::inspect

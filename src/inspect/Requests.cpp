@@ -1,0 +1,104 @@
+#include "inspect/Requests.h"
+
+#include <exception>
+
+#include "framework/TextStream.h"
+#include "inspect/TreeStream.h"
+
+namespace plumbline::inspect {
+
+ReadRequest::ReadRequest(std::uint64_t number, std::shared_ptr<Outbox> outbox, bool once, Interval interval)
+    : number_(number), outbox_(std::move(outbox)), once_(once), interval_(interval) {}
+
+bool ReadRequest::due() {
+  if (once_) return true;
+  if (interval_.cycles > 0) return passages_.fetch_add(1) % interval_.cycles == 0;
+  const std::int64_t now =
+      std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+  if (now < next_.load()) return false;
+  next_.store(now + static_cast<std::int64_t>(1e9 * interval_.seconds));
+  return true;
+}
+
+void ReadRequest::serve(DebugValue& value) noexcept {
+  if (ended_.load(std::memory_order_relaxed) || !due()) return;
+  if (once_ && ended_.exchange(true)) return;
+  try {
+    Outcome outcome{number_, Outcome::Kind::value, {}};
+    TextOutStream out(outcome.text);
+    value.write(out);
+    if (!outbox_->push(std::move(outcome)) && once_) ended_.store(false);  // in the next cycle, then
+  } catch (const std::exception&) {                                        // no memory: nothing was read
+  }
+}
+
+SetRequest::SetRequest(std::uint64_t number, std::shared_ptr<Outbox> outbox, bool once, std::string path,
+                       Tree wanted)
+    : number_(number),
+      outbox_(std::move(outbox)),
+      once_(once),
+      path_(std::move(path)),
+      wanted_(std::move(wanted)) {}
+
+std::string SetRequest::apply(DebugValue& value, std::string& was) {
+  Tree before;
+  TreeOutStream out(before);
+  value.write(out);
+  Tree after = before;
+  std::string error;
+  Tree* part = findPart(after, path_, error);
+  if (!part) return error;
+  const std::string label = part->label;
+  if (!told_.load(std::memory_order_relaxed)) was = treeText(*part);
+  *part = wanted_;
+  part->label = label;
+  TreeInStream in(after);
+  value.read(in);
+  if (in.ok()) return {};
+  TreeInStream back(before, true);
+  value.read(back);
+  const std::string problem = in.problem();
+  return in.located() ? '.' + problem : ": " + problem;
+}
+
+void SetRequest::serve(DebugValue& value) noexcept {
+  if (ended_.load(std::memory_order_relaxed)) return;
+  try {
+    std::string was;
+    const std::string error = apply(value, was);
+    if (!error.empty()) {
+      ended_.store(true);
+      outbox_->push({number_, Outcome::Kind::error, error});
+      return;
+    }
+    if (once_) ended_.store(true);
+    if (!told_.load(std::memory_order_relaxed))
+      told_.store(outbox_->push({number_, Outcome::Kind::done, std::move(was)}));
+  } catch (const std::exception&) {  // no memory
+    ended_.store(true);
+    outbox_->push({number_, Outcome::Kind::error, ": no memory"});
+  }
+}
+
+RunRequest::RunRequest(std::uint64_t number, std::shared_ptr<Outbox> outbox, bool once)
+    : number_(number), outbox_(std::move(outbox)), once_(once) {}
+
+bool RunRequest::run() noexcept {
+  if (ended_.load(std::memory_order_relaxed)) return false;
+  return !once_ || !ended_.exchange(true);
+}
+
+void RunRequest::output(std::string_view text) noexcept {
+  if (once_ && told_.load(std::memory_order_relaxed)) return;
+  try {
+    outbox_->push({number_, Outcome::Kind::value, std::string(text)});
+  } catch (const std::exception&) {  // no memory: nothing was said
+  }
+}
+
+void RunRequest::finished() noexcept {
+  if (told_.load(std::memory_order_relaxed)) return;
+  told_.store(outbox_->push({number_, Outcome::Kind::done, {}}));
+}
+
+}  // namespace plumbline::inspect

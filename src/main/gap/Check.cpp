@@ -1,0 +1,100 @@
+// bin/gap check: what an answer closes of the gap in recordings that it never saw.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "framework/Parallel.h"
+#include "framework/WriteFile.h"
+#include "gap/inference/LeftJson.h"
+#include "gap/replay/TrialOf.h"
+#include "gap/report/AnswerCauses.h"
+#include "gap/report/AnswerFile.h"
+#include "gap/run/RunCheck.h"
+#include "gap/run/RunFile.h"
+#include "main/gap/Commands.h"
+#include "main/gap/RobotOption.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+struct CheckOptions {
+  std::string answer, robot, json;
+  std::vector<std::string> runs;
+  int jobs = 0;
+};
+
+/// The recordings that can be replayed; the others are said.
+std::vector<Trial> trialsIn(const CheckOptions& options, Mechanism& robot) {
+  std::vector<std::string> folders;
+  for (const std::string& path : options.runs)
+    for (std::string& folder : findRuns(path)) folders.push_back(std::move(folder));
+  std::vector<RunWarning> warnings;
+  const std::string name = readRun(folders.front(), warnings).robot;
+  robot = robotOf(options.robot, name);
+  std::vector<Trial> trials;
+  std::string refused;
+  for (const std::string& folder : folders) {
+    warnings.clear();
+    try {
+      const Run run = readCheckedRun(folder, robot, warnings);
+      if (run.robot != name)
+        throw RunError(folder + ": recorded on the robot '" + run.robot + "', the others on '" + name +
+                       "'; check one robot at a time");
+      trials.push_back(trialOf(run, robot));
+    } catch (const RunError& error) {
+      std::fprintf(stderr, "gap: %s; this run is left out\n", error.what());
+      refused = error.what();
+    }
+  }
+  if (trials.empty()) throw RunError(refused);
+  return trials;
+}
+
+void check(const CheckOptions& options) {
+  const nlohmann::json answer = readAnswer(options.answer);
+  Mechanism robot;
+  const std::vector<Trial> trials = trialsIn(options, robot);
+  const Explanation causes = causesOf(answer, options.answer, robot).causes;
+  std::vector<RecordingLeft> left(trials.size());
+  parallel(trials.size(), threadsFor(options.jobs), [&](std::size_t i) {
+    left[i] = leftIn(trials[i], {{0, causes}});
+  });
+  putFloors(trials, left);
+  nlohmann::json result = checkJson(left);
+  const std::string verdict = answer["verdict"];
+  result["verdict"] = verdict;
+  const bool claims = answer.contains("gap") && answer["gap"].contains("closed");
+  result["claimed"] = claims ? answer["gap"]["closed"] : nlohmann::json(nullptr);
+  if (!options.json.empty() && options.json != "-") writeFile(options.json, result.dump(1) + "\n");
+  if (options.json == "-") {
+    std::printf("%s\n", result.dump(1).c_str());
+    return;
+  }
+  if (verdict == "unknown") std::printf("The verdict is unknown; its nearest explanation is checked.\n");
+  std::printf("%s", leftTable(left).c_str());
+  std::printf("Closed on average %.0f %%", 100 * meanClosed(left));
+  if (claims && answer["gap"]["closed"].is_number())
+    std::printf("; the answer claims %.0f %%", 100 * answer["gap"]["closed"].get<double>());
+  std::printf(".\n");
+}
+
+}  // namespace
+
+void addCheck(CLI::App& app) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand(
+      "check", "Replays other recordings with the nominal model and with what an answer found");
+  command->add_option("answer", options->answer, "The file that bin/gap diagnose --json wrote")->required();
+  command->add_option("run", options->runs, "Run folders, or folders of run folders")->required();
+  command->add_option("--robot", options->robot,
+                      "URDF with its servo table, or JSON file, or a name in config/robots "
+                      "[the robot that the runs name]");
+  command->add_option("--json", options->json, "Write the figures here; - for standard output");
+  command->add_option("--jobs", options->jobs, "Threads [as many as cores]")->check(CLI::Range(1, 256));
+  command->footer("Example:\n  bin/gap check answer.json other_runs --json check.json");
+  command->callback([options] { check(*options); });
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,79 @@
+#include "main/gap/DiagnoseSets.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "framework/WriteFile.h"
+#include "gap/inference/Inference.h"
+#include "gap/inference/LeftJson.h"
+#include "main/gap/ProgressLine.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+nlohmann::json answerOf(const Inference& inference, const AnswerInput& input, const Evidence& evidence,
+                        const Mechanism& robot) {
+  Evaluator evaluator(robot, evidence);
+  nlohmann::json answer = nlohmann::json::parse(answerJson(input, inference.diagnosis, evaluator));
+  answer["method"] = "sets";
+  answer["sentence"] = inference.sentence();
+  nlohmann::json& gap = answer["gap"];
+  gap["closed"] = inference.closed();
+  gap["unit"] = "rad, or m: positions of recordings left out";
+  gap["left_out"] = inference.stretchesOfOne ? "stretches of the one recording" : "recordings";
+  gap["runs"] = nlohmann::json::array();
+  for (const RecordingLeft& left : inference.leftOut) gap["runs"].push_back(leftJson(left));
+  for (const std::string& line : inference.notUsed) answer["remarks"].push_back(line);
+  answer["replays"] = inference.replays;
+  return answer;
+}
+
+void print(const Inference& inference, const AnswerInput& input) {
+  std::printf("%s\n", inference.sentence().c_str());
+  for (const Finding& finding : inference.diagnosis.findings) {
+    std::printf("  %-48s %5.1f %%  [%.3g, %.3g]  closes %.0f %% alone, %.0f %% last\n",
+                describe(finding.cause).c_str(), 100 * finding.probability, finding.lower, finding.upper,
+                100 * finding.closedAlone, 100 * finding.closedLast);
+    for (const Rival& rival : finding.rivals)
+      std::printf("    or %-45s %5.1f %%\n", describe(rival.cause).c_str(), 100 * rival.probability);
+  }
+  std::printf("Left out, each in turn:\n%s", leftTable(inference.leftOut).c_str());
+  for (const std::string& line : inference.notUsed) std::printf("%s\n", line.c_str());
+  std::printf("Next: %s\n", input.nextMotion.c_str());
+}
+
+}  // namespace
+
+void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, AnswerInput input,
+                    const Timing& timing,
+                    const std::function<std::string(const Mechanism&, const Diagnosis&)>& separating) {
+  InferenceOptions options;
+  options.jobs = request.jobs;
+  if (request.maxCauses > 0) options.mostCauses = static_cast<std::size_t>(request.maxCauses);
+  Inference inference;
+  {
+    ProgressLine line(request.quiet);
+    options.progress = [&line](const std::string& stage, double share) { line.tell(stage, share); };
+    inference = infer(request.robot, trials, options);
+  }
+  const Evidence evidence(std::move(trials), inference.noises);
+  input.nextMotion = separating(request.robot, inference.diagnosis);
+  if (input.nextMotion.empty()) input.nextMotion = suggestion(inference.diagnosis, evidence);
+  const std::string text = answerOf(inference, input, evidence, request.robot).dump(1) + "\n";
+  timing.write(request.timing);
+  if (request.json == "-") {
+    std::fputs(text.c_str(), stdout);
+    return;
+  }
+  if (!request.json.empty()) {
+    const std::filesystem::path folder = std::filesystem::path(request.json).parent_path();
+    if (!folder.empty()) std::filesystem::create_directories(folder);
+    writeFile(request.json, text);
+  }
+  print(inference, input);
+}
+
+}  // namespace plumbline::gap

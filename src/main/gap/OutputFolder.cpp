@@ -1,0 +1,65 @@
+#include "main/gap/OutputFolder.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <stdexcept>
+
+namespace plumbline::gap {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isPartOfRun(const fs::path& file) {
+  constexpr std::array names = {"run.json", "run.csv", "run.csv.gz", "SECRET"};
+  return fs::is_regular_file(file) && std::ranges::find(names, file.filename()) != names.end();
+}
+
+/// Whatever in a folder is neither of a run nor a folder of one; empty: nothing.
+std::string whatIsNoRun(const fs::path& folder, int depth = 1) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (isPartOfRun(entry.path())) continue;
+    if (depth == 0 || entry.is_symlink() || !entry.is_directory()) return entry.path().string();
+    if (std::string other = whatIsNoRun(entry.path(), depth - 1); !other.empty()) return other;
+  }
+  return "";
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(const std::string& path, bool replace) : place(path) {
+  while (place.size() > 1 && place.back() == '/') place.pop_back();
+  part = place + ".part";
+  std::error_code error;
+  if (fs::exists(place, error) && !(fs::is_directory(place, error) && fs::is_empty(place, error))) {
+    if (!replace)
+      throw std::invalid_argument(place +
+                                  " is there already; --force replaces it, or name a new folder with -o");
+    const std::string other = fs::is_directory(place) ? whatIsNoRun(place) : place;
+    if (!other.empty())
+      throw std::invalid_argument(other + " is no recording; --force replaces folders of recordings alone");
+  }
+  fs::remove_all(part, error);
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code error;
+  fs::remove_all(part, error);
+}
+
+void OutputFolder::putInPlace() {
+  const std::string old = place + ".old";
+  std::error_code error, ignored;
+  fs::remove_all(old, ignored);
+  const bool replaced = fs::exists(place, ignored);
+  if (replaced) fs::rename(place, old, error);
+  if (!error) fs::rename(part, place, error);
+  if (error) {
+    if (replaced && !fs::exists(place, ignored)) fs::rename(old, place, ignored);
+    throw std::runtime_error(place + ": cannot be written: " + error.message());
+  }
+  fs::remove_all(old, ignored);
+}
+
+}  // namespace plumbline::gap

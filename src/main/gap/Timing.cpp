@@ -1,0 +1,23 @@
+#include "main/gap/Timing.h"
+
+#include <CLI/CLI.hpp>
+#include <ctime>
+
+#include "framework/WriteFile.h"
+
+namespace plumbline::gap {
+
+void addTiming(CLI::App& command, std::string& file) {
+  command.add_option("--timing", file, "Write what it took here, as JSON [s]");
+}
+
+void Timing::write(const std::string& file) const {
+  if (file.empty()) return;
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  char text[100];
+  std::snprintf(text, sizeof text, "{\"seconds\": %.1f, \"cpu_seconds\": %.1f}\n", seconds,
+                static_cast<double>(std::clock()) / CLOCKS_PER_SEC);
+  writeFile(file, text);
+}
+
+}  // namespace plumbline::gap

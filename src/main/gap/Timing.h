@@ -1,0 +1,26 @@
+#pragma once
+#include <chrono>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace plumbline::gap {
+
+/// Adds --timing FILE. What a diagnosis took stands in a file of its own: the same input gives the same
+/// answer, to the byte.
+void addTiming(CLI::App& command, std::string& file);
+
+/// From when it is made.
+class Timing {
+public:
+  /// Writes {"seconds": of real time, "cpu_seconds": of all threads}; empty: nothing. Throws
+  /// std::runtime_error.
+  void write(const std::string& file) const;
+
+private:
+  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+};
+
+}  // namespace plumbline::gap

@@ -1,0 +1,54 @@
+#include "modules/infrastructure/DebugModule.h"
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <stdexcept>
+
+#include "framework/ConfigurationError.h"
+#include "framework/ThreadPriority.h"
+
+namespace plumbline {
+
+MAKE_MODULE(DebugModule)
+
+namespace {
+constexpr int stepsOfNice = 14;
+}
+
+void DebugModule::init() {
+  const DebugOptions* options = findObject<DebugOptions>();
+  auto* agent = findObject<AgentDebug>();
+  if (!options || !agent) return;
+  inspector_ = std::make_unique<inspect::Inspector>(*agent);
+  try {
+    server_ = std::make_unique<inspect::DebugServer>(*inspector_, options->server);
+  } catch (const std::runtime_error& error) {
+    throw ConfigurationError(error.what());
+  }
+  endDescriptor_ = eventfd(0, EFD_CLOEXEC);
+  if (endDescriptor_ < 0) throw std::runtime_error("no descriptor is left for the debug port");
+  thread_ = std::thread([this] {
+    applyThreadPriority(0, stepsOfNice);
+    server_->serve(endDescriptor_);
+  });
+  const std::string line =
+      "debug port " + options->server.address + ':' + std::to_string(server_->port()) + ": bin/rdb";
+  log << line;
+  if (options->tell)
+    options->tell(line + (server_->port() == inspect::DebugServerOptions::standardPort
+                              ? ""
+                              : " " + options->server.address + ':' + std::to_string(server_->port())));
+}
+
+DebugModule::~DebugModule() {
+  if (thread_.joinable()) {
+    const std::uint64_t one = 1;
+    if (write(endDescriptor_, &one, sizeof(one)) < 0) log.error() << "the debug port does not end";
+    thread_.join();
+  }
+  if (endDescriptor_ >= 0) ::close(endDescriptor_);
+}
+
+}  // namespace plumbline

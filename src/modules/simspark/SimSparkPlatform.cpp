@@ -1,0 +1,71 @@
+#include "modules/simspark/SimSparkPlatform.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "framework/ConfigurationError.h"
+#include "robot/RobotModel.h"
+#include "simspark/AgentCommand.h"
+#include "simspark/LeagueRobots.h"
+
+namespace plumbline {
+
+MAKE_PLATFORM("simspark", SimSparkPlatform)
+
+void SimSparkPlatform::declareOptions(CLI::App& app) {
+  AgentOptions& agent = *options_;
+  app.add_option("--team", agent.team, "team name")->capture_default_str();
+  app.add_option("--number", agent.number, "uniform number 1..11, 0: the next free one")
+      ->check(CLI::Range(0, 11))
+      ->capture_default_str();
+  app.add_option("--type", agent.type, "robot type: N of config/robots/simspark_typeN.json")
+      ->check(CLI::Range(0, 9))
+      ->capture_default_str();
+  app.add_option("--token", agent.token, "what a simulator that is open to others wants to hear first");
+  app.add_option("--host", agent.host, "host of the simulator")->capture_default_str();
+  app.add_option("--port", agent.port, "its agent port")->check(CLI::Range(1, 65535))->capture_default_str();
+  app.add_option("--monitor-port", agent.monitorPort, "its monitor port, for trainer commands")
+      ->check(CLI::Range(1, 65535))
+      ->capture_default_str();
+  app.add_flag("--start-simulator", agent.startSimulator,
+               "start a simulator on free ports and restart it when it dies");
+  app.add_option("--simulator-option", agent.simulatorOptions,
+                 "an option for that simulator; repeat for more")
+      ->allow_extra_args(false);
+}
+
+void SimSparkPlatform::check() const {
+  if (!simspark::isTeamName(options_->team))
+    throw ConfigurationError("--team: a team's name is " + std::string(simspark::teamNameRule));
+  const bool printable = std::all_of(options_->token.begin(), options_->token.end(),
+                                     [](char c) { return c > ' ' && c <= '~' && c != '(' && c != ')'; });
+  // A type that there is not is told before anything else starts.
+  simsparkRobot(options_->type);
+  if (!printable) throw ConfigurationError("--token has bytes that no token has");
+}
+
+std::vector<std::string> SimSparkPlatform::configFolders(const std::string& config) const {
+  return {config + "/robots/type" + std::to_string(options_->type)};
+}
+
+void SimSparkPlatform::addObjects(ModuleObjects& objects,
+                                  std::function<void(const std::string&)> tell) const {
+  options_->tell = std::move(tell);
+  objects.set(options_);
+  objects.set(std::make_shared<RobotModel>(simsparkRobot(options_->type)));
+}
+
+std::vector<NeededModule> SimSparkPlatform::neededModules() const {
+  return {{"SimSparkConnection", "hears nothing from the simulator"},
+          {"SimSparkSend", "sends nothing to the simulator"}};
+}
+
+std::string SimSparkPlatform::examples() const {
+  return "  bin/agent --team Plumbline --number 1 --type 0           play on a server at port 3100\n"
+         "  bin/agent --start-simulator --status                     start a simulator, too\n"
+         "  bin/agent --start-simulator --simulator-option=--web --simulator-option=--realtime --motion "
+         "wave\n"
+         "                                                           see a motion on a page\n";
+}
+
+}  // namespace plumbline

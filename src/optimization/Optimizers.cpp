@@ -1,0 +1,48 @@
+#include "optimization/Optimizers.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <tuple>
+
+namespace plumbline {
+
+namespace {
+
+std::vector<OptimizerKind>& registeredKinds() {
+  static std::vector<OptimizerKind> kinds;
+  return kinds;
+}
+
+}  // namespace
+
+OptimizerLoader::OptimizerLoader(const OptimizerKind& kind) {
+  std::vector<OptimizerKind>& kinds = registeredKinds();
+  if (std::ranges::count(kinds, std::string_view(kind.name), &OptimizerKind::name) > 0) {
+    std::fprintf(stderr, "two optimisers with the name %s are linked into this program\n", kind.name);
+    std::exit(2);
+  }
+  const auto place = [](const OptimizerKind& k) { return std::tuple(k.order, std::string_view(k.name)); };
+  kinds.insert(std::ranges::upper_bound(kinds, place(kind), {}, place), kind);
+}
+
+const std::vector<std::string>& optimizerNames() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const OptimizerKind& kind : registeredKinds()) list.emplace_back(kind.name);
+    return list;
+  }();
+  return names;
+}
+
+std::unique_ptr<Optimizer> makeOptimizer(std::string_view name, const SearchSpace& space,
+                                         const OptimizerOptions& options) {
+  for (const OptimizerKind& kind : registeredKinds())
+    if (kind.name == name) return kind.make(space, options);
+  std::string known;
+  for (const std::string& other : optimizerNames()) known += (known.empty() ? "" : ", ") + other;
+  throw std::invalid_argument("there is no optimiser \"" + std::string(name) + "\"; there are: " + known);
+}
+
+}  // namespace plumbline

@@ -1,0 +1,16 @@
+#pragma once
+
+namespace plumbline {
+
+/// Names of the skills that behaviours ask for. A skill needs no entry here: its name is what its SkillOutput
+/// says.
+struct Skill {
+  static constexpr const char* none = "";
+  static constexpr const char* stand = "stand";
+  static constexpr const char* moveToPos = "moveToPos";
+  static constexpr const char* getBall = "getBall";
+  static constexpr const char* kick = "kick";
+  static constexpr const char* dribble = "dribble";
+};
+
+}  // namespace plumbline

@@ -1,0 +1,25 @@
+#pragma once
+#include "math/Pose2.h"
+#include "representations/motion/MotionOutput.h"
+
+namespace plumbline {
+
+/// The walk; it is finished when the robot stands on both feet.
+REPRESENTATION_OF(WalkingEngineOutput, MotionOutput)
+class WalkingEngineOutput : public WalkingEngineOutputBase {
+public:
+  WalkingEngineOutput() : WalkingEngineOutputBase(Motion::walk) {}
+
+  Pose2 odometry;                ///< motion of the robot's ground frame in this cycle, as planned
+  Vec2 velocity = Vec2::Zero();  ///< walked now [m/s]
+  double turn = 0;               ///< [rad/s]
+  void stream(InStream* in, OutStream* out) override {
+    MotionOutput::stream(in, out);
+    STREAM("odometryPosition", odometry.position);
+    STREAM("odometryHeading", odometry.heading);
+    STREAM(velocity);
+    STREAM(turn);
+  }
+};
+
+}  // namespace plumbline

@@ -1,0 +1,14 @@
+#pragma once
+#include "simspark/LeagueTrace.h"
+
+namespace plumbline::simulation {
+
+/// Whether somebody put the robot elsewhere in the step to this row, a beam or a trainer: its torso is where
+/// neither its accelerometer nor its gyro took it. Seen from row 2 on, of the last row only beyond 0.5 m.
+bool isPlaced(const simspark::LeagueTrace& trace, std::size_t row);
+
+/// Where isPlaced put the torso's centre of mass, at rest, before the step to this row. The accelerometer,
+/// one cycle late, tells what the step added, the gyro how far it turned.
+Pose3 placeBefore(const simspark::LeagueTrace& trace, std::size_t row);
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,65 @@
+#include "simulation/replay/ReplayedRobots.h"
+
+#include "simulation/replay/Placement.h"
+#include "simulation/replay/TraceRowOf.h"
+
+namespace plumbline::simulation {
+
+ReplayedRobots::ReplayedRobots(const std::vector<simspark::LeagueTrace>& traces_,
+                               const std::vector<RobotModel>& models_, const std::vector<StartState>& starts_,
+                               const BodyState& ball, const WorldConfig& config)
+    : traces(traces_), models(models_), starts(starts_), world_(makeWorld(config)) {
+  for (std::size_t r = 0; r < traces.size(); ++r)
+    robots.push_back({world_->addRobot(models[r], starts[r].torso.pose), models[r].linkIndex("lFoot"),
+                      models[r].linkIndex("rFoot")});
+  makeRow0();
+  world_->setBall(ball);
+}
+
+/// Load tears gaps into hinges (0.02 mm each), which decide when a foot lands. So the robots stand or lie in
+/// the first posture until the gaps are there: awake, as sleep would end that halfway, and then until the
+/// bodies count as idle, as they do after a rest on the server. Then the torsos get to their places and the
+/// step to row 0 is made: the gaps of a robot that was put into the air close a little in it.
+void ReplayedRobots::makeRow0() {
+  constexpr int stepsForGaps = 60, stepsToSleep = 15;
+  for (std::size_t r = 0; r < robots.size(); ++r) world_->setPosture(robots[r].handle, starts[r].angle);
+  for (int i = 0; i < stepsForGaps; ++i) {
+    for (std::size_t r = 0; r < robots.size(); ++r) wake(r);
+    world_->step();
+  }
+  for (std::size_t r = 0; r < robots.size(); ++r) command(r, JointArray{});
+  for (int i = 0; i < stepsToSleep; ++i) world_->step();
+  for (std::size_t r = 0; r < robots.size(); ++r) {
+    const StartState& start = starts[r];
+    world_->moveRobot(robots[r].handle, start.torso.pose);
+    world_->setVelocities(robots[r].handle, start.torso, start.rate);
+    if (start.asleep) continue;
+    wake(r);
+    command(r, start.rate);
+  }
+  world_->step();
+}
+
+void ReplayedRobots::act(std::size_t i) {
+  for (std::size_t r = 0; r < robots.size(); ++r) {
+    command(r, i == 1 ? starts[r].rate : traces[r].rows[i - 2].command);
+    if (isPlaced(traces[r], i)) world_->moveRobot(robots[r].handle, placeBefore(traces[r], i));
+  }
+}
+
+simspark::TraceRow ReplayedRobots::sense(std::size_t r, std::size_t i) const {
+  return traceRowOf(*world_, robots[r].handle, robots[r].leftFoot, robots[r].rightFoot,
+                    traces[r].rows[i].command);
+}
+
+void ReplayedRobots::command(std::size_t r, const JointArray& speeds) {
+  for (const JointId joint : traces[r].joints)
+    if (models[r].has(joint)) world_->setJointVelocity(robots[r].handle, joint, speeds[joint]);
+}
+
+/// Only a command that is not zero wakes a robot; the next command takes its place before it has an effect.
+void ReplayedRobots::wake(std::size_t r) {
+  world_->setJointVelocity(robots[r].handle, traces[r].joints.at(0), 1e-7);
+}
+
+}  // namespace plumbline::simulation

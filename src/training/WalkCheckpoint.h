@@ -1,0 +1,51 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "walking/parameters/WalkGaits.h"
+
+namespace plumbline::walking {
+
+/// What a search for a walk has found so far, in a file, so that it can be stopped at any moment and goes on
+/// to the same bytes. The work is a row of stages, each of which gives a walk; those that are done are read
+/// back, bit for bit, and the one that was interrupted takes up its optimiser's state.
+///
+///     gaits = checkpoint.stage([&] { return train(gaits, setup, progress); });
+class WalkCheckpoint {
+public:
+  /// Reads the file if it is there. mark: all that decides what is found (options, files, program); a file
+  /// with another mark, or a damaged one, is a ConfigurationError that says what to do.
+  WalkCheckpoint(std::string file, std::string mark);
+
+  /// What the next stage gave when it was done before, or what it gives now, which is then stored.
+  WalkGaits stage(const std::function<WalkGaits()>& work);
+
+  /// The state of the optimiser within the running stage; empty: it begins anew. Storing it writes the file,
+  /// at most about once a second.
+  const std::string& search() const { return search_; }
+  void storeSearch(const std::string& state);
+
+  bool resumed() const { return resumed_; }
+  const std::string& file() const { return file_; }
+  /// The work is done: removes the file.
+  void forget();
+
+private:
+  void read();
+  void write();
+
+  const std::string file_, mark_;
+  std::vector<WalkGaits> done_;
+  std::size_t next_ = 0;
+  std::string search_;
+  double written_ = 0;
+  bool resumed_ = false;
+};
+
+/// All of a walk's numbers, bit for bit, and back; the second throws std::invalid_argument for what is no
+/// such text.
+std::string exactText(const WalkGaits& gaits);
+WalkGaits walkOfExactText(const std::string& text);
+
+}  // namespace plumbline::walking

@@ -1,0 +1,55 @@
+#pragma once
+#include <vector>
+
+#include "math/TorsoAngleFilter.h"
+#include "robot/HumanoidModel.h"
+#include "walking/engine/LegLoad.h"
+#include "walking/engine/WalkEngine.h"
+
+namespace plumbline::walking {
+
+/// What a robot with position servos tells in a control cycle, in the order of its Mechanism.
+struct ServoMeasurement {
+  std::vector<double> position;                ///< per joint [rad]
+  Vec3 gyro = Vec3::Zero();                    ///< in the sensor's axes [rad/s]
+  Vec3 acc = Vec3::Zero();                     ///< specific force, in the sensor's axes [m/s^2]
+  std::vector<std::vector<double>> footForce;  ///< per foot and sensor [N]
+};
+
+/// What it is told.
+struct ServoCommand {
+  std::vector<double> target;     ///< per joint [rad]
+  std::vector<double> stiffness;  ///< per joint, 0 .. 1
+};
+
+/// Between the walk and any robot with position servos, simulated or not: joint targets in, joint angles, IMU
+/// and the forces on the soles out. A servo gives way under the robot's weight by torque / kp and lags by
+/// kd / kp; its target leads by the walk's servo.loadLead and servo.rateLead of both.
+class ServoDriver {
+public:
+  /// Throws std::invalid_argument for a robot that is no humanoid (Humanoid) or has other than two feet.
+  explicit ServoDriver(const Mechanism& mechanism);
+  ServoDriver(const ServoDriver&) = delete;
+  ServoDriver& operator=(const ServoDriver&) = delete;
+
+  const Humanoid& humanoid() const { return robot; }
+  double cycle() const { return 1 / mechanism.controlHz; }  ///< [s]
+
+  void reset();
+  WalkSensors sense(const ServoMeasurement& measured);
+  /// p: the walk's parameters now; sensors: what the walk was told.
+  const ServoCommand& command(const WalkOutput& output, const WalkParameters& p, const WalkSensors& sensors);
+
+private:
+  Mechanism mechanism;
+  Humanoid robot;
+  std::array<std::size_t, 2> feet{};  ///< left, right in Mechanism::feet
+  TorsoAngleFilter filter;
+  LegLoad load;
+  ServoCommand command_;
+  JointArray last{};
+  std::array<double, 2> share{};  ///< of the weight, as it is thought to be when the command takes effect
+  bool begun = false;
+};
+
+}  // namespace plumbline::walking

@@ -1,0 +1,32 @@
+#pragma once
+#include "robot/ForwardKinematics.h"
+#include "walking/estimation/VelocityFilter.h"
+#include "walking/estimation/WalkSensors.h"
+
+namespace plumbline::walking {
+
+/// What the ground does to the feet tells of the velocity: its forces are the mass's acceleration, and where
+/// it presses, the foot stands still - also one that rolls over its edge or is not the one meant to carry,
+/// which the movement of the commanded foot's centre cannot show.
+class ContactVelocity {
+public:
+  explicit ContactVelocity(const RobotModel& robot);
+
+  void reset() { begun = false; }
+  /// A cycle of dt [s]: where the links are at its end, the torso's attitude without its heading, how far the
+  /// heading turned in the cycle [rad].
+  VelocityEvidence update(const ForwardKinematics& kinematics, const Mat3& upright, double turn,
+                          const FootSensors& feet, double dt);
+
+private:
+  struct Part {
+    int link = -1;  ///< -1: the robot has no such part
+    Vec3 center;    ///< of its mass in the link's frame [m]
+    Pose3 pose;     ///< about the centre of mass of the robot, upright
+  };
+  std::array<Part, 4> parts;  ///< left and right foot, left and right toe
+  double mass;
+  bool begun = false;
+};
+
+}  // namespace plumbline::walking

@@ -1,0 +1,44 @@
+#pragma once
+#include <array>
+
+#include "walking/model/WalkState.h"
+#include "walking/parameters/WalkParameters.h"
+
+namespace plumbline::walking {
+
+/// How far the robot is from where the walk has it: the observed walk state against the planned one, without
+/// what is usual in this part of a step. The model errs in every step in the same way (table 4.3), by as much
+/// as a hard push; only what is left tells of a disturbance (section 4.2.5).
+class Disturbance {
+public:
+  void reset() { *this = {}; }
+  /// A cycle of dt [s]; observed: moved on to the same moment as planned; phase: of the step, 0 .. 1; height:
+  /// of the pendulum [m].
+  void update(const WalkState& planned, const WalkState& observed, double phase, double height,
+              const WalkParameters& p, double dt);
+
+  /// A push was known by other means: all of the walk is recovery from now on, and for recovery.fadeTime less
+  /// and less.
+  void begin() { share_ = 1; }
+
+  /// The carrying feet are so far from where they should be, in the frame of the centre of mass [m].
+  const Vec2& foot() const { return now.foot; }
+  /// The centre of mass is so much faster [m/s].
+  const Vec2& velocity() const { return now.velocity; }
+  /// The capture point (Pratt et al. 2006) is so far from where it should be over the ground [m].
+  const Vec2& capturePoint() const { return capture; }
+  /// How much of the walk is recovery from a push, 0 .. 1.
+  double share() const { return share_; }
+
+private:
+  struct Difference {
+    Vec2 foot = Vec2::Zero(), velocity = Vec2::Zero();
+  };
+  static constexpr std::size_t parts = 8;                ///< of a step
+  std::array<std::array<Difference, parts>, 3> usual{};  ///< of left, right and double support
+  Difference now;
+  Vec2 capture = Vec2::Zero();
+  double share_ = 0;
+};
+
+}  // namespace plumbline::walking

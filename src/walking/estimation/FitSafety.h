@@ -1,0 +1,28 @@
+#pragma once
+#include <span>
+
+#include "walking/estimation/ObservedStep.h"
+#include "walking/planning/ReferenceTrajectory.h"
+
+namespace plumbline::walking {
+
+/// How far fitted parameters would change the walk. Steps of one kind of walking leave some of the ten
+/// parameters open; a set that predicts them well may still plan another walk at other speeds, or the same
+/// one with the feet elsewhere. A robot walks on only what it has been seen to walk.
+class FitSafety {
+public:
+  /// The gait of these steps.
+  explicit FitSafety(std::span<const ObservedStep> steps);
+
+  /// Greatest change of the reference trajectory on the spot, at 0.2 m/s forward and backward and at the
+  /// speed of the steps; 1: as much as is safe.
+  double change(const ModelParameters& parameters) const;
+
+private:
+  ReferenceTrajectory walk(double speed, const ModelParameters& parameters) const;
+
+  PlainPendulum pendulum;
+  double duration = 0.2, feetDistance = 0.11, speed = 0;
+};
+
+}  // namespace plumbline::walking

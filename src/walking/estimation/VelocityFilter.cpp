@@ -1,0 +1,106 @@
+#include "walking/estimation/VelocityFilter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::walking {
+namespace {
+
+constexpr double spread = 0.1;  ///< of the particles about a velocity that is told or seen [m/s]
+
+}  // namespace
+
+VelocityFilter::VelocityFilter(const VelocityFilterParameters& parameters_)
+    : parameters(parameters_), random(parameters.seed) {
+  const auto count = static_cast<std::size_t>(std::max(2, parameters.particles));
+  particles.resize(count);
+  drawn.resize(count);
+  before_.resize(count);
+  weights.resize(count);
+  reset();
+}
+
+void VelocityFilter::reset(const Vec2& velocity) {
+  random = Random(parameters.seed);
+  mean = velocity;
+  for (Vec2& particle : particles) particle = velocity + spread * Vec2(random.gaussian(), random.gaussian());
+}
+
+void VelocityFilter::predict(const WalkModel& model, const WalkState& before, const WalkAction& action,
+                             double dt, const VelocityEvidence& evidence) {
+  const Eigen::Rotation2Dd turned(action.duration > 0 ? -action.turn * dt / action.duration : 0);
+  // What the feet do not feel, a push by another robot, some particles have to find: the strays in what is
+  // seen, as many others about what was known.
+  const std::size_t strays = numStrays(evidence);
+  WalkState state = before;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    before_[i] = turned * particles[i];
+    double noise = parameters.modelNoise * dt;
+    if (i < strays) {
+      particles[i] = *evidence.seen;
+      noise = parameters.slipNoise;
+    } else if (evidence.change) {
+      particles[i] = before_[i] + *evidence.change;
+      if (i >= 2 * strays) noise = parameters.forceNoise;
+    } else {
+      state.velocity = particles[i];
+      particles[i] = model.move(state, action, dt).velocity;
+    }
+    particles[i] += noise * Vec2(random.gaussian(), random.gaussian());
+  }
+}
+
+/// So many particles take the velocity that is seen, whatever was known before.
+std::size_t VelocityFilter::numStrays(const VelocityEvidence& evidence) const {
+  constexpr double share = 0.1;
+  if (!evidence.change || !evidence.seen) return 0;
+  return static_cast<std::size_t>(share * static_cast<double>(particles.size()));
+}
+
+const Vec2& VelocityFilter::update(const WalkModel& model, const WalkState& before, const WalkAction& action,
+                                   double dt, const VelocityEvidence& evidence) {
+  predict(model, before, action, dt, evidence);
+  const bool forces = evidence.change.has_value();
+  const std::size_t strays = numStrays(evidence);
+  const double noise = forces ? parameters.slipNoise : parameters.footNoise / dt;
+  double total = 0;
+  Vec2 sum = Vec2::Zero();
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    weights[i] = 1;
+    if (evidence.seen && forces) {
+      // Student's t with three degrees of freedom: a foot that slides is an outlier.
+      const double miss = (particles[i] - *evidence.seen).squaredNorm() / (3 * noise * noise);
+      weights[i] = 1 / ((1 + miss) * (1 + miss));
+      // A foot that slides for a cycle is more common than a push; what lasts is believed in the next one.
+      if (i < strays) weights[i] *= parameters.pushOdds;
+    } else if (evidence.seen) {
+      const double miss = ((before_[i] + particles[i]) / 2 - *evidence.seen).squaredNorm();
+      weights[i] = std::exp(-miss / (2 * noise * noise));
+    }
+    total += weights[i];
+    sum += weights[i] * particles[i];
+  }
+  // No particle explains what was seen: begin anew from it.
+  if (!(total > 1e-12)) {
+    for (Vec2& particle : particles)
+      particle = *evidence.seen + spread * Vec2(random.gaussian(), random.gaussian());
+    return mean = *evidence.seen;
+  }
+  mean = sum / total;
+  resample(total);
+  return mean;
+}
+
+void VelocityFilter::resample(double total) {
+  const double step = total / static_cast<double>(particles.size());
+  double at = step * random.uniform(), passed = weights[0];
+  std::size_t i = 0;
+  for (Vec2& particle : drawn) {
+    while (passed < at && i + 1 < particles.size()) passed += weights[++i];
+    particle = particles[i];
+    at += step;
+  }
+  std::swap(particles, drawn);
+}
+
+}  // namespace plumbline::walking

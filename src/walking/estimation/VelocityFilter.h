@@ -1,0 +1,61 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "math/Random.h"
+#include "walking/model/WalkModel.h"
+
+namespace plumbline::walking {
+
+/// How far the filter trusts what it is told. The noise of the model is high on purpose: a difference to the
+/// model is what the estimate is for (section 4.2.5).
+struct VelocityFilterParameters {
+  int particles = 100;
+  double modelNoise = 5;      ///< of the mass's acceleration by the model [m/s^2]
+  double footNoise = 0.0005;  ///< of the supporting foot's movement in one cycle [m]
+  double forceNoise = 0.01;   ///< of the change of velocity in one cycle, by the ground's forces [m/s]
+  double slipNoise = 0.03;    ///< of the velocity seen in the movement of what touches the ground [m/s]
+  double pushOdds = 0.001;    ///< that what is seen and not felt is a push, not a foot that slides
+  std::uint64_t seed = 1;
+};
+
+/// What a cycle tells of the velocity, in the frame at its end [m/s].
+struct VelocityEvidence {
+  std::optional<Vec2> change;  ///< in the cycle, by the ground's forces; none: the model knows better
+  std::optional<Vec2> seen;    ///< in what touches the ground; none: nothing does
+};
+
+/// Particle filter (Thrun et al., "Probabilistic Robotics", table 4.3) for the velocity of the centre of mass
+/// over the ground, from the model, or the forces where they are measured, and the movement of the supporting
+/// foot in the frame of the centre of mass. Same calls, same answers; allocates nothing after the
+/// construction.
+class VelocityFilter {
+public:
+  explicit VelocityFilter(const VelocityFilterParameters& parameters = {});
+
+  /// All particles near this velocity [m/s].
+  void reset(const Vec2& velocity = Vec2::Zero());
+  /// A cycle of dt [s]: `before` as it was observed at its start (the velocity in it is not used), the action
+  /// that went on, and what was measured. Returns the velocity at the end, in the frame at the end. Without
+  /// forces what is seen is the mean over the cycle; with them the velocity at its end, as in the league's
+  /// physics, which takes a cycle in one step, and it may be wrong at times (a foot that slides).
+  const Vec2& update(const WalkModel& model, const WalkState& before, const WalkAction& action, double dt,
+                     const VelocityEvidence& evidence);
+  const Vec2& velocity() const { return mean; }
+
+private:
+  void predict(const WalkModel& model, const WalkState& before, const WalkAction& action, double dt,
+               const VelocityEvidence& evidence);
+  std::size_t numStrays(const VelocityEvidence& evidence) const;
+  void resample(double total);
+
+  VelocityFilterParameters parameters;
+  Random random;
+  std::vector<Vec2> particles, drawn;
+  std::vector<Vec2> before_;  ///< the particles at the cycle's beginning, in the frame at its end
+  std::vector<double> weights;
+  Vec2 mean = Vec2::Zero();
+};
+
+}  // namespace plumbline::walking

@@ -1,0 +1,55 @@
+#pragma once
+#include "robot/ForwardKinematics.h"
+#include "robot/LegKinematics.h"
+#include "walking/estimation/ContactVelocity.h"
+#include "walking/estimation/WalkSensors.h"
+
+namespace plumbline::walking {
+
+/// The walk state as the sensors tell it (section 4.2.5): feet from the joint angles and the torso's angles,
+/// velocity from the particle filter, which is told of the forces on the feet where they are felt, else of
+/// the movement of the feet that are meant to carry. What it tells is as old as the measurement.
+class WalkObserver {
+public:
+  explicit WalkObserver(const RobotModel& robot, const VelocityFilterParameters& filter = {});
+  WalkObserver(const WalkObserver&) = delete;
+  WalkObserver& operator=(const WalkObserver&) = delete;
+
+  void reset();
+  /// A measurement; `support` and `action` are what went on since the last one, in the model. average: time
+  /// over which the difference of IMU and legs is averaged [s]; 0: it is not taken off the IMU's angles.
+  void update(const WalkSensors& sensors, Support support, const WalkAction& action, const WalkModel& model,
+              double average);
+
+  const WalkState& state() const { return observed; }
+  /// Torso against gravity, roll and pitch, without the mean difference of IMU and legs [rad].
+  const Vec2& torsoAngles() const { return angles; }
+  /// Mean difference of the torso's roll and pitch by the IMU and by the supporting legs (section 4.2.8,
+  /// table 4.1) [rad].
+  const Vec2& imuDifference() const { return difference; }
+  /// Velocity of the centre of mass by the movement of what touches the ground, or of the commanded foot,
+  /// alone, last cycle [m/s].
+  const Vec2& seenVelocity() const { return seen; }
+
+  /// Motion of the torso's ground frame in the last cycle: of the centre of mass by the velocity told, of the
+  /// torso over it by the joints, of the heading by the gyrometer, in that frame.
+  const Pose2& torsoMotion() const { return torsoMoved; }
+
+private:
+  Vec2 legAngles(Support support) const;
+  double watchFeet(const WalkState& before, Support support, double dt);
+
+  RobotModel robot;
+  ForwardKinematics kinematics;
+  std::array<LegKinematics, 2> legs;
+  std::array<Pose3, 2> soles;  ///< in the torso frame
+  ContactVelocity contacts;
+  VelocityFilter filter;
+  WalkState observed;
+  Vec2 angles = Vec2::Zero(), difference = Vec2::Zero(), seen = Vec2::Zero();
+  Vec2 torsoPlace = Vec2::Zero();  ///< over the ground in the frame of the centre of mass [m]
+  Pose2 torsoMoved;
+  bool begun = false;
+};
+
+}  // namespace plumbline::walking

@@ -1,0 +1,57 @@
+#include "walking/model/LinearInvertedPendulum.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::walking {
+namespace {
+
+double rate(double height) {
+  constexpr double gravity = 9.81, lowest = 0.02;
+  return std::sqrt(gravity / std::max(lowest, height));
+}
+
+}  // namespace
+
+LinearInvertedPendulum::LinearInvertedPendulum(const Vec2& heights, const Vec2& copOffset_,
+                                               const ModelParameters& fit)
+    : plainRate(rate(heights.x()), rate(heights.y())),
+      copOffset(copOffset_),
+      fitted{{rate(heights.x() + fit.massOffsetZx), rate(heights.y() + fit.massOffsetZy)},
+             fit.timeFactor,
+             {fit.massOffsetX, fit.massOffsetY},
+             {fit.velocityOffsetX, fit.velocityOffsetY},
+             fit.footFactor * Vec2(fit.footFactorX, fit.footFactorY)} {}
+
+Vec2 LinearInvertedPendulum::pivot(const WalkState& state) const {
+  return state.supportFoot() * Vec2(copOffset.x(), outward(state.supportSide()) * copOffset.y());
+}
+
+WalkState LinearInvertedPendulum::move(const WalkState& state, const WalkAction& action, double time) const {
+  // The parameters are those of steps on one foot; what they would do to a robot that stands nobody has seen.
+  if (state.support == Support::both)
+    return move(state, action.centerOfPressure, action, time,
+                {plainRate, 1, Vec2::Zero(), Vec2::Zero(), Vec2::Ones()});
+  return move(state, pivot(state), action, time, fitted);
+}
+
+WalkState LinearInvertedPendulum::move(const WalkState& state, const Vec2& cop, const WalkAction& action,
+                                       double time, const Coefficients& c) {
+  Vec2 com, velocity;  // moved way and velocity at the end, in the frame at the start
+  for (int i = 0; i < 2; ++i) {
+    const double k = c.rate[i], t = k * c.timeFactor * time, ch = std::cosh(t), sh = std::sinh(t);
+    const double x = c.massOffset[i] - c.footFactor[i] * cop[i];  // of the mass from the centre of pressure
+    const double v = state.velocity[i] + c.velocityOffset[i];
+    com[i] = (x * (ch - 1) + v / k * sh) / c.footFactor[i];
+    velocity[i] = x * k * sh + v * ch - c.velocityOffset[i];
+  }
+
+  const double heading = action.duration > 0 ? action.turn * time / action.duration : 0;
+  const Pose2 T_new_old = Pose2(com, heading).inverse();
+  WalkState moved = state;
+  for (Pose2& foot : moved.foot) foot = T_new_old * foot;
+  moved.velocity = T_new_old.rotation() * velocity;
+  return moved;
+}
+
+}  // namespace plumbline::walking

@@ -1,0 +1,32 @@
+#pragma once
+#include "walking/planning/Sprint.h"
+
+namespace plumbline::walking {
+
+/// The speed that the walk aims at now: follows what is asked for within the limits of speed and
+/// acceleration. Any mixture of directions is walked within an ellipsoid of the omnidirectional limits
+/// (speed.omniForward ..); more, up to speed.maxForward .., in one direction at a time (Sprint): only when
+/// little else is asked for, has been for a while, and that direction already walks at its limit.
+class SpeedControl {
+public:
+  void reset() { *this = {}; }
+  /// In a cycle in which the robot still stands: its first step already goes forward or backward at
+  /// startStop.speed, if so much is asked for.
+  void begin(const Vec2& goal, const WalkParameters& p);
+  /// A cycle of dt [s]. goal, turn: asked for [m/s, rad/s]; p: the parameters at the present speed; calm: the
+  /// share of the goal that the torso's deviation leaves, 0 .. 1.
+  void update(const Vec2& goal, double turn, const WalkParameters& p, double calm, double dt);
+
+  Vec2 velocity() const { return now.head<2>(); }  ///< [m/s]
+  double turn() const { return now.z(); }          ///< [rad/s]
+  /// Of the forward velocity while it comes nearer to zero, mean over about a step; else 0 [m/s^2].
+  double braking() const { return acceleration_ * now.x() < 0 ? acceleration_ : 0.0; }
+  bool sprinting() const { return sprint.active(); }
+
+private:
+  Vec3 now = Vec3::Zero();  ///< forward, sideways, turn
+  double acceleration_ = 0;
+  Sprint sprint;
+};
+
+}  // namespace plumbline::walking

@@ -1,0 +1,38 @@
+#pragma once
+#include <memory>
+
+#include "math/Random.h"
+#include "simulation/servo/RobotSimulation.h"
+
+namespace plumbline::bench {
+
+/// A simulated robot with sensors as a real one's: an encoder of 4096 counts a turn, noise on angles, IMU and
+/// forces, the same after each restart.
+class NoisySensors : public simulation::RobotSimulation {
+public:
+  explicit NoisySensors(std::unique_ptr<simulation::RobotSimulation> robot);
+
+  using RobotSimulation::setStiffness;
+  void restart(const Pose3& T_world_base, const std::vector<double>& q) override;
+  void restart(const std::vector<double>& q, double heading) override;
+  void command(const std::vector<double>& targets) override { robot->command(targets); }
+  void setStiffness(int joint, double stiffness) override { robot->setStiffness(joint, stiffness); }
+  void push(const Vec3& force, double seconds, int link) override { robot->push(force, seconds, link); }
+  void load(int joint, double torque) override { robot->load(joint, torque); }
+  void step() override;
+  const simulation::ServoReadings& readings() const override { return noisy; }
+  double encoder(int joint) const override { return angles.at(static_cast<std::size_t>(joint)); }
+  double encoderSpeed(int joint) const override { return robot->encoderSpeed(joint); }
+  const simulation::BodyState& link(int index) const override { return robot->link(index); }
+  const Mechanism& mechanism() const override { return robot->mechanism(); }
+
+private:
+  void sense();
+
+  const std::unique_ptr<simulation::RobotSimulation> robot;
+  simulation::ServoReadings noisy;
+  std::vector<double> angles;  ///< what the encoders show [rad]
+  Random random{1};
+};
+
+}  // namespace plumbline::bench

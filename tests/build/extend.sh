@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# One of each is added by files alone: a copy of the tree is built with a folder outside of it, which holds what the pages
+# of doc/how-to show, to the letter: module, representation, behaviour, skill, motion, effect, robot, physics engine,
+# optimiser. Each has to be there then. ccache serves all that the tree was built from; without it this would take long.
+[[ ${PLUMBLINE_SLOW-} ]] || { echo "left out: it builds a tree of its own; make check runs it"; exit 0; }
+source "$(dirname "$0")/../e2e/assert.bash"
+if ! command -v ccache > /dev/null || [[ ${CCACHE-yes} == "" ]]; then
+  echo "left out: without ccache all of src/ would be compiled once more"
+  exit 0
+fi
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES V
+root=$PWD tree=$scratch/tree ours=$scratch/ours config=$scratch/config
+mkdir -p "$tree/bin" "$ours"
+cp -r configure.sh Makefile CMakeLists.txt CMakePresets.json cmake scripts src utils config "$tree/"
+
+# A page's blocks of C++, each into the file that was named last before it, tests aside.
+takeBlocks() {
+  awk -v to="$ours" '
+    !inside { line = $0; while (match(line, /`(src|tests)\/[A-Za-z0-9_\/]+\.(h|cpp)`/)) {
+        file = substr(line, RSTART + 1, RLENGTH - 2); line = substr(line, RSTART + RLENGTH) } }
+    /^```cpp$/ { inside = 1; if (file == "") { print FILENAME ":" FNR ": a block without a file" > "/dev/stderr"; exit 1 }
+      out = file ~ /^src\// ? to substr(file, 4) : "/dev/null"; folder = out; sub(/\/[^\/]*$/, "", folder)
+      if (system("mkdir -p \"" folder "\"")) exit 1
+      next }
+    /^```$/ && inside { inside = 0; close(out); file = ""; next }
+    inside { print > out }' "$1"
+}
+for page in module behaviour; do takeBlocks "doc/how-to/add-a-$page.md"; done
+for page in effect engine optimiser; do takeBlocks "doc/how-to/add-an-$page.md"; done
+expectEqual "$(cd "$ours" && find . -name '*.cpp' | wc -l)" 7 "sources in the pages"
+awk '/^```json$/ { inside = 1; next } /^```$/ { inside = 0 } inside' doc/how-to/add-a-robot.md > "$scratch/arm.json"
+
+# A folder that is none of src/ would be left out: it is an error.
+mkdir "$ours/modles"
+echo 'int lost;' > "$ours/modles/Lost.cpp"
+(cd "$tree" && ./configure.sh "-DPLUMBLINE_EXTRA=$ours") > "$scratch/log" 2>&1 && fail "a folder of a wrong name is taken"
+tr -s ' \n' ' ' < "$scratch/log" | grep -qF "$ours/modles is no folder of src/" || fail "a folder of a wrong name: $(cat "$scratch/log")"
+rm -r "$ours/modles"
+
+(cd "$tree" && ./configure.sh "-DPLUMBLINE_EXTRA=$ours") > "$scratch/log" 2>&1 || fail "configure: $(cat "$scratch/log")"
+(cd "$tree" && scripts/build.sh SimRelease agent gap simulator optimizewalk) > "$scratch/log" 2>&1 || fail "build: $(tail -30 "$scratch/log")"
+bin=$tree/bin
+cd "$tree"
+
+# Module, representation, behaviour, skill and motion are in the agent's graph once a modules.cfg names them.
+mkdir -p "$scratch"/config/{modules,platforms/simspark}
+for file in platforms/simspark/modules.cfg modules/{perception,behavior,motion}.cfg; do
+  awk '{ print } /^SimpleHeadMotion/ { print "Bow BowOutput" } /^BeliefCombinator/ { print "BallSpeedEstimator BallSpeed" }
+    /^SkillMoveToPos/ { print "SkillWave SkillWaveOutput" } /^BeforeKickOff/ { print "Cheer CheerOutput" }' "config/$file" > "$scratch/config/$file"
+done
+"$bin/agent" --modules "$scratch/config/platforms/simspark/modules.cfg" --graph "$scratch/graph.dot" > "$scratch/log" 2>&1 || fail "agent: $(cat "$scratch/log")"
+for name in BallSpeedEstimator BallSpeed Cheer CheerOutput SkillWave SkillWaveOutput Bow BowOutput; do
+  grep -qw "$name" "$scratch/graph.dot" || fail "the agent's graph has no $name"
+done
+"$bin/agent" --parameters > "$scratch/parameters" || fail "agent --parameters"
+grep -q 'that a bow takes' "$scratch/parameters" || fail "the motion's parameter is not on the page of parameters"
+
+# The effect is listed, and found in a recording of the robot that has it.
+"$bin/gap" effects --robot "$scratch/arm.json" > "$scratch/effects" || fail "gap effects"
+grep -q '^gear_ripple .*The gear of {at} cogs' "$scratch/effects" || fail "gap effects: $(cat "$scratch/effects")"
+printf 'effects:\n  - {effect: gear_ripple, at: Elbow, value: 2}\n' > "$scratch/ripple.yaml"
+"$bin/gap" record --robot "$scratch/arm.json" --program hang_sweep --effects "$scratch/ripple.yaml" -o "$scratch/runs" > "$scratch/log" 2>&1 || fail "record: $(cat "$scratch/log")"
+"$bin/gap" diagnose "$scratch/runs" --robot "$scratch/arm.json" --quiet --json "$scratch/answer.json" > "$scratch/log" 2>&1 || fail "diagnose: $(cat "$scratch/log")"
+grep -q '"effect": "gear_ripple"' "$scratch/answer.json" || fail "the effect is not found: $(cat "$scratch/answer.json")"
+grep -q '"verdict": "effect"' "$scratch/answer.json" || fail "the verdict: $(cat "$scratch/answer.json")"
+# In Bullet too, which takes the same torque.
+"$bin/gap" record --robot "$scratch/arm.json" --program hang_sweep --engine bullet --effects "$scratch/ripple.yaml" -o "$scratch/bullet" > "$scratch/log" 2>&1 || fail "record in Bullet: $(cat "$scratch/log")"
+
+# The engine steps a world; the optimiser searches a walk.
+expectError 2 'simulator: unknown physics engine "foo"; there are: ode, ode-dense, bullet, ode-soft' "$bin/simulator" --engine foo
+timeout 60 "$bin/simulator" --engine ode-soft --no-realtime --wait-agents 0 --max-seconds 1 --port 0 --monitor-port 0 > "$scratch/log" 2>&1 < /dev/null || fail "simulator: $(cat "$scratch/log")"
+"$bin/optimizewalk" --help | tr -s ' \n' ' ' | grep -q 'cmaes, xnes, pso, ipop-cmaes, bipop-cmaes, random' || fail "optimizewalk lists: $("$bin/optimizewalk" --help)"
+"$bin/optimizewalk" --type 0 --task forward --generations 2 --population 4 --tries 1 --seconds 2 --optimizer random --output "$scratch/walk.yaml" > "$scratch/log" 2>&1 ||
+  fail "optimizewalk: $(cat "$scratch/log")"
+[[ -s $scratch/walk.yaml ]] || fail "no walk was written"
+cd "$root"

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# `make install` into a scratch folder: programs that run there, manual pages, completion, and a project outside the tree
+# that links the components one by one.
+source "$(dirname "$0")/../e2e/assert.bash"
+[[ $bin == "$PWD/bin" ]] || bin=$PWD/bin
+prefix="$scratch/opt plumbline"
+cmake --install build/SimRelease/cmake --prefix "$prefix" > "$scratch/log" || fail "install: $(tail -3 "$scratch/log")"
+
+# Programs find each other and their configuration from any folder.
+cd "$scratch"
+"$prefix/bin/plumbline-game" --seed 3 --limit 1 --output "$scratch/run" > game.txt 2>&1 || [[ $? == 1 ]] || fail "game: $(cat game.txt)"
+grep -q 'no goal within 1 s' game.txt || fail "an installed game says: $(cat game.txt)"
+[[ -f $prefix/share/plumbline/config/platforms/simspark/modules.cfg ]] || fail "no configuration"
+[[ ! -e $prefix/include/plumbline/main ]] || fail "programs' headers are installed"
+
+# Completion knows a program's options and subcommands.
+PATH="$prefix/bin:$PATH"
+source "$prefix/share/bash-completion/completions/plumbline-gap"
+complete_words() { COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=(); _plumbline; echo "${COMPREPLY[*]}"; }
+[[ $(complete_words plumbline-game --se) == --seed ]] || fail "completion of --se: $(complete_words plumbline-game --se)"
+[[ " $(complete_words plumbline-gap dia) " == *" diagnose "* ]] || fail "completion of dia: $(complete_words plumbline-gap dia)"
+[[ " $(complete_words plumbline-gap diagnose --js) " == *" --json "* ]] || fail "completion of --js: $(complete_words plumbline-gap diagnose --js)"
+
+# The examples, each with one component alone.
+cp -r "$OLDPWD/doc/examples/library" "$scratch/example"
+cmake -S "$scratch/example" -B "$scratch/example/build" -G Ninja "-DCMAKE_PREFIX_PATH=$prefix" > "$scratch/log" 2>&1 || fail "example: $(cat "$scratch/log")"
+cmake --build "$scratch/example/build" -j "${JOBS:-2}" > "$scratch/log" 2>&1 || fail "example: $(tail -20 "$scratch/log")"
+use() { "$scratch/example/build/use_$1" "${@:2}"; }
+expectEqual "$(use framework)" BallModel framework
+expectEqual "$(use optimization)" "found: yes" optimization
+expectEqual "$(use walking)" "0.1168 m/s" walking
+expectEqual "$(use simulation "$prefix/share/plumbline/config")" "after 1.0 s it stands" simulation
+expectEqual "$(use gap)" "many, backlash known" gap
+! ldd "$scratch/example/build/use_walking" | grep -q libode || fail "walking alone brings ODE along"
+
+# A component that is not there is told.
+! cmake -S "$scratch/example" -B "$scratch/other" -G Ninja "-DCMAKE_PREFIX_PATH=$prefix" -Dcomponents=moon > "$scratch/log" 2>&1 || fail "component moon is there"
+grep -q "no component 'moon'" "$scratch/log" || fail "component moon: $(cat "$scratch/log")"

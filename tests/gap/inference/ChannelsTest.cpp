@@ -1,0 +1,60 @@
+#include "gap/inference/Channels.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../TwoJointArm.h"
+
+namespace plumbline::gap {
+
+TEST(Channels, stepOfAnEncoderIsTheSmallestDifferenceThatOccurs) {
+  const double step = 2 * M_PI / 4096;
+  std::vector<double> values;
+  for (int k = 0; k < 400; ++k) values.push_back(step * std::round(0.4 * std::sin(0.05 * k) / step));
+  EXPECT_NEAR(smallestStep(values), step, 1e-9);
+}
+
+TEST(Channels, aJointThatRestsAtRoundPosesKeepsItsFineStep) {
+  // Poses on multiples of 16 counts for most of the time, fine counts between them.
+  const double step = 2 * M_PI / 4096;
+  std::vector<double> values;
+  for (int pose = 0; pose < 8; ++pose) {
+    for (int k = 0; k < 200; ++k) values.push_back(16 * step * pose);
+    for (int k = 1; k < 16; ++k) values.push_back(step * (16 * pose + k));
+  }
+  EXPECT_NEAR(smallestStep(values), step, 1e-9);
+}
+
+TEST(Channels, readingsRoundedToFiveDigitsKeepTheStep) {
+  const double step = 2 * M_PI / 4096;
+  std::vector<double> values;
+  for (int k = 0; k < 800; ++k)
+    values.push_back(std::round(1e5 * step * std::round(0.4 * std::sin(0.05 * k) / step)) / 1e5);
+  EXPECT_NEAR(smallestStep(values), step, 0.02 * step);
+}
+
+TEST(Channels, readingsWithoutAGridHaveNoStep) {
+  Random random(3);
+  std::vector<double> values;
+  for (int k = 0; k < 500; ++k) values.push_back(random.gaussian());
+  EXPECT_EQ(smallestStep(values), 0);
+}
+
+TEST(Channels, noiseOfARecordingIsFoundAndSpeedIsNotUsed) {
+  const Mechanism arm = twoJointArm();
+  Trial trial = recorded(nominalPlant(arm), armTrial(arm, 6), 1e-3, 7);
+  Signal speed = trial.signals[0];
+  speed.name = "vel.shoulder";
+  speed.kind = SignalKind::velocity;
+  trial.signals.push_back(speed);
+  const auto uses = channelUses({trial});
+  EXPECT_TRUE(uses[0][0].used);
+  // Its own, and what a reading that comes a little late makes of the motion.
+  EXPECT_GE(uses[0][0].noise, 0.9e-3);
+  EXPECT_LE(uses[0][0].noise, 2e-3);
+  EXPECT_FALSE(uses[0][2].used);
+  EXPECT_EQ(uses[0][2].why, "it is the derivative of the position, which is used");
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,63 @@
+#include "gap/inference/Likelihood.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "math/Random.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+std::vector<double> gaussians(std::size_t n, double sigma) {
+  Random random(5);
+  std::vector<double> values;
+  for (std::size_t k = 0; k < n; ++k) values.push_back(sigma * random.gaussian());
+  return values;
+}
+
+}  // namespace
+
+TEST(Likelihood, densityOfOneResidualIsStudents) {
+  // t with four degrees of freedom at 0: 3/8; at scale s: 3/(8 s).
+  EXPECT_NEAR(logDensity({0.0}, 2), std::log(3.0 / 16), 1e-12);
+  // At x = 2: 3/8 * (1 + 1)^(-5/2).
+  EXPECT_NEAR(logDensity({2.0}, 1), std::log(3.0 / 8) - 2.5 * std::log(2.0), 1e-12);
+}
+
+TEST(Likelihood, weightIsTheSlopeOfTheDensity) {
+  constexpr double r = 0.7, s = 0.3, h = 1e-6;
+  const double slope = (logDensity({r + h}, s) - logDensity({r - h}, s)) / (2 * h);
+  EXPECT_NEAR(-slope, weightOf(r, s) * r, 1e-6);
+}
+
+TEST(Likelihood, scaleIsTheLikeliestOne) {
+  const std::vector<double> values = gaussians(2000, 3);
+  const double scale = likeliestScale(values, 1e-9);
+  EXPECT_GT(logDensity(values, scale), logDensity(values, 1.02 * scale));
+  EXPECT_GT(logDensity(values, scale), logDensity(values, scale / 1.02));
+}
+
+TEST(Likelihood, scaleStaysAtTheNoiseWhereNothingElseIsLeft) {
+  EXPECT_EQ(likeliestScale(gaussians(500, 0.5), 1), 1);
+}
+
+TEST(Likelihood, outliersHardlyMoveTheScale) {
+  std::vector<double> values = gaussians(500, 1);
+  const double clean = likeliestScale(values, 0);
+  for (std::size_t k = 0; k < 10; ++k) values[50 * k] = 100;
+  EXPECT_LT(likeliestScale(values, 0), 1.3 * clean);
+}
+
+TEST(Likelihood, independentResidualsCountOneByOne) { EXPECT_LT(correlationTime(gaussians(4000, 1)), 1.3); }
+
+TEST(Likelihood, correlationTimeOfAnAutoregressiveSeriesIsItsFormula) {
+  constexpr double a = 0.8;  // (1 + a) / (1 - a) = 9
+  std::vector<double> values = gaussians(40000, 1);
+  for (std::size_t k = 1; k < values.size(); ++k) values[k] += a * values[k - 1];
+  EXPECT_NEAR(correlationTime(values), 9, 1.5);
+}
+
+}  // namespace plumbline::gap

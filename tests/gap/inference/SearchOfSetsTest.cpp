@@ -1,0 +1,170 @@
+// What the method finds in recordings of the two-joint arm whose truth is known.
+#include <gtest/gtest.h>
+
+#include "../TwoJointArm.h"
+#include "gap/inference/Beam.h"
+#include "gap/inference/Inference.h"
+#include "gap/inference/Posterior.h"
+#include "gap/inference/Strengths.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double noise = 5e-4;
+
+/// Three recordings of different motions with the causes in.
+std::vector<Trial> recordings(const Explanation& causes, double seconds = 4) {
+  const Mechanism arm = twoJointArm();
+  std::vector<Trial> trials;
+  for (const double size : {0.5, 0.35, 0.2}) {
+    Trial trial = armTrial(arm, seconds, size);
+    trial.recording = trial.name = "run" + std::to_string(trials.size());
+    trials.push_back(recorded(plantOf(arm, causes), trial, noise, 3 + trials.size()));
+  }
+  return trials;
+}
+
+}  // namespace
+
+TEST(Groups, recordingsAreLeftOutOneByOneAndRepeatsTogether) {
+  std::vector<Trial> trials = recordings({});
+  trials.push_back(trials[1]);
+  trials.back().recording = "again";
+  const Groups groups(trials);
+  EXPECT_EQ(groups.count(), 3);
+  EXPECT_FALSE(groups.stretchesOfOne());
+  EXPECT_TRUE(groups.holds(1, 1));
+  EXPECT_TRUE(groups.holds(1, 3));
+  EXPECT_FALSE(groups.holds(1, 2));
+}
+
+TEST(Groups, oneRecordingIsCutIntoStretches) {
+  const Groups groups({recordings({}).front()});
+  EXPECT_EQ(groups.count(), 4);
+  EXPECT_TRUE(groups.stretchesOfOne());
+  EXPECT_EQ(groups.groupOf(0, 0), 0);
+  EXPECT_EQ(groups.groupOf(0, 399), 3);
+}
+
+TEST(Replayer, sameHypothesisSameResidualsWhateverCameBetween) {
+  const Mechanism arm = twoJointArm();
+  const Groups groups(recordings({}));
+  const Explanation one{causeOfArm("coulomb_friction", "elbow", 0.1)},
+      other{causeOfArm("servo_gain", "shoulder", 0.7)};
+  const Replayer replayer(arm, groups, 1), fresh(arm, groups, 2);
+  const Residuals first = replayer.residuals(one);
+  const std::size_t replays = replayer.numReplays();
+  replayer.residuals(other);
+  const Residuals again = replayer.residuals(one), anew = fresh.residuals(one);
+  EXPECT_EQ(replayer.numReplays(), 2 * replays);
+  for (std::size_t t = 0; t < first.size(); ++t)
+    for (std::size_t s = 0; s < first[t].size(); ++s) {
+      EXPECT_EQ(first[t][s], again[t][s]);
+      EXPECT_EQ(*first[t][s], *anew[t][s]);
+    }
+}
+
+TEST(CandidateScreening, aKnownCauseGainsMostAndItsStrengthIsForetold) {
+  const Mechanism arm = twoJointArm();
+  const Groups groups(recordings({causeOfArm("viscous_friction", "shoulder", 0.15)}));
+  const Replayer replayer(arm, groups, 1);
+  const Shares shares = sharesOf(groups, replayer.residuals({}));
+  const CandidateScreening screening(replayer, shares);
+  const std::vector<Proposal> proposals = screening.propose({}, shares, 3);
+  ASSERT_FALSE(proposals.empty());
+  const Cause& first = proposals.front().cause;
+  EXPECT_TRUE(first.effect->id == "viscous_friction" || first.effect->id == "servo_damping")
+      << describe(first);
+  EXPECT_EQ(first.place.at, "shoulder");
+  EXPECT_GT(proposals.front().gain, 10);
+}
+
+TEST(Fit, findsBothValues) {
+  const Mechanism arm = twoJointArm();
+  const Groups groups(
+      recordings({causeOfArm("coulomb_friction", "shoulder", 0.12), causeOfArm("servo_gain", "elbow", 0.7)}));
+  const Replayer replayer(arm, groups, 1);
+  const Shares shares = sharesOf(groups, replayer.residuals({}));
+  const Fitted fitted =
+      fit(replayer, shares,
+          {causeOfArm("coulomb_friction", "shoulder", 0.05), causeOfArm("servo_gain", "elbow", 0.9)}, 12);
+  EXPECT_NEAR(fitted.causes[0].value, 0.12, 0.004);
+  EXPECT_NEAR(fitted.causes[1].value, 0.7, 0.01);
+}
+
+TEST(Score, aGroupLeftOutIsNotFitted) {
+  // The third recording has another friction; what is fitted without it is that of the others.
+  const Mechanism arm = twoJointArm();
+  std::vector<Trial> trials = recordings({causeOfArm("coulomb_friction", "shoulder", 0.1)});
+  trials[2] = recordings({causeOfArm("coulomb_friction", "shoulder", 0.2)})[2];
+  const Groups groups(trials);
+  const Replayer replayer(arm, groups, 1);
+  const Shares shares = sharesOf(groups, replayer.residuals({}));
+  const Scored scored =
+      score(replayer, shares, {causeOfArm("coulomb_friction", "shoulder", 0.12)}, 50, 12, LeaveOut::refit);
+  EXPECT_NEAR(scored.without[2][0].value, 0.1, 0.005);
+  EXPECT_GT(scored.without[0][0].value, 0.1);
+}
+
+TEST(Score, aCauseThatIsNotThereCostsItsPrice) {
+  EXPECT_NEAR(priceOf(2, 100), 2 * std::log(100.0), 1e-12);
+  const Mechanism arm = twoJointArm();
+  const Groups groups(recordings({}));
+  const Replayer replayer(arm, groups, 1);
+  const Shares shares = sharesOf(groups, replayer.residuals({}));
+  const Scored none = score(replayer, shares, {}, 50, 6),
+               one = score(replayer, shares, {causeOfArm("coulomb_friction", "shoulder", 0.02)}, 50, 6);
+  EXPECT_GT(none.score(), one.score());
+}
+
+TEST(Posterior, equalScoresShareAndGroupsThatDisagreeLeaveDoubt) {
+  Scored a, b;
+  a.density = b.density = {-10, -10, -10};
+  EXPECT_NEAR(posterior({a, b})[0], 0.5, 1e-9);
+  b.density = {-30, 8, -8};  // -30 in all, as a; which of them wins depends on how groups count
+  const double p = posterior({a, b})[0];
+  EXPECT_GT(p, 0.2);
+  EXPECT_LT(p, 0.8);
+  b.density = {-20, -20, -20};
+  EXPECT_GT(posterior({a, b})[0], 0.99);
+}
+
+TEST(Inference, findsTheCauseAndClaimsWhatItCloses) {
+  const Mechanism arm = twoJointArm();
+  const Inference found = infer(arm, recordings({causeOfArm("coulomb_friction", "elbow", 0.15)}), {});
+  ASSERT_EQ(found.diagnosis.findings.size(), 1);
+  const Finding& finding = found.diagnosis.findings.front();
+  EXPECT_EQ(finding.cause.effect->id, "coulomb_friction");
+  EXPECT_EQ(finding.cause.place.at, "elbow");
+  EXPECT_LE(finding.lower, 0.15);
+  EXPECT_GE(finding.upper, 0.15);
+  EXPECT_GT(finding.probability, 0.5);
+  EXPECT_EQ(found.diagnosis.verdict, Verdict::effect);
+  ASSERT_EQ(found.leftOut.size(), 3);
+  const double measured =
+      meanClosed({leftIn(recordings({causeOfArm("coulomb_friction", "elbow", 0.15)}, 5)[1],
+                         {{0, found.diagnosis.explanation()}})});
+  EXPECT_NEAR(found.closed(), measured, 0.1);
+}
+
+TEST(Inference, nothingIsFoundWhereNothingIs) {
+  const Inference found = infer(twoJointArm(), recordings({}), {});
+  EXPECT_EQ(found.diagnosis.verdict, Verdict::none);
+  EXPECT_TRUE(found.diagnosis.findings.empty());
+}
+
+TEST(Inference, sameAnswerWithAnyNumberOfThreads) {
+  const Mechanism arm = twoJointArm();
+  const std::vector<Trial> trials = recordings({causeOfArm("backlash", "shoulder", 0.03)}, 3);
+  InferenceOptions one, three;
+  three.jobs = 3;
+  const Inference a = infer(arm, trials, one), b = infer(arm, trials, three);
+  EXPECT_EQ(a.diagnosis.explanation(), b.diagnosis.explanation());
+  EXPECT_EQ(a.closed(), b.closed());
+  ASSERT_EQ(a.diagnosis.findings.size(), b.diagnosis.findings.size());
+  for (std::size_t i = 0; i < a.diagnosis.findings.size(); ++i)
+    EXPECT_EQ(a.diagnosis.findings[i].probability, b.diagnosis.findings[i].probability);
+}
+
+}  // namespace plumbline::gap

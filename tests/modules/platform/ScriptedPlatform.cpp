@@ -1,0 +1,27 @@
+#include "ScriptedPlatform.h"
+
+#include <CLI/CLI.hpp>
+
+namespace plumbline::test {
+
+MAKE_PLATFORM("scripted", ScriptedPlatform)
+
+void ScriptedPlatform::declareOptions(CLI::App& app) {
+  app.add_option("--walk-after", options->walkAfter, "seconds that the robot stands before it walks");
+}
+
+std::vector<std::string> ScriptedPlatform::configFolders(const std::string& config) const {
+  return {config + "/robots/type0"};
+}
+
+void ScriptedPlatform::addObjects(ModuleObjects& objects, std::function<void(const std::string&)>) const {
+  objects.set(options);
+  objects.set(std::make_shared<ScriptedWorld>());
+  objects.set(std::make_shared<RobotModel>(simsparkRobot(0)));
+}
+
+std::vector<NeededModule> ScriptedPlatform::neededModules() const {
+  return {{"ScriptedSensors", "feels nothing"}, {"ScriptedMotors", "moves nothing"}};
+}
+
+}  // namespace plumbline::test
