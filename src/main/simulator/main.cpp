@@ -13,10 +13,7 @@
 
 #include "Options.h"
 #include "framework/CommandLine.h"
-#include "simspark/LeagueRecording.h"
-#include "simspark/LeagueRobots.h"
-#include "simulation/replay/Fidelity.h"
-#include "simulation/replay/Replay.h"
+#include "simulation/replay/ReplayReport.h"
 #include "simulation/server/Reports.h"
 #include "simulation/server/Server.h"
 #include "web/WebMonitor.h"
@@ -37,26 +34,6 @@ void handleSignals() {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   signal(SIGPIPE, SIG_IGN);
-}
-
-void replayRecording(const Options& options) {
-  const auto traces = simspark::readLeagueRecording(options.replayFile);
-  if (options.replayType && traces.size() > 1)
-    throw std::runtime_error(options.replayFile + ": is of " + std::to_string(traces.size()) +
-                             " robots, whose names say their types; leave --type out");
-  std::vector<int> types;
-  std::vector<RobotModel> models;
-  for (const simspark::LeagueTrace& trace : traces) {
-    const auto type = options.replayType ? options.replayType : trace.robotType;
-    if (!type)
-      throw std::runtime_error(options.replayFile +
-                               ": its name does not end with a robot type (_t0, _t1, ...): give --type");
-    types.push_back(*type);
-    models.push_back(simsparkRobot(*type));
-  }
-  const auto ours = replay(traces, models, options.server.simulation.world);
-  for (std::size_t i = 0; i < traces.size(); ++i)
-    std::printf("%s%s", i > 0 ? "\n" : "", fidelityReport(traces[i], ours[i], types[i]).c_str());
 }
 
 /// The page is one more monitor of this simulator, in threads of its own.
@@ -117,7 +94,7 @@ int runProgram(int argc, char** argv) {
     if (options.replayFile.empty())
       serve(options);
     else
-      replayRecording(options);
+      std::fputs(replayReport(options.replayFile, options.replayType, options.server.simulation.world).c_str(), stdout);
     return recordingLost ? badInput : 0;
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "simulator: %s\n", problem.what());

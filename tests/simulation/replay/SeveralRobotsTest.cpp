@@ -2,10 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <memory>
 #include <utility>
 
 #include "math/Angle.h"
@@ -15,6 +12,7 @@
 #include "simulation/replay/Fidelity.h"
 #include "simulation/replay/Placement.h"
 #include "simulation/replay/Replay.h"
+#include "simulation/replay/ReplayReport.h"
 #include "simulation/replay/TraceRowOf.h"
 #include "support/TraceWriter.h"
 
@@ -153,16 +151,8 @@ TEST(Placement, isSeenNowhereInTheLeaguesRecordings) {
   }
 }
 
-/// What the robots did is what the program says of them.
 TEST(SeveralRobots, haveAReportEach) {
-  const auto folder = twoRobots("report", true);
-  const char* bin = std::getenv("PLUMBLINE_BIN");
-  const std::string program = (bin ? std::string(bin) : "bin") + "/simulator";
-  const std::string command = program + " --replay " + (folder / "report_r1t0.csv").string() + " 2>&1";
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  ASSERT_TRUE(pipe);
-  std::string text;
-  for (int c = 0; (c = std::fgetc(pipe.get())) != EOF;) text += static_cast<char>(c);
+  const std::string text = replayReport(twoRobots("report", true) / "report_r1t0.csv", {});
   EXPECT_NE(text.find("report_r1t0, robot type 0, 250 rows\n"), std::string::npos) << text;
   EXPECT_NE(text.find("report_r2t0, robot type 0, 250 rows\n"), std::string::npos) << text;
   EXPECT_EQ(text.find("by 1 cm from row 1"), std::string::npos) << text;
