@@ -8,6 +8,7 @@
 
 #include "framework/ConfigurationError.h"
 #include "framework/NearestName.h"
+#include "framework/Version.h"
 
 namespace plumbline {
 namespace {
@@ -87,7 +88,7 @@ std::string singleLine(std::string text) {
 
 }  // namespace
 
-std::string versionText() { return "Plumbline 0.1"; }
+std::string versionText() { return "Plumbline " PLUMBLINE_VERSION; }
 
 std::string commandLineError(const CLI::App& app, const std::string& what) {
   const std::string program = app.get_name();

@@ -6,6 +6,7 @@
 namespace plumbline {
 
 const ConfigSection& Config::file(const std::string& name) const { return store_.file(name).root(); }
+
 void Config::refuse(const std::string& key, const std::string& message) const {
   if (exists(name_) && file(name_).has(key)) file(name_).fail(key, message);
   throw ConfigurationError(name_ + "." + key + " " + message);

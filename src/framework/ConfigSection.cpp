@@ -21,11 +21,6 @@ void use(const ConfigNode& node) {
   if (!node.used) node.used = true;
 }
 
-std::string numberText(double value) {
-  char buffer[32];
-  return std::string(buffer, std::to_chars(buffer, buffer + sizeof(buffer), value).ptr);
-}
-
 template <typename T>
 T parseNumber(const ConfigNode& node, const Range& range, const char* expected) {
   use(node);
@@ -39,13 +34,7 @@ T parseNumber(const ConfigNode& node, const Range& range, const char* expected) 
     failAt(node, "must be " + std::string(expected) + ", not " + node.describe());
   }
   const auto number = static_cast<double>(value);
-  if (number < range.min || number > range.max) {
-    const std::string bounds = std::isinf(range.max) ? "at least " + numberText(range.min)
-                               : std::isinf(range.min)
-                                   ? "at most " + numberText(range.max)
-                                   : "within [" + numberText(range.min) + ", " + numberText(range.max) + "]";
-    failAt(node, "must be " + bounds + ", not " + node.text);
-  }
+  if (!range.contains(number)) failAt(node, "must be " + boundsText(range) + ", not " + node.text);
   return value;
 }
 

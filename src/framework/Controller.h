@@ -65,8 +65,7 @@ public:
   /// The stopwatches of a thread (the first if none is named); null before init() or if there is no such
   /// thread.
   const TimingPlugin* timing(const std::string& thread = "") const;
-  /// A table of all stopwatches.
-  /// Not while threads run.
+  /// A table of all stopwatches; not while threads run.
   std::string timingReport() const;
   /// What can be looked at from outside, at any time.
   AgentDebug& debug() { return *debug_; }

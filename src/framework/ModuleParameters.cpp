@@ -1,5 +1,6 @@
 #include "framework/ModuleParameters.h"
 
+#include <optional>
 #include <stdexcept>
 
 #include "framework/ConfigFile.h"
@@ -23,18 +24,18 @@ struct Found {
 };
 
 Found find(const Module& module, const ModuleDescription& description, const std::string& path) {
-  std::vector<Found> found;
+  std::optional<Found> found;
   // The list hands out pointers to change a value; the callers that only read take none.
   description.parameters.visit(
       const_cast<Module*>(&module),
       [&](const std::string& name, const Parameter& parameter, const ParameterPointer& pointer) {
-        if (name == path) found.push_back({parameter, pointer});
+        if (name == path) found = {parameter, pointer};
       });
-  if (found.empty()) {
+  if (!found) {
     throw ConfigurationError("module " + description.name + " has no parameter " + path +
                              suggestion(path, description.parameters.paths()));
   }
-  return found.front();
+  return *found;
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include "framework/ParameterPage.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -11,10 +9,9 @@
 namespace plumbline {
 namespace {
 
-std::string numberText(double value) {
+std::string boundText(double value) {
   if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
-  std::array<char, 40> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+  return shortestText(value);
 }
 
 std::string allowed(const Parameter& parameter) {
@@ -23,7 +20,7 @@ std::string allowed(const Parameter& parameter) {
   if (!text.empty()) return text;
   const Range& range = parameter.range;
   if (std::isinf(range.min) && std::isinf(range.max)) return "";
-  return numberText(range.min) + " … " + numberText(range.max);
+  return boundText(range.min) + " … " + boundText(range.max);
 }
 
 /// A bar would end the cell of a table.

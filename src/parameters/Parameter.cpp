@@ -1,8 +1,6 @@
 #include "parameters/Parameter.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <type_traits>
 
@@ -11,11 +9,6 @@ namespace {
 
 template <typename T>
 constexpr bool isText = std::is_same_v<T, std::string>;
-
-std::string numberText(double value) {
-  std::array<char, 40> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
-}
 
 std::string quoted(const std::string& text) {
   std::string result = "\"";
@@ -34,7 +27,7 @@ std::string listText(const Values& values) {
     if constexpr (isText<std::decay_t<decltype(value)>>) {
       result += quoted(value);
     } else {
-      result += numberText(value);
+      result += shortestText(value);
     }
   }
   return result + "]";
@@ -48,12 +41,6 @@ void visitNumbers(const T& value, Visitor&& visitor) {
   } else if constexpr (std::is_same_v<T, std::vector<double>>) {
     for (const double number : value) visitor(number);
   }
-}
-
-std::string bounds(const Range& range) {
-  if (std::isinf(range.max)) return "at least " + numberText(range.min);
-  if (std::isinf(range.min)) return "at most " + numberText(range.max);
-  return "within [" + numberText(range.min) + ", " + numberText(range.max) + "]";
 }
 
 }  // namespace
@@ -100,11 +87,8 @@ std::string parameterText(const ParameterPointer& value) {
           return *pointer;
         } else if constexpr (std::is_integral_v<T>) {
           return std::to_string(*pointer);
-        } else if constexpr (std::is_same_v<T, float>) {
-          std::array<char, 40> buffer{};
-          return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), *pointer).ptr};
         } else if constexpr (std::is_floating_point_v<T>) {
-          return numberText(*pointer);
+          return shortestText(*pointer);
         } else {
           return listText(*pointer);
         }
@@ -144,7 +128,7 @@ std::string parameterFault(const Parameter& parameter, const ParameterPointer& v
           if (!std::isfinite(number)) {
             fault = "must be a finite number";
           } else if (!parameter.range.contains(number)) {
-            fault = "must be " + bounds(parameter.range) + ", not " + numberText(number);
+            fault = "must be " + boundsText(parameter.range) + ", not " + shortestText(number);
           }
         });
       },

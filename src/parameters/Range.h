@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <string>
 
 namespace plumbline {
 
@@ -18,5 +19,12 @@ struct Range {
   /// False for NaN.
   constexpr bool contains(double value) const { return value >= min && value <= max; }
 };
+
+/// The shortest text that reads back as the same number.
+std::string shortestText(double value);
+std::string shortestText(float value);
+
+/// "at least 0", "at most 1" or "within [0, 1]".
+std::string boundsText(const Range& range);
 
 }  // namespace plumbline

@@ -1,0 +1,35 @@
+#pragma once
+#include <cstdint>
+#include <fastdds/dds/topic/TopicDataType.hpp>
+#include <string>
+
+namespace plumbline::dds {
+
+/// What one sample carries: the number of the sender's cycle and the bytes of a message.
+struct Sample {
+  std::uint64_t cycle = 0;
+  std::string bytes;
+};
+
+/// A sample on the wire, in CDR: `struct Sample { unsigned long long cycle; sequence<octet> bytes; }`, or the
+/// message's own CDR alone (`bare`: messages of ROS 2). What is longer than `maxBytes`, or shorter than it
+/// says, is no sample.
+class BytesType final : public eprosima::fastdds::dds::TopicDataType {
+public:
+  static constexpr std::size_t maxBytes = 32u << 20;
+
+  /// `name` is the type's on the wire: only readers and writers of one name meet.
+  BytesType(const std::string& name, bool bare);
+
+  bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override;
+  bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) override;
+  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override;
+  void* createData() override { return new Sample; }
+  void deleteData(void* data) override { delete static_cast<Sample*>(data); }
+  bool getKey(void*, eprosima::fastrtps::rtps::InstanceHandle_t*, bool) override { return false; }
+
+private:
+  bool bare_;
+};
+
+}  // namespace plumbline::dds

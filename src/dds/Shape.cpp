@@ -1,0 +1,46 @@
+#include "dds/Shape.h"
+
+#include <string_view>
+
+namespace plumbline::dds {
+namespace {
+
+/// Hashes what is told of each value but the value itself (FNV-1a).
+class ShapeStream final : public OutStream {
+public:
+  void writeSigned(std::int64_t, unsigned bytes) override { add('i', bytes); }
+  void writeUnsigned(std::uint64_t, unsigned bytes) override { add('u', bytes); }
+  void writeBool(bool) override { add('b', 1); }
+  void writeChar(char) override { add('c', 1); }
+  void writeFloat(float) override { add('f', 4); }
+  void writeDouble(double) override { add('d', 8); }
+  void writeString(std::string_view) override { add('s', 0); }
+  void writeRaw(const void*, std::size_t size) override { add('r', size); }
+  void beginObject() override { add('{', 0); }
+  void endObject() override { add('}', 0); }
+  void label(std::string_view name) override {
+    for (const char c : name) mix(static_cast<unsigned char>(c));
+  }
+  // A list that may be of any length tells nothing of its own, nor of its elements where it is empty.
+  void beginList(std::size_t size, bool sized) override { add('[', sized ? 0 : size); }
+  void endList() override { add(']', 0); }
+
+  std::uint64_t hash = 14695981039346656037ull;
+
+private:
+  void add(char kind, std::size_t size) {
+    mix(static_cast<unsigned char>(kind));
+    for (; size > 0; size >>= 8) mix(static_cast<unsigned char>(size & 255));
+  }
+  void mix(unsigned char byte) { hash = (hash ^ byte) * 1099511628211ull; }
+};
+
+}  // namespace
+
+std::uint64_t shapeOf(Representation& value) {
+  ShapeStream out;
+  value.stream(nullptr, &out);
+  return out.hash;
+}
+
+}  // namespace plumbline::dds
