@@ -32,9 +32,9 @@ fast::Topic& topicOf(fast::DomainParticipant& participant, const TopicName& name
 }
 
 template <typename Qos>
-void keepNewest(Qos& qos) {
-  qos.reliability().kind = fast::BEST_EFFORT_RELIABILITY_QOS;
-  qos.durability().kind = fast::VOLATILE_DURABILITY_QOS;
+void keepNewest(Qos& qos, const TopicName& name) {
+  qos.reliability().kind = name.reliable ? fast::RELIABLE_RELIABILITY_QOS : fast::BEST_EFFORT_RELIABILITY_QOS;
+  qos.durability().kind = name.lasting ? fast::TRANSIENT_LOCAL_DURABILITY_QOS : fast::VOLATILE_DURABILITY_QOS;
   qos.history().kind = fast::KEEP_LAST_HISTORY_QOS;
   qos.history().depth = 1;
   qos.endpoint().history_memory_policy = eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
@@ -57,7 +57,7 @@ ByteWriter::ByteWriter(Participant& participant, const TopicName& name) : parts_
   fast::Topic& topic = topicOf(participant.get(), name);
   fast::DataWriterQos qos;
   participant.publisher().get_default_datawriter_qos(qos);
-  keepNewest(qos);
+  keepNewest(qos, name);
   // Sent by a thread of Fast DDS where a sample is cut into pieces, which it does not do otherwise.
   qos.publish_mode().kind = fast::SYNCHRONOUS_PUBLISH_MODE;
   parts_->publisher = &participant.publisher();
@@ -103,7 +103,7 @@ ByteReader::ByteReader(Participant& participant, const TopicName& name) : parts_
   fast::Topic& topic = topicOf(participant.get(), name);
   fast::DataReaderQos qos;
   participant.subscriber().get_default_datareader_qos(qos);
-  keepNewest(qos);
+  keepNewest(qos, name);
   parts_->subscriber = &participant.subscriber();
   parts_->reader = participant.subscriber().create_datareader(&topic, qos, parts_.get());
   if (!parts_->reader) throw std::runtime_error("DDS gives no reader of topic " + name.topic);

@@ -11,10 +11,12 @@ namespace plumbline::dds {
 struct TopicName {
   std::string topic;
   std::string type;
-  bool bare = false;  ///< see BytesType
+  bool bare = false;      ///< see BytesType
+  bool reliable = false;  ///< lost samples are sent again, to readers that ask for it
+  bool lasting = false;   ///< a reader who comes later gets the last sample
 };
 
-/// Writes samples of one topic: best effort, only the newest is kept, nobody waits for a slow reader.
+/// Writes samples of one topic; only the newest is kept, nobody waits for a slow reader.
 class ByteWriter {
 public:
   /// Throws std::runtime_error that names the topic.

@@ -8,15 +8,12 @@
 #include "framework/ConfigurationError.h"
 #include "framework/ModuleObjects.h"
 #include "framework/OutputGuard.h"
-#include "framework/ThreadPriority.h"
 
 namespace plumbline::dds {
 
 MAKE_MODULE_OBJECT(NetworkHub, NetworkHub)
 
 namespace {
-
-constexpr int stepsOfNice = 14;
 
 TopicName topicName(const std::string& agent, const RepresentationLoader& loader) {
   return {"plumbline/" + agent + "/" + loader.name(), "plumbline::" + loader.name(), false};
@@ -97,27 +94,8 @@ std::unique_ptr<ReceivedRepresentation> NetworkHub::receive(const Representation
   return std::make_unique<ReceivedRepresentation>(*participant_, options_, loader, target);
 }
 
-void NetworkHub::wake() {
-  std::call_once(started_, [this] { thread_ = std::thread([this] { send(); }); });
-  published_.fetch_add(1, std::memory_order_release);
-  published_.notify_one();
-}
-
 void NetworkHub::send() {
-  applyThreadPriority(0, stepsOfNice);
-  for (unsigned seen = 0; !ends_;) {
-    published_.wait(seen, std::memory_order_acquire);
-    seen = published_.load(std::memory_order_acquire);
-    for (const auto& [name, representation] : sent_) representation->send();
-  }
-}
-
-NetworkHub::~NetworkHub() {
-  ends_ = true;
-  if (thread_.joinable()) {
-    wake();
-    thread_.join();
-  }
+  for (const auto& [name, representation] : sent_) representation->send();
 }
 
 }  // namespace plumbline::dds

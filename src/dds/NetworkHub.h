@@ -1,14 +1,12 @@
 #pragma once
-#include <atomic>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "dds/ByteTopic.h"
 #include "dds/NetworkOptions.h"
+#include "dds/SendingThread.h"
 #include "framework/Log.h"
 #include "framework/RepresentationLoader.h"
 #include "framework/ThreadCopy.h"
@@ -63,7 +61,6 @@ private:
 /// `network` in modules.cfg.
 class NetworkHub {
 public:
-  ~NetworkHub();
   /// By the first thread; later calls do nothing. Throws ConfigurationError.
   void open(ConfigStore& config);
 
@@ -71,8 +68,8 @@ public:
   /// the first of them: the others get null.
   SentRepresentation* show(const RepresentationLoader& loader, const Representation& source);
   std::unique_ptr<ReceivedRepresentation> receive(const RepresentationLoader& loader, Representation& target);
-  /// Something was published: the thread that sends runs from the first call on.
-  void wake();
+  /// Something was published.
+  void wake() { thread_.wake(); }
 
 private:
   void send();
@@ -80,10 +77,7 @@ private:
   NetworkOptions options_;
   std::unique_ptr<Participant> participant_;
   std::map<std::string, std::unique_ptr<SentRepresentation>> sent_;
-  std::once_flag started_;
-  std::atomic<unsigned> published_{0};
-  std::atomic<bool> ends_{false};
-  std::thread thread_;
+  SendingThread thread_{[this] { send(); }};  ///< ends before what it sends
 };
 
 }  // namespace plumbline::dds

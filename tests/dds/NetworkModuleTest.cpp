@@ -48,7 +48,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-unsigned testDomain() { return 100 + static_cast<unsigned>(getpid()) % 100; }
+unsigned networkDomain() { return 100 + static_cast<unsigned>(getpid()) % 100; }
 
 /// An agent whose config folder holds a NetworkModule.yaml of this text, domain added.
 class Agent {
@@ -56,7 +56,7 @@ public:
   Agent(const std::string& name, const std::string& modules, const std::string& config)
       : folder(std::filesystem::path(testing::TempDir()) / ("network-" + name + std::to_string(getpid()))) {
     std::filesystem::create_directories(folder);
-    std::ofstream(folder / "NetworkModule.yaml") << config << "domain: " << testDomain() << '\n';
+    std::ofstream(folder / "NetworkModule.yaml") << config << "domain: " << networkDomain() << '\n';
     controller = std::make_unique<Controller>(ControllerOptions{"modules.cfg", {folder.string()}}, modules);
     controller->init();
   }
@@ -119,7 +119,7 @@ TEST(NetworkModule, takesNothingThatItCannotRead) {
   ASSERT_TRUE(arrives(red, blue));
   // The bytes of a good sample, of which the first eight are the shape.
   dds::ParticipantOptions options;
-  options.domain = testDomain();
+  options.domain = networkDomain();
   dds::Participant participant(options);
   const dds::TopicName topic{"plumbline/red/ShownBall", "plumbline::ShownBall"};
   dds::ByteReader tap(participant, topic);
