@@ -1,12 +1,14 @@
 #include "dds/NetworkModule.h"
 
+#include "framework/ModuleGraph.h"
 #include "framework/ModuleObjects.h"
 
 namespace plumbline::dds {
 
 MAKE_SPECIAL_MODULE(network, NetworkModule)
 
-void NetworkModule::configure(ConfigStore& config, ModuleObjects& objects) {
+void NetworkModule::configure(const SpecialPlan& plan, ConfigStore& config, ModuleObjects& objects) {
+  shows_ = plan.alone;
   hub_ = objects.find<NetworkHub>();
   hub_->open(config);
 }
@@ -16,6 +18,7 @@ void NetworkModule::provide(const RepresentationLoader& loader, Representation& 
 }
 
 void NetworkModule::offer(const RepresentationLoader& loader, const Representation& source) {
+  if (!shows_) return;
   if (SentRepresentation* shown = hub_->show(loader, source)) shown_.push_back(shown);
 }
 

@@ -15,7 +15,7 @@ class NetworkModule final : public SpecialModule {
 public:
   explicit NetworkModule(const std::string& thread) : log_("network"), thread_(thread) {}
 
-  void configure(ConfigStore& config, ModuleObjects& objects) override;
+  void configure(const SpecialPlan& plan, ConfigStore& config, ModuleObjects& objects) override;
   void provide(const RepresentationLoader& loader, Representation& target) override;
   void offer(const RepresentationLoader& loader, const Representation& source) override;
   void beginCycle() override;
@@ -25,6 +25,7 @@ private:
   Log log_;
   std::string thread_;
   NetworkHub* hub_ = nullptr;
+  bool shows_ = false;
   std::vector<SentRepresentation*> shown_;
   std::vector<std::unique_ptr<ReceivedRepresentation>> received_;
 };

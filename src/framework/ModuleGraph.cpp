@@ -129,7 +129,10 @@ private:
     auto self = std::find_if(specials.begin(), specials.end(),
                              [&](const SpecialPlan& plan) { return plan.name == line.provider; });
     if (self == specials.end()) self = specials.insert(self, {line.provider, {}});
-    if (line.representation.empty()) return;
+    if (line.representation.empty()) {
+      self->alone = true;
+      return;
+    }
     const RepresentationLoader& loader = representation(line);
     provide(line);
     self->representations.push_back(&loader);

@@ -29,6 +29,7 @@ struct CopyPlan {
 struct SpecialPlan {
   std::string name;
   std::vector<const RepresentationLoader*> representations;
+  bool alone = false;  ///< a line of its own, without a representation, stands there
 };
 
 /// What one thread does in a cycle.

@@ -38,7 +38,7 @@ Process::Process(const ThreadPlan& plan, ConfigStore& config, ModuleObjects& obj
   }
   for (const SpecialPlan& special : plan.specials) {
     specials_.push_back(SpecialModules::makers().at(special.name)(plan.name));
-    specials_.back()->configure(config_, objects_);
+    specials_.back()->configure(special, config_, objects_);
     for (const auto* loader : special.representations) {
       auto& holder = representations_[loader->name()] = loader->create();
       specials_.back()->provide(*loader, holder->get());

@@ -9,6 +9,7 @@ namespace plumbline {
 
 class ConfigStore;
 class ModuleObjects;
+struct SpecialPlan;
 
 /// A module outside the module graph that can provide any representation, in several threads: one that copies
 /// from elsewhere (another thread, a network, a log file). It works before the first and after the last
@@ -16,8 +17,8 @@ class ModuleObjects;
 class SpecialModule {
 public:
   virtual ~SpecialModule() = default;
-  /// First of all. Reads its configuration; throws ConfigurationError.
-  virtual void configure(ConfigStore&, ModuleObjects&) {}
+  /// First of all: what modules.cfg says of it. Reads its configuration; throws ConfigurationError.
+  virtual void configure(const SpecialPlan&, ConfigStore&, ModuleObjects&) {}
   /// For each line `name Representation`: this object fills `target` from now on. Before the first cycle.
   virtual void provide(const RepresentationLoader& loader, Representation& target) = 0;
   /// Each representation of the thread that somebody else provides, for reading. Before the first cycle.
