@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dds/NetworkHub.h"
@@ -13,19 +14,19 @@ namespace plumbline::dds {
 /// says which.
 class NetworkModule final : public SpecialModule {
 public:
-  explicit NetworkModule(const std::string& thread) : log_("network"), thread_(thread) {}
+  /// Throws ConfigurationError.
+  explicit NetworkModule(const std::string& thread);
 
-  void configure(const SpecialPlan& plan, ConfigStore& config, ModuleObjects& objects) override;
   void provide(const RepresentationLoader& loader, Representation& target) override;
   void offer(const RepresentationLoader& loader, const Representation& source) override;
+  void planned(const ThreadPlan& plan) override;
   void beginCycle() override;
   void endCycle() override;
 
 private:
-  Log log_;
-  std::string thread_;
-  NetworkHub* hub_ = nullptr;
-  bool shows_ = false;
+  Log log_{"network"};
+  NetworkHub& hub_;
+  std::vector<std::pair<const RepresentationLoader*, const Representation*>> offered_;
   std::vector<SentRepresentation*> shown_;
   std::vector<std::unique_ptr<ReceivedRepresentation>> received_;
 };

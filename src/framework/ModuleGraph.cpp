@@ -48,7 +48,13 @@ public:
         checkInputs(thread, module);
       }
     }
-    for (ThreadPlan& thread : plans_) sortModules(thread);
+    for (std::size_t i = 0; i < plans_.size(); i++) {
+      const std::vector<std::string>& order = config_.threads[i].order;
+      std::ranges::stable_sort(plans_[i].modules, {}, [&](const ModulePlan& module) {
+        return std::ranges::find(order, module.loader->description().name) - order.begin();
+      });
+      sortModules(plans_[i]);
+    }
     return std::move(plans_);
   }
 

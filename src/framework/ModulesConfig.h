@@ -23,6 +23,9 @@ struct ThreadConfig {
   double rate = 0;  ///< cycles that it shall have per second [1/s]; 0: not stated
   std::vector<ModulesConfigLine> lines;
   std::string path{};  ///< of the file that the section begins in
+  /// Among modules that could come next, one that stands earlier here does, before any other; empty: the
+  /// lines decide alone. A replay keeps the order of its recording by it.
+  std::vector<std::string> order{};
 };
 
 /// modules.cfg as it is written, with the files that it includes in their places; what the names mean is

@@ -36,18 +36,10 @@ Process::Process(const ThreadPlan& plan, ConfigStore& config, ModuleObjects& obj
   for (const CopyPlan& copy : plan.copies) {
     representations_[copy.representation->name()] = copy.representation->create();
   }
-  for (const SpecialPlan& special : plan.specials) {
-    specials_.push_back(SpecialModules::makers().at(special.name)(plan.name));
-    specials_.back()->configure(special, config_, objects_);
-    for (const auto* loader : special.representations) {
-      auto& holder = representations_[loader->name()] = loader->create();
-      specials_.back()->provide(*loader, holder->get());
-    }
-  }
+  makeSpecials();
   for (const ModulePlan& module : plan.modules) {
     const ModuleDescription& description = module.loader->description();
-    modules_.emplace_back();
-    makeModule(modules_.size() - 1);
+    modules_.push_back(makeModule(modules_.size()));
     const auto add = [&](const std::string& representation, const std::string& method, Representation* value,
                          void (*call)(Module&, Representation&)) {
       info_.steps.push_back({description.name, representation, description.name + ":" + method,
@@ -65,6 +57,20 @@ Process::Process(const ThreadPlan& plan, ConfigStore& config, ModuleObjects& obj
   offerToSpecials();
   timing_ = std::make_unique<TimingPlugin>(info_);
   debug_ = std::make_unique<ProcessDebug>(*agentDebug_, plan_, info_, modules_, *timing_);
+  for (const SpecialPlan& special : plan_.specials)
+    for (const auto* loader : special.representations) debug_->addValue(*loader, *find(loader->name()));
+}
+
+void Process::makeSpecials() {
+  for (const SpecialPlan& special : plan_.specials) {
+    ModuleContext context{special.name, info_.name, config_, objects_, stop_};
+    const ModuleContext::Scope scope(context);
+    specials_.push_back(SpecialModules::makers().at(special.name)(plan_.name));
+    for (const auto* loader : special.representations) {
+      auto& holder = representations_[loader->name()] = loader->create();
+      specials_.back()->provide(*loader, holder->get());
+    }
+  }
 }
 
 void Process::offerToSpecials() {
@@ -80,6 +86,7 @@ void Process::offerToSpecials() {
     for (const ModulePlan& module : plan_.modules) {
       for (const ModuleOutput* output : module.outputs) offer(*output->representation);
     }
+    specials_[i]->planned(plan_);
   }
 }
 
@@ -94,31 +101,52 @@ Representation* Process::find(const std::string& representation) const {
   return found == representations_.end() ? nullptr : &found->second->get();
 }
 
-void Process::makeModule(std::size_t index) {
+std::unique_ptr<Module> Process::makeModule(std::size_t index) {
   const ModuleLoader& loader = *plan_.modules[index].loader;
   const std::string& name = loader.description().name;
   ModuleContext context{name, info_.name, config_, objects_, stop_};
   ModuleContext::Scope scope(context);
   CrashPlace place(LogBuffer::instance().record(), info_.name);
   place.enter(name + ":create");
-  named("[" + info_.name + "] " + name + ":create", [&] { modules_[index] = loader.create(); });
-  configureModule(*modules_[index], loader.description(), config_);
+  std::unique_ptr<Module> module;
+  named("[" + info_.name + "] " + name + ":create", [&] { module = loader.create(); });
+  configureModule(*module, loader.description(), config_);
+  if (debug_) debug_->setAgain(index, *module);
+  return module;
 }
 
-void Process::connectModule(std::size_t index) {
+void Process::connectModule(Module& module, std::size_t index) {
   for (const ModuleInput& input : plan_.modules[index].inputs) {
-    input.bind(*modules_[index], find(input.representation->name()));
+    input.bind(module, find(input.representation->name()));
   }
+}
+
+void Process::initModule(Module& module, std::size_t index) {
+  CrashPlace place(LogBuffer::instance().record(), info_.name);
+  const std::string label = plan_.modules[index].loader->description().name + ":init";
+  place.enter(label);
+  named("[" + info_.name + "] " + label, [&] { module.init(); });
 }
 
 void Process::init() {
-  for (std::size_t i = 0; i < modules_.size(); i++) connectModule(i);
-  CrashPlace place(LogBuffer::instance().record(), info_.name);
-  for (std::size_t i = 0; i < modules_.size(); i++) {
-    const std::string label = plan_.modules[i].loader->description().name + ":init";
-    place.enter(label);
-    named("[" + info_.name + "] " + label, [&] { modules_[i]->init(); });
+  for (std::size_t i = 0; i < modules_.size(); i++) connectModule(*modules_[i], i);
+  for (std::size_t i = 0; i < modules_.size(); i++) initModule(*modules_[i], i);
+}
+
+void Process::replaceModule(std::size_t index, std::unique_ptr<Module> next) {
+  const Module* old = modules_[index].get();
+  for (Step& step : info_.steps) {
+    if (step.instance == old) step.instance = next.get();
   }
+  std::erase(rejected_, old);
+  modules_[index] = std::move(next);
+}
+
+void Process::resetModule(std::size_t index) {
+  std::unique_ptr<Module> next = makeModule(index);
+  connectModule(*next, index);
+  initModule(*next, index);
+  replaceModule(index, std::move(next));
 }
 
 void Process::reject(const Step& step) {
@@ -132,16 +160,39 @@ void Process::remakeModules() {
   // Only behind the last step: what else a module provides in a cycle rests on its own execute.
   for (std::size_t i = 0; i < modules_.size(); i++) {
     const Module* old = modules_[i].get();
-    if (std::find(rejected_.begin(), rejected_.end(), old) == rejected_.end()) continue;
-    std::erase(rejected_, old);
-    makeModule(i);
-    for (Step& step : info_.steps) {
-      if (step.instance == old) step.instance = modules_[i].get();
-    }
-    connectModule(i);
-    named("[" + info_.name + "] " + plan_.modules[i].loader->description().name + ":init",
-          [&] { modules_[i]->init(); });
+    if (std::find(rejected_.begin(), rejected_.end(), old) != rejected_.end()) resetModule(i);
   }
+}
+
+void Process::restart() {
+  // What provides nothing takes no part in what is computed: a debug port stays open.
+  for (const ModulePlan& module : plan_.modules) {
+    for (const ModuleOutput* output : module.outputs) {
+      Representation& value = *find(output->representation->name());
+      const auto fresh = output->representation->create();
+      output->representation->copy(fresh->get(), value);
+      for (const Step& step : info_.steps) {
+        if (step.value == &value) guards_[step.index].emplace(*output->representation, value);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < modules_.size(); i++) {
+    if (!plan_.modules[i].outputs.empty()) resetModule(i);
+  }
+}
+
+bool Process::takesTurn() {
+  for (auto& special : specials_) {
+    const SpecialModule::Turn turn = special->turn();
+    if (turn == SpecialModule::Turn::cycle) continue;
+    if (turn == SpecialModule::Turn::restart) restart();
+    if (debug_->wanted()) {
+      debug_->beginCycle();
+      debug_->lookAround(info_);
+    }
+    return false;
+  }
+  return true;
 }
 
 void Process::start() {
@@ -168,6 +219,7 @@ void Process::finish() {
 }
 
 void Process::runSteps(Plugin::Clock::time_point now) {
+  std::size_t module = 0;
   for (const Step& step : info_.steps) {
     current_ = &step;
     record_->setStep(crashThread_, crashSteps_[step.index]);
@@ -176,6 +228,8 @@ void Process::runSteps(Plugin::Clock::time_point now) {
     // larger part of a step's overhead.
     if (!plugins_.empty() || step.index == 0) now = Plugin::Clock::now();
     if (step.isExecute()) {
+      for (auto& special : specials_) special->beforeModule(module);
+      module++;
       step.instance->execute();
     } else {
       step.call(*step.instance, *step.value);
@@ -192,12 +246,16 @@ void Process::runSteps(Plugin::Clock::time_point now) {
 }
 
 void Process::cycle() {
+  if (!takesTurn()) return;
   const auto begin = Plugin::Clock::now();
   for (ThreadCopy* copy : fetched_) copy->fetch();
   for (auto& special : specials_) special->beginCycle();
   for (auto& plugin : plugins_) plugin->cycleStarted();
   debugging_ = debug_->wanted();
-  if (debugging_) debug_->beginCycle();
+  if (debugging_) {
+    debug_->beginCycle();
+    debug_->beginValues();
+  }
   try {
     runSteps(begin);
   } catch (const ConfigurationError&) {

@@ -36,8 +36,8 @@ public:
   /// On the thread that calls cycle(), around all cycles; a second call of either does nothing.
   void start();
   void finish();
-  /// One cycle. Whatever a module throws comes out as std::runtime_error naming the step; a
-  /// ConfigurationError as it is.
+  /// One cycle, unless a special module wants to wait or to begin anew. Whatever a module throws comes out as
+  /// std::runtime_error naming the step; a ConfigurationError as it is.
   void cycle();
 
   const std::string& name() const { return info_.name; }
@@ -50,11 +50,17 @@ public:
   void addStopwatches() { debug_->addStopwatches(); }
 
 private:
+  void makeSpecials();
   void offerToSpecials();
-  void makeModule(std::size_t index);
-  void connectModule(std::size_t index);
+  std::unique_ptr<Module> makeModule(std::size_t index);
+  void connectModule(Module& module, std::size_t index);
+  void initModule(Module& module, std::size_t index);
+  void replaceModule(std::size_t index, std::unique_ptr<Module> next);
+  void resetModule(std::size_t index);
   void reject(const Step& step);
   void remakeModules();
+  void restart();
+  bool takesTurn();
   void runSteps(Plugin::Clock::time_point now);
 
   ThreadPlan plan_;

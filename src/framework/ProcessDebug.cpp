@@ -23,8 +23,9 @@ private:
 /// A parameter of a module. What it is set to goes the way of a configuration file's values.
 class ParameterOfModule final : public DebugValue {
 public:
-  ParameterOfModule(Module& module, const ModuleDescription& description, const std::string& path)
-      : module_(module), description_(description), path_(path) {}
+  ParameterOfModule(Module& module, const ModuleDescription& description, const std::string& path,
+                    std::map<std::string, ParameterValue>& set)
+      : module_(module), description_(description), path_(path), set_(set) {}
 
   void write(OutStream& out) const override {
     visit([&](auto* value) { StreamType<std::remove_pointer_t<decltype(value)>>::write(out, *value); });
@@ -37,6 +38,7 @@ public:
       if (!in.ok()) return;
       try {
         setModuleParameter(module_, description_, path_, textOf(wanted));
+        set_.insert_or_assign(path_, parameterValue(value));
       } catch (const ConfigurationError& error) {
         in.fail(error.what());
       }
@@ -59,13 +61,14 @@ private:
   Module& module_;
   const ModuleDescription& description_;
   const std::string& path_;
+  std::map<std::string, ParameterValue>& set_;
 };
 
 }  // namespace
 
 ProcessDebug::ProcessDebug(AgentDebug& agent, const ThreadPlan& plan, const ThreadInfo& info,
                            const std::vector<std::unique_ptr<Module>>& modules, const TimingPlugin& timing)
-    : agent_(agent), plan_(plan), modules_(modules), timing_(timing), stopwatchesOf_(modules.size()) {
+    : agent_(agent), plan_(plan), modules_(modules), timing_(timing), stopwatchesOf_(modules.size()), set_(modules.size()) {
   for (const Step& step : info.steps) {
     ofStep_.push_back(nullptr);
     if (step.isExecute()) continue;
@@ -113,9 +116,39 @@ void ProcessDebug::beginCycle() {
   for (ParameterPoint& parameter : parameters_) {
     if (!parameter.point.active()) continue;
     ParameterOfModule value(*modules_[parameter.module],
-                            plan_.modules[parameter.module].loader->description(), parameter.path);
+                            plan_.modules[parameter.module].loader->description(), parameter.path,
+                            set_[parameter.module]);
     parameter.point.pass(value);
   }
+}
+
+void ProcessDebug::beginValues() {
+  for (ValuePoint& value : values_) {
+    if (!value.special || !value.point.active()) continue;
+    RepresentationValue special(*value.special);
+    value.point.pass(special);
+  }
+}
+
+void ProcessDebug::addValue(const RepresentationLoader& loader, Representation& value) {
+  values_.emplace_back("representation:" + loader.name());
+  values_.back().special = &value;
+  agent_.points.add(values_.back().point);
+}
+
+void ProcessDebug::lookAround(const ThreadInfo& info) {
+  beginValues();
+  for (const Step& step : info.steps) updated(step);
+}
+
+void ProcessDebug::setAgain(std::size_t index, Module& next) const {
+  const auto& set = set_[index];
+  if (set.empty()) return;
+  plan_.modules[index].loader->description().parameters.visit(
+      &next, [&](const std::string& path, const Parameter&, const ParameterPointer& pointer) {
+        if (const auto found = set.find(path); found != set.end()) setParameterValue(pointer, found->second);
+      });
+  next.parametersChanged();
 }
 
 void ProcessDebug::updated(const Step& step) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <deque>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,7 +27,15 @@ public:
   /// False: nothing is wanted in this cycle, and nothing below need be called.
   bool wanted() const { return agent_.watched(); }
   void beginCycle();
+  /// Behind what special modules do at the beginning of a cycle.
+  void beginValues();
   void updated(const Step& step);
+  /// A representation that a special module provides; it is looked at at the beginning of a cycle.
+  void addValue(const RepresentationLoader& loader, Representation& value);
+  /// Between cycles: all representations can be looked at as they are.
+  void lookAround(const ThreadInfo& info);
+  /// Gives a module that was made anew the parameters that were set while it ran.
+  void setAgain(std::size_t module, Module& next) const;
   /// On the thread, or when it has ended: the modules' own stopwatches come with their first use.
   void addStopwatches();
 
@@ -45,6 +54,7 @@ private:
   struct ValuePoint {
     std::string id;
     DebugPoint point;
+    Representation* special = nullptr;  ///< provided by a special module
     explicit ValuePoint(std::string id_) : id(std::move(id_)), point(id.c_str(), DebugKind::modify) {}
   };
 
@@ -57,6 +67,7 @@ private:
   std::vector<DebugPoint*> ofStep_;         ///< null: the step executes
   std::vector<std::size_t> stopwatchesOf_;  ///< of each module, as many as are known
   std::vector<std::string> stopwatches_;
+  std::vector<std::map<std::string, ParameterValue>> set_;  ///< of each module while it ran, by path
 };
 
 }  // namespace plumbline

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <string>
@@ -7,9 +8,7 @@
 
 namespace plumbline {
 
-class ConfigStore;
-class ModuleObjects;
-struct SpecialPlan;
+struct ThreadPlan;
 
 /// A module outside the module graph that can provide any representation, in several threads: one that copies
 /// from elsewhere (another thread, a network, a log file). It works before the first and after the last
@@ -17,17 +16,26 @@ struct SpecialPlan;
 class SpecialModule {
 public:
   virtual ~SpecialModule() = default;
-  /// First of all: what modules.cfg says of it. Reads its configuration; throws ConfigurationError.
-  virtual void configure(const SpecialPlan&, ConfigStore&, ModuleObjects&) {}
   /// For each line `name Representation`: this object fills `target` from now on. Before the first cycle.
   virtual void provide(const RepresentationLoader& loader, Representation& target) = 0;
   /// Each representation of the thread that somebody else provides, for reading. Before the first cycle.
   virtual void offer(const RepresentationLoader&, const Representation&) {}
+  /// The whole thread, after the calls above; it stays as long as this object.
+  virtual void planned(const ThreadPlan&) {}
+
+  /// cycle: the thread goes on. wait: no cycle now; the values can be looked at, and it is asked again.
+  /// restart: modules and representations begin anew, as the agent did, and it is asked again.
+  enum class Turn { cycle, wait, restart };
+  /// Before each cycle; may sleep for less than a tenth of a second.
+  virtual Turn turn() { return Turn::cycle; }
   virtual void beginCycle() {}
+  /// Before each module of the plan executes.
+  virtual void beforeModule(std::size_t) {}
   virtual void endCycle() {}
 };
 
-/// The special modules of this program by the name they have in modules.cfg.
+/// The special modules of this program by the name they have in modules.cfg. While one is made,
+/// ModuleContext::current() is the agent's.
 class SpecialModules {
 public:
   using Maker = std::unique_ptr<SpecialModule> (*)(const std::string& thread);

@@ -18,6 +18,7 @@
 #include "framework/TimingPlugin.h"
 #include "framework/WriteFile.h"
 #include "modules/behavior/MotionPlayer.h"
+#include "modules/infrastructure/AgentLog.h"
 #include "modules/infrastructure/DebugModule.h"
 #include "modules/infrastructure/StatusReport.h"
 
@@ -33,6 +34,7 @@ struct Options {
   std::string platform = defaultPlatform, config, modules, graph, stats, motion;
   std::string crashLog = "crash.log";
   std::shared_ptr<DebugOptions> debug = std::make_shared<DebugOptions>();
+  AgentLogOptions log;
   bool debugs = false;
   bool motionOnce = false, status = false, timing = false, verbose = false, parameters = false;
 };
@@ -69,12 +71,16 @@ void declare(CLI::App& app, Options& options, Platform& platform) {
       ->capture_default_str();
   app.add_option("--debug-token", options.debug->server.token, "with --debug: what clients must say first")
       ->needs(debug);
+  declareLogOptions(app, options.log);
   app.add_flag("-v,--verbose", options.verbose, "print every step of every cycle and all log messages");
   app.add_option("--crash-log", options.crashLog, "file written if the agent dies by a signal")
       ->capture_default_str();
   app.add_flag("--status", options.status, "print a line per second: what the robot believes and does");
   app.footer("Examples:\n" + platform.examples() +
-             "  bin/agent --graph graph.svg                              draw the module graph");
+             "  bin/agent --graph graph.svg                              draw the module graph\n"
+             "  bin/agent --start-simulator --log game                   record all that modules know\n"
+             "  bin/agent --replay game --log again                      the modules once more, on what was "
+             "recorded");
 }
 
 void writeStats(const Controller& controller, const std::string& path) {
@@ -116,6 +122,12 @@ void requireModule(const Controller& controller, const std::string& modulesConfi
         "{}: this agent {}: no line has the module {}; was the file cut off?", modulesConfig, what, name));
 }
 
+bool hasLog(const Controller& controller) {
+  return std::ranges::any_of(controller.threads(), [](const ThreadPlan& thread) {
+    return std::ranges::any_of(thread.specials, [](const SpecialPlan& s) { return s.name == "log"; });
+  });
+}
+
 // A modules.cfg that was cut off is still a valid graph: of an agent that plays no part.
 void requirePlatform(const Controller& controller, const Platform& platform,
                      const std::string& modulesConfig) {
@@ -137,13 +149,15 @@ int runAgent(const Options& options, const Platform& platform) {
   setup.configDirectories = {options.config};
   for (const std::string& folder : platform.configFolders(options.config))
     setup.configDirectories.push_back(folder);
-  Controller controller(setup, options.motion.empty() ? readModulesConfig(setup.modulesConfig)
-                                                      : withMotionPlayer(setup.modulesConfig));
+  ModulesConfig modules =
+      options.motion.empty() ? readModulesConfig(setup.modulesConfig) : withMotionPlayer(setup.modulesConfig);
+  if (options.log.replays()) modules = modulesOnLog(std::move(modules), options.log, options.platform);
+  Controller controller(setup, modules);
   if (!options.graph.empty() && !options.timing) {
     writeGraph(controller.threads(), options.graph);
     return 0;
   }
-  requirePlatform(controller, platform, setup.modulesConfig);
+  if (!options.log.replays()) requirePlatform(controller, platform, setup.modulesConfig);
   const CrashLog crashLog(options.crashLog);
   LogBuffer::instance().setVerbose(options.verbose);
   const auto tell = [](const std::string& line) { fmt::print(stderr, "agent: {}\n", line); };
@@ -155,6 +169,10 @@ int runAgent(const Options& options, const Platform& platform) {
     options.debug->tell = tell;
     controller.objects().set(options.debug);
   }
+  if (options.log.records() && !hasLog(controller))
+    throw ConfigurationError(setup.modulesConfig + ": no line has the special module log, so nothing is recorded");
+  const auto log = makeLog(options.log, controller, setup.configDirectories, tell);
+  controller.objects().set(log);
   controller.stop().catchSignals();
   const int status = controller.run();
   if (!options.stats.empty()) writeStats(controller, options.stats);

@@ -1,0 +1,69 @@
+#pragma once
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "record/LogWriter.h"
+#include "record/ThreadRecorder.h"
+
+namespace plumbline::record {
+
+struct RecorderOptions {
+  LogWriterOptions writer{};
+  std::size_t bufferBytes = std::size_t{8} << 20;  ///< for each thread of the agent
+  bool waits = false;  ///< a full buffer holds the agent up instead of dropping cycles
+};
+
+/// Records an agent into a log, in a thread of its own: the agent's threads leave what they have in buffers.
+/// What is older than half a second survives the end of the process. When nothing can be written any more,
+/// that is said once and the agent goes on without.
+class Recorder {
+public:
+  /// Takes a line for the user.
+  using Tell = std::function<void(const std::string&)>;
+
+  /// Makes the log's folder. Throws std::runtime_error, one line, if it cannot.
+  Recorder(const std::string& folder, RecorderOptions options, Tell tell);
+  ~Recorder();
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  /// All before the first cycle of any thread. The values must live as long as they are recorded.
+  ThreadRecorder& addThread(RecordedThread thread, std::vector<Representation*> values);
+  /// A full buffer holds the agent up from now on; before addThread.
+  void wait() { options_.waits = true; }
+
+  /// Writes what is left and ends; says what is missing.
+  void finish();
+
+  std::uint64_t cycles() const { return cycles_.load(); }
+  std::uint64_t dropped() const;
+
+private:
+  void work();
+  bool drain();
+  void keepBooks(bool last);
+  void fail(const std::string& error);
+
+  RecorderOptions options_;
+  Tell tell_;
+  LogWriter writer_;
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  bool ends_ = false;
+  std::vector<std::unique_ptr<ThreadRecorder>> threads_;
+  bool begun_ = false, failed_ = false;
+  std::uint64_t lost_ = 0;        ///< taken and not written
+  std::uint64_t noted_ = 0;       ///< dropped cycles that the log knows of
+  bool toldDropped_ = false;
+  std::atomic<std::uint64_t> cycles_{0};
+  CycleView view_;
+  std::thread thread_;
+};
+
+}  // namespace plumbline::record

@@ -1,0 +1,79 @@
+#pragma once
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "framework/SpecialModule.h"
+
+namespace plumbline::record {
+
+struct ReplayOptions {
+  double speed = 0;     ///< as fast as the clock of the log times this; 0: as fast as it goes
+  bool paused = false;  ///< begins before the first cycle, and stays at the end
+};
+
+/// Where a replay stands and where it shall go, for all threads of an agent. The player added first leads:
+/// positions are its cycles, and the others follow to its time. Going back means to begin anew and to play up
+/// to there, as fast as it goes: only so is the modules' state what it was.
+class ReplayControl {
+public:
+  using Turn = SpecialModule::Turn;
+
+  ReplayControl(std::string path, ReplayOptions options);
+
+  const std::string& path() const { return path_; }
+  /// At the end of the log it waits for what is wanted next instead of ending the agent.
+  bool stays() const { return stays_; }
+  /// Before the first cycle; `timestamps` of its cycles, in order [ns]. Returns the player's number.
+  std::size_t addPlayer(std::vector<std::int64_t> timestamps);
+
+  /// Asked by a player before each cycle; `played`: how many it has. `restart`: it begins anew with its first.
+  /// Sleeps for as long as the next cycle is not due yet, or 50 ms where the replay rests.
+  Turn next(std::size_t player, std::size_t played);
+  /// A player has played a cycle. True: all have played all, and the replay does not stay.
+  bool played(std::size_t player, std::size_t played);
+
+  bool paused() const;
+  void pause(bool paused);
+  double speed() const;
+  void setSpeed(double speed);
+  /// Cycles that the leading player has played.
+  std::size_t position() const;
+  std::size_t cycles() const;
+  /// Of the leading player's last cycle; of the first before it [s].
+  double time() const;
+  /// Plays up to so many cycles, 0 to cycles(), and goes on or rests there.
+  void goTo(std::size_t cycle);
+  /// The same, to the last cycle not later than this.
+  void goToTime(double time);
+  /// So many cycles on, or back where negative; rests there.
+  void step(long cycles);
+
+private:
+  using Clock = std::chrono::steady_clock;
+  struct Player {
+    std::vector<std::int64_t> timestamps;
+    std::size_t played = 0;
+    std::uint64_t generation = 0;
+  };
+
+  bool due(const Player& player, std::size_t played) const;
+  void go(std::size_t cycle);
+  std::size_t countUntil(const Player& player, std::int64_t timestamp) const;
+
+  std::string path_;
+  bool stays_;
+  mutable std::mutex mutex_;
+  std::vector<Player> players_;
+  bool paused_;
+  double speed_;
+  std::size_t target_ = 0;  ///< rests there when paused; is reached as fast as it goes
+  std::uint64_t generation_ = 0;
+  Clock::time_point paceBegin_{};
+  std::int64_t paceTimestamp_ = 0;
+  bool paced_ = false;
+};
+
+}  // namespace plumbline::record
