@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Puts the page of bin/webmonitor together in build/web/, and that of bin/gap report in build/report/: their files
+# Puts the pages of bin/webmonitor and bin/agent together in build/web/, and that of bin/gap report in build/report/: their files
 # from web/, three.js and uPlot from the npm registry that npm is set up for. With nothing changed it is done in a
 # blink, without network.
 #   scripts/build_page.sh [--if-easy]   --if-easy: leave it when that would need packages or network that are not there
@@ -36,8 +36,10 @@ fi
 
 new=$page.new
 rm -rf "$new"
-mkdir -p "$new/three"
-cp -r web/index.html web/style.css web/js "$new/"
+mkdir -p "$new/three" "$new/uplot"
+cp -r web/*.html web/*.css web/js "$new/"
+uplot=$packages/node_modules/uplot
+cp "$uplot/LICENSE" "$uplot/dist/uPlot.esm.js" "$uplot/dist/uPlot.min.css" "$new/uplot/"
 three=$packages/node_modules/three
 cp "$three/LICENSE" "$three/build/three.module.js" "$three/build/three.core.js" "$new/three/"
 # The add-ons name three.js and each other as packages do; a page without inline scripts needs paths.

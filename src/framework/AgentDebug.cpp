@@ -15,14 +15,14 @@ bool AgentDebug::tryAddStopwatch(const std::string& id, std::shared_ptr<const St
   return lock.owns_lock();
 }
 
-void AgentDebug::addThread(const TimingPlugin& timing) {
+void AgentDebug::addThread(const ThreadPlan& plan, const TimingPlugin& timing) {
   const std::lock_guard lock(mutex_);
-  threads_.push_back(&timing);
+  threads_.push_back({&plan, &timing});
 }
 
 void AgentDebug::removeThread(const TimingPlugin& timing, const std::vector<std::string>& stopwatches) {
   const std::lock_guard lock(mutex_);
-  std::erase(threads_, &timing);
+  std::erase_if(threads_, [&](const Thread& thread) { return thread.timing == &timing; });
   for (const std::string& id : stopwatches) stopwatches_.erase(id);
 }
 
@@ -34,8 +34,25 @@ std::map<std::string, std::shared_ptr<const Stopwatch>> AgentDebug::stopwatches(
 std::string AgentDebug::timingReport() const {
   const std::lock_guard lock(mutex_);
   std::string text;
-  for (const TimingPlugin* thread : threads_) text += plumbline::timingReport(*thread, stopwatches_);
+  for (const Thread& thread : threads_) text += plumbline::timingReport(*thread.timing, stopwatches_);
   return text;
+}
+
+void AgentDebug::addParameter(const std::string& id, ParameterInfo info) {
+  const std::lock_guard lock(mutex_);
+  parameters_[id] = std::move(info);
+}
+
+std::map<std::string, AgentDebug::ParameterInfo> AgentDebug::parameters() const {
+  const std::lock_guard lock(mutex_);
+  return parameters_;
+}
+
+std::vector<ThreadReport> AgentDebug::graph() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<ThreadReport> reports;
+  for (const Thread& thread : threads_) reports.push_back(reportThread(*thread.plan, *thread.timing));
+  return reports;
 }
 
 }  // namespace plumbline

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "framework/DebugPoints.h"
+#include "framework/GraphReport.h"
 #include "framework/Stopwatch.h"
+#include "parameters/Parameter.h"
 
 namespace plumbline {
 
@@ -27,12 +29,21 @@ public:
   void addStopwatch(const std::string& id, std::shared_ptr<const Stopwatch> stopwatch);
   /// The same without waiting; false: not now.
   bool tryAddStopwatch(const std::string& id, std::shared_ptr<const Stopwatch> stopwatch);
-  void addThread(const TimingPlugin& timing);
+  void addThread(const ThreadPlan& plan, const TimingPlugin& timing);
   /// Also forgets its stopwatches.
   void removeThread(const TimingPlugin& timing, const std::vector<std::string>& stopwatches);
 
   /// By id, "timing:Module:step".
   std::map<std::string, std::shared_ptr<const Stopwatch>> stopwatches() const;
+  /// What is known of a parameter and never changes, by id, "config:Module.path".
+  struct ParameterInfo {
+    const Parameter* parameter;
+    std::string type;
+  };
+  void addParameter(const std::string& id, ParameterInfo info);
+  std::map<std::string, ParameterInfo> parameters() const;
+  /// The threads with their modules and what they took up to now.
+  std::vector<ThreadReport> graph() const;
   /// A table of the times of all threads up to now.
   std::string timingReport() const;
 
@@ -40,7 +51,12 @@ private:
   std::atomic<bool> watched_{false};
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const Stopwatch>> stopwatches_;
-  std::vector<const TimingPlugin*> threads_;
+  struct Thread {
+    const ThreadPlan* plan;
+    const TimingPlugin* timing;
+  };
+  std::vector<Thread> threads_;
+  std::map<std::string, ParameterInfo> parameters_;
 };
 
 }  // namespace plumbline

@@ -18,6 +18,8 @@ std::string_view nameOf(DebugKind kind) {
       return "response";
     case DebugKind::codeOnce:
       return "response once";
+    case DebugKind::drawing:
+      return "drawing";
   }
   return "";
 }

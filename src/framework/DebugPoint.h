@@ -10,12 +10,16 @@
 
 namespace plumbline {
 
+class Drawing;
+
 /// A value of any type as the debug interface sees it: it writes itself and may read itself.
 class DebugValue {
 public:
   virtual void write(OutStream& out) const = 0;
   virtual bool writable() const { return false; }
   virtual void read(InStream&) {}
+  /// What it draws, where it is a drawing; null otherwise. Valid as long as this.
+  virtual const Drawing* drawing() const { return nullptr; }
 
 protected:
   ~DebugValue() = default;
@@ -39,9 +43,9 @@ public:
 using DebugRequests = std::vector<std::shared_ptr<DebugRequest>>;
 
 /// output: a value to read. modify: one that may be set. parameter: one that is set once. timing: a
-/// stopwatch. code, codeOnce: a block that runs on request, again and again or once.
-enum class DebugKind : std::uint8_t { output, modify, parameter, timing, code, codeOnce };
-/// "output", "modify", "parameter", "timing", "response", "response once".
+/// stopwatch. code, codeOnce: a block that runs on request, again and again or once. drawing: shapes to read.
+enum class DebugKind : std::uint8_t { output, modify, parameter, timing, code, codeOnce, drawing };
+/// "output", "modify", "parameter", "timing", "response", "response once", "drawing".
 std::string_view nameOf(DebugKind kind);
 
 /// A place that execution passes and where a value can be looked at or set, or a block of code be switched

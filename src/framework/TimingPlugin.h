@@ -20,6 +20,7 @@ public:
     std::shared_ptr<Stopwatch> stopwatch;
     std::atomic<std::uint64_t> overruns{0};  ///< cycles that ran over and in which this took longest
     std::uint64_t worked = 0;                ///< in this cycle, without waiting [ns]
+    std::atomic<std::uint64_t> waited{0};    ///< since the start [ns]
   };
 
   explicit TimingPlugin(const ThreadInfo& thread);
@@ -51,6 +52,8 @@ private:
     const std::uint64_t waited = std::min(Waiting::take(), taken);
     entry.worked = taken - waited;
     waited_ += waited;
+    if (waited > 0)
+      entry.waited.store(entry.waited.load(std::memory_order_relaxed) + waited, std::memory_order_relaxed);
   }
   static std::uint64_t nanoseconds(const Duration& duration) {
     return static_cast<std::uint64_t>(std::chrono::nanoseconds(duration.end - duration.begin).count());

@@ -31,6 +31,8 @@ constexpr std::array forms{
     Form{"complete", Verb::complete, false, "complete [PREFIX]"},
     Form{"format", Verb::format, true, "format text|json"},
     Form{"timing", Verb::timing, false, "timing"},
+    Form{"graph", Verb::graph, false, "graph"},
+    Form{"about", Verb::about, false, "about [PREFIX]"},
     Form{"help", Verb::help, false, "help"},
 };
 
@@ -139,10 +141,12 @@ std::string_view commandHelp() {
          "set NAME VALUE              overwrites it in each cycle until unset; a parameter: from now on\n"
          "setOnce NAME VALUE          overwrites it in the next cycle\n"
          "unset NAME                  ends set; a parameter gets the value it had before\n"
-         "dr NAME [once|off]          switches a block of code on, on for once, off\n"
+         "dr NAME [once|off]          switches a block of code or a drawing on, on for once, off\n"
          "list [PREFIX]               all names that begin so, and what each is\n"
          "complete [PREFIX]           how a name that begins so may go on\n"
          "timing                      what each module takes\n"
+         "graph                       the modules by threads: what each provides, reads and takes\n"
+         "about [PREFIX]              parameters whose names begin so: type, unit, range, what they do\n"
          "format text|json            how answers are written\n"
          "help                        this\n"
          "#TAG COMMAND                each line of the answer begins with #TAG, the last is \"#TAG .\"\n";

@@ -23,6 +23,8 @@ struct Command {
     complete,
     format,
     timing,
+    graph,
+    about,
     help,
     none
   };

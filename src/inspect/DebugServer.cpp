@@ -4,9 +4,11 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
+#include <sys/eventfd.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -24,6 +26,18 @@ constexpr int linesAtOnce = 64;               ///< of a client before the others
 
 DebugServer::DebugServer(Inspector& inspector, const DebugServerOptions& options)
     : inspector_(inspector), token_(options.token) {
+  joining_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  if (joining_ < 0) throw std::runtime_error("debug port: " + std::string(std::strerror(errno)));
+  if (!options.listens) return;
+  try {
+    listen(options);
+  } catch (...) {
+    ::close(joining_);
+    throw;
+  }
+}
+
+void DebugServer::listen(const DebugServerOptions& options) {
   const std::string place = options.address + ':' + std::to_string(options.port);
   if (token_.empty() && !simspark::isLoopbackAddress(options.address))
     throw std::runtime_error("debug port " + place + " is open to others: that needs a token");
@@ -38,7 +52,7 @@ DebugServer::DebugServer(Inspector& inspector, const DebugServerOptions& options
   setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));
   socklen_t size = sizeof(address);
   auto* general = reinterpret_cast<sockaddr*>(&address);
-  if (listener_ < 0 || bind(listener_, general, size) != 0 || listen(listener_, 64) != 0 ||
+  if (listener_ < 0 || bind(listener_, general, size) != 0 || ::listen(listener_, 64) != 0 ||
       getsockname(listener_, general, &size) != 0) {
     const std::string why = std::strerror(errno);
     if (listener_ >= 0) ::close(listener_);
@@ -52,7 +66,41 @@ DebugServer::~DebugServer() {
     if (client.inspected >= 0) inspector_.close(client.inspected);
     ::close(client.fd);
   }
-  ::close(listener_);
+  for (const int fd : joined_) ::close(fd);
+  if (listener_ >= 0) ::close(listener_);
+  ::close(joining_);
+}
+
+int DebugServer::join() {
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    throw std::runtime_error("debug port: " + std::string(std::strerror(errno)));
+  const std::lock_guard lock(mutex_);
+  joined_.push_back(ends[0]);
+  const std::uint64_t one = 1;
+  if (::write(joining_, &one, sizeof one) < 0) {  // full: it is readable already
+  }
+  return ends[1];
+}
+
+void DebugServer::takeJoined() {
+  std::uint64_t count = 0;
+  if (::read(joining_, &count, sizeof count) < 0) return;
+  const std::lock_guard lock(mutex_);
+  for (const int fd : joined_) {
+    Client& client = add(fd);
+    if (!client.ends) admit(client);
+  }
+  joined_.clear();
+}
+
+DebugServer::Client& DebugServer::add(int fd) {
+  Client& client = clients_.emplace_back();
+  client.fd = fd;
+  client.progress = Clock::now();
+  if (clients_.size() > maxClients)
+    end(client, "too many clients: " + std::to_string(maxClients) + " are there");
+  return client;
 }
 
 void DebugServer::accept() {
@@ -61,13 +109,8 @@ void DebugServer::accept() {
     if (fd < 0) return;
     const int on = 1;
     setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
-    Client& client = clients_.emplace_back();
-    client.fd = fd;
-    client.progress = Clock::now();
-    if (clients_.size() > maxClients)
-      end(client, "too many clients: " + std::to_string(maxClients) + " are there");
-    else if (token_.empty())
-      admit(client);
+    Client& client = add(fd);
+    if (!client.ends && token_.empty()) admit(client);
   }
 }
 
@@ -169,7 +212,7 @@ void DebugServer::sweep() {
 void DebugServer::serve(int stopDescriptor) {
   std::vector<pollfd> descriptors;
   for (;;) {
-    descriptors.assign({{stopDescriptor, POLLIN, 0}, {listener_, POLLIN, 0}});
+    descriptors.assign({{stopDescriptor, POLLIN, 0}, {listener_, POLLIN, 0}, {joining_, POLLIN, 0}});
     bool lines = false;
     for (const Client& client : clients_) {
       const bool full = client.in.size() > maxLine;
@@ -180,7 +223,7 @@ void DebugServer::serve(int stopDescriptor) {
     const int wait = lines ? 0 : inspector_.busy() ? busyWait : idleWait;
     if (::poll(descriptors.data(), descriptors.size(), wait) < 0 && errno != EINTR) return;
     if (descriptors[0].revents != 0) return;
-    std::size_t index = 2;
+    std::size_t index = 3;
     for (Client& client : clients_) {
       if ((descriptors[index++].revents & (POLLIN | POLLHUP | POLLERR)) != 0) receive(client);
       takeLines(client);
@@ -188,6 +231,7 @@ void DebugServer::serve(int stopDescriptor) {
     inspector_.poll();
     for (Client& client : clients_) send(client);
     if ((descriptors[1].revents & POLLIN) != 0) accept();
+    if (descriptors[2].revents != 0) takeJoined();
     sweep();
   }
 }

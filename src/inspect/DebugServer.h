@@ -2,8 +2,10 @@
 #include <chrono>
 #include <cstddef>
 #include <list>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "inspect/Inspector.h"
 
@@ -13,6 +15,7 @@ struct DebugServerOptions {
   static constexpr int standardPort = 3300;
   std::string address = "127.0.0.1";
   int port = standardPort;  ///< 0: a free one
+  bool listens = true;      ///< false: no port; only join() brings clients
   std::string token;        ///< what a client's first line must be; empty: nothing, only on loopback
 };
 
@@ -34,6 +37,9 @@ public:
   DebugServer& operator=(const DebugServer&) = delete;
 
   int port() const { return port_; }
+  /// A client within this program: a connected socket that speaks as the port does, without a token. The
+  /// caller closes it. From any thread. Throws std::runtime_error if the system has none left.
+  int join();
   std::size_t clients() const { return clients_.size(); }
   /// Serves until the descriptor is readable.
   void serve(int stopDescriptor);
@@ -49,7 +55,10 @@ private:
     Clock::time_point progress{};
   };
 
+  void listen(const DebugServerOptions& options);
   void accept();
+  void takeJoined();
+  Client& add(int fd);
   void receive(Client& client);
   void takeLines(Client& client);
   void takeLine(Client& client, std::string_view line);
@@ -63,6 +72,9 @@ private:
   std::string token_;
   int listener_ = -1, port_ = 0;
   std::list<Client> clients_;
+  int joining_ = -1;  ///< readable when somebody joined
+  std::mutex mutex_;
+  std::vector<int> joined_;
 };
 
 }  // namespace plumbline::inspect

@@ -105,6 +105,10 @@ void Inspector::command(int client, std::string_view text) {
       return complete(client, command);
     case Verb::timing:
       return timing(client, command);
+    case Verb::graph:
+      return graph(client, command);
+    case Verb::about:
+      return about(client, command);
     case Verb::format:
       clients_[client].json = command.name == "json";
       return succeed(client, command.tag);
@@ -144,7 +148,10 @@ void Inspector::remove(std::uint64_t number) {
   if (pending.target.points && pending.request)
     pending.target.points->detach(pending.target.id, pending.request);
   if (const auto client = clients_.find(pending.client); client != clients_.end()) --client->second.open;
+  const bool hides = pending.use == Use::run && pending.target.kind == DebugKind::drawing && !pending.once;
+  const std::string id = pending.target.id;
   pending_.erase(found);
+  if (hides) show_(id, {});
 }
 
 void Inspector::read(int client, const Command& command, Use use) {
@@ -220,8 +227,11 @@ void Inspector::run(int client, const Command& command) {
   std::string error;
   const auto target = find(command.name, error);
   if (!target) return fail(client, command.tag, error);
-  if (target->kind != DebugKind::code && target->kind != DebugKind::codeOnce)
+  const bool draws = target->kind == DebugKind::drawing;
+  if (target->kind != DebugKind::code && target->kind != DebugKind::codeOnce && !draws)
     return fail(client, command.tag, target->id + " is a value, not a block of code: get " + target->id);
+  if (draws && !show_)
+    return fail(client, command.tag, target->id + " has no viewer here; it can be watched");
   bool any = false;
   for (auto at = pending_.begin(); at != pending_.end();) {
     const auto number = at->first;
@@ -238,6 +248,7 @@ void Inspector::run(int client, const Command& command) {
   if (!once) acknowledge(client, command.tag);
   start({client, command.tag, *target, Use::run, once, !once},
         [&](std::uint64_t number) -> std::shared_ptr<DebugRequest> {
+          if (draws) return std::make_shared<DrawRequest>(number, outbox_, once);
           return std::make_shared<RunRequest>(number, outbox_, once);
         });
 }

@@ -22,6 +22,9 @@ class Inspector {
 public:
   /// Takes a line without its end; `droppable`: one of many, of which a slow client may miss some.
   using Send = std::function<void(std::string_view line, bool droppable)>;
+  /// Shows a drawing that was switched on by `dr`, in place of what it showed before; an empty one when it is
+  /// switched off.
+  using Show = std::function<void(const std::string& id, const Drawing& drawing)>;
   using Clock = std::chrono::steady_clock;
 
   static constexpr std::size_t maxPerClient = 256;  ///< open requests
@@ -32,6 +35,9 @@ public:
   ~Inspector();
   Inspector(const Inspector&) = delete;
   Inspector& operator=(const Inspector&) = delete;
+
+  /// Where drawings are shown; nowhere, and then they cannot be switched on, until this is called.
+  void showDrawings(Show show) { show_ = std::move(show); }
 
   /// A client; close() ends what it asked for.
   int open(Send send);
@@ -78,6 +84,8 @@ private:
   void list(int client, const Command& command);
   void complete(int client, const Command& command);
   void timing(int client, const Command& command);
+  void graph(int client, const Command& command);
+  void about(int client, const Command& command);
 
   void outcome(const Outcome& outcome);
   void value(std::uint64_t number, Pending& pending, const std::string& text);
@@ -94,6 +102,7 @@ private:
 
   AgentDebug& agent_;
   DebugPoints& sites_;
+  Show show_;
   std::shared_ptr<Outbox> outbox_ = std::make_shared<Outbox>();
   std::map<int, Client> clients_;
   std::map<std::uint64_t, Pending> pending_;

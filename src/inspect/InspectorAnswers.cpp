@@ -80,7 +80,8 @@ void Inspector::list(int client, const Command& command) {
     if (json) {
       line(client, command.tag, jsonText({{"id", info.id}, {"kind", kind}, {"held", held}}));
     } else {
-      const bool code = info.kind == DebugKind::code || info.kind == DebugKind::codeOnce;
+      const bool code = info.kind == DebugKind::code || info.kind == DebugKind::codeOnce ||
+                        info.kind == DebugKind::drawing;
       line(client, command.tag, info.id + "  " + kind + (held ? code ? ", on" : ", set" : ""));
     }
   }
@@ -157,6 +158,7 @@ void Inspector::outcome(const Outcome& outcome) {
     fail(pending.client, first ? pending.tag : "", pending.target.id + outcome.text);
     return remove(outcome.request);
   }
+  if (outcome.drawing) return show_(pending.target.id, *outcome.drawing);
   if (pending.use == Use::run && outcome.kind == Outcome::Kind::value) {
     const auto client = clients_.find(pending.client);
     if (client == clients_.end()) return;

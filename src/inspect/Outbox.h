@@ -1,8 +1,11 @@
 #pragma once
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "framework/Drawing.h"
 
 namespace plumbline::inspect {
 
@@ -12,6 +15,8 @@ struct Outcome {
   std::uint64_t request = 0;
   Kind kind = Kind::value;
   std::string text;
+  std::shared_ptr<const Drawing> drawing{};
+  std::size_t size() const;  ///< bytes that it holds, about
 };
 
 /// From the threads of an agent to the thread that answers: nobody waits. Bounded; what does not fit is

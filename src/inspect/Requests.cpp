@@ -7,17 +7,25 @@
 
 namespace plumbline::inspect {
 
+bool Pace::due() {
+  const std::int64_t now =
+      std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+  if (now < next_.load()) return false;
+  next_.store(now + static_cast<std::int64_t>(1e9 * seconds_));
+  return true;
+}
+
 ReadRequest::ReadRequest(std::uint64_t number, std::shared_ptr<Outbox> outbox, bool once, Interval interval)
-    : number_(number), outbox_(std::move(outbox)), once_(once), interval_(interval) {}
+    : number_(number),
+      outbox_(std::move(outbox)),
+      once_(once),
+      interval_(interval),
+      pace_(interval.seconds) {}
 
 bool ReadRequest::due() {
   if (once_) return true;
   if (interval_.cycles > 0) return passages_.fetch_add(1) % interval_.cycles == 0;
-  const std::int64_t now =
-      std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-  if (now < next_.load()) return false;
-  next_.store(now + static_cast<std::int64_t>(1e9 * interval_.seconds));
-  return true;
+  return pace_.due();
 }
 
 void ReadRequest::serve(DebugValue& value) noexcept {
@@ -77,6 +85,23 @@ void SetRequest::serve(DebugValue& value) noexcept {
   } catch (const std::exception&) {  // no memory
     ended_.store(true);
     outbox_->push({number_, Outcome::Kind::error, ": no memory"});
+  }
+}
+
+DrawRequest::DrawRequest(std::uint64_t number, std::shared_ptr<Outbox> outbox, bool once)
+    : number_(number), outbox_(std::move(outbox)), once_(once) {}
+
+void DrawRequest::serve(DebugValue& value) noexcept {
+  if (ended_.load(std::memory_order_relaxed) || !pace_.due()) return;
+  try {
+    const Drawing* drawing = value.drawing();
+    if (!drawing) return;
+    Outcome outcome{number_, Outcome::Kind::value, {}, std::make_shared<const Drawing>(*drawing)};
+    if (!outbox_->push(std::move(outcome))) return;
+    if (!told_.load(std::memory_order_relaxed))
+      told_.store(outbox_->push({number_, Outcome::Kind::done, {}}));
+    if (once_) ended_.store(true);
+  } catch (const std::exception&) {  // no memory: nothing was drawn
   }
 }
 

@@ -16,6 +16,17 @@ struct Interval {
   double seconds = 0;
 };
 
+/// Says when so much time has passed; from any thread.
+class Pace {
+public:
+  explicit Pace(double seconds) : seconds_(seconds) {}
+  bool due();
+
+private:
+  double seconds_;
+  std::atomic<std::int64_t> next_{0};  ///< of a steady clock [ns]
+};
+
 /// A value's text form, once or again and again.
 class ReadRequest final : public DebugRequest {
 public:
@@ -31,7 +42,7 @@ private:
   Interval interval_;
   std::atomic<bool> ended_{false};
   std::atomic<std::uint64_t> passages_{0};
-  std::atomic<std::int64_t> next_{0};  ///< of a steady clock [ns]
+  Pace pace_;
 };
 
 /// Overwrites a value or a part of it, once or at each passage. Says `done` after the first time, with the
@@ -49,6 +60,21 @@ private:
   bool once_;
   std::string path_;
   Tree wanted_;
+  std::atomic<bool> ended_{false}, told_{false};
+};
+
+/// Takes what a drawing draws, once or each `seconds`; `done` after the first time.
+class DrawRequest final : public DebugRequest {
+public:
+  static constexpr double seconds = 0.04;  ///< as often as viewers look
+  DrawRequest(std::uint64_t number, std::shared_ptr<Outbox> outbox, bool once);
+  void serve(DebugValue& value) noexcept override;
+
+private:
+  std::uint64_t number_;
+  std::shared_ptr<Outbox> outbox_;
+  bool once_;
+  Pace pace_{seconds};
   std::atomic<bool> ended_{false}, told_{false};
 };
 

@@ -21,6 +21,7 @@
 #include "modules/infrastructure/AgentLog.h"
 #include "modules/infrastructure/DebugModule.h"
 #include "modules/infrastructure/StatusReport.h"
+#include "pages/AgentPage.h"
 
 // bin/agent: one robot, on the platform that the command line names.
 
@@ -35,7 +36,8 @@ struct Options {
   std::string crashLog = "crash.log";
   std::shared_ptr<DebugOptions> debug = std::make_shared<DebugOptions>();
   AgentLogOptions log;
-  bool debugs = false;
+  pages::PageServer::Config web{.port = pages::AgentPage::standardPort};
+  bool debugs = false, serves = false;
   bool motionOnce = false, status = false, timing = false, verbose = false, parameters = false;
 };
 
@@ -72,6 +74,25 @@ void declare(CLI::App& app, Options& options, Platform& platform) {
   app.add_option("--debug-token", options.debug->server.token, "with --debug: what clients must say first")
       ->needs(debug);
   declareLogOptions(app, options.log);
+  app.add_option(
+         "--drawing-port", options.debug->viewer.port,
+         "UDP port of the viewer (RoboViz, bin/webmonitor) in which drawings that are switched on appear")
+      ->check(CLI::Range(1, 65535))
+      ->capture_default_str();
+  app.add_option("--drawing-address", options.debug->viewer.address, "where that viewer runs")
+      ->capture_default_str();
+  auto* web = app.add_option("--web", options.web.port,
+                             "serve a page to look into the agent; 0: a free port, which is printed")
+                  ->expected(0, 1)
+                  ->default_str(std::to_string(pages::AgentPage::standardPort))
+                  ->check(CLI::Range(0, 65535));
+  web->each([&options](const std::string&) { options.serves = true; });
+  app.add_option("--web-address", options.web.address,
+                 "with --web: where others may reach it; needs --web-token")
+      ->needs(web)
+      ->capture_default_str();
+  app.add_option("--web-token", options.web.token, "with --web: the page opens with ?token=TOKEN only")
+      ->needs(web);
   app.add_flag("-v,--verbose", options.verbose, "print every step of every cycle and all log messages");
   app.add_option("--crash-log", options.crashLog, "file written if the agent dies by a signal")
       ->capture_default_str();
@@ -164,9 +185,16 @@ int runAgent(const Options& options, const Platform& platform) {
   platform.addObjects(controller.objects(), tell);
   controller.objects().set(std::make_shared<MotionToPlay>(MotionToPlay{options.motion, options.motionOnce}));
   controller.objects().set(std::make_shared<StatusOptions>(StatusOptions{options.status}));
-  if (options.debugs) {
+  if (options.debugs || options.serves) {
     requireModule(controller, setup.modulesConfig, "DebugModule", "has no debug port");
     options.debug->tell = tell;
+    options.debug->server.listens = options.debugs;
+    if (options.serves)
+      options.debug->serve = [&options, tell](inspect::DebugServer& server) {
+        auto page = std::make_shared<pages::AgentPage>(options.web, server);
+        tell("page " + page->address());
+        return page;
+      };
     controller.objects().set(options.debug);
   }
   if (options.log.records() && !hasLog(controller))

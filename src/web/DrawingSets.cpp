@@ -1,10 +1,9 @@
 #include "web/DrawingSets.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
+
+#include "inspect/TreeStream.h"
 
 namespace plumbline::web {
 
@@ -19,53 +18,11 @@ struct Overloaded : Ts... {
 template <class... Ts>
 Overloaded(Ts...) -> Overloaded<Ts...>;  // clang 14 needs it said
 
-std::string colourText(const Colour& c) {
-  if (c.alpha == 255) return fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue);
-  return fmt::format("#{:02x}{:02x}{:02x}{:02x}", c.red, c.green, c.blue, c.alpha);
-}
-
-/// Tenths of millimetres are enough to look at.
-double rounded(double value) { return std::round(value * 1e4) / 1e4; }
-
-void append(json& list, const Vec3& v) {
-  for (int i = 0; i < 3; ++i) list.push_back(rounded(v[i]));
-}
-
 json shapeJson(const Shape& shape) {
-  json list = json::array();
-  const auto begin = [&](const char* name) { list = {name, colourText(shape.colour)}; };
-  std::visit(Overloaded{[&](const Circle& c) {
-                          begin("circle");
-                          for (const double v : {c.centre.x(), c.centre.y(), c.radius, c.thickness})
-                            list.push_back(rounded(v));
-                        },
-                        [&](const Line& l) {
-                          begin("line");
-                          append(list, l.begin);
-                          append(list, l.end);
-                          list.push_back(rounded(l.thickness));
-                        },
-                        [&](const Point& p) {
-                          begin("point");
-                          append(list, p.position);
-                          list.push_back(rounded(p.size));
-                        },
-                        [&](const Sphere& s) {
-                          begin("sphere");
-                          append(list, s.centre);
-                          list.push_back(rounded(s.radius));
-                        },
-                        [&](const Polygon& p) {
-                          begin("polygon");
-                          for (const Vec3& corner : p.corners) append(list, corner);
-                        },
-                        [&](const Annotation& a) {
-                          begin("text");
-                          append(list, a.position);
-                          list.push_back(a.text);
-                        }},
-             shape.form);
-  return list;
+  inspect::Tree tree;
+  inspect::TreeOutStream out(tree);
+  shapes::writeShape(out, {shape.form, shape.colour});
+  return inspect::treeJson(tree);
 }
 
 }  // namespace
@@ -131,7 +88,7 @@ std::string DrawingSets::toJson() const {
   };
   for (const auto& [agent, text] : texts) {
     json entry = agentJson(agent);
-    entry["colour"] = colourText(text.colour);
+    entry["colour"] = shapes::colourText(text.colour);
     entry["text"] = text.text;
     message["texts"].push_back(std::move(entry));
   }

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "framework/Shapes.h"
 #include "math/Types.h"
 #include "simspark/TeamSide.h"
 
@@ -13,36 +14,11 @@ namespace plumbline::web {
 
 // What agents draw, in RoboViz's datagram format. Metres of the field frame; thickness and point size in
 // pixels.
-struct Colour {
-  std::uint8_t red = 255, green = 255, blue = 255, alpha = 255;
-  bool operator==(const Colour&) const = default;
-};
-struct Circle {
-  Vec2 centre;
-  double radius, thickness;
-};
-struct Line {
-  Vec3 begin, end;
-  double thickness;
-};
-struct Point {
-  Vec3 position;
-  double size;
-};
-struct Sphere {
-  Vec3 centre;
-  double radius;
-};
-struct Polygon {
-  std::vector<Vec3> corners;
-};
-struct Annotation {
-  Vec3 position;
-  std::string text;
-};
+using shapes::Annotation, shapes::Circle, shapes::Colour, shapes::Line, shapes::Point, shapes::Polygon,
+    shapes::Sphere;
 /// Shown, in its set, from the next swap of that set on.
 struct Shape {
-  std::variant<Circle, Line, Point, Sphere, Polygon, Annotation> form;
+  shapes::Form form;
   Colour colour;
   std::string set;
 };

@@ -39,10 +39,4 @@ private:
   int drawingPort_ = -1;
 };
 
-/// Where the page lies beside the running program; throws std::runtime_error, one line, if it is not built.
-std::string builtPage();
-
-/// Empty, or why a server may not listen there without a token, one line.
-std::string bindProblem(const std::string& address, const std::string& token);
-
 }  // namespace plumbline::web

@@ -19,7 +19,7 @@ player
 waitFor moves
 for i in 1 2 3; do
   kill -KILL "$player"
-  wait "$player" || true
+  wait "$player" 2> /dev/null || true
   player
   waitFor moves
 done

@@ -1,7 +1,7 @@
-// The stream from the server: JSON messages and binary frames; it connects anew when it breaks.
+// The stream from the server: JSON messages and binary frames, or bare text; it connects anew when it breaks.
 export class Connection {
-  constructor({ onMessage, onFrame, onState }) {
-    this.handlers = { onMessage, onFrame, onState };
+  constructor({ onMessage, onFrame, onState, onText = (text) => onMessage(JSON.parse(text)) }) {
+    this.handlers = { onText, onFrame, onState };
     this.open();
   }
 
@@ -15,12 +15,14 @@ export class Connection {
       setTimeout(() => this.open(), 1000);
     };
     this.socket.onmessage = ({ data }) => {
-      if (typeof data === 'string') this.handlers.onMessage(JSON.parse(data));
+      if (typeof data === 'string') this.handlers.onText(data);
       else this.handlers.onFrame(data);
     };
   }
 
-  send(command) {
-    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(command));
+  send(command) { this.sendText(JSON.stringify(command)); }
+
+  sendText(text) {
+    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(text);
   }
 }

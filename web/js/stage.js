@@ -53,7 +53,8 @@ export class Stage {
   }
 
   resize() {
-    const width = window.innerWidth, height = window.innerHeight;
+    const { clientWidth: width, clientHeight: height } = this.renderer.domElement;
+    if (!width || !height) return;
     this.renderer.setPixelRatio(this.ratio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;

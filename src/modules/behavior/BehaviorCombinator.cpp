@@ -1,5 +1,7 @@
 #include "modules/behavior/BehaviorCombinator.h"
 
+#include "framework/DrawingSite.h"
+
 namespace plumbline {
 
 MAKE_MODULE(BehaviorCombinator)
@@ -14,6 +16,12 @@ void BehaviorCombinator::update(SkillRequest* theSkillRequest) {
   const BehaviorOutput* output = active();
   theSkillRequest->skill = output ? output->skill : Skill::stand;
   theSkillRequest->target = output ? output->target : Pose2();
+  DEBUG_DRAWING("draw:BehaviorCombinator:target", {
+    if (!output) return;
+    drawing.circle(output->target.position, 0.15, colours::red);
+    drawing.pose(output->target, 0.4, colours::red);
+    drawing.text(output->target.position, output->skill, colours::red);
+  });
 }
 
 void BehaviorCombinator::update(BeamRequest* theBeamRequest) {

@@ -23,16 +23,21 @@ void DebugModule::init() {
   if (!options || !agent) return;
   inspector_ = std::make_unique<inspect::Inspector>(*agent);
   try {
+    viewer_ = std::make_unique<inspect::DrawingViewer>(options->viewer, object<inspect::DrawingOwner>());
     server_ = std::make_unique<inspect::DebugServer>(*inspector_, options->server);
+    if (options->serve) page_ = options->serve(*server_);
   } catch (const std::runtime_error& error) {
     throw ConfigurationError(error.what());
   }
+  inspector_->showDrawings(
+      [this](const std::string& id, const Drawing& drawing) { viewer_->show(id, drawing); });
   endDescriptor_ = eventfd(0, EFD_CLOEXEC);
   if (endDescriptor_ < 0) throw std::runtime_error("no descriptor is left for the debug port");
   thread_ = std::thread([this] {
     applyThreadPriority(0, stepsOfNice);
     server_->serve(endDescriptor_);
   });
+  if (!options->server.listens) return;
   const std::string line =
       "debug port " + options->server.address + ':' + std::to_string(server_->port()) + ": bin/rdb";
   log << line;
@@ -43,6 +48,7 @@ void DebugModule::init() {
 }
 
 DebugModule::~DebugModule() {
+  page_.reset();
   if (thread_.joinable()) {
     const std::uint64_t one = 1;
     if (write(endDescriptor_, &one, sizeof(one)) < 0) log.error() << "the debug port does not end";

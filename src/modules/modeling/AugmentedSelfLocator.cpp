@@ -1,6 +1,8 @@
 #include "modules/modeling/AugmentedSelfLocator.h"
 
-#include "framework/DebugSite.h"
+#include <cmath>
+
+#include "framework/DrawingSite.h"
 
 namespace plumbline {
 
@@ -40,6 +42,17 @@ void AugmentedSelfLocator::look() {
                            !atImageBorder(seen.b.azimuth, seen.b.elevation)});
 }
 
+void AugmentedSelfLocator::drawSeen(Drawing& drawing) const {
+  drawing.in(DrawingFrame::field, filter_->estimate().pose);
+  for (const SeenFieldLine& line : view_.lines)
+    drawing.line(line.a.position, line.b.position, colours::violet, 3);
+  for (const SeenLandmark& landmark : view_.landmarks) {
+    const Vec2& place = landmark.point.position;
+    drawing.line(Vec2(0, 0), place, colours::violet, 1);
+    drawing.point(Vec3(place.x(), place.y(), landmark.point.height), colours::violet, 8);
+  }
+}
+
 void AugmentedSelfLocator::update(RobotPose* theRobotPose) {
   if (!filter_ || leftSide_ != thePlayerInfo->leftSide) start();
   if (theFrameInfo->restarted) filter_->reset();
@@ -53,6 +66,14 @@ void AugmentedSelfLocator::update(RobotPose* theRobotPose) {
                       DEBUG_RESPONSE_OUTPUT("the pose is forgotten"));
   OUTPUT_BY_VALUE("module:AugmentedSelfLocator:particles", filter_->particleCount());
   OUTPUT_BY_VALUE("module:AugmentedSelfLocator:resets", filter_->resets());
+  DEBUG_DRAWING("draw:AugmentedSelfLocator:particles", {
+    for (const PoseFilter::Particle& one : filter_->believed()) {
+      const double deviation = std::sqrt(one.belief.covariance.topLeftCorner<2, 2>().trace() / 2);
+      drawing.circle(one.belief.pose.position, deviation, colours::yellow, 1);
+      drawing.pose(one.belief.pose, 0.2, colours::yellow, 1);
+    }
+  });
+  DEBUG_DRAWING("draw:AugmentedSelfLocator:seen", drawSeen(drawing));
   const PoseFilter::Estimate& estimate = filter_->estimate();
   theRobotPose->pose = estimate.pose;
   theRobotPose->positionDeviation = estimate.positionDeviation;

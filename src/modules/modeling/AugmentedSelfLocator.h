@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "framework/Drawing.h"
 #include "framework/Module.h"
 #include "modules/modeling/selflocator/PoseFilter.h"
 #include "representations/infrastructure/FieldDimensions.h"
@@ -41,6 +42,8 @@ public:
 private:
   void start();
   void look();
+  /// Landmarks and lines of the last image, from where the robot believes to be.
+  void drawSeen(Drawing& drawing) const;
 
   std::optional<PoseFilter> filter_;
   bool leftSide_ = true;  ///< the side filter_ is for

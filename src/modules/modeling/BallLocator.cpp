@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "framework/DebugSite.h"
+#include "framework/DrawingSite.h"
 
 namespace plumbline {
 
@@ -61,6 +61,15 @@ void BallLocator::update(LocalBallPos* theLocalBallPos) {
   theLocalBallPos->position = theOdometry->total.inverse() * filter_.position();
   theLocalBallPos->velocity = theOdometry->total.rotation().transpose() * filter_.velocity();
   theLocalBallPos->deviation = filter_.deviation();
+  DEBUG_DRAWING("draw:BallLocator:ball", {
+    const LocalBallPos& ball = *theLocalBallPos;
+    const shapes::Colour colour = ball.valid ? colours::orange : colours::faint(colours::orange, 0.4);
+    drawing.in(DrawingFrame::robot);
+    drawing.sphere(Vec3(ball.position.x(), ball.position.y(), 0.042), 0.05, colour);
+    drawing.circle(ball.position, ball.deviation, colour, 1);
+    drawing.arrow(ball.position, Vec2(ball.position + ball.velocity), colour);
+    if (theBallPercept->seen) drawing.point(theBallPercept->position, colours::red, 6);
+  });
 }
 
 }  // namespace plumbline

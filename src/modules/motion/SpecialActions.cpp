@@ -1,5 +1,7 @@
 #include "modules/motion/SpecialActions.h"
 
+#include "framework/DebugSite.h"
+
 namespace plumbline {
 
 MAKE_MODULE(SpecialActions)
@@ -8,6 +10,16 @@ void SpecialActions::init() {
   // Where main knows the robot, a broken file is told before anything else starts.
   if (const RobotModel* robot = findObject<RobotModel>()) readMotions(config, *robot);
 }
+
+namespace {
+
+std::vector<std::string> namesOf(const std::vector<motion::KeyframeMotion>& motions) {
+  std::vector<std::string> names;
+  for (const motion::KeyframeMotion& motion : motions) names.push_back(motion.name);
+  return names;
+}
+
+}  // namespace
 
 void SpecialActions::start() {
   const motion::KeyframeMotion* motion = findMotion(motions_, theMotionSelection->specialAction);
@@ -23,6 +35,7 @@ void SpecialActions::update(SpecialActionsOutput* theSpecialActionsOutput) {
     motions_ = readMotions(config, theRobotDescription->model);
     player_ = {};
   }
+  OUTPUT_BY_VALUE("module:SpecialActions:motions", namesOf(motions_));
   const bool still = stillness_.update(theSensorData->gyro);
   if (theMotionSelection->motion == Motion::specialAction) {
     if (theMotionSelection->started) start();

@@ -1,8 +1,9 @@
 #include "modules/motion/WalkingEngine.h"
 
-#include "framework/DebugSite.h"
+#include "framework/DrawingSite.h"
 #include "framework/ThreadPriority.h"
 #include "modules/motion/WalkConfig.h"
+#include "modules/motion/WalkDrawing.h"
 
 namespace plumbline {
 
@@ -91,6 +92,8 @@ void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
     if (fit_ && request.walk) fitModel();
     standing_ = output.standing;
     OUTPUT("module:WalkingEngine:standing", standing_);
+    DEBUG_DRAWING("draw:WalkingEngine:walk", drawWalk(drawing, *engine_));
+    DEBUG_DRAWING("draw:WalkingEngine:steps", if (!output.standing) drawPlannedSteps(drawing, *engine_, 6));
   } else {
     output = engine_->stand();
   }

@@ -1,5 +1,7 @@
 #include "modules/skills/SkillCombinator.h"
 
+#include "framework/DrawingSite.h"
+
 namespace plumbline {
 
 MAKE_MODULE(SkillCombinator)
@@ -16,8 +18,16 @@ void SkillCombinator::update(MotionRequest* theMotionRequest) {
     theMotionRequest->specialAction = output->specialAction;
     theMotionRequest->kickFoot = output->kickFoot;
     theMotionRequest->kickBall = output->kickBall;
-    return;
+    break;
   }
+  DEBUG_DRAWING("draw:SkillCombinator:request", {
+    const MotionRequest& request = *theMotionRequest;
+    drawing.in(DrawingFrame::robot);
+    drawing.text(Vec3(0, 0, 0.7), request.motion, colours::white);
+    drawing.arrow(Vec2(0, 0), request.walkVelocity, colours::green, 3);
+    drawing.arrow(request.walkVelocity, Vec2(request.walkVelocity + Vec2(0, request.walkTurn)), colours::blue,
+                  3);
+  });
 }
 
 }  // namespace plumbline

@@ -113,6 +113,8 @@ public:
   StepRecorder recorder;
   Disturbance disturbance;
   ModelParameters fit, prediction;
+  Pose2 landing;  ///< of the swing foot, in the supporting foot's frame
+  Pose2 torso() const { return body.torsoOnGround(); }
 
 private:
   /// A request for a target becomes one for a velocity or, there, for a stop or the kick.
@@ -288,11 +290,11 @@ private:
       }
       return action.duration;
     }
-    const Pose2 target = end.foot[index(support)].inverse() * action.stepTarget;
+    landing = end.foot[index(support)].inverse() * action.stepTarget;
     move(action, left);
     stepTime = action.duration - left;
     phase = elapsed / (elapsed + action.duration - left);
-    state.foot[index(other(support))] = state.foot[index(support)] * swung(target);
+    state.foot[index(other(support))] = state.foot[index(support)] * swung(landing);
     return left;
   }
 
@@ -308,7 +310,7 @@ private:
     kick.beginStep(support);
     state.support = supportOf(support);
     elapsed = phase = 0;
-    liftOff = state.foot[index(support)].inverse() * state.foot[index(other(support))];
+    landing = liftOff = state.foot[index(support)].inverse() * state.foot[index(other(support))];
   }
 
   void move(const WalkAction& action, double time) {
@@ -383,6 +385,8 @@ void WalkEngine::forget() { implementation->forget(); }
 WalkOutput WalkEngine::stand() const { return implementation->stand(); }
 
 const WalkState& WalkEngine::state() const { return implementation->state; }
+const Pose2& WalkEngine::landing() const { return implementation->landing; }
+Pose2 WalkEngine::torso() const { return implementation->torso(); }
 const WalkState& WalkEngine::observed() const { return implementation->loop.observed().state(); }
 Vec2 WalkEngine::seenVelocity() const { return implementation->loop.observed().seenVelocity(); }
 const WalkParameters& WalkEngine::gait() const { return implementation->p; }

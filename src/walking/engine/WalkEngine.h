@@ -86,6 +86,11 @@ public:
   WalkOutput stand() const;
   /// The walk state that is being realised; for tests and plots.
   const WalkState& state() const;
+  /// Where the swing foot will land, in the supporting foot's frame; as at the beginning of the step before
+  /// the first one is planned.
+  const Pose2& landing() const;
+  /// The torso's place on the ground in the frame of the walk state.
+  Pose2 torso() const;
   /// What is observed, as old as the last measurement; its velocity is the particle filter's.
   const WalkState& observed() const;
   /// The velocity that the supporting foot's movement alone shows [m/s].

@@ -39,6 +39,11 @@ public:
     bool valid = false;
   };
 
+  struct Particle {
+    PoseBelief belief;
+    double weight;
+  };
+
   PoseFilter(const FieldMap& map, const Parameters& parameters);
   PoseFilter(const PoseFilter&) = delete;  // its parts refer to its map
   PoseFilter& operator=(const PoseFilter&) = delete;
@@ -56,12 +61,10 @@ public:
   /// Particles replaced by poses from images since the start.
   int resets() const { return resets_; }
   std::size_t particleCount() const { return particles.size(); }
+  /// What is believed; for drawings.
+  const std::vector<Particle>& believed() const { return particles; }
 
 private:
-  struct Particle {
-    PoseBelief belief;
-    double weight;
-  };
   void start(const FieldView& view);
   void resample();
   void resetFromImage(const FieldView& view, double share);

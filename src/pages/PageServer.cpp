@@ -1,4 +1,4 @@
-#include "web/WebServer.h"
+#include "pages/PageServer.h"
 
 #include <arpa/inet.h>
 #include <libwebsockets.h>
@@ -6,27 +6,26 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <stdexcept>
 #include <string_view>
 #include <thread>
-#include <vector>
 
 #include "simspark/Loopback.h"
 
-namespace plumbline::web {
+namespace plumbline::pages {
 
 namespace {
 
-constexpr std::size_t maxCommandBytes = 4096, maxPages = 64;
+constexpr std::size_t maxPages = 64;
 constexpr const char* protocolName = "plumbline";
 
 /// A page's connection.
 struct Session {
-  std::array<std::uint64_t, numChannels> told{};
-  std::size_t nextChannel = 0;
-  std::string received;
+  std::unique_ptr<PageSession> page;
+  std::string received, sending;
 };
 
 std::string header(lws* wsi, lws_token_indexes token) {
@@ -61,8 +60,8 @@ bool canListen(const std::string& address, int port) {
 
 }  // namespace
 
-struct WebServer::Implementation {
-  Implementation(const Config& config, Broadcast& broadcast);
+struct PageServer::Implementation {
+  Implementation(const Config& config, PageSource& source);
   ~Implementation();
 
   /// Sets context and port, or leaves both unset.
@@ -75,33 +74,30 @@ struct WebServer::Implementation {
   static int callback(lws* wsi, lws_callback_reasons reason, void* user, void* bytes, std::size_t size);
 
   Config config;
-  Broadcast& broadcast;
+  PageSource& source;
   std::array<lws_protocols, 3> protocols{};
   lws_http_mount mount{};
   lws_context* context = nullptr;
   int port = 0;
   std::size_t pages = 0;
-  std::vector<unsigned char> buffer;
-
-  Feed* feed = nullptr;
   std::atomic<bool> stopping = false;
   std::thread thread;
 };
 
-WebServer::Implementation::Implementation(const Config& config_, Broadcast& broadcast_)
-    : config(config_), broadcast(broadcast_) {
+PageServer::Implementation::Implementation(const Config& config_, PageSource& source_)
+    : config(config_), source(source_) {
   if (config.address == "localhost") config.address = "127.0.0.1";
   protocols[0].name = "http";
   protocols[0].callback = lws_callback_http_dummy;
   protocols[1].name = protocolName;
   protocols[1].callback = callback;
   protocols[1].per_session_data_size = sizeof(Session*);
-  protocols[1].rx_buffer_size = maxCommandBytes;
+  protocols[1].rx_buffer_size = std::min<std::size_t>(source.maxMessage(), 16384);
 
   mount.mountpoint = "/";
   mount.mountpoint_len = 1;
   mount.origin = config.folder.c_str();
-  mount.def = "index.html";
+  mount.def = config.index.c_str();
   mount.origin_protocol = LWSMPRO_FILE;
   mount.cache_max_age = 0;
 
@@ -125,10 +121,10 @@ WebServer::Implementation::Implementation(const Config& config_, Broadcast& broa
     throw std::runtime_error("cannot listen on " + config.address + ':' + std::to_string(config.port) +
                              " for the page; is the port in use? Choose another or 0");
   }
-  broadcast.onPublish([this] { lws_cancel_service(context); });
+  source.onNews([this] { lws_cancel_service(context); });
 }
 
-void WebServer::Implementation::open(lws_context_creation_info info) {
+void PageServer::Implementation::open(lws_context_creation_info info) {
   if (!canListen(config.address, info.port)) return;
   context = lws_create_context(&info);
   lws_vhost* host = context ? lws_get_vhost_by_name(context, "default") : nullptr;
@@ -138,12 +134,12 @@ void WebServer::Implementation::open(lws_context_creation_info info) {
   context = nullptr;
 }
 
-WebServer::Implementation::~Implementation() {
-  broadcast.onPublish({});
+PageServer::Implementation::~Implementation() {
+  source.onNews({});
   lws_context_destroy(context);
 }
 
-bool WebServer::Implementation::admits(lws* wsi) const {
+bool PageServer::Implementation::admits(lws* wsi) const {
   if (pages >= maxPages) return false;
   const std::string host = header(wsi, WSI_TOKEN_HOST);
   const std::string origin = header(wsi, WSI_TOKEN_ORIGIN);
@@ -154,46 +150,41 @@ bool WebServer::Implementation::admits(lws* wsi) const {
   return found && simspark::sameSecret(found, config.token);
 }
 
-void WebServer::Implementation::receive(Session& session, lws* wsi, std::string_view bytes) {
-  if (session.received.size() + bytes.size() > maxCommandBytes) {
+void PageServer::Implementation::receive(Session& session, lws* wsi, std::string_view bytes) {
+  if (session.received.size() + bytes.size() > source.maxMessage()) {
     session.received.clear();
     return lws_set_timeout(wsi, PENDING_TIMEOUT_CLOSE_SEND, LWS_TO_KILL_ASYNC);
   }
   session.received += bytes;
   if (!lws_is_final_fragment(wsi) || lws_remaining_packet_payload(wsi) != 0) return;
-  PageCommand command;
-  if (parsePageCommand(session.received, command).empty() && feed) feed->command(command);
+  if (!session.page->receive(session.received))
+    lws_set_timeout(wsi, PENDING_TIMEOUT_CLOSE_SEND, LWS_TO_KILL_ASYNC);
   session.received.clear();
 }
 
-bool WebServer::Implementation::sendNext(Session& session, lws* wsi) {
-  for (std::size_t i = 0; i < numChannels; ++i) {
-    const std::size_t channel = (session.nextChannel + i) % numChannels;
-    const auto [message, version] = broadcast.latest(static_cast<Channel>(channel));
-    if (!message || version == session.told[channel]) continue;
-    session.told[channel] = version;
-    session.nextChannel = (channel + 1) % numChannels;
-    buffer.resize(LWS_PRE + message->size());
-    std::copy(message->begin(), message->end(), buffer.begin() + LWS_PRE);
-    const bool binary = static_cast<Channel>(channel) == Channel::frame;
-    const int sent =
-        lws_write(wsi, buffer.data() + LWS_PRE, message->size(), binary ? LWS_WRITE_BINARY : LWS_WRITE_TEXT);
-    if (sent < 0) return false;
-    lws_callback_on_writable(wsi);
-    return true;
-  }
+bool PageServer::Implementation::sendNext(Session& session, lws* wsi) {
+  session.sending.assign(LWS_PRE, '\0');
+  const PageSession::Kind kind = session.page->next(session.sending);
+  if (kind == PageSession::Kind::end) return false;
+  if (kind == PageSession::Kind::nothing) return true;
+  auto* bytes = reinterpret_cast<unsigned char*>(session.sending.data()) + LWS_PRE;
+  const bool binary = kind == PageSession::Kind::binary;
+  if (lws_write(wsi, bytes, session.sending.size() - LWS_PRE, binary ? LWS_WRITE_BINARY : LWS_WRITE_TEXT) < 0)
+    return false;
+  lws_callback_on_writable(wsi);
   return true;
 }
 
-int WebServer::Implementation::serve(lws* wsi, lws_callback_reasons reason, void* user, void* bytes,
-                                     std::size_t size) {
+int PageServer::Implementation::serve(lws* wsi, lws_callback_reasons reason, void* user, void* bytes,
+                                      std::size_t size) {
   auto** session = static_cast<Session**>(user);
   switch (reason) {
     case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION:
       return admits(wsi) ? 0 : 1;
     case LWS_CALLBACK_ESTABLISHED:
-      *session = new Session();
+      *session = new Session{source.open(), {}, {}};
       ++pages;
+      if (!(*session)->page) return -1;
       lws_callback_on_writable(wsi);
       return 0;
     case LWS_CALLBACK_CLOSED:
@@ -214,33 +205,32 @@ int WebServer::Implementation::serve(lws* wsi, lws_callback_reasons reason, void
   }
 }
 
-int WebServer::Implementation::callback(lws* wsi, lws_callback_reasons reason, void* user, void* bytes,
-                                        std::size_t size) {
+int PageServer::Implementation::callback(lws* wsi, lws_callback_reasons reason, void* user, void* bytes,
+                                         std::size_t size) {
   lws_context* context = lws_get_context(wsi);
   auto* self = context ? static_cast<Implementation*>(lws_context_user(context)) : nullptr;
   // While the context is being made or unmade there is nothing to do.
   return self && self->context ? self->serve(wsi, reason, user, bytes, size) : 0;
 }
 
-WebServer::WebServer(const Config& config, Broadcast& broadcast)
-    : implementation(std::make_unique<Implementation>(config, broadcast)) {}
+PageServer::PageServer(const Config& config, PageSource& source)
+    : implementation(std::make_unique<Implementation>(config, source)) {}
 
-WebServer::~WebServer() { stop(); }
+PageServer::~PageServer() { stop(); }
 
-void WebServer::start(Feed& feed) {
-  implementation->feed = &feed;
+void PageServer::start() {
   implementation->thread = std::thread([self = implementation.get()] {
     while (!self->stopping && lws_service(self->context, 0) >= 0) {
     }
   });
 }
 
-void WebServer::stop() {
+void PageServer::stop() {
   implementation->stopping = true;
   lws_cancel_service(implementation->context);
   if (implementation->thread.joinable()) implementation->thread.join();
 }
 
-int WebServer::port() const { return implementation->port; }
+int PageServer::port() const { return implementation->port; }
 
-}  // namespace plumbline::web
+}  // namespace plumbline::pages

@@ -1,0 +1,22 @@
+#include "inspect/DrawingViewer.h"
+
+#include <fmt/format.h>
+
+#include "simspark/RoboVizWriter.h"
+
+namespace plumbline::inspect {
+
+DrawingViewer::DrawingViewer(const ViewerOptions& options, const DrawingOwner& owner)
+    : sender_(options.address, options.port), owner_(owner) {}
+
+void DrawingViewer::show(const std::string& id, const Drawing& drawing) const {
+  constexpr std::string_view prefix = "draw:";
+  const std::string_view name =
+      id.starts_with(prefix) ? std::string_view(id).substr(prefix.size()) : std::string_view(id);
+  const bool right = owner_.right.load();
+  // Its end is in no other name: viewers show all sets that begin with the one they are told.
+  const std::string set = fmt::format("{}.{:02}.{}.", right ? "right" : "left", owner_.number.load(), name);
+  sender_.send(simspark::roboVizDatagrams(set, drawing.shapes(), right));
+}
+
+}  // namespace plumbline::inspect
