@@ -14,6 +14,7 @@ namespace plumbline {
 namespace {
 
 constexpr double maxCondition = 1e14;
+constexpr double stepShortening = 0.5, pathShortening = 0.25;
 constexpr double growthLimit = 1e4;  // more means divergence: the cost falls without end
 
 std::size_t historyLength(int n, int lambda) {
@@ -73,7 +74,9 @@ struct Reader {
 }  // namespace
 
 Cmaes::Cmaes(SearchSpace space_, CmaesOptions options_)
-    : Optimizer(std::move(space_), options_.stop), options(options_), box(space().lower, space().upper) {
+    : Optimizer(std::move(space_), options_.stop, options_.ahead),
+      options(options_),
+      box(space().lower, space().upper) {
   const int n = dimension();
   const double dn = n;
   if (options.population == 0) options.population = 4 + static_cast<int>(std::floor(3 * std::log(dn)));
@@ -105,7 +108,6 @@ Cmaes::Cmaes(SearchSpace space_, CmaesOptions options_)
   pathSigma = pathC = Eigen::VectorXd::Zero(n);
   scales = Eigen::VectorXd::Ones(n);
   covariance = axes = Eigen::MatrixXd::Identity(n, n);
-  z.resize(n, lambda);
 }
 
 Eigen::VectorXd Cmaes::favourite() const { return box.toBox(mean.cwiseProduct(space().sigma)); }
@@ -115,9 +117,12 @@ Eigen::VectorXd Cmaes::deviations() const {
 }
 
 void Cmaes::sample(Eigen::MatrixXd& candidates) {
-  Random random(options.seed * 0xd1342543de82ef95ULL + static_cast<std::uint64_t>(generations()));
+  Random random(options.seed * 0xd1342543de82ef95ULL + static_cast<std::uint64_t>(drawn()));
+  auto& [z, y, from] = drawn_.emplace_back();
+  z.resize(dimension(), population());
   for (Eigen::Index i = 0; i < z.size(); ++i) z.data()[i] = random.gaussian();
   y.noalias() = axes * z;
+  from = mean;
   candidates.resize(dimension(), population());
   for (Eigen::Index k = 0; k < candidates.cols(); ++k)
     for (Eigen::Index i = 0; i < candidates.rows(); ++i)
@@ -125,12 +130,21 @@ void Cmaes::sample(Eigen::MatrixXd& candidates) {
 }
 
 void Cmaes::update(std::span<const double> costs, std::span<const int> order) {
+  const Drawn from = std::move(drawn_.front());
+  drawn_.pop_front();
   Eigen::VectorXd step = Eigen::VectorXd::Zero(dimension()), white = step;
   for (int i = 0; i < mu; ++i) {
-    step += weights[i] * y.col(order[static_cast<std::size_t>(i)]);
-    white += weights[i] * z.col(order[static_cast<std::size_t>(i)]);
+    step += weights[i] * from.y.col(order[static_cast<std::size_t>(i)]);
+    white += weights[i] * from.z.col(order[static_cast<std::size_t>(i)]);
   }
-  mean += sigma_ * step;
+  if (ahead() > 1) {
+    const Eigen::VectorXd gone = (mean - from.mean) / sigma_;
+    // The axes are others than those it was drawn with: D^-1 B' step.
+    white = (axes.transpose() * (step - pathShortening * gone)).cwiseQuotient(scales.cwiseAbs2());
+    mean += sigma_ * (step - stepShortening * gone);
+  } else {
+    mean += sigma_ * step;
+  }
   ++updates;
 
   // axes = B D, so C^(-1/2) step = B white = axes D^-1 white.
@@ -142,7 +156,7 @@ void Cmaes::update(std::span<const double> costs, std::span<const int> order) {
   pathC *= 1 - cC;
   if (pathIsShort) pathC += std::sqrt(cC * (2 - cC) * muEff) * step;
 
-  adaptCovariance(order, pathIsShort);
+  adaptCovariance(from, order, pathIsShort);
   sigma_ *= std::exp(std::min(1.0, cSigma / dSigma * (length / chiN - 1)));
   // A plateau gives no direction; widen the search (the tutorial's appendix B.2).
   const auto quarter = static_cast<std::size_t>(std::ceil(0.1 + population() / 4.0));
@@ -152,7 +166,7 @@ void Cmaes::update(std::span<const double> costs, std::span<const int> order) {
   if (updates - decomposedAt >= decomposeEvery) decompose();
 }
 
-void Cmaes::adaptCovariance(std::span<const int> order, bool pathIsShort) {
+void Cmaes::adaptCovariance(const Drawn& from, std::span<const int> order, bool pathIsShort) {
   const int n = dimension(), lambda = population();
   const double forgotten = (pathIsShort ? 0 : c1 * cC * (2 - cC)) - c1 - cMu * weights.sum();
   covariance.triangularView<Eigen::Lower>() *= 1 + forgotten;
@@ -161,10 +175,10 @@ void Cmaes::adaptCovariance(std::span<const int> order, bool pathIsShort) {
   for (int i = 0; i < lambda; ++i) {
     const int k = order[static_cast<std::size_t>(i)];
     if (i < mu) {
-      good.col(i) = std::sqrt(weights[i]) * y.col(k);
+      good.col(i) = std::sqrt(weights[i]) * from.y.col(k);
     } else {  // z is C^(-1/2) y up to a rotation
-      const double size = std::max(z.col(k).squaredNorm(), 1e-300);
-      bad.col(i - mu) = std::sqrt(std::max(0.0, -weights[i]) * n / size) * y.col(k);
+      const double size = std::max(from.z.col(k).squaredNorm(), 1e-300);
+      bad.col(i - mu) = std::sqrt(std::max(0.0, -weights[i]) * n / size) * from.y.col(k);
     }
   }
   covariance.selfadjointView<Eigen::Lower>().rankUpdate(good, cMu);
@@ -240,6 +254,7 @@ void Cmaes::visitState(Archive&& archive) {
 }
 
 std::string Cmaes::save() const {
+  if (!savesItself()) return Optimizer::save();
   std::string bytes;
   Writer writer{bytes};
   const std::int64_t header[] = {0x316165616d43, dimension(), population(), evaluations(), generations()};
@@ -252,6 +267,7 @@ std::string Cmaes::save() const {
 }
 
 void Cmaes::restore(const std::string& state) {
+  if (!savesItself()) return Optimizer::restore(state);
   Reader reader{state};
   std::int64_t header[5];
   for (std::int64_t& number : header) reader.number(number);
@@ -267,6 +283,7 @@ void Cmaes::restore(const std::string& state) {
     throw std::invalid_argument("Cmaes::restore: the state is damaged");
   visitState(reader);
   if (reader.at != state.size()) throw std::invalid_argument("Cmaes::restore: the state is too long");
+  drawn_.clear();
   restoreProgress(header[3], header[4], cost, where, static_cast<StopReason>(reason));
 }
 
@@ -277,6 +294,7 @@ MAKE_OPTIMIZER(cmaes,
                   options.population = given.population;
                   options.seed = given.seed;
                   options.stop = given.stop;
+                  options.ahead = given.ahead;
                   return std::make_unique<Cmaes>(space, options);
                 }});
 

@@ -14,6 +14,10 @@ struct CmaesOptions {
   std::uint64_t seed = 1;
   bool active = true;  ///< bad candidates take variance away (negative weights)
   StopCriteria stop;
+  /// Generations evaluated at a time. Beyond 1 a generation is drawn before the ones ahead of it are told: its
+  /// step is shortened by half of the way that the mean has gone meanwhile, and the step-size path by a
+  /// quarter of it, so that a step that others took already is not taken for one more in the same direction.
+  int ahead = 1;
 };
 
 /// CMA-ES with active covariance update: Hansen, "The CMA Evolution Strategy: A Tutorial" (arXiv:1604.00772,
@@ -36,11 +40,16 @@ protected:
   void sample(Eigen::MatrixXd& candidates) override;
   void update(std::span<const double> costs, std::span<const int> order) override;
   StopReason converged() const override;
-  bool savesItself() const override { return true; }
+  bool savesItself() const override { return ahead() == 1; }
+  void forget() override { drawn_.pop_front(); }
 
 private:
+  struct Drawn {
+    Eigen::MatrixXd z, y;
+    Eigen::VectorXd mean;
+  };
   void decompose();
-  void adaptCovariance(std::span<const int> order, bool pathIsShort);
+  void adaptCovariance(const Drawn& from, std::span<const int> order, bool pathIsShort);
   void remember(std::span<const double> costs, std::span<const int> order);
   template <typename Archive>
   void visitState(Archive&& archive);
@@ -55,7 +64,7 @@ private:
   // In coordinates whose unit is the first sigma.
   Eigen::VectorXd mean, pathSigma, pathC, scales;
   Eigen::MatrixXd covariance, axes;  // axes: eigenvectors times scales
-  Eigen::MatrixXd z, y;              // of this generation
+  std::deque<Drawn> drawn_;          // generations not told yet, the oldest first
   double sigma_ = 1;
   std::int64_t updates = 0, decomposedAt = 0;
   double lastSpread = 0;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "math/Random.h"
 #include "optimization/Optimizers.h"
@@ -41,6 +43,11 @@ void CmaesRestarts::update(std::span<const double> costs, std::span<const int>) 
     finished = current->stopReason();
   else
     restart();
+}
+
+void CmaesRestarts::forget() {
+  current->tell(std::vector<double>(static_cast<std::size_t>(current->population()),
+                                    std::numeric_limits<double>::infinity()));
 }
 
 void CmaesRestarts::restart() {

@@ -24,6 +24,8 @@ public:
 protected:
   void sample(Eigen::MatrixXd& candidates) override { candidates = current->ask(); }
   void update(std::span<const double> costs, std::span<const int> order) override;
+  /// The current run is told, too: it would draw the same again.
+  void forget() override;
   StopReason converged() const override { return finished; }
 
 private:

@@ -69,23 +69,34 @@ const char* name(StopReason reason) {
   return "none";
 }
 
-Optimizer::Optimizer(SearchSpace space, StopCriteria stop) : space_(std::move(space)), stop_(stop) {
+Optimizer::Optimizer(SearchSpace space, StopCriteria stop, int ahead)
+    : space_(std::move(space)), stop_(stop), ahead_(ahead) {
+  if (ahead < 1 || ahead > mostAhead)
+    throw std::invalid_argument("ahead is " + std::to_string(ahead) + "; 1 to " + std::to_string(mostAhead) +
+                                " generations may be evaluated at a time");
   check(space_);
   best_ = space_.start;
 }
 
-const Eigen::MatrixXd& Optimizer::ask() {
-  if (!asked) sample(candidates);
-  asked = true;
-  return candidates;
+const Eigen::MatrixXd& Optimizer::ask(int k) {
+  if (k < 0 || k >= ahead_)
+    throw std::logic_error("Optimizer::ask: generation " + std::to_string(k) + " of " +
+                           std::to_string(ahead_) + " that may be asked");
+  while (open_.size() < static_cast<std::size_t>(ahead_)) {
+    Eigen::MatrixXd candidates;
+    sample(candidates);
+    open_.push_back(std::move(candidates));
+  }
+  return open_[static_cast<std::size_t>(k)];
 }
 
 void Optimizer::tell(std::span<const double> costs) {
-  if (!asked) throw std::logic_error("Optimizer::tell before ask");
-  if (static_cast<Eigen::Index>(costs.size()) != candidates.cols())
+  if (open_.empty()) throw std::logic_error("Optimizer::tell before ask");
+  if (static_cast<Eigen::Index>(costs.size()) != open_.front().cols())
     throw std::invalid_argument("Optimizer::tell: " + std::to_string(costs.size()) + " costs for " +
-                                std::to_string(candidates.cols()) + " candidates");
-  asked = false;
+                                std::to_string(open_.front().cols()) + " candidates");
+  last_ = std::move(open_.front());
+  open_.pop_front();
   if (!savesItself()) told.insert(told.end(), costs.begin(), costs.end());
   std::vector<double> clean(costs.begin(), costs.end());
   for (double& cost : clean)
@@ -99,9 +110,12 @@ void Optimizer::tell(std::span<const double> costs) {
   const double first = at(order[0]);
   if (first < bestCost_) {
     bestCost_ = first;
-    best_ = candidates.col(order[0]);
+    best_ = last_.col(order[0]);
   }
-  if (first < std::numeric_limits<double>::infinity()) update(clean, order);
+  if (first < std::numeric_limits<double>::infinity())
+    update(clean, order);
+  else
+    forget();
   reason = findReason();
 }
 
@@ -113,6 +127,7 @@ StopReason Optimizer::findReason() const {
 }
 
 double Optimizer::sigma() const {
+  const Eigen::MatrixXd& candidates = open_.empty() ? last_ : open_.back();
   if (candidates.cols() < 2) return 1;
   const Eigen::VectorXd middle = candidates.rowwise().mean();
   const Eigen::VectorXd variances =
@@ -157,7 +172,7 @@ void Optimizer::restoreProgress(std::int64_t evaluations, std::int64_t generatio
   bestCost_ = bestCost;
   best_ = best;
   reason = reason_;
-  asked = false;
+  open_.clear();
 }
 
 double minimize(Optimizer& optimizer, const std::function<double(const Eigen::VectorXd&)>& cost) {

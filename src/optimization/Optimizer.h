@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <limits>
 #include <span>
@@ -56,11 +57,15 @@ public:
   Optimizer(const Optimizer&) = delete;
   Optimizer& operator=(const Optimizer&) = delete;
 
-  /// The candidates of this generation, one per column, all inside the box; the same until tell().
-  const Eigen::MatrixXd& ask();
-  /// Their costs, in the order of the columns. Throws std::invalid_argument for another number of costs and
-  /// std::logic_error where nothing was asked.
+  /// The candidates of the generation that is told next, one per column, all inside the box; the same until
+  /// tell(). With k > 0, below ahead(): those of the k-th generation after it, to be evaluated meanwhile.
+  const Eigen::MatrixXd& ask(int k = 0);
+  /// Costs of ask(0), in the order of the columns. Throws std::invalid_argument for another number of costs
+  /// and std::logic_error where nothing was asked.
   void tell(std::span<const double> costs);
+  /// How many generations may be evaluated at a time; each is drawn as soon as the one so many before it is
+  /// told, so that who evaluates when has no effect.
+  int ahead() const { return ahead_; }
 
   int dimension() const { return static_cast<int>(space_.start.size()); }
   const SearchSpace& space() const { return space_; }
@@ -83,20 +88,26 @@ public:
   virtual void restore(const std::string& state);
 
 protected:
-  /// Checks the space; throws std::invalid_argument naming coordinate and value.
-  Optimizer(SearchSpace space, StopCriteria stop);
+  /// Checks the space; throws std::invalid_argument naming coordinate and value. With ahead > 1 sample() is
+  /// called so many times before the first update(), which then belongs to the oldest.
+  Optimizer(SearchSpace space, StopCriteria stop, int ahead = 1);
+  static constexpr int mostAhead = 64;
 
   /// Draws a generation, one candidate per column.
   virtual void sample(Eigen::MatrixXd& candidates) = 0;
   /// Learns from costs without NaN (+infinity instead), at least one of them finite; `order` are the columns
   /// from best to worst, equal costs in the order of the columns.
   virtual void update(std::span<const double> costs, std::span<const int> order) = 0;
+  /// In place of update() where no cost is finite: drops what sample() kept of that generation.
+  virtual void forget() {}
   /// A reason to stop of its own, asked after each update.
   virtual StopReason converged() const { return StopReason::none; }
   /// Whether it has save() and restore() of its own, so that costs need not be kept.
   virtual bool savesItself() const { return false; }
 
   const StopCriteria& stop() const { return stop_; }
+  /// Generations drawn, told or not.
+  std::int64_t drawn() const { return generations_ + static_cast<std::int64_t>(open_.size()); }
   /// Puts back what was counted, for subclasses that restore a saved state.
   void restoreProgress(std::int64_t evaluations, std::int64_t generations, double bestCost,
                        const Eigen::VectorXd& best, StopReason reason);
@@ -106,8 +117,9 @@ private:
 
   SearchSpace space_;
   StopCriteria stop_;
-  Eigen::MatrixXd candidates;
-  bool asked = false;
+  int ahead_;
+  std::deque<Eigen::MatrixXd> open_;  ///< generations drawn and not told, the oldest first
+  Eigen::MatrixXd last_;              ///< the one told last
   std::int64_t evaluations_ = 0, generations_ = 0;
   Eigen::VectorXd best_;
   double bestCost_ = std::numeric_limits<double>::infinity();

@@ -14,6 +14,7 @@ struct OptimizerOptions {
   int population = 0;  ///< candidates per generation; 0: its own default
   std::uint64_t seed = 1;
   StopCriteria stop;
+  int ahead = 1;  ///< generations evaluated at a time; those that cannot have more keep to 1
 };
 
 /// An optimiser that can be chosen by name. Its own file makes it known by MAKE_OPTIMIZER.

@@ -1,4 +1,4 @@
-#include "simspark/Loopback.h"
+#include "framework/Loopback.h"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-namespace plumbline::simspark {
+namespace plumbline {
 
 bool isLoopbackAddress(std::string_view address) {
   if (address == "localhost") return true;
@@ -26,4 +26,4 @@ bool sameSecret(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
-}  // namespace plumbline::simspark
+}  // namespace plumbline

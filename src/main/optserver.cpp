@@ -1,0 +1,207 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <list>
+
+#include "framework/CommandLine.h"
+#include "framework/ConfigFolder.h"
+#include "framework/ConfigurationError.h"
+#include "framework/ProgressReport.h"
+#include "framework/StopSignal.h"
+#include "framework/WriteFile.h"
+#include "optimization/farm/FarmServer.h"
+#include "optimization/farm/OptimizationClient.h"
+#include "simspark/ChildProcess.h"
+#include "training/Study.h"
+
+namespace plumbline {
+namespace {
+
+struct Options {
+  std::string study, folder, motion;
+  farm::FarmOptions farm;
+  int workers = 0;
+  double every = 5;
+  bool status = false;
+};
+
+/// Workers on this machine; one that ends before the search does is started again, at most once a second.
+class LocalWorkers {
+public:
+  LocalWorkers(int count, int port, const std::string& token, const std::string& log) : log_(log) {
+    command_ = {programFolder() + "/optworker", "--port", std::to_string(port), "--config", configFolder()};
+    if (!token.empty()) command_.insert(command_.end(), {"--token", token});
+    for (int i = 0; i < count; ++i) all_.emplace_back(start());
+  }
+  /// Throws std::runtime_error where none of them can work.
+  void keep(double now) {
+    if (now - checked_ < 1) return;
+    checked_ = now;
+    for (auto& worker : all_) {
+      if (worker->running()) continue;
+      if (worker->exitStatus() == 2) throw std::runtime_error("a worker cannot work; see " + log_);
+      worker = start();
+    }
+  }
+
+private:
+  std::unique_ptr<simspark::ChildProcess> start() const {
+    return std::make_unique<simspark::ChildProcess>(command_, log_);
+  }
+  std::string log_;
+  std::vector<std::string> command_;
+  std::list<std::unique_ptr<simspark::ChildProcess>> all_;
+  double checked_ = 0;
+};
+
+/// The live table.
+class Table {
+public:
+  explicit Table(const training::Study& study, double every) : stop_(study.search.stop), every_(every) {}
+  void line(const farm::FarmServer& server, const Search& search, bool last = false) {
+    const farm::FarmProgress& progress = server.progress();
+    if (!last && progress.seconds < next_) return;
+    next_ = progress.seconds + every_;
+    if (lines_++ % 20 == 0)
+      fmt::print("{:>10} {:>10} {:>10} {:>8} {:>9} {:>8} {:>8} {:>6}  figures\n", "generation", "best", "mean",
+                 "sigma", "trials", "runs/s", "workers", "left");
+    const Optimizer& optimizer = search.optimizer();
+    std::string figures;
+    for (const auto& [name, value] : progress.figures) figures += fmt::format(" {} {:.4g}", name, value);
+    fmt::print("{:>10} {:>10.4g} {:>10.4g} {:>8.3g} {:>9} {:>8.1f} {:>4}/{:<3} {:>6} {}\n", optimizer.generations(),
+               optimizer.bestCost(), progress.lastCost, optimizer.sigma(), search.trials(),
+               static_cast<double>(progress.runs) / std::max(1e-9, progress.seconds), server.busy(),
+               server.workers(), left(progress, optimizer), figures);
+    std::fflush(stdout);
+  }
+
+private:
+  std::string left(const farm::FarmProgress& progress, const Optimizer& optimizer) {
+    if (begin_ < 0) begin_ = static_cast<double>(optimizer.generations());
+    const double done = static_cast<double>(optimizer.generations()) - begin_;
+    if (stop_.maxGenerations > 1'000'000'000 || done < 1) return "?";
+    return durationText(progress.seconds / done *
+                        static_cast<double>(stop_.maxGenerations - optimizer.generations()));
+  }
+  StopCriteria stop_;
+  double every_, next_ = 0, begin_ = -1;
+  int lines_ = 0;
+};
+
+/// What has been found: the parameters, and the file that the agent reads if the task has one.
+void writeResult(const Options& options, const training::Study& study, const Search& search) {
+  const Optimizer& optimizer = search.optimizer();
+  const Eigen::VectorXd found = optimizer.favourite();
+  std::string text = fmt::format("# Found by bin/optserver {}: {} generations, {} runs. The middle of the last\n"
+                                 "# generation; the best single cost was {:.6g}.\n",
+                                 options.study, optimizer.generations(), search.runs(), optimizer.bestCost());
+  for (std::size_t i = 0; i < study.parameters.size(); ++i)
+    text += fmt::format("{}: {}\n", study.parameters[i].name, found[static_cast<Eigen::Index>(i)]);
+  writeFile(options.folder + "/found.yaml", text);
+  const std::string heading =
+      fmt::format("Found by bin/optserver {}: seed {}, {} generations, {} runs.", options.study, study.search.seed,
+                  optimizer.generations(), search.runs());
+  const std::string file = training::makeTask(study.task, study.options)->file(found, heading);
+  if (!file.empty()) writeFile(options.folder + "/" + study.task + ".yaml", file);
+}
+
+int serve(Options& options) {
+  const training::Study study = training::readStudy(options.study);
+  if (options.folder.empty()) options.folder = std::filesystem::path(options.study).stem().string() + ".search";
+  std::filesystem::create_directories(options.folder);
+  Search search = study.makeSearch();
+  farm::Journal journal(options.folder + "/evaluations.jsonl", study.mark(), [&](const farm::JournalEntry& entry) {
+    const Told told = entry.givenUp ? search.giveUp(entry.number) : search.tell(entry.number, entry.costs);
+    if (told == Told::unknown) throw std::invalid_argument("a result of a trial that there is not yet");
+  });
+  if (journal.resumed() > 0)
+    fmt::print("optserver: goes on from {} results in {}\n", journal.resumed(), journal.path());
+  StopSignal stop;
+  stop.catchSignals();
+  farm::FarmServer server(search, &journal,
+                          {study.task, study.options.values(), static_cast<std::int64_t>(study.parameters.size())},
+                          options.farm);
+  fmt::print("optserver: port {}, {} parameters, results in {}\n", server.port(), study.parameters.size(),
+             options.folder);
+  std::fflush(stdout);
+  writeFile(options.folder + "/port", std::to_string(server.port()) + "\n");
+  LocalWorkers workers(options.workers, server.port(), options.farm.token, options.folder + "/workers.log");
+  Table table(study, options.every);
+  std::int64_t written = search.optimizer().generations();
+  const bool over = search.isDone() || server.serve(stop.fileDescriptor(), [&] {
+    if (!search.isDone()) workers.keep(server.progress().seconds);
+    table.line(server, search);
+    if (search.optimizer().generations() >= written + 10) {
+      written = search.optimizer().generations();
+      writeResult(options, study, search);
+    }
+  });
+  table.line(server, search, true);
+  writeResult(options, study, search);
+  if (!over) {
+    fmt::print(stderr, "optserver: stopped; the same command goes on from {}\n", journal.path());
+    return 130;
+  }
+  fmt::print("optserver: over ({}); found: {}/found.yaml\n", name(search.optimizer().stopReason()), options.folder);
+  return 0;
+}
+
+int runProgram(int argc, char** argv) {
+  Options options;
+  options.farm.port = farm::ServerAddress::standardPort;
+  CLI::App app("Farms an optimisation out: workers (bin/optworker) take parameters and bring costs.", "optserver");
+  app.add_option("STUDY", options.study, "What is searched and how, as config/optimisation/standUpFront.yaml");
+  app.add_option("--folder", options.folder, "Where results go [NAME.search]; one that is there is gone on with");
+  app.add_option("--workers", options.workers, "Workers to start on this machine")
+      ->check(CLI::Range(0, 256))
+      ->capture_default_str();
+  app.add_option("--port", options.farm.port, "Port for workers; 0: a free one")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
+  app.add_option("--bind", options.farm.address, "Its address; any but loopback needs --token")
+      ->capture_default_str();
+  app.add_option("--token", options.farm.token, "What workers have to say");
+  app.add_option("--patience", options.farm.dispatch.patience,
+                 "A worker that takes longer for a trial hangs, and another one gets it [s]")
+      ->check(CLI::Range(0.1, 1e6))
+      ->capture_default_str();
+  app.add_option("--every", options.every, "Seconds between lines of the table")
+      ->check(CLI::Range(0.1, 1e6))
+      ->capture_default_str();
+  app.add_flag("--status", options.status, "Asks the server that runs at --bind and --port how far it is");
+  app.add_option_function<std::string>("--config", useConfigFolder,
+                                       "folder of the configuration [config/ here, else the one beside bin/]");
+  std::string tasks;
+  for (const training::TaskKind& kind : training::searchTasks())
+    tasks += fmt::format("  {:<10} {}\n", kind.name, kind.what);
+  app.footer("Tasks:\n" + tasks +
+             "Stopped or killed, it goes on where it was with the same command.\n"
+             "Examples:\n  bin/optserver config/optimisation/standUpFront.yaml --workers 2\n"
+             "  bin/optserver --status\n"
+             "  bin/optserver study.yaml --bind 0.0.0.0 --token SECRET");
+  if (const auto status = readCommandLine(app, argc, argv)) return *status;
+  try {
+    if (options.status) {
+      fmt::print("{}\n", farm::readStatus({options.farm.address, options.farm.port, options.farm.token}));
+      return 0;
+    }
+    if (options.study.empty()) {
+      fmt::print(stderr, "optserver: {}\n", commandLineError(app, "STUDY is missing"));
+      return 2;
+    }
+    return serve(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "optserver: {}\n", error.what());
+    return 2;
+  }
+}
+
+}  // namespace
+}  // namespace plumbline
+
+int main(int argc, char** argv) {
+  return plumbline::flushedStatus("optserver", plumbline::runProgram(argc, argv));
+}

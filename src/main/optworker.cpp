@@ -1,0 +1,94 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <ctime>
+
+#include "framework/CommandLine.h"
+#include "framework/ConfigFolder.h"
+#include "framework/ConfigurationError.h"
+#include "framework/StopSignal.h"
+#include "optimization/farm/OptimizationClient.h"
+#include "training/SearchTask.h"
+
+namespace plumbline {
+namespace {
+
+using farm::OptimizationClient;
+
+void work(OptimizationClient& client, const StopSignal& stop) {
+  const std::unique_ptr<training::SearchTask> task =
+      training::makeTask(client.welcome().task, training::TaskOptions(client.welcome().options));
+  if (static_cast<std::int64_t>(task->parameters().size()) != client.welcome().parameters)
+    throw ConfigurationError("the server's task " + client.welcome().task + " has " +
+                             std::to_string(client.welcome().parameters) + " parameters, this program's " +
+                             std::to_string(task->parameters().size()) + ": they are not of the same build");
+  while (!client.isOver() && !stop.requested()) {
+    const std::optional<Trial> trial = client.next(0.2);
+    if (!trial) continue;
+    std::vector<double> costs;
+    std::map<std::string, double> figures;
+    for (const std::uint64_t seed : trial->seeds) {
+      if (stop.requested()) return;
+      const training::TaskOutcome outcome = task->run(trial->parameters, seed);
+      costs.push_back(outcome.cost);
+      for (const auto& [name, value] : outcome.figures)
+        figures[name] += value / static_cast<double>(trial->seeds.size());
+    }
+    client.tell(*trial, costs, figures);
+  }
+}
+
+int runProgram(int argc, char** argv) {
+  farm::ServerAddress server;
+  std::string name;
+  double patience = 30;
+  CLI::App app("Evaluates what an optimisation server asks for, in a simulator of its own, until the search is over.",
+               "optworker");
+  app.add_option("--host", server.host, "Where bin/optserver runs")->capture_default_str();
+  app.add_option("--port", server.port, "Its port")->check(CLI::Range(1, 65535))->capture_default_str();
+  app.add_option("--token", server.token, "What it asks for, if it does");
+  app.add_option("--name", name, "How the server calls it [host and process]");
+  app.add_option("--patience", patience, "Waits so long for a server that is not there, or went away [s]")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app.add_option_function<std::string>("--config", useConfigFolder,
+                                       "folder of the configuration [config/ here, else the one beside bin/]");
+  app.footer("Examples:\n  bin/optworker --port 3400\n  bin/optworker --host 10.0.0.5 --token SECRET --patience 600");
+  if (const auto status = readCommandLine(app, argc, argv)) return *status;
+  if (name.empty()) {
+    char host[64] = "";
+    gethostname(host, sizeof host - 1);
+    name = std::string(host) + '-' + std::to_string(getpid());
+  }
+  StopSignal stop;
+  stop.catchSignals();
+  const auto seconds = [] { return static_cast<double>(std::time(nullptr)); };
+  for (double lost = -1;;) {
+    try {
+      OptimizationClient client(server, name);
+      lost = -1;
+      work(client, stop);
+      return 0;
+    } catch (const ConfigurationError& error) {
+      std::fprintf(stderr, "optworker: %s\n", error.what());
+      return 2;
+    } catch (const std::exception& error) {
+      if (lost < 0) lost = seconds();
+      if (stop.requested()) return 0;
+      if (seconds() - lost >= patience) {
+        std::fprintf(stderr, "optworker: %s\n", error.what());
+        return 2;
+      }
+    }
+    usleep(200'000);
+    if (stop.requested()) return 0;
+  }
+}
+
+}  // namespace
+}  // namespace plumbline
+
+int main(int argc, char** argv) {
+  return plumbline::flushedStatus("optworker", plumbline::runProgram(argc, argv));
+}

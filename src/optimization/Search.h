@@ -1,0 +1,94 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "optimization/Optimizer.h"
+
+namespace plumbline {
+
+/// A piece of work: runs of one candidate.
+struct Trial {
+  std::int64_t number = 0;      ///< of the piece; the same whoever asks in whatever order
+  std::int64_t candidate = 0;   ///< counted over the whole search
+  std::int64_t generation = 0;  ///< from 0
+  Eigen::VectorXd parameters;
+  std::vector<std::uint64_t> seeds;  ///< one per run
+};
+
+/// How often a candidate is run where costs are noisy. All get `first` runs; the better half of a generation,
+/// which is what an optimiser moves to, gets as many more as make `best`. The cost is the mean.
+struct Averaging {
+  int first = 1, best = 1;
+  bool sameSeeds = true;  ///< for all candidates of a generation: what differs is then the candidates' own
+};
+
+/// What became of a result.
+enum class Told { taken, again, unknown };
+
+/// Any optimiser, asked and told one candidate at a time in any order. Which candidate gets which number, and
+/// what is learnt, depends on the results alone and not on their order: results wait until those of the whole
+/// generation are there. A result that is not a number counts as worse than all others; one that is never
+/// told is given up by who waits for it. Both are counted.
+class Search {
+public:
+  static constexpr int mostRuns = 10000;
+
+  /// `seed` makes the seeds of the runs. Throws std::invalid_argument for runs out of 1 .. 10000.
+  Search(std::unique_ptr<Optimizer> optimizer, const Averaging& averaging, std::uint64_t seed);
+
+  /// Something to evaluate that was not handed out yet; nothing while all that may be is handed out, or when
+  /// the search is over.
+  std::optional<Trial> next();
+  /// Costs of the trial's runs. Throws std::invalid_argument for another number of them.
+  Told tell(std::int64_t number, std::span<const double> costs);
+  /// Nobody will ever tell it: as if all runs had been no number.
+  Told giveUp(std::int64_t number);
+  /// The trial of that number while it is open.
+  std::optional<Trial> find(std::int64_t number) const;
+
+  bool isDone() const { return optimizer_->isDone(); }
+  const Optimizer& optimizer() const { return *optimizer_; }
+  std::int64_t notNumbers() const { return notNumbers_; }  ///< runs
+  std::int64_t givenUp() const { return givenUp_; }        ///< trials
+  std::int64_t trials() const { return trials_; }          ///< told
+  std::int64_t runs() const { return runs_; }              ///< told
+
+private:
+  struct Candidate {
+    double sum = 0;
+    int runs = 0;
+    bool asked[2] = {}, told[2] = {}, wanted = false;  ///< wanted: in the second round
+  };
+  struct Generation {
+    std::vector<Candidate> candidates;
+    bool second = false;  ///< the second round has begun
+  };
+  struct Place {
+    std::size_t generation, candidate;
+    int round;
+  };
+
+  void open();
+  std::optional<Place> placeOf(std::int64_t number) const;
+  Trial trialAt(const Place& place) const;
+  int runsOf(int round) const;
+  void beginSecond(Generation& generation) const;
+  bool complete(const Generation& generation) const;
+  Told take(std::int64_t number, std::span<const double> costs);
+  void advance();
+
+  std::unique_ptr<Optimizer> optimizer_;
+  Averaging averaging_;
+  std::uint64_t seed_;
+  std::deque<Generation> generations_;
+  std::int64_t firstGeneration_ = 0;
+  std::int64_t notNumbers_ = 0, givenUp_ = 0, trials_ = 0, runs_ = 0;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,80 @@
+#include "optimization/farm/OptimizationClient.h"
+
+#include <stdexcept>
+
+namespace plumbline::farm {
+namespace {
+
+constexpr double patience = 10;  ///< for the server's first line [s]
+constexpr std::size_t mostUnsent = 4 * maxLine;
+
+std::string placeOf(const ServerAddress& server) { return server.host + ':' + std::to_string(server.port); }
+
+}  // namespace
+
+OptimizationClient::OptimizationClient(const ServerAddress& server, const std::string& name)
+    : place_("the optimisation server at " + placeOf(server)),
+      socket_(connectTo(server.host, server.port), maxLine, mostUnsent) {
+  socket_.send(text(Hello{Hello::Role::worker, name, server.token}));
+  for (double waited = 0; welcome_.task.empty() && over_.empty(); waited += 0.1) {
+    if (waited > patience) throw std::runtime_error(place_ + " says nothing");
+    socket_.wait(0.1);
+    while (take()) {
+    }
+  }
+}
+
+/// Takes in one line that has come; false: there is none.
+bool OptimizationClient::take() {
+  std::string line;
+  if (!socket_.next(line)) {
+    if (socket_.broken()) throw std::runtime_error(place_ + ' ' + socket_.reason());
+    return false;
+  }
+  ToWorker message;
+  try {
+    message = readToWorker(line);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(place_ + ": " + error.what());
+  }
+  if (!message.error.empty()) throw std::runtime_error(place_ + ": " + message.error);
+  if (!message.over.empty()) over_ = message.over;
+  if (message.welcome) welcome_ = *message.welcome;
+  if (message.trial) {
+    if (message.trial->parameters.size() != welcome_.parameters)
+      throw std::runtime_error(place_ + ": a trial of another number of parameters than it said");
+    trial_ = std::move(message.trial);
+  }
+  return true;
+}
+
+std::optional<Trial> OptimizationClient::next(double seconds) {
+  while (!trial_ && !isOver() && take()) {
+  }
+  if (!trial_ && !isOver()) socket_.wait(seconds);
+  while (!trial_ && !isOver() && take()) {
+  }
+  std::optional<Trial> trial;
+  trial.swap(trial_);
+  return trial;
+}
+
+void OptimizationClient::tell(const Trial& trial, std::span<const double> costs,
+                              const std::map<std::string, double>& figures) {
+  socket_.send(text(Answer{trial.number, {costs.begin(), costs.end()}, figures}));
+}
+
+std::string readStatus(const ServerAddress& server) {
+  LineSocket socket(connectTo(server.host, server.port), maxLine, mostUnsent);
+  socket.send(text(Hello{Hello::Role::status, "status", server.token}));
+  std::string line;
+  for (double waited = 0; !socket.next(line); waited += 0.1) {
+    const std::string place = "the optimisation server at " + placeOf(server);
+    if (socket.broken()) throw std::runtime_error(place + ' ' + socket.reason());
+    if (waited > patience) throw std::runtime_error(place + " says nothing");
+    socket.wait(0.1);
+  }
+  return line;
+}
+
+}  // namespace plumbline::farm

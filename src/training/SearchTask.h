@@ -1,0 +1,85 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace plumbline::training {
+
+/// A number that is searched, and where.
+struct TaskParameter {
+  std::string name;
+  double start = 0, lower = 0, upper = 0;
+  double sigma = 0;  ///< standard deviation of the first candidates
+};
+
+/// What one run of a task gave: lower costs are better; the figures are for people.
+struct TaskOutcome {
+  double cost = 0;
+  std::vector<std::pair<std::string, double>> figures{};
+};
+
+/// Options of a task as a configuration or a server tells them.
+class TaskOptions {
+public:
+  TaskOptions() = default;
+  explicit TaskOptions(std::map<std::string, std::string> values) : values_(std::move(values)) {}
+  const std::map<std::string, std::string>& values() const { return values_; }
+
+  /// Throws ConfigurationError "option KEY: ..." for what is no such number or word.
+  double number(const std::string& key, double otherwise, double lowest, double highest) const;
+  std::string word(const std::string& key, const std::string& otherwise,
+                   const std::vector<std::string>& words = {}) const;
+  /// Throws ConfigurationError naming the nearest one for an option that is none of these.
+  void check(const std::vector<std::string>& known) const;
+
+private:
+  std::map<std::string, std::string> values_;
+};
+
+/// Something that a search improves: parameters in, cost of a run out. A run is decided by parameters and
+/// seed alone, whatever ran before. One thread at a time.
+class SearchTask {
+public:
+  virtual ~SearchTask() = default;
+  SearchTask(const SearchTask&) = delete;
+  SearchTask& operator=(const SearchTask&) = delete;
+
+  virtual const std::vector<TaskParameter>& parameters() const = 0;
+  virtual TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) = 0;
+  /// What was found as a file that the agent reads, below comment lines of `heading`; empty: there is none.
+  virtual std::string file(const Eigen::VectorXd& parameters, const std::string& heading) const;
+
+protected:
+  SearchTask() = default;
+};
+
+/// A task that can be chosen by name; its own file makes it known by MAKE_TASK.
+struct TaskKind {
+  const char* name;
+  const char* what;  ///< one line for lists
+  std::unique_ptr<SearchTask> (*make)(const TaskOptions& options);
+};
+
+/// Takes a task in before main. A second one of the same name ends the program's start.
+class TaskLoader {
+public:
+  explicit TaskLoader(const TaskKind& kind);
+};
+
+/// MAKE_TASK(standUp, {"standUp", "...", makeStandUp}): in the task's .cpp.
+#define MAKE_TASK(id, ...)                                                                   \
+  static const ::plumbline::training::TaskLoader id##TaskLoader(                             \
+      ::plumbline::training::TaskKind __VA_ARGS__)
+
+/// The tasks linked into the program, by name.
+const std::vector<TaskKind>& searchTasks();
+
+/// Throws ConfigurationError naming the nearest task, or what the task makes of its options.
+std::unique_ptr<SearchTask> makeTask(std::string_view name, const TaskOptions& options);
+
+}  // namespace plumbline::training

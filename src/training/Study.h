@@ -1,0 +1,29 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "optimization/Optimizers.h"
+#include "optimization/Search.h"
+#include "training/SearchTask.h"
+
+namespace plumbline::training {
+
+/// What is searched and how, as a configuration file says it (doc/how-to/optimise-a-motion.md).
+struct Study {
+  std::string task;
+  TaskOptions options;
+  std::string optimizer = "cmaes";
+  OptimizerOptions search;
+  Averaging averaging;
+  std::vector<TaskParameter> parameters;  ///< the task's, with what the file changes in them
+
+  /// The text of all that decides the results.
+  std::string mark() const;
+  SearchSpace space() const;
+  Search makeSearch() const;
+};
+
+/// Throws ConfigurationError, one line, for a file that cannot be used.
+Study readStudy(const std::string& path);
+
+}  // namespace plumbline::training

@@ -1,0 +1,114 @@
+#include "training/tasks/MotionParameters.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/Angle.h"
+
+namespace plumbline::training {
+namespace {
+
+constexpr double longest = 1000;  // [ms] of a keyframe
+constexpr double timeSigma = 25, settleSigma = 120, angleSigma = 5;  // [ms, ms, degrees]
+constexpr double limitMargin = 0.1;  // [degrees]: the file rounds
+
+bool mirrors(const motion::Keyframe& frame, JointId joint) {
+  const JointId other = motion::mirrored(joint);
+  return other != joint && frame.set[other] &&
+         std::abs(frame.angles[other] - motion::mirrorSign(joint) * frame.angles[joint]) < 1e-9;
+}
+
+}  // namespace
+
+MotionParameters::MotionParameters(motion::KeyframeMotion motion, const RobotModel& robot)
+    : motion_(std::move(motion)) {
+  for (std::size_t i = 0; i < motion_.keyframes.size(); ++i) {
+    const motion::Keyframe& frame = motion_.keyframes[i];
+    const std::string prefix = fmt::format("{}.", i + 1);
+    add({i, Place::What::seconds}, prefix + "time", 1e3 * frame.seconds, 0,
+        std::max(longest, 1e3 * frame.seconds), timeSigma);
+    if (frame.settleSeconds > 0)
+      add({i, Place::What::settle}, prefix + "settle", 1e3 * frame.settleSeconds, 0, longest, settleSigma);
+    for (int j = lShoulderPitch; j < numJoints; ++j) {
+      const auto joint = static_cast<JointId>(j);
+      if (!frame.set[joint] || !robot.has(joint)) continue;
+      const bool both = mirrors(frame, joint);
+      if (both && motion::mirrored(joint) < joint) continue;
+      const Link& link = robot.linkMovedBy(joint);
+      add({i, Place::What::joint, joint, both},
+          prefix + std::string(both ? jointNames[joint].substr(1) : jointNames[joint]),
+          toDegrees(frame.angles[joint]), toDegrees(link.lower) + limitMargin,
+          toDegrees(link.upper) - limitMargin, angleSigma);
+    }
+  }
+}
+
+void MotionParameters::add(const Place& place, const std::string& name, double start, double lower,
+                           double upper, double sigma) {
+  places_.push_back(place);
+  list_.push_back({name, std::clamp(start, lower, upper), lower, upper, sigma});
+}
+
+motion::KeyframeMotion MotionParameters::motion(const Eigen::VectorXd& values) const {
+  motion::KeyframeMotion result = motion_;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const Place& place = places_[i];
+    motion::Keyframe& frame = result.keyframes[place.keyframe];
+    const double value = values[static_cast<Eigen::Index>(i)];
+    switch (place.what) {
+      case Place::What::seconds:
+        frame.seconds = 1e-3 * value;
+        break;
+      case Place::What::settle:
+        frame.settleSeconds = 1e-3 * value;
+        break;
+      case Place::What::joint:
+        frame.angles[place.joint] = fromDegrees(value);
+        if (place.both)
+          frame.angles[motion::mirrored(place.joint)] = motion::mirrorSign(place.joint) * fromDegrees(value);
+        break;
+    }
+  }
+  return result;
+}
+
+motion::KeyframeMotion MotionParameters::shortened(const Eigen::VectorXd& values, double cycle) const {
+  motion::KeyframeMotion result = motion(values);
+  std::vector<motion::Keyframe>& frames = result.keyframes;
+  for (std::size_t i = 0; i + 1 < frames.size();)
+    if (frames[i].seconds + frames[i].settleSeconds < cycle / 2)
+      frames.erase(frames.begin() + static_cast<std::ptrdiff_t>(i));
+    else
+      ++i;
+  return result;
+}
+
+std::string motionFile(const motion::KeyframeMotion& motion, const std::string& heading) {
+  std::string text;
+  for (std::size_t at = 0; at < heading.size();) {
+    const std::size_t end = std::min(heading.find('\n', at), heading.size());
+    text += "# " + heading.substr(at, end - at) + "\n";
+    at = end + 1;
+  }
+  text += "# Angles in degrees, times in seconds; doc/how-to/add-a-motion.md.\nkeyframes:\n";
+  for (const motion::Keyframe& frame : motion.keyframes) {
+    text += fmt::format("  - {{time: {:.3f}", frame.seconds);
+    if (frame.settleSeconds > 0) text += fmt::format(", settle: {:.3f}", frame.settleSeconds);
+    int inLine = 0;
+    for (int j = 0; j < numJoints; ++j) {
+      const auto joint = static_cast<JointId>(j);
+      if (!frame.set[joint]) continue;
+      const bool both = mirrors(frame, joint);
+      if (both && motion::mirrored(joint) < joint) continue;
+      text += inLine++ % 6 == 0 ? ",\n     " : ", ";
+      text += fmt::format("{}: {:.1f}", both ? jointNames[joint].substr(1) : jointNames[joint],
+                          toDegrees(frame.angles[joint]));
+    }
+    text += "}\n";
+  }
+  return text;
+}
+
+}  // namespace plumbline::training

@@ -1,0 +1,85 @@
+#include "training/tasks/StandUpTask.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "framework/ConfigurationError.h"
+#include "math/Angle.h"
+
+namespace plumbline::training {
+namespace {
+
+constexpr double walkSeconds = 2, walkSpeed = 0.3, walkTurn = 0.5;  // [s, m/s, rad/s]
+constexpr double upright = 30 * pi / 180;                           // [rad], of the thesis's measure
+constexpr std::size_t mostKept = 4096;
+constexpr int mostFalls = 1000;
+
+int typeOf(const TaskOptions& options) {
+  options.check({"type", "direction", "weight", "motion"});
+  return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
+}
+
+}  // namespace
+
+StandUpTask::StandUpTask(const TaskOptions& options)
+    : direction_(options.word("direction", "front", {"front", "back"}) == "front" ? 1 : -1),
+      weight_(options.number("weight", 0.08, 0, 100)),
+      trial_(typeOf(options)) {
+  try {
+    first_ = trial_.motion(options.word("motion", direction_ > 0 ? "standUpFront" : "standUpBack"));
+  } catch (const std::out_of_range& error) {
+    throw ConfigurationError(std::string("option motion: ") + error.what());
+  }
+  parameters_ = std::make_unique<MotionParameters>(first_, trial_.model);
+}
+
+const StandUpTask::Lying& StandUpTask::lying(std::uint64_t seed) {
+  if (const auto found = fallen_.find(seed); found != fallen_.end()) return found->second;
+  if (fallen_.size() >= mostKept) fallen_.clear();
+  for (int i = 0; i < mostFalls; ++i) {
+    // A fall that ends on a side, or on the feet, is another motion's.
+    trial_.seed(static_cast<unsigned>(seed * 2654435761U + static_cast<unsigned>(i)));
+    if (!trial_.fall(direction_)) continue;
+    const Vec3 up = trial_.up();
+    if (std::abs(up.x()) < std::abs(up.y()) || (up.x() < 0) != (direction_ > 0)) continue;
+    return fallen_[seed] = {trial_.robot.torso().pose, trial_.robot.sense().angle};
+  }
+  throw std::runtime_error("the robot does not fall");
+}
+
+TaskOutcome StandUpTask::tryMotion(const motion::KeyframeMotion& motion, std::uint64_t seed) {
+  const Lying start = lying(seed);
+  trial_.robot.restart(start.T_world_torso, start.angles);
+  trial_.restarted();
+  trial_.seed(static_cast<unsigned>(seed * 2246822519U + 1));
+  trial_.elapsed = 0;
+  trial_.play(motion);
+  TaskOutcome outcome;
+  const double milliseconds = 1e3 * trial_.elapsed;
+  const double way = trial_.random(-pi, pi), turn = trial_.random(-walkTurn, walkTurn);
+  const Vec2 velocity = walkSpeed * Vec2(std::cos(way), std::sin(way));
+  double error = 0;
+  trial_.beginWalk();
+  for (double t = 0; t < walkSeconds; t += motion::MotionTrial::dt) {
+    trial_.walkStep(velocity, turn);
+    error += trial_.tilt();
+  }
+  outcome.cost = error + weight_ * milliseconds;
+  outcome.figures = {{"time", milliseconds}, {"error", error}, {"up", trial_.tilt() < upright ? 1.0 : 0.0}};
+  return outcome;
+}
+
+TaskOutcome StandUpTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed) {
+  return tryMotion(parameters_->motion(parameters), seed);
+}
+
+std::string StandUpTask::file(const Eigen::VectorXd& parameters, const std::string& heading) const {
+  return motionFile(parameters_->shortened(parameters, motion::MotionTrial::dt), heading);
+}
+
+MAKE_TASK(standUp, {"standUp", "standing up from front or back: type, direction, weight, motion",
+                    [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
+                      return std::make_unique<StandUpTask>(options);
+                    }});
+
+}  // namespace plumbline::training

@@ -1,0 +1,44 @@
+#pragma once
+#include <map>
+#include <memory>
+
+#include "training/MotionTrial.h"
+#include "training/tasks/MotionParameters.h"
+
+namespace plumbline::training {
+
+/// Standing up from front or back in the embedded simulator: Seekircher 2015, 3.1.1. A run: the robot lies as
+/// it fell (the seed says how), plays the motion, walks at once into some direction for two seconds. The cost
+/// is formula 3.1 with the opposite sign: angles between torso and upright [rad], summed over the walk's
+/// cycles, plus the motion's time [ms] times `weight` (0.08).
+/// Figures: time [ms] of the motion, error (the sum), up (1 if the torso leans by less than 30 degrees in the
+/// end).
+/// Options: type 0 .., direction front or back, weight, motion (a file's name to begin with).
+class StandUpTask : public SearchTask {
+public:
+  explicit StandUpTask(const TaskOptions& options);
+
+  const std::vector<TaskParameter>& parameters() const override { return parameters_->list(); }
+  TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) override;
+  std::string file(const Eigen::VectorXd& parameters, const std::string& heading) const override;
+
+  /// A run with any motion.
+  TaskOutcome tryMotion(const motion::KeyframeMotion& motion, std::uint64_t seed);
+  const motion::KeyframeMotion& first() const { return first_; }
+
+private:
+  struct Lying {
+    Pose3 T_world_torso;
+    JointArray angles;
+  };
+  const Lying& lying(std::uint64_t seed);
+
+  const int direction_;  ///< 1: on the front
+  const double weight_;
+  motion::MotionTrial trial_;
+  motion::KeyframeMotion first_;
+  std::unique_ptr<MotionParameters> parameters_;
+  std::map<std::uint64_t, Lying> fallen_;  ///< falls cost as much as the rest and repeat within a generation
+};
+
+}  // namespace plumbline::training
