@@ -3,28 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/behavior/Restarts.h"
+
 namespace plumbline {
 
 MAKE_MODULE(Striker2)
-
-namespace {
-
-bool opponentRestart(PlayMode mode) {
-  switch (mode) {
-    case PlayMode::kickOffOpponent:
-    case PlayMode::kickInOpponent:
-    case PlayMode::cornerOpponent:
-    case PlayMode::goalKickOpponent:
-    case PlayMode::freeKickOpponent:
-    case PlayMode::directFreeKickOpponent:
-    case PlayMode::passOpponent:
-      return true;
-    default:
-      return false;
-  }
-}
-
-}  // namespace
 
 Striker2::Shot Striker2::shot() const {
   const Vec2 goal = theFieldDimensions->opponentGoal();
@@ -37,6 +20,35 @@ Striker2::Shot Striker2::shot() const {
   const double distance = std::max((goal - ball).norm(), 0.5);
   return {Vec2(ball + distance * Vec2(std::cos(direction), std::sin(direction))), (left - right) / 2,
           distance};
+}
+
+bool Striker2::inDuel() const {
+  return theOtherRobots && nearestOpponent(theOtherRobots->robots, theBallPos->field) < duelDistance;
+}
+
+Vec2 Striker2::wayOn(const Shot& best, bool inReach) {
+  const Vec2& ball = theBallPos->field;
+  if (!theOtherRobots || theOtherRobots->robots.empty() || inReach) {
+    lastAngle_ = 100;
+    return best.target;
+  }
+  const Vec2 toGoal = best.target - ball;
+  KickSituation situation;
+  situation.robot = theRobotPose->pose;
+  situation.ball = ball;
+  situation.toGoal = std::atan2(toGoal.y(), toGoal.x());
+  situation.reach = theSkillKickParameters->distance;
+  situation.halfWidth = theFieldDimensions->width / 2;
+  situation.others = theOtherRobots->robots;
+  const Vec2& near = theBallPos->relative;
+  if (inDuel() && near.norm() < duelReach && near.x() > 0) {
+    // No time to go round: where the robot faces, as far as that is forward.
+    const double off = normalizeAngle(theRobotPose->pose.heading - situation.toGoal);
+    lastAngle_ = normalizeAngle(situation.toGoal + std::clamp(off, -duelWidest, duelWidest));
+  } else {
+    lastAngle_ = chooseKick(situation, lastAngle_, choice);
+  }
+  return ball + best.distance * Vec2(std::cos(lastAngle_), std::sin(lastAngle_));
 }
 
 void Striker2::update(StrikerOutput* theStrikerOutput) {
@@ -53,7 +65,7 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
     output.target = Pose2(robot.position, normalizeAngle(robot.heading + 1.0));
     return;
   }
-  if (opponentRestart(theGameState->playMode)) {
+  if (isOpponentRestart(theGameState->playMode)) {
     Vec2 away = Vec2(-theFieldDimensions->length / 2, 0) - theBallPos->field;
     away = away.norm() > 1e-3 ? Vec2(away.normalized()) : Vec2(-1, 0);
     const Vec2 toBall = -away;
@@ -66,7 +78,7 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
   const bool inReach = best.distance < theSkillKickParameters->distance + 1;
   const bool kick = best.distance > dribbleDistance && (!inReach || best.halfOpening > minOpening);
   output.skill = kickAllowed && kick ? Skill::kick : Skill::dribble;
-  output.target = Pose2(best.target);
+  output.target = Pose2(wayOn(best, inReach));
 }
 
 }  // namespace plumbline

@@ -1,9 +1,11 @@
 #pragma once
 #include "framework/Module.h"
+#include "modules/behavior/striker/KickChoice.h"
 #include "representations/behavior/StrikerOutput.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/GameState.h"
 #include "representations/modeling/BallPos.h"
+#include "representations/modeling/OtherRobots.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/skills/SkillKickParameters.h"
 
@@ -15,6 +17,7 @@ MODULE(Striker2)
   REQUIRES(BallPos)
   REQUIRES(FieldDimensions)
   REQUIRES(SkillKickParameters)
+  REQUIRES_IF_PROVIDED(OtherRobots)
   PROVIDES(StrikerOutput)
   PARAMETER(bool, kickAllowed, true, "", Range(), "false: the robot only dribbles")
   PARAMETER(double, ballMaxAge, 3, "s", Range(0.1, 60), "a ball that was not seen for longer is searched")
@@ -25,6 +28,11 @@ MODULE(Striker2)
             "closer to the goal than this the ball is dribbled in")
   PARAMETER(double, minOpening, 0.15, "rad", Range(0, 1),
             "half the angle between the posts; a narrower goal in reach is dribbled at")
+  PARAMETER_GROUP(KickChoiceParameters, choice, "where to kick in a team's game")
+  PARAMETER(double, duelDistance, 0.8, "m", Range(0, 5),
+            "with an opponent this near to the ball the robot acts at once, in the direction it faces")
+  PARAMETER(double, duelReach, 0.45, "m", Range(0.1, 3), "a ball this near, and ahead, is kicked in a duel")
+  PARAMETER(double, duelWidest, 1.1, "rad", Range(0, 3.2), "a duel's kick goes no farther off the goal")
 END_MODULE
 
 /// The player at the ball: kicks at the goal in reach, else brings the ball there; searches a lost ball and
@@ -41,6 +49,10 @@ private:
     double distance = 0;         ///< of ball and goal [m]
   };
   Shot shot() const;
+  Vec2 wayOn(const Shot& best, bool inReach);
+  bool inDuel() const;
+
+  double lastAngle_ = 100;  ///< direction of the kick that was chosen last; 100: none [rad]
 };
 
 }  // namespace plumbline

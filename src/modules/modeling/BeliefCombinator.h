@@ -1,7 +1,9 @@
 #pragma once
 #include "framework/Module.h"
+#include "representations/communication/TeamReports.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/modeling/BallPos.h"
+#include "representations/modeling/OtherRobots.h"
 #include "representations/modeling/RobotPose.h"
 
 namespace plumbline {
@@ -10,7 +12,14 @@ MODULE(BeliefCombinator)
   REQUIRES(FrameInfo)
   REQUIRES(RobotPose)
   REQUIRES(LocalBallPos)
+  REQUIRES_IF_PROVIDED(TeamBallPos)
+  REQUIRES_IF_PROVIDED(LocalOtherRobots)
+  REQUIRES_IF_PROVIDED(TeamOtherRobots)
   PROVIDES(BallPos)
+  PROVIDES(OtherRobots)
+  PARAMETER(double, ownBallSeconds, 0.6, "s", Range(0, 100),
+            "a ball that this robot saw no longer ago is not taken from mates")
+  PARAMETER(double, ownRobotSeconds, 0.3, "s", Range(0, 100), "the same of other robots")
   PARAMETER(double, freshSeconds, 0.1, "s", Range(0, 100),
             "a ball not seen for longer is kept at its place on the field")
   PARAMETER(double, rollingTimeConstant, 0.92, "s", Range(0.01, 100),
@@ -19,13 +28,16 @@ END_MODULE
 
 /// The ball to act on: what this robot tracks, placed on the field. A ball that has not been seen for a while
 /// is kept at its place on the field rather than relative to the robot, because the self-localisation does
-/// not drift and the odometry does.
+/// not drift and the odometry does. What mates say of the ball counts when they saw it later than this robot
+/// did; other robots are weighted by their covariances. Without mates' words: own sight alone.
 class BeliefCombinator : public BeliefCombinatorBase {
 public:
   void update(BallPos* theBallPos) override;
+  void update(OtherRobots* theOtherRobots) override;
 
 private:
   void roll(double dt);
+  void hear(BallPos& ball);
 
   bool onField_ = false;                                    ///< position_ and velocity_ are known
   Vec2 position_ = Vec2::Zero(), velocity_ = Vec2::Zero();  ///< on the field [m, m/s]

@@ -15,6 +15,8 @@ void SimSparkSend::execute() {
     if (theRobotDescription->model.has(static_cast<JointId>(joint)))
       command_.velocity[joint] = theJointRequestWithSpeeds->speeds[joint];
   command_.beam = theBeamRequest->active ? std::optional(theBeamRequest->pose) : std::nullopt;
+  command_.say.reset();
+  if (theSayMessage && !theSayMessage->text.empty()) command_.say = theSayMessage->text;
   link_->send(command_);
 }
 

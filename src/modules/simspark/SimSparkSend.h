@@ -2,6 +2,7 @@
 #include "framework/Module.h"
 #include "modules/simspark/SimSparkLink.h"
 #include "representations/behavior/SkillRequest.h"
+#include "representations/communication/TeamBelief.h"
 #include "representations/infrastructure/RobotDescription.h"
 #include "representations/infrastructure/SimSparkInfo.h"
 #include "representations/motion/JointRequest.h"
@@ -13,9 +14,10 @@ MODULE(SimSparkSend)
   REQUIRES(RobotDescription)
   REQUIRES(JointRequestWithSpeeds)
   REQUIRES(BeamRequest)
+  REQUIRES_IF_PROVIDED(SayMessage)
 END_MODULE
 
-/// Ends the cycle: hinge speeds, beam and synchronisation in one message to the simulator.
+/// Ends the cycle: hinge speeds, beam, words and synchronisation in one message to the simulator.
 class SimSparkSend : public SimSparkSendBase {
 public:
   void init() override;

@@ -1,5 +1,6 @@
 #include "modules/skills/SkillGetBall.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumbline {
@@ -21,6 +22,12 @@ Vec2 SkillGetBall::kickBallPosition() {
   Vec2 position = theSkillKickParameters->ballPosition;
   if (foot_ == Side::left) position.y() = -position.y();
   return position;
+}
+
+bool SkillGetBall::pressed() const {
+  return theOtherRobots && std::ranges::any_of(theOtherRobots->robots, [&](const OtherRobot& robot) {
+           return !robot.mate && !robot.fallen && (robot.position - theBallPos->field).norm() < pressedDistance;
+         });
 }
 
 void SkillGetBall::learnBias(const Pose2& T_robot_target) {
@@ -48,15 +55,18 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   heading = normalizeAngle(heading - theRobotPose->pose.heading);
   const Vec2 place = wanted == BallApproach::dribble ? Vec2(dribbleDistance, 0) : kickBallPosition();
   const Pose2 way = approachBall(theBallPos->relative, heading, place, approach);
-  WalkCommand command = walkToPose(way, walk);
+  const bool detour = theSafeWalkDirection && theSafeWalkDirection->detour &&
+                      theBallPos->relative.norm() > detourDistance;
+  WalkCommand command = detour ? walkPast(theSafeWalkDirection->wayPoint, walk) : walkToPose(way, walk);
   // A walk that drifts would come to rest short of the ball for ever (Seekircher 2015, 4.3).
   learnBias(way);
   command.velocity = limitVelocity(command.velocity + bias_, walk);
 
   const Vec2 error = theBallPos->relative - place;
-  const Vec2& tolerance = theSkillKickParameters->tolerance;
+  const double looser = pressed() ? pressedTolerance : 1;
+  const Vec2 tolerance = looser * theSkillKickParameters->tolerance;
   output.atBall = std::abs(error.x()) < tolerance.x() && std::abs(error.y()) < tolerance.y() &&
-                  std::abs(heading) < theSkillKickParameters->headingTolerance;
+                  std::abs(heading) < looser * theSkillKickParameters->headingTolerance;
   output.motion = Motion::walk;
   output.walkVelocity = command.velocity;
   output.walkTurn = command.turn;

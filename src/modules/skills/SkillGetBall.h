@@ -5,7 +5,9 @@
 #include "representations/behavior/SkillRequest.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/modeling/BallPos.h"
+#include "representations/modeling/OtherRobots.h"
 #include "representations/modeling/RobotPose.h"
+#include "representations/skills/SafeWalkDirection.h"
 #include "representations/skills/SkillGetBallOutput.h"
 #include "representations/skills/SkillKickParameters.h"
 
@@ -18,9 +20,17 @@ MODULE(SkillGetBall)
   REQUIRES(RobotPose)
   REQUIRES(BallPos)
   REQUIRES(SkillKickParameters)
+  REQUIRES_IF_PROVIDED(SafeWalkDirection)
+  REQUIRES_IF_PROVIDED(OtherRobots)
   PROVIDES(SkillGetBallOutput)
   PARAMETER_GROUP(WalkToPoseParameters, walk, "limits and gains of walking to a pose")
   PARAMETER_GROUP(BallApproachParameters, approach, "way around the ball")
+  PARAMETER(double, pressedDistance, 0.8, "m", Range(0, 5),
+            "with an opponent this near to the ball there is no time to stand exactly")
+  PARAMETER(double, pressedTolerance, 1.75, "", Range(1, 10),
+            "then the tolerances of the kick are so many times larger")
+  PARAMETER(double, detourDistance, 0.8, "m", Range(0, 10),
+            "nearer to the ball than this the robot goes straight, whoever stands there")
   PARAMETER(double, dribbleDistance, 0.2, "m", Range(0.05, 1), "the ball ahead of the robot before a dribble")
   PARAMETER(double, biasGain, 1.5, "1/s^2", Range(0, 10),
             "how fast a drift of the walk is learned near the target")
@@ -37,6 +47,7 @@ public:
 private:
   BallApproach requestedApproach() const;
   Vec2 kickBallPosition();
+  bool pressed() const;
   /// The walk's own bias near the target: what the requested speed has to be raised by, learned there [m/s].
   void learnBias(const Pose2& T_robot_target);
 

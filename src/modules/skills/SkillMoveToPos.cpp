@@ -20,7 +20,10 @@ void SkillMoveToPos::update(SkillMoveToPosOutput* theSkillMoveToPosOutput) {
              std::abs(target.heading) < factor * headingTolerance;
   output.active = true;
   if (arrived_) return;
-  const WalkCommand command = walkToPose(target, walk);
+  if (theSafeWalkDirection && theSafeWalkDirection->wait) return;
+  const bool detour = theSafeWalkDirection && theSafeWalkDirection->detour;
+  const WalkCommand command =
+      detour ? walkPast(theSafeWalkDirection->wayPoint, walk) : walkToPose(target, walk);
   output.motion = Motion::walk;
   output.walkVelocity = command.velocity;
   output.walkTurn = command.turn;

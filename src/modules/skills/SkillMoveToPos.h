@@ -3,6 +3,7 @@
 #include "modules/skills/WalkToPose.h"
 #include "representations/behavior/SkillRequest.h"
 #include "representations/modeling/RobotPose.h"
+#include "representations/skills/SafeWalkDirection.h"
 #include "representations/skills/SkillMoveToPosOutput.h"
 
 namespace plumbline {
@@ -10,6 +11,7 @@ namespace plumbline {
 MODULE(SkillMoveToPos)
   REQUIRES(SkillRequest)
   REQUIRES(RobotPose)
+  REQUIRES_IF_PROVIDED(SafeWalkDirection)
   PROVIDES(SkillMoveToPosOutput)
   PARAMETER_GROUP(WalkToPoseParameters, walk, "limits and gains of walking to a pose")
   PARAMETER(double, positionTolerance, 0.05, "m", Range(0, 1), "the robot has arrived when it is nearer")
@@ -17,7 +19,7 @@ MODULE(SkillMoveToPos)
             "the robot has arrived when its heading is off by less")
 END_MODULE
 
-/// Walks to a pose on the field; stands once it is there.
+/// Walks to a pose on the field, round others where SafeWalkDirection says so; stands once it is there.
 class SkillMoveToPos : public SkillMoveToPosBase {
 public:
   void update(SkillMoveToPosOutput* theSkillMoveToPosOutput) override;

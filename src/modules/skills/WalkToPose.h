@@ -30,6 +30,9 @@ struct WalkCommand {
 /// sideways).
 WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& parameters);
 
+/// The walk towards a way point in the robot's frame, at full speed, because the way goes on behind it.
+WalkCommand walkPast(const Vec2& wayPoint, const WalkToPoseParameters& parameters);
+
 /// Scales a velocity back onto the ellipse of the limits, keeping its direction.
 Vec2 limitVelocity(const Vec2& velocity, const WalkToPoseParameters& parameters);
 

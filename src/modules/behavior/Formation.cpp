@@ -1,0 +1,105 @@
+#include "modules/behavior/Formation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modules/behavior/Restarts.h"
+
+namespace plumbline {
+
+MAKE_MODULE(Formation)
+
+namespace {
+constexpr double farTime = 16;     ///< as good as never [s]
+constexpr double touchReach = 0.4;  ///< a robot this near has touched the ball [m]
+constexpr double inField = 0.4;     ///< places stay this far inside the lines [m]
+}  // namespace
+
+void Formation::init() { table_ = FormationTable(config.file("formation")); }
+
+std::vector<TeamMember> Formation::members(const PlayerRole& own) const {
+  std::vector<TeamMember> members;
+  for (const TeamReport& report : theTeamRobotPose->reports) {
+    const TeamBelief& said = report.belief;
+    if (!said.localised && said.number != thePlayerInfo->number) continue;
+    members.push_back({said.number, said.pose, said.fallen, said.role, said.timeToBall});
+  }
+  // Before the first own words: what they would be.
+  if (!theTeamRobotPose->of(thePlayerInfo->number))
+    members.push_back({thePlayerInfo->number, theRobotPose->pose, theFallState->lying(), own.role,
+                       own.timeToBall});
+  for (const OtherRobot& robot : theOtherRobots->robots) {
+    if (!robot.mate || robot.number < 1 || theFrameInfo->time - robot.lastSeen > seenSeconds) continue;
+    if (std::ranges::find(members, robot.number, &TeamMember::number) != members.end()) continue;
+    const Vec2 way = theBallPos->field - robot.position;
+    const Pose2 pose(robot.position, std::atan2(way.y(), way.x()));
+    members.push_back(
+        {robot.number, pose, robot.fallen, PlayerRole::none,
+         timeToBall(pose, robot.fallen, theBallPos->field, theFieldDimensions->opponentGoal(), time)});
+  }
+  return members;
+}
+
+void Formation::watchRestart(PlayerRole& role) {
+  const PlayMode mode = theGameState->playMode;
+  const double now = theFrameInfo->time;
+  const bool near = theBallPos->valid && theBallPos->relative.norm() < kickReach;
+  if (theFrameInfo->restarted) takenAt_ = -1;
+  if (isOwnRestart(modeBefore_) && mode == PlayMode::playOn && near && role.members > 1) takenAt_ = now;
+  modeBefore_ = mode;
+  if (takenAt_ < 0) return;
+  const bool touched = std::ranges::any_of(theOtherRobots->robots, [&](const OtherRobot& robot) {
+    return (robot.position - theBallPos->field).norm() < touchReach;
+  });
+  if (touched || mode != PlayMode::playOn || now - takenAt_ > secondTouchWait) takenAt_ = -1;
+}
+
+Vec2 Formation::keptOff(const Vec2& place) const {
+  const bool restart = isOpponentRestart(theGameState->playMode);
+  const double clearance = restart ? restartClearance : ballClearance;
+  const Vec2 half(theFieldDimensions->length / 2 - inField, theFieldDimensions->width / 2 - inField);
+  Vec2 kept = place;
+  if (theGameState->playMode == PlayMode::goalKickOpponent) {
+    const double edge = theFieldDimensions->length / 2 - theFieldDimensions->penaltyDepth - inField;
+    if (std::abs(kept.y()) < theFieldDimensions->penaltyWidth / 2 + inField) kept.x() = std::min(kept.x(), edge);
+  }
+  if (theGameState->playMode == PlayMode::kickOffOwn || theGameState->playMode == PlayMode::kickOffOpponent)
+    kept.x() = std::min(kept.x(), -inField);
+  const Vec2 away = kept - theBallPos->field;
+  if (away.norm() < clearance) {
+    // Off the ball to the side of the own goal, where the player stands in the way.
+    const Vec2 home = Vec2(-theFieldDimensions->length / 2, 0) - theBallPos->field;
+    const Vec2 direction = restart || away.norm() < 0.1 ? Vec2(home.normalized()) : Vec2(away.normalized());
+    kept = theBallPos->field + clearance * (restart ? Vec2((away + 2 * clearance * direction).normalized())
+                                                    : direction);
+  }
+  return {std::clamp(kept.x(), -half.x(), half.x()), std::clamp(kept.y(), -half.y(), half.y())};
+}
+
+void Formation::update(PlayerRole* thePlayerRole) {
+  PlayerRole& role = *thePlayerRole;
+  watchRestart(role);
+  role.mayTouchBall = takenAt_ < 0;
+  const Vec2 ball = theBallPos->field;
+  const bool knows = theRobotPose->valid && theBallPos->valid && role.mayTouchBall;
+  role.timeToBall = knows ? std::min(farTime, timeToBall(theRobotPose->pose, theFallState->lying(), ball,
+                                                         theFieldDimensions->opponentGoal(), time))
+                          : farTime;
+  const std::vector<TeamMember> team = members(role);
+  role.members = static_cast<int>(team.size());
+
+  std::vector<Vec2> places;
+  for (int i = 0; i < table_.size(); ++i) places.push_back(keptOff(table_.at(i, ball)));
+  const Vec2 ownGoal(-theFieldDimensions->length / 2, 0);
+  const TeamPlan all = planTeam(team, ball, ownGoal, places, time, plan);
+  role.strikerNumber = all.strikerNumber;
+  for (std::size_t i = 0; i < team.size(); ++i)
+    if (team[i].number == thePlayerInfo->number) role.role = all.roles[i];
+  if (role.supports()) {
+    const Vec2 place = places[static_cast<std::size_t>(role.role - PlayerRole::supporter)];
+    const Vec2 toBall = ball - place;
+    role.place = Pose2(place, std::atan2(toBall.y(), toBall.x()));
+  }
+}
+
+}  // namespace plumbline

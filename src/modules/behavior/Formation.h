@@ -1,0 +1,60 @@
+#pragma once
+#include <vector>
+
+#include "framework/Module.h"
+#include "modules/behavior/formation/FormationTable.h"
+#include "modules/behavior/formation/TeamPlan.h"
+#include "representations/behavior/PlayerRole.h"
+#include "representations/communication/TeamReports.h"
+#include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/GameState.h"
+#include "representations/infrastructure/PlayerInfo.h"
+#include "representations/modeling/BallPos.h"
+#include "representations/modeling/FallState.h"
+#include "representations/modeling/OtherRobots.h"
+#include "representations/modeling/RobotPose.h"
+
+namespace plumbline {
+
+MODULE(Formation)
+  REQUIRES(FrameInfo)
+  REQUIRES(GameState)
+  REQUIRES(PlayerInfo)
+  REQUIRES(FieldDimensions)
+  REQUIRES(RobotPose)
+  REQUIRES(FallState)
+  REQUIRES(BallPos)
+  REQUIRES(OtherRobots)
+  REQUIRES(TeamRobotPose)
+  PROVIDES(PlayerRole)
+  PARAMETER_GROUP(TeamPlanParameters, plan, "who does what")
+  PARAMETER_GROUP(TimeToBallParameters, time, "time to the ball")
+  PARAMETER(double, seenSeconds, 3, "s", Range(0.1, 60),
+            "a mate that says nothing takes part while it was seen within that time")
+  PARAMETER(double, ballClearance, 1.3, "m", Range(0, 10), "supporters keep this far from the ball")
+  PARAMETER(double, restartClearance, 2.3, "m", Range(0, 10), "the same at restarts of the opponent")
+  PARAMETER(double, kickReach, 0.5, "m", Range(0.1, 5),
+            "who is this near to the ball when an own restart ends has taken it")
+  PARAMETER(double, secondTouchWait, 4, "s", Range(0, 60),
+            "longest time for which the taker of a restart waits for another one to touch the ball")
+END_MODULE
+
+/// Gives each player its role and place. Every player works it out for itself, from what all have said, the
+/// own words among it as mates have heard them, so that all come to the same answer (planTeam).
+class Formation : public FormationBase {
+public:
+  void init() override;
+  void update(PlayerRole* thePlayerRole) override;
+
+private:
+  std::vector<TeamMember> members(const PlayerRole& before) const;
+  Vec2 keptOff(const Vec2& place) const;
+  void watchRestart(PlayerRole& role);
+
+  FormationTable table_;
+  PlayMode modeBefore_ = PlayMode::unknown;
+  double takenAt_ = -1;  ///< when this player took a restart; negative: it did not [s]
+};
+
+}  // namespace plumbline

@@ -1,0 +1,74 @@
+#include "modules/behavior/Goalie.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+
+MAKE_MODULE(Goalie)
+
+namespace {
+constexpr double lineMargin = 0.25;  ///< kept before the goal line [m]
+constexpr double facing = 0.35;      ///< the ball farther aside is turned to [rad]
+constexpr double rollingWay = 0.92;  ///< way of a ball per speed until it rests [s]
+}  // namespace
+
+Vec2 Goalie::onAngle() const {
+  const double line = -theFieldDimensions->length / 2, post = theFieldDimensions->goalWidth / 2;
+  const Vec2& ball = theBallPos->field;
+  const Vec2 toLeft = Vec2(line, post) - ball, toRight = Vec2(line, -post) - ball;
+  // The line that halves the angle meets the goal line nearer to the post that is nearer to the ball.
+  const double left = toLeft.norm(), right = toRight.norm();
+  const Vec2 centre(line, left + right > 1e-6 ? post - 2 * post * left / (left + right) : 0);
+  Vec2 out = ball - centre;
+  const double distance = out.norm();
+  out = distance > 1e-3 ? Vec2(out / distance) : Vec2(Vec2::UnitX());
+  const double share = std::clamp((distance - nearBall) / std::max(farBall - nearBall, 0.1), 0.0, 1.0);
+  const double away = std::min(std::lerp(nearOut, farOut, share), std::max(distance - 0.3, 0.0));
+  Vec2 place = centre + away * out;
+  place.x() = std::max(place.x(), line + lineMargin);
+  place.y() = std::clamp(place.y(), -post, post);
+  return place;
+}
+
+bool Goalie::shotCrossing(Vec2& place) const {
+  const Vec2 velocity = theRobotPose->pose.rotation() * theBallPos->relativeVelocity;
+  const double line = place.x();
+  const double ahead = theBallPos->field.x() - line;
+  if (velocity.x() > -shotSpeed || ahead <= 0 || -velocity.x() * rollingWay < ahead) return false;
+  const double y = theBallPos->field.y() + velocity.y() * ahead / -velocity.x();
+  if (std::abs(y) > theFieldDimensions->goalWidth / 2 + 0.3) return false;
+  place.y() = y;
+  return true;
+}
+
+void Goalie::update(GoalieOutput* theGoalieOutput) {
+  BehaviorOutput& output = *theGoalieOutput;
+  output.clear();
+  output.active = thePlayerRole->role == PlayerRole::goalie &&
+                  theGameState->playMode != PlayMode::gameOver &&
+                  theGameState->playMode != PlayMode::unknown;
+  if (!output.active) {
+    standing_ = false;
+    return;
+  }
+  output.skill = Skill::moveToPos;
+  const Pose2& robot = theRobotPose->pose;
+  const bool lost = !theBallPos->valid || theBallPos->age > ballMaxAge;
+  if (!theRobotPose->valid) {
+    output.target = Pose2(robot.position, normalizeAngle(robot.heading + 1.0));
+    return;
+  }
+  Vec2 place = lost ? Vec2(-theFieldDimensions->length / 2 + nearOut, 0) : onAngle();
+  const bool shot = !lost && shotCrossing(place);
+  const double distance = (place - robot.position).norm();
+  standing_ = !shot && distance < (standing_ ? leaves : tolerance);
+  const Vec2 toBall = theBallPos->field - place;
+  const double heading = lost ? 0 : std::atan2(toBall.y(), toBall.x());
+  if (standing_ && std::abs(normalizeAngle(heading - robot.heading)) < facing)
+    output.skill = Skill::stand;
+  else
+    output.target = Pose2(standing_ ? robot.position : place, heading);
+}
+
+}  // namespace plumbline

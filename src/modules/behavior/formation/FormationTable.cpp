@@ -1,0 +1,92 @@
+#include "modules/behavior/formation/FormationTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+namespace {
+
+constexpr std::size_t maxBalls = 50, maxPlaces = 10;
+constexpr double farthest = 100;  ///< [m]
+
+void checkRising(const ConfigSection& file, const std::string& key, const std::vector<double>& values) {
+  if (values.size() < 2 || values.size() > maxBalls) file.fail(key, "must have 2 to 50 numbers");
+  if (std::ranges::adjacent_find(values, std::greater_equal<>()) != values.end())
+    file.fail(key, "must rise from number to number");
+}
+
+/// Which two of the values it lies between: the first one's index and the share of the second one.
+std::pair<std::size_t, double> between(const std::vector<double>& values, double value) {
+  const auto upper = std::upper_bound(values.begin() + 1, values.end() - 1, value);
+  const auto i = static_cast<std::size_t>(upper - values.begin()) - 1;
+  return {i, std::clamp((value - values[i]) / (values[i + 1] - values[i]), 0.0, 1.0)};
+}
+
+std::string otherSide(std::string name) {
+  const auto change = [&name](const std::string& from, const std::string& to) {
+    if (!name.starts_with(from)) return false;
+    name.replace(0, from.size(), to);
+    return true;
+  };
+  if (!change("left", "right")) change("right", "left");
+  return name;
+}
+
+}  // namespace
+
+FormationTable::FormationTable(const ConfigSection& file) {
+  ballX_ = file.get<std::vector<double>>("ballX", {-farthest, farthest});
+  ballY_ = file.get<std::vector<double>>("ballY", {0, farthest});
+  checkRising(file, "ballX", ballX_);
+  checkRising(file, "ballY", ballY_);
+  if (ballY_[0] != 0) file.fail("ballY", "must begin with 0: the other side is its mirror image");
+  for (const ConfigSection& section : file.list("places")) {
+    Place place;
+    place.name = section.get<std::string>("name");
+    place.x = section.get<std::vector<std::vector<double>>>("x", {-farthest, farthest});
+    place.y = section.get<std::vector<std::vector<double>>>("y", {-farthest, farthest});
+    checkTable(section, "x", place.x);
+    checkTable(section, "y", place.y);
+    places_.push_back(std::move(place));
+  }
+  if (places_.empty() || places_.size() > maxPlaces) file.fail("places", "must be 1 to 10");
+  findMirrors(file);
+}
+
+void FormationTable::checkTable(const ConfigSection& section, const std::string& key,
+                                const std::vector<std::vector<double>>& table) const {
+  const bool fits = table.size() == ballY_.size() && std::ranges::all_of(table, [&](const auto& row) {
+                      return row.size() == ballX_.size();
+                    });
+  if (!fits)
+    section.fail(key, "must have a row for each of the " + std::to_string(ballY_.size()) +
+                          " values of ballY, with a number for each of the " +
+                          std::to_string(ballX_.size()) + " values of ballX");
+}
+
+void FormationTable::findMirrors(const ConfigSection& file) {
+  for (Place& place : places_) {
+    const std::string wanted = otherSide(place.name);
+    const auto it = std::ranges::find(places_, wanted, &Place::name);
+    if (it == places_.end())
+      file.fail("places", "must have " + wanted + ", the mirror image of " + place.name);
+    place.mirror = static_cast<std::size_t>(it - places_.begin());
+  }
+}
+
+Vec2 FormationTable::at(int place, const Vec2& ball) const {
+  const Place& own = places_[static_cast<std::size_t>(place)];
+  const bool mirrored = ball.y() < 0;
+  const Place& from = mirrored ? places_[own.mirror] : own;
+  const auto [i, shareX] = between(ballX_, ball.x());
+  const auto [j, shareY] = between(ballY_, std::abs(ball.y()));
+  const auto mean = [i = i, j = j, shareX = shareX,
+                     shareY = shareY](const std::vector<std::vector<double>>& table) {
+    return std::lerp(std::lerp(table[j][i], table[j][i + 1], shareX),
+                     std::lerp(table[j + 1][i], table[j + 1][i + 1], shareX), shareY);
+  };
+  const double y = mean(from.y);
+  return {mean(from.x), mirrored ? -y : y};
+}
+
+}  // namespace plumbline

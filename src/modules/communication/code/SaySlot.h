@@ -1,0 +1,21 @@
+#pragma once
+#include <cmath>
+#include <cstdint>
+
+namespace plumbline {
+
+/// Who speaks when, agreed without a referee: the server's clock, which all players read, is cut into slots
+/// of two cycles, because SimSpark passes on one message of a team in two cycles; they go round by number.
+struct SaySlot {
+  static constexpr double seconds = 0.04;
+  static constexpr int numPlayers = 11;
+
+  /// The slot of a time of the server's clock [s].
+  static std::int64_t at(double time) { return static_cast<std::int64_t>(std::floor(time / seconds + 1e-4)); }
+  /// The number, 1 to 11, whose slot it is.
+  static int speaker(std::int64_t slot) {
+    return static_cast<int>((slot % numPlayers + numPlayers) % numPlayers) + 1;
+  }
+};
+
+}  // namespace plumbline

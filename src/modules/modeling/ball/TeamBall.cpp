@@ -1,0 +1,38 @@
+#include "modules/modeling/ball/TeamBall.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+namespace {
+constexpr double rollingTimeConstant = 0.92;  ///< [s]
+constexpr double agreement = 3;               ///< [standard deviations]
+}  // namespace
+
+Vec2 rolledOn(const Vec2& position, const Vec2& velocity, double seconds) {
+  const double time = std::max(seconds, 0.0);
+  return position + rollingTimeConstant * (1 - std::exp(-time / rollingTimeConstant)) * velocity;
+}
+
+std::optional<ToldBall> combineBalls(const std::vector<ToldBall>& told) {
+  if (told.empty()) return std::nullopt;
+  const ToldBall& best = *std::ranges::min_element(told, {}, &ToldBall::deviation);
+  ToldBall sum;
+  sum.age = best.age;
+  double weights = 0;
+  for (const ToldBall& ball : told) {
+    const double apart = (ball.position - best.position).norm();
+    if (apart > agreement * std::hypot(ball.deviation, best.deviation)) continue;
+    const double weight = 1 / (ball.deviation * ball.deviation);
+    sum.position += weight * ball.position;
+    weights += weight;
+    sum.age = std::min(sum.age, ball.age);
+  }
+  sum.position /= weights;
+  const double keep = std::exp(-best.age / rollingTimeConstant);
+  sum.velocity = keep * best.velocity;
+  sum.deviation = 1 / std::sqrt(weights);
+  return sum;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,23 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "math/Types.h"
+
+namespace plumbline {
+
+/// A ball that somebody tells of, rolled on to now; in the team's frame [m, m/s, s].
+struct ToldBall {
+  Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();
+  double deviation = 1;  ///< per axis [m]
+  double age = 0;        ///< since it was seen [s]
+};
+
+/// Where a rolling ball is after some seconds: its speed dies away with SimSpark's time constant of 0.92 s.
+Vec2 rolledOn(const Vec2& position, const Vec2& velocity, double seconds);
+
+/// The mean weighted by certainty of those that agree with the most certain one (within three deviations);
+/// others are left out, because they tell of a ball that was elsewhere. Nothing without any.
+std::optional<ToldBall> combineBalls(const std::vector<ToldBall>& told);
+
+}  // namespace plumbline

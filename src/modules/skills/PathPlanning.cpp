@@ -1,0 +1,67 @@
+#include "modules/skills/PathPlanning.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+
+MAKE_MODULE(PathPlanning)
+
+PathPlanning::Destination PathPlanning::destination() const {
+  if (theSkillRequest->skill == Skill::moveToPos) return Destination::place;
+  if (theSkillRequest->skill == Skill::getBall) return Destination::ball;
+  for (const SkillOutput* output : allSkillOutputs)
+    if (output->skill == theSkillRequest->skill && output->approach != BallApproach::none)
+      return Destination::ball;
+  return Destination::none;
+}
+
+std::vector<Obstacle> PathPlanning::obstacles(Destination to) const {
+  std::vector<Obstacle> found;
+  const Vec2& own = theRobotPose->pose.position;
+  for (const OtherRobot& robot : theOtherRobots->robots) {
+    if (theFrameInfo->time - robot.lastSeen > oldestSight) continue;
+    const Vec2& ball = theBallPos->field;
+    if (to == Destination::ball && (robot.position - ball).norm() < destinationRadius) continue;
+    const double seconds = std::min((robot.position - own).norm() / ownSpeed, foresight);
+    found.push_back({robot.position + seconds * robot.velocity, robot.fallen ? fallenRadius : robotRadius});
+  }
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5})
+      found.push_back({{x * theFieldDimensions->length, y * theFieldDimensions->goalWidth}, postRadius});
+  if (to == Destination::place && theBallPos->valid) found.push_back({theBallPos->field, ballRadius});
+  return found;
+}
+
+bool PathPlanning::mateGoesBefore(const Vec2& direction) const {
+  if (thePlayerRole->role == PlayerRole::striker) return false;
+  const Vec2& own = theRobotPose->pose.position;
+  return std::ranges::any_of(theOtherRobots->robots, [&](const OtherRobot& robot) {
+    if (!robot.mate || robot.fallen || theFrameInfo->time - robot.lastSeen > oldestSight) return false;
+    if (robot.number > thePlayerInfo->number && robot.number != thePlayerRole->strikerNumber) return false;
+    const Vec2 way = robot.position - own;
+    return way.norm() < waitDistance && way.dot(direction) > 0.5 * way.norm();
+  });
+}
+
+void PathPlanning::update(SafeWalkDirection* theSafeWalkDirection) {
+  SafeWalkDirection& safe = *theSafeWalkDirection;
+  safe = SafeWalkDirection();
+  const Destination to = destination();
+  if (to == Destination::none || !theRobotPose->valid || (to == Destination::ball && !theBallPos->valid)) {
+    last_.setZero();
+    return;
+  }
+  const Pose2& robot = theRobotPose->pose;
+  const Vec2 goal = to == Destination::ball ? theBallPos->field : theSkillRequest->target.position;
+  const Vec2 wayPoint = nextWayPoint(robot.position, goal, obstacles(to), last_, planner);
+  const Vec2 way = wayPoint - robot.position;
+  safe.wayPointField = wayPoint;
+  safe.detour = wayPoint != goal;
+  safe.wayPoint = robot.inverse() * wayPoint;
+  const double length = way.norm();
+  last_ = safe.detour && length > 1e-3 ? Vec2(way / length) : Vec2(Vec2::Zero());
+  safe.wait = length > 0.1 && mateGoesBefore(way / length);
+}
+
+}  // namespace plumbline
