@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# Every command block of README, tutorials and how-to pages is run as it stands, page by page, in a folder of its own that looks
+# like the tree. A comment before a block says otherwise:
+#   <!-- test: goes on -->       each command stays in the background until the page's end; Ctrl-C then ends it within a second
+#   <!-- test: file NAME -->     the block is what NAME holds
+#   <!-- test: not run: WHY -->  needs what a test has not
+# DOCUMENTS="PAGE..." runs those pages alone.
+[[ ${PLUMBLINE_SLOW-} || ${DOCUMENTS-} ]] || { echo "left out: it takes minutes; make check runs it"; exit 0; }
+source "$(dirname "$0")/assert.bash"
+root=$PWD
+scripts/build_page.sh > /dev/null 2>&1 || fail "the pages cannot be built: scripts/build_page.sh"
+pages=(${DOCUMENTS:-README.md doc/tutorials/*.md doc/how-to/*.md})
+
+# Blocks of a page ($1) as files NUMBER.mode, NUMBER.text in a folder ($2).
+takeBlocks() {
+  awk -v to="$2" '
+    function store() { name = sprintf("%s/%03d", to, ++count); print mode > (name ".mode"); printf "%s", text > (name ".text"); close(name ".mode"); close(name ".text") }
+    /^<!-- test: .* -->$/ { note = $0; sub(/^<!-- test: /, "", note); sub(/ -->$/, "", note); next }
+    !inside && /^```/ { inside = 1; text = ""; mode = note; note = ""; if (mode == "" && $0 == "```sh") mode = "run"; next }
+    inside && /^```/ { inside = 0; if (mode != "") store(); next }
+    inside { text = text $0 "\n"; next }
+    NF { note = "" }' "$1"
+}
+
+# A folder in which commands of the documentation find what they name, and nothing that they write is in the tree.
+makeFolder() {
+  mkdir -p "$1/build"
+  local name
+  for name in bin config doc scripts src tests utils web Makefile CMakeLists.txt CMakePresets.json cmake configure.sh; do
+    ln -s "$root/$name" "$1/$name"
+  done
+  for name in "$root"/build/*; do ln -s "$name" "$1/build/"; done
+}
+
+endOf() { # pid, command: Ctrl-C
+  kill -0 "$1" 2> /dev/null || { wait "$1" || fail "'$2' ended by itself with status $?"; return 0; }
+  kill -INT "$1"
+  local i
+  for ((i = 0; i < 40; ++i)); do kill -0 "$1" 2> /dev/null || return 0; sleep 0.05; done
+  fail "'$2' does not end within 2 s of Ctrl-C"
+}
+
+ran=0 left=0
+for page in "${pages[@]}"; do
+  folder=$scratch/${page//\//-} blocks=$scratch/blocks-${page//\//-}
+  mkdir -p "$blocks"
+  takeBlocks "$page" "$blocks"
+  makeFolder "$folder"
+  running=() commands=()
+  for mode in "$blocks"/*.mode; do
+    [[ -e $mode ]] || continue
+    text=${mode%.mode}.text
+    case $(< "$mode") in
+      run)
+        echo "$page: $(head -1 "$text")"
+        (cd "$folder" && timeout 900 bash -e "$text") > "$scratch/log" 2>&1 < /dev/null ||
+          fail "$page: status $? of:"$'\n'"$(< "$text")"$'\n'"$(tail -5 "$scratch/log")"
+        ran=$((ran + 1)) ;;
+      'goes on')
+        while IFS= read -r line; do
+          echo "$page: $line"
+          set -m
+          (cd "$folder" && exec bash -c "exec $line") > "$scratch/log$((ran++))" 2>&1 < /dev/null &
+          set +m
+          running+=($!) commands+=("$line")
+          sleep 2
+        done < "$text" ;;
+      'file '*) name=$(< "$mode"); cp "$text" "$folder/${name#file }" ;;
+      'not run: '*) left=$((left + 1)) ;;
+      *) fail "$page: nobody knows <!-- test: $(< "$mode") -->" ;;
+    esac
+  done
+  for ((i = ${#running[@]} - 1; i >= 0; --i)); do endOf "${running[i]}" "$page: ${commands[i]}"; done
+done
+[[ -z $(git status --porcelain --untracked-files=normal 2> /dev/null) || ${DOCUMENTS-} ]] || fail "left untracked: $(git status --porcelain)"
+echo "$ran blocks and commands ran, $left need what a test has not"
