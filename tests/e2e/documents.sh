@@ -59,8 +59,9 @@ for page in "${pages[@]}"; do
       'goes on')
         while IFS= read -r line; do
           echo "$page: $line"
+          ran=$((ran + 1))
           set -m
-          (cd "$folder" && exec bash -c "exec $line") > "$scratch/log$((ran++))" 2>&1 < /dev/null &
+          (cd "$folder" && exec bash -c "exec $line") > "$scratch/log$ran" 2>&1 < /dev/null &
           set +m
           running+=($!) commands+=("$line")
           sleep 2
