@@ -182,11 +182,14 @@ void Process::restart() {
 }
 
 bool Process::takesTurn() {
+  unseen_ = false;
   for (auto& special : specials_) {
     const SpecialModule::Turn turn = special->turn();
-    if (turn == SpecialModule::Turn::cycle) continue;
-    if (turn == SpecialModule::Turn::restart) restart();
-    if (debug_->wanted()) {
+    unseen_ = unseen_ || turn == SpecialModule::Turn::unseen;
+    if (turn == SpecialModule::Turn::cycle || turn == SpecialModule::Turn::unseen) continue;
+    if (turn == SpecialModule::Turn::restart) {
+      restart();
+    } else if (debug_->wanted()) {
       debug_->beginCycle();
       debug_->lookAround(info_);
     }
@@ -251,7 +254,7 @@ void Process::cycle() {
   for (ThreadCopy* copy : fetched_) copy->fetch();
   for (auto& special : specials_) special->beginCycle();
   for (auto& plugin : plugins_) plugin->cycleStarted();
-  debugging_ = debug_->wanted();
+  debugging_ = !unseen_ && debug_->wanted();
   if (debugging_) {
     debug_->beginCycle();
     debug_->beginValues();

@@ -78,6 +78,7 @@ private:
   std::shared_ptr<AgentDebug> agentDebug_;
   std::unique_ptr<ProcessDebug> debug_;
   bool debugging_ = false;                          ///< in this cycle
+  bool unseen_ = false;                             ///< nobody looks into this cycle
   std::vector<std::optional<OutputGuard>> guards_;  ///< of each step; none: it executes
   std::vector<const Module*> rejected_;             ///< provided something that was not finite in this cycle
   std::vector<std::uint32_t> crashSteps_;

@@ -23,9 +23,10 @@ public:
   /// The whole thread, after the calls above; it stays as long as this object.
   virtual void planned(const ThreadPlan&) {}
 
-  /// cycle: the thread goes on. wait: no cycle now; the values can be looked at, and it is asked again.
-  /// restart: modules and representations begin anew, as the agent did, and it is asked again.
-  enum class Turn { cycle, wait, restart };
+  /// cycle: the thread goes on. unseen: the same, and nobody looks into that cycle from outside. wait: no
+  /// cycle now; the values can be looked at, and it is asked again. restart: modules and representations begin
+  /// anew, as when the agent started, and it is asked again.
+  enum class Turn { cycle, unseen, wait, restart };
   /// Before each cycle; may sleep for less than a tenth of a second.
   virtual Turn turn() { return Turn::cycle; }
   virtual void beginCycle() {}

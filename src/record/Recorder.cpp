@@ -11,7 +11,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds interval{50}, commitInterval{250};
-constexpr int stepsOfNice = 10;
+constexpr int stepsOfNice = 4;
 
 std::string counted(std::uint64_t count) {
   return std::to_string(count) + (count == 1 ? " cycle is" : " cycles are");

@@ -46,10 +46,10 @@ ReplayControl::Turn ReplayControl::next(std::size_t index, std::size_t played) {
         return Turn::restart;
       }
       if (due(player, played)) {
-        const bool fast = speed_ <= 0 || (index == 0 ? played < target_ : players_.front().played < target_);
-        if (fast) {
+        const bool jumps = (index == 0 ? played : players_.front().played) < target_;
+        if (jumps || speed_ <= 0) {
           paced_ = false;
-          return Turn::cycle;
+          return jumps ? Turn::unseen : Turn::cycle;
         }
         const std::int64_t timestamp = player.timestamps[played];
         if (!paced_) {

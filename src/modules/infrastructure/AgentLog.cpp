@@ -51,6 +51,9 @@ void declareLogOptions(CLI::App& app, AgentLogOptions& options) {
   app.add_option("--log-only", options.only, "with --log: these representations, by commas; default: all")
       ->delimiter(',')
       ->needs(log);
+  app.add_flag("--log-wait", options.waits,
+               "with --log: hold the agent up rather than drop a cycle, for a simulator that waits")
+      ->needs(log);
   auto* replay = app.add_option("--replay", options.replay, "run on this log instead of the platform");
   app.add_option("--compute", options.compute,
                  "with --replay: the modules that run, by commas; the log has what the others provided; default: "
@@ -93,7 +96,7 @@ std::shared_ptr<LogOptions> makeLog(const AgentLogOptions& options, const Contro
   recorder.writer.fileBytes = megabyte * static_cast<std::uint64_t>(parameters.fileMegabytes);
   recorder.writer.files = static_cast<std::size_t>(parameters.files);
   recorder.bufferBytes = megabyte * static_cast<std::size_t>(parameters.bufferMegabytes);
-  recorder.waits = options.replays();  // nobody waits for its cycles
+  recorder.waits = options.waits || options.replays();  // nobody waits for a replay
   try {
     made->recorder = std::make_shared<record::Recorder>(options.folder, recorder, std::move(tell));
   } catch (const std::runtime_error& error) {

@@ -20,6 +20,7 @@ struct AgentLogOptions {
   std::string folder, replay;
   std::vector<std::string> only, compute;
   record::ReplayOptions replayed;
+  bool waits = false;  ///< rather than to drop a cycle
 
   bool records() const { return !folder.empty(); }
   bool replays() const { return !replay.empty(); }
