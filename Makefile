@@ -84,6 +84,13 @@ bench-%:
 	@$(MAKE) SimRelease $(if $(wildcard tests/bench/$*.cpp tests/bench/$*/*.cpp),SimRelease-bench-$*)
 	@scripts/run_bench.sh $*
 
+# What looking into a running agent costs: doc/results/live.md.
+bench-live:
+	@scripts/install_packages.sh scripts/packages-bench.txt
+	@$(MAKE) SimRelease SimRelease-bench-live
+	@scripts/run_bench.sh live
+	@scripts/make_results.sh live
+
 # The walk's tables, figures and page (doc/results/walking.md, build/bench/walking.html): all robots, or what ARGS says, as
 # ARGS="4 1 20 --robots nao-bullet,type0 --sections speeds,pushes".
 bench-walk:

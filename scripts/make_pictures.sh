@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Makes the pictures of doc/img/ and README's sample output anew, by the commands that stand beside them there; `make
 # pictures` builds first what this needs.
-#   scripts/make_pictures.sh [goal] [match] [graph] [report]   all, if none is named; report takes some minutes
+#   scripts/make_pictures.sh [goal] [match] [graph] [report] [agent]   all, if none is named; report takes some minutes
 # Example: scripts/make_pictures.sh goal
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 fail() { echo "make_pictures.sh: $*" >&2; exit 2; }
 wanted=("$@")
-((${#wanted[@]})) || wanted=(goal match graph report)
+((${#wanted[@]})) || wanted=(goal match graph report agent)
 work=$(mktemp -d)
 server=""
 trap '[[ $server ]] && kill "$server" 2> /dev/null; rm -rf "$work"' EXIT
@@ -59,9 +59,32 @@ report() {
   put "$work/report.png" gap-report.png
 }
 
+# The page of an agent that walks to the ball, beside its simulator.
+agent() {
+  local shown="text=representation:BallPos&plot=representation:BallPos.relative.x,representation:BallPos.relative.y"
+  shown+="&text=representation:SkillRequest&parameter=config:BallLocator.forgetSeconds&place=representation:BallPos.field,field"
+  local name
+  for name in FKModel:body RobotPose AugmentedSelfLocator:particles BallLocator:ball BehaviorCombinator:target WalkingEngine:steps; do
+    shown+="&draw=draw:$name"
+  done
+  bin/simulator --port 0 --monitor-port 0 --ports-file "$work/ports.json" --seed 1 --realtime > "$work/simulator.log" &
+  server=$!
+  until [[ -s $work/ports.json ]]; do kill -0 $server || fail "$(cat "$work/simulator.log")"; sleep 0.1; done
+  bin/agent --port "$(sed -n 's/.*"agent": \([0-9]*\).*/\1/p' "$work/ports.json")" --web 0 > /dev/null 2> "$work/agent.log" &
+  local agent=$!
+  until grep -qs 'page http' "$work/agent.log"; do kill -0 $agent || fail "$(cat "$work/agent.log")"; sleep 0.1; done
+  node tests/e2e/web/agent_moment.mjs "$(sed -n 's#.*page \(http://localhost:[0-9]*/\)$#\1#p' "$work/agent.log")" "$work/agent.jpg" "$shown" \
+    > "$work/look.log" 2>&1 || fail "the browser: $(tail -3 "$work/look.log")"
+  kill -INT $agent
+  wait $agent || fail "the agent: $(tail -1 "$work/agent.log")"
+  kill $server
+  server=""
+  put "$work/agent.jpg" agent-page.jpg
+}
+
 for name in "${wanted[@]}"; do
   case $name in
-    goal | match | graph | report) "$name" ;;
-    *) fail "no picture '$name'; there is goal, match, graph, report" ;;
+    goal | match | graph | report | agent) "$name" ;;
+    *) fail "no picture '$name'; there is goal, match, graph, report, agent" ;;
   esac
 done

@@ -24,9 +24,7 @@ bool isFinite(const shapes::Form& form) {
   struct Finite {
     decltype(all)& numbers;
     decltype(place)& at;
-    bool operator()(const shapes::Circle& c) const {
-      return at(c.centre) && numbers(c.radius, c.thickness);
-    }
+    bool operator()(const shapes::Circle& c) const { return at(c.centre) && numbers(c.radius, c.thickness); }
     bool operator()(const shapes::Line& l) const { return at(l.begin) && at(l.end) && numbers(l.thickness); }
     bool operator()(const shapes::Point& p) const { return at(p.position) && numbers(p.size); }
     bool operator()(const shapes::Sphere& s) const { return at(s.centre) && numbers(s.radius); }
@@ -101,7 +99,7 @@ void Drawing::polygon(const std::vector<Place>& corners, const shapes::Colour& c
 }
 
 void Drawing::text(const Place& place, std::string_view text, const shapes::Colour& colour) {
-  add(shapes::Annotation{placed(place), std::string(text.substr(0, maxText))}, colour);
+  add(shapes::Annotation{placed(place), std::string(shapes::cutText(text, maxText))}, colour);
 }
 
 std::size_t Drawing::size() const {

@@ -16,8 +16,9 @@ void setDrawingFrames(const Pose2& T_field_robot, const Pose3& T_ground_torso);
 
 /// Colours that can be told apart on grass.
 namespace colours {
-inline constexpr shapes::Colour white{255, 255, 255}, black{20, 20, 20}, red{235, 64, 52}, orange{255, 150, 30},
-    yellow{255, 225, 60}, green{60, 220, 110}, cyan{70, 215, 230}, blue{80, 140, 255}, violet{190, 120, 255};
+inline constexpr shapes::Colour white{255, 255, 255}, black{20, 20, 20}, red{235, 64, 52},
+    orange{255, 150, 30}, yellow{255, 225, 60}, green{60, 220, 110}, cyan{70, 215, 230}, blue{80, 140, 255},
+    violet{190, 120, 255};
 /// The same colour, seen through; alpha 0 .. 1.
 constexpr shapes::Colour faint(shapes::Colour colour, double alpha) {
   colour.alpha = static_cast<std::uint8_t>(255 * alpha);

@@ -44,6 +44,7 @@ void draw(DebugPoint& point, Draw&& code) {
 ///
 ///     DEBUG_DRAWING("draw:BallLocator:ball", drawing.in(DrawingFrame::robot);
 ///                   drawing.sphere(position, 0.042, colours::orange));
-#define DEBUG_DRAWING(id, ...)         \
-  PLUMBLINE_DEBUG_POINT(id, drawing,   \
-                        ::plumbline::debugging::draw(plumblinePoint, [&](::plumbline::Drawing & drawing) { __VA_ARGS__; }))
+#define DEBUG_DRAWING(id, ...) \
+  PLUMBLINE_DEBUG_POINT(       \
+      id, drawing,             \
+      ::plumbline::debugging::draw(plumblinePoint, [&](::plumbline::Drawing& drawing) { __VA_ARGS__; }))

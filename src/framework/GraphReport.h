@@ -26,7 +26,7 @@ struct ThreadReport {
   double load = 0, rate = 0;  ///< 0 .. 1, and the cycles per second that modules.cfg states; 0: none
   double time = 0;            ///< of a cycle without waiting, mean [us]
   std::uint64_t cycles = 0, overruns = 0;
-  std::vector<Copy> copies;         ///< what comes from other threads
+  std::vector<Copy> copies;           ///< what comes from other threads
   std::vector<ModuleReport> modules;  ///< and special modules before them
 };
 

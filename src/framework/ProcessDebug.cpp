@@ -78,13 +78,12 @@ ProcessDebug::ProcessDebug(AgentDebug& agent, const ThreadPlan& plan, const Thre
   }
   for (std::size_t i = 0; i < plan.modules.size(); i++) {
     const ModuleDescription& description = plan.modules[i].loader->description();
-    description.parameters.visit(
-        modules[i].get(),
-        [&](const std::string& path, const Parameter& parameter, const ParameterPointer& pointer) {
-          parameters_.emplace_back("config:" + description.name + "." + path, i, path);
-          agent_.points.add(parameters_.back().point);
-          agent_.addParameter(parameters_.back().id, {&parameter, parameterType(pointer)});
-        });
+    description.parameters.visit(modules[i].get(), [&](const std::string& path, const Parameter& parameter,
+                                                       const ParameterPointer& pointer) {
+      parameters_.emplace_back("config:" + description.name + "." + path, i, path);
+      agent_.points.add(parameters_.back().point);
+      agent_.addParameter(parameters_.back().id, {&parameter, parameterType(pointer)});
+    });
   }
   for (const TimingPlugin::Entry& entry : timing.steps()) {
     stopwatches_.push_back("timing:" + entry.name);

@@ -67,6 +67,13 @@ std::string colourText(const Colour& colour) {
   return text;
 }
 
+std::string_view cutText(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return text;
+  const auto isInside = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80; };
+  while (most > 0 && isInside(most)) --most;
+  return text.substr(0, most);
+}
+
 void writeShape(OutStream& out, const Shape& shape) {
   out.beginObject();
   std::visit(Writer{out, colourText(shape.colour)}, shape.form);

@@ -8,7 +8,8 @@
 #include "framework/OutStream.h"
 #include "math/Types.h"
 
-// What a drawing is made of. Metres; the frame is the drawing's. Thickness and the size of a point are pixels.
+// What a drawing is made of. Metres; the frame is the drawing's. Thickness and the size of a point are
+// pixels.
 namespace plumbline::shapes {
 
 struct Colour {
@@ -47,6 +48,9 @@ struct Shape {
 
 /// "#rrggbb", with alpha "#rrggbbaa".
 std::string colourText(const Colour& colour);
+
+/// As much of a text in UTF-8 as fits into so many bytes, without half a character at its end.
+std::string_view cutText(std::string_view text, std::size_t most);
 
 /// As a list without labels, which the pages draw as it stands: {"circle" colour x y radius thickness},
 /// {"line" colour x y z x y z thickness}, {"point" colour x y z size}, {"sphere" colour x y z radius},

@@ -15,8 +15,8 @@ struct DebugServerOptions {
   static constexpr int standardPort = 3300;
   std::string address = "127.0.0.1";
   int port = standardPort;  ///< 0: a free one
-  bool listens = true;      ///< false: no port; only join() brings clients
   std::string token;        ///< what a client's first line must be; empty: nothing, only on loopback
+  bool listens = true;      ///< false: no port; only join() brings clients
 };
 
 /// The debug port: lines of text over TCP, in both directions. What clients may take is bounded: a line, what

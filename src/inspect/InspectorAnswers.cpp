@@ -80,8 +80,8 @@ void Inspector::list(int client, const Command& command) {
     if (json) {
       line(client, command.tag, jsonText({{"id", info.id}, {"kind", kind}, {"held", held}}));
     } else {
-      const bool code = info.kind == DebugKind::code || info.kind == DebugKind::codeOnce ||
-                        info.kind == DebugKind::drawing;
+      const bool code =
+          info.kind == DebugKind::code || info.kind == DebugKind::codeOnce || info.kind == DebugKind::drawing;
       line(client, command.tag, info.id + "  " + kind + (held ? code ? ", on" : ", set" : ""));
     }
   }

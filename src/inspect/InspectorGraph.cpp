@@ -18,7 +18,8 @@ std::string text(const ordered_json& json) {
 double tenths(double value) { return std::round(10 * value) / 10; }
 
 std::string threadText(const ThreadReport& thread) {
-  std::string line = fmt::format("[{}] load {:.1f} %, {:.1f} us a cycle", thread.name, 100 * thread.load, thread.time);
+  std::string line =
+      fmt::format("[{}] load {:.1f} %, {:.1f} us a cycle", thread.name, 100 * thread.load, thread.time);
   if (thread.rate > 0)
     line += fmt::format(", at {:g} Hz {} of {} cycles ran over", thread.rate, thread.overruns, thread.cycles);
   return line;

@@ -39,10 +39,7 @@ public:
     byte(colour.blue);
   }
   void text(std::string_view text, std::size_t most) {
-    text = text.substr(0, std::min(most, text.find('\0')));
-    // Not in the middle of a character.
-    while (!text.empty() && text.size() == most && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80)
-      text.remove_suffix(1);
+    text = shapes::cutText(text.substr(0, text.find('\0')), most);
     bytes_ += text;
     bytes_ += '\0';
   }

@@ -12,13 +12,15 @@ export class DrawingList {
     const key = JSON.stringify(entries);
     if (key === this.key) return;
     this.key = key;
-    this.place.replaceChildren(...entries.flatMap(({ id, held }) => {
-      const here = make('input', { type: 'checkbox', checked: this.watches.has(id), onchange: () => this.show(id, here.checked) });
-      here.dataset.drawing = id;
-      const viewer = make('input', { type: 'checkbox', checked: held });
-      viewer.onchange = () => this.link.ask(`dr ${id}${viewer.checked ? '' : ' off'}`).catch(complain);
-      return [make('label', { title: id }, here, shortName(id)), make('label', { className: 'viewer', title: 'in RoboViz or bin/webmonitor' }, viewer, 'viewer')];
-    }));
+    const title = (textContent, why) => make('span', { className: 'title', textContent, title: why });
+    this.place.replaceChildren(title('here', 'On this page'), title('viewer', 'In RoboViz or bin/webmonitor'), title('', ''),
+      ...entries.flatMap(({ id, held }) => {
+        const here = make('input', { type: 'checkbox', checked: this.watches.has(id), onchange: () => this.show(id, here.checked) });
+        here.dataset.drawing = id;
+        const viewer = make('input', { type: 'checkbox', checked: held });
+        viewer.onchange = () => this.link.ask(`dr ${id}${viewer.checked ? '' : ' off'}`).catch(complain);
+        return [here, viewer, make('span', { textContent: shortName(id), title: id, onclick: () => here.click() })];
+      }));
   }
 
   show(id, on) {

@@ -8,7 +8,7 @@ import { make } from './dom.js';
 import { fieldOf, headingOf, placeOf, shortName } from './paths.js';
 
 const colours = ['#ff5ad1', '#5affc8', '#fff35a', '#5ab4ff', '#ff965a', '#b45aff'];
-const pause = 50; // between two pictures [ms]
+const pause = 1000 / (Number(new URLSearchParams(location.search).get('fps')) || 20); // between two pictures [ms]
 
 export class Field {
   constructor({ canvas, legend, link, onChange }) {

@@ -36,8 +36,8 @@ export class Graph {
       const longest = Math.max(1, ...thread.modules.map(({ us }) => us));
       for (const module of thread.modules) {
         const { time, bar } = this.boxes.get(`${thread.thread}/${module.module}`);
-        time.textContent = timeText(module.us) + (module.waits > 100 ? ` + ${timeText(module.waits)}` : '');
-        time.title = module.waits > 100 ? 'work + waiting for its input, a cycle' : 'a cycle';
+        time.textContent = timeText(module.us);
+        time.parentElement.title = `a cycle${module.waits > 1 ? `, without ${timeText(module.waits)} of waiting` : ''}`;
         bar.style.width = `${Math.max(1, (100 * module.us) / longest)}%`;
         bar.style.background = module.us > 0.4 * longest && module.us > 20 ? '#ffb05a' : '#8fe0a8';
       }
@@ -65,15 +65,14 @@ export class Graph {
   }
 
   box(thread, module) {
-    const time = make('i'), bar = make('div', { className: 'bar' });
+    const time = make('span'), bar = make('i');
     const provides = module.provides.map((name) => {
       const link = make('a', { textContent: name, title: `look at ${name}` });
       link.onclick = () => this.onRepresentation(name);
       return link;
     });
-    const title = make('div', { className: 'title', title: `reads ${module.reads.join(', ') || 'nothing'}` },
-      make('span', { textContent: module.module }), time);
-    const element = make('div', { className: 'module' }, title, bar, ...provides);
+    const title = make('div', { className: 'title', textContent: module.module, title: `${module.module}: reads ${module.reads.join(', ') || 'nothing'}` });
+    const element = make('div', { className: 'module' }, title, make('div', { className: 'time' }, make('div', {}, bar), time), ...provides);
     element.dataset.module = module.module;
     const box = { element, time, bar, module, thread: thread.thread };
     title.onclick = () => {

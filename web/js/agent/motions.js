@@ -30,7 +30,7 @@ export class Motions {
         this.wanted = [...(this.wanted ?? []).filter(([p]) => p !== part), [part, slider.value]];
         if (!this.busy) this.follow();
       };
-      return [`walk ${name}`, slider, value];
+      return [name, slider, value];
     });
     return make('div', { className: 'walk' }, ...rows.flat().map((child) => (typeof child === 'string' ? make('span', { textContent: child }) : child)));
   }
