@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <cstdio>
+#include <cstdlib>
 
 #include "gap/inference/Strengths.h"
 
@@ -29,33 +31,62 @@ public:
       : replayer(replayer_),
         options(options_),
         shares(sharesOf(replayer.groups(), replayer.residuals({}))),
-        screening(replayer, shares) {}
+        screening(replayer, shares, [this](double share) { tell(0.3 * share); }) {}
 
   BeamResult run() {
     add({});
     for (std::size_t size = 0; size < options.mostCauses; ++size) {
-      tell(0.9 * static_cast<double>(size) / static_cast<double>(options.mostCauses));
+      tell(0.3 + 0.6 * static_cast<double>(size) / static_cast<double>(options.mostCauses));
       const std::string before = nameOfSet(best().causes());
       for (const Scored& set : top(options.width)) extend(set.causes());
-      if (nameOfSet(best().causes()) == before) break;
+      if (nameOfSet(best().causes()) == before && !winsByItsOwnShares()) break;
       improve();
       renewShares();
     }
     improve();
-    tell(0.95);
+    tell(0.9);
     return last();
   }
 
 private:
   void tell(double share) const {
-    if (options.progress) options.progress("sets of causes", share);
+    if (options.progress) options.progress(share);
+  }
+
+  /// Whether the likeliest larger set is better than the best under the shares of what the larger one leaves:
+  /// what is left slow counts for little until what made it slow is known.
+  bool winsByItsOwnShares() {
+    const Scored now = best();
+    const Scored* larger = nullptr;
+    for (const auto& [name, set] : scored)
+      if (set.causes().size() > now.causes().size() && (!larger || set.score() > larger->score()))
+        larger = &set;
+    if (!larger) return false;
+    const auto kept = scored;
+    const Shares keptShares = shares;
+    const Explanation other = larger->causes();
+    shares = sharesOf(replayer.groups(), replayer.residuals(other));
+    scored.clear();
+    add(now.causes());
+    add(other);
+    add({});
+    if (nameOfSet(best().causes()) == nameOfSet(other)) return true;
+    scored = kept;
+    shares = keptShares;
+    return false;
   }
 
   void add(const Explanation& causes, int steps = stepsInSearch) {
     if (causes.size() > options.mostCauses) return;
     std::string name = nameOfSet(causes);
     if (scored.contains(name)) return;
-    scored.emplace(std::move(name), score(replayer, shares, causes, screening.numKinds(), steps));
+    Scored set = score(replayer, shares, causes, screening.numKinds(), steps);
+    // A cause that was fitted away makes the set the one without it.
+    if (std::ranges::any_of(set.causes(), [&](const Cause& cause) {
+          return doesNothing(replayer.mechanism(), cause);
+        }))
+      return;
+    scored.emplace(std::move(name), std::move(set));
   }
 
   std::vector<Scored> top(std::size_t most) const {
@@ -130,7 +161,7 @@ private:
     scored.clear();
     for (const Scored& set : sets) add(set.causes(), stepsInSearch);
     add({});
-    return {top(kept + 1), shares, screening.numKinds()};
+    return {top(kept + 1), {}, shares, screening.numKinds()};
   }
 
   const Replayer& replayer;
@@ -146,16 +177,21 @@ BeamResult searchSets(const Replayer& replayer, const BeamOptions& options) {
   BeamResult result = Search(replayer, options).run();
   // What is answered is fitted to the end, and each group is left out by a fit of its own; so is what it is
   // without one of its causes, for one that the fit to the end made useless must go.
-  const auto settled = [&](const Explanation& causes) {
-    return score(replayer, result.shares, causes, result.kinds, stepsAtLast, LeaveOut::refit);
+  const auto settled = [&](const Explanation& causes, const std::vector<Explanation>& starts) {
+    return score(replayer, result.shares, causes, result.kinds, stepsAtLast, LeaveOut::refit, starts);
   };
-  Scored best = settled(result.sets.front().causes());
+  Scored best = settled(result.sets.front().causes(), {});
   for (std::size_t i = 0; i < best.causes().size();) {
-    Scored rest = settled(without(best.causes(), i));
-    if (rest.score() >= best.score()) {
+    std::vector<Explanation> starts;
+    for (const Explanation& of : best.without) starts.push_back(without(of, i));
+    Scored rest = settled(without(best.causes(), i), starts);
+    if (getenv("DBG")) { for (auto* x : {&best, &rest}) { fprintf(stderr, "DBG %s score %.3f price %.2f:", nameOfSet(x->causes()).c_str(), x->score(), x->price); for (size_t g = 0; g < x->density.size(); ++g) { fprintf(stderr, " [%.3f", x->density[g]); for (auto& c : x->without[g]) fprintf(stderr, " %.6g", c.value); fprintf(stderr,"]"); } fprintf(stderr, " T"); for (double w : result.shares) fprintf(stderr, " %.1f", 1 / w); fprintf(stderr, "\n"); } }
+    if (rest.score() >= best.score() || doesNothing(replayer.mechanism(), best.causes()[i])) {
       best = std::move(rest);
+      result.lessOne.clear();
       i = 0;
     } else {
+      result.lessOne.push_back(std::move(rest));
       ++i;
     }
   }
@@ -163,7 +199,11 @@ BeamResult searchSets(const Replayer& replayer, const BeamOptions& options) {
   std::erase_if(result.sets, [&](const Scored& set) {
     return nameOfSet(set.causes()) == name || nameOfSet(set.causes()) == tried;
   });
+  for (const Scored& rest : result.lessOne)
+    for (Scored& set : result.sets)
+      if (nameOfSet(set.causes()) == nameOfSet(rest.causes())) set = rest;
   result.sets.insert(result.sets.begin(), std::move(best));
+  if (options.progress) options.progress(1);
   return result;
 }
 

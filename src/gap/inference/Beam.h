@@ -1,6 +1,5 @@
 #pragma once
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "gap/inference/CandidateScreening.h"
@@ -12,12 +11,13 @@ struct BeamOptions {
   std::size_t mostCauses = 8;
   std::size_t width = 2;      ///< sets that are extended
   std::size_t proposals = 5;  ///< causes that each is extended by
-  std::function<void(const std::string& stage, double share)> progress = {};
+  std::function<void(double share)> progress = {};
 };
 
 /// What a search came to: sets scored under the same shares, the best first.
 struct BeamResult {
   std::vector<Scored> sets;
+  std::vector<Scored> lessOne;  ///< the best without each of its causes in turn
   Shares shares;
   std::size_t kinds = 0;
 };

@@ -19,7 +19,7 @@ Shares sharesOf(const Groups& groups, const Residuals& residuals) {
 
 double densityOf(const Cell& cell, const Residuals& residuals, double share) {
   const std::vector<double> values = residualsOf(cell, residuals);
-  return values.empty() ? 0 : share * logDensity(values, likeliestScale(values, cell.noise));
+  return values.empty() ? 0 : stretchDensity(split(values), cell.noise, share);
 }
 
 std::vector<double> densities(const Groups& groups, const Residuals& residuals, const Shares& shares,
@@ -34,10 +34,10 @@ std::vector<double> densities(const Groups& groups, const Residuals& residuals, 
 }
 
 std::vector<char> trialsOf(const Groups& groups, const std::vector<char>& wantedGroups) {
-  std::vector<char> wanted(groups.trials().size(), wantedGroups.empty());
+  std::vector<char> wanted(groups.trials().size(), 0);
   for (std::size_t t = 0; t < wanted.size(); ++t)
-    for (std::size_t g = 0; g < wantedGroups.size(); ++g)
-      if (wantedGroups[g] && groups.holds(g, t)) wanted[t] = 1;
+    for (std::size_t g = 0; g < groups.count(); ++g)
+      if ((wantedGroups.empty() || wantedGroups[g]) && groups.holds(g, t)) wanted[t] = 1;
   return wanted;
 }
 

@@ -42,25 +42,38 @@ void linearise(const Replayer& replayer, const Shares& shares, const std::vector
   }
   fitted.information.assign(groups.count(), Eigen::MatrixXd::Zero(n, n));
   fitted.gradient.assign(groups.count(), Eigen::VectorXd::Zero(n));
-  Eigen::VectorXd slope(n);
   for (std::size_t c = 0; c < groups.cells().size(); ++c) {
     const Cell& cell = groups.cells()[c];
     if (!wantedGroups.empty() && !wantedGroups[cell.group]) continue;
     const Series& here = at[cell.trial][cell.signal];
     if (!here) continue;
-    const double scale = likeliestScale(residualsOf(cell, at), cell.noise);
-    for (std::size_t k = cell.from; k < cell.to; ++k) {
-      const double r = (*here)[k];
+    const Split parts = split(residualsOf(cell, at));
+    const double scale = likeliestScale(parts.about, cell.noise);
+    // Derivatives of the residuals, and of their mean.
+    std::vector<Eigen::VectorXd> slopes(parts.about.size(), Eigen::VectorXd::Zero(n));
+    Eigen::VectorXd meanSlope = Eigen::VectorXd::Zero(n);
+    double count = 0;
+    for (std::size_t k = 0; k < slopes.size(); ++k) {
+      const double r = (*here)[cell.from + k];
       if (!std::isfinite(r)) continue;
       for (Eigen::Index i = 0; i < n; ++i) {
-        const double r1 = (*moved[static_cast<std::size_t>(i)][cell.trial][cell.signal])[k];
-        slope[i] =
-            steps[static_cast<std::size_t>(i)] == 0 ? 0 : (r1 - r) / steps[static_cast<std::size_t>(i)];
+        const auto j = static_cast<std::size_t>(i);
+        const double r1 = (*moved[j][cell.trial][cell.signal])[cell.from + k];
+        if (steps[j] != 0) slopes[k][i] = (r1 - r) / steps[j];
       }
-      const double w = shares[c] * weightOf(r, scale);
+      meanSlope += slopes[k];
+      ++count;
+    }
+    if (count == 0) continue;
+    meanSlope /= count;
+    const auto add = [&](double w, double r, const Eigen::VectorXd& slope) {
       fitted.gradient[cell.group] -= w * r * slope;
       fitted.information[cell.group] += w * slope * slope.transpose();
-    }
+    };
+    for (std::size_t k = 0; k < slopes.size(); ++k)
+      if (const double r = parts.about[k]; std::isfinite(r))
+        add(shares[c] * weightOf(r, scale), r, slopes[k] - meanSlope);
+    add(weightOf(parts.mean, std::max(cell.noise, std::abs(parts.mean))), parts.mean, meanSlope);
   }
 }
 
@@ -92,7 +105,8 @@ Fitted fit(const Replayer& replayer, const Shares& shares, Explanation start, in
       // What nothing depends on stays.
       damped.diagonal() += damping * information.diagonal() + Eigen::VectorXd::Constant(n, 1e-6);
       Eigen::VectorXd way = damped.llt().solve(gradient);
-      way *= std::min(1.0, farthest / std::max(1e-12, way.lpNorm<Eigen::Infinity>()));
+      // Each for itself: a strength that hardly matters must not hold up the others.
+      way = way.cwiseMax(-farthest).cwiseMin(farthest);
       Explanation next = withLogStrengths(replayer.mechanism(), fitted.causes, x + way);
       if (next == fitted.causes) break;
       Residuals there = replayer.residuals(next, trials);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 
 #include "gap/inference/Beam.h"
+#include "gap/inference/LeaveOut.h"
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/Posterior.h"
 
@@ -78,24 +78,26 @@ std::vector<Rival> rivalsOf(const std::vector<Scored>& sets, const std::vector<d
   return rivals;
 }
 
-/// Each recording replayed with the values that were fitted without it.
-std::vector<RecordingLeft> leaveOut(const Groups& groups, const Scored& best) {
-  std::map<std::string, std::vector<RecordingLeft>> parts;
-  std::vector<std::string> order;
-  for (std::size_t t = 0; t < groups.trials().size(); ++t) {
-    const Trial& trial = groups.trials()[t];
-    std::vector<From> causes;
-    for (std::size_t k = 0; k < trial.cycles(); ++k) {
-      const std::size_t group = groups.groupOf(t, k);
-      if (k == 0 || group != groups.groupOf(t, k - 1)) causes.push_back({k, best.without[group]});
-    }
-    if (!parts.contains(trial.recording)) order.push_back(trial.recording);
-    parts[trial.recording].push_back(leftIn(trial, causes));
-  }
-  std::vector<RecordingLeft> left;
-  for (const std::string& folder : order) left.push_back(together(parts[folder]));
-  putFloors(groups.trials(), left);
-  return left;
+/// Mean over the search in all groups and those without one: what a few recordings alone make likely is not
+/// sure (a posterior averaged over data sets: Huggins and Miller, "Reproducible model selection using bagged
+/// posteriors", Bayesian Analysis 18, 2023).
+double probabilityIn(const Cause& cause, const std::vector<Scored>& sets, const std::vector<double>& p,
+                     const std::vector<FoundWithout>& without) {
+  double sum = probabilityOf(cause, sets, p);
+  for (const FoundWithout& found : without) sum += probabilityOf(cause, found.sets, found.probabilities);
+  return sum / static_cast<double>(without.size() + 1);
+}
+
+/// The only recording that a cause gains in; empty where several do, or stretches stand for recordings.
+std::string onlySupport(const Groups& groups, const Scored& best, const Scored& lessOne) {
+  if (groups.stretchesOfOne()) return "";
+  std::vector<std::size_t> gaining;
+  for (std::size_t g = 0; g < groups.count(); ++g)
+    if (best.density[g] > lessOne.density[g]) gaining.push_back(g);
+  if (gaining.size() != 1) return "";
+  for (std::size_t t = 0; t < groups.trials().size(); ++t)
+    if (groups.groupOf(t, 0) == gaining.front()) return groups.trials()[t].recording;
+  return "";
 }
 
 std::vector<std::string> unused(const Groups& groups) {
@@ -114,12 +116,18 @@ std::vector<std::string> unused(const Groups& groups) {
 Inference infer(const Mechanism& robot, std::vector<Trial> trials, const InferenceOptions& options) {
   const Groups groups(std::move(trials));
   const Replayer replayer(robot, groups, options.jobs);
+  const auto tell = [&](const char* stage, double share) {
+    if (options.progress) options.progress(stage, share);
+  };
+  tell("sets of causes", 0);
   BeamOptions beam;
   beam.mostCauses = options.mostCauses;
-  beam.progress = options.progress;
+  beam.progress = [&](double share) { tell("sets of causes", share); };
   const BeamResult found = searchSets(replayer, beam);
   const Scored& best = found.sets.front();
   const std::vector<double> p = posterior(found.sets);
+  beam.progress = [&](double share) { tell("again without each recording in turn", share); };
+  const std::vector<FoundWithout> without = findWithoutEach(replayer, beam);
 
   Inference result;
   result.stretchesOfOne = groups.stretchesOfOne();
@@ -136,11 +144,13 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
     const Bounds interval = intervalOf(best, i, robot);
     finding.lower = interval.lower;
     finding.upper = interval.upper;
-    finding.probability = probabilityOf(finding.cause, found.sets, p);
+    finding.probability = probabilityIn(finding.cause, found.sets, p, without);
     finding.closedAlone = 1 - positionsLeft(replayer, {finding.cause}) / nominal;
-    finding.closedLast = (positionsLeft(replayer, without(best.causes(), i)) - all) / nominal;
+    finding.closedLast = (positionsLeft(replayer, gap::without(best.causes(), i)) - all) / nominal;
     finding.rivals = rivalsOf(found.sets, p, i);
     diagnosis.findings.push_back(std::move(finding));
+    if (const std::string only = onlySupport(groups, best, found.lessOne[i]); !only.empty())
+      result.onlyIn.push_back(describe(best.causes()[i]) + " is supported by " + only + " alone");
   }
   std::ranges::stable_sort(diagnosis.findings, std::ranges::greater(), &Finding::closedLast);
   const Worst before = worstOf(replayer, {}), after = worstOf(replayer, best.causes());
@@ -151,8 +161,10 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   const bool left = after.size > unexplained;
   diagnosis.verdict = left ? Verdict::unknown : best.causes().empty() ? Verdict::none : Verdict::effect;
   diagnosis.knownProbability = 1 / (1 + after.size * after.size);
-  result.leftOut = leaveOut(groups, best);
-  diagnosis.gap = {0, 0, 0};
+  tell("recordings left out", 0);
+  result.leftOut = leftWithout(groups, without);
+  for (const FoundWithout& of : without) result.foundElse.push_back(of.causes);
+  result.claim = claimOf(closedPerGroup(result.leftOut, groupsOfRecordings(groups)));
   double squaresBefore = 0, squaresAfter = 0, squaresFloor = 0;
   const auto count = static_cast<double>(result.leftOut.size());
   for (const RecordingLeft& recording : result.leftOut) {
@@ -163,39 +175,6 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   diagnosis.gap = {std::sqrt(squaresBefore), std::sqrt(squaresAfter), std::sqrt(squaresFloor)};
   result.replays = replayer.numReplays();
   return result;
-}
-
-std::string Inference::sentence() const {
-  char text[256];
-  if (diagnosis.verdict == Verdict::none) {
-    std::snprintf(text, sizeof text,
-                  "The nominal model explains these runs down to their noise (worst channel %.1f times the "
-                  "noise beyond it).",
-                  diagnosis.worstBefore);
-    return text;
-  }
-  std::string causes;
-  for (const Finding& finding : diagnosis.findings) {
-    std::snprintf(text, sizeof text, " (%.0f %%)", 100 * finding.probability);
-    causes += (causes.empty() ? "" : ", ") + describe(finding.cause) + text;
-  }
-  double least = HUGE_VAL, most = -HUGE_VAL;
-  for (const RecordingLeft& left : leftOut) {
-    least = std::min(least, left.closed());
-    most = std::max(most, left.closed());
-  }
-  std::string claim = stretchesOfOne
-                          ? "Of the gap in stretches of the one recording that took no part in the fit "
-                          : "Of the gap in recordings that took no part in the fit ";
-  std::snprintf(text, sizeof text, "it closes %.0f %% (%.0f to %.0f %% in each).", 100 * closed(),
-                100 * least, 100 * most);
-  claim += text;
-  if (diagnosis.verdict == Verdict::effect) return "Missing from the model: " + causes + ". " + claim;
-  std::snprintf(text, sizeof text,
-                "More is missing than the library's effects account for: %.1f times the noise remain in %s.",
-                diagnosis.worstAfter, diagnosis.worstSignalAfter.c_str());
-  if (causes.empty()) return text;
-  return text + (" The nearest explanation is " + causes + ". ") + claim;
 }
 
 }  // namespace plumbline::gap

@@ -5,6 +5,7 @@
 
 #include "gap/diagnosis/Diagnosis.h"
 #include "gap/diagnosis/Noise.h"
+#include "gap/inference/Claim.h"
 #include "gap/inference/HoldOut.h"
 #include "gap/replay/Trial.h"
 
@@ -19,15 +20,18 @@ struct InferenceOptions {
 /// What the method of doc/decisions/0007 says of some recordings.
 struct Inference {
   Diagnosis diagnosis;  ///< its gap: positions of the recordings left out, pooled [rad, or m]
-  /// What the values fitted to the other groups leave in each recording.
+  /// What is left in each recording by the set that was searched for, and fitted, in the others alone.
   std::vector<RecordingLeft> leftOut;
+  Claim claim;                         ///< of a recording that was not seen at all
+  std::vector<Explanation> foundElse;  ///< the sets found without each group in turn
   bool stretchesOfOne = false;  ///< there was one recording: stretches of time were left out instead
   std::vector<std::vector<SignalNoise>> noises;  ///< per trial and signal
   /// Channels that were not used, with the reason: "vel.* is not used: ...".
   std::vector<std::string> notUsed;
+  /// Of causes that gain in one recording alone: "... is supported by RECORDING alone".
+  std::vector<std::string> onlyIn;
   std::size_t replays = 0;
 
-  double closed() const { return meanClosed(leftOut); }
   std::string sentence() const;  ///< the verdict for people
 };
 

@@ -36,9 +36,25 @@ double logDensity(const std::vector<double>& residuals, double scale) {
   return sum;
 }
 
+Split split(const std::vector<double>& residuals) {
+  Split parts{0, residuals};
+  double n = 0;
+  for (const double r : residuals)
+    if (std::isfinite(r)) parts.mean += r, ++n;
+  if (n > 0) parts.mean /= n;
+  for (double& r : parts.about) r -= parts.mean;
+  return parts;
+}
+
+double stretchDensity(const Split& residuals, double noise, double share) {
+  return share * logDensity(residuals.about, likeliestScale(residuals.about, noise)) +
+         logDensity({residuals.mean}, std::max(noise, std::abs(residuals.mean)));
+}
+
 double correlationTime(const std::vector<double>& residuals) {
-  std::vector<double> x;
-  for (const double r : residuals) x.push_back(std::isfinite(r) ? r : 0);
+  std::vector<double> x = split(residuals).about;
+  for (double& r : x)
+    if (!std::isfinite(r)) r = 0;
   const std::size_t n = x.size();
   const auto covariance = [&](std::size_t lag) {
     double sum = 0;

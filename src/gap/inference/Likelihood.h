@@ -19,6 +19,18 @@ inline double weightOf(double residual, double scale) {
   return (tailFreedom + 1) / (tailFreedom * scale * scale + residual * residual);
 }
 
+/// Residuals of a stretch as their mean and what varies about it: however long the stretch is, its mean was
+/// seen once.
+struct Split {
+  double mean = 0;
+  std::vector<double> about;  ///< not finite where the residual is not
+};
+Split split(const std::vector<double>& residuals);
+
+/// Logarithm of the density of a stretch of residuals: mean and variation each with the scale that is
+/// likeliest, not below the noise; the variation counts by its share (1 / correlationTime).
+double stretchDensity(const Split& residuals, double noise, double share);
+
 /// How many successive residuals say as much as one that is independent: 1 + 2 * sum of autocorrelations, by
 /// the initial positive sequence (Geyer, "Practical Markov chain Monte Carlo", Stat. Science 7, 1992); at
 /// least 1.

@@ -44,6 +44,14 @@ Replayer::Replayer(const Mechanism& robot_, const Groups& groups_, int jobs_, co
   }
 }
 
+Replayer::Replayer(const Replayer& whole, const Groups& groups_)
+    : robot(whole.robot),
+      data(groups_),
+      threads(whole.threads),
+      accuracy(whole.accuracy),
+      chainJoints(whole.chainJoints),
+      memory(whole.memory) {}
+
 bool Replayer::feels(std::size_t chain, const Cause& cause) const {
   const auto has = [&](int joint) {
     return std::ranges::find(chainJoints[chain], joint) != chainJoints[chain].end();
@@ -115,10 +123,13 @@ Replayer::Played Replayer::play(std::size_t t, std::size_t chain, const Explanat
 Residuals Replayer::residuals(const Explanation& causes, const std::vector<char>& wanted) const {
   std::vector<Task> tasks;
   const std::size_t count = data.trials().size();
-  for (std::size_t t = 0; t < count; ++t)
-    for (std::size_t chain = 0; (wanted.empty() || wanted[t]) && chain < chainsOf(t); ++chain)
+  for (std::size_t t = 0; t < count; ++t) {
+    if (wanted.empty() ? !data.holds(t) : !wanted[t]) continue;
+    for (std::size_t chain = 0; chain < chainsOf(t); ++chain)
       tasks.push_back({t, chain, keyOf(t, chain, causes), {}});
+  }
   std::vector<std::size_t> missing;
+  auto& [mutex, cache, recent, kept, replays] = *memory;
   {
     const std::lock_guard lock(mutex);
     for (std::size_t i = 0; i < tasks.size(); ++i) {

@@ -24,7 +24,10 @@ class Replayer {
 public:
   Replayer(const Mechanism& robot, const Groups& groups, int jobs, const ReplayOptions& accuracy = {});
 
-  /// wanted: one flag per trial; empty: all. Trials not wanted stay empty.
+  /// The same for some of the groups (Groups::without): what was replayed for one serves the other.
+  Replayer(const Replayer& whole, const Groups& groups);
+
+  /// wanted: one flag per trial; empty: all that are in a group. Trials not wanted stay empty.
   Residuals residuals(const Explanation& causes, const std::vector<char>& wanted = {}) const;
   /// Joints of the chains that feel a cause where the base is held.
   const std::vector<std::vector<int>>& chains() const { return chainJoints; }
@@ -33,7 +36,8 @@ public:
   const Mechanism& mechanism() const { return robot; }
   const Groups& groups() const { return data; }
   int jobs() const { return threads; }
-  std::size_t numReplays() const { return replays; }
+  /// So far, with those for other groups.
+  std::size_t numReplays() const { return memory->replays; }
 
 private:
   using Played = std::shared_ptr<const std::vector<std::pair<std::size_t, Series>>>;
@@ -52,10 +56,13 @@ private:
   int threads;
   ReplayOptions accuracy;
   std::vector<std::vector<int>> chainJoints;
-  mutable std::mutex mutex;
-  mutable std::map<std::string, std::pair<Played, std::list<std::string>::iterator>> cache;
-  mutable std::list<std::string> recent;  ///< keys, the last used first
-  mutable std::size_t kept = 0, replays = 0;
+  struct Memory {
+    std::mutex mutex;
+    std::map<std::string, std::pair<Played, std::list<std::string>::iterator>> cache;
+    std::list<std::string> recent;  ///< keys, the last used first
+    std::size_t kept = 0, replays = 0;
+  };
+  std::shared_ptr<Memory> memory = std::make_shared<Memory>();
 };
 
 }  // namespace plumbline::gap

@@ -23,8 +23,16 @@ Explanation steppedWithout(const Replayer& replayer, const Fitted& fitted, std::
     gradient += fitted.gradient[g];
   }
   Eigen::VectorXd way = information.llt().solve(gradient);
-  way *= std::min(1.0, farthest / std::max(1e-12, way.lpNorm<Eigen::Infinity>()));
+  way = way.cwiseMax(-farthest).cwiseMin(farthest);
   return withLogStrengths(replayer.mechanism(), fitted.causes, logStrengths(fitted.causes) + way);
+}
+
+double densityOn(const Replayer& replayer, const Shares& shares, const Explanation& causes,
+                 const std::vector<char>& wanted) {
+  const Groups& groups = replayer.groups();
+  const std::vector<double> of =
+      densities(groups, replayer.residuals(causes, trialsOf(groups, wanted)), shares, wanted);
+  return std::accumulate(of.begin(), of.end(), 0.0);
 }
 
 }  // namespace
@@ -36,7 +44,7 @@ double priceOf(std::size_t causes, std::size_t kinds) {
 }
 
 Scored score(const Replayer& replayer, const Shares& shares, const Explanation& start, std::size_t kinds,
-             int mostSteps, LeaveOut how) {
+             int mostSteps, LeaveOut how, const std::vector<Explanation>& starts) {
   const Groups& groups = replayer.groups();
   Scored scored;
   scored.fitted = fit(replayer, shares, start, mostSteps);
@@ -46,9 +54,14 @@ Scored score(const Replayer& replayer, const Shares& shares, const Explanation& 
     left[g] = 1;
     others[g] = 0;
     Explanation causes = scored.causes();
-    if (!causes.empty())
-      causes = how == LeaveOut::refit ? fit(replayer, shares, causes, mostSteps, others).causes
-                                      : steppedWithout(replayer, scored.fitted, g);
+    if (!causes.empty() && how == LeaveOut::refit) {
+      if (!starts.empty() &&
+          densityOn(replayer, shares, starts[g], others) > densityOn(replayer, shares, causes, others))
+        causes = starts[g];
+      causes = fit(replayer, shares, causes, mostSteps, others).causes;
+    } else if (!causes.empty()) {
+      causes = steppedWithout(replayer, scored.fitted, g);
+    }
     const Residuals residuals = replayer.residuals(causes, trialsOf(groups, left));
     scored.density.push_back(densities(groups, residuals, shares, left)[g]);
     scored.without.push_back(std::move(causes));

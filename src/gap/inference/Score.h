@@ -23,8 +23,8 @@ double priceOf(std::size_t causes, std::size_t kinds);
 enum class LeaveOut { newtonStep, refit };
 
 /// Fits the set to all groups, then leaves each group out in turn and replays it, free from its beginning,
-/// with the values of the others.
+/// with the values of the others. starts: per group, other values that its refit may begin with; empty: none.
 Scored score(const Replayer& replayer, const Shares& shares, const Explanation& start, std::size_t kinds,
-             int mostSteps, LeaveOut how = LeaveOut::newtonStep);
+             int mostSteps, LeaveOut how = LeaveOut::newtonStep, const std::vector<Explanation>& starts = {});
 
 }  // namespace plumbline::gap

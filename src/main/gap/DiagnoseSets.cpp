@@ -21,12 +21,15 @@ nlohmann::json answerOf(const Inference& inference, const AnswerInput& input, co
   answer["method"] = "sets";
   answer["sentence"] = inference.sentence();
   nlohmann::json& gap = answer["gap"];
-  gap["closed"] = inference.closed();
+  gap["closed"] = inference.claim.closed;
+  gap["closed_interval"] = {inference.claim.lower, inference.claim.upper};
+  gap["closed_left_out"] = meanClosed(inference.leftOut);
   gap["unit"] = "rad, or m: positions of recordings left out";
   gap["left_out"] = inference.stretchesOfOne ? "stretches of the one recording" : "recordings";
   gap["runs"] = nlohmann::json::array();
   for (const RecordingLeft& left : inference.leftOut) gap["runs"].push_back(leftJson(left));
   for (const std::string& line : inference.notUsed) answer["remarks"].push_back(line);
+  for (const std::string& line : inference.onlyIn) answer["remarks"].push_back(line);
   answer["replays"] = inference.replays;
   return answer;
 }
@@ -40,7 +43,8 @@ void print(const Inference& inference, const AnswerInput& input) {
     for (const Rival& rival : finding.rivals)
       std::printf("    or %-45s %5.1f %%\n", describe(rival.cause).c_str(), 100 * rival.probability);
   }
-  std::printf("Left out, each in turn:\n%s", leftTable(inference.leftOut).c_str());
+  for (const std::string& line : inference.onlyIn) std::printf("  %s\n", line.c_str());
+  std::printf("Left out of search and fit, each in turn:\n%s", leftTable(inference.leftOut).c_str());
   for (const std::string& line : inference.notUsed) std::printf("%s\n", line.c_str());
   std::printf("Next: %s\n", input.nextMotion.c_str());
 }
@@ -57,6 +61,7 @@ void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, Answe
   {
     ProgressLine line(request.quiet);
     options.progress = [&line](const std::string& stage, double share) { line.tell(stage, share); };
+    line.tell("noise of the readings", 0);
     inference = infer(request.robot, trials, options);
   }
   const Evidence evidence(std::move(trials), inference.noises);

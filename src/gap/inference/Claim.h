@@ -1,0 +1,23 @@
+#pragma once
+#include <vector>
+
+#include "gap/inference/HoldOut.h"
+
+namespace plumbline::gap {
+
+/// What an answer closes of the gap in a recording of another motion: share, and its 90 % interval.
+struct Claim {
+  double closed = 0, lower = 0, upper = 0;
+};
+
+/// From what was closed in recordings left out, one value per group of them: logarithms of the share that is
+/// left are normal about a mean, with a spread from motion to motion, both unknown (random effects, Gelman et
+/// al., Bayesian Data Analysis, chapter 5). The mean is 0 (nothing closed) give or take 1 before any data, the
+/// spread half-normal of 0.5. Few groups are thus drawn to 0 and leave a wide interval.
+Claim claimOf(const std::vector<double>& closedPerGroup);
+
+/// The mean of what was closed in the recordings of each group.
+std::vector<double> closedPerGroup(const std::vector<RecordingLeft>& leftOut,
+                                   const std::vector<std::size_t>& groupOfRecording);
+
+}  // namespace plumbline::gap

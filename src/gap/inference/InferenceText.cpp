@@ -1,0 +1,44 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "gap/inference/Inference.h"
+
+namespace plumbline::gap {
+
+std::string Inference::sentence() const {
+  char text[256];
+  if (diagnosis.verdict == Verdict::none) {
+    std::snprintf(text, sizeof text,
+                  "The nominal model explains these runs down to their noise (worst channel %.1f times the "
+                  "noise beyond it).",
+                  diagnosis.worstBefore);
+    return text;
+  }
+  std::string causes;
+  for (const Finding& finding : diagnosis.findings) {
+    std::snprintf(text, sizeof text, " (%.0f %%)", 100 * finding.probability);
+    causes += (causes.empty() ? "" : ", ") + describe(finding.cause) + text;
+  }
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (const RecordingLeft& left : leftOut) {
+    least = std::min(least, left.closed());
+    most = std::max(most, left.closed());
+  }
+  std::snprintf(text, sizeof text,
+                "Of another recording's gap it is expected to close %.0f %% (90 %%: %.0f to %.0f %%); of %s it "
+                "closed %.0f to %.0f %%.",
+                100 * claim.closed, 100 * claim.lower, 100 * claim.upper,
+                stretchesOfOne ? "stretches of the one recording, each left out in turn," :
+                                 "these, each left out of search and fit in turn,",
+                100 * least, 100 * most);
+  const std::string claimed = text;
+  if (diagnosis.verdict == Verdict::effect) return "Missing from the model: " + causes + ". " + claimed;
+  std::snprintf(text, sizeof text,
+                "More is missing than the library's effects account for: %.1f times the noise remain in %s.",
+                diagnosis.worstAfter, diagnosis.worstSignalAfter.c_str());
+  if (causes.empty()) return text;
+  return text + (" The nearest explanation is " + causes + ". ") + claimed;
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,56 @@
+#include "gap/inference/LeaveOut.h"
+
+#include <map>
+#include <string>
+
+#include "gap/inference/Posterior.h"
+
+namespace plumbline::gap {
+
+std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const BeamOptions& options) {
+  std::vector<FoundWithout> found;
+  const std::size_t count = replayer.groups().count();
+  for (std::size_t g = 0; g < count; ++g) {
+    const Groups others = replayer.groups().without(g);
+    BeamOptions settings = options;
+    if (options.progress)
+      settings.progress = [&](double share) {
+        options.progress((static_cast<double>(g) + share) / static_cast<double>(count));
+      };
+    BeamResult result = searchSets(Replayer(replayer, others), settings);
+    FoundWithout& of = found.emplace_back();
+    of.causes = result.sets.front().causes();
+    of.probabilities = posterior(result.sets);
+    of.sets = std::move(result.sets);
+  }
+  return found;
+}
+
+std::vector<RecordingLeft> leftWithout(const Groups& groups, const std::vector<FoundWithout>& found) {
+  std::map<std::string, std::vector<RecordingLeft>> parts;
+  std::vector<std::string> order;
+  for (std::size_t t = 0; t < groups.trials().size(); ++t) {
+    const Trial& trial = groups.trials()[t];
+    std::vector<From> causes;
+    for (std::size_t k = 0; k < trial.cycles(); ++k) {
+      const std::size_t group = groups.groupOf(t, k);
+      if (k == 0 || group != groups.groupOf(t, k - 1)) causes.push_back({k, found[group].causes});
+    }
+    if (!parts.contains(trial.recording)) order.push_back(trial.recording);
+    parts[trial.recording].push_back(leftIn(trial, causes));
+  }
+  std::vector<RecordingLeft> left;
+  for (const std::string& folder : order) left.push_back(together(parts[folder]));
+  putFloors(groups.trials(), left);
+  return left;
+}
+
+std::vector<std::size_t> groupsOfRecordings(const Groups& groups) {
+  std::map<std::string, std::size_t> known;
+  std::vector<std::size_t> of;
+  for (std::size_t t = 0; t < groups.trials().size(); ++t)
+    if (known.emplace(groups.trials()[t].recording, 0).second) of.push_back(groups.groupOf(t, 0));
+  return of;
+}
+
+}  // namespace plumbline::gap
