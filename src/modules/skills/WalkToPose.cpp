@@ -26,7 +26,11 @@ WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& 
   command.turn = limitTurn(parameters.headingGain * bearing);
   if (std::abs(bearing) < parameters.turnFirst) {
     // Slower while still turning: a fast walk in a tight curve swings out and loses time.
-    const double speed = parameters.maxForward * std::pow(std::cos(bearing), 3);
+    double speed = parameters.maxForward * std::pow(std::cos(bearing), 3);
+    if (std::abs(bearing) < parameters.sprintBearing)
+      command.turn = std::clamp(command.turn, -parameters.sprintTurn, parameters.sprintTurn);
+    else if (parameters.sprintBearing > 0)
+      speed = std::min(speed, parameters.curveSpeed);
     command.velocity = limitVelocity({std::min(speed, parameters.positionGain * distance), 0}, parameters);
   }
   return command;

@@ -1,0 +1,145 @@
+#include "modules/behavior/Formation.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "support/ModuleHarness.h"
+
+using namespace plumbline;
+
+namespace {
+
+/// One player of a team whose members have all spoken.
+struct FormationTest : testing::Test {
+  FormationTest() { setUp(harness, 3); }
+  static void setUp(test::ModuleHarness<Formation>& one, int number) {
+    one.input<PlayerInfo>().number = number;
+    one.input<GameState>().playMode = PlayMode::playOn;
+    one.input<RobotPose>().valid = true;
+    one.input<BallPos>().valid = true;
+    one.input<FrameInfo>().time = 30;
+    one.input<FieldDimensions>();
+    one.input<FallState>();
+    one.input<OtherRobots>();
+    one.input<TeamRobotPose>();
+  }
+  static TeamReport reportOf(int number, const Pose2& pose, double timeToBall) {
+    TeamReport report;
+    report.belief.number = number;
+    report.belief.localised = true;
+    report.belief.pose = pose;
+    report.belief.timeToBall = timeToBall;
+    report.time = 29.8;
+    return report;
+  }
+  void ballAt(const Vec2& ball) {
+    harness.input<BallPos>().field = ball;
+    harness.input<BallPos>().relative = harness.input<RobotPose>().pose.inverse() * ball;
+  }
+  const PlayerRole& role() {
+    harness.cycle();
+    harness.input<FrameInfo>().time += 0.02;
+    return harness.output<PlayerRole>();
+  }
+  test::ModuleHarness<Formation> harness;
+};
+
+TEST_F(FormationTest, alwaysOneStrikerAndAllThePlacesDifferentInTheMindsOfAllPlayers) {
+  std::vector<TeamReport> reports;
+  for (int number = 1; number <= 11; ++number)
+    reports.push_back(reportOf(number, Pose2(-14 + 2 * number, number % 3, 0), number == 7 ? 1 : 5 + number));
+  std::set<int> roles;
+  for (int number = 1; number <= 11; ++number) {
+    test::ModuleHarness<Formation> one;
+    setUp(one, number);
+    // What the player sees itself of its own pose differs from what it said.
+    one.input<RobotPose>().pose = Pose2(-13.7 + 2 * number, 0, 1);
+    one.input<BallPos>().field = {3, 2};
+    std::vector<TeamReport> heard = reports;
+    std::rotate(heard.begin(), heard.begin() + number % 5, heard.end());
+    one.input<TeamRobotPose>().reports = heard;
+    one.cycle();
+    const PlayerRole& role = one.output<PlayerRole>();
+    EXPECT_EQ(role.strikerNumber, 7);
+    EXPECT_EQ(role.members, 11);
+    roles.insert(role.role);
+  }
+  EXPECT_EQ(roles.size(), 11u);
+}
+
+TEST_F(FormationTest, aloneItIsTheStriker) {
+  harness.input<PlayerInfo>().number = 1;
+  EXPECT_EQ(role().role, PlayerRole::striker);
+  EXPECT_EQ(role().members, 1);
+}
+
+TEST_F(FormationTest, aMateThatIsOnlySeenTakesPart) {
+  ballAt({0, 0});
+  harness.input<RobotPose>().pose = Pose2(-6, 0, 0);
+  OtherRobot& mate = harness.input<OtherRobots>().robots.emplace_back();
+  mate.mate = true;
+  mate.number = 8;
+  mate.position = {-0.5, 0};
+  mate.lastSeen = 29.9;
+  EXPECT_EQ(role().members, 2);
+  EXPECT_EQ(role().strikerNumber, 8);
+  EXPECT_TRUE(role().supports());
+}
+
+TEST_F(FormationTest, supportersKeepOffTheBallAndFartherAtTheOpponentsRestarts) {
+  harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(0, 0, 0), 0.5)};
+  harness.input<RobotPose>().pose = Pose2(-3, 0, 0);
+  for (double x = -14.9; x < 15; x += 1.3)
+    for (double y = -9.9; y < 10; y += 1.7) {
+      ballAt({x, y});
+      harness.input<GameState>().playMode = PlayMode::playOn;
+      EXPECT_GT((role().place.position - Vec2(x, y)).norm(), 1) << x << " " << y;
+      harness.input<GameState>().playMode = PlayMode::kickInOpponent;
+      EXPECT_GT((role().place.position - Vec2(x, y)).norm(), 1.9) << x << " " << y;
+    }
+}
+
+TEST_F(FormationTest, allStayInTheirHalfUntilAKickOffIsTaken) {
+  harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(0, 0, 0), 0.5), reportOf(8, Pose2(-5, 0, 0), 9)};
+  harness.input<RobotPose>().pose = Pose2(1, 3, 0);
+  ballAt({0, 0});
+  harness.input<GameState>().playMode = PlayMode::kickOffOpponent;
+  EXPECT_LT(role().place.position.x(), 0);
+}
+
+TEST_F(FormationTest, whoTookARestartWaitsUntilAnotherOneTouchesTheBall) {
+  harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(-5, 0, 0), 6)};
+  harness.input<RobotPose>().pose = Pose2(-0.2, 0, 0);
+  ballAt({0, 0});
+  harness.input<GameState>().playMode = PlayMode::kickInOwn;
+  EXPECT_TRUE(role().mayTouchBall);
+  EXPECT_EQ(role().role, PlayerRole::striker);
+  harness.input<GameState>().playMode = PlayMode::playOn;
+  EXPECT_FALSE(role().mayTouchBall);
+  EXPECT_EQ(role().role, PlayerRole::supporter);
+  OtherRobot& robot = harness.input<OtherRobots>().robots.emplace_back();
+  robot.position = {0.2, 0.1};
+  EXPECT_TRUE(role().mayTouchBall);
+  // A player that was not at the ball did not take it.
+  harness.input<OtherRobots>().robots.clear();
+  ballAt({5, 5});
+  harness.input<GameState>().playMode = PlayMode::kickInOwn;
+  role();
+  harness.input<GameState>().playMode = PlayMode::playOn;
+  EXPECT_TRUE(role().mayTouchBall);
+}
+
+TEST_F(FormationTest, waitsForNoTouchLongerThanItMust) {
+  harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(-5, 0, 0), 6)};
+  harness.input<RobotPose>().pose = Pose2(-0.2, 0, 0);
+  ballAt({0, 0});
+  harness.input<GameState>().playMode = PlayMode::cornerOwn;
+  role();
+  harness.input<GameState>().playMode = PlayMode::playOn;
+  EXPECT_FALSE(role().mayTouchBall);
+  harness.input<FrameInfo>().time += 4.1;
+  EXPECT_TRUE(role().mayTouchBall);
+}
+
+}  // namespace

@@ -1,0 +1,85 @@
+#include "modules/behavior/Goalie.h"
+
+#include <gtest/gtest.h>
+
+#include "support/ModuleHarness.h"
+
+using namespace plumbline;
+
+namespace {
+
+struct GoalieTest : testing::Test {
+  GoalieTest() {
+    harness.input<GameState>().playMode = PlayMode::playOn;
+    harness.input<FieldDimensions>();
+    harness.input<RobotPose>().valid = true;
+    harness.input<RobotPose>().pose = Pose2(-10, 8, 0);
+    harness.input<PlayerRole>().role = PlayerRole::goalie;
+    harness.input<BallPos>().valid = true;
+    harness.input<BallPos>().age = 0;
+  }
+  const BehaviorOutput& with(const Vec2& ball, const Vec2& velocity = Vec2::Zero()) {
+    const Pose2& pose = harness.input<RobotPose>().pose;
+    harness.input<BallPos>().field = ball;
+    harness.input<BallPos>().relative = pose.inverse() * ball;
+    harness.input<BallPos>().relativeVelocity = pose.rotation().transpose() * velocity;
+    harness.cycle();
+    return harness.output<GoalieOutput>();
+  }
+  test::ModuleHarness<Goalie> harness;
+};
+
+TEST_F(GoalieTest, halvesTheAngleOfTheGoalFromEveryBall) {
+  for (const Vec2& ball : {Vec2(0, 0), Vec2(-10, 6), Vec2(-12, -5), Vec2(5, 9)}) {
+    const Vec2 place = with(ball).target.position;
+    const auto angleTo = [&](const Vec2& p) { return std::atan2(p.y() - ball.y(), p.x() - ball.x()); };
+    const double toLeft = normalizeAngle(angleTo({-15, 1.05}) - angleTo(place));
+    const double toRight = normalizeAngle(angleTo(place) - angleTo({-15, -1.05}));
+    EXPECT_NEAR(toLeft, toRight, 1e-6) << ball.transpose();
+    EXPECT_GT(place.x(), -15);
+  }
+}
+
+TEST_F(GoalieTest, standsFartherOutTheFartherTheBall) {
+  EXPECT_GT(with({5, 0}).target.x(), with({-12, 0}).target.x());
+  EXPECT_NEAR(with({-12, 0}).target.x(), -14.5, 1e-9);
+}
+
+TEST_F(GoalieTest, neverStandsBehindTheLineOrBesideTheGoal) {
+  for (double x = -15.2; x < 15; x += 0.4)
+    for (double y = -10; y < 10; y += 0.5) {
+      const Vec2 place = with({x, y}).target.position;
+      EXPECT_GE(place.x(), -14.75 - 1e-9);
+      EXPECT_LE(std::abs(place.y()), 1.05 + 1e-9);
+    }
+}
+
+TEST_F(GoalieTest, stepsIntoTheWayOfAShot) {
+  const Vec2 place = with({-10, 0}, {-7, 1}).target.position;
+  EXPECT_NEAR(place.y(), -(place.x() + 10) / 7, 1e-6);
+  EXPECT_NEAR(with({-10, 0}, {-7, 5}).target.y(), 0, 1e-6);   // passes the goal
+  EXPECT_NEAR(with({-10, 0}, {-2, 0.4}).target.y(), 0, 1e-6);  // comes to rest before
+}
+
+TEST_F(GoalieTest, standsStillAtItsPlace) {
+  const Pose2 place = with({0, 0}).target;
+  harness.input<RobotPose>().pose = place;
+  EXPECT_EQ(with({0, 0}).skill, Skill::stand);
+  harness.input<RobotPose>().pose = Pose2(place.x(), 0.25, 0);
+  EXPECT_EQ(with({0, 0}).skill, Skill::stand);
+  harness.input<RobotPose>().pose = Pose2(place.x(), 0.4, 0);
+  EXPECT_EQ(with({0, 0}).skill, Skill::moveToPos);
+}
+
+TEST_F(GoalieTest, onlyTheGoalieIsOne) {
+  harness.input<PlayerRole>().role = PlayerRole::striker;
+  EXPECT_FALSE(with({0, 0}).active);
+}
+
+TEST_F(GoalieTest, waitsInTheGoalWhileNobodyKnowsTheBall) {
+  harness.input<BallPos>().valid = false;
+  EXPECT_NEAR(with({5, 5}).target.x(), -14.5, 1e-9);
+  EXPECT_NEAR(with({5, 5}).target.y(), 0, 1e-9);
+}
+
+}  // namespace
