@@ -7,7 +7,8 @@ done
 mkdir -p build/e2e
 scripts/build_page.sh || fail "the report's page could not be built"
 arm=tests/e2e/gap/arm.json
-gap() { timeout 120 "$bin/gap" "$@" > "$scratch/out" 2> "$scratch/err" || fail "gap $*: $(cat "$scratch/err")"; }
+# Limits are of what it computes: a busy machine is no failure.
+gap() { (ulimit -S -t 240; exec "$bin/gap" "$@") > "$scratch/out" 2> "$scratch/err" || fail "gap $*: $(cat "$scratch/err")"; }
 
 # Two joints and two motions, so that it is quick; the three commands are those of the README.
 gap record --robot $arm --program hang_sweep --program hang_multisine --secret 5 -o "$scratch/runs"
