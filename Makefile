@@ -87,7 +87,7 @@ bench-%:
 # What looking into a running agent costs: doc/results/live.md.
 bench-live:
 	@scripts/install_packages.sh scripts/packages-bench.txt
-	@$(MAKE) SimRelease SimRelease-bench-live
+	@$(MAKE) SimRelease SimRelease-bench-live SimRelease-bench-network
 	@scripts/run_bench.sh live
 	@scripts/make_results.sh live
 
