@@ -35,6 +35,8 @@ public:
   /// A player has played a cycle. True: all have played all, and the replay does not stay.
   bool played(std::size_t player, std::size_t played);
 
+  /// On the way to where the replay shall go.
+  bool jumps() const;
   bool paused() const;
   void pause(bool paused);
   double speed() const;
