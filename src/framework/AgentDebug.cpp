@@ -1,5 +1,6 @@
 #include "framework/AgentDebug.h"
 
+#include "framework/ModuleGraph.h"
 #include "framework/TimingPlugin.h"
 #include "framework/TimingReport.h"
 
