@@ -8,6 +8,7 @@
 
 #include "framework/ConfigurationError.h"
 #include "framework/Controller.h"
+#include "framework/Module.h"
 #include "modules/infrastructure/AgentLog.h"
 #include "record/LogCompare.h"
 #include "record/ReplayConfig.h"
