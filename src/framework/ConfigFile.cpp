@@ -107,7 +107,8 @@ void ConfigStore::Trial::checkUnknown() const {
   const ConfigFile& now = file_.begin()->second;
   {
     const std::lock_guard lock(store_.mutex_);
-    if (const auto before = store_.files_.find(name_); before != store_.files_.end()) now.takeOver(before->second);
+    if (const auto before = store_.files_.find(name_); before != store_.files_.end())
+      now.takeOver(before->second);
   }
   now.checkUnknown();
 }

@@ -72,7 +72,12 @@ private:
 
 ProcessDebug::ProcessDebug(AgentDebug& agent, const ThreadPlan& plan, const ThreadInfo& info,
                            const std::vector<std::unique_ptr<Module>>& modules, const TimingPlugin& timing)
-    : agent_(agent), plan_(plan), modules_(modules), timing_(timing), stopwatchesOf_(modules.size()), ofModule_(modules.size()) {
+    : agent_(agent),
+      plan_(plan),
+      modules_(modules),
+      timing_(timing),
+      stopwatchesOf_(modules.size()),
+      ofModule_(modules.size()) {
   for (std::size_t i = 0; i < modules.size(); i++) ofModule_[i].configured = valuesOf(i, *modules[i]);
   for (const Step& step : info.steps) {
     ofStep_.push_back(nullptr);

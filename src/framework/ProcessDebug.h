@@ -33,7 +33,8 @@ public:
   void updated(const Step& step);
   /// A representation that a special module provides; it is looked at at the beginning of a cycle.
   void addValue(const RepresentationLoader& loader, Representation& value);
-  /// Blocks that run on request at the end of a cycle: `reset:MODULE` for each module, `reload:FILE` for these.
+  /// Blocks that run on request at the end of a cycle: `reset:MODULE` for each module, `reload:FILE` for
+  /// these.
   void addCommands(const std::vector<std::string>& files);
   /// Runs what is wanted; a function returns a line for who wanted it, or throws.
   void runCommands(const std::function<std::string(std::size_t)>& reset,
@@ -88,8 +89,9 @@ private:
   std::vector<std::string> stopwatches_;
   /// A module's parameters by path.
   struct Parameters {
-    std::map<std::string, ParameterValue> configured, next;  ///< by its file; and by that of the module made last
-    std::map<std::string, ParameterValue> set;               ///< to something else while it ran
+    std::map<std::string, ParameterValue> configured,
+        next;                                   ///< by its file; and by that of the module made last
+    std::map<std::string, ParameterValue> set;  ///< to something else while it ran
   };
   std::vector<Parameters> ofModule_;
 };

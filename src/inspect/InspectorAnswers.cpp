@@ -119,7 +119,8 @@ void Inspector::providers(int client, const Command& command) {
     if (!provision.representation.starts_with(command.name)) continue;
     bool set = false;
     for (const auto& [number, pending] : pending_)
-      set = set || (pending.use == Use::set && pending.target.id == "representation:" + provision.representation);
+      set = set ||
+            (pending.use == Use::set && pending.target.id == "representation:" + provision.representation);
     if (json)
       line(client, command.tag,
            jsonText({{"representation", provision.representation},

@@ -114,7 +114,8 @@ private:
 };
 
 struct ModuleLifeTest : testing::Test {
-  std::filesystem::path folder = std::filesystem::temp_directory_path() / ("life-" + std::to_string(getpid()));
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("life-" + std::to_string(getpid()));
   std::unique_ptr<Controller> controller;
 
   ModuleLifeTest() {
@@ -199,7 +200,8 @@ TEST_F(ModuleLifeTest, aWrongFileIsRefusedWithItsLineAndTheOldStays) {
   write("life", "# a comment\nheight: 3\n");
   EXPECT_EQ(ask("reload:life"), "failed: " + path("life") + ":2: height must be within [0, 2], not 3");
   write("life", "height: 1\nweight: 3\n");
-  EXPECT_EQ(ask("reload:life"), "failed: " + path("life") + ":2: unknown key \"weight\"; did you mean \"height\"?");
+  EXPECT_EQ(ask("reload:life"),
+            "failed: " + path("life") + ":2: unknown key \"weight\"; did you mean \"height\"?");
   write("LifeSummer", "speed: fast\n");
   EXPECT_TRUE(ask("reload:LifeSummer").starts_with("failed: " + path("LifeSummer") + ":1: "));
   std::filesystem::remove(path("life"));

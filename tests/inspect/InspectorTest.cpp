@@ -134,7 +134,8 @@ TEST_F(InspectorTest, watchesUntilUnwatch) {
 TEST_F(InspectorTest, modulesAreResetAndTheirProvisionsNamed) {
   EXPECT_EQ(ask("providers"), (Lines{"InspectedPlace  InspectedModule  [default]", "ok"}));
   ask("set representation:InspectedPlace.y 3");
-  EXPECT_EQ(ask("providers Ins"), (Lines{"InspectedPlace  InspectedModule  [default], set from outside", "ok"}));
+  EXPECT_EQ(ask("providers Ins"),
+            (Lines{"InspectedPlace  InspectedModule  [default], set from outside", "ok"}));
   EXPECT_EQ(ask("reset InspectedModule"), (Lines{"reset:InspectedModule InspectedModule began anew", "ok"}));
   go(1);
   EXPECT_EQ(place().x, 0.5);

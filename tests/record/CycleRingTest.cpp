@@ -25,7 +25,8 @@ TEST(CycleRingTest, carriesBlocksInOrderFromThreadToThread) {
   CycleRing ring(256);
   constexpr int count = 20000;
   std::thread writer([&] {
-    for (int i = 0; i < count;) i += ring.push(std::string(static_cast<std::size_t>(i % 50), 'a') + std::to_string(i)) ? 1 : 0;
+    for (int i = 0; i < count;)
+      i += ring.push(std::string(static_cast<std::size_t>(i % 50), 'a') + std::to_string(i)) ? 1 : 0;
   });
   std::string block;
   for (int i = 0; i < count;) {

@@ -42,7 +42,9 @@ void writeExampleLog(const std::string& folder, int first, int last, LogWriterOp
   for (int number = first; number <= last; number++) {
     if (std::ranges::find(leftOut, number) != leftOut.end()) continue;
     const auto messages = exampleMessages(number);
-    writer.write({0, static_cast<std::uint64_t>(number), number * std::int64_t{20'000'000},
+    writer.write({0,
+                  static_cast<std::uint64_t>(number),
+                  number * std::int64_t{20'000'000},
                   {messages.begin(), messages.end()}});
   }
   writer.finish();

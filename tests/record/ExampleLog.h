@@ -45,7 +45,9 @@ namespace record {
 /// A folder that goes at the end.
 class Scratch {
 public:
-  Scratch() : path_(std::filesystem::temp_directory_path() / ("record-" + std::to_string(counter_++) + '-' + unique())) {
+  Scratch()
+      : path_(std::filesystem::temp_directory_path() /
+              ("record-" + std::to_string(counter_++) + '-' + unique())) {
     std::filesystem::create_directories(path_);
   }
   ~Scratch() { std::filesystem::remove_all(path_); }

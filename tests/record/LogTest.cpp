@@ -135,9 +135,9 @@ TEST(LogTest, metadataNamesWhatRosToolsWant) {
   std::ifstream file(scratch / "game/metadata.yaml");
   std::stringstream text;
   text << file.rdbuf();
-  for (const char* part : {"storage_identifier: sqlite3", "nanoseconds_since_epoch: 20000000", "nanoseconds: 160000000",
-                           "message_count: 13", "name: /main/Counter", "type: plumbline_msgs/msg/Shapes",
-                           "    - game_0.db3"})
+  for (const char* part :
+       {"storage_identifier: sqlite3", "nanoseconds_since_epoch: 20000000", "nanoseconds: 160000000",
+        "message_count: 13", "name: /main/Counter", "type: plumbline_msgs/msg/Shapes", "    - game_0.db3"})
     EXPECT_NE(text.str().find(part), std::string::npos) << part << '\n' << text.str();
 }
 

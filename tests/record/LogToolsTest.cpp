@@ -39,15 +39,20 @@ TEST_F(LogToolsTest, whatDoesNotFollowIsJoinedBehindAMissingCycle) {
 TEST_F(LogToolsTest, logsOfOtherThingsAreNotJoined) {
   cutLog(game, scratch / "counter", {.only = {"Counter"}});
   const std::string counter = scratch / "counter";
-  EXPECT_EQ(thrownBy([&] { joinLogs({game, counter}, scratch / "x"); }),
+  EXPECT_EQ(thrownBy([&] {
+              joinLogs({game, counter}, scratch / "x");
+            }),
             counter + " cannot stand behind " + game + ": it has no Shapes");
-  EXPECT_EQ(thrownBy([&] { joinLogs({counter, game}, scratch / "x"); }),
+  EXPECT_EQ(thrownBy([&] {
+              joinLogs({counter, game}, scratch / "x");
+            }),
             game + " cannot stand behind " + counter + ": it has more representations");
   EXPECT_FALSE(std::filesystem::exists(scratch / "x"));
 }
 
 TEST_F(LogToolsTest, aPartWithNothingInItLeavesNothingBehind) {
-  EXPECT_EQ(thrownBy([&] { cutLog(game, scratch / "x", {.from = 100}); }), game + " has no cycle in that part");
+  EXPECT_EQ(thrownBy([&] { cutLog(game, scratch / "x", {.from = 100}); }),
+            game + " has no cycle in that part");
   EXPECT_EQ(thrownBy([&] { cutLog(game, scratch / "x", {.only = {"Conter"}}); }),
             game + " has no Conter; did you mean \"Counter\"?");
   EXPECT_FALSE(std::filesystem::exists(scratch / "x"));
@@ -60,7 +65,9 @@ TEST_F(LogToolsTest, theFirstDifferenceOfEachRepresentationIsNamed) {
     auto messages = exampleMessages(number);
     if (number >= 200) messages[0] = exampleMessages(number + 1)[0];
     if (number == 150) messages[1] = exampleMessages(153)[1];
-    writer.write({0, static_cast<std::uint64_t>(number), number * std::int64_t{20'000'000},
+    writer.write({0,
+                  static_cast<std::uint64_t>(number),
+                  number * std::int64_t{20'000'000},
                   {messages.begin(), messages.end()}});
   }
   writer.finish();
@@ -83,7 +90,8 @@ TEST_F(LogToolsTest, tablesHaveAColumnForEachNumberAndOneForAList) {
   LogReader log(game);
   const LogReader::Thread& thread = log.thread("");
   std::ostringstream out;
-  EXPECT_EQ(writeCsv(log, thread, logColumns(log, thread, {"Counter", "Shapes.angles[1]", "Shapes.names", "Shapes.text"}),
+  EXPECT_EQ(writeCsv(log, thread,
+                     logColumns(log, thread, {"Counter", "Shapes.angles[1]", "Shapes.names", "Shapes.text"}),
                      {.firstCycle = 5, .lastCycle = 6}, out),
             2u);
   EXPECT_EQ(out.str(),

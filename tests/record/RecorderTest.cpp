@@ -42,7 +42,8 @@ TEST_F(RecorderTest, aFullBufferDropsCyclesWhichAreCountedAndSaid) {
   EXPECT_GT(log.dropped(), 0u);
   EXPECT_EQ(cycles.size() + log.dropped(), 20000u);
   ASSERT_FALSE(told.empty());
-  EXPECT_EQ(told.back(), "log: " + std::to_string(log.dropped()) + " cycles are missing in " + (scratch / "game"));
+  EXPECT_EQ(told.back(),
+            "log: " + std::to_string(log.dropped()) + " cycles are missing in " + (scratch / "game"));
 }
 
 TEST_F(RecorderTest, aRecorderThatWaitsDropsNone) {
@@ -60,7 +61,8 @@ TEST_F(RecorderTest, whatCannotBeWrittenIsSaidOnceAndTheAgentGoesOn) {
   for (int i = 1; i <= 100; i++) part.record(i);
   recorder.finish();
   ASSERT_EQ(told.size(), 2u);
-  EXPECT_EQ(told[0], "log: " + (scratch / "game/game_0.db3") + ": unable to open database file; nothing more is recorded");
+  EXPECT_EQ(told[0], "log: " + (scratch / "game/game_0.db3") +
+                         ": unable to open database file; nothing more is recorded");
   EXPECT_EQ(told[1], "log: 100 cycles are missing in " + (scratch / "game"));
 }
 

@@ -35,7 +35,8 @@ TEST(SchemaTest, isFoundWithoutTouchingTheValue) {
   shapes.names = {"kept"};
   const Schema schema = schemaOf(shapes);
   EXPECT_EQ(schemaText(schema),
-            "{flag:b small:i1 number:f8 text:s place:{x:f8 y:f8} angles:{f8*3} names:[s] points:[{x:f8 y:f8 z:f8}]}");
+            "{flag:b small:i1 number:f8 text:s place:{x:f8 y:f8} angles:{f8*3} names:[s] points:[{x:f8 y:f8 "
+            "z:f8}]}");
   EXPECT_EQ(shapes.names, std::vector<std::string>{"kept"});
   EXPECT_EQ(schemaFromText(schemaText(schema)), schema);
 }
@@ -52,13 +53,15 @@ TEST(SchemaTest, aTypeThatHoldsItselfIsRefused) {
 }
 
 TEST(SchemaTest, textThatIsNoFormIsRefused) {
-  for (const char* text : {"", "{", "{x}", "[f8 f8]", "[]", "{f8*0}", "{a:}", "f9", "{f8}x", "{{{f8*9999}*9999}*9999}"})
+  for (const char* text :
+       {"", "{", "{x}", "[f8 f8]", "[]", "{f8*0}", "{a:}", "f9", "{f8}x", "{{{f8*9999}*9999}*9999}"})
     EXPECT_THROW(schemaFromText(text), std::runtime_error) << text;
   EXPECT_THROW(schemaFromText(std::string(100'000, '{')), std::runtime_error);
 }
 
 TEST(RosMessageTest, definitionHasNamesAsRosWantsThem) {
-  const Schema schema = schemaFromText("{stepHeight:f8 T_torso_link:[{rotation:{{f8*3}*3} translation:{x:f8}}] xyz:{f4*2} B2:[[u1]]}");
+  const Schema schema = schemaFromText(
+      "{stepHeight:f8 T_torso_link:[{rotation:{{f8*3}*3} translation:{x:f8}}] xyz:{f4*2} B2:[[u1]]}");
   EXPECT_EQ(messageType("FKModel"), "plumbline_msgs/msg/FKModel");
   EXPECT_EQ(messageDefinition("FKModel", schema),
             "float64 step_height\n"

@@ -1,5 +1,5 @@
-// What a log costs: the agent's thread, for all that a robot of the league knows in a cycle of a game, and the
-// thread that writes it, beside a bare stream of the same bytes.
+// What a log costs: the agent's thread, for all that a robot of the league knows in a cycle of a game, and
+// the thread that writes it, beside a bare stream of the same bytes.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -30,8 +30,9 @@ public:
   Game() : folder_(fs::temp_directory_path() / ("bench-log-" + std::to_string(getpid()))) {
     fs::create_directories(folder_);
     const std::string at = folder_.string();
-    const std::string command = "bin/game --seed 8 --limit 10 --output " + at + "/out --agent-option=--log --agent-option=" +
-                                at + "/game --agent-option=--log-wait > " + at + "/printed 2>&1";
+    const std::string command = "bin/game --seed 8 --limit 10 --output " + at +
+                                "/out --agent-option=--log --agent-option=" + at +
+                                "/game --agent-option=--log-wait > " + at + "/printed 2>&1";
     if (std::system(command.c_str()) == -1) throw std::runtime_error("bin/game cannot be started");
     LogReader log(at + "/game");
     thread = log.thread("").recorded;

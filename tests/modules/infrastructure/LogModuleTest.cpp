@@ -45,7 +45,9 @@ END_MODULE
 class LoggedSource : public LoggedSourceBase {
 public:
   static inline double next = 0.1;
-  void update(LoggedInput* theLoggedInput) override { theLoggedInput->value = next = 3.9 * next * (1 - next); }
+  void update(LoggedInput* theLoggedInput) override {
+    theLoggedInput->value = next = 3.9 * next * (1 - next);
+  }
 };
 MAKE_MODULE(LoggedSource)
 
@@ -93,7 +95,8 @@ struct LogModuleTest : testing::Test {
   ~LogModuleTest() override { fs::remove_all(folder); }
 
   std::shared_ptr<LogOptions> optionsOf(const AgentLogOptions& options, const Controller& controller) {
-    return makeLog(options, controller, setup.configDirectories, [this](const std::string& line) { told.push_back(line); });
+    return makeLog(options, controller, setup.configDirectories,
+                   [this](const std::string& line) { told.push_back(line); });
   }
   void record(int cycles) {
     Controller controller(setup, cfg);
@@ -117,8 +120,7 @@ struct LogModuleTest : testing::Test {
 
 TEST_F(LogModuleTest, anyPartRunsOnTheLogWithTheSameBytes) {
   record(700);
-  for (const std::vector<std::string>& part :
-       std::initializer_list<std::vector<std::string>>{
+  for (const std::vector<std::string>& part : std::initializer_list<std::vector<std::string>>{
            {"LoggedSummer"}, {"LoggedLast"}, {"LoggedSummer", "LoggedLast"}}) {
     replay(part);
     const record::LogComparison result = record::compareLogs(game, again, {}, 0);
@@ -162,7 +164,8 @@ TEST_F(LogModuleTest, whatIsWrongIsSaid) {
   EXPECT_EQ(thrownBy([&] { modulesOnLog(modules, options, "none"); }),
             "--compute LoggedSumer: modules.cfg has no such module; did you mean \"LoggedSummer\"?");
   options.replay = (folder / "none").string();
-  EXPECT_EQ(thrownBy([&] { modulesOnLog(modules, options, "none"); }), options.replay + ": there is no such log");
+  EXPECT_EQ(thrownBy([&] { modulesOnLog(modules, options, "none"); }),
+            options.replay + ": there is no such log");
   Controller without(setup, "log LoggedInput\nLoggedSummer LoggedSum\n");
   EXPECT_EQ(thrownBy([&] { without.init(); }),
             "thread default wants LoggedInput from a log: start the agent with --replay LOG");
