@@ -1,5 +1,7 @@
 #include "framework/AgentDebug.h"
 
+#include "framework/ModuleGraph.h"
+#include "framework/TimingPlugin.h"
 #include "framework/TimingReport.h"
 
 namespace plumbline {
@@ -24,6 +26,24 @@ void AgentDebug::removeThread(const TimingPlugin& timing, const std::vector<std:
   const std::lock_guard lock(mutex_);
   std::erase_if(threads_, [&](const Thread& thread) { return thread.timing == &timing; });
   for (const std::string& id : stopwatches) stopwatches_.erase(id);
+}
+
+std::vector<AgentDebug::Provision> AgentDebug::provisions() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Provision> result;
+  for (const Thread& thread : threads_) {
+    const ThreadPlan& plan = *thread.plan;
+    const auto add = [&](const RepresentationLoader& loader, const std::string& provider) {
+      result.push_back({plan.name, loader.name(), provider});
+    };
+    for (const CopyPlan& copy : plan.copies) add(*copy.representation, copy.fromThread);
+    for (const SpecialPlan& special : plan.specials)
+      for (const auto* loader : special.representations) add(*loader, special.name);
+    for (const ModulePlan& module : plan.modules)
+      for (const ModuleOutput* output : module.outputs)
+        add(*output->representation, module.loader->description().name);
+  }
+  return result;
 }
 
 std::map<std::string, std::shared_ptr<const Stopwatch>> AgentDebug::stopwatches() const {

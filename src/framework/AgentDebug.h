@@ -33,6 +33,13 @@ public:
   /// Also forgets its stopwatches.
   void removeThread(const TimingPlugin& timing, const std::vector<std::string>& stopwatches);
 
+  /// Who provides a representation in a thread: a module, another thread or a special module.
+  struct Provision {
+    std::string thread, representation, provider;
+  };
+  /// By thread, as it stands there.
+  std::vector<Provision> provisions() const;
+
   /// By id, "timing:Module:step".
   std::map<std::string, std::shared_ptr<const Stopwatch>> stopwatches() const;
   /// What is known of a parameter and never changes, by id, "config:Module.path".

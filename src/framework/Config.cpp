@@ -5,10 +5,11 @@
 
 namespace plumbline {
 
-const ConfigSection& Config::file(const std::string& name) const { return store_.file(name).root(); }
+const ConfigSection& Config::file(const std::string& name) const { return store_.file(name, name_).root(); }
 
 void Config::refuse(const std::string& key, const std::string& message) const {
-  if (exists(name_) && file(name_).has(key)) file(name_).fail(key, message);
+  // Not as a reader: a module that checks its parameters need not read the file itself.
+  if (exists(name_) && store_.file(name_).root().has(key)) store_.file(name_).root().fail(key, message);
   throw ConfigurationError(name_ + "." + key + " " + message);
 }
 

@@ -1,5 +1,6 @@
 #include "framework/ConfigFile.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <tuple>
 
@@ -50,6 +51,15 @@ std::vector<std::string> existing(const std::string& name, const std::vector<std
   return paths;
 }
 
+void takeOverMarks(const ConfigNode& before, const ConfigNode& now) {
+  now.used = now.used || before.used;
+  now.asked.insert(now.asked.end(), before.asked.begin(), before.asked.end());
+  for (const auto& [name, child] : now.entries)
+    if (const ConfigNode* same = before.find(name)) takeOverMarks(*same, child);
+  for (std::size_t i = 0; i < std::min(now.elements.size(), before.elements.size()); i++)
+    takeOverMarks(before.elements[i], now.elements[i]);
+}
+
 std::string joined(const std::vector<std::string>& words) {
   std::string result;
   for (const std::string& word : words) result += (result.empty() ? "" : ", ") + word;
@@ -81,7 +91,64 @@ void ConfigFile::checkUnknown() const {
                            suggestion(unknown.name, unknown.parent->asked));
 }
 
+void ConfigFile::takeOver(const ConfigFile& before) const { takeOverMarks(*before.node_, *node_); }
+
+thread_local ConfigStore::Trial* ConfigStore::trial = nullptr;
+
+ConfigStore::Trial::Trial(ConfigStore& store, const std::string& name) : store_(store), name_(name) {
+  if (store.exists(name)) file_.emplace(name, ConfigFile(name, store.directories_));
+  trial = this;
+}
+
+ConfigStore::Trial::~Trial() { trial = nullptr; }
+
+void ConfigStore::Trial::checkUnknown() const {
+  if (file_.empty()) return;
+  const ConfigFile& now = file_.begin()->second;
+  {
+    const std::lock_guard lock(store_.mutex_);
+    if (const auto before = store_.files_.find(name_); before != store_.files_.end())
+      now.takeOver(before->second);
+  }
+  now.checkUnknown();
+}
+
+void ConfigStore::Trial::keep() {
+  const std::lock_guard lock(store_.mutex_);
+  // Files move with their addresses: who holds a part of one keeps it.
+  if (auto old = store_.files_.extract(name_)) store_.retired_.push_back(std::move(old));
+  if (!file_.empty()) store_.files_.insert(file_.extract(name_));
+  store_.versions_[name_] = store_.version_ + 1;
+  store_.version_++;
+}
+
+std::vector<std::string> ConfigStore::changedSince(std::uint64_t version) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> names;
+  for (const auto& [name, at] : versions_)
+    if (at > version) names.push_back(name);
+  return names;
+}
+
+const ConfigFile& ConfigStore::file(const std::string& name, const std::string& reader) {
+  {
+    const std::lock_guard lock(mutex_);
+    readers_[reader].insert(name);
+  }
+  return file(name);
+}
+
+std::set<std::string> ConfigStore::filesOf(const std::string& reader) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = readers_.find(reader);
+  return found == readers_.end() ? std::set<std::string>() : found->second;
+}
+
 const ConfigFile& ConfigStore::file(const std::string& name) {
+  if (trial && &trial->store_ == this && trial->name_ == name) {
+    if (trial->file_.empty()) ConfigFile gone(name, directories_);  // says where it was looked for
+    return trial->file_.at(name);
+  }
   std::lock_guard lock(mutex_);
   const auto found = files_.find(name);
   if (found != files_.end()) return found->second;

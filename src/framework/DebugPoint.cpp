@@ -55,4 +55,9 @@ void DebugPoint::Visit::output(std::string_view text) const {
   for (const auto& request : *requests_) request->output(text);
 }
 
+void DebugPoint::Visit::fail(std::string_view text) const {
+  if (!requests_) return;
+  for (const auto& request : *requests_) request->failed(text);
+}
+
 }  // namespace plumbline

@@ -36,6 +36,8 @@ public:
   virtual bool run() noexcept { return false; }
   /// What the block says while it runs.
   virtual void output(std::string_view) noexcept {}
+  /// The block could not do what it was to do.
+  virtual void failed(std::string_view) noexcept {}
   /// The block has run.
   virtual void finished() noexcept {}
 };
@@ -73,6 +75,7 @@ public:
     Visit& operator=(const Visit&) = delete;
     bool run() const { return run_; }
     void output(std::string_view text) const;
+    void fail(std::string_view text) const;
 
   private:
     DebugPoint& point_;

@@ -1,7 +1,9 @@
 #include "framework/Process.h"
 
 #include <algorithm>
+#include <set>
 
+#include "framework/ConfigFile.h"
 #include "framework/ConfigurationError.h"
 #include "framework/CrashLog.h"
 #include "framework/LogBuffer.h"
@@ -131,6 +133,14 @@ void Process::initModule(Module& module, std::size_t index) {
 void Process::init() {
   for (std::size_t i = 0; i < modules_.size(); i++) connectModule(*modules_[i], i);
   for (std::size_t i = 0; i < modules_.size(); i++) initModule(*modules_[i], i);
+  std::set<std::string> files;
+  for (const ModulePlan& module : plan_.modules) {
+    const ModuleDescription& description = module.loader->description();
+    if (!description.parameters.empty()) files.insert(description.name);
+    files.merge(config_.filesOf(description.name));
+  }
+  debug_->addCommands({files.begin(), files.end()});
+  configVersion_ = config_.version();
 }
 
 void Process::replaceModule(std::size_t index, std::unique_ptr<Module> next) {
@@ -140,6 +150,7 @@ void Process::replaceModule(std::size_t index, std::unique_ptr<Module> next) {
   }
   std::erase(rejected_, old);
   modules_[index] = std::move(next);
+  debug_->accepted(index);
 }
 
 void Process::resetModule(std::size_t index) {
@@ -267,6 +278,8 @@ void Process::cycle() {
     throw std::runtime_error("[" + info_.name + "] " + current_->label + ": " + error.what());
   }
   if (!rejected_.empty()) remakeModules();
+  if (config_.version() != configVersion_) followReloads();
+  if (debugging_) runCommands();
   record_->setStep(crashThread_, 0);
   for (ThreadCopy* copy : published_) copy->publish();
   for (auto& special : specials_) special->endCycle();

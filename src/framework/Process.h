@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -60,6 +62,12 @@ private:
   void reject(const Step& step);
   void remakeModules();
   void restart();
+  bool reads(std::size_t index, const std::string& file) const;
+  void takeParameters(std::size_t index, Module& from);
+  std::string reload(const std::string& file);
+  std::string remakeReaders(const std::string& file, const std::function<void()>& accept);
+  void followReloads();
+  void runCommands();
   bool takesTurn();
   void runSteps(Plugin::Clock::time_point now);
 
@@ -86,6 +94,7 @@ private:
   bool running_ = false;
   CrashRecord* record_ = nullptr;
   const Step* current_ = nullptr;
+  std::uint64_t configVersion_ = 0;  ///< of the files that the modules have read
 };
 
 }  // namespace plumbline

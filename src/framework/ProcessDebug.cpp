@@ -24,8 +24,9 @@ private:
 class ParameterOfModule final : public DebugValue {
 public:
   ParameterOfModule(Module& module, const ModuleDescription& description, const std::string& path,
+                    const std::map<std::string, ParameterValue>& configured,
                     std::map<std::string, ParameterValue>& set)
-      : module_(module), description_(description), path_(path), set_(set) {}
+      : module_(module), description_(description), path_(path), configured_(configured), set_(set) {}
 
   void write(OutStream& out) const override {
     visit([&](auto* value) { StreamType<std::remove_pointer_t<decltype(value)>>::write(out, *value); });
@@ -39,6 +40,8 @@ public:
       try {
         setModuleParameter(module_, description_, path_, textOf(wanted));
         set_.insert_or_assign(path_, parameterValue(value));
+        // Back to what the file says: from now on the file counts again.
+        if (configured_.at(path_) == set_.at(path_)) set_.erase(path_);
       } catch (const ConfigurationError& error) {
         in.fail(error.what());
       }
@@ -61,6 +64,7 @@ private:
   Module& module_;
   const ModuleDescription& description_;
   const std::string& path_;
+  const std::map<std::string, ParameterValue>& configured_;
   std::map<std::string, ParameterValue>& set_;
 };
 
@@ -68,7 +72,13 @@ private:
 
 ProcessDebug::ProcessDebug(AgentDebug& agent, const ThreadPlan& plan, const ThreadInfo& info,
                            const std::vector<std::unique_ptr<Module>>& modules, const TimingPlugin& timing)
-    : agent_(agent), plan_(plan), modules_(modules), timing_(timing), stopwatchesOf_(modules.size()), set_(modules.size()) {
+    : agent_(agent),
+      plan_(plan),
+      modules_(modules),
+      timing_(timing),
+      stopwatchesOf_(modules.size()),
+      ofModule_(modules.size()) {
+  for (std::size_t i = 0; i < modules.size(); i++) ofModule_[i].configured = valuesOf(i, *modules[i]);
   for (const Step& step : info.steps) {
     ofStep_.push_back(nullptr);
     if (step.isExecute()) continue;
@@ -92,10 +102,32 @@ ProcessDebug::ProcessDebug(AgentDebug& agent, const ThreadPlan& plan, const Thre
   agent_.addThread(plan_, timing_);
 }
 
+void ProcessDebug::addCommands(const std::vector<std::string>& files) {
+  for (std::size_t i = 0; i < plan_.modules.size(); i++)
+    commands_.emplace_back("reset:" + plan_.modules[i].loader->description().name, "", i);
+  for (const std::string& file : files) commands_.emplace_back("reload:" + file, file, 0);
+  for (Command& command : commands_) agent_.points.add(command.point);
+}
+
+void ProcessDebug::runCommands(const std::function<std::string(std::size_t)>& reset,
+                               const std::function<std::string(const std::string&)>& reload) {
+  for (Command& command : commands_) {
+    if (!command.point.active()) continue;
+    const DebugPoint::Visit visit(command.point);
+    if (!visit.run()) continue;
+    try {
+      visit.output(command.file.empty() ? reset(command.module) : reload(command.file));
+    } catch (const std::exception& error) {
+      visit.fail(error.what());
+    }
+  }
+}
+
 ProcessDebug::~ProcessDebug() {
   agent_.removeThread(timing_, stopwatches_);
   for (ValuePoint& value : values_) agent_.points.remove(value.point);
   for (ParameterPoint& parameter : parameters_) agent_.points.remove(parameter.point);
+  for (Command& command : commands_) agent_.points.remove(command.point);
 }
 
 void ProcessDebug::addStopwatches() {
@@ -119,7 +151,7 @@ void ProcessDebug::beginCycle() {
     if (!parameter.point.active()) continue;
     ParameterOfModule value(*modules_[parameter.module],
                             plan_.modules[parameter.module].loader->description(), parameter.path,
-                            set_[parameter.module]);
+                            ofModule_[parameter.module].configured, ofModule_[parameter.module].set);
     parameter.point.pass(value);
   }
 }
@@ -143,15 +175,28 @@ void ProcessDebug::lookAround(const ThreadInfo& info) {
   for (const Step& step : info.steps) updated(step);
 }
 
-void ProcessDebug::setAgain(std::size_t index, Module& next) const {
-  const auto& set = set_[index];
-  if (set.empty()) return;
+std::map<std::string, ParameterValue> ProcessDebug::valuesOf(std::size_t module, Module& from) const {
+  std::map<std::string, ParameterValue> values;
+  plan_.modules[module].loader->description().parameters.visit(
+      &from, [&](const std::string& path, const Parameter&, const ParameterPointer& pointer) {
+        values.emplace(path, parameterValue(pointer));
+      });
+  return values;
+}
+
+void ProcessDebug::setAgain(std::size_t index, Module& next) {
+  Parameters& parameters = ofModule_[index];
+  parameters.next = valuesOf(index, next);
+  if (parameters.set.empty()) return;
   plan_.modules[index].loader->description().parameters.visit(
       &next, [&](const std::string& path, const Parameter&, const ParameterPointer& pointer) {
-        if (const auto found = set.find(path); found != set.end()) setParameterValue(pointer, found->second);
+        if (const auto set = parameters.set.find(path); set != parameters.set.end())
+          setParameterValue(pointer, set->second);
       });
   next.parametersChanged();
 }
+
+void ProcessDebug::accepted(std::size_t index) { ofModule_[index].configured = ofModule_[index].next; }
 
 void ProcessDebug::updated(const Step& step) {
   DebugPoint* point = ofStep_[step.index];

@@ -1,5 +1,6 @@
 #pragma once
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -32,10 +33,18 @@ public:
   void updated(const Step& step);
   /// A representation that a special module provides; it is looked at at the beginning of a cycle.
   void addValue(const RepresentationLoader& loader, Representation& value);
+  /// Blocks that run on request at the end of a cycle: `reset:MODULE` for each module, `reload:FILE` for
+  /// these.
+  void addCommands(const std::vector<std::string>& files);
+  /// Runs what is wanted; a function returns a line for who wanted it, or throws.
+  void runCommands(const std::function<std::string(std::size_t)>& reset,
+                   const std::function<std::string(const std::string&)>& reload);
   /// Between cycles: all representations can be looked at as they are.
   void lookAround(const ThreadInfo& info);
-  /// Gives a module that was made anew the parameters that were set while it ran.
-  void setAgain(std::size_t module, Module& next) const;
+  /// Gives a module that was made anew, and configured, the parameters that were set while the old one ran.
+  void setAgain(std::size_t module, Module& next);
+  /// That module, or its parameters, took the place of the old one's.
+  void accepted(std::size_t module);
   /// On the thread, or when it has ended: the modules' own stopwatches come with their first use.
   void addStopwatches();
 
@@ -58,16 +67,33 @@ private:
     explicit ValuePoint(std::string id_) : id(std::move(id_)), point(id.c_str(), DebugKind::modify) {}
   };
 
+  struct Command {
+    std::string id, file;
+    std::size_t module;
+    DebugPoint point;
+    Command(const std::string& id_, std::string file_, std::size_t module_)
+        : id(id_), file(std::move(file_)), module(module_), point(id.c_str(), DebugKind::codeOnce) {}
+  };
+
+  std::map<std::string, ParameterValue> valuesOf(std::size_t module, Module& from) const;
+
   AgentDebug& agent_;
   const ThreadPlan& plan_;
   const std::vector<std::unique_ptr<Module>>& modules_;
   const TimingPlugin& timing_;
   std::deque<ParameterPoint> parameters_;
   std::deque<ValuePoint> values_;
+  std::deque<Command> commands_;
   std::vector<DebugPoint*> ofStep_;         ///< null: the step executes
   std::vector<std::size_t> stopwatchesOf_;  ///< of each module, as many as are known
   std::vector<std::string> stopwatches_;
-  std::vector<std::map<std::string, ParameterValue>> set_;  ///< of each module while it ran, by path
+  /// A module's parameters by path.
+  struct Parameters {
+    std::map<std::string, ParameterValue> configured,
+        next;                                   ///< by its file; and by that of the module made last
+    std::map<std::string, ParameterValue> set;  ///< to something else while it ran
+  };
+  std::vector<Parameters> ofModule_;
 };
 
 }  // namespace plumbline

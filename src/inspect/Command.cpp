@@ -29,6 +29,9 @@ constexpr std::array forms{
     Form{"dr", Verb::run, true, "dr NAME [once | off]"},
     Form{"list", Verb::list, false, "list [PREFIX]"},
     Form{"complete", Verb::complete, false, "complete [PREFIX]"},
+    Form{"reset", Verb::run, true, "reset MODULE"},
+    Form{"reload", Verb::run, true, "reload FILE"},
+    Form{"providers", Verb::providers, false, "providers [PREFIX]"},
     Form{"format", Verb::format, true, "format text|json"},
     Form{"timing", Verb::timing, false, "timing"},
     Form{"graph", Verb::graph, false, "graph"},
@@ -130,6 +133,14 @@ Command parseCommand(std::string_view line) {
     command.error = std::string(found->usage) + ": the name is missing";
     return command;
   }
+  // Blocks of code that every agent has.
+  if (verb == "reset" || verb == "reload") {
+    if (!line.empty()) {
+      command.error = "too much: " + inQuotes(line);
+      return command;
+    }
+    command.name = std::string(verb) + ':' + command.name;
+  }
   command.error = parseRest(command, line);
   return command;
 }
@@ -144,6 +155,9 @@ std::string_view commandHelp() {
          "dr NAME [once|off]          switches a block of code or a drawing on, on for once, off\n"
          "list [PREFIX]               all names that begin so, and what each is\n"
          "complete [PREFIX]           how a name that begins so may go on\n"
+         "reset MODULE                makes a module anew; what was set of its parameters stays\n"
+         "reload FILE                 reads config/FILE.yaml anew; a wrong one is refused, the old stays\n"
+         "providers [PREFIX]          which module provides what now\n"
          "timing                      what each module takes\n"
          "graph                       the modules by threads: what each provides, reads and takes\n"
          "about [PREFIX]              parameters whose names begin so: type, unit, range, what they do\n"

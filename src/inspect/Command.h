@@ -25,6 +25,7 @@ struct Command {
     timing,
     graph,
     about,
+    providers,
     help,
     none
   };

@@ -109,6 +109,8 @@ void Inspector::command(int client, std::string_view text) {
       return graph(client, command);
     case Verb::about:
       return about(client, command);
+    case Verb::providers:
+      return providers(client, command);
     case Verb::format:
       clients_[client].json = command.name == "json";
       return succeed(client, command.tag);

@@ -86,6 +86,7 @@ private:
   void timing(int client, const Command& command);
   void graph(int client, const Command& command);
   void about(int client, const Command& command);
+  void providers(int client, const Command& command);
 
   void outcome(const Outcome& outcome);
   void value(std::uint64_t number, Pending& pending, const std::string& text);

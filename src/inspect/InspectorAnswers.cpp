@@ -113,6 +113,28 @@ void Inspector::timing(int client, const Command& command) {
   finish(client, command.tag);
 }
 
+void Inspector::providers(int client, const Command& command) {
+  const bool json = clients_[client].json;
+  for (const AgentDebug::Provision& provision : agent_.provisions()) {
+    if (!provision.representation.starts_with(command.name)) continue;
+    bool set = false;
+    for (const auto& [number, pending] : pending_)
+      set = set ||
+            (pending.use == Use::set && pending.target.id == "representation:" + provision.representation);
+    if (json)
+      line(client, command.tag,
+           jsonText({{"representation", provision.representation},
+                     {"provider", provision.provider},
+                     {"thread", provision.thread},
+                     {"set", set}}));
+    else
+      line(client, command.tag,
+           provision.representation + "  " + provision.provider + "  [" + provision.thread + "]" +
+               (set ? ", set from outside" : ""));
+  }
+  succeed(client, command.tag);
+}
+
 void Inspector::value(std::uint64_t number, Pending& pending, const std::string& text) {
   const auto client = clients_.find(pending.client);
   if (client == clients_.end()) return;

@@ -121,6 +121,14 @@ void RunRequest::output(std::string_view text) noexcept {
   }
 }
 
+void RunRequest::failed(std::string_view text) noexcept {
+  if (told_.load(std::memory_order_relaxed)) return;
+  try {
+    told_.store(outbox_->push({number_, Outcome::Kind::error, ": " + std::string(text)}));
+  } catch (const std::exception&) {  // no memory: the client hears nothing until its time is over
+  }
+}
+
 void RunRequest::finished() noexcept {
   if (told_.load(std::memory_order_relaxed)) return;
   told_.store(outbox_->push({number_, Outcome::Kind::done, {}}));

@@ -84,6 +84,7 @@ public:
   RunRequest(std::uint64_t number, std::shared_ptr<Outbox> outbox, bool once);
   bool run() noexcept override;
   void output(std::string_view text) noexcept override;
+  void failed(std::string_view text) noexcept override;
   void finished() noexcept override;
 
 private:

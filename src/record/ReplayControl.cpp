@@ -78,6 +78,11 @@ bool ReplayControl::played(std::size_t index, std::size_t played) {
          std::ranges::all_of(players_, [](const Player& p) { return p.played >= p.timestamps.size(); });
 }
 
+bool ReplayControl::jumps() const {
+  const std::lock_guard lock(mutex_);
+  return players_.front().played < target_;
+}
+
 bool ReplayControl::paused() const {
   const std::lock_guard lock(mutex_);
   return paused_;

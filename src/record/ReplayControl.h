@@ -29,12 +29,15 @@ public:
   /// Before the first cycle; `timestamps` of its cycles, in order [ns]. Returns the player's number.
   std::size_t addPlayer(std::vector<std::int64_t> timestamps);
 
-  /// Asked by a player before each cycle; `played`: how many it has. `restart`: it begins anew with its first;
-  /// `unseen`: on the way to where the replay shall go. Sleeps for as long as the next cycle is not due yet, or 50 ms where the replay rests.
+  /// Asked by a player before each cycle; `played`: how many it has. `restart`: it begins anew with its
+  /// first; `unseen`: on the way to where the replay shall go. Sleeps for as long as the next cycle is not
+  /// due yet, or 50 ms where the replay rests.
   Turn next(std::size_t player, std::size_t played);
   /// A player has played a cycle. True: all have played all, and the replay does not stay.
   bool played(std::size_t player, std::size_t played);
 
+  /// On the way to where the replay shall go.
+  bool jumps() const;
   bool paused() const;
   void pause(bool paused);
   double speed() const;

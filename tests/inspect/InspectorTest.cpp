@@ -131,6 +131,20 @@ TEST_F(InspectorTest, watchesUntilUnwatch) {
             Lines{"error: representation:InspectedPlace.x is not watched"});
 }
 
+TEST_F(InspectorTest, modulesAreResetAndTheirProvisionsNamed) {
+  EXPECT_EQ(ask("providers"), (Lines{"InspectedPlace  InspectedModule  [default]", "ok"}));
+  ask("set representation:InspectedPlace.y 3");
+  EXPECT_EQ(ask("providers Ins"),
+            (Lines{"InspectedPlace  InspectedModule  [default], set from outside", "ok"}));
+  EXPECT_EQ(ask("reset InspectedModule"), (Lines{"reset:InspectedModule InspectedModule began anew", "ok"}));
+  go(1);
+  EXPECT_EQ(place().x, 0.5);
+  EXPECT_EQ(ask("reload InspectedModule"),
+            (Lines{"reload:InspectedModule InspectedModule goes on with it", "ok"}));
+  EXPECT_EQ(ask("reset"), Lines{"error: reset MODULE: the name is missing"});
+  EXPECT_EQ(ask("reset A b"), Lines{"error: too much: \"b\""});
+}
+
 TEST_F(InspectorTest, tagsTellAnswersApart) {
   EXPECT_EQ(ask("#7 get representation:InspectedPlace.x"),
             (Lines{"#7 representation:InspectedPlace.x 1.000000", "#7 ."}));

@@ -88,7 +88,7 @@ void LogModule::planned(const ThreadPlan& plan) {
 
 SpecialModule::Turn LogModule::turn() {
   if (!player_) return Turn::cycle;
-  if (points_) points_->pass();
+  if (points_ && !options_->replay->jumps()) points_->pass();
   const Turn turn = options_->replay->next(number_, player_->played());
   if (turn == Turn::restart) player_->restart();
   return turn;
