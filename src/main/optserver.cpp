@@ -7,8 +7,10 @@
 #include <list>
 
 #include "framework/CommandLine.h"
+#include "framework/ConfigFile.h"
 #include "framework/ConfigFolder.h"
 #include "framework/ConfigurationError.h"
+#include "framework/Parallel.h"
 #include "framework/ProgressReport.h"
 #include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
@@ -25,6 +27,7 @@ struct Options {
   farm::FarmOptions farm;
   int workers = 0;
   double every = 5;
+  int measured = 0;
   bool status = false;
 };
 
@@ -108,9 +111,54 @@ void writeResult(const Options& options, const training::Study& study, const Sea
   if (!file.empty()) writeFile(options.folder + "/" + study.task + ".yaml", file);
 }
 
+/// Mean and standard error of cost and figures over so many seeds that no search has, on all cores.
+void measure(const training::Study& study, const std::string& what, const Eigen::VectorXd& values, int runs) {
+  constexpr std::uint64_t fresh = std::uint64_t{1} << 40;  // beyond the 32 bits of a search's seeds
+  std::vector<training::TaskOutcome> outcomes(static_cast<std::size_t>(runs));
+  const std::size_t jobs = static_cast<std::size_t>(std::min(threadsFor(0), runs));
+  parallel(jobs, static_cast<int>(jobs), [&](std::size_t job) {
+    const auto task = training::makeTask(study.task, study.options);
+    for (std::size_t i = job; i < outcomes.size(); i += jobs) {
+      StopSignal::throwIfCaught();
+      outcomes[i] = task->run(values, fresh + i);
+    }
+  });
+  std::map<std::string, std::pair<double, double>> sums;
+  for (const training::TaskOutcome& outcome : outcomes) {
+    const auto add = [&](const std::string& name, double value) {
+      sums[name].first += value / runs;
+      sums[name].second += value * value / runs;
+    };
+    add("cost", outcome.cost);
+    for (const auto& [name, value] : outcome.figures) add(name, value);
+  }
+  fmt::print("{:<8}", what);
+  for (const auto& [name, sum] : sums)
+    fmt::print("  {} {:.5g} +- {:.2g}", name, sum.first,
+               std::sqrt(std::max(0.0, sum.second - sum.first * sum.first) / runs));
+  fmt::print("\n");
+  std::fflush(stdout);
+}
+
+/// Before and after, over the same seeds.
+int measureBoth(const Options& options) {
+  const training::Study study = training::readStudy(options.study);
+  const ConfigFile file(options.folder + "/found.yaml");
+  Eigen::VectorXd found(static_cast<Eigen::Index>(study.parameters.size()));
+  for (std::size_t i = 0; i < study.parameters.size(); ++i)
+    found[static_cast<Eigen::Index>(i)] = file.root().get<double>(study.parameters[i].name);
+  file.checkUnknown();
+  StopSignal stop;
+  stop.catchSignals();
+  ProgressReport report("optserver");
+  report.tell("measuring");
+  measure(study, "start", study.space().start, options.measured);
+  measure(study, "found", found, options.measured);
+  return 0;
+}
+
 int serve(Options& options) {
   const training::Study study = training::readStudy(options.study);
-  if (options.folder.empty()) options.folder = std::filesystem::path(options.study).stem().string() + ".search";
   std::filesystem::create_directories(options.folder);
   Search search = study.makeSearch();
   farm::Journal journal(options.folder + "/evaluations.jsonl", study.mark(), [&](const farm::JournalEntry& entry) {
@@ -171,6 +219,9 @@ int runProgram(int argc, char** argv) {
   app.add_option("--every", options.every, "Seconds between lines of the table")
       ->check(CLI::Range(0.1, 1e6))
       ->capture_default_str();
+  app.add_option("--measure", options.measured,
+                 "Instead of searching: so many runs, of seeds that no search has, of the start and of what was found")
+      ->check(CLI::Range(1, 1'000'000));
   app.add_flag("--status", options.status, "Asks the server that runs at --bind and --port how far it is");
   app.add_option_function<std::string>("--config", useConfigFolder,
                                        "folder of the configuration [config/ here, else the one beside bin/]");
@@ -180,6 +231,7 @@ int runProgram(int argc, char** argv) {
   app.footer("Tasks:\n" + tasks +
              "Stopped or killed, it goes on where it was with the same command.\n"
              "Examples:\n  bin/optserver config/optimisation/standUpFront.yaml --workers 2\n"
+             "  bin/optserver config/optimisation/standUpFront.yaml --measure 1000\n"
              "  bin/optserver --status\n"
              "  bin/optserver study.yaml --bind 0.0.0.0 --token SECRET");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
@@ -192,7 +244,12 @@ int runProgram(int argc, char** argv) {
       fmt::print(stderr, "optserver: {}\n", commandLineError(app, "STUDY is missing"));
       return 2;
     }
-    return serve(options);
+    if (options.folder.empty())
+      options.folder = std::filesystem::path(options.study).stem().string() + ".search";
+    return options.measured > 0 ? measureBoth(options) : serve(options);
+  } catch (const Stopped&) {
+    fmt::print(stderr, "optserver: stopped\n");
+    return 130;
   } catch (const std::exception& error) {
     fmt::print(stderr, "optserver: {}\n", error.what());
     return 2;

@@ -176,8 +176,11 @@ void Cmaes::adaptCovariance(const Drawn& from, std::span<const int> order, bool 
     const int k = order[static_cast<std::size_t>(i)];
     if (i < mu) {
       good.col(i) = std::sqrt(weights[i]) * from.y.col(k);
-    } else {  // z is C^(-1/2) y up to a rotation
-      const double size = std::max(from.z.col(k).squaredNorm(), 1e-300);
+    } else {  // z is C^(-1/2) y up to a rotation, of the covariance that it was drawn with
+      const double drawn = from.z.col(k).squaredNorm();
+      const double now =
+          ahead() > 1 ? (axes.transpose() * from.y.col(k)).cwiseQuotient(scales.cwiseAbs2()).squaredNorm() : 0;
+      const double size = std::max({drawn, now, 1e-300});
       bad.col(i - mu) = std::sqrt(std::max(0.0, -weights[i]) * n / size) * from.y.col(k);
     }
   }

@@ -26,7 +26,7 @@ SearchSpace space() {
 
 TEST(Optimizers, areFoundByName) {
   EXPECT_EQ(optimizerNames(),
-            (std::vector<std::string>{"cmaes", "xnes", "pso", "ipop-cmaes", "bipop-cmaes"}));
+            (std::vector<std::string>{"cmaes", "sep-cmaes", "xnes", "pso", "ipop-cmaes", "bipop-cmaes"}));
   try {
     makeOptimizer("cmeas", space());
     FAIL();

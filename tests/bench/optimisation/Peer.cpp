@@ -1,0 +1,66 @@
+#include "Peer.h"
+
+#include <chrono>
+#include <pagmo/algorithm.hpp>
+#include <pagmo/algorithms/cmaes.hpp>
+#include <pagmo/algorithms/xnes.hpp>
+#include <pagmo/population.hpp>
+#include <pagmo/problem.hpp>
+
+namespace plumbline::bench {
+namespace {
+
+struct Problem {
+  pagmo::vector_double fitness(const pagmo::vector_double& x) const {
+    return {function(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())))};
+  }
+  std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const {
+    return {pagmo::vector_double(dimension, -100), pagmo::vector_double(dimension, 100)};
+  }
+  Function function = nullptr;
+  std::size_t dimension = 1;
+};
+
+/// pagmo begins at the best of a population: all of them are drawn around the same start here.
+pagmo::population begin(const Problem& problem, double start, int size, unsigned seed) {
+  pagmo::population population(pagmo::problem(problem), 0U, seed);
+  const pagmo::vector_double x(problem.dimension, start);
+  for (int i = 0; i < size; ++i) population.push_back(x);
+  return population;
+}
+
+template <typename Algorithm>
+PeerRun run(const Algorithm& algorithm, pagmo::population population, int size, double target) {
+  pagmo::algorithm wrapped(algorithm);
+  wrapped.set_verbosity(1);
+  PeerRun result;
+  const auto before = std::chrono::steady_clock::now();
+  wrapped.evolve(population);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+  result.evaluations = 1e9;
+  for (const auto& line : wrapped.template extract<Algorithm>()->get_log()) {
+    ++result.generations;
+    result.best = std::get<2>(line);
+    if (result.best > target) continue;
+    result.evaluations = static_cast<double>(std::get<0>(line)) * size;
+    break;
+  }
+  return result;
+}
+
+}  // namespace
+
+PeerRun runPeer(const std::string& algorithm, Function function, int dimension, double start, int population,
+                double target, double maxEvaluations, unsigned seed) {
+  const Problem problem{function, static_cast<std::size_t>(dimension)};
+  const auto generations = static_cast<unsigned>(maxEvaluations / population);
+  pagmo::population first = begin(problem, start, population, seed);
+  // Its sigma is in the function's units for cmaes, and a share of the box's width for xnes.
+  if (algorithm == "xnes")
+    return run(pagmo::xnes(generations, -1, -1, -1, 0.5 / 200, 1e-13, 1e-13, false, false, seed), first, population,
+               target);
+  return run(pagmo::cmaes(generations, -1, -1, -1, -1, 0.5, 1e-13, 1e-13, false, false, seed), first, population,
+             target);
+}
+
+}  // namespace plumbline::bench

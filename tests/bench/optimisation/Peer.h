@@ -1,0 +1,21 @@
+#pragma once
+#include <Eigen/Core>
+#include <string>
+
+namespace plumbline::bench {
+
+using Function = double (*)(const Eigen::VectorXd&);
+
+/// A run of pagmo's cmaes or xnes from the same place with the same first deviation.
+struct PeerRun {
+  double evaluations = 0, best = 0;
+  double seconds = 0;  ///< of the whole run
+  double generations = 0;
+};
+
+/// Generations go in blocks of about a fiftieth of the work, since pagmo stops at a generation that it is told
+/// and not at a cost; what is reported is the first generation with a best of at most `target`, from its log.
+PeerRun runPeer(const std::string& algorithm, Function function, int dimension, double start, int population,
+                double target, double maxEvaluations, unsigned seed);
+
+}  // namespace plumbline::bench

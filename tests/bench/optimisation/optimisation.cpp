@@ -1,0 +1,191 @@
+// The optimisers beside pagmo's in one run: evaluations to 1e-8 (median of seeds), time of a generation, what
+// averaging only the better half saves, and the farm in simulated time. build/bench/optimisation.json.
+// Arguments: seeds, largest dimension of the evaluations, largest of pagmo's.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "../../optimization/Functions.h"
+#include "../../optimization/farm/SimulatedFarm.h"
+#include "Peer.h"
+#include "optimization/Cmaes.h"
+#include "optimization/Optimizers.h"
+#include "optimization/Search.h"
+
+namespace {
+
+using namespace plumbline;
+using bench::Function;
+using Eigen::VectorXd;
+
+constexpr double target = 1e-8;
+nlohmann::json report = nlohmann::json::array();
+
+void add(const std::string& name, double value, const char* unit, const char* better, double goal,
+         const std::string& peer = "", double peerValue = 0) {
+  fmt::print("{:<52} {:>11.5g} {:<12} {} {}\n", name, value, unit, peer, peer.empty() ? "" : fmt::format("{:.5g}", peerValue));
+  std::fflush(stdout);
+  nlohmann::json one{{"name", "optimisation." + name}, {"value", value}, {"unit", unit}, {"better", better}};
+  if (goal > 0) one["target"] = goal;
+  if (!peer.empty()) one["peer"] = peer, one["peer_value"] = peerValue;
+  report.push_back(one);
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+struct Case {
+  const char* name;
+  Function function;
+  double start;
+};
+constexpr Case cases[] = {
+    {"sphere", sphere, 1}, {"ellipsoid", ellipsoid, 1}, {"rosenbrock", rosenbrock, 0}, {"rastrigin", rastrigin, 1}};
+
+double evaluations(const std::string& name, const Case& c, int n, int population, std::uint64_t seed, double most) {
+  OptimizerOptions options;
+  options.population = population;
+  options.seed = seed;
+  options.stop.targetCost = target;
+  options.stop.maxEvaluations = static_cast<std::int64_t>(most);
+  const auto optimizer = makeOptimizer(name, SearchSpace::around(VectorXd::Constant(n, c.start), 0.5), options);
+  minimize(*optimizer, c.function);
+  return optimizer->bestCost() <= target ? static_cast<double>(optimizer->evaluations()) : 1e9;
+}
+
+/// Both with the same population; both begin in the same place with the same deviation.
+void compareEvaluations(int seeds, int largest, int largestPeer) {
+  for (const int n : {10, 40, 96, 210})
+    for (const Case& c : cases) {
+      if (n > largest || (c.function == rastrigin && n > 10)) continue;
+      const int population = c.function == rastrigin ? 200 : 30;
+      const double most = c.function == sphere ? 60.0 * n * population : 400.0 * n * n + 20000;
+      std::vector<double> ours, peers;
+      for (int seed = 1; seed <= seeds; ++seed) {
+        ours.push_back(evaluations("cmaes", c, n, population, static_cast<std::uint64_t>(seed), most));
+        if (n <= largestPeer)
+          peers.push_back(bench::runPeer("cmaes", c.function, n, c.start, population, target, most,
+                                         static_cast<unsigned>(seed))
+                              .evaluations);
+      }
+      const std::string name = fmt::format("cmaes.{}{}.evaluations_of_{}", c.name, n, population);
+      if (peers.empty())
+        add(name, median(ours), "evaluations", "lower", 0);
+      else
+        add(name, median(ours), "evaluations", "lower", median(peers), "pagmo cmaes", median(peers));
+      const double separable = evaluations("sep-cmaes", c, n, population, 1, most);
+      if (separable < 1e9) add(fmt::format("sep-cmaes.{}{}.evaluations_of_{}", c.name, n, population), separable, "evaluations", "lower", 0);
+    }
+}
+
+double secondsPerGeneration(const std::string& name, int n, int generations) {
+  OptimizerOptions options;
+  options.population = 30;
+  const auto optimizer = makeOptimizer(name, SearchSpace::around(VectorXd::Constant(n, 1), 0.5), options);
+  std::vector<double> costs(30);
+  const auto begin = std::chrono::steady_clock::now();
+  for (int g = 0; g < generations; ++g) {
+    const Eigen::MatrixXd& all = optimizer->ask();
+    for (int k = 0; k < 30; ++k) costs[static_cast<std::size_t>(k)] = sphere(all.col(k));
+    optimizer->tell(costs);
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / generations;
+}
+
+void compareTime() {
+  for (const std::string name : {"cmaes", "xnes"})
+    for (const int n : {10, 40, 96, 210}) {
+      const int generations = n > 100 ? 60 : 200;
+      const auto peer = bench::runPeer(name, sphere, n, 1, 30, 0, 30.0 * generations, 1);
+      std::vector<double> times;
+      for (int i = 0; i < 3; ++i) times.push_back(1e3 * secondsPerGeneration(name, n, generations));
+      const double peerTime = 1e3 * peer.seconds / std::max(1.0, peer.generations);
+      add(fmt::format("{}.generation{}", name, n), median(times), "ms", "lower", 0.5 * peerTime, "pagmo " + name, peerTime);
+    }
+  // Thesis, table 3.7: 20 clients, evaluations that took 0.53 s each, so 30 of them 0.8 s.
+  add("xnes.share_of_a_generation96", 100 * secondsPerGeneration("xnes", 96, 200) / 0.8, "%", "lower", 1, "thesis", 71.2);
+}
+
+/// Runs until the middle of the distribution has a true cost of 0.05 where each run has noise of deviation 0.3.
+double runsUnderNoise(const Averaging& averaging, std::uint64_t seed) {
+  CmaesOptions options;
+  options.population = 20;
+  options.seed = seed;
+  options.stop.maxGenerations = 2000;
+  options.stop.tolFun = options.stop.tolX = 0;
+  Search search(std::make_unique<Cmaes>(SearchSpace::around(VectorXd::Constant(10, 1), 0.5), options), averaging, seed);
+  while (const auto trial = search.next()) {
+    std::vector<double> costs;
+    for (const std::uint64_t one : trial->seeds) {
+      // Half of the noise is the start's, which the same seed repeats, half of it is the candidate's own.
+      Random start(one), own(one * 31 + static_cast<std::uint64_t>(trial->candidate));
+      costs.push_back(sphere(trial->parameters) + 0.3 * std::sqrt(0.5) * (start.gaussian() + own.gaussian()));
+    }
+    search.tell(trial->number, costs);
+    if (sphere(search.optimizer().favourite()) < 0.05) break;
+  }
+  return sphere(search.optimizer().favourite()) < 0.05 ? static_cast<double>(search.runs()) : 1e9;
+}
+
+void averaging(int seeds) {
+  const auto of = [&](const Averaging& a) {
+    std::vector<double> runs;
+    for (int seed = 1; seed <= seeds; ++seed) runs.push_back(runsUnderNoise(a, static_cast<std::uint64_t>(seed)));
+    return median(runs);
+  };
+  const double always = of({30, 30, false});
+  add("noise.runs_30_of_all", always, "runs", "lower", 0);
+  add("noise.runs_30_of_all_same_seeds", of({30, 30, true}), "runs", "lower", 0, "30 of all", always);
+  add("noise.runs_10_of_all_30_of_best", of({10, 30, true}), "runs", "lower", 0, "30 of all", always);
+  add("noise.runs_2_of_all_6_of_best", of({2, 6, true}), "runs", "lower", 0, "30 of all", always);
+}
+
+void farms(int seeds) {
+  for (const Case& c : {cases[0], cases[1], cases[2]})
+    for (const int n : {10, 40}) {
+      if (n == 40 && c.function != sphere) continue;
+      std::vector<double> counts[2], efficiencies[2];
+      for (int seed = 1; seed <= seeds; ++seed)
+        for (const int kind : {0, 1}) {
+          CmaesOptions options;
+          options.population = kind == 0 ? 30 : 18;
+          options.ahead = kind == 0 ? 1 : 3;
+          options.seed = static_cast<std::uint64_t>(seed);
+          options.stop.targetCost = target;
+          options.stop.maxEvaluations = 100'000;
+          Search search(std::make_unique<Cmaes>(SearchSpace::around(VectorXd::Constant(n, c.start), 0.5), options), {},
+                        options.seed);
+          farm::SimulatedFarm farm;
+          farm.seed = options.seed;
+          const auto result = farm.run(search, [&](const Trial& trial) { return c.function(trial.parameters); });
+          counts[kind].push_back(search.optimizer().bestCost() <= target ? static_cast<double>(search.trials()) : 1e9);
+          efficiencies[kind].push_back(100 * result.efficiency);
+        }
+      const std::string name = fmt::format("farm30.{}{}", c.name, n);
+      add(name + ".efficiency", median(efficiencies[1]), "%", "higher", 95, "barrier", median(efficiencies[0]));
+      add(name + ".evaluations", median(counts[1]), "evaluations", "lower", 1.1 * median(counts[0]), "barrier",
+          median(counts[0]));
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int seeds = argc > 1 ? std::atoi(argv[1]) : 15;
+  const int largest = argc > 2 ? std::atoi(argv[2]) : 210, largestPeer = argc > 3 ? std::atoi(argv[3]) : 210;
+  const auto write = [] { std::ofstream("build/bench/optimisation.json") << report.dump(1) << "\n"; };
+  compareTime();
+  write();
+  farms(seeds);
+  averaging(seeds);
+  write();
+  compareEvaluations(seeds, largest, largestPeer);
+  write();
+}

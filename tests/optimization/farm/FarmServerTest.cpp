@@ -1,0 +1,151 @@
+#include "optimization/farm/FarmServer.h"
+
+#include <gtest/gtest.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <thread>
+
+#include "../Functions.h"
+#include "optimization/Cmaes.h"
+#include "optimization/farm/OptimizationClient.h"
+
+namespace plumbline::farm {
+namespace {
+
+using Eigen::VectorXd;
+
+Search serverSearch(std::int64_t generations = 20) {
+  CmaesOptions options;
+  options.population = 8;
+  options.ahead = 3;
+  options.stop.maxGenerations = generations;
+  options.stop.tolFun = options.stop.tolX = 0;
+  return {std::make_unique<Cmaes>(SearchSpace::around(VectorXd::Constant(4, 1), 0.5), options), Averaging{1, 2}, 3};
+}
+
+/// Works with any source: the one in the process and the one behind TCP alike.
+void evaluate(ParameterSource& source) {
+  while (!source.isOver()) {
+    const auto trial = source.next(0.2);
+    if (!trial) continue;
+    source.tell(*trial, std::vector<double>(trial->seeds.size(), sphere(trial->parameters)), {{"figure", 2}});
+  }
+}
+
+/// A server that serves on a thread until its search is over.
+struct Running {
+  explicit Running(Search& search_, FarmOptions options = {}, Journal* journal = nullptr)
+      : server(search_, journal, {"sphere", {{"dimension", "4"}}, 4}, options), thread([this] {
+          over = server.serve(stop);
+        }) {}
+  ~Running() {
+    const std::uint64_t one = 1;
+    EXPECT_EQ(write(stop, &one, sizeof one), static_cast<ssize_t>(sizeof one));
+    thread.join();
+    close(stop);
+  }
+  ServerAddress address(const std::string& token = "") const { return {"127.0.0.1", server.port(), token}; }
+
+  int stop = eventfd(0, EFD_CLOEXEC);
+  std::atomic<bool> over = false;
+  FarmServer server;
+  std::thread thread;
+};
+
+template <typename F>
+std::string errorOf(F&& f) {
+  try {
+    f();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(FarmServer, givesTheSameAsTheOptimiserInTheProcess) {
+  Search inProcess = serverSearch(), farmed = serverSearch();
+  LocalSource local(inProcess);
+  evaluate(local);
+  {
+    Running running(farmed);
+    std::vector<std::thread> workers;
+    for (int i = 0; i < 6; ++i)
+      workers.emplace_back([&] {
+        OptimizationClient client(running.address(), "thread");
+        EXPECT_EQ(client.welcome().task, "sphere");
+        EXPECT_EQ(client.welcome().options.at("dimension"), "4");
+        evaluate(client);
+      });
+    for (std::thread& worker : workers) worker.join();
+  }
+  EXPECT_TRUE(farmed.optimizer().save() == inProcess.optimizer().save());
+}
+
+TEST(FarmServer, workersThatDieAreReplacedAndNothingIsLost) {
+  Search inProcess = serverSearch(), farmed = serverSearch();
+  LocalSource local(inProcess);
+  evaluate(local);
+  {
+    Running running(farmed, {"127.0.0.1", 0, "", {60, 1000}});
+    for (int i = 0; i < 100; ++i) {  // takes a trial and goes
+      OptimizationClient client(running.address(), "dies");
+      client.next(1);
+    }
+    OptimizationClient client(running.address(), "stays");
+    evaluate(client);
+  }
+  EXPECT_TRUE(farmed.optimizer().save() == inProcess.optimizer().save());
+}
+
+TEST(FarmServer, aBadClientIsDroppedAlone) {
+  Search farmed = serverSearch();
+  Running running(farmed);
+  OptimizationClient good(running.address(), "good");
+  const auto answerTo = [&](const std::string& line) {
+    LineSocket bad(connectTo("127.0.0.1", running.server.port()), maxLine, maxLine);
+    bad.send(line);
+    std::string answer;
+    while (!bad.next(answer) && !bad.broken()) bad.wait(1);
+    return answer;
+  };
+  EXPECT_EQ(answerTo("GET / HTTP/1.1"), R"({"error":"hello: broken JSON"})");
+  EXPECT_EQ(answerTo(R"({"hello": "worker"})"), R"({"error":"hello: a key is missing or of another type"})");
+  EXPECT_EQ(answerTo(R"({"hello": "boss", "version": 1})"),
+            R"({"error":"hello: a client is a worker or asks for the status"})");
+  EXPECT_EQ(answerTo(R"({"hello": "worker", "version": 9})"), R"({"error":"hello: the server speaks version 1"})");
+  EXPECT_EQ(errorOf([&] {
+              OptimizationClient liar(running.address(), "liar");
+              const Trial trial = *liar.next(2);
+              liar.tell(trial, std::vector<double>(7, 0.0), {});
+              liar.next(2);
+            }),
+            "the optimisation server at 127.0.0.1:" + std::to_string(running.server.port()) +
+                ": answer: 7 costs for trial 2, which is not what was asked");
+  evaluate(good);
+  EXPECT_TRUE(good.isOver());
+}
+
+TEST(FarmServer, wantsTheTokenThatItWasGiven) {
+  Search farmed = serverSearch(2);
+  EXPECT_EQ(errorOf([&] { FarmServer(farmed, nullptr, {"sphere", {}, 4}, {"0.0.0.0", 0, "", {}}); }),
+            "port 0.0.0.0:0 is open to others: that needs a token");
+  Running running(farmed, {"127.0.0.1", 0, "secret", {}});
+  EXPECT_EQ(errorOf([&] { OptimizationClient client(running.address("wrong"), "one"); }),
+            "the optimisation server at 127.0.0.1:" + std::to_string(running.server.port()) +
+                ": the token is wrong or missing");
+  OptimizationClient client(running.address("secret"), "one");
+  evaluate(client);
+}
+
+TEST(FarmServer, tellsItsStatus) {
+  Search farmed = serverSearch(2);
+  Running running(farmed);
+  const std::string status = readStatus(running.address());
+  EXPECT_NE(status.find(R"("generation":0)"), std::string::npos) << status;
+  EXPECT_NE(status.find(R"("task":"sphere")"), std::string::npos) << status;
+}
+
+}  // namespace
+}  // namespace plumbline::farm
