@@ -35,6 +35,8 @@ struct GameWatchOptions {
   double limit = 1e9;      ///< so long in all [s of real time]
   bool kickOff = true;     ///< false: the server does it by itself
   bool endServer = false;  ///< (killsim) at the end
+  /// Called with every scene, in their order; may be empty.
+  std::function<void(const simspark::SceneState&)> everyScene{};
   double endTime = 0;      ///< the game is over at this time of its clock [s]; 0: when the server says so
 };
 

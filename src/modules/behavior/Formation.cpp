@@ -73,7 +73,17 @@ Vec2 Formation::keptOff(const Vec2& place) const {
     kept = theBallPos->field + clearance * (restart ? Vec2((away + 2 * clearance * direction).normalized())
                                                     : direction);
   }
-  return {std::clamp(kept.x(), -half.x(), half.x()), std::clamp(kept.y(), -half.y(), half.y())};
+  const auto inside = [&half](const Vec2& p) {
+    return Vec2(std::clamp(p.x(), -half.x(), half.x()), std::clamp(p.y(), -half.y(), half.y()));
+  };
+  kept = inside(kept);
+  // Pushed back to the ball by a line: along the line instead.
+  if ((kept - theBallPos->field).norm() < clearance - 0.2) {
+    const double side = kept.y() > theBallPos->field.y() ? 1 : -1;
+    const double fits = std::abs(theBallPos->field.y() + side * clearance) < half.y() ? side : -side;
+    kept = inside(Vec2(kept.x(), theBallPos->field.y() + fits * clearance));
+  }
+  return kept;
 }
 
 void Formation::update(PlayerRole* thePlayerRole) {

@@ -30,7 +30,7 @@ struct GoalieTest : testing::Test {
 };
 
 TEST_F(GoalieTest, halvesTheAngleOfTheGoalFromEveryBall) {
-  for (const Vec2& ball : {Vec2(0, 0), Vec2(-10, 6), Vec2(-12, -5), Vec2(5, 9)}) {
+  for (const Vec2& ball : {Vec2(0, 0), Vec2(-10, 4), Vec2(-12, -3), Vec2(5, 9)}) {
     const Vec2 place = with(ball).target.position;
     const auto angleTo = [&](const Vec2& p) { return std::atan2(p.y() - ball.y(), p.x() - ball.x()); };
     const double toLeft = normalizeAngle(angleTo({-15, 1.05}) - angleTo(place));

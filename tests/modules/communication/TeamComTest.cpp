@@ -46,7 +46,9 @@ TEST_F(TeamComTest, everyNumberSpeaksOnceInElevenSlotsAndNeverTwoAtATime) {
   for (int cycle = 0; cycle < 220; ++cycle) {
     const std::string text = said(50 + 0.02 * cycle);
     const std::int64_t slot = SaySlot::at(50 + 0.02 * cycle);
-    if (!text.empty()) EXPECT_EQ(SaySlot::speaker(slot), 7);
+    if (!text.empty()) {
+      EXPECT_EQ(SaySlot::speaker(slot), 7);
+    }
   }
   int words = 0;
   for (int cycle = 0; cycle < 220; ++cycle) words += said(60 + 0.02 * cycle).empty() ? 0 : 1;

@@ -54,7 +54,7 @@ TEST(PathPlannerTest, withoutAnyWayItGoesStraight) {
   std::vector<Obstacle> ring;
   for (int i = 0; i < 6; ++i)
     ring.push_back({{std::cos(i * pi / 3), std::sin(i * pi / 3)}, 0.6});
-  EXPECT_EQ(nextWayPoint({0, 0}, {1.2, 0.0}, ring, Vec2::Zero(), {}), Vec2(1.2, 0));
+  EXPECT_EQ(nextWayPoint({0, 0}, {3, 0}, ring, Vec2::Zero(), {}), Vec2(3, 0));
 }
 
 TEST(PathPlannerTest, amongManyItNeverRunsIntoOneThatItLooksAt) {
