@@ -37,7 +37,7 @@ struct GameWatchOptions {
   bool endServer = false;  ///< (killsim) at the end
   /// Called with every scene, in their order; may be empty.
   std::function<void(const simspark::SceneState&)> everyScene{};
-  double endTime = 0;      ///< the game is over at this time of its clock [s]; 0: when the server says so
+  double endTime = 0;  ///< the game is over at this time of its clock [s]; 0: when the server says so
 };
 
 /// Sees a whole game through on any server with a monitor port: kicks off both halves (left, then right),

@@ -31,9 +31,10 @@ TEST(GameTrackTest, writesBallAndPlayersTwiceASecondWhileTheClockRuns) {
       track.observe(scene);  // the clock stands
     }
   }
-  EXPECT_EQ(contentOf(file),
-            "time,side,number,x,y,up,mode\n0.10,ball,0,1.00,2.00,0,PlayOn\n0.10,right,4,-3.00,0.50,1.00,PlayOn\n"
-            "0.50,ball,0,1.00,2.00,0,PlayOn\n0.50,right,4,-3.00,0.50,1.00,PlayOn\n");
+  EXPECT_EQ(
+      contentOf(file),
+      "time,side,number,x,y,up,mode\n0.10,ball,0,1.00,2.00,0,PlayOn\n0.10,right,4,-3.00,0.50,1.00,PlayOn\n"
+      "0.50,ball,0,1.00,2.00,0,PlayOn\n0.50,right,4,-3.00,0.50,1.00,PlayOn\n");
 }
 
 TEST(GameTrackTest, aFileThatCannotBeWrittenIsAnError) {

@@ -12,9 +12,9 @@ MAKE_MODULE(OthersEvaluation)
 
 void OthersEvaluation::write(const char* belief, const char* what, int number, const Vec2& place,
                              double deviation, double age) {
-  out_ << fmt::format("{:.2f},{},{},{},{:.3f},{:.3f},{:.3f},{:.2f},{:.2f}\n", theGameState->time, belief, what,
-                      number, place.x(), place.y(), deviation, (place - theRobotPose->pose.position).norm(),
-                      age);
+  out_ << fmt::format("{:.2f},{},{},{},{:.3f},{:.3f},{:.3f},{:.2f},{:.2f}\n", theGameState->time, belief,
+                      what, number, place.x(), place.y(), deviation,
+                      (place - theRobotPose->pose.position).norm(), age);
 }
 
 void OthersEvaluation::writeRobots(const char* belief, const std::vector<OtherRobot>& robots) {
@@ -31,8 +31,8 @@ void OthersEvaluation::execute() {
   next_ = (std::floor(time / interval) + 1) * interval;
   if (!out_.is_open()) {
     std::filesystem::create_directories(folder);
-    const std::string file =
-        fmt::format("{}/{}-{}.csv", folder, thePlayerInfo->leftSide ? "left" : "right", thePlayerInfo->number);
+    const std::string file = fmt::format("{}/{}-{}.csv", folder, thePlayerInfo->leftSide ? "left" : "right",
+                                         thePlayerInfo->number);
     out_.open(file);
     if (!out_) throw std::runtime_error("cannot write " + file);
     out_ << "time,belief,what,number,x,y,deviation,distance,age\n";

@@ -33,7 +33,8 @@ public:
   void execute() override;
 
 private:
-  void write(const char* belief, const char* what, int number, const Vec2& place, double deviation, double age);
+  void write(const char* belief, const char* what, int number, const Vec2& place, double deviation,
+             double age);
   void writeRobots(const char* belief, const std::vector<OtherRobot>& robots);
 
   std::ofstream out_;

@@ -57,7 +57,7 @@ TEST_F(GoalieTest, neverStandsBehindTheLineOrBesideTheGoal) {
 TEST_F(GoalieTest, stepsIntoTheWayOfAShot) {
   const Vec2 place = with({-10, 0}, {-7, 1}).target.position;
   EXPECT_NEAR(place.y(), -(place.x() + 10) / 7, 1e-6);
-  EXPECT_NEAR(with({-10, 0}, {-7, 5}).target.y(), 0, 1e-6);   // passes the goal
+  EXPECT_NEAR(with({-10, 0}, {-7, 5}).target.y(), 0, 1e-6);    // passes the goal
   EXPECT_NEAR(with({-10, 0}, {-2, 0.4}).target.y(), 0, 1e-6);  // comes to rest before
 }
 

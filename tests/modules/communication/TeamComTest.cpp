@@ -85,8 +85,8 @@ TEST_F(TeamComTest, aSecondPlayerWithTheOwnNumberIsNotHeard) {
 }
 
 TEST_F(TeamComTest, nonsenseIsRefusedAndCounted) {
-  for (const std::string& text : {std::string(), std::string("x"), std::string(20, 'A'), std::string(5000, 'A'),
-                                  std::string("\0\xff()\"\n", 6)})
+  for (const std::string& text : {std::string(), std::string("x"), std::string(20, 'A'),
+                                  std::string(5000, 'A'), std::string("\0\xff()\"\n", 6)})
     EXPECT_EQ(believed(text, 3), 0u);
   EXPECT_EQ(receiver.output<TeamComDataIn>().refused, 5u);
 }
