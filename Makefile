@@ -143,6 +143,14 @@ bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }
 	@scripts/make_results.sh $*
 
+# The team against the players of before it, in whole games on the embedded simulator: GAMES, HALF (seconds), SEED, JOBS at once.
+# Writes doc/results/games.md.
+bench-games:
+	@scripts/install_packages.sh scripts/packages-bench.txt
+	@scripts/build.sh SimRelease agent simulator watchgame
+	@$(foreach v,GAMES HALF SEED,$(if $($v),$v=$($v))) scripts/run_bench.sh games
+	@scripts/make_results.sh games
+
 fuzz:
 	@scripts/install_packages.sh scripts/packages.txt scripts/packages-fuzz.txt
 	@$(MAKE) Fuzz

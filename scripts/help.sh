@@ -15,7 +15,7 @@ make thread          the thread sanitizer over tests/framework (AREAS="..." for 
 make coverage        which lines of src/ the tests run, a line per folder (AREAS="..." for some tests)
 make fuzz            libFuzzer on all that reads from outside, SECONDS=60 of each (TARGETS="..." for some)
 make bench           run all benchmarks into build/bench/; bench-AREA those of one area
-                     (bench-walk, -walk-nao, -walk-fit, -walk-server, -fidelity, -gap, -gap-real, -gap-walk, -gap-simspark)
+                     (bench-walk, -walk-nao, -walk-fit, -walk-server, -fidelity, -games, -gap, -gap-real, -gap-walk, -gap-simspark)
 make results         the same, and write doc/results/ from it
 make pictures        make the pictures and sample output of README and doc/ anew
 make install         programs, libraries, manual pages (PREFIX=/usr/local, DESTDIR=); make deb: a Debian package

@@ -145,7 +145,7 @@ echo "$self: $server, seed $seed, agent port $agentPort, monitor port $monitorPo
 
 "$bin/watchgame" --limit "$limit" --port "$monitorPort" --players "$players" --patience "$patience" --hang "$hang" \
   --server "$server" --seed "$seed" --half-time "$halfTime" --log "$log" ${names[0]:+--left "${names[0]}" --right "${names[1]}"} \
-  --end-server "${watchOptions[@]}" > "$folder/game.log" 2>&1 < /dev/null &
+  --end-server --track "$folder/track.csv" "${watchOptions[@]}" > "$folder/game.log" 2>&1 < /dev/null &
 watcher=$!
 
 # The team that comes first is the left one.

@@ -106,6 +106,7 @@ GameResult watchGame(const GameWatchOptions& options, const StopSignal& stop,
     if (status == Connection::Status::message && scene.complete()) {
       pulse.feel(scene, now);
       result.counts.observe(scene);
+      if (options.everyScene) options.everyScene(scene);
       result.teamLeft = scene.teamLeft;
       result.teamRight = scene.teamRight;
       result.scoreLeft = scene.scoreLeft;

@@ -35,7 +35,9 @@ struct GameWatchOptions {
   double limit = 1e9;      ///< so long in all [s of real time]
   bool kickOff = true;     ///< false: the server does it by itself
   bool endServer = false;  ///< (killsim) at the end
-  double endTime = 0;      ///< the game is over at this time of its clock [s]; 0: when the server says so
+  /// Called with every scene, in their order; may be empty.
+  std::function<void(const simspark::SceneState&)> everyScene{};
+  double endTime = 0;  ///< the game is over at this time of its clock [s]; 0: when the server says so
 };
 
 /// Sees a whole game through on any server with a monitor port: kicks off both halves (left, then right),

@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <ctime>
 #include <exception>
+#include <optional>
 
 #include "framework/CommandLine.h"
 #include "framework/StopSignal.h"
 #include "game/FieldPicture.h"
+#include "game/GameTrack.h"
 #include "game/GameWatch.h"
 
 namespace {
@@ -30,7 +32,7 @@ int runProgram(int argc, char** argv) {
   constexpr int badInput = 2;
   game::GameWatchOptions options;
   game::GameLogEntry entry;
-  std::string log;
+  std::string log, trackFile;
   bool quiet = false, noKickOff = false;
   CLI::App app(
       "Sees a game through by the monitor port: kicks off both halves, counts goals, falls and kicks.",
@@ -59,6 +61,7 @@ int runProgram(int argc, char** argv) {
                  "The game is over at this time of its clock [when the server says so]")
       ->check(CLI::Range(0.1, 1e6));
   app.add_option("--log", log, "Append a line about the game to this file");
+  app.add_option("--track", trackFile, "Write where everybody is, twice a second of the game, to this file");
   app.add_option("--server", entry.server, "Name of the server, for the log");
   app.add_option("--seed", entry.seed, "Its seed, for the log");
   app.add_option("--half-time", entry.halfTime, "Length of a half, for the log [s]")->capture_default_str();
@@ -75,6 +78,11 @@ int runProgram(int argc, char** argv) {
     StopSignal stop;
     stop.catchSignals();
     entry.date = now();
+    std::optional<game::GameTrack> track;
+    if (!trackFile.empty()) {
+      track.emplace(trackFile);
+      options.everyScene = [&track](const simspark::SceneState& scene) { track->observe(scene); };
+    }
     const auto result = game::watchGame(options, stop, [&](const simspark::SceneState& scene) {
       if (quiet) return;
       fmt::print("{} {} {} : {} {} {} half {} robots {}\n", game::clockText(scene.time), scene.teamLeft,

@@ -15,7 +15,8 @@ void BeforeKickOff::parametersChanged() {
 }
 
 bool BeforeKickOff::ownKickOff() const {
-  if (theGameState->playMode != PlayMode::beforeKickOff) return theGameState->playMode == PlayMode::goalOpponent;
+  if (theGameState->playMode != PlayMode::beforeKickOff)
+    return theGameState->playMode == PlayMode::goalOpponent;
   // The left team begins the game, the other one the second half.
   return thePlayerInfo->leftSide == (theGameState->time < 1);
 }

@@ -10,7 +10,7 @@ namespace plumbline {
 MAKE_MODULE(Formation)
 
 namespace {
-constexpr double farTime = 16;     ///< as good as never [s]
+constexpr double farTime = 16;      ///< as good as never [s]
 constexpr double touchReach = 0.4;  ///< a robot this near has touched the ball [m]
 constexpr double inField = 0.4;     ///< places stay this far inside the lines [m]
 }  // namespace
@@ -26,8 +26,8 @@ std::vector<TeamMember> Formation::members(const PlayerRole& own) const {
   }
   // Before the first own words: what they would be.
   if (!theTeamRobotPose->of(thePlayerInfo->number))
-    members.push_back({thePlayerInfo->number, theRobotPose->pose, theFallState->lying(), own.role,
-                       own.timeToBall});
+    members.push_back(
+        {thePlayerInfo->number, theRobotPose->pose, theFallState->lying(), own.role, own.timeToBall});
   for (const OtherRobot& robot : theOtherRobots->robots) {
     if (!robot.mate || robot.number < 1 || theFrameInfo->time - robot.lastSeen > seenSeconds) continue;
     if (std::ranges::find(members, robot.number, &TeamMember::number) != members.end()) continue;
@@ -61,7 +61,8 @@ Vec2 Formation::keptOff(const Vec2& place) const {
   Vec2 kept = place;
   if (theGameState->playMode == PlayMode::goalKickOpponent) {
     const double edge = theFieldDimensions->length / 2 - theFieldDimensions->penaltyDepth - inField;
-    if (std::abs(kept.y()) < theFieldDimensions->penaltyWidth / 2 + inField) kept.x() = std::min(kept.x(), edge);
+    if (std::abs(kept.y()) < theFieldDimensions->penaltyWidth / 2 + inField)
+      kept.x() = std::min(kept.x(), edge);
   }
   if (theGameState->playMode == PlayMode::kickOffOwn || theGameState->playMode == PlayMode::kickOffOpponent)
     kept.x() = std::min(kept.x(), -inField);
@@ -70,10 +71,20 @@ Vec2 Formation::keptOff(const Vec2& place) const {
     // Off the ball to the side of the own goal, where the player stands in the way.
     const Vec2 home = Vec2(-theFieldDimensions->length / 2, 0) - theBallPos->field;
     const Vec2 direction = restart || away.norm() < 0.1 ? Vec2(home.normalized()) : Vec2(away.normalized());
-    kept = theBallPos->field + clearance * (restart ? Vec2((away + 2 * clearance * direction).normalized())
-                                                    : direction);
+    kept = theBallPos->field +
+           clearance * (restart ? Vec2((away + 2 * clearance * direction).normalized()) : direction);
   }
-  return {std::clamp(kept.x(), -half.x(), half.x()), std::clamp(kept.y(), -half.y(), half.y())};
+  const auto inside = [&half](const Vec2& p) {
+    return Vec2(std::clamp(p.x(), -half.x(), half.x()), std::clamp(p.y(), -half.y(), half.y()));
+  };
+  kept = inside(kept);
+  // Pushed back to the ball by a line: along the line instead.
+  if ((kept - theBallPos->field).norm() < clearance - 0.2) {
+    const double side = kept.y() > theBallPos->field.y() ? 1 : -1;
+    const double fits = std::abs(theBallPos->field.y() + side * clearance) < half.y() ? side : -side;
+    kept = inside(Vec2(kept.x(), theBallPos->field.y() + fits * clearance));
+  }
+  return kept;
 }
 
 void Formation::update(PlayerRole* thePlayerRole) {

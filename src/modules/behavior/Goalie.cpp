@@ -45,8 +45,7 @@ bool Goalie::shotCrossing(Vec2& place) const {
 void Goalie::update(GoalieOutput* theGoalieOutput) {
   BehaviorOutput& output = *theGoalieOutput;
   output.clear();
-  output.active = thePlayerRole->role == PlayerRole::goalie &&
-                  theGameState->playMode != PlayMode::gameOver &&
+  output.active = thePlayerRole->role == PlayerRole::goalie && theGameState->playMode != PlayMode::gameOver &&
                   theGameState->playMode != PlayMode::unknown;
   if (!output.active) {
     standing_ = false;

@@ -32,8 +32,9 @@ MODULE(NaiveAgentLocator)
             "a robot would be seen within this angle of the axis of the head")
   PARAMETER(double, coverAngle, 0.15, "rad", Range(0, 1),
             "a nearer robot that is closer to the same direction may hide it")
-  PARAMETER(int, missedImages, 12, "", Range(1, 10000),
-            "images without a robot that should be in view and is hidden by none, after which it is forgotten")
+  PARAMETER(
+      int, missedImages, 12, "", Range(1, 10000),
+      "images without a robot that should be in view and is hidden by none, after which it is forgotten")
 END_MODULE
 
 /// Follows the other robots from their visible parts (Seekircher 2015, A.3), also while they are hidden; each

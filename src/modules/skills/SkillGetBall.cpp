@@ -26,7 +26,8 @@ Vec2 SkillGetBall::kickBallPosition() {
 
 bool SkillGetBall::pressed() const {
   return theOtherRobots && std::ranges::any_of(theOtherRobots->robots, [&](const OtherRobot& robot) {
-           return !robot.mate && !robot.fallen && (robot.position - theBallPos->field).norm() < pressedDistance;
+           return !robot.mate && !robot.fallen &&
+                  (robot.position - theBallPos->field).norm() < pressedDistance;
          });
 }
 
@@ -55,8 +56,8 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   heading = normalizeAngle(heading - theRobotPose->pose.heading);
   const Vec2 place = wanted == BallApproach::dribble ? Vec2(dribbleDistance, 0) : kickBallPosition();
   const Pose2 way = approachBall(theBallPos->relative, heading, place, approach);
-  const bool detour = theSafeWalkDirection && theSafeWalkDirection->detour &&
-                      theBallPos->relative.norm() > detourDistance;
+  const bool detour =
+      theSafeWalkDirection && theSafeWalkDirection->detour && theBallPos->relative.norm() > detourDistance;
   WalkCommand command = detour ? walkPast(theSafeWalkDirection->wayPoint, walk) : walkToPose(way, walk);
   // A walk that drifts would come to rest short of the ball for ever (Seekircher 2015, 4.3).
   learnBias(way);

@@ -39,7 +39,8 @@ WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& 
 WalkCommand walkPast(const Vec2& wayPoint, const WalkToPoseParameters& parameters) {
   const double distance = wayPoint.norm();
   if (distance < 1e-6) return {};
-  const double ahead = std::max(distance, parameters.nearDistance + parameters.maxForward / parameters.positionGain);
+  const double ahead =
+      std::max(distance, parameters.nearDistance + parameters.maxForward / parameters.positionGain);
   const Vec2 farther = wayPoint * (ahead / distance);
   return walkToPose(Pose2(farther, std::atan2(farther.y(), farther.x())), parameters);
 }

@@ -21,7 +21,8 @@ struct WalkToPoseParameters {
             "a target closer than this to straight ahead is walked to at full speed, with hardly a turn, and "
             "others slowly until it is: the walk does not turn in a sprint; 0: both at a time")
   PARAMETER(double, sprintTurn, 0.1, "rad/s", Range(0, 3), "fastest turn in a sprint")
-  PARAMETER(double, curveSpeed, 0.4, "m/s", Range(0.01, 3), "fastest walk forward while it turns to the target")
+  PARAMETER(double, curveSpeed, 0.4, "m/s", Range(0.01, 3),
+            "fastest walk forward while it turns to the target")
 };
 
 /// A walk request in the robot's frame [m/s, rad/s].

@@ -8,9 +8,9 @@ namespace plumbline {
 REPRESENTATION(SafeWalkDirection)
 class SafeWalkDirection : public SafeWalkDirectionBase {
 public:
-  bool detour = false;               ///< the straight way is not free: walk to wayPoint first
-  Vec2 wayPoint = Vec2::Zero();      ///< the next corner of the way, relative to the robot [m]
-  bool wait = false;                 ///< a mate that goes before is about to cross: stand still
+  bool detour = false;                ///< the straight way is not free: walk to wayPoint first
+  Vec2 wayPoint = Vec2::Zero();       ///< the next corner of the way, relative to the robot [m]
+  bool wait = false;                  ///< a mate that goes before is about to cross: stand still
   Vec2 wayPointField = Vec2::Zero();  ///< the same on the field, to look at [m]
   void stream(InStream* in, OutStream* out) override {
     STREAM(detour);

@@ -43,9 +43,7 @@ TEST(FormationTableTest, mirrorsForABallOnTheRight) {
   EXPECT_EQ(table.at(1, {0, -4}), Vec2(-8, -4));
 }
 
-TEST(FormationTableTest, staysAtItsBorders) {
-  EXPECT_EQ(tableOf(small).at(0, {50, 90}), Vec2(-4, 6));
-}
+TEST(FormationTableTest, staysAtItsBorders) { EXPECT_EQ(tableOf(small).at(0, {50, 90}), Vec2(-4, 6)); }
 
 TEST(FormationTableTest, theProjectsOwnHasAPlaceForEveryPlayerOnTheField) {
   const FormationTable table(ConfigFile("config/formation.yaml").root());
@@ -72,10 +70,11 @@ TEST(FormationTableTest, itsErrorsSayWhereAndWhat) {
   EXPECT_EQ(errorOf(small, "[-10, 10]", "[10, -10]"), path + "1: ballX must rise from number to number");
   EXPECT_EQ(errorOf(small, "[0, 8]", "[1, 8]"),
             path + "2: ballY must begin with 0: the other side is its mirror image");
-  EXPECT_EQ(errorOf(small, "[[2, 2], [6, 6]]", "[[2, 2]]"),
-            path +
-                "6: places[0].y must have a row for each of the 2 values of ballY, with a number for each of the 2 "
-                "values of ballX");
+  EXPECT_EQ(
+      errorOf(small, "[[2, 2], [6, 6]]", "[[2, 2]]"),
+      path +
+          "6: places[0].y must have a row for each of the 2 values of ballY, with a number for each of the 2 "
+          "values of ballX");
   EXPECT_EQ(errorOf(small, "rightBack", "right"),
             path + "3: places must have rightBack, the mirror image of leftBack");
 }

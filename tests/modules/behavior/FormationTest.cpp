@@ -101,7 +101,8 @@ TEST_F(FormationTest, supportersKeepOffTheBallAndFartherAtTheOpponentsRestarts) 
 }
 
 TEST_F(FormationTest, allStayInTheirHalfUntilAKickOffIsTaken) {
-  harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(0, 0, 0), 0.5), reportOf(8, Pose2(-5, 0, 0), 9)};
+  harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(0, 0, 0), 0.5),
+                                            reportOf(8, Pose2(-5, 0, 0), 9)};
   harness.input<RobotPose>().pose = Pose2(1, 3, 0);
   ballAt({0, 0});
   harness.input<GameState>().playMode = PlayMode::kickOffOpponent;

@@ -30,7 +30,7 @@ struct GoalieTest : testing::Test {
 };
 
 TEST_F(GoalieTest, halvesTheAngleOfTheGoalFromEveryBall) {
-  for (const Vec2& ball : {Vec2(0, 0), Vec2(-10, 6), Vec2(-12, -5), Vec2(5, 9)}) {
+  for (const Vec2& ball : {Vec2(0, 0), Vec2(-10, 4), Vec2(-12, -3), Vec2(5, 9)}) {
     const Vec2 place = with(ball).target.position;
     const auto angleTo = [&](const Vec2& p) { return std::atan2(p.y() - ball.y(), p.x() - ball.x()); };
     const double toLeft = normalizeAngle(angleTo({-15, 1.05}) - angleTo(place));
@@ -57,7 +57,7 @@ TEST_F(GoalieTest, neverStandsBehindTheLineOrBesideTheGoal) {
 TEST_F(GoalieTest, stepsIntoTheWayOfAShot) {
   const Vec2 place = with({-10, 0}, {-7, 1}).target.position;
   EXPECT_NEAR(place.y(), -(place.x() + 10) / 7, 1e-6);
-  EXPECT_NEAR(with({-10, 0}, {-7, 5}).target.y(), 0, 1e-6);   // passes the goal
+  EXPECT_NEAR(with({-10, 0}, {-7, 5}).target.y(), 0, 1e-6);    // passes the goal
   EXPECT_NEAR(with({-10, 0}, {-2, 0.4}).target.y(), 0, 1e-6);  // comes to rest before
 }
 

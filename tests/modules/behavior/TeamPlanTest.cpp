@@ -30,8 +30,8 @@ struct TeamPlanTest : testing::Test {
 };
 
 TEST_F(TeamPlanTest, oneStrikerOneGoalieAndEverybodyElseNearHisPlace) {
-  const TeamPlan all =
-      plan({memberAt(1, -14, 0), memberAt(2, 1, 0), memberAt(3, -6, 1), memberAt(4, 4, 1), memberAt(5, -1, 1)});
+  const TeamPlan all = plan(
+      {memberAt(1, -14, 0), memberAt(2, 1, 0), memberAt(3, -6, 1), memberAt(4, 4, 1), memberAt(5, -1, 1)});
   EXPECT_EQ(all.roles, (std::vector<int>{PlayerRole::goalie, PlayerRole::striker, PlayerRole::supporter + 2,
                                          PlayerRole::supporter + 1, PlayerRole::supporter}));
   EXPECT_EQ(all.strikerNumber, 2);

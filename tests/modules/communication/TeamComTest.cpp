@@ -46,7 +46,9 @@ TEST_F(TeamComTest, everyNumberSpeaksOnceInElevenSlotsAndNeverTwoAtATime) {
   for (int cycle = 0; cycle < 220; ++cycle) {
     const std::string text = said(50 + 0.02 * cycle);
     const std::int64_t slot = SaySlot::at(50 + 0.02 * cycle);
-    if (!text.empty()) EXPECT_EQ(SaySlot::speaker(slot), 7);
+    if (!text.empty()) {
+      EXPECT_EQ(SaySlot::speaker(slot), 7);
+    }
   }
   int words = 0;
   for (int cycle = 0; cycle < 220; ++cycle) words += said(60 + 0.02 * cycle).empty() ? 0 : 1;
@@ -83,8 +85,8 @@ TEST_F(TeamComTest, aSecondPlayerWithTheOwnNumberIsNotHeard) {
 }
 
 TEST_F(TeamComTest, nonsenseIsRefusedAndCounted) {
-  for (const std::string& text : {std::string(), std::string("x"), std::string(20, 'A'), std::string(5000, 'A'),
-                                  std::string("\0\xff()\"\n", 6)})
+  for (const std::string& text : {std::string(), std::string("x"), std::string(20, 'A'),
+                                  std::string(5000, 'A'), std::string("\0\xff()\"\n", 6)})
     EXPECT_EQ(believed(text, 3), 0u);
   EXPECT_EQ(receiver.output<TeamComDataIn>().refused, 5u);
 }

@@ -11,17 +11,19 @@ namespace {
 
 constexpr double cameraHeight = 0.54;
 
-/// A robot at a place of the field as another one at `own` with its head turned sees it; of its parts those in
-/// the view of 60 degrees to each side, with SimSpark's noise if there is a random.
+/// A robot at a place of the field as another one at `own` with its head turned sees it; of its parts those
+/// in the view of 60 degrees to each side, with SimSpark's noise if there is a random.
 PolarPlayer playerAt(const std::string& team, int number, const Vec2& place, const Pose2& own, double headYaw,
                      bool fallen = false, Random* random = nullptr) {
   PolarPlayer player;
   player.team = team;
   player.number = number;
   const double head = fallen ? 0.1 : 0.54, arm = fallen ? 0.06 : 0.3;
-  const std::vector<std::pair<std::string, Vec3>> parts = {
-      {"head", {0, 0, head}}, {"rlowerarm", {0.05, -0.1, arm}}, {"llowerarm", {0.05, 0.1, arm}},
-      {"rfoot", {0, -0.05, 0.04}}, {"lfoot", {0, 0.05, 0.04}}};
+  const std::vector<std::pair<std::string, Vec3>> parts = {{"head", {0, 0, head}},
+                                                           {"rlowerarm", {0.05, -0.1, arm}},
+                                                           {"llowerarm", {0.05, 0.1, arm}},
+                                                           {"rfoot", {0, -0.05, 0.04}},
+                                                           {"lfoot", {0, 0.05, 0.04}}};
   const Pose3 T_ground_head = translation(0, 0, cameraHeight) * rotationZ(headYaw);
   for (const auto& [name, offset] : parts) {
     const Vec2 relative = own.inverse() * Vec2(place + offset.head<2>());

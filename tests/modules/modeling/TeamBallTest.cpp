@@ -21,7 +21,8 @@ TEST(TeamBallTest, weighsByCertainty) {
 }
 
 TEST(TeamBallTest, leavesOutABallThatWasElsewhere) {
-  const auto ball = combineBalls({{{0, 0}, {0, 0}, 0.1, 0}, {{5, 0}, {0, 0}, 0.2, 2}, {{0.1, 0}, {0, 0}, 0.1, 0}});
+  const auto ball =
+      combineBalls({{{0, 0}, {0, 0}, 0.1, 0}, {{5, 0}, {0, 0}, 0.2, 2}, {{0.1, 0}, {0, 0}, 0.1, 0}});
   ASSERT_TRUE(ball);
   EXPECT_NEAR(ball->position.x(), 0.05, 1e-9);
 }

@@ -55,13 +55,12 @@ FormationTable::FormationTable(const ConfigSection& file) {
 
 void FormationTable::checkTable(const ConfigSection& section, const std::string& key,
                                 const std::vector<std::vector<double>>& table) const {
-  const bool fits = table.size() == ballY_.size() && std::ranges::all_of(table, [&](const auto& row) {
-                      return row.size() == ballX_.size();
-                    });
+  const bool fits = table.size() == ballY_.size() &&
+                    std::ranges::all_of(table, [&](const auto& row) { return row.size() == ballX_.size(); });
   if (!fits)
     section.fail(key, "must have a row for each of the " + std::to_string(ballY_.size()) +
-                          " values of ballY, with a number for each of the " +
-                          std::to_string(ballX_.size()) + " values of ballX");
+                          " values of ballY, with a number for each of the " + std::to_string(ballX_.size()) +
+                          " values of ballX");
 }
 
 void FormationTable::findMirrors(const ConfigSection& file) {

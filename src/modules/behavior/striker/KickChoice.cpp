@@ -21,7 +21,8 @@ bool blocked(const KickSituation& situation, const Vec2& direction, double width
   return std::ranges::any_of(situation.others, [&](const OtherRobot& robot) {
     const Vec2 to = robot.position - situation.ball;
     const double along = to.dot(direction);
-    return along > 0 && along < situation.reach && std::abs(to.x() * direction.y() - to.y() * direction.x()) < width;
+    return along > 0 && along < situation.reach &&
+           std::abs(to.x() * direction.y() - to.y() * direction.x()) < width;
   });
 }
 
@@ -45,9 +46,12 @@ double chooseKick(const KickSituation& situation, double last, const KickChoiceP
     double gain = situation.reach * std::cos(off) - turnCost * std::abs(normalizeAngle(angle - facing));
     if (blocked(situation, direction, parameters.blockWidth)) gain -= parameters.blockCost;
     if (std::abs(end.y()) > situation.halfWidth - lineMargin) gain -= outCost;
-    const double mates = nearest(situation.others, end, true), opponents = nearestOpponent(situation.others, end);
-    gain += std::clamp(parameters.mateGain * (opponents - mates), -parameters.mostMateGain, parameters.mostMateGain);
-    if (std::abs(normalizeAngle(angle - last)) < parameters.widest / parameters.directions) gain += parameters.stays;
+    const double mates = nearest(situation.others, end, true),
+                 opponents = nearestOpponent(situation.others, end);
+    gain += std::clamp(parameters.mateGain * (opponents - mates), -parameters.mostMateGain,
+                       parameters.mostMateGain);
+    if (std::abs(normalizeAngle(angle - last)) < parameters.widest / parameters.directions)
+      gain += parameters.stays;
     if (gain <= bestGain) continue;
     bestGain = gain;
     best = angle;

@@ -17,8 +17,9 @@ struct KickChoiceParameters {
   PARAMETER(double, pressedDistance, 1.2, "m", Range(0, 10), "an opponent this near to the ball presses")
   PARAMETER(double, blockWidth, 0.4, "m", Range(0, 3), "robots this near to the ball's way stop it")
   PARAMETER(double, blockCost, 2, "m", Range(0, 30), "of a way that an opponent blocks")
-  PARAMETER(double, mateGain, 0.5, "", Range(0, 5),
-            "gain per metre that the nearest mate is nearer than the nearest opponent to where the ball rests")
+  PARAMETER(
+      double, mateGain, 0.5, "", Range(0, 5),
+      "gain per metre that the nearest mate is nearer than the nearest opponent to where the ball rests")
   PARAMETER(double, mostMateGain, 1, "m", Range(0, 10), "no more than this is gained or lost so")
   PARAMETER(double, stays, 0.3, "m", Range(0, 10), "gain of the direction that was chosen last")
 };
@@ -33,9 +34,9 @@ struct KickSituation {
   std::vector<OtherRobot> others;
 };
 
-/// The direction of the kick that gains most way towards the goal against what it costs: going round the ball,
-/// opponents on the way, opponents nearer than mates to where it rests. last: the choice before, if there was
-/// one within widest, else any number far off.
+/// The direction of the kick that gains most way towards the goal against what it costs: going round the
+/// ball, opponents on the way, opponents nearer than mates to where it rests. last: the choice before, if
+/// there was one within widest, else any number far off.
 double chooseKick(const KickSituation& situation, double last, const KickChoiceParameters& parameters);
 
 /// Distance of the nearest opponent that stands from a place, a large number without any [m].

@@ -5,9 +5,10 @@
 namespace plumbline {
 namespace {
 
-constexpr double nearest = 0.15, farthest = 60;     ///< [m]
-constexpr double highest = 1.2;                     ///< part of a robot, and of a bad estimate of the own tilt [m]
-constexpr double lowestAtDistance = 0.05, low = 0.5;  ///< under the ground: share of the distance, at least [m]
+constexpr double nearest = 0.15, farthest = 60;  ///< [m]
+constexpr double highest = 1.2;  ///< part of a robot, and of a bad estimate of the own tilt [m]
+constexpr double lowestAtDistance = 0.05,
+                 low = 0.5;  ///< under the ground: share of the distance, at least [m]
 
 Vec3 onGround(const PolarPoint& polar, const Pose3& T_ground_head) {
   const double flat = polar.distance * std::cos(polar.elevation);

@@ -22,8 +22,8 @@ OtherRobot combined(const OtherRobot& seen, const OtherRobot& told) {
 
 }  // namespace
 
-std::vector<OtherRobot> combineRobots(const std::vector<OtherRobot>& seen, const std::vector<OtherRobot>& told,
-                                      double now, double ownSeconds) {
+std::vector<OtherRobot> combineRobots(const std::vector<OtherRobot>& seen,
+                                      const std::vector<OtherRobot>& told, double now, double ownSeconds) {
   std::vector<OtherRobot> all = seen;
   for (const OtherRobot& robot : told) {
     const auto own = std::ranges::find_if(

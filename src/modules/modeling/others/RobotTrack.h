@@ -37,7 +37,7 @@ private:
 
   OtherRobot robot_;
   bool started_ = false;
-  Mat2 cross_ = Mat2::Zero();      ///< covariance of position and velocity
+  Mat2 cross_ = Mat2::Zero();  ///< covariance of position and velocity
   Mat2 velocityCovariance_ = Mat2::Identity();
 };
 

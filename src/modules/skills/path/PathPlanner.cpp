@@ -72,7 +72,8 @@ Vec2 nextWayPoint(const Vec2& start, const Vec2& goal, std::vector<Obstacle> obs
     const Vec2 way = nodes[i] - start;
     cost[i] = way.norm();
     if (!last.isZero() && cost[i] > 1e-6)
-      cost[i] += parameters.turnCost * std::acos(std::clamp(way.dot(last) / (cost[i] * last.norm()), -1.0, 1.0));
+      cost[i] +=
+          parameters.turnCost * std::acos(std::clamp(way.dot(last) / (cost[i] * last.norm()), -1.0, 1.0));
     first[i] = i;
   }
   for (;;) {

@@ -1,0 +1,44 @@
+#pragma once
+#include <fstream>
+#include <string>
+
+#include "framework/Module.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/GameState.h"
+#include "representations/infrastructure/PlayerInfo.h"
+#include "representations/modeling/BallPos.h"
+#include "representations/modeling/OtherRobots.h"
+#include "representations/modeling/RobotPose.h"
+
+namespace plumbline {
+
+MODULE(OthersEvaluation)
+  REQUIRES(FrameInfo)
+  REQUIRES(GameState)
+  REQUIRES(PlayerInfo)
+  REQUIRES(RobotPose)
+  REQUIRES(LocalBallPos)
+  REQUIRES(BallPos)
+  REQUIRES(LocalOtherRobots)
+  REQUIRES(OtherRobots)
+  PARAMETER(std::string, folder, "build/run/others", "", Range(), "of the files, one of each player")
+  PARAMETER(double, interval, 0.5, "s", Range(0.02, 60), "of the game's clock from line to line")
+END_MODULE
+
+/// Writes what this player believes of ball and others while the clock of the game runs, to be compared with
+/// bin/watchgame --track: time, belief (alone: own sight; team: with mates' words), what (ball, mate,
+/// opponent), number, x, y, standard deviation, distance, age. Only where modules.cfg asks for it.
+class OthersEvaluation : public OthersEvaluationBase {
+public:
+  void execute() override;
+
+private:
+  void write(const char* belief, const char* what, int number, const Vec2& place, double deviation,
+             double age);
+  void writeRobots(const char* belief, const std::vector<OtherRobot>& robots);
+
+  std::ofstream out_;
+  double next_ = 0, before_ = 0;  ///< [s]
+};
+
+}  // namespace plumbline
