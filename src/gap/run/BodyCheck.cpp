@@ -5,11 +5,11 @@
 #include <tuple>
 
 #include "gap/run/ColumnStatistics.h"
+#include "math/Angle.h"
 
 namespace plumbline::gap {
 namespace {
 
-constexpr double degreesPerRadian = 180 / M_PI;
 
 class BodyChecker {
 public:
@@ -59,7 +59,7 @@ private:
       const Likeness like = tiltLikeness(run.t, *tilt, *az, *rate, sign);
       if (like.pairs < 10 || like.rmsA < 0.02 || std::abs(like.correlation) < 0.7) continue;
       const double ratio = like.rmsB / like.rmsA;
-      if (ratio > 0.4 * degreesPerRadian && ratio < 2.5 * degreesPerRadian) {
+      if (ratio > 0.4 * toDegrees(1) && ratio < 2.5 * toDegrees(1)) {
         leaveOutAll("gyro", "it turns " + shownNumber(ratio) + " times as fast as gravity in acc does (" +
                                 name + "); is it in degrees?");
         return;

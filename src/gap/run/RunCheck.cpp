@@ -8,11 +8,11 @@
 #include "gap/run/ColumnStatistics.h"
 #include "gap/run/Plausibility.h"
 #include "gap/run/RunFile.h"
+#include "math/Angle.h"
 
 namespace plumbline::gap {
 namespace {
 
-constexpr double degreesPerRadian = 180 / M_PI;
 constexpr double moves = 0.02;         ///< rms of a joint that moves [rad]
 constexpr double beyondLimits = 0.35;  ///< rad; encoders and stops are not better than that in the worst case
 
@@ -183,7 +183,7 @@ private:
         const double most = std::max(std::abs(e.low), std::abs(e.high));
         const bool degrees =
             !isSlider &&
-            most / degreesPerRadian <= std::max(std::abs(joint.lower), std::abs(joint.upper)) + beyondLimits;
+            most / toDegrees(1) <= std::max(std::abs(joint.lower), std::abs(joint.upper)) + beyondLimits;
         inDegrees += degrees && most > 5;
         wrong.emplace_back(name, "it reaches " + shownNumber(over == e.high - joint.upper ? e.high : e.low) +
                                      ", limits are " + shownNumber(joint.lower) + " to " +
@@ -303,11 +303,11 @@ private:
     } else if (like.correlation < -0.8) {
       leaveOut(posName, "it moves against " + cmdName + "; is its sign turned round?");
     } else if (!slider && like.correlation > 0.6 &&
-               std::abs(like.rmsB / like.rmsA * degreesPerRadian - 1) < 0.3) {
+               std::abs(like.rmsB / like.rmsA * toDegrees(1) - 1) < 0.3) {
       leaveOut(cmdName, "it moves " + shownNumber(like.rmsA / like.rmsB) + " times as far as " + posName +
                             "; is it in degrees?");
     } else if (!slider && like.correlation > 0.6 &&
-               std::abs(like.rmsB / like.rmsA / degreesPerRadian - 1) < 0.3) {
+               std::abs(like.rmsB / like.rmsA / toDegrees(1) - 1) < 0.3) {
       leaveOut(posName, "it moves " + shownNumber(like.rmsB / like.rmsA) + " times as far as " + cmdName +
                             "; is it in degrees?");
     } else if (like.rmsB > 5 * like.rmsA) {
@@ -327,7 +327,7 @@ private:
     const SpeedLikeness like = speedLikeness(run.t, *position, *velocity, period);
     if (like.rms < 0.1) return;
     if (std::abs(like.correlation) > 0.6 && (like.slope < 0.6 || like.slope > 1.6)) {
-      const bool degrees = std::abs(like.slope / degreesPerRadian - 1) < 0.3;
+      const bool degrees = std::abs(like.slope / toDegrees(1) - 1) < 0.3;
       leaveOut(name, "it is " + shownNumber(like.slope) + " times the speed of pos." + joint.name +
                          (degrees          ? "; is it in degrees?"
                           : like.slope < 0 ? "; is its sign turned round?"
