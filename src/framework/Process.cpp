@@ -203,6 +203,7 @@ bool Process::takesTurn() {
     } else if (debug_->wanted()) {
       debug_->beginCycle();
       debug_->lookAround(info_);
+      runCommands();
     }
     return false;
   }

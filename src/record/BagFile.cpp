@@ -9,21 +9,26 @@ namespace {
 
 constexpr std::uint64_t emptySize = 64 << 10, rowSize = 40;  ///< about, with the index [bytes]
 
-// WAL and no waiting for the disk: what is committed survives the end of the process, not that of the machine.
+// WAL and no waiting for the disk: what is committed survives the end of the process, not that of the
+// machine.
 constexpr const char* tables =
     "PRAGMA journal_mode=WAL; PRAGMA synchronous=OFF;"
     "BEGIN;"
     "CREATE TABLE schema(schema_version INTEGER PRIMARY KEY, ros_distro TEXT NOT NULL);"
     "INSERT INTO schema VALUES(4, 'iron');"
-    "CREATE TABLE metadata(id INTEGER PRIMARY KEY, metadata_version INTEGER NOT NULL, metadata TEXT NOT NULL);"
+    "CREATE TABLE metadata(id INTEGER PRIMARY KEY, metadata_version INTEGER NOT NULL, metadata TEXT NOT "
+    "NULL);"
     "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL,"
-    " serialization_format TEXT NOT NULL, offered_qos_profiles TEXT NOT NULL, type_description_hash TEXT NOT NULL);"
-    "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT NOT NULL, encoding TEXT NOT NULL,"
+    " serialization_format TEXT NOT NULL, offered_qos_profiles TEXT NOT NULL, type_description_hash TEXT NOT "
+    "NULL);"
+    "CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT NOT NULL, encoding TEXT NOT "
+    "NULL,"
     " encoded_message_definition TEXT NOT NULL, type_description_hash TEXT NOT NULL);"
     "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT NULL,"
     " data BLOB NOT NULL);"
     "CREATE INDEX timestamp_idx ON messages (timestamp ASC);"
-    "CREATE TABLE plumbline_topics(id INTEGER PRIMARY KEY, thread TEXT NOT NULL, representation TEXT NOT NULL,"
+    "CREATE TABLE plumbline_topics(id INTEGER PRIMARY KEY, thread TEXT NOT NULL, representation TEXT NOT "
+    "NULL,"
     " provider TEXT NOT NULL, form TEXT NOT NULL);"
     "CREATE TABLE plumbline_cycles(id INTEGER PRIMARY KEY, thread TEXT NOT NULL, number INTEGER NOT NULL,"
     " timestamp INTEGER NOT NULL, first_message INTEGER NOT NULL, complete INTEGER NOT NULL);"

@@ -43,8 +43,7 @@ void CdrOutStream::writeString(std::string_view value) {
 
 CdrInStream::CdrInStream(std::string_view data) : data_(data) {
   const char* header = take(CdrOutStream::headerSize, 1);
-  if (header && std::memcmp(header, littleEndian, sizeof(littleEndian)) != 0)
-    fail("is no little-endian CDR");
+  if (header && std::memcmp(header, littleEndian, sizeof(littleEndian)) != 0) fail("is no little-endian CDR");
 }
 
 const char* CdrInStream::take(std::size_t size, std::size_t alignment) {
@@ -88,8 +87,7 @@ void CdrInStream::readBool(bool& value) {
 std::size_t CdrInStream::readLength(std::size_t limit) {
   std::uint64_t length = 0;
   readUnsigned(length, 4);
-  if (ok() && length > limit)
-    fail("length " + std::to_string(length) + " above " + std::to_string(limit));
+  if (ok() && length > limit) fail("length " + std::to_string(length) + " above " + std::to_string(limit));
   return ok() ? length : 0;
 }
 

@@ -25,8 +25,9 @@ Database::Database(const std::string& path, Mode mode) : path_(path) {
     handle_ = nullptr;
     const std::string uri = "file:" + path + "?immutable=1";
     const bool plain = path.find_first_of("?#%") == std::string::npos;
-    status = sqlite3_open_v2(plain ? uri.c_str() : path.c_str(), &handle_,
-                             SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX | (plain ? SQLITE_OPEN_URI : 0), nullptr);
+    status =
+        sqlite3_open_v2(plain ? uri.c_str() : path.c_str(), &handle_,
+                        SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX | (plain ? SQLITE_OPEN_URI : 0), nullptr);
   }
   if (status != SQLITE_OK) {
     const std::string what = handle_ ? sqlite3_errmsg(handle_) : "no memory";
@@ -48,7 +49,8 @@ void Database::run(const std::string& sql) {
 std::int64_t Database::lastId() const { return sqlite3_last_insert_rowid(handle_); }
 
 Statement::Statement(Database& database, const std::string& sql) : database_(database) {
-  if (sqlite3_prepare_v2(database.handle_, sql.c_str(), -1, &handle_, nullptr) != SQLITE_OK) database.failNow();
+  if (sqlite3_prepare_v2(database.handle_, sql.c_str(), -1, &handle_, nullptr) != SQLITE_OK)
+    database.failNow();
 }
 
 Statement::~Statement() { sqlite3_finalize(handle_); }

@@ -27,7 +27,9 @@ struct Value {
 
 std::vector<Value> valuesOf(const Schema& schema, const std::string& message) {
   std::vector<Value> values;
-  visitFields(schema, message, [&](const std::string& path, const FieldValue& value) { values.push_back({path, value}); });
+  visitFields(schema, message, [&](const std::string& path, const FieldValue& value) {
+    values.push_back({path, value});
+  });
   return values;
 }
 
@@ -38,8 +40,8 @@ bool alike(const FieldValue& a, const FieldValue& b, double tolerance) {
 }
 
 /// The first field that differs; false: none does.
-bool differs(const Schema& leftForm, const std::string& left, const Schema& rightForm, const std::string& right,
-             double tolerance, LogDifference& difference) {
+bool differs(const Schema& leftForm, const std::string& left, const Schema& rightForm,
+             const std::string& right, double tolerance, LogDifference& difference) {
   const auto a = valuesOf(leftForm, left), b = valuesOf(rightForm, right);
   for (std::size_t i = 0; i < std::max(a.size(), b.size()); i++) {
     const bool both = i < a.size() && i < b.size() && a[i].path == b[i].path;
@@ -111,7 +113,8 @@ private:
     return pairs;
   }
 
-  void compareThread(const LogReader::Thread& left, const LogReader::Thread& right, const Progress& progress) {
+  void compareThread(const LogReader::Thread& left, const LogReader::Thread& right,
+                     const Progress& progress) {
     std::vector<Pair> pairs = pairsOf(left, right);
     std::vector<std::string> ours(left.recorded.topics.size()), theirs(right.recorded.topics.size());
     std::size_t i = 0, j = 0;
@@ -143,9 +146,9 @@ private:
       if (pair.found) result_.differences.push_back(std::move(*pair.found));
   }
 
-  void compareCycle(const LogReader::Thread& left, const LogReader::Thread& right, const LogReader::Cycle& cycle,
-                    std::vector<Pair>& pairs, const std::vector<std::string>& ours,
-                    const std::vector<std::string>& theirs) {
+  void compareCycle(const LogReader::Thread& left, const LogReader::Thread& right,
+                    const LogReader::Cycle& cycle, std::vector<Pair>& pairs,
+                    const std::vector<std::string>& ours, const std::vector<std::string>& theirs) {
     for (Pair& pair : pairs) {
       const RecordedTopic &mine = left.recorded.topics[pair.left], &other = right.recorded.topics[pair.right];
       const std::string &a = ours[pair.left], &b = theirs[pair.right];
@@ -156,7 +159,7 @@ private:
         difference.thread = left.recorded.name;
         difference.representation = mine.representation;
         difference.cycle = cycle.number;
-        difference.time = 1e-9 * static_cast<double>(cycle.timestamp);
+        difference.time = secondsOf(cycle.timestamp);
         pair.found = std::move(difference);
       }
       pair.found->cycles++;
@@ -172,8 +175,8 @@ private:
 
 }  // namespace
 
-LogComparison compareLogs(const std::string& left, const std::string& right, const std::vector<std::string>& only,
-                          double tolerance, const Progress& progress) {
+LogComparison compareLogs(const std::string& left, const std::string& right,
+                          const std::vector<std::string>& only, double tolerance, const Progress& progress) {
   LogReader a(left), b(right);
   return Comparer(a, b, only, tolerance).compare(progress);
 }

@@ -19,14 +19,15 @@ struct LogDifference {
 struct LogComparison {
   /// One for each representation that differs, by cycle, within it as the modules were executed.
   std::vector<LogDifference> differences;
-  std::uint64_t compared = 0;               ///< cycles that both have
+  std::uint64_t compared = 0;                 ///< cycles that both have
   std::uint64_t onlyLeft = 0, onlyRight = 0;  ///< cycles that the other lacks
-  std::vector<std::string> missing;         ///< lines: what one has and the other lacks
+  std::vector<std::string> missing;           ///< lines: what one has and the other lacks
   bool same() const { return differences.empty() && onlyLeft == 0 && onlyRight == 0 && missing.empty(); }
 };
 
 /// Compares cycle by cycle, by their numbers. Numbers that differ by no more than `tolerance` are alike.
 LogComparison compareLogs(const std::string& left, const std::string& right,
-                          const std::vector<std::string>& only, double tolerance, const Progress& progress = {});
+                          const std::vector<std::string>& only, double tolerance,
+                          const Progress& progress = {});
 
 }  // namespace plumbline::record

@@ -13,13 +13,14 @@
 namespace plumbline::record {
 namespace {
 
-constexpr std::size_t stride = 256;             ///< cycles between two words of progress
+constexpr std::size_t stride = 256;                ///< cycles between two words of progress
 constexpr std::int64_t pauseBetween = 20'000'000;  ///< of two recordings [ns]
 
 /// Removes what is half written.
 class Target {
 public:
-  explicit Target(const std::string& folder) : writer_(std::make_unique<LogWriter>(folder, LogWriterOptions{})) {}
+  explicit Target(const std::string& folder)
+      : writer_(std::make_unique<LogWriter>(folder, LogWriterOptions{})) {}
   ~Target() {
     if (!writer_) return;
     const std::string folder = writer_->folder();
@@ -63,8 +64,9 @@ std::vector<RecordedThread> chosen(const LogReader& log, const std::vector<std::
 }
 
 bool within(const LogPart& part, const LogReader::Cycle& cycle) {
-  const double time = 1e-9 * static_cast<double>(cycle.timestamp);
-  return time >= part.from && time <= part.to && cycle.number >= part.firstCycle && cycle.number <= part.lastCycle;
+  const double time = secondsOf(cycle.timestamp);
+  return time >= part.from && time <= part.to && cycle.number >= part.firstCycle &&
+         cycle.number <= part.lastCycle;
 }
 
 void sameThreads(const LogReader& first, const LogReader& other) {
@@ -114,7 +116,8 @@ std::uint64_t cutLog(const std::string& path, const std::string& target, const L
   return cycles;
 }
 
-std::uint64_t joinLogs(const std::vector<std::string>& paths, const std::string& target, const Progress& progress) {
+std::uint64_t joinLogs(const std::vector<std::string>& paths, const std::string& target,
+                       const Progress& progress) {
   if (paths.empty()) throw std::runtime_error("no log to join");
   std::vector<std::unique_ptr<LogReader>> logs;
   for (const std::string& path : paths) {
@@ -145,8 +148,9 @@ std::uint64_t joinLogs(const std::vector<std::string>& paths, const std::string&
     while (walk.next(step)) {
       StopSignal::throwIfCaught();
       if (progress && walk.done() % stride == 0)
-        progress((static_cast<double>(l) + static_cast<double>(walk.done()) / static_cast<double>(walk.total())) /
-                 static_cast<double>(logs.size()));
+        progress(
+            (static_cast<double>(l) + static_cast<double>(walk.done()) / static_cast<double>(walk.total())) /
+            static_cast<double>(logs.size()));
       view.thread = step.thread;
       view.number = step.cycle->number + shift[step.thread];
       view.timestamp = step.cycle->timestamp + timeShift;

@@ -9,10 +9,10 @@ namespace plumbline::record {
 
 /// Which part of a log is wanted.
 struct LogPart {
-  double from = 0, to = 9e9;                                         ///< [s] of the log's time, both within
+  double from = 0, to = 9e9;  ///< [s] of the log's time, both within
   std::uint64_t firstCycle = 0,
                 lastCycle = std::numeric_limits<std::uint64_t>::max();  ///< numbers, both within
-  std::vector<std::string> only{};                                   ///< representations; empty: all
+  std::vector<std::string> only{};                                      ///< representations; empty: all
 };
 
 /// Called now and then with how much is done, 0 to 1.

@@ -71,8 +71,8 @@ LogReader::LogReader(const std::string& path) : path_(path) {
     // Files of several recordings one behind the other would look like one.
     for (std::size_t i = 1; i < thread.cycles.size(); i++)
       if (thread.cycles[i].number <= thread.cycles[i - 1].number)
-        throw std::runtime_error(path_ + ": cycle " + std::to_string(thread.cycles[i].number) + " comes behind cycle " +
-                                 std::to_string(thread.cycles[i - 1].number));
+        throw std::runtime_error(path_ + ": cycle " + std::to_string(thread.cycles[i].number) +
+                                 " comes behind cycle " + std::to_string(thread.cycles[i - 1].number));
   }
 }
 
@@ -87,7 +87,8 @@ void LogReader::open(const std::string& path) {
     throw std::runtime_error(std::string(error.what()) + "; it is no log");
   }
   if (!ours) throw std::runtime_error(path + " is no log of this program: it has no table plumbline_cycles");
-  if (const std::string format = noted(*file.database, "format"); format != std::to_string(BagFile::formatVersion))
+  if (const std::string format = noted(*file.database, "format");
+      format != std::to_string(BagFile::formatVersion))
     throw std::runtime_error(path + " is a log of format " + format + "; this program reads format " +
                              std::to_string(BagFile::formatVersion));
   readThreads(file);
@@ -96,8 +97,8 @@ void LogReader::open(const std::string& path) {
   std::uint64_t count = 0;
   std::from_chars(dropped.data(), dropped.data() + dropped.size(), count);
   dropped_ = std::max(dropped_, count);
-  file.messages =
-      std::make_unique<Statement>(*file.database, "SELECT topic_id, data FROM messages WHERE id >= ? AND id < ?");
+  file.messages = std::make_unique<Statement>(*file.database,
+                                              "SELECT topic_id, data FROM messages WHERE id >= ? AND id < ?");
   files_.push_back(std::move(file));
   paths_.push_back(path);
 }
@@ -109,7 +110,8 @@ void LogReader::readThreads(File& file) {
     threads_.push_back({{name, linesOf(noted(*file.database, "steps " + name)), {}}, {}});
     return threads_.size() - 1;
   };
-  Statement topics(*file.database, "SELECT id, thread, representation, provider, form FROM plumbline_topics ORDER BY id");
+  Statement topics(*file.database,
+                   "SELECT id, thread, representation, provider, form FROM plumbline_topics ORDER BY id");
   while (topics.step()) {
     const std::string representation(topics.text(2));
     RecordedTopic topic{representation, std::string(topics.text(3)), {}};
@@ -133,8 +135,9 @@ void LogReader::readThreads(File& file) {
 void LogReader::readCycles(File& file, std::uint32_t index) {
   Statement all(*file.database, "SELECT coalesce(max(id), 0) FROM messages");
   const std::int64_t end = all.step() ? all.integer(0) + 1 : 1;
-  Statement cycles(*file.database,
-                   "SELECT thread, number, timestamp, first_message, complete FROM plumbline_cycles ORDER BY id");
+  Statement cycles(
+      *file.database,
+      "SELECT thread, number, timestamp, first_message, complete FROM plumbline_cycles ORDER BY id");
   std::pair<std::size_t, std::size_t> before{threads_.size(), 0};
   while (cycles.step()) {
     const std::string name(cycles.text(0));
@@ -143,8 +146,8 @@ void LogReader::readCycles(File& file, std::uint32_t index) {
     const std::int64_t first = cycles.integer(3);
     if (before.first < threads_.size()) threads_[before.first].cycles[before.second].end = first;
     before = {static_cast<std::size_t>(found - threads_.begin()), found->cycles.size()};
-    found->cycles.push_back({static_cast<std::uint64_t>(cycles.integer(1)), cycles.integer(2), first, end, index,
-                             cycles.integer(4) == 1});
+    found->cycles.push_back({static_cast<std::uint64_t>(cycles.integer(1)), cycles.integer(2), first, end,
+                             index, cycles.integer(4) == 1});
   }
 }
 
@@ -157,8 +160,8 @@ const LogReader::Thread& LogReader::thread(const std::string& name) const {
   }
   std::string known;
   for (const std::string& other : names) known += (known.empty() ? "" : ", ") + other;
-  throw std::runtime_error(path_ + (name.empty() ? ": say which thread" : " has no thread " + name) + "; it has " +
-                           known);
+  throw std::runtime_error(path_ + (name.empty() ? ": say which thread" : " has no thread " + name) +
+                           "; it has " + known);
 }
 
 void LogReader::read(const Thread& thread, const Cycle& cycle, const Visitor& visitor) {

@@ -12,15 +12,18 @@
 
 namespace plumbline::record {
 
+/// Of a time stamp [s].
+inline double secondsOf(std::int64_t timestamp) { return static_cast<double>(timestamp) / 1e9; }
+
 /// Reads a log. A message stands in it where it changed; the reader knows which cycle has which messages.
 class LogReader {
 public:
   struct Cycle {
-    std::uint64_t number;    ///< as the recorder counted, from 1; a gap: cycles that were dropped
-    std::int64_t timestamp;  ///< [ns]
-    std::int64_t first, end; ///< ids of its messages
+    std::uint64_t number;     ///< as the recorder counted, from 1; a gap: cycles that were dropped
+    std::int64_t timestamp;   ///< [ns]
+    std::int64_t first, end;  ///< ids of its messages
     std::uint32_t file;
-    bool complete;           ///< has a message of every topic
+    bool complete;  ///< has a message of every topic
   };
   struct Thread {
     RecordedThread recorded;

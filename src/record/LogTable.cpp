@@ -32,7 +32,8 @@ std::string cell(const std::string& text) {
 }
 
 bool isBelow(const std::string& name, const std::string& stem) {
-  return name.starts_with(stem) && (name.size() == stem.size() || name[stem.size()] == '.' || name[stem.size()] == '[');
+  return name.starts_with(stem) &&
+         (name.size() == stem.size() || name[stem.size()] == '.' || name[stem.size()] == '[');
 }
 
 /// The cells of one topic's columns.
@@ -106,15 +107,17 @@ std::uint64_t writeCsv(LogReader& log, const LogReader::Thread& thread, const st
   std::uint64_t lines = 0;
   for (std::size_t c = 0; c < thread.cycles.size(); c++) {
     StopSignal::throwIfCaught();
-    if (progress && c % 256 == 0) progress(static_cast<double>(c) / static_cast<double>(thread.cycles.size()));
+    if (progress && c % 256 == 0)
+      progress(static_cast<double>(c) / static_cast<double>(thread.cycles.size()));
     const LogReader::Cycle& cycle = thread.cycles[c];
     log.read(thread, cycle, [&](std::size_t topic, std::string_view message) {
       if (cells[topic].empty()) return;
       messages[topic].assign(message);
       cells[topic].read(thread.recorded.topics[topic].schema, messages[topic], row);
     });
-    const double time = 1e-9 * static_cast<double>(cycle.timestamp);
-    if (time < part.from || time > part.to || cycle.number < part.firstCycle || cycle.number > part.lastCycle) continue;
+    const double time = secondsOf(cycle.timestamp);
+    if (time < part.from || time > part.to || cycle.number < part.firstCycle || cycle.number > part.lastCycle)
+      continue;
     line = fieldText(time) + ',' + std::to_string(cycle.number);
     for (const std::string& text : row) line += ',' + text;
     out << line << '\n';

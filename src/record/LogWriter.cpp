@@ -14,7 +14,8 @@ namespace plumbline::record {
 
 namespace fs = std::filesystem;
 
-LogWriter::LogWriter(const std::string& folder, LogWriterOptions options) : folder_(folder), options_(options) {
+LogWriter::LogWriter(const std::string& folder, LogWriterOptions options)
+    : folder_(folder), options_(options) {
   fs::path path = fs::path(folder).lexically_normal();
   if (!path.has_filename()) path = path.parent_path();
   name_ = path.filename().string();
@@ -118,9 +119,10 @@ void LogWriter::writeMetadata() const {
   std::string paths, entries;
   for (const Finished& file : files) {
     paths += "    - " + file.name + '\n';
-    entries += "    - path: " + file.name + "\n      starting_time:\n        nanoseconds_since_epoch: " +
-               std::to_string(file.first) + "\n      duration:\n        nanoseconds: " +
-               std::to_string(file.last - file.first) + "\n      message_count: " + std::to_string(file.messages) + '\n';
+    entries += "    - path: " + file.name +
+               "\n      starting_time:\n        nanoseconds_since_epoch: " + std::to_string(file.first) +
+               "\n      duration:\n        nanoseconds: " + std::to_string(file.last - file.first) +
+               "\n      message_count: " + std::to_string(file.messages) + '\n';
     messages += file.messages;
     if (file.messages > 0) {
       first = any ? std::min(first, file.first) : file.first;
@@ -134,16 +136,20 @@ void LogWriter::writeMetadata() const {
   for (std::size_t t = 0; t < threads_.size(); t++) {
     for (std::size_t i = 0; i < threads_[t].topics.size(); i++) {
       const std::string& name = threads_[t].topics[i].representation;
-      topics += "    - topic_metadata:\n        name: /" + threads_[t].name + '/' + name + "\n        type: " +
-                messageType(name) + "\n        serialization_format: cdr\n        offered_qos_profiles: \"\"\n" +
-                "        type_description_hash: \"\"\n      message_count: " + std::to_string(counts[t][i]) + '\n';
+      topics += "    - topic_metadata:\n        name: /" + threads_[t].name + '/' + name +
+                "\n        type: " + messageType(name) +
+                "\n        serialization_format: cdr\n        offered_qos_profiles: \"\"\n" +
+                "        type_description_hash: \"\"\n      message_count: " + std::to_string(counts[t][i]) +
+                '\n';
     }
   }
   writeFile((fs::path(folder_) / "metadata.yaml").string(),
-            "rosbag2_bagfile_information:\n  version: 8\n  storage_identifier: sqlite3\n  duration:\n    nanoseconds: " +
-                std::to_string(last - first) + "\n  starting_time:\n    nanoseconds_since_epoch: " +
-                std::to_string(first) + "\n  message_count: " + std::to_string(messages) +
-                "\n  topics_with_message_count:" + (topics.empty() ? " []" : "\n" + topics.substr(0, topics.size() - 1)) +
+            "rosbag2_bagfile_information:\n  version: 8\n  storage_identifier: sqlite3\n  duration:\n    "
+            "nanoseconds: " +
+                std::to_string(last - first) +
+                "\n  starting_time:\n    nanoseconds_since_epoch: " + std::to_string(first) +
+                "\n  message_count: " + std::to_string(messages) + "\n  topics_with_message_count:" +
+                (topics.empty() ? " []" : "\n" + topics.substr(0, topics.size() - 1)) +
                 "\n  compression_format: \"\"\n  compression_mode: \"\"\n  relative_file_paths:\n" + paths +
                 "  files:\n" + entries + "  custom_data:\n    program: plumbline\n  ros_distro: iron\n");
 }

@@ -58,8 +58,8 @@ private:
   bool ends_ = false;
   std::vector<std::unique_ptr<ThreadRecorder>> threads_;
   bool begun_ = false, failed_ = false;
-  std::uint64_t lost_ = 0;        ///< taken and not written
-  std::uint64_t noted_ = 0;       ///< dropped cycles that the log knows of
+  std::uint64_t lost_ = 0;   ///< taken and not written
+  std::uint64_t noted_ = 0;  ///< dropped cycles that the log knows of
   bool toldDropped_ = false;
   std::atomic<std::uint64_t> cycles_{0};
   CycleView view_;

@@ -13,7 +13,8 @@ namespace {
 constexpr const char* logModule = "log";
 
 bool has(const RecordedThread& thread, const std::string& representation) {
-  return std::ranges::find(thread.topics, representation, &RecordedTopic::representation) != thread.topics.end();
+  return std::ranges::find(thread.topics, representation, &RecordedTopic::representation) !=
+         thread.topics.end();
 }
 
 class Rewriter {
@@ -40,16 +41,18 @@ public:
     }
     std::vector<ModulesConfigLine> lines;
     for (ModulesConfigLine& line : thread.lines) {
-      const auto module = std::ranges::find(
-          plan.modules, line.provider, [](const ModulePlan& m) { return m.loader->description().name; });
-      const bool stays = module != plan.modules.end() ? runs(*module)
-                                                      : line.provider == logModule && line.representation.empty();
+      const auto module = std::ranges::find(plan.modules, line.provider,
+                                            [](const ModulePlan& m) { return m.loader->description().name; });
+      const bool stays = module != plan.modules.end()
+                             ? runs(*module)
+                             : line.provider == logModule && line.representation.empty();
       if (!stays) {
         if (line.representation.empty()) continue;
         if (!has(recorded, line.representation)) {
           if (required.contains(line.representation))
             throw ConfigurationError(log_.path() + " has no " + line.representation +
-                                     ", which a module that runs requires; let " + line.provider + " run as well");
+                                     ", which a module that runs requires; let " + line.provider +
+                                     " run as well");
           continue;
         }
         line.provider = logModule;
@@ -83,8 +86,8 @@ private:
 
 }  // namespace
 
-ModulesConfig replayConfig(ModulesConfig modules, const LogReader& log, const std::vector<std::string>& compute,
-                           const std::string& platform) {
+ModulesConfig replayConfig(ModulesConfig modules, const LogReader& log,
+                           const std::vector<std::string>& compute, const std::string& platform) {
   Rewriter rewriter(modules, log, compute, platform);
   for (ThreadConfig& thread : modules.threads) rewriter.rewrite(thread);
   // A thread that only passed on what others made has nothing left to do.

@@ -12,7 +12,7 @@ namespace plumbline::record {
 /// that is empty, all but those in the folder of `platform`; and besides all others that provide nothing.
 /// They run in the order in which they ran when the log was written. Throws ConfigurationError for unknown
 /// names and for what neither the log has nor a module provides.
-ModulesConfig replayConfig(ModulesConfig modules, const LogReader& log, const std::vector<std::string>& compute,
-                           const std::string& platform);
+ModulesConfig replayConfig(ModulesConfig modules, const LogReader& log,
+                           const std::vector<std::string>& compute, const std::string& platform);
 
 }  // namespace plumbline::record

@@ -120,7 +120,7 @@ double ReplayControl::time() const {
   const std::lock_guard lock(mutex_);
   const Player& leader = players_.front();
   if (leader.timestamps.empty()) return 0;
-  return 1e-9 * static_cast<double>(leader.timestamps[leader.played > 0 ? leader.played - 1 : 0]);
+  return static_cast<double>(leader.timestamps[leader.played > 0 ? leader.played - 1 : 0]) / 1e9;
 }
 
 void ReplayControl::go(std::size_t cycle) {

@@ -11,7 +11,6 @@
 namespace plumbline::record {
 namespace {
 
-
 constexpr std::size_t behindAll = std::numeric_limits<std::size_t>::max();
 
 const LogReader::Thread& threadOf(const LogReader& reader, const std::string& name) {
@@ -29,7 +28,8 @@ std::size_t placeOf(const std::vector<std::string>& steps, const std::string& la
 
 ReplayPlayer::ReplayPlayer(const std::string& path, const std::string& thread)
     : reader_(path), thread_(threadOf(reader_, thread)), topics_(thread_.recorded.topics.size()) {
-  if (thread_.cycles.empty()) throw std::runtime_error(path + ": no cycle of thread " + thread_.recorded.name);
+  if (thread_.cycles.empty())
+    throw std::runtime_error(path + ": no cycle of thread " + thread_.recorded.name);
 }
 
 void ReplayPlayer::provide(const RepresentationLoader& loader, Representation& target) {
@@ -38,10 +38,11 @@ void ReplayPlayer::provide(const RepresentationLoader& loader, Representation& t
     const RecordedTopic& topic = thread_.recorded.topics[i];
     names.push_back(topic.representation);
     if (topic.representation != loader.name()) continue;
-    const Schema now = schemaOf(target);
+    const Schema now = schemaOf(loader);
     if (now != topic.schema)
-      throw std::runtime_error(reader_.path() + ": " + loader.name() + " had other members when it was recorded: " +
-                               schemaText(topic.schema).substr(0, 200) + ", now " + schemaText(now).substr(0, 200));
+      throw std::runtime_error(
+          reader_.path() + ": " + loader.name() + " had other members when it was recorded: " +
+          schemaText(topic.schema).substr(0, 200) + ", now " + schemaText(now).substr(0, 200));
     topics_[i].target = &target;
     return;
   }
@@ -88,8 +89,8 @@ void ReplayPlayer::apply(std::size_t index, std::string_view message) {
   topics_[index].target->stream(&in, nullptr);
   if (in.ok() && !in.atEnd()) in.fail("bytes left over");
   if (!in.ok())
-    throw std::runtime_error(reader_.path() + ": cycle " + std::to_string(thread_.cycles[played_].number) + ", " +
-                             topic.representation + ": " + in.error());
+    throw std::runtime_error(reader_.path() + ": cycle " + std::to_string(thread_.cycles[played_].number) +
+                             ", " + topic.representation + ": " + in.error());
 }
 
 void ReplayPlayer::begin() {

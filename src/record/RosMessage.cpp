@@ -9,16 +9,19 @@
 namespace plumbline::record {
 namespace {
 
-
-constexpr std::array<const char*, 13> rosWords = {"bool",  "uint8",  "int8",   "int16",  "int32",   "int64", "uint8",
-                                               "uint16", "uint32", "uint64", "float32", "float64", "string"};
+constexpr std::array<const char*, 13> rosWords = {"bool",    "uint8",   "int8",   "int16",  "int32",
+                                                  "int64",   "uint8",   "uint16", "uint32", "uint64",
+                                                  "float32", "float64", "string"};
 
 /// stepHeight, T_torso_link -> step_height, t_torso_link
 std::string fieldName(const std::string& label) {
-  const auto is = [&](std::size_t i, int (*kind)(int)) { return kind(static_cast<unsigned char>(label[i])) != 0; };
+  const auto is = [&](std::size_t i, int (*kind)(int)) {
+    return kind(static_cast<unsigned char>(label[i])) != 0;
+  };
   std::string name;
   for (std::size_t i = 0; i < label.size(); i++) {
-    const bool wordBegins = i > 0 && is(i, std::isupper) && (is(i - 1, std::islower) || is(i - 1, std::isdigit));
+    const bool wordBegins =
+        i > 0 && is(i, std::isupper) && (is(i - 1, std::islower) || is(i - 1, std::isdigit));
     if ((wordBegins || label[i] == '_') && !name.empty() && name.back() != '_') name += '_';
     if (label[i] != '_') name += static_cast<char>(std::tolower(static_cast<unsigned char>(label[i])));
   }

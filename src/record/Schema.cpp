@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cctype>
+#include <charconv>
 #include <stdexcept>
 
 #include "framework/StreamTypes.h"
@@ -11,12 +11,11 @@
 namespace plumbline::record {
 namespace {
 
-
 constexpr std::size_t maxParts = 100'000, maxRaw = std::size_t{1} << 26;
 constexpr unsigned maxDepth = 48;
 
 constexpr std::array<std::string_view, 14> kindWords = {"b",  "c",  "i1", "i2", "i4", "i8", "u1",
-                                                    "u2", "u4", "u8", "f4", "f8", "s",  "r"};
+                                                        "u2", "u4", "u8", "f4", "f8", "s",  "r"};
 
 std::string cleanLabel(std::string_view text) {
   std::string label(text);
@@ -189,10 +188,11 @@ bool Schema::isArray() const {
          std::all_of(parts.begin(), parts.end(), [&](const Schema& p) { return p == parts.front(); });
 }
 
-Schema schemaOf(Representation& value) {
+Schema schemaOf(const RepresentationLoader& loader) {
+  const auto value = loader.create();  // the stream leaves traces in it
   Schema root;
   SchemaStream stream(root);
-  StreamType<Representation>::read(stream, value);
+  StreamType<Representation>::read(stream, value->get());
   if (!stream.ok()) throw std::runtime_error(stream.error());
   return root;
 }

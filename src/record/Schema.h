@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "framework/Representation.h"
+#include "framework/RepresentationLoader.h"
 
 namespace plumbline::record {
 
@@ -38,9 +38,9 @@ struct Schema {
   bool isArray() const;
 };
 
-/// Found by having a value of the type read itself from a stream that hands out nothing; the value keeps what
-/// it holds. Throws std::runtime_error for a type without an end (one that holds itself).
-Schema schemaOf(Representation& value);
+/// Found by having a value of the type read itself from a stream in which every list has one element. Throws
+/// std::runtime_error for a type without an end (one that holds itself).
+Schema schemaOf(const RepresentationLoader& loader);
 
 /// In one line: `{position:{x:f8 y:f8} valid:b angles:{f8*24} names:[s]}`; and back. fromText throws
 /// std::runtime_error with what is wrong.

@@ -11,11 +11,10 @@ namespace plumbline::record {
 std::string Scratch::unique() { return std::to_string(getpid()); }
 
 RecordedThread exampleThread() {
-  Counter counter;
-  Shapes shapes;
   return {"main",
           {"Count:execute", "Count:updateCounter", "Shape:execute", "Shape:updateShapes"},
-          {{"Counter", "Count", schemaOf(counter)}, {"Shapes", "Shape", schemaOf(shapes)}}};
+          {{"Counter", "Count", schemaOf(representationLoader<Counter>())},
+           {"Shapes", "Shape", schemaOf(representationLoader<Shapes>())}}};
 }
 
 std::vector<std::string> exampleMessages(int number) {

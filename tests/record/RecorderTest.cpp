@@ -13,7 +13,9 @@ struct RecorderTest : testing::Test {
   Counter counter;
   std::vector<std::string> told;
 
-  RecordedThread thread() { return {"main", {}, {{"Counter", "Count", schemaOf(counter)}}}; }
+  RecordedThread thread() {
+    return {"main", {}, {{"Counter", "Count", schemaOf(representationLoader<Counter>())}}};
+  }
   void run(RecorderOptions options, int cycles, const std::string& folder) {
     Recorder recorder(folder, options, [this](const std::string& line) { told.push_back(line); });
     ThreadRecorder& part = recorder.addThread(thread(), {&counter});

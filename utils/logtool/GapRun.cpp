@@ -25,22 +25,27 @@ public:
     for (std::size_t i = 0; i < thread.recorded.topics.size(); i++)
       topicOf_[thread.recorded.topics[i].representation] = i;
     for (const char* name : {"FrameInfo", "RobotDescription", "JointData", "JointRequest"})
-      if (!topicOf_.contains(name)) throw std::runtime_error(log.path() + " has no " + name + ", which a run needs");
+      if (!topicOf_.contains(name))
+        throw std::runtime_error(log.path() + " has no " + name + ", which a run needs");
     hasBody_ = topicOf_.contains("SensorData");
   }
 
   gap::Run make(const record::LogPart& part, const record::Progress& progress) {
     for (std::size_t c = 0; c < thread_.cycles.size(); c++) {
       StopSignal::throwIfCaught();
-      if (progress && c % 256 == 0) progress(static_cast<double>(c) / static_cast<double>(thread_.cycles.size()));
+      if (progress && c % 256 == 0)
+        progress(static_cast<double>(c) / static_cast<double>(thread_.cycles.size()));
       const LogReader::Cycle& cycle = thread_.cycles[c];
       read(cycle);
-      const double time = 1e-9 * static_cast<double>(cycle.timestamp);
-      if (time < part.from || time > part.to || cycle.number < part.firstCycle || cycle.number > part.lastCycle) continue;
+      const double time = record::secondsOf(cycle.timestamp);
+      if (time < part.from || time > part.to || cycle.number < part.firstCycle ||
+          cycle.number > part.lastCycle)
+        continue;
       if (run_.robot.empty() && !begin()) continue;
       if (std::get<std::string>(value("RobotDescription.name")) != run_.robot)
         throw std::runtime_error(log_.path() + ": the robot changes from " + run_.robot + " to " +
-                                 std::get<std::string>(value("RobotDescription.name")) + "; take a part with one");
+                                 std::get<std::string>(value("RobotDescription.name")) +
+                                 "; take a part with one");
       const double t = number("FrameInfo.time");
       if (!run_.t.empty() && start_ + run_.t.back() >= t) {
         if (run_.t.back() + start_ == t) continue;  // the same readings once more
@@ -62,18 +67,19 @@ private:
     log_.read(thread_, cycle, [&](std::size_t topic, std::string_view message) {
       const record::RecordedTopic& recorded = thread_.recorded.topics[topic];
       const std::string& name = recorded.representation;
-      if (name != "FrameInfo" && name != "RobotDescription" && name != "JointData" && name != "JointRequest" &&
-          name != "SensorData")
+      if (name != "FrameInfo" && name != "RobotDescription" && name != "JointData" &&
+          name != "JointRequest" && name != "SensorData")
         return;
-      record::visitFields(recorded.schema, message, [&](const std::string& path, const record::FieldValue& v) {
-        values_[name + path] = v;
-      });
+      record::visitFields(
+          recorded.schema, message,
+          [&](const std::string& path, const record::FieldValue& v) { values_[name + path] = v; });
     });
   }
 
   const record::FieldValue& value(const std::string& name) const {
     const auto found = values_.find(name);
-    if (found == values_.end()) throw std::runtime_error(log_.path() + " has no " + name + ", which a run needs");
+    if (found == values_.end())
+      throw std::runtime_error(log_.path() + " has no " + name + ", which a run needs");
     return found->second;
   }
   double number(const std::string& name) const { return record::fieldNumber(value(name)); }
@@ -99,7 +105,8 @@ private:
     for (const auto& [name, index] : joints_) {
       put(ChannelKind::position, name, number("JointData.angles" + index));
       double& held = held_.try_emplace(name, lost).first->second;
-      if (std::get<bool>(value("JointRequest.targets.set" + index))) held = number("JointRequest.targets.angles" + index);
+      if (std::get<bool>(value("JointRequest.targets.set" + index)))
+        held = number("JointRequest.targets.angles" + index);
       put(ChannelKind::command, name, held);
       put(ChannelKind::stiffness, name, number("JointRequest.targets.stiffness" + index));
     }

@@ -35,7 +35,8 @@ struct Options {
 };
 
 void addPart(CLI::App& command, Options& options) {
-  command.add_option("--from", options.part.from, "from this time of the log on [s]")->check(CLI::NonNegativeNumber);
+  command.add_option("--from", options.part.from, "from this time of the log on [s]")
+      ->check(CLI::NonNegativeNumber);
   command.add_option("--to", options.part.to, "up to this time [s]")->check(CLI::NonNegativeNumber);
   command.add_option("--cycles", options.cycles, "only cycles FIRST:LAST, by their numbers");
 }
@@ -61,7 +62,8 @@ int list(const Options& options) {
 }
 
 int compare(const Options& options, const Progress& progress) {
-  const LogComparison result = compareLogs(options.log, options.other, options.part.only, options.tolerance, progress);
+  const LogComparison result =
+      compareLogs(options.log, options.other, options.part.only, options.tolerance, progress);
   for (const std::string& line : result.missing) fmt::print("{}\n", line);
   if (!result.differences.empty()) {
     fmt::print("{:>8} {:>9}  {:40} {:>24} {:>24}  {}\n", "cycle", "time [s]", "first difference", options.log,
@@ -77,7 +79,8 @@ int compare(const Options& options, const Progress& progress) {
 }
 
 int exportLog(const Options& options, const Progress& progress) {
-  if (options.csv.empty() == options.gap.empty()) throw std::runtime_error("give one of --csv FILE and --gap FOLDER");
+  if (options.csv.empty() == options.gap.empty())
+    throw std::runtime_error("give one of --csv FILE and --gap FOLDER");
   LogReader log(options.log);
   const LogReader::Thread& thread = log.thread(options.thread);
   if (!options.gap.empty()) {
@@ -131,7 +134,8 @@ void declare(CLI::App& app, Options& options, Command& chosen) {
   joins->add_option("logs", options.logs, "folders or .db3 files")->required();
   joins->callback([&] { chosen = join; });
 
-  auto* compares = app.add_subcommand("compare", "Where two logs differ first, by representation, field and cycle");
+  auto* compares =
+      app.add_subcommand("compare", "Where two logs differ first, by representation, field and cycle");
   compares->add_option("left", options.log, "a log")->required();
   compares->add_option("right", options.other, "another one")->required();
   addOnly(*compares, options, "these representations, by commas");
@@ -163,7 +167,8 @@ void declare(CLI::App& app, Options& options, Command& chosen) {
 int runProgram(int argc, char** argv) {
   Options options;
   Command chosen;
-  CLI::App app("Logs that agents have recorded (bin/agent --log): folders that ROS 2's tools read as well.", "logtool");
+  CLI::App app("Logs that agents have recorded (bin/agent --log): folders that ROS 2's tools read as well.",
+               "logtool");
   declare(app, options, chosen);
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   try {
@@ -171,7 +176,9 @@ int runProgram(int argc, char** argv) {
     StopSignal stop;
     stop.catchSignals();
     ProgressReport report("logtool");
-    return chosen(options, [&](double share) { report.tell(options.log.empty() ? options.target : options.log, share); });
+    return chosen(options, [&](double share) {
+      report.tell(options.log.empty() ? options.target : options.log, share);
+    });
   } catch (const Stopped& stopped) {
     fmt::print(stderr, "logtool: {}\n", stopped.what());
     return interrupted;

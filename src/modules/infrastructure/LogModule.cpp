@@ -80,7 +80,7 @@ void LogModule::planned(const ThreadPlan& plan) {
     const std::string& name = value.loader->name();
     const auto& wanted = options_->representations;
     if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) continue;
-    thread.topics.push_back({name, plan.provider(name), record::schemaOf(*value.value)});
+    thread.topics.push_back({name, plan.provider(name), record::schemaOf(*value.loader)});
     values.push_back(value.value);
   }
   if (!values.empty()) recorder_ = &options_->recorder->addThread(std::move(thread), std::move(values));
