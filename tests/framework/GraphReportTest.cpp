@@ -31,7 +31,7 @@ MAKE_MODULE(ReportedReader)
 namespace {
 
 TEST(GraphReportTest, saysWhatModulesProvideReadAndTake) {
-  Controller controller = makeController("[one]\nAlphaSource Alpha\nReportedReader Gamma\n");
+  Controller controller = makeController("[one 1]\nAlphaSource Alpha\nReportedReader Gamma\n");
   controller.runCycles(4);
   const auto threads = controller.debug().graph();
   ASSERT_EQ(threads.size(), 1u);
@@ -52,7 +52,7 @@ TEST(GraphReportTest, saysWhatModulesProvideReadAndTake) {
 
 TEST(GraphReportTest, namesWhatComesFromOtherThreads) {
   Controller controller =
-      makeController("[one]\nAlphaSource Alpha\n[two]\none Alpha\nReportedReader Gamma\n");
+      makeController("[one 1]\nAlphaSource Alpha\n[two 2]\none Alpha\nReportedReader Gamma\n");
   controller.init();
   const auto threads = controller.debug().graph();
   ASSERT_EQ(threads.size(), 2u);

@@ -35,7 +35,7 @@ void drawState(Drawing& drawing, const WalkState& state, const shapes::Colour& c
 
 /// All in the frame of the centre of mass.
 void enter(Drawing& drawing, const WalkEngine& engine) {
-  drawing.in(DrawingFrame::robot, engine.torso().inverse());
+  drawing.in(DrawingFrame::robot, engine.plan().torso.inverse());
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ void drawPlannedSteps(Drawing& drawing, const WalkEngine& engine, int count) {
   const WalkState& state = engine.state();
   if (state.support == Support::both) return;
   Side carries = state.supportSide();
-  Pose2 landing = state.supportFoot() * engine.landing();
+  Pose2 landing = state.supportFoot() * engine.plan().landing;
   for (int i = 0; i < count; ++i) {
     outline(drawing, landing, i == 0 ? colours::yellow : colours::faint(colours::yellow, 0.6));
     // The foot that landed carries; the other one's place is that of the walk aimed at, a step later.

@@ -113,8 +113,7 @@ public:
   StepRecorder recorder;
   Disturbance disturbance;
   ModelParameters fit, prediction;
-  Pose2 landing;  ///< of the swing foot, in the supporting foot's frame
-  Pose2 torso() const { return body.torsoOnGround(); }
+  WalkPlan plan() const { return {landing, body.torsoOnGround()}; }
 
 private:
   /// A request for a target becomes one for a velocity or, there, for a stop or the kick.
@@ -355,9 +354,9 @@ private:
   Pose2 liftOff;            ///< the swing foot when the step began, in the supporting foot's frame
   KickRequest kick;
   std::size_t stepsToTarget = 0;
-  double stepTime = 0;  ///< left of the step in progress [s]
-  Pose2 stepTarget;     ///< of the step in progress
-  Pose2 motion;         ///< of the centre of mass frame in this cycle
+  double stepTime = 0;        ///< left of the step in progress [s]
+  Pose2 stepTarget, landing;  ///< of the step in progress
+  Pose2 motion;               ///< of the centre of mass frame in this cycle
   WalkOdometry odometry;
   WalkOutput standing;
 };
@@ -385,8 +384,7 @@ void WalkEngine::forget() { implementation->forget(); }
 WalkOutput WalkEngine::stand() const { return implementation->stand(); }
 
 const WalkState& WalkEngine::state() const { return implementation->state; }
-const Pose2& WalkEngine::landing() const { return implementation->landing; }
-Pose2 WalkEngine::torso() const { return implementation->torso(); }
+WalkPlan WalkEngine::plan() const { return implementation->plan(); }
 const WalkState& WalkEngine::observed() const { return implementation->loop.observed().state(); }
 Vec2 WalkEngine::seenVelocity() const { return implementation->loop.observed().seenVelocity(); }
 const WalkParameters& WalkEngine::gait() const { return implementation->p; }

@@ -59,6 +59,12 @@ struct WalkOutput {
   }
 };
 
+struct WalkPlan {
+  Pose2
+      landing;  ///< of the swing foot, in the supporting foot's frame; before a step is planned: where it is
+  Pose2 torso;  ///< on the ground, in the frame of the walk state
+};
+
 /// The walk of chapter 4 (Seekircher 2015): every cycle the walk state is drawn to what is observed, the step
 /// in progress is planned with the pendulum model, and one cycle of it becomes joint targets. With
 /// observation.positionGain and velocityGain at 0 it is the open loop of section 4.2.4. Call update() once
@@ -86,11 +92,8 @@ public:
   WalkOutput stand() const;
   /// The walk state that is being realised; for tests and plots.
   const WalkState& state() const;
-  /// Where the swing foot will land, in the supporting foot's frame; as at the beginning of the step before
-  /// the first one is planned.
-  const Pose2& landing() const;
-  /// The torso's place on the ground in the frame of the walk state.
-  Pose2 torso() const;
+  /// What the present cycle leads to; for drawings.
+  WalkPlan plan() const;
   /// What is observed, as old as the last measurement; its velocity is the particle filter's.
   const WalkState& observed() const;
   /// The velocity that the supporting foot's movement alone shows [m/s].

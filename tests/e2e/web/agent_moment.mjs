@@ -6,12 +6,20 @@ import { until } from './check.mjs';
 const [address, file, shown] = process.argv.slice(2);
 const browser = await Browser.open(`${address}?fps=8#${shown}`, { width: 1600, height: 1000 });
 const state = () => browser.run('window.plumbline?.state()');
-await until('the page is there', async () => (await state())?.ground);
-await browser.run('plumbline.link.ask("set representation:GameState.playMode 3")'); // the game goes on
-await until('the robot walks', async () => (await browser.run('plumbline.link.ask("get representation:MotionSelection.motion")'))[0].value === 'walk');
-await until('all is drawn', async () => (await state()).shapes > 150);
-await new Promise((resolve) => setTimeout(resolve, 9000));
-await browser.run('document.querySelector("[data-module=BallLocator]").dispatchEvent(new MouseEvent("mouseenter"))');
-await new Promise((resolve) => setTimeout(resolve, 1000));
-await browser.screenshot(file, 'jpeg');
-await browser.close();
+try {
+  await until('the page is there', async () => (await state())?.ground);
+  await browser.run('plumbline.link.ask("set representation:GameState.playMode 3")'); // the game goes on
+  await until('the robot walks', async () => (await browser.run('plumbline.link.ask("get representation:MotionSelection.motion")'))[0].value === 'walk');
+  await until('all is drawn', async () => (await state()).shapes > 150);
+  await new Promise((resolve) => setTimeout(resolve, 9000));
+  await browser.run('document.querySelector("[data-module=BallLocator]").dispatchEvent(new MouseEvent("mouseenter"))');
+  await new Promise((resolve) => setTimeout(resolve, 1000));
+  await browser.screenshot(file, file.endsWith('.jpg') ? 'jpeg' : 'png');
+  await browser.close();
+  process.exit(0);
+} catch (error) {
+  console.error(`FAILED: ${error.message}`);
+  console.error(JSON.stringify(await state().catch(() => null)), browser.problems.join('\n'));
+  await browser.close();
+  process.exit(1);
+}
