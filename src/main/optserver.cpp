@@ -69,15 +69,15 @@ public:
     if (!last && progress.seconds < next_) return;
     next_ = progress.seconds + every_;
     if (lines_++ % 20 == 0)
-      fmt::print("{:>10} {:>10} {:>10} {:>8} {:>9} {:>8} {:>8} {:>6}  figures\n", "generation", "best", "mean",
-                 "sigma", "trials", "runs/s", "workers", "left");
+      fmt::print("{:>10} {:>10} {:>10} {:>8} {:>9} {:>8} {:>8} {:>6}  figures\n", "generation", "best",
+                 "mean", "sigma", "trials", "runs/s", "workers", "left");
     const Optimizer& optimizer = search.optimizer();
     std::string figures;
     for (const auto& [name, value] : progress.figures) figures += fmt::format(" {} {:.4g}", name, value);
-    fmt::print("{:>10} {:>10.4g} {:>10.4g} {:>8.3g} {:>9} {:>8.1f} {:>4}/{:<3} {:>6} {}\n", optimizer.generations(),
-               optimizer.bestCost(), progress.lastCost, optimizer.sigma(), search.trials(),
-               static_cast<double>(progress.runs) / std::max(1e-9, progress.seconds), server.busy(),
-               server.workers(), left(progress, optimizer), figures);
+    fmt::print("{:>10} {:>10.4g} {:>10.4g} {:>8.3g} {:>9} {:>8.1f} {:>4}/{:<3} {:>6} {}\n",
+               optimizer.generations(), optimizer.bestCost(), progress.lastCost, optimizer.sigma(),
+               search.trials(), static_cast<double>(progress.runs) / std::max(1e-9, progress.seconds),
+               server.busy(), server.workers(), left(progress, optimizer), figures);
     std::fflush(stdout);
   }
 
@@ -98,15 +98,16 @@ private:
 void writeResult(const Options& options, const training::Study& study, const Search& search) {
   const Optimizer& optimizer = search.optimizer();
   const Eigen::VectorXd found = optimizer.favourite();
-  std::string text = fmt::format("# Found by bin/optserver {}: {} generations, {} runs. The middle of the last\n"
-                                 "# generation; the best single cost was {:.6g}.\n",
-                                 options.study, optimizer.generations(), search.runs(), optimizer.bestCost());
+  std::string text = fmt::format(
+      "# Found by bin/optserver {}: {} generations, {} runs. The middle of the last\n"
+      "# generation; the best single cost was {:.6g}.\n",
+      options.study, optimizer.generations(), search.runs(), optimizer.bestCost());
   for (std::size_t i = 0; i < study.parameters.size(); ++i)
     text += fmt::format("{}: {}\n", study.parameters[i].name, found[static_cast<Eigen::Index>(i)]);
   writeFile(options.folder + "/found.yaml", text);
   const std::string heading =
-      fmt::format("Found by bin/optserver {}: seed {}, {} generations, {} runs.", options.study, study.search.seed,
-                  optimizer.generations(), search.runs());
+      fmt::format("Found by bin/optserver {}: seed {}, {} generations, {} runs.", options.study,
+                  study.search.seed, optimizer.generations(), search.runs());
   const std::string file = training::makeTask(study.task, study.options)->file(found, heading);
   if (!file.empty()) writeFile(options.folder + "/" + study.task + ".yaml", file);
 }
@@ -161,17 +162,19 @@ int serve(Options& options) {
   const training::Study study = training::readStudy(options.study);
   std::filesystem::create_directories(options.folder);
   Search search = study.makeSearch();
-  farm::Journal journal(options.folder + "/evaluations.jsonl", study.mark(), [&](const farm::JournalEntry& entry) {
-    const Told told = entry.givenUp ? search.giveUp(entry.number) : search.tell(entry.number, entry.costs);
-    if (told == Told::unknown) throw std::invalid_argument("a result of a trial that there is not yet");
-  });
+  farm::Journal journal(
+      options.folder + "/evaluations.jsonl", study.mark(), [&](const farm::JournalEntry& entry) {
+        const Told told =
+            entry.givenUp ? search.giveUp(entry.number) : search.tell(entry.number, entry.costs);
+        if (told == Told::unknown) throw std::invalid_argument("a result of a trial that there is not yet");
+      });
   if (journal.resumed() > 0)
     fmt::print("optserver: goes on from {} results in {}\n", journal.resumed(), journal.path());
   StopSignal stop;
   stop.catchSignals();
-  farm::FarmServer server(search, &journal,
-                          {study.task, study.options.values(), static_cast<std::int64_t>(study.parameters.size())},
-                          options.farm);
+  farm::FarmServer server(
+      search, &journal,
+      {study.task, study.options.values(), static_cast<std::int64_t>(study.parameters.size())}, options.farm);
   fmt::print("optserver: port {}, {} parameters, results in {}\n", server.port(), study.parameters.size(),
              options.folder);
   std::fflush(stdout);
@@ -193,16 +196,20 @@ int serve(Options& options) {
     fmt::print(stderr, "optserver: stopped; the same command goes on from {}\n", journal.path());
     return 130;
   }
-  fmt::print("optserver: over ({}); found: {}/found.yaml\n", name(search.optimizer().stopReason()), options.folder);
+  fmt::print("optserver: over ({}); found: {}/found.yaml\n", name(search.optimizer().stopReason()),
+             options.folder);
   return 0;
 }
 
 int runProgram(int argc, char** argv) {
   Options options;
   options.farm.port = farm::ServerAddress::standardPort;
-  CLI::App app("Farms an optimisation out: workers (bin/optworker) take parameters and bring costs.", "optserver");
-  app.add_option("STUDY", options.study, "What is searched and how, as config/optimisation/standUpFront.yaml");
-  app.add_option("--folder", options.folder, "Where results go [NAME.search]; one that is there is gone on with");
+  CLI::App app("Farms an optimisation out: workers (bin/optworker) take parameters and bring costs.",
+               "optserver");
+  app.add_option("STUDY", options.study,
+                 "What is searched and how, as config/optimisation/standUpFront.yaml");
+  app.add_option("--folder", options.folder,
+                 "Where results go [NAME.search]; one that is there is gone on with");
   app.add_option("--workers", options.workers, "Workers to start on this machine")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
@@ -220,11 +227,12 @@ int runProgram(int argc, char** argv) {
       ->check(CLI::Range(0.1, 1e6))
       ->capture_default_str();
   app.add_option("--measure", options.measured,
-                 "Instead of searching: so many runs, of seeds that no search has, of the start and of what was found")
+                 "Instead of searching: so many runs, of seeds that no search has, of the start and of what "
+                 "was found")
       ->check(CLI::Range(1, 1'000'000));
   app.add_flag("--status", options.status, "Asks the server that runs at --bind and --port how far it is");
-  app.add_option_function<std::string>("--config", useConfigFolder,
-                                       "folder of the configuration [config/ here, else the one beside bin/]");
+  app.add_option_function<std::string>(
+      "--config", useConfigFolder, "folder of the configuration [config/ here, else the one beside bin/]");
   std::string tasks;
   for (const training::TaskKind& kind : training::searchTasks())
     tasks += fmt::format("  {:<10} {}\n", kind.name, kind.what);

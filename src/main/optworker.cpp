@@ -43,8 +43,9 @@ int runProgram(int argc, char** argv) {
   farm::ServerAddress server;
   std::string name;
   double patience = 30;
-  CLI::App app("Evaluates what an optimisation server asks for, in a simulator of its own, until the search is over.",
-               "optworker");
+  CLI::App app(
+      "Evaluates what an optimisation server asks for, in a simulator of its own, until the search is over.",
+      "optworker");
   app.add_option("--host", server.host, "Where bin/optserver runs")->capture_default_str();
   app.add_option("--port", server.port, "Its port")->check(CLI::Range(1, 65535))->capture_default_str();
   app.add_option("--token", server.token, "What it asks for, if it does");
@@ -52,9 +53,11 @@ int runProgram(int argc, char** argv) {
   app.add_option("--patience", patience, "Waits so long for a server that is not there, or went away [s]")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
-  app.add_option_function<std::string>("--config", useConfigFolder,
-                                       "folder of the configuration [config/ here, else the one beside bin/]");
-  app.footer("Examples:\n  bin/optworker --port 3400\n  bin/optworker --host 10.0.0.5 --token SECRET --patience 600");
+  app.add_option_function<std::string>(
+      "--config", useConfigFolder, "folder of the configuration [config/ here, else the one beside bin/]");
+  app.footer(
+      "Examples:\n  bin/optworker --port 3400\n  bin/optworker --host 10.0.0.5 --token SECRET --patience "
+      "600");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   if (name.empty()) {
     char host[64] = "";

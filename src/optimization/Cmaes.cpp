@@ -179,7 +179,8 @@ void Cmaes::adaptCovariance(const Drawn& from, std::span<const int> order, bool 
     } else {  // z is C^(-1/2) y up to a rotation, of the covariance that it was drawn with
       const double drawn = from.z.col(k).squaredNorm();
       const double now =
-          ahead() > 1 ? (axes.transpose() * from.y.col(k)).cwiseQuotient(scales.cwiseAbs2()).squaredNorm() : 0;
+          ahead() > 1 ? (axes.transpose() * from.y.col(k)).cwiseQuotient(scales.cwiseAbs2()).squaredNorm()
+                      : 0;
       const double size = std::max({drawn, now, 1e-300});
       bad.col(i - mu) = std::sqrt(std::max(0.0, -weights[i]) * n / size) * from.y.col(k);
     }

@@ -14,8 +14,8 @@ struct CmaesOptions {
   std::uint64_t seed = 1;
   bool active = true;  ///< bad candidates take variance away (negative weights)
   StopCriteria stop;
-  /// Generations evaluated at a time. Beyond 1 a generation is drawn before the ones ahead of it are told: its
-  /// step is shortened by half of the way that the mean has gone meanwhile, and the step-size path by a
+  /// Generations evaluated at a time. Beyond 1 a generation is drawn before the ones ahead of it are told:
+  /// its step is shortened by half of the way that the mean has gone meanwhile, and the step-size path by a
   /// quarter of it, so that a step that others took already is not taken for one more in the same direction.
   int ahead = 1;
 };

@@ -24,8 +24,8 @@ Search::Search(std::unique_ptr<Optimizer> optimizer, const Averaging& averaging,
       throw std::invalid_argument("a candidate is run " + std::to_string(runs) + " times; 1 to " +
                                   std::to_string(mostRuns) + " are possible");
   if (averaging.best < averaging.first)
-    throw std::invalid_argument("the best are run " + std::to_string(averaging.best) + " times, fewer than all, " +
-                                std::to_string(averaging.first));
+    throw std::invalid_argument("the best are run " + std::to_string(averaging.best) +
+                                " times, fewer than all, " + std::to_string(averaging.first));
   open();
 }
 
@@ -129,7 +129,8 @@ Told Search::giveUp(std::int64_t number) {
 
 void Search::beginSecond(Generation& generation) const {
   std::vector<Candidate>& all = generation.candidates;
-  if (averaging_.best == averaging_.first || !std::ranges::all_of(all, [](const Candidate& c) { return c.told[0]; }))
+  if (averaging_.best == averaging_.first ||
+      !std::ranges::all_of(all, [](const Candidate& c) { return c.told[0]; }))
     return;
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), 0U);

@@ -16,7 +16,8 @@ constexpr double mostGrowth = 1e4, worstCondition = 1e14;  // as in Cmaes
 SeparableCmaes::SeparableCmaes(SearchSpace space_, const OptimizerOptions& options)
     : Optimizer(std::move(space_), options.stop), seed_(options.seed), box_(space().lower, space().upper) {
   const double n = dimension();
-  population_ = options.population == 0 ? 4 + static_cast<int>(std::floor(3 * std::log(n))) : options.population;
+  population_ =
+      options.population == 0 ? 4 + static_cast<int>(std::floor(3 * std::log(n))) : options.population;
   if (population_ < 4)
     throw std::invalid_argument("SeparableCmaes: population " + std::to_string(population_) +
                                 ", at least 4 are needed");
@@ -68,7 +69,8 @@ void SeparableCmaes::update(std::span<const double> costs, std::span<const int> 
   pathC_ *= 1 - cC_;
   if (pathIsShort) pathC_ += std::sqrt(cC_ * (2 - cC_) * muEff_) * step;
   const double forgotten = (pathIsShort ? 0 : c1_ * cC_ * (2 - cC_)) - c1_ - cMu_;
-  variances_ = (1 + forgotten) * variances_ + c1_ * pathC_.cwiseAbs2() + cMu_ * variances_.cwiseProduct(squares);
+  variances_ =
+      (1 + forgotten) * variances_ + c1_ * pathC_.cwiseAbs2() + cMu_ * variances_.cwiseProduct(squares);
   sigma_ *= std::exp(std::min(1.0, cSigma_ / dSigma_ * (length / chiN_ - 1)));
   const double best = costs[static_cast<std::size_t>(order[0])],
                worst = costs[static_cast<std::size_t>(order[order.size() - 1])];
@@ -88,9 +90,10 @@ StopReason SeparableCmaes::converged() const {
   return largest < stop().tolX ? StopReason::tolX : StopReason::none;
 }
 
-MAKE_OPTIMIZER(separable, {"sep-cmaes", 15,
-                           [](const SearchSpace& space, const OptimizerOptions& given) -> std::unique_ptr<Optimizer> {
-                             return std::make_unique<SeparableCmaes>(space, given);
-                           }});
+MAKE_OPTIMIZER(separable,
+               {"sep-cmaes", 15,
+                [](const SearchSpace& space, const OptimizerOptions& given) -> std::unique_ptr<Optimizer> {
+                  return std::make_unique<SeparableCmaes>(space, given);
+                }});
 
 }  // namespace plumbline

@@ -69,9 +69,9 @@ std::unique_ptr<SearchTask> makeTask(std::string_view name, const TaskOptions& o
     names.emplace_back(kind.name);
   }
   const std::string near = suggestion(name, names);
-  throw ConfigurationError(fmt::format("there is no task \"{}\"{}", name,
-                                       near.empty() ? fmt::format("; there are: {}", fmt::join(names, ", "))
-                                                    : near));
+  throw ConfigurationError(
+      fmt::format("there is no task \"{}\"{}", name,
+                  near.empty() ? fmt::format("; there are: {}", fmt::join(names, ", ")) : near));
 }
 
 }  // namespace plumbline::training

@@ -72,9 +72,8 @@ public:
 };
 
 /// MAKE_TASK(standUp, {"standUp", "...", makeStandUp}): in the task's .cpp.
-#define MAKE_TASK(id, ...)                                                                   \
-  static const ::plumbline::training::TaskLoader id##TaskLoader(                             \
-      ::plumbline::training::TaskKind __VA_ARGS__)
+#define MAKE_TASK(id, ...) \
+  static const ::plumbline::training::TaskLoader id##TaskLoader(::plumbline::training::TaskKind __VA_ARGS__)
 
 /// The tasks linked into the program, by name.
 const std::vector<TaskKind>& searchTasks();

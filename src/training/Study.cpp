@@ -19,13 +19,15 @@ void readParameters(const ConfigSection& section, std::vector<TaskParameter>& pa
   for (const TaskParameter& one : parameters) names.push_back(one.name);
   for (const std::string& name : section.keys()) {
     const auto found = std::ranges::find(parameters, name, &TaskParameter::name);
-    if (found == parameters.end()) section.fail(name, "is no parameter of the task" + suggestion(name, names));
+    if (found == parameters.end())
+      section.fail(name, "is no parameter of the task" + suggestion(name, names));
     const ConfigSection one = section.section(name);
     const Range any{-most, most};
     found->lower = one.find<double>("min", any).value_or(found->lower);
     found->upper = one.find<double>("max", any).value_or(found->upper);
     if (!(found->lower < found->upper)) one.fail("min", "is not below max");
-    found->start = std::clamp(one.find<double>("start", any).value_or(found->start), found->lower, found->upper);
+    found->start =
+        std::clamp(one.find<double>("start", any).value_or(found->start), found->lower, found->upper);
     found->sigma = one.find<double>("sigma", Range{1e-9, most}).value_or(found->sigma);
   }
 }
@@ -75,9 +77,9 @@ Study readStudy(const std::string& path) {
 std::string Study::mark() const {
   std::string text = fmt::format("{}; task {}", versionText(), task);
   for (const auto& [key, value] : options.values()) text += fmt::format(" {}={}", key, value);
-  text += fmt::format("; {} seed {} population {} ahead {} runs {} of best {} same seeds {}; parameters", optimizer,
-                      search.seed, search.population, search.ahead, averaging.first, averaging.best,
-                      averaging.sameSeeds);
+  text += fmt::format("; {} seed {} population {} ahead {} runs {} of best {} same seeds {}; parameters",
+                      optimizer, search.seed, search.population, search.ahead, averaging.first,
+                      averaging.best, averaging.sameSeeds);
   for (const TaskParameter& one : parameters)
     text += fmt::format(" {}:{}:{}:{}:{}", one.name, one.start, one.lower, one.upper, one.sigma);
   return text;

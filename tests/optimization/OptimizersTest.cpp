@@ -31,8 +31,9 @@ TEST(Optimizers, areFoundByName) {
     makeOptimizer("cmeas", space());
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(),
-                 "there is no optimiser \"cmeas\"; there are: cmaes, xnes, pso, ipop-cmaes, bipop-cmaes");
+    EXPECT_STREQ(
+        error.what(),
+        "there is no optimiser \"cmeas\"; there are: cmaes, sep-cmaes, xnes, pso, ipop-cmaes, bipop-cmaes");
   }
 }
 

@@ -19,13 +19,14 @@ Search searchBy(const char* name, const Averaging& averaging = {}, int ahead = 1
   options.population = 8;
   options.ahead = ahead;
   options.stop.maxGenerations = 30;
-  return {makeOptimizer(name, SearchSpace::box(VectorXd::Constant(4, -2), VectorXd::Constant(4, 3)), options), averaging,
-          7};
+  return {makeOptimizer(name, SearchSpace::box(VectorXd::Constant(4, -2), VectorXd::Constant(4, 3)), options),
+          averaging, 7};
 }
 
 std::vector<double> costsOf(const Trial& trial) {
   std::vector<double> costs;
-  for (const std::uint64_t seed : trial.seeds) costs.push_back(sphere(trial.parameters) + 1e-10 * static_cast<double>(seed));
+  for (const std::uint64_t seed : trial.seeds)
+    costs.push_back(sphere(trial.parameters) + 1e-10 * static_cast<double>(seed));
   return costs;
 }
 

@@ -29,9 +29,10 @@ FarmServer::FarmServer(Search& search, Journal* journal, Welcome welcome, const 
       journal_(journal),
       welcome_(std::move(welcome)),
       options_(options),
-      dispatcher_(search, options.dispatch, [this](const Trial& trial, std::span<const double> costs, int worker) {
-        record(trial, costs, worker);
-      }) {
+      dispatcher_(search, options.dispatch,
+                  [this](const Trial& trial, std::span<const double> costs, int worker) {
+                    record(trial, costs, worker);
+                  }) {
   if (options.token.empty() && !isLoopbackAddress(options.address))
     throw std::runtime_error("port " + options.address + ':' + std::to_string(options.port) +
                              " is open to others: that needs a token");
@@ -183,7 +184,8 @@ std::string FarmServer::status() const {
             {"sigma", number(optimizer.sigma())},
             {"trials", search_.trials()},
             {"runs", search_.runs()},
-            {"runs_per_second", number(progress_.seconds > 0 ? static_cast<double>(progress_.runs) / progress_.seconds : 0)},
+            {"runs_per_second",
+             number(progress_.seconds > 0 ? static_cast<double>(progress_.runs) / progress_.seconds : 0)},
             {"workers", workers()},
             {"busy", busy()},
             {"not_numbers", search_.notNumbers()},

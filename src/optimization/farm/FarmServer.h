@@ -23,9 +23,9 @@ struct FarmOptions {
 /// What the server has seen since it began.
 struct FarmProgress {
   std::int64_t trials = 0, runs = 0, dropped = 0;
-  double seconds = 0, busySeconds = 0;            ///< busy: of all workers together
-  std::map<std::string, double> figures{};        ///< of the trial that cost least in the last told ones
-  double lastCost = 0;                            ///< mean of the last hundred or so, slowly forgotten
+  double seconds = 0, busySeconds = 0;      ///< busy: of all workers together
+  std::map<std::string, double> figures{};  ///< of the trial that cost least in the last told ones
+  double lastCost = 0;                      ///< mean of the last hundred or so, slowly forgotten
 };
 
 /// Farms a search out over TCP, no worker waiting for another one. A client that breaks the protocol or lies

@@ -64,14 +64,16 @@ void Journal::read(const std::string& mark, const std::function<void(const Journ
     try {
       const json value = parseJson(line, JsonLimits{.depth = 4, .bytes = maxLine});
       if (!begun && value.at("search").get<std::string>() != mark)
-        throw std::runtime_error(where + "the results of another search (its options, task or program differ); "
-                                         "take another folder or remove this one");
+        throw std::runtime_error(where +
+                                 "the results of another search (its options, task or program differ); "
+                                 "take another folder or remove this one");
       if (begun) {
         entry(entryOf(value));
         ++resumed_;
       }
     } catch (const JsonError& error) {
-      throw std::runtime_error(where + error.what() + "; remove the line and all below it to go on from there");
+      throw std::runtime_error(where + error.what() +
+                               "; remove the line and all below it to go on from there");
     } catch (const json::exception&) {
       throw std::runtime_error(where + "no result; remove the line and all below it to go on from there");
     } catch (const std::invalid_argument& error) {

@@ -49,7 +49,8 @@ std::string text(const Hello& hello) {
 }
 
 std::string text(const Welcome& welcome) {
-  return json{{"task", welcome.task}, {"options", welcome.options}, {"parameters", welcome.parameters}}.dump();
+  return json{{"task", welcome.task}, {"options", welcome.options}, {"parameters", welcome.parameters}}
+      .dump();
 }
 
 std::string text(const Trial& trial) {
@@ -113,11 +114,12 @@ ToWorker readToWorker(std::string_view line) {
       Trial& trial = message.trial.emplace();
       trial.number = value.at("evaluate").get<std::int64_t>();
       const auto parameters = value.at("parameters").get<std::vector<double>>();
-      trial.parameters = Eigen::Map<const Eigen::VectorXd>(parameters.data(),
-                                                           static_cast<Eigen::Index>(parameters.size()));
+      trial.parameters =
+          Eigen::Map<const Eigen::VectorXd>(parameters.data(), static_cast<Eigen::Index>(parameters.size()));
       trial.seeds = value.at("seeds").get<std::vector<std::uint64_t>>();
       if (trial.seeds.empty() || trial.seeds.size() > Search::mostRuns)
-        throw std::invalid_argument("the server's line: a trial of " + std::to_string(trial.seeds.size()) + " runs");
+        throw std::invalid_argument("the server's line: a trial of " + std::to_string(trial.seeds.size()) +
+                                    " runs");
     }
     return message;
   });

@@ -22,7 +22,8 @@ public:
     const int n = static_cast<int>(options.number("dimension", 10, 1, 10000));
     for (int i = 0; i < n; ++i) {
       std::string name = "x";
-      parameters_.push_back({name += std::to_string(i + 1), function_ == "rosenbrock" ? 0.0 : 1.0, -5, 5, 0.5});
+      parameters_.push_back(
+          {name += std::to_string(i + 1), function_ == "rosenbrock" ? 0.0 : 1.0, -5, 5, 0.5});
     }
   }
 

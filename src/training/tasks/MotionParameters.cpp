@@ -10,9 +10,9 @@
 namespace plumbline::training {
 namespace {
 
-constexpr double longest = 1000;  // [ms] of a keyframe
+constexpr double longest = 1000;                                     // [ms] of a keyframe
 constexpr double timeSigma = 25, settleSigma = 120, angleSigma = 5;  // [ms, ms, degrees]
-constexpr double limitMargin = 0.1;  // [degrees]: the file rounds
+constexpr double limitMargin = 0.1;                                  // [degrees]: the file rounds
 
 bool mirrors(const motion::Keyframe& frame, JointId joint) {
   const JointId other = motion::mirrored(joint);
@@ -26,11 +26,11 @@ MotionParameters::MotionParameters(motion::KeyframeMotion motion, const RobotMod
     : motion_(std::move(motion)) {
   for (std::size_t i = 0; i < motion_.keyframes.size(); ++i) {
     const motion::Keyframe& frame = motion_.keyframes[i];
-    const std::string prefix = fmt::format("{}.", i + 1);
-    add({i, Place::What::seconds}, prefix + "time", 1e3 * frame.seconds, 0,
+    const std::string number = std::to_string(i + 1);
+    add({i, Place::What::seconds}, "time" + number, 1e3 * frame.seconds, 0,
         std::max(longest, 1e3 * frame.seconds), timeSigma);
     if (frame.settleSeconds > 0)
-      add({i, Place::What::settle}, prefix + "settle", 1e3 * frame.settleSeconds, 0, longest, settleSigma);
+      add({i, Place::What::settle}, "settle" + number, 1e3 * frame.settleSeconds, 0, longest, settleSigma);
     for (int j = lShoulderPitch; j < numJoints; ++j) {
       const auto joint = static_cast<JointId>(j);
       if (!frame.set[joint] || !robot.has(joint)) continue;
@@ -38,7 +38,7 @@ MotionParameters::MotionParameters(motion::KeyframeMotion motion, const RobotMod
       if (both && motion::mirrored(joint) < joint) continue;
       const Link& link = robot.linkMovedBy(joint);
       add({i, Place::What::joint, joint, both},
-          prefix + std::string(both ? jointNames[joint].substr(1) : jointNames[joint]),
+          std::string(both ? jointNames[joint].substr(1) : jointNames[joint]) + number,
           toDegrees(frame.angles[joint]), toDegrees(link.lower) + limitMargin,
           toDegrees(link.upper) - limitMargin, angleSigma);
     }

@@ -28,7 +28,8 @@ private:
     JointId joint = numJoints;
     bool both = false;  ///< the mirrored joint follows
   };
-  void add(const Place& place, const std::string& name, double start, double lower, double upper, double sigma);
+  void add(const Place& place, const std::string& name, double start, double lower, double upper,
+           double sigma);
 
   motion::KeyframeMotion motion_;
   std::vector<Place> places_;

@@ -57,10 +57,10 @@ PeerRun runPeer(const std::string& algorithm, Function function, int dimension, 
   pagmo::population first = begin(problem, start, population, seed);
   // Its sigma is in the function's units for cmaes, and a share of the box's width for xnes.
   if (algorithm == "xnes")
-    return run(pagmo::xnes(generations, -1, -1, -1, 0.5 / 200, 1e-13, 1e-13, false, false, seed), first, population,
-               target);
-  return run(pagmo::cmaes(generations, -1, -1, -1, -1, 0.5, 1e-13, 1e-13, false, false, seed), first, population,
-             target);
+    return run(pagmo::xnes(generations, -1, -1, -1, 0.5 / 200, 1e-13, 1e-13, false, false, seed), first,
+               population, target);
+  return run(pagmo::cmaes(generations, -1, -1, -1, -1, 0.5, 1e-13, 1e-13, false, false, seed), first,
+             population, target);
 }
 
 }  // namespace plumbline::bench

@@ -13,8 +13,9 @@ struct PeerRun {
   double generations = 0;
 };
 
-/// Generations go in blocks of about a fiftieth of the work, since pagmo stops at a generation that it is told
-/// and not at a cost; what is reported is the first generation with a best of at most `target`, from its log.
+/// Generations go in blocks of about a fiftieth of the work, since pagmo stops at a generation that it is
+/// told and not at a cost; what is reported is the first generation with a best of at most `target`, from its
+/// log.
 PeerRun runPeer(const std::string& algorithm, Function function, int dimension, double start, int population,
                 double target, double maxEvaluations, unsigned seed);
 

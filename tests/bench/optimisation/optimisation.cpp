@@ -28,7 +28,8 @@ nlohmann::json report = nlohmann::json::array();
 
 void add(const std::string& name, double value, const char* unit, const char* better, double goal,
          const std::string& peer = "", double peerValue = 0) {
-  fmt::print("{:<52} {:>11.5g} {:<12} {} {}\n", name, value, unit, peer, peer.empty() ? "" : fmt::format("{:.5g}", peerValue));
+  fmt::print("{:<52} {:>11.5g} {:<12} {} {}\n", name, value, unit, peer,
+             peer.empty() ? "" : fmt::format("{:.5g}", peerValue));
   std::fflush(stdout);
   nlohmann::json one{{"name", "optimisation." + name}, {"value", value}, {"unit", unit}, {"better", better}};
   if (goal > 0) one["target"] = goal;
@@ -46,16 +47,20 @@ struct Case {
   Function function;
   double start;
 };
-constexpr Case cases[] = {
-    {"sphere", sphere, 1}, {"ellipsoid", ellipsoid, 1}, {"rosenbrock", rosenbrock, 0}, {"rastrigin", rastrigin, 1}};
+constexpr Case cases[] = {{"sphere", sphere, 1},
+                          {"ellipsoid", ellipsoid, 1},
+                          {"rosenbrock", rosenbrock, 0},
+                          {"rastrigin", rastrigin, 1}};
 
-double evaluations(const std::string& name, const Case& c, int n, int population, std::uint64_t seed, double most) {
+double evaluations(const std::string& name, const Case& c, int n, int population, std::uint64_t seed,
+                   double most) {
   OptimizerOptions options;
   options.population = population;
   options.seed = seed;
   options.stop.targetCost = target;
   options.stop.maxEvaluations = static_cast<std::int64_t>(most);
-  const auto optimizer = makeOptimizer(name, SearchSpace::around(VectorXd::Constant(n, c.start), 0.5), options);
+  const auto optimizer =
+      makeOptimizer(name, SearchSpace::around(VectorXd::Constant(n, c.start), 0.5), options);
   minimize(*optimizer, c.function);
   return optimizer->bestCost() <= target ? static_cast<double>(optimizer->evaluations()) : 1e9;
 }
@@ -81,7 +86,9 @@ void compareEvaluations(int seeds, int largest, int largestPeer) {
       else
         add(name, median(ours), "evaluations", "lower", median(peers), "pagmo cmaes", median(peers));
       const double separable = evaluations("sep-cmaes", c, n, population, 1, most);
-      if (separable < 1e9) add(fmt::format("sep-cmaes.{}{}.evaluations_of_{}", c.name, n, population), separable, "evaluations", "lower", 0);
+      if (separable < 1e9)
+        add(fmt::format("sep-cmaes.{}{}.evaluations_of_{}", c.name, n, population), separable, "evaluations",
+            "lower", 0);
     }
 }
 
@@ -107,20 +114,24 @@ void compareTime() {
       std::vector<double> times;
       for (int i = 0; i < 3; ++i) times.push_back(1e3 * secondsPerGeneration(name, n, generations));
       const double peerTime = 1e3 * peer.seconds / std::max(1.0, peer.generations);
-      add(fmt::format("{}.generation{}", name, n), median(times), "ms", "lower", 0.5 * peerTime, "pagmo " + name, peerTime);
+      add(fmt::format("{}.generation{}", name, n), median(times), "ms", "lower", 0.5 * peerTime,
+          "pagmo " + name, peerTime);
     }
   // Thesis, table 3.7: 20 clients, evaluations that took 0.53 s each, so 30 of them 0.8 s.
-  add("xnes.share_of_a_generation96", 100 * secondsPerGeneration("xnes", 96, 200) / 0.8, "%", "lower", 1, "thesis", 71.2);
+  add("xnes.share_of_a_generation96", 100 * secondsPerGeneration("xnes", 96, 200) / 0.8, "%", "lower", 1,
+      "thesis", 71.2);
 }
 
-/// Runs until the middle of the distribution has a true cost of 0.05 where each run has noise of deviation 0.3.
+/// Runs until the middle of the distribution has a true cost of 0.05 where each run has noise of deviation
+/// 0.3.
 double runsUnderNoise(const Averaging& averaging, std::uint64_t seed) {
   CmaesOptions options;
   options.population = 20;
   options.seed = seed;
   options.stop.maxGenerations = 2000;
   options.stop.tolFun = options.stop.tolX = 0;
-  Search search(std::make_unique<Cmaes>(SearchSpace::around(VectorXd::Constant(10, 1), 0.5), options), averaging, seed);
+  Search search(std::make_unique<Cmaes>(SearchSpace::around(VectorXd::Constant(10, 1), 0.5), options),
+                averaging, seed);
   while (const auto trial = search.next()) {
     std::vector<double> costs;
     for (const std::uint64_t one : trial->seeds) {
@@ -137,7 +148,8 @@ double runsUnderNoise(const Averaging& averaging, std::uint64_t seed) {
 void averaging(int seeds) {
   const auto of = [&](const Averaging& a) {
     std::vector<double> runs;
-    for (int seed = 1; seed <= seeds; ++seed) runs.push_back(runsUnderNoise(a, static_cast<std::uint64_t>(seed)));
+    for (int seed = 1; seed <= seeds; ++seed)
+      runs.push_back(runsUnderNoise(a, static_cast<std::uint64_t>(seed)));
     return median(runs);
   };
   const double always = of({30, 30, false});
@@ -160,18 +172,22 @@ void farms(int seeds) {
           options.seed = static_cast<std::uint64_t>(seed);
           options.stop.targetCost = target;
           options.stop.maxEvaluations = 100'000;
-          Search search(std::make_unique<Cmaes>(SearchSpace::around(VectorXd::Constant(n, c.start), 0.5), options), {},
-                        options.seed);
+          Search search(
+              std::make_unique<Cmaes>(SearchSpace::around(VectorXd::Constant(n, c.start), 0.5), options), {},
+              options.seed);
           farm::SimulatedFarm farm;
           farm.seed = options.seed;
-          const auto result = farm.run(search, [&](const Trial& trial) { return c.function(trial.parameters); });
-          counts[kind].push_back(search.optimizer().bestCost() <= target ? static_cast<double>(search.trials()) : 1e9);
+          const auto result =
+              farm.run(search, [&](const Trial& trial) { return c.function(trial.parameters); });
+          counts[kind].push_back(
+              search.optimizer().bestCost() <= target ? static_cast<double>(search.trials()) : 1e9);
           efficiencies[kind].push_back(100 * result.efficiency);
         }
       const std::string name = fmt::format("farm30.{}{}", c.name, n);
-      add(name + ".efficiency", median(efficiencies[1]), "%", "higher", 95, "barrier", median(efficiencies[0]));
-      add(name + ".evaluations", median(counts[1]), "evaluations", "lower", 1.1 * median(counts[0]), "barrier",
-          median(counts[0]));
+      add(name + ".efficiency", median(efficiencies[1]), "%", "higher", 95, "barrier",
+          median(efficiencies[0]));
+      add(name + ".evaluations", median(counts[1]), "evaluations", "lower", 1.1 * median(counts[0]),
+          "barrier", median(counts[0]));
     }
 }
 

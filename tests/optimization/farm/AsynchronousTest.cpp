@@ -62,7 +62,8 @@ TEST_P(Asynchronous, keepsThirtyWorkersBusyForAFewMoreEvaluations) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Functions, Asynchronous,
-                         testing::Values(Case{"sphere", sphere, 10, 1}, Case{"rosenbrock", rosenbrock, 10, 0}),
+                         testing::Values(Case{"sphere", sphere, 10, 1},
+                                         Case{"rosenbrock", rosenbrock, 10, 0}),
                          [](const auto& info) {
                            return info.param.name + std::to_string(info.param.dimension);
                          });

@@ -47,8 +47,8 @@ TEST(Dispatcher, aThousandKillsLoseNothingAndCountNothingTwice) {
   EXPECT_GE(result.hung, 20);
   EXPECT_GE(result.lied, 100);
   EXPECT_GE(result.counts.doubted, 100);
-  // What counted is what one process alone would have evaluated, and so is what was learnt, unless two workers
-  // in a row took the same parameters for nonsense.
+  // What counted is what one process alone would have evaluated, and so is what was learnt, unless two
+  // workers in a row took the same parameters for nonsense.
   runAlone(alone);
   EXPECT_EQ(static_cast<std::int64_t>(counted.size()), disturbed.trials());
   EXPECT_EQ(disturbed.optimizer().generations(), 250);

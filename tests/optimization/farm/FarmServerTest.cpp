@@ -22,7 +22,8 @@ Search serverSearch(std::int64_t generations = 20) {
   options.ahead = 3;
   options.stop.maxGenerations = generations;
   options.stop.tolFun = options.stop.tolX = 0;
-  return {std::make_unique<Cmaes>(SearchSpace::around(VectorXd::Constant(4, 1), 0.5), options), Averaging{1, 2}, 3};
+  return {std::make_unique<Cmaes>(SearchSpace::around(VectorXd::Constant(4, 1), 0.5), options),
+          Averaging{1, 2}, 3};
 }
 
 /// Works with any source: the one in the process and the one behind TCP alike.
@@ -37,9 +38,8 @@ void evaluate(ParameterSource& source) {
 /// A server that serves on a thread until its search is over.
 struct Running {
   explicit Running(Search& search_, FarmOptions options = {}, Journal* journal = nullptr)
-      : server(search_, journal, {"sphere", {{"dimension", "4"}}, 4}, options), thread([this] {
-          over = server.serve(stop);
-        }) {}
+      : server(search_, journal, {"sphere", {{"dimension", "4"}}, 4}, options),
+        thread([this] { over = server.serve(stop); }) {}
   ~Running() {
     const std::uint64_t one = 1;
     EXPECT_EQ(write(stop, &one, sizeof one), static_cast<ssize_t>(sizeof one));
@@ -114,7 +114,8 @@ TEST(FarmServer, aBadClientIsDroppedAlone) {
   EXPECT_EQ(answerTo(R"({"hello": "worker"})"), R"({"error":"hello: a key is missing or of another type"})");
   EXPECT_EQ(answerTo(R"({"hello": "boss", "version": 1})"),
             R"({"error":"hello: a client is a worker or asks for the status"})");
-  EXPECT_EQ(answerTo(R"({"hello": "worker", "version": 9})"), R"({"error":"hello: the server speaks version 1"})");
+  EXPECT_EQ(answerTo(R"({"hello": "worker", "version": 9})"),
+            R"({"error":"hello: the server speaks version 1"})");
   EXPECT_EQ(errorOf([&] {
               OptimizationClient liar(running.address(), "liar");
               const Trial trial = *liar.next(2);
@@ -129,7 +130,9 @@ TEST(FarmServer, aBadClientIsDroppedAlone) {
 
 TEST(FarmServer, wantsTheTokenThatItWasGiven) {
   Search farmed = serverSearch(2);
-  EXPECT_EQ(errorOf([&] { FarmServer(farmed, nullptr, {"sphere", {}, 4}, {"0.0.0.0", 0, "", {}}); }),
+  EXPECT_EQ(errorOf([&] {
+              FarmServer(farmed, nullptr, {"sphere", {}, 4}, {"0.0.0.0", 0, "", {}});
+            }),
             "port 0.0.0.0:0 is open to others: that needs a token");
   Running running(farmed, {"127.0.0.1", 0, "secret", {}});
   EXPECT_EQ(errorOf([&] { OptimizationClient client(running.address("wrong"), "one"); }),

@@ -29,7 +29,8 @@ protected:
     options.population = 6;
     options.ahead = 2;
     options.stop.maxGenerations = 12;
-    return {std::make_unique<Cmaes>(SearchSpace::around(VectorXd::Constant(3, 1), 0.5), options), Averaging{1, 2}, 3};
+    return {std::make_unique<Cmaes>(SearchSpace::around(VectorXd::Constant(3, 1), 0.5), options),
+            Averaging{1, 2}, 3};
   }
   static void tell(Search& search_, const JournalEntry& entry) {
     if (entry.givenUp)
@@ -105,9 +106,10 @@ TEST_F(JournalTest, aLineThatWasCutIsDropped) {
 
 TEST_F(JournalTest, whatCannotBeGoneOnWithIsSaid) {
   EXPECT_EQ(errorOf("mark"), "no error");
-  EXPECT_EQ(errorOf("another"), path +
-                                    ":1: the results of another search (its options, task or program differ); take "
-                                    "another folder or remove this one");
+  EXPECT_EQ(errorOf("another"),
+            path +
+                ":1: the results of another search (its options, task or program differ); take "
+                "another folder or remove this one");
   std::ofstream(path, std::ios::app) << "{\"trial\": 1}\n";
   EXPECT_EQ(errorOf("mark"), path + ":2: no result; remove the line and all below it to go on from there");
   const Journal held(folder / "held.jsonl", "mark", [](const JournalEntry&) {});

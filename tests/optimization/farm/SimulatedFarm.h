@@ -12,7 +12,7 @@ namespace plumbline::farm {
 /// Workers in simulated time: nothing but the seeds decides what happens when.
 struct SimulatedFarm {
   int workers = 30;
-  double spread = 0.3;             ///< standard deviation of evaluation times, whose mean is 1 s
+  double spread = 0.3;  ///< standard deviation of evaluation times, whose mean is 1 s
   double kills = 0, hangs = 0, lies = 0, nonsense = 0;  ///< shares of evaluations that end so
   std::uint64_t seed = 1;
   double patience = 20;
@@ -45,11 +45,11 @@ struct SimulatedFarm {
         const std::optional<Trial> trial = dispatcher.give(idle.back(), now);
         if (!trial) return;
         const double took = std::max(0.05, 1 + spread * random.gaussian()), luck = random.uniform();
-        const int fate = luck < kills                              ? 1
-                         : luck < kills + hangs                    ? 2
-                         : luck < kills + hangs + lies             ? 3
+        const int fate = luck < kills                             ? 1
+                         : luck < kills + hangs                   ? 2
+                         : luck < kills + hangs + lies            ? 3
                          : luck < kills + hangs + lies + nonsense ? 4
-                                                                   : 0;
+                                                                  : 0;
         if (fate == 2)
           agenda.emplace(now + 3 * patience, Busy{idle.back(), *trial, took, fate});
         else

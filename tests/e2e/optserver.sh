@@ -1,0 +1,50 @@
+# A search that is farmed out: killed with -9 in the midst and begun again, with workers that are killed, it finds what one
+# worker alone finds in one go; a wrong token, a wrong file and a client that talks nonsense are told in one line.
+source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
+cat > "$scratch/study.yaml" << END
+task: function
+options: {function: rosenbrock, dimension: 4, sleep: 0.003, spread: 0.3}
+population: 8
+ahead: 3
+runs: 1
+runsOfBest: 2
+generations: 25
+END
+"$bin/optserver" "$scratch/study.yaml" --folder "$scratch/alone" --workers 1 --port 0 > "$scratch/alone.out"
+grep -q "over (maxGenerations)" "$scratch/alone.out" || fail "the search did not end: $(tail -3 "$scratch/alone.out")"
+
+begin() { "$bin/optserver" "$scratch/study.yaml" --folder "$scratch/farmed" --port "${1-0}" --patience 5 > "$scratch/farmed.out" 2>&1 & server=$!; }
+lines() { wc -l < "$scratch/farmed/evaluations.jsonl" 2> /dev/null || echo 0; }
+atLeast() { (($(lines) >= $1)); }
+begin
+waitFor test -s "$scratch/farmed/port"
+port=$(< "$scratch/farmed/port")
+worker() { "$bin/optworker" --port "$port" --patience 20 2> /dev/null & }
+worker; first=$!
+worker
+waitFor atLeast 60
+"$bin/optserver" --status --port "$port" | grep -q '"task":"function"' || fail "no status"
+echo nonsense > "/dev/tcp/127.0.0.1/$port" || fail "the port does not take a client"
+kill -9 "$first"
+kill -9 "$server"
+wait "$server" 2> /dev/null || true
+begin "$port"
+worker
+waitFor grep -q "over (maxGenerations)" "$scratch/farmed.out"
+wait "$server" || fail "the server ended with $?"
+grep -q "goes on from" "$scratch/farmed.out" || fail "it began anew"
+# The heading names the folder's own counts of runs; what is below it is what was found.
+cmp <(grep -v '^#' "$scratch/alone/found.yaml") <(grep -v '^#' "$scratch/farmed/found.yaml") ||
+  fail "what was found depends on who evaluated when"
+expectEqual "$(sed 1d "$scratch/farmed/evaluations.jsonl" | sed 's/.*"trial":\([0-9]*\).*/\1/' | sort | uniq -d | wc -l)" 0 "trials counted twice"
+
+expectError 2 "optserver: port 0.0.0.0:0 is open to others: that needs a token" \
+  "$bin/optserver" "$scratch/study.yaml" --folder "$scratch/open" --port 0 --bind 0.0.0.0
+sed 's/rosenbrock/rosenbroc/' "$scratch/study.yaml" > "$scratch/wrong.yaml"
+expectError 2 "optserver: $scratch/wrong.yaml: option function: \"rosenbroc\" is none of sphere, ellipsoid, rosenbrock, rastrigin" \
+  "$bin/optserver" "$scratch/wrong.yaml" --port 0
+sed 's/population/popluation/' "$scratch/study.yaml" > "$scratch/wrong.yaml"
+timeout 20 "$bin/optserver" "$scratch/wrong.yaml" --port 0 2>&1 | grep -q 'wrong.yaml:3: .*popluation' || fail "an unknown key is not named"
+sed 's/seed: 1/seed: 2/; s/ahead: 3/ahead: 2/' "$scratch/study.yaml" > "$scratch/other.yaml"
+timeout 20 "$bin/optserver" "$scratch/other.yaml" --folder "$scratch/farmed" --port 0 2>&1 | grep -q 'the results of another search' ||
+  fail "results of another search are mixed in"
