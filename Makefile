@@ -134,6 +134,13 @@ bench-gap:
 	@$(MAKE) SimRelease SimRelease-bench-gap SimRelease-bench-mujoco
 	@scripts/run_bench.sh gap
 
+# bin/gap by both methods on recordings of real robots, tested on others; writes doc/results/gap-peers.md. DATA=FOLDER,
+# SPLIT and METHODS for a part.
+bench-gap-peers:
+	@$(MAKE) bin/gap
+	@scripts/run_bench.sh gap-peers || { cat build/bench/gap-peers.log >&2; exit 2; }
+	@scripts/make_results.sh gap-peers
+
 # The league's recordings against the simulator with one setting left out; TRACES=FOLDER for other recordings.
 # Real robots, whose recordings are not part of the project: DATA=FOLDER, ROBOT and SPLIT for a part. A NAO that walks in
 # Bullet, diagnosed by bin/gap from its walks alone: CASES, SEED, JOBS. All write their page in doc/results/.

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <cstdio>
-#include <cstdlib>
 
 #include "gap/inference/Strengths.h"
 
@@ -98,8 +96,16 @@ private:
   }
   Scored best() const { return top(1).front(); }
 
+  /// Causes that may pay beside the base: those that gain half of their price to first order.
+  std::vector<Proposal> worthTrying(const Explanation& base, std::size_t most) const {
+    std::vector<Proposal> proposals = screening.propose(base, shares, most);
+    const double price = priceOf(1, screening.numKinds());
+    std::erase_if(proposals, [&](const Proposal& proposal) { return proposal.gain < price / 2; });
+    return proposals;
+  }
+
   void extend(const Explanation& base) {
-    for (const Proposal& proposal : screening.propose(base, shares, options.proposals)) {
+    for (const Proposal& proposal : worthTrying(base, options.proposals)) {
       Explanation larger = base;
       larger.push_back(proposal.cause);
       add(larger);
@@ -114,7 +120,7 @@ private:
       for (std::size_t i = 0; i < causes.size(); ++i) {
         const Explanation rest = without(causes, i);
         add(rest);
-        for (const Proposal& proposal : screening.propose(rest, shares, options.width)) {
+        for (const Proposal& proposal : worthTrying(rest, options.width)) {
           Explanation other = rest;
           other.push_back(proposal.cause);
           add(other);
@@ -185,7 +191,6 @@ BeamResult searchSets(const Replayer& replayer, const BeamOptions& options) {
     std::vector<Explanation> starts;
     for (const Explanation& of : best.without) starts.push_back(without(of, i));
     Scored rest = settled(without(best.causes(), i), starts);
-    if (getenv("DBG")) { for (auto* x : {&best, &rest}) { fprintf(stderr, "DBG %s score %.3f price %.2f:", nameOfSet(x->causes()).c_str(), x->score(), x->price); for (size_t g = 0; g < x->density.size(); ++g) { fprintf(stderr, " [%.3f", x->density[g]); for (auto& c : x->without[g]) fprintf(stderr, " %.6g", c.value); fprintf(stderr,"]"); } fprintf(stderr, " T"); for (double w : result.shares) fprintf(stderr, " %.1f", 1 / w); fprintf(stderr, "\n"); } }
     if (rest.score() >= best.score() || doesNothing(replayer.mechanism(), best.causes()[i])) {
       best = std::move(rest);
       result.lessOne.clear();

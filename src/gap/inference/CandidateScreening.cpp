@@ -84,10 +84,13 @@ CandidateScreening::CandidateScreening(const Replayer& replayer_, const Shares& 
   for (std::size_t c = 0; c < most.size(); ++c) {
     const Cell& cell = groups.cells()[c];
     const std::vector<double> r = residualsOf(cell, nominal);
-    Split nothing;
-    nothing.about.assign(r.size(), 0);
-    most[c] = std::max(0.0, stretchDensity(nothing, cell.noise, shares[c]) -
-                                stretchDensity(split(r), cell.noise, shares[c]));
+    const Split now = split(r);
+    Split fallen = now;
+    const double share = std::min(1.0, cell.noise / likeliestScale(now.about, cell.noise));
+    for (double& of : fallen.about) of *= share;
+    fallen.mean = std::clamp(now.mean, -cell.noise, cell.noise);
+    most[c] = std::max(0.0, stretchDensity(fallen, cell.noise, shares[c]) -
+                                stretchDensity(now, cell.noise, shares[c]));
   }
   std::vector<Cause> possible;
   for (const Effect* effect : effects())

@@ -1,6 +1,7 @@
 #include "gap/inference/Channels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -21,6 +22,27 @@ double medianOf(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
   return *middle;
+}
+
+/// The fast part of a signal, as a standard deviation: differences of order 2 to 4, whichever is least. Each is
+/// white noise's own if there is no motion; motion adds to it, to a higher order less if it is smooth, to a
+/// lower one less if it jumps.
+double fastPart(const std::vector<double>& values) {
+  constexpr double normal = 1.4826;  // standard deviation over median of absolute values
+  constexpr std::array<double, 3> squares{6, 20, 70};  // of the binomial coefficients of an order
+  std::vector<double> e;
+  for (std::size_t k = 1; k < values.size(); ++k) e.push_back(values[k] - values[k - 1]);
+  double least = HUGE_VAL;
+  for (const double square : squares) {
+    for (std::size_t k = e.size(); k-- > 1;) e[k] -= e[k - 1];
+    if (!e.empty()) e.erase(e.begin());
+    std::vector<double> sizes;
+    for (const double x : e)
+      if (std::isfinite(x)) sizes.push_back(std::abs(x));
+    if (sizes.size() < 10) return 0;
+    least = std::min(least, normal * medianOf(std::move(sizes)) / std::sqrt(square));
+  }
+  return least;
 }
 
 double rmsRate(const Trial& trial, const Signal& signal) {
@@ -97,7 +119,7 @@ std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trial
   for (const Trial& trial : trials)
     for (const Signal& signal : trial.signals) {
       Found& found = channels[{signal.name, trial.freeBase}];
-      found.fast.push_back(fastNoise(signal.values));
+      found.fast.push_back(fastPart(signal.values));
       if (const double step = smallestStep(signal.values); step > 0) found.steps.push_back(step);
       found.rates.push_back(rmsRate(trial, signal));
       for (const double value : signal.values)

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t numStretches = 4;
 constexpr double startSeconds = 0.3;
+constexpr double engines = 0.5;  // of a channel's noise: what two engines differ by with one and the same model
 
 }  // namespace
 
@@ -82,7 +83,7 @@ void Groups::number() {
                         s,
                         std::max(first, part * cycles / parts),
                         (part + 1) * cycles / parts,
-                        use.noise};
+                        use.noise * std::hypot(1, engines)};
         bool any = false;
         for (std::size_t k = cell.from; k < cell.to && !any; ++k)
           any = std::isfinite(trial.signals[s].values[k]);

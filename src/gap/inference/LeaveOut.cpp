@@ -13,6 +13,8 @@ std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const BeamOp
   for (std::size_t g = 0; g < count; ++g) {
     const Groups others = replayer.groups().without(g);
     BeamOptions settings = options;
+    settings.width = 1;
+    settings.proposals = 3;
     if (options.progress)
       settings.progress = [&](double share) {
         options.progress((static_cast<double>(g) + share) / static_cast<double>(count));

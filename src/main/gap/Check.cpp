@@ -67,6 +67,9 @@ void check(const CheckOptions& options) {
   result["verdict"] = verdict;
   const bool claims = answer.contains("gap") && answer["gap"].contains("closed");
   result["claimed"] = claims ? answer["gap"]["closed"] : nlohmann::json(nullptr);
+  const nlohmann::json interval = claims ? answer["gap"].value("closed_interval", nlohmann::json()) : nlohmann::json();
+  const bool ranges = interval.is_array() && interval.size() == 2 && interval[0].is_number() && interval[1].is_number();
+  if (ranges) result["claimed_interval"] = interval;
   if (!options.json.empty() && options.json != "-") writeFile(options.json, result.dump(1) + "\n");
   if (options.json == "-") {
     std::printf("%s\n", result.dump(1).c_str());
@@ -77,6 +80,9 @@ void check(const CheckOptions& options) {
   std::printf("Closed on average %.0f %%", 100 * meanClosed(left));
   if (claims && answer["gap"]["closed"].is_number())
     std::printf("; the answer claims %.0f %%", 100 * answer["gap"]["closed"].get<double>());
+  if (ranges)
+    std::printf(" (90 %%: %.0f to %.0f %%)", 100 * interval[0].get<double>(),
+                100 * interval[1].get<double>());
   std::printf(".\n");
 }
 

@@ -44,7 +44,8 @@ void print(const Inference& inference, const AnswerInput& input) {
       std::printf("    or %-45s %5.1f %%\n", describe(rival.cause).c_str(), 100 * rival.probability);
   }
   for (const std::string& line : inference.onlyIn) std::printf("  %s\n", line.c_str());
-  std::printf("Left out of search and fit, each in turn:\n%s", leftTable(inference.leftOut).c_str());
+  if (inference.diagnosis.verdict != Verdict::none)
+    std::printf("Left out of search and fit, each in turn:\n%s", leftTable(inference.leftOut).c_str());
   for (const std::string& line : inference.notUsed) std::printf("%s\n", line.c_str());
   std::printf("Next: %s\n", input.nextMotion.c_str());
 }

@@ -51,6 +51,22 @@ TEST(Likelihood, outliersHardlyMoveTheScale) {
   EXPECT_LT(likeliestScale(values, 0), 1.3 * clean);
 }
 
+TEST(Likelihood, theMeanOfAStretchCountsOnceHoweverLongItIs) {
+  // Half the mean is worth log 2, in 500 samples as in 5000.
+  for (const std::size_t n : {500, 5000}) {
+    std::vector<double> all = gaussians(n, 1), half = all;
+    for (double& r : all) r += 40;
+    for (double& r : half) r += 20;
+    EXPECT_NEAR(stretchDensity(split(half), 0.1, 1) - stretchDensity(split(all), 0.1, 1), std::log(2.0), 0.01);
+  }
+}
+
+TEST(Likelihood, aConstantDoesNotMakeTheRestLookSlow) {
+  std::vector<double> values = gaussians(4000, 1);
+  for (double& r : values) r += 100;
+  EXPECT_LT(correlationTime(values), 1.3);
+}
+
 TEST(Likelihood, independentResidualsCountOneByOne) { EXPECT_LT(correlationTime(gaussians(4000, 1)), 1.3); }
 
 TEST(Likelihood, correlationTimeOfAnAutoregressiveSeriesIsItsFormula) {

@@ -4,6 +4,7 @@
 #include "../TwoJointArm.h"
 #include "gap/inference/Beam.h"
 #include "gap/inference/Inference.h"
+#include "gap/inference/LeaveOut.h"
 #include "gap/inference/Posterior.h"
 #include "gap/inference/Strengths.h"
 
@@ -45,6 +46,35 @@ TEST(Groups, oneRecordingIsCutIntoStretches) {
   EXPECT_TRUE(groups.stretchesOfOne());
   EXPECT_EQ(groups.groupOf(0, 0), 0);
   EXPECT_EQ(groups.groupOf(0, 399), 3);
+}
+
+TEST(Groups, aGroupLeftOutIsGoneAndTheOthersAreNumberedAnew) {
+  const Groups groups(recordings({}));
+  const Groups two = groups.without(1), one = two.without(0);
+  EXPECT_EQ(two.count(), 2);
+  EXPECT_FALSE(two.holds(1));
+  EXPECT_TRUE(two.holds(1, 2));
+  // The one that is left is cut into stretches, of which each can be left out.
+  EXPECT_EQ(one.count(), 4);
+  EXPECT_TRUE(one.stretchesOfOne());
+  EXPECT_TRUE(one.holds(2));
+  EXPECT_FALSE(one.holds(0));
+  const Groups three = one.without(3);
+  EXPECT_EQ(three.count(), 3);
+  for (const Cell& cell : three.cells()) EXPECT_LE(cell.to, 300);
+}
+
+TEST(LeaveOut, theSetIsChosenWithoutTheGroup) {
+  // A cause that one recording alone has: what is found without that one does not hold it.
+  const Mechanism arm = twoJointArm();
+  std::vector<Trial> trials = recordings({});
+  trials[1] = recordings({causeOfArm("coulomb_friction", "elbow", 0.2)})[1];
+  const Groups groups(trials);
+  const Replayer replayer(arm, groups, 2);
+  const std::vector<FoundWithout> found = findWithoutEach(replayer, {});
+  ASSERT_EQ(found.size(), 3);
+  EXPECT_TRUE(found[1].causes.empty());
+  EXPECT_NEAR(leftWithout(groups, found)[1].closed(), 0, 1e-9);
 }
 
 TEST(Replayer, sameHypothesisSameResidualsWhateverCameBetween) {

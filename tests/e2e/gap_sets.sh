@@ -1,0 +1,41 @@
+# Diagnosis by sets of causes: what it claims of recordings left out is what bin/gap check measures on others.
+source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
+command -v node > /dev/null || fail "no node: scripts/install_packages.sh scripts/packages-test.txt installs it"
+arm=tests/e2e/gap/arm.json
+gap() { timeout 120 "$bin/gap" "$@" > "$scratch/out" 2> "$scratch/err" || fail "gap $*: $(cat "$scratch/err")"; }
+ask() { node -e "const a = JSON.parse(require('fs').readFileSync(process.argv[1])); console.log($2)" "$1"; }
+
+printf 'effects:\n  - {effect: coulomb_friction, at: Elbow, value: 0.15}\n' > "$scratch/friction.yaml"
+for program in hang_sweep hang_small hang_static; do
+  gap record --robot $arm --program $program --effects "$scratch/friction.yaml" --seed 2 -o "$scratch/seen/$program"
+done
+gap record --robot $arm --program hang_multisine --effects "$scratch/friction.yaml" --seed 3 -o "$scratch/unseen"
+
+gap diagnose "$scratch/seen" --method sets --robot $arm --jobs 1 --json "$scratch/answer.json"
+expectEqual "$(ask "$scratch/answer.json" 'a.verdict, a.effects.length, a.effects[0].effect, a.effects[0].at, a.gap.runs.length, a.gap.left_out')" \
+  "effect 1 coulomb_friction Elbow 3 recordings" "the answer"
+grep -q '^Left out of search and fit, each in turn:$' "$scratch/out" || fail "no table: $(cat "$scratch/out")"
+grep -q 'pos.Elbow' "$scratch/out" || fail "no line per joint: $(cat "$scratch/out")"
+
+# What is claimed and what is closed on a recording that the answer never saw.
+gap check "$scratch/answer.json" "$scratch/unseen" --robot $arm --json "$scratch/check.json"
+grep -q '^Closed on average [0-9]* %; the answer claims [0-9]* % (90 %: -\?[0-9]* to [0-9]* %)\.$' "$scratch/out" || fail "check: $(cat "$scratch/out")"
+expectEqual "$(ask "$scratch/check.json" 'a.runs.length, a.verdict, a.closed > a.claimed_interval[0], a.closed > 0.6, a.runs[0].signals["pos.Elbow"].unit')" \
+  "1 effect true true rad" "the check"
+
+# Another number of threads, the same bytes; nothing where nothing is.
+gap diagnose "$scratch/seen" --method sets --robot $arm --jobs 2 --json "$scratch/again.json"
+cmp "$scratch/answer.json" "$scratch/again.json" || fail "two threads give another answer"
+gap record --robot $arm --program hang_sweep --program hang_small --seed 4 -o "$scratch/clean"
+gap diagnose "$scratch/clean" --method sets --robot $arm --json "$scratch/clean.json"
+expectEqual "$(ask "$scratch/clean.json" 'a.verdict, a.effects.length')" "none 0" "the answer to a clean robot"
+
+# Stopped within a second, and nothing is written.
+status=0
+timeout -s INT --preserve-status 0.3 "$bin/gap" diagnose "$scratch/seen" --method sets --robot $arm --jobs 1 \
+  --json "$scratch/stopped.json" 2> "$scratch/err" || status=$?
+expectEqual $status 130 "the status of a diagnosis that was stopped"
+expectEqual "$(cat "$scratch/err")" "gap: stopped; nothing was written" "what a stopped diagnosis says"
+[[ ! -e $scratch/stopped.json ]] || fail "a diagnosis that was stopped wrote an answer"
+
+expectError 2 "gap: $scratch/nothing.json: there is no such file" "$bin/gap" check "$scratch/nothing.json" "$scratch/unseen" --robot $arm

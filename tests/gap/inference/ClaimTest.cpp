@@ -1,0 +1,64 @@
+#include "gap/inference/Claim.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "math/Random.h"
+
+namespace plumbline::gap {
+
+TEST(Claim, manyGroupsThatAgreeAreTakenAtTheirWord) {
+  const Claim claim = claimOf(std::vector<double>(12, 0.8));
+  EXPECT_NEAR(claim.closed, 0.8, 0.03);
+  EXPECT_GT(claim.lower, 0.6);
+  EXPECT_LT(claim.upper, 0.9);
+}
+
+TEST(Claim, fewGroupsClaimLessThanTheyClosedAndSayHowUnsureThatIs) {
+  const Claim one = claimOf({0.8}), two = claimOf({0.8, 0.8}), eight = claimOf(std::vector<double>(8, 0.8));
+  EXPECT_LT(one.closed, two.closed);
+  EXPECT_LT(two.closed, eight.closed);
+  EXPECT_LT(eight.closed, 0.8);
+  EXPECT_GT(one.upper - one.lower, two.upper - two.lower);
+  EXPECT_GT(two.upper - two.lower, eight.upper - eight.lower);
+}
+
+TEST(Claim, groupsThatDisagreeLeaveAWiderIntervalAndALowerClaim) {
+  const Claim alike = claimOf({0.7, 0.7, 0.7}), apart = claimOf({0.3, 0.7, 0.85});
+  EXPECT_LT(apart.closed, alike.closed);
+  EXPECT_GT(apart.upper - apart.lower, alike.upper - alike.lower);
+}
+
+TEST(Claim, whatClosesNothingClaimsAboutNothing) { EXPECT_NEAR(claimOf({0, 0, 0, 0}).closed, 0, 0.15); }
+
+TEST(Claim, anExplanationThatMakesThingsWorseIsSaidTo) { EXPECT_LT(claimOf({-0.5, -0.4, -0.6}).closed, -0.2); }
+
+TEST(Claim, isRightOnAverageAndItsIntervalCoversNineInTen) {
+  // Robots whose log share left is drawn from the prior, each with four motions seen and one not.
+  Random random(7);
+  constexpr int robots = 400;
+  double claimed = 0, closed = 0, covered = 0;
+  for (int robot = 0; robot < robots; ++robot) {
+    const double mean = random.gaussian(), spread = std::abs(0.5 * random.gaussian());
+    const auto draw = [&] { return 1 - std::exp(mean + spread * random.gaussian()); };
+    const Claim claim = claimOf({draw(), draw(), draw(), draw()});
+    const double unseen = draw();
+    claimed += claim.closed / robots;
+    closed += unseen / robots;
+    if (unseen >= claim.lower && unseen <= claim.upper) covered += 1.0 / robots;
+  }
+  EXPECT_NEAR(claimed, closed, 0.1);
+  EXPECT_NEAR(covered, 0.9, 0.04);
+}
+
+TEST(Claim, recordingsOfOneGroupCountOnce) {
+  std::vector<RecordingLeft> left(3);
+  for (RecordingLeft& of : left) of.before = 1;
+  left[0].after = 0.4;
+  left[1].after = 0.2;
+  left[2].after = 0.5;
+  EXPECT_EQ(closedPerGroup(left, {0, 0, 1}), (std::vector<double>{0.7, 0.5}));
+}
+
+}  // namespace plumbline::gap
