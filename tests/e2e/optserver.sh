@@ -44,7 +44,8 @@ sed 's/rosenbrock/rosenbroc/' "$scratch/study.yaml" > "$scratch/wrong.yaml"
 expectError 2 "optserver: $scratch/wrong.yaml: option function: \"rosenbroc\" is none of sphere, ellipsoid, rosenbrock, rastrigin" \
   "$bin/optserver" "$scratch/wrong.yaml" --port 0
 sed 's/population/popluation/' "$scratch/study.yaml" > "$scratch/wrong.yaml"
-timeout 20 "$bin/optserver" "$scratch/wrong.yaml" --port 0 2>&1 | grep -q 'wrong.yaml:3: .*popluation' || fail "an unknown key is not named"
-sed 's/seed: 1/seed: 2/; s/ahead: 3/ahead: 2/' "$scratch/study.yaml" > "$scratch/other.yaml"
-timeout 20 "$bin/optserver" "$scratch/other.yaml" --folder "$scratch/farmed" --port 0 2>&1 | grep -q 'the results of another search' ||
-  fail "results of another search are mixed in"
+expectError 2 "optserver: $scratch/wrong.yaml:3: unknown key \"popluation\"; did you mean \"population\"?" \
+  "$bin/optserver" "$scratch/wrong.yaml" --port 0
+sed 's/ahead: 3/ahead: 2/' "$scratch/study.yaml" > "$scratch/other.yaml"
+expectError 2 "optserver: $scratch/farmed/evaluations.jsonl:1: the results of another search (its options, task or program differ); take another folder or remove this one" \
+  "$bin/optserver" "$scratch/other.yaml" --folder "$scratch/farmed" --port 0
