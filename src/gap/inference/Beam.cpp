@@ -80,9 +80,8 @@ private:
     if (scored.contains(name)) return;
     Scored set = score(replayer, shares, causes, screening.numKinds(), steps);
     // A cause that was fitted away makes the set the one without it.
-    if (std::ranges::any_of(set.causes(), [&](const Cause& cause) {
-          return doesNothing(replayer.mechanism(), cause);
-        }))
+    if (std::ranges::any_of(set.causes(),
+                            [&](const Cause& cause) { return doesNothing(replayer.mechanism(), cause); }))
       return;
     scored.emplace(std::move(name), std::move(set));
   }

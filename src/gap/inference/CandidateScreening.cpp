@@ -89,8 +89,8 @@ CandidateScreening::CandidateScreening(const Replayer& replayer_, const Shares& 
     const double share = std::min(1.0, cell.noise / likeliestScale(now.about, cell.noise));
     for (double& of : fallen.about) of *= share;
     fallen.mean = std::clamp(now.mean, -cell.noise, cell.noise);
-    most[c] = std::max(0.0, stretchDensity(fallen, cell.noise, shares[c]) -
-                                stretchDensity(now, cell.noise, shares[c]));
+    most[c] = std::max(
+        0.0, stretchDensity(fallen, cell.noise, shares[c]) - stretchDensity(now, cell.noise, shares[c]));
   }
   std::vector<Cause> possible;
   for (const Effect* effect : effects())
@@ -131,8 +131,7 @@ void CandidateScreening::replayStarts(const std::vector<Cause>& worth, const Res
       Start start{alone.front(), {}};
       for (std::size_t c = 0; c < groups.cells().size(); ++c) {
         const Cell& cell = groups.cells()[c];
-        if (!looked[cell.trial] ||
-            with[cell.trial][cell.signal] == nominal[cell.trial][cell.signal])
+        if (!looked[cell.trial] || with[cell.trial][cell.signal] == nominal[cell.trial][cell.signal])
           continue;
         const std::vector<double> a = thinned(residualsOf(cell, nominal), thinning(cell)),
                                   b = thinned(residualsOf(cell, with), thinning(cell));
@@ -179,8 +178,7 @@ double CandidateScreening::gainOf(const Start& start, const std::vector<Left>& l
     std::vector<double> r = left[change.cell].values;
     for (std::size_t k = 0; k < std::min(r.size(), change.values.size()); ++k)
       r[k] -= share * static_cast<double>(change.values[k]);
-    gain += stretchDensity(split(r), cell.noise,
-                           shares[change.cell] * static_cast<double>(thinning(cell))) -
+    gain += stretchDensity(split(r), cell.noise, shares[change.cell] * static_cast<double>(thinning(cell))) -
             left[change.cell].density;
   }
   return gain;
@@ -197,8 +195,7 @@ std::vector<Proposal> CandidateScreening::propose(const Explanation& base, const
     of.values = thinned(residualsOf(cell, residuals), thinning(cell));
     of.parts = split(of.values);
     of.scale = likeliestScale(of.parts.about, cell.noise);
-    of.density =
-        stretchDensity(of.parts, cell.noise, shares[c] * static_cast<double>(thinning(cell)));
+    of.density = stretchDensity(of.parts, cell.noise, shares[c] * static_cast<double>(thinning(cell)));
   }
   std::vector<Proposal> proposals;
   for (const Start& start : starts) {

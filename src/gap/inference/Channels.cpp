@@ -24,11 +24,11 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
-/// The fast part of a signal, as a standard deviation: differences of order 2 to 4, whichever is least. Each is
-/// white noise's own if there is no motion; motion adds to it, to a higher order less if it is smooth, to a
-/// lower one less if it jumps.
+/// The fast part of a signal, as a standard deviation: differences of order 2 to 4, whichever is least. Each
+/// is white noise's own if there is no motion; motion adds to it, to a higher order less if it is smooth, to
+/// a lower one less if it jumps.
 double fastPart(const std::vector<double>& values) {
-  constexpr double normal = 1.4826;  // standard deviation over median of absolute values
+  constexpr double normal = 1.4826;                    // standard deviation over median of absolute values
   constexpr std::array<double, 3> squares{6, 20, 70};  // of the binomial coefficients of an order
   std::vector<double> e;
   for (std::size_t k = 1; k < values.size(); ++k) e.push_back(values[k] - values[k - 1]);

@@ -12,8 +12,8 @@ struct Claim {
 
 /// From what was closed in recordings left out, one value per group of them: logarithms of the share that is
 /// left are normal about a mean, with a spread from motion to motion, both unknown (random effects, Gelman et
-/// al., Bayesian Data Analysis, chapter 5). The mean is 0 (nothing closed) give or take 1 before any data, the
-/// spread half-normal of 0.5. Few groups are thus drawn to 0 and leave a wide interval.
+/// al., Bayesian Data Analysis, chapter 5). The mean is 0 (nothing closed) give or take 1 before any data,
+/// the spread half-normal of 0.5. Few groups are thus drawn to 0 and leave a wide interval.
 Claim claimOf(const std::vector<double>& closedPerGroup);
 
 /// The mean of what was closed in the recordings of each group.

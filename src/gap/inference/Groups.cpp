@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t numStretches = 4;
 constexpr double startSeconds = 0.3;
-constexpr double engines = 0.5;  // of a channel's noise: what two engines differ by with one and the same model
+constexpr double engines =
+    0.5;  // of a channel's noise: what two engines differ by with one and the same model
 
 }  // namespace
 
@@ -60,8 +61,7 @@ void Groups::number() {
     if (std::ranges::count(in, 1) == 1) {
       stretches = true;
       in.assign(numStretches, 1);
-      for (std::size_t t = 0; t < all->size(); ++t)
-        recordingOf[t] = trialIn[t] ? 0 : 1;
+      for (std::size_t t = 0; t < all->size(); ++t) recordingOf[t] = trialIn[t] ? 0 : 1;
     }
   } else {
     for (std::size_t t = 0; t < all->size(); ++t) trialIn[t] = recordingOf[t] == 0;
@@ -101,8 +101,7 @@ bool Groups::holds(std::size_t trial) const {
 
 std::size_t Groups::groupOf(std::size_t trial, std::size_t cycle) const {
   if (!stretches) return recordingOf[trial];
-  return std::min(numStretches - 1,
-                  cycle * numStretches / std::max<std::size_t>(1, (*all)[trial].cycles()));
+  return std::min(numStretches - 1, cycle * numStretches / std::max<std::size_t>(1, (*all)[trial].cycles()));
 }
 
 }  // namespace plumbline::gap

@@ -25,13 +25,14 @@ std::string Inference::sentence() const {
     least = std::min(least, left.closed());
     most = std::max(most, left.closed());
   }
-  std::snprintf(text, sizeof text,
-                "Of another recording's gap it is expected to close %.0f %% (90 %%: %.0f to %.0f %%); of %s it "
-                "closed %.0f to %.0f %%.",
-                100 * claim.closed, 100 * claim.lower, 100 * claim.upper,
-                stretchesOfOne ? "stretches of the one recording, each left out in turn," :
-                                 "these, each left out of search and fit in turn,",
-                100 * least, 100 * most);
+  std::snprintf(
+      text, sizeof text,
+      "Of another recording's gap it is expected to close %.0f %% (90 %%: %.0f to %.0f %%); of %s it "
+      "closed %.0f to %.0f %%.",
+      100 * claim.closed, 100 * claim.lower, 100 * claim.upper,
+      stretchesOfOne ? "stretches of the one recording, each left out in turn,"
+                     : "these, each left out of search and fit in turn,",
+      100 * least, 100 * most);
   const std::string claimed = text;
   if (diagnosis.verdict == Verdict::effect) return "Missing from the model: " + causes + ". " + claimed;
   std::snprintf(text, sizeof text,

@@ -67,8 +67,10 @@ void check(const CheckOptions& options) {
   result["verdict"] = verdict;
   const bool claims = answer.contains("gap") && answer["gap"].contains("closed");
   result["claimed"] = claims ? answer["gap"]["closed"] : nlohmann::json(nullptr);
-  const nlohmann::json interval = claims ? answer["gap"].value("closed_interval", nlohmann::json()) : nlohmann::json();
-  const bool ranges = interval.is_array() && interval.size() == 2 && interval[0].is_number() && interval[1].is_number();
+  const nlohmann::json interval =
+      claims ? answer["gap"].value("closed_interval", nlohmann::json()) : nlohmann::json();
+  const bool ranges =
+      interval.is_array() && interval.size() == 2 && interval[0].is_number() && interval[1].is_number();
   if (ranges) result["claimed_interval"] = interval;
   if (!options.json.empty() && options.json != "-") writeFile(options.json, result.dump(1) + "\n");
   if (options.json == "-") {

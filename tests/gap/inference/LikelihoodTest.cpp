@@ -57,7 +57,8 @@ TEST(Likelihood, theMeanOfAStretchCountsOnceHoweverLongItIs) {
     std::vector<double> all = gaussians(n, 1), half = all;
     for (double& r : all) r += 40;
     for (double& r : half) r += 20;
-    EXPECT_NEAR(stretchDensity(split(half), 0.1, 1) - stretchDensity(split(all), 0.1, 1), std::log(2.0), 0.01);
+    EXPECT_NEAR(stretchDensity(split(half), 0.1, 1) - stretchDensity(split(all), 0.1, 1), std::log(2.0),
+                0.01);
   }
 }
 
