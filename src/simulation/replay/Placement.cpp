@@ -16,11 +16,6 @@ constexpr double sameTurn = 1e-3;      // [rad]
 constexpr double farthestAStep = 0.5;  // [m]; faster than any robot moves
 constexpr double sameSpeed = 2e-3;     // [m/s]; six digits of two places
 
-/// What the step to this row added to the velocity, from the accelerometer of the next.
-Vec3 addedVelocity(const LeagueTrace& trace, std::size_t row) {
-  return traceStep * (trace.rows[row].torso.linear() * trace.rows[row + 1].acc - Vec3(0, 0, gravity));
-}
-
 Mat3 turnInStep(const TraceRow& row) {
   const double angle = row.gyro.norm() * traceStep;
   if (angle == 0) return Mat3::Identity();
@@ -28,6 +23,10 @@ Mat3 turnInStep(const TraceRow& row) {
 }
 
 }  // namespace
+
+Vec3 addedVelocity(const LeagueTrace& trace, std::size_t row) {
+  return traceStep * (trace.rows[row].torso.linear() * trace.rows[row + 1].acc - Vec3(0, 0, gravity));
+}
 
 bool isPlaced(const LeagueTrace& trace, std::size_t row) {
   if (row < 2 || row >= trace.rows.size()) return false;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "simulation/Field.h"
+#include "simulation/replay/Placement.h"
 
 namespace plumbline::simulation {
 
@@ -15,11 +15,6 @@ using simspark::traceStep;
 // The league's engine turns a body by 2 atan(w dt / 2) in a step, not by w dt: 0.0001 degrees less at 1.5
 // rad/s.
 double speedOf(double turn) { return 2 * std::tan(turn / 2) / traceStep; }
-
-/// What the step to a row added to the torso's velocity, from the accelerometer of the next row.
-Vec3 addedVelocity(const LeagueTrace& trace, std::size_t row) {
-  return traceStep * (trace.rows[row].torso.linear() * trace.rows[row + 1].acc - Vec3(0, 0, gravity));
-}
 
 }  // namespace
 

@@ -14,7 +14,6 @@ namespace {
 // As the league's engine has it.
 constexpr int idleSteps = 10;
 constexpr double idleSpeed = 0.01;  // [m/s, rad/s]
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

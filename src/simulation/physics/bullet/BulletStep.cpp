@@ -6,10 +6,6 @@
 
 namespace plumbline::simulation::bullet {
 
-namespace {
-constexpr double infinity = std::numeric_limits<double>::infinity();
-}
-
 void BulletStep::step(const PhysicsConfig& config, const Assemblies& assemblies, BulletContacts& contacts) {
   islands.find(assemblies, contacts.contacts());
   islands.forEachAwake([&](const auto& members_, const auto& contactIndices_) {

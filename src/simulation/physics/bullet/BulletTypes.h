@@ -7,9 +7,13 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <btBulletCollisionCommon.h>
 
+#include <limits>
+
 #include "math/Types.h"
 
 namespace plumbline::simulation::bullet {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 inline Vec3 toVec3(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 inline btVector3 fromVec3(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
