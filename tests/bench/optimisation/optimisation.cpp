@@ -37,6 +37,7 @@ void add(const std::string& name, double value, const char* unit, const char* be
   if (goal > 0) one["target"] = goal;
   if (!peer.empty()) one["peer"] = peer, one["peer_value"] = peerValue;
   report.push_back(one);
+  write();
 }
 
 double median(std::vector<double> values) {
