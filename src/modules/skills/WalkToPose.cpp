@@ -27,9 +27,10 @@ WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& 
   if (std::abs(bearing) < parameters.turnFirst) {
     // Slower while still turning: a fast walk in a tight curve swings out and loses time.
     double speed = parameters.maxForward * std::pow(std::cos(bearing), 3);
-    if (std::abs(bearing) < parameters.sprintBearing)
+    const bool sprint = parameters.sprintBearing > 0 && distance > parameters.sprintDistance;
+    if (sprint && std::abs(bearing) < parameters.sprintBearing)
       command.turn = std::clamp(command.turn, -parameters.sprintTurn, parameters.sprintTurn);
-    else if (parameters.sprintBearing > 0)
+    else if (sprint)
       speed = std::min(speed, parameters.curveSpeed);
     command.velocity = limitVelocity({std::min(speed, parameters.positionGain * distance), 0}, parameters);
   }

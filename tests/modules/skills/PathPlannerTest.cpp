@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "math/Angle.h"
 #include "math/Random.h"
 
 using namespace plumbline;
