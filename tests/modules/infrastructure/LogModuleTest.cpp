@@ -141,6 +141,7 @@ TEST_F(LogModuleTest, backwardsIsExactBecauseAllIsPlayedAgain) {
   Controller controller(setup, modulesOnLog(parseModulesConfig(cfg, "modules.cfg"), options, "none"));
   const auto log = optionsOf(options, controller);
   controller.objects().set(log);
+  controller.init();  // the players are there
   const auto at = [&](std::size_t cycle) {
     const std::size_t from = log->replay->position();
     log->replay->goTo(cycle);
