@@ -190,7 +190,8 @@ TEST_F(LogModuleTest, threadsAreReplayedEachFromItsOwnRecording) {
     options.waits = true;
     controller.objects().set(optionsOf(options, controller));
     std::thread end([&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      const auto& recorder = *controller.objects().find<LogOptions>()->recorder;
+      while (recorder.cycles() < 50) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       controller.stop().request(0, "");
     });
     controller.run();
