@@ -61,7 +61,7 @@ class LoggedSummer : public LoggedSummerBase {
 public:
   void update(LoggedSum* theLoggedSum) override {
     theLoggedSum->value = sum_ += theLoggedInput->value;
-    theLoggedSum->before = theLoggedLater->value;
+    theLoggedSum->before = theLoggedLater ? theLoggedLater->value : -1;
   }
 
 private:
