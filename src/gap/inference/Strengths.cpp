@@ -7,7 +7,8 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double nothing = 1e-3;  // of the least start
+/// Of the least start: below what doesNothing() asks for, so that a cause that has vanished is seen to.
+constexpr double nothing = 2e-5;
 
 double leastStrength(const Mechanism& robot, const Cause& cause) {
   const double scale = cause.effect->scaleAt(robot, cause.place);
