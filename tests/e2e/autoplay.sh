@@ -52,7 +52,7 @@ nothingLeft "a game that hangs"
 "$auto/startGame.sh" --half-time 1000 --realtime --players 2 --log "$log" --output "$scratch/dies" "$start 1" "$start 1 --team Two" > "$scratch/out" 2>&1 &
 game=$!
 waitFor grep -q PlayOn "$scratch/dies/game.log"
-kill -9 "$(pgrep -f "simulator.*$scratch/dies")"
+kill -9 "$(pgrep -f "^[^ ]*bin/simulator .*$scratch/dies")"
 status=0; wait $game || status=$?
 expectEqual "$status" 1 "status of a game whose server dies"
 expectEqual "$(column "$log" end)" "server gone" "a game whose server dies"
