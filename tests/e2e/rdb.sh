@@ -80,6 +80,8 @@ waitFor shows '^representation:FrameInfo.time  [0-9]'
 waitFor shows 'ended 0'
 grep -q '^get r:GameState.ownScore$' "$XDG_STATE_HOME/plumbline/rdb_history" || fail "the history was not kept"
 "${terminal[@]}" kill-server
+noTerminal() { ! "${terminal[@]}" list-sessions; }
+waitFor noTerminal # a server that is still ending would take the next session with it
 console
 waitFor shows 'connected to'
 "${terminal[@]}" send-keys Up

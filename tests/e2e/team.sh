@@ -9,6 +9,7 @@ for number in 1 2 3 4; do
   "$bin/agent" --team Four --number $number --port "$agentPort" --monitor-port "$monitorPort" --status --crash-log "$scratch/crash$number" \
     > "$scratch/agent$number.log" 2>&1 &
   agents[number]=$!
+  waitFor grep -q "." "$scratch/agent$number.log"
 done
 wait $simulator || fail "the simulator: $(tail -1 "$scratch/simulator.log")"
 kill -TERM "${agents[@]}" 2> /dev/null || true

@@ -88,7 +88,7 @@ try {
   await browser.screenshot(picture);
   await browser.run('location.reload()');
   await until('after a reload the same stands there', async () => JSON.stringify((await state())?.panels) === JSON.stringify(before));
-  await until('and drawings go on', async () => (await state()).drawings.length === 6 && (await state()).shapes > 40);
+  await until('and drawings go on', async () => { const now = await state(); return now?.drawings.length === 6 && now.shapes > 40; });
 
   const begin = Date.now();
   process.kill(Number(agentPid), 'SIGINT');
