@@ -7,6 +7,7 @@
 #include "representations/infrastructure/SensorData.h"
 #include "representations/motion/JointRequest.h"
 #include "representations/motion/MotionRequest.h"
+#include "representations/perception/HearPercept.h"
 #include "representations/perception/PolarPercepts.h"
 
 namespace plumbline {
@@ -21,6 +22,8 @@ MODULE(ScriptedSensors)
   PROVIDES(PolarBallPercept)
   PROVIDES(PolarLandmarkPercept)
   PROVIDES(PolarLinePercept)
+  PROVIDES(PolarPlayerPercept)
+  PROVIDES(HearPercept)
 END_MODULE
 
 /// What the robot of test::ScriptedWorld feels; it sees nothing.
@@ -35,6 +38,8 @@ public:
   void update(PolarBallPercept*) override {}
   void update(PolarLandmarkPercept*) override {}
   void update(PolarLinePercept*) override {}
+  void update(PolarPlayerPercept*) override {}
+  void update(HearPercept*) override {}
 };
 
 MODULE(ScriptedWish)
