@@ -9,6 +9,7 @@ export LC_ALL=C.UTF-8 XDG_STATE_HOME="$scratch/state"
 waitFor test -s "$scratch/ports.json"
 agentPort=$(sed -n 's/.*"agent": \([0-9]*\).*/\1/p' "$scratch/ports.json")
 startAgent() { # port of the debug interface
+  rm -f "$scratch/agent.err" # or the last one's words are read
   "$bin/agent" --port "$agentPort" --debug "$1" > "$scratch/agent.out" 2> "$scratch/agent.err" &
   agent=$!
   waitFor grep -q 'debug port' "$scratch/agent.err"
@@ -52,6 +53,7 @@ expectError 2 'rdb: cannot connect to 127.0.0.1:1: Connection refused; was the a
 terminal=(tmux -L "plumbline-rdb-$$" -f /dev/null)
 trap 'status=$?; "${terminal[@]}" kill-server 2> /dev/null || true; jobs -p | xargs -r kill 2> /dev/null || true; rm -rf "$scratch"; exit $status' EXIT
 screen() { "${terminal[@]}" capture-pane -p; }
+fail() { echo "FAILED: $*; the terminal shows:" >&2; screen >&2 || true; exit 1; }
 shows() { screen | grep -q -e "$1"; }
 type_() { "${terminal[@]}" send-keys -l "$1"; "${terminal[@]}" send-keys Enter; }
 console() { "${terminal[@]}" new-session -d -x 120 -y 30 "$bin/rdb 127.0.0.1:$debugPort; echo ended \$?; sleep 60"; }
