@@ -51,7 +51,7 @@ expectError 2 'rdb: cannot connect to 127.0.0.1:1: Connection refused; was the a
 
 # The console.
 terminal=(tmux -L "plumbline-rdb-$$" -f /dev/null)
-trap 'status=$?; "${terminal[@]}" kill-server 2> /dev/null || true; jobs -p | xargs -r kill 2> /dev/null || true; rm -rf "$scratch"; exit $status' EXIT
+trap 'status=$?; "${terminal[@]}" kill-server 2> /dev/null || true; jobs -p | xargs -r kill 2> /dev/null || true; waitFor rm -rf "$scratch"; exit $status' EXIT # what is ending still writes its history
 screen() { "${terminal[@]}" capture-pane -p; }
 fail() { echo "FAILED: $*; the terminal shows:" >&2; screen >&2 || true; exit 1; }
 shows() { screen | grep -q -e "$1"; }
@@ -82,8 +82,7 @@ waitFor shows '^representation:FrameInfo.time  [0-9]'
 waitFor shows 'ended 0'
 grep -q '^get r:GameState.ownScore$' "$XDG_STATE_HOME/plumbline/rdb_history" || fail "the history was not kept"
 "${terminal[@]}" kill-server
-noTerminal() { ! "${terminal[@]}" list-sessions; }
-waitFor noTerminal # a server that is still ending would take the next session with it
+terminal[2]="plumbline-rdb-$$-again" # tmux that is still ending would take the next session with it
 console
 waitFor shows 'connected to'
 "${terminal[@]}" send-keys Up
