@@ -20,6 +20,8 @@ namespace {
 
 constexpr unsigned maxDomain = 232, maxPeers = 64;
 constexpr std::uint32_t sharedMemory = 8u << 20;  ///< bytes on their way to readers of this machine
+/// After so long without a sign a reader of shared memory is thought dead, and one that comes back gets a new place [ms].
+constexpr std::uint32_t deadReader = 100;
 /// Bytes that the system keeps for a slow thread of ours; it gives less where it must.
 constexpr std::uint32_t socketBuffer = 4u << 20;
 
@@ -51,6 +53,22 @@ void setDiscovery(fast::DomainParticipantQos& qos, const ParticipantOptions& opt
   discovery.leaseDuration_announcementperiod = {1, 0};
   discovery.initial_announcements.count = 10;
   discovery.initial_announcements.period = {0, 100'000'000};
+  // Who is there is told by UDP alone: a reader that was killed leaves shared memory behind, which whoever comes back in
+  // its place would have to wait for.
+  auto& builtin = qos.wire_protocol().builtin;
+  constexpr std::uint32_t firstPort = 7400, portsOfADomain = 250;
+  rtps::Locator_t group;
+  group.kind = LOCATOR_KIND_UDPv4;
+  group.port = firstPort + portsOfADomain * options.domain;
+  rtps::IPLocator::setIPv4(group, "239.255.0.1");
+  builtin.metatrafficMulticastLocatorList.push_back(group);
+  for (const std::string& address : options.addresses) {
+    rtps::Locator_t own;
+    own.kind = LOCATOR_KIND_UDPv4;
+    own.port = 0;  // the first that is free
+    rtps::IPLocator::setIPv4(own, address);
+    builtin.metatrafficUnicastLocatorList.push_back(own);
+  }
   for (const std::string& peer : options.peers) {
     rtps::Locator_t locator;
     locator.kind = LOCATOR_KIND_UDPv4;
@@ -75,6 +93,7 @@ void setTransports(fast::DomainParticipantQos& qos, const ParticipantOptions& op
   udp->non_blocking_send = true;  // a full socket loses a sample, which the next one makes good
   auto memory = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
   memory->segment_size(sharedMemory);
+  memory->healthy_check_timeout_ms(deadReader);
   qos.transport().user_transports = {memory, udp};
 }
 
