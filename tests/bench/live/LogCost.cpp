@@ -112,7 +112,7 @@ double bareStream() {
 
 void writersThread(benchmark::State& state) {
   const double bare = bareStream();
-  int run = 0;
+  static int run = 0;  // a benchmark is run several times, a log never overwritten
   std::unique_ptr<LogWriter> writer;
   std::size_t at = 0;
   std::uint64_t number = 0;
