@@ -55,11 +55,12 @@ PeerRun runPeer(const std::string& algorithm, Function function, int dimension, 
   const Problem problem{function, static_cast<std::size_t>(dimension)};
   const auto generations = static_cast<unsigned>(maxEvaluations / population);
   pagmo::population first = begin(problem, start, population, seed);
+  // It begins with equal costs, which its tolerances would take for the end.
   // Its sigma is in the function's units for cmaes, and a share of the box's width for xnes.
   if (algorithm == "xnes")
-    return run(pagmo::xnes(generations, -1, -1, -1, 0.5 / 200, 1e-13, 1e-13, false, false, seed), first,
+    return run(pagmo::xnes(generations, -1, -1, -1, 0.5 / 200, 0, 0, false, false, seed), first,
                population, target);
-  return run(pagmo::cmaes(generations, -1, -1, -1, -1, 0.5, 1e-13, 1e-13, false, false, seed), first,
+  return run(pagmo::cmaes(generations, -1, -1, -1, -1, 0.5, 0, 0, false, false, seed), first,
              population, target);
 }
 
