@@ -23,7 +23,8 @@ fast::Topic& topicOf(fast::DomainParticipant& participant, const TopicName& name
     fast::TypeSupport(new BytesType(name.type, name.bare)).register_type(&participant);
   if (auto* known = participant.lookup_topicdescription(name.topic)) {
     if (known->get_type_name() != name.type)
-      throw std::runtime_error("topic " + name.topic + " carries " + known->get_type_name() + ", not " + name.type);
+      throw std::runtime_error("topic " + name.topic + " carries " + known->get_type_name() + ", not " +
+                               name.type);
     return *static_cast<fast::Topic*>(known);
   }
   auto* topic = participant.create_topic(name.topic, name.type, fast::TOPIC_QOS_DEFAULT);

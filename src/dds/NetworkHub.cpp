@@ -23,7 +23,9 @@ TopicName topicName(const std::string& agent, const RepresentationLoader& loader
 
 SentRepresentation::SentRepresentation(Participant& participant, const NetworkOptions& options,
                                        const RepresentationLoader& loader, const Representation& source)
-    : sent_(loader.create()), shape_(shapeOf(sent_->get())), writer_(participant, topicName(options.agent, loader)) {
+    : sent_(loader.create()),
+      shape_(shapeOf(sent_->get())),
+      writer_(participant, topicName(options.agent, loader)) {
   copy_.add(loader, source, sent_->get());
 }
 

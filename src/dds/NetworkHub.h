@@ -17,8 +17,8 @@ namespace plumbline::dds {
 /// the hub's own thread makes bytes of the copy and sends them.
 class SentRepresentation {
 public:
-  SentRepresentation(Participant& participant, const NetworkOptions& options, const RepresentationLoader& loader,
-                     const Representation& source);
+  SentRepresentation(Participant& participant, const NetworkOptions& options,
+                     const RepresentationLoader& loader, const Representation& source);
 
   bool wanted() const { return writer_.readers() > 0; }
   /// In the thread of the source, after each cycle.
@@ -37,11 +37,11 @@ private:
 /// A representation that another agent shows.
 class ReceivedRepresentation {
 public:
-  ReceivedRepresentation(Participant& participant, const NetworkOptions& options, const RepresentationLoader& loader,
-                         Representation& target);
+  ReceivedRepresentation(Participant& participant, const NetworkOptions& options,
+                         const RepresentationLoader& loader, Representation& target);
 
-  /// In the thread of the target, before each cycle: the newest value, if one came. What cannot be read, is of
-  /// another shape or not finite changes nothing and is told to the log.
+  /// In the thread of the target, before each cycle: the newest value, if one came. What cannot be read, is
+  /// of another shape or not finite changes nothing and is told to the log.
   void receive(Log& log);
 
 private:

@@ -9,7 +9,8 @@ namespace plumbline::dds {
 
 MAKE_SPECIAL_MODULE(network, NetworkModule)
 
-NetworkModule::NetworkModule(const std::string&) : hub_(*ModuleContext::current().objects.find<NetworkHub>()) {
+NetworkModule::NetworkModule(const std::string&)
+    : hub_(*ModuleContext::current().objects.find<NetworkHub>()) {
   hub_.open(ModuleContext::current().config);
 }
 

@@ -2,15 +2,15 @@
 
 #include <arpa/inet.h>
 
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
 #include <algorithm>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
-#include <fastrtps/utils/IPLocator.h>
 #include <stdexcept>
 
 namespace plumbline::dds {
@@ -20,7 +20,8 @@ namespace {
 
 constexpr unsigned maxDomain = 232, maxPeers = 64;
 constexpr std::uint32_t sharedMemory = 8u << 20;  ///< bytes on their way to readers of this machine
-/// After so long without a sign a reader of shared memory is thought dead, and one that comes back gets a new place [ms].
+/// After so long without a sign a reader of shared memory is thought dead, and one that comes back gets a new
+/// place [ms].
 constexpr std::uint32_t deadReader = 100;
 /// Bytes that the system keeps for a slow thread of ours; it gives less where it must.
 constexpr std::uint32_t socketBuffer = 4u << 20;
@@ -37,7 +38,8 @@ bool isLoopback(std::uint32_t address) { return address >> 24 == 127; }
 void check(const ParticipantOptions& options) {
   if (options.domain > maxDomain)
     throw std::runtime_error("domain " + std::to_string(options.domain) + " is not within 0 to 232");
-  if (options.addresses.empty()) throw std::runtime_error("addresses is empty; give 127.0.0.1 or one of this machine");
+  if (options.addresses.empty())
+    throw std::runtime_error("addresses is empty; give 127.0.0.1 or one of this machine");
   if (options.peers.size() > maxPeers) throw std::runtime_error("more than 64 peers");
   for (const std::string& peer : options.peers) addressOf(peer, "peer");
   for (const std::string& address : options.addresses) {
@@ -53,8 +55,8 @@ void setDiscovery(fast::DomainParticipantQos& qos, const ParticipantOptions& opt
   discovery.leaseDuration_announcementperiod = {1, 0};
   discovery.initial_announcements.count = 10;
   discovery.initial_announcements.period = {0, 100'000'000};
-  // Who is there is told by UDP alone: a reader that was killed leaves shared memory behind, which whoever comes back in
-  // its place would have to wait for.
+  // Who is there is told by UDP alone: a reader that was killed leaves shared memory behind, which whoever
+  // comes back in its place would have to wait for.
   auto& builtin = qos.wire_protocol().builtin;
   constexpr std::uint32_t firstPort = 7400, portsOfADomain = 250;
   rtps::Locator_t group;
@@ -115,7 +117,8 @@ Participant::Participant(const ParticipantOptions& options) {
   setTransports(qos, options);
   auto* factory = fast::DomainParticipantFactory::get_instance();
   participant_ = factory->create_participant(options.domain, qos);
-  if (!participant_) throw std::runtime_error("DDS does not start on domain " + std::to_string(options.domain));
+  if (!participant_)
+    throw std::runtime_error("DDS does not start on domain " + std::to_string(options.domain));
   auto publisher = participant_->get_default_publisher_qos();
   auto subscriber = participant_->get_default_subscriber_qos();
   if (!options.open) {

@@ -24,7 +24,8 @@ public:
   void operator()(const Header& header) {
     constexpr double nanoseconds = 1e9;
     const double whole = std::floor(header.time);
-    cdr_ << static_cast<std::int32_t>(whole) << static_cast<std::uint32_t>((header.time - whole) * nanoseconds);
+    cdr_ << static_cast<std::int32_t>(whole)
+         << static_cast<std::uint32_t>((header.time - whole) * nanoseconds);
     cdr_ << header.frame;
   }
   void operator()(const Transform& transform) {
@@ -59,8 +60,8 @@ std::string encode(const JointState& m) {
 }
 
 std::string encode(const Imu& m) {
-  return encoded(m.header, m.orientation, m.orientationCovariance, m.angularVelocity, m.angularVelocityCovariance,
-                 m.linearAcceleration, m.linearAccelerationCovariance);
+  return encoded(m.header, m.orientation, m.orientationCovariance, m.angularVelocity,
+                 m.angularVelocityCovariance, m.linearAcceleration, m.linearAccelerationCovariance);
 }
 
 std::string encode(const Odometry& m) {
@@ -83,7 +84,8 @@ std::string encode(const PointStamped& m) { return encoded(m.header, m.point); }
 
 std::string encode(const std::string& text) { return encoded(text); }
 
-TopicName topicName(const std::string& topic, const std::string& package, const std::string& message, bool lasting) {
+TopicName topicName(const std::string& topic, const std::string& package, const std::string& message,
+                    bool lasting) {
   TopicName name{"rt/" + topic, package + "::msg::dds_::" + message + "_", true};
   name.reliable = true;
   name.lasting = lasting;

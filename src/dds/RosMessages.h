@@ -5,8 +5,8 @@
 
 #include "dds/ByteTopic.h"
 
-// Messages of ROS 2 (common_interfaces and tf2_msgs, the same from Foxy to Jazzy) as far as agents send them. encode() gives
-// their CDR without the header that BytesType puts in front.
+// Messages of ROS 2 (common_interfaces and tf2_msgs, the same from Foxy to Jazzy) as far as agents send them.
+// encode() gives their CDR without the header that BytesType puts in front.
 namespace plumbline::dds::ros {
 
 /// std_msgs/Header: when [s since the platform's start] and in which frame.
@@ -73,8 +73,8 @@ std::string encode(const PointStamped& message);
 /// std_msgs/String.
 std::string encode(const std::string& text);
 
-/// Topic and type on the wire, by ROS 2's rules: topicName("robot1/imu", "sensor_msgs", "Imu"). Reliable, as readers of ROS 2
-/// want it; the last message waits for readers who come later if it is `lasting`.
+/// Topic and type on the wire, by ROS 2's rules: topicName("robot1/imu", "sensor_msgs", "Imu"). Reliable, as
+/// readers of ROS 2 want it; the last message waits for readers who come later if it is `lasting`.
 TopicName topicName(const std::string& topic, const std::string& package, const std::string& message,
                     bool lasting = false);
 

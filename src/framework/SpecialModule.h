@@ -24,8 +24,8 @@ public:
   virtual void planned(const ThreadPlan&) {}
 
   /// cycle: the thread goes on. unseen: the same, and nobody looks into that cycle from outside. wait: no
-  /// cycle now; the values can be looked at, and it is asked again. restart: modules and representations begin
-  /// anew, as when the agent started, and it is asked again.
+  /// cycle now; the values can be looked at, and it is asked again. restart: modules and representations
+  /// begin anew, as when the agent started, and it is asked again.
   enum class Turn { cycle, unseen, wait, restart };
   /// Before each cycle; may sleep for less than a tenth of a second.
   virtual Turn turn() { return Turn::cycle; }

@@ -7,8 +7,8 @@
 
 namespace plumbline::inspect {
 
-/// Who draws, for the names of the sets and for the side that the field is seen from; the module DrawingFrames
-/// says so.
+/// Who draws, for the names of the sets and for the side that the field is seen from; the module
+/// DrawingFrames says so.
 struct DrawingOwner {
   std::atomic<int> number{0};
   std::atomic<bool> right{false};  ///< of the viewer's field

@@ -198,7 +198,8 @@ int runAgent(const Options& options, const Platform& platform) {
     controller.objects().set(options.debug);
   }
   if (options.log.records() && !hasLog(controller))
-    throw ConfigurationError(setup.modulesConfig + ": no line has the special module log, so nothing is recorded");
+    throw ConfigurationError(setup.modulesConfig +
+                             ": no line has the special module log, so nothing is recorded");
   const auto log = makeLog(options.log, controller, setup.configDirectories, tell);
   controller.objects().set(log);
   controller.stop().catchSignals();

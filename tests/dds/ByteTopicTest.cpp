@@ -56,7 +56,8 @@ TEST(ByteTopic, carriesAPicture) {
   ByteReader reader(there, ball);
   ASSERT_TRUE(becomes([&] { return writer.readers() == 1 && reader.writers() == 1; }));
   Sample sent{7, std::string(600'000, 'p')}, sample;
-  ASSERT_TRUE(becomes([&] { return writer.write(sent) && becomes([&] { return reader.take(sample); }, 1s); }));
+  ASSERT_TRUE(
+      becomes([&] { return writer.write(sent) && becomes([&] { return reader.take(sample); }, 1s); }));
   EXPECT_EQ(sample.bytes, sent.bytes);
 }
 

@@ -148,8 +148,9 @@ TEST(NetworkModule, takesNothingThatItCannotRead) {
   };
   const std::string whole = bytesOf(fine);
   for (const std::string& bytes :
-       {std::string(), std::string("\1\2\3"), head, head + whole.substr(0, whole.size() - 1), head + whole + "x",
-        std::string(8, 'x') + whole, head + bytesOf(infinite), head + std::string(5000, '\xff')}) {
+       {std::string(), std::string("\1\2\3"), head, head + whole.substr(0, whole.size() - 1),
+        head + whole + "x", std::string(8, 'x') + whole, head + bytesOf(infinite),
+        head + std::string(5000, '\xff')}) {
     dds::Sample sample{1, bytes};
     ASSERT_TRUE(writer.write(sample));
     std::this_thread::sleep_for(10ms);
@@ -175,8 +176,10 @@ void expectRefused(const std::string& modules, const std::string& config, const 
 }
 
 TEST(NetworkModule, saysWhatIsWrongWithItsConfiguration) {
-  expectRefused(source, configOf("r d", "\"\""), "agent is no name of an agent: up to 64 letters, digits, _ and -");
-  expectRefused(source, configOf("\"\"", "\"\""), "agent is empty; give the name under which others find this agent");
+  expectRefused(source, configOf("r d", "\"\""),
+                "agent is no name of an agent: up to 64 letters, digits, _ and -");
+  expectRefused(source, configOf("\"\"", "\"\""),
+                "agent is empty; give the name under which others find this agent");
   expectRefused(reader, configOf("blue", "\"\""),
                 "modules.cfg wants ShownBall from the network; say in NetworkModule.yaml from: which agent");
   expectRefused(source, "agent: red\nfrom: \"\"\naddresses: [0.0.0.0]\npeers: []\ntoken: \"\"\n",

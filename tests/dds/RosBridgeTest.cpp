@@ -1,4 +1,5 @@
-// What the agent sends to ROS 2, read by a DDS of other people: Cyclone DDS, with readers generated from ROS 2's definitions.
+// What the agent sends to ROS 2, read by a DDS of other people: Cyclone DDS, with readers generated from ROS
+// 2's definitions.
 #include "modules/infrastructure/RosBridge.h"
 
 #include <RosTypes.h>
@@ -29,7 +30,8 @@ class Listener {
 public:
   Listener() {
     setenv("CYCLONEDDS_URI",
-           "<General><Interfaces><NetworkInterface address=\"127.0.0.1\" multicast=\"true\"/></Interfaces></General>",
+           "<General><Interfaces><NetworkInterface address=\"127.0.0.1\" "
+           "multicast=\"true\"/></Interfaces></General>",
            1);
     participant = dds_create_participant(static_cast<dds_domainid_t>(rosDomain()), nullptr, nullptr);
   }
@@ -37,8 +39,8 @@ public:
 
   /// Waits for a message of the topic and shows it to `look`; meanwhile `send` is called again and again.
   template <typename Message>
-  bool read(const dds_topic_descriptor_t& type, const char* topicName, bool lasting, const std::function<void()>& send,
-            const std::function<void(const Message&)>& look) {
+  bool read(const dds_topic_descriptor_t& type, const char* topicName, bool lasting,
+            const std::function<void()>& send, const std::function<void(const Message&)>& look) {
     const dds_entity_t topic = dds_create_topic(participant, &type, topicName, nullptr, nullptr);
     dds_qos_t* qos = dds_create_qos();
     dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(1));
@@ -90,7 +92,9 @@ protected:
   template <typename Message>
   void expectRead(const dds_topic_descriptor_t& type, const char* topic,
                   const std::function<void(const Message&)>& look, bool lasting = false) {
-    EXPECT_TRUE(listener.read<Message>(type, topic, lasting, [&] { harness.cycle(); }, look)) << topic;
+    EXPECT_TRUE(listener.read<Message>(
+        type, topic, lasting, [&] { harness.cycle(); }, look))
+        << topic;
   }
 
   Listener listener;
@@ -106,35 +110,37 @@ private:
 };
 
 TEST_F(RosBridgeTest, sendsWhatAnIndependentProgramReads) {
-  expectRead<sensor_msgs_msg_dds__JointState_>(
-      sensor_msgs_msg_dds__JointState__desc, "rt/robot1/joint_states", [](const auto& m) {
-        EXPECT_EQ(m.header_.stamp_.sec_, 12);
-        EXPECT_EQ(m.header_.stamp_.nanosec_, 250'000'000u);
-        EXPECT_STREQ(m.header_.frame_id_, "robot1/torso");
-        ASSERT_EQ(m.name_._length, m.position_._length);
-        EXPECT_EQ(m.name_._length, 22u) << "the NAO has no toes";
-        EXPECT_EQ(m.velocity_._length, 0u);
-        int knees = 0;
-        for (unsigned i = 0; i < m.name_._length; ++i) {
-          if (std::string(m.name_._buffer[i]) != "LKneePitch") continue;
-          EXPECT_EQ(m.position_._buffer[i], 0.5);
-          ++knees;
-        }
-        EXPECT_EQ(knees, 1);
-      });
+  expectRead<sensor_msgs_msg_dds__JointState_>(sensor_msgs_msg_dds__JointState__desc,
+                                               "rt/robot1/joint_states", [](const auto& m) {
+                                                 EXPECT_EQ(m.header_.stamp_.sec_, 12);
+                                                 EXPECT_EQ(m.header_.stamp_.nanosec_, 250'000'000u);
+                                                 EXPECT_STREQ(m.header_.frame_id_, "robot1/torso");
+                                                 ASSERT_EQ(m.name_._length, m.position_._length);
+                                                 EXPECT_EQ(m.name_._length, 22u) << "the NAO has no toes";
+                                                 EXPECT_EQ(m.velocity_._length, 0u);
+                                                 int knees = 0;
+                                                 for (unsigned i = 0; i < m.name_._length; ++i) {
+                                                   if (std::string(m.name_._buffer[i]) != "LKneePitch")
+                                                     continue;
+                                                   EXPECT_EQ(m.position_._buffer[i], 0.5);
+                                                   ++knees;
+                                                 }
+                                                 EXPECT_EQ(knees, 1);
+                                               });
   expectRead<sensor_msgs_msg_dds__Imu_>(sensor_msgs_msg_dds__Imu__desc, "rt/robot1/imu", [](const auto& m) {
     EXPECT_EQ(m.orientation_covariance_[0], -1);
     EXPECT_EQ(m.angular_velocity_.y_, 0.2);
     EXPECT_EQ(m.linear_acceleration_.z_, 9.5);
   });
-  expectRead<nav_msgs_msg_dds__Odometry_>(nav_msgs_msg_dds__Odometry__desc, "rt/robot1/odom", [](const auto& m) {
-    EXPECT_STREQ(m.header_.frame_id_, "robot1/odom");
-    EXPECT_STREQ(m.child_frame_id_, "robot1/base_footprint");
-    EXPECT_EQ(m.pose_.pose_.position_.y_, 2);
-    EXPECT_NEAR(m.pose_.pose_.orientation_.z_, std::sin(0.25), 1e-12);
-    EXPECT_NEAR(m.twist_.twist_.linear_.x_, 0.5, 1e-12);
-    EXPECT_NEAR(m.twist_.twist_.angular_.z_, 0.1, 1e-12);
-  });
+  expectRead<nav_msgs_msg_dds__Odometry_>(nav_msgs_msg_dds__Odometry__desc, "rt/robot1/odom",
+                                          [](const auto& m) {
+                                            EXPECT_STREQ(m.header_.frame_id_, "robot1/odom");
+                                            EXPECT_STREQ(m.child_frame_id_, "robot1/base_footprint");
+                                            EXPECT_EQ(m.pose_.pose_.position_.y_, 2);
+                                            EXPECT_NEAR(m.pose_.pose_.orientation_.z_, std::sin(0.25), 1e-12);
+                                            EXPECT_NEAR(m.twist_.twist_.linear_.x_, 0.5, 1e-12);
+                                            EXPECT_NEAR(m.twist_.twist_.angular_.z_, 0.1, 1e-12);
+                                          });
   expectRead<tf2_msgs_msg_dds__TFMessage_>(tf2_msgs_msg_dds__TFMessage__desc, "rt/tf", [](const auto& m) {
     ASSERT_EQ(m.transforms_._length, 5u);
     const char* const chain[][2] = {{"robot1/map", "robot1/odom"},
@@ -152,8 +158,8 @@ TEST_F(RosBridgeTest, sendsWhatAnIndependentProgramReads) {
     EXPECT_EQ(m.transforms_._buffer[2].transform_.translation_.z_, 0.33);
     EXPECT_EQ(m.transforms_._buffer[3].transform_.translation_.y_, 0.05);
   });
-  expectRead<geometry_msgs_msg_dds__PointStamped_>(geometry_msgs_msg_dds__PointStamped__desc, "rt/robot1/ball",
-                                                   [](const auto& m) {
+  expectRead<geometry_msgs_msg_dds__PointStamped_>(geometry_msgs_msg_dds__PointStamped__desc,
+                                                   "rt/robot1/ball", [](const auto& m) {
                                                      EXPECT_EQ(m.point_.x_, 0.5);
                                                      EXPECT_EQ(m.point_.y_, -0.25);
                                                    });

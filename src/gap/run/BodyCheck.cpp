@@ -10,7 +10,6 @@
 namespace plumbline::gap {
 namespace {
 
-
 class BodyChecker {
 public:
   BodyChecker(Run& run_, const Mechanism& robot_, std::vector<RunWarning>& warnings_)

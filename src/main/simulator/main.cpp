@@ -94,7 +94,9 @@ int runProgram(int argc, char** argv) {
     if (options.replayFile.empty())
       serve(options);
     else
-      std::fputs(replayReport(options.replayFile, options.replayType, options.server.simulation.world).c_str(), stdout);
+      std::fputs(
+          replayReport(options.replayFile, options.replayType, options.server.simulation.world).c_str(),
+          stdout);
     return recordingLost ? badInput : 0;
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "simulator: %s\n", problem.what());

@@ -55,9 +55,10 @@ void declareLogOptions(CLI::App& app, AgentLogOptions& options) {
                "with --log: hold the agent up rather than drop a cycle, for a simulator that waits")
       ->needs(log);
   auto* replay = app.add_option("--replay", options.replay, "run on this log instead of the platform");
-  app.add_option("--compute", options.compute,
-                 "with --replay: the modules that run, by commas; the log has what the others provided; default: "
-                 "all but the platform's")
+  app.add_option(
+         "--compute", options.compute,
+         "with --replay: the modules that run, by commas; the log has what the others provided; default: "
+         "all but the platform's")
       ->delimiter(',')
       ->needs(replay);
   app.add_option("--replay-speed", options.replayed.speed,
@@ -70,7 +71,8 @@ void declareLogOptions(CLI::App& app, AgentLogOptions& options) {
       ->needs(replay);
 }
 
-ModulesConfig modulesOnLog(ModulesConfig modules, const AgentLogOptions& options, const std::string& platform) {
+ModulesConfig modulesOnLog(ModulesConfig modules, const AgentLogOptions& options,
+                           const std::string& platform) {
   try {
     const record::LogReader log(options.replay);
     return record::replayConfig(std::move(modules), log, options.compute, platform);

@@ -30,7 +30,8 @@ void declareLogOptions(CLI::App& app, AgentLogOptions& options);
 
 /// The modules.cfg with the log in the place of the modules that do not run (record/ReplayConfig.h). Throws
 /// ConfigurationError.
-ModulesConfig modulesOnLog(ModulesConfig modules, const AgentLogOptions& options, const std::string& platform);
+ModulesConfig modulesOnLog(ModulesConfig modules, const AgentLogOptions& options,
+                           const std::string& platform);
 
 /// For the modules of the agent, before its init(): opens what is recorded and replayed, with what
 /// config/log.yaml says. Throws ConfigurationError.

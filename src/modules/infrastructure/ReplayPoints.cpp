@@ -44,7 +44,8 @@ void passCode(DebugPoint& point, F&& code) {
 
 }  // namespace
 
-ReplayPoints::ReplayPoints(AgentDebug& agent, record::ReplayControl& control) : agent_(agent), control_(control) {
+ReplayPoints::ReplayPoints(AgentDebug& agent, record::ReplayControl& control)
+    : agent_(agent), control_(control) {
   for (DebugPoint* point : {&cycle_, &time_, &speed_, &paused_, &step_, &back_}) agent_.points.add(*point);
 }
 

@@ -43,7 +43,9 @@ void RosBridge::init() {
   }
 }
 
-std::string RosBridge::frame(const std::string& name) const { return space.empty() ? name : space + "/" + name; }
+std::string RosBridge::frame(const std::string& name) const {
+  return space.empty() ? name : space + "/" + name;
+}
 
 ros::Header RosBridge::header(const std::string& name) const { return {theFrameInfo->time, frame(name)}; }
 
@@ -106,7 +108,8 @@ void RosBridge::sendFrames() {
   };
   if (theOdometry) {
     const Pose3 T_odom_robot = pose3Of(theOdometry->total);
-    if (theRobotPose && theRobotPose->valid) add("map", "odom", pose3Of(theRobotPose->pose) * T_odom_robot.inverse());
+    if (theRobotPose && theRobotPose->valid)
+      add("map", "odom", pose3Of(theRobotPose->pose) * T_odom_robot.inverse());
     add("odom", "base_footprint", T_odom_robot);
   }
   if (theTorsoPose) add("base_footprint", "torso", theTorsoPose->T_ground_torso);
@@ -118,7 +121,8 @@ void RosBridge::sendFrames() {
 }
 
 void RosBridge::sendBall() {
-  ros::PointStamped message{header("base_footprint"), {theBallPos->relative.x(), theBallPos->relative.y(), 0}};
+  ros::PointStamped message{header("base_footprint"),
+                            {theBallPos->relative.x(), theBallPos->relative.y(), 0}};
   sender_->send(dds::RosTopic::ball, ros::encode(message));
 }
 

@@ -3,8 +3,8 @@
 namespace plumbline {
 namespace {
 
-/// No robot at all: an agent that looks at another one over the network. Its robot is none, so modules that want one are not
-/// for it.
+/// No robot at all: an agent that looks at another one over the network. Its robot is none, so modules that
+/// want one are not for it.
 class WatcherPlatform : public Platform {
 public:
   void declareOptions(CLI::App&) override {}
@@ -14,7 +14,8 @@ public:
     return {{"WallClock", "has no clock to run by"}};
   }
   std::string examples() const override {
-    return "  bin/agent --platform watcher --debug 3301                look at the agent of NetworkModule.yaml\n";
+    return "  bin/agent --platform watcher --debug 3301                look at the agent of "
+           "NetworkModule.yaml\n";
   }
 };
 

@@ -20,7 +20,8 @@ std::string replayReport(const std::string& file, std::optional<int> type, const
   for (const simspark::LeagueTrace& trace : traces) {
     const auto robotType = type ? type : trace.robotType;
     if (!robotType)
-      throw std::runtime_error(file + ": its name does not end with a robot type (_t0, _t1, ...): give --type");
+      throw std::runtime_error(file +
+                               ": its name does not end with a robot type (_t0, _t1, ...): give --type");
     types.push_back(*robotType);
     models.push_back(simsparkRobot(*robotType));
   }

@@ -31,8 +31,8 @@ struct Shared {
   }
 };
 
-/// This program once more, with another part to play, until it is killed. A process that was forked alone would have what
-/// Fast DDS remembers of its parent.
+/// This program once more, with another part to play, until it is killed. A process that was forked alone
+/// would have what Fast DDS remembers of its parent.
 class Child {
 public:
   Child(const std::string& part, int memory) : pid_(fork()) {
@@ -60,7 +60,8 @@ private:
 class SharedMemory {
 public:
   SharedMemory() : descriptor_(memfd_create("network", 0)) {
-    if (descriptor_ < 0 || ftruncate(descriptor_, sizeof(Shared)) != 0) throw std::runtime_error("no memory to share");
+    if (descriptor_ < 0 || ftruncate(descriptor_, sizeof(Shared)) != 0)
+      throw std::runtime_error("no memory to share");
     shared_ = new (map(descriptor_)) Shared;
   }
   ~SharedMemory() {

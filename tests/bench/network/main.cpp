@@ -1,6 +1,6 @@
-// Representations between two processes of this machine: how long they are under way beside samples that Fast DDS carries by
-// itself with the same qualities of service, what they cost the sender's cycle, and how soon a reader that was killed has them
-// again. Writes build/bench/live_network.json.
+// Representations between two processes of this machine: how long they are under way beside samples that Fast
+// DDS carries by itself with the same qualities of service, what they cost the sender's cycle, and how soon a
+// reader that was killed has them again. Writes build/bench/live_network.json.
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
@@ -209,7 +209,8 @@ void run(int kills) {
   }
   std::vector<double> back = returns(kills);
   const auto late = std::ranges::count_if(back, [](double t) { return t < 0 || t > 2; });
-  auto entry = figure("killed_readers_of_" + std::to_string(kills) + "_not_back_in_2_s", static_cast<double>(late), "");
+  auto entry = figure("killed_readers_of_" + std::to_string(kills) + "_not_back_in_2_s",
+                      static_cast<double>(late), "");
   entry["target"] = 0;
   figures.push_back(entry);
   figures.push_back(figure("killed_reader_back_at_most", *std::ranges::max_element(back), "s"));

@@ -58,10 +58,10 @@ PeerRun runPeer(const std::string& algorithm, Function function, int dimension, 
   // It begins with equal costs, which its tolerances would take for the end.
   // Its sigma is in the function's units for cmaes, and a share of the box's width for xnes.
   if (algorithm == "xnes")
-    return run(pagmo::xnes(generations, -1, -1, -1, 0.5 / 200, 0, 0, false, false, seed), first,
-               population, target);
-  return run(pagmo::cmaes(generations, -1, -1, -1, -1, 0.5, 0, 0, false, false, seed), first,
-             population, target);
+    return run(pagmo::xnes(generations, -1, -1, -1, 0.5 / 200, 0, 0, false, false, seed), first, population,
+               target);
+  return run(pagmo::cmaes(generations, -1, -1, -1, -1, 0.5, 0, 0, false, false, seed), first, population,
+             target);
 }
 
 }  // namespace plumbline::bench
