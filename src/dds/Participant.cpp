@@ -13,6 +13,8 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <stdexcept>
 
+#include "dds/Fingerprint.h"
+
 namespace plumbline::dds {
 namespace fast = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
@@ -101,9 +103,9 @@ void setTransports(fast::DomainParticipantQos& qos, const ParticipantOptions& op
 
 /// DDS's word for who may meet whom; of the token only a number is told.
 std::string partitionOf(const std::string& token) {
-  std::uint64_t hash = 14695981039346656037ull;  // FNV-1a
-  for (const char c : token) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-  return "plumbline-" + std::to_string(hash);
+  Fingerprint hash;
+  for (const char c : token) hash.add(static_cast<unsigned char>(c));
+  return "plumbline-" + std::to_string(hash.value());
 }
 
 }  // namespace

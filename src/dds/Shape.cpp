@@ -2,10 +2,12 @@
 
 #include <string_view>
 
+#include "dds/Fingerprint.h"
+
 namespace plumbline::dds {
 namespace {
 
-/// Hashes what is told of each value but the value itself (FNV-1a).
+/// Hashes what is told of each value but the value itself.
 class ShapeStream final : public OutStream {
 public:
   void writeSigned(std::int64_t, unsigned bytes) override { add('i', bytes); }
@@ -19,20 +21,19 @@ public:
   void beginObject() override { add('{', 0); }
   void endObject() override { add('}', 0); }
   void label(std::string_view name) override {
-    for (const char c : name) mix(static_cast<unsigned char>(c));
+    for (const char c : name) hash.add(static_cast<unsigned char>(c));
   }
   // A list that may be of any length tells nothing of its own, nor of its elements where it is empty.
   void beginList(std::size_t size, bool sized) override { add('[', sized ? 0 : size); }
   void endList() override { add(']', 0); }
 
-  std::uint64_t hash = 14695981039346656037ull;
+  Fingerprint hash;
 
 private:
   void add(char kind, std::size_t size) {
-    mix(static_cast<unsigned char>(kind));
-    for (; size > 0; size >>= 8) mix(static_cast<unsigned char>(size & 255));
+    hash.add(static_cast<unsigned char>(kind));
+    for (; size > 0; size >>= 8) hash.add(static_cast<unsigned char>(size & 255));
   }
-  void mix(unsigned char byte) { hash = (hash ^ byte) * 1099511628211ull; }
 };
 
 }  // namespace
@@ -40,7 +41,7 @@ private:
 std::uint64_t shapeOf(Representation& value) {
   ShapeStream out;
   value.stream(nullptr, &out);
-  return out.hash;
+  return out.hash.value();
 }
 
 }  // namespace plumbline::dds

@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "simspark/Loopback.h"
+#include "framework/Loopback.h"
 
 namespace plumbline::inspect {
 namespace {
@@ -39,7 +39,7 @@ DebugServer::DebugServer(Inspector& inspector, const DebugServerOptions& options
 
 void DebugServer::listen(const DebugServerOptions& options) {
   const std::string place = options.address + ':' + std::to_string(options.port);
-  if (token_.empty() && !simspark::isLoopbackAddress(options.address))
+  if (token_.empty() && !isLoopbackAddress(options.address))
     throw std::runtime_error("debug port " + place + " is open to others: that needs a token");
   sockaddr_in address{};
   address.sin_family = AF_INET;
@@ -150,7 +150,7 @@ void DebugServer::end(Client& client, const std::string& error) {
 void DebugServer::takeLine(Client& client, std::string_view line) {
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   if (client.inspected >= 0) return inspector_.command(client.inspected, line);
-  if (!simspark::sameSecret(line, token_)) return end(client, "the first line must be the token");
+  if (!sameSecret(line, token_)) return end(client, "the first line must be the token");
   admit(client);
 }
 

@@ -4,13 +4,13 @@
 #include <stdexcept>
 
 #include "framework/ConfigFolder.h"
+#include "framework/Loopback.h"
 #include "simspark/ChildProcess.h"
-#include "simspark/Loopback.h"
 
 namespace plumbline::pages {
 
 std::string bindProblem(const std::string& address, const std::string& token, const PageOptionNames& names) {
-  if (simspark::isLoopbackAddress(address) || !token.empty()) return {};
+  if (isLoopbackAddress(address) || !token.empty()) return {};
   return names.address + ' ' + address + " opens the page to others: set a " + names.token;
 }
 
@@ -32,7 +32,7 @@ PageServer::Config completed(PageServer::Config config, const PageOptionNames& n
 }
 
 std::string addressOf(const PageServer::Config& config, int port) {
-  const bool loopback = simspark::isLoopbackAddress(config.address);
+  const bool loopback = isLoopbackAddress(config.address);
   const std::string address =
       "http://" + (loopback ? "localhost" : config.address) + ':' + std::to_string(port) + '/';
   return config.token.empty() ? address : address + "?token=" + config.token;

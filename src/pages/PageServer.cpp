@@ -13,7 +13,7 @@
 #include <string_view>
 #include <thread>
 
-#include "simspark/Loopback.h"
+#include "framework/Loopback.h"
 
 namespace plumbline::pages {
 
@@ -38,7 +38,7 @@ bool isLoopbackHost(std::string_view host) {
   if (const auto colon = host.rfind(':'); colon != std::string_view::npos && host.back() != ']')
     host = host.substr(0, colon);
   if (host.starts_with('[') && host.ends_with(']')) return host == "[::1]";
-  return host != "::1" && simspark::isLoopbackAddress(host);
+  return host != "::1" && isLoopbackAddress(host);
 }
 
 /// Whether the port is free: asked first, as libwebsockets 4.1.6 loses memory where it can't bind. True too
@@ -147,7 +147,7 @@ bool PageServer::Implementation::admits(lws* wsi) const {
   if (config.token.empty()) return isLoopbackHost(host);
   std::array<char, 256> given{};
   const char* found = lws_get_urlarg_by_name(wsi, "token=", given.data(), static_cast<int>(given.size()));
-  return found && simspark::sameSecret(found, config.token);
+  return found && sameSecret(found, config.token);
 }
 
 void PageServer::Implementation::receive(Session& session, lws* wsi, std::string_view bytes) {

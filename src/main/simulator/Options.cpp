@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "framework/CommandLine.h"
-#include "simspark/Loopback.h"
+#include "framework/Loopback.h"
 #include "simspark/NumberFormat.h"
 #include "simulation/effects/EffectTable.h"
 #include "simulation/physics/Physics.h"
@@ -48,7 +48,7 @@ struct Given {
 
 void complete(Options& options, const Given& given, const CLI::App& app) {
   ServerConfig& server = options.server;
-  const bool open = !simspark::isLoopbackAddress(given.bind);
+  const bool open = !isLoopbackAddress(given.bind);
   if (open && given.token.empty())
     throw std::runtime_error("--bind " + given.bind + " opens the ports to others: set a --token");
   const auto set = [&app](const char* name) { return app.get_option(name)->count() > 0; };

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "framework/Loopback.h"
 #include "simspark/LeagueRobots.h"
-#include "simspark/Loopback.h"
 
 namespace plumbline::simulation {
 
@@ -57,7 +57,7 @@ void AgentPort::accept() {
 void AgentPort::receive(Agent& agent) {
   for (std::string_view text; agent.client.next(text);) {
     if (!agent.admitted) {
-      agent.admitted = simspark::sameSecret(text, "(token " + config.token + ")");
+      agent.admitted = sameSecret(text, "(token " + config.token + ")");
       if (!agent.admitted) return agent.client.drop("did not name the token");
       continue;
     }

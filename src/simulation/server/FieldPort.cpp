@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/Loopback.h"
 #include "simspark/FieldMessage.h"
-#include "simspark/Loopback.h"
 
 namespace plumbline::simulation {
 
@@ -73,7 +73,7 @@ void FieldPort::accept() {
 void FieldPort::receive(Viewer& viewer) {
   for (std::string_view message; viewer.client.next(message);) {
     // It has nothing to command; that it says anything keeps its place when others want it.
-    if (!viewer.admitted) viewer.admitted = simspark::sameSecret(message, "(token " + config.token + ")");
+    if (!viewer.admitted) viewer.admitted = sameSecret(message, "(token " + config.token + ")");
     viewer.spoke = viewer.admitted;
     if (!viewer.admitted) return viewer.client.drop("did not name the token");
   }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "simspark/Loopback.h"
+#include "framework/Loopback.h"
 
 namespace plumbline::simulation {
 
@@ -47,7 +47,7 @@ void MonitorPort::accept() {
 
 bool MonitorPort::admits(Monitor& monitor, std::string_view text) {
   if (monitor.admitted) return true;
-  monitor.admitted = simspark::sameSecret(text, "(token " + config.token + ")");
+  monitor.admitted = sameSecret(text, "(token " + config.token + ")");
   monitor.spoke = monitor.admitted;
   if (!monitor.admitted) monitor.client.drop("did not name the token");
   return false;

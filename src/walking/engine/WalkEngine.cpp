@@ -22,10 +22,8 @@
 
 namespace plumbline::walking {
 namespace {
-
 enum class Mode { stand, start, walk };
-
-}  // namespace
+}
 
 class WalkEngine::Implementation {
 public:
@@ -64,6 +62,7 @@ public:
   void forget() { scale = {}; }
 
   const WalkOutput& stand() const { return standing; }
+  WalkPlan plan() const { return {landing, body.torsoOnGround()}; }
 
   WalkOutput update(const WalkRequest& asked, const WalkSensors& sensors) {
     const WalkRequest request = withTarget(asked);
@@ -113,7 +112,6 @@ public:
   StepRecorder recorder;
   Disturbance disturbance;
   ModelParameters fit, prediction;
-  WalkPlan plan() const { return {landing, body.torsoOnGround()}; }
 
 private:
   /// A request for a target becomes one for a velocity or, there, for a stop or the kick.

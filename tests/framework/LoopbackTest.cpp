@@ -1,8 +1,8 @@
-#include "simspark/Loopback.h"
+#include "framework/Loopback.h"
 
 #include <gtest/gtest.h>
 
-namespace plumbline::simspark {
+namespace plumbline {
 namespace {
 
 TEST(Loopback, onlyItsAddressesAndLocalhost) {
@@ -22,4 +22,4 @@ TEST(Loopback, secrets) {
 }
 
 }  // namespace
-}  // namespace plumbline::simspark
+}  // namespace plumbline
