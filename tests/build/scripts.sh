@@ -72,6 +72,33 @@ contains "bad tests: count" "$log" "2 passed, 2 failed"
 contains "bad tests: log" "$log" "log: build/SimRelease/logs/math.log"
 contains "bad tests: what" "$log" "One.isTwo"
 contains "bad script: what" "$log" "oops at line 7"
+# All tests: what failed beside others runs once more alone, and the second run counts; it is said, and can be turned off.
+cat > tests/math/unsteady.sh << 'SH'
+#!/usr/bin/env bash
+[[ -e ran ]] || { touch ran; echo too busy; exit 3; }
+SH
+rm tests/math/OneTest.cpp
+printf '#!/usr/bin/env bash\ntrue\n' > tests/math/good.sh
+rm build/SimRelease/tests/math
+all() { scripts/run_tests.sh --all 2>&1; }
+sed -i 's/^longAreas=.*/longAreas=()/; s/^  check .*//' scripts/run_tests.sh
+log=$(SECOND_RUN=no all)
+expect "no second run: status" $? 1
+contains "no second run: what" "$log" "too busy"
+expect "no second run: last line" "$(tail -1 <<< "$log")" "2 passed, 1 failed"
+rm ran
+log=$(all)
+expect "second run: status" $? 0
+contains "second run: said at once" "$log" "again SimRelease math/unsteady.sh: failed, runs once more alone at the end"
+contains "second run: said at the end" "$log" "SimRelease math/unsteady.sh: build/SimRelease/logs/math-unsteady.sh.log.first"
+expect "second run: last line" "$(tail -1 <<< "$log")" "3 passed, 0 failed"
+expect "second run: the first log" "$(cat build/SimRelease/logs/math-unsteady.sh.log.first)" "too busy"
+printf '#!/usr/bin/env bash\necho wrong; exit 3\n' > tests/math/unsteady.sh
+log=$(all)
+expect "a failure stays one: status" $? 1
+expect "a failure stays one: last line" "$(tail -1 <<< "$log")" "2 passed, 1 failed"
+rm tests/math/unsteady.sh ran
+cp "$repository"/scripts/run_tests.sh scripts/
 # A test program that dies counts as failed.
 printf '#include <gtest/gtest.h>\n#include <cstdlib>\nTEST(One, dies) { std::abort(); }\n' > tests/math/OneTest.cpp
 rm tests/math/good.sh
