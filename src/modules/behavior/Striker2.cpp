@@ -1,13 +1,18 @@
 #include "modules/behavior/Striker2.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "framework/DrawingSite.h"
 #include "modules/behavior/Restarts.h"
 
 namespace plumbline {
 
 MAKE_MODULE(Striker2)
+
+void Striker2::init() { value_.emplace(config.file("field_value")); }
 
 Striker2::Shot Striker2::shot() const {
   const Vec2 goal = theFieldDimensions->opponentGoal();
@@ -22,33 +27,50 @@ Striker2::Shot Striker2::shot() const {
           distance};
 }
 
-bool Striker2::inDuel() const {
-  return theOtherRobots && nearestOpponent(theOtherRobots->robots, theBallPos->field) < duelDistance;
+void Striker2::playAlone(BehaviorOutput& output) const {
+  const Shot best = shot();
+  const bool inReach = best.distance < theSkillKickParameters->distance + 1;
+  const bool kick = best.distance > dribbleDistance && (!inReach || best.halfOpening > minOpening);
+  output.skill = kickAllowed && kick ? Skill::kick : Skill::dribble;
+  output.target = Pose2(best.target);
 }
 
-Vec2 Striker2::wayOn(const Shot& best, bool inReach) {
-  const Vec2& ball = theBallPos->field;
-  if (!theOtherRobots || theOtherRobots->robots.empty() || inReach) {
-    lastAngle_ = 100;
-    return best.target;
-  }
-  const Vec2 toGoal = best.target - ball;
-  KickSituation situation;
+void Striker2::draw(const StrikerSituation& situation) const {
+  DEBUG_DRAWING("draw:Striker2:action", {
+    const bool kicks = action_.kind == StrikerAction::Kind::kick;
+    drawing.arrow(situation.ball, action_.end, kicks ? colours::red : colours::green, 3);
+    drawing.text(action_.end, fmt::format("{} {:.2f}", kicks ? "kick" : "dribble", action_.value),
+                 colours::white);
+  });
+  // What a ball is worth that is nobody's: green ours, red theirs.
+  DEBUG_DRAWING("draw:Striker2:value", {
+    constexpr double side = 1, most = 0.6;
+    for (double x = -situation.halfLength; x < situation.halfLength; x += side)
+      for (double y = -situation.halfWidth; y < situation.halfWidth; y += side) {
+        const double worth = value_->at({{x + side / 2, y + side / 2}, 0});
+        drawing.polygon({Vec2(x, y), Vec2(x + side, y), Vec2(x + side, y + side), Vec2(x, y + side)},
+                        colours::faint(worth > 0 ? colours::green : colours::red, most * std::abs(worth)));
+      }
+  });
+}
+
+void Striker2::playAmongOthers(BehaviorOutput& output) {
+  StrikerSituation situation;
   situation.robot = theRobotPose->pose;
-  situation.ball = ball;
-  situation.toGoal = std::atan2(toGoal.y(), toGoal.x());
-  situation.reach = theSkillKickParameters->distance;
+  situation.ball = theBallPos->field;
+  situation.kickReach = theSkillKickParameters->distance;
+  situation.halfLength = theFieldDimensions->length / 2;
   situation.halfWidth = theFieldDimensions->width / 2;
+  situation.goalHalfWidth = theFieldDimensions->goalWidth / 2;
   situation.others = theOtherRobots->robots;
-  const Vec2& near = theBallPos->relative;
-  if (inDuel() && near.norm() < duelReach && near.x() > 0) {
-    // No time to go round: where the robot faces, as far as that is forward.
-    const double off = normalizeAngle(theRobotPose->pose.heading - situation.toGoal);
-    lastAngle_ = normalizeAngle(situation.toGoal + std::clamp(off, -duelWidest, duelWidest));
-  } else {
-    lastAngle_ = chooseKick(situation, lastAngle_, choice);
-  }
-  return ball + best.distance * Vec2(std::cos(lastAngle_), std::sin(lastAngle_));
+  action_ = chooseAction(situation, action_, *value_, time, choice);
+  const bool kick = kickAllowed && action_.kind == StrikerAction::Kind::kick;
+  output.skill = kick ? Skill::kick : Skill::dribble;
+  // As far as the goal: a target that is reached would end the skill.
+  const double distance = std::max((situation.goal() - situation.ball).norm(), 0.5);
+  output.target = Pose2(
+      Vec2(situation.ball + distance * Vec2(std::cos(action_.direction), std::sin(action_.direction))));
+  draw(situation);
 }
 
 void Striker2::update(StrikerOutput* theStrikerOutput) {
@@ -74,11 +96,12 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
         Pose2(Vec2(theBallPos->field + restartDistance * away), std::atan2(toBall.y(), toBall.x()));
     return;
   }
-  const Shot best = shot();
-  const bool inReach = best.distance < theSkillKickParameters->distance + 1;
-  const bool kick = best.distance > dribbleDistance && (!inReach || best.halfOpening > minOpening);
-  output.skill = kickAllowed && kick ? Skill::kick : Skill::dribble;
-  output.target = Pose2(wayOn(best, inReach));
+  if (theOtherRobots && !theOtherRobots->robots.empty()) {
+    playAmongOthers(output);
+  } else {
+    action_ = {};
+    playAlone(output);
+  }
 }
 
 }  // namespace plumbline

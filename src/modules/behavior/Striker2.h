@@ -1,6 +1,8 @@
 #pragma once
+#include <optional>
+
 #include "framework/Module.h"
-#include "modules/behavior/striker/KickChoice.h"
+#include "modules/behavior/striker/ActionChoice.h"
 #include "representations/behavior/StrikerOutput.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/GameState.h"
@@ -28,17 +30,16 @@ MODULE(Striker2)
             "closer to the goal than this the ball is dribbled in")
   PARAMETER(double, minOpening, 0.15, "rad", Range(0, 1),
             "half the angle between the posts; a narrower goal in reach is dribbled at")
-  PARAMETER_GROUP(KickChoiceParameters, choice, "where to kick in a team's game")
-  PARAMETER(double, duelDistance, 0.8, "m", Range(0, 5),
-            "with an opponent this near to the ball the robot acts at once, in the direction it faces")
-  PARAMETER(double, duelReach, 0.45, "m", Range(0.1, 3), "a ball this near, and ahead, is kicked in a duel")
-  PARAMETER(double, duelWidest, 1.1, "rad", Range(0, 3.2), "a duel's kick goes no farther off the goal")
+  PARAMETER_GROUP(ActionChoiceParameters, choice, "what is done with the ball where others play")
+  PARAMETER_GROUP(TimeToBallParameters, time, "how fast players are at the ball")
 END_MODULE
 
-/// The player at the ball: kicks at the goal in reach, else brings the ball there; searches a lost ball and
-/// keeps its distance at the opponent's restarts.
+/// The player at the ball. Alone it kicks at the goal in reach, else brings the ball there; among others it does
+/// what is worth most (ActionChoice, config/field_value.yaml). It searches a lost ball and keeps its distance at
+/// the opponent's restarts.
 class Striker2 : public Striker2Base {
 public:
+  void init() override;
   void update(StrikerOutput* theStrikerOutput) override;
 
 private:
@@ -49,10 +50,12 @@ private:
     double distance = 0;         ///< of ball and goal [m]
   };
   Shot shot() const;
-  Vec2 wayOn(const Shot& best, bool inReach);
-  bool inDuel() const;
+  void playAlone(BehaviorOutput& output) const;
+  void playAmongOthers(BehaviorOutput& output);
+  void draw(const StrikerSituation& situation) const;
 
-  double lastAngle_ = 100;  ///< direction of the kick that was chosen last; 100: none [rad]
+  std::optional<FieldValue> value_;
+  StrikerAction action_;  ///< the one chosen last
 };
 
 }  // namespace plumbline

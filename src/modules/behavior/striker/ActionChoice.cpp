@@ -1,0 +1,116 @@
+#include "modules/behavior/striker/ActionChoice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+namespace {
+
+constexpr double farAway = 1e3;  ///< [m]
+
+double arrival(const OtherRobot& robot, const Vec2& place, const TimeToBallParameters& time) {
+  return (robot.position - place).norm() / time.walkSpeed + (robot.fallen ? time.getUp : 0);
+}
+
+/// How long the first of a team needs to a place, without the robot itself [s].
+double firstArrival(const StrikerSituation& situation, bool mates, const Vec2& place,
+                    const TimeToBallParameters& time) {
+  double first = farAway;
+  for (const OtherRobot& robot : situation.others)
+    if (robot.mate == mates) first = std::min(first, arrival(robot, place, time));
+  return first;
+}
+
+/// How far the ball gets before a robot that stands in its way [m].
+double freeWay(const StrikerSituation& situation, const Vec2& direction, double way, double width) {
+  for (const OtherRobot& robot : situation.others) {
+    if (robot.fallen) continue;
+    const Vec2 to = robot.position - situation.ball;
+    const double along = to.dot(direction);
+    if (along > 0 && along < way && std::abs(to.x() * direction.y() - to.y() * direction.x()) < width)
+      way = along;
+  }
+  return way;
+}
+
+/// The probability that a ball which is played in a direction goes between the posts, if it rolls so far.
+double goalShare(const StrikerSituation& situation, double direction, double scatter) {
+  const auto angleTo = [&](double y) {
+    return std::atan2(y - situation.ball.y(), situation.halfLength - situation.ball.x());
+  };
+  const auto below = [&](double angle) {
+    return 0.5 * std::erfc(normalizeAngle(direction - angle) / scatter / std::sqrt(2.0));
+  };
+  return std::max(0.0, below(angleTo(situation.goalHalfWidth)) - below(angleTo(-situation.goalHalfWidth)));
+}
+
+/// Where the ball leaves the field on its way, and how far that is; beyond `way`: it stays in.
+double wayToLine(const StrikerSituation& situation, const Vec2& direction) {
+  double way = farAway;
+  if (std::abs(direction.x()) > 1e-9)
+    way = std::min(way, (std::copysign(situation.halfLength, direction.x()) - situation.ball.x()) / direction.x());
+  if (std::abs(direction.y()) > 1e-9)
+    way = std::min(way, (std::copysign(situation.halfWidth, direction.y()) - situation.ball.y()) / direction.y());
+  return std::max(0.0, way);
+}
+
+}  // namespace
+
+double nearestOpponent(const std::vector<OtherRobot>& others, const Vec2& place) {
+  double best = farAway;
+  for (const OtherRobot& robot : others)
+    if (!robot.mate && !robot.fallen) best = std::min(best, (robot.position - place).norm());
+  return best;
+}
+
+StrikerAction judgeAction(StrikerAction::Kind kind, double direction, const StrikerSituation& situation,
+                          const FieldValue& value, const TimeToBallParameters& time,
+                          const ActionChoiceParameters& parameters) {
+  const bool kicks = kind == StrikerAction::Kind::kick;
+  const Vec2 way(std::cos(direction), std::sin(direction));
+  const double reach = kicks ? situation.kickReach : parameters.dribbleWay;
+  double seconds = timeToBall(situation.robot, false, situation.ball, situation.ball + way, time);
+  if (kicks) seconds += parameters.kickSeconds;
+
+  const double clear = freeWay(situation, way, reach, parameters.blockWidth);
+  const double line = wayToLine(situation, way);
+  StrikerAction action{kind, direction, 0, situation.ball + std::min(clear, line) * way};
+  double outcome = 0;
+  if (line <= clear) {
+    const bool atGoal = way.x() > 0 && std::abs(action.end.x() - situation.halfLength) < 1e-6;
+    const double in =
+        atGoal ? goalShare(situation, direction, kicks ? parameters.kickScatter : parameters.kickScatter / 2) : 0;
+    outcome = in + (1 - in) * value.at({action.end, -1});
+  } else {
+    // The robot itself runs after its kick; a dribbled ball it takes along.
+    const double own = kicks ? clear / time.walkSpeed : 0.0;
+    const double ours = std::min(own, firstArrival(situation, true, action.end, time));
+    outcome = value.at({action.end, ballAdvantage(ours, firstArrival(situation, false, action.end, time))});
+    if (!kicks) seconds += clear / parameters.dribbleSpeed / 2;  // it can be lost half-way
+  }
+  const double opponent = firstArrival(situation, false, situation.ball, time);
+  const double first = 1 / (1 + std::exp((seconds - opponent) / parameters.timeSpread));
+  action.value = first * outcome + (1 - first) * value.at({situation.ball, -1});
+  return action;
+}
+
+StrikerAction chooseAction(const StrikerSituation& situation, const StrikerAction& last, const FieldValue& value,
+                           const TimeToBallParameters& time, const ActionChoiceParameters& parameters) {
+  const auto judge = [&](StrikerAction::Kind kind, double direction) {
+    return judgeAction(kind, direction, situation, value, time, parameters);
+  };
+  const Vec2 toGoal = situation.goal() - situation.ball;
+  const double middle = std::atan2(toGoal.y(), toGoal.x());
+  StrikerAction best;
+  for (const auto kind : {StrikerAction::Kind::kick, StrikerAction::Kind::dribble})
+    for (int i = 0; i < parameters.directions; ++i) {
+      const double off = parameters.widest * (2.0 * i / (parameters.directions - 1) - 1);
+      const StrikerAction action = judge(kind, normalizeAngle(middle + off));
+      if (best.kind == StrikerAction::Kind::none || action.value > best.value) best = action;
+    }
+  if (last.kind == StrikerAction::Kind::none) return best;
+  const StrikerAction again = judge(last.kind, last.direction);
+  return best.value > again.value + parameters.stays ? best : again;
+}
+
+}  // namespace plumbline
