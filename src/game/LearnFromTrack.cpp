@@ -8,7 +8,7 @@ namespace plumbline::game {
 namespace {
 
 constexpr double walkSpeed = 0.8, getUp = 4, farTime = 30;  ///< as TimeToBall's [m/s, s]
-constexpr double gap = 0.8;                                 ///< moments farther apart are not of one course [s]
+constexpr double gap = 0.8;  ///< moments farther apart are not of one course [s]
 
 double timeToBall(const TrackMoment& moment, bool left) {
   double best = farTime;

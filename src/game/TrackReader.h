@@ -22,8 +22,8 @@ struct TrackMoment {
   std::vector<TrackPlayer> players{};
 };
 
-/// Reads what GameTrack has written. Throws std::runtime_error "cannot read FILE: REASON" or "FILE:LINE: what is
-/// wrong".
+/// Reads what GameTrack has written. Throws std::runtime_error "cannot read FILE: REASON" or "FILE:LINE: what
+/// is wrong".
 std::vector<TrackMoment> readTrack(const std::string& file);
 
 }  // namespace plumbline::game

@@ -41,8 +41,8 @@ std::array<FieldGrid::Weight, 8> FieldGrid::weights(const BallState& state) cons
   for (std::size_t corner = 0; corner < 8; ++corner) {
     const std::size_t dx = corner & 1, dy = corner >> 1 & 1, da = corner >> 2;
     weights[corner].point = point(x.first + dx, y.first + dy, a.first + da);
-    weights[corner].weight = (dx ? x.second : 1 - x.second) * (dy ? y.second : 1 - y.second) *
-                             (da ? a.second : 1 - a.second);
+    weights[corner].weight =
+        (dx ? x.second : 1 - x.second) * (dy ? y.second : 1 - y.second) * (da ? a.second : 1 - a.second);
   }
   return weights;
 }

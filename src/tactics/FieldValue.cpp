@@ -31,7 +31,8 @@ FieldGrid readGrid(const ConfigSection& file) {
 
 std::string row(const std::vector<double>& values, const char* format) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ", ") + fmt::format(fmt::runtime(format), value);
+  for (const double value : values)
+    text += (text.empty() ? "" : ", ") + fmt::format(fmt::runtime(format), value);
   return "[" + text + "]";
 }
 
@@ -46,11 +47,11 @@ FieldValue::FieldValue(const ConfigSection& file) : grid_(readGrid(file)), value
     const bool fits = table.size() == grid_.y().size() &&
                       std::ranges::all_of(table, [&](const auto& r) { return r.size() == grid_.x().size(); });
     if (!fits)
-      file.fail(tableNames[ia], fmt::format("must have {} rows, one for each y, of {} numbers, one for each x",
-                                            grid_.y().size(), grid_.x().size()));
+      file.fail(tableNames[ia],
+                fmt::format("must have {} rows, one for each y, of {} numbers, one for each x",
+                            grid_.y().size(), grid_.x().size()));
     for (std::size_t iy = 0; iy < table.size(); ++iy)
-      for (std::size_t ix = 0; ix < table[iy].size(); ++ix)
-        values_[grid_.point(ix, iy, ia)] = table[iy][ix];
+      for (std::size_t ix = 0; ix < table[iy].size(); ++ix) values_[grid_.point(ix, iy, ia)] = table[iy][ix];
   }
 }
 
@@ -66,7 +67,8 @@ std::string FieldValue::yaml() const {
     text += std::string(tableNames[ia]) + ":\n";
     for (std::size_t iy = 0; iy < grid_.y().size(); ++iy) {
       std::vector<double> values;
-      for (std::size_t ix = 0; ix < grid_.x().size(); ++ix) values.push_back(values_[grid_.point(ix, iy, ia)]);
+      for (std::size_t ix = 0; ix < grid_.x().size(); ++ix)
+        values.push_back(values_[grid_.point(ix, iy, ia)]);
       text += "  - " + row(values, "{:.3f}") + "\n";
     }
   }

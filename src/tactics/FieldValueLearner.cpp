@@ -30,7 +30,8 @@ void FieldValueLearner::addPrior() {
       weights[j] = bell((to.place - from.place).norm()) *
                    std::pow(changesHands, std::abs(to.advantage - from.advantage));
     }
-    const double sum = std::accumulate(weights.begin(), weights.begin() + static_cast<std::ptrdiff_t>(points), 0.0);
+    const double sum =
+        std::accumulate(weights.begin(), weights.begin() + static_cast<std::ptrdiff_t>(points), 0.0);
     // The share of a bell that lies behind the line, between the posts.
     const auto behind = [&](double x) {
       const double y = std::abs(from.place.y());

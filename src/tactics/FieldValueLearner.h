@@ -8,14 +8,14 @@ namespace plumbline {
 
 /// Learns a FieldValue from what balls did in games: a Markov chain over the points of a grid with a goal at
 /// each end. A step of a fixed time is seen from both teams, so that the values of both add up to 0. Where
-/// little was seen a ball that rolls to and fro is assumed (`priorSteps` of each point, normally distributed by
-/// `priorDeviation`), which a goal takes in before its mouth. The values are the chain's probabilities of
-/// absorption (Kemeny and Snell, Finite Markov Chains, theorem 3.3.7), as in the analysis of people's football
-/// (Rudd 2011, "A framework for tactical analysis and individual offensive production assessment").
+/// little was seen a ball that rolls to and fro is assumed (`priorSteps` of each point, normally distributed
+/// by `priorDeviation`), which a goal takes in before its mouth. The values are the chain's probabilities of
+/// absorption (Kemeny and Snell, Finite Markov Chains, theorem 3.3.7), as in the analysis of people's
+/// football (Rudd 2011, "A framework for tactical analysis and individual offensive production assessment").
 class FieldValueLearner {
 public:
   struct Options {
-    double goalX = 15;           ///< of the goal's line [m]
+    double goalX = 15;            ///< of the goal's line [m]
     double goalHalfWidth = 1.05;  ///< [m]
     double priorSteps = 3;
     double priorDeviation = 2;  ///< [m]

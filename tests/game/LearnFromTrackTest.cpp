@@ -11,7 +11,8 @@ struct LearnFromTrackTest : testing::Test {
   /// Two moments a second from time on; one player of each team, the left one `nearer` to the ball [m].
   void play(double begin, double end, const std::string& mode, double x) {
     for (double time = begin; time < end; time += 0.5)
-      moments.push_back({time, mode, Vec2(x, 0), {{true, 1, Vec2(x - 1, 0), true}, {false, 1, Vec2(x + 4, 0), true}}});
+      moments.push_back(
+          {time, mode, Vec2(x, 0), {{true, 1, Vec2(x - 1, 0), true}, {false, 1, Vec2(x + 4, 0), true}}});
   }
   FieldValueLearner learner{FieldGrid({-10, 0, 10}, {0, 5}), {}};
   std::vector<TrackMoment> moments;

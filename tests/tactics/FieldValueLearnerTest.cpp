@@ -12,8 +12,8 @@ FieldValueLearner::Options withPrior(double steps) {
   return options;
 }
 
-// A ball that goes a point forward or back with the same chance, and into the goal from the last: the value is
-// linear in the place (the gambler's ruin).
+// A ball that goes a point forward or back with the same chance, and into the goal from the last: the value
+// is linear in the place (the gambler's ruin).
 TEST(FieldValueLearnerTest, findsTheGamblersRuin) {
   FieldValueLearner learner(FieldGrid({-9, -3, 3, 9}, {0, 1}), withPrior(1e-9));
   for (const double advantage : {-1.0, 0.0, 1.0})
@@ -44,8 +44,7 @@ TEST(FieldValueLearnerTest, whatIsGoodForUsIsBadForThem) {
 }
 
 TEST(FieldValueLearnerTest, withoutGamesABallIsWorthMoreBeforeTheGoal) {
-  const FieldValue value =
-      FieldValueLearner(FieldGrid({-14, -7, 0, 7, 14}, {0, 5, 9}), withPrior(1)).learn();
+  const FieldValue value = FieldValueLearner(FieldGrid({-14, -7, 0, 7, 14}, {0, 5, 9}), withPrior(1)).learn();
   EXPECT_NEAR(value.at({{0, 0}, 0}), 0, 1e-6);
   EXPECT_GT(value.at({{14, 0}, 0}), value.at({{7, 0}, 0}));
   EXPECT_GT(value.at({{14, 0}, 0}), value.at({{14, 9}, 0}));

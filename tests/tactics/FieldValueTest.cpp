@@ -63,7 +63,8 @@ TEST(FieldValueTest, theProjectsOwnRisesTowardsTheGoalAndWithTheBall) {
   for (const double y : {0.0, 4.0, 8.0}) {
     EXPECT_GT(value.at({{12, y}, 0}), value.at({{0, y}, 0}) + 0.1) << y;
     EXPECT_LT(value.at({{-12, y}, 0}), value.at({{0, y}, 0}) - 0.1) << y;
-    for (double x = -14; x <= 14; x += 2) EXPECT_GT(value.at({{x, y}, 1}), value.at({{x, y}, -1})) << x << " " << y;
+    for (double x = -14; x <= 14; x += 2)
+      EXPECT_GT(value.at({{x, y}, 1}), value.at({{x, y}, -1})) << x << " " << y;
   }
 }
 

@@ -1,4 +1,5 @@
-// bin/learnvalue: learns what a ball is worth by where it is and who is nearer to it, from the tracks of games.
+// bin/learnvalue: learns what a ball is worth by where it is and who is nearer to it, from the tracks of
+// games.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -24,13 +25,16 @@ int runProgram(int argc, char** argv) {
   std::vector<std::string> tracks;
   std::string output = "config/field_value.yaml";
   FieldValueLearner::Options options;
-  CLI::App app("Learns the value of the field from games: config/field_value.yaml, by which a striker decides.",
-               "learnvalue");
-  app.add_option("tracks", tracks, "track.csv of games between equal teams (scripts/autoplay, bin/watchgame --track)")
+  CLI::App app(
+      "Learns the value of the field from games: config/field_value.yaml, by which a striker decides.",
+      "learnvalue");
+  app.add_option("tracks", tracks,
+                 "track.csv of games between equal teams (scripts/autoplay, bin/watchgame --track)")
       ->required()
       ->check(CLI::ExistingFile);
   app.add_option("-o,--output", output, "The file to write")->capture_default_str();
-  app.add_option("--prior", options.priorSteps, "Steps of a ball that rolls to and fro, assumed at each point")
+  app.add_option("--prior", options.priorSteps,
+                 "Steps of a ball that rolls to and fro, assumed at each point")
       ->check(CLI::Range(1e-3, 1e6))
       ->capture_default_str();
   app.footer("Example:\n  bin/learnvalue build/games/*/*/track.csv -o config/field_value.yaml");
@@ -38,15 +42,18 @@ int runProgram(int argc, char** argv) {
   try {
     FieldValueLearner learner(standardGrid(), options);
     for (const std::string& track : tracks) game::learnFromTrack(game::readTrack(track), learner);
-    if (learner.steps() == 0) throw std::runtime_error("no ball in play in " + fmt::format("{} tracks", tracks.size()));
+    if (learner.steps() == 0)
+      throw std::runtime_error("no ball in play in " + fmt::format("{} tracks", tracks.size()));
     const std::string head = fmt::format(
-        "# What a ball is worth: the probability that the next goal is ours less that it is theirs, by its place\n"
+        "# What a ball is worth: the probability that the next goal is ours less that it is theirs, by its "
+        "place\n"
         "# (x towards the opponents' goal; y aside, both sides alike; metres) and who is nearer to it\n"
         "# (src/tactics/FieldValue.h). Learnt by bin/learnvalue from {} games: {} steps of {:g} s, {} of\n"
         "# them into a goal.\n",
         tracks.size(), learner.steps(), game::learningStep, learner.goals());
     writeFile(output, head + learner.learn().yaml());
-    fmt::print("{} games, {} steps, {} of them into a goal: {}\n", tracks.size(), learner.steps(), learner.goals(), output);
+    fmt::print("{} games, {} steps, {} of them into a goal: {}\n", tracks.size(), learner.steps(),
+               learner.goals(), output);
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "learnvalue: {}\n", error.what());

@@ -68,8 +68,8 @@ void Striker2::playAmongOthers(BehaviorOutput& output) {
   output.skill = kick ? Skill::kick : Skill::dribble;
   // As far as the goal: a target that is reached would end the skill.
   const double distance = std::max((situation.goal() - situation.ball).norm(), 0.5);
-  output.target = Pose2(
-      Vec2(situation.ball + distance * Vec2(std::cos(action_.direction), std::sin(action_.direction))));
+  output.target =
+      Pose2(Vec2(situation.ball + distance * Vec2(std::cos(action_.direction), std::sin(action_.direction))));
   draw(situation);
 }
 

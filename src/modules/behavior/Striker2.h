@@ -34,9 +34,9 @@ MODULE(Striker2)
   PARAMETER_GROUP(TimeToBallParameters, time, "how fast players are at the ball")
 END_MODULE
 
-/// The player at the ball. Alone it kicks at the goal in reach, else brings the ball there; among others it does
-/// what is worth most (ActionChoice, config/field_value.yaml). It searches a lost ball and keeps its distance at
-/// the opponent's restarts.
+/// The player at the ball. Alone it kicks at the goal in reach, else brings the ball there; among others it
+/// does what is worth most (ActionChoice, config/field_value.yaml). It searches a lost ball and keeps its
+/// distance at the opponent's restarts.
 class Striker2 : public Striker2Base {
 public:
   void init() override;

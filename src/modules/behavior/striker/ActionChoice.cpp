@@ -48,9 +48,11 @@ double goalShare(const StrikerSituation& situation, double direction, double sca
 double wayToLine(const StrikerSituation& situation, const Vec2& direction) {
   double way = farAway;
   if (std::abs(direction.x()) > 1e-9)
-    way = std::min(way, (std::copysign(situation.halfLength, direction.x()) - situation.ball.x()) / direction.x());
+    way = std::min(way,
+                   (std::copysign(situation.halfLength, direction.x()) - situation.ball.x()) / direction.x());
   if (std::abs(direction.y()) > 1e-9)
-    way = std::min(way, (std::copysign(situation.halfWidth, direction.y()) - situation.ball.y()) / direction.y());
+    way = std::min(way,
+                   (std::copysign(situation.halfWidth, direction.y()) - situation.ball.y()) / direction.y());
   return std::max(0.0, way);
 }
 
@@ -79,7 +81,8 @@ StrikerAction judgeAction(StrikerAction::Kind kind, double direction, const Stri
   if (line <= clear) {
     const bool atGoal = way.x() > 0 && std::abs(action.end.x() - situation.halfLength) < 1e-6;
     const double in =
-        atGoal ? goalShare(situation, direction, kicks ? parameters.kickScatter : parameters.kickScatter / 2) : 0;
+        atGoal ? goalShare(situation, direction, kicks ? parameters.kickScatter : parameters.kickScatter / 2)
+               : 0;
     outcome = in + (1 - in) * value.at({action.end, -1});
   } else {
     // The robot itself runs after its kick; a dribbled ball it takes along.
@@ -94,8 +97,9 @@ StrikerAction judgeAction(StrikerAction::Kind kind, double direction, const Stri
   return action;
 }
 
-StrikerAction chooseAction(const StrikerSituation& situation, const StrikerAction& last, const FieldValue& value,
-                           const TimeToBallParameters& time, const ActionChoiceParameters& parameters) {
+StrikerAction chooseAction(const StrikerSituation& situation, const StrikerAction& last,
+                           const FieldValue& value, const TimeToBallParameters& time,
+                           const ActionChoiceParameters& parameters) {
   const auto judge = [&](StrikerAction::Kind kind, double direction) {
     return judgeAction(kind, direction, situation, value, time, parameters);
   };

@@ -21,7 +21,8 @@ struct ActionChoiceParameters {
   PARAMETER(double, dribbleSpeed, 0.5, "m/s", Range(0.05, 3), "of the ball while it is dribbled")
   PARAMETER(double, timeSpread, 1, "s", Range(0.05, 10),
             "how sure it is who is first: 73 % for one who is sooner by this")
-  PARAMETER(double, blockWidth, 0.4, "m", Range(0, 3), "a standing robot this near to the ball's way stops it")
+  PARAMETER(double, blockWidth, 0.4, "m", Range(0, 3),
+            "a standing robot this near to the ball's way stops it")
   PARAMETER(double, stays, 0.02, "", Range(0, 1), "value that another action must have more to be taken")
 };
 
@@ -51,10 +52,11 @@ StrikerAction judgeAction(StrikerAction::Kind kind, double direction, const Stri
                           const FieldValue& value, const TimeToBallParameters& time,
                           const ActionChoiceParameters& parameters);
 
-/// The action of most value over all kinds and directions. last: the one chosen before, kept while no other is
-/// worth more by `stays`; of kind none: there was none.
-StrikerAction chooseAction(const StrikerSituation& situation, const StrikerAction& last, const FieldValue& value,
-                           const TimeToBallParameters& time, const ActionChoiceParameters& parameters);
+/// The action of most value over all kinds and directions. last: the one chosen before, kept while no other
+/// is worth more by `stays`; of kind none: there was none.
+StrikerAction chooseAction(const StrikerSituation& situation, const StrikerAction& last,
+                           const FieldValue& value, const TimeToBallParameters& time,
+                           const ActionChoiceParameters& parameters);
 
 /// Distance of the nearest opponent that stands from a place, a large number without any [m].
 double nearestOpponent(const std::vector<OtherRobot>& others, const Vec2& place);
