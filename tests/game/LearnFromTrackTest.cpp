@@ -43,7 +43,8 @@ TEST_F(LearnFromTrackTest, nothingFollowsOverAPauseOrAKickOff) {
 TEST_F(LearnFromTrackTest, outOfPlayTheBallIsTheirsWhoBringItIn) {
   play(0, 1, "PlayOn", 5);
   play(1, 6, "KickIn_Right", 5);
-  EXPECT_EQ(learnFromTrack(moments, learner), 6u);
+  play(6, 7, "Goal_Right", 5);
+  EXPECT_EQ(learnFromTrack(moments, learner), 12u);
   EXPECT_LT(learner.learn().at({{5, 0}, -1}), learner.learn().at({{5, 0}, 1}));
 }
 

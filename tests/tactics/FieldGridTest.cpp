@@ -33,7 +33,7 @@ TEST(FieldGridTest, weightsGiveBackTheState) {
 
 TEST(FieldGridTest, beyondTheBorderCountsAsAtIt) {
   for (const FieldGrid::Weight& weight : grid.weights({{50, 50}, 5}))
-    if (weight.point != grid.point(2, 1, 2)) EXPECT_EQ(weight.weight, 0);
+    EXPECT_EQ(weight.weight, weight.point == grid.point(2, 1, 2) ? 1 : 0);
 }
 
 TEST(FieldGridTest, twoSecondsAreAWholeAdvantage) {

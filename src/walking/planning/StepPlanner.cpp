@@ -8,7 +8,7 @@
 namespace plumbline::walking {
 namespace {
 
-constexpr double velocityThreshold = 1e-3;  // [m/s]
+constexpr double settledVelocity = 1e-3;  // [m/s]
 constexpr int maxIterations = 4;
 constexpr double inwardSplay =
     0.015;  // SimSpark's hip yaw pitch turns the toes inward by one degree only [rad]
@@ -33,7 +33,7 @@ double StepPlanner::remainingTime(const WalkState& state, double elapsed, double
   double time = std::clamp(nominal, low, high);
   for (int i = 0; i < 6; ++i) {
     const double error = missing(time);
-    if (std::abs(error) < velocityThreshold) break;
+    if (std::abs(error) < settledVelocity) break;
     (error > 0 ? low : high) = time;
     (error > 0 ? atLow : atHigh) = error;
     time = low + (high - low) * atLow / (atLow - atHigh);
@@ -86,7 +86,7 @@ WalkAction StepPlanner::step(const WalkState& state, double elapsed,
         begin.foot[index(swing)].position = position;
         return Vec2(model.predict(begin, next).velocity - wanted);
       },
-      planned.stepTarget.position, velocityThreshold, maxIterations);
+      planned.stepTarget.position, settledVelocity, maxIterations);
   if (root.x.allFinite()) action.stepTarget.position = root.x;
   action.stepTarget = limitTarget(action.stepTarget, landing.foot[index(support)], swing);
   return action;
@@ -117,7 +117,7 @@ WalkAction StepPlanner::start(const WalkState& state, double duration, Side firs
         begin.support = supportOf(first);
         return Vec2(model.predict(begin, step).velocity - wanted);
       },
-      middle, velocityThreshold, maxIterations);
+      middle, settledVelocity, maxIterations);
   action.centerOfPressure = limitPressure(state, root.x.allFinite() ? root.x : middle, 1);
   return action;
 }
@@ -138,7 +138,7 @@ Vec2 StepPlanner::calmingPressure(const WalkState& state) const {
         const Vec2 middleThen = (end.foot[0].position + end.foot[1].position) / 2 + Vec2(limits.restX, 0);
         return Vec2(end.velocity - convergence * middleThen);
       },
-      middle, velocityThreshold, maxIterations);
+      middle, settledVelocity, maxIterations);
   return root.x.allFinite() ? root.x : middle;
 }
 
@@ -161,7 +161,7 @@ bool StepPlanner::canHold(const WalkState& state, double margin) const {
         action.centerOfPressure = pressure;
         return model.predict(both, action).velocity;
       },
-      Vec2::Zero(), velocityThreshold, maxIterations);
+      Vec2::Zero(), settledVelocity, maxIterations);
   return !root.x.allFinite() || (root.x - limitPressure(state, root.x, 1)).norm() <= margin;
 }
 

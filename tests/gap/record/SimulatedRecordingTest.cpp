@@ -28,7 +28,7 @@ Excitation triangle(const Mechanism& robot) {
   return program;
 }
 
-double rms(const std::vector<double>& a, const std::vector<double>& b) {
+double rmsDifference(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
   return std::sqrt(sum / static_cast<double>(a.size()));
@@ -50,8 +50,8 @@ TEST(SimulatedRecording, SameSeedSameNumbersAndNoiseOfTheSensors) {
   const auto other = recordSimulated(robot, program, options);
   const SensorNoise noise;
   const double expected = std::hypot(noise.encoder, noise.encoderStep / std::sqrt(12.0));
-  EXPECT_NEAR(rms(*one.find(channel), *clean.find(channel)), expected, 0.15 * expected);
-  EXPECT_GT(rms(*one.find(channel), *other.find(channel)), 0.2 * expected);
+  EXPECT_NEAR(rmsDifference(*one.find(channel), *clean.find(channel)), expected, 0.15 * expected);
+  EXPECT_GT(rmsDifference(*one.find(channel), *other.find(channel)), 0.2 * expected);
   EXPECT_EQ(*one.find(channelName(ChannelKind::command, robot.joints[1].name)),
             *other.find(channelName(ChannelKind::command, robot.joints[1].name)));
 }

@@ -9,7 +9,7 @@
 namespace plumbline::walking {
 namespace {
 
-constexpr double dt = 0.02;
+constexpr double step = 0.02;
 
 /// A pendulum on its left foot that the filter is told of.
 struct Watched {
@@ -29,11 +29,11 @@ struct Watched {
     // The pendulum swings to and fro over the foot: no step is needed.
     truth.foot[0].position.x() = -truth.velocity.x() / 6;
     WalkAction action;
-    action.duration = dt;
-    const WalkState after = model.move(truth, action, dt);
-    const Vec2 mean = (truth.foot[0].position - after.foot[0].position) / dt;
+    action.duration = step;
+    const WalkState after = model.move(truth, action, step);
+    const Vec2 mean = (truth.foot[0].position - after.foot[0].position) / step;
     const Vec2 seen = mean + sigma * Vec2(noise.gaussian(), noise.gaussian());
-    filter.update(model, truth, action, dt, {.change = {}, .seen = seen});
+    filter.update(model, truth, action, step, {.change = {}, .seen = seen});
     truth = after;
     truth.foot[0] = Pose2(-0.01, 0.05);
     squares += (filter.velocity() - truth.velocity).squaredNorm();
@@ -60,8 +60,8 @@ TEST(VelocityFilter, aPushIsSeenWithinThreeCycles) {
 Vec2 told(VelocityFilter& filter, const Vec2& seen) {
   static const LinearInvertedPendulum model(0.25);
   WalkAction action;
-  action.duration = dt;
-  return filter.update(model, {}, action, dt, {.change = Vec2(0, 0), .seen = seen});
+  action.duration = step;
+  return filter.update(model, {}, action, step, {.change = Vec2(0, 0), .seen = seen});
 }
 
 TEST(VelocityFilter, aPushThatTheFeetDoNotFeelIsBelievedWhenItLasts) {
@@ -93,7 +93,7 @@ TEST(VelocityFilter, trustsTheFootAsMuchInHalfTheCycle) {
   // A foot's place is told as well as before, so its velocity half as well; the model errs half as much.
   double rms[2];
   for (const int share : {1, 2}) {
-    const double cycle = dt / share;
+    const double cycle = step / share;
     const LinearInvertedPendulum model(0.25);
     VelocityFilter filter({.particles = 2000});
     Random noise(11);
@@ -114,9 +114,9 @@ TEST(VelocityFilter, trustsTheFootAsMuchInHalfTheCycle) {
 TEST(VelocityFilter, whatNoParticleExplainsBeginsAnew) {
   Watched watched(Vec2(0.2, 0));
   WalkAction action;
-  action.duration = dt;
+  action.duration = step;
   EXPECT_EQ(
-      watched.filter.update(watched.model, watched.truth, action, dt, {.change = {}, .seen = Vec2(9, 0)}),
+      watched.filter.update(watched.model, watched.truth, action, step, {.change = {}, .seen = Vec2(9, 0)}),
       Vec2(9, 0));
 }
 
