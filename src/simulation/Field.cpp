@@ -11,9 +11,10 @@ FieldObstacle box(const Vec3& size, const Vec3& centre) {
   return {shape, translation(centre)};
 }
 
-void addGoal(double side, std::vector<FieldObstacle>& obstacles) {
-  const double bar = goalBarDiameter;
-  const double centre = side * (fieldLength + goalDepth) / 2;
+void addGoal(const FieldSize& field, double side, std::vector<FieldObstacle>& obstacles) {
+  const double bar = field.goalBarDiameter, goalDepth = field.goalDepth, goalWidth = field.goalWidth,
+               goalHeight = field.goalHeight;
+  const double centre = side * (field.length + goalDepth) / 2;
   const double height = goalHeight / 2;
   for (const double y : {-1.0, 1.0})
     obstacles.push_back(box({goalDepth, bar, goalHeight}, {centre, y * (goalWidth + bar) / 2, height}));
@@ -23,14 +24,14 @@ void addGoal(double side, std::vector<FieldObstacle>& obstacles) {
 
 }  // namespace
 
-std::vector<FieldObstacle> fieldObstacles() {
-  constexpr double borderX = fieldLength * 0.333, borderY = fieldWidth * 0.75, wall = 1;
-  constexpr double lengthX = wall + fieldLength + 2 * borderX, lengthY = wall + fieldWidth + 2 * borderY;
+std::vector<FieldObstacle> fieldObstacles(const FieldSize& field) {
+  const double borderX = field.length * 0.333, borderY = field.width * 0.75, wall = 1;
+  const double lengthX = wall + field.length + 2 * borderX, lengthY = wall + field.width + 2 * borderY;
   std::vector<FieldObstacle> obstacles;
   for (const double side : {-1.0, 1.0}) {
-    addGoal(side, obstacles);
-    obstacles.push_back(box({wall, lengthY, wall}, {side * (fieldLength / 2 + borderX), 0, 0}));
-    obstacles.push_back(box({lengthX, wall, wall}, {0, side * (fieldWidth / 2 + borderY), 0}));
+    addGoal(field, side, obstacles);
+    obstacles.push_back(box({wall, lengthY, wall}, {side * (field.length / 2 + borderX), 0, 0}));
+    obstacles.push_back(box({lengthX, wall, wall}, {0, side * (field.width / 2 + borderY), 0}));
   }
   return obstacles;
 }

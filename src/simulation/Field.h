@@ -1,18 +1,14 @@
 #pragma once
 #include <vector>
 
+#include "field/FieldSize.h"
 #include "math/Types.h"
 #include "robot/RobotModel.h"
 
 namespace plumbline::simulation {
 
-// The soccer field of the league's server (rcssserver3d 0.7.3: naosoccersim.rb, soccer.rsg, goal.rsg,
-// ball.rsg).
-constexpr double fieldLength = 30, fieldWidth = 20;                   ///< between the lines [m]
-constexpr double goalWidth = 2.1, goalDepth = 0.6, goalHeight = 0.8;  ///< inside the posts [m]
-constexpr double goalBarDiameter = 0.04;                              ///< of posts, back and top [m]
-constexpr double ballRadius = 0.042, ballMass = 0.026;                ///< [m], [kg]
-constexpr double gravity = 9.81;                                      ///< [m/s^2]
+constexpr double ballMass = 0.026;  ///< of the league's ball [kg]
+constexpr double gravity = 9.81;    ///< of the league's server [m/s^2]
 
 /// A shape that stands on the field and never moves.
 struct FieldObstacle {
@@ -20,8 +16,9 @@ struct FieldObstacle {
   Pose3 T_world_shape;
 };
 
-/// The sides, back and top of both goals and the walls around the field (half a metre high, their inner
-/// faces 9.49 m behind the goal lines and 14.5 m beside the side lines).
-std::vector<FieldObstacle> fieldObstacles();
+/// The sides, back and top of both goals and the walls around the field: half a metre high, their inner faces
+/// 0.333 of its length, less half a metre, behind the goal lines and 0.75 of its width, less half a metre,
+/// beside the side lines (soccer.rsg; 9.49 m and 14.5 m on the league's field).
+std::vector<FieldObstacle> fieldObstacles(const FieldSize& field);
 
 }  // namespace plumbline::simulation

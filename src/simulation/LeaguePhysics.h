@@ -17,7 +17,7 @@ PhysicsConfig leaguePhysics(const WorldConfig& config);
 /// centre of mass.
 Assembly leagueRobot(const RobotModel& model, const WorldConfig& config);
 
-/// The ball as a single body.
-Assembly leagueBall();
+/// The ball as a single body, of a field with its radius.
+Assembly leagueBall(const FieldSize& field);
 
 }  // namespace plumbline::simulation

@@ -58,6 +58,7 @@ public:
   /// Senses made by the last step, as the wire wants them (without frame); empty before the first.
   const std::string& message(PlayerId id) const { return players.at(id)->message(); }
 
+  const FieldSize& field() const { return config.world.field; }
   const Game& game() const { return game_; }
   const Rules& rules() const { return referee->rules(); }
   /// Whether the rules end the simulator a while after the game, and it is time.

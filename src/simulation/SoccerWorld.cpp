@@ -38,9 +38,9 @@ void SoccerWorld::reset() {
   gravityForce = settings.gravity;
   physics = makePhysics(config.engine, settings);
   physics->addGround(material::ground);
-  for (const FieldObstacle& obstacle : fieldObstacles())
+  for (const FieldObstacle& obstacle : fieldObstacles(config.field))
     physics->addStatic(obstacle.shape, obstacle.T_world_shape, material::obstacle);
-  ballHandle = physics->addAssembly(leagueBall(), translation(0, 0, ballRadius));
+  ballHandle = physics->addAssembly(leagueBall(config.field), translation(0, 0, config.field.ballRadius));
 }
 
 RobotHandle SoccerWorld::addRobot(const RobotModel& model, const Pose3& T_world_torso) {

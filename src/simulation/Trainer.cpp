@@ -109,7 +109,7 @@ std::string Trainer::apply(const RepositionCommand& command) {
 
 void Trainer::moveAside(Player& player) {
   Pose3 pose = s.world_->torso(player.robot).pose;
-  pose.translation() = outsidePlace(s.world_->ball().pose.translation(), player.side, player.unum);
+  pose.translation() = outsidePlace(s.field(), s.world_->ball().pose.translation(), player.side, player.unum);
   s.world_->moveRobot(player.robot, pose);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "field/FieldSize.h"
 #include "math/Pose2.h"
 #include "math/Types.h"
 #include "robot/RobotModel.h"
@@ -56,6 +57,7 @@ struct WorldConfig {
   double frictionCoefficient = 1;
   bool selfCollision = false;  ///< off in effect on the league's server
   LeagueNumbers numbers;
+  FieldSize field;
   /// What the robots and the ground have and their models have not (simulation/effects/); makeWorld throws
   /// ConfigurationError for those that cannot be here.
   std::vector<EffectSetting> effects;

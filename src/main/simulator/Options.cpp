@@ -9,6 +9,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "field/FieldFile.h"
 #include "framework/CommandLine.h"
 #include "framework/Loopback.h"
 #include "simspark/NumberFormat.h"
@@ -39,7 +40,7 @@ const CLI::Validator aPatience = number("a time of 0 s or more", [](double v) { 
 
 /// What the options say before they are put together.
 struct Given {
-  std::string bind = "127.0.0.1", token, rulesFile, effectsFile;
+  std::string bind = "127.0.0.1", token, rulesFile, effectsFile, fieldFile;
   std::uint64_t seed = 0;
   bool realTime = false, frozenLimbs = true, openAgents = false;
   double monitorStep = 0.04, maxSeconds = 0, kickOffAfter = 0, halfTime = 300;
@@ -67,6 +68,7 @@ void complete(Options& options, const Given& given, const CLI::App& app) {
   }
   Rules& rules = server.simulation.rules;
   if (!given.rulesFile.empty()) rules = readRules(given.rulesFile);
+  if (!given.fieldFile.empty()) server.simulation.world.field = readFieldFile(given.fieldFile);
   if (!given.effectsFile.empty()) {
     server.simulation.world.effects = readEffects(given.effectsFile);
     checkEffects(server.simulation.world.effects);
@@ -134,6 +136,8 @@ Options parseOptions(int argc, char** argv) {
   app.add_option("--kickoff-after", given.kickOffAfter, "Kick off without a trainer after so many seconds")
       ->check(aPatience);
   app.add_option("--rules", given.rulesFile, "Rules that differ from the league's, as in config/rules.yaml");
+  app.add_option("--field", given.fieldFile,
+                 "Sizes of the field that differ from the league's, as in config/field.yaml");
   app.add_option("--effects", given.effectsFile,
                  "Robots and ground have these effects, as bin/gap apply writes them");
   app.add_option("--half-time", given.halfTime, "Length of a half in seconds [300]")->check(aDuration);

@@ -2,6 +2,7 @@
 #include <array>
 #include <vector>
 
+#include "field/FieldSize.h"
 #include "simulation/Game.h"
 #include "simulation/Random.h"
 #include "simulation/World.h"
@@ -54,6 +55,7 @@ struct MatchMemory {
 /// One cycle of a game, as the rules see it.
 struct Match {
   const Rules& rules;
+  const FieldSize& field;
   Game& game;
   World& world;
   Random& random;

@@ -50,7 +50,7 @@ void judge(Match& match, Participant& player) {
 }  // namespace
 
 Match Referee::match(Game& game, World& world, double seconds) {
-  return {rules_, game, world, random, memory, world.robotContacts(), seconds};
+  return {rules_, field, game, world, random, memory, world.robotContacts(), seconds};
 }
 
 bool Referee::update(Game& game, World& world, const Observation& observation, double seconds) {

@@ -16,7 +16,9 @@ struct Observation {
 /// the order in which they are applied.
 class Referee {
 public:
-  Referee(const Rules& rules, const Random& random_) : rules_(rules), random(random_) {
+  Referee(const Rules& rules, const Random& random_, const FieldSize& field_ = {})
+      : rules_(rules), field(field_), random(random_) {
+    memory.ball = BallWatch(field);
     if (rules.kickOff.byLot) memory.nextHalfKickOff = TeamSide::none;
   }
 
@@ -44,6 +46,7 @@ private:
   void judgeFouls(Match& match);
 
   Rules rules_;
+  FieldSize field;
   Random random;
   MatchMemory memory;
 };

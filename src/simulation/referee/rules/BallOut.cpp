@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "simulation/Field.h"
 #include "simulation/referee/rules/Award.h"
 
 namespace plumbline::simulation {
@@ -11,12 +10,12 @@ bool ballOut(Match& match) {
   const BallWatch& ball = match.ball();
   if (ball.onField()) {
     match.memory.kickPosition = ball.lastOnField();
-    match.memory.kickPosition.z() = ballRadius;
+    match.memory.kickPosition.z() = match.field.ballRadius;
     return false;
   }
   const TeamSide toucher = ball.lastTouch().side;
   if (!match.rules.ballOut.on || toucher == TeamSide::none) return true;
-  if (std::fabs(ball.position().x()) < fieldLength / 2) {
+  if (std::fabs(ball.position().x()) < match.field.length / 2) {
     awardKickIn(match, simspark::opponent(toucher));
     return true;
   }

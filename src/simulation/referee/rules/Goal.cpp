@@ -1,6 +1,5 @@
 #include "simulation/referee/rules/Goal.h"
 
-#include "simulation/Field.h"
 #include "simulation/referee/rules/Award.h"
 #include "simulation/referee/rules/DoubleTouch.h"
 #include "simulation/referee/rules/KickOff.h"
@@ -49,7 +48,7 @@ bool goal(Match& match) {
 void afterGoal(Match& match, TeamSide scorer) {
   clearForKickOff(match, opponent(scorer));
   if (match.game.modeTime() < match.rules.time.goalPause) return;
-  match.placeBall(Vec3(0, 0, ballRadius));
+  match.placeBall(Vec3(0, 0, match.field.ballRadius));
   startKickOff(match, opponent(scorer));
 }
 

@@ -29,7 +29,7 @@ void punishDefence(Match& match, Participant& player) {
   --match.memory.inOwnArea[Game::index(player.side)];
   if (match.rules.illegalDefence.putOutside) return;
   const double radius = match.rules.moves.agentRadius;
-  const Area area = penaltyArea(player.side);
+  const Area area = penaltyArea(match.field, player.side);
   Vec3 place = player.torso.pose.translation();
   const double x = nearerEdge(area.low.x(), area.high.x(), place.x(), radius);
   const double y = nearerEdge(area.low.y(), area.high.y(), place.y(), radius);
@@ -37,8 +37,9 @@ void punishDefence(Match& match, Participant& player) {
     place.y() = y;
   else
     place.x() = x;
-  if (std::fabs(place.x()) > fieldLength / 2 && std::fabs(place.y()) < goalWidth / 2 + radius)
-    place.y() = (goalWidth / 2 + radius + 0.001) * (place.y() < 0 ? -1 : 1);
+  if (std::fabs(place.x()) > match.field.length / 2 &&
+      std::fabs(place.y()) < match.field.goalWidth / 2 + radius)
+    place.y() = (match.field.goalWidth / 2 + radius + 0.001) * (place.y() < 0 ? -1 : 1);
   moveSafely(match, player, place);
 }
 

@@ -26,10 +26,10 @@ void startKickOff(Match& match, TeamSide side) {
 
 void beforeKickOff(Match& match) {
   if (match.memory.agents == 0) return;
-  match.placeBall(Vec3(0, 0, ballRadius));
+  match.placeBall(Vec3(0, 0, match.field.ballRadius));
   if (match.rules.kickOff.ownHalf && !match.rules.moves.startAnywhere)
     for (const TeamSide side : match.sidesInRandomOrder())
-      clearArea(match, halfOf(opponent(side)), match.rules.restarts.moveDistance, side);
+      clearArea(match, halfOf(match.field, opponent(side)), match.rules.restarts.moveDistance, side);
   const auto& after = match.rules.kickOff.after;
   if (after && match.game.modeTime() >= *after) startKickOff(match, TeamSide::none);
 }
@@ -37,10 +37,10 @@ void beforeKickOff(Match& match) {
 void clearForKickOff(Match& match, TeamSide side) {
   if (!match.rules.kickOff.ownHalf || match.rules.moves.startAnywhere) return;
   const Rules::Restarts& rules = match.rules.restarts;
-  clearArea(match, halfOf(side), rules.moveDistance, opponent(side));
+  clearArea(match, halfOf(match.field, side), rules.moveDistance, opponent(side));
   clearCircle(match, Vec3::Zero(), rules.distance, rules.moveDistance, opponent(side));
 
-  const Area otherHalf = halfOf(opponent(side));
+  const Area otherHalf = halfOf(match.field, opponent(side));
   for (Participant* player : match.inRandomOrder(side)) {
     const Area area = robotArea(match.world, *player);
     if (!otherHalf.meets(area)) continue;

@@ -22,7 +22,7 @@ void punish(Match& match, Participant& player) {
     place.z() = 1 + 0.01 * player.foulCycles;
     return match.move(player, place);
   }
-  Vec3 place = outsidePlace(match.ball().position(), player.side, player.unum);
+  Vec3 place = outsidePlace(match.field, match.ball().position(), player.side, player.unum);
   if (rules.foulHold > 0) place.z() = rules.agentRadius;
   moveSafely(match, player, place);
   forgive(match, player);

@@ -28,16 +28,16 @@ constexpr Kind kinds[] = {{PlayMode::kickInLeft, true},
 /// line.
 bool hasLeftArea(Match& match, TeamSide side) {
   const Vec2 ball = match.ball().position().head<2>();
-  if (penaltyArea(side).contains(ball)) return false;
-  return !match.ball().onField() || std::fabs(ball.y()) > penaltyWidth / 2 ||
-         sign(side) * ball.x() < fieldLength / 2 - penaltyDepth;
+  if (penaltyArea(match.field, side).contains(ball)) return false;
+  return !match.ball().onField() || std::fabs(ball.y()) > match.field.penaltyWidth / 2 ||
+         sign(side) * ball.x() < match.field.length / 2 - match.field.penaltyDepth;
 }
 
 void keepOpponentsAway(Match& match, const Kind& kind, TeamSide side) {
   const Rules::Restarts& rules = match.rules.restarts;
   if (!rules.keepDistance) return;
   if (kind.left == PlayMode::goalKickLeft)
-    clearArea(match, penaltyArea(side), rules.moveDistance, opponent(side));
+    clearArea(match, penaltyArea(match.field, side), rules.moveDistance, opponent(side));
   else
     clearCircle(match, match.memory.kickPosition, rules.distance, rules.moveDistance, opponent(side));
 }
@@ -58,7 +58,7 @@ void restart(Match& match, const Kind& kind, TeamSide side) {
   }
   forgetKick(match);
   if (kind.left == PlayMode::freeKickLeft || kind.left == PlayMode::directFreeKickLeft)
-    memory.kickPosition = outOfPenaltyAreas(memory.kickPosition);
+    memory.kickPosition = outOfPenaltyAreas(match.field, memory.kickPosition);
   keepOpponentsAway(match, kind, side);
   if (time.dropBall > 0 && match.game.modeTime() > time.dropBall) return dropBall(match, memory.kickPosition);
   const bool touched = match.ball().touchedSince(match.game.lastModeChange + time.kickPause + touchDelay) &&
