@@ -5,6 +5,7 @@
 
 #include "math/Angle.h"
 #include "simulation/Trainer.h"
+#include "simulation/league/MakeWorld.h"
 
 namespace plumbline::simulation {
 
@@ -108,12 +109,6 @@ void Simulation::removePlayer(PlayerId id) {
   ++version;
 }
 
-Player* Simulation::find(const simspark::PlayerName& name) {
-  for (auto& [id, player] : players)
-    if (player->unum == name.unum && player->side == name.side) return player.get();
-  return nullptr;
-}
-
 std::string Simulation::act(PlayerId id, const AgentCommand& command) {
   Player& player = *players.at(id);
   std::string problem;
@@ -185,7 +180,11 @@ void Simulation::say(const Player& speaker, const std::string& text) {
 }
 
 std::string Simulation::train(const simspark::TrainerCommand& command) {
-  return Trainer(*this).carryOut(command);
+  const auto remove = [this](PlayerId id) {
+    removePlayer(id);
+    killed.push_back(id);
+  };
+  return Trainer({*world_, game_, *referee, players, members(), field(), remove}).carryOut(command);
 }
 
 void Simulation::step() {

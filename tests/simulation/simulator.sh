@@ -110,6 +110,9 @@ printf 'length: 9\nwidht: 6\n' > "$work/field.yaml"
 expect "a field with a wrong key" "$("$simulator" --field "$work/field.yaml" 2>&1 > /dev/null) $?" \
   "simulator: $work/field.yaml:2: unknown key \"widht\"; did you mean \"width\"? 2"
 
+# The rules' file is the one that is written, so it names all there is.
+expect "config/rules.yaml is what --print-rules writes" "$("$simulator" --print-rules | cmp - config/rules.yaml 2>&1)" ""
+
 # In step with its agents, in simulated time.
 start --sync --wait-agents 0 --max-seconds 2
 finish "$pid"

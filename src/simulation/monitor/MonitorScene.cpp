@@ -4,7 +4,7 @@
 
 #include "simspark/FieldWords.h"
 #include "simspark/NumberFormat.h"
-#include "simulation/Field.h"
+#include "simulation/league/FieldObstacles.h"
 
 namespace plumbline::simulation {
 
@@ -90,7 +90,7 @@ void MonitorScene::rules(const Rules& rules, const FieldSize& field) {
   number("GoalHeight", field.goalHeight);
   number("BorderSize", 0);
   number("FreeKickDistance", rules.restarts.distance);
-  number("WaitBeforeKickOff", rules.kickOff.after.value_or(rules.time.waitForKickOff));
+  number("WaitBeforeKickOff", rules.kickOff.after >= 0 ? rules.kickOff.after : rules.time.waitForKickOff);
   number("AgentRadius", rules.moves.agentRadius);
   number("BallRadius", field.ballRadius);
   number("BallMass", ballMass);

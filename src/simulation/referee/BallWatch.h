@@ -3,7 +3,7 @@
 
 #include "field/FieldSize.h"
 #include "simspark/TeamSide.h"
-#include "simulation/World.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 

@@ -58,8 +58,7 @@ void forgive(const Match& match, Participant& player) {
   player.inOwnArea = player.wasInOwnArea = false;
   player.foul = Foul::Kind::none;
   player.foulCycles = 0;
-  player.sinceBallTouch = static_cast<int>(match.cycles(match.rules.charging.immunity));
-  player.sinceCollision = static_cast<int>(match.cycles(match.rules.charging.minInterval));
+  player.sinceBallTouch = player.sinceCollision = Participant::longAgo;
 }
 
 void observeConduct(Match& match) {
@@ -76,7 +75,6 @@ void observeConduct(Match& match) {
     ++player.sinceCollision;
     ++player.sinceMoved;
   }
-  if (!match.rules.crowding.on && !match.rules.illegalDefence.on) return;
   for (Participant& player : match.participants()) {
     player.ballRank = rank(match, player, [](const Participant& p) { return p.ballDistance; });
     if (player.inOwnArea)

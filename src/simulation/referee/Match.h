@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "field/FieldSize.h"
-#include "simulation/Game.h"
-#include "simulation/Random.h"
-#include "simulation/World.h"
 #include "simulation/referee/BallWatch.h"
+#include "simulation/referee/Game.h"
 #include "simulation/referee/Participant.h"
 #include "simulation/referee/Rules.h"
+#include "simulation/world/Random.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 
@@ -63,6 +63,16 @@ struct Match {
   /// Robots that touched each other in this cycle.
   const std::vector<RobotContact>& contacts;
   double step = 0.02;  ///< of a cycle [s]
+  /// In which this cycle is judged; game.mode is what comes of it.
+  PlayMode mode = PlayMode::beforeKickOff;
+  bool settled = false;      ///< a rule has decided what follows from where the ball is
+  bool suspended = false;    ///< players may stand anywhere: no fouls, and none is held against them
+  bool changedEnds = false;  ///< the teams did
+
+  /// Whether goals count and the ball can go out.
+  bool ballInPlay() const {
+    return mode == PlayMode::playOn || mode == PlayMode::passLeft || mode == PlayMode::passRight;
+  }
 
   BallWatch& ball() { return memory.ball; }
   std::vector<Participant>& participants() { return memory.participants; }

@@ -1,5 +1,7 @@
 #include "simulation/replay/BallStart.h"
 
+#include "simulation/league/MakeWorld.h"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>

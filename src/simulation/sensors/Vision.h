@@ -6,7 +6,7 @@
 #include "field/FieldMarks.h"
 #include "math/Types.h"
 #include "simspark/ServerMessage.h"
-#include "simulation/Random.h"
+#include "simulation/world/Random.h"
 
 namespace plumbline::simulation {
 

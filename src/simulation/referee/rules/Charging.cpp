@@ -54,7 +54,7 @@ struct Outcome {
 class Judge {
 public:
   Judge(Match& match_, std::vector<Outcome>& outcomes_)
-      : match(match_), rules(match_.rules.charging), outcomes(outcomes_) {}
+      : match(match_), rules(match_.rules.of<Charging>()), outcomes(outcomes_) {}
 
   void judge(const Collision& collision) {
     const auto& players = collision.players;
@@ -126,19 +126,21 @@ private:
   }
 
   Match& match;
-  const Rules::Charging& rules;
+  const Charging::Parameters& rules;
   std::vector<Outcome>& outcomes;
 };
 
 }  // namespace
 
-void judgeCharging(Match& match) {
-  if (!match.rules.charging.on || match.contacts.empty()) return;
+MAKE_RULE(Charging, "charging", 100)
+
+void Charging::judgeAll(Match& match) {
+  if (!match.rules.of<Charging>().on || match.contacts.empty()) return;
   std::vector<Outcome> outcomes;
   for (const Participant& player : match.participants())
     outcomes.push_back({player.sinceBallTouch, player.sinceCollision});
-  Judge judge(match, outcomes);
-  for (const Collision& collision : collisions(match)) judge.judge(collision);
+  Judge judging(match, outcomes);
+  for (const Collision& collision : collisions(match)) judging.judge(collision);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     Participant& player = match.participants()[i];
     player.sinceBallTouch = outcomes[i].sinceBallTouch;

@@ -12,8 +12,6 @@ double nearerEdge(double low, double high, double value, double margin) {
   return std::fabs(low - value) < std::fabs(high - value) ? low - margin : high + margin;
 }
 
-}  // namespace
-
 bool defendsIllegally(Match& match, const Participant& player) {
   const Rules::IllegalDefence& rules = match.rules.illegalDefence;
   if (!rules.on || player.goalie() || !player.inOwnArea ||
@@ -25,7 +23,7 @@ bool defendsIllegally(Match& match, const Participant& player) {
 }
 
 void punishDefence(Match& match, Participant& player) {
-  player.commit(Foul::Kind::illegalDefence);
+  player.commit(Foul::Kind::illegalDefence, !match.rules.illegalDefence.putOutside);
   --match.memory.inOwnArea[Game::index(player.side)];
   if (match.rules.illegalDefence.putOutside) return;
   const double radius = match.rules.moves.agentRadius;
@@ -41,6 +39,14 @@ void punishDefence(Match& match, Participant& player) {
       std::fabs(place.y()) < match.field.goalWidth / 2 + radius)
     place.y() = (match.field.goalWidth / 2 + radius + 0.001) * (place.y() < 0 ? -1 : 1);
   moveSafely(match, player, place);
+}
+
+}  // namespace
+
+MAKE_RULE(IllegalDefence, "illegalDefence", 130)
+
+void IllegalDefence::judgePlayer(Match& match, Participant& player) {
+  if (defendsIllegally(match, player)) punishDefence(match, player);
 }
 
 }  // namespace plumbline::simulation

@@ -7,14 +7,9 @@ namespace plumbline::simulation {
 
 namespace {
 
-bool alreadyMoved(const Rules& rules, Foul::Kind kind) {
-  return (kind == Foul::Kind::illegalDefence && !rules.illegalDefence.putOutside) ||
-         (kind == Foul::Kind::touching && !rules.touching.putOutside);
-}
-
-void punish(Match& match, Participant& player) {
+void punishPlayer(Match& match, Participant& player) {
   match.game.fouls.add(player.foul, player.side, player.unum);
-  if (alreadyMoved(match.rules, player.foul)) return forgive(match, player);
+  if (player.movedForFoul) return forgive(match, player);
   const Rules::Moves& rules = match.rules.moves;
   if (player.foulCycles <= match.cycles(rules.foulHold)) {
     ++player.foulCycles;
@@ -30,10 +25,12 @@ void punish(Match& match, Participant& player) {
 
 }  // namespace
 
-void punishOffenders(Match& match) {
+MAKE_RULE(Penalty, "penalty", 160)
+
+void Penalty::punish(Match& match) {
   for (const TeamSide side : match.sidesInRandomOrder())
     for (Participant* player : match.inRandomOrder(side))
-      if (player->offends()) punish(match, *player);
+      if (player->offends()) punishPlayer(match, *player);
 }
 
 }  // namespace plumbline::simulation

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "simulation/referee/DropBall.h"
 #include "simulation/referee/Reposition.h"
-#include "simulation/referee/rules/DoubleTouch.h"
-#include "simulation/referee/rules/DropBall.h"
+#include "simulation/referee/TakenKicks.h"
 
 namespace plumbline::simulation {
 
@@ -71,9 +71,11 @@ void restart(Match& match, const Kind& kind, TeamSide side) {
 
 }  // namespace
 
-void restart(Match& match) {
+MAKE_RULE(Restart, "restart", 70)
+
+void Restart::play(Match& match) {
   for (const Kind& kind : kinds)
-    if (const TeamSide side = sideOf(match.game.mode, kind.left); side != TeamSide::none)
+    if (const TeamSide side = sideOf(match.mode, kind.left); side != TeamSide::none)
       return restart(match, kind, side);
 }
 

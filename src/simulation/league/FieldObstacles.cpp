@@ -1,4 +1,4 @@
-#include "simulation/Field.h"
+#include "simulation/league/FieldObstacles.h"
 
 namespace plumbline::simulation {
 

@@ -1,9 +1,9 @@
-#include "simulation/referee/rules/DropBall.h"
+#include "simulation/referee/DropBall.h"
 
 #include <cmath>
 
 #include "simulation/referee/Reposition.h"
-#include "simulation/referee/rules/DoubleTouch.h"
+#include "simulation/referee/TakenKicks.h"
 
 namespace plumbline::simulation {
 

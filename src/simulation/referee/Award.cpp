@@ -1,4 +1,4 @@
-#include "simulation/referee/rules/Award.h"
+#include "simulation/referee/Award.h"
 
 #include "simulation/referee/Areas.h"
 

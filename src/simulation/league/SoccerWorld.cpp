@@ -1,13 +1,14 @@
-#include "simulation/SoccerWorld.h"
+#include "simulation/league/SoccerWorld.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "simulation/Field.h"
-#include "simulation/LeaguePhysics.h"
 #include "simulation/effects/EffectTable.h"
 #include "simulation/effects/EffectsWorld.h"
+#include "simulation/league/FieldObstacles.h"
+#include "simulation/league/LeaguePhysics.h"
+#include "simulation/league/MakeWorld.h"
 
 namespace plumbline::simulation {
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,8 +8,8 @@
 #include "math/Pose2.h"
 #include "math/Types.h"
 #include "robot/RobotModel.h"
-#include "simulation/BodyState.h"
-#include "simulation/effects/EffectFile.h"
+#include "simulation/physics/BodyState.h"
+#include "simulation/world/EffectFile.h"
 
 namespace plumbline::simulation {
 
@@ -111,8 +110,5 @@ public:
   /// Every point where two robots touched each other in the last step.
   virtual const std::vector<RobotContact>& robotContacts() const = 0;
 };
-
-/// Errors: std::invalid_argument for an unknown engine (names those there are).
-std::unique_ptr<World> makeWorld(const WorldConfig& config = {});
 
 }  // namespace plumbline::simulation

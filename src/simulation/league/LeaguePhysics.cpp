@@ -1,10 +1,10 @@
-#include "simulation/LeaguePhysics.h"
+#include "simulation/league/LeaguePhysics.h"
 
 #include <optional>
 
-#include "simulation/Field.h"
 #include "simulation/effects/BodyEffects.h"
 #include "simulation/effects/GroundEffects.h"
+#include "simulation/league/FieldObstacles.h"
 
 namespace plumbline::simulation {
 

@@ -1,4 +1,4 @@
-#include "simulation/SoccerWorld.h"
+#include "simulation/league/SoccerWorld.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 
 #include "math/Angle.h"
 #include "simspark/LeagueRobots.h"
+#include "simulation/league/MakeWorld.h"
 
 namespace plumbline::simulation {
 namespace {
