@@ -9,14 +9,13 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 files=$(find src -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.c' -o -name '*.y' -o -name '*.l' \) | LC_ALL=C sort)
 folders=$(find src -type d | LC_ALL=C sort)
-exceptions=$(sed 's/#.*//' scripts/circles.txt 2> /dev/null || true)
 status=0
 
 # Ground floor first; "walking" and "motion" stand beside the representations: "walking" sees only
 # parameters, math, robot and optimization, "motion" the framework's readers of files as well.
 awk '
   BEGIN {
-    count = split("parameters math framework robot optimization simspark simulation representations walking motion tactics inspect dds record pages modules training gap game web main", f, " ")
+    count = split("parameters math framework field robot optimization simspark simulation representations walking motion tactics inspect dds record pages modules training gap game web main", f, " ")
     for (i = 1; i <= count; ++i) floorOf[f[i]] = i
     split("parameters math robot optimization walking", w, " ")
     for (i in w) may["walking " w[i]] = may["motion " w[i]] = 1
@@ -56,10 +55,9 @@ awk -v platforms="$platforms" '
 
 # Folders that include each other, also round about: take away, again and again, each folder that includes none of the
 # others; what stays is in a circle or includes one.
-awk -v folders="$folders" -v exceptions="$exceptions" '
+awk -v folders="$folders" '
   BEGIN {
     n = split(folders, f, "\n"); for (i = 1; i <= n; ++i) isFolder[f[i]] = 1
-    n = split(exceptions, e, "\n"); for (i = 1; i <= n; ++i) if (split(e[i], p, " ") == 2) excepted[p[1] " " p[2]] = 1
   }
   FNR == 1 { here = FILENAME; sub(/\/[^\/]*$/, "", here) }
   /^[ \t]*#[ \t]*include[ \t]*"/ {
@@ -72,8 +70,7 @@ awk -v folders="$folders" -v exceptions="$exceptions" '
     if (!(edge in where)) where[edge] = FILENAME ":" FNR
   }
   END {
-    for (edge in excepted) if (!(edge in where)) print "scripts/circles.txt: " edge ": no include is like that any more; take the line out"
-    for (edge in where) if (!(edge in excepted)) { left[edge] = 1; split(edge, p, " "); ++outOf[p[1]]; ++into[p[2]] }
+    for (edge in where) { left[edge] = 1; split(edge, p, " "); ++outOf[p[1]]; ++into[p[2]] }
     do { # both ends of what hangs on a circle go
       gone = 0
       for (edge in left) {

@@ -2,7 +2,7 @@
 # One command for a match: the embedded simulator, two teams of our robots, the kick-off, and a page to watch it on.
 set -uo pipefail
 bin=$(cd "$(dirname "${BASH_SOURCE[0]}")/../bin" && pwd)
-left=11 right=11 leftName=Plumbline rightName=Line seconds="" page=8080 record="" seed=0
+left=11 right=11 leftName=Plumbline rightName=Line seconds="" page=8080 record="" seed=0 field=()
 # As in bin/start.sh: at most 7 of a type, 9 of any two, three types in a full team.
 types=(0 4 4 1 4 0 3 1 3 4 0)
 terminal=""
@@ -18,6 +18,7 @@ usage: make match ARGS="[options]", or scripts/match.sh [options] [-- OPTIONS OF
   --record FILE         writes the match to a file; bin/webmonitor --replay FILE shows it
   --fast                as fast as it goes instead of in real time [so without a terminal]
   --realtime            in real time without a terminal, too
+  --field FILE          sizes of the field for simulator and robots, as config/field.yaml
   --seed N              of the simulator; 0: by chance [$seed]
 Ctrl-C ends simulator and robots.
 Examples:
@@ -38,7 +39,7 @@ while (($#)); do
     --fast) fast=1; shift ;;
     --realtime) fast=""; shift ;;
     --no-page) page=""; shift ;;
-    --left | --right | --left-name | --right-name | --seconds | --page | --record | --seed)
+    --left | --right | --left-name | --right-name | --seconds | --page | --record | --field | --seed)
       (($# > 1)) || fail "$1 needs a value"
       case $1 in
         --left) count "$1" "$2" 11; left=$2 ;;
@@ -48,6 +49,7 @@ while (($#)); do
         --seconds) count "$1" "$2" 100000; seconds=$2 ;;
         --page) count "$1" "$2" 65535; page=$2 anyPage="" ;;
         --record) record=$2 ;;
+        --field) [[ -r $2 ]] || fail "--field $2 cannot be read"; field=(--field "$2") ;;
         --seed) count "$1" "$2" 999999; seed=$2 ;;
       esac
       shift 2 ;;
@@ -85,7 +87,7 @@ trap 'exit 143' TERM HUP
 
 kickOff=3 # seconds for the robots to come to rest
 options=(--port 0 --monitor-port 0 --ports-file "$scratch/ports.json" --wait-agents $((left + right)) --kickoff-after "$kickOff"
-  --die-with-parent --seed "$seed")
+  --die-with-parent --seed "$seed" "${field[@]}")
 if [[ $page && $anyPage ]]; then options+=(--web); elif [[ $page ]]; then options+=(--web "$page"); fi
 [[ $record ]] && options+=(--record "$record")
 [[ $seconds ]] && options+=(--max-seconds $((seconds + kickOff)))
@@ -101,7 +103,7 @@ read -r agentPort monitorPort _ < <(tr -cs '0-9\n' ' ' < "$scratch/ports.json")
 # One after the other, so that the server gives them their places in this order.
 start() { # team, number
   "$bin/agent" --team "$1" --number "$2" --type "${types[$2 - 1]}" --host 127.0.0.1 --port "$agentPort" \
-    --monitor-port "$monitorPort" > "$scratch/$1-$2.log" 2>&1 < /dev/null &
+    --monitor-port "$monitorPort" "${field[@]}" > "$scratch/$1-$2.log" 2>&1 < /dev/null &
   children+=($!)
   sleep 0.1
 }

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "field/FieldMarks.h"
 #include "game/DotCanvas.h"
-#include "simulation/Field.h"
-#include "simulation/sensors/FieldMarks.h"
 
 namespace plumbline::game {
 
@@ -59,9 +58,9 @@ Ink inkOf(TeamSide side) {
 /// Where the field lies on the grid: characters are taken to be twice as high as wide.
 class Layout {
 public:
-  Layout(int columns, int firstRow, int rows) : firstRow_(firstRow) {
-    const double length = simulation::fieldLength + 2 * (simulation::goalDepth + margin);
-    const double width = simulation::fieldWidth + 2 * margin;
+  Layout(const FieldSize& field, int columns, int firstRow, int rows) : firstRow_(firstRow) {
+    const double length = field.length + 2 * (field.goalDepth + margin);
+    const double width = field.width + 2 * margin;
     perMetre = std::min(columns / length, 2.0 * rows / width);
     centre = Vec2(columns / 2.0, rows / 2.0);
   }
@@ -80,12 +79,12 @@ private:
   Vec2 centre;
 };
 
-void drawLines(TextPicture& picture, const Layout& layout, int firstRow, int rows, bool unicode) {
+void drawLines(TextPicture& picture, const FieldSize& field, const Layout& layout, int firstRow, int rows,
+               bool unicode) {
   DotCanvas canvas(picture.columns(), rows);
-  for (const auto& line : simulation::fieldLines())
+  for (const FieldLine& line : FieldMarks(field).lines)
     canvas.line(layout.dots(line.begin), layout.dots(line.end));
-  const double goal = simulation::fieldLength / 2, back = goal + simulation::goalDepth,
-               post = simulation::goalWidth / 2;
+  const double goal = field.length / 2, back = goal + field.goalDepth, post = field.goalWidth / 2;
   for (const double side : {-1.0, 1.0}) {
     canvas.line(layout.dots({side * goal, post, 0}), layout.dots({side * back, post, 0}));
     canvas.line(layout.dots({side * back, post, 0}), layout.dots({side * back, -post, 0}));
@@ -179,8 +178,8 @@ TextPicture fieldPicture(const FieldState& state, int columns, int rows, const F
     return picture;
   }
   const int firstRow = 1, fieldRows = rows - 2;
-  const Layout layout(columns, firstRow, fieldRows);
-  drawLines(picture, layout, firstRow, fieldRows, style.unicode);
+  const Layout layout(state.field, columns, firstRow, fieldRows);
+  drawLines(picture, state.field, layout, firstRow, fieldRows, style.unicode);
   // The nearer to the ball, the later drawn: where labels overlap, those count.
   std::vector<const FieldRobot*> order;
   for (const FieldRobot& robot : state.robots) order.push_back(&robot);

@@ -97,6 +97,7 @@ private:
                                           file("simulator.json"),
                                           "--die-with-parent"};
     arguments.insert(arguments.end(), {"--engine", options_.engine});
+    addField(arguments);
     if (!options_.stay)
       arguments.insert(arguments.end(), {"--max-seconds", fmt::format("{}", options_.limit)});
     if (options_.realtime) arguments.emplace_back("--realtime");
@@ -123,8 +124,14 @@ private:
                                           "--status",
                                           "--stats",
                                           file("agent.json")};
+    addField(arguments);
     arguments.insert(arguments.end(), options_.agentOptions.begin(), options_.agentOptions.end());
     agent_.emplace(arguments, file("agent.log"));
+  }
+
+  /// The same field for both.
+  void addField(std::vector<std::string>& arguments) const {
+    if (!options_.field.empty()) arguments.insert(arguments.end(), {"--field", options_.field});
   }
 
   static std::string lastLine(const std::string& path) {
@@ -224,12 +231,13 @@ Summary GameRun::play(StopSignal& stop) {
   summary_.wall = wall();
   summary_.agentCpu = Session::cost(session.file("agent.json"));
   summary_.simulatorCpu = Session::cost(session.file("simulator.json"));
-  writeFile(
-      session.file("track.svg"),
-      trackPicture(track_, fmt::format("Robot type {} (blue) and ball (orange), seed {}: {}", options_.type,
-                                       options_.seed,
-                                       summary_.goal ? fmt::format("goal after {:.1f} s", summary_.goalTime)
-                                                     : std::string("no goal"))));
+  writeFile(session.file("track.svg"),
+            trackPicture(track_,
+                         fmt::format("Robot type {} (blue) and ball (orange), seed {}: {}", options_.type,
+                                     options_.seed,
+                                     summary_.goal ? fmt::format("goal after {:.1f} s", summary_.goalTime)
+                                                   : std::string("no goal")),
+                         session.monitor.scene().field));
   writeFile(session.file("summary.json"), toJson(summary_));
   return summary_;
 }

@@ -24,6 +24,7 @@ struct GameOptions {
   std::string output;          ///< folder
   std::string host;            ///< of a server that runs already; empty: an embedded simulator is started
   int port = 3100, monitorPort = 3200;
+  std::string field;  ///< file with the sizes of the field; empty: the configuration's
   std::vector<std::string> agentOptions, simulatorOptions;
 };
 

@@ -12,8 +12,12 @@ namespace {
 constexpr double scale = 30;    // pixels per metre
 constexpr double margin = 1.2;  // metres around the field
 
-double px(double x) { return scale * (x + 15 + margin); }
-double py(double y) { return scale * (10 + margin - y); }
+/// Places on the field as places in the picture, in pixels.
+struct Paper {
+  FieldSize field;
+  double x(double metres) const { return scale * (metres + field.length / 2 + margin); }
+  double y(double metres) const { return scale * (field.width / 2 + margin - metres); }
+};
 
 constexpr double jump = 0.6;        // further between two points nobody goes: it was put there [m]
 constexpr double kickSpeed = 1;     // what a kick adds at least [m/s]
@@ -21,8 +25,8 @@ constexpr double kickDistance = 1;  // of the robot from the ball it kicked, at 
 constexpr double markEvery = 5;     // [s]
 
 /// The parts of a way without the jumps between them.
-std::string ways(const std::vector<TrackPoint>& track, Vec2 TrackPoint::*member, double longest,
-                 const char* style) {
+std::string ways(const Paper& paper, const std::vector<TrackPoint>& track, Vec2 TrackPoint::*member,
+                 double longest, const char* style) {
   std::string svg, points;
   const auto finish = [&] {
     if (!points.empty()) svg += fmt::format("<polyline points=\"{}\" {}/>\n", points, style);
@@ -31,17 +35,17 @@ std::string ways(const std::vector<TrackPoint>& track, Vec2 TrackPoint::*member,
   const TrackPoint* before = nullptr;
   for (const TrackPoint& point : track) {
     if (before && ((point.*member) - (before->*member)).norm() > longest) finish();
-    fmt::format_to(std::back_inserter(points), "{:.1f},{:.1f} ", px((point.*member).x()),
-                   py((point.*member).y()));
+    fmt::format_to(std::back_inserter(points), "{:.1f},{:.1f} ", paper.x((point.*member).x()),
+                   paper.y((point.*member).y()));
     before = &point;
   }
   finish();
   return svg;
 }
 
-std::string rectangle(double x0, double y0, double x1, double y1, const char* style) {
-  return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" {}/>\n", px(x0),
-                     py(y1), scale * (x1 - x0), scale * (y1 - y0), style);
+std::string rectangle(const Paper& paper, double x0, double y0, double x1, double y1, const char* style) {
+  return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" {}/>\n", paper.x(x0),
+                     paper.y(y1), scale * (x1 - x0), scale * (y1 - y0), style);
 }
 
 std::string text(double x, double y, const std::string& words, const char* style) {
@@ -67,33 +71,40 @@ constexpr const char* robotStyle =
 constexpr const char* ballStyle =
     "fill=\"none\" stroke=\"#ff8c1a\" stroke-width=\"2\" stroke-linejoin=\"round\" stroke-dasharray=\"7 3\"";
 
-std::string field() {
+std::string fieldLines(const Paper& paper) {
   const char* line = "fill=\"none\" stroke=\"white\" stroke-width=\"2\"";
-  std::string svg = rectangle(-15, -10, 15, 10, line);
-  svg += rectangle(-15, -3, -13.2, 3, line) + rectangle(13.2, -3, 15, 3, line);
-  svg += rectangle(-15.6, -1.05, -15, 1.05, "fill=\"#f2d94e\" fill-opacity=\"0.5\" stroke=\"#f2d94e\"");
-  svg += rectangle(15, -1.05, 15.6, 1.05, "fill=\"#8ec5ff\" fill-opacity=\"0.5\" stroke=\"#8ec5ff\"");
-  svg += fmt::format("<line x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{0:.1f}\" y2=\"{2:.1f}\" {3}/>\n", px(0),
-                     py(-10), py(10), line);
-  return svg + fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.0f}\" {}/>\n", px(0), py(0), 2 * scale,
-                           line);
+  const FieldSize& f = paper.field;
+  const double goal = f.length / 2, side = f.width / 2, front = goal - f.penaltyDepth,
+               area = f.penaltyWidth / 2;
+  const double back = goal + f.goalDepth, post = f.goalWidth / 2;
+  std::string svg = rectangle(paper, -goal, -side, goal, side, line);
+  svg +=
+      rectangle(paper, -goal, -area, -front, area, line) + rectangle(paper, front, -area, goal, area, line);
+  svg +=
+      rectangle(paper, -back, -post, -goal, post, "fill=\"#f2d94e\" fill-opacity=\"0.5\" stroke=\"#f2d94e\"");
+  svg +=
+      rectangle(paper, goal, -post, back, post, "fill=\"#8ec5ff\" fill-opacity=\"0.5\" stroke=\"#8ec5ff\"");
+  svg += fmt::format("<line x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{0:.1f}\" y2=\"{2:.1f}\" {3}/>\n", paper.x(0),
+                     paper.y(-side), paper.y(side), line);
+  return svg + fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.0f}\" {}/>\n", paper.x(0), paper.y(0),
+                           f.centreCircleRadius * scale, line);
 }
 
 /// Falls, and every five seconds where robot and ball were.
-std::string marks(const std::vector<TrackPoint>& track) {
+std::string marks(const Paper& paper, const std::vector<TrackPoint>& track) {
   std::string svg;
   bool fallen = false;
   double next = 0;
   for (const TrackPoint& point : track) {
     if (point.fallen && !fallen)
-      svg += text(px(point.robot.x()) + 6, py(point.robot.y()) - 6, "fall",
+      svg += text(paper.x(point.robot.x()) + 6, paper.y(point.robot.y()) - 6, "fall",
                   "fill=\"#c00\" font-weight=\"bold\"");
     fallen = point.fallen;
     if (point.time < next) continue;
-    svg += dot(px(point.ball.x()), py(point.ball.y()), 3, ballColour);
-    svg += dot(px(point.robot.x()), py(point.robot.y()), 4, robotColour);
-    svg += text(px(point.robot.x()) + 5, py(point.robot.y()) + 18, fmt::format("{:.0f} s", point.time),
-                "fill=\"white\"");
+    svg += dot(paper.x(point.ball.x()), paper.y(point.ball.y()), 3, ballColour);
+    svg += dot(paper.x(point.robot.x()), paper.y(point.robot.y()), 4, robotColour);
+    svg += text(paper.x(point.robot.x()) + 5, paper.y(point.robot.y()) + 18,
+                fmt::format("{:.0f} s", point.time), "fill=\"white\"");
     next += markEvery;
   }
   return svg;
@@ -127,22 +138,25 @@ std::vector<TrackPoint> kicksOf(const std::vector<TrackPoint>& track) {
   return kicks;
 }
 
-std::string trackPicture(const std::vector<TrackPoint>& track, const std::string& title) {
-  const double width = scale * (30 + 2 * margin), height = scale * (20 + 2 * margin);
+std::string trackPicture(const std::vector<TrackPoint>& track, const std::string& title,
+                         const FieldSize& field) {
+  const Paper paper{field};
+  const double width = scale * (field.length + 2 * margin), height = scale * (field.width + 2 * margin);
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
       "{1:.0f}\" "
       "font-family=\"sans-serif\" font-size=\"15\">\n",
       width, height + 56);
   svg += fmt::format("<rect width=\"{:.0f}\" height=\"{:.0f}\" fill=\"#3a7d44\"/>\n", width, height);
-  svg += field();
-  svg +=
-      ways(track, &TrackPoint::robot, jump, robotStyle) + ways(track, &TrackPoint::ball, 3 * jump, ballStyle);
-  svg += marks(track);
-  for (const TrackPoint& kick : kicksOf(track)) svg += kickMark(px(kick.ball.x()), py(kick.ball.y()));
+  svg += fieldLines(paper);
+  svg += ways(paper, track, &TrackPoint::robot, jump, robotStyle) +
+         ways(paper, track, &TrackPoint::ball, 3 * jump, ballStyle);
+  svg += marks(paper, track);
+  for (const TrackPoint& kick : kicksOf(track))
+    svg += kickMark(paper.x(kick.ball.x()), paper.y(kick.ball.y()));
   if (!track.empty())
     svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\" fill=\"#ff8c1a\" stroke=\"black\"/>\n",
-                       px(track.back().ball.x()), py(track.back().ball.y()));
+                       paper.x(track.back().ball.x()), paper.y(track.back().ball.y()));
   svg += text(10, height + 23, title, "font-weight=\"bold\"") + legend(height + 46) + "</svg>\n";
   return svg;
 }

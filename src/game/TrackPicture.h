@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "field/FieldSize.h"
 #include "math/Types.h"
 
 namespace plumbline::game {
@@ -19,6 +20,7 @@ std::vector<TrackPoint> kicksOf(const std::vector<TrackPoint>& track);
 
 /// The run from above as an SVG picture: field, ways of robot and ball with the time, falls and kicks, and a
 /// legend. What was beamed or put elsewhere did not go there: its way begins anew.
-std::string trackPicture(const std::vector<TrackPoint>& track, const std::string& title);
+std::string trackPicture(const std::vector<TrackPoint>& track, const std::string& title,
+                         const FieldSize& field = {});
 
 }  // namespace plumbline::game

@@ -19,6 +19,7 @@
 #include "framework/WriteFile.h"
 #include "modules/behavior/MotionPlayer.h"
 #include "modules/infrastructure/AgentLog.h"
+#include "modules/infrastructure/CognitionConfigLoader.h"
 #include "modules/infrastructure/DebugModule.h"
 #include "modules/infrastructure/StatusReport.h"
 #include "pages/AgentPage.h"
@@ -32,7 +33,7 @@ using namespace plumbline;
 constexpr const char* defaultPlatform = "simspark";
 
 struct Options {
-  std::string platform = defaultPlatform, config, modules, graph, stats, motion;
+  std::string platform = defaultPlatform, config, modules, field, graph, stats, motion;
   std::string crashLog = "crash.log";
   std::shared_ptr<DebugOptions> debug = std::make_shared<DebugOptions>();
   AgentLogOptions log;
@@ -54,6 +55,8 @@ void declare(CLI::App& app, Options& options, Platform& platform) {
   app.add_option("--config", options.config, "folder of the configuration")->capture_default_str();
   app.add_option("--modules", options.modules,
                  "modules.cfg; default: platforms/NAME/modules.cfg in the configuration's folder");
+  app.add_option("--field", options.field,
+                 "file with the sizes of the field; default: field.yaml in the configuration's folder");
   app.add_option(
       "--graph", options.graph,
       "draw the module graph to FILE (.svg, .pdf, .png or .dot) and end; with --timing at the end of "
@@ -184,6 +187,7 @@ int runAgent(const Options& options, const Platform& platform) {
   const auto tell = [](const std::string& line) { fmt::print(stderr, "agent: {}\n", line); };
   platform.addObjects(controller.objects(), tell);
   controller.objects().set(std::make_shared<MotionToPlay>(MotionToPlay{options.motion, options.motionOnce}));
+  controller.objects().set(std::make_shared<FieldChoice>(FieldChoice{options.field}));
   controller.objects().set(std::make_shared<StatusOptions>(StatusOptions{options.status}));
   if (options.debugs || options.serves) {
     requireModule(controller, setup.modulesConfig, "DebugModule", "has no debug port");

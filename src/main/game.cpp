@@ -30,6 +30,8 @@ int runProgram(int argc, char** argv) {
   app.add_option("--engine", options.engine, "physics of the embedded simulator")
       ->check(CLI::IsMember(simulation::physicsEngines()))
       ->capture_default_str();
+  app.add_option("--field", options.field, "file with the sizes of the field, as config/field.yaml")
+      ->check(CLI::ExistingFile);
   app.add_flag("--realtime", options.realtime, "at the pace of the clock instead of as fast as it goes");
   auto* web = app.add_flag("--web", options.web,
                            "shows it on a page, whose address is printed; `make web` builds the page");
@@ -55,6 +57,7 @@ int runProgram(int argc, char** argv) {
       "Ctrl-C in the game.\n"
       "Examples:\n"
       "  bin/game --type 4 --seed 7\n"
+      "  bin/game --field small.yaml\n"
       "  bin/game --host 127.0.0.1 --port 3100 --monitor-port 3200");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   try {

@@ -1,6 +1,7 @@
 #include "simspark/FieldMessage.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -16,6 +17,11 @@ constexpr std::string_view beginning = "(field 1)";
 constexpr std::size_t maxPlayMode = 30;
 constexpr int maxCentimetres = 100000;  ///< what lies farther out is told at this place
 constexpr double uprightAxis = 0.5;     ///< upward part of the torso's axis of one that has not fallen
+
+/// Sizes of the field, in the order of "(f ...)".
+constexpr std::array<double FieldSize::*, 7> fieldSizes = {
+    &FieldSize::length,       &FieldSize::width,        &FieldSize::goalWidth,         &FieldSize::goalDepth,
+    &FieldSize::penaltyDepth, &FieldSize::penaltyWidth, &FieldSize::centreCircleRadius};
 
 void appendCentimetres(std::string& out, double metres) {
   const double centimetres =
@@ -71,6 +77,13 @@ bool readPart(Word part, FieldState& state) {
   } else if (name == "m" || name == "nl" || name == "nr") {
     if (!value || value.isList()) return false;
     (name == "m" ? state.playMode : name == "nl" ? state.teamLeft : state.teamRight) = value.text();
+  } else if (name == "f") {
+    double sizes[fieldSizes.size()];
+    if (!readNumbers(part, 1, static_cast<int>(fieldSizes.size()), sizes)) return false;
+    for (std::size_t i = 0; i < fieldSizes.size(); ++i) {
+      if (sizes[i] < 1) return false;
+      state.field.*fieldSizes[i] = sizes[i] / 100;
+    }
   } else if (name == "l" || name == "r" || name == "o") {
     const TeamSide side = name == "l" ? TeamSide::left : name == "r" ? TeamSide::right : TeamSide::none;
     return state.robots.size() < maxFieldRobots && readRobot(part, side, state.robots.emplace_back());
@@ -105,6 +118,11 @@ std::string writeFieldMessage(const FieldState& state) {
   appendWord(out, "m", state.playMode, maxPlayMode);
   appendWord(out, "nl", state.teamLeft, maxFieldTeamName);
   appendWord(out, "nr", state.teamRight, maxFieldTeamName);
+  if (state.field != FieldSize()) {
+    out += "(f";
+    for (const auto size : fieldSizes) appendCentimetres(out, state.field.*size);
+    out += ')';
+  }
   out += "(b";
   for (int axis = 0; axis < 3; ++axis) appendCentimetres(out, state.ball[axis]);
   out += ')';

@@ -1,15 +1,12 @@
 #include "simspark/LeagueTrace.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <memory>
-#include <stdexcept>
 #include <string_view>
 
+#include "framework/TextLines.h"
 #include "math/Angle.h"
 #include "simspark/JointNames.h"
 
@@ -19,39 +16,6 @@ namespace {
 
 constexpr std::size_t maxLineLength = 1 << 16;
 constexpr std::size_t maxRows = 1'000'000;  // over five hours
-
-/// Lines of a plain or gzip file, with errors that name file and line.
-class LineReader {
-public:
-  explicit LineReader(const std::filesystem::path& path)
-      : name(path.string()), file(gzopen(name.c_str(), "rb"), gzclose), buffer(maxLineLength, '\0') {
-    if (!file) throw std::runtime_error(name + ": cannot be read; give a trace as .csv or .csv.gz");
-  }
-
-  bool next(std::string_view& text) {
-    if (!gzgets(file.get(), buffer.data(), static_cast<int>(buffer.size()))) {
-      int code = Z_OK;
-      const char* message = gzerror(file.get(), &code);
-      if (code != Z_OK) fail(std::string("cannot be unpacked: ") + message);
-      return false;
-    }
-    ++line;
-    text = buffer.data();
-    if (text.size() + 1 == buffer.size()) fail("line is longer than 65536 characters; this is no trace");
-    while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
-    return true;
-  }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw std::runtime_error(name + ":" + std::to_string(line) + ": " + what);
-  }
-
-private:
-  std::string name;
-  std::unique_ptr<gzFile_s, int (*)(gzFile)> file;
-  std::string buffer;
-  std::size_t line = 0;
-};
 
 void split(std::string_view text, std::vector<std::string_view>& fields) {
   fields.clear();
@@ -66,7 +30,7 @@ void split(std::string_view text, std::vector<std::string_view>& fields) {
 /// Where the columns are and what stands in them in the line at hand.
 class Columns {
 public:
-  Columns(LineReader& lines_, std::string_view header) : lines(lines_) {
+  Columns(TextLines& lines_, std::string_view header) : lines(lines_) {
     split(header, values);
     for (const std::string_view name : values) indices.emplace(name, static_cast<int>(indices.size()));
     if (indices.size() != values.size()) lines.fail("the header names a column twice");
@@ -102,7 +66,7 @@ private:
     return it == indices.end() ? -1 : it->second;
   }
 
-  LineReader& lines;
+  TextLines& lines;
   std::map<std::string, int> indices;
   std::size_t count = 0;
   std::vector<std::string_view> values;
@@ -184,7 +148,7 @@ TraceName traceName(const std::filesystem::path& file) {
 }
 
 LeagueTrace readLeagueTrace(const std::filesystem::path& file) {
-  LineReader lines(file);
+  TextLines lines(file.string(), maxLineLength, "; give a trace as .csv or .csv.gz");
   std::string_view text;
   if (!lines.next(text)) lines.fail("is empty; the first line of a trace names its columns");
   Columns columns(lines, text);

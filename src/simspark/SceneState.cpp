@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "simspark/FieldWords.h"
 #include "simspark/LeagueRobots.h"
 #include "simspark/NumberFormat.h"
 
@@ -13,6 +14,7 @@ using Eigen::Matrix4d;
 
 namespace {
 
+constexpr Range fieldSizeRange(0.001, 1000);  ///< of any size of a field [m]
 constexpr std::string_view bodyMesh = "models/naobody", ballMesh = "models/soccerball.obj";
 
 std::string_view wordOf(Word node) { return node && !node.isList() ? node.text() : std::string_view(); }
@@ -29,6 +31,16 @@ SceneRobot robotFrom(const std::string& mesh, const std::vector<std::string>& ma
     if (material == "matRight") robot.side = TeamSide::right;
   }
   return robot;
+}
+
+/// A size that no field can have is not believed.
+void readFieldWord(std::string_view name, std::string_view value, FieldSize& field) {
+  const auto take = [&](const FieldWord& word) {
+    const auto number = name == word.name ? parseNumber(value) : std::nullopt;
+    if (number && fieldSizeRange.contains(*number)) field.*word.size = *number;
+  };
+  for (const FieldWord& word : leagueFieldWords) take(word);
+  for (const FieldWord& word : ownFieldWords) take(word);
 }
 
 }  // namespace
@@ -105,6 +117,7 @@ bool SceneState::updateNode(Word list, Node& node) {
 void SceneState::gameState(Word list) {
   for (Word part = list.first(); part; part = part.next()) {
     const std::string_view name = part.name(), value = wordOf(part.at(1));
+    readFieldWord(name, value, field);
     if (name == "time") time = parseNumber(value).value_or(time);
     if (name == "half") half = parseInteger(value).value_or(half);
     if (name == "score_left") scoreLeft = parseInteger(value).value_or(scoreLeft);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "field/FieldSize.h"
 #include "math/Types.h"
 #include "simspark/PlayMode.h"
 #include "simspark/SExpression.h"
@@ -35,11 +36,12 @@ Pose3 sceneRobotPose(const Eigen::Matrix4d& matrix);
 /// league's server and here. Throws ConfigurationError for a type that is not there.
 std::vector<std::string> sceneBodies(int type);
 
-/// What a scoreboard shows.
+/// What a scoreboard shows, and the field it stands at.
 struct Scoreboard {
   double time = 0;  ///< game clock [s]
   int half = 0, scoreLeft = 0, scoreRight = 0;
   std::string playMode, teamLeft, teamRight;
+  FieldSize field;  ///< the league's, but for what the simulator tells
 };
 
 /// The state of the game as it reaches a monitor; fed with the monitor port's messages, whole scenes and

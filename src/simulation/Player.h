@@ -5,11 +5,11 @@
 
 #include "robot/RobotModel.h"
 #include "simspark/ServerMessage.h"
-#include "simulation/Game.h"
-#include "simulation/Random.h"
-#include "simulation/World.h"
+#include "simulation/referee/Game.h"
 #include "simulation/sensors/Hearing.h"
 #include "simulation/sensors/Vision.h"
+#include "simulation/world/Random.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 

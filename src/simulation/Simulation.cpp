@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "math/Angle.h"
-#include "simulation/Field.h"
 #include "simulation/Trainer.h"
+#include "simulation/league/MakeWorld.h"
 
 namespace plumbline::simulation {
 
@@ -30,6 +30,7 @@ Pose2 toField(const Pose2& place, TeamSide side) {
 }  // namespace
 
 Simulation::Simulation(const SimulationConfig& config_) : config(config_), world_(makeWorld(config.world)) {
+  visible.marks = FieldMarks(field());
   reset();
 }
 
@@ -39,8 +40,8 @@ void Simulation::reset() {
   killed.clear();
   game_ = Game();
   teams = Teams(config.rules.types);
-  referee = std::make_unique<Referee>(config.rules, Random(config.seed));
-  starts.fill(Vec2(-fieldLength / 2 + 2 * agentRadius, fieldWidth / 2 - 2 * agentRadius));
+  referee = std::make_unique<Referee>(config.rules, Random(config.seed), field());
+  starts.fill(Vec2(-field().length / 2 + 2 * agentRadius, field().width / 2 - 2 * agentRadius));
   starts[1].x() *= -1;
   nextId = 1;
   cycles = 0;
@@ -108,12 +109,6 @@ void Simulation::removePlayer(PlayerId id) {
   ++version;
 }
 
-Player* Simulation::find(const simspark::PlayerName& name) {
-  for (auto& [id, player] : players)
-    if (player->unum == name.unum && player->side == name.side) return player.get();
-  return nullptr;
-}
-
 std::string Simulation::act(PlayerId id, const AgentCommand& command) {
   Player& player = *players.at(id);
   std::string problem;
@@ -149,7 +144,8 @@ Pose2 Simulation::nextStart(TeamSide side) {
   Vec2& next = starts[Game::index(side)];
   const Vec2 start = next;
   next.y() -= 3 * agentRadius;
-  if (next.y() < -fieldWidth / 2) next = Vec2(next.x() + 2 * agentRadius, fieldWidth / 2 - 2 * agentRadius);
+  if (next.y() < -field().width / 2)
+    next = Vec2(next.x() + 2 * agentRadius, field().width / 2 - 2 * agentRadius);
   return Pose2(start, side == TeamSide::right ? pi : 0);
 }
 
@@ -159,8 +155,8 @@ void Simulation::beam(Player& player, const Pose2& place) {
   if (!allowed || player.side == TeamSide::none) return;
   Pose2 start = player.disturbed(place);
   if (!config.rules.moves.startAnywhere) {
-    start.position.x() = std::clamp(start.x(), -fieldLength / 2, 0.0);
-    start.position.y() = std::clamp(start.y(), -fieldWidth / 2, fieldWidth / 2);
+    start.position.x() = std::clamp(start.x(), -field().length / 2, 0.0);
+    start.position.y() = std::clamp(start.y(), -field().width / 2, field().width / 2);
   }
   start = toField(start, player.side);
   world_->moveRobot(player.robot, upright(Vec3(start.x(), start.y(), agentRadius), start.heading));
@@ -184,7 +180,11 @@ void Simulation::say(const Player& speaker, const std::string& text) {
 }
 
 std::string Simulation::train(const simspark::TrainerCommand& command) {
-  return Trainer(*this).carryOut(command);
+  const auto remove = [this](PlayerId id) {
+    removePlayer(id);
+    killed.push_back(id);
+  };
+  return Trainer({*world_, game_, *referee, players, members(), field(), remove}).carryOut(command);
 }
 
 void Simulation::step() {

@@ -9,11 +9,11 @@
 
 #include "simspark/AgentCommand.h"
 #include "simspark/TrainerCommand.h"
-#include "simulation/Game.h"
 #include "simulation/Player.h"
 #include "simulation/Teams.h"
-#include "simulation/World.h"
+#include "simulation/referee/Game.h"
 #include "simulation/referee/Referee.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 
@@ -58,6 +58,7 @@ public:
   /// Senses made by the last step, as the wire wants them (without frame); empty before the first.
   const std::string& message(PlayerId id) const { return players.at(id)->message(); }
 
+  const FieldSize& field() const { return config.world.field; }
   const Game& game() const { return game_; }
   const Rules& rules() const { return referee->rules(); }
   /// Whether the rules end the simulator a while after the game, and it is time.
@@ -73,8 +74,6 @@ public:
   std::uint64_t sceneVersion() const { return version; }
 
 private:
-  friend class Trainer;
-  Player* find(const simspark::PlayerName& name);
   void initPlayer(Player& player, const simspark::InitRequest& init, std::string& problem);
   void beam(Player& player, const Pose2& place);
   void say(const Player& speaker, const std::string& text);

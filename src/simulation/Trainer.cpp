@@ -16,8 +16,14 @@ std::string Trainer::carryOut(const TrainerCommand& command) {
   return std::visit([this](const auto& c) { return apply(c); }, command);
 }
 
+Player* Trainer::find(const PlayerName& name) {
+  for (auto& [id, player] : s.players)
+    if (player->unum == name.unum && player->side == name.side) return player.get();
+  return nullptr;
+}
+
 Player* Trainer::playerOrSelected(const std::optional<PlayerName>& name) {
-  if (name) return s.find(*name);
+  if (name) return find(*name);
   for (auto& [id, player] : s.players)
     if (player->selected) return player.get();
   return nullptr;
@@ -25,59 +31,59 @@ Player* Trainer::playerOrSelected(const std::optional<PlayerName>& name) {
 
 std::string Trainer::apply(const MoveAgentCommand& command) {
   if (!command.player) {
-    s.referee->clearSelected(s.game_, *s.world_, s.members());
+    s.referee.clearSelected(s.game, s.world, s.members);
     return {};
   }
-  const Player* player = s.find(*command.player);
+  const Player* player = find(*command.player);
   if (!player) return noSuchPlayer;
   if (!command.position) return {};
   Pose3 pose = translation(*command.position);
   pose.linear() =
-      command.heading ? rotationZ(*command.heading).linear() : s.world_->torso(player->robot).pose.linear();
-  s.world_->moveRobot(player->robot, pose);
+      command.heading ? rotationZ(*command.heading).linear() : s.world.torso(player->robot).pose.linear();
+  s.world.moveRobot(player->robot, pose);
   return {};
 }
 
 std::string Trainer::apply(const BallCommand& command) {
-  BodyState ball = s.world_->ball();
+  BodyState ball = s.world.ball();
   if (command.position) ball.pose.translation() = *command.position;
   if (command.velocity) {
     ball.linearVelocity = *command.velocity;
     ball.angularVelocity.setZero();
   }
-  s.world_->setBall(ball);
+  s.world.setBall(ball);
   return {};
 }
 
 std::string Trainer::apply(const PlayModeCommand& command) {
-  s.game_.setMode(command.mode);
+  s.game.setMode(command.mode);
   return {};
 }
 
 std::string Trainer::apply(const KickOffCommand& command) {
-  s.referee->kickOff(s.game_, *s.world_, command.side);
+  s.referee.kickOff(s.game, s.world, command.side);
   return {};
 }
 
 std::string Trainer::apply(const DropBallCommand&) {
-  s.referee->dropBall(s.game_, *s.world_);
+  s.referee.dropBall(s.game, s.world);
   return {};
 }
 
 std::string Trainer::apply(const TimeCommand& command) {
-  s.game_.time = command.time;
+  s.game.time = command.time;
   return {};
 }
 
 std::string Trainer::apply(const ScoreCommand& command) {
-  s.game_.score = {command.left, command.right};
+  s.game.score = {command.left, command.right};
   return {};
 }
 
 std::string Trainer::apply(const SelectCommand& command) {
   Player* next = nullptr;
   if (command.player) {
-    next = s.find(*command.player);
+    next = find(*command.player);
     if (!next) return noSuchPlayer;
   } else if (!command.clear) {  // the one after the selected, the first after the last
     bool passed = false;
@@ -94,9 +100,7 @@ std::string Trainer::apply(const SelectCommand& command) {
 std::string Trainer::apply(const KillCommand& command) {
   const Player* player = playerOrSelected(command.player);
   if (!player) return noSuchPlayer;
-  const PlayerId id = player->id();
-  s.removePlayer(id);
-  s.killed.push_back(id);
+  s.remove(player->id());
   return {};
 }
 
@@ -108,9 +112,9 @@ std::string Trainer::apply(const RepositionCommand& command) {
 }
 
 void Trainer::moveAside(Player& player) {
-  Pose3 pose = s.world_->torso(player.robot).pose;
-  pose.translation() = outsidePlace(s.world_->ball().pose.translation(), player.side, player.unum);
-  s.world_->moveRobot(player.robot, pose);
+  Pose3 pose = s.world.torso(player.robot).pose;
+  pose.translation() = outsidePlace(s.field, s.world.ball().pose.translation(), player.side, player.unum);
+  s.world.moveRobot(player.robot, pose);
 }
 
 }  // namespace plumbline::simulation

@@ -1,15 +1,31 @@
 #pragma once
+#include <functional>
+#include <map>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "simspark/TrainerCommand.h"
-#include "simulation/Simulation.h"
+#include "simulation/Player.h"
+#include "simulation/referee/Referee.h"
 
 namespace plumbline::simulation {
 
-/// Carries out trainer commands in a simulation. Each returns why it could not, one line, or nothing.
+/// What a trainer may reach of a game.
+struct TrainedGame {
+  World& world;
+  Game& game;
+  Referee& referee;
+  std::map<PlayerId, std::unique_ptr<Player>>& players;
+  std::vector<Member> members;  ///< players with a team
+  const FieldSize& field;
+  std::function<void(PlayerId)> remove{};  ///< takes a player off the field; its connection is to be closed
+};
+
+/// Carries out trainer commands in a game. Each returns why it could not, one line, or nothing.
 class Trainer {
 public:
-  explicit Trainer(Simulation& simulation_) : s(simulation_) {}
+  explicit Trainer(TrainedGame game) : s(std::move(game)) {}
   std::string carryOut(const simspark::TrainerCommand& command);
 
 private:
@@ -30,12 +46,13 @@ private:
   std::string apply(const simspark::ViewerCommand&) { return {}; }
   std::string apply(const simspark::ResetCommand&) { return {}; }
 
+  Player* find(const simspark::PlayerName& name);
   /// The player of that name, or the selected one without a name; null: there is none.
   Player* playerOrSelected(const std::optional<simspark::PlayerName>& name);
   /// Beside the field, where the referee puts offenders.
   void moveAside(Player& player);
 
-  Simulation& s;
+  TrainedGame s;
 };
 
 }  // namespace plumbline::simulation

@@ -13,7 +13,7 @@
 #include "motion/KeyframeReader.h"
 #include "robot/JointVelocityControl.h"
 #include "simspark/LeagueRobots.h"
-#include "simulation/LocalRobot.h"
+#include "simulation/league/LocalRobot.h"
 #include "walking/engine/WalkEngine.h"
 
 namespace plumbline::motion {

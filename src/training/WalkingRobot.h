@@ -8,7 +8,7 @@
 #include "math/TorsoAngleFilter.h"
 #include "robot/JointVelocityControl.h"
 #include "simspark/LeagueRobots.h"
-#include "simulation/LocalRobot.h"
+#include "simulation/league/LocalRobot.h"
 #include "training/Walker.h"
 
 namespace plumbline::walking {

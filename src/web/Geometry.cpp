@@ -3,10 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "field/FieldMarks.h"
 #include "simspark/LeagueRobots.h"
 #include "simspark/SceneState.h"
-#include "simulation/Field.h"
-#include "simulation/sensors/FieldMarks.h"
 
 namespace plumbline::web {
 
@@ -45,19 +44,25 @@ json partJson(const Link& link) {
   return part;
 }
 
-json fieldJson() {
-  using namespace simulation;
+json fieldJson(const FieldSize& field) {
+  const FieldMarks marks(field);
   json lines = json::array();
-  for (const FieldLine& line : std::span(fieldLines()).first(numStraightLines))
+  for (const FieldLine& line : std::span(marks.lines).first(FieldMarks::numStraightLines))
     lines.push_back({line.begin.x(), line.begin.y(), line.end.x(), line.end.y()});
-  return {{"length", fieldLength},    {"width", fieldWidth},       {"goalWidth", goalWidth},
-          {"goalDepth", goalDepth},   {"goalHeight", goalHeight},  {"barDiameter", goalBarDiameter},
-          {"ballRadius", ballRadius}, {"lines", std::move(lines)}, {"circle", {0, 0, centreCircleRadius}}};
+  return {{"length", field.length},
+          {"width", field.width},
+          {"goalWidth", field.goalWidth},
+          {"goalDepth", field.goalDepth},
+          {"goalHeight", field.goalHeight},
+          {"barDiameter", field.goalBarDiameter},
+          {"ballRadius", field.ballRadius},
+          {"lines", std::move(lines)},
+          {"circle", {0, 0, field.centreCircleRadius}}};
 }
 
 }  // namespace
 
-std::string geometryMessage() {
+std::string geometryMessage(const FieldSize& field) {
   json types = json::array();
   for (int type = 0; type < numSimsparkTypes(); ++type) {
     const RobotModel& model = simsparkRobot(type);
@@ -69,7 +74,7 @@ std::string geometryMessage() {
     }
     types.push_back({{"parts", std::move(parts)}});
   }
-  return json{{"kind", "geometry"}, {"field", fieldJson()}, {"types", std::move(types)}}.dump();
+  return json{{"kind", "geometry"}, {"field", fieldJson(field)}, {"types", std::move(types)}}.dump();
 }
 
 }  // namespace plumbline::web

@@ -43,7 +43,7 @@ LiveFeed::LiveFeed(const Config& config_, Broadcast& broadcast_)
       drawingProblem_ = error.what();
     }
   }
-  publish(Channel::geometry, geometryMessage());
+  publish(Channel::geometry, geometryMessage(field));
   stopDescriptor = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   if (stopDescriptor < 0) throw std::runtime_error("no file descriptor left");
   monitor.interruptBy(stopDescriptor);
@@ -71,7 +71,7 @@ void LiveFeed::command(const PageCommand& command) {
   if (commands.size() >= maxCommands) return;
   if (const auto* trainer = std::get_if<TrainerCommand>(&command)) commands.push_back(*trainer);
   if (std::holds_alternative<ResetGame>(command))
-    for (TrainerCommand& part : resetGame()) commands.push_back(std::move(part));
+    for (TrainerCommand& part : resetGame(field)) commands.push_back(std::move(part));
 }
 
 void LiveFeed::publish(Channel channel, std::string message) {
@@ -97,6 +97,17 @@ void LiveFeed::publishGame() {
   if (message == toldGame) return;
   toldGame = message;
   publish(Channel::game, std::move(message));
+}
+
+/// The server's first message tells what field it is; a page draws anew what it is told anew.
+void LiveFeed::publishField() {
+  const FieldSize& told = monitor.scene().field;
+  if (told == field) return;
+  {
+    const std::lock_guard lock(mutex);
+    field = told;
+  }
+  publish(Channel::geometry, geometryMessage(told));
 }
 
 void LiveFeed::sendCommands() {
@@ -139,6 +150,7 @@ void LiveFeed::follow() {
   if (result == Connection::Status::message && monitor.scene().complete()) {
     lastFrame = now();
     status.problem.clear();
+    publishField();
     publish(Channel::frame, frameMessage(monitor.scene()));
   }
   status.connected = true;

@@ -45,6 +45,7 @@ private:
   void follow();
   void sendCommands();
   void publishGame();
+  void publishField();
   void publish(Channel channel, std::string message);
   void loseRecording(const std::string& why);
   double now() const;
@@ -58,7 +59,8 @@ private:
   std::string toldGame, drawingProblem_;
   double start, lastFrame = -1;
 
-  std::mutex mutex;
+  std::mutex mutex;  ///< of the field, where the feed's thread does not only read it, and of the commands
+  FieldSize field;
   std::vector<simspark::TrainerCommand> commands;
   std::atomic<bool> stop = false;
   int stopDescriptor;  ///< readable from then on

@@ -6,8 +6,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "simulation/Field.h"
-
 namespace plumbline::web {
 
 using nlohmann::json;
@@ -108,9 +106,9 @@ std::string parsePageCommand(std::string_view text, PageCommand& command) {
   }
 }
 
-std::vector<TrainerCommand> resetGame() {
+std::vector<TrainerCommand> resetGame(const FieldSize& field) {
   return {PlayModeCommand{PlayMode::beforeKickOff}, ScoreCommand{0, 0}, TimeCommand{0},
-          BallCommand{Vec3(0, 0, simulation::ballRadius), Vec3::Zero()}};
+          BallCommand{Vec3(0, 0, field.ballRadius), Vec3::Zero()}};
 }
 
 }  // namespace plumbline::web

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "field/FieldSize.h"
 #include "simspark/TrainerCommand.h"
 
 namespace plumbline::web {
@@ -26,6 +27,6 @@ using PageCommand = std::variant<simspark::TrainerCommand, ResetGame, Seek, Play
 std::string parsePageCommand(std::string_view json, PageCommand& command);
 
 /// The trainer commands that make up a new game; robots stay where they are, agents beam themselves.
-std::vector<simspark::TrainerCommand> resetGame();
+std::vector<simspark::TrainerCommand> resetGame(const FieldSize& field);
 
 }  // namespace plumbline::web

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # One of each is added by files alone: a copy of the tree is built with a folder outside of it, which holds what the pages
 # of doc/how-to show, to the letter: module, representation, behaviour, skill, motion, effect, robot, physics engine,
-# optimiser. Each has to be there then. ccache serves all that the tree was built from; without it this would take long.
+# optimiser, rule of the referee. Each has to be there then. ccache serves all that the tree was built from; without it this would take long.
 [[ ${PLUMBLINE_SLOW-} ]] || { echo "left out: it builds a tree of its own; make check runs it"; exit 0; }
 source "$(dirname "$0")/../e2e/assert.bash"
 if ! command -v ccache > /dev/null || [[ ${CCACHE-yes} == "" ]]; then
@@ -25,9 +25,9 @@ takeBlocks() {
     /^```$/ && inside { inside = 0; close(out); file = ""; next }
     inside { print > out }' "$1"
 }
-for page in module behaviour; do takeBlocks "doc/how-to/add-a-$page.md"; done
+for page in module behaviour rule; do takeBlocks "doc/how-to/add-a-$page.md"; done
 for page in effect engine optimiser; do takeBlocks "doc/how-to/add-an-$page.md"; done
-expectEqual "$(cd "$ours" && find . -name '*.cpp' | wc -l)" 7 "sources in the pages"
+expectEqual "$(cd "$ours" && find . -name '*.cpp' | wc -l)" 8 "sources in the pages"
 awk '/^```json$/ { inside = 1; next } /^```$/ { inside = 0 } inside' doc/how-to/add-a-robot.md > "$scratch/arm.json"
 
 # A folder that is none of src/ would be left out: it is an error.
@@ -69,6 +69,12 @@ grep -q '"verdict": "effect"' "$scratch/answer.json" || fail "the verdict: $(cat
 # The engine steps a world; the optimiser searches a walk.
 expectError 2 'simulator: unknown physics engine "foo"; there are: ode, ode-dense, bullet, ode-soft' "$bin/simulator" --engine foo
 timeout 60 "$bin/simulator" --engine ode-soft --no-realtime --wait-agents 0 --max-seconds 1 --port 0 --monitor-port 0 > "$scratch/log" 2>&1 < /dev/null || fail "simulator: $(cat "$scratch/log")"
+# The rule has its place, its section in a file of rules, and errors of its own.
+"$bin/simulator" --print-rules > "$scratch/rules.yaml" || fail "simulator --print-rules"
+grep -A 3 '^ballHolding:$' "$scratch/rules.yaml" | grep -q 'longest: 5  # s; that it may hold the ball' || fail "the rule: $(cat "$scratch/rules.yaml")"
+[[ $(grep -nE '^(goals|ballHolding):' "$scratch/rules.yaml" | cut -d: -f2 | tr '\n' ' ') == 'ballHolding goals ' ]] || fail "the rule's place: $(cat "$scratch/rules.yaml")"
+printf 'ballHolding: {on: true, longst: 2}\n' > "$scratch/wrong.yaml"
+expectError 2 "simulator: $scratch/wrong.yaml:1: unknown key \"ballHolding.longst\"; did you mean \"longest\"?" "$bin/simulator" --rules "$scratch/wrong.yaml"
 "$bin/optimizewalk" --help | tr -s ' \n' ' ' | grep -q 'cmaes, xnes, pso, ipop-cmaes, bipop-cmaes, random' || fail "optimizewalk lists: $("$bin/optimizewalk" --help)"
 "$bin/optimizewalk" --type 0 --task forward --generations 2 --population 4 --tries 1 --seconds 2 --optimizer random --output "$scratch/walk.yaml" > "$scratch/log" 2>&1 ||
   fail "optimizewalk: $(cat "$scratch/log")"

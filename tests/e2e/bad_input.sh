@@ -17,6 +17,13 @@ expectError 2 'gap: there is no command diagnos; did you mean "diagnose"?; see g
 expectError 2 'gap: there is no option --jbos; did you mean "--jobs"?; see gap diagnose --help' "$bin/gap" diagnose runs --jbos 2
 expectError 2 'simulator: there is no option --snyc; did you mean "--sync"?; see simulator --help' "$bin/simulator" --snyc
 
+# A field of one's own is read by all three, and checked by all three.
+printf 'length: 20\nlenght: 9\n' > "$scratch/field.yaml"
+for program in agent simulator; do
+  expectError 2 "$program: $scratch/field.yaml:2: unknown key \"lenght\"; did you mean \"length\"?" "$bin/$program" --field "$scratch/field.yaml"
+done
+expectError 2 "simulator: $scratch/none.yaml: cannot be read: No such file or directory" "$bin/simulator" --field "$scratch/none.yaml"
+
 # Every program says its version, has examples in its help, and shows nothing of the option parser's insides.
 for program in agent simulator game gap optimizewalk webmonitor simplemonitor watchgame; do
   [[ $("$bin/$program" --version) == "$program (Plumbline "*")" ]] || fail "$program --version: $("$bin/$program" --version)"

@@ -21,6 +21,15 @@ TEST(TrackPicture, putsTheCentreOfTheFieldIntoTheMiddle) {
   EXPECT_NE(svg.find(">one point</text>"), std::string::npos);
 }
 
+TEST(TrackPicture, drawsTheFieldThatWasPlayedOn) {
+  FieldSize small;
+  small.length = 9;
+  small.width = 6;
+  const std::string svg = trackPicture({{0, {0, 0}, {1, 1}, false}}, "small", small);
+  EXPECT_NE(svg.find("width=\"342\""), std::string::npos) << "(9 + 2 * 1.2) * 30";
+  EXPECT_NE(svg.find("points=\"171.0,126.0 \""), std::string::npos);
+}
+
 TEST(TrackPicture, marksAFallOnceAndEveryTenSeconds) {
   std::vector<TrackPoint> track;
   for (int i = 0; i <= 250; ++i) track.push_back({0.1 * i, {0.01 * i, 0}, {1, 0}, i >= 100 && i < 150});

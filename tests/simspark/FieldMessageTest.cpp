@@ -54,6 +54,21 @@ TEST(FieldMessage, readBack) {
   EXPECT_EQ(read.robots[2].side, TeamSide::none);
 }
 
+TEST(FieldMessage, tellsAFieldThatIsNotTheLeagues) {
+  FieldState state = smallGame();
+  state.field.length = 9;
+  state.field.width = 6;
+  state.field.centreCircleRadius = 0.75;
+  const std::string message = writeFieldMessage(state);
+  EXPECT_NE(message.find("(nr Blue)(f 900 600 210 60 180 600 75)(b "), std::string::npos) << message;
+  FieldState read;
+  ASSERT_EQ(readFieldMessage(message, read), "");
+  EXPECT_EQ(read.field.length, 9);
+  EXPECT_EQ(read.field.centreCircleRadius, 0.75);
+  EXPECT_EQ(readFieldMessage("(field 1)(f 900 0 210 60 180 600 75)", read), "cannot use (f ...)");
+  EXPECT_EQ(read.field.width, 6) << "untouched";
+}
+
 /// Five messages a second of the longest kind that a game of 22 has stay below 4 kB.
 TEST(FieldMessage, longestMessageOfAGame) {
   FieldState state;

@@ -68,7 +68,7 @@ TEST(LeagueTrace, saysWhatIsWrongAndWhere) {
   write("a,a\n");
   EXPECT_EQ(errorOf(file), file + ":1: the header names a column twice");
   write(std::string(70000, 'x'));
-  EXPECT_EQ(errorOf(file), file + ":1: line is longer than 65536 characters; this is no trace");
+  EXPECT_EQ(errorOf(file), file + ":1: the line is longer than 65536 characters");
 }
 
 }  // namespace

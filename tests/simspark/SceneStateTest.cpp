@@ -34,6 +34,16 @@ TEST(SceneState, twoRobotsOfTheLeaguesServer) {
   for (std::size_t i = 1; i < messages.size(); ++i) ASSERT_EQ(state.update(messages[i]), "") << i;
   EXPECT_NEAR(state.time, 0.22, 1e-9);
   EXPECT_EQ(state.robots.size(), 2u);
+  EXPECT_EQ(state.field, FieldSize());
+}
+
+TEST(SceneState, takesTheFieldFromWhatTheServerTells) {
+  SceneState state;
+  ASSERT_EQ(state.update("((FieldLength 9)(FieldWidth 6)(GoalWidth 0)(PenaltyDepth 1.2)(time 1))"), "");
+  EXPECT_EQ(state.field.length, 9);
+  EXPECT_EQ(state.field.width, 6);
+  EXPECT_EQ(state.field.goalWidth, FieldSize().goalWidth) << "no goal is 0 m wide";
+  EXPECT_EQ(state.field.penaltyDepth, 1.2);
 }
 
 TEST(SceneState, aMovedTransformIsTakenOver) {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "robot/ForwardKinematics.h"
-#include "simulation/World.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::test {
 

@@ -127,6 +127,23 @@ TEST_F(TwoRobots, theSelectedRobotIsMarked) {
   EXPECT_EQ(count(scene.difference(simulation), "(nd SMN (setVisible 0))"), 1);
 }
 
+/// Goals, walls, flags, rules and what monitors are told follow the sizes of the field.
+TEST(MonitorScene, aSmallFieldIsToldAsItIs) {
+  SimulationConfig config;
+  config.world.field.length = 9;
+  config.world.field.width = 6;
+  config.world.field.centreCircleRadius = 0.75;
+  const Simulation small(config);
+  MonitorScene scene;
+  const std::string told = scene.full(small);
+  EXPECT_TRUE(told.starts_with("((FieldLength 9)(FieldWidth 6)(FieldHeight 40)(GoalWidth 2.1)"))
+      << told.substr(0, 99);
+  EXPECT_NE(told.find("(PassModeDuration 4)(CentreCircleRadius 0.75)("), std::string::npos);
+  simspark::SceneState state;
+  ASSERT_EQ(state.update(told), "");
+  EXPECT_EQ(state.field, config.world.field);
+}
+
 TEST(MonitorScene, materialsOfARobotWithoutATeam) {
   EXPECT_EQ(materialNames("num team type naowhite", 2, 0, TeamSide::none),
             "matNum matTeam matType2 naowhite");

@@ -4,8 +4,10 @@
 #include "ServerFixture.h"
 #include "math/Angle.h"
 #include "simspark/LeagueRobots.h"
-#include "simulation/LocalRobot.h"
 #include "simulation/Simulation.h"
+#include "simulation/league/LocalRobot.h"
+#include "simulation/league/MakeWorld.h"
+#include "simulation/referee/rules/SelfCollision.h"
 
 namespace plumbline::simulation {
 namespace {
@@ -13,7 +15,7 @@ namespace {
 TEST(Switches, allAreOnByDefault) {
   const WorldConfig config;
   EXPECT_TRUE(config.bouncingJointStops && config.sleepingRobots && config.endlessFriction &&
-              config.lastingCommands && config.actionDelay && Rules().selfCollision.on);
+              config.lastingCommands && config.actionDelay && Rules().of<simulation::SelfCollision>().on);
   EXPECT_FALSE(config.selfCollision) << "the league's server has it off in effect";
 }
 
@@ -155,7 +157,7 @@ public:
 private:
   static SimulationConfig configOf(bool freezes) {
     SimulationConfig config;
-    config.rules.selfCollision.on = freezes;
+    config.rules.of<simulation::SelfCollision>().on = freezes;
     return config;
   }
   Simulation simulation;

@@ -100,6 +100,19 @@ expect "statistics" "$(grep -cE '^\{"cycles": [0-9]+, "cpu_us_per_cycle": [0-9.]
 expect "what it says at the end" "$(grep -c 'cycles, .* us of CPU each' "$work/out")" 1
 expect "no half-written file" "$(find "$work" -name '*.part')" ""
 
+# A field of its own, and one that cannot be.
+printf 'length: 9\nwidth: 6\n' > "$work/field.yaml"
+start --no-realtime --field "$work/field.yaml"
+expect "the field is told" "$(talk "$monitor" "" 36)" "((FieldLength 9)(FieldWidth 6)(F"
+kill -INT "$pid"
+finish "$pid"
+printf 'length: 9\nwidht: 6\n' > "$work/field.yaml"
+expect "a field with a wrong key" "$("$simulator" --field "$work/field.yaml" 2>&1 > /dev/null) $?" \
+  "simulator: $work/field.yaml:2: unknown key \"widht\"; did you mean \"width\"? 2"
+
+# The rules' file is the one that is written, so it names all there is.
+expect "config/rules.yaml is what --print-rules writes" "$("$simulator" --print-rules | cmp - config/rules.yaml 2>&1)" ""
+
 # In step with its agents, in simulated time.
 start --sync --wait-agents 0 --max-seconds 2
 finish "$pid"

@@ -3,7 +3,7 @@
 
 #include "robot/JointVelocityControl.h"
 #include "simspark/ServerMessage.h"
-#include "simulation/LocalRobot.h"
+#include "simulation/league/LocalRobot.h"
 #include "support/SyntheticImage.h"
 #include "walking/engine/WalkEngine.h"
 

@@ -18,7 +18,7 @@ json part(const json& geometry, std::size_t type, const std::string& name) {
 }
 
 TEST(Geometry, sizesAreTheRobots) {
-  const json geometry = json::parse(geometryMessage());
+  const json geometry = json::parse(geometryMessage({}));
   EXPECT_EQ(geometry["kind"], "geometry");
   ASSERT_EQ(geometry["types"].size(), 5u);
   const auto shape = [&](std::size_t type, const std::string& name) {
@@ -35,7 +35,7 @@ TEST(Geometry, sizesAreTheRobots) {
 }
 
 TEST(Geometry, partsComeInTheOrderOfTheFrames) {
-  const json geometry = json::parse(geometryMessage());
+  const json geometry = json::parse(geometryMessage({}));
   for (int type = 0; type < 5; ++type) {
     std::vector<std::string> names;
     for (const json& part : geometry["types"][static_cast<std::size_t>(type)]["parts"])
@@ -45,7 +45,7 @@ TEST(Geometry, partsComeInTheOrderOfTheFrames) {
 }
 
 TEST(Geometry, jointsJoinABodyWithWhatItHangsOnAndWhatHangsOnIt) {
-  const json geometry = json::parse(geometryMessage());
+  const json geometry = json::parse(geometryMessage({}));
   // A shoulder and the far longer way to the elbow.
   EXPECT_EQ(part(geometry, 1, "lUpperArm")["joints"],
             json::parse("[[-0.02,-0.01,0.0],[0.10664,-0.01,0.009]]"));
@@ -55,11 +55,14 @@ TEST(Geometry, jointsJoinABodyWithWhatItHangsOnAndWhatHangsOnIt) {
 }
 
 TEST(Geometry, theField) {
-  const json field = json::parse(geometryMessage())["field"];
+  const json field = json::parse(geometryMessage({}))["field"];
   EXPECT_EQ(field["length"], 30);
   EXPECT_EQ(field["width"], 20);
   EXPECT_EQ(field["goalWidth"], 2.1);
   EXPECT_EQ(field["ballRadius"], 0.042);
+  FieldSize small;
+  small.length = 9;
+  EXPECT_EQ(json::parse(geometryMessage(small))["field"]["length"], 9);
   ASSERT_EQ(field["lines"].size(), 11u);
   EXPECT_EQ(field["circle"], json::parse("[0,0,2.0]"));
   EXPECT_EQ(field["lines"][0], json::parse("[0.0,-10.0,0.0,10.0]"));

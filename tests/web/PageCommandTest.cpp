@@ -47,7 +47,7 @@ TEST(PageCommand, aNewGame) {
   ASSERT_EQ(parsePageCommand(R"({"do":"reset"})", command), "");
   EXPECT_TRUE(std::holds_alternative<ResetGame>(command));
   std::string all;
-  for (const auto& part : resetGame()) all += simspark::writeTrainerCommand(part);
+  for (const auto& part : resetGame({})) all += simspark::writeTrainerCommand(part);
   EXPECT_EQ(all,
             "(playMode BeforeKickOff)(score (left 0)(right 0))(time 0.000000)"
             "(ball (pos 0.000000 0.000000 0.042000)(vel 0.000000 0.000000 0.000000))");

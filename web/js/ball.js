@@ -43,6 +43,13 @@ export class Ball {
     scene.add(this.mesh, this.outline, this.ring);
   }
 
+  resize(radius) {
+    if (radius === this.radius) return;
+    this.radius = radius;
+    this.mesh.geometry = new THREE.SphereGeometry(radius, 32, 20);
+    this.outline.geometry = new THREE.SphereGeometry(radius, 24, 16);
+  }
+
   pose(p, camera, now) {
     this.mesh.position.set(p[0], p[1], p[2]);
     const distance = camera.position.distanceTo(this.mesh.position);

@@ -18,7 +18,7 @@ const stage = new Stage(canvas);
 const cameras = new Cameras(stage.camera, canvas);
 const drawings = new Drawings(stage.scene);
 const motion = new Motion();
-let robots = null, ball = null, field = null, shown = null, frames = 0, online = false, drawn = null;
+let robots = null, ball = null, field = null, grass = null, shown = null, frames = 0, online = false, drawn = null;
 
 const connection = new Connection({
   onState(open) {
@@ -67,11 +67,15 @@ new Drag({
 });
 
 function build(geometry) {
-  if (field) return; // the same after a reconnection
+  const drawnField = JSON.stringify(field);
+  if (drawnField === JSON.stringify(geometry.field)) return; // the same after a reconnection
   field = geometry.field;
-  stage.scene.add(makeField(field));
-  robots = new Robots(stage.scene, geometry.types);
-  ball = new Ball(stage.scene, field.ballRadius);
+  if (grass) stage.scene.remove(grass); // the simulator has told of another field than the league's
+  grass = makeField(field);
+  stage.scene.add(grass);
+  robots ??= new Robots(stage.scene, geometry.types);
+  ball ??= new Ball(stage.scene, field.ballRadius);
+  ball.resize(field.ballRadius);
 }
 
 function takeGame(game) {

@@ -4,7 +4,7 @@
 
 #include "framework/ConfigFolder.h"
 #include "simspark/LeagueRobots.h"
-#include "simulation/LocalRobot.h"
+#include "simulation/league/LocalRobot.h"
 
 int main(int argc, char** argv) {
   if (argc > 1) plumbline::useConfigFolder(argv[1]);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "gap/diagnosis/Explanation.h"
-#include "simulation/effects/EffectFile.h"
+#include "simulation/world/EffectFile.h"
 
 namespace plumbline::gap {
 

@@ -1,60 +1,18 @@
 #include "gap/run/Table.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <set>
 #include <string_view>
 
 #include "framework/StopSignal.h"
+#include "framework/TextLines.h"
 #include "gap/run/Run.h"
 
 namespace plumbline::gap {
 namespace {
-
-/// Lines of a plain or gzip file.
-class Lines {
-public:
-  explicit Lines(const std::string& path_) : path(path_), file(gzopen(path.c_str(), "rb"), gzclose) {
-    if (!file) throw RunError(path + ": cannot be read");
-    gzbuffer(file.get(), 1 << 16);
-    buffer.resize(maxLineLength);
-  }
-
-  bool next(std::string_view& text) {
-    if (!gzgets(file.get(), buffer.data(), static_cast<int>(buffer.size()))) {
-      int code = Z_OK;
-      gzerror(file.get(), &code);
-      if (code == Z_BUF_ERROR) fail("the file is cut short");
-      if (code != Z_OK) fail("cannot be unpacked; the file is damaged");
-      return false;
-    }
-    ++line;
-    text = buffer.data();
-    const z_off_t end = gztell(file.get());
-    if (end - at != static_cast<z_off_t>(text.size())) fail("holds a NUL character; the file is damaged");
-    at = end;
-    if (text.size() + 1 == buffer.size()) fail("the line is longer than 131072 characters");
-    while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
-    return true;
-  }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw RunError(path + ":" + std::to_string(line) + ": " + what);
-  }
-
-  const std::string path;
-  std::size_t line = 0;
-
-private:
-  std::unique_ptr<gzFile_s, int (*)(gzFile)> file;
-  z_off_t at = 0;  ///< where the next line begins
-  std::string buffer;
-};
 
 std::string_view trim(std::string_view text) {
   const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
@@ -88,7 +46,7 @@ std::string shownText(std::string_view text) {
   return result;
 }
 
-void readHeader(Lines& lines, std::string_view text, char separator, Table& table) {
+void readHeader(TextLines& lines, std::string_view text, char separator, Table& table) {
   if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);  // byte order mark
   std::vector<std::string_view> cells;
   split(text, separator, cells);
@@ -104,10 +62,8 @@ void readHeader(Lines& lines, std::string_view text, char separator, Table& tabl
   }
 }
 
-}  // namespace
-
-Table readTable(const std::string& path, char separator, const std::vector<std::string>& missing) {
-  Lines lines(path);
+Table readLines(TextLines& lines, char separator, const std::vector<std::string>& missing) {
+  const std::string& path = lines.path();
   std::string_view text;
   if (!lines.next(text) || text.empty())
     throw RunError(path + ": is empty; the first line names the columns");
@@ -132,7 +88,7 @@ Table readTable(const std::string& path, char separator, const std::vector<std::
           cells[c].empty() || std::find(missing.begin(), missing.end(), cells[c]) != missing.end();
       if (!empty && !parse(cells[c], x)) {
         x = std::numeric_limits<double>::quiet_NaN();
-        table.bad.try_emplace(table.names[c], Table::BadCell{lines.line, shownText(cells[c])});
+        table.bad.try_emplace(table.names[c], Table::BadCell{lines.line(), shownText(cells[c])});
       }
       table.columns[c].push_back(x);
     }
@@ -140,6 +96,17 @@ Table readTable(const std::string& path, char separator, const std::vector<std::
   if (rows < 2)
     throw RunError(path + ": has " + std::to_string(rows) + " lines of data; a run needs two at least");
   return table;
+}
+
+}  // namespace
+
+Table readTable(const std::string& path, char separator, const std::vector<std::string>& missing) {
+  try {
+    TextLines lines(path, maxLineLength);
+    return readLines(lines, separator, missing);
+  } catch (const TextError& error) {
+    throw RunError(error.what());
+  }
 }
 
 }  // namespace plumbline::gap

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "simulation/World.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::gap {
 

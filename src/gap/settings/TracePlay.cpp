@@ -5,6 +5,7 @@
 
 #include "framework/StopSignal.h"
 #include "simspark/LeagueRobots.h"
+#include "simulation/league/MakeWorld.h"
 #include "simulation/replay/TraceRowOf.h"
 
 namespace plumbline::gap {

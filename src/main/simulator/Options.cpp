@@ -9,12 +9,14 @@
 #include <random>
 #include <stdexcept>
 
+#include "field/FieldFile.h"
 #include "framework/CommandLine.h"
 #include "framework/Loopback.h"
 #include "simspark/NumberFormat.h"
 #include "simulation/effects/EffectTable.h"
 #include "simulation/physics/Physics.h"
 #include "simulation/referee/RulesFile.h"
+#include "simulation/referee/rules/SelfCollision.h"
 
 namespace plumbline::simulation {
 
@@ -39,9 +41,9 @@ const CLI::Validator aPatience = number("a time of 0 s or more", [](double v) { 
 
 /// What the options say before they are put together.
 struct Given {
-  std::string bind = "127.0.0.1", token, rulesFile, effectsFile;
+  std::string bind = "127.0.0.1", token, rulesFile, effectsFile, fieldFile;
   std::uint64_t seed = 0;
-  bool realTime = false, frozenLimbs = true, openAgents = false;
+  bool realTime = false, frozenLimbs = true, openAgents = false, printRules = false;
   double monitorStep = 0.04, maxSeconds = 0, kickOffAfter = 0, halfTime = 300;
   int waitForAgents = 0, replayType = 0, webPort = -1, fieldPort = 0;
 };
@@ -67,11 +69,12 @@ void complete(Options& options, const Given& given, const CLI::App& app) {
   }
   Rules& rules = server.simulation.rules;
   if (!given.rulesFile.empty()) rules = readRules(given.rulesFile);
+  if (!given.fieldFile.empty()) server.simulation.world.field = readFieldFile(given.fieldFile);
   if (!given.effectsFile.empty()) {
     server.simulation.world.effects = readEffects(given.effectsFile);
     checkEffects(server.simulation.world.effects);
   }
-  if (set("--frozen-limbs")) rules.selfCollision.on = given.frozenLimbs;
+  if (set("--frozen-limbs")) rules.of<SelfCollision>().on = given.frozenLimbs;
   if (set("--half-time")) rules.time.half = given.halfTime;
   if (set("--max-seconds")) server.maxSeconds = given.maxSeconds;
   if (set("--kickoff-after")) rules.kickOff.after = given.kickOffAfter;
@@ -134,6 +137,9 @@ Options parseOptions(int argc, char** argv) {
   app.add_option("--kickoff-after", given.kickOffAfter, "Kick off without a trainer after so many seconds")
       ->check(aPatience);
   app.add_option("--rules", given.rulesFile, "Rules that differ from the league's, as in config/rules.yaml");
+  app.add_flag("--print-rules", given.printRules, "Print all rules and their numbers as such a file and end");
+  app.add_option("--field", given.fieldFile,
+                 "Sizes of the field that differ from the league's, as in config/field.yaml");
   app.add_option("--effects", given.effectsFile,
                  "Robots and ground have these effects, as bin/gap apply writes them");
   app.add_option("--half-time", given.halfTime, "Length of a half in seconds [300]")->check(aDuration);
@@ -166,6 +172,10 @@ Options parseOptions(int argc, char** argv) {
       "  bin/simulator --web --record match.plm       bin/webmonitor --replay match.plm shows it again\n"
       "  bin/simulator --effects effects.yaml         robots with what bin/gap found");
   options.exitStatus = readCommandLine(app, argc, argv);
+  if (!options.exitStatus && given.printRules) {
+    fmt::print("{}", rulesText(given.rulesFile.empty() ? Rules() : readRules(given.rulesFile)));
+    options.exitStatus = 0;
+  }
   if (!options.exitStatus) complete(options, given, app);
   return options;
 }

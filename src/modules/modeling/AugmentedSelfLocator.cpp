@@ -19,12 +19,8 @@ void AugmentedSelfLocator::init() {
 }
 
 void AugmentedSelfLocator::start() {
-  const FieldDimensions& field = *theFieldDimensions;
   leftSide_ = thePlayerInfo->leftSide;
-  filter_.emplace(FieldMap({field.length, field.width, field.goalWidth, field.penaltyDepth,
-                            field.penaltyWidth, field.centreCircleRadius},
-                           leftSide_),
-                  filter);
+  filter_.emplace(FieldMap(theFieldDimensions->size(), leftSide_), filter);
 }
 
 void AugmentedSelfLocator::look() {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "robot/RobotModel.h"
-#include "simulation/effects/EffectFile.h"
+#include "simulation/world/EffectFile.h"
 
 namespace plumbline::simulation {
 

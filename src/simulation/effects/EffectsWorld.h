@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "simulation/World.h"
 #include "simulation/effects/MotorEffects.h"
 #include "simulation/effects/SensorEffects.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "simulation/effects/EffectFile.h"
 #include "simulation/physics/Physics.h"
+#include "simulation/world/EffectFile.h"
 
 namespace plumbline::simulation {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "robot/RobotModel.h"
-#include "simulation/Random.h"
-#include "simulation/effects/EffectFile.h"
+#include "simulation/world/EffectFile.h"
+#include "simulation/world/Random.h"
 
 namespace plumbline::simulation {
 

@@ -2,8 +2,8 @@
 #include <deque>
 #include <vector>
 
-#include "simulation/World.h"
-#include "simulation/effects/EffectFile.h"
+#include "simulation/world/EffectFile.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 

@@ -2,8 +2,9 @@
 
 #include <cmath>
 
+#include "simspark/FieldWords.h"
 #include "simspark/NumberFormat.h"
-#include "simulation/Field.h"
+#include "simulation/league/FieldObstacles.h"
 
 namespace plumbline::simulation {
 
@@ -75,29 +76,31 @@ void MonitorScene::word(std::string_view name, std::string_view value) {
   text += ')';
 }
 
-void MonitorScene::rules(const Rules& rules) {
+void MonitorScene::rules(const Rules& rules, const FieldSize& field) {
   const auto number = [this](const char* name, double value) {
     std::string digits;
     appendGeneral(digits, static_cast<float>(value));
     word(name, digits);
   };
-  number("FieldLength", fieldLength);
-  number("FieldWidth", fieldWidth);
+  number("FieldLength", field.length);
+  number("FieldWidth", field.width);
   number("FieldHeight", 40);
-  number("GoalWidth", goalWidth);
-  number("GoalDepth", goalDepth);
-  number("GoalHeight", goalHeight);
+  number("GoalWidth", field.goalWidth);
+  number("GoalDepth", field.goalDepth);
+  number("GoalHeight", field.goalHeight);
   number("BorderSize", 0);
   number("FreeKickDistance", rules.restarts.distance);
-  number("WaitBeforeKickOff", rules.kickOff.after.value_or(rules.time.waitForKickOff));
+  number("WaitBeforeKickOff", rules.kickOff.after >= 0 ? rules.kickOff.after : rules.time.waitForKickOff);
   number("AgentRadius", rules.moves.agentRadius);
-  number("BallRadius", ballRadius);
+  number("BallRadius", field.ballRadius);
   number("BallMass", ballMass);
   number("RuleGoalPauseTime", rules.time.goalPause);
   number("RuleKickInPauseTime", rules.time.kickPause);
   number("RuleHalfTime", rules.time.half);
   number("PassModeMinOppBallDist", rules.pass.minOpponentDistance);
   number("PassModeDuration", rules.pass.duration);
+  for (const simspark::FieldWord& word : simspark::ownFieldWords)
+    if (field.*word.size != FieldSize().*word.size) number(word.name, field.*word.size);
 }
 
 void MonitorScene::gameState(const Game& game) {
@@ -139,7 +142,7 @@ const std::string& MonitorScene::full(const Simulation& simulation) {
   told = GameTold();
   robots.clear();
   text = "(";
-  rules(simulation.rules());
+  rules(simulation.rules(), simulation.field());
   text += "(play_modes";
   for (const std::string_view name : simspark::playModeNames) {
     text += ' ';

@@ -31,7 +31,7 @@ private:
     std::array<int, 2> score = {-1, -1};
   };
 
-  void rules(const Rules& rules);
+  void rules(const Rules& rules, const FieldSize& field);
   void gameState(const Game& game);
   void word(std::string_view name, std::string_view value);
   void appendRobot(const Simulation& simulation, const Player& player, RobotView& view);

@@ -8,7 +8,7 @@
 
 #include "math/Types.h"
 #include "robot/RobotModel.h"
-#include "simulation/BodyState.h"
+#include "simulation/physics/BodyState.h"
 
 namespace plumbline::simulation {
 

@@ -2,13 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field/FieldSize.h"
 #include "math/Types.h"
 #include "simspark/TeamSide.h"
-#include "simulation/Field.h"
 
 namespace plumbline::simulation {
-
-constexpr double penaltyDepth = 1.8, penaltyWidth = 3.9 + goalWidth;  ///< of the penalty area [m]
 
 /// A rectangle of the field, borders included [m].
 struct Area {
@@ -27,24 +25,25 @@ struct Area {
 /// -1 for the left half, 1 for the right.
 constexpr double sign(simspark::TeamSide side) { return side == simspark::TeamSide::left ? -1 : 1; }
 
-inline Area penaltyArea(simspark::TeamSide side) {
-  const double inner = sign(side) * (fieldLength / 2 - penaltyDepth), line = sign(side) * fieldLength / 2;
-  return {{std::min(inner, line), -penaltyWidth / 2}, {std::max(inner, line), penaltyWidth / 2}};
+inline Area penaltyArea(const FieldSize& field, simspark::TeamSide side) {
+  const double inner = sign(side) * (field.length / 2 - field.penaltyDepth),
+               line = sign(side) * field.length / 2;
+  return {{std::min(inner, line), -field.penaltyWidth / 2}, {std::max(inner, line), field.penaltyWidth / 2}};
 }
 
 /// With ten metres beyond the lines, so that nobody sneaks up from behind.
-inline Area halfOf(simspark::TeamSide side) {
-  const double end = sign(side) * (fieldLength / 2 + 10);
-  return {{std::min(0.0, end), -fieldWidth / 2 - 10}, {std::max(0.0, end), fieldWidth / 2 + 10}};
+inline Area halfOf(const FieldSize& field, simspark::TeamSide side) {
+  const double end = sign(side) * (field.length / 2 + 10);
+  return {{std::min(0.0, end), -field.width / 2 - 10}, {std::max(0.0, end), field.width / 2 + 10}};
 }
 
 /// The corner of the penalty area the place is in that is nearest to midfield on the place's side (y < 0 or
 /// not); places elsewhere stay.
-inline Vec3 outOfPenaltyAreas(Vec3 place) {
+inline Vec3 outOfPenaltyAreas(const FieldSize& field, Vec3 place) {
   for (const auto side : {simspark::TeamSide::left, simspark::TeamSide::right}) {
-    if (!penaltyArea(side).contains(place.head<2>())) continue;
-    place.x() = sign(side) * (fieldLength / 2 - penaltyDepth);
-    place.y() = place.y() < 0 ? -penaltyWidth / 2 : penaltyWidth / 2;
+    if (!penaltyArea(field, side).contains(place.head<2>())) continue;
+    place.x() = sign(side) * (field.length / 2 - field.penaltyDepth);
+    place.y() = place.y() < 0 ? -field.penaltyWidth / 2 : field.penaltyWidth / 2;
     break;
   }
   return place;

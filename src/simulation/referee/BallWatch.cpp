@@ -3,25 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/Field.h"
-
 namespace plumbline::simulation {
 
 using simspark::TeamSide;
 
 namespace {
 
-constexpr double tolerance = 0.001;                        ///< the league server's [m]
-constexpr double goalLine = fieldLength / 2 + ballRadius;  ///< of the centre of a ball that is behind it [m]
+constexpr double tolerance = 0.001;  ///< the league server's [m]
 
-bool betweenPosts(double y, double z) { return std::fabs(y) < goalWidth / 2 && z < goalHeight; }
+/// Of the centre of a ball that is behind the goal line [m].
+double goalLineOf(const FieldSize& field) { return field.length / 2 + field.ballRadius; }
+
+bool betweenPosts(const FieldSize& field, double y, double z) {
+  return std::fabs(y) < field.goalWidth / 2 && z < field.goalHeight;
+}
 
 /// Whether the ball reaches into the goal's inside.
-bool insideGoal(const Vec3& ball) {
-  const Vec3 half((goalDepth - 2 * ballRadius) / 2, goalWidth / 2 - ballRadius, goalHeight / 2);
-  const Vec3 centre(fieldLength / 2 + goalDepth / 2, 0, goalHeight / 2);
+bool insideGoal(const FieldSize& field, const Vec3& ball) {
+  const Vec3 half((field.goalDepth - 2 * field.ballRadius) / 2, field.goalWidth / 2 - field.ballRadius,
+                  field.goalHeight / 2);
+  const Vec3 centre(field.length / 2 + field.goalDepth / 2, 0, field.goalHeight / 2);
   const Vec3 way(std::fabs(ball.x()) - centre.x(), ball.y(), ball.z() - centre.z());
-  return (way.cwiseAbs() - half).cwiseMax(0).norm() < ballRadius;
+  return (way.cwiseAbs() - half).cwiseMax(0).norm() < field.ballRadius;
 }
 
 }  // namespace
@@ -45,8 +48,8 @@ void BallWatch::swapSides() {
 }
 
 bool BallWatch::onField() const {
-  return std::fabs(current.x()) < goalLine + tolerance &&
-         std::fabs(current.y()) < fieldWidth / 2 + ballRadius + tolerance;
+  return std::fabs(current.x()) < goalLineOf(field) + tolerance &&
+         std::fabs(current.y()) < field.width / 2 + field.ballRadius + tolerance;
 }
 
 bool BallWatch::touchedBy(TeamSide side) const {
@@ -56,12 +59,13 @@ bool BallWatch::touchedBy(TeamSide side) const {
 
 TeamSide BallWatch::inGoalOf() const {
   const TeamSide side = current.x() < 0 ? TeamSide::left : TeamSide::right;
-  if (insideGoal(current)) return side;
+  const double goalLine = goalLineOf(field);
+  if (insideGoal(field, current)) return side;
   if (std::fabs(current.x()) < goalLine) return TeamSide::none;
   if (std::fabs(current.x() - velocity.x()) > goalLine) return TeamSide::none;  // it came from elsewhere
   const double line = std::copysign(goalLine, current.x());
   const Vec3 crossing = current - velocity * ((current.x() - line) / velocity.x());
-  return betweenPosts(crossing.y(), crossing.z()) ? side : TeamSide::none;
+  return betweenPosts(field, crossing.y(), crossing.z()) ? side : TeamSide::none;
 }
 
 }  // namespace plumbline::simulation

@@ -1,8 +1,9 @@
 #pragma once
 #include <vector>
 
+#include "field/FieldSize.h"
 #include "simspark/TeamSide.h"
-#include "simulation/World.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 
@@ -17,6 +18,8 @@ struct BallTouch {
 /// What the referee knows of the ball: where it is, was last on the field, and who touched it last.
 class BallWatch {
 public:
+  explicit BallWatch(const FieldSize& field_ = {}) : field(field_) {}
+
   /// A cycle has passed; touching: those who touched the ball in it, the first first.
   void update(const BodyState& ball, const std::vector<BallTouch>& touching);
   /// The referee laid the ball down.
@@ -41,6 +44,7 @@ public:
   simspark::TeamSide inGoalOf() const;
 
 private:
+  FieldSize field;
   Vec3 current = Vec3::Zero(), velocity = Vec3::Zero(), valid = Vec3::Zero();
   BallTouch lastTouch_;
   std::vector<BallTouch> touching_;

@@ -14,7 +14,7 @@ constexpr double beside = 0.1;                  ///< the side line: further out 
 
 void observePosture(const Match& match, Participant& player) {
   const Vec3 place = player.torso.pose.translation();
-  const bool onField = std::fabs(place.y()) < fieldWidth / 2 + beside;
+  const bool onField = std::fabs(place.y()) < match.field.width / 2 + beside;
   if (place.z() < upright && onField) {
     ++player.notStanding;
     player.standing = 0;
@@ -30,11 +30,11 @@ void observePosture(const Match& match, Participant& player) {
 constexpr double farAway = 1000;  ///< [m]
 
 /// Of those in the penalty area already; newcomers have to go anyway.
-double goalDistance(const Participant& player) {
+double goalDistance(const Match& match, const Participant& player) {
   if (!player.inOwnArea) return farAway;
   if (player.goalie()) return 0;
   if (!player.wasInOwnArea) return farAway;
-  return (player.place() - Vec2(sign(player.side) * fieldLength / 2, 0)).norm();
+  return (player.place() - Vec2(sign(player.side) * match.field.length / 2, 0)).norm();
 }
 
 /// Place in the order of distances within the team; offenders do not count, of equals the higher number is
@@ -58,8 +58,7 @@ void forgive(const Match& match, Participant& player) {
   player.inOwnArea = player.wasInOwnArea = false;
   player.foul = Foul::Kind::none;
   player.foulCycles = 0;
-  player.sinceBallTouch = static_cast<int>(match.cycles(match.rules.charging.immunity));
-  player.sinceCollision = static_cast<int>(match.cycles(match.rules.charging.minInterval));
+  player.sinceBallTouch = player.sinceCollision = Participant::longAgo;
 }
 
 void observeConduct(Match& match) {
@@ -69,17 +68,18 @@ void observeConduct(Match& match) {
   for (Participant& player : match.participants()) {
     player.ballDistance = (player.place() - ball).norm();
     player.wasInOwnArea = player.inOwnArea;
-    player.inOwnArea = penaltyArea(player.side).contains(player.place()) && !player.offends();
+    player.inOwnArea = penaltyArea(match.field, player.side).contains(player.place()) && !player.offends();
     if (player.inOwnArea) ++match.memory.inOwnArea[Game::index(player.side)];
     observePosture(match, player);
     ++player.sinceBallTouch;
     ++player.sinceCollision;
     ++player.sinceMoved;
   }
-  if (!match.rules.crowding.on && !match.rules.illegalDefence.on) return;
   for (Participant& player : match.participants()) {
     player.ballRank = rank(match, player, [](const Participant& p) { return p.ballDistance; });
-    if (player.inOwnArea) player.goalRank = rank(match, player, goalDistance);
+    if (player.inOwnArea)
+      player.goalRank =
+          rank(match, player, [&match](const Participant& p) { return goalDistance(match, p); });
   }
 }
 

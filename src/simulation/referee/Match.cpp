@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/Field.h"
-
 namespace plumbline::simulation {
 
 Participant* Match::find(RobotHandle robot) {
@@ -39,7 +37,7 @@ std::array<TeamSide, 2> Match::sidesInRandomOrder() {
 void Match::placeBall(const Vec3& position) {
   world.setBall(position, Vec3::Zero());
   ball().placed(position);
-  memory.kickPosition = Vec3(position.x(), position.y(), ballRadius);
+  memory.kickPosition = Vec3(position.x(), position.y(), field.ballRadius);
 }
 
 void Match::move(Participant& player, const Vec3& place) {

@@ -2,12 +2,13 @@
 #include <array>
 #include <vector>
 
-#include "simulation/Game.h"
-#include "simulation/Random.h"
-#include "simulation/World.h"
+#include "field/FieldSize.h"
 #include "simulation/referee/BallWatch.h"
+#include "simulation/referee/Game.h"
 #include "simulation/referee/Participant.h"
 #include "simulation/referee/Rules.h"
+#include "simulation/world/Random.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 
@@ -54,6 +55,7 @@ struct MatchMemory {
 /// One cycle of a game, as the rules see it.
 struct Match {
   const Rules& rules;
+  const FieldSize& field;
   Game& game;
   World& world;
   Random& random;
@@ -61,6 +63,16 @@ struct Match {
   /// Robots that touched each other in this cycle.
   const std::vector<RobotContact>& contacts;
   double step = 0.02;  ///< of a cycle [s]
+  /// In which this cycle is judged; game.mode is what comes of it.
+  PlayMode mode = PlayMode::beforeKickOff;
+  bool settled = false;      ///< a rule has decided what follows from where the ball is
+  bool suspended = false;    ///< players may stand anywhere: no fouls, and none is held against them
+  bool changedEnds = false;  ///< the teams did
+
+  /// Whether goals count and the ball can go out.
+  bool ballInPlay() const {
+    return mode == PlayMode::playOn || mode == PlayMode::passLeft || mode == PlayMode::passRight;
+  }
 
   BallWatch& ball() { return memory.ball; }
   std::vector<Participant>& participants() { return memory.participants; }

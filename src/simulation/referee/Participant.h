@@ -4,8 +4,8 @@
 
 #include "robot/RobotModel.h"
 #include "simspark/TeamSide.h"
-#include "simulation/World.h"
 #include "simulation/referee/Fouls.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 
@@ -30,7 +30,8 @@ struct Participant : Member {
     velocities.fill(Vec3::Zero());
   }
 
-  static constexpr double never = -1000;  ///< a game time long ago [s]
+  static constexpr double never = -1000;   ///< a game time long ago [s]
+  static constexpr int longAgo = 1 << 20;  ///< so many cycles
 
   BodyState torso;
   std::array<Vec3, 3> velocities;  ///< of the last cycles, the newest first [m/s]
@@ -46,6 +47,7 @@ struct Participant : Member {
 
   Foul::Kind foul = Foul::Kind::none;
   int foulCycles = 0;
+  bool movedForFoul = false;  ///< its rule has put it where it may be
   /// Game times [s].
   std::array<double, numJoints> lastFrozen;
   double lastSelfCollision = never;
@@ -57,8 +59,9 @@ struct Participant : Member {
   bool goalie() const { return unum == 1; }
   /// Called for a foul: no further one is looked for until it is dealt with.
   bool offends() const { return foul != Foul::Kind::none; }
-  void commit(Foul::Kind kind) {
+  void commit(Foul::Kind kind, bool moved = false) {
     foul = kind;
+    movedForFoul = moved;
     ++foulCycles;
   }
 };

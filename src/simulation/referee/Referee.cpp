@@ -3,54 +3,21 @@
 #include <algorithm>
 
 #include "simulation/referee/Conduct.h"
+#include "simulation/referee/DropBall.h"
 #include "simulation/referee/Reposition.h"
-#include "simulation/referee/rules/BallOut.h"
-#include "simulation/referee/rules/Charging.h"
-#include "simulation/referee/rules/Crowding.h"
-#include "simulation/referee/rules/DoubleTouch.h"
-#include "simulation/referee/rules/DropBall.h"
-#include "simulation/referee/rules/Goal.h"
-#include "simulation/referee/rules/HalfTime.h"
-#include "simulation/referee/rules/IllegalDefence.h"
-#include "simulation/referee/rules/Incapable.h"
-#include "simulation/referee/rules/KickOff.h"
-#include "simulation/referee/rules/PassMode.h"
-#include "simulation/referee/rules/Penalty.h"
-#include "simulation/referee/rules/Restart.h"
-#include "simulation/referee/rules/SelfCollision.h"
-#include "simulation/referee/rules/Touching.h"
+#include "simulation/referee/StartKickOff.h"
 
 namespace plumbline::simulation {
 
-namespace {
-
-void playOn(Match& match) {
-  watchPass(match);
-  if (doubleTouch(match) || goal(match)) return;
-  ballOut(match);
+Referee::Referee(const Rules& rules, const Random& random_, const FieldSize& field_)
+    : rules_(rules), field(field_), random(random_) {
+  memory.ball = BallWatch(field);
+  if (rules.kickOff.byLot) memory.nextHalfKickOff = TeamSide::none;
+  for (const RuleEntry& rule : registeredRules()) inOrder.push_back(rule.make());
 }
-
-void passMode(Match& match, TeamSide side) {
-  passModeBefore(match, side);
-  playOn(match);
-  passModeAfter(match, side);
-}
-
-/// Fouls that need a look at the player alone, in the league's order.
-void judge(Match& match, Participant& player) {
-  if (player.offends()) return;
-  if (crowds(match, player))
-    player.commit(Foul::Kind::crowding);
-  else if (defendsIllegally(match, player))
-    punishDefence(match, player);
-  else if (incapable(match, player))
-    player.commit(Foul::Kind::incapable);
-}
-
-}  // namespace
 
 Match Referee::match(Game& game, World& world, double seconds) {
-  return {rules_, game, world, random, memory, world.robotContacts(), seconds};
+  return {rules_, field, game, world, random, memory, world.robotContacts(), seconds};
 }
 
 bool Referee::update(Game& game, World& world, const Observation& observation, double seconds) {
@@ -60,19 +27,17 @@ bool Referee::update(Game& game, World& world, const Observation& observation, d
   memory.agents = observation.agents;
   watchBall(match, observation);
 
-  const bool changed = halfTime(match);
-  watchKickOff(match);
-  const bool stands = judgeMode(match);
+  for (const auto& rule : inOrder) rule->begin(match);
+  match.mode = game.mode;
+  for (const auto& rule : inOrder) rule->play(match);
+  for (const auto& rule : inOrder) rule->afterPlay(match);
   observeVelocities(match);
-  if (stands) {
+  if (match.suspended)
     for (Participant& player : memory.participants) forgive(match, player);
-    thawJoints(match, true);
-  } else {
+  else
     judgeFouls(match);
-  }
-  for (const TeamSide side : {TeamSide::left, TeamSide::right})
-    game.passScoreWait[Game::index(side)] = game.mode == PlayMode::playOn ? passScoreWait(match, side) : 0;
-  return changed;
+  for (const auto& rule : inOrder) rule->end(match);
+  return match.changedEnds;
 }
 
 /// Keeps what is known of those who are still there.
@@ -101,46 +66,16 @@ void Referee::watchBall(Match& match, const Observation& observation) {
   memory.ball.update(match.world.ball(), touching);
 }
 
-bool Referee::judgeMode(Match& match) {
-  switch (match.game.mode) {
-    case PlayMode::beforeKickOff:
-      beforeKickOff(match);
-      return true;
-    case PlayMode::kickOffLeft:
-    case PlayMode::kickOffRight:
-      kickingOff(match, sideOf(match.game.mode, PlayMode::kickOffLeft));
-      return false;
-    case PlayMode::goalLeft:
-    case PlayMode::goalRight:
-      afterGoal(match, sideOf(match.game.mode, PlayMode::goalLeft));
-      return true;
-    case PlayMode::playOn:
-      playOn(match);
-      return false;
-    case PlayMode::passLeft:
-    case PlayMode::passRight:
-      passMode(match, sideOf(match.game.mode, PlayMode::passLeft));
-      return false;
-    case PlayMode::offsideLeft:
-    case PlayMode::offsideRight:
-    case PlayMode::gameOver:
-      return false;
-    default:
-      restart(match);
-      return false;
-  }
-}
-
 void Referee::judgeFouls(Match& match) {
   observeConduct(match);
   observeBallTouches(match);
-  judgeCharging(match);
-  judgeSelfCollisions(match);
+  for (const auto& rule : inOrder) rule->judgeAll(match);
   for (const TeamSide side : {TeamSide::left, TeamSide::right})
-    for (Participant* player : match.inRandomOrder(side)) judge(match, *player);
-  judgeTouching(match);
-  punishOffenders(match);
-  thawJoints(match, false);
+    for (Participant* player : match.inRandomOrder(side))
+      for (const auto& rule : inOrder)
+        if (!player->offends()) rule->judgePlayer(match, *player);
+  for (const auto& rule : inOrder) rule->judgeGroups(match);
+  for (const auto& rule : inOrder) rule->punish(match);
 }
 
 void Referee::kickOff(Game& game, World& world, TeamSide side) {
@@ -162,7 +97,8 @@ void Referee::clearSelected(Game& game, World& world, const std::vector<Member>&
 void Referee::askForPass(Game& game, World& world, int playerId) {
   Match match = this->match(game, world);
   for (const Participant& player : memory.participants)
-    if (player.id == playerId) return simulation::askForPass(match, player);
+    if (player.id == playerId)
+      for (const auto& rule : inOrder) rule->passAsked(match, player);
 }
 
 }  // namespace plumbline::simulation

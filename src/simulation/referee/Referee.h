@@ -1,7 +1,8 @@
 #pragma once
+#include <memory>
 #include <vector>
 
-#include "simulation/referee/Match.h"
+#include "simulation/referee/Rule.h"
 
 namespace plumbline::simulation {
 
@@ -12,13 +13,11 @@ struct Observation {
   std::vector<RobotHandle> atBall;  ///< robots that touched the ball, the first first
 };
 
-/// The league's referee (rcssserver3d 0.7.3, soccerruleaspect.cpp): every rule has a file in rules/, this is
-/// the order in which they are applied.
+/// The league's referee (rcssserver3d 0.7.3, soccerruleaspect.cpp): it calls the rules that are linked, each
+/// of which has a file in rules/, in the order of their numbers.
 class Referee {
 public:
-  Referee(const Rules& rules, const Random& random_) : rules_(rules), random(random_) {
-    if (rules.kickOff.byLot) memory.nextHalfKickOff = TeamSide::none;
-  }
+  Referee(const Rules& rules, const Random& random, const FieldSize& field = {});
 
   /// Judges the cycle that has just passed; may move the ball and the players and freeze joints. True if the
   /// teams changed ends: the members' sides are to be swapped.
@@ -39,13 +38,13 @@ private:
   Match match(Game& game, World& world, double seconds = 0.02);
   void meet(World& world, const std::vector<Member>& members);
   void watchBall(Match& match, const Observation& observation);
-  /// Whatever belongs to the play mode. True if the game stands, so that fouls do not count.
-  bool judgeMode(Match& match);
   void judgeFouls(Match& match);
 
   Rules rules_;
+  FieldSize field;
   Random random;
   MatchMemory memory;
+  std::vector<std::unique_ptr<Rule>> inOrder;
 };
 
 }  // namespace plumbline::simulation

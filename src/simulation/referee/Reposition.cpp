@@ -10,9 +10,9 @@ namespace plumbline::simulation {
 namespace {
 
 /// `distance` from the centre towards a side's own goal, or sideways if that is behind the goal line.
-void stepBack(Vec3& place, const Vec2& centre, double distance, TeamSide side) {
+void stepBack(const FieldSize& field, Vec3& place, const Vec2& centre, double distance, TeamSide side) {
   const double x = centre.x() + sign(side) * distance;
-  if (std::fabs(x) > fieldLength / 2 && x * sign(side) > 0)
+  if (std::fabs(x) > field.length / 2 && x * sign(side) > 0)
     place.y() = centre.y() + (centre.y() < 0 ? distance : -distance);
   else
     place.x() = x;
@@ -24,8 +24,8 @@ void moveSafely(Match& match, Participant& player, const Vec3& place, bool avoid
   match.move(player, safePlace(match, player, place, avoidBall));
 }
 
-Vec3 outsidePlace(const Vec3& ball, TeamSide side, int unum) {
-  const double y = fieldWidth / 2 + 0.5;
+Vec3 outsidePlace(const FieldSize& field, const Vec3& ball, TeamSide side, int unum) {
+  const double y = field.width / 2 + 0.5;
   return Vec3(sign(side) * 0.6 * (7 - unum), ball.y() < 0 ? y : -y, 1);
 }
 
@@ -34,7 +34,7 @@ void clearCircle(Match& match, const Vec3& centre, double radius, double distanc
     if ((player->place() - centre.head<2>()).norm() > radius + 2) continue;  // no robot is that long
     if (!robotBox(match.world, *player).reachedBy(centre, radius)) continue;
     Vec3 place = player->torso.pose.translation();
-    stepBack(place, centre.head<2>(), distance, side);
+    stepBack(match.field, place, centre.head<2>(), distance, side);
     moveSafely(match, *player, place);
   }
 }
@@ -63,7 +63,7 @@ void clearSelected(Match& match) {
   for (Participant* player : match.inRandomOrder(TeamSide::none)) {
     if (!player->selected) continue;
     Vec3 place = player->torso.pose.translation();
-    stepBack(place, player->place(), match.rules.restarts.moveDistance, player->side);
+    stepBack(match.field, place, player->place(), match.rules.restarts.moveDistance, player->side);
     moveSafely(match, *player, place);
   }
 }

@@ -15,7 +15,7 @@ void moveSafely(Match& match, Participant& player, const Vec3& place, bool avoid
 
 /// Beside the field on the side away from the ball: number n at 0.6 (7 - n) m from midfield, on the own
 /// half's side for n < 7, half a metre beyond the line; one metre high.
-Vec3 outsidePlace(const Vec3& ball, TeamSide side, int unum);
+Vec3 outsidePlace(const FieldSize& field, const Vec3& ball, TeamSide side, int unum);
 
 /// Players of a side whose bounding box reaches into a ball of that radius around the centre are put
 /// `distance` from it, towards their own goal, or towards midfield if that is behind the goal line.

@@ -1,136 +1,122 @@
 #pragma once
-#include <optional>
+#include <vector>
+
+#include "parameters/Parameter.h"
+#include "simulation/referee/RuleRegistry.h"
 
 namespace plumbline::simulation {
 
-/// The numbers of all rules, in seconds, metres and radians. What stands here, and in config/rules.yaml, is
-/// the league's (rcssserver3d 0.7.3, naosoccersim.rb); a rule whose `on` is false is not applied.
+/// The numbers of all rules, in seconds, metres and radians. What stands here, and in the rules' own files,
+/// is the league's (rcssserver3d 0.7.3, naosoccersim.rb). Here are the sections of config/rules.yaml that
+/// more than one rule needs; a rule's own parameters are declared in its file, see of().
 struct Rules {
+  PARAMETERS(Rules)
+
   struct Time {
-    double half = 300;
-    double goalPause = 3;
-    double kickPause = 1;        ///< after the ball went out, until it is laid down
-    double dropBall = 15;        ///< of a restart nobody takes; 0: it waits for ever
-    bool singleHalf = false;     ///< the game is over after the first half
-    bool changeSides = false;    ///< teams change ends for the second half
-    bool quitAfterGame = false;  ///< the simulator ends ten seconds after the game
-    double waitForKickOff = 30;  ///< told to monitors only
+    PARAMETERS(Time)
+    PARAMETER(double, half, 300, "s", Range(0.02, 1e6), "length of a half")
+    PARAMETER(double, goalPause, 3, "s", Range::atLeast(0), "after a goal, until the kick-off")
+    PARAMETER(double, kickPause, 1, "s", Range::atLeast(0), "after the ball went out, until it is laid down")
+    PARAMETER(double, dropBall, 15, "s", Range::atLeast(0), "a restart nobody takes; 0: it waits for ever")
+    PARAMETER(bool, singleHalf, false, "", {}, "the game is over after the first half")
+    PARAMETER(bool, changeSides, false, "", {}, "teams change ends for the second half")
+    PARAMETER(bool, quitAfterGame, false, "", {}, "the simulator ends ten seconds after the game")
+    PARAMETER(double, waitForKickOff, 30, "s", Range::atLeast(0), "told to monitors only")
     bool operator==(const Time&) const = default;
-  } time;
+  };
+  PARAMETER_GROUP(Time, time, "the clock")
 
   struct KickOff {
-    std::optional<double>
-        after;            ///< by itself so long after coming to BeforeKickOff; nothing: a trainer does it
-    bool byLot = false;   ///< who begins the game; otherwise the left team
-    bool ownHalf = true;  ///< players who stand in the other half are put back
-    bool noDirectGoal = true;  ///< none before another player, or the taker's team outside the ring, touched
+    PARAMETERS(KickOff)
+    PARAMETER(double, after, -1, "s", Range::atLeast(-1),
+              "by itself so long after BeforeKickOff began; below 0: a trainer does it")
+    PARAMETER(bool, byLot, false, "", {}, "who begins the game; otherwise the left team")
+    PARAMETER(bool, ownHalf, true, "", {}, "players in the other half are put back")
+    PARAMETER(bool, noDirectGoal, true, "", {},
+              "none before another player, or the taker's team outside the ring, touched the ball")
     bool operator==(const KickOff&) const = default;
-  } kickOff;
+  };
+  PARAMETER_GROUP(KickOff, kickOff, "the start of a half, and after a goal")
 
   struct Restarts {
-    bool keepDistance = true;   ///< opponents too near to a restart are moved away
-    double distance = 2;        ///< that they must keep; also the ring at kick-off
-    double moveDistance = 2.5;  ///< at which they are put
-    double repel = 0.5;       ///< own players nearer to the ball are moved so far from it as it is laid down
-    double goalKick = 1;      ///< of the ball from the goal line
-    bool doubleTouch = true;  ///< who took it must not be the next to touch the ball
-    bool noIndirectGoal = true;  ///< nor may an indirect kick, or an own goal of a direct one, count
+    PARAMETERS(Restarts)
+    PARAMETER(bool, keepDistance, true, "", {}, "opponents too near are moved away")
+    PARAMETER(double, distance, 2, "m", Range::atLeast(0), "that they must keep; also the ring at kick-off")
+    PARAMETER(double, moveDistance, 2.5, "m", Range::atLeast(0), "at which they are put")
+    PARAMETER(double, repel, 0.5, "m", Range::atLeast(0),
+              "own players are moved so far from the ball as it is laid down")
+    PARAMETER(double, goalKick, 1, "m", Range(0.05, 10), "of the ball from the goal line")
+    PARAMETER(bool, doubleTouch, true, "", {}, "who took it must not be the next at the ball")
+    PARAMETER(bool, noIndirectGoal, true, "", {},
+              "nor may an indirect kick, or an own goal of a direct one, count")
     bool operator==(const Restarts&) const = default;
-  } restarts;
-
-  struct Goals {
-    bool on = true;
-    bool operator==(const Goals&) const = default;
-  } goals;
-
-  struct BallOut {
-    bool on = true;  ///< kick-in, corner kick, goal kick
-    bool operator==(const BallOut&) const = default;
-  } ballOut;
+  };
+  PARAMETER_GROUP(Restarts, restarts, "kick-in, corner kick, goal kick, free kick")
 
   struct Pass {
-    bool on = true;
-    double maxBallSpeed = 0.05;
-    double maxBallDistance = 0.5;  ///< of the player who asks
-    double minOpponentDistance = 1;
-    double duration = 4;
-    double scoreWait =
-        10;  ///< no goal so long after it, unless a team mate touched the ball outside its circle
-    double retryWait = 3;
+    PARAMETERS(Pass)
+    PARAMETER(bool, on, true, "", {}, "players may ask for pass mode")
+    PARAMETER(double, maxBallSpeed, 0.05, "m/s", Range::atLeast(0), "fastest ball for which it is given")
+    PARAMETER(double, maxBallDistance, 0.5, "m", Range::atLeast(0), "of the player who asks")
+    PARAMETER(double, minOpponentDistance, 1, "m", Range::atLeast(0), "of opponents from the ball")
+    PARAMETER(double, duration, 4, "s", Range::atLeast(0), "until play is on for all")
+    PARAMETER(double, scoreWait, 10, "s", Range::atLeast(0),
+              "no goal so long after it, unless a team mate touched the ball outside its circle")
+    PARAMETER(double, retryWait, 3, "s", Range::atLeast(0), "until the team may ask again")
     bool operator==(const Pass&) const = default;
-  } pass;
-
-  struct Incapable {
-    bool on = true;
-    double notStanding = 30, onGround = 15;
-    double goalieNotStanding = 60, goalieOnGround = 30;
-    bool operator==(const Incapable&) const = default;
-  } incapable;
+  };
+  PARAMETER_GROUP(Pass, pass, "pass mode")
 
   struct IllegalDefence {
-    bool on = true;
-    int maxInOwnArea = 3;
-    bool putOutside = false;  ///< of the field, instead of the area
+    PARAMETERS(IllegalDefence)
+    PARAMETER(bool, on, true, "", {}, "whether it is a foul")
+    PARAMETER(int, maxInOwnArea, 3, "", Range(0, 11), "players of a team in their penalty area")
+    PARAMETER(bool, putOutside, false, "", {}, "of the field, instead of the area")
     bool operator==(const IllegalDefence&) const = default;
-  } illegalDefence;
-
-  /// Off in the league since 2017, by distances of 0.
-  struct Crowding {
-    bool on = false;
-    double minOpponent = 0.8;  ///< of the nearest opponent from the ball, for the rule to hold
-    double minSecond = 0.4, minThird = 1;
-    bool operator==(const Crowding&) const = default;
-  } crowding;
-
-  struct Touching {
-    bool on = true;
-    int maxGroup = 2;
-    bool putOutside = false;
-    bool operator==(const Touching&) const = default;
-  } touching;
-
-  struct Charging {
-    bool on = true;
-    double minSpeed = 0.4;
-    double minBallAngle = 0.5235987755982988;        ///< of the speed from the ball: 30 degrees
-    double minDistanceDifference = 0.05;             ///< from the ball, of the two players
-    double minAngleDifference = 0.2617993877991494;  ///< of their speeds from each other: 15 degrees
-    double immunity = 1;                             ///< after a touch of the ball
-    double minInterval = 0.2;                        ///< between two collisions that are judged
-    double maxBallDistance = 1;  ///< of one of the two, for their way to the ball to matter
-    double minCollisionBallDistance = 0.1;
-    double minCollisionSpeed = 0.2;
-    bool operator==(const Charging&) const = default;
-  } charging;
-
-  struct SelfCollision {
-    bool on = true;
-    double tolerance = 0.04;  ///< how far the boxes of two limbs may sink into each other
-    double frozen = 1;        ///< joints of such limbs take no speed
-    double thaw = 2;          ///< and cannot be frozen again
-    bool putOutside = false;  ///< instead of freezing
-    double cooldown = 10;     ///< between two such
-    bool operator==(const SelfCollision&) const = default;
-  } selfCollision;
+  };
+  PARAMETER_GROUP(IllegalDefence, illegalDefence, "too many players in their own penalty area")
 
   struct Moves {
-    double foulHold = 0.5;  ///< an offender hangs in the air before being put beside the field
-    double agentRadius = 0.4;
-    int attempts = 100;          ///< places tried to put a player where nobody stands; 0: any will do
-    bool startAnywhere = false;  ///< beams may go into the other half
+    PARAMETERS(Moves)
+    PARAMETER(double, foulHold, 0.5, "s", Range::atLeast(0),
+              "an offender hangs in the air before it is put beside the field")
+    PARAMETER(double, agentRadius, 0.4, "m", Range::atLeast(0), "kept free around a player that is moved")
+    PARAMETER(int, attempts, 100, "", Range(0, 10000),
+              "places tried to put a player where nobody stands; 0: any will do")
+    PARAMETER(bool, startAnywhere, false, "", {}, "beams may go into the other half")
     bool operator==(const Moves&) const = default;
-  } moves;
+  };
+  PARAMETER_GROUP(Moves, moves, "where the referee puts players")
 
-  /// Robots of one team.
   struct Types {
-    bool on = true;
-    int maxOfOne = 7;
-    int minDifferent = 3;  ///< in a full team
-    int maxOfTwo = 9;      ///< of any two types together
+    PARAMETERS(Types)
+    PARAMETER(bool, on, true, "", {}, "whether a team must have robots of several types")
+    PARAMETER(int, maxOfOne, 7, "", Range(0, 11), "robots of one type")
+    PARAMETER(int, minDifferent, 3, "", Range(1, 5), "types in a full team")
+    PARAMETER(int, maxOfTwo, 9, "", Range(0, 11), "of any two types together")
     bool operator==(const Types&) const = default;
-  } types;
+  };
+  PARAMETER_GROUP(Types, types, "robots of a team")
+
+  /// The league's numbers.
+  Rules();
+
+  /// The parameters of the rule of that class: rules.of<Charging>().on = false.
+  template <typename R>
+  typename R::Parameters& of() {
+    return *static_cast<typename R::Parameters*>(find(R::Parameters::parameterList()).owner());
+  }
+  template <typename R>
+  const typename R::Parameters& of() const {
+    return const_cast<Rules*>(this)->of<R>();
+  }
+  /// Of all rules that are linked, in the order of registeredRules().
+  std::vector<RuleParameters> ofRules;
 
   bool operator==(const Rules&) const = default;
+
+private:
+  RuleParameters& find(const ParameterList& list);
 };
 
 }  // namespace plumbline::simulation

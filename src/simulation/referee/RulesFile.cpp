@@ -1,78 +1,59 @@
 #include "simulation/referee/RulesFile.h"
 
 #include "framework/ConfigFile.h"
+#include "framework/ModuleParameters.h"
 
 namespace plumbline::simulation {
 
 namespace {
 
-const Range number = Range::atLeast(0);  ///< times, distances, speeds, angles
-const Range count = {0, 11};
+constexpr const char* head =
+    "# The referee's rules: bin/simulator --rules FILE. What stands here is what it does without; a file "
+    "need name\n"
+    "# only what it changes. What each rule says: doc/reference/rules.md. Written by bin/simulator "
+    "--print-rules.\n";
 
-/// Reads the keys of one section.
-class Section {
-public:
-  Section(const ConfigSection& root_, std::string name_) : root(root_), name(std::move(name_)) {}
-  template <typename T>
-  const Section& operator()(const char* key, T& value, Range range = {}) const {
-    if (const auto found = root.find<T>(name + '.' + key, range)) value = *found;
-    return *this;
-  }
-  const Section& operator()(const char* key, double& value) const {
-    return operator()<double>(key, value, number);
-  }
+void appendLine(std::string& text, const Parameter& parameter, const ParameterPointer& value) {
+  text += "  " + parameter.name + ": " + parameterText(value) + "  # ";
+  if (!parameter.unit.empty()) text += parameter.unit + "; ";
+  text += parameter.comment + '\n';
+}
 
-private:
-  const ConfigSection& root;
-  std::string name;
-};
+void appendSection(std::string& text, const std::string& name, const std::string& comment,
+                   const ParameterList& list, void* owner) {
+  if (list.empty()) return;
+  text += '\n' + name + ":" + (comment.empty() ? "" : "  # " + comment) + '\n';
+  list.visit(owner, [&](const std::string&, const Parameter& parameter, const ParameterPointer& value) {
+    appendLine(text, parameter, value);
+  });
+}
 
 }  // namespace
 
 Rules readRules(const std::string& path, const Rules& otherwise) {
   const ConfigFile file(path);
   const ConfigSection& root = file.root();
-  Rules r = otherwise;
-  Section(root, "time")("half", r.time.half, {0.02, 1e6})("goalPause", r.time.goalPause)(
-      "kickPause", r.time.kickPause)("dropBall", r.time.dropBall)("singleHalf", r.time.singleHalf)(
-      "changeSides", r.time.changeSides)("quitAfterGame", r.time.quitAfterGame)("waitForKickOff",
-                                                                                r.time.waitForKickOff);
-  if (const auto after = root.find<double>("kickOff.after", number)) r.kickOff.after = *after;
-  Section(root, "kickOff")("byLot", r.kickOff.byLot)("ownHalf", r.kickOff.ownHalf)("noDirectGoal",
-                                                                                   r.kickOff.noDirectGoal);
-  Section(root, "restarts")("keepDistance", r.restarts.keepDistance)("distance", r.restarts.distance)(
-      "moveDistance", r.restarts.moveDistance)("repel", r.restarts.repel)(
-      "goalKick", r.restarts.goalKick, {0.05, 10})("doubleTouch", r.restarts.doubleTouch)(
-      "noIndirectGoal", r.restarts.noIndirectGoal);
-  Section(root, "goals")("on", r.goals.on);
-  Section(root, "ballOut")("on", r.ballOut.on);
-  Section(root, "pass")("on", r.pass.on)("maxBallSpeed", r.pass.maxBallSpeed)(
-      "maxBallDistance", r.pass.maxBallDistance)("minOpponentDistance", r.pass.minOpponentDistance)(
-      "duration", r.pass.duration)("scoreWait", r.pass.scoreWait)("retryWait", r.pass.retryWait);
-  Section(root, "incapable")("on", r.incapable.on)("notStanding", r.incapable.notStanding)(
-      "onGround", r.incapable.onGround)("goalieNotStanding", r.incapable.goalieNotStanding)(
-      "goalieOnGround", r.incapable.goalieOnGround);
-  Section(root, "illegalDefence")("on", r.illegalDefence.on)(
-      "maxInOwnArea", r.illegalDefence.maxInOwnArea, count)("putOutside", r.illegalDefence.putOutside);
-  Section(root, "crowding")("on", r.crowding.on)("minOpponent", r.crowding.minOpponent)(
-      "minSecond", r.crowding.minSecond)("minThird", r.crowding.minThird);
-  Section(root, "touching")("on", r.touching.on)("maxGroup", r.touching.maxGroup, {1, 22})(
-      "putOutside", r.touching.putOutside);
-  Section(root, "charging")("on", r.charging.on)("minSpeed", r.charging.minSpeed)(
-      "minBallAngle", r.charging.minBallAngle)("minDistanceDifference", r.charging.minDistanceDifference)(
-      "minAngleDifference", r.charging.minAngleDifference)("immunity", r.charging.immunity)(
-      "minInterval", r.charging.minInterval)("maxBallDistance", r.charging.maxBallDistance)(
-      "minCollisionBallDistance", r.charging.minCollisionBallDistance)("minCollisionSpeed",
-                                                                       r.charging.minCollisionSpeed);
-  Section(root, "selfCollision")("on", r.selfCollision.on)("tolerance", r.selfCollision.tolerance)(
-      "frozen", r.selfCollision.frozen)("thaw", r.selfCollision.thaw)(
-      "putOutside", r.selfCollision.putOutside)("cooldown", r.selfCollision.cooldown);
-  Section(root, "moves")("foulHold", r.moves.foulHold)("agentRadius", r.moves.agentRadius)(
-      "attempts", r.moves.attempts, {0, 10000})("startAnywhere", r.moves.startAnywhere);
-  Section(root, "types")("on", r.types.on)("maxOfOne", r.types.maxOfOne, count)(
-      "minDifferent", r.types.minDifferent, {1, 5})("maxOfTwo", r.types.maxOfTwo, count);
+  Rules rules = otherwise;
+  readParameters(root, Rules::parameterList(), &rules);
+  const auto& known = registeredRules();
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    RuleParameters& parameters = rules.ofRules[i];
+    if (!parameters.list().empty() && root.has(known[i].name))
+      readParameters(root.section(known[i].name), parameters.list(), parameters.owner());
+  }
   file.checkUnknown();
-  return r;
+  return rules;
+}
+
+std::string rulesText(const Rules& given) {
+  Rules rules = given;
+  std::string text = head;
+  for (const ParameterList::Entry& group : Rules::parameterList().entries())
+    appendSection(text, group.parameter.name, group.parameter.comment, *group.group, group.groupOf(&rules));
+  const auto& known = registeredRules();
+  for (std::size_t i = 0; i < known.size(); ++i)
+    appendSection(text, known[i].name, "", rules.ofRules[i].list(), rules.ofRules[i].owner());
+  return text;
 }
 
 }  // namespace plumbline::simulation

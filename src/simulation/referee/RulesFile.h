@@ -9,4 +9,7 @@ namespace plumbline::simulation {
 /// ConfigurationError, one line with file, line and key, for what cannot be, and for a key there is not.
 Rules readRules(const std::string& path, const Rules& otherwise = {});
 
+/// A file with all that can be set, as it is set in these rules: config/rules.yaml is that of the league's.
+std::string rulesText(const Rules& rules = {});
+
 }  // namespace plumbline::simulation

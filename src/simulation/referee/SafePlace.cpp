@@ -25,7 +25,7 @@ public:
     const Vec2 from = player.place();
     const double home = sign(player.side);
     const auto along = [&](double x) {
-      if (std::fabs(x) <= fieldLength / 2) offer(Vec2(x, place.y()));
+      if (std::fabs(x) <= match.field.length / 2) offer(Vec2(x, place.y()));
     };
     if (place.x() == from.x()) {
       along(place.x() + home * radius);
@@ -50,7 +50,9 @@ public:
   }
 
   bool isSafe(const Vec3& place) const {
-    if (std::fabs(place.x()) > fieldLength / 2 && std::fabs(place.y()) < goalWidth / 2 + radius) return false;
+    if (std::fabs(place.x()) > match.field.length / 2 &&
+        std::fabs(place.y()) < match.field.goalWidth / 2 + radius)
+      return false;
     const Vec2 ball = match.memory.ball.position().head<2>();
     const double fromBall = std::max(2 * radius, match.rules.pass.minOpponentDistance);
     if (avoidBall && (ball - place.head<2>()).norm() < fromBall) return false;
@@ -61,7 +63,7 @@ public:
   /// Puts a place in the player's own penalty area, if that is full, to the area's edge. True if it was.
   bool keepOutOfFullArea(Vec2& place) const {
     const std::size_t side = Game::index(player.side);
-    const Area area = penaltyArea(player.side);
+    const Area area = penaltyArea(match.field, player.side);
     const Area wide = area.widened(radius);
     const bool full = match.memory.inOwnArea[side] + match.memory.movedInside[side] >=
                       match.rules.illegalDefence.maxInOwnArea;
@@ -122,7 +124,7 @@ Vec3 safePlace(Match& match, const Participant& player, const Vec3& wanted, bool
   }
   if (!safe) place = wanted;
 
-  const bool inside = penaltyArea(player.side).contains(place.head<2>());
+  const bool inside = penaltyArea(match.field, player.side).contains(place.head<2>());
   int& moved = match.memory.movedInside[Game::index(player.side)];
   if (inside && !player.inOwnArea) ++moved;
   if (!inside && player.inOwnArea) --moved;

@@ -1,11 +1,11 @@
 #include "simulation/replay/BallStart.h"
 
+#include "simulation/league/MakeWorld.h"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "simulation/Field.h"
 
 namespace plumbline::simulation {
 
@@ -23,7 +23,11 @@ constexpr double fastestBall = 25;  // [m/s]
 class BallFit {
 public:
   BallFit(const LeagueTrace& trace_, std::size_t first_, std::size_t count_, const WorldConfig& config)
-      : trace(trace_), first(first_), count(count_), world(makeWorld(config)) {}
+      : trace(trace_),
+        first(first_),
+        count(count_),
+        world(makeWorld(config)),
+        ballRadius(config.field.ballRadius) {}
 
   /// The best of several descents: on the ground the ball has contact from the first step or it has not,
   /// which a descent cannot change.
@@ -82,6 +86,7 @@ private:
   const LeagueTrace& trace;
   std::size_t first, count;
   std::unique_ptr<World> world;
+  double ballRadius;
 };
 
 }  // namespace

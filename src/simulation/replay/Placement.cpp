@@ -1,6 +1,6 @@
 #include "simulation/replay/Placement.h"
 
-#include "simulation/Field.h"
+#include "simulation/league/FieldObstacles.h"
 
 namespace plumbline::simulation {
 

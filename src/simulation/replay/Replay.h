@@ -3,7 +3,7 @@
 
 #include "robot/RobotModel.h"
 #include "simspark/LeagueTrace.h"
-#include "simulation/World.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 

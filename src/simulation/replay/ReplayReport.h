@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "simulation/World.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 

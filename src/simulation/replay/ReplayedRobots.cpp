@@ -1,5 +1,6 @@
 #include "simulation/replay/ReplayedRobots.h"
 
+#include "simulation/league/MakeWorld.h"
 #include "simulation/replay/Placement.h"
 #include "simulation/replay/TraceRowOf.h"
 

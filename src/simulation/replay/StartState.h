@@ -1,7 +1,7 @@
 #pragma once
 #include "robot/RobotModel.h"
 #include "simspark/LeagueTrace.h"
-#include "simulation/World.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "simspark/LeagueTrace.h"
-#include "simulation/World.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "math/Angle.h"
-#include "simulation/sensors/FieldMarks.h"
 
 namespace plumbline::simulation {
 
@@ -120,7 +119,7 @@ simspark::See Vision::see(const Pose3& T_world_head, const VisibleWorld& world) 
   simspark::See image;
   const Pose3 T_head_world = T_world_head.inverse();
   Polar seen;
-  for (const Flag& flag : flags())
+  for (const FieldFlag& flag : world.marks.flags)
     if (look(flag.position, T_head_world, seen)) image.objects.push_back({std::string(flag.name), seen});
   if (look(world.ball, T_head_world, seen)) image.objects.push_back({"B", seen});
   for (const VisibleWorld::Player& player : world.players) {
@@ -129,7 +128,7 @@ simspark::See Vision::see(const Pose3& T_world_head, const VisibleWorld& world) 
       if (look(part.position, T_head_world, seen)) seenPlayer.parts.push_back({std::string(part.name), seen});
     if (!seenPlayer.parts.empty()) image.players.push_back(std::move(seenPlayer));
   }
-  for (const FieldLine& line : fieldLines()) {
+  for (const FieldLine& line : world.marks.lines) {
     Vec3 a = T_head_world * line.begin + offset, b = T_head_world * line.end + offset;
     if (!clipToView(a, b)) continue;
     simspark::SeenLine seenLine{toPolar(a), toPolar(b)};

@@ -3,9 +3,10 @@
 #include <string_view>
 #include <vector>
 
+#include "field/FieldMarks.h"
 #include "math/Types.h"
 #include "simspark/ServerMessage.h"
-#include "simulation/Random.h"
+#include "simulation/world/Random.h"
 
 namespace plumbline::simulation {
 
@@ -19,7 +20,7 @@ struct VisionNoise {
   static VisionNoise none() { return {0, 0, 0, 0}; }
 };
 
-/// What can be seen of the moving things, in the world frame; the field's marks are known.
+/// What can be seen, in the world frame.
 struct VisibleWorld {
   struct Part {
     std::string_view name;  ///< head rlowerarm llowerarm rfoot lfoot
@@ -30,6 +31,7 @@ struct VisibleWorld {
     int unum = 0;
     std::vector<Part> parts;
   };
+  FieldMarks marks;
   Vec3 ball = Vec3::Zero();
   std::vector<Player> players;
 };

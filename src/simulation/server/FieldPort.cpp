@@ -26,6 +26,7 @@ std::string fieldMessage(const Simulation& simulation) {
   state.playMode = simspark::playModeName(game.mode);
   state.teamLeft = game.teams[0];
   state.teamRight = game.teams[1];
+  state.field = simulation.field();
   state.ball = simulation.world().ball().pose.translation();
   for (const auto& [id, player] : simulation.allPlayers()) {
     const Pose3 torso = simulation.world().torso(player->robot).pose;

@@ -6,7 +6,7 @@
 
 #include "robot/JointPlant.h"
 #include "robot/Mechanism.h"
-#include "simulation/BodyState.h"
+#include "simulation/physics/BodyState.h"
 
 namespace plumbline::simulation {
 

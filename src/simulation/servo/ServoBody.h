@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "robot/Mechanism.h"
-#include "simulation/BodyState.h"
+#include "simulation/physics/BodyState.h"
 #include "simulation/physics/bullet/BulletRows.h"
 #include "simulation/physics/bullet/BulletTypes.h"
 

@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "simspark/LeagueRobots.h"
-#include "simulation/World.h"
 #include "simulation/replay/Fidelity.h"
 #include "simulation/replay/FidelityTable.h"
 #include "simulation/replay/Replay.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "Drive.h"
 #include "math/Random.h"
+#include "simulation/league/MakeWorld.h"
 #include "simulation/servo/mujoco/MujocoModel.h"
 #include "simulation/servo/mujoco/MujocoWorld.h"
 #include "simulation/servo/mujoco/SoftGround.h"

@@ -13,7 +13,7 @@
 
 #include "math/Angle.h"
 #include "simspark/LeagueRobots.h"
-#include "simulation/World.h"
+#include "simulation/league/MakeWorld.h"
 #include "simulation/replay/Fidelity.h"
 #include "simulation/replay/Replay.h"
 

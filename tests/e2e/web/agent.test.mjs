@@ -43,7 +43,7 @@ test('a slider reaches over the range, or over what is usual where the range is 
 });
 
 test('the lines of a field', () => {
-  const field = fieldOf({ length: 30, width: 20, goalWidth: 2.1, goalDepth: 0.6, goalHeight: 0.8, penaltyDepth: 1.8, penaltyWidth: 6, centreCircleRadius: 2, ballRadius: 0.042 });
+  const field = fieldOf({ length: 30, width: 20, goalWidth: 2.1, goalDepth: 0.6, goalHeight: 0.8, goalBarDiameter: 0.04, penaltyDepth: 1.8, penaltyWidth: 6, centreCircleRadius: 2, ballRadius: 0.042 });
   assert.equal(field.lines.length, 11);
   assert.deepEqual(field.circle, [0, 0, 2]);
   assert.ok(field.lines.every((line) => Math.abs(line[0]) <= 15 && Math.abs(line[1]) <= 10));

@@ -4,7 +4,7 @@
 
 #include "ModuleUnderTest.h"
 #include "simspark/LeagueRobots.h"
-#include "simulation/LocalRobot.h"
+#include "simulation/league/LocalRobot.h"
 
 namespace plumbline {
 namespace {

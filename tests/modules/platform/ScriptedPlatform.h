@@ -1,7 +1,7 @@
 #pragma once
 #include "framework/Platform.h"
 #include "simspark/LeagueRobots.h"
-#include "simulation/LocalRobot.h"
+#include "simulation/league/LocalRobot.h"
 
 namespace plumbline::test {
 

@@ -7,9 +7,9 @@
 
 #include "framework/ConfigurationError.h"
 #include "simspark/LeagueRobots.h"
-#include "simulation/LocalRobot.h"
 #include "simulation/effects/EffectTable.h"
 #include "simulation/effects/MotorEffects.h"
+#include "simulation/league/LocalRobot.h"
 
 namespace plumbline::simulation {
 namespace {

@@ -1,4 +1,5 @@
 #include "RefereeFixture.h"
+#include "simulation/referee/rules/Charging.h"
 
 namespace plumbline::simulation {
 namespace {
@@ -128,7 +129,7 @@ TEST_F(Charging, whoDoesNotStandIsNotJudged) {
 }
 
 TEST_F(Charging, isNoFoulIfTheRuleIsOff) {
-  rules.charging.on = false;
+  rules.of<simulation::Charging>().on = false;
   playOn();
   collide(2);
   EXPECT_EQ(fouls(), Fouls{});

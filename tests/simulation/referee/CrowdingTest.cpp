@@ -1,4 +1,5 @@
 #include "RefereeFixture.h"
+#include "simulation/referee/rules/Crowding.h"
 
 namespace plumbline::simulation {
 namespace {
@@ -18,7 +19,7 @@ TEST_F(Crowding, isAllowedInTheLeague) {
 }
 
 TEST_F(Crowding, theSecondAndTheThirdHaveToGoIfTheRuleIsOn) {
-  rules.crowding.on = true;
+  rules.of<simulation::Crowding>().on = true;
   playOn();
   std::map<int, int> called;
   for (const Foul& foul : game.fouls.since(0)) {
@@ -29,7 +30,7 @@ TEST_F(Crowding, theSecondAndTheThirdHaveToGoIfTheRuleIsOn) {
 }
 
 TEST_F(Crowding, withoutAnOpponentNearItIsAllowed) {
-  rules.crowding.on = true;
+  rules.of<simulation::Crowding>().on = true;
   put(opponent, 0, -0.9);
   playOn();
   pass(1);
@@ -37,7 +38,7 @@ TEST_F(Crowding, withoutAnOpponentNearItIsAllowed) {
 }
 
 TEST_F(Crowding, farEnoughIsAllowed) {
-  rules.crowding.on = true;
+  rules.of<simulation::Crowding>().on = true;
   put(second, 0, 0.42);
   put(third, -1.02, 0);
   playOn();
@@ -46,7 +47,7 @@ TEST_F(Crowding, farEnoughIsAllowed) {
 }
 
 TEST_F(Crowding, theTeamThatKicksOffMay) {
-  rules.crowding.on = true;
+  rules.of<simulation::Crowding>().on = true;
   put(second, -0.3, 0.2), put(first, -0.3, 0);
   put(opponent, 5, 5);
   game.setMode(PlayMode::kickOffLeft);

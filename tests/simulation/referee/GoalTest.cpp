@@ -1,4 +1,6 @@
 #include "RefereeFixture.h"
+#include "simulation/referee/rules/BallOut.h"
+#include "simulation/referee/rules/Goal.h"
 
 namespace plumbline::simulation {
 namespace {
@@ -73,7 +75,7 @@ TEST_F(Goal, aFastBallIsJudgedWhereItCrossedTheLine) {
 }
 
 TEST_F(Goal, noneIsCountedIfTheRuleIsOff) {
-  rules.goals.on = rules.ballOut.on = false;
+  rules.of<simulation::Goal>().on = rules.of<simulation::BallOut>().on = false;
   playOn(&striker);
   ball(15.3, 0);
   pass(1);

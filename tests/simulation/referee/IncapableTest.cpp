@@ -1,4 +1,5 @@
 #include "RefereeFixture.h"
+#include "simulation/referee/rules/Incapable.h"
 
 namespace plumbline::simulation {
 namespace {
@@ -104,7 +105,7 @@ TEST_F(Incapable, whileTheGameStandsNothingIsCounted) {
 }
 
 TEST_F(Incapable, isNoFoulIfTheRuleIsOff) {
-  rules.incapable.on = false;
+  rules.of<simulation::Incapable>().on = false;
   put(player, -5, 2, 0.1);
   playOn();
   pass(40);

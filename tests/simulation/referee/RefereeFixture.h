@@ -7,7 +7,6 @@
 #include "../FakeWorld.h"
 #include "math/Angle.h"
 #include "simspark/LeagueRobots.h"
-#include "simulation/Field.h"
 #include "simulation/referee/Referee.h"
 
 namespace plumbline::test {
@@ -51,7 +50,7 @@ protected:
   }
   Vec3 place(const Man& man) const { return world.robots.at(man.robot).torso.pose.translation(); }
   int moves(const Man& man) const { return world.robots.at(man.robot).moves; }
-  void ball(double x, double y, double z = simulation::ballRadius) {
+  void ball(double x, double y, double z = FieldSize().ballRadius) {
     world.ballState.pose = translation(x, y, z);
   }
   Vec3 ball() const { return world.ballState.pose.translation(); }

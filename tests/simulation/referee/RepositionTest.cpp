@@ -18,9 +18,9 @@ protected:
 };
 
 TEST_F(Reposition, placesBesideTheField) {
-  EXPECT_EQ(outsidePlace(Vec3(0, 1, 0), left, 2), Vec3(-3, -10.5, 1));
-  EXPECT_EQ(outsidePlace(Vec3(0, -1, 0), left, 7), Vec3(0, 10.5, 1));
-  EXPECT_EQ(outsidePlace(Vec3(0, -1, 0), right, 11), Vec3(0.6 * -4, 10.5, 1));
+  EXPECT_EQ(outsidePlace({}, Vec3(0, 1, 0), left, 2), Vec3(-3, -10.5, 1));
+  EXPECT_EQ(outsidePlace({}, Vec3(0, -1, 0), left, 7), Vec3(0, 10.5, 1));
+  EXPECT_EQ(outsidePlace({}, Vec3(0, -1, 0), right, 11), Vec3(0.6 * -4, 10.5, 1));
 }
 
 TEST_F(Reposition, somebodyInTheWayMeansAPlaceNextToIt) {

@@ -1,4 +1,5 @@
 #include "RefereeFixture.h"
+#include "simulation/referee/rules/BallOut.h"
 
 namespace plumbline::simulation {
 namespace {
@@ -143,7 +144,7 @@ TEST_F(Restart, aFreeKickIsNotInAPenaltyArea) {
 }
 
 TEST_F(Restart, leavingTheFieldMeansNothingIfTheRuleIsOff) {
-  rules.ballOut.on = false;
+  rules.of<simulation::BallOut>().on = false;
   out(ours, 3, 12);
   pass(3);
   EXPECT_EQ(game.mode, PlayMode::playOn);

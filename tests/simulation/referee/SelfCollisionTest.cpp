@@ -1,4 +1,5 @@
 #include "RefereeFixture.h"
+#include "simulation/referee/rules/SelfCollision.h"
 
 namespace plumbline::simulation {
 namespace {
@@ -78,7 +79,7 @@ TEST_F(SelfCollision, legsThroughEachOther) {
 }
 
 TEST_F(SelfCollision, isNoFoulIfTheRuleIsOff) {
-  rules.selfCollision.on = false;
+  rules.of<simulation::SelfCollision>().on = false;
   playOn();
   armIntoTorso();
   pass(1);
@@ -87,7 +88,7 @@ TEST_F(SelfCollision, isNoFoulIfTheRuleIsOff) {
 }
 
 TEST_F(SelfCollision, theRuleMayPutThemBesideTheFieldInstead) {
-  rules.selfCollision.putOutside = true;
+  rules.of<simulation::SelfCollision>().putOutside = true;
   playOn();
   armIntoTorso();
   pass(0.52);

@@ -1,4 +1,6 @@
 #include "RefereeFixture.h"
+#include "simulation/referee/rules/Charging.h"
+#include "simulation/referee/rules/Touching.h"
 
 namespace plumbline::simulation {
 namespace {
@@ -86,7 +88,7 @@ TEST_F(Touching, isNoFoulWhileTheGameStandsNorIfTheRuleIsOff) {
   touch({{&a, &b}, {&b, &c}, {&c, &d}});
   pass(1);
   EXPECT_EQ(fouls(), Fouls{});
-  rules.touching.on = rules.charging.on = false;
+  rules.of<simulation::Touching>().on = rules.of<simulation::Charging>().on = false;
   Referee lenient(rules, Random(1));
   game.setMode(PlayMode::playOn);
   Observation seen;
@@ -98,7 +100,7 @@ TEST_F(Touching, isNoFoulWhileTheGameStandsNorIfTheRuleIsOff) {
 }
 
 TEST_F(Touching, theRuleMayPutThemBesideTheField) {
-  rules.touching.putOutside = true;
+  rules.of<simulation::Touching>().putOutside = true;
   playOn();
   put(d, 5, 5);
   touch({{&a, &c}});

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "simspark/LeagueRobots.h"
-#include "simulation/World.h"
 #include "simulation/replay/Replay.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 namespace {

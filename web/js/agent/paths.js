@@ -42,7 +42,7 @@ export function fieldOf(d) {
     [sign * (x - depth), half, sign * x, half]];
   return {
     length: d.length, width: d.width, goalWidth: d.goalWidth, goalDepth: d.goalDepth, goalHeight: d.goalHeight,
-    barDiameter: 0.04, ballRadius: d.ballRadius, circle: [0, 0, d.centreCircleRadius],
+    barDiameter: d.goalBarDiameter, ballRadius: d.ballRadius, circle: [0, 0, d.centreCircleRadius],
     lines: [[-x, -y, x, -y], [x, -y, x, y], [x, y, -x, y], [-x, y, -x, -y], [0, -y, 0, y], ...box(1), ...box(-1)],
   };
 }

@@ -36,7 +36,7 @@ FieldMap::FieldMap(const FieldSize& size, bool leftSide) : size_(size) {
   }
   const auto onCircle = [&](int i) {
     const double angle = 2 * pi * i / numCircleSegments;
-    return Vec2(size.circleRadius * std::cos(angle), size.circleRadius * std::sin(angle));
+    return Vec2(size.centreCircleRadius * std::cos(angle), size.centreCircleRadius * std::sin(angle));
   };
   for (int i = 0; i < numCircleSegments; ++i) add(onCircle(i), onCircle(i + 1));
 }

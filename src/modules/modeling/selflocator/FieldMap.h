@@ -2,6 +2,7 @@
 #include <array>
 #include <string_view>
 
+#include "field/FieldSize.h"
 #include "math/Types.h"
 
 namespace plumbline {
@@ -12,11 +13,6 @@ struct FieldSegment {
   Vec2 direction = Vec2::UnitX();
   Vec2 normal = Vec2::UnitY();
   double length = 0;
-};
-
-/// Sizes of the field [m].
-struct FieldSize {
-  double length = 30, width = 20, goalWidth = 2.1, penaltyDepth = 1.8, penaltyWidth = 6, circleRadius = 2;
 };
 
 /// Landmarks and lines of SimSpark's field in the team's frame (opponent goal at +x). The server's names do

@@ -2,30 +2,30 @@
 
 #include <cmath>
 
-#include "simulation/Field.h"
-#include "simulation/referee/rules/Award.h"
+#include "simulation/referee/Award.h"
 
 namespace plumbline::simulation {
 
-bool ballOut(Match& match) {
+MAKE_RULE(BallOut, "ballOut", 60)
+
+void BallOut::play(Match& match) {
+  if (!match.ballInPlay() || match.settled) return;
   const BallWatch& ball = match.ball();
   if (ball.onField()) {
     match.memory.kickPosition = ball.lastOnField();
-    match.memory.kickPosition.z() = ballRadius;
-    return false;
+    match.memory.kickPosition.z() = match.field.ballRadius;
+    return;
   }
+  match.settled = true;
   const TeamSide toucher = ball.lastTouch().side;
-  if (!match.rules.ballOut.on || toucher == TeamSide::none) return true;
-  if (std::fabs(ball.position().x()) < fieldLength / 2) {
-    awardKickIn(match, simspark::opponent(toucher));
-    return true;
-  }
+  if (!match.rules.of<BallOut>().on || toucher == TeamSide::none) return;
+  if (std::fabs(ball.position().x()) < match.field.length / 2)
+    return awardKickIn(match, simspark::opponent(toucher));
   const TeamSide end = ball.position().x() < 0 ? TeamSide::left : TeamSide::right;
   if (toucher == end)
     awardCornerKick(match, simspark::opponent(end));
   else
     awardGoalKick(match, end);
-  return true;
 }
 
 }  // namespace plumbline::simulation

@@ -38,11 +38,11 @@ double angleBetween(const Vec2& a, const Vec2& b) {
 }
 
 /// In the own penalty area, or behind it.
-bool isGoalieAtHome(const Participant& player) {
-  const Area area = penaltyArea(player.side);
+bool isGoalieAtHome(const FieldSize& field, const Participant& player) {
+  const Area area = penaltyArea(field, player.side);
   const Vec2 place = player.place();
   const bool deep = player.side == TeamSide::left ? place.x() <= area.high.x() : place.x() >= area.low.x();
-  return player.goalie() && deep && std::fabs(place.y()) <= penaltyWidth / 2;
+  return player.goalie() && deep && std::fabs(place.y()) <= field.penaltyWidth / 2;
 }
 
 /// What is changed when all collisions have been judged.
@@ -54,13 +54,14 @@ struct Outcome {
 class Judge {
 public:
   Judge(Match& match_, std::vector<Outcome>& outcomes_)
-      : match(match_), rules(match_.rules.charging), outcomes(outcomes_) {}
+      : match(match_), rules(match_.rules.of<Charging>()), outcomes(outcomes_) {}
 
   void judge(const Collision& collision) {
     const auto& players = collision.players;
     for (const Participant* player : players)
       if (player->notStanding != 0 || player->sinceMoved < match.cycles(1) || player->offends()) return;
-    std::array<bool, 2> atHome{isGoalieAtHome(*players[0]), isGoalieAtHome(*players[1])};
+    std::array<bool, 2> atHome{isGoalieAtHome(match.field, *players[0]),
+                               isGoalieAtHome(match.field, *players[1])};
     std::array<bool, 2> charging = headForEachOther(collision);
     for (std::size_t i = 0; i < 2; ++i) charging[i] = charging[i] && isFast(collision, i);
 
@@ -125,19 +126,21 @@ private:
   }
 
   Match& match;
-  const Rules::Charging& rules;
+  const Charging::Parameters& rules;
   std::vector<Outcome>& outcomes;
 };
 
 }  // namespace
 
-void judgeCharging(Match& match) {
-  if (!match.rules.charging.on || match.contacts.empty()) return;
+MAKE_RULE(Charging, "charging", 100)
+
+void Charging::judgeAll(Match& match) {
+  if (!match.rules.of<Charging>().on || match.contacts.empty()) return;
   std::vector<Outcome> outcomes;
   for (const Participant& player : match.participants())
     outcomes.push_back({player.sinceBallTouch, player.sinceCollision});
-  Judge judge(match, outcomes);
-  for (const Collision& collision : collisions(match)) judge.judge(collision);
+  Judge judging(match, outcomes);
+  for (const Collision& collision : collisions(match)) judging.judge(collision);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     Participant& player = match.participants()[i];
     player.sinceBallTouch = outcomes[i].sinceBallTouch;

@@ -1,36 +1,20 @@
 #include "simulation/referee/rules/DoubleTouch.h"
 
-#include "simulation/referee/rules/Award.h"
+#include "simulation/referee/Award.h"
+#include "simulation/referee/TakenKicks.h"
 
 namespace plumbline::simulation {
 
-namespace {
-constexpr double kickDuration = 0.1;  ///< [s]
-}
+MAKE_RULE(DoubleTouch, "doubleTouch", 40)
 
-void kickTaken(Match& match, bool indirect) {
-  match.memory.kick = {true, indirect, match.ball().lastTouch()};
-}
-
-void forgetKick(Match& match) {
-  match.memory.kick.watched = match.memory.kick.indirect = false;
-  for (PassRecord& pass : match.memory.pass) pass.last = Participant::never;
-}
-
-bool stillFromKick(Match& match) {
-  const BallTouch& taker = match.memory.kick.taker;
-  const BallTouch& last = match.ball().lastTouch();
-  return taker.side != TeamSide::none && last.side != TeamSide::none &&
-         last.time - taker.time < kickDuration && last.samePlayer(taker);
-}
-
-bool doubleTouch(Match& match) {
+void DoubleTouch::play(Match& match) {
+  if (!match.ballInPlay() || match.settled) return;
   TakenKick& kick = match.memory.kick;
-  if (!kick.watched || kick.taker.side == TeamSide::none || stillFromKick(match)) return false;
+  if (!kick.watched || kick.taker.side == TeamSide::none || stillFromKick(match)) return;
   kick.watched = kick.indirect = false;
-  if (!match.ball().lastTouch().samePlayer(kick.taker) || !match.rules.restarts.doubleTouch) return false;
+  if (!match.ball().lastTouch().samePlayer(kick.taker) || !match.rules.restarts.doubleTouch) return;
   awardFreeKick(match, simspark::opponent(kick.taker.side), true);
-  return true;
+  match.settled = true;
 }
 
 }  // namespace plumbline::simulation

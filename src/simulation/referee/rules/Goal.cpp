@@ -1,14 +1,15 @@
 #include "simulation/referee/rules/Goal.h"
 
-#include "simulation/Field.h"
-#include "simulation/referee/rules/Award.h"
-#include "simulation/referee/rules/DoubleTouch.h"
-#include "simulation/referee/rules/KickOff.h"
+#include "simulation/referee/Award.h"
+#include "simulation/referee/StartKickOff.h"
+#include "simulation/referee/TakenKicks.h"
 #include "simulation/referee/rules/PassMode.h"
 
 namespace plumbline::simulation {
 
 using simspark::opponent;
+
+MAKE_RULE(Goal, "goals", 50)
 
 namespace {
 
@@ -26,11 +27,9 @@ bool straightFromKick(Match& match, TeamSide goalOf) {
          (match.memory.kick.indirect || match.ball().lastTouch().side == goalOf);
 }
 
-}  // namespace
-
 bool goal(Match& match) {
   const TeamSide goalOf = match.ball().inGoalOf();
-  if (!match.rules.goals.on || goalOf == TeamSide::none) return false;
+  if (!match.rules.of<Goal>().on || goalOf == TeamSide::none) return false;
   const TeamSide scorer = opponent(goalOf);
   const TakenKickOff& kickOff = match.memory.kickOff;
   if (!kickOff.mayScore && kickOff.taker.side == scorer) {
@@ -49,8 +48,18 @@ bool goal(Match& match) {
 void afterGoal(Match& match, TeamSide scorer) {
   clearForKickOff(match, opponent(scorer));
   if (match.game.modeTime() < match.rules.time.goalPause) return;
-  match.placeBall(Vec3(0, 0, ballRadius));
+  match.placeBall(Vec3(0, 0, match.field.ballRadius));
   startKickOff(match, opponent(scorer));
+}
+
+}  // namespace
+
+void Goal::play(Match& match) {
+  if (match.ballInPlay() && !match.settled) match.settled = goal(match);
+  if (const TeamSide scorer = sideOf(match.mode, PlayMode::goalLeft); scorer != TeamSide::none) {
+    match.suspended = true;
+    afterGoal(match, scorer);
+  }
 }
 
 }  // namespace plumbline::simulation

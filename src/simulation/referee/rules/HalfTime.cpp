@@ -18,21 +18,20 @@ void changeSides(Match& match) {
 
 }  // namespace
 
-bool halfTime(Match& match) {
+MAKE_RULE(HalfTime, "halfTime", 10)
+
+void HalfTime::begin(Match& match) {
   const Rules::Time& time = match.rules.time;
   Game& game = match.game;
   if (game.half == 1 && game.time >= time.half) {
-    if (time.singleHalf) {
-      game.setMode(PlayMode::gameOver);
-      return false;
-    }
+    if (time.singleHalf) return game.setMode(PlayMode::gameOver);
     game.setMode(PlayMode::beforeKickOff);
     game.half = 2;
     if (time.changeSides) changeSides(match);
-    return time.changeSides;
+    match.changedEnds = time.changeSides;
+    return;
   }
   if (game.half == 2 && game.time >= 2 * time.half) game.setMode(PlayMode::gameOver);
-  return false;
 }
 
 }  // namespace plumbline::simulation

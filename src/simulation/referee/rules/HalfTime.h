@@ -1,12 +1,14 @@
 #pragma once
-#include "simulation/referee/Match.h"
+#include "simulation/referee/Rule.h"
 
 namespace plumbline::simulation {
 
 /// After 300 s of play the clock stops for the second half's kick-off, after 600 s the game is over; with
 /// singleHalf it is over after 300 s. With changeSides (off in the league, whose agents are not told) teams
 /// change ends between the halves. There is no extra time. (CheckTime, SwapTeamSides)
-/// True if the teams changed ends now.
-bool halfTime(Match& match);
+class HalfTime : public Rule {
+public:
+  void begin(Match& match) override;
+};
 
 }  // namespace plumbline::simulation

@@ -1,21 +1,22 @@
 #pragma once
-#include "simulation/referee/Match.h"
+#include "simulation/referee/Rule.h"
 
 namespace plumbline::simulation {
 
 /// A player asks for pass mode, and gets it if play is on, it is 3 s since its team's last one, nobody of its
 /// team touches the ball, the ball moves by at most 0.05 m/s, the player is within 0.5 m of it and no
-/// opponent within 1 m. (CanActivatePassMode, StartPassMode)
-void askForPass(Match& match, const Participant& player);
+/// opponent within 1 m (CanActivatePassMode, StartPassMode). Pass mode lasts 4 s, or until a player touches
+/// the ball; opponents are put 1.1 m away from it (UpdatePassMode). For 10 s after it the team may not score,
+/// unless the ball has left the circle of 1 m where it lay in pass mode and two of its players have touched
+/// it since (UpdatePassModeScoringCheckValues).
+class PassMode : public Rule {
+public:
+  void passAsked(Match& match, const Participant& player) override;
+  void play(Match& match) override;
+  void afterPlay(Match& match) override;
+  void end(Match& match) override;
+};
 
-/// Pass mode lasts 4 s, or until a player touches the ball; opponents are put 1.1 m away from it. Call
-/// before and after what is judged in play on. (UpdatePassMode)
-void passModeBefore(Match& match, TeamSide side);
-void passModeAfter(Match& match, TeamSide side);
-
-/// For 10 s after it the team may not score, unless the ball has left the circle of 1 m where it lay in pass
-/// mode and two of its players have touched it since. (UpdatePassModeScoringCheckValues)
-void watchPass(Match& match);
 /// How long the side must not score for its pass mode [s]; 0: it may.
 double passScoreWait(Match& match, TeamSide side);
 

@@ -7,14 +7,9 @@ namespace plumbline::simulation {
 
 namespace {
 
-bool alreadyMoved(const Rules& rules, Foul::Kind kind) {
-  return (kind == Foul::Kind::illegalDefence && !rules.illegalDefence.putOutside) ||
-         (kind == Foul::Kind::touching && !rules.touching.putOutside);
-}
-
-void punish(Match& match, Participant& player) {
+void punishPlayer(Match& match, Participant& player) {
   match.game.fouls.add(player.foul, player.side, player.unum);
-  if (alreadyMoved(match.rules, player.foul)) return forgive(match, player);
+  if (player.movedForFoul) return forgive(match, player);
   const Rules::Moves& rules = match.rules.moves;
   if (player.foulCycles <= match.cycles(rules.foulHold)) {
     ++player.foulCycles;
@@ -22,7 +17,7 @@ void punish(Match& match, Participant& player) {
     place.z() = 1 + 0.01 * player.foulCycles;
     return match.move(player, place);
   }
-  Vec3 place = outsidePlace(match.ball().position(), player.side, player.unum);
+  Vec3 place = outsidePlace(match.field, match.ball().position(), player.side, player.unum);
   if (rules.foulHold > 0) place.z() = rules.agentRadius;
   moveSafely(match, player, place);
   forgive(match, player);
@@ -30,10 +25,12 @@ void punish(Match& match, Participant& player) {
 
 }  // namespace
 
-void punishOffenders(Match& match) {
+MAKE_RULE(Penalty, "penalty", 160)
+
+void Penalty::punish(Match& match) {
   for (const TeamSide side : match.sidesInRandomOrder())
     for (Participant* player : match.inRandomOrder(side))
-      if (player->offends()) punish(match, *player);
+      if (player->offends()) punishPlayer(match, *player);
 }
 
 }  // namespace plumbline::simulation

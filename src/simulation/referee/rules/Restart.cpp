@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "simulation/referee/DropBall.h"
 #include "simulation/referee/Reposition.h"
-#include "simulation/referee/rules/DoubleTouch.h"
-#include "simulation/referee/rules/DropBall.h"
+#include "simulation/referee/TakenKicks.h"
 
 namespace plumbline::simulation {
 
@@ -28,16 +28,16 @@ constexpr Kind kinds[] = {{PlayMode::kickInLeft, true},
 /// line.
 bool hasLeftArea(Match& match, TeamSide side) {
   const Vec2 ball = match.ball().position().head<2>();
-  if (penaltyArea(side).contains(ball)) return false;
-  return !match.ball().onField() || std::fabs(ball.y()) > penaltyWidth / 2 ||
-         sign(side) * ball.x() < fieldLength / 2 - penaltyDepth;
+  if (penaltyArea(match.field, side).contains(ball)) return false;
+  return !match.ball().onField() || std::fabs(ball.y()) > match.field.penaltyWidth / 2 ||
+         sign(side) * ball.x() < match.field.length / 2 - match.field.penaltyDepth;
 }
 
 void keepOpponentsAway(Match& match, const Kind& kind, TeamSide side) {
   const Rules::Restarts& rules = match.rules.restarts;
   if (!rules.keepDistance) return;
   if (kind.left == PlayMode::goalKickLeft)
-    clearArea(match, penaltyArea(side), rules.moveDistance, opponent(side));
+    clearArea(match, penaltyArea(match.field, side), rules.moveDistance, opponent(side));
   else
     clearCircle(match, match.memory.kickPosition, rules.distance, rules.moveDistance, opponent(side));
 }
@@ -58,7 +58,7 @@ void restart(Match& match, const Kind& kind, TeamSide side) {
   }
   forgetKick(match);
   if (kind.left == PlayMode::freeKickLeft || kind.left == PlayMode::directFreeKickLeft)
-    memory.kickPosition = outOfPenaltyAreas(memory.kickPosition);
+    memory.kickPosition = outOfPenaltyAreas(match.field, memory.kickPosition);
   keepOpponentsAway(match, kind, side);
   if (time.dropBall > 0 && match.game.modeTime() > time.dropBall) return dropBall(match, memory.kickPosition);
   const bool touched = match.ball().touchedSince(match.game.lastModeChange + time.kickPause + touchDelay) &&
@@ -71,9 +71,11 @@ void restart(Match& match, const Kind& kind, TeamSide side) {
 
 }  // namespace
 
-void restart(Match& match) {
+MAKE_RULE(Restart, "restart", 70)
+
+void Restart::play(Match& match) {
   for (const Kind& kind : kinds)
-    if (const TeamSide side = sideOf(match.game.mode, kind.left); side != TeamSide::none)
+    if (const TeamSide side = sideOf(match.mode, kind.left); side != TeamSide::none)
       return restart(match, kind, side);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "simulation/referee/Match.h"
+#include "simulation/referee/Rule.h"
 
 namespace plumbline::simulation {
 
@@ -9,6 +9,9 @@ namespace plumbline::simulation {
 /// kick is over when the ball has left the penalty area. A free kick is not in a penalty area but at its
 /// corner. Kick-ins and free kicks are indirect. (UpdateKickIn, UpdateFreeKick, UpdateGoalKick,
 /// UpdateCornerKick)
-void restart(Match& match);
+class Restart : public Rule {
+public:
+  void play(Match& match) override;
+};
 
 }  // namespace plumbline::simulation

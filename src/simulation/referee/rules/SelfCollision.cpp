@@ -81,7 +81,7 @@ Limb limbOf(const RobotModel& model, int link) {
 
 /// True if a joint of the limb is frozen that was free.
 bool freeze(Match& match, Participant& player, const Limb& limb) {
-  const Rules::SelfCollision& rules = match.rules.selfCollision;
+  const SelfCollision::Parameters& rules = match.rules.of<SelfCollision>();
   bool any = false;
   for (int joint = limb.first; joint <= limb.last; ++joint) {
     double& last = player.lastFrozen[static_cast<std::size_t>(joint)];
@@ -94,7 +94,7 @@ bool freeze(Match& match, Participant& player, const Limb& limb) {
 }
 
 void punish(Match& match, Participant& player, const Box& a, const Box& b) {
-  const Rules::SelfCollision& rules = match.rules.selfCollision;
+  const SelfCollision::Parameters& rules = match.rules.of<SelfCollision>();
   if (rules.putOutside) {
     if (match.game.time - player.lastSelfCollision <= rules.cooldown) return;
     player.lastSelfCollision = match.game.time;
@@ -107,25 +107,29 @@ void punish(Match& match, Participant& player, const Box& a, const Box& b) {
 
 }  // namespace
 
-void judgeSelfCollisions(Match& match) {
-  if (!match.rules.selfCollision.on) return;
+MAKE_RULE(SelfCollision, "selfCollision", 110)
+
+void SelfCollision::judgeAll(Match& match) {
+  const Parameters& rules = match.rules.of<SelfCollision>();
+  if (!rules.on) return;
   for (Participant& player : match.participants()) {
     const std::vector<Box> boxes = boxesOf(match, player);
     for (std::size_t i = 0; i < boxes.size(); ++i)
       for (std::size_t j = i + 1; j < boxes.size(); ++j)
-        if (collide(boxes[i], boxes[j], match.rules.selfCollision.tolerance) &&
+        if (collide(boxes[i], boxes[j], rules.tolerance) &&
             !exempt(*player.model, boxes[i].link, boxes[j].link))
           punish(match, player, boxes[i], boxes[j]);
   }
 }
 
-void thawJoints(Match& match, bool all) {
+void SelfCollision::end(Match& match) {
+  const Parameters& rules = match.rules.of<SelfCollision>();
+  const bool all = match.suspended;
   for (Participant& player : match.participants()) {
     for (std::size_t joint = 0; joint < numJoints; ++joint) {
       const double since = match.game.time - player.lastFrozen[joint];
-      if (all || since >= match.rules.selfCollision.frozen) player.frozen->reset(joint);
-      if (all || since >= match.rules.selfCollision.frozen + match.rules.selfCollision.thaw)
-        player.lastFrozen[joint] = Participant::never;
+      if (all || since >= rules.frozen) player.frozen->reset(joint);
+      if (all || since >= rules.frozen + rules.thaw) player.lastFrozen[joint] = Participant::never;
     }
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-#include "simulation/referee/Match.h"
+#include "simulation/referee/Rule.h"
 
 namespace plumbline::simulation {
 
@@ -8,8 +8,20 @@ namespace plumbline::simulation {
 /// frozen again; the torso has none. A box and the one it hangs on are not looked at. As on the league's
 /// server two boxes with an edge of each in the same direction never collide. Each such event is reported as
 /// a foul. (AnalyseSelfCollisionFouls, BoxCollider::CheckCollisions, UpdateSelfCollisions)
-void judgeSelfCollisions(Match& match);
-/// Thaws joints whose second is over; all: whatever the time is.
-void thawJoints(Match& match, bool all);
+class SelfCollision : public Rule {
+public:
+  struct Parameters {
+    PARAMETERS(Parameters)
+    PARAMETER(bool, on, true, "", {}, "whether limbs freeze")
+    PARAMETER(double, tolerance, 0.04, "m", Range::atLeast(0), "how far boxes may sink into each other")
+    PARAMETER(double, frozen, 1, "s", Range::atLeast(0), "joints of such limbs take no speed")
+    PARAMETER(double, thaw, 2, "s", Range::atLeast(0), "and cannot be frozen again")
+    PARAMETER(bool, putOutside, false, "", {}, "instead of freezing")
+    PARAMETER(double, cooldown, 10, "s", Range::atLeast(0), "between two such")
+  };
+  void judgeAll(Match& match) override;
+  /// Thaws joints whose time is over; all while play is suspended.
+  void end(Match& match) override;
+};
 
 }  // namespace plumbline::simulation

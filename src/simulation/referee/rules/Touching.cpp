@@ -46,8 +46,9 @@ private:
 };
 
 void punish(Match& match, Participant& player, const Vec2& middle) {
-  player.commit(Foul::Kind::touching);
-  if (match.rules.touching.putOutside) return;
+  const bool outside = match.rules.of<Touching>().putOutside;
+  player.commit(Foul::Kind::touching, !outside);
+  if (outside) return;
   const Vec2 way = player.place() - middle;
   const Vec2 direction = way.norm() > 0 ? Vec2(way.normalized()) : Vec2(sign(player.side), 0);
   Vec3 place = player.torso.pose.translation();
@@ -73,18 +74,18 @@ Participant* culprit(Match& match, Participant& player, Group group, Vec2& middl
     ++innocent;
     middle += member->place();
     if (member->side == player.side) ++mates;
-    if (!member->goalie() || match.rules.touching.maxGroup < 2)
+    if (!member->goalie() || match.rules.of<Touching>().maxGroup < 2)
       (member->side == player.side ? mate : other) = member;
   }
-  if (innocent <= match.rules.touching.maxGroup) return nullptr;
+  if (innocent <= match.rules.of<Touching>().maxGroup) return nullptr;
   middle /= innocent;
   if (mates < static_cast<int>(group.size()) - mates) return other;
-  return player.goalie() && match.rules.touching.maxGroup > 1 ? mate : &player;
+  return player.goalie() && match.rules.of<Touching>().maxGroup > 1 ? mate : &player;
 }
 
 void judge(Match& match, Groups& groups, TeamSide side, bool onlyNewcomers) {
   const auto tooLarge = [&](const Group& group) {
-    return static_cast<int>(group.size()) > match.rules.touching.maxGroup;
+    return static_cast<int>(group.size()) > match.rules.of<Touching>().maxGroup;
   };
   for (Participant* player : match.inRandomOrder(side)) {
     Group& group = groups.of(*player);
@@ -107,8 +108,10 @@ void judge(Match& match, Groups& groups, TeamSide side, bool onlyNewcomers) {
 
 }  // namespace
 
-void judgeTouching(Match& match) {
-  if (!match.rules.touching.on) return;
+MAKE_RULE(Touching, "touching", 150)
+
+void Touching::judgeGroups(Match& match) {
+  if (!match.rules.of<Touching>().on) return;
   if (match.contacts.empty()) {
     for (Participant& player : match.participants()) player.lastGroupSize = 1;
     return;

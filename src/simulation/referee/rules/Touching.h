@@ -1,5 +1,5 @@
 #pragma once
-#include "simulation/referee/Match.h"
+#include "simulation/referee/Rule.h"
 
 namespace plumbline::simulation {
 
@@ -7,6 +7,15 @@ namespace plumbline::simulation {
 /// last is called for it, if its team has at least half of them, otherwise one of the opponents; never a
 /// goalie. Unless such players go beside the field, it is put 0.4 m away from the others' middle.
 /// (AgentCollisionHandler, AnalyseTouchGroups, PenalizeTouchingFoul)
-void judgeTouching(Match& match);
+class Touching : public Rule {
+public:
+  struct Parameters {
+    PARAMETERS(Parameters)
+    PARAMETER(bool, on, true, "", {}, "whether it is a foul")
+    PARAMETER(int, maxGroup, 2, "", Range(1, 22), "players who touch each other")
+    PARAMETER(bool, putOutside, false, "", {}, "of the field, instead of away from the others")
+  };
+  void judgeGroups(Match& match) override;
+};
 
 }  // namespace plumbline::simulation

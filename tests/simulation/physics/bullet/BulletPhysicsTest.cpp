@@ -4,7 +4,7 @@
 
 #include "math/Angle.h"
 #include "simspark/LeagueRobots.h"
-#include "simulation/World.h"
+#include "simulation/league/MakeWorld.h"
 
 namespace plumbline::simulation {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "simspark/LeagueRobots.h"
-#include "simulation/World.h"
+#include "simulation/league/MakeWorld.h"
 #include "simulation/physics/Physics.h"
 
 namespace plumbline::simulation {

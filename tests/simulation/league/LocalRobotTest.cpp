@@ -1,4 +1,4 @@
-#include "simulation/LocalRobot.h"
+#include "simulation/league/LocalRobot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,10 @@
-#include "simulation/LocalRobot.h"
+#include "simulation/league/LocalRobot.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "simulation/league/MakeWorld.h"
 
 namespace plumbline::simulation {
 

@@ -1,16 +1,16 @@
-#include "simulation/referee/rules/DropBall.h"
+#include "simulation/referee/DropBall.h"
 
 #include <cmath>
 
 #include "simulation/referee/Reposition.h"
-#include "simulation/referee/rules/DoubleTouch.h"
+#include "simulation/referee/TakenKicks.h"
 
 namespace plumbline::simulation {
 
 void dropBall(Match& match, Vec3 place) {
-  place = outOfPenaltyAreas(place);
-  if (std::fabs(place.y()) >= fieldWidth / 2)
-    place.y() = std::copysign(fieldWidth / 2 - ballRadius, place.y());
+  place = outOfPenaltyAreas(match.field, place);
+  if (std::fabs(place.y()) >= match.field.width / 2)
+    place.y() = std::copysign(match.field.width / 2 - match.field.ballRadius, place.y());
   match.placeBall(place);
   const Rules::Restarts& rules = match.rules.restarts;
   if (rules.keepDistance)

@@ -1,4 +1,4 @@
-#include "simulation/effects/EffectFile.h"
+#include "simulation/world/EffectFile.h"
 
 #include <cstdio>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "simulation/referee/rules/Award.h"
+#include "simulation/referee/Award.h"
 
 #include "simulation/referee/Areas.h"
 
@@ -15,21 +15,21 @@ void award(Match& match, PlayMode left, TeamSide side) {
 
 void awardGoalKick(Match& match, TeamSide side) {
   match.memory.kickPosition =
-      Vec3(sign(side) * (fieldLength / 2 - match.rules.restarts.goalKick), 0, ballRadius);
+      Vec3(sign(side) * (match.field.length / 2 - match.rules.restarts.goalKick), 0, match.field.ballRadius);
   award(match, PlayMode::goalKickLeft, side);
 }
 
 void awardCornerKick(Match& match, TeamSide side) {
-  const double y = (fieldWidth + goalWidth) / 4 - ballRadius;
-  match.memory.kickPosition = Vec3(-sign(side) * (fieldLength / 2 - ballRadius),
-                                   match.ball().position().y() > 0 ? y : -y, ballRadius);
+  const double y = (match.field.width + match.field.goalWidth) / 4 - match.field.ballRadius;
+  match.memory.kickPosition = Vec3(-sign(side) * (match.field.length / 2 - match.field.ballRadius),
+                                   match.ball().position().y() > 0 ? y : -y, match.field.ballRadius);
   award(match, PlayMode::cornerKickLeft, side);
 }
 
 void awardKickIn(Match& match, TeamSide side) {
   const Vec3& last = match.ball().lastOnField();
-  const double y = fieldWidth / 2 - ballRadius;
-  match.memory.kickPosition = Vec3(last.x(), last.y() > 0 ? y : -y, ballRadius);
+  const double y = match.field.width / 2 - match.field.ballRadius;
+  match.memory.kickPosition = Vec3(last.x(), last.y() > 0 ? y : -y, match.field.ballRadius);
   award(match, PlayMode::kickInLeft, side);
 }
 

@@ -1,13 +1,14 @@
-#include "simulation/SoccerWorld.h"
+#include "simulation/league/SoccerWorld.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "simulation/Field.h"
-#include "simulation/LeaguePhysics.h"
 #include "simulation/effects/EffectTable.h"
 #include "simulation/effects/EffectsWorld.h"
+#include "simulation/league/FieldObstacles.h"
+#include "simulation/league/LeaguePhysics.h"
+#include "simulation/league/MakeWorld.h"
 
 namespace plumbline::simulation {
 
@@ -38,9 +39,9 @@ void SoccerWorld::reset() {
   gravityForce = settings.gravity;
   physics = makePhysics(config.engine, settings);
   physics->addGround(material::ground);
-  for (const FieldObstacle& obstacle : fieldObstacles())
+  for (const FieldObstacle& obstacle : fieldObstacles(config.field))
     physics->addStatic(obstacle.shape, obstacle.T_world_shape, material::obstacle);
-  ballHandle = physics->addAssembly(leagueBall(), translation(0, 0, ballRadius));
+  ballHandle = physics->addAssembly(leagueBall(config.field), translation(0, 0, config.field.ballRadius));
 }
 
 RobotHandle SoccerWorld::addRobot(const RobotModel& model, const Pose3& T_world_torso) {

@@ -1,15 +1,15 @@
 #pragma once
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "field/FieldSize.h"
 #include "math/Pose2.h"
 #include "math/Types.h"
 #include "robot/RobotModel.h"
-#include "simulation/BodyState.h"
-#include "simulation/effects/EffectFile.h"
+#include "simulation/physics/BodyState.h"
+#include "simulation/world/EffectFile.h"
 
 namespace plumbline::simulation {
 
@@ -56,6 +56,7 @@ struct WorldConfig {
   double frictionCoefficient = 1;
   bool selfCollision = false;  ///< off in effect on the league's server
   LeagueNumbers numbers;
+  FieldSize field;
   /// What the robots and the ground have and their models have not (simulation/effects/); makeWorld throws
   /// ConfigurationError for those that cannot be here.
   std::vector<EffectSetting> effects;
@@ -109,8 +110,5 @@ public:
   /// Every point where two robots touched each other in the last step.
   virtual const std::vector<RobotContact>& robotContacts() const = 0;
 };
-
-/// Errors: std::invalid_argument for an unknown engine (names those there are).
-std::unique_ptr<World> makeWorld(const WorldConfig& config = {});
 
 }  // namespace plumbline::simulation

@@ -1,10 +1,10 @@
-#include "simulation/LeaguePhysics.h"
+#include "simulation/league/LeaguePhysics.h"
 
 #include <optional>
 
-#include "simulation/Field.h"
 #include "simulation/effects/BodyEffects.h"
 #include "simulation/effects/GroundEffects.h"
+#include "simulation/league/FieldObstacles.h"
 
 namespace plumbline::simulation {
 
@@ -111,13 +111,13 @@ Assembly leagueRobot(const RobotModel& model, const WorldConfig& config) {
   return assembly;
 }
 
-Assembly leagueBall() {
+Assembly leagueBall(const FieldSize& field) {
   BodySpec body;
   body.mass = ballMass;
-  body.inertia = Mat3::Identity() * (0.4 * ballMass * ballRadius * ballRadius);
+  body.inertia = Mat3::Identity() * (0.4 * ballMass * field.ballRadius * field.ballRadius);
   body.shape.emplace();
   body.shape->kind = Shape::Kind::sphere;
-  body.shape->size.x() = ballRadius;
+  body.shape->size.x() = field.ballRadius;
   body.material = material::ball;
   body.linearDrag = 0.01;
   body.angularDrag = 5e-5;

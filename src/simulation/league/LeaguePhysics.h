@@ -1,7 +1,7 @@
 #pragma once
 #include "robot/RobotModel.h"
-#include "simulation/World.h"
 #include "simulation/physics/Physics.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 
@@ -17,7 +17,7 @@ PhysicsConfig leaguePhysics(const WorldConfig& config);
 /// centre of mass.
 Assembly leagueRobot(const RobotModel& model, const WorldConfig& config);
 
-/// The ball as a single body.
-Assembly leagueBall();
+/// The ball as a single body, of a field with its radius.
+Assembly leagueBall(const FieldSize& field);
 
 }  // namespace plumbline::simulation

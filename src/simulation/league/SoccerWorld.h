@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "simulation/World.h"
 #include "simulation/physics/Physics.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 

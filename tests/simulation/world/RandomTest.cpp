@@ -1,4 +1,4 @@
-#include "simulation/Random.h"
+#include "simulation/world/Random.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "simulation/SoccerWorld.h"
+#include "simulation/league/SoccerWorld.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "math/Angle.h"
 #include "simspark/LeagueRobots.h"
-#include "simulation/Field.h"
+#include "simulation/league/MakeWorld.h"
 
 namespace plumbline::simulation {
 namespace {
@@ -150,7 +150,7 @@ TEST(SoccerWorld, moveKeepsThePosture) {
 
 TEST(SoccerWorld, ballRollsAndIsStoppedByGoalAndWall) {
   const auto world = makeWorld();
-  world->setBall({0, 0, ballRadius}, {3, 0, 0});
+  world->setBall({0, 0, FieldSize().ballRadius}, {3, 0, 0});
   run(*world, 250);
   EXPECT_NEAR(world->ball().pose.translation().x(), 2.0213, 1e-4);
   EXPECT_NEAR(world->ball().pose.translation().z(), 0.04027, 1e-5);
@@ -182,7 +182,7 @@ TEST(SoccerWorld, tellsWhoTouchedTheBall) {
   const auto world = makeWorld();
   world->addRobot(simsparkRobot(0), translation(3, 0, 0.385));
   const RobotHandle robot = world->addRobot(simsparkRobot(0), translation(-0.5, 0, 0.385));
-  world->setBall({0.2, -0.055, ballRadius}, {-3, 0, 0});
+  world->setBall({0.2, -0.055, FieldSize().ballRadius}, {-3, 0, 0});
   bool touched = false;
   for (int i = 0; i < 30; ++i) {
     world->step();
@@ -256,7 +256,7 @@ TEST(SoccerWorld, aRemovedRobotLeavesNothingBehind) {
   const RobotHandle robot = world->addRobot(simsparkRobot(0), translation(0, 0, 0.385));
   run(*world, 5);
   world->removeRobot(robot);
-  world->setBall({-0.5, 0, ballRadius}, {3, 0, 0});
+  world->setBall({-0.5, 0, FieldSize().ballRadius}, {3, 0, 0});
   run(*world, 250);
   EXPECT_NEAR(world->ball().pose.translation().x(), 1.5213, 1e-3) << "nobody in its way";
   EXPECT_THROW(world->torso(robot), std::out_of_range);

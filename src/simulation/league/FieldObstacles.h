@@ -1,0 +1,24 @@
+#pragma once
+#include <vector>
+
+#include "field/FieldSize.h"
+#include "math/Types.h"
+#include "robot/RobotModel.h"
+
+namespace plumbline::simulation {
+
+constexpr double ballMass = 0.026;  ///< of the league's ball [kg]
+constexpr double gravity = 9.81;    ///< of the league's server [m/s^2]
+
+/// A shape that stands on the field and never moves.
+struct FieldObstacle {
+  Shape shape;
+  Pose3 T_world_shape;
+};
+
+/// The sides, back and top of both goals and the walls around the field: half a metre high, their inner faces
+/// 0.333 of its length, less half a metre, behind the goal lines and 0.75 of its width, less half a metre,
+/// beside the side lines (soccer.rsg; 9.49 m and 14.5 m on the league's field).
+std::vector<FieldObstacle> fieldObstacles(const FieldSize& field);
+
+}  // namespace plumbline::simulation

@@ -1,0 +1,20 @@
+#include "simulation/referee/RuleParameters.h"
+
+#include <vector>
+
+namespace plumbline::simulation {
+
+bool RuleParameters::operator==(const RuleParameters& other) const {
+  if (list_ != other.list_) return false;
+  std::vector<ParameterValue> ours, theirs;
+  const auto collectInto = [](std::vector<ParameterValue>& all) {
+    return [&all](const std::string&, const Parameter&, const ParameterPointer& pointer) {
+      all.push_back(parameterValue(pointer));
+    };
+  };
+  list_->visit(values->owner(), collectInto(ours));
+  list_->visit(other.values->owner(), collectInto(theirs));
+  return ours == theirs;
+}
+
+}  // namespace plumbline::simulation

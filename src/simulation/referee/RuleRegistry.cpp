@@ -1,0 +1,31 @@
+#include "simulation/referee/RuleRegistry.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <tuple>
+
+namespace plumbline::simulation {
+
+namespace {
+
+std::vector<RuleEntry>& registered() {
+  static std::vector<RuleEntry> rules;
+  return rules;
+}
+
+}  // namespace
+
+RuleLoader::RuleLoader(RuleEntry entry) {
+  std::vector<RuleEntry>& rules = registered();
+  if (std::ranges::count(rules, entry.name, &RuleEntry::name) > 0) {
+    std::fprintf(stderr, "two rules with the name %s are linked into this program\n", entry.name.c_str());
+    std::exit(2);
+  }
+  const auto place = [](const RuleEntry& rule) { return std::tie(rule.order, rule.name); };
+  rules.insert(std::ranges::upper_bound(rules, place(entry), {}, place), std::move(entry));
+}
+
+const std::vector<RuleEntry>& registeredRules() { return registered(); }
+
+}  // namespace plumbline::simulation
