@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "framework/ConfigurationError.h"
+#include "robot/JointStream.h"
 #include "robot/RobotModel.h"
 #include "simspark/AgentCommand.h"
 #include "simspark/LeagueRobots.h"
@@ -40,7 +41,7 @@ void SimSparkPlatform::check() const {
   const bool printable = std::all_of(options_->token.begin(), options_->token.end(),
                                      [](char c) { return c > ' ' && c <= '~' && c != '(' && c != ')'; });
   // A type that there is not is told before anything else starts.
-  simsparkRobot(options_->type);
+  streamJointsOf(simsparkRobot(options_->type));
   if (!printable) throw ConfigurationError("--token has bytes that no token has");
 }
 

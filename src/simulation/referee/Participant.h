@@ -9,7 +9,7 @@
 
 namespace plumbline::simulation {
 
-using JointSet = std::bitset<numJoints>;
+using JointSet = std::bitset<maxJoints>;
 
 /// Who is on the field. `frozen` are the joints that take no speed; the referee sets them.
 struct Member {
@@ -47,7 +47,7 @@ struct Participant : Member {
   Foul::Kind foul = Foul::Kind::none;
   int foulCycles = 0;
   /// Game times [s].
-  std::array<double, numJoints> lastFrozen;
+  JointArray lastFrozen;
   double lastSelfCollision = never;
 
   int lastGroupSize = 1;  ///< of those who touched each other, in the cycle before

@@ -121,7 +121,7 @@ void judgeSelfCollisions(Match& match) {
 
 void thawJoints(Match& match, bool all) {
   for (Participant& player : match.participants()) {
-    for (std::size_t joint = 0; joint < numJoints; ++joint) {
+    for (std::size_t joint = 0; joint < maxJoints; ++joint) {
       const double since = match.game.time - player.lastFrozen[joint];
       if (all || since >= match.rules.selfCollision.frozen) player.frozen->reset(joint);
       if (all || since >= match.rules.selfCollision.frozen + match.rules.selfCollision.thaw)
