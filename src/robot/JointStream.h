@@ -11,7 +11,7 @@ namespace plumbline {
 const std::vector<JointId>& streamedJoints();
 /// The joints that such streams carry for a robot.
 std::vector<JointId> streamedJointsOf(const RobotModel& robot);
-/// To be called once, before anything streams: by the platform, which knows the robot.
+/// To be called once, before anything streams: by the program, with the robot that its platform gives.
 void streamJointsOf(const RobotModel& robot);
 
 template <typename T>

@@ -84,11 +84,12 @@ TEST(OwnJoints, moreThanThereIsRoomForIsAnError) {
 }
 
 TEST(OwnJoints, namesOfASide) {
-  for (const auto& [left, right] : {std::pair("LWrist", "RWrist"),
-                                    {"arm_l", "arm_r"},
-                                    {"FL_hip", "FR_hip"},
-                                    {"RL_hip", "RR_hip"},
-                                    {"LeftElbow", "RightElbow"}}) {
+  const std::vector<std::pair<const char*, const char*>> sides = {{"LWrist", "RWrist"},
+                                                                  {"arm_l", "arm_r"},
+                                                                  {"FL_hip", "FR_hip"},
+                                                                  {"RL_hip", "RR_hip"},
+                                                                  {"LeftElbow", "RightElbow"}};
+  for (const auto& [left, right] : sides) {
     EXPECT_TRUE(isLeftOf(left, right)) << left;
     EXPECT_FALSE(isLeftOf(right, left)) << left;
   }

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "framework/ConfigurationError.h"
-#include "robot/JointStream.h"
 #include "robot/RobotModel.h"
 #include "simspark/AgentCommand.h"
 #include "simspark/LeagueRobots.h"
@@ -41,7 +40,7 @@ void SimSparkPlatform::check() const {
   const bool printable = std::all_of(options_->token.begin(), options_->token.end(),
                                      [](char c) { return c > ' ' && c <= '~' && c != '(' && c != ')'; });
   // A type that there is not is told before anything else starts.
-  streamJointsOf(simsparkRobot(options_->type));
+  simsparkRobot(options_->type);
   if (!printable) throw ConfigurationError("--token has bytes that no token has");
 }
 
