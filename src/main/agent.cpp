@@ -23,6 +23,7 @@
 #include "modules/infrastructure/DebugModule.h"
 #include "modules/infrastructure/StatusReport.h"
 #include "pages/AgentPage.h"
+#include "robot/JointStream.h"
 
 // bin/agent: one robot, on the platform that the command line names.
 
@@ -186,6 +187,7 @@ int runAgent(const Options& options, const Platform& platform) {
   LogBuffer::instance().setVerbose(options.verbose);
   const auto tell = [](const std::string& line) { fmt::print(stderr, "agent: {}\n", line); };
   platform.addObjects(controller.objects(), tell);
+  if (const auto* robot = controller.objects().find<RobotModel>()) streamJointsOf(*robot);
   controller.objects().set(std::make_shared<MotionToPlay>(MotionToPlay{options.motion, options.motionOnce}));
   controller.objects().set(std::make_shared<FieldChoice>(FieldChoice{options.field}));
   controller.objects().set(std::make_shared<StatusOptions>(StatusOptions{options.status}));

@@ -21,7 +21,7 @@ void KeyframePlayer::start(const KeyframeMotion& motion_, const JointArray& from
 void KeyframePlayer::enter() {
   begin = current;
   if (finished()) return;
-  for (int j = 0; j < numJoints; ++j) touched[j] = touched[j] || motion.keyframes[index].set[j];
+  for (int j = 0; j < maxJoints; ++j) touched[j] = touched[j] || motion.keyframes[index].set[j];
 }
 
 void KeyframePlayer::step(double seconds, bool still) {
@@ -29,7 +29,7 @@ void KeyframePlayer::step(double seconds, bool still) {
   while (!finished()) {
     const Keyframe& frame = motion.keyframes[index];
     const double ratio = elapsed + rounding >= frame.seconds ? 1 : elapsed / frame.seconds;
-    for (int j = 0; j < numJoints; ++j)
+    for (int j = 0; j < maxJoints; ++j)
       if (frame.set[j]) current[j] = begin[j] + ratio * (frame.angles[j] - begin[j]);
     if (ratio < 1) return;
     const bool settled = still || elapsed + rounding >= frame.seconds + frame.settleSeconds;

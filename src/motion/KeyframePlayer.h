@@ -17,7 +17,7 @@ public:
   bool finished() const { return index >= motion.keyframes.size(); }
   const JointArray& angles() const { return current; }
   /// The joints the motion has moved so far.
-  const std::array<bool, numJoints>& joints() const { return touched; }
+  const JointFlags& joints() const { return touched; }
   std::size_t keyframe() const { return index; }
 
 private:
@@ -27,7 +27,7 @@ private:
   std::size_t index = 0;
   double elapsed = 0;  ///< since the keyframe's start, settling included [s]
   JointArray begin{}, current{};
-  std::array<bool, numJoints> touched{};
+  JointFlags touched{};
 };
 
 }  // namespace plumbline::motion

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "framework/ConfigurationError.h"
@@ -30,11 +31,13 @@ std::string shortNumber(double value) {
 }
 
 /// Everything a key of a keyframe can be, besides a single joint: a name without its side means both.
-std::vector<std::string> keyframeWords() {
+std::vector<std::string> keyframeWords(const RobotModel& robot) {
   std::vector<std::string> words = {"time", "settle", "ballX", "ballY"};
-  for (std::string_view name : jointNames) {
-    words.emplace_back(name);
-    if (name.front() == 'L') words.emplace_back(name.substr(1));
+  for (int j = 0; j < maxJoints; ++j) {
+    const auto joint = static_cast<JointId>(j);
+    if (joint >= numHumanoidJoints && !robot.has(joint)) continue;
+    words.emplace_back(robot.jointName(joint));
+    if (const std::string both = bothSides(robot, joint); !both.empty()) words.push_back(both);
   }
   return words;
 }
@@ -155,10 +158,10 @@ private:
       } else if (key == "ballX" || key == "ballY") {
         if (!value.IsMap()) fail(value, key, "has to map joints to degrees per metre");
         forEachKey(value, [&](const std::string& name, const YAML::Node& nameNode, const YAML::Node& gain) {
-          const JointId joint = jointByName(name);
-          if (joint == numJoints || !robot.has(joint)) failJoint(nameNode, name);
-          gains[joint].joint = joint;
-          gains[joint].gain[key == "ballX" ? 0 : 1] = fromDegrees(readNumber(gain, name));
+          const std::optional<JointId> joint = robot.joint(name);
+          if (!joint) failJoint(nameNode, name);
+          gains[*joint].joint = *joint;
+          gains[*joint].gain[key == "ballX" ? 0 : 1] = fromDegrees(readNumber(gain, name));
         });
       } else {
         readJoint(key, keyNode, value, frame);
@@ -167,40 +170,39 @@ private:
     if (!hasTime) fail(node, "time", "missing; give the seconds from the keyframe before");
     for (const auto& [joint, gain] : gains) {
       if (!frame.set[joint])
-        fail(node, std::string(jointNames[joint]), "has a gain for the ball, but no angle in this keyframe");
+        fail(node, nameOf(joint), "has a gain for the ball, but no angle in this keyframe");
       frame.ballGains.push_back(gain);
     }
     return frame;
   }
 
   [[noreturn]] void failJoint(const YAML::Node& node, const std::string& name) const {
-    if (jointByName(name) != numJoints || jointByName("L" + name) != numJoints)
+    if (humanoidJoint(name) != noJoint || humanoidJoint("L" + name) != noJoint)
       fail(node, name, "robot " + robot.name + " has no such joint");
-    fail(node, name, "unknown joint" + suggestion(name, keyframeWords()));
+    fail(node, name, "unknown joint" + suggestion(name, keyframeWords(robot)));
   }
+
+  std::string nameOf(JointId joint) const { return std::string(robot.jointName(joint)); }
 
   void readJoint(const std::string& key, const YAML::Node& keyNode, const YAML::Node& value,
                  Keyframe& frame) const {
-    const JointId one = jointByName(key);
-    const JointId left = one == numJoints ? jointByName("L" + key) : numJoints;
-    const JointId first = one == numJoints ? left : one;
-    if (first == numJoints || !robot.has(first)) failJoint(keyNode, key);
+    const std::optional<JointId> one = robot.joint(key), left = robot.joint("L" + key);
+    if (!one && (!left || bothSides(robot, *left).empty())) failJoint(keyNode, key);
     const double degrees = readNumber(value, key);
-    setJoint(first, degrees, value, key, frame);
-    if (left != numJoints) setJoint(mirrored(left), mirrorSign(left) * degrees, value, key, frame);
+    setJoint(one ? *one : *left, degrees, value, key, frame);
+    if (!one) setJoint(mirrored(*left), mirrorSign(*left) * degrees, value, key, frame);
   }
 
   void setJoint(JointId joint, double degrees, const YAML::Node& value, const std::string& key,
                 Keyframe& frame) const {
-    if (frame.set[joint])
-      fail(value, key, std::string(jointNames[joint]) + " has an angle already in this keyframe");
+    if (frame.set[joint]) fail(value, key, nameOf(joint) + " has an angle already in this keyframe");
     const Link& link = robot.linkMovedBy(joint);
     const double angle = fromDegrees(degrees);
     if (angle < link.lower - limitTolerance || angle > link.upper + limitTolerance)
       fail(value, key,
            shortNumber(degrees) + " degrees is out of the limits " + shortNumber(toDegrees(link.lower)) +
-               " to " + shortNumber(toDegrees(link.upper)) + " of " + std::string(jointNames[joint]) +
-               " in robot " + robot.name);
+               " to " + shortNumber(toDegrees(link.upper)) + " of " + nameOf(joint) + " in robot " +
+               robot.name);
     frame.angles[joint] = angle;
     frame.set[joint] = true;
   }
@@ -220,7 +222,7 @@ private:
       for (const Keyframe& other : motion.keyframes)
         for (std::size_t j = 0; j < set.size(); ++j)
           if (other.set[j] && !set[j])
-            fail(root["keyframes"][i], std::string(jointNames[j]),
+            fail(root["keyframes"][i], nameOf(static_cast<JointId>(j)),
                  "has an angle in another keyframe, but not in this one; give it one, or write rest: stays "
                  "beside "
                  "keyframes if joints that are left out shall stay where they are");
@@ -235,7 +237,7 @@ private:
         const double angle = motion.keyframes[i].angles[gain.joint];
         const Link& link = robot.linkMovedBy(gain.joint);
         if (angle - swing < link.lower - limitTolerance || angle + swing > link.upper + limitTolerance)
-          fail(root["keyframes"][i], std::string(jointNames[gain.joint]),
+          fail(root["keyframes"][i], nameOf(gain.joint),
                "leaves its limits for a ball at the edge of ballReach");
       }
   }
@@ -247,6 +249,11 @@ private:
 };
 
 }  // namespace
+
+std::string bothSides(const RobotModel& robot, JointId left) {
+  const std::string_view name = robot.jointName(left);
+  return mirrored(left) > left && name.front() == 'L' ? std::string(name.substr(1)) : "";
+}
 
 KeyframeMotion readKeyframeFile(const fs::path& file, const RobotModel& robot,
                                 const std::vector<fs::path>& directories) {

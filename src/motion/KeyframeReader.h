@@ -15,6 +15,10 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// The key of a keyframe that means a left joint and its mirror image alike: LKneePitch's is KneePitch. Empty
+/// for a joint without a partner and for names that do not begin with L.
+std::string bothSides(const RobotModel& robot, JointId left);
+
 /// Reads one motion from a YAML file (format: doc/how-to/add-a-motion.md); degrees in the file, radians
 /// here. A file "mirror: other" is the mirror image of other.yaml, looked for along the same directories.
 /// Errors: KeyframeFileError.

@@ -11,18 +11,21 @@ double KeyframeMotion::seconds() const {
 }
 
 JointId mirrored(JointId joint) {
-  if (joint >= lShoulderPitch && joint <= lElbowRoll)
-    return static_cast<JointId>(joint + (rShoulderPitch - lShoulderPitch));
-  if (joint >= rShoulderPitch && joint <= rElbowRoll)
-    return static_cast<JointId>(joint - (rShoulderPitch - lShoulderPitch));
-  if (joint >= lHipYawPitch && joint <= lToePitch)
-    return static_cast<JointId>(joint + (rHipYawPitch - lHipYawPitch));
-  if (joint >= rHipYawPitch && joint <= rToePitch)
-    return static_cast<JointId>(joint - (rHipYawPitch - lHipYawPitch));
-  return joint;
+  const auto exchanged = [joint](int left, int right) {
+    const int count = right - left;
+    if (joint >= left && joint < right) return static_cast<JointId>(joint + count);
+    if (joint >= right && joint < right + count) return static_cast<JointId>(joint - count);
+    return joint;
+  };
+  for (const OwnJointRange& range : ownJointRanges)
+    if (range.pair && range.has(joint)) return exchanged(range.first, range.first + range.count / 2);
+  const JointId arm = exchanged(lShoulderPitch, rShoulderPitch);
+  return arm != joint ? arm : exchanged(lHipYawPitch, rHipYawPitch);
 }
 
 double mirrorSign(JointId joint) {
+  for (const OwnJointRange& range : ownJointRanges)
+    if (range.has(joint)) return range.signStays ? 1 : -1;
   switch (joint) {
     case headYaw:
     case lShoulderRoll:
@@ -47,7 +50,7 @@ KeyframeMotion mirrored(const KeyframeMotion& motion) {
   for (std::size_t i = 0; i < motion.keyframes.size(); ++i) {
     const Keyframe& from = motion.keyframes[i];
     Keyframe& to = result.keyframes[i];
-    for (int j = 0; j < numJoints; ++j) {
+    for (int j = 0; j < maxJoints; ++j) {
       const auto joint = static_cast<JointId>(j);
       to.angles[mirrored(joint)] = mirrorSign(joint) * from.angles[joint];
       to.set[mirrored(joint)] = from.set[joint];

@@ -10,7 +10,7 @@ namespace plumbline::motion {
 
 /// How a joint's angle moves with the place of the ball, for kicks: angle += gain . (ball - nominal ball).
 struct BallGain {
-  JointId joint = numJoints;
+  JointId joint = noJoint;
   Vec2 gain = Vec2::Zero();  ///< [rad/m], along x (forward) and y (left) of the robot's ground frame
 };
 
@@ -19,7 +19,7 @@ struct Keyframe {
   double seconds = 0;        ///< from the previous keyframe to this one [s]; 0: as fast as the joints can
   double settleSeconds = 0;  ///< then wait until the torso is still, this long at most [s]
   JointArray angles{};       ///< [rad]
-  std::array<bool, numJoints> set{};  ///< joints without an angle stay where the last keyframe put them
+  JointFlags set{};          ///< joints without an angle stay where the last keyframe put them
   std::vector<BallGain> ballGains;
 };
 
@@ -34,7 +34,7 @@ struct KeyframeMotion {
   double seconds() const;
 };
 
-/// The same joint of the other side; head joints stay.
+/// The same joint of the other side; joints in the middle (head, waist) stay.
 JointId mirrored(JointId joint);
 /// +1 if a mirrored posture has the same sign in the mirrored joint, else -1 (yaw and roll).
 double mirrorSign(JointId joint);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "math/Index.h"
+#include "robot/OwnJoints.h"
 
 namespace plumbline {
 namespace {
@@ -52,13 +53,14 @@ Humanoid::Humanoid(const Mechanism& mechanism) : mechanismJoints(mechanism.joint
   join(torso, mechanism.links[0].mass, mechanism.links[0].com, mechanism.links[0].inertia);
   if (mechanism.links[0].shape) wear(torso, mechanism.links[0]);
   model_.links.push_back(torso);
+  const std::vector<JointId> ids = jointNumbers(mechanism);
   for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
     const Mechanism::Joint& joint = mechanism.joints[j];
     const Mechanism::Link& child = mechanism.links[at(joint.child)];
     if (!joint.rpy.isZero(1e-9)) refuse(joint.name, "its frame is turned in its parent's; it must not be");
     const Vec3 place = origin[at(joint.parent)] + joint.origin;
-    const JointId id = jointByName(joint.name);
-    if (id == numJoints) {
+    const JointId id = ids[j];
+    if (id == noJoint) {
       linkOf[at(joint.child)] = linkOf[at(joint.parent)];
       origin[at(joint.child)] = place;
       join(model_.links[at(linkOf[at(joint.parent)])], child.mass, place + child.com, child.inertia);
@@ -76,13 +78,18 @@ Humanoid::Humanoid(const Mechanism& mechanism) : mechanismJoints(mechanism.joint
     link.maxSpeed = joint.maxSpeed;
     join(link, child.mass, child.com, child.inertia);
     wear(link, child);
+    if (id >= numHumanoidJoints) {
+      model_.ownJointNames.resize(maxJoints - numHumanoidJoints);
+      model_.ownJointNames[at(id - numHumanoidJoints)] = joint.name;
+    }
     indices[at(id)] = static_cast<int>(j);
     linkOf[at(joint.child)] = model_.linkOfJoint[at(id)] = static_cast<int>(model_.links.size());
     model_.links.push_back(link);
   }
   for (const Mechanism::Foot& foot : mechanism.feet) {
     Link& link = model_.links[at(linkOf[at(foot.link)])];
-    if (link.joint != lAnkleRoll && link.joint != rAnkleRoll)
+    const bool humanoid = model_.has(lAnkleRoll) || model_.has(rAnkleRoll);
+    if (humanoid && link.joint != lAnkleRoll && link.joint != rAnkleRoll)
       refuse(foot.name, "a foot must be moved by the ankle's roll");
     if (mechanism.links[at(foot.link)].shape) continue;
     link.shape = {Shape::Kind::box, foot.soleSize, translation(origin[at(foot.link)] + foot.soleCentre)};
@@ -96,14 +103,14 @@ Humanoid::Humanoid(const Mechanism& mechanism) : mechanismJoints(mechanism.joint
 
 JointArray Humanoid::toModel(const std::vector<double>& values) const {
   JointArray result{};
-  for (std::size_t j = 0; j < numJoints; ++j)
+  for (std::size_t j = 0; j < maxJoints; ++j)
     if (indices[j] >= 0) result[j] = values.at(at(indices[j]));
   return result;
 }
 
 std::vector<double> Humanoid::toMechanism(const JointArray& values) const {
   std::vector<double> result(mechanismJoints, 0);
-  for (std::size_t j = 0; j < numJoints; ++j)
+  for (std::size_t j = 0; j < maxJoints; ++j)
     if (indices[j] >= 0) result[at(indices[j])] = values[j];
   return result;
 }

@@ -1,36 +1,25 @@
 #pragma once
-#include <array>
+#include <variant>
 
-#include "robot/RobotModel.h"
+#include "robot/ClosedFormLeg.h"
+#include "robot/IterativeLeg.h"
 
 namespace plumbline {
 
-/// Angles of one leg from hip yaw pitch to ankle roll [rad], in the order of JointId; the toe is not moved.
-using LegAngles = std::array<double, 6>;
-
-struct LegSolution {
-  LegAngles angles{};
-  /// False if the pose cannot be reached; angles then reach the nearest pose found: the distance of hip and
-  /// ankle is clipped along their line, then each joint to its limits.
-  bool reachable = true;
-};
-
-/// Analytic inverse kinematics of a leg whose three hip axes (yaw pitch at 45 degrees, roll, pitch) meet in
-/// one point and whose hip pitch, knee and ankle pitch move in one plane, as in SimSpark's robots and the
-/// NAO. The ankle's roll axis may lie below its pitch axis; the solution is exact all the same.
+/// Forward and inverse kinematics of a leg down to its sole: in closed form where the leg is built for it
+/// (ClosedFormLeg), else by iteration (IterativeLeg). The robot's geometry decides when the model is loaded.
 class LegKinematics {
 public:
-  /// Throws std::invalid_argument if the model's leg has another structure.
+  /// Throws std::invalid_argument for a leg with fewer than six joints.
   LegKinematics(const RobotModel& model, Side side);
 
   /// Joint angles that bring the sole to the pose T_torso_sole.
   LegSolution solve(const Pose3& T_torso_sole) const;
-
-  /// The same with the hip yaw pitch given (a robot whose legs share that motor): the ankle comes where the
-  /// pose has it and the sole lies in its plane; its heading is what the hip makes of it. Throws
-  /// std::logic_error for a leg whose ankle axes do not meet.
+  /// The same with the hip yaw pitch given [rad] (a robot whose legs share that motor): the ankle comes where
+  /// the pose has it and the sole lies in its plane; its heading is what the hip makes of it. Throws
+  /// std::logic_error for a leg in closed form whose ankle axes do not meet, unless its robot shares the
+  /// motor.
   LegSolution solve(const Pose3& T_torso_sole, double hipYawPitch) const;
-
   /// Sole of the leg with these angles, by the leg's own short chain.
   Pose3 sole(const LegAngles& angles) const;
 
@@ -38,24 +27,16 @@ public:
   const Pose3& T_foot_sole() const { return T_foot_sole_; }
   /// Half lengths of the sole, forward and left [m].
   const Vec2& soleHalfSize() const { return soleHalfSize_; }
-  /// Meeting point of the hip axes in the torso frame [m].
-  const Vec3& hip() const { return hip_; }
+  /// Meeting point of the hip axes in the torso frame, or the point nearest to them [m].
+  const Vec3& hip() const;
   /// Height of the ankle's pitch axis over the flat sole [m].
-  double ankleHeight() const { return -rollOffset.z() - T_foot_sole_.translation().z(); }
+  double ankleHeight() const;
   /// Largest distance of the hip from the axis of the ankle's pitch within the knee's limits [m].
-  double maxReach() const { return maxReach_; }
+  double maxReach() const;
+  bool closedForm() const { return std::holds_alternative<ClosedFormLeg>(leg); }
 
 private:
-  double reach(double knee) const;
-  double kneeFor(double wanted, bool& reachable) const;
-  void clip(LegSolution& solution) const;
-
-  Side side;
-  Vec3 hip_, kneeOffset, ankleOffset,
-      rollOffset;                               ///< origins of thigh, shank, ankle, foot in their parents [m]
-  std::array<double, 6> lower, upper;           ///< [rad]
-  double thighLength, shankLength, bendAtZero;  ///< bendAtZero: angle between thigh and shank at knee 0 [rad]
-  double maxReach_, minReach_;
+  std::variant<ClosedFormLeg, IterativeLeg> leg;
   Pose3 T_foot_sole_ = Pose3::Identity();
   Vec2 soleHalfSize_;
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "robot/NoSuchJoint.h"
+
 namespace plumbline {
 namespace {
 
@@ -39,6 +41,18 @@ Pose3 Mechanism::Joint::T_parent_child(double q) const {
 }
 
 int Mechanism::jointIndex(std::string_view joint) const { return indexOf(joints, joint); }
+
+int Mechanism::requireJoint(std::string_view joint) const {
+  const int index = jointIndex(joint);
+  if (index < 0) failNoSuchJoint(name, joint, jointNames());
+  return index;
+}
+
+std::vector<std::string> Mechanism::jointNames() const {
+  std::vector<std::string> names;
+  for (const Joint& joint : joints) names.push_back(joint.name);
+  return names;
+}
 
 int Mechanism::linkIndex(std::string_view link) const {
   if (const int index = indexOf(links, link); index >= 0) return index;

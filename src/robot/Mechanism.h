@@ -113,6 +113,9 @@ struct Mechanism {
   int numJoints() const { return static_cast<int>(joints.size()); }
   /// Index of the joint of that name, or -1.
   int jointIndex(std::string_view joint) const;
+  /// The same; throws std::invalid_argument that names the robot and the nearest name it has.
+  int requireJoint(std::string_view joint) const;
+  std::vector<std::string> jointNames() const;
   /// Index of the link of that name, or that carries the frame of that name; -1 if there is neither.
   int linkIndex(std::string_view link) const;
   /// Index into feet, or -1.

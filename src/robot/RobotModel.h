@@ -1,6 +1,7 @@
 #pragma once
-#include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "math/Types.h"
@@ -14,7 +15,7 @@ namespace plumbline {
 struct Link {
   std::string name;             ///< field term: "torso", "lThigh", ...
   int parent = -1;              ///< index into RobotModel::links, smaller than the link's own; -1: the root
-  JointId joint = numJoints;    ///< the hinge to the parent; numJoints for the root
+  JointId joint = noJoint;      ///< the hinge to the parent; noJoint for the root
   Vec3 origin = Vec3::Zero();   ///< joint position in the parent's frame [m]
   Vec3 axis = Vec3::UnitZ();    ///< joint axis, unit, in parent and child frame alike
   double lower = 0, upper = 0;  ///< joint limits [rad]
@@ -30,11 +31,30 @@ struct Link {
 struct RobotModel {
   std::string name;
   std::vector<Link> links;
-  std::array<int, numJoints> linkOfJoint{};  ///< link moved by a joint, -1 if the robot lacks it
+  PerJoint<int> linkOfJoint = [] {  ///< link moved by a joint, -1 if the robot lacks it
+    PerJoint<int> none;
+    none.fill(-1);
+    return none;
+  }();
   bool sharedHipYawPitch = false;  ///< one motor turns both hips' yaw pitch by the same angle, as in the NAO
+  std::vector<std::string> ownJointNames;  ///< of the joints from numHumanoidJoints on; "" or none: no joint
 
   bool has(JointId joint) const { return linkOfJoint[joint] >= 0; }
+  /// Its link holds the joint's limits and speed.
   const Link& linkMovedBy(JointId joint) const { return links[static_cast<std::size_t>(linkOfJoint[joint])]; }
+
+  int numJoints() const;
+  /// All joints the robot has, its own included, by their numbers, and their names in the same order.
+  std::vector<JointId> joints() const;
+  std::vector<std::string> jointNames() const;
+  /// The joint of that name; nothing if this robot has none.
+  std::optional<JointId> joint(std::string_view jointName) const;
+  /// The same; throws std::invalid_argument that names the robot and the nearest name it has.
+  JointId requireJoint(std::string_view jointName) const;
+  /// Name of a joint, also of a humanoid's that this robot lacks; "?" for a number without a name. Valid as
+  /// long as the model.
+  std::string_view jointName(JointId joint) const;
+
   /// Index of the link of that name, or -1.
   int linkIndex(std::string_view linkName) const;
   double totalMass() const;

@@ -86,9 +86,9 @@ private:
   }
 
   void writeJoint(const RobotModel& model, const Link& link) {
-    const bool moves = link.joint != numJoints;
+    const bool moves = link.joint != noJoint;
     printer_.OpenElement("joint");
-    attribute("name", moves ? std::string(jointNames[link.joint]) : link.name + "_fixed");
+    attribute("name", moves ? std::string(model.jointName(link.joint)) : link.name + "_fixed");
     attribute("type", moves ? "revolute" : "fixed");
     element("parent", {{"link", model.links[static_cast<std::size_t>(link.parent)].name}});
     element("child", {{"link", link.name}});

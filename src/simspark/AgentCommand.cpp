@@ -31,7 +31,7 @@ std::optional<int> integer(SExpressions::Node node) {
 
 bool readOne(SExpressions::Node list, AgentCommand& command) {
   const std::string_view name = list.name();
-  if (const JointId joint = jointByEffector(name); joint != numJoints) {
+  if (const JointId joint = jointByEffector(name); joint != noJoint) {
     std::array<double, 1> speed;
     if (!numbers(list, speed)) return false;
     command.velocity[joint] = simsparkName(joint).sign * speed[0];
@@ -101,7 +101,7 @@ void appendAgentCommand(std::string& out, const AgentCommand& command) {
     }
     out += ')';
   }
-  for (int i = 0; i < numJoints; ++i) {
+  for (int i = 0; i < numHumanoidJoints; ++i) {
     if (!command.velocity[i]) continue;
     const JointName& name = simsparkName(static_cast<JointId>(i));
     out += '(';

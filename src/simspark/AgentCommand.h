@@ -29,7 +29,7 @@ struct AgentCommand {
   /// Where to stand [m, rad], seen by the own team: own goal at x = -15.
   std::optional<Pose2> beam;
   /// Hinge speeds [rad/s]; a joint not named keeps the speed it has.
-  std::array<std::optional<double>, numJoints> velocity;
+  std::array<std::optional<double>, numHumanoidJoints> velocity;
   std::optional<std::string> say;  ///< at most 20 characters
   bool pass = false;               ///< asks for pass mode
   bool syn = false;                ///< in sync mode: done for this cycle

@@ -7,7 +7,7 @@ namespace plumbline::simspark {
 namespace {
 
 // In the order of JointId.
-constexpr std::array<JointName, numJoints> names = {{
+constexpr std::array<JointName, numHumanoidJoints> names = {{
     {"hj1", "he1", 1},     // HeadYaw
     {"hj2", "he2", -1},    // HeadPitch
     {"laj1", "lae1", -1},  // LShoulderPitch
@@ -36,20 +36,20 @@ constexpr std::array<JointName, numJoints> names = {{
 
 /// h|l|r, then a|l for a limb, then `kind`, then a digit: found without comparing with every name.
 JointId find(std::string_view name, char kind) {
-  if (name.size() < 3) return numJoints;
+  if (name.size() < 3) return noJoint;
   const int number = name.back() - '0';
   if (name.size() == 3) {
-    if (name[0] != 'h' || name[1] != kind || number < 1 || number > 2) return numJoints;
+    if (name[0] != 'h' || name[1] != kind || number < 1 || number > 2) return noJoint;
     return static_cast<JointId>(headYaw + number - 1);
   }
-  if (name.size() != 4 || name[2] != kind || number < 1) return numJoints;
+  if (name.size() != 4 || name[2] != kind || number < 1) return noJoint;
   const bool left = name[0] == 'l';
-  if (!left && name[0] != 'r') return numJoints;
+  if (!left && name[0] != 'r') return noJoint;
   if (name[1] == 'a' && number <= 4)
     return static_cast<JointId>((left ? lShoulderPitch : rShoulderPitch) + number - 1);
   if (name[1] == 'l' && number <= 7)
     return static_cast<JointId>((left ? lHipYawPitch : rHipYawPitch) + number - 1);
-  return numJoints;
+  return noJoint;
 }
 
 }  // namespace

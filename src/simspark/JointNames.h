@@ -16,7 +16,7 @@ struct JointName {
 
 const JointName& simsparkName(JointId joint);
 
-/// numJoints if there is no such joint.
+/// noJoint if there is no such joint.
 JointId jointByPerceptor(std::string_view perceptor);
 JointId jointByEffector(std::string_view effector);
 

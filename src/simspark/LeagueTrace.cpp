@@ -158,7 +158,7 @@ LeagueTrace readLeagueTrace(const std::filesystem::path& file) {
   trace.name = name.name;
   trace.robotType = name.type;
   trace.robot = name.robot;
-  for (int j = 0; j < numJoints; ++j) {
+  for (int j = 0; j < numHumanoidJoints; ++j) {
     const auto joint = static_cast<JointId>(j);
     if (columns.has("cmd." + std::string(simsparkName(joint).effector))) trace.joints.push_back(joint);
   }

@@ -64,7 +64,7 @@ int dropImplausible(ServerMessage& message, const ServerMessage& before, std::st
   Check check(dropped, first);
   if (check.bad(within(message.gameState.time, maxServerTime), "game time"))
     message.gameState.time = before.gameState.time;
-  for (int i = 0; i < numJoints; ++i)
+  for (int i = 0; i < numHumanoidJoints; ++i)
     if (message.angle[i] && check.bad(within(*message.angle[i], maxJointAngle), "angle of",
                                       simsparkName(static_cast<JointId>(i)).perceptor))
       message.angle[i].reset();

@@ -77,9 +77,9 @@ struct GameState {
 struct ServerMessage {
   double time = 0;  ///< server clock [s]
   GameState gameState;
-  Vec3 gyro = Vec3::Zero();                            ///< [rad/s], torso frame
-  Vec3 acc = Vec3::Zero();                             ///< [m/s^2], torso frame
-  std::array<std::optional<double>, numJoints> angle;  ///< [rad]
+  Vec3 gyro = Vec3::Zero();                                    ///< [rad/s], torso frame
+  Vec3 acc = Vec3::Zero();                                     ///< [m/s^2], torso frame
+  std::array<std::optional<double>, numHumanoidJoints> angle;  ///< [rad]
   std::optional<ForceReading> leftFoot, rightFoot, leftToe, rightToe;
   std::optional<See> see;  ///< every third cycle
   std::vector<HeardMessage> heard;

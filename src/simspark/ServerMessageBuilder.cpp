@@ -35,7 +35,7 @@ int ServerMessageBuilder::integer(std::string_view word) {
 
 void ServerMessageBuilder::closeHingeJoint() {
   const JointId joint = jointByPerceptor(nodeName);
-  if (joint != numJoints) message.angle[joint] = simsparkName(joint).sign * fromDegrees(nodeAngle);
+  if (joint != noJoint) message.angle[joint] = simsparkName(joint).sign * fromDegrees(nodeAngle);
 }
 
 void ServerMessageBuilder::closeForce() {

@@ -22,8 +22,8 @@ Player::Player(PlayerId id, int type, const PlayerConfig& config_, std::uint64_t
   for (std::size_t i = 0; i < partLinks.size(); ++i) parts[i] = model_.linkIndex(partLinks[i].second);
 }
 
-void Player::drive(World& world, const std::array<std::optional<double>, numJoints>& velocity) const {
-  for (std::size_t i = 0; i < numJoints; ++i)
+void Player::drive(World& world, const std::array<std::optional<double>, numHumanoidJoints>& velocity) const {
+  for (std::size_t i = 0; i < numHumanoidJoints; ++i)
     if (const auto joint = static_cast<JointId>(i); velocity[i] && model_.has(joint))
       world.setJointVelocity(robot, joint, frozen[i] ? 0 : *velocity[i]);
 }
@@ -60,7 +60,7 @@ void Player::sense(const World& world, const Game& game, double time, const Visi
   senses.heard = hearing.collect(game.teams[Game::index(side)], game.time);
   senses.gyro = readings.gyro;
   senses.acc = readings.acc;
-  for (std::size_t i = 0; i < numJoints; ++i)
+  for (std::size_t i = 0; i < numHumanoidJoints; ++i)
     if (model_.has(static_cast<JointId>(i))) senses.angle[i] = readings.angle[i];
   senses.leftFoot = reading(readings.leftFoot);
   senses.rightFoot = reading(readings.rightFoot);

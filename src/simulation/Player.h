@@ -38,11 +38,11 @@ public:
   TeamSide side = TeamSide::none;
   int unum = 0;
   bool selected = false;
-  std::bitset<numJoints> frozen;  ///< joints that take no speed for now, by the referee
+  std::bitset<maxJoints> frozen;  ///< joints that take no speed for now, by the referee
   Hearing hearing;
 
   /// Turns commanded speeds into the world's motors; joints the robot lacks are ignored.
-  void drive(World& world, const std::array<std::optional<double>, numJoints>& velocity) const;
+  void drive(World& world, const std::array<std::optional<double>, numHumanoidJoints>& velocity) const;
   /// The place with the beam's error.
   Pose2 disturbed(const Pose2& place);
   /// What others see of this robot.

@@ -109,7 +109,7 @@ public:
     for (double t = dt; t < seconds + dt / 2; t += dt) {
       const double share = std::min(1.0, t / 0.14);
       JointArray targets = stand;
-      for (std::size_t j = 0; j < numJoints; ++j) targets[j] = (1 - share) * from[j] + share * stand[j];
+      for (std::size_t j = 0; j < maxJoints; ++j) targets[j] = (1 - share) * from[j] + share * stand[j];
       step(targets);
       elapsed += dt;
     }
@@ -158,7 +158,7 @@ public:
 private:
   JointArray jitter(double size) {
     JointArray angles = stand;
-    for (int j = lShoulderPitch; j < numJoints; ++j) {
+    for (int j = lShoulderPitch; j < maxJoints; ++j) {
       const auto joint = static_cast<JointId>(j);
       if (!model.has(joint)) continue;
       const Link& link = model.linkMovedBy(joint);

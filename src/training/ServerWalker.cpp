@@ -131,7 +131,7 @@ void ServerWalker::exchange(simspark::AgentCommand command) {
   }
   if (const auto error = simspark::parseServerMessage(text, message))
     throw failure(fmt::format("sent what cannot be read, at byte {}: {}", error->position, error->what));
-  for (std::size_t j = 0; j < numJoints; ++j)
+  for (std::size_t j = 0; j < numHumanoidJoints; ++j)
     if (message.angle[j]) measured[j] = *message.angle[j];
   if (before > 0 && message.time > before + 1.5 * cycleSeconds) ++lost;
   if (++cycles > 100 && lost > cycles / 20)
@@ -157,7 +157,7 @@ void ServerWalker::follow() {
 void ServerWalker::drive(const JointArray& targets) {
   simspark::AgentCommand command;
   const JointArray& speeds = control.update(measured, targets, cycleSeconds);
-  for (std::size_t j = 0; j < numJoints; ++j)
+  for (std::size_t j = 0; j < numHumanoidJoints; ++j)
     if (model.has(static_cast<JointId>(j))) command.velocity[j] = speeds[j];
   if (cycles % clockEvery == 0) trainer.send(simspark::TimeCommand{1});
   exchange(command);

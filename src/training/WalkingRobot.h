@@ -82,7 +82,7 @@ private:
     WalkSensors sensors;
     const simulation::RobotReadings& sensed = local.sense();
     lastAngles = sensed.angle;
-    for (std::size_t j = 0; j < numJoints; ++j)
+    for (std::size_t j = 0; j < maxJoints; ++j)
       sensors.angles[j] = rounded(sensed.angle[j], fromDegrees(0.01));
     Vec3 acc;
     for (int i = 0; i < 3; ++i) {
@@ -107,7 +107,7 @@ private:
   }
   JointArray rates() const {
     JointArray rates{};
-    for (std::size_t j = 0; j < numJoints; ++j) rates[j] = (local.sense().angle[j] - lastAngles[j]) / cycle;
+    for (std::size_t j = 0; j < maxJoints; ++j) rates[j] = (local.sense().angle[j] - lastAngles[j]) / cycle;
     return rates;
   }
   static double rounded(double value, double unit) { return std::round(value / unit) * unit; }

@@ -116,7 +116,7 @@ TEST_F(RosBridgeTest, sendsWhatAnIndependentProgramReads) {
                                                  EXPECT_EQ(m.header_.stamp_.nanosec_, 250'000'000u);
                                                  EXPECT_STREQ(m.header_.frame_id_, "robot1/torso");
                                                  ASSERT_EQ(m.name_._length, m.position_._length);
-                                                 EXPECT_EQ(m.name_._length, 22u) << "the NAO has no toes";
+                                                 EXPECT_EQ(m.name_._length, 24u) << "wrists and no toes";
                                                  EXPECT_EQ(m.velocity_._length, 0u);
                                                  int knees = 0;
                                                  for (unsigned i = 0; i < m.name_._length; ++i) {

@@ -6,15 +6,29 @@ namespace plumbline::motion {
 namespace {
 
 TEST(KeyframesTest, mirroringTwiceGivesTheSameJoint) {
-  for (int j = 0; j < numJoints; ++j) {
+  for (int j = 0; j < maxJoints; ++j) {
     const auto joint = static_cast<JointId>(j);
     EXPECT_EQ(mirrored(mirrored(joint)), joint);
     EXPECT_EQ(mirrorSign(joint), mirrorSign(mirrored(joint)));
-    if (joint > headPitch) {
-      EXPECT_EQ(jointNames[j].substr(1), jointNames[mirrored(joint)].substr(1));
-      EXPECT_NE(jointNames[j].front(), jointNames[mirrored(joint)].front());
+    if (joint > headPitch && joint < numHumanoidJoints) {
+      const std::string_view name = humanoidJointNames[joint], other = humanoidJointNames[mirrored(joint)];
+      EXPECT_EQ(name.substr(1), other.substr(1));
+      EXPECT_NE(name.front(), other.front());
     }
   }
+}
+
+TEST(KeyframesTest, ownJointsAreMirroredByTheirRange) {
+  const auto expectMirrored = [](int joint, int partner, double sign) {
+    EXPECT_EQ(mirrored(static_cast<JointId>(joint)), partner);
+    EXPECT_EQ(mirrorSign(static_cast<JointId>(joint)), sign) << joint;
+  };
+  expectMirrored(24, 24, 1);   // in the middle, pitch
+  expectMirrored(36, 36, -1);  // in the middle, yaw or roll
+  expectMirrored(44, 49, 1);   // pairs, pitch
+  expectMirrored(53, 48, 1);
+  expectMirrored(54, 59, -1);  // pairs, yaw or roll
+  expectMirrored(63, 58, -1);
 }
 
 KeyframeMotion kick() {

@@ -24,7 +24,7 @@ TEST(ForwardKinematics, comIsTheMeanOfTheLinks) {
   const RobotModel robot = simsparkRobot(3);
   ForwardKinematics fk(robot);
   JointArray angles{};
-  for (std::size_t j = 0; j < numJoints; ++j) angles[j] = 0.05 * double(j) - 0.4;
+  for (std::size_t j = 0; j < maxJoints; ++j) angles[j] = 0.05 * double(j) - 0.4;
   fk.update(angles);
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < robot.links.size(); ++i)

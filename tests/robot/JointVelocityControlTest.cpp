@@ -14,7 +14,7 @@ constexpr double dt = 0.02;
 struct DelayedJoints {
   JointArray angles{}, pending{};
   void act(const JointArray& speeds) {
-    for (std::size_t j = 0; j < numJoints; ++j) angles[j] += pending[j] * dt;
+    for (std::size_t j = 0; j < maxJoints; ++j) angles[j] += pending[j] * dt;
     pending = speeds;
   }
 };

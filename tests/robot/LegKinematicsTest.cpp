@@ -73,11 +73,26 @@ TEST(LegKinematics, soleOfFootAndToe) {
   EXPECT_NEAR((a.sole({}).translation() - b.sole({}).translation()).norm(), 0, 1e-6);
 }
 
-TEST(LegKinematics, refusesALegItCannotSolve) {
+TEST(LegKinematics, theRobotsGeometryDecidesHowALegIsSolved) {
   RobotModel robot = simsparkRobot(0);
+  EXPECT_TRUE(LegKinematics(robot, Side::left).closedForm());
   robot.links[std::size_t(robot.linkOfJoint[lHipPitch])].origin.z() = -0.01;
-  EXPECT_THROW(LegKinematics(robot, Side::left), std::invalid_argument);
-  robot = simsparkRobot(0);
+  const LegKinematics apart(robot, Side::left);
+  EXPECT_FALSE(apart.closedForm()) << "the hip's axes do not meet";
+  const Pose3 wanted = apart.sole({-0.3, 0.1, -0.5, 0.9, -0.4, 0.05});
+  EXPECT_LT((apart.sole(apart.solve(wanted).angles).matrix() - wanted.matrix()).norm(), 1e-8);
+}
+
+TEST(LegKinematics, aSharedHipMotorOverAnAnkleWhoseAxesDoNotMeetIsSolvedByIteration) {
+  RobotModel robot = simsparkRobot(0);
+  robot.links[std::size_t(robot.linkOfJoint[lAnkleRoll])].origin.z() = -0.01;
+  EXPECT_TRUE(LegKinematics(robot, Side::left).closedForm());
+  robot.sharedHipYawPitch = true;
+  EXPECT_FALSE(LegKinematics(robot, Side::left).closedForm());
+}
+
+TEST(LegKinematics, refusesALegWithFewerJoints) {
+  RobotModel robot = simsparkRobot(0);
   robot.linkOfJoint[lKneePitch] = -1;
   EXPECT_THROW(LegKinematics(robot, Side::left), std::invalid_argument);
 }

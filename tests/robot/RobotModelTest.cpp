@@ -29,7 +29,7 @@ TEST(RobotModel, jointsOfTheTypes) {
   for (int type = 0; type < numSimsparkTypes(); ++type) {
     const RobotModel robot = simsparkRobot(type);
     EXPECT_EQ(robot.links.size(), type == 4 ? 25u : 23u);
-    for (int j = 0; j < numJoints; ++j)
+    for (int j = 0; j < numHumanoidJoints; ++j)
       EXPECT_EQ(robot.has(JointId(j)), type == 4 || (j != lToePitch && j != rToePitch)) << type << " " << j;
   }
 }
@@ -69,8 +69,21 @@ TEST(RobotModel, boxInertiaAndUnknownNames) {
   EXPECT_NEAR(robot.links[0].inertia(2, 2), 1.2171 / 12 * (0.01 + 0.01), 1e-12);
   EXPECT_NEAR(robot.links[0].inertia(0, 0), 1.2171 / 12 * (0.01 + 0.0324), 1e-12);
   EXPECT_EQ(robot.linkIndex("tail"), -1);
-  EXPECT_EQ(jointByName("LKneePitch"), lKneePitch);
-  EXPECT_EQ(jointByName("Tail"), numJoints);
+  EXPECT_EQ(robot.joint("LKneePitch"), lKneePitch);
+  EXPECT_EQ(robot.joint("LToePitch"), std::nullopt) << "type 0 has no toes";
+  EXPECT_EQ(robot.jointName(lToePitch), "LToePitch");
+  EXPECT_EQ(robot.jointName(static_cast<JointId>(30)), "?");
+  EXPECT_EQ(robot.numJoints(), 22);
+  EXPECT_EQ(robot.jointNames().back(), "RAnkleRoll");
+  EXPECT_EQ(robot.joints().front(), headYaw);
+  try {
+    robot.requireJoint("LKneePich");
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "robot simspark_type0 has no joint LKneePich; did you mean \"LKneePitch\"?");
+  }
+  EXPECT_EQ(humanoidJoint("LKneePitch"), lKneePitch);
+  EXPECT_EQ(humanoidJoint("Tail"), noJoint);
 }
 
 }  // namespace

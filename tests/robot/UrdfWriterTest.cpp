@@ -24,10 +24,9 @@ void expectReadAgain(const std::string& name) {
     EXPECT_EQ(again.mass, link.mass) << link.name;
     EXPECT_EQ(again.com, link.com) << link.name;
     EXPECT_EQ(again.inertia, link.inertia) << link.name;
-    if (link.joint == numJoints) continue;
-    const auto joint = std::ranges::find_if(parts.joints, [&](const auto& j) {
-      return j.joint.name == jointNames[static_cast<std::size_t>(link.joint)];
-    });
+    if (link.joint == noJoint) continue;
+    const auto joint = std::ranges::find_if(
+        parts.joints, [&](const auto& j) { return j.joint.name == model.jointName(link.joint); });
     ASSERT_NE(joint, parts.joints.end()) << link.name;
     EXPECT_EQ(joint->joint.origin, link.origin) << link.name;
     EXPECT_EQ(joint->joint.axis, link.axis) << link.name;

@@ -29,7 +29,7 @@ TEST(AgentCommand, readsWhatItWrites) {
   command.scene = SceneRequest{"rsg/agent/nao/nao.rsg", 0};
   command.init = InitRequest{11, "A"};
   command.beam = Pose2(-10, -3.25, -1);
-  for (int i = 0; i < numJoints; ++i) command.velocity[std::size_t(i)] = 0.125 * (i - 10);
+  for (int i = 0; i < numHumanoidJoints; ++i) command.velocity[std::size_t(i)] = 0.125 * (i - 10);
   command.say = "~!@#";
   command.pass = command.syn = true;
   AgentCommandParser parser;

@@ -41,7 +41,7 @@ void InProcessServer::sense() {
   }
   message_.gyro = now.gyro;
   message_.acc = now.acc;
-  for (int j = 0; j < numJoints; ++j)
+  for (int j = 0; j < numHumanoidJoints; ++j)
     if (const auto joint = static_cast<JointId>(j); robot_.model().has(joint))
       message_.angle[static_cast<std::size_t>(j)] = now.angle[static_cast<std::size_t>(j)];
   if (now.leftFoot) message_.leftFoot = reading(*now.leftFoot);

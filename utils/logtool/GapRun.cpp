@@ -8,7 +8,8 @@
 
 #include "framework/StopSignal.h"
 #include "record/Fields.h"
-#include "robot/JointId.h"
+#include "robot/HumanoidModel.h"
+#include "robot/JointStream.h"
 #include "robot/MechanismFile.h"
 
 namespace plumbline::logtool {
@@ -90,9 +91,13 @@ private:
     run_.robot = name;
     run_.freeBase = true;
     start_ = number("FrameInfo.time");
-    for (const Mechanism::Joint& joint : findMechanism(name).joints) {
-      const JointId id = jointByName(joint.name);
-      if (id != numJoints) joints_.emplace_back(joint.name, '[' + std::to_string(id) + ']');
+    const RobotModel robot = Humanoid(findMechanism(name)).model();
+    const std::vector<JointId> streamed = streamedJointsOf(robot);
+    for (std::size_t i = 0; i < streamed.size(); ++i) {
+      // What recorded the log may not have known of the robot's own joints.
+      const std::string index = '[' + std::to_string(i) + ']';
+      if (robot.has(streamed[i]) && (i < numHumanoidJoints || values_.contains("JointData.angles" + index)))
+        joints_.emplace_back(robot.jointName(streamed[i]), index);
     }
     return true;
   }

@@ -91,9 +91,7 @@ private:
   std::size_t jointIndex(const ConfigSection& section, const std::string& joint) const {
     const int index = robot.jointIndex(joint);
     if (index >= 0) return static_cast<std::size_t>(index);
-    std::vector<std::string> names;
-    for (const Mechanism::Joint& j : robot.joints) names.push_back(j.name);
-    section.fail(joint, "is no joint of " + robot.name + suggestion(joint, names));
+    section.fail(joint, "is no joint of " + robot.name + suggestion(joint, robot.jointNames()));
   }
 
   void readSegment(const ConfigSection& entry) {
@@ -186,7 +184,8 @@ private:
     } else {
       for (const std::string& joint : names) {
         if (robot.jointIndex(joint) < 0)
-          entry.fail("joints", "names " + joint + ", which is no joint of " + robot.name);
+          entry.fail("joints", "names " + joint + ", which is no joint of " + robot.name +
+                                   suggestion(joint, robot.jointNames()));
         wanted.emplace_back(robot.jointIndex(joint), 1);
       }
     }

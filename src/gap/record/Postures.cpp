@@ -7,6 +7,7 @@
 #include "framework/ConfigFile.h"
 #include "framework/ConfigFolder.h"
 #include "framework/ConfigurationError.h"
+#include "framework/NearestName.h"
 #include "gap/record/Excitation.h"
 #include "math/Random.h"
 
@@ -33,7 +34,8 @@ std::optional<std::vector<double>> namedPosture(const std::string& name, const M
       const ConfigSection posture = postures.section(name);
       for (const std::string& joint : posture.keys()) {
         const int index = robot.jointIndex(joint);
-        if (index < 0) posture.fail(joint, "is no joint of " + robot.name);
+        if (index < 0)
+          posture.fail(joint, "is no joint of " + robot.name + suggestion(joint, robot.jointNames()));
         q[static_cast<std::size_t>(index)] = posture.get<double>(joint);
       }
       return q;

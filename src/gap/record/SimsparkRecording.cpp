@@ -20,8 +20,7 @@ namespace {
 constexpr double cycle = 0.02, approach = 2.5, rest = 0.5;  // [s]
 
 JointId jointOf(const std::string& name, const Mechanism& robot) {
-  for (int j = 0; j < numJoints; ++j)
-    if (jointNames[static_cast<std::size_t>(j)] == name) return static_cast<JointId>(j);
+  if (const JointId joint = humanoidJoint(name); joint != noJoint) return joint;
   throw std::invalid_argument(robot.name + " has a joint " + name + " that robots of SimSpark have not");
 }
 

@@ -66,11 +66,14 @@ void RosBridge::execute() {
 void RosBridge::sendJoints() {
   ros::JointState message;
   message.header = header("torso");
-  for (int joint = 0; joint < numJoints; ++joint) {
-    const auto id = static_cast<JointId>(joint);
-    if (theRobotDescription && theRobotDescription->known() && !theRobotDescription->model.has(id)) continue;
-    message.names.emplace_back(jointNames[static_cast<std::size_t>(joint)]);
-    message.positions.push_back(theJointData->angles[static_cast<std::size_t>(joint)]);
+  static const RobotModel unknown;
+  const bool known = theRobotDescription && theRobotDescription->known();
+  const RobotModel& robot = known ? theRobotDescription->model : unknown;
+  for (int j = 0; j < maxJoints; ++j) {
+    const auto joint = static_cast<JointId>(j);
+    if (known ? !robot.has(joint) : joint >= numHumanoidJoints) continue;
+    message.names.emplace_back(robot.jointName(joint));
+    message.positions.push_back(theJointData->angles[joint]);
   }
   sender_->send(dds::RosTopic::joints, ros::encode(message));
 }

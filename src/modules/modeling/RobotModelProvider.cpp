@@ -11,9 +11,9 @@ void RobotModelProvider::execute() {
     name_ = thePlayerInfo->robot;
     model_ = Humanoid(findMechanism(name_)).model();
     kinematics_ = std::make_unique<ForwardKinematics>(model_);
-    head_ = model_.linkIndex("head");
-    leftFoot_ = model_.linkIndex("lFoot");
-    rightFoot_ = model_.linkIndex("rFoot");
+    head_ = model_.linkOfJoint[model_.requireJoint("HeadPitch")];
+    leftFoot_ = model_.linkOfJoint[model_.requireJoint("LAnkleRoll")];
+    rightFoot_ = model_.linkOfJoint[model_.requireJoint("RAnkleRoll")];
     T_leftFoot_sole_ = LegKinematics(model_, Side::left).T_foot_sole();
     T_rightFoot_sole_ = LegKinematics(model_, Side::right).T_foot_sole();
   }

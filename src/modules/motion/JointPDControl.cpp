@@ -20,7 +20,7 @@ void JointPDControl::update(JointRequestWithSpeeds* theJointRequestWithSpeeds) {
     targets_ = theJointData->angles;
   }
   const JointTargets& wanted = theJointRequest->targets;
-  for (std::size_t j = 0; j < numJoints; ++j)
+  for (std::size_t j = 0; j < maxJoints; ++j)
     if (wanted.set[j]) targets_[j] = wanted.angles[j];
   theJointRequestWithSpeeds->speeds = control_->update(theJointData->angles, targets_, cycle);
 }

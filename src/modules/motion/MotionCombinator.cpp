@@ -12,7 +12,7 @@ void MotionCombinator::update(JointRequest* theJointRequest) {
     if (output->motion == theMotionSelection->motion) selected = &output->targets;
   }
   JointTargets& result = theJointRequest->targets;
-  for (std::size_t j = 0; j < numJoints; ++j) {
+  for (std::size_t j = 0; j < maxJoints; ++j) {
     double weight = 0, angle = 0, stiffness = 0;
     for (std::size_t m = 0; m < allMotionOutputs.size(); ++m) {
       const JointTargets& targets = allMotionOutputs[m]->targets;

@@ -11,7 +11,7 @@ void SimSparkSend::init() {
 
 void SimSparkSend::execute() {
   if (!link_->connection.connected()) return;
-  for (int joint = 0; joint < numJoints; ++joint)
+  for (int joint = 0; joint < numHumanoidJoints; ++joint)
     if (theRobotDescription->model.has(static_cast<JointId>(joint)))
       command_.velocity[joint] = theJointRequestWithSpeeds->speeds[joint];
   command_.beam = theBeamRequest->active ? std::optional(theBeamRequest->pose) : std::nullopt;

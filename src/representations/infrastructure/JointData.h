@@ -1,6 +1,6 @@
 #pragma once
 #include "framework/Representation.h"
-#include "robot/JointId.h"
+#include "robot/JointStream.h"
 
 namespace plumbline {
 

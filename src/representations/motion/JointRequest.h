@@ -2,7 +2,7 @@
 #include <array>
 
 #include "framework/Representation.h"
-#include "robot/JointId.h"
+#include "robot/JointStream.h"
 
 namespace plumbline {
 
@@ -10,7 +10,7 @@ namespace plumbline {
 /// alone.
 struct JointTargets : public Streamable {
   JointArray angles{};
-  std::array<bool, numJoints> set{};
+  JointFlags set{};
   JointArray stiffness = [] {
     JointArray all;
     all.fill(1.0);

@@ -57,7 +57,8 @@ bool isLink(const std::string& name) {
 
 /// What there is in place of a name that is not known; empty for one that is.
 std::string wrongPlace(const Known& effect, const std::string& at) {
-  const bool joint = std::ranges::any_of(jointNames, [&](std::string_view name) { return same(name, at); });
+  const bool joint =
+      std::ranges::any_of(humanoidJointNames, [&](std::string_view name) { return same(name, at); });
   switch (effect.site) {
     case Site::everywhere:
       return at == "*" ? "" : "\"*\"";
@@ -79,6 +80,12 @@ std::string wrongPlace(const Known& effect, const std::string& at) {
   return "";
 }
 
+/// `; did you mean "x"?` for what sits at joints.
+std::string nearestJoint(const Known& effect, const std::string& at) {
+  if (effect.site != Site::joint && effect.site != Site::jointOrEverywhere) return "";
+  return suggestion(at, {humanoidJointNames.begin(), humanoidJointNames.end()});
+}
+
 std::string text(double x) {
   char number[32];
   std::snprintf(number, sizeof number, "%g", x);
@@ -94,7 +101,8 @@ void check(const EffectSetting& setting) {
                  "is \"" + setting.effect + "\", which the league's robots cannot have; there is " + list);
   }
   if (const std::string places = wrongPlace(*effect, setting.at); !places.empty())
-    setting.fail("at", "is \"" + setting.at + "\"; " + setting.effect + " sits at " + places);
+    setting.fail("at", "is \"" + setting.at + "\"; " + setting.effect + " sits at " + places +
+                           nearestJoint(*effect, setting.at));
   if (effect->hasAxis && setting.axis.empty())
     setting.fail("effect", "is " + setting.effect + ", which needs an axis: x, y or z");
   if (!effect->hasAxis && !setting.axis.empty())
@@ -111,7 +119,7 @@ void check(const EffectSetting& setting) {
 void checkEffects(const std::vector<EffectSetting>& effects) { std::ranges::for_each(effects, check); }
 
 bool isAt(const EffectSetting& effect, JointId joint) {
-  return effect.at == "*" || (joint < numJoints && same(effect.at, jointNames[joint]));
+  return effect.at == "*" || (joint < numHumanoidJoints && same(effect.at, humanoidJointNames[joint]));
 }
 
 bool isAt(const EffectSetting& effect, const Link& link) { return same(effect.at, link.name); }

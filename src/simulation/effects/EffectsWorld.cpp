@@ -15,7 +15,7 @@ EffectsWorld::EffectsWorld(std::unique_ptr<World> world_, const WorldConfig& con
 void EffectsWorld::read(RobotHandle handle, bool newCycle) {
   Robot& robot = get(handle);
   JointArray slack{};
-  for (int j = 0; j < numJoints; ++j)
+  for (int j = 0; j < maxJoints; ++j)
     slack[static_cast<std::size_t>(j)] = robot.motors.slack(static_cast<JointId>(j));
   robot.readings = robot.sensors.read(world->readings(handle), slack, newCycle);
 }
@@ -60,7 +60,7 @@ void EffectsWorld::setVelocities(RobotHandle robot, const BodyState& torso, cons
 }
 
 void EffectsWorld::setJointVelocity(RobotHandle handle, JointId joint, double velocity) {
-  if (joint >= 0 && joint < numJoints && get(handle).motors.touches(joint)) {
+  if (joint >= 0 && joint < maxJoints && get(handle).motors.touches(joint)) {
     Robot& robot = get(handle);
     // What the world refuses, it refuses at once.
     if (!robot.model.has(joint) || !std::isfinite(velocity)) world->setJointVelocity(handle, joint, velocity);
@@ -73,7 +73,7 @@ void EffectsWorld::setJointVelocity(RobotHandle handle, JointId joint, double ve
 void EffectsWorld::step() {
   for (auto& [handle, robot] : robots) {
     robot.motors.beginCycle();
-    for (int j = 0; j < numJoints; ++j) {
+    for (int j = 0; j < maxJoints; ++j) {
       const auto joint = static_cast<JointId>(j);
       if (robot.model.has(joint) && robot.motors.touches(joint))
         world->setJointVelocity(handle, joint, robot.motors.velocity(joint));

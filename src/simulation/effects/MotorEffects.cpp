@@ -12,7 +12,7 @@ MotorEffects::MotorEffects(const std::vector<EffectSetting>& effects, double ste
     : step(stepSeconds), random(1, stream) {
   for (const EffectSetting& effect : effects) {
     if (effect.effect == "command_dropout") dropout = effect.value;
-    for (int j = 0; j < numJoints; ++j) {
+    for (int j = 0; j < maxJoints; ++j) {
       if (!isAt(effect, static_cast<JointId>(j))) continue;
       Path& path = paths[static_cast<std::size_t>(j)];
       path.used = true;

@@ -45,7 +45,7 @@ private:
   Random random;
   bool lost = false;
   JointArray commanded{}, arrived{};
-  std::array<Path, numJoints> paths;
+  std::array<Path, maxJoints> paths;
 };
 
 }  // namespace plumbline::simulation

@@ -24,7 +24,7 @@ SensorEffects::SensorEffects(const std::vector<EffectSetting>& effects, double s
     if (effect.effect == "gyro_bias") gyroBias[axis] += effect.value;
     if (effect.effect == "imu_misalignment")
       R_true_sensor = Eigen::AngleAxisd(effect.value, Vec3::Unit(axis)) * R_true_sensor;
-    for (int j = 0; j < numJoints; ++j) {
+    for (int j = 0; j < maxJoints; ++j) {
       if (!isAt(effect, static_cast<JointId>(j))) continue;
       if (effect.effect == "joint_offset") offset[static_cast<std::size_t>(j)] += effect.value;
       if (effect.effect == "encoder_nonlinearity") amplitude[static_cast<std::size_t>(j)] += effect.value;
@@ -39,7 +39,7 @@ SensorEffects::SensorEffects(const std::vector<EffectSetting>& effects, double s
 
 RobotReadings SensorEffects::read(const RobotReadings& truth, const JointArray& slack, bool newCycle) {
   RobotReadings readings = truth;
-  for (std::size_t j = 0; j < numJoints; ++j) {
+  for (std::size_t j = 0; j < maxJoints; ++j) {
     const double motor = truth.angle[j] + slack[j];
     readings.angle[j] = motor - offset[j] + amplitude[j] * std::sin(motor);
   }

@@ -33,7 +33,7 @@ LocalRobot::LocalRobot(const RobotModel& model, const WorldConfig& config_)
 
 void LocalRobot::act(const JointArray& velocities) {
   if (!config.actionDelay) pending = velocities;
-  for (int j = 0; j < numJoints; ++j)
+  for (int j = 0; j < maxJoints; ++j)
     if (const auto joint = static_cast<JointId>(j); model_.has(joint))
       world_->setJointVelocity(handle, joint, pending[static_cast<std::size_t>(j)]);
   world_->step();

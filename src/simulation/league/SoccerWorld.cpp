@@ -106,7 +106,7 @@ AssemblyState SoccerWorld::toAssemblyState(const Robot& robot, const BodyState& 
   state.root.linearVelocity += torso.angularVelocity.cross(toCom);
   state.angle.assign(robot.model.links.size() - 1, 0);
   state.rate = state.angle;
-  for (std::size_t j = 0; j < numJoints; ++j)
+  for (std::size_t j = 0; j < maxJoints; ++j)
     if (const int hinge = hingeOf(robot.model, static_cast<JointId>(j)); hinge >= 0) {
       state.angle[static_cast<std::size_t>(hinge)] = angles[j];
       state.rate[static_cast<std::size_t>(hinge)] = rates[j];
@@ -116,11 +116,11 @@ AssemblyState SoccerWorld::toAssemblyState(const Robot& robot, const BodyState& 
 
 void SoccerWorld::setJointVelocity(RobotHandle handle, JointId joint, double velocity) {
   const Robot& robot = get(handle);
-  if (joint < 0 || joint >= numJoints || !robot.model.has(joint))
+  if (joint < 0 || joint >= maxJoints || !robot.model.has(joint))
     throw std::invalid_argument("simulation: robot " + robot.model.name + " has no joint " +
-                                std::string(joint < 0 || joint >= numJoints ? "?" : jointNames[joint]));
+                                std::string(robot.model.jointName(joint)));
   if (!std::isfinite(velocity))
-    throw std::invalid_argument("simulation: velocity of " + std::string(jointNames[joint]) +
+    throw std::invalid_argument("simulation: velocity of " + std::string(robot.model.jointName(joint)) +
                                 " is not finite");
   const Link& link = robot.model.linkMovedBy(joint);
   const int hinge = hingeOf(robot.model, joint);
@@ -163,7 +163,7 @@ void SoccerWorld::senseAcceleration(RobotHandle handle, Robot& robot) const {
 }
 
 void SoccerWorld::senseAngles(RobotHandle handle, Robot& robot) const {
-  for (int j = 0; j < numJoints; ++j) {
+  for (int j = 0; j < maxJoints; ++j) {
     const int hinge = hingeOf(robot.model, static_cast<JointId>(j));
     if (hinge >= 0) robot.readings.angle[static_cast<std::size_t>(j)] = physics->hingeAngle(handle, hinge);
   }

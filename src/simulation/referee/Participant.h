@@ -9,7 +9,7 @@
 
 namespace plumbline::simulation {
 
-using JointSet = std::bitset<numJoints>;
+using JointSet = std::bitset<maxJoints>;
 
 /// Who is on the field. `frozen` are the joints that take no speed; the referee sets them.
 struct Member {
@@ -49,7 +49,7 @@ struct Participant : Member {
   int foulCycles = 0;
   bool movedForFoul = false;  ///< its rule has put it where it may be
   /// Game times [s].
-  std::array<double, numJoints> lastFrozen;
+  JointArray lastFrozen;
   double lastSelfCollision = never;
 
   int lastGroupSize = 1;  ///< of those who touched each other, in the cycle before

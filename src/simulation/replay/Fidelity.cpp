@@ -154,7 +154,7 @@ TraceDeviation deviation(const Rows& league, const Rows& ours) {
     const double rotation = rotationBetween(a.torso, b.torso);
     const double turn = std::abs(normalizeAngle(heading(a) - heading(b)));
     double angle = 0;
-    for (std::size_t j = 0; j < numJoints; ++j) angle = std::max(angle, std::abs(a.angle[j] - b.angle[j]));
+    for (std::size_t j = 0; j < maxJoints; ++j) angle = std::max(angle, std::abs(a.angle[j] - b.angle[j]));
     const auto raise = [&](double& whole, double& first2s, double value) {
       whole = std::max(whole, value);
       if (i <= rowsIn2s) first2s = whole;

@@ -60,7 +60,7 @@ private:
 
 double worstJointAt(const TraceRow& a, const TraceRow& b) {
   double worst = 0;
-  for (std::size_t j = 0; j < numJoints; ++j) worst = std::max(worst, std::abs(a.angle[j] - b.angle[j]));
+  for (std::size_t j = 0; j < maxJoints; ++j) worst = std::max(worst, std::abs(a.angle[j] - b.angle[j]));
   return toDegrees(worst);
 }
 

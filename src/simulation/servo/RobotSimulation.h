@@ -2,6 +2,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "robot/JointPlant.h"
@@ -71,6 +72,8 @@ public:
   virtual const BodyState& link(int index) const = 0;
   virtual const Mechanism& mechanism() const = 0;
 
+  /// Number of the joint of that name; throws std::invalid_argument with the nearest name there is.
+  int joint(std::string_view name) const { return mechanism().requireJoint(name); }
   const BodyState& base() const { return link(0); }
   double time() const { return readings().time; }
   /// Velocity of the centre of mass of all links, world [m/s].

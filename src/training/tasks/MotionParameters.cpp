@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "math/Angle.h"
+#include "motion/KeyframeReader.h"
 
 namespace plumbline::training {
 namespace {
@@ -14,10 +15,15 @@ constexpr double longest = 1000;                                     // [ms] of 
 constexpr double timeSigma = 25, settleSigma = 120, angleSigma = 5;  // [ms, ms, degrees]
 constexpr double limitMargin = 0.1;                                  // [degrees]: the file rounds
 
-bool mirrors(const motion::Keyframe& frame, JointId joint) {
+/// Whether the joint and its partner, which one key can name, are mirror images.
+bool mirrors(const motion::Keyframe& frame, JointId joint, const RobotModel& robot) {
   const JointId other = motion::mirrored(joint);
-  return other != joint && frame.set[other] &&
+  return other != joint && frame.set[other] && !motion::bothSides(robot, std::min(joint, other)).empty() &&
          std::abs(frame.angles[other] - motion::mirrorSign(joint) * frame.angles[joint]) < 1e-9;
+}
+
+std::string nameOf(const RobotModel& robot, JointId joint, bool both) {
+  return both ? motion::bothSides(robot, joint) : std::string(robot.jointName(joint));
 }
 
 }  // namespace
@@ -31,14 +37,13 @@ MotionParameters::MotionParameters(motion::KeyframeMotion motion, const RobotMod
         std::max(longest, 1e3 * frame.seconds), timeSigma);
     if (frame.settleSeconds > 0)
       add({i, Place::What::settle}, "settle" + number, 1e3 * frame.settleSeconds, 0, longest, settleSigma);
-    for (int j = lShoulderPitch; j < numJoints; ++j) {
+    for (int j = lShoulderPitch; j < maxJoints; ++j) {
       const auto joint = static_cast<JointId>(j);
       if (!frame.set[joint] || !robot.has(joint)) continue;
-      const bool both = mirrors(frame, joint);
+      const bool both = mirrors(frame, joint, robot);
       if (both && motion::mirrored(joint) < joint) continue;
       const Link& link = robot.linkMovedBy(joint);
-      add({i, Place::What::joint, joint, both},
-          std::string(both ? jointNames[joint].substr(1) : jointNames[joint]) + number,
+      add({i, Place::What::joint, joint, both}, nameOf(robot, joint, both) + number,
           toDegrees(frame.angles[joint]), toDegrees(link.lower) + limitMargin,
           toDegrees(link.upper) - limitMargin, angleSigma);
     }
@@ -85,7 +90,8 @@ motion::KeyframeMotion MotionParameters::shortened(const Eigen::VectorXd& values
   return result;
 }
 
-std::string motionFile(const motion::KeyframeMotion& motion, const std::string& heading) {
+std::string motionFile(const motion::KeyframeMotion& motion, const RobotModel& robot,
+                       const std::string& heading) {
   std::string text;
   for (std::size_t at = 0; at < heading.size();) {
     const std::size_t end = std::min(heading.find('\n', at), heading.size());
@@ -97,14 +103,13 @@ std::string motionFile(const motion::KeyframeMotion& motion, const std::string& 
     text += fmt::format("  - {{time: {:.3f}", frame.seconds);
     if (frame.settleSeconds > 0) text += fmt::format(", settle: {:.3f}", frame.settleSeconds);
     int inLine = 0;
-    for (int j = 0; j < numJoints; ++j) {
+    for (int j = 0; j < maxJoints; ++j) {
       const auto joint = static_cast<JointId>(j);
       if (!frame.set[joint]) continue;
-      const bool both = mirrors(frame, joint);
+      const bool both = mirrors(frame, joint, robot);
       if (both && motion::mirrored(joint) < joint) continue;
       text += inLine++ % 6 == 0 ? ",\n     " : ", ";
-      text += fmt::format("{}: {:.1f}", both ? jointNames[joint].substr(1) : jointNames[joint],
-                          toDegrees(frame.angles[joint]));
+      text += fmt::format("{}: {:.1f}", nameOf(robot, joint, both), toDegrees(frame.angles[joint]));
     }
     text += "}\n";
   }

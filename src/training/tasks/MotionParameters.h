@@ -25,7 +25,7 @@ private:
   struct Place {
     std::size_t keyframe;
     enum class What { seconds, settle, joint } what;
-    JointId joint = numJoints;
+    JointId joint = noJoint;
     bool both = false;  ///< the mirrored joint follows
   };
   void add(const Place& place, const std::string& name, double start, double lower, double upper,
@@ -38,6 +38,7 @@ private:
 
 /// A motion as the YAML file that readKeyframeFile reads, below comment lines of `heading`; tenths of a
 /// degree and milliseconds.
-std::string motionFile(const motion::KeyframeMotion& motion, const std::string& heading);
+std::string motionFile(const motion::KeyframeMotion& motion, const RobotModel& robot,
+                       const std::string& heading);
 
 }  // namespace plumbline::training

@@ -74,7 +74,7 @@ TaskOutcome StandUpTask::run(const Eigen::VectorXd& parameters, std::uint64_t se
 }
 
 std::string StandUpTask::file(const Eigen::VectorXd& parameters, const std::string& heading) const {
-  return motionFile(parameters_->shortened(parameters, motion::MotionTrial::dt), heading);
+  return motionFile(parameters_->shortened(parameters, motion::MotionTrial::dt), trial_.model, heading);
 }
 
 MAKE_TASK(standUp, {"standUp", "standing up from front or back: type, direction, weight, motion",

@@ -42,7 +42,7 @@ const JointArray& LegLoad::update(const JointArray& angles, const Vec2& torsoAng
     const Link& link = robot.links[i];
     const Pose3& T = kinematics.link(static_cast<int>(i));
     const Vec3 about = moment[i] - T.translation().cross(force[i]);
-    if (link.joint < numJoints)
+    if (link.joint != noJoint)
       torque[static_cast<std::size_t>(link.joint)] = -(T.linear() * link.axis).dot(about);
     force[static_cast<std::size_t>(link.parent)] += force[i];
     moment[static_cast<std::size_t>(link.parent)] += moment[i];

@@ -65,7 +65,7 @@ const ServoCommand& ServoDriver::command(const WalkOutput& output, const WalkPar
   share[0] += std::clamp(left - share[0], -most, most);
   share[1] = 1 - share[0];
   const JointArray& torque = load.update(output.angles, sensors.torsoAngles, share, p.model.pressure());
-  for (std::size_t j = 0; j < numJoints; ++j) {
+  for (std::size_t j = 0; j < maxJoints; ++j) {
     const int index = robot.mechanismJoint(static_cast<JointId>(j));
     if (index < 0) continue;
     const Mechanism::Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];

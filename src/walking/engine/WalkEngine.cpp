@@ -85,7 +85,7 @@ public:
   WalkOutput output(const Pose2& moved) const {
     WalkOutput out;
     out.angles = body.angles();
-    for (int j = lShoulderPitch; j < numJoints; ++j) out.set[static_cast<std::size_t>(j)] = true;
+    for (int j = lShoulderPitch; j < maxJoints; ++j) out.set[static_cast<std::size_t>(j)] = true;
     out.odometry = moved;
     out.support = state.support;
     out.phase = phase;

@@ -27,9 +27,9 @@ struct WalkRequest {
 };
 
 struct WalkOutput {
-  JointArray angles{};                ///< targets [rad] of
-  std::array<bool, numJoints> set{};  ///< these joints: legs and arms, not the head
-  Pose2 odometry;  ///< motion of the torso's ground frame since the last cycle, in that frame
+  JointArray angles{};  ///< targets [rad] of
+  JointFlags set{};     ///< these joints: legs and arms, not the head
+  Pose2 odometry;       ///< motion of the torso's ground frame since the last cycle, in that frame
   Support support = Support::both;
   Pose2 stepTarget;               ///< where the swing foot will land, in the frame of the centre of mass then
   double stepTime = 0;            ///< left of the current step [s]

@@ -55,6 +55,10 @@ TEST(EffectTable, RefusesInOneLine) {
                        "robots cannot have; there is command_delay, "));
   EXPECT_EQ(refusal("{effect: backlash, at: LKnee, value: 0.1}"),
             "effects.yaml:2: effects[0].at is \"LKnee\"; backlash sits at a joint such as LKneePitch");
+  EXPECT_EQ(
+      refusal("{effect: backlash, at: LKneePich, value: 0.1}"),
+      "effects.yaml:2: effects[0].at is \"LKneePich\"; backlash sits at a joint such as LKneePitch; did you "
+      "mean \"LKneePitch\"?");
   EXPECT_EQ(refusal("{effect: backlash, at: LKneePitch, value: 3}"),
             "effects.yaml:2: effects[0].value is 3; backlash goes from 0 to 0.5");
   EXPECT_EQ(refusal("{effect: gyro_bias, at: imu, value: 0.1}"),

@@ -203,7 +203,7 @@ TEST(SoccerWorld, refusesWhatMakesNoSense) {
   EXPECT_THROW(world->setJointVelocity(robot, lToePitch, 1), std::invalid_argument);
   EXPECT_THROW(world->setJointVelocity(robot, headYaw, std::numeric_limits<double>::quiet_NaN()),
                std::invalid_argument);
-  EXPECT_THROW(world->setJointVelocity(robot, numJoints, 1), std::invalid_argument);
+  EXPECT_THROW(world->setJointVelocity(robot, noJoint, 1), std::invalid_argument);
   world->removeRobot(robot);
   EXPECT_THROW(world->moveRobot(robot, Pose3::Identity()), std::out_of_range);
 }

@@ -43,7 +43,7 @@ public:
   /// Sends what was commanded since the last step, which acts in the step after this one, and makes a row.
   void step(bool record = true) {
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      for (std::size_t j = 0; j < numJoints; ++j)
+      for (std::size_t j = 0; j < numHumanoidJoints; ++j)
         if (commands[i].velocity[j]) inForce[i][j] = *commands[i].velocity[j];
       if (!rows[i].empty()) rows[i].back().command = inForce[i];
       EXPECT_EQ(simulation.act(ids[i], pending[i]), "");
@@ -76,7 +76,7 @@ private:
 
 std::vector<JointId> jointsOf(const RobotModel& model) {
   std::vector<JointId> joints;
-  for (int j = 0; j < numJoints; ++j)
+  for (int j = 0; j < numHumanoidJoints; ++j)
     if (model.has(static_cast<JointId>(j))) joints.push_back(static_cast<JointId>(j));
   return joints;
 }

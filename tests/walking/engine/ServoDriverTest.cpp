@@ -70,7 +70,7 @@ TEST_F(Driver, loadIsWhatTheServosCarry) {
   const JointArray expected =
       load.update(driver.humanoid().toModel(r.position), Vec2::Zero(), {0.5, 0.5}, Vec2::Zero());
   for (const JointId joint : {lKneePitch, rKneePitch, lHipPitch, rHipPitch})
-    EXPECT_NEAR(expected[at(joint)], measured[at(joint)], 0.25) << jointNames[at(joint)];
+    EXPECT_NEAR(expected[at(joint)], measured[at(joint)], 0.25) << humanoidJointNames[at(joint)];
   EXPECT_GT(std::abs(measured[lKneePitch]), 0.5);
 }
 

@@ -38,9 +38,10 @@ TEST(WalkEngine, standsStillUntilAsked) {
   loop.run({}, 1);
   EXPECT_TRUE(loop.output.standing);
   EXPECT_EQ(loop.output.support, Support::both);
-  for (std::size_t j = 0; j < numJoints; ++j) {
+  for (std::size_t j = 0; j < maxJoints; ++j) {
     if (!loop.output.set[j]) continue;
-    EXPECT_NEAR(loop.output.angles[j], loop.engine.stand().angles[j], 1e-3) << jointNames[j];
+    EXPECT_NEAR(loop.output.angles[j], loop.engine.stand().angles[j], 1e-3)
+        << loop.robot.jointName(static_cast<JointId>(j));
   }
   EXPECT_FALSE(loop.output.set[headYaw]);
   EXPECT_TRUE(loop.output.set[rAnkleRoll]);
@@ -119,9 +120,9 @@ TEST(WalkEngine, jointsMoveWithoutJumps) {
   JointArray last = loop.output.angles;
   for (int i = 0; i < 250; ++i) {
     loop.run(i < 200 ? walk(0.25, 0, 0.4) : WalkRequest{}, period);
-    for (std::size_t j = lShoulderPitch; j < numJoints; ++j)
+    for (std::size_t j = lShoulderPitch; j < maxJoints; ++j)
       ASSERT_LT(std::abs(loop.output.angles[j] - last[j]), 6.14 * period)
-          << jointNames[j] << " in cycle " << i;
+          << loop.robot.jointName(static_cast<JointId>(j)) << " in cycle " << i;
     last = loop.output.angles;
   }
 }

@@ -126,7 +126,7 @@ void SelfCollision::end(Match& match) {
   const Parameters& rules = match.rules.of<SelfCollision>();
   const bool all = match.suspended;
   for (Participant& player : match.participants()) {
-    for (std::size_t joint = 0; joint < numJoints; ++joint) {
+    for (std::size_t joint = 0; joint < maxJoints; ++joint) {
       const double since = match.game.time - player.lastFrozen[joint];
       if (all || since >= rules.frozen) player.frozen->reset(joint);
       if (all || since >= rules.frozen + rules.thaw) player.lastFrozen[joint] = Participant::never;

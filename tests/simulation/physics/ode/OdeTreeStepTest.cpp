@@ -57,7 +57,7 @@ TEST_P(Types, movesAsOdeOwnSolverMoves) {
   for (int i = 0; i < 60; ++i) {
     if (i % 8 == 0)
       for (const Link& link : model.links)
-        if (link.joint != numJoints) {
+        if (link.joint != noJoint) {
           const double v = speed(random);
           worlds.both([&](World& w) { w.setJointVelocity(1, link.joint, v); });
         }
@@ -91,7 +91,7 @@ TEST(OdeTreeStep, motorsAtTheirLimitAndStopsAsOdeHasThem) {
     w.setState(1, torso, angles, JointArray{});
   });
   for (const Link& link : model.links)
-    if (link.joint != numJoints) worlds.both([&](World& w) { w.setJointVelocity(1, link.joint, 6); });
+    if (link.joint != noJoint) worlds.both([&](World& w) { w.setJointVelocity(1, link.joint, 6); });
   for (int i = 0; i < 24; ++i) {
     worlds.both([](World& w) { w.step(); });
     const auto [position, velocity] = worlds.difference(1, static_cast<int>(model.links.size()));
