@@ -20,6 +20,7 @@ passed=0 failed=0 programAreas=() # empty: all
 failures=()
 progress=""
 export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
+export TSAN_OPTIONS=${TSAN_OPTIONS:-suppressions=$root/tests/support/thread.supp second_deadlock_stack=1}
 
 # Adds one result and prints it: name, log, exit status, tests passed, failed, seconds, tests skipped.
 account() {
