@@ -35,7 +35,7 @@ bin/%: force
 	@scripts/build.sh SimRelease $*
 .PHONY: force
 
-.PHONY: default all help packages run match web pictures test bench fuzz thread coverage install deb results format format-check tidy check clean
+.PHONY: default all help packages run match web pictures test bench fuzz thread coverage install deb results format format-check tidy check clean bench-live soak-live
 default: $(defaultTarget)
 all: $(configuredTargets)
 
@@ -89,6 +89,14 @@ bench-live:
 	@scripts/install_packages.sh scripts/packages-bench.txt
 	@$(MAKE) SimRelease SimRelease-bench-live SimRelease-bench-network
 	@scripts/run_bench.sh live
+	@scripts/make_results.sh live
+
+# An agent that plays for HOURS simulated hours with all of that switched on: memory and processor time, first and last.
+HOURS ?= 0.1
+soak-live:
+	@$(MAKE) SimRelease
+	@scripts/build_page.sh
+	@scripts/soak_live.sh $(HOURS)
 	@scripts/make_results.sh live
 
 # The walk's tables, figures and page (doc/results/walking.md, build/bench/walking.html): all robots, or what ARGS says, as
@@ -171,7 +179,7 @@ check:
 	@scripts/install_packages.sh scripts/packages.txt scripts/packages-test.txt
 	@scripts/build_page.sh
 	@PLUMBLINE_SLOW=1 scripts/run_tests.sh --all
-	@scripts/run_tests.sh SimThread framework
+	@$(MAKE) thread
 
 # The programs and libraries for this machine: PREFIX=FOLDER for another than configured [/usr/local], DESTDIR=FOLDER for a
 # root of its own; and as a Debian package.
@@ -185,7 +193,7 @@ installCommand = cmake --install build/SimRelease/cmake $(if $(PREFIX),--prefix 
 debCommand = cpack --config build/SimRelease/cmake/CPackConfig.cmake
 
 thread: packages
-	@scripts/run_tests.sh SimThread $(or $(AREAS),framework)
+	@scripts/run_tests.sh SimThread $(or $(AREAS),framework inspect dds record pages)
 
 coverage: packages
 	@scripts/coverage.sh $(AREAS)

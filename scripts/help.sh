@@ -11,7 +11,7 @@ make TARGET-tests    build its test programs as well; TARGET-bench the benchmark
 make all             build every configured target
 make test-AREA       build and run the tests of tests/AREA alone
 make check           everything that takes long: all tests, and the thread sanitizer
-make thread          the thread sanitizer over tests/framework (AREAS="..." for others)
+make thread          the thread sanitizer over what has threads (AREAS="..." for others)
 make coverage        which lines of src/ the tests run, a line per folder (AREAS="..." for some tests)
 make fuzz            libFuzzer on all that reads from outside, SECONDS=60 of each (TARGETS="..." for some)
 make bench           run all benchmarks into build/bench/; bench-AREA those of one area

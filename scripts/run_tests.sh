@@ -24,6 +24,7 @@ failures=() unsteady=()
 secondRuns=0 # of each target: how many tests that failed run again alone
 progress=""
 export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
+export TSAN_OPTIONS=${TSAN_OPTIONS:-suppressions=$root/tests/support/thread.supp second_deadlock_stack=1}
 
 # Adds one result and prints it: name, log, exit status, tests passed, failed, seconds, tests skipped.
 account() {

@@ -1,46 +1,29 @@
 #include "dds/ByteTopic.h"
 
-#include <array>
 #include <atomic>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
-#include <fastdds/dds/subscriber/DataReader.hpp>
-#include <fastdds/dds/subscriber/DataReaderListener.hpp>
-#include <fastdds/dds/subscriber/SampleInfo.hpp>
-#include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <mutex>
 #include <stdexcept>
+
+#include "dds/TopicQos.h"
 
 namespace plumbline::dds {
 namespace fast = eprosima::fastdds::dds;
 namespace {
 
-/// The topic of that name in this participant, made when it is asked for first.
-fast::Topic& topicOf(fast::DomainParticipant& participant, const TopicName& name) {
-  if (fast::TypeSupport known = participant.find_type(name.type); known.empty())
-    fast::TypeSupport(new BytesType(name.type, name.bare)).register_type(&participant);
-  if (auto* known = participant.lookup_topicdescription(name.topic)) {
-    if (known->get_type_name() != name.type)
-      throw std::runtime_error("topic " + name.topic + " carries " + known->get_type_name() + ", not " +
-                               name.type);
-    return *static_cast<fast::Topic*>(known);
-  }
-  auto* topic = participant.create_topic(name.topic, name.type, fast::TOPIC_QOS_DEFAULT);
-  if (!topic) throw std::runtime_error("DDS gives no topic " + name.topic);
-  return *topic;
-}
+/// Of somebody else's bytes.
+class SampleContent final : public Content {
+public:
+  explicit SampleContent(const Sample& sample) : bytes_(sample.bytes) { cycle = sample.cycle; }
+  std::size_t size() const override { return bytes_.size(); }
+  bool write(char* memory, std::size_t size) const override { return bytes_.copy(memory, size) == size; }
+  void read(std::string_view) override {}
 
-template <typename Qos>
-void keepNewest(Qos& qos, const TopicName& name) {
-  qos.reliability().kind = name.reliable ? fast::RELIABLE_RELIABILITY_QOS : fast::BEST_EFFORT_RELIABILITY_QOS;
-  qos.durability().kind = name.lasting ? fast::TRANSIENT_LOCAL_DURABILITY_QOS : fast::VOLATILE_DURABILITY_QOS;
-  qos.history().kind = fast::KEEP_LAST_HISTORY_QOS;
-  qos.history().depth = 1;
-  qos.endpoint().history_memory_policy = eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
-  qos.data_sharing().off();  // holds samples of one size only
-}
+private:
+  const std::string& bytes_;
+};
 
 }  // namespace
 
@@ -71,58 +54,23 @@ ByteWriter::~ByteWriter() {
   parts_->publisher->delete_datawriter(parts_->writer);
 }
 
-bool ByteWriter::write(Sample& sample) { return parts_->writer->write(&sample); }
+bool ByteWriter::write(const Content& content) {
+  // Fast DDS hands it to BytesType, which changes nothing.
+  return parts_->writer->write(const_cast<Content*>(&content));
+}
+
+bool ByteWriter::write(const Sample& sample) {
+  const SampleContent content(sample);
+  return write(content);
+}
 
 int ByteWriter::readers() const { return parts_->readers.load(std::memory_order_relaxed); }
 
-/// The newest of three samples changes hands by one exchange, as in framework/ThreadCopy.h.
-struct ByteReader::Parts : public fast::DataReaderListener {
-  static constexpr unsigned indexMask = 3, fresh = 4;
-
-  void on_subscription_matched(fast::DataReader*, const fast::SubscriptionMatchedStatus& status) override {
-    writers.store(status.current_count, std::memory_order_relaxed);
-  }
-
-  void on_data_available(fast::DataReader* from) override {
-    const std::lock_guard lock(network);  // shared memory and UDP have a thread each
-    fast::SampleInfo info;
-    while (from->take_next_sample(&samples[writing], &info) == ReturnCode_t::RETCODE_OK) {
-      if (info.valid_data) writing = middle.exchange(writing | fresh, std::memory_order_acq_rel) & indexMask;
-    }
-  }
-
-  fast::Subscriber* subscriber = nullptr;
-  fast::DataReader* reader = nullptr;
-  std::atomic<int> writers{0};
-  std::array<Sample, 3> samples;
-  std::mutex network;
-  unsigned writing = 0, reading = 2;
-  std::atomic<unsigned> middle{1};
-};
-
-ByteReader::ByteReader(Participant& participant, const TopicName& name) : parts_(std::make_unique<Parts>()) {
-  fast::Topic& topic = topicOf(participant.get(), name);
-  fast::DataReaderQos qos;
-  participant.subscriber().get_default_datareader_qos(qos);
-  keepNewest(qos, name);
-  parts_->subscriber = &participant.subscriber();
-  parts_->reader = participant.subscriber().create_datareader(&topic, qos, parts_.get());
-  if (!parts_->reader) throw std::runtime_error("DDS gives no reader of topic " + name.topic);
-}
-
-ByteReader::~ByteReader() {
-  parts_->reader->set_listener(nullptr);
-  parts_->subscriber->delete_datareader(parts_->reader);
-}
-
 bool ByteReader::take(Sample& sample) {
-  Parts& parts = *parts_;
-  if (!(parts.middle.load(std::memory_order_relaxed) & Parts::fresh)) return false;
-  parts.reading = parts.middle.exchange(parts.reading, std::memory_order_acq_rel) & Parts::indexMask;
-  std::swap(sample, parts.samples[parts.reading]);
+  if (!newest_.take()) return false;
+  sample.cycle = newest_.reading().cycle;
+  std::swap(sample.bytes, newest_.reading().bytes);
   return true;
 }
-
-int ByteReader::writers() const { return parts_->writers.load(std::memory_order_relaxed); }
 
 }  // namespace plumbline::dds

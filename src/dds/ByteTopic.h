@@ -2,18 +2,15 @@
 #include <memory>
 #include <string>
 
-#include "dds/BytesType.h"
-#include "dds/Participant.h"
+#include "dds/Newest.h"
+#include "dds/TopicReader.h"
 
 namespace plumbline::dds {
 
-/// What a topic is called, for readers and writers.
-struct TopicName {
-  std::string topic;
-  std::string type;
-  bool bare = false;      ///< see BytesType
-  bool reliable = false;  ///< lost samples are sent again, to readers that ask for it
-  bool lasting = false;   ///< a reader who comes later gets the last sample
+/// The number of the sender's cycle and the bytes of a message.
+struct Sample {
+  std::uint64_t cycle = 0;
+  std::string bytes;
 };
 
 /// Writes samples of one topic; only the newest is kept, nobody waits for a slow reader.
@@ -26,7 +23,8 @@ public:
   ByteWriter& operator=(const ByteWriter&) = delete;
 
   /// Any thread, one at a time. False: it was not sent.
-  bool write(Sample& sample);
+  bool write(const Content& content);
+  bool write(const Sample& sample);
   /// How many readers there are now; any thread.
   int readers() const;
 
@@ -36,22 +34,24 @@ private:
 };
 
 /// Keeps the newest sample of one topic.
-class ByteReader {
+class ByteReader : Arrivals {
 public:
   /// Throws std::runtime_error that names the topic.
-  ByteReader(Participant& participant, const TopicName& name);
-  ~ByteReader();
+  ByteReader(Participant& participant, const TopicName& name) : reader_(participant, name, *this) {}
   ByteReader(const ByteReader&) = delete;
   ByteReader& operator=(const ByteReader&) = delete;
 
   /// Swaps the newest sample into `sample`; false if none came since the last call. Never waits.
   bool take(Sample& sample);
   /// How many writers there are now; any thread.
-  int writers() const;
+  int writers() const { return reader_.writers(); }
 
 private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  Content& place() noexcept override { return newest_.writing(); }
+  void arrived() noexcept override { newest_.publish(); }
+
+  Newest<BytesContent> newest_;
+  TopicReader reader_;  ///< ends before what it fills
 };
 
 }  // namespace plumbline::dds

@@ -22,9 +22,9 @@ BytesType::BytesType(const std::string& name, bool bare) : bare_(bare) {
 }
 
 bool BytesType::serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) {
-  const Sample& sample = *static_cast<Sample*>(data);
-  const std::size_t size = headSize(bare_) + sample.bytes.size();
-  if (sample.bytes.size() > maxBytes || payload->max_size < size) return false;
+  const Content& content = *static_cast<Content*>(data);
+  const std::size_t contentSize = content.size(), size = headSize(bare_) + contentSize;
+  if (contentSize > maxBytes || payload->max_size < size) return false;
   unsigned char* at = payload->data;
   const auto put = [&](const void* from, std::size_t bytes) {
     std::memcpy(at, from, bytes);
@@ -32,35 +32,35 @@ bool BytesType::serialize(void* data, eprosima::fastrtps::rtps::SerializedPayloa
   };
   put(littleEndian.data(), littleEndian.size());
   if (!bare_) {
-    const auto length = static_cast<std::uint32_t>(sample.bytes.size());
-    put(&sample.cycle, cycleSize);
+    const auto length = static_cast<std::uint32_t>(contentSize);
+    put(&content.cycle, cycleSize);
     put(&length, lengthSize);
   }
-  put(sample.bytes.data(), sample.bytes.size());
+  if (!content.write(reinterpret_cast<char*>(at), contentSize)) return false;
   payload->encapsulation = CDR_LE;
   payload->length = static_cast<std::uint32_t>(size);
   return true;
 }
 
 bool BytesType::deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) {
-  Sample& sample = *static_cast<Sample*>(data);
+  Content& content = *static_cast<Content*>(data);
   const std::size_t head = headSize(bare_);
   if (payload->length < head || std::memcmp(payload->data, littleEndian.data(), 2) != 0) return false;
   std::size_t size = payload->length - head;
   if (!bare_) {
     std::uint32_t length = 0;
-    std::memcpy(&sample.cycle, payload->data + littleEndian.size(), cycleSize);
+    std::memcpy(&content.cycle, payload->data + littleEndian.size(), cycleSize);
     std::memcpy(&length, payload->data + littleEndian.size() + cycleSize, lengthSize);
     if (length > size) return false;
     size = length;  // the rest fills up to a multiple of four
   }
   if (size > maxBytes) return false;
-  sample.bytes.assign(reinterpret_cast<const char*>(payload->data) + head, size);
+  content.read({reinterpret_cast<const char*>(payload->data) + head, size});
   return true;
 }
 
 std::function<std::uint32_t()> BytesType::getSerializedSizeProvider(void* data) {
-  const auto size = static_cast<std::uint32_t>(headSize(bare_) + static_cast<Sample*>(data)->bytes.size());
+  const auto size = static_cast<std::uint32_t>(headSize(bare_) + static_cast<Content*>(data)->size());
   return [size] { return size; };
 }
 

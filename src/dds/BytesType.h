@@ -3,17 +3,13 @@
 #include <fastdds/dds/topic/TopicDataType.hpp>
 #include <string>
 
+#include "dds/Content.h"
+
 namespace plumbline::dds {
 
-/// What one sample carries: the number of the sender's cycle and the bytes of a message.
-struct Sample {
-  std::uint64_t cycle = 0;
-  std::string bytes;
-};
-
-/// A sample on the wire, in CDR: `struct Sample { unsigned long long cycle; sequence<octet> bytes; }`, or the
-/// message's own CDR alone (`bare`: messages of ROS 2). What is longer than `maxBytes`, or shorter than it
-/// says, is no sample.
+/// A Content on the wire, in CDR: `struct Sample { unsigned long long cycle; sequence<octet> bytes; }`, or
+/// the message's own CDR alone (`bare`: messages of ROS 2). What is longer than `maxBytes`, or shorter than
+/// it says, is no sample.
 class BytesType final : public eprosima::fastdds::dds::TopicDataType {
 public:
   static constexpr std::size_t maxBytes = 32u << 20;
@@ -21,11 +17,12 @@ public:
   /// `name` is the type's on the wire: only readers and writers of one name meet.
   BytesType(const std::string& name, bool bare);
 
+  // `data` is a Content.
   bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override;
   bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) override;
   std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override;
-  void* createData() override { return new Sample; }
-  void deleteData(void* data) override { delete static_cast<Sample*>(data); }
+  void* createData() override { return static_cast<Content*>(new BytesContent); }
+  void deleteData(void* data) override { delete static_cast<Content*>(data); }
   bool getKey(void*, eprosima::fastrtps::rtps::InstanceHandle_t*, bool) override { return false; }
 
 private:

@@ -1,13 +1,9 @@
 #include "dds/NetworkHub.h"
 
-#include <cstring>
 #include <stdexcept>
 
-#include "dds/Shape.h"
-#include "framework/BinaryStream.h"
 #include "framework/ConfigurationError.h"
 #include "framework/ModuleObjects.h"
-#include "framework/OutputGuard.h"
 
 namespace plumbline::dds {
 
@@ -23,39 +19,35 @@ TopicName topicName(const std::string& agent, const RepresentationLoader& loader
 
 SentRepresentation::SentRepresentation(Participant& participant, const NetworkOptions& options,
                                        const RepresentationLoader& loader, const Representation& source)
-    : sent_(loader.create()),
-      shape_(shapeOf(sent_->get())),
-      writer_(participant, topicName(options.agent, loader)) {
-  copy_.add(loader, source, sent_->get());
+    : sent_(loader), writer_(participant, topicName(options.agent, loader)) {
+  copy_.add(loader, source, sent_.value());
 }
 
 void SentRepresentation::send() {
   if (!copy_.fetch()) return;
-  sample_.cycle++;
-  sample_.bytes.assign(reinterpret_cast<const char*>(&shape_), sizeof shape_);
-  BinaryOutStream out(sample_.bytes);
-  sent_->get().stream(nullptr, &out);
-  writer_.write(sample_);
+  sent_.cycle++;
+  writer_.write(sent_);
 }
 
 ReceivedRepresentation::ReceivedRepresentation(Participant& participant, const NetworkOptions& options,
-                                               const RepresentationLoader& loader, Representation& target)
+                                               const RepresentationLoader& loader, Representation& target,
+                                               std::function<void(const Representation&)> whenArrived)
     : loader_(loader),
       target_(target),
       from_(options.from),
-      scratch_(loader.create()),
-      shape_(shapeOf(scratch_->get())),
-      reader_(participant, topicName(options.from, loader)) {}
+      whenArrived_(std::move(whenArrived)),
+      newest_(loader),
+      reader_(participant, topicName(options.from, loader), *this) {}
 
-bool ReceivedRepresentation::read() {
-  std::uint64_t shape = 0;
-  if (sample_.bytes.size() < sizeof shape) return false;
-  std::memcpy(&shape, sample_.bytes.data(), sizeof shape);
-  if (shape != shape_) return false;
-  BinaryInStream in(std::string_view(sample_.bytes).substr(sizeof shape));
-  scratch_->get().stream(&in, nullptr);
-  bool numbers = false;
-  return in.ok() && in.atEnd() && streamsFiniteNumbers(scratch_->get(), numbers);
+void ReceivedRepresentation::arrived() noexcept {
+  RepresentationContent& content = newest_.writing();
+  if (content.problem().empty()) {
+    if (whenArrived_) whenArrived_(content.value());
+    return newest_.publish();
+  }
+  const std::lock_guard lock(mutex_);
+  problem_ = content.problem();
+  wrong_.store(true, std::memory_order_release);
 }
 
 void ReceivedRepresentation::receive(Log& log) {
@@ -63,12 +55,12 @@ void ReceivedRepresentation::receive(Log& log) {
     log << from_ << (now > 0 ? " sends " : " no longer sends ") << loader_.name();
     writers_ = now;
   }
-  if (!reader_.take(sample_)) return;
-  if (read())
-    loader_.copy(scratch_->get(), target_);
-  else
+  if (wrong_.load(std::memory_order_relaxed) && wrong_.exchange(false, std::memory_order_acquire)) {
+    const std::unique_lock lock(mutex_, std::try_to_lock);  // no cycle waits for the network
     log.warning() << "what " << from_ << " sends as " << loader_.name()
-                  << " is not what this program takes for it: are both of one version?";
+                  << " is left out: " << (lock ? problem_ : "more than one is wrong");
+  }
+  if (newest_.take()) loader_.copy(newest_.reading().value(), target_);
 }
 
 void NetworkHub::open(ConfigStore& config) {

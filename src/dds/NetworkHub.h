@@ -1,11 +1,15 @@
 #pragma once
+#include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
-#include <vector>
 
 #include "dds/ByteTopic.h"
 #include "dds/NetworkOptions.h"
+#include "dds/Newest.h"
+#include "dds/RepresentationContent.h"
 #include "dds/SendingThread.h"
 #include "framework/Log.h"
 #include "framework/RepresentationLoader.h"
@@ -27,34 +31,40 @@ public:
   void send();
 
 private:
-  std::unique_ptr<RepresentationHolder> sent_;
-  std::uint64_t shape_;
+  RepresentationContent sent_;
   ThreadCopy copy_;
   ByteWriter writer_;
-  Sample sample_;
 };
 
-/// A representation that another agent shows.
-class ReceivedRepresentation {
+/// A representation that another agent shows. What arrives is read and checked in the network's thread; what
+/// cannot be read, is of another shape or a value that no module may provide changes nothing.
+class ReceivedRepresentation : Arrivals {
 public:
+  /// `whenArrived` is called in the network's thread with each good value.
   ReceivedRepresentation(Participant& participant, const NetworkOptions& options,
-                         const RepresentationLoader& loader, Representation& target);
+                         const RepresentationLoader& loader, Representation& target,
+                         std::function<void(const Representation&)> whenArrived = nullptr);
+  ReceivedRepresentation(const ReceivedRepresentation&) = delete;
+  ReceivedRepresentation& operator=(const ReceivedRepresentation&) = delete;
 
-  /// In the thread of the target, before each cycle: the newest value, if one came. What cannot be read, is
-  /// of another shape or not finite changes nothing and is told to the log.
+  /// In the thread of the target, before each cycle: the newest value, if one came. Says what changed and
+  /// what was wrong since the last call.
   void receive(Log& log);
 
 private:
-  bool read();
+  Content& place() noexcept override { return newest_.writing(); }
+  void arrived() noexcept override;
 
   const RepresentationLoader& loader_;
   Representation& target_;
   std::string from_;
-  std::unique_ptr<RepresentationHolder> scratch_;
-  std::uint64_t shape_;
-  ByteReader reader_;
-  Sample sample_;
+  std::function<void(const Representation&)> whenArrived_;
+  Newest<RepresentationContent> newest_;
+  std::mutex mutex_;
+  std::string problem_;             ///< of the last one that was left out; under the mutex
+  std::atomic<bool> wrong_{false};  ///< there is a problem that was not told
   int writers_ = 0;
+  TopicReader reader_;  ///< ends before what it fills
 };
 
 /// The network of an agent: one participant and one thread that sends, whatever number of threads names

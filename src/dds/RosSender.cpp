@@ -1,9 +1,6 @@
 #include "dds/RosSender.h"
 
 namespace plumbline::dds {
-namespace {
-constexpr unsigned indexMask = 3, fresh = 4;
-}
 
 RosSender::RosSender(const ParticipantOptions& options, const std::string& prefix) : participant_(options) {
   const auto open = [&](RosTopic topic, const std::string& name, const char* package, const char* message,
@@ -23,15 +20,13 @@ RosSender::RosSender(const ParticipantOptions& options, const std::string& prefi
 
 void RosSender::send(RosTopic topic, std::string message) {
   Outgoing& out = outgoing_[static_cast<std::size_t>(topic)];
-  out.samples[out.writing].bytes = std::move(message);
-  out.writing = out.middle.exchange(out.writing | fresh, std::memory_order_acq_rel) & indexMask;
+  out.newest.writing().bytes = std::move(message);
+  out.newest.publish();
 }
 
 void RosSender::sendAll() {
   for (Outgoing& out : outgoing_) {
-    if (!(out.middle.load(std::memory_order_relaxed) & fresh)) continue;
-    out.reading = out.middle.exchange(out.reading, std::memory_order_acq_rel) & indexMask;
-    out.writer->write(out.samples[out.reading]);
+    if (out.newest.take()) out.writer->write(out.newest.reading());
   }
 }
 

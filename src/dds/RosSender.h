@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <atomic>
 #include <memory>
 #include <string>
 
@@ -27,9 +26,7 @@ public:
 private:
   struct Outgoing {
     std::unique_ptr<ByteWriter> writer;
-    std::array<Sample, 3> samples;  ///< changing hands as in framework/ThreadCopy.h
-    unsigned writing = 0, reading = 2;
-    std::atomic<unsigned> middle{1};
+    Newest<Sample> newest;
   };
 
   void sendAll();

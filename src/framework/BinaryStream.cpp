@@ -9,34 +9,6 @@ void InStream::fail(const std::string& message) {
   if (error_.empty()) error_ = "byte " + std::to_string(position()) + ": " + message;
 }
 
-void BinaryOutStream::writeUnsigned(std::uint64_t value, unsigned bytes) {
-  char buffer[8];
-  for (unsigned i = 0; i < bytes; i++) buffer[i] = static_cast<char>(value >> (8 * i));
-  target_.append(buffer, bytes);
-}
-
-void BinaryOutStream::writeSigned(std::int64_t value, unsigned bytes) {
-  writeUnsigned(static_cast<std::uint64_t>(value), bytes);
-}
-
-void BinaryOutStream::writeBool(bool value) { target_.push_back(value ? 1 : 0); }
-void BinaryOutStream::writeChar(char value) { target_.push_back(value); }
-void BinaryOutStream::writeFloat(float value) { writeUnsigned(std::bit_cast<std::uint32_t>(value), 4); }
-void BinaryOutStream::writeDouble(double value) { writeUnsigned(std::bit_cast<std::uint64_t>(value), 8); }
-
-void BinaryOutStream::writeString(std::string_view value) {
-  writeUnsigned(value.size(), 4);
-  target_.append(value);
-}
-
-void BinaryOutStream::writeRaw(const void* data, std::size_t size) {
-  target_.append(static_cast<const char*>(data), size);
-}
-
-void BinaryOutStream::beginList(std::size_t size, bool sized) {
-  if (sized) writeUnsigned(size, 4);
-}
-
 const char* BinaryInStream::take(std::size_t size) {
   if (!ok()) return nullptr;
   if (size > data_.size() - position_) {
@@ -46,6 +18,12 @@ const char* BinaryInStream::take(std::size_t size) {
   const char* result = data_.data() + position_;
   position_ += size;
   return result;
+}
+
+const char* BinaryInStream::takeNumbers(std::size_t count, unsigned bytes) {
+  const std::size_t there = (data_.size() - position_) / bytes;
+  if (ok() && count > there) position_ += there * bytes;
+  return take(count > there ? bytes : count * bytes);
 }
 
 void BinaryInStream::readUnsigned(std::uint64_t& value, unsigned bytes) {
@@ -104,6 +82,15 @@ void BinaryInStream::readRaw(void* data, std::size_t size) {
   if (const char* source = take(size)) std::memcpy(data, source, size);
 }
 
+void BinaryInStream::readBlock(NumberType type, void* data, std::size_t count) {
+  if constexpr (std::endian::native == std::endian::little) {
+    if (const char* source = takeNumbers(count, type.bytes); source && count > 0)
+      std::memcpy(data, source, count * type.bytes);
+  } else {
+    InStream::readBlock(type, data, count);
+  }
+}
+
 void BinaryInStream::beginObject() {
   if (++depth_ > maxDepth) fail("nested too deeply");
 }
@@ -119,6 +106,15 @@ bool BinaryInStream::nextElement() {
   if (!ok() || remaining_.back() == 0) return false;
   remaining_.back()--;
   return true;
+}
+
+std::optional<std::size_t> BinaryInStream::blockAhead(NumberType type) {
+  if (!ok()) return std::nullopt;
+  const std::size_t count = remaining_.back(), before = position_;
+  if (!takeNumbers(count, type.bytes)) return std::nullopt;
+  position_ = before;
+  remaining_.back() = 0;
+  return count;
 }
 
 void BinaryInStream::endList() {

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -30,6 +31,8 @@ constexpr std::array caughtSignals = {SIGSEGV, SIGBUS,  SIGFPE,  SIGILL,  SIGABR
 CrashRecord* record = nullptr;
 int pipeToWriter = -1;
 pid_t writer = -1;
+unsigned deadline = 30;       ///< [s]
+std::atomic<pid_t> dying{0};  ///< the thread that was struck
 char note[512];
 std::array<struct sigaction, caughtSignals.size()> previous;
 
@@ -37,24 +40,65 @@ void say(const char* text) {
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text, std::strlen(text));
 }
 
-/// Waits for the writer, but not for ever: it might hang on a full disk.
-void waitForWriter() {
+/// Waits for the writer, but not for ever: it might hang on a full disk. False: it is still there.
+bool waitForWriter() {
   for (int i = 0; i < 3000; i++) {
-    if (waitpid(writer, nullptr, WNOHANG) != 0) return;
+    if (waitpid(writer, nullptr, WNOHANG) != 0) return true;
     const timespec millisecond{0, 1000000};
     nanosleep(&millisecond, nullptr);
   }
+  return false;
+}
+
+/// Ends the process by the signal, which nobody catches any more.
+[[noreturn]] void dieBy(int signal) {
+  struct sigaction action {};
+  action.sa_handler = SIG_DFL;
+  sigaction(signal, &action, nullptr);
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, signal);
+  pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+  raise(signal);
+  _exit(128 + signal);
+}
+
+/// The last word, after `deadline`. Says nothing: a full pipe may be what everything hangs on.
+void giveUp(int) { dieBy(record->signal); }
+
+void startDeadline() {
+  struct sigaction action {};
+  action.sa_handler = giveUp;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGALRM, &action, nullptr);
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGALRM);
+  pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+  alarm(deadline);
+}
+
+/// Faults of an instruction, which strikes again when the handler returns.
+bool strikesAgain(int signal, const siginfo_t& info) {
+  const bool fault = signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL;
+  return fault && info.si_code > 0;
 }
 
 // Only what a signal handler may do (and backtrace, which was called once before to load what it needs).
 void handle(int signal, siginfo_t* info, void*) {
   int none = 0;
   if (!record->signal.compare_exchange_strong(none, signal)) {
-    // Another thread died first; it is being written about.
+    if (dying == gettid()) dieBy(signal);  // struck again while it was being written about
+    // Another thread died first.
     while (true) pause();
   }
+  dying = gettid();
+  startDeadline();
   record->signalThread = CrashRecord::currentThread();
   record->callCount = backtrace(record->calls.data(), static_cast<int>(record->calls.size()));
+  // The writer first: whoever should read standard error may be stuck.
+  const char byte = 1;
+  [[maybe_unused]] const auto written = write(pipeToWriter, &byte, 1);
   say("died by ");
   say(signalName(signal));
   if (const char* step = record->stepOf(CrashRecord::currentThread())) {
@@ -62,15 +106,13 @@ void handle(int signal, siginfo_t* info, void*) {
     say(step);
   }
   say(note);
-  const char byte = 1;
-  [[maybe_unused]] const auto written = write(pipeToWriter, &byte, 1);
   waitForWriter();
   for (std::size_t i = 0; i < caughtSignals.size(); i++) {
     if (caughtSignals[i] == signal) sigaction(signal, &previous[i], nullptr);
   }
-  // A fault strikes again on return, then at the right place for a debugger or sanitizer; a signal that was
-  // sent has to be sent again.
-  if (info->si_code <= 0) raise(signal);
+  // A fault strikes again on return, then at the right place for a debugger or sanitizer; any other signal
+  // has to be sent again.
+  if (!strikesAgain(signal, *info)) raise(signal);
 }
 
 /// The second process. Waits for a byte (a signal was caught) or the end of the pipe (the agent is gone).
@@ -145,7 +187,9 @@ void CrashLog::protectThread() {
   if (record) thread_local SignalStack stack;
 }
 
-CrashLog::CrashLog(const std::string& path) : path_(std::filesystem::absolute(path).string()) {
+CrashLog::CrashLog(const std::string& path, unsigned secondsToDie)
+    : path_(std::filesystem::absolute(path).string()) {
+  deadline = secondsToDie;
   if (const char* failed = startWriter(path_)) {
     Log("framework").warning() << "no " << path << " will be written: " << failed << ": "
                                << std::strerror(errno);
@@ -176,7 +220,10 @@ CrashLog::~CrashLog() {
   markFinished();
   close(pipeToWriter);
   pipeToWriter = -1;
-  waitpid(writer, nullptr, 0);
+  if (!waitForWriter()) {
+    kill(writer, SIGKILL);
+    waitpid(writer, nullptr, 0);
+  }
   writer = -1;
 }
 

@@ -9,8 +9,9 @@ namespace plumbline {
 class CrashLog {
 public:
   /// Starts the second process. At the beginning of main, before any thread; one at a time. If that is not
-  /// possible there will be no crash log, and the log says so.
-  explicit CrashLog(const std::string& path = "crash.log");
+  /// possible there will be no crash log, and the log says so. An agent that was struck by a signal is gone
+  /// after `secondsToDie`, whatever it or the second process hang on.
+  explicit CrashLog(const std::string& path = "crash.log", unsigned secondsToDie = 30);
   /// The agent ends in order: ends the second process and waits for it.
   ~CrashLog();
   CrashLog(const CrashLog&) = delete;

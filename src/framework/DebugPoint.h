@@ -2,6 +2,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,8 @@ public:
   virtual void write(OutStream& out) const = 0;
   virtual bool writable() const { return false; }
   virtual void read(InStream&) {}
+  /// Behind read: "", or what must not be as it is now.
+  virtual std::string problem() const { return {}; }
   /// What it draws, where it is a drawing; null otherwise. Valid as long as this.
   virtual const Drawing* drawing() const { return nullptr; }
 

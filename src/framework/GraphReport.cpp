@@ -13,6 +13,7 @@ void addTimes(const TimingPlugin& timing, ModuleReport& module) {
   for (const TimingPlugin::Entry& entry : timing.steps()) {
     if (entry.module != module.name) continue;
     total += 1e6 * entry.stopwatch->mean() * static_cast<double>(entry.stopwatch->count());
+    module.overruns += entry.overruns.load(std::memory_order_relaxed);
     waited += 1e-3 * static_cast<double>(entry.waited.load(std::memory_order_relaxed));
   }
   const double cycles = std::max(1.0, static_cast<double>(timing.cycle().count()));

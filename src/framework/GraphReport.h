@@ -15,6 +15,7 @@ struct ModuleReport {
   std::vector<std::string> reads;     ///< of REQUIRES and REQUIRES_IF_PROVIDED, where they are provided
   std::vector<std::string> uses;      ///< of USES
   double time = 0, wait = 0;          ///< work, and waiting for its input: means per cycle [us]
+  std::uint64_t overruns = 0;         ///< cycles that ran over and in which a step of it took longest
 };
 
 /// A thread as it runs: its modules in the order of execution.

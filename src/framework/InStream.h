@@ -1,8 +1,11 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "framework/NumberBlock.h"
 
 namespace plumbline {
 
@@ -25,6 +28,8 @@ public:
   virtual void readDouble(double& value) = 0;
   virtual void readString(std::string& value) = 0;
   virtual void readRaw(void* data, std::size_t size) = 0;
+  /// `count` numbers to stand one behind the other at `data`, as OutStream::writeBlock wrote them.
+  virtual void readBlock(NumberType type, void* data, std::size_t count);
 
   virtual void beginObject() = 0;
   virtual void endObject() = 0;
@@ -33,6 +38,11 @@ public:
   virtual void beginList() = 0;
   virtual bool nextElement() = 0;
   virtual void endList() = 0;
+  /// Behind beginList: how many numbers of the list are there for one readBlock, instead of nextElement.
+  /// None: they come one by one, or fewer are there than the list says, which is an error.
+  virtual std::optional<std::size_t> blockAhead(NumberType) { return std::nullopt; }
+  /// As OutStream::flat.
+  virtual bool flat() const { return false; }
 
   bool ok() const { return error_.empty(); }
   /// Empty, or one line: what was wrong and at which byte.

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "framework/NumberBlock.h"
+
 namespace plumbline {
 
 /// Where a Streamable writes itself. A stream knows only these few shapes; StreamTypes.h breaks every
@@ -20,6 +22,9 @@ public:
   virtual void writeString(std::string_view value) = 0;
   /// A block of memory as it stands.
   virtual void writeRaw(const void* data, std::size_t size) = 0;
+  /// `count` numbers that stand one behind the other at `data`: the same as each by itself, in one piece
+  /// where a stream can do that.
+  virtual void writeBlock(NumberType type, const void* data, std::size_t count);
 
   /// Members follow, each with its label, until endObject.
   virtual void beginObject() = 0;
@@ -28,6 +33,9 @@ public:
   /// `size` elements follow, until endList. The reader does not know `size` unless `sized`.
   virtual void beginList(std::size_t size, bool sized) = 0;
   virtual void endList() = 0;
+  /// True if labels, objects and lists that are not `sized` leave no trace: then numbers that stand in
+  /// several of them may come as one block.
+  virtual bool flat() const { return false; }
 };
 
 }  // namespace plumbline

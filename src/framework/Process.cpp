@@ -160,9 +160,9 @@ void Process::resetModule(std::size_t index) {
   replaceModule(index, std::move(next));
 }
 
-void Process::reject(const Step& step) {
-  log_.error() << "[" << info_.name << "] " << step.label
-               << ": a value is not finite; the last good one is kept and the module starts anew";
+void Process::reject(const Step& step, const std::string& problem) {
+  log_.error() << "[" << info_.name << "] " << step.label << ": " << problem
+               << "; the last good value is kept and the module starts anew";
   if (std::find(rejected_.begin(), rejected_.end(), step.instance) == rejected_.end())
     rejected_.push_back(step.instance);
 }
@@ -248,7 +248,7 @@ void Process::runSteps(Plugin::Clock::time_point now) {
       step.instance->execute();
     } else {
       step.call(*step.instance, *step.value);
-      if (!guards_[step.index]->accept()) reject(step);
+      if (const std::string problem = guards_[step.index]->check(); !problem.empty()) reject(step, problem);
       if (debugging_) debug_->updated(step);
     }
     const Plugin::Duration duration{now, Plugin::Clock::now()};

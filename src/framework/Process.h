@@ -59,7 +59,7 @@ private:
   void initModule(Module& module, std::size_t index);
   void replaceModule(std::size_t index, std::unique_ptr<Module> next);
   void resetModule(std::size_t index);
-  void reject(const Step& step);
+  void reject(const Step& step, const std::string& problem);
   void remakeModules();
   void restart();
   bool reads(std::size_t index, const std::string& file) const;

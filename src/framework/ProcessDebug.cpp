@@ -1,6 +1,7 @@
 #include "framework/ProcessDebug.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "framework/ConfigurationError.h"
 #include "framework/DebugSite.h"
@@ -11,12 +12,15 @@ namespace {
 
 class RepresentationValue final : public DebugValue {
 public:
-  explicit RepresentationValue(Representation& value) : value_(value) {}
+  RepresentationValue(const RepresentationLoader& loader, Representation& value)
+      : loader_(loader), value_(value) {}
   void write(OutStream& out) const override { StreamType<Representation>::write(out, value_); }
   bool writable() const override { return true; }
   void read(InStream& in) override { StreamType<Representation>::read(in, value_); }
+  std::string problem() const override { return loader_.problemOf(value_); }
 
 private:
+  const RepresentationLoader& loader_;
   Representation& value_;
 };
 
@@ -68,6 +72,14 @@ private:
   std::map<std::string, ParameterValue>& set_;
 };
 
+/// Of what a module of the plan provides.
+const RepresentationLoader& loaderOf(const ThreadPlan& plan, const std::string& representation) {
+  for (const ModulePlan& module : plan.modules)
+    for (const ModuleOutput* output : module.outputs)
+      if (output->representation->name() == representation) return *output->representation;
+  throw std::logic_error("no module of the thread provides " + representation);
+}
+
 }  // namespace
 
 ProcessDebug::ProcessDebug(AgentDebug& agent, const ThreadPlan& plan, const ThreadInfo& info,
@@ -82,8 +94,7 @@ ProcessDebug::ProcessDebug(AgentDebug& agent, const ThreadPlan& plan, const Thre
   for (const Step& step : info.steps) {
     ofStep_.push_back(nullptr);
     if (step.isExecute()) continue;
-    values_.emplace_back("representation:" + step.representation);
-    ofStep_.back() = &values_.back().point;
+    ofStep_.back() = &values_.emplace_back(loaderOf(plan, step.representation));
     agent_.points.add(values_.back().point);
   }
   for (std::size_t i = 0; i < plan.modules.size(); i++) {
@@ -159,13 +170,13 @@ void ProcessDebug::beginCycle() {
 void ProcessDebug::beginValues() {
   for (ValuePoint& value : values_) {
     if (!value.special || !value.point.active()) continue;
-    RepresentationValue special(*value.special);
+    RepresentationValue special(*value.loader, *value.special);
     value.point.pass(special);
   }
 }
 
 void ProcessDebug::addValue(const RepresentationLoader& loader, Representation& value) {
-  values_.emplace_back("representation:" + loader.name());
+  values_.emplace_back(loader);
   values_.back().special = &value;
   agent_.points.add(values_.back().point);
 }
@@ -199,10 +210,10 @@ void ProcessDebug::setAgain(std::size_t index, Module& next) {
 void ProcessDebug::accepted(std::size_t index) { ofModule_[index].configured = ofModule_[index].next; }
 
 void ProcessDebug::updated(const Step& step) {
-  DebugPoint* point = ofStep_[step.index];
-  if (!point || !point->active()) return;
-  RepresentationValue value(*step.value);
-  point->pass(value);
+  ValuePoint* of = ofStep_[step.index];
+  if (!of || !of->point.active()) return;
+  RepresentationValue value(*of->loader, *step.value);
+  of->point.pass(value);
 }
 
 }  // namespace plumbline

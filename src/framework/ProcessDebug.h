@@ -63,8 +63,10 @@ private:
   struct ValuePoint {
     std::string id;
     DebugPoint point;
+    const RepresentationLoader* loader;
     Representation* special = nullptr;  ///< provided by a special module
-    explicit ValuePoint(std::string id_) : id(std::move(id_)), point(id.c_str(), DebugKind::modify) {}
+    explicit ValuePoint(const RepresentationLoader& loader_)
+        : id("representation:" + loader_.name()), point(id.c_str(), DebugKind::modify), loader(&loader_) {}
   };
 
   struct Command {
@@ -84,7 +86,7 @@ private:
   std::deque<ParameterPoint> parameters_;
   std::deque<ValuePoint> values_;
   std::deque<Command> commands_;
-  std::vector<DebugPoint*> ofStep_;         ///< null: the step executes
+  std::vector<ValuePoint*> ofStep_;         ///< null: the step executes
   std::vector<std::size_t> stopwatchesOf_;  ///< of each module, as many as are known
   std::vector<std::string> stopwatches_;
   /// A module's parameters by path.

@@ -14,7 +14,8 @@ public:
   virtual Representation& get() = 0;
 };
 
-/// What the framework knows of a type of representation: its name, how to make one and how to copy one.
+/// What the framework knows of a type of representation: its name, how to make one, how to copy one, and what
+/// a value of it must not be.
 class RepresentationLoader {
 public:
   virtual ~RepresentationLoader() = default;
@@ -24,6 +25,13 @@ public:
   virtual std::unique_ptr<RepresentationHolder> create() const = 0;
   /// `to` = `from`; both must be of the loader's type.
   virtual void copy(const Representation& from, Representation& to) const = 0;
+  /// "", or in one line what the representation's own check says: `std::string problem() const`, where it has
+  /// one.
+  virtual std::string ownProblem(const Representation& value) const = 0;
+  virtual bool hasOwnCheck() const = 0;
+  /// "", or what is wrong with a value: a number that is not finite, or ownProblem. What modules provide,
+  /// what comes over the network and what is set from outside are all held to this.
+  std::string problemOf(const Representation& value) const;
 };
 
 /// True if the representation has a stream method of its own or of its kind, or only members that can go as a
@@ -55,6 +63,16 @@ public:
   std::unique_ptr<RepresentationHolder> create() const override { return std::make_unique<Holder>(); }
   void copy(const Representation& from, Representation& to) const override {
     static_cast<R&>(to) = static_cast<const R&>(from);
+  }
+  bool hasOwnCheck() const override {
+    return requires(const R& r) { std::string(r.problem()); };
+  }
+  std::string ownProblem([[maybe_unused]] const Representation& value) const override {
+    if constexpr (requires(const R& r) { std::string(r.problem()); }) {
+      return static_cast<const R&>(value).problem();
+    } else {
+      return {};
+    }
   }
 
 private:

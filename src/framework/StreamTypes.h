@@ -113,13 +113,21 @@ template <typename T, std::size_t n>
 struct StreamType<std::array<T, n>> {
   static void write(OutStream& out, const std::array<T, n>& value) {
     out.beginList(n, false);
-    for (const T& element : value) StreamType<T>::write(out, element);
+    if constexpr (BlockNumber<T>) {
+      out.writeBlock(numberType<T>(), value.data(), n);
+    } else {
+      for (const T& element : value) StreamType<T>::write(out, element);
+    }
     out.endList();
   }
   static void read(InStream& in, std::array<T, n>& value) {
     in.beginObject();
-    for (T& element : value) {
-      if (in.ok()) StreamType<T>::read(in, element);
+    if constexpr (BlockNumber<T>) {
+      in.readBlock(numberType<T>(), value.data(), n);
+    } else {
+      for (T& element : value) {
+        if (in.ok()) StreamType<T>::read(in, element);
+      }
     }
     in.endObject();
   }
@@ -129,13 +137,24 @@ template <typename T>
 struct StreamType<std::vector<T>> {
   static void write(OutStream& out, const std::vector<T>& value) {
     out.beginList(value.size(), true);
-    for (const auto& element : value) StreamType<T>::write(out, element);
+    if constexpr (BlockNumber<T>) {
+      out.writeBlock(numberType<T>(), value.data(), value.size());
+    } else {
+      for (const auto& element : value) StreamType<T>::write(out, element);
+    }
     out.endList();
   }
   static void read(InStream& in, std::vector<T>& value) {
+    in.beginList();
+    if constexpr (BlockNumber<T>) {
+      if (const auto count = in.blockAhead(numberType<T>())) {
+        value.resize(*count);  // all of it is there
+        in.readBlock(numberType<T>(), value.data(), *count);
+        return in.endList();
+      }
+    }
     // Grows with what really arrives, so that a lie about the length takes no memory.
     std::vector<T> elements;
-    in.beginList();
     while (in.nextElement()) {
       T element{};
       StreamType<T>::read(in, element);
@@ -212,6 +231,14 @@ struct StreamType<T> {
 
   static void write(OutStream& out, const T& value) {
     out.beginObject();
+    if constexpr (BlockNumber<Scalar>) {
+      if (out.flat()) {
+        std::array<Scalar, size> rowByRow;
+        for (int i = 0; i < size; i++) rowByRow[i] = value.coeff(i / columns, i % columns);
+        out.writeBlock(numberType<Scalar>(), rowByRow.data(), size);
+        return out.endObject();
+      }
+    }
     for (int i = 0; i < size; i++) {
       if constexpr (isVector) {
         if (size <= 4) out.label(names[i < 4 ? i : 0]);
@@ -226,6 +253,14 @@ struct StreamType<T> {
   }
   static void read(InStream& in, T& value) {
     in.beginObject();
+    if constexpr (BlockNumber<Scalar>) {
+      if (in.flat() && in.ok()) {
+        std::array<Scalar, size> rowByRow{};
+        in.readBlock(numberType<Scalar>(), rowByRow.data(), size);
+        for (int i = 0; i < size && in.ok(); i++) value.coeffRef(i / columns, i % columns) = rowByRow[i];
+        return in.endObject();
+      }
+    }
     for (int i = 0; i < size && in.ok(); i++) {
       if constexpr (isVector) {
         if (size <= 4) in.label(names[i < 4 ? i : 0]);

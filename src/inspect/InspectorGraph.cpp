@@ -40,7 +40,9 @@ std::string threadJson(const ThreadReport& thread) {
 
 std::string moduleText(const ModuleReport& module) {
   const std::string wait = module.wait >= 0.05 ? fmt::format(" + {:.1f} us waiting", module.wait) : "";
-  std::string line = fmt::format("  {} ({:.1f} us{})", module.name, module.time, wait);
+  const std::string over =
+      module.overruns > 0 ? fmt::format(", longest in {} that ran over", module.overruns) : "";
+  std::string line = fmt::format("  {} ({:.1f} us{}{})", module.name, module.time, wait, over);
   if (!module.provides.empty()) line += fmt::format(": {}", fmt::join(module.provides, ", "));
   if (!module.reads.empty()) line += fmt::format(" <- {}", fmt::join(module.reads, ", "));
   return line;
@@ -52,6 +54,7 @@ std::string moduleJson(const ThreadReport& thread, const ModuleReport& module) {
                {"area", module.area},
                {"us", tenths(module.time)},
                {"waits", tenths(module.wait)},
+               {"overruns", module.overruns},
                {"provides", module.provides},
                {"reads", module.reads},
                {"uses", module.uses}});

@@ -61,12 +61,16 @@ std::string SetRequest::apply(DebugValue& value, std::string& was) {
   *part = wanted_;
   part->label = label;
   TreeInStream in(after);
-  value.read(in);
-  if (in.ok()) return {};
+  try {
+    value.read(in);
+  } catch (const std::exception& problem) {  // a value may have to look something up
+    in.fail(problem.what());
+  }
+  std::string problem = in.ok() ? value.problem() : in.problem();
+  if (problem.empty()) return {};
   TreeInStream back(before, true);
   value.read(back);
-  const std::string problem = in.problem();
-  return in.located() ? '.' + problem : ": " + problem;
+  return (in.located() ? "." : ": ") + problem;
 }
 
 void SetRequest::serve(DebugValue& value) noexcept {

@@ -34,6 +34,14 @@ void CdrOutStream::writeUnsigned(std::uint64_t value, unsigned bytes) {
   }
 }
 
+void CdrOutStream::writeBlock(NumberType type, const void* data, std::size_t count) {
+  if (count == 0) return;
+  room((count + 1) * type.bytes);
+  align(type.bytes);
+  std::memcpy(buffer_.data() + size_, data, count * type.bytes);
+  size_ += count * type.bytes;
+}
+
 void CdrOutStream::writeString(std::string_view value) {
   // The length counts the zero at the end.
   number(static_cast<std::uint32_t>(value.size() + 1));
@@ -48,11 +56,7 @@ CdrInStream::CdrInStream(std::string_view data) : data_(data) {
 
 const char* CdrInStream::take(std::size_t size, std::size_t alignment) {
   if (!ok()) return nullptr;
-  std::size_t at = position_;
-  if (alignment > 1) {
-    const std::size_t over = (at - CdrOutStream::headerSize) & (alignment - 1);
-    if (over != 0) at += alignment - over;
-  }
+  const std::size_t at = aligned(position_, alignment);
   if (at > data_.size() || size > data_.size() - at) {
     fail(std::to_string(size) + " bytes needed, " +
          std::to_string(at > data_.size() ? 0 : data_.size() - at) + " left");
@@ -60,6 +64,14 @@ const char* CdrInStream::take(std::size_t size, std::size_t alignment) {
   }
   position_ = at + size;
   return data_.data() + at;
+}
+
+const char* CdrInStream::takeNumbers(std::size_t count, unsigned bytes) {
+  if (!ok()) return nullptr;
+  const std::size_t start = aligned(position_, bytes);
+  const std::size_t there = start > data_.size() ? 0 : (data_.size() - start) / bytes;
+  if (count > there && there > 0) position_ = start + there * bytes;
+  return count > there ? take(bytes, bytes) : take(count * bytes, bytes);
 }
 
 void CdrInStream::readUnsigned(std::uint64_t& value, unsigned bytes) {
@@ -105,6 +117,11 @@ void CdrInStream::readRaw(void* data, std::size_t size) {
   if (const char* source = take(size, 1)) std::memcpy(data, source, size);
 }
 
+void CdrInStream::readBlock(NumberType type, void* data, std::size_t count) {
+  if (count == 0) return;
+  if (const char* source = takeNumbers(count, type.bytes)) std::memcpy(data, source, count * type.bytes);
+}
+
 void CdrInStream::beginObject() {
   if (++depth_ > maxDepth) fail("nested too deeply");
 }
@@ -118,6 +135,15 @@ bool CdrInStream::nextElement() {
   if (!ok() || remaining_.back() == 0) return false;
   remaining_.back()--;
   return true;
+}
+
+std::optional<std::size_t> CdrInStream::blockAhead(NumberType type) {
+  if (!ok()) return std::nullopt;
+  const std::size_t count = remaining_.back(), before = position_;
+  if (count > 0 && !takeNumbers(count, type.bytes)) return std::nullopt;
+  position_ = before;
+  remaining_.back() = 0;
+  return count;
 }
 
 void CdrInStream::endList() {

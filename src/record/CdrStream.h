@@ -40,6 +40,7 @@ public:
   void writeDouble(double value) override { number(value); }
   void writeString(std::string_view value) override;
   void writeRaw(const void* data, std::size_t size) override { append(data, size); }
+  void writeBlock(NumberType type, const void* data, std::size_t count) override;
   void beginObject() override {}
   void endObject() override {}
   void label(std::string_view) override {}
@@ -47,6 +48,7 @@ public:
     if (sized) number(static_cast<std::uint32_t>(size));
   }
   void endList() override {}
+  bool flat() const override { return true; }
 
 private:
   static constexpr std::size_t growth = std::size_t{1} << 14;
@@ -54,14 +56,17 @@ private:
   void room(std::size_t size) {
     if (buffer_.size() - size_ < size) buffer_.resize(2 * buffer_.size() + size + growth);
   }
+  /// Fills up to a multiple of `bytes`, for which there is room.
+  void align(std::size_t bytes) {
+    const std::size_t over = (size_ - start_ - headerSize) & (bytes - 1);
+    if (over == 0) return;
+    std::memset(buffer_.data() + size_, 0, bytes - over);
+    size_ += bytes - over;
+  }
   template <typename T>
   void number(T value) {
     room(2 * sizeof(T));
-    const std::size_t over = (size_ - start_ - headerSize) & (sizeof(T) - 1);
-    if (over != 0) {
-      std::memset(buffer_.data() + size_, 0, sizeof(T) - over);
-      size_ += sizeof(T) - over;
-    }
+    align(sizeof(T));
     std::memcpy(buffer_.data() + size_, &value, sizeof(T));
     size_ += sizeof(T);
   }
@@ -84,19 +89,28 @@ public:
   void readDouble(double& value) override { number(value); }
   void readString(std::string& value) override;
   void readRaw(void* data, std::size_t size) override;
+  void readBlock(NumberType type, void* data, std::size_t count) override;
   void beginObject() override;
   void endObject() override { depth_--; }
   void label(std::string_view) override {}
   void beginList() override;
   bool nextElement() override;
   void endList() override;
+  std::optional<std::size_t> blockAhead(NumberType type) override;
+  bool flat() const override { return true; }
 
   std::size_t position() const override { return position_; }
   /// True if every byte was read.
   bool atEnd() const { return position_ == data_.size(); }
 
 private:
+  std::size_t aligned(std::size_t at, std::size_t alignment) const {
+    const std::size_t over = (at - CdrOutStream::headerSize) & (alignment - 1);
+    return over == 0 ? at : at + alignment - over;
+  }
   const char* take(std::size_t size, std::size_t alignment);
+  /// The next `count` numbers, or null and the error that the first that is missing gives.
+  const char* takeNumbers(std::size_t count, unsigned bytes);
   template <typename T>
   void number(T& value) {
     if (const char* data = take(sizeof(T), sizeof(T))) std::memcpy(&value, data, sizeof(T));

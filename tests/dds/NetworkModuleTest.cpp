@@ -11,6 +11,7 @@
 #include "framework/BinaryStream.h"
 #include "framework/ConfigurationError.h"
 #include "framework/Controller.h"
+#include "framework/LogBuffer.h"
 #include "framework/Module.h"
 
 namespace plumbline {
@@ -147,6 +148,9 @@ TEST(NetworkModule, takesNothingThatItCannotRead) {
     return bytes;
   };
   const std::string whole = bytesOf(fine);
+  std::string said;
+  LogBuffer::instance().setListener(
+      [&](std::string_view, std::string_view message) { said += std::string(message) + '\n'; });
   for (const std::string& bytes :
        {std::string(), std::string("\1\2\3"), head, head + whole.substr(0, whole.size() - 1),
         head + whole + "x", std::string(8, 'x') + whole, head + bytesOf(infinite),
@@ -157,6 +161,15 @@ TEST(NetworkModule, takesNothingThatItCannotRead) {
     blue.controller->runCycles(1);
     EXPECT_EQ(ballOf(blue), before) << bytes.size() << " bytes";
   }
+  // The infinite one once more: the log says what is wrong with it.
+  const std::string wanted = "what red sends as ShownBall is left out: x: must be finite, not inf";
+  for (int i = 0; i < 2000 && said.find(wanted) == std::string::npos; ++i) {
+    writer.write(dds::Sample{1, head + bytesOf(infinite)});
+    std::this_thread::sleep_for(5ms);
+    blue.controller->runCycles(1);
+  }
+  EXPECT_NE(said.find(wanted), std::string::npos) << said;
+  LogBuffer::instance().setListener(nullptr);
   dds::Sample sample{1, head + whole};
   ASSERT_TRUE(writer.write(sample));
   for (int i = 0; i < 2000 && ballOf(blue) != 1e6; ++i) {

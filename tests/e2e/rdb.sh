@@ -87,4 +87,36 @@ console
 waitFor shows 'connected to'
 "${terminal[@]}" send-keys Up
 waitFor shows 'rdb> plot r:BallPos.relative.x'
+"${terminal[@]}" send-keys C-c
+waitFor shows 'ended 0'
+
+# Where there is a display, a plot has a window of gnuplot's; this one keeps what it is to draw.
+"${terminal[@]}" kill-server
+terminal[2]="plumbline-rdb-$$-window"
+mkdir "$scratch/gnuplot"
+printf '#!/bin/sh\nexec cat > "%s"\n' "$scratch/window" > "$scratch/gnuplot/gnuplot"
+chmod +x "$scratch/gnuplot/gnuplot"
+onDisplay() { "${terminal[@]}" new-session -d -x 120 -y 30 "env DISPLAY=:77 PATH='$1' '$bin/rdb' 127.0.0.1:$debugPort; echo ended \$?; sleep 60"; }
+onDisplay "$scratch/gnuplot:$PATH"
+waitFor shows 'connected to'
+type_ 'plot r:BallPos.relative.x ball'
+type_ 'plot r:BallPos.relative.y ball'
+drawn() { (($(grep -c '^plot .*relative\.x.*relative\.y' "$scratch/window") >= 3)); } # three times
+waitFor drawn
+type_ 'plot off ball'
+gone() { ! shows '[▁▂▃▄▅▆▇█]'; }
+waitFor gone
+# The real one draws what it was told, and one without windows says what is missing.
+awk '/^plot .*relative\.y/ && !n { n = 1; print; next } n && /^plot/ { exit } n' "$scratch/window" | GNUTERM=dumb gnuplot > "$scratch/drawn" 2> "$scratch/drawn.err" || fail "gnuplot: $(cat "$scratch/drawn.err")"
+grep -q 'BallPos.relative.y' "$scratch/drawn" || fail "gnuplot draws nothing"
+"${terminal[@]}" send-keys C-c
+waitFor shows 'ended 0'
+"${terminal[@]}" kill-server
+terminal[2]="plumbline-rdb-$$-none"
+printf '#!/bin/sh\nexit 3\n' > "$scratch/gnuplot/gnuplot"
+onDisplay "$scratch/gnuplot:$PATH"
+waitFor shows 'connected to'
+type_ 'plot r:BallPos.relative.x ball'
+waitFor shows 'plot ball: gnuplot can open no window here: install gnuplot-qt'
+waitFor shows '[▁▂▃▄▅▆▇█]'
 echo "rdb: agent on port $debugPort looked into by shell, script and console"

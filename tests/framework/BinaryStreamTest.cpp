@@ -71,6 +71,47 @@ TEST(BinaryStreamTest, saysWhatIsWrongAndWhere) {
             "byte 8: an optional value holds one element at most");
 }
 
+TEST(BinaryStreamTest, blocksOfNumbersHaveTheBytesOfTheirNumbers) {
+  const std::vector<std::int16_t> numbers{1, -2, 300};
+  std::string oneByOne("\3\0\0\0", 4);
+  BinaryOutStream out(oneByOne);
+  for (const std::int16_t number : numbers) out.writeSigned(number, 2);
+  EXPECT_EQ(toBinary(numbers), oneByOne);
+  Eigen::Matrix<float, 2, 3> matrix;
+  matrix << 1, 2, 3, 4, 5, 6;
+  EXPECT_EQ(toBinary(matrix), toBinary(std::array<float, 6>{1, 2, 3, 4, 5, 6})) << "row by row";
+  Eigen::Matrix<float, 2, 3> read;
+  ASSERT_EQ(fromBinary(toBinary(matrix), read), "");
+  EXPECT_EQ(read, matrix);
+}
+
+TEST(BinaryStreamTest, aBlockThatIsCutShortSaysWhereItEnds) {
+  using namespace std::string_literals;
+  EXPECT_EQ(errorOf<std::vector<double>>("\2\0\0\0"s + std::string(13, 'x')),
+            "byte 12: 8 bytes needed, 5 left");
+  EXPECT_EQ((errorOf<std::array<float, 3>>(std::string(10, 'x'))), "byte 8: 4 bytes needed, 2 left");
+  EXPECT_EQ(errorOf<Eigen::Vector3d>(std::string(23, 'x')), "byte 16: 8 bytes needed, 7 left");
+  std::vector<std::uint8_t> kept{1, 2};
+  EXPECT_NE(fromBinary("\xff\xff\x0f\0xyz"s, kept), "");
+  EXPECT_EQ(kept, (std::vector<std::uint8_t>{1, 2}));
+}
+
+TEST(BinaryStreamTest, sizeAndMemoryAreThoseOfTheString) {
+  const std::string bytes = toBinary(Everything());
+  BinaryOut<CountingSink> counted;
+  StreamType<Everything>::write(counted, Everything());
+  EXPECT_EQ(counted.sink().size(), bytes.size());
+  std::string memory(bytes.size(), 0);
+  BinaryOut<MemorySink> filled(memory.data(), memory.size());
+  StreamType<Everything>::write(filled, Everything());
+  EXPECT_EQ(memory, bytes);
+  EXPECT_FALSE(filled.sink().full());
+  EXPECT_EQ(filled.sink().left(), 0u);
+  BinaryOut<MemorySink> small(memory.data(), memory.size() - 1);
+  StreamType<Everything>::write(small, Everything());
+  EXPECT_TRUE(small.sink().full());
+}
+
 /// A tree: the depth of the input is up to the sender.
 struct Tree {
   std::vector<Tree> children;

@@ -1,5 +1,6 @@
 #include "framework/CrashLog.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -76,11 +77,15 @@ protected:
     wayToDie() = way;
     const pid_t child = fork();
     if (child == 0) {
-      if (!std::freopen((folder_ + "/stderr").c_str(), "w", stderr)) _exit(99);
+      if (stderrOfChild_ >= 0)
+        dup2(stderrOfChild_, STDERR_FILENO);
+      else if (!std::freopen((folder_ + "/stderr").c_str(), "w", stderr))
+        _exit(99);
       std::signal(SIGPIPE, SIG_DFL);  // whoever runs the tests may ignore it
       int status = 98;
       {
-        CrashLog crashLog(folder_ + "/crash.log");
+        const unsigned secondsToDie = stderrOfChild_ >= 0 ? 3 : 30;
+        CrashLog crashLog(folder_ + "/crash.log", secondsToDie);
         Controller controller = makeController(modulesConfig);
         controller.stop().catchSignals();
         status = controller.run();
@@ -98,8 +103,13 @@ protected:
     text << std::ifstream(folder_ + "/" + name).rdbuf();
     return text.str();
   }
+  /// The second process may still be writing when the agent is gone.
+  void waitForLog() const {
+    for (int i = 0; i < 3000 && !hasLog(); i++) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
   bool hasLog() const { return std::filesystem::exists(folder_ + "/crash.log"); }
 
+  int stderrOfChild_ = -1;  ///< -1: a file
   const std::string folder_ = testing::TempDir() + "crash" + std::to_string(getpid());
 };
 
@@ -147,10 +157,31 @@ TEST_F(CrashLogTest, tellsAStackOverflowInEveryThread) {
   EXPECT_NE(contents("crash.log").find("[b] Crasher:execute <- the signal struck here"), std::string::npos);
 }
 
+TEST_F(CrashLogTest, theAgentIsGoneThoughNobodyReadsItsLastWords) {
+  int ends[2];
+  ASSERT_EQ(pipe2(ends, O_NONBLOCK), 0);
+  const std::string full(4096, 'x');
+  while (write(ends[1], full.data(), full.size()) > 0) {
+  }
+  ASSERT_EQ(fcntl(ends[1], F_SETFL, 0), 0);  // from now on, who writes waits for ever
+  for (const auto& [way, signal] : {std::pair("abort", SIGABRT), std::pair("pipe", SIGPIPE)}) {
+    std::filesystem::remove(folder_ + "/crash.log");
+    stderrOfChild_ = ends[1];
+    const int status = run(way, "Crasher\n");
+    EXPECT_TRUE(WIFSIGNALED(status)) << way;
+    EXPECT_EQ(WTERMSIG(status), signal) << way;
+    waitForLog();
+    EXPECT_NE(contents("crash.log").find(" died by "), std::string::npos)
+        << "written before the words are said";
+  }
+  close(ends[0]);
+  close(ends[1]);
+}
+
 TEST_F(CrashLogTest, tellsThatTheAgentWasKilled) {
   run("kill", "Crasher\n");
   // Nobody waits for the second process then.
-  for (int i = 0; i < 500 && !hasLog(); i++) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  waitForLog();
   EXPECT_NE(contents("crash.log").find("ended without a word: by a signal that cannot be caught (SIGKILL)"),
             std::string::npos);
   EXPECT_NE(contents("crash.log").find("[default] Crasher:execute\n"), std::string::npos);

@@ -26,6 +26,7 @@ REPRESENTATION(DriftSeen)
 class DriftSeen : public DriftSeenBase {
 public:
   double sum = 0;
+  std::string problem() const { return sum < 100 ? "" : "sum: must be below 100"; }
   void stream(InStream* in, OutStream* out) override { STREAM(sum); }
 };
 
@@ -81,12 +82,22 @@ TEST(OutputGuard, keepsTheLastGoodValueAndStartsTheModuleAnew) {
     EXPECT_EQ(controller.find<DriftSeen>()->sum, 3) << "the reader sees the last good value";
     EXPECT_EQ(controller.find<Drift>()->trail, std::vector<float>(2, 3.0F));
     EXPECT_EQ(made, 2) << "the source starts anew, the reader does not";
-    EXPECT_NE(said.find("DriftSource:updateDrift: a value is not finite"), std::string::npos) << said;
+    EXPECT_NE(said.find("DriftSource:updateDrift: sum: must be finite, not "), std::string::npos) << said;
     fault = 0;
     controller.runCycles(1);
     EXPECT_EQ(controller.find<DriftSeen>()->sum, 1);
   }
   LogBuffer::instance().setListener(nullptr);
+}
+
+TEST(OutputGuard, holdsAModuleToTheRepresentationsOwnCheck) {
+  DriftSeen seen;
+  OutputGuard guard(representationLoader<DriftSeen>(), seen);
+  seen.sum = 99;
+  EXPECT_EQ(guard.check(), "");
+  seen.sum = 100;
+  EXPECT_EQ(guard.check(), "sum: must be below 100");
+  EXPECT_EQ(seen.sum, 99) << "the last good value";
 }
 
 TEST(OutputGuard, looksAtEveryStreamedNumber) {

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <thread>
 
+#include "framework/AgentDebug.h"
 #include "framework/TestModules.h"
 #include "framework/TimingPlugin.h"
 
@@ -124,6 +125,8 @@ TEST(TimingPluginTest, countsAndNamesTheCyclesThatRunOver) {
   EXPECT_EQ(timing.steps()[2].name, "SlowNow:execute");
   EXPECT_GE(timing.steps()[2].overruns, 3u);
   EXPECT_LT(timing.busy().mean(), timing.cycle().mean() - 0.029);
+  const auto graph = controller.debug().graph();
+  EXPECT_GE(graph.at(0).modules.at(1).overruns, 3u) << "of " << graph.at(0).modules.at(1).name;
   const std::string head = controller.timingReport().substr(0, controller.timingReport().find('\n'));
   EXPECT_NE(head.find("; at 100 Hz "), std::string::npos) << head;
   EXPECT_NE(head.find(" of 6 cycles ran over, longest in "), std::string::npos) << head;

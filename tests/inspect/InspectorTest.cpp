@@ -13,6 +13,7 @@ class InspectedPlace : public InspectedPlaceBase {
 public:
   double x = 0, y = 0;
   std::vector<int> list{1, 2, 3};
+  std::string problem() const { return list.size() < 5 ? "" : "list: has more than 4"; }
   void stream(InStream* in, OutStream* out) override {
     STREAM(x);
     STREAM(y);
@@ -185,6 +186,8 @@ TEST_F(InspectorTest, aWrongValueLeavesEverythingAsItWas) {
   EXPECT_EQ(place().x, 1);
   EXPECT_EQ(ask("set representation:InspectedPlace.x inf"),
             Lines{"error: representation:InspectedPlace.x: must be finite, not inf"});
+  EXPECT_EQ(ask("set representation:InspectedPlace.list {1 2 3 4 5}"),
+            Lines{"error: representation:InspectedPlace: list: has more than 4"});
   EXPECT_EQ(place().list.size(), 3u);
 }
 

@@ -41,6 +41,34 @@ TEST(CdrStreamTest, numbersStandAtMultiplesOfTheirSizeBehindTheHeader) {
   EXPECT_EQ(std::string(out.bytes().substr(20, 15)), std::string("\0\1\0\0\1\0\0\0\3\0\0\0ab\0", 15));
 }
 
+TEST(CdrStreamTest, aBlockOfNumbersIsAlignedLikeItsFirst) {
+  const std::vector<double> numbers{1, 2};
+  CdrOutStream block, oneByOne;
+  for (CdrOutStream* out : {&block, &oneByOne}) {
+    out->begin();
+    out->writeBool(true);
+  }
+  StreamType<std::vector<double>>::write(block, numbers);
+  StreamType<std::vector<double>>::write(block, {});
+  oneByOne.beginList(2, true);
+  for (const double number : numbers) oneByOne.writeDouble(number);
+  oneByOne.beginList(0, true);
+  EXPECT_EQ(block.bytes(), oneByOne.bytes());
+  const auto readAll = [&](std::string_view bytes) {
+    CdrInStream in(bytes);
+    bool flag = false;
+    std::vector<double> read, none{7};
+    StreamType<bool>::read(in, flag);
+    StreamType<std::vector<double>>::read(in, read);
+    StreamType<std::vector<double>>::read(in, none);
+    EXPECT_TRUE(!in.ok() || (in.atEnd() && read == numbers && none.empty()));
+    return in.error();
+  };
+  EXPECT_EQ(readAll(block.bytes()), "");
+  EXPECT_EQ(readAll(block.bytes().substr(0, 4 + 8 + 8 + 5)), "byte 20: 8 bytes needed, 5 left");
+  EXPECT_EQ(readAll(block.bytes().substr(0, 4 + 8 + 3)), "byte 12: 8 bytes needed, 3 left");
+}
+
 TEST(CdrStreamTest, whatIsBrokenIsAnError) {
   Shapes shapes;
   const std::string good = bytesOf(shapes);

@@ -76,6 +76,17 @@ void Console::keepConnected() {
   }
 }
 
+void Console::showWindows() {
+  if (!PlotWindow::possible()) return;
+  std::erase_if(windows_, [this](const auto& entry) { return !session_.plots().contains(entry.first); });
+  for (const auto& [name, plot] : session_.plots()) {
+    PlotWindow& window = windows_.try_emplace(name, name).first->second;
+    window.show(plot);
+    if (const std::string problem = window.problem(); !problem.empty())
+      print("plot " + name + ": " + problem);
+  }
+}
+
 void Console::run() {
   print("help lists the commands, Tab completes, Ctrl-C ends");
   double drawn = 0;
@@ -83,6 +94,7 @@ void Console::run() {
     keepConnected();
     for (int pressed = 0; (pressed = getch()) != ERR;) key(pressed);
     session_.receive(0);
+    showWindows();
     if (changed_ && clockSeconds() - drawn >= drawEvery) {
       draw();
       drawn = clockSeconds();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "History.h"
+#include "PlotWindow.h"
 #include "Session.h"
 #include "framework/StopSignal.h"
 
@@ -34,6 +35,7 @@ private:
   bool local(const std::vector<std::string>& words, const std::string& line);
   void watch(const std::vector<std::string>& words, const std::string& line);
   void unwatch(const std::string& name);
+  void showWindows();
   void png(const std::vector<std::string>& words);
   void complete();
   void completed(const std::string& word, const std::vector<std::string>& found, bool parts);
@@ -52,6 +54,7 @@ private:
   std::string input_, typed_;  ///< typed_: what stood there before the history was browsed
   std::size_t cursor_ = 0, place_ = 0, scroll_ = 0;
   std::vector<Watch> watches_;
+  std::map<std::string, PlotWindow> windows_;  ///< of the plots, where there is a display
   std::deque<std::string> output_;
 };
 

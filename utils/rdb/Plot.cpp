@@ -71,23 +71,33 @@ std::vector<std::string> Plot::sparklines(std::size_t width, bool unicode) const
   return lines;
 }
 
-void Plot::writePng(const std::string& path, const std::string& title) const {
-  const std::string beside = path + ".part";
-  std::string script = "set terminal pngcairo size 900,500\nset output " + inQuotes(beside) +
-                       "\nset grid\nset title " + inQuotes(title) +
+std::string Plot::script(const std::string& title) const {
+  std::string script = "set grid\nset title " + inQuotes(title) +
                        " noenhanced\nset key outside below noenhanced\nset xlabel \"value\"\nplot ";
   bool first = true;
   for (const auto& [name, values] : series_) {
+    if (values.empty()) continue;  // gnuplot stops at one without points
     script += std::string(first ? "" : ", ") + "'-' with lines linewidth 2 title " + inQuotes(name);
     first = false;
   }
+  if (first) return {};
   script += '\n';
   for (const auto& [name, values] : series_) {
+    if (values.empty()) continue;
     for (const double value : values) script += number(value) + '\n';
     script += "e\n";
   }
+  return script;
+}
+
+void Plot::writePng(const std::string& path, const std::string& title) const {
+  const std::string beside = path + ".part";
+  const std::string plot = script(title);
+  if (plot.empty()) throw std::runtime_error(path + ": no value has come yet");
+  const std::string whole =
+      "set terminal pngcairo size 900,500\nset output " + inQuotes(beside) + '\n' + plot;
   const std::string scriptPath = path + ".gnuplot";
-  writeFile(scriptPath, script);
+  writeFile(scriptPath, whole);
   const std::string command =
       "command -v gnuplot > /dev/null || exit 127; timeout 30 gnuplot \"$0\" 2> /dev/null";
   const pid_t child = fork();

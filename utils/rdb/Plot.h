@@ -22,7 +22,9 @@ public:
   /// A line per series: its name, smallest and largest value, and its course in `width` characters of eight
   /// heights; all series have one scale.
   std::vector<std::string> sparklines(std::size_t width, bool unicode) const;
-  /// Draws it by gnuplot. Throws std::runtime_error if that is not there or fails.
+  /// What makes gnuplot draw it.
+  std::string script(const std::string& title) const;
+  /// Draws it by gnuplot to a file. Throws std::runtime_error if that is not there or fails.
   void writePng(const std::string& path, const std::string& title) const;
 
 private:

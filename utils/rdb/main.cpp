@@ -40,7 +40,8 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--history", options.history, "file that keeps what was typed")->capture_default_str();
   app.footer(
       "Commands are the agent's (`help` lists them) and: plot VALUE [WINDOW [COUNT]], plot off [WINDOW],\n"
-      "png WINDOW FILE, quit. Tab completes, Page Up shows what has gone by, Ctrl-C ends.\n"
+      "png WINDOW FILE, quit. On a display each plot has a window, too, by gnuplot-qt.\n"
+      "Tab completes, Page Up shows what has gone by, Ctrl-C ends.\n"
       "Exit status with --exec and --script: 0, or 2 with the agent's error.\n"
       "Examples:\n"
       "  bin/agent --start-simulator --debug               an agent to look at\n"

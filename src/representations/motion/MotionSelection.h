@@ -23,6 +23,10 @@ public:
       if (motions[m] == name) return ratios[m];
     return 0;
   }
+  std::string problem() const {
+    if (ratios.size() == motions.size()) return {};
+    return "ratios: " + std::to_string(ratios.size()) + " for " + std::to_string(motions.size()) + " motions";
+  }
   void stream(InStream* in, OutStream* out) override {
     STREAM(motion);
     STREAM(motions);

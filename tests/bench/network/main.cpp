@@ -19,6 +19,7 @@
 
 #include "Pair.h"
 #include "dds/NetworkHub.h"
+#include "framework/SharedBlock.h"
 #include "framework/WriteFile.h"
 
 namespace plumbline {
@@ -28,7 +29,7 @@ REPRESENTATION(TimedBytes)
 class TimedBytes : public TimedBytesBase {
 public:
   double made = 0;
-  std::vector<std::uint8_t> bytes;
+  SharedBlock<std::uint8_t> bytes;
   void stream(InStream* in, OutStream* out) override {
     STREAM(made);
     STREAM(bytes);
@@ -50,17 +51,19 @@ dds::NetworkOptions options() {
 
 /// The sender's part: what NetworkHub and its thread do with one representation.
 struct Sender {
-  explicit Sender(std::size_t size) {
-    value.bytes.assign(size, 7);
+  explicit Sender(std::size_t size_) : size(size_) {
     while (!shown.wanted()) std::this_thread::sleep_for(1ms);
     std::this_thread::sleep_for(300ms);
   }
+  /// A new picture, as raw Fast DDS gets one.
+  void make(int number) { std::ranges::fill(value.bytes.renew(size), static_cast<std::uint8_t>(number)); }
   void send() {
     value.made = seconds();
     shown.publish();
     thread.wake();
   }
 
+  std::size_t size;
   dds::Participant participant{options().participant};
   TimedBytes value;
   dds::SentRepresentation shown{participant, options(), representationLoader<TimedBytes>(), value};
@@ -71,12 +74,14 @@ void receive(Shared& shared) {
   dds::Participant participant(options().participant);
   TimedBytes value;
   Log log("bench");
-  dds::ReceivedRepresentation received(participant, options(), representationLoader<TimedBytes>(), value);
-  for (double last = 0;;) {
+  // Noted in the network's thread, as below; the agent's takes the newest in each of its cycles.
+  dds::ReceivedRepresentation received(participant, options(), representationLoader<TimedBytes>(), value,
+                                       [&](const Representation& arrived) {
+                                         shared.add(seconds() - static_cast<const TimedBytes&>(arrived).made);
+                                       });
+  for (;;) {
     received.receive(log);
-    if (value.made == last) continue;
-    last = value.made;
-    shared.add(seconds() - last);
+    std::this_thread::sleep_for(20ms);
   }
 }
 
@@ -87,14 +92,15 @@ void receiveRaw(Shared& shared) {
     explicit Listener(Shared& shared_) : shared(shared_) {}
     void on_data_available(fast::DataReader* reader) override {
       fast::SampleInfo info;
-      while (reader->take_next_sample(&sample, &info) == ReturnCode_t::RETCODE_OK) {
+      while (reader->take_next_sample(static_cast<dds::Content*>(&content), &info) ==
+             ReturnCode_t::RETCODE_OK) {
         double made = 0;
-        std::memcpy(&made, sample.bytes.data(), sizeof made);
+        std::memcpy(&made, content.bytes.data(), sizeof made);
         shared.add(seconds() - made);
       }
     }
     Shared& shared;
-    dds::Sample sample;
+    dds::BytesContent content;
   } listener(shared);
   dds::Participant participant(options().participant);
   { const dds::ByteReader makesTheTopic(participant, rawTopic); }
@@ -126,6 +132,7 @@ Percentiles measure(std::size_t size, int samples, std::chrono::microseconds pau
   Sender sender(size);
   double busy = 0;
   for (int i = 0; i < samples; ++i) {
+    sender.make(i);
     const double before = seconds();
     sender.send();
     busy += seconds() - before;
@@ -145,6 +152,7 @@ Percentiles measureRaw(std::size_t size, int samples, std::chrono::microseconds 
   std::this_thread::sleep_for(300ms);
   dds::Sample sample{0, std::string(size, 7)};
   for (int i = 0; i < samples; ++i) {
+    std::ranges::fill(sample.bytes, static_cast<char>(i));
     const double made = seconds();
     std::memcpy(sample.bytes.data(), &made, sizeof made);
     writer.write(sample);
@@ -166,6 +174,7 @@ std::vector<double> returns(int times) {
     const double start = seconds();
     reader = std::make_unique<Child>("receive", shared.descriptor());
     while (shared->count == before && seconds() - start < 10) {
+      sender.make(i);
       sender.send();
       std::this_thread::sleep_for(5ms);
     }

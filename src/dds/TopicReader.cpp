@@ -1,0 +1,57 @@
+#include "dds/TopicReader.h"
+
+#include <atomic>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <mutex>
+#include <stdexcept>
+
+#include "dds/TopicQos.h"
+
+namespace plumbline::dds {
+namespace fast = eprosima::fastdds::dds;
+
+struct TopicReader::Parts : public fast::DataReaderListener {
+  explicit Parts(Arrivals& arrivals_) : arrivals(arrivals_) {}
+
+  void on_subscription_matched(fast::DataReader*, const fast::SubscriptionMatchedStatus& status) override {
+    writers.store(status.current_count, std::memory_order_relaxed);
+  }
+
+  void on_data_available(fast::DataReader* from) override {
+    const std::lock_guard lock(network);  // shared memory and UDP have a thread each
+    fast::SampleInfo info;
+    while (from->take_next_sample(&arrivals.place(), &info) == ReturnCode_t::RETCODE_OK) {
+      if (info.valid_data) arrivals.arrived();
+    }
+  }
+
+  Arrivals& arrivals;
+  fast::Subscriber* subscriber = nullptr;
+  fast::DataReader* reader = nullptr;
+  std::atomic<int> writers{0};
+  std::mutex network;
+};
+
+TopicReader::TopicReader(Participant& participant, const TopicName& name, Arrivals& arrivals)
+    : parts_(std::make_unique<Parts>(arrivals)) {
+  fast::Topic& topic = topicOf(participant.get(), name);
+  fast::DataReaderQos qos;
+  participant.subscriber().get_default_datareader_qos(qos);
+  keepNewest(qos, name);
+  parts_->subscriber = &participant.subscriber();
+  parts_->reader = participant.subscriber().create_datareader(&topic, qos, parts_.get());
+  if (!parts_->reader) throw std::runtime_error("DDS gives no reader of topic " + name.topic);
+}
+
+TopicReader::~TopicReader() {
+  parts_->reader->set_listener(nullptr);
+  parts_->subscriber->delete_datareader(parts_->reader);
+}
+
+int TopicReader::writers() const { return parts_->writers.load(std::memory_order_relaxed); }
+
+}  // namespace plumbline::dds

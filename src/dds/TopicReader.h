@@ -1,0 +1,48 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "dds/Content.h"
+#include "dds/Participant.h"
+
+namespace plumbline::dds {
+
+/// What a topic is called, for readers and writers.
+struct TopicName {
+  std::string topic;
+  std::string type;
+  bool bare = false;      ///< see BytesType
+  bool reliable = false;  ///< lost samples are sent again, to readers that ask for it
+  bool lasting = false;   ///< a reader who comes later gets the last sample
+};
+
+/// Takes what arrives, in threads of the network, one sample at a time. No call may throw.
+class Arrivals {
+public:
+  /// Where the next sample is to be read into.
+  virtual Content& place() noexcept = 0;
+  /// It was.
+  virtual void arrived() noexcept = 0;
+
+protected:
+  ~Arrivals() = default;
+};
+
+/// Reads samples of one topic as they arrive; only the newest of those that wait is kept.
+class TopicReader {
+public:
+  /// `arrivals` outlives this. Throws std::runtime_error that names the topic.
+  TopicReader(Participant& participant, const TopicName& name, Arrivals& arrivals);
+  ~TopicReader();
+  TopicReader(const TopicReader&) = delete;
+  TopicReader& operator=(const TopicReader&) = delete;
+
+  /// How many writers there are now; any thread.
+  int writers() const;
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace plumbline::dds
