@@ -9,39 +9,17 @@
 set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-tree=$PWD
-realBin=${PLUMBLINE_BIN:-$tree/bin}
-most=${MOST:-40} allocations=${ALLOCATIONS:-24} kinds=${KINDS:-}
 fail() { echo "faults.sh: $*" >&2; exit 2; }
-scratch=$(mktemp -d)
-trap 'status=$?; jobs -p | xargs -r kill 2> /dev/null; rm -rf "$scratch"; exit $status' EXIT
-trap 'exit 130' INT TERM
-library=$scratch/faults.so sample=$scratch/sample bin=$scratch/bin
-source tests/faults/jobs.bash
 source tests/faults/helpers.bash
-chosen=()
-for word in "$@"; do
-  case $word in
-    --quick) chosen+=("${quick[@]}"); most=4 allocations=6 ;;
-    --list) printf '%s\n' "${jobs[@]}"; exit 0 ;;
-    -*) fail "no option $word; see faults.sh --help" ;;
-    *) [[ ${programOf[$word]-} ]] || fail "no job $word; there is ${jobs[*]}"; chosen+=("$word") ;;
-  esac
-done
-((${#chosen[@]})) || chosen=("${jobs[@]}")
-out=${FAULTS_OUT:-build/faults}
-mkdir -p "$out"
-out=$(cd "$out" && pwd)
-cc -O1 -shared -fPIC -o "$library" tests/faults/faults.c -ldl || fail "the library of faults is not built"
-makeWrappers
-: > "$out/findings.txt"
-printf '%-20s %6s %6s %6s %6s %6s %7s\n' job write sync rename open malloc broken > "$out/table.txt"
-cat "$out/table.txt"
+source tests/faults/jobs.bash
+most=${MOST:-40} allocations=${ALLOCATIONS:-24} kinds=${KINDS:-}
+if [[ " $* " == *" --quick "* ]]; then most=4 allocations=6; fi
+chooseJobs "$@"
+begin faults
+printf '%-20s %6s %6s %6s %6s %6s %7s\n' job write sync rename open malloc broken | tee "$out/table.txt"
 
-tries=0 broken=0 number=0
+tries=0 broken=0
 for name in "${chosen[@]}"; do
-  number=$((number + 1))
-  [[ -x $realBin/${programOf[$name]} ]] || fail "no $realBin/${programOf[$name]}"
   prepareJob "$name" || { finding "$name" "" "its preparation failed: $(tail -1 "$scratch/err")"; continue; }
   row=() before=$broken
   for kind in $all; do

@@ -205,7 +205,11 @@ int runAgent(const Options& options, const Platform& platform) {
   const auto log = makeLog(options.log, controller, setup.configDirectories, tell);
   controller.objects().set(log);
   controller.stop().catchSignals();
-  const int status = controller.run();
+  int status = controller.run();
+  if (log->recorder) {
+    log->recorder->finish();
+    if (log->recorder->endsEarly() && status == 0) return ConfigurationError::exitCode;  // which it has said
+  }
   if (!options.stats.empty()) writeStats(controller, options.stats);
   if (options.timing) fmt::print("{}", controller.timingReport());
   if (!options.graph.empty()) writeGraph(controller.threads(), options.graph, controller.moduleTimes());

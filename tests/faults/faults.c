@@ -15,6 +15,7 @@
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stddef.h>
@@ -32,7 +33,7 @@ static const int errors[KINDS] = {ENOSPC, EIO, EIO, ENOSPC, ENOMEM};
 
 static atomic_int running;            // main has begun
 static atomic_long calls[KINDS];
-static int wanted = -1, lasting, counting;
+static int wanted = -1, lasting, killing, counting;
 static long which;
 static const char* logFile;
 
@@ -59,8 +60,17 @@ static int fails(int kind) {
   const long n = atomic_fetch_add(&calls[kind], 1) + 1;
   if (kind != wanted || (lasting ? n < which : n != which)) return 0;
   if (n == which) note(names[kind], n);
+  if (killing && kind != WRITE) kill(getpid(), SIGKILL);
   errno = errors[kind];
   return 1;
+}
+
+// Half of a write, and the end.
+static void writeHalf(int fd, const void* data, size_t size, off_t at) {
+  if (!killing) return;
+  if (at >= 0) syscall(SYS_pwrite64, fd, data, size / 2, at);
+  else syscall(SYS_write, fd, data, size / 2);
+  kill(getpid(), SIGKILL);
 }
 
 static int isFile(int fd) {
@@ -78,31 +88,45 @@ int __libc_start_main(int (*start)(int, char**, char**), int argc, char** argv, 
 
 ssize_t write(int fd, const void* data, size_t size) {
   REAL(write);
-  return isFile(fd) && fails(WRITE) ? -1 : real(fd, data, size);
+  if (!isFile(fd) || !fails(WRITE)) return real(fd, data, size);
+  writeHalf(fd, data, size, -1);
+  return -1;
 }
 ssize_t pwrite(int fd, const void* data, size_t size, off_t at) {
   REAL(pwrite);
-  return isFile(fd) && fails(WRITE) ? -1 : real(fd, data, size, at);
+  if (!isFile(fd) || !fails(WRITE)) return real(fd, data, size, at);
+  writeHalf(fd, data, size, at);
+  return -1;
 }
 ssize_t pwrite64(int fd, const void* data, size_t size, off64_t at) {
   REAL(pwrite64);
-  return isFile(fd) && fails(WRITE) ? -1 : real(fd, data, size, at);
+  if (!isFile(fd) || !fails(WRITE)) return real(fd, data, size, at);
+  writeHalf(fd, data, size, at);
+  return -1;
 }
 ssize_t writev(int fd, const struct iovec* parts, int count) {
   REAL(writev);
-  return isFile(fd) && fails(WRITE) ? -1 : real(fd, parts, count);
+  if (!isFile(fd) || !fails(WRITE)) return real(fd, parts, count);
+  writeHalf(fd, parts[0].iov_base, parts[0].iov_len, -1);
+  return -1;
 }
 size_t fwrite(const void* data, size_t size, size_t count, FILE* file) {
   REAL(fwrite);
-  return file != stderr && file != stdout && isFile(fileno(file)) && fails(WRITE) ? 0 : real(data, size, count, file);
+  if (file == stderr || file == stdout || !isFile(fileno(file)) || !fails(WRITE)) return real(data, size, count, file);
+  writeHalf(fileno(file), data, size * count, -1);
+  return 0;
 }
 int fflush(FILE* file) {
   REAL(fflush);
-  return file && file != stderr && file != stdout && isFile(fileno(file)) && fails(WRITE) ? EOF : real(file);
+  if (!file || file == stderr || file == stdout || !isFile(fileno(file)) || !fails(WRITE)) return real(file);
+  writeHalf(fileno(file), "", 0, -1);
+  return EOF;
 }
 int ftruncate(int fd, off_t size) {
   REAL(ftruncate);
-  return fails(WRITE) ? -1 : real(fd, size);
+  if (!fails(WRITE)) return real(fd, size);
+  writeHalf(fd, "", 0, -1);
+  return -1;
 }
 
 int fsync(int fd) {
@@ -191,6 +215,7 @@ static int countedMain(int argc, char** argv, char** environment) {
       char* end;
       which = strtol(fault + length + 1, &end, 10);
       lasting = *end == '+';
+      killing = *end == '!';
     }
     if (counting) atexit(tellCounts);
     atomic_store(&running, 1);

@@ -1,5 +1,39 @@
-# How a job is tried and judged; sourced by scripts/faults.sh.
+# How a job is tried and judged; sourced by scripts/faults.sh and scripts/kills.sh in the root of the tree.
 patience=120 # seconds until a program counts as hung
+tree=$PWD
+realBin=${PLUMBLINE_BIN:-$tree/bin}
+scratch=$(mktemp -d)
+trap 'status=$?; jobs -p | xargs -r kill 2> /dev/null; rm -rf "$scratch"; exit $status' EXIT
+trap 'exit 130' INT TERM
+library=$scratch/faults.so sample=$scratch/sample bin=$scratch/bin
+
+# Fills `chosen` with the jobs that the command line names, or all.
+chooseJobs() {
+  local word
+  chosen=()
+  for word in "$@"; do
+    case $word in
+      --quick) chosen+=("${quick[@]}") ;;
+      --list) printf '%s\n' "${jobs[@]}"; exit 0 ;;
+      -*) fail "no option $word; see ${0##*/} --help" ;;
+      *) [[ ${programOf[$word]-} ]] || fail "no job $word; there is ${jobs[*]}"; chosen+=("$word") ;;
+    esac
+  done
+  ((${#chosen[@]})) || chosen=("${jobs[@]}")
+  for word in "${chosen[@]}"; do
+    [[ -x $realBin/${programOf[$word]} ]] || fail "no $realBin/${programOf[$word]}"
+  done
+}
+
+# Makes the library and the folder `out` of what is told.
+begin() {
+  out=${FAULTS_OUT:-build/faults}
+  mkdir -p "$out"
+  out=$(cd "$out" && pwd)
+  : > "$out/findings.txt"
+  cc -O1 -shared -fPIC -o "$library" tests/faults/faults.c -ldl || fail "the library of faults is not built"
+  makeWrappers
+}
 
 finding() { # job, fault, what
   broken=$((broken + 1))
@@ -21,8 +55,8 @@ makeWrappers() {
 
 # A log of an agent, for jobs that read one; made once.
 makeSample() {
-  [[ -d $sample ]] || (cd "$tree" && "$bin/agent" --start-simulator --simulator-option=--max-seconds=1.5 \
-    --log "$sample" --log-wait --crash-log "$scratch/crash.log" > /dev/null 2> "$scratch/err") || [[ -d $sample ]]
+  [[ -d $sample ]] || (cd "$tree" && "$bin/game" --seed 8 --limit 2 --output "$scratch/sampled" --agent-option=--log \
+    --agent-option="$sample" --agent-option=--log-wait > /dev/null 2> "$scratch/err") || [[ -s $sample/metadata.yaml ]]
 }
 needsSample() { declare -f "$1_prepare" | grep -q '\$sample'; }
 
@@ -102,10 +136,34 @@ tryFault() { # job, fault
   [[ ! $file ]] || finding "$name" "$2" "leaves ${file#"$scratch/work/"}"
 }
 
+# After a kill: no file half written, recordings readable, and what resumes comes to the same.
+judgeAfterKill() { # job, fault
+  local name=$1 file
+  if declare -F "$name"_outputs > /dev/null; then
+    for file in $("$name"_outputs); do
+      status=killed judgeFile "$name" "$2" "${file%\?}" "$([[ $file == *\? ]] && echo differs)"
+    done
+  fi
+  if declare -F "$name"_check > /dev/null; then
+    if (cd "$scratch/work" && "$name"_check) > "$scratch/checked" 2>&1; then readable=$((readable + 1))
+    else finding "$name" "$2" "what was written cannot be used: $(tail -1 "$scratch/checked")"; fi
+  fi
+  declare -F "$name"_resumes > /dev/null || return 0
+  playJob "$name" "$scratch/work" ""
+  if ! expected "$name" "$status"; then finding "$name" "$2" "the same command again: status $status, $(tail -1 "$scratch/err")"; return; fi
+  for file in $("$name"_resumes); do
+    cmp -s <(comparable "$scratch/work/$file") <(comparable "$scratch/good/$file") ||
+      { finding "$name" "$2" "gone on with, it comes to another $file"; return; }
+  done
+  resumed=$((resumed + 1))
+}
+# A file without the comments, which count what was run.
+comparable() { [[ $1 == *.yaml ]] && grep -v '^#' "$1" || cat "$1"; }
+
 judgeFile() { # job, fault, file, differs
   local new=$scratch/work/$3 old=$scratch/template/$3 good=$scratch/good/$3
   if [[ ! -e $good ]]; then return; fi
-  if ((status == goodStatus)) && ! grep -aq "^${programOf[$1]}: " "$scratch/err"; then
+  if [[ $status == "$goodStatus" ]] && ! grep -aq "^${programOf[$1]}: " "$scratch/err"; then
     if [[ $4 ]]; then [[ -s $new ]] || finding "$1" "$2" "status $status, but no $3"
     else cmp -s "$new" "$good" || finding "$1" "$2" "status $status and no word, but $3 is not what it should be"; fi
   elif [[ -e $new ]]; then
@@ -117,7 +175,11 @@ judgeFile() { # job, fault, file, differs
 }
 
 # What jobs check with and start beside.
-readableLog() { [[ ! -e $1 ]] || [[ -z $(find "$1" -name '*.db3' -size +0) ]] || "$realBin/logtool" list "$1"; }
+readableLog() { # of one that came to nothing there is nothing to read
+  [[ -s $1/$1_0.db3 ]] || return 0
+  "$realBin/logtool" list "$1" && return
+  "$realBin/logtool" list "$1" 2>&1 | grep -q 'has no table\|holds no'
+}
 readableMatch() {
   [[ -s $1 ]] || return 0
   "$realBin/webmonitor" --replay "$1" --web-port 0 > replay.out 2> replay.err & # reads the whole index first

@@ -1,6 +1,7 @@
 # What is tried with faults: job NAME PROGRAM KINDS, then in functions of the job's name what makes its folder
 # (NAME_prepare), what runs (NAME_run) and what must hold whatever happened (NAME_check; the files of NAME_outputs are as
-# they were, as they should be, or not there). Sourced by scripts/faults.sh; $bin are the programs, $tree the tree.
+# they were, as they should be, or not there; with a ? their content differs from run to run). NAME_resumes names files that
+# the same command comes to after a kill. Sourced after helpers.bash; $bin are the programs, $tree the tree.
 all="write sync rename open malloc"
 quick=() jobs=()
 declare -A programOf kindsOf
@@ -38,6 +39,7 @@ job gap_record_again gap
 gap_record_again_prepare() { gapRuns run; }
 gap_record_again_run() { "$bin/gap" record --robot "$arm" --program program.yaml --seed 9 --force -o run; }
 gap_record_again_outputs() { echo run/run.json run/run.csv.gz; }
+gap_record_again_resumes() { gap_record_again_outputs; }
 
 job gap_record_secret gap
 gap_record_secret_prepare() { gapRuns made; rm -r made; }
@@ -48,20 +50,22 @@ job gap_diagnose gap
 gap_diagnose_prepare() { gapRuns run; echo old > answer.json; }
 gap_diagnose_run() { "$bin/gap" diagnose run --robot "$arm" --jobs 1 --max-causes 1 --quiet --json answer.json --timing took.json; }
 gap_diagnose_outputs() { echo answer.json; }
+gap_diagnose_resumes() { echo answer.json; }
 
 quickJob gap_apply gap
 gap_apply_prepare() { gapAnswer; echo old > effects.yaml; }
 gap_apply_run() { "$bin/gap" apply answer.json -o effects.yaml; }
 gap_apply_outputs() { echo effects.yaml; }
 
-job gap_report gap
+[[ ! -s $tree/build/report/page.html ]] || job gap_report gap # `make web` builds it
 gap_report_prepare() { gapAnswer; echo old > report.html; }
 gap_report_run() { "$bin/gap" report answer.json --robot "$arm" -o report.html; }
 gap_report_outputs() { echo report.html; }
 
 job gap_check gap
-gap_check_prepare() { gapRuns run; }
-gap_check_run() { "$bin/gap" check run --robot "$arm"; }
+gap_check_prepare() { gapRuns run; gapAnswer; echo old > check.json; }
+gap_check_run() { "$bin/gap" check answer.json run --robot "$arm" --jobs 1 --json check.json; }
+gap_check_outputs() { echo check.json; }
 
 job gap_next gap "write sync rename open"
 gap_next_prepare() { gapAnswer; echo old > next.yaml; }
@@ -77,7 +81,8 @@ gap_import_run() { "$bin/gap" import raw.csv --map map.yaml -o run; }
 gap_import_outputs() { echo run/run.json run/run.csv.gz run/run.csv; }
 
 job gap_blind gap "write sync rename open"
-gap_blind_run() { "$bin/gap" blind make --robot xl330_pendulum --cases 2 --seed 4 -o set; }
+gap_blind_run() { "$bin/gap" blind make --robot xl330_pendulum --engine replay --cases 2 --seed 4 --jobs 1 -o set; }
+gap_blind_outputs() { echo set/answers.sealed; }
 
 quickJob logtool_cut logtool
 logtool_cut_prepare() { cp -r "$sample" log; }
@@ -114,10 +119,6 @@ agent_stats_prepare() { cp -r "$sample" log; echo old > stats.json; }
 agent_stats_run() { "$bin/agent" --replay log --stats stats.json --crash-log crash.log; }
 agent_stats_outputs() { echo 'stats.json?'; }
 
-job agent_simulator agent "write sync rename open"
-agent_simulator_run() { "$bin/agent" --start-simulator --simulator-option=--max-seconds=1 --log log --log-wait --crash-log crash.log; }
-agent_simulator_check() { readableLog log; }
-
 job simulator_record simulator
 simulator_record_run() {
   "$bin/simulator" --port 0 --monitor-port 0 --web 0 --record match.plm --no-realtime --wait-agents 0 --max-seconds 10 --seed 3 \
@@ -143,6 +144,7 @@ optserver_run() { "$bin/optserver" study.yaml --folder search --workers 1 --port
 optserver_check() { # every line of the journal but the last is whole
   [[ ! -s search/evaluations.jsonl ]] || ! sed '$d' search/evaluations.jsonl | grep -qv '}$'
 }
+optserver_resumes() { echo search/found.yaml; }
 
 job optserver_measure optserver "write sync rename open"
 optserver_measure_prepare() { optserver_prepare; "$bin/optserver" study.yaml --folder study.search --workers 1 --port 0 > /dev/null; }
@@ -155,6 +157,7 @@ optimizewalk_run() {
     --from "$tree/config/robots/type0" --output walking.yaml
 }
 optimizewalk_outputs() { echo walking.yaml; }
+optimizewalk_resumes() { echo walking.yaml; }
 
 job watchgame watchgame
 watchgame_prepare() { echo 'a line of an earlier game' > games.log; }
