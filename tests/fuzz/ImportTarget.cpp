@@ -49,7 +49,8 @@ std::vector<std::string> importTableSeeds() {
 }
 std::vector<std::string> gzipTableSeeds() {
   const std::string text = "t,cmd.a,pos.a\n0,0,0\n0.01,1,0.5\n0.02,,1\n";
-  return {packed(text), packed(text).substr(0, 20), text, packed(std::string(100000, '1') + "\n")};
+  const std::string line(100000, '1');
+  return {packed(text), packed(text).substr(0, 20), text, packed(line)};
 }
 
 const Registered importTableTarget({"importTable", importTable, importTableSeeds, 3000});

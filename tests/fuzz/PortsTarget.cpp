@@ -58,9 +58,14 @@ struct Ports {
   Simulation simulation{config};
   AgentPort agents{
       {.port = 0, .sync = true, .syncTimeout = 0.0}, simulation, [](const std::string& line) { told(line); }};
-  MonitorPort monitors{{.port = 0}, simulation, [](const std::string& line) { told(line); }};
+  MonitorPort monitors{monitorConfig(), simulation, [](const std::string& line) { told(line); }};
   std::array<PortClient, 6> clients;  ///< the last two are monitors
 
+  static MonitorPort::Config monitorConfig() {
+    MonitorPort::Config any;
+    any.port = 0;
+    return any;
+  }
   static void told(const std::string& line) {
     for (const char c : line)
       require(static_cast<unsigned char>(c) >= ' ', "a log line with control characters");
