@@ -114,7 +114,7 @@ ConfigNode parseYamlValue(const std::string& text, const std::string& name) {
     node.line = 0;
     return node;
   } catch (const YAML::Exception& error) {
-    throw ConfigurationError(name + ": broken YAML: " + error.msg);
+    throw ConfigurationError(name + ": broken YAML: " + singleLine(error.msg));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <new>
 
 #include "framework/CommandLine.h"
@@ -28,7 +29,11 @@ void tell(const char* what) {
 
 int fail(const std::exception& error, int status) noexcept {
   try {
-    tell(singleLine(error.what()).c_str());
+    // The standard library's own text begins with the name of its function.
+    if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
+      tell(singleLine(file->path1().string() + ": " + file->code().message()).c_str());
+    else
+      tell(singleLine(error.what()).c_str());
   } catch (...) {
     tell(error.what());
   }

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <thread>
@@ -17,6 +18,10 @@ namespace {
 int endsWell(int argc, char**) { return argc; }
 int refuses(int, char**) { throw ConfigurationError("file:3: what\nis wrong"); }
 int breaks(int, char**) { throw std::runtime_error("the server went away"); }
+int cannotWrite(int, char**) {
+  throw std::filesystem::filesystem_error("cannot rename", "runs.part", "runs",
+                                          std::make_error_code(std::errc::no_space_on_device));
+}
 int isStopped(int, char**) { throw Stopped("stopped; nothing was written"); }
 int lacksMemory(int, char**) { throw std::bad_alloc(); }
 int throwsAnything(int, char**) { throw 3; }
@@ -45,6 +50,7 @@ TEST(GuardedMainDeathTest, saysWhatWentWrongInOneLine) {
   expectEnd(refuses, 2, "file:3: what is wrong", 1);
   expectEnd(breaks, 2, "the server went away");
   expectEnd(breaks, 1, "the server went away", 1);
+  expectEnd(cannotWrite, 2, "runs.part: No space left on device");
   expectEnd(isStopped, 130, "stopped; nothing was written");
   expectEnd(throwsAnything, 2, "ended by an unknown exception");
 }

@@ -83,8 +83,10 @@ struct Ports {
 
   void cycle() {
     for (int i = 0; i < 3; ++i) serve();  // those who came, then what they said
-    agents.carryOut();
     monitors.carryOut();
+    if (const auto reset = monitors.takeReset()) agents.restarted(simulation.restart(reset->seed));
+    agents.dropBroken();  // a trainer may have removed players
+    agents.carryOut();
     agents.sendSenses();
     simulation.step();
     if (monitors.due() || monitors.owe()) monitors.tell(monitors.due());
