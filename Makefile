@@ -35,7 +35,7 @@ bin/%: force
 	@scripts/build.sh SimRelease $*
 .PHONY: force
 
-.PHONY: default all help packages run match web pictures test bench fuzz thread coverage install deb results format format-check tidy check clean bench-live soak-live
+.PHONY: default all help packages run match web pictures test bench fuzz faults kills soak thread coverage install deb results format format-check tidy check clean bench-live soak-live
 default: $(defaultTarget)
 all: $(configuredTargets)
 
@@ -171,6 +171,16 @@ fuzz:
 	@$(MAKE) Fuzz
 	@scripts/fuzz.sh $(or $(SECONDS),60) $(TARGETS)
 
+# What happens when a call of the system fails, when a program is killed, and in long games: doc/results/reliability.md.
+# FAULTJOBS="gap_record ..." for some jobs, KILLS=1000 and SEED for the kills, MINUTES and AGENTS for the game.
+faults kills:
+	@$(MAKE) SimRelease
+	@$(foreach v,KILLS SEED MOST ALLOCATIONS,$(if $($v),$v=$($v))) scripts/$@.sh $(FAULTJOBS)
+
+soak:
+	@scripts/build.sh SimRelease agent simulator
+	@$(foreach v,AGENTS SEED,$(if $($v),$v=$($v))) scripts/soak.sh $(MINUTES)
+
 results: bench
 	@scripts/make_results.sh
 
@@ -180,6 +190,10 @@ check:
 	@scripts/build_page.sh
 	@PLUMBLINE_SLOW=1 scripts/run_tests.sh --all
 	@$(MAKE) thread
+	@scripts/sanitized_programs.sh
+	@scripts/faults.sh
+	@scripts/kills.sh
+	@scripts/soak.sh
 
 # The programs and libraries for this machine: PREFIX=FOLDER for another than configured [/usr/local], DESTDIR=FOLDER for a
 # root of its own; and as a Debian package.

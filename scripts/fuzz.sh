@@ -2,7 +2,7 @@
 # Runs libFuzzer on the readers of what comes from outside; `make fuzz SECONDS=300` builds and calls it.
 #   scripts/fuzz.sh [SECONDS] [TARGET]...     seconds of each target [60]; targets [all]
 # What was found before goes on from build/fuzz/TARGET/; an input that breaks a reader is kept in
-# build/fuzz/findings/, and the status is 1.
+# build/fuzz/findings/, and the status is 1. Says at the start how long it takes; the table is build/fuzz/table.txt too.
 # Example: scripts/fuzz.sh 300 matchFile robotFile
 set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
@@ -19,8 +19,12 @@ targets=("$@")
 steady=()
 setarch -R true 2> /dev/null && steady=(setarch -R) # sanitizers fail on some kernels that place memory very randomly
 mkdir -p build/fuzz/findings
-total=0 bad=0
+total=0 bad=0 number=0
+echo "fuzz: ${#targets[@]} targets, $seconds s each: done about $(date -d "+$((${#targets[@]} * (seconds + 3))) seconds" +%H:%M)"
+printf '%-16s %12s %10s %8s  %s\n' target executions branches seconds result | tee build/fuzz/table.txt
 for target in "${targets[@]}"; do
+  number=$((number + 1))
+  [[ -t 1 ]] && printf '%d of %d %s\r' $number ${#targets[@]} "$target" >&2
   [[ " ${all[*]} " == *" $target "* ]] || fail "no target $target; there is ${all[*]}"
   corpus=build/fuzz/$target log=build/fuzz/$target.log
   mkdir -p "$corpus"
@@ -31,15 +35,16 @@ for target in "${targets[@]}"; do
     -max_total_time="$seconds" -max_len=20000 -rss_limit_mb=2048 -malloc_limit_mb=512 -timeout=20 -print_final_stats=1 \
     -artifact_prefix="build/fuzz/findings/$target-" > "$log" 2>&1 || status=$?
   inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
-  covered=$(grep -o 'cov: [0-9]*' "$log" | tail -1)
+  covered=$(grep -o 'cov: [0-9]*' "$log" | tail -1 | tr -dc 0-9)
   total=$((total + ${inputs:-0}))
   if ((status)); then
     bad=$((bad + 1))
-    printf '%-16s %12s inputs  %-12s FOUND: %s\n' "$target" "${inputs:-?}" "$covered" "$(grep -m 1 -E 'ERROR|SUMMARY|what\(\)|runtime error' "$log")"
+    printf '%-16s %12s %10s %8s  FOUND: %s\n' "$target" "${inputs:-?}" "${covered:-?}" "$seconds" \
+      "$(grep -m 1 -E 'ERROR|SUMMARY|what\(\)|runtime error' "$log")" | tee -a build/fuzz/table.txt
     echo "    $(grep -o 'build/fuzz/findings/[^ ]*' "$log" | tail -1); log: $log"
   else
-    printf '%-16s %12s inputs  %-12s nothing found\n' "$target" "$inputs" "$covered"
+    printf '%-16s %12s %10s %8s  nothing found\n' "$target" "$inputs" "$covered" "$seconds" | tee -a build/fuzz/table.txt
   fi
 done
-echo "$total inputs, $bad of ${#targets[@]} targets broke"
+echo "$total executions, $bad of ${#targets[@]} targets broke" | tee -a build/fuzz/table.txt
 ((bad == 0))

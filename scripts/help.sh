@@ -14,6 +14,8 @@ make check           everything that takes long: all tests, and the thread sanit
 make thread          the thread sanitizer over what has threads (AREAS="..." for others)
 make coverage        which lines of src/ the tests run, a line per folder (AREAS="..." for some tests)
 make fuzz            libFuzzer on all that reads from outside, SECONDS=60 of each (TARGETS="..." for some)
+make faults, kills   calls of the system that fail, and kills, in every program (FAULTJOBS="..." for some; KILLS=200, SEED=1)
+make soak            a long game: memory and cost of simulator and agents (MINUTES=10, AGENTS=22)
 make bench           run all benchmarks into build/bench/; bench-AREA those of one area
                      (bench-walk, -walk-nao, -walk-fit, -walk-server, -fidelity, -games, -gap, -gap-real, -gap-walk, -gap-simspark)
 make results         the same, and write doc/results/ from it

@@ -8,6 +8,7 @@
 
 #include "framework/ConfigurationError.h"
 #include "framework/NearestName.h"
+#include "framework/SingleLine.h"
 #include "framework/Version.h"
 
 namespace plumbline {
@@ -76,14 +77,6 @@ std::string mismatchText(const CLI::App& app, const std::string& what) {
   const bool single =
       option && option->get_items_expected_min() == 1 && option->get_items_expected_max() == 1;
   return single ? name + " takes one value, once" : what;
-}
-
-std::string singleLine(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = ' ';
-  }
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text;
 }
 
 }  // namespace

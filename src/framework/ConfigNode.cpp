@@ -1,7 +1,9 @@
 #include "framework/ConfigNode.h"
 
 #include "framework/ConfigurationError.h"
+#include "framework/SingleLine.h"
 #include "framework/YamlDocument.h"
+#include "framework/YamlLimits.h"
 
 namespace plumbline {
 namespace {
@@ -41,6 +43,7 @@ public:
           const int line = entry.first.Mark().line + 1;
           if (!entry.first.IsScalar()) fail(line, "a key must be a plain word");
           const std::string& key = entry.first.Scalar();
+          if (key != singleLine(key)) fail(line, "a key must be a plain word");
           if (key.find('.') != std::string::npos) {
             fail(line, "key \"" + key + "\" contains a dot; nest the keys instead");
           }
@@ -79,7 +82,7 @@ const ConfigNode* ConfigNode::find(std::string_view wanted) const {
 std::string ConfigNode::describe() const {
   switch (kind) {
     case Kind::scalar:
-      return "\"" + text.substr(0, 40) + "\"";
+      return "\"" + singleLine(text.substr(0, 40)) + "\"";
     case Kind::list:
       return "a list of " + std::to_string(elements.size());
     case Kind::map:
@@ -103,6 +106,7 @@ ConfigNode loadYaml(const std::string& path) {
 ConfigNode parseYamlValue(const std::string& text, const std::string& name) {
   if (text.size() > maxFileSize) throw ConfigurationError(name + ": longer than 4 MB");
   try {
+    checkYamlLimits(text, name);
     const auto documents = YAML::LoadAll(text);
     if (documents.size() > 1) throw ConfigurationError(name + " takes one value");
     const YAML::Node yaml = documents.empty() ? YAML::Node() : documents.front();
@@ -110,7 +114,7 @@ ConfigNode parseYamlValue(const std::string& text, const std::string& name) {
     node.line = 0;
     return node;
   } catch (const YAML::Exception& error) {
-    throw ConfigurationError(name + ": broken YAML: " + error.msg);
+    throw ConfigurationError(name + ": broken YAML: " + singleLine(error.msg));
   }
 }
 

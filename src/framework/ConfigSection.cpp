@@ -7,13 +7,14 @@
 #include "framework/ConfigNode.h"
 #include "framework/ConfigurationError.h"
 #include "framework/NearestName.h"
+#include "framework/SingleLine.h"
 
 namespace plumbline {
 namespace {
 
 [[noreturn]] void failAt(const ConfigNode& node, const std::string& message) {
   const std::string place = node.line > 0 ? node.place() + ": " : "";
-  throw ConfigurationError(place + node.key + " " + message);
+  throw ConfigurationError(singleLine(place + node.key + " " + message));
 }
 
 void use(const ConfigNode& node) {

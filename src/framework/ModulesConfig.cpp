@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "framework/ConfigurationError.h"
+#include "framework/SingleLine.h"
 
 namespace plumbline {
 namespace {
@@ -103,7 +104,7 @@ private:
   }
 
   [[noreturn]] static void failAt(const std::string& path, int line, const std::string& message) {
-    throw ConfigurationError(path + ":" + std::to_string(line) + ": " + message);
+    throw ConfigurationError(singleLine(path + ":" + std::to_string(line) + ": " + message));
   }
   [[noreturn]] void fail(const std::string& message) const {
     failAt(open_.back().path, open_.back().line, message);

@@ -52,16 +52,19 @@ bool writeBeside(const std::string& beside, const std::string& content) {
   return file.get() >= 0 && writeAll(file.get(), content) && sync(file.get()) && file.close();
 }
 
-/// Makes the rename outlast a loss of power. The file is complete in either case, so that a folder which
-/// cannot be opened is no error.
+/// Makes the rename outlast a loss of power.
 bool syncFolderOf(const std::string& path) {
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  const Descriptor directory(
-      ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  return directory.get() < 0 || sync(directory.get());
+  return syncToDisk(folder.empty() ? "." : folder);
 }
 
 }  // namespace
+
+bool syncToDisk(const std::string& path) {
+  // What cannot be opened, as a folder without the right to read it, is complete all the same.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  return file.get() < 0 || sync(file.get());
+}
 
 void writeFile(const std::string& path, const std::string& content) {
   const std::string beside = path + ".part";

@@ -7,4 +7,8 @@ namespace plumbline {
 /// half of it, nor does anybody after a loss of power. Throws std::runtime_error "cannot write PATH: REASON".
 void writeFile(const std::string& path, const std::string& content);
 
+/// Makes a file, or the names in a folder, outlast a loss of power. False, with errno: the disk does not take
+/// it.
+bool syncToDisk(const std::string& path);
+
 }  // namespace plumbline

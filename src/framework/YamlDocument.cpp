@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "framework/ConfigurationError.h"
+#include "framework/SingleLine.h"
+#include "framework/YamlLimits.h"
 
 namespace plumbline {
 namespace {
@@ -43,13 +45,14 @@ std::vector<std::string> linesOf(const std::string& text) {
 
 YAML::Node parseYaml(const std::string& text, const std::string& path) {
   try {
+    checkYamlLimits(text, path);
     const std::vector<YAML::Node> documents = YAML::LoadAll(text);
     if (documents.empty()) return YAML::Node();
     if (documents.size() > 1) failSecond(path, text, documents[0], documents[1]);
     return documents.front();
   } catch (const YAML::Exception& error) {
     throw ConfigurationError(path + ":" + std::to_string(error.mark.line + 1) +
-                             ": broken YAML: " + error.msg);
+                             ": broken YAML: " + singleLine(error.msg));
   }
 }
 

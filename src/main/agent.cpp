@@ -12,6 +12,7 @@
 #include "framework/Controller.h"
 #include "framework/CrashLog.h"
 #include "framework/GraphWriter.h"
+#include "framework/GuardedMain.h"
 #include "framework/LogBuffer.h"
 #include "framework/ParameterPage.h"
 #include "framework/Platform.h"
@@ -32,6 +33,7 @@ namespace {
 using namespace plumbline;
 
 constexpr const char* defaultPlatform = "simspark";
+constexpr int faultStatus = 1;  // of what is no mistake of the user, as a server that went away
 
 struct Options {
   std::string platform = defaultPlatform, config, modules, field, graph, stats, motion;
@@ -209,7 +211,11 @@ int runAgent(const Options& options, const Platform& platform) {
   const auto log = makeLog(options.log, controller, setup.configDirectories, tell);
   controller.objects().set(log);
   controller.stop().catchSignals();
-  const int status = controller.run();
+  int status = controller.run();
+  if (log->recorder) {
+    log->recorder->finish();
+    if (log->recorder->endsEarly() && status == 0) return ConfigurationError::exitCode;  // which it has said
+  }
   if (!options.stats.empty()) writeStats(controller, options.stats);
   if (options.timing) fmt::print("{}", controller.timingReport());
   if (!options.graph.empty()) writeGraph(controller.threads(), options.graph, controller.moduleTimes());
@@ -220,21 +226,15 @@ int runAgent(const Options& options, const Platform& platform) {
 int runProgram(int argc, char** argv) {
   Options options;
   options.config = configFolder();
-  try {
-    const auto platform = Platforms::make(chosenPlatform(argc, argv, defaultPlatform));
-    CLI::App app("A humanoid robot that plays soccer, on one of the platforms; simspark is the 3D league.");
-    declare(app, options, *platform);
-    if (const auto status = readCommandLine(app, argc, argv)) return *status;
-    return runAgent(options, *platform);
-  } catch (const ConfigurationError& error) {
-    fmt::print(stderr, "agent: {}\n", error.what());
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "agent: {}\n", error.what());
-    return 1;
-  }
-  return ConfigurationError::exitCode;
+  const auto platform = Platforms::make(chosenPlatform(argc, argv, defaultPlatform));
+  CLI::App app("A humanoid robot that plays soccer, on one of the platforms; simspark is the 3D league.");
+  declare(app, options, *platform);
+  if (const auto status = readCommandLine(app, argc, argv)) return *status;
+  return runAgent(options, *platform);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return plumbline::flushedStatus("agent", runProgram(argc, argv)); }
+int main(int argc, char** argv) {
+  return plumbline::guardedMain("agent", runProgram, argc, argv, faultStatus);
+}

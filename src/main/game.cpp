@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "framework/CommandLine.h"
+#include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
 #include "game/GameRun.h"
 #include "game/OutputFolder.h"
@@ -60,28 +61,23 @@ int runProgram(int argc, char** argv) {
       "  bin/game --field small.yaml\n"
       "  bin/game --host 127.0.0.1 --port 3100 --monitor-port 3200");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
-  try {
-    if (options.agentOptions.empty()) simsparkRobot(options.type);  // else it may have a folder of its own
-    StopSignal stop;
-    stop.catchSignals();
-    const game::Summary summary = game::GameRun(options).play(stop);
-    if (!summary.over) {
-      fmt::print(stderr, "game: interrupted\n");
-      return 130;
-    }
-    if (summary.goal)
-      fmt::print("goal after {:.2f} s, {} fall{}; {}/summary.json, {}/track.svg\n", summary.goalTime,
-                 summary.falls, summary.falls == 1 ? "" : "s", options.output, options.output);
-    else
-      fmt::print("no goal within {:.0f} s, {} fall{}; see {}\n", options.limit, summary.falls,
-                 summary.falls == 1 ? "" : "s", options.output);
-    return summary.goal ? 0 : 1;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "game: {}\n", error.what());
-    return 2;
+  if (options.agentOptions.empty()) simsparkRobot(options.type);  // else it may have a folder of its own
+  StopSignal stop;
+  stop.catchSignals();
+  const game::Summary summary = game::GameRun(options).play(stop);
+  if (!summary.over) {
+    fmt::print(stderr, "game: interrupted\n");
+    return 130;
   }
+  if (summary.goal)
+    fmt::print("goal after {:.2f} s, {} fall{}; {}/summary.json, {}/track.svg\n", summary.goalTime,
+               summary.falls, summary.falls == 1 ? "" : "s", options.output, options.output);
+  else
+    fmt::print("no goal within {:.0f} s, {} fall{}; see {}\n", options.limit, summary.falls,
+               summary.falls == 1 ? "" : "s", options.output);
+  return summary.goal ? 0 : 1;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return plumbline::flushedStatus("game", runProgram(argc, argv)); }
+int main(int argc, char** argv) { return plumbline::guardedMain("game", runProgram, argc, argv); }

@@ -11,6 +11,7 @@
 
 #include "framework/CommandLine.h"
 #include "framework/ConfigFolder.h"
+#include "framework/GuardedMain.h"
 #include "framework/NearestName.h"
 #include "framework/Parallel.h"
 #include "framework/ProgressReport.h"
@@ -323,13 +324,10 @@ int runProgram(int argc, char** argv) {
     fmt::print(stderr, "optimizewalk: stopped; {}\n",
                kept ? "the same command goes on from " + options.checkpoint : "nothing was written");
     return 130;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "optimizewalk: {}\n", error.what());
-    return 2;
   }
   return 0;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return plumbline::flushedStatus("optimizewalk", runProgram(argc, argv)); }
+int main(int argc, char** argv) { return plumbline::guardedMain("optimizewalk", runProgram, argc, argv); }

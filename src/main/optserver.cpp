@@ -10,6 +10,7 @@
 #include "framework/ConfigFile.h"
 #include "framework/ConfigFolder.h"
 #include "framework/ConfigurationError.h"
+#include "framework/GuardedMain.h"
 #include "framework/Parallel.h"
 #include "framework/ProgressReport.h"
 #include "framework/StopSignal.h"
@@ -243,30 +244,22 @@ int runProgram(int argc, char** argv) {
              "  bin/optserver --status\n"
              "  bin/optserver study.yaml --bind 0.0.0.0 --token SECRET");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
-  try {
-    if (options.status) {
-      fmt::print("{}\n", farm::readStatus({options.farm.address, options.farm.port, options.farm.token}));
-      return 0;
-    }
-    if (options.study.empty()) {
-      fmt::print(stderr, "optserver: {}\n", commandLineError(app, "STUDY is missing"));
-      return 2;
-    }
-    if (options.folder.empty())
-      options.folder = std::filesystem::path(options.study).stem().string() + ".search";
-    return options.measured > 0 ? measureBoth(options) : serve(options);
-  } catch (const Stopped&) {
-    fmt::print(stderr, "optserver: stopped\n");
-    return 130;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "optserver: {}\n", error.what());
+  if (options.status) {
+    fmt::print("{}\n", farm::readStatus({options.farm.address, options.farm.port, options.farm.token}));
+    return 0;
+  }
+  if (options.study.empty()) {
+    fmt::print(stderr, "optserver: {}\n", commandLineError(app, "STUDY is missing"));
     return 2;
   }
+  if (options.folder.empty())
+    options.folder = std::filesystem::path(options.study).stem().string() + ".search";
+  return options.measured > 0 ? measureBoth(options) : serve(options);
 }
 
 }  // namespace
 }  // namespace plumbline
 
 int main(int argc, char** argv) {
-  return plumbline::flushedStatus("optserver", plumbline::runProgram(argc, argv));
+  return plumbline::guardedMain("optserver", plumbline::runProgram, argc, argv);
 }

@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <ctime>
+#include <new>
 
 #include "framework/CommandLine.h"
 #include "framework/ConfigFolder.h"
 #include "framework/ConfigurationError.h"
+#include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
 #include "optimization/farm/OptimizationClient.h"
 #include "training/SearchTask.h"
@@ -73,16 +75,14 @@ int runProgram(int argc, char** argv) {
       lost = -1;
       work(client, stop);
       return 0;
-    } catch (const ConfigurationError& error) {
-      std::fprintf(stderr, "optworker: %s\n", error.what());
-      return 2;
-    } catch (const std::exception& error) {
+    } catch (const ConfigurationError&) {
+      throw;
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception&) {
       if (lost < 0) lost = seconds();
       if (stop.requested()) return 0;
-      if (seconds() - lost >= patience) {
-        std::fprintf(stderr, "optworker: %s\n", error.what());
-        return 2;
-      }
+      if (seconds() - lost >= patience) throw;
     }
     usleep(200'000);
     if (stop.requested()) return 0;
@@ -93,5 +93,5 @@ int runProgram(int argc, char** argv) {
 }  // namespace plumbline
 
 int main(int argc, char** argv) {
-  return plumbline::flushedStatus("optworker", plumbline::runProgram(argc, argv));
+  return plumbline::guardedMain("optworker", plumbline::runProgram, argc, argv);
 }

@@ -4,10 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <cstdio>
-#include <exception>
 #include <optional>
 
 #include "framework/CommandLine.h"
+#include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
 #include "web/WebMonitor.h"
 
@@ -40,32 +40,27 @@ int runProgram(int argc, char** argv) {
   app.footer("Examples:\n  bin/webmonitor --port 3200\n  bin/webmonitor --replay match.plm");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   config.live.drawingPortOptional = drawingPort->count() == 0;
-  try {
-    StopSignal stop;
-    stop.catchSignals();
-    std::atomic<bool> recordingLost = false;
-    config.live.recordingLost = [&](const std::string& why) {
-      std::fprintf(stderr, "webmonitor: the recording ends here: %s\n", why.c_str());
-      recordingLost = true;
-    };
-    std::optional<web::WebMonitor> running(std::in_place, config);
-    const web::WebMonitor& monitor = *running;
-    std::printf("webmonitor: %s\n", monitor.address().c_str());
-    if (monitor.drawingPort() > 0)
-      std::printf("webmonitor: drawings on UDP port %d\n", monitor.drawingPort());
-    else if (!monitor.drawingProblem().empty())
-      std::printf("webmonitor: without the agents' drawings: %s\n", monitor.drawingProblem().c_str());
-    std::fflush(stdout);
-    pollfd stopped{stop.fileDescriptor(), POLLIN, 0};
-    while (!stop.requested()) poll(&stopped, 1, -1);
-    running.reset();
-    return recordingLost ? badInput : 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "webmonitor: %s\n", error.what());
-    return badInput;
-  }
+  StopSignal stop;
+  stop.catchSignals();
+  std::atomic<bool> recordingLost = false;
+  config.live.recordingLost = [&](const std::string& why) {
+    std::fprintf(stderr, "webmonitor: the recording ends here: %s\n", why.c_str());
+    recordingLost = true;
+  };
+  std::optional<web::WebMonitor> running(std::in_place, config);
+  const web::WebMonitor& monitor = *running;
+  std::printf("webmonitor: %s\n", monitor.address().c_str());
+  if (monitor.drawingPort() > 0)
+    std::printf("webmonitor: drawings on UDP port %d\n", monitor.drawingPort());
+  else if (!monitor.drawingProblem().empty())
+    std::printf("webmonitor: without the agents' drawings: %s\n", monitor.drawingProblem().c_str());
+  std::fflush(stdout);
+  pollfd stopped{stop.fileDescriptor(), POLLIN, 0};
+  while (!stop.requested()) poll(&stopped, 1, -1);
+  running.reset();
+  return recordingLost ? badInput : 0;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return plumbline::flushedStatus("webmonitor", runProgram(argc, argv)); }
+int main(int argc, char** argv) { return plumbline::guardedMain("webmonitor", runProgram, argc, argv); }

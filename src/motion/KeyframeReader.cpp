@@ -9,6 +9,7 @@
 
 #include "framework/ConfigurationError.h"
 #include "framework/NearestName.h"
+#include "framework/SingleLine.h"
 #include "framework/YamlDocument.h"
 #include "math/Angle.h"
 
@@ -85,8 +86,8 @@ public:
 private:
   [[noreturn]] void fail(const YAML::Node& where, const std::string& key, const std::string& what) const {
     const int line = where.Mark().is_null() ? 1 : where.Mark().line + 1;
-    throw KeyframeFileError(file.string() + ":" + std::to_string(line) + ": " +
-                            (key.empty() ? "" : key + ": ") + what);
+    throw KeyframeFileError(singleLine(file.string() + ":" + std::to_string(line) + ": " +
+                                       (key.empty() ? "" : key + ": ") + what));
   }
 
   template <class Visit>

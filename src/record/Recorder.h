@@ -40,6 +40,8 @@ public:
 
   /// Writes what is left and ends; says what is missing.
   void finish();
+  /// After finish(): something could not be written, so that the log ends early.
+  bool endsEarly() const { return failed_; }
 
   std::uint64_t cycles() const { return cycles_.load(); }
   std::uint64_t dropped() const;

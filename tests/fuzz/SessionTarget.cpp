@@ -71,6 +71,7 @@ struct Table {
 
 }  // namespace
 
+/// Lines "0 message" to "3 message" to four agents, "t message" to the trainer's port, "." a cycle.
 void session(std::string_view bytes) {
   Table table;
   int steps = 0;
@@ -111,5 +112,9 @@ std::vector<std::string> sessionSeeds() {
           "t(agent (unum 1)(team Left)(pos 0 0 0.4))(agent (unum 2)(team Right)(pos 0 0.1 0.4))\n.\n.\n.\n.\n"
           "t(repos (unum 1)(team Left))(select (unum 1)(team Left))\n.\n"};
 }
+
+namespace {
+const Registered sessionTarget({"session", session, sessionSeeds, 400});
+}  // namespace
 
 }  // namespace plumbline::fuzz

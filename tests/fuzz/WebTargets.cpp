@@ -70,7 +70,7 @@ std::vector<std::string> roboVizSeeds() {
           "\x02\x01\x8a"s + colour + "support\0"s + "\x02\x02\x8a"s + "\x03\x00\x01"s + "\0\0\0"s};
 }
 
-std::vector<std::string> matchSeeds() {
+std::vector<std::string> matchFileSeeds() {
   std::string name =
       (std::filesystem::temp_directory_path() / ("fuzz-match-" + std::to_string(getpid()))).string();
   std::filesystem::remove(name);
@@ -87,7 +87,7 @@ std::vector<std::string> matchSeeds() {
   return {bytes, bytes.substr(0, bytes.size() / 2), bytes.substr(0, 20)};
 }
 
-std::vector<std::string> pageSeeds() {
+std::vector<std::string> pageCommandSeeds() {
   return {R"({"do":"kickOff","side":"left"})",
           R"({"do":"playMode","mode":"PlayOn"})",
           R"({"do":"moveRobot","side":"right","unum":8,"x":1.5,"y":-2,"z":0.4,"heading":1.57})",
@@ -99,5 +99,11 @@ std::vector<std::string> pageSeeds() {
           R"({"do":"rate","rate":2})",
           R"({"do":"reset"})"};
 }
+
+namespace {
+const Registered roboVizTarget({"roboViz", roboViz, roboVizSeeds, 30000});
+const Registered matchFileTarget({"matchFile", matchFile, matchFileSeeds, 6000});
+const Registered pageCommandTarget({"pageCommand", pageCommand, pageCommandSeeds, 40000});
+}  // namespace
 
 }  // namespace plumbline::fuzz

@@ -41,6 +41,7 @@ void serverMessage(std::string_view bytes) {
   appendServerMessage(second, again);
 }
 
+/// Messages in lines.
 void monitorScene(std::string_view bytes) {
   SceneState scene;
   FieldScene quick;
@@ -57,6 +58,7 @@ void monitorScene(std::string_view bytes) {
           "a scene's field message is not read");
 }
 
+/// First byte: size of the pieces it comes in.
 void framing(std::string_view bytes) {
   if (bytes.empty()) return;
   const std::size_t piece = 1 + static_cast<unsigned char>(bytes.front());
@@ -84,14 +86,14 @@ void fieldMessage(std::string_view bytes) {
   require(writeFieldMessage(again) == written, "a field message changes when it is read back");
 }
 
-std::vector<std::string> agentSeeds() {
+std::vector<std::string> agentMessageSeeds() {
   return {
       "(he1 1.5)(lle4 -0.25)(beam -1 2 90)(say hello)(init (unum 3)(teamname A))"
       "(scene rsg/agent/nao/nao_hetero.rsg 4)(pass)(syn)",
       "(syn)", "(lae1 1e-3)(rae1 -7)(lle7 0.5)(rle7 0)(syn)", "(scene rsg/agent/nao/nao.rsg)(syn)"};
 }
 
-std::vector<std::string> trainerSeeds() {
+std::vector<std::string> trainerMessageSeeds() {
   return {
       "(agent (unum 1)(team Left)(move 1 2 3 4))(ball (pos 1 2 3)(vel 4 5 6))(playMode PlayOn)(kickOff None)"
       "(score (left 1)(right 2))(time 4)(select)(kill (unum 1)(team Right))(repos)(reqfullstate)(getAck)",
@@ -102,7 +104,7 @@ std::vector<std::string> trainerSeeds() {
       "(init)(token secret)"};
 }
 
-std::vector<std::string> serverSeeds() {
+std::vector<std::string> serverMessageSeeds() {
   std::vector<std::string> seeds;
   for (const char* name : {"agent_type0", "agent_type4", "agent_game_22_players"}) {
     const auto more = test::samples(name);
@@ -111,7 +113,7 @@ std::vector<std::string> serverSeeds() {
   return seeds;
 }
 
-std::vector<std::string> sceneSeeds() {
+std::vector<std::string> monitorSceneSeeds() {
   const auto two = test::samples("monitor_two_agents"), none = test::samples("monitor_first3");
   return {two[0] + '\n' + two[1] + '\n' + two[2], two[0], none[1] + '\n' + none[5], two[0] + '\n' + none[5],
           "((time 1)(play_modes A B)(play_mode 1))(RSG 0 1)((nd TRF (SLT 1 0 0 0 0 1 0 0 0 0 1 0 1 2 3 1)"
@@ -119,7 +121,7 @@ std::vector<std::string> sceneSeeds() {
           "((time 2))(RDS 0 1)((nd (SLT 1 0 0 0 0 1 0 0 0 0 1 0 4 5 6 1)(nd StaticMesh)))"};
 }
 
-std::vector<std::string> frameSeeds() {
+std::vector<std::string> framingSeeds() {
   std::string frames("\x03", 1);
   for (const char* text : {"(syn)", "", "(he1 1)(syn)", "(init (unum 1)(teamname A))"})
     appendFrame(frames, text);
@@ -129,12 +131,21 @@ std::vector<std::string> frameSeeds() {
   return {frames, tooLong, std::string("\0\0\0\0\0", 5)};
 }
 
-std::vector<std::string> fieldSeeds() {
+std::vector<std::string> fieldMessageSeeds() {
   return {
       "(field 1)(t 83.42)(s 2 1 3)(m PlayOn)(nl Red)(nr Blue)(b -123 500 4)(l 1 -1450 0 0)(r 11 301 -200 180 "
       "f)"
       "(o 0 0 -100 -90)",
       "(field 1)(t 0.00)(s 1 0 0)(m BeforeKickOff)(b 0 0 4)"};
 }
+
+namespace {
+const Registered agentMessageTarget({"agentMessage", agentMessage, agentMessageSeeds, 40000});
+const Registered trainerMessageTarget({"trainerMessage", trainerMessage, trainerMessageSeeds, 40000});
+const Registered serverMessageTarget({"serverMessage", serverMessage, serverMessageSeeds, 20000});
+const Registered monitorSceneTarget({"monitorScene", monitorScene, monitorSceneSeeds, 6000});
+const Registered framingTarget({"framing", framing, framingSeeds, 40000});
+const Registered fieldMessageTarget({"fieldMessage", fieldMessage, fieldMessageSeeds, 40000});
+}  // namespace
 
 }  // namespace plumbline::fuzz

@@ -12,6 +12,7 @@
 #include "GapRun.h"
 #include "Listing.h"
 #include "framework/CommandLine.h"
+#include "framework/GuardedMain.h"
 #include "framework/ProgressReport.h"
 #include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
@@ -25,7 +26,7 @@ namespace {
 using namespace plumbline;
 using namespace plumbline::record;
 
-constexpr int differ = 1, badInput = 2, interrupted = 130;
+constexpr int differ = 1, badInput = 2;
 
 struct Options {
   std::string log, other, target, thread, csv, gap, motion = "from a log of the agent", cycles;
@@ -171,23 +172,14 @@ int runProgram(int argc, char** argv) {
                "logtool");
   declare(app, options, chosen);
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
-  try {
-    readCycles(options);
-    StopSignal stop;
-    stop.catchSignals();
-    ProgressReport report("logtool");
-    return chosen(options, [&](double share) {
-      report.tell(options.log.empty() ? options.target : options.log, share);
-    });
-  } catch (const Stopped& stopped) {
-    fmt::print(stderr, "logtool: {}\n", stopped.what());
-    return interrupted;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "logtool: {}\n", error.what());
-    return badInput;
-  }
+  readCycles(options);
+  StopSignal stop;
+  stop.catchSignals();
+  ProgressReport report("logtool");
+  return chosen(
+      options, [&](double share) { report.tell(options.log.empty() ? options.target : options.log, share); });
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return plumbline::flushedStatus("logtool", runProgram(argc, argv)); }
+int main(int argc, char** argv) { return plumbline::guardedMain("logtool", runProgram, argc, argv); }

@@ -10,6 +10,7 @@
 #include "Console.h"
 #include "framework/CommandLine.h"
 #include "framework/ConfigFolder.h"
+#include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
 
 namespace {
@@ -17,7 +18,7 @@ namespace {
 using namespace plumbline;
 using namespace plumbline::rdb;
 
-constexpr int badInput = 2, standardPort = 3300;
+constexpr int standardPort = 3300;
 constexpr double connectSeconds = 3;
 
 struct Options {
@@ -101,15 +102,9 @@ int runProgram(int argc, char** argv) {
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   std::setlocale(LC_ALL, "");
   std::setlocale(LC_NUMERIC, "C");
-  try {
-    return run(options);
-  } catch (const std::exception& error) {
-    std::fflush(stdout);
-    std::fprintf(stderr, "rdb: %s\n", error.what());
-    return badInput;
-  }
+  return run(options);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return plumbline::flushedStatus("rdb", runProgram(argc, argv)); }
+int main(int argc, char** argv) { return plumbline::guardedMain("rdb", runProgram, argc, argv); }

@@ -18,6 +18,7 @@
 #include "FieldSource.h"
 #include "Terminal.h"
 #include "framework/CommandLine.h"
+#include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
 #include "simspark/NumberFormat.h"
 
@@ -182,38 +183,33 @@ int runProgram(int argc, char** argv) {
     std::fprintf(stderr, "simplemonitor: %s\n", commandLineError(app, error.what()).c_str());
     return badInput;
   }
-  try {
-    std::setlocale(LC_ALL, "");
-    std::setlocale(LC_NUMERIC, "C");
-    StopSignal stop;
-    stop.catchSignals();
-    FieldSource source(options.host,
-                       options.port ? std::vector{options.port} : std::vector{fieldPort, monitorPort},
-                       options.token);
-    source.interruptBy(stop.fileDescriptor());
-    const double start = wallClock();
-    if (const std::string why = source.connect(); !why.empty()) {
-      if (stop.requested()) return 0;
-      throw std::runtime_error(why + "; is a simulator running there?");
-    }
-    if (options.once) {
-      printOnce(options, source, stop);
-      return 0;
-    }
-    show(options, source, stop);
-    if (options.seconds > 0) {
-      const double wall = wallClock() - start;
-      std::printf("simplemonitor: %.0f bytes/s for %.1f s, %.2f %% of a core\n",
-                  static_cast<double>(source.bytes()) / wall, wall,
-                  100 * secondsOf(CLOCK_PROCESS_CPUTIME_ID) / wall);
-    }
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "simplemonitor: %s\n", error.what());
-    return badInput;
+  std::setlocale(LC_ALL, "");
+  std::setlocale(LC_NUMERIC, "C");
+  StopSignal stop;
+  stop.catchSignals();
+  FieldSource source(options.host,
+                     options.port ? std::vector{options.port} : std::vector{fieldPort, monitorPort},
+                     options.token);
+  source.interruptBy(stop.fileDescriptor());
+  const double start = wallClock();
+  if (const std::string why = source.connect(); !why.empty()) {
+    if (stop.requested()) return 0;
+    throw std::runtime_error(why + "; is a simulator running there?");
   }
+  if (options.once) {
+    printOnce(options, source, stop);
+    return 0;
+  }
+  show(options, source, stop);
+  if (options.seconds > 0) {
+    const double wall = wallClock() - start;
+    std::printf("simplemonitor: %.0f bytes/s for %.1f s, %.2f %% of a core\n",
+                static_cast<double>(source.bytes()) / wall, wall,
+                100 * secondsOf(CLOCK_PROCESS_CPUTIME_ID) / wall);
+  }
+  return 0;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return plumbline::flushedStatus("simplemonitor", runProgram(argc, argv)); }
+int main(int argc, char** argv) { return plumbline::guardedMain("simplemonitor", runProgram, argc, argv); }

@@ -5,10 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <ctime>
-#include <exception>
 #include <optional>
 
 #include "framework/CommandLine.h"
+#include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
 #include "game/FieldPicture.h"
 #include "game/GameTrack.h"
@@ -29,7 +29,6 @@ std::string now() {
 }
 
 int runProgram(int argc, char** argv) {
-  constexpr int badInput = 2;
   game::GameWatchOptions options;
   game::GameLogEntry entry;
   std::string log, trackFile;
@@ -74,34 +73,29 @@ int runProgram(int argc, char** argv) {
       "Example:\n  bin/watchgame --port 3200 --players 22 --log games.log");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   options.kickOff = !noKickOff;
-  try {
-    StopSignal stop;
-    stop.catchSignals();
-    entry.date = now();
-    std::optional<game::GameTrack> track;
-    if (!trackFile.empty()) {
-      track.emplace(trackFile);
-      options.everyScene = [&track](const simspark::SceneState& scene) { track->observe(scene); };
-    }
-    const auto result = game::watchGame(options, stop, [&](const simspark::SceneState& scene) {
-      if (quiet) return;
-      fmt::print("{} {} {} : {} {} {} half {} robots {}\n", game::clockText(scene.time), scene.teamLeft,
-                 scene.scoreLeft, scene.scoreRight, scene.teamRight, scene.playMode, scene.half,
-                 scene.robots.size());
-      std::fflush(stdout);
-    });
-    const std::string line = game::gameLogLine(entry, result);
-    if (!log.empty() && result.end != game::GameEnd::interrupted) game::appendGameLog(log, line);
-    fmt::print("{}\n", line);
-    if (result.end == game::GameEnd::over) return 0;
-    fmt::print(stderr, "watchgame: {}\n", result.problem);
-    return result.end == game::GameEnd::interrupted ? 130 : 1;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "watchgame: {}\n", error.what());
-    return badInput;
+  StopSignal stop;
+  stop.catchSignals();
+  entry.date = now();
+  std::optional<game::GameTrack> track;
+  if (!trackFile.empty()) {
+    track.emplace(trackFile);
+    options.everyScene = [&track](const simspark::SceneState& scene) { track->observe(scene); };
   }
+  const auto result = game::watchGame(options, stop, [&](const simspark::SceneState& scene) {
+    if (quiet) return;
+    fmt::print("{} {} {} : {} {} {} half {} robots {}\n", game::clockText(scene.time), scene.teamLeft,
+               scene.scoreLeft, scene.scoreRight, scene.teamRight, scene.playMode, scene.half,
+               scene.robots.size());
+    std::fflush(stdout);
+  });
+  const std::string line = game::gameLogLine(entry, result);
+  if (!log.empty() && result.end != game::GameEnd::interrupted) game::appendGameLog(log, line);
+  fmt::print("{}\n", line);
+  if (result.end == game::GameEnd::over) return 0;
+  fmt::print(stderr, "watchgame: {}\n", result.problem);
+  return result.end == game::GameEnd::interrupted ? 130 : 1;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return plumbline::flushedStatus("watchgame", runProgram(argc, argv)); }
+int main(int argc, char** argv) { return plumbline::guardedMain("watchgame", runProgram, argc, argv); }

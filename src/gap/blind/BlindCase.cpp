@@ -86,6 +86,8 @@ BlindSet parseBlindSet(const std::string& text) {
       set.cases.push_back(std::move(c));
     }
     return set;
+  } catch (const json::exception&) {
+    throw std::invalid_argument("no answers of a benchmark: a field is missing or of another kind");
   } catch (const std::exception& error) {
     throw std::invalid_argument(std::string("no answers of a benchmark: ") + error.what());
   }

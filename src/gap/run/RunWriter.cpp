@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "framework/WriteFile.h"
 #include "gap/run/RunFile.h"
 
 namespace plumbline::gap {
@@ -129,7 +130,10 @@ void writeRun(const Run& run, const std::string& folder, WriteRunOptions options
   fs::create_directories(beside, error);
   const bool good =
       !error && writePlain(beside / "run.json", metaText(run)) &&
-      (options.packed ? writePacked(beside / "run.csv.gz", table) : writePlain(beside / "run.csv", table));
+      (options.packed ? writePacked(beside / "run.csv.gz", table) : writePlain(beside / "run.csv", table)) &&
+      syncToDisk((beside / "run.json").string()) &&
+      syncToDisk((beside / (options.packed ? "run.csv.gz" : "run.csv")).string()) &&
+      syncToDisk(beside.string());
   if (good) fs::rename(beside, place, error);
   if (good && !error) return;
   const std::string why = error ? error.message() : std::strerror(errno);

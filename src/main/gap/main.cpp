@@ -1,11 +1,11 @@
 // bin/gap: the sim-to-real diagnosis. Each subcommand stands in a file of its own.
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <memory>
 
 #include "framework/CommandLine.h"
 #include "framework/ConfigFolder.h"
+#include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
 #include "main/gap/Commands.h"
 
@@ -13,7 +13,6 @@ namespace {
 
 int run(int argc, char** argv) {
   using namespace plumbline;
-  constexpr int badInput = 2, interrupted = 130;
   CLI::App app(
       "Finds what a simulator lacks: where it differs from a real robot, which unmodelled effect is the "
       "cause, "
@@ -43,20 +42,12 @@ int run(int argc, char** argv) {
       "Examples:\n  bin/gap record --battery hang --secret 10 -o runs\n"
       "  bin/gap diagnose runs --json answer.json\n  bin/gap report answer.json\n"
       "Each has its own help: bin/gap diagnose --help");
-  try {
-    StopSignal stop;
-    stop.catchSignals();
-    if (const auto status = readCommandLine(app, argc, argv)) return *status;
-    return 0;
-  } catch (const Stopped& stopped) {
-    std::fprintf(stderr, "gap: %s\n", stopped.what().c_str());
-    return interrupted;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "gap: %s\n", error.what());
-    return badInput;
-  }
+  StopSignal stop;
+  stop.catchSignals();
+  if (const auto status = readCommandLine(app, argc, argv)) return *status;
+  return 0;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return plumbline::flushedStatus("gap", run(argc, argv)); }
+int main(int argc, char** argv) { return plumbline::guardedMain("gap", run, argc, argv); }

@@ -6,13 +6,13 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <exception>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "Options.h"
 #include "framework/CommandLine.h"
+#include "framework/GuardedMain.h"
 #include "simulation/replay/ReplayReport.h"
 #include "simulation/server/Reports.h"
 #include "simulation/server/Server.h"
@@ -82,28 +82,22 @@ void serve(const Options& options) {
 }
 
 int runProgram(int argc, char** argv) {
-  try {
-    const pid_t parent = getppid();
-    const Options options = parseOptions(argc, argv);
-    if (options.exitStatus) return *options.exitStatus;
-    if (options.dieWithParent) {
-      prctl(PR_SET_PDEATHSIG, SIGTERM);
-      if (getppid() != parent) return 0;  // it ended before we asked
-    }
-    handleSignals();
-    if (options.replayFile.empty())
-      serve(options);
-    else
-      std::fputs(
-          replayReport(options.replayFile, options.replayType, options.server.simulation.world).c_str(),
-          stdout);
-    return recordingLost ? badInput : 0;
-  } catch (const std::exception& problem) {
-    std::fprintf(stderr, "simulator: %s\n", problem.what());
-    return badInput;
+  const pid_t parent = getppid();
+  const Options options = parseOptions(argc, argv);
+  if (options.exitStatus) return *options.exitStatus;
+  if (options.dieWithParent) {
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != parent) return 0;  // it ended before we asked
   }
+  handleSignals();
+  if (options.replayFile.empty())
+    serve(options);
+  else
+    std::fputs(replayReport(options.replayFile, options.replayType, options.server.simulation.world).c_str(),
+               stdout);
+  return recordingLost ? badInput : 0;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return plumbline::flushedStatus("simulator", runProgram(argc, argv)); }
+int main(int argc, char** argv) { return plumbline::guardedMain("simulator", runProgram, argc, argv); }

@@ -6,6 +6,7 @@
 
 #include "gap/blind/Draw.h"
 #include "gap/blind/HandMadeCases.h"
+#include "support/Thrown.h"
 
 namespace plumbline::gap {
 namespace {
@@ -167,7 +168,8 @@ TEST(BlindCase, SealsAndReadsBack) {
   EXPECT_EQ(blindSetText(again), blindSetText(set));
   EXPECT_EQ(again.cases[0].effects[0].axis, "y");
   EXPECT_EQ(again.cases[0].effects[0].how.at("side"), "link");
-  EXPECT_THROW(parseBlindSet("{}"), std::invalid_argument);
+  EXPECT_EQ(thrownBy([] { parseBlindSet("{}"); }),
+            "no answers of a benchmark: a field is missing or of another kind");
   // FIPS 180-4's examples.
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),

@@ -1,0 +1,92 @@
+#include "framework/GuardedMain.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <new>
+
+#include "framework/CommandLine.h"
+#include "framework/ConfigurationError.h"
+#include "framework/SingleLine.h"
+#include "framework/StopSignal.h"
+
+namespace plumbline {
+namespace {
+
+constexpr int badInput = ConfigurationError::exitCode, interrupted = 130;
+const char* programName = "";
+
+/// Without an allocation: none may be left.
+void tell(const char* what) {
+  for (const char* part : {programName, ": ", what, "\n"}) {
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, part, std::strlen(part));
+  }
+}
+
+int fail(const std::exception& error, int status) noexcept {
+  try {
+    // The standard library's own text begins with the name of its function.
+    if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
+      tell(singleLine(file->path1().string() + ": " + file->code().message()).c_str());
+    else
+      tell(singleLine(error.what()).c_str());
+  } catch (...) {
+    tell(error.what());
+  }
+  return status;
+}
+
+/// The end of what no catch reaches: a thread, a destructor.
+[[noreturn]] void terminated() {
+  if (const std::exception_ptr problem = std::current_exception()) {
+    try {
+      std::rethrow_exception(problem);
+    } catch (const std::bad_alloc&) {
+      tell("out of memory");
+      _exit(badInput);
+    } catch (const std::exception& error) {
+      tell(error.what());
+    } catch (...) {
+      tell("ended by an unknown exception");
+    }
+  }
+  std::abort();  // which CrashLog sees
+}
+
+}  // namespace
+
+int guardedMain(const char* program, int (*run)(int, char**), int argc, char** argv, int fault) noexcept {
+  programName = program;
+  std::set_terminate(terminated);
+  int status = fault;
+  try {
+    status = run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    tell("out of memory");
+    status = badInput;
+  } catch (const Stopped& stopped) {
+    std::fflush(stdout);
+    tell(stopped.what().c_str());
+    status = interrupted;
+  } catch (const ConfigurationError& error) {
+    std::fflush(stdout);
+    status = fail(error, badInput);
+  } catch (const std::exception& error) {
+    std::fflush(stdout);
+    status = fail(error, fault);
+  } catch (...) {
+    tell("ended by an unknown exception");
+  }
+  try {
+    return flushedStatus(program, status);
+  } catch (...) {
+    tell("out of memory");
+    return badInput;
+  }
+}
+
+}  // namespace plumbline

@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+namespace plumbline {
+
+/// The text as one line that a terminal shows as it is: control characters become spaces, those at the end
+/// go, and what is longer than a screen full (1000 bytes) ends with "...". For errors that quote what came
+/// from outside.
+std::string singleLine(std::string text);
+
+}  // namespace plumbline

@@ -1,0 +1,176 @@
+# What is tried with faults: job NAME PROGRAM KINDS, then in functions of the job's name what makes its folder
+# (NAME_prepare), what runs (NAME_run) and what must hold whatever happened (NAME_check; the files of NAME_outputs are as
+# they were, as they should be, or not there; with a ? their content differs from run to run). NAME_resumes names files that
+# the same command comes to after a kill. Sourced after helpers.bash; $bin are the programs, $tree the tree.
+all="write sync rename open malloc"
+quick=() jobs=()
+declare -A programOf kindsOf
+job() { jobs+=("$1"); programOf[$1]=$2; kindsOf[$1]=${3:-$all}; }
+quickJob() { job "$@"; quick+=("$1"); }
+
+arm=$tree/tests/e2e/gap/arm.json
+gapRuns() { # two short recordings of an arm, one with an effect
+  cat > program.yaml << 'END'
+about: "two seconds"
+base: fixed
+posture: hang
+lead_in: 0.1
+lead_out: 0.1
+segments:
+  - {wave: triangle, duration: 1.6, share: 0.45}
+END
+  printf 'effects:\n  - {effect: backlash, at: Elbow, value: 0.05}\n' > effects.yaml
+  "$bin/gap" record --robot "$arm" --program program.yaml --effects effects.yaml -o "$1" > /dev/null
+}
+gapAnswer() {
+  cat > answer.json << 'END'
+{"verdict": "effect", "robot": "arm", "effects": [{"effect": "backlash", "at": "Elbow", "value": 0.05, "unit": "rad",
+ "interval": [0.04, 0.06], "probability": 0.9, "rivals": [{"effect": "coulomb_friction", "at": "Elbow", "value": 0.1, "probability": 0.1}]}],
+ "gap": {"before": 2.5, "after": 1.1, "closed": 0.9}, "runs": [], "map": {"time": []}}
+END
+}
+
+quickJob gap_record gap
+gap_record_prepare() { gapRuns made; rm -r made; }
+gap_record_run() { "$bin/gap" record --robot "$arm" --program program.yaml --effects effects.yaml -o run; }
+gap_record_outputs() { echo run/run.json run/run.csv.gz; }
+
+job gap_record_again gap
+gap_record_again_prepare() { gapRuns run; }
+gap_record_again_run() { "$bin/gap" record --robot "$arm" --program program.yaml --seed 9 --force -o run; }
+gap_record_again_outputs() { echo run/run.json run/run.csv.gz; }
+gap_record_again_resumes() { gap_record_again_outputs; }
+
+job gap_record_secret gap
+gap_record_secret_prepare() { gapRuns made; rm -r made; }
+gap_record_secret_run() { "$bin/gap" record --robot "$arm" --program program.yaml --secret 3 -o runs; }
+gap_record_secret_outputs() { echo runs/run.json runs/run.csv.gz runs/SECRET; }
+
+job gap_diagnose gap
+gap_diagnose_prepare() { gapRuns run; echo old > answer.json; }
+gap_diagnose_run() { "$bin/gap" diagnose run --robot "$arm" --jobs 1 --max-causes 1 --quiet --json answer.json --timing took.json; }
+gap_diagnose_outputs() { echo answer.json; }
+gap_diagnose_resumes() { echo answer.json; }
+
+quickJob gap_apply gap
+gap_apply_prepare() { gapAnswer; echo old > effects.yaml; }
+gap_apply_run() { "$bin/gap" apply answer.json -o effects.yaml; }
+gap_apply_outputs() { echo effects.yaml; }
+
+[[ ! -s $tree/build/report/page.html ]] || job gap_report gap # `make web` builds it
+gap_report_prepare() { gapAnswer; echo old > report.html; }
+gap_report_run() { "$bin/gap" report answer.json --robot "$arm" -o report.html; }
+gap_report_outputs() { echo report.html; }
+
+job gap_check gap
+gap_check_prepare() { gapRuns run; gapAnswer; echo old > check.json; }
+gap_check_run() { "$bin/gap" check answer.json run --robot "$arm" --jobs 1 --json check.json; }
+gap_check_outputs() { echo check.json; }
+
+job gap_next gap "write sync rename open"
+gap_next_prepare() { gapAnswer; echo old > next.yaml; }
+gap_next_run() { "$bin/gap" next answer.json --robot "$arm" -o next.yaml; }
+gap_next_outputs() { echo next.yaml; }
+
+job gap_import gap
+gap_import_prepare() {
+  printf 'robot: xl330_pendulum\nbase: fixed\nmotion: "m"\ntime: {from: t, unit: s}\ncolumns:\n  - {to: cmd.pendulum, from: c}\n  - {to: pos.pendulum, from: p}\n' > map.yaml
+  awk 'BEGIN { print "t,c,p"; for (i = 0; i < 300; ++i) printf "%.2f,%.4f,%.4f\n", i / 100, sin(i / 20), sin((i - 2) / 20) }' > raw.csv
+}
+gap_import_run() { "$bin/gap" import raw.csv --map map.yaml -o run; }
+gap_import_outputs() { echo run/run.json run/run.csv.gz run/run.csv; }
+
+job gap_blind gap "write sync rename open"
+gap_blind_run() { "$bin/gap" blind make --robot xl330_pendulum --engine replay --cases 2 --seed 4 --jobs 1 -o set; }
+gap_blind_outputs() { echo set/answers.sealed; }
+
+quickJob logtool_cut logtool
+logtool_cut_prepare() { cp -r "$sample" log; }
+logtool_cut_run() { "$bin/logtool" cut log part --from 0.2; }
+logtool_cut_check() { readableLog part; }
+
+job logtool_join logtool
+logtool_join_prepare() { cp -r "$sample" log; "$bin/logtool" cut log a --to 0.5 > /dev/null; "$bin/logtool" cut log b --from 0.501 > /dev/null; }
+logtool_join_run() { "$bin/logtool" join whole a b; }
+logtool_join_check() { readableLog whole; }
+
+quickJob logtool_csv logtool
+logtool_csv_prepare() { cp -r "$sample" log; echo old > pose.csv; }
+logtool_csv_run() { "$bin/logtool" export log --csv pose.csv --only RobotPose.position; }
+logtool_csv_outputs() { echo pose.csv; }
+
+job logtool_gap logtool
+logtool_gap_prepare() { cp -r "$sample" log; }
+logtool_gap_run() { "$bin/logtool" export log --gap run; }
+logtool_gap_outputs() { echo run/run.json run/run.csv.gz; }
+
+job agent_log agent
+agent_log_prepare() { cp -r "$sample" log; }
+agent_log_run() { "$bin/agent" --replay log --log again --crash-log crash.log; }
+agent_log_check() { readableLog again; }
+
+job agent_graph agent
+agent_graph_prepare() { echo old > graph.dot; }
+agent_graph_run() { "$bin/agent" --graph graph.dot; }
+agent_graph_outputs() { echo graph.dot; }
+
+job agent_stats agent "write sync rename open"
+agent_stats_prepare() { cp -r "$sample" log; echo old > stats.json; }
+agent_stats_run() { "$bin/agent" --replay log --stats stats.json --crash-log crash.log; }
+agent_stats_outputs() { echo 'stats.json?'; }
+
+job simulator_record simulator
+simulator_record_run() {
+  "$bin/simulator" --port 0 --monitor-port 0 --web 0 --record match.plm --no-realtime --wait-agents 0 --max-seconds 10 --seed 3 \
+    --ports-file ports.json --stats stats.json
+}
+simulator_record_outputs() { echo 'ports.json? stats.json?'; }
+simulator_record_check() { readableMatch match.plm; }
+
+job simulator_plain simulator
+simulator_plain_run() {
+  "$bin/simulator" --port 0 --monitor-port 0 --no-realtime --wait-agents 0 --max-seconds 2 --seed 3 --ports-file ports.json --stats stats.json
+}
+simulator_plain_outputs() { echo 'ports.json? stats.json?'; }
+
+job game game
+game_run() { "$bin/game" --seed 8 --limit 2 --output out; }
+game_expects() { (($1 == 1)); } # no goal within two seconds
+game_outputs() { echo 'out/summary.json out/track.svg'; }
+
+job optserver optserver
+optserver_prepare() { printf 'task: function\noptions: {function: sphere, dimension: 2}\npopulation: 4\nruns: 1\nrunsOfBest: 1\ngenerations: 2\n' > study.yaml; }
+optserver_run() { "$bin/optserver" study.yaml --folder search --workers 1 --port 0 --every 1000; }
+optserver_check() { # every line of the journal but the last is whole
+  [[ ! -s search/evaluations.jsonl ]] || ! sed '$d' search/evaluations.jsonl | grep -qv '}$'
+}
+optserver_resumes() { echo search/found.yaml; }
+
+job optserver_measure optserver "write sync rename open"
+optserver_measure_prepare() { optserver_prepare; "$bin/optserver" study.yaml --folder study.search --workers 1 --port 0 > /dev/null; }
+optserver_measure_run() { "$bin/optserver" study.yaml --folder study.search --measure 5; }
+
+job optimizewalk optimizewalk "write sync rename open"
+optimizewalk_prepare() { echo '# old' > walking.yaml; }
+optimizewalk_run() {
+  "$bin/optimizewalk" --type 0 --task forward --generations 1 --population 4 --tries 1 --seconds 2 --jobs 1 --only step.duration \
+    --from "$tree/config/robots/type0" --output walking.yaml
+}
+optimizewalk_outputs() { echo walking.yaml; }
+optimizewalk_resumes() { echo walking.yaml; }
+
+job watchgame watchgame
+watchgame_prepare() { echo 'a line of an earlier game' > games.log; }
+watchgame_run() {
+  withSimulator "$bin/watchgame" --port PORT --players 0 --settle 0 --end-time 1 --hang 5 --limit 10 --quiet --log games.log --track track.txt
+}
+watchgame_expects() { (($1 <= 1)); }
+watchgame_check() { [[ $(head -1 games.log) == 'a line of an earlier game' ]]; }
+
+job webmonitor_record webmonitor "write sync rename open"
+webmonitor_record_run() { withSimulator stopAfter 1 "$bin/webmonitor" --port PORT --web-port 0 --drawing-port -1 --record match.plm; }
+webmonitor_record_check() { readableMatch match.plm; }
+
+job rdb rdb
+rdb_prepare() { cp -r "$sample" log; echo 'get r:BallPos' > script; }
+rdb_run() { withAgent "$bin/rdb" 127.0.0.1:PORT --script script; }

@@ -1,0 +1,33 @@
+// What a coach edits: the rules and the formation.
+#include "framework/ConfigFile.h"
+#include "fuzz/Readers.h"
+#include "modules/behavior/formation/FormationTable.h"
+#include "simulation/referee/RulesFile.h"
+
+namespace plumbline::fuzz {
+namespace {
+
+void rulesFile(std::string_view bytes) {
+  const std::string path = scratchFile("rules.yaml", bytes);
+  refusesInOneLine([&] { simulation::readRules(path); });
+}
+
+void formationFile(std::string_view bytes) {
+  const std::string path = scratchFile("formation.yaml", bytes);
+  refusesInOneLine([&] {
+    const ConfigFile file(path);
+    const FormationTable table(file.root());
+    for (int place = 0; place < table.size(); ++place)
+      for (const Vec2& ball : {Vec2(0, 0), Vec2(-20, -20), Vec2(15, 10), Vec2(3.3, -4.4)})
+        require(table.at(place, ball).allFinite(), "a place that is nowhere");
+  });
+}
+
+std::vector<std::string> rulesFileSeeds() { return {contentOf("config/rules.yaml"), "halfTime: 300\n"}; }
+std::vector<std::string> formationFileSeeds() { return {contentOf("config/formation.yaml")}; }
+
+const Registered rulesFileTarget({"rulesFile", rulesFile, rulesFileSeeds, 4000});
+const Registered formationFileTarget({"formationFile", formationFile, formationFileSeeds, 2000});
+
+}  // namespace
+}  // namespace plumbline::fuzz
