@@ -26,10 +26,18 @@ double settlingTime(const Trial& trial, const ReplayOptions& options) {
 }
 
 std::vector<int> jointsToPlay(const Plant& plant, const Trial& trial, const ReplayOptions& options) {
-  if (!options.joints.empty() && !trial.freeBase) return options.joints;
+  // A supply that sags under all motors lets chains feel each other.
+  const bool apart = !SupplyRail(plant.joints).sags();
+  if (!options.joints.empty() && !trial.freeBase && apart) return options.joints;
   std::vector<int> all(plant.joints.size());
   std::iota(all.begin(), all.end(), 0);
   return all;
+}
+
+/// Whether a joint's readings are wanted of a replay, which may have to move more.
+bool asked(int joint, const Trial& trial, const ReplayOptions& options) {
+  return options.joints.empty() || trial.freeBase ||
+         std::ranges::find(options.joints, joint) != options.joints.end();
 }
 
 }  // namespace
@@ -44,7 +52,7 @@ Playback::Playback(const Plant& plant, const Trial& trial_, const ReplayOptions&
   for (std::size_t s = 0; s < trial.signals.size(); ++s) {
     const Signal& signal = trial.signals[s];
     const auto place = std::ranges::find(joints, signal.joint);
-    if (signal.joint < 0 || place == joints.end()) continue;
+    if (signal.joint < 0 || place == joints.end() || !asked(signal.joint, trial, options)) continue;
     const auto joint = static_cast<std::size_t>(signal.joint);
     double shift = 0;
     if (signal.kind == SignalKind::position) shift = trial.positionAt[joint];
