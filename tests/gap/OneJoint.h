@@ -5,6 +5,10 @@
 
 namespace plumbline::gap {
 
+namespace one {
+inline constexpr double kp = 20, kd = 0.4, inertia = 0.02;  // of the joint [N m/rad, N m s/rad, kg m^2]
+}  // namespace one
+
 /// One joint without gravity whose link and rotor weigh 0.02 kg m^2 together: everything follows by hand. Its
 /// servo has 20 N m/rad and 0.4 N m s/rad.
 inline Mechanism oneJoint() {
