@@ -17,8 +17,11 @@
 #include "framework/ProgressReport.h"
 #include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
+#include "gap/diagnosis/ExplanationFile.h"
+#include "gap/record/WalkRecording.h"
 #include "optimization/Optimizers.h"
 #include "simspark/LeagueRobots.h"
+#include "simulation/effects/EffectTable.h"
 #include "training/ServoWalker.h"
 #include "training/WalkCheckpoint.h"
 #include "training/WalkChoice.h"
@@ -39,7 +42,8 @@ struct Options {
   std::string from, output;
   std::string over;  ///< folder of what is put over what was chosen
   int cornersOf = -1, type = 0;
-  std::string robot;  ///< with position servos; empty: the league's type
+  std::string robot;    ///< with position servos; empty: the league's type
+  std::string effects;  ///< file of those that the simulated robot has; empty: none
   bool anew = false, tryOnly = false, choose = false;
   ChoiceSetup choice;
   std::string checkpoint;  ///< its file, once there is one
@@ -93,6 +97,7 @@ std::string markOf(const Options& options) {
   if (!std::filesystem::equivalent(from, options.output, error))
     mark += "; begins with " + checksum(textOf(from));
   if (!options.over.empty()) mark += "; over " + checksum(textOf(options.over + "/walking.yaml"));
+  if (!options.effects.empty()) mark += "; effects " + checksum(textOf(options.effects));
   if (!options.robot.empty())
     mark += "; robot " + checksum(textOf(configPath("robots/" + options.robot + ".json")));
   return mark;
@@ -165,18 +170,28 @@ void makeRobots(Options& options, const StopSignal& stop) {
   const auto interrupt = [&stop] {
     if (stop.requested()) throw Stopped();
   };
-  if (options.robot.empty())
-    setup.walker = [type = options.type, interrupt](const WalkGaits& walk) {
-      auto robot = std::make_unique<WalkingRobot>(type, walk);
+  std::vector<simulation::EffectSetting> effects;
+  if (!options.effects.empty()) effects = simulation::readEffects(options.effects);
+  if (options.robot.empty()) {
+    simulation::WorldConfig world;
+    world.effects = effects;
+    simulation::checkEffects(effects);
+    setup.walker = [type = options.type, world, interrupt](const WalkGaits& walk) {
+      auto robot = std::make_unique<WalkingRobot>(type, walk, world);
       robot->interrupt = interrupt;
       return robot;
     };
-  else
-    setup.walker = [mechanism = findMechanism(options.robot), interrupt](const WalkGaits& walk) {
-      auto robot = std::make_unique<ServoWalker>(mechanism, walk);
+  } else {
+    const Mechanism mechanism = findMechanism(options.robot);
+    const gap::Explanation causes = gap::causesOf(effects, mechanism);
+    setup.walker = [mechanism, causes, interrupt](const WalkGaits& walk) {
+      std::unique_ptr<ServoWalker> robot = causes.empty()
+                                               ? std::make_unique<ServoWalker>(mechanism, walk)
+                                               : gap::walkerWith("bullet", mechanism, walk, causes);
       robot->interrupt = interrupt;
       return robot;
     };
+  }
 }
 
 void run(Options& options, const StopSignal& stop) {
@@ -296,6 +311,10 @@ int runProgram(int argc, char** argv) {
       ->check(CLI::Range(1, 256));
   app.add_option_function<std::string>(
       "--config", useConfigFolder, "folder of the configuration [config/ here, else the one beside bin/]");
+  app.add_option("--effects", options.effects,
+                 "the simulated robot has these: an answer of bin/gap diagnose --json, or a file of bin/gap "
+                 "apply")
+      ->check(CLI::ExistingFile);
   app.add_flag("--try", options.tryOnly, "only tells how the walk does at the tasks, and writes nothing");
   app.add_option("--output", options.output, "file to write; default: the type's in config/");
   app.footer(
@@ -304,7 +323,8 @@ int runProgram(int argc, char** argv) {
       "and the same command takes it up. scripts/optimise_walks.sh repeats the search for all types.\n"
       "Examples:\n"
       "  bin/optimizewalk --type 3 --task forward --generations 50\n"
-      "  bin/optimizewalk --type 3 --try");
+      "  bin/optimizewalk --type 3 --try\n"
+      "  bin/optimizewalk --robot nao_v5 --effects answer.json --task forward --output found/walking.yaml");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   if (options.from.empty()) options.from = folderOf(options);
   if (options.output.empty()) options.output = folderOf(options) + "/walking.yaml";

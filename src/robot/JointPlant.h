@@ -20,18 +20,29 @@ struct JointPlant {
   bool linkEncoder = false;            ///< position measured behind the gear
   double commandDelay = 0;             ///< [s]
   double accelerationLimit = 0;        ///< of the servo's own profile [rad/s^2]; 0: none
-  double deadBand = 0;                 ///< [rad]
-  bool deadBandSteps = false;          ///< beyond the band the whole error counts, not what exceeds it
-  double extraDamping = 0;             ///< change of kd, which a DC motor adds to its back EMF [N m s/rad]
-  double coulomb = 0, viscous = 0;     ///< [N m, N m s/rad]
-  double stribeck = 0;                 ///< extra at rest [N m]
-  double stribeckSpeed = 0.1;          ///< at which it has fallen to 1/e [rad/s]
-  double loadFriction = 0;             ///< share of the torque transmitted
+  double profileSpeed = 0;             ///< largest of that profile [rad/s]; 0: none
+  /// Share of the supply lost while all motors of the robot together give their largest torque (SupplyRail).
+  double supplySag = 0;
+  double deadBand = 0;              ///< [rad]
+  bool deadBandSteps = false;       ///< beyond the band the whole error counts, not what exceeds it
+  double extraDamping = 0;          ///< change of kd, which a DC motor adds to its back EMF [N m s/rad]
+  double coulomb = 0, viscous = 0;  ///< [N m, N m s/rad]
+  double stribeck = 0;              ///< extra at rest [N m]
+  double stribeckSpeed = 0.1;       ///< at which it has fallen to 1/e [rad/s]
+  double loadFriction = 0;          ///< share of the torque transmitted
   /// What loads the gear: the motor's torque less what turns its rotor, what reaches the link behind the
   /// friction, or the motor's torque.
   enum class Load { gearTorque, linkTorque, motorTorque };
   Load loadIs = Load::gearTorque;
-  double backlash = 0;           ///< whole play [rad]
+  double linkLoadFriction = 0;       ///< share of the torque that reaches the link, beside loadFriction's
+  double loadStribeck = 0;           ///< share of the torque transmitted, extra at rest
+  double loadStribeckSpeed = 0.1;    ///< at which what load adds at rest has fallen to 1/e [rad/s]
+  double quadraticLoadFriction = 0;  ///< at rest, of the square of the torque that goes through [1/(N m)]
+  /// Which way the torque goes through the gear where friction grows with its square.
+  enum class Flow { either, motorDrives, loadDrives };
+  Flow quadraticFlow = Flow::either;
+  double coulombForward = 0, coulombBackward = 0;  ///< beside coulomb, against one way of turning [N m]
+  double backlash = 0;                             ///< whole play [rad]
   double toothStiffness = 4000;  ///< of the flanks of a gear with play, far stiffer than any servo [N m/rad]
   double toothDamping = 0.6;     ///< of them, in parts of twice the critical one of the rotor
   double compliance = 0;         ///< of the gear [rad/(N m)]
@@ -50,6 +61,11 @@ struct JointPlant {
     drive.maxSpeed = joint.maxSpeed;
     drive.linkEncoder = joint.encoder == Mechanism::Joint::Encoder::link;
     return drive;
+  }
+  /// It has dry friction of some kind.
+  bool rubs() const {
+    return coulomb > 0 || stribeck > 0 || loadFriction > 0 || linkLoadFriction > 0 || loadStribeck > 0 ||
+           quadraticLoadFriction > 0 || coulombForward > 0 || coulombBackward > 0;
   }
   /// Motor and link turn apart.
   bool geared() const { return backlash > 0 || compliance > 0; }

@@ -98,6 +98,12 @@ struct Mechanism {
     Pose3 T_link_frame = Pose3::Identity();
   };
 
+  /// Joints that have something in common, such as where they are or their type of servo.
+  struct Group {
+    std::string name;
+    std::vector<int> joints;  ///< indices, rising
+  };
+
   static constexpr double maxTurns = 1e3;  ///< [rad]
 
   std::string name;
@@ -105,6 +111,7 @@ struct Mechanism {
   std::vector<Joint> joints;
   std::vector<Frame> frames;
   std::vector<Foot> feet;
+  std::vector<Group> groups;
   Imu imu;
   bool hasImu = false;
   Vec3 gravity = Vec3(0, 0, -9.81);  ///< in the world, z up [m/s^2]

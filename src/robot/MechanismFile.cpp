@@ -26,7 +26,8 @@ constexpr int maxDepth = 16;
 
 std::string readText(const std::string& path) {
   std::error_code error;
-  if (fs::is_directory(path, error)) failMechanism(path, "is a folder; give a .json or .urdf file");
+  if (fs::is_directory(path, error))
+    failMechanism(path, "is a folder; give a .json, .urdf, or MuJoCo's .xml file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) failMechanism(path, std::string("cannot be read: ") + std::strerror(errno));
   std::string text(maxFileSize + 1, '\0');
@@ -84,7 +85,8 @@ json servoTableOfYaml(const std::string& text, const std::string& path) {
   }
 }
 
-json readServoTable(const fs::path& urdf, std::string& path) {
+/// Null where there is none; path: of the table that there is.
+json findServoTable(const fs::path& urdf, std::string& path) {
   const fs::path stem = fs::path(urdf).replace_extension();
   for (const char* ending : {".servo.json", ".servo.yaml", ".servo.yml"}) {
     path = stem.string() + ending;
@@ -93,8 +95,24 @@ json readServoTable(const fs::path& urdf, std::string& path) {
     const std::string text = readText(path);
     return std::string_view(ending) == ".servo.json" ? jsonOf(text, path) : servoTableOfYaml(text, path);
   }
-  failMechanism(urdf.string(),
-                "has no servo table; write one beside it: " + stem.filename().string() + ".servo.json");
+  return nullptr;
+}
+
+json readServoTable(const fs::path& urdf, std::string& path) {
+  json table = findServoTable(urdf, path);
+  if (table.is_null())
+    failMechanism(urdf.string(),
+                  "has no servo table; write one beside it: " + urdf.stem().string() + ".servo.json");
+  return table;
+}
+
+/// A joint without a gain moves by nothing.
+void checkGains(const MechanismParts& parts, const std::string& path) {
+  for (const MechanismParts::Joint& part : parts.joints)
+    if (!part.fixed && !(part.joint.servo.kp > 0))
+      failMechanism(path, "joint " + part.joint.name +
+                              " has no position actuator; give it one, or a servo table beside the file: " +
+                              fs::path(path).stem().string() + ".servo.json");
 }
 
 }  // namespace
@@ -109,8 +127,14 @@ Mechanism readMechanism(const std::string& path, const MechanismWarnings& warn) 
     std::string tablePath;
     const json table = readServoTable(path, tablePath);
     applyServoTable(table, tablePath, parts);
+  } else if (ending == ".xml" || ending == ".mjcf") {
+    parts = partsOfMjcf(readText(path), path);
+    std::string tablePath;
+    if (const json table = findServoTable(path, tablePath); !table.is_null())
+      applyServoTable(table, tablePath, parts);
+    checkGains(parts, path);
   } else {
-    failMechanism(path, "is no robot's file; give a .json or .urdf file");
+    failMechanism(path, "is no robot's file; give a .json, .urdf, or MuJoCo's .xml file");
   }
   Mechanism mechanism = assemble(parts, path);
   checkMechanism(mechanism, path, warn);
@@ -124,9 +148,10 @@ Mechanism findMechanism(const std::string& name, const std::string& givenFolder)
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string ending = entry.path().extension().string(), stem = entry.path().stem().string();
-    if ((ending == ".json" || ending == ".urdf") && stem.find('.') == std::string::npos) known.insert(stem);
+    if ((ending == ".json" || ending == ".urdf" || ending == ".xml") && stem.find('.') == std::string::npos)
+      known.insert(stem);
   }
-  for (const char* ending : {".json", ".urdf"}) {
+  for (const char* ending : {".json", ".urdf", ".xml"}) {
     const fs::path path = fs::path(folder) / (name + ending);
     if (fs::exists(path, error)) return readMechanism(path.string());
   }

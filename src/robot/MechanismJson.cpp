@@ -1,114 +1,15 @@
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "framework/NearestName.h"
 #include "robot/MechanismFile.h"
-#include "robot/MechanismParts.h"
+#include "robot/MechanismObject.h"
 
 namespace plumbline {
 namespace {
 
 using nlohmann::json;
 using Joint = Mechanism::Joint;
-
-/// One object of the file, with its place for error texts.
-class Object {
-public:
-  /// place: for people, `joint Knee`; path: where it stands in the file, `joints[3]`.
-  Object(const json& value_, std::string place_, std::string path_, const std::string& file_)
-      : value(value_), place(std::move(place_)), path(std::move(path_)), file(file_) {
-    if (!value.is_object())
-      failMechanism(file, (place.empty() ? "it" : place) + " is no object; write { ... }");
-  }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    failMechanism(file, place.empty() ? what : place + ": " + what);
-  }
-
-  /// Refuses all keys but these.
-  void only(const std::vector<std::string>& known) const {
-    for (const auto& [key, unused] : value.items())
-      if (std::find(known.begin(), known.end(), key) == known.end())
-        failMechanism(file, (path.empty() ? "" : path + ".") + key.substr(0, 60) + ": unknown key" +
-                                suggestion(key, known));
-  }
-
-  bool has(const char* key) const { return value.contains(key) && !value[key].is_null(); }
-
-  const json& at(const char* key, const char* hint) const {
-    if (!has(key)) fail(std::string(key) + " is missing; give " + hint);
-    return value[key];
-  }
-
-  double number(const char* key, const char* hint) const { return toNumber(at(key, hint), key); }
-  double number(const char* key, double otherwise) const {
-    return has(key) ? toNumber(value[key], key) : otherwise;
-  }
-
-  double atLeast(double lowest, const char* key, const char* hint) const {
-    const double x = number(key, hint);
-    if (x < lowest) fail(std::string(key) + " is " + numberText(x) + "; give " + hint);
-    return x;
-  }
-
-  double positive(const char* key, const char* hint) const {
-    const double x = number(key, hint);
-    if (!(x > 0)) fail(std::string(key) + " is " + numberText(x) + "; give " + hint);
-    return x;
-  }
-
-  bool flag(const char* key) const {
-    if (!has(key)) return false;
-    if (!value[key].is_boolean())
-      fail(std::string(key) + " is " + shown(value[key]) + "; give true or false");
-    return value[key].get<bool>();
-  }
-
-  std::string text(const char* key, const char* hint) const {
-    const json& v = at(key, hint);
-    if (!v.is_string()) fail(std::string(key) + " is " + shown(v) + "; give " + hint);
-    return v.get<std::string>();
-  }
-
-  template <int n>
-  Eigen::Matrix<double, n, 1> vector(const char* key, const char* hint) const {
-    const json& v = at(key, hint);
-    if (!v.is_array() || v.size() != n) fail(std::string(key) + " is " + shown(v) + "; give " + hint);
-    Eigen::Matrix<double, n, 1> result;
-    for (int i = 0; i < n; ++i) result[i] = toNumber(v[static_cast<std::size_t>(i)], key);
-    return result;
-  }
-
-  Vec3 vector3(const char* key, const Vec3& otherwise) const {
-    return has(key) ? Vec3(vector<3>(key, "three numbers")) : otherwise;
-  }
-
-  Object child(const char* key, const char* hint) const {
-    return {at(key, hint), place.empty() ? key : place + ": " + key, path.empty() ? key : path + "." + key,
-            file};
-  }
-
-  const json& value;
-  const std::string place, path;
-  const std::string& file;
-
-private:
-  static std::string shown(const json& v) {
-    if (v.is_array()) return "a list of " + std::to_string(v.size());
-    if (v.is_object()) return "an object";
-    std::string text = v.dump(-1, ' ', true, json::error_handler_t::replace);
-    if (text.size() > 40) text = text.substr(0, 40) + "...";
-    return text;
-  }
-
-  double toNumber(const json& v, const char* key) const {
-    if (!v.is_number()) fail(std::string(key) + " is " + shown(v) + ", no number");
-    const double x = v.get<double>();
-    if (!(std::abs(x) < 1e12)) fail(std::string(key) + " is " + numberText(x) + "; that is too large");
-    return x;
-  }
-};
+using Object = MechanismObject;
 
 Mat3 inertiaOf(const Object& link) {
   const auto i = link.vector<6>("inertia", "[ixx, iyy, izz, ixy, ixz, iyz] about the centre of mass, kg m^2");
@@ -163,7 +64,7 @@ void readMotor(const Object& motor, Servo& servo) {
   servo.maxPwm = motor.positive("max_pwm", "the largest share of the supply, up to 1");
 }
 
-const std::vector<std::string> servoKeys = {"kp", "kd", "armature", "model", "dc_motor"};
+const std::vector<std::string> servoKeys = {"kp", "kd", "armature", "model", "dc_motor", "type"};
 
 void readServo(const Object& object, Servo& servo) {
   if (object.has("model")) {
@@ -177,6 +78,12 @@ void readServo(const Object& object, Servo& servo) {
   servo.kp = object.positive("kp", "the servo's gain in N m/rad, above 0");
   servo.kd = object.atLeast(0, "kd", "the servo's damping in N m s/rad, 0 or more");
   servo.armature = object.atLeast(0, "armature", "the rotor's inertia at the joint in kg m^2, 0 or more");
+}
+
+void readServoType(const Object& object, MechanismParts::Joint& part) {
+  if (!object.has("type")) return;
+  part.servoType = object.text("type", "the name of its type, such as MX28");
+  checkName(part.servoType, object.place + ": type", object.file);
 }
 
 void readEncoder(const Object& object, Joint& joint) {
@@ -235,6 +142,7 @@ MechanismParts::Joint readJoint(const json& value, std::size_t index, const std:
   const Object servo = object.child("servo", "{kp, kd, armature}");
   servo.only(servoKeys);
   readServo(servo, joint.servo);
+  readServoType(servo, part);
   part.hasServo = true;
   return part;
 }
@@ -289,8 +197,23 @@ void readImu(const Object& root, MechanismParts& parts) {
 }
 
 /// What both forms have beside links and joints. `source` and `notes` are for people.
-const std::vector<std::string> restKeys = {"base_link", "gravity", "rates",  "imu",
-                                           "feet",      "fsr",     "source", "notes"};
+const std::vector<std::string> restKeys = {"base_link", "gravity", "rates",  "imu",  "feet",
+                                           "fsr",       "groups",  "source", "notes"};
+
+void readGroups(const Object& root, MechanismParts& parts) {
+  if (!root.has("groups")) return;
+  const Object groups = root.child("groups", "{ NAME: [JOINT, ...], ... }");
+  for (const auto& [name, list] : groups.value.items()) {
+    checkName(name, "groups: group", root.file);
+    MechanismParts::Group& group = parts.groups.emplace_back();
+    group.name = name;
+    if (!list.is_array()) groups.fail("group " + name + " is no list; write [JOINT, ...]");
+    for (const json& joint : list) {
+      if (!joint.is_string()) groups.fail("group " + name + " holds what is no name of a joint");
+      group.joints.push_back(joint.get<std::string>());
+    }
+  }
+}
 
 void readRest(const Object& root, MechanismParts& parts) {
   if (root.has("base_link")) parts.base = root.text("base_link", "the link at the root");
@@ -302,6 +225,7 @@ void readRest(const Object& root, MechanismParts& parts) {
   }
   readImu(root, parts);
   readFeet(root, parts);
+  readGroups(root, parts);
 }
 
 /// "RHipYawPitch is driven by the LHipYawPitch motor": files made before `driven_by` say it in a note.
@@ -364,6 +288,7 @@ void applyServoTable(const json& value, const std::string& file, MechanismParts&
     readEncoder(object, part->joint);
     readDriver(object, *part);
     readServo(object, part->joint.servo);
+    readServoType(object, *part);
     part->hasServo = true;
   }
   for (MechanismParts::Joint& part : parts.joints) {

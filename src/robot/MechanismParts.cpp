@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "robot/MechanismFile.h"
 
@@ -61,6 +62,7 @@ public:
     placeLinks();
     finishLinks();
     finishDrivers();
+    finishGroups();
     finishSensors();
     result.name = parts.name;
     result.gravity = parts.gravity;
@@ -77,7 +79,7 @@ private:
         fail("link " + parts.links[i].name + " occurs twice; rename one");
     std::map<std::string, std::string> moverOf;
     std::map<std::string, int> names;
-    for (const auto& [joint, parent, child, driver, fixed, servo] : parts.joints) {
+    for (const auto& [joint, parent, child, driver, type, fixed, servo] : parts.joints) {
       if (++names[joint.name] > 1) fail("joint " + joint.name + " occurs twice; rename one");
       for (const std::string& end : {parent, child})
         if (!linkAt.count(end)) fail("joint " + joint.name + ": there is no link " + end);
@@ -167,6 +169,49 @@ private:
       if (!drivers[driver].empty())
         fail("joint " + joint.name + " is driven by " + drivers[j] + ", which has no motor of its own");
     }
+  }
+
+  /// Those that the file names, then one of each type of servo.
+  void finishGroups() {
+    for (const MechanismParts::Group& group : parts.groups) {
+      if (result.jointIndex(group.name) >= 0 || result.linkIndex(group.name) >= 0 || group.name == "imu" ||
+          group.name == "ground")
+        fail("group " + group.name + " has the name of something else; rename it");
+      std::vector<int> joints;
+      for (const std::string& joint : group.joints) {
+        joints.push_back(result.jointIndex(joint));
+        if (joints.back() < 0) fail("group " + group.name + ": there is no joint " + joint);
+      }
+      addGroup(group.name, std::move(joints));
+      if (motorsOf(result.groups.back()) < 2)
+        fail("group " + group.name + " has fewer than two motors; give it more joints");
+    }
+    std::map<std::string, std::vector<int>> ofType;
+    for (const MechanismParts::Joint& part : parts.joints)
+      if (!part.servoType.empty()) ofType[part.servoType].push_back(result.jointIndex(part.joint.name));
+    for (auto& [type, joints] : ofType) {
+      if (std::ranges::any_of(result.groups, [&](const auto& group) { return group.name == type; }))
+        fail("group " + type + " has the name of a type of servo; rename it");
+      if (result.jointIndex(type) >= 0 || result.linkIndex(type) >= 0)
+        fail("the type of servo " + type + " has the name of something else; rename it");
+      addGroup(type, std::move(joints));
+      // One motor needs no group; all motors of one type are "*".
+      if (motorsOf(result.groups.back()) < 2 || result.sharesServo()) result.groups.pop_back();
+    }
+  }
+
+  void addGroup(const std::string& name, std::vector<int> joints) {
+    std::ranges::sort(joints);
+    if (std::ranges::adjacent_find(joints) != joints.end())
+      fail("group " + name + " names joint " +
+           result.joints[static_cast<std::size_t>(*std::ranges::adjacent_find(joints))].name + " twice");
+    result.groups.push_back({name, std::move(joints)});
+  }
+
+  std::size_t motorsOf(const Mechanism::Group& group) const {
+    std::set<int> motors;
+    for (const int joint : group.joints) motors.insert(result.motorOf(joint));
+    return motors.size();
   }
 
   int linkOrFail(const std::string& name, const std::string& of) const {

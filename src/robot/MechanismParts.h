@@ -15,6 +15,7 @@ struct MechanismParts {
     Mechanism::Joint joint;
     std::string parent, child;
     std::string driver;
+    std::string servoType;
     bool fixed = false;
     bool hasServo = false;
   };
@@ -23,10 +24,16 @@ struct MechanismParts {
     std::string link;
   };
 
+  struct Group {
+    std::string name;
+    std::vector<std::string> joints;
+  };
+
   std::string name, base, imuLink;
   std::vector<Mechanism::Link> links;
   std::vector<Joint> joints;
   std::vector<Foot> feet;
+  std::vector<Group> groups;
   Mechanism::Imu imu;
   Vec3 gravity = Vec3(0, 0, -9.81);
   double controlHz = 100;
@@ -41,6 +48,9 @@ Mechanism assemble(const MechanismParts& parts, const std::string& file);
 MechanismParts partsOfJson(const nlohmann::json& json, const std::string& file);
 /// Reads a URDF; servos are still missing.
 MechanismParts partsOfUrdf(const std::string& text, const std::string& file);
+/// Reads a model of MuJoCo (MJCF); servos are those of its position actuators. A joint without one has no
+/// gain.
+MechanismParts partsOfMjcf(const std::string& text, const std::string& file);
 /// Adds a servo table to a URDF's parts.
 void applyServoTable(const nlohmann::json& table, const std::string& file, MechanismParts& parts);
 

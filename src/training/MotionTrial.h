@@ -25,9 +25,10 @@ class MotionTrial {
 public:
   static constexpr double dt = 0.02;
 
-  explicit MotionTrial(int type)
+  /// config: of its world, effects among it.
+  explicit MotionTrial(int type, const simulation::WorldConfig& config = {})
       : model(simsparkRobot(type)),
-        robot(model),
+        robot(model, config),
         control(model),
         walk(readWalkGaits(type), model),
         stand(walk.stand().angles),

@@ -40,8 +40,9 @@ inline WalkGaits withoutFeedback(WalkGaits gaits) {
 class WalkingRobot : public Walker {
 public:
   explicit WalkingRobot(int type) : WalkingRobot(type, readWalkGaits(type)) {}
-  WalkingRobot(int type, const WalkGaits& gaits)
-      : Walker(simsparkRobot(type), gaits, 0.02), local(model), control(model) {
+  /// config: of its world, effects among it.
+  WalkingRobot(int type, const WalkGaits& gaits, const simulation::WorldConfig& config = {})
+      : Walker(simsparkRobot(type), gaits, 0.02), local(model, config), control(model) {
     restart();
   }
 

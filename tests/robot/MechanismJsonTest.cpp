@@ -73,7 +73,7 @@ TEST_F(MechanismJson, badJsonIsNamed) {
       errorOf("r.json", pendulum("{\"name\": \"p\"", "{\"fsr\": {\"LFoot.Toe\": [0,0,0]}, \"name\": \"p\"")),
       "r.json: fsr: \"LFoot.Toe\" is no sensor; write FOOT.CORNER, corner FrontLeft, FrontRight, RearLeft or "
       "RearRight");
-  EXPECT_EQ(errorOf("r.txt", "x"), "r.txt: is no robot's file; give a .json or .urdf file");
+  EXPECT_EQ(errorOf("r.txt", "x"), "r.txt: is no robot's file; give a .json, .urdf, or MuJoCo's .xml file");
   EXPECT_EQ(errorOf("absent.json"), "absent.json: cannot be read: No such file or directory");
 }
 
@@ -151,6 +151,39 @@ TEST_F(MechanismJson, anAxisOfLengthOneStaysAsItIsWritten) {
   EXPECT_EQ(exact.joints[0].axis, Vec3(0, 0.7071067811865475, -0.7071067811865475));
   const Mechanism rounded = readMechanism(write("r.json", pendulum("[0, 1, 0]", "[0, 0.7071, -0.7071]")));
   EXPECT_NEAR(rounded.joints[0].axis.norm(), 1, 1e-15);
+}
+
+TEST_F(MechanismJson, groupsOfJointsByNameAndByTypeOfServo) {
+  const auto twoJoints = [](const std::string& groups, const std::string& type = "") {
+    std::string text = pendulum("\"arm\": {",
+                                "\"tip\": {\"mass\": 0.1, \"com\": [0, 0, -0.1], \"inertia\": "
+                                "[1e-05, 1e-05, 1e-05, 0, 0, 0]}, \"arm\": {");
+    const std::string joint = R"(, {"name": "bend", "parent": "arm", "child": "tip", "origin": [0, 0, -0.2],
+  "axis": [0, 1, 0], "lower": -3, "upper": 3, "max_torque": 0.8, "max_speed": 19,
+  "servo": {"kp": 2, "kd": 0.1, "armature": 0)" +
+                              type + "}}]";
+    text.replace(text.rfind(']'), 1, joint + groups);
+    if (!type.empty()) text.replace(text.find("\"armature\": 0"), 13, "\"armature\": 0" + type);
+    return text;
+  };
+  const Mechanism named =
+      readMechanism(write("r.json", twoJoints(R"(, "groups": {"both": ["bend", "swing"]})")));
+  ASSERT_EQ(named.groups.size(), 1U);
+  EXPECT_EQ(named.groups[0].name, "both");
+  EXPECT_EQ(named.groups[0].joints, (std::vector{0, 1}));
+  const Mechanism typed = readMechanism(write("t.json", twoJoints("", R"(, "type": "MX28")")));
+  ASSERT_EQ(typed.groups.size(), 1U);
+  EXPECT_EQ(typed.groups[0].name, "MX28");
+  EXPECT_EQ(errorOf("r.json", twoJoints(R"(, "groups": {"both": ["bend", "swang"]})")),
+            "r.json: group both: there is no joint swang");
+  EXPECT_EQ(errorOf("r.json", twoJoints(R"(, "groups": {"both": ["bend"]})")),
+            "r.json: group both has fewer than two motors; give it more joints");
+  EXPECT_EQ(errorOf("r.json", twoJoints(R"(, "groups": {"both": ["bend", "bend", "swing"]})")),
+            "r.json: group both names joint bend twice");
+  EXPECT_EQ(errorOf("r.json", twoJoints(R"(, "groups": {"bend": ["bend", "swing"]})")),
+            "r.json: group bend has the name of something else; rename it");
+  EXPECT_EQ(errorOf("r.json", twoJoints(R"(, "groups": {"both": "bend"})")),
+            "r.json: groups: group both is no list; write [JOINT, ...]");
 }
 
 }  // namespace

@@ -100,6 +100,7 @@ BlindEffect drawOne(const Mechanism& robot, const Range& what, Random& random) {
   if (const int joint = robot.jointIndex(e.at); joint >= 0) {
     const Mechanism::Joint& j = robot.joints[static_cast<std::size_t>(joint)];
     if (range.unit == Unit::torque) e.value *= j.maxTorque;
+    if (range.unit == Unit::perTorque) e.value /= j.maxTorque;
     if (range.unit == Unit::damping) e.value *= j.servo.kd;
   }
   if (range.bothSigns && random.uniform() < 0.5) e.value = -e.value;

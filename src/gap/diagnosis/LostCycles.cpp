@@ -15,6 +15,8 @@ constexpr std::size_t reach = 4;  // cycles within which only one changes its mi
 constexpr int rounds = 8;
 constexpr double cycleGain = 14;  // of the sum of squares: e^-7 by chance, in thousands of cycles
 constexpr double visibleChange = 4 * cycleGain;
+constexpr double aboutOne = 0.3;     // cycles that a lost command is off from one cycle late
+constexpr double leastOnTime = 0.6;  // share of the losses that are one cycle late; of another cause, a third
 
 /// Which commands one run lost, cycle by cycle.
 class Listener {
@@ -27,7 +29,8 @@ public:
         echo(lossEcho(plant, evidence_, t_, cycleGain)),
         lost(trial.cycles(), 0),
         gains(trial.cycles(), 0),
-        seen(trial.cycles(), 0) {
+        seen(trial.cycles(), 0),
+        offTime(trial.cycles(), 0) {
     // Where a loss takes long to show, much else can be told as losses; that repeats agree tells these apart,
     // and saves the time.
     if (echo.told > LossEcho::leastTold && repeatsAgree(evidence.trials())) return;
@@ -40,6 +43,10 @@ public:
 
   std::vector<std::uint8_t> cycles() const { return lost; }
   bool visible(std::size_t k) const { return seen[k] >= visibleChange; }
+  /// Whether a loss left the joint one cycle late, as near as the readings tell.
+  bool onTime(std::size_t k) const {
+    return std::abs(offTime[k]) < aboutOne + 2 / std::sqrt(std::max(1.0, seen[k]));
+  }
 
 private:
   Prediction played(const std::vector<std::uint8_t>& cycles) const {
@@ -61,7 +68,7 @@ private:
   }
 
   void weigh(std::size_t k, const Prediction& base, const Prediction& other) {
-    double gain = 0, change = 0;
+    double gain = 0, change = 0, along = 0;
     for (std::size_t s = 0; s < trial.signals.size(); ++s) {
       if (trial.signals[s].joint < 0 || base.values[s].empty()) continue;
       const auto& weights = evidence.weights(t, s);
@@ -71,9 +78,11 @@ private:
         const double d = other.values[s][i] - base.values[s][i];
         gain += weights[i] * (2 * r * d - d * d);
         change += weights[i] * d * d;
+        along += weights[i] * r * d;
       }
     }
     seen[k] = change;
+    offTime[k] = change > 0 ? along / change : 0;
     gains[k] = gain - (lost[k] ? 0 : cycleGain);
   }
 
@@ -100,6 +109,8 @@ private:
   const LossEcho echo;
   std::vector<std::uint8_t> lost;
   std::vector<double> gains, seen;
+  std::vector<double>
+      offTime;  ///< of a loss: cycles by which what it changes is less than the readings' want
 };
 
 }  // namespace
@@ -108,7 +119,7 @@ LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, i
   LostCycles result;
   const std::size_t count = evidence.trials().size();
   result.cycles.resize(count);
-  std::vector<std::size_t> found(count, 0), visible(count, 0);
+  std::vector<std::size_t> found(count, 0), visible(count, 0), onTime(count, 0);
   parallel(count, jobs, [&](std::size_t t) {
     if (evidence.trials()[t].freeBase) return;
     const Listener listener(evidence, t, causes);
@@ -117,12 +128,18 @@ LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, i
       if (!listener.visible(k)) continue;
       ++visible[t];
       found[t] += result.cycles[t][k];
+      onTime[t] += result.cycles[t][k] && listener.onTime(k);
     }
   });
-  std::size_t seen = 0;
+  std::size_t seen = 0, late = 0;
   for (std::size_t t = 0; t < count; ++t) {
     result.found += found[t];
     seen += visible[t];
+    late += onTime[t];
+  }
+  if (static_cast<double>(late) < leastOnTime * static_cast<double>(result.found)) {
+    for (auto& cycles : result.cycles) std::ranges::fill(cycles, std::uint8_t{0});
+    result.found = 0;
   }
   result.share = seen ? static_cast<double>(result.found) / static_cast<double>(seen) : 0;
   result.price = cycleGain * static_cast<double>(result.found) / 2;  // half of the blocks are for judging

@@ -6,8 +6,8 @@ namespace plumbline::gap {
 /// How blind benchmarks draw an effect: where, and how large.
 struct Drawing {
   enum class Where { nowhere, joint, jointOrAll, all, link, imu, foot, ground };
-  /// In what sizes are given: as they are, in the joint's largest torque, in its kd.
-  enum class Unit { plain, torque, damping };
+  /// In what sizes are given: as they are, in the joint's largest torque, in its kd, per its largest torque.
+  enum class Unit { plain, torque, damping, perTorque };
   enum class Growth {
     distance,  ///< from nothing: twice as strong is twice the value
     factor,    ///< from 1: twice as strong is its square

@@ -1,16 +1,22 @@
 #include "gap/effects/Effect.h"
 
+#include <algorithm>
+
 namespace plumbline::gap {
 
 void atJoints(Plant& plant, const Place& place, const std::function<void(JointPlant&)>& change) {
-  if (place.site == Site::everywhere) {
-    for (JointPlant& joint : plant.joints) change(joint);
-    return;
-  }
   const Mechanism& robot = plant.mechanism;
+  std::vector<int> at{place.index};
+  if (place.site == Site::everywhere) {
+    if (place.index < 0) {
+      for (JointPlant& joint : plant.joints) change(joint);
+      return;
+    }
+    at = robot.groups[static_cast<std::size_t>(place.index)].joints;
+  }
   for (int joint = 0; joint < robot.numJoints(); ++joint) {
-    if (robot.motorOf(joint) == robot.motorOf(place.index))
-      change(plant.joints[static_cast<std::size_t>(joint)]);
+    const auto sharesMotor = [&](int other) { return robot.motorOf(joint) == robot.motorOf(other); };
+    if (std::ranges::any_of(at, sharesMotor)) change(plant.joints[static_cast<std::size_t>(joint)]);
   }
 }
 

@@ -15,8 +15,9 @@ enum class Site { joint, everywhere, link, imu, foot, ground };
 /// One place of one effect on one robot.
 struct Place {
   Site site = Site::joint;
-  int index = -1;    ///< joint, link or foot of the mechanism
-  std::string at;    ///< the contract's name: a joint, a link, a foot, "*", "imu", "ground"
+  /// Joint, link or foot of the mechanism; of Site::everywhere a group of joints, or -1 for all of them.
+  int index = -1;
+  std::string at;    ///< the contract's name: a joint, a link, a foot, a group, "*", "imu", "ground"
   char axis = '\0';  ///< 'x', 'y', 'z', or 0 where the effect has no axis
 
   bool operator==(const Place&) const = default;
@@ -102,8 +103,11 @@ struct Effect {
   double scaleAt(const Mechanism& mechanism, const Place& place) const {
     if (!scale) return 1;
     // Everywhere a servo's effect has the size that it has at the first joint.
-    if (ofServo && place.site == Site::everywhere)
-      return scale(mechanism, {Site::joint, 0, mechanism.joints.front().name});
+    if (ofServo && place.site == Site::everywhere) {
+      const int first =
+          place.index < 0 ? 0 : mechanism.groups[static_cast<std::size_t>(place.index)].joints[0];
+      return scale(mechanism, {Site::joint, first, mechanism.joints[static_cast<std::size_t>(first)].name});
+    }
     return scale(mechanism, place);
   }
   Bounds boundsAt(const Mechanism& mechanism, const Place& place) const {
@@ -118,8 +122,8 @@ struct Effect {
   }
 };
 
-/// Calls change(drive) for the joint of a place, or for all joints where the place is "*". An effect at one
-/// of two joints that share a motor is at both.
+/// Calls change(drive) for the joint of a place, for all of a group, or for all joints where the place is
+/// "*". An effect at one of two joints that share a motor is at both.
 void atJoints(Plant& plant, const Place& place, const std::function<void(JointPlant&)>& change);
 
 /// Takes an effect into effects() before main. An effect that is not whole, or a second one of the same id,

@@ -84,6 +84,8 @@ std::vector<Place> placesOf(const Effect& effect, const Mechanism& mechanism) {
     }
   }
   if (effect.ofServo && mechanism.sharesServo()) bare.push_back({Site::everywhere, -1, "*"});
+  for (std::size_t g = 0; g < mechanism.groups.size() && effect.ofServo; ++g)
+    bare.push_back({Site::everywhere, static_cast<int>(g), mechanism.groups[g].name});
   if (!effect.hasAxis) return bare;
   std::vector<Place> places;
   for (const Place& place : bare)

@@ -20,8 +20,10 @@ constexpr double gain = 5;          // [N m/rad] of its weakest servo
 
 }  // namespace sizes
 
-/// A place's joint; the first for all of them.
+/// A place's joint; the first of a group, or of all of them.
 inline const Mechanism::Joint& jointOf(const Mechanism& m, const Place& p) {
+  if (p.site == Site::everywhere && p.index >= 0)
+    return m.joints[static_cast<std::size_t>(m.groups[static_cast<std::size_t>(p.index)].joints[0])];
   return m.joints[p.site == Site::joint ? static_cast<std::size_t>(p.index) : 0];
 }
 

@@ -8,7 +8,6 @@
 #include "gap/record/EngineRecording.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/replay/TruePose.h"
-#include "training/ServoWalker.h"
 
 namespace plumbline::gap {
 
@@ -30,15 +29,23 @@ void check(const Explanation& effects) {
 
 }  // namespace
 
+std::unique_ptr<walking::ServoWalker> walkerWith(const std::string& engine, const Mechanism& robot,
+                                                 const walking::WalkGaits& gaits,
+                                                 const Explanation& effects) {
+  check(effects);
+  const Plant plant = plantOf(robot, effects);
+  return std::make_unique<walking::ServoWalker>(
+      robot, gaits,
+      simulation::RobotSimulations::make(engine, engineMechanism(plant, robot.controlHz),
+                                         engineOptions(plant, false)));
+}
+
 Run recordWalk(const std::string& engine, const Mechanism& robot, const Excitation& program,
                const SimulatedRecordingOptions& options) {
   if (!program.walk) throw std::invalid_argument(program.name + " is no walk");
-  check(options.effects);
+  const auto robotThatWalks = walkerWith(engine, robot, walking::readServoGaits(robot.name), options.effects);
+  walking::ServoWalker& walker = *robotThatWalks;
   const Plant plant = plantOf(robot, options.effects);
-  walking::ServoWalker walker(
-      robot, walking::readServoGaits(robot.name),
-      simulation::RobotSimulations::make(engine, engineMechanism(plant, robot.controlHz),
-                                         engineOptions(plant, false)));
   std::vector<Cycle> cycles;
   walker.observer = [&](const walking::ServoMeasurement& measured, const walking::ServoCommand& command) {
     StopSignal::throwIfCaught();

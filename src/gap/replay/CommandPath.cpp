@@ -24,15 +24,63 @@ CommandPath::CommandPath(const JointPlant& plant, const Trial& trial, std::size_
       lost(lostCycles),
       losable(!trial.command[joint].empty()),
       shift(trial.commandAt[joint] + plant.commandDelay),
-      acceleration(plant.accelerationLimit) {
+      acceleration(plant.accelerationLimit),
+      fastest(plant.profileSpeed) {
   if (!trial.stiffness[joint].empty()) stiffnesses = &trial.stiffness[joint];
   if (!trial.voltage[joint].empty()) voltages = &trial.voltage[joint];
+  const auto sent = [&](const auto& of) {
+    return joint < of.size() && !of[joint].empty() ? &of[joint] : nullptr;
+  };
+  speeds = sent(trial.commandSpeed);
+  torques = sent(trial.commandTorque);
+  straight = trial.linearCommands;
+  currentAt = time.empty() ? 0 : time.front() + shift;
   current = profile = firstFinite(*command);
   if (stiffnesses) stiff = firstFinite(*stiffnesses);
   if (voltages) volts = firstFinite(*voltages);
 }
 
+/// What is sent with a cycle's command.
+void CommandPath::take(std::size_t cycle) {
+  const auto read = [cycle](const std::vector<double>* values, double& into) {
+    if (values && std::isfinite((*values)[cycle])) into = (*values)[cycle];
+  };
+  read(stiffnesses, stiff);
+  read(voltages, volts);
+  read(speeds, sentSpeed);
+  read(torques, sentTorque);
+}
+
+/// Mean of the straight lines from each command that came to the next.
+double CommandPath::line(double from, double to) {
+  const auto came = [&](std::size_t cycle) {
+    return !(losable && lost && (*lost)[cycle]) && cycle < command->size() &&
+           std::isfinite((*command)[cycle]);
+  };
+  double sum = 0, since = from;
+  while (true) {
+    std::size_t ahead = next;
+    while (ahead < time.size() && !came(ahead)) ++ahead;
+    const bool last = ahead == time.size();
+    const double reached = last ? to : std::min(to, time[ahead] + shift);
+    const double slope = last || time[ahead] + shift <= currentAt
+                             ? 0
+                             : ((*command)[ahead] - current) / (time[ahead] + shift - currentAt);
+    if (reached > since) {
+      sum += (current + slope * ((since + reached) / 2 - currentAt)) * (reached - since);
+      since = reached;
+    }
+    if (last || time[ahead] + shift >= to) break;
+    current = (*command)[ahead];
+    currentAt = time[ahead] + shift;
+    take(ahead);
+    next = ahead + 1;
+  }
+  return to > from ? sum / (to - from) : current;
+}
+
 double CommandPath::target(double from, double to) {
+  if (straight) return line(from, to);
   double sum = 0, since = from;
   while (next < time.size() && time[next] + shift < to) {
     const double when = std::max(time[next] + shift, from);
@@ -42,8 +90,7 @@ double CommandPath::target(double from, double to) {
         since = when;
         current = (*command)[next];
       }
-      if (stiffnesses && std::isfinite((*stiffnesses)[next])) stiff = (*stiffnesses)[next];
-      if (voltages && std::isfinite((*voltages)[next])) volts = (*voltages)[next];
+      take(next);
     }
     ++next;
   }
@@ -53,7 +100,12 @@ double CommandPath::target(double from, double to) {
 double CommandPath::profileOver(double from, double to) {
   // The fastest approach that still can stop at the target (time-optimal, bang-bang).
   const double h = to - from, before = profile, error = target(from, to) - profile;
-  const double best = std::copysign(std::sqrt(2 * acceleration * std::abs(error)), error);
+  if (acceleration <= 0) {
+    profile += std::clamp(error, -fastest * h, fastest * h);
+    return (before + profile) / 2;
+  }
+  double best = std::copysign(std::sqrt(2 * acceleration * std::abs(error)), error);
+  if (fastest > 0) best = std::clamp(best, -fastest, fastest);
   const double limited = std::clamp(best, speed - acceleration * h, speed + acceleration * h);
   speed =
       std::abs(limited * h) > std::abs(error) && limited * error > 0 && std::abs(limited) <= acceleration * h
@@ -64,7 +116,7 @@ double CommandPath::profileOver(double from, double to) {
 }
 
 double CommandPath::over(double from, double to) {
-  if (acceleration <= 0) return target(from, to);
+  if (acceleration <= 0 && fastest <= 0) return target(from, to);
   const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / profileStep - 1e-9)));
   const double h = (to - from) / steps;
   double sum = 0;

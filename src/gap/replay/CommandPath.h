@@ -8,7 +8,8 @@
 namespace plumbline::gap {
 
 /// What one joint's servo is told over time: the trial's commands at the moments they reach it, lost cycles
-/// left out, smoothed by the servo's own profile if it keeps an acceleration limit. Asked in ascending time.
+/// left out, smoothed by the servo's own profile if it keeps a speed or an acceleration limit. Asked in
+/// ascending time.
 class CommandPath {
 public:
   /// lost: per cycle, whether its command never came; null: none.
@@ -20,20 +21,27 @@ public:
   double over(double from, double to);
   /// From now on the commands of other cycles never come; null: all do.
   void lose(const std::vector<std::uint8_t>* lostCycles) { lost = lostCycles; }
-  double stiffness() const { return stiff; }  ///< at the end of the last interval asked for
-  double voltage() const { return volts; }    ///< measured supply then; 0: not measured
+  double stiffness() const { return stiff; }        ///< at the end of the last interval asked for
+  double voltage() const { return volts; }          ///< measured supply then; 0: not measured
+  double speedSent() const { return sentSpeed; }    ///< beside the position, then [rad/s]
+  double torqueSent() const { return sentTorque; }  ///< likewise [N m]
 
 private:
   double target(double from, double to);
+  double line(double from, double to);
+  void take(std::size_t cycle);
   double profileOver(double from, double to);
 
   const std::vector<double>*command = nullptr, *stiffnesses = nullptr, *voltages = nullptr;
+  const std::vector<double>*speeds = nullptr, *torques = nullptr;
   const std::vector<double>& time;
   const std::vector<std::uint8_t>* lost;
   bool losable = true;  ///< it is told commands
-  double shift = 0, acceleration = 0;
+  double shift = 0, acceleration = 0, fastest = 0;
   std::size_t next = 0;
-  double current = 0, stiff = 1, volts = 0;
+  double current = 0, stiff = 1, volts = 0, sentSpeed = 0, sentTorque = 0;
+  bool straight = false;  ///< from command to command
+  double currentAt = 0;   ///< when the current one was sent [s]
   double profile = 0, speed = 0;
 };
 

@@ -25,26 +25,57 @@ double settlingTime(const Trial& trial, const ReplayOptions& options) {
   return options.settle > 0 && trial.freeBase ? std::max(options.settle, freeSettle) : options.settle;
 }
 
+/// Whether some joints are played that all others act on: through a supply that sags under all motors.
+bool needsOthers(const Plant& plant, const Trial& trial, const ReplayOptions& options) {
+  return !options.joints.empty() && !trial.freeBase && SupplyRail(plant.joints).sags();
+}
+
 std::vector<int> jointsToPlay(const Plant& plant, const Trial& trial, const ReplayOptions& options) {
-  if (!options.joints.empty() && !trial.freeBase) return options.joints;
+  if (!options.joints.empty() && !trial.freeBase && !needsOthers(plant, trial, options))
+    return options.joints;
   std::vector<int> all(plant.joints.size());
   std::iota(all.begin(), all.end(), 0);
   return all;
 }
 
+/// Whether a joint's readings are wanted of a replay, which may have to move more.
+bool asked(int joint, const Trial& trial, const ReplayOptions& options) {
+  return options.joints.empty() || trial.freeBase ||
+         std::ranges::find(options.joints, joint) != options.joints.end();
+}
+
+/// Joints that are played for their load alone are the nominal ones, so that a replay of some joints depends
+/// on nothing but what is at them. The plant itself where there are none such.
+std::shared_ptr<const Plant> plantToPlay(const Plant& plant, const Trial& trial,
+                                         const ReplayOptions& options) {
+  if (!needsOthers(plant, trial, options)) return {std::shared_ptr<const Plant>(), &plant};
+  auto result = std::make_shared<Plant>(plant);
+  for (std::size_t j = 0; j < plant.joints.size(); ++j) {
+    if (asked(static_cast<int>(j), trial, options)) continue;
+    const Mechanism::Joint& joint = trial.robot->joints[j];
+    result->joints[j] = JointPlant::nominal(joint);
+    result->joints[j].supplySag = plant.joints[j].supplySag;
+    const auto link = static_cast<std::size_t>(joint.child);
+    result->mechanism.links[link] = trial.robot->links[link];
+    result->mechanism.joints[j] = joint;
+  }
+  return result;
+}
+
 }  // namespace
 
-Playback::Playback(const Plant& plant, const Trial& trial_, const ReplayOptions& options)
+Playback::Playback(const Plant& plant_, const Trial& trial_, const ReplayOptions& options)
     : trial(trial_),
-      stepper(plant, trial_, jointsToPlay(plant, trial_, options), options.lostCycles),
+      plant(plantToPlay(plant_, trial_, options)),
+      stepper(*plant, trial_, jointsToPlay(plant_, trial_, options), options.lostCycles),
       longest(stepper.geared() ? options.gearStep : options.step),
       settleFor(settlingTime(trial_, options)),
       t(trial_.time[0]) {
-  const std::vector<int> joints = jointsToPlay(plant, trial, options);
+  const std::vector<int> joints = jointsToPlay(plant_, trial, options);
   for (std::size_t s = 0; s < trial.signals.size(); ++s) {
     const Signal& signal = trial.signals[s];
     const auto place = std::ranges::find(joints, signal.joint);
-    if (signal.joint < 0 || place == joints.end()) continue;
+    if (signal.joint < 0 || place == joints.end() || !asked(signal.joint, trial, options)) continue;
     const auto joint = static_cast<std::size_t>(signal.joint);
     double shift = 0;
     if (signal.kind == SignalKind::position) shift = trial.positionAt[joint];

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "gap/replay/Replay.h"
@@ -45,6 +46,7 @@ private:
   double valueOf(const Reading& reading, double h, double s) const;
 
   const Trial& trial;
+  std::shared_ptr<const Plant> plant;
   Stepper stepper;
   double longest, settleFor, t, lastShift = 0;
   std::vector<Reading> readings;

@@ -37,7 +37,7 @@ double measuredAngle(const JointPlant& plant, double angle) {
 }
 
 ServoLine servoLine(const JointPlant& plant, double command, double share, double volts, double x, double w,
-                    double limitShare) {
+                    double limitShare, double supplyShare, double speed, double torque) {
   ServoLine line;
   if (share <= 0) return line;
   // The encoder's error changes slowly enough to be taken at the state given.
@@ -57,9 +57,11 @@ ServoLine servoLine(const JointPlant& plant, double command, double share, doubl
     line.stiffness = band == 10 ? 0 : share * servo.kp;
     line.damping = share * servo.kd;
     line.torque = line.stiffness * target;
-    line = limited(line, x, w, share * plant.maxTorque * plant.torqueFactor * limitShare, plant.maxSpeed);
+    if (speed != 0 || torque != 0) line.torque += line.damping * speed + share * torque;
+    line = limited(line, x, w, share * plant.maxTorque * plant.torqueFactor * limitShare * supplyShare,
+                   plant.maxSpeed * supplyShare);
   } else {
-    const double vin = (volts > 0 ? volts : servo.vin) * plant.supplyFactor;
+    const double vin = (volts > 0 ? volts : servo.vin * supplyShare) * plant.supplyFactor;
     const double gain = band == 10 ? 0 : servo.kpFirmware * servo.errorGain,
                  push = share * servo.kt / servo.R * vin;
     const double duty = gain * (target - x);

@@ -19,8 +19,10 @@ double measuredAngle(const JointPlant& plant, double angle);
 
 /// The contract's servo laws (position and dc_motor) with what effects change in them.
 /// command [rad]; share: stiffness 0..1; volts: measured supply, 0: the table's; x: true angle on the
-/// encoder's side, w: its speed; limitShare: share of the torque limit that heat has left.
+/// encoder's side, w: its speed; limitShare: share of the torque limit that heat has left; supplyShare: of
+/// the supply that the load has left, where it is not measured; speed, torque: sent beside the command, which
+/// a DC motor's law has no use for [rad/s, N m].
 ServoLine servoLine(const JointPlant& plant, double command, double share, double volts, double x, double w,
-                    double limitShare);
+                    double limitShare, double supplyShare = 1, double speed = 0, double torque = 0);
 
 }  // namespace plumbline::gap

@@ -33,7 +33,7 @@ const std::vector<double>* positionsOf(const Trial& trial, int joint) {
 
 Stepper::Stepper(const Plant& plant_, const Trial& trial_, const std::vector<int>& joints,
                  const std::vector<std::uint8_t>* lostCycles)
-    : plant(plant_), trial(trial_), tree(plant_.mechanism, joints, trial_.freeBase) {
+    : plant(plant_), trial(trial_), tree(plant_.mechanism, joints, trial_.freeBase), supply(plant_.joints) {
   n = tree.size();
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const auto joint = index(joints[i]);
@@ -53,9 +53,7 @@ Stepper::Stepper(const Plant& plant_, const Trial& trial_, const std::vector<int
       gears.push_back(gear);
     }
     drive.sensed = p.linkEncoder ? drive.link : drive.motor;
-    if (p.coulomb > 0 || p.stribeck > 0 || p.loadFriction > 0) {
-      frictions.push_back({static_cast<int>(i), drive.motor, 0, 0});
-    }
+    if (p.rubs()) frictions.push_back({static_cast<int>(i), drive.motor, {}, 0});
     drives.push_back(drive);
   }
   weight = gears.empty() && !trial.freeBase ? 0.5 : 0.55;
@@ -87,10 +85,8 @@ double Stepper::limitShare(const Drive& drive) const {
   return loss > 0 ? std::max(0.0, 1 - loss * drive.heat) : 1;
 }
 
-double Stepper::frictionBound(const Drive& drive) const {
-  const JointPlant& p = plant.joints[index(drive.joint)];
-  const double s = v[drive.motor] / p.stribeckSpeed;
-  return p.coulomb + p.stribeck * std::exp(-s * s) + p.loadFriction * std::abs(drive.transmitted);
+DryFriction Stepper::frictionBound(const Drive& drive) const {
+  return dryFriction(plant.joints[index(drive.joint)], v[drive.motor], drive.load);
 }
 
 void Stepper::assemble(double h) {
@@ -156,7 +152,7 @@ void Stepper::solve(double h) {
     factor.solveInPlace(columns);
     Eigen::VectorXd pushed = Eigen::VectorXd::Zero(n);  // what contacts add
     double hold = 0;
-    for (const Friction& friction : frictions) hold += friction.bound;
+    for (const Friction& friction : frictions) hold += (friction.bound.forward + friction.bound.backward) / 2;
     if (contacts) contacts->prepare(factor, h);
     const int rounds = rows && contacts ? mostRounds : 1;
     for (int round = 0; round < rounds; ++round) {
@@ -169,8 +165,8 @@ void Stepper::solve(double h) {
         for (Eigen::Index i = 0; i < rows; ++i) {
           Friction& friction = frictions[static_cast<std::size_t>(i)];
           const double w = columns(friction.coordinate, i);
-          const double wanted =
-              std::clamp(friction.force - fresh[friction.coordinate] / w, -friction.bound, friction.bound);
+          const double wanted = std::clamp(friction.force - fresh[friction.coordinate] / w,
+                                           -friction.bound.forward, friction.bound.backward);
           const double delta = wanted - friction.force;
           fresh += columns.col(i) * delta;
           friction.force = wanted;
@@ -195,9 +191,10 @@ bool Stepper::regimesHold(double h) {
   const double a = weight * h;
   bool same = true;
   for (Drive& drive : drives) {
-    const ServoLine line = servoLine(plant.joints[index(drive.joint)], drive.command, drive.path.stiffness(),
-                                     drive.path.voltage(), q[drive.sensed] + a * u[drive.sensed],
-                                     u[drive.sensed], limitShare(drive));
+    const ServoLine line = servoLine(
+        plant.joints[index(drive.joint)], drive.command, drive.path.stiffness(), drive.path.voltage(),
+        q[drive.sensed] + a * u[drive.sensed], u[drive.sensed], limitShare(drive),
+        supply.left(plant.joints[index(drive.joint)]), drive.path.speedSent(), drive.path.torqueSent());
     if (line.regime != drive.line.regime) same = false;
     drive.line = line;
   }
@@ -251,17 +248,14 @@ void Stepper::advance(double h) {
         h * std::abs(drive.torque) *
         (plant.joints[index(drive.joint)].heatIsWork ? std::abs(u[drive.motor]) : std::abs(drive.torque));
   }
+  double torques = 0;
   for (Drive& drive : drives) {
-    const JointPlant& p = plant.joints[index(drive.joint)];
-    drive.transmitted = drive.torque;
-    if (p.loadIs != JointPlant::Load::motorTorque)
-      drive.transmitted -= drive.armature * (predicted[drive.motor] - v[drive.motor]) / h;
+    const double gear = drive.torque - drive.armature * (predicted[drive.motor] - v[drive.motor]) / h;
+    drive.load = {drive.torque, gear, gear};
+    torques += std::abs(drive.torque);
   }
-  for (const Friction& friction : frictions) {
-    Drive& drive = drives[index(friction.drive)];
-    if (plant.joints[index(drive.joint)].loadIs == JointPlant::Load::linkTorque)
-      drive.transmitted += friction.force;
-  }
+  for (const Friction& friction : frictions) drives[index(friction.drive)].load.link += friction.force;
+  supply.take(torques, h);
   q += h * u;
   v = predicted;
   if (trial.freeBase) {

@@ -10,6 +10,8 @@
 #include "gap/replay/ServoLaw.h"
 #include "gap/replay/TreeDynamics.h"
 #include "gap/replay/Trial.h"
+#include "robot/DryFriction.h"
+#include "robot/SupplyRail.h"
 
 namespace plumbline::gap {
 
@@ -58,7 +60,7 @@ private:
     double command = 0, armature = 0;
     ServoLine line = {};
     double torque = 0, heat = 0;
-    double transmitted = 0;  ///< torque that presses the gear's teeth together [N m]
+    GearLoad load = {};  ///< what presses the gear's teeth together
     double shown = 0, rate = 0, shownBefore = 0, rateBefore = 0;
   };
   struct Gear {
@@ -68,11 +70,12 @@ private:
   };
   struct Friction {
     int drive = 0, coordinate = 0;
-    double bound = 0, force = 0;
+    DryFriction bound = {};
+    double force = 0;
   };
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   double limitShare(const Drive& drive) const;
-  double frictionBound(const Drive& drive) const;
+  DryFriction frictionBound(const Drive& drive) const;
   void assemble(double h);
   bool regimesHold(double h);
   void solve(double h);
@@ -88,7 +91,8 @@ private:
   std::vector<Gear> gears;
   std::vector<Friction> frictions;
   std::shared_ptr<Contacts> contacts;  ///< of a free base
-  double weight;                       ///< of the new velocity in the one that moves (1/2: midpoint)
+  SupplyRail supply;
+  double weight;  ///< of the new velocity in the one that moves (1/2: midpoint)
 
   int n = 0;             ///< coordinates
   Eigen::VectorXd q, v;  ///< q has 0 for the base, whose pose is T

@@ -48,6 +48,10 @@ struct Trial {
   /// its measured positions (as a person or another program moved it), else it is held at 0, or at its limit
   /// nearest to that. No command that could be lost. Empty where commanded; empty altogether: all are.
   std::vector<std::vector<double>> followed;
+  /// Per joint, per cycle: speed and torque sent beside the position, or instead of it [rad/s, N m]; empty
+  /// where never sent, empty altogether: nowhere.
+  std::vector<std::vector<double>> commandSpeed, commandTorque;
+  bool linearCommands = false;                            ///< see Run::linearCommands
   std::vector<std::vector<double>> stiffness;             ///< empty: 1 throughout
   std::vector<std::vector<double>> voltage;               ///< empty: as the servo table says [V]
   std::vector<double> commandAt, positionAt, velocityAt;  ///< per joint, relative to the cycle's time [s]

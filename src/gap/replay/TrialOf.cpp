@@ -107,6 +107,28 @@ void moveTheUncommanded(const Run& run, const Mechanism& nominal, Trial& trial) 
   }
 }
 
+bool commanded(const Run& run, const std::string& joint) {
+  return run.find(ChannelKind::command, joint) || run.find(ChannelKind::commandTorque, joint);
+}
+
+/// Takes speeds and torques that were sent. A joint that was sent torques and no position has no position
+/// gain, and damping only where it was sent speeds as well. Returns the robot as it is driven then.
+Mechanism driveByTorque(const Run& run, Mechanism robot, Trial& trial) {
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    Mechanism::Joint& joint = robot.joints[j];
+    const auto* speeds = run.find(ChannelKind::commandSpeed, joint.name);
+    const auto* torques = run.find(ChannelKind::commandTorque, joint.name);
+    if (joint.servo.model == Servo::Model::dcMotor) continue;
+    if (speeds) trial.commandSpeed[j] = *speeds;
+    if (torques) trial.commandTorque[j] = *torques;
+    if (!torques || run.find(ChannelKind::command, joint.name)) continue;
+    joint.servo.kp = 0;
+    if (!speeds) joint.servo.kd = 0;
+    trial.command[j].assign(trial.cycles(), 0);
+  }
+  return robot;
+}
+
 }  // namespace
 
 Trial trialOf(const Run& run, const Mechanism& nominal) {
@@ -121,6 +143,9 @@ Trial trialOf(const Run& run, const Mechanism& nominal) {
   trial.command.resize(n);
   trial.stiffness.resize(n);
   trial.voltage.resize(n);
+  trial.commandSpeed.resize(n);
+  trial.commandTorque.resize(n);
+  trial.linearCommands = run.linearCommands;
   for (std::size_t j = 0; j < n; ++j) {
     const std::string& name = nominal.joints[j].name;
     const JointTiming timing = run.timingOf(name);
@@ -131,6 +156,7 @@ Trial trialOf(const Run& run, const Mechanism& nominal) {
     if (run.find(ChannelKind::stiffness, name)) trial.stiffness[j] = run.stiffnessOf(name);
     if (const auto* values = run.find(ChannelKind::voltage, name)) trial.voltage[j] = *values;
   }
+  trial.robot = std::make_shared<Mechanism>(driveByTorque(run, *trial.robot, trial));
   moveTheUncommanded(run, nominal, trial);
   bool anyPosition = false;
   for (const auto& [column, values] : run.channels) {
@@ -141,7 +167,7 @@ Trial trialOf(const Run& run, const Mechanism& nominal) {
     signal.name = column;
     signal.kind = *kind;
     if (!locate(nominal, channel->place, signal)) continue;
-    if (*kind == SignalKind::position && !run.find(ChannelKind::command, channel->place)) continue;
+    if (*kind == SignalKind::position && !commanded(run, channel->place)) continue;
     signal.unsignedValue = run.isUnsigned(column);
     signal.values = values;
     anyPosition = anyPosition || *kind == SignalKind::position;

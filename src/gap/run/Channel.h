@@ -9,6 +9,8 @@ namespace plumbline::gap {
 enum class ChannelKind {
   time,
   command,
+  commandSpeed,
+  commandTorque,
   stiffness,
   position,
   velocity,

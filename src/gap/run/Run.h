@@ -42,6 +42,9 @@ struct Run {
   std::string robot, motion, repeatOf;
   bool freeBase = false, groundTruth = false;
   double rateHz = 0;
+  /// Between two cycles the commands went in a straight line from one to the next, as a controller that is
+  /// faster than the log makes them; else each held until the next.
+  bool linearCommands = false;
   std::optional<double> heading;        ///< yaw at which a free robot was put down [rad]
   std::set<std::string> unsignedKinds;  ///< channels or prefixes recorded without sign, e.g. "current"
   std::map<std::string, ServoOverride> servo;

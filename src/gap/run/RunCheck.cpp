@@ -32,6 +32,7 @@ constexpr Bounds bounds[] = {
     {ChannelKind::voltage, -100, 100},      {ChannelKind::duty, -1.001, 1.001},
     {ChannelKind::temperature, -30, 150},   {ChannelKind::gyro, -60, 60},
     {ChannelKind::acceleration, -400, 400}, {ChannelKind::force, -10, 1000},
+    {ChannelKind::commandSpeed, -60, 60},   {ChannelKind::commandTorque, -500, 500},
 };
 
 class Checker {
@@ -203,7 +204,7 @@ private:
     for (const Mechanism::Joint& joint : robot.joints) {
       checkSpeed(joint);
       if (joint.driver >= 0) continue;  // its driver's command is its own
-      const bool hasCommand = run.find(ChannelKind::command, joint.name),
+      const bool hasCommand = run.find(ChannelKind::command, joint.name) || sentTorque(joint),
                  hasPosition = run.find(ChannelKind::position, joint.name);
       if (!hasCommand && !hasPosition)
         warn("run.csv", "has neither cmd." + joint.name + " nor pos." + joint.name + "; it is held still");
@@ -212,8 +213,18 @@ private:
       else if (!hasPosition)
         warn("cmd." + joint.name, "there is no pos." + joint.name + " to hold against it");
     }
+    anyCommandMoves =
+        anyCommandMoves || std::ranges::any_of(robot.joints, [&](const auto& j) { return sentTorque(j); });
     if (!anyCommandMoves && !run.jointsWith(ChannelKind::command).empty())
       warn("run.csv", "no command moves; a still robot tells little");
+  }
+
+  /// Whether a joint was sent torques; speeds and torques that a DC motor's law has no use for are left out.
+  bool sentTorque(const Mechanism::Joint& joint) {
+    for (const ChannelKind kind : {ChannelKind::commandSpeed, ChannelKind::commandTorque})
+      if (joint.servo.model == Servo::Model::dcMotor)
+        leaveOut(channelName(kind, joint.name), "a DC motor's law is told positions alone");
+    return run.find(ChannelKind::commandTorque, joint.name) != nullptr;
   }
 
   /// Whether a hinge's position is beyond its limits because the joint went there: it follows its command,
@@ -341,7 +352,8 @@ private:
   }
 
   void checkWhatIsLeft() {
-    if (run.jointsWith(ChannelKind::command).empty()) refuse("no usable cmd column" + reasons());
+    if (run.jointsWith(ChannelKind::command).empty() && run.jointsWith(ChannelKind::commandTorque).empty())
+      refuse("no usable cmd column" + reasons());
     if (run.jointsWith(ChannelKind::position).empty()) refuse("no usable pos column" + reasons());
   }
 
@@ -363,8 +375,10 @@ void checkRun(Run& run, const Mechanism& robot, std::vector<RunWarning>& warning
   Checker(run, robot, warnings).all();
 }
 
-Run readCheckedRun(const std::string& folder, const Mechanism& robot, std::vector<RunWarning>& warnings) {
+Run readCheckedRun(const std::string& folder, const Mechanism& robot, std::vector<RunWarning>& warnings,
+                   const RunChanges& changes) {
   Run run = readRun(folder, warnings);
+  apply(changes, run);
   checkRun(run, robot, warnings);
   return run;
 }

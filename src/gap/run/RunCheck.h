@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "gap/run/Run.h"
+#include "gap/run/RunChanges.h"
 #include "robot/Mechanism.h"
 
 namespace plumbline::gap {
@@ -15,7 +16,8 @@ namespace plumbline::gap {
 /// does.
 void checkRun(Run& run, const Mechanism& robot, std::vector<RunWarning>& warnings);
 
-/// readRun and checkRun in one.
-Run readCheckedRun(const std::string& folder, const Mechanism& robot, std::vector<RunWarning>& warnings);
+/// readRun and checkRun in one, with the changes put in between.
+Run readCheckedRun(const std::string& folder, const Mechanism& robot, std::vector<RunWarning>& warnings,
+                   const RunChanges& changes = {});
 
 }  // namespace plumbline::gap

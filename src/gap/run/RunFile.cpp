@@ -150,7 +150,7 @@ void readMeta(const std::string& path, Run& run) {
   const Meta meta(path);
   meta.only(meta.value, "",
             {"robot", "base", "rate_hz", "motion", "ground_truth", "servo", "repeat_of", "repeat", "heading",
-             "unsigned", "timing", "source", "session", "rig", "note"});
+             "unsigned", "timing", "hold", "source", "session", "rig", "note"});
   run.robot = meta.text("robot", "the robot's name");
   if (run.robot.empty() || run.robot.find('/') != std::string::npos)
     meta.fail("robot is " + shown(run.robot) + "; give the robot's name");
@@ -165,6 +165,12 @@ void readMeta(const std::string& path, Run& run) {
   for (const char* key : {"repeat_of", "repeat"})
     if (run.repeatOf.empty() && meta.find(key)) run.repeatOf = meta.text(key, "the name of another run");
   if (const json* heading = meta.find("heading")) run.heading = meta.number(*heading, "heading", -100, 100);
+  if (meta.find("hold")) {
+    const std::string hold = meta.text("hold", "\"zero\" or \"linear\"");
+    if (hold != "zero" && hold != "linear")
+      meta.fail("hold is " + shown(hold) + "; give \"zero\" or \"linear\"");
+    run.linearCommands = hold == "linear";
+  }
   if (const json* list = meta.find("unsigned")) {
     if (!list->is_array()) meta.fail("unsigned is " + shown(*list) + "; give a list of channels");
     for (const json& v : *list) {

@@ -9,7 +9,7 @@
 #include "framework/ConfigFile.h"
 #include "framework/NearestName.h"
 #include "gap/run/ColumnStatistics.h"
-#include "gap/run/Table.h"
+#include "gap/run/OtherTables.h"
 
 namespace plumbline::gap {
 namespace {
@@ -102,7 +102,7 @@ public:
     if (!(timeFactor > 0)) time.fail("scale", "is not above 0");
     map.checkUnknown();
 
-    table = readTable(recording, separator == "tab" ? '\t' : separator[0], missing);
+    table = readRecording(recording, separator == "tab" ? '\t' : separator[0], missing);
     takeTime(time, timeColumn, timeFactor);
     for (const Rule& rule : parsed) apply(rule);
     if (result.run.channels.empty())
@@ -122,6 +122,7 @@ private:
     r.motion = root.get<std::string>("motion");
     r.rateHz = root.find<double>("rate_hz", Range{1e-3, 20000}).value_or(0);
     r.heading = root.find<double>("heading", Range{-100, 100});
+    if (root.has("hold")) r.linearCommands = root.choice("hold", {"zero", "linear"}) == 1;
     r.repeatOf = root.find<std::string>("repeat_of").value_or("");
     for (const std::string& kind :
          root.find<std::vector<std::string>>("unsigned").value_or(std::vector<std::string>{}))

@@ -13,9 +13,10 @@ struct ImportedRun {
   std::size_t linesWithoutTime = 0;  ///< dropped
 };
 
-/// Turns a table (csv or csv.gz) into a run as a map says: which column becomes which channel, units, signs,
-/// names of joints, scale of time. doc/how-to/bring-in-recordings.md describes the map. Nothing is written.
-/// Throws ConfigurationError naming file, line and key of the map, RunError for the recording.
+/// Turns a table (csv or csv.gz), JSON lines or a bag of ROS 2 (OtherTables.h) into a run as a map says:
+/// which column becomes which channel, units, signs, names of joints, scale of time.
+/// doc/how-to/bring-in-recordings.md describes the map. Nothing is written. Throws ConfigurationError naming
+/// file, line and key of the map, RunError for the recording.
 ImportedRun importRecording(const std::string& mapFile, const std::string& recording);
 
 }  // namespace plumbline::gap

@@ -43,6 +43,7 @@ std::string metaText(const Run& run) {
   json["motion"] = run.motion;
   json["ground_truth"] = run.groundTruth;
   if (!run.repeatOf.empty()) json["repeat_of"] = run.repeatOf;
+  if (run.linearCommands) json["hold"] = "linear";
   if (run.heading) json["heading"] = *run.heading;
   if (!run.unsignedKinds.empty()) json["unsigned"] = run.unsignedKinds;
   for (const auto& [joint, servo] : run.servo) json["servo"][joint] = servoJson(servo);

@@ -12,6 +12,7 @@
 #include "gap/report/AnswerFile.h"
 #include "gap/run/RunCheck.h"
 #include "gap/run/RunFile.h"
+#include "main/gap/ChangesOption.h"
 #include "main/gap/Commands.h"
 #include "main/gap/RobotOption.h"
 
@@ -23,6 +24,7 @@ struct CheckOptions {
   std::string answer, robot, json;
   std::vector<std::string> runs;
   int jobs = 0;
+  ChangesOption changes;
 };
 
 /// The recordings that can be replayed; the others are said.
@@ -35,10 +37,11 @@ std::vector<Trial> trialsIn(const CheckOptions& options, Mechanism& robot) {
   robot = robotOf(options.robot, name);
   std::vector<Trial> trials;
   std::string refused;
+  const RunChanges changes = options.changes.changes();
   for (const std::string& folder : folders) {
     warnings.clear();
     try {
-      const Run run = readCheckedRun(folder, robot, warnings);
+      const Run run = readCheckedRun(folder, robot, warnings, changes);
       if (run.robot != name)
         throw RunError(folder + ": recorded on the robot '" + run.robot + "', the others on '" + name +
                        "'; check one robot at a time");
@@ -101,6 +104,7 @@ void addCheck(CLI::App& app) {
                       "[the robot that the runs name]");
   command->add_option("--json", options->json, "Write the figures here; - for standard output");
   command->add_option("--jobs", options->jobs, "Threads [as many as cores]")->check(CLI::Range(1, 256));
+  options->changes.addTo(*command);
   command->footer("Example:\n  bin/gap check answer.json other_runs --json check.json");
   command->callback([options] { check(*options); });
 }

@@ -19,6 +19,7 @@
 #include "gap/report/NextMotion.h"
 #include "gap/run/RunCheck.h"
 #include "gap/run/RunFile.h"
+#include "main/gap/ChangesOption.h"
 #include "main/gap/Commands.h"
 #include "main/gap/DiagnoseSets.h"
 #include "main/gap/ProgressLine.h"
@@ -35,6 +36,7 @@ struct DiagnoseOptions {
   std::string robot, json, timing, method = "blocks";
   int jobs = 0, maxCauses = 0;
   double seconds = 240;
+  ChangesOption changes;
   bool quiet = false;
 };
 
@@ -181,11 +183,12 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   input.robot = robot.name;
   std::vector<Trial> trials;
   std::string refused;
+  const RunChanges changes = options.changes.changes();
   for (const std::string& folder : folders) {
     RunNotes notes;
     notes.folder = folder;
     try {
-      const Run run = readCheckedRun(folder, robot, notes.warnings);
+      const Run run = readCheckedRun(folder, robot, notes.warnings, changes);
       if (run.robot != name) {
         throw RunError(folder + ": recorded on the robot '" + run.robot + "', the others on '" + name +
                        "'; diagnose one robot at a time");
@@ -273,6 +276,7 @@ void addDiagnose(CLI::App& app) {
                    "Of longer runs with a held base, windows that are together so long [s]; 0: all of them")
       ->check(CLI::Range(0., 1e5))
       ->capture_default_str();
+  options->changes.addTo(*command);
   addTiming(*command, options->timing);
   command->add_flag("--quiet", options->quiet, "No progress");
   command->footer(

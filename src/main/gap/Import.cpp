@@ -17,12 +17,17 @@ void addImport(CLI::App& app) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("import", "Turns a table of another recorder into a run");
-  command->add_option("recording", options->recording, "csv or csv.gz")->required();
+  command
+      ->add_option("recording", options->recording,
+                   "csv or csv.gz; JSON lines (.jsonl, .ndjson); a bag of ROS 2 (its folder, or .db3)")
+      ->required();
   command->add_option("--map", options->map, "YAML file: which column is which channel, units, signs")
       ->required();
   command->add_option("-o,--out", options->out, "Run folder to write")->required();
   command->add_flag("--force", options->force, "Replaces a recording that is there already");
-  command->footer("Example:\n  bin/gap import --map my_logger.yaml raw.csv -o runs/sweep");
+  command->footer(
+      "Examples:\n  bin/gap import --map my_logger.yaml raw.csv -o runs/sweep\n"
+      "  bin/gap import --map my_robot.yaml rosbag2_2026_03_01 -o runs/sweep");
   command->callback([options] {
     OutputFolder out(options->out, options->force);
     const ImportedRun imported = importRecording(options->map, options->recording);

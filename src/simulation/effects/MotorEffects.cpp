@@ -22,10 +22,13 @@ MotorEffects::MotorEffects(const std::vector<EffectSetting>& effects, double ste
         path.gain *= effect.value;
       else if (effect.effect == "acceleration_limit")
         path.acceleration = effect.value;
+      else if (effect.effect == "profile_speed")
+        path.fastest = std::min(path.fastest, effect.value);
       else if (effect.effect == "backlash")
         path.play += effect.value;
       else
-        path.used = path.delay != 0 || path.gain != 1 || path.acceleration != 0 || path.play != 0;
+        path.used = path.delay != 0 || path.gain != 1 || path.acceleration != 0 || path.play != 0 ||
+                    std::isfinite(path.fastest);
     }
   }
 }
@@ -44,6 +47,7 @@ double MotorEffects::velocity(JointId joint) {
   if (path.sent.size() > n + 2) path.sent.resize(n + 2);
   const auto at = [&](std::size_t i) { return i < path.sent.size() ? path.sent[i] : 0; };
   double speed = path.gain * ((1 - rest) * at(n) + rest * at(n + 1));
+  speed = std::clamp(speed, -path.fastest, path.fastest);
   if (path.acceleration > 0)
     speed = std::clamp(speed, path.speed - path.acceleration * step, path.speed + path.acceleration * step);
   path.speed = speed;

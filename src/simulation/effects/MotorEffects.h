@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <deque>
+#include <limits>
 #include <vector>
 
 #include "robot/RobotModel.h"
@@ -11,8 +12,8 @@ namespace plumbline::simulation {
 
 /// What happens to one robot's commanded speeds on their way to its joints, in this order: lost cycles
 /// (command_dropout), command_delay, servo_gain (a factor on the speed, as the agent's own control loop
-/// around a velocity motor makes it), acceleration_limit, backlash (the play is crossed before the link
-/// moves; within it the link stands still).
+/// around a velocity motor makes it), profile_speed, acceleration_limit, backlash (the play is crossed before
+/// the link moves; within it the link stands still).
 class MotorEffects {
 public:
   /// `stream`: of the random numbers, one per robot.
@@ -36,7 +37,8 @@ private:
   struct Path {
     bool used = false;
     double delay = 0, gain = 1, acceleration = 0, play = 0;
-    std::deque<double> sent;  ///< newest first
+    double fastest = std::numeric_limits<double>::infinity();  ///< [rad/s]
+    std::deque<double> sent;                                   ///< newest first
     double speed = 0, slack = 0;
   };
   bool lossy() const { return dropout > 0; }

@@ -17,7 +17,9 @@ ServoDrive::ServoDrive(const JointPlant& plant_, bool detailed_)
 void ServoDrive::start(double q) {
   wanted = profile = shown(q);
   stiffness = 1;
-  profileSpeed = heat = transmitted = onLink = motorTorque = speedBefore = 0;
+  profileSpeed = heat = speedBefore = 0;
+  supply = 1;
+  load = {};
 }
 
 double ServoDrive::shown(double angle) const {
@@ -29,10 +31,11 @@ double ServoDrive::measured(const Side& motor, const Side& link) const {
   return shown(plant.linkEncoder ? link.position : motor.position);
 }
 
-/// The servo's own profile: as fast as it can still brake, and no faster than the motor turns.
+/// The servo's own profile: as fast as it can still brake, no faster than it is set to or the motor turns.
 void ServoDrive::follow(double h) {
   if (plant.accelerationLimit <= 0) {
-    profile = wanted;
+    const double most = plant.profileSpeed * h;
+    profile = most > 0 ? profile + std::clamp(wanted - profile, -most, most) : wanted;
     return;
   }
   constexpr int slices = 4;
@@ -41,6 +44,7 @@ void ServoDrive::follow(double h) {
     const double way = wanted - profile;
     double fastest = std::sqrt(2 * plant.accelerationLimit * std::abs(way));
     if (plant.maxSpeed > 0) fastest = std::min(fastest, plant.maxSpeed);
+    if (plant.profileSpeed > 0) fastest = std::min(fastest, plant.profileSpeed);
     profileSpeed += std::clamp(std::copysign(fastest, way) - profileSpeed, -most, most);
     if (std::abs(way) < most * t && std::abs(profileSpeed) <= 2 * most) {
       profile = wanted;
@@ -60,7 +64,7 @@ void ServoDrive::begin(double h, const Side& motor, const Side& link) {
   const Servo& servo = plant.servo;
   double kp = servo.kp, kd = servo.kd;
   if (detailed && servo.model == Servo::Model::dcMotor) {
-    kp = servo.kt * servo.vin * plant.supplyFactor * servo.kpFirmware * servo.errorGain / servo.R;
+    kp = servo.kt * servo.vin * plant.supplyFactor * supply * servo.kpFirmware * servo.errorGain / servo.R;
     kd = servo.kt * servo.kt / servo.R + plant.extraDamping;
   }
   if (plant.deadBand > 0) {
@@ -84,16 +88,16 @@ void ServoDrive::begin(double h, const Side& motor, const Side& link) {
 }
 
 double ServoDrive::fullLimit() const {
-  return stiffness * plant.maxTorque *
-         (plant.torqueFactor * std::max(0.0, 1 - plant.deratingPerJoule * heat));
+  const double most =
+      stiffness * plant.maxTorque * (plant.torqueFactor * std::max(0.0, 1 - plant.deratingPerJoule * heat));
+  // A DC motor's law has the supply in it.
+  return plant.servo.model == Servo::Model::dcMotor ? most : most * supply;
 }
 
 /// Most torque in the direction of sign at this speed: it fades over the last tenth below the top speed.
 double ServoDrive::limit(double sign, double speed) const {
-  const double fade =
-      plant.maxSpeed > 0
-          ? std::clamp((plant.maxSpeed - sign * speed) / (fadeShare * plant.maxSpeed), 0.0, 1.0)
-          : 1.0;
+  const double top = topSpeed();
+  const double fade = top > 0 ? std::clamp((top - sign * speed) / (fadeShare * top), 0.0, 1.0) : 1.0;
   return fullLimit() * fade;
 }
 
@@ -108,7 +112,8 @@ bool ServoDrive::limitAt(double speedAfter) {
       regime = Regime::fullDuty;
       sense = torqueNow < 0 ? -1 : 1;
       if (detailed) sense = duty < 0 ? -1 : 1;
-      law0 = sense * stiffness * servo.kt * (servo.vin * plant.supplyFactor) * servo.maxPwm / servo.R;
+      law0 =
+          sense * stiffness * servo.kt * (servo.vin * plant.supplyFactor * supply) * servo.maxPwm / servo.R;
       law1 = stiffness * (servo.kt * servo.kt / servo.R + plant.extraDamping);
       return true;
     }
@@ -125,11 +130,11 @@ bool ServoDrive::limitAt(double speedAfter) {
     return true;
   }
   // Only what is detailed comes here: full torque, then on the fading line, then none.
-  const double ahead = sense * speedAfter / std::max(1e-9, plant.maxSpeed);
-  if (regime == Regime::limited && plant.maxSpeed > 0 && ahead > 1 - fadeShare) {
+  const double ahead = sense * speedAfter / std::max(1e-9, topSpeed());
+  if (regime == Regime::limited && topSpeed() > 0 && ahead > 1 - fadeShare) {
     regime = Regime::faded;
-    law1 = fullLimit() / (fadeShare * plant.maxSpeed);
-    law0 = sense * law1 * plant.maxSpeed;
+    law1 = fullLimit() / (fadeShare * topSpeed());
+    law0 = sense * law1 * topSpeed();
     return true;
   }
   if (regime == Regime::faded && ahead > 1) {
@@ -141,23 +146,13 @@ bool ServoDrive::limitAt(double speedAfter) {
 }
 
 void ServoDrive::end(double speedAfter, double friction) {
-  motorTorque = torque(speedAfter);
-  const double work = plant.heatIsWork ? std::abs(motorTorque * speedAfter) : motorTorque * motorTorque;
+  load.motor = torque(speedAfter);
+  const double work = plant.heatIsWork ? std::abs(load.motor * speedAfter) : load.motor * load.motor;
   heat += work * step;
-  transmitted = motorTorque - plant.servo.armature * (speedAfter - speedBefore) / step;
-  onLink = transmitted + friction;
+  load.gear = load.motor - plant.servo.armature * (speedAfter - speedBefore) / step;
+  load.link = load.gear + friction;
 }
 
-double ServoDrive::dryLimit() const {
-  double most = plant.coulomb;
-  if (plant.stribeck > 0) {
-    const double v = speedBefore / plant.stribeckSpeed;
-    most += plant.stribeck * std::exp(-v * v);
-  }
-  double load = std::abs(transmitted);
-  if (plant.loadIs == JointPlant::Load::linkTorque) load = std::abs(onLink);
-  if (plant.loadIs == JointPlant::Load::motorTorque) load = std::abs(motorTorque);
-  return most + plant.loadFriction * load;
-}
+DryFriction ServoDrive::dryLimit() const { return dryFriction(plant, speedBefore, load); }
 
 }  // namespace plumbline::simulation

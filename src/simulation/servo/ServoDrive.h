@@ -1,5 +1,5 @@
 #pragma once
-#include "robot/JointPlant.h"
+#include "robot/DryFriction.h"
 
 namespace plumbline::simulation {
 
@@ -33,8 +33,10 @@ public:
   double torque(double speedAfter) const { return law0 - law1 * speedAfter; }
   double speedAtBegin() const { return speedBefore; }  ///< of the motor
   double rotor() const { return plant.servo.armature; }
-  /// Most that dry friction holds in this step [N m]; 0: none.
-  double dryLimit() const;
+  /// Most that dry friction holds in this step.
+  DryFriction dryLimit() const;
+  /// Share of the supply that is left in the next steps (SupplyRail).
+  void setSupply(double share) { supply = share; }
   const JointPlant& drive() const { return plant; }
   /// What the encoder shows of the joint.
   double measured(const Side& motor, const Side& link) const;
@@ -46,13 +48,15 @@ private:
   void follow(double h);
   double limit(double sign, double speed) const;
   double fullLimit() const;
+  double topSpeed() const { return plant.maxSpeed * supply; }
 
   JointPlant plant;
   bool detailed;
-  double wanted = 0, stiffness = 1;
+  double wanted = 0, stiffness = 1, supply = 1;
   double profile = 0, profileSpeed = 0;
   double law0 = 0, law1 = 0, error = 0, sense = 1;  ///< of the step
-  double speedBefore = 0, step = 0, heat = 0, transmitted = 0, onLink = 0, motorTorque = 0;
+  double speedBefore = 0, step = 0, heat = 0;
+  GearLoad load;
   bool behindGear = false;  ///< the encoder and the motor are on two sides of a gear that gives way
   Regime regime = Regime::linear;
 };

@@ -57,7 +57,8 @@ ServoWorld::ServoWorld(const Mechanism& mechanism, const RobotSimulationOptions&
     : mechanism_(mechanism),
       config(config_),
       stepsPerCycle(stepsIn(mechanism.controlHz, config_.stepSeconds)),
-      h(1 / mechanism.controlHz / stepsPerCycle) {
+      h(1 / mechanism.controlHz / stepsPerCycle),
+      supply(config_.drives) {
   const bool detailed = !config.drives.empty();
   if (detailed && config.drives.size() != mechanism_.joints.size())
     throw std::invalid_argument("servo world: " + std::to_string(config.drives.size()) + " drives for " +
@@ -104,6 +105,7 @@ void ServoWorld::restart(const Pose3& T_world_base, const std::vector<double>& q
     drives[i].start(start[i]);
     if (motors[i] >= mechanism_.numJoints()) start.push_back(start[i]);
   }
+  supply.restart();
   body->place(T_world_base, start);
   loads.assign(q.size(), 0);
   for (Point& point : points) point.force.setZero();
@@ -221,11 +223,14 @@ void ServoWorld::addGearRow(int joint) {
 
 /// Both at the motor.
 void ServoWorld::addFrictionRows(int joint) {
-  const double viscous = drives[at(joint)].drive().viscous, dry = drives[at(joint)].dryLimit();
+  const double viscous = drives[at(joint)].drive().viscous;
+  const DryFriction dry = drives[at(joint)].dryLimit();
   if (viscous > 0)
     addRow({Row::Kind::viscous, joint, 0, 1 / (h * viscous), -infinity, infinity},
            body->addJointRow(motor(joint)));
-  if (dry > 0) addRow({Row::Kind::dry, joint, 0, 1e-9, -h * dry, h * dry}, body->addJointRow(motor(joint)));
+  if (dry.forward > 0 || dry.backward > 0)
+    addRow({Row::Kind::dry, joint, 0, 1e-9, -h * dry.forward, h * dry.backward},
+           body->addJointRow(motor(joint)));
 }
 
 void ServoWorld::addStopRow(int joint) {
@@ -324,6 +329,7 @@ bool ServoWorld::limitFriction() {
 
 void ServoWorld::takeForces() {
   frictions.assign(drives.size(), 0);
+  double torques = 0;
   for (std::size_t r = 0; r < rows.size(); ++r)
     if (rows[r].kind == Row::Kind::dry)
       frictions[at(rows[r].index)] = impulses[static_cast<Eigen::Index>(r)] / h;
@@ -336,8 +342,12 @@ void ServoWorld::takeForces() {
       const double velocity = row.wanted - row.compliance * impulses[i];
       drives[at(row.index)].end(velocity, frictions[at(row.index)]);
       torqueSum[at(row.index)] += drives[at(row.index)].torque(velocity);
+      torques += std::abs(drives[at(row.index)].torque(velocity));
     }
   }
+  if (!supply.sags()) return;
+  supply.take(torques, h);
+  for (ServoDrive& drive : drives) drive.setSupply(supply.left(drive.drive()));
 }
 
 ServoDrive::Side ServoWorld::motorSide(int joint) const {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "robot/Mechanism.h"
+#include "robot/SupplyRail.h"
 #include "simulation/physics/tree/BoundedSystem.h"
 #include "simulation/servo/RobotSimulation.h"
 #include "simulation/servo/ServoBody.h"
@@ -78,6 +79,7 @@ private:
   double h;  ///< of a step [s]
   std::unique_ptr<ServoBody> body;
   std::vector<ServoDrive> drives;
+  SupplyRail supply;
   std::vector<double> loads, frictions;  ///< extra torques on links; of dry friction, last step [N m]
   std::vector<Point> points;
   std::vector<Row> rows;

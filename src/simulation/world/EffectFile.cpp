@@ -1,10 +1,13 @@
 #include "simulation/world/EffectFile.h"
 
 #include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "framework/ConfigFile.h"
 #include "framework/ConfigurationError.h"
+#include "framework/Json.h"
 
 namespace plumbline::simulation {
 
@@ -25,10 +28,63 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
+constexpr std::size_t mostEffects = 1000;
+
+/// The effects of an answer of bin/gap diagnose.
+std::vector<EffectSetting> effectsOfAnswer(const std::string& text, const std::string& path) {
+  using nlohmann::json;
+  const auto fail = [&](const std::string& what) -> void { throw ConfigurationError(path + ": " + what); };
+  json answer;
+  try {
+    answer = parseJson(text, path);
+  } catch (const JsonError& error) {
+    throw ConfigurationError(error.what());
+  }
+  const auto textOf = [](const json& of, const char* key) {
+    const auto found = of.find(key);
+    return found != of.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  const std::string verdict = textOf(answer, "verdict");
+  if (verdict == "unknown")
+    fail("the verdict is unknown, its effects are not the cause; bin/gap apply --anyway writes the nearest");
+  if (verdict != "effect" && verdict != "none")
+    fail("is no answer of bin/gap diagnose: its verdict is neither none, effect nor unknown");
+  std::vector<EffectSetting> effects;
+  if (verdict == "none") return effects;
+  if (!answer.contains("effects") || !answer["effects"].is_array()) fail("has no list of effects");
+  for (const json& entry : answer["effects"]) {
+    EffectSetting effect;
+    effect.origin = path + ": effects[" + std::to_string(effects.size()) + "]";
+    if (!entry.is_object() || textOf(entry, "effect").empty() || textOf(entry, "at").empty() ||
+        !entry.contains("value") || !entry["value"].is_number())
+      effect.fail("effect", "needs effect, at and value");
+    effect.effect = textOf(entry, "effect");
+    effect.at = textOf(entry, "at");
+    effect.axis = textOf(entry, "axis");
+    effect.value = entry["value"].get<double>();
+    effect.variant = textOf(entry, "variant");
+    effects.push_back(std::move(effect));
+    if (effects.size() > mostEffects) fail("has more than 1000 effects");
+  }
+  return effects;
+}
+
+/// The file's text where it is JSON; nothing for one of YAML, and for one that cannot be read, whose reader
+/// says so.
+std::optional<std::string> jsonIn(const std::string& path) {
+  constexpr std::size_t most = std::size_t{64} << 20;
+  std::ifstream file(path, std::ios::binary);
+  char first = 0;
+  if (!file || !(file >> first) || first != '{') return std::nullopt;
+  std::string text(1, first);
+  for (char c; text.size() <= most && file.get(c);) text += c;
+  return text;
+}
+
 }  // namespace
 
 std::vector<EffectSetting> readEffects(const std::string& path) {
-  constexpr std::size_t most = 1000;
+  if (const auto text = jsonIn(path)) return effectsOfAnswer(*text, path);
   const ConfigFile file(path);
   std::vector<EffectSetting> effects;
   for (const ConfigSection& entry : file.root().list("effects")) {
@@ -42,7 +98,7 @@ std::vector<EffectSetting> readEffects(const std::string& path) {
     effect.variant = entry.find<std::string>("variant").value_or("");
     effect.source = entry;
     effects.push_back(std::move(effect));
-    if (effects.size() > most) entry.fail("effect", "is one of more than 1000 effects");
+    if (effects.size() > mostEffects) entry.fail("effect", "is one of more than 1000 effects");
   }
   file.checkUnknown();
   return effects;

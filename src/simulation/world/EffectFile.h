@@ -22,8 +22,8 @@ struct EffectSetting {
   [[noreturn]] void fail(std::string_view key, const std::string& message) const;
 };
 
-/// Reads a file of effects, in order. Only its form is checked here: what ids and places there are depends on
-/// the robot. Throws ConfigurationError.
+/// Reads a file of effects, or an answer of bin/gap diagnose (JSON), in order. Only its form is checked here:
+/// what ids and places there are depends on the robot. Throws ConfigurationError.
 std::vector<EffectSetting> readEffects(const std::string& path);
 
 /// The file that reads as these settings (`source` aside), with a comment on top, each line of it after a #.

@@ -15,8 +15,15 @@ constexpr std::size_t mostKept = 4096;
 constexpr int mostFalls = 1000;
 
 int typeOf(const TaskOptions& options) {
-  options.check({"type", "direction", "weight", "motion"});
+  options.check({"type", "direction", "weight", "motion", "effects"});
   return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
+}
+
+simulation::WorldConfig worldOf(const TaskOptions& options) {
+  simulation::WorldConfig world;
+  if (const std::string file = options.word("effects", ""); !file.empty())
+    world.effects = simulation::readEffects(file);
+  return world;
 }
 
 }  // namespace
@@ -24,7 +31,7 @@ int typeOf(const TaskOptions& options) {
 StandUpTask::StandUpTask(const TaskOptions& options)
     : direction_(options.word("direction", "front", {"front", "back"}) == "front" ? 1 : -1),
       weight_(options.number("weight", 0.08, 0, 100)),
-      trial_(typeOf(options)) {
+      trial_(typeOf(options), worldOf(options)) {
   try {
     first_ = trial_.motion(options.word("motion", direction_ > 0 ? "standUpFront" : "standUpBack"));
   } catch (const std::out_of_range& error) {
@@ -77,9 +84,11 @@ std::string StandUpTask::file(const Eigen::VectorXd& parameters, const std::stri
   return motionFile(parameters_->shortened(parameters, motion::MotionTrial::dt), trial_.model, heading);
 }
 
-MAKE_TASK(standUp, {"standUp", "standing up from front or back: type, direction, weight, motion",
-                    [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
-                      return std::make_unique<StandUpTask>(options);
-                    }});
+MAKE_TASK(standUp,
+          {"standUp",
+           "standing up from front or back: type, direction, weight, motion, effects (a file of them)",
+           [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
+             return std::make_unique<StandUpTask>(options);
+           }});
 
 }  // namespace plumbline::training

@@ -11,15 +11,17 @@
 namespace plumbline::gap {
 namespace {
 
-TEST(EffectsTest, theContractsLibrary) {
+TEST(EffectsTest, theContractsLibraryAndWhatTheFieldHasBesideIt) {
   const std::vector<std::string_view> expected{
-      "command_delay", "command_dropout",  "servo_gain",         "servo_damping",     "torque_limit",
-      "speed_limit",   "coulomb_friction", "viscous_friction",   "stribeck_friction", "load_friction",
-      "backlash",      "joint_compliance", "acceleration_limit", "dead_band",         "supply_voltage",
-      "bias_force",    "thermal_derating", "rotor_inertia",      "joint_offset",      "encoder_nonlinearity",
-      "link_mass",     "com_offset",       "link_length",        "imu_misalignment",  "gyro_bias",
-      "imu_delay",     "fsr_gain",         "ground_friction",    "ground_slope",      "ground_compliance",
-      "external_force"};
+      "command_delay", "command_dropout", "servo_gain", "servo_damping", "torque_limit", "speed_limit",
+      "coulomb_friction", "viscous_friction", "stribeck_friction", "load_friction", "backlash",
+      "joint_compliance", "acceleration_limit", "dead_band", "supply_voltage", "bias_force",
+      "thermal_derating", "rotor_inertia", "joint_offset", "encoder_nonlinearity", "link_mass", "com_offset",
+      "link_length", "imu_misalignment", "gyro_bias", "imu_delay", "fsr_gain", "ground_friction",
+      "ground_slope", "ground_compliance", "external_force",
+      // What the contract does not list comes behind it.
+      "asymmetric_friction", "load_stribeck_friction", "link_load_friction", "quadratic_load_friction",
+      "profile_speed", "supply_sag", "payload"};
   std::vector<std::string_view> ids;
   for (const Effect* effect : effects()) ids.push_back(effect->id);
   EXPECT_EQ(ids, expected);

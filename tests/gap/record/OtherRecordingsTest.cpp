@@ -113,7 +113,13 @@ TEST(EngineRecording, EveryEffectShowsAsInTheOwnDynamics) {
                            Size{"joint_offset", "shoulder", 0.05},
                            Size{"encoder_nonlinearity", "elbow", 0.1},
                            Size{"link_mass", "lower", 0.3},
-                           Size{"link_length", "upper", 1.2}}) {
+                           Size{"link_length", "upper", 1.2},
+                           Size{"asymmetric_friction", "elbow", 0.3},
+                           Size{"load_stribeck_friction", "shoulder", 0.5},
+                           Size{"link_load_friction", "shoulder", 0.3},
+                           Size{"quadratic_load_friction", "shoulder", 0.6},
+                           Size{"profile_speed", "elbow", 1},
+                           Size{"payload", "lower", 0.1}}) {
     const Effect* effect = findEffect(size.effect);
     for (int variant = 0; variant < effect->numVariants(); ++variant) {
       Cause c = causeOfArm(size.effect, size.at, size.value);
@@ -131,6 +137,19 @@ TEST(EngineRecording, EveryEffectShowsAsInTheOwnDynamics) {
       EXPECT_LT(apart, 0.05 * change + 6e-4) << describe(c) << " " << variant;
     }
   }
+}
+
+TEST(EngineRecording, ASupplySagsUnderTheLoadOfAllMotors) {
+  // Where torque limits matter; the model's whole torque is seldom drawn.
+  const Explanation weak = {causeOfArm("torque_limit", "*", 0.2)};
+  Explanation sagging = weak;
+  sagging.push_back(causeOfArm("supply_sag", "*", 3));
+  const auto [own, bullet] = swings(sagging);
+  const gap::Run stiff = swings(weak).bullet;
+  const std::string channel = channelName(ChannelKind::position, "shoulder");
+  const double change = rms(*stiff.find(channel), *bullet.find(channel));
+  EXPECT_GT(change, 1.5e-3);
+  EXPECT_LT(rms(*own.find(channel), *bullet.find(channel)), 0.05 * change + 6e-4);
 }
 
 TEST(EngineRecording, TwoForcesAtOnceAreOneTooMany) {

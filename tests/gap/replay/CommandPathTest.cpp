@@ -73,5 +73,38 @@ TEST_F(CommandPathTest, anAccelerationLimitTakesItsTime) {
   EXPECT_NEAR(end, 1, 1e-6);
 }
 
+TEST_F(CommandPathTest, straightLinesGoFromCommandToCommand) {
+  trial.linearCommands = true;
+  for (std::size_t k = 0; k < 10; ++k) trial.command[0][k] = k < 5 ? 0 : 0.1 * static_cast<double>(k - 4);
+  CommandPath path(plant, trial, 0, nullptr);
+  EXPECT_DOUBLE_EQ(path.over(0, 0.02), 0);
+  EXPECT_NEAR(path.over(0.02, 0.05), 0.1 / 2 / 3, 1e-12) << "0 until 0.04 s, then up to 0.1";
+  EXPECT_NEAR(path.over(0.05, 0.07), 0.2, 1e-12);
+  EXPECT_NEAR(path.over(0.07, 0.075), 0.325, 1e-12);
+  EXPECT_NEAR(path.over(0.075, 0.09), 0.425, 1e-12);
+  EXPECT_NEAR(path.over(0.09, 0.2), 0.5, 1e-12) << "the last one holds";
+}
+
+TEST_F(CommandPathTest, aLineGoesOverALostCommandToTheNext) {
+  trial.linearCommands = true;
+  for (std::size_t k = 0; k < 10; ++k) trial.command[0][k] = k == 1 ? 5 : 0.1 * static_cast<double>(k);
+  std::vector<std::uint8_t> lost(10, 0);
+  lost[1] = 1;
+  CommandPath path(plant, trial, 0, &lost);
+  EXPECT_NEAR(path.over(0, 0.02), 0.1, 1e-12);
+}
+
+TEST_F(CommandPathTest, speedsAndTorquesSentBesideAreThoseOfTheLastCycle) {
+  trial.commandSpeed.resize(2);
+  trial.commandTorque = {std::vector<double>(10, 0.0), {}};
+  for (std::size_t k = 5; k < 10; ++k) trial.commandTorque[0][k] = 0.7;
+  CommandPath path(plant, trial, 0, nullptr);
+  path.over(0, 0.045);
+  EXPECT_EQ(path.torqueSent(), 0);
+  path.over(0.045, 0.055);
+  EXPECT_EQ(path.torqueSent(), 0.7);
+  EXPECT_EQ(path.speedSent(), 0);
+}
+
 }  // namespace
 }  // namespace plumbline::gap

@@ -48,6 +48,45 @@ RobotReadings standing(const std::vector<EffectSetting>& list,
   return robot.sense();
 }
 
+/// What reading an answer of that text says; empty: nothing.
+std::string answerRefusal(const std::string& text, std::vector<EffectSetting>* read = nullptr) {
+  const std::string path = (std::filesystem::path(testing::TempDir()) / "effects_answer.json").string();
+  std::ofstream(path) << text;
+  try {
+    const std::vector<EffectSetting> list = readEffects(path);
+    if (read) *read = list;
+  } catch (const ConfigurationError& error) {
+    const std::string what = error.what();
+    return what.substr(what.find("effects_answer.json"));
+  }
+  return "";
+}
+
+TEST(EffectFile, anAnswersEffectsAreReadAsTheyStand) {
+  std::vector<EffectSetting> list;
+  EXPECT_EQ(answerRefusal(R"({"verdict": "effect", "gap": {"closed": 0.9}, "effects": [
+    {"effect": "backlash", "at": "LKneePitch", "axis": null, "value": 0.03, "probability": 0.9, "variant": "v"},
+    {"effect": "com_offset", "at": "torso", "axis": "z", "value": 0.01}]})",
+                          &list),
+            "");
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[0].effect, "backlash");
+  EXPECT_EQ(list[0].axis, "");
+  EXPECT_EQ(list[0].variant, "v");
+  EXPECT_EQ(list[1].axis, "z");
+  EXPECT_EQ(list[1].value, 0.01);
+  EXPECT_EQ(answerRefusal(R"({"verdict": "none", "effects": []})", &list), "");
+  EXPECT_TRUE(list.empty());
+  EXPECT_EQ(answerRefusal(R"({"verdict": "unknown", "effects": []})"),
+            "effects_answer.json: the verdict is unknown, its effects are not the cause; bin/gap apply --anyway "
+            "writes the nearest");
+  EXPECT_EQ(answerRefusal("{\"a\": 1}"),
+            "effects_answer.json: is no answer of bin/gap diagnose: its verdict is neither none, effect nor "
+            "unknown");
+  EXPECT_EQ(answerRefusal(R"({"verdict": "effect", "effects": [{"effect": "backlash", "at": "LKneePitch"}]})"),
+            "effects_answer.json: effects[0]: effect needs effect, at and value");
+}
+
 TEST(EffectTable, RefusesInOneLine) {
   EXPECT_TRUE(
       refusal("{effect: thermal_derating, at: LKneePitch, value: 0.1}")
@@ -103,6 +142,17 @@ TEST(EffectsWorld, AHeavyTorsoWeighsMore) {
   const double plain = weight(standing({}));
   const double heavy = weight(standing(effects("  - {effect: link_mass, at: torso, value: 1}\n")));
   EXPECT_NEAR(heavy - plain, 9.81, 2);
+}
+
+TEST(MotorEffects, aProfileKeepsItsSpeed) {
+  MotorEffects motors(effects("  - {effect: profile_speed, at: LKneePitch, value: 1.5}\n"), 0.02, 1);
+  EXPECT_TRUE(motors.touches(lKneePitch));
+  EXPECT_FALSE(motors.touches(rKneePitch));
+  for (const auto& [told, done] : {std::pair{4.0, 1.5}, {-4.0, -1.5}, {0.7, 0.7}}) {
+    motors.command(lKneePitch, told);
+    motors.beginCycle();
+    EXPECT_EQ(motors.velocity(lKneePitch), done);
+  }
 }
 
 TEST(MotorEffects, DelayCountsPartsOfACycle) {

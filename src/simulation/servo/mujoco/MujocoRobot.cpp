@@ -26,14 +26,10 @@ int stepsIn(double hz, double step) {
   return std::max(1, static_cast<int>(std::ceil(1 / hz / step - 1e-9)));
 }
 
-bool rubs(const JointPlant& drive) {
-  return drive.coulomb > 0 || drive.stribeck > 0 || drive.loadFriction > 0;
-}
-
 }  // namespace
 
 MujocoRobot::MujocoRobot(const Mechanism& mechanism, const RobotSimulationOptions& options_)
-    : robot(mechanism), options(options_) {
+    : robot(mechanism), options(options_), supply(options_.drives) {
   const std::size_t count = robot.joints.size();
   const bool detailed = !options.drives.empty();
   if (detailed && options.drives.size() != count)
@@ -48,7 +44,7 @@ MujocoRobot::MujocoRobot(const Mechanism& mechanism, const RobotSimulationOption
     model.geared.push_back(plant.geared());
     model.armature.push_back(std::max(leastRotor, plant.servo.armature));
     model.damping.push_back(0);
-    model.rubs.push_back(rubs(plant));
+    model.rubs.push_back(plant.rubs());
   }
   stepsPerCycle =
       stepsIn(robot.controlHz, std::min(options.stepSeconds, anyGear ? longestGearedStep : longestStep));
@@ -91,6 +87,7 @@ void MujocoRobot::restart(const Pose3& T_world_base, const std::vector<double>& 
     std::copy(pose, pose + 7, d->qpos);
   }
   std::vector<double> start = q;
+  supply.restart();
   for (std::size_t j = 0; j < q.size(); ++j) {
     if (const Mechanism::Joint& joint = robot.joints[j]; joint.driver >= 0)
       start[j] = joint.driven(start[at(joint.driver)]);
@@ -200,7 +197,11 @@ void MujocoRobot::drive(std::size_t joint) {
     d->qfrc_applied[a.rotorVelocity] -= torque;
     d->qfrc_applied[a.velocity] += torque;
   }
-  if (rubs(servo.drive())) m->dof_frictionloss[a.rotorVelocity] = std::max(noFriction, servo.dryLimit());
+  if (!servo.drive().rubs()) return;
+  // The engine knows one limit for both ways: what differs is a torque that pushes towards the easier one.
+  const DryFriction dry = servo.dryLimit();
+  m->dof_frictionloss[a.rotorVelocity] = std::max(noFriction, (dry.forward + dry.backward) / 2);
+  d->qfrc_applied[a.rotorVelocity] += (dry.backward - dry.forward) / 2;
 }
 
 void MujocoRobot::pressGround() {
@@ -239,11 +240,21 @@ void MujocoRobot::substep() {
   if ((m->nv > 0 && !std::isfinite(d->qacc[0])) || d->warning[mjWARN_BADQACC].number > 0)
     throw std::runtime_error("mujoco: the simulation of " + robot.name +
                              " broke down; give it shorter steps");
+  double torques = 0;
   for (std::size_t j = 0; j < drives.size(); ++j) {
     const double speed = motorSide(j).speed;
-    drives[j].end(speed, rubs(drives[j].drive()) ? dryFriction(world->joint(j).rotorVelocity) : 0);
+    double friction = 0;
+    if (drives[j].drive().rubs()) {
+      const DryFriction dry = drives[j].dryLimit();
+      friction = dryFriction(world->joint(j).rotorVelocity) + (dry.backward - dry.forward) / 2;
+    }
+    drives[j].end(speed, friction);
     torqueSum[j] += drives[j].torque(speed);
+    torques += std::abs(drives[j].torque(speed));
   }
+  if (!supply.sags()) return;
+  supply.take(torques, h);
+  for (ServoDrive& servo : drives) servo.setSupply(supply.left(servo.drive()));
 }
 
 void MujocoRobot::step() {

@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "robot/SupplyRail.h"
 #include "simulation/servo/RobotSimulation.h"
 #include "simulation/servo/ServoDrive.h"
 #include "simulation/servo/mujoco/MujocoWorld.h"
@@ -51,6 +52,7 @@ private:
   int stepsPerCycle = 1;
   double h = 0;  ///< of a step [s]
   std::vector<ServoDrive> drives;
+  SupplyRail supply;
   std::vector<double> loads, stiffGear;  ///< [N m]; of a gear's flanks as the step bears them [N m/rad]
   std::unique_ptr<World> world;
   std::unique_ptr<SoftGround> ground;  ///< null: the engine's own contacts

@@ -1,0 +1,30 @@
+#include "gap/effects/Effect.h"
+
+namespace plumbline::gap {
+
+/// Dry friction in proportion to the torque on the link's side of the gear, beside that of the motor's side
+/// (load_friction): with both, driving and being driven back differ, as in model M5 of BAM (Duclusaud et al.
+/// 2024).
+const Effect linkLoadFriction{
+    .id = "link_load_friction",
+    .order = 420,
+    .unit = "1",
+    .sites = {Site::joint},
+    .lower = 0,
+    .upper = 0.9,
+    .starts = {0.1, 0.35},
+    .sticks = true,
+    .ofServo = true,
+    .sentence = "Friction of {at} grows with what its link carries, whatever the motor gives.",
+    .exposedBy = "slow reversals under load, being moved by the load",
+    .apply =
+        [](Plant& plant, const Place& place, double value, int) {
+          atJoints(plant, place, [value](JointPlant& joint) { joint.linkLoadFriction += value; });
+        },
+    .inWalk = true,
+    .screening = {.underLoad = Screening::UnderLoad::weakMotor},
+    .drawing = {.where = Drawing::Where::joint, .low = 0.15, .high = 0.4},
+};
+MAKE_EFFECT(linkLoadFriction);
+
+}  // namespace plumbline::gap

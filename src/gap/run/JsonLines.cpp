@@ -1,0 +1,127 @@
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "framework/Json.h"
+#include "framework/StopSignal.h"
+#include "gap/run/OtherTables.h"
+#include "gap/run/Run.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double lost = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t longestText = 30, longestName = 200;
+
+/// The names that an object gives to its lists' elements; null: none.
+const json* namesIn(const json& object) {
+  for (const char* key : {"name", "names", "joint_names", "joints"}) {
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_array() || found->empty()) continue;
+    if (std::ranges::all_of(*found, [](const json& name) { return name.is_string(); })) return &*found;
+  }
+  return nullptr;
+}
+
+class Reader {
+public:
+  explicit Reader(const std::string& path_) : path(path_) {}
+
+  Table read() {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw RunError(path + ": cannot be read");
+    std::string text;
+    while (std::getline(file, text)) {
+      ++line;
+      StopSignal::throwIfCaught();
+      if (text.size() > maxLineLength) fail("the line is longer than 131072 characters");
+      if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+      addLine(text);
+    }
+    if (rows < 2)
+      throw RunError(path + ": has " + std::to_string(rows) + " lines of data; a run needs two at least");
+    for (std::vector<double>& column : table.columns) column.resize(rows, lost);
+    return std::move(table);
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw RunError(path + ":" + std::to_string(line) + ": " + what);
+  }
+
+  void addLine(const std::string& text) {
+    json object;
+    try {
+      object = parseJson(text);
+    } catch (const JsonError& error) {
+      fail(error.what());
+    }
+    if (!object.is_object()) fail("is no object; each line is one: {\"t\": 0.01, ...}");
+    ++rows;
+    addObject("", object);
+    if (rows * table.names.size() > maxCells)
+      fail("more than " + std::to_string(maxCells) + " cells; cut the run into shorter ones");
+  }
+
+  void addObject(const std::string& head, const json& object) {
+    const json* names = namesIn(object);
+    for (const auto& [key, value] : object.items()) {
+      if (&value == names) continue;
+      const std::string name = head + key;
+      if (value.is_array() && names && value.size() == names->size())
+        for (std::size_t i = 0; i < value.size(); ++i)
+          add(name + "." + (*names)[i].get<std::string>(), value[i]);
+      else
+        add(name, value);
+    }
+  }
+
+  void add(const std::string& name, const json& value) {
+    if (value.is_object()) return addObject(name + ".", value);
+    if (value.is_array()) {
+      for (std::size_t i = 0; i < value.size(); ++i) add(name + "." + std::to_string(i), value[i]);
+      return;
+    }
+    std::vector<double>& column = columnOf(name);
+    if (column.size() >= rows) fail("column " + name + " occurs twice");
+    column.resize(rows - 1, lost);
+    const bool number = value.is_number() && std::isfinite(value.get<double>());
+    column.push_back(number ? value.get<double>() : value.is_boolean() ? value.get<bool>() : lost);
+    if (value.is_string()) table.bad.try_emplace(name, Table::BadCell{line, shown(value.get<std::string>())});
+  }
+
+  std::vector<double>& columnOf(const std::string& name) {
+    const auto [at, fresh] = index.try_emplace(name, table.names.size());
+    if (fresh) {
+      if (name.size() > longestName || shown(name.substr(0, longestText)) != name.substr(0, longestText))
+        fail("\"" + shown(name) + "\" cannot be a column's name");
+      if (table.names.size() >= maxColumns) fail("more than " + std::to_string(maxColumns) + " columns");
+      table.names.push_back(name);
+      table.columns.emplace_back();
+    }
+    return table.columns[at->second];
+  }
+
+  static std::string shown(std::string text) {
+    text = text.substr(0, longestText);
+    for (char& c : text)
+      if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
+    return text;
+  }
+
+  const std::string path;
+  Table table;
+  std::map<std::string, std::size_t> index;
+  std::size_t line = 0, rows = 0;
+};
+
+}  // namespace
+
+Table readJsonLines(const std::string& path) { return Reader(path).read(); }
+
+}  // namespace plumbline::gap

@@ -1,0 +1,31 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "gap/run/RunChanges.h"
+
+namespace plumbline::gap {
+
+/// The options --map and --hold of commands that read runs.
+struct ChangesOption {
+  std::vector<std::string> map;
+  std::string hold;
+
+  void addTo(CLI::App& command) {
+    command.add_option("--map", map, "RECORDING=ROBOT: the robot's name of a joint that runs call otherwise");
+    command
+        .add_option("--hold", hold,
+                    "Commands between two cycles: zero, each holds until the next; linear, they go straight "
+                    "from one to the next [what the runs say, else zero]")
+        ->check(CLI::IsMember({"zero", "linear"}));
+  }
+  /// Throws ConfigurationError.
+  RunChanges changes() const {
+    RunChanges changes{jointNames(map), {}};
+    if (!hold.empty()) changes.linearCommands = hold == "linear";
+    return changes;
+  }
+};
+
+}  // namespace plumbline::gap

@@ -1,0 +1,29 @@
+#pragma once
+#include "robot/JointPlant.h"
+
+namespace plumbline {
+
+/// Torques at a gear [N m], positive as the joint turns.
+struct GearLoad {
+  double motor = 0;  ///< of the motor
+  double gear = 0;   ///< of the motor less what turns its rotor
+  double link = 0;   ///< what reaches the link behind the friction
+
+  /// What a drive's loadIs takes for the load.
+  double of(JointPlant::Load load) const {
+    return load == JointPlant::Load::linkTorque ? link : load == JointPlant::Load::motorTorque ? motor : gear;
+  }
+};
+
+/// Most torque that dry friction holds against positive (forward) and negative motion [N m].
+struct DryFriction {
+  double forward = 0, backward = 0;
+};
+
+/// Of a drive whose motor turns at that speed [rad/s]. The models are M1 to M6 of Duclusaud, Passault, Padois
+/// and Daney, "Extended friction models for the physics simulation of servo actuators" (2024): Coulomb,
+/// Stribeck, load-dependent, both, apart for motor and load, and with the square of the load; beside them
+/// Coulomb friction that differs by direction.
+DryFriction dryFriction(const JointPlant& plant, double speed, const GearLoad& load);
+
+}  // namespace plumbline

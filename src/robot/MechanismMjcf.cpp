@@ -1,0 +1,277 @@
+#include <map>
+#include <set>
+
+#include "robot/MjcfSolids.h"
+
+namespace plumbline {
+namespace {
+
+using tinyxml2::XMLElement;
+using Joint = Mechanism::Joint;
+
+constexpr double noSpeedLimit = 100;   // [rad/s]: the format has none
+constexpr double noTorqueLimit = 1e4;  // [N m]
+constexpr int deepest = 64;            // bodies and classes within each other
+const std::string world = "world";     // what holds a robot that has no free joint
+
+/// The robot of a MuJoCo model: bodies, hinges and slides, servos from its position actuators, an IMU from
+/// its gyro. What the nominal model has no place for is left out: contacts, meshes, frictionloss, tendons.
+class MjcfReader : private MjcfSolids {
+public:
+  using MjcfSolids::MjcfSolids;
+
+  MechanismParts read(const std::string& text) {
+    tinyxml2::XMLDocument document;
+    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
+      failMechanism(file + ":" + std::to_string(document.ErrorLineNum()),
+                    std::string("broken XML (") + document.ErrorName() + ")");
+    const XMLElement* root = document.FirstChildElement("mujoco");
+    if (!root) failMechanism(file, "no <mujoco>; give a model of MuJoCo");
+    if (const XMLElement* include = root->FirstChildElement("include"))
+      fail(*include, "<include> is not followed; save the whole model with MuJoCo (mj_saveLastXML)");
+    parts.name = root->Attribute("model") ? root->Attribute("model") : "robot";
+    checkName(parts.name, "model", file);
+    for (const XMLElement* e = root->FirstChildElement("compiler"); e; e = e->NextSiblingElement("compiler"))
+      readCompiler(*e);
+    if (const XMLElement* option = root->FirstChildElement("option"))
+      parts.gravity = vector(option, "gravity", parts.gravity);
+    for (const XMLElement* e = root->FirstChildElement("default"); e; e = e->NextSiblingElement("default"))
+      readDefaults(*e, "", 0);
+    bool any = false;
+    for (const XMLElement* w = root->FirstChildElement("worldbody"); w;
+         w = w->NextSiblingElement("worldbody"))
+      for (const XMLElement* e = w->FirstChildElement("body"); e; e = e->NextSiblingElement("body")) {
+        if (any) fail(*e, "a second body in the world; a robot is one tree");
+        any = true;
+        readBody(*e, "", "", 0);
+      }
+    if (!any) failMechanism(file, "no <body> in <worldbody>");
+    readEqualities(*root);
+    readActuators(*root);
+    readSensors(*root);
+    return std::move(parts);
+  }
+
+private:
+  void readCompiler(const XMLElement& e) {
+    const std::string angle = e.Attribute("angle") ? e.Attribute("angle") : "";
+    if (angle == "radian") unit = 1;
+    if (angle == "degree") unit = fromDegrees(1);
+    if (e.Attribute("eulerseq")) eulerSequence = e.Attribute("eulerseq");
+    if (eulerSequence.size() != 3 || eulerSequence.find_first_not_of("xyzXYZ") != std::string::npos)
+      fail(e, "eulerseq is \"" + eulerSequence.substr(0, 20) + "\"; give three axes such as xyz");
+    if (e.Attribute("coordinate", "global")) fail(e, "global coordinates are gone from MuJoCo; save it anew");
+  }
+
+  /// Of each class and element the attributes, those of the class around it among them.
+  void readDefaults(const XMLElement& e, const std::string& around, int depth) {
+    if (depth > deepest) fail(e, "classes are nested too deeply");
+    const std::string name = e.Attribute("class") ? e.Attribute("class") : "main";
+    auto& mine = defaults[name] = around.empty() ? Defaults() : defaults[around];
+    for (const XMLElement* c = e.FirstChildElement(); c; c = c->NextSiblingElement()) {
+      if (std::string_view(c->Name()) == "default") continue;
+      for (const tinyxml2::XMLAttribute* a = c->FirstAttribute(); a; a = a->Next())
+        mine[c->Name()][a->Name()] = a->Value();
+    }
+    for (const XMLElement* c = e.FirstChildElement("default"); c; c = c->NextSiblingElement("default"))
+      readDefaults(*c, name, depth + 1);
+  }
+
+  /// Puts what its class says into an element where it says nothing itself.
+  void complete(XMLElement& e, const std::string& classAround) const {
+    const char* own = e.Attribute("class");
+    const std::string name = own ? own : classAround.empty() ? "main" : classAround;
+    const auto found = defaults.find(name);
+    if (found == defaults.end()) {
+      if (own) fail(e, "there is no class " + name.substr(0, 60));
+      return;
+    }
+    const auto of = found->second.find(e.Name());
+    if (of == found->second.end()) return;
+    for (const auto& [key, value] : of->second)
+      if (!e.Attribute(key.c_str())) e.SetAttribute(key.c_str(), value.c_str());
+  }
+  void complete(const XMLElement& e, const std::string& classAround) const {
+    complete(const_cast<XMLElement&>(e), classAround);
+  }
+
+  /// A body's frame is at its joint here; MuJoCo's joint may be elsewhere on the body: everything is shifted.
+  void readBody(const XMLElement& e, const std::string& parent, std::string classAround, int depth,
+                const Vec3& parentJoint = Vec3::Zero()) {
+    if (depth > deepest) fail(e, "bodies are nested too deeply");
+    if (e.Attribute("childclass")) classAround = e.Attribute("childclass");
+    Mechanism::Link link;
+    link.name = e.Attribute("name") ? e.Attribute("name") : "body" + std::to_string(parts.links.size());
+    checkName(link.name, "body", file + ":" + std::to_string(e.GetLineNum()));
+    const XMLElement* hinge = nullptr;
+    bool isFree = e.FirstChildElement("freejoint") != nullptr;
+    for (const XMLElement* j = e.FirstChildElement("joint"); j; j = j->NextSiblingElement("joint")) {
+      complete(*j, classAround);
+      const std::string type = j->Attribute("type") ? j->Attribute("type") : "hinge";
+      if (type == "free") {
+        isFree = true;
+        continue;
+      }
+      if (type != "hinge" && type != "slide")
+        fail(*j, "type is \"" + type.substr(0, 40) + "\"; what can be used is hinge, slide and a free base");
+      if (hinge) fail(*j, "body " + link.name + " has two joints; put a body between them");
+      hinge = j;
+    }
+    if (isFree && !parent.empty()) fail(e, "body " + link.name + " is free, but no base");
+    const Vec3 anchor = hinge ? vector(hinge, "pos", Vec3::Zero()) : Vec3(Vec3::Zero());
+    const MjcfLump lump = lumpOfBody(e, classAround);
+    link.mass = lump.mass;
+    link.com = lump.com - anchor;
+    link.inertia = lump.inertia;
+    if (parent.empty() && (hinge || !isFree)) {
+      Mechanism::Link base;
+      base.name = world;
+      parts.links.push_back(base);
+    }
+    parts.links.push_back(link);
+    if (!isFree) {
+      MechanismParts::Joint part;
+      part.parent = parent.empty() ? world : parent;
+      part.child = link.name;
+      const Mat3 turn = rotationOf(e);
+      part.joint.origin = vector(&e, "pos", Vec3::Zero()) + turn * anchor - parentJoint;
+      part.joint.rpy = rpyOfRotation(turn);
+      part.fixed = hinge == nullptr;
+      part.joint.name = link.name + "_fixed";
+      if (hinge) readJoint(*hinge, part);
+      parts.joints.push_back(part);
+    }
+    for (const XMLElement* s = e.FirstChildElement("site"); s; s = s->NextSiblingElement("site"))
+      if (s->Attribute("name"))
+        sites[s->Attribute("name")] = {link.name, vector(s, "pos", Vec3::Zero()) - anchor, rotationOf(*s)};
+    for (const XMLElement* c = e.FirstChildElement("body"); c; c = c->NextSiblingElement("body"))
+      readBody(*c, link.name, classAround, depth + 1, anchor);
+  }
+
+  MjcfLump lumpOfBody(const XMLElement& e, const std::string& classAround) const {
+    if (const XMLElement* inertial = e.FirstChildElement("inertial")) return inertialOf(*inertial);
+    MjcfLump sum;
+    for (const XMLElement* g = e.FirstChildElement("geom"); g; g = g->NextSiblingElement("geom")) {
+      complete(*g, classAround);
+      sum.add(lumpOf(*g));
+    }
+    return sum;
+  }
+
+  void readJoint(const XMLElement& e, MechanismParts::Joint& part) {
+    Joint& joint = part.joint;
+    joint.name = attribute(e, "name");
+    checkName(joint.name, "joint", file + ":" + std::to_string(e.GetLineNum()));
+    const bool slides = e.Attribute("type", "slide") != nullptr;
+    if (slides) joint.type = Joint::Type::prismatic;
+    joint.axis = vector(&e, "axis", Vec3::UnitZ());
+    if (!(joint.axis.norm() > 1e-6)) fail(e, "joint " + joint.name + ": the axis is zero");
+    joint.axis = unitAxis(joint.axis);
+    joint.lower = -Mechanism::maxTurns;
+    joint.upper = Mechanism::maxTurns;
+    const std::vector<double> range = numbers(e, "range", 2);
+    const bool limited = !e.Attribute("limited", "false") && range.size() == 2;
+    if (limited && range[0] < range[1]) {
+      joint.lower = (slides ? 1 : unit) * range[0];
+      joint.upper = (slides ? 1 : unit) * range[1];
+    }
+    joint.servo.armature = number(e, "armature", 0);
+    joint.servo.kd = number(e, "damping", 0);
+    joint.maxTorque = noTorqueLimit;
+    joint.maxSpeed = noSpeedLimit;
+    if (const std::vector<double> force = numbers(e, "actuatorfrcrange", 2); force.size() == 2)
+      joint.maxTorque = std::max(std::abs(force[0]), std::abs(force[1]));
+  }
+
+  void readEqualities(const XMLElement& root) {
+    for (const XMLElement* all = root.FirstChildElement("equality"); all;
+         all = all->NextSiblingElement("equality"))
+      for (const XMLElement* e = all->FirstChildElement("joint"); e; e = e->NextSiblingElement("joint")) {
+        if (!e->Attribute("joint2") || e->Attribute("active", "false")) continue;
+        MechanismParts::Joint* part = parts.find(attribute(*e, "joint1"));
+        if (!part) fail(*e, "there is no joint " + attribute(*e, "joint1").substr(0, 60));
+        std::vector<double> polynomial = numbers(*e, "polycoef", 5);
+        if (polynomial.empty()) polynomial = {0, 1};
+        polynomial.resize(5);
+        if (polynomial[2] != 0 || polynomial[3] != 0 || polynomial[4] != 0)
+          fail(*e, "a joint follows another by a straight line; polycoef has more");
+        part->driver = attribute(*e, "joint2");
+        part->joint.driverOffset = polynomial[0];
+        part->joint.driverRatio = polynomial[1];
+      }
+  }
+
+  void readActuators(const XMLElement& root) {
+    for (const XMLElement* all = root.FirstChildElement("actuator"); all;
+         all = all->NextSiblingElement("actuator"))
+      for (const XMLElement* e = all->FirstChildElement(); e; e = e->NextSiblingElement()) {
+        if (!e->Attribute("joint")) continue;
+        MechanismParts::Joint* part = parts.find(e->Attribute("joint"));
+        if (!part || part->fixed)
+          fail(*e, "there is no joint " + std::string(e->Attribute("joint")).substr(0, 60));
+        complete(*e, "");
+        readActuator(*e, part->joint);
+      }
+    for (MechanismParts::Joint& part : parts.joints) {
+      part.hasServo = !part.fixed;
+      if (const MechanismParts::Joint* driver = part.driver.empty() ? nullptr : parts.find(part.driver);
+          driver && !(part.joint.servo.kp > 0)) {
+        part.joint.servo.kp = driver->joint.servo.kp;
+        part.joint.servo.kd = driver->joint.servo.kd;
+      }
+    }
+  }
+
+  /// A position servo; of a general one, where its gain and bias are those of a position servo.
+  void readActuator(const XMLElement& e, Joint& joint) const {
+    const std::string kind = e.Name();
+    Servo& servo = joint.servo;
+    if (kind == "position") {
+      servo.kp = number(e, "kp", 1);
+      servo.kd += number(e, "kv", 0);
+      if (e.Attribute("dampratio"))
+        fail(e, "dampratio depends on the pose; give kv (mj_saveLastXML writes it)");
+    } else if (kind == "general" && e.Attribute("biastype", "affine")) {
+      const std::vector<double> gain = numbers(e, "gainprm"), bias = numbers(e, "biasprm");
+      if (gain.empty() || bias.size() < 2 || bias[1] != -gain[0])
+        fail(e, "<general> is no position servo: gainprm is kp, biasprm 0 -kp -kv");
+      servo.kp = gain[0];
+      if (bias.size() > 2) servo.kd -= bias[2];
+    }
+    if (const std::vector<double> force = numbers(e, "forcerange", 2); force.size() == 2)
+      joint.maxTorque = std::max(std::abs(force[0]), std::abs(force[1]));
+  }
+
+  void readSensors(const XMLElement& root) {
+    for (const XMLElement* all = root.FirstChildElement("sensor"); all;
+         all = all->NextSiblingElement("sensor"))
+      for (const char* kind : {"gyro", "accelerometer"})
+        if (const XMLElement* e = all->FirstChildElement(kind)) {
+          const auto site = sites.find(attribute(*e, "site"));
+          if (site == sites.end()) fail(*e, "there is no site " + attribute(*e, "site").substr(0, 60));
+          if (!parts.imuLink.empty() && parts.imuLink != site->second.link) continue;
+          parts.imuLink = site->second.link;
+          (kind[0] == 'g' ? parts.imu.gyro : parts.imu.accelerometer) = site->second.place;
+          parts.imu.rpy = rpyOfRotation(site->second.turn);
+        }
+  }
+
+  using Attributes = std::map<std::string, std::string>;
+  using Defaults = std::map<std::string, Attributes>;
+  struct SitePlace {
+    std::string link;
+    Vec3 place;
+    Mat3 turn;
+  };
+  MechanismParts parts;
+  std::map<std::string, Defaults> defaults;
+  std::map<std::string, SitePlace> sites;
+};
+
+}  // namespace
+
+MechanismParts partsOfMjcf(const std::string& text, const std::string& file) {
+  return MjcfReader(file).read(text);
+}
+
+}  // namespace plumbline
