@@ -52,7 +52,10 @@ public:
   virtual const std::vector<TaskParameter>& parameters() const = 0;
   virtual TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) = 0;
   /// What was found as a file that the agent reads, below comment lines of `heading`; empty: there is none.
-  virtual std::string file(const Eigen::VectorXd& parameters, const std::string& heading) const;
+  /// figures: means of runs of these parameters, where they were measured. A run with the parameters is a run
+  /// of the file: what it rounds is rounded in both.
+  virtual std::string file(const Eigen::VectorXd& parameters, const std::string& heading,
+                           const std::map<std::string, double>& figures = {}) const;
 
 protected:
   SearchTask() = default;

@@ -22,8 +22,8 @@ bool mirrors(const motion::Keyframe& frame, JointId joint) {
 
 }  // namespace
 
-MotionParameters::MotionParameters(motion::KeyframeMotion motion, const RobotModel& robot)
-    : motion_(std::move(motion)) {
+MotionParameters::MotionParameters(motion::KeyframeMotion motion, const RobotModel& robot, Sides sides)
+    : motion_(std::move(motion)), sides_(sides) {
   for (std::size_t i = 0; i < motion_.keyframes.size(); ++i) {
     const motion::Keyframe& frame = motion_.keyframes[i];
     const std::string number = std::to_string(i + 1);
@@ -34,7 +34,7 @@ MotionParameters::MotionParameters(motion::KeyframeMotion motion, const RobotMod
     for (int j = lShoulderPitch; j < numJoints; ++j) {
       const auto joint = static_cast<JointId>(j);
       if (!frame.set[joint] || !robot.has(joint)) continue;
-      const bool both = mirrors(frame, joint);
+      const bool both = sides_ == Sides::together && mirrors(frame, joint);
       if (both && motion::mirrored(joint) < joint) continue;
       const Link& link = robot.linkMovedBy(joint);
       add({i, Place::What::joint, joint, both},
@@ -59,22 +59,23 @@ motion::KeyframeMotion MotionParameters::motion(const Eigen::VectorXd& values) c
     const double value = values[static_cast<Eigen::Index>(i)];
     switch (place.what) {
       case Place::What::seconds:
-        frame.seconds = 1e-3 * value;
+        frame.seconds = std::round(value) / 1e3;
         break;
       case Place::What::settle:
-        frame.settleSeconds = 1e-3 * value;
+        frame.settleSeconds = std::round(value) / 1e3;
         break;
       case Place::What::joint:
-        frame.angles[place.joint] = fromDegrees(value);
+        frame.angles[place.joint] = fromDegrees(std::round(10 * value) / 10);
         if (place.both)
-          frame.angles[motion::mirrored(place.joint)] = motion::mirrorSign(place.joint) * fromDegrees(value);
+          frame.angles[motion::mirrored(place.joint)] =
+              motion::mirrorSign(place.joint) * frame.angles[place.joint];
         break;
     }
   }
   return result;
 }
 
-motion::KeyframeMotion MotionParameters::shortened(const Eigen::VectorXd& values, double cycle) const {
+motion::KeyframeMotion MotionParameters::written(const Eigen::VectorXd& values, double cycle) const {
   motion::KeyframeMotion result = motion(values);
   std::vector<motion::Keyframe>& frames = result.keyframes;
   for (std::size_t i = 0; i + 1 < frames.size();)
@@ -92,7 +93,14 @@ std::string motionFile(const motion::KeyframeMotion& motion, const std::string& 
     text += "# " + heading.substr(at, end - at) + "\n";
     at = end + 1;
   }
-  text += "# Angles in degrees, times in seconds; doc/how-to/add-a-motion.md.\nkeyframes:\n";
+  text += "# Angles in degrees, times in seconds; doc/how-to/add-a-motion.md.\n";
+  if (motion.ball != Vec2::Zero() || motion.kick)
+    text += fmt::format("ball: [{:.3f}, {:.3f}]\nballReach: [{:.3f}, {:.3f}]\n", motion.ball.x(),
+                        motion.ball.y(), motion.ballReach.x(), motion.ballReach.y());
+  if (motion.kick)
+    text += fmt::format("kick: {{distance: {:.2f}, direction: {:.2f}, contact: {:.3f}}}\n",
+                        motion.kick->distance, toDegrees(motion.kick->direction), motion.kick->contact);
+  text += "keyframes:\n";
   for (const motion::Keyframe& frame : motion.keyframes) {
     text += fmt::format("  - {{time: {:.3f}", frame.seconds);
     if (frame.settleSeconds > 0) text += fmt::format(", settle: {:.3f}", frame.settleSeconds);

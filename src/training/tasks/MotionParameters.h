@@ -8,18 +8,20 @@
 
 namespace plumbline::training {
 
+/// Whether joints that mirror each other in a keyframe of a motion are one number or two.
+enum class Sides { together, apart };
+
 /// The numbers of a keyframe motion that a search may change: each keyframe's time, its wait to settle if it
-/// has one, and its angles; where left and right mirror each other they stay so and are one number. The head
-/// is left out. Times in milliseconds, angles in degrees, so that all have steps of about the same worth.
+/// has one, and its angles. The head is left out. Times in milliseconds, angles in degrees, so that all have
+/// steps of about the same worth.
 class MotionParameters {
 public:
-  MotionParameters(motion::KeyframeMotion motion, const RobotModel& robot);
+  MotionParameters(motion::KeyframeMotion motion, const RobotModel& robot, Sides sides = Sides::together);
 
   const std::vector<TaskParameter>& list() const { return list_; }
-  /// The motion with these numbers.
-  motion::KeyframeMotion motion(const Eigen::VectorXd& values) const;
-  /// The same without keyframes that take less than half a cycle [s]: their time is as good as nothing.
-  motion::KeyframeMotion shortened(const Eigen::VectorXd& values, double cycle) const;
+  /// The motion with these numbers as its file has it: rounded as motionFile rounds, without keyframes that
+  /// take less than half a cycle [s], as their time is as good as nothing.
+  motion::KeyframeMotion written(const Eigen::VectorXd& values, double cycle) const;
 
 private:
   struct Place {
@@ -31,13 +33,16 @@ private:
   void add(const Place& place, const std::string& name, double start, double lower, double upper,
            double sigma);
 
+  motion::KeyframeMotion motion(const Eigen::VectorXd& values) const;
+
   motion::KeyframeMotion motion_;
+  Sides sides_;
   std::vector<Place> places_;
   std::vector<TaskParameter> list_;
 };
 
 /// A motion as the YAML file that readKeyframeFile reads, below comment lines of `heading`; tenths of a
-/// degree and milliseconds.
+/// degree, milliseconds, millimetres.
 std::string motionFile(const motion::KeyframeMotion& motion, const std::string& heading);
 
 }  // namespace plumbline::training

@@ -20,7 +20,8 @@ public:
 
   const std::vector<TaskParameter>& parameters() const override { return parameters_->list(); }
   TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) override;
-  std::string file(const Eigen::VectorXd& parameters, const std::string& heading) const override;
+  std::string file(const Eigen::VectorXd& parameters, const std::string& heading,
+                   const std::map<std::string, double>& figures) const override;
 
   /// A run with any motion.
   TaskOutcome tryMotion(const motion::KeyframeMotion& motion, std::uint64_t seed);
