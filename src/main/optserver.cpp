@@ -114,7 +114,8 @@ void writeResult(const Options& options, const training::Study& study, const Sea
 
 /// Mean and standard error of cost and figures over so many seeds that no search has, on all cores. Returns
 /// the means.
-std::map<std::string, double> measure(const training::Study& study, const std::string& what, const Eigen::VectorXd& values, int runs) {
+std::map<std::string, double> measure(const training::Study& study, const std::string& what,
+                                      const Eigen::VectorXd& values, int runs) {
   constexpr std::uint64_t fresh = std::uint64_t{1} << 40;  // beyond the 32 bits of a search's seeds
   std::vector<training::TaskOutcome> outcomes(static_cast<std::size_t>(runs));
   const std::size_t jobs = static_cast<std::size_t>(std::min(threadsFor(0), runs));
@@ -159,8 +160,9 @@ int measureBoth(const Options& options) {
   report.tell("measuring");
   measure(study, "start", study.space().start, options.measured);
   const std::map<std::string, double> figures = measure(study, "found", found, options.measured);
-  std::string heading = fmt::format("Found by bin/optserver {}: seed {}.\nMeans of {} tries with fresh seeds:",
-                                    options.study, study.search.seed, options.measured);
+  std::string heading =
+      fmt::format("Found by bin/optserver {}: seed {}.\nMeans of {} tries with fresh seeds:", options.study,
+                  study.search.seed, options.measured);
   for (const auto& [name, value] : figures) heading += fmt::format(" {} {:.4g}", name, value);
   const std::string text = training::makeTask(study.task, study.options)->file(found, heading, figures);
   const std::string path = options.folder + "/" + study.task + ".yaml";

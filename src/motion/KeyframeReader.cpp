@@ -75,7 +75,8 @@ public:
                "unknown key" + suggestion(key, {"keyframes", "mirror", "ball", "ballReach", "kick", "rest"}));
       });
       if (motion.keyframes.empty()) fail(root, "keyframes", "missing or empty");
-      if (motion.kick && !root["ball"]) fail(root["kick"], "kick", "needs ball, the place that it kicks from");
+      if (motion.kick && !root["ball"])
+        fail(root["kick"], "kick", "needs ball, the place that it kicks from");
       if (!restStays) checkComplete(root, motion);
       checkReach(root, motion);
     }

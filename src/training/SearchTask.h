@@ -8,14 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "motion/MotionParameters.h"
+
 namespace plumbline::training {
 
-/// A number that is searched, and where.
-struct TaskParameter {
-  std::string name;
-  double start = 0, lower = 0, upper = 0;
-  double sigma = 0;  ///< standard deviation of the first candidates
-};
+using TaskParameter = motion::SearchedNumber;
 
 /// What one run of a task gave: lower costs are better; the figures are for people.
 struct TaskOutcome {

@@ -37,7 +37,7 @@ Vec2 Striker2::wayOn(const Shot& best, bool inReach) {
   situation.robot = theRobotPose->pose;
   situation.ball = ball;
   situation.toGoal = std::atan2(toGoal.y(), toGoal.x());
-  situation.reach = theSkillKickParameters->distance;
+  situation.reach = theSkillKickParameters->reach();
   situation.halfWidth = theFieldDimensions->width / 2;
   situation.others = theOtherRobots->robots;
   const Vec2& near = theBallPos->relative;
@@ -75,7 +75,7 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
     return;
   }
   const Shot best = shot();
-  const bool inReach = best.distance < theSkillKickParameters->distance + 1;
+  const bool inReach = best.distance < theSkillKickParameters->reach() + 1;
   const bool kick = best.distance > dribbleDistance && (!inReach || best.halfOpening > minOpening);
   output.skill = kickAllowed && kick ? Skill::kick : Skill::dribble;
   output.target = Pose2(wayOn(best, inReach));

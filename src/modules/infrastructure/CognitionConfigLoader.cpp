@@ -15,12 +15,6 @@ void CognitionConfigLoader::init() {
   field_.penaltyWidth = field.get<double>("penaltyWidth", {0.1, 100});
   field_.centreCircleRadius = field.get<double>("centreCircleRadius", {0.1, 100});
   field_.ballRadius = field.get<double>("ballRadius", {0.001, 1});
-
-  const ConfigSection& kick = config.file("kick");
-  kick_.ballPosition = {kick.get<double>("ballX", {0, 1}), kick.get<double>("ballY", {-1, 0})};
-  kick_.tolerance = {kick.get<double>("toleranceX", {0.001, 1}), kick.get<double>("toleranceY", {0.001, 1})};
-  kick_.headingTolerance = kick.get<double>("headingTolerance", {0.001, 3.2});
-  kick_.distance = kick.get<double>("distance", {0.1, 30});
 }
 
 }  // namespace plumbline

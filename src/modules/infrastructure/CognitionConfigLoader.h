@@ -1,25 +1,21 @@
 #pragma once
 #include "framework/Module.h"
 #include "representations/infrastructure/FieldDimensions.h"
-#include "representations/skills/SkillKickParameters.h"
 
 namespace plumbline {
 
 MODULE(CognitionConfigLoader)
   PROVIDES(FieldDimensions)
-  PROVIDES(SkillKickParameters)
 END_MODULE
 
-/// Representations that come from configuration and stay as they are: config/field.yaml and config/kick.yaml.
+/// Representations that come from configuration and stay as they are: config/field.yaml.
 class CognitionConfigLoader : public CognitionConfigLoaderBase {
 public:
   void init() override;
   void update(FieldDimensions* theFieldDimensions) override { *theFieldDimensions = field_; }
-  void update(SkillKickParameters* theSkillKickParameters) override { *theSkillKickParameters = kick_; }
 
 private:
   FieldDimensions field_;
-  SkillKickParameters kick_;
 };
 
 }  // namespace plumbline

@@ -12,11 +12,9 @@ namespace plumbline::training {
 namespace {
 
 constexpr double dt = motion::MotionTrial::dt;
-constexpr double distanceWorth = 30, heightWorth = 120;  // formula 3.2
-constexpr double placeSigma = 5;                         // [mm]
-constexpr double fade = 0.06;                            // as WalkingEngine fades into the walk [s]
-constexpr double walkedUp = 0.6;                         // share of the runs that begin with a walk
-constexpr int cyclesToFly = 10;                          // after the motion, before the ball goes on alone
+constexpr double fade = 0.06;     // as WalkingEngine fades into the walk [s]
+constexpr double walkedUp = 0.6;  // share of the runs that begin with a walk
+constexpr int cyclesToFly = 10;   // after the motion, before the ball goes on alone
 constexpr int mostStarts = 1000;
 constexpr std::size_t startsKept = 4096;
 
@@ -24,7 +22,7 @@ constexpr std::size_t startsKept = 4096;
 const Pose2 begin(Vec2(-10, 5), 0);
 
 int typeOf(const TaskOptions& options) {
-  options.check({"type", "motion", "side", "distance", "spread", "weight", "steady"});
+  options.check({"type", "motion", "side", "distance", "spread", "weight", "steady", "walk"});
   return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
 }
 
@@ -35,28 +33,19 @@ Pose2 onGround(const Pose3& torso) {
 }  // namespace
 
 KickTask::KickTask(const TaskOptions& options)
-    : right_(options.word("side", "right", {"right", "left"}) == "right"),
-      distance_(options.number("distance", 0, 0, 30)),
-      spread_(options.number("spread", 0.01, 0, 0.1)),
-      weight_(options.number("weight", 0.08, 0, 100)),
-      steady_(options.number("steady", 1, 0, 100)),
+    : spread_(options.number("spread", 0.01, 0, 0.1)),
+      walk_(options.number("walk", 2, 0.2, 10)),
       trial_(typeOf(options)) {
+  wish_.distance = options.number("distance", wish_.distance, 0, 30);
+  wish_.weight = options.number("weight", wish_.weight, 0, 100);
+  wish_.steady = options.number("steady", wish_.steady, 0, 100);
+  const Side foot = options.word("side", "right", {"right", "left"}) == "left" ? Side::left : Side::right;
   try {
-    first_ = trial_.motion(options.word("motion", "kickRight"));
-  } catch (const std::out_of_range& error) {
+    const motion::KeyframeMotion& first = trial_.motion(options.word("motion", "kickRight"));
+    kick_ = std::make_unique<motion::SearchedKick>(first, trial_.model, foot);
+  } catch (const std::logic_error& error) {  // out_of_range or invalid_argument
     throw ConfigurationError(std::string("option motion: ") + error.what());
   }
-  if (first_.ball == Vec2::Zero())
-    throw ConfigurationError("option motion: " + first_.name + " is no kick: it has no ball");
-  if ((first_.ball.y() < 0) != right_) first_ = mirrored(first_);
-  // What is searched is for one place of the ball; a shift with it would be judged together with the spread.
-  first_.ballReach = Vec2::Zero();
-  for (motion::Keyframe& frame : first_.keyframes) frame.ballGains.clear();
-  motion_ = std::make_unique<MotionParameters>(first_, trial_.model, Sides::apart);
-  list_ = motion_->list();
-  const Vec2 place = 1e3 * first_.ball;
-  list_.push_back({"ballX", place.x(), 100, 300, placeSigma});
-  list_.push_back({"ballY", place.y(), right_ ? -150.0 : -20.0, right_ ? 20.0 : 150.0, placeSigma});
 }
 
 /// Walks somewhere near forward and stops, as before a kick in a game. False: fell or does not stop.
@@ -115,7 +104,7 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
   const Pose2 ground = onGround(from.torso.pose);
   const Vec2 place = ground * Vec2(kick.ball + Vec2(x, y));
   world.setBall(Vec3(place.x(), place.y(), simulation::ballRadius), Vec3::Zero());
-  WalkOn walk(trial_);
+  WalkOn walk(trial_, walk_);
 
   int cycles = 0, contact = -1;
   double height = 0;
@@ -141,48 +130,35 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
   while (!walk.isOver()) walk.step();
 
   const BallRoll::Rest rest = ball_.roll(flying);
-  height = std::max(height, rest.height) - simulation::ballRadius;
-  const Vec2 way = Eigen::Rotation2Dd(-ground.heading) * (rest.place - place);
-  const double direction = way.norm() > 0.1 ? toDegrees(std::atan2(way.y(), way.x())) : 0;
+  motion::KickTry result;
+  result.way = Eigen::Rotation2Dd(-ground.heading) * (rest.place - place);
+  result.height = std::max(height, rest.height) - simulation::ballRadius;
+  result.milliseconds = milliseconds;
+  result.error = walk.error();
+  const double direction = toDegrees(result.direction());
   TaskOutcome outcome;
-  outcome.cost = distanceWorth * std::abs(way.y()) + steady_ * walk.error() + weight_ * milliseconds;
-  if (distance_ > 0)
-    outcome.cost += distanceWorth * std::abs(way.x() - distance_);
-  else
-    outcome.cost -= distanceWorth * way.x() + heightWorth * std::min(1.0, height);
-  outcome.figures = {{"distance", way.x()},
-                     {"direction", direction},
-                     {"off", std::abs(direction)},
-                     {"height", height},
-                     {"time", milliseconds},
-                     {"contact", 1e3 * dt * (contact < 0 ? cycles : contact)},
-                     {"error", walk.error()},
-                     {"up", walk.upright() ? 1.0 : 0.0}};
+  outcome.cost = wish_.cost(result);
+  outcome.figures = {{"distance", result.way.x()}, {"direction", direction},
+                     {"off", std::abs(direction)}, {"height", result.height},
+                     {"time", milliseconds},       {"contact", 1e3 * dt * (contact < 0 ? cycles : contact)},
+                     {"error", walk.error()},      {"up", walk.upright() ? 1.0 : 0.0}};
   return outcome;
 }
 
-motion::KeyframeMotion KickTask::motionOf(const Eigen::VectorXd& parameters) const {
-  const Eigen::Index n = parameters.size() - 2;
-  motion::KeyframeMotion kick = motion_->written(parameters.head(n), dt);
-  kick.ball = Vec2(std::round(parameters[n]) / 1e3, std::round(parameters[n + 1]) / 1e3);
-  kick.kick.reset();
-  return kick;
-}
-
 TaskOutcome KickTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed) {
-  return tryMotion(motionOf(parameters), seed);
+  return tryMotion(kick_->written(parameters, dt), seed);
 }
 
 std::string KickTask::file(const Eigen::VectorXd& parameters, const std::string& heading,
                            const std::map<std::string, double>& figures) const {
-  motion::KeyframeMotion kick = motionOf(parameters);
+  motion::KeyframeMotion kick = kick_->written(parameters, dt);
   if (!figures.empty())
     kick.kick = motion::KickEffect{figures.at("distance"), fromDegrees(figures.at("direction")),
                                    1e-3 * figures.at("contact")};
-  return motionFile(kick, heading);
+  return motion::motionFile(kick, heading);
 }
 
-MAKE_TASK(kick, {"kick", "a kick: type, motion, side, distance, spread, weight, steady",
+MAKE_TASK(kick, {"kick", "a kick: type, motion, side, distance, spread, weight, steady, walk",
                  [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
                    return std::make_unique<KickTask>(options);
                  }});

@@ -28,7 +28,7 @@ StandUpTask::StandUpTask(const TaskOptions& options)
   } catch (const std::out_of_range& error) {
     throw ConfigurationError(std::string("option motion: ") + error.what());
   }
-  parameters_ = std::make_unique<MotionParameters>(first_, trial_.model);
+  parameters_ = std::make_unique<motion::MotionParameters>(first_, trial_.model);
 }
 
 const StandUpTask::Lying& StandUpTask::lying(std::uint64_t seed) {
@@ -58,8 +58,7 @@ TaskOutcome StandUpTask::tryMotion(const motion::KeyframeMotion& motion, std::ui
   walk.begin(trial_.player.angles());
   while (!walk.isOver()) walk.step();
   outcome.cost = walk.error() + weight_ * milliseconds;
-  outcome.figures = {
-      {"time", milliseconds}, {"error", walk.error()}, {"up", walk.upright() ? 1.0 : 0.0}};
+  outcome.figures = {{"time", milliseconds}, {"error", walk.error()}, {"up", walk.upright() ? 1.0 : 0.0}};
   return outcome;
 }
 
@@ -69,7 +68,7 @@ TaskOutcome StandUpTask::run(const Eigen::VectorXd& parameters, std::uint64_t se
 
 std::string StandUpTask::file(const Eigen::VectorXd& parameters, const std::string& heading,
                               const std::map<std::string, double>&) const {
-  return motionFile(parameters_->written(parameters, motion::MotionTrial::dt), heading);
+  return motion::motionFile(parameters_->written(parameters, motion::MotionTrial::dt), heading);
 }
 
 MAKE_TASK(standUp, {"standUp", "standing up from front or back: type, direction, weight, motion",

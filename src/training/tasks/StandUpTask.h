@@ -2,8 +2,8 @@
 #include <map>
 #include <memory>
 
+#include "motion/MotionParameters.h"
 #include "training/MotionTrial.h"
-#include "training/tasks/MotionParameters.h"
 
 namespace plumbline::training {
 
@@ -38,7 +38,7 @@ private:
   const double weight_;
   motion::MotionTrial trial_;
   motion::KeyframeMotion first_;
-  std::unique_ptr<MotionParameters> parameters_;
+  std::unique_ptr<motion::MotionParameters> parameters_;
   std::map<std::uint64_t, Lying> fallen_;  ///< falls cost as much as the rest and repeat within a generation
 };
 

@@ -12,7 +12,7 @@ constexpr double leaning = 30 * pi / 180;          // [rad], of the thesis's mea
 
 }  // namespace
 
-WalkOn::WalkOn(motion::MotionTrial& trial) : trial_(trial) {
+WalkOn::WalkOn(motion::MotionTrial& trial, double seconds) : trial_(trial), seconds_(seconds) {
   const double way = trial.random(-pi, pi);
   turn_ = trial.random(-walkTurn, walkTurn);
   velocity_ = walkSpeed * Vec2(std::cos(way), std::sin(way));
@@ -26,7 +26,7 @@ void WalkOn::begin(const JointArray& from, double fadeSeconds) {
   trial_.beginWalk();
 }
 
-bool WalkOn::isOver() const { return cycles_ * motion::MotionTrial::dt >= seconds; }
+bool WalkOn::isOver() const { return cycles_ * motion::MotionTrial::dt >= seconds_; }
 
 bool WalkOn::upright() const { return trial_.tilt() < leaning; }
 
@@ -34,7 +34,8 @@ void WalkOn::step() {
   JointArray targets = trial_.walkOutput(velocity_, turn_).angles;
   const double time = ++cycles_ * motion::MotionTrial::dt;
   if (time < fade_)
-    for (std::size_t j = 0; j < numJoints; ++j) targets[j] = from_[j] + time / fade_ * (targets[j] - from_[j]);
+    for (std::size_t j = 0; j < numJoints; ++j)
+      targets[j] = from_[j] + time / fade_ * (targets[j] - from_[j]);
   trial_.step(targets);
   error_ += trial_.tilt();
 }

@@ -7,10 +7,8 @@ namespace plumbline::training {
 /// with a random turn (Seekircher 2015, 3.1.1).
 class WalkOn {
 public:
-  static constexpr double seconds = 2;
-
   /// Draws direction and turn from the trial's generator.
-  explicit WalkOn(motion::MotionTrial& trial);
+  explicit WalkOn(motion::MotionTrial& trial, double seconds = 2);
   /// Begins at these targets and fades into the walk's [s]; 0: at once.
   void begin(const JointArray& from, double fadeSeconds = 0);
   void step();
@@ -23,6 +21,7 @@ public:
 
 private:
   motion::MotionTrial& trial_;
+  double seconds_;
   Vec2 velocity_;
   double turn_;
   JointArray from_{};

@@ -1,12 +1,19 @@
 #pragma once
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
 #include "motion/Keyframes.h"
 #include "robot/RobotModel.h"
-#include "training/SearchTask.h"
 
-namespace plumbline::training {
+namespace plumbline::motion {
+
+/// A number that is searched, and where.
+struct SearchedNumber {
+  std::string name;
+  double start = 0, lower = 0, upper = 0;
+  double sigma = 0;  ///< standard deviation of the first candidates
+};
 
 /// Whether joints that mirror each other in a keyframe of a motion are one number or two.
 enum class Sides { together, apart };
@@ -16,12 +23,12 @@ enum class Sides { together, apart };
 /// steps of about the same worth.
 class MotionParameters {
 public:
-  MotionParameters(motion::KeyframeMotion motion, const RobotModel& robot, Sides sides = Sides::together);
+  MotionParameters(KeyframeMotion motion, const RobotModel& robot, Sides sides = Sides::together);
 
-  const std::vector<TaskParameter>& list() const { return list_; }
+  const std::vector<SearchedNumber>& list() const { return list_; }
   /// The motion with these numbers as its file has it: rounded as motionFile rounds, without keyframes that
   /// take less than half a cycle [s], as their time is as good as nothing.
-  motion::KeyframeMotion written(const Eigen::VectorXd& values, double cycle) const;
+  KeyframeMotion written(const Eigen::VectorXd& values, double cycle) const;
 
 private:
   struct Place {
@@ -33,16 +40,16 @@ private:
   void add(const Place& place, const std::string& name, double start, double lower, double upper,
            double sigma);
 
-  motion::KeyframeMotion motion(const Eigen::VectorXd& values) const;
+  KeyframeMotion motion(const Eigen::VectorXd& values) const;
 
-  motion::KeyframeMotion motion_;
+  KeyframeMotion motion_;
   Sides sides_;
   std::vector<Place> places_;
-  std::vector<TaskParameter> list_;
+  std::vector<SearchedNumber> list_;
 };
 
 /// A motion as the YAML file that readKeyframeFile reads, below comment lines of `heading`; tenths of a
 /// degree, milliseconds, millimetres.
-std::string motionFile(const motion::KeyframeMotion& motion, const std::string& heading);
+std::string motionFile(const KeyframeMotion& motion, const std::string& heading);
 
-}  // namespace plumbline::training
+}  // namespace plumbline::motion
