@@ -51,6 +51,13 @@ Vec2 Striker2::wayOn(const Shot& best, bool inReach) {
   return ball + best.distance * Vec2(std::cos(lastAngle_), std::sin(lastAngle_));
 }
 
+double Striker2::kickBeforeTheLine(double toGoal) const {
+  double longest = 0;
+  for (const Kick& one : theSkillKickParameters->kicks)
+    if (one.distance <= toGoal - lineDistance) longest = std::max(longest, one.distance);
+  return longest;
+}
+
 void Striker2::update(StrikerOutput* theStrikerOutput) {
   BehaviorOutput& output = *theStrikerOutput;
   output.clear();
@@ -76,9 +83,13 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
   }
   const Shot best = shot();
   const bool inReach = best.distance < theSkillKickParameters->reach() + 1;
-  const bool kick = best.distance > dribbleDistance && (!inReach || best.halfOpening > minOpening);
+  const bool sure = !inReach || best.halfOpening > minOpening;
+  const double way = sure ? best.distance : kickBeforeTheLine(best.distance);
+  const bool kick = best.distance > dribbleDistance && way > 0;
   output.skill = kickAllowed && kick ? Skill::kick : Skill::dribble;
-  output.target = Pose2(wayOn(best, inReach));
+  Vec2 target = wayOn(best, inReach);
+  if (kick && !sure) target = theBallPos->field + way * (target - theBallPos->field).normalized();
+  output.target = Pose2(target);
 }
 
 }  // namespace plumbline

@@ -27,7 +27,9 @@ MODULE(Striker2)
   PARAMETER(double, dribbleDistance, 1.5, "m", Range(0, 30),
             "closer to the goal than this the ball is dribbled in")
   PARAMETER(double, minOpening, 0.15, "rad", Range(0, 1),
-            "half the angle between the posts; a narrower goal in reach is dribbled at")
+            "half the angle between the posts; at a narrower goal in reach the ball is brought nearer first")
+  PARAMETER(double, lineDistance, 1, "m", Range(0, 10),
+            "then a kick may be used that leaves the ball so far from the goal, else it is dribbled")
   PARAMETER_GROUP(KickChoiceParameters, choice, "where to kick in a team's game")
   PARAMETER(double, duelDistance, 0.8, "m", Range(0, 5),
             "with an opponent this near to the ball the robot acts at once, in the direction it faces")
@@ -51,6 +53,8 @@ private:
   Shot shot() const;
   Vec2 wayOn(const Shot& best, bool inReach);
   bool inDuel() const;
+  /// The farthest kick that leaves a ball so far from the goal on the field [m]; 0: there is none.
+  double kickBeforeTheLine(double toGoal) const;
 
   double lastAngle_ = 100;  ///< direction of the kick that was chosen last; 100: none [rad]
 };

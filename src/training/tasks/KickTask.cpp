@@ -21,7 +21,7 @@ constexpr std::size_t startsKept = 4096;
 /// Nothing stands in the way of a ball that is kicked forward from here [m].
 const Pose2 begin(Vec2(-10, 5), 0);
 
-int typeOf(const TaskOptions& options) {
+int kickType(const TaskOptions& options) {
   options.check({"type", "motion", "side", "distance", "spread", "weight", "steady", "walk"});
   return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
 }
@@ -35,7 +35,7 @@ Pose2 onGround(const Pose3& torso) {
 KickTask::KickTask(const TaskOptions& options)
     : spread_(options.number("spread", 0.01, 0, 0.1)),
       walk_(options.number("walk", 2, 0.2, 10)),
-      trial_(typeOf(options)) {
+      trial_(kickType(options)) {
   wish_.distance = options.number("distance", wish_.distance, 0, 30);
   wish_.weight = options.number("weight", wish_.weight, 0, 100);
   wish_.steady = options.number("steady", wish_.steady, 0, 100);

@@ -4,6 +4,7 @@
 
 #include "motion/SearchedKick.h"
 #include "training/MotionTrial.h"
+#include "training/SearchTask.h"
 #include "training/tasks/BallRoll.h"
 
 namespace plumbline::training {

@@ -4,6 +4,7 @@
 
 #include "motion/MotionParameters.h"
 #include "training/MotionTrial.h"
+#include "training/SearchTask.h"
 
 namespace plumbline::training {
 

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include "framework/ConfigurationError.h"
 #include "motion/KeyframeReader.h"
-#include "support/TemporaryFolder.h"
 
 namespace plumbline::training {
 namespace {
@@ -17,6 +19,17 @@ Eigen::VectorXd startOf(const SearchTask& task) {
   for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = task.parameters()[static_cast<std::size_t>(i)].start;
   return x;
 }
+
+struct TemporaryFolder {
+  TemporaryFolder() {
+    char name[] = "/tmp/plumbline-kick-XXXXXX";
+    if (const char* made = mkdtemp(name)) path = made;
+  }
+  ~TemporaryFolder() {
+    if (!path.empty()) std::filesystem::remove_all(path);
+  }
+  std::string path;
+};
 
 double figure(const TaskOutcome& outcome, const std::string& name) {
   for (const auto& [key, value] : outcome.figures)
@@ -64,8 +77,8 @@ TEST(KickTask, aRunIsARunOfTheFile) {
     x[i] = std::clamp(x[i] + 0.37 * one.sigma * (i % 2 ? 1 : -1), one.lower, one.upper);
   }
   x[0] = 6;  // ms: the first keyframe is as good as not there
-  test::TemporaryFolder folder;
-  const std::string path = folder.path() + "/found.yaml";
+  const TemporaryFolder folder;
+  const std::string path = folder.path + "/found.yaml";
   std::ofstream(path) << task.file(x, "a heading", {});
   const motion::KeyframeMotion read = motion::readKeyframeFile(path, simsparkRobot(0), {});
   EXPECT_EQ(read.keyframes.size(), task.first().keyframes.size() - 1);
