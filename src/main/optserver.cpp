@@ -113,8 +113,10 @@ void writeResult(const Options& options, const training::Study& study, const Sea
   if (!file.empty()) writeFile(options.folder + "/" + study.task + ".yaml", file);
 }
 
-/// Mean and standard error of cost and figures over so many seeds that no search has, on all cores.
-void measure(const training::Study& study, const std::string& what, const Eigen::VectorXd& values, int runs) {
+/// Mean and standard error of cost and figures over so many seeds that no search has, on all cores. Returns
+/// the means.
+std::map<std::string, double> measure(const training::Study& study, const std::string& what,
+                                      const Eigen::VectorXd& values, int runs) {
   constexpr std::uint64_t fresh = std::uint64_t{1} << 40;  // beyond the 32 bits of a search's seeds
   std::vector<training::TaskOutcome> outcomes(static_cast<std::size_t>(runs));
   const std::size_t jobs = static_cast<std::size_t>(std::min(threadsFor(0), runs));
@@ -140,9 +142,12 @@ void measure(const training::Study& study, const std::string& what, const Eigen:
                std::sqrt(std::max(0.0, sum.second - sum.first * sum.first) / runs));
   fmt::print("\n");
   std::fflush(stdout);
+  std::map<std::string, double> means;
+  for (const auto& [name, sum] : sums) means[name] = sum.first;
+  return means;
 }
 
-/// Before and after, over the same seeds.
+/// Before and after, over the same seeds; the task's file then has the figures.
 int measureBoth(const Options& options) {
   const training::Study study = training::readStudy(options.study);
   const ConfigFile file(options.folder + "/found.yaml");
@@ -155,7 +160,16 @@ int measureBoth(const Options& options) {
   ProgressReport report("optserver");
   report.tell("measuring");
   measure(study, "start", study.space().start, options.measured);
-  measure(study, "found", found, options.measured);
+  const std::map<std::string, double> figures = measure(study, "found", found, options.measured);
+  std::string heading =
+      fmt::format("Found by bin/optserver {}: seed {}.\nMeans of {} tries with fresh seeds:", options.study,
+                  study.search.seed, options.measured);
+  for (const auto& [name, value] : figures) heading += fmt::format(" {} {:.4g}", name, value);
+  const std::string text = training::makeTask(study.task, study.options)->file(found, heading, figures);
+  const std::string path = options.folder + "/" + study.task + ".yaml";
+  if (text.empty()) return 0;
+  writeFile(path, text);
+  fmt::print("optserver: {} has these figures\n", path);
   return 0;
 }
 

@@ -23,7 +23,8 @@ constexpr double maxSeconds = 60;        // a longer keyframe is a slip of the p
 constexpr double limitTolerance = 1e-6;  // [rad]; degrees do not convert exactly
 constexpr std::size_t maxKeyframes = 1000;
 constexpr std::size_t maxFileBytes = 1 << 20;
-constexpr double maxBallDistance = 1;  // [m]
+constexpr double maxBallDistance = 1;   // [m]
+constexpr double maxKickDistance = 50;  // [m]
 
 std::string shortNumber(double value) {
   char text[32];
@@ -69,13 +70,17 @@ public:
           motion.ball = readPair(value, key, -maxBallDistance);
         else if (key == "ballReach")
           motion.ballReach = readPair(value, key, 0);
+        else if (key == "kick")
+          motion.kick = readKick(value);
         else if (key == "rest")
           restStays = readRest(value);
         else
           fail(keyNode, key,
-               "unknown key" + suggestion(key, {"keyframes", "mirror", "ball", "ballReach", "rest"}));
+               "unknown key" + suggestion(key, {"keyframes", "mirror", "ball", "ballReach", "kick", "rest"}));
       });
       if (motion.keyframes.empty()) fail(root, "keyframes", "missing or empty");
+      if (motion.kick && !root["ball"])
+        fail(root["kick"], "kick", "needs ball, the place that it kicks from");
       if (!restStays) checkComplete(root, motion);
       checkReach(root, motion);
     }
@@ -122,6 +127,29 @@ private:
       fail(value, key,
            "has to be between " + shortNumber(lowest) + " and " + shortNumber(maxBallDistance) + " m");
     return pair;
+  }
+
+  KickEffect readKick(const YAML::Node& value) const {
+    if (!value.IsMap()) fail(value, "kick", "has to map distance, direction and contact to numbers");
+    KickEffect kick;
+    const auto within = [&](const YAML::Node& node, const std::string& key, double low, double high) {
+      const double number = readNumber(node, key);
+      if (number < low || number > high)
+        fail(node, key, "has to be between " + shortNumber(low) + " and " + shortNumber(high));
+      return number;
+    };
+    forEachKey(value, [&](const std::string& key, const YAML::Node& keyNode, const YAML::Node& node) {
+      if (key == "distance")
+        kick.distance = within(node, key, 0.1, maxKickDistance);
+      else if (key == "direction")
+        kick.direction = fromDegrees(within(node, key, -180, 180));
+      else if (key == "contact")
+        kick.contact = within(node, key, 0, maxSeconds);
+      else
+        fail(keyNode, key, "unknown key" + suggestion(key, {"distance", "direction", "contact"}));
+    });
+    if (!value["distance"]) fail(value, "distance", "missing; give the metres that the kick carries");
+    return kick;
   }
 
   KeyframeMotion readMirrored(const YAML::Node& root) const {

@@ -47,6 +47,7 @@ double mirrorSign(JointId joint) {
 KeyframeMotion mirrored(const KeyframeMotion& motion) {
   KeyframeMotion result = motion;
   result.ball.y() = -motion.ball.y();
+  if (result.kick) result.kick->direction = -motion.kick->direction;
   for (std::size_t i = 0; i < motion.keyframes.size(); ++i) {
     const Keyframe& from = motion.keyframes[i];
     Keyframe& to = result.keyframes[i];

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,12 +24,20 @@ struct Keyframe {
   std::vector<BallGain> ballGains;
 };
 
+/// What a kick does, measured where it was found (bin/optserver --measure); means over many tries.
+struct KickEffect {
+  double distance = 0;   ///< that the ball comes along the wanted direction [m]
+  double direction = 0;  ///< in which it goes, robot's ground frame [rad]
+  double contact = 0;    ///< time from the motion's begin to the ball [s]
+};
+
 /// A motion as a list of keyframes.
 struct KeyframeMotion {
   std::string name;
   std::vector<Keyframe> keyframes;
   Vec2 ball = Vec2::Zero();       ///< where a kick expects the ball, robot's ground frame [m]
   Vec2 ballReach = Vec2::Zero();  ///< how far from there it may lie [m]; 0: the motion does not mind the ball
+  std::optional<KickEffect> kick;  ///< of a motion that is chosen as a kick
 
   /// Time without waiting to settle [s].
   double seconds() const;

@@ -72,6 +72,8 @@ public:
     stillCycles = robot.sense().gyro.norm() < 0.3 ? stillCycles + 1 : 0;
   }
   bool lying() const { return tiltedCycles >= 5; }
+  /// The torso does not turn: what a wait to settle waits for.
+  bool still() const { return stillCycles >= 3; }
 
   /// Throws the robot over: it is put down tilted forward (1), backward (-1) or sideways (0), with its joints
   /// anywhere near the walk's and moving, and falls until it has lain for a moment. False if it did not fall.
@@ -97,7 +99,7 @@ public:
   bool play(const KeyframeMotion& motion, bool stopAtFall = false) {
     player.start(motion, robot.sense().angle);
     while (!player.finished()) {
-      player.step(dt, stillCycles >= 3);
+      player.step(dt, still());
       step(player.angles());
       elapsed += dt;
       if (stopAtFall && lying()) return false;
@@ -125,14 +127,20 @@ public:
     return true;
   }
   void beginWalk() { walk.reset(); }
-  /// One cycle of the walk, whether it stands or lies.
-  void walkStep(const Vec2& velocity, double turn) {
+  /// One cycle of the walk, whether it stands or lies; go: false comes to a stop. True once it stands.
+  bool walkStep(const Vec2& velocity, double turn, bool go = true) {
+    const walking::WalkOutput output = walkOutput(velocity, turn, go);
+    step(output.angles);
+    return output.standing;
+  }
+  /// What the walk wants in this cycle; the caller moves the robot.
+  walking::WalkOutput walkOutput(const Vec2& velocity, double turn, bool go = true) {
     walking::WalkSensors sensors;
     sensors.angles = robot.sense().angle;
     const Vec3 u = up();
     sensors.torsoAngles = Vec2(std::atan2(u.y(), u.z()), std::atan2(-u.x(), u.z()));
     sensors.gyro = robot.sense().gyro;
-    step(walk.update({velocity, turn, true}, sensors).angles);
+    return walk.update({velocity, turn, go}, sensors);
   }
   /// The stand-up action the selector would choose for how the robot lies now.
   const KeyframeMotion& standUpMotion() const {
@@ -151,8 +159,11 @@ public:
   double standingHeight = 0;  ///< of the torso [m]
   double elapsed = 0;         ///< in motions since it was set to 0 [s]
 
+  /// After the robot was put somewhere: nothing of what was before has an effect from now on.
   void restarted() {
     control.reset();
+    walk.reset();
+    walk.forget();
     tiltedCycles = stillCycles = 0;
   }
 

@@ -49,7 +49,10 @@ void TaskOptions::check(const std::vector<std::string>& known) const {
       throw ConfigurationError("unknown option \"" + key + '"' + suggestion(key, known));
 }
 
-std::string SearchTask::file(const Eigen::VectorXd&, const std::string&) const { return {}; }
+std::string SearchTask::file(const Eigen::VectorXd&, const std::string&,
+                             const std::map<std::string, double>&) const {
+  return {};
+}
 
 TaskLoader::TaskLoader(const TaskKind& kind) {
   std::vector<TaskKind>& kinds = registered();

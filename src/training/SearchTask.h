@@ -8,14 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "motion/MotionParameters.h"
+
 namespace plumbline::training {
 
-/// A number that is searched, and where.
-struct TaskParameter {
-  std::string name;
-  double start = 0, lower = 0, upper = 0;
-  double sigma = 0;  ///< standard deviation of the first candidates
-};
+using TaskParameter = motion::SearchedNumber;
 
 /// What one run of a task gave: lower costs are better; the figures are for people.
 struct TaskOutcome {
@@ -52,7 +49,10 @@ public:
   virtual const std::vector<TaskParameter>& parameters() const = 0;
   virtual TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) = 0;
   /// What was found as a file that the agent reads, below comment lines of `heading`; empty: there is none.
-  virtual std::string file(const Eigen::VectorXd& parameters, const std::string& heading) const;
+  /// figures: means of runs of these parameters, where they were measured. A run with the parameters is a run
+  /// of the file: what it rounds is rounded in both.
+  virtual std::string file(const Eigen::VectorXd& parameters, const std::string& heading,
+                           const std::map<std::string, double>& figures = {}) const;
 
 protected:
   SearchTask() = default;

@@ -1,16 +1,17 @@
-// Makes system calls fail, for tests of what programs do then: cc -shared -fPIC -o faults.so faults.c -ldl, and
+// Makes system calls fail, for tests of what programs do then: cc -shared -fPIC -o faults.so faults.c -ldl,
+// and
 //
 //     LD_PRELOAD=faults.so FAULT=write:3 FAULT_LOG=FILE FAULT_PROGRAM=gap bin/gap ...
 //
-// FAULT is KIND:N, the N-th call of the kind from the beginning of main on (1 the first), with a + behind: that one
-// and all that follow, as on a disk that is full. Kinds:
+// FAULT is KIND:N, the N-th call of the kind from the beginning of main on (1 the first), with a + behind:
+// that one and all that follow, as on a disk that is full. Kinds:
 //   write   to regular files, also by stdio                                    ENOSPC
 //   sync    fsync, fdatasync of files and folders                              EIO
 //   rename  and link                                                           EIO
 //   open    of files for writing, and mkdir                                    ENOSPC
 //   malloc  and what else allocates                                            ENOMEM
-// FAULT_LOG gets a line "KIND N" for a call that failed, and with FAULT=count at the end a line "KIND CALLS" for each
-// kind. FAULT_PROGRAM: only in the program of that name, not in those that it starts.
+// FAULT_LOG gets a line "KIND N" for a call that failed, and with FAULT=count at the end a line "KIND CALLS"
+// for each kind. FAULT_PROGRAM: only in the program of that name, not in those that it starts.
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -31,7 +32,7 @@ enum { WRITE, SYNC, RENAME, OPEN, MALLOC, KINDS };
 static const char* const names[KINDS] = {"write", "sync", "rename", "open", "malloc"};
 static const int errors[KINDS] = {ENOSPC, EIO, EIO, ENOSPC, ENOMEM};
 
-static atomic_int running;            // main has begun
+static atomic_int running;  // main has begun
 static atomic_long calls[KINDS];
 static int wanted = -1, lasting, killing, counting;
 static long which;
@@ -68,21 +69,24 @@ static int fails(int kind) {
 // Half of a write, and the end.
 static void writeHalf(int fd, const void* data, size_t size, off_t at) {
   if (!killing) return;
-  if (at >= 0) syscall(SYS_pwrite64, fd, data, size / 2, at);
-  else syscall(SYS_write, fd, data, size / 2);
+  if (at >= 0)
+    syscall(SYS_pwrite64, fd, data, size / 2, at);
+  else
+    syscall(SYS_write, fd, data, size / 2);
   kill(getpid(), SIGKILL);
 }
 
 static int isFile(int fd) {
   struct stat status;
-  return fd > 2 && fstat(fd, &status) == 0 && S_ISREG(status.st_mode); // what programs print is a test of its own
+  return fd > 2 && fstat(fd, &status) == 0 &&
+         S_ISREG(status.st_mode);  // what programs print is a test of its own
 }
 
 static void* next(const char* name) { return dlsym(RTLD_NEXT, name); }
-int __libc_start_main(int (*start)(int, char**, char**), int argc, char** argv, void (*init)(void), void (*fini)(void),
-                      void (*rtld_fini)(void), void* stack_end);
+int __libc_start_main(int (*start)(int, char**, char**), int argc, char** argv, void (*init)(void),
+                      void (*fini)(void), void (*rtld_fini)(void), void* stack_end);
 
-#define REAL(name) \
+#define REAL(name)               \
   static __typeof__(&name) real; \
   if (!real) real = (__typeof__(&name))next(#name)
 
@@ -112,7 +116,8 @@ ssize_t writev(int fd, const struct iovec* parts, int count) {
 }
 size_t fwrite(const void* data, size_t size, size_t count, FILE* file) {
   REAL(fwrite);
-  if (file == stderr || file == stdout || !isFile(fileno(file)) || !fails(WRITE)) return real(data, size, count, file);
+  if (file == stderr || file == stdout || !isFile(fileno(file)) || !fails(WRITE))
+    return real(data, size, count, file);
   writeHalf(fileno(file), data, size * count, -1);
   return 0;
 }
@@ -148,14 +153,16 @@ int link(const char* from, const char* to) {
 }
 
 static int writes(int flags) { return (flags & O_ACCMODE) != O_RDONLY || (flags & O_CREAT); }
-static int special(const char* path) { return strncmp(path, "/dev/", 5) == 0 || strncmp(path, "/proc/", 6) == 0; }
-#define OPENS(name) \
-  int name(const char* path, int flags, ...) { \
-    REAL(name); \
-    va_list more; \
-    va_start(more, flags); \
-    const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) ? va_arg(more, mode_t) : 0; \
-    va_end(more); \
+static int special(const char* path) {
+  return strncmp(path, "/dev/", 5) == 0 || strncmp(path, "/proc/", 6) == 0;
+}
+#define OPENS(name)                                                                       \
+  int name(const char* path, int flags, ...) {                                            \
+    REAL(name);                                                                           \
+    va_list more;                                                                         \
+    va_start(more, flags);                                                                \
+    const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) ? va_arg(more, mode_t) : 0;       \
+    va_end(more);                                                                         \
     return writes(flags) && !special(path) && fails(OPEN) ? -1 : real(path, flags, mode); \
   }
 OPENS(open)
@@ -181,7 +188,9 @@ extern void* __libc_memalign(size_t, size_t);
 void* malloc(size_t size) { return fails(MALLOC) ? NULL : __libc_malloc(size); }
 void* calloc(size_t count, size_t size) { return fails(MALLOC) ? NULL : __libc_calloc(count, size); }
 void* realloc(void* old, size_t size) { return fails(MALLOC) ? NULL : __libc_realloc(old, size); }
-void* memalign(size_t alignment, size_t size) { return fails(MALLOC) ? NULL : __libc_memalign(alignment, size); }
+void* memalign(size_t alignment, size_t size) {
+  return fails(MALLOC) ? NULL : __libc_memalign(alignment, size);
+}
 void* aligned_alloc(size_t alignment, size_t size) { return memalign(alignment, size); }
 int posix_memalign(void** result, size_t alignment, size_t size) {
   void* memory = memalign(alignment, size);
@@ -222,8 +231,8 @@ static int countedMain(int argc, char** argv, char** environment) {
   }
   return realMain(argc, argv, environment);
 }
-int __libc_start_main(int (*start)(int, char**, char**), int argc, char** argv, void (*init)(void), void (*fini)(void),
-                      void (*rtld_fini)(void), void* stack_end) {
+int __libc_start_main(int (*start)(int, char**, char**), int argc, char** argv, void (*init)(void),
+                      void (*fini)(void), void (*rtld_fini)(void), void* stack_end) {
   REAL(__libc_start_main);
   realMain = start;
   return real(countedMain, argc, argv, init, fini, rtld_fini, stack_end);

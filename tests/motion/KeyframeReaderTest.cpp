@@ -70,11 +70,16 @@ TEST_F(KeyframeReaderTest, readsAKickAndItsMirrorImage) {
   write("right.yaml",
         "ball: [0.2, -0.06]\n"
         "ballReach: [0.02, 0.02]\n"
+        "kick: {distance: 9.5, direction: 4, contact: 0.25}\n"
         "keyframes:\n"
         "  - {time: 0.1, RHipRoll: -5, ballY: {RHipRoll: 100}, ballX: {RHipRoll: 50}}\n");
   const KeyframeMotion motion = read("mirror: right\n");
   EXPECT_EQ(motion.name, "m");
   EXPECT_DOUBLE_EQ(motion.ball.y(), 0.06);
+  ASSERT_TRUE(motion.kick);
+  EXPECT_DOUBLE_EQ(motion.kick->distance, 9.5);
+  EXPECT_DOUBLE_EQ(motion.kick->direction, fromDegrees(-4));
+  EXPECT_DOUBLE_EQ(motion.kick->contact, 0.25);
   EXPECT_DOUBLE_EQ(motion.keyframes[0].angles[lHipRoll], fromDegrees(5));
   ASSERT_EQ(motion.keyframes[0].ballGains.size(), 1u);
   EXPECT_EQ(motion.keyframes[0].ballGains[0].joint, lHipRoll);
@@ -130,6 +135,16 @@ TEST_F(KeyframeReaderTest, errorsNameFileLineAndKey) {
             "m.yaml:2: RHipRoll: has a gain for the ball, but no angle in this keyframe");
   EXPECT_EQ(errorOf("ballReach: [0.1, 0]\nkeyframes:\n  - {time: 1, RHipRoll: 24, ballX: {RHipRoll: 50}}\n"),
             "m.yaml:3: RHipRoll: leaves its limits for a ball at the edge of ballReach");
+  const std::string frames = "ball: [0.2, 0]\nkeyframes: [{time: 1}]\n";
+  EXPECT_EQ(errorOf("kick: {distance: 3}\nkeyframes: [{time: 1}]\n"),
+            "m.yaml:1: kick: needs ball, the place that it kicks from");
+  EXPECT_EQ(errorOf("kick: {direction: 3}\n" + frames),
+            "m.yaml:1: distance: missing; give the metres that the kick carries");
+  EXPECT_EQ(errorOf("kick: {distance: 0}\n" + frames), "m.yaml:1: distance: has to be between 0.1 and 50");
+  EXPECT_EQ(errorOf("kick: {distanse: 3}\n" + frames),
+            "m.yaml:1: distanse: unknown key; did you mean \"distance\"?");
+  EXPECT_EQ(errorOf("kick: far\n" + frames),
+            "m.yaml:1: kick: has to map distance, direction and contact to numbers");
   EXPECT_EQ(errorOf("3\n"), "m.yaml:1: a motion is a map with the key keyframes (or mirror)");
   EXPECT_EQ(errorOf(""), "m.yaml:1: a motion is a map with the key keyframes (or mirror)");
   EXPECT_EQ(errorOf("keyframes: [\n").substr(0, 22), "m.yaml:2: broken YAML:");

@@ -120,10 +120,12 @@ TEST_F(MechanismMjcf, mistakesAreNamedWithTheirLine) {
   EXPECT_EQ(errorOf("a.xml", "<robot/>"), "a.xml: no <mujoco>; give a model of MuJoCo");
   EXPECT_EQ(errorOf("a.xml", arm("name=\"shoulder\"", "name=\"shoulder\" type=\"ball\"")),
             "a.xml:9: type is \"ball\"; what can be used is hinge, slide and a free base");
-  EXPECT_EQ(errorOf("a.xml", arm("<joint name=\"elbow\"", "<joint name=\"wrist\" axis=\"1 0 0\"/><joint name=\"elbow\"")),
+  EXPECT_EQ(errorOf("a.xml", arm("<joint name=\"elbow\"",
+                                 "<joint name=\"wrist\" axis=\"1 0 0\"/><joint name=\"elbow\"")),
             "a.xml:12: body lower has two joints; put a body between them");
-  EXPECT_EQ(errorOf("a.xml", arm("type=\"box\" size=\"0.1 0.2 0.3\"", "type=\"mesh\" mesh=\"m\"")),
-            "a.xml:10: a body's mass is that of a mesh; give the body an <inertial> (mj_saveLastXML writes them)");
+  EXPECT_EQ(
+      errorOf("a.xml", arm("type=\"box\" size=\"0.1 0.2 0.3\"", "type=\"mesh\" mesh=\"m\"")),
+      "a.xml:10: a body's mass is that of a mesh; give the body an <inertial> (mj_saveLastXML writes them)");
   EXPECT_EQ(errorOf("a.xml", arm("class=\"strong\" joint", "class=\"string\" joint")),
             "a.xml:21: there is no class string");
   EXPECT_EQ(errorOf("a.xml", arm("biasprm=\"0 -12 -0.2\"", "biasprm=\"0 -1 0\"")),

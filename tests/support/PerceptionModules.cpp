@@ -36,7 +36,6 @@ Parser PolarPlayerPercept
 Parser HearPercept
 Parser GroundTruth
 CognitionConfigLoader FieldDimensions
-CognitionConfigLoader SkillKickParameters
 RobotModelProvider RobotDescription
 RobotModelProvider FKModel
 TorsoAngleEstimator TorsoAngles

@@ -29,10 +29,13 @@ Striker2::Shot Striker2::shot() const {
 
 void Striker2::playAlone(BehaviorOutput& output) const {
   const Shot best = shot();
-  const bool inReach = best.distance < theSkillKickParameters->distance + 1;
-  const bool kick = best.distance > dribbleDistance && (!inReach || best.halfOpening > minOpening);
-  output.skill = kickAllowed && kick ? Skill::kick : Skill::dribble;
-  output.target = Pose2(best.target);
+  const bool inReach = best.distance < theSkillKickParameters->reach() + 1;
+  const bool sure = !inReach || best.halfOpening > minOpening;
+  const double way = sure ? best.distance : kickBeforeTheLine(best.distance);
+  const bool kick = kickAllowed && best.distance > dribbleDistance && way > 0;
+  output.skill = kick ? Skill::kick : Skill::dribble;
+  const Vec2 direction = (best.target - theBallPos->field).normalized();
+  output.target = Pose2(kick && !sure ? Vec2(theBallPos->field + way * direction) : best.target);
 }
 
 void Striker2::draw(const StrikerSituation& situation) const {
@@ -58,7 +61,7 @@ void Striker2::playAmongOthers(BehaviorOutput& output) {
   StrikerSituation situation;
   situation.robot = theRobotPose->pose;
   situation.ball = theBallPos->field;
-  situation.kickReach = theSkillKickParameters->distance;
+  for (const Kick& kick : theSkillKickParameters->kicks) situation.kicks.push_back(kick.distance);
   situation.halfLength = theFieldDimensions->length / 2;
   situation.halfWidth = theFieldDimensions->width / 2;
   situation.goalHalfWidth = theFieldDimensions->goalWidth / 2;
@@ -66,11 +69,18 @@ void Striker2::playAmongOthers(BehaviorOutput& output) {
   action_ = chooseAction(situation, action_, *value_, time, choice);
   const bool kick = kickAllowed && action_.kind == StrikerAction::Kind::kick;
   output.skill = kick ? Skill::kick : Skill::dribble;
-  // As far as the goal: a target that is reached would end the skill.
-  const double distance = std::max((situation.goal() - situation.ball).norm(), 0.5);
+  // A kick is told how far; what is dribbled goes on.
+  const double distance = kick ? action_.reach : std::max((situation.goal() - situation.ball).norm(), 0.5);
   output.target =
       Pose2(Vec2(situation.ball + distance * Vec2(std::cos(action_.direction), std::sin(action_.direction))));
   draw(situation);
+}
+
+double Striker2::kickBeforeTheLine(double toGoal) const {
+  double longest = 0;
+  for (const Kick& one : theSkillKickParameters->kicks)
+    if (one.distance <= toGoal - lineDistance) longest = std::max(longest, one.distance);
+  return longest;
 }
 
 void Striker2::update(StrikerOutput* theStrikerOutput) {

@@ -29,7 +29,9 @@ MODULE(Striker2)
   PARAMETER(double, dribbleDistance, 1.5, "m", Range(0, 30),
             "closer to the goal than this the ball is dribbled in")
   PARAMETER(double, minOpening, 0.15, "rad", Range(0, 1),
-            "half the angle between the posts; a narrower goal in reach is dribbled at")
+            "half the angle between the posts; at a narrower goal in reach the ball is brought nearer first")
+  PARAMETER(double, lineDistance, 1, "m", Range(0, 10),
+            "then a kick may be used that leaves the ball so far from the goal, else it is dribbled")
   PARAMETER_GROUP(ActionChoiceParameters, choice, "what is done with the ball where others play")
   PARAMETER_GROUP(TimeToBallParameters, time, "how fast players are at the ball")
 END_MODULE
@@ -50,6 +52,8 @@ private:
     double distance = 0;         ///< of ball and goal [m]
   };
   Shot shot() const;
+  /// The farthest kick that leaves a ball so far from the goal on the field [m]; 0: there is none.
+  double kickBeforeTheLine(double toGoal) const;
   void playAlone(BehaviorOutput& output) const;
   void playAmongOthers(BehaviorOutput& output);
   void draw(const StrikerSituation& situation) const;

@@ -3,7 +3,6 @@
 
 #include "framework/Module.h"
 #include "representations/infrastructure/FieldDimensions.h"
-#include "representations/skills/SkillKickParameters.h"
 
 namespace plumbline {
 
@@ -14,20 +13,17 @@ struct FieldChoice {
 
 MODULE(CognitionConfigLoader)
   PROVIDES(FieldDimensions)
-  PROVIDES(SkillKickParameters)
 END_MODULE
 
 /// Representations that come from configuration and stay as they are: config/field.yaml, or the file of
-/// FieldChoice, and config/kick.yaml.
+/// FieldChoice.
 class CognitionConfigLoader : public CognitionConfigLoaderBase {
 public:
   void init() override;
   void update(FieldDimensions* theFieldDimensions) override { *theFieldDimensions = field_; }
-  void update(SkillKickParameters* theSkillKickParameters) override { *theSkillKickParameters = kick_; }
 
 private:
   FieldDimensions field_;
-  SkillKickParameters kick_;
 };
 
 }  // namespace plumbline

@@ -1,5 +1,9 @@
 #include "modules/motion/KickMotion.h"
 
+#include <algorithm>
+
+#include "framework/DebugSite.h"
+
 namespace plumbline {
 
 MAKE_MODULE(KickMotion)
@@ -9,11 +13,24 @@ void KickMotion::init() {
 }
 
 void KickMotion::read(const RobotModel& robot) {
-  const std::vector<motion::KeyframeMotion> motions = readMotions(config, robot);
-  const motion::KeyframeMotion* kick = findMotion(motions, rightFoot);
-  if (!kick) config.refuse("rightFoot", missingMotion(motions, rightFoot));
-  right_ = *kick;
-  left_ = mirrored(*kick);
+  kicks_ = readMotions(config, robot);
+  std::erase_if(kicks_, [](const motion::KeyframeMotion& motion) { return !motion.kick; });
+  std::ranges::stable_sort(kicks_, {},
+                           [](const motion::KeyframeMotion& kick) { return kick.kick->distance; });
+}
+
+void KickMotion::start() {
+  const MotionRequest& request = *theMotionRequest;
+  const motion::KeyframeMotion* kick = findMotion(kicks_, request.kick);
+  if (!kick && !request.kick.empty())
+    log.error() << "there is no kick \"" << request.kick << "\" in motions/";
+  if (!kick && request.kick.empty() && !kicks_.empty()) kick = &kicks_.front();
+  motion::KeyframeMotion played;
+  if (kick) {
+    const bool otherFoot = (kick->ball.y() > 0) != (request.kickFoot == Side::left);
+    played = shiftedToBall(otherFoot ? mirrored(*kick) : *kick, request.kickBall);
+  }
+  player_.start(played, theJointData->angles);
 }
 
 void KickMotion::update(KickMotionOutput* theKickMotionOutput) {
@@ -25,10 +42,7 @@ void KickMotion::update(KickMotionOutput* theKickMotionOutput) {
   }
   const bool still = stillness_.update(theSensorData->gyro);
   if (theMotionSelection->motion == Motion::kick) {
-    if (theMotionSelection->started) {
-      const motion::KeyframeMotion& kick = theMotionRequest->kickFoot == Side::left ? left_ : right_;
-      player_.start(shiftedToBall(kick, theMotionRequest->kickBall), theJointData->angles);
-    }
+    if (theMotionSelection->started) start();
     player_.step(theFrameInfo->cycleSeconds, still);
   }
   theKickMotionOutput->targets.angles = player_.angles();

@@ -22,11 +22,10 @@ MODULE(KickMotion)
   REQUIRES(JointData)
   REQUIRES(SensorData)
   PROVIDES(KickMotionOutput)
-  PARAMETER(std::string, rightFoot, "kickRight", "", Range(),
-            "motion of motions/ that kicks with the right foot; its mirror image kicks with the left")
 END_MODULE
 
-/// The quick kick with either foot: keyframes for the right foot, shifted to where the ball lies.
+/// The kicks with either foot: the motions of motions/ whose files say `kick`, mirrored for the other foot
+/// and shifted to where the ball lies.
 class KickMotion : public KickMotionBase {
 public:
   void init() override;
@@ -34,8 +33,9 @@ public:
 
 private:
   void read(const RobotModel& robot);
+  void start();
 
-  motion::KeyframeMotion right_, left_;
+  std::vector<motion::KeyframeMotion> kicks_;  ///< the shortest first
   motion::KeyframePlayer player_;
   Stillness stillness_;
   std::string robot_;

@@ -16,6 +16,7 @@ void SkillCombinator::update(MotionRequest* theMotionRequest) {
     theMotionRequest->walkVelocity = output->walkVelocity;
     theMotionRequest->walkTurn = output->walkTurn;
     theMotionRequest->specialAction = output->specialAction;
+    theMotionRequest->kick = output->kick;
     theMotionRequest->kickFoot = output->kickFoot;
     theMotionRequest->kickBall = output->kickBall;
     break;

@@ -5,6 +5,10 @@
 
 namespace plumbline {
 
+namespace {
+constexpr double farAway = 1e3;  // [m]
+}
+
 MAKE_MODULE(SkillGetBall)
 
 BallApproach SkillGetBall::requestedApproach() const {
@@ -14,14 +18,20 @@ BallApproach SkillGetBall::requestedApproach() const {
   return BallApproach::none;
 }
 
-Vec2 SkillGetBall::kickBallPosition() {
-  // The foot on the ball's side, with some reluctance to change it.
+void SkillGetBall::chooseFoot() {
   const double side = theBallPos->relative.y();
   if (side > 0.03) foot_ = Side::left;
   if (side < -0.03) foot_ = Side::right;
-  Vec2 position = theSkillKickParameters->ballPosition;
-  if (foot_ == Side::left) position.y() = -position.y();
-  return position;
+}
+
+const Kick& SkillGetBall::chooseKick(double metres) {
+  const SkillKickParameters& all = *theSkillKickParameters;
+  const Kick& shorter = all.kickFor(metres - kickMargin);
+  const Kick& chosen = shorter.motion == kick_                            ? shorter
+                       : all.kickFor(metres + kickMargin).motion == kick_ ? all.kickFor(metres + kickMargin)
+                                                                          : all.kickFor(metres);
+  kick_ = chosen.motion;
+  return chosen;
 }
 
 bool SkillGetBall::pressed() const {
@@ -48,13 +58,19 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   if (wanted == BallApproach::none) return;
 
   output.active = theSkillRequest->skill == Skill::getBall;
+  chooseFoot();
+  const double mirror = foot_ == Side::left ? -1 : 1;
   double heading = theSkillRequest->target.heading;
-  if (wanted != BallApproach::heading) {
-    const Vec2 toTarget = theSkillRequest->target.position - theBallPos->field;
-    heading = std::atan2(toTarget.y(), toTarget.x());
+  Vec2 place(dribbleDistance, 0);
+  const Vec2 toTarget = theSkillRequest->target.position - theBallPos->field;
+  if (wanted != BallApproach::heading) heading = std::atan2(toTarget.y(), toTarget.x());
+  if (wanted != BallApproach::dribble) {
+    const Kick& kick = chooseKick(wanted == BallApproach::kick ? toTarget.norm() : farAway);
+    place = Vec2(kick.ballPosition.x(), mirror * kick.ballPosition.y());
+    if (wanted == BallApproach::kick) heading -= mirror * kick.direction;
+    output.kick = kick.motion;
   }
   heading = normalizeAngle(heading - theRobotPose->pose.heading);
-  const Vec2 place = wanted == BallApproach::dribble ? Vec2(dribbleDistance, 0) : kickBallPosition();
   const Pose2 way = approachBall(theBallPos->relative, heading, place, approach);
   const bool detour =
       theSafeWalkDirection && theSafeWalkDirection->detour && theBallPos->relative.norm() > detourDistance;

@@ -32,6 +32,8 @@ MODULE(SkillGetBall)
   PARAMETER(double, detourDistance, 0.8, "m", Range(0, 10),
             "nearer to the ball than this the robot goes straight, whoever stands there")
   PARAMETER(double, dribbleDistance, 0.2, "m", Range(0.05, 1), "the ball ahead of the robot before a dribble")
+  PARAMETER(double, kickMargin, 0.3, "m", Range(0, 3),
+            "a kick that was chosen stays while the ball's way is within so much of what it is for")
   PARAMETER(double, biasGain, 1.5, "1/s^2", Range(0, 10),
             "how fast a drift of the walk is learned near the target")
   PARAMETER(double, biasDistance, 0.15, "m", Range(0, 1),
@@ -46,13 +48,17 @@ public:
 
 private:
   BallApproach requestedApproach() const;
-  Vec2 kickBallPosition();
+  /// The foot on the ball's side, with some reluctance to change it.
+  void chooseFoot();
+  /// The kick for a way of the ball [m], with some reluctance to change it.
+  const Kick& chooseKick(double metres);
   bool pressed() const;
   /// The walk's own bias near the target: what the requested speed has to be raised by, learned there [m/s].
   void learnBias(const Pose2& T_robot_target);
 
   Vec2 bias_ = Vec2::Zero();  ///< in the robot's frame [m/s]
   Side foot_ = Side::right;
+  std::string kick_;  ///< the motion of the kick that was chosen last
 };
 
 }  // namespace plumbline

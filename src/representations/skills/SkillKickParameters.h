@@ -1,25 +1,48 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "framework/Representation.h"
 #include "math/Types.h"
 
 namespace plumbline {
 
-/// Where the ball has to lie for the quick kick with the right foot, from config/kick.yaml; mirrored for the
-/// left.
+/// A kick that there is, with the right foot; mirrored for the left.
+struct Kick : public Streamable {
+  std::string motion;                     ///< name of the keyframe file without its ending
+  Vec2 ballPosition = Vec2(0.16, -0.05);  ///< relative to the robot's ground frame [m]
+  double distance = 3;                    ///< how far the kick carries [m]
+  double direction = 0;                   ///< in which the ball goes, robot's ground frame [rad]
+  double contact = 0;                     ///< from the motion's begin to the ball [s]
+  void stream(InStream* in, OutStream* out) override {
+    STREAM(motion);
+    STREAM(ballPosition);
+    STREAM(distance);
+    STREAM(direction);
+    STREAM(contact);
+  }
+};
+
+/// The robot's kicks and how exactly it has to stand for them, from config/kick.yaml and the motions.
 REPRESENTATION(SkillKickParameters)
 class SkillKickParameters : public SkillKickParametersBase {
 public:
-  Vec2 ballPosition = Vec2(0.16, -0.05);  ///< relative to the robot's ground frame [m]
-  Vec2 tolerance = Vec2(0.03, 0.03);      ///< [m]
-  double headingTolerance = 0.15;         ///< [rad]
-  double distance = 3;                    ///< how far the kick carries [m]
+  std::vector<Kick> kicks = {Kick()};  ///< at least one, the shortest first
+  Vec2 tolerance = Vec2(0.03, 0.03);   ///< [m]
+  double headingTolerance = 0.15;      ///< [rad]
+
+  /// The shortest kick that carries so far [m], else the longest.
+  const Kick& kickFor(double metres) const {
+    for (const Kick& kick : kicks)
+      if (kick.distance >= metres) return kick;
+    return kicks.back();
+  }
+  /// How far the longest kick carries [m].
+  double reach() const { return kicks.back().distance; }
   void stream(InStream* in, OutStream* out) override {
-    STREAM(ballPosition);
+    STREAM(kicks);
     STREAM(tolerance);
     STREAM(headingTolerance);
-    STREAM(distance);
   }
 };
 

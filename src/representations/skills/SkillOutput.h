@@ -36,6 +36,7 @@ public:
   Vec2 walkVelocity = Vec2::Zero();  ///< [m/s]
   double walkTurn = 0;               ///< [rad/s]
   std::string specialAction;         ///< where motion is Motion::specialAction
+  std::string kick;                  ///< where motion is Motion::kick
   Side kickFoot = Side::right;
   Vec2 kickBall = Vec2::Zero();  ///< the ball relative to the robot [m]
 
@@ -47,6 +48,7 @@ public:
     walkVelocity = other.walkVelocity;
     walkTurn = other.walkTurn;
     specialAction = other.specialAction;
+    kick = other.kick;
     kickFoot = other.kickFoot;
     kickBall = other.kickBall;
   }
@@ -59,6 +61,7 @@ public:
     STREAM(walkVelocity);
     STREAM(walkTurn);
     STREAM(specialAction);
+    STREAM(kick);
     STREAM(kickFoot);
     STREAM(kickBall);
   }
@@ -75,6 +78,7 @@ private:
     walkVelocity = Vec2::Zero();
     walkTurn = 0;
     specialAction.clear();
+    kick.clear();
     kickFoot = Side::right;
     kickBall = Vec2::Zero();
   }

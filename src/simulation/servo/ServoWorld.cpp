@@ -11,7 +11,7 @@ namespace plumbline::simulation {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double ballRadius = 0.03;  ///< of links that are no feet [m]
 constexpr double stopErp = 0.2;      ///< share of a joint's way beyond its stop undone in a step
 constexpr double leastRotor = 1e-9;  ///< a row needs some softness [kg m^2]
@@ -120,7 +120,7 @@ void ServoWorld::restart(const Pose3& T_world_base, const std::vector<double>& q
 
 void ServoWorld::restart(const std::vector<double>& q, double heading) {
   restart(rotationZ(heading), q);
-  double lowest = infinity;
+  double lowest = unbounded;
   for (const Point& point : points)
     lowest = std::min(lowest, (link(point.link).pose * point.local).z() - point.radius);
   restart(translation(0, 0, -lowest) * rotationZ(heading), q);
@@ -197,11 +197,11 @@ void ServoWorld::addServoRow(int joint) {
   const Mechanism::Joint& spec = mechanism_.joints[at(joint)];
   if (spec.driver >= 0) {
     const double gap = body->position(joint) - spec.driven(body->position(spec.driver));
-    addRow({Row::Kind::drive, joint, -stopErp / h * gap, 1e-9, -infinity, infinity},
+    addRow({Row::Kind::drive, joint, -stopErp / h * gap, 1e-9, -unbounded, unbounded},
            body->addDriveRow(joint, spec.driver, spec.driverRatio));
     return;
   }
-  addRow({Row::Kind::servo, joint, 0, 0, -infinity, infinity}, body->addJointRow(motor(joint)));
+  addRow({Row::Kind::servo, joint, 0, 0, -unbounded, unbounded}, body->addJointRow(motor(joint)));
 }
 
 /// A spring and a damper between motor and link, as contacts have them; with play it pushes only at its ends.
@@ -216,8 +216,8 @@ void ServoWorld::addGearRow(int joint) {
   if (drive.backlash > 0 && beyond == 0) return;
   const double soft = 1 / (h * h * k + h * d);
   const bool oneWay = drive.backlash > 0;
-  addRow({Row::Kind::gear, joint, soft * h * k * -beyond, soft, oneWay && beyond < 0 ? 0 : -infinity,
-          oneWay && beyond > 0 ? 0 : infinity},
+  addRow({Row::Kind::gear, joint, soft * h * k * -beyond, soft, oneWay && beyond < 0 ? 0 : -unbounded,
+          oneWay && beyond > 0 ? 0 : unbounded},
          body->addDriveRow(joint, motor(joint), 1));
 }
 
@@ -226,7 +226,7 @@ void ServoWorld::addFrictionRows(int joint) {
   const double viscous = drives[at(joint)].drive().viscous;
   const DryFriction dry = drives[at(joint)].dryLimit();
   if (viscous > 0)
-    addRow({Row::Kind::viscous, joint, 0, 1 / (h * viscous), -infinity, infinity},
+    addRow({Row::Kind::viscous, joint, 0, 1 / (h * viscous), -unbounded, unbounded},
            body->addJointRow(motor(joint)));
   if (dry.forward > 0 || dry.backward > 0)
     addRow({Row::Kind::dry, joint, 0, 1e-9, -h * dry.forward, h * dry.backward},
@@ -239,8 +239,8 @@ void ServoWorld::addStopRow(int joint) {
   const double q = body->position(joint);
   const double beyond = q < spec.lower ? q - spec.lower : q > spec.upper ? q - spec.upper : 0;
   if (beyond == 0) return;
-  addRow({Row::Kind::stop, joint, -stopErp / h * beyond, 1e-9, beyond < 0 ? 0 : -infinity,
-          beyond < 0 ? infinity : 0},
+  addRow({Row::Kind::stop, joint, -stopErp / h * beyond, 1e-9, beyond < 0 ? 0 : -unbounded,
+          beyond < 0 ? unbounded : 0},
          body->addJointRow(joint));
 }
 
@@ -252,10 +252,10 @@ void ServoWorld::addContactRows(int index) {
   const double k = config.groundStiffness, d = config.groundDamping;
   // A spring and a damper with their force at the end of the step.
   const double soft = 1 / (h * h * k + h * d);
-  addRow({Row::Kind::push, index, soft * h * k * -point.world.z(), soft, 0, infinity},
+  addRow({Row::Kind::push, index, soft * h * k * -point.world.z(), soft, 0, unbounded},
          body->addPointRow(point.link, point.world, Vec3::UnitZ()));
   for (const Vec3& across : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY())})
-    addRow({Row::Kind::friction, index, 0, creep / h, -infinity, infinity},
+    addRow({Row::Kind::friction, index, 0, creep / h, -unbounded, unbounded},
            body->addPointRow(point.link, point.world, across));
 }
 

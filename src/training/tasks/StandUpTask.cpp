@@ -4,13 +4,11 @@
 #include <stdexcept>
 
 #include "framework/ConfigurationError.h"
-#include "math/Angle.h"
+#include "training/tasks/WalkOn.h"
 
 namespace plumbline::training {
 namespace {
 
-constexpr double walkSeconds = 2, walkSpeed = 0.3, walkTurn = 0.5;  // [s, m/s, rad/s]
-constexpr double upright = 30 * pi / 180;                           // [rad], of the thesis's measure
 constexpr std::size_t mostKept = 4096;
 constexpr int mostFalls = 1000;
 
@@ -37,7 +35,7 @@ StandUpTask::StandUpTask(const TaskOptions& options)
   } catch (const std::out_of_range& error) {
     throw ConfigurationError(std::string("option motion: ") + error.what());
   }
-  parameters_ = std::make_unique<MotionParameters>(first_, trial_.model);
+  parameters_ = std::make_unique<motion::MotionParameters>(first_, trial_.model);
 }
 
 const StandUpTask::Lying& StandUpTask::lying(std::uint64_t seed) {
@@ -63,25 +61,21 @@ TaskOutcome StandUpTask::tryMotion(const motion::KeyframeMotion& motion, std::ui
   trial_.play(motion);
   TaskOutcome outcome;
   const double milliseconds = 1e3 * trial_.elapsed;
-  const double way = trial_.random(-pi, pi), turn = trial_.random(-walkTurn, walkTurn);
-  const Vec2 velocity = walkSpeed * Vec2(std::cos(way), std::sin(way));
-  double error = 0;
-  trial_.beginWalk();
-  for (double t = 0; t < walkSeconds; t += motion::MotionTrial::dt) {
-    trial_.walkStep(velocity, turn);
-    error += trial_.tilt();
-  }
-  outcome.cost = error + weight_ * milliseconds;
-  outcome.figures = {{"time", milliseconds}, {"error", error}, {"up", trial_.tilt() < upright ? 1.0 : 0.0}};
+  WalkOn walk(trial_);
+  walk.begin(trial_.player.angles());
+  while (!walk.isOver()) walk.step();
+  outcome.cost = walk.error() + weight_ * milliseconds;
+  outcome.figures = {{"time", milliseconds}, {"error", walk.error()}, {"up", walk.upright() ? 1.0 : 0.0}};
   return outcome;
 }
 
 TaskOutcome StandUpTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed) {
-  return tryMotion(parameters_->motion(parameters), seed);
+  return tryMotion(parameters_->written(parameters, motion::MotionTrial::dt), seed);
 }
 
-std::string StandUpTask::file(const Eigen::VectorXd& parameters, const std::string& heading) const {
-  return motionFile(parameters_->shortened(parameters, motion::MotionTrial::dt), trial_.model, heading);
+std::string StandUpTask::file(const Eigen::VectorXd& parameters, const std::string& heading,
+                              const std::map<std::string, double>&) const {
+  return motion::motionFile(parameters_->written(parameters, motion::MotionTrial::dt), trial_.model, heading);
 }
 
 MAKE_TASK(standUp,

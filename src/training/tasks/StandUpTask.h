@@ -2,8 +2,9 @@
 #include <map>
 #include <memory>
 
+#include "motion/MotionParameters.h"
 #include "training/MotionTrial.h"
-#include "training/tasks/MotionParameters.h"
+#include "training/SearchTask.h"
 
 namespace plumbline::training {
 
@@ -20,7 +21,8 @@ public:
 
   const std::vector<TaskParameter>& parameters() const override { return parameters_->list(); }
   TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) override;
-  std::string file(const Eigen::VectorXd& parameters, const std::string& heading) const override;
+  std::string file(const Eigen::VectorXd& parameters, const std::string& heading,
+                   const std::map<std::string, double>& figures) const override;
 
   /// A run with any motion.
   TaskOutcome tryMotion(const motion::KeyframeMotion& motion, std::uint64_t seed);
@@ -37,7 +39,7 @@ private:
   const double weight_;
   motion::MotionTrial trial_;
   motion::KeyframeMotion first_;
-  std::unique_ptr<MotionParameters> parameters_;
+  std::unique_ptr<motion::MotionParameters> parameters_;
   std::map<std::uint64_t, Lying> fallen_;  ///< falls cost as much as the rest and repeat within a generation
 };
 

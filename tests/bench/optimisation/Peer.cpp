@@ -10,12 +10,14 @@
 namespace plumbline::bench {
 namespace {
 
+constexpr double halfWidth = 100;  // of the box: nothing comes near to its edge
+
 struct Problem {
   pagmo::vector_double fitness(const pagmo::vector_double& x) const {
     return {function(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())))};
   }
   std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const {
-    return {pagmo::vector_double(dimension, -100), pagmo::vector_double(dimension, 100)};
+    return {pagmo::vector_double(dimension, -halfWidth), pagmo::vector_double(dimension, halfWidth)};
   }
   Function function = nullptr;
   std::size_t dimension = 1;
@@ -40,9 +42,11 @@ PeerRun run(const Algorithm& algorithm, pagmo::population population, int size, 
   result.evaluations = 1e9;
   for (const auto& line : wrapped.template extract<Algorithm>()->get_log()) {
     ++result.generations;
+    const auto evaluations = static_cast<double>(std::get<1>(line));
     result.best = std::get<2>(line);
+    if (evaluations <= size) result.firstBest = result.best;
     if (result.best > target) continue;
-    result.evaluations = static_cast<double>(std::get<0>(line)) * size;
+    result.evaluations = evaluations;
     break;
   }
   return result;
@@ -56,11 +60,12 @@ PeerRun runPeer(const std::string& algorithm, Function function, int dimension, 
   const auto generations = static_cast<unsigned>(maxEvaluations / population);
   pagmo::population first = begin(problem, start, population, seed);
   // It begins with equal costs, which its tolerances would take for the end.
-  // Its sigma is in the function's units for cmaes, and a share of the box's width for xnes.
+  // Its sigma is a share of the box's width, for both.
+  const double sigma = firstDeviation / (2 * halfWidth);
   if (algorithm == "xnes")
-    return run(pagmo::xnes(generations, -1, -1, -1, 0.5 / 200, 0, 0, false, false, seed), first, population,
+    return run(pagmo::xnes(generations, -1, -1, -1, sigma, 0, 0, false, false, seed), first, population,
                target);
-  return run(pagmo::cmaes(generations, -1, -1, -1, -1, 0.5, 0, 0, false, false, seed), first, population,
+  return run(pagmo::cmaes(generations, -1, -1, -1, -1, sigma, 0, 0, false, false, seed), first, population,
              target);
 }
 

@@ -4,12 +4,16 @@
 
 namespace plumbline::bench {
 
+/// Standard deviation of the first candidates around the start, ours and pagmo's.
+constexpr double firstDeviation = 0.5;
+
 using Function = double (*)(const Eigen::VectorXd&);
 
 /// A run of pagmo's cmaes or xnes from the same place with the same first deviation.
 struct PeerRun {
   double evaluations = 0, best = 0;
-  double seconds = 0;  ///< of the whole run
+  double firstBest = 0;  ///< best cost of the first generation that it draws, or of the start if that is less
+  double seconds = 0;    ///< of the whole run
   double generations = 0;
 };
 

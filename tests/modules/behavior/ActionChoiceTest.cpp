@@ -22,7 +22,7 @@ FieldValue slope() {
 struct ActionChoiceTest : testing::Test {
   ActionChoiceTest() {
     situation.robot = Pose2(-1, 0, 0);
-    situation.kickReach = 4;
+    situation.kicks = {4};
     add(false, {14.5, 0});
   }
   void add(bool mate, const Vec2& place, bool fallen = false) {
@@ -32,7 +32,8 @@ struct ActionChoiceTest : testing::Test {
     robot.fallen = fallen;
   }
   StrikerAction judge(Kind kind, double direction) const {
-    return judgeAction(kind, direction, situation, value, time, parameters);
+    return judgeAction(kind, direction, kind == Kind::kick ? 4 : parameters.dribbleWay, situation, value,
+                       time, parameters);
   }
   StrikerAction choose(const StrikerAction& last = {}) const {
     return chooseAction(situation, last, value, time, parameters);
@@ -82,6 +83,15 @@ TEST_F(ActionChoiceTest, aShotIsWorthItsChance) {
   EXPECT_LT(judge(Kind::kick, 1.2).value, 0.6);
 }
 
+TEST_F(ActionChoiceTest, takesTheKickThatGoesAsFarAsItShall) {
+  add(true, {4, 0});
+  add(false, {9, 0});  // a longer kick is theirs
+  situation.kicks = {4, 9};
+  EXPECT_EQ(choose().reach, 4);
+  situation.others.pop_back();
+  EXPECT_EQ(choose().reach, 9);
+}
+
 TEST_F(ActionChoiceTest, staysWithItsChoiceWhileNoOtherIsClearlyBetter) {
   const StrikerAction best = choose();
   EXPECT_NEAR(best.direction, 0, 1e-9);
@@ -113,7 +123,7 @@ TEST_P(SituationTest, isDecidedAsExpected) {
       other.mate = mate;
       other.position = {place[0], place[1]};
     }
-  situation.kickReach = 3.4;
+  situation.kicks = {3.4};
   const ConfigSection expected = root.section("expected");
   const std::size_t action = expected.choice("action", {"any", "kick", "dribble"});
   const Vec2 direction = expected.get<Vec2>("direction", {-pi, pi});

@@ -51,6 +51,25 @@ TEST_F(Striker2Test, theLineHitsTheGoalFromEverywhere) {
     }
 }
 
+TEST_F(Striker2Test, bringsTheBallNearerWithAShorterKickWhereTheGoalIsNarrow) {
+  std::vector<Kick>& kicks = harness.input<SkillKickParameters>().kicks;
+  kicks.resize(2);
+  kicks[0].distance = 3;
+  kicks[1].distance = 10;
+  // 9 m before the goal, half the angle between the posts, less 15 cm, is 0.1 rad.
+  harness.input<BallPos>().field = {6, 0};
+  EXPECT_EQ(decide().skill, Skill::kick);
+  EXPECT_NEAR(decide().target.x(), 9, 1e-9);
+  // 5 m before it is 0.18 rad: the goal itself; 20 m before it nothing reaches it.
+  harness.input<BallPos>().field = {10, 0};
+  EXPECT_NEAR(decide().target.x(), 15, 1e-9);
+  harness.input<BallPos>().field = {-5, 0};
+  EXPECT_NEAR(decide().target.x(), 15, 1e-9);
+  // 3.5 m away at an angle no kick leaves the ball on the field.
+  harness.input<BallPos>().field = {14, 3.3};
+  EXPECT_EQ(decide().skill, Skill::dribble);
+}
+
 TEST_F(Striker2Test, dribblesOverTheLine) {
   harness.input<BallPos>().field = {14.5, 0.2};
   EXPECT_EQ(decide().skill, Skill::dribble);

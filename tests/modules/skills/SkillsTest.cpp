@@ -53,7 +53,9 @@ struct GetBallTest : testing::Test {
   GetBallTest() {
     harness.input<FrameInfo>().cycleSeconds = 0.02;
     SkillKickParameters& kick = harness.input<SkillKickParameters>();
-    kick.ballPosition = {0.16, -0.05};
+    kick.kicks = {Kick()};
+    kick.kicks[0].motion = "kickRight";
+    kick.kicks[0].ballPosition = {0.16, -0.05};
     kick.tolerance = {0.03, 0.03};
     kick.headingTolerance = 0.15;
     harness.input<SkillKickOutput>();  // how a skill wants to stand at the ball, its output says
@@ -85,6 +87,65 @@ TEST_F(GetBallTest, kicksWithTheFootOnTheBallsSide) {
   EXPECT_EQ(ballAt({0.16, -0.05}).kickFoot, Side::right);
 }
 
+/// Three kicks: 3, 6 and 12 m; the middle one goes 0.1 rad to the left.
+struct KicksTest : GetBallTest {
+  KicksTest() {
+    SkillKickParameters& parameters = harness.input<SkillKickParameters>();
+    parameters.kicks.resize(3);
+    const char* names[] = {"short", "middle", "long"};
+    for (std::size_t i = 0; i < 3; ++i) parameters.kicks[i].motion = names[i];
+    parameters.kicks[0].distance = 3;
+    parameters.kicks[1].distance = 6;
+    parameters.kicks[1].direction = 0.1;
+    parameters.kicks[1].ballPosition = {0.20, -0.04};
+    parameters.kicks[2].distance = 12;
+  }
+  std::string kickOver(double metres) {
+    request(harness.input<SkillRequest>(), Skill::kick, Pose2(metres + 0.5, 0, 0));
+    harness.input<RobotPose>().pose = Pose2();
+    harness.input<BallPos>().relative = harness.input<BallPos>().field = Vec2(0.5, 0);
+    harness.cycle();
+    return harness.output<SkillGetBallOutput>().kick;
+  }
+};
+
+TEST_F(KicksTest, takesTheShortestThatCarriesFarEnoughElseTheLongest) {
+  EXPECT_EQ(kickOver(2), "short");
+  EXPECT_EQ(kickOver(5), "middle");
+  EXPECT_EQ(kickOver(9), "long");
+  EXPECT_EQ(kickOver(25), "long");
+}
+
+TEST_F(KicksTest, isReluctantToChangeTheKick) {
+  EXPECT_EQ(kickOver(2.9), "short");
+  EXPECT_EQ(kickOver(3.2), "short") << "within kickMargin, 0.3 m";
+  EXPECT_EQ(kickOver(3.4), "middle");
+  EXPECT_EQ(kickOver(2.8), "middle");
+  EXPECT_EQ(kickOver(2.6), "short");
+}
+
+TEST_F(KicksTest, standsWhereTheKickWantsTheBallAndTurnedByItsDirection) {
+  kickOver(5);
+  harness.input<SkillRequest>().target = Pose2(5, -0.04, 0);
+  BallPos& ball = harness.input<BallPos>();
+  ball.relative = ball.field = Vec2(0.20, -0.04);
+  harness.input<SkillKickParameters>().headingTolerance = 0.01;
+  harness.cycle();
+  EXPECT_FALSE(harness.output<SkillGetBallOutput>().atBall) << "it would kick 0.1 rad to the left";
+  // The robot turned to the right by as much, the ball at the same place relative to it.
+  harness.input<RobotPose>().pose = Pose2(Vec2::Zero(), -0.1);
+  harness.cycle();
+  EXPECT_TRUE(harness.output<SkillGetBallOutput>().atBall);
+  // With the left foot all is mirrored.
+  ball.relative = Vec2(0.20, 0.04);
+  harness.cycle();
+  EXPECT_FALSE(harness.output<SkillGetBallOutput>().atBall);
+  harness.input<RobotPose>().pose = Pose2(Vec2::Zero(), 0.1);
+  harness.cycle();
+  EXPECT_TRUE(harness.output<SkillGetBallOutput>().atBall);
+  EXPECT_EQ(harness.output<SkillGetBallOutput>().kickFoot, Side::left);
+}
+
 TEST_F(GetBallTest, walksTowardsTheBall) {
   EXPECT_GT(ballAt({2, 0}).walkVelocity.x(), 0.3);
   EXPECT_GT(ballAt({0, 2}).walkTurn, 0.5);
@@ -111,6 +172,7 @@ TEST(SkillKick, kicksOnceItIsAtTheBall) {
   SkillGetBallOutput& getBall = harness.input<SkillGetBallOutput>();
   getBall.motion = Motion::walk;
   getBall.kickFoot = Side::left;
+  getBall.kick = "kickRight";
   harness.cycle();
   const SkillOutput& output = harness.output<SkillKickOutput>();
   EXPECT_TRUE(output.active);
@@ -119,6 +181,7 @@ TEST(SkillKick, kicksOnceItIsAtTheBall) {
   harness.cycle();
   EXPECT_EQ(output.motion, Motion::kick);
   EXPECT_EQ(output.kickFoot, Side::left);
+  EXPECT_EQ(output.kick, "kickRight");
   harness.input<SkillRequest>().skill = Skill::dribble;
   harness.cycle();
   EXPECT_FALSE(output.active);

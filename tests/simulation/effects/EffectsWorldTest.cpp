@@ -77,14 +77,16 @@ TEST(EffectFile, anAnswersEffectsAreReadAsTheyStand) {
   EXPECT_EQ(list[1].value, 0.01);
   EXPECT_EQ(answerRefusal(R"({"verdict": "none", "effects": []})", &list), "");
   EXPECT_TRUE(list.empty());
-  EXPECT_EQ(answerRefusal(R"({"verdict": "unknown", "effects": []})"),
-            "effects_answer.json: the verdict is unknown, its effects are not the cause; bin/gap apply --anyway "
-            "writes the nearest");
+  EXPECT_EQ(
+      answerRefusal(R"({"verdict": "unknown", "effects": []})"),
+      "effects_answer.json: the verdict is unknown, its effects are not the cause; bin/gap apply --anyway "
+      "writes the nearest");
   EXPECT_EQ(answerRefusal("{\"a\": 1}"),
             "effects_answer.json: is no answer of bin/gap diagnose: its verdict is neither none, effect nor "
             "unknown");
-  EXPECT_EQ(answerRefusal(R"({"verdict": "effect", "effects": [{"effect": "backlash", "at": "LKneePitch"}]})"),
-            "effects_answer.json: effects[0]: effect needs effect, at and value");
+  EXPECT_EQ(
+      answerRefusal(R"({"verdict": "effect", "effects": [{"effect": "backlash", "at": "LKneePitch"}]})"),
+      "effects_answer.json: effects[0]: effect needs effect, at and value");
 }
 
 TEST(EffectTable, RefusesInOneLine) {

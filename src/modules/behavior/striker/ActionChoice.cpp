@@ -65,18 +65,17 @@ double nearestOpponent(const std::vector<OtherRobot>& others, const Vec2& place)
   return best;
 }
 
-StrikerAction judgeAction(StrikerAction::Kind kind, double direction, const StrikerSituation& situation,
-                          const FieldValue& value, const TimeToBallParameters& time,
-                          const ActionChoiceParameters& parameters) {
+StrikerAction judgeAction(StrikerAction::Kind kind, double direction, double reach,
+                          const StrikerSituation& situation, const FieldValue& value,
+                          const TimeToBallParameters& time, const ActionChoiceParameters& parameters) {
   const bool kicks = kind == StrikerAction::Kind::kick;
   const Vec2 way(std::cos(direction), std::sin(direction));
-  const double reach = kicks ? situation.kickReach : parameters.dribbleWay;
   double seconds = timeToBall(situation.robot, false, situation.ball, situation.ball + way, time);
   if (kicks) seconds += parameters.kickSeconds;
 
   const double clear = freeWay(situation, way, reach, parameters.blockWidth);
   const double line = wayToLine(situation, way);
-  StrikerAction action{kind, direction, 0, situation.ball + std::min(clear, line) * way};
+  StrikerAction action{kind, direction, reach, 0, situation.ball + std::min(clear, line) * way};
   double outcome = 0;
   if (line <= clear) {
     const bool atGoal = way.x() > 0 && std::abs(action.end.x() - situation.halfLength) < 1e-6;
@@ -100,20 +99,23 @@ StrikerAction judgeAction(StrikerAction::Kind kind, double direction, const Stri
 StrikerAction chooseAction(const StrikerSituation& situation, const StrikerAction& last,
                            const FieldValue& value, const TimeToBallParameters& time,
                            const ActionChoiceParameters& parameters) {
-  const auto judge = [&](StrikerAction::Kind kind, double direction) {
-    return judgeAction(kind, direction, situation, value, time, parameters);
+  const auto judge = [&](StrikerAction::Kind kind, double direction, double reach) {
+    return judgeAction(kind, direction, reach, situation, value, time, parameters);
   };
   const Vec2 toGoal = situation.goal() - situation.ball;
   const double middle = std::atan2(toGoal.y(), toGoal.x());
   StrikerAction best;
-  for (const auto kind : {StrikerAction::Kind::kick, StrikerAction::Kind::dribble})
+  const auto compare = [&](StrikerAction::Kind kind, double reach) {
     for (int i = 0; i < parameters.directions; ++i) {
       const double off = parameters.widest * (2.0 * i / (parameters.directions - 1) - 1);
-      const StrikerAction action = judge(kind, normalizeAngle(middle + off));
+      const StrikerAction action = judge(kind, normalizeAngle(middle + off), reach);
       if (best.kind == StrikerAction::Kind::none || action.value > best.value) best = action;
     }
+  };
+  for (const double reach : situation.kicks) compare(StrikerAction::Kind::kick, reach);
+  compare(StrikerAction::Kind::dribble, parameters.dribbleWay);
   if (last.kind == StrikerAction::Kind::none) return best;
-  const StrikerAction again = judge(last.kind, last.direction);
+  const StrikerAction again = judge(last.kind, last.direction, last.reach);
   return best.value > again.value + parameters.stays ? best : again;
 }
 

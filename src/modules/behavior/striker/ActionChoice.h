@@ -30,7 +30,7 @@ struct ActionChoiceParameters {
 struct StrikerSituation {
   Pose2 robot;
   Vec2 ball = Vec2::Zero();
-  double kickReach = 3;  ///< how far a kick carries [m]
+  std::vector<double> kicks;  ///< how far each kick carries [m]
   double halfLength = 15, halfWidth = 10, goalHalfWidth = 1.05;
   std::vector<OtherRobot> others;
   Vec2 goal() const { return {halfLength, 0}; }
@@ -41,6 +41,7 @@ struct StrikerAction {
   enum class Kind { none, kick, dribble };
   Kind kind = Kind::none;
   double direction = 0;  ///< of the ball's way [rad]
+  double reach = 0;      ///< how far the kick carries, or a dribble is judged [m]
   double value = -1;
   Vec2 end = Vec2::Zero();  ///< where the ball is expected then [m]
 };
@@ -48,12 +49,12 @@ struct StrikerAction {
 /// What an action in a direction is worth: the value of where the ball ends (in the goal, off the field, at a
 /// robot in its way, or where it rests) with whoever is first there, if the robot acts before the nearest
 /// opponent is at the ball; else the value of losing it here.
-StrikerAction judgeAction(StrikerAction::Kind kind, double direction, const StrikerSituation& situation,
-                          const FieldValue& value, const TimeToBallParameters& time,
-                          const ActionChoiceParameters& parameters);
+StrikerAction judgeAction(StrikerAction::Kind kind, double direction, double reach,
+                          const StrikerSituation& situation, const FieldValue& value,
+                          const TimeToBallParameters& time, const ActionChoiceParameters& parameters);
 
-/// The action of most value over all kinds and directions. last: the one chosen before, kept while no other
-/// is worth more by `stays`; of kind none: there was none.
+/// The action of most value over all kicks, dribbling and directions. last: the one chosen before, kept while
+/// no other is worth more by `stays`; of kind none: there was none.
 StrikerAction chooseAction(const StrikerSituation& situation, const StrikerAction& last,
                            const FieldValue& value, const TimeToBallParameters& time,
                            const ActionChoiceParameters& parameters);

@@ -1,0 +1,61 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/Module.h"
+#include "optimization/farm/ParameterSource.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/RobotDescription.h"
+#include "representations/optimization/OptimizationResult.h"
+#include "representations/optimization/OptimizationTrial.h"
+
+namespace plumbline {
+
+MODULE(OptimizationClient)
+  REQUIRES(FrameInfo)
+  REQUIRES(RobotDescription)
+  USES(OptimizationResult)
+  PROVIDES(OptimizationTrial)
+  PARAMETER(std::string, host, "127.0.0.1", "", Range(),
+            "where bin/optserver runs with a study of the task kick; empty: the optimiser is in the agent")
+  PARAMETER(int, port, 3400, "", Range(1, 65535), "its port")
+  PARAMETER(std::string, token, "", "", Range(), "what it wants to hear, if it does")
+  PARAMETER(std::string, motion, "kickRight", "", Range(), "optimiser in the agent: the kick to begin with")
+  PARAMETER(std::string, optimizer, "cmaes", "", Range(), "the same: one of bin/optserver's")
+  PARAMETER(int, population, 12, "", Range(4, 1000), "the same: candidates of a generation")
+  PARAMETER(int, runs, 2, "", Range(1, 1000), "the same: tries of each")
+  PARAMETER(int, generations, 100, "", Range(1, 1000000), "the same: then it is over")
+  PARAMETER(int, seed, 1, "", Range(0, 1000000000), "the same")
+  PARAMETER(std::string, found, "found.kick.yaml", "", Range(),
+            "the same: file for the motion that was found")
+END_MODULE
+
+/// Asks an optimiser for a kick to try and tells it what the tries cost (Seekircher 2015, A.6.7): one behind
+/// TCP, or one in the agent; the interface is the same. Ends the agent when the search is over.
+class OptimizationClient : public OptimizationClientBase {
+public:
+  OptimizationClient();
+  ~OptimizationClient() override;
+  void update(OptimizationTrial* theOptimizationTrial) override;
+
+private:
+  struct InAgent;
+  void connect();
+  void begin();
+  void takeResult();
+  void end();
+
+  std::unique_ptr<InAgent> inAgent_;
+  std::unique_ptr<farm::ParameterSource> source_;
+  OptimizationTrial wanted_;  ///< as of the search: all but the try's own
+  std::optional<Trial> trial_;
+  std::vector<double> costs_;
+  std::map<std::string, double> figures_;  ///< sums over the tries
+  std::int64_t tries_ = 0;
+  bool ended_ = false;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,44 @@
+#pragma once
+#include <optional>
+
+#include "framework/Module.h"
+#include "modules/motion/Motions.h"
+#include "motion/KeyframePlayer.h"
+#include "motion/SearchedKick.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/JointData.h"
+#include "representations/infrastructure/RobotDescription.h"
+#include "representations/infrastructure/SensorData.h"
+#include "representations/motion/MotionSelection.h"
+#include "representations/optimization/OptimizationTrial.h"
+#include "representations/optimization/SearchedMotionOutput.h"
+
+namespace plumbline {
+
+MODULE(SearchedMotion)
+  REQUIRES(FrameInfo)
+  REQUIRES(RobotDescription)
+  REQUIRES(OptimizationTrial)
+  REQUIRES(MotionSelection)
+  REQUIRES(JointData)
+  REQUIRES(SensorData)
+  PROVIDES(SearchedMotionOutput)
+END_MODULE
+
+/// Plays the kick of the trial that is open: its motion with the numbers that the optimiser asks for.
+class SearchedMotion : public SearchedMotionBase {
+public:
+  void update(SearchedMotionOutput* theSearchedMotionOutput) override;
+
+private:
+  void take();
+
+  std::optional<motion::SearchedKick> kick_;
+  std::string begun_;  ///< the motion that kick_ is made of
+  motion::KeyframeMotion motion_;
+  motion::KeyframePlayer player_;
+  Stillness stillness_;
+  std::int64_t number_ = -1;
+};
+
+}  // namespace plumbline

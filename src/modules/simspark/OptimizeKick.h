@@ -1,0 +1,75 @@
+#pragma once
+#include <cstdint>
+
+#include "framework/Module.h"
+#include "math/Random.h"
+#include "modules/simspark/Monitor.h"
+#include "motion/SearchedKick.h"
+#include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/GroundTruth.h"
+#include "representations/infrastructure/PlayerInfo.h"
+#include "representations/modeling/FallState.h"
+#include "representations/motion/MotionRequest.h"
+#include "representations/motion/MotionSelection.h"
+#include "representations/optimization/OptimizationResult.h"
+#include "representations/optimization/OptimizationTrial.h"
+#include "representations/optimization/SearchedMotionOutput.h"
+
+namespace plumbline {
+
+MODULE(OptimizeKick)
+  REQUIRES(FrameInfo)
+  REQUIRES(GroundTruth)
+  REQUIRES(PlayerInfo)
+  REQUIRES(FallState)
+  REQUIRES(OptimizationTrial)
+  USES(MotionSelection)
+  USES(SearchedMotionOutput)
+  PROVIDES(MotionRequest)
+  PROVIDES(OptimizationResult)
+  PARAMETER(double, standSeconds, 0.8, "s", Range(0.1, 10), "on its feet before the ball comes")
+  PARAMETER(double, walkSeconds, 2, "s", Range(0.1, 10), "walk right after the kick")
+  PARAMETER(double, walkSpeed, 0.3, "m/s", Range(0, 1), "of that walk, into a random direction")
+  PARAMETER(double, rollSeconds, 15, "s", Range(1, 60), "a ball that rolls for longer rests where it is then")
+END_MODULE
+
+/// Tries the kick of the trial that is open, again and again: a trainer puts robot and ball to their places,
+/// the robot kicks and walks on, and what the ball did is measured by the simulator's ground truth. Takes the
+/// place of behaviour and skills in modules.cfg.
+class OptimizeKick : public OptimizeKickBase {
+public:
+  void init() override;
+  void update(MotionRequest* theMotionRequest) override;
+  void update(OptimizationResult* theOptimizationResult) override { *theOptimizationResult = result_; }
+
+private:
+  enum class Phase { waiting, standing, ball, kicking, walking, rolling };
+
+  void enter(Phase phase);
+  void decide();
+  void placeRobot();
+  void placeBall();
+  void stand();
+  void kick();
+  void walk();
+  void roll();
+  bool command(bool sent);
+  /// The same place in the server's field frame.
+  Pose2 onField(const Pose2& place) const;
+  double tilt() const;
+  bool selected() const;
+
+  Monitor* monitor_ = nullptr;
+  Phase phase_ = Phase::waiting;
+  double seconds_ = 0;  ///< in this phase
+  double blind_ = 0;    ///< without ground truth [s]
+  Random random_{0};
+  Pose2 from_;         ///< of the robot when the ball was put
+  Vec2 ball_, last_;   ///< where it was put, and where it was half a second ago [m]
+  double lastAt_ = 0;  ///< time in the phase
+  double walkWay_ = 0, walkTurn_ = 0;
+  motion::KickTry try_;
+  OptimizationResult result_;
+};
+
+}  // namespace plumbline

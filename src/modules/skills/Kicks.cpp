@@ -1,0 +1,47 @@
+#include "modules/skills/Kicks.h"
+
+#include <algorithm>
+
+#include "framework/ConfigurationError.h"
+#include "modules/motion/Motions.h"
+
+namespace plumbline {
+
+MAKE_MODULE(Kicks)
+
+void Kicks::init() {
+  const ConfigSection& kick = config.file("kick");
+  kicks_.tolerance = {kick.get<double>("toleranceX", {0.001, 1}), kick.get<double>("toleranceY", {0.001, 1})};
+  kicks_.headingTolerance = kick.get<double>("headingTolerance", {0.001, 3.2});
+  // Where main knows the robot, a broken file is told before anything else starts.
+  if (const RobotModel* robot = findObject<RobotModel>()) read(*robot);
+}
+
+void Kicks::read(const RobotModel& robot) {
+  kicks_.kicks.clear();
+  for (const motion::KeyframeMotion& found : readMotions(config, robot)) {
+    if (!found.kick) continue;
+    const motion::KeyframeMotion right = found.ball.y() > 0 ? mirrored(found) : found;
+    Kick kick;
+    kick.motion = right.name;
+    kick.ballPosition = right.ball;
+    kick.distance = right.kick->distance;
+    kick.direction = right.kick->direction;
+    kick.contact = right.kick->contact;
+    kicks_.kicks.push_back(kick);
+  }
+  if (kicks_.kicks.empty())
+    throw ConfigurationError("no motion in motions/ of robot " + robot.name +
+                             " is a kick: give one the key kick (doc/how-to/add-a-motion.md)");
+  std::ranges::stable_sort(kicks_.kicks, {}, &Kick::distance);
+}
+
+void Kicks::update(SkillKickParameters* theSkillKickParameters) {
+  if (theRobotDescription->known() && theRobotDescription->name != robot_) {
+    robot_ = theRobotDescription->name;
+    read(theRobotDescription->model);
+  }
+  *theSkillKickParameters = kicks_;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,51 @@
+#pragma once
+#include <vector>
+
+#include "motion/MotionParameters.h"
+
+namespace plumbline::motion {
+
+/// A kick whose keyframes and place of the ball are searched: the numbers of MotionParameters, left and right
+/// apart, then ballX and ballY [mm].
+class SearchedKick {
+public:
+  /// Begins with this kick, mirrored if it is for the other foot and without a shift with the ball, which
+  /// would be judged together with the ball's spread. Throws std::invalid_argument for a motion without a
+  /// ball.
+  SearchedKick(const KeyframeMotion& kick, const RobotModel& robot, Side foot);
+
+  const std::vector<SearchedNumber>& list() const { return list_; }
+  const KeyframeMotion& first() const { return first_; }
+  /// The kick with these numbers as its file has it; cycle as for MotionParameters::written.
+  KeyframeMotion written(const Eigen::VectorXd& values, double cycle) const;
+
+private:
+  KeyframeMotion first_;
+  MotionParameters motion_;
+  std::vector<SearchedNumber> list_;
+};
+
+/// What a try of a kick came to.
+struct KickTry {
+  Vec2 way = Vec2::Zero();  ///< of the ball, x along the wanted direction, y to its left [m]
+  double height = 0;        ///< that the ball rose [m]
+  double milliseconds = 0;  ///< of the motion
+  double error = 0;         ///< angles between torso and upright after it, summed over cycles [rad]
+
+  /// 0 for a ball that hardly moved [rad].
+  double direction() const;
+};
+
+/// What a kick is wanted for.
+struct KickWish {
+  double distance = 0;   ///< [m]; 0: as far as it goes
+  double weight = 0.08;  ///< of a millisecond
+  double steady = 1;     ///< of the error
+
+  /// Formula 3.2 of Seekircher 2015 with the opposite sign and the ball's way split in two:
+  /// -30 (along - aside) - 120 min(1, height) + steady error + weight milliseconds; with a distance
+  /// 30 |along - distance| in place of -30 along, and no worth of height.
+  double cost(const KickTry& kick) const;
+};
+
+}  // namespace plumbline::motion

@@ -1,0 +1,17 @@
+#pragma once
+#include "math/Types.h"
+#include "representations/motion/MotionOutput.h"
+
+namespace plumbline {
+
+/// The kick that an OptimizationTrial is about.
+REPRESENTATION_OF(SearchedMotionOutput, MotionOutput)
+class SearchedMotionOutput : public SearchedMotionOutputBase {
+public:
+  static constexpr const char* name = "searched";
+
+  SearchedMotionOutput() : SearchedMotionOutputBase(name, true) {}
+  Vec2 ball = Vec2::Zero();  ///< where it wants the ball, robot's ground frame [m]
+};
+
+}  // namespace plumbline

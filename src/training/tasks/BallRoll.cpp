@@ -1,0 +1,29 @@
+#include "training/tasks/BallRoll.h"
+
+#include <algorithm>
+
+namespace plumbline::training {
+namespace {
+
+constexpr double atRest = 0.02;    // [m/s]
+constexpr int mostCycles = 1000;   // of 20 ms
+constexpr double touching = 0.05;  // height of the centre of a ball that is not in the air [m]
+
+}  // namespace
+
+BallRoll::Rest BallRoll::roll(const simulation::BodyState& ball) {
+  world_->reset();
+  world_->setBall(ball);
+  Rest rest;
+  for (int i = 0; i < mostCycles; ++i) {
+    const simulation::BodyState now = world_->ball();
+    const double height = now.pose.translation().z();
+    rest.height = std::max(rest.height, height);
+    if (now.linearVelocity.norm() < atRest && height < touching) break;
+    world_->step();
+  }
+  rest.place = world_->ball().pose.translation().head<2>();
+  return rest;
+}
+
+}  // namespace plumbline::training

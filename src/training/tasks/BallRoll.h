@@ -1,0 +1,24 @@
+#pragma once
+#include <memory>
+
+#include "simulation/World.h"
+
+namespace plumbline::training {
+
+/// Where a kicked ball comes to rest: it flies and rolls on in an empty world with the league's physics.
+class BallRoll {
+public:
+  struct Rest {
+    Vec2 place = Vec2::Zero();  ///< [m, world]
+    double height = 0;          ///< greatest of its centre on the way [m]
+  };
+
+  BallRoll() : world_(simulation::makeWorld()) {}
+  /// From this state until it is slower than 2 cm/s, at most 20 s.
+  Rest roll(const simulation::BodyState& ball);
+
+private:
+  std::unique_ptr<simulation::World> world_;
+};
+
+}  // namespace plumbline::training

@@ -1,0 +1,52 @@
+#pragma once
+#include <map>
+#include <memory>
+
+#include "motion/SearchedKick.h"
+#include "training/MotionTrial.h"
+#include "training/SearchTask.h"
+#include "training/tasks/BallRoll.h"
+
+namespace plumbline::training {
+
+/// A kick in the embedded simulator: Seekircher 2015, 3.1.1. A run: the robot has walked up and stopped, or
+/// stands and sways (the seed says which and how); the ball lies within `spread` of where the kick wants it;
+/// the robot plays the motion and walks at once for two seconds while the ball comes to rest.
+/// The cost is motion::KickWish's; the wanted direction is forward.
+/// Figures: distance (along) [m], direction (left of forward) [deg], off (its size), height [m], time [ms],
+/// contact [ms] from the begin to the ball, error, up (1: leans by less than 30 degrees in the end).
+/// Options: type 0 .., motion (a file's name to begin with), side (of the kicking foot), distance [m, 0: as
+/// far as it goes], spread [m], weight (0.08), steady (1),
+/// walk [s, 2: a shorter one makes a search faster].
+class KickTask : public SearchTask {
+public:
+  explicit KickTask(const TaskOptions& options);
+
+  const std::vector<TaskParameter>& parameters() const override { return kick_->list(); }
+  TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) override;
+  std::string file(const Eigen::VectorXd& parameters, const std::string& heading,
+                   const std::map<std::string, double>& figures) const override;
+
+  /// A run with any motion whose `ball` says where it wants the ball.
+  TaskOutcome tryMotion(const motion::KeyframeMotion& motion, std::uint64_t seed);
+  const motion::KeyframeMotion& first() const { return kick_->first(); }
+
+private:
+  /// How the robot stands when the kick begins.
+  struct Start {
+    simulation::BodyState torso;
+    JointArray angles{}, rates{};
+  };
+  const Start& start(std::uint64_t seed);
+  bool walkUp();
+  bool sway();
+
+  const double spread_, walk_;
+  motion::KickWish wish_;
+  motion::MotionTrial trial_;
+  BallRoll ball_;
+  std::unique_ptr<motion::SearchedKick> kick_;
+  std::map<std::uint64_t, Start> started_;  ///< repeat within a generation
+};
+
+}  // namespace plumbline::training

@@ -1,0 +1,32 @@
+#pragma once
+#include "training/MotionTrial.h"
+
+namespace plumbline::training {
+
+/// The walk right after a motion that shows whether the robot can go on: two seconds into a random direction
+/// with a random turn (Seekircher 2015, 3.1.1).
+class WalkOn {
+public:
+  /// Draws direction and turn from the trial's generator.
+  explicit WalkOn(motion::MotionTrial& trial, double seconds = 2);
+  /// Begins at these targets and fades into the walk's [s]; 0: at once.
+  void begin(const JointArray& from, double fadeSeconds = 0);
+  void step();
+  bool isOver() const;
+
+  /// Angle between torso and upright, summed over the cycles so far [rad].
+  double error() const { return error_; }
+  /// The torso leans by less than 30 degrees.
+  bool upright() const;
+
+private:
+  motion::MotionTrial& trial_;
+  double seconds_;
+  Vec2 velocity_;
+  double turn_;
+  JointArray from_{};
+  double fade_ = 0, error_ = 0;
+  int cycles_ = 0;
+};
+
+}  // namespace plumbline::training

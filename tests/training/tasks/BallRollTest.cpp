@@ -1,0 +1,35 @@
+#include "training/tasks/BallRoll.h"
+
+#include <gtest/gtest.h>
+
+namespace plumbline::training {
+namespace {
+
+simulation::BodyState ballWith(const Vec3& velocity) {
+  return {translation(-10, 5, 0.042), velocity, Vec3::Zero()};
+}
+
+TEST(BallRoll, restsWhereAWorldThatIsSteppedLongEnoughHasIt) {
+  BallRoll roll;
+  const BallRoll::Rest rest = roll.roll(ballWith(Vec3(3, 1, 0)));
+  const auto world = simulation::makeWorld();
+  world->setBall(ballWith(Vec3(3, 1, 0)));
+  for (int i = 0; i < 2000; ++i) world->step();
+  EXPECT_LT((rest.place - world->ball().pose.translation().head<2>()).norm(), 0.1);
+  EXPECT_GT((rest.place - Vec2(-10, 5)).norm(), 1);
+  EXPECT_NEAR(rest.height, 0.042, 0.01);
+}
+
+TEST(BallRoll, tellsHowHighItFlew) {
+  BallRoll roll;
+  EXPECT_NEAR(roll.roll(ballWith(Vec3(4, 0, 4))).height, 0.042 + 16 / (2 * 9.81), 0.1);
+}
+
+TEST(BallRoll, aRollDependsOnItsBallAlone) {
+  BallRoll used, fresh;
+  used.roll(ballWith(Vec3(5, -2, 3)));
+  EXPECT_EQ(used.roll(ballWith(Vec3(2, 0, 1))).place, fresh.roll(ballWith(Vec3(2, 0, 1))).place);
+}
+
+}  // namespace
+}  // namespace plumbline::training

@@ -1,0 +1,131 @@
+#include "training/tasks/KickTask.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "framework/ConfigurationError.h"
+#include "motion/KeyframeReader.h"
+
+namespace plumbline::training {
+namespace {
+
+Eigen::VectorXd startOf(const SearchTask& task) {
+  Eigen::VectorXd x(static_cast<Eigen::Index>(task.parameters().size()));
+  for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = task.parameters()[static_cast<std::size_t>(i)].start;
+  return x;
+}
+
+struct TemporaryFolder {
+  TemporaryFolder() {
+    char name[] = "/tmp/plumbline-kick-XXXXXX";
+    if (const char* made = mkdtemp(name)) path = made;
+  }
+  ~TemporaryFolder() {
+    if (!path.empty()) std::filesystem::remove_all(path);
+  }
+  std::string path;
+};
+
+double figure(const TaskOutcome& outcome, const std::string& name) {
+  for (const auto& [key, value] : outcome.figures)
+    if (key == name) return value;
+  ADD_FAILURE() << "no figure " << name;
+  return 0;
+}
+
+void expectSame(const TaskOutcome& a, const TaskOutcome& b) {
+  EXPECT_EQ(a.cost, b.cost);
+  EXPECT_EQ(a.figures, b.figures);
+}
+
+TEST(KickTask, theQuickKickCarriesTheBallForward) {
+  KickTask task{TaskOptions()};
+  double distance = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const TaskOutcome outcome = task.run(startOf(task), seed);
+    distance += figure(outcome, "distance") / 4;
+    EXPECT_NEAR(figure(outcome, "time"), 580, 1e-9);
+    EXPECT_GT(figure(outcome, "contact"), 100);
+    EXPECT_LT(figure(outcome, "contact"), 400);
+  }
+  EXPECT_GT(distance, 1);
+  EXPECT_LT(distance, 5);
+}
+
+TEST(KickTask, aRunDependsOnParametersAndSeedAlone) {
+  KickTask used{TaskOptions()}, fresh{TaskOptions()};
+  const Eigen::VectorXd x = startOf(used);
+  Eigen::VectorXd other = x;
+  other[0] += 80;
+  for (std::uint64_t seed = 20; seed < 23; ++seed) used.run(other, seed);
+  const TaskOutcome first = used.run(x, 7);
+  expectSame(first, fresh.run(x, 7));
+  used.run(other, 7);
+  expectSame(first, used.run(x, 7));
+}
+
+TEST(KickTask, aRunIsARunOfTheFile) {
+  KickTask task{TaskOptions()};
+  Eigen::VectorXd x = startOf(task);
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const TaskParameter& one = task.parameters()[static_cast<std::size_t>(i)];
+    x[i] = std::clamp(x[i] + 0.37 * one.sigma * (i % 2 ? 1 : -1), one.lower, one.upper);
+  }
+  x[0] = 6;  // ms: the first keyframe is as good as not there
+  const TemporaryFolder folder;
+  const std::string path = folder.path + "/found.yaml";
+  std::ofstream(path) << task.file(x, "a heading", {});
+  const motion::KeyframeMotion read = motion::readKeyframeFile(path, simsparkRobot(0), {});
+  EXPECT_EQ(read.keyframes.size(), task.first().keyframes.size() - 1);
+  EXPECT_FALSE(read.kick);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) expectSame(task.tryMotion(read, seed), task.run(x, seed));
+
+  std::ofstream(path) << task.file(x, "", {{"distance", 9.87}, {"direction", -3}, {"contact", 240}});
+  const auto kick = motion::readKeyframeFile(path, simsparkRobot(0), {}).kick;
+  ASSERT_TRUE(kick);
+  EXPECT_DOUBLE_EQ(kick->distance, 9.87);
+  EXPECT_NEAR(kick->direction, -3 * pi / 180, 1e-12);
+  EXPECT_DOUBLE_EQ(kick->contact, 0.24);
+}
+
+TEST(KickTask, aWantedDistanceIsBetterThanAFartherKick) {
+  KickTask farthest(TaskOptions({{"steady", "0"}, {"weight", "0"}}));
+  KickTask wanted(TaskOptions({{"steady", "0"}, {"weight", "0"}, {"distance", "1"}}));
+  const TaskOutcome far = farthest.run(startOf(farthest), 3), near = wanted.run(startOf(wanted), 3);
+  const double along = figure(far, "distance"), aside = along * std::tan(figure(far, "off") * pi / 180);
+  EXPECT_NEAR(far.cost, -30 * (along - aside) - 120 * figure(far, "height"), 1e-6);
+  EXPECT_NEAR(near.cost, 30 * (std::abs(along - 1) + aside), 1e-6);
+}
+
+TEST(KickTask, theLeftFootKicksAsTheRightOne) {
+  KickTask left(TaskOptions({{"side", "left"}}));
+  EXPECT_GT(left.parameters().back().start, 0) << "ballY";
+  double distance = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed)
+    distance += figure(left.run(startOf(left), seed), "distance") / 4;
+  EXPECT_GT(distance, 1);
+}
+
+std::string errorOf(const std::map<std::string, std::string>& options) {
+  try {
+    KickTask task{TaskOptions(options)};
+    return "no error";
+  } catch (const ConfigurationError& error) {
+    return error.what();
+  }
+}
+
+TEST(KickTask, badOptionsAreTold) {
+  EXPECT_EQ(errorOf({{"motion", "wave"}}), "option motion: wave is no kick: it has no ball");
+  EXPECT_EQ(errorOf({{"motion", "kick"}}), "option motion: no motion kick");
+  EXPECT_EQ(errorOf({{"distanse", "3"}}), "unknown option \"distanse\"; did you mean \"distance\"?");
+  EXPECT_EQ(errorOf({{"side", "middle"}}), "option side: \"middle\" is none of right, left");
+}
+
+}  // namespace
+}  // namespace plumbline::training
