@@ -93,7 +93,7 @@ bool freeze(Match& match, Participant& player, const Limb& limb) {
   return any;
 }
 
-void punish(Match& match, Participant& player, const Box& a, const Box& b) {
+void freezeOrCall(Match& match, Participant& player, const Box& a, const Box& b) {
   const SelfCollision::Parameters& rules = match.rules.of<SelfCollision>();
   if (rules.putOutside) {
     if (match.game.time - player.lastSelfCollision <= rules.cooldown) return;
@@ -118,7 +118,7 @@ void SelfCollision::judgeAll(Match& match) {
       for (std::size_t j = i + 1; j < boxes.size(); ++j)
         if (collide(boxes[i], boxes[j], rules.tolerance) &&
             !exempt(*player.model, boxes[i].link, boxes[j].link))
-          punish(match, player, boxes[i], boxes[j]);
+          freezeOrCall(match, player, boxes[i], boxes[j]);
   }
 }
 
