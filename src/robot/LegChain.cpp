@@ -26,9 +26,11 @@ LegChain::LegChain(const RobotModel& model, Side side) {
       joints_[next].origin += link.origin;
     }
   }
-  const auto missing = std::ranges::find(found, false);
-  if (missing == found.end()) return;
-  const auto joint = static_cast<JointId>(first + (missing - found.begin()));
+  if (std::ranges::find(found, false) == found.end()) return;
+  int missing = 0;
+  while (missing < 6 && model.has(static_cast<JointId>(first + missing))) ++missing;
+  if (missing == 6) missing = static_cast<int>(std::ranges::find(found, false) - found.begin());
+  const auto joint = static_cast<JointId>(first + missing);
   throw std::invalid_argument("robot " + model.name + ": the leg has no " +
                               std::string(model.jointName(joint)) +
                               " between torso and foot; leg kinematics needs the six joints from " +

@@ -113,16 +113,17 @@ TEST(IterativeLeg, theSameQuestionHasTheSameAnswer) {
 }
 
 TEST(LegChain, aMissingJointIsNamed) {
-  RobotModel robot = nao();
-  robot.linkOfJoint[lKneePitch] = -1;
-  try {
-    LegKinematics leg(robot, Side::left);
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "robot nao_v5: the leg has no LKneePitch between torso and foot; leg kinematics needs the six "
-        "joints from LHipYawPitch to LAnkleRoll");
+  for (const JointId missing : {lKneePitch, lAnkleRoll}) {
+    RobotModel robot = nao();
+    robot.linkOfJoint[missing] = -1;
+    try {
+      LegKinematics leg(robot, Side::left);
+      FAIL();
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(error.what(), "robot nao_v5: the leg has no " + std::string(robot.jointName(missing)) +
+                                  " between torso and foot; leg kinematics needs the six joints from "
+                                  "LHipYawPitch to LAnkleRoll");
+    }
   }
   const RobotModel quadruped = Humanoid(readMechanism("tests/data/robots/quadruped.json")).model();
   EXPECT_THROW(LegKinematics(quadruped, Side::right), std::invalid_argument);
