@@ -8,6 +8,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+bin=${PLUMBLINE_BIN:-bin}
 hours=${1:-0.1}
 (($# <= 1)) && [[ $hours =~ ^[0-9]+(\.[0-9]+)?$ ]] && awk "BEGIN { exit !($hours >= 0.02 && $hours <= 1000) }" || {
   echo "soak_live.sh: give simulated hours from 0.02 to 1000, not '$*'; see soak_live.sh --help" >&2
@@ -32,14 +33,15 @@ fail() {
 
 cp -r config "$scratch/config"
 sed -i "s/^domain: 0/domain: $((100 + $$ % 100))/" "$scratch/config/NetworkModule.yaml"
+printf 'fileMegabytes: 64\nfiles: 4\n' > "$scratch/config/log.yaml" # or five hours fill a disk
 { echo "include $scratch/config/platforms/simspark/modules.cfg"; echo network; } > "$scratch/shows.cfg"
-bin/agent --config "$scratch/config" --modules "$scratch/shows.cfg" --start-simulator --simulator-option=--seed --simulator-option=1 \
+"$bin/agent" --config "$scratch/config" --modules "$scratch/shows.cfg" --start-simulator --simulator-option=--seed --simulator-option=1 \
   --simulator-option=--half-time --simulator-option=100000 --simulator-option=--kickoff-after --simulator-option=1 \
   --debug 0 --web 0 --log "$scratch/log" --crash-log "$scratch/crash.log" > "$scratch/agent.out" 2> "$scratch/agent.err" &
 agent=$!
 children+=("$agent")
 for ((i = 0; i < 1200; ++i)); do
-  grep -q 'debug port' "$scratch/agent.err" && grep -q 'page http' "$scratch/agent.err" && break
+  grep -qs 'debug port' "$scratch/agent.err" && grep -qs 'page http' "$scratch/agent.err" && break
   kill -0 "$agent" 2> /dev/null || fail "the agent does not start"
   sleep 0.1
 done
@@ -47,11 +49,11 @@ debug=127.0.0.1:$(sed -n 's/.*debug port 127.0.0.1:\([0-9]*\):.*/\1/p' "$scratch
 page=$(sed -n 's#.*page http://localhost:\([0-9]*\)/$#\1#p' "$scratch/agent.err")
 [[ $page ]] || fail "no page: make web builds it"
 
-bin/rdb "$debug" --exec 'watch r:BallPos every 10' > /dev/null 2>&1 &
+"$bin/rdb" "$debug" --exec 'watch r:BallPos every 10' > /dev/null 2>&1 &
 children+=($!)
-bin/rdb "$debug" --exec 'watch r:RobotPose every 0.1s' > /dev/null 2>&1 &
+"$bin/rdb" "$debug" --exec 'watch r:RobotPose every 0.1s' > /dev/null 2>&1 &
 children+=($!)
-bin/agent --config "$scratch/config" --platform watcher --crash-log "$scratch/watcher.crash" > /dev/null 2> "$scratch/watcher.err" &
+"$bin/agent" --config "$scratch/config" --platform watcher --debug 0 --crash-log "$scratch/watcher.crash" > /dev/null 2> "$scratch/watcher.err" &
 watcher=$!
 children+=("$watcher")
 # A page: a WebSocket whose frames, as RFC 6455 has them, carry the mask zero.
@@ -63,12 +65,13 @@ readPage() {
   for text in '#1 watch representation:JointData every 0.04s' '#2 watch representation:RobotPose every 0.04s' '#3 graph'; do
     printf "\\x81\\x$(printf %02x $((128 + ${#text})))\\x00\\x00\\x00\\x00%s" "$text" >&4
   done
-  wc -c <&4 > "$scratch/page.bytes"
+  head -c 20000 <&4 > "$scratch/page"
+  cat <&4 > /dev/null
 }
 readPage &
 children+=($!)
 
-cycle() { bin/rdb "$debug" --exec 'get r:FrameInfo.cycle' 2> /dev/null | sed 's/.* //'; }
+cycle() { "$bin/rdb" "$debug" --exec 'get r:FrameInfo.cycle' 2> /dev/null | sed 's/.* //'; }
 memory() { awk '/^VmRSS:/ { print $2 }' "/proc/$1/status"; }                       # kB
 processor() { awk -v hz="$(getconf CLK_TCK)" '{ sub(/.*\) /, ""); print ($12 + $13) / hz }' "/proc/$1/stat"; } # s
 last=$(awk "BEGIN { print int($hours * 3600 * 50) }")
@@ -91,6 +94,9 @@ while :; do
 done
 [[ ! -e $scratch/crash.log ]] || fail "the agent crashed"
 kill -0 "$watcher" || fail "the reader is gone: $(tail -1 "$scratch/watcher.err")"
+grep -aq 'representation:JointData' "$scratch/page" || fail "the page was told nothing"
+there=127.0.0.1:$(sed -n 's/.*debug port 127.0.0.1:\([0-9]*\):.*/\1/p' "$scratch/watcher.err")
+[[ $("$bin/rdb" "$there" --exec 'get r:SensorData.acc.z') != *' 9.810000' ]] || fail "the reader was sent nothing"
 du -sm "$scratch/log" | awk '{ print "the log: " $1 " MB" }'
 # The first line holds the start; memory that is taken once is taken by the second.
 mkdir -p build/bench

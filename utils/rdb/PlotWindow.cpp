@@ -54,7 +54,7 @@ PlotWindow::PlotWindow(const std::string& title) : title_(title) {
   }
   close(ends[0]);
   socket_ = ends[1];
-  if (child_ < 0) return end("gnuplot cannot be started");
+  if (child_ < 0) end("gnuplot cannot be started");
   unsent_ = openWindow;
 }
 
