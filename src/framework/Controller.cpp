@@ -10,6 +10,7 @@
 #include "framework/ConfigurationError.h"
 #include "framework/Log.h"
 #include "framework/Process.h"
+#include "framework/SingleLine.h"
 #include "framework/ThreadCopy.h"
 #include "framework/ThreadPriority.h"
 #include "framework/TimingReport.h"
@@ -83,7 +84,7 @@ void Controller::runProcess(Process& process) {
     std::lock_guard lock(errorMutex_);
     if (!configurationError_) configurationError_ = std::current_exception();
   } catch (const std::exception& error) {
-    stop_.request(1, error.what());
+    stop_.request(1, errorLine(error));
   }
   process.finish();
 }

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <filesystem>
 #include <new>
 
 #include "framework/CommandLine.h"
@@ -29,11 +28,7 @@ void tell(const char* what) {
 
 int fail(const std::exception& error, int status) noexcept {
   try {
-    // The standard library's own text begins with the name of its function.
-    if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
-      tell(singleLine(file->path1().string() + ": " + file->code().message()).c_str());
-    else
-      tell(singleLine(error.what()).c_str());
+    tell(errorLine(error).c_str());
   } catch (...) {
     tell(error.what());
   }

@@ -8,6 +8,7 @@
 #include "framework/CrashLog.h"
 #include "framework/LogBuffer.h"
 #include "framework/ModuleParameters.h"
+#include "framework/SingleLine.h"
 #include "framework/TracePlugin.h"
 
 namespace plumbline {
@@ -21,7 +22,7 @@ void named(const std::string& label, F&& function) {
   } catch (const ConfigurationError&) {
     throw;
   } catch (const std::exception& error) {
-    throw std::runtime_error(label + ": " + error.what());
+    throw std::runtime_error(label + ": " + errorLine(error));
   }
 }
 
@@ -276,7 +277,7 @@ void Process::cycle() {
   } catch (const ConfigurationError&) {
     throw;
   } catch (const std::exception& error) {
-    throw std::runtime_error("[" + info_.name + "] " + current_->label + ": " + error.what());
+    throw std::runtime_error("[" + info_.name + "] " + current_->label + ": " + errorLine(error));
   }
   if (!rejected_.empty()) remakeModules();
   if (config_.version() != configVersion_) followReloads();

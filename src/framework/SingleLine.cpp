@@ -1,5 +1,8 @@
 #include "framework/SingleLine.h"
 
+#include <filesystem>
+#include <new>
+
 namespace plumbline {
 
 std::string singleLine(std::string text) {
@@ -13,6 +16,13 @@ std::string singleLine(std::string text) {
   }
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text;
+}
+
+std::string errorLine(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error)) return "out of memory";
+  if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
+    return singleLine(file->path1().string() + ": " + file->code().message());
+  return singleLine(error.what());
 }
 
 }  // namespace plumbline

@@ -4,6 +4,7 @@
 
 #include "framework/ConfigFolder.h"
 #include "framework/ConfigurationError.h"
+#include "framework/SingleLine.h"
 #include "robot/HumanoidModel.h"
 #include "robot/MechanismFile.h"
 
@@ -22,7 +23,7 @@ std::vector<RobotModel> readAll() {
     for (int type = 0; type < maxTypes && std::filesystem::exists(fileOf(type), none); ++type)
       robots.push_back(Humanoid(readMechanism(fileOf(type))).model());
   } catch (const std::exception& error) {
-    throw ConfigurationError(error.what());
+    throw ConfigurationError(errorLine(error));
   }
   if (robots.empty())
     throw ConfigurationError(fileOf(0) + ": there is no such file; the league's robot types begin with it");

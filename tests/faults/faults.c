@@ -147,6 +147,10 @@ int rename(const char* from, const char* to) {
   REAL(rename);
   return fails(RENAME) ? -1 : real(from, to);
 }
+int renameat2(int fromFolder, const char* from, int toFolder, const char* to, unsigned flags) {
+  REAL(renameat2);
+  return fails(RENAME) ? -1 : real(fromFolder, from, toFolder, to, flags);
+}
 int link(const char* from, const char* to) {
   REAL(link);
   return fails(RENAME) ? -1 : real(from, to);

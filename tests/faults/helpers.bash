@@ -177,8 +177,10 @@ judgeFile() { # job, fault, file, differs
 # What jobs check with and start beside.
 readableLog() { # of one that came to nothing there is nothing to read
   [[ -s $1/$1_0.db3 ]] || return 0
-  "$realBin/logtool" list "$1" && return
-  "$realBin/logtool" list "$1" 2>&1 | grep -q 'has no table\|holds no'
+  local said
+  said=$("$realBin/logtool" list "$1" 2>&1) && return
+  echo "$said"
+  [[ $said == *'has no table'* ]]
 }
 readableMatch() {
   [[ -s $1 ]] || return 0
@@ -193,7 +195,7 @@ readableMatch() {
   local result=$?
   rm -f replay.out
   cat replay.err
-  ((result == 0)) || grep -q 'no chunk\|holds nothing\|is empty' replay.err
+  ((result == 0)) || grep -q 'nothing is recorded in it' replay.err || (( $(stat -c %s "$1") < 32 )) # not even a heading
 }
 portIn() { sed -n 's/.*"'"$2"'": *\([0-9]*\).*/\1/p' "$1"; }
 stopAfter() { # seconds, command...

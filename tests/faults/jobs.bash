@@ -136,7 +136,7 @@ simulator_plain_outputs() { echo 'ports.json? stats.json?'; }
 job game game
 game_run() { "$bin/game" --seed 8 --limit 2 --output out; }
 game_expects() { (($1 == 1)); } # no goal within two seconds
-game_outputs() { echo 'out/summary.json out/track.svg'; }
+game_outputs() { echo 'out/summary.json? out/track.svg'; }
 
 job optserver optserver
 optserver_prepare() { printf 'task: function\noptions: {function: sphere, dimension: 2}\npopulation: 4\nruns: 1\nrunsOfBest: 1\ngenerations: 2\n' > study.yaml; }

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <new>
+#include <stdexcept>
+
 namespace plumbline {
 namespace {
 
@@ -15,6 +19,14 @@ TEST(SingleLine, controlCharactersBecomeSpaces) {
 TEST(SingleLine, whatIsLongIsCut) {
   EXPECT_EQ(singleLine(std::string(1000, 'x')), std::string(1000, 'x'));
   EXPECT_EQ(singleLine(std::string(1001, 'x')), std::string(1000, 'x') + "...");
+}
+
+TEST(ErrorLine, saysWhatIsMeant) {
+  EXPECT_EQ(errorLine(std::runtime_error("file:3: two\nlines")), "file:3: two lines");
+  EXPECT_EQ(errorLine(std::bad_alloc()), "out of memory");
+  const auto full = std::make_error_code(std::errc::no_space_on_device);
+  EXPECT_EQ(errorLine(std::filesystem::filesystem_error("cannot rename", "a.part", "a", full)),
+            "a.part: No space left on device");
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ std::vector<std::string> gapAnswerSeeds() {
       R"({"verdict": "unknown", "effects": [{"effect": "link_mass", "at": "arm", "axis": "", "value": 1.1}]})"};
 }
 
-const Registered gapAnswerTarget({"gapAnswer", gapAnswer, gapAnswerSeeds, 5000});
+const Registered gapAnswerTarget({"gapAnswer", gapAnswer, gapAnswerSeeds, 2000});
 
 }  // namespace
 }  // namespace plumbline::fuzz

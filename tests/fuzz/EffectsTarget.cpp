@@ -28,7 +28,7 @@ std::vector<std::string> effectsFileSeeds() {
       "effects:\n  - effect: com_offset\n    at: pendulum\n    axis: x\n    value: 0.01\n", "effects: []\n"};
 }
 
-const Registered effectsFileTarget({"effectsFile", effectsFile, effectsFileSeeds, 4000});
+const Registered effectsFileTarget({"effectsFile", effectsFile, effectsFileSeeds, 1500});
 
 }  // namespace
 }  // namespace plumbline::fuzz

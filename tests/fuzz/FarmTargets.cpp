@@ -75,7 +75,7 @@ std::vector<std::string> studyFileSeeds() {
 
 const Registered farmMessageTarget({"farmMessage", farmMessage, farmMessageSeeds, 15000});
 const Registered farmJournalTarget({"farmJournal", farmJournal, farmJournalSeeds, 1500});
-const Registered studyFileTarget({"studyFile", studyFile, studyFileSeeds, 1000});
+const Registered studyFileTarget({"studyFile", studyFile, studyFileSeeds, 500});
 
 }  // namespace
 }  // namespace plumbline::fuzz

@@ -26,8 +26,8 @@ void formationFile(std::string_view bytes) {
 std::vector<std::string> rulesFileSeeds() { return {contentOf("config/rules.yaml"), "halfTime: 300\n"}; }
 std::vector<std::string> formationFileSeeds() { return {contentOf("config/formation.yaml")}; }
 
-const Registered rulesFileTarget({"rulesFile", rulesFile, rulesFileSeeds, 4000});
-const Registered formationFileTarget({"formationFile", formationFile, formationFileSeeds, 2000});
+const Registered rulesFileTarget({"rulesFile", rulesFile, rulesFileSeeds, 1200});
+const Registered formationFileTarget({"formationFile", formationFile, formationFileSeeds, 800});
 
 }  // namespace
 }  // namespace plumbline::fuzz

@@ -53,7 +53,7 @@ std::vector<std::string> gzipTableSeeds() {
   return {packed(text), packed(text).substr(0, 20), text, packed(line)};
 }
 
-const Registered importTableTarget({"importTable", importTable, importTableSeeds, 3000});
+const Registered importTableTarget({"importTable", importTable, importTableSeeds, 1200});
 const Registered gzipTableTarget({"gzipTable", gzipTable, gzipTableSeeds, 6000});
 
 }  // namespace

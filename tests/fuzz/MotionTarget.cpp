@@ -24,7 +24,7 @@ std::vector<std::string> motionFileSeeds() {
   return all;
 }
 
-const Registered motionFileTarget({"motionFile", motionFile, motionFileSeeds, 2000});
+const Registered motionFileTarget({"motionFile", motionFile, motionFileSeeds, 1200});
 
 }  // namespace
 }  // namespace plumbline::fuzz

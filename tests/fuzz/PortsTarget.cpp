@@ -9,6 +9,7 @@
 #include "simspark/Framing.h"
 #include "simulation/Simulation.h"
 #include "simulation/server/AgentPort.h"
+#include "simulation/server/LimitedLog.h"
 #include "simulation/server/MonitorPort.h"
 
 namespace plumbline::fuzz {
@@ -56,9 +57,11 @@ private:
 struct Ports {
   SimulationConfig config;
   Simulation simulation{config};
-  AgentPort agents{
-      {.port = 0, .sync = true, .syncTimeout = 0.0}, simulation, [](const std::string& line) { told(line); }};
-  MonitorPort monitors{monitorConfig(), simulation, [](const std::string& line) { told(line); }};
+  LimitedLog log{[](const std::string& line) { told(line); }};  // as the server's
+  AgentPort agents{{.port = 0, .sync = true, .syncTimeout = 0.0},
+                   simulation,
+                   [this](const std::string& line) { log(line); }};
+  MonitorPort monitors{monitorConfig(), simulation, [this](const std::string& line) { log(line); }};
   std::array<PortClient, 6> clients;  ///< the last two are monitors
 
   static MonitorPort::Config monitorConfig() {

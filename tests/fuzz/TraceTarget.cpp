@@ -34,7 +34,7 @@ std::vector<std::string> leagueTraceSeeds() {
           "cycle,gyr.x\n0\n"};
 }
 
-const Registered leagueTraceTarget({"leagueTrace", leagueTrace, leagueTraceSeeds, 3000});
+const Registered leagueTraceTarget({"leagueTrace", leagueTrace, leagueTraceSeeds, 1200});
 
 }  // namespace
 }  // namespace plumbline::fuzz

@@ -1,7 +1,12 @@
 #include "main/gap/OutputFolder.h"
 
+#include <fcntl.h>
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 
@@ -53,6 +58,13 @@ void OutputFolder::putInPlace() {
   std::error_code error, ignored;
   fs::remove_all(old, ignored);
   const bool replaced = fs::exists(place, ignored);
+  // Both change places at once where the file system can: whoever is killed there leaves one or the other.
+  if (replaced && renameat2(AT_FDCWD, part.c_str(), AT_FDCWD, place.c_str(), RENAME_EXCHANGE) == 0) {
+    fs::remove_all(part, ignored);
+    return;
+  }
+  if (replaced && errno != EINVAL && errno != ENOSYS)
+    throw std::runtime_error(place + ": cannot be written: " + std::strerror(errno));
   if (replaced) fs::rename(place, old, error);
   if (!error) fs::rename(part, place, error);
   if (error) {
