@@ -127,9 +127,9 @@ TEST_F(MechanismMjcf, mistakesAreNamedWithTheirLine) {
       errorOf("a.xml", arm("type=\"box\" size=\"0.1 0.2 0.3\"", "type=\"mesh\" mesh=\"m\"")),
       "a.xml:10: a body's mass is that of a mesh; give the body an <inertial> (mj_saveLastXML writes them)");
   EXPECT_EQ(errorOf("a.xml", arm("class=\"strong\" joint", "class=\"string\" joint")),
-            "a.xml:21: there is no class string");
+            "a.xml:20: there is no class string");
   EXPECT_EQ(errorOf("a.xml", arm("biasprm=\"0 -12 -0.2\"", "biasprm=\"0 -1 0\"")),
-            "a.xml:22: <general> is no position servo: gainprm is kp, biasprm 0 -kp -kv");
+            "a.xml:21: <general> is no position servo: gainprm is kp, biasprm 0 -kp -kv");
   EXPECT_EQ(errorOf("a.xml", arm("<position class=\"strong\" joint=\"shoulder\"/>", "")),
             "a.xml: joint shoulder has no position actuator; give it one, or a servo table beside the file: "
             "a.servo.json");

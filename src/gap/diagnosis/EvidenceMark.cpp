@@ -81,9 +81,13 @@ public:
     const auto& [name, link, T_link_frame] = frame;
     all(name, link, T_link_frame);
   }
+  void add(const Mechanism::Group& group) {
+    const auto& [name, joints] = group;
+    all(name, joints);
+  }
   void add(const Mechanism& robot) {
-    const auto& [name, links, joints, frames, feet, imu, hasImu, gravity, controlHz] = robot;
-    all(name, links, joints, frames, feet, imu, hasImu, gravity, controlHz);
+    const auto& [name, links, joints, frames, feet, groups, imu, hasImu, gravity, controlHz] = robot;
+    all(name, links, joints, frames, feet, groups, imu, hasImu, gravity, controlHz);
   }
 
   void add(const Signal& signal) {
@@ -96,10 +100,11 @@ public:
   }
   void add(const Trial& trial) {
     const auto& [name, recording, motion, recordedMotion, robot, freeBase, heading, time, command, followed,
-                 stiffness, voltage, commandAt, positionAt, velocityAt, signals, restarts, betweenSteps] =
-        trial;
+                 commandSpeed, commandTorque, linearCommands, stiffness, voltage, commandAt, positionAt,
+                 velocityAt, signals, restarts, betweenSteps] = trial;
     all(name, recording, motion, recordedMotion, *robot, freeBase, heading, time, command, followed,
-        stiffness, voltage, commandAt, positionAt, velocityAt, signals, restarts, betweenSteps);
+        commandSpeed, commandTorque, linearCommands, stiffness, voltage, commandAt, positionAt, velocityAt,
+        signals, restarts, betweenSteps);
   }
   void add(const SignalNoise& noise) {
     const auto& [sigma, own, repeated] = noise;

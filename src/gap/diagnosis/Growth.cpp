@@ -110,7 +110,7 @@ bool Growth::decodeBeside(double strength) {
   const LostCycles again = findLostCycles(fine.evidence(), others, options.jobs);
   proposals.useLostCycles(again.cycles);
   for (Cause& cause : tried)
-    if (cause.effect->decoded) cause.value = std::min(again.share, cause.effect->upper);
+    if (cause.effect->decoded) cause.value = again.share;
   fine.setBase(tried);
   fine.setBase(fitTogether(fine, tried, options.jobs));
   const bool better = fine.baseFit().judging < before - leastGain;

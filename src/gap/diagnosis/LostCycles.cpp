@@ -137,11 +137,15 @@ LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, i
     seen += visible[t];
     late += onTime[t];
   }
-  if (static_cast<double>(late) < leastOnTime * static_cast<double>(result.found)) {
+  result.share = seen ? static_cast<double>(result.found) / static_cast<double>(seen) : 0;
+  // More than the effect can be is something else, too.
+  const auto effect = std::ranges::find(effects(), true, &Effect::decoded);
+  const double most = effect == effects().end() ? 1 : (*effect)->upper;
+  if (static_cast<double>(late) < leastOnTime * static_cast<double>(result.found) || result.share > most) {
     for (auto& cycles : result.cycles) std::ranges::fill(cycles, std::uint8_t{0});
     result.found = 0;
+    result.share = 0;
   }
-  result.share = seen ? static_cast<double>(result.found) / static_cast<double>(seen) : 0;
   result.price = cycleGain * static_cast<double>(result.found) / 2;  // half of the blocks are for judging
   return result;
 }

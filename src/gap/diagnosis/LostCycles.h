@@ -13,7 +13,8 @@ namespace plumbline::gap {
 ///
 /// A command that was lost leaves the joint a whole cycle late, no more and no less: what its readings are
 /// off by is once what the loss changes. Where something else is told as losses, that lateness lies anywhere;
-/// unless most of the losses are of one cycle, none is found at all.
+/// unless most of the losses are of one cycle, none is found at all, nor where there are more than the effect
+/// can be.
 struct LostCycles {
   std::vector<std::vector<std::uint8_t>> cycles;  ///< per trial; empty where not looked at
   double share = 0;

@@ -84,8 +84,7 @@ void Proposals::addLostCommands(std::vector<Candidate>& list) {
   if (dropout == effects().end()) return;
   if (!mostIsOff(fine) || losesCommands(fine.base())) return;
   const LostCycles lost = findLostCycles(fine.evidence(), fine.base(), options.jobs);
-  // More than an effect can be is something else.
-  if (lost.found < LostCycles::least || lost.share > (*dropout)->upper) return;
+  if (lost.found < LostCycles::least) return;
   useLostCycles(lost.cycles);
   Candidate candidate;
   candidate.cause = {*dropout, {Site::everywhere, -1, "*"}, lost.share, 0};

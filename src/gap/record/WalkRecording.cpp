@@ -22,8 +22,8 @@ struct Cycle {
 void check(const Explanation& effects) {
   for (const Cause& cause : effects) {
     if (!cause.effect->inWalk)
-      throw ConfigurationError("a walk is recorded with effects of drives, links and ground; " +
-                               std::string(cause.effect->id) + " is none; other programs have it");
+      throw ConfigurationError("a walk takes effects of drives, links and ground; " +
+                               std::string(cause.effect->id) + " is none of them; other recordings have it");
   }
 }
 

@@ -101,8 +101,10 @@ double CommandPath::profileOver(double from, double to) {
   // The fastest approach that still can stop at the target (time-optimal, bang-bang).
   const double h = to - from, before = profile, error = target(from, to) - profile;
   if (acceleration <= 0) {
-    profile += std::clamp(error, -fastest * h, fastest * h);
-    return (before + profile) / 2;
+    const double way = std::clamp(error, -fastest * h, fastest * h);
+    profile += way;
+    // It moves for a part of the step, then it is there.
+    return profile - way / 2 * std::abs(way) / (fastest * h);
   }
   double best = std::copysign(std::sqrt(2 * acceleration * std::abs(error)), error);
   if (fastest > 0) best = std::clamp(best, -fastest, fastest);
