@@ -29,7 +29,8 @@ public:
       : model(simsparkRobot(type)),
         robot(model),
         control(model),
-        walk(readWalkGaits(type), model),
+        gaits(readWalkGaits(type)),
+        walk(gaits, model),
         stand(walk.stand().angles),
         motions(readMotions(motionDirectories(type), model)) {
     robot.restart(Pose2(), stand);
@@ -151,6 +152,7 @@ public:
   RobotModel model;
   simulation::LocalRobot robot;
   JointVelocityControl control;
+  walking::WalkGaits gaits;
   walking::WalkEngine walk;
   JointArray stand;
   std::vector<KeyframeMotion> motions;
@@ -161,8 +163,8 @@ public:
   /// After the robot was put somewhere: nothing of what was before has an effect from now on.
   void restarted() {
     control.reset();
-    walk.reset();
-    walk.forget();
+    walk =
+        walking::WalkEngine(gaits, model);  // its reset() keeps what it learnt and the foot of its first step
     tiltedCycles = stillCycles = 0;
   }
 
