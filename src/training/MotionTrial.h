@@ -30,7 +30,8 @@ public:
       : model(simsparkRobot(type)),
         robot(model, config),
         control(model),
-        walk(readWalkGaits(type), model),
+        gaits(readWalkGaits(type)),
+        walk(gaits, model),
         stand(walk.stand().angles),
         motions(readMotions(motionDirectories(type), model)) {
     robot.restart(Pose2(), stand);
@@ -152,6 +153,7 @@ public:
   RobotModel model;
   simulation::LocalRobot robot;
   JointVelocityControl control;
+  walking::WalkGaits gaits;
   walking::WalkEngine walk;
   JointArray stand;
   std::vector<KeyframeMotion> motions;
@@ -162,8 +164,8 @@ public:
   /// After the robot was put somewhere: nothing of what was before has an effect from now on.
   void restarted() {
     control.reset();
-    walk.reset();
-    walk.forget();
+    walk =
+        walking::WalkEngine(gaits, model);  // its reset() keeps what it learnt and the foot of its first step
     tiltedCycles = stillCycles = 0;
   }
 

@@ -27,7 +27,6 @@ expectEqual "$(grep -c '"distance"' <<< "$results")" 4 "results with the agent's
 
 agent 'host: ""' 'population: 4' 'runs: 1' 'generations: 1' 'found: found.kick.yaml' ||
   fail "the agent ended with $?: $(< "$scratch/agent.err")"
-grep -q "the search is over; found: found.kick.yaml" "$scratch/agent.err" || fail "no end: $(< "$scratch/agent.err")"
 grep -q "^ball: \[" "$scratch/found.kick.yaml" || fail "what was found is no kick"
 
 simulator=()

@@ -123,6 +123,7 @@ void OptimizationClient::end() {
                                         "Found in the agent: " + std::to_string(optimiser.generations()) +
                                             " generations, seed " + std::to_string(seed) + "."));
     what += "; found: " + found;
+    log << what;
   }
   requestStop(0, what);
 }

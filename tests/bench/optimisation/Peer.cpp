@@ -1,6 +1,5 @@
 #include "Peer.h"
 
-#include <chrono>
 #include <pagmo/algorithm.hpp>
 #include <pagmo/algorithms/cmaes.hpp>
 #include <pagmo/algorithms/xnes.hpp>
@@ -36,9 +35,9 @@ PeerRun run(const Algorithm& algorithm, pagmo::population population, int size, 
   pagmo::algorithm wrapped(algorithm);
   wrapped.set_verbosity(1);
   PeerRun result;
-  const auto before = std::chrono::steady_clock::now();
+  const double before = processorSeconds();
   wrapped.evolve(population);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+  result.seconds = processorSeconds() - before;
   result.evaluations = 1e9;
   for (const auto& line : wrapped.template extract<Algorithm>()->get_log()) {
     ++result.generations;

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <ctime>
 #include <string>
 
 namespace plumbline::bench {
@@ -7,13 +8,16 @@ namespace plumbline::bench {
 /// Standard deviation of the first candidates around the start, ours and pagmo's.
 constexpr double firstDeviation = 0.5;
 
+/// Time that this process has computed [s], which says the same on a busy machine.
+inline double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
 using Function = double (*)(const Eigen::VectorXd&);
 
 /// A run of pagmo's cmaes or xnes from the same place with the same first deviation.
 struct PeerRun {
   double evaluations = 0, best = 0;
   double firstBest = 0;  ///< best cost of the first generation that it draws, or of the start if that is less
-  double seconds = 0;    ///< of the whole run
+  double seconds = 0;    ///< of the whole run, on the processor
   double generations = 0;
 };
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -132,13 +131,13 @@ double secondsPerGeneration(const std::string& name, int n, int generations) {
   const auto optimizer =
       makeOptimizer(name, SearchSpace::around(VectorXd::Constant(n, 1), bench::firstDeviation), options);
   std::vector<double> costs(30);
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = bench::processorSeconds();
   for (int g = 0; g < generations; ++g) {
     const Eigen::MatrixXd& all = optimizer->ask();
     for (int k = 0; k < 30; ++k) costs[static_cast<std::size_t>(k)] = sphere(all.col(k));
     optimizer->tell(costs);
   }
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / generations;
+  return (bench::processorSeconds() - begin) / generations;
 }
 
 void compareTime() {

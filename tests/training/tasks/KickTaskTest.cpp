@@ -14,6 +14,8 @@
 namespace plumbline::training {
 namespace {
 
+using Options = std::map<std::string, std::string>;
+
 Eigen::VectorXd startOf(const SearchTask& task) {
   Eigen::VectorXd x(static_cast<Eigen::Index>(task.parameters().size()));
   for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = task.parameters()[static_cast<std::size_t>(i)].start;
@@ -94,8 +96,8 @@ TEST(KickTask, aRunIsARunOfTheFile) {
 }
 
 TEST(KickTask, aWantedDistanceIsBetterThanAFartherKick) {
-  KickTask farthest(TaskOptions({{"steady", "0"}, {"weight", "0"}}));
-  KickTask wanted(TaskOptions({{"steady", "0"}, {"weight", "0"}, {"distance", "1"}}));
+  KickTask farthest(TaskOptions(Options{{"steady", "0"}, {"weight", "0"}}));
+  KickTask wanted(TaskOptions(Options{{"steady", "0"}, {"weight", "0"}, {"distance", "1"}}));
   const TaskOutcome far = farthest.run(startOf(farthest), 3), near = wanted.run(startOf(wanted), 3);
   const double along = figure(far, "distance"), aside = along * std::tan(figure(far, "off") * pi / 180);
   EXPECT_NEAR(far.cost, -30 * (along - aside) - 120 * figure(far, "height"), 1e-6);
@@ -103,7 +105,7 @@ TEST(KickTask, aWantedDistanceIsBetterThanAFartherKick) {
 }
 
 TEST(KickTask, theLeftFootKicksAsTheRightOne) {
-  KickTask left(TaskOptions({{"side", "left"}}));
+  KickTask left(TaskOptions(Options{{"side", "left"}}));
   EXPECT_GT(left.parameters().back().start, 0) << "ballY";
   double distance = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed)
@@ -111,7 +113,7 @@ TEST(KickTask, theLeftFootKicksAsTheRightOne) {
   EXPECT_GT(distance, 1);
 }
 
-std::string errorOf(const std::map<std::string, std::string>& options) {
+std::string errorOf(const Options& options) {
   try {
     KickTask task{TaskOptions(options)};
     return "no error";
