@@ -1,5 +1,7 @@
 #include "modules/motion/KickMotion.h"
 
+#include "framework/ConfigurationError.h"
+
 namespace plumbline {
 
 MAKE_MODULE(KickMotion)
@@ -22,6 +24,14 @@ void KickMotion::update(KickMotionOutput* theKickMotionOutput) {
     robot_ = theRobotDescription->name;
     read(theRobotDescription->model);
     player_ = {};
+  }
+  if (theEditedMotion && theEditedMotion->saved != saved_) {
+    saved_ = theEditedMotion->saved;
+    try {
+      read(theRobotDescription->model);
+    } catch (const ConfigurationError& error) {
+      log.error() << "the kick stays as it was: " << error.what();
+    }
   }
   const bool still = stillness_.update(theSensorData->gyro);
   if (theMotionSelection->motion == Motion::kick) {

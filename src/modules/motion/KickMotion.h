@@ -8,6 +8,7 @@
 #include "representations/infrastructure/JointData.h"
 #include "representations/infrastructure/RobotDescription.h"
 #include "representations/infrastructure/SensorData.h"
+#include "representations/motion/EditedMotion.h"
 #include "representations/motion/KickMotionOutput.h"
 #include "representations/motion/MotionRequest.h"
 #include "representations/motion/MotionSelection.h"
@@ -21,6 +22,7 @@ MODULE(KickMotion)
   REQUIRES(MotionSelection)
   REQUIRES(JointData)
   REQUIRES(SensorData)
+  REQUIRES_IF_PROVIDED(EditedMotion)
   PROVIDES(KickMotionOutput)
   PARAMETER(std::string, rightFoot, "kickRight", "", Range(),
             "motion of motions/ that kicks with the right foot; its mirror image kicks with the left")
@@ -39,6 +41,7 @@ private:
   motion::KeyframePlayer player_;
   Stillness stillness_;
   std::string robot_;
+  unsigned saved_ = 0;  ///< files that an editor had written when the kick was read
 };
 
 }  // namespace plumbline

@@ -1,5 +1,6 @@
 #include "modules/motion/SpecialActions.h"
 
+#include "framework/ConfigurationError.h"
 #include "framework/DebugSite.h"
 
 namespace plumbline {
@@ -22,9 +23,11 @@ std::vector<std::string> namesOf(const std::vector<motion::KeyframeMotion>& moti
 }  // namespace
 
 void SpecialActions::start() {
-  const motion::KeyframeMotion* motion = findMotion(motions_, theMotionSelection->specialAction);
+  const std::string& name = theMotionSelection->specialAction;
+  const motion::KeyframeMotion* motion =
+      theEditedMotion && name == EditedMotion::name ? &theEditedMotion->motion : findMotion(motions_, name);
   if (!motion)
-    log.error() << "there is no motion \"" << theMotionSelection->specialAction << "\" in motions/";
+    log.error() << "there is no motion \"" << name << "\" in motions/";
   player_.start(motion ? *motion : motion::KeyframeMotion{}, theJointData->angles);
 }
 
@@ -34,6 +37,14 @@ void SpecialActions::update(SpecialActionsOutput* theSpecialActionsOutput) {
     robot_ = theRobotDescription->name;
     motions_ = readMotions(config, theRobotDescription->model);
     player_ = {};
+  }
+  if (theEditedMotion && theEditedMotion->saved != saved_) {
+    saved_ = theEditedMotion->saved;
+    try {
+      motions_ = readMotions(config, theRobotDescription->model);
+    } catch (const ConfigurationError& error) {
+      log.error() << "the motions stay as they were: " << error.what();
+    }
   }
   OUTPUT_BY_VALUE("module:SpecialActions:motions", namesOf(motions_));
   const bool still = stillness_.update(theSensorData->gyro);

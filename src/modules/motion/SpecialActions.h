@@ -8,6 +8,7 @@
 #include "representations/infrastructure/JointData.h"
 #include "representations/infrastructure/RobotDescription.h"
 #include "representations/infrastructure/SensorData.h"
+#include "representations/motion/EditedMotion.h"
 #include "representations/motion/MotionSelection.h"
 #include "representations/motion/SpecialActionsOutput.h"
 
@@ -19,6 +20,7 @@ MODULE(SpecialActions)
   REQUIRES(MotionSelection)
   REQUIRES(JointData)
   REQUIRES(SensorData)
+  REQUIRES_IF_PROVIDED(EditedMotion)
   PROVIDES(SpecialActionsOutput)
 END_MODULE
 
@@ -35,6 +37,7 @@ private:
   motion::KeyframePlayer player_;
   Stillness stillness_;
   std::string robot_;
+  unsigned saved_ = 0;  ///< files that an editor had written when the motions were read
 };
 
 }  // namespace plumbline
