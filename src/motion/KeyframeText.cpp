@@ -67,8 +67,8 @@ public:
     }
     if (!root_.IsMap()) fail(root_, "a motion is a map with the key keyframes");
     if (root_["mirror"])
-      fail(root_["mirror"], "this is the mirror image of " + root_["mirror"].as<std::string>("another motion") +
-                                "; edit that one");
+      fail(root_["mirror"], "this is the mirror image of " +
+                                root_["mirror"].as<std::string>("another motion") + "; edit that one");
     list_ = root_["keyframes"];
     if (!list_ || !list_.IsSequence() || list_.size() == 0) fail(root_, "keyframes: missing or empty");
     if (list_.Style() == YAML::EmitterStyle::Flow)
@@ -274,7 +274,8 @@ private:
     if (list_[i]["ballX"] || list_[i]["ballY"])
       fail(list_[i], "a keyframe that moves with the ball takes no other joints here; write it in braces");
     const std::size_t line = lineBegin(blocks_[i].item);
-    return text_.substr(blocks_[i].begin, line - blocks_[i].begin) + indent_ + "- " + written(keyframe) + "\n";
+    return text_.substr(blocks_[i].begin, line - blocks_[i].begin) + indent_ + "- " + written(keyframe) +
+           "\n";
   }
 
   std::string applied(const Block& block, std::vector<Change> changes) const {
@@ -304,7 +305,8 @@ std::vector<KeyframeDraft> draftOf(const KeyframeMotion& motion) {
     KeyframeDraft draft{static_cast<int>(drafts.size()), keyframe.seconds, keyframe.settleSeconds, {}};
     for (std::size_t j = 0; j < keyframe.set.size(); ++j)
       if (keyframe.set[j])
-        draft.degrees[nameOf(static_cast<JointId>(j))] = std::round(1e6 * toDegrees(keyframe.angles[j])) / 1e6;
+        draft.degrees[nameOf(static_cast<JointId>(j))] =
+            std::round(1e6 * toDegrees(keyframe.angles[j])) / 1e6;
     drafts.push_back(std::move(draft));
   }
   return drafts;

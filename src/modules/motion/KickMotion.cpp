@@ -7,6 +7,7 @@ namespace plumbline {
 MAKE_MODULE(KickMotion)
 
 void KickMotion::init() {
+  edited_ = findObject<EditedMotion>();
   if (const RobotModel* robot = findObject<RobotModel>()) read(*robot);
 }
 
@@ -25,8 +26,8 @@ void KickMotion::update(KickMotionOutput* theKickMotionOutput) {
     read(theRobotDescription->model);
     player_ = {};
   }
-  if (theEditedMotion && theEditedMotion->saved != saved_) {
-    saved_ = theEditedMotion->saved;
+  if (edited_ && edited_->saved() != saved_) {
+    saved_ = edited_->saved();
     try {
       read(theRobotDescription->model);
     } catch (const ConfigurationError& error) {

@@ -2,13 +2,13 @@
 #include <string>
 
 #include "framework/Module.h"
+#include "modules/motion/EditedMotion.h"
 #include "modules/motion/Motions.h"
 #include "motion/KeyframePlayer.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/JointData.h"
 #include "representations/infrastructure/RobotDescription.h"
 #include "representations/infrastructure/SensorData.h"
-#include "representations/motion/EditedMotion.h"
 #include "representations/motion/KickMotionOutput.h"
 #include "representations/motion/MotionRequest.h"
 #include "representations/motion/MotionSelection.h"
@@ -22,7 +22,6 @@ MODULE(KickMotion)
   REQUIRES(MotionSelection)
   REQUIRES(JointData)
   REQUIRES(SensorData)
-  REQUIRES_IF_PROVIDED(EditedMotion)
   PROVIDES(KickMotionOutput)
   PARAMETER(std::string, rightFoot, "kickRight", "", Range(),
             "motion of motions/ that kicks with the right foot; its mirror image kicks with the left")
@@ -41,6 +40,7 @@ private:
   motion::KeyframePlayer player_;
   Stillness stillness_;
   std::string robot_;
+  const EditedMotion* edited_ = nullptr;
   unsigned saved_ = 0;  ///< files that an editor had written when the kick was read
 };
 

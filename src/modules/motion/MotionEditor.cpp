@@ -12,6 +12,7 @@
 namespace plumbline {
 
 MAKE_MODULE(MotionEditor)
+MAKE_MODULE_OBJECT(EditedMotion, EditedMotion)
 
 namespace {
 
@@ -20,7 +21,7 @@ constexpr double approachSeconds = 0.8;  // to the posture before the first keyf
 /// A link and the hinge to its parent, for who draws the robot and moves its joints.
 struct RobotPart {
   std::string name, joint, otherSide;  ///< otherSide: the mirror image's joint, if it is another one
-  int parent = -1;
+  int parent = -1, number = -1;        ///< number: of the joint in JointData::angles
   double mirrorSign = 1;
   double lower = 0, upper = 0, speed = 0;  ///< [degrees, degrees/s]
   Vec3 origin = Vec3::Zero(), axis = Vec3::UnitZ(), com = Vec3::Zero();
@@ -32,6 +33,7 @@ struct RobotPart {
     STREAM(joint);
     STREAM(otherSide);
     STREAM(parent);
+    STREAM(number);
     STREAM(mirrorSign);
     STREAM(lower);
     STREAM(upper);
@@ -52,6 +54,7 @@ std::vector<RobotPart> partsOf(const RobotModel& robot) {
     part.name = link.name;
     part.parent = link.parent;
     if (link.joint != numJoints) {
+      part.number = link.joint;
       const JointId other = motion::mirrored(link.joint);
       part.joint = jointNames[static_cast<std::size_t>(link.joint)];
       if (other != link.joint) part.otherSide = jointNames[static_cast<std::size_t>(other)];
@@ -88,7 +91,7 @@ public:
     StreamType<MotionDraft>::read(in, draft);
     if (!in.ok()) return;
     try {
-      if (file_.write(draft, editor_.robot())) ++editor_.saved_;
+      if (file_.write(draft, editor_.robot())) editor_.edited_->save();
     } catch (const std::exception& error) {
       in.fail(error.what());
     }
@@ -102,9 +105,7 @@ private:
 class MotionDraftValue final : public DebugValue {
 public:
   explicit MotionDraftValue(MotionEditor& editor) : editor_(editor) {}
-  void write(OutStream& out) const override {
-    StreamType<MotionEditor::Draft>::write(out, editor_.draft_);
-  }
+  void write(OutStream& out) const override { StreamType<MotionEditor::Draft>::write(out, editor_.draft_); }
   bool writable() const override { return true; }
   void read(InStream& in) override {
     MotionEditor::Draft draft;
@@ -123,6 +124,7 @@ private:
 
 void MotionEditor::init() {
   agent_ = findObject<AgentDebug>();
+  edited_ = &object<EditedMotion>();
   if (const auto* wanted = findObject<MotionToPlay>()) opened_ = wanted->name;
   if (!agent_) return;
   std::vector<std::filesystem::path> directories;
@@ -144,9 +146,7 @@ MotionEditor::~MotionEditor() {
 void MotionEditor::take(const Draft& draft) {
   if (draft.motion.empty() && draft.keyframes.empty()) {
     draft_ = draft;
-    motion_ = {};
-    changed_ = true;
-    return;
+    return edited_->setDraft({});
   }
   const auto entry =
       std::ranges::find_if(files_, [&](const Entry& e) { return e.id == "motion:" + draft.motion; });
@@ -167,8 +167,7 @@ void MotionEditor::take(const Draft& draft) {
   if (draft.first > 0) motion.keyframes.insert(motion.keyframes.begin(), posture);
   motion.name = EditedMotion::name;
   draft_ = draft;
-  motion_ = std::move(motion);
-  changed_ = true;
+  edited_->setDraft(std::move(motion));
 }
 
 void MotionEditor::execute() {
@@ -184,12 +183,6 @@ void MotionEditor::execute() {
   }
   OUTPUT_BY_VALUE("module:MotionEditor:robot", partsOf(robot()));
   OUTPUT("module:MotionEditor:opened", opened_);
-}
-
-void MotionEditor::update(EditedMotion* theEditedMotion) {
-  if (changed_) theEditedMotion->motion = motion_;
-  changed_ = false;
-  theEditedMotion->saved = saved_;
 }
 
 }  // namespace plumbline

@@ -5,15 +5,14 @@
 
 #include "framework/AgentDebug.h"
 #include "framework/Module.h"
+#include "modules/motion/EditedMotion.h"
 #include "modules/motion/MotionFile.h"
 #include "representations/infrastructure/RobotDescription.h"
-#include "representations/motion/EditedMotion.h"
 
 namespace plumbline {
 
 MODULE(MotionEditor)
   REQUIRES(RobotDescription)
-  PROVIDES(EditedMotion)
 END_MODULE
 
 /// The files of keyframe motions in the debug interface, for a page that edits them: `motion:NAME` is the
@@ -26,7 +25,6 @@ public:
   ~MotionEditor() override;
   void init() override;
   void execute() override;
-  void update(EditedMotion* theEditedMotion) override;
 
   /// What shall be played: keyframes first to last, from the posture that comes before.
   struct Draft {
@@ -60,9 +58,7 @@ private:
   std::list<Entry> files_;
   DebugPoint draftPoint_{"module:MotionEditor:draft", DebugKind::parameter};
   Draft draft_;
-  motion::KeyframeMotion motion_;
-  unsigned saved_ = 0;
-  bool changed_ = false;  ///< what is played, since the last cycle
+  EditedMotion* edited_ = nullptr;
   std::string opened_;
 };
 

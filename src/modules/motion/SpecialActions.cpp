@@ -8,6 +8,7 @@ namespace plumbline {
 MAKE_MODULE(SpecialActions)
 
 void SpecialActions::init() {
+  edited_ = findObject<EditedMotion>();
   // Where main knows the robot, a broken file is told before anything else starts.
   if (const RobotModel* robot = findObject<RobotModel>()) readMotions(config, *robot);
 }
@@ -24,10 +25,9 @@ std::vector<std::string> namesOf(const std::vector<motion::KeyframeMotion>& moti
 
 void SpecialActions::start() {
   const std::string& name = theMotionSelection->specialAction;
-  const motion::KeyframeMotion* motion =
-      theEditedMotion && name == EditedMotion::name ? &theEditedMotion->motion : findMotion(motions_, name);
-  if (!motion)
-    log.error() << "there is no motion \"" << name << "\" in motions/";
+  if (edited_ && name == EditedMotion::name) return player_.start(edited_->draft(), theJointData->angles);
+  const motion::KeyframeMotion* motion = findMotion(motions_, name);
+  if (!motion) log.error() << "there is no motion \"" << name << "\" in motions/";
   player_.start(motion ? *motion : motion::KeyframeMotion{}, theJointData->angles);
 }
 
@@ -38,8 +38,8 @@ void SpecialActions::update(SpecialActionsOutput* theSpecialActionsOutput) {
     motions_ = readMotions(config, theRobotDescription->model);
     player_ = {};
   }
-  if (theEditedMotion && theEditedMotion->saved != saved_) {
-    saved_ = theEditedMotion->saved;
+  if (edited_ && edited_->saved() != saved_) {
+    saved_ = edited_->saved();
     try {
       motions_ = readMotions(config, theRobotDescription->model);
     } catch (const ConfigurationError& error) {

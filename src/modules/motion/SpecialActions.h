@@ -2,13 +2,13 @@
 #include <string>
 
 #include "framework/Module.h"
+#include "modules/motion/EditedMotion.h"
 #include "modules/motion/Motions.h"
 #include "motion/KeyframePlayer.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/JointData.h"
 #include "representations/infrastructure/RobotDescription.h"
 #include "representations/infrastructure/SensorData.h"
-#include "representations/motion/EditedMotion.h"
 #include "representations/motion/MotionSelection.h"
 #include "representations/motion/SpecialActionsOutput.h"
 
@@ -20,7 +20,6 @@ MODULE(SpecialActions)
   REQUIRES(MotionSelection)
   REQUIRES(JointData)
   REQUIRES(SensorData)
-  REQUIRES_IF_PROVIDED(EditedMotion)
   PROVIDES(SpecialActionsOutput)
 END_MODULE
 
@@ -37,6 +36,7 @@ private:
   motion::KeyframePlayer player_;
   Stillness stillness_;
   std::string robot_;
+  const EditedMotion* edited_ = nullptr;
   unsigned saved_ = 0;  ///< files that an editor had written when the motions were read
 };
 
