@@ -79,7 +79,7 @@ try {
   // Somebody else writes the file: theirs stays until one decides.
   appendFileSync(`${folder}/wave.yaml`, '# theirs\n');
   await click('editorSave');
-  await until('a file that was changed meanwhile is not overwritten', async () => /changed by somebody else/.test(await state()) && !(await run('document.getElementById("editorKeep").hidden')));
+  await until('a file that was changed meanwhile is not overwritten', async () => /Somebody else has changed the file/.test(await state()) && !(await run('document.getElementById("editorKeep").hidden')));
   check(/# theirs\n$/.test(text()), 'theirs is there');
   await click('editorKeep');
   await until('one keeps what one has', async () => !(await run('document.getElementById("editorSave").disabled')));
@@ -88,7 +88,7 @@ try {
 
   await click('editorBack');
   await until('the agent goes on with the motion as it is now', () => run('plumbline.played.includes("wave")'));
-  const problems = browser.problems.filter((line) => !/WebSocket|ERR_CONNECTION/.test(line));
+  const problems = browser.problems.filter((line) => !/WebSocket|ERR_CONNECTION|beforeunload/.test(line));
   check(problems.length === 0, `no errors on the page ${problems.join('; ')}`);
   await browser.close();
   process.exit(0);

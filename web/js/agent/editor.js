@@ -151,6 +151,7 @@ export class Editor {
   change(edit, still) {
     if (![edit()].flat().some(Boolean)) return false;
     this.refused = '';
+    if (!this.conflict) this.notice = '';
     if (this.motion.changed) this.drafts.put(this.motion);
     else this.drafts.drop(this.motion.name);
     this.chosen = Math.min(this.chosen, this.motion.keyframes.length - 1);
@@ -198,10 +199,10 @@ export class Editor {
     const { changed, past, future } = this.motion;
     $('editorUndo').disabled = !past.length;
     $('editorRedo').disabled = !future.length;
-    $('editorSave').disabled = !changed || !this.link.online;
+    $('editorSave').disabled = !changed || this.conflict || !this.link.online;
     $('editorDiscard').disabled = !changed;
     $('editorKeep').hidden = !this.conflict;
-    const told = this.conflict ? `${this.notice} The file has changed since: discard them, or keep them and save over it.` : this.notice;
+    const told = this.conflict ? `${this.notice || 'Not saved.'} Somebody else has changed the file: discard what is here, or keep it and save it over theirs.` : this.notice;
     $('editorState').textContent = this.refused || told || (changed ? 'not saved yet' : `as in ${this.path}`);
     $('editorState').className = this.refused ? 'error' : changed ? 'unsaved' : '';
     document.title = `${changed ? '• ' : ''}${this.motion.name}: Plumbline`;
@@ -231,11 +232,15 @@ export class Editor {
       await this.link.ask(`set motion:${motion.name} ${motion.fileText(this.path)}`);
     } catch (error) {
       this.refused = error.message;
-      if (/changed by somebody else/.test(error.message)) this.conflict = true;
+      if (/changed by somebody else/.test(error.message)) {
+        this.conflict = true;
+        this.refused = '';
+        this.notice = '';
+      }
       return this.status();
     }
     this.drafts.drop(motion.name);
-    const file = await this.file(motion.name);
+    const { orders } = this.trial, file = await this.file(motion.name);
     motion.take(file);
     motion.keyframes.forEach((keyframe, i) => { keyframe.from = i; });
     motion.past = [];
@@ -244,7 +249,7 @@ export class Editor {
     this.conflict = false;
     this.listNames();
     this.show();
-    await this.play(0);
+    if (orders === this.trial.orders) await this.play(0);
   }
 
   discard() {

@@ -6,6 +6,7 @@ export class Trial {
   constructor({ link, motions, onState }) {
     Object.assign(this, { link, motions, onState });
     this.holding = false;
+    this.orders = 0; // what was wanted last counts, whatever is still under way
     link.watch('representation:MotionSelection.specialAction', '0.1s', (name) => this.took(name), () => {});
   }
 
@@ -25,7 +26,9 @@ export class Trial {
   }
 
   async play(motion, first) {
+    const order = ++this.orders;
     await this.give(motion, first, motion.keyframes.length - 1);
+    if (order !== this.orders) return;
     this.holding = false;
     this.once = true;
     await this.motions.ask(asks, motion.name);
@@ -34,13 +37,16 @@ export class Trial {
   // The posture alone, again and again, so that a slider that moves takes the robot with it.
   async hold(motion, index) {
     const joints = Object.entries(motion.posture(index, {})).map(([joint, degrees]) => `{"${joint}" ${degrees.toFixed(3)}}`);
+    const order = ++this.orders;
     await this.give(motion, 0, 0, `{"${motion.name}" 0 0 {{-1 0.2 0 {${joints.join(' ')}}}}}`);
+    if (order !== this.orders) return;
     this.once = false;
     if (!this.holding) await this.motions.ask(asks, `${motion.name}, keyframe ${index + 1}`);
     this.holding = true;
   }
 
   async handBack() {
+    ++this.orders;
     this.holding = this.once = false;
     await this.motions.handBack();
   }
