@@ -33,6 +33,7 @@ export class Figures {
     const figure = (side) => ({ side, unum: 0, type: 0, torso: [0, 0, 0], poses: new Float32Array(links.length * poseSize) });
     this.shown = [figure('left'), figure('right')];
     this.robots.setRobots(this.shown);
+    this.robots.labels.visible = false; // two robots without numbers
     this.posture = 'up';
     new ResizeObserver(() => { this.stage.resize(); this.changed = true; }).observe(canvas);
     this.cameras.controls.addEventListener('change', () => { this.changed = true; });

@@ -46,7 +46,7 @@ export class Film {
     $('noFilm').hidden = true;
     this.stage = new Stage(this.canvas);
     this.cameras = new Cameras(this.stage.camera, this.canvas);
-    this.cameras.look([2.4, -1.5, 1.1], [0.1, 0, 0.25]);
+    this.cameras.look([1.9, -1.3, 0.95], [0.15, 0, 0.2]);
     const ground = new THREE.Mesh(new THREE.CircleGeometry(60, 48), new THREE.MeshStandardMaterial({ color: 0x4a6152, roughness: 1 }));
     ground.receiveShadow = true;
     const grid = new THREE.GridHelper(10, 50, 0x8fa397, 0x64796c);
@@ -55,6 +55,7 @@ export class Film {
     this.stage.scene.add(ground, grid);
     const { parts } = this.types[type];
     this.robots = new Robots(this.stage.scene, [{ parts }]);
+    this.robots.labels.visible = false; // two robots without numbers
     const figure = (side) => ({ side, unum: 0, type: 0, torso: [0, 0, 0], poses: new Float32Array(parts.length * poseSize) });
     this.shown = { found: figure('left'), start: figure('right') };
     new ResizeObserver(() => this.stage.resize()).observe(this.canvas);
