@@ -27,8 +27,8 @@ try {
   check((await state()).film.seconds > 2, 'with the walk behind it');
   await until('it moves', async () => { const { time } = (await state()).film; await new Promise((r) => setTimeout(r, 600)); return (await state()).film.time !== time; });
   await run('document.getElementById("moved").click()');
-  const change = 'Math.abs(Number(document.querySelectorAll(".parameter .reach i")[N].style.width.replace("%", "")))';
-  check((await run(change.replace('N', 0))) >= (await run(change.replace('N', 5))), 'the most changed come first');
+  const change = 'Math.abs(Number(document.querySelectorAll(".parameter .reach i")[INDEX].style.width.replace("%", "")))';
+  check((await run(change.replace('INDEX', 0))) >= (await run(change.replace('INDEX', 5))), 'the most changed come first');
   await run('(() => { const f = document.getElementById("filter"); f.value = "knee"; f.dispatchEvent(new Event("input")); })()');
   check((await run('[...document.querySelectorAll(".parameter:not(.head)")].every((r) => /knee/i.test(r.dataset.parameter))')), 'parameters are found by name');
   await browser.screenshot(picture);
