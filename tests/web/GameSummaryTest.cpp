@@ -92,14 +92,14 @@ TEST_F(GameSummaryTest, aRecordingWithoutAGameIsRefused) {
     writer.add(0, Channel::game, game(0, "PlayOn"));
     writer.add(0, Channel::frame, std::string("\1\2 not a frame"));
   }
-  EXPECT_EQ(test::thrown([&] { gameTracks(file_); }), file_ + ": no game is in it");
-  EXPECT_NE(test::thrown([&] { gameTracks(folder_ / "none.plm"); }), "");
+  EXPECT_EQ(thrownBy([&] { gameTracks(file_); }), file_ + ": no game is in it");
+  EXPECT_NE(thrownBy([&] { gameTracks(folder_ / "none.plm"); }), "nothing thrown");
 }
 
 TEST(SummaryPageTest, thePageHoldsWhatNoTeamsNameCanEnd) {
   EXPECT_EQ(summaryPage("<a>/*GAME*/</a>", R"({"name":"</script>"})", "http://x/"),
             "<a>{\"replay\":\"http://x/\",\"game\":{\"name\":\"\\u003c/script>\"}}</a>");
-  EXPECT_EQ(test::thrown([] { summaryPage("nothing", "{}", ""); }),
+  EXPECT_EQ(thrownBy([] { summaryPage("nothing", "{}", ""); }),
             "build/report/summary.html is broken: run `make web` again");
 }
 

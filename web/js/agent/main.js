@@ -33,6 +33,7 @@ const graph = new Graph({
   onRepresentation: (name) => panels.text(`representation:${name}`),
   onModule: (name) => { $('filter').value = name; names.draw(); },
 });
+drawings.onShown = () => moment.again();
 $('toModules').onclick = () => editor.close();
 $('toMotion').onclick = () => editor.open();
 const moment = new Moment({ place: $('moment'), link });

@@ -113,10 +113,16 @@ export class Moment {
     return this.inTurn(async () => {
       const to = Math.max(1, Math.min(this.span.cycles, (await this.where('cycle')) + by));
       await this.link.ask('set replay:paused true');
-      if (by < 0) await this.link.ask(`set replay:cycle ${to - 1}`);
+      if (by <= 0) await this.link.ask(`set replay:cycle ${to - 1}`);
       await this.where('cycle');
       await this.arrive();
     });
+  }
+
+  // The same cycle once more, for what has begun to look while the log rests.
+  again() {
+    clearTimeout(this.soon);
+    this.soon = setTimeout(() => { if (this.bar && this.paused && this.cycle > 0) this.step(0).catch(complain); }, 200);
   }
 
   jump(time) {
