@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "framework/ConfigFolder.h"
 #include "framework/StopSignal.h"
-#include "simspark/ChildProcess.h"
 #include "web/Frame.h"
 #include "web/GoalMarks.h"
 #include "web/MatchFile.h"
