@@ -208,7 +208,10 @@ int runAgent(const Options& options, const Platform& platform) {
   if (options.log.records() && !hasLog(controller))
     throw ConfigurationError(setup.modulesConfig +
                              ": no line has the special module log, so nothing is recorded");
-  const auto log = makeLog(options.log, controller, setup.configDirectories, tell);
+  // Who looks at a log in a page wants to be there when it begins.
+  AgentLogOptions logged = options.log;
+  if (options.serves && !logged.records()) logged.replayed.paused = true;
+  const auto log = makeLog(logged, controller, setup.configDirectories, tell);
   controller.objects().set(log);
   controller.stop().catchSignals();
   int status = controller.run();

@@ -4,11 +4,16 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <cstdio>
+#include <exception>
+#include <filesystem>
 #include <optional>
+#include <string>
 
 #include "framework/CommandLine.h"
 #include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
+#include "framework/WriteFile.h"
+#include "web/GameSummary.h"
 #include "web/WebMonitor.h"
 
 namespace {
@@ -37,11 +42,31 @@ int runProgram(int argc, char** argv) {
   app.add_option("--replay", config.replay, "Show this match file instead of a running game")
       ->excludes(record);
   app.add_option("--page", config.server.folder, "Folder of the page [where `make web` puts it]");
-  app.footer("Examples:\n  bin/webmonitor --port 3200\n  bin/webmonitor --replay match.plm");
+  std::string summary, output, replayAddress = "http://localhost:8080/";
+  auto* sums = app.add_option("--summary", summary,
+                              "Instead of showing a game: write a page about this match file, complete in "
+                              "itself: score, ways, shots, passes, falls")
+                   ->excludes(record);
+  app.add_option("-o,--output", output, "With --summary: the page's file [the match file's name with .html]")
+      ->needs(sums);
+  app.add_option("--replay-at", replayAddress,
+                 "With --summary: where bin/webmonitor --replay shows the match, for the page's links")
+      ->needs(sums)
+      ->capture_default_str();
+  app.footer(
+      "Examples:\n  bin/webmonitor --port 3200\n  bin/webmonitor --replay match.plm\n"
+      "  bin/webmonitor --summary match.plm -o match.html");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   config.live.drawingPortOptional = drawingPort->count() == 0;
   StopSignal stop;
   stop.catchSignals();
+  if (sums->count() > 0) {
+    if (output.empty()) output = std::filesystem::path(summary).replace_extension(".html").string();
+    const std::string page = web::builtSummaryPage();
+    writeFile(output, web::summaryPage(page, web::gameTracks(summary), replayAddress));
+    std::printf("webmonitor: %s\n", output.c_str());
+    return 0;
+  }
   std::atomic<bool> recordingLost = false;
   config.live.recordingLost = [&](const std::string& why) {
     std::fprintf(stderr, "webmonitor: the recording ends here: %s\n", why.c_str());

@@ -51,12 +51,14 @@ public:
       : file(file_), robot(robot_), directories(directories_), depth(depth_) {}
 
   KeyframeMotion read() {
-    YAML::Node root;
     try {
-      root = readYaml(file.string(), maxFileBytes);
+      return read(readYaml(file.string(), maxFileBytes));
     } catch (const ConfigurationError& error) {
       throw KeyframeFileError(error.what());
     }
+  }
+
+  KeyframeMotion read(const YAML::Node& root) {
     if (!root.IsMap()) fail(root, "", "a motion is a map with the key keyframes (or mirror)");
     KeyframeMotion motion;
     bool restStays = false;
@@ -289,7 +291,16 @@ KeyframeMotion readKeyframeFile(const fs::path& file, const RobotModel& robot,
   return Reader(file, robot, directories, 0).read();
 }
 
-std::vector<KeyframeMotion> readMotions(const std::vector<fs::path>& directories, const RobotModel& robot) {
+KeyframeMotion readKeyframeText(const std::string& text, const fs::path& file, const RobotModel& robot,
+                                const std::vector<fs::path>& directories) {
+  try {
+    return Reader(file, robot, directories, 0).read(parseYaml(text, file.string()));
+  } catch (const ConfigurationError& error) {
+    throw KeyframeFileError(error.what());
+  }
+}
+
+std::map<std::string, fs::path> motionFiles(const std::vector<fs::path>& directories) {
   std::map<std::string, fs::path> files;
   for (std::size_t i = 0; i < directories.size(); ++i) {
     if (!fs::is_directory(directories[i])) {
@@ -299,6 +310,11 @@ std::vector<KeyframeMotion> readMotions(const std::vector<fs::path>& directories
     for (const auto& entry : fs::directory_iterator(directories[i]))
       if (entry.path().extension() == ".yaml") files[entry.path().stem().string()] = entry.path();
   }
+  return files;
+}
+
+std::vector<KeyframeMotion> readMotions(const std::vector<fs::path>& directories, const RobotModel& robot) {
+  const auto files = motionFiles(directories);
   std::vector<KeyframeMotion> motions;
   motions.reserve(files.size());
   for (const auto& [name, path] : files) motions.push_back(readKeyframeFile(path, robot, directories));

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,6 +25,15 @@ std::string bothSides(const RobotModel& robot, JointId left);
 /// Errors: KeyframeFileError.
 KeyframeMotion readKeyframeFile(const std::filesystem::path& file, const RobotModel& robot,
                                 const std::vector<std::filesystem::path>& directories);
+
+/// The same from a text; file says where it stands, in errors and for the motion's name.
+KeyframeMotion readKeyframeText(const std::string& text, const std::filesystem::path& file,
+                                const RobotModel& robot,
+                                const std::vector<std::filesystem::path>& directories);
+
+/// The files that readMotions reads, by the motions' names.
+std::map<std::string, std::filesystem::path> motionFiles(
+    const std::vector<std::filesystem::path>& directories);
 
 /// All motions of these directories by name; where a name appears twice the later directory wins, so a
 /// robot type's own directory comes last. A directory that does not exist holds no motion, but the first

@@ -123,6 +123,13 @@ double ReplayControl::time() const {
   return static_cast<double>(leader.timestamps[leader.played > 0 ? leader.played - 1 : 0]) / 1e9;
 }
 
+std::pair<double, double> ReplayControl::span() const {
+  const std::lock_guard lock(mutex_);
+  const std::vector<std::int64_t>& timestamps = players_.front().timestamps;
+  if (timestamps.empty()) return {0, 0};
+  return {static_cast<double>(timestamps.front()) / 1e9, static_cast<double>(timestamps.back()) / 1e9};
+}
+
 void ReplayControl::go(std::size_t cycle) {
   const Player& leader = players_.front();
   target_ = std::min(cycle, leader.timestamps.size());

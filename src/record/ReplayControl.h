@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/SpecialModule.h"
@@ -47,6 +48,8 @@ public:
   std::size_t cycles() const;
   /// Of the leading player's last cycle; of the first before it [s].
   double time() const;
+  /// Of the leading player's first and last cycle [s].
+  std::pair<double, double> span() const;
   /// Plays up to so many cycles, 0 to cycles(), and goes on or rests there.
   void goTo(std::size_t cycle);
   /// The same, to the last cycle not later than this.

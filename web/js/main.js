@@ -28,7 +28,7 @@ const connection = new Connection({
   onMessage(message) {
     if (message.kind === 'geometry') build(message);
     if (message.kind === 'game') takeGame(message);
-    if (message.kind === 'replay') hud.takeReplay(message);
+    if (message.kind === 'replay') takeReplay(message);
     if (message.kind === 'drawings') {
       drawings.take(message);
       hud.showSets(drawings.names(), drawings.hidden);
@@ -65,6 +65,16 @@ new Drag({
     hud.camera('robot');
   },
 });
+
+// An address may name a moment of a recording, as those of a summary do: #t=12.5
+let wanted = new URLSearchParams(location.hash.slice(1)).get('t');
+addEventListener('hashchange', () => { wanted = new URLSearchParams(location.hash.slice(1)).get('t'); });
+function takeReplay(replay) {
+  hud.takeReplay(replay);
+  if (wanted === null || !Number.isFinite(Number(wanted))) return;
+  connection.send({ do: 'seek', time: Number(wanted) });
+  wanted = null;
+}
 
 function build(geometry) {
   const drawnField = JSON.stringify(field);

@@ -1,7 +1,6 @@
 #pragma once
-#include <string>
-
 #include "framework/Module.h"
+#include "modules/motion/MotionToPlay.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/modeling/FallState.h"
 #include "representations/motion/MotionRequest.h"
@@ -9,12 +8,6 @@
 #include "representations/motion/SpecialActionsOutput.h"
 
 namespace plumbline {
-
-/// Which motion the module MotionPlayer plays; main gives it to the module's objects.
-struct MotionToPlay {
-  std::string name;   ///< of a file in motions/, without its ending
-  bool once = false;  ///< then the agent ends; otherwise again and again
-};
 
 MODULE(MotionPlayer)
   REQUIRES(FrameInfo)

@@ -7,6 +7,16 @@
 namespace plumbline {
 namespace {
 
+struct Span {
+  double first = 0, last = 0;
+  std::uint64_t cycles = 0;
+  void stream(InStream* in, OutStream* out) {
+    STREAM(first);
+    STREAM(last);
+    STREAM(cycles);
+  }
+};
+
 template <typename T>
 class ControlValue final : public DebugValue {
 public:
@@ -46,11 +56,13 @@ void passCode(DebugPoint& point, F&& code) {
 
 ReplayPoints::ReplayPoints(AgentDebug& agent, record::ReplayControl& control)
     : agent_(agent), control_(control) {
-  for (DebugPoint* point : {&cycle_, &time_, &speed_, &paused_, &step_, &back_}) agent_.points.add(*point);
+  for (DebugPoint* point : {&cycle_, &time_, &speed_, &paused_, &step_, &back_, &span_})
+    agent_.points.add(*point);
 }
 
 ReplayPoints::~ReplayPoints() {
-  for (DebugPoint* point : {&cycle_, &time_, &speed_, &paused_, &step_, &back_}) agent_.points.remove(*point);
+  for (DebugPoint* point : {&cycle_, &time_, &speed_, &paused_, &step_, &back_, &span_})
+    agent_.points.remove(*point);
 }
 
 void ReplayPoints::pass() {
@@ -59,6 +71,8 @@ void ReplayPoints::pass() {
   passValue<double>(time_, control_.time(), [this](double time) { control_.goToTime(time); });
   passValue<double>(speed_, control_.speed(), [this](double speed) { control_.setSpeed(speed); });
   passValue<bool>(paused_, control_.paused(), [this](bool paused) { control_.pause(paused); });
+  if (span_.active())
+    debugging::output(span_, Span{control_.span().first, control_.span().second, control_.cycles()});
   const auto step = [this](long cycles) {
     control_.step(cycles);
     return std::string(cycles > 0 ? "a cycle on" : "a cycle back: all begins anew and is played up to there");

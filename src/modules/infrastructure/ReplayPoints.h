@@ -6,7 +6,8 @@
 namespace plumbline {
 
 /// A replay in the debug interface: `replay:cycle`, `replay:time`, `replay:speed` and `replay:paused` can be
-/// read and set, `dr replay:step` and `dr replay:back` go a cycle on or back.
+/// read and set, `replay:span` tells the first and the last time and how many cycles there are, `dr
+/// replay:step` and `dr replay:back` go a cycle on or back.
 class ReplayPoints {
 public:
   ReplayPoints(AgentDebug& agent, record::ReplayControl& control);
@@ -22,7 +23,8 @@ private:
   record::ReplayControl& control_;
   DebugPoint cycle_{"replay:cycle", DebugKind::parameter}, time_{"replay:time", DebugKind::parameter},
       speed_{"replay:speed", DebugKind::parameter}, paused_{"replay:paused", DebugKind::parameter},
-      step_{"replay:step", DebugKind::codeOnce}, back_{"replay:back", DebugKind::codeOnce};
+      step_{"replay:step", DebugKind::codeOnce}, back_{"replay:back", DebugKind::codeOnce},
+      span_{"replay:span", DebugKind::output};
 };
 
 }  // namespace plumbline

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "framework/ConfigurationError.h"
 #include "framework/DebugSite.h"
 
 namespace plumbline {
@@ -9,6 +10,7 @@ namespace plumbline {
 MAKE_MODULE(KickMotion)
 
 void KickMotion::init() {
+  edited_ = findObject<EditedMotion>();
   if (const RobotModel* robot = findObject<RobotModel>()) read(*robot);
 }
 
@@ -39,6 +41,14 @@ void KickMotion::update(KickMotionOutput* theKickMotionOutput) {
     robot_ = theRobotDescription->name;
     read(theRobotDescription->model);
     player_ = {};
+  }
+  if (edited_ && edited_->saved() != saved_) {
+    saved_ = edited_->saved();
+    try {
+      read(theRobotDescription->model);
+    } catch (const ConfigurationError& error) {
+      log.error() << "the kick stays as it was: " << error.what();
+    }
   }
   const bool still = stillness_.update(theSensorData->gyro);
   if (theMotionSelection->motion == Motion::kick) {

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "framework/Module.h"
+#include "modules/motion/EditedMotion.h"
 #include "modules/motion/Motions.h"
 #include "motion/KeyframePlayer.h"
 #include "representations/infrastructure/FrameInfo.h"
@@ -39,6 +40,8 @@ private:
   motion::KeyframePlayer player_;
   Stillness stillness_;
   std::string robot_;
+  const EditedMotion* edited_ = nullptr;
+  unsigned saved_ = 0;  ///< files that an editor had written when the kick was read
 };
 
 }  // namespace plumbline

@@ -1,5 +1,6 @@
 #include "modules/motion/SpecialActions.h"
 
+#include "framework/ConfigurationError.h"
 #include "framework/DebugSite.h"
 
 namespace plumbline {
@@ -7,6 +8,7 @@ namespace plumbline {
 MAKE_MODULE(SpecialActions)
 
 void SpecialActions::init() {
+  edited_ = findObject<EditedMotion>();
   // Where main knows the robot, a broken file is told before anything else starts.
   if (const RobotModel* robot = findObject<RobotModel>()) readMotions(config, *robot);
 }
@@ -22,9 +24,10 @@ std::vector<std::string> namesOf(const std::vector<motion::KeyframeMotion>& moti
 }  // namespace
 
 void SpecialActions::start() {
-  const motion::KeyframeMotion* motion = findMotion(motions_, theMotionSelection->specialAction);
-  if (!motion)
-    log.error() << "there is no motion \"" << theMotionSelection->specialAction << "\" in motions/";
+  const std::string& name = theMotionSelection->specialAction;
+  if (edited_ && name == EditedMotion::name) return player_.start(edited_->draft(), theJointData->angles);
+  const motion::KeyframeMotion* motion = findMotion(motions_, name);
+  if (!motion) log.error() << "there is no motion \"" << name << "\" in motions/";
   player_.start(motion ? *motion : motion::KeyframeMotion{}, theJointData->angles);
 }
 
@@ -34,6 +37,14 @@ void SpecialActions::update(SpecialActionsOutput* theSpecialActionsOutput) {
     robot_ = theRobotDescription->name;
     motions_ = readMotions(config, theRobotDescription->model);
     player_ = {};
+  }
+  if (edited_ && edited_->saved() != saved_) {
+    saved_ = edited_->saved();
+    try {
+      motions_ = readMotions(config, theRobotDescription->model);
+    } catch (const ConfigurationError& error) {
+      log.error() << "the motions stay as they were: " << error.what();
+    }
   }
   OUTPUT_BY_VALUE("module:SpecialActions:motions", namesOf(motions_));
   const bool still = stillness_.update(theSensorData->gyro);

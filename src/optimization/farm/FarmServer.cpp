@@ -45,6 +45,7 @@ void FarmServer::record(const Trial& trial, std::span<const double> costs, int w
   if (journal_)
     journal_->add(trial, costs, worker < 0 ? std::map<std::string, double>{} : figures_,
                   worker < 0 ? "" : answerer_, worker < 0 ? 0 : answerSeconds_);
+  if (onResult_) onResult_(costs);
   if (costs.empty()) return;
   ++progress_.trials;
   progress_.runs += static_cast<std::int64_t>(costs.size());
@@ -96,6 +97,7 @@ void FarmServer::answer(Client& client, const std::string& line) {
     return refuse(client, "answer: " + std::to_string(answer.costs.size()) + " costs for trial " +
                               std::to_string(answer.number) + ", which is not what was asked");
   client.works = false;
+  ++client.answers;
   progress_.busySeconds += answerSeconds_;
 }
 
@@ -171,6 +173,15 @@ bool FarmServer::serve(int stopDescriptor, const std::function<void()>& tick) {
     if (doneAt < 0) doneAt = now();
     if (clients_.empty() || now() - doneAt > farewell) return true;
   }
+}
+
+std::vector<WorkerReport> FarmServer::workerReports() const {
+  std::vector<WorkerReport> reports;
+  for (const Client& client : clients_)
+    if (client.worker >= 0)
+      reports.push_back({client.name, client.works, client.answers,
+                         now() - (client.gaveAt > 0 ? client.gaveAt : client.since)});
+  return reports;
 }
 
 std::string FarmServer::status() const {

@@ -4,7 +4,9 @@
 #include <list>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "optimization/farm/Dispatcher.h"
 #include "optimization/farm/Journal.h"
@@ -28,6 +30,14 @@ struct FarmProgress {
   double lastCost = 0;                      ///< mean of the last hundred or so, slowly forgotten
 };
 
+/// A worker that is there.
+struct WorkerReport {
+  std::string name;
+  bool busy = false;
+  std::int64_t answers = 0;
+  double seconds = 0;  ///< since it was given its trial, or since it came
+};
+
 /// Farms a search out over TCP, no worker waiting for another one. A client that breaks the protocol or lies
 /// is dropped alone; what it had goes to another.
 class FarmServer {
@@ -49,6 +59,9 @@ public:
   std::size_t busy() const { return dispatcher_.busy(); }
   const DispatchCounts& counts() const { return dispatcher_.counts(); }
   const FarmProgress& progress() const { return progress_; }
+  std::vector<WorkerReport> workerReports() const;
+  /// Called with each result before the search learns of it; without costs: given up.
+  void onResult(std::function<void(std::span<const double>)> take) { onResult_ = std::move(take); }
   /// The status as JSON in one line.
   std::string status() const;
 
@@ -60,6 +73,7 @@ private:
     int worker = -1;  ///< -1: has not said who it is
     std::string name{};
     double gaveAt = 0;
+    std::int64_t answers = 0;
     bool works = false, ends = false;
   };
 
@@ -81,6 +95,7 @@ private:
   int listener_ = -1, port_ = 0;
   std::list<Client> clients_;
   FarmProgress progress_;
+  std::function<void(std::span<const double>)> onResult_;
   Clock::time_point begin_ = Clock::now();
   double synced_ = 0;
   std::map<std::string, double> figures_;  ///< of the answer that is being taken

@@ -6,9 +6,11 @@ export class DrawingList {
   constructor({ place, link, field, onChange }) {
     Object.assign(this, { place, link, field, onChange });
     this.watches = new Map();
+    this.waiting = new Set(); // wanted, and not known until the code that draws has run
   }
 
   take(entries) {
+    for (const { id } of entries) if (this.waiting.delete(id)) this.show(id, true);
     const key = JSON.stringify(entries);
     if (key === this.key) return;
     this.key = key;
@@ -26,12 +28,21 @@ export class DrawingList {
   show(id, on) {
     this.watches.get(id)?.end();
     this.watches.delete(id);
+    this.waiting.delete(id);
     this.field.show(id, null);
-    if (on) this.watches.set(id, this.link.watch(id, '0.1s', (shapes) => this.field.show(id, shapes), complain));
+    if (on) this.watches.set(id, this.link.watch(id, '0.1s', (shapes) => this.field.show(id, shapes), (error) => this.fail(id, error)));
+    if (on) this.onShown?.();
     const box = this.place.querySelector(`[data-drawing="${CSS.escape(id)}"]`);
     if (box) box.checked = on;
     this.onChange();
   }
 
-  names() { return [...this.watches.keys()]; }
+  fail(id, error) {
+    this.watches.get(id)?.end();
+    this.watches.delete(id);
+    if (this.key?.includes(JSON.stringify(id))) complain(error);
+    else this.waiting.add(id);
+  }
+
+  names() { return [...this.watches.keys(), ...this.waiting]; }
 }

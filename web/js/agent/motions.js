@@ -17,7 +17,9 @@ export class Motions {
     const button = (text, title, run) => make('button', { textContent: text, title, onclick: run, set: { 'data-motion': text } });
     this.place.replaceChildren(
       button('stand', 'Stand', () => this.ask([['motion', 'stand']], 'stand')),
-      ...names.map((name) => button(name, 'A motion of config/motions', () => this.ask([['specialAction', `"${name}"`], ['motion', 'specialAction']], name))),
+      ...names.map((name) => make('span', { className: 'motion' },
+        button(name, 'A motion of config/motions', () => this.ask([['specialAction', `"${name}"`], ['motion', 'specialAction']], name)),
+        make('button', { textContent: '✎', title: `Edit ${name}`, onclick: () => this.onEdit?.(name), set: { 'data-edit': name } }))),
       button('hand back', 'The behaviour decides again', () => this.handBack()), this.state, this.walk());
   }
 

@@ -27,6 +27,9 @@ export class PlotPanel {
     this.observer.observe(body);
   }
 
+  // Of a log its own time, else since the plot was opened [s].
+  now() { return this.link.moment ?? (performance.now() - this.begin) / 1000; }
+
   width() { return Math.max(120, this.body.clientWidth - 4); }
 
   add(name, silent) {
@@ -43,7 +46,10 @@ export class PlotPanel {
       this.error.textContent = `${shortName(name)} is no number; plot a part of it`;
       return;
     }
-    this.points.push([(performance.now() - this.begin) / 1000, index, number]);
+    const now = this.now();
+    // Back in a log: what came behind that moment is not yet.
+    if (this.points.length && now < this.points.at(-1)[0] - 1e-6) this.points = this.points.filter(([time]) => time < now);
+    this.points.push([now, index, number]);
   }
 
   build() {
@@ -59,7 +65,7 @@ export class PlotPanel {
   }
 
   draw() {
-    const end = (performance.now() - this.begin) / 1000;
+    const end = this.now();
     this.points = this.points.filter(([time]) => time > end - seconds);
     const data = [this.points.map(([time]) => time), ...this.names.map((_, i) => this.points.map(([, index, value]) => (index === i ? value : undefined)))];
     this.chart.setData(data);

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
+#include <poll.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <list>
 
+#include "SearchPage.h"
 #include "framework/CommandLine.h"
 #include "framework/ConfigFile.h"
 #include "framework/ConfigFolder.h"
@@ -29,7 +32,8 @@ struct Options {
   int workers = 0;
   double every = 5;
   int measured = 0;
-  bool status = false;
+  bool status = false, serves = false, show = false;
+  pages::PageServer::Config web{.port = SearchPage::standardPort};
 };
 
 /// Workers on this machine; one that ends before the search does is started again, at most once a second.
@@ -173,12 +177,25 @@ int measureBoth(const Options& options) {
   return 0;
 }
 
+/// Until Ctrl-C, which is how one ends what is only looked at.
+int waitForEnd(const StopSignal& stop) {
+  std::fflush(stdout);
+  pollfd ended{stop.fileDescriptor(), POLLIN, 0};
+  while (poll(&ended, 1, -1) < 0 && errno == EINTR) {
+  }
+  return 0;
+}
+
 int serve(Options& options) {
   const training::Study study = training::readStudy(options.study);
+  if (options.show && !std::filesystem::exists(options.folder + "/evaluations.jsonl"))
+    throw std::runtime_error(options.folder + ": no evaluations.jsonl there, so there is nothing to show");
   std::filesystem::create_directories(options.folder);
   Search search = study.makeSearch();
+  farm::RunHistory history(search);
   farm::Journal journal(
       options.folder + "/evaluations.jsonl", study.mark(), [&](const farm::JournalEntry& entry) {
+        history.told(entry.costs);
         const Told told =
             entry.givenUp ? search.giveUp(entry.number) : search.tell(entry.number, entry.costs);
         if (told == Told::unknown) throw std::invalid_argument("a result of a trial that there is not yet");
@@ -187,6 +204,15 @@ int serve(Options& options) {
     fmt::print("optserver: goes on from {} results in {}\n", journal.resumed(), journal.path());
   StopSignal stop;
   stop.catchSignals();
+  history.look();
+  std::unique_ptr<SearchPage> page;
+  if (options.serves) {
+    page = std::make_unique<SearchPage>(options.web, study, options.study, options.folder);
+    fmt::print("optserver: page {}\n", page->address());
+    std::fflush(stdout);
+    page->show(search, history, nullptr, options.show);
+  }
+  if (options.show) return waitForEnd(stop);
   farm::FarmServer server(
       search, &journal,
       {study.task, study.options.values(), static_cast<std::int64_t>(study.parameters.size())}, options.farm);
@@ -196,16 +222,21 @@ int serve(Options& options) {
   writeFile(options.folder + "/port", std::to_string(server.port()) + "\n");
   LocalWorkers workers(options.workers, server.port(), options.farm.token, options.folder + "/workers.log");
   Table table(study, options.every);
+  server.onResult([&](std::span<const double> costs) { history.told(costs); });
   std::int64_t written = search.optimizer().generations();
   const bool over = search.isDone() || server.serve(stop.fileDescriptor(), [&] {
     if (!search.isDone()) workers.keep(server.progress().seconds);
     table.line(server, search);
+    history.look();
+    if (page) page->show(search, history, &server, false);
     if (search.optimizer().generations() >= written + 10) {
       written = search.optimizer().generations();
       writeResult(options, study, search);
     }
   });
   table.line(server, search, true);
+  history.look();
+  if (page) page->show(search, history, &server, over);
   writeResult(options, study, search);
   if (!over) {
     fmt::print(stderr, "optserver: stopped; the same command goes on from {}\n", journal.path());
@@ -213,7 +244,9 @@ int serve(Options& options) {
   }
   fmt::print("optserver: over ({}); found: {}/found.yaml\n", name(search.optimizer().stopReason()),
              options.folder);
-  return 0;
+  std::fflush(stdout);
+  if (page) fmt::print("optserver: the page stays until Ctrl-C; --show opens it again\n");
+  return page ? waitForEnd(stop) : 0;
 }
 
 int runProgram(int argc, char** argv) {
@@ -245,6 +278,20 @@ int runProgram(int argc, char** argv) {
                  "Instead of searching: so many runs, of seeds that no search has, of the start and of what "
                  "was found")
       ->check(CLI::Range(1, 1'000'000));
+  auto* web =
+      app.add_option("--web", options.web.port, "Serve a page of the run; 0: a free port, which is printed")
+          ->expected(0, 1)
+          ->default_str(std::to_string(SearchPage::standardPort))
+          ->check(CLI::Range(0, 65535));
+  web->each([&options](const std::string&) { options.serves = true; });
+  app.add_option("--web-address", options.web.address,
+                 "With --web: where others may reach it; needs --web-token")
+      ->needs(web)
+      ->capture_default_str();
+  app.add_option("--web-token", options.web.token, "With --web: the page opens with ?token=TOKEN only")
+      ->needs(web);
+  app.add_flag("--show", options.show, "With --web: shows the results that are there, and searches nothing")
+      ->needs(web);
   app.add_flag("--status", options.status, "Asks the server that runs at --bind and --port how far it is");
   app.add_option_function<std::string>(
       "--config", useConfigFolder, "folder of the configuration [config/ here, else the one beside bin/]");
@@ -255,6 +302,7 @@ int runProgram(int argc, char** argv) {
              "Stopped or killed, it goes on where it was with the same command.\n"
              "Examples:\n  bin/optserver config/optimisation/standUpFront.yaml --workers 2\n"
              "  bin/optserver config/optimisation/standUpFront.yaml --measure 1000\n"
+             "  bin/optserver config/optimisation/standUpFront.yaml --web --show\n"
              "  bin/optserver --status\n"
              "  bin/optserver study.yaml --bind 0.0.0.0 --token SECRET");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;

@@ -1,0 +1,99 @@
+#include "MotionFilm.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "motion/KeyframeReader.h"
+#include "robot/ForwardKinematics.h"
+#include "simspark/SceneState.h"
+#include "training/MotionTrial.h"
+
+namespace plumbline {
+namespace {
+
+constexpr double walkSeconds = 2, walkSpeed = 0.3;  // behind the motion, as the task's own [s, m/s]
+constexpr double longest = 20;                      // [s]
+constexpr int falls = 200, every = 2;               // frames: every second cycle
+constexpr unsigned seed = 1;                        // the same fall each time, so that films compare
+
+class Camera {
+public:
+  Camera(motion::MotionTrial& trial, int type) : trial_(trial), kinematics_(trial.model) {
+    for (const std::string& name : simspark::sceneBodies(type)) links_.push_back(trial.model.linkIndex(name));
+  }
+  void look() {
+    if (cycle_++ % every != 0) return;
+    kinematics_.update(trial_.robot.sense().angle);
+    const Pose3 torso = trial_.robot.torso().pose;
+    // The physics' torso is where its body is: the link's frame stands on the torso's middle.
+    nlohmann::json frame = nlohmann::json::array();
+    for (const int link : links_) {
+      const Pose3 pose = torso * kinematics_.link(link) *
+                         translation(trial_.model.links[static_cast<std::size_t>(link)].com);
+      const Eigen::Quaterniond q(pose.linear());
+      for (const double value : {pose.translation().x(), pose.translation().y(), pose.translation().z(),
+                                 q.x(), q.y(), q.z(), q.w()})
+        frame.push_back(std::round(1e4 * value) / 1e4);
+    }
+    frames_.push_back(std::move(frame));
+  }
+  nlohmann::json frames() { return std::move(frames_); }
+
+private:
+  motion::MotionTrial& trial_;
+  ForwardKinematics kinematics_;
+  std::vector<int> links_;
+  int cycle_ = 0;
+  nlohmann::json frames_ = nlohmann::json::array();
+};
+
+/// 1: onto the front, -1: onto the back, 0: the task does not begin with a fall.
+int directionOf(const training::Study& study) {
+  if (study.task != "standUp") return 0;
+  return study.options.word("direction", "front") == "front" ? 1 : -1;
+}
+
+}  // namespace
+
+std::string motionFilm(const training::Study& study, const Eigen::VectorXd& parameters,
+                       const std::string& name) {
+  const std::string text = training::makeTask(study.task, study.options)->file(parameters, "");
+  if (text.empty()) return {};
+  const int type = static_cast<int>(study.options.number("type", 0, 0, numSimsparkTypes() - 1));
+  motion::MotionTrial trial(type);
+  const motion::KeyframeMotion motion = motion::readKeyframeText(text, "found.yaml", trial.model, {});
+  Camera camera(trial, type);
+  trial.seed(seed);
+  if (const int direction = directionOf(study); direction != 0) {
+    for (int i = 0; i < falls; ++i) {
+      const bool lies = trial.fall(direction);
+      const Vec3 up = trial.up();
+      if (lies && std::abs(up.x()) > std::abs(up.y()) && (up.x() < 0) == (direction > 0)) break;
+    }
+  }
+  camera.look();
+  motion::KeyframePlayer player;
+  player.start(motion, trial.robot.sense().angle);
+  int still = 0;
+  double played = 0;
+  for (; !player.finished() && played < longest; played += motion::MotionTrial::dt) {
+    still = trial.robot.sense().gyro.norm() < 0.3 ? still + 1 : 0;
+    player.step(motion::MotionTrial::dt, still >= 3);
+    trial.step(player.angles());
+    camera.look();
+  }
+  trial.beginWalk();
+  for (double t = 0; t < walkSeconds; t += motion::MotionTrial::dt) {
+    trial.walkStep(Vec2(walkSpeed, 0), 0);
+    camera.look();
+  }
+  return nlohmann::json{{"kind", "film"},
+                        {"name", name},
+                        {"type", type},
+                        {"seconds", played},
+                        {"step", every * motion::MotionTrial::dt},
+                        {"frames", camera.frames()}}
+      .dump();
+}
+
+}  // namespace plumbline

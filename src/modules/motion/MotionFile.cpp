@@ -1,0 +1,117 @@
+#include "modules/motion/MotionFile.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "framework/WriteFile.h"
+#include "motion/KeyframeReader.h"
+
+namespace plumbline {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t maxBytes = 1 << 20;
+constexpr std::size_t maxKeyframes = 1000;
+
+/// FNV-1a, 64 bits: tells texts apart, keeps no secret.
+std::string revisionOf(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037ull;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  return digits;
+}
+
+/// What cannot be said in the file, or is none of the robot's joints.
+void checkNumbers(const std::vector<motion::KeyframeDraft>& keyframes, const std::string& path) {
+  if (keyframes.empty()) throw motion::KeyframeFileError(path + ": a motion has one keyframe at least");
+  if (keyframes.size() > maxKeyframes) throw motion::KeyframeFileError(path + ": more than 1000 keyframes");
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    const std::string which = path + ": keyframe " + std::to_string(i + 1) + ": ";
+    if (!(keyframes[i].seconds >= 0)) throw motion::KeyframeFileError(which + "the time is negative");
+    if (!(keyframes[i].settleSeconds >= 0))
+      throw motion::KeyframeFileError(which + "the time to settle is negative");
+    for (const auto& [joint, degrees] : keyframes[i].degrees) {
+      if (jointByName(joint) == numJoints)
+        throw motion::KeyframeFileError(which + "there is no joint \"" + joint + '"');
+      if (!std::isfinite(degrees)) throw motion::KeyframeFileError(which + joint + " is not finite");
+    }
+  }
+}
+
+}  // namespace
+
+std::string MotionFile::text() const {
+  std::ifstream in(file_, std::ios::binary);
+  std::ostringstream all;
+  if (!in || !(all << in.rdbuf())) throw std::runtime_error("cannot read " + file_.string());
+  if (all.str().size() > maxBytes) throw std::runtime_error(file_.string() + ": larger than a megabyte");
+  return all.str();
+}
+
+MotionDraft MotionFile::read(const RobotModel& robot) const {
+  MotionDraft draft;
+  draft.file = file_.string();
+  try {
+    const std::string now = text();
+    draft.revision = revisionOf(now);
+    const motion::KeyframeMotion motion = motion::readKeyframeText(now, file_, robot, directories_);
+    const std::vector<motion::KeyframeDraft> keyframes = motion::draftOf(motion);
+    draft.keyframes = streamed(keyframes);
+    draft.restStays = now.find("rest:") != std::string::npos;
+    motion::editedText(now, draft.file, keyframes);
+  } catch (const std::exception& error) {
+    draft.comment = error.what();
+  }
+  return draft;
+}
+
+std::string MotionFile::edited(const MotionDraft& draft, const std::string& text, const RobotModel& robot,
+                               motion::KeyframeMotion* motion) const {
+  const std::vector<motion::KeyframeDraft> keyframes = wanted(draft.keyframes);
+  checkNumbers(keyframes, file_.string());
+  std::string result = motion::editedText(text, file_.string(), keyframes);
+  motion::KeyframeMotion read = motion::readKeyframeText(result, file_, robot, directories_);
+  // What is written must be what was asked for, whatever form the file has.
+  const std::vector<motion::KeyframeDraft> there = motion::draftOf(read);
+  constexpr double rounding = 1e-3;  // three decimals are written
+  bool same = there.size() == keyframes.size();
+  for (std::size_t i = 0; same && i < there.size(); ++i) {
+    same = std::fabs(there[i].seconds - keyframes[i].seconds) < rounding &&
+           std::fabs(there[i].settleSeconds - keyframes[i].settleSeconds) < rounding &&
+           there[i].degrees.size() == keyframes[i].degrees.size();
+    for (const auto& [joint, degrees] : keyframes[i].degrees) {
+      const auto found = there[i].degrees.find(joint);
+      same = same && found != there[i].degrees.end() && std::fabs(found->second - degrees) < rounding;
+    }
+  }
+  if (!same)
+    throw motion::KeyframeFileError(file_.string() +
+                                    ": the file has a form in which this cannot be written; edit it by hand");
+  if (motion) *motion = std::move(read);
+  return result;
+}
+
+motion::KeyframeMotion MotionFile::check(const MotionDraft& draft, const RobotModel& robot) const {
+  motion::KeyframeMotion motion;
+  edited(draft, text(), robot, &motion);
+  return motion;
+}
+
+bool MotionFile::write(const MotionDraft& draft, const RobotModel& robot) const {
+  const std::string now = text();
+  if (revisionOf(now) != draft.revision)
+    throw std::runtime_error(file_.string() + " was changed by somebody else; nothing is written");
+  const std::string result = edited(draft, now, robot, nullptr);
+  if (result == now) return false;
+  writeFile(fs::canonical(file_).string(), result);
+  return true;
+}
+
+}  // namespace plumbline
