@@ -30,8 +30,6 @@ std::string number(double value) {
 
 bool same(double a, double b) { return std::fabs(a - b) < sameNumber; }
 
-std::string nameOf(JointId joint) { return std::string(jointNames[static_cast<std::size_t>(joint)]); }
-
 /// One line for one joint or for both sides.
 struct Entry {
   std::string key;
@@ -39,18 +37,21 @@ struct Entry {
 };
 
 /// Takes both sides under one name where they are mirror images.
-std::vector<Entry> entriesOf(std::map<std::string, double> degrees) {
+std::vector<Entry> entriesOf(std::map<std::string, double> degrees, const RobotModel& robot) {
   std::vector<Entry> entries;
-  for (std::size_t j = 0; j < jointNames.size(); ++j) {
+  for (int j = 0; j < maxJoints; ++j) {
     const auto joint = static_cast<JointId>(j);
-    const auto own = degrees.find(nameOf(joint));
+    if (!robot.has(joint)) continue;
+    const auto own = degrees.find(std::string(robot.jointName(joint)));
     if (own == degrees.end()) continue;
-    const auto other = degrees.find(nameOf(mirrored(joint)));
-    if (other != own && other != degrees.end() && same(other->second, mirrorSign(joint) * own->second)) {
-      entries.push_back({nameOf(joint).substr(1), own->second});
+    const JointId mirror = mirrored(joint);
+    const std::string both = mirror > joint ? bothSides(robot, joint) : "";
+    const auto other = both.empty() ? degrees.end() : degrees.find(std::string(robot.jointName(mirror)));
+    if (other != degrees.end() && same(other->second, mirrorSign(joint) * own->second)) {
+      entries.push_back({both, own->second});
       degrees.erase(other);
     } else {
-      entries.push_back({nameOf(joint), own->second});
+      entries.push_back({own->first, own->second});
     }
   }
   return entries;
@@ -59,7 +60,8 @@ std::vector<Entry> entriesOf(std::map<std::string, double> degrees) {
 /// A motion's text, of which pieces are replaced; the pieces' places are those of the text as it was.
 class Editor {
 public:
-  Editor(const std::string& text, const std::string& path) : text_(text), path_(path) {
+  Editor(const std::string& text, const std::string& path, const RobotModel& robot)
+      : text_(text), path_(path), robot_(robot) {
     try {
       root_ = parseYaml(text, path);
     } catch (const ConfigurationError& error) {
@@ -179,7 +181,7 @@ private:
     if (keyframe.settleSeconds > 0) result += ", settle: " + number(keyframe.settleSeconds);
     const std::string next = "\n" + indent_ + "   ";
     std::size_t column = indent_.size() + 2 + result.size();
-    for (const Entry& entry : entriesOf(keyframe.degrees)) {
+    for (const Entry& entry : entriesOf(keyframe.degrees, robot_)) {
       const std::string part = entry.key + ": " + number(entry.value);
       const bool wraps = column + part.size() + 2 > width;
       result += "," + (wraps ? next : " ") + part;
@@ -192,10 +194,10 @@ private:
   std::vector<Entry> wanted(const std::string& key, std::map<std::string, double>& rest) const {
     std::map<std::string, double> own;
     for (const std::string& name : {key, "L" + key, "R" + key}) {
-      if (name == key ? jointByName(key) == numJoints : jointByName(key) != numJoints) continue;
+      if (robot_.joint(key).has_value() != (name == key)) continue;
       if (const auto found = rest.find(name); found != rest.end()) own.insert(rest.extract(found));
     }
-    return entriesOf(own);
+    return entriesOf(own, robot_);
   }
 
   std::string changed(std::size_t i, const KeyframeDraft& keyframe) const {
@@ -235,7 +237,7 @@ private:
     const std::size_t bracket = closing(block.item) - 1;
     const std::size_t last = text_.find_last_not_of(" \t\n", bracket - 1) + 1;
     std::size_t column = last - lineBegin(last) + more.size();
-    for (const Entry& entry : entriesOf(rest)) {
+    for (const Entry& entry : entriesOf(rest, robot_)) {
       const std::string part = entry.key + ": " + number(entry.value);
       const bool wraps = column + part.size() + 2 > width;
       more += "," + (wraps ? "\n" + indent_ + "   " : " ") + part;
@@ -292,6 +294,7 @@ private:
 
   const std::string& text_;
   const std::string& path_;
+  const RobotModel& robot_;
   YAML::Node root_, list_;
   std::vector<Block> blocks_;
   std::string indent_;
@@ -299,13 +302,13 @@ private:
 
 }  // namespace
 
-std::vector<KeyframeDraft> draftOf(const KeyframeMotion& motion) {
+std::vector<KeyframeDraft> draftOf(const KeyframeMotion& motion, const RobotModel& robot) {
   std::vector<KeyframeDraft> drafts;
   for (const Keyframe& keyframe : motion.keyframes) {
     KeyframeDraft draft{static_cast<int>(drafts.size()), keyframe.seconds, keyframe.settleSeconds, {}};
     for (std::size_t j = 0; j < keyframe.set.size(); ++j)
       if (keyframe.set[j])
-        draft.degrees[nameOf(static_cast<JointId>(j))] =
+        draft.degrees[std::string(robot.jointName(static_cast<JointId>(j)))] =
             std::round(1e6 * toDegrees(keyframe.angles[j])) / 1e6;
     drafts.push_back(std::move(draft));
   }
@@ -313,8 +316,8 @@ std::vector<KeyframeDraft> draftOf(const KeyframeMotion& motion) {
 }
 
 std::string editedText(const std::string& text, const std::string& path,
-                       const std::vector<KeyframeDraft>& keyframes) {
-  return Editor(text, path).edited(keyframes);
+                       const std::vector<KeyframeDraft>& keyframes, const RobotModel& robot) {
+  return Editor(text, path, robot).edited(keyframes);
 }
 
 }  // namespace plumbline::motion

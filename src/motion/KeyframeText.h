@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "motion/Keyframes.h"
+#include "robot/RobotModel.h"
 
 namespace plumbline::motion {
 
@@ -15,13 +16,13 @@ struct KeyframeDraft {
 };
 
 /// The keyframes of a file's text in the terms of a draft. The text must be one that readKeyframeText takes.
-std::vector<KeyframeDraft> draftOf(const KeyframeMotion& motion);
+std::vector<KeyframeDraft> draftOf(const KeyframeMotion& motion, const RobotModel& robot);
 
 /// The text of a motion's file with these keyframes: numbers that stay keep their digits, keyframes that stay
 /// keep their comments, and both sides stay under one name where they are mirror images. Does not check
 /// limits: read the result. Throws KeyframeFileError "path:line: ..." for a text that cannot be edited so, as
 /// a motion that is the mirror image of another one.
 std::string editedText(const std::string& text, const std::string& path,
-                       const std::vector<KeyframeDraft>& keyframes);
+                       const std::vector<KeyframeDraft>& keyframes, const RobotModel& robot);
 
 }  // namespace plumbline::motion

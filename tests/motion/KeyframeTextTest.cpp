@@ -21,12 +21,12 @@ const std::string wave =
     "# the end\n";
 
 std::vector<KeyframeDraft> drafts(const std::string& text) {
-  return draftOf(readKeyframeText(text, "wave.yaml", simsparkRobot(0), {}));
+  return draftOf(readKeyframeText(text, "wave.yaml", simsparkRobot(0), {}), simsparkRobot(0));
 }
 
 std::string errorOf(const std::string& text, const std::vector<KeyframeDraft>& keyframes) {
   try {
-    return editedText(text, "wave.yaml", keyframes);
+    return editedText(text, "wave.yaml", keyframes, simsparkRobot(0));
   } catch (const KeyframeFileError& error) {
     return error.what();
   }
@@ -45,14 +45,14 @@ TEST(KeyframeTextTest, aDraftHoldsEveryJointInDegrees) {
 }
 
 TEST(KeyframeTextTest, whatStaysKeepsEveryByte) {
-  EXPECT_EQ(editedText(wave, "wave.yaml", drafts(wave)), wave);
+  EXPECT_EQ(editedText(wave, "wave.yaml", drafts(wave), simsparkRobot(0)), wave);
 }
 
 TEST(KeyframeTextTest, aNumberIsReplacedInItsPlace) {
   auto keyframes = drafts(wave);
   keyframes[0].seconds = 0.4;
   keyframes[0].degrees["LShoulderRoll"] = 21.5;
-  const std::string text = editedText(wave, "wave.yaml", keyframes);
+  const std::string text = editedText(wave, "wave.yaml", keyframes, simsparkRobot(0));
   EXPECT_NE(text.find("  - {time: 0.4, LShoulderPitch: -80, LShoulderRoll: 21.5}  # both joints\n"),
             std::string::npos)
       << text;
@@ -62,10 +62,10 @@ TEST(KeyframeTextTest, bothSidesStayUnderOneNameAsLongAsTheyAreMirrorImages) {
   auto keyframes = drafts(wave);
   keyframes[2].degrees["LShoulderPitch"] = 80;
   keyframes[2].degrees["RShoulderPitch"] = 80;
-  EXPECT_NE(editedText(wave, "wave.yaml", keyframes).find("     ShoulderPitch: 80, ShoulderRoll: 14}\n"),
+  EXPECT_NE(editedText(wave, "wave.yaml", keyframes, simsparkRobot(0)).find("     ShoulderPitch: 80, ShoulderRoll: 14}\n"),
             std::string::npos);
   keyframes[2].degrees["RShoulderPitch"] = 70;
-  EXPECT_NE(editedText(wave, "wave.yaml", keyframes)
+  EXPECT_NE(editedText(wave, "wave.yaml", keyframes, simsparkRobot(0))
                 .find("     LShoulderPitch: 80, RShoulderPitch: 70, ShoulderRoll: 14}\n"),
             std::string::npos);
 }
@@ -75,7 +75,7 @@ TEST(KeyframeTextTest, jointsComeAndGo) {
   keyframes[0].degrees.erase("LShoulderRoll");
   keyframes[1].degrees["HeadYaw"] = 10;
   keyframes[1].settleSeconds = 0;
-  const std::string text = editedText(wave, "wave.yaml", keyframes);
+  const std::string text = editedText(wave, "wave.yaml", keyframes, simsparkRobot(0));
   EXPECT_NE(text.find("  - {time: 0.50, LShoulderPitch: -80}  # both joints\n"), std::string::npos) << text;
   EXPECT_NE(text.find("  - {time: 0.2, LElbowRoll: -60, HeadYaw: 10}\n"), std::string::npos) << text;
 }
@@ -85,7 +85,7 @@ TEST(KeyframeTextTest, keyframesMoveWithTheirComments) {
   std::swap(keyframes[0], keyframes[1]);
   keyframes.push_back({-1, 0.25, 0, {{"LKneePitch", 20}, {"RKneePitch", 20}}});
   keyframes.erase(keyframes.begin() + 2);
-  EXPECT_EQ(editedText(wave, "wave.yaml", keyframes),
+  EXPECT_EQ(editedText(wave, "wave.yaml", keyframes, simsparkRobot(0)),
             "# Wave with the left arm.\n"
             "rest: stays\n"
             "keyframes:\n"
@@ -107,9 +107,9 @@ TEST(KeyframeTextTest, aLineForEachKeyCanBeEditedToo) {
       "    HeadYaw: 10\n";
   auto keyframes = drafts(text);
   keyframes[0].degrees["LHipPitch"] = -20;
-  EXPECT_NE(editedText(text, "wave.yaml", keyframes).find("    LHipPitch: -20  # bent\n"), std::string::npos);
+  EXPECT_NE(editedText(text, "wave.yaml", keyframes, simsparkRobot(0)).find("    LHipPitch: -20  # bent\n"), std::string::npos);
   keyframes[1].degrees["HeadPitch"] = 5;
-  EXPECT_NE(editedText(text, "wave.yaml", keyframes).find("  - {time: 0.1, HeadYaw: 10, HeadPitch: 5}\n"),
+  EXPECT_NE(editedText(text, "wave.yaml", keyframes, simsparkRobot(0)).find("  - {time: 0.1, HeadYaw: 10, HeadPitch: 5}\n"),
             std::string::npos);
 }
 

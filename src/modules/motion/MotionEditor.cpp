@@ -53,11 +53,11 @@ std::vector<RobotPart> partsOf(const RobotModel& robot) {
     RobotPart part;
     part.name = link.name;
     part.parent = link.parent;
-    if (link.joint != numJoints) {
+    if (link.joint != noJoint) {
       part.number = link.joint;
       const JointId other = motion::mirrored(link.joint);
-      part.joint = jointNames[static_cast<std::size_t>(link.joint)];
-      if (other != link.joint) part.otherSide = jointNames[static_cast<std::size_t>(other)];
+      part.joint = robot.jointName(link.joint);
+      if (other != link.joint && robot.has(other)) part.otherSide = robot.jointName(other);
       part.mirrorSign = motion::mirrorSign(link.joint);
       part.lower = toDegrees(link.lower);
       part.upper = toDegrees(link.upper);

@@ -29,7 +29,8 @@ std::string revisionOf(const std::string& text) {
 }
 
 /// What cannot be said in the file, or is none of the robot's joints.
-void checkNumbers(const std::vector<motion::KeyframeDraft>& keyframes, const std::string& path) {
+void checkNumbers(const std::vector<motion::KeyframeDraft>& keyframes, const std::string& path,
+                  const RobotModel& robot) {
   if (keyframes.empty()) throw motion::KeyframeFileError(path + ": a motion has one keyframe at least");
   if (keyframes.size() > maxKeyframes) throw motion::KeyframeFileError(path + ": more than 1000 keyframes");
   for (std::size_t i = 0; i < keyframes.size(); ++i) {
@@ -38,7 +39,7 @@ void checkNumbers(const std::vector<motion::KeyframeDraft>& keyframes, const std
     if (!(keyframes[i].settleSeconds >= 0))
       throw motion::KeyframeFileError(which + "the time to settle is negative");
     for (const auto& [joint, degrees] : keyframes[i].degrees) {
-      if (jointByName(joint) == numJoints)
+      if (!robot.joint(joint))
         throw motion::KeyframeFileError(which + "there is no joint \"" + joint + '"');
       if (!std::isfinite(degrees)) throw motion::KeyframeFileError(which + joint + " is not finite");
     }
@@ -62,10 +63,10 @@ MotionDraft MotionFile::read(const RobotModel& robot) const {
     const std::string now = text();
     draft.revision = revisionOf(now);
     const motion::KeyframeMotion motion = motion::readKeyframeText(now, file_, robot, directories_);
-    const std::vector<motion::KeyframeDraft> keyframes = motion::draftOf(motion);
+    const std::vector<motion::KeyframeDraft> keyframes = motion::draftOf(motion, robot);
     draft.keyframes = streamed(keyframes);
     draft.restStays = now.find("rest:") != std::string::npos;
-    motion::editedText(now, draft.file, keyframes);
+    motion::editedText(now, draft.file, keyframes, robot);
   } catch (const std::exception& error) {
     draft.comment = error.what();
   }
@@ -75,11 +76,11 @@ MotionDraft MotionFile::read(const RobotModel& robot) const {
 std::string MotionFile::edited(const MotionDraft& draft, const std::string& text, const RobotModel& robot,
                                motion::KeyframeMotion* motion) const {
   const std::vector<motion::KeyframeDraft> keyframes = wanted(draft.keyframes);
-  checkNumbers(keyframes, file_.string());
-  std::string result = motion::editedText(text, file_.string(), keyframes);
+  checkNumbers(keyframes, file_.string(), robot);
+  std::string result = motion::editedText(text, file_.string(), keyframes, robot);
   motion::KeyframeMotion read = motion::readKeyframeText(result, file_, robot, directories_);
   // What is written must be what was asked for, whatever form the file has.
-  const std::vector<motion::KeyframeDraft> there = motion::draftOf(read);
+  const std::vector<motion::KeyframeDraft> there = motion::draftOf(read, robot);
   constexpr double rounding = 1e-3;  // three decimals are written
   bool same = there.size() == keyframes.size();
   for (std::size_t i = 0; same && i < there.size(); ++i) {

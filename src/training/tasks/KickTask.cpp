@@ -86,7 +86,7 @@ const KickTask::Start& KickTask::start(std::uint64_t seed) {
     trial_.step(trial_.stand);
     start.torso = trial_.robot.torso();
     start.angles = trial_.robot.sense().angle;
-    for (std::size_t j = 0; j < numJoints; ++j) start.rates[j] = (start.angles[j] - before[j]) / dt;
+    for (std::size_t j = 0; j < maxJoints; ++j) start.rates[j] = (start.angles[j] - before[j]) / dt;
     return started_[seed] = start;
   }
   throw std::runtime_error("the robot does not stand before the kick");

@@ -34,7 +34,7 @@ void WalkOn::step() {
   JointArray targets = trial_.walkOutput(velocity_, turn_).angles;
   const double time = ++cycles_ * motion::MotionTrial::dt;
   if (time < fade_)
-    for (std::size_t j = 0; j < numJoints; ++j)
+    for (std::size_t j = 0; j < maxJoints; ++j)
       targets[j] = from_[j] + time / fade_ * (targets[j] - from_[j]);
   trial_.step(targets);
   error_ += trial_.tilt();
