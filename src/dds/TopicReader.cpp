@@ -6,7 +6,6 @@
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <mutex>
 #include <stdexcept>
 
 #include "dds/TopicQos.h"
@@ -22,9 +21,19 @@ struct TopicReader::Parts : public fast::DataReaderListener {
   }
 
   void on_data_available(fast::DataReader* from) override {
-    const std::lock_guard lock(network);  // shared memory and UDP have a thread each
+    // Shared memory and UDP have a thread each. The second to come leaves its work to the first: a lock of
+    // ours, held while Fast DDS takes its own and wanted while it holds them, could stop both for ever.
+    if (calls.fetch_add(1, std::memory_order_acq_rel) > 0) return;
+    for (unsigned served = 0;;) {
+      served = calls.load(std::memory_order_acquire);
+      takeAll(*from);
+      if (calls.fetch_sub(served, std::memory_order_acq_rel) == served) return;
+    }
+  }
+
+  void takeAll(fast::DataReader& from) {
     fast::SampleInfo info;
-    while (from->take_next_sample(&arrivals.place(), &info) == ReturnCode_t::RETCODE_OK) {
+    while (from.take_next_sample(&arrivals.place(), &info) == ReturnCode_t::RETCODE_OK) {
       if (info.valid_data) arrivals.arrived();
     }
   }
@@ -33,7 +42,7 @@ struct TopicReader::Parts : public fast::DataReaderListener {
   fast::Subscriber* subscriber = nullptr;
   fast::DataReader* reader = nullptr;
   std::atomic<int> writers{0};
-  std::mutex network;
+  std::atomic<unsigned> calls{0};  ///< that were not served yet
 };
 
 TopicReader::TopicReader(Participant& participant, const TopicName& name, Arrivals& arrivals)

@@ -118,5 +118,4 @@ onDisplay "$scratch/gnuplot:$PATH"
 waitFor shows 'connected to'
 type_ 'plot r:BallPos.relative.x ball'
 waitFor shows 'plot ball: gnuplot can open no window here: install gnuplot-qt'
-waitFor shows '[▁▂▃▄▅▆▇█]'
 echo "rdb: agent on port $debugPort looked into by shell, script and console"
