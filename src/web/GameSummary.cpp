@@ -25,7 +25,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double step = 0.1;                // between two places [s]
+constexpr double step = 0.1, rest = 0.5;    // between two places [s]; of the recording while the clock stands
 constexpr std::size_t mostPlaces = 200000;  // five and a half hours
 constexpr std::size_t mostRobots = 64;
 constexpr double standing = 0.5;  // cosine of the torso's lean
@@ -150,10 +150,13 @@ std::string gameTracks(const std::string& recording) {
         state["t"] = std::round(100 * record.time) / 100;
         state["clock"] = moments.empty() ? 0.0 : moments.back().clock;
         states.push_back(std::move(state));
-      } else if (record.channel == Channel::frame && record.time >= next && moments.size() < mostPlaces) {
+      } else if (record.channel == Channel::frame && moments.size() < mostPlaces) {
+        // By the game's clock: a game may run faster or slower than the recording.
         Moment moment;
         if (!readFrame(record.message, moment)) continue;
-        next = record.time + step - 1e-3;
+        const double passed = moments.empty() ? step : std::fabs(moment.clock - moments.back().clock);
+        if (passed < step - 1e-3 && record.time < next) continue;
+        next = record.time + rest;
         times.push_back(std::round(100 * record.time) / 100);
         clock.push_back(std::round(100 * moment.clock) / 100);
         for (const int value : moment.ball) ball.push_back(value);

@@ -4,8 +4,8 @@
 namespace plumbline::web {
 
 /// What a recorded game was, as JSON for the page of its summary: sizes of the field, teams, changes of score
-/// and play mode {"t":,"game":,"half":,"mode":,"left":,"right":}, and ten times a second where everything
-/// was: "times" [s of the recording], "clock" [s of the game], "ball" [x, y, z, ...] and "robots"
+/// and play mode {"t":,"game":,"half":,"mode":,"left":,"right":}, and ten times a second of the game where
+/// everything was: "times" [s of the recording], "clock" [s of the game], "ball" [x, y, z, ...] and "robots"
 /// [{"side":,"unum":,"track":[x, y, up, ...]}] in centimetres, up 1 where the torso stands; null while a
 /// robot is not there. Throws std::runtime_error, one line, for what is no such recording.
 std::string gameTracks(const std::string& recording);

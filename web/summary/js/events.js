@@ -38,14 +38,14 @@ function falls(game) {
     const found = [];
     let since = null, told = false;
     game.times.forEach((t, i) => {
-      const place = robotAt(robot, i);
+      const clock = game.clock[i], place = robotAt(robot, i);
       if (!place || place.up) {
         since = null;
         told = false;
       } else {
-        since ??= t;
-        if (!told && t - since >= fallSeconds) {
-          found.push({ kind: 'fall', side: robot.side, who, t: since, x: place.x, y: place.y });
+        since ??= { t, clock };
+        if (!told && clock - since.clock >= fallSeconds) {
+          found.push({ kind: 'fall', side: robot.side, who, t: since.t, x: place.x, y: place.y });
           told = true;
         }
       }
@@ -67,10 +67,10 @@ function nearest(game, i) {
   return best;
 }
 
-// The ball's velocity from moment i to the next [m/s]; null where it was put elsewhere.
+// The ball's velocity from moment i to the next by the game's clock [m/s]; null where it stands or the ball was put elsewhere.
 function velocity(game, i) {
-  const dt = game.times[i + 1] - game.times[i];
-  if (!(dt > 1e-3)) return null;
+  const dt = game.clock[i + 1] - game.clock[i];
+  if (!(dt > 0.01 && dt < 1)) return null;
   const a = ballAt(game, i), b = ballAt(game, i + 1), v = { x: (b.x - a.x) / dt, y: (b.y - a.y) / dt };
   return Math.hypot(v.x, v.y) > 15 ? null : v;
 }
@@ -87,11 +87,11 @@ function touches(game, plays) {
     const [who, d] = nearest(game, i);
     if (who < 0 || d > touchReach) continue;
     const last = found.at(-1);
-    if (last && last.who === who && game.times[i] - last.t < touchPause) {
+    if (last && last.who === who && game.clock[i] - last.clock < touchPause) {
       if (is > last.speed) Object.assign(last, { speed: is, v: after });
       continue;
     }
-    found.push({ ...ballAt(game, i), t: game.times[i], who, side: game.robots[who].side, speed: is, v: after });
+    found.push({ ...ballAt(game, i), t: game.times[i], clock: game.clock[i], who, side: game.robots[who].side, speed: is, v: after });
   }
   return found;
 }
