@@ -50,10 +50,10 @@ protected:
 };
 
 TEST_F(OtherTables, jsonLinesByTheirPaths) {
-  const Table table = readRecording(
-      write("log.jsonl", "{\"t\": 0, \"imu\": {\"gyro\": [0.1, 0.2]}, \"on\": true}\n\n"
-                         "{\"t\": 0.01, \"imu\": {\"gyro\": [0.3, null]}, \"late\": 5}\n"),
-      ',', {});
+  const Table table = readRecording(write("log.jsonl",
+                                          "{\"t\": 0, \"imu\": {\"gyro\": [0.1, 0.2]}, \"on\": true}\n\n"
+                                          "{\"t\": 0.01, \"imu\": {\"gyro\": [0.3, null]}, \"late\": 5}\n"),
+                                    ',', {});
   EXPECT_EQ(column(table, "t"), (std::vector{0.0, 0.01}));
   EXPECT_EQ(column(table, "imu.gyro.0"), (std::vector{0.1, 0.3}));
   EXPECT_EQ(column(table, "imu.gyro.1")[0], 0.2);
@@ -64,7 +64,8 @@ TEST_F(OtherTables, jsonLinesByTheirPaths) {
 }
 
 TEST_F(OtherTables, listsThatAreNamedBesideThem) {
-  const std::string line = R"({"t": 0, "state": {"name": ["a", "b"], "position": [1, 2], "more": [1, 2, 3]}})";
+  const std::string line =
+      R"({"t": 0, "state": {"name": ["a", "b"], "position": [1, 2], "more": [1, 2, 3]}})";
   const Table table = readRecording(write("log.ndjson", line + "\n" + line + "\n"), ',', {});
   EXPECT_EQ(column(table, "state.position.b"), (std::vector{2.0, 2.0}));
   EXPECT_EQ(column(table, "state.more.2"), (std::vector{3.0, 3.0}));
@@ -87,7 +88,8 @@ public:
     database.run(
         "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL, "
         "serialization_format TEXT NOT NULL, offered_qos_profiles TEXT NOT NULL);"
-        "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT NULL, "
+        "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT "
+        "NULL, "
         "data BLOB NOT NULL);");
   }
   void topic(std::int64_t id, std::string_view name, std::string_view type) {
@@ -182,7 +184,7 @@ TEST_F(OtherTables, aBagWithoutJointStatesSaysWhatItHas) {
     bag.message(1, 1, cut);
   }
   EXPECT_EQ(errorOf(folder + "/c.db3"),
-            "c.db3: a message of /joint_states is damaged: 4 bytes needed, 0 left");
+            "c.db3: a message of /joint_states is damaged: byte 21: 4 bytes needed, 0 left");
   fs::create_directories(folder + "/empty");
   EXPECT_EQ(errorOf(folder + "/empty"),
             "empty: holds no .db3 file; a bag of another storage is converted by ros2 bag convert");

@@ -41,7 +41,10 @@ TEST(RunChangesTest, wrongWordsAreRefused) {
   Recording run;
   run.folder = "runs/1";
   run.channels = {{"pos.a", {1}}, {"pos.b", {2}}};
-  EXPECT_EQ(thrownBy([&] { apply({jointNames({"a=b"}), {}}, run); }), "runs/1: --map gives pos.b a second time");
+  EXPECT_EQ(thrownBy([&] {
+              apply({jointNames({"a=b"}), {}}, run);
+            }),
+            "runs/1: --map gives pos.b a second time");
 }
 
 }  // namespace
