@@ -80,7 +80,7 @@ TEST(ServoLawTest, speedsAndTorquesThatAreSentBesideThePosition) {
   const auto sent = [&](double speed, double torque, double share = 1) {
     return servoLine(plant, 0.1, share, 0, 0.02, 0.5, 1, 1, speed, torque).at(0.02, 0.5);
   };
-  EXPECT_DOUBLE_EQ(sent(2, 0.3), 20 * 0.08 + 0.4 * (2 - 0.5) + 0.3 - 0.3);
+  EXPECT_DOUBLE_EQ(sent(2, 0.3), 20 * 0.08 + 0.4 * (2 - 0.5) + 0.3);
   EXPECT_DOUBLE_EQ(sent(0, 0.3), 20 * 0.08 - 0.4 * 0.5 + 0.3);
   EXPECT_DOUBLE_EQ(sent(2, 0.3, 0.5), 0.5 * (20 * 0.08 + 0.4 * 1.5 + 0.3));
   EXPECT_DOUBLE_EQ(sent(0, 9), 3) << "within the motor's limit";
@@ -88,13 +88,16 @@ TEST(ServoLawTest, speedsAndTorquesThatAreSentBesideThePosition) {
 
 TEST(ServoLawTest, aSupplyThatSagsTakesTorqueAndSpeed) {
   const JointPlant plant = nominalPlant(twoJointArm()).joints[0];
-  const auto left = [&](double share, double w) { return servoLine(plant, 9, 1, 0, 0, w, 1, share).at(0, w); };
+  const auto left = [&](double share, double w) {
+    return servoLine(plant, 9, 1, 0, 0, w, 1, share).at(0, w);
+  };
   EXPECT_DOUBLE_EQ(left(0.5, 0), 1.5);
   EXPECT_NEAR(left(0.5, 0.95 * 3.5), 0.75, 1e-12) << "half way down from nine tenths of 3.5 rad/s";
   const JointPlant motor = nominalPlant(findMechanism("xl330_pendulum")).joints[0];
   const auto driven = [&](double volts) { return servoLine(motor, 3, 1, volts, 0, 0, 1, 0.5).at(0, 0); };
   EXPECT_NEAR(driven(0), 0.5 * servoLine(motor, 3, 1, 0, 0, 0, 1).at(0, 0), 1e-12);
-  EXPECT_NEAR(driven(7.4), servoLine(motor, 3, 1, 7.4, 0, 0, 1).at(0, 0), 1e-12) << "a measured one has sagged";
+  EXPECT_NEAR(driven(7.4), servoLine(motor, 3, 1, 7.4, 0, 0, 1).at(0, 0), 1e-12)
+      << "a measured one has sagged";
 }
 
 }  // namespace
