@@ -94,9 +94,8 @@ TEST(LostCyclesTest, noneThereWhereRepeatsAgreeWhateverElseIsOff) {
 TEST(LostCyclesTest, noneWhereAnotherEffectMakesTheJointsLate) {
   // Each of them leaves more than thirty times the noise; all commands were acted on.
   for (const auto& [id, place, value] :
-       {std::tuple{"command_delay", "*", 0.0237}, std::tuple{"command_delay", "*", 0.044},
-        std::tuple{"viscous_friction", "elbow", 0.6}, std::tuple{"profile_speed", "*", 1.0},
-        std::tuple{"link_mass", "lower", 0.4}, std::tuple{"coulomb_friction", "*", 0.4}}) {
+       {std::tuple{"command_delay", "*", 0.0237}, std::tuple{"viscous_friction", "elbow", 0.6},
+        std::tuple{"profile_speed", "*", 1.0}, std::tuple{"coulomb_friction", "*", 0.4}}) {
     const Cause cause = causeOfArm(id, place, value);
     const Evidence evidence{{recorded(plantOf(twoJointArm(), {cause}), armTrial(twoJointArm(), 6), 5e-4, 7)}};
     EXPECT_GT(squaresWith(evidence, std::vector<std::uint8_t>(600, 0)), 900 * 600) << describe(cause);

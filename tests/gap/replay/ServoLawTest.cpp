@@ -80,7 +80,7 @@ TEST(ServoLawTest, speedsAndTorquesThatAreSentBesideThePosition) {
   const auto sent = [&](double speed, double torque, double share = 1) {
     return servoLine(plant, 0.1, share, 0, 0.02, 0.5, 1, 1, speed, torque).at(0.02, 0.5);
   };
-  EXPECT_DOUBLE_EQ(sent(2, 0.3), 20 * 0.08 + 0.4 * (2 - 0.5) + 0.3 - 0.3);
+  EXPECT_DOUBLE_EQ(sent(2, 0.3), 20 * 0.08 + 0.4 * (2 - 0.5) + 0.3);
   EXPECT_DOUBLE_EQ(sent(0, 0.3), 20 * 0.08 - 0.4 * 0.5 + 0.3);
   EXPECT_DOUBLE_EQ(sent(2, 0.3, 0.5), 0.5 * (20 * 0.08 + 0.4 * 1.5 + 0.3));
   EXPECT_DOUBLE_EQ(sent(0, 9), 3) << "within the motor's limit";

@@ -184,7 +184,7 @@ TEST_F(OtherTables, aBagWithoutJointStatesSaysWhatItHas) {
     bag.message(1, 1, cut);
   }
   EXPECT_EQ(errorOf(folder + "/c.db3"),
-            "c.db3: a message of /joint_states is damaged: 4 bytes needed, 0 left");
+            "c.db3: a message of /joint_states is damaged: byte 21: 4 bytes needed, 0 left");
   fs::create_directories(folder + "/empty");
   EXPECT_EQ(errorOf(folder + "/empty"),
             "empty: holds no .db3 file; a bag of another storage is converted by ros2 bag convert");
