@@ -149,6 +149,12 @@ bench-gap-peers:
 	@scripts/run_bench.sh gap-peers || { cat build/bench/gap-peers.log >&2; exit 2; }
 	@scripts/make_results.sh gap-peers
 
+# Causes taken out of the nominal model of real recordings, to be named by bin/gap: SEED, CASES, MOTIONS, GAINS; DATA=FOLDER.
+bench-gap-planted:
+	@$(MAKE) SimRelease SimRelease-bench-gap-planted
+	@scripts/run_bench.sh gap-planted || { cat build/bench/gap-planted.log >&2; exit 2; }
+	@scripts/make_results.sh gap-planted
+
 # The league's recordings against the simulator with one setting left out; TRACES=FOLDER for other recordings.
 # Real robots, whose recordings are not part of the project: DATA=FOLDER, ROBOT and SPLIT for a part. A NAO that walks in
 # Bullet, diagnosed by bin/gap from its walks alone: CASES, SEED, JOBS. All write their page in doc/results/.
