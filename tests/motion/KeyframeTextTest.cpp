@@ -62,7 +62,8 @@ TEST(KeyframeTextTest, bothSidesStayUnderOneNameAsLongAsTheyAreMirrorImages) {
   auto keyframes = drafts(wave);
   keyframes[2].degrees["LShoulderPitch"] = 80;
   keyframes[2].degrees["RShoulderPitch"] = 80;
-  EXPECT_NE(editedText(wave, "wave.yaml", keyframes, simsparkRobot(0)).find("     ShoulderPitch: 80, ShoulderRoll: 14}\n"),
+  EXPECT_NE(editedText(wave, "wave.yaml", keyframes, simsparkRobot(0))
+                .find("     ShoulderPitch: 80, ShoulderRoll: 14}\n"),
             std::string::npos);
   keyframes[2].degrees["RShoulderPitch"] = 70;
   EXPECT_NE(editedText(wave, "wave.yaml", keyframes, simsparkRobot(0))
@@ -107,9 +108,11 @@ TEST(KeyframeTextTest, aLineForEachKeyCanBeEditedToo) {
       "    HeadYaw: 10\n";
   auto keyframes = drafts(text);
   keyframes[0].degrees["LHipPitch"] = -20;
-  EXPECT_NE(editedText(text, "wave.yaml", keyframes, simsparkRobot(0)).find("    LHipPitch: -20  # bent\n"), std::string::npos);
+  EXPECT_NE(editedText(text, "wave.yaml", keyframes, simsparkRobot(0)).find("    LHipPitch: -20  # bent\n"),
+            std::string::npos);
   keyframes[1].degrees["HeadPitch"] = 5;
-  EXPECT_NE(editedText(text, "wave.yaml", keyframes, simsparkRobot(0)).find("  - {time: 0.1, HeadYaw: 10, HeadPitch: 5}\n"),
+  EXPECT_NE(editedText(text, "wave.yaml", keyframes, simsparkRobot(0))
+                .find("  - {time: 0.1, HeadYaw: 10, HeadPitch: 5}\n"),
             std::string::npos);
 }
 

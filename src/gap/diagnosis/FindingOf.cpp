@@ -29,8 +29,8 @@ void addChance(const Evaluator& fine, Finding& finding) {
   const double rate = finding.cause.value;
   const Bounds chance = rateInterval(rate, found);
   finding.lower = std::max(0.0, rate - std::hypot(rate - finding.lower, rate - chance.lower));
-  finding.upper = std::min(finding.cause.effect->upper,
-                           rate + std::hypot(finding.upper - rate, chance.upper - rate));
+  finding.upper =
+      std::min(finding.cause.effect->upper, rate + std::hypot(finding.upper - rate, chance.upper - rate));
 }
 
 }  // namespace

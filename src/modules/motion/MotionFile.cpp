@@ -39,8 +39,7 @@ void checkNumbers(const std::vector<motion::KeyframeDraft>& keyframes, const std
     if (!(keyframes[i].settleSeconds >= 0))
       throw motion::KeyframeFileError(which + "the time to settle is negative");
     for (const auto& [joint, degrees] : keyframes[i].degrees) {
-      if (!robot.joint(joint))
-        throw motion::KeyframeFileError(which + "there is no joint \"" + joint + '"');
+      if (!robot.joint(joint)) throw motion::KeyframeFileError(which + "there is no joint \"" + joint + '"');
       if (!std::isfinite(degrees)) throw motion::KeyframeFileError(which + joint + " is not finite");
     }
   }

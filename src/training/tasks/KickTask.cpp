@@ -5,7 +5,6 @@
 
 #include "framework/ConfigurationError.h"
 #include "math/Angle.h"
-#include "simulation/Field.h"
 #include "training/tasks/WalkOn.h"
 
 namespace plumbline::training {
@@ -16,6 +15,7 @@ constexpr double fade = 0.06;     // as WalkingEngine fades into the walk [s]
 constexpr double walkedUp = 0.6;  // share of the runs that begin with a walk
 constexpr int cyclesToFly = 10;   // after the motion, before the ball goes on alone
 constexpr int mostStarts = 1000;
+const double ballRadius = simulation::WorldConfig().field.ballRadius;  // of the trial's world
 constexpr std::size_t startsKept = 4096;
 
 /// Nothing stands in the way of a ball that is kicked forward from here [m].
@@ -103,7 +103,7 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
   const double x = trial_.random(-spread_, spread_), y = trial_.random(-spread_, spread_);
   const Pose2 ground = onGround(from.torso.pose);
   const Vec2 place = ground * Vec2(kick.ball + Vec2(x, y));
-  world.setBall(Vec3(place.x(), place.y(), simulation::ballRadius), Vec3::Zero());
+  world.setBall(Vec3(place.x(), place.y(), ballRadius), Vec3::Zero());
   WalkOn walk(trial_, walk_);
 
   int cycles = 0, contact = -1;
@@ -132,7 +132,7 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
   const BallRoll::Rest rest = ball_.roll(flying);
   motion::KickTry result;
   result.way = Eigen::Rotation2Dd(-ground.heading) * (rest.place - place);
-  result.height = std::max(height, rest.height) - simulation::ballRadius;
+  result.height = std::max(height, rest.height) - ballRadius;
   result.milliseconds = milliseconds;
   result.error = walk.error();
   const double direction = toDegrees(result.direction());
