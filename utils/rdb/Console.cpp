@@ -6,10 +6,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+
+#include "Clock.h"
 
 namespace plumbline::rdb {
 namespace {
@@ -18,10 +19,6 @@ constexpr std::size_t maxOutput = 5000, maxInput = 4000;
 constexpr double tryEvery = 1, drawEvery = 0.05;
 constexpr int keyControlA = 1, keyControlD = 4, keyControlE = 5, keyTab = 9, keyControlL = 12,
               keyControlU = 21, keyDelete = 127;
-
-double clockSeconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 }  // namespace
 

@@ -6,11 +6,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <utility>
 
+#include "Clock.h"
 #include "Plot.h"
 
 namespace plumbline::rdb {
@@ -21,10 +21,6 @@ constexpr int noGnuplot = 127, noTerminal = 3;  ///< how the child ends
 
 /// Ends a gnuplot that was built without windows.
 constexpr const char* openWindow = "if (GPVAL_TERM eq \"unknown\") exit status 3\n";
-
-double clockSeconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 bool isSet(const char* variable) {
   const char* value = std::getenv(variable);

@@ -9,7 +9,7 @@ namespace plumbline::walking {
 namespace {
 
 constexpr double settledVelocity = 1e-3;  // [m/s]
-constexpr int maxIterations = 4;
+constexpr int mostCorrections = 4;
 constexpr double inwardSplay =
     0.015;  // SimSpark's hip yaw pitch turns the toes inward by one degree only [rad]
 
@@ -86,7 +86,7 @@ WalkAction StepPlanner::step(const WalkState& state, double elapsed,
         begin.foot[index(swing)].position = position;
         return Vec2(model.predict(begin, next).velocity - wanted);
       },
-      planned.stepTarget.position, settledVelocity, maxIterations);
+      planned.stepTarget.position, settledVelocity, mostCorrections);
   if (root.x.allFinite()) action.stepTarget.position = root.x;
   action.stepTarget = limitTarget(action.stepTarget, landing.foot[index(support)], swing);
   return action;
@@ -117,7 +117,7 @@ WalkAction StepPlanner::start(const WalkState& state, double duration, Side firs
         begin.support = supportOf(first);
         return Vec2(model.predict(begin, step).velocity - wanted);
       },
-      middle, settledVelocity, maxIterations);
+      middle, settledVelocity, mostCorrections);
   action.centerOfPressure = limitPressure(state, root.x.allFinite() ? root.x : middle, 1);
   return action;
 }
@@ -138,7 +138,7 @@ Vec2 StepPlanner::calmingPressure(const WalkState& state) const {
         const Vec2 middleThen = (end.foot[0].position + end.foot[1].position) / 2 + Vec2(limits.restX, 0);
         return Vec2(end.velocity - convergence * middleThen);
       },
-      middle, settledVelocity, maxIterations);
+      middle, settledVelocity, mostCorrections);
   return root.x.allFinite() ? root.x : middle;
 }
 
@@ -161,7 +161,7 @@ bool StepPlanner::canHold(const WalkState& state, double margin) const {
         action.centerOfPressure = pressure;
         return model.predict(both, action).velocity;
       },
-      Vec2::Zero(), settledVelocity, maxIterations);
+      Vec2::Zero(), settledVelocity, mostCorrections);
   return !root.x.allFinite() || (root.x - limitPressure(state, root.x, 1)).norm() <= margin;
 }
 
