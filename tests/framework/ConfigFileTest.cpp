@@ -228,7 +228,7 @@ TEST_F(ConfigFileTest, namesBrokenFiles) {
     for (int j = 1; j < 10; j++) bomb += "," + before;
     bomb += "]\n";
   }
-  EXPECT_EQ(errorOf(bomb, nothing), "A.yaml:1: more than 100000 values");
+  EXPECT_EQ(errorOf(bomb, nothing), "A.yaml:5: more than 100000 values");
   EXPECT_EQ(errorOf(std::string("a: ") + std::string(40, '[') + std::string(40, ']') + "\n", nothing),
             "A.yaml:1: nested deeper than 32 levels");
   EXPECT_EQ(errorOf([&] { ConfigFile file(folder_ + "nowhere.yaml"); }),

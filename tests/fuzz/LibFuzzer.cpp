@@ -7,13 +7,14 @@
 #include <fstream>
 #include <string>
 
-#include "fuzz/Targets.h"
+#include "fuzz/Readers.h"
 
 namespace {
 const plumbline::fuzz::Target* chosen = nullptr;
 }
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  plumbline::fuzz::learns = true;
   const char* name = std::getenv("PLUMBLINE_FUZZ_TARGET");
   for (const auto& target : plumbline::fuzz::targets())
     if (name && std::strcmp(name, target.name) == 0) chosen = &target;

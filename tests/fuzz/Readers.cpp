@@ -65,10 +65,12 @@ std::vector<std::string> contentsOf(const std::string& from, const std::string& 
   return contents;
 }
 
+bool learns = false;
+
 void expectOneLine(const std::string& what) {
   require(!what.empty(), "an error without a word");
   require(what.find('\n') == std::string::npos, "an error of more than one line");
-  require(what.find("[json.exception") == std::string::npos, "an error in the words of a library");
+  require(learns || what.find("[json.exception") == std::string::npos, "an error in the words of a library");
   require(what.size() < 2000, "an error longer than a screen");
 }
 

@@ -27,6 +27,10 @@ std::string contentOf(const std::string& path);
 /// Of each file with this extension in a folder of the tree, in the order of their names.
 std::vector<std::string> contentsOf(const std::string& folder, const std::string& extension);
 
+/// True under libFuzzer, which learns what inputs are compared with: it would write a library's words into an
+/// input that the error then quotes.
+extern bool learns;
+
 /// What a person reads: one line, from this project's own words.
 void expectOneLine(const std::string& what);
 
