@@ -9,6 +9,9 @@ namespace plumbline::gap {
 /// The library: every effect linked into the program, the contract's in its order. Complete once main runs.
 const std::vector<const Effect*>& effects();
 
+/// Effect::order from which on effects are not the contract's.
+inline constexpr int beyondContract = 400;
+
 /// By id; null where the library has none of that name.
 const Effect* findEffect(std::string_view id);
 

@@ -4,7 +4,8 @@ namespace plumbline::gap {
 
 /// Dry friction in proportion to the torque on the link's side of the gear, beside that of the motor's side
 /// (load_friction): with both, driving and being driven back differ, as in model M5 of BAM (Duclusaud et al.
-/// 2024).
+/// 2024). For recordings and simulations: alone it is load_friction in its second form, which a diagnosis
+/// looks for already.
 const Effect linkLoadFriction{
     .id = "link_load_friction",
     .order = 420,
@@ -22,8 +23,7 @@ const Effect linkLoadFriction{
           atJoints(plant, place, [value](JointPlant& joint) { joint.linkLoadFriction += value; });
         },
     .inWalk = true,
-    .screening = {.underLoad = Screening::UnderLoad::weakMotor},
-    .drawing = {.where = Drawing::Where::joint, .low = 0.15, .high = 0.4},
+    .canBeAt = [](const Mechanism&, const Place&) { return false; },
 };
 MAKE_EFFECT(linkLoadFriction);
 
