@@ -1,4 +1,5 @@
-// A server that has run for 10,000 days: its clock is 8.64e8 s, and more cycles have gone by than 32 bits count.
+// A server that has run for 10,000 days: its clock is 8.64e8 s, and more cycles have gone by than 32 bits
+// count.
 #include <gtest/gtest.h>
 
 #include <cmath>
