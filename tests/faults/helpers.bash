@@ -1,5 +1,5 @@
 # How a job is tried and judged; sourced by scripts/faults.sh and scripts/kills.sh in the root of the tree.
-patience=120 # seconds until a program counts as hung
+patience=600 # seconds until a program counts as hung, also on a machine with much else to do
 tree=$PWD
 realBin=${PLUMBLINE_BIN:-$tree/bin}
 scratch=$(mktemp -d)
