@@ -2,7 +2,7 @@
 #include "fuzz/Readers.h"
 #include "gap/diagnosis/ExplanationFile.h"
 #include "robot/MechanismFile.h"
-#include "simulation/effects/EffectFile.h"
+#include "simulation/world/EffectFile.h"
 
 namespace plumbline::fuzz {
 namespace {

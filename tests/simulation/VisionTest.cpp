@@ -7,7 +7,7 @@
 
 #include "math/Angle.h"
 #include "simspark/ServerMessageParser.h"
-#include "simulation/sensors/FieldMarks.h"
+#include "field/FieldMarks.h"
 #include "support/Samples.h"
 
 namespace plumbline::simulation {

@@ -58,7 +58,7 @@ std::string studyText(const training::Study& study, const std::string& file, con
 SearchPage::SearchPage(pages::PageServer::Config config, const training::Study& study,
                        const std::string& file, const std::string& folder)
     : study_(study), config_(ofSearch(std::move(config))), server_(config_, board_) {
-  board_.put("geometry", web::geometryMessage());
+  board_.put("geometry", web::geometryMessage({}));
   board_.put("study", studyText(study, file, folder));
   server_.start();
 }

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "simulation/World.h"
+#include "simulation/world/World.h"
 
 namespace plumbline::training {
 
