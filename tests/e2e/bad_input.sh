@@ -84,10 +84,11 @@ expectError 2 "agent: $c/Striker2.yaml:2: a second document begins at ---; a fil
 printf '# Striker.\n  kickAllowed: true\nballMaxAge: 3\n' > "$c/Striker2.yaml"
 expectError 2 "agent: $c/Striker2.yaml:3: is indented less than the first key in line 2; all keys of a map begin in the same column" "${agent[@]}"
 rm "$c/Striker2.yaml"
-sed -i '/^ballY/d' "$c/robots/type4/kick.yaml"
-expectError 2 "agent: $c/robots/type4/kick.yaml:2: overlay.values is 3, but there are 2 in the file: was a line lost or added? If not, write 2" \
+# A type's file that lost a line.
+printf 'overlay: {base: kick.yaml, values: 2}\ntoleranceX: 0.03\n' > "$c/robots/type4/kick.yaml"
+expectError 2 "agent: $c/robots/type4/kick.yaml:1: overlay.values is 2, but there are 1 in the file: was a line lost or added? If not, write 1" \
   "${agent[@]}" --type 4
-cp config/robots/type4/kick.yaml "$c/robots/type4/kick.yaml"
+rm "$c/robots/type4/kick.yaml"
 
 # Robots.
 sed 's/"max_speed"/"max_sped"/' config/robots/xl330_pendulum.json > "$scratch/arm.json"
