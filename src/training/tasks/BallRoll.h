@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "simulation/world/World.h"
+#include "simulation/league/MakeWorld.h"
 
 namespace plumbline::training {
 
