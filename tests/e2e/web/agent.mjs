@@ -86,7 +86,7 @@ try {
   // The address keeps the page's contents.
   const before = (await state()).panels;
   await browser.screenshot(picture);
-  await browser.run('location.reload()');
+  await browser.call('Page.reload');
   await until('after a reload the same stands there', async () => JSON.stringify((await state())?.panels) === JSON.stringify(before));
   await until('and drawings go on', async () => { const now = await state(); return now?.drawings.length === 6 && now.shapes > 40; });
 

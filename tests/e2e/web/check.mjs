@@ -4,10 +4,20 @@ export function check(good, what) {
   console.log(`ok: ${what}`);
 }
 
+/// A page that is being left or loaded answers nothing yet: undefined.
+async function onPage(condition) {
+  try {
+    return await condition();
+  } catch (error) {
+    if (!/navigated or closed|context was destroyed|Cannot find (default )?(execution )?context/i.test(error.message)) throw error;
+    return undefined;
+  }
+}
+
 export async function until(what, condition, seconds = 120) {
   const end = Date.now() + 1000 * seconds;
   for (;;) {
-    const value = await condition();
+    const value = await onPage(condition);
     if (value) {
       console.log(`ok: ${what}`);
       return value;
