@@ -38,7 +38,9 @@ RobotPose believed(double since) {
     source->text = later(server.message(), since);
     controller.runCycles(1);
     const double time = controller.find<FrameInfo>()->time;
-    if (i > 0) EXPECT_NEAR(time - before, 0.02, 1e-6) << "message " << i;
+    if (i > 0) {
+      EXPECT_NEAR(time - before, 0.02, 1e-6) << "message " << i;
+    }
     before = time;
     server.walk(Vec2(0.2, 0), 0);
   }
