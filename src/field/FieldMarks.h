@@ -24,7 +24,8 @@ struct FieldLine {
 struct FieldMarks {
   static constexpr std::size_t numStraightLines = 11, numCircleChords = 10;
 
-  explicit FieldMarks(const FieldSize& size = {});
+  FieldMarks() : FieldMarks(FieldSize()) {}
+  explicit FieldMarks(const FieldSize& size);
 
   /// Goal posts at the height of the bar, then corners.
   std::array<FieldFlag, 8> flags;

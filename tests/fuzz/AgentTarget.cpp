@@ -15,6 +15,7 @@ namespace {
 constexpr int agentCycles = 25;
 
 constexpr const char* afterPerception = R"(
+Kicks SkillKickParameters
 BeforeKickOff BeforeKickOffOutput
 Striker2 StrikerOutput
 BehaviorCombinator SkillRequest

@@ -148,22 +148,22 @@ TEST(ServoDrive, dryFrictionOfEachKind) {
   plant.coulomb = 0.3;
   plant.stribeck = 0.2;
   plant.stribeckSpeed = 0.1;
-  EXPECT_DOUBLE_EQ(begun(plant, 0, 0, 0).dryLimit(), 0.5);
-  EXPECT_DOUBLE_EQ(begun(plant, 0, 0, 0.1).dryLimit(), 0.3 + 0.2 / std::exp(1.0));
+  EXPECT_DOUBLE_EQ(begun(plant, 0, 0, 0).dryLimit().forward, 0.5);
+  EXPECT_DOUBLE_EQ(begun(plant, 0, 0, 0.1).dryLimit().forward, 0.3 + 0.2 / std::exp(1.0));
   plant = servo();
   plant.loadFriction = 0.5;
   ServoDrive drive = begun(plant, 0.05, 0, 0);
-  EXPECT_DOUBLE_EQ(drive.dryLimit(), 0) << "nothing has been transmitted yet";
+  EXPECT_DOUBLE_EQ(drive.dryLimit().forward, 0) << "nothing has been transmitted yet";
   drive.end(0.02);  // 1 N m less what the damping takes and what turns the rotor by 20 rad/s^2
-  EXPECT_NEAR(drive.dryLimit(), 0.5 * (1 - 0.4 * 0.01 - 0.01 * 20), 1e-12);
+  EXPECT_NEAR(drive.dryLimit().forward, 0.5 * (1 - 0.4 * 0.01 - 0.01 * 20), 1e-12);
   plant.loadIs = JointPlant::Load::linkTorque;
   ServoDrive behind = begun(plant, 0.05, 0, 0);
   behind.end(0.02, -0.1);
-  EXPECT_NEAR(behind.dryLimit(), 0.5 * (1 - 0.4 * 0.01 - 0.01 * 20 - 0.1), 1e-12);
+  EXPECT_NEAR(behind.dryLimit().forward, 0.5 * (1 - 0.4 * 0.01 - 0.01 * 20 - 0.1), 1e-12);
   plant.loadIs = JointPlant::Load::motorTorque;
   ServoDrive motor = begun(plant, 0.05, 0, 0);
   motor.end(0.02, -0.1);
-  EXPECT_NEAR(motor.dryLimit(), 0.5 * (1 - 0.4 * 0.01), 1e-12);
+  EXPECT_NEAR(motor.dryLimit().forward, 0.5 * (1 - 0.4 * 0.01), 1e-12);
 }
 
 }  // namespace
