@@ -24,7 +24,8 @@ void FieldValueLearner::addPrior() {
   const auto bell = [deviation](double way) { return std::exp(-0.5 * way * way / (deviation * deviation)); };
   std::vector<double> weights(points + 2);
   for (std::size_t i = 0; i < points; ++i) {
-    const BallState from = grid_.state(i);
+    BallState from = grid_.state(i);
+    from.place.x() += options_.priorDrift * from.advantage;
     for (std::size_t j = 0; j < points; ++j) {
       const BallState to = grid_.state(j);
       weights[j] = bell((to.place - from.place).norm()) *

@@ -9,9 +9,10 @@ namespace plumbline {
 /// Learns a FieldValue from what balls did in games: a Markov chain over the points of a grid with a goal at
 /// each end. A step of a fixed time is seen from both teams, so that the values of both add up to 0. Where
 /// little was seen a ball that rolls to and fro is assumed (`priorSteps` of each point, normally distributed
-/// by `priorDeviation`), which a goal takes in before its mouth. The values are the chain's probabilities of
-/// absorption (Kemeny and Snell, Finite Markov Chains, theorem 3.3.7), as in the analysis of people's
-/// football (Rudd 2011, "A framework for tactical analysis and individual offensive production assessment").
+/// by `priorDeviation` about a drift with the team that has it), which a goal takes in before its mouth. The
+/// values are the chain's probabilities of absorption (Kemeny and Snell, Finite Markov Chains,
+/// theorem 3.3.7), as in the analysis of people's football (Rudd 2011, "A framework for tactical analysis and
+/// individual offensive production assessment").
 class FieldValueLearner {
 public:
   struct Options {
@@ -19,6 +20,7 @@ public:
     double goalHalfWidth = 1.05;  ///< [m]
     double priorSteps = 3;
     double priorDeviation = 2;  ///< [m]
+    double priorDrift = 1;      ///< of a ball that is one team's, towards the other's goal [m]
   };
 
   FieldValueLearner(FieldGrid grid, const Options& options);

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
+#include "field/FieldMarks.h"
 #include "math/Angle.h"
 #include "simspark/ServerMessageParser.h"
-#include "field/FieldMarks.h"
 #include "support/Samples.h"
 
 namespace plumbline::simulation {

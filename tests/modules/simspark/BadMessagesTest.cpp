@@ -21,6 +21,7 @@ using test::InProcessServer;
 
 constexpr const char* afterPerception = R"(
 BeforeKickOff BeforeKickOffOutput
+Kicks SkillKickParameters
 Striker2 StrikerOutput
 BehaviorCombinator SkillRequest
 BehaviorCombinator BeamRequest

@@ -56,6 +56,31 @@ double wayToLine(const StrikerSituation& situation, const Vec2& direction) {
   return std::max(0.0, way);
 }
 
+/// The way of a ball that goes in a direction, and what its end is worth if that is no goal.
+struct Course {
+  double way = 0;  ///< [m]
+  double value = 0;
+  bool toGoalLine = false;  ///< it crosses the opponents' line
+};
+
+Course courseOf(double direction, double reach, bool kicked, const StrikerSituation& situation,
+                const FieldValue& value, const TimeToBallParameters& time, double blockWidth) {
+  const Vec2 way(std::cos(direction), std::sin(direction));
+  const double clear = freeWay(situation, way, reach, blockWidth), line = wayToLine(situation, way);
+  Course course{std::min(clear, line), 0, false};
+  const Vec2 end = situation.ball + course.way * way;
+  if (line <= clear) {
+    course.toGoalLine = way.x() > 0 && std::abs(end.x() - situation.halfLength) < 1e-6;
+    course.value = value.at({end, -1});
+    return course;
+  }
+  // The robot itself runs after its kick; a dribbled ball it takes along.
+  const double own = kicked ? clear / time.walkSpeed : 0.0;
+  const double ours = std::min(own, firstArrival(situation, true, end, time));
+  course.value = value.at({end, ballAdvantage(ours, firstArrival(situation, false, end, time))});
+  return course;
+}
+
 }  // namespace
 
 double nearestOpponent(const std::vector<OtherRobot>& others, const Vec2& place) {
@@ -73,23 +98,19 @@ StrikerAction judgeAction(StrikerAction::Kind kind, double direction, double rea
   double seconds = timeToBall(situation.robot, false, situation.ball, situation.ball + way, time);
   if (kicks) seconds += parameters.kickSeconds;
 
-  const double clear = freeWay(situation, way, reach, parameters.blockWidth);
-  const double line = wayToLine(situation, way);
-  StrikerAction action{kind, direction, reach, 0, situation.ball + std::min(clear, line) * way};
-  double outcome = 0;
-  if (line <= clear) {
-    const bool atGoal = way.x() > 0 && std::abs(action.end.x() - situation.halfLength) < 1e-6;
-    const double in =
-        atGoal ? goalShare(situation, direction, kicks ? parameters.kickScatter : parameters.kickScatter / 2)
-               : 0;
-    outcome = in + (1 - in) * value.at({action.end, -1});
-  } else {
-    // The robot itself runs after its kick; a dribbled ball it takes along.
-    const double own = kicks ? clear / time.walkSpeed : 0.0;
-    const double ours = std::min(own, firstArrival(situation, true, action.end, time));
-    outcome = value.at({action.end, ballAdvantage(ours, firstArrival(situation, false, action.end, time))});
-    if (!kicks) seconds += clear / parameters.dribbleSpeed / 2;  // it can be lost half-way
-  }
+  const auto course = [&](double angle) {
+    return courseOf(angle, reach, kicks, situation, value, time, parameters.blockWidth);
+  };
+  const Course middle = course(direction);
+  if (!kicks) seconds += middle.way / parameters.dribbleSpeed / 2;  // it can be lost half-way
+  StrikerAction action{kind, direction, reach, 0, situation.ball + middle.way * way};
+  // The mean over directions that are normally distributed (Gauss and Hermite's rule of three points).
+  const double scatter = kicks ? parameters.kickScatter : parameters.kickScatter / 2;
+  const double aside = std::sqrt(3.0) * scatter;
+  const double elsewhere =
+      (4 * middle.value + course(direction + aside).value + course(direction - aside).value) / 6;
+  const double in = middle.toGoalLine ? goalShare(situation, direction, scatter) : 0;
+  const double outcome = in + (1 - in) * elsewhere;
   const double opponent = firstArrival(situation, false, situation.ball, time);
   const double first = 1 / (1 + std::exp((seconds - opponent) / parameters.timeSpread));
   action.value = first * outcome + (1 - first) * value.at({situation.ball, -1});

@@ -12,7 +12,7 @@ namespace plumbline {
 
 struct ActionChoiceParameters {
   PARAMETERS(ActionChoiceParameters)
-  PARAMETER(int, directions, 25, "", Range(3, 101), "directions that are compared, of each action")
+  PARAMETER(int, directions, 17, "", Range(3, 101), "directions that are compared, of each action")
   PARAMETER(double, widest, 1.8, "rad", Range(0.1, 3.1), "the outermost ones, off the direction of the goal")
   PARAMETER(double, kickSeconds, 3, "s", Range(0, 20),
             "to stand exactly behind the ball and kick it, once the robot is there")
