@@ -85,7 +85,7 @@ TEST(ServoAndLoadTest, aPayloadChangesMassPlaceAndInertiaTogether) {
   const auto& nominal = arm.links[2];
   // The last link ends as far behind its centre of mass as that is from the joint.
   for (const auto& [variant, out] : {std::pair{0, 0.4}, std::pair{1, 0.6}}) {
-    const auto& loaded = plantWith(arm, "payload", "lower", 0.1, variant).mechanism.links[2];
+    const Mechanism::Link loaded = plantWith(arm, "payload", "lower", 0.1, variant).mechanism.links[2];
     EXPECT_DOUBLE_EQ(loaded.mass, 0.3);
     EXPECT_NEAR(loaded.mass * loaded.com.z(), nominal.mass * nominal.com.z() - 0.1 * out, 1e-12);
     const Mat3 more = aboutJoint(loaded) - aboutJoint(nominal);
@@ -94,7 +94,7 @@ TEST(ServoAndLoadTest, aPayloadChangesMassPlaceAndInertiaTogether) {
     EXPECT_NEAR(more(2, 2), 0, 1e-12);
   }
   // The upper one ends at the elbow.
-  const auto& upper = plantWith(arm, "payload", "upper", 0.1).mechanism.links[1];
+  const Mechanism::Link upper = plantWith(arm, "payload", "upper", 0.1).mechanism.links[1];
   EXPECT_NEAR(upper.mass * upper.com.z(), -0.3 * 0.2 - 0.1 * 0.2, 1e-12);
 }
 
