@@ -8,16 +8,16 @@
 namespace plumbline {
 namespace {
 
-struct Line {
+struct TypedLine {
   std::optional<int> status;
   std::string out, err;
 };
 
-Line read(CLI::App& app, std::vector<const char*> words) {
+TypedLine read(CLI::App& app, std::vector<const char*> words) {
   words.insert(words.begin(), "bin/prog");
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  Line line;
+  TypedLine line;
   line.status = readCommandLine(app, static_cast<int>(words.size()), words.data());
   line.out = testing::internal::GetCapturedStdout();
   line.err = testing::internal::GetCapturedStderr();
@@ -49,7 +49,7 @@ struct Commands {
 
 TEST(CommandLine, goesOnAfterAGoodLine) {
   Program program;
-  const Line line = read(program.app, {"--jobs", "3", "--no-bouncing-stops"});
+  const TypedLine line = read(program.app, {"--jobs", "3", "--no-bouncing-stops"});
   EXPECT_FALSE(line.status);
   EXPECT_EQ(program.jobs, 3);
   EXPECT_FALSE(program.bouncing);
@@ -58,14 +58,14 @@ TEST(CommandLine, goesOnAfterAGoodLine) {
 
 TEST(CommandLine, printsTheVersion) {
   Program program;
-  const Line line = read(program.app, {"--version"});
+  const TypedLine line = read(program.app, {"--version"});
   EXPECT_EQ(line.status, 0);
   EXPECT_EQ(line.out, "prog (" + versionText() + ")\n");
 }
 
 TEST(CommandLine, helpNamesFlagsThatSwitchOffPlainly) {
   Program program;
-  const Line line = read(program.app, {"--help"});
+  const TypedLine line = read(program.app, {"--help"});
   EXPECT_EQ(line.status, 0);
   EXPECT_NE(line.out.find("--bouncing-stops,--no-bouncing-stops\n"), std::string::npos) << line.out;
   EXPECT_EQ(line.out.find("{false}"), std::string::npos) << line.out;
@@ -74,7 +74,7 @@ TEST(CommandLine, helpNamesFlagsThatSwitchOffPlainly) {
 
 TEST(CommandLine, namesTheNearestOption) {
   Program program;
-  const Line line = read(program.app, {"--jbos", "3"});
+  const TypedLine line = read(program.app, {"--jbos", "3"});
   EXPECT_EQ(line.status, 2);
   EXPECT_EQ(line.err, "prog: there is no option --jbos; did you mean \"--jobs\"?; see prog --help\n");
   Program other;
@@ -91,7 +91,7 @@ TEST(CommandLine, saysWhereNothingIsNear) {
 
 TEST(CommandLine, saysWhichValueIsWrong) {
   Program program;
-  const Line line = read(program.app, {"--jobs", "9"});
+  const TypedLine line = read(program.app, {"--jobs", "9"});
   EXPECT_EQ(line.status, 2);
   EXPECT_EQ(line.err, "prog: --jobs: Value 9 not in range 1 to 4; see prog --help\n");
 }
@@ -106,7 +106,7 @@ TEST(CommandLine, saysThatAValueIsMissingOrTooMany) {
 
 TEST(CommandLine, namesTheNearestCommand) {
   Commands program;
-  const Line line = read(program.app, {"diagnos", "runs"});
+  const TypedLine line = read(program.app, {"diagnos", "runs"});
   EXPECT_EQ(line.status, 2);
   EXPECT_EQ(line.err, "prog: there is no command diagnos; did you mean \"diagnose\"?; see prog --help\n");
 }
