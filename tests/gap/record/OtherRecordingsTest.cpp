@@ -117,7 +117,7 @@ TEST(EngineRecording, EveryEffectShowsAsInTheOwnDynamics) {
                            Size{"asymmetric_friction", "elbow", 0.3},
                            Size{"load_stribeck_friction", "shoulder", 0.5},
                            Size{"link_load_friction", "shoulder", 0.3},
-                           Size{"quadratic_load_friction", "shoulder", 2},
+                           Size{"quadratic_load_friction", "shoulder", 1.3},
                            Size{"profile_speed", "elbow", 1},
                            Size{"payload", "lower", 0.1}}) {
     const Effect* effect = findEffect(size.effect);
