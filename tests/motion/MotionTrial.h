@@ -45,7 +45,8 @@ struct KickResult {
 
 /// Kicks a ball that lies within `tolerance` [m] of where the kick expects it; the robot sways a little, as
 /// after a stop of the walk.
-inline KickResult kickTrial(MotionTrial& trial, Side foot, double tolerance, unsigned seed) {
+inline KickResult kickTrial(MotionTrial& trial, Side foot, double tolerance, unsigned seed,
+                            const std::string& name = "kickRight") {
   trial.seed(seed);
   trial.robot.restart(Pose2(), trial.stand);
   trial.restarted();
@@ -58,7 +59,7 @@ inline KickResult kickTrial(MotionTrial& trial, Side foot, double tolerance, uns
   const int rest = 3 + static_cast<int>(trial.random(0, 8));
   for (int i = 0; i < rest; ++i) trial.step(trial.stand);
 
-  const KeyframeMotion right = trial.motion("kickRight");
+  const KeyframeMotion right = trial.motion(name);
   const KeyframeMotion kick = foot == Side::right ? right : mirrored(right);
   const Pose3 torso = trial.robot.torso().pose;
   const Pose2 ground(torso.translation().x(), torso.translation().y(),
