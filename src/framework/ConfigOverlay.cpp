@@ -14,8 +14,9 @@ constexpr const char* overlayKey = "overlay";
 
 bool isMap(const ConfigNode& node) { return node.kind == ConfigNode::Kind::map; }
 
-/// How many values a map holds: all that is no map, a list as one.
+/// How many values a map holds: all that is no map, a list as one. A key whose last line was lost holds none.
 std::size_t countValues(const ConfigNode& node) {
+  if (node.kind == ConfigNode::Kind::null) return 0;
   if (!isMap(node)) return 1;
   std::size_t count = 0;
   for (const auto& [key, child] : node.entries) count += countValues(child);

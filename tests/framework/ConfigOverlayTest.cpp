@@ -88,13 +88,14 @@ TEST_F(ConfigOverlay, theLineItselfIsChecked) {
 
 TEST_F(ConfigOverlay, everyLineOfTheProjectsOverlaysIsMissed) {
   std::size_t lines = 0;
-  for (const char* type : {"type1", "type3"}) {
+  for (const char* type : {"type1", "type4"}) {
     std::ifstream stream(std::string("config/walks/") + type + "/over/walking.yaml");
     std::vector<std::string> text;
     for (std::string line; std::getline(stream, line);) text.push_back(line);
     fs::copy_file("config/walking.yaml", folder + "/walking.yaml", fs::copy_options::overwrite_existing);
     for (std::size_t gone = 0; gone < text.size(); ++gone) {
-      if (text[gone].starts_with("#")) continue;
+      if (text[gone].starts_with("#") || text[gone].starts_with("overlay:") || text[gone].ends_with(":"))
+        continue;
       std::string rest;
       for (std::size_t i = 0; i < text.size(); ++i)
         if (i != gone) rest += text[i] + "\n";
@@ -102,7 +103,7 @@ TEST_F(ConfigOverlay, everyLineOfTheProjectsOverlaysIsMissed) {
       ++lines;
     }
   }
-  EXPECT_GT(lines, 52u) << "two overlays of 26 values";
+  EXPECT_EQ(lines, 26u + 75u) << "what the two overlays say of themselves";
 }
 
 }  // namespace
