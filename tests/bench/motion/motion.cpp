@@ -8,6 +8,7 @@
 
 #include "../../motion/MotionTrial.h"
 #include "simspark/LeagueRobots.h"
+#include "training/MotionTrial.h"
 
 namespace {
 
