@@ -36,7 +36,7 @@ rdb --exec 'set r:BallPos.relative.x 0.5'
 expectEqual "$(rdb --exec 'get r:BallPos.relative.x')" 'representation:BallPos.relative.x 0.500000' 'value that was set'
 rdb --exec 'unset r:BallPos.relative.x'
 expectError 2 'rdb: config:BallLocator.forgetSeconds: BallLocator.forgetSeconds must be within [0, 10000], not -1' "${toAgent[@]}" --exec 'set c:BallLocator.forgetSeconds -1'
-rdb --exec timing | grep -q '^BallLocator:updateLocalBallPos ' || fail "no timing of BallLocator"
+[[ $'\n'$(rdb --exec timing) == *$'\nBallLocator:updateLocalBallPos '* ]] || fail "no timing of BallLocator"
 rdb --exec 'list m:' | grep -q '^module:BallLocator:forget  response once$' || fail "a site of a module is not listed"
 expectEqual "$(rdb --exec 'dr m:AugmentedSelfLocator:forget')" 'module:AugmentedSelfLocator:forget the pose is forgotten' 'response'
 [[ $(rdb --exec 'watch r:FrameInfo.cycle every 0.1s' --seconds 1 | grep -c '^representation:FrameInfo.cycle [0-9]*$') -ge 3 ]] || fail "a watch gives no values"
