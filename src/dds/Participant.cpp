@@ -13,7 +13,7 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <stdexcept>
 
-#include "dds/Fingerprint.h"
+#include "math/Fingerprint.h"
 
 namespace plumbline::dds {
 namespace fast = eprosima::fastdds::dds;

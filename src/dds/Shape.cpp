@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "dds/Fingerprint.h"
+#include "math/Fingerprint.h"
 
 namespace plumbline::dds {
 namespace {

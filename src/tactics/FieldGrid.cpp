@@ -3,21 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/Table.h"
+
 namespace plumbline {
 namespace {
 
 constexpr double fullAdvantage = 2;  ///< a team that is sooner at the ball by so much has it [s]
-
-struct Share {
-  std::size_t first = 0;
-  double second = 0;  ///< the weight of the point after it
-};
-
-Share between(const std::vector<double>& values, double value) {
-  const auto upper = std::upper_bound(values.begin() + 1, values.end() - 1, value);
-  const auto i = static_cast<std::size_t>(upper - values.begin()) - 1;
-  return {i, std::clamp((value - values[i]) / (values[i + 1] - values[i]), 0.0, 1.0)};
-}
 
 }  // namespace
 
@@ -34,9 +25,10 @@ BallState FieldGrid::state(std::size_t point) const {
 }
 
 std::array<FieldGrid::Weight, 8> FieldGrid::weights(const BallState& state) const {
-  const Share x = between(x_, state.place.x()), y = between(y_, std::abs(state.place.y()));
+  const TablePlace x = placeInTable(x_, state.place.x());
+  const TablePlace y = placeInTable(y_, std::abs(state.place.y()));
   static const std::vector<double> levels{-1, 0, 1};
-  const Share a = between(levels, state.advantage);
+  const TablePlace a = placeInTable(levels, state.advantage);
   std::array<Weight, 8> weights;
   for (std::size_t corner = 0; corner < 8; ++corner) {
     const std::size_t dx = corner & 1, dy = corner >> 1 & 1, da = corner >> 2;

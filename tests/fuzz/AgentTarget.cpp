@@ -14,31 +14,10 @@ namespace {
 
 constexpr int agentCycles = 25;
 
-constexpr const char* afterPerception = R"(
-Kicks SkillKickParameters
-BeforeKickOff BeforeKickOffOutput
-Striker2 StrikerOutput
-BehaviorCombinator SkillRequest
-BehaviorCombinator BeamRequest
-SkillMoveToPos SkillMoveToPosOutput
-SkillGetBall SkillGetBallOutput
-SkillKick SkillKickOutput
-SkillDribble SkillDribbleOutput
-SkillCombinator MotionRequest
-MotionSelector MotionSelection
-WalkingEngine WalkingEngineOutput
-StandMotion StandOutput
-SpecialActions SpecialActionsOutput
-KickMotion KickMotionOutput
-SimpleHeadMotion HeadMotionRequest
-MotionCombinator JointRequest
-JointPDControl JointRequestWithSpeeds
-)";
-
 /// The speeds that it asks of its joints are numbers, and of a size that joints have.
 void agent(std::string_view bytes) {
   const auto source = std::make_shared<test::MessageSource>();
-  Controller controller(ControllerOptions{}, std::string(test::perceptionModules()) + afterPerception);
+  Controller controller(ControllerOptions{}, test::playingModules());
   controller.objects().set(std::make_shared<AgentOptions>());
   controller.objects().set(source);
   int cycles = 0;

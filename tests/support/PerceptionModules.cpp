@@ -51,5 +51,27 @@ BeliefCombinator BallPos
 )";
 }
 
+std::string playingModules() {
+  return std::string(perceptionModules()) + R"(BeforeKickOff BeforeKickOffOutput
+Kicks SkillKickParameters
+Striker2 StrikerOutput
+BehaviorCombinator SkillRequest
+BehaviorCombinator BeamRequest
+SkillMoveToPos SkillMoveToPosOutput
+SkillGetBall SkillGetBallOutput
+SkillKick SkillKickOutput
+SkillDribble SkillDribbleOutput
+SkillCombinator MotionRequest
+MotionSelector MotionSelection
+WalkingEngine WalkingEngineOutput
+StandMotion StandOutput
+SpecialActions SpecialActionsOutput
+KickMotion KickMotionOutput
+SimpleHeadMotion HeadMotionRequest
+MotionCombinator JointRequest
+JointPDControl JointRequestWithSpeeds
+)";
+}
+
 }  // namespace test
 }  // namespace plumbline

@@ -11,4 +11,7 @@ struct MessageSource {
 /// A modules.cfg of all that perceives, with TestServer in the connection's place and the ground truth.
 const char* perceptionModules();
 
+/// The same and one robot's play and motions behind it, down to the speeds of the joints.
+std::string playingModules();
+
 }  // namespace plumbline::test

@@ -1,11 +1,11 @@
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "framework/Json.h"
 #include "framework/StopSignal.h"
+#include "framework/TextLines.h"
 #include "gap/run/OtherTables.h"
 #include "gap/run/Run.h"
 
@@ -30,42 +30,34 @@ const json* namesIn(const json& object) {
 
 class Reader {
 public:
-  explicit Reader(const std::string& path_) : path(path_) {}
+  explicit Reader(const std::string& path) : lines(path, maxLineLength) {}
 
   Table read() {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw RunError(path + ": cannot be read");
-    std::string text;
-    while (std::getline(file, text)) {
-      ++line;
+    for (std::string_view text; lines.next(text);) {
       StopSignal::throwIfCaught();
-      if (text.size() > maxLineLength) fail("the line is longer than 131072 characters");
-      if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+      if (text.find_first_not_of(" \t\r") == std::string_view::npos) continue;
       addLine(text);
     }
     if (rows < 2)
-      throw RunError(path + ": has " + std::to_string(rows) + " lines of data; a run needs two at least");
+      throw RunError(lines.path() + ": has " + std::to_string(rows) +
+                     " lines of data; a run needs two at least");
     for (std::vector<double>& column : table.columns) column.resize(rows, lost);
     return std::move(table);
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw RunError(path + ":" + std::to_string(line) + ": " + what);
-  }
-
-  void addLine(const std::string& text) {
+  void addLine(std::string_view text) {
     json object;
     try {
       object = parseJson(text);
     } catch (const JsonError& error) {
-      fail(error.what());
+      lines.fail(error.what());
     }
-    if (!object.is_object()) fail("is no object; each line is one: {\"t\": 0.01, ...}");
+    if (!object.is_object()) lines.fail("is no object; each line is one: {\"t\": 0.01, ...}");
     ++rows;
     addObject("", object);
     if (rows * table.names.size() > maxCells)
-      fail("more than " + std::to_string(maxCells) + " cells; cut the run into shorter ones");
+      lines.fail("more than " + std::to_string(maxCells) + " cells; cut the run into shorter ones");
   }
 
   void addObject(const std::string& head, const json& object) {
@@ -88,19 +80,21 @@ private:
       return;
     }
     std::vector<double>& column = columnOf(name);
-    if (column.size() >= rows) fail("column " + name + " occurs twice");
+    if (column.size() >= rows) lines.fail("column " + name + " occurs twice");
     column.resize(rows - 1, lost);
     const bool number = value.is_number() && std::isfinite(value.get<double>());
     column.push_back(number ? value.get<double>() : value.is_boolean() ? value.get<bool>() : lost);
-    if (value.is_string()) table.bad.try_emplace(name, Table::BadCell{line, shown(value.get<std::string>())});
+    if (value.is_string())
+      table.bad.try_emplace(name, Table::BadCell{lines.line(), shown(value.get<std::string>())});
   }
 
   std::vector<double>& columnOf(const std::string& name) {
     const auto [at, fresh] = index.try_emplace(name, table.names.size());
     if (fresh) {
       if (name.size() > longestName || shown(name.substr(0, longestText)) != name.substr(0, longestText))
-        fail("\"" + shown(name) + "\" cannot be a column's name");
-      if (table.names.size() >= maxColumns) fail("more than " + std::to_string(maxColumns) + " columns");
+        lines.fail("\"" + shown(name) + "\" cannot be a column's name");
+      if (table.names.size() >= maxColumns)
+        lines.fail("more than " + std::to_string(maxColumns) + " columns");
       table.names.push_back(name);
       table.columns.emplace_back();
     }
@@ -114,14 +108,20 @@ private:
     return text;
   }
 
-  const std::string path;
+  TextLines lines;
   Table table;
   std::map<std::string, std::size_t> index;
-  std::size_t line = 0, rows = 0;
+  std::size_t rows = 0;
 };
 
 }  // namespace
 
-Table readJsonLines(const std::string& path) { return Reader(path).read(); }
+Table readJsonLines(const std::string& path) {
+  try {
+    return Reader(path).read();
+  } catch (const TextError& error) {
+    throw RunError(error.what());
+  }
+}
 
 }  // namespace plumbline::gap

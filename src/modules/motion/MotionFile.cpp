@@ -1,13 +1,14 @@
 #include "modules/motion/MotionFile.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 #include "framework/WriteFile.h"
+#include "math/Fingerprint.h"
 #include "motion/KeyframeReader.h"
 
 namespace plumbline {
@@ -19,13 +20,10 @@ namespace {
 constexpr std::size_t maxBytes = 1 << 20;
 constexpr std::size_t maxKeyframes = 1000;
 
-/// FNV-1a, 64 bits: tells texts apart, keeps no secret.
 std::string revisionOf(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037ull;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-  return digits;
+  Fingerprint print;
+  for (const char c : text) print.add(static_cast<unsigned char>(c));
+  return fmt::format("{:016x}", print.value());
 }
 
 /// What cannot be said in the file, or is none of the robot's joints.

@@ -35,10 +35,7 @@ const Kick& SkillGetBall::chooseKick(double metres) {
 }
 
 bool SkillGetBall::pressed() const {
-  return theOtherRobots && std::ranges::any_of(theOtherRobots->robots, [&](const OtherRobot& robot) {
-           return !robot.mate && !robot.fallen &&
-                  (robot.position - theBallPos->field).norm() < pressedDistance;
-         });
+  return theOtherRobots && theOtherRobots->nearestOpponent(theBallPos->field) < pressedDistance;
 }
 
 void SkillGetBall::learnBias(const Pose2& T_robot_target) {

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "framework/Representation.h"
@@ -42,6 +44,13 @@ REPRESENTATION(OtherRobots)
 class OtherRobots : public OtherRobotsBase {
 public:
   std::vector<OtherRobot> robots;
+  /// Distance of the nearest opponent that stands from a place, infinite without any [m].
+  double nearestOpponent(const Vec2& place) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const OtherRobot& robot : robots)
+      if (!robot.mate && !robot.fallen) nearest = std::min(nearest, (robot.position - place).norm());
+    return nearest;
+  }
   void stream(InStream* in, OutStream* out) override { STREAM(robots); }
 };
 

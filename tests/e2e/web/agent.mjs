@@ -2,7 +2,7 @@
 import dgram from 'node:dgram';
 import { readFileSync } from 'node:fs';
 import { Browser } from './browser.mjs';
-import { check, until } from './check.mjs';
+import { check, giveUp, until } from './check.mjs';
 
 const [address, drawingPort, agentPid, picture] = process.argv.slice(2);
 const viewer = dgram.createSocket('udp4'), datagrams = [];
@@ -101,9 +101,5 @@ try {
   await browser.close();
   process.exit(0);
 } catch (error) {
-  console.error(`FAILED: ${error.message}`);
-  console.error(JSON.stringify(await state().catch(() => null)), browser.problems.join('\n'));
-  await browser.screenshot('build/e2e/agent-failed.png').catch(() => {});
-  await browser.close();
-  process.exit(1);
+  await giveUp(browser, error, state, 'build/e2e/agent-failed.png');
 }

@@ -1,7 +1,7 @@
 // Not a test: a picture of an agent's page while the robot goes to the ball.
 //   node agent_moment.mjs ADDRESS FILE WHAT-IS-SHOWN
 import { Browser } from './browser.mjs';
-import { until } from './check.mjs';
+import { giveUp, until } from './check.mjs';
 
 const [address, file, shown] = process.argv.slice(2);
 const browser = await Browser.open(`${address}?fps=8#${shown}`, { width: 1600, height: 1000 });
@@ -18,8 +18,5 @@ try {
   await browser.close();
   process.exit(0);
 } catch (error) {
-  console.error(`FAILED: ${error.message}`);
-  console.error(JSON.stringify(await state().catch(() => null)), browser.problems.join('\n'));
-  await browser.close();
-  process.exit(1);
+  await giveUp(browser, error, state, 'build/e2e/agent_moment-failed.png');
 }

@@ -28,3 +28,14 @@ export async function until(what, condition, seconds = 120) {
 }
 
 export const near = (a, b, tolerance) => Math.hypot(...a.map((v, i) => v - b[i])) <= tolerance;
+
+/// The end of a test that failed: what was wrong, the page's state, its errors and a picture; without a page, the first.
+export async function giveUp(browser, error, state, picture) {
+  console.error(`FAILED: ${error.message}`);
+  if (browser) {
+    console.error(JSON.stringify(await state().catch(() => null)), browser.problems.join('\n'));
+    await browser.screenshot(picture).catch(() => {});
+    await browser.close();
+  }
+  process.exit(1);
+}

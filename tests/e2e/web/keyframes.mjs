@@ -1,7 +1,7 @@
 // A motion edited in the page of an agent: node keyframes.mjs ADDRESS FOLDER-OF-MOTIONS PICTURE
 import { appendFileSync, readFileSync } from 'node:fs';
 import { Browser } from './browser.mjs';
-import { check, until } from './check.mjs';
+import { check, giveUp, until } from './check.mjs';
 
 const [address, folder, picture] = process.argv.slice(2);
 const text = () => readFileSync(`${folder}/wave.yaml`, 'utf8');
@@ -92,9 +92,5 @@ try {
   await browser.close();
   process.exit(0);
 } catch (error) {
-  console.error(`FAILED: ${error.message}`);
-  console.error(await state().catch(() => ''), browser.problems.join('\n'));
-  await browser.screenshot('build/e2e/keyframes-failed.png').catch(() => {});
-  await browser.close();
-  process.exit(1);
+  await giveUp(browser, error, state, 'build/e2e/keyframes-failed.png');
 }

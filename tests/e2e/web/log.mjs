@@ -1,6 +1,6 @@
 // A log stepped through in the page of an agent: node log.mjs ADDRESS PICTURE
 import { Browser } from './browser.mjs';
-import { check, until } from './check.mjs';
+import { check, giveUp, until } from './check.mjs';
 
 const [address, picture] = process.argv.slice(2);
 const shown = '#text=representation:FrameInfo&plot=representation:BallPos.relative.x&draw=draw:FKModel:body&draw=draw:BallLocator:ball';
@@ -62,9 +62,5 @@ try {
   await browser.close();
   process.exit(0);
 } catch (error) {
-  console.error(`FAILED: ${error.message}`);
-  console.error(browser.problems.join('\n'));
-  await browser.screenshot('build/e2e/log-failed.png').catch(() => {});
-  await browser.close();
-  process.exit(1);
+  await giveUp(browser, error, () => browser.run('window.plumbline?.state?.()'), 'build/e2e/log-failed.png');
 }

@@ -1,6 +1,6 @@
 // A running game on the page; web.sh starts what it needs.
 import { Browser } from './browser.mjs';
-import { check, near, until } from './check.mjs';
+import { check, giveUp, near, until } from './check.mjs';
 import * as draw from './drawings.mjs';
 import { Trainer, twoTeams } from './simspark.mjs';
 
@@ -116,11 +116,5 @@ try {
   await browser.close();
   process.exit(0);
 } catch (error) {
-  console.error(`FAILED: ${error.message}`);
-  if (browser) {
-    console.error(JSON.stringify(await browser.run('window.plumbline?.state()').catch(() => null)), browser.problems.join('\n'));
-    await browser.screenshot('build/e2e/web-failed.png').catch(() => {});
-    await browser.close();
-  }
-  process.exit(1);
+  await giveUp(browser, error, () => browser.run('window.plumbline?.state()'), 'build/e2e/web-failed.png');
 }

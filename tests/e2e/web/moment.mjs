@@ -1,7 +1,7 @@
 // Not a test: a picture of a recorded match at a time of the game.
 //   node tests/e2e/web/moment.mjs URL FILE GAME_SECONDS
 import { Browser } from './browser.mjs';
-import { until } from './check.mjs';
+import { giveUp, until } from './check.mjs';
 
 const [url, file, wanted] = process.argv.slice(2);
 const browser = await Browser.open(`${url}?quality=high&fps=2`, { width: 1280, height: 720 });
@@ -28,7 +28,5 @@ try {
   await browser.screenshot(file, file.endsWith('.jpg') ? 'jpeg' : 'png');
   await browser.close();
 } catch (error) {
-  console.error(`FAILED: ${error.message}`);
-  await browser.close();
-  process.exit(1);
+  await giveUp(browser, error, state, 'build/e2e/moment-failed.png');
 }

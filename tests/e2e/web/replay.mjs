@@ -1,6 +1,6 @@
 // A recorded match on the page: it plays, stops, and shows any time of it.
 import { Browser } from './browser.mjs';
-import { check, near, until } from './check.mjs';
+import { check, giveUp, near, until } from './check.mjs';
 
 const browser = await Browser.open(`${process.argv[2]}?quality=low&fps=4`, { width: 960, height: 600 });
 const state = () => browser.run('window.plumbline?.state()');
@@ -32,7 +32,5 @@ try {
   check(browser.problems.length === 0, `no errors on the page: ${browser.problems.join('; ')}`);
   await browser.close();
 } catch (error) {
-  console.error(`FAILED: ${error.message}`, JSON.stringify(await state().catch(() => null)));
-  await browser.close();
-  process.exit(1);
+  await giveUp(browser, error, state, 'build/e2e/replay-failed.png');
 }

@@ -1,6 +1,6 @@
 // The page of a search: node search.mjs ADDRESS live|shown PICTURE
 import { Browser } from './browser.mjs';
-import { check, until } from './check.mjs';
+import { check, giveUp, until } from './check.mjs';
 
 const [address, how, picture] = process.argv.slice(2);
 const browser = await Browser.open(`${address}?quality=low&fps=2`, { width: 1600, height: 1000 });
@@ -37,9 +37,5 @@ try {
   await browser.close();
   process.exit(0);
 } catch (error) {
-  console.error(`FAILED: ${error.message}`);
-  console.error(JSON.stringify(await state().catch(() => null)), browser.problems.join('\n'));
-  await browser.screenshot('build/e2e/search-failed.png').catch(() => {});
-  await browser.close();
-  process.exit(1);
+  await giveUp(browser, error, state, 'build/e2e/search-failed.png');
 }

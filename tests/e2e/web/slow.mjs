@@ -1,6 +1,6 @@
 // A page in a browser that draws two pictures a second: no robot may come apart. node slow.mjs URL PICTURE
 import { Browser } from './browser.mjs';
-import { check, until } from './check.mjs';
+import { check, giveUp, until } from './check.mjs';
 
 const [url, picture] = process.argv.slice(2);
 const browser = await Browser.open('about:blank', { width: 960, height: 600 });
@@ -27,7 +27,5 @@ try {
   check(browser.problems.length === 0, `no errors on the page: ${browser.problems.join('; ')}`);
   await browser.close();
 } catch (error) {
-  console.error(`FAILED: ${error.message}`, browser.problems.join('\n'));
-  await browser.close();
-  process.exit(1);
+  await giveUp(browser, error, () => browser.run('window.plumbline?.state()'), 'build/e2e/slow-failed.png');
 }

@@ -1,6 +1,6 @@
 // The summary of a game, and the moment in 3D that it leads to: node summary.mjs PAGE REPLAY PICTURE
 import { Browser } from './browser.mjs';
-import { check, until } from './check.mjs';
+import { check, giveUp, until } from './check.mjs';
 
 const [page, replay, picture] = process.argv.slice(2);
 const browser = await Browser.open(page, { width: 1280, height: 1500 });
@@ -32,9 +32,5 @@ try {
   await browser.close();
   process.exit(0);
 } catch (error) {
-  console.error(`FAILED: ${error.message}`);
-  console.error(browser.problems.join('\n'));
-  await browser.screenshot('build/e2e/summary-failed.png').catch(() => {});
-  await browser.close();
-  process.exit(1);
+  await giveUp(browser, error, () => browser.run('window.plumbline?.state?.()'), 'build/e2e/summary-failed.png');
 }

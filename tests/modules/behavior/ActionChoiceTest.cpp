@@ -104,7 +104,9 @@ TEST_F(ActionChoiceTest, staysWithItsChoiceWhileNoOtherIsClearlyBetter) {
 
 TEST_F(ActionChoiceTest, theFallenDoNotPress) {
   add(false, {0.5, 0}, true);
-  EXPECT_GT(nearestOpponent(situation.others, situation.ball), 14);
+  OtherRobots all;
+  all.robots = situation.others;
+  EXPECT_GT(all.nearestOpponent(situation.ball), 14);
 }
 
 /// A file with positions and the decision that people expect (tests/data/situations).

@@ -19,27 +19,6 @@ namespace {
 
 using test::InProcessServer;
 
-constexpr const char* afterPerception = R"(
-BeforeKickOff BeforeKickOffOutput
-Kicks SkillKickParameters
-Striker2 StrikerOutput
-BehaviorCombinator SkillRequest
-BehaviorCombinator BeamRequest
-SkillMoveToPos SkillMoveToPosOutput
-SkillGetBall SkillGetBallOutput
-SkillKick SkillKickOutput
-SkillDribble SkillDribbleOutput
-SkillCombinator MotionRequest
-MotionSelector MotionSelection
-WalkingEngine WalkingEngineOutput
-StandMotion StandOutput
-SpecialActions SpecialActionsOutput
-KickMotion KickMotionOutput
-SimpleHeadMotion HeadMotionRequest
-MotionCombinator JointRequest
-JointPDControl JointRequestWithSpeeds
-)";
-
 /// The text with the numbers behind `name` (all that are not words) replaced by `value`; every such list.
 std::string withNumbers(std::string text, const std::string& name, const std::string& value) {
   for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos;) {
@@ -69,7 +48,7 @@ std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << 
 
 class BadMessages : public testing::TestWithParam<Fault> {
 protected:
-  BadMessages() : controller(ControllerOptions{}, std::string(test::perceptionModules()) + afterPerception) {
+  BadMessages() : controller(ControllerOptions{}, test::playingModules()) {
     controller.objects().set(std::make_shared<AgentOptions>());
     controller.objects().set(source);
   }

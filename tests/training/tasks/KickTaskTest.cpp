@@ -1,10 +1,10 @@
 #include "training/tasks/KickTask.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -23,13 +23,10 @@ Eigen::VectorXd startOf(const SearchTask& task) {
 }
 
 struct TemporaryFolder {
-  TemporaryFolder() {
-    char name[] = "/tmp/plumbline-kick-XXXXXX";
-    if (const char* made = mkdtemp(name)) path = made;
+  TemporaryFolder() : path(testing::TempDir() + "kick" + std::to_string(getpid())) {
+    std::filesystem::create_directories(path);
   }
-  ~TemporaryFolder() {
-    if (!path.empty()) std::filesystem::remove_all(path);
-  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path); }
   std::string path;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/Table.h"
+
 namespace plumbline {
 namespace {
 
@@ -13,13 +15,6 @@ void checkRising(const ConfigSection& file, const std::string& key, const std::v
   if (values.size() < 2 || values.size() > maxBalls) file.fail(key, "must have 2 to 50 numbers");
   if (std::ranges::adjacent_find(values, std::greater_equal<>()) != values.end())
     file.fail(key, "must rise from number to number");
-}
-
-/// Which two of the values it lies between: the first one's index and the share of the second one.
-std::pair<std::size_t, double> between(const std::vector<double>& values, double value) {
-  const auto upper = std::upper_bound(values.begin() + 1, values.end() - 1, value);
-  const auto i = static_cast<std::size_t>(upper - values.begin()) - 1;
-  return {i, std::clamp((value - values[i]) / (values[i + 1] - values[i]), 0.0, 1.0)};
 }
 
 std::string otherSide(std::string name) {
@@ -77,8 +72,8 @@ Vec2 FormationTable::at(int place, const Vec2& ball) const {
   const Place& own = places_[static_cast<std::size_t>(place)];
   const bool mirrored = ball.y() < 0;
   const Place& from = mirrored ? places_[own.mirror] : own;
-  const auto [i, shareX] = between(ballX_, ball.x());
-  const auto [j, shareY] = between(ballY_, std::abs(ball.y()));
+  const auto [i, shareX] = placeInTable(ballX_, ball.x());
+  const auto [j, shareY] = placeInTable(ballY_, std::abs(ball.y()));
   const auto mean = [i = i, j = j, shareX = shareX,
                      shareY = shareY](const std::vector<std::vector<double>>& table) {
     return std::lerp(std::lerp(table[j][i], table[j][i + 1], shareX),

@@ -83,13 +83,6 @@ Course courseOf(double direction, double reach, bool kicked, const StrikerSituat
 
 }  // namespace
 
-double nearestOpponent(const std::vector<OtherRobot>& others, const Vec2& place) {
-  double best = farAway;
-  for (const OtherRobot& robot : others)
-    if (!robot.mate && !robot.fallen) best = std::min(best, (robot.position - place).norm());
-  return best;
-}
-
 StrikerAction judgeAction(StrikerAction::Kind kind, double direction, double reach,
                           const StrikerSituation& situation, const FieldValue& value,
                           const TimeToBallParameters& time, const ActionChoiceParameters& parameters) {

@@ -59,7 +59,4 @@ StrikerAction chooseAction(const StrikerSituation& situation, const StrikerActio
                            const FieldValue& value, const TimeToBallParameters& time,
                            const ActionChoiceParameters& parameters);
 
-/// Distance of the nearest opponent that stands from a place, a large number without any [m].
-double nearestOpponent(const std::vector<OtherRobot>& others, const Vec2& place);
-
 }  // namespace plumbline

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace plumbline::dds {
+namespace plumbline {
 
 /// A number that stands for bytes (FNV-1a, 64 bits): the same on every machine, no secret.
 class Fingerprint {
@@ -13,4 +13,4 @@ private:
   std::uint64_t value_ = 14695981039346656037ull;
 };
 
-}  // namespace plumbline::dds
+}  // namespace plumbline
