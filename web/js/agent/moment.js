@@ -132,7 +132,9 @@ export class Moment {
       await this.link.ask('set replay:paused true');
       await this.link.ask(`set replay:time ${Math.max(0, to - 0.03)}`);
       let now = await this.where('time');
-      for (let i = 0; i < 4 && now < to - 0.009; ++i) {
+      // The last cycles may have one time: of a log whose game ended, the end is its last cycle.
+      const there = async () => now > to - 0.009 && (to < this.span.last || (await this.where('cycle')) >= this.span.cycles);
+      for (let i = 0; i < 6 && !(await there()); ++i) {
         await this.arrive();
         now = await this.where('time');
       }
