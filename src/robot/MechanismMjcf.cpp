@@ -13,6 +13,7 @@ constexpr double noSpeedLimit = 100;   // [rad/s]: the format has none
 constexpr double noTorqueLimit = 1e4;  // [N m]
 constexpr int deepest = 64;            // bodies and classes within each other
 const std::string world = "world";     // what holds a robot that has no free joint
+const std::string outermost = "main";  // the class of what names none
 
 /// The robot of a MuJoCo model: bodies, hinges and slides, servos from its position actuators, an IMU from
 /// its gyro. What the nominal model has no place for is left out: contacts, meshes, frictionloss, tendons.
@@ -39,12 +40,14 @@ public:
       readDefaults(*e, "", 0);
     bool any = false;
     for (const XMLElement* w = root->FirstChildElement("worldbody"); w;
-         w = w->NextSiblingElement("worldbody"))
+         w = w->NextSiblingElement("worldbody")) {
+      refuseMacros(*w);
       for (const XMLElement* e = w->FirstChildElement("body"); e; e = e->NextSiblingElement("body")) {
         if (any) fail(*e, "a second body in the world; a robot is one tree");
         any = true;
         readBody(*e, "", "", 0);
       }
+    }
     if (!any) failMechanism(file, "no <body> in <worldbody>");
     readEqualities(*root);
     readActuators(*root);
@@ -63,16 +66,27 @@ private:
     if (e.Attribute("coordinate", "global")) fail(e, "global coordinates are gone from MuJoCo; save it anew");
   }
 
-  /// Of each class and element the attributes, those of the class around it among them.
+  /// What MuJoCo turns into bodies while it reads; bodies within would be missing without a word.
+  void refuseMacros(const XMLElement& e) const {
+    for (const char* macro : {"frame", "replicate", "attach", "composite", "flexcomp"})
+      if (const XMLElement* found = e.FirstChildElement(macro))
+        fail(*found, std::string("<") + macro +
+                         "> is not followed; save the whole model with MuJoCo (mj_saveLastXML)");
+  }
+
+  /// Of each class and element the attributes, those of the class around it among them. The outermost class
+  /// holds for all elements, whatever its name.
   void readDefaults(const XMLElement& e, const std::string& around, int depth) {
     if (depth > deepest) fail(e, "classes are nested too deeply");
-    const std::string name = e.Attribute("class") ? e.Attribute("class") : "main";
-    auto& mine = defaults[name] = around.empty() ? Defaults() : defaults[around];
+    const std::string name = around.empty() ? outermost : attribute(e, "class");
+    if (!around.empty()) defaults[name] = defaults[around];
+    Defaults& mine = defaults[name];
     for (const XMLElement* c = e.FirstChildElement(); c; c = c->NextSiblingElement()) {
       if (std::string_view(c->Name()) == "default") continue;
       for (const tinyxml2::XMLAttribute* a = c->FirstAttribute(); a; a = a->Next())
         mine[c->Name()][a->Name()] = a->Value();
     }
+    if (around.empty() && e.Attribute("class")) defaults[e.Attribute("class")] = mine;
     for (const XMLElement* c = e.FirstChildElement("default"); c; c = c->NextSiblingElement("default"))
       readDefaults(*c, name, depth + 1);
   }
@@ -80,7 +94,7 @@ private:
   /// Puts what its class says into an element where it says nothing itself.
   void complete(XMLElement& e, const std::string& classAround) const {
     const char* own = e.Attribute("class");
-    const std::string name = own ? own : classAround.empty() ? "main" : classAround;
+    const std::string name = own ? own : classAround.empty() ? outermost : classAround;
     const auto found = defaults.find(name);
     if (found == defaults.end()) {
       if (own) fail(e, "there is no class " + name.substr(0, 60));
@@ -103,6 +117,7 @@ private:
     Mechanism::Link link;
     link.name = e.Attribute("name") ? e.Attribute("name") : "body" + std::to_string(parts.links.size());
     checkName(link.name, "body", file + ":" + std::to_string(e.GetLineNum()));
+    refuseMacros(e);
     const XMLElement* hinge = nullptr;
     bool isFree = e.FirstChildElement("freejoint") != nullptr;
     for (const XMLElement* j = e.FirstChildElement("joint"); j; j = j->NextSiblingElement("joint")) {
@@ -162,6 +177,8 @@ private:
     Joint& joint = part.joint;
     joint.name = attribute(e, "name");
     checkName(joint.name, "joint", file + ":" + std::to_string(e.GetLineNum()));
+    if (number(e, "ref", 0) != 0)
+      fail(e, "joint " + joint.name + ": ref is not 0; save the model with its zero where the body is drawn");
     const bool slides = e.Attribute("type", "slide") != nullptr;
     if (slides) joint.type = Joint::Type::prismatic;
     joint.axis = vector(&e, "axis", Vec3::UnitZ());

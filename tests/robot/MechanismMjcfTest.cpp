@@ -116,6 +116,24 @@ TEST_F(MechanismMjcf, aServoTableBesideItCounts) {
   EXPECT_DOUBLE_EQ(robot.joints[0].servo.kp, 30);
 }
 
+TEST_F(MechanismMjcf, theOutermostClassHoldsWhateverItsName) {
+  const Mechanism robot =
+      readMechanism(write("arm.xml", arm("<default>", "<default class=\"arm\">")), [](const std::string&) {});
+  EXPECT_DOUBLE_EQ(robot.joints[0].servo.armature, 0.01);
+  EXPECT_DOUBLE_EQ(robot.joints[0].servo.kd, 0.6);
+}
+
+TEST_F(MechanismMjcf, whatWouldBeMissingOrShiftedIsRefused) {
+  EXPECT_EQ(errorOf("a.xml",
+                    arm("<body name=\"hand\"", "<frame><body name=\"finger\"/></frame><body name=\"hand\"")),
+            "a.xml:15: <frame> is not followed; save the whole model with MuJoCo (mj_saveLastXML)");
+  EXPECT_EQ(
+      errorOf("a.xml", arm("<body name=\"upper\"", "<attach model=\"m\" prefix=\"\"/><body name=\"upper\"")),
+      "a.xml:8: <attach> is not followed; save the whole model with MuJoCo (mj_saveLastXML)");
+  EXPECT_EQ(errorOf("a.xml", arm("name=\"shoulder\"", "name=\"shoulder\" ref=\"10\"")),
+            "a.xml:9: joint shoulder: ref is not 0; save the model with its zero where the body is drawn");
+}
+
 TEST_F(MechanismMjcf, mistakesAreNamedWithTheirLine) {
   EXPECT_EQ(errorOf("a.xml", "<robot/>"), "a.xml: no <mujoco>; give a model of MuJoCo");
   EXPECT_EQ(errorOf("a.xml", arm("name=\"shoulder\"", "name=\"shoulder\" type=\"ball\"")),
