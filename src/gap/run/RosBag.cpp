@@ -39,13 +39,15 @@ std::vector<double> numbers(CdrInStream& in) {
   return list;
 }
 
-void skipHeader(CdrInStream& in) {
+/// The time that a message's sender gave it, as the column "stamp" [s]; what the network did is not in it.
+Values readHeader(CdrInStream& in) {
   std::int64_t seconds = 0;
   std::uint64_t nanoseconds = 0;
   std::string frame;
   in.readSigned(seconds, 4);
   in.readUnsigned(nanoseconds, 4);
   in.readString(frame);
+  return {{"stamp", static_cast<double>(seconds) + 1e-9 * static_cast<double>(nanoseconds)}};
 }
 
 void add(Values& values, const std::string& field, const std::vector<std::string>& names,
@@ -55,8 +57,7 @@ void add(Values& values, const std::string& field, const std::vector<std::string
 }
 
 Values readJointState(CdrInStream& in) {
-  skipHeader(in);
-  Values values;
+  Values values = readHeader(in);
   const std::vector<std::string> names = texts(in);
   for (const char* field : {"position", "velocity", "effort"}) add(values, field, names, numbers(in));
   return values;
@@ -64,8 +65,7 @@ Values readJointState(CdrInStream& in) {
 
 /// Of its first point.
 Values readTrajectory(CdrInStream& in) {
-  skipHeader(in);
-  Values values;
+  Values values = readHeader(in);
   const std::vector<std::string> names = texts(in);
   in.beginList();
   for (bool first = true; in.nextElement(); first = false) {
@@ -100,8 +100,7 @@ Values readArray(CdrInStream& in) {
 }
 
 Values readImu(CdrInStream& in) {
-  skipHeader(in);
-  Values values;
+  Values values = readHeader(in);
   const auto read = [&](const char* field, std::string_view axes) {
     for (const char axis : axes) {
       double value = 0;

@@ -104,10 +104,10 @@ public:
   record::Database database;
 };
 
-void header(CdrOutStream& out) {
+void header(CdrOutStream& out, std::uint32_t nanoseconds) {
   out.begin();
   out.writeSigned(7, 4);
-  out.writeUnsigned(8, 4);
+  out.writeUnsigned(nanoseconds, 4);
   out.writeString("base");
 }
 
@@ -116,9 +116,9 @@ void numbers(CdrOutStream& out, const std::vector<double>& values) {
   for (const double value : values) out.writeDouble(value);
 }
 
-CdrOutStream jointState(const std::vector<double>& positions) {
+CdrOutStream jointState(const std::vector<double>& positions, std::uint32_t nanoseconds = 8) {
   CdrOutStream out;
-  header(out);
+  header(out, nanoseconds);
   out.beginList(2, true);
   out.writeString("knee");
   out.writeString("hip");
@@ -145,13 +145,14 @@ TEST_F(OtherTables, aBagsJointStatesWithTheCommandsSaidLast) {
     bag.topic(1, "/joint_states", "sensor_msgs/msg/JointState");
     bag.topic(2, "/leg/commands", "std_msgs/msg/Float64MultiArray");
     bag.topic(3, "/rosout", "rcl_interfaces/msg/Log");
-    bag.message(1, 5'000'000'000, jointState({0.1, 0.2}));
+    bag.message(1, 5'000'000'000, jointState({0.1, 0.2}, 0));
     bag.message(2, 5'004'000'000, array({0.9, 0.8}));
-    bag.message(1, 5'010'000'000, jointState({0.3, 0.4}));
-    bag.message(1, 5'020'000'000, jointState({0.5, 0.6}));
+    bag.message(1, 5'010'000'000, jointState({0.3, 0.4}, 250'000'000));
+    bag.message(1, 5'020'000'000, jointState({0.5, 0.6}, 500'000'000));
   }
   const Table table = readRecording(place, ',', {});
   EXPECT_EQ(column(table, "t"), (std::vector{0.0, 0.01, 0.02}));
+  EXPECT_EQ(column(table, "joint_states.stamp"), (std::vector{7.0, 7.25, 7.5})) << "its sender's time";
   EXPECT_EQ(column(table, "joint_states.position.hip"), (std::vector{0.2, 0.4, 0.6}));
   EXPECT_EQ(column(table, "joint_states.effort.knee"), (std::vector{0.5, 0.5, 0.5}));
   EXPECT_TRUE(std::isnan(column(table, "leg.commands.data.0")[0]));
@@ -180,7 +181,7 @@ TEST_F(OtherTables, aBagWithoutJointStatesSaysWhatItHas) {
     Bag bag(folder + "/c.db3");
     bag.topic(1, "/joint_states", "sensor_msgs/msg/JointState");
     CdrOutStream cut;
-    header(cut);
+    header(cut, 8);
     bag.message(1, 1, cut);
   }
   EXPECT_EQ(errorOf(folder + "/c.db3"),
