@@ -1,7 +1,8 @@
-// What a coach edits: the rules and the formation.
+// What a coach edits: the rules, the formation and set pieces.
 #include "framework/ConfigFile.h"
 #include "fuzz/Readers.h"
 #include "modules/behavior/formation/FormationTable.h"
+#include "modules/behavior/setpiece/SetPieces.h"
 #include "simulation/referee/RulesFile.h"
 
 namespace plumbline::fuzz {
@@ -23,11 +24,28 @@ void formationFile(std::string_view bytes) {
   });
 }
 
+void setPieceFile(std::string_view bytes) {
+  const std::string path = scratchFile("cornerOwn.yaml", bytes);
+  refusesInOneLine([&] {
+    const SetPiece piece = readSetPiece("cornerOwn", ConfigFile(path).root());
+    for (const auto& places : {piece.kick, piece.stand, piece.places})
+      for (const SetPiecePlace& place : places)
+        for (const Vec2& ball : {Vec2(0, 0), Vec2(-15, 0), Vec2(15, -10)})
+          require(place.at(ball, 15).allFinite(), "a place that is nowhere");
+  });
+}
+
 std::vector<std::string> rulesFileSeeds() { return {contentOf("config/rules.yaml"), "halfTime: 300\n"}; }
 std::vector<std::string> formationFileSeeds() { return {contentOf("config/formation.yaml")}; }
 
+std::vector<std::string> setPieceFileSeeds() {
+  return {contentOf("config/set_pieces/cornerOwn.yaml"), contentOf("config/set_pieces/kickInOwn.yaml"),
+          contentOf("config/set_pieces/restartOpponent.yaml")};
+}
+
 const Registered rulesFileTarget({"rulesFile", rulesFile, rulesFileSeeds, 1200});
 const Registered formationFileTarget({"formationFile", formationFile, formationFileSeeds, 800});
+const Registered setPieceFileTarget({"setPieceFile", setPieceFile, setPieceFileSeeds, 800});
 
 }  // namespace
 }  // namespace plumbline::fuzz

@@ -15,7 +15,11 @@ constexpr double touchReach = 0.4;  ///< a robot this near has touched the ball 
 constexpr double inField = 0.4;     ///< places stay this far inside the lines [m]
 }  // namespace
 
-void Formation::init() { table_ = FormationTable(config.file("formation")); }
+void Formation::init() {
+  table_ = FormationTable(config.file("formation"));
+  pieces_ = SetPieces(config);
+  piece_ = nullptr;
+}
 
 std::vector<TeamMember> Formation::members(const PlayerRole& own) const {
   std::vector<TeamMember> members;
@@ -87,6 +91,31 @@ Vec2 Formation::keptOff(const Vec2& place) const {
   return kept;
 }
 
+/// The one of this play mode, or of the one before for as long as it lasts in play.
+const SetPiece* Formation::setPiece() {
+  if (const SetPiece* now = pieces_.of(theGameState->playMode)) {
+    piece_ = now;
+    pieceSeen_ = theFrameInfo->time;
+  } else if (piece_ && (theGameState->playMode != PlayMode::playOn || theFrameInfo->restarted ||
+                        theFrameInfo->time - pieceSeen_ > piece_->lasts)) {
+    piece_ = nullptr;
+  }
+  return piece_;
+}
+
+std::vector<Vec2> Formation::places() {
+  const Vec2 ball = theBallPos->field;
+  const SetPiece* piece = setPiece();
+  std::vector<Vec2> places;
+  for (int i = 0; i < table_.size(); ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    places.push_back(keptOff(piece && place < piece->places.size()
+                                 ? piece->places[place].at(ball, theFieldDimensions->length / 2)
+                                 : table_.at(i, ball)));
+  }
+  return places;
+}
+
 void Formation::update(PlayerRole* thePlayerRole) {
   PlayerRole& role = *thePlayerRole;
   watchRestart(role);
@@ -99,15 +128,14 @@ void Formation::update(PlayerRole* thePlayerRole) {
   const std::vector<TeamMember> team = members(role);
   role.members = static_cast<int>(team.size());
 
-  std::vector<Vec2> places;
-  for (int i = 0; i < table_.size(); ++i) places.push_back(keptOff(table_.at(i, ball)));
+  const std::vector<Vec2> all = places();
   const Vec2 ownGoal(-theFieldDimensions->length / 2, 0);
-  const TeamPlan all = planTeam(team, ball, ownGoal, places, time, plan);
-  role.strikerNumber = all.strikerNumber;
+  const TeamPlan made = planTeam(team, ball, ownGoal, all, time, plan);
+  role.strikerNumber = made.strikerNumber;
   for (std::size_t i = 0; i < team.size(); ++i)
-    if (team[i].number == thePlayerInfo->number) role.role = all.roles[i];
+    if (team[i].number == thePlayerInfo->number) role.role = made.roles[i];
   if (role.supports()) {
-    const Vec2 place = places[static_cast<std::size_t>(role.role - PlayerRole::supporter)];
+    const Vec2 place = all[static_cast<std::size_t>(role.role - PlayerRole::supporter)];
     const Vec2 toBall = ball - place;
     role.place = Pose2(place, std::atan2(toBall.y(), toBall.x()));
   }

@@ -4,6 +4,7 @@
 #include "framework/Module.h"
 #include "modules/behavior/formation/FormationTable.h"
 #include "modules/behavior/formation/TeamPlan.h"
+#include "modules/behavior/setpiece/SetPieces.h"
 #include "representations/behavior/PlayerRole.h"
 #include "representations/communication/TeamReports.h"
 #include "representations/infrastructure/FieldDimensions.h"
@@ -41,7 +42,8 @@ MODULE(Formation)
 END_MODULE
 
 /// Gives each player its role and place. Every player works it out for itself, from what all have said, the
-/// own words among it as mates have heard them, so that all come to the same answer (planTeam).
+/// own words among it as mates have heard them, so that all come to the same answer (planTeam). Places are
+/// those of config/formation.yaml, in set pieces first those of config/set_pieces/.
 class Formation : public FormationBase {
 public:
   void init() override;
@@ -51,8 +53,13 @@ private:
   std::vector<TeamMember> members(const PlayerRole& before) const;
   Vec2 keptOff(const Vec2& place) const;
   void watchRestart(PlayerRole& role);
+  const SetPiece* setPiece();
+  std::vector<Vec2> places();
 
   FormationTable table_;
+  SetPieces pieces_;
+  const SetPiece* piece_ = nullptr;  ///< the one whose places hold
+  double pieceSeen_ = 0;             ///< its mode was the referee's last [s]
   PlayMode modeBefore_ = PlayMode::unknown;
   double takenAt_ = -1;  ///< when this player took a restart; negative: it did not [s]
 };

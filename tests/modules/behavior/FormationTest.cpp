@@ -109,6 +109,24 @@ TEST_F(FormationTest, allStayInTheirHalfUntilAKickOffIsTaken) {
   EXPECT_LT(role().place.position.x(), 0);
 }
 
+TEST_F(FormationTest, placesOfASetPieceHoldUntilItIsOver) {
+  harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(15, 10, 0), 0.5)};
+  harness.input<RobotPose>().pose = Pose2(12, 2, 0);
+  ballAt({15, 10});
+  harness.input<GameState>().playMode = PlayMode::cornerOwn;
+  const Vec2 nearPost = role().place.position;
+  EXPECT_EQ(nearPost, Vec2(13.6, 1.4)) << "config/set_pieces/cornerOwn.yaml";
+  harness.input<GameState>().playMode = PlayMode::playOn;
+  EXPECT_EQ(role().place.position, nearPost);
+  harness.input<FrameInfo>().time += 10;
+  EXPECT_NE(role().place.position, nearPost) << "the formation's own place";
+  // Any other mode ends it at once.
+  harness.input<GameState>().playMode = PlayMode::cornerOwn;
+  role();
+  harness.input<GameState>().playMode = PlayMode::offsideOwn;
+  EXPECT_NE(role().place.position, nearPost);
+}
+
 TEST_F(FormationTest, whoTookARestartWaitsUntilAnotherOneTouchesTheBall) {
   harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(-5, 0, 0), 6)};
   harness.input<RobotPose>().pose = Pose2(-0.2, 0, 0);

@@ -1,0 +1,80 @@
+#include "modules/behavior/SetPieceTaker.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+
+MAKE_MODULE(SetPieceTaker)
+
+namespace {
+
+constexpr double farMate = 6;  ///< a mate farther away receives nothing [m]
+
+double distanceToWay(const Vec2& point, const Vec2& from, const Vec2& to) {
+  const Vec2 way = to - from;
+  const double length = way.squaredNorm();
+  const double share = length > 1e-9 ? std::clamp((point - from).dot(way) / length, 0.0, 1.0) : 0;
+  return (point - from - share * way).norm();
+}
+
+}  // namespace
+
+void SetPieceTaker::init() {
+  pieces_ = SetPieces(config);
+  chosen_ = nullptr;
+}
+
+/// How free the ball's way is, less what keeps mates from its end [m].
+double SetPieceTaker::worth(const Vec2& end) const {
+  double clear = enough, mate = farMate;
+  for (const OtherRobot& robot : theOtherRobots->robots) {
+    if (robot.fallen) continue;
+    if (robot.mate)
+      mate = std::min(mate, (robot.position - end).norm());
+    else
+      clear = std::min(clear, distanceToWay(robot.position, theBallPos->field, end));
+  }
+  return clear - reception * mate;
+}
+
+const SetPiecePlace* SetPieceTaker::chooseKick(const SetPiece& piece) {
+  const auto at = [&](const SetPiecePlace& place) {
+    return worth(place.at(theBallPos->field, theFieldDimensions->length / 2));
+  };
+  const bool known = std::ranges::any_of(piece.kick, [&](const auto& place) { return &place == chosen_; });
+  const SetPiecePlace* best = known ? chosen_ : nullptr;
+  double most = best ? at(*best) + stays : 0;
+  for (const SetPiecePlace& place : piece.kick)
+    if (const double value = at(place); !best || value > most) {
+      best = &place;
+      most = value;
+    }
+  return best;
+}
+
+void SetPieceTaker::update(SetPieceOutput* theSetPieceOutput) {
+  BehaviorOutput& output = *theSetPieceOutput;
+  output.clear();
+  const SetPiece* piece = pieces_.of(theGameState->playMode);
+  output.active = piece && (!piece->kick.empty() || !piece->stand.empty()) && thePlayerRole->members > 1 &&
+                  thePlayerRole->role == PlayerRole::striker && thePlayerRole->mayTouchBall &&
+                  theRobotPose->valid && theBallPos->valid && theBallPos->age <= ballMaxAge;
+  if (!output.active) {
+    chosen_ = nullptr;
+    return;
+  }
+  const Vec2& ball = theBallPos->field;
+  if (!piece->kick.empty()) {
+    chosen_ = chooseKick(*piece);
+    output.skill = Skill::kick;
+    output.target = Pose2(chosen_->at(ball, theFieldDimensions->length / 2));
+    return;
+  }
+  const Vec2 place = piece->stand.front().at(ball, theFieldDimensions->length / 2);
+  const Vec2 toBall = ball - place;
+  output.skill = Skill::moveToPos;
+  output.target = Pose2(place, std::atan2(toBall.y(), toBall.x()));
+}
+
+}  // namespace plumbline

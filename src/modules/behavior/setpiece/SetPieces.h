@@ -1,0 +1,53 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "framework/Config.h"
+#include "math/Types.h"
+#include "representations/infrastructure/GameState.h"
+
+namespace plumbline {
+
+/// A place that a set piece names, by where the ball lies. Files say it for a ball on the left; for one on
+/// the right it is mirrored. Team's frame [m].
+struct SetPiecePlace {
+  enum class Frame {
+    field,    ///< x, y on the field
+    ball,     ///< from the ball: ahead (to the opponents' goal line), inwards (to the other side line)
+    ownGoal,  ///< from the ball: goalwards (on the line to the own goal), aside (to the left of that line)
+  };
+  Frame frame = Frame::field;
+  double first = 0, second = 0;
+
+  Vec2 at(const Vec2& ball, double halfLength) const;
+};
+
+/// What a team does in some play modes: one file of config/set_pieces/, which a coach edits.
+struct SetPiece {
+  std::string name;  ///< of the file
+  std::vector<PlayMode> modes;
+  std::vector<SetPiecePlace> kick;    ///< where the striker may kick the ball; empty: as in play
+  std::vector<SetPiecePlace> stand;   ///< at most one: where the striker waits at the opponents' restart
+  std::vector<SetPiecePlace> places;  ///< of the first supporters, instead of those of the formation
+  double lasts = 0;                   ///< places hold for so long after the mode has ended [s]
+};
+
+/// All files of config/set_pieces/. Throws ConfigurationError with file, line and key; a mode belongs to one
+/// file at most.
+class SetPieces {
+public:
+  SetPieces() = default;
+  explicit SetPieces(const Config& config);
+
+  /// Null: there is none for this mode.
+  const SetPiece* of(PlayMode mode) const;
+  const std::vector<SetPiece>& all() const { return pieces_; }
+
+private:
+  std::vector<SetPiece> pieces_;
+};
+
+/// One file's content. Throws ConfigurationError.
+SetPiece readSetPiece(const std::string& name, const ConfigSection& file);
+
+}  // namespace plumbline

@@ -1,0 +1,82 @@
+#include "modules/behavior/SetPieceTaker.h"
+
+#include <gtest/gtest.h>
+
+#include "support/ModuleHarness.h"
+
+using namespace plumbline;
+
+namespace {
+
+/// The striker of a team of eleven, with the project's own set pieces.
+struct SetPieceTakerTest : testing::Test {
+  SetPieceTakerTest() {
+    harness.input<RobotPose>().valid = true;
+    harness.input<BallPos>().valid = true;
+    harness.input<FieldDimensions>();
+    harness.input<OtherRobots>();
+    harness.input<GameState>().playMode = PlayMode::kickInOwn;
+    harness.input<PlayerRole>().role = PlayerRole::striker;
+    harness.input<PlayerRole>().members = 11;
+    harness.input<BallPos>().field = {0, 10};
+    harness.input<BallPos>().age = 0;
+  }
+  void add(bool mate, const Vec2& place) {
+    OtherRobot& robot = harness.input<OtherRobots>().robots.emplace_back();
+    robot.mate = mate;
+    robot.position = place;
+  }
+  const SetPieceOutput& output() {
+    harness.cycle();
+    return harness.output<SetPieceOutput>();
+  }
+  test::ModuleHarness<SetPieceTaker> harness;
+};
+
+TEST_F(SetPieceTakerTest, kicksWhereTheMateIs) {
+  add(true, {1.5, 5.5});
+  EXPECT_TRUE(output().active);
+  EXPECT_EQ(output().skill, Skill::kick);
+  EXPECT_EQ(output().target.position, Vec2(1.5, 5.5));
+}
+
+TEST_F(SetPieceTakerTest, kicksAroundAnOpponent) {
+  add(true, {1.5, 5.5});
+  add(true, {5.5, 9.0});
+  add(false, {0.8, 7.5});
+  EXPECT_EQ(output().target.position, Vec2(5.5, 9.0));
+}
+
+TEST_F(SetPieceTakerTest, keepsItsKickWhileNoOtherIsClearlyBetter) {
+  add(true, {1.5, 5.5});
+  const Vec2 first = output().target.position;
+  harness.input<OtherRobots>().robots[0].position = {3.1, 6.3};  // half-way to the next kick's end
+  EXPECT_EQ(output().target.position, first);
+}
+
+TEST_F(SetPieceTakerTest, waitsBetweenBallAndOwnGoalAtTheirRestart) {
+  harness.input<GameState>().playMode = PlayMode::freeKickOpponent;
+  harness.input<BallPos>().field = {-5, 0};
+  EXPECT_EQ(output().skill, Skill::moveToPos);
+  EXPECT_TRUE(output().target.position.isApprox(Vec2(-7.2, 0)));
+  EXPECT_NEAR(output().target.heading, 0, 1e-9) << "it faces the ball";
+}
+
+TEST_F(SetPieceTakerTest, isNothingForOthersInPlayOrAlone) {
+  harness.input<PlayerRole>().role = PlayerRole::supporter;
+  EXPECT_FALSE(output().active);
+  harness.input<PlayerRole>().role = PlayerRole::striker;
+  harness.input<PlayerRole>().mayTouchBall = false;
+  EXPECT_FALSE(output().active);
+  harness.input<PlayerRole>().mayTouchBall = true;
+  harness.input<PlayerRole>().members = 1;
+  EXPECT_FALSE(output().active);
+  harness.input<PlayerRole>().members = 11;
+  harness.input<GameState>().playMode = PlayMode::playOn;
+  EXPECT_FALSE(output().active);
+  harness.input<GameState>().playMode = PlayMode::kickInOwn;
+  harness.input<BallPos>().age = 10;
+  EXPECT_FALSE(output().active) << "a lost ball is searched by the striker";
+}
+
+}  // namespace
