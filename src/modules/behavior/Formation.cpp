@@ -103,6 +103,16 @@ const SetPiece* Formation::setPiece() {
   return piece_;
 }
 
+/// The nearest of the places is that of who blocks an opponent. The first two stay: they belong to the ball.
+void Formation::block(std::vector<Vec2>& places) const {
+  if (!theBlockPosition || !theBlockPosition->valid || places.size() < 3) return;
+  const auto nearest = std::ranges::min_element(places.begin() + 2, places.end(), {}, [&](const Vec2& place) {
+    return (place - theBlockPosition->position).norm();
+  });
+  if ((*nearest - theBlockPosition->position).norm() < blockReach)
+    *nearest = keptOff(theBlockPosition->position);
+}
+
 std::vector<Vec2> Formation::places() {
   const Vec2 ball = theBallPos->field;
   const SetPiece* piece = setPiece();
@@ -113,6 +123,7 @@ std::vector<Vec2> Formation::places() {
                                  ? piece->places[place].at(ball, theFieldDimensions->length / 2)
                                  : table_.at(i, ball)));
   }
+  if (!piece) block(places);
   return places;
 }
 

@@ -5,6 +5,7 @@
 #include "modules/behavior/formation/FormationTable.h"
 #include "modules/behavior/formation/TeamPlan.h"
 #include "modules/behavior/setpiece/SetPieces.h"
+#include "representations/behavior/BlockPosition.h"
 #include "representations/behavior/PlayerRole.h"
 #include "representations/communication/TeamReports.h"
 #include "representations/infrastructure/FieldDimensions.h"
@@ -28,6 +29,7 @@ MODULE(Formation)
   REQUIRES(BallPos)
   REQUIRES(OtherRobots)
   REQUIRES(TeamRobotPose)
+  REQUIRES_IF_PROVIDED(BlockPosition)
   PROVIDES(PlayerRole)
   PARAMETER_GROUP(TeamPlanParameters, plan, "who does what")
   PARAMETER_GROUP(TimeToBallParameters, time, "time to the ball")
@@ -35,6 +37,8 @@ MODULE(Formation)
             "a mate that says nothing takes part while it was seen within that time")
   PARAMETER(double, ballClearance, 1.3, "m", Range(0, 10), "supporters keep this far from the ball")
   PARAMETER(double, restartClearance, 2.3, "m", Range(0, 10), "the same at restarts of the opponent")
+  PARAMETER(double, blockReach, 4, "m", Range(0, 20),
+            "a supporter whose place is nearer to an opponent to be blocked than that blocks it")
   PARAMETER(double, kickReach, 0.5, "m", Range(0.1, 5),
             "who is this near to the ball when an own restart ends has taken it")
   PARAMETER(double, secondTouchWait, 4, "s", Range(0, 60),
@@ -55,6 +59,7 @@ private:
   void watchRestart(PlayerRole& role);
   const SetPiece* setPiece();
   std::vector<Vec2> places();
+  void block(std::vector<Vec2>& places) const;
 
   FormationTable table_;
   SetPieces pieces_;

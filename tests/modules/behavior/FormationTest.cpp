@@ -127,6 +127,20 @@ TEST_F(FormationTest, placesOfASetPieceHoldUntilItIsOver) {
   EXPECT_NE(role().place.position, nearPost);
 }
 
+TEST_F(FormationTest, theSupporterNearestToADangerousOpponentBlocksIt) {
+  harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(-5, 0, 0), 0.5),
+                                            reportOf(8, Pose2(-7, 0, 0), 3), reportOf(9, Pose2(-2, 0, 0), 4)};
+  harness.input<RobotPose>().pose = Pose2(-9, -1, 0);
+  ballAt({-5, 0});
+  BlockPosition& block = harness.input<BlockPosition>();
+  const Vec2 own = role().place.position;
+  block.valid = true;
+  block.position = own + Vec2(-1, -1);
+  EXPECT_TRUE(role().place.position.isApprox(block.position));
+  block.position = own + Vec2(0, -6);
+  EXPECT_TRUE(role().place.position.isApprox(own)) << "too far";
+}
+
 TEST_F(FormationTest, whoTookARestartWaitsUntilAnotherOneTouchesTheBall) {
   harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(-5, 0, 0), 6)};
   harness.input<RobotPose>().pose = Pose2(-0.2, 0, 0);
