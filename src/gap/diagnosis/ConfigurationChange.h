@@ -3,16 +3,16 @@
 
 namespace plumbline::gap {
 
-/// The base's causes, those that can be set in a servo (Effect::setting) taken out of the recordings that are
-/// predicted far better without them (Cause::notIn), values fitted anew: a servo that lost its settings with
-/// its supply, or was set otherwise on another day, is not the same robot in all recordings. What is not
-/// needed beside goes. The base itself where that holds for no recording or for all that show the cause, or
-/// gains little on the blocks for judging.
-Explanation withoutWhereNotSet(const Evaluator& evaluator, int jobs);
+/// A servo may lose its settings with its supply, or be configured in another way on another day. So causes
+/// that can be set in a servo (Effect::setting) become inactive (Cause::inactiveIn) in recordings that are
+/// predicted far better without them; values are fitted again, and causes that are no longer needed go.
+/// Returns the base itself where that holds for no recording, or for all that show the cause, or gains little
+/// on the blocks for judging.
+Explanation inactiveWhereNotSet(const Evaluator& evaluator, int jobs);
 
-/// The one cause that can be set in a servo and explains most where it need not have been set in every
-/// recording; none where no cause makes some recordings far better and others far worse. nominal: an
-/// evaluator without any cause.
-Explanation setInSomeRecordings(const Evaluator& nominal, int jobs);
+/// The one cause that can be set in a servo and explains most where it may be inactive in some recordings;
+/// none where no cause makes some recordings far better and others far worse. nominal: an evaluator without
+/// any cause.
+Explanation configurationOfSome(const Evaluator& nominal, int jobs);
 
 }  // namespace plumbline::gap

@@ -6,16 +6,16 @@
 
 namespace plumbline::gap {
 
-/// How many cycles a lost command's effect takes to show in a recording with a held base. A NAO's arm tells
+/// How readings of a recording with a fixed base respond to one lost command, in cycles. A NAO's arm shows it
 /// within three, a servo that swings a heavy pendulum within twenty.
-struct LossEcho {
-  static constexpr std::size_t leastTold = 6, leastOver = 10, reach = 80;
-  std::size_t told = leastTold;  ///< most losses have changed readings by twice the price by then
-  std::size_t over = leastOver;  ///< little of what they change comes later
+struct LossResponse {
+  static constexpr std::size_t minDetection = 6, minSettling = 10, reach = 80;
+  std::size_t detectionCycles = minDetection;  ///< until most losses changed readings by twice the price
+  std::size_t settlingCycles = minSettling;    ///< until most of what they change has come
 };
 
-/// price: of a loss, in squares over noise. Losses that never change more than four times that say nothing;
-/// where all are of that kind, the least there is.
-LossEcho lossEcho(const Plant& plant, const Evidence& evidence, std::size_t trial, double price);
+/// price: of a loss, in squares over noise. Losses that never change more than four times the price are not
+/// counted; without any other the result is the minimum.
+LossResponse lossResponse(const Plant& plant, const Evidence& evidence, std::size_t trial, double price);
 
 }  // namespace plumbline::gap

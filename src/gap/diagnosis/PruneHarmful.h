@@ -1,13 +1,14 @@
 #pragma once
+#include "gap/diagnosis/ForwardSelection.h"
 #include "gap/diagnosis/GapMeter.h"
-#include "gap/diagnosis/Growth.h"
 
 namespace plumbline::gap {
 
-/// Where a set of causes makes the gap on held-out motions larger than `before`, which it is without any:
-/// puts what stood for choice in a cause's place or takes a cause out, whichever predicts best, until it is
-/// not. Hung up, a force at a link and a shifted mass look alike; on the feet one of them topples the robot.
-/// Sets the evaluator's base; whether the set was changed.
-bool leaveOutHarm(Growth& growth, Evaluator& fine, const GapMeter& meter, double before, int jobs);
+/// Removes or replaces causes that make the gap on validation motions larger than `before`, the gap without
+/// any cause. Each step takes out a cause or puts another of its candidates in its place, whichever predicts
+/// best, until the gap is no larger. With a fixed base a force at a link and a shifted mass look alike; on
+/// the feet one of them topples the robot. Sets the evaluator's base. Returns whether the set was changed.
+bool pruneHarmful(ForwardSelection& selection, Evaluator& fine, const GapMeter& meter, double before,
+                  int jobs);
 
 }  // namespace plumbline::gap

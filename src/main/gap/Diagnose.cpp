@@ -140,8 +140,8 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   for (const Finding& finding : diagnosis.findings) {
     std::printf("  %-48s %5.1f %%  [%.3g, %.3g]  closes %.0f %% alone\n", describe(finding.cause).c_str(),
                 100 * finding.probability, finding.lower, finding.upper, 100 * finding.closedAlone);
-    if (const std::string notIn = describeNotIn(finding.cause); !notIn.empty())
-      std::printf("    %s\n", notIn.c_str());
+    if (const std::string inactiveIn = describeInactiveIn(finding.cause); !inactiveIn.empty())
+      std::printf("    %s\n", inactiveIn.c_str());
     for (const Rival& rival : finding.rivals)
       std::printf("    or %-45s %5.1f %%\n", describe(rival.cause).c_str(), 100 * rival.probability);
   }

@@ -1,4 +1,4 @@
-#include "gap/diagnosis/LossEcho.h"
+#include "gap/diagnosis/LossResponse.h"
 
 #include <gtest/gtest.h>
 
@@ -7,30 +7,30 @@
 namespace plumbline::gap {
 namespace {
 
-TEST(LossEchoTest, aStiffServoTellsAtOnce) {
+TEST(LossResponseTest, aStiffServoTellsAtOnce) {
   const Plant plant = nominalPlant(twoJointArm());
   const Evidence evidence(recordedTwice(plant, 5e-4, 0));
-  const LossEcho echo = lossEcho(plant, evidence, 0, 14);
-  EXPECT_EQ(echo.told, LossEcho::leastTold);
-  EXPECT_LT(echo.over, 50u);
+  const LossResponse response = lossResponse(plant, evidence, 0, 14);
+  EXPECT_EQ(response.detectionCycles, LossResponse::minDetection);
+  EXPECT_LT(response.settlingCycles, 50u);
 }
 
-TEST(LossEchoTest, aHeavyPendulumSwingsOn) {
+TEST(LossResponseTest, aHeavyPendulumSwingsOn) {
   const Plant plant = nominalPlant(pendulum());
   const Evidence evidence(pendulumRecordedTwice(plant, 0));
-  const LossEcho echo = lossEcho(plant, evidence, 0, 14);
-  EXPECT_GT(echo.told, 9u);
-  EXPECT_LT(echo.told, 30u);
-  EXPECT_GT(echo.over, 30u);
-  EXPECT_LT(echo.over, LossEcho::reach);
+  const LossResponse response = lossResponse(plant, evidence, 0, 14);
+  EXPECT_GT(response.detectionCycles, 9u);
+  EXPECT_LT(response.detectionCycles, 30u);
+  EXPECT_GT(response.settlingCycles, 30u);
+  EXPECT_LT(response.settlingCycles, LossResponse::reach);
 }
 
-TEST(LossEchoTest, lossesThatDoNotShowSayNothing) {
+TEST(LossResponseTest, lossesThatDoNotShowSayNothing) {
   const Plant plant = nominalPlant(pendulum());
   const Evidence evidence(pendulumRecordedTwice(plant, 0));
-  const LossEcho echo = lossEcho(plant, evidence, 0, 1e9);
-  EXPECT_EQ(echo.told, LossEcho::leastTold);
-  EXPECT_EQ(echo.over, LossEcho::leastOver);
+  const LossResponse response = lossResponse(plant, evidence, 0, 1e9);
+  EXPECT_EQ(response.detectionCycles, LossResponse::minDetection);
+  EXPECT_EQ(response.settlingCycles, LossResponse::minSettling);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "gap/diagnosis/Harm.h"
+#include "gap/diagnosis/PruneHarmful.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,9 @@ namespace plumbline::gap {
 namespace {
 
 /// Recordings of an arm whose elbow has dry friction of 0.08 N m, and a set of causes to be looked at.
-struct HarmTest : ::testing::Test {
-  HarmTest() : evidence(trials()), fine(arm, evidence), coarse(arm, evidence, coarseSteps()), meter(fine) {}
+struct PruneHarmfulTest : ::testing::Test {
+  PruneHarmfulTest()
+      : evidence(trials()), fine(arm, evidence), coarse(arm, evidence, coarseSteps()), meter(fine) {}
 
   static Cause dryFriction() { return causeOfArm("coulomb_friction", "elbow", 0.08); }
   static std::vector<Trial> trials() {
@@ -29,56 +30,56 @@ struct HarmTest : ::testing::Test {
     for (const Cause& cause : causes) list.push_back({.cause = cause, .fit = {}});
     return list;
   }
-  bool leaveOut(double before) { return leaveOutHarm(growth, fine, meter, before, 1); }
+  bool leaveOut(double before) { return pruneHarmful(selection, fine, meter, before, 1); }
 
   const Mechanism arm = twoJointArm();
   const Evidence evidence;
   Evaluator fine, coarse;
   const GapMeter meter;
   const DiagnosisOptions options;
-  Growth growth{fine, coarse, options};
+  ForwardSelection selection{fine, coarse, options};
   const double before = gapOf({});
   const Cause friction = dryFriction(), harmful = causeOfArm("bias_force", "elbow", 0.9),
               harmless = causeOfArm("bias_force", "shoulder", 1e-4);
 };
 
-TEST_F(HarmTest, whatHelpsStaysAsItIs) {
-  growth.causes = {friction};
-  growth.choices = {choiceOf({friction, harmless})};
+TEST_F(PruneHarmfulTest, whatHelpsStaysAsItIs) {
+  selection.causes = {friction};
+  selection.choices = {choiceOf({friction, harmless})};
   EXPECT_FALSE(leaveOut(before));
-  EXPECT_EQ(growth.causes, Explanation{friction});
-  EXPECT_EQ(growth.choices[0].size(), 2u);
-  EXPECT_EQ(fine.base(), growth.causes);
+  EXPECT_EQ(selection.causes, Explanation{friction});
+  EXPECT_EQ(selection.choices[0].size(), 2u);
+  EXPECT_EQ(fine.base(), selection.causes);
 }
 
-TEST_F(HarmTest, whatWorsensGivesWayToWhatStoodForChoice) {
-  growth.causes = {harmful};
-  growth.choices = {choiceOf({harmful, harmless, friction})};
-  ASSERT_GT(gapOf(growth.causes), 2 * before);
+TEST_F(PruneHarmfulTest, whatWorsensGivesWayToWhatStoodForChoice) {
+  selection.causes = {harmful};
+  selection.choices = {choiceOf({harmful, harmless, friction})};
+  ASSERT_GT(gapOf(selection.causes), 2 * before);
   EXPECT_TRUE(leaveOut(before));
-  EXPECT_EQ(growth.causes, Explanation{friction});
-  ASSERT_EQ(growth.choices.size(), 1u);
-  ASSERT_EQ(growth.choices[0].size(), 2u);  // as they fit now; what was tried and harms is not among them
-  EXPECT_EQ(growth.choices[0][0].cause, friction);
-  EXPECT_NEAR(growth.choices[0][0].fit.judging, fine.baseFit().judging, 1e-6);
+  EXPECT_EQ(selection.causes, Explanation{friction});
+  ASSERT_EQ(selection.choices.size(), 1u);
+  ASSERT_EQ(selection.choices[0].size(), 2u);  // as they fit now; what was tried and harms is not among them
+  EXPECT_EQ(selection.choices[0][0].cause, friction);
+  EXPECT_NEAR(selection.choices[0][0].fit.judging, fine.baseFit().judging, 1e-6);
   EXPECT_LT(meter.under(fine), 0.2 * before);
 }
 
-TEST_F(HarmTest, whatWorsensGoesAndTheRestStays) {
-  growth.causes = {friction, harmful};
-  growth.choices = {choiceOf({friction}), choiceOf({harmful})};
+TEST_F(PruneHarmfulTest, whatWorsensGoesAndTheRestStays) {
+  selection.causes = {friction, harmful};
+  selection.choices = {choiceOf({friction}), choiceOf({harmful})};
   EXPECT_TRUE(leaveOut(before));
-  EXPECT_EQ(growth.causes, Explanation{friction});
-  ASSERT_EQ(growth.choices.size(), 1u);
-  EXPECT_EQ(growth.choices[0][0].cause, friction);
+  EXPECT_EQ(selection.causes, Explanation{friction});
+  ASSERT_EQ(selection.choices.size(), 1u);
+  EXPECT_EQ(selection.choices[0][0].cause, friction);
 }
 
-TEST_F(HarmTest, nothingIsLeftWhereAllWorsens) {
-  growth.causes = {harmful};
-  growth.choices = {{}};
+TEST_F(PruneHarmfulTest, nothingIsLeftWhereAllWorsens) {
+  selection.causes = {harmful};
+  selection.choices = {{}};
   EXPECT_TRUE(leaveOut(before));
-  EXPECT_TRUE(growth.causes.empty());
-  EXPECT_TRUE(growth.choices.empty());
+  EXPECT_TRUE(selection.causes.empty());
+  EXPECT_TRUE(selection.choices.empty());
   EXPECT_EQ(meter.under(fine), before);
 }
 
