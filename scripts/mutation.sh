@@ -33,7 +33,11 @@ results=$out/results.txt
 mkdir -p "$out"
 touch "$results"
 tested=$(find tests -mindepth 2 -name '*.cpp' | cut -d/ -f2 | LC_ALL=C sort -u | sed 's#.*#^src/&/#' | paste -sd'|')
-shuffled() { shuf --random-source=<(yes "$seed"); }
+# Lines in an order that the seed draws (Park and Miller's generator).
+shuffled() {
+  awk -v s="$seed" 'function next_() { return s = s * 48271 % 2147483647 }
+    BEGIN { s = s % 2147483646 + 1; for (i = 0; i < 10; ++i) next_() } { printf "%d\t%s\n", next_(), $0 }' | LC_ALL=C sort -n | cut -f2-
+}
 
 # All that there is to try, in an order that the seed draws: kind, file, line, column, from, to.
 mutants() {
@@ -79,7 +83,7 @@ refresh() {
   local file
   mkdir -p "$tree/bin"
   find configure.sh CMakeLists.txt CMakePresets.json cmake scripts src utils config tests -type f ! -path 'tests/data/*' | while read -r file; do
-    cmp -s "$file" "$tree/$file" || { mkdir -p "$tree/${file%/*}" && cp "$file" "$tree/$file"; }
+    cmp -s "$file" "$tree/$file" || { mkdir -p "$(dirname "$tree/$file")" && cp "$file" "$tree/$file"; }
   done
   (cd "$tree" && find src tests -type f ! -path 'tests/data/*') | while read -r file; do [[ -e $file ]] || rm "$tree/$file"; done
   ln -sfn "$PWD/tests/data" "$tree/tests/data"
