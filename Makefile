@@ -35,7 +35,7 @@ bin/%: force
 	@scripts/build.sh SimRelease $*
 .PHONY: force
 
-.PHONY: default all help packages run match web pictures test bench fuzz faults kills soak thread coverage install deb results format format-check tidy check clean bench-live soak-live
+.PHONY: default all help packages run match web pictures test bench fuzz faults kills soak thread coverage mutation install deb results format format-check tidy check clean bench-live soak-live
 default: $(defaultTarget)
 all: $(configuredTargets)
 
@@ -217,6 +217,12 @@ thread: packages
 
 coverage: packages
 	@scripts/coverage.sh $(AREAS)
+
+# Whether the tests notice wrong code: one changed place of src/ at a time. FOLDERS="walking gap/replay" for some, MOST, SEED,
+# OPERATORS and LONG: scripts/mutation.sh --help. Goes on where it was ended; writes doc/results/mutation.md.
+mutation: packages
+	@$(foreach v,MOST SEED OPERATORS LONG,$(if $($v),$v=$($v))) scripts/mutation.sh $(FOLDERS)
+	@$(foreach v,SEED OPERATORS,$(if $($v),$v=$($v))) scripts/mutation.sh --report
 
 format:
 	@scripts/format.sh

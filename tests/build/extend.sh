@@ -25,9 +25,10 @@ takeBlocks() {
     /^```$/ && inside { inside = 0; close(out); file = ""; next }
     inside { print > out }' "$1"
 }
-for page in module behaviour rule; do takeBlocks "doc/how-to/add-a-$page.md"; done
+for page in module behaviour platform rule; do takeBlocks "doc/how-to/add-a-$page.md"; done
 for page in effect engine optimiser; do takeBlocks "doc/how-to/add-an-$page.md"; done
-expectEqual "$(cd "$ours" && find . -name '*.cpp' | wc -l)" 8 "sources in the pages"
+expectEqual "$(cd "$ours" && find . -name '*.cpp' | wc -l)" 9 "sources in the pages"
+awk '/^```text$/ { inside = 1; next } /^```$/ { inside = 0 } inside' doc/how-to/add-a-platform.md > "$scratch/still.cfg"
 awk '/^```json$/ { inside = 1; next } /^```$/ { inside = 0 } inside' doc/how-to/add-a-robot.md > "$scratch/arm.json"
 
 # A folder that is none of src/ would be left out: it is an error.
@@ -54,6 +55,13 @@ for name in BallSpeedEstimator BallSpeed Cheer CheerOutput SkillWave SkillWaveOu
 done
 "$bin/agent" --parameters > "$scratch/parameters" || fail "agent --parameters"
 grep -q 'that a bow takes' "$scratch/parameters" || fail "the motion's parameter is not on the page of parameters"
+
+# The platform runs an agent: a motion is played to its end.
+mkdir "$tree/config/platforms/still"
+cp "$scratch/still.cfg" "$tree/config/platforms/still/modules.cfg"
+timeout 300 "$bin/agent" --platform still --cycle 0.04 --motion wave --once --stats "$scratch/stats.json" > "$scratch/log" 2>&1 || fail "the platform: $(cat "$scratch/log")"
+(($(sed -n 's/.*"cycles": *\([0-9]*\).*/\1/p' "$scratch/stats.json") > 50)) || fail "the platform's agent: $(cat "$scratch/stats.json")"
+expectError 2 'agent: --platform stil: there is no such platform; did you mean "still"?' "$bin/agent" --platform stil
 
 # The effect is listed, and found in a recording of the robot that has it.
 "$bin/gap" effects --robot "$scratch/arm.json" > "$scratch/effects" || fail "gap effects"

@@ -120,7 +120,7 @@ TEST(DiagnosisTest, aLimitThatWasNotSetInOneRecording) {
   const Diagnosis diagnosis = diagnosisOf(limited({30, 0}));
   expectCause(diagnosis, "acceleration_limit", "*", 30, 0.5);
   ASSERT_FALSE(diagnosis.findings.empty());
-  EXPECT_EQ(diagnosis.findings[0].cause.notIn, std::vector<std::string>{"tuesday"});
+  EXPECT_EQ(diagnosis.findings[0].cause.inactiveIn, std::vector<std::string>{"tuesday"});
 }
 
 TEST(DiagnosisTest, aGearAsSoftAsASpring) {

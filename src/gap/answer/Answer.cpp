@@ -40,8 +40,8 @@ std::string sentenceOf(const Cause& cause) {
   std::string text(cause.effect->sentence);
   const std::string place = cause.place.at == "*" ? "every joint" : cause.place.at;
   for (std::size_t at = 0; (at = text.find("{at}")) != std::string::npos;) text.replace(at, 4, place);
-  const std::string notIn = describeNotIn(cause);
-  return notIn.empty() ? text : text + " It was " + notIn + ".";
+  const std::string inactiveIn = describeInactiveIn(cause);
+  return inactiveIn.empty() ? text : text + " It was " + inactiveIn + ".";
 }
 
 json findingJson(const Finding& finding) {
@@ -52,7 +52,7 @@ json findingJson(const Finding& finding) {
   j["closed_alone"] = number(finding.closedAlone, 4);
   j["closed_last"] = number(finding.closedLast, 4);
   j["sentence"] = sentenceOf(finding.cause);
-  if (!finding.cause.notIn.empty()) j["not_in"] = finding.cause.notIn;
+  if (!finding.cause.inactiveIn.empty()) j["not_in"] = finding.cause.inactiveIn;
   const auto& variants = finding.cause.effect->variants;
   j["variant"] =
       variants.empty() ? json(nullptr) : json(variants[static_cast<std::size_t>(finding.cause.variant)]);
@@ -202,8 +202,9 @@ std::string suggestion(const Diagnosis& diagnosis, const Evidence& evidence) {
            "place, speed, "
            "load or time shows so." +
            again;
-  return "To make the value surer: " + std::string(diagnosis.findings.front().cause.effect->exposedBy) +
-         " at " + diagnosis.findings.front().cause.place.at + "." + again;
+  return "To make the value more certain: " +
+         std::string(diagnosis.findings.front().cause.effect->exposedBy) + " at " +
+         diagnosis.findings.front().cause.place.at + "." + again;
 }
 
 std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Evaluator& evaluator) {

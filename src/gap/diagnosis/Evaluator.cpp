@@ -14,8 +14,8 @@ namespace {
 /// What doubt in a prediction costs: a wide guess is right more often and worth less.
 double doubt(double own, double weight) { return weight == own ? 0 : std::log(own / weight); }
 
-/// On the feet a foot that slips or lands a moment too late leads a whole run astray: beyond a limit the
-/// squares of a block count by their logarithm.
+/// On a floating base, a foot that slips or lands a moment too late changes the rest of the run. So beyond a
+/// limit the squares of a block count by their logarithm.
 class Squares {
 public:
   explicit Squares(bool freeBase_) : freeBase(freeBase_) {}
@@ -34,16 +34,16 @@ private:
   bool freeBase;
 };
 
-/// Mean square of a walk's half-seconds but for the worst sixth: a step that comes down otherwise in the
-/// replay takes the rest of its piece astray, and says nothing of what is wrong in all the others.
-double meanBesideAstray(const std::vector<Squares>& blocks) {
-  constexpr double astray = 1 / 6.0;
+/// Mean square of a walk's half-seconds without the worst sixth: a step that lands in another way in the
+/// replay spoils the rest of its piece, and says nothing about what is wrong in all the others.
+double meanWithoutWorst(const std::vector<Squares>& blocks) {
+  constexpr double worst = 1 / 6.0;
   std::vector<double> means;
   for (const Squares& block : blocks)
     if (!block.empty()) means.push_back(block.mean());
   if (means.empty()) return std::nan("");
   std::ranges::sort(means);
-  means.resize(means.size() - static_cast<std::size_t>(astray * static_cast<double>(means.size())));
+  means.resize(means.size() - static_cast<std::size_t>(worst * static_cast<double>(means.size())));
   return std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(means.size());
 }
 
@@ -106,7 +106,7 @@ void Evaluator::setLostCycles(std::vector<std::vector<std::uint8_t>> cycles) {
   setBase(Explanation(causes));
 }
 
-void Evaluator::leaveStandingOut(bool out) {
+void Evaluator::leaveFloatingBaseOut(bool out) {
   standingOut = out;
   predictions.clear();
   setBase({});
@@ -143,7 +143,7 @@ void Evaluator::replayBase(const Explanation& explanation) {
     }
     ReplayOptions options = optionsOf(t, causes);
     if (partly && !trial.freeBase) options.joints = joints;
-    Prediction fresh = replayForetold(basePlants[t], trial, options);
+    Prediction fresh = predictEnsemble(basePlants[t], trial, options);
     if (options.joints.empty()) {
       predictions[t] = std::move(fresh);
       continue;
@@ -174,7 +174,7 @@ void Evaluator::setBase(const Explanation& explanation) {
         mean.add(k, w, r);
       });
       for (std::size_t b = 0; b < blocks.size(); ++b) baseSquares.squares[first + b] += blocks[b].counted();
-      perSignal[s] = trial.restarts.empty() ? mean.mean() : meanBesideAstray(blocks);
+      perSignal[s] = trial.restarts.empty() ? mean.mean() : meanWithoutWorst(blocks);
     }
   }
   for (std::size_t b = 0; b < data.numBlocks(); ++b)
@@ -220,7 +220,7 @@ Prediction Evaluator::changed(std::size_t t, const Cause& cause) const {
     if (options.joints.empty()) return {};
   }
   if ((cause.effect->decoded || losesCommands(causes)) && !lost[t].empty()) options.lostCycles = &lost[t];
-  return replayForetold(plant, trial, options);
+  return predictEnsemble(plant, trial, options);
 }
 
 void Evaluator::addChange(const Prediction& candidate, std::size_t t, std::size_t s, Fit& fit) const {
@@ -292,7 +292,7 @@ std::vector<Prediction> Evaluator::played(const Explanation& explanation) const 
     const Trial& trial = data.trials()[t];
     ReplayOptions options = optionsOf(t, explanation);
     if (!trial.freeBase) options.joints = joints;
-    candidates[t] = replayForetold(plantOf(trial, explanation), trial, options);
+    candidates[t] = predictEnsemble(plantOf(trial, explanation), trial, options);
   }
   return candidates;
 }

@@ -54,9 +54,9 @@ public:
   std::vector<int> jointsTouched(const Cause& cause) const;
   /// Leaves the runs on the feet out, as if there were none, or takes them in again. The base is nominal
   /// then.
-  void leaveStandingOut(bool out);
-  bool hasStanding() const { return standingRuns && !standingOut; }
-  bool hasHeld() const { return heldRuns; }
+  void leaveFloatingBaseOut(bool out);
+  bool hasFloatingBase() const { return standingRuns && !standingOut; }
+  bool hasFixedBase() const { return heldRuns; }
   /// Mean weighted square of the residuals of a signal in a trial under the base, but for what a lead or lag
   /// of 0.2 ms explains (with a held base); 1 where only noise is left, NaN where nothing was compared.
   double chi(std::size_t trial, std::size_t signal) const;

@@ -17,10 +17,10 @@ std::string describe(const Cause& cause) {
   return text;
 }
 
-std::string describeNotIn(const Cause& cause) {
-  if (cause.notIn.empty()) return "";
+std::string describeInactiveIn(const Cause& cause) {
+  if (cause.inactiveIn.empty()) return "";
   std::string names;
-  for (const std::string& recording : cause.notIn) {
+  for (const std::string& recording : cause.inactiveIn) {
     const std::filesystem::path folder(recording);
     names += (names.empty() ? "" : ", ") +
              (folder.has_filename() ? folder : folder.parent_path()).filename().string();
@@ -76,7 +76,7 @@ Plant plantOf(const Trial& trial, const Explanation& causes) {
 }
 
 bool inForce(const Cause& cause, const Trial& trial) {
-  return std::ranges::find(cause.notIn, trial.recording) == cause.notIn.end();
+  return std::ranges::find(cause.inactiveIn, trial.recording) == cause.inactiveIn.end();
 }
 
 }  // namespace plumbline::gap

@@ -14,7 +14,7 @@ struct Cause {
   double value = 0;
   int variant = 0;
   /// Recordings (Trial::recording) without it: a servo may have been set otherwise there.
-  std::vector<std::string> notIn = {};
+  std::vector<std::string> inactiveIn = {};
 
   bool operator==(const Cause&) const = default;
   bool sameKind(const Cause& other) const { return effect == other.effect && place == other.place; }
@@ -23,7 +23,7 @@ struct Cause {
 /// For people: "backlash at LKneePitch = 0.031 rad".
 std::string describe(const Cause& cause);
 /// For people, where a cause was not in force in every recording: "not set in multisine"; else empty.
-std::string describeNotIn(const Cause& cause);
+std::string describeInactiveIn(const Cause& cause);
 
 /// A set of causes that together are to explain the data.
 using Explanation = std::vector<Cause>;

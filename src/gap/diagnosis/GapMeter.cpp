@@ -6,15 +6,15 @@
 #include <numeric>
 #include <set>
 
-#include "gap/diagnosis/Suspects.h"
+#include "gap/diagnosis/DeviatingJoints.h"
 
 namespace plumbline::gap {
 
 namespace {
 
-constexpr double shows = 0.35;      // mean square beyond noise from which a channel counts
-constexpr double asFar = 0.1;       // of the excess on the feet: held runs that show as much tell the cause
-constexpr double mostBlocks = 0.8;  // on the feet: the rest may have gone astray
+constexpr double shows = 0.35;  // mean square beyond noise from which a channel counts
+constexpr double asFar = 0.1;   // of the excess on the feet: runs on a fixed base that show as much decide
+constexpr double mostBlocks = 0.8;  // on the feet: the rest may follow a foot that slipped
 // Of a joint that sticks: in one that let go too late in MuJoCo 2.8 % of the half-seconds were off, in those
 // with a cause outside the library 15 % and more.
 constexpr double stuckBlocks = 0.03;
@@ -56,7 +56,7 @@ WorstGap worstGap(const Evaluator& evaluator, std::optional<bool> standing) {
   return worst;
 }
 
-double gapOnFeet(const Evaluator& evaluator) {
+double gapOnFloatingBase(const Evaluator& evaluator) {
   double worst = 0;
   for (auto& [name, squares] : squaresByBlock(evaluator, true)) {
     const auto at =
@@ -67,7 +67,7 @@ double gapOnFeet(const Evaluator& evaluator) {
   return worst;
 }
 
-double gapHeld(const Evaluator& evaluator) {
+double gapOnFixedBase(const Evaluator& evaluator) {
   std::set<std::string> sticking;
   for (const Cause& cause : evaluator.base())
     if (cause.effect->sticks) sticking.insert("pos." + cause.place.at);
@@ -89,13 +89,13 @@ double gapHeld(const Evaluator& evaluator) {
   return worst;
 }
 
-bool heldRunsTell(const Evaluator& evaluator) {
+bool fixedBaseDecides(const Evaluator& evaluator) {
   const double held = std::ranges::max(jointExcess(evaluator, false)),
                standing = std::ranges::max(jointExcess(evaluator, true));
   return held >= asFar * standing;
 }
 
-WorstGap worstHeldOffset(const Evaluator& evaluator) {
+WorstGap worstRestOffset(const Evaluator& evaluator) {
   struct Sum {
     double residual = 0, n = 0;
   };

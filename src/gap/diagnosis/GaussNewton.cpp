@@ -138,7 +138,7 @@ private:
 
 GaussNewtonFit gaussNewton(const Evaluator& evaluator, const Explanation& causes,
                            const std::vector<std::size_t>& group, int jobs) {
-  if (evaluator.hasStanding()) throw std::logic_error("gaussNewton: runs on the feet have no slopes");
+  if (evaluator.hasFloatingBase()) throw std::logic_error("gaussNewton: runs on the feet have no slopes");
   return Steps(evaluator, causes, group, jobs).run();
 }
 

@@ -7,7 +7,7 @@ namespace plumbline::gap {
 struct GaussNewtonFit {
   Explanation causes;
   double fitting = 0;    ///< sum of squares on the blocks for fitting
-  bool settled = false;  ///< the last step changed next to nothing, as foretold
+  bool settled = false;  ///< the last step changed next to nothing, as predicted
 };
 
 /// Values of some of the causes (indices in group) fitted together by damped Gauss-Newton steps in the

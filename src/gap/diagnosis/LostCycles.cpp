@@ -5,7 +5,7 @@
 
 #include "framework/Parallel.h"
 #include "gap/diagnosis/LossDecoder.h"
-#include "gap/diagnosis/LossEcho.h"
+#include "gap/diagnosis/LossResponse.h"
 
 namespace plumbline::gap {
 
@@ -26,15 +26,15 @@ public:
         t(t_),
         trial(evidence_.trials()[t_]),
         plant(plantOf(trial, causes)),
-        echo(lossEcho(plant, evidence_, t_, cycleGain)),
+        response(lossResponse(plant, evidence_, t_, cycleGain)),
         lost(trial.cycles(), 0),
         gains(trial.cycles(), 0),
         seen(trial.cycles(), 0),
         offTime(trial.cycles(), 0) {
     // Where a loss takes long to show, much else can be told as losses; that repeats agree tells these apart,
     // and saves the time.
-    if (echo.told > LossEcho::leastTold && repeatsAgree(evidence.trials())) return;
-    lost = decodeLosses(plant, evidence, t, cycleGain, echo.told);
+    if (response.detectionCycles > LossResponse::minDetection && repeatsAgree(evidence.trials())) return;
+    lost = decodeLosses(plant, evidence, t, cycleGain, response.detectionCycles);
     for (int round = 0; round < rounds; ++round) {
       tryAll();
       if (!changeBest()) break;
@@ -59,11 +59,11 @@ private:
   void tryAll() {
     const Prediction base = played(lost);
     // What two cycles that are tried in one replay change does not mix.
-    for (std::size_t offset = 0; offset < echo.over; ++offset) {
+    for (std::size_t offset = 0; offset < response.settlingCycles; ++offset) {
       std::vector<std::uint8_t> tried = lost;
-      for (std::size_t k = offset; k < tried.size(); k += echo.over) tried[k] ^= 1;
+      for (std::size_t k = offset; k < tried.size(); k += response.settlingCycles) tried[k] ^= 1;
       const Prediction other = played(tried);
-      for (std::size_t k = offset; k < tried.size(); k += echo.over) weigh(k, base, other);
+      for (std::size_t k = offset; k < tried.size(); k += response.settlingCycles) weigh(k, base, other);
     }
   }
 
@@ -72,7 +72,7 @@ private:
     for (std::size_t s = 0; s < trial.signals.size(); ++s) {
       if (trial.signals[s].joint < 0 || base.values[s].empty()) continue;
       const auto& weights = evidence.weights(t, s);
-      for (std::size_t i = k + 1; i < std::min(k + echo.over, trial.cycles()); ++i) {
+      for (std::size_t i = k + 1; i < std::min(k + response.settlingCycles, trial.cycles()); ++i) {
         if (weights[i] <= 0 || !std::isfinite(base.values[s][i])) continue;
         const double r = trial.signals[s].values[i] - base.values[s][i];
         const double d = other.values[s][i] - base.values[s][i];
@@ -106,7 +106,7 @@ private:
   const std::size_t t;
   const Trial& trial;
   const Plant plant;
-  const LossEcho echo;
+  const LossResponse response;
   std::vector<std::uint8_t> lost;
   std::vector<double> gains, seen;
   std::vector<double>

@@ -62,7 +62,7 @@ double leftPerDirection(const Evaluator& evaluator) {
   return directions > 0 ? std::max(0.0, excess(evaluator)) / directions : 0;
 }
 
-Standing::Standing(const Evaluator& evaluator)
+AcceptanceTest::AcceptanceTest(const Evaluator& evaluator)
     : fit(evaluator.baseFit()), worst(worstGap(evaluator)), unexplained(excess(evaluator)) {
   worstHasCause = std::ranges::any_of(
       evaluator.base(), [&](const Cause& cause) { return worst.signal == "pos." + cause.place.at; });
@@ -72,7 +72,7 @@ Standing::Standing(const Evaluator& evaluator)
 
 /// What engines do otherwise in all channels is much, together: another cause may tell in one alone. At a
 /// joint that has a cause already, what is left there may be what that does otherwise.
-bool Standing::explainsWorst(const Evaluator& evaluator, double leastPart) const {
+bool AcceptanceTest::explainsWorst(const Evaluator& evaluator, double leastPart) const {
   if (worstHasCause) return false;
   double left = 0;
   evaluator.forEachChannel([&](const Trial&, const Signal& signal, double chi) {
@@ -81,7 +81,7 @@ bool Standing::explainsWorst(const Evaluator& evaluator, double leastPart) const
   return left <= (1 - leastPart) * worst.size * worst.size;
 }
 
-bool Standing::betteredBy(const Evaluator& evaluator, double leastPart) const {
+bool AcceptanceTest::passes(const Evaluator& evaluator, double leastPart) const {
   const double gain = fit.judging - evaluator.baseFit().judging;
   // Real robots have more than one thing missing: the worst channel may wait for the next cause.
   const bool lowers =

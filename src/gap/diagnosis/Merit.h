@@ -16,17 +16,17 @@ double excess(const Evaluator& evaluator);
 /// is chance.
 double leftPerDirection(const Evaluator& evaluator);
 
-/// Where an evaluator's base stands: what an added cause has to better.
-class Standing {
+/// Decides whether a further cause is accepted, against the fit of the evaluator's base before it was added.
+class AcceptanceTest {
 public:
-  explicit Standing(const Evaluator& evaluator);
+  explicit AcceptanceTest(const Evaluator& evaluator);
   double judging() const { return fit.judging; }
 
-  /// Whether the evaluator's present base earns the place of what was added to it: it lowers the worst
-  /// channel or a good part of the whole, by no accident of a few blocks, and changes something visibly.
-  /// leastPart: of the squares beyond noise, in all or in the worst channel where no cause is yet, that it
-  /// has to explain.
-  bool betteredBy(const Evaluator& evaluator, double leastPart = 0) const;
+  /// Whether the evaluator's present base passes. It has to lower the worst channel or a good part of the
+  /// whole, on more than a few blocks, and to change a prediction by more than noise hides. leastPart: share
+  /// of the squares beyond noise that it has to explain, in all or in the worst channel where no cause is
+  /// yet.
+  bool passes(const Evaluator& evaluator, double leastPart = 0) const;
 
 private:
   bool explainsWorst(const Evaluator& evaluator, double leastPart) const;

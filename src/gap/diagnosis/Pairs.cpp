@@ -65,7 +65,7 @@ std::vector<Signature> signatures(const Evaluator& evaluator, int jobs) {
     const auto same = [&](const Signature& s) {
       return s.cause.sameKind(start) && s.cause.variant == start.variant && below(s.cause) == below(start);
     };
-    if (anyHunts(plantOf(evaluator.mechanism(), {start})) || std::ranges::any_of(list, same)) continue;
+    if (anyLimitCycle(plantOf(evaluator.mechanism(), {start})) || std::ranges::any_of(list, same)) continue;
     list.push_back({start, {}});
   }
   const double whole = evaluator.baseFit().fitting;

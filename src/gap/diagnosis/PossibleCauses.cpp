@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gap/diagnosis/Suspects.h"
+#include "gap/diagnosis/DeviatingJoints.h"
 #include "gap/diagnosis/UnderLoad.h"
 #include "gap/replay/Ensemble.h"
 
@@ -16,19 +16,20 @@ bool measured(const Evidence& data, SignalKind a, SignalKind b) {
   });
 }
 
-/// Whether a cause would let a joint hunt at which the base has a cause already: the doubt that hunting
-/// leaves would excuse whatever that one does not explain.
+/// Whether a cause would bring a limit cycle to a joint at which the base has a cause already: the
+/// uncertainty of the limit cycle would excuse whatever that cause does not explain.
 bool wouldExcuse(const Cause& cause, const Evaluator& evaluator) {
   const auto there = [&](const Cause& other) { return other.place == cause.place; };
   if (cause.place.site != Site::joint || std::ranges::none_of(evaluator.base(), there)) return false;
-  return hunts(plantOf(evaluator.mechanism(), {cause}).joints[static_cast<std::size_t>(cause.place.index)]);
+  return hasLimitCycle(
+      plantOf(evaluator.mechanism(), {cause}).joints[static_cast<std::size_t>(cause.place.index)]);
 }
 
 }  // namespace
 
 std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
   const Mechanism& robot = evaluator.mechanism();
-  const Suspects suspects(evaluator);
+  const DeviatingJoints suspects(evaluator);
   const UnderLoad underLoad(evaluator);
   const bool imu = measured(evaluator.evidence(), SignalKind::gyro, SignalKind::accelerometer);
   const bool forces = measured(evaluator.evidence(), SignalKind::force, SignalKind::force);
@@ -40,17 +41,17 @@ std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
       case Site::foot:
         return forces;
       case Site::ground:
-        return evaluator.hasStanding();
+        return evaluator.hasFloatingBase();
       case Site::everywhere:
         // A servo's own effect is looked for in all of them where several joints are off.
         if (effect.ofServo) return std::ranges::count(suspects.joint, true) > 1;
         return suspects.any;
       case Site::joint:
-        return suspects.joint[index] || (suspects.faintly[index] && effect.screening.behindGear) ||
+        return suspects.joint[index] || (suspects.weak[index] && effect.screening.behindGear) ||
                (suspects.chain[index] && effect.screening.inNeighbours);
       case Site::link: {
         const std::vector<int> chain = robot.chain(place.index);
-        if (chain.empty()) return evaluator.hasStanding();
+        if (chain.empty()) return evaluator.hasFloatingBase();
         return static_cast<bool>(suspects.chain[static_cast<std::size_t>(chain.back())]);
       }
     }
@@ -77,7 +78,7 @@ std::vector<Cause> possibleCauses(const Evaluator& evaluator) {
 std::vector<std::vector<Cause>> byKind(const Mechanism& mechanism, const std::vector<Cause>& starts) {
   std::vector<std::vector<Cause>> kinds;
   for (const Cause& start : starts) {
-    if (anyHunts(plantOf(mechanism, {start}))) continue;
+    if (anyLimitCycle(plantOf(mechanism, {start}))) continue;
     const auto same = std::ranges::find_if(kinds, [&](const std::vector<Cause>& kind) {
       return kind.front().sameKind(start) && kind.front().variant == start.variant;
     });

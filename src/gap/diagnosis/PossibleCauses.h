@@ -11,8 +11,8 @@ namespace plumbline::gap {
 /// are no such cause: they are decoded (LostCycles).
 std::vector<Cause> possibleCauses(const Evaluator& evaluator);
 
-/// Starting values by kind (effect, place and variant), without those that let a joint hunt: what is foretold
-/// in doubt would excuse whatever it does not explain.
+/// Starting values by kind (effect, place and variant), without those that bring a limit cycle: an
+/// uncertain prediction would excuse whatever it does not explain.
 std::vector<std::vector<Cause>> byKind(const Mechanism& mechanism, const std::vector<Cause>& starts);
 
 }  // namespace plumbline::gap

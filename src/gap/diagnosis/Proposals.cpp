@@ -3,19 +3,20 @@
 #include <algorithm>
 #include <utility>
 
+#include "gap/diagnosis/DeviatingJoints.h"
 #include "gap/diagnosis/LostCycles.h"
 #include "gap/diagnosis/Merit.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Probability.h"
 #include "gap/diagnosis/Search.h"
-#include "gap/diagnosis/Suspects.h"
 #include "gap/replay/Ensemble.h"
 
 namespace plumbline::gap {
 
 namespace {
 
-constexpr double huntingPrice = 0.1;  // of its gain: what a cause in doubt has to gain beyond a definite one
+constexpr double limitCyclePrice =
+    0.1;                              // of its gain: what a cause in doubt has to gain beyond a definite one
 constexpr double coarseWithin = 1.2;  // of the squares with fine steps
 constexpr double coarseAdds = 0.5;    // of what is unexplained, at most, where that is little
 
@@ -41,7 +42,7 @@ std::vector<Candidate> Proposals::find(const Look& look) {
     if (look.onlySensors) std::erase_if(possible, [](const Cause& cause) { return !ofSensor(cause); });
     known.candidates = search(fine, quickOn(fine.base()), possible, search_);
     std::erase_if(known.candidates, [](const Candidate& c) { return withinEngines(c.cause); });
-    priceHunting(known.candidates);
+    priceLimitCycles(known.candidates);
     if (look.lostCommands && !look.onlySensors) addLostCommands(known.candidates);
     known.lostCycles = fine.lostCycles();
     // What goes on from here has what is remembered, no more.
@@ -57,20 +58,20 @@ std::vector<Candidate> Proposals::find(const Look& look) {
   return std::move(known.candidates);
 }
 
-/// What is foretold in doubt fits more easily: a cause that lets joints hunt has to gain this much more than
-/// one that is definite.
-void Proposals::priceHunting(std::vector<Candidate>& list) const {
+/// An uncertain prediction fits more easily. So a cause that brings a limit cycle has to gain this much more
+/// than one that brings none.
+void Proposals::priceLimitCycles(std::vector<Candidate>& list) const {
   const double before = fine.baseFit().judging;
   for (Candidate& candidate : list)
-    if (anyHunts(plantOf(fine.mechanism(), {candidate.cause})))
-      candidate.fit.judging += huntingPrice * std::max(0.0, before - candidate.fit.judging);
+    if (anyLimitCycle(plantOf(fine.mechanism(), {candidate.cause})))
+      candidate.fit.judging += limitCyclePrice * std::max(0.0, before - candidate.fit.judging);
 }
 
 const Evaluator& Proposals::quickOn(const Explanation& base) {
   coarse.setBase(base);
   const double adds = coarse.baseFit().judging - fine.baseFit().judging;
   const bool close = coarse.baseFit().fitting <= coarseWithin * fine.baseFit().fitting &&
-                     (fine.hasStanding() || adds <= coarseAdds * excess(fine));
+                     (fine.hasFloatingBase() || adds <= coarseAdds * excess(fine));
   return close ? coarse : fine;
 }
 
@@ -82,7 +83,7 @@ void Proposals::useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycl
 void Proposals::addLostCommands(std::vector<Candidate>& list) {
   const auto dropout = std::ranges::find(effects(), true, &Effect::decoded);
   if (dropout == effects().end()) return;
-  if (!mostIsOff(fine) || losesCommands(fine.base())) return;
+  if (!mostDeviates(fine) || losesCommands(fine.base())) return;
   const LostCycles lost = findLostCycles(fine.evidence(), fine.base(), options.jobs);
   if (lost.found < LostCycles::least) return;
   useLostCycles(lost.cycles);

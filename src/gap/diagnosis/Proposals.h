@@ -26,15 +26,15 @@ public:
   std::vector<Candidate> find(const Look& look);
   /// Command dropout with the cycles that it is found in, where it says anything.
   void addLostCommands(std::vector<Candidate>& list);
-  /// What a first look is taken with on top of a base: coarse steps, but where these tell another tale, as
-  /// they do of a motor that just falls short of what it has to hold.
+  /// What screening on top of a base uses: coarse steps, unless these change the ranking, as they do for a
+  /// motor that is just too weak for what it has to hold.
   const Evaluator& quickOn(const Explanation& base);
 
   /// Whose commands count as lost from now on, per trial and cycle.
   void useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycles);
 
 private:
-  void priceHunting(std::vector<Candidate>& list) const;
+  void priceLimitCycles(std::vector<Candidate>& list) const;
 
   Evaluator &fine, &coarse;
   const DiagnosisOptions& options;

@@ -14,12 +14,12 @@ class Remainder {
 public:
   /// worstBefore: gap beyond noise of the worst channel without any cause, in units of its noise.
   Remainder(const Evaluator& evaluator, double worstBefore)
-      : held(gapHeld(evaluator)), onFeet(gapOnFeet(evaluator)), before(worstBefore) {}
+      : held(gapOnFixedBase(evaluator)), onFeet(gapOnFloatingBase(evaluator)), before(worstBefore) {}
 
   /// Over what another engine may do otherwise: above 1, the causes found are not the whole of it.
-  double unaccounted() const { return std::max(unaccountedHeld(), unaccountedOnFeet()); }
-  double unaccountedHeld() const { return held / std::max(remaining, remainingShare * before); }
-  double unaccountedOnFeet() const {
+  double unaccounted() const { return std::max(unaccountedOnFixedBase(), unaccountedOnFloatingBase()); }
+  double unaccountedOnFixedBase() const { return held / std::max(remaining, remainingShare * before); }
+  double unaccountedOnFloatingBase() const {
     return onFeet / std::max(remainingOnFeet, remainingShareOnFeet * before);
   }
   /// What a further cause could be looked for in.

@@ -76,7 +76,7 @@ bool bodyOnly(const Evaluator& evaluator, const Cause& cause) {
 /// What a held run can show, it shows for a hundredth of a standing run's price; standing: those too.
 TrialMask showing(const Evaluator& evaluator, const Cause& cause, TrialMask mask, bool standing) {
   const auto& trials = evaluator.evidence().trials();
-  const bool body = bodyOnly(evaluator, cause), held = !body && !standing && evaluator.hasHeld();
+  const bool body = bodyOnly(evaluator, cause), held = !body && !standing && evaluator.hasFixedBase();
   for (std::size_t t = 0; t < trials.size(); ++t) {
     if (trials[t].freeBase && held) mask[t] = 0;
     if (!trials[t].freeBase && body && cause.place.site != Site::imu) mask[t] = 0;
@@ -99,7 +99,7 @@ public:
         options(options_),
         most(tellingTrials(fine_, 1)),
         telling(tellingTrials(fine_, 2)),
-        heldTells(heldRunsTell(fine_)),
+        heldTells(fixedBaseDecides(fine_)),
         underLoad(fine_) {}
 
   std::vector<Candidate> run(const std::vector<Cause>& causes) {
@@ -264,7 +264,7 @@ private:
       const Candidate fitted = fitValue(coarse, first, mask, roughly);
       candidate.cause = fitted.cause;
       candidate.fit = fine.with(candidate.cause, all);
-      // Where the best value is a brink, coarse steps fall over it elsewhere.
+      // Where the gain ends abruptly beyond the best value, coarse steps place that end elsewhere.
       if (fine.baseFit().fitting - candidate.fit.fitting <
           keptPromise * (coarse.baseFit().fitting - fitted.fit.fitting)) {
         const Candidate again = fitValue(fine, first, mask, roughly);
@@ -276,8 +276,8 @@ private:
     });
   }
 
-  /// Fine steps for those that may turn out the best. Standing runs are dear: there the value is fitted on
-  /// those that tell most, then judged on all.
+  /// Fine steps for those that may turn out the best. Runs on a floating base cost much: the value is
+  /// fitted on those that show most, then judged on all.
   void polish() {
     std::stable_sort(chosen.begin(), chosen.end(),
                      [](const Candidate& a, const Candidate& b) { return a.fit.fitting < b.fit.fitting; });

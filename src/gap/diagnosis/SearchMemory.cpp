@@ -17,7 +17,7 @@ constexpr std::uintmax_t mostBytes = 64u << 20;
 
 json jsonOf(const Cause& cause) {
   return {cause.effect->id, cause.place.at, std::string(cause.place.axis ? 1 : 0, cause.place.axis),
-          cause.value,      cause.variant,  cause.notIn};
+          cause.value,      cause.variant,  cause.inactiveIn};
 }
 
 Cause causeOf(const json& j, const Mechanism& mechanism) {

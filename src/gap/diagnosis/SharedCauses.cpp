@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "framework/Parallel.h"
-#include "gap/diagnosis/AcrossSettings.h"
+#include "gap/diagnosis/GroupedCrossValidation.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Search.h"
 #include "gap/diagnosis/ValueFit.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gap/diagnosis/Suspects.h"
+#include "gap/diagnosis/DeviatingJoints.h"
 
 namespace plumbline::gap {
 
@@ -15,8 +15,9 @@ constexpr std::size_t mostFound = 2;  // causes: with as many found, nothing is 
 }  // namespace
 
 UnderLoad::UnderLoad(const Evaluator& evaluator) : robot(evaluator.mechanism()) {
-  if (!evaluator.hasHeld() || !evaluator.hasStanding() || evaluator.base().size() >= mostFound) return;
-  if (Suspects(evaluator).any) return;
+  if (!evaluator.hasFixedBase() || !evaluator.hasFloatingBase() || evaluator.base().size() >= mostFound)
+    return;
+  if (DeviatingJoints(evaluator).any) return;
   excess = jointExcess(evaluator, true);
   worst = *std::ranges::max_element(excess);
   for (const auto& foot : robot.feet)

@@ -12,7 +12,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr int evaluations = 32;  // of values fitted together with runs on the feet, which are dear
+constexpr int evaluations = 32;  // of values fitted together with runs on the feet, which cost much
 
 /// Size of the strength at the bound on the value's side of nominal.
 double farthest(const Mechanism& mechanism, const Cause& cause) {
@@ -33,7 +33,7 @@ std::vector<std::vector<std::size_t>> coupledGroups(const Evaluator& evaluator, 
     if (causes[i].effect->decoded) continue;
     std::vector<std::size_t> group = {i};
     std::erase_if(groups, [&](const std::vector<std::size_t>& other) {
-      const bool meets = evaluator.hasStanding() || std::ranges::any_of(other, [&](std::size_t j) {
+      const bool meets = evaluator.hasFloatingBase() || std::ranges::any_of(other, [&](std::size_t j) {
                            return std::ranges::any_of(
                                joints[j], [&](int k) { return std::ranges::binary_search(joints[i], k); });
                          });
@@ -125,8 +125,8 @@ Explanation fitTogether(const Evaluator& evaluator, const Explanation& causes, i
   const bool meetAll = losesCommands(causes);
   for (const std::vector<std::size_t>& group : coupledGroups(evaluator, causes)) {
     if (group.size() < 2 && !meetAll) continue;
-    result = evaluator.hasStanding() ? fitByEvolution(evaluator, result, group, jobs)
-                                     : gaussNewton(evaluator, result, group, jobs).causes;
+    result = evaluator.hasFloatingBase() ? fitByEvolution(evaluator, result, group, jobs)
+                                         : gaussNewton(evaluator, result, group, jobs).causes;
   }
   return result;
 }

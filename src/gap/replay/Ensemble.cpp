@@ -13,12 +13,12 @@ constexpr double reach = 0.25;  // [s]: over which the variance is smoothed, to 
 constexpr double invisiblePlay = 5e-4;  // [rad]: a third of a twelve-bit encoder's count
 constexpr double widePlay = 0.1;        // [rad]: what swings free in it bounces, whoever holds the motor
 
-constexpr double halfAsRough = 2;  // what is half as rough as the hunting, or rougher, may be hunting
+constexpr double halfAsRough = 2;  // what is half as rough as the limit cycle, or rougher, may be one
 constexpr double tooFar = 4, farTooFar = 8;  // mean square of a residual over the variance within `reach`
 
-/// One of the replays whose scatter tells how far a hunting joint can be foretold.
+/// One of the replays whose variance says how uncertain the prediction of a limit cycle is.
 struct Member {
-  double later;  ///< the run begins so much later: another phase of the hunting [s]
+  double later;  ///< the run begins so much later: another phase of the limit cycle [s]
   double toothStiffness, toothDamping;
 };
 constexpr std::array members = {Member{0, 4000, 0.6}, Member{0.0137, 2200, 1.1}, Member{0.0291, 7000, 0.35}};
@@ -54,9 +54,10 @@ private:
   double last = std::nan(""), changes = 0, squares = 0;
 };
 
-/// The share of a residual that may be hunting: that of a residual which is much slower than the members'
-/// differences is not.
-double likeHunting(const std::vector<double>& measured, const std::vector<double>& mean, double roughness) {
+/// The share of a residual that may be a limit cycle: none of one that is much slower than the differences of
+/// the members.
+double likeLimitCycle(const std::vector<double>& measured, const std::vector<double>& mean,
+                      double roughness) {
   Roughness residual;
   for (std::size_t k = 0; k < mean.size(); ++k) residual.add(measured[k] - mean[k]);
   return roughness > 0 ? std::min(1.0, halfAsRough * residual.value() / roughness) : 1;
@@ -73,17 +74,18 @@ double quickness(const std::vector<double>& values) {
   return n > 0 ? squares / n : 0;
 }
 
-/// Whether what was measured hunts at all, 0 to 1: a joint that does moves about as quickly as one that is
-/// foretold to. Of 16 joints of hung NAOs in MuJoCo those that hunt had a sixth of the foretold squares or
-/// more, those that are off for another reason a twentieth at most. calm: the same without play.
-double huntsToo(const std::vector<double>& measured, const std::vector<double>& calm, double hunting) {
+/// Whether the measurement has the predicted limit cycle at all, 0 to 1: it then moves about as quickly as
+/// the prediction. Of 16 joints of hung NAOs in MuJoCo, those with a limit cycle had a sixth of the predicted
+/// squares or more; those that deviated for another reason had a twentieth at most. calm: the prediction
+/// without backlash.
+double alsoCycles(const std::vector<double>& measured, const std::vector<double>& calm, double cycling) {
   constexpr double none = 0.05, surely = 0.1;
-  const double quick = quickness(calm), more = hunting - quick;
+  const double quick = quickness(calm), more = cycling - quick;
   return more > 0 ? std::clamp(((quickness(measured) - quick) / more - none) / (surely - none), 0.0, 1.0) : 1;
 }
 
 /// Takes back the doubt where the members agree far better with each other than with what was measured: that
-/// is not hunting.
+/// is no limit cycle.
 void keepWhereBorneOut(std::vector<double>& scatter, const std::vector<double>& measured,
                        const std::vector<double>& mean, std::size_t cycles) {
   std::vector<double> squares(mean.size());
@@ -117,10 +119,10 @@ void combine(const std::vector<Prediction>& all, const Prediction& calm, const T
     differences.pause();
   }
   const std::vector<double>& measured = trial.signals[signal].values;
-  double hunting = 0;
-  for (const Prediction& one : all) hunting += quickness(one.values[signal]) / n;
-  const double share =
-      likeHunting(measured, mean, differences.value()) * huntsToo(measured, calm.values[signal], hunting);
+  double cycling = 0;
+  for (const Prediction& one : all) cycling += quickness(one.values[signal]) / n;
+  const double share = likeLimitCycle(measured, mean, differences.value()) *
+                       alsoCycles(measured, calm.values[signal], cycling);
   for (double& v : variance) v *= share * share;
   result.scatter[signal] = smoothed(variance, cycles);
   keepWhereBorneOut(result.scatter[signal], measured, mean, cycles);
@@ -128,16 +130,16 @@ void combine(const std::vector<Prediction>& all, const Prediction& calm, const T
 
 }  // namespace
 
-bool hunts(const JointPlant& joint) {
+bool hasLimitCycle(const JointPlant& joint) {
   return joint.backlash > (joint.linkEncoder ? invisiblePlay : widePlay);
 }
 
-bool anyHunts(const Plant& plant) { return std::ranges::any_of(plant.joints, hunts); }
+bool anyLimitCycle(const Plant& plant) { return std::ranges::any_of(plant.joints, hasLimitCycle); }
 
-Prediction replayForetold(const Plant& plant, const Trial& trial, const ReplayOptions& options) {
+Prediction predictEnsemble(const Plant& plant, const Trial& trial, const ReplayOptions& options) {
   bool any = false;
   for (std::size_t j = 0; j < plant.joints.size(); ++j)
-    any = any || (hunts(plant.joints[j]) &&
+    any = any || (hasLimitCycle(plant.joints[j]) &&
                   (options.joints.empty() ||
                    std::ranges::find(options.joints, static_cast<int>(j)) != options.joints.end()));
   if (!any) return replay(plant, trial, options);
@@ -154,7 +156,7 @@ Prediction replayForetold(const Plant& plant, const Trial& trial, const ReplayOp
   }
   Plant still = plant;
   for (JointPlant& joint : still.joints)
-    if (hunts(joint)) joint.backlash = 0;
+    if (hasLimitCycle(joint)) joint.backlash = 0;
   const Prediction calm = replay(still, trial, options);
   const double cycle =
       trial.cycles() > 1 ? (trial.time.back() - trial.time.front()) / static_cast<double>(trial.cycles() - 1)

@@ -22,7 +22,7 @@ struct ReplayOptions {
 /// (joints left out, truth of a held base).
 struct Prediction {
   std::vector<std::vector<double>> values;
-  /// What cannot be foretold of them: variance per signal and cycle; empty where nothing is in doubt.
+  /// What cannot be predicted of them: variance per signal and cycle; empty where nothing is uncertain.
   std::vector<std::vector<double>> scatter;
   bool fell = false;  ///< a free robot's torso tilted by more than 60 degrees
 };

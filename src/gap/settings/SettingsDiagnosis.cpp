@@ -346,7 +346,7 @@ private:
       case Verdict::effect:
         break;
     }
-    return "To make the values surer: the same motions on further robot types.";
+    return "To make the values more certain: the same motions on further robot types.";
   }
 
   const TraceEvidence& evidence;

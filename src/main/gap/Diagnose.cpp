@@ -7,16 +7,12 @@
 #include <utility>
 
 #include "framework/Parallel.h"
-#include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
 #include "gap/answer/Answer.h"
-#include "gap/diagnosis/EvidenceMark.h"
-#include "gap/diagnosis/FineSteps.h"
-#include "gap/diagnosis/RepeatNoise.h"
-#include "gap/diagnosis/Search.h"
+#include "gap/diagnosis/DiagnosisAttempts.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/replay/Windows.h"
-#include "gap/report/NextMotion.h"
+#include "gap/report/MotionQuestion.h"
 #include "gap/run/RunCheck.h"
 #include "gap/run/RunFile.h"
 #include "main/gap/ChangesOption.h"
@@ -39,27 +35,6 @@ struct DiagnoseOptions {
   ChangesOption changes;
   bool quiet = false;
 };
-
-constexpr double worthSeparating = 0.05;
-
-/// The motion that separates the likeliest rival from the cause it would replace, in words; empty where no
-/// rival is worth it, or no motion can be tried on this robot.
-std::string separatingMotion(const Mechanism& robot, const Diagnosis& diagnosis) {
-  const Cause* cause = nullptr;
-  const Rival* rival = nullptr;
-  for (const Finding& finding : diagnosis.findings)
-    for (const Rival& other : finding.rivals)
-      if (other.probability >= (rival ? rival->probability : worthSeparating)) {
-        cause = &finding.cause;
-        rival = &other;
-      }
-  if (!rival) return "";
-  try {
-    return nextMotion(robot, *cause, rival->cause);
-  } catch (const std::exception&) {
-    return "";  // the answer then says in general what would help
-  }
-}
 
 /// Puts windows in the place of long recordings, in the notes for the answer too; how many windows.
 std::size_t cutLongRuns(std::vector<Trial>& trials, std::vector<RunNotes>& notes, double seconds) {
@@ -88,87 +63,6 @@ void makeFolderOf(const std::string& file) {
   if (!folder.empty()) std::filesystem::create_directories(folder, error);
   if (error) throw std::runtime_error(folder.string() + " cannot be made: " + error.message());
 }
-
-/// A diagnosis of some evidence, with the file that remembers its searches.
-class Attempt {
-public:
-  Attempt(const Mechanism& robot, Evidence evidence_, const std::string& memoryFile,
-          const DiagnosisOptions& settings_, ProgressLine& line_)
-      : evidence(std::move(evidence_)),
-        fine(robot, evidence, fineSteps(evidence, settings_.jobs)),
-        memory(memoryFile, memoryFile.empty() ? "" : markOf(fine, settings_), robot,
-               [&line_](const std::string& problem) {
-                 line_.say(problem + "; a diagnosis that is stopped from now on repeats what follows");
-               }),
-        settings(settings_),
-        line(line_) {
-    settings.memory = &memory;
-    settings.progress = [this](const std::string& stage, double share) { line.tell(stage, share); };
-  }
-
-  Diagnosis run(bool quiet) {
-    if (memory.size() > 0 && !quiet)
-      line.say("goes on from " + memory.file() + " (" + std::to_string(memory.size()) + " searches done)");
-    Evaluator coarse(fine.mechanism(), evidence, coarseSteps());
-    return diagnose(fine, coarse, settings);
-  }
-
-  const Evidence evidence;
-  Evaluator fine;
-  SearchMemory memory;
-
-private:
-  DiagnosisOptions settings;
-  ProgressLine& line;
-};
-
-/// From trials to a diagnosis: once, and once more where what repeats differ by are commands that were lost,
-/// which shows only beside the causes found.
-class Attempts {
-public:
-  /// memoryFile: empty for none.
-  Attempts(const Mechanism& robot_, DiagnosisOptions settings_, std::string memoryFile_, bool quiet_)
-      : robot(robot_), settings(std::move(settings_)), memoryFile(std::move(memoryFile_)), quiet(quiet_) {}
-
-  /// Throws Stopped that says how to go on.
-  Diagnosis run(std::vector<Trial> trials) {
-    try {
-      ProgressLine line(quiet);
-      line.tell(stage, 0);
-      Diagnosis diagnosis = add(evidenceOf(std::move(trials), settings.jobs), memoryFile, line);
-      if (diagnosis.findings.empty()) return diagnosis;
-      line.tell(stage, 0);
-      std::optional<Evidence> other =
-          evidenceBesideLosses(all.front()->evidence, diagnosis.explanation(), settings.jobs);
-      if (!other) return diagnosis;
-      // A memory of its own: each belongs to its noise.
-      return add(*std::move(other), memoryFile.empty() ? "" : memoryFile + "2", line);
-    } catch (const Stopped&) {
-      for (auto attempt = all.rbegin(); attempt != all.rend(); ++attempt)
-        if ((*attempt)->memory.size() > 0)
-          throw Stopped("stopped; the same command goes on from " + (*attempt)->memory.file());
-      throw;
-    }
-  }
-
-  Evaluator& last() { return all.back()->fine; }
-  void forget() {
-    for (const auto& attempt : all) attempt->memory.forget();
-  }
-
-private:
-  Diagnosis add(Evidence evidence, const std::string& file, ProgressLine& line) {
-    all.push_back(std::make_unique<Attempt>(robot, std::move(evidence), file, settings, line));
-    return all.back()->run(quiet);
-  }
-
-  static constexpr const char* stage = "what repeats differ by";
-  const Mechanism& robot;
-  const DiagnosisOptions settings;
-  const std::string memoryFile;
-  const bool quiet;
-  std::vector<std::unique_ptr<Attempt>> all;
-};
 
 void diagnoseRuns(const DiagnoseOptions& options) {
   const Timing timing;
@@ -224,9 +118,14 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   if (options.maxCauses > 0) settings.maxCauses = static_cast<std::size_t>(options.maxCauses);
   const bool toFile = !options.json.empty() && options.json != "-";
   if (toFile) makeFolderOf(options.json);
-  Attempts attempts(robot, settings, toFile ? options.json + ".searches" : "", options.quiet);
+  std::optional<ProgressLine> line(std::in_place, options.quiet);
+  settings.progress = [&line](const std::string& stage, double share) { line->tell(stage, share); };
+  const auto say = [&line](const std::string& text) { line->say(text); };
+  DiagnosisAttempts attempts(robot, settings, toFile ? options.json + ".searches" : "",
+                             {options.quiet ? DiagnosisAttempts::Message() : say, say});
   const Diagnosis diagnosis = attempts.run(std::move(trials));
-  Evaluator& fine = attempts.last();
+  line.reset();
+  Evaluator& fine = attempts.evaluator();
   input.nextMotion = separatingMotion(robot, diagnosis);
   if (input.nextMotion.empty()) input.nextMotion = suggestion(diagnosis, fine.evidence());
   const std::string text = answerJson(input, diagnosis, fine) + "\n";
@@ -241,8 +140,8 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   for (const Finding& finding : diagnosis.findings) {
     std::printf("  %-48s %5.1f %%  [%.3g, %.3g]  closes %.0f %% alone\n", describe(finding.cause).c_str(),
                 100 * finding.probability, finding.lower, finding.upper, 100 * finding.closedAlone);
-    if (const std::string notIn = describeNotIn(finding.cause); !notIn.empty())
-      std::printf("    %s\n", notIn.c_str());
+    if (const std::string inactiveIn = describeInactiveIn(finding.cause); !inactiveIn.empty())
+      std::printf("    %s\n", inactiveIn.c_str());
     for (const Rival& rival : finding.rivals)
       std::printf("    or %-45s %5.1f %%\n", describe(rival.cause).c_str(), 100 * rival.probability);
   }

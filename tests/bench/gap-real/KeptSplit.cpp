@@ -28,9 +28,9 @@ void tellFindings(std::ostream& page, const RealResult& r) {
     std::string rivals;
     for (const gap::Rival& rival : f.rivals)
       rivals += (rivals.empty() ? "" : ", ") + describe(rival.cause) + text(" (%.2f)", rival.probability);
-    const std::string notIn = gap::describeNotIn(f.cause);
-    page << "| " << f.cause.effect->id << " at " << f.cause.place.at << (notIn.empty() ? "" : ", ") << notIn
-         << " | " << text("%.3g", f.cause.value) << " " << f.cause.effect->unit << " | "
+    const std::string inactiveIn = gap::describeInactiveIn(f.cause);
+    page << "| " << f.cause.effect->id << " at " << f.cause.place.at << (inactiveIn.empty() ? "" : ", ")
+         << inactiveIn << " | " << text("%.3g", f.cause.value) << " " << f.cause.effect->unit << " | "
          << text("%.3g", f.lower) << " to " << text("%.3g", f.upper) << " | " << text("%.2f", f.probability)
          << " | " << text("%.0f %%", 100 * f.closedAlone) << " | " << text("%.0f %%", 100 * f.closedLast)
          << " | " << rivals << " |\n";

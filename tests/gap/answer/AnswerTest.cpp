@@ -21,7 +21,7 @@ TEST(AnswerTest, theRecordingsThatRanWithoutACauseAreNamed) {
     diagnosis.findings.emplace_back();
     diagnosis.findings.back().cause = causeOfArm(id, "elbow", id[0] == 'a' ? 20 : 0.1);
   }
-  diagnosis.findings[0].cause.notIn = {"runs/tuesday"};
+  diagnosis.findings[0].cause.inactiveIn = {"runs/tuesday"};
   const auto answer = nlohmann::json::parse(answerJson({"two_joint_arm", {{}}, ""}, diagnosis, evaluator));
   const auto& effects = answer["effects"];
   EXPECT_EQ(effects[0]["not_in"], nlohmann::json({"runs/tuesday"}));

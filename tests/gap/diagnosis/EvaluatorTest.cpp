@@ -59,7 +59,7 @@ TEST_F(EvaluatorTest, aCauseChangesNothingInARecordingThatRanWithoutIt) {
   const Evidence both(
       {recorded(plantOf(arm, there), with, 5e-4, 3), recorded(nominalPlant(arm), less, 5e-4, 4)});
   Cause cause = there[0];
-  cause.notIn = {"without"};
+  cause.inactiveIn = {"without"};
   Evaluator evaluator(arm, both);
   const double nominal = evaluator.baseFit().judging;
   const Fit fit = evaluator.with(cause);
@@ -88,7 +88,8 @@ TEST_F(EvaluatorTest, ofARobotThatStepsTheWorstSixthHasGoneAstray) {
   EXPECT_GT(worst(within(2, 4, 0.1), true), 1.5) << "a third of a walk is no accident";
 }
 
-/// A recording of an elbow that hunts between the flanks of its gear, with teeth and a phase of its own.
+/// A recording of an elbow that swings between the flanks of its gear, with teeth and a phase of its
+/// own.
 Evidence huntingElbow(const Mechanism& arm, double play) {
   Plant plant = nominalPlant(arm);
   plant.joints[1].backlash = play;
@@ -170,12 +171,12 @@ TEST(EvaluatorOnFeetTest, runsOnTheFeetMayBeLeftOut) {
   const Evidence evidence(legRuns(0.02)), held(std::vector<Trial>{legRuns(0.02)[0]});
   Evaluator evaluator(leg, evidence);
   const double whole = evaluator.baseFit().judging;
-  EXPECT_TRUE(evaluator.hasStanding());
-  evaluator.leaveStandingOut(true);
-  EXPECT_FALSE(evaluator.hasStanding());
+  EXPECT_TRUE(evaluator.hasFloatingBase());
+  evaluator.leaveFloatingBaseOut(true);
+  EXPECT_FALSE(evaluator.hasFloatingBase());
   EXPECT_TRUE(std::isnan(evaluator.chi(1, 0)));
   EXPECT_DOUBLE_EQ(evaluator.baseFit().judging, Evaluator(leg, held).baseFit().judging);
-  evaluator.leaveStandingOut(false);
+  evaluator.leaveFloatingBaseOut(false);
   EXPECT_EQ(evaluator.baseFit().judging, whole);
   EXPECT_GT(evaluator.chi(1, 0), 100);
 }

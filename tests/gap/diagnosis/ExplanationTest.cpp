@@ -27,13 +27,13 @@ TEST(ExplanationTest, whatWasNotSetInARecordingIsNotInItsPlant) {
   Explanation causes = {causeOfArm("acceleration_limit", "elbow", 20),
                         causeOfArm("coulomb_friction", "elbow", 0.1)};
   EXPECT_EQ(plantOf(trial, causes).joints[1].accelerationLimit, 20);
-  EXPECT_EQ(describeNotIn(causes[0]), "");
-  causes[0].notIn = {"runs/monday", "runs/tuesday/"};
+  EXPECT_EQ(describeInactiveIn(causes[0]), "");
+  causes[0].inactiveIn = {"runs/monday", "runs/tuesday/"};
   EXPECT_FALSE(inForce(causes[0], trial));
   EXPECT_EQ(plantOf(trial, causes).joints[1].accelerationLimit, 0);
   EXPECT_EQ(plantOf(trial, causes).joints[1].coulomb, 0.1);
   EXPECT_EQ(plantOf(arm, causes).joints[1].accelerationLimit, 20);
-  EXPECT_EQ(describeNotIn(causes[0]), "not set in monday, tuesday");
+  EXPECT_EQ(describeInactiveIn(causes[0]), "not set in monday, tuesday");
 }
 
 }  // namespace

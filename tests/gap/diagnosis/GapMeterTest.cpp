@@ -30,20 +30,20 @@ struct Judged {
 TEST(GapMeterTest, aLegStandsAsItIsForetold) {
   const Judged judged({nominalRun(true), nominalRun(false)});
   EXPECT_LT(worstGap(judged.evaluator).size, 0.5);
-  EXPECT_LT(gapOnFeet(judged.evaluator), 0.7);
+  EXPECT_LT(gapOnFloatingBase(judged.evaluator), 0.7);
 }
 
 TEST(GapMeterTest, onTheFeetAFifthMayGoAstray) {
   const Judged little({astray(nominalRun(true), 0.1), nominalRun(false)}),
       much({astray(nominalRun(true), 0.4), nominalRun(false)});
   EXPECT_GT(worstGap(little.evaluator).size, 5);
-  EXPECT_LT(gapOnFeet(little.evaluator), 0.7);
-  EXPECT_GT(gapOnFeet(much.evaluator), 10);
+  EXPECT_LT(gapOnFloatingBase(little.evaluator), 0.7);
+  EXPECT_GT(gapOnFloatingBase(much.evaluator), 10);
 }
 
 TEST(GapMeterTest, aRobotThatHangsHasNoGapOnItsFeet) {
   const Judged judged({astray(nominalRun(false), 0.5)});
-  EXPECT_EQ(gapOnFeet(judged.evaluator), 0);
+  EXPECT_EQ(gapOnFloatingBase(judged.evaluator), 0);
   EXPECT_GT(worstGap(judged.evaluator, false).size, 9);
   EXPECT_EQ(worstGap(judged.evaluator, true).size, 0);
 }
@@ -55,9 +55,9 @@ TEST(GapMeterTest, aJointThatSticksMayLetGoLate) {
   const auto judgedWith = [](Judged& judged, const Effect* effect) {
     Evaluator evaluator(judged.leg, judged.evidence);
     evaluator.setBase({{effect, findPlace(*effect, judged.leg, judged.leg.joints[0].name, ""), 1e-6, 0}});
-    return gapHeld(evaluator);
+    return gapOnFixedBase(evaluator);
   };
-  EXPECT_NEAR(gapHeld(little.evaluator), worstGap(little.evaluator, false).size, 1e-12);
+  EXPECT_NEAR(gapOnFixedBase(little.evaluator), worstGap(little.evaluator, false).size, 1e-12);
   EXPECT_NEAR(judgedWith(little, slides), worstGap(little.evaluator, false).size, 0.01);
   EXPECT_GT(judgedWith(little, slides), 1.5);
   EXPECT_LT(judgedWith(little, sticks), 0.7);
@@ -67,8 +67,8 @@ TEST(GapMeterTest, aJointThatSticksMayLetGoLate) {
 TEST(GapMeterTest, heldRunsTellWhereTheyAreOffAsWell) {
   const Judged both({astray(nominalRun(true), 0.4), astray(nominalRun(false), 0.4)}),
       onlyStanding({astray(nominalRun(true), 0.4), nominalRun(false)});
-  EXPECT_TRUE(heldRunsTell(both.evaluator));
-  EXPECT_FALSE(heldRunsTell(onlyStanding.evaluator));
+  EXPECT_TRUE(fixedBaseDecides(both.evaluator));
+  EXPECT_FALSE(fixedBaseDecides(onlyStanding.evaluator));
 }
 
 }  // namespace

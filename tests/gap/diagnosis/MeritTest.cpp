@@ -28,23 +28,23 @@ struct MeritTest : ::testing::Test {
 };
 
 TEST_F(MeritTest, whereLittleIsLeftACauseMayTellInTheWorstChannelAlone) {
-  const Standing before(evaluator);
+  const AcceptanceTest before(evaluator);
   const double unexplained = excess(evaluator), judging = evaluator.baseFit().judging;
   evaluator.setBase({pull()});
   const double part = (judging - evaluator.baseFit().judging) / unexplained;
   EXPECT_GT(part, 0.4);
   EXPECT_LT(part, 0.6) << "of all that is left";
-  EXPECT_TRUE(before.betteredBy(evaluator, 0));
-  EXPECT_TRUE(before.betteredBy(evaluator, 0.6));
+  EXPECT_TRUE(before.passes(evaluator, 0));
+  EXPECT_TRUE(before.passes(evaluator, 0.6));
 }
 
 TEST_F(MeritTest, notAtAJointThatHasACause) {
   const Cause damping = causeOfArm("viscous_friction", "elbow", 1e-6);
   evaluator.setBase({damping});
-  const Standing before(evaluator);
+  const AcceptanceTest before(evaluator);
   evaluator.setBase({damping, pull()});
-  EXPECT_TRUE(before.betteredBy(evaluator, 0));
-  EXPECT_FALSE(before.betteredBy(evaluator, 0.6));
+  EXPECT_TRUE(before.passes(evaluator, 0));
+  EXPECT_FALSE(before.passes(evaluator, 0.6));
 }
 
 TEST_F(MeritTest, whatIsLeftIsSharedByTheDirectionsOfAllChannels) {

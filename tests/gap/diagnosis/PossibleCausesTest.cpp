@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "../StandingLeg.h"
-#include "gap/diagnosis/Suspects.h"
+#include "gap/diagnosis/DeviatingJoints.h"
 #include "gap/diagnosis/UnderLoad.h"
 
 namespace plumbline::gap {
@@ -69,11 +69,11 @@ TEST(PossibleCausesOfJoints, whatDrivesTheWorstJointIsLookedAtThoughItIsFarLessO
   const Evidence evidence({trial});
   const Evaluator evaluator(arm, evidence);
   EXPECT_LT(jointExcess(evaluator, false)[0], 0.01 * jointExcess(evaluator, false)[1]);
-  const Suspects suspects(evaluator);
+  const DeviatingJoints suspects(evaluator);
   EXPECT_TRUE(suspects.joint[0]);
   arm.joints[1].driver = -1;
   const Evaluator undriven(arm, evidence);
-  EXPECT_FALSE(Suspects(undriven).joint[0]);
+  EXPECT_FALSE(DeviatingJoints(undriven).joint[0]);
 }
 
 TEST(PossibleCausesOfJoints, aJointThatWasNotSeenIsLookedAtWhereItsNeighbourIsOff) {
@@ -83,7 +83,7 @@ TEST(PossibleCausesOfJoints, aJointThatWasNotSeenIsLookedAtWhereItsNeighbourIsOf
   trial.signals.pop_back();
   const Evidence evidence({trial});
   const Evaluator evaluator(arm, evidence);
-  const Suspects suspects(evaluator);
+  const DeviatingJoints suspects(evaluator);
   EXPECT_TRUE(suspects.joint[0]);
   EXPECT_TRUE(suspects.joint[1]);
 }

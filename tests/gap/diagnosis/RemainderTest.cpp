@@ -29,10 +29,10 @@ TEST(RemainderTest, heldRunsMayLeaveLessThanThoseOnTheFeet) {
   const double held = worstGap(evaluator, false).size;
   ASSERT_GT(held, 5);
   const Remainder small(evaluator, 0), large(evaluator, 100 * held);
-  EXPECT_NEAR(small.unaccountedHeld(), held / 1.7, 1e-12);
-  EXPECT_NEAR(large.unaccountedHeld(), 1 / 5.0, 1e-12);
-  EXPECT_LT(small.unaccountedOnFeet(), 0.5);
-  EXPECT_EQ(small.unaccounted(), small.unaccountedHeld());
+  EXPECT_NEAR(small.unaccountedOnFixedBase(), held / 1.7, 1e-12);
+  EXPECT_NEAR(large.unaccountedOnFixedBase(), 1 / 5.0, 1e-12);
+  EXPECT_LT(small.unaccountedOnFloatingBase(), 0.5);
+  EXPECT_EQ(small.unaccounted(), small.unaccountedOnFixedBase());
   EXPECT_FALSE(small.mayRemain());
   EXPECT_TRUE(large.mayRemain());
   EXPECT_FALSE(small.little());
@@ -46,8 +46,8 @@ TEST(RemainderTest, onTheFeetOnlySensorsAreLookedAtWithinWhatContactsDo) {
   const Evaluator evaluator(clean.leg, evidence), evaluatorOff(off.leg, other);
   EXPECT_TRUE(Remainder(evaluator, 10).onlyOfSensors());
   const Remainder left(evaluatorOff, 0);
-  EXPECT_NEAR(left.unaccountedOnFeet(), gapOnFeet(evaluatorOff) / 2.5, 1e-12);
-  EXPECT_GT(left.unaccountedOnFeet(), 1);
+  EXPECT_NEAR(left.unaccountedOnFloatingBase(), gapOnFloatingBase(evaluatorOff) / 2.5, 1e-12);
+  EXPECT_GT(left.unaccountedOnFloatingBase(), 1);
   EXPECT_FALSE(left.onlyOfSensors());
 }
 

@@ -132,7 +132,7 @@ TEST(EngineRecording, EveryEffectShowsAsInTheOwnDynamics) {
         apart += rms(*own.find(channel), *bullet.find(channel));
       }
       EXPECT_GT(change, 1.5e-3) << describe(c) << " " << variant;
-      // With its encoder behind such a gear the joint hunts, in no two engines at the same time.
+      // With its encoder behind such a gear the joint has a limit cycle, in no two engines at the same time.
       if (variant == 1 && (effect->id == "backlash" || effect->id == "joint_compliance")) continue;
       EXPECT_LT(apart, 0.05 * change + 6e-4) << describe(c) << " " << variant;
     }

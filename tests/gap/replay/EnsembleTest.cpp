@@ -22,15 +22,15 @@ double sumOf(const std::vector<double>& values) { return std::accumulate(values.
 TEST(EnsembleTest, whatDoesNotHuntIsForetoldAsItIsReplayed) {
   const Trial trial = armTrial(twoJointArm(), 3);
   const Plant plant = armWithPlay(0.03, false);
-  const Prediction one = replay(plant, trial), foretold = replayForetold(plant, trial, {});
+  const Prediction one = replay(plant, trial), foretold = predictEnsemble(plant, trial, {});
   EXPECT_EQ(one.values, foretold.values);
   EXPECT_TRUE(foretold.scatter.empty());
 }
 
 TEST(EnsembleTest, huntingThatNobodySeesIsInDoubt) {
   const Trial trial = recorded(armWithPlay(0.04, true), armTrial(twoJointArm(), 3), 5e-4, 5);
-  const Prediction narrow = replayForetold(armWithPlay(0.01, true), trial, {}),
-                   wide = replayForetold(armWithPlay(0.04, true), trial, {});
+  const Prediction narrow = predictEnsemble(armWithPlay(0.01, true), trial, {}),
+                   wide = predictEnsemble(armWithPlay(0.04, true), trial, {});
   ASSERT_EQ(wide.scatter.size(), trial.signals.size());
   ASSERT_EQ(wide.scatter[1].size(), trial.cycles());
   for (const double variance : wide.scatter[1]) ASSERT_GE(variance, 0);
@@ -43,22 +43,22 @@ TEST(EnsembleTest, huntingThatNobodySeesIsInDoubt) {
 
 TEST(EnsembleTest, widePlayIsInDoubtWhereverTheEncoderSits) {
   const Trial trial = recorded(armWithPlay(0.15, false), armTrial(twoJointArm(), 3), 5e-4, 5);
-  EXPECT_TRUE(hunts(armWithPlay(0.15, false).joints[1]));
-  EXPECT_FALSE(replayForetold(armWithPlay(0.15, false), trial, {}).scatter.empty());
+  EXPECT_TRUE(hasLimitCycle(armWithPlay(0.15, false).joints[1]));
+  EXPECT_FALSE(predictEnsemble(armWithPlay(0.15, false), trial, {}).scatter.empty());
 }
 
 TEST(EnsembleTest, playThatNoEncoderSeesDoesNotHunt) {
-  EXPECT_FALSE(hunts(armWithPlay(0.0003, true).joints[1]));
-  EXPECT_TRUE(hunts(armWithPlay(0.0008, true).joints[1]));
+  EXPECT_FALSE(hasLimitCycle(armWithPlay(0.0003, true).joints[1]));
+  EXPECT_TRUE(hasLimitCycle(armWithPlay(0.0008, true).joints[1]));
 }
 
 TEST(EnsembleTest, aJointThatDriftsAwayDoesNotHunt) {
   const Plant plant = armWithPlay(0.04, true);
   Trial trial = recorded(plant, armTrial(twoJointArm(), 3), 5e-4, 5);
-  const double hunting = sumOf(replayForetold(plant, trial, {}).scatter[1]);
+  const double hunting = sumOf(predictEnsemble(plant, trial, {}).scatter[1]);
   for (std::size_t k = 0; k < trial.cycles(); ++k)
     trial.signals[1].values[k] += 0.2 * std::sin(2 * M_PI * 0.3 * trial.time[k]);
-  EXPECT_LT(sumOf(replayForetold(plant, trial, {}).scatter[1]), 0.05 * hunting);
+  EXPECT_LT(sumOf(predictEnsemble(plant, trial, {}).scatter[1]), 0.05 * hunting);
 }
 
 TEST(EnsembleTest, aJointThatMovesSmoothlyDoesNotHunt) {
@@ -66,14 +66,14 @@ TEST(EnsembleTest, aJointThatMovesSmoothlyDoesNotHunt) {
   Plant rubbing = armWithPlay(0, false);
   rubbing.joints[1].coulomb = 0.3;
   const Trial trial = recorded(rubbing, armTrial(twoJointArm(), 3), 5e-4, 5);
-  EXPECT_EQ(sumOf(replayForetold(armWithPlay(0.04, true), trial, {}).scatter[1]), 0);
+  EXPECT_EQ(sumOf(predictEnsemble(armWithPlay(0.04, true), trial, {}).scatter[1]), 0);
 }
 
 TEST(EnsembleTest, whatHuntingCannotReachIsNoDoubt) {
   const Plant plant = armWithPlay(0.04, true);
   Trial trial = recorded(plant, armTrial(twoJointArm(), 4), 5e-4, 5);
   const auto doubtIn = [&](double from, double to) {
-    const Prediction foretold = replayForetold(plant, trial, {});
+    const Prediction foretold = predictEnsemble(plant, trial, {});
     double sum = 0;
     for (std::size_t k = 0; k < trial.cycles(); ++k)
       if (trial.time[k] - trial.time[0] >= from && trial.time[k] - trial.time[0] < to)
@@ -94,7 +94,7 @@ TEST(EnsembleTest, jointsThatAreNotReplayedCannotHunt) {
   const Trial trial = armTrial(twoJointArm(), 3);
   ReplayOptions options;
   options.joints = {0};
-  EXPECT_TRUE(replayForetold(armWithPlay(0.04, true), trial, options).scatter.empty());
+  EXPECT_TRUE(predictEnsemble(armWithPlay(0.04, true), trial, options).scatter.empty());
 }
 
 }  // namespace

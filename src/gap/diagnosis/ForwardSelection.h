@@ -8,12 +8,12 @@
 
 namespace plumbline::gap {
 
-/// A set of causes that grows from the fine evaluator's base while each further one earns its place. Whoever
-/// changes the set by hand sets the evaluator's base too.
-class Growth {
+/// Forward selection: starts at the fine evaluator's base and adds one cause at a time while each passes the
+/// acceptance test (Merit.h). Whoever changes `causes` from outside sets the evaluator's base too.
+class ForwardSelection {
 public:
-  /// coarse: with steps that do for a first look.
-  Growth(Evaluator& fine_, Evaluator& coarse, const DiagnosisOptions& options_)
+  /// coarse: replays with longer steps, for screening.
+  ForwardSelection(Evaluator& fine_, Evaluator& coarse, const DiagnosisOptions& options_)
       : fine(fine_), options(options_), proposals(fine_, coarse, options_) {}
 
   /// Gap beyond noise of the worst channel, in units of its noise, below which nothing is looked for.
@@ -22,7 +22,7 @@ public:
   Explanation causes;
   std::vector<std::vector<Candidate>> choices;  ///< per cause: what stood for choice, most probable first
   double worstBefore = 0;         ///< gap beyond noise of the worst channel without any cause [its noise]
-  bool onHeldRuns = false;        ///< these searches are not kept for a diagnosis that goes on
+  bool onFixedBaseRuns = false;   ///< these searches are not kept for a diagnosis that goes on
   bool lostCommandsLast = false;  ///< they are not looked for
 
   /// Adds causes until none earns its place. most: sum of squares for judging above which two causes are not

@@ -1,4 +1,4 @@
-#include "gap/diagnosis/Growth.h"
+#include "gap/diagnosis/ForwardSelection.h"
 
 #include <algorithm>
 #include <utility>
@@ -14,8 +14,8 @@ namespace {
 
 // Where only a little of the gap is left (Remainder::little), a further cause has to explain
 // most of that, and to be more probable than all others together.
-constexpr double mostOfIt = 0.6, surer = 0.5;
-constexpr double hopeless = 0.3;  // of the best candidate's gain lost: not tried as a further cause
+constexpr double minShareOfRest = 0.6, minProbability = 0.5;
+constexpr double maxGainLost = 0.3;  // of the best candidate's gain lost: not tried as a further cause
 constexpr std::size_t mostTried = 3;
 constexpr int passes = 6;         // of decoding and fitting in turn
 constexpr double stronger = 1.5;  // times what was fitted: losses may stand in for the rest
@@ -23,7 +23,7 @@ constexpr double asWell = 1.05;   // times the squares for judging: no worse
 
 }  // namespace
 
-void Growth::grow(double most) {
+void ForwardSelection::grow(double most) {
   while (causes.size() < options.maxCauses &&
          (causes.empty() ? worstGap(fine).size >= present : remainder().size() >= unexplained)) {
     if (causes.size() > 1 && fine.baseFit().judging > most) break;
@@ -44,21 +44,21 @@ void Growth::grow(double most) {
 
 /// Tries the best candidates on top of the base, values that depend on each other fitted together; keeps
 /// the most probable of those that earn their place.
-bool Growth::accept(const std::vector<Candidate>& list) {
+bool ForwardSelection::accept(const std::vector<Candidate>& list) {
   if (list.empty()) return false;
-  const Standing before(fine);
+  const AcceptanceTest before(fine);
   const double part = leastPart();
   // Where little is left, a cause that is less probable than all others together is a guess.
-  if (part > 0 && probabilities(list).front() < surer) return false;
+  if (part > 0 && probabilities(list).front() < minProbability) return false;
   const Explanation old = fine.base();
-  const double front = list.front().fit.judging, least = front + hopeless * (before.judging() - front);
+  const double front = list.front().fit.judging, least = front + maxGainLost * (before.judging() - front);
   Explanation best;
   double bestJudging = INFINITY, bestPriced = INFINITY;
   for (std::size_t i = 0; i < std::min(old.empty() ? 1 : mostTried, list.size()); ++i) {
     if (list[i].fit.judging > least) break;
     setBaseTo(old, list[i].cause);
     const double judging = fine.baseFit().judging, priced = withPrior(list[i].cause, judging);
-    if (priced < bestPriced && before.betteredBy(fine, part)) {
+    if (priced < bestPriced && before.passes(fine, part)) {
       best = fine.base();
       bestJudging = judging;
       bestPriced = priced;
@@ -70,14 +70,14 @@ bool Growth::accept(const std::vector<Candidate>& list) {
     const auto isIt = [&](const Cause& cause) { return cause.sameKind(all); };
     fine.setBase(best);
     if (std::ranges::none_of(old, isIt)) setBaseTo(old, all);
-    if (fine.baseFit().judging < asWell * bestJudging && before.betteredBy(fine, part)) best = fine.base();
+    if (fine.baseFit().judging < asWell * bestJudging && before.passes(fine, part)) best = fine.base();
   }
   fine.setBase(best.empty() ? old : best);
   return !best.empty();
 }
 
 /// Another cause on top of some, values that depend on each other fitted together.
-void Growth::setBaseTo(const Explanation& old, const Cause& cause) {
+void ForwardSelection::setBaseTo(const Explanation& old, const Cause& cause) {
   Explanation tried = old;
   tried.push_back(cause);
   fine.setBase(old);
@@ -90,7 +90,7 @@ void Growth::setBaseTo(const Explanation& old, const Cause& cause) {
 /// Which commands were lost was decoded before what else is there was known, and that fitted to what was
 /// taken for lost: both once more, in turn, while that predicts better. Losses stand in for a part of what is
 /// there, so that is also tried as more than it was fitted to.
-void Growth::settleLosses() {
+void ForwardSelection::settleLosses() {
   if (causes.size() < 2 || !losesCommands(causes)) return;
   for (int pass = 0; pass < passes; ++pass)
     if (!decodeBeside(1) && !decodeBeside(stronger)) return;
@@ -98,7 +98,7 @@ void Growth::settleLosses() {
 
 /// Decodes lost commands beside the other causes, these so many times as strong, and fits those to that;
 /// keeps it if it predicts better.
-bool Growth::decodeBeside(double strength) {
+bool ForwardSelection::decodeBeside(double strength) {
   const double before = fine.baseFit().judging;
   const auto cyclesBefore = fine.lostCycles();
   Explanation others, tried = causes;
@@ -125,7 +125,7 @@ bool Growth::decodeBeside(double strength) {
 
 /// Whether a cause is set in one servo of a robot whose servos are all of one type. What is set in one is
 /// set in all of them, unless the data speak against it.
-bool Growth::isOneServosSetting(const Cause& cause) const {
+bool ForwardSelection::isOneServosSetting(const Cause& cause) const {
   const Effect& effect = *cause.effect;
   return effect.setting && effect.ofServo && cause.place.site == Site::joint &&
          fine.mechanism().sharesServo();
@@ -134,9 +134,11 @@ bool Growth::isOneServosSetting(const Cause& cause) const {
 /// The share of what is unexplained that a further cause has to explain: where little is left of a large
 /// gap, that may be what the effects found do otherwise in reality, and only what explains most of it
 /// counts.
-double Growth::leastPart() const { return !fine.base().empty() && remainder().little() ? mostOfIt : 0; }
+double ForwardSelection::leastPart() const {
+  return !fine.base().empty() && remainder().little() ? minShareOfRest : 0;
+}
 
-void Growth::addLostIfNothingRemains() {
+void ForwardSelection::addLostIfNothingRemains() {
   std::vector<Candidate> lost;
   if (causes.size() < options.maxCauses && !remainder().mayRemain()) proposals.addLostCommands(lost);
   if (lost.empty()) return;
@@ -151,15 +153,15 @@ void Growth::addLostIfNothingRemains() {
   }
 }
 
-std::vector<Candidate> Growth::candidates(const std::string& stage, bool onlySensors) {
+std::vector<Candidate> ForwardSelection::candidates(const std::string& stage, bool onlySensors) {
   return proposals.find({.stage = stage,
                          .leastGain = leastPart() / 2 * std::max(0.0, excess(fine)),
                          .onlySensors = onlySensors,
                          .lostCommands = !lostCommandsLast,
-                         .memory = onHeldRuns ? nullptr : options.memory});
+                         .memory = onFixedBaseRuns ? nullptr : options.memory});
 }
 
-void Growth::lookForRivals() {
+void ForwardSelection::lookForRivals() {
   for (std::size_t i = 0; i < causes.size(); ++i) {
     if (!choices[i].empty()) continue;
     fine.setBase(without(causes, i));
@@ -169,14 +171,14 @@ void Growth::lookForRivals() {
 }
 
 /// What stood for choice besides a cause that was chosen otherwise; its value fitted like theirs.
-std::vector<Candidate> Growth::withItself(std::vector<Candidate> list, const Cause& cause) const {
+std::vector<Candidate> ForwardSelection::withItself(std::vector<Candidate> list, const Cause& cause) const {
   std::erase_if(list, [&](const Candidate& c) { return c.cause.sameKind(cause); });
   list.push_back(fitValue(fine, cause, {}));
   sortByProbability(list);
   return list;
 }
 
-void Growth::clear() {
+void ForwardSelection::clear() {
   causes.clear();
   choices.clear();
   fine.setBase({});

@@ -11,14 +11,14 @@ namespace plumbline::gap {
 /// one, by how well they predict the runs under that one, each in turn (cross-validation over groups). What
 /// absorbs another cause under one gain, or in one motion, does not in another; blocks of the same runs do
 /// not tell that.
-class AcrossSettings {
+class GroupedCrossValidation {
 public:
   enum class Left { setting, motion };  ///< what is left out in turn
 
   /// Groups the runs with a held base by the gains they were recorded with, or by their motion (windows of
   /// one recording go together). accuracy: the steps of all replays.
-  AcrossSettings(const Mechanism& mechanism, const Evidence& evidence, int jobs,
-                 const ReplayOptions& accuracy = {}, Left left = Left::setting);
+  GroupedCrossValidation(const Mechanism& mechanism, const Evidence& evidence, int jobs,
+                         const ReplayOptions& accuracy = {}, Left left = Left::setting);
   /// Whether there are several groups.
   bool possible() const { return folds.size() > 1; }
 

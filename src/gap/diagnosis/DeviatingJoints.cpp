@@ -1,4 +1,4 @@
-#include "gap/diagnosis/Suspects.h"
+#include "gap/diagnosis/DeviatingJoints.h"
 
 #include <algorithm>
 #include <set>
@@ -12,13 +12,13 @@ constexpr double cleanChi =
 constexpr double chainShare = 0.02;  // of the worst joint's excess: chains below that wait for a later round
 constexpr double jointShare = 0.08;  // of the chain's worst, or of the robot's where it steps
 
-constexpr double astray = 10;  // times its own noise that a joint's repeats differ by
+constexpr double apart = 10;  // times its own noise that a joint's repeats differ by
 
 // Lost commands leave most chains off at a time, by more than this mean square over noise.
 constexpr double mostShare = 0.75, chainOff = 1.5;
 constexpr std::size_t fewChains = 3;  // a robot with fewer is judged by its joints
 
-/// Joints whose repeats differ by far more than their noise: what leads them astray hides in that.
+/// Joints whose repeats differ by far more than their noise: a deviation can hide in that.
 std::vector<bool> restlessJoints(const Evaluator& evaluator) {
   std::vector<bool> restless(evaluator.mechanism().joints.size(), false);
   const Evidence& data = evaluator.evidence();
@@ -27,7 +27,7 @@ std::vector<bool> restlessJoints(const Evaluator& evaluator) {
       const Signal& signal = data.trials()[t].signals[s];
       if (data.trials()[t].freeBase || signal.kind != SignalKind::position) continue;
       const SignalNoise& noise = data.noise(t, s);
-      if (noise.sigma > astray * noise.own) restless[static_cast<std::size_t>(signal.joint)] = true;
+      if (noise.sigma > apart * noise.own) restless[static_cast<std::size_t>(signal.joint)] = true;
     }
   return restless;
 }
@@ -71,19 +71,19 @@ std::vector<double> jointExcess(const Evaluator& evaluator, bool standing) {
   return excess;
 }
 
-Suspects::Suspects(const Evaluator& evaluator) {
+DeviatingJoints::DeviatingJoints(const Evaluator& evaluator) {
   const std::size_t n = evaluator.mechanism().joints.size();
-  if (!evaluator.hasHeld()) {
+  if (!evaluator.hasFixedBase()) {
     chain.assign(n, true);
     joint.assign(n, true);
-    faintly.assign(n, true);
+    weak.assign(n, true);
     any = true;
-    if (allStep(evaluator.evidence())) onlyWhatIsOff(evaluator);
+    if (allStep(evaluator.evidence())) onlyDeviating(evaluator);
     return;
   }
   chain.resize(n);
   joint.resize(n);
-  faintly.resize(n);
+  weak.resize(n);
   const std::vector<double> excess = motorExcess(evaluator.mechanism(), jointExcess(evaluator, false));
   const double all = *std::ranges::max_element(excess);
   const std::vector<bool> restless = restlessJoints(evaluator), unseen = unseenJoints(evaluator);
@@ -94,22 +94,22 @@ Suspects::Suspects(const Evaluator& evaluator) {
     for (const int other : near) worst = std::max(worst, excess[static_cast<std::size_t>(other)]);
     chain[j] = worst > std::max(cleanChi, chainShare * all);
     joint[j] = chain[j] && (excess[j] > jointShare * worst || restless[j] || unseen[j]);
-    faintly[j] = chain[j] && excess[j] > cleanChi;
+    weak[j] = chain[j] && excess[j] > cleanChi;
     any = any || chain[j];
   }
 }
 
 /// What is wrong in a joint's drive shows there first, even where the ground carries it on to the others.
-void Suspects::onlyWhatIsOff(const Evaluator& evaluator) {
+void DeviatingJoints::onlyDeviating(const Evaluator& evaluator) {
   const std::vector<double> excess = motorExcess(evaluator.mechanism(), jointExcess(evaluator, true));
   const double all = *std::ranges::max_element(excess);
   for (std::size_t j = 0; j < excess.size(); ++j) {
-    faintly[j] = excess[j] > cleanChi;
-    joint[j] = faintly[j] && excess[j] > jointShare * all;
+    weak[j] = excess[j] > cleanChi;
+    joint[j] = weak[j] && excess[j] > jointShare * all;
   }
 }
 
-bool mostIsOff(const Evaluator& evaluator) {
+bool mostDeviates(const Evaluator& evaluator) {
   std::set<int> roots, rootsOff, joints, jointsOff;
   evaluator.forEachChannel([&](const Trial& trial, const Signal& signal, double chi) {
     if (trial.freeBase || signal.kind != SignalKind::position) return;

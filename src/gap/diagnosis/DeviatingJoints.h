@@ -9,20 +9,20 @@ namespace plumbline::gap {
 /// (standing) or with a held base. In units of noise variance, one per joint; 0 where nothing was compared.
 std::vector<double> jointExcess(const Evaluator& evaluator, bool standing);
 
-/// Joints that runs with a held base show to be off: themselves (or by repeats that go apart), and in a chain
-/// of which any is. All of them where there are no such runs.
-struct Suspects {
-  explicit Suspects(const Evaluator& evaluator);
+/// Joints that deviate in recordings with a fixed base: by themselves (or because repeats differ), or in a
+/// chain of which a joint deviates. Without such recordings: all of them.
+struct DeviatingJoints {
+  explicit DeviatingJoints(const Evaluator& evaluator);
   std::vector<bool> joint, chain;  ///< one flag per joint
-  std::vector<bool> faintly;       ///< themselves, however much more the joints are that carry them
+  std::vector<bool> weak;          ///< by themselves, however much more the joints deviate that carry them
   bool any = false;
 
 private:
-  void onlyWhatIsOff(const Evaluator& evaluator);
+  void onlyDeviating(const Evaluator& evaluator);
 };
 
 /// Whether most of the robot is off, as lost commands would leave it: its chains, or the joints of a robot
 /// that has few chains.
-bool mostIsOff(const Evaluator& evaluator);
+bool mostDeviates(const Evaluator& evaluator);
 
 }  // namespace plumbline::gap

@@ -1,4 +1,4 @@
-#include "gap/diagnosis/LossEcho.h"
+#include "gap/diagnosis/LossResponse.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ constexpr double margin = 1.25;                 // losses near each other take l
 std::vector<double> changeAfter(std::size_t cycle, const Prediction& with, const Prediction& without,
                                 const Evidence& evidence, std::size_t t) {
   std::vector<double> change;
-  for (std::size_t k = cycle + 1; k < cycle + LossEcho::reach; ++k) {
+  for (std::size_t k = cycle + 1; k < cycle + LossResponse::reach; ++k) {
     double& sum = change.emplace_back(0);
     for (std::size_t s = 0; s < without.values.size(); ++s) {
       if (evidence.trials()[t].signals[s].joint < 0 || without.values[s].empty()) continue;
@@ -47,30 +47,31 @@ std::size_t quantile(std::vector<std::size_t> values, double share) {
 
 }  // namespace
 
-LossEcho lossEcho(const Plant& plant, const Evidence& evidence, std::size_t t, double price) {
+LossResponse lossResponse(const Plant& plant, const Evidence& evidence, std::size_t t, double price) {
   const std::size_t cycles = evidence.trials()[t].cycles();
   const Prediction none = replay(plant, evidence.trials()[t], {});
-  std::vector<std::size_t> told, over;
+  std::vector<std::size_t> detection, settling;
   for (std::size_t n = 0; n < samples; ++n) {
-    const std::size_t first = n * LossEcho::reach / samples;
+    const std::size_t first = n * LossResponse::reach / samples;
     std::vector<std::uint8_t> lost(cycles, 0);
-    for (std::size_t k = first; k < cycles; k += LossEcho::reach) lost[k] = 1;
+    for (std::size_t k = first; k < cycles; k += LossResponse::reach) lost[k] = 1;
     ReplayOptions options;
     options.lostCycles = &lost;
     const Prediction some = replay(plant, evidence.trials()[t], options);
-    for (std::size_t k = first; k + LossEcho::reach <= cycles; k += LossEcho::reach) {
+    for (std::size_t k = first; k + LossResponse::reach <= cycles; k += LossResponse::reach) {
       const std::vector<double> change = changeAfter(k, some, none, evidence, t);
       if (change.back() < visible * price) continue;
-      told.push_back(cyclesTo(enough * price, change));
-      over.push_back(cyclesTo(nearlyAll * change.back(), change));
+      detection.push_back(cyclesTo(enough * price, change));
+      settling.push_back(cyclesTo(nearlyAll * change.back(), change));
     }
   }
-  LossEcho echo;
-  if (told.empty()) return echo;
-  echo.told =
-      std::max(echo.told, static_cast<std::size_t>(margin * static_cast<double>(quantile(told, most))));
-  echo.over = std::max(echo.over, quantile(over, 0.5));
-  return echo;
+  LossResponse response;
+  if (detection.empty()) return response;
+  response.detectionCycles =
+      std::max(response.detectionCycles,
+               static_cast<std::size_t>(margin * static_cast<double>(quantile(detection, most))));
+  response.settlingCycles = std::max(response.settlingCycles, quantile(settling, 0.5));
+  return response;
 }
 
 }  // namespace plumbline::gap

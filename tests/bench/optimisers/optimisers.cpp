@@ -22,7 +22,7 @@ nlohmann::json report = nlohmann::json::array();
 
 void add(const std::string& name, double value, const char* unit, double peer, const char* peerName) {
   std::printf("%-40s %10.6g %-12s %s %g\n", name.c_str(), value, unit, peerName, peer);
-  report.push_back({{"name", "optimization." + name},
+  report.push_back({{"name", "optimisers." + name},
                     {"value", value},
                     {"unit", unit},
                     {"better", "lower"},
@@ -106,5 +106,5 @@ int main() {
   add("xnes.rosenbrock10.evaluations", xnesEvaluations(rosenbrock, 0), "evaluations", 22200, "pagmo xnes");
   add("xnes.generation96", millisecondsPerGeneration<Xnes, XnesOptions>(96), "ms", 0.7, "pagmo xnes");
   add("xnes.generation210", millisecondsPerGeneration<Xnes, XnesOptions>(210), "ms", 6.6, "pagmo xnes");
-  std::ofstream("build/bench/optimization.json") << report.dump(1) << "\n";
+  std::ofstream("build/bench/optimisers.json") << report.dump(1) << "\n";
 }

@@ -1,4 +1,4 @@
-#include "gap/diagnosis/Harm.h"
+#include "gap/diagnosis/PruneHarmful.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -29,14 +29,14 @@ struct Change {
 };
 
 /// replaced: a cause that took another's place may only go.
-std::vector<Change> changesOf(const Growth& growth, const std::vector<std::uint8_t>& replaced) {
+std::vector<Change> changesOf(const ForwardSelection& selection, const std::vector<std::uint8_t>& replaced) {
   std::vector<Change> changes;
-  for (std::size_t i = 0; i < growth.causes.size(); ++i) {
+  for (std::size_t i = 0; i < selection.causes.size(); ++i) {
     changes.push_back({.which = i});
     std::size_t rivals = 0;
-    for (const Candidate& choice : growth.choices[i]) {
+    for (const Candidate& choice : selection.choices[i]) {
       const auto same = [&](const Cause& cause) { return cause.sameKind(choice.cause); };
-      if (replaced[i] || rivals == mostRivals || std::ranges::any_of(growth.causes, same)) continue;
+      if (replaced[i] || rivals == mostRivals || std::ranges::any_of(selection.causes, same)) continue;
       changes.push_back({.which = i, .instead = &choice});
       ++rivals;
     }
@@ -58,25 +58,26 @@ std::vector<Candidate> triedInPlace(const std::vector<Change>& changes, std::siz
 
 }  // namespace
 
-bool leaveOutHarm(Growth& growth, Evaluator& fine, const GapMeter& meter, double before, int jobs) {
+bool pruneHarmful(ForwardSelection& selection, Evaluator& fine, const GapMeter& meter, double before,
+                  int jobs) {
   bool changed = false;
-  std::vector<std::uint8_t> replaced(growth.causes.size());
-  fine.setBase(growth.causes);
-  while (!growth.causes.empty() && meter.under(fine) > before) {
-    std::vector<Change> changes = changesOf(growth, replaced);
+  std::vector<std::uint8_t> replaced(selection.causes.size());
+  fine.setBase(selection.causes);
+  while (!selection.causes.empty() && meter.under(fine) > before) {
+    std::vector<Change> changes = changesOf(selection, replaced);
     parallel(changes.size(), jobs,
-             [&](std::size_t i) { changes[i].fit = fine.of(changes[i].madeTo(growth.causes)); });
+             [&](std::size_t i) { changes[i].fit = fine.of(changes[i].madeTo(selection.causes)); });
     const Change best = *std::ranges::min_element(changes, {}, [](const Change& c) { return c.fit.judging; });
     const auto at = static_cast<std::ptrdiff_t>(best.which);
-    growth.causes = best.madeTo(growth.causes);
+    selection.causes = best.madeTo(selection.causes);
     if (best.instead) {
-      growth.choices[best.which] = triedInPlace(changes, best.which);
+      selection.choices[best.which] = triedInPlace(changes, best.which);
       replaced[best.which] = 1;
     } else {
-      growth.choices.erase(growth.choices.begin() + at);
+      selection.choices.erase(selection.choices.begin() + at);
       replaced.erase(replaced.begin() + at);
     }
-    fine.setBase(growth.causes);
+    fine.setBase(selection.causes);
     changed = true;
   }
   return changed;

@@ -1,4 +1,4 @@
-#include "gap/diagnosis/RunsWithout.h"
+#include "gap/diagnosis/ConfigurationChange.h"
 
 #include <algorithm>
 #include <map>
@@ -36,10 +36,10 @@ std::map<std::string, double> squaresByRecording(const Evidence& data, const Fit
 std::vector<std::string> changed(const Evaluator& evaluator, const Explanation& causes, std::size_t i) {
   const Evidence& data = evaluator.evidence();
   Explanation everywhere = causes;
-  everywhere[i].notIn.clear();
+  everywhere[i].inactiveIn.clear();
   const auto with = squaresByRecording(data, evaluator.of(everywhere)),
              less = squaresByRecording(data, evaluator.of(without(causes, i)));
-  std::vector<std::string> names = causes[i].notIn;
+  std::vector<std::string> names = causes[i].inactiveIn;
   std::string most;
   double mostGain = leastGain;
   bool shown = false;
@@ -60,7 +60,7 @@ std::vector<std::string> changed(const Evaluator& evaluator, const Explanation& 
 /// The cause, out of the recordings that it makes far worse; in all where it makes none far better.
 Candidate setInSome(const Evaluator& nominal, Cause cause) {
   const Evidence& data = nominal.evidence();
-  cause.notIn.clear();
+  cause.inactiveIn.clear();
   Fit fit = nominal.with(cause);
   const auto before = squaresByRecording(data, nominal.baseFit()), after = squaresByRecording(data, fit);
   bool any = false;
@@ -68,10 +68,10 @@ Candidate setInSome(const Evaluator& nominal, Cause cause) {
     const double loss = after.at(name) - squares, far = std::max(leastGain, farBetter * squares);
     any = any || -loss > far;
     if (loss <= far) continue;
-    cause.notIn.push_back(name);
+    cause.inactiveIn.push_back(name);
     fit.judging -= loss;
   }
-  if (!any) cause.notIn.clear();
+  if (!any) cause.inactiveIn.clear();
   return {cause, std::move(fit), 0};
 }
 
@@ -79,7 +79,7 @@ Candidate setInSome(const Evaluator& nominal, Cause cause) {
 Explanation needed(const Evaluator& evaluator, Explanation causes, int jobs) {
   double judging = evaluator.of(causes).judging;
   for (std::size_t i = causes.size(); i-- > 0;) {
-    if (!causes[i].notIn.empty()) continue;
+    if (!causes[i].inactiveIn.empty()) continue;
     Explanation less = fitSettled(evaluator, without(causes, i), jobs);
     const double left = evaluator.of(less).judging;
     if (left - judging >= std::max(leastGain, needless * judging)) continue;
@@ -91,14 +91,14 @@ Explanation needed(const Evaluator& evaluator, Explanation causes, int jobs) {
 
 }  // namespace
 
-Explanation withoutWhereNotSet(const Evaluator& evaluator, int jobs) {
+Explanation inactiveWhereNotSet(const Evaluator& evaluator, int jobs) {
   const Explanation& base = evaluator.base();
   Explanation best = base;
   for (std::size_t i = 0; i < best.size(); ++i) {
     while (best[i].effect->setting) {
       Explanation tried = best;
-      tried[i].notIn = changed(evaluator, best, i);
-      if (tried[i].notIn == best[i].notIn) break;
+      tried[i].inactiveIn = changed(evaluator, best, i);
+      if (tried[i].inactiveIn == best[i].inactiveIn) break;
       tried = fitTogether(evaluator, tried, jobs);
       // The changes end: each takes away its share.
       if (evaluator.of(tried).judging > (1 - worthIt) * evaluator.of(best).judging) break;
@@ -108,12 +108,12 @@ Explanation withoutWhereNotSet(const Evaluator& evaluator, int jobs) {
   return best == base ? base : needed(evaluator, fitSettled(evaluator, best, jobs), jobs);
 }
 
-Explanation setInSomeRecordings(const Evaluator& nominal, int jobs) {
+Explanation configurationOfSome(const Evaluator& nominal, int jobs) {
   std::vector<Cause> starts = possibleCauses(nominal);
   std::erase_if(starts, [](const Cause& cause) { return !cause.effect->setting; });
   std::vector<Candidate> tried(starts.size());
   parallel(starts.size(), jobs, [&](std::size_t i) { tried[i] = setInSome(nominal, starts[i]); });
-  std::erase_if(tried, [](const Candidate& candidate) { return candidate.cause.notIn.empty(); });
+  std::erase_if(tried, [](const Candidate& candidate) { return candidate.cause.inactiveIn.empty(); });
   const auto better = [](const Candidate& a, const Candidate& b) { return a.fit.judging < b.fit.judging; };
   std::ranges::stable_sort(tried, better);
   tried.resize(std::min(tried.size(), fittedStarts));
@@ -121,7 +121,7 @@ Explanation setInSomeRecordings(const Evaluator& nominal, int jobs) {
     tried[i] = fitValue(nominal, tried[i].cause, {});
     tried[i] = setInSome(nominal, tried[i].cause);
   });
-  std::erase_if(tried, [](const Candidate& candidate) { return candidate.cause.notIn.empty(); });
+  std::erase_if(tried, [](const Candidate& candidate) { return candidate.cause.inactiveIn.empty(); });
   if (tried.empty()) return {};
   return {std::ranges::min_element(tried, better)->cause};
 }

@@ -1,4 +1,4 @@
-#include "gap/diagnosis/AcrossSettings.h"
+#include "gap/diagnosis/GroupedCrossValidation.h"
 
 #include <algorithm>
 #include <array>
@@ -34,22 +34,24 @@ std::vector<double> gainsOf(const Trial& trial) {
 
 /// Whether what causes foretell is in doubt, which would excuse whatever they do not explain.
 bool inDoubt(const Mechanism& mechanism, const Explanation& causes) {
-  return anyHunts(plantOf(mechanism, causes));
+  return anyLimitCycle(plantOf(mechanism, causes));
 }
 
-bool better(const AcrossSettings::Tried& a, const AcrossSettings::Tried& b) { return a.error < b.error; }
+bool better(const GroupedCrossValidation::Tried& a, const GroupedCrossValidation::Tried& b) {
+  return a.error < b.error;
+}
 
 }  // namespace
 
-AcrossSettings::Fold::Fold(const Mechanism& mechanism, std::vector<Trial> fitted_, std::vector<Trial> left_,
-                           const ReplayOptions& accuracy)
+GroupedCrossValidation::Fold::Fold(const Mechanism& mechanism, std::vector<Trial> fitted_,
+                                   std::vector<Trial> left_, const ReplayOptions& accuracy)
     : fitted(std::move(fitted_)),
       left(std::move(left_)),
       fit(mechanism, fitted, accuracy),
       judge(mechanism, left, accuracy) {}
 
-AcrossSettings::AcrossSettings(const Mechanism& mechanism, const Evidence& evidence, int jobs_,
-                               const ReplayOptions& accuracy, Left leftOut)
+GroupedCrossValidation::GroupedCrossValidation(const Mechanism& mechanism, const Evidence& evidence,
+                                               int jobs_, const ReplayOptions& accuracy, Left leftOut)
     : robot(mechanism), jobs(jobs_) {
   using Group = std::pair<std::string, std::vector<double>>;
   const auto groupOf = [leftOut](const Trial& trial) {
@@ -71,12 +73,12 @@ AcrossSettings::AcrossSettings(const Mechanism& mechanism, const Evidence& evide
   }
 }
 
-double AcrossSettings::squaresLeft(const Fold& fold, const Explanation& causes) const {
+double GroupedCrossValidation::squaresLeft(const Fold& fold, const Explanation& causes) const {
   const Fit fit = fold.judge.of(causes);
   return std::max(0.0, fit.fitting + fit.judging);
 }
 
-AcrossSettings::Tried AcrossSettings::fitted(const Tried& from) const {
+GroupedCrossValidation::Tried GroupedCrossValidation::fitted(const Tried& from) const {
   Tried result = from;
   result.error = 0;
   for (std::size_t f = 0; f < folds.size(); ++f) {
@@ -98,7 +100,7 @@ AcrossSettings::Tried AcrossSettings::fitted(const Tried& from) const {
   return result;
 }
 
-AcrossSettings::Tried AcrossSettings::refined(Tried tried) const {
+GroupedCrossValidation::Tried GroupedCrossValidation::refined(Tried tried) const {
   for (int pass = 0; pass < passes; ++pass) {
     Tried again = fitted(tried);
     if (again.error >= tried.error && pass > 0) break;
@@ -107,14 +109,14 @@ AcrossSettings::Tried AcrossSettings::refined(Tried tried) const {
   return tried;
 }
 
-AcrossSettings::Tried AcrossSettings::of(const Explanation& causes) const {
+GroupedCrossValidation::Tried GroupedCrossValidation::of(const Explanation& causes) const {
   Tried tried;
   if (causes.empty()) return tried;
   tried.perFold.assign(folds.size(), causes);
   return refined(tried);
 }
 
-AcrossSettings::Tried AcrossSettings::withBestVariants(Tried best) const {
+GroupedCrossValidation::Tried GroupedCrossValidation::withBestVariants(Tried best) const {
   for (std::size_t i = 0; i < best.causes.size(); ++i) {
     std::vector<Tried> tried(static_cast<std::size_t>(best.causes[i].effect->numVariants()), best);
     if (tried.size() < 2) continue;
@@ -132,7 +134,8 @@ AcrossSettings::Tried AcrossSettings::withBestVariants(Tried best) const {
   return best;
 }
 
-AcrossSettings::Tried AcrossSettings::withKind(const Tried& from, const std::vector<Cause>& starts) const {
+GroupedCrossValidation::Tried GroupedCrossValidation::withKind(const Tried& from,
+                                                               const std::vector<Cause>& starts) const {
   Tried tried = from;
   tried.perFold.resize(folds.size());
   for (std::size_t f = 0; f < folds.size(); ++f) {
@@ -156,8 +159,9 @@ AcrossSettings::Tried AcrossSettings::withKind(const Tried& from, const std::vec
   return fitted(tried);
 }
 
-AcrossSettings::Tried AcrossSettings::best(const std::vector<Cause>& starts, std::size_t maxCauses,
-                                           const std::function<void(double share)>& progress) const {
+GroupedCrossValidation::Tried GroupedCrossValidation::best(
+    const std::vector<Cause>& starts, std::size_t maxCauses,
+    const std::function<void(double share)>& progress) const {
   const std::vector<std::vector<Cause>> kinds = byKind(robot, starts);
   std::vector<Tried> sets(1);
   Tried best;
@@ -190,9 +194,9 @@ AcrossSettings::Tried AcrossSettings::best(const std::vector<Cause>& starts, std
 
 Explanation betterAcrossMotions(const Evaluator& evaluator, const Explanation& proposed,
                                 const Explanation& old, int jobs) {
-  const AcrossSettings motions(evaluator.mechanism(), evaluator.evidence(), jobs, coarseSteps(),
-                               AcrossSettings::Left::motion);
-  std::array<AcrossSettings::Tried, 2> tried;
+  const GroupedCrossValidation motions(evaluator.mechanism(), evaluator.evidence(), jobs, coarseSteps(),
+                                       GroupedCrossValidation::Left::motion);
+  std::array<GroupedCrossValidation::Tried, 2> tried;
   if (motions.possible()) {
     parallel(2, jobs, [&](std::size_t i) { tried[i] = motions.of(i ? old : proposed); });
     tried[0] = motions.withBestVariants(std::move(tried[0]));

@@ -1,4 +1,4 @@
-#include "gap/diagnosis/AcrossSettings.h"
+#include "gap/diagnosis/GroupedCrossValidation.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace plumbline::gap {
 namespace {
 
-class AcrossSettingsTest : public ::testing::Test {
+class GroupedCrossValidationTest : public ::testing::Test {
 protected:
   /// One recording per servo gain, all with these causes in them.
   static Evidence recordedWith(const Explanation& causes, const std::vector<double>& gains) {
@@ -37,51 +37,51 @@ protected:
   const Mechanism arm = twoJointArm();
 };
 
-TEST_F(AcrossSettingsTest, oneSettingIsNotEnough) {
-  EXPECT_FALSE(AcrossSettings(arm, recordedWith({}, {20, 20}), 1).possible());
-  EXPECT_TRUE(AcrossSettings(arm, recordedWith({}, {20, 40}), 1).possible());
+TEST_F(GroupedCrossValidationTest, oneSettingIsNotEnough) {
+  EXPECT_FALSE(GroupedCrossValidation(arm, recordedWith({}, {20, 20}), 1).possible());
+  EXPECT_TRUE(GroupedCrossValidation(arm, recordedWith({}, {20, 40}), 1).possible());
 }
 
-TEST_F(AcrossSettingsTest, motionsAreGroupsToo) {
+TEST_F(GroupedCrossValidationTest, motionsAreGroupsToo) {
   const Explanation truth = {causeOfArm("coulomb_friction", "elbow", 0.1),
                              causeOfArm("viscous_friction", "elbow", 0.15)};
   std::vector<Trial> trials = recordedIn(truth);
-  EXPECT_FALSE(AcrossSettings(arm, Evidence(trials), 1).possible());
-  const auto motion = AcrossSettings::Left::motion;
-  const AcrossSettings motions(arm, Evidence(trials), 1, {}, motion);
+  EXPECT_FALSE(GroupedCrossValidation(arm, Evidence(trials), 1).possible());
+  const auto motion = GroupedCrossValidation::Left::motion;
+  const GroupedCrossValidation motions(arm, Evidence(trials), 1, {}, motion);
   ASSERT_TRUE(motions.possible());
-  const AcrossSettings::Tried tried = motions.of(truth);
+  const GroupedCrossValidation::Tried tried = motions.of(truth);
   EXPECT_EQ(tried.perFold.size(), 2u) << "two windows of one recording are left out together";
   EXPECT_LT(tried.error, 0.1);
   EXPECT_GT(motions.of({truth[0]}).error, 3 * tried.error);
   trials.erase(trials.begin());
-  EXPECT_FALSE(AcrossSettings(arm, Evidence(trials), 1, {}, motion).possible());
+  EXPECT_FALSE(GroupedCrossValidation(arm, Evidence(trials), 1, {}, motion).possible());
 }
 
-TEST_F(AcrossSettingsTest, nothingPredictsWorseThanTheNominalModelAndTheTruthPredictsBest) {
+TEST_F(GroupedCrossValidationTest, nothingPredictsWorseThanTheNominalModelAndTheTruthPredictsBest) {
   const Explanation truth = {causeOfArm("coulomb_friction", "elbow", 0.1),
                              causeOfArm("viscous_friction", "elbow", 0.15)};
-  const AcrossSettings settings(arm, recordedWith(truth, {10, 40}), 1);
+  const GroupedCrossValidation settings(arm, recordedWith(truth, {10, 40}), 1);
   EXPECT_EQ(settings.of({}).error, 1);
-  const AcrossSettings::Tried tried = settings.of(truth);
+  const GroupedCrossValidation::Tried tried = settings.of(truth);
   EXPECT_LT(tried.error, 0.1);
   EXPECT_NEAR(tried.causes[0].value, 0.1, 0.005);
   EXPECT_NEAR(tried.causes[1].value, 0.15, 0.01);
   EXPECT_GT(settings.of({causeOfArm("coulomb_friction", "elbow", 0.1)}).error, 3 * tried.error);
 }
 
-TEST_F(AcrossSettingsTest, thePairIsFoundThatHoldsUnderBothSettings) {
-  const AcrossSettings settings(arm,
-                                recordedWith({causeOfArm("coulomb_friction", "elbow", 0.1),
-                                              causeOfArm("viscous_friction", "elbow", 0.15)},
-                                             {10, 40}),
-                                1);
+TEST_F(GroupedCrossValidationTest, thePairIsFoundThatHoldsUnderBothSettings) {
+  const GroupedCrossValidation settings(arm,
+                                        recordedWith({causeOfArm("coulomb_friction", "elbow", 0.1),
+                                                      causeOfArm("viscous_friction", "elbow", 0.15)},
+                                                     {10, 40}),
+                                        1);
   std::vector<Cause> starts;
   for (const auto& [id, value] :
        {std::pair("coulomb_friction", 0.05), {"viscous_friction", 0.05}, {"servo_gain", 0.8}})
     starts.push_back(causeOfArm(id, "elbow", value));
   double done = 0;
-  const AcrossSettings::Tried best = settings.best(starts, 3, [&](double share) { done = share; });
+  const GroupedCrossValidation::Tried best = settings.best(starts, 3, [&](double share) { done = share; });
   ASSERT_EQ(best.causes.size(), 2u);
   const std::size_t dry = best.causes[0].effect->id == "coulomb_friction" ? 0 : 1;
   EXPECT_EQ(best.causes[dry].effect->id, "coulomb_friction");
@@ -92,13 +92,13 @@ TEST_F(AcrossSettingsTest, thePairIsFoundThatHoldsUnderBothSettings) {
   EXPECT_GT(done, 0.5);
 }
 
-TEST_F(AcrossSettingsTest, theVariantIsTakenThatPredictsMotionsLeftOut) {
+TEST_F(GroupedCrossValidationTest, theVariantIsTakenThatPredictsMotionsLeftOut) {
   Cause load = causeOfArm("load_friction", "shoulder", 0.3);
   load.variant = 1;
   const Evidence evidence(recordedIn({load}));
-  const AcrossSettings motions(arm, evidence, 1, {}, AcrossSettings::Left::motion);
-  const AcrossSettings::Tried other = motions.of({causeOfArm("load_friction", "shoulder", 0.2)});
-  const AcrossSettings::Tried best = motions.withBestVariants(other);
+  const GroupedCrossValidation motions(arm, evidence, 1, {}, GroupedCrossValidation::Left::motion);
+  const GroupedCrossValidation::Tried other = motions.of({causeOfArm("load_friction", "shoulder", 0.2)});
+  const GroupedCrossValidation::Tried best = motions.withBestVariants(other);
   ASSERT_EQ(best.causes.size(), 1u);
   EXPECT_EQ(best.causes[0].variant, 1);
   EXPECT_NEAR(best.causes[0].value, 0.3, 0.01);
@@ -106,7 +106,7 @@ TEST_F(AcrossSettingsTest, theVariantIsTakenThatPredictsMotionsLeftOut) {
   EXPECT_EQ(motions.withBestVariants(best).causes, best.causes);
 }
 
-TEST_F(AcrossSettingsTest, ofTwoSetsTheOneThatPredictsMotionsBetter) {
+TEST_F(GroupedCrossValidationTest, ofTwoSetsTheOneThatPredictsMotionsBetter) {
   Cause load = causeOfArm("load_friction", "shoulder", 0.3);
   load.variant = 1;
   const Explanation truth = {load, causeOfArm("viscous_friction", "elbow", 0.15)};

@@ -1,4 +1,4 @@
-#include "gap/diagnosis/Growth.h"
+#include "gap/diagnosis/ForwardSelection.h"
 
 #include <gtest/gtest.h>
 
@@ -9,17 +9,17 @@
 namespace plumbline::gap {
 namespace {
 
-TEST(GrowthTest, whatIsBesideLostCommandsIsFittedBesideThem) {
+TEST(ForwardSelectionTest, whatIsBesideLostCommandsIsFittedBesideThem) {
   const Mechanism arm = twoJointArm();
   const Plant plant = plantOf(arm, {causeOfArm("coulomb_friction", "elbow", 0.1)});
   const Evidence evidence = evidenceOf(recordedTwice(plant, 5e-4, 0.1), 1);
   Evaluator fine(arm, evidence), coarse(arm, evidence, coarseSteps());
   const DiagnosisOptions options;
-  Growth growth(fine, coarse, options);
-  growth.worstBefore = 10;
-  growth.grow();
-  ASSERT_EQ(growth.causes.size(), 2u);
-  for (const Cause& cause : growth.causes) {
+  ForwardSelection selection(fine, coarse, options);
+  selection.worstBefore = 10;
+  selection.grow();
+  ASSERT_EQ(selection.causes.size(), 2u);
+  for (const Cause& cause : selection.causes) {
     if (cause.effect->decoded) {
       EXPECT_NEAR(cause.value, 0.1, 0.03);
     } else {
@@ -27,8 +27,8 @@ TEST(GrowthTest, whatIsBesideLostCommandsIsFittedBesideThem) {
       EXPECT_NEAR(cause.value, 0.1, 0.002);
     }
   }
-  EXPECT_EQ(growth.causes, fine.base());
-  EXPECT_LT(growth.remainder().size(), 0.6);
+  EXPECT_EQ(selection.causes, fine.base());
+  EXPECT_LT(selection.remainder().size(), 0.6);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "gap/diagnosis/RunsWithout.h"
+#include "gap/diagnosis/ConfigurationChange.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-class RunsWithoutTest : public ::testing::Test {
+class ConfigurationChangeTest : public ::testing::Test {
 protected:
   /// Recordings "monday" in two windows, "tuesday" and "slow", with these causes; "tuesday" without the
   /// first of them where it differs.
@@ -28,7 +28,7 @@ protected:
   static Explanation foundIn(const Evidence& evidence, const Explanation& base) {
     Evaluator evaluator(arm, evidence);
     evaluator.setBase(base);
-    return withoutWhereNotSet(evaluator, 1);
+    return inactiveWhereNotSet(evaluator, 1);
   }
 
   static inline const Mechanism arm = twoJointArm();
@@ -36,44 +36,44 @@ protected:
                              causeOfArm("coulomb_friction", "elbow", 0.08)};
 };
 
-TEST_F(RunsWithoutTest, theRecordingThatRanWithoutItIsNamedAndValuesAreFittedAnew) {
+TEST_F(ConfigurationChangeTest, theRecordingThatRanWithoutItIsNamedAndValuesAreFittedAnew) {
   const Evidence evidence = recordings(truth, true);
   Explanation off = truth;
   off[0].value = 30;  // between both, as a fit to all recordings has it
   off[1].value = 0.1;
   const Explanation found = foundIn(evidence, off);
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_EQ(found[0].notIn, Names{"tuesday"});
+  EXPECT_EQ(found[0].inactiveIn, Names{"tuesday"});
   EXPECT_NEAR(found[0].value, 20, 0.5);
-  EXPECT_EQ(found[1].notIn, Names{});
+  EXPECT_EQ(found[1].inactiveIn, Names{});
   EXPECT_NEAR(found[1].value, 0.08, 0.004);
 }
 
-TEST_F(RunsWithoutTest, whatIsInEveryRecordingStaysAsItIs) {
+TEST_F(ConfigurationChangeTest, whatIsInEveryRecordingStaysAsItIs) {
   EXPECT_EQ(foundIn(recordings(truth, false), truth), truth);
 }
 
-TEST_F(RunsWithoutTest, aRecordingThatShowsItAfterAllIsTakenInAgain) {
+TEST_F(ConfigurationChangeTest, aRecordingThatShowsItAfterAllIsTakenInAgain) {
   Explanation base = truth;
-  base[0].notIn = {"monday", "tuesday"};
+  base[0].inactiveIn = {"monday", "tuesday"};
   const Explanation found = foundIn(recordings(truth, true), base);
-  EXPECT_EQ(found[0].notIn, Names{"tuesday"});
+  EXPECT_EQ(found[0].inactiveIn, Names{"tuesday"});
 }
 
-TEST_F(RunsWithoutTest, oneSettingThatSomeRecordingsHadIsFoundFromNothing) {
+TEST_F(ConfigurationChangeTest, oneSettingThatSomeRecordingsHadIsFoundFromNothing) {
   const auto from = [&](const Explanation& causes, bool differs) {
     const Evidence evidence = recordings(causes, differs);
-    return setInSomeRecordings(Evaluator(arm, evidence), 1);
+    return configurationOfSome(Evaluator(arm, evidence), 1);
   };
   const Explanation found = from({truth[0]}, true);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].effect->id, "acceleration_limit");
-  EXPECT_EQ(found[0].notIn, Names{"tuesday"});
+  EXPECT_EQ(found[0].inactiveIn, Names{"tuesday"});
   EXPECT_NEAR(found[0].value, 20, 0.5);
   EXPECT_TRUE(from({truth[0]}, false).empty());
 }
 
-TEST_F(RunsWithoutTest, frictionIsNoSettingAndACauseThatNoRecordingShowsStays) {
+TEST_F(ConfigurationChangeTest, frictionIsNoSettingAndACauseThatNoRecordingShowsStays) {
   const Explanation friction = {causeOfArm("coulomb_friction", "elbow", 0.08)};
   const Evidence evidence = recordings(friction, true);
   EXPECT_EQ(foundIn(evidence, friction), friction);

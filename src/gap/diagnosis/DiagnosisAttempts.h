@@ -1,0 +1,51 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gap/diagnosis/Diagnosis.h"
+
+namespace plumbline::gap {
+
+/// From recordings to a diagnosis, in one attempt or two. The noise of the first is what repeated recordings
+/// differ by. Lost commands make them differ too, which may show only once other causes are known: then a
+/// second attempt uses the noise that remains beside the lost commands (evidenceBesideLosses).
+class DiagnosisAttempts {
+public:
+  using Message = std::function<void(const std::string& text)>;
+  /// What a user is told in words; an empty function is not called.
+  struct Messages {
+    Message resumed;  ///< searches of a run that was stopped are used
+    Message problem;  ///< searches cannot be remembered
+  };
+
+  /// options.memory is not used: each attempt has a memory of its own, because searches belong to their
+  /// noise. memoryFile: of the first attempt's searches, the second's ends with "2"; empty: nothing is
+  /// remembered. The robot must outlive this object.
+  DiagnosisAttempts(const Mechanism& robot, DiagnosisOptions options, std::string memoryFile,
+                    Messages messages);
+  ~DiagnosisAttempts();
+  DiagnosisAttempts(const DiagnosisAttempts&) = delete;
+  DiagnosisAttempts& operator=(const DiagnosisAttempts&) = delete;
+
+  /// Throws Stopped, with a message that names the file to go on from, where options.progress throws it.
+  Diagnosis run(std::vector<Trial> trials);
+
+  /// Of the attempt that gave the diagnosis; only after run().
+  Evaluator& evaluator();
+  /// Removes the files of memory: the diagnosis is done.
+  void forget();
+
+private:
+  struct Attempt;
+  Diagnosis attempt(Evidence evidence, const std::string& file);
+
+  const Mechanism& robot;
+  const DiagnosisOptions options;
+  const std::string memoryFile;
+  const Messages messages;
+  std::vector<std::unique_ptr<Attempt>> attempts;
+};
+
+}  // namespace plumbline::gap
