@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Makes the pictures of doc/img/ and README's sample output anew, by the commands that stand beside them there; `make
 # pictures` builds first what this needs.
-#   scripts/make_pictures.sh [goal] [match] [graph] [report] [agent]   all, if none is named; report takes some minutes
+#   scripts/make_pictures.sh [goal] [match] [graph] [report] [agent] [fault]   all, if none is named; report takes some minutes
 # Example: scripts/make_pictures.sh goal
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 fail() { echo "make_pictures.sh: $*" >&2; exit 2; }
 wanted=("$@")
-((${#wanted[@]})) || wanted=(goal match graph report agent)
+((${#wanted[@]})) || wanted=(goal match graph report agent fault)
 work=$(mktemp -d)
 server=""
 trap '[[ $server ]] && kill "$server" 2> /dev/null; rm -rf "$work"' EXIT
@@ -82,9 +82,64 @@ agent() {
   put "$work/agent.jpg" agent-page.jpg
 }
 
+# What a terminal shows, as a picture: the text on standard input; the line that begins with " rdb " is its bar.
+terminalPicture() {
+  awk '
+    { gsub(/&/, "\\&amp;"); gsub(/</, "\\&lt;"); gsub(/>/, "\\&gt;"); line[NR] = $0 }
+    END {
+      printf "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 860 %d\" font-family=\"DejaVu Sans Mono, Menlo, Consolas, monospace\" font-size=\"13\">\n", 18 * NR + 12
+      printf "<rect width=\"100%%\" height=\"100%%\" rx=\"6\" fill=\"#16202b\"/>\n"
+      for (i = 1; i <= NR; ++i) {
+        bar = line[i] ~ /^ rdb /
+        if (bar) printf "<rect x=\"6\" y=\"%d\" width=\"848\" height=\"18\" fill=\"#c8d2dc\"/>\n", 18 * i - 8
+        if (bar) above = 1
+        printf "<text x=\"10\" y=\"%d\" xml:space=\"preserve\" fill=\"%s\"%s>%s</text>\n", 18 * i + 6, bar ? "#16202b" : above ? "#c8d2dc" : "#ffe13c", above ? "" : " font-weight=\"bold\"", line[i]
+      }
+      print "</svg>"
+    }'
+}
+
+# The fault of doc/how-to/find-a-fault.md: what the page shows of it, and the console.
+fault() {
+  local shown="text=representation:BallPos&plot=representation:BallPercept.seen,representation:LocalBallPos.valid"
+  shown+="&text=representation:SkillRequest&parameter=config:BallLocator.forgetSeconds&place=representation:RobotPose.position,field"
+  shown+="&draw=draw:BallLocator:ball&draw=draw:RobotPose&draw=draw:BehaviorCombinator:target&draw=draw:SkillCombinator:request"
+  bin/simulator --port 0 --monitor-port 0 --ports-file "$work/faultPorts.json" --seed 1 --realtime > "$work/simulator.log" &
+  server=$!
+  until [[ -s $work/faultPorts.json ]]; do kill -0 $server || fail "$(cat "$work/simulator.log")"; sleep 0.1; done
+  bin/agent --port "$(sed -n 's/.*"agent": \([0-9]*\).*/\1/p' "$work/faultPorts.json")" --web 0 --debug 0 > /dev/null 2> "$work/fault.log" &
+  local agent=$! terminal=(tmux -L "plumbline-pictures-$$" -f /dev/null) debug line
+  until grep -qs 'page http' "$work/fault.log" && grep -qs 'debug port' "$work/fault.log"; do
+    kill -0 $agent || fail "$(cat "$work/fault.log")"
+    sleep 0.1
+  done
+  debug=$(sed -n 's/.*debug port \(127.0.0.1:[0-9]*\):.*/\1/p' "$work/fault.log")
+  bin/rdb "$debug" --exec "set r:GameState.playMode 3" --exec "set c:BallLocator.forgetSeconds 0.01"
+  node tests/e2e/web/agent_moment.mjs "$(sed -n 's#.*page \(http://localhost:[0-9]*/\)$#\1#p' "$work/fault.log")" "$work/fault.jpg" "$shown" 5 \
+    > "$work/look.log" 2>&1 || fail "the browser: $(tail -3 "$work/look.log")"
+  LC_ALL=C.UTF-8 XDG_STATE_HOME="$work/state" "${terminal[@]}" new-session -d -x 108 -y 24 "bin/rdb $debug"
+  sleep 1
+  for line in "watch r:BallPos.valid" "watch r:SkillRequest.skill" "plot r:BallPercept.seen ball" "plot r:LocalBallPos.valid ball" \
+    "get m:BallLocator:onField" "about c:BallLocator.forget" "get c:BallLocator.forgetSeconds"; do
+    "${terminal[@]}" send-keys -l "$line"
+    "${terminal[@]}" send-keys Enter
+    sleep 0.5
+  done
+  sleep 4
+  "${terminal[@]}" capture-pane -p | sed 's/127.0.0.1:[0-9]*/127.0.0.1:3300/' > "$work/rdb.txt"
+  "${terminal[@]}" kill-server
+  terminalPicture < "$work/rdb.txt" > "$work/rdb.svg"
+  kill -INT $agent
+  wait $agent || fail "the agent: $(tail -1 "$work/fault.log")"
+  kill $server
+  server=""
+  put "$work/fault.jpg" fault-page.jpg
+  put "$work/rdb.svg" rdb.svg
+}
+
 for name in "${wanted[@]}"; do
   case $name in
-    goal | match | graph | report | agent) "$name" ;;
-    *) fail "no picture '$name'; there is goal, match, graph, report, agent" ;;
+    goal | match | graph | report | agent | fault) "$name" ;;
+    *) fail "no picture '$name'; there is goal, match, graph, report, agent, fault" ;;
   esac
 done

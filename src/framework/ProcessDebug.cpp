@@ -110,6 +110,11 @@ ProcessDebug::ProcessDebug(AgentDebug& agent, const ThreadPlan& plan, const Thre
     stopwatches_.push_back("timing:" + entry.name);
     agent_.addStopwatch(stopwatches_.back(), entry.stopwatch);
   }
+  // No module has the name of a thread.
+  for (const auto& [name, stopwatch] : timing.ofThread()) {
+    stopwatches_.push_back("timing:" + plan.name + ':' + name);
+    agent_.addStopwatch(stopwatches_.back(), stopwatch);
+  }
   agent_.addThread(plan_, timing_);
 }
 

@@ -33,10 +33,10 @@ void TimingPlugin::threadStarted(const ThreadInfo&) {
 
 void TimingPlugin::cycleFinished(const Duration& duration) {
   const std::uint64_t taken = nanoseconds(duration);
-  cycle_.add(taken);
+  cycle_->add(taken);
   const std::uint64_t busy = taken - std::min(waited_, taken);
   waited_ = 0;
-  busy_.add(busy);
+  busy_->add(busy);
   if (first_.load(std::memory_order_relaxed) == 0) first_.store(nanosecondsOf(duration.begin));
   last_.store(nanosecondsOf(duration.end), std::memory_order_relaxed);
   if (rate_ > 0 && 1e-9 * static_cast<double>(busy) * rate_ > 1) {
@@ -46,13 +46,13 @@ void TimingPlugin::cycleFinished(const Duration& duration) {
     if (longest != steps_.end()) longest->overruns.fetch_add(1, std::memory_order_relaxed);
   }
   const std::uint64_t now = threadCpu();
-  cpu_.add(now - cpuBefore_);
+  cpu_->add(now - cpuBefore_);
   cpuBefore_ = now;
 }
 
 double TimingPlugin::load() const {
   const auto passed = static_cast<double>(last_.load() - first_.load());
-  return passed > 0 ? std::min(1.0, 1e9 * busy_.total() / passed) : 0;
+  return passed > 0 ? std::min(1.0, 1e9 * busy_->total() / passed) : 0;
 }
 
 }  // namespace plumbline

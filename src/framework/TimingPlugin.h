@@ -1,9 +1,11 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <deque>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "framework/Plugin.h"
 #include "framework/Stopwatch.h"
@@ -32,11 +34,15 @@ public:
   const std::string& thread() const { return thread_; }
   const std::deque<Entry>& steps() const { return steps_; }
   /// From the beginning to the end of a cycle; includes waiting for input.
-  const Stopwatch& cycle() const { return cycle_; }
+  const Stopwatch& cycle() const { return *cycle_; }
   /// The thread's processor time from the end of one cycle to the end of the next.
-  const Stopwatch& cpu() const { return cpu_; }
+  const Stopwatch& cpu() const { return *cpu_; }
   /// From the beginning to the end of a cycle without what modules waited (Waiting).
-  const Stopwatch& busy() const { return busy_; }
+  const Stopwatch& busy() const { return *busy_; }
+  /// The three by name, for those who keep them longer than the thread lasts.
+  std::array<std::pair<const char*, std::shared_ptr<const Stopwatch>>, 3> ofThread() const {
+    return {{{"cycle", cycle_}, {"busy", busy_}, {"processor", cpu_}}};
+  }
   /// busy() as part of the time that has passed since the first cycle, 0 to 1.
   double load() const;
   /// Cycles per second that modules.cfg states; 0: none.
@@ -62,7 +68,8 @@ private:
   std::string thread_;
   double rate_;
   std::deque<Entry> steps_;
-  Stopwatch cycle_, cpu_, busy_;
+  std::shared_ptr<Stopwatch> cycle_ = std::make_shared<Stopwatch>(), cpu_ = std::make_shared<Stopwatch>(),
+                             busy_ = std::make_shared<Stopwatch>();
   std::atomic<std::uint64_t> overruns_{0}, first_{0}, last_{0};
   std::uint64_t cpuBefore_ = 0;
   std::uint64_t waited_ = 0;  ///< in this cycle [ns]

@@ -13,31 +13,36 @@ using Verb = Command::Verb;
 
 constexpr std::size_t maxTag = 40;
 
-struct Form {
-  std::string_view word;
-  Verb verb;
-  bool needsName;
-  std::string_view usage;
-};
 constexpr std::array forms{
-    Form{"get", Verb::get, true, "get NAME"},
-    Form{"watch", Verb::watch, true, "watch NAME [every N | every SECONDSs]"},
-    Form{"unwatch", Verb::unwatch, false, "unwatch [NAME]"},
-    Form{"set", Verb::set, true, "set NAME VALUE"},
-    Form{"setOnce", Verb::setOnce, true, "setOnce NAME VALUE"},
-    Form{"unset", Verb::unset, true, "unset NAME"},
-    Form{"dr", Verb::run, true, "dr NAME [once | off]"},
-    Form{"list", Verb::list, false, "list [PREFIX]"},
-    Form{"complete", Verb::complete, false, "complete [PREFIX]"},
-    Form{"reset", Verb::run, true, "reset MODULE"},
-    Form{"reload", Verb::run, true, "reload FILE"},
-    Form{"providers", Verb::providers, false, "providers [PREFIX]"},
-    Form{"format", Verb::format, true, "format text|json"},
-    Form{"timing", Verb::timing, false, "timing"},
-    Form{"graph", Verb::graph, false, "graph"},
-    Form{"about", Verb::about, false, "about [PREFIX]"},
-    Form{"help", Verb::help, false, "help"},
+    CommandForm{"get", "get NAME", Argument::value},
+    CommandForm{"watch", "watch NAME [every N | every SECONDSs]", Argument::value},
+    CommandForm{"unwatch", "unwatch [NAME]", Argument::watched},
+    CommandForm{"set", "set NAME VALUE", Argument::settable},
+    CommandForm{"setOnce", "setOnce NAME VALUE", Argument::settable},
+    CommandForm{"unset", "unset NAME", Argument::held},
+    CommandForm{"dr", "dr NAME [once | off]", Argument::block},
+    CommandForm{"list", "list [PREFIX]", Argument::name},
+    CommandForm{"complete", "complete [COMMAND] [PREFIX]", Argument::name},
+    CommandForm{"reset", "reset MODULE", Argument::module},
+    CommandForm{"reload", "reload FILE", Argument::file},
+    CommandForm{"providers", "providers [PREFIX]", Argument::representation},
+    CommandForm{"format", "format text|json", Argument::format},
+    CommandForm{"timing", "timing [PREFIX]", Argument::stopwatch},
+    CommandForm{"graph", "graph", Argument::nothing},
+    CommandForm{"about", "about [PREFIX]", Argument::parameter},
+    CommandForm{"commands", "commands", Argument::nothing},
+    CommandForm{"help", "help [COMMAND]", Argument::command},
 };
+/// What each of them is, in the same order.
+constexpr std::array verbs{Verb::get,   Verb::watch,     Verb::unwatch, Verb::set,      Verb::setOnce,
+                           Verb::unset, Verb::run,       Verb::list,    Verb::complete, Verb::run,
+                           Verb::run,   Verb::providers, Verb::format,  Verb::timing,   Verb::graph,
+                           Verb::about, Verb::commands,  Verb::help};
+static_assert(verbs.size() == forms.size());
+
+bool needsName(const CommandForm& form) {
+  return form.argument != Argument::nothing && form.usage.find(" [") != form.word.size();
+}
 
 std::string_view trimmed(std::string_view text) {
   const auto isSpace = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -104,6 +109,8 @@ std::string parseRest(Command& command, std::string_view rest) {
 
 }  // namespace
 
+std::span<const CommandForm> commandForms() { return forms; }
+
 Command parseCommand(std::string_view line) {
   Command command;
   line = trimmed(line);
@@ -116,9 +123,9 @@ Command parseCommand(std::string_view line) {
   }
   const std::string_view verb = word(line);
   if (verb.empty()) return command;
-  const Form* found = nullptr;
+  const CommandForm* found = nullptr;
   std::vector<std::string> words;
-  for (const Form& form : forms) {
+  for (const CommandForm& form : forms) {
     words.emplace_back(form.word);
     if (form.word == verb) found = &form;
   }
@@ -127,9 +134,17 @@ Command parseCommand(std::string_view line) {
         "no command " + inQuotes(verb) + suggestion(verb.substr(0, 60), words) + " (help lists them)";
     return command;
   }
-  command.verb = found->verb;
+  command.verb = verbs[static_cast<std::size_t>(found - forms.data())];
+  if (command.verb == Verb::complete) {
+    command.name = line;
+    return command;
+  }
   command.name = word(line);
-  if (command.name.empty() && found->needsName) {
+  if (!command.name.empty() && found->argument == Argument::nothing) {
+    command.error = std::string(verb) + " has nothing behind it";
+    return command;
+  }
+  if (command.name.empty() && needsName(*found)) {
     command.error = std::string(found->usage) + ": the name is missing";
     return command;
   }
@@ -154,15 +169,16 @@ std::string_view commandHelp() {
          "unset NAME                  ends set; a parameter gets the value it had before\n"
          "dr NAME [once|off]          switches a block of code or a drawing on, on for once, off\n"
          "list [PREFIX]               all names that begin so, and what each is\n"
-         "complete [PREFIX]           how a name that begins so may go on\n"
+         "complete [COMMAND] [PREFIX] how a name that begins so may go on: any, or those the command takes\n"
          "reset MODULE                makes a module anew; what was set of its parameters stays\n"
          "reload FILE                 reads config/FILE.yaml anew; a wrong one is refused, the old stays\n"
          "providers [PREFIX]          which module provides what now\n"
-         "timing                      what each module takes\n"
+         "timing [PREFIX]             what each module takes, or those whose names begin so\n"
          "graph                       the modules by threads: what each provides, reads and takes\n"
          "about [PREFIX]              parameters whose names begin so: type, unit, range, what they do\n"
          "format text|json            how answers are written\n"
-         "help                        this\n"
+         "commands                    the commands and what stands behind each\n"
+         "help [COMMAND]              this\n"
          "#TAG COMMAND                each line of the answer begins with #TAG, the last is \"#TAG .\"\n";
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -27,17 +28,43 @@ struct Command {
     about,
     providers,
     help,
+    commands,
     none
   };
   Verb verb = Verb::none;
   std::string tag;   ///< of `#TAG `; empty: none
-  std::string name;  ///< a value's or block's with its part, a prefix, or a format
+  std::string name;  ///< a value's or block's with its part, a prefix, or a format; complete: what was typed
   Tree value{};      ///< of set
   Interval interval{};
   std::string error;  ///< not empty: the line is no command
 };
 
 Command parseCommand(std::string_view line);
+
+/// What may stand behind a command's word.
+enum class Argument {
+  nothing,
+  value,           ///< what can be read
+  settable,        ///< a value or parameter that can be set
+  held,            ///< one that is set
+  watched,         ///< what this client watches
+  block,           ///< a block of code or a drawing
+  module,          ///< of reset
+  file,            ///< of reload
+  name,            ///< any of all names
+  parameter,       ///< of about
+  representation,  ///< of providers
+  stopwatch,       ///< of timing
+  format,          ///< text or json
+  command,         ///< of help
+};
+
+/// A command as `commands` tells it: "get VALUE".
+struct CommandForm {
+  std::string_view word, usage;
+  Argument argument;
+};
+std::span<const CommandForm> commandForms();
 
 /// What `help` says.
 std::string_view commandHelp();

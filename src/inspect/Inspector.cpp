@@ -115,12 +115,9 @@ void Inspector::command(int client, std::string_view text) {
       clients_[client].json = command.name == "json";
       return succeed(client, command.tag);
     case Verb::help:
-      for (std::string_view rest = commandHelp(); !rest.empty();) {
-        const auto end = rest.find('\n');
-        say(client, command.tag, "help", std::string(rest.substr(0, end)));
-        rest.remove_prefix(end + 1);
-      }
-      return finish(client, command.tag);
+      return help(client, command);
+    case Verb::commands:
+      return commands(client, command);
     case Verb::none:
       return;
   }

@@ -29,7 +29,8 @@ public:
 
   static constexpr std::size_t maxPerClient = 256;  ///< open requests
   static constexpr std::size_t maxHeld = 1024;      ///< values set and blocks switched on
-  static constexpr double patience = 2;             ///< for a cycle to come by [s]
+  static constexpr std::size_t maxCompletions = 200;
+  static constexpr double patience = 2;  ///< for a cycle to come by [s]
 
   explicit Inspector(AgentDebug& agent, DebugPoints& sites = DebugPoints::sites());
   ~Inspector();
@@ -83,6 +84,9 @@ private:
   void unwatch(int client, const Command& command);
   void list(int client, const Command& command);
   void complete(int client, const Command& command);
+  void help(int client, const Command& command);
+  void commands(int client, const Command& command);
+  std::vector<std::string> candidates(int client, Argument argument) const;
   void timing(int client, const Command& command);
   void graph(int client, const Command& command);
   void about(int client, const Command& command);

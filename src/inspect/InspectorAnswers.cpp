@@ -8,8 +8,6 @@
 namespace plumbline::inspect {
 namespace {
 
-constexpr std::size_t maxCompletions = 200;
-
 std::string jsonText(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -86,31 +84,6 @@ void Inspector::list(int client, const Command& command) {
     }
   }
   succeed(client, command.tag);
-}
-
-void Inspector::complete(int client, const Command& command) {
-  std::vector<std::string> found;
-  for (const DebugPoints::Info& info : all()) {
-    if (info.id.starts_with(command.name) && found.size() < maxCompletions) found.push_back(info.id);
-  }
-  const auto cut = command.name.find_last_of(".[");
-  std::string error;
-  if (found.empty() && cut != std::string::npos && find(command.name.substr(0, cut), error)) {
-    Command parts = command;
-    return read(client, parts, Use::complete);
-  }
-  for (const std::string& id : found) say(client, command.tag, "completion", id);
-  finish(client, command.tag);
-}
-
-void Inspector::timing(int client, const Command& command) {
-  const std::string report = agent_.timingReport();
-  for (std::string_view rest = report; !rest.empty();) {
-    const auto end = rest.find('\n');
-    say(client, command.tag, "timing", std::string(rest.substr(0, end)));
-    rest.remove_prefix(end + 1);
-  }
-  finish(client, command.tag);
 }
 
 void Inspector::providers(int client, const Command& command) {

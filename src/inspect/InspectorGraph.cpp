@@ -86,7 +86,6 @@ std::string parameterJson(const std::string& id, const AgentDebug::ParameterInfo
 }  // namespace
 
 void Inspector::graph(int client, const Command& command) {
-  if (!command.name.empty()) return fail(client, command.tag, "graph has nothing behind it");
   const bool json = clients_[client].json;
   for (const ThreadReport& thread : agent_.graph()) {
     line(client, command.tag, json ? threadJson(thread) : threadText(thread));

@@ -190,7 +190,8 @@ private:
     for (const MechanismParts::Joint& part : parts.joints)
       if (!part.servoType.empty()) ofType[part.servoType].push_back(result.jointIndex(part.joint.name));
     for (auto& [type, joints] : ofType) {
-      if (std::ranges::any_of(result.groups, [&](const auto& group) { return group.name == type; }))
+      if (std::ranges::any_of(result.groups,
+                              [&type = type](const auto& group) { return group.name == type; }))
         fail("group " + type + " has the name of a type of servo; rename it");
       if (result.jointIndex(type) >= 0 || result.linkIndex(type) >= 0)
         fail("the type of servo " + type + " has the name of something else; rename it");

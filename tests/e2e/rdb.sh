@@ -40,7 +40,11 @@ expectError 2 'rdb: config:BallLocator.forgetSeconds: BallLocator.forgetSeconds 
 rdb --exec 'list m:' | grep -q '^module:BallLocator:forget  response once$' || fail "a site of a module is not listed"
 expectEqual "$(rdb --exec 'dr m:AugmentedSelfLocator:forget')" 'module:AugmentedSelfLocator:forget the pose is forgotten' 'response'
 [[ $(rdb --exec 'watch r:FrameInfo.cycle every 0.1s' --seconds 1 | grep -c '^representation:FrameInfo.cycle [0-9]*$') -ge 3 ]] || fail "a watch gives no values"
-rdb --exec 'plot r:BallPos.relative.x ball 30' --exec 'plot r:BallPos.relative.y ball 30' --png "$scratch/ball.png" > "$scratch/plot.txt"
+rdb --exec 'watch r:FrameInfo.cycle every 0.1s' --exec 'watch r:FrameInfo.time every 0.1s' --seconds 1 > "$scratch/both"
+for part in cycle time; do grep -q "^representation:FrameInfo.$part [0-9]" "$scratch/both" || fail "two watches: no $part"; done
+[[ $(rdb --exec 'timing BallLocator:execute' | wc -l) == 3 ]] || fail "timing of one step"
+expectError 2 'rdb: plot VALUE [WINDOW [COUNT [SECONDS]]]: the picture is drawn every 0.02 to 3600 seconds, not "0"' "${toAgent[@]}" --exec 'plot r:BallPos.age a 10 0'
+rdb --exec 'plot r:BallPos.relative.x ball 30 0.5' --exec 'plot r:BallPos.relative.y ball 30' --png "$scratch/ball.png" > "$scratch/plot.txt"
 grep -q '^representation:BallPos.relative.y *\[.*[▁▂▃▄▅▆▇█]' "$scratch/plot.txt" || fail "no sparkline"
 expectEqual "$(head -c 4 "$scratch/ball.png" | tail -c 3)" PNG 'format of the picture'
 printf '# a script\nset r:BallPos.age 7\nsleep 0.1\nget r:BallPos.age\nunset r:BallPos.age\nget r:Nothing\n' > "$scratch/script"
@@ -70,6 +74,21 @@ waitFor shows '^  representation:BallPercept$'
 "${terminal[@]}" send-keys Tab
 waitFor shows '^  representation:BallPos.relativeVelocity$'
 "${terminal[@]}" send-keys C-u
+# Tab knows the agent's commands, and what each takes.
+"${terminal[@]}" send-keys -l 'rel'
+"${terminal[@]}" send-keys Tab
+waitFor shows '^rdb> reload *$'
+"${terminal[@]}" send-keys -l 'walk'
+"${terminal[@]}" send-keys Tab
+waitFor shows '^rdb> reload walking$'
+"${terminal[@]}" send-keys C-w
+waitFor shows '^rdb> reload *$'
+"${terminal[@]}" send-keys C-u
+# A script, which waits where it says so.
+printf '# steps\nset r:BallPos.age 7\nsleep 0.3\nget r:BallPos.age\nunset r:BallPos.age\n' > "$scratch/steps"
+type_ "run $scratch/steps"
+waitFor shows '^representation:BallPos.age 7'
+waitFor shows '^> unset r:BallPos.age'
 type_ 'plot r:BallPos.relative.x'
 waitFor shows '[▁▂▃▄▅▆▇█]'
 # The agent goes and comes back on the same port; what was watched goes on.

@@ -235,6 +235,42 @@ TEST_F(InspectorTest, completesNamesAndParts) {
                    "representation:InspectedPlace.list[2]"}));
 }
 
+TEST_F(InspectorTest, completesWhatACommandTakes) {
+  EXPECT_EQ(ask("complete set config:"),
+            (Lines{"config:InspectedModule.notMore", "config:InspectedModule.speed"}));
+  go(1);  // its sites are known from the first passage on
+  EXPECT_EQ(ask("complete set module:InspectedModule"), Lines{}) << "none of them can be set";
+  EXPECT_EQ(ask("complete dr module:InspectedModule:j"), Lines{"module:InspectedModule:jump"});
+  EXPECT_EQ(ask("complete get module:InspectedModule:j"), Lines{}) << "a block of code has no value";
+  EXPECT_EQ(ask("complete get representation:InspectedPlace.l"), Lines{"representation:InspectedPlace.list"});
+  EXPECT_EQ(ask("complete reset"), Lines{"InspectedModule"});
+  EXPECT_EQ(ask("complete reload Insp"), Lines{"InspectedModule"});
+  EXPECT_EQ(ask("complete providers I"), Lines{"InspectedPlace"});
+  EXPECT_EQ(ask("complete format j"), Lines{"json"});
+  EXPECT_EQ(ask("complete timing default:"), (Lines{"default:busy", "default:cycle", "default:processor"}));
+  EXPECT_EQ(ask("complete unset"), Lines{});
+  ask("set representation:InspectedPlace.y 3");
+  EXPECT_EQ(ask("complete unset"), Lines{"representation:InspectedPlace.y"});
+  ask("#1 watch config:InspectedModule.speed every 1000");
+  EXPECT_EQ(ask("complete unwatch"), Lines{"config:InspectedModule.speed"});
+  EXPECT_EQ(ask("complete gte x"), Lines{"error: complete [COMMAND] [PREFIX]: no command \"gte\""});
+}
+
+TEST_F(InspectorTest, tellsItsCommands) {
+  const Lines commands = ask("commands");
+  EXPECT_EQ(commands.size(), 18u);
+  EXPECT_EQ(commands.at(0), "get NAME");
+  EXPECT_EQ(commands.at(1), "watch NAME [every N | every SECONDSs]");
+  EXPECT_EQ(ask("help reset"),
+            Lines{"reset MODULE                makes a module anew; what was set of its parameters stays"});
+  EXPECT_EQ(ask("help rest"), Lines{"error: no command \"rest\"; did you mean \"reset\"?"});
+  EXPECT_EQ(ask("commands now"), Lines{"error: commands has nothing behind it"});
+  for (const std::string& usage : commands) {
+    const std::string word = usage.substr(0, usage.find(' '));
+    EXPECT_NE(ask("help " + word).at(0).substr(0, 6), "error:") << word;
+  }
+}
+
 TEST_F(InspectorTest, answersInJson) {
   EXPECT_EQ(ask("format json"), Lines{R"({"ok":true})"});
   EXPECT_EQ(ask("get representation:InspectedPlace"),
@@ -249,6 +285,18 @@ TEST_F(InspectorTest, theModulesOwnStopwatchesComeWithTheirFirstUse) {
   EXPECT_EQ(ask("get timing:InspectedModule:own.count", 0), Lines{"timing:InspectedModule:own.count 2"});
   const Lines table = ask("timing", 0);
   EXPECT_EQ(table[0].substr(0, 15), "[default] load ");
+  const Lines part = ask("timing InspectedModule:own", 0);
+  ASSERT_EQ(part.size(), 3u) << "the thread, the heading, and what was asked for";
+  EXPECT_EQ(part[2].substr(0, 25), "  InspectedModule:own    ");
+  EXPECT_EQ(ask("timing timing:InspectedModule:own", 0).size(), 3u);
+  EXPECT_EQ(ask("timing Nobody", 0), Lines{"error: no time has a name that begins with Nobody"});
+}
+
+TEST_F(InspectorTest, aThreadsCyclesAreStopwatchesToo) {
+  EXPECT_EQ(ask("get timing:default:cycle.count", 0), Lines{"timing:default:cycle.count 1"});
+  go(3);
+  EXPECT_EQ(ask("get timing:default:busy.count", 0), Lines{"timing:default:busy.count 4"});
+  EXPECT_EQ(ask("get timing:default:processor.count", 0), Lines{"timing:default:processor.count 4"});
 }
 
 TEST_F(InspectorTest, saysWhenNoCycleComesBy) {

@@ -48,6 +48,29 @@ TEST(RoboVizWriterTest, shapesArriveAsTheyWereDrawn) {
   EXPECT_EQ(form<Annotation>(commands[4]).text, "walk");
 }
 
+/// Byte for byte what RoboViz's own classes read (rv.comm.drawing, commit e1786e8): `parse` of Circle, Line,
+/// Sphere, Polygon and StandardAnnotation take their fields in this order, numbers as six characters, texts
+/// in UTF-8 to a zero.
+TEST(RoboVizWriterTest, fieldsStandInTheOrderInWhichRoboVizTakesThem) {
+  const auto bytes = [](const Drawing& drawing) {
+    return simspark::roboVizDatagrams("s", drawing.shapes(), false).at(0);
+  };
+  const std::string end = std::string("s\0", 2) + std::string("\0\0s\0", 4), rgb = "\x0a\x14\x1e";
+  Drawing circle, line, sphere, polygon, text;
+  circle.circle(Vec2(1, -2), 0.5, {10, 20, 30}, 3);
+  EXPECT_EQ(bytes(circle), std::string("\1\0", 2) + "1.0000-2.0000.50003.0000" + rgb + end);
+  line.line(Vec3(1, 2, 3), Vec3(-4, 5, 60), {10, 20, 30}, 2);
+  EXPECT_EQ(bytes(line), "\1\1" + std::string("1.00002.00003.0000-4.0005.000060.0002.0000") + rgb + end);
+  sphere.sphere(Vec3(1, 2, 3), 0.25, {10, 20, 30});
+  EXPECT_EQ(bytes(sphere), "\1\3" + std::string("1.00002.00003.00000.2500") + rgb + end);
+  polygon.polygon({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {10, 20, 30, 40});
+  EXPECT_EQ(bytes(polygon),
+            "\1\4\3" + rgb + "\x28" + "0.00000.00000.00001.00000.00000.00000.00001.00000.0000" + end);
+  text.text(Vec3(1, 2, 3), "\u00e4", {10, 20, 30});
+  EXPECT_EQ(bytes(text),
+            std::string("\2\0", 2) + "1.00002.00003.0000" + rgb + std::string("\u00e4\0", 3) + end);
+}
+
 TEST(RoboVizWriterTest, theRightTeamsFieldIsTurned) {
   Drawing drawing;
   drawing.point(Vec3(1, -2, 3), colours::red);

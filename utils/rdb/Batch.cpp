@@ -41,7 +41,12 @@ void Batch::receiveFor(double seconds) {
     receive(std::min(step, std::max(0.001, end - now())));
 }
 
-void Batch::run(const std::string& typed, const std::string& place, bool waits) {
+void Batch::follow() {
+  const double end = options_.seconds > 0 ? now() + options_.seconds : forEver;
+  while (lasting_ > 0 && !stop_.requested() && now() < end) receive(std::min(step, end - now()));
+}
+
+void Batch::run(const std::string& typed, const std::string& place) {
   const std::string line = session_.expand(typed);
   const auto words = wordsOf(line);
   if (words.empty()) return;
@@ -65,7 +70,7 @@ void Batch::run(const std::string& typed, const std::string& place, bool waits) 
   const bool lasts = words[0] == "watch" || (words[0] == "dr" && words.size() == 2);
   bool done = false;
   std::string failed;
-  const auto print = [&failed, &done, lasts, waits](const std::string& text) {
+  const auto print = [&failed](const std::string& text) {
     if (text.starts_with("error: ")) {
       failed = text.substr(7);
       return;
@@ -84,12 +89,16 @@ void Batch::run(const std::string& typed, const std::string& place, bool waits) 
                         answered = true;
                         print(text);
                       },
-                      [&, state](bool) {
-                        if (*state) done = true;
+                      [this, &done, state, lasts](bool) {
+                        if (*state)
+                          done = true;
+                        else if (lasts)
+                          --lasting_;
                       }});
   const double end = lasts && options_.seconds > 0 ? now() + options_.seconds : forEver;
-  while (!done && !stop_.requested() && now() < end && (waits || !lasts || !answered)) receive(step);
+  while (!done && !stop_.requested() && now() < end && !(lasts && answered)) receive(step);
   *state = false;
+  if (lasts && !done) ++lasting_;
   if (!failed.empty()) throw std::runtime_error(place + failed);
 }
 
@@ -100,7 +109,7 @@ void Batch::runFile(const std::string& path) {
   for (std::string line; std::getline(in, line) && !stop_.requested();) {
     ++number;
     if (line.empty() || line[0] == '#') continue;
-    run(line, path + ':' + std::to_string(number) + ": ", false);
+    run(line, path + ':' + std::to_string(number) + ": ");
   }
 }
 

@@ -16,9 +16,11 @@ public:
   };
 
   Batch(Link& link, Session& session, const StopSignal& stop, Options options);
-  /// `place` stands before an error: "FILE:3: ", or nothing. `waits`: a watch goes on until the end of
-  /// Options; else the next command follows at once. Throws std::runtime_error for an error of the agent.
-  void run(const std::string& line, const std::string& place, bool waits);
+  /// `place` stands before an error: "FILE:3: ", or nothing. A watch goes on beside what follows. Throws
+  /// std::runtime_error for an error of the agent.
+  void run(const std::string& line, const std::string& place);
+  /// Prints what watches say, until the end of Options; at once if nothing is watched.
+  void follow();
   /// A file of commands; lines that begin with # are comments.
   void runFile(const std::string& path);
   /// Waits until all plots are full and shows them.
@@ -33,6 +35,7 @@ private:
   const StopSignal& stop_;
   Options options_;
   std::string error_;
+  int lasting_ = 0;  ///< watches, and blocks of code that may still have something to say
 };
 
 }  // namespace plumbline::rdb

@@ -6,8 +6,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
 
 #include "Clock.h"
@@ -15,10 +17,10 @@
 namespace plumbline::rdb {
 namespace {
 
-constexpr std::size_t maxOutput = 5000, maxInput = 4000;
+constexpr std::size_t maxOutput = 5000, maxInput = 4000, maxScript = 10000;
 constexpr double tryEvery = 1, drawEvery = 0.05;
-constexpr int keyControlA = 1, keyControlD = 4, keyControlE = 5, keyTab = 9, keyControlL = 12,
-              keyControlU = 21, keyDelete = 127;
+constexpr int keyControlA = 1, keyControlD = 4, keyControlE = 5, keyTab = 9, keyControlK = 11,
+              keyControlL = 12, keyControlU = 21, keyControlW = 23, keyDelete = 127;
 
 }  // namespace
 
@@ -67,6 +69,7 @@ void Console::keepConnected() {
     print((told_ ? "back at " : "connected to ") + link_.name());
     wasConnected_ = true;
     session_.resume();
+    askCommands();
   } else if (!told_) {
     told_ = true;
     print(why + "; trying again");
@@ -91,6 +94,7 @@ void Console::run() {
     keepConnected();
     for (int pressed = 0; (pressed = getch()) != ERR;) key(pressed);
     session_.receive(0);
+    goOn();
     showWindows();
     if (changed_ && clockSeconds() - drawn >= drawEvery) {
       draw();
@@ -99,7 +103,7 @@ void Console::run() {
     }
     pollfd descriptors[] = {
         {STDIN_FILENO, POLLIN, 0}, {stop_.fileDescriptor(), POLLIN, 0}, {link_.descriptor(), POLLIN, 0}};
-    poll(descriptors, 3, changed_ ? static_cast<int>(1000 * drawEvery) : 200);
+    poll(descriptors, 3, changed_ || !script_.empty() ? static_cast<int>(1000 * drawEvery) : 200);
     if (descriptors[0].revents & POLLHUP) return;
   }
 }
@@ -142,6 +146,17 @@ void Console::key(int pressed) {
     case keyControlU:
       input_.erase(0, cursor_);
       cursor_ = 0;
+      return;
+    case keyControlW: {  // the word before the cursor, and the spaces behind it
+      const auto word = cursor_ == 0 ? std::string::npos : input_.find_last_not_of(' ', cursor_ - 1);
+      const auto space = word == std::string::npos ? word : input_.find_last_of(' ', word);
+      const std::size_t begin = space == std::string::npos ? 0 : space + 1;
+      input_.erase(begin, cursor_ - begin);
+      cursor_ = begin;
+      return;
+    }
+    case keyControlK:
+      input_.erase(cursor_);
       return;
     case keyControlD:
       ends_ = input_.empty();
@@ -205,6 +220,9 @@ bool Console::local(const std::vector<std::string>& words, const std::string& li
     session_.plot(words, [this](const std::string& why) { print("error: " + why); });
   } else if (words[0] == "png") {
     png(words);
+  } else if (words[0] == "run") {
+    if (words.size() != 2) throw std::runtime_error("run FILE");
+    begin(words[1]);
   } else if (words[0] == "watch" && words.size() > 1) {
     watch(words, line);
   } else if (words[0] == "unwatch") {
@@ -221,6 +239,43 @@ void Console::png(const std::vector<std::string>& words) {
   if (found == session_.plots().end()) throw std::runtime_error("no plot is called " + words[1]);
   found->second.writePng(words[2], words[1]);
   print("wrote " + words[2]);
+}
+
+void Console::begin(const std::string& script) {
+  std::ifstream in(script);
+  if (!in) throw std::runtime_error(script + ": cannot be read");
+  std::deque<std::string> lines;
+  for (std::string line; std::getline(in, line);) {
+    if (lines.size() >= maxScript) throw std::runtime_error(script + ": more than 10000 commands");
+    if (line.find_first_not_of(' ') != std::string::npos && line[0] != '#') lines.push_back(line);
+  }
+  script_.insert(script_.begin(), lines.begin(), lines.end());
+  if (script_.size() > maxScript) {
+    script_.clear();
+    throw std::runtime_error(script + ": it runs itself");
+  }
+}
+
+void Console::goOn() {
+  while (!script_.empty() && clockSeconds() >= scriptWaits_) {
+    const std::string line = script_.front();
+    script_.pop_front();
+    print("> " + line);
+    const std::string command = session_.expand(line);
+    const auto words = wordsOf(command);
+    if (words[0] != "sleep") {
+      submit(command);
+      continue;
+    }
+    double seconds = -1;
+    const std::string text = words.size() == 2 ? words[1] : "";
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), seconds);
+    if (read.ptr != text.data() + text.size() || !(seconds >= 0 && seconds <= 86400)) {
+      script_.clear();
+      return print("error: sleep SECONDS, up to 86400");
+    }
+    scriptWaits_ = clockSeconds() + seconds;
+  }
 }
 
 void Console::watch(const std::vector<std::string>& words, const std::string& line) {

@@ -37,7 +37,11 @@ private:
   void unwatch(const std::string& name);
   void showWindows();
   void png(const std::vector<std::string>& words);
+  void begin(const std::string& script);
+  void goOn();
+  void askCommands();
   void complete();
+  std::vector<std::string> completions(const std::vector<std::string>& words) const;
   void completed(const std::string& word, const std::vector<std::string>& found, bool parts);
   void print(const std::string& line);
   void browse(int direction);
@@ -56,6 +60,9 @@ private:
   std::vector<Watch> watches_;
   std::map<std::string, PlotWindow> windows_;  ///< of the plots, where there is a display
   std::deque<std::string> output_;
+  std::vector<std::string> commands_;  ///< the agent's, by their words
+  std::deque<std::string> script_;     ///< lines that are still to run
+  double scriptWaits_ = 0;             ///< until then
 };
 
 }  // namespace plumbline::rdb

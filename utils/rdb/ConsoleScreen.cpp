@@ -10,8 +10,8 @@
 namespace plumbline::rdb {
 namespace {
 
-constexpr std::array commands{"complete", "dr",  "format",  "get",    "help",  "list",    "plot", "png",
-                              "quit",     "set", "setOnce", "timing", "unset", "unwatch", "watch"};
+/// Of the console itself; the agent tells its own.
+constexpr std::array ownCommands{"plot", "png", "quit", "run"};
 constexpr std::size_t maxShown = 60;
 
 std::string commonBeginning(const std::vector<std::string>& words) {
@@ -42,31 +42,58 @@ void Console::complete() {
   const std::string before = input_.substr(0, cursor_);
   const auto begin = before.find_last_of(' ') + 1;
   const std::string word = before.substr(begin);
-  if (begin == 0) {
-    std::vector<std::string> found;
-    for (const char* command : commands) {
-      if (std::string(command).starts_with(word)) found.emplace_back(command);
-    }
-    return completed(word, found, false);
-  }
+  auto words = wordsOf(before.substr(0, begin));
+  words.push_back(word);
+  const bool readable = words[0] == "plot";  // a name as behind `get`
+  if (words.size() != 2 || (!readable && std::ranges::find(commands_, words[0]) == commands_.end()))
+    return completed(word, completions(words), false);
   const std::string wanted = session_.expand(' ' + word).substr(1);
+  const std::string ask = "complete " + (readable ? std::string("get") : words[0]) + ' ';
   const auto found = std::make_shared<std::vector<std::string>>();
-  session_.ask("complete " + wanted, {[found](const std::string& text) { found->push_back(text); },
-                                      [this, found, word, wanted](bool) {
-                                        // A whole name goes on with its parts.
-                                        if (*found != std::vector{wanted})
-                                          return completed(word, *found, true);
-                                        const auto parts = std::make_shared<std::vector<std::string>>(*found);
-                                        session_.ask("complete " + wanted + '.',
-                                                     {[parts](const std::string& text) {
-                                                        if (!text.starts_with("error: "))
-                                                          parts->push_back(text);
-                                                      },
-                                                      [this, parts, word](bool) {
-                                                        if (parts->size() > 1) parts->erase(parts->begin());
-                                                        completed(word, *parts, true);
-                                                      }});
-                                      }});
+  session_.ask(ask + wanted, {[found](const std::string& text) { found->push_back(text); },
+                              [this, found, word, wanted, ask](bool) {
+                                // A whole name goes on with its parts.
+                                if (*found != std::vector{wanted}) return completed(word, *found, true);
+                                const auto parts = std::make_shared<std::vector<std::string>>(*found);
+                                session_.ask(ask + wanted + '.', {[parts](const std::string& text) {
+                                                                    if (!text.starts_with("error: "))
+                                                                      parts->push_back(text);
+                                                                  },
+                                                                  [this, parts, word](bool) {
+                                                                    if (parts->size() > 1)
+                                                                      parts->erase(parts->begin());
+                                                                    completed(word, *parts, true);
+                                                                  }});
+                              }});
+}
+
+void Console::askCommands() {
+  commands_.clear();
+  session_.ask("commands", {[this](const std::string& usage) {
+                              if (!usage.starts_with("error: "))
+                                commands_.push_back(usage.substr(0, usage.find(' ')));
+                            },
+                            {}});
+}
+
+/// What the console knows without asking: commands, its plots, and the words behind a name.
+std::vector<std::string> Console::completions(const std::vector<std::string>& words) const {
+  std::vector<std::string> all, found;
+  if (words.size() == 1) {
+    all = commands_;
+    all.insert(all.end(), ownCommands.begin(), ownCommands.end());
+    std::ranges::sort(all);
+  } else if ((words[0] == "png" && words.size() == 2) || (words[0] == "plot" && words.size() == 3)) {
+    for (const auto& [name, plot] : session_.plots()) all.push_back(name);
+  } else if (words[0] == "dr" && words.size() == 3) {
+    all = {"off", "once"};
+  } else if (words[0] == "watch" && words.size() == 3) {
+    all = {"every"};
+  }
+  for (const std::string& each : all) {
+    if (each.starts_with(words.back())) found.push_back(each);
+  }
+  return found;
 }
 
 void Console::completed(const std::string& word, const std::vector<std::string>& found, bool parts) {

@@ -8,10 +8,24 @@
 
 namespace plumbline::rdb {
 
-History::History(std::string path) : path_(std::move(path)) {
-  std::ifstream in(path_);
-  for (std::string line; std::getline(in, line) && lines_.size() < 100 * most;) add(line);
+namespace {
+
+void append(std::vector<std::string>& lines, const std::string& line) {
+  if (line.empty() || (!lines.empty() && lines.back() == line)) return;
+  lines.push_back(line);
+  if (lines.size() > History::most) lines.erase(lines.begin());
 }
+
+std::vector<std::string> readLines(const std::string& path) {
+  std::vector<std::string> lines;
+  std::ifstream in(path);
+  for (std::string line; std::getline(in, line);) append(lines, line);
+  return lines;
+}
+
+}  // namespace
+
+History::History(std::string path) : path_(std::move(path)), lines_(readLines(path_)) {}
 
 std::string History::standardPath() {
   const char* state = std::getenv("XDG_STATE_HOME");
@@ -21,17 +35,18 @@ std::string History::standardPath() {
 }
 
 void History::add(const std::string& line) {
-  if (line.empty() || (!lines_.empty() && lines_.back() == line)) return;
-  lines_.push_back(line);
-  if (lines_.size() > most) lines_.erase(lines_.begin());
+  append(lines_, line);
+  append(typed_, line);
 }
 
 std::string History::save() const {
-  if (path_.empty()) return {};
+  if (path_.empty() || typed_.empty()) return {};
   try {
     std::filesystem::create_directories(std::filesystem::path(path_).parent_path());
     std::string text;
-    for (const std::string& line : lines_) text += line + '\n';
+    std::vector<std::string> lines = readLines(path_);
+    for (const std::string& line : typed_) append(lines, line);
+    for (const std::string& line : lines) text += line + '\n';
     writeFile(path_, text);
   } catch (const std::exception& error) {
     return error.what();

@@ -15,12 +15,13 @@ public:
 
   void add(const std::string& line);
   const std::vector<std::string>& lines() const { return lines_; }
+  /// Adds what was typed here to what the file holds now: another console may have saved meanwhile. Returns
   /// "" or why it could not be written.
   std::string save() const;
 
 private:
   std::string path_;
-  std::vector<std::string> lines_;
+  std::vector<std::string> lines_, typed_;
 };
 
 }  // namespace plumbline::rdb

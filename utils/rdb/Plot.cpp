@@ -18,9 +18,9 @@ constexpr const char* blocks[] = {"▁", "▂", "▃", "▄", "▅", "▆", "▇
 constexpr const char* plainBlocks[] = {"_", ".", "-", "~", "=", "+", "*", "#"};
 constexpr std::size_t nameWidth = 40;
 
-std::string number(double value) {
+std::string number(double value, int digits = 4) {
   char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", value);
+  std::snprintf(text, sizeof(text), "%.*g", digits, value);
   return text;
 }
 
@@ -84,7 +84,7 @@ std::string Plot::script(const std::string& title) const {
   script += '\n';
   for (const auto& [name, values] : series_) {
     if (values.empty()) continue;
-    for (const double value : values) script += number(value) + '\n';
+    for (const double value : values) script += number(value, 12) + '\n';  // a time goes on evenly
     script += "e\n";
   }
   return script;

@@ -10,12 +10,16 @@ namespace plumbline::rdb {
 class Plot {
 public:
   static constexpr std::size_t standardCount = 200, maxCount = 100000;
+  static constexpr double standardInterval = 0.1, minInterval = 0.02, maxInterval = 3600;
 
   explicit Plot(std::size_t count = standardCount) : count_(count) {}
   void add(const std::string& series, double value);
   /// A series that has no values yet.
   void open(const std::string& series) { series_[series]; }
   void setCount(std::size_t count) { count_ = count; }
+  /// How often a window draws it anew [s].
+  void setInterval(double seconds) { interval_ = seconds; }
+  double interval() const { return interval_; }
   /// Every series has as many values as are kept.
   bool full() const;
 
@@ -29,6 +33,7 @@ public:
 
 private:
   std::size_t count_;
+  double interval_ = standardInterval;
   std::map<std::string, std::deque<double>> series_;
 };
 

@@ -16,7 +16,6 @@
 namespace plumbline::rdb {
 namespace {
 
-constexpr double showEvery = 0.1;
 constexpr int noGnuplot = 127, noTerminal = 3;  ///< how the child ends
 
 /// Ends a gnuplot that was built without windows.
@@ -77,7 +76,7 @@ void PlotWindow::show(const Plot& plot) {
                                     : "the window is closed");
   }
   if (unsent_.empty() && clockSeconds() >= next_) {
-    next_ = clockSeconds() + showEvery;
+    next_ = clockSeconds() + plot.interval();
     unsent_ = plot.script(title_);
   }
   send();

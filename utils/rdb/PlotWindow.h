@@ -19,7 +19,7 @@ public:
   PlotWindow(const PlotWindow&) = delete;
   PlotWindow& operator=(const PlotWindow&) = delete;
 
-  /// The plot as it is now, at most ten times a second.
+  /// The plot as it is now, at most as often as it says itself.
   void show(const Plot& plot);
   /// "", or once in one line why there is no window; from then on nothing is shown.
   std::string problem();

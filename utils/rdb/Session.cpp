@@ -80,7 +80,8 @@ void Session::resume() {
 
 std::string Session::plot(const std::vector<std::string>& words,
                           const std::function<void(const std::string&)>& failed) {
-  if (words.size() < 2 || words.size() > 4) throw std::runtime_error("plot VALUE [WINDOW [COUNT]]");
+  constexpr const char* usage = "plot VALUE [WINDOW [COUNT [SECONDS]]]";
+  if (words.size() < 2 || words.size() > 5) throw std::runtime_error(usage);
   const std::string& name = words[1];
   const std::string window = words.size() > 2 ? words[2] : name;
   std::size_t count = Plot::standardCount;
@@ -88,12 +89,20 @@ std::string Session::plot(const std::vector<std::string>& words,
     const auto read = std::from_chars(words[3].data(), words[3].data() + words[3].size(), count);
     if (read.ec != std::errc{} || read.ptr != words[3].data() + words[3].size() || count < 2 ||
         count > Plot::maxCount)
-      throw std::runtime_error("plot VALUE [WINDOW [COUNT]]: the count is 2 to 100000, not \"" + words[3] +
-                               '"');
+      throw std::runtime_error(std::string(usage) + ": the count is 2 to 100000, not \"" + words[3] + '"');
+  }
+  double interval = Plot::standardInterval;
+  if (words.size() > 4) {
+    const auto read = std::from_chars(words[4].data(), words[4].data() + words[4].size(), interval);
+    if (read.ec != std::errc{} || read.ptr != words[4].data() + words[4].size() ||
+        !(interval >= Plot::minInterval && interval <= Plot::maxInterval))
+      throw std::runtime_error(std::string(usage) +
+                               ": the picture is drawn every 0.02 to 3600 seconds, not \"" + words[4] + '"');
   }
   const bool known = plots_.contains(window);
   Plot& plot = plots_[window];
   if (!known || words.size() > 3) plot.setCount(count);
+  if (words.size() > 4) plot.setInterval(interval);
   plot.open(name);
   const auto line = [this, name, window, failed](const std::string& text) {
     if (text.starts_with("error: ")) return failed(text.substr(7));

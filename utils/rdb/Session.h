@@ -37,8 +37,8 @@ public:
   bool idle() const { return open_.empty(); }
 
   std::map<std::string, Plot>& plots() { return plots_; }
-  /// `plot VALUE [WINDOW [COUNT]]`. Throws std::runtime_error for another form. `failed` takes the agent's
-  /// error. Returns the window's name.
+  /// `plot VALUE [WINDOW [COUNT [SECONDS]]]`. Throws std::runtime_error for another form. `failed` takes the
+  /// agent's error. Returns the window's name.
   std::string plot(const std::vector<std::string>& words,
                    const std::function<void(const std::string&)>& failed);
   /// `plot off [WINDOW]`.

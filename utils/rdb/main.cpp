@@ -30,7 +30,9 @@ struct Options {
 void declare(CLI::App& app, Options& options) {
   app.add_option("address", options.address, "where the agent's debug port is: HOST or HOST:PORT")
       ->capture_default_str();
-  app.add_option("--exec", options.commands, "run this command, print the answer and end; repeat for more")
+  app.add_option(
+         "--exec", options.commands,
+         "run this command, print the answer and end; repeat for more; watches go on beside each other")
       ->allow_extra_args(false);
   app.add_option("--script", options.script, "run the commands of FILE and end; `sleep S` waits");
   app.add_option("--seconds", options.batch.seconds, "with --exec: a watch or plot ends after so long")
@@ -40,8 +42,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--alias", options.aliases, "file of aliases, lines A|B [config/alias.cfg]");
   app.add_option("--history", options.history, "file that keeps what was typed")->capture_default_str();
   app.footer(
-      "Commands are the agent's (`help` lists them) and: plot VALUE [WINDOW [COUNT]], plot off [WINDOW],\n"
-      "png WINDOW FILE, quit. On a display each plot has a window, too, by gnuplot-qt.\n"
+      "Commands are the agent's (`help` lists them) and: plot VALUE [WINDOW [COUNT [SECONDS]]],\n"
+      "plot off [WINDOW],\n"
+      "png WINDOW FILE, run FILE, quit. On a display each plot has a window, too, by gnuplot-qt.\n"
       "Tab completes, Page Up shows what has gone by, Ctrl-C ends.\n"
       "Exit status with --exec and --script: 0, or 2 with the agent's error.\n"
       "Examples:\n"
@@ -89,8 +92,9 @@ int run(Options& options) {
   if (const std::string why = link.connect(connectSeconds); !why.empty())
     throw std::runtime_error(why + "; was the agent started with --debug?");
   Batch batch(link, session, stop, options.batch);
-  for (const std::string& command : options.commands) batch.run(command, "", true);
+  for (const std::string& command : options.commands) batch.run(command, "");
   if (!options.script.empty()) batch.runFile(options.script);
+  if (!options.commands.empty()) batch.follow();
   batch.showPlots();
   return 0;
 }
