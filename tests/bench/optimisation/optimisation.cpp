@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <vector>
 
 #include "../../optimization/Functions.h"
 #include "../../optimization/farm/SimulatedFarm.h"
 #include "Peer.h"
+#include "Speed.h"
 #include "optimization/Cmaes.h"
 #include "optimization/Optimizers.h"
 #include "optimization/Search.h"
@@ -254,6 +257,27 @@ void farms(int seeds) {
     }
 }
 
+/// Part of the thesis's figure 3.26 that does not depend on the number of cores: what an evaluation costs,
+/// and what the chain adds to it.
+void evaluationsOfMotions() {
+  for (const auto& [name, task, options] :
+       {std::tuple<const char*, const char*, std::map<std::string, std::string>>{
+            "standUp", "standUp", {{"direction", "front"}}},
+        {"kick", "kick", {{"motion", "kickLong"}, {"walk", "0.8"}}},
+        {"kick_with_two_seconds_of_walk", "kick", {{"motion", "kickLong"}}}}) {
+    const bench::TaskSpeed speed = bench::speedOf(task, options, 12);
+    add(fmt::format("speed.{}.runs_a_second_of_one_core", name), 1 / speed.farmed, "1/s", "higher", 0);
+    add(fmt::format("speed.{}.chain_above_bare", name), 100 * (speed.farmed / speed.bare - 1), "%", "lower",
+        5);
+  }
+  const bench::CycleTimes cycle = bench::cycleTimes(0, 5000);
+  add("speed.cycle.physics", 1e6 * cycle.physics, "us", "lower", 0);
+  add("speed.cycle.walk_engine", 1e6 * cycle.walk, "us", "lower", 0);
+  add("speed.cycle.joint_control", 1e6 * cycle.control, "us", "lower", 0);
+  add("speed.walk.simulated_seconds_a_second_of_one_core",
+      0.02 / (cycle.physics + cycle.walk + cycle.control), "", "higher", 0);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -261,6 +285,7 @@ int main(int argc, char** argv) {
   const int largest = argc > 2 ? std::atoi(argv[2]) : 210, largestPeer = argc > 3 ? std::atoi(argv[3]) : 210;
   checkBeginning(seeds);
   compareTime();
+  evaluationsOfMotions();
   farms(seeds);
   averaging(seeds);
   compareEvaluations(seeds, largest, largestPeer);

@@ -60,7 +60,7 @@ TEST(TrialWorlds, theOtherEngineIsAnOption) {
   EXPECT_NE(runOf({{"engine", "bullet"}}, 3).cost, runOf({}, 3).cost);
 }
 
-std::string errorOf(const Options& options) {
+std::string mistakeIn(const Options& options) {
   try {
     TrialWorlds worlds(TaskOptions(options), 0);
     return "no error";
@@ -70,10 +70,10 @@ std::string errorOf(const Options& options) {
 }
 
 TEST(TrialWorlds, badOptionsAreTold) {
-  EXPECT_EQ(errorOf({{"draws", "4"}}),
+  EXPECT_EQ(mistakeIn({{"draws", "4"}}),
             "option draws: of what? give the file of effects too (option effects)");
-  EXPECT_EQ(errorOf({{"draws", "many"}}), "option draws: \"many\" is no number from 0 to 64");
-  EXPECT_EQ(errorOf({{"engine", "bulet"}}).rfind("option engine: ", 0), 0u) << errorOf({{"engine", "bulet"}});
+  EXPECT_EQ(mistakeIn({{"draws", "many"}}), "option draws: \"many\" is no number from 0 to 64");
+  EXPECT_EQ(mistakeIn({{"engine", "bulet"}}).rfind("option engine: ", 0), 0u) << mistakeIn({{"engine", "bulet"}});
 }
 
 }  // namespace
