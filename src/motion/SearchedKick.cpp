@@ -8,6 +8,7 @@ namespace plumbline::motion {
 namespace {
 
 constexpr double distanceWorth = 30, heightWorth = 120;  // formula 3.2
+constexpr double tooHigh = 60, tooHighByMetres = 300;    // two metres of distance, and ten a metre
 constexpr double placeSigma = 5;                         // [mm]
 constexpr double hardlyMoved = 0.1;                      // [m]
 
@@ -40,10 +41,11 @@ KeyframeMotion SearchedKick::written(const Eigen::VectorXd& values, double cycle
 double KickTry::direction() const { return way.norm() > hardlyMoved ? std::atan2(way.y(), way.x()) : 0; }
 
 double KickWish::cost(const KickTry& kick) const {
-  const double rest =
-      distanceWorth * std::abs(kick.way.y()) + steady * kick.error + weight * kick.milliseconds;
+  double rest = distanceWorth * std::abs(kick.way.y()) + steady * kick.error + weight * kick.milliseconds;
+  if (ceiling > 0 && kick.top > ceiling) rest += tooHigh + tooHighByMetres * (kick.top - ceiling);
   if (distance > 0) return rest + distanceWorth * std::abs(kick.way.x() - distance);
-  return rest - distanceWorth * kick.way.x() - heightWorth * std::min(1.0, kick.height);
+  const double worthOfHeight = ceiling > 0 ? 0 : heightWorth;
+  return rest - distanceWorth * kick.way.x() - worthOfHeight * std::min(1.0, kick.height);
 }
 
 }  // namespace plumbline::motion

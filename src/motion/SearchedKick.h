@@ -29,6 +29,7 @@ private:
 struct KickTry {
   Vec2 way = Vec2::Zero();  ///< of the ball, x along the wanted direction, y to its left [m]
   double height = 0;        ///< that the ball rose [m]
+  double top = 0;           ///< of the ball where a goal may stand, the highest [m]
   double milliseconds = 0;  ///< of the motion
   double error = 0;         ///< angles between torso and upright after it, summed over cycles [rad]
 
@@ -41,10 +42,12 @@ struct KickWish {
   double distance = 0;   ///< [m]; 0: as far as it goes
   double weight = 0.08;  ///< of a millisecond
   double steady = 1;     ///< of the error
+  double ceiling = 0;    ///< that the ball is to stay below where a goal may stand [m]; 0: none
 
   /// Formula 3.2 of Seekircher 2015 with the opposite sign and the ball's way split in two:
   /// -30 (along - aside) - 120 min(1, height) + steady error + weight milliseconds; with a distance
-  /// 30 |along - distance| in place of -30 along, and no worth of height.
+  /// 30 |along - distance| in place of -30 along, and no worth of height. With a ceiling height is worth
+  /// nothing either, and what is above it costs 60 + 300 (top - ceiling).
   double cost(const KickTry& kick) const;
 };
 

@@ -69,10 +69,14 @@ void CmaesRestarts::restart() {
   }
   for (Eigen::Index i = 0; i < from.start.size(); ++i) {
     const double u = random.uniform(), g = random.gaussian();
-    if (std::isfinite(from.lower[i]) && std::isfinite(from.upper[i]))
+    if (std::isfinite(from.lower[i]) && std::isfinite(from.upper[i])) {
       from.start[i] = from.lower[i] + u * (from.upper[i] - from.lower[i]);
-    else
-      from.start[i] = std::clamp(from.start[i] + space().sigma[i] * g, from.lower[i], from.upper[i]);
+    } else {
+      // Nothing says how wide the place is: the same deviation again could be caught in the same minimum.
+      const double wide = std::ldexp(space().sigma[i], doublings);
+      from.start[i] = std::clamp(from.start[i] + wide * g, from.lower[i], from.upper[i]);
+      if (!small) from.sigma[i] = wide;
+    }
   }
   current = std::make_unique<Cmaes>(std::move(from), next);
 }

@@ -33,7 +33,13 @@ simulator=()
 status=0; agent 'host: ""' || status=$?
 expectEqual "$status" 2 "status without ground truth"
 grep -q "the simulator tells no ground truth: give it --ground-truth" "$scratch/agent.err" || fail "not told: $(< "$scratch/agent.err")"
-sed -i 's/task: kick/task: standUp/' "$scratch/study.yaml"
+cp "$scratch/study.yaml" "$scratch/plain.yaml"
+sed -i 's/^options: {/options: {ceiling: 0.7, /' "$scratch/study.yaml"
+serve low
+status=0; agent "port: $(< "$scratch/low/port")" || status=$?
+expectEqual "$status" 2 "status with an option that an agent cannot try"
+grep -q "the server's kick has the option ceiling; an agent cannot try that, bin/optworker can" "$scratch/agent.err" || fail "not told: $(< "$scratch/agent.err")"
+sed 's/task: kick/task: standUp/' "$scratch/plain.yaml" > "$scratch/study.yaml"
 serve other
 status=0; agent "port: $(< "$scratch/other/port")" || status=$?
 expectEqual "$status" 2 "status with another task"

@@ -75,6 +75,12 @@ TEST(KickWish, costsAsFormula32SaysWithTheWayAsideAgainstIt) {
   EXPECT_DOUBLE_EQ(four.cost(kick), 30 * (5 + 2) + 2 * 12);
 }
 
+TEST(KickWish, underACeilingHeightIsWorthNothingAndMoreOfItCosts) {
+  const KickWish shot{.weight = 0, .steady = 0, .ceiling = 0.8};
+  EXPECT_DOUBLE_EQ(shot.cost({.way = Vec2(9, 0), .height = 0.7, .top = 0.75}), -30 * 9);
+  EXPECT_DOUBLE_EQ(shot.cost({.way = Vec2(9, 0), .height = 1.2, .top = 1.1}), -30 * 9 + 60 + 300 * 0.3);
+}
+
 TEST(KickTry, aBallThatHardlyMovedHasNoDirection) {
   EXPECT_EQ((KickTry{.way = Vec2(-0.05, 0)}.direction()), 0);
   EXPECT_DOUBLE_EQ((KickTry{.way = Vec2(1, 1)}.direction()), pi / 4);

@@ -37,6 +37,21 @@ TEST(CmaesRestarts, populationDoubles) {
   EXPECT_EQ(ipop.stopReason(), StopReason::tolFun);
 }
 
+/// The first deviation is half of the distance between minima, and nothing bounds the place.
+TEST(CmaesRestarts, restartsWithoutBoundsReachFartherThanTheFirstDeviation) {
+  for (const auto kind : {CmaesRestarts::Kind::ipop, CmaesRestarts::Kind::bipop})
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      CmaesOptions options;
+      options.seed = seed;
+      options.population = 50;
+      options.stop.targetCost = 1e-8;
+      options.stop.maxEvaluations = 200'000;
+      CmaesRestarts often(SearchSpace::around(VectorXd::Constant(6, 2), 0.3), options, kind);
+      minimize(often, rastrigin);
+      EXPECT_EQ(often.stopReason(), StopReason::targetCost) << "seed " << seed;
+    }
+}
+
 TEST(CmaesRestarts, limitsCountAllRuns) {
   CmaesOptions options;
   options.stop.maxEvaluations = 2000;

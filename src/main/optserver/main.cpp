@@ -32,6 +32,7 @@ struct Options {
   int workers = 0;
   double every = 5;
   int measured = 0;
+  std::uint64_t firstSeed = 0;
   bool status = false, serves = false, show = false;
   pages::PageServer::Config web{.port = SearchPage::standardPort};
 };
@@ -117,11 +118,11 @@ void writeResult(const Options& options, const training::Study& study, const Sea
   if (!file.empty()) writeFile(options.folder + "/" + study.task + ".yaml", file);
 }
 
-/// Mean and standard error of cost and figures over so many seeds that no search has, on all cores. Returns
-/// the means.
+/// Mean and standard error of cost and figures over so many seeds that no search has, from the one of this
+/// number on, on all cores. Returns the means.
 std::map<std::string, double> measure(const training::Study& study, const std::string& what,
-                                      const Eigen::VectorXd& values, int runs) {
-  constexpr std::uint64_t fresh = std::uint64_t{1} << 40;  // beyond the 32 bits of a search's seeds
+                                      const Eigen::VectorXd& values, int runs, std::uint64_t first) {
+  const std::uint64_t fresh = (std::uint64_t{1} << 40) + first;  // beyond the 32 bits of a search's seeds
   std::vector<training::TaskOutcome> outcomes(static_cast<std::size_t>(runs));
   const std::size_t jobs = static_cast<std::size_t>(std::min(threadsFor(0), runs));
   parallel(jobs, static_cast<int>(jobs), [&](std::size_t job) {
@@ -151,29 +152,39 @@ std::map<std::string, double> measure(const training::Study& study, const std::s
   return means;
 }
 
-/// Before and after, over the same seeds; the task's file then has the figures.
+/// Before and after, over the same seeds; the task's file then has the figures. Before alone where nothing
+/// was found yet.
 int measureBoth(const Options& options) {
   const training::Study study = training::readStudy(options.study);
-  const ConfigFile file(options.folder + "/found.yaml");
+  const std::string path = options.folder + "/found.yaml";
+  const bool searched = std::filesystem::exists(path);
   Eigen::VectorXd found(static_cast<Eigen::Index>(study.parameters.size()));
-  for (std::size_t i = 0; i < study.parameters.size(); ++i)
-    found[static_cast<Eigen::Index>(i)] = file.root().get<double>(study.parameters[i].name);
-  file.checkUnknown();
+  if (searched) {
+    const ConfigFile file(path);
+    for (std::size_t i = 0; i < study.parameters.size(); ++i)
+      found[static_cast<Eigen::Index>(i)] = file.root().get<double>(study.parameters[i].name);
+    file.checkUnknown();
+  }
   StopSignal stop;
   stop.catchSignals();
   ProgressReport report("optserver");
   report.tell("measuring");
-  measure(study, "start", study.space().start, options.measured);
-  const std::map<std::string, double> figures = measure(study, "found", found, options.measured);
-  std::string heading =
-      fmt::format("Found by bin/optserver {}: seed {}.\nMeans of {} tries with fresh seeds:", options.study,
-                  study.search.seed, options.measured);
+  measure(study, "start", study.space().start, options.measured, options.firstSeed);
+  if (!searched) {
+    fmt::print(stderr, "optserver: there is no {}: that was the start alone\n", path);
+    return 0;
+  }
+  const std::map<std::string, double> figures =
+      measure(study, "found", found, options.measured, options.firstSeed);
+  std::string heading = fmt::format(
+      "Found by bin/optserver {}: seed {}.\nMeans of {} tries with fresh seeds from {} on:", options.study,
+      study.search.seed, options.measured, options.firstSeed);
   for (const auto& [name, value] : figures) heading += fmt::format(" {} {:.4g}", name, value);
   const std::string text = training::makeTask(study.task, study.options)->file(found, heading, figures);
-  const std::string path = options.folder + "/" + study.task + ".yaml";
+  const std::string file = options.folder + "/" + study.task + ".yaml";
   if (text.empty()) return 0;
-  writeFile(path, text);
-  fmt::print("optserver: {} has these figures\n", path);
+  writeFile(file, text);
+  fmt::print("optserver: {} has these figures\n", file);
   return 0;
 }
 
@@ -278,6 +289,11 @@ int runProgram(int argc, char** argv) {
                  "Instead of searching: so many runs, of seeds that no search has, of the start and of what "
                  "was found")
       ->check(CLI::Range(1, 1'000'000));
+  app.add_option("--first-seed", options.firstSeed,
+                 "With --measure: the first of those seeds; what was chosen by some is judged by others")
+      ->check(CLI::Range(0, 1'000'000'000))
+      ->needs("--measure")
+      ->capture_default_str();
   auto* web =
       app.add_option("--web", options.web.port, "Serve a page of the run; 0: a free port, which is printed")
           ->expected(0, 1)

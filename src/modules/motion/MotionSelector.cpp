@@ -18,6 +18,14 @@ void MotionSelector::init() {
                                   {"standUp.back", &standUp.back},
                                   {"standUp.side", &standUp.side}})
     if (!findMotion(motions, *name)) config.refuse(key, missingMotion(motions, *name));
+  learnMotions(*robot);
+}
+
+void MotionSelector::learnMotions(const RobotModel& robot) {
+  robot_ = robot.name;
+  const auto motions = readMotions(config, robot);
+  fastFront_ = findMotion(motions, standUp.fastFront);
+  fastBack_ = findMotion(motions, standUp.fastBack);
 }
 
 const MotionOutput* MotionSelector::output(const std::string& motion) const {
@@ -27,14 +35,15 @@ const MotionOutput* MotionSelector::output(const std::string& motion) const {
 }
 
 const std::string& MotionSelector::standUpAction() const {
+  const bool first = again_ <= 0;
   switch (theFallState->posture) {
     case Posture::onFront:
-      return standUp.front;
+      return first && fastFront_ ? standUp.fastFront : standUp.front;
     case Posture::onLeft:
     case Posture::onRight:
       return standUp.side;
     default:
-      return standUp.back;
+      return first && fastBack_ ? standUp.fastBack : standUp.back;
   }
 }
 
@@ -70,17 +79,23 @@ void MotionSelector::update(MotionSelection* theMotionSelection) {
       selection.ratios[m] = selection.motions[m] == selection.motion;
     fadeFrom_ = selection.ratios;
   }
+  if (theRobotDescription->known() && theRobotDescription->name != robot_)
+    learnMotions(theRobotDescription->model);
   if (theFrameInfo->restarted) {
     standingUp_ = false;
-    grace_ = 0;
+    grace_ = again_ = 0;
     start(selection, Motion::stand, "");
   }
   const MotionOutput* current = output(selection.motion);
   const bool safe = !current || current->finished;
   grace_ = std::max(0.0, grace_ - theFrameInfo->cycleSeconds);
+  again_ = std::max(0.0, again_ - theFrameInfo->cycleSeconds);
   if (!standingUp_ || safe) {
     // A stand-up ends while the torso still swings up; to begin it anew then would throw the robot over.
-    if (standingUp_) grace_ = standUp.graceSeconds;
+    if (standingUp_) {
+      grace_ = standUp.graceSeconds;
+      again_ = standUp.againSeconds;
+    }
     standingUp_ = theFallState->lying() && grace_ <= 0;
     if (standingUp_) {
       start(selection, Motion::specialAction, standUpAction());

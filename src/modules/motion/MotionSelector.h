@@ -3,6 +3,7 @@
 
 #include "framework/Module.h"
 #include "representations/infrastructure/FrameInfo.h"
+#include "representations/infrastructure/RobotDescription.h"
 #include "representations/modeling/FallState.h"
 #include "representations/motion/MotionOutput.h"
 #include "representations/motion/MotionRequest.h"
@@ -16,12 +17,18 @@ struct StandUpParameters {
             "motion of motions/ for a robot that lies on its front")
   PARAMETER(std::string, back, "standUpBack", "", Range(), "for one on its back")
   PARAMETER(std::string, side, "rollOver", "", Range(), "for one on its side")
+  PARAMETER(std::string, fastFront, "standUpFrontFast", "", Range(),
+            "the first try in place of `front`, for robots that have it; empty: none")
+  PARAMETER(std::string, fastBack, "standUpBackFast", "", Range(), "the first try in place of `back`")
+  PARAMETER(double, againSeconds, 4, "s", Range(0, 60),
+            "a robot that lies again so soon after it stood up failed: the next try is no fast one")
   PARAMETER(double, graceSeconds, 0.5, "s", Range(0, 5),
             "time until the next try, since a stand-up ends while the torso still swings up")
 };
 
 MODULE(MotionSelector)
   REQUIRES(FrameInfo)
+  REQUIRES(RobotDescription)
   REQUIRES(MotionRequest)
   REQUIRES(FallState)
   USES_ALL(MotionOutput)
@@ -30,7 +37,8 @@ MODULE(MotionSelector)
 END_MODULE
 
 /// Which motion drives the joints: the requested one as soon as the one before it can be left safely. A robot
-/// that lies stands up first, whatever is requested, and tries again until it is up.
+/// that lies stands up first, whatever is requested, and tries again until it is up: the first time with its
+/// fast motion, if it has one, then with the one that fails more seldom.
 class MotionSelector : public MotionSelectorBase {
 public:
   void init() override;
@@ -41,14 +49,18 @@ private:
   const MotionOutput* output(const std::string& motion) const;
   /// The special action that stands up from how the robot lies.
   const std::string& standUpAction() const;
+  void learnMotions(const RobotModel& robot);
   void start(MotionSelection& selection, const std::string& motion, const std::string& specialAction);
   void fade(MotionSelection& selection);
 
   std::vector<double> fadeFrom_;  ///< ratios when the fade began
   double fadeTime_ = 0;           ///< since the fade began [s]
   bool standingUp_ = false;
-  double grace_ = 0;     ///< what is left of standUp.graceSeconds [s]
-  std::string unknown_;  ///< the last motion asked for that there is not
+  double grace_ = 0;                           ///< what is left of standUp.graceSeconds [s]
+  double again_ = 0;                           ///< what is left of standUp.againSeconds [s]
+  std::string robot_;                          ///< whose motions these are
+  bool fastFront_ = false, fastBack_ = false;  ///< it has them
+  std::string unknown_;                        ///< the last motion asked for that there is not
 };
 
 }  // namespace plumbline

@@ -53,6 +53,10 @@ void OptimizationClient::connect() {
   const auto& options = welcome.options;
   if (welcome.task != "kick")
     throw ConfigurationError("the server's task is " + welcome.task + "; an agent can try kicks (task kick)");
+  for (const char* key : {"ceiling", "engine", "effects", "draws"})
+    if (options.contains(key))
+      throw ConfigurationError(std::string("the server's kick has the option ") + key +
+                               "; an agent cannot try that, bin/optworker can");
   const std::string robot = "simspark_type" + word(options, "type", "0");
   if (robot != theRobotDescription->name)
     throw ConfigurationError("the server's kick is for " + robot + ", this robot is " +

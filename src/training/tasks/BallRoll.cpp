@@ -9,9 +9,18 @@ constexpr double atRest = 0.02;    // [m/s]
 constexpr int mostCycles = 1000;   // of 20 ms
 constexpr double touching = 0.05;  // height of the centre of a ball that is not in the air [m]
 
+simulation::WorldConfig worldOn(const std::string& engine) {
+  simulation::WorldConfig config;
+  config.engine = engine;
+  return config;
+}
+
 }  // namespace
 
-BallRoll::Rest BallRoll::roll(const simulation::BodyState& ball) {
+BallRoll::BallRoll(const std::string& engine) : world_(simulation::makeWorld(worldOn(engine))) {}
+
+BallRoll::Rest BallRoll::roll(const simulation::BodyState& ball,
+                              const std::function<void(const Vec3&)>& see) {
   world_->reset();
   world_->setBall(ball);
   Rest rest;
@@ -19,6 +28,7 @@ BallRoll::Rest BallRoll::roll(const simulation::BodyState& ball) {
     const simulation::BodyState now = world_->ball();
     const double height = now.pose.translation().z();
     rest.height = std::max(rest.height, height);
+    if (see) see(now.pose.translation());
     if (now.linearVelocity.norm() < atRest && height < touching) break;
     world_->step();
   }

@@ -1,5 +1,7 @@
 #pragma once
+#include <functional>
 #include <memory>
+#include <string>
 
 #include "simulation/league/MakeWorld.h"
 
@@ -13,9 +15,9 @@ public:
     double height = 0;          ///< greatest of its centre on the way [m]
   };
 
-  BallRoll() : world_(simulation::makeWorld()) {}
-  /// From this state until it is slower than 2 cm/s, at most 20 s.
-  Rest roll(const simulation::BodyState& ball);
+  explicit BallRoll(const std::string& engine = "ode");
+  /// From this state until it is slower than 2 cm/s, at most 20 s. see: is shown its place in each cycle.
+  Rest roll(const simulation::BodyState& ball, const std::function<void(const Vec3&)>& see = {});
 
 private:
   std::unique_ptr<simulation::World> world_;

@@ -15,14 +15,17 @@ constexpr double fade = 0.06;     // as WalkingEngine fades into the walk [s]
 constexpr double walkedUp = 0.6;  // share of the runs that begin with a walk
 constexpr int cyclesToFly = 10;   // after the motion, before the ball goes on alone
 constexpr int mostStarts = 1000;
-const double ballRadius = simulation::WorldConfig().field.ballRadius;  // of the trial's world
+const FieldSize field = simulation::WorldConfig().field;  // of the trial's world
+const double ballRadius = field.ballRadius;
+constexpr double shotFrom = 3, shotTo = 8;  // where a goal stands that one shoots at [m]
 constexpr std::size_t startsKept = 4096;
 
 /// Nothing stands in the way of a ball that is kicked forward from here [m].
 const Pose2 begin(Vec2(-10, 5), 0);
 
 int kickType(const TaskOptions& options) {
-  options.check({"type", "motion", "side", "distance", "spread", "weight", "steady", "walk"});
+  options.check(withWorldOptions(
+      {"type", "motion", "side", "distance", "ceiling", "spread", "weight", "steady", "walk"}));
   return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
 }
 
@@ -30,62 +33,79 @@ Pose2 onGround(const Pose3& torso) {
   return Pose2(Vec2(torso.translation().head<2>()), std::atan2(torso.linear()(1, 0), torso.linear()(0, 0)));
 }
 
+/// Walks somewhere near forward and stops, as before a kick in a game. False: fell or does not stop.
+bool walkUp(motion::MotionTrial& trial) {
+  trial.robot.restart(begin, trial.stand);
+  trial.restarted();
+  const Vec2 velocity(trial.random(-0.05, 0.35), trial.random(-0.1, 0.1));
+  const double turn = trial.random(-0.4, 0.4), seconds = trial.random(0.8, 1.6);
+  for (double t = 0; t < seconds; t += dt) trial.walkStep((1 - 0.7 * t / seconds) * velocity, turn);
+  for (int i = 0; i < 100; ++i)
+    if (trial.walkStep(Vec2::Zero(), 0, false)) return !trial.lying() && trial.tilt() < 0.5;
+  return false;
+}
+
+/// Stands and comes to rest from a lean of up to two degrees.
+bool sway(motion::MotionTrial& trial) {
+  trial.robot.restart(begin, trial.stand);
+  trial.restarted();
+  JointArray leaning = trial.stand;
+  const double roll = trial.random(-0.035, 0.035), pitch = trial.random(-0.035, 0.035);
+  for (const JointId joint : {lHipRoll, rHipRoll}) leaning[joint] += roll;
+  for (const JointId joint : {lAnkleRoll, rAnkleRoll}) leaning[joint] -= roll;
+  for (const JointId joint : {lAnklePitch, rAnklePitch}) leaning[joint] += pitch;
+  const int rest = 3 + static_cast<int>(trial.random(0, 8));
+  for (int i = 0; i < 5; ++i) trial.step(leaning);
+  for (int i = 0; i < rest; ++i) trial.step(trial.stand);
+  return trial.tilt() < 0.5;
+}
+
+/// The highest that the ball's top comes where a goal may stand.
+struct Flight {
+  Vec2 from;
+  double top = 0;
+  bool came = false;  ///< so far
+
+  void see(const Vec3& ball) {
+    const double way = (ball.head<2>() - from).norm();
+    if (way < shotFrom || way > shotTo) return;
+    came = true;
+    top = std::max(top, ball.z() + ballRadius);
+  }
+};
+
 }  // namespace
 
 KickTask::KickTask(const TaskOptions& options)
     : spread_(options.number("spread", 0.01, 0, 0.1)),
       walk_(options.number("walk", 2, 0.2, 10)),
-      trial_(kickType(options)) {
+      worlds_(options, kickType(options)),
+      ball_(worlds_.engine()) {
   wish_.distance = options.number("distance", wish_.distance, 0, 30);
+  wish_.ceiling = options.number("ceiling", wish_.ceiling, 0, 5);
   wish_.weight = options.number("weight", wish_.weight, 0, 100);
   wish_.steady = options.number("steady", wish_.steady, 0, 100);
   const Side foot = options.word("side", "right", {"right", "left"}) == "left" ? Side::left : Side::right;
   try {
-    const motion::KeyframeMotion& first = trial_.motion(options.word("motion", "kickRight"));
-    kick_ = std::make_unique<motion::SearchedKick>(first, trial_.model, foot);
+    const motion::KeyframeMotion& first = worlds_.first().motion(options.word("motion", "kickRight"));
+    kick_ = std::make_unique<motion::SearchedKick>(first, worlds_.first().model, foot);
   } catch (const std::logic_error& error) {  // out_of_range or invalid_argument
     throw ConfigurationError(std::string("option motion: ") + error.what());
   }
 }
 
-/// Walks somewhere near forward and stops, as before a kick in a game. False: fell or does not stop.
-bool KickTask::walkUp() {
-  trial_.robot.restart(begin, trial_.stand);
-  trial_.restarted();
-  const Vec2 velocity(trial_.random(-0.05, 0.35), trial_.random(-0.1, 0.1));
-  const double turn = trial_.random(-0.4, 0.4), seconds = trial_.random(0.8, 1.6);
-  for (double t = 0; t < seconds; t += dt) trial_.walkStep((1 - 0.7 * t / seconds) * velocity, turn);
-  for (int i = 0; i < 100; ++i)
-    if (trial_.walkStep(Vec2::Zero(), 0, false)) return !trial_.lying() && trial_.tilt() < 0.5;
-  return false;
-}
-
-/// Stands and comes to rest from a lean of up to two degrees.
-bool KickTask::sway() {
-  trial_.robot.restart(begin, trial_.stand);
-  trial_.restarted();
-  JointArray leaning = trial_.stand;
-  const double roll = trial_.random(-0.035, 0.035), pitch = trial_.random(-0.035, 0.035);
-  for (const JointId joint : {lHipRoll, rHipRoll}) leaning[joint] += roll;
-  for (const JointId joint : {lAnkleRoll, rAnkleRoll}) leaning[joint] -= roll;
-  for (const JointId joint : {lAnklePitch, rAnklePitch}) leaning[joint] += pitch;
-  const int rest = 3 + static_cast<int>(trial_.random(0, 8));
-  for (int i = 0; i < 5; ++i) trial_.step(leaning);
-  for (int i = 0; i < rest; ++i) trial_.step(trial_.stand);
-  return trial_.tilt() < 0.5;
-}
-
 const KickTask::Start& KickTask::start(std::uint64_t seed) {
   if (const auto found = started_.find(seed); found != started_.end()) return found->second;
   if (started_.size() >= startsKept) started_.clear();
+  motion::MotionTrial& trial = worlds_.of(seed);
   for (int i = 0; i < mostStarts; ++i) {
-    trial_.seed(static_cast<unsigned>(seed * 2654435761U + static_cast<unsigned>(i)));
-    if (!(trial_.random(0, 1) < walkedUp ? walkUp() : sway())) continue;
+    trial.seed(static_cast<unsigned>(seed * 2654435761U + static_cast<unsigned>(i)));
+    if (!(trial.random(0, 1) < walkedUp ? walkUp(trial) : sway(trial))) continue;
     Start start;
-    const JointArray before = trial_.robot.sense().angle;
-    trial_.step(trial_.stand);
-    start.torso = trial_.robot.torso();
-    start.angles = trial_.robot.sense().angle;
+    const JointArray before = trial.robot.sense().angle;
+    trial.step(trial.stand);
+    start.torso = trial.robot.torso();
+    start.angles = trial.robot.sense().angle;
     for (std::size_t j = 0; j < maxJoints; ++j) start.rates[j] = (start.angles[j] - before[j]) / dt;
     return started_[seed] = start;
   }
@@ -94,34 +114,37 @@ const KickTask::Start& KickTask::start(std::uint64_t seed) {
 
 TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_t seed) {
   const Start from = start(seed);
-  simulation::LocalRobot& robot = trial_.robot;
+  motion::MotionTrial& trial = worlds_.of(seed);
+  simulation::LocalRobot& robot = trial.robot;
   robot.restart(from.torso.pose, from.angles);
   simulation::World& world = robot.world();
   world.setState(robot.robot(), from.torso, from.angles, from.rates);
-  trial_.restarted();
-  trial_.seed(static_cast<unsigned>(seed * 2246822519U + 1));
-  const double x = trial_.random(-spread_, spread_), y = trial_.random(-spread_, spread_);
+  trial.restarted();
+  trial.seed(static_cast<unsigned>(seed * 2246822519U + 1));
+  const double x = trial.random(-spread_, spread_), y = trial.random(-spread_, spread_);
   const Pose2 ground = onGround(from.torso.pose);
   const Vec2 place = ground * Vec2(kick.ball + Vec2(x, y));
   world.setBall(Vec3(place.x(), place.y(), ballRadius), Vec3::Zero());
-  WalkOn walk(trial_, walk_);
+  WalkOn walk(trial, walk_);
 
   int cycles = 0, contact = -1;
   double height = 0;
+  Flight flight{place};
   const auto watchBall = [&] {
+    flight.see(world.ball().pose.translation());
     if (contact < 0 && !world.ballTouchedBy().empty()) contact = cycles;
     height = std::max(height, world.ball().pose.translation().z());
   };
-  trial_.player.start(kick, robot.sense().angle);
+  trial.player.start(kick, robot.sense().angle);
   bool still = false;
-  for (; !trial_.player.finished(); ++cycles) {
-    trial_.player.step(dt, still);
-    trial_.step(trial_.player.angles());
+  for (; !trial.player.finished(); ++cycles) {
+    trial.player.step(dt, still);
+    trial.step(trial.player.angles());
     watchBall();
-    still = trial_.still();
+    still = trial.still();
   }
   const double milliseconds = 1e3 * cycles * dt;
-  walk.begin(trial_.player.angles(), fade);
+  walk.begin(trial.player.angles(), fade);
   for (int i = 0; i < cyclesToFly; ++i, ++cycles) {
     walk.step();
     watchBall();
@@ -129,19 +152,22 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
   const simulation::BodyState flying = world.ball();
   while (!walk.isOver()) walk.step();
 
-  const BallRoll::Rest rest = ball_.roll(flying);
+  const BallRoll::Rest rest = ball_.roll(flying, [&](const Vec3& ball) { flight.see(ball); });
   motion::KickTry result;
   result.way = Eigen::Rotation2Dd(-ground.heading) * (rest.place - place);
   result.height = std::max(height, rest.height) - ballRadius;
+  result.top = flight.top;
   result.milliseconds = milliseconds;
   result.error = walk.error();
   const double direction = toDegrees(result.direction());
   TaskOutcome outcome;
   outcome.cost = wish_.cost(result);
-  outcome.figures = {{"distance", result.way.x()}, {"direction", direction},
-                     {"off", std::abs(direction)}, {"height", result.height},
-                     {"time", milliseconds},       {"contact", 1e3 * dt * (contact < 0 ? cycles : contact)},
-                     {"error", walk.error()},      {"up", walk.upright() ? 1.0 : 0.0}};
+  outcome.figures = {
+      {"distance", result.way.x()}, {"direction", direction},
+      {"off", std::abs(direction)}, {"height", result.height},
+      {"time", milliseconds},       {"contact", 1e3 * dt * (contact < 0 ? cycles : contact)},
+      {"error", walk.error()},      {"up", walk.upright() ? 1.0 : 0.0},
+      {"top", flight.top},          {"low", flight.came && flight.top < field.goalHeight ? 1.0 : 0.0}};
   return outcome;
 }
 
@@ -155,12 +181,15 @@ std::string KickTask::file(const Eigen::VectorXd& parameters, const std::string&
   if (!figures.empty())
     kick.kick = motion::KickEffect{figures.at("distance"), fromDegrees(figures.at("direction")),
                                    1e-3 * figures.at("contact")};
-  return motion::motionFile(kick, trial_.model, heading);
+  return motion::motionFile(kick, worlds_.first().model, heading);
 }
 
-MAKE_TASK(kick, {"kick", "a kick: type, motion, side, distance, spread, weight, steady, walk",
-                 [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
-                   return std::make_unique<KickTask>(options);
-                 }});
+MAKE_TASK(kick,
+          {"kick",
+           "a kick: type, motion, side, distance, ceiling, spread, weight, steady, walk, engine, effects, "
+           "draws",
+           [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
+             return std::make_unique<KickTask>(options);
+           }});
 
 }  // namespace plumbline::training

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "motion/SearchedKick.h"
-#include "training/MotionTrial.h"
 #include "training/SearchTask.h"
 #include "training/tasks/BallRoll.h"
+#include "training/tasks/TrialWorlds.h"
 
 namespace plumbline::training {
 
@@ -14,10 +14,12 @@ namespace plumbline::training {
 /// the robot plays the motion and walks at once for two seconds while the ball comes to rest.
 /// The cost is motion::KickWish's; the wanted direction is forward.
 /// Figures: distance (along) [m], direction (left of forward) [deg], off (its size), height [m], time [ms],
-/// contact [ms] from the begin to the ball, error, up (1: leans by less than 30 degrees in the end).
+/// contact [ms] from the begin to the ball, error, up (1: leans by less than 30 degrees in the end), top (of
+/// the ball between 3 and 8 m from where it lay, the highest) [m], low (1: that is below the goal's bar, and
+/// the ball came so far).
 /// Options: type 0 .., motion (a file's name to begin with), side (of the kicking foot), distance [m, 0: as
-/// far as it goes], spread [m], weight (0.08), steady (1),
-/// walk [s, 2: a shorter one makes a search faster].
+/// far as it goes], ceiling (of top, 0: none) [m], spread [m], weight (0.08), steady (1),
+/// walk [s, 2: a shorter one makes a search faster], and TrialWorlds'.
 class KickTask : public SearchTask {
 public:
   explicit KickTask(const TaskOptions& options);
@@ -38,12 +40,10 @@ private:
     JointArray angles{}, rates{};
   };
   const Start& start(std::uint64_t seed);
-  bool walkUp();
-  bool sway();
 
   const double spread_, walk_;
   motion::KickWish wish_;
-  motion::MotionTrial trial_;
+  TrialWorlds worlds_;
   BallRoll ball_;
   std::unique_ptr<motion::SearchedKick> kick_;
   std::map<std::uint64_t, Start> started_;  ///< repeat within a generation

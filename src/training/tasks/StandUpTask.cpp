@@ -13,15 +13,8 @@ constexpr std::size_t mostKept = 4096;
 constexpr int mostFalls = 1000;
 
 int typeOf(const TaskOptions& options) {
-  options.check({"type", "direction", "weight", "motion", "effects"});
+  options.check(withWorldOptions({"type", "direction", "weight", "motion"}));
   return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
-}
-
-simulation::WorldConfig worldOf(const TaskOptions& options) {
-  simulation::WorldConfig world;
-  if (const std::string file = options.word("effects", ""); !file.empty())
-    world.effects = simulation::readEffects(file);
-  return world;
 }
 
 }  // namespace
@@ -29,40 +22,42 @@ simulation::WorldConfig worldOf(const TaskOptions& options) {
 StandUpTask::StandUpTask(const TaskOptions& options)
     : direction_(options.word("direction", "front", {"front", "back"}) == "front" ? 1 : -1),
       weight_(options.number("weight", 0.08, 0, 100)),
-      trial_(typeOf(options), worldOf(options)) {
+      worlds_(options, typeOf(options)) {
   try {
-    first_ = trial_.motion(options.word("motion", direction_ > 0 ? "standUpFront" : "standUpBack"));
+    first_ = worlds_.first().motion(options.word("motion", direction_ > 0 ? "standUpFront" : "standUpBack"));
   } catch (const std::out_of_range& error) {
     throw ConfigurationError(std::string("option motion: ") + error.what());
   }
-  parameters_ = std::make_unique<motion::MotionParameters>(first_, trial_.model);
+  parameters_ = std::make_unique<motion::MotionParameters>(first_, worlds_.first().model);
 }
 
 const StandUpTask::Lying& StandUpTask::lying(std::uint64_t seed) {
   if (const auto found = fallen_.find(seed); found != fallen_.end()) return found->second;
   if (fallen_.size() >= mostKept) fallen_.clear();
+  motion::MotionTrial& trial = worlds_.of(seed);
   for (int i = 0; i < mostFalls; ++i) {
     // A fall that ends on a side, or on the feet, is another motion's.
-    trial_.seed(static_cast<unsigned>(seed * 2654435761U + static_cast<unsigned>(i)));
-    if (!trial_.fall(direction_)) continue;
-    const Vec3 up = trial_.up();
+    trial.seed(static_cast<unsigned>(seed * 2654435761U + static_cast<unsigned>(i)));
+    if (!trial.fall(direction_)) continue;
+    const Vec3 up = trial.up();
     if (std::abs(up.x()) < std::abs(up.y()) || (up.x() < 0) != (direction_ > 0)) continue;
-    return fallen_[seed] = {trial_.robot.torso().pose, trial_.robot.sense().angle};
+    return fallen_[seed] = {trial.robot.torso().pose, trial.robot.sense().angle};
   }
   throw std::runtime_error("the robot does not fall");
 }
 
 TaskOutcome StandUpTask::tryMotion(const motion::KeyframeMotion& motion, std::uint64_t seed) {
   const Lying start = lying(seed);
-  trial_.robot.restart(start.T_world_torso, start.angles);
-  trial_.restarted();
-  trial_.seed(static_cast<unsigned>(seed * 2246822519U + 1));
-  trial_.elapsed = 0;
-  trial_.play(motion);
+  motion::MotionTrial& trial = worlds_.of(seed);
+  trial.robot.restart(start.T_world_torso, start.angles);
+  trial.restarted();
+  trial.seed(static_cast<unsigned>(seed * 2246822519U + 1));
+  trial.elapsed = 0;
+  trial.play(motion);
   TaskOutcome outcome;
-  const double milliseconds = 1e3 * trial_.elapsed;
-  WalkOn walk(trial_);
-  walk.begin(trial_.player.angles());
+  const double milliseconds = 1e3 * trial.elapsed;
+  WalkOn walk(trial);
+  walk.begin(trial.player.angles());
   while (!walk.isOver()) walk.step();
   outcome.cost = walk.error() + weight_ * milliseconds;
   outcome.figures = {{"time", milliseconds}, {"error", walk.error()}, {"up", walk.upright() ? 1.0 : 0.0}};
@@ -75,12 +70,13 @@ TaskOutcome StandUpTask::run(const Eigen::VectorXd& parameters, std::uint64_t se
 
 std::string StandUpTask::file(const Eigen::VectorXd& parameters, const std::string& heading,
                               const std::map<std::string, double>&) const {
-  return motion::motionFile(parameters_->written(parameters, motion::MotionTrial::dt), trial_.model, heading);
+  return motion::motionFile(parameters_->written(parameters, motion::MotionTrial::dt), worlds_.first().model,
+                            heading);
 }
 
 MAKE_TASK(standUp,
           {"standUp",
-           "standing up from front or back: type, direction, weight, motion, effects (a file of them)",
+           "standing up from front or back: type, direction, weight, motion, engine, effects (a file), draws",
            [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
              return std::make_unique<StandUpTask>(options);
            }});

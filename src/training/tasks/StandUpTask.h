@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "motion/MotionParameters.h"
-#include "training/MotionTrial.h"
 #include "training/SearchTask.h"
+#include "training/tasks/TrialWorlds.h"
 
 namespace plumbline::training {
 
@@ -14,7 +14,7 @@ namespace plumbline::training {
 /// cycles, plus the motion's time [ms] times `weight` (0.08).
 /// Figures: time [ms] of the motion, error (the sum), up (1 if the torso leans by less than 30 degrees in the
 /// end).
-/// Options: type 0 .., direction front or back, weight, motion (a file's name to begin with).
+/// Options: type 0 .., direction front or back, weight, motion (a file's name to begin with), TrialWorlds'.
 class StandUpTask : public SearchTask {
 public:
   explicit StandUpTask(const TaskOptions& options);
@@ -37,7 +37,7 @@ private:
 
   const int direction_;  ///< 1: on the front
   const double weight_;
-  motion::MotionTrial trial_;
+  TrialWorlds worlds_;
   motion::KeyframeMotion first_;
   std::unique_ptr<motion::MotionParameters> parameters_;
   std::map<std::uint64_t, Lying> fallen_;  ///< falls cost as much as the rest and repeat within a generation

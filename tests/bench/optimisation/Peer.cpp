@@ -54,13 +54,13 @@ PeerRun run(const Algorithm& algorithm, pagmo::population population, int size, 
 }  // namespace
 
 PeerRun runPeer(const std::string& algorithm, Function function, int dimension, double start, int population,
-                double target, double maxEvaluations, unsigned seed) {
+                double target, double maxEvaluations, unsigned seed, double deviation) {
   const Problem problem{function, static_cast<std::size_t>(dimension)};
   const auto generations = static_cast<unsigned>(maxEvaluations / population);
   pagmo::population first = begin(problem, start, population, seed);
   // It begins with equal costs, which its tolerances would take for the end.
   // Its sigma is a share of the box's width, for both.
-  const double sigma = firstDeviation / (2 * halfWidth);
+  const double sigma = deviation / (2 * halfWidth);
   if (algorithm == "xnes")
     return run(pagmo::xnes(generations, -1, -1, -1, sigma, 0, 0, false, false, seed), first, population,
                target);

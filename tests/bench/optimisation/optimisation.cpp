@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <vector>
 
 #include "../../optimization/Functions.h"
 #include "../../optimization/farm/SimulatedFarm.h"
 #include "Peer.h"
+#include "Speed.h"
 #include "optimization/Cmaes.h"
 #include "optimization/Optimizers.h"
 #include "optimization/Search.h"
@@ -48,11 +51,12 @@ struct Case {
   const char* name;
   Function function;
   double start;
+  double deviation = bench::firstDeviation;
 };
 constexpr Case cases[] = {{"sphere", sphere, 1},
                           {"ellipsoid", ellipsoid, 1},
                           {"rosenbrock", rosenbrock, 0},
-                          {"rastrigin", rastrigin, 1}};
+                          {"rastrigin", rastrigin, 1, bench::rastriginDeviation}};
 
 double evaluations(const std::string& name, const Case& c, int n, int population, std::uint64_t seed,
                    double most) {
@@ -61,8 +65,8 @@ double evaluations(const std::string& name, const Case& c, int n, int population
   options.seed = seed;
   options.stop.targetCost = target;
   options.stop.maxEvaluations = static_cast<std::int64_t>(most);
-  const auto optimizer = makeOptimizer(
-      name, SearchSpace::around(VectorXd::Constant(n, c.start), bench::firstDeviation), options);
+  const auto optimizer =
+      makeOptimizer(name, SearchSpace::around(VectorXd::Constant(n, c.start), c.deviation), options);
   minimize(*optimizer, c.function);
   return optimizer->bestCost() <= target ? static_cast<double>(optimizer->evaluations()) : 1e9;
 }
@@ -95,6 +99,32 @@ void checkBeginning(int seeds) {
   std::exit(1);
 }
 
+double arrived(const std::vector<double>& evaluations) {
+  return static_cast<double>(std::ranges::count_if(evaluations, [](double one) { return one < 1e9; }));
+}
+
+/// How many seeds arrive at all where there are many minima, and what restarts make of it: from the same
+/// deviation and from one that is too small.
+void compareRastrigin(const Case& c, int n, int population, const std::vector<double>& ours,
+                      const std::vector<double>& peers, int seeds) {
+  constexpr double most = 400'000;
+  const std::string of = fmt::format("{}{}", c.name, n);
+  add(fmt::format("cmaes.{}.arrived_of_{}_seeds", of, seeds), arrived(ours), "", "higher", 0, "pagmo cmaes",
+      arrived(peers));
+  Case narrow = c;
+  narrow.deviation = bench::firstDeviation;
+  for (const auto& [word, from] : {std::pair{"", c}, std::pair{"_from_too_near", narrow}}) {
+    std::vector<double> restarted;
+    for (int seed = 1; seed <= seeds; ++seed)
+      restarted.push_back(
+          evaluations("ipop-cmaes", from, n, population, static_cast<std::uint64_t>(seed), most));
+    add(fmt::format("ipop-cmaes.{}.arrived_of_{}_seeds{}", of, seeds, word), arrived(restarted), "", "higher",
+        0);
+    add(fmt::format("ipop-cmaes.{}.evaluations_of_{}{}", of, population, word), median(restarted),
+        "evaluations", "lower", 0);
+  }
+}
+
 /// Both with the same population.
 void compareEvaluations(int seeds, int largest, int largestPeer) {
   for (const int n : {10, 40, 96, 210})
@@ -109,9 +139,10 @@ void compareEvaluations(int seeds, int largest, int largestPeer) {
       const double peerMost = std::min(most, 3 * median(ours));
       for (int seed = 1; seed <= seeds && n <= largestPeer; ++seed)
         peers.push_back(bench::runPeer("cmaes", c.function, n, c.start, population, target, peerMost,
-                                       static_cast<unsigned>(seed))
+                                       static_cast<unsigned>(seed), c.deviation)
                             .evaluations);
       const std::string name = fmt::format("cmaes.{}{}.evaluations_of_{}", c.name, n, population);
+      if (c.function == rastrigin) compareRastrigin(c, n, population, ours, peers, seeds);
       if (peers.empty())
         add(name, median(ours), "evaluations", "lower", 0);
       else if (median(peers) >= 1e9)  // nothing is known of it but that
@@ -226,6 +257,27 @@ void farms(int seeds) {
     }
 }
 
+/// Part of the thesis's figure 3.26 that does not depend on the number of cores: what an evaluation costs,
+/// and what the chain adds to it.
+void evaluationsOfMotions() {
+  for (const auto& [name, task, options] :
+       {std::tuple<const char*, const char*, std::map<std::string, std::string>>{
+            "standUp", "standUp", {{"direction", "front"}}},
+        {"kick", "kick", {{"motion", "kickLong"}, {"walk", "0.8"}}},
+        {"kick_with_two_seconds_of_walk", "kick", {{"motion", "kickLong"}}}}) {
+    const bench::TaskSpeed speed = bench::speedOf(task, options, 12);
+    add(fmt::format("speed.{}.runs_a_second_of_one_core", name), 1 / speed.farmed, "1/s", "higher", 0);
+    add(fmt::format("speed.{}.chain_above_bare", name), 100 * (speed.farmed / speed.bare - 1), "%", "lower",
+        5);
+  }
+  const bench::CycleTimes cycle = bench::cycleTimes(0, 5000);
+  add("speed.cycle.physics", 1e6 * cycle.physics, "us", "lower", 0);
+  add("speed.cycle.walk_engine", 1e6 * cycle.walk, "us", "lower", 0);
+  add("speed.cycle.joint_control", 1e6 * cycle.control, "us", "lower", 0);
+  add("speed.walk.simulated_seconds_a_second_of_one_core",
+      0.02 / (cycle.physics + cycle.walk + cycle.control), "", "higher", 0);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -233,6 +285,7 @@ int main(int argc, char** argv) {
   const int largest = argc > 2 ? std::atoi(argv[2]) : 210, largestPeer = argc > 3 ? std::atoi(argv[3]) : 210;
   checkBeginning(seeds);
   compareTime();
+  evaluationsOfMotions();
   farms(seeds);
   averaging(seeds);
   compareEvaluations(seeds, largest, largestPeer);

@@ -7,6 +7,7 @@
 #include "representations/motion/SpecialActionsOutput.h"
 #include "representations/motion/StandOutput.h"
 #include "representations/motion/WalkingEngineOutput.h"
+#include "simspark/LeagueRobots.h"
 
 namespace plumbline {
 namespace {
@@ -23,14 +24,16 @@ struct Selector : public MotionSelector {
   using MotionSelector::theFallState;
   using MotionSelector::theFrameInfo;
   using MotionSelector::theMotionRequest;
+  using MotionSelector::theRobotDescription;
 };
 
 class MotionSelectorTest : public testing::Test {
 protected:
-  MotionSelectorTest() : selector("MotionSelector") {
+  MotionSelectorTest() : selector("MotionSelector", {"config", "config/robots/type0"}) {
     selector->theFrameInfo = &frame;
     selector->theMotionRequest = &request;
     selector->theFallState = &fall;
+    selector->theRobotDescription = &robot;
     selector->allMotionOutputs = {&stand, &walk, &special, &kick, &bow};
     stand.fadeSeconds = 0.14;
     walk.fadeSeconds = 0.06;
@@ -47,6 +50,7 @@ protected:
   FrameInfo frame;
   MotionRequest request;
   FallState fall;
+  RobotDescription robot;
   StandOutput stand;
   WalkingEngineOutput walk;
   SpecialActionsOutput special;
@@ -138,6 +142,24 @@ TEST_F(MotionSelectorTest, standsUpUntilItIsUp) {
   cycle();
   EXPECT_EQ(selection.motion, Motion::stand);
   EXPECT_GT(ratio(Motion::specialAction), 0.5) << "the end of the action fades into the stand";
+}
+
+/// Type 0 has fast stand-ups.
+TEST_F(MotionSelectorTest, triesTheFastStandUpFirstAndTheOtherOneAfterIt) {
+  robot.model = simsparkRobot(0);
+  robot.name = robot.model.name;
+  fall.posture = Posture::onBack;
+  cycle();
+  EXPECT_EQ(selection.specialAction, "standUpBackFast");
+  for (int i = 0; i < 30 && !selection.specialAction.empty(); ++i) cycle();
+  EXPECT_EQ(selection.specialAction, "") << "over, and it waits";
+  for (int i = 0; i < 30 && selection.specialAction.empty(); ++i) cycle();
+  EXPECT_EQ(selection.specialAction, "standUpBack") << "it lies still, so that one has failed";
+  fall.posture = Posture::upright;
+  for (int i = 0; i < 50 * 5; ++i) cycle();
+  fall.posture = Posture::onBack;
+  cycle();
+  EXPECT_EQ(selection.specialAction, "standUpBackFast") << "another fall";
 }
 
 TEST_F(MotionSelectorTest, aRequestedActionRunsAndARestartForgetsEverything) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace plumbline::training {
 namespace {
 
@@ -32,6 +34,28 @@ TEST(BallRoll, aRollDependsOnItsBallAlone) {
   BallRoll used, fresh;
   used.roll(ballWith(Vec3(5, -2, 3)));
   EXPECT_EQ(used.roll(ballWith(Vec3(2, 0, 1))).place, fresh.roll(ballWith(Vec3(2, 0, 1))).place);
+}
+
+TEST(BallRoll, showsTheWay) {
+  BallRoll roll;
+  double highest = 0, last = -10;
+  bool forward = true;
+  const BallRoll::Rest rest = roll.roll(ballWith(Vec3(4, 0, 4)), [&](const Vec3& ball) {
+    highest = std::max(highest, ball.z());
+    forward = forward && ball.x() >= last;
+    last = ball.x();
+  });
+  EXPECT_DOUBLE_EQ(highest, rest.height);
+  EXPECT_TRUE(forward);
+  EXPECT_NEAR(last, rest.place.x(), 1e-3);
+}
+
+TEST(BallRoll, rollsOnTheEngineThatIsNamed) {
+  BallRoll ode, bullet("bullet");
+  const Vec2 one = ode.roll(ballWith(Vec3(4, 0, 2))).place,
+             other = bullet.roll(ballWith(Vec3(4, 0, 2))).place;
+  EXPECT_NE(one.x(), other.x());
+  EXPECT_NEAR(one.x(), other.x(), 1.5);
 }
 
 }  // namespace

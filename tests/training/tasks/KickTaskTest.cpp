@@ -101,6 +101,25 @@ TEST(KickTask, aWantedDistanceIsBetterThanAFartherKick) {
   EXPECT_NEAR(near.cost, 30 * (std::abs(along - 1) + aside), 1e-6);
 }
 
+/// type 2's long kick flies over a goal more often than not, its quick kick never.
+TEST(KickTask, tellsHowHighTheBallIsWhereAGoalMayStand) {
+  KickTask high(TaskOptions(Options{{"type", "2"}, {"motion", "kickLong"}}));
+  KickTask quick(TaskOptions(Options{{"type", "2"}}));
+  KickTask shot(TaskOptions(Options{{"type", "2"}, {"motion", "kickLong"}, {"ceiling", "0.3"}}));
+  int over = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const TaskOutcome far = high.run(startOf(high), seed), low = quick.run(startOf(quick), seed);
+    over += figure(far, "low") == 0;
+    EXPECT_EQ(figure(far, "low") == 1, figure(far, "top") < 0.8);
+    EXPECT_LE(figure(far, "top"), figure(far, "height") + 2 * 0.042 + 1e-3);
+    EXPECT_EQ(figure(low, "low"), 1);
+    const TaskOutcome dear = shot.run(startOf(shot), seed);
+    EXPECT_NEAR(dear.cost - far.cost,
+                120 * std::min(1.0, figure(far, "height")) + 60 + 300 * (figure(far, "top") - 0.3), 1e-6);
+  }
+  EXPECT_GE(over, 1);
+}
+
 TEST(KickTask, theLeftFootKicksAsTheRightOne) {
   KickTask left(TaskOptions(Options{{"side", "left"}}));
   EXPECT_GT(left.parameters().back().start, 0) << "ballY";
