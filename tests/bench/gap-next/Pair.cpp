@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
@@ -122,19 +123,31 @@ json causeJson(const Cause& cause) {
 }
 
 /// What bin/gap next makes of an answer that leaves the two open.
-Excitation proposedFor(const Mechanism& robot, const Open& open, const std::string& folder) {
+struct Proposed {
+  Excitation motion;
+  std::string name;
+  bool separates = false;  ///< as it says itself
+};
+Proposed proposedFor(const Mechanism& robot, const Open& open, const std::string& folder) {
   json cause = causeJson(open.asFitted);
   cause["confounded_with"] = {causeJson(open.rival)};
   const json answer{{"verdict", "effect"}, {"robot", robot.name}, {"effects", {cause}}};
   writeFile(folder + "/answer.json", answer.dump(1) + "\n");
-  run({"bin/gap", "next", folder + "/answer.json", "-o", folder + "/next.yaml"}, folder + "/log");
-  return readExcitation(folder + "/next.yaml", robot, 0);
+  fs::remove(folder + "/said");
+  run({"bin/gap", "next", folder + "/answer.json", "-o", folder + "/next.yaml"}, folder + "/said");
+  std::ifstream file(folder + "/said");
+  const std::string said{std::istreambuf_iterator<char>(file), {}};
+  Proposed proposed;
+  proposed.motion = readExcitation(folder + "/next.yaml", robot, 0);
+  proposed.name = proposed.motion.about.substr(0, proposed.motion.about.find(':'));
+  proposed.separates = said.find("No motion of these tells them apart") == std::string::npos;
+  return proposed;
 }
 
 Pair read(const std::string& path) {
   const json j = json::parse(std::ifstream(path));
-  return {j["robot"],  j["truth"],  j["rival"],        j["first"],      j["proposed"],
-          j["random"], j["before"], j["withProposed"], j["withRandom"], j["draws"]};
+  return {j["robot"],  j["truth"],        j["rival"],      j["first"], j["proposed"],   j["random"],
+          j["before"], j["withProposed"], j["withRandom"], j["draws"], j["inseparable"]};
 }
 
 }  // namespace
@@ -169,7 +182,12 @@ Pair pairOf(const std::string& folder, std::size_t turn, std::uint64_t seed, int
       if (shown == Shown::open) recorded = std::move(trial);
     }
     if (!recorded) continue;
-    const Excitation next = proposedFor(robot, open, own), drawnNext = findExcitation(programs[other], robot);
+    const Proposed next = proposedFor(robot, open, own);
+    if (!next.separates) {
+      ++pair.inseparable;
+      continue;
+    }
+    const Excitation drawnNext = findExcitation(programs[other], robot);
     const auto after = [&](const Excitation& motion) {
       Comparison both(robot, {*recorded, played(robot, motion, open.truth, seed * 100 + turn + 50, "next")},
                       jobs);
@@ -180,12 +198,19 @@ Pair pairOf(const std::string& folder, std::size_t turn, std::uint64_t seed, int
     pair.first = programs[first];
     pair.before = open.before;
     pair.proposed = next.name;
-    pair.withProposed = after(next);
+    pair.withProposed = after(next.motion);
     pair.random = programs[other];
     pair.withRandom = after(drawnNext);
-    const json j{{"robot", pair.robot},          {"truth", pair.truth},   {"rival", pair.rival},
-                 {"first", pair.first},          {"before", pair.before}, {"proposed", pair.proposed},
-                 {"random", pair.random},        {"draws", pair.draws},   {"withProposed", pair.withProposed},
+    const json j{{"robot", pair.robot},
+                 {"truth", pair.truth},
+                 {"rival", pair.rival},
+                 {"first", pair.first},
+                 {"before", pair.before},
+                 {"proposed", pair.proposed},
+                 {"random", pair.random},
+                 {"draws", pair.draws},
+                 {"inseparable", pair.inseparable},
+                 {"withProposed", pair.withProposed},
                  {"withRandom", pair.withRandom}};
     writeFile(kept, j.dump(1) + "\n");
     return pair;

@@ -13,6 +13,8 @@ struct Pair {
   std::string robot, truth, rival, first, proposed, random;
   double before = 0, withProposed = 0, withRandom = 0;
   std::size_t draws = 0;
+  std::size_t inseparable =
+      0;  ///< pairs drawn before of which bin/gap next says that no motion tells them apart
 };
 
 /// The pair of a turn: drawn and played, or as it was kept.
