@@ -142,10 +142,10 @@ bench-gap:
 	@$(MAKE) SimRelease SimRelease-bench-gap SimRelease-bench-mujoco
 	@scripts/run_bench.sh gap
 
-# bin/gap by both methods on recordings of real robots, tested on others; writes doc/results/gap-peers.md. DATA=FOLDER,
-# SPLIT and METHODS for a part.
+# bin/gap beside other ways of fitting, on recordings of real robots and tested on others; writes doc/results/gap-peers.md.
+# DATA=FOLDER, SPLIT and METHODS for a part.
 bench-gap-peers:
-	@$(MAKE) bin/gap
+	@scripts/build.sh SimRelease gap bench-gap-peers
 	@scripts/run_bench.sh gap-peers || { cat build/bench/gap-peers.log >&2; exit 2; }
 	@scripts/make_results.sh gap-peers
 
@@ -154,6 +154,13 @@ bench-gap-planted:
 	@$(MAKE) SimRelease SimRelease-bench-gap-planted
 	@scripts/run_bench.sh gap-planted || { cat build/bench/gap-planted.log >&2; exit 2; }
 	@scripts/make_results.sh gap-planted
+
+# The walk trained with what bin/gap found on a robot, beside one trained without: ROBOTS, SEED, JOBS. bin/gap next on
+# pairs of explanations: PAIRS, SEED. Write doc/results/gap-train.md and gap-next.md.
+bench-gap-train bench-gap-next: bench-%:
+	@scripts/build.sh SimRelease gap optimizewalk bench-$*
+	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }
+	@scripts/make_results.sh $*
 
 # The league's recordings against the simulator with one setting left out; TRACES=FOLDER for other recordings.
 # Real robots, whose recordings are not part of the project: DATA=FOLDER, ROBOT and SPLIT for a part. A NAO that walks in

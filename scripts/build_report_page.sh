@@ -31,7 +31,7 @@ pour() {
 {
   printf '/* uPlot, MIT licence:\n%s\n*/\n' "$(cat "$uplot/LICENSE")"
   cat "$uplot/dist/uPlot.iife.min.js"
-  for script in dom words verdict heatmap figure plot tracks causes overlays bars data main; do cat "web/report/js/$script.js"; done
+  for script in dom words verdict heatmap figure plot tracks causes overlays recordings bars data main; do cat "web/report/js/$script.js"; done
 } > "$new/script"
 cat "$uplot/dist/uPlot.min.css" web/report/style.css > "$new/style"
 pour report page.html

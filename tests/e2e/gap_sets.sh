@@ -23,6 +23,14 @@ grep -q '^Closed on average [0-9]* %; the answer claims [0-9]* % (90 %: -\?[0-9]
 expectEqual "$(ask "$scratch/check.json" 'a.runs.length, a.verdict, a.closed > a.claimed_interval[0], a.closed > 0.6, a.runs[0].signals["pos.Elbow"].unit')" \
   "1 effect true true rad" "the check"
 
+# The report shows both, recording by recording, when it is given the check.
+if [[ -s build/report/page.html ]]; then
+  gap report "$scratch/answer.json" --check "$scratch/check.json" --robot $arm -o "$scratch/report.html"
+  grep -q '"claimed_interval"' "$scratch/report.html" || fail "the report does not hold the check"
+  expectError 2 "gap: $scratch/answer.json: has no number 'closed' or no list 'runs'; bin/gap check ANSWER RUNS --json FILE writes one" \
+    "$bin/gap" report "$scratch/answer.json" --check "$scratch/answer.json" -o "$scratch/none.html"
+fi
+
 # Another number of threads, the same bytes; nothing where nothing is.
 gap diagnose "$scratch/seen" --method sets --robot $arm --max-causes 2 --jobs 2 --json "$scratch/again.json"
 cmp "$scratch/answer.json" "$scratch/again.json" || fail "two threads give another answer"

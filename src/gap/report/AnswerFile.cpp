@@ -28,23 +28,46 @@ void checkPlace(const std::string& path, const json& cause, const std::string& n
     refuse(path, name + " has an 'axis' that is no text");
 }
 
-}  // namespace
-
-json readAnswer(const std::string& path) {
+/// A file that holds a JSON map; written: the command that writes such files.
+json readMap(const std::string& path, const std::string& what, const std::string& written) {
   constexpr std::uintmax_t longest = 256ULL << 20;
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     throw ConfigurationError(path + ": there is no such file");
-  if (std::filesystem::file_size(path, error) > longest) refuse(path, "is too long for an answer");
+  if (std::filesystem::file_size(path, error) > longest)
+    throw ConfigurationError(path + ": is too long for " + what + "; " + written);
   std::ifstream file(path, std::ios::binary);
-  json answer;
+  json map;
   try {
-    answer = parseJson(std::string(std::istreambuf_iterator<char>(file), {}), path);
+    map = parseJson(std::string(std::istreambuf_iterator<char>(file), {}), path);
   } catch (const JsonError& error) {
-    throw ConfigurationError(std::string(error.what()) +
-                             "; bin/gap diagnose RUNS --json FILE writes an answer");
+    throw ConfigurationError(std::string(error.what()) + "; " + written);
   }
-  if (!answer.is_object()) refuse(path, "is no JSON map");
+  if (!map.is_object()) throw ConfigurationError(path + ": is no JSON map; " + written);
+  return map;
+}
+
+}  // namespace
+
+json readCheck(const std::string& path) {
+  const std::string written = "bin/gap check ANSWER RUNS --json FILE writes one";
+  json check = readMap(path, "a check", written);
+  const auto isNumber = [](const json& map, const char* key) {
+    return map.contains(key) && map[key].is_number();
+  };
+  if (!isNumber(check, "closed") || !check.contains("runs") || !check["runs"].is_array())
+    throw ConfigurationError(path + ": has no number 'closed' or no list 'runs'; " + written);
+  std::size_t i = 0;
+  for (const json& run : check["runs"]) {
+    const std::string name = "runs[" + std::to_string(i++) + "]";
+    if (!run.is_object() || !isText(run, "folder") || !isNumber(run, "before") || !isNumber(run, "after"))
+      throw ConfigurationError(path + ": " + name + " lacks 'folder', 'before' or 'after'; " + written);
+  }
+  return check;
+}
+
+json readAnswer(const std::string& path) {
+  json answer = readMap(path, "an answer", "bin/gap diagnose RUNS --json FILE writes an answer");
   if (!isText(answer, "verdict")) refuse(path, "has no 'verdict'");
   const std::string verdict = answer["verdict"];
   if (verdict != "none" && verdict != "effect" && verdict != "unknown")

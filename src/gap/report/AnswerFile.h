@@ -9,4 +9,7 @@ namespace plumbline::gap {
 /// 256 MB are refused.
 nlohmann::json readAnswer(const std::string& path);
 
+/// Reads what bin/gap check --json wrote, likewise: the share closed, and per run folder, before and after.
+nlohmann::json readCheck(const std::string& path);
+
 }  // namespace plumbline::gap

@@ -6,20 +6,34 @@
 #include <stdexcept>
 
 #include "framework/WriteFile.h"
+#include "gap/inference/Further.h"
 #include "gap/inference/Inference.h"
 #include "gap/inference/LeftJson.h"
+#include "gap/inference/PerJointFit.h"
 #include "main/gap/ProgressLine.h"
 
 namespace plumbline::gap {
 
 namespace {
 
-nlohmann::json answerOf(const Inference& inference, const AnswerInput& input, const Evidence& evidence,
-                        const Mechanism& robot) {
+nlohmann::json furtherJson(const Further& further) {
+  if (further.parameters == 0) return nullptr;
+  nlohmann::json ids = nlohmann::json::array();
+  for (const std::string_view id : frictions()) ids.push_back(id);
+  nlohmann::json runs = nlohmann::json::array();
+  for (const RecordingLeft& left : further.leftOut) runs.push_back(leftJson(left));
+  return {{"closed", further.closed}, {"parameters", further.parameters},
+          {"effects", ids},           {"sentence", further.sentence()},
+          {"attributable", false},    {"runs", runs}};
+}
+
+nlohmann::json answerOf(const Inference& inference, const Further& further, const AnswerInput& input,
+                        const Evidence& evidence, const Mechanism& robot) {
   Evaluator evaluator(robot, evidence);
   nlohmann::json answer = nlohmann::json::parse(answerJson(input, inference.diagnosis, evaluator));
   answer["method"] = "sets";
-  answer["sentence"] = inference.sentence();
+  const std::string more = further.sentence();
+  answer["sentence"] = inference.sentence() + (more.empty() ? "" : " " + more);
   nlohmann::json& gap = answer["gap"];
   gap["closed"] = inference.claim.closed;
   gap["closed_interval"] = {inference.claim.lower, inference.claim.upper};
@@ -28,14 +42,16 @@ nlohmann::json answerOf(const Inference& inference, const AnswerInput& input, co
   gap["left_out"] = inference.stretchesOfOne ? "stretches of the one recording" : "recordings";
   gap["runs"] = nlohmann::json::array();
   for (const RecordingLeft& left : inference.leftOut) gap["runs"].push_back(leftJson(left));
+  gap["further"] = furtherJson(further);
   for (const std::string& line : inference.notUsed) answer["remarks"].push_back(line);
   for (const std::string& line : inference.onlyIn) answer["remarks"].push_back(line);
   answer["replays"] = inference.replays;
   return answer;
 }
 
-void print(const Inference& inference, const AnswerInput& input) {
+void print(const Inference& inference, const Further& further, const AnswerInput& input) {
   std::printf("%s\n", inference.sentence().c_str());
+  if (const std::string more = further.sentence(); !more.empty()) std::printf("%s\n", more.c_str());
   for (const Finding& finding : inference.diagnosis.findings) {
     std::printf("  %-48s %5.1f %%  [%.3g, %.3g]  closes %.0f %% alone, %.0f %% last\n",
                 describe(finding.cause).c_str(), 100 * finding.probability, finding.lower, finding.upper,
@@ -59,16 +75,22 @@ void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, Answe
   options.jobs = request.jobs;
   if (request.maxCauses > 0) options.mostCauses = static_cast<std::size_t>(request.maxCauses);
   Inference inference;
+  Further further;
   {
     ProgressLine line(request.quiet);
     options.progress = [&line](const std::string& stage, double share) { line.tell(stage, share); };
     line.tell("noise of the readings", 0);
     inference = infer(request.robot, trials, options);
+    // Where the causes named explain all there is, nothing further is to be had.
+    if (inference.diagnosis.verdict == Verdict::unknown) {
+      line.tell("all frictions per joint", 0);
+      further = furtherOf(request.robot, trials, inference.foundElse, inference.leftOut, request.jobs);
+    }
   }
   const Evidence evidence(std::move(trials), inference.noises);
   input.nextMotion = separating(request.robot, inference.diagnosis);
   if (input.nextMotion.empty()) input.nextMotion = suggestion(inference.diagnosis, evidence);
-  const std::string text = answerOf(inference, input, evidence, request.robot).dump(1) + "\n";
+  const std::string text = answerOf(inference, further, input, evidence, request.robot).dump(1) + "\n";
   timing.write(request.timing);
   if (request.json == "-") {
     std::fputs(text.c_str(), stdout);
@@ -79,7 +101,7 @@ void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, Answe
     if (!folder.empty()) std::filesystem::create_directories(folder);
     writeFile(request.json, text);
   }
-  print(inference, input);
+  print(inference, further, input);
 }
 
 }  // namespace plumbline::gap

@@ -16,11 +16,12 @@ namespace plumbline::gap {
 namespace {
 
 struct ReportOptions {
-  std::string answer, robot, output = "report.html";
+  std::string answer, robot, check, output = "report.html";
 };
 
 void report(const ReportOptions& options) {
-  const nlohmann::json answer = readAnswer(options.answer);
+  nlohmann::json answer = readAnswer(options.answer);
+  if (!options.check.empty()) answer["check"] = readCheck(options.check);
   std::optional<Mechanism> robot;
   if (!options.robot.empty()) {
     robot = namedMechanism(options.robot);
@@ -46,7 +47,13 @@ void addReport(CLI::App& app) {
   command->add_option("answer", options->answer, "The file that bin/gap diagnose --json wrote")->required();
   command->add_option("-o,--output", options->output, "The page, one HTML file")->capture_default_str();
   command->add_option("--robot", options->robot, "URDF or JSON file, for the figure [the answer's robot]");
-  command->footer("Example:\n  bin/gap report answer.json -o report.html");
+  command->add_option(
+      "--check", options->check,
+      "Shows what the answer closed of other recordings: the file that bin/gap check --json wrote");
+  command->footer(
+      "Examples:\n  bin/gap report answer.json -o report.html\n"
+      "  bin/gap check answer.json other_runs --json check.json && bin/gap report answer.json --check "
+      "check.json");
   command->callback([options] { report(*options); });
 }
 

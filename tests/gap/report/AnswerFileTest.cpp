@@ -55,6 +55,25 @@ TEST(AnswerFile, RefusesWhatIsNoAnswerInOneLine) {
   EXPECT_EQ(refusal(R"({"verdict": "none", "effects": []})"), "");
 }
 
+TEST(AnswerFile, RefusesWhatIsNoCheckInOneLine) {
+  const auto refused = [](const std::string& text) -> std::string {
+    const std::string path = written(text);
+    try {
+      readCheck(path);
+    } catch (const ConfigurationError& error) {
+      return std::string(error.what()).substr(path.size());
+    }
+    return "";
+  };
+  const std::string tail = "; bin/gap check ANSWER RUNS --json FILE writes one";
+  EXPECT_EQ(refused("[]"), ": is no JSON map" + tail);
+  EXPECT_EQ(refused(R"({"closed": "much", "runs": []})"),
+            ": has no number 'closed' or no list 'runs'" + tail);
+  EXPECT_EQ(refused(R"({"closed": 0.5, "runs": [{"folder": "a", "before": 1}]})"),
+            ": runs[0] lacks 'folder', 'before' or 'after'" + tail);
+  EXPECT_EQ(refused(R"({"closed": 0.5, "runs": [{"folder": "a", "before": 1, "after": 0.5}]})"), "");
+}
+
 TEST(AnswerFile, CausesForARobotWithTheirRivals) {
   const Mechanism robot = twoJointArm();
   const std::string joint = robot.joints[1].name;

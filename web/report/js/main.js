@@ -19,6 +19,7 @@
   report.tracks(answer, section('when'));
   report.causes(answer, section('causes'));
   report.overlays(answer, section('overlays'));
+  report.recordings(answer, section('recordings'));
   report.bars(answer, section('far'));
   report.next(answer, section('next'));
   report.data(answer, section('data'));

@@ -12,6 +12,7 @@ report.verdict = (answer, section) => {
   section.append(
     el('span', { class: `badge ${badge[0]}` }, badge[1]),
     el('h1', { id: 'sentence' }, report.headline(answer)),
+    el('p', { id: 'short' }, report.inShort(answer)),
     el('p', { class: 'dim', id: 'caveat' }, report.caveat(answer)),
     el('div', { class: 'tiles' },
       tile(`${number(gap.before)} \u2192 ${number(gap.after)}`, `gap before and after, ${unit}${gap.held_out ? '; on data that took no part in the fit' : ''}`),

@@ -1,0 +1,299 @@
+#include "gap/inference/PerJointFit.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "gap/inference/Density.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double probe = 0.1;    // step of derivatives, in the least strength that a search starts from
+constexpr double longest = 20;   // step of a value, in the same
+constexpr double damped = 1e-2;  // at first, of the diagonal
+
+/// Per cause: the strength that is 1 in its coordinate.
+double unitOf(const Mechanism& robot, const Cause& cause) {
+  double least = HUGE_VAL;
+  for (const double start : cause.effect->starts)
+    least = std::min(least,
+                     std::abs(cause.effect->strengthOf(start * cause.effect->scaleAt(robot, cause.place))));
+  return least;
+}
+
+bool ofPosition(const Replayer& replayer, const Cell& cell) {
+  return replayer.groups().trials()[cell.trial].signals[cell.signal].kind == SignalKind::position;
+}
+
+double squaresOf(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double r : values)
+    if (std::isfinite(r)) sum += r * r;
+  return sum;
+}
+
+/// Per group: one over the squares that the nominal model leaves.
+std::vector<double> weightsOf(const Replayer& replayer) {
+  std::vector<double> squares(replayer.groups().count(), 0.0);
+  const Residuals nominal = replayer.residuals({});
+  for (const Cell& cell : replayer.groups().cells())
+    if (ofPosition(replayer, cell)) squares[cell.group] += squaresOf(residualsOf(cell, nominal));
+  for (double& s : squares) s = s > 0 ? 1 / (s * static_cast<double>(squares.size())) : 0;
+  return squares;
+}
+
+/// The parameters of one motor.
+struct Motor {
+  std::vector<std::size_t> causes;
+  double damping = damped;
+  Eigen::MatrixXd normal;
+  Eigen::VectorXd downhill;
+};
+
+class JointSteps {
+public:
+  JointSteps(const Replayer& replayer_, PerJoint start)
+      : replayer(replayer_),
+        robot(replayer_.mechanism()),
+        weights(weightsOf(replayer_)),
+        at(std::move(start)) {
+    const std::size_t base = at.causes.size() - at.parameters;
+    for (std::size_t i = base; i < at.causes.size(); ++i) {
+      motors[at.causes[i].place.index].causes.push_back(i);
+      units.push_back(unitOf(robot, at.causes[i]));
+    }
+    first = base;
+    residuals = replayer.residuals(at.causes);
+    costs = costsOf(residuals);
+    at.left = total(costs);
+  }
+
+  PerJoint run(int steps) {
+    for (int step = 0; step < steps && at.parameters > 0; ++step) {
+      linearise();
+      if (!advance()) break;
+    }
+    return at;
+  }
+
+private:
+  double coordinate(std::size_t i) const {
+    return at.causes[i].effect->strengthOf(at.causes[i].value) / units[i - first];
+  }
+
+  /// The cause at a coordinate, held within its bounds.
+  Cause moved(std::size_t i, double x) const {
+    Cause cause = at.causes[i];
+    const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
+    const double strength = x * units[i - first];
+    double value = cause.effect->valueAt(strength);
+    if (cause.effect->reciprocal && strength + 1 / cause.effect->nominal <= 1 / bounds.upper)
+      value = bounds.upper;
+    cause.value = std::clamp(value, bounds.lower, bounds.upper);
+    return cause;
+  }
+
+  /// Per motor: its position's share of the whole.
+  std::map<int, double> costsOf(const Residuals& of) const {
+    std::map<int, double> sums;
+    for (const Cell& cell : replayer.groups().cells())
+      if (ofPosition(replayer, cell))
+        sums[motorOf(cell)] += weights[cell.group] * squaresOf(residualsOf(cell, of));
+    return sums;
+  }
+
+  int motorOf(const Cell& cell) const {
+    return robot.motorOf(replayer.groups().trials()[cell.trial].signals[cell.signal].joint);
+  }
+
+  static double total(const std::map<int, double>& of) {
+    double sum = 0;
+    for (const auto& [motor, cost] : of) sum += cost;
+    return sum;
+  }
+
+  void linearise() {
+    std::size_t most = 0;
+    for (auto& [joint, motor] : motors) {
+      const auto n = static_cast<Eigen::Index>(motor.causes.size());
+      motor.normal = Eigen::MatrixXd::Zero(n, n);
+      motor.downhill = Eigen::VectorXd::Zero(n);
+      most = std::max(most, motor.causes.size());
+    }
+    std::vector<Residuals> shifted;
+    std::vector<double> steps(at.causes.size(), 0.0);
+    for (std::size_t k = 0; k < most; ++k) {
+      Explanation other = at.causes;
+      for (const auto& [joint, motor] : motors) {
+        if (k >= motor.causes.size()) continue;
+        const std::size_t i = motor.causes[k];
+        const double x = coordinate(i);
+        for (const double way : {probe, -probe}) {
+          other[i] = moved(i, x + way);
+          steps[i] = other[i].effect->strengthOf(other[i].value) / units[i - first] - x;
+          if (steps[i] != 0) break;
+        }
+      }
+      shifted.push_back(replayer.residuals(other));
+    }
+    for (const Cell& cell : replayer.groups().cells()) {
+      const auto motor = motors.find(motorOf(cell));
+      if (!ofPosition(replayer, cell) || motor == motors.end() || !residuals[cell.trial][cell.signal])
+        continue;
+      add(cell, motor->second, shifted, steps);
+    }
+  }
+
+  void add(const Cell& cell, Motor& motor, const std::vector<Residuals>& shifted,
+           const std::vector<double>& steps) {
+    const std::vector<double>& here = *residuals[cell.trial][cell.signal];
+    const auto n = static_cast<Eigen::Index>(motor.causes.size());
+    Eigen::VectorXd slope(n);
+    for (std::size_t c = cell.from; c < cell.to; ++c) {
+      if (!std::isfinite(here[c])) continue;
+      for (Eigen::Index k = 0; k < n; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        const double step = steps[motor.causes[i]], there = (*shifted[i][cell.trial][cell.signal])[c];
+        slope[k] = step != 0 && std::isfinite(there) ? (there - here[c]) / step : 0;
+      }
+      motor.normal.noalias() += weights[cell.group] * slope * slope.transpose();
+      motor.downhill.noalias() -= weights[cell.group] * here[c] * slope;
+    }
+  }
+
+  /// Where a motor's step leads; what stands at a bound and is drawn beyond it stays.
+  void step(const Motor& motor, Explanation& causes) const {
+    std::vector<std::size_t> free;
+    for (std::size_t k = 0; k < motor.causes.size(); ++k) {
+      const std::size_t i = motor.causes[k];
+      const double push = motor.downhill[static_cast<Eigen::Index>(k)];
+      if (push != 0 && moved(i, coordinate(i) + (push > 0 ? 1e-3 : -1e-3)).value != at.causes[i].value)
+        free.push_back(k);
+    }
+    const auto n = static_cast<Eigen::Index>(free.size());
+    if (n == 0) return;
+    Eigen::MatrixXd normal(n, n);
+    Eigen::VectorXd downhill(n);
+    for (Eigen::Index a = 0; a < n; ++a) {
+      const auto row = static_cast<Eigen::Index>(free[static_cast<std::size_t>(a)]);
+      downhill[a] = motor.downhill[row];
+      for (Eigen::Index b = 0; b < n; ++b)
+        normal(a, b) = motor.normal(row, static_cast<Eigen::Index>(free[static_cast<std::size_t>(b)]));
+    }
+    normal.diagonal() *= 1 + motor.damping;
+    normal.diagonal().array() += 1e-12;
+    const Eigen::VectorXd way = normal.ldlt().solve(downhill).cwiseMax(-longest).cwiseMin(longest);
+    for (Eigen::Index a = 0; a < n; ++a) {
+      const std::size_t i = motor.causes[free[static_cast<std::size_t>(a)]];
+      causes[i] = moved(i, coordinate(i) + way[a]);
+    }
+  }
+
+  /// A step of all motors; those whose own position got worse go back and are damped. False where none is
+  /// better.
+  bool advance() {
+    for (int attempt = 0; attempt < 4; ++attempt) {
+      Explanation tried = at.causes;
+      for (const auto& [joint, motor] : motors) step(motor, tried);
+      const std::map<int, double> there = costsOf(replayer.residuals(tried));
+      bool mixed = false;
+      for (auto& [joint, motor] : motors) {
+        if (costAt(there, joint) < costAt(costs, joint)) {
+          motor.damping = std::max(1e-6, motor.damping / 8);
+          continue;
+        }
+        motor.damping *= 8;
+        mixed = true;
+        for (const std::size_t i : motor.causes) tried[i] = at.causes[i];
+      }
+      if (tried == at.causes) continue;
+      Residuals after = replayer.residuals(tried);
+      const std::map<int, double> costsAfter = mixed ? costsOf(after) : there;
+      if (total(costsAfter) >= at.left) {
+        for (auto& [joint, motor] : motors) motor.damping *= 8;
+        continue;
+      }
+      const bool worth = at.left - total(costsAfter) > 1e-3 * at.left;
+      at.causes = std::move(tried);
+      at.left = total(costsAfter);
+      costs = costsAfter;
+      residuals = std::move(after);
+      return worth;
+    }
+    return false;
+  }
+
+  static double costAt(const std::map<int, double>& of, int joint) {
+    const auto found = of.find(joint);
+    return found == of.end() ? 0 : found->second;
+  }
+
+  const Replayer& replayer;
+  const Mechanism& robot;
+  const std::vector<double> weights;
+  PerJoint at;
+  std::map<int, Motor> motors;
+  std::vector<double> units;  ///< per parameter
+  std::size_t first = 0;      ///< the first parameter's place among the causes
+  Residuals residuals;
+  std::map<int, double> costs;
+};
+
+}  // namespace
+
+std::span<const std::string_view> frictions() {
+  static constexpr std::array<std::string_view, 4> ids{"coulomb_friction", "viscous_friction",
+                                                       "stribeck_friction", "load_friction"};
+  return ids;
+}
+
+PerJoint perJoint(const Mechanism& robot, const Explanation& base, std::span<const std::string_view> ids) {
+  const auto ofThese = [&](const Cause& cause) {
+    return std::ranges::find(ids, cause.effect->id) != ids.end();
+  };
+  PerJoint result;
+  for (const Cause& cause : base)
+    if (!ofThese(cause)) result.causes.push_back(cause);
+  for (int joint = 0; joint < robot.numJoints(); ++joint) {
+    if (robot.motorOf(joint) != joint) continue;
+    for (const std::string_view id : ids) {
+      const Effect* effect = findEffect(id);
+      if (!effect || !sitsAtJoints(*effect))
+        throw std::invalid_argument(std::string(id) + " is no effect of joints");
+      Cause cause{effect,
+                  {Site::joint, joint, robot.joints[static_cast<std::size_t>(joint)].name},
+                  effect->nominal,
+                  0};
+      for (const Cause& known : base) {
+        const bool everywhere = known.place.site == Site::everywhere && known.place.index < 0;
+        if (known.effect != effect || (!everywhere && known.place.index != joint)) continue;
+        cause.value = known.value;
+        cause.variant = known.variant;
+        if (!everywhere) break;
+      }
+      result.causes.push_back(cause);
+      ++result.parameters;
+    }
+  }
+  return result;
+}
+
+double shareLeft(const Replayer& replayer, const Explanation& causes) {
+  const std::vector<double> weights = weightsOf(replayer);
+  const Residuals residuals = replayer.residuals(causes);
+  double sum = 0;
+  for (const Cell& cell : replayer.groups().cells())
+    if (ofPosition(replayer, cell)) sum += weights[cell.group] * squaresOf(residualsOf(cell, residuals));
+  return sum;
+}
+
+PerJoint fitPerJoint(const Replayer& replayer, PerJoint start, int steps) {
+  return JointSteps(replayer, std::move(start)).run(steps);
+}
+
+}  // namespace plumbline::gap

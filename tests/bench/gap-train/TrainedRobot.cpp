@@ -1,0 +1,228 @@
+#include "TrainedRobot.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "framework/ConfigFile.h"
+#include "framework/ConfigFolder.h"
+#include "framework/Parallel.h"
+#include "framework/WriteFile.h"
+#include "gap/blind/Draw.h"
+#include "gap/diagnosis/ExplanationFile.h"
+#include "gap/record/WalkRecording.h"
+#include "gap/report/AnswerCauses.h"
+#include "gap/report/AnswerFile.h"
+#include "robot/MechanismFile.h"
+#include "simspark/ChildProcess.h"
+
+namespace plumbline::bench {
+
+namespace fs = std::filesystem;
+using namespace gap;
+using walking::TrialResult;
+
+namespace {
+
+constexpr const char* robotName = "nao_v5";
+constexpr int strengths = 4;          // each twice the one before
+constexpr std::uint64_t drawnBy = 8;  // tries of the walk that decide whether a robot is taken
+
+/// What the short searches look for: the parameters that speed depends on most.
+const std::vector<std::string> searched{
+    "speed.maxForward",        "speed.trimForward",    "step.duration",    "step.height",
+    "posture.hipHeight",       "posture.torsoPitch",   "model.copForward", "model.copOutward",
+    "feedback.anklePitchGain", "feedback.hipPitchGain"};
+
+/// Runs a program to its end; its CPU seconds. Throws where it fails.
+double run(const std::vector<std::string>& command, const std::string& log) {
+  simspark::ChildProcess child(command, log);
+  while (child.running()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  if (child.exitStatus() != 0)
+    throw std::runtime_error(command[0] + " " + command[1] + " failed; see " + log);
+  return child.usage().cpuSeconds;
+}
+
+walking::WalkGaits walkIn(const std::string& folder) {
+  const ConfigFile file("walking", {configFolder(), folder});
+  walking::WalkGaits gaits = walking::readWalkGaits(file.root());
+  file.checkUnknown();
+  return gaits;
+}
+
+TrialResult meanOf(const std::vector<TrialResult>& tries) {
+  TrialResult mean;
+  const auto n = static_cast<double>(tries.size());
+  for (const TrialResult& t : tries) {
+    mean.speed += t.speed / n;
+    mean.falls += t.falls / n;
+    mean.drift += t.drift / n;
+  }
+  return mean;
+}
+
+Explanation causesOf(const std::vector<BlindEffect>& effects, const Mechanism& robot) {
+  Explanation causes;
+  for (const BlindEffect& e : effects) {
+    const Effect* effect = findEffect(e.effect);
+    causes.push_back({effect, findPlace(*effect, robot, e.at, e.axis), e.value, 0});
+  }
+  return causes;
+}
+
+/// Whether a walk can have it and feels it: in legs, torso or all joints.
+bool walksOn(const Mechanism& robot, const BlindEffect& e) {
+  if (!findEffect(e.effect)->inWalk) return false;
+  std::vector<int> legs;
+  for (const Mechanism::Foot& foot : robot.feet)
+    for (const int joint : robot.chain(foot.link)) legs.push_back(joint);
+  if (const int joint = robot.jointIndex(e.at); joint >= 0)
+    return std::ranges::find(legs, joint) != legs.end();
+  for (std::size_t l = 1; l < robot.links.size(); ++l)
+    if (robot.links[l].name == e.at) {
+      const std::vector<int> chain = robot.chain(static_cast<int>(l));
+      return !chain.empty() && std::ranges::find(legs, chain.front()) != legs.end();
+    }
+  return true;
+}
+
+}  // namespace
+
+TrainBench::TrainBench(const TrainSetup& setup_) : setup(setup_), mechanism(namedMechanism(robotName)) {
+  const std::string folder = setup.folder + "/nominal";
+  train("", folder);
+  nominalWalk = walkIn(folder);
+  onNominal = meanOf(measure(nominalWalk, {}, setup.measured)).speed;
+}
+
+double TrainBench::train(const std::string& effects, const std::string& output) const {
+  const std::string walk = output + "/walking.yaml";
+  if (fs::exists(walk) && !fs::exists(walk + ".search")) return 0;
+  fs::create_directories(output);
+  std::vector<std::string> command = {"bin/optimizewalk",
+                                      "--robot",
+                                      robotName,
+                                      "--task",
+                                      "forward",
+                                      "--generations",
+                                      std::to_string(setup.generations),
+                                      "--population",
+                                      std::to_string(setup.population),
+                                      "--tries",
+                                      std::to_string(setup.tries),
+                                      "--seconds",
+                                      std::to_string(setup.seconds),
+                                      "--seed",
+                                      std::to_string(setup.seed),
+                                      "--jobs",
+                                      std::to_string(setup.jobs),
+                                      "--output",
+                                      walk};
+  if (!effects.empty()) command.insert(command.end(), {"--effects", effects});
+  command.emplace_back("--only");
+  command.insert(command.end(), searched.begin(), searched.end());
+  return run(command, output + "/log");
+}
+
+std::vector<TrialResult> TrainBench::measure(const walking::WalkGaits& walk, const Explanation& effects,
+                                             std::uint64_t tries) const {
+  std::vector<TrialResult> results(tries);
+  parallel(results.size(), static_cast<int>(setup.jobs), [&](std::size_t i) {
+    const auto robot = walkerWith("bullet", mechanism, walk, effects);
+    walking::TrialSetup trial;
+    // The searches' own seeds are below 100 million.
+    trial.seed = 1'000'000'000 + setup.seed * 100'000 + i;
+    trial.tries = 1;
+    trial.seconds = 6;
+    results[i] = walking::tryWalk(*robot, walk, walking::Task::forward, trial);
+  });
+  return results;
+}
+
+BlindCase TrainBench::draw(std::size_t turn) const {
+  const std::string kept = setup.folder + "/robot" + std::to_string(turn + 1) + "/truth.json";
+  if (fs::exists(kept)) {
+    std::ifstream file(kept);
+    return parseBlindSet({std::istreambuf_iterator<char>(file), {}}).cases.front();
+  }
+  Random random(setup.seed * 1000 + turn);
+  DrawOptions options;
+  options.seed = setup.seed;
+  for (std::size_t at = 11 * turn;; ++at) {
+    BlindCase truth;
+    truth.name = "robot" + std::to_string(turn + 1);
+    truth.kind = turn % 2 == 0 ? BlindKind::single : BlindKind::mixture;
+    truth.effects = drawEffects(mechanism, truth.kind, at, options, random);
+    if (!std::ranges::all_of(truth.effects, [&](const BlindEffect& e) { return walksOn(mechanism, e); }))
+      continue;
+    for (int strength = 0; strength < strengths; ++strength) {
+      const double lost =
+          1 - meanOf(measure(nominalWalk, causesOf(truth.effects, mechanism), drawnBy)).speed / onNominal;
+      if (lost > mostLoss) break;
+      if (lost >= leastLoss) {
+        fs::create_directories(fs::path(kept).parent_path());
+        writeFile(kept, blindSetText({robotName, "bullet", "hang", setup.seed, {truth}}));
+        return truth;
+      }
+      for (BlindEffect& effect : truth.effects) effect = strengthened(mechanism, effect, 2);
+    }
+  }
+}
+
+void TrainBench::record(const std::string& folder) const {
+  if (fs::exists(folder + "/runs")) return;
+  run({"bin/gap", "record", "--robot", robotName, "--engine", "bullet", "--program", "hang_sweep",
+       "hang_fast", "--seed", std::to_string(setup.seed), "--effects", folder + "/truth.yaml", "-o",
+       folder + "/runs"},
+      folder + "/log");
+}
+
+TrainedRobot TrainBench::robot(std::size_t turn) const {
+  TrainedRobot result;
+  result.truth = draw(turn);
+  const std::string folder = setup.folder + "/robot" + std::to_string(turn + 1),
+                    answerFile = folder + "/answer.json";
+  const Explanation truth = causesOf(result.truth.effects, mechanism);
+  writeFile(folder + "/truth.yaml", simulation::effectsText(settingsOf(truth), "In the robot"));
+  record(folder);
+  if (!fs::exists(answerFile))
+    result.diagnosisSeconds = run({"bin/gap", "diagnose", folder + "/runs", "--method", "sets", "--json",
+                                   answerFile, "--quiet", "--jobs", std::to_string(setup.jobs)},
+                                  folder + "/log");
+  const nlohmann::json answer = readAnswer(answerFile);
+  result.verdict = answer["verdict"];
+  Explanation found;
+  for (const Cause& cause : gap::causesOf(answer, answerFile, mechanism).causes)
+    if (cause.effect->inWalk) found.push_back(cause);
+  for (const Cause& cause : found)
+    result.found.push_back({std::string(cause.effect->id),
+                            cause.place.at,
+                            cause.place.axis ? std::string(1, cause.place.axis) : "",
+                            cause.value,
+                            {}});
+  std::string effects;
+  if (!found.empty()) {
+    effects = folder + "/found.yaml";
+    writeFile(effects, simulation::effectsText(settingsOf(found), "Found by bin/gap diagnose"));
+  }
+  // Where nothing was found the search is the one without, and so is what it finds.
+  walking::WalkGaits walk = nominalWalk;
+  if (!found.empty()) {
+    result.trainingSeconds = train(effects, folder + "/walk");
+    walk = walkIn(folder + "/walk");
+  }
+  const std::vector<TrialResult> without = measure(nominalWalk, truth, setup.measured),
+                                 with = measure(walk, truth, setup.measured);
+  for (std::size_t i = 0; i < with.size(); ++i)
+    result.differences.push_back(with[i].speed - without[i].speed);
+  result.without = meanOf(without);
+  result.with = meanOf(with);
+  return result;
+}
+
+}  // namespace plumbline::bench

@@ -1,0 +1,116 @@
+// All frictions of all joints at once, on recordings of the two-joint arm whose truth is known.
+#include "gap/inference/PerJointFit.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "../TwoJointArm.h"
+#include "gap/inference/Further.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double noise = 5e-4;
+
+/// Three recordings of different motions with the causes in.
+std::vector<Trial> threeMotions(const Explanation& causes) {
+  const Mechanism arm = twoJointArm();
+  std::vector<Trial> trials;
+  for (const double size : {0.5, 0.35, 0.2}) {
+    Trial trial = armTrial(arm, 4, size);
+    trial.recording = trial.name = "run" + std::to_string(trials.size());
+    trials.push_back(recorded(plantOf(arm, causes), trial, noise, 3 + trials.size()));
+  }
+  return trials;
+}
+
+const Explanation& frictionOfBoth() {
+  static const Explanation causes{causeOfArm("coulomb_friction", "shoulder", 0.12),
+                                  causeOfArm("viscous_friction", "shoulder", 0.1),
+                                  causeOfArm("coulomb_friction", "elbow", 0.06)};
+  return causes;
+}
+
+const Cause& causeIn(const Explanation& causes, const char* id, const char* at) {
+  for (const Cause& cause : causes)
+    if (cause.effect->id == id && cause.place.at == at) return cause;
+  throw std::out_of_range(id);
+}
+
+}  // namespace
+
+TEST(PerJointFit, findsTheValuesOfEachJointAtOnce) {
+  const Mechanism arm = twoJointArm();
+  const Groups groups(threeMotions(frictionOfBoth()));
+  const Replayer replayer(arm, groups, 1);
+  static constexpr std::array<std::string_view, 2> ids{"coulomb_friction", "viscous_friction"};
+  const PerJoint fitted = fitPerJoint(replayer, perJoint(arm, {}, ids), 12);
+  EXPECT_EQ(fitted.parameters, 4);
+  EXPECT_NEAR(causeIn(fitted.causes, "coulomb_friction", "shoulder").value, 0.12, 0.006);
+  EXPECT_NEAR(causeIn(fitted.causes, "viscous_friction", "shoulder").value, 0.1, 0.01);
+  EXPECT_NEAR(causeIn(fitted.causes, "coulomb_friction", "elbow").value, 0.06, 0.006);
+  EXPECT_LT(fitted.left, 0.01);
+  EXPECT_DOUBLE_EQ(fitted.left, shareLeft(replayer, fitted.causes));
+  EXPECT_DOUBLE_EQ(shareLeft(replayer, {}), 1);
+}
+
+TEST(PerJointFit, whatTheBaseHasOfTheseEffectsIsWhereTheyStartAndTheRestIsHeld) {
+  const Mechanism arm = twoJointArm();
+  const Explanation base{causeOfArm("servo_gain", "elbow", 0.8),
+                         causeOfArm("coulomb_friction", "elbow", 0.05)};
+  const PerJoint start = perJoint(arm, base, frictions());
+  EXPECT_EQ(start.parameters, 8);
+  EXPECT_EQ(start.causes.size(), 9);
+  EXPECT_EQ(start.causes.front(), base.front());
+  EXPECT_DOUBLE_EQ(causeIn(start.causes, "coulomb_friction", "elbow").value, 0.05);
+  EXPECT_DOUBLE_EQ(causeIn(start.causes, "coulomb_friction", "shoulder").value, 0);
+  const Groups groups(threeMotions(base));
+  const PerJoint fitted = fitPerJoint(Replayer(arm, groups, 1), start, 2);
+  EXPECT_EQ(fitted.causes.front(), base.front());
+}
+
+TEST(PerJointFit, whatIsNotOfJointsIsRefused) {
+  static constexpr std::array<std::string_view, 1> ids{"link_mass"};
+  try {
+    perJoint(twoJointArm(), {}, ids);
+    FAIL() << "link_mass was taken";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "link_mass is no effect of joints");
+  }
+}
+
+TEST(Further, saysHowMuchMoreAllFrictionsClose) {
+  const Mechanism arm = twoJointArm();
+  const std::vector<Trial> trials = threeMotions(frictionOfBoth());
+  const std::vector<Explanation> nothing(3), all(3, frictionOfBoth());
+  const auto leftBy = [&](const Explanation& causes) {
+    std::vector<RecordingLeft> left;
+    for (const Trial& trial : trials) left.push_back(leftIn(trial, {{0, causes}}));
+    return left;
+  };
+  const Further further = furtherOf(arm, trials, nothing, leftBy({}), 1);
+  EXPECT_EQ(further.parameters, 8);
+  EXPECT_EQ(further.leftOut.size(), 3);
+  EXPECT_GT(further.closed, 0.85);
+  EXPECT_NEAR(furtherOf(arm, trials, all, leftBy(frictionOfBoth()), 1).closed, 0, 0.02);
+}
+
+TEST(Further, isSaidWhereItIsWorthIt) {
+  Further further;
+  further.parameters = 24;
+  further.closed = 0.12;
+  EXPECT_EQ(further.sentence(),
+            "A further 12 % closes by fitting all frictions per joint (24 values); not attributable.");
+  further.closed = 0.02;
+  EXPECT_EQ(further.sentence(), "");
+}
+
+TEST(Further, ofARobotOnItsFeetNothingIsSaid) {
+  std::vector<Trial> trials = threeMotions({});
+  trials[1].freeBase = true;
+  EXPECT_EQ(furtherOf(twoJointArm(), trials, std::vector<Explanation>(3), {}, 1).parameters, 0);
+}
+
+}  // namespace plumbline::gap
