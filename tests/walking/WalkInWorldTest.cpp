@@ -6,8 +6,9 @@
 namespace plumbline::walking {
 namespace {
 
-/// The robots walk in the simulator with the values in config/; slower than the benchmark asks, so that a
-/// change of a value shows there first.
+/// The robots walk in the simulator with the values in config/. Bounds are a sixth to a quarter below what
+/// the benchmark measures (doc/results/walking.md): a change of a value shows there first, a loss of a third
+/// here.
 class WalkInWorld : public testing::TestWithParam<int> {
 protected:
   WalkingRobot robot{GetParam()};
@@ -27,20 +28,20 @@ protected:
 
 TEST_P(WalkInWorld, forward) {
   robot.run(walk(9, 0, 0), 2);
-  EXPECT_GT(speed(walk(9, 0, 0), 4).x(), 0.5);
+  EXPECT_GT(speed(walk(9, 0, 0), 4).x(), 0.85);
 }
 
 TEST_P(WalkInWorld, sideways) {
   robot.run(walk(0, 9, 0), 2);
-  EXPECT_GT(speed(walk(0, 9, 0), 3).y(), 0.2);
+  EXPECT_GT(speed(walk(0, 9, 0), 3).y(), 0.48);
   robot.restart();
   robot.run(walk(0, -9, 0), 2);
-  EXPECT_LT(speed(walk(0, -9, 0), 3).y(), -0.2);
+  EXPECT_LT(speed(walk(0, -9, 0), 3).y(), -0.48);
 }
 
 TEST_P(WalkInWorld, backward) {
   robot.run(walk(-9, 0, 0), 2);
-  EXPECT_LT(speed(walk(-9, 0, 0), 3).x(), -0.2);
+  EXPECT_LT(speed(walk(-9, 0, 0), 3).x(), -0.6);
 }
 
 TEST_P(WalkInWorld, turns) {

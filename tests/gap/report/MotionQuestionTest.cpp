@@ -34,7 +34,8 @@ TEST_F(MotionQuestionTest, aRivalIsToBeSeparatedFromTheCauseItWouldReplace) {
   found.probabilities = {0.99, 0.7};
   found.rivals = {{1, causeOfArm("viscous_friction", "elbow", 0.2), 0.3}};
   const MotionQuestion question = motionQuestionOf(found, {{"verdict", "effect"}}, arm, "answer.json");
-  EXPECT_EQ(question.text, "coulomb_friction at elbow from viscous_friction at elbow");
+  EXPECT_EQ(question.text,
+            "coulomb_friction at elbow = 0.1 N m from viscous_friction at elbow = 0.2 N m s/rad");
   ASSERT_EQ(question.explanations.size(), 2u);
   EXPECT_EQ(question.explanations[0], found.causes);
   EXPECT_EQ(question.explanations[1], (Explanation{backlash, found.rivals.front().cause}));
@@ -45,7 +46,7 @@ TEST_F(MotionQuestionTest, withoutRivalsItIsAboutTheLeastCertainCause) {
   found.causes = {backlash, friction};
   found.probabilities = {0.99, 0.7};
   const MotionQuestion question = motionQuestionOf(found, {{"verdict", "effect"}}, arm, "answer.json");
-  EXPECT_EQ(question.text, "coulomb_friction at elbow from everything else at its place");
+  EXPECT_EQ(question.text, "coulomb_friction at elbow = 0.1 N m from everything else at its place");
   ASSERT_GE(question.explanations.size(), 3u);
   EXPECT_EQ(question.explanations[0], found.causes);
   for (std::size_t i = 1; i < question.explanations.size(); ++i) {
