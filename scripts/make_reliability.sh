@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes doc/results/reliability.md from what `make fuzz`, `make faults`, `make kills`, `make soak` and `make coverage` left
-# in build/; what was not run on this machine is said to be missing.
+# in build/. What was not run here keeps the section that the page has, and each section says where and when it was measured.
 #   scripts/make_reliability.sh
 # Example: make faults && scripts/make_reliability.sh
 set -euo pipefail
@@ -18,18 +18,24 @@ table() { # file, first line to take
   sed '$d' "$1" | awk '{ line = "|"; for (i = 1; i <= NF; ++i) line = line " " $i " |"; print line; if (NR == 1) { gsub(/[^|]+/, "---", line); print line } }'
   printf '\n%s.\n' "$(tail -1 "$1")"
 }
-missing() { printf 'Not measured here: `%s`.\n' "$1"; }
+here="$(nproc) cores of ${machine:-an unknown CPU}"
+# The section ($1) as it stands in the page, or that the command ($2) is to be run.
+missing() {
+  local before
+  before=$(awk -v head="## $1" '$0 == head { on = 1; next } /^## / || /^<!-- \/measured/ { on = 0 } on' $page | sed -e '/./,$!d' | sed -e :a -e '/^\n*$/{$d;N;ba' -e '}')
+  if [[ $before ]]; then printf '%s\n' "$before"; else printf 'Not measured yet: `%s`.\n' "$2"; fi
+}
 {
   sed "/$mark/q" $page
   echo
-  echo "Measured on $(nproc) cores of ${machine:-an unknown CPU}, written by \`scripts/make_reliability.sh\`."
+  echo "Written by \`scripts/make_reliability.sh\`."
   printf '\n## Readers under libFuzzer\n\n'
   if [[ -s build/fuzz/table.txt ]]; then
-    echo "\`make fuzz\`, $(dated build/fuzz/table.txt):"
+    echo "\`make fuzz\`, $(dated build/fuzz/table.txt), $here:"
     echo
     sed 's/nothing found/nothing/' build/fuzz/table.txt > build/fuzz/words.txt
     table build/fuzz/words.txt
-  else missing "make fuzz"; fi
+  else missing "Readers under libFuzzer" "make fuzz"; fi
   printf '\n## Damaged inputs in every test run\n\n'
   cat tests/fuzz/*.cpp | awk '
     /^const Registered/ { open = 1 }
@@ -38,28 +44,28 @@ missing() { printf 'Not measured here: `%s`.\n' "$1"; }
     END { printf "%d readers: %d damaged inputs in a release build, the first quarter of them (%d) under the sanitizers in `make test`.\n", n, inputs, quarter }'
   printf '\n## Calls of the system that fail\n\n'
   if [[ -s build/faults/table.txt ]]; then
-    echo "\`make faults\`, $(dated build/faults/table.txt): how often each kind of call was made to fail, and how often a program then"
+    echo "\`make faults\`, $(dated build/faults/table.txt), $here: how often each kind of call was made to fail, and how often a program then"
     echo "ended without saying why, or left a file half written."
     echo
     table build/faults/table.txt
-  else missing "make faults"; fi
+  else missing "Calls of the system that fail" "make faults"; fi
   printf '\n## Kills\n\n'
   if [[ -s build/faults/kills.txt ]]; then
-    echo "\`make kills\`, $(dated build/faults/kills.txt): how often each program was killed, its recording was readable, and the same"
+    echo "\`make kills\`, $(dated build/faults/kills.txt), $here: how often each program was killed, its recording was readable, and the same"
     echo "command came to the same bytes as without the kill."
     echo
     table build/faults/kills.txt
-  else missing "make kills"; fi
+  else missing "Kills" "make kills"; fi
   printf '\n## Long games\n\n'
   if [[ -s build/soak/summary.txt ]]; then
-    echo "\`make soak\`, $(dated build/soak/summary.txt): $(cat build/soak/summary.txt)."
-  else missing "make soak"; fi
+    echo "\`make soak\`, $(dated build/soak/summary.txt), $here: $(cat build/soak/summary.txt)."
+  else missing "Long games" "make soak"; fi
   printf '\n## Lines that the tests run\n\n'
   if [[ -s build/coverage/folders.txt ]]; then
-    echo "\`make coverage\`, $(dated build/coverage/folders.txt):"
+    echo "\`make coverage\`, $(dated build/coverage/folders.txt), $here:"
     printf '\n| folder | lines run | lines |\n|---|---|---|\n'
     awk '{ print "| `" $1 "` | " $2 " % | " $5 " |" }' build/coverage/folders.txt
-  else missing "make coverage"; fi
+  else missing "Lines that the tests run" "make coverage"; fi
   echo
   sed -n "/${end//\//\\/}/,\$p" $page
 } > $page.new

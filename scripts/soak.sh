@@ -37,17 +37,20 @@ for ((i = 0; i < number; ++i)); do
 done
 
 residentOf() { awk '/^VmRSS:/ { sum += $2 } END { print sum + 0 }' $(printf '/proc/%s/status ' "$@") 2> /dev/null; }
+# Of that what they have allocated. The rest are pages of programs and libraries, which Linux brings in 64 kB at a time when
+# a line of code runs for the first time.
+allocatedOf() { awk '/^RssAnon:/ { sum += $2 } END { print sum + 0 }' $(printf '/proc/%s/status ' "$@") 2> /dev/null; }
 # User and system time [ticks of 10 ms].
 costOf() { awk '{ sub(/^.*\) /, ""); sum += $12 + $13 } END { print sum + 0 }' $(printf '/proc/%s/stat ' "$@") 2> /dev/null; }
 timeNow() { grep -a '^status' "$scratch/agent0.log" 2> /dev/null | tail -1 | awk '{ printf "%d", $2 }'; }
 
-echo "minute,simulator_kb,agents_kb,simulator_ticks,agents_ticks" > "$samples"
+echo "minute,simulator_kb,agents_kb,simulator_ticks,agents_ticks,simulator_allocated_kb,agents_allocated_kb" > "$samples"
 minute=1 last=0 silent=0
 while kill -0 $simulator 2> /dev/null && ((minute <= minutes)); do
   now=$(timeNow)
   now=${now:-0}
   if ((now >= 60 * minute)); then
-    echo "$minute,$(residentOf $simulator),$(residentOf "${agents[@]}"),$(costOf $simulator),$(costOf "${agents[@]}")" >> "$samples"
+    echo "$minute,$(residentOf $simulator),$(residentOf "${agents[@]}"),$(costOf $simulator),$(costOf "${agents[@]}"),$(allocatedOf $simulator),$(allocatedOf "${agents[@]}")" >> "$samples"
     echo "soak: minute $minute of $minutes: simulator $(residentOf $simulator) kB, agents $(residentOf "${agents[@]}") kB"
     minute=$((minute + 1))
   else
@@ -60,7 +63,7 @@ alive=0
 for agent in "${agents[@]}"; do kill -0 "$agent" 2> /dev/null && alive=$((alive + 1)); done
 awk -F, -v limit="$limit" -v percent="$percent" -v number="$number" -v alive=$alive '
   NR == 1 { next }
-  { n = NR - 1; t[n] = $1; s[n] = $2; a[n] = $3; cs[n] = $4; ca[n] = $5 }
+  { n = NR - 1; t[n] = $1; s[n] = $2; a[n] = $3; cs[n] = $4; ca[n] = $5; ms[n] = $6; ma[n] = $7 }
   END {
     from = int(n / 3) + 1 # before it caches and pools fill
     middle = from + int((n - from) / 2)
@@ -71,8 +74,8 @@ awk -F, -v limit="$limit" -v percent="$percent" -v number="$number" -v alive=$al
     late = n > middle ? (cs[n] - cs[middle]) / (t[n] - t[middle]) * us : 0
     earlyA = middle > from ? (ca[middle] - ca[from]) / (t[middle] - t[from]) * us / number : 0
     lateA = n > middle ? (ca[n] - ca[middle]) / (t[n] - t[middle]) * us / number : 0
-    printf "%d agents, %d simulated minutes: simulator %+d kB (now %d), agents together %+d kB (now %d) since minute %d; CPU per cycle simulator %.0f then %.0f us, an agent %.0f then %.0f us; %d agents at the end\n",
-      number, t[n], grownS, s[n], grownA, a[n], t[from], early, late, earlyA, lateA, alive
+    printf "%d agents, %d simulated minutes: simulator %+d kB (now %d, allocated %+d), agents together %+d kB (now %d, allocated %+d) since minute %d; CPU per cycle simulator %.0f then %.0f us, an agent %.0f then %.0f us; %d agents at the end\n",
+      number, t[n], grownS, s[n], ms[n] - ms[from], grownA, a[n], ma[n] - ma[from], t[from], early, late, earlyA, lateA, alive
     bad = grownS > limit || grownA > limit * number || alive < number || (early > 0 && late > early * (1 + percent / 100))
     exit bad
   }' "$samples" | tee build/soak/summary.txt

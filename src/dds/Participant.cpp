@@ -11,8 +11,10 @@
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <mutex>
 #include <stdexcept>
 
+#include "dds/LeftMemory.h"
 #include "math/Fingerprint.h"
 
 namespace plumbline::dds {
@@ -117,6 +119,8 @@ Participant::Participant(const ParticipantOptions& options) {
   qos.name("plumbline");
   setDiscovery(qos, options);
   setTransports(qos, options);
+  static std::once_flag cleared;
+  std::call_once(cleared, [] { removeLeftMemory(); });
   auto* factory = fast::DomainParticipantFactory::get_instance();
   participant_ = factory->create_participant(options.domain, qos);
   if (!participant_)

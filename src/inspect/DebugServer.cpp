@@ -117,28 +117,29 @@ void DebugServer::accept() {
 void DebugServer::admit(Client& client) {
   // A list: the address stays.
   client.inspected = inspector_.open(
-      [this, &client](std::string_view line, bool droppable) { append(client, line, droppable); });
+      [this, &client](std::string_view line, bool droppable) { return append(client, line, droppable); });
 }
 
-void DebugServer::append(Client& client, std::string_view line, bool droppable) {
-  if (client.ends || client.dead) return;
+bool DebugServer::append(Client& client, std::string_view line, bool droppable) {
+  if (client.ends || client.dead) return false;
   if (client.out.empty()) client.progress = Clock::now();
   const std::size_t waiting = client.out.size() - client.sent;
   if (droppable && waiting > dropsFrom) {
     ++client.dropped;
-    return;
+    return false;
   }
   if (client.dropped > 0 && waiting < dropsFrom) {
-    client.out +=
-        "error: " + std::to_string(client.dropped) + " lines were left out: the client reads too slowly\n";
+    client.out += "error: at least " + std::to_string(client.dropped) +
+                  " lines were left out: the client reads too slowly\n";
     client.dropped = 0;
   }
   if (waiting + line.size() > maxWaiting) {
     client.dead = true;
-    return;
+    return false;
   }
   client.out += line;
   client.out += '\n';
+  return true;
 }
 
 void DebugServer::end(Client& client, const std::string& error) {

@@ -63,7 +63,8 @@ private:
   void takeLines(Client& client);
   void takeLine(Client& client, std::string_view line);
   void admit(Client& client);
-  void append(Client& client, std::string_view line, bool droppable);
+  /// False: it was left out.
+  bool append(Client& client, std::string_view line, bool droppable);
   void end(Client& client, const std::string& error);
   void send(Client& client);
   void sweep();

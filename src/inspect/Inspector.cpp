@@ -135,6 +135,7 @@ void Inspector::start(Pending pending,
   const std::uint64_t number = ++nextRequest_;
   pending.deadline = Clock::now() + std::chrono::milliseconds(static_cast<int>(1000 * patience));
   if (make) pending.request = make(number);
+  if (pending.use == Use::watch) pending.reads = std::dynamic_pointer_cast<ReadRequest>(pending.request);
   const auto added = pending_.emplace(number, std::move(pending)).first;
   const Target& target = added->second.target;
   if (target.points && added->second.request) target.points->attach(target.id, added->second.request);

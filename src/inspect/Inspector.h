@@ -20,8 +20,9 @@ namespace plumbline::inspect {
 /// client that did it goes.
 class Inspector {
 public:
-  /// Takes a line without its end; `droppable`: one of many, of which a slow client may miss some.
-  using Send = std::function<void(std::string_view line, bool droppable)>;
+  /// Takes a line without its end; `droppable`: one of many, of which a slow client may miss some. False: it
+  /// was left out.
+  using Send = std::function<bool(std::string_view line, bool droppable)>;
   /// Shows a drawing that was switched on by `dr`, in place of what it showed before; an empty one when it is
   /// switched off.
   using Show = std::function<void(const std::string& id, const Drawing& drawing)>;
@@ -30,7 +31,8 @@ public:
   static constexpr std::size_t maxPerClient = 256;  ///< open requests
   static constexpr std::size_t maxHeld = 1024;      ///< values set and blocks switched on
   static constexpr std::size_t maxCompletions = 200;
-  static constexpr double patience = 2;  ///< for a cycle to come by [s]
+  static constexpr double patience = 2;      ///< for a cycle to come by [s]
+  static constexpr double slowPause = 0.25;  ///< a watch rests so long when its client reads too slowly [s]
 
   explicit Inspector(AgentDebug& agent, DebugPoints& sites = DebugPoints::sites());
   ~Inspector();
@@ -70,6 +72,7 @@ private:
     Use use;
     bool once = false, answered = false;
     std::shared_ptr<DebugRequest> request{};
+    std::shared_ptr<ReadRequest> reads{};  ///< the same, of a watch
     Clock::time_point deadline{};
     std::string before{};  ///< of a parameter that was set
     Interval interval{};   ///< of a stopwatch
@@ -97,7 +100,7 @@ private:
   void readStopwatches(Clock::time_point now);
   void remove(std::uint64_t number);
 
-  void line(int client, const std::string& tag, const std::string& text, bool droppable = false);
+  bool line(int client, const std::string& tag, const std::string& text, bool droppable = false);
   void say(int client, const std::string& tag, std::string_view key, const std::string& text);
   void finish(int client, const std::string& tag);
   void fail(int client, const std::string& tag, const std::string& error);

@@ -34,10 +34,10 @@ std::string stopwatchText(const Stopwatch& watch) {
 
 }  // namespace
 
-void Inspector::line(int client, const std::string& tag, const std::string& text, bool droppable) {
+bool Inspector::line(int client, const std::string& tag, const std::string& text, bool droppable) {
   const auto found = clients_.find(client);
-  if (found == clients_.end()) return;
-  found->second.send(tag.empty() ? text : '#' + tag + ' ' + text, droppable);
+  return found == clients_.end() ||
+         found->second.send(tag.empty() ? text : '#' + tag + ' ' + text, droppable);
 }
 
 void Inspector::say(int client, const std::string& tag, std::string_view key, const std::string& text) {
@@ -133,12 +133,15 @@ void Inspector::value(std::uint64_t number, Pending& pending, const std::string&
     fail(pending.client, pending.tag, pending.target.id + error);
     return remove(number);
   }
+  bool sent = true;
   if (client->second.json) {
     const nlohmann::ordered_json json{{"id", pending.target.name}, {"value", treeJson(*part)}};
-    line(pending.client, pending.tag, jsonText(json), !once);
+    sent = line(pending.client, pending.tag, jsonText(json), !once);
   } else {
-    line(pending.client, pending.tag, pending.target.name + ' ' + treeText(*part), !once);
+    sent = line(pending.client, pending.tag, pending.target.name + ' ' + treeText(*part), !once);
   }
+  // What nobody reads costs the agent's threads nothing.
+  if (!sent && pending.reads) pending.reads->pause(slowPause);
   if (!once) return;
   finish(pending.client, pending.tag);
   remove(number);

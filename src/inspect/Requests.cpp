@@ -7,9 +7,16 @@
 
 namespace plumbline::inspect {
 
+namespace {
+
+std::int64_t nowNanoseconds() {
+  return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
 bool Pace::due() {
-  const std::int64_t now =
-      std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+  const std::int64_t now = nowNanoseconds();
   if (now < next_.load()) return false;
   next_.store(now + static_cast<std::int64_t>(1e9 * seconds_));
   return true;
@@ -24,6 +31,10 @@ ReadRequest::ReadRequest(std::uint64_t number, std::shared_ptr<Outbox> outbox, b
 
 bool ReadRequest::due() {
   if (once_) return true;
+  if (const auto until = pausesUntil_.load(std::memory_order_relaxed); until > 0) {
+    if (nowNanoseconds() < until) return false;
+    pausesUntil_.store(0, std::memory_order_relaxed);
+  }
   if (interval_.cycles > 0) return passages_.fetch_add(1) % interval_.cycles == 0;
   return pace_.due();
 }
@@ -38,6 +49,10 @@ void ReadRequest::serve(DebugValue& value) noexcept {
     if (!outbox_->push(std::move(outcome)) && once_) ended_.store(false);  // in the next cycle, then
   } catch (const std::exception&) {                                        // no memory: nothing was read
   }
+}
+
+void ReadRequest::pause(double seconds) {
+  pausesUntil_.store(nowNanoseconds() + static_cast<std::int64_t>(1e9 * seconds), std::memory_order_relaxed);
 }
 
 SetRequest::SetRequest(std::uint64_t number, std::shared_ptr<Outbox> outbox, bool once, std::string path,

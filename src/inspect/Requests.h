@@ -32,6 +32,8 @@ class ReadRequest final : public DebugRequest {
 public:
   ReadRequest(std::uint64_t number, std::shared_ptr<Outbox> outbox, bool once, Interval interval);
   void serve(DebugValue& value) noexcept override;
+  /// Nothing is read for so long [s]; any thread.
+  void pause(double seconds);
 
 private:
   bool due();
@@ -42,6 +44,7 @@ private:
   Interval interval_;
   std::atomic<bool> ended_{false};
   std::atomic<std::uint64_t> passages_{0};
+  std::atomic<std::int64_t> pausesUntil_{0};  ///< of a steady clock [ns]; 0: it does not
   Pace pace_;
 };
 

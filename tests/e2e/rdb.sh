@@ -122,6 +122,7 @@ type_ 'plot r:BallPos.relative.x ball'
 type_ 'plot r:BallPos.relative.y ball'
 drawn() { (($(grep -c '^plot .*relative\.x.*relative\.y' "$scratch/window") >= 3)); } # three times
 waitFor drawn
+grep -qE '^-?[0-9]+\.[0-9]{7}' "$scratch/window" || fail "a window gets rounded values"
 type_ 'plot off ball'
 gone() { ! shows '[▁▂▃▄▅▆▇█]'; }
 waitFor gone

@@ -12,6 +12,7 @@ void debugLine(std::string_view bytes) {
   inspect::Inspector inspector(agent);
   const int client = inspector.open([](std::string_view line, bool) {
     require(line.find('\n') == std::string_view::npos, "an answer of more than one line");
+    return true;
   });
   int lines = 0;
   for (std::size_t begin = 0; begin < bytes.size() && lines < 200; ++lines) {

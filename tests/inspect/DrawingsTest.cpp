@@ -44,7 +44,10 @@ struct DrawingsTest : testing::Test {
   DrawingsTest() {
     controller.runCycles(1);
     inspector.emplace(controller.debug());
-    client = inspector->open([this](std::string_view line, bool) { lines.emplace_back(line); });
+    client = inspector->open([this](std::string_view line, bool) {
+      lines.emplace_back(line);
+      return true;
+    });
   }
   void showing() {
     inspector->showDrawings([this](const std::string& id, const Drawing& drawing) {

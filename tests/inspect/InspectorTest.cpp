@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "framework/Controller.h"
 #include "framework/DebugSite.h"
 #include "framework/Module.h"
@@ -61,7 +64,16 @@ struct InspectorTest : testing::Test {
   InspectorTest() {
     controller.runCycles(1);
     inspector.emplace(controller.debug());
-    client = inspector->open([this](std::string_view line, bool) { lines.emplace_back(line); });
+    client = inspector->open([this](std::string_view line, bool droppable) { return take(line, droppable); });
+  }
+
+  bool reads = true;  ///< false: the client takes nothing that it may miss
+  int offered = 0;    ///< lines that it might miss
+  bool take(std::string_view line, bool droppable) {
+    offered += droppable ? 1 : 0;
+    if (droppable && !reads) return false;
+    lines.emplace_back(line);
+    return true;
   }
 
   using Lines = std::vector<std::string>;
@@ -132,6 +144,23 @@ TEST_F(InspectorTest, watchesUntilUnwatch) {
             Lines{"error: representation:InspectedPlace.x is not watched"});
 }
 
+TEST_F(InspectorTest, whatNobodyReadsIsNotMadeAnyMore) {
+  using Clock = Inspector::Clock;
+  reads = false;
+  const auto begin = Clock::now();
+  ask("watch module:InspectedModule:x", 500);
+  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  EXPECT_GE(offered, 1);
+  EXPECT_LE(offered, 2 + seconds / Inspector::slowPause) << "it rests after each value that was left out";
+  reads = true;
+  while (lines.empty() && Clock::now() - begin < std::chrono::seconds(60)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    go(1);
+  }
+  ASSERT_FALSE(lines.empty()) << "it goes on by itself";
+  EXPECT_EQ(lines.back().substr(0, 24), "module:InspectedModule:x");
+}
+
 TEST_F(InspectorTest, modulesAreResetAndTheirProvisionsNamed) {
   EXPECT_EQ(ask("providers"), (Lines{"InspectedPlace  InspectedModule  [default]", "ok"}));
   ask("set representation:InspectedPlace.y 3");
@@ -166,7 +195,7 @@ TEST_F(InspectorTest, setsAPartInEveryCycleUntilUnset) {
   inspector->close(client);
   go(2);
   EXPECT_EQ(place().y, 5);  // it stays when the client goes
-  client = inspector->open([this](std::string_view line, bool) { lines.emplace_back(line); });
+  client = inspector->open([this](std::string_view line, bool droppable) { return take(line, droppable); });
   EXPECT_EQ(ask("unset representation:InspectedPlace"), Lines{"ok"});
   EXPECT_EQ(place().y, -1);
   EXPECT_EQ(place().list, (std::vector{1, 2, 3}));

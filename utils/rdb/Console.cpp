@@ -205,10 +205,14 @@ void Console::submit(const std::string& line) {
     return print(std::string("error: ") + error.what());
   }
   if (!link_.connected()) return print("error: not connected to " + link_.name());
-  session_.ask(line, {[this](const std::string& text) { print(text); },
-                      [this](bool lost) {
-                        if (lost) print("error: the connection was lost before the answer came");
-                      }});
+  asked_ = session_.ask(line, {[this](const std::string& text) {
+                                 asked_ = 0;
+                                 print(text);
+                               },
+                               [this](bool lost) {
+                                 asked_ = 0;
+                                 if (lost) print("error: the connection was lost before the answer came");
+                               }});
 }
 
 bool Console::local(const std::vector<std::string>& words, const std::string& line) {
@@ -257,7 +261,8 @@ void Console::begin(const std::string& script) {
 }
 
 void Console::goOn() {
-  while (!script_.empty() && clockSeconds() >= scriptWaits_) {
+  // One command after the other: an order given at once could overtake what a cycle has to answer.
+  while (!script_.empty() && asked_ == 0 && clockSeconds() >= scriptWaits_) {
     const std::string line = script_.front();
     script_.pop_front();
     print("> " + line);

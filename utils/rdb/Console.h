@@ -63,6 +63,7 @@ private:
   std::vector<std::string> commands_;  ///< the agent's, by their words
   std::deque<std::string> script_;     ///< lines that are still to run
   double scriptWaits_ = 0;             ///< until then
+  int asked_ = 0;                      ///< the last command that waits for its answer; 0: none does
 };
 
 }  // namespace plumbline::rdb
