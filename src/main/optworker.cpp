@@ -50,7 +50,7 @@ int runProgram(int argc, char** argv) {
       "optworker");
   app.add_option("--host", server.host, "Where bin/optserver runs")->capture_default_str();
   app.add_option("--port", server.port, "Its port")->check(CLI::Range(1, 65535))->capture_default_str();
-  app.add_option("--token", server.token, "What it asks for, if it does");
+  app.add_option("--token", server.token, "What it asks for, if it does")->envname("PLUMBLINE_TOKEN");
   app.add_option("--name", name, "How the server calls it [host and process]");
   app.add_option("--patience", patience, "Waits so long for a server that is not there, or went away [s]")
       ->check(CLI::Range(0.0, 1e6))

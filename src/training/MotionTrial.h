@@ -56,10 +56,6 @@ public:
     throw std::out_of_range("no motion " + name);
   }
 
-  bool hasMotion(const std::string& name) const {
-    return std::ranges::count(motions, name, &KeyframeMotion::name) > 0;
-  }
-
   /// Uniform in [low, high]; the same on every machine.
   double random(double low, double high) { return low + (high - low) * (generator() / 4294967296.0); }
   void seed(unsigned value) { generator.seed(value); }
@@ -147,12 +143,11 @@ public:
     sensors.gyro = robot.sense().gyro;
     return walk.update({velocity, turn, go}, sensors);
   }
-  /// The stand-up action the selector would choose for how the robot lies now; again: a try has failed.
-  const KeyframeMotion& standUpMotion(bool again = false) const {
+  /// The stand-up action the selector would choose for how the robot lies now.
+  const KeyframeMotion& standUpMotion() const {
     const Vec3 u = up();
     if (std::abs(u.x()) < std::abs(u.y())) return motion("rollOver");
-    const std::string name = u.x() < 0 ? "standUpFront" : "standUpBack";
-    return again || !hasMotion(name + "Fast") ? motion(name) : motion(name + "Fast");
+    return motion(u.x() < 0 ? "standUpFront" : "standUpBack");
   }
 
   RobotModel model;

@@ -67,6 +67,8 @@ expectError 2 'agent: --platform simspak: there is no such platform; did you mea
 
 printf 'standUp:\n  front: standUpFron\n' > "$c/MotionSelector.yaml"
 expectError 2 "agent: $c/MotionSelector.yaml:2: standUp.front there is no motion standUpFron in motions/; did you mean \"standUpFront\"?" "${agent[@]}"
+printf 'standUp:\n  fastBack: standUpBackFaster\n' > "$c/MotionSelector.yaml"
+expectError 2 "agent: $c/MotionSelector.yaml:2: standUp.fastBack there is no motion standUpBackFaster in motions/; did you mean \"standUpBackFast\"?" "${agent[@]}"
 rm "$c/MotionSelector.yaml"
 expectError 2 'agent: --motion wavy: there is no motion wavy in motions/; did you mean "wave"?' "$bin/agent" --motion wavy
 expectError 2 "agent: --team: a team's name is 1 to 20 printable ASCII characters without blanks, parentheses or quotes" "$bin/agent" --team "two words"

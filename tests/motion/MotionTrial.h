@@ -24,7 +24,7 @@ inline std::optional<StandUpResult> standUpTrial(MotionTrial& trial, int directi
   trial.elapsed = 0;
   while (!result.up && trial.elapsed < maxSeconds) {
     ++result.tries;
-    trial.play(trial.standUpMotion(result.tries > 1));
+    trial.play(trial.standUpMotion());
     if (trial.lying()) continue;
     result.seconds = trial.elapsed;
     trial.standStill(0.5);  // falling over again belongs to the try

@@ -277,7 +277,7 @@ int runProgram(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--bind", options.farm.address, "Its address; any but loopback needs --token")
       ->capture_default_str();
-  app.add_option("--token", options.farm.token, "What workers have to say");
+  app.add_option("--token", options.farm.token, "What workers have to say")->envname("PLUMBLINE_TOKEN");
   app.add_option("--patience", options.farm.dispatch.patience,
                  "A worker that takes longer for a trial hangs, and another one gets it [s]")
       ->check(CLI::Range(0.1, 1e6))

@@ -18,6 +18,9 @@ void MotionSelector::init() {
                                   {"standUp.back", &standUp.back},
                                   {"standUp.side", &standUp.side}})
     if (!findMotion(motions, *name)) config.refuse(key, missingMotion(motions, *name));
+  for (const auto& [key, name] :
+       {std::pair{"standUp.fastFront", &standUp.fastFront}, {"standUp.fastBack", &standUp.fastBack}})
+    if (!name->empty() && !findMotion(motions, *name)) config.refuse(key, missingMotion(motions, *name));
   learnMotions(*robot);
 }
 

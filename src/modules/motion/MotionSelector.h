@@ -17,9 +17,10 @@ struct StandUpParameters {
             "motion of motions/ for a robot that lies on its front")
   PARAMETER(std::string, back, "standUpBack", "", Range(), "for one on its back")
   PARAMETER(std::string, side, "rollOver", "", Range(), "for one on its side")
-  PARAMETER(std::string, fastFront, "standUpFrontFast", "", Range(),
-            "the first try in place of `front`, for robots that have it; empty: none")
-  PARAMETER(std::string, fastBack, "standUpBackFast", "", Range(), "the first try in place of `back`")
+  PARAMETER(std::string, fastFront, "", "", Range(),
+            "the first try in place of `front`, as standUpFrontFast; empty: none")
+  PARAMETER(std::string, fastBack, "", "", Range(),
+            "the first try in place of `back`, as standUpBackFast; empty: none")
   PARAMETER(double, againSeconds, 4, "s", Range(0, 60),
             "a robot that lies again so soon after it stood up failed: the next try is no fast one")
   PARAMETER(double, graceSeconds, 0.5, "s", Range(0, 5),
@@ -37,8 +38,8 @@ MODULE(MotionSelector)
 END_MODULE
 
 /// Which motion drives the joints: the requested one as soon as the one before it can be left safely. A robot
-/// that lies stands up first, whatever is requested, and tries again until it is up: the first time with its
-/// fast motion, if it has one, then with the one that fails more seldom.
+/// that lies stands up first, whatever is requested, and tries again until it is up: the first time with a
+/// fast motion, if it is given one, then with the one that fails more seldom.
 class MotionSelector : public MotionSelectorBase {
 public:
   void init() override;

@@ -11,6 +11,7 @@ namespace {
 
 /// Functions of the textbooks, to try optimisers and servers on: the least cost is 0. Options: function,
 /// dimension, noise (standard deviation that is added), sleep [s] and its deviation `spread` (a share).
+/// Figure: slept [s].
 class FunctionTask : public SearchTask {
 public:
   explicit FunctionTask(const TaskOptions& options)
@@ -33,7 +34,9 @@ public:
     Random random(seed);
     const double pause = sleep_ * std::max(0.1, 1 + spread_ * random.gaussian());
     if (sleep_ > 0) std::this_thread::sleep_for(std::chrono::duration<double>(pause));
-    return {cost(x) + noise_ * random.gaussian()};
+    TaskOutcome outcome{cost(x) + noise_ * random.gaussian()};
+    if (sleep_ > 0) outcome.figures = {{"slept", pause}};
+    return outcome;
   }
 
 private:

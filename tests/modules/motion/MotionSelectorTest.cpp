@@ -21,6 +21,7 @@ public:
 
 struct Selector : public MotionSelector {
   using MotionSelector::allMotionOutputs;
+  using MotionSelector::standUp;
   using MotionSelector::theFallState;
   using MotionSelector::theFrameInfo;
   using MotionSelector::theMotionRequest;
@@ -146,6 +147,8 @@ TEST_F(MotionSelectorTest, standsUpUntilItIsUp) {
 
 /// Type 0 has fast stand-ups.
 TEST_F(MotionSelectorTest, triesTheFastStandUpFirstAndTheOtherOneAfterIt) {
+  selector->standUp.fastBack = "standUpBackFast";
+  selector->standUp.fastFront = "standUpFrontFaster";
   robot.model = simsparkRobot(0);
   robot.name = robot.model.name;
   fall.posture = Posture::onBack;
@@ -160,6 +163,12 @@ TEST_F(MotionSelectorTest, triesTheFastStandUpFirstAndTheOtherOneAfterIt) {
   fall.posture = Posture::onBack;
   cycle();
   EXPECT_EQ(selection.specialAction, "standUpBackFast") << "another fall";
+  for (int i = 0; i < 50; ++i) cycle();
+  fall.posture = Posture::upright;
+  for (int i = 0; i < 50 * 6; ++i) cycle();
+  fall.posture = Posture::onFront;
+  cycle();
+  EXPECT_EQ(selection.specialAction, "standUpFront") << "it has no faster one";
 }
 
 TEST_F(MotionSelectorTest, aRequestedActionRunsAndARestartForgetsEverything) {
