@@ -32,11 +32,13 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array robots{"xl330_pendulum", "so101", "nao_v5"};
+// Few joints: a screening replays every effect at every place.
+constexpr std::array robots{"xl330_pendulum", "tests/e2e/gap/arm.json"};
 constexpr std::array programs{"hang_sweep", "hang_multisine", "hang_small", "hang_fast"};
-constexpr int weaker = 6;          // times an effect is halved
-constexpr double visible = 6;      // log odds over nothing at all
-constexpr std::size_t rivals = 6;  // of the screening, fitted
+constexpr int weaker = 10;  // times an effect is made weaker
+constexpr double weakening = 0.6;
+constexpr double visible = 4;  // log odds over nothing at all
+constexpr std::size_t screened = 8, mostRivals = 4;
 constexpr int fitSteps = 8;
 
 void run(const std::vector<std::string>& command, const std::string& log) {
@@ -78,7 +80,7 @@ public:
     return std::accumulate(each.begin(), each.end(), 0.0);
   }
   std::vector<Proposal> proposals() const {
-    return CandidateScreening(replayer, shares).propose({}, shares, rivals);
+    return CandidateScreening(replayer, shares).propose({}, shares, screened);
   }
 
 private:
@@ -92,24 +94,28 @@ struct Open {
   double before = 0;
 };
 
-/// What one recording leaves open, if it shows the effect and does not decide.
+/// What one recording leaves open, if it shows the effect and does not decide. rivals: kinds of causes to be
+/// tried, found where the effect is as it was drawn.
 enum class Shown { nothing, open, decided };
-Shown looksLike(const Mechanism& robot, const Trial& trial, Open& open, int jobs) {
+Shown looksLike(const Mechanism& robot, const Trial& trial, Open& open, std::vector<Cause>& rivals,
+                int jobs) {
   Comparison comparison(robot, {trial}, jobs);
   const Fitted truth = comparison.fitted(open.truth);
   if (truth.density - comparison.densityOf({}) < visible) return Shown::nothing;
   open.asFitted = truth.causes.front();
-  std::optional<Cause> rival;
+  if (rivals.empty())
+    for (const Proposal& proposal : comparison.proposals())
+      if (proposal.cause.effect != open.truth.effect && rivals.size() < mostRivals)
+        rivals.push_back(proposal.cause);
   double most = -HUGE_VAL;
-  for (const Proposal& proposal : comparison.proposals()) {
-    if (proposal.cause.sameKind(open.truth)) continue;
-    const Fitted other = comparison.fitted(proposal.cause);
+  for (Cause& rival : rivals) {
+    const Fitted other = comparison.fitted(rival);
+    rival = other.causes.front();
     if (other.density <= most) continue;
     most = other.density;
-    rival = other.causes.front();
+    open.rival = rival;
   }
-  if (!rival) return Shown::decided;
-  open.rival = *rival;
+  if (rivals.empty()) return Shown::decided;
   open.before = comparison.logOdds(open.asFitted, open.rival);
   return std::abs(open.before) < decided ? Shown::open : Shown::decided;
 }
@@ -128,13 +134,15 @@ struct Proposed {
   std::string name;
   bool separates = false;  ///< as it says itself
 };
-Proposed proposedFor(const Mechanism& robot, const Open& open, const std::string& folder) {
+Proposed proposedFor(const Mechanism& robot, const std::string& robotFile, const Open& open,
+                     const std::string& folder) {
   json cause = causeJson(open.asFitted);
   cause["confounded_with"] = {causeJson(open.rival)};
   const json answer{{"verdict", "effect"}, {"robot", robot.name}, {"effects", {cause}}};
   writeFile(folder + "/answer.json", answer.dump(1) + "\n");
   fs::remove(folder + "/said");
-  run({"bin/gap", "next", folder + "/answer.json", "-o", folder + "/next.yaml"}, folder + "/said");
+  run({"bin/gap", "next", folder + "/answer.json", "--robot", robotFile, "-o", folder + "/next.yaml"},
+      folder + "/said");
   std::ifstream file(folder + "/said");
   const std::string said{std::istreambuf_iterator<char>(file), {}};
   Proposed proposed;
@@ -173,16 +181,17 @@ Pair pairOf(const std::string& folder, std::size_t turn, std::uint64_t seed, int
     BlindEffect weak = drawn;
     Open open;
     std::optional<Trial> recorded;
-    for (int step = 0; step <= weaker && !recorded; ++step, weak = strengthened(robot, weak, 0.5)) {
+    std::vector<Cause> rivals;
+    for (int step = 0; step <= weaker && !recorded; ++step, weak = strengthened(robot, weak, weakening)) {
       open.truth = {&effect, findPlace(effect, robot, weak.at, weak.axis), weak.value, 0};
       ++pair.draws;
       Trial trial = played(robot, program, open.truth, seed * 100 + turn, "first");
-      const Shown shown = looksLike(robot, trial, open, jobs);
+      const Shown shown = looksLike(robot, trial, open, rivals, jobs);
       if (shown == Shown::nothing) break;
       if (shown == Shown::open) recorded = std::move(trial);
     }
     if (!recorded) continue;
-    const Proposed next = proposedFor(robot, open, own);
+    const Proposed next = proposedFor(robot, robots[turn % robots.size()], open, own);
     if (!next.separates) {
       ++pair.inseparable;
       continue;

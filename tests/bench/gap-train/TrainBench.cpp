@@ -1,7 +1,7 @@
 // What a diagnosis is worth to the next walk: NAOs in Bullet that have one or two things that the model lacks
 // are recorded hung up, diagnosed by bin/gap, and walked with a walk that bin/optimizewalk trained on a model
 // with what was found, beside the walk that the same search found on the nominal model. Environment: ROBOTS
-// [10], SEED [1], JOBS; GENERATIONS [12], POPULATION [10], TRIES [3], SECONDS [4] of each search, MEASURED
+// [10], SEED [1], JOBS; GENERATIONS [8], POPULATION [10], TRIES [4], SECONDS [4] of each search, MEASURED
 // [40] tries of each walk in the end. What is done is kept in build/bench/gap-train-SEED/: a bench that was
 // stopped goes on; remove the folder after a change of diagnosis or walk. Writes build/bench/gap-train.json
 // and .md.
@@ -129,9 +129,9 @@ int main() try {
   setup.seed = environment("SEED", 1);
   const auto count = std::clamp<std::uint64_t>(environment("ROBOTS", 10), 1, 100);
   setup.jobs = std::clamp<std::uint64_t>(environment("JOBS", std::thread::hardware_concurrency()), 1, 256);
-  setup.generations = environment("GENERATIONS", 10);
-  setup.population = environment("POPULATION", 8);
-  setup.tries = environment("TRIES", 3);
+  setup.generations = environment("GENERATIONS", 8);
+  setup.population = environment("POPULATION", 10);
+  setup.tries = environment("TRIES", 4);
   setup.seconds = environment("SECONDS", 4);
   setup.measured = std::clamp<std::uint64_t>(environment("MEASURED", 24), 4, 10000);
   setup.folder = "build/bench/gap-train-" + std::to_string(setup.seed);

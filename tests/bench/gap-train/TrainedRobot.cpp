@@ -30,8 +30,9 @@ using walking::TrialResult;
 namespace {
 
 constexpr const char* robotName = "nao_v5";
-constexpr int strengths = 4;          // each twice the one before
-constexpr std::uint64_t drawnBy = 8;  // tries of the walk that decide whether a robot is taken
+constexpr const char* firstSpread = "0.35";  // of a search that begins with a walk that is good already
+constexpr int strengths = 4;                 // each twice the one before
+constexpr std::uint64_t drawnBy = 8;         // tries of the walk that decide whether a robot is taken
 
 /// What the short searches look for: the parameters that speed depends on most.
 const std::vector<std::string> searched{
@@ -117,6 +118,8 @@ double TrainBench::train(const std::string& effects, const std::string& output) 
                                       std::to_string(setup.tries),
                                       "--seconds",
                                       std::to_string(setup.seconds),
+                                      "--sigma",
+                                      firstSpread,
                                       "--seed",
                                       std::to_string(setup.seed),
                                       "--jobs",

@@ -39,7 +39,9 @@ report.lost = (answer, section) => {
     .sort((a, b) => b.rival.probability - a.rival.probability);
   section.append(el('h3', { style: { marginTop: '18px' } }, 'Causes that lost, and why'));
   if (!rows.length) {
-    section.append(el('p', { class: 'dim small' }, 'Every other effect of the library, at every place, explains the data held back so much worse that less than 1 % is left for it.'));
+    const least = Math.min(1, ...(answer.effects ?? []).map((c) => c.probability).filter(report.isNumber));
+    section.append(el('p', { class: 'dim small' }, least > 0.9 ? 'Every other effect of the library, at every place, explains the data held back so much worse that less than 1 % is left for it.'
+      : `No other cause stands out: the ${percent(1 - least)} that the least sure cause lacks are spread over sets without it.`));
     return;
   }
   section.append(el('table', { class: 'lost' }, el('tr', {}, ['instead of', 'the other cause', 'its best value'].map((t) => el('th', {}, t)), el('th', { class: 'number' }, 'probability'), el('th', {}, 'why it lost')),

@@ -8,6 +8,7 @@ report.verdict = (answer, section) => {
   const tile = (value, text) => el('div', { class: 'tile' }, el('b', {}, value), el('small', {}, text));
   const cells = answer.map?.cells ?? answer.where ?? [];
   const top = cells.reduce((a, b) => ((b.share ?? 0) > (a?.share ?? 0) ? b : a), null);
+  const inRadians = report.unitOfGap(gap) === 'rad';
   const unit = gap.unit ?? 'units of each signal\u2019s noise';
   section.append(
     el('span', { class: `badge ${badge[0]}` }, badge[1]),
@@ -15,9 +16,10 @@ report.verdict = (answer, section) => {
     el('p', { id: 'short' }, report.inShort(answer)),
     el('p', { class: 'dim', id: 'caveat' }, report.caveat(answer)),
     el('div', { class: 'tiles' },
-      tile(`${number(gap.before)} \u2192 ${number(gap.after)}`, `gap before and after, ${unit}${gap.held_out ? '; on data that took no part in the fit' : ''}`),
+      inRadians ? tile(`${number(1000 * gap.before)} \u2192 ${number(1000 * gap.after)}\u202fmrad`, 'error of the positions before and after, on recordings left out (mm for sliding joints)')
+        : tile(`${number(gap.before)} \u2192 ${number(gap.after)}`, `gap before and after, ${unit}${gap.held_out ? '; on data that took no part in the fit' : ''}`),
       answer.verdict === 'none' ? tile(number(gap.floor), 'the floor: what repeats and noise leave')
-        : tile(percent(gap.closed), `of what can be closed is closed; floor ${number(gap.floor)}`),
+        : tile(percent(gap.closed), inRadians ? 'of the error of a recording that was not seen is expected to go' : `of what can be closed is closed; floor ${number(gap.floor)}`),
       top && answer.verdict !== 'none' ? tile(top.signal, `shows most of it: ${percent(top.share)} of the gap, in ${top.phase}`) : null,
       report.isNumber(answer.known_probability) && answer.verdict !== 'none' ? tile(percent(answer.known_probability), 'chance that the known effects are the whole story') : null));
 };
