@@ -175,8 +175,8 @@ bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 # Writes doc/results/games.md.
 bench-games:
 	@scripts/install_packages.sh scripts/packages-bench.txt
-	@scripts/build.sh SimRelease agent simulator watchgame
-	@$(foreach v,GAMES HALF SEED,$(if $($v),$v=$($v))) scripts/run_bench.sh games
+	@scripts/build.sh SimRelease agent game simulator watchgame
+	@$(foreach v,GAMES HALF SEED BEFORE,$(if $($v),$v=$($v))) scripts/run_bench.sh games
 	@scripts/make_results.sh games
 
 fuzz:

@@ -42,7 +42,7 @@ public:
   Session(const GameOptions& options, const StopSignal& stop)
       : options_(options), programs_(programFolder()) {
     prepareOutput(options.output, {"agent.log", "simulator.log", "agent.json", "simulator.json",
-                                   "summary.json", "track.svg"});
+                                   "summary.json", "track.svg", "track.csv"});
     ports_ = {options.port, options.monitorPort};
     if (options.host.empty()) startSimulator();
     monitor.interruptBy(stop.fileDescriptor());
@@ -167,6 +167,10 @@ void GameRun::watch(const simspark::SceneState& scene) {
   if (!robot) return;
   countFalls(*robot, scene.time);
   track_.back().ball = scene.ball.head<2>();
+  const Pose3& pose = robot->T_world_torso;
+  table_ += fmt::format("{:.2f},{:.3f},{:.3f},{:.4f},{:.3f},{:.3f},{:.3f},{:.3f},{}\n", scene.time,
+                        pose.translation().x(), pose.translation().y(), robot->heading(),
+                        pose.linear()(2, 2), scene.ball.x(), scene.ball.y(), scene.ball.z(), scene.playMode);
   if (!summary_.goal && scene.scoreLeft > 0) {
     summary_.goal = true;
     summary_.goalTime = scene.time;
@@ -238,6 +242,7 @@ Summary GameRun::play(StopSignal& stop) {
                                      summary_.goal ? fmt::format("goal after {:.1f} s", summary_.goalTime)
                                                    : std::string("no goal")),
                          session.monitor.scene().field));
+  writeFile(session.file("track.csv"), table_);
   writeFile(session.file("summary.json"), toJson(summary_));
   return summary_;
 }

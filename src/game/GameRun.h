@@ -29,8 +29,8 @@ struct GameOptions {
 };
 
 /// One robot alone on the field until it scores: starts simulator and agent (programs beside this one), kicks
-/// off, prints a line per second of the game, and writes summary.json, track.svg and the programs' logs to
-/// the output folder. What `make run` does.
+/// off, prints a line per second of the game, and writes summary.json, track.svg, track.csv (robot and ball
+/// ten times a second, metres and radians) and the programs' logs to the output folder. What `make run` does.
 class GameRun {
 public:
   explicit GameRun(GameOptions options) : options_(std::move(options)) {}
@@ -50,6 +50,7 @@ private:
   GameOptions options_;
   Summary summary_;
   std::vector<TrackPoint> track_;
+  std::string table_ = "time,x,y,heading,up,ball_x,ball_y,ball_z,mode\n";  ///< of track.csv
   RunLines lines_;
   double nextLine_ = 0;
   bool stood_ = false;  // has been upright since it came onto the field

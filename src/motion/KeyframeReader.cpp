@@ -147,8 +147,16 @@ private:
         kick.direction = fromDegrees(within(node, key, -180, 180));
       else if (key == "contact")
         kick.contact = within(node, key, 0, maxSeconds);
+      else if (key == "scatter")
+        kick.scatter = fromDegrees(within(node, key, 0.1, 90));
+      else if (key == "spread")
+        kick.spread = within(node, key, 0.01, maxKickDistance);
+      else if (key == "rise")
+        kick.rise = within(node, key, 0, maxKickDistance);
       else
-        fail(keyNode, key, "unknown key" + suggestion(key, {"distance", "direction", "contact"}));
+        fail(keyNode, key,
+             "unknown key" +
+                 suggestion(key, {"distance", "direction", "contact", "scatter", "spread", "rise"}));
     });
     if (!value["distance"]) fail(value, "distance", "missing; give the metres that the kick carries");
     return kick;

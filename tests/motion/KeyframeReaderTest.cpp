@@ -87,6 +87,15 @@ TEST_F(KeyframeReaderTest, readsAKickAndItsMirrorImage) {
   EXPECT_DOUBLE_EQ(motion.keyframes[0].ballGains[0].gain.y(), fromDegrees(100));
 }
 
+TEST_F(KeyframeReaderTest, readsHowAKickScattersInGames) {
+  const KeyframeMotion motion = read(
+      "kick: {distance: 9, scatter: 4.5, spread: 1.2, rise: 0.6}\nkeyframes: [{time: 1, HeadYaw: 1}]\n");
+  ASSERT_TRUE(motion.kick);
+  EXPECT_DOUBLE_EQ(motion.kick->scatter, fromDegrees(4.5));
+  EXPECT_DOUBLE_EQ(motion.kick->spread, 1.2);
+  EXPECT_DOUBLE_EQ(motion.kick->rise, 0.6);
+}
+
 TEST_F(KeyframeReaderTest, theTypesOwnFileWins) {
   write("a.yaml", "keyframes: [{time: 1, HeadYaw: 1}]\n");
   write("b.yaml", "keyframes: [{time: 2, HeadYaw: 1}]\n");

@@ -16,6 +16,7 @@ void BehaviorCombinator::update(SkillRequest* theSkillRequest) {
   const BehaviorOutput* output = active();
   theSkillRequest->skill = output ? output->skill : Skill::stand;
   theSkillRequest->target = output ? output->target : Pose2();
+  theSkillRequest->tolerance = output ? output->tolerance : 0;
   DEBUG_DRAWING("draw:BehaviorCombinator:target", {
     if (!output) return;
     drawing.circle(output->target.position, 0.15, colours::red);

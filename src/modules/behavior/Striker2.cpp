@@ -14,30 +14,6 @@ MAKE_MODULE(Striker2)
 
 void Striker2::init() { value_.emplace(config.file("field_value")); }
 
-Striker2::Shot Striker2::shot() const {
-  const Vec2 goal = theFieldDimensions->opponentGoal();
-  const Vec2& ball = theBallPos->field;
-  const auto angleTo = [&](double y) { return std::atan2(y - ball.y(), goal.x() - ball.x()); };
-  const double left = angleTo(theFieldDimensions->goalWidth / 2 - goalMargin);
-  const double right = angleTo(-theFieldDimensions->goalWidth / 2 + goalMargin);
-  const double direction = (left + right) / 2;
-  // As far as the goal's middle: how it is brought there depends on the distance.
-  const double distance = std::max((goal - ball).norm(), 0.5);
-  return {Vec2(ball + distance * Vec2(std::cos(direction), std::sin(direction))), (left - right) / 2,
-          distance};
-}
-
-void Striker2::playAlone(BehaviorOutput& output) const {
-  const Shot best = shot();
-  const bool inReach = best.distance < theSkillKickParameters->reach() + 1;
-  const bool sure = !inReach || best.halfOpening > minOpening;
-  const double way = sure ? best.distance : kickBeforeTheLine(best.distance);
-  const bool kick = kickAllowed && best.distance > dribbleDistance && way > 0;
-  output.skill = kick ? Skill::kick : Skill::dribble;
-  const Vec2 direction = (best.target - theBallPos->field).normalized();
-  output.target = Pose2(kick && !sure ? Vec2(theBallPos->field + way * direction) : best.target);
-}
-
 void Striker2::draw(const StrikerSituation& situation) const {
   DEBUG_DRAWING("draw:Striker2:action", {
     const bool kicks = action_.kind == StrikerAction::Kind::kick;
@@ -57,30 +33,35 @@ void Striker2::draw(const StrikerSituation& situation) const {
   });
 }
 
-void Striker2::playAmongOthers(BehaviorOutput& output) {
+StrikerSituation Striker2::situation() const {
   StrikerSituation situation;
   situation.robot = theRobotPose->pose;
   situation.ball = theBallPos->field;
-  for (const Kick& kick : theSkillKickParameters->kicks) situation.kicks.push_back(kick.distance);
+  if (kickAllowed)
+    for (const Kick& kick : theSkillKickParameters->kicks)
+      situation.kicks.push_back({kick.distance, kick.spread, kick.scatter, kick.rise});
   situation.halfLength = theFieldDimensions->length / 2;
   situation.halfWidth = theFieldDimensions->width / 2;
   situation.goalHalfWidth = theFieldDimensions->goalWidth / 2;
-  situation.others = theOtherRobots->robots;
-  action_ = chooseAction(situation, action_, *value_, time, choice);
-  const bool kick = kickAllowed && action_.kind == StrikerAction::Kind::kick;
-  output.skill = kick ? Skill::kick : Skill::dribble;
-  // A kick is told how far; what is dribbled goes on.
-  const double distance = kick ? action_.reach : std::max((situation.goal() - situation.ball).norm(), 0.5);
-  output.target =
-      Pose2(Vec2(situation.ball + distance * Vec2(std::cos(action_.direction), std::sin(action_.direction))));
-  draw(situation);
+  situation.goalHeight = theFieldDimensions->goalHeight;
+  situation.ballRadius = theFieldDimensions->ballRadius;
+  if (theOtherRobots) situation.others = theOtherRobots->robots;
+  return situation;
 }
 
-double Striker2::kickBeforeTheLine(double toGoal) const {
-  double longest = 0;
-  for (const Kick& one : theSkillKickParameters->kicks)
-    if (one.distance <= toGoal - lineDistance) longest = std::max(longest, one.distance);
-  return longest;
+void Striker2::play(BehaviorOutput& output) {
+  const StrikerSituation now = situation();
+  action_ = chooseAction(now, action_, *value_, time, choice);
+  const bool kick = action_.kind == StrikerAction::Kind::kick;
+  output.skill = kick ? Skill::kick : Skill::dribble;
+  output.tolerance = kick ? std::clamp(action_.tolerance, leastTolerance, mostTolerance) : 0;
+  // A kick is told how far, a little less than it carries, so that no longer one is taken; what is dribbled
+  // goes on.
+  constexpr double less = 0.4;  // [m]
+  const double distance = kick ? std::max(action_.reach - less, less) : std::max((now.goal() - now.ball).norm(), 0.5);
+  output.target =
+      Pose2(Vec2(now.ball + distance * Vec2(std::cos(action_.direction), std::sin(action_.direction))));
+  draw(now);
 }
 
 void Striker2::update(StrikerOutput* theStrikerOutput) {
@@ -106,12 +87,7 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
         Pose2(Vec2(theBallPos->field + restartDistance * away), std::atan2(toBall.y(), toBall.x()));
     return;
   }
-  if (theOtherRobots && !theOtherRobots->robots.empty()) {
-    playAmongOthers(output);
-  } else {
-    action_ = {};
-    playAlone(output);
-  }
+  play(output);
 }
 
 }  // namespace plumbline

@@ -28,6 +28,9 @@ void Kicks::read(const RobotModel& robot) {
     kick.distance = right.kick->distance;
     kick.direction = right.kick->direction;
     kick.contact = right.kick->contact;
+    kick.scatter = right.kick->scatter;
+    kick.spread = right.kick->spread;
+    kick.rise = right.kick->rise;
     kicks_.kicks.push_back(kick);
   }
   if (kicks_.kicks.empty())

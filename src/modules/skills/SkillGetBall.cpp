@@ -47,12 +47,24 @@ void SkillGetBall::learnBias(const Pose2& T_robot_target) {
   if (const double size = bias_.norm(); size > maxBias) bias_ *= maxBias / size;
 }
 
+bool SkillGetBall::exact(const Vec2& error, double heading) const {
+  const double hurry = pressed() ? pressedTolerance : 1, stays = atBall_ ? keeps : 1;
+  const Vec2 tolerance = hurry * stays * theSkillKickParameters->tolerance;
+  const double most = theSkillRequest->tolerance > 0 ? theSkillRequest->tolerance
+                                                     : hurry * theSkillKickParameters->headingTolerance;
+  return std::abs(error.x()) < tolerance.x() && std::abs(error.y()) < tolerance.y() &&
+         std::abs(heading) < stays * most;
+}
+
 void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   SkillGetBallOutput& output = *theSkillGetBallOutput;
   output.clear();
   output.atBall = false;
   const BallApproach wanted = requestedApproach();
-  if (wanted == BallApproach::none) return;
+  if (wanted == BallApproach::none) {
+    atBall_ = false;
+    return;
+  }
 
   output.active = theSkillRequest->skill == Skill::getBall;
   chooseFoot();
@@ -68,19 +80,18 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
     output.kick = kick.motion;
   }
   heading = normalizeAngle(heading - theRobotPose->pose.heading);
-  const Pose2 way = approachBall(theBallPos->relative, heading, place, approach);
+  Pose2 way = approachBall(theBallPos->relative, heading, place, approach);
+  const bool fromBehind = std::abs(way.heading - heading) < 1e-9 && theBallPos->relative.norm() > runUp;
+  if (wanted == BallApproach::dribble && fromBehind)
+    way.position += dribbleOn * Vec2(std::cos(heading), std::sin(heading));
   const bool detour =
       theSafeWalkDirection && theSafeWalkDirection->detour && theBallPos->relative.norm() > detourDistance;
   WalkCommand command = detour ? walkPast(theSafeWalkDirection->wayPoint, walk) : walkToPose(way, walk);
   // A walk that drifts would come to rest short of the ball for ever (Seekircher 2015, 4.3).
-  learnBias(way);
+  if (!atBall_) learnBias(way);
   command.velocity = limitVelocity(command.velocity + bias_, walk);
 
-  const Vec2 error = theBallPos->relative - place;
-  const double looser = pressed() ? pressedTolerance : 1;
-  const Vec2 tolerance = looser * theSkillKickParameters->tolerance;
-  output.atBall = std::abs(error.x()) < tolerance.x() && std::abs(error.y()) < tolerance.y() &&
-                  std::abs(heading) < looser * theSkillKickParameters->headingTolerance;
+  atBall_ = output.atBall = exact(theBallPos->relative - place, heading);
   output.motion = Motion::walk;
   output.walkVelocity = command.velocity;
   output.walkTurn = command.turn;

@@ -19,6 +19,7 @@ public:
   bool active = false;
   std::string skill = Skill::none;  ///< name of a SkillOutput
   Pose2 target;                     ///< see SkillRequest
+  double tolerance = 0;             ///< see SkillRequest
   bool beam = false;                ///< the robot wants to be put to beamPose
   Pose2 beamPose;                   ///< in the frame of the team
 
@@ -26,12 +27,14 @@ public:
     active = beam = false;
     skill = Skill::none;
     target = beamPose = Pose2();
+    tolerance = 0;
   }
   void stream(InStream* in, OutStream* out) override {
     STREAM(active);
     STREAM(skill);
     STREAM("targetPosition", target.position);
     STREAM("targetHeading", target.heading);
+    STREAM(tolerance);
     STREAM(beam);
     STREAM("beamPosition", beamPose.position);
     STREAM("beamHeading", beamPose.heading);

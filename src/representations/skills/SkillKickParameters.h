@@ -14,12 +14,18 @@ struct Kick : public Streamable {
   double distance = 3;                    ///< how far the kick carries [m]
   double direction = 0;                   ///< in which the ball goes, robot's ground frame [rad]
   double contact = 0;                     ///< from the motion's begin to the ball [s]
+  double scatter = 0.12;                  ///< standard deviation of the direction [rad]
+  double spread = 1;                      ///< standard deviation of the distance [m]
+  double rise = 0;                        ///< height that the ball reaches [m]
   void stream(InStream* in, OutStream* out) override {
     STREAM(motion);
     STREAM(ballPosition);
     STREAM(distance);
     STREAM(direction);
     STREAM(contact);
+    STREAM(scatter);
+    STREAM(spread);
+    STREAM(rise);
   }
 };
 

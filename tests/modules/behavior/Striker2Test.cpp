@@ -27,47 +27,31 @@ struct Striker2Test : testing::Test {
   test::ModuleHarness<Striker2> harness;
 };
 
-TEST_F(Striker2Test, kicksAtTheGoalFromAfar) {
+TEST_F(Striker2Test, kicksTowardsTheGoalAsFarAsTheKickCarries) {
   EXPECT_EQ(decide().skill, Skill::kick);
   EXPECT_TRUE(decide().active);
-  EXPECT_NEAR(decide().target.x(), 15, 1e-9);
-  EXPECT_NEAR(decide().target.y(), 0, 1e-9);
+  EXPECT_NEAR(decide().target.x(), 3 - 0.4, 0.05) << "a little less, so that no longer kick is taken";
+  EXPECT_NEAR(decide().target.y(), 0, 0.2);
 }
 
-TEST_F(Striker2Test, splitsTheAngleBetweenThePosts) {
-  // 1.8 m before the line and 3 m to the left: posts, less 15 cm, at -atan(2.1 / 1.8) and -atan(3.9 / 1.8).
-  harness.input<BallPos>().field = {13.2, 3};
-  const Vec2 line = decide().target.position - Vec2(13.2, 3);
-  EXPECT_NEAR(std::atan2(line.y(), line.x()), -(std::atan(2.1 / 1.8) + std::atan(3.9 / 1.8)) / 2, 1e-9);
-  EXPECT_EQ(decide().skill, Skill::dribble);  // too narrow for a kick
-}
-
-TEST_F(Striker2Test, theLineHitsTheGoalFromEverywhere) {
-  for (double x = -14; x < 14.6; x += 0.7)
-    for (double y = -9.5; y < 9.6; y += 0.5) {
-      harness.input<BallPos>().field = {x, y};
-      const Vec2 line = decide().target.position - Vec2(x, y);
-      EXPECT_LT(std::abs(y + line.y() / line.x() * (15 - x)), 1.05) << x << " " << y;
-    }
-}
-
-TEST_F(Striker2Test, bringsTheBallNearerWithAShorterKickWhereTheGoalIsNarrow) {
-  std::vector<Kick>& kicks = harness.input<SkillKickParameters>().kicks;
-  kicks.resize(2);
-  kicks[0].distance = 3;
-  kicks[1].distance = 10;
-  // 9 m before the goal, half the angle between the posts, less 15 cm, is 0.1 rad.
-  harness.input<BallPos>().field = {6, 0};
+TEST_F(Striker2Test, saysHowExactlyAKickHasToGo) {
+  const double anywhere = decide().tolerance;
+  EXPECT_LE(anywhere, 0.35);
+  // 6 m before the goal with a kick that reaches it.
+  Kick& kick = harness.input<SkillKickParameters>().kicks[0];
+  kick.distance = 9;
+  kick.scatter = 0.05;
+  harness.input<BallPos>().field = {9, 0};
+  harness.input<RobotPose>().pose = Pose2(8.5, 0, 0);
   EXPECT_EQ(decide().skill, Skill::kick);
-  EXPECT_NEAR(decide().target.x(), 9, 1e-9);
-  // 5 m before it is 0.18 rad: the goal itself; 20 m before it nothing reaches it.
-  harness.input<BallPos>().field = {10, 0};
-  EXPECT_NEAR(decide().target.x(), 15, 1e-9);
-  harness.input<BallPos>().field = {-5, 0};
-  EXPECT_NEAR(decide().target.x(), 15, 1e-9);
-  // 3.5 m away at an angle no kick leaves the ball on the field.
-  harness.input<BallPos>().field = {14, 3.3};
+  EXPECT_LT(decide().tolerance, anywhere);
+  EXPECT_GE(decide().tolerance, 0.12);
+}
+
+TEST_F(Striker2Test, onlyDribblesIfToldSo) {
+  harness.module().kickAllowed = false;
   EXPECT_EQ(decide().skill, Skill::dribble);
+  EXPECT_EQ(decide().tolerance, 0);
 }
 
 TEST_F(Striker2Test, dribblesOverTheLine) {

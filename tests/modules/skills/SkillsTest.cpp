@@ -76,8 +76,39 @@ TEST_F(GetBallTest, isAtTheBallOnlyWithinTheTolerance) {
   EXPECT_TRUE(ballAt({0.16, -0.05}).atBall);
   EXPECT_EQ(ballAt({0.16, -0.05}).kickFoot, Side::right);
   EXPECT_TRUE(ballAt({0.18, -0.07}).atBall);
+  EXPECT_FALSE(ballAt({0.21, -0.05}).atBall);
   EXPECT_FALSE(ballAt({0.20, -0.05}).atBall);
   EXPECT_FALSE(ballAt({0.16, -0.09}).atBall);
+}
+
+TEST_F(GetBallTest, staysAtTheBallWhileItStopsForTheKick) {
+  EXPECT_FALSE(ballAt({0.20, -0.05}).atBall);
+  EXPECT_TRUE(ballAt({0.16, -0.05}).atBall);
+  EXPECT_TRUE(ballAt({0.20, -0.05}).atBall) << "within 1.4 tolerances";
+  EXPECT_FALSE(ballAt({0.21, -0.05}).atBall);
+  EXPECT_FALSE(ballAt({0.20, -0.05}).atBall);
+}
+
+TEST_F(GetBallTest, aRequestMaySayHowExactlyTheBallHasToGo) {
+  ballAt({0.16, -0.05});
+  SkillRequest& wanted = harness.input<SkillRequest>();
+  const auto turnedBy = [&](double heading) {
+    harness.input<RobotPose>().pose = Pose2(Vec2(5, 0), 0);  // away, so that nothing stays
+    harness.input<BallPos>().relative = Vec2(1, 0);
+    harness.cycle();
+    harness.input<RobotPose>().pose = Pose2(Vec2::Zero(), heading);
+    harness.input<BallPos>().relative = Vec2(0.16, -0.05);
+    harness.input<BallPos>().field = Eigen::Rotation2Dd(heading) * Vec2(0.16, -0.05);
+    wanted.target = Pose2(Vec2(harness.input<BallPos>().field + Vec2(10, 0)), 0);
+    harness.cycle();
+    return harness.output<SkillGetBallOutput>().atBall;
+  };
+  EXPECT_TRUE(turnedBy(0.1));
+  EXPECT_FALSE(turnedBy(0.3));
+  wanted.tolerance = 0.06;
+  EXPECT_FALSE(turnedBy(0.1));
+  wanted.tolerance = 0.35;
+  EXPECT_TRUE(turnedBy(0.3));
 }
 
 TEST_F(GetBallTest, kicksWithTheFootOnTheBallsSide) {

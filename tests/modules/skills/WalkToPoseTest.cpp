@@ -40,4 +40,42 @@ TEST(WalkToPose, walksFastAheadAndTakesTheFinalHeadingNearTheTarget) {
   EXPECT_NEAR(near.turn, -0.4, 1e-12);
 }
 
+/// A walk that does not turn in a sprint.
+WalkToPoseParameters sprinter() {
+  return {.maxForward = 1,
+          .maxTurn = 2,
+          .positionGain = 2,
+          .headingGain = 2,
+          .nearDistance = 0.5,
+          .sprintBearing = 0.12,
+          .sprintAside = 0.3,
+          .sprintDistance = 1.2,
+          .sprintTurn = 0.1,
+          .curveSpeed = 0.6};
+}
+
+TEST(WalkToPose, sprintsAtATargetStraightAheadAndTurnsHardly) {
+  const WalkCommand command = walkToPose(Pose2(4, 0.4), sprinter());
+  EXPECT_GT(command.velocity.x(), 0.95);
+  EXPECT_NEAR(command.turn, 0.1, 1e-12);
+}
+
+TEST(WalkToPose, turnsToATargetAsideBeforeItSprints) {
+  const WalkCommand aside = walkToPose(Pose2(4, 1), sprinter());
+  EXPECT_NEAR(aside.turn, 2 * std::atan(0.25), 1e-12);
+  // Of its 0.6 m/s a full turn takes four fifths.
+  EXPECT_NEAR(aside.velocity.x(), 0.6 * (1 - 0.8 * std::atan(0.25)), 1e-12);
+}
+
+TEST(WalkToPose, goesOnSprintingWhereItPassesNearEnough) {
+  // 0.25 m aside at 1.5 m are 0.165 rad, more than sprintBearing.
+  EXPECT_GT(walkToPose(Pose2(1.5, 0.25), sprinter()).velocity.x(), 0.9);
+  EXPECT_LT(walkToPose(Pose2(1.5, 0.4), sprinter()).velocity.x(), 0.6);
+}
+
+TEST(WalkToPose, leavesTheSprintInTimeToStop) {
+  EXPECT_GT(walkToPose(Pose2(1.25, 0), sprinter()).velocity.x(), 0.95);
+  EXPECT_NEAR(walkToPose(Pose2(1.15, 0), sprinter()).velocity.x(), 0.6, 1e-12);
+}
+
 }  // namespace

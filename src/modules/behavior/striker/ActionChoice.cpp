@@ -2,83 +2,142 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "modules/behavior/striker/BallCourse.h"
 
 namespace plumbline {
 namespace {
 
-constexpr double farAway = 1e3;  ///< [m]
+constexpr double mostDeviations = 2.5;  ///< a scatter is integrated so far to either side
 
-double arrival(const OtherRobot& robot, const Vec2& place, const TimeToBallParameters& time) {
-  return (robot.position - place).norm() / time.walkSpeed + (robot.fallen ? time.getUp : 0);
-}
-
-/// How long the first of a team needs to a place, without the robot itself [s].
-double firstArrival(const StrikerSituation& situation, bool mates, const Vec2& place,
-                    const TimeToBallParameters& time) {
-  double first = farAway;
-  for (const OtherRobot& robot : situation.others)
-    if (robot.mate == mates) first = std::min(first, arrival(robot, place, time));
-  return first;
-}
-
-/// How far the ball gets before a robot that stands in its way [m].
-double freeWay(const StrikerSituation& situation, const Vec2& direction, double way, double width) {
-  for (const OtherRobot& robot : situation.others) {
-    if (robot.fallen) continue;
-    const Vec2 to = robot.position - situation.ball;
-    const double along = to.dot(direction);
-    if (along > 0 && along < way && std::abs(to.x() * direction.y() - to.y() * direction.x()) < width)
-      way = along;
+/// What one way to play the ball is worth, over directions all round: a row of cells beginning at the goal.
+class Fan {
+public:
+  Fan(const BallCourses& courses, const StrikerSituation& situation, const BallPlay& play,
+      const ActionChoiceParameters& parameters)
+      : count_(parameters.directions), cell_(2 * pi / parameters.directions) {
+    const Vec2 toGoal = situation.goal() - situation.ball;
+    middle_ = std::atan2(toGoal.y(), toGoal.x());
+    const auto angleTo = [&](double y) {
+      return normalizeAngle(std::atan2(y - situation.ball.y(), situation.halfLength - situation.ball.x()) -
+                            middle_);
+    };
+    const double inside = situation.goalHalfWidth - situation.ballRadius;
+    const double right = angleTo(-inside), left = angleTo(inside);
+    reach_ = static_cast<int>(std::ceil(mostDeviations * play.kick.scatter / cell_));
+    widest_ = std::min(static_cast<int>(parameters.widest / cell_), count_ / 2 - reach_ - 1);
+    for (int i = -widest_ - reach_; i <= widest_ + reach_; ++i) {
+      const double offset = i * cell_;
+      const BallCourse course = courses.course(middle_ + offset, play);
+      // The share of the cell that lies between the posts.
+      const double share =
+          std::max(0.0, std::min(left, offset + cell_ / 2) - std::max(right, offset - cell_ / 2)) / cell_;
+      const double in = share * course.goal;
+      cells_.push_back({in + (1 - in) * course.value, in, course.way});
+    }
+    for (int i = -reach_; i <= reach_; ++i)
+      weights_.push_back(std::exp(-0.5 * std::pow(i * cell_ / play.kick.scatter, 2)));
+    const double sum = std::accumulate(weights_.begin(), weights_.end(), 0.0);
+    for (double& weight : weights_) weight /= sum;
   }
-  return way;
-}
 
-/// The probability that a ball which is played in a direction goes between the posts, if it rolls so far.
-double goalShare(const StrikerSituation& situation, double direction, double scatter) {
-  const auto angleTo = [&](double y) {
-    return std::atan2(y - situation.ball.y(), situation.halfLength - situation.ball.x());
+  int widest() const { return widest_; }
+  double direction(int i) const { return normalizeAngle(middle_ + i * cell_); }
+  /// The nearest cell that may be chosen.
+  int cellOf(double direction) const {
+    const auto i = static_cast<int>(std::lround(normalizeAngle(direction - middle_) / cell_));
+    return std::clamp(i, -widest_, widest_);
+  }
+  double cell() const { return cell_; }
+  double way(int i) const { return at(i).way; }
+  /// Mean over the scatter.
+  double value(int i) const { return mean(i, &Cell::value); }
+  double goal(int i) const { return mean(i, &Cell::goal); }
+
+private:
+  struct Cell {
+    double value = 0, goal = 0, way = 0;
   };
-  const auto below = [&](double angle) {
-    return 0.5 * std::erfc(normalizeAngle(direction - angle) / scatter / std::sqrt(2.0));
-  };
-  return std::max(0.0, below(angleTo(situation.goalHalfWidth)) - below(angleTo(-situation.goalHalfWidth)));
-}
+  const Cell& at(int i) const { return cells_[static_cast<std::size_t>(i + widest_ + reach_)]; }
+  double mean(int i, double Cell::*what) const {
+    double sum = 0;
+    for (int k = -reach_; k <= reach_; ++k)
+      sum += weights_[static_cast<std::size_t>(k + reach_)] * (at(i + k).*what);
+    return sum;
+  }
 
-/// Where the ball leaves the field on its way, and how far that is; beyond `way`: it stays in.
-double wayToLine(const StrikerSituation& situation, const Vec2& direction) {
-  double way = farAway;
-  if (std::abs(direction.x()) > 1e-9)
-    way = std::min(way,
-                   (std::copysign(situation.halfLength, direction.x()) - situation.ball.x()) / direction.x());
-  if (std::abs(direction.y()) > 1e-9)
-    way = std::min(way,
-                   (std::copysign(situation.halfWidth, direction.y()) - situation.ball.y()) / direction.y());
-  return std::max(0.0, way);
-}
-
-/// The way of a ball that goes in a direction, and what its end is worth if that is no goal.
-struct Course {
-  double way = 0;  ///< [m]
-  double value = 0;
-  bool toGoalLine = false;  ///< it crosses the opponents' line
+  int count_, reach_ = 0, widest_ = 0;
+  double cell_, middle_ = 0;
+  std::vector<Cell> cells_;
+  std::vector<double> weights_;
 };
 
-Course courseOf(double direction, double reach, bool kicked, const StrikerSituation& situation,
-                const FieldValue& value, const TimeToBallParameters& time, double blockWidth) {
-  const Vec2 way(std::cos(direction), std::sin(direction));
-  const double clear = freeWay(situation, way, reach, blockWidth), line = wayToLine(situation, way);
-  Course course{std::min(clear, line), 0, false};
-  const Vec2 end = situation.ball + course.way * way;
-  if (line <= clear) {
-    course.toGoalLine = way.x() > 0 && std::abs(end.x() - situation.halfLength) < 1e-6;
-    course.value = value.at({end, -1});
-    return course;
+/// Judges the directions of one way to play the ball.
+class Judge {
+public:
+  Judge(const BallCourses& courses, const StrikerSituation& situation, const BallPlay& play,
+        const TimeToBallParameters& time, const ActionChoiceParameters& parameters)
+      : courses_(courses),
+        situation_(situation),
+        play_(play),
+        time_(time),
+        parameters_(parameters),
+        fan_(courses, situation, play, parameters) {}
+
+  const Fan& fan() const { return fan_; }
+
+  StrikerAction action(int i) const {
+    const double direction = fan_.direction(i);
+    const Vec2 to(std::cos(direction), std::sin(direction));
+    double seconds = timeToBall(situation_.robot, false, situation_.ball, situation_.ball + to, time_);
+    seconds += play_.dribbled ? fan_.way(i) / parameters_.dribbleSpeed / 2  // it can be lost half-way
+                              : parameters_.kickSeconds;
+    const double first =
+        1 / (1 + std::exp((seconds - courses_.opponentSeconds()) / parameters_.timeSpread));
+    StrikerAction action;
+    action.kind = play_.dribbled ? StrikerAction::Kind::dribble : StrikerAction::Kind::kick;
+    action.direction = direction;
+    action.reach = play_.kick.reach;
+    action.goal = fan_.goal(i);
+    action.end = situation_.ball + fan_.way(i) * to;
+    // Until the robot is at the ball again, if it did not go in.
+    const double after = (1 - action.goal) * fan_.way(i) /
+                         (play_.dribbled ? 2 * parameters_.dribbleSpeed : time_.walkSpeed);
+    action.value = first * fan_.value(i) + (1 - first) * courses_.lost() -
+                   courses_.timePrice() * (seconds + after);
+    return action;
   }
-  // The robot itself runs after its kick; a dribbled ball it takes along.
-  const double own = kicked ? clear / time.walkSpeed : 0.0;
-  const double ours = std::min(own, firstArrival(situation, true, end, time));
-  course.value = value.at({end, ballAdvantage(ours, firstArrival(situation, false, end, time))});
-  return course;
+
+  /// How far the direction may be off to the nearer side where it matters.
+  double tolerance(int i) const {
+    const double least = fan_.value(i) - parameters_.slack;
+    int steps = 0;
+    while (i + steps + 1 <= fan_.widest() && i - steps - 1 >= -fan_.widest() &&
+           fan_.value(i + steps + 1) >= least && fan_.value(i - steps - 1) >= least)
+      ++steps;
+    return steps * fan_.cell();
+  }
+
+private:
+  const BallCourses& courses_;
+  const StrikerSituation& situation_;
+  BallPlay play_;
+  const TimeToBallParameters& time_;
+  const ActionChoiceParameters& parameters_;
+  Fan fan_;
+};
+
+std::vector<BallPlay> playsOf(const StrikerSituation& situation, const ActionChoiceParameters& parameters) {
+  std::vector<BallPlay> plays;
+  for (const StrikerKick& kick : situation.kicks) plays.push_back({kick, false});
+  plays.push_back({{parameters.dribbleWay, 0, parameters.dribbleScatter, 0}, true});
+  return plays;
+}
+
+bool isOf(const StrikerAction& action, const BallPlay& play) {
+  return (action.kind == StrikerAction::Kind::dribble) == play.dribbled &&
+         std::abs(action.reach - play.kick.reach) < 1e-9;
 }
 
 }  // namespace
@@ -86,51 +145,46 @@ Course courseOf(double direction, double reach, bool kicked, const StrikerSituat
 StrikerAction judgeAction(StrikerAction::Kind kind, double direction, double reach,
                           const StrikerSituation& situation, const FieldValue& value,
                           const TimeToBallParameters& time, const ActionChoiceParameters& parameters) {
-  const bool kicks = kind == StrikerAction::Kind::kick;
-  const Vec2 way(std::cos(direction), std::sin(direction));
-  double seconds = timeToBall(situation.robot, false, situation.ball, situation.ball + way, time);
-  if (kicks) seconds += parameters.kickSeconds;
-
-  const auto course = [&](double angle) {
-    return courseOf(angle, reach, kicks, situation, value, time, parameters.blockWidth);
-  };
-  const Course middle = course(direction);
-  if (!kicks) seconds += middle.way / parameters.dribbleSpeed / 2;  // it can be lost half-way
-  StrikerAction action{kind, direction, reach, 0, situation.ball + middle.way * way};
-  // The mean over directions that are normally distributed (Gauss and Hermite's rule of three points).
-  const double scatter = kicks ? parameters.kickScatter : parameters.kickScatter / 2;
-  const double aside = std::sqrt(3.0) * scatter;
-  const double elsewhere =
-      (4 * middle.value + course(direction + aside).value + course(direction - aside).value) / 6;
-  const double in = middle.toGoalLine ? goalShare(situation, direction, scatter) : 0;
-  const double outcome = in + (1 - in) * elsewhere;
-  const double opponent = firstArrival(situation, false, situation.ball, time);
-  const double first = 1 / (1 + std::exp((seconds - opponent) / parameters.timeSpread));
-  action.value = first * outcome + (1 - first) * value.at({situation.ball, -1});
-  return action;
+  const BallCourses courses(situation, value, time, parameters);
+  StrikerAction asked;
+  asked.kind = kind;
+  asked.reach = reach;
+  for (const BallPlay& play : playsOf(situation, parameters)) {
+    if (!isOf(asked, play)) continue;
+    const Judge judge(courses, situation, play, time, parameters);
+    asked = judge.action(judge.fan().cellOf(direction));
+    asked.tolerance = judge.tolerance(judge.fan().cellOf(direction));
+    break;
+  }
+  return asked;
 }
 
 StrikerAction chooseAction(const StrikerSituation& situation, const StrikerAction& last,
                            const FieldValue& value, const TimeToBallParameters& time,
                            const ActionChoiceParameters& parameters) {
-  const auto judge = [&](StrikerAction::Kind kind, double direction, double reach) {
-    return judgeAction(kind, direction, reach, situation, value, time, parameters);
-  };
-  const Vec2 toGoal = situation.goal() - situation.ball;
-  const double middle = std::atan2(toGoal.y(), toGoal.x());
-  StrikerAction best;
-  const auto compare = [&](StrikerAction::Kind kind, double reach) {
-    for (int i = 0; i < parameters.directions; ++i) {
-      const double off = parameters.widest * (2.0 * i / (parameters.directions - 1) - 1);
-      const StrikerAction action = judge(kind, normalizeAngle(middle + off), reach);
-      if (best.kind == StrikerAction::Kind::none || action.value > best.value) best = action;
+  const BallCourses courses(situation, value, time, parameters);
+  StrikerAction best, again;
+  for (const BallPlay& play : playsOf(situation, parameters)) {
+    const Judge judge(courses, situation, play, time, parameters);
+    int chosen = 0;
+    bool found = false;
+    for (int i = -judge.fan().widest(); i <= judge.fan().widest(); ++i) {
+      const StrikerAction action = judge.action(i);
+      if (best.kind != StrikerAction::Kind::none && action.value <= best.value) continue;
+      best = action;
+      chosen = i;
+      found = true;
     }
-  };
-  for (const double reach : situation.kicks) compare(StrikerAction::Kind::kick, reach);
-  compare(StrikerAction::Kind::dribble, parameters.dribbleWay);
-  if (last.kind == StrikerAction::Kind::none) return best;
-  const StrikerAction again = judge(last.kind, last.direction, last.reach);
-  return best.value > again.value + parameters.stays ? best : again;
+    if (found) best.tolerance = judge.tolerance(chosen);
+    if (last.kind == StrikerAction::Kind::none || !isOf(last, play)) continue;
+    const int before = judge.fan().cellOf(last.direction);
+    again = judge.action(before);
+    again.tolerance = judge.tolerance(before);
+  }
+  if (again.kind == StrikerAction::Kind::none) return best;
+  const double near = std::clamp(1 - (situation.ball - situation.robot.position).norm(), 0.0, 1.0);
+  const double stays = std::lerp(parameters.stays, std::max(parameters.stays, parameters.staysAtBall), near);
+  return best.value > again.value + stays ? best : again;
 }
 
 }  // namespace plumbline

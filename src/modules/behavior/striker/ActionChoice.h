@@ -12,26 +12,44 @@ namespace plumbline {
 
 struct ActionChoiceParameters {
   PARAMETERS(ActionChoiceParameters)
-  PARAMETER(int, directions, 17, "", Range(3, 101), "directions that are compared, of each action")
-  PARAMETER(double, widest, 1.8, "rad", Range(0.1, 3.1), "the outermost ones, off the direction of the goal")
-  PARAMETER(double, kickSeconds, 3, "s", Range(0, 20),
+  PARAMETER(int, directions, 105, "", Range(24, 720), "directions all round that are compared, of each action")
+  PARAMETER(double, widest, 2.0, "rad", Range(0.1, 3.1), "the outermost ones, off the direction of the goal")
+  PARAMETER(double, kickSeconds, 1.5, "s", Range(0, 20),
             "to stand exactly behind the ball and kick it, once the robot is there")
-  PARAMETER(double, kickScatter, 0.12, "rad", Range(0.01, 1), "standard deviation of a kick's direction")
   PARAMETER(double, dribbleWay, 1.5, "m", Range(0.1, 10), "how far ahead a dribble is judged")
   PARAMETER(double, dribbleSpeed, 0.5, "m/s", Range(0.05, 3), "of the ball while it is dribbled")
+  PARAMETER(double, dribbleScatter, 0.1, "rad", Range(0.01, 1),
+            "standard deviation of a dribbled ball's direction")
   PARAMETER(double, timeSpread, 1, "s", Range(0.05, 10),
             "how sure it is who is first: 73 % for one who is sooner by this")
-  PARAMETER(double, blockWidth, 0.4, "m", Range(0, 3),
+  PARAMETER(double, timePrice, 0.01, "1/s", Range(0, 1), "value that a second costs")
+  PARAMETER(double, blockWidth, 0.35, "m", Range(0, 3),
             "a standing robot this near to the ball's way stops it")
+  PARAMETER(double, blockSpeed, 0.25, "m/s", Range(0, 3),
+            "opponents come so much nearer to the way while the ball rolls")
+  PARAMETER(double, goalKickWay, 7, "m", Range(0, 30),
+            "a ball over the opponents' line is theirs so far before it, after their goal kick")
   PARAMETER(double, stays, 0.02, "", Range(0, 1), "value that another action must have more to be taken")
+  PARAMETER(double, staysAtBall, 0.1, "", Range(0, 1),
+            "the same for a robot at the ball, which has stood up for what it does; between 1 m and there")
+  PARAMETER(double, slack, 0.03, "", Range(0, 1),
+            "value that a kick may lose by its direction, so that it is not waited for a better one")
+};
+
+/// A kick as the choice sees it.
+struct StrikerKick {
+  double reach = 3;       ///< how far it carries [m]
+  double spread = 0.6;    ///< standard deviation of that [m]
+  double scatter = 0.12;  ///< standard deviation of its direction [rad]
+  double rise = 0;        ///< height that the ball reaches [m]
 };
 
 /// What the striker knows; team's frame [m, rad].
 struct StrikerSituation {
   Pose2 robot;
   Vec2 ball = Vec2::Zero();
-  std::vector<double> kicks;  ///< how far each kick carries [m]
-  double halfLength = 15, halfWidth = 10, goalHalfWidth = 1.05;
+  std::vector<StrikerKick> kicks;
+  double halfLength = 15, halfWidth = 10, goalHalfWidth = 1.05, goalHeight = 0.8, ballRadius = 0.042;
   std::vector<OtherRobot> others;
   Vec2 goal() const { return {halfLength, 0}; }
 };
@@ -43,20 +61,23 @@ struct StrikerAction {
   double direction = 0;  ///< of the ball's way [rad]
   double reach = 0;      ///< how far the kick carries, or a dribble is judged [m]
   double value = -1;
-  Vec2 end = Vec2::Zero();  ///< where the ball is expected then [m]
+  double goal = 0;          ///< probability that the ball goes in
+  double tolerance = 0;     ///< a kick may go so far aside, to either side, and is worth as much but `slack` [rad]
+  Vec2 end = Vec2::Zero();  ///< where a ball in the middle of the scatter ends [m]
 };
 
-/// What an action in a direction is worth: the value of where the ball ends (in the goal, off the field, at a
-/// robot in its way, or where it rests) with whoever is first there, if the robot acts before the nearest
-/// opponent is at the ball; else the value of losing it here.
-StrikerAction judgeAction(StrikerAction::Kind kind, double direction, double reach,
-                          const StrikerSituation& situation, const FieldValue& value,
-                          const TimeToBallParameters& time, const ActionChoiceParameters& parameters);
-
-/// The action of most value over all kicks, dribbling and directions. last: the one chosen before, kept while
-/// no other is worth more by `stays`; of kind none: there was none.
+/// The action of most value over all kicks, dribbling and directions. Of each the outcome is integrated over
+/// its scatter: the ball goes in between the posts and under the bar, off the field, to a robot in its way,
+/// or rests, and then belongs to whoever is first there. All that if the robot acts before the nearest
+/// opponent is at the ball; else it is lost here. last: the one chosen before, kept while no other is worth
+/// more by `stays`; of kind none: there was none.
 StrikerAction chooseAction(const StrikerSituation& situation, const StrikerAction& last,
                            const FieldValue& value, const TimeToBallParameters& time,
                            const ActionChoiceParameters& parameters);
+
+/// The same of an action in a direction: what it is worth.
+StrikerAction judgeAction(StrikerAction::Kind kind, double direction, double reach,
+                          const StrikerSituation& situation, const FieldValue& value,
+                          const TimeToBallParameters& time, const ActionChoiceParameters& parameters);
 
 }  // namespace plumbline

@@ -1,0 +1,127 @@
+#include "modules/behavior/striker/BallCourse.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+namespace {
+
+constexpr double farAway = 1e3;   ///< [m], [s]
+constexpr double rolling = 0.92;  ///< time constant with which a ball's speed dies away [s]
+constexpr double aloneSpeed = 0.65;        ///< of a robot alone with the ball towards the goal [m/s]
+constexpr double narrowSeconds = 10;       ///< that a goal seen from its line costs more
+constexpr double wideOpening = 0.3;        ///< angle between the posts from which on it costs nothing [rad]
+constexpr double aloneRestart = 15;        ///< until a ball that went out is laid down and in play [s]
+constexpr double shortest = 0.05;          ///< way of a ball [m]
+constexpr double flies = 0.6;              ///< share of its way over which a kick flies
+constexpr double riseSpread = 0.35;        ///< standard deviation of a kick's height, share of it
+
+/// The share of a normal distribution below `deviations`.
+double below(double deviations) { return 0.5 * std::erfc(-deviations / std::sqrt(2.0)); }
+
+/// When a ball that goes `reach` in all has gone `way` [s].
+double rollingSeconds(double way, double reach) {
+  return way >= reach ? farAway : -rolling * std::log(1 - way / reach);
+}
+
+}  // namespace
+
+BallCourses::BallCourses(const StrikerSituation& situation, const FieldValue& value,
+                         const TimeToBallParameters& time, const ActionChoiceParameters& parameters)
+    : situation_(situation), value_(value), time_(time), parameters_(parameters) {
+  alone_ = situation.others.empty();
+  opponentSeconds_ = opponentAtBall();
+  lost_ = worth(situation.ball, -1);
+}
+
+double BallCourses::worth(const Vec2& place, double advantage) const {
+  if (!alone_) return value_.at({place, advantage});
+  const double ahead = std::max(situation_.halfLength - place.x(), 0.05), y = std::abs(place.y());
+  const double opening =
+      std::atan((y + situation_.goalHalfWidth) / ahead) - std::atan((y - situation_.goalHalfWidth) / ahead);
+  const double aside = narrowSeconds * std::max(0.0, 1 - opening / wideOpening);
+  return 1 - ((situation_.goal() - place).norm() / aloneSpeed + parameters_.kickSeconds + aside) / aloneSeconds;
+}
+
+double BallCourses::worthOfOut(const Vec2& end, bool overTheirLine) const {
+  if (alone_) return worth(end, 0) - aloneRestart / aloneSeconds;
+  const double x = overTheirLine ? situation_.halfLength - parameters_.goalKickWay : end.x();
+  return value_.at({Vec2(x, overTheirLine ? 0.5 * end.y() : end.y()), -1});
+}
+
+double BallCourses::firstArrival(bool mates, const Vec2& place) const {
+  double first = farAway;
+  for (const OtherRobot& robot : situation_.others)
+    if (robot.mate == mates)
+      first = std::min(first, (robot.position - place).norm() / time_.walkSpeed +
+                                  (robot.fallen ? time_.getUp : 0));
+  return first;
+}
+
+double BallCourses::opponentAtBall() const {
+  const Vec2 ownGoal(-situation_.halfLength, 0);
+  double first = farAway;
+  for (const OtherRobot& robot : situation_.others) {
+    if (robot.mate) continue;
+    const Vec2 way = situation_.ball - robot.position;
+    // It faces the ball; from the side of its own goal it plays the ball at once, else it has to go round.
+    const Pose2 facing(robot.position, std::atan2(way.y(), way.x()));
+    first = std::min(first, timeToBall(facing, robot.fallen, situation_.ball, ownGoal, time_));
+  }
+  return first;
+}
+
+double BallCourses::underBar(double share, double rise) const {
+  const double most = situation_.goalHeight - 2 * situation_.ballRadius;
+  const double parabola = share < 1 ? 4 * share * (1 - share) : 0;
+  const double height = parabola * rise;
+  return height > 1e-6 ? below((most - height) / (riseSpread * height)) : 1;
+}
+
+double BallCourses::freeWay(const Vec2& direction, double reach) const {
+  double way = reach;
+  for (const OtherRobot& robot : situation_.others) {
+    if (robot.fallen) continue;
+    const Vec2 to = robot.position - situation_.ball;
+    const double along = to.dot(direction);
+    if (along <= 0 || along >= way) continue;
+    const double aside = std::abs(to.x() * direction.y() - to.y() * direction.x());
+    const double steps = robot.mate ? 0 : parameters_.blockSpeed * std::min(rollingSeconds(along, reach), 2.0);
+    if (aside < parameters_.blockWidth + steps) way = along;
+  }
+  return way;
+}
+
+BallCourse BallCourses::course(double direction, const BallPlay& play) const {
+  const Vec2 to(std::cos(direction), std::sin(direction));
+  const double toX = std::abs(to.x()) < 1e-9
+                         ? farAway
+                         : (std::copysign(situation_.halfLength, to.x()) - situation_.ball.x()) / to.x();
+  const double toY = std::abs(to.y()) < 1e-9
+                         ? farAway
+                         : (std::copysign(situation_.halfWidth, to.y()) - situation_.ball.y()) / to.y();
+  const double line = std::max(0.0, std::min(toX, toY));
+  const double reach = std::max(play.kick.reach, shortest);
+  const double clear = freeWay(to, reach + 2 * play.kick.spread);
+  BallCourse course;
+  // What is not over the line rests before it, or at a robot.
+  const double over =
+      line <= clear ? below((reach - line) / std::max(play.kick.spread, 1e-3)) : 0.0;
+  course.way = std::min({clear, line, reach});
+  const Vec2 end = situation_.ball + course.way * to;
+  if (over > 0) {
+    const Vec2 out = situation_.ball + line * to;
+    const bool theirs = to.x() > 0 && toX <= toY;
+    course.value = over * worthOfOut(out, theirs);
+    if (theirs) course.goal = over * underBar(line / (flies * reach), play.kick.rise);
+  }
+  if (over < 1) {
+    double own = play.dribbled ? 0.0 : course.way / time_.walkSpeed;
+    own = std::min(own, firstArrival(true, end));
+    const double advantage = ballAdvantage(own, firstArrival(false, end));
+    course.value += (1 - over) * worth(end, advantage);
+  }
+  return course;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,54 @@
+#pragma once
+#include "modules/behavior/striker/ActionChoice.h"
+
+namespace plumbline {
+
+/// How a ball is played: a kick, or a dribble, which takes the robot along.
+struct BallPlay {
+  StrikerKick kick;
+  bool dribbled = false;
+};
+
+/// What becomes of a ball that goes in one direction [rad].
+struct BallCourse {
+  double way = 0;     ///< of a ball that goes as far as it means to [m]
+  double value = 0;   ///< mean over how far it goes, without the goal
+  double goal = 0;    ///< probability that it crosses the opponents' line under the bar; not: between the posts
+};
+
+/// Works out courses in one situation. What is the same for all of them is worked out once.
+class BallCourses {
+public:
+  BallCourses(const StrikerSituation& situation, const FieldValue& value, const TimeToBallParameters& time,
+              const ActionChoiceParameters& parameters);
+
+  BallCourse course(double direction, const BallPlay& play) const;
+  /// Of a ball that the opponents have where it lies.
+  double lost() const { return lost_; }
+  /// When the first opponent is at the ball [s].
+  double opponentSeconds() const { return opponentSeconds_; }
+  /// Value of a second: without others the one measure is when the goal falls.
+  double timePrice() const { return alone_ ? 1 / aloneSeconds : parameters_.timePrice; }
+
+private:
+  static constexpr double aloneSeconds = 60;  ///< from the own goal to a goal, about
+
+  double worth(const Vec2& place, double advantage) const;
+  double worthOfOut(const Vec2& end, bool overTheirLine) const;
+  /// The probability that a kick that rises so high [m] is below the bar at a share of its flight.
+  double underBar(double share, double rise) const;
+  /// When the first opponent can play the ball [s].
+  double opponentAtBall() const;
+  double firstArrival(bool mates, const Vec2& place) const;
+  /// How far the ball gets before a robot in its way.
+  double freeWay(const Vec2& direction, double reach) const;
+
+  const StrikerSituation& situation_;
+  const FieldValue& value_;
+  const TimeToBallParameters& time_;
+  const ActionChoiceParameters& parameters_;
+  bool alone_ = true;
+  double lost_ = 0, opponentSeconds_ = 0;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,21 @@
+#pragma once
+#include "simulation/referee/Rule.h"
+
+namespace plumbline::simulation {
+
+/// At a half's kick-off the ball lies, and the left team's number 1 stands, where somebody wants it, turned as
+/// it was: for set starts that are tried again and again. Off in the league.
+class StartPlace : public Rule {
+public:
+  struct Parameters {
+    PARAMETERS(Parameters)
+    PARAMETER(bool, on, false, "", {}, "not in the league: the ball lies in the middle")
+    PARAMETER(double, x, 0, "m", Range(-100, 100), "of the ball, towards the right goal")
+    PARAMETER(double, y, 0, "m", Range(-100, 100), "of the ball, to the left as the left team looks")
+    PARAMETER(double, robotX, 0, "m", Range(-100, 100), "of the left team's number 1, likewise")
+    PARAMETER(double, robotY, 0, "m", Range(-100, 100), "of it")
+  };
+  void play(Match& match) override;
+};
+
+}  // namespace plumbline::simulation
