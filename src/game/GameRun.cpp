@@ -169,8 +169,8 @@ void GameRun::watch(const simspark::SceneState& scene) {
   track_.back().ball = scene.ball.head<2>();
   const Pose3& pose = robot->T_world_torso;
   table_ += fmt::format("{:.2f},{:.3f},{:.3f},{:.4f},{:.3f},{:.3f},{:.3f},{:.3f},{}\n", scene.time,
-                        pose.translation().x(), pose.translation().y(), robot->heading(),
-                        pose.linear()(2, 2), scene.ball.x(), scene.ball.y(), scene.ball.z(), scene.playMode);
+                        pose.translation().x(), pose.translation().y(), robot->heading(), pose.linear()(2, 2),
+                        scene.ball.x(), scene.ball.y(), scene.ball.z(), scene.playMode);
   if (!summary_.goal && scene.scoreLeft > 0) {
     summary_.goal = true;
     summary_.goalTime = scene.time;

@@ -26,9 +26,9 @@ struct Keyframe {
 
 /// What a kick does, measured where it was found (bin/optserver --measure); means over many tries.
 struct KickEffect {
-  double distance = 0;   ///< that the ball comes along the wanted direction [m]
-  double direction = 0;  ///< in which it goes, robot's ground frame [rad]
-  double contact = 0;    ///< time from the motion's begin to the ball [s]
+  double distance = 0;    ///< that the ball comes along the wanted direction [m]
+  double direction = 0;   ///< in which it goes, robot's ground frame [rad]
+  double contact = 0;     ///< time from the motion's begin to the ball [s]
   double scatter = 0.12;  ///< standard deviation of the direction in games [rad]
   double spread = 1;      ///< of the distance [m]
   double rise = 0;        ///< height that the ball reaches [m]

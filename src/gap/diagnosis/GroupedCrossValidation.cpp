@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t width = 3;        // sets that go on
 constexpr std::size_t fittedAgain = 6;  // of the longer sets: a fit that stuck may go on
-constexpr int passes = 3;               // of fits, of a set that was chosen
+constexpr int fitPasses = 3;            // of fits, of a set that was chosen
 // What a further cause has to take away, of the error and of the nominal model's.
 constexpr double leastShare = 0.05, leastOfAll = 0.02;
 
@@ -101,7 +101,7 @@ GroupedCrossValidation::Tried GroupedCrossValidation::fitted(const Tried& from) 
 }
 
 GroupedCrossValidation::Tried GroupedCrossValidation::refined(Tried tried) const {
-  for (int pass = 0; pass < passes; ++pass) {
+  for (int pass = 0; pass < fitPasses; ++pass) {
     Tried again = fitted(tried);
     if (again.error >= tried.error && pass > 0) break;
     tried = std::move(again);

@@ -29,7 +29,8 @@ public:
     for (const double share : {0.2, 0.6})
       oneWave("triangle", "slow triangles", Segment::Kind::triangle, share, 2);
     for (const double share : {0.03, 0.1, 0.3}) oneWave("chirp", "chirps", Segment::Kind::chirp, share, 6);
-    for (const double share : {0.05, 0.15, 0.4, 0.8}) oneWave("steps", "steps", Segment::Kind::steps, share, 1);
+    for (const double share : {0.05, 0.15, 0.4, 0.8})
+      oneWave("steps", "steps", Segment::Kind::steps, share, 1);
     for (const double share : {0.3, 0.65, 0.9}) oneWave("fast", "fast moves", Segment::Kind::fast, share, 1);
     for (const double share : {0.1, 0.35})
       oneWave("multisine", "multisines", Segment::Kind::multisine, share, 5);

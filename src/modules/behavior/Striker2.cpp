@@ -58,7 +58,8 @@ void Striker2::play(BehaviorOutput& output) {
   // A kick is told how far, a little less than it carries, so that no longer one is taken; what is dribbled
   // goes on.
   constexpr double less = 0.4;  // [m]
-  const double distance = kick ? std::max(action_.reach - less, less) : std::max((now.goal() - now.ball).norm(), 0.5);
+  const double distance =
+      kick ? std::max(action_.reach - less, less) : std::max((now.goal() - now.ball).norm(), 0.5);
   output.target =
       Pose2(Vec2(now.ball + distance * Vec2(std::cos(action_.direction), std::sin(action_.direction))));
   draw(now);

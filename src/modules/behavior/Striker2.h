@@ -27,7 +27,8 @@ MODULE(Striker2)
             "distance kept from the ball at restarts of the opponent")
   PARAMETER(double, leastTolerance, 0.12, "rad", Range(0.01, 1),
             "a kick never waits for a better direction than within this")
-  PARAMETER(double, mostTolerance, 0.35, "rad", Range(0.01, 3.2), "nor is it this far off, if nothing depends on it")
+  PARAMETER(double, mostTolerance, 0.35, "rad", Range(0.01, 3.2),
+            "nor is it this far off, if nothing depends on it")
   PARAMETER_GROUP(ActionChoiceParameters, choice, "what is done with the ball where others play")
   PARAMETER_GROUP(TimeToBallParameters, time, "how fast players are at the ball")
 END_MODULE

@@ -27,12 +27,14 @@ WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& 
   if (std::abs(bearing) < parameters.turnFirst) {
     // Slower while still turning: a fast walk in a tight curve swings out and loses time.
     double speed = parameters.maxForward * std::pow(std::cos(bearing), 3);
-    const double straight = std::max(parameters.sprintBearing, std::asin(std::min(1.0, parameters.sprintAside / distance)));
+    const double straight =
+        std::max(parameters.sprintBearing, std::asin(std::min(1.0, parameters.sprintAside / distance)));
     if (parameters.sprintBearing > 0) {
       if (distance > parameters.sprintDistance && std::abs(bearing) < straight)
         command.turn = std::clamp(command.turn, -parameters.sprintTurn, parameters.sprintTurn);
       else  // what is left of the walk's effort turns
-        speed = std::min(speed, parameters.curveSpeed * (1 - 0.8 * std::abs(command.turn) / parameters.maxTurn));
+        speed =
+            std::min(speed, parameters.curveSpeed * (1 - 0.8 * std::abs(command.turn) / parameters.maxTurn));
     }
     command.velocity = limitVelocity({std::min(speed, parameters.positionGain * distance), 0}, parameters);
   }

@@ -22,9 +22,10 @@ struct WalkToPoseParameters {
             "others slowly until it is: the walk does not turn in a sprint; 0: both at a time")
   PARAMETER(double, sprintAside, 0, "m", Range(0, 3),
             "or if the sprint passes it no farther aside than this: near the target a sprint goes on")
-  PARAMETER(double, sprintDistance, 1.5, "m", Range(0, 30),
-            "nearer targets are walked to without a sprint: there is no way to win back the turn before it, nor "
-            "to stop")
+  PARAMETER(
+      double, sprintDistance, 1.5, "m", Range(0, 30),
+      "nearer targets are walked to without a sprint: there is no way to win back the turn before it, nor "
+      "to stop")
   PARAMETER(double, sprintTurn, 0.1, "rad/s", Range(0, 3), "fastest turn in a sprint")
   PARAMETER(double, curveSpeed, 0.4, "m/s", Range(0.01, 3),
             "fastest walk forward while it turns to the target")

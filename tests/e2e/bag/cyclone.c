@@ -1,5 +1,6 @@
-// Another DDS, Cyclone DDS, reads each message of a bag by types made from the bag's own definitions, writes it again, and
-// must come to the same bytes. Arguments: .db3 files. bag_types.h is written by the test: the table of the types.
+// Another DDS, Cyclone DDS, reads each message of a bag by types made from the bag's own definitions, writes
+// it again, and must come to the same bytes. Arguments: .db3 files. bag_types.h is written by the test: the
+// table of the types.
 #include <dds/dds.h>
 #include <dds/ddsi/ddsi_serdata.h>
 #include <dds/ddsi/ddsi_sertype.h>
@@ -17,7 +18,8 @@ static void fail(const char* why, const char* topic, long message) {
 
 /// Cyclone DDS gives a type only with a sample of it that was written.
 static const struct ddsi_sertype* learn(dds_entity_t participant, const dds_topic_descriptor_t* descriptor) {
-  const dds_entity_t topic = dds_create_topic(participant, descriptor, strrchr(descriptor->m_typename, ':') + 1, NULL, NULL);
+  const dds_entity_t topic =
+      dds_create_topic(participant, descriptor, strrchr(descriptor->m_typename, ':') + 1, NULL, NULL);
   const dds_entity_t reader = dds_create_reader(participant, topic, NULL, NULL);
   const dds_entity_t writer = dds_create_writer(participant, topic, NULL, NULL);
   void* empty = calloc(1, descriptor->m_size);
@@ -25,7 +27,9 @@ static const struct ddsi_sertype* learn(dds_entity_t participant, const dds_topi
   dds_sample_info_t info;
   if (topic < 0 || reader < 0 || writer < 0) return NULL;
   for (int i = 0; i < 1000 && !written; ++i) {
-    if (dds_write(writer, empty) != DDS_RETCODE_OK || dds_takecdr(reader, &written, 1, &info, DDS_ANY_STATE) < 0) break;
+    if (dds_write(writer, empty) != DDS_RETCODE_OK ||
+        dds_takecdr(reader, &written, 1, &info, DDS_ANY_STATE) < 0)
+      break;
     if (!written) dds_sleepfor(DDS_MSECS(10));
   }
   free(empty);
@@ -43,7 +47,8 @@ static const struct ddsi_sertype* typeOf(dds_entity_t participant, const char* n
   return NULL;
 }
 
-static void check(const struct ddsi_sertype* type, const char* topic, long number, const void* data, size_t size) {
+static void check(const struct ddsi_sertype* type, const char* topic, long number, const void* data,
+                  size_t size) {
   // What arrives over a network is filled up to a multiple of four; the header says by how much.
   const size_t padded = (size + 3) / 4 * 4;
   unsigned char* message = calloc(1, padded);
@@ -59,7 +64,8 @@ static void check(const struct ddsi_sertype* type, const char* topic, long numbe
   const size_t length = ddsi_serdata_size(written);
   unsigned char* again = malloc(length);
   ddsi_serdata_to_ser(written, 0, length, again);
-  if (length != padded || memcmp(again + 4, message + 4, size - 4) != 0) fail("is other bytes", topic, number);
+  if (length != padded || memcmp(again + 4, message + 4, size - 4) != 0)
+    fail("is other bytes", topic, number);
   free(again);
   free(message);
   ddsi_serdata_unref(written);

@@ -73,7 +73,8 @@ TEST(TrialWorlds, badOptionsAreTold) {
   EXPECT_EQ(mistakeIn({{"draws", "4"}}),
             "option draws: of what? give the file of effects too (option effects)");
   EXPECT_EQ(mistakeIn({{"draws", "many"}}), "option draws: \"many\" is no number from 0 to 64");
-  EXPECT_EQ(mistakeIn({{"engine", "bulet"}}).rfind("option engine: ", 0), 0u) << mistakeIn({{"engine", "bulet"}});
+  EXPECT_EQ(mistakeIn({{"engine", "bulet"}}).rfind("option engine: ", 0), 0u)
+      << mistakeIn({{"engine", "bulet"}});
 }
 
 }  // namespace

@@ -93,8 +93,7 @@ public:
     double seconds = timeToBall(situation_.robot, false, situation_.ball, situation_.ball + to, time_);
     seconds += play_.dribbled ? fan_.way(i) / parameters_.dribbleSpeed / 2  // it can be lost half-way
                               : parameters_.kickSeconds;
-    const double first =
-        1 / (1 + std::exp((seconds - courses_.opponentSeconds()) / parameters_.timeSpread));
+    const double first = 1 / (1 + std::exp((seconds - courses_.opponentSeconds()) / parameters_.timeSpread));
     StrikerAction action;
     action.kind = play_.dribbled ? StrikerAction::Kind::dribble : StrikerAction::Kind::kick;
     action.direction = direction;
@@ -102,10 +101,10 @@ public:
     action.goal = fan_.goal(i);
     action.end = situation_.ball + fan_.way(i) * to;
     // Until the robot is at the ball again, if it did not go in.
-    const double after = (1 - action.goal) * fan_.way(i) /
-                         (play_.dribbled ? 2 * parameters_.dribbleSpeed : time_.walkSpeed);
-    action.value = first * fan_.value(i) + (1 - first) * courses_.lost() -
-                   courses_.timePrice() * (seconds + after);
+    const double after =
+        (1 - action.goal) * fan_.way(i) / (play_.dribbled ? 2 * parameters_.dribbleSpeed : time_.walkSpeed);
+    action.value =
+        first * fan_.value(i) + (1 - first) * courses_.lost() - courses_.timePrice() * (seconds + after);
     return action;
   }
 

@@ -12,7 +12,8 @@ namespace plumbline {
 
 struct ActionChoiceParameters {
   PARAMETERS(ActionChoiceParameters)
-  PARAMETER(int, directions, 105, "", Range(24, 720), "directions all round that are compared, of each action")
+  PARAMETER(int, directions, 105, "", Range(24, 720),
+            "directions all round that are compared, of each action")
   PARAMETER(double, widest, 2.0, "rad", Range(0.1, 3.1), "the outermost ones, off the direction of the goal")
   PARAMETER(double, kickSeconds, 1.5, "s", Range(0, 20),
             "to stand exactly behind the ball and kick it, once the robot is there")
@@ -61,8 +62,9 @@ struct StrikerAction {
   double direction = 0;  ///< of the ball's way [rad]
   double reach = 0;      ///< how far the kick carries, or a dribble is judged [m]
   double value = -1;
-  double goal = 0;          ///< probability that the ball goes in
-  double tolerance = 0;     ///< a kick may go so far aside, to either side, and is worth as much but `slack` [rad]
+  double goal = 0;  ///< probability that the ball goes in
+  double tolerance =
+      0;  ///< a kick may go so far aside, to either side, and is worth as much but `slack` [rad]
   Vec2 end = Vec2::Zero();  ///< where a ball in the middle of the scatter ends [m]
 };
 

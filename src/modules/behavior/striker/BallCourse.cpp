@@ -6,15 +6,15 @@
 namespace plumbline {
 namespace {
 
-constexpr double farAway = 1e3;   ///< [m], [s]
-constexpr double rolling = 0.92;  ///< time constant with which a ball's speed dies away [s]
-constexpr double aloneSpeed = 0.65;        ///< of a robot alone with the ball towards the goal [m/s]
-constexpr double narrowSeconds = 10;       ///< that a goal seen from its line costs more
-constexpr double wideOpening = 0.3;        ///< angle between the posts from which on it costs nothing [rad]
-constexpr double aloneRestart = 15;        ///< until a ball that went out is laid down and in play [s]
-constexpr double shortest = 0.05;          ///< way of a ball [m]
-constexpr double flies = 0.6;              ///< share of its way over which a kick flies
-constexpr double riseSpread = 0.35;        ///< standard deviation of a kick's height, share of it
+constexpr double farAway = 1e3;       ///< [m], [s]
+constexpr double rolling = 0.92;      ///< time constant with which a ball's speed dies away [s]
+constexpr double aloneSpeed = 0.65;   ///< of a robot alone with the ball towards the goal [m/s]
+constexpr double narrowSeconds = 10;  ///< that a goal seen from its line costs more
+constexpr double wideOpening = 0.3;   ///< angle between the posts from which on it costs nothing [rad]
+constexpr double aloneRestart = 15;   ///< until a ball that went out is laid down and in play [s]
+constexpr double shortest = 0.05;     ///< way of a ball [m]
+constexpr double flies = 0.6;         ///< share of its way over which a kick flies
+constexpr double riseSpread = 0.35;   ///< standard deviation of a kick's height, share of it
 
 /// The share of a normal distribution below `deviations`.
 double below(double deviations) { return 0.5 * std::erfc(-deviations / std::sqrt(2.0)); }
@@ -40,7 +40,8 @@ double BallCourses::worth(const Vec2& place, double advantage) const {
   const double opening =
       std::atan((y + situation_.goalHalfWidth) / ahead) - std::atan((y - situation_.goalHalfWidth) / ahead);
   const double aside = narrowSeconds * std::max(0.0, 1 - opening / wideOpening);
-  return 1 - ((situation_.goal() - place).norm() / aloneSpeed + parameters_.kickSeconds + aside) / aloneSeconds;
+  return 1 -
+         ((situation_.goal() - place).norm() / aloneSpeed + parameters_.kickSeconds + aside) / aloneSeconds;
 }
 
 double BallCourses::worthOfOut(const Vec2& end, bool overTheirLine) const {
@@ -53,8 +54,8 @@ double BallCourses::firstArrival(bool mates, const Vec2& place) const {
   double first = farAway;
   for (const OtherRobot& robot : situation_.others)
     if (robot.mate == mates)
-      first = std::min(first, (robot.position - place).norm() / time_.walkSpeed +
-                                  (robot.fallen ? time_.getUp : 0));
+      first = std::min(first,
+                       (robot.position - place).norm() / time_.walkSpeed + (robot.fallen ? time_.getUp : 0));
   return first;
 }
 
@@ -86,7 +87,8 @@ double BallCourses::freeWay(const Vec2& direction, double reach) const {
     const double along = to.dot(direction);
     if (along <= 0 || along >= way) continue;
     const double aside = std::abs(to.x() * direction.y() - to.y() * direction.x());
-    const double steps = robot.mate ? 0 : parameters_.blockSpeed * std::min(rollingSeconds(along, reach), 2.0);
+    const double steps =
+        robot.mate ? 0 : parameters_.blockSpeed * std::min(rollingSeconds(along, reach), 2.0);
     if (aside < parameters_.blockWidth + steps) way = along;
   }
   return way;
@@ -105,8 +107,7 @@ BallCourse BallCourses::course(double direction, const BallPlay& play) const {
   const double clear = freeWay(to, reach + 2 * play.kick.spread);
   BallCourse course;
   // What is not over the line rests before it, or at a robot.
-  const double over =
-      line <= clear ? below((reach - line) / std::max(play.kick.spread, 1e-3)) : 0.0;
+  const double over = line <= clear ? below((reach - line) / std::max(play.kick.spread, 1e-3)) : 0.0;
   course.way = std::min({clear, line, reach});
   const Vec2 end = situation_.ball + course.way * to;
   if (over > 0) {

@@ -11,9 +11,9 @@ struct BallPlay {
 
 /// What becomes of a ball that goes in one direction [rad].
 struct BallCourse {
-  double way = 0;     ///< of a ball that goes as far as it means to [m]
-  double value = 0;   ///< mean over how far it goes, without the goal
-  double goal = 0;    ///< probability that it crosses the opponents' line under the bar; not: between the posts
+  double way = 0;    ///< of a ball that goes as far as it means to [m]
+  double value = 0;  ///< mean over how far it goes, without the goal
+  double goal = 0;  ///< probability that it crosses the opponents' line under the bar; not: between the posts
 };
 
 /// Works out courses in one situation. What is the same for all of them is worked out once.

@@ -3,8 +3,8 @@
 
 namespace plumbline::simulation {
 
-/// At a half's kick-off the ball lies, and the left team's number 1 stands, where somebody wants it, turned as
-/// it was: for set starts that are tried again and again. Off in the league.
+/// At a half's kick-off the ball lies, and the left team's number 1 stands, where somebody wants it, turned
+/// as it was: for set starts that are tried again and again. Off in the league.
 class StartPlace : public Rule {
 public:
   struct Parameters {
