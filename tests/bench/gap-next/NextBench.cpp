@@ -1,7 +1,7 @@
 // Does the motion that bin/gap next proposes decide between two explanations? A robot in Bullet has one
 // effect of a size at which one recording leaves it and another explanation both likely; bin/gap next designs
 // a motion for the two, the robot plays it, and both explanations are fitted to both recordings. Beside it:
-// another motion of the battery, drawn at random. Environment: PAIRS [30], SEED [1], JOBS [1]. Pairs that are
+// another motion of the battery, drawn at random. Environment: PAIRS [30], SEED [2], JOBS [1]. Pairs that are
 // done are kept in build/bench/gap-next-SEED/. Writes build/bench/gap-next.json and .md.
 #include <algorithm>
 #include <cstdio>
@@ -51,29 +51,31 @@ void write(const std::vector<Pair>& pairs, std::uint64_t seed) {
   }
   const Figure p = share("", "", proposed.right, pairs.size()), r = share("", "", random.right, pairs.size());
   char text[2400];
-  std::snprintf(text, sizeof text,
-                "%zu pairs, seed %llu: robots in Bullet have one effect, drawn and then weakened until one "
-                "recording (a motion of "
-                "the battery) shows it, and still leaves it and its nearest rival likely (odds below %.0f to "
-                "1, log odds below "
-                "%.0f). %zu draws were needed. The two explanations, as fitted, go to `bin/gap next`; its "
-                "motion is played on "
-                "the same robot with `bin/gap record`, and both are fitted to both recordings. Decided: odds "
-                "of more than %.0f to 1 "
-                "for what is in the robot. Of %zu pairs more `bin/gap next` said itself that no motion tells "
-                "them apart (as of a servo's "
-                "own damping and viscous friction where nothing saturates); they were drawn anew. Nothing "
-                "was set on these "
-                "pairs.\n\n"
-                "The proposed motion decides **%zu of %zu** (95 %%: %.2f to %.2f), wrongly %zu; the others "
-                "stay open. Another motion "
-                "of the battery, drawn at random, decides %zu (%.2f to %.2f), wrongly %zu.\n\n"
-                "| robot | in it | rival | first motion | log odds before | proposed motion | with it | at "
-                "random | with it |\n"
-                "|---|---|---|---|---|---|---|---|---|\n",
-                pairs.size(), static_cast<unsigned long long>(seed), std::exp(decided), decided, draws,
-                std::exp(decided), inseparable, proposed.right, pairs.size(), p.lower, p.upper,
-                proposed.wrong, random.right, r.lower, r.upper, random.wrong);
+  std::snprintf(
+      text, sizeof text,
+      "%zu pairs, seed %llu: robots in Bullet have one effect, drawn and then weakened until one "
+      "recording (a motion of "
+      "the battery) shows it, and still leaves it and its nearest rival likely (odds below %.0f to "
+      "1, log odds below "
+      "%.0f). %zu draws were needed. The two explanations, as fitted, go to `bin/gap next`; its "
+      "motion is played on "
+      "the same robot with `bin/gap record`, and both are fitted to both recordings. Decided: odds "
+      "of more than %.0f to 1 "
+      "for what is in the robot. Of %zu pairs more `bin/gap next` said itself that no motion tells "
+      "them apart (as of a servo's "
+      "own damping and viscous friction where nothing saturates); they were drawn anew. Seven pairs of seed "
+      "1 "
+      "were looked at when moves near the stops were added to the designs (five were decided); no other "
+      "seed was.\n\n"
+      "The proposed motion decides **%zu of %zu** (95 %%: %.2f to %.2f), wrongly %zu; the others "
+      "stay open. Another motion "
+      "of the battery, drawn at random, decides %zu (%.2f to %.2f), wrongly %zu.\n\n"
+      "| robot | in it | rival | first motion | log odds before | proposed motion | with it | at "
+      "random | with it |\n"
+      "|---|---|---|---|---|---|---|---|---|\n",
+      pairs.size(), static_cast<unsigned long long>(seed), std::exp(decided), decided, draws,
+      std::exp(decided), inseparable, proposed.right, pairs.size(), p.lower, p.upper, proposed.wrong,
+      random.right, r.lower, r.upper, random.wrong);
   writeFile("build/bench/gap-next.md", text + rows);
   json share = figure("decided_share", p.value, "1", "higher");
   share["target"] = 25.0 / 30;
@@ -87,7 +89,7 @@ void write(const std::vector<Pair>& pairs, std::uint64_t seed) {
 }  // namespace
 
 int main() try {
-  const std::uint64_t seed = environment("SEED", 1);
+  const std::uint64_t seed = environment("SEED", 2);
   const auto count = std::clamp<std::uint64_t>(environment("PAIRS", 30), 1, 1000);
   const auto jobs = static_cast<int>(std::clamp<std::uint64_t>(environment("JOBS", 1), 1, 256));
   const std::string folder = "build/bench/gap-next-" + std::to_string(seed);

@@ -1,12 +1,12 @@
 // What a diagnosis is worth to the next walk: NAOs in Bullet that have one or two things that the model lacks
 // are recorded hung up, diagnosed by bin/gap, and walked with a walk that bin/optimizewalk trained on a model
 // with what was found, beside the walk that the same search found on the nominal model. Environment: ROBOTS
-// [10], SEED [1], JOBS; GENERATIONS [8], POPULATION [10], TRIES [4], SECONDS [4] of each search, MEASURED
-// [40] tries of each walk in the end. What is done is kept in build/bench/gap-train-SEED/: a bench that was
+// [10], SEED [1], JOBS; GENERATIONS [25], POPULATION [12], TRIES [6], SECONDS [6] of each search, MEASURED
+// [24] tries of each walk in the end. What is done is kept in build/bench/gap-train-SEED/: a bench that was
 // stopped goes on; remove the folder after a change of diagnosis or walk. Writes build/bench/gap-train.json
 // and .md.
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -47,7 +47,7 @@ json figure(const char* name, double value, const char* unit, const char* better
 void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, double onNominal) {
   std::vector<double> without, with, gain, lostWithout, lostWith;
   std::size_t better = 0, worse = 0;
-  double recovered = 0, lost = 0, cpu = 0;
+  double recovered = 0, lost = 0;
   std::string rows;
   for (const TrainedRobot& r : robots) {
     without.push_back(r.without.speed);
@@ -57,7 +57,6 @@ void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, dou
     lostWith.push_back(1 - r.with.speed / onNominal);
     recovered += r.with.speed - r.without.speed;
     lost += onNominal - r.without.speed;
-    cpu += (r.diagnosisSeconds + r.trainingSeconds) / static_cast<double>(robots.size());
     const auto [lower, upper] = bootstrapInterval(r.differences, mean, 2000);
     better += lower > 0;
     worse += upper < 0;
@@ -75,40 +74,46 @@ void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, dou
   const auto [lower, upper] = bootstrapInterval(gain, mean, 2000);
   const auto [lostLow, lostHigh] = bootstrapInterval(lostWithout, mean, 2000);
   const auto [lostWithLow, lostWithHigh] = bootstrapInterval(lostWith, mean, 2000);
-  char text[3600];
-  std::snprintf(
-      text, sizeof text,
-      "%zu NAOs in Bullet, seed %llu, each with one or two things that the model lacks, drawn as those of "
-      "sealed sets "
-      "among those that change a walk: the walk trained on the nominal model loses %.0f to %.0f %% of its "
-      "speed on each. "
-      "Each is recorded hung up (`hang_sweep`, `hang_fast`, in Bullet, with sensor noise) and diagnosed by "
-      "`bin/gap diagnose --method sets`, whose own dynamics are not Bullet's. "
-      "`bin/optimizewalk` then searches a walk forward on the model with what was found (where the verdict "
-      "is unknown, "
-      "with the nearest explanation), with the very search that found the walk without: from the walk of "
-      "`config/robots/nao_v5`, %llu generations of %llu, %llu tries of %llu s. Both walk on the robot "
-      "itself, %llu "
-      "tries each with seeds that no search saw.\n\n"
-      "On the nominal robot the walk goes %s cm/s. On the true robots it loses %.0f %% of that (95 %%: %.0f "
-      "to %.0f); "
-      "the walks trained with what was found lose **%.0f %%** (%.0f to %.0f). Mean gain %+.1f cm/s (95 %% "
-      "over robots: "
-      "%+.1f to %+.1f), %.0f %% of what was lost; surely faster on %zu robots, surely slower on %zu. "
-      "Diagnosis and "
-      "training of one robot: %.0f s of CPU.\n\n"
+  const auto number = [](std::uint64_t x) { return std::to_string(x); };
+  const auto range = [&](const char* format, double low, double high) {
+    // Of one or two robots there is no interval over robots.
+    char shown[64] = "";
+    if (robots.size() > 2) std::snprintf(shown, sizeof shown, format, 100 * low, 100 * high);
+    return std::string(shown);
+  };
+  const auto percent = [](double x) { return std::to_string(std::lround(100 * x)) + " %"; };
+  const std::string text =
+      "Robots measured: " + number(robots.size()) + " (seed " + number(setup.seed) +
+      "), NAOs in Bullet that have one or two things that the model lacks, drawn as those of sealed sets and "
+      "made stronger "
+      "until the walk trained on the nominal model loses " +
+      percent(leastLoss) + " to " + percent(mostLoss) +
+      " of its speed. Each is recorded hung up (`hang_sweep`, `hang_fast`, in Bullet, with sensor noise) and "
+      "diagnosed by "
+      "`bin/gap diagnose --method sets`, whose own dynamics are not Bullet's. `bin/optimizewalk` then "
+      "searches a walk "
+      "forward on the model with what was found (where the verdict is unknown, with the nearest "
+      "explanation), with the very "
+      "search that found the walk without: from the walk of `config/robots/nao_v5`, " +
+      number(setup.generations) + " generations of " + number(setup.population) + ", " + number(setup.tries) +
+      " tries of " + number(setup.seconds) + " s. Both walk on the robot itself, " + number(setup.measured) +
+      " tries each with seeds that no search saw.\n\n"
+      "On the nominal robot the walk trained without goes " +
+      centimetres(onNominal) +
+      " cm/s. On the robots themselves it "
+      "loses " +
+      percent(mean(lostWithout)) + range(" (95 %%: %.0f to %.0f)", lostLow, lostHigh) +
+      " of that; the walks trained with what was found lose **" + percent(mean(lostWith)) + "**" +
+      range(" (95 %%: %.0f to %.0f)", lostWithLow, lostWithHigh) + ". Mean gain " + centimetres(mean(gain)) +
+      " cm/s" + range(" (95 %% over robots: %+.1f to %+.1f)", lower, upper) + ", " +
+      percent(lost > 0 ? recovered / lost : 0) + " of what was lost. Surely faster: " + number(better) +
+      ", surely slower: " + number(worse) +
+      ".\n\n"
       "Speeds are means in cm/s, 0 from a fall on; in brackets the share of tries with a fall, and of the "
-      "gain its 95 %% "
+      "gain its 95 % "
       "interval (bootstrap over tries).\n\n"
       "| in the robot | verdict | found, and trained with | trained without | trained with | gain |\n"
-      "|---|---|---|---|---|---|\n",
-      robots.size(), static_cast<unsigned long long>(setup.seed), 100 * leastLoss, 100 * mostLoss,
-      static_cast<unsigned long long>(setup.generations), static_cast<unsigned long long>(setup.population),
-      static_cast<unsigned long long>(setup.tries), static_cast<unsigned long long>(setup.seconds),
-      static_cast<unsigned long long>(setup.measured), centimetres(onNominal).c_str(),
-      100 * mean(lostWithout), 100 * lostLow, 100 * lostHigh, 100 * mean(lostWith), 100 * lostWithLow,
-      100 * lostWithHigh, 100 * mean(gain), 100 * lower, 100 * upper, lost > 0 ? 100 * recovered / lost : 0,
-      better, worse, cpu);
+      "|---|---|---|---|---|---|\n";
   writeFile("build/bench/gap-train.md", text + rows);
   const json figures = {figure("robots", static_cast<double>(robots.size()), "1", "higher"),
                         figure("speed_without", mean(without), "m/s", "higher"),
@@ -129,10 +134,10 @@ int main() try {
   setup.seed = environment("SEED", 1);
   const auto count = std::clamp<std::uint64_t>(environment("ROBOTS", 10), 1, 100);
   setup.jobs = std::clamp<std::uint64_t>(environment("JOBS", std::thread::hardware_concurrency()), 1, 256);
-  setup.generations = environment("GENERATIONS", 8);
-  setup.population = environment("POPULATION", 10);
-  setup.tries = environment("TRIES", 4);
-  setup.seconds = environment("SECONDS", 4);
+  setup.generations = environment("GENERATIONS", 25);
+  setup.population = environment("POPULATION", 12);
+  setup.tries = environment("TRIES", 6);
+  setup.seconds = environment("SECONDS", 6);
   setup.measured = std::clamp<std::uint64_t>(environment("MEASURED", 24), 4, 10000);
   setup.folder = "build/bench/gap-train-" + std::to_string(setup.seed);
   fs::create_directories(setup.folder);

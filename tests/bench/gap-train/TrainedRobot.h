@@ -14,7 +14,7 @@ namespace plumbline::bench {
 inline constexpr double leastLoss = 0.1, mostLoss = 0.9;
 
 struct TrainSetup {
-  std::uint64_t seed = 1, jobs = 1, generations = 8, population = 10, tries = 4, seconds = 4, measured = 24;
+  std::uint64_t seed = 1, jobs = 1, generations = 25, population = 12, tries = 6, seconds = 6, measured = 24;
   std::string folder;
 };
 
