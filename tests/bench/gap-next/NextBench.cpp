@@ -59,7 +59,7 @@ void write(const std::vector<Pair>& pairs, std::uint64_t seed) {
       "1, log odds below "
       "%.0f). %zu draws were needed. The two explanations, as fitted, go to `bin/gap next`; its "
       "motion is played on "
-      "the same robot with `bin/gap record`, and both are fitted to both recordings. Decided: odds "
+      "the same robot with the library's recorder, and both are fitted to both recordings. Decided: odds "
       "of more than %.0f to 1 "
       "for what is in the robot. Of %zu pairs more `bin/gap next` said itself that no motion tells "
       "them apart (as of a servo's "
