@@ -88,8 +88,9 @@ TEST_F(KeyframeReaderTest, readsAKickAndItsMirrorImage) {
 }
 
 TEST_F(KeyframeReaderTest, readsHowAKickScattersInGames) {
-  const KeyframeMotion motion =
-      read("kick: {distance: 9, scatter: 4.5, spread: 1.2, rise: 0.6}\nkeyframes: [{time: 1, HeadYaw: 1}]\n");
+  const KeyframeMotion motion = read(
+      "ball: [0.2, -0.06]\nballReach: [0.02, 0.02]\n"
+      "kick: {distance: 9, scatter: 4.5, spread: 1.2, rise: 0.6}\nkeyframes: [{time: 1, HeadYaw: 1}]\n");
   ASSERT_TRUE(motion.kick);
   EXPECT_DOUBLE_EQ(motion.kick->scatter, fromDegrees(4.5));
   EXPECT_DOUBLE_EQ(motion.kick->spread, 1.2);

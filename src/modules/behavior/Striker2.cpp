@@ -70,6 +70,12 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
   output.clear();
   output.active = true;
   output.skill = Skill::stand;
+  // Others' behaviours stand before this one; what theirs is need not be worked out.
+  if (thePlayerRole && thePlayerRole->members > 1 &&
+      (thePlayerRole->supports() || thePlayerRole->role == PlayerRole::goalie)) {
+    action_ = {};
+    return;
+  }
   if (theGameState->playMode == PlayMode::gameOver || theGameState->playMode == PlayMode::unknown) return;
 
   const Pose2& robot = theRobotPose->pose;

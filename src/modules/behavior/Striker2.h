@@ -3,6 +3,7 @@
 
 #include "framework/Module.h"
 #include "modules/behavior/striker/ActionChoice.h"
+#include "representations/behavior/PlayerRole.h"
 #include "representations/behavior/StrikerOutput.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/GameState.h"
@@ -20,6 +21,7 @@ MODULE(Striker2)
   REQUIRES(FieldDimensions)
   REQUIRES(SkillKickParameters)
   REQUIRES_IF_PROVIDED(OtherRobots)
+  REQUIRES_IF_PROVIDED(PlayerRole)
   PROVIDES(StrikerOutput)
   PARAMETER(bool, kickAllowed, true, "", Range(), "false: the robot only dribbles")
   PARAMETER(double, ballMaxAge, 3, "s", Range(0.1, 60), "a ball that was not seen for longer is searched")

@@ -85,6 +85,7 @@ TEST_F(ActionChoiceTest, anOpponentBesideTheWayStepsIntoIt) {
 TEST_F(ActionChoiceTest, aBallOffTheFieldIsTheirs) {
   situation.ball = {0, 9};
   situation.robot = Pose2(0, 8, pi / 2);
+  parameters.widest = 2.5;
   const StrikerAction out = judge(Kind::kick, pi / 2);
   EXPECT_NEAR(out.end.y(), 10, 1e-12);
   EXPECT_NEAR(out.value, -0.2, 5e-3);
@@ -169,10 +170,9 @@ TEST_F(ActionChoiceTest, aloneWhatCountsIsWhenTheGoalFalls) {
   situation.ball = {5, 0};
   situation.robot = Pose2(4.5, 0, 0);
   situation.kicks = {{.reach = 4, .spread = 0.5, .scatter = 0.1}, {.reach = 9, .spread = 1, .scatter = 0.3}};
-  // The long kick would go in one time in four and else cost a goal kick.
+  // The long kick ends aside of the goal as often as before it.
   EXPECT_EQ(choose().reach, 4);
   situation.kicks[1].scatter = 0.03;
-  EXPECT_EQ(choose().reach, 4) << "9 m do not reach the line for sure";
   situation.ball = {7, 0};
   situation.robot = Pose2(6.5, 0, 0);
   EXPECT_EQ(choose().reach, 9);
@@ -207,7 +207,7 @@ TEST_P(SituationTest, isDecidedAsExpected) {
   const ConfigSection expected = root.section("expected");
   const std::size_t action = expected.choice("action", {"any", "kick", "dribble"});
   const Vec2 direction = expected.get<Vec2>("direction", {-pi, pi});
-  const Vec2 reach = expected.get<Vec2>("reach", Vec2(0, 100));
+  const Vec2 reach = expected.find<Vec2>("reach").value_or(Vec2(0, 100));
 
   const ConfigFile table("config/field_value.yaml");
   const StrikerAction chosen =

@@ -31,9 +31,9 @@ TEST(RuleRegistry, rulesComeInTheOrderOfTheirNumbers) {
   std::vector<std::string> names;
   for (const RuleEntry& rule : registeredRules()) names.push_back(rule.name);
   EXPECT_EQ(names,
-            (std::vector<std::string>{"halfTime", "kickOff", "passMode", "doubleTouch", "goals", "ballOut",
-                                      "restart", "charging", "selfCollision", "crowding", "illegalDefence",
-                                      "noFlying", "incapable", "touching", "penalty"}));
+            (std::vector<std::string>{"halfTime", "kickOff", "startPlace", "passMode", "doubleTouch", "goals",
+                                      "ballOut", "restart", "charging", "selfCollision", "crowding",
+                                      "illegalDefence", "noFlying", "incapable", "touching", "penalty"}));
 }
 
 TEST(RuleRegistry, parametersAreCopiedAndComparedWithTheRules) {

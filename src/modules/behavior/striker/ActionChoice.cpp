@@ -83,14 +83,18 @@ public:
         play_(play),
         time_(time),
         parameters_(parameters),
-        fan_(courses, situation, play, parameters) {}
+        fan_(courses, situation, play, parameters) {
+    const Vec2 way = situation.ball - situation.robot.position;
+    if (way.norm() > 1e-6) ahead_ = way.normalized();
+    toBall_ = timeToBall(situation.robot, false, situation.ball, situation.ball + ahead_, time);
+  }
 
   const Fan& fan() const { return fan_; }
 
   StrikerAction action(int i) const {
     const double direction = fan_.direction(i);
     const Vec2 to(std::cos(direction), std::sin(direction));
-    double seconds = timeToBall(situation_.robot, false, situation_.ball, situation_.ball + to, time_);
+    double seconds = toBall_ + 0.5 * time_.wrongSide * (1 - ahead_.dot(to));
     seconds += play_.dribbled ? fan_.way(i) / parameters_.dribbleSpeed / 2  // it can be lost half-way
                               : parameters_.kickSeconds;
     const double first = 1 / (1 + std::exp((seconds - courses_.opponentSeconds()) / parameters_.timeSpread));
@@ -125,6 +129,8 @@ private:
   const TimeToBallParameters& time_;
   const ActionChoiceParameters& parameters_;
   Fan fan_;
+  Vec2 ahead_ = Vec2::UnitX();  ///< from the robot to the ball
+  double toBall_ = 0;           ///< until it is there, without the way round the ball [s]
 };
 
 std::vector<BallPlay> playsOf(const StrikerSituation& situation, const ActionChoiceParameters& parameters) {

@@ -15,7 +15,7 @@ struct ActionChoiceParameters {
   PARAMETER(int, directions, 105, "", Range(24, 720),
             "directions all round that are compared, of each action")
   PARAMETER(double, widest, 2.0, "rad", Range(0.1, 3.1), "the outermost ones, off the direction of the goal")
-  PARAMETER(double, kickSeconds, 1.5, "s", Range(0, 20),
+  PARAMETER(double, kickSeconds, 2, "s", Range(0, 20),
             "to stand exactly behind the ball and kick it, once the robot is there")
   PARAMETER(double, dribbleWay, 1.5, "m", Range(0.1, 10), "how far ahead a dribble is judged")
   PARAMETER(double, dribbleSpeed, 0.5, "m/s", Range(0.05, 3), "of the ball while it is dribbled")

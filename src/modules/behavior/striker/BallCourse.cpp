@@ -12,6 +12,7 @@ constexpr double aloneSpeed = 0.65;   ///< of a robot alone with the ball toward
 constexpr double narrowSeconds = 10;  ///< that a goal seen from its line costs more
 constexpr double wideOpening = 0.3;   ///< angle between the posts from which on it costs nothing [rad]
 constexpr double aloneRestart = 15;   ///< until a ball that went out is laid down and in play [s]
+constexpr double longestStep = 2;     ///< for which an opponent comes nearer to the ball's way [s]
 constexpr double shortest = 0.05;     ///< way of a ball [m]
 constexpr double flies = 0.6;         ///< share of its way over which a kick flies
 constexpr double riseSpread = 0.35;   ///< standard deviation of a kick's height, share of it
@@ -51,12 +52,16 @@ double BallCourses::worthOfOut(const Vec2& end, bool overTheirLine) const {
 }
 
 double BallCourses::firstArrival(bool mates, const Vec2& place) const {
-  double first = farAway;
-  for (const OtherRobot& robot : situation_.others)
-    if (robot.mate == mates)
-      first = std::min(first,
-                       (robot.position - place).norm() / time_.walkSpeed + (robot.fallen ? time_.getUp : 0));
-  return first;
+  double nearest = farAway * farAway, first = farAway;
+  for (const OtherRobot& robot : situation_.others) {
+    if (robot.mate != mates) continue;
+    const double squared = (robot.position - place).squaredNorm();
+    if (robot.fallen)
+      first = std::min(first, std::sqrt(squared) / time_.walkSpeed + time_.getUp);
+    else
+      nearest = std::min(nearest, squared);
+  }
+  return std::min(first, std::sqrt(nearest) / time_.walkSpeed);
 }
 
 double BallCourses::opponentAtBall() const {
@@ -65,9 +70,12 @@ double BallCourses::opponentAtBall() const {
   for (const OtherRobot& robot : situation_.others) {
     if (robot.mate) continue;
     const Vec2 way = situation_.ball - robot.position;
-    // It faces the ball; from the side of its own goal it plays the ball at once, else it has to go round.
+    // It faces the ball. From the side of its own goal it plays the ball at once; else it goes round it, or
+    // pushes it aside: half of either.
     const Pose2 facing(robot.position, std::atan2(way.y(), way.x()));
-    first = std::min(first, timeToBall(facing, robot.fallen, situation_.ball, ownGoal, time_));
+    const double round = timeToBall(facing, robot.fallen, situation_.ball, ownGoal, time_);
+    const double straight = way.norm() / time_.walkSpeed + (robot.fallen ? time_.getUp : 0);
+    first = std::min(first, (round + straight) / 2);
   }
   return first;
 }
@@ -87,9 +95,10 @@ double BallCourses::freeWay(const Vec2& direction, double reach) const {
     const double along = to.dot(direction);
     if (along <= 0 || along >= way) continue;
     const double aside = std::abs(to.x() * direction.y() - to.y() * direction.x());
-    const double steps =
-        robot.mate ? 0 : parameters_.blockSpeed * std::min(rollingSeconds(along, reach), 2.0);
-    if (aside < parameters_.blockWidth + steps) way = along;
+    const double most = robot.mate ? 0 : parameters_.blockSpeed;  // a step aside, for each second
+    if (aside > parameters_.blockWidth + most * longestStep) continue;
+    if (aside < parameters_.blockWidth + most * std::min(rollingSeconds(along, reach), longestStep))
+      way = along;
   }
   return way;
 }
