@@ -9,5 +9,6 @@ for seed in 1 2 3; do
   done
   # A line per second of the game, with time, places and what the robot does.
   lines=$(grep -cE '^ *[0-9]+ s  robot \( *-?[0-9.]+, *-?[0-9.]+\) +-?[0-9]+ deg  ball \( *-?[0-9.]+, *-?[0-9.]+\)  [A-Za-z_]+ ' "$scratch/out")
-  ((lines >= 20)) || fail "only $lines lines for seed $seed"
+  seconds=$(value "$scratch/$seed/summary.json" goal_time_s)
+  ((lines >= ${seconds%.*})) || fail "only $lines lines for the $seconds s of seed $seed"
 done

@@ -47,8 +47,8 @@ expectError 2 'rdb: plot VALUE [WINDOW [COUNT [SECONDS]]]: the picture is drawn 
 rdb --exec 'plot r:BallPos.relative.x ball 30 0.5' --exec 'plot r:BallPos.relative.y ball 30' --png "$scratch/ball.png" > "$scratch/plot.txt"
 grep -q '^representation:BallPos.relative.y *\[.*[▁▂▃▄▅▆▇█]' "$scratch/plot.txt" || fail "no sparkline"
 expectEqual "$(head -c 4 "$scratch/ball.png" | tail -c 3)" PNG 'format of the picture'
-printf '# a script\nset r:BallPos.age 7\nsleep 0.1\nget r:BallPos.age\nunset r:BallPos.age\nget r:Nothing\n' > "$scratch/script"
-expectError 2 "rdb: $scratch/script:6: nothing is called representation:Nothing; did you mean \"representation:BallPos\"?" \
+printf '# a script\nset r:BallPos.age 7\nsleep 0.1\nget r:BallPos.age\nunset r:BallPos.age\nget r:BallPox\n' > "$scratch/script"
+expectError 2 "rdb: $scratch/script:6: nothing is called representation:BallPox; did you mean \"representation:BallPos\"?" \
   bash -c "'$bin/rdb' 127.0.0.1:$debugPort --script '$scratch/script' > '$scratch/script.out'"
 expectEqual "$(cat "$scratch/script.out")" 'representation:BallPos.age 7.000000' 'output of the script'
 expectError 2 'rdb: cannot connect to 127.0.0.1:1: Connection refused; was the agent started with --debug?' "$bin/rdb" 127.0.0.1:1 --exec help

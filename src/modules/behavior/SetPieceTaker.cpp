@@ -68,6 +68,7 @@ void SetPieceTaker::update(SetPieceOutput* theSetPieceOutput) {
   if (!piece->kick.empty()) {
     chosen_ = chooseKick(*piece);
     output.skill = Skill::kick;
+    output.tolerance = tolerance;
     output.target = Pose2(chosen_->at(ball, theFieldDimensions->length / 2));
     return;
   }

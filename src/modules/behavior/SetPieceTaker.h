@@ -24,6 +24,7 @@ MODULE(SetPieceTaker)
   PARAMETER(double, enough, 3, "m", Range(0.1, 20), "an opponent farther from the ball's way does not matter")
   PARAMETER(double, reception, 0.4, "", Range(0, 5),
             "what a metre between the ball's end and the next mate costs, in metres of free way")
+  PARAMETER(double, tolerance, 0.15, "rad", Range(0.01, 1), "a kick may go so far aside, to either side")
   PARAMETER(double, stays, 0.5, "m", Range(0, 10),
             "by so much another kick must be better to be taken instead")
 END_MODULE

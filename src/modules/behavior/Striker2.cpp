@@ -46,6 +46,7 @@ StrikerSituation Striker2::situation() const {
   situation.goalHeight = theFieldDimensions->goalHeight;
   situation.ballRadius = theFieldDimensions->ballRadius;
   if (theOtherRobots) situation.others = theOtherRobots->robots;
+  situation.opponentSpeed = theOppInfo ? theOppInfo->walkSpeed : time.walkSpeed;
   return situation;
 }
 

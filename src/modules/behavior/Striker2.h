@@ -8,6 +8,7 @@
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/GameState.h"
 #include "representations/modeling/BallPos.h"
+#include "representations/modeling/OppInfo.h"
 #include "representations/modeling/OtherRobots.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/skills/SkillKickParameters.h"
@@ -21,6 +22,7 @@ MODULE(Striker2)
   REQUIRES(FieldDimensions)
   REQUIRES(SkillKickParameters)
   REQUIRES_IF_PROVIDED(OtherRobots)
+  REQUIRES_IF_PROVIDED(OppInfo)
   REQUIRES_IF_PROVIDED(PlayerRole)
   PROVIDES(StrikerOutput)
   PARAMETER(bool, kickAllowed, true, "", Range(), "false: the robot only dribbles")

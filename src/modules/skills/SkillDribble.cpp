@@ -22,9 +22,10 @@ void SkillDribble::update(SkillDribbleOutput* theSkillDribbleOutput) {
   const Vec2 ball = Eigen::Rotation2Dd(-direction) * theBallPos->relative;
   const double lateral = std::abs(ball.y());
   const double heading = std::abs(direction);
-  pushing_ = ball.x() > 0 && ball.x() < reach &&
-             (pushing_ ? lateral < stopLateral && heading < stopHeading
-                       : lateral < startLateral && heading < startHeading);
+  const bool pressed = theOtherRobots && theOtherRobots->nearestOpponent(theBallPos->field) < pressedDistance;
+  const double most = pushing_ ? stopLateral : pressed ? pressedLateral : startLateral;
+  const double off = pushing_ ? stopHeading : pressed ? pressedHeading : startHeading;
+  pushing_ = ball.x() > 0 && ball.x() < reach && lateral < most && heading < off;
   if (!pushing_) return;
   output.motion = Motion::walk;
   output.walkVelocity = limitVelocity(

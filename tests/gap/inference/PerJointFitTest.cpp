@@ -12,7 +12,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double noise = 5e-4;
+constexpr double readingNoise = 5e-4;
 
 /// Three recordings of different motions with the causes in.
 std::vector<Trial> threeMotions(const Explanation& causes) {
@@ -21,7 +21,7 @@ std::vector<Trial> threeMotions(const Explanation& causes) {
   for (const double size : {0.5, 0.35, 0.2}) {
     Trial trial = armTrial(arm, 4, size);
     trial.recording = trial.name = "run" + std::to_string(trials.size());
-    trials.push_back(recorded(plantOf(arm, causes), trial, noise, 3 + trials.size()));
+    trials.push_back(recorded(plantOf(arm, causes), trial, readingNoise, 3 + trials.size()));
   }
   return trials;
 }

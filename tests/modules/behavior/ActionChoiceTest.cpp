@@ -67,6 +67,13 @@ TEST_F(ActionChoiceTest, aKickThatComesTooLateIsALostBall) {
   EXPECT_GT(judge(Kind::dribble, 0).value, judge(Kind::kick, 0).value);
 }
 
+TEST_F(ActionChoiceTest, fastOpponentsAreThereSooner) {
+  add(false, {4, 0});
+  const double before = judge(Kind::kick, 0).value;
+  situation.opponentSpeed = 1.6;
+  EXPECT_LT(judge(Kind::kick, 0).value, before - 0.05);
+}
+
 TEST_F(ActionChoiceTest, theBallRollsAsFarAsTheFirstInItsWay) {
   add(false, {2, 0.2});
   EXPECT_NEAR(judge(Kind::kick, 0).end.x(), 2, 1e-12);

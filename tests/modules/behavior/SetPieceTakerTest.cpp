@@ -38,6 +38,12 @@ TEST_F(SetPieceTakerTest, kicksWhereTheMateIs) {
   EXPECT_TRUE(output().active);
   EXPECT_EQ(output().skill, Skill::kick);
   EXPECT_EQ(output().target.position, Vec2(1.5, 5.5));
+  EXPECT_GT(output().tolerance, 0.05) << "it need not be exact";
+}
+
+TEST_F(SetPieceTakerTest, theKickOffIsTheStrikers) {
+  harness.input<GameState>().playMode = PlayMode::kickOffOwn;
+  EXPECT_FALSE(output().active);
 }
 
 TEST_F(SetPieceTakerTest, kicksAroundAnOpponent) {

@@ -260,6 +260,15 @@ TEST_F(DribbleTest, breaksOffLaterThanItBegins) {
   EXPECT_FALSE(pushes({0.2, 0.2}));
 }
 
+TEST_F(DribbleTest, pushesAtOnceWhereAnOpponentIsNear) {
+  OtherRobot& opponent = harness.input<OtherRobots>().robots.emplace_back();
+  opponent.position = {3, 0};
+  EXPECT_FALSE(pushes({0.2, 0.1})) << "nobody is near";
+  opponent.position = {0.6, 0.1};
+  EXPECT_TRUE(pushes({0.2, 0.1}));
+  EXPECT_FALSE(pushes({0.2, 0.2})) << "beside the robot";
+}
+
 /// A skill that no file of the project names.
 REPRESENTATION_OF(SkillPassOutput, SkillOutput)
 class SkillPassOutput : public SkillPassOutputBase {

@@ -52,6 +52,7 @@ struct StrikerSituation {
   std::vector<StrikerKick> kicks;
   double halfLength = 15, halfWidth = 10, goalHalfWidth = 1.05, goalHeight = 0.8, ballRadius = 0.042;
   std::vector<OtherRobot> others;
+  double opponentSpeed = 0.8;  ///< of opponents on their way to the ball [m/s]
   Vec2 goal() const { return {halfLength, 0}; }
 };
 

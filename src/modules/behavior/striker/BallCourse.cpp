@@ -52,20 +52,23 @@ double BallCourses::worthOfOut(const Vec2& end, bool overTheirLine) const {
 }
 
 double BallCourses::firstArrival(bool mates, const Vec2& place) const {
+  const double speed = mates ? time_.walkSpeed : situation_.opponentSpeed;
   double nearest = farAway * farAway, first = farAway;
   for (const OtherRobot& robot : situation_.others) {
     if (robot.mate != mates) continue;
     const double squared = (robot.position - place).squaredNorm();
     if (robot.fallen)
-      first = std::min(first, std::sqrt(squared) / time_.walkSpeed + time_.getUp);
+      first = std::min(first, std::sqrt(squared) / speed + time_.getUp);
     else
       nearest = std::min(nearest, squared);
   }
-  return std::min(first, std::sqrt(nearest) / time_.walkSpeed);
+  return std::min(first, std::sqrt(nearest) / speed);
 }
 
 double BallCourses::opponentAtBall() const {
   const Vec2 ownGoal(-situation_.halfLength, 0);
+  TimeToBallParameters theirs = time_;
+  theirs.walkSpeed = situation_.opponentSpeed;
   double first = farAway;
   for (const OtherRobot& robot : situation_.others) {
     if (robot.mate) continue;
@@ -73,8 +76,8 @@ double BallCourses::opponentAtBall() const {
     // It faces the ball. From the side of its own goal it plays the ball at once; else it goes round it, or
     // pushes it aside: half of either.
     const Pose2 facing(robot.position, std::atan2(way.y(), way.x()));
-    const double round = timeToBall(facing, robot.fallen, situation_.ball, ownGoal, time_);
-    const double straight = way.norm() / time_.walkSpeed + (robot.fallen ? time_.getUp : 0);
+    const double round = timeToBall(facing, robot.fallen, situation_.ball, ownGoal, theirs);
+    const double straight = way.norm() / theirs.walkSpeed + (robot.fallen ? theirs.getUp : 0);
     first = std::min(first, (round + straight) / 2);
   }
   return first;
