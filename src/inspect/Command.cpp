@@ -14,35 +14,25 @@ using Verb = Command::Verb;
 constexpr std::size_t maxTag = 40;
 
 constexpr std::array forms{
-    CommandForm{"get", "get NAME", Argument::value},
-    CommandForm{"watch", "watch NAME [every N | every SECONDSs]", Argument::value},
-    CommandForm{"unwatch", "unwatch [NAME]", Argument::watched},
-    CommandForm{"set", "set NAME VALUE", Argument::settable},
-    CommandForm{"setOnce", "setOnce NAME VALUE", Argument::settable},
-    CommandForm{"unset", "unset NAME", Argument::held},
-    CommandForm{"dr", "dr NAME [once | off]", Argument::block},
-    CommandForm{"list", "list [PREFIX]", Argument::name},
-    CommandForm{"complete", "complete [COMMAND] [PREFIX]", Argument::name},
-    CommandForm{"reset", "reset MODULE", Argument::module},
-    CommandForm{"reload", "reload FILE", Argument::file},
-    CommandForm{"providers", "providers [PREFIX]", Argument::representation},
-    CommandForm{"format", "format text|json", Argument::format},
-    CommandForm{"timing", "timing [PREFIX]", Argument::stopwatch},
-    CommandForm{"graph", "graph", Argument::nothing},
-    CommandForm{"about", "about [PREFIX]", Argument::parameter},
-    CommandForm{"commands", "commands", Argument::nothing},
-    CommandForm{"help", "help [COMMAND]", Argument::command},
+    CommandForm{"get", "get NAME", Argument::value, Verb::get, true},
+    CommandForm{"watch", "watch NAME [every N | every SECONDSs]", Argument::value, Verb::watch, true},
+    CommandForm{"unwatch", "unwatch [NAME]", Argument::watched, Verb::unwatch},
+    CommandForm{"set", "set NAME VALUE", Argument::settable, Verb::set, true},
+    CommandForm{"setOnce", "setOnce NAME VALUE", Argument::settable, Verb::setOnce, true},
+    CommandForm{"unset", "unset NAME", Argument::held, Verb::unset, true},
+    CommandForm{"dr", "dr NAME [once | off]", Argument::block, Verb::run, true},
+    CommandForm{"list", "list [PREFIX]", Argument::name, Verb::list},
+    CommandForm{"complete", "complete [COMMAND] [PREFIX]", Argument::name, Verb::complete},
+    CommandForm{"reset", "reset MODULE", Argument::module, Verb::run, true},
+    CommandForm{"reload", "reload FILE", Argument::file, Verb::run, true},
+    CommandForm{"providers", "providers [PREFIX]", Argument::representation, Verb::providers},
+    CommandForm{"format", "format text|json", Argument::format, Verb::format, true},
+    CommandForm{"timing", "timing [PREFIX]", Argument::stopwatch, Verb::timing},
+    CommandForm{"graph", "graph", Argument::nothing, Verb::graph},
+    CommandForm{"about", "about [PREFIX]", Argument::parameter, Verb::about},
+    CommandForm{"commands", "commands", Argument::nothing, Verb::commands},
+    CommandForm{"help", "help [COMMAND]", Argument::command, Verb::help},
 };
-/// What each of them is, in the same order.
-constexpr std::array verbs{Verb::get,   Verb::watch,     Verb::unwatch, Verb::set,      Verb::setOnce,
-                           Verb::unset, Verb::run,       Verb::list,    Verb::complete, Verb::run,
-                           Verb::run,   Verb::providers, Verb::format,  Verb::timing,   Verb::graph,
-                           Verb::about, Verb::commands,  Verb::help};
-static_assert(verbs.size() == forms.size());
-
-bool needsName(const CommandForm& form) {
-  return form.argument != Argument::nothing && form.usage.find(" [") != form.word.size();
-}
 
 std::string_view trimmed(std::string_view text) {
   const auto isSpace = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -134,7 +124,7 @@ Command parseCommand(std::string_view line) {
         "no command " + inQuotes(verb) + suggestion(verb.substr(0, 60), words) + " (help lists them)";
     return command;
   }
-  command.verb = verbs[static_cast<std::size_t>(found - forms.data())];
+  command.verb = found->verb;
   if (command.verb == Verb::complete) {
     command.name = line;
     return command;
@@ -144,7 +134,7 @@ Command parseCommand(std::string_view line) {
     command.error = std::string(verb) + " has nothing behind it";
     return command;
   }
-  if (command.name.empty() && needsName(*found)) {
+  if (command.name.empty() && found->needsName) {
     command.error = std::string(found->usage) + ": the name is missing";
     return command;
   }

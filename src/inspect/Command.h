@@ -63,6 +63,8 @@ enum class Argument {
 struct CommandForm {
   std::string_view word, usage;
   Argument argument;
+  Command::Verb verb;
+  bool needsName = false;  ///< what stands behind it may not be left out
 };
 std::span<const CommandForm> commandForms();
 

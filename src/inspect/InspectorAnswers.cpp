@@ -140,7 +140,7 @@ void Inspector::value(std::uint64_t number, Pending& pending, const std::string&
   } else {
     sent = line(pending.client, pending.tag, pending.target.name + ' ' + treeText(*part), !once);
   }
-  // What nobody reads costs the agent's threads nothing.
+  // What nobody reads costs the agent's threads little.
   if (!sent && pending.reads) pending.reads->pause(slowPause);
   if (!once) return;
   finish(pending.client, pending.tag);

@@ -21,6 +21,20 @@ struct SearchSpace {
   static SearchSpace box(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
   /// No bounds, the same sigma everywhere.
   static SearchSpace around(const Eigen::VectorXd& start, double sigma);
+  /// Of a list of parameters that each have start, sigma, lower and upper.
+  template <typename List>
+  static SearchSpace of(const List& parameters) {
+    const auto n = static_cast<Eigen::Index>(parameters.size());
+    SearchSpace space{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+    Eigen::Index i = 0;
+    for (const auto& one : parameters) {
+      space.start[i] = one.start;
+      space.sigma[i] = one.sigma;
+      space.lower[i] = one.lower;
+      space.upper[i++] = one.upper;
+    }
+    return space;
+  }
 };
 
 /// When to stop; isDone() and stopReason() tell.

@@ -85,18 +85,7 @@ std::string Study::mark() const {
   return text;
 }
 
-SearchSpace Study::space() const {
-  const auto n = static_cast<Eigen::Index>(parameters.size());
-  SearchSpace space{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const TaskParameter& one = parameters[static_cast<std::size_t>(i)];
-    space.start[i] = one.start;
-    space.sigma[i] = one.sigma;
-    space.lower[i] = one.lower;
-    space.upper[i] = one.upper;
-  }
-  return space;
-}
+SearchSpace Study::space() const { return SearchSpace::of(parameters); }
 
 Search Study::makeSearch() const {
   return {makeOptimizer(optimizer, space(), search), averaging, search.seed};

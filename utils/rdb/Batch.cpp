@@ -8,7 +8,6 @@
 
 #include <langinfo.h>
 
-#include <charconv>
 #include <cstring>
 
 namespace plumbline::rdb {
@@ -50,22 +49,14 @@ void Batch::run(const std::string& typed, const std::string& place) {
   const std::string line = session_.expand(typed);
   const auto words = wordsOf(line);
   if (words.empty()) return;
-  if (words[0] == "sleep") {
-    double seconds = 0;
-    const std::string text = words.size() == 2 ? words[1] : "";
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), seconds);
-    if (text.empty() || read.ec != std::errc{} || read.ptr != text.data() + text.size() ||
-        !(seconds >= 0 && seconds <= 86400))
-      throw std::runtime_error(place + "sleep SECONDS, up to 86400");
-    return receiveFor(seconds);
-  }
-  if (words[0] == "plot") {
-    try {
+  try {
+    if (words[0] == "sleep") return receiveFor(sleepSeconds(words));
+    if (words[0] == "plot") {
       session_.plot(words, [this](const std::string& why) { error_ = why; });
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(place + error.what());
+      return;
     }
-    return;
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(place + error.what());
   }
   const bool lasts = words[0] == "watch" || (words[0] == "dr" && words.size() == 2);
   bool done = false;

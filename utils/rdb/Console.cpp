@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -272,14 +271,12 @@ void Console::goOn() {
       submit(command);
       continue;
     }
-    double seconds = -1;
-    const std::string text = words.size() == 2 ? words[1] : "";
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), seconds);
-    if (read.ptr != text.data() + text.size() || !(seconds >= 0 && seconds <= 86400)) {
+    try {
+      scriptWaits_ = clockSeconds() + sleepSeconds(words);
+    } catch (const std::runtime_error& error) {
       script_.clear();
-      return print("error: sleep SECONDS, up to 86400");
+      return print(std::string("error: ") + error.what());
     }
-    scriptWaits_ = clockSeconds() + seconds;
   }
 }
 

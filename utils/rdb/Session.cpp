@@ -13,6 +13,17 @@ std::vector<std::string> wordsOf(const std::string& line) {
   return words;
 }
 
+double sleepSeconds(const std::vector<std::string>& words) {
+  constexpr double longest = 86400;
+  const std::string text = words.size() == 2 ? words[1] : "";
+  double seconds = -1;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  if (read.ec != std::errc{} || read.ptr != text.data() + text.size() ||
+      !(seconds >= 0 && seconds <= longest))
+    throw std::runtime_error("sleep SECONDS, up to 86400");
+  return seconds;
+}
+
 int Session::ask(const std::string& command, Handler handler) {
   const int tag = ++tags_;
   open_[tag] = {command, std::move(handler), false};

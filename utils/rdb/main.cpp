@@ -43,8 +43,8 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--history", options.history, "file that keeps what was typed")->capture_default_str();
   app.footer(
       "Commands are the agent's (`help` lists them) and: plot VALUE [WINDOW [COUNT [SECONDS]]],\n"
-      "plot off [WINDOW],\n"
-      "png WINDOW FILE, run FILE, quit. On a display each plot has a window, too, by gnuplot-qt.\n"
+      "plot off [WINDOW], png WINDOW FILE, run FILE, quit.\n"
+      "On a display each plot has a window, too, by gnuplot-qt.\n"
       "Tab completes, Page Up shows what has gone by, Ctrl-C ends.\n"
       "Exit status with --exec and --script: 0, or 2 with the agent's error.\n"
       "Examples:\n"

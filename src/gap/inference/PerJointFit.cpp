@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "gap/inference/Density.h"
+#include "gap/inference/Strengths.h"
 
 namespace plumbline::gap {
 
@@ -16,15 +17,6 @@ namespace {
 constexpr double probe = 0.1;    // step of derivatives, in the least strength that a search starts from
 constexpr double longest = 20;   // step of a value, in the same
 constexpr double damped = 1e-2;  // at first, of the diagonal
-
-/// Per cause: the strength that is 1 in its coordinate.
-double unitOf(const Mechanism& robot, const Cause& cause) {
-  double least = HUGE_VAL;
-  for (const double start : cause.effect->starts)
-    least = std::min(least,
-                     std::abs(cause.effect->strengthOf(start * cause.effect->scaleAt(robot, cause.place))));
-  return least;
-}
 
 bool ofPosition(const Replayer& replayer, const Cell& cell) {
   return replayer.groups().trials()[cell.trial].signals[cell.signal].kind == SignalKind::position;
@@ -61,13 +53,12 @@ public:
       : replayer(replayer_),
         robot(replayer_.mechanism()),
         weights(weightsOf(replayer_)),
-        at(std::move(start)) {
-    const std::size_t base = at.causes.size() - at.parameters;
-    for (std::size_t i = base; i < at.causes.size(); ++i) {
+        at(std::move(start)),
+        first(at.causes.size() - at.parameters) {
+    for (std::size_t i = first; i < at.causes.size(); ++i) {
       motors[at.causes[i].place.index].causes.push_back(i);
-      units.push_back(unitOf(robot, at.causes[i]));
+      units.push_back(leastStart(robot, at.causes[i]));
     }
-    first = base;
     residuals = replayer.residuals(at.causes);
     costs = costsOf(residuals);
     at.left = total(costs);
@@ -88,14 +79,7 @@ private:
 
   /// The cause at a coordinate, held within its bounds.
   Cause moved(std::size_t i, double x) const {
-    Cause cause = at.causes[i];
-    const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
-    const double strength = x * units[i - first];
-    double value = cause.effect->valueAt(strength);
-    if (cause.effect->reciprocal && strength + 1 / cause.effect->nominal <= 1 / bounds.upper)
-      value = bounds.upper;
-    cause.value = std::clamp(value, bounds.lower, bounds.upper);
-    return cause;
+    return withStrength(robot, at.causes[i], x * units[i - first]);
   }
 
   /// Per motor: its position's share of the whole.
@@ -237,9 +221,9 @@ private:
   const Mechanism& robot;
   const std::vector<double> weights;
   PerJoint at;
+  const std::size_t first;  ///< the first parameter's place among the causes
   std::map<int, Motor> motors;
   std::vector<double> units;  ///< per parameter
-  std::size_t first = 0;      ///< the first parameter's place among the causes
   Residuals residuals;
   std::map<int, double> costs;
 };

@@ -10,15 +10,25 @@ namespace {
 /// Of the least start: below what doesNothing() asks for, so that a cause that has vanished is seen to.
 constexpr double nothing = 2e-5;
 
-double leastStrength(const Mechanism& robot, const Cause& cause) {
+}  // namespace
+
+double leastStart(const Mechanism& robot, const Cause& cause) {
   const double scale = cause.effect->scaleAt(robot, cause.place);
   double least = HUGE_VAL;
   for (const double start : cause.effect->starts)
     least = std::min(least, std::abs(cause.effect->strengthOf(start * scale)));
-  return nothing * least;
+  return least;
 }
 
-}  // namespace
+Cause withStrength(const Mechanism& robot, Cause cause, double strength) {
+  const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
+  // A reciprocal strength of minus the nominal one's would be an infinite value.
+  double value = cause.effect->valueAt(strength);
+  if (cause.effect->reciprocal && strength + 1 / cause.effect->nominal <= 1 / bounds.upper)
+    value = bounds.upper;
+  cause.value = std::clamp(value, bounds.lower, bounds.upper);
+  return cause;
+}
 
 Eigen::VectorXd logStrengths(const Explanation& causes) {
   Eigen::VectorXd x(static_cast<Eigen::Index>(causes.size()));
@@ -32,13 +42,9 @@ Explanation withLogStrengths(const Mechanism& robot, Explanation causes, const E
   for (std::size_t i = 0; i < causes.size(); ++i) {
     Cause& cause = causes[i];
     const double sign = cause.effect->strengthOf(cause.value) < 0 ? -1 : 1;
-    const double strength = std::max(leastStrength(robot, cause), std::exp(x[static_cast<Eigen::Index>(i)]));
-    const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
-    // A reciprocal strength of minus the nominal one's would be an infinite value.
-    double value = cause.effect->valueAt(sign * strength);
-    if (cause.effect->reciprocal && sign * strength + 1 / cause.effect->nominal <= 1 / bounds.upper)
-      value = bounds.upper;
-    cause.value = std::clamp(value, bounds.lower, bounds.upper);
+    const double strength =
+        std::max(nothing * leastStart(robot, cause), std::exp(x[static_cast<Eigen::Index>(i)]));
+    cause = withStrength(robot, cause, sign * strength);
   }
   return causes;
 }

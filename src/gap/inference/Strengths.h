@@ -5,6 +5,12 @@
 
 namespace plumbline::gap {
 
+/// The least strength that a search for this kind of cause starts from.
+double leastStart(const Mechanism& robot, const Cause& cause);
+
+/// The cause with this strength (Effect::strengthOf), held within its effect's bounds.
+Cause withStrength(const Mechanism& robot, Cause cause, double strength);
+
 /// Logarithms of the strengths of causes (Effect::strengthOf), whose signs stay.
 Eigen::VectorXd logStrengths(const Explanation& causes);
 

@@ -110,7 +110,7 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   const int jobs = threadsFor(options.jobs);
   if (options.method == "sets") {
     const SetsRequest request{robot, options.json, options.timing, jobs, options.maxCauses, options.quiet};
-    diagnoseBySets(request, std::move(trials), std::move(input), timing, separatingMotion);
+    diagnoseBySets(request, std::move(trials), std::move(input), timing);
     return;
   }
   DiagnosisOptions settings;

@@ -10,6 +10,7 @@
 #include "gap/inference/Inference.h"
 #include "gap/inference/LeftJson.h"
 #include "gap/inference/PerJointFit.h"
+#include "gap/report/MotionQuestion.h"
 #include "main/gap/ProgressLine.h"
 
 namespace plumbline::gap {
@@ -69,8 +70,7 @@ void print(const Inference& inference, const Further& further, const AnswerInput
 }  // namespace
 
 void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, AnswerInput input,
-                    const Timing& timing,
-                    const std::function<std::string(const Mechanism&, const Diagnosis&)>& separating) {
+                    const Timing& timing) {
   InferenceOptions options;
   options.jobs = request.jobs;
   if (request.maxCauses > 0) options.mostCauses = static_cast<std::size_t>(request.maxCauses);
@@ -88,7 +88,7 @@ void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, Answe
     }
   }
   const Evidence evidence(std::move(trials), inference.noises);
-  input.nextMotion = separating(request.robot, inference.diagnosis);
+  input.nextMotion = separatingMotion(request.robot, inference.diagnosis);
   if (input.nextMotion.empty()) input.nextMotion = suggestion(inference.diagnosis, evidence);
   const std::string text = answerOf(inference, further, input, evidence, request.robot).dump(1) + "\n";
   timing.write(request.timing);

@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,10 +16,8 @@ struct SetsRequest {
   bool quiet = false;
 };
 
-/// Diagnoses by sets of causes that are judged on recordings left out, and writes the answer. separating: the
-/// motion that separates a diagnosis's likeliest rival, in words.
+/// Diagnoses by sets of causes that are judged on recordings left out, and writes the answer.
 void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, AnswerInput input,
-                    const Timing& timing,
-                    const std::function<std::string(const Mechanism&, const Diagnosis&)>& separating);
+                    const Timing& timing);
 
 }  // namespace plumbline::gap

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/RollingBall.h"
+
 namespace plumbline {
 
 MAKE_MODULE(Goalie)
@@ -10,7 +12,6 @@ MAKE_MODULE(Goalie)
 namespace {
 constexpr double lineMargin = 0.25;  ///< kept before the goal line [m]
 constexpr double facing = 0.35;      ///< the ball farther aside is turned to [rad]
-constexpr double rollingWay = 0.92;  ///< way of a ball per speed until it rests [s]
 }  // namespace
 
 Vec2 Goalie::onAngle() const {
@@ -35,7 +36,7 @@ bool Goalie::shotCrossing(Vec2& place) const {
   const Vec2 velocity = theRobotPose->pose.rotation() * theBallPos->relativeVelocity;
   const double line = place.x();
   const double ahead = theBallPos->field.x() - line;
-  if (velocity.x() > -shotSpeed || ahead <= 0 || -velocity.x() * rollingWay < ahead) return false;
+  if (velocity.x() > -shotSpeed || ahead <= 0 || -velocity.x() * ballRollingSeconds < ahead) return false;
   const double y = theBallPos->field.y() + velocity.y() * ahead / -velocity.x();
   if (std::abs(y) > theFieldDimensions->goalWidth / 2 + 0.3) return false;
   place.y() = y;

@@ -71,7 +71,8 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
   output.clear();
   output.active = true;
   output.skill = Skill::stand;
-  // Others' behaviours stand before this one; what theirs is need not be worked out.
+  // A goalie or supporter acts by its own behaviour, which stands before this one in modules.cfg: nothing is
+  // worked out for it.
   if (thePlayerRole && thePlayerRole->members > 1 &&
       (thePlayerRole->supports() || thePlayerRole->role == PlayerRole::goalie)) {
     action_ = {};

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "tactics/RollingBall.h"
+
 namespace plumbline {
 
 MAKE_MODULE(OppAnalyzer)
 
 namespace {
 constexpr double slowest = 0.3, fastest = 2;  ///< that a robot is taken to walk on the whole [m/s]
-constexpr double rollingWay = 0.92;           ///< way of a ball per speed until it rests [s]
 constexpr double kickSeconds = 0.5;           ///< within which a ball is seen as fast after a touch [s]
 constexpr double farthestKick = 30;           ///< [m]; what seems farther was seen wrongly
 }  // namespace
@@ -50,7 +51,7 @@ void OppAnalyzer::watchKick(OppInfo& info) {
   if (!ours && theirs) touchedByThem_ = now;
   const double speed = theBallPos->relativeVelocity.norm();
   if (touchedByThem_ < 0 || now - touchedByThem_ > kickSeconds || speed < kickSpeed) return;
-  const double way = rollingWay * speed;
+  const double way = ballRollingSeconds * speed;
   if (way < farthestKick) info.kickDistance = std::max(info.kickDistance, way);
 }
 

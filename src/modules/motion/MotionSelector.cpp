@@ -21,12 +21,12 @@ void MotionSelector::init() {
   for (const auto& [key, name] :
        {std::pair{"standUp.fastFront", &standUp.fastFront}, {"standUp.fastBack", &standUp.fastBack}})
     if (!name->empty() && !findMotion(motions, *name)) config.refuse(key, missingMotion(motions, *name));
-  learnMotions(*robot);
+  learnMotions(robot->name, motions);
 }
 
-void MotionSelector::learnMotions(const RobotModel& robot) {
-  robot_ = robot.name;
-  const auto motions = readMotions(config, robot);
+void MotionSelector::learnMotions(const std::string& robot,
+                                  const std::vector<motion::KeyframeMotion>& motions) {
+  robot_ = robot;
   fastFront_ = findMotion(motions, standUp.fastFront);
   fastBack_ = findMotion(motions, standUp.fastBack);
 }
@@ -83,7 +83,7 @@ void MotionSelector::update(MotionSelection* theMotionSelection) {
     fadeFrom_ = selection.ratios;
   }
   if (theRobotDescription->known() && theRobotDescription->name != robot_)
-    learnMotions(theRobotDescription->model);
+    learnMotions(theRobotDescription->name, readMotions(config, theRobotDescription->model));
   if (theFrameInfo->restarted) {
     standingUp_ = false;
     grace_ = again_ = 0;

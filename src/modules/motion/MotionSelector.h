@@ -1,7 +1,9 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "framework/Module.h"
+#include "motion/Keyframes.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/RobotDescription.h"
 #include "representations/modeling/FallState.h"
@@ -50,7 +52,7 @@ private:
   const MotionOutput* output(const std::string& motion) const;
   /// The special action that stands up from how the robot lies.
   const std::string& standUpAction() const;
-  void learnMotions(const RobotModel& robot);
+  void learnMotions(const std::string& robot, const std::vector<motion::KeyframeMotion>& motions);
   void start(MotionSelection& selection, const std::string& motion, const std::string& specialAction);
   void fade(MotionSelection& selection);
 

@@ -76,15 +76,7 @@ void OptimizationClient::begin() {
   const motion::KeyframeMotion* first = findMotion(motions, motion);
   if (!first) config.refuse("motion", missingMotion(motions, motion));
   motion::SearchedKick kick(*first, theRobotDescription->model, Side::right);
-  const auto n = static_cast<Eigen::Index>(kick.list().size());
-  SearchSpace space{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const motion::SearchedNumber& one = kick.list()[static_cast<std::size_t>(i)];
-    space.start[i] = one.start;
-    space.sigma[i] = one.sigma;
-    space.lower[i] = one.lower;
-    space.upper[i] = one.upper;
-  }
+  const SearchSpace space = SearchSpace::of(kick.list());
   OptimizerOptions options;
   options.population = population;
   options.seed = static_cast<std::uint64_t>(seed);

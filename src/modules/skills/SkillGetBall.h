@@ -36,7 +36,7 @@ MODULE(SkillGetBall)
             "who comes from behind to dribble goes on so far through the ball")
   PARAMETER(double, runUp, 0.6, "m", Range(0, 5), "from this far behind the ball at least")
   PARAMETER(double, keeps, 1.4, "", Range(1, 10),
-            "a robot at the ball is so, and stops for its kick, until it is off by so many tolerances")
+            "a robot that stands at the ball counts as there until it is off by so many tolerances")
   PARAMETER(double, kickMargin, 0.3, "m", Range(0, 3),
             "a kick that was chosen stays while the ball's way is within so much of what it is for")
   PARAMETER(double, biasGain, 1.5, "1/s^2", Range(0, 10),
@@ -58,8 +58,8 @@ private:
   /// The kick for a way of the ball [m], with some reluctance to change it.
   const Kick& chooseKick(double metres);
   bool pressed() const;
-  /// Whether the robot stands exactly enough, off by `error` [m] and `heading` [rad]; with some reluctance to
-  /// go on, as a walk that is told to stop and to go by turns never does.
+  /// Whether the robot stands exactly enough, off by `error` [m] and `heading` [rad]. Once it does, more is
+  /// allowed (`keeps`): a walk that is told to stop and to go on by turns never comes to rest.
   bool exact(const Vec2& error, double heading) const;
   /// The walk's own bias near the target: what the requested speed has to be raised by, learned there [m/s].
   void learnBias(const Pose2& T_robot_target);

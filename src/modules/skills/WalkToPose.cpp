@@ -5,6 +5,10 @@
 
 namespace plumbline {
 
+namespace {
+constexpr double turnEffort = 0.8;  ///< share of the curve's speed that the fastest turn takes away
+}  // namespace
+
 Vec2 limitVelocity(const Vec2& velocity, const WalkToPoseParameters& parameters) {
   const double maxX = velocity.x() >= 0 ? parameters.maxForward : parameters.maxBackward;
   const double share = std::hypot(velocity.x() / maxX, velocity.y() / parameters.maxSideways);
@@ -33,8 +37,8 @@ WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& 
       if (distance > parameters.sprintDistance && std::abs(bearing) < straight)
         command.turn = std::clamp(command.turn, -parameters.sprintTurn, parameters.sprintTurn);
       else  // what is left of the walk's effort turns
-        speed =
-            std::min(speed, parameters.curveSpeed * (1 - 0.8 * std::abs(command.turn) / parameters.maxTurn));
+        speed = std::min(
+            speed, parameters.curveSpeed * (1 - turnEffort * std::abs(command.turn) / parameters.maxTurn));
     }
     command.velocity = limitVelocity({std::min(speed, parameters.positionGain * distance), 0}, parameters);
   }

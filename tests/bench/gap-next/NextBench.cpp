@@ -13,6 +13,7 @@
 #include "gap/blind/ScoreJudge.h"
 #include "support/CaseText.h"
 #include "support/Environment.h"
+#include "support/FigureJson.h"
 
 using namespace plumbline;
 using namespace plumbline::gap;
@@ -21,8 +22,8 @@ using nlohmann::json;
 
 namespace {
 
-json figure(const char* name, double value, const char* unit, const char* better) {
-  return {{"name", std::string("gap-next.") + name}, {"value", value}, {"unit", unit}, {"better", better}};
+json figure(const std::string& name, double value, const char* unit, const char* better) {
+  return figureJson("gap-next." + name, value, unit, better);
 }
 
 /// Pairs that a kind of motion decided rightly and wrongly; the others stay open.

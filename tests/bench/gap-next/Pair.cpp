@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -10,8 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
-#include <thread>
 
 #include "framework/WriteFile.h"
 #include "gap/blind/Draw.h"
@@ -22,7 +19,7 @@
 #include "gap/record/ExcitationFile.h"
 #include "gap/replay/TrialOf.h"
 #include "robot/MechanismFile.h"
-#include "simspark/ChildProcess.h"
+#include "support/RunProgram.h"
 
 namespace plumbline::bench {
 
@@ -40,13 +37,6 @@ constexpr double weakening = 0.6;
 constexpr double visible = 4;  // log odds over nothing at all
 constexpr std::size_t screened = 8, mostRivals = 4;
 constexpr int fitSteps = 8;
-
-void run(const std::vector<std::string>& command, const std::string& log) {
-  simspark::ChildProcess child(command, log);
-  while (child.running()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  if (child.exitStatus() != 0)
-    throw std::runtime_error(command[0] + " " + command[1] + " failed; see " + log);
-}
 
 /// A program played on the robot that has the effect, in an engine that explains nothing.
 Trial played(const Mechanism& robot, const Excitation& program, const Cause& truth, std::uint64_t seed,
@@ -141,8 +131,8 @@ Proposed proposedFor(const Mechanism& robot, const std::string& robotFile, const
   const json answer{{"verdict", "effect"}, {"robot", robot.name}, {"effects", {cause}}};
   writeFile(folder + "/answer.json", answer.dump(1) + "\n");
   fs::remove(folder + "/said");
-  run({"bin/gap", "next", folder + "/answer.json", "--robot", robotFile, "-o", folder + "/next.yaml"},
-      folder + "/said");
+  runProgram({"bin/gap", "next", folder + "/answer.json", "--robot", robotFile, "-o", folder + "/next.yaml"},
+             folder + "/said");
   std::ifstream file(folder + "/said");
   const std::string said{std::istreambuf_iterator<char>(file), {}};
   Proposed proposed;

@@ -8,6 +8,7 @@
 
 #include "gap/inference/CandidateScreening.h"
 #include "gap/inference/Fit.h"
+#include "gap/inference/Strengths.h"
 #include "math/Random.h"
 #include "optimization/Cmaes.h"
 
@@ -50,16 +51,7 @@ constexpr std::size_t singlesTried = 8;
 
 double cpuNow() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Coordinates of CMA-ES: strengths in the least that a search starts from.
-double unitStrength(const Mechanism& robot, const Cause& cause) {
-  double least = HUGE_VAL;
-  for (const double start : cause.effect->starts)
-    least = std::min(least,
-                     std::abs(cause.effect->strengthOf(start * cause.effect->scaleAt(robot, cause.place))));
-  return least;
-}
-
-/// The same with a way of building load friction (its variants) and, by a seed other than 0, values at random
+/// A start with a way of building load friction (its variants) and, by a seed other than 0, values at random
 /// up to three times the least that a search starts from.
 PerJoint startOf(const Mechanism& robot, PerJoint start, int variant, std::uint64_t seed) {
   Random random(seed);
@@ -67,9 +59,7 @@ PerJoint startOf(const Mechanism& robot, PerJoint start, int variant, std::uint6
     Cause& cause = start.causes[i];
     if (cause.effect->id == "load_friction") cause.variant = variant;
     if (seed == 0) continue;
-    const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
-    const double strength = random.uniform(0, 3) * unitStrength(robot, cause);
-    cause.value = std::clamp(cause.effect->valueAt(strength), bounds.lower, bounds.upper);
+    cause = withStrength(robot, cause, random.uniform(0, 3) * leastStart(robot, cause));
   }
   return start;
 }
@@ -105,10 +95,10 @@ PeerFit Peers::fit(const std::string& name) const {
   } else {
     const auto model = static_cast<std::size_t>(name.back() - '1');
     // Each model begins where a smaller one came out, too: M3 has no friction at rest, so M4 goes on from M2.
-    Explanation before;
+    Explanation start;
     for (const std::size_t smaller : {std::size_t{1}, std::size_t{3}, std::size_t{4}})
-      if (smaller < model) before = byGaussNewton(frictionModels[smaller], before).causes;
-    result = byGaussNewton(frictionModels[model], before);
+      if (smaller < model) start = byGaussNewton(frictionModels[smaller], start).causes;
+    result = byGaussNewton(frictionModels[model], start);
   }
   result.name = name;
   result.closedFitting = 1 - std::sqrt(shareLeft(replayer, result.causes));
@@ -143,7 +133,7 @@ PeerFit Peers::byCmaes(const std::vector<std::string_view>& ids) const {
   for (Eigen::Index i = 0; i < n; ++i) {
     const Cause& cause = start.causes[static_cast<std::size_t>(i)];
     const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
-    units.push_back(unitStrength(robot, cause));
+    units.push_back(leastStart(robot, cause));
     const double a = cause.effect->strengthOf(bounds.lower) / units.back(),
                  b = cause.effect->strengthOf(bounds.upper) / units.back();
     // A value that begins at its bound may go beyond it, where it does nothing more: a search needs room.
@@ -154,12 +144,7 @@ PeerFit Peers::byCmaes(const std::vector<std::string_view>& ids) const {
     Explanation causes = start.causes;
     for (Eigen::Index i = 0; i < n; ++i) {
       Cause& cause = causes[static_cast<std::size_t>(i)];
-      const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
-      const double strength = x[i] * units[static_cast<std::size_t>(i)];
-      const bool beyond =
-          cause.effect->reciprocal && strength + 1 / cause.effect->nominal <= 1 / bounds.upper;
-      cause.value =
-          beyond ? bounds.upper : std::clamp(cause.effect->valueAt(strength), bounds.lower, bounds.upper);
+      cause = withStrength(robot, cause, x[i] * units[static_cast<std::size_t>(i)]);
     }
     return causes;
   };

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <stdexcept>
 #include <thread>
 
@@ -19,6 +20,7 @@
 #include "gap/blind/Bootstrap.h"
 #include "support/CaseText.h"
 #include "support/Environment.h"
+#include "support/FigureJson.h"
 
 using namespace plumbline;
 using namespace plumbline::gap;
@@ -40,14 +42,14 @@ double mean(const std::vector<double>& values) {
   return sum;
 }
 
-json figure(const char* name, double value, const char* unit, const char* better) {
-  return {{"name", std::string("gap-train.") + name}, {"value", value}, {"unit", unit}, {"better", better}};
+json figure(const std::string& name, double value, const char* unit, const char* better) {
+  return figureJson("gap-train." + name, value, unit, better);
 }
 
 void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, double onNominal) {
   std::vector<double> without, with, gain, lostWithout, lostWith;
   std::size_t better = 0, worse = 0;
-  double recovered = 0, lost = 0;
+  double lost = 0;
   std::string rows;
   for (const TrainedRobot& r : robots) {
     without.push_back(r.without.speed);
@@ -55,7 +57,6 @@ void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, dou
     gain.push_back(r.with.speed - r.without.speed);
     lostWithout.push_back(1 - r.without.speed / onNominal);
     lostWith.push_back(1 - r.with.speed / onNominal);
-    recovered += r.with.speed - r.without.speed;
     lost += onNominal - r.without.speed;
     const auto [lower, upper] = bootstrapInterval(r.differences, mean, 2000);
     better += lower > 0;
@@ -106,8 +107,8 @@ void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, dou
       " of that; the walks trained with what was found lose **" + percent(mean(lostWith)) + "**" +
       range(" (95 %%: %.0f to %.0f)", lostWithLow, lostWithHigh) + ". Mean gain " + centimetres(mean(gain)) +
       " cm/s" + range(" (95 %% over robots: %+.1f to %+.1f)", lower, upper) + ", " +
-      percent(lost > 0 ? recovered / lost : 0) + " of what was lost. Surely faster: " + number(better) +
-      ", surely slower: " + number(worse) +
+      percent(lost > 0 ? std::accumulate(gain.begin(), gain.end(), 0.0) / lost : 0) +
+      " of what was lost. Surely faster: " + number(better) + ", surely slower: " + number(worse) +
       ".\n\n"
       "Speeds are means in cm/s, 0 from a fall on; in brackets the share of tries with a fall, and of the "
       "gain its 95 % "

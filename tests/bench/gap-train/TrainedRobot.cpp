@@ -1,13 +1,9 @@
 #include "TrainedRobot.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <thread>
 
 #include "framework/ConfigFile.h"
 #include "framework/ConfigFolder.h"
@@ -19,7 +15,7 @@
 #include "gap/report/AnswerCauses.h"
 #include "gap/report/AnswerFile.h"
 #include "robot/MechanismFile.h"
-#include "simspark/ChildProcess.h"
+#include "support/RunProgram.h"
 
 namespace plumbline::bench {
 
@@ -39,15 +35,6 @@ const std::vector<std::string> searched{
     "speed.maxForward",        "speed.trimForward",    "step.duration",    "step.height",
     "posture.hipHeight",       "posture.torsoPitch",   "model.copForward", "model.copOutward",
     "feedback.anklePitchGain", "feedback.hipPitchGain"};
-
-/// Runs a program to its end; its CPU seconds. Throws where it fails.
-double run(const std::vector<std::string>& command, const std::string& log) {
-  simspark::ChildProcess child(command, log);
-  while (child.running()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  if (child.exitStatus() != 0)
-    throw std::runtime_error(command[0] + " " + command[1] + " failed; see " + log);
-  return child.usage().cpuSeconds;
-}
 
 walking::WalkGaits walkIn(const std::string& folder) {
   const ConfigFile file("walking", {configFolder(), folder});
@@ -101,9 +88,9 @@ TrainBench::TrainBench(const TrainSetup& setup_) : setup(setup_), mechanism(name
   onNominal = meanOf(measure(nominalWalk, {}, setup.measured)).speed;
 }
 
-double TrainBench::train(const std::string& effects, const std::string& output) const {
+void TrainBench::train(const std::string& effects, const std::string& output) const {
   const std::string walk = output + "/walking.yaml";
-  if (fs::exists(walk) && !fs::exists(walk + ".search")) return 0;
+  if (fs::exists(walk) && !fs::exists(walk + ".search")) return;
   fs::create_directories(output);
   std::vector<std::string> command = {"bin/optimizewalk",
                                       "--robot",
@@ -129,7 +116,7 @@ double TrainBench::train(const std::string& effects, const std::string& output) 
   if (!effects.empty()) command.insert(command.end(), {"--effects", effects});
   command.emplace_back("--only");
   command.insert(command.end(), searched.begin(), searched.end());
-  return run(command, output + "/log");
+  runProgram(command, output + "/log");
 }
 
 std::vector<TrialResult> TrainBench::measure(const walking::WalkGaits& walk, const Explanation& effects,
@@ -179,10 +166,10 @@ BlindCase TrainBench::draw(std::size_t turn) const {
 
 void TrainBench::record(const std::string& folder) const {
   if (fs::exists(folder + "/runs")) return;
-  run({"bin/gap", "record", "--robot", robotName, "--engine", "bullet", "--program", "hang_sweep",
-       "hang_fast", "--seed", std::to_string(setup.seed), "--effects", folder + "/truth.yaml", "-o",
-       folder + "/runs"},
-      folder + "/log");
+  runProgram({"bin/gap", "record", "--robot", robotName, "--engine", "bullet", "--program", "hang_sweep",
+              "hang_fast", "--seed", std::to_string(setup.seed), "--effects", folder + "/truth.yaml", "-o",
+              folder + "/runs"},
+             folder + "/log");
 }
 
 TrainedRobot TrainBench::robot(std::size_t turn) const {
@@ -194,9 +181,9 @@ TrainedRobot TrainBench::robot(std::size_t turn) const {
   writeFile(folder + "/truth.yaml", simulation::effectsText(settingsOf(truth), "In the robot"));
   record(folder);
   if (!fs::exists(answerFile))
-    result.diagnosisSeconds = run({"bin/gap", "diagnose", folder + "/runs", "--method", "sets", "--json",
-                                   answerFile, "--quiet", "--jobs", std::to_string(setup.jobs)},
-                                  folder + "/log");
+    runProgram({"bin/gap", "diagnose", folder + "/runs", "--method", "sets", "--json", answerFile, "--quiet",
+                "--jobs", std::to_string(setup.jobs)},
+               folder + "/log");
   const nlohmann::json answer = readAnswer(answerFile);
   result.verdict = answer["verdict"];
   Explanation found;
@@ -216,7 +203,7 @@ TrainedRobot TrainBench::robot(std::size_t turn) const {
   // Where nothing was found the search is the one without, and so is what it finds.
   walking::WalkGaits walk = nominalWalk;
   if (!found.empty()) {
-    result.trainingSeconds = train(effects, folder + "/walk");
+    train(effects, folder + "/walk");
     walk = walkIn(folder + "/walk");
   }
   const std::vector<TrialResult> without = measure(nominalWalk, truth, setup.measured),

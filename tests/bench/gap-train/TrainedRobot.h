@@ -22,10 +22,9 @@ struct TrainSetup {
 struct TrainedRobot {
   gap::BlindCase truth;
   std::string verdict;
-  std::vector<gap::BlindEffect> found;               ///< what was trained with
-  walking::TrialResult without, with;                ///< on the true robot
-  std::vector<double> differences;                   ///< of speed, per try [m/s]
-  double diagnosisSeconds = 0, trainingSeconds = 0;  ///< of CPU; 0 where it was kept from another go
+  std::vector<gap::BlindEffect> found;  ///< what was trained with
+  walking::TrialResult without, with;   ///< on the true robot
+  std::vector<double> differences;      ///< of speed, per try [m/s]
 };
 
 /// What all robots share: the walk that the search finds on the nominal model.
@@ -39,8 +38,9 @@ private:
   /// Draws until the nominal walk loses enough.
   gap::BlindCase draw(std::size_t turn) const;
   void record(const std::string& folder) const;
-  double train(const std::string& effects, const std::string& output) const;
-  /// Speed of each try [m/s], 0 from a fall on.
+  /// Searches a walk on the model with these effects; does nothing where that was done.
+  void train(const std::string& effects, const std::string& output) const;
+  /// Each try on the true robot: its mean speed [m/s], 0 from a fall on, and falls.
   std::vector<walking::TrialResult> measure(const walking::WalkGaits& walk, const gap::Explanation& effects,
                                             std::uint64_t tries) const;
 

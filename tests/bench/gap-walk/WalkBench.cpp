@@ -31,6 +31,7 @@
 #include "support/CaseText.h"
 #include "support/Diagnoses.h"
 #include "support/Environment.h"
+#include "support/FigureJson.h"
 
 using namespace plumbline;
 using namespace plumbline::gap;
@@ -153,8 +154,8 @@ private:
   DrawOptions draw;
 };
 
-json figure(const char* name, double value, const char* unit, const char* better) {
-  return {{"name", std::string("gap-walk.") + name}, {"value", value}, {"unit", unit}, {"better", better}};
+json figure(const std::string& name, double value, const char* unit, const char* better) {
+  return figureJson("gap-walk." + name, value, unit, better);
 }
 
 void write(const std::vector<Case>& cases, const Mechanism& robot, std::uint64_t seed) {

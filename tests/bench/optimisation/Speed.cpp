@@ -18,20 +18,10 @@ namespace plumbline::bench {
 namespace {
 
 Search searchOf(const training::SearchTask& task, int generations) {
-  const auto& parameters = task.parameters();
-  const auto n = static_cast<Eigen::Index>(parameters.size());
-  SearchSpace space{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto& one = parameters[static_cast<std::size_t>(i)];
-    space.start[i] = one.start;
-    space.sigma[i] = one.sigma;
-    space.lower[i] = one.lower;
-    space.upper[i] = one.upper;
-  }
   OptimizerOptions options;
   options.population = 16;
   options.stop.maxGenerations = generations;
-  return {makeOptimizer("cmaes", space, options), Averaging{2, 4}, 1};
+  return {makeOptimizer("cmaes", SearchSpace::of(task.parameters()), options), Averaging{2, 4}, 1};
 }
 
 /// Seconds of the processor for the whole search.

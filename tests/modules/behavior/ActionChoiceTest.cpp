@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "framework/ConfigFile.h"
+#include "support/Robots.h"
 
 using namespace plumbline;
 
@@ -27,10 +28,7 @@ struct ActionChoiceTest : testing::Test {
     add(false, {14.5, 0});
   }
   void add(bool mate, const Vec2& place, bool fallen = false) {
-    OtherRobot& robot = situation.others.emplace_back();
-    robot.mate = mate;
-    robot.position = place;
-    robot.fallen = fallen;
+    test::addRobot(situation.others, mate, place).fallen = fallen;
   }
   StrikerAction judge(Kind kind, double direction) const {
     return judgeAction(kind, direction, kind == Kind::kick ? 4 : parameters.dribbleWay, situation, value,

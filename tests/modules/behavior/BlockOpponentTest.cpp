@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/ModuleHarness.h"
+#include "support/Robots.h"
 
 using namespace plumbline;
 
@@ -16,11 +17,7 @@ struct BlockOpponentTest : testing::Test {
     harness.input<OtherRobots>();
   }
   OtherRobot& add(bool mate, int number, const Vec2& place) {
-    OtherRobot& robot = harness.input<OtherRobots>().robots.emplace_back();
-    robot.mate = mate;
-    robot.number = number;
-    robot.position = place;
-    return robot;
+    return test::addRobot(harness.input<OtherRobots>().robots, mate, place, number);
   }
   const BlockPosition& output() {
     harness.cycle();

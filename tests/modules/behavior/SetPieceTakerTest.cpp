@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/ModuleHarness.h"
+#include "support/Robots.h"
 
 using namespace plumbline;
 
@@ -21,11 +22,7 @@ struct SetPieceTakerTest : testing::Test {
     harness.input<BallPos>().field = {0, 10};
     harness.input<BallPos>().age = 0;
   }
-  void add(bool mate, const Vec2& place) {
-    OtherRobot& robot = harness.input<OtherRobots>().robots.emplace_back();
-    robot.mate = mate;
-    robot.position = place;
-  }
+  void add(bool mate, const Vec2& place) { test::addRobot(harness.input<OtherRobots>().robots, mate, place); }
   const SetPieceOutput& output() {
     harness.cycle();
     return harness.output<SetPieceOutput>();

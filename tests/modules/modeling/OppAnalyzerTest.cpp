@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/ModuleHarness.h"
+#include "support/Robots.h"
 
 using namespace plumbline;
 
@@ -18,11 +19,7 @@ struct OppAnalyzerTest : testing::Test {
     harness.input<OtherRobots>();
   }
   OtherRobot& add(bool mate, int number, const Vec2& place) {
-    OtherRobot& robot = harness.input<OtherRobots>().robots.emplace_back();
-    robot.mate = mate;
-    robot.number = number;
-    robot.position = place;
-    return robot;
+    return test::addRobot(harness.input<OtherRobots>().robots, mate, place, number);
   }
   const OppInfo& after(double seconds) {
     for (double t = 0; t < seconds; t += 0.02) {

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/RollingBall.h"
+
 namespace plumbline {
 namespace {
 
 constexpr double farAway = 1e3;       ///< [m], [s]
-constexpr double rolling = 0.92;      ///< time constant with which a ball's speed dies away [s]
 constexpr double aloneSpeed = 0.65;   ///< of a robot alone with the ball towards the goal [m/s]
 constexpr double narrowSeconds = 10;  ///< that a goal seen from its line costs more
 constexpr double wideOpening = 0.3;   ///< angle between the posts from which on it costs nothing [rad]
@@ -22,7 +23,7 @@ double below(double deviations) { return 0.5 * std::erfc(-deviations / std::sqrt
 
 /// When a ball that goes `reach` in all has gone `way` [s].
 double rollingSeconds(double way, double reach) {
-  return way >= reach ? farAway : -rolling * std::log(1 - way / reach);
+  return way >= reach ? farAway : -ballRollingSeconds * std::log(1 - way / reach);
 }
 
 }  // namespace

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/RollingBall.h"
+
 namespace plumbline {
 namespace {
-constexpr double rollingTimeConstant = 0.92;  ///< [s]
-constexpr double agreement = 3;               ///< [standard deviations]
+constexpr double agreement = 3;  ///< [standard deviations]
 }  // namespace
 
 Vec2 rolledOn(const Vec2& position, const Vec2& velocity, double seconds) {
   const double time = std::max(seconds, 0.0);
-  return position + rollingTimeConstant * (1 - std::exp(-time / rollingTimeConstant)) * velocity;
+  return position + ballRollingSeconds * (1 - std::exp(-time / ballRollingSeconds)) * velocity;
 }
 
 std::optional<ToldBall> combineBalls(const std::vector<ToldBall>& told) {
@@ -29,7 +30,7 @@ std::optional<ToldBall> combineBalls(const std::vector<ToldBall>& told) {
     sum.age = std::min(sum.age, ball.age);
   }
   sum.position /= weights;
-  const double keep = std::exp(-best.age / rollingTimeConstant);
+  const double keep = std::exp(-best.age / ballRollingSeconds);
   sum.velocity = keep * best.velocity;
   sum.deviation = 1 / std::sqrt(weights);
   return sum;

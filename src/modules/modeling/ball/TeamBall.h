@@ -13,7 +13,7 @@ struct ToldBall {
   double age = 0;        ///< since it was seen [s]
 };
 
-/// Where a rolling ball is after some seconds: its speed dies away with SimSpark's time constant of 0.92 s.
+/// Where a rolling ball is after some seconds: its speed dies away (ballRollingSeconds).
 Vec2 rolledOn(const Vec2& position, const Vec2& velocity, double seconds);
 
 /// The mean weighted by certainty of those that agree with the most certain one (within three deviations);
