@@ -182,7 +182,7 @@ bench-games:
 fuzz:
 	@scripts/install_packages.sh scripts/packages.txt scripts/packages-fuzz.txt
 	@$(MAKE) Fuzz
-	@scripts/fuzz.sh $(or $(SECONDS),60) $(TARGETS)
+	@scripts/fuzz.sh $(if $(KEEP),--keep) $(or $(SECONDS),20) $(TARGETS)
 
 # What happens when a call of the system fails, when a program is killed, and in long games: doc/results/reliability.md.
 # FAULTJOBS="gap_record ..." for some jobs, KILLS=1000 and SEED for the kills, MINUTES and AGENTS for the game.
