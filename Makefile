@@ -188,6 +188,7 @@ fuzz:
 # FAULTJOBS="gap_record ..." for some jobs, KILLS=1000 and SEED for the kills, MINUTES and AGENTS for the game.
 faults kills:
 	@$(MAKE) SimRelease
+	@scripts/build_page.sh
 	@$(foreach v,KILLS SEED MOST ALLOCATIONS,$(if $($v),$v=$($v))) scripts/$@.sh $(FAULTJOBS)
 
 soak:
