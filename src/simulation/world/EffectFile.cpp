@@ -81,7 +81,7 @@ std::optional<std::string> jsonIn(const std::string& path) {
   char first = 0;
   if (!file || !(file >> first) || first != '{') return std::nullopt;
   std::string text(1, first);
-  for (char c; text.size() <= most && file.get(c);) text += c;
+  for (char c = 0; text.size() <= most && file.get(c);) text += c;
   return text;
 }
 
