@@ -182,12 +182,13 @@ bench-games:
 fuzz:
 	@scripts/install_packages.sh scripts/packages.txt scripts/packages-fuzz.txt
 	@$(MAKE) Fuzz
-	@scripts/fuzz.sh $(or $(SECONDS),60) $(TARGETS)
+	@scripts/fuzz.sh $(if $(KEEP),--keep) $(or $(SECONDS),20) $(TARGETS)
 
 # What happens when a call of the system fails, when a program is killed, and in long games: doc/results/reliability.md.
 # FAULTJOBS="gap_record ..." for some jobs, KILLS=1000 and SEED for the kills, MINUTES and AGENTS for the game.
 faults kills:
 	@$(MAKE) SimRelease
+	@scripts/build_page.sh
 	@$(foreach v,KILLS SEED MOST ALLOCATIONS,$(if $($v),$v=$($v))) scripts/$@.sh $(FAULTJOBS)
 
 soak:

@@ -40,6 +40,8 @@ function(plumbline_extra_sources name sources)
     file(GLOB_RECURSE found CONFIGURE_DEPENDS LIST_DIRECTORIES false ${folder}/${name}/*.cpp)
     list(APPEND all ${found})
   endforeach()
+  # They alone see each other's headers: all other sources are compiled as without them, and ccache knows their objects.
+  set_source_files_properties(${all} PROPERTIES INCLUDE_DIRECTORIES "${PLUMBLINE_EXTRA}")
   set(${sources} ${all} PARENT_SCOPE)
 endfunction()
 
@@ -151,7 +153,6 @@ function(plumbline_library name)
   endif()
   target_include_directories(${files} ${kind}
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated/src>
-    "$<BUILD_INTERFACE:${PLUMBLINE_EXTRA}>"
     $<INSTALL_INTERFACE:include/plumbline>)
   target_compile_features(${files} ${kind} cxx_std_20)
   foreach(used IN LISTS arg_USES)

@@ -13,8 +13,9 @@ find build/Coverage/cmake -name '*.gcda' -delete 2> /dev/null || true
 status=0
 scripts/run_tests.sh Coverage "${areas[@]}" || status=$?
 mkdir -p build/coverage
-# A line counts once, however many programs and templates it is in.
-find build/Coverage/cmake -name '*.gcda' -print0 | xargs -0 -r gcov -t -r 2> /dev/null | awk '
+# A line counts once, however many programs and templates it is in. Of objects that no program ran there is no .gcda beside
+# the .gcno: their lines count as not run.
+find build/Coverage/cmake -name '*.gcno' -print0 | xargs -0 -r gcov -t -r 2> /dev/null | awk '
   /^ *-: +0:Source:/ { file = $0; sub(/.*:Source:/, "", file); wanted = file ~ /^src\//; next }
   wanted && match($0, /^ *([0-9]+\*?|#+|=+): *[0-9]+:/) {
     split($0, f, ":"); gsub(/ /, "", f[1]); gsub(/ /, "", f[2])

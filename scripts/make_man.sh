@@ -12,7 +12,8 @@ for program in bin/*; do
   name=plumbline-${program##*/}
   # A page made after its program was built is right.
   [[ $man/$name.1 -nt $program ]] && continue
-  about=$("$program" --help | sed -n '1{s/\.$//;p;q}')
+  about=$("$program" --help) # whole: a program whose reader goes away fails
+  about=${about%%$'\n'*} about=${about%.}
   help2man --no-info --name "${about:-part of Plumbline}" --version-string "$version" --source Plumbline \
     --output "$man/$name.1" "$program"
   sed -i "s/^\.TH [^ ]*/.TH ${name^^}/; s/^${program##*/} \\\\- /$name \\\\- /" "$man/$name.1"

@@ -137,7 +137,8 @@ private:
   Schema part(unsigned depth) {
     if (depth > maxDepth || ++count_ > maxParts) fail();
     Schema schema;
-    if (const std::size_t begin = at_; !is('{') && !is('[')) {
+    // The whole has no name: nothing would write it.
+    if (const std::size_t begin = at_; depth > 0 && !is('{') && !is('[')) {
       const std::string_view first = word();
       if (is(':')) {
         schema.label = first;

@@ -45,8 +45,8 @@ cd "$tree"
 
 # Module, representation, behaviour, skill and motion are in the agent's graph once a modules.cfg names them.
 mkdir -p "$scratch"/config/{modules,platforms/simspark}
-for file in platforms/simspark/modules.cfg modules/{perception,behavior,motion}.cfg; do
-  awk '{ print } /^SimpleHeadMotion/ { print "Bow BowOutput" } /^BeliefCombinator/ { print "BallSpeedEstimator BallSpeed" }
+for file in platforms/simspark/modules.cfg $(cd config && echo modules/*.cfg); do
+  awk '{ print } /^SimpleHeadMotion/ { print "Bow BowOutput" } /^BeliefCombinator +BallPos/ { print "BallSpeedEstimator BallSpeed" }
     /^SkillMoveToPos/ { print "SkillWave SkillWaveOutput" } /^BeforeKickOff/ { print "Cheer CheerOutput" }' "config/$file" > "$scratch/config/$file"
 done
 "$bin/agent" --modules "$scratch/config/platforms/simspark/modules.cfg" --graph "$scratch/graph.dot" > "$scratch/log" 2>&1 || fail "agent: $(cat "$scratch/log")"
@@ -83,7 +83,7 @@ grep -A 3 '^ballHolding:$' "$scratch/rules.yaml" | grep -q 'longest: 5  # s; tha
 [[ $(grep -nE '^(goals|ballHolding):' "$scratch/rules.yaml" | cut -d: -f2 | tr '\n' ' ') == 'ballHolding goals ' ]] || fail "the rule's place: $(cat "$scratch/rules.yaml")"
 printf 'ballHolding: {on: true, longst: 2}\n' > "$scratch/wrong.yaml"
 expectError 2 "simulator: $scratch/wrong.yaml:1: unknown key \"ballHolding.longst\"; did you mean \"longest\"?" "$bin/simulator" --rules "$scratch/wrong.yaml"
-"$bin/optimizewalk" --help | tr -s ' \n' ' ' | grep -q 'cmaes, xnes, pso, ipop-cmaes, bipop-cmaes, random' || fail "optimizewalk lists: $("$bin/optimizewalk" --help)"
+"$bin/optimizewalk" --help | tr -s ' \n' ' ' | grep -q 'cmaes, sep-cmaes, xnes, pso, ipop-cmaes, bipop-cmaes, random' || fail "optimizewalk lists: $("$bin/optimizewalk" --help)"
 "$bin/optimizewalk" --type 0 --task forward --generations 2 --population 4 --tries 1 --seconds 2 --optimizer random --output "$scratch/walk.yaml" > "$scratch/log" 2>&1 ||
   fail "optimizewalk: $(cat "$scratch/log")"
 [[ -s $scratch/walk.yaml ]] || fail "no walk was written"

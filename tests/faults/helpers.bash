@@ -198,8 +198,21 @@ readableMatch() {
   ((result == 0)) || grep -q 'nothing is recorded in it' replay.err || (( $(stat -c %s "$1") < 32 )) # not even a heading
 }
 portIn() { sed -n 's/.*"'"$2"'": *\([0-9]*\).*/\1/p' "$1"; }
-stopAfter() { # seconds, command...
-  timeout --preserve-status -k 5 -s INT "$1" "${@:2}"
+stopAfterStart() { # seconds, command...: interrupts it so long after its first line, however long that took
+  local i result
+  "${@:2}" > started.out &
+  local program=$!
+  for ((i = 0; i < patience * 20; ++i)); do
+    if [[ -s started.out ]] || ! kill -0 $program 2> /dev/null; then break; fi
+    sleep 0.05
+  done
+  sleep "$1"
+  # The program, not the timeout that may stand before it: that one sends a signal twice, and a second one ends it at once.
+  kill -INT $(ps -o pid= --ppid $program || echo $program) 2> /dev/null
+  wait $program
+  result=$?
+  rm -f started.out
+  return $result
 }
 withSimulator() { # command with PORT
   local i result

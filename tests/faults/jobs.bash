@@ -168,7 +168,7 @@ watchgame_expects() { (($1 <= 1)); }
 watchgame_check() { [[ $(head -1 games.log) == 'a line of an earlier game' ]]; }
 
 job webmonitor_record webmonitor "write sync rename open"
-webmonitor_record_run() { withSimulator stopAfter 1 "$bin/webmonitor" --port PORT --web-port 0 --drawing-port -1 --record match.plm; }
+webmonitor_record_run() { withSimulator stopAfterStart 1 "$bin/webmonitor" --port PORT --web-port 0 --drawing-port -1 --record match.plm; }
 webmonitor_record_check() { readableMatch match.plm; }
 
 job rdb rdb

@@ -1,5 +1,5 @@
 // Entries of libFuzzer, used by `make fuzz`: PLUMBLINE_FUZZ_TARGET names the target. With
-// PLUMBLINE_FUZZ_SEEDS it writes the known inputs to that folder and ends.
+// PLUMBLINE_FUZZ_SEEDS it writes the known inputs, and those kept of earlier runs, to that folder and ends.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 
+#include "fuzz/Corpus.h"
 #include "fuzz/Readers.h"
 
 namespace {
@@ -24,7 +25,10 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
   }
   if (const char* folder = std::getenv("PLUMBLINE_FUZZ_SEEDS")) {
     int number = 0;
-    for (const std::string& seed : chosen->seeds())
+    std::vector<std::string> inputs = chosen->seeds();
+    for (std::string& kept : plumbline::fuzz::keptInputs("tests/data/fuzz", chosen->name))
+      inputs.push_back(std::move(kept));
+    for (const std::string& seed : inputs)
       std::ofstream(std::string(folder) + "/seed" + std::to_string(++number), std::ios::binary) << seed;
     std::exit(0);
   }

@@ -1,12 +1,13 @@
 // The bounded run of the fuzz targets: the known inputs and some thousands of damaged ones, the same every
-// time. PLUMBLINE_FUZZ_SEED=2 takes others, PLUMBLINE_FUZZ_ROUNDS=10 ten times as many. `make fuzz` goes
-// further.
+// time, and what `make fuzz` kept in tests/data/fuzz. PLUMBLINE_FUZZ_SEED=2 takes others,
+// PLUMBLINE_FUZZ_ROUNDS=10 ten times as many. `make fuzz` goes further.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <iomanip>
 #include <sstream>
 
+#include "fuzz/Corpus.h"
 #include "fuzz/Mutator.h"
 #include "fuzz/Targets.h"
 
@@ -54,6 +55,11 @@ TEST_P(Mutations, areSurvived) {
       GetParam().rounds / share * static_cast<int>(fromEnvironment("PLUMBLINE_FUZZ_ROUNDS", 1));
   for (int round = 0; round < rounds && !HasFailure(); ++round) expectSurvived(mutator.next());
   RecordProperty("inputs", rounds + static_cast<int>(seeds.size()));
+}
+
+/// What libFuzzer has learnt about the reader, and what once broke it.
+TEST_P(Mutations, keptInputsAreSurvived) {
+  for (const std::string& input : keptInputs("tests/data/fuzz", GetParam().name)) expectSurvived(input);
 }
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, Mutations, testing::ValuesIn(targets()),

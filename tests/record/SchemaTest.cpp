@@ -48,8 +48,8 @@ TEST(SchemaTest, aTypeThatHoldsItselfIsRefused) {
 }
 
 TEST(SchemaTest, textThatIsNoFormIsRefused) {
-  for (const char* text :
-       {"", "{", "{x}", "[f8 f8]", "[]", "{f8*0}", "{a:}", "f9", "{f8}x", "{{{f8*9999}*9999}*9999}"})
+  for (const char* text : {"", "{", "{x}", "[f8 f8]", "[]", "{f8*0}", "{a:}", "f9", "{f8}x", "name:r1",
+                           "{{{f8*9999}*9999}*9999}"})
     EXPECT_THROW(schemaFromText(text), std::runtime_error) << text;
   EXPECT_THROW(schemaFromText(std::string(100'000, '{')), std::runtime_error);
 }

@@ -12,8 +12,12 @@
 namespace plumbline::simulation {
 
 void EffectSetting::fail(std::string_view key, const std::string& message) const {
-  if (source) source->fail(key, message);
-  throw ConfigurationError(origin + ": " + std::string(key) + " " + message);
+  // It quotes names from the file, which may hold line ends.
+  std::string line = message;
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
+  if (source) source->fail(key, line);
+  throw ConfigurationError(origin + ": " + std::string(key) + " " + line);
 }
 
 namespace {
@@ -77,7 +81,7 @@ std::optional<std::string> jsonIn(const std::string& path) {
   char first = 0;
   if (!file || !(file >> first) || first != '{') return std::nullopt;
   std::string text(1, first);
-  for (char c; text.size() <= most && file.get(c);) text += c;
+  for (char c = 0; text.size() <= most && file.get(c);) text += c;
   return text;
 }
 
