@@ -188,7 +188,7 @@ std::string KickTask::file(const Eigen::VectorXd& parameters, const std::string&
 MAKE_TASK(kick,
           {"kick",
            "a kick: type, motion, side, distance, ceiling, spread, weight, steady, walk, still, engine, "
-           "effects, draws",
+           "effects, draws, firstDraw",
            [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
              return std::make_unique<KickTask>(options);
            }});
