@@ -19,7 +19,8 @@ for type in $types; do
     read -r x y heading < <(awk -v seed=$((seed + i)) 'BEGIN {
       srand(seed); for (k = 0; k < 5; ++k) rand()
       a = 6.2832 * rand(); printf "%.3f %.3f %.3f\n", -6 + 1.5 * cos(a), 1.5 * sin(a), 6.2832 * rand() - 3.1416 }')
-    printf 'x: [-3]\ny: [0]\nheading: [%s]\n' "$heading" > "$work/config/BeforeKickOff.yaml"
+    # It beams itself there, so that it knows where it is.
+    printf 'x: [%s]\ny: [%s]\nheading: [%s]\n' "$x" "$y" "$heading" > "$work/config/BeforeKickOff.yaml"
     printf 'moves: {startAnywhere: true}\nstartPlace: {on: true, x: -6, y: 0, robotX: %s, robotY: %s}\n' "$x" "$y" > "$work/rules.yaml"
     status=0
     "$bin/game" --type "$type" --seed $((seed + i)) --limit 40 --output "$work/run" --agent-option=--config \
