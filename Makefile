@@ -171,6 +171,13 @@ bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }
 	@scripts/make_results.sh $*
 
+# A kick searched with and without drawn robots, tried on another engine and on others (TYPE, MOTION, SEEDS, GENERATIONS,
+# MEASURED); kick positioning from random places (TRIES, SEED, TYPES). Both write their page in doc/results/.
+bench-robust bench-positioning: bench-%:
+	@scripts/build.sh SimRelease $(if $(filter robust,$*),bench-robust,agent game simulator)
+	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }
+	@scripts/make_results.sh $*
+
 # The team against the players of before it, in whole games on the embedded simulator: GAMES, HALF (seconds), SEED, JOBS at once.
 # Writes doc/results/games.md.
 bench-games:

@@ -18,7 +18,8 @@ make fuzz            libFuzzer on all 43 that read from outside, 17 minutes: SEC
 make faults, kills   calls of the system that fail, and kills, in every program (FAULTJOBS="..." for some; KILLS=200, SEED=1)
 make soak            a long game: memory and cost of simulator and agents (MINUTES=10, AGENTS=22)
 make bench           run all benchmarks into build/bench/; bench-AREA those of one area
-                     (bench-walk, -walk-nao, -walk-fit, -walk-server, -fidelity, -games, -gap, -gap-real, -gap-walk, -gap-simspark)
+                     (bench-walk, -walk-nao, -walk-fit, -walk-server, -fidelity, -games, -gap, -gap-real, -gap-walk, -gap-simspark,
+                     -robust, -positioning)
 make soak-live       an agent for hours with all that looks into it (HOURS=5); part of doc/results/live.md
 make results         the same, and write doc/results/ from it
 make pictures        make the pictures and sample output of README and doc/ anew

@@ -6,7 +6,11 @@
 namespace plumbline {
 
 BoxTransform::BoxTransform(const Eigen::VectorXd& lower_, const Eigen::VectorXd& upper_)
-    : lower(lower_), upper(upper_), lowerMargin(lower_.size()), upperMargin(lower_.size()) {
+    : lower(lower_),
+      upper(upper_),
+      lowerMargin(lower_.size()),
+      upperMargin(lower_.size()),
+      bounds_(lower_.array().isFinite().any() || upper_.array().isFinite().any()) {
   for (Eigen::Index i = 0; i < lower.size(); ++i) {
     const double tenth = 0.1 * (upper[i] - lower[i]);
     lowerMargin[i] = std::min(tenth, 0.05 * (1 + std::abs(lower[i])));

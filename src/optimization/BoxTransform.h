@@ -12,6 +12,8 @@ class BoxTransform {
 public:
   BoxTransform(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 
+  /// Whether any coordinate has a bound; without one toBox changes nothing.
+  bool bounds() const { return bounds_; }
   double toBox(Eigen::Index coordinate, double x) const;
   /// The number that toBox maps there; `y` inside the box.
   double fromBox(Eigen::Index coordinate, double y) const;
@@ -20,6 +22,7 @@ public:
 
 private:
   Eigen::VectorXd lower, upper, lowerMargin, upperMargin;
+  bool bounds_;
 };
 
 }  // namespace plumbline

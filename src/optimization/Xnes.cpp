@@ -1,12 +1,11 @@
 #include "optimization/Xnes.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "math/Random.h"
+#include "math/Gaussians.h"
+#include "optimization/LowRankExponential.h"
 #include "optimization/Optimizers.h"
 
 namespace plumbline {
@@ -34,29 +33,25 @@ Eigen::VectorXd Xnes::favourite() const { return box.toBox(mean.cwiseProduct(spa
 
 void Xnes::sample(Eigen::MatrixXd& candidates) {
   Random random(options.seed * 0xd1342543de82ef95ULL + static_cast<std::uint64_t>(generations()));
-  for (Eigen::Index i = 0; i < z.size(); ++i) z.data()[i] = random.gaussian();
-  candidates.noalias() = sigma_ * shape * z;
+  fillGaussian(random, std::span(z.data(), static_cast<std::size_t>(z.size())));
+  step.noalias() = shape * z;
+  candidates.resize(step.rows(), step.cols());
   for (Eigen::Index k = 0; k < candidates.cols(); ++k)
     for (Eigen::Index i = 0; i < candidates.rows(); ++i)
-      candidates(i, k) = box.toBox(i, space().sigma[i] * (mean[i] + candidates(i, k)));
+      candidates(i, k) = space().sigma[i] * (mean[i] + sigma_ * step(i, k));
+  if (!box.bounds()) return;
+  for (Eigen::Index k = 0; k < candidates.cols(); ++k)
+    for (Eigen::Index i = 0; i < candidates.rows(); ++i) candidates(i, k) = box.toBox(i, candidates(i, k));
 }
 
 void Xnes::update(std::span<const double> costs, std::span<const int> order) {
   const int n = dimension(), lambda = population();
   Eigen::VectorXd u(lambda);
   for (int i = 0; i < lambda; ++i) u[order[static_cast<std::size_t>(i)]] = utilities[i];
-  // The utilities add up to 0, so the gradient of the covariance is z diag(u) z', of the population's rank.
+  // The utilities add up to 0, so the gradient of the covariance is z diag(u) z'.
   const double gradientSigma = (z.colwise().squaredNorm().transpose().cwiseProduct(u)).sum() / n;
-  mean += sigma_ * (shape * (z * u));
-
-  const int rank = std::min(n, lambda);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(z);
-  const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(n, rank);
-  const Eigen::MatrixXd r = q.transpose() * z;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(r * u.asDiagonal() * r.transpose());
-  const Eigen::VectorXd growth = (0.5 * rate * solver.eigenvalues()).array().exp() - 1;
-  const Eigen::MatrixXd inside = q * solver.eigenvectors();
-  shape += (shape * inside) * growth.asDiagonal() * inside.transpose();
+  mean.noalias() += sigma_ * (step * u);
+  growByExponential(shape, step, z, 0.5 * rate * u);
   shape *= std::exp(-0.5 * rate * gradientSigma);
   sigma_ *= std::exp(0.5 * rate * gradientSigma);
 

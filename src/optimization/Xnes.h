@@ -15,8 +15,8 @@ struct XnesOptions {
 
 /// Exponential natural evolution strategy: Glasmachers, Schaul, Sun, Wierstra, Schmidhuber, "Exponential
 /// Natural Evolution Strategies", GECCO 2010, algorithm 1 and its learning rates. The gradient of the shape
-/// has the rank of the population, so its exponential is taken in that subspace: no generation costs more
-/// than O(n^2 population). Bounds by BoxTransform.
+/// has the rank of the population, so its exponential is taken there (LowRankExponential): no generation
+/// costs more than O(n^2 population). Bounds by BoxTransform.
 class Xnes : public Optimizer {
 public:
   Xnes(SearchSpace space, XnesOptions options = {});
@@ -35,6 +35,7 @@ private:
   BoxTransform box;
   Eigen::VectorXd utilities, mean;
   Eigen::MatrixXd shape, z;  ///< shape: candidates are mean + sigma * shape * z, in units of the first sigma
+  Eigen::MatrixXd step;      ///< shape * z of this generation
   double sigma_ = 1, rate = 0;
   double lastSpread = 0, bestBefore = 0;
   int stillFor = 0;

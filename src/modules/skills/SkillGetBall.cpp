@@ -62,7 +62,7 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   output.atBall = false;
   const BallApproach wanted = requestedApproach();
   if (wanted == BallApproach::none) {
-    atBall_ = false;
+    atBall_ = sprinting_ = false;
     return;
   }
 
@@ -86,7 +86,9 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
     way.position += dribbleOn * Vec2(std::cos(heading), std::sin(heading));
   const bool detour =
       theSafeWalkDirection && theSafeWalkDirection->detour && theBallPos->relative.norm() > detourDistance;
-  WalkCommand command = detour ? walkPast(theSafeWalkDirection->wayPoint, walk) : walkToPose(way, walk);
+  WalkCommand command =
+      detour ? walkPast(theSafeWalkDirection->wayPoint, walk, sprinting_) : walkToPose(way, walk, sprinting_);
+  sprinting_ = command.sprint;
   // A walk that drifts would come to rest short of the ball for ever (Seekircher 2015, 4.3).
   if (!atBall_) learnBias(way);
   command.velocity = limitVelocity(command.velocity + bias_, walk);

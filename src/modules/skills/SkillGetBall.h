@@ -65,7 +65,7 @@ private:
   void learnBias(const Pose2& T_robot_target);
 
   Vec2 bias_ = Vec2::Zero();  ///< in the robot's frame [m/s]
-  bool atBall_ = false;
+  bool atBall_ = false, sprinting_ = false;
   Side foot_ = Side::right;
   std::string kick_;  ///< the motion of the kick that was chosen last
 };

@@ -10,7 +10,7 @@ void SkillMoveToPos::update(SkillMoveToPosOutput* theSkillMoveToPosOutput) {
   SkillMoveToPosOutput& output = *theSkillMoveToPosOutput;
   output.clear();
   if (theSkillRequest->skill != Skill::moveToPos) {
-    arrived_ = false;
+    arrived_ = sprinting_ = false;
     return;
   }
   const Pose2 target = theRobotPose->pose.inverse() * theSkillRequest->target;
@@ -22,8 +22,9 @@ void SkillMoveToPos::update(SkillMoveToPosOutput* theSkillMoveToPosOutput) {
   if (arrived_) return;
   if (theSafeWalkDirection && theSafeWalkDirection->wait) return;
   const bool detour = theSafeWalkDirection && theSafeWalkDirection->detour;
-  const WalkCommand command =
-      detour ? walkPast(theSafeWalkDirection->wayPoint, walk) : walkToPose(target, walk);
+  const WalkCommand command = detour ? walkPast(theSafeWalkDirection->wayPoint, walk, sprinting_)
+                                     : walkToPose(target, walk, sprinting_);
+  sprinting_ = command.sprint;
   output.motion = Motion::walk;
   output.walkVelocity = command.velocity;
   output.walkTurn = command.turn;

@@ -25,7 +25,7 @@ public:
   void update(SkillMoveToPosOutput* theSkillMoveToPosOutput) override;
 
 private:
-  bool arrived_ = false;
+  bool arrived_ = false, sprinting_ = false;
 };
 
 }  // namespace plumbline

@@ -15,7 +15,7 @@ Vec2 limitVelocity(const Vec2& velocity, const WalkToPoseParameters& parameters)
   return share > 1 ? Vec2(velocity / share) : velocity;
 }
 
-WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& parameters) {
+WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& parameters, bool sprinting) {
   const auto limitTurn = [&](double turn) {
     return std::clamp(turn, -parameters.maxTurn, parameters.maxTurn);
   };
@@ -31,27 +31,31 @@ WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& 
   if (std::abs(bearing) < parameters.turnFirst) {
     // Slower while still turning: a fast walk in a tight curve swings out and loses time.
     double speed = parameters.maxForward * std::pow(std::cos(bearing), 3);
-    const double straight =
-        std::max(parameters.sprintBearing, std::asin(std::min(1.0, parameters.sprintAside / distance)));
     if (parameters.sprintBearing > 0) {
-      if (distance > parameters.sprintDistance && std::abs(bearing) < straight)
+      const double straight =
+          std::max(parameters.sprintBearing, std::asin(std::min(1.0, parameters.sprintAside / distance)));
+      const double most = sprinting ? std::max(straight, parameters.sprintHold) : straight;
+      command.sprint = distance > parameters.sprintDistance && std::abs(bearing) < most;
+      if (command.sprint) {
         command.turn = std::clamp(command.turn, -parameters.sprintTurn, parameters.sprintTurn);
-      else  // what is left of the walk's effort turns
+        speed = parameters.maxForward;  // less of it would end the sprint
+      } else {                          // what is left of the walk's effort turns
         speed = std::min(
             speed, parameters.curveSpeed * (1 - turnEffort * std::abs(command.turn) / parameters.maxTurn));
+      }
     }
     command.velocity = limitVelocity({std::min(speed, parameters.positionGain * distance), 0}, parameters);
   }
   return command;
 }
 
-WalkCommand walkPast(const Vec2& wayPoint, const WalkToPoseParameters& parameters) {
+WalkCommand walkPast(const Vec2& wayPoint, const WalkToPoseParameters& parameters, bool sprinting) {
   const double distance = wayPoint.norm();
   if (distance < 1e-6) return {};
   const double ahead =
       std::max(distance, parameters.nearDistance + parameters.maxForward / parameters.positionGain);
   const Vec2 farther = wayPoint * (ahead / distance);
-  return walkToPose(Pose2(farther, std::atan2(farther.y(), farther.x())), parameters);
+  return walkToPose(Pose2(farther, std::atan2(farther.y(), farther.x())), parameters, sprinting);
 }
 
 }  // namespace plumbline

@@ -20,6 +20,9 @@ struct WalkToPoseParameters {
   PARAMETER(double, sprintBearing, 0, "rad", Range(0, 1),
             "a target closer than this to straight ahead is walked to at full speed, with hardly a turn, and "
             "others slowly until it is: the walk does not turn in a sprint; 0: both at a time")
+  PARAMETER(double, sprintHold, 0, "rad", Range(0, 1),
+            "and a sprint that has begun goes on until the target is farther from straight ahead than this: "
+            "to brake and begin again costs seconds; 0: as sprintBearing")
   PARAMETER(double, sprintAside, 0, "m", Range(0, 3),
             "or if the sprint passes it no farther aside than this: near the target a sprint goes on")
   PARAMETER(
@@ -35,15 +38,17 @@ struct WalkToPoseParameters {
 struct WalkCommand {
   Vec2 velocity = Vec2::Zero();
   double turn = 0;
+  bool sprint = false;  ///< to be told to walkToPose in the next cycle
 };
 
 /// The walk that brings the robot to a pose given in its own frame: far away it faces the way it goes, near
 /// the target it takes the final heading. Speeds never exceed the limits (an ellipse for forward and
-/// sideways).
-WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& parameters);
+/// sideways). sprinting: whether the command before was a sprint.
+WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& parameters,
+                       bool sprinting = false);
 
 /// The walk towards a way point in the robot's frame, at full speed, because the way goes on behind it.
-WalkCommand walkPast(const Vec2& wayPoint, const WalkToPoseParameters& parameters);
+WalkCommand walkPast(const Vec2& wayPoint, const WalkToPoseParameters& parameters, bool sprinting = false);
 
 /// Scales a velocity back onto the ellipse of the limits, keeping its direction.
 Vec2 limitVelocity(const Vec2& velocity, const WalkToPoseParameters& parameters);

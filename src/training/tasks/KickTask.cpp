@@ -25,7 +25,7 @@ const Pose2 begin(Vec2(-10, 5), 0);
 
 int kickType(const TaskOptions& options) {
   options.check(withWorldOptions(
-      {"type", "motion", "side", "distance", "ceiling", "spread", "weight", "steady", "walk"}));
+      {"type", "motion", "side", "distance", "ceiling", "spread", "weight", "steady", "walk", "still"}));
   return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
 }
 
@@ -79,6 +79,7 @@ struct Flight {
 KickTask::KickTask(const TaskOptions& options)
     : spread_(options.number("spread", 0.01, 0, 0.1)),
       walk_(options.number("walk", 2, 0.2, 10)),
+      still_(options.number("still", 0, 0, 1)),
       worlds_(options, kickType(options)),
       ball_(worlds_.engine()) {
   wish_.distance = options.number("distance", wish_.distance, 0, 30);
@@ -125,7 +126,7 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
   const Pose2 ground = onGround(from.torso.pose);
   const Vec2 place = ground * Vec2(kick.ball + Vec2(x, y));
   world.setBall(Vec3(place.x(), place.y(), ballRadius), Vec3::Zero());
-  WalkOn walk(trial, walk_);
+  WalkOn walk(trial, walk_, still_);
 
   int cycles = 0, contact = -1;
   double height = 0;
@@ -186,8 +187,8 @@ std::string KickTask::file(const Eigen::VectorXd& parameters, const std::string&
 
 MAKE_TASK(kick,
           {"kick",
-           "a kick: type, motion, side, distance, ceiling, spread, weight, steady, walk, engine, effects, "
-           "draws",
+           "a kick: type, motion, side, distance, ceiling, spread, weight, steady, walk, still, engine, "
+           "effects, draws, firstDraw",
            [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
              return std::make_unique<KickTask>(options);
            }});

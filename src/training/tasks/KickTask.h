@@ -19,7 +19,8 @@ namespace plumbline::training {
 /// the ball came so far).
 /// Options: type 0 .., motion (a file's name to begin with), side (of the kicking foot), distance [m, 0: as
 /// far as it goes], ceiling (of top, 0: none) [m], spread [m], weight (0.08), steady (1),
-/// walk [s, 2: a shorter one makes a search faster], and TrialWorlds'.
+/// walk [s, 2: a shorter one makes a search faster], still (share of the runs in which the robot stands that
+/// long instead of walking, 0), and TrialWorlds'.
 class KickTask : public SearchTask {
 public:
   explicit KickTask(const TaskOptions& options);
@@ -41,7 +42,7 @@ private:
   };
   const Start& start(std::uint64_t seed);
 
-  const double spread_, walk_;
+  const double spread_, walk_, still_;
   motion::KickWish wish_;
   TrialWorlds worlds_;
   BallRoll ball_;

@@ -74,11 +74,11 @@ std::string StandUpTask::file(const Eigen::VectorXd& parameters, const std::stri
                             heading);
 }
 
-MAKE_TASK(standUp,
-          {"standUp",
-           "standing up from front or back: type, direction, weight, motion, engine, effects (a file), draws",
-           [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
-             return std::make_unique<StandUpTask>(options);
-           }});
+MAKE_TASK(standUp, {"standUp",
+                    "standing up from front or back: type, direction, weight, motion, engine, effects (a "
+                    "file), draws, firstDraw",
+                    [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
+                      return std::make_unique<StandUpTask>(options);
+                    }});
 
 }  // namespace plumbline::training

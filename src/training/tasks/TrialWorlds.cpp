@@ -20,10 +20,11 @@ std::vector<simulation::EffectSetting> drawn(const std::vector<simulation::Effec
 
 }  // namespace
 
-const std::vector<std::string> TrialWorlds::options = {"engine", "effects", "draws"};
+const std::vector<std::string> TrialWorlds::options = {"engine", "effects", "draws", "firstDraw"};
 
 TrialWorlds::TrialWorlds(const TaskOptions& options, int type) : engine_(options.word("engine", "ode")) {
   const int draws = static_cast<int>(options.number("draws", 0, 0, 64));
+  const int first = static_cast<int>(options.number("firstDraw", 0, 0, 1e6));
   const std::string file = options.word("effects", "");
   if (draws > 0 && file.empty())
     throw ConfigurationError("option draws: of what? give the file of effects too (option effects)");
@@ -32,7 +33,7 @@ TrialWorlds::TrialWorlds(const TaskOptions& options, int type) : engine_(options
   const auto effects =
       file.empty() ? std::vector<simulation::EffectSetting>() : simulation::readEffects(file);
   try {
-    for (int draw = 0; draw < std::max(1, draws); ++draw) {
+    for (int draw = first; draw < first + std::max(1, draws); ++draw) {
       world.effects = draws > 0 ? drawn(effects, draw) : effects;
       all_.push_back(std::make_unique<motion::MotionTrial>(type, world));
     }

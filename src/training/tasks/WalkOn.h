@@ -4,12 +4,13 @@
 namespace plumbline::training {
 
 /// The walk right after a motion that shows whether the robot can go on: two seconds into a random direction
-/// with a random turn (Seekircher 2015, 3.1.1).
+/// with a random turn (Seekircher 2015, 3.1.1). Or it stands still instead, in a share of the runs.
 class WalkOn {
 public:
-  /// Draws direction and turn from the trial's generator.
-  explicit WalkOn(motion::MotionTrial& trial, double seconds = 2);
-  /// Begins at these targets and fades into the walk's [s]; 0: at once.
+  /// Draws direction, turn and, where `still` is above 0, whether it stands from the trial's generator.
+  explicit WalkOn(motion::MotionTrial& trial, double seconds = 2, double still = 0);
+  /// Begins at these targets and fades into the walk's [s]; 0: at once. Into the stand it fades as
+  /// StandMotion does.
   void begin(const JointArray& from, double fadeSeconds = 0);
   void step();
   bool isOver() const;
@@ -24,6 +25,7 @@ private:
   double seconds_;
   Vec2 velocity_;
   double turn_;
+  bool stands_;
   JointArray from_{};
   double fade_ = 0, error_ = 0;
   int cycles_ = 0;

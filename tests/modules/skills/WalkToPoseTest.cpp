@@ -78,4 +78,19 @@ TEST(WalkToPose, leavesTheSprintInTimeToStop) {
   EXPECT_NEAR(walkToPose(Pose2(1.15, 0), sprinter()).velocity.x(), 0.6, 1e-12);
 }
 
+/// A single cycle farther aside, as the trunk sways, ended a sprint: to brake and begin again takes seconds.
+TEST(WalkToPose, aSprintGoesOnWhileTheTargetIsHardlyFartherAside) {
+  WalkToPoseParameters holding = sprinter();
+  holding.sprintHold = 0.3;
+  const Pose2 aside(4, 0.8);  // 0.197 rad
+  EXPECT_FALSE(walkToPose(aside, holding).sprint);
+  EXPECT_FALSE(walkToPose(aside, sprinter(), true).sprint);
+  const WalkCommand held = walkToPose(aside, holding, true);
+  EXPECT_TRUE(held.sprint);
+  EXPECT_NEAR(held.velocity.x(), 1, 1e-12);  // all of it: the walk takes less for the sprint's end
+  EXPECT_NEAR(held.turn, 0.1, 1e-12);
+  EXPECT_FALSE(walkToPose(Pose2(4, 1.4), holding, true).sprint);
+  EXPECT_FALSE(walkToPose(Pose2(1.1, 0.1), holding, true).sprint);
+}
+
 }  // namespace

@@ -101,6 +101,23 @@ TEST(KickTask, aWantedDistanceIsBetterThanAFartherKick) {
   EXPECT_NEAR(near.cost, 30 * (std::abs(along - 1) + aside), 1e-6);
 }
 
+/// The ball goes the same way; what follows is another.
+TEST(KickTask, standsStillAfterwardsInTheShareOfRunsThatIsAskedFor) {
+  KickTask walks{TaskOptions()}, stands(TaskOptions(Options{{"still", "1"}})),
+      some(TaskOptions(Options{{"still", "0.5"}}));
+  int stood = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const TaskOutcome walked = walks.run(startOf(walks), seed), still = stands.run(startOf(stands), seed);
+    EXPECT_EQ(figure(walked, "contact"), figure(still, "contact"));
+    EXPECT_NE(walked.cost, still.cost);
+    const double cost = some.run(startOf(some), seed).cost;
+    EXPECT_TRUE(cost == walked.cost || cost == still.cost);
+    stood += cost == still.cost;
+  }
+  EXPECT_GT(stood, 0);
+  EXPECT_LT(stood, 8);
+}
+
 /// type 2's long kick flies over a goal more often than not, its quick kick never.
 TEST(KickTask, tellsHowHighTheBallIsWhereAGoalMayStand) {
   KickTask high(TaskOptions(Options{{"type", "2"}, {"motion", "kickLong"}}));

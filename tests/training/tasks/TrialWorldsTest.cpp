@@ -56,6 +56,19 @@ TEST(TrialWorlds, theSeedSaysWhichDrawARunIsInAndTheFirstIsNominal) {
   EXPECT_EQ(runOf(drawn, 3).cost, runOf(drawn, 3).cost);
 }
 
+/// Worlds for trying out what was found: none of the search's, and no nominal one among them.
+TEST(TrialWorlds, aLaterFirstDrawGivesOtherWorlds) {
+  const EffectsFile file;
+  const auto cost = [&](const char* first, const char* draws) {
+    return runOf({{"effects", file.path}, {"draws", draws}, {"firstDraw", first}}, 2).cost;
+  };
+  EXPECT_EQ(cost("0", "2"), runOf({}, 2).cost) << "the seed 2 is the first draw's";
+  int unlike = 0;
+  for (const char* first : {"100", "102", "104", "106"}) unlike += cost(first, "2") != runOf({}, 2).cost;
+  EXPECT_GE(unlike, 2);
+  EXPECT_EQ(cost("101", "2"), cost("99", "3")) << "the same draw";
+}
+
 TEST(TrialWorlds, theOtherEngineIsAnOption) {
   EXPECT_NE(runOf({{"engine", "bullet"}}, 3).cost, runOf({}, 3).cost);
 }
