@@ -4,13 +4,16 @@
 #include <cmath>
 
 #include "modules/behavior/Restarts.h"
+#include "tactics/RollingBall.h"
 
 namespace plumbline {
 
 MAKE_MODULE(Formation)
 
 namespace {
-constexpr double farTime = 16;      ///< as good as never [s]
+constexpr double farTime = 16;    ///< as good as never [s]
+constexpr double never = 15;      ///< who says at least this must not touch the ball, or does not know it [s]
+constexpr double kickedAway = 1;  ///< words of a ball that rests farther off are old [m]
 constexpr double touchReach = 0.4;  ///< a robot this near has touched the ball [m]
 constexpr double inField = 0.4;     ///< places stay this far inside the lines [m]
 }  // namespace
@@ -21,12 +24,20 @@ void Formation::init() {
   piece_ = nullptr;
 }
 
+/// What a player said of its time to the ball, or its time to where the ball goes now: a kick makes words
+/// old.
+double Formation::timeOf(const TeamBelief& said) const {
+  const bool old = said.ballKnown && (restingPlace(said.ball, said.ballVelocity) - ball_).norm() > kickedAway;
+  if (!old || said.timeToBall >= never) return said.timeToBall;
+  return timeToBall(said.pose, said.fallen, ball_, theFieldDimensions->opponentGoal(), time);
+}
+
 std::vector<TeamMember> Formation::members(const PlayerRole& own) const {
   std::vector<TeamMember> members;
   for (const TeamReport& report : theTeamRobotPose->reports) {
     const TeamBelief& said = report.belief;
     if (!said.localised && said.number != thePlayerInfo->number) continue;
-    members.push_back({said.number, said.pose, said.fallen, said.role, said.timeToBall});
+    members.push_back({said.number, said.pose, said.fallen, said.role, timeOf(said)});
   }
   // Before the first own words: what they would be.
   if (!theTeamRobotPose->of(thePlayerInfo->number))
@@ -35,11 +46,10 @@ std::vector<TeamMember> Formation::members(const PlayerRole& own) const {
   for (const OtherRobot& robot : theOtherRobots->robots) {
     if (!robot.mate || robot.number < 1 || theFrameInfo->time - robot.lastSeen > seenSeconds) continue;
     if (std::ranges::find(members, robot.number, &TeamMember::number) != members.end()) continue;
-    const Vec2 way = theBallPos->field - robot.position;
+    const Vec2 way = ball_ - robot.position;
     const Pose2 pose(robot.position, std::atan2(way.y(), way.x()));
-    members.push_back(
-        {robot.number, pose, robot.fallen, PlayerRole::none,
-         timeToBall(pose, robot.fallen, theBallPos->field, theFieldDimensions->opponentGoal(), time)});
+    members.push_back({robot.number, pose, robot.fallen, PlayerRole::none,
+                       timeToBall(pose, robot.fallen, ball_, theFieldDimensions->opponentGoal(), time)});
   }
   return members;
 }
@@ -70,23 +80,22 @@ Vec2 Formation::keptOff(const Vec2& place) const {
   }
   if (theGameState->playMode == PlayMode::kickOffOwn || theGameState->playMode == PlayMode::kickOffOpponent)
     kept.x() = std::min(kept.x(), -inField);
-  const Vec2 away = kept - theBallPos->field;
+  const Vec2 away = kept - ball_;
   if (away.norm() < clearance) {
     // Off the ball to the side of the own goal, where the player stands in the way.
-    const Vec2 home = Vec2(-theFieldDimensions->length / 2, 0) - theBallPos->field;
+    const Vec2 home = Vec2(-theFieldDimensions->length / 2, 0) - ball_;
     const Vec2 direction = restart || away.norm() < 0.1 ? Vec2(home.normalized()) : Vec2(away.normalized());
-    kept = theBallPos->field +
-           clearance * (restart ? Vec2((away + 2 * clearance * direction).normalized()) : direction);
+    kept = ball_ + clearance * (restart ? Vec2((away + 2 * clearance * direction).normalized()) : direction);
   }
   const auto inside = [&half](const Vec2& p) {
     return Vec2(std::clamp(p.x(), -half.x(), half.x()), std::clamp(p.y(), -half.y(), half.y()));
   };
   kept = inside(kept);
   // Pushed back to the ball by a line: along the line instead.
-  if ((kept - theBallPos->field).norm() < clearance - 0.2) {
-    const double side = kept.y() > theBallPos->field.y() ? 1 : -1;
-    const double fits = std::abs(theBallPos->field.y() + side * clearance) < half.y() ? side : -side;
-    kept = inside(Vec2(kept.x(), theBallPos->field.y() + fits * clearance));
+  if ((kept - ball_).norm() < clearance - 0.2) {
+    const double side = kept.y() > ball_.y() ? 1 : -1;
+    const double fits = std::abs(ball_.y() + side * clearance) < half.y() ? side : -side;
+    kept = inside(Vec2(kept.x(), ball_.y() + fits * clearance));
   }
   return kept;
 }
@@ -114,7 +123,7 @@ void Formation::block(std::vector<Vec2>& places) const {
 }
 
 std::vector<Vec2> Formation::places() {
-  const Vec2 ball = theBallPos->field;
+  const Vec2& ball = ball_;
   const SetPiece* piece = setPiece();
   std::vector<Vec2> places;
   for (int i = 0; i < table_.size(); ++i) {
@@ -131,9 +140,11 @@ void Formation::update(PlayerRole* thePlayerRole) {
   PlayerRole& role = *thePlayerRole;
   watchRestart(role);
   role.mayTouchBall = takenAt_ < 0;
-  const Vec2 ball = theBallPos->field;
+  const Vec2 velocity = theRobotPose->pose.rotation() * theBallPos->relativeVelocity;
+  ball_ = restingPlace(theBallPos->field, velocity);
+  const Vec2 meeting = meetingPlace(theRobotPose->pose.position, time.walkSpeed, theBallPos->field, velocity);
   const bool knows = theRobotPose->valid && theBallPos->valid && role.mayTouchBall;
-  role.timeToBall = knows ? std::min(farTime, timeToBall(theRobotPose->pose, theFallState->lying(), ball,
+  role.timeToBall = knows ? std::min(farTime, timeToBall(theRobotPose->pose, theFallState->lying(), meeting,
                                                          theFieldDimensions->opponentGoal(), time))
                           : farTime;
   const std::vector<TeamMember> team = members(role);
@@ -141,13 +152,13 @@ void Formation::update(PlayerRole* thePlayerRole) {
 
   const std::vector<Vec2> all = places();
   const Vec2 ownGoal(-theFieldDimensions->length / 2, 0);
-  const TeamPlan made = planTeam(team, ball, ownGoal, all, time, plan);
+  const TeamPlan made = planTeam(team, ball_, ownGoal, all, time, plan);
   role.strikerNumber = made.strikerNumber;
   for (std::size_t i = 0; i < team.size(); ++i)
     if (team[i].number == thePlayerInfo->number) role.role = made.roles[i];
   if (role.supports()) {
     const Vec2 place = all[static_cast<std::size_t>(role.role - PlayerRole::supporter)];
-    const Vec2 toBall = ball - place;
+    const Vec2 toBall = ball_ - place;
     role.place = Pose2(place, std::atan2(toBall.y(), toBall.x()));
   }
 }

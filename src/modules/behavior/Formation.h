@@ -55,6 +55,7 @@ public:
 
 private:
   std::vector<TeamMember> members(const PlayerRole& before) const;
+  double timeOf(const TeamBelief& said) const;
   Vec2 keptOff(const Vec2& place) const;
   void watchRestart(PlayerRole& role);
   const SetPiece* setPiece();
@@ -62,6 +63,7 @@ private:
   void block(std::vector<Vec2>& places) const;
 
   FormationTable table_;
+  Vec2 ball_ = Vec2::Zero();  ///< where the ball will rest, field
   SetPieces pieces_;
   const SetPiece* piece_ = nullptr;  ///< the one whose places hold
   double pieceSeen_ = 0;             ///< its mode was the referee's last [s]

@@ -7,6 +7,7 @@
 
 #include "framework/DrawingSite.h"
 #include "modules/behavior/Restarts.h"
+#include "tactics/RollingBall.h"
 
 namespace plumbline {
 
@@ -36,7 +37,8 @@ void Striker2::draw(const StrikerSituation& situation) const {
 StrikerSituation Striker2::situation() const {
   StrikerSituation situation;
   situation.robot = theRobotPose->pose;
-  situation.ball = theBallPos->field;
+  situation.ball = meetingPlace(situation.robot.position, time.walkSpeed, theBallPos->field,
+                                situation.robot.rotation() * theBallPos->relativeVelocity);
   if (kickAllowed)
     for (const Kick& kick : theSkillKickParameters->kicks)
       situation.kicks.push_back({kick.distance, kick.spread, kick.scatter, kick.rise});
@@ -46,6 +48,8 @@ StrikerSituation Striker2::situation() const {
   situation.goalHeight = theFieldDimensions->goalHeight;
   situation.ballRadius = theFieldDimensions->ballRadius;
   if (theOtherRobots) situation.others = theOtherRobots->robots;
+  if (theGameState->playMode == PlayMode::passOwn)
+    situation.freeSeconds = std::max(0.0, passSeconds - (theGameState->time - passSince_));
   situation.opponentSpeed = theOppInfo ? theOppInfo->walkSpeed : time.walkSpeed;
   return situation;
 }
@@ -71,6 +75,7 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
   output.clear();
   output.active = true;
   output.skill = Skill::stand;
+  if (theGameState->playMode != PlayMode::passOwn) passSince_ = theGameState->time;
   // A goalie or supporter acts by its own behaviour, which stands before this one in modules.cfg: nothing is
   // worked out for it.
   if (thePlayerRole && thePlayerRole->members > 1 &&

@@ -33,6 +33,7 @@ MODULE(Striker2)
             "a kick never waits for a better direction than within this")
   PARAMETER(double, mostTolerance, 0.35, "rad", Range(0.01, 3.2),
             "nor is it this far off, if nothing depends on it")
+  PARAMETER(double, passSeconds, 4, "s", Range(0, 60), "that own pass mode keeps opponents off the ball")
   PARAMETER_GROUP(ActionChoiceParameters, choice, "what is done with the ball where others play")
   PARAMETER_GROUP(TimeToBallParameters, time, "how fast players are at the ball")
 END_MODULE
@@ -51,6 +52,7 @@ private:
   void draw(const StrikerSituation& situation) const;
 
   std::optional<FieldValue> value_;
+  double passSince_ = 0;  ///< begin of own pass mode, game clock [s]
   StrikerAction action_;  ///< the one chosen last
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "modules/modeling/ball/TeamBall.h"
+#include "tactics/RollingBall.h"
 
 namespace plumbline {
 

@@ -17,6 +17,7 @@ void SimSparkSend::execute() {
   command_.beam = theBeamRequest->active ? std::optional(theBeamRequest->pose) : std::nullopt;
   command_.say.reset();
   if (theSayMessage && !theSayMessage->text.empty()) command_.say = theSayMessage->text;
+  command_.pass = thePassRequest && thePassRequest->active;
   link_->send(command_);
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/RollingBall.h"
+
 namespace plumbline {
 
 MAKE_MODULE(PathPlanning)
@@ -53,7 +55,9 @@ void PathPlanning::update(SafeWalkDirection* theSafeWalkDirection) {
     return;
   }
   const Pose2& robot = theRobotPose->pose;
-  const Vec2 goal = to == Destination::ball ? theBallPos->field : theSkillRequest->target.position;
+  const Vec2 goal = to == Destination::ball ? meetingPlace(robot.position, ownSpeed, theBallPos->field,
+                                                           robot.rotation() * theBallPos->relativeVelocity)
+                                            : theSkillRequest->target.position;
   const Vec2 wayPoint = nextWayPoint(robot.position, goal, obstacles(to), last_, planner);
   const Vec2 way = wayPoint - robot.position;
   safe.wayPointField = wayPoint;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/RollingBall.h"
+
 namespace plumbline {
 
 namespace {
@@ -71,7 +73,11 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   const double mirror = foot_ == Side::left ? -1 : 1;
   double heading = theSkillRequest->target.heading;
   Vec2 place(dribbleDistance, 0);
-  const Vec2 toTarget = theSkillRequest->target.position - theBallPos->field;
+  // Where the ball will be when the robot is there, in its frame.
+  const Vec2 ball =
+      meetingPlace(Vec2::Zero(), meetingSpeed, theBallPos->relative, theBallPos->relativeVelocity);
+  const Vec2 rolls = theRobotPose->pose.rotation() * (ball - theBallPos->relative);
+  const Vec2 toTarget = theSkillRequest->target.position - (theBallPos->field + rolls);
   if (wanted != BallApproach::heading) heading = std::atan2(toTarget.y(), toTarget.x());
   if (wanted != BallApproach::dribble) {
     const Kick& kick = chooseKick(wanted == BallApproach::kick ? toTarget.norm() : farAway);
@@ -80,12 +86,11 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
     output.kick = kick.motion;
   }
   heading = normalizeAngle(heading - theRobotPose->pose.heading);
-  Pose2 way = approachBall(theBallPos->relative, heading, place, approach);
-  const bool fromBehind = std::abs(way.heading - heading) < 1e-9 && theBallPos->relative.norm() > runUp;
+  Pose2 way = approachBall(ball, heading, place, approach);
+  const bool fromBehind = std::abs(way.heading - heading) < 1e-9 && ball.norm() > runUp;
   if (wanted == BallApproach::dribble && fromBehind)
     way.position += dribbleOn * Vec2(std::cos(heading), std::sin(heading));
-  const bool detour =
-      theSafeWalkDirection && theSafeWalkDirection->detour && theBallPos->relative.norm() > detourDistance;
+  const bool detour = theSafeWalkDirection && theSafeWalkDirection->detour && ball.norm() > detourDistance;
   WalkCommand command =
       detour ? walkPast(theSafeWalkDirection->wayPoint, walk, sprinting_) : walkToPose(way, walk, sprinting_);
   sprinting_ = command.sprint;

@@ -39,6 +39,8 @@ MODULE(SkillGetBall)
             "a robot that stands at the ball counts as there until it is off by so many tolerances")
   PARAMETER(double, kickMargin, 0.3, "m", Range(0, 3),
             "a kick that was chosen stays while the ball's way is within so much of what it is for")
+  PARAMETER(double, meetingSpeed, 0.8, "m/s", Range(0.05, 3),
+            "with which the robot meets a rolling ball on its way")
   PARAMETER(double, biasGain, 1.5, "1/s^2", Range(0, 10),
             "how fast a drift of the walk is learned near the target")
   PARAMETER(double, biasDistance, 0.15, "m", Range(0, 1),

@@ -65,6 +65,30 @@ TEST_F(ActionChoiceTest, aKickThatComesTooLateIsALostBall) {
   EXPECT_GT(judge(Kind::dribble, 0).value, judge(Kind::kick, 0).value);
 }
 
+TEST_F(ActionChoiceTest, opponentsThatAreKeptOffLeaveTimeToKick) {
+  add(false, {-0.2, 1.1});
+  const double pressed = judge(Kind::kick, 0).value;
+  situation.freeSeconds = 6;
+  EXPECT_GT(judge(Kind::kick, 0).value, pressed + 0.1);
+}
+
+TEST_F(ActionChoiceTest, aShotNowIsWorthMoreThanASurerOneLater) {
+  situation.ball = {11, 0};
+  situation.robot = Pose2(10.7, 0, 0);
+  situation.kicks[0].reach = 8;
+  situation.others.clear();
+  add(false, {14.5, 1.5});
+  parameters.goalWorth = 1;
+  const StrikerAction shot = judgeAction(Kind::kick, 0, 8, situation, value, time, parameters);
+  ASSERT_GT(shot.goal, 0.2);
+  parameters.goalWorth = 1.5;
+  const StrikerAction dearer = judgeAction(Kind::kick, 0, 8, situation, value, time, parameters);
+  EXPECT_EQ(dearer.goal, shot.goal);
+  // Half a goal more for each, as far as the robot is first at the ball.
+  EXPECT_GT(dearer.value, shot.value + 0.25 * shot.goal);
+  EXPECT_LT(dearer.value, shot.value + 0.51 * shot.goal);
+}
+
 TEST_F(ActionChoiceTest, fastOpponentsAreThereSooner) {
   add(false, {4, 0});
   const double before = judge(Kind::kick, 0).value;

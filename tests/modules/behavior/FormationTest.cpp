@@ -87,6 +87,34 @@ TEST_F(FormationTest, aMateThatIsOnlySeenTakesPart) {
   EXPECT_TRUE(role().supports());
 }
 
+TEST_F(FormationTest, goesByWhereARollingBallWillRest) {
+  harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(0, 0, 0), 0.5)};
+  harness.input<RobotPose>().pose = Pose2(-3, 0, 0);
+  ballAt({5, 2});
+  const Vec2 place = role().place.position;
+  const double time = role().timeToBall;
+  ballAt({0, 2});
+  harness.input<BallPos>().relativeVelocity = Vec2(5, 0) / 0.92;
+  EXPECT_LT((role().place.position - place).norm(), 0.01);
+  EXPECT_NEAR(role().timeToBall, time, 0.2) << "it cannot be met before";
+}
+
+TEST_F(FormationTest, wordsFromBeforeAKickAreOld) {
+  TeamReport near = reportOf(7, Pose2(0, 0, 0), 0.5);
+  near.belief.ballKnown = true;
+  near.belief.ball = {0.3, 0};
+  harness.input<TeamRobotPose>().reports = {near, reportOf(3, Pose2(6, 0, 0), 6)};
+  harness.input<RobotPose>().pose = Pose2(6, 0, 0);
+  ballAt({0.3, 0});
+  EXPECT_EQ(role().strikerNumber, 7);
+  // It was kicked to 8 m: number 7 did not know that yet.
+  ballAt({7, 0});
+  harness.input<TeamRobotPose>().reports[1].belief.timeToBall = 2;
+  EXPECT_EQ(role().strikerNumber, 3);
+  harness.input<TeamRobotPose>().reports[0].belief.ballKnown = false;
+  EXPECT_EQ(role().strikerNumber, 7) << "who tells of no ball is believed its time";
+}
+
 TEST_F(FormationTest, supportersKeepOffTheBallAndFartherAtTheOpponentsRestarts) {
   harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(0, 0, 0), 0.5)};
   harness.input<RobotPose>().pose = Pose2(-3, 0, 0);

@@ -60,7 +60,7 @@ TEST_F(SetPiecesTest, placesTowardsTheOwnGoalLieOnTheLineToItsMiddle) {
 TEST_F(SetPiecesTest, theProjectsOwnStayOnTheFieldWhereverTheBallLies) {
   ConfigStore store({"config"});
   const SetPieces pieces(Config(store, "Formation"));
-  ASSERT_EQ(pieces.all().size(), 6U);
+  ASSERT_EQ(pieces.all().size(), 7U);
   for (const PlayMode mode :
        {PlayMode::kickOffOwn, PlayMode::kickOffOpponent, PlayMode::kickInOwn, PlayMode::kickInOpponent,
         PlayMode::cornerOwn, PlayMode::cornerOpponent, PlayMode::goalKickOwn, PlayMode::goalKickOpponent,

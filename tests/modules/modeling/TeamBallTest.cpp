@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tactics/RollingBall.h"
+
 using namespace plumbline;
 
 namespace {

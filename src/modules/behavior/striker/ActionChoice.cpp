@@ -26,6 +26,7 @@ public:
     const double inside = situation.goalHalfWidth - situation.ballRadius;
     const double right = angleTo(-inside), left = angleTo(inside);
     reach_ = static_cast<int>(std::ceil(mostDeviations * play.kick.scatter / cell_));
+    const double goalWorth = situation.others.empty() ? 1 : parameters.goalWorth;
     widest_ = std::min(static_cast<int>(parameters.widest / cell_), count_ / 2 - reach_ - 1);
     for (int i = -widest_ - reach_; i <= widest_ + reach_; ++i) {
       const double offset = i * cell_;
@@ -34,7 +35,7 @@ public:
       const double share =
           std::max(0.0, std::min(left, offset + cell_ / 2) - std::max(right, offset - cell_ / 2)) / cell_;
       const double in = share * course.goal;
-      cells_.push_back({in + (1 - in) * course.value, in, course.way});
+      cells_.push_back({in * goalWorth + (1 - in) * course.value, in, course.way});
     }
     for (int i = -reach_; i <= reach_; ++i)
       weights_.push_back(std::exp(-0.5 * std::pow(i * cell_ / play.kick.scatter, 2)));

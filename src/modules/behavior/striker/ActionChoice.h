@@ -15,12 +15,15 @@ struct ActionChoiceParameters {
   PARAMETER(int, directions, 105, "", Range(24, 720),
             "directions all round that are compared, of each action")
   PARAMETER(double, widest, 2.0, "rad", Range(0.1, 3.1), "the outermost ones, off the direction of the goal")
-  PARAMETER(double, kickSeconds, 2, "s", Range(0, 20),
+  PARAMETER(double, kickSeconds, 1.5, "s", Range(0, 20),
             "to stand exactly behind the ball and kick it, once the robot is there")
   PARAMETER(double, dribbleWay, 1.5, "m", Range(0.1, 10), "how far ahead a dribble is judged")
   PARAMETER(double, dribbleSpeed, 0.5, "m/s", Range(0.05, 3), "of the ball while it is dribbled")
   PARAMETER(double, dribbleScatter, 0.1, "rad", Range(0.01, 1),
             "standard deviation of a dribbled ball's direction")
+  PARAMETER(
+      double, goalWorth, 1.8, "", Range(1, 10),
+      "of a goal among others, against being sure of the next one: who waits for a surer shot loses the ball")
   PARAMETER(double, timeSpread, 1, "s", Range(0.05, 10),
             "how sure it is who is first: 73 % for one who is sooner by this")
   PARAMETER(double, timePrice, 0.01, "1/s", Range(0, 1), "value that a second costs")
@@ -52,6 +55,7 @@ struct StrikerSituation {
   std::vector<StrikerKick> kicks;
   double halfLength = 15, halfWidth = 10, goalHalfWidth = 1.05, goalHeight = 0.8, ballRadius = 0.042;
   std::vector<OtherRobot> others;
+  double freeSeconds = 0;      ///< for which opponents are kept off the ball [s]
   double opponentSpeed = 0.8;  ///< of opponents on their way to the ball [m/s]
   Vec2 goal() const { return {halfLength, 0}; }
 };

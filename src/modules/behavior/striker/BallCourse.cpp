@@ -81,7 +81,7 @@ double BallCourses::opponentAtBall() const {
     const double straight = way.norm() / theirs.walkSpeed + (robot.fallen ? theirs.getUp : 0);
     first = std::min(first, (round + straight) / 2);
   }
-  return first;
+  return std::max(first, situation_.freeSeconds);
 }
 
 double BallCourses::underBar(double share, double rise) const {

@@ -10,11 +10,6 @@ namespace {
 constexpr double agreement = 3;  ///< [standard deviations]
 }  // namespace
 
-Vec2 rolledOn(const Vec2& position, const Vec2& velocity, double seconds) {
-  const double time = std::max(seconds, 0.0);
-  return position + ballRollingSeconds * (1 - std::exp(-time / ballRollingSeconds)) * velocity;
-}
-
 std::optional<ToldBall> combineBalls(const std::vector<ToldBall>& told) {
   if (told.empty()) return std::nullopt;
   const ToldBall& best = *std::ranges::min_element(told, {}, &ToldBall::deviation);

@@ -13,9 +13,6 @@ struct ToldBall {
   double age = 0;        ///< since it was seen [s]
 };
 
-/// Where a rolling ball is after some seconds: its speed dies away (ballRollingSeconds).
-Vec2 rolledOn(const Vec2& position, const Vec2& velocity, double seconds);
-
 /// The mean weighted by certainty of those that agree with the most certain one (within three deviations);
 /// others are left out, because they tell of a ball that was elsewhere. Nothing without any.
 std::optional<ToldBall> combineBalls(const std::vector<ToldBall>& told);
