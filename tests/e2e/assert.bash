@@ -4,7 +4,16 @@ set -euo pipefail
 bin=${PLUMBLINE_BIN:-$(cd "$(dirname "${BASH_SOURCE[0]}")/../../bin" && pwd)}
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 scratch=$(mktemp -d)
-trap 'status=$?; jobs -p | xargs -r kill 2>/dev/null || true; rm -rf "$scratch"; exit $status' EXIT
+# Whoever still runs is ended, and has ended before the folder goes that it writes to.
+cleanUp() {
+  local status=$? i
+  jobs -p | xargs -r kill 2> /dev/null || true
+  for ((i = 0; i < 100; ++i)); do [[ $(jobs -pr) ]] || break; sleep 0.05; done
+  jobs -p | xargs -r kill -9 2> /dev/null || true
+  rm -rf "$scratch" || { sleep 1; rm -rf "$scratch" || true; }
+  exit "$status"
+}
+trap cleanUp EXIT
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
 # The value of a key of a flat JSON file.
