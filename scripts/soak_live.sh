@@ -35,7 +35,7 @@ cp -r config "$scratch/config"
 sed -i "s/^domain: 0/domain: $((100 + $$ % 100))/" "$scratch/config/NetworkModule.yaml"
 printf 'fileMegabytes: 64\nfiles: 4\n' > "$scratch/config/log.yaml" # or five hours fill a disk
 { echo "include $scratch/config/platforms/simspark/modules.cfg"; echo network; } > "$scratch/shows.cfg"
-"$bin/agent" --config "$scratch/config" --modules "$scratch/shows.cfg" --start-simulator --simulator-option=--seed --simulator-option=1 \
+"$bin/agent" --config "$scratch/config" --modules "$scratch/shows.cfg" --start-simulator --simulator-option=--sync --simulator-option=--seed --simulator-option=1 \
   --simulator-option=--half-time --simulator-option=100000 --simulator-option=--kickoff-after --simulator-option=1 \
   --debug 0 --web 0 --log "$scratch/log" --crash-log "$scratch/crash.log" > "$scratch/agent.out" 2> "$scratch/agent.err" &
 agent=$!
