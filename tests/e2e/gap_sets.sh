@@ -1,4 +1,4 @@
-# Diagnosis by sets of causes: what it claims of recordings left out is what bin/gap check measures on others.
+# Diagnosis by sets of causes, which is how robots with a held base are diagnosed: what it claims of recordings left out is what bin/gap check measures on others.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 command -v node > /dev/null || fail "no node: scripts/install_packages.sh scripts/packages-test.txt installs it"
 arm=tests/e2e/gap/arm.json
@@ -11,7 +11,7 @@ for program in hang_sweep hang_small; do
 done
 gap record --robot $arm --program hang_multisine --effects "$scratch/friction.yaml" --seed 3 -o "$scratch/unseen"
 
-gap diagnose "$scratch/seen" --method sets --robot $arm --max-causes 2 --jobs 1 --json "$scratch/answer.json"
+gap diagnose "$scratch/seen" --robot $arm --max-causes 2 --jobs 1 --json "$scratch/answer.json"
 expectEqual "$(ask "$scratch/answer.json" 'a.verdict, a.effects.length, a.effects[0].effect, a.effects[0].at, a.gap.runs.length, a.gap.left_out')" \
   "effect 1 coulomb_friction Elbow 2 recordings" "the answer"
 grep -q '^Left out of search and fit, each in turn:$' "$scratch/out" || fail "no table: $(cat "$scratch/out")"
@@ -32,15 +32,15 @@ if [[ -s build/report/page.html ]]; then
 fi
 
 # Another number of threads, the same bytes; nothing where nothing is.
-gap diagnose "$scratch/seen" --method sets --robot $arm --max-causes 2 --jobs 2 --json "$scratch/again.json"
+gap diagnose "$scratch/seen" --robot $arm --max-causes 2 --jobs 2 --json "$scratch/again.json"
 cmp "$scratch/answer.json" "$scratch/again.json" || fail "two threads give another answer"
 gap record --robot $arm --program hang_sweep --program hang_small --seed 4 -o "$scratch/clean"
-gap diagnose "$scratch/clean" --method sets --robot $arm --json "$scratch/clean.json"
+gap diagnose "$scratch/clean" --robot $arm --json "$scratch/clean.json"
 expectEqual "$(ask "$scratch/clean.json" 'a.verdict, a.effects.length')" "none 0" "the answer to a clean robot"
 
 # Stopped within a second, and nothing is written.
 status=0
-timeout -s INT --preserve-status 0.3 "$bin/gap" diagnose "$scratch/seen" --method sets --robot $arm --jobs 1 \
+timeout -s INT --preserve-status 0.3 "$bin/gap" diagnose "$scratch/seen" --robot $arm --jobs 1 \
   --json "$scratch/stopped.json" 2> "$scratch/err" || status=$?
 expectEqual $status 130 "the status of a diagnosis that was stopped"
 expectEqual "$(cat "$scratch/err")" "gap: stopped; nothing was written" "what a stopped diagnosis says"

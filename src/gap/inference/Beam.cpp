@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
 #include "gap/inference/Strengths.h"
 
@@ -29,7 +30,10 @@ public:
       : replayer(replayer_),
         options(options_),
         shares(sharesOf(replayer.groups(), replayer.residuals({}))),
-        screening(replayer, shares, [this](double share) { tell(0.3 * share); }) {}
+        own(options.screening ? nullptr
+                              : std::make_unique<CandidateScreening>(
+                                    replayer, shares, [this](double share) { tell(0.3 * share); })),
+        screening(options.screening ? *options.screening : *own) {}
 
   BeamResult run() {
     add({});
@@ -97,7 +101,7 @@ private:
 
   /// Causes that may pay beside the base: those that gain half of their price to first order.
   std::vector<Proposal> worthTrying(const Explanation& base, std::size_t most) const {
-    std::vector<Proposal> proposals = screening.propose(base, shares, most);
+    std::vector<Proposal> proposals = screening.propose(replayer, base, shares, most);
     const double price = priceOf(1, screening.numKinds());
     std::erase_if(proposals, [&](const Proposal& proposal) { return proposal.gain < price / 2; });
     return proposals;
@@ -172,7 +176,8 @@ private:
   const Replayer& replayer;
   const BeamOptions& options;
   Shares shares;
-  CandidateScreening screening;
+  const std::unique_ptr<const CandidateScreening> own;
+  const CandidateScreening& screening;
   std::map<std::string, Scored> scored;
 };
 

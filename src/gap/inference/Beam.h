@@ -12,6 +12,8 @@ struct BeamOptions {
   std::size_t width = 2;      ///< sets that are extended
   std::size_t proposals = 5;  ///< causes that each is extended by
   std::function<void(double share)> progress = {};
+  /// Of these groups, or of more; null: the search makes its own.
+  const CandidateScreening* screening = nullptr;
 };
 
 /// What a search came to: sets scored under the same shares, the best first.

@@ -10,9 +10,11 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double enoughSeconds = 30;      // of recordings, for screening
-constexpr std::size_t mostSamples = 250;  // of a cell that are looked at
-constexpr double mostFactor = 4;          // of a start, that its sensitivity is trusted for
+constexpr double enoughSeconds = 30;                          // of recordings, for screening
+constexpr std::size_t mostSamples = 250;                      // of a cell that are looked at
+constexpr double coarseStep = 0.004, coarseGearStep = 0.002;  // of the replays [s], see ReplayOptions
+constexpr std::size_t mostGuessed = 24;  // kinds whose gain is worked out and not only guessed
+constexpr double mostFactor = 4;         // of a start, that its sensitivity is trusted for
 
 bool measured(const Groups& groups, SignalKind a, SignalKind b) {
   return std::ranges::any_of(groups.cells(), [&](const Cell& cell) {
@@ -61,23 +63,51 @@ std::vector<char> someTrials(const Groups& groups) {
   return taken;
 }
 
-std::vector<double> thinned(const std::vector<double>& values, std::size_t every) {
+/// Every n-th value of a stretch; the n-th of the whole series, wherever the stretch begins.
+std::vector<double> thinned(const ResidualSeries& values, std::size_t from, std::size_t to,
+                            std::size_t every) {
   std::vector<double> result;
-  for (std::size_t k = 0; k < values.size(); k += every) result.push_back(values[k]);
+  for (std::size_t k = (from + every - 1) / every * every; k < std::min(to, values.size()); k += every)
+    result.push_back(values[k]);
   return result;
+}
+
+/// Whether the one is the other with its sign changed, and changes what it changes the other way.
+bool isOpposite(const Cause& one, const Cause& other) {
+  const double a = one.effect->strengthOf(one.value), b = other.effect->strengthOf(other.value);
+  return one.effect->linear && std::abs(a + b) <= 1e-6 * std::abs(a);
 }
 
 }  // namespace
 
-std::size_t CandidateScreening::thinning(const Cell& cell) const {
-  return (cell.to - cell.from + mostSamples - 1) / mostSamples;
-}
+/// What a base leaves in a cell, thinned, with the sums that a guess needs.
+struct CandidateScreening::Left {
+  struct OfCell {
+    Cell cell;
+    std::size_t first = 0;  ///< of the thinned values of its trial
+    double share = 1;       ///< of one value that is looked at
+    std::vector<double> values;
+    Split parts;
+    std::vector<double> weights;  ///< of what varies; 0 where nothing was measured
+    double scale = 0, density = 0, meanScale = 0, squares = 0, count = 0;
+  };
+  std::vector<OfCell> cells;
+  std::vector<std::vector<std::vector<std::size_t>>> at;  ///< cells per trial and signal
+};
 
-CandidateScreening::CandidateScreening(const Replayer& replayer_, const Shares& shares,
+struct CandidateScreening::Guessed {
+  double gain = 0, share = 1;  ///< share: of the start's strength that gains most
+};
+
+CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& shares,
                                        const std::function<void(double)>& progress)
-    : replayer(replayer_), looked(someTrials(replayer_.groups())) {
+    : looked(someTrials(replayer.groups())) {
   const Groups& groups = replayer.groups();
   const Mechanism& robot = replayer.mechanism();
+  // A recording that is left alone by others that are left out is cut into stretches.
+  const std::size_t stretches = groups.count() <= 2 || groups.stretchesOfOne() ? 4 : 1;
+  for (const Trial& trial : groups.trials())
+    every.push_back(std::max<std::size_t>(1, trial.cycles() / (stretches * mostSamples)));
   const Residuals nominal = replayer.residuals({});
   // Most that a cause can gain: every cell of its chains falls to its noise.
   std::vector<double> most(groups.cells().size());
@@ -115,103 +145,176 @@ CandidateScreening::CandidateScreening(const Replayer& replayer_, const Shares& 
     }
     return best <= std::log(static_cast<double>(kinds));
   });
-  replayStarts(possible, nominal, progress);
+  replayStarts(replayer, possible, progress);
 }
 
-void CandidateScreening::replayStarts(const std::vector<Cause>& worth, const Residuals& nominal,
+/// What one replay leaves less than another, thinned, in the signals that are used; none where they are
+/// alike.
+std::vector<CandidateScreening::Change> CandidateScreening::changesOf(const Groups& groups,
+                                                                      const Residuals& nominal,
+                                                                      const Residuals& with) const {
+  std::vector<Change> changes;
+  for (std::size_t t = 0; t < groups.trials().size(); ++t)
+    for (std::size_t s = 0; s < groups.trials()[t].signals.size() && looked[t]; ++s) {
+      if (!groups.uses()[t][s].used || with[t][s] == nominal[t][s]) continue;
+      const std::size_t cycles = groups.trials()[t].cycles();
+      const std::vector<double> a = thinned(*nominal[t][s], 0, cycles, every[t]),
+                                b = thinned(*with[t][s], 0, cycles, every[t]);
+      Change change{t, s, {}};
+      bool any = false;
+      for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+        const double d = a[k] - b[k];
+        change.values.push_back(std::isfinite(d) ? static_cast<float>(d) : 0.F);
+        any = any || change.values.back() != 0;
+      }
+      if (any) changes.push_back(std::move(change));
+    }
+  return changes;
+}
+
+void CandidateScreening::replayStarts(const Replayer& exact, const std::vector<Cause>& worth,
                                       const std::function<void(double)>& progress) {
-  const Groups& groups = replayer.groups();
+  // Differences of two replays hardly depend on the step.
+  const Mechanism& robot = exact.mechanism();
+  ReplayOptions coarse;
+  coarse.step = coarseStep;
+  coarse.gearStep = coarseGearStep;
+  const Replayer replayer(robot, exact.groups(), exact.jobs(), coarse);
+  const Residuals nominal = replayer.residuals({}, looked);
   for (std::size_t i = 0; i < worth.size(); ++i) {
     if (progress) progress(static_cast<double>(i) / static_cast<double>(worth.size()));
-    Cause cause = worth[i];
-    for (const double value : cause.effect->starts) {
-      cause.value = value * cause.effect->scaleAt(replayer.mechanism(), cause.place);
-      const Explanation alone = withLogStrengths(replayer.mechanism(), {cause}, logStrengths({cause}));
-      const Residuals with = replayer.residuals(alone, looked);
-      Start start{alone.front(), {}};
-      for (std::size_t c = 0; c < groups.cells().size(); ++c) {
-        const Cell& cell = groups.cells()[c];
-        if (!looked[cell.trial] || with[cell.trial][cell.signal] == nominal[cell.trial][cell.signal])
-          continue;
-        const std::vector<double> a = thinned(residualsOf(cell, nominal), thinning(cell)),
-                                  b = thinned(residualsOf(cell, with), thinning(cell));
-        Change change{c, {}};
-        bool any = false;
-        for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
-          const double d = a[k] - b[k];
-          change.values.push_back(std::isfinite(d) ? static_cast<float>(d) : 0.F);
-          any = any || change.values.back() != 0;
-        }
-        if (any) start.changes.push_back(std::move(change));
+    const Effect& effect = *worth[i].effect;
+    const std::size_t firstOfKind = starts.size();
+    for (const double value : effect.starts) {
+      Cause cause = worth[i];
+      cause.value = value * effect.scaleAt(robot, cause.place);
+      cause = withLogStrengths(robot, {cause}, logStrengths({cause})).front();
+      Start start{cause, {}};
+      if (starts.size() > firstOfKind && isOpposite(starts[firstOfKind].cause, cause)) {
+        start.changes = starts[firstOfKind].changes;
+        for (Change& change : start.changes)
+          for (float& of : change.values) of = -of;
+      } else {
+        start.changes = changesOf(replayer.groups(), nominal, replayer.residuals({cause}, looked));
       }
       if (!start.changes.empty()) starts.push_back(std::move(start));
     }
   }
 }
 
-double CandidateScreening::gainOf(const Start& start, const std::vector<Left>& left, const Shares& shares,
-                                  double& share) const {
-  double product = 0, squares = 0;
-  const auto add = [&](double w, double r, double d) {
-    product += w * r * d;
-    squares += w * d * d;
+// The strength that gains most is that of one step with the weights held. Each cell's mean square then falls
+// by as much as the step explains, but not below the noise.
+CandidateScreening::Guessed CandidateScreening::guess(const Start& start, const Left& left) const {
+  struct Sums {
+    const Left::OfCell* of;
+    double product, squares, mean;
   };
-  for (const Change& change : start.changes) {
-    const Left& of = left[change.cell];
-    double mean = 0, n = 0;
-    for (std::size_t k = 0; k < std::min(of.values.size(), change.values.size()); ++k)
-      if (std::isfinite(of.values[k])) mean += change.values[k], ++n;
-    if (n == 0) continue;
-    mean /= n;
-    const double each = shares[change.cell] * static_cast<double>(thinning(cellOf(change.cell)));
-    for (std::size_t k = 0; k < std::min(of.values.size(), change.values.size()); ++k)
-      if (const double r = of.parts.about[k]; std::isfinite(r))
-        add(each * weightOf(r, of.scale), r, change.values[k] - mean);
-    add(weightOf(of.parts.mean, std::max(cellOf(change.cell).noise, std::abs(of.parts.mean))), of.parts.mean,
-        mean);
+  std::vector<Sums> sums;
+  double product = 0, squares = 0;
+  for (const Change& change : start.changes)
+    for (const std::size_t c : left.at[change.trial][change.signal]) {
+      const Left::OfCell& of = left.cells[c];
+      if (of.count == 0) continue;
+      const float* d = change.values.data() + of.first;
+      double mean = 0, p = 0, q = 0;
+      for (std::size_t k = 0; k < of.values.size(); ++k)
+        if (of.weights[k] > 0) mean += static_cast<double>(d[k]);
+      mean /= of.count;
+      for (std::size_t k = 0; k < of.values.size(); ++k) {
+        if (!(of.weights[k] > 0)) continue;
+        const double about = static_cast<double>(d[k]) - mean;
+        p += of.weights[k] * of.parts.about[k] * about;
+        q += of.weights[k] * about * about;
+      }
+      const double w = weightOf(of.parts.mean, of.meanScale);
+      product += of.share * p + w * of.parts.mean * mean;
+      squares += of.share * q + w * mean * mean;
+      sums.push_back({&of, p, q, mean});
+    }
+  Guessed guessed;
+  if (!(product > 0) || !(squares > 0)) return guessed;
+  const double share = guessed.share = std::clamp(product / squares, 1 / mostFactor, mostFactor);
+  for (const Sums& sum : sums) {
+    const Left::OfCell& of = *sum.of;
+    const double least = std::pow(of.cell.noise / of.scale, 2);
+    const double ratio =
+        std::max(least, 1 - (2 * share * sum.product - share * share * sum.squares) / of.squares);
+    guessed.gain -= of.share * of.count / 2 * std::log(ratio);
+    guessed.gain +=
+        std::log(of.meanScale / std::max(of.cell.noise, std::abs(of.parts.mean - share * sum.mean)));
   }
-  if (!(product > 0) || !(squares > 0)) return 0;
-  share = std::clamp(product / squares, 1 / mostFactor, mostFactor);
+  return guessed;
+}
+
+double CandidateScreening::gainOf(const Start& start, const Left& left, double share) const {
   double gain = 0;
-  for (const Change& change : start.changes) {
-    const Cell& cell = cellOf(change.cell);
-    std::vector<double> r = left[change.cell].values;
-    for (std::size_t k = 0; k < std::min(r.size(), change.values.size()); ++k)
-      r[k] -= share * static_cast<double>(change.values[k]);
-    gain += stretchDensity(split(r), cell.noise, shares[change.cell] * static_cast<double>(thinning(cell))) -
-            left[change.cell].density;
-  }
+  for (const Change& change : start.changes)
+    for (const std::size_t c : left.at[change.trial][change.signal]) {
+      const Left::OfCell& of = left.cells[c];
+      std::vector<double> r = of.values;
+      for (std::size_t k = 0; k < r.size(); ++k)
+        r[k] -= share * static_cast<double>(change.values[of.first + k]);
+      gain += stretchDensity(split(r), of.cell.noise, of.share) - of.density;
+    }
   return gain;
 }
 
-std::vector<Proposal> CandidateScreening::propose(const Explanation& base, const Shares& shares,
-                                                  std::size_t most) const {
-  const Groups& groups = replayer.groups();
-  const Residuals residuals = replayer.residuals(base);
-  std::vector<Left> left;
+std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const Explanation& base,
+                                                  const Shares& shares, std::size_t most) const {
+  const Groups& groups = within.groups();
+  const Residuals residuals = within.residuals(base);
+  Left left;
+  for (const Trial& trial : groups.trials()) left.at.emplace_back(trial.signals.size());
   for (std::size_t c = 0; c < groups.cells().size(); ++c) {
     const Cell& cell = groups.cells()[c];
-    Left& of = left.emplace_back();
-    of.values = thinned(residualsOf(cell, residuals), thinning(cell));
+    const std::size_t n = every[cell.trial];
+    if (!looked[cell.trial] || !residuals[cell.trial][cell.signal]) continue;
+    Left::OfCell of;
+    of.cell = cell;
+    of.first = (cell.from + n - 1) / n;
+    of.share = shares[c] * static_cast<double>(n);
+    of.values = thinned(*residuals[cell.trial][cell.signal], cell.from, cell.to, n);
     of.parts = split(of.values);
     of.scale = likeliestScale(of.parts.about, cell.noise);
-    of.density = stretchDensity(of.parts, cell.noise, shares[c] * static_cast<double>(thinning(cell)));
+    of.density = stretchDensity(of.parts, cell.noise, of.share);
+    of.meanScale = std::max(cell.noise, std::abs(of.parts.mean));
+    for (const double r : of.parts.about) {
+      const double w = std::isfinite(r) ? weightOf(r, of.scale) : 0;
+      of.weights.push_back(w);
+      if (w > 0) of.squares += w * r * r, ++of.count;
+    }
+    if (!(of.squares > 0)) of.squares = 1;
+    left.at[cell.trial][cell.signal].push_back(left.cells.size());
+    left.cells.push_back(std::move(of));
   }
-  std::vector<Proposal> proposals;
+  // The best start of each kind (its starts follow each other) by its guess; of the best of these the gain
+  // itself.
+  struct Candidate {
+    const Start* start;
+    Guessed guessed;
+  };
+  std::vector<Candidate> candidates;
   for (const Start& start : starts) {
     if (std::ranges::any_of(base, [&](const Cause& cause) { return cause.sameKind(start.cause); })) continue;
-    double share = 1;
-    const double gain = gainOf(start, left, shares, share);
+    const Guessed guessed = guess(start, left);
+    if (!(guessed.gain > 0)) continue;
+    const bool same = !candidates.empty() && candidates.back().start->cause.sameKind(start.cause) &&
+                      candidates.back().start->cause.variant == start.cause.variant;
+    if (!same)
+      candidates.push_back({&start, guessed});
+    else if (guessed.gain > candidates.back().guessed.gain)
+      candidates.back() = {&start, guessed};
+  }
+  std::ranges::stable_sort(candidates, std::ranges::greater(),
+                           [](const Candidate& candidate) { return candidate.guessed.gain; });
+  if (candidates.size() > mostGuessed) candidates.resize(mostGuessed);
+  std::vector<Proposal> proposals;
+  for (const Candidate& candidate : candidates) {
+    const double gain = gainOf(*candidate.start, left, candidate.guessed.share);
     if (!(gain > 0)) continue;
-    const Eigen::VectorXd x = logStrengths({start.cause}).array() + std::log(share);
-    const Proposal proposal{withLogStrengths(replayer.mechanism(), {start.cause}, x).front(), gain};
-    const auto same = std::ranges::find_if(proposals, [&](const Proposal& p) {
-      return p.cause.sameKind(proposal.cause) && p.cause.variant == proposal.cause.variant;
-    });
-    if (same == proposals.end())
-      proposals.push_back(proposal);
-    else if (proposal.gain > same->gain)
-      *same = proposal;
+    const Cause& cause = candidate.start->cause;
+    const Eigen::VectorXd x = logStrengths({cause}).array() + std::log(candidate.guessed.share);
+    proposals.push_back({withLogStrengths(within.mechanism(), {cause}, x).front(), gain});
   }
   std::ranges::stable_sort(proposals, std::ranges::greater(), &Proposal::gain);
   if (proposals.size() > most) proposals.resize(most);

@@ -15,7 +15,7 @@ struct Proposal {
 
 /// Each kind of cause (effect, place, variant) at its starting values, replayed once under the nominal model.
 /// What it changes (its sensitivity) then tells, without any further replay, what it would gain beside any
-/// other set: the projection of the residual on the sensitivity.
+/// other set, and in any of the groups: the projection of the residual on the sensitivity.
 class CandidateScreening {
 public:
   /// Kinds whose chains have nothing to gain (scales at their noise, under these shares) are not replayed;
@@ -25,35 +25,32 @@ public:
 
   /// How many kinds are possible at all on this robot with these recordings.
   std::size_t numKinds() const { return kinds; }
-  /// The best start of each kind that gains, best kind first, at most so many.
-  std::vector<Proposal> propose(const Explanation& base, const Shares& shares, std::size_t most) const;
+  /// The best start of each kind that gains, best kind first, at most so many. within: the replayer of the
+  /// groups that count, all or some of those that were screened.
+  std::vector<Proposal> propose(const Replayer& within, const Explanation& base, const Shares& shares,
+                                std::size_t most) const;
   std::size_t numStarts() const { return starts.size(); }
 
 private:
+  /// What a start changes in a signal of a trial, at every n-th cycle.
   struct Change {
-    std::size_t cell;
-    std::vector<float> values;  ///< thinned
+    std::size_t trial = 0, signal = 0;
+    std::vector<float> values;
   };
   struct Start {
     Cause cause;
     std::vector<Change> changes;
   };
-  /// What a base leaves in a cell, thinned.
-  struct Left {
-    std::vector<double> values;
-    Split parts;
-    double scale = 0, density = 0;
-  };
-  /// share: of the start's strength that gains most.
-  double gainOf(const Start& start, const std::vector<Left>& left, const Shares& shares, double& share) const;
-  const Cell& cellOf(std::size_t c) const { return replayer.groups().cells()[c]; }
-  std::size_t thinning(const Cell& cell) const;
-
-  void replayStarts(const std::vector<Cause>& worth, const Residuals& nominal,
+  struct Left;     ///< what a base leaves in the cells
+  struct Guessed;  ///< what a start would gain there, scales held
+  Guessed guess(const Start& start, const Left& left) const;
+  double gainOf(const Start& start, const Left& left, double share) const;
+  std::vector<Change> changesOf(const Groups& groups, const Residuals& nominal, const Residuals& with) const;
+  void replayStarts(const Replayer& exact, const std::vector<Cause>& worth,
                     const std::function<void(double)>& progress);
 
-  const Replayer& replayer;
-  std::vector<char> looked;  ///< per trial
+  std::vector<char> looked;        ///< per trial
+  std::vector<std::size_t> every;  ///< per trial: cycles between those that are looked at
   std::size_t kinds = 0;
   std::vector<Start> starts;
 };

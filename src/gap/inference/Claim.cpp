@@ -10,6 +10,7 @@ namespace {
 constexpr double meanSpread = 1;      // of the log share left, before any data
 constexpr double motionSpread = 0.5;  // of it from motion to motion, likewise
 constexpr double leastLeft = 0.02;    // share: less is noise
+constexpr double shown = 1.1;         // of its noise, that a recording must leave to show a gap
 
 double normalShare(double x) { return std::erfc(-x / std::sqrt(2.0)) / 2; }
 
@@ -63,7 +64,9 @@ std::vector<double> closedPerGroup(const std::vector<RecordingLeft>& leftOut,
   for (std::size_t i = 0; i < leftOut.size(); ++i) {
     const std::size_t group = groupOfRecording[i];
     if (sums.size() <= group) sums.resize(group + 1, 0), counts.resize(group + 1, 0);
-    sums[group] += leftOut[i].closed();
+    // A recording that shows no gap cannot show how much of one closes.
+    if (leftOut[i].before < shown * leftOut[i].leastLeft()) continue;
+    sums[group] += leftOut[i].closedToNoise();
     ++counts[group];
   }
   std::vector<double> means;

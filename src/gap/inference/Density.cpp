@@ -1,25 +1,25 @@
 #include "gap/inference/Density.h"
 
-#include "gap/inference/Likelihood.h"
-
 namespace plumbline::gap {
 
 std::vector<double> residualsOf(const Cell& cell, const Residuals& residuals) {
   const Series& series = residuals[cell.trial][cell.signal];
   if (!series) return {};
-  return {series->begin() + static_cast<std::ptrdiff_t>(cell.from),
-          series->begin() + static_cast<std::ptrdiff_t>(cell.to)};
+  return series->stretch(cell.from, cell.to);
 }
 
 Shares sharesOf(const Groups& groups, const Residuals& residuals) {
   Shares shares;
-  for (const Cell& cell : groups.cells()) shares.push_back(1 / correlationTime(residualsOf(cell, residuals)));
+  for (const Cell& cell : groups.cells()) {
+    const Series& series = residuals[cell.trial][cell.signal];
+    shares.push_back(series ? 1 / series->correlationOf(cell.from, cell.to) : 1);
+  }
   return shares;
 }
 
 double densityOf(const Cell& cell, const Residuals& residuals, double share) {
-  const std::vector<double> values = residualsOf(cell, residuals);
-  return values.empty() ? 0 : stretchDensity(split(values), cell.noise, share);
+  const Series& series = residuals[cell.trial][cell.signal];
+  return series ? series->fitOf(cell.from, cell.to, cell.noise).density(share) : 0;
 }
 
 std::vector<double> densities(const Groups& groups, const Residuals& residuals, const Shares& shares,

@@ -47,33 +47,46 @@ void linearise(const Replayer& replayer, const Shares& shares, const std::vector
     if (!wantedGroups.empty() && !wantedGroups[cell.group]) continue;
     const Series& here = at[cell.trial][cell.signal];
     if (!here) continue;
+    // Causes that change nothing here have no say.
+    std::vector<Eigen::Index> felt;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (const auto j = static_cast<std::size_t>(i);
+          steps[j] != 0 && moved[j][cell.trial][cell.signal] != here)
+        felt.push_back(i);
+    if (felt.empty()) continue;
     const Split parts = split(residualsOf(cell, at));
-    const double scale = likeliestScale(parts.about, cell.noise);
-    // Derivatives of the residuals, and of their mean.
-    std::vector<Eigen::VectorXd> slopes(parts.about.size(), Eigen::VectorXd::Zero(n));
-    Eigen::VectorXd meanSlope = Eigen::VectorXd::Zero(n);
+    const double scale = here->fitOf(cell.from, cell.to, cell.noise).scale;
+    const auto samples = static_cast<Eigen::Index>(parts.about.size()),
+               width = static_cast<Eigen::Index>(felt.size());
+    // Derivatives of the residuals, a column per sample, and of their mean.
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(width, samples);
     double count = 0;
-    for (std::size_t k = 0; k < slopes.size(); ++k) {
-      const double r = (*here)[cell.from + k];
+    for (Eigen::Index k = 0; k < samples; ++k) {
+      const std::size_t cycle = cell.from + static_cast<std::size_t>(k);
+      const double r = (*here)[cycle];
       if (!std::isfinite(r)) continue;
-      for (Eigen::Index i = 0; i < n; ++i) {
-        const auto j = static_cast<std::size_t>(i);
-        const double r1 = (*moved[j][cell.trial][cell.signal])[cell.from + k];
-        if (steps[j] != 0) slopes[k][i] = (r1 - r) / steps[j];
+      for (Eigen::Index i = 0; i < width; ++i) {
+        const auto j = static_cast<std::size_t>(felt[static_cast<std::size_t>(i)]);
+        slopes(i, k) = ((*moved[j][cell.trial][cell.signal])[cycle] - r) / steps[j];
       }
-      meanSlope += slopes[k];
       ++count;
     }
     if (count == 0) continue;
-    meanSlope /= count;
+    const Eigen::VectorXd meanSlope = slopes.rowwise().sum() / count;
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(width), about(width);
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(width, width);
     const auto add = [&](double w, double r, const Eigen::VectorXd& slope) {
-      fitted.gradient[cell.group] -= w * r * slope;
-      fitted.information[cell.group] += w * slope * slope.transpose();
+      gradient -= w * r * slope;
+      information += w * slope * slope.transpose();
     };
-    for (std::size_t k = 0; k < slopes.size(); ++k)
-      if (const double r = parts.about[k]; std::isfinite(r))
-        add(shares[c] * weightOf(r, scale), r, slopes[k] - meanSlope);
+    for (Eigen::Index k = 0; k < samples; ++k)
+      if (const double r = parts.about[static_cast<std::size_t>(k)]; std::isfinite(r)) {
+        about = slopes.col(k) - meanSlope;
+        add(shares[c] * weightOf(r, scale), r, about);
+      }
     add(weightOf(parts.mean, std::max(cell.noise, std::abs(parts.mean))), parts.mean, meanSlope);
+    fitted.gradient[cell.group](felt) += gradient;
+    fitted.information[cell.group](felt, felt) += information;
   }
 }
 

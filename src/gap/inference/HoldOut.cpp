@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gap/diagnosis/Noise.h"
+#include "gap/inference/Channels.h"
 #include "gap/replay/Replay.h"
 
 namespace plumbline::gap {
@@ -22,17 +23,19 @@ struct Sum {
 
 /// Positions of a recording together.
 void sumUp(RecordingLeft& left) {
-  double before = 0, after = 0, floor = 0, n = 0, floors = 0;
+  double before = 0, after = 0, floor = 0, noise = 0, n = 0, floors = 0;
   for (const SignalLeft& s : left.signals) {
     if (!s.position) continue;
     before += s.samples * s.before * s.before;
     after += s.samples * s.after * s.after;
+    noise += s.samples * s.noise * s.noise;
     n += s.samples;
     if (s.hasFloor) floor += s.samples * s.floor * s.floor, floors += s.samples;
   }
   if (n == 0) return;
   left.before = std::sqrt(before / n);
   left.after = std::sqrt(after / n);
+  left.noise = std::sqrt(noise / n);
   left.hasFloor = floors > 0;
   left.floor = floors > 0 ? std::sqrt(floor / floors) : 0;
 }
@@ -64,7 +67,7 @@ RecordingLeft leftIn(const Trial& trial, const std::vector<From>& causes) {
     }
     if (before.n == 0) continue;
     left.signals.push_back(
-        {signal.name, signal.kind == SignalKind::position, before.rms(), after.rms(), 0, false, before.n});
+        {signal.name, signal.kind == SignalKind::position, before.rms(), after.rms(), 0, false, before.n, 0});
   }
   sumUp(left);
   return left;
@@ -114,9 +117,26 @@ void putFloors(const std::vector<Trial>& trials, std::vector<RecordingLeft>& rec
   }
 }
 
+void putNoise(const std::vector<Trial>& trials, std::vector<RecordingLeft>& recordings) {
+  const std::vector<std::vector<ChannelUse>> uses = channelUses(trials);
+  for (RecordingLeft& left : recordings) {
+    for (std::size_t t = 0; t < trials.size(); ++t)
+      for (std::size_t s = 0; s < trials[t].signals.size() && trials[t].recording == left.folder; ++s)
+        for (SignalLeft& signal : left.signals)
+          if (signal.signal == trials[t].signals[s].name) signal.noise = uses[t][s].noise;
+    sumUp(left);
+  }
+}
+
 double meanClosed(const std::vector<RecordingLeft>& recordings) {
   double sum = 0;
   for (const RecordingLeft& left : recordings) sum += left.closed();
+  return recordings.empty() ? 0 : sum / static_cast<double>(recordings.size());
+}
+
+double meanClosedToNoise(const std::vector<RecordingLeft>& recordings) {
+  double sum = 0;
+  for (const RecordingLeft& left : recordings) sum += left.closedToNoise();
   return recordings.empty() ? 0 : sum / static_cast<double>(recordings.size());
 }
 

@@ -14,6 +14,7 @@ struct SignalLeft {
   double before = 0, after = 0, floor = 0;  ///< nominal, with the causes, what repeats differ by
   bool hasFloor = false;
   double samples = 0;
+  double noise = 0;  ///< of the readings, as the channel itself shows it
 };
 
 /// The same of a recording: of its positions together [rad, or m].
@@ -23,7 +24,13 @@ struct RecordingLeft {
   double before = 0, after = 0, floor = 0;
   bool hasFloor = false;
   bool fellBefore = false, fellAfter = false;  ///< the replay fell
+  double noise = 0;
   double closed() const { return before > floor ? (before - after) / (before - floor) : 0; }
+  /// Of what is above the noise where no repeats say what the floor is: what no model closes is no gap.
+  double leastLeft() const { return hasFloor ? floor : noise; }
+  double closedToNoise() const {
+    return before > leastLeft() ? (before - after) / (before - leastLeft()) : 0;
+  }
 };
 
 /// Values that hold from a cycle on.
@@ -42,7 +49,11 @@ RecordingLeft together(const std::vector<RecordingLeft>& parts);
 /// Puts the floor in where recordings are repeats of each other.
 void putFloors(const std::vector<Trial>& trials, std::vector<RecordingLeft>& recordings);
 
-/// Mean of closed() over recordings.
+/// Puts the noise in of each signal that a trial of the recording has.
+void putNoise(const std::vector<Trial>& trials, std::vector<RecordingLeft>& recordings);
+
+/// Mean of closed() over recordings, and of closedToNoise().
 double meanClosed(const std::vector<RecordingLeft>& recordings);
+double meanClosedToNoise(const std::vector<RecordingLeft>& recordings);
 
 }  // namespace plumbline::gap

@@ -119,9 +119,12 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   const auto tell = [&](const char* stage, double share) {
     if (options.progress) options.progress(stage, share);
   };
-  tell("sets of causes", 0);
+  tell("each cause alone", 0);
+  const CandidateScreening screening(replayer, sharesOf(groups, replayer.residuals({})),
+                                     [&](double share) { tell("each cause alone", share); });
   BeamOptions beam;
   beam.mostCauses = options.mostCauses;
+  beam.screening = &screening;
   beam.progress = [&](double share) { tell("sets of causes", share); };
   const BeamResult found = searchSets(replayer, beam);
   const Scored& best = found.sets.front();

@@ -22,8 +22,8 @@ std::string Inference::sentence() const {
   }
   double least = HUGE_VAL, most = -HUGE_VAL;
   for (const RecordingLeft& left : leftOut) {
-    least = std::min(least, left.closed());
-    most = std::max(most, left.closed());
+    least = std::min(least, left.closedToNoise());
+    most = std::max(most, left.closedToNoise());
   }
   std::snprintf(
       text, sizeof text,
@@ -34,7 +34,8 @@ std::string Inference::sentence() const {
                      : "these, each left out of search and fit in turn,",
       100 * least, 100 * most);
   const std::string claimed = text;
-  if (diagnosis.verdict == Verdict::effect) return "Missing from the model: " + causes + ". " + claimed;
+  if (diagnosis.verdict == Verdict::effect)
+    return "Missing from the model: " + causes + "; what is left is within the noise. " + claimed;
   std::snprintf(text, sizeof text,
                 "More is missing than the library's effects account for: %.1f times the noise remain in %s.",
                 diagnosis.worstAfter, diagnosis.worstSignalAfter.c_str());

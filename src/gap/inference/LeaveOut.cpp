@@ -44,6 +44,7 @@ std::vector<RecordingLeft> leftWithout(const Groups& groups, const std::vector<F
   std::vector<RecordingLeft> left;
   for (const std::string& folder : order) left.push_back(together(parts[folder]));
   putFloors(groups.trials(), left);
+  putNoise(groups.trials(), left);
   return left;
 }
 

@@ -39,6 +39,8 @@ json leftJson(const RecordingLeft& left) {
   json j = figures(left.before, left.after, left.floor, left.hasFloor);
   j["folder"] = left.folder;
   j["closed"] = number(left.closed());
+  j["noise"] = number(left.noise);
+  j["closed_to_noise"] = number(left.closedToNoise());
   if (left.fellBefore || left.fellAfter) j["fell"] = {{"before", left.fellBefore}, {"after", left.fellAfter}};
   j["signals"] = json::object();
   for (const SignalLeft& signal : left.signals) {
@@ -62,6 +64,7 @@ json checkJson(const std::vector<RecordingLeft>& recordings) {
   j["before"] = number(std::sqrt(before));
   j["after"] = number(std::sqrt(after));
   j["closed"] = number(meanClosed(recordings));
+  j["closed_to_noise"] = number(meanClosedToNoise(recordings));
   return j;
 }
 
@@ -69,10 +72,10 @@ std::string leftTable(const std::vector<RecordingLeft>& recordings) {
   std::string text =
       "  recording                              signal            before   after   floor  closed\n";
   const auto line = [&text](const std::string& folder, const std::string& signal, double before, double after,
-                            double floor, bool hasFloor) {
-    char buffer[256], least[32] = "-";
-    if (hasFloor) std::snprintf(least, sizeof least, "%.1f", 1e3 * floor);
-    const double base = hasFloor ? floor : 0;
+                            double floor, bool hasFloor, double noise) {
+    char buffer[256], least[32];
+    const double base = hasFloor ? floor : noise;
+    std::snprintf(least, sizeof least, "%s%.1f", hasFloor ? "" : "~", 1e3 * base);
     std::snprintf(buffer, sizeof buffer, "  %-38.38s %-15.15s %8.1f %7.1f %7s %5.0f %%\n", folder.c_str(),
                   signal.c_str(), 1e3 * before, 1e3 * after, least,
                   before > base ? 100 * (before - after) / (before - base) : 0);
@@ -81,14 +84,15 @@ std::string leftTable(const std::vector<RecordingLeft>& recordings) {
   for (const RecordingLeft& left : recordings) {
     const std::string folder =
         left.folder.size() > 38 ? "..." + left.folder.substr(left.folder.size() - 35) : left.folder;
-    line(folder, "positions", left.before, left.after, left.floor, left.hasFloor);
+    line(folder, "positions", left.before, left.after, left.floor, left.hasFloor, left.noise);
     std::size_t positions = 0;
     for (const SignalLeft& signal : left.signals) positions += signal.position;
     for (const SignalLeft& signal : left.signals)
       if (signal.position && positions > 1)
-        line("", signal.signal, signal.before, signal.after, signal.floor, signal.hasFloor);
+        line("", signal.signal, signal.before, signal.after, signal.floor, signal.hasFloor, signal.noise);
   }
-  return text + "  (mrad, or mm for sliding joints)\n";
+  return text +
+         "  (mrad, or mm for sliding joints; floor: what repeats differ by, ~ the noise of the readings)\n";
 }
 
 }  // namespace plumbline::gap

@@ -135,7 +135,7 @@ private:
 
   void add(const Cell& cell, Motor& motor, const std::vector<Residuals>& shifted,
            const std::vector<double>& steps) {
-    const std::vector<double>& here = *residuals[cell.trial][cell.signal];
+    const ResidualSeries& here = *residuals[cell.trial][cell.signal];
     const auto n = static_cast<Eigen::Index>(motor.causes.size());
     Eigen::VectorXd slope(n);
     for (std::size_t c = cell.from; c < cell.to; ++c) {

@@ -107,15 +107,15 @@ Replayer::Played Replayer::play(std::size_t t, std::size_t chain, const Explanat
   for (std::size_t s = 0; s < trial.signals.size(); ++s) {
     const Signal& signal = trial.signals[s];
     if (prediction.values[s].empty() || (!whole && body != (signal.joint < 0))) continue;
-    auto residual = std::make_shared<std::vector<double>>(prediction.values[s].size());
-    for (std::size_t k = 0; k < residual->size(); ++k) {
+    std::vector<double> residual(prediction.values[s].size());
+    for (std::size_t k = 0; k < residual.size(); ++k) {
       const double predicted = prediction.values[s][k];
       const double r = signal.values[k] - predicted;
       // What ran away is far off, not missing.
-      (*residual)[k] = std::isnan(signal.values[k]) || std::isfinite(r) ? r : 1e6;
+      residual[k] = std::isnan(signal.values[k]) || std::isfinite(r) ? r : 1e6;
     }
-    takeLeadOff(trial, signal, *residual);
-    played->emplace_back(s, std::move(residual));
+    takeLeadOff(trial, signal, residual);
+    played->emplace_back(s, std::make_shared<const ResidualSeries>(std::move(residual)));
   }
   return played;
 }

@@ -8,12 +8,13 @@
 
 #include "gap/diagnosis/Explanation.h"
 #include "gap/inference/Groups.h"
+#include "gap/inference/ResidualSeries.h"
 #include "gap/replay/Replay.h"
 
 namespace plumbline::gap {
 
 /// Measured less predicted, per cycle; NaN where nothing was measured. Null: not predicted.
-using Series = std::shared_ptr<const std::vector<double>>;
+using Series = std::shared_ptr<const ResidualSeries>;
 /// Per trial and signal.
 using Residuals = std::vector<std::vector<Series>>;
 

@@ -65,6 +65,7 @@ void check(const CheckOptions& options) {
     left[i] = leftIn(trials[i], {{0, causes}});
   });
   putFloors(trials, left);
+  putNoise(trials, left);
   nlohmann::json result = checkJson(left);
   const std::string verdict = answer["verdict"];
   result["verdict"] = verdict;
@@ -82,7 +83,7 @@ void check(const CheckOptions& options) {
   }
   if (verdict == "unknown") std::printf("The verdict is unknown; its nearest explanation is checked.\n");
   std::printf("%s", leftTable(left).c_str());
-  std::printf("Closed on average %.0f %%", 100 * meanClosed(left));
+  std::printf("Closed on average %.0f %%", 100 * meanClosedToNoise(left));
   if (claims && answer["gap"]["closed"].is_number())
     std::printf("; the answer claims %.0f %%", 100 * answer["gap"]["closed"].get<double>());
   if (ranges)

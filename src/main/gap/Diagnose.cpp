@@ -29,7 +29,7 @@ namespace {
 
 struct DiagnoseOptions {
   std::vector<std::string> runs;
-  std::string robot, json, timing, method = "blocks";
+  std::string robot, json, timing, method;
   int jobs = 0, maxCauses = 0;
   double seconds = 240;
   ChangesOption changes;
@@ -108,7 +108,9 @@ void diagnoseRuns(const DiagnoseOptions& options) {
     std::fprintf(stderr, "gap: looks at %zu windows of these long runs (--seconds)\n", windows);
 
   const int jobs = threadsFor(options.jobs);
-  if (options.method == "sets") {
+  // Robots on their feet are still diagnosed by blocks: sets replays them in one piece.
+  const bool onFeet = std::ranges::any_of(trials, &Trial::freeBase);
+  if (options.method.empty() ? !onFeet : options.method == "sets") {
     const SetsRequest request{robot, options.json, options.timing, jobs, options.maxCauses, options.quiet};
     diagnoseBySets(request, std::move(trials), std::move(input), timing);
     return;
@@ -162,14 +164,14 @@ void addDiagnose(CLI::App& app) {
                       "[the robot that the runs name]");
   command->add_option("--json", options->json, "Write the answer here; - for standard output");
   command->add_option("--jobs", options->jobs, "Threads [as many as cores]")->check(CLI::Range(1, 256));
-  command->add_option("--max-causes", options->maxCauses, "Most causes in one answer [3; sets: 8]")
+  command->add_option("--max-causes", options->maxCauses, "Most causes in one answer [sets: 8, blocks: 3]")
       ->check(CLI::Range(1, 12));
   command
-      ->add_option("--method", options->method,
-                   "blocks: causes one at a time, judged on half-seconds left out; sets: sets of causes, "
-                   "judged on recordings left out")
-      ->check(CLI::IsMember({"blocks", "sets"}))
-      ->capture_default_str();
+      ->add_option(
+          "--method", options->method,
+          "sets: sets of causes, judged on recordings left out; blocks: causes one at a time, judged on "
+          "half-seconds left out, lost commands among them [sets; blocks for a robot on its feet]")
+      ->check(CLI::IsMember({"blocks", "sets"}));
   command
       ->add_option("--seconds", options->seconds,
                    "Of longer runs with a held base, windows that are together so long [s]; 0: all of them")

@@ -38,7 +38,7 @@ nlohmann::json answerOf(const Inference& inference, const Further& further, cons
   nlohmann::json& gap = answer["gap"];
   gap["closed"] = inference.claim.closed;
   gap["closed_interval"] = {inference.claim.lower, inference.claim.upper};
-  gap["closed_left_out"] = meanClosed(inference.leftOut);
+  gap["closed_left_out"] = meanClosedToNoise(inference.leftOut);
   gap["unit"] = "rad, or m: positions of recordings left out";
   gap["left_out"] = inference.stretchesOfOne ? "stretches of the one recording" : "recordings";
   gap["runs"] = nlohmann::json::array();

@@ -70,7 +70,7 @@ public:
     return std::accumulate(each.begin(), each.end(), 0.0);
   }
   std::vector<Proposal> proposals() const {
-    return CandidateScreening(replayer, shares).propose({}, shares, screened);
+    return CandidateScreening(replayer, shares).propose(replayer, {}, shares, screened);
   }
 
 private:

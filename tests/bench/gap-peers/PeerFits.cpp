@@ -171,7 +171,8 @@ PeerFit Peers::single() const {
   PeerFit best;
   best.what = "none";
   double least = 1;
-  for (const Proposal& proposal : CandidateScreening(replayer, shares).propose({}, shares, singlesTried)) {
+  for (const Proposal& proposal :
+       CandidateScreening(replayer, shares).propose(replayer, {}, shares, singlesTried)) {
     const Explanation causes = gap::fit(replayer, shares, {proposal.cause}, singleSteps).causes;
     const double left = shareLeft(replayer, causes);
     if (left >= least) continue;

@@ -1,6 +1,8 @@
 // What the method finds in recordings of the two-joint arm whose truth is known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "../TwoJointArm.h"
 #include "gap/inference/Beam.h"
 #include "gap/inference/Inference.h"
@@ -101,13 +103,49 @@ TEST(CandidateScreening, aKnownCauseGainsMostAndItsStrengthIsForetold) {
   const Replayer replayer(arm, groups, 1);
   const Shares shares = sharesOf(groups, replayer.residuals({}));
   const CandidateScreening screening(replayer, shares);
-  const std::vector<Proposal> proposals = screening.propose({}, shares, 3);
+  const std::vector<Proposal> proposals = screening.propose(replayer, {}, shares, 3);
   ASSERT_FALSE(proposals.empty());
   const Cause& first = proposals.front().cause;
   EXPECT_TRUE(first.effect->id == "viscous_friction" || first.effect->id == "servo_damping")
       << describe(first);
   EXPECT_EQ(first.place.at, "shoulder");
   EXPECT_GT(proposals.front().gain, 10);
+}
+
+TEST(CandidateScreening, servesTheGroupsThatAreLeft) {
+  // One screening of all recordings proposes for some of them: the first alone lacks the friction. Left
+  // alone, that one is cut into stretches.
+  const Mechanism arm = twoJointArm();
+  std::vector<Trial> trials = recordings({causeOfArm("viscous_friction", "shoulder", 0.15)});
+  trials[0] = recordings({})[0];
+  const Groups groups(trials), with = groups.without(0), none = groups.without(2).without(1);
+  const Replayer all(arm, groups, 1);
+  const CandidateScreening screening(all, sharesOf(groups, all.residuals({})));
+  const auto gainIn = [&](const Groups& some) {
+    const Replayer replayer(all, some);
+    const std::vector<Proposal> proposals =
+        screening.propose(replayer, {}, sharesOf(some, replayer.residuals({})), 1);
+    return proposals.empty() ? 0 : proposals.front().gain;
+  };
+  EXPECT_GT(gainIn(with), 10);
+  EXPECT_LT(gainIn(none), 5);
+}
+
+TEST(CandidateScreening, anEffectInProportionIsForetoldWhicheverWayItGoes) {
+  // One of its two starts is played.
+  const Mechanism arm = twoJointArm();
+  for (const double torque : {-0.15, 0.15}) {
+    const Groups groups(recordings({causeOfArm("bias_force", "elbow", torque)}));
+    const Replayer replayer(arm, groups, 1);
+    const Shares shares = sharesOf(groups, replayer.residuals({}));
+    const std::vector<Proposal> proposals =
+        CandidateScreening(replayer, shares).propose(replayer, {}, shares, 8);
+    const auto found = std::ranges::find_if(proposals, [](const Proposal& proposal) {
+      return proposal.cause.effect->id == "bias_force" && proposal.cause.place.at == "elbow";
+    });
+    ASSERT_NE(found, proposals.end());
+    EXPECT_NEAR(found->cause.value, torque, 0.03);
+  }
 }
 
 TEST(Fit, findsBothValues) {

@@ -1,0 +1,52 @@
+#pragma once
+#include <cstddef>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace plumbline::gap {
+
+/// What a stretch of residuals says, but for how much its samples count.
+struct StretchFit {
+  double scale = 0;  ///< of what varies about the mean: the likeliest one, not below the noise
+  double about = 0;  ///< log density of what varies, each sample counted in full
+  double mean = 0;   ///< log density of the mean
+
+  double density(double share) const { return share * about + mean; }
+};
+
+/// Residuals of one channel of one trial, per cycle; NaN where nothing was measured. They never change, and
+/// what was once worked out of a stretch is kept: most hypotheses leave most chains as they were.
+class ResidualSeries {
+public:
+  explicit ResidualSeries(std::vector<double> values_) : values(std::move(values_)) {}
+
+  double operator[](std::size_t k) const { return values[k]; }
+  std::size_t size() const { return values.size(); }
+  auto begin() const { return values.begin(); }
+  auto end() const { return values.end(); }
+  friend bool operator==(const ResidualSeries& a, const ResidualSeries& b) { return a.values == b.values; }
+
+  /// Cycles [from, to), empty where the series ends before; noise: least scale.
+  std::vector<double> stretch(std::size_t from, std::size_t to) const;
+  StretchFit fitOf(std::size_t from, std::size_t to, double noise) const;
+  /// correlationTime() of the stretch.
+  double correlationOf(std::size_t from, std::size_t to) const;
+
+private:
+  struct Kept {
+    std::size_t from, to;
+    double noise;
+    StretchFit fit;
+  };
+  struct KeptTime {
+    std::size_t from, to;
+    double time;
+  };
+  std::vector<double> values;
+  mutable std::mutex mutex;
+  mutable std::vector<Kept> fits;
+  mutable std::vector<KeptTime> times;
+};
+
+}  // namespace plumbline::gap
