@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modules/behavior/Restarts.h"
+#include "modules/behavior/RestartModes.h"
 #include "tactics/RollingBall.h"
 
 namespace plumbline {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "framework/DrawingSite.h"
-#include "modules/behavior/Restarts.h"
+#include "modules/behavior/RestartModes.h"
 #include "tactics/RollingBall.h"
 
 namespace plumbline {
