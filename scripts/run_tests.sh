@@ -18,7 +18,7 @@ jobs=${JOBS:-$(nproc)}
 cpuSeconds=${TEST_CPU_SECONDS:-600} # of one program or script: what it computes, however busy the machine is
 timeout=${TEST_TIMEOUT:-3600} # seconds until one that waits for ever is stopped
 testsPerPart=100
-longAreas=(diagnosis) # seconds per test, five times as many under the sanitizers, which see the same code in shorter ones
+longAreas=(diagnosis fidelity) # seconds per test, five times as many under the sanitizers, which see the same code in shorter ones
 passed=0 failed=0 programAreas=() # empty: all
 failures=() unsteady=()
 secondRuns=0 # of each target: how many tests that failed run again alone

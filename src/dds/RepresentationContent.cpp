@@ -3,7 +3,7 @@
 #include <cstring>
 #include <exception>
 
-#include "dds/Shape.h"
+#include "dds/StreamShape.h"
 #include "framework/BinaryStream.h"
 
 namespace plumbline::dds {

@@ -6,6 +6,7 @@
 
 #include "math/Types.h"
 #include "robot/JointId.h"
+#include "robot/KickEffect.h"
 
 namespace plumbline::motion {
 
@@ -22,16 +23,6 @@ struct Keyframe {
   JointArray angles{};       ///< [rad]
   JointFlags set{};          ///< joints without an angle stay where the last keyframe put them
   std::vector<BallGain> ballGains;
-};
-
-/// What a kick does, measured where it was found (bin/optserver --measure); means over many tries.
-struct KickEffect {
-  double distance = 0;    ///< that the ball comes along the wanted direction [m]
-  double direction = 0;   ///< in which it goes, robot's ground frame [rad]
-  double contact = 0;     ///< time from the motion's begin to the ball [s]
-  double scatter = 0.12;  ///< standard deviation of the direction in games [rad]
-  double spread = 1;      ///< of the distance [m]
-  double rise = 0;        ///< height that the ball reaches [m]
 };
 
 /// A motion as a list of keyframes.

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "framework/SingleLine.h"
 #include "robot/MechanismFile.h"
 
 namespace plumbline {
@@ -308,10 +309,7 @@ Vec3 unitAxis(const Vec3& axis) {
 }
 
 void failMechanism(const std::string& file, const std::string& what) {
-  std::string line = file + ": " + what;
-  for (char& c : line)  // names and numbers come from the file
-    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
-  throw MechanismError(line);
+  throw MechanismError(singleLine(file + ": " + what));  // names and numbers come from the file
 }
 
 std::string numberText(double value) {

@@ -8,7 +8,7 @@
 #include "simulation/referee/Game.h"
 #include "simulation/sensors/Hearing.h"
 #include "simulation/sensors/Vision.h"
-#include "simulation/world/Random.h"
+#include "simulation/world/RandomStream.h"
 #include "simulation/world/World.h"
 
 namespace plumbline::simulation {
@@ -63,7 +63,7 @@ private:
   int type_;
   PlayerConfig config;
   RobotModel model_;
-  Random random;
+  RandomStream random;
   Vision vision;
   std::array<int, partLinks.size()> parts{};
   bool toldPlace = false;  ///< number and side have been sent

@@ -40,7 +40,7 @@ void Simulation::reset() {
   killed.clear();
   game_ = Game();
   teams = Teams(config.rules.types);
-  referee = std::make_unique<Referee>(config.rules, Random(config.seed), field());
+  referee = std::make_unique<Referee>(config.rules, RandomStream(config.seed), field());
   starts.fill(Vec2(-field().length / 2 + 2 * agentRadius, field().width / 2 - 2 * agentRadius));
   starts[1].x() *= -1;
   nextId = 1;

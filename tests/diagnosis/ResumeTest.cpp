@@ -77,5 +77,36 @@ TEST_F(ResumeTest, withTwoCausesAtJoints) {
       "\"effect\": \"coulomb_friction\"");
 }
 
+TEST_F(ResumeTest, aDiagnosisThatIsStoredWholeSearchesNoMore) {
+  Plant reality = nominalPlant(arm);
+  reality.joints[1].coulomb = 0.08;
+  const Evidence evidence({recorded(reality, armTrial(arm, 3), 5e-4, 3)});
+  const auto run = [&](SearchMemory* memory, bool stop) {
+    Evaluator fine(arm, evidence), coarse(arm, evidence);
+    DiagnosisOptions options;
+    options.memory = memory;
+    options.progress = [&](const std::string&, double) {
+      if (stop) throw Killed();
+    };
+    return diagnose(fine, coarse, options);
+  };
+  const Diagnosis whole = run(nullptr, false);
+  {
+    SearchMemory memory(path, "mark", arm);
+    EXPECT_EQ(memory.size(), 0u);
+    run(&memory, false);
+    EXPECT_GE(memory.size(), 1u);
+  }
+  SearchMemory memory(path, "mark", arm);
+  ASSERT_GE(memory.size(), 1u);
+  const Diagnosis again = run(&memory, true);  // would throw if it searched
+  ASSERT_EQ(again.findings.size(), whole.findings.size());
+  EXPECT_EQ(again.findings[0].cause, whole.findings[0].cause);
+  EXPECT_EQ(again.findings[0].probability, whole.findings[0].probability);
+  EXPECT_EQ(again.gap.after, whole.gap.after);
+  memory.forget();
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 }  // namespace
 }  // namespace plumbline::gap

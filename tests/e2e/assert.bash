@@ -4,13 +4,16 @@ set -euo pipefail
 bin=${PLUMBLINE_BIN:-$(cd "$(dirname "${BASH_SOURCE[0]}")/../../bin" && pwd)}
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 scratch=$(mktemp -d)
+# What a test has to end besides its own jobs; a test defines it anew.
+endOthers() { :; }
 # Whoever still runs is ended, and has ended before the folder goes that it writes to.
 cleanUp() {
   local status=$? i
+  endOthers || true
   jobs -p | xargs -r kill 2> /dev/null || true
   for ((i = 0; i < 100; ++i)); do [[ $(jobs -pr) ]] || break; sleep 0.05; done
   jobs -p | xargs -r kill -9 2> /dev/null || true
-  rm -rf "$scratch" || { sleep 1; rm -rf "$scratch" || true; }
+  for ((i = 0; i < 200; ++i)); do rm -rf "$scratch" 2> /dev/null && break; sleep 0.05; done
   exit "$status"
 }
 trap cleanUp EXIT

@@ -3,8 +3,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 mkdir "$scratch/fake"
 : > "$scratch/groups"
-trap 'status=$?; while read -r group; do kill -9 -- "-$group" 2> /dev/null || true; done < "$scratch/groups"
-  jobs -p | xargs -r kill 2> /dev/null || true; rm -rf "$scratch"; exit $status' EXIT
+endOthers() { local group; while read -r group; do kill -9 -- "-$group" 2> /dev/null || true; done < "$scratch/groups"; }
 # Each job is a group of processes of its own, written down with its number and command: whoever queues it again has both.
 cat > "$scratch/fake/start" << 'END'
 #!/usr/bin/env bash

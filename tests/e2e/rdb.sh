@@ -55,7 +55,7 @@ expectError 2 'rdb: cannot connect to 127.0.0.1:1: Connection refused; was the a
 
 # The console.
 terminal=(tmux -L "plumbline-rdb-$$" -f /dev/null)
-trap 'status=$?; "${terminal[@]}" kill-server 2> /dev/null || true; jobs -p | xargs -r kill 2> /dev/null || true; waitFor rm -rf "$scratch"; exit $status' EXIT # what is ending still writes its history
+endOthers() { "${terminal[@]}" kill-server 2> /dev/null || true; }
 screen() { "${terminal[@]}" capture-pane -p; }
 fail() { echo "FAILED: $*; the terminal shows:" >&2; screen >&2 || true; exit 1; }
 shows() { screen | grep -q -e "$1"; }

@@ -16,7 +16,7 @@ waitFor grep -q 'all there' "$scratch/dummies.log"
 terminals=0
 freshTerminal() { terminal=(tmux -L "plumbline-$$-$((++terminals))" -f /dev/null); }
 freshTerminal
-trap 'status=$?; "${terminal[@]}" kill-server 2> /dev/null || true; jobs -p | xargs -r kill 2> /dev/null || true; rm -rf "$scratch"; exit $status' EXIT
+endOthers() { "${terminal[@]}" kill-server 2> /dev/null || true; }
 screen() { "${terminal[@]}" capture-pane -p; }
 shows() { screen | grep -q "$1"; }
 # Every robot is on the screen: its number with the arrow, in the colour of its team (blue and red grounds).

@@ -28,7 +28,9 @@ void setPieceFile(std::string_view bytes) {
   const std::string path = scratchFile("cornerOwn.yaml", bytes);
   refusesInOneLine([&] {
     const SetPiece piece = readSetPiece("cornerOwn", ConfigFile(path).root());
-    for (const auto& places : {piece.kick, piece.stand, piece.places})
+    std::vector<SetPiecePlace> stand;
+    if (piece.stand) stand.push_back(*piece.stand);
+    for (const auto& places : {piece.kick, stand, piece.places})
       for (const SetPiecePlace& place : places)
         for (const Vec2& ball : {Vec2(0, 0), Vec2(-15, 0), Vec2(15, -10)})
           require(place.at(ball, 15).allFinite(), "a place that is nowhere");

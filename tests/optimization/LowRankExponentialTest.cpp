@@ -43,16 +43,5 @@ TEST(LowRankExponential, ofNothingIsOne) {
   EXPECT_EQ(grown, shape);
 }
 
-TEST(Gaussians, haveMeanZeroAndDeviationOne) {
-  const MatrixXd numbers = random(100'001, 1, 4);
-  EXPECT_NEAR(numbers.mean(), 0, 0.01);
-  EXPECT_NEAR(numbers.squaredNorm() / 100'001, 1, 0.015);
-  // Neighbours are made together.
-  EXPECT_NEAR(numbers.topRows(100'000).reshaped(2, 50'000).row(0).dot(
-                  numbers.topRows(100'000).reshaped(2, 50'000).row(1)) /
-                  50'000,
-              0, 0.015);
-}
-
 }  // namespace
 }  // namespace plumbline

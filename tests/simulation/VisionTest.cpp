@@ -16,7 +16,7 @@ namespace {
 Pose3 standing(double x, double y, double heading) { return translation(x, y, 0.54) * rotationZ(heading); }
 
 TEST(Vision, seesWhatIsInTheConeInTheServersOrder) {
-  Random random(1);
+  RandomStream random(1);
   Vision vision(VisionNoise::none(), random);
   const auto image = vision.see(standing(0, 0, 0), {});
   std::string names;
@@ -29,7 +29,7 @@ TEST(Vision, seesWhatIsInTheConeInTheServersOrder) {
 }
 
 TEST(Vision, nothingNearerThanTenCentimetresButThroughEverything) {
-  Random random(1);
+  RandomStream random(1);
   Vision vision(VisionNoise::none(), random);
   VisibleWorld world;
   world.ball = Vec3(0.09, 0, 0.54);
@@ -49,7 +49,7 @@ TEST(Vision, nothingNearerThanTenCentimetresButThroughEverything) {
 }
 
 TEST(Vision, playersByTheirVisibleParts) {
-  Random random(1);
+  RandomStream random(1);
   Vision vision(VisionNoise::none(), random);
   VisibleWorld world;
   world.players.push_back(
@@ -68,7 +68,7 @@ TEST(Vision, noiseAsMeasuredOnTheLeaguesServer) {
   world.ball = Vec3(10, 0, 0.54);
   double offsetSquares = 0;
   for (std::uint64_t connection = 1; connection <= 40; ++connection) {
-    Random random(9, connection);
+    RandomStream random(9, connection);
     Vision vision(VisionNoise{}, random);
     const int n = 600;
     double sum[3] = {}, squares[3] = {};
@@ -138,7 +138,7 @@ TEST_P(SeenByTheLeague, sameListOfThingsAtTheSamePlaces) {
 
   VisibleWorld world;
   world.ball = Vec3(0, 0, 0.042);
-  Random random(1);
+  RandomStream random(1);
   const double torsoHeight = 0.4 - 0.5 * 9.81 * 0.02 * 0.02;
   const auto image =
       Vision(VisionNoise::none(), random).see(translation(-14.2, place, torsoHeight + 0.155), world);

@@ -16,7 +16,6 @@ namespace {
 using nlohmann::json;
 
 constexpr double lost = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t longestText = 30, longestName = 200;
 
 /// The names that an object gives to its lists' elements; null: none.
 const json* namesIn(const json& object) {
@@ -85,27 +84,19 @@ private:
     const bool number = value.is_number() && std::isfinite(value.get<double>());
     column.push_back(number ? value.get<double>() : value.is_boolean() ? value.get<bool>() : lost);
     if (value.is_string())
-      table.bad.try_emplace(name, Table::BadCell{lines.line(), shown(value.get<std::string>())});
+      table.bad.try_emplace(name, Table::BadCell{lines.line(), shownText(value.get<std::string>())});
   }
 
   std::vector<double>& columnOf(const std::string& name) {
     const auto [at, fresh] = index.try_emplace(name, table.names.size());
     if (fresh) {
-      if (name.size() > longestName || shown(name.substr(0, longestText)) != name.substr(0, longestText))
-        lines.fail("\"" + shown(name) + "\" cannot be a column's name");
+      if (!canBeName(name)) lines.fail("\"" + shownText(name) + "\" cannot be a column's name");
       if (table.names.size() >= maxColumns)
         lines.fail("more than " + std::to_string(maxColumns) + " columns");
       table.names.push_back(name);
       table.columns.emplace_back();
     }
     return table.columns[at->second];
-  }
-
-  static std::string shown(std::string text) {
-    text = text.substr(0, longestText);
-    for (char& c : text)
-      if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
-    return text;
   }
 
   TextLines lines;

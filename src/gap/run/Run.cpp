@@ -2,22 +2,15 @@
 
 #include <cmath>
 
+#include "framework/SingleLine.h"
+
 namespace plumbline::gap {
-namespace {
 
-/// Names and cells come from files: what is no letter there must not break the line.
-std::string oneLine(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
-  return text;
-}
-
-}  // namespace
-
-RunError::RunError(const std::string& what) : ConfigurationError(oneLine(what)) {}
+// Names and cells come from files: what is no letter there must not break the line.
+RunError::RunError(const std::string& what) : ConfigurationError(singleLine(what)) {}
 
 std::string RunWarning::line(const std::string& folder) const {
-  return oneLine(folder + ": " + channel + (leftOut ? " is left out: " : ": ") + why);
+  return singleLine(folder + ": " + channel + (leftOut ? " is left out: " : ": ") + why);
 }
 
 const std::vector<double>* Run::find(const std::string& channel) const {

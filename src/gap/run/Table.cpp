@@ -14,6 +14,8 @@
 namespace plumbline::gap {
 namespace {
 
+constexpr std::size_t longestShown = 30;
+
 std::string_view trim(std::string_view text) {
   const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
   while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
@@ -38,14 +40,6 @@ bool parse(std::string_view text, double& x) {
   return error == std::errc() && end == text.data() + text.size() && std::isfinite(x);
 }
 
-/// What of a cell may stand in a message.
-std::string shownText(std::string_view text) {
-  std::string result(text.substr(0, 30));
-  for (char& c : result)
-    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
-  return result;
-}
-
 void readHeader(TextLines& lines, std::string_view text, char separator, Table& table) {
   if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);  // byte order mark
   std::vector<std::string_view> cells;
@@ -55,8 +49,7 @@ void readHeader(TextLines& lines, std::string_view text, char separator, Table& 
   for (const std::string_view cell : cells) {
     if (cell.empty()) lines.fail("column " + std::to_string(table.names.size() + 1) + " has no name");
     const std::string name(cell);
-    if (shownText(name.substr(0, 30)) != name.substr(0, 30) || name.size() > 200)
-      lines.fail("\"" + shownText(name) + "\" cannot be a column's name");
+    if (!canBeName(name)) lines.fail("\"" + shownText(name) + "\" cannot be a column's name");
     if (!seen.insert(name).second) lines.fail("column " + name + " occurs twice; leave one out");
     table.names.push_back(name);
   }
@@ -99,6 +92,18 @@ Table readLines(TextLines& lines, char separator, const std::vector<std::string>
 }
 
 }  // namespace
+
+std::string shownText(std::string_view text) {
+  std::string shown(text.substr(0, longestShown));
+  std::ranges::replace_if(
+      shown, [](char c) { return c < ' ' || c > '~'; }, '?');
+  return shown;
+}
+
+bool canBeName(const std::string& name) {
+  constexpr std::size_t longest = 200;
+  return name.size() <= longest && shownText(name) == name.substr(0, longestShown);
+}
 
 Table readTable(const std::string& path, char separator, const std::vector<std::string>& missing) {
   try {

@@ -6,7 +6,7 @@
 #include "gap/run/RunFile.h"
 #include "gap/run/RunImport.h"
 #include "main/gap/Commands.h"
-#include "main/gap/OutputFolder.h"
+#include "main/gap/RecordingsFolder.h"
 
 namespace plumbline::gap {
 
@@ -29,7 +29,7 @@ void addImport(CLI::App& app) {
       "Examples:\n  bin/gap import --map my_logger.yaml raw.csv -o runs/sweep\n"
       "  bin/gap import --map my_robot.yaml rosbag2_2026_03_01 -o runs/sweep");
   command->callback([options] {
-    OutputFolder out(options->out, options->force);
+    RecordingsFolder out(options->out, options->force);
     const ImportedRun imported = importRecording(options->map, options->recording);
     writeRun(imported.run, out.beside());
     out.putInPlace();

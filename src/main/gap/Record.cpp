@@ -18,7 +18,7 @@
 #include "gap/record/WalkRecording.h"
 #include "gap/run/RunFile.h"
 #include "main/gap/Commands.h"
-#include "main/gap/OutputFolder.h"
+#include "main/gap/RecordingsFolder.h"
 #include "main/gap/RobotOption.h"
 #include "simspark/LeagueRobots.h"
 #include "simulation/servo/RobotSimulation.h"
@@ -115,7 +115,7 @@ void record(const RecordOptions& options) {
   const std::vector<Item> items = itemsOf(options, robot);
   checkWalks(options, items);
   const bool single = options.battery.empty() && items.size() == 1;
-  OutputFolder output(options.output, options.force);
+  RecordingsFolder output(options.output, options.force);
 
   SimulatedRecordingOptions recording;
   recording.noisy = options.noisy;

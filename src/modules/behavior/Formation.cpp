@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modules/behavior/Restarts.h"
+#include "modules/behavior/RestartModes.h"
 #include "tactics/RollingBall.h"
 
 namespace plumbline {
@@ -11,9 +11,8 @@ namespace plumbline {
 MAKE_MODULE(Formation)
 
 namespace {
-constexpr double farTime = 16;    ///< as good as never [s]
-constexpr double never = 15;      ///< who says at least this must not touch the ball, or does not know it [s]
-constexpr double kickedAway = 1;  ///< words of a ball that rests farther off are old [m]
+constexpr double rounding = 1;      ///< of times that are said [s]: from never less this on means never
+constexpr double kickedAway = 1;    ///< words of a ball that rests farther off are old [m]
 constexpr double touchReach = 0.4;  ///< a robot this near has touched the ball [m]
 constexpr double inField = 0.4;     ///< places stay this far inside the lines [m]
 }  // namespace
@@ -24,11 +23,9 @@ void Formation::init() {
   piece_ = nullptr;
 }
 
-/// What a player said of its time to the ball, or its time to where the ball goes now: a kick makes words
-/// old.
 double Formation::timeOf(const TeamBelief& said) const {
   const bool old = said.ballKnown && (restingPlace(said.ball, said.ballVelocity) - ball_).norm() > kickedAway;
-  if (!old || said.timeToBall >= never) return said.timeToBall;
+  if (!old || said.timeToBall >= PlayerRole::never - rounding) return said.timeToBall;
   return timeToBall(said.pose, said.fallen, ball_, theFieldDimensions->opponentGoal(), time);
 }
 
@@ -144,9 +141,10 @@ void Formation::update(PlayerRole* thePlayerRole) {
   ball_ = restingPlace(theBallPos->field, velocity);
   const Vec2 meeting = meetingPlace(theRobotPose->pose.position, time.walkSpeed, theBallPos->field, velocity);
   const bool knows = theRobotPose->valid && theBallPos->valid && role.mayTouchBall;
-  role.timeToBall = knows ? std::min(farTime, timeToBall(theRobotPose->pose, theFallState->lying(), meeting,
-                                                         theFieldDimensions->opponentGoal(), time))
-                          : farTime;
+  role.timeToBall =
+      knows ? std::min(PlayerRole::never, timeToBall(theRobotPose->pose, theFallState->lying(), meeting,
+                                                     theFieldDimensions->opponentGoal(), time))
+            : PlayerRole::never;
   const std::vector<TeamMember> team = members(role);
   role.members = static_cast<int>(team.size());
 

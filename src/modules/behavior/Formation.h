@@ -55,6 +55,8 @@ public:
 
 private:
   std::vector<TeamMember> members(const PlayerRole& before) const;
+  /// What a player said of its time to the ball [s]. Where the ball has been kicked since, its words are old:
+  /// then the time from where it said to be to where the ball goes now.
   double timeOf(const TeamBelief& said) const;
   Vec2 keptOff(const Vec2& place) const;
   void watchRestart(PlayerRole& role);

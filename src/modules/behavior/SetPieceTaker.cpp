@@ -57,7 +57,7 @@ void SetPieceTaker::update(SetPieceOutput* theSetPieceOutput) {
   BehaviorOutput& output = *theSetPieceOutput;
   output.clear();
   const SetPiece* piece = pieces_.of(theGameState->playMode);
-  output.active = piece && (!piece->kick.empty() || !piece->stand.empty()) && thePlayerRole->members > 1 &&
+  output.active = piece && (!piece->kick.empty() || piece->stand) && thePlayerRole->members > 1 &&
                   thePlayerRole->role == PlayerRole::striker && thePlayerRole->mayTouchBall &&
                   theRobotPose->valid && theBallPos->valid && theBallPos->age <= ballMaxAge;
   if (!output.active) {
@@ -72,7 +72,7 @@ void SetPieceTaker::update(SetPieceOutput* theSetPieceOutput) {
     output.target = Pose2(chosen_->at(ball, theFieldDimensions->length / 2));
     return;
   }
-  const Vec2 place = piece->stand.front().at(ball, theFieldDimensions->length / 2);
+  const Vec2 place = piece->stand->at(ball, theFieldDimensions->length / 2);
   const Vec2 toBall = ball - place;
   output.skill = Skill::moveToPos;
   output.target = Pose2(place, std::atan2(toBall.y(), toBall.x()));

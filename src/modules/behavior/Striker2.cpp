@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "framework/DrawingSite.h"
-#include "modules/behavior/Restarts.h"
+#include "modules/behavior/RestartModes.h"
 #include "tactics/RollingBall.h"
 
 namespace plumbline {
@@ -40,8 +40,7 @@ StrikerSituation Striker2::situation() const {
   situation.ball = meetingPlace(situation.robot.position, time.walkSpeed, theBallPos->field,
                                 situation.robot.rotation() * theBallPos->relativeVelocity);
   if (kickAllowed)
-    for (const Kick& kick : theSkillKickParameters->kicks)
-      situation.kicks.push_back({kick.distance, kick.spread, kick.scatter, kick.rise});
+    for (const Kick& kick : theSkillKickParameters->kicks) situation.kicks.push_back(kick);
   situation.halfLength = theFieldDimensions->length / 2;
   situation.halfWidth = theFieldDimensions->width / 2;
   situation.goalHalfWidth = theFieldDimensions->goalWidth / 2;

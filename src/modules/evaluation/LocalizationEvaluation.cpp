@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "modules/evaluation/TruePose.h"
+#include "modules/evaluation/GroundPose.h"
 
 namespace plumbline {
 

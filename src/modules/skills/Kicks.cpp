@@ -25,12 +25,7 @@ void Kicks::read(const RobotModel& robot) {
     Kick kick;
     kick.motion = right.name;
     kick.ballPosition = right.ball;
-    kick.distance = right.kick->distance;
-    kick.direction = right.kick->direction;
-    kick.contact = right.kick->contact;
-    kick.scatter = right.kick->scatter;
-    kick.spread = right.kick->spread;
-    kick.rise = right.kick->rise;
+    static_cast<KickEffect&>(kick) = *right.kick;
     kicks_.kicks.push_back(kick);
   }
   if (kicks_.kicks.empty())

@@ -22,7 +22,7 @@ void SkillDribble::update(SkillDribbleOutput* theSkillDribbleOutput) {
   const Vec2 ball = Eigen::Rotation2Dd(-direction) * theBallPos->relative;
   const double lateral = std::abs(ball.y());
   const double heading = std::abs(direction);
-  const bool pressed = theOtherRobots && theOtherRobots->nearestOpponent(theBallPos->field) < pressedDistance;
+  const bool pressed = theSkillGetBallOutput->pressed;
   const double most = pushing_ ? stopLateral : pressed ? pressedLateral : startLateral;
   const double off = pushing_ ? stopHeading : pressed ? pressedHeading : startHeading;
   pushing_ = ball.x() > 0 && ball.x() < reach && lateral < most && heading < off;

@@ -3,7 +3,6 @@
 #include "modules/skills/WalkToPose.h"
 #include "representations/behavior/SkillRequest.h"
 #include "representations/modeling/BallPos.h"
-#include "representations/modeling/OtherRobots.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/skills/SkillDribbleOutput.h"
 #include "representations/skills/SkillGetBallOutput.h"
@@ -15,7 +14,6 @@ MODULE(SkillDribble)
   REQUIRES(RobotPose)
   REQUIRES(BallPos)
   REQUIRES(SkillGetBallOutput)
-  REQUIRES_IF_PROVIDED(OtherRobots)
   PROVIDES(SkillDribbleOutput)
   PARAMETER_GROUP(WalkToPoseParameters, walk, "limits and gains of walking to a pose")
   PARAMETER(double, lateralGain, 4, "1/s", Range(0, 20),
@@ -24,10 +22,9 @@ MODULE(SkillDribble)
   PARAMETER(double, stopLateral, 0.14, "m", Range(0, 1), "ball off the line to the target to break off")
   PARAMETER(double, startHeading, 0.25, "rad", Range(0, 3.2), "error of the heading to begin pushing")
   PARAMETER(double, stopHeading, 0.6, "rad", Range(0, 3.2), "error of the heading to break off")
-  PARAMETER(double, pressedDistance, 0.8, "m", Range(0, 5),
-            "with an opponent this near to the ball it is pushed at once")
-  PARAMETER(double, pressedLateral, 0.14, "m", Range(0, 1), "then this is startLateral")
-  PARAMETER(double, pressedHeading, 0.6, "rad", Range(0, 3.2), "and this is startHeading")
+  PARAMETER(double, pressedLateral, 0.14, "m", Range(0, 1),
+            "startLateral with an opponent near the ball (SkillGetBall.pressedDistance)")
+  PARAMETER(double, pressedHeading, 0.6, "rad", Range(0, 3.2), "startHeading then")
   PARAMETER(double, reach, 0.8, "m", Range(0.1, 5), "a ball farther ahead is walked to again")
 END_MODULE
 

@@ -36,10 +36,6 @@ const Kick& SkillGetBall::chooseKick(double metres) {
   return chosen;
 }
 
-bool SkillGetBall::pressed() const {
-  return theOtherRobots && theOtherRobots->nearestOpponent(theBallPos->field) < pressedDistance;
-}
-
 void SkillGetBall::learnBias(const Pose2& T_robot_target) {
   if (T_robot_target.position.norm() > biasDistance || std::abs(T_robot_target.heading) > 0.5) {
     bias_ = Vec2::Zero();
@@ -49,8 +45,8 @@ void SkillGetBall::learnBias(const Pose2& T_robot_target) {
   if (const double size = bias_.norm(); size > maxBias) bias_ *= maxBias / size;
 }
 
-bool SkillGetBall::exact(const Vec2& error, double heading) const {
-  const double hurry = pressed() ? pressedTolerance : 1, stays = atBall_ ? keeps : 1;
+bool SkillGetBall::exact(const Vec2& error, double heading, bool pressed) const {
+  const double hurry = pressed ? pressedTolerance : 1, stays = atBall_ ? keeps : 1;
   const Vec2 tolerance = hurry * stays * theSkillKickParameters->tolerance;
   const double most = theSkillRequest->tolerance > 0 ? theSkillRequest->tolerance
                                                      : hurry * theSkillKickParameters->headingTolerance;
@@ -62,6 +58,7 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   SkillGetBallOutput& output = *theSkillGetBallOutput;
   output.clear();
   output.atBall = false;
+  output.pressed = theOtherRobots && theOtherRobots->nearestOpponent(theBallPos->field) < pressedDistance;
   const BallApproach wanted = requestedApproach();
   if (wanted == BallApproach::none) {
     atBall_ = sprinting_ = false;
@@ -98,7 +95,7 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   if (!atBall_) learnBias(way);
   command.velocity = limitVelocity(command.velocity + bias_, walk);
 
-  atBall_ = output.atBall = exact(theBallPos->relative - place, heading);
+  atBall_ = output.atBall = exact(theBallPos->relative - place, heading, output.pressed);
   output.motion = Motion::walk;
   output.walkVelocity = command.velocity;
   output.walkTurn = command.turn;

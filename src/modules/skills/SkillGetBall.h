@@ -59,10 +59,9 @@ private:
   void chooseFoot();
   /// The kick for a way of the ball [m], with some reluctance to change it.
   const Kick& chooseKick(double metres);
-  bool pressed() const;
   /// Whether the robot stands exactly enough, off by `error` [m] and `heading` [rad]. Once it does, more is
   /// allowed (`keeps`): a walk that is told to stop and to go on by turns never comes to rest.
-  bool exact(const Vec2& error, double heading) const;
+  bool exact(const Vec2& error, double heading, bool pressed) const;
   /// The walk's own bias near the target: what the requested speed has to be raised by, learned there [m/s].
   void learnBias(const Pose2& T_robot_target);
 

@@ -27,7 +27,7 @@ struct TeamBelief : public Streamable {
   bool localised = false;
   bool fallen = false;
   int role = 0;           ///< see PlayerRole
-  double timeToBall = 0;  ///< [s]
+  double timeToBall = 0;  ///< see PlayerRole [s]
   bool ballKnown = false;
   double ballAge = 0;  ///< since the speaker saw it [s]
   Vec2 ball = Vec2::Zero();

@@ -4,19 +4,14 @@
 
 #include "framework/Representation.h"
 #include "math/Types.h"
+#include "robot/KickEffect.h"
 
 namespace plumbline {
 
 /// A kick that there is, with the right foot; mirrored for the left.
-struct Kick : public Streamable {
+struct Kick : public Streamable, public KickEffect {
   std::string motion;                     ///< name of the keyframe file without its ending
   Vec2 ballPosition = Vec2(0.16, -0.05);  ///< relative to the robot's ground frame [m]
-  double distance = 3;                    ///< how far the kick carries [m]
-  double direction = 0;                   ///< in which the ball goes, robot's ground frame [rad]
-  double contact = 0;                     ///< from the motion's begin to the ball [s]
-  double scatter = 0.12;                  ///< standard deviation of the direction [rad]
-  double spread = 1;                      ///< standard deviation of the distance [m]
-  double rise = 0;                        ///< height that the ball reaches [m]
   void stream(InStream* in, OutStream* out) override {
     STREAM(motion);
     STREAM(ballPosition);

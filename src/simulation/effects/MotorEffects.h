@@ -6,7 +6,7 @@
 
 #include "robot/RobotModel.h"
 #include "simulation/world/EffectFile.h"
-#include "simulation/world/Random.h"
+#include "simulation/world/RandomStream.h"
 
 namespace plumbline::simulation {
 
@@ -44,7 +44,7 @@ private:
   bool lossy() const { return dropout > 0; }
 
   double step, dropout = 0;
-  Random random;
+  RandomStream random;
   bool lost = false;
   JointArray commanded{}, arrived{};
   std::array<Path, maxJoints> paths;

@@ -7,7 +7,7 @@
 #include "simulation/referee/Game.h"
 #include "simulation/referee/Participant.h"
 #include "simulation/referee/Rules.h"
-#include "simulation/world/Random.h"
+#include "simulation/world/RandomStream.h"
 #include "simulation/world/World.h"
 
 namespace plumbline::simulation {
@@ -58,7 +58,7 @@ struct Match {
   const FieldSize& field;
   Game& game;
   World& world;
-  Random& random;
+  RandomStream& random;
   MatchMemory& memory;
   /// Robots that touched each other in this cycle.
   const std::vector<RobotContact>& contacts;

@@ -9,7 +9,7 @@
 
 namespace plumbline::simulation {
 
-Referee::Referee(const Rules& rules, const Random& random_, const FieldSize& field_)
+Referee::Referee(const Rules& rules, const RandomStream& random_, const FieldSize& field_)
     : rules_(rules), field(field_), random(random_) {
   memory.ball = BallWatch(field);
   if (rules.kickOff.byLot) memory.nextHalfKickOff = TeamSide::none;

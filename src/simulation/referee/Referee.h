@@ -17,7 +17,7 @@ struct Observation {
 /// of which has a file in rules/, in the order of their numbers.
 class Referee {
 public:
-  Referee(const Rules& rules, const Random& random, const FieldSize& field = {});
+  Referee(const Rules& rules, const RandomStream& random, const FieldSize& field = {});
 
   /// Judges the cycle that has just passed; may move the ball and the players and freeze joints. True if the
   /// teams changed ends: the members' sides are to be swapped.
@@ -42,7 +42,7 @@ private:
 
   Rules rules_;
   FieldSize field;
-  Random random;
+  RandomStream random;
   MatchMemory memory;
   std::vector<std::unique_ptr<Rule>> inOrder;
 };

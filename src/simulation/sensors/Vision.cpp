@@ -96,7 +96,7 @@ bool clipToView(Vec3& a, Vec3& b) {
   return true;
 }
 
-Vision::Vision(const VisionNoise& noise_, Random& random_) : noise(noise_), random(random_) {
+Vision::Vision(const VisionNoise& noise_, RandomStream& random_) : noise(noise_), random(random_) {
   for (int i = 0; i < 3; ++i) offset[i] = random.uniform(-noise.offset, noise.offset);
 }
 

@@ -6,7 +6,7 @@
 #include "field/FieldMarks.h"
 #include "math/Types.h"
 #include "simspark/ServerMessage.h"
-#include "simulation/world/Random.h"
+#include "simulation/world/RandomStream.h"
 
 namespace plumbline::simulation {
 
@@ -40,7 +40,7 @@ struct VisibleWorld {
 /// and down, sees nothing nearer than 0.1 m, through everything, its own arms as well.
 class Vision {
 public:
-  explicit Vision(const VisionNoise& noise, Random& random);
+  explicit Vision(const VisionNoise& noise, RandomStream& random);
 
   simspark::See see(const Pose3& T_world_head, const VisibleWorld& world);
 
@@ -49,7 +49,7 @@ private:
   void addNoise(simspark::Polar& polar);
 
   VisionNoise noise;
-  Random& random;
+  RandomStream& random;
   Vec3 offset = Vec3::Zero();  ///< constant error in the head frame [m]
 };
 

@@ -8,14 +8,13 @@
 #include "framework/ConfigFile.h"
 #include "framework/ConfigurationError.h"
 #include "framework/Json.h"
+#include "framework/SingleLine.h"
 
 namespace plumbline::simulation {
 
 void EffectSetting::fail(std::string_view key, const std::string& message) const {
   // It quotes names from the file, which may hold line ends.
-  std::string line = message;
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
+  const std::string line = singleLine(message);
   if (source) source->fail(key, line);
   throw ConfigurationError(origin + ": " + std::string(key) + " " + line);
 }

@@ -180,8 +180,8 @@ std::string KickTask::file(const Eigen::VectorXd& parameters, const std::string&
                            const std::map<std::string, double>& figures) const {
   motion::KeyframeMotion kick = kick_->written(parameters, dt);
   if (!figures.empty())
-    kick.kick = motion::KickEffect{figures.at("distance"), fromDegrees(figures.at("direction")),
-                                   1e-3 * figures.at("contact")};
+    kick.kick = KickEffect{figures.at("distance"), fromDegrees(figures.at("direction")),
+                           1e-3 * figures.at("contact")};
   return motion::motionFile(kick, worlds_.first().model, heading);
 }
 

@@ -5,6 +5,7 @@
 # [build/bench/starts]. Writes OUT.json and OUT.md. `make bench-games` runs it with the games.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
+source tests/support/set-start.bash
 tries=${TRIES:-100} seed=${SEED:-1} bin=${BIN:-bin} config=${CONFIG:-config} out=${OUT:-build/bench/starts}
 for value in "$tries" "$seed"; do
   [[ $value =~ ^[1-9][0-9]{0,5}$ ]] || { echo "starts.sh: '$value' is no whole number from 1 to 999999" >&2; exit 2; }
@@ -21,13 +22,8 @@ for ((i = 0; i < tries; ++i)); do
     bx = 1 + 12.5 * rand(); by = -7 + 14 * rand(); a = 6.2832 * rand(); d = 0.5 + 2.5 * rand()
     x = bx + d * cos(a); y = by + d * sin(a); if (x > 14) x = 28 - x
     printf "%.3f %.3f %.3f %.3f %.3f\n", bx, by, x, y, 6.2832 * rand() - 3.1416 }')
-  printf 'x: [-3]\ny: [0]\nheading: [%s]\n' "$heading" > "$work/config/BeforeKickOff.yaml"
-  printf 'moves: {startAnywhere: true}\nstartPlace: {on: true, x: %s, y: %s, robotX: %s, robotY: %s}\n' "$ballX" "$ballY" "$x" "$y" \
-    > "$work/rules.yaml"
-  type=$((i % 5)) status=0
-  "$bin/game" --type $type --seed $((seed + i)) --limit 60 --output "$work/run" --agent-option=--config "--agent-option=$work/config" \
-    --simulator-option=--rules "--simulator-option=$work/rules.yaml" > "$work/run.log" 2>&1 || status=$?
-  ((status < 2)) || { tail -1 "$work/run.log" >&2; exit 1; }
+  type=$((i % 5))
+  playSetStart "$type" $((seed + i)) 60 "$ballX $ballY $x $y" "-3 0 $heading"
   # A goal kick is a shot that missed.
   awk -F, -v type=$type -v ball="$ballX,$ballY" 'NR > 1 {
       if ($9 ~ /^goal_kick/ && mode !~ /^goal_kick/) ++missed

@@ -7,6 +7,7 @@
 
 #include "gap/effects/Effects.h"
 #include "gap/inference/Groups.h"
+#include "gap/inference/Strengths.h"
 #include "gap/replay/Replay.h"
 
 namespace plumbline::bench {
@@ -62,13 +63,6 @@ double along(const std::vector<double>& a, const std::vector<double>& b) {
 std::vector<double> minus(std::vector<double> a, const std::vector<double>& b) {
   for (std::size_t k = 0; k < a.size(); ++k) a[k] -= b[k];
   return a;
-}
-
-Cause withStrength(const Mechanism& robot, Cause cause, double strength) {
-  const gap::Bounds bounds = cause.effect->boundsAt(robot, cause.place);
-  const double value = cause.effect->valueAt(strength);
-  cause.value = std::isfinite(value) ? std::min(bounds.upper, std::max(bounds.lower, value)) : bounds.upper;
-  return cause;
 }
 
 }  // namespace
@@ -163,11 +157,12 @@ double leftOfPlant(const Base& base, const Base& planted, Cause cause) {
   const double whole = differenceOf(wanted, nominal);
   double left = 1, strength = cause.effect->strengthOf(cause.value);
   for (int round = 0; round < 6; ++round) {
-    const std::vector<double> here = residualsOf(planted, {withStrength(planted.robot, cause, strength)});
+    const std::vector<double> here =
+        residualsOf(planted, {gap::withStrength(planted.robot, cause, strength)});
     left = std::min(left, differenceOf(wanted, here) / whole);
     const double step = 0.02 * strength;
     const std::vector<double> slope =
-        minus(residualsOf(planted, {withStrength(planted.robot, cause, strength + step)}), here);
+        minus(residualsOf(planted, {gap::withStrength(planted.robot, cause, strength + step)}), here);
     const double square = along(slope, slope);
     if (!(square > 0)) break;
     strength += step * along(minus(wanted, here), slope) / square;

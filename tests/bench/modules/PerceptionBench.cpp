@@ -10,7 +10,7 @@
 
 #include "framework/Controller.h"
 #include "modules/evaluation/ErrorStatistics.h"
-#include "modules/evaluation/TruePose.h"
+#include "modules/evaluation/GroundPose.h"
 #include "modules/simspark/AgentOptions.h"
 #include "representations/infrastructure/GroundTruth.h"
 #include "representations/modeling/BallPos.h"

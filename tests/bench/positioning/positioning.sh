@@ -5,6 +5,7 @@
 # configuration [config], OUT [build/bench/positioning]. Writes OUT.json and OUT.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
+source tests/support/set-start.bash
 tries=${TRIES:-40} seed=${SEED:-6001} types=${TYPES:-0 1 2 3 4} bin=${BIN:-bin} config=${CONFIG:-config} out=${OUT:-build/bench/positioning}
 for value in "$tries" "$seed"; do
   [[ $value =~ ^[1-9][0-9]{0,5}$ ]] || { echo "positioning.sh: '$value' is no whole number from 1 to 999999" >&2; exit 2; }
@@ -20,12 +21,7 @@ for type in $types; do
       srand(seed); for (k = 0; k < 5; ++k) rand()
       a = 6.2832 * rand(); printf "%.3f %.3f %.3f\n", -6 + 1.5 * cos(a), 1.5 * sin(a), 6.2832 * rand() - 3.1416 }')
     # It beams itself there, so that it knows where it is.
-    printf 'x: [%s]\ny: [%s]\nheading: [%s]\n' "$x" "$y" "$heading" > "$work/config/BeforeKickOff.yaml"
-    printf 'moves: {startAnywhere: true}\nstartPlace: {on: true, x: -6, y: 0, robotX: %s, robotY: %s}\n' "$x" "$y" > "$work/rules.yaml"
-    status=0
-    "$bin/game" --type "$type" --seed $((seed + i)) --limit 40 --output "$work/run" --agent-option=--config \
-      "--agent-option=$work/config" --simulator-option=--rules "--simulator-option=$work/rules.yaml" > "$work/run.log" 2>&1 || status=$?
-    ((status < 2)) || { tail -1 "$work/run.log" >&2; exit 1; }
+    playSetStart "$type" $((seed + i)) 40 "-6 0 $x $y" "$x $y $heading"
     # Begins when the play is on; the kick is where the ball is faster than 1 m/s; it has come to rest, or is reached again, by
     # the time that the robot is half a metre from it.
     awk -F, -v type="$type" '

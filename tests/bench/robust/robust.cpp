@@ -65,11 +65,7 @@ Eigen::VectorXd search(const Options& options, std::uint64_t seed, std::int64_t 
 }
 
 Eigen::VectorXd startOf(const Options& options) {
-  const auto task = makeTask("kick", TaskOptions(options));
-  Eigen::VectorXd start(static_cast<Eigen::Index>(task->parameters().size()));
-  for (Eigen::Index i = 0; i < start.size(); ++i)
-    start[i] = task->parameters()[static_cast<std::size_t>(i)].start;
-  return start;
+  return SearchSpace::of(makeTask("kick", TaskOptions(options))->parameters()).start;
 }
 
 /// Means of tries: metres forward, degrees off, share of falls [%], cost.
@@ -171,14 +167,12 @@ int main() {
   writeFile(
       "build/bench/robust.md",
       fmt::format(
-          "Robot type {}, from `{}`: {} generations of {} candidates with {} runs each, seeds 1 to {}, once "
-          "in the "
-          "nominal world\nand once over {} worlds, of which seven have effects of `{}`. Then {} tries of "
-          "each, seeds from {}\non, ball within 3 x 3 cm, walking on for 2 s: in the nominal world, on "
-          "Bullet, and on "
-          "40 drawn robots that no search had\n(draws 1000 to 1039). Falls: leans by more than 30 degrees in "
-          "the end. Cost: the "
-          "search's own, lower is better;\n30 are a metre. Lost: against the nominal world.\n\n{}\n"
+          "Robot type {}, from `{}`: {} generations of {} candidates with {} runs each, seeds 1 to {}, "
+          "once in the nominal world\nand once over {} worlds, of which seven have effects of `{}`. Then {} "
+          "tries of each, seeds from {}\non, ball within 3 x 3 cm, walking on for 2 s: in the nominal world, "
+          "on Bullet, and on 40 drawn robots that no search had\n(draws 1000 to 1039). Falls: leans by more "
+          "than 30 degrees in the end. Cost: the search's own, lower is better;\n30 are a metre. Lost: "
+          "against the nominal world.\n\n{}\n"
           "On Bullet the kick found with draws costs {:.0f} {} in the mean, and less in {} of {} pairs; on "
           "drawn robots {:.0f} {}.\n",
           base.at("type"), base.at("motion"), generations, population, runsOfEach, seeds, drawsOfSearch,

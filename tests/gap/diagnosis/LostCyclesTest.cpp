@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <tuple>
 
 #include "../Pendulum.h"
+#include "../SquaresLeft.h"
 
 namespace plumbline::gap {
 namespace {
@@ -24,21 +24,6 @@ std::vector<std::uint8_t> someLost(double share, std::uint64_t seed) {
   std::vector<std::uint8_t> lost(600, 0);
   for (auto& cycle : lost) cycle = random.uniform() < share;
   return lost;
-}
-
-/// Squares over noise that the lost cycles leave.
-double squaresWith(const Evidence& evidence, const std::vector<std::uint8_t>& lost) {
-  const Trial& trial = evidence.trials()[0];
-  ReplayOptions options;
-  options.lostCycles = &lost;
-  const Prediction prediction = replay(nominalPlant(*trial.robot), trial, options);
-  double sum = 0;
-  for (std::size_t s = 0; s < trial.signals.size(); ++s)
-    for (std::size_t k = 0; k < trial.cycles(); ++k) {
-      const double r = trial.signals[s].values[k] - prediction.values[s][k];
-      sum += evidence.weights(0, s)[k] * r * r;
-    }
-  return sum;
 }
 
 TEST(LostCyclesTest, noneWhereNoneIsLost) {
@@ -89,20 +74,6 @@ TEST(LostCyclesTest, noneThereWhereRepeatsAgreeWhateverElseIsOff) {
   const std::vector<std::uint8_t> none(evidence.trials()[0].cycles(), 0);
   ASSERT_GT(squaresWith(evidence, none), 5 * static_cast<double>(none.size()));
   EXPECT_EQ(findLostCycles(evidence, {}, 1).found, 0u);
-}
-
-TEST(LostCyclesTest, noneWhereAnotherEffectMakesTheJointsLate) {
-  // Each of them leaves more than thirty times the noise; all commands were acted on.
-  for (const auto& [id, place, value] :
-       {std::tuple{"command_delay", "*", 0.0237}, std::tuple{"viscous_friction", "elbow", 0.6},
-        std::tuple{"profile_speed", "*", 1.0}, std::tuple{"coulomb_friction", "*", 0.4}}) {
-    const Cause cause = causeOfArm(id, place, value);
-    const Evidence evidence{{recorded(plantOf(twoJointArm(), {cause}), armTrial(twoJointArm(), 6), 5e-4, 7)}};
-    EXPECT_GT(squaresWith(evidence, std::vector<std::uint8_t>(600, 0)), 900 * 600) << describe(cause);
-    const LostCycles found = findLostCycles(evidence, {}, 1);
-    EXPECT_EQ(found.found, 0U) << describe(cause);
-    EXPECT_EQ(std::ranges::count(found.cycles[0], 1), 0) << describe(cause);
-  }
 }
 
 }  // namespace

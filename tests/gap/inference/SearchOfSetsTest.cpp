@@ -3,32 +3,12 @@
 
 #include <algorithm>
 
-#include "../TwoJointArm.h"
+#include "../ThreeRecordings.h"
 #include "gap/inference/Beam.h"
-#include "gap/inference/Inference.h"
-#include "gap/inference/LeaveOut.h"
 #include "gap/inference/Posterior.h"
 #include "gap/inference/Strengths.h"
 
 namespace plumbline::gap {
-
-namespace {
-
-constexpr double noise = 5e-4;
-
-/// Three recordings of different motions with the causes in.
-std::vector<Trial> recordings(const Explanation& causes, double seconds = 4) {
-  const Mechanism arm = twoJointArm();
-  std::vector<Trial> trials;
-  for (const double size : {0.5, 0.35, 0.2}) {
-    Trial trial = armTrial(arm, seconds, size);
-    trial.recording = trial.name = "run" + std::to_string(trials.size());
-    trials.push_back(recorded(plantOf(arm, causes), trial, noise, 3 + trials.size()));
-  }
-  return trials;
-}
-
-}  // namespace
 
 TEST(Groups, recordingsAreLeftOutOneByOneAndRepeatsTogether) {
   std::vector<Trial> trials = recordings({});
@@ -64,19 +44,6 @@ TEST(Groups, aGroupLeftOutIsGoneAndTheOthersAreNumberedAnew) {
   const Groups three = one.without(3);
   EXPECT_EQ(three.count(), 3);
   for (const Cell& cell : three.cells()) EXPECT_LE(cell.to, 300);
-}
-
-TEST(LeaveOut, theSetIsChosenWithoutTheGroup) {
-  // A cause that one recording alone has: what is found without that one does not hold it.
-  const Mechanism arm = twoJointArm();
-  std::vector<Trial> trials = recordings({});
-  trials[1] = recordings({causeOfArm("coulomb_friction", "elbow", 0.2)})[1];
-  const Groups groups(trials);
-  const Replayer replayer(arm, groups, 2);
-  const std::vector<FoundWithout> found = findWithoutEach(replayer, {});
-  ASSERT_EQ(found.size(), 3);
-  EXPECT_TRUE(found[1].causes.empty());
-  EXPECT_NEAR(leftWithout(groups, found)[1].closed(), 0, 1e-9);
 }
 
 TEST(Replayer, sameHypothesisSameResidualsWhateverCameBetween) {
@@ -196,43 +163,6 @@ TEST(Posterior, equalScoresShareAndGroupsThatDisagreeLeaveDoubt) {
   EXPECT_LT(p, 0.8);
   b.density = {-20, -20, -20};
   EXPECT_GT(posterior({a, b})[0], 0.99);
-}
-
-TEST(Inference, findsTheCauseAndClaimsWhatItCloses) {
-  const Mechanism arm = twoJointArm();
-  const Inference found = infer(arm, recordings({causeOfArm("coulomb_friction", "elbow", 0.15)}), {});
-  ASSERT_EQ(found.diagnosis.findings.size(), 1);
-  const Finding& finding = found.diagnosis.findings.front();
-  EXPECT_EQ(finding.cause.effect->id, "coulomb_friction");
-  EXPECT_EQ(finding.cause.place.at, "elbow");
-  EXPECT_LE(finding.lower, 0.15);
-  EXPECT_GE(finding.upper, 0.15);
-  EXPECT_GT(finding.probability, 0.5);
-  EXPECT_EQ(found.diagnosis.verdict, Verdict::effect);
-  ASSERT_EQ(found.leftOut.size(), 3);
-  const double measured =
-      meanClosed({leftIn(recordings({causeOfArm("coulomb_friction", "elbow", 0.15)}, 5)[1],
-                         {{0, found.diagnosis.explanation()}})});
-  EXPECT_NEAR(meanClosed(found.leftOut), measured, 0.1);
-}
-
-TEST(Inference, nothingIsFoundWhereNothingIs) {
-  const Inference found = infer(twoJointArm(), recordings({}), {});
-  EXPECT_EQ(found.diagnosis.verdict, Verdict::none);
-  EXPECT_TRUE(found.diagnosis.findings.empty());
-}
-
-TEST(Inference, sameAnswerWithAnyNumberOfThreads) {
-  const Mechanism arm = twoJointArm();
-  const std::vector<Trial> trials = recordings({causeOfArm("backlash", "shoulder", 0.03)}, 3);
-  InferenceOptions one, three;
-  three.jobs = 3;
-  const Inference a = infer(arm, trials, one), b = infer(arm, trials, three);
-  EXPECT_EQ(a.diagnosis.explanation(), b.diagnosis.explanation());
-  EXPECT_EQ(a.claim.closed, b.claim.closed);
-  ASSERT_EQ(a.diagnosis.findings.size(), b.diagnosis.findings.size());
-  for (std::size_t i = 0; i < a.diagnosis.findings.size(); ++i)
-    EXPECT_EQ(a.diagnosis.findings[i].probability, b.diagnosis.findings[i].probability);
 }
 
 }  // namespace plumbline::gap

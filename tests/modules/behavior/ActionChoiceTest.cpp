@@ -23,7 +23,7 @@ FieldValue slope() {
 struct ActionChoiceTest : testing::Test {
   ActionChoiceTest() {
     situation.robot = Pose2(-1, 0, 0);
-    situation.kicks = {{.reach = 4, .spread = 0.01, .scatter = 0.12}};
+    situation.kicks = {{.distance = 4, .scatter = 0.12, .spread = 0.01}};
     parameters.timePrice = 0;
     add(false, {14.5, 0});
   }
@@ -75,7 +75,7 @@ TEST_F(ActionChoiceTest, opponentsThatAreKeptOffLeaveTimeToKick) {
 TEST_F(ActionChoiceTest, aShotNowIsWorthMoreThanASurerOneLater) {
   situation.ball = {11, 0};
   situation.robot = Pose2(10.7, 0, 0);
-  situation.kicks[0].reach = 8;
+  situation.kicks[0].distance = 8;
   situation.others.clear();
   add(false, {14.5, 1.5});
   parameters.goalWorth = 1;
@@ -137,10 +137,10 @@ TEST_F(ShotTest, isWorthItsChance) {
 }
 
 TEST_F(ShotTest, mayFallShortOfTheLine) {
-  situation.kicks[0] = {.reach = 2, .spread = 0.5, .scatter = 0.01};
+  situation.kicks[0] = {.distance = 2, .scatter = 0.01, .spread = 0.5};
   StrikerAction shot = judgeAction(Kind::kick, 0, 2, situation, value, time, parameters);
   EXPECT_NEAR(shot.goal, 0.5, 1e-3) << "half of them roll so far";
-  situation.kicks[0].reach = 2.5;
+  situation.kicks[0].distance = 2.5;
   shot = judgeAction(Kind::kick, 0, 2.5, situation, value, time, parameters);
   EXPECT_NEAR(shot.goal, 0.8413, 1e-3) << "one deviation";
 }
@@ -178,7 +178,7 @@ TEST_F(ShotTest, itsToleranceIsThatOfTheGoal) {
 TEST_F(ActionChoiceTest, takesTheKickThatGoesAsFarAsItShall) {
   add(true, {4, 0});
   add(false, {9, 0});  // a longer kick is theirs
-  situation.kicks = {{.reach = 4}, {.reach = 9}};
+  situation.kicks = {{.distance = 4, .spread = 0.6}, {.distance = 9, .spread = 0.6}};
   EXPECT_EQ(choose().reach, 4);
   situation.others.pop_back();
   EXPECT_EQ(choose().reach, 9);
@@ -198,7 +198,8 @@ TEST_F(ActionChoiceTest, aloneWhatCountsIsWhenTheGoalFalls) {
   situation.others.clear();
   situation.ball = {5, 0};
   situation.robot = Pose2(4.5, 0, 0);
-  situation.kicks = {{.reach = 4, .spread = 0.5, .scatter = 0.1}, {.reach = 9, .spread = 1, .scatter = 0.3}};
+  situation.kicks = {{.distance = 4, .scatter = 0.1, .spread = 0.5},
+                     {.distance = 9, .scatter = 0.3, .spread = 1}};
   // The long kick ends aside of the goal as often as before it.
   EXPECT_EQ(choose().reach, 4);
   situation.kicks[1].scatter = 0.03;
@@ -231,8 +232,10 @@ TEST_P(SituationTest, isDecidedAsExpected) {
       other.position = {place[0], place[1]};
     }
   for (const ConfigSection& kick : root.list("kicks"))
-    situation.kicks.push_back({kick.get<double>("reach"), kick.get<double>("spread"),
-                               fromDegrees(kick.get<double>("scatter")), kick.get<double>("rise")});
+    situation.kicks.push_back({.distance = kick.get<double>("reach"),
+                               .scatter = fromDegrees(kick.get<double>("scatter")),
+                               .spread = kick.get<double>("spread"),
+                               .rise = kick.get<double>("rise")});
   const ConfigSection expected = root.section("expected");
   const std::size_t action = expected.choice("action", {"any", "kick", "dribble"});
   const Vec2 direction = expected.get<Vec2>("direction", {-pi, pi});

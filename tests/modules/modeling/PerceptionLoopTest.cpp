@@ -5,7 +5,7 @@
 #include "framework/Controller.h"
 #include "framework/Module.h"
 #include "modules/evaluation/ErrorStatistics.h"
-#include "modules/evaluation/TruePose.h"
+#include "modules/evaluation/GroundPose.h"
 #include "modules/simspark/AgentOptions.h"
 #include "representations/infrastructure/GroundTruth.h"
 #include "representations/infrastructure/ServerMessageText.h"

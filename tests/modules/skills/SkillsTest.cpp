@@ -89,6 +89,22 @@ TEST_F(GetBallTest, staysAtTheBallWhileItStopsForTheKick) {
   EXPECT_FALSE(ballAt({0.20, -0.05}).atBall);
 }
 
+TEST_F(GetBallTest, anOpponentNearTheBallLeavesNoTimeToStandExactly) {
+  harness.input<OtherRobots>().robots.resize(2);
+  OtherRobot& opponent = harness.input<OtherRobots>().robots[0];
+  OtherRobot& mate = harness.input<OtherRobots>().robots[1];
+  opponent.position = {1.1, 0};
+  mate.mate = true;
+  mate.position = {0.3, 0};
+  EXPECT_FALSE(ballAt({0.205, -0.05}).pressed);
+  EXPECT_FALSE(ballAt({0.205, -0.05}).atBall) << "45 mm off";
+  opponent.position = {0.9, 0};
+  EXPECT_TRUE(ballAt({0.205, -0.05}).pressed);
+  EXPECT_TRUE(ballAt({0.205, -0.05}).atBall);
+  opponent.fallen = true;
+  EXPECT_FALSE(ballAt({0.205, -0.05}).pressed);
+}
+
 TEST_F(GetBallTest, aRequestMaySayHowExactlyTheBallHasToGo) {
   ballAt({0.16, -0.05});
   SkillRequest& wanted = harness.input<SkillRequest>();
@@ -261,10 +277,8 @@ TEST_F(DribbleTest, breaksOffLaterThanItBegins) {
 }
 
 TEST_F(DribbleTest, pushesAtOnceWhereAnOpponentIsNear) {
-  OtherRobot& opponent = harness.input<OtherRobots>().robots.emplace_back();
-  opponent.position = {3, 0};
   EXPECT_FALSE(pushes({0.2, 0.1})) << "nobody is near";
-  opponent.position = {0.6, 0.1};
+  harness.input<SkillGetBallOutput>().pressed = true;
   EXPECT_TRUE(pushes({0.2, 0.1}));
   EXPECT_FALSE(pushes({0.2, 0.2})) << "beside the robot";
 }

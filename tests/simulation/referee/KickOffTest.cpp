@@ -79,7 +79,7 @@ TEST_F(KickOff, byLotEitherTeamMayBegin) {
   std::map<PlayMode, int> begun;
   for (unsigned seed = 0; seed < 40; ++seed) {
     rules.kickOff.byLot = true;
-    Referee tossing(rules, Random(seed));
+    Referee tossing(rules, RandomStream(seed));
     Game fresh;
     tossing.kickOff(fresh, world, TeamSide::none);
     ++begun[fresh.mode];

@@ -73,7 +73,7 @@ protected:
     cycle(toucher);
   }
   simulation::Referee& referee() {
-    if (!referee_) referee_ = std::make_unique<simulation::Referee>(rules, simulation::Random(1));
+    if (!referee_) referee_ = std::make_unique<simulation::Referee>(rules, simulation::RandomStream(1));
     return *referee_;
   }
   /// Kinds of the fouls reported, with who did them, without repetitions.

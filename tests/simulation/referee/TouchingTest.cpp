@@ -89,7 +89,7 @@ TEST_F(Touching, isNoFoulWhileTheGameStandsNorIfTheRuleIsOff) {
   pass(1);
   EXPECT_EQ(fouls(), Fouls{});
   rules.of<simulation::Touching>().on = rules.of<simulation::Charging>().on = false;
-  Referee lenient(rules, Random(1));
+  Referee lenient(rules, RandomStream(1));
   game.setMode(PlayMode::playOn);
   Observation seen;
   int id = 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/Table.h"
+#include "math/TablePlace.h"
 
 namespace plumbline {
 namespace {

@@ -4,6 +4,7 @@
 #include "math/Pose2.h"
 #include "modules/behavior/formation/FormationTable.h"
 #include "modules/behavior/formation/TimeToBall.h"
+#include "representations/behavior/PlayerRole.h"
 
 namespace plumbline {
 
@@ -13,7 +14,7 @@ struct TeamMember {
   Pose2 pose;
   bool fallen = false;
   int role = 0;  ///< the one it had last, see PlayerRole
-  double timeToBall = 16;
+  double timeToBall = PlayerRole::never;
 };
 
 /// The role of each member, in the order of the members, see PlayerRole.

@@ -85,8 +85,8 @@ SetPiece readSetPiece(const std::string& name, const ConfigSection& file) {
     piece.modes.push_back(modeOf(word, file));
   if (piece.modes.empty()) file.fail("modes", "must name a play mode");
   piece.kick = placesOf(file, "kick", maxPlaces);
-  piece.stand = placesOf(file, "stand", 1);
-  if (!piece.kick.empty() && !piece.stand.empty())
+  if (const auto stand = placesOf(file, "stand", 1); !stand.empty()) piece.stand = stand.front();
+  if (!piece.kick.empty() && piece.stand)
     file.fail("stand", "and kick exclude each other: the striker kicks or waits");
   piece.places = placesOf(file, "places", maxPlaces);
   piece.lasts = file.find<double>("lasts", {0, longest}).value_or(0);

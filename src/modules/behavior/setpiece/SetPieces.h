@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,10 +27,10 @@ struct SetPiecePlace {
 struct SetPiece {
   std::string name;  ///< of the file
   std::vector<PlayMode> modes;
-  std::vector<SetPiecePlace> kick;    ///< where the striker may kick the ball; empty: as in play
-  std::vector<SetPiecePlace> stand;   ///< at most one: where the striker waits at the opponents' restart
-  std::vector<SetPiecePlace> places;  ///< of the first supporters, instead of those of the formation
-  double lasts = 0;                   ///< places hold for so long after the mode has ended [s]
+  std::vector<SetPiecePlace> kick;     ///< where the striker may kick the ball; empty: as in play
+  std::optional<SetPiecePlace> stand;  ///< where the striker waits at the opponents' restart
+  std::vector<SetPiecePlace> places;   ///< of the first supporters, instead of those of the formation
+  double lasts = 0;                    ///< places hold for so long after the mode has ended [s]
 };
 
 /// All files of config/set_pieces/. Throws ConfigurationError with file, line and key; a mode belongs to one

@@ -102,7 +102,7 @@ public:
     StrikerAction action;
     action.kind = play_.dribbled ? StrikerAction::Kind::dribble : StrikerAction::Kind::kick;
     action.direction = direction;
-    action.reach = play_.kick.reach;
+    action.reach = play_.kick.distance;
     action.goal = fan_.goal(i);
     action.end = situation_.ball + fan_.way(i) * to;
     // Until the robot is at the ball again, if it did not go in.
@@ -136,14 +136,15 @@ private:
 
 std::vector<BallPlay> playsOf(const StrikerSituation& situation, const ActionChoiceParameters& parameters) {
   std::vector<BallPlay> plays;
-  for (const StrikerKick& kick : situation.kicks) plays.push_back({kick, false});
-  plays.push_back({{parameters.dribbleWay, 0, parameters.dribbleScatter, 0}, true});
+  for (const KickEffect& kick : situation.kicks) plays.push_back({kick, false});
+  plays.push_back(
+      {{.distance = parameters.dribbleWay, .scatter = parameters.dribbleScatter, .spread = 0}, true});
   return plays;
 }
 
 bool isOf(const StrikerAction& action, const BallPlay& play) {
   return (action.kind == StrikerAction::Kind::dribble) == play.dribbled &&
-         std::abs(action.reach - play.kick.reach) < 1e-9;
+         std::abs(action.reach - play.kick.distance) < 1e-9;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "modules/behavior/formation/TimeToBall.h"
 #include "parameters/Parameter.h"
 #include "representations/modeling/OtherRobots.h"
+#include "robot/KickEffect.h"
 #include "tactics/FieldValue.h"
 
 namespace plumbline {
@@ -23,7 +24,8 @@ struct ActionChoiceParameters {
             "standard deviation of a dribbled ball's direction")
   PARAMETER(
       double, goalWorth, 1.8, "", Range(1, 10),
-      "of a goal among others, against being sure of the next one: who waits for a surer shot loses the ball")
+      "of a goal while others play, where 1 is the value of being sure to score the next one; the more, "
+      "the sooner the striker shoots instead of waiting for a surer shot")
   PARAMETER(double, timeSpread, 1, "s", Range(0.05, 10),
             "how sure it is who is first: 73 % for one who is sooner by this")
   PARAMETER(double, timePrice, 0.01, "1/s", Range(0, 1), "value that a second costs")
@@ -40,19 +42,11 @@ struct ActionChoiceParameters {
             "value that a kick may lose by its direction, so that it is not waited for a better one")
 };
 
-/// A kick as the choice sees it.
-struct StrikerKick {
-  double reach = 3;       ///< how far it carries [m]
-  double spread = 0.6;    ///< standard deviation of that [m]
-  double scatter = 0.12;  ///< standard deviation of its direction [rad]
-  double rise = 0;        ///< height that the ball reaches [m]
-};
-
 /// What the striker knows; team's frame [m, rad].
 struct StrikerSituation {
   Pose2 robot;
   Vec2 ball = Vec2::Zero();
-  std::vector<StrikerKick> kicks;
+  std::vector<KickEffect> kicks;
   double halfLength = 15, halfWidth = 10, goalHalfWidth = 1.05, goalHeight = 0.8, ballRadius = 0.042;
   std::vector<OtherRobot> others;
   double freeSeconds = 0;      ///< for which opponents are kept off the ball [s]

@@ -116,7 +116,7 @@ BallCourse BallCourses::course(double direction, const BallPlay& play) const {
                          ? farAway
                          : (std::copysign(situation_.halfWidth, to.y()) - situation_.ball.y()) / to.y();
   const double line = std::max(0.0, std::min(toX, toY));
-  const double reach = std::max(play.kick.reach, shortest);
+  const double reach = std::max(play.kick.distance, shortest);
   const double clear = freeWay(to, reach + 2 * play.kick.spread);
   BallCourse course;
   // What is not over the line rests before it, or at a robot.

@@ -5,7 +5,7 @@ namespace plumbline {
 
 /// How a ball is played: a kick, or a dribble, which takes the robot along.
 struct BallPlay {
-  StrikerKick kick;
+  KickEffect kick;
   bool dribbled = false;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "modules/communication/code/SayAlphabet.h"
+#include "representations/behavior/PlayerRole.h"
 
 namespace plumbline {
 namespace {
@@ -17,7 +18,6 @@ constexpr int ballXBits = 9, ballYBits = 9, speedBits = 4;
 constexpr double maxSpeed = 8;  ///< [m/s]
 constexpr int farXBits = 7, farYBits = 7;
 constexpr int timeBits = 6;
-constexpr double maxTime = 16;  ///< [s]
 /// Ages of the ball by their code, upper ends; the last code says that it is not known [s].
 constexpr std::array<double, 7> ages = {0.1, 0.25, 0.5, 1, 2, 4, 8};
 constexpr std::uint32_t unknownAge = ages.size();
@@ -82,7 +82,7 @@ std::string encodeBelief(const TeamBelief& belief, std::string_view team, std::i
   bits.write(belief.localised ? 1 : 0, 1);
   bits.write(belief.fallen ? 1 : 0, 1);
   bits.write(static_cast<std::uint32_t>(std::clamp(belief.role, 0, (1 << roleBits) - 1)), roleBits);
-  bits.write(quantise(belief.timeToBall, 0, maxTime, timeBits), timeBits);
+  bits.write(quantise(belief.timeToBall, 0, PlayerRole::never, timeBits), timeBits);
   writeBall(bits, belief);
   for (std::size_t i = 0; i < TeamBelief::maxOpponents; ++i) {
     const bool told = i < belief.opponents.size();
@@ -107,7 +107,7 @@ std::optional<TeamBelief> decodeBelief(std::string_view text, std::string_view t
   belief.localised = bits->read(1) != 0;
   belief.fallen = bits->read(1) != 0;
   belief.role = static_cast<int>(bits->read(roleBits));
-  belief.timeToBall = unquantise(bits->read(timeBits), 0, maxTime, timeBits);
+  belief.timeToBall = unquantise(bits->read(timeBits), 0, PlayerRole::never, timeBits);
   readBall(*bits, belief);
   for (std::size_t i = 0; i < TeamBelief::maxOpponents; ++i) {
     SaidOpponent opponent;

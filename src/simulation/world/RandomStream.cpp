@@ -1,21 +1,21 @@
-#include "simulation/world/Random.h"
+#include "simulation/world/RandomStream.h"
 
 #include <cmath>
 
 namespace plumbline::simulation {
 
-Random::Random(std::uint64_t seed, std::uint64_t stream) {
+RandomStream::RandomStream(std::uint64_t seed, std::uint64_t stream) {
   std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
                          static_cast<std::uint32_t>(stream), static_cast<std::uint32_t>(stream >> 32)};
   engine.seed(sequence);
 }
 
-double Random::uniform(double low, double high) {
+double RandomStream::uniform(double low, double high) {
   const double unit = static_cast<double>(engine() >> 11) * 0x1.0p-53;
   return low + (high - low) * unit;
 }
 
-double Random::normal() {
+double RandomStream::normal() {
   if (haveSpare) {
     haveSpare = false;
     return spare;

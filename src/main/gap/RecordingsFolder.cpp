@@ -1,4 +1,4 @@
-#include "main/gap/OutputFolder.h"
+#include "main/gap/RecordingsFolder.h"
 
 #include <fcntl.h>
 
@@ -33,7 +33,7 @@ std::string whatIsNoRun(const fs::path& folder, int depth = 1) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(const std::string& path, bool replace) : place(path) {
+RecordingsFolder::RecordingsFolder(const std::string& path, bool replace) : place(path) {
   while (place.size() > 1 && place.back() == '/') place.pop_back();
   part = place + ".part";
   std::error_code error;
@@ -48,12 +48,12 @@ OutputFolder::OutputFolder(const std::string& path, bool replace) : place(path) 
   fs::remove_all(part, error);
 }
 
-OutputFolder::~OutputFolder() {
+RecordingsFolder::~RecordingsFolder() {
   std::error_code error;
   fs::remove_all(part, error);
 }
 
-void OutputFolder::putInPlace() {
+void RecordingsFolder::putInPlace() {
   const std::string old = place + ".old";
   std::error_code error, ignored;
   fs::remove_all(old, ignored);

@@ -1,4 +1,4 @@
-#include "simulation/world/Random.h"
+#include "simulation/world/RandomStream.h"
 
 #include <gtest/gtest.h>
 
@@ -7,23 +7,23 @@
 namespace plumbline::simulation {
 namespace {
 
-TEST(Random, sameSeedSameNumbersEverywhere) {
-  Random a(42, 1), b(42, 1);
+TEST(RandomStream, sameSeedSameNumbersEverywhere) {
+  RandomStream a(42, 1), b(42, 1);
   for (int i = 0; i < 100; ++i) EXPECT_EQ(a.normal(), b.normal());
-  Random c(42, 1);
+  RandomStream c(42, 1);
   EXPECT_DOUBLE_EQ(c.uniform(0, 1), 0.83798903310489214);
 }
 
-TEST(Random, streamsAndSeedsDiffer) {
-  Random a(42, 1), b(42, 2), c(43, 1), d(42ull + (1ull << 32), 1);
+TEST(RandomStream, streamsAndSeedsDiffer) {
+  RandomStream a(42, 1), b(42, 2), c(43, 1), d(42ull + (1ull << 32), 1);
   const double x = a.uniform(0, 1);
   EXPECT_NE(x, b.uniform(0, 1));
   EXPECT_NE(x, c.uniform(0, 1));
   EXPECT_NE(x, d.uniform(0, 1));
 }
 
-TEST(Random, momentsOfTheNormalDistribution) {
-  Random random(3);
+TEST(RandomStream, momentsOfTheNormalDistribution) {
+  RandomStream random(3);
   const int n = 200000;
   double sum = 0, square = 0, fourth = 0;
   for (int i = 0; i < n; ++i) {
@@ -37,8 +37,8 @@ TEST(Random, momentsOfTheNormalDistribution) {
   EXPECT_NEAR(fourth / n, 3, 0.1);
 }
 
-TEST(Random, uniformStaysInside) {
-  Random random(4);
+TEST(RandomStream, uniformStaysInside) {
+  RandomStream random(4);
   double low = 1, high = 0, sum = 0;
   for (int i = 0; i < 100000; ++i) {
     const double x = random.uniform(-0.05, 0.05);

@@ -1,4 +1,4 @@
-#include "dds/Shape.h"
+#include "dds/StreamShape.h"
 
 #include <string_view>
 

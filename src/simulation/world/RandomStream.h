@@ -6,11 +6,11 @@ namespace plumbline::simulation {
 
 /// Random numbers that are the same on every standard library: only the engine is the standard's, whose bits
 /// are specified; the distributions are ours.
-class Random {
+class RandomStream {
 public:
   /// Streams of one seed are independent of each other: each player has its own, so that a player's noise
   /// does not change when another joins.
-  explicit Random(std::uint64_t seed = 1, std::uint64_t stream = 0);
+  explicit RandomStream(std::uint64_t seed = 1, std::uint64_t stream = 0);
 
   /// In [low, high).
   double uniform(double low, double high);

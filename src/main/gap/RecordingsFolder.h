@@ -5,14 +5,14 @@ namespace plumbline::gap {
 
 /// A folder of recordings in the making: written beside its place, put there as a whole. What is not put
 /// there goes.
-class OutputFolder {
+class RecordingsFolder {
 public:
   /// replace: what is there already gives way at the end, if it holds recordings and nothing else. Throws
   /// std::invalid_argument where it is there, else, and std::runtime_error where nothing can be written.
-  OutputFolder(const std::string& path, bool replace);
-  ~OutputFolder();
-  OutputFolder(const OutputFolder&) = delete;
-  OutputFolder& operator=(const OutputFolder&) = delete;
+  RecordingsFolder(const std::string& path, bool replace);
+  ~RecordingsFolder();
+  RecordingsFolder(const RecordingsFolder&) = delete;
+  RecordingsFolder& operator=(const RecordingsFolder&) = delete;
 
   /// Where to write meanwhile; not there yet.
   const std::string& beside() const { return part; }

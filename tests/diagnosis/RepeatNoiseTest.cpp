@@ -1,0 +1,36 @@
+// Those of tests/gap/diagnosis/RepeatNoiseTest.cpp that take longer.
+#include "gap/diagnosis/RepeatNoise.h"
+
+#include <gtest/gtest.h>
+
+#include "gap/TwoJointArm.h"
+
+namespace plumbline::gap {
+namespace {
+
+constexpr double noise = 5e-4;
+
+TEST(RepeatNoiseTest, lostCommandsAreNoNoiseBesideAnotherCauseEither) {
+  Plant plant = nominalPlant(twoJointArm());
+  plant.joints[1].coulomb += 0.1;
+  const std::vector<Trial> trials = recordedTwice(plant, noise, 0.1);
+  const Evidence evidence = evidenceOf(trials, 1), byRepeats(trials);
+  for (std::size_t s = 0; s < 2; ++s)
+    EXPECT_LT(evidence.noise(0, s).sigma, byRepeats.noise(0, s).sigma / 4) << s;
+}
+
+TEST(RepeatNoiseTest, besideAStrongCauseOnceItIsKnown) {
+  Plant plant = nominalPlant(twoJointArm());
+  for (JointPlant& joint : plant.joints) joint.viscous += 1;
+  const Evidence byRepeats(recordedTwice(plant, noise, 0.1));
+  EXPECT_FALSE(evidenceBesideLosses(byRepeats, {}, 1)) << "nothing tells losses from the rest";
+  const Explanation causes = {causeOfArm("viscous_friction", "shoulder", 1),
+                              causeOfArm("viscous_friction", "elbow", 1)};
+  const std::optional<Evidence> evidence = evidenceBesideLosses(byRepeats, causes, 1);
+  ASSERT_TRUE(evidence);
+  for (std::size_t s = 0; s < 2; ++s) EXPECT_NEAR(evidence->noise(0, s).sigma, noise, 0.15 * noise) << s;
+  EXPECT_FALSE(evidenceBesideLosses(*evidence, causes, 1)) << "told already";
+}
+
+}  // namespace
+}  // namespace plumbline::gap
