@@ -2,18 +2,47 @@
 # The team against the players of before it, who all go to the ball (config/platforms/simspark/swarm.cfg), in whole games on the
 # embedded simulator; and how well a player knows the others, against the monitor's scene, in one more game. Settings by the
 # environment: GAMES [10], HALF seconds [300], SEED of the first game [1], JOBS at once [cores], BEFORE, the folder of an earlier
-# state that is built, to play against as well. Before the games one robot tries set starts (starts.sh). Writes build/bench/games.json and
-# games.md; what the programs said stays in build/bench/games/. `make bench-games` builds what it needs and writes
-# doc/results/games.md.
+# state that is built, to play against as well, OUT, what the results' files are called [build/bench/games]. Before the games
+# one robot tries set starts (starts.sh). Writes OUT.json and OUT.md; what the programs said stays in the new folder OUT. `make
+# bench-games` builds what it needs and writes doc/results/games.md.
+# With OTHER, the command that starts a team that is not ours, nothing but games against that team, PLAYERS [11] on each
+# side: {host}, {agent}, {monitor}, {team} and {players} in it are replaced. A script without them is told the host alone.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
-games=${GAMES:-10} half=${HALF:-300} seed=${SEED:-1} jobs=${JOBS:-$(nproc)}
+games=${GAMES:-10} half=${HALF:-300} seed=${SEED:-1} jobs=${JOBS:-$(nproc)} players=${PLAYERS:-11} out=${OUT:-build/bench/games}
 for value in "$games" "$half" "$seed" "$jobs"; do
   [[ $value =~ ^[1-9][0-9]{0,5}$ ]] || { echo "games.sh: '$value' is no whole number from 1 to 999999" >&2; exit 2; }
 done
-work=$PWD/build/bench/games
+[[ $players =~ ^([1-9]|1[01])$ ]] || { echo "games.sh: PLAYERS='$players' is not 1 to 11" >&2; exit 2; }
+[[ ${OTHER-} || $players == 11 ]] || { echo "games.sh: PLAYERS needs OTHER, the command that starts the other team" >&2; exit 2; }
+[[ ! ${OUT-} || ! -e $out ]] || { echo "games.sh: OUT=$out is there already" >&2; exit 2; }
+[[ $out == /* ]] || out=$PWD/$out
+work=$out
 rm -rf "$work"
 mkdir -p "$work"
+
+# Games against the teams of $work/opponents as lines of games.tsv.
+play() { # $1: how our team is started
+  scripts/autoplay/runOppList.sh --games "$games" --half-time "$half" --seed "$seed" --jobs "$jobs" --name Team --log "$work/games.log" \
+    --players $((2 * players)) --output "$work/played" "$1" "$work/opponents"
+  awk -v played="$work/played" -f tests/bench/games/tracks.awk "$work/games.log" > "$work/games.tsv"
+}
+
+if [[ ${OTHER-} ]]; then
+  other=${OTHER//\{team\}/Other}
+  other=${other//\{players\}/$players}
+  if [[ $other != *'{'* ]]; then # a start script, which is called in its own folder
+    first=${other%% *}
+    [[ -x $first && -f $first ]] || { echo "games.sh: OTHER: no start script $first" >&2; exit 2; }
+    other=$(realpath "$first")${other#"$first"}
+  fi
+  echo "$games games of 2 x $half s against OTHER, $players on each side, seeds from $seed, $jobs at once"
+  echo "Other $other" > "$work/opponents"
+  play "bin/start.sh --players $players"
+  awk -v half="$half" -v players="$players" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
+  cat "$out.md"
+  exit
+fi
 
 # One player of each side writes what it believes: a configuration of its own that says where to.
 cp -r config "$work/config"
@@ -21,7 +50,7 @@ echo "folder: $work/others" > "$work/config/OthersEvaluation.yaml"
 cp config/platforms/simspark/modules.cfg "$work/config/platforms/simspark/modules.cfg"
 echo "OthersEvaluation" >> "$work/config/platforms/simspark/modules.cfg"
 
-tests/bench/games/starts.sh
+OUT=build/bench/starts tests/bench/games/starts.sh
 echo "$games games of 2 x $half s, seeds from $seed, $jobs at once"
 echo "Swarm bin/start.sh -- --modules $PWD/config/platforms/simspark/swarm.cfg" > "$work/opponents"
 if [[ ${BEFORE-} ]]; then
@@ -29,15 +58,13 @@ if [[ ${BEFORE-} ]]; then
   [[ -x $before/bin/agent ]] || { echo "games.sh: BEFORE=$BEFORE: no bin/agent there" >&2; exit 2; }
   echo "Before $before/bin/start.sh --config $before/config --port {agent} --monitor {monitor} {host}" >> "$work/opponents"
 fi
-scripts/autoplay/runOppList.sh --games "$games" --half-time "$half" --seed "$seed" --jobs "$jobs" --name Team --log "$work/games.log" \
-  --output "$work/played" bin/start.sh "$work/opponents"
+play bin/start.sh
 scripts/autoplay/startGame.sh --half-time 60 --seed "$seed" --names Team,Swarm --log "$work/others.log" --output "$work/believed" \
   "bin/start.sh --config $work/config" "bin/start.sh -- --modules $PWD/config/platforms/simspark/swarm.cfg"
-awk -v games="$work/games.log" -v played="$work/played" -f tests/bench/games/tracks.awk "$work/games.log" > "$work/games.tsv"
-awk -v half="$half" -v json=build/bench/games.json -f tests/bench/games/table.awk "$work/games.tsv" > build/bench/games.md
-awk -f tests/bench/games/believed.awk "$work/believed/track.csv" "$work"/others/left-*.csv >> build/bench/games.md
-{ cat build/bench/starts.md && cat build/bench/games.md; } > "$work/games.md"
-mv "$work/games.md" build/bench/games.md
-{ sed '$d' build/bench/games.json | sed '$s/$/,/' && sed 1d build/bench/starts.json; } > "$work/games.json"
-mv "$work/games.json" build/bench/games.json
-cat build/bench/games.md
+awk -v half="$half" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
+awk -f tests/bench/games/believed.awk "$work/believed/track.csv" "$work"/others/left-*.csv >> "$out.md"
+{ cat build/bench/starts.md && cat "$out.md"; } > "$work/games.md"
+mv "$work/games.md" "$out.md"
+{ sed '$d' "$out.json" | sed '$s/$/,/' && sed 1d build/bench/starts.json; } > "$work/games.json"
+mv "$work/games.json" "$out.json"
+cat "$out.md"

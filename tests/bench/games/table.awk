@@ -1,17 +1,20 @@
-# From the lines of tracks.awk: a table in Markdown, and the figures as the project's JSON. Variables: half, json.
+# From the lines of tracks.awk: a table in Markdown, and the figures as the project's JSON. Variables: half, json, and for
+# games against a team that is not ours players, of each side.
 BEGIN {
   FS = "\t"
-  split("goals for|goals against|falls|kicks|players within 1.5 m of the ball|mates nearer than 0.4 m, seen twice a second, per player and minute|ball in the other half, mean [m]", title, "|")
-  split("goals goals_against falls kicks near_ball mates_close ball_ahead", name, " ")
+  split("goals for|goals against|falls|kicks|players within 1.5 m of the ball|mates nearer than 0.4 m, seen twice a second, per player and minute|ball in the other half, mean [m]|shots|possession [%]", title, "|")
+  measures = split("goals goals_against falls kicks near_ball mates_close ball_ahead shots possession", name, " ")
+  split("higher lower lower higher lower lower higher higher higher", better, " ")
+  unit[6] = "1/min"; unit[7] = "m"; unit[9] = "%"
 }
 {
   team = $1
   if (!(team in n)) order[++teams] = team
   ++n[team]
-  for (i = 1; i <= 7; ++i) { sum[team, i] += $(i + 1); squares[team, i] += $(i + 1) ^ 2 }
+  for (i = 1; i <= measures; ++i) { sum[team, i] += $(i + 1); squares[team, i] += $(i + 1) ^ 2 }
   if ($2 > $3) ++won[team]; else if ($2 < $3) ++lost[team]; else ++drawn[team]
-  if (!first || $9 < first) first = $9
-  if ($9 > last) last = $9
+  if (!first || $11 < first) first = $11
+  if ($11 > last) last = $11
 }
 function half95(team, i,   v) {
   if (n[team] < 2) return 0
@@ -20,13 +23,14 @@ function half95(team, i,   v) {
 }
 END {
   if (!teams) { print "no game came to its end" > "/dev/stderr"; exit 1 }
-  print "## The team against the players of before it\n"
-  print "Whole games of 2 x " half " s, eleven against eleven on the embedded simulator, sides changed from game to game, seeds " first \
-    " to " last "; means of a game with their 95 % intervals. Swarm: every player for itself, all to the ball (`config/platforms/simspark/swarm.cfg`).\n"
+  print players ? "## The team against another one\n" : "## The team against the players of before it\n"
+  printf "%sames of 2 x %s s, %s on the embedded simulator, sides changed from game to game, seeds %s to %s; means of a game with their 95 %% intervals.", \
+    (players ? "G" : "Whole g"), half, (players ? players " against " players : "eleven against eleven"), first, last
+  print (players ? "" : " Swarm: every player for itself, all to the ball (`config/platforms/simspark/swarm.cfg`).") "\n"
   printf "| |"; for (t = 1; t <= teams; ++t) printf " %s |", order[t]; print ""
   printf "|---|"; for (t = 1; t <= teams; ++t) printf "---|"; print ""
   printf "| games won, drawn, lost |"; for (t = 1; t <= teams; ++t) printf " %d, %d, %d |", won[order[t]], drawn[order[t]], lost[order[t]]; print ""
-  for (i = 1; i <= 7; ++i) {
+  for (i = 1; i <= measures; ++i) {
     printf "| %s |", title[i]
     for (t = 1; t <= teams; ++t) printf " %.2f ± %.2f |", sum[order[t], i] / n[order[t]], half95(order[t], i)
     print ""
@@ -35,10 +39,9 @@ END {
   text = "["
   for (t = 1; t <= teams; ++t) {
     team = order[t]
-    for (i = 1; i <= 7; ++i)
+    for (i = 1; i <= measures; ++i)
       text = text sprintf("%s\n  {\"name\": \"games.%s.%s\", \"value\": %.4g, \"unit\": \"%s\", \"better\": \"%s\"}", \
-        (text == "[" ? "" : ","), tolower(team), name[i], sum[team, i] / n[team], (i == 7 ? "m" : i == 6 ? "1/min" : ""), \
-        (i == 1 || i == 4 || i == 7 ? "higher" : "lower"))
+        (text == "[" ? "" : ","), tolower(team), name[i], sum[team, i] / n[team], unit[i], better[i])
   }
   won_ = won["Team"] / n["Team"]
   text = text sprintf(",\n  {\"name\": \"games.team.won_of_%d\", \"value\": %.4g, \"unit\": \"\", \"better\": \"higher\", \"target\": 0.95}", n["Team"], won_)

@@ -1,6 +1,8 @@
 # Reads games.log; of each game that is over a line for each team: name, goals for, against, falls, kicks, robots within 1.5 m of
-# the ball, pairs of mates nearer than 0.4 m per robot and minute, how far the ball is in the other half [m], seed. The
-# tracks are played/N/track.csv in the order of the seeds. Variables: played.
+# the ball, pairs of mates nearer than 0.4 m per robot and minute, how far the ball is in the other half [m], shots, possession
+# [%], seed. A shot: within half a second a ball at a robot goes at least 1 m, and on towards the goal of the other team, 0.5 m
+# beside it at most. Possession: of the scenes with a robot within 1 m of the ball, those where the nearest one is of the team.
+# The tracks are played/N/track.csv in the order of the seeds. Variables: played.
 BEGIN { FS = ","; OFS = "\t" }
 $1 == "date" { for (i = 1; i <= NF; ++i) column[$i] = i; next }
 $column["end"] != "over" { next }
@@ -10,28 +12,46 @@ $column["end"] != "over" { next }
   row[seed] = $0
   if (seed > last) last = seed
 }
-function flush(   side, i, j, n, d) {
+function flush(   side, i, j, n, d, least) {
   if (!hasBall) return
   ++scenes
+  shot()
+  nearest = ""
+  least = 1
   for (side in count) {
     n = count[side]
     robots[side] += n
     for (i = 1; i <= n; ++i) {
       d = sqrt((x[side, i] - ballX) ^ 2 + (y[side, i] - ballY) ^ 2)
       if (d < 1.5) ++near[side]
+      if (d < least) { least = d; nearest = side }
       for (j = 1; j < i; ++j) if ((x[side, i] - x[side, j]) ^ 2 + (y[side, i] - y[side, j]) ^ 2 < 0.16) ++close_[side]
     }
   }
+  if (nearest != "") ++first_[nearest]
+  lastX = ballX; lastY = ballY
   hasBall = 0
   delete count
 }
+# Whether the ball has begun to go to a goal, since the scene before, from the robot that was nearest to it there.
+function shot(   dx, dy, sign, y, fast) {
+  dx = ballX - lastX; dy = ballY - lastY
+  fast = scenes > 1 && sqrt(dx ^ 2 + dy ^ 2) >= 1 && sqrt(dx ^ 2 + dy ^ 2) < 8
+  if (fast && !wasFast && nearest != "" && mode !~ /KickOff/) {
+    sign = nearest == "left" ? 1 : -1
+    y = sign * dx > 0 ? lastY + dy / dx * (sign * 15 - lastX) : 99
+    if (y > -1.55 && y < 1.55) ++shots[nearest]
+  }
+  wasFast = fast
+}
 function track(file,   f, n) {
-  delete near; delete close_; delete robots; delete count
-  scenes = hasBall = sumX = 0
+  delete near; delete close_; delete robots; delete count; delete shots; delete first_
+  scenes = hasBall = sumX = wasFast = 0
+  nearest = ""
   while ((getline line < file) > 0) {
     n = split(line, f, ",")
     if (n < 7 || f[1] == "time") continue
-    if (f[2] == "ball") { flush(); hasBall = 1; ballX = f[4]; ballY = f[5]; sumX += ballX; ++balls; continue }
+    if (f[2] == "ball") { flush(); hasBall = 1; ballX = f[4]; ballY = f[5]; mode = f[7]; sumX += ballX; ++balls; continue }
     ++count[f[2]]; x[f[2], count[f[2]]] = f[4]; y[f[2], count[f[2]]] = f[5]
   }
   close(file)
@@ -40,7 +60,8 @@ function track(file,   f, n) {
 function report(side, other, sign,   minutes) {
   minutes = robots[side] * 0.5 / 60
   print v[column[side]], v[column["score_" side]], v[column["score_" other]], v[column["falls_" side]], v[column["kicks_" side]], \
-    near[side] / scenes, close_[side] / minutes, sign * sumX / scenes, v[column["seed"]]
+    near[side] / scenes, close_[side] / minutes, sign * sumX / scenes, shots[side] + 0, \
+    100 * first_[side] / (first_["left"] + first_["right"] + 1e-9), v[column["seed"]]
 }
 END {
   for (s = first; s <= last; ++s) {

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Games against a team that is known by its start command only (OTHER of `make bench-games`): here our own agent, started as
+# a stranger is, with host, port, name and number of players. The table and the figures name both teams.
+source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
+export PLUMBLINE_BIN=$bin PLUMBLINE_START_PAUSE=0.05
+games=(env HALF=3 SEED=7 JOBS=1)
+cat > "$scratch/start.sh" << END
+#!/usr/bin/env bash
+# HOST PORT TEAM NUMBER
+echo "\$@" > "$scratch/told"
+for ((i = 1; i <= \$4; ++i)); do
+  "$bin/agent" --host "\$1" --port "\$2" --team "\$3" --number \$i --type 1 --config "$PWD/config" > /dev/null 2>&1 < /dev/null &
+done
+END
+chmod +x "$scratch/start.sh"
+"${games[@]}" GAMES=2 PLAYERS=1 OUT="$scratch/games" OTHER="$scratch/start.sh {host} {agent} {team} {players}" tests/bench/games/games.sh \
+  > "$scratch/out" 2>&1 || fail "games: $(cat "$scratch/out")"
+read -r host port team players < "$scratch/told"
+expectEqual "$host $team $players" "127.0.0.1 Other 1" "what the other team was told"
+[[ $port =~ ^[0-9]+$ ]] || fail "its port: '$port'"
+grep -q '^Games of 2 x 3 s, 1 against 1 on the embedded simulator, .*, seeds 7 to 8; ' "$scratch/games.md" || fail "table: $(cat "$scratch/games.md")"
+grep -q '^| | Team | Other |$' "$scratch/games.md" || fail "columns: $(cat "$scratch/games.md")"
+for row in "goals for" shots "possession \[%\]" falls; do
+  grep -q "^| $row | [0-9.]* ± [0-9.]* | [0-9.]* ± [0-9.]* |$" "$scratch/games.md" || fail "row $row: $(cat "$scratch/games.md")"
+done
+for figure in team.goals team.shots other.possession other.falls; do
+  grep -q "\"games.$figure\", \"value\": [0-9.]*, " "$scratch/games.json" || fail "figure $figure: $(cat "$scratch/games.json")"
+done
+grep -c ',over$' "$scratch/games/games.log" | grep -qx 2 || fail "games.log: $(cat "$scratch/games/games.log")"
+
+# A start script that knows nothing but the host is called in its folder; ours reads the port from the environment.
+printf '#!/bin/sh\nexec "%s/agent" --team Plain --number 2 --host "$1" --config "%s" > /dev/null 2>&1\n' "$bin" "$PWD/config" > "$scratch/plain.sh"
+chmod +x "$scratch/plain.sh"
+"${games[@]}" GAMES=1 PLAYERS=1 OUT="$scratch/plain" OTHER="$scratch/plain.sh" tests/bench/games/games.sh > "$scratch/out" 2>&1 || fail "a plain script: $(cat "$scratch/out")"
+expectEqual "$(tail -1 "$scratch/plain/games.log" | cut -d, -f3,4,17)" "Team,Other,over" "a game against a plain script"
+
+# What is wrong is told before anything starts.
+expectError 2 "games.sh: OTHER: no start script /nowhere/start.sh" "${games[@]}" OTHER=/nowhere/start.sh OUT="$scratch/no" tests/bench/games/games.sh
+expectError 2 "games.sh: PLAYERS='12' is not 1 to 11" "${games[@]}" OTHER=/nowhere PLAYERS=12 tests/bench/games/games.sh
+expectError 2 "games.sh: PLAYERS needs OTHER, the command that starts the other team" "${games[@]}" PLAYERS=4 tests/bench/games/games.sh
+expectError 2 "games.sh: OUT=$scratch/games is there already" "${games[@]}" OTHER="$scratch/plain.sh" OUT="$scratch/games" tests/bench/games/games.sh
