@@ -262,5 +262,28 @@ TEST(SoccerWorld, aRemovedRobotLeavesNothingBehind) {
   EXPECT_THROW(world->torso(robot), std::out_of_range);
 }
 
+/// What a pile of eleven came to: a foot presses a toe past its stop, where its motor lets go, and beyond the
+/// other one within a step. Its drag alone then made it twenty times faster in each step.
+TEST(SoccerWorld, aToeThatIsSpunPastItsStopsGetsNoFaster) {
+  for (const char* engine : {"ode", "ode-dense", "bullet"}) {
+    WorldConfig config;
+    config.engine = engine;
+    const auto world = makeWorld(config);
+    const RobotModel& model = simsparkRobot(4);
+    const RobotHandle robot = world->addRobot(model, translation(0, 0, 3));
+    world->setJointVelocity(robot, lToePitch, -6);  // away from the upper stop, which is at 0.017
+    JointArray angles{}, rates{};
+    angles[lToePitch] = 0.3;
+    rates[lToePitch] = 86;
+    world->setState(robot, world->torso(robot), angles, rates);
+    for (int cycle = 0; cycle < 30; ++cycle) {
+      ASSERT_NO_THROW(world->step()) << engine << ", cycle " << cycle;
+      ASSERT_LT(world->linkState(robot, model.linkIndex("lToe")).angularVelocity.norm(), 90)
+          << engine << ", cycle " << cycle;
+    }
+    EXPECT_NEAR(world->torso(robot).linearVelocity.z(), -5.8, 0.1) << engine << ": it falls as it did";
+  }
+}
+
 }  // namespace
 }  // namespace plumbline::simulation

@@ -5,6 +5,7 @@
 
 #include "math/Index.h"
 #include "simulation/physics/AssemblyCheck.h"
+#include "simulation/physics/Drag.h"
 #include "simulation/physics/bullet/PrincipalAxes.h"
 
 namespace plumbline::simulation::bullet {
@@ -192,7 +193,8 @@ void BulletAssembly::begin(const PhysicsConfig& config) {
     const BodyState& moving = states[at(i)];
     const btVector3 force =
         fromVec3(Vec3(each.mass * config.gravity - each.linearDrag * moving.linearVelocity));
-    const btVector3 torque = fromVec3(Vec3(-each.angularDrag * moving.angularVelocity));
+    const btVector3 torque =
+        fromVec3(dragTorque(each, moving.pose.linear(), moving.angularVelocity, config.stepSeconds));
     if (i == 0) {
       body->addBaseForce(force);
       body->addBaseTorque(torque);

@@ -4,6 +4,7 @@
 
 #include "math/Index.h"
 #include "simulation/physics/AssemblyCheck.h"
+#include "simulation/physics/Drag.h"
 
 namespace plumbline::simulation::ode {
 
@@ -98,13 +99,14 @@ void OdeAssembly::addHinge(dWorldID world, const HingeSpec& hinge, const Pose3& 
   dJointSetHingeParam(id, dParamHiStop, hinge.upper);
 }
 
-void OdeAssembly::applyDrag() {
+void OdeAssembly::applyDrag(double h) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodySpec& body = spec.bodies[i];
     const dReal* v = dBodyGetLinearVel(bodies[i]);
-    const dReal* w = dBodyGetAngularVel(bodies[i]);
     dBodyAddForce(bodies[i], -body.linearDrag * v[0], -body.linearDrag * v[1], -body.linearDrag * v[2]);
-    dBodyAddTorque(bodies[i], -body.angularDrag * w[0], -body.angularDrag * w[1], -body.angularDrag * w[2]);
+    const Vec3 torque =
+        dragTorque(body, toMat3(dBodyGetRotation(bodies[i])), toVec3(dBodyGetAngularVel(bodies[i])), h);
+    dBodyAddTorque(bodies[i], torque.x(), torque.y(), torque.z());
   }
 }
 

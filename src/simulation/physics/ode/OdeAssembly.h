@@ -30,8 +30,8 @@ public:
     Material material;
   };
 
-  /// Adds drag to the forces of the next step.
-  void applyDrag();
+  /// Adds drag to the forces of the next step, of h seconds.
+  void applyDrag(double h);
   /// Box around all colliders.
   Eigen::AlignedBox3d bounds() const;
   const std::vector<Collider>& colliders() const { return colliderList; }

@@ -76,7 +76,7 @@ public:
 
   void step() override {
     ensureThread();
-    for (const auto& [handle, assembly] : assemblies) assembly->applyDrag();
+    for (const auto& [handle, assembly] : assemblies) assembly->applyDrag(config.stepSeconds);
     contactFinder.find(assemblies);
     if (solver == Solver::tree) {
       if (config.autoDisable) doze();

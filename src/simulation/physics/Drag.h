@@ -1,0 +1,24 @@
+#pragma once
+#include "simulation/physics/Physics.h"
+
+namespace plumbline::simulation {
+
+/// Faster than this a light link's drag is taken at the end of the step [rad/s]: no motor of the league turns
+/// faster than 7, and in the recordings of its server no link comes to 19.
+constexpr double fastSpin = 20;
+
+/// Torque of a body's angular drag over a step of h seconds [N m], world axes, by its rotation and its spin
+/// w.
+///
+/// The league's server takes the spin of the step's beginning. Where neither motor nor stop nor contact holds
+/// a light link, as beyond its stop, that turns its spin round and makes it greater: a toe's twenty times a
+/// step. A fast one is taken from the step's end, which brakes at any step: (I + h d) w' = I w, torque = -d
+/// w'.
+inline Vec3 dragTorque(const BodySpec& body, const Mat3& rotation, const Vec3& w, double h) {
+  const double d = body.angularDrag;
+  if (w.squaredNorm() <= fastSpin * fastSpin || h * d * body.inertia.inverse().trace() <= 1) return -d * w;
+  const Mat3 braked = body.inertia + h * d * Mat3::Identity();
+  return -d * (rotation * (braked.inverse() * (body.inertia * (rotation.transpose() * w))));
+}
+
+}  // namespace plumbline::simulation
