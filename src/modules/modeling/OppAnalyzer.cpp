@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "framework/DrawingSite.h"
+#include "tactics/RollingBall.h"
 
 namespace plumbline {
 
@@ -12,6 +13,8 @@ MAKE_MODULE(OppAnalyzer)
 
 namespace {
 constexpr double slowest = 0.3, fastest = 2;  ///< that a robot is taken to walk on the whole [m/s]
+constexpr double kickSeconds = 0.5;           ///< within which a ball is seen as fast after a touch [s]
+constexpr double farthestKick = 30;           ///< [m]; what seems farther was seen wrongly
 }  // namespace
 
 void OppAnalyzer::learnSpeed(OppInfo& info) {
@@ -40,19 +43,38 @@ void OppAnalyzer::findFirst(OppInfo& info) const {
   }
 }
 
+/// A ball that rolls fast after only opponents were at it was kicked by them.
+void OppAnalyzer::watchKick(OppInfo& info) {
+  if (!theBallPos->valid || theBallPos->age > seenSeconds) return;
+  const double now = theFrameInfo->time;
+  bool ours = theBallPos->relative.norm() < reach, theirs = false;
+  for (const OtherRobot& robot : theOtherRobots->robots)
+    if ((robot.position - theBallPos->field).norm() < reach) (robot.mate ? ours : theirs) = true;
+  if (ours) touchedByThem_ = -1;
+  if (!ours && theirs) touchedByThem_ = now;
+  const double speed = theBallPos->relativeVelocity.norm();
+  if (touchedByThem_ < 0 || now - touchedByThem_ > kickSeconds || speed < kickSpeed) return;
+  const double way = ballRollingSeconds * speed;
+  if (way < farthestKick) info.kickDistance = std::max(info.kickDistance, way);
+}
+
 void OppAnalyzer::draw(const OppInfo& info) const {
   DEBUG_DRAWING("draw:OppAnalyzer:first", {
     for (const OtherRobot& robot : theOtherRobots->robots) {
       if (robot.mate || robot.number != info.nearest || info.nearest == 0) continue;
       drawing.arrow(robot.position, theBallPos->field, colours::red, 2);
-      drawing.text(robot.position, fmt::format("{:.1f} s", info.timeToBall), colours::white);
+      drawing.text(robot.position,
+                   fmt::format("{:.1f} s, kicks {:.1f} m", info.timeToBall, info.kickDistance),
+                   colours::white);
     }
   });
 }
 
 void OppAnalyzer::update(OppInfo* theOppInfo) {
+  if (theFrameInfo->restarted) touchedByThem_ = -1;
   learnSpeed(*theOppInfo);
   findFirst(*theOppInfo);
+  watchKick(*theOppInfo);
   draw(*theOppInfo);
 }
 

@@ -17,10 +17,12 @@ MODULE(OppAnalyzer)
   PARAMETER(double, walks, 0.3, "m/s", Range(0, 3), "a slower opponent does not walk to a place")
   PARAMETER(double, seenSeconds, 0.3, "s", Range(0.01, 10), "speeds count of opponents seen within this time")
   PARAMETER(double, getUp, 4, "s", Range(0, 60), "of a fallen opponent")
-  PARAMETER(double, reach, 0.4, "m", Range(0.05, 2), "who is this near to the ball is at it")
+  PARAMETER(double, reach, 0.4, "m", Range(0.05, 2), "who is this near to the ball may have kicked it")
+  PARAMETER(double, kickSpeed, 1.5, "m/s", Range(0.1, 20), "a ball that is faster was kicked")
 END_MODULE
 
-/// Learns how fast the opponents walk, and says when the first of them is at the ball (Seekircher 2015, A.3).
+/// Learns how fast the opponents walk and how far they kick, and says when the first of them is at the ball
+/// (Seekircher 2015, A.3).
 class OppAnalyzer : public OppAnalyzerBase {
 public:
   void update(OppInfo* theOppInfo) override;
@@ -28,9 +30,11 @@ public:
 private:
   void learnSpeed(OppInfo& info);
   void findFirst(OppInfo& info) const;
+  void watchKick(OppInfo& info);
   void draw(const OppInfo& info) const;
 
   double walkedWay_ = 0, walkedSeconds_ = 0;  ///< of opponents, as seen [m, s]
+  double touchedByThem_ = -1;                 ///< when only opponents were at the ball last [s]
 };
 
 }  // namespace plumbline

@@ -10,10 +10,12 @@ public:
   double walkSpeed = 0.8;   ///< mean of those that walk [m/s]
   double timeToBall = 1e3;  ///< of the first one that stands or gets up [s]; large: none is known
   int nearest = 0;          ///< its number; 0: not known
+  double kickDistance = 0;  ///< of their farthest kick [m]; 0: none was seen
   void stream(InStream* in, OutStream* out) override {
     STREAM(walkSpeed);
     STREAM(timeToBall);
     STREAM(nearest);
+    STREAM(kickDistance);
   }
 };
 

@@ -50,4 +50,23 @@ TEST_F(OppAnalyzerTest, saysWhoIsFirstAtTheBall) {
   EXPECT_EQ(after(0.02).nearest, 3);
 }
 
+TEST_F(OppAnalyzerTest, remembersTheirFarthestKick) {
+  add(false, 2, {0.2, 0});
+  EXPECT_EQ(after(0.1).kickDistance, 0);
+  harness.input<BallPos>().relativeVelocity = {0, 6};
+  harness.input<BallPos>().field = {1, 0};
+  EXPECT_NEAR(after(0.1).kickDistance, 5.5, 0.1);
+  harness.input<BallPos>().relativeVelocity = {0, 3};
+  EXPECT_NEAR(after(0.1).kickDistance, 5.5, 0.1);
+}
+
+TEST_F(OppAnalyzerTest, aBallThatAMateTouchedIsNoKickOfTheirs) {
+  add(false, 2, {0.2, 0});
+  add(true, 3, {-0.2, 0});
+  after(0.1);
+  harness.input<BallPos>().relativeVelocity = {0, 6};
+  harness.input<BallPos>().field = {1, 0};
+  EXPECT_EQ(after(0.1).kickDistance, 0);
+}
+
 }  // namespace
