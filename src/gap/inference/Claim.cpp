@@ -10,13 +10,13 @@ namespace {
 constexpr double meanSpread = 1;      // of the log share left, before any data
 constexpr double motionSpread = 0.5;  // of it from motion to motion, likewise
 constexpr double leastLeft = 0.02;    // share: less is noise
-constexpr double shown = 1.1;         // of its noise, that a recording must leave to show a gap
 
 double normalShare(double x) { return std::erfc(-x / std::sqrt(2.0)) / 2; }
 
 }  // namespace
 
 Claim claimOf(const std::vector<double>& closedPerGroup) {
+  if (closedPerGroup.empty()) return {};
   // A grid over the spread; given that, all is normal.
   constexpr int points = 60;
   constexpr double farthest = 4;  // of motionSpread
@@ -65,7 +65,7 @@ std::vector<double> closedPerGroup(const std::vector<RecordingLeft>& leftOut,
     const std::size_t group = groupOfRecording[i];
     if (sums.size() <= group) sums.resize(group + 1, 0), counts.resize(group + 1, 0);
     // A recording that shows no gap cannot show how much of one closes.
-    if (leftOut[i].before < shown * leftOut[i].leastLeft()) continue;
+    if (!leftOut[i].showsGap()) continue;
     sums[group] += leftOut[i].closedToNoise();
     ++counts[group];
   }

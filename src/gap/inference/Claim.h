@@ -13,10 +13,12 @@ struct Claim {
 /// From what was closed in recordings left out, one value per group of them: logarithms of the share that is
 /// left are normal about a mean, with a spread from motion to motion, both unknown (random effects, Gelman et
 /// al., Bayesian Data Analysis, chapter 5). The mean is 0 (nothing closed) give or take 1 before any data,
-/// the spread half-normal of 0.5. Few groups are thus drawn to 0 and leave a wide interval.
+/// the spread half-normal of 0.5. Few groups are thus drawn to 0 and leave a wide interval; none claim
+/// nothing.
 Claim claimOf(const std::vector<double>& closedPerGroup);
 
-/// The mean of what was closed in the recordings of each group.
+/// The mean of what was closed, above the floor, in the recordings of each group; groups that show no gap are
+/// left out.
 std::vector<double> closedPerGroup(const std::vector<RecordingLeft>& leftOut,
                                    const std::vector<std::size_t>& groupOfRecording);
 

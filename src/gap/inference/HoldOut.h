@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -6,6 +7,9 @@
 #include "gap/replay/Trial.h"
 
 namespace plumbline::gap {
+
+/// What is left is a gap from this many times its floor on.
+inline constexpr double gapShown = 1.1;
 
 /// Root mean squares of what a signal's predictions leave [its unit].
 struct SignalLeft {
@@ -15,6 +19,9 @@ struct SignalLeft {
   bool hasFloor = false;
   double samples = 0;
   double noise = 0;  ///< of the readings, as the channel itself shows it
+
+  double leastLeft() const { return std::max(floor, noise); }
+  bool showsGap() const { return before > gapShown * leastLeft(); }
 };
 
 /// The same of a recording: of its positions together [rad, or m].
@@ -26,10 +33,11 @@ struct RecordingLeft {
   bool fellBefore = false, fellAfter = false;  ///< the replay fell
   double noise = 0;
   double closed() const { return before > floor ? (before - after) / (before - floor) : 0; }
-  /// Of what is above the noise where no repeats say what the floor is: what no model closes is no gap.
-  double leastLeft() const { return hasFloor ? floor : noise; }
+  /// Of what is above the noise as well: repeats are rounded alike, and what no model closes is no gap.
+  double leastLeft() const { return std::max(floor, noise); }
+  bool showsGap() const { return before > gapShown * leastLeft(); }
   double closedToNoise() const {
-    return before > leastLeft() ? (before - after) / (before - leastLeft()) : 0;
+    return before > leastLeft() ? std::min(1.0, (before - after) / (before - leastLeft())) : 0;
   }
 };
 

@@ -22,6 +22,7 @@ std::string Inference::sentence() const {
   }
   double least = HUGE_VAL, most = -HUGE_VAL;
   for (const RecordingLeft& left : leftOut) {
+    if (!left.showsGap()) continue;
     least = std::min(least, left.closedToNoise());
     most = std::max(most, left.closedToNoise());
   }
@@ -33,7 +34,11 @@ std::string Inference::sentence() const {
       stretchesOfOne ? "stretches of the one recording, each left out in turn,"
                      : "these, each left out of search and fit in turn,",
       100 * least, 100 * most);
-  const std::string claimed = text;
+  const std::string claimed =
+      least <= most
+          ? text
+          : "In none of the recordings are all joints together off by more than the noise, so it is not "
+            "known how far another recording's gap closes.";
   if (diagnosis.verdict == Verdict::effect)
     return "Missing from the model: " + causes + "; what is left is within the noise. " + claimed;
   std::snprintf(text, sizeof text,

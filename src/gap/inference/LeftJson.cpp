@@ -29,6 +29,8 @@ std::string unitOf(const std::string& signal) {
   return kind == "duty" ? "1" : "";
 }
 
+constexpr std::size_t fewJoints = 3;  // that are all listed, gap or not
+
 json figures(double before, double after, double floor, bool hasFloor) {
   return {{"before", number(before)}, {"after", number(after)}, {"floor", hasFloor ? number(floor) : json()}};
 }
@@ -74,11 +76,11 @@ std::string leftTable(const std::vector<RecordingLeft>& recordings) {
   const auto line = [&text](const std::string& folder, const std::string& signal, double before, double after,
                             double floor, bool hasFloor, double noise) {
     char buffer[256], least[32];
-    const double base = hasFloor ? floor : noise;
-    std::snprintf(least, sizeof least, "%s%.1f", hasFloor ? "" : "~", 1e3 * base);
+    const double base = std::max(floor, noise);
+    std::snprintf(least, sizeof least, "%s%.1f", hasFloor && floor >= noise ? "" : "~", 1e3 * base);
     std::snprintf(buffer, sizeof buffer, "  %-38.38s %-15.15s %8.1f %7.1f %7s %5.0f %%\n", folder.c_str(),
                   signal.c_str(), 1e3 * before, 1e3 * after, least,
-                  before > base ? 100 * (before - after) / (before - base) : 0);
+                  before > base ? 100 * std::min(1.0, (before - after) / (before - base)) : 0);
     text += buffer;
   };
   for (const RecordingLeft& left : recordings) {
@@ -88,11 +90,12 @@ std::string leftTable(const std::vector<RecordingLeft>& recordings) {
     std::size_t positions = 0;
     for (const SignalLeft& signal : left.signals) positions += signal.position;
     for (const SignalLeft& signal : left.signals)
-      if (signal.position && positions > 1)
+      if (signal.position && positions > 1 && (signal.showsGap() || positions <= fewJoints))
         line("", signal.signal, signal.before, signal.after, signal.floor, signal.hasFloor, signal.noise);
   }
   return text +
-         "  (mrad, or mm for sliding joints; floor: what repeats differ by, ~ the noise of the readings)\n";
+         "  (mrad, or mm for sliding joints; floor: what repeats differ by, or ~ the noise of the "
+         "readings)\n";
 }
 
 }  // namespace plumbline::gap

@@ -14,7 +14,7 @@ nlohmann::json leftJson(const RecordingLeft& left);
 /// What bin/gap check writes, but for what the answer claims.
 nlohmann::json checkJson(const std::vector<RecordingLeft>& recordings);
 
-/// For people: a line per recording and position, in mrad (mm).
+/// For people: a line per recording and per joint of it that shows a gap, in mrad (mm).
 std::string leftTable(const std::vector<RecordingLeft>& recordings);
 
 }  // namespace plumbline::gap

@@ -55,6 +55,30 @@ TEST(Claim, isRightOnAverageAndItsIntervalCoversNineInTen) {
   EXPECT_NEAR(covered, 0.9, 3 * std::sqrt(0.9 * 0.1 / robots));
 }
 
+TEST(Claim, aRecordingWithoutAGapHasNoSay) {
+  std::vector<RecordingLeft> left(3);
+  for (RecordingLeft& of : left) of.noise = 0.5;
+  left[0].before = 2.5, left[0].after = 0.5;   // down to the noise
+  left[1].before = 2.5, left[1].after = 1.5;   // half of what is above it
+  left[2].before = 0.51, left[2].after = 0.6;  // nothing to close
+  EXPECT_EQ(closedPerGroup(left, {0, 1, 2}), (std::vector<double>{1, 0.5}));
+  EXPECT_TRUE(closedPerGroup({left[2]}, {0}).empty());
+  EXPECT_EQ(claimOf({}).closed, 0);
+}
+
+TEST(Claim, theFloorIsWhatRepeatsDifferByOrTheNoiseIfThatIsMore) {
+  RecordingLeft left;
+  left.before = 2, left.after = 1, left.noise = 0.4, left.floor = 0.5, left.hasFloor = true;
+  EXPECT_DOUBLE_EQ(left.closedToNoise(), 1 / 1.5);
+  EXPECT_DOUBLE_EQ(left.closed(), 1 / 1.5);
+  left.noise = 0.9;  // repeats were rounded alike
+  EXPECT_DOUBLE_EQ(left.closedToNoise(), 1 / 1.1);
+  EXPECT_DOUBLE_EQ(left.closed(), 1 / 1.5);
+  left.hasFloor = false, left.floor = 0;
+  EXPECT_DOUBLE_EQ(left.closedToNoise(), 1 / 1.1);
+  EXPECT_DOUBLE_EQ(left.closed(), 0.5);
+}
+
 TEST(Claim, recordingsOfOneGroupCountOnce) {
   std::vector<RecordingLeft> left(3);
   for (RecordingLeft& of : left) of.before = 1;
