@@ -16,13 +16,19 @@ case ${1-} in
   ?*) echo "build_page.sh: no option $1; see build_page.sh --help" >&2; exit 2 ;;
 esac
 
+# One at a time: who asks beside another waits and finds all done, and no page goes while somebody reads it.
+mkdir -p "$packages"
+exec 9> "$packages/lock"
+flock 9
+sources=$(find web scripts/build_page.sh scripts/build_report_page.sh -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum)
+if [[ -s $page/index.html && -s build/report/page.html && $(cat "$packages/made" 2> /dev/null) == "$sources" ]]; then exit 0; fi
+
 # Exactly the versions of the lock file, checked against their checksums there.
 if ! cmp -s web/package-lock.json "$packages/installed"; then
   if ! command -v npm > /dev/null; then
     if [[ $easy ]]; then echo "The 3D page needs npm: \`make web\` installs it and builds the page"; exit 0; fi
     scripts/install_packages.sh scripts/packages-web.txt
   fi
-  mkdir -p "$packages"
   cp web/package.json web/package-lock.json "$packages/"
   patience=()
   if [[ $easy ]]; then patience=(--fetch-retries=0 --fetch-timeout=20000); fi
@@ -51,3 +57,4 @@ rm -rf "$page"
 mv "$new" "$page"
 
 scripts/build_report_page.sh "$packages"
+echo "$sources" > "$packages/made"
