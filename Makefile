@@ -193,7 +193,7 @@ fuzz:
 	@scripts/fuzz.sh $(if $(KEEP),--keep) $(or $(SECONDS),20) $(TARGETS)
 
 # What happens when a call of the system fails, when a program is killed, and in long games: doc/results/reliability.md.
-# FAULTJOBS="gap_record ..." for some jobs, KILLS=1000 and SEED for the kills, MINUTES and AGENTS for the game.
+# FAULTJOBS="gap_record ..." for some jobs, KILLS=1000 of each and SEED for the kills, MINUTES and AGENTS for the game.
 faults kills:
 	@$(MAKE) SimRelease
 	@scripts/build_page.sh

@@ -15,7 +15,7 @@ make thread          the thread sanitizer over what has threads (AREAS="..." for
 make coverage        which lines of src/ the tests run, a line per folder (AREAS="..." for some tests)
 make mutation        whether tests notice thresholds and operators that are changed (FOLDERS="walking", MOST=20)
 make fuzz            libFuzzer on all 44 that read from outside, 17 minutes: SECONDS=20 of each (TARGETS="..." for some)
-make faults, kills   calls of the system that fail, and kills, in every program (FAULTJOBS="..." for some; KILLS=200, SEED=1)
+make faults, kills   calls of the system that fail, and kills, in every program (FAULTJOBS="..." for some; KILLS=8, SEED=1)
 make soak            a long game: memory and cost of simulator and agents (MINUTES=10, AGENTS=22)
 make bench           run all benchmarks into build/bench/; bench-AREA those of one area
                      (bench-walk, -walk-nao, -walk-fit, -walk-server, -fidelity, -games, -gap, -gap-real, -gap-walk, -gap-simspark,

@@ -45,20 +45,20 @@ missing() {
   printf '\n## Calls of the system that fail\n\n'
   if [[ -s build/faults/table.txt ]]; then
     echo "\`make faults\`, $(dated build/faults/table.txt), $here: how often each kind of call was made to fail, and how often a program then"
-    echo "ended without saying why, or left a file half written."
+    echo "ended without saying why, or left a file half written. Of writes each failed alone, and with all that follow."
     echo
     table build/faults/table.txt
   else missing "Calls of the system that fail" "make faults"; fi
   printf '\n## Kills\n\n'
   if [[ -s build/faults/kills.txt ]]; then
     echo "\`make kills\`, $(dated build/faults/kills.txt), $here: how often each program was killed, its recording was readable, and the same"
-    echo "command came to the same bytes as without the kill."
+    echo "command came to the same bytes as without the kill. Equal folders that kills left were gone on with once."
     echo
     table build/faults/kills.txt
   else missing "Kills" "make kills"; fi
   printf '\n## Long games\n\n'
-  if [[ -s build/soak/summary.txt ]]; then
-    echo "\`make soak\`, $(dated build/soak/summary.txt), $here: $(cat build/soak/summary.txt)."
+  if compgen -G 'build/soak/*.txt' > /dev/null; then
+    for file in build/soak/*.txt; do echo "\`make soak\`, $(dated "$file"), $here: $(cat "$file")."; done
   else missing "Long games" "make soak"; fi
   printf '\n## Lines that the tests run\n\n'
   if [[ -s build/coverage/folders.txt ]]; then

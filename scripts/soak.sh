@@ -3,9 +3,11 @@
 # memory of the simulator and of all agents, processor time per cycle. Says how both drift behind the first third.
 #   scripts/soak.sh [MINUTES]     simulated minutes [10]
 # Variables: AGENTS, in both teams together [22]; SEED of the simulator [1]; PLUMBLINE_BIN, where the programs are [bin].
-# The samples stand in build/soak/samples.csv. Status 1: an agent was lost, memory grew by more than LIMIT_KB [1024], or a
+# The samples stand in build/soak/AGENTS.csv, what it came to in AGENTS.txt. Status 1: an agent was lost, memory grew by more than LIMIT_KB [1024], or a
 # cycle costs more than LIMIT_PERCENT [20] more than before.
-# Example: AGENTS=4 scripts/soak.sh 60
+# Examples:
+#   AGENTS=4 scripts/soak.sh 60
+#   AGENTS=1 scripts/soak.sh 1440     a whole day of one agent, in half an hour
 set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -19,7 +21,7 @@ scratch=$(mktemp -d)
 trap 'status=$?; jobs -p | xargs -r kill 2> /dev/null; wait 2> /dev/null; rm -rf "$scratch"; exit $status' EXIT
 trap 'exit 130' INT TERM
 mkdir -p build/soak
-samples=build/soak/samples.csv
+samples=build/soak/$number.csv
 
 # The game never ends: a half is longer than the run.
 "$bin/simulator" --port 0 --monitor-port 0 --sync --seed "$seed" --wait-agents "$number" --half-time $((minutes * 60 + 600)) \
@@ -42,7 +44,7 @@ residentOf() { awk '/^VmRSS:/ { sum += $2 } END { print sum + 0 }' $(printf '/pr
 allocatedOf() { awk '/^RssAnon:/ { sum += $2 } END { print sum + 0 }' $(printf '/proc/%s/status ' "$@") 2> /dev/null; }
 # User and system time [ticks of 10 ms].
 costOf() { awk '{ sub(/^.*\) /, ""); sum += $12 + $13 } END { print sum + 0 }' $(printf '/proc/%s/stat ' "$@") 2> /dev/null; }
-timeNow() { grep -a '^status' "$scratch/agent0.log" 2> /dev/null | tail -1 | awk '{ printf "%d", $2 }'; }
+timeNow() { tail -c 4000 "$scratch/agent0.log" 2> /dev/null | grep -a '^status' | tail -1 | awk '{ printf "%d", $2 }'; }
 
 echo "minute,simulator_kb,agents_kb,simulator_ticks,agents_ticks,simulator_allocated_kb,agents_allocated_kb" > "$samples"
 minute=1 last=0 silent=0
@@ -78,5 +80,5 @@ awk -F, -v limit="$limit" -v percent="$percent" -v number="$number" -v alive=$al
       number, t[n], grownS, s[n], ms[n] - ms[from], grownA, a[n], ma[n] - ma[from], t[from], early, late, earlyA, lateA, alive
     bad = grownS > limit || grownA > limit * number || alive < number || (early > 0 && late > early * (1 + percent / 100))
     exit bad
-  }' "$samples" | tee build/soak/summary.txt
+  }' "$samples" | tee "build/soak/$number.txt"
 exit "${PIPESTATUS[0]}"

@@ -15,6 +15,7 @@
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
+#include <execinfo.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -38,9 +39,16 @@ static int wanted = -1, lasting, killing, counting;
 static long which;
 static const char* logFile;
 
+// Where memory is asked for: the innermost return addresses of a call, as one number. Each place is noted
+// when it is first seen, so that all of them can be tried without trying each of a million calls.
+enum { DEPTH = 5, PLACES = 1 << 16 };
+static atomic_ulong places[PLACES];
+static const char* placeFile;
+static _Thread_local int looking;  // the first backtrace() allocates
+
 // By system calls alone: this runs within malloc.
-static void note(const char* kind, long n) {
-  if (!logFile) return;
+static void noteIn(const char* file, const char* kind, long n) {
+  if (!file) return;
   char line[64], digits[24];
   size_t length = strlen(kind);
   memcpy(line, kind, length);
@@ -50,16 +58,44 @@ static void note(const char* kind, long n) {
   while ((n /= 10) > 0);
   while (count > 0) line[length++] = digits[--count];
   line[length++] = '\n';
-  const long fd = syscall(SYS_openat, AT_FDCWD, logFile, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  const long fd = syscall(SYS_openat, AT_FDCWD, file, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (fd < 0) return;
   syscall(SYS_write, fd, line, length);
   syscall(SYS_close, fd);
 }
 
+// One kill, also where processes that a program makes of itself come to the same call.
+static int isFirst(void) {
+  if (!logFile) return 1;
+  const long fd = syscall(SYS_openat, AT_FDCWD, logFile, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (fd >= 0) syscall(SYS_close, fd);
+  return fd >= 0;
+}
+static void note(const char* kind, long n) { noteIn(logFile, kind, n); }
+
+static void notePlace(long n) {
+  looking = 1;
+  void* from[DEPTH + 3];
+  const int count = backtrace(from, DEPTH + 3);
+  looking = 0;
+  unsigned long place = 14695981039346656037ul;  // FNV-1a
+  for (int i = 3; i < count; ++i) place = (place ^ (unsigned long)from[i]) * 1099511628211ul;
+  for (unsigned long at = place, tried = 0; tried < 64; ++at, ++tried) {
+    unsigned long is = 0;
+    if (atomic_compare_exchange_strong(&places[at % PLACES], &is, place | 1)) {
+      noteIn(placeFile, "place", n);
+      return;
+    }
+    if (is == (place | 1)) return;
+  }
+}
+
 static int fails(int kind) {
-  if (!atomic_load(&running)) return 0;
+  if (!atomic_load(&running) || looking) return 0;
   const long n = atomic_fetch_add(&calls[kind], 1) + 1;
+  if (counting && kind == MALLOC && placeFile) notePlace(n);
   if (kind != wanted || (lasting ? n < which : n != which)) return 0;
+  if (killing && !isFirst()) return 0;
   if (n == which) note(names[kind], n);
   if (killing && kind != WRITE) kill(getpid(), SIGKILL);
   errno = errors[kind];
@@ -217,9 +253,12 @@ static int countedMain(int argc, char** argv, char** environment) {
   const char* fault = getenv("FAULT");
   const char* program = getenv("FAULT_PROGRAM");
   logFile = getenv("FAULT_LOG");
+  placeFile = getenv("FAULT_PLACES");
   const char* name = strrchr(argv[0], '/');
   name = name ? name + 1 : argv[0];
   if (fault && (!program || strcmp(program, name) == 0)) {
+    const char* patience = getenv("FAULT_PATIENCE");
+    if (patience) alarm((unsigned)atoi(patience));  // what hangs ends by this signal
     counting = strcmp(fault, "count") == 0;
     for (int kind = 0; kind < KINDS; ++kind) {
       const size_t length = strlen(names[kind]);

@@ -1,11 +1,13 @@
 # How a job is tried and judged; sourced by scripts/faults.sh and scripts/kills.sh in the root of the tree.
 patience=600 # seconds until a program counts as hung, also on a machine with much else to do
 tree=$PWD
-realBin=${PLUMBLINE_BIN:-$tree/bin}
+bin=${PLUMBLINE_BIN:-$tree/bin}
 scratch=$(mktemp -d)
-trap 'status=$?; jobs -p | xargs -r kill 2> /dev/null; rm -rf "$scratch"; exit $status' EXIT
+rows=$scratch/rows library=$scratch/faults.so sample=$scratch/sample
+trap 'status=$?; jobs -p | xargs -r kill 2> /dev/null; wait; stopServers; rm -rf "$scratch"; exit $status' EXIT
 trap 'exit 130' INT TERM
-library=$scratch/faults.so sample=$scratch/sample bin=$scratch/bin
+exec {idle}<> <(:)
+pause() { read -r -t "$1" -u "$idle"; } # seconds, without a process of its own
 
 # Fills `chosen` with the jobs that the command line names, or all.
 chooseJobs() {
@@ -21,7 +23,7 @@ chooseJobs() {
   done
   ((${#chosen[@]})) || chosen=("${jobs[@]}")
   for word in "${chosen[@]}"; do
-    [[ -x $realBin/${programOf[$word]} ]] || fail "no $realBin/${programOf[$word]}"
+    [[ -x $bin/${programOf[$word]} ]] || fail "no $bin/${programOf[$word]}"
   done
 }
 
@@ -30,43 +32,61 @@ begin() {
   out=${FAULTS_OUT:-build/faults}
   mkdir -p "$out"
   out=$(cd "$out" && pwd)
-  : > "$out/findings.txt"
+  mkdir "$rows"
   cc -O1 -shared -fPIC -o "$library" tests/faults/faults.c -ldl || fail "the library of faults is not built"
-  makeWrappers
+  local name
+  for name in "${chosen[@]}"; do
+    if needsSample "$name"; then makeSample || fail "no game was recorded: $(tail -1 "$scratch/err")"; break; fi
+  done
+}
+
+# Calls a function with each chosen job, as many at once as JOBS; each has a folder of its own. It leaves a row of the table
+# in `row` and counts in `tries` and `broken`; findings go beside.
+playJobs() { # function, file of the table, heading's format and words
+  local name format=$3 running=0 atOnce=${JOBS:-$(nproc)} triedHere brokenHere
+  printf "$format\n" "${@:4}" | tee "$2"
+  for name in "${chosen[@]}"; do
+    if ((running == atOnce)); then wait -n; running=$((running - 1)); fi
+    (
+      trap 'stopServers; exit 143' TERM
+      tries=0 broken=0 row=() scratch=$scratch/of/$name
+      mkdir -p "$scratch"
+      "$1" "$name"
+      printf "$format\n" "$name" "${row[@]}" "$broken" | tee "$rows/$name"
+      echo "$tries $broken" > "$rows/$name.sums"
+      stopServers
+      rm -rf "$scratch"
+    ) &
+    running=$((running + 1))
+  done
+  wait
+  tries=0 broken=0
+  for name in "${chosen[@]}"; do
+    cat "$rows/$name" >> "$2" 2> /dev/null || { echo "$name: was not tried to its end" >> "$rows/$name.findings"; broken=$((broken + 1)); continue; }
+    read -r triedHere brokenHere < "$rows/$name.sums"
+    tries=$((tries + triedHere)) broken=$((broken + brokenHere))
+  done
+  cat "$rows"/*.findings > "$out/findings.txt" 2> /dev/null
 }
 
 finding() { # job, fault, what
   broken=$((broken + 1))
-  printf '%s %s: %s\n' "$1" "$2" "$3" >> "$out/findings.txt"
-}
-
-# What stands in the place of the programs: with a fault where $FAULT_NOW says so.
-makeWrappers() {
-  local path
-  mkdir -p "$bin"
-  for path in "$realBin"/*; do
-    [[ -f $path && -x $path && $path != *.sh ]] || continue
-    printf '#!/bin/bash\n[[ ${FAULT_NOW-} ]] || exec "%s" "$@"\n' "$path" > "$bin/${path##*/}"
-    printf 'exec timeout --preserve-status -k 5 %s env LD_PRELOAD="%s" FAULT=$FAULT_NOW FAULT_LOG="%s" FAULT_PROGRAM=%s "%s" "$@"\n' \
-      $patience "$library" "$scratch/told" "${path##*/}" "$path" >> "$bin/${path##*/}"
-    chmod +x "$bin/${path##*/}"
-  done
+  printf '%s %s: %s\n' "$1" "$2" "$3" >> "$rows/$1.findings"
 }
 
 # A log of an agent, for jobs that read one; made once.
 makeSample() {
-  [[ -d $sample ]] || (cd "$tree" && "$bin/game" --seed 8 --limit 2 --output "$scratch/sampled" --agent-option=--log \
+  (cd "$tree" && "$bin/game" --seed 8 --limit 2 --output "$scratch/sampled" --agent-option=--log \
     --agent-option="$sample" --agent-option=--log-wait > /dev/null 2> "$scratch/err") || [[ -s $sample/metadata.yaml ]]
 }
-needsSample() { declare -f "$1_prepare" | grep -q '\$sample'; }
+needsSample() { declare -F "$1_prepare" > /dev/null && declare -f "$1_prepare" | grep -q '\$sample'; }
 
 # Its folder as it is before each try, and a run without a fault to compare with: status, files, how many calls.
 prepareJob() {
   local name=$1
-  rm -rf "$scratch/template" "$scratch/good" "$scratch/calls"
+  rm -rf "$scratch/template" "$scratch/good" "$scratch/calls" "$scratch/places"
   mkdir "$scratch/template"
   if declare -F "$name"_prepare > /dev/null; then
-    if needsSample "$name"; then makeSample || return 1; fi
     (cd "$scratch/template" && ln -sfn "$tree/config" config && "$name"_prepare) 2> "$scratch/err" || return 1
   else
     ln -sfn "$tree/config" "$scratch/template/config"
@@ -83,21 +103,20 @@ callsOf() { awk -v kind="$1" '$1 == kind { n = $2 } END { print n + 0 }' "$scrat
 # Runs a job once in a folder with a fault; leaves its status, $scratch/err and the faults that came in $scratch/told.
 playJob() { # job, folder, fault
   rm -f "$scratch/told"
+  local faulty=() # the library is in every program that the job starts, and works in the one that the job is of
+  [[ ! $3 ]] || faulty=(FAULT="$3" FAULT_LOG="$scratch/told" FAULT_PROGRAM="${programOf[$1]}" FAULT_PATIENCE=$patience
+    LD_PRELOAD="$library" ${placesWanted:+FAULT_PLACES="$scratch/places"})
   # Standard output goes to a pipe: it is a terminal's or a pipe's in life, and a file's faults are another matter.
-  (cd "$2" && export FAULT_NOW=$3 && "$1"_run) 2> "$scratch/err" < /dev/null | cat > "$scratch/out"
+  (cd "$2" && if [[ $3 ]]; then export "${faulty[@]}"; fi && "$1"_run) 2> "$scratch/err" < /dev/null | cat > "$scratch/out"
   status=${PIPESTATUS[0]}
 }
 
 tryKind() { # job, kind
-  local name=$1 kind=$2 calls n lasting numbers=() step
+  local name=$1 kind=$2 calls n lasting numbers=()
   calls=$(callsOf "$kind")
   tried=0
   if [[ $kind == malloc ]]; then
-    for ((n = 1; n <= allocations; ++n)); do
-      # The first ones one by one, then evenly over all there are.
-      step=$((n <= allocations / 3 ? n : n * calls / allocations))
-      ((step >= 1 && step <= calls)) && numbers+=("$step")
-    done
+    mapfile -t numbers < <(placesToTry)
   else
     for ((n = 1; n <= calls && n <= most; ++n)); do numbers+=("$n"); done
   fi
@@ -105,6 +124,20 @@ tryKind() { # job, kind
     for lasting in "" $([[ $kind == write ]] && echo +); do tryFault "$name" "$kind:$n$lasting"; done
   done
 }
+# The first allocation of each place there is; of more than $allocations of them the first third, then evenly among the rest.
+placesToTry() {
+  awk '{ print $2 }' "$scratch/places" | sort -nu | awk -v most="$allocations" '
+    { n[NR] = $1 }
+    END {
+      if (NR <= most) for (i = 1; i <= NR; ++i) print n[i]
+      else {
+        first = int(most / 3)
+        for (i = 1; i <= first; ++i) print n[i]
+        for (i = 1; i <= most - first; ++i) print n[first + int(i * (NR - first) / (most - first))]
+      }
+    }'
+}
+placesOf() { sort -u "$scratch/places" 2> /dev/null | wc -l; }
 
 tryFault() { # job, fault
   local name=$1 file wanted last program=${programOf[$1]}
@@ -113,7 +146,7 @@ tryFault() { # job, fault
   playJob "$name" "$scratch/work" "$2"
   [[ -s $scratch/told ]] || return 0 # fewer calls than in the run before, which is no matter
   tries=$((tries + 1)) tried=$((tried + 1))
-  if ((status == 124 || status == 137 || status == 143)); then finding "$name" "$2" "hangs"; return; fi
+  if ((status == 137 || status == 142 || status == 143)); then finding "$name" "$2" "hangs"; return; fi
   if ((status >= 128 && status != 130)); then finding "$name" "$2" "dies by signal $((status - 128)): $(tail -1 "$scratch/err")"; return; fi
   last=$(grep -a "^$program: " "$scratch/err" | tail -1)
   if ((status != goodStatus)); then
@@ -136,12 +169,14 @@ tryFault() { # job, fault
   [[ ! $file ]] || finding "$name" "$2" "leaves ${file#"$scratch/work/"}"
 }
 
-# After a kill: no file half written, recordings readable, and what resumes comes to the same.
+# After a kill: no file half written, recordings readable, and what resumes comes to the same. `readable`, `resumed` and
+# `states`, the folders that were gone on with, are the caller's.
 judgeAfterKill() { # job, fault
-  local name=$1 file
+  local name=$1 file after=killed
+  ((status == 137)) || after=$status # a process that it had made of itself was killed, and it went on without
   if declare -F "$name"_outputs > /dev/null; then
     for file in $("$name"_outputs); do
-      status=killed judgeFile "$name" "$2" "${file%\?}" "$([[ $file == *\? ]] && echo differs)"
+      status=$after judgeFile "$name" "$2" "${file%\?}" "$([[ $file == *\? ]] && echo differs)"
     done
   fi
   if declare -F "$name"_check > /dev/null; then
@@ -149,12 +184,17 @@ judgeAfterKill() { # job, fault
     else finding "$name" "$2" "what was written cannot be used: $(tail -1 "$scratch/checked")"; fi
   fi
   declare -F "$name"_resumes > /dev/null || return 0
+  # The same command in the same folder does the same: each folder that a kill left is gone on with once.
+  local left
+  left=$(cd "$scratch/work" && find . -type f -exec sha1sum {} + | LC_ALL=C sort | sha1sum)
+  if [[ ${states[$left]-} ]]; then resumed=$((resumed + 1)); return; fi
   playJob "$name" "$scratch/work" ""
   if ! expected "$name" "$status"; then finding "$name" "$2" "the same command again: status $status, $(tail -1 "$scratch/err")"; return; fi
   for file in $("$name"_resumes); do
     cmp -s <(comparable "$scratch/work/$file") <(comparable "$scratch/good/$file") ||
       { finding "$name" "$2" "gone on with, it comes to another $file"; return; }
   done
+  states[$left]=1
   resumed=$((resumed + 1))
 }
 # A file without the comments, which count what was run.
@@ -178,17 +218,17 @@ judgeFile() { # job, fault, file, differs
 readableLog() { # of one that came to nothing there is nothing to read
   [[ -s $1/$1_0.db3 ]] || return 0
   local said
-  said=$("$realBin/logtool" list "$1" 2>&1) && return
+  said=$("$bin/logtool" list "$1" 2>&1) && return
   echo "$said"
   [[ $said == *'has no table'* ]]
 }
 readableMatch() {
   [[ -s $1 ]] || return 0
-  "$realBin/webmonitor" --replay "$1" --web-port 0 > replay.out 2> replay.err & # reads the whole index first
+  "$bin/webmonitor" --replay "$1" --web-port 0 > replay.out 2> replay.err & # reads the whole index first
   local player=$! i
-  for ((i = 0; i < 200; ++i)); do
+  for ((i = 0; i < 1000; ++i)); do
     if [[ -s replay.out ]] || ! kill -0 $player 2> /dev/null; then break; fi
-    sleep 0.05
+    pause 0.01
   done
   kill -INT $player 2> /dev/null
   wait $player 2> /dev/null
@@ -202,39 +242,63 @@ stopAfterStart() { # seconds, command...: interrupts it so long after its first 
   local i result
   "${@:2}" > started.out &
   local program=$!
-  for ((i = 0; i < patience * 20; ++i)); do
+  for ((i = 0; i < patience * 100; ++i)); do
     if [[ -s started.out ]] || ! kill -0 $program 2> /dev/null; then break; fi
-    sleep 0.05
+    pause 0.01
   done
-  sleep "$1"
-  # The program, not the timeout that may stand before it: that one sends a signal twice, and a second one ends it at once.
-  kill -INT $(ps -o pid= --ppid $program || echo $program) 2> /dev/null
+  pause "$1"
+  kill -INT $program 2> /dev/null
   wait $program
   result=$?
   rm -f started.out
   return $result
 }
-withSimulator() { # command with PORT
-  local i result
-  "$realBin/simulator" --port 0 --monitor-port 0 --wait-agents 0 --realtime --max-seconds 60 --ports-file sim.ports > /dev/null 2>&1 &
-  local server=$!
-  for ((i = 0; i < 400; ++i)); do [[ -s sim.ports ]] && break; sleep 0.05; done
-  "${@/#PORT/$(portIn sim.ports monitor)}"
+
+# Servers that a program is a client of. One of them sees many kills of its clients, and must be there after the last.
+startSimulator() { # seconds; leaves `server` and `port`
+  local i
+  rm -f sim.ports
+  env -u LD_PRELOAD "$bin/simulator" --port 0 --monitor-port 0 --wait-agents 0 --realtime --max-seconds "$1" --ports-file sim.ports \
+    < /dev/null > /dev/null 2>&1 &
+  server=$!
+  for ((i = 0; i < 2000; ++i)); do [[ -s sim.ports ]] && break; pause 0.01; done
+  port=$(portIn sim.ports monitor)
+}
+startAgent() { # on the sample; leaves `server` and `port`
+  local i
+  env -u LD_PRELOAD "$bin/agent" --config "$tree/config" --replay "$sample" --paused --debug 0 --crash-log crash.log \
+    < /dev/null > /dev/null 2> agent.err &
+  server=$!
+  for ((i = 0; i < 2000; ++i)); do grep -q 'debug port' agent.err && break; pause 0.01; done
+  port=$(sed -n 's/.*debug port 127.0.0.1:\([0-9]*\).*/\1/p' agent.err)
+}
+withServer() { # startSimulator SECONDS or startAgent, command with PORT: the server goes on for the next time
+  local server port start=("$1")
+  shift
+  [[ $1 != [0-9]* ]] || { start+=("$1"); shift; }
+  if [[ ! -s $scratch/server/pid ]]; then
+    mkdir -p "$scratch/server"
+    (cd "$scratch/server" && "${start[@]}" && echo "$server $port" > pid)
+  fi
+  read -r server port < "$scratch/server/pid"
+  kill -0 "$server" 2> /dev/null || { echo "the server is gone" >&2; return 99; }
+  "${@/%PORT/$port}"
+}
+withSimulator() { # command with PORT: a game of its own
+  local result server port
+  startSimulator 60
+  "${@/%PORT/$port}"
   result=$?
-  kill $server 2> /dev/null
-  wait $server 2> /dev/null
+  kill "$server" 2> /dev/null
+  wait "$server" 2> /dev/null
   rm -f sim.ports
   return $result
 }
-withAgent() { # command with PORT
-  local i result port
-  "$realBin/agent" --replay log --paused --debug 0 --crash-log crash.log > /dev/null 2> agent.err &
-  local server=$!
-  for ((i = 0; i < 400; ++i)); do grep -q 'debug port' agent.err && break; sleep 0.05; done
-  port=$(sed -n 's/.*debug port 127.0.0.1:\([0-9]*\).*/\1/p' agent.err)
-  "${@/PORT/$port}"
-  result=$?
-  kill $server 2> /dev/null
-  wait $server 2> /dev/null
-  return $result
+# Whether the server that a job's program is a client of is there.
+serverStands() { [[ ! -s $scratch/server/pid ]] || kill -0 "$(cut -d' ' -f1 "$scratch/server/pid")" 2> /dev/null; }
+stopServers() {
+  local server
+  for server in "$scratch"/server/pid "$scratch"/of/*/server/pid; do
+    [[ ! -s $server ]] || kill "$(cut -d' ' -f1 "$server")" 2> /dev/null
+  done
 }

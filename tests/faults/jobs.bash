@@ -1,7 +1,7 @@
 # What is tried with faults: job NAME PROGRAM KINDS, then in functions of the job's name what makes its folder
 # (NAME_prepare), what runs (NAME_run) and what must hold whatever happened (NAME_check; the files of NAME_outputs are as
 # they were, as they should be, or not there; with a ? their content differs from run to run). NAME_resumes names files that
-# the same command comes to after a kill. Sourced after helpers.bash; $bin are the programs, $tree the tree.
+# the same command comes to after a kill. Sourced after helpers.bash; $bin has the programs, $tree the tree.
 all="write sync rename open malloc"
 quick=() jobs=()
 declare -A programOf kindsOf
@@ -46,11 +46,27 @@ gap_record_secret_prepare() { gapRuns made; rm -r made; }
 gap_record_secret_run() { "$bin/gap" record --robot "$arm" --program program.yaml --secret 3 -o runs; }
 gap_record_secret_outputs() { echo runs/run.json runs/run.csv.gz runs/SECRET; }
 
+# A recording of one joint, short: a diagnosis of it takes a fifth of a second.
+pendulumRun() {
+  gapRuns made
+  rm -r made
+  sed -i 's/duration: [0-9.]*/duration: 0.6/' program.yaml
+  sed -i 's/Elbow/pendulum/' effects.yaml
+  "$bin/gap" record --robot xl330_pendulum --program program.yaml --effects effects.yaml -o run > /dev/null
+}
+
 job gap_diagnose gap
-gap_diagnose_prepare() { gapRuns run; echo old > answer.json; }
-gap_diagnose_run() { "$bin/gap" diagnose run --robot "$arm" --jobs 1 --max-causes 1 --quiet --json answer.json --timing took.json; }
-gap_diagnose_outputs() { echo answer.json; }
+gap_diagnose_prepare() { pendulumRun; echo old > answer.json; }
+gap_diagnose_run() { "$bin/gap" diagnose run --jobs 1 --max-causes 1 --quiet --json answer.json --timing took.json; }
+gap_diagnose_outputs() { echo 'answer.json took.json?'; }
 gap_diagnose_resumes() { echo answer.json; }
+
+# With a memory of its searches, from which it goes on.
+job gap_diagnose_blocks gap "write sync rename open"
+gap_diagnose_blocks_prepare() { gap_diagnose_prepare; }
+gap_diagnose_blocks_run() { "$bin/gap" diagnose run --jobs 1 --method blocks --max-causes 1 --quiet --json answer.json; }
+gap_diagnose_blocks_outputs() { echo answer.json; }
+gap_diagnose_blocks_resumes() { echo answer.json; }
 
 quickJob gap_apply gap
 gap_apply_prepare() { gapAnswer; echo old > effects.yaml; }
@@ -68,8 +84,8 @@ gap_check_run() { "$bin/gap" check answer.json run --robot "$arm" --jobs 1 --jso
 gap_check_outputs() { echo check.json; }
 
 job gap_next gap "write sync rename open"
-gap_next_prepare() { gapAnswer; echo old > next.yaml; }
-gap_next_run() { "$bin/gap" next answer.json --robot "$arm" -o next.yaml; }
+gap_next_prepare() { gapAnswer; sed -i 's/Elbow/pendulum/; s/"arm"/"xl330_pendulum"/' answer.json; echo old > next.yaml; }
+gap_next_run() { "$bin/gap" next answer.json -o next.yaml; }
 gap_next_outputs() { echo next.yaml; }
 
 job gap_import gap
@@ -81,7 +97,7 @@ gap_import_run() { "$bin/gap" import raw.csv --map map.yaml -o run; }
 gap_import_outputs() { echo run/run.json run/run.csv.gz run/run.csv; }
 
 job gap_blind gap "write sync rename open"
-gap_blind_run() { "$bin/gap" blind make --robot xl330_pendulum --engine replay --cases 2 --seed 4 --jobs 1 -o set; }
+gap_blind_run() { "$bin/gap" blind make --robot xl330_pendulum --engine replay --cases 1 --seed 4 --jobs 1 -o set; }
 gap_blind_outputs() { echo set/answers.sealed; }
 
 quickJob logtool_cut logtool
@@ -162,15 +178,15 @@ optimizewalk_resumes() { echo walking.yaml; }
 job watchgame watchgame
 watchgame_prepare() { echo 'a line of an earlier game' > games.log; }
 watchgame_run() {
-  withSimulator "$bin/watchgame" --port PORT --players 0 --settle 0 --end-time 1 --hang 5 --limit 10 --quiet --log games.log --track track.txt
+  withSimulator "$bin/watchgame" --port PORT --players 0 --settle 0 --end-time 0.2 --hang 5 --limit 10 --quiet --log games.log --track track.txt
 }
 watchgame_expects() { (($1 <= 1)); }
 watchgame_check() { [[ $(head -1 games.log) == 'a line of an earlier game' ]]; }
 
 job webmonitor_record webmonitor "write sync rename open"
-webmonitor_record_run() { withSimulator stopAfterStart 1 "$bin/webmonitor" --port PORT --web-port 0 --drawing-port -1 --record match.plm; }
+webmonitor_record_run() { withServer startSimulator 36000 stopAfterStart 0.1 "$bin/webmonitor" --port PORT --web-port 0 --drawing-port -1 --record match.plm; }
 webmonitor_record_check() { readableMatch match.plm; }
 
 job rdb rdb
-rdb_prepare() { cp -r "$sample" log; echo 'get r:BallPos' > script; }
-rdb_run() { withAgent "$bin/rdb" 127.0.0.1:PORT --script script; }
+rdb_prepare() { : "$sample"; echo 'get r:BallPos' > script; }
+rdb_run() { withServer startAgent "$bin/rdb" 127.0.0.1:PORT --script script; }
