@@ -19,9 +19,10 @@ esac
 # One at a time: who asks beside another waits and finds all done, and no page goes while somebody reads it.
 mkdir -p "$packages"
 exec 9> "$packages/lock"
-flock 9
+flock -w 900 9 || { echo "build_page.sh: another build of the page holds $packages/lock for 15 minutes; end it" >&2; exit 1; }
 sources=$(find web scripts/build_page.sh scripts/build_report_page.sh -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum)
-if [[ -s $page/index.html && -s build/report/page.html && $(cat "$packages/made" 2> /dev/null) == "$sources" ]]; then exit 0; fi
+made=("$page/index.html" build/report/page.html build/report/summary.html)
+if ls "${made[@]}" > /dev/null 2>&1 && [[ $(cat "$packages/made" 2> /dev/null) == "$sources" ]]; then exit 0; fi
 
 # Exactly the versions of the lock file, checked against their checksums there.
 if ! cmp -s web/package-lock.json "$packages/installed"; then

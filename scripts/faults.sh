@@ -5,7 +5,7 @@
 # program fails: a place is the five innermost return addresses of the call.
 #   scripts/faults.sh [--quick] [--list] [JOB]...      jobs [all]; --quick: a few jobs, the first calls of each
 # Variables: PLUMBLINE_BIN, where the programs are [bin]; MOST, calls of each kind [40]; ALLOCATIONS, places [24]; KINDS [all];
-# JOBS, how many jobs at once [one per core]. MOST=9999 ALLOCATIONS=9999 leaves nothing out.
+# JOBS, how many jobs at once [one per core]. MOST=9999 ALLOCATIONS=9999 tries every call and place.
 # What was tried stands in build/faults/table.txt, what broke in build/faults/findings.txt.
 # Example: scripts/faults.sh gap_record logtool_cut
 set -uo pipefail

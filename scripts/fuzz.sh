@@ -45,7 +45,7 @@ pack() { # target
   done > "$to.new"
   if ((number == 0)); then # nothing that is short
     rm -f "$to.new"
-    echo "nothing to keep of $1: no input of less than 4000 bytes"
+    echo "nothing to keep of $1: no input of at most 4000 bytes"
     return
   fi
   mv "$to.new" "$to"

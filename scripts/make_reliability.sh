@@ -58,7 +58,7 @@ missing() {
   else missing "Kills" "make kills"; fi
   printf '\n## Long games\n\n'
   if compgen -G 'build/soak/*.txt' > /dev/null; then
-    for file in build/soak/*.txt; do echo "\`make soak\`, $(dated "$file"), $here: $(cat "$file")."; done
+    for file in build/soak/*.txt; do echo "\`make soak\`, $(dated "$file"), $here: $(cat "$file")." && echo; done
   else missing "Long games" "make soak"; fi
   printf '\n## Lines that the tests run\n\n'
   if [[ -s build/coverage/folders.txt ]]; then

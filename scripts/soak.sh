@@ -3,11 +3,11 @@
 # memory of the simulator and of all agents, processor time per cycle. Says how both drift behind the first third.
 #   scripts/soak.sh [MINUTES]     simulated minutes [10]
 # Variables: AGENTS, in both teams together [22]; SEED of the simulator [1]; PLUMBLINE_BIN, where the programs are [bin].
-# The samples stand in build/soak/AGENTS.csv, what it came to in AGENTS.txt. Status 1: an agent was lost, memory grew by more than LIMIT_KB [1024], or a
-# cycle costs more than LIMIT_PERCENT [20] more than before.
+# The samples stand in build/soak/AGENTS.csv, what it came to in AGENTS.txt. Status 1: an agent was lost, memory grew by more
+# than LIMIT_KB [1024], or a cycle costs more than LIMIT_PERCENT [20] more than before.
 # Examples:
 #   AGENTS=4 scripts/soak.sh 60
-#   AGENTS=1 scripts/soak.sh 1440     a whole day of one agent, in half an hour
+#   AGENTS=1 scripts/soak.sh 1440     a whole day of one agent: 15 minutes of computing
 set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -3,15 +3,18 @@
 //
 //     LD_PRELOAD=faults.so FAULT=write:3 FAULT_LOG=FILE FAULT_PROGRAM=gap bin/gap ...
 //
-// FAULT is KIND:N, the N-th call of the kind from the beginning of main on (1 the first), with a + behind:
-// that one and all that follow, as on a disk that is full. Kinds:
+// FAULT is KIND:N, the N-th call of the kind from the beginning of main on (1 the first). With a + behind:
+// that one and all that follow, as on a disk that is full. With a ! behind: the program is killed there
+// instead, after half of a write. Kinds:
 //   write   to regular files, also by stdio                                    ENOSPC
 //   sync    fsync, fdatasync of files and folders                              EIO
 //   rename  and link                                                           EIO
 //   open    of files for writing, and mkdir                                    ENOSPC
 //   malloc  and what else allocates                                            ENOMEM
 // FAULT_LOG gets a line "KIND N" for a call that failed, and with FAULT=count at the end a line "KIND CALLS"
-// for each kind. FAULT_PROGRAM: only in the program of that name, not in those that it starts.
+// for each kind. FAULT_PROGRAM: only in the program of that name, not in those that it starts. FAULT_PLACES
+// gets with FAULT=count a line "place N" for the first allocation from each place of the program.
+// FAULT_PATIENCE: seconds until a program that hangs is ended by SIGALRM.
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

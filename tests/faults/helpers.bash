@@ -8,6 +8,15 @@ trap 'status=$?; jobs -p | xargs -r kill 2> /dev/null; wait; stopServers; rm -rf
 trap 'exit 130' INT TERM
 exec {idle}<> <(:)
 pause() { read -r -t "$1" -u "$idle"; } # seconds, without a process of its own
+waitFor() { # seconds, command...: until it succeeds; fails if it does not in time
+  local i
+  for ((i = 0; i < $1 * 100; ++i)); do
+    if "${@:2}"; then return 0; fi
+    pause 0.01
+  done
+  return 1
+}
+hasSaid() { [[ -s $1 ]] || ! kill -0 "$2" 2> /dev/null; } # file, process: it wrote there, or it is gone
 
 # Fills `chosen` with the jobs that the command line names, or all.
 chooseJobs() {
@@ -79,7 +88,7 @@ makeSample() {
   (cd "$tree" && "$bin/game" --seed 8 --limit 2 --output "$scratch/sampled" --agent-option=--log \
     --agent-option="$sample" --agent-option=--log-wait > /dev/null 2> "$scratch/err") || [[ -s $sample/metadata.yaml ]]
 }
-needsSample() { declare -F "$1_prepare" > /dev/null && declare -f "$1_prepare" | grep -q '\$sample'; }
+needsSample() { declare -f "$1_prepare" "$1_run" | grep -qE '\$sample|startAgent'; }
 
 # Its folder as it is before each try, and a run without a fault to compare with: status, files, how many calls.
 prepareJob() {
@@ -140,7 +149,7 @@ placesToTry() {
 placesOf() { sort -u "$scratch/places" 2> /dev/null | wc -l; }
 
 tryFault() { # job, fault
-  local name=$1 file wanted last program=${programOf[$1]}
+  local name=$1 file last program=${programOf[$1]}
   rm -rf "$scratch/work"
   cp -a "$scratch/template" "$scratch/work"
   playJob "$name" "$scratch/work" "$2"
@@ -156,12 +165,7 @@ tryFault() { # job, fault
       finding "$name" "$2" "an error in a library's words: $(grep -aE 'bad_alloc|terminate called|json|basic_string|filesystem error|unknown' "$scratch/err" | tail -1)"
     fi
   fi
-  if declare -F "$name"_outputs > /dev/null; then
-    for file in $("$name"_outputs); do
-      wanted=${file%\?} # with a question mark: its content differs from run to run
-      judgeFile "$name" "$2" "$wanted" "$([[ $file == *\? ]] && echo differs)"
-    done
-  fi
+  judgeFiles "$name" "$2"
   if declare -F "$name"_check > /dev/null; then
     (cd "$scratch/work" && "$name"_check) > "$scratch/checked" 2>&1 || finding "$name" "$2" "status $status, and what was written cannot be used: $(tail -1 "$scratch/checked")"
   fi
@@ -174,11 +178,7 @@ tryFault() { # job, fault
 judgeAfterKill() { # job, fault
   local name=$1 file after=killed
   ((status == 137)) || after=$status # a process that it had made of itself was killed, and it went on without
-  if declare -F "$name"_outputs > /dev/null; then
-    for file in $("$name"_outputs); do
-      status=$after judgeFile "$name" "$2" "${file%\?}" "$([[ $file == *\? ]] && echo differs)"
-    done
-  fi
+  status=$after judgeFiles "$name" "$2"
   if declare -F "$name"_check > /dev/null; then
     if (cd "$scratch/work" && "$name"_check) > "$scratch/checked" 2>&1; then readable=$((readable + 1))
     else finding "$name" "$2" "what was written cannot be used: $(tail -1 "$scratch/checked")"; fi
@@ -200,6 +200,13 @@ judgeAfterKill() { # job, fault
 # A file without the comments, which count what was run.
 comparable() { [[ $1 == *.yaml ]] && grep -v '^#' "$1" || cat "$1"; }
 
+judgeFiles() { # job, fault
+  declare -F "$1"_outputs > /dev/null || return 0
+  local file
+  for file in $("$1"_outputs); do # with a question mark: its content differs from run to run
+    judgeFile "$1" "$2" "${file%\?}" "$([[ $file == *\? ]] && echo differs)"
+  done
+}
 judgeFile() { # job, fault, file, differs
   local new=$scratch/work/$3 old=$scratch/template/$3 good=$scratch/good/$3
   if [[ ! -e $good ]]; then return; fi
@@ -225,11 +232,8 @@ readableLog() { # of one that came to nothing there is nothing to read
 readableMatch() {
   [[ -s $1 ]] || return 0
   "$bin/webmonitor" --replay "$1" --web-port 0 > replay.out 2> replay.err & # reads the whole index first
-  local player=$! i
-  for ((i = 0; i < 1000; ++i)); do
-    if [[ -s replay.out ]] || ! kill -0 $player 2> /dev/null; then break; fi
-    pause 0.01
-  done
+  local player=$!
+  waitFor 10 hasSaid replay.out $player
   kill -INT $player 2> /dev/null
   wait $player 2> /dev/null
   local result=$?
@@ -239,13 +243,10 @@ readableMatch() {
 }
 portIn() { sed -n 's/.*"'"$2"'": *\([0-9]*\).*/\1/p' "$1"; }
 stopAfterStart() { # seconds, command...: interrupts it so long after its first line, however long that took
-  local i result
+  local result
   "${@:2}" > started.out &
   local program=$!
-  for ((i = 0; i < patience * 100; ++i)); do
-    if [[ -s started.out ]] || ! kill -0 $program 2> /dev/null; then break; fi
-    pause 0.01
-  done
+  waitFor $patience hasSaid started.out $program
   pause "$1"
   kill -INT $program 2> /dev/null
   wait $program
@@ -255,30 +256,27 @@ stopAfterStart() { # seconds, command...: interrupts it so long after its first 
 }
 
 # Servers that a program is a client of. One of them sees many kills of its clients, and must be there after the last.
-startSimulator() { # seconds; leaves `server` and `port`
-  local i
+startSimulator() { # leaves `server` and `port`
   rm -f sim.ports
-  env -u LD_PRELOAD "$bin/simulator" --port 0 --monitor-port 0 --wait-agents 0 --realtime --max-seconds "$1" --ports-file sim.ports \
+  env -u LD_PRELOAD "$bin/simulator" --port 0 --monitor-port 0 --wait-agents 0 --realtime --max-seconds 36000 --ports-file sim.ports \
     < /dev/null > /dev/null 2>&1 &
   server=$!
-  for ((i = 0; i < 2000; ++i)); do [[ -s sim.ports ]] && break; pause 0.01; done
+  waitFor 20 test -s sim.ports
   port=$(portIn sim.ports monitor)
 }
 startAgent() { # on the sample; leaves `server` and `port`
-  local i
   env -u LD_PRELOAD "$bin/agent" --config "$tree/config" --replay "$sample" --paused --debug 0 --crash-log crash.log \
     < /dev/null > /dev/null 2> agent.err &
   server=$!
-  for ((i = 0; i < 2000; ++i)); do grep -q 'debug port' agent.err && break; pause 0.01; done
+  waitFor 20 grep -q 'debug port' agent.err
   port=$(sed -n 's/.*debug port 127.0.0.1:\([0-9]*\).*/\1/p' agent.err)
 }
-withServer() { # startSimulator SECONDS or startAgent, command with PORT: the server goes on for the next time
-  local server port start=("$1")
+withServer() { # startSimulator or startAgent, command with PORT: the server goes on for the next time
+  local server port start=$1
   shift
-  [[ $1 != [0-9]* ]] || { start+=("$1"); shift; }
   if [[ ! -s $scratch/server/pid ]]; then
     mkdir -p "$scratch/server"
-    (cd "$scratch/server" && "${start[@]}" && echo "$server $port" > pid)
+    (cd "$scratch/server" && "$start" && echo "$server $port" > pid)
   fi
   read -r server port < "$scratch/server/pid"
   kill -0 "$server" 2> /dev/null || { echo "the server is gone" >&2; return 99; }
@@ -286,7 +284,7 @@ withServer() { # startSimulator SECONDS or startAgent, command with PORT: the se
 }
 withSimulator() { # command with PORT: a game of its own
   local result server port
-  startSimulator 60
+  startSimulator
   "${@/%PORT/$port}"
   result=$?
   kill "$server" 2> /dev/null

@@ -9,17 +9,20 @@ job() { jobs+=("$1"); programOf[$1]=$2; kindsOf[$1]=${3:-$all}; }
 quickJob() { job "$@"; quick+=("$1"); }
 
 arm=$tree/tests/e2e/gap/arm.json
-gapRuns() { # two short recordings of an arm, one with an effect
-  cat > program.yaml << 'END'
-about: "two seconds"
+gapProgram() { # seconds of motion, joint with an effect: what is to be recorded
+  cat > program.yaml << END
+about: "a short swing"
 base: fixed
 posture: hang
 lead_in: 0.1
 lead_out: 0.1
 segments:
-  - {wave: triangle, duration: 1.6, share: 0.45}
+  - {wave: triangle, duration: $1, share: 0.45}
 END
-  printf 'effects:\n  - {effect: backlash, at: Elbow, value: 0.05}\n' > effects.yaml
+  printf 'effects:\n  - {effect: backlash, at: %s, value: 0.05}\n' "$2" > effects.yaml
+}
+gapRun() { # folder: a short recording of an arm with an effect
+  gapProgram 1.6 Elbow
   "$bin/gap" record --robot "$arm" --program program.yaml --effects effects.yaml -o "$1" > /dev/null
 }
 gapAnswer() {
@@ -31,27 +34,24 @@ END
 }
 
 quickJob gap_record gap
-gap_record_prepare() { gapRuns made; rm -r made; }
+gap_record_prepare() { gapProgram 1.6 Elbow; }
 gap_record_run() { "$bin/gap" record --robot "$arm" --program program.yaml --effects effects.yaml -o run; }
 gap_record_outputs() { echo run/run.json run/run.csv.gz; }
 
 job gap_record_again gap
-gap_record_again_prepare() { gapRuns run; }
+gap_record_again_prepare() { gapRun run; }
 gap_record_again_run() { "$bin/gap" record --robot "$arm" --program program.yaml --seed 9 --force -o run; }
 gap_record_again_outputs() { echo run/run.json run/run.csv.gz; }
 gap_record_again_resumes() { gap_record_again_outputs; }
 
 job gap_record_secret gap
-gap_record_secret_prepare() { gapRuns made; rm -r made; }
+gap_record_secret_prepare() { gapProgram 1.6 Elbow; }
 gap_record_secret_run() { "$bin/gap" record --robot "$arm" --program program.yaml --secret 3 -o runs; }
 gap_record_secret_outputs() { echo runs/run.json runs/run.csv.gz runs/SECRET; }
 
 # A recording of one joint, short: a diagnosis of it takes a fifth of a second.
 pendulumRun() {
-  gapRuns made
-  rm -r made
-  sed -i 's/duration: [0-9.]*/duration: 0.6/' program.yaml
-  sed -i 's/Elbow/pendulum/' effects.yaml
+  gapProgram 0.6 pendulum
   "$bin/gap" record --robot xl330_pendulum --program program.yaml --effects effects.yaml -o run > /dev/null
 }
 
@@ -79,7 +79,7 @@ gap_report_run() { "$bin/gap" report answer.json --robot "$arm" -o report.html; 
 gap_report_outputs() { echo report.html; }
 
 job gap_check gap
-gap_check_prepare() { gapRuns run; gapAnswer; echo old > check.json; }
+gap_check_prepare() { gapRun run; gapAnswer; echo old > check.json; }
 gap_check_run() { "$bin/gap" check answer.json run --robot "$arm" --jobs 1 --json check.json; }
 gap_check_outputs() { echo check.json; }
 
@@ -184,9 +184,9 @@ watchgame_expects() { (($1 <= 1)); }
 watchgame_check() { [[ $(head -1 games.log) == 'a line of an earlier game' ]]; }
 
 job webmonitor_record webmonitor "write sync rename open"
-webmonitor_record_run() { withServer startSimulator 36000 stopAfterStart 0.1 "$bin/webmonitor" --port PORT --web-port 0 --drawing-port -1 --record match.plm; }
+webmonitor_record_run() { withServer startSimulator stopAfterStart 0.1 "$bin/webmonitor" --port PORT --web-port 0 --drawing-port -1 --record match.plm; }
 webmonitor_record_check() { readableMatch match.plm; }
 
 job rdb rdb
-rdb_prepare() { : "$sample"; echo 'get r:BallPos' > script; }
+rdb_prepare() { echo 'get r:BallPos' > script; }
 rdb_run() { withServer startAgent "$bin/rdb" 127.0.0.1:PORT --script script; }

@@ -7,7 +7,7 @@ report.causes = (answer, section) => {
     return;
   }
   if (answer.verdict === 'unknown') section.append(el('p', { class: 'dim' }, 'The nearest explanations that the library has. They are not enough, and may be no more than neighbours of the true cause.'));
-  else section.append(el('p', { class: 'dim' }, 'A probability is meant to be taken at its word: of the answers given with 90 %, nine in ten should be right. doc/results/gap.md of the project says how far that holds.'));
+  else section.append(el('p', { class: 'dim' }, 'A probability is meant to be taken at its word: of the answers given with 90 %, nine in ten should be right. doc/results/gap-sets.md and gap-blocks.md of the project say how far that holds.'));
   const chance = (probability) => el('div', { class: 'chance' }, el('div', { class: 'bar' }, el('i', { style: { width: `${100 * Math.min(1, Math.max(0, probability))}%` } })), el('b', {}, percent(probability)));
   causes.forEach((cause, i) => {
     const rivals = [...(cause.confounded_with ?? [])].sort((a, b) => b.probability - a.probability);
