@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Checks that includes point down the floors of src/ only (doc/architecture.md), that a platform's folders are included from
-# no other module, and that no folders include each other in a circle. Each offender: file:line: why.
+# no other module, that no folders include each other in a circle, and that a header's name is one file's. Each offender:
+# file:line: why.
 # Example: scripts/check_floors.sh
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
@@ -81,4 +82,13 @@ awk -v folders="$folders" '
     for (edge in left) { split(edge, p, " "); print where[edge] ": " p[1] " and " p[2] " are in a circle of folders"; bad = 1 }
     exit bad
   }' $files < /dev/null | LC_ALL=C sort || status=1
+
+# A name is one file: what two headers are called by says of neither what it holds.
+headers=(src)
+for folder in tests utils; do [[ ! -d $folder ]] || headers+=("$folder"); done
+find "${headers[@]}" -type f -name '*.h' | LC_ALL=C sort | awk '
+  { name = $0; sub(/.*\//, "", name) }
+  name in first { print $0 ":1: " first[name] " has this name too"; bad = 1; next }
+  { first[name] = $0 }
+  END { exit bad }' || status=1
 exit $status

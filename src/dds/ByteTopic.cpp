@@ -37,7 +37,8 @@ struct ByteWriter::Parts : public fast::DataWriterListener {
   std::atomic<int> readers{0};
 };
 
-ByteWriter::ByteWriter(Participant& participant, const TopicName& name) : parts_(std::make_unique<Parts>()) {
+ByteWriter::ByteWriter(DdsParticipant& participant, const TopicName& name)
+    : parts_(std::make_unique<Parts>()) {
   fast::Topic& topic = topicOf(participant.get(), name);
   fast::DataWriterQos qos;
   participant.publisher().get_default_datawriter_qos(qos);

@@ -17,7 +17,7 @@ struct Sample {
 class ByteWriter {
 public:
   /// Throws std::runtime_error that names the topic.
-  ByteWriter(Participant& participant, const TopicName& name);
+  ByteWriter(DdsParticipant& participant, const TopicName& name);
   ~ByteWriter();
   ByteWriter(const ByteWriter&) = delete;
   ByteWriter& operator=(const ByteWriter&) = delete;
@@ -37,7 +37,7 @@ private:
 class ByteReader : Arrivals {
 public:
   /// Throws std::runtime_error that names the topic.
-  ByteReader(Participant& participant, const TopicName& name) : reader_(participant, name, *this) {}
+  ByteReader(DdsParticipant& participant, const TopicName& name) : reader_(participant, name, *this) {}
   ByteReader(const ByteReader&) = delete;
   ByteReader& operator=(const ByteReader&) = delete;
 

@@ -17,7 +17,7 @@ TopicName topicName(const std::string& agent, const RepresentationLoader& loader
 
 }  // namespace
 
-SentRepresentation::SentRepresentation(Participant& participant, const NetworkOptions& options,
+SentRepresentation::SentRepresentation(DdsParticipant& participant, const NetworkOptions& options,
                                        const RepresentationLoader& loader, const Representation& source)
     : sent_(loader), writer_(participant, topicName(options.agent, loader)) {
   copy_.add(loader, source, sent_.value());
@@ -29,7 +29,7 @@ void SentRepresentation::send() {
   writer_.write(sent_);
 }
 
-ReceivedRepresentation::ReceivedRepresentation(Participant& participant, const NetworkOptions& options,
+ReceivedRepresentation::ReceivedRepresentation(DdsParticipant& participant, const NetworkOptions& options,
                                                const RepresentationLoader& loader, Representation& target,
                                                std::function<void(const Representation&)> whenArrived)
     : loader_(loader),
@@ -67,7 +67,7 @@ void NetworkHub::open(ConfigStore& config) {
   if (participant_) return;
   options_ = readNetworkOptions(config);
   try {
-    participant_ = std::make_unique<Participant>(options_.participant);
+    participant_ = std::make_unique<DdsParticipant>(options_.participant);
   } catch (const std::runtime_error& error) {
     throw ConfigurationError("NetworkModule: " + std::string(error.what()));
   }

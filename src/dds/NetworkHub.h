@@ -21,7 +21,7 @@ namespace plumbline::dds {
 /// the hub's own thread makes bytes of the copy and sends them.
 class SentRepresentation {
 public:
-  SentRepresentation(Participant& participant, const NetworkOptions& options,
+  SentRepresentation(DdsParticipant& participant, const NetworkOptions& options,
                      const RepresentationLoader& loader, const Representation& source);
 
   bool wanted() const { return writer_.readers() > 0; }
@@ -41,7 +41,7 @@ private:
 class ReceivedRepresentation : Arrivals {
 public:
   /// `whenArrived` is called in the network's thread with each good value.
-  ReceivedRepresentation(Participant& participant, const NetworkOptions& options,
+  ReceivedRepresentation(DdsParticipant& participant, const NetworkOptions& options,
                          const RepresentationLoader& loader, Representation& target,
                          std::function<void(const Representation&)> whenArrived = nullptr);
   ReceivedRepresentation(const ReceivedRepresentation&) = delete;
@@ -85,7 +85,7 @@ private:
   void send();
 
   NetworkOptions options_;
-  std::unique_ptr<Participant> participant_;
+  std::unique_ptr<DdsParticipant> participant_;
   std::map<std::string, std::unique_ptr<SentRepresentation>> sent_;
   SendingThread thread_{[this] { send(); }};  ///< ends before what it sends
 };

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "dds/Participant.h"
+#include "dds/DdsParticipant.h"
 #include "framework/ConfigFile.h"
 
 namespace plumbline::dds {

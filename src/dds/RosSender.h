@@ -32,7 +32,7 @@ private:
   void sendAll();
 
   static constexpr std::size_t numTopics = 6;
-  Participant participant_;
+  DdsParticipant participant_;
   std::array<Outgoing, numTopics> outgoing_;
   SendingThread thread_{[this] { sendAll(); }};  ///< ends before what it sends
 };

@@ -45,7 +45,7 @@ struct TopicReader::Parts : public fast::DataReaderListener {
   std::atomic<unsigned> calls{0};  ///< that were not served yet
 };
 
-TopicReader::TopicReader(Participant& participant, const TopicName& name, Arrivals& arrivals)
+TopicReader::TopicReader(DdsParticipant& participant, const TopicName& name, Arrivals& arrivals)
     : parts_(std::make_unique<Parts>(arrivals)) {
   fast::Topic& topic = topicOf(participant.get(), name);
   fast::DataReaderQos qos;

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "dds/Content.h"
-#include "dds/Participant.h"
+#include "dds/DdsParticipant.h"
 
 namespace plumbline::dds {
 
@@ -32,7 +32,7 @@ protected:
 class TopicReader {
 public:
   /// `arrivals` outlives this. Throws std::runtime_error that names the topic.
-  TopicReader(Participant& participant, const TopicName& name, Arrivals& arrivals);
+  TopicReader(DdsParticipant& participant, const TopicName& name, Arrivals& arrivals);
   ~TopicReader();
   TopicReader(const TopicReader&) = delete;
   TopicReader& operator=(const TopicReader&) = delete;

@@ -10,15 +10,15 @@
 #include "framework/ConfigurationError.h"
 #include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
-#include "optimization/farm/OptimizationClient.h"
+#include "optimization/farm/FarmClient.h"
 #include "training/SearchTask.h"
 
 namespace plumbline {
 namespace {
 
-using farm::OptimizationClient;
+using farm::FarmClient;
 
-void work(OptimizationClient& client, const StopSignal& stop) {
+void work(FarmClient& client, const StopSignal& stop) {
   const std::unique_ptr<training::SearchTask> task =
       training::makeTask(client.welcome().task, training::TaskOptions(client.welcome().options));
   if (static_cast<std::int64_t>(task->parameters().size()) != client.welcome().parameters)
@@ -71,7 +71,7 @@ int runProgram(int argc, char** argv) {
   const auto seconds = [] { return static_cast<double>(std::time(nullptr)); };
   for (double lost = -1;;) {
     try {
-      OptimizationClient client(server, name);
+      FarmClient client(server, name);
       lost = -1;
       work(client, stop);
       return 0;

@@ -44,6 +44,14 @@ src/math/b/B.h:1: src/math/b and src/math/a are in a circle of folders'
 rm -r src/math/a src/math/b
 writeSources
 
+# Names of headers.
+mkdir -p src/math/other
+printf '#pragma once\n' > src/math/other/One.h
+text=$(scripts/check_floors.sh)
+expect "names: status" $? 1
+expect "names" "$text" 'src/math/other/One.h:1: src/math/One.h has this name too'
+rm -r src/math/other
+
 # Sizes.
 scripts/check_sizes.sh > /dev/null || fail "short files refused"
 yes '//' | head -450 > src/math/Long.h

@@ -35,7 +35,7 @@ bool becomes(Condition condition, std::chrono::seconds limit = 20s) {
 const TopicName ball{"plumbline/test/Ball", "plumbline::Ball"};
 
 TEST(ByteTopic, carriesTheNewestSample) {
-  Participant here(options()), there(options());
+  DdsParticipant here(options()), there(options());
   ByteWriter writer(here, ball);
   ByteReader reader(there, ball);
   Sample sample;
@@ -51,7 +51,7 @@ TEST(ByteTopic, carriesTheNewestSample) {
 }
 
 TEST(ByteTopic, carriesAPicture) {
-  Participant here(options()), there(options());
+  DdsParticipant here(options()), there(options());
   ByteWriter writer(here, ball);
   ByteReader reader(there, ball);
   ASSERT_TRUE(becomes([&] { return writer.readers() == 1 && reader.writers() == 1; }));
@@ -62,7 +62,7 @@ TEST(ByteTopic, carriesAPicture) {
 }
 
 TEST(ByteTopic, isNotReadWithAnotherToken) {
-  Participant here(options("red")), there(options("blue")), friendly(options("red"));
+  DdsParticipant here(options("red")), there(options("blue")), friendly(options("red"));
   ByteWriter writer(here, ball);
   ByteReader stranger(there, ball), reader(friendly, ball);
   ASSERT_TRUE(becomes([&] { return writer.readers() == 1; }));
@@ -72,7 +72,7 @@ TEST(ByteTopic, isNotReadWithAnotherToken) {
 }
 
 TEST(ByteTopic, isForgottenWithItsReader) {
-  Participant here(options()), there(options());
+  DdsParticipant here(options()), there(options());
   ByteWriter writer(here, ball);
   {
     ByteReader reader(there, ball);
@@ -84,7 +84,7 @@ TEST(ByteTopic, isForgottenWithItsReader) {
 }
 
 TEST(ByteTopic, ofOneNameCarriesOneType) {
-  Participant here(options());
+  DdsParticipant here(options());
   ByteWriter writer(here, ball);
   try {
     ByteReader reader(here, {"plumbline/test/Ball", "plumbline::Other"});
@@ -96,14 +96,14 @@ TEST(ByteTopic, ofOneNameCarriesOneType) {
 
 void expectRefused(const ParticipantOptions& options, const std::string& text) {
   try {
-    Participant participant(options);
+    DdsParticipant participant(options);
     FAIL() << text;
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(error.what(), text);
   }
 }
 
-TEST(Participant, saysWhatIsWrongWithItsOptions) {
+TEST(DdsParticipant, saysWhatIsWrongWithItsOptions) {
   ParticipantOptions bad = options();
   bad.addresses = {"192.168.1.5"};
   expectRefused(bad, "address 192.168.1.5 shows the agent to others: set a token");

@@ -121,7 +121,7 @@ TEST(NetworkModule, takesNothingThatItCannotRead) {
   // The bytes of a good sample, of which the first eight are the shape.
   dds::ParticipantOptions options;
   options.domain = networkDomain();
-  dds::Participant participant(options);
+  dds::DdsParticipant participant(options);
   const dds::TopicName topic{"plumbline/red/ShownBall", "plumbline::ShownBall"};
   dds::ByteReader tap(participant, topic);
   dds::Sample good;

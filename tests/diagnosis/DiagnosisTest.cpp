@@ -5,7 +5,7 @@
 #include <array>
 
 #include "gap/TwoJointArm.h"
-#include "gap/diagnosis/Search.h"
+#include "gap/diagnosis/CauseSearch.h"
 
 namespace plumbline::gap {
 namespace {

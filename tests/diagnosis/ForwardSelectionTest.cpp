@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "gap/TwoJointArm.h"
+#include "gap/diagnosis/CauseSearch.h"
 #include "gap/diagnosis/RepeatNoise.h"
-#include "gap/diagnosis/Search.h"
 
 namespace plumbline::gap {
 namespace {

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "gap/TwoJointArm.h"
+#include "gap/diagnosis/CauseSearch.h"
 #include "gap/diagnosis/PossibleCauses.h"
-#include "gap/diagnosis/Search.h"
 
 namespace plumbline::gap {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "gap/TwoJointArm.h"
 #include "gap/answer/Answer.h"
+#include "gap/diagnosis/CauseSearch.h"
 #include "gap/diagnosis/EvidenceMark.h"
-#include "gap/diagnosis/Search.h"
 
 namespace plumbline::gap {
 namespace {

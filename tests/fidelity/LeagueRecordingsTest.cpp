@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "simulation/replay/FidelityTable.h"
-#include "support/Fidelity.h"
+#include "support/RecordedFidelity.h"
 
 namespace plumbline::simulation {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "MotionTrial.h"
+#include "StandUpTrial.h"
 #include "simspark/LeagueRobots.h"
 
 namespace plumbline::motion {

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <string>
 
-#include "gap/blind/Score.h"
+#include "gap/blind/BlindScore.h"
 
 namespace plumbline::bench {
 

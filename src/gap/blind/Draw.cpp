@@ -12,13 +12,13 @@ namespace plumbline::gap {
 
 namespace {
 
-using Where = Drawing::Where;
-using Unit = Drawing::Unit;
+using Where = DrawRange::Where;
+using Unit = DrawRange::Unit;
 
 /// An effect as it is drawn.
 struct Range {
   std::string_view id;
-  Drawing drawing;
+  DrawRange drawing;
 };
 
 constexpr std::array outsideRanges = {
@@ -61,7 +61,7 @@ auto pick(const List& list, Random& random) {
 }
 
 /// How it is drawn; null where nobody draws it.
-const Drawing* drawingOf(std::string_view id) {
+const DrawRange* drawingOf(std::string_view id) {
   if (const Effect* effect = findEffect(id))
     return effect->drawing.where == Where::nowhere ? nullptr : &effect->drawing;
   for (const Range& outside : outsideRanges)
@@ -89,7 +89,7 @@ std::vector<std::string> placesFor(const Mechanism& robot, Where where) {
 }
 
 BlindEffect drawOne(const Mechanism& robot, const Range& what, Random& random) {
-  const Drawing& range = what.drawing;
+  const DrawRange& range = what.drawing;
   BlindEffect e;
   e.effect = what.id;
   const std::vector<std::string> places = placesFor(robot, range.where);
@@ -104,7 +104,7 @@ BlindEffect drawOne(const Mechanism& robot, const Range& what, Random& random) {
     if (range.unit == Unit::damping) e.value *= j.servo.kd;
   }
   if (range.bothSigns && random.uniform() < 0.5) e.value = -e.value;
-  if (const Drawing::Choice& choice = range.choice; !choice.name.empty())
+  if (const DrawRange::Choice& choice = range.choice; !choice.name.empty())
     e.how[std::string(choice.name)] = random.uniform() < 0.5 ? choice.first : choice.second;
   return e;
 }
@@ -133,7 +133,7 @@ std::vector<BlindKind> drawKinds(const DrawOptions& options) {
 std::vector<BlindEffect> drawEffects(const Mechanism& robot, BlindKind kind, std::size_t turn,
                                      const DrawOptions& options, Random& random) {
   std::vector<Range> list;
-  const auto fits = [&](const Drawing& r) {
+  const auto fits = [&](const DrawRange& r) {
     return (!r.standing || options.battery == Battery::all) && !placesFor(robot, r.where).empty() &&
            (r.where != Where::imu || robot.hasImu);
   };
@@ -163,11 +163,11 @@ std::vector<BlindEffect> drawEffects(const Mechanism& robot, BlindKind kind, std
 }
 
 BlindEffect strengthened(const Mechanism& robot, BlindEffect e, double factor) {
-  const Drawing* range = drawingOf(e.effect);
+  const DrawRange* range = drawingOf(e.effect);
   if (!range) return e;
-  if (range->growth == Drawing::Growth::distance) e.value *= factor;
-  if (range->growth == Drawing::Growth::factor) e.value = std::pow(e.value, factor);
-  if (range->growth == Drawing::Growth::limit) e.value /= factor;
+  if (range->growth == DrawRange::Growth::distance) e.value *= factor;
+  if (range->growth == DrawRange::Growth::factor) e.value = std::pow(e.value, factor);
+  if (range->growth == DrawRange::Growth::limit) e.value /= factor;
   if (const Effect* known = findEffect(e.effect)) {
     const Place place = findPlace(*known, robot, e.at, e.axis);
     const Bounds bounds = known->boundsAt(robot, place);

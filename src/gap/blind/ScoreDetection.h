@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "gap/blind/Score.h"
+#include "gap/blind/BlindScore.h"
 
 namespace plumbline::gap {
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/ConfigurationError.h"
-#include "gap/blind/Score.h"
+#include "gap/blind/BlindScore.h"
 #include "gap/report/AnswerFile.h"
 
 namespace plumbline::gap {

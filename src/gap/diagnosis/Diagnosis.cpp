@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "gap/diagnosis/CauseSearch.h"
 #include "gap/diagnosis/ConfigurationChange.h"
 #include "gap/diagnosis/FindingOf.h"
 #include "gap/diagnosis/ForwardSelection.h"
@@ -16,7 +17,6 @@
 #include "gap/diagnosis/Probability.h"
 #include "gap/diagnosis/PruneHarmful.h"
 #include "gap/diagnosis/Remainder.h"
-#include "gap/diagnosis/Search.h"
 #include "gap/diagnosis/SharedCauses.h"
 #include "gap/diagnosis/ValueFit.h"
 

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "framework/StopSignal.h"
+#include "gap/diagnosis/CauseSearch.h"
 #include "gap/diagnosis/EvidenceMark.h"
 #include "gap/diagnosis/FineSteps.h"
 #include "gap/diagnosis/RepeatNoise.h"
-#include "gap/diagnosis/Search.h"
 
 namespace plumbline::gap {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "gap/diagnosis/CauseSearch.h"
 #include "gap/diagnosis/LostCycles.h"
 #include "gap/diagnosis/Merit.h"
 #include "gap/diagnosis/Probability.h"
-#include "gap/diagnosis/Search.h"
 
 namespace plumbline::gap {
 

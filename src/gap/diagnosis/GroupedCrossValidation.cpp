@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "framework/Parallel.h"
+#include "gap/diagnosis/CauseSearch.h"
 #include "gap/diagnosis/Merit.h"
 #include "gap/diagnosis/PossibleCauses.h"
-#include "gap/diagnosis/Search.h"
 #include "gap/diagnosis/ValueFit.h"
 #include "gap/replay/Ensemble.h"
 

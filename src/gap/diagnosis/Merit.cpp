@@ -7,7 +7,8 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double visible = 0.7;  // least change over noise, in some channel, of a cause that earns its place
+constexpr double leastVisible =
+    0.7;                         // least change over noise, in some channel, of a cause that earns its place
 constexpr double leastZ = 3;     // of the gain over blocks
 constexpr double oneWay = 0.75;  // of the gains' absolute values
 constexpr double leastShare = 0.05;  // of what is unexplained
@@ -88,7 +89,7 @@ bool AcceptanceTest::passes(const Evaluator& evaluator, double leastPart) const 
       worstGap(evaluator).size < lowerShare * worst.size + lowerWithin || gain > leastShare * unexplained;
   return lowers && gain >= leastGain &&
          (gain >= leastPart * unexplained || explainsWorst(evaluator, leastPart)) &&
-         consistent(fit, evaluator.baseFit()) && largestChange(evaluator, predictions) >= visible;
+         consistent(fit, evaluator.baseFit()) && largestChange(evaluator, predictions) >= leastVisible;
 }
 
 }  // namespace plumbline::gap

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "gap/diagnosis/CauseSearch.h"
 #include "gap/diagnosis/DeviatingJoints.h"
 #include "gap/diagnosis/LostCycles.h"
 #include "gap/diagnosis/Merit.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Probability.h"
-#include "gap/diagnosis/Search.h"
 #include "gap/replay/Ensemble.h"
 
 namespace plumbline::gap {

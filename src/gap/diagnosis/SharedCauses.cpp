@@ -4,9 +4,9 @@
 #include <atomic>
 
 #include "framework/Parallel.h"
+#include "gap/diagnosis/CauseSearch.h"
 #include "gap/diagnosis/GroupedCrossValidation.h"
 #include "gap/diagnosis/PossibleCauses.h"
-#include "gap/diagnosis/Search.h"
 #include "gap/diagnosis/ValueFit.h"
 
 namespace plumbline::gap {

@@ -23,7 +23,7 @@ const Effect accelerationLimit{
         },
     .inWalk = true,
     .nominalIsNone = true,
-    .drawing = {.where = Drawing::Where::joint, .low = 10, .high = 40, .growth = Drawing::Growth::limit},
+    .drawing = {.where = DrawRange::Where::joint, .low = 10, .high = 40, .growth = DrawRange::Growth::limit},
 };
 MAKE_EFFECT(accelerationLimit);
 

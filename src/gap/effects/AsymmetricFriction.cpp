@@ -32,10 +32,10 @@ const Effect asymmetricFriction{
           });
         },
     .inWalk = true,
-    .drawing = {.where = Drawing::Where::joint,
+    .drawing = {.where = DrawRange::Where::joint,
                 .low = 0.06,
                 .high = 0.15,
-                .unit = Drawing::Unit::torque,
+                .unit = DrawRange::Unit::torque,
                 .bothSigns = true},
 };
 MAKE_EFFECT(asymmetricFriction);

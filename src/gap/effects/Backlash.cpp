@@ -26,7 +26,7 @@ const Effect backlash{
     .suspect = 4,
     .alike = {"dead_band", 7},
     .screening = {.behindGear = true},
-    .drawing = {.where = Drawing::Where::joint,
+    .drawing = {.where = DrawRange::Where::joint,
                 .low = 0.02,
                 .high = 0.08,
                 .choice = {"side", "motor", "link"}},

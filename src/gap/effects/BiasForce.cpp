@@ -20,10 +20,10 @@ const Effect biasForce{
                 int) { atJoints(plant, place, [value](JointPlant& joint) { joint.biasForce += value; }); },
     .inWalk = true,
     .alike = {"joint_offset", 14},
-    .drawing = {.where = Drawing::Where::joint,
+    .drawing = {.where = DrawRange::Where::joint,
                 .low = 0.04,
                 .high = 0.12,
-                .unit = Drawing::Unit::torque,
+                .unit = DrawRange::Unit::torque,
                 .bothSigns = true},
 };
 MAKE_EFFECT(biasForce);

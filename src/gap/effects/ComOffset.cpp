@@ -23,7 +23,8 @@ const Effect comOffset{
         },
     .inWalk = true,
     .alike = {"link_mass", 12},
-    .drawing = {.where = Drawing::Where::link, .low = 0.015, .high = 0.04, .bothSigns = true, .axes = "xyz"},
+    .drawing =
+        {.where = DrawRange::Where::link, .low = 0.015, .high = 0.04, .bothSigns = true, .axes = "xyz"},
 };
 MAKE_EFFECT(comOffset);
 

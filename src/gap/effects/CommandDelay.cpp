@@ -17,7 +17,7 @@ const Effect commandDelay{
     .apply = [](Plant& plant, const Place& place, double value,
                 int) { atJoints(plant, place, [value](JointPlant& joint) { joint.commandDelay += value; }); },
     .suspect = 7,
-    .drawing = {.where = Drawing::Where::jointOrAll, .low = 0.003, .high = 0.02},
+    .drawing = {.where = DrawRange::Where::jointOrAll, .low = 0.003, .high = 0.02},
 };
 MAKE_EFFECT(commandDelay);
 

@@ -19,7 +19,7 @@ const Effect commandDropout{
           plant.dropout = value;
           (void)place;
         },
-    .drawing = {.where = Drawing::Where::all, .low = 0.03, .high = 0.15},
+    .drawing = {.where = DrawRange::Where::all, .low = 0.03, .high = 0.15},
 };
 MAKE_EFFECT(commandDropout);
 

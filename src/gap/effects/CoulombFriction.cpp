@@ -22,7 +22,7 @@ const Effect coulombFriction{
     .inWalk = true,
     .suspect = 2,
     .alike = {"stribeck_friction", 1},
-    .drawing = {.where = Drawing::Where::joint, .low = 0.03, .high = 0.12, .unit = Drawing::Unit::torque},
+    .drawing = {.where = DrawRange::Where::joint, .low = 0.03, .high = 0.12, .unit = DrawRange::Unit::torque},
 };
 MAKE_EFFECT(coulombFriction);
 

@@ -26,7 +26,7 @@ const Effect deadBand{
         },
     .inWalk = true,
     .alike = {"backlash", 8},
-    .drawing = {.where = Drawing::Where::joint, .low = 0.005, .high = 0.02},
+    .drawing = {.where = DrawRange::Where::joint, .low = 0.005, .high = 0.02},
 };
 MAKE_EFFECT(deadBand);
 

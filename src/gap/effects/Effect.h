@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gap/effects/Drawing.h"
+#include "gap/effects/DrawRange.h"
 #include "gap/replay/Plant.h"
 
 namespace plumbline::gap {
@@ -97,7 +97,7 @@ struct Effect {
   /// Whether a robot can have it at one of its places. Null: yes.
   std::function<bool(const Mechanism&, const Place&)> canBeAt = {};
   Screening screening = {};
-  Drawing drawing = {};
+  DrawRange drawing = {};
 
   int numVariants() const { return variants.empty() ? 1 : static_cast<int>(variants.size()); }
   double scaleAt(const Mechanism& mechanism, const Place& place) const {

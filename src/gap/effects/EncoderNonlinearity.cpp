@@ -28,7 +28,7 @@ const Effect encoderNonlinearity{
         },
     .inWalk = true,
     .screening = {.inNeighbours = true},
-    .drawing = {.where = Drawing::Where::joint, .low = 0.02, .high = 0.06, .bothSigns = true},
+    .drawing = {.where = DrawRange::Where::joint, .low = 0.02, .high = 0.06, .bothSigns = true},
 };
 MAKE_EFFECT(encoderNonlinearity);
 

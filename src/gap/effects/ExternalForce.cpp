@@ -20,7 +20,7 @@ const Effect externalForce{
         [](Plant& plant, const Place& place, double value, int) {
           plant.forces.push_back({place.index, value * unitVector(place.axis)});
         },
-    .drawing = {.where = Drawing::Where::link,
+    .drawing = {.where = DrawRange::Where::link,
                 .low = 1.5,
                 .high = 6,
                 .bothSigns = true,

@@ -17,12 +17,12 @@ const Effect fsrGain{
     .exposedBy = "standing, weight shifts",
     .apply = [](Plant& plant, const Place& place, double value,
                 int) { plant.footGain[static_cast<std::size_t>(place.index)] *= value; },
-    .drawing = {.where = Drawing::Where::foot,
+    .drawing = {.where = DrawRange::Where::foot,
                 .low = 0.7,
                 .high = 0.9,
                 .low2 = 1.1,
                 .high2 = 1.3,
-                .growth = Drawing::Growth::factor,
+                .growth = DrawRange::Growth::factor,
                 .standing = true},
 };
 MAKE_EFFECT(fsrGain);

@@ -21,10 +21,10 @@ const Effect groundFriction{
           (void)place;
         },
     .inWalk = true,
-    .drawing = {.where = Drawing::Where::ground,
+    .drawing = {.where = DrawRange::Where::ground,
                 .low = 0.1,
                 .high = 0.3,
-                .growth = Drawing::Growth::factor,
+                .growth = DrawRange::Growth::factor,
                 .standing = true},
 };
 MAKE_EFFECT(groundFriction);

@@ -22,7 +22,7 @@ const Effect groundSlope{
           plant.ground.putUpright = variant == 1;
         },
     .inWalk = true,
-    .drawing = {.where = Drawing::Where::ground,
+    .drawing = {.where = DrawRange::Where::ground,
                 .low = 0.02,
                 .high = 0.08,
                 .bothSigns = true,

@@ -17,7 +17,7 @@ const Effect gyroBias{
     .exposedBy = "any, standing still too",
     .apply = [](Plant& plant, const Place& place, double value,
                 int) { plant.imu.gyroBias += value * unitVector(place.axis); },
-    .drawing = {.where = Drawing::Where::imu, .low = 0.02, .high = 0.1, .bothSigns = true, .axes = "xyz"},
+    .drawing = {.where = DrawRange::Where::imu, .low = 0.02, .high = 0.1, .bothSigns = true, .axes = "xyz"},
 };
 MAKE_EFFECT(gyroBias);
 

@@ -20,7 +20,7 @@ const Effect imuMisalignment{
           plant.imu.R_true_sensor =
               Eigen::AngleAxisd(value, unitVector(place.axis)) * plant.imu.R_true_sensor;
         },
-    .drawing = {.where = Drawing::Where::imu, .low = 0.03, .high = 0.1, .bothSigns = true, .axes = "xy"},
+    .drawing = {.where = DrawRange::Where::imu, .low = 0.03, .high = 0.1, .bothSigns = true, .axes = "xy"},
 };
 MAKE_EFFECT(imuMisalignment);
 

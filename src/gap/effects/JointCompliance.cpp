@@ -27,7 +27,7 @@ const Effect jointCompliance{
     .suspect = 5,
     .alike = {"servo_gain", 4},
     .screening = {.behindGear = true, .underLoad = Screening::UnderLoad::weakMotor},
-    .drawing = {.where = Drawing::Where::joint, .low = 0.02, .high = 0.08},
+    .drawing = {.where = DrawRange::Where::joint, .low = 0.02, .high = 0.08},
 };
 MAKE_EFFECT(jointCompliance);
 

@@ -19,7 +19,7 @@ const Effect jointOffset{
     .inWalk = true,
     .alike = {"bias_force", 13},
     .screening = {.inNeighbours = true, .underLoad = Screening::UnderLoad::anyLeg},
-    .drawing = {.where = Drawing::Where::joint, .low = 0.04, .high = 0.15, .bothSigns = true},
+    .drawing = {.where = DrawRange::Where::joint, .low = 0.04, .high = 0.15, .bothSigns = true},
 };
 MAKE_EFFECT(jointOffset);
 

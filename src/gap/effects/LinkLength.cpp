@@ -26,12 +26,12 @@ const Effect linkLength{
           if (variant == 0) link.com *= value;
         },
     .inWalk = true,
-    .drawing = {.where = Drawing::Where::link,
+    .drawing = {.where = DrawRange::Where::link,
                 .low = 0.8,
                 .high = 0.92,
                 .low2 = 1.08,
                 .high2 = 1.2,
-                .growth = Drawing::Growth::factor},
+                .growth = DrawRange::Growth::factor},
 };
 MAKE_EFFECT(linkLength);
 

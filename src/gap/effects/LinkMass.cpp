@@ -28,7 +28,7 @@ const Effect linkMass{
         },
     .inWalk = true,
     .alike = {"com_offset", 11},
-    .drawing = {.where = Drawing::Where::link, .low = 0.08, .high = 0.3},
+    .drawing = {.where = DrawRange::Where::link, .low = 0.08, .high = 0.3},
 };
 MAKE_EFFECT(linkMass);
 

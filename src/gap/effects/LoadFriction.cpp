@@ -27,7 +27,7 @@ const Effect loadFriction{
     .inWalk = true,
     .alike = {"rotor_inertia", 15},
     .screening = {.underLoad = Screening::UnderLoad::weakMotor},
-    .drawing = {.where = Drawing::Where::joint, .low = 0.15, .high = 0.4},
+    .drawing = {.where = DrawRange::Where::joint, .low = 0.15, .high = 0.4},
 };
 MAKE_EFFECT(loadFriction);
 

@@ -30,7 +30,7 @@ const Effect loadStribeckFriction{
         },
     .inWalk = true,
     .screening = {.underLoad = Screening::UnderLoad::weakMotor},
-    .drawing = {.where = Drawing::Where::joint, .low = 0.2, .high = 0.5},
+    .drawing = {.where = DrawRange::Where::joint, .low = 0.2, .high = 0.5},
 };
 MAKE_EFFECT(loadStribeckFriction);
 

@@ -55,7 +55,7 @@ const Effect payload{
     .inWalk = true,
     .canBeAt = [](const Mechanism& robot,
                   const Place& place) { return place.index > 0 && farEnd(robot, place.index).norm() > 0.01; },
-    .drawing = {.where = Drawing::Where::link, .low = 0.08, .high = 0.3},
+    .drawing = {.where = DrawRange::Where::link, .low = 0.08, .high = 0.3},
 };
 MAKE_EFFECT(payload);
 

@@ -26,7 +26,7 @@ const Effect profileSpeed{
         },
     .inWalk = true,
     .nominalIsNone = true,
-    .drawing = {.where = Drawing::Where::joint, .low = 0.8, .high = 3, .growth = Drawing::Growth::limit},
+    .drawing = {.where = DrawRange::Where::joint, .low = 0.8, .high = 3, .growth = DrawRange::Growth::limit},
 };
 MAKE_EFFECT(profileSpeed);
 

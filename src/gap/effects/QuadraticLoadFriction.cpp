@@ -27,7 +27,7 @@ const Effect quadraticLoadFriction{
         },
     .inWalk = true,
     .screening = {.underLoad = Screening::UnderLoad::weakMotor},
-    .drawing = {.where = Drawing::Where::joint, .low = 0.3, .high = 1, .unit = Drawing::Unit::perTorque},
+    .drawing = {.where = DrawRange::Where::joint, .low = 0.3, .high = 1, .unit = DrawRange::Unit::perTorque},
 };
 MAKE_EFFECT(quadraticLoadFriction);
 

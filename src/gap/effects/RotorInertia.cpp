@@ -27,7 +27,7 @@ const Effect rotorInertia{
     .inWalk = true,
     .suspect = 6,
     .alike = {"load_friction", 16},
-    .drawing = {.where = Drawing::Where::joint, .low = 0.006, .high = 0.03},
+    .drawing = {.where = DrawRange::Where::joint, .low = 0.006, .high = 0.03},
 };
 MAKE_EFFECT(rotorInertia);
 

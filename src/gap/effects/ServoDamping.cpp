@@ -26,12 +26,12 @@ const Effect servoDamping{
         },
     .inWalk = true,
     .alike = {"viscous_friction", 6},
-    .drawing = {.where = Drawing::Where::joint,
+    .drawing = {.where = DrawRange::Where::joint,
                 .low = 0.3,
                 .high = 0.7,
                 .low2 = 1.4,
                 .high2 = 2.5,
-                .growth = Drawing::Growth::factor},
+                .growth = DrawRange::Growth::factor},
 };
 MAKE_EFFECT(servoDamping);
 

@@ -26,12 +26,12 @@ const Effect servoGain{
     .inWalk = true,
     .suspect = 1,
     .alike = {"joint_compliance", 3},
-    .drawing = {.where = Drawing::Where::joint,
+    .drawing = {.where = DrawRange::Where::joint,
                 .low = 0.6,
                 .high = 0.85,
                 .low2 = 1.2,
                 .high2 = 1.5,
-                .growth = Drawing::Growth::factor},
+                .growth = DrawRange::Growth::factor},
 };
 MAKE_EFFECT(servoGain);
 

@@ -24,7 +24,10 @@ const Effect speedLimit{
           // A DC motor's law has no such limit.
           return jointOf(m, p).servo.model != Servo::Model::dcMotor;
         },
-    .drawing = {.where = Drawing::Where::joint, .low = 0.1, .high = 0.35, .growth = Drawing::Growth::factor},
+    .drawing = {.where = DrawRange::Where::joint,
+                .low = 0.1,
+                .high = 0.35,
+                .growth = DrawRange::Growth::factor},
 };
 MAKE_EFFECT(speedLimit);
 

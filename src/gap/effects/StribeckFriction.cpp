@@ -31,7 +31,7 @@ const Effect stribeckFriction{
         },
     .inWalk = true,
     .alike = {"coulomb_friction", 2},
-    .drawing = {.where = Drawing::Where::joint, .low = 0.05, .high = 0.15, .unit = Drawing::Unit::torque},
+    .drawing = {.where = DrawRange::Where::joint, .low = 0.05, .high = 0.15, .unit = DrawRange::Unit::torque},
 };
 MAKE_EFFECT(stribeckFriction);
 

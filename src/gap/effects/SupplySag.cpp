@@ -18,7 +18,7 @@ const Effect supplySag{
     .apply = [](Plant& plant, const Place& place, double value,
                 int) { atJoints(plant, place, [value](JointPlant& joint) { joint.supplySag += value; }); },
     .inWalk = true,
-    .drawing = {.where = Drawing::Where::all, .low = 0.8, .high = 2},
+    .drawing = {.where = DrawRange::Where::all, .low = 0.8, .high = 2},
 };
 MAKE_EFFECT(supplySag);
 

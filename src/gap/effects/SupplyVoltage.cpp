@@ -28,7 +28,10 @@ const Effect supplyVoltage{
           });
         },
     .inWalk = true,
-    .drawing = {.where = Drawing::Where::all, .low = 0.12, .high = 0.3, .growth = Drawing::Growth::factor},
+    .drawing = {.where = DrawRange::Where::all,
+                .low = 0.12,
+                .high = 0.3,
+                .growth = DrawRange::Growth::factor},
 };
 MAKE_EFFECT(supplyVoltage);
 

@@ -27,7 +27,7 @@ const Effect thermalDerating{
     .inWalk = true,
     .alike = {"torque_limit", 10},
     .screening = {.underLoad = Screening::UnderLoad::weakMotor},
-    .drawing = {.where = Drawing::Where::joint, .low = 0.005, .high = 0.02},
+    .drawing = {.where = DrawRange::Where::joint, .low = 0.005, .high = 0.02},
 };
 MAKE_EFFECT(thermalDerating);
 

@@ -21,7 +21,10 @@ const Effect torqueLimit{
     .inWalk = true,
     .alike = {"thermal_derating", 9},
     .screening = {.underLoad = Screening::UnderLoad::weakMotor},
-    .drawing = {.where = Drawing::Where::joint, .low = 0.1, .high = 0.3, .growth = Drawing::Growth::factor},
+    .drawing = {.where = DrawRange::Where::joint,
+                .low = 0.1,
+                .high = 0.3,
+                .growth = DrawRange::Growth::factor},
 };
 MAKE_EFFECT(torqueLimit);
 

@@ -26,7 +26,7 @@ const Effect viscousFriction{
     .inWalk = true,
     .suspect = 3,
     .alike = {"servo_damping", 5},
-    .drawing = {.where = Drawing::Where::joint, .low = 0.3, .high = 1, .unit = Drawing::Unit::damping},
+    .drawing = {.where = DrawRange::Where::joint, .low = 0.3, .high = 1, .unit = DrawRange::Unit::damping},
 };
 MAKE_EFFECT(viscousFriction);
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "framework/Parallel.h"
+#include "gap/blind/BlindScore.h"
 #include "gap/blind/Make.h"
-#include "gap/blind/Score.h"
 #include "main/gap/Commands.h"
 #include "main/gap/ProgressLine.h"
 #include "robot/MechanismFile.h"

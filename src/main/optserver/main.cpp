@@ -18,8 +18,8 @@
 #include "framework/ProgressReport.h"
 #include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
+#include "optimization/farm/FarmClient.h"
 #include "optimization/farm/FarmServer.h"
-#include "optimization/farm/OptimizationClient.h"
 #include "simspark/ChildProcess.h"
 #include "training/Study.h"
 

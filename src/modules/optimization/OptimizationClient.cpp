@@ -10,7 +10,7 @@
 #include "modules/motion/Motions.h"
 #include "motion/SearchedKick.h"
 #include "optimization/Optimizers.h"
-#include "optimization/farm/OptimizationClient.h"
+#include "optimization/farm/FarmClient.h"
 
 namespace plumbline {
 
@@ -47,8 +47,8 @@ OptimizationClient::OptimizationClient() = default;
 OptimizationClient::~OptimizationClient() = default;
 
 void OptimizationClient::connect() {
-  auto client = std::make_unique<farm::OptimizationClient>(farm::ServerAddress{host, port, token},
-                                                           "agent-" + std::to_string(getpid()));
+  auto client = std::make_unique<farm::FarmClient>(farm::ServerAddress{host, port, token},
+                                                   "agent-" + std::to_string(getpid()));
   const farm::Welcome& welcome = client->welcome();
   const auto& options = welcome.options;
   if (welcome.task != "kick")

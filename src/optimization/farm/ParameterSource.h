@@ -9,7 +9,7 @@
 namespace plumbline::farm {
 
 /// Where who evaluates gets parameters from and brings costs to: the same whether the optimiser is in the
-/// process (LocalSource) or behind TCP (OptimizationClient).
+/// process (LocalSource) or behind TCP (FarmClient).
 class ParameterSource {
 public:
   virtual ~ParameterSource() = default;

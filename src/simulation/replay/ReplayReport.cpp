@@ -6,7 +6,7 @@
 #include "simspark/LeagueRecording.h"
 #include "simspark/LeagueRobots.h"
 #include "simulation/replay/Fidelity.h"
-#include "simulation/replay/Replay.h"
+#include "simulation/replay/TraceReplay.h"
 
 namespace plumbline::simulation {
 

@@ -12,7 +12,7 @@
 #include "simspark/LeagueRobots.h"
 #include "simulation/replay/Fidelity.h"
 #include "simulation/replay/FidelityTable.h"
-#include "simulation/replay/Replay.h"
+#include "simulation/replay/TraceReplay.h"
 #include "simulation/world/World.h"
 
 namespace plumbline::simulation {

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "Pair.h"
+#include "OpenPair.h"
 #include "framework/WriteFile.h"
 #include "gap/blind/ScoreJudge.h"
 #include "support/CaseText.h"

@@ -20,7 +20,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "Plant.h"
+#include "PlantedCause.h"
 #include "framework/WriteFile.h"
 #include "gap/inference/Inference.h"
 #include "gap/replay/TrialOf.h"

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "gap/diagnosis/Search.h"
+#include "gap/diagnosis/CauseSearch.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/replay/Windows.h"
 #include "gap/run/RunCheck.h"

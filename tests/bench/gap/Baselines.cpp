@@ -11,7 +11,7 @@
 #include "NestedFriction.h"
 #include "SingleEffect.h"
 #include "framework/WriteFile.h"
-#include "gap/diagnosis/Search.h"
+#include "gap/diagnosis/CauseSearch.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/run/RunCheck.h"
 #include "gap/run/RunFile.h"

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "gap/blind/Score.h"
+#include "gap/blind/BlindScore.h"
 
 namespace plumbline::bench {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gap/diagnosis/CauseSearch.h"
 #include "gap/diagnosis/PossibleCauses.h"
-#include "gap/diagnosis/Search.h"
 
 namespace plumbline::bench {
 

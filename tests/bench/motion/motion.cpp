@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "../../motion/MotionTrial.h"
+#include "../../motion/StandUpTrial.h"
 #include "simspark/LeagueRobots.h"
 #include "training/MotionTrial.h"
 

@@ -20,7 +20,7 @@
 #include <thread>
 #include <vector>
 
-#include "Pair.h"
+#include "ProcessPair.h"
 #include "dds/NetworkHub.h"
 #include "framework/SharedBlock.h"
 #include "framework/WriteFile.h"
@@ -67,14 +67,14 @@ struct Sender {
   }
 
   std::size_t size;
-  dds::Participant participant{options().participant};
+  dds::DdsParticipant participant{options().participant};
   TimedBytes value;
   dds::SentRepresentation shown{participant, options(), representationLoader<TimedBytes>(), value};
   dds::SendingThread thread{[this] { shown.send(); }};
 };
 
 void receive(Shared& shared) {
-  dds::Participant participant(options().participant);
+  dds::DdsParticipant participant(options().participant);
   TimedBytes value;
   Log log("bench");
   // Noted in the network's thread, as below; the agent's takes the newest in each of its cycles.
@@ -105,7 +105,7 @@ void receiveRaw(Shared& shared) {
     Shared& shared;
     dds::BytesContent content;
   } listener(shared);
-  dds::Participant participant(options().participant);
+  dds::DdsParticipant participant(options().participant);
   { const dds::ByteReader makesTheTopic(participant, rawTopic); }
   auto* topic = participant.get().lookup_topicdescription(rawTopic.topic);
   fast::DataReaderQos qos;
@@ -164,7 +164,7 @@ double mean(const std::vector<double>& values) {
 std::vector<double> measureRaw(std::size_t size, int samples, std::chrono::microseconds pause) {
   SharedMemory shared;
   const Child reader("receiveRaw", shared.descriptor());
-  dds::Participant participant(options().participant);
+  dds::DdsParticipant participant(options().participant);
   dds::ByteWriter writer(participant, rawTopic);
   while (writer.readers() < 1) std::this_thread::sleep_for(1ms);
   std::this_thread::sleep_for(300ms);

@@ -9,8 +9,8 @@
 #include "Peer.h"
 #include "optimization/Optimizers.h"
 #include "optimization/Search.h"
+#include "optimization/farm/FarmClient.h"
 #include "optimization/farm/FarmServer.h"
-#include "optimization/farm/OptimizationClient.h"
 #include "training/MotionTrial.h"
 #include "training/SearchTask.h"
 
@@ -55,7 +55,7 @@ TaskSpeed speedOf(const std::string& name, const std::map<std::string, std::stri
                           {name, options, static_cast<std::int64_t>(task->parameters().size())}, {});
   const int stop = eventfd(0, EFD_CLOEXEC);
   std::thread serving([&] { server.serve(stop); });
-  farm::OptimizationClient client({"127.0.0.1", server.port(), ""}, "bench");
+  farm::FarmClient client({"127.0.0.1", server.port(), ""}, "bench");
   const double seconds = work(client, *task);  // of both threads: it is the process's time
   serving.join();
   close(stop);

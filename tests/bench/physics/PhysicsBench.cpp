@@ -15,7 +15,7 @@
 #include "simspark/LeagueRobots.h"
 #include "simulation/league/MakeWorld.h"
 #include "simulation/replay/Fidelity.h"
-#include "simulation/replay/Replay.h"
+#include "simulation/replay/TraceReplay.h"
 
 namespace plumbline::simulation {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 #include <functional>
 
-#include "bench/walking/Plot.h"
+#include "bench/walking/Diagram.h"
 #include "bench/walking/Report.h"
-#include "bench/walking/Robots.h"
+#include "bench/walking/Subjects.h"
 
 namespace plumbline::bench {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "gap/blind/Score.h"
+#include "gap/blind/BlindScore.h"
 
 namespace plumbline::gap {
 

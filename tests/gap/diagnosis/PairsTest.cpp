@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "../Pendulum.h"
-#include "gap/diagnosis/Search.h"
+#include "gap/diagnosis/CauseSearch.h"
 
 namespace plumbline::gap {
 namespace {

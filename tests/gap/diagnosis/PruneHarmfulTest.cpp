@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../TwoJointArm.h"
-#include "gap/diagnosis/Search.h"
+#include "gap/diagnosis/CauseSearch.h"
 
 namespace plumbline::gap {
 namespace {

@@ -58,14 +58,14 @@ TEST(EffectsTest, lookAlikesAreInTheLibraryAndMutual) {
 
 TEST(EffectsTest, eachIsDrawnWithinWhatIsLookedFor) {
   for (const Effect* effect : effects()) {
-    const Drawing& drawing = effect->drawing;
+    const DrawRange& drawing = effect->drawing;
     if (effect->id == "link_load_friction") continue;  // not looked for: a form of load_friction
-    ASSERT_NE(drawing.where, Drawing::Where::nowhere) << effect->id;
+    ASSERT_NE(drawing.where, DrawRange::Where::nowhere) << effect->id;
     EXPECT_LT(drawing.low, drawing.high) << effect->id;
     EXPECT_LE(drawing.low2, drawing.high2) << effect->id;
     EXPECT_EQ(effect->hasAxis, !drawing.axes.empty()) << effect->id;
     // A supply that has dropped is drawn lower than a fit looks for it.
-    if (drawing.unit != Drawing::Unit::plain || effect->id == "supply_voltage") continue;
+    if (drawing.unit != DrawRange::Unit::plain || effect->id == "supply_voltage") continue;
     EXPECT_GE(drawing.low, effect->lower) << effect->id;
     EXPECT_LE(std::max(drawing.high, drawing.high2), effect->upper) << effect->id;
     if (drawing.bothSigns) {

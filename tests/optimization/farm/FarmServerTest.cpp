@@ -9,7 +9,7 @@
 
 #include "../Functions.h"
 #include "optimization/Cmaes.h"
-#include "optimization/farm/OptimizationClient.h"
+#include "optimization/farm/FarmClient.h"
 
 namespace plumbline::farm {
 namespace {
@@ -73,7 +73,7 @@ TEST(FarmServer, givesTheSameAsTheOptimiserInTheProcess) {
     std::vector<std::thread> workers;
     for (int i = 0; i < 6; ++i)
       workers.emplace_back([&] {
-        OptimizationClient client(running.address(), "thread");
+        FarmClient client(running.address(), "thread");
         EXPECT_EQ(client.welcome().task, "sphere");
         EXPECT_EQ(client.welcome().options.at("dimension"), "4");
         evaluate(client);
@@ -90,10 +90,10 @@ TEST(FarmServer, workersThatDieAreReplacedAndNothingIsLost) {
   {
     Running running(farmed, {"127.0.0.1", 0, "", {60, 1000}});
     for (int i = 0; i < 100; ++i) {  // takes a trial and goes
-      OptimizationClient client(running.address(), "dies");
+      FarmClient client(running.address(), "dies");
       client.next(1);
     }
-    OptimizationClient client(running.address(), "stays");
+    FarmClient client(running.address(), "stays");
     evaluate(client);
   }
   EXPECT_TRUE(farmed.optimizer().save() == inProcess.optimizer().save());
@@ -102,7 +102,7 @@ TEST(FarmServer, workersThatDieAreReplacedAndNothingIsLost) {
 TEST(FarmServer, aBadClientIsDroppedAlone) {
   Search farmed = serverSearch();
   Running running(farmed);
-  OptimizationClient good(running.address(), "good");
+  FarmClient good(running.address(), "good");
   const auto answerTo = [&](const std::string& line) {
     LineSocket bad(connectTo("127.0.0.1", running.server.port()), maxLine, maxLine);
     bad.send(line);
@@ -117,7 +117,7 @@ TEST(FarmServer, aBadClientIsDroppedAlone) {
   EXPECT_EQ(answerTo(R"({"hello": "worker", "version": 9})"),
             R"({"error":"hello: the server speaks version 1"})");
   EXPECT_EQ(errorOf([&] {
-              OptimizationClient liar(running.address(), "liar");
+              FarmClient liar(running.address(), "liar");
               const Trial trial = *liar.next(2);
               liar.tell(trial, std::vector<double>(7, 0.0), {});
               liar.next(2);
@@ -135,10 +135,10 @@ TEST(FarmServer, wantsTheTokenThatItWasGiven) {
             }),
             "port 0.0.0.0:0 is open to others: that needs a token");
   Running running(farmed, {"127.0.0.1", 0, "secret", {}});
-  EXPECT_EQ(errorOf([&] { OptimizationClient client(running.address("wrong"), "one"); }),
+  EXPECT_EQ(errorOf([&] { FarmClient client(running.address("wrong"), "one"); }),
             "the optimisation server at 127.0.0.1:" + std::to_string(running.server.port()) +
                 ": the token is wrong or missing");
-  OptimizationClient client(running.address("secret"), "one");
+  FarmClient client(running.address("secret"), "one");
   evaluate(client);
 }
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/Fidelity.h"
+#include "support/RecordedFidelity.h"
 
 namespace plumbline::simulation {
 namespace {

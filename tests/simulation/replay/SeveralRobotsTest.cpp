@@ -11,8 +11,8 @@
 #include "simulation/Simulation.h"
 #include "simulation/replay/Fidelity.h"
 #include "simulation/replay/Placement.h"
-#include "simulation/replay/Replay.h"
 #include "simulation/replay/ReplayReport.h"
+#include "simulation/replay/TraceReplay.h"
 #include "simulation/replay/TraceRowOf.h"
 #include "support/TraceWriter.h"
 

@@ -4,7 +4,7 @@
 
 #include "math/Angle.h"
 #include "simspark/LeagueRobots.h"
-#include "simulation/replay/Replay.h"
+#include "simulation/replay/TraceReplay.h"
 
 namespace plumbline::simulation {
 namespace {

@@ -16,10 +16,10 @@ struct ServerAddress {
 
 /// The optimiser behind a server's port. Throws std::runtime_error, one line, for a server that cannot be
 /// reached, goes away, refuses this client or sends nonsense.
-class OptimizationClient final : public ParameterSource {
+class FarmClient final : public ParameterSource {
 public:
   /// Connects, says its name and waits for the server's welcome.
-  OptimizationClient(const ServerAddress& server, const std::string& name);
+  FarmClient(const ServerAddress& server, const std::string& name);
 
   const Welcome& welcome() const { return welcome_; }
   std::optional<Trial> next(double seconds) override;

@@ -1,4 +1,4 @@
-#include "optimization/farm/OptimizationClient.h"
+#include "optimization/farm/FarmClient.h"
 
 #include <stdexcept>
 
@@ -12,7 +12,7 @@ std::string placeOf(const ServerAddress& server) { return server.host + ':' + st
 
 }  // namespace
 
-OptimizationClient::OptimizationClient(const ServerAddress& server, const std::string& name)
+FarmClient::FarmClient(const ServerAddress& server, const std::string& name)
     : place_("the optimisation server at " + placeOf(server)),
       socket_(connectTo(server.host, server.port), maxLine, mostUnsent) {
   socket_.send(text(Hello{Hello::Role::worker, name, server.token}));
@@ -25,7 +25,7 @@ OptimizationClient::OptimizationClient(const ServerAddress& server, const std::s
 }
 
 /// Takes in one line that has come; false: there is none.
-bool OptimizationClient::take() {
+bool FarmClient::take() {
   std::string line;
   if (!socket_.next(line)) {
     if (socket_.broken()) throw std::runtime_error(place_ + ' ' + socket_.reason());
@@ -48,7 +48,7 @@ bool OptimizationClient::take() {
   return true;
 }
 
-std::optional<Trial> OptimizationClient::next(double seconds) {
+std::optional<Trial> FarmClient::next(double seconds) {
   while (!trial_ && !isOver() && take()) {
   }
   if (!trial_ && !isOver()) socket_.wait(seconds);
@@ -59,8 +59,8 @@ std::optional<Trial> OptimizationClient::next(double seconds) {
   return trial;
 }
 
-void OptimizationClient::tell(const Trial& trial, std::span<const double> costs,
-                              const std::map<std::string, double>& figures) {
+void FarmClient::tell(const Trial& trial, std::span<const double> costs,
+                      const std::map<std::string, double>& figures) {
   socket_.send(text(Answer{trial.number, {costs.begin(), costs.end()}, figures}));
 }
 

@@ -28,12 +28,12 @@ struct ParticipantOptions {
 /// One participant of DDS (Fast DDS): this process among the others. Samples go over shared memory within a
 /// machine and over UDP between machines. Throws std::runtime_error that says what is wrong with the options
 /// or what could not be opened.
-class Participant {
+class DdsParticipant {
 public:
-  explicit Participant(const ParticipantOptions& options);
-  ~Participant();
-  Participant(const Participant&) = delete;
-  Participant& operator=(const Participant&) = delete;
+  explicit DdsParticipant(const ParticipantOptions& options);
+  ~DdsParticipant();
+  DdsParticipant(const DdsParticipant&) = delete;
+  DdsParticipant& operator=(const DdsParticipant&) = delete;
 
   eprosima::fastdds::dds::DomainParticipant& get() { return *participant_; }
   eprosima::fastdds::dds::Publisher& publisher() { return *publisher_; }

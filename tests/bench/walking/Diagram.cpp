@@ -1,4 +1,4 @@
-#include "bench/walking/Plot.h"
+#include "bench/walking/Diagram.h"
 
 #include <fmt/format.h>
 

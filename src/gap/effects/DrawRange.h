@@ -4,7 +4,7 @@
 namespace plumbline::gap {
 
 /// How blind benchmarks draw an effect: where, and how large.
-struct Drawing {
+struct DrawRange {
   enum class Where { nowhere, joint, jointOrAll, all, link, imu, foot, ground };
   /// In what sizes are given: as they are, in the joint's largest torque, in its kd, per its largest torque.
   enum class Unit { plain, torque, damping, perTorque };

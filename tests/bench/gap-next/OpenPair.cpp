@@ -1,4 +1,4 @@
-#include "Pair.h"
+#include "OpenPair.h"
 
 #include <algorithm>
 #include <array>

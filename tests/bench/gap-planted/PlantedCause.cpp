@@ -1,4 +1,4 @@
-#include "Plant.h"
+#include "PlantedCause.h"
 
 #include <cmath>
 #include <limits>

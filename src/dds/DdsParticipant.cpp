@@ -1,4 +1,4 @@
-#include "dds/Participant.h"
+#include "dds/DdsParticipant.h"
 
 #include <arpa/inet.h>
 
@@ -112,7 +112,7 @@ std::string partitionOf(const std::string& token) {
 
 }  // namespace
 
-Participant::Participant(const ParticipantOptions& options) {
+DdsParticipant::DdsParticipant(const ParticipantOptions& options) {
   check(options);
   fast::Log::SetVerbosity(fast::Log::Kind::Error);
   fast::DomainParticipantQos qos;
@@ -139,9 +139,9 @@ Participant::Participant(const ParticipantOptions& options) {
   }
 }
 
-Participant::~Participant() { close(); }
+DdsParticipant::~DdsParticipant() { close(); }
 
-void Participant::close() {
+void DdsParticipant::close() {
   participant_->delete_contained_entities();
   fast::DomainParticipantFactory::get_instance()->delete_participant(participant_);
 }

@@ -1,4 +1,4 @@
-#include "gap/diagnosis/Search.h"
+#include "gap/diagnosis/CauseSearch.h"
 
 #include <algorithm>
 #include <cmath>

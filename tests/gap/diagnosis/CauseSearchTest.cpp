@@ -1,4 +1,4 @@
-#include "gap/diagnosis/Search.h"
+#include "gap/diagnosis/CauseSearch.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ std::vector<Candidate> searched(const Mechanism& arm, const Evidence& evidence) 
   return search(fine, coarse, possibleCauses(fine), {});
 }
 
-TEST(SearchTest, aStartThatIsFarTooStrongForAJointIsWeakened) {
+TEST(CauseSearchTest, aStartThatIsFarTooStrongForAJointIsWeakened) {
   Mechanism arm = twoJointArm();
   Mechanism::Joint& elbow = arm.joints[1];
   arm.links[2].mass = 0.002;
@@ -33,7 +33,7 @@ TEST(SearchTest, aStartThatIsFarTooStrongForAJointIsWeakened) {
   EXPECT_NEAR(found[0].cause.value, 4e-5, 2e-6);
 }
 
-TEST(SearchTest, looksFirstAtARunThatShowsSomethingToFit) {
+TEST(CauseSearchTest, looksFirstAtARunThatShowsSomethingToFit) {
   const Mechanism arm = twoJointArm();
   Plant plant = nominalPlant(arm);
   plant.joints[1].coulomb = 0.05;

@@ -1,4 +1,4 @@
-#include "simulation/replay/Replay.h"
+#include "simulation/replay/TraceReplay.h"
 
 #include <gtest/gtest.h>
 
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Traces, MovingLong,
                                          "ut_walk_replay_t3", "ut_turn_t1", "ut_turn_t3", "ut_getup_t0",
                                          "ut_getup_t3"));
 
-TEST(Replay, walkFigures) {
+TEST(TraceReplay, walkFigures) {
   const Played walk = play("ut_walk_replay_t1");
   EXPECT_NEAR(walk.ours_("speed, last 5 s") / walk.league_("speed, last 5 s"), 1, 1e-3);
   EXPECT_NEAR(walk.ours_("sway, last 5 s") / walk.league_("sway, last 5 s"), 1, 2e-3);
@@ -147,7 +147,7 @@ simspark::LeagueTrace withinRounding(simspark::LeagueTrace trace, unsigned seed)
 /// 27 mm apart, is decided by less than a tenth of the recording's rounding. So what is asked is that the
 /// recorded end is one of those that rounding leaves open, to 0.2 mm of 6.6 m; without bouncing stops it is
 /// some 0.1 m and more from all of them.
-TEST(Replay, kickWithBouncingStops) {
+TEST(TraceReplay, kickWithBouncingStops) {
   const auto league = simspark::readLeagueTrace("tests/data/traces/ut_kick_t3.csv.gz");
   const Vec3 end = league.rows.back().ball;
   double nearest = 1, farthest = 0;
@@ -167,7 +167,7 @@ TEST(Replay, kickWithBouncingStops) {
   EXPECT_LT((p.ours.back().ball - end).norm(), farthest + 2e-4) << "the start that is taken is one of them";
 }
 
-TEST(Replay, theSwitchesMatter) {
+TEST(TraceReplay, theSwitchesMatter) {
   const auto trace = simspark::readLeagueTrace("tests/data/traces/ut_kick_t3.csv.gz");
   WorldConfig config;
   config.bouncingJointStops = false;
@@ -175,7 +175,7 @@ TEST(Replay, theSwitchesMatter) {
   EXPECT_GT(deviation(trace.rows, ours).ball, 0.1);
 }
 
-TEST(Replay, reportNamesWhatItCompares) {
+TEST(TraceReplay, reportNamesWhatItCompares) {
   const auto trace = simspark::readLeagueTrace("tests/data/traces/ball_roll_v3.csv.gz");
   const std::string report = fidelityReport(trace, replay(trace, simsparkRobot(0)), 0);
   EXPECT_NE(report.find("ball_roll_v3, robot type 0, 250 rows\n"), std::string::npos) << report;

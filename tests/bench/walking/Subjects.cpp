@@ -1,4 +1,4 @@
-#include "bench/walking/Robots.h"
+#include "bench/walking/Subjects.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "simulation/replay/Replay.h"
+#include "simulation/replay/TraceReplay.h"
 
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-#include "gap/blind/Score.h"
+#include "gap/blind/BlindScore.h"
 
 #include <algorithm>
 #include <array>
