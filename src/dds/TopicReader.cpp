@@ -14,7 +14,7 @@ namespace plumbline::dds {
 namespace fast = eprosima::fastdds::dds;
 
 struct TopicReader::Parts : public fast::DataReaderListener {
-  explicit Parts(Arrivals& arrivals_) : arrivals(arrivals_) {}
+  explicit Parts(Arrivals& arrivals) : arrivals(arrivals) {}
 
   void on_subscription_matched(fast::DataReader*, const fast::SubscriptionMatchedStatus& status) override {
     writers.store(status.current_count, std::memory_order_relaxed);

@@ -16,8 +16,7 @@ struct JsonLimits {
 /// What is wrong with a text, as the rest of a sentence that begins with its file: "is nested deeper than 16
 /// levels".
 struct JsonError : std::runtime_error {
-  explicit JsonError(const std::string& what, std::size_t line_ = 0)
-      : std::runtime_error(what), line(line_) {}
+  explicit JsonError(const std::string& what, std::size_t line = 0) : std::runtime_error(what), line(line) {}
   std::size_t line;  ///< where a text is no JSON, from 1; 0: the text as a whole
 };
 

@@ -38,7 +38,7 @@ public:
     for (const ParameterList::Entry& entry : list.entries()) {
       const std::string path = prefix + entry.parameter.name;
       if (!entry.group) {
-        described.insert(entry.pointer);
+        described_.insert(entry.pointer);
         addRow(path, entry.parameter, entry.pointer(owner));
       } else if (isDescribed(*entry.group)) {
         text += "| `" + path + ".` … | | | | | " + cell(entry.parameter.comment) + ": names as above |\n";
@@ -53,7 +53,7 @@ public:
 private:
   bool isDescribed(const ParameterList& list) const {
     return std::ranges::all_of(list.entries(), [&](const ParameterList::Entry& entry) {
-      return entry.group ? isDescribed(*entry.group) : described.contains(entry.pointer);
+      return entry.group ? isDescribed(*entry.group) : described_.contains(entry.pointer);
     });
   }
   void addRow(const std::string& path, const Parameter& parameter, const ParameterPointer& value) {
@@ -61,7 +61,7 @@ private:
             parameter.unit + " | " + allowed(parameter) + " | " + cell(parameter.comment) + " |\n";
   }
 
-  std::set<ParameterList::Pointer> described;
+  std::set<ParameterList::Pointer> described_;
 };
 
 }  // namespace

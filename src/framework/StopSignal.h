@@ -10,11 +10,11 @@ namespace plumbline {
 /// error does not go on after this. Main prints what() and ends.
 class Stopped {
 public:
-  explicit Stopped(std::string text_ = "stopped; nothing was written") : text(std::move(text_)) {}
-  const std::string& what() const { return text; }
+  explicit Stopped(std::string text = "stopped; nothing was written") : text_(std::move(text)) {}
+  const std::string& what() const { return text_; }
 
 private:
-  std::string text;
+  std::string text_;
 };
 
 /// The request to end an agent, made once by a module, main or a signal and seen by all threads.

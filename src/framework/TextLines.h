@@ -35,9 +35,9 @@ public:
   [[noreturn]] void fail(const std::string& what) const;
 
 private:
-  std::string path_, buffer;
-  std::unique_ptr<gzFile_s, int (*)(gzFile_s*)> file;
-  long at = 0;  ///< where the next line begins in the unpacked text
+  std::string path_, buffer_;
+  std::unique_ptr<gzFile_s, int (*)(gzFile_s*)> file_;
+  long at_ = 0;  ///< where the next line begins in the unpacked text
   std::size_t line_ = 0;
 };
 

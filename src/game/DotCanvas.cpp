@@ -13,16 +13,16 @@ constexpr std::uint8_t brailleBits[8] = {0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x4
 constexpr std::uint8_t leftColumn = 0x55, rightColumn = 0xaa;
 }  // namespace
 
-DotCanvas::DotCanvas(int columns_, int rows_)
-    : columns(columns_),
-      rows(rows_),
-      cells(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
+DotCanvas::DotCanvas(int columns, int rows)
+    : columns_(columns),
+      rows_(rows),
+      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
 void DotCanvas::dot(int x, int y) {
-  if (x < 0 || y < 0 || x >= columns * dotsAcross || y >= rows * dotsDown) return;
-  const int cell = y / dotsDown * columns + x / dotsAcross;
+  if (x < 0 || y < 0 || x >= columns_ * dotsAcross || y >= rows_ * dotsDown) return;
+  const int cell = y / dotsDown * columns_ + x / dotsAcross;
   const int bit = y % dotsDown * dotsAcross + x % dotsAcross;
-  cells[static_cast<std::size_t>(cell)] |= static_cast<std::uint8_t>(1 << bit);
+  cells_[static_cast<std::size_t>(cell)] |= static_cast<std::uint8_t>(1 << bit);
 }
 
 void DotCanvas::line(const Vec2& from, const Vec2& to) {
@@ -34,7 +34,7 @@ void DotCanvas::line(const Vec2& from, const Vec2& to) {
 }
 
 std::uint8_t DotCanvas::bits(int column, int row) const {
-  return cells[static_cast<std::size_t>(row * columns + column)];
+  return cells_[static_cast<std::size_t>(row * columns_ + column)];
 }
 
 char32_t DotCanvas::braille(int column, int row) const {

@@ -21,8 +21,8 @@ private:
   void dot(int x, int y);
   std::uint8_t bits(int column, int row) const;
 
-  int columns, rows;
-  std::vector<std::uint8_t> cells;  ///< a bit per dot, row by row: bit 2 y + x
+  int columns_, rows_;
+  std::vector<std::uint8_t> cells_;  ///< a bit per dot, row by row: bit 2 y + x
 };
 
 }  // namespace plumbline::game

@@ -61,22 +61,23 @@ public:
   Layout(const FieldSize& field, int columns, int firstRow, int rows) : firstRow_(firstRow) {
     const double length = field.length + 2 * (field.goalDepth + margin);
     const double width = field.width + 2 * margin;
-    perMetre = std::min(columns / length, 2.0 * rows / width);
-    centre = Vec2(columns / 2.0, rows / 2.0);
+    perMetre_ = std::min(columns / length, 2.0 * rows / width);
+    centre_ = Vec2(columns / 2.0, rows / 2.0);
   }
   /// In dots from the upper left corner of the field's rows: two a column, four a row.
   Vec2 dots(const Vec3& place) const {
-    return {2 * (centre.x() + place.x() * perMetre) - 0.5, 4 * (centre.y() - place.y() * perMetre / 2) - 0.5};
+    return {2 * (centre_.x() + place.x() * perMetre_) - 0.5,
+            4 * (centre_.y() - place.y() * perMetre_ / 2) - 0.5};
   }
-  int column(const Vec2& place) const { return toCell(centre.x() + place.x() * perMetre); }
-  int row(const Vec2& place) const { return firstRow_ + toCell(centre.y() - place.y() * perMetre / 2); }
+  int column(const Vec2& place) const { return toCell(centre_.x() + place.x() * perMetre_); }
+  int row(const Vec2& place) const { return firstRow_ + toCell(centre_.y() - place.y() * perMetre_ / 2); }
 
 private:
   static constexpr double margin = 0.25;  ///< around the field [m]
   static int toCell(double place) { return static_cast<int>(std::floor(std::clamp(place, -1e4, 1e4))); }
   int firstRow_;
-  double perMetre;
-  Vec2 centre;
+  double perMetre_;
+  Vec2 centre_;
 };
 
 void drawLines(TextPicture& picture, const FieldSize& field, const Layout& layout, int firstRow, int rows,
@@ -144,10 +145,10 @@ void writeCentred(TextPicture& picture, int row, const std::u32string& text, Ink
 TextPicture::TextPicture(int columns, int rows)
     : columns_(std::max(0, columns)),
       rows_(std::max(0, rows)),
-      cells(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
 void TextPicture::put(int column, int row, char32_t glyph, Ink ink) {
-  if (column >= 0 && row >= 0 && column < columns_ && row < rows_) cells[index(column, row)] = {glyph, ink};
+  if (column >= 0 && row >= 0 && column < columns_ && row < rows_) cells_[index(column, row)] = {glyph, ink};
 }
 
 void TextPicture::write(int column, int row, const std::u32string& text, Ink ink) {

@@ -20,7 +20,7 @@ public:
   TextPicture(int columns, int rows);
   int columns() const { return columns_; }
   int rows() const { return rows_; }
-  const Cell& at(int column, int row) const { return cells[index(column, row)]; }
+  const Cell& at(int column, int row) const { return cells_[index(column, row)]; }
   /// What lies outside is not drawn.
   void put(int column, int row, char32_t glyph, Ink ink);
   void write(int column, int row, const std::u32string& text, Ink ink);
@@ -33,7 +33,7 @@ private:
            static_cast<std::size_t>(column);
   }
   int columns_, rows_;
-  std::vector<Cell> cells;
+  std::vector<Cell> cells_;
 };
 
 struct FieldPictureStyle {

@@ -14,16 +14,16 @@ constexpr double standing = 0.9, lying = 0.5;  ///< upward part of the torso's a
 }  // namespace
 
 void GameCounter::observe(const SceneState& scene) {
-  const bool running =
-      lastTime && scene.time > *lastTime && scene.playMode != "BeforeKickOff" && scene.playMode != "GameOver";
+  const bool running = lastTime_ && scene.time > *lastTime_ && scene.playMode != "BeforeKickOff" &&
+                       scene.playMode != "GameOver";
   countFalls(scene, running);
   if (running) {
     countKicks(scene);
-  } else if (!lastTime || scene.time != *lastTime || scene.ball.head<2>() != lastBall) {
-    lastVelocity.reset();
+  } else if (!lastTime_ || scene.time != *lastTime_ || scene.ball.head<2>() != lastBall_) {
+    lastVelocity_.reset();
   }
-  lastTime = scene.time;
-  lastBall = scene.ball.head<2>();
+  lastTime_ = scene.time;
+  lastBall_ = scene.ball.head<2>();
 }
 
 void GameCounter::countFalls(const SceneState& scene, bool running) {
@@ -31,7 +31,7 @@ void GameCounter::countFalls(const SceneState& scene, bool running) {
   for (const SceneRobot& robot : scene.robots) {
     if (robot.side == TeamSide::none || robot.unum == 0) continue;
     ++here[index(robot.side)];
-    Stance& stance = stances[{robot.side, robot.unum}];
+    Stance& stance = stances_[{robot.side, robot.unum}];
     const double up = robot.T_world_torso.linear()(2, 2);
     if (up > standing) stance = {.stood = true, .fallen = false};
     if (up < lying && stance.stood && !stance.fallen) {
@@ -44,22 +44,22 @@ void GameCounter::countFalls(const SceneState& scene, bool running) {
 
 void GameCounter::countKicks(const SceneState& scene) {
   const Vec2 ball = scene.ball.head<2>();
-  const Vec2 velocity = (ball - lastBall) / (scene.time - *lastTime);
+  const Vec2 velocity = (ball - lastBall_) / (scene.time - *lastTime_);
   const bool carried = velocity.norm() > maxBallSpeed;
   const std::optional<Vec2> before =
-      std::exchange(lastVelocity, carried ? std::nullopt : std::optional(velocity));
-  if (carried || !before || velocity.norm() - before->norm() < kickGain || scene.time - lastKick < kickPause)
+      std::exchange(lastVelocity_, carried ? std::nullopt : std::optional(velocity));
+  if (carried || !before || velocity.norm() - before->norm() < kickGain || scene.time - lastKick_ < kickPause)
     return;
   const SceneRobot* kicker = nullptr;
   double nearest = kickReach;
   for (const SceneRobot& robot : scene.robots) {
-    const double distance = (robot.T_world_torso.translation().head<2>() - lastBall).norm();
+    const double distance = (robot.T_world_torso.translation().head<2>() - lastBall_).norm();
     if (robot.side == TeamSide::none || distance > nearest) continue;
     nearest = distance;
     kicker = &robot;
   }
   if (!kicker) return;
-  lastKick = scene.time;
+  lastKick_ = scene.time;
   ++kicks_[index(kicker->side)];
 }
 

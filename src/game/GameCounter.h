@@ -38,12 +38,12 @@ private:
   struct Stance {
     bool stood = false, fallen = false;
   };
-  std::map<std::pair<simspark::TeamSide, int>, Stance> stances;
+  std::map<std::pair<simspark::TeamSide, int>, Stance> stances_;
   std::array<int, 2> falls_{}, kicks_{}, players_{};
-  std::optional<double> lastTime;
-  Vec2 lastBall = Vec2::Zero();
-  std::optional<Vec2> lastVelocity;
-  double lastKick = -1e9;
+  std::optional<double> lastTime_;
+  Vec2 lastBall_ = Vec2::Zero();
+  std::optional<Vec2> lastVelocity_;
+  double lastKick_ = -1e9;
 };
 
 }  // namespace plumbline::game

@@ -21,43 +21,43 @@ class Pulse {
 public:
   void feel(const SceneState& scene, double now) {
     auto state = std::tuple(scene.time, scene.playMode, scene.robots.size(), scene.half);
-    if (state == last) return;
-    last = std::move(state);
-    lastChange = now;
+    if (state == last_) return;
+    last_ = std::move(state);
+    lastChange_ = now;
   }
-  void restart(double now) { lastChange = now; }
-  double standsFor(double now) const { return now - lastChange; }
+  void restart(double now) { lastChange_ = now; }
+  double standsFor(double now) const { return now - lastChange_; }
 
 private:
-  std::tuple<double, std::string, std::size_t, int> last{-1, "", 0, 0};
-  double lastChange = wallClock();
+  std::tuple<double, std::string, std::size_t, int> last_{-1, "", 0, 0};
+  double lastChange_ = wallClock();
 };
 
 /// Kicks off when everybody is there, or nobody more is waited for.
 class Starter {
 public:
-  explicit Starter(const GameWatchOptions& options_) : options(options_), begin(wallClock()) {}
+  explicit Starter(const GameWatchOptions& options) : options_(options), begin_(wallClock()) {}
 
   enum class Verdict { wait, noPlayers, kickOff };
   Verdict look(const SceneState& scene, double now) {
     if (scene.playMode != "BeforeKickOff") {
-      readySince = -1;
+      readySince_ = -1;
       return Verdict::wait;
     }
-    const bool late = now - begin > options.patience;
+    const bool late = now - begin_ > options_.patience;
     const auto here = static_cast<int>(scene.robots.size());
     if (late && here == 0) return Verdict::noPlayers;
-    const bool ready = scene.half > 1 || here >= options.players || late;
-    if (!ready) readySince = -1;
-    if (ready && readySince < 0) readySince = now;
-    if (!ready || now - readySince < options.settle || now - lastTold < 1) return Verdict::wait;
-    lastTold = now;  // once more if it was not heard
+    const bool ready = scene.half > 1 || here >= options_.players || late;
+    if (!ready) readySince_ = -1;
+    if (ready && readySince_ < 0) readySince_ = now;
+    if (!ready || now - readySince_ < options_.settle || now - lastReport_ < 1) return Verdict::wait;
+    lastReport_ = now;  // once more if it was not heard
     return Verdict::kickOff;
   }
 
 private:
-  const GameWatchOptions& options;
-  double begin, readySince = -1, lastTold = -10;
+  const GameWatchOptions& options_;
+  double begin_, readySince_ = -1, lastReport_ = -10;
 };
 
 }  // namespace

@@ -47,7 +47,7 @@ std::optional<BallState> stateOf(const TrackMoment& moment, Phase phase) {
 }  // namespace
 
 std::size_t learnFromTrack(const std::vector<TrackMoment>& moments, FieldValueLearner& learner) {
-  std::size_t told = 0;
+  std::size_t counted = 0;
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const Phase here = phaseOf(moments[i].mode);
     const auto from = stateOf(moments[i], here);
@@ -57,16 +57,16 @@ std::size_t learnFromTrack(const std::vector<TrackMoment>& moments, FieldValueLe
       if (there == Phase::none) break;
       if (there == Phase::goalLeft || there == Phase::goalRight) {
         learner.addGoal(*from, there == Phase::goalLeft);
-        ++told;
+        ++counted;
         break;
       }
       if (moments[j].time - moments[i].time < learningStep - 1e-6) continue;
       learner.addStep(*from, *stateOf(moments[j], there));
-      ++told;
+      ++counted;
       break;
     }
   }
-  return told;
+  return counted;
 }
 
 }  // namespace plumbline::game

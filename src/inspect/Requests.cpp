@@ -72,7 +72,7 @@ std::string SetRequest::apply(DebugValue& value, std::string& was) {
   Tree* part = findPart(after, path_, error);
   if (!part) return error;
   const std::string label = part->label;
-  if (!told_.load(std::memory_order_relaxed)) was = treeText(*part);
+  if (!answered_.load(std::memory_order_relaxed)) was = treeText(*part);
   *part = wanted_;
   part->label = label;
   TreeInStream in(after);
@@ -99,8 +99,8 @@ void SetRequest::serve(DebugValue& value) noexcept {
       return;
     }
     if (once_) ended_.store(true);
-    if (!told_.load(std::memory_order_relaxed))
-      told_.store(outbox_->push({number_, Outcome::Kind::done, std::move(was)}));
+    if (!answered_.load(std::memory_order_relaxed))
+      answered_.store(outbox_->push({number_, Outcome::Kind::done, std::move(was)}));
   } catch (const std::exception&) {  // no memory
     ended_.store(true);
     outbox_->push({number_, Outcome::Kind::error, ": no memory"});
@@ -117,8 +117,8 @@ void DrawRequest::serve(DebugValue& value) noexcept {
     if (!drawing) return;
     Outcome outcome{number_, Outcome::Kind::value, {}, std::make_shared<const Drawing>(*drawing)};
     if (!outbox_->push(std::move(outcome))) return;
-    if (!told_.load(std::memory_order_relaxed))
-      told_.store(outbox_->push({number_, Outcome::Kind::done, {}}));
+    if (!answered_.load(std::memory_order_relaxed))
+      answered_.store(outbox_->push({number_, Outcome::Kind::done, {}}));
     if (once_) ended_.store(true);
   } catch (const std::exception&) {  // no memory: nothing was drawn
   }
@@ -133,7 +133,7 @@ bool RunRequest::run() noexcept {
 }
 
 void RunRequest::output(std::string_view text) noexcept {
-  if (once_ && told_.load(std::memory_order_relaxed)) return;
+  if (once_ && answered_.load(std::memory_order_relaxed)) return;
   try {
     outbox_->push({number_, Outcome::Kind::value, std::string(text)});
   } catch (const std::exception&) {  // no memory: nothing was said
@@ -141,16 +141,16 @@ void RunRequest::output(std::string_view text) noexcept {
 }
 
 void RunRequest::failed(std::string_view text) noexcept {
-  if (told_.load(std::memory_order_relaxed)) return;
+  if (answered_.load(std::memory_order_relaxed)) return;
   try {
-    told_.store(outbox_->push({number_, Outcome::Kind::error, ": " + std::string(text)}));
+    answered_.store(outbox_->push({number_, Outcome::Kind::error, ": " + std::string(text)}));
   } catch (const std::exception&) {  // no memory: the client hears nothing until its time is over
   }
 }
 
 void RunRequest::finished() noexcept {
-  if (told_.load(std::memory_order_relaxed)) return;
-  told_.store(outbox_->push({number_, Outcome::Kind::done, {}}));
+  if (answered_.load(std::memory_order_relaxed)) return;
+  answered_.store(outbox_->push({number_, Outcome::Kind::done, {}}));
 }
 
 }  // namespace plumbline::inspect

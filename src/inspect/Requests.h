@@ -63,7 +63,7 @@ private:
   bool once_;
   std::string path_;
   Tree wanted_;
-  std::atomic<bool> ended_{false}, told_{false};
+  std::atomic<bool> ended_{false}, answered_{false};
 };
 
 /// Takes what a drawing draws, once or each `seconds`; `done` after the first time.
@@ -78,7 +78,7 @@ private:
   std::shared_ptr<Outbox> outbox_;
   bool once_;
   Pace pace_{seconds};
-  std::atomic<bool> ended_{false}, told_{false};
+  std::atomic<bool> ended_{false}, answered_{false};
 };
 
 /// Runs a block of code, once or at each passage. Its output are values; `done` after the first time.
@@ -94,7 +94,7 @@ private:
   std::uint64_t number_;
   std::shared_ptr<Outbox> outbox_;
   bool once_;
-  std::atomic<bool> ended_{false}, told_{false};
+  std::atomic<bool> ended_{false}, answered_{false};
 };
 
 }  // namespace plumbline::inspect

@@ -11,8 +11,8 @@ struct Pose2 {
   double heading = 0;
 
   Pose2() = default;
-  Pose2(double x, double y, double heading_ = 0) : position(x, y), heading(heading_) {}
-  explicit Pose2(const Vec2& position_, double heading_ = 0) : position(position_), heading(heading_) {}
+  Pose2(double x, double y, double heading = 0) : position(x, y), heading(heading) {}
+  explicit Pose2(const Vec2& position, double heading = 0) : position(position), heading(heading) {}
 
   double x() const { return position.x(); }
   double y() const { return position.y(); }

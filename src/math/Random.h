@@ -11,7 +11,7 @@ namespace plumbline {
 class Random {
 public:
   explicit Random(std::uint64_t seed) {
-    for (std::uint64_t& word : state) {
+    for (std::uint64_t& word : state_) {
       seed += 0x9e3779b97f4a7c15ULL;
       std::uint64_t z = seed;
       z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
@@ -21,14 +21,14 @@ public:
   }
 
   std::uint64_t next() {
-    const std::uint64_t result = std::rotl(state[0] + state[3], 23) + state[0];
-    const std::uint64_t shifted = state[1] << 17;
-    state[2] ^= state[0];
-    state[3] ^= state[1];
-    state[1] ^= state[2];
-    state[0] ^= state[3];
-    state[2] ^= shifted;
-    state[3] = std::rotl(state[3], 45);
+    const std::uint64_t result = std::rotl(state_[0] + state_[3], 23) + state_[0];
+    const std::uint64_t shifted = state_[1] << 17;
+    state_[2] ^= state_[0];
+    state_[3] ^= state_[1];
+    state_[1] ^= state_[2];
+    state_[0] ^= state_[3];
+    state_[2] ^= shifted;
+    state_[3] = std::rotl(state_[3], 45);
     return result;
   }
 
@@ -45,7 +45,7 @@ public:
   }
 
 private:
-  std::array<std::uint64_t, 4> state;
+  std::array<std::uint64_t, 4> state_;
 };
 
 }  // namespace plumbline

@@ -11,7 +11,7 @@ namespace plumbline {
 class TorsoAngleFilter {
 public:
   /// accelerometerShare: weight of one measurement of the accelerometer, 0 .. 1.
-  explicit TorsoAngleFilter(double accelerometerShare = 0.002) : share(accelerometerShare) {}
+  explicit TorsoAngleFilter(double accelerometerShare = 0.002) : share_(accelerometerShare) {}
 
   /// gyro [rad/s] and acc [m/s^2, specific force, (0,0,9.81) at rest] in the torso frame; dt [s].
   void update(const Vec3& gyro, const Vec3& acc, double dt) {
@@ -19,7 +19,7 @@ public:
     if (angle > 0) up_ = Eigen::AngleAxisd(-angle, gyro.normalized()) * up_;
     const double size = acc.norm();
     const double trust = std::max(0.0, 1 - std::abs(size - gravity) / (0.2 * gravity));
-    if (trust > 0) up_ = ((1 - share * trust) * up_ + share * trust * acc / size).normalized();
+    if (trust > 0) up_ = ((1 - share_ * trust) * up_ + share_ * trust * acc / size).normalized();
   }
   void reset(const Vec3& up = Vec3::UnitZ()) { up_ = up.normalized(); }
 
@@ -32,7 +32,7 @@ public:
 
 private:
   static constexpr double gravity = 9.81;
-  double share;
+  double share_;
   Vec3 up_ = Vec3::UnitZ();
 };
 

@@ -9,37 +9,37 @@ namespace {
 constexpr double rounding = 1e-9;
 }  // namespace
 
-void KeyframePlayer::start(const KeyframeMotion& motion_, const JointArray& from) {
-  motion = motion_;
-  index = 0;
-  elapsed = 0;
-  current = from;
-  touched.fill(false);
+void KeyframePlayer::start(const KeyframeMotion& motion, const JointArray& from) {
+  motion_ = motion;
+  index_ = 0;
+  elapsed_ = 0;
+  current_ = from;
+  touched_.fill(false);
   enter();
 }
 
 void KeyframePlayer::enter() {
-  begin = current;
+  begin_ = current_;
   if (finished()) return;
-  for (int j = 0; j < maxJoints; ++j) touched[j] = touched[j] || motion.keyframes[index].set[j];
+  for (int j = 0; j < maxJoints; ++j) touched_[j] = touched_[j] || motion_.keyframes[index_].set[j];
 }
 
 void KeyframePlayer::step(double seconds, bool still) {
-  elapsed += seconds;
+  elapsed_ += seconds;
   while (!finished()) {
-    const Keyframe& frame = motion.keyframes[index];
-    const double ratio = elapsed + rounding >= frame.seconds ? 1 : elapsed / frame.seconds;
+    const Keyframe& frame = motion_.keyframes[index_];
+    const double ratio = elapsed_ + rounding >= frame.seconds ? 1 : elapsed_ / frame.seconds;
     for (int j = 0; j < maxJoints; ++j)
-      if (frame.set[j]) current[j] = begin[j] + ratio * (frame.angles[j] - begin[j]);
+      if (frame.set[j]) current_[j] = begin_[j] + ratio * (frame.angles[j] - begin_[j]);
     if (ratio < 1) return;
-    const bool settled = still || elapsed + rounding >= frame.seconds + frame.settleSeconds;
+    const bool settled = still || elapsed_ + rounding >= frame.seconds + frame.settleSeconds;
     if (frame.settleSeconds > 0 && !settled) return;
     // What a keyframe has left over of the cycle belongs to the next one, except after a wait.
-    const double left = std::max(0.0, elapsed - frame.seconds);
-    elapsed = frame.settleSeconds > 0 ? 0 : left;
-    ++index;
+    const double left = std::max(0.0, elapsed_ - frame.seconds);
+    elapsed_ = frame.settleSeconds > 0 ? 0 : left;
+    ++index_;
     enter();
-    if (elapsed < rounding) return;
+    if (elapsed_ < rounding) return;
   }
 }
 

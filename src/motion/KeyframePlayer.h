@@ -14,20 +14,20 @@ public:
   /// its angles are held.
   void step(double seconds, bool still);
 
-  bool finished() const { return index >= motion.keyframes.size(); }
-  const JointArray& angles() const { return current; }
+  bool finished() const { return index_ >= motion_.keyframes.size(); }
+  const JointArray& angles() const { return current_; }
   /// The joints the motion has moved so far.
-  const JointFlags& joints() const { return touched; }
-  std::size_t keyframe() const { return index; }
+  const JointFlags& joints() const { return touched_; }
+  std::size_t keyframe() const { return index_; }
 
 private:
   void enter();
 
-  KeyframeMotion motion;
-  std::size_t index = 0;
-  double elapsed = 0;  ///< since the keyframe's start, settling included [s]
-  JointArray begin{}, current{};
-  JointFlags touched{};
+  KeyframeMotion motion_;
+  std::size_t index_ = 0;
+  double elapsed_ = 0;  ///< since the keyframe's start, settling included [s]
+  JointArray begin_{}, current_{};
+  JointFlags touched_{};
 };
 
 }  // namespace plumbline::motion

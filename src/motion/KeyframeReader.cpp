@@ -46,13 +46,12 @@ std::vector<std::string> keyframeWords(const RobotModel& robot) {
 
 class Reader {
 public:
-  Reader(const fs::path& file_, const RobotModel& robot_, const std::vector<fs::path>& directories_,
-         int depth_)
-      : file(file_), robot(robot_), directories(directories_), depth(depth_) {}
+  Reader(const fs::path& file, const RobotModel& robot, const std::vector<fs::path>& directories, int depth)
+      : file_(file), robot_(robot), directories_(directories), depth_(depth) {}
 
   KeyframeMotion read() {
     try {
-      return read(readYaml(file.string(), maxFileBytes));
+      return read(readYaml(file_.string(), maxFileBytes));
     } catch (const ConfigurationError& error) {
       throw KeyframeFileError(error.what());
     }
@@ -86,14 +85,14 @@ public:
       if (!restStays) checkComplete(root, motion);
       checkReach(root, motion);
     }
-    motion.name = file.stem().string();
+    motion.name = file_.stem().string();
     return motion;
   }
 
 private:
   [[noreturn]] void fail(const YAML::Node& where, const std::string& key, const std::string& what) const {
     const int line = where.Mark().is_null() ? 1 : where.Mark().line + 1;
-    throw KeyframeFileError(singleLine(file.string() + ":" + std::to_string(line) + ": " +
+    throw KeyframeFileError(singleLine(file_.string() + ":" + std::to_string(line) + ": " +
                                        (key.empty() ? "" : key + ": ") + what));
   }
 
@@ -169,10 +168,10 @@ private:
     const YAML::Node value = root["mirror"];
     if (!value.IsScalar()) fail(value, "mirror", "has to be the name of a motion");
     const std::string& other = value.Scalar();
-    if (depth > 0) fail(value, "mirror", "a mirrored motion cannot be mirrored again");
-    for (auto directory = directories.rbegin(); directory != directories.rend(); ++directory) {
+    if (depth_ > 0) fail(value, "mirror", "a mirrored motion cannot be mirrored again");
+    for (auto directory = directories_.rbegin(); directory != directories_.rend(); ++directory) {
       const fs::path path = *directory / (other + ".yaml");
-      if (fs::exists(path)) return mirrored(Reader(path, robot, directories, depth + 1).read());
+      if (fs::exists(path)) return mirrored(Reader(path, robot_, directories_, depth_ + 1).read());
     }
     fail(value, "mirror", "there is no motion " + other);
   }
@@ -197,7 +196,7 @@ private:
       } else if (key == "ballX" || key == "ballY") {
         if (!value.IsMap()) fail(value, key, "has to map joints to degrees per metre");
         forEachKey(value, [&](const std::string& name, const YAML::Node& nameNode, const YAML::Node& gain) {
-          const std::optional<JointId> joint = robot.joint(name);
+          const std::optional<JointId> joint = robot_.joint(name);
           if (!joint) failJoint(nameNode, name);
           gains[*joint].joint = *joint;
           gains[*joint].gain[key == "ballX" ? 0 : 1] = fromDegrees(readNumber(gain, name));
@@ -217,16 +216,16 @@ private:
 
   [[noreturn]] void failJoint(const YAML::Node& node, const std::string& name) const {
     if (humanoidJoint(name) != noJoint || humanoidJoint("L" + name) != noJoint)
-      fail(node, name, "robot " + robot.name + " has no such joint");
-    fail(node, name, "unknown joint" + suggestion(name, keyframeWords(robot)));
+      fail(node, name, "robot " + robot_.name + " has no such joint");
+    fail(node, name, "unknown joint" + suggestion(name, keyframeWords(robot_)));
   }
 
-  std::string nameOf(JointId joint) const { return std::string(robot.jointName(joint)); }
+  std::string nameOf(JointId joint) const { return std::string(robot_.jointName(joint)); }
 
   void readJoint(const std::string& key, const YAML::Node& keyNode, const YAML::Node& value,
                  Keyframe& frame) const {
-    const std::optional<JointId> one = robot.joint(key), left = robot.joint("L" + key);
-    if (!one && (!left || bothSides(robot, *left).empty())) failJoint(keyNode, key);
+    const std::optional<JointId> one = robot_.joint(key), left = robot_.joint("L" + key);
+    if (!one && (!left || bothSides(robot_, *left).empty())) failJoint(keyNode, key);
     const double degrees = readNumber(value, key);
     setJoint(one ? *one : *left, degrees, value, key, frame);
     if (!one) setJoint(mirrored(*left), mirrorSign(*left) * degrees, value, key, frame);
@@ -235,13 +234,13 @@ private:
   void setJoint(JointId joint, double degrees, const YAML::Node& value, const std::string& key,
                 Keyframe& frame) const {
     if (frame.set[joint]) fail(value, key, nameOf(joint) + " has an angle already in this keyframe");
-    const Link& link = robot.linkMovedBy(joint);
+    const Link& link = robot_.linkMovedBy(joint);
     const double angle = fromDegrees(degrees);
     if (angle < link.lower - limitTolerance || angle > link.upper + limitTolerance)
       fail(value, key,
            shortNumber(degrees) + " degrees is out of the limits " + shortNumber(toDegrees(link.lower)) +
                " to " + shortNumber(toDegrees(link.upper)) + " of " + nameOf(joint) + " in robot " +
-               robot.name);
+               robot_.name);
     frame.angles[joint] = angle;
     frame.set[joint] = true;
   }
@@ -274,17 +273,17 @@ private:
       for (const BallGain& gain : motion.keyframes[i].ballGains) {
         const double swing = gain.gain.cwiseAbs().dot(motion.ballReach);
         const double angle = motion.keyframes[i].angles[gain.joint];
-        const Link& link = robot.linkMovedBy(gain.joint);
+        const Link& link = robot_.linkMovedBy(gain.joint);
         if (angle - swing < link.lower - limitTolerance || angle + swing > link.upper + limitTolerance)
           fail(root["keyframes"][i], nameOf(gain.joint),
                "leaves its limits for a ball at the edge of ballReach");
       }
   }
 
-  const fs::path& file;
-  const RobotModel& robot;
-  const std::vector<fs::path>& directories;
-  int depth;
+  const fs::path& file_;
+  const RobotModel& robot_;
+  const std::vector<fs::path>& directories_;
+  int depth_;
 };
 
 }  // namespace

@@ -5,21 +5,21 @@
 
 namespace plumbline {
 
-BoxTransform::BoxTransform(const Eigen::VectorXd& lower_, const Eigen::VectorXd& upper_)
-    : lower(lower_),
-      upper(upper_),
-      lowerMargin(lower_.size()),
-      upperMargin(lower_.size()),
-      bounds_(lower_.array().isFinite().any() || upper_.array().isFinite().any()) {
-  for (Eigen::Index i = 0; i < lower.size(); ++i) {
-    const double tenth = 0.1 * (upper[i] - lower[i]);
-    lowerMargin[i] = std::min(tenth, 0.05 * (1 + std::abs(lower[i])));
-    upperMargin[i] = std::min(tenth, 0.05 * (1 + std::abs(upper[i])));
+BoxTransform::BoxTransform(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)
+    : lower_(lower),
+      upper_(upper),
+      lowerMargin_(lower.size()),
+      upperMargin_(lower.size()),
+      bounds_(lower.array().isFinite().any() || upper.array().isFinite().any()) {
+  for (Eigen::Index i = 0; i < lower_.size(); ++i) {
+    const double tenth = 0.1 * (upper_[i] - lower_[i]);
+    lowerMargin_[i] = std::min(tenth, 0.05 * (1 + std::abs(lower_[i])));
+    upperMargin_[i] = std::min(tenth, 0.05 * (1 + std::abs(upper_[i])));
   }
 }
 
 double BoxTransform::toBox(Eigen::Index i, double x) const {
-  const double l = lower[i], u = upper[i], a = lowerMargin[i], b = upperMargin[i];
+  const double l = lower_[i], u = upper_[i], a = lowerMargin_[i], b = upperMargin_[i];
   const bool hasLower = std::isfinite(l), hasUpper = std::isfinite(u);
   // The parabola runs from margin outside to margin inside, so one bound turns back at l - a, u + b.
   if (hasLower && hasUpper) {
@@ -42,7 +42,7 @@ double BoxTransform::toBox(Eigen::Index i, double x) const {
 }
 
 double BoxTransform::fromBox(Eigen::Index i, double y) const {
-  const double l = lower[i], u = upper[i], a = lowerMargin[i], b = upperMargin[i];
+  const double l = lower_[i], u = upper_[i], a = lowerMargin_[i], b = upperMargin_[i];
   if (std::isfinite(l) && y < l + a) return l - a + 2 * std::sqrt(a * std::max(0.0, y - l));
   if (std::isfinite(u) && y > u - b) return u + b - 2 * std::sqrt(b * std::max(0.0, u - y));
   return y;

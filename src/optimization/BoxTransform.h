@@ -21,7 +21,7 @@ public:
   Eigen::VectorXd fromBox(const Eigen::VectorXd& y) const;
 
 private:
-  Eigen::VectorXd lower, upper, lowerMargin, upperMargin;
+  Eigen::VectorXd lower_, upper_, lowerMargin_, upperMargin_;
   bool bounds_;
 };
 

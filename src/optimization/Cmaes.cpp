@@ -73,188 +73,189 @@ struct Reader {
 
 }  // namespace
 
-Cmaes::Cmaes(SearchSpace space_, CmaesOptions options_)
-    : Optimizer(std::move(space_), options_.stop, options_.ahead),
-      options(options_),
-      box(space().lower, space().upper) {
+Cmaes::Cmaes(SearchSpace given, CmaesOptions options)
+    : Optimizer(std::move(given), options.stop, options.ahead),
+      options_(options),
+      box_(space().lower, space().upper) {
   const int n = dimension();
   const double dn = n;
-  if (options.population == 0) options.population = 4 + static_cast<int>(std::floor(3 * std::log(dn)));
-  if (options.population < 4)
-    throw std::invalid_argument("Cmaes: population " + std::to_string(options.population) +
+  if (options_.population == 0) options_.population = 4 + static_cast<int>(std::floor(3 * std::log(dn)));
+  if (options_.population < 4)
+    throw std::invalid_argument("Cmaes: population " + std::to_string(options_.population) +
                                 ", at least 4 are needed");
-  const int lambda = options.population;
+  const int lambda = options_.population;
 
-  weights.resize(lambda);
-  for (int i = 0; i < lambda; ++i) weights[i] = std::log((lambda + 1) / 2.0) - std::log(i + 1.0);
-  mu = lambda / 2;
-  const auto good = weights.head(mu);
-  const auto bad = weights.tail(lambda - mu);
-  muEff = good.sum() * good.sum() / good.squaredNorm();
+  weights_.resize(lambda);
+  for (int i = 0; i < lambda; ++i) weights_[i] = std::log((lambda + 1) / 2.0) - std::log(i + 1.0);
+  mu_ = lambda / 2;
+  const auto good = weights_.head(mu_);
+  const auto bad = weights_.tail(lambda - mu_);
+  muEff_ = good.sum() * good.sum() / good.squaredNorm();
   const double muEffBad = bad.sum() * bad.sum() / std::max(bad.squaredNorm(), 1e-300);
-  cC = (4 + muEff / dn) / (dn + 4 + 2 * muEff / dn);
-  cSigma = (muEff + 2) / (dn + muEff + 5);
-  dSigma = 1 + 2 * std::max(0.0, std::sqrt((muEff - 1) / (dn + 1)) - 1) + cSigma;
-  c1 = 2 / ((dn + 1.3) * (dn + 1.3) + muEff);
-  cMu = std::min(1 - c1, 2 * (0.25 + muEff + 1 / muEff - 2) / ((dn + 2) * (dn + 2) + muEff));
-  chiN = std::sqrt(dn) * (1 - 1 / (4 * dn) + 1 / (21 * dn * dn));
+  cC_ = (4 + muEff_ / dn) / (dn + 4 + 2 * muEff_ / dn);
+  cSigma_ = (muEff_ + 2) / (dn + muEff_ + 5);
+  dSigma_ = 1 + 2 * std::max(0.0, std::sqrt((muEff_ - 1) / (dn + 1)) - 1) + cSigma_;
+  c1_ = 2 / ((dn + 1.3) * (dn + 1.3) + muEff_);
+  cMu_ = std::min(1 - c1_, 2 * (0.25 + muEff_ + 1 / muEff_ - 2) / ((dn + 2) * (dn + 2) + muEff_));
+  chiN_ = std::sqrt(dn) * (1 - 1 / (4 * dn) + 1 / (21 * dn * dn));
   // Equation 50 to 53: what the bad candidates may take away at most.
-  const double most = std::min({1 + c1 / cMu, 1 + 2 * muEffBad / (muEff + 2), (1 - c1 - cMu) / (dn * cMu)});
-  weights.head(mu) /= good.sum();
-  weights.tail(lambda - mu) *= options.active ? most / -bad.sum() : 0.0;
-  decomposeEvery = std::max<std::int64_t>(1, static_cast<std::int64_t>(0.5 / ((c1 + cMu) * dn)));
+  const double most =
+      std::min({1 + c1_ / cMu_, 1 + 2 * muEffBad / (muEff_ + 2), (1 - c1_ - cMu_) / (dn * cMu_)});
+  weights_.head(mu_) /= good.sum();
+  weights_.tail(lambda - mu_) *= options_.active ? most / -bad.sum() : 0.0;
+  decomposeEvery_ = std::max<std::int64_t>(1, static_cast<std::int64_t>(0.5 / ((c1_ + cMu_) * dn)));
 
-  mean = box.fromBox(space().start).cwiseQuotient(space().sigma);
-  pathSigma = pathC = Eigen::VectorXd::Zero(n);
-  scales = Eigen::VectorXd::Ones(n);
-  covariance = axes = Eigen::MatrixXd::Identity(n, n);
+  mean_ = box_.fromBox(space().start).cwiseQuotient(space().sigma);
+  pathSigma_ = pathC_ = Eigen::VectorXd::Zero(n);
+  scales_ = Eigen::VectorXd::Ones(n);
+  covariance_ = axes_ = Eigen::MatrixXd::Identity(n, n);
 }
 
-Eigen::VectorXd Cmaes::favourite() const { return box.toBox(mean.cwiseProduct(space().sigma)); }
+Eigen::VectorXd Cmaes::favourite() const { return box_.toBox(mean_.cwiseProduct(space().sigma)); }
 
 Eigen::VectorXd Cmaes::deviations() const {
-  return sigma_ * covariance.diagonal().cwiseSqrt().cwiseProduct(space().sigma);
+  return sigma_ * covariance_.diagonal().cwiseSqrt().cwiseProduct(space().sigma);
 }
 
 void Cmaes::sample(Eigen::MatrixXd& candidates) {
-  Random random(options.seed * 0xd1342543de82ef95ULL + static_cast<std::uint64_t>(drawn()));
+  Random random(options_.seed * 0xd1342543de82ef95ULL + static_cast<std::uint64_t>(drawn()));
   auto& [z, y, from] = drawn_.emplace_back();
   z.resize(dimension(), population());
   for (Eigen::Index i = 0; i < z.size(); ++i) z.data()[i] = random.gaussian();
-  y.noalias() = axes * z;
-  from = mean;
+  y.noalias() = axes_ * z;
+  from = mean_;
   candidates.resize(dimension(), population());
   for (Eigen::Index k = 0; k < candidates.cols(); ++k)
     for (Eigen::Index i = 0; i < candidates.rows(); ++i)
-      candidates(i, k) = box.toBox(i, space().sigma[i] * (mean[i] + sigma_ * y(i, k)));
+      candidates(i, k) = box_.toBox(i, space().sigma[i] * (mean_[i] + sigma_ * y(i, k)));
 }
 
 void Cmaes::update(std::span<const double> costs, std::span<const int> order) {
   const Drawn from = std::move(drawn_.front());
   drawn_.pop_front();
   Eigen::VectorXd step = Eigen::VectorXd::Zero(dimension()), white = step;
-  for (int i = 0; i < mu; ++i) {
-    step += weights[i] * from.y.col(order[static_cast<std::size_t>(i)]);
-    white += weights[i] * from.z.col(order[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < mu_; ++i) {
+    step += weights_[i] * from.y.col(order[static_cast<std::size_t>(i)]);
+    white += weights_[i] * from.z.col(order[static_cast<std::size_t>(i)]);
   }
   if (ahead() > 1) {
-    const Eigen::VectorXd gone = (mean - from.mean) / sigma_;
+    const Eigen::VectorXd gone = (mean_ - from.mean) / sigma_;
     // The axes are others than those it was drawn with: D^-1 B' step.
-    white = (axes.transpose() * (step - pathShortening * gone)).cwiseQuotient(scales.cwiseAbs2());
-    mean += sigma_ * (step - stepShortening * gone);
+    white = (axes_.transpose() * (step - pathShortening * gone)).cwiseQuotient(scales_.cwiseAbs2());
+    mean_ += sigma_ * (step - stepShortening * gone);
   } else {
-    mean += sigma_ * step;
+    mean_ += sigma_ * step;
   }
-  ++updates;
+  ++updates_;
 
   // axes = B D, so C^(-1/2) step = B white = axes D^-1 white.
-  pathSigma = (1 - cSigma) * pathSigma +
-              std::sqrt(cSigma * (2 - cSigma) * muEff) * (axes * white.cwiseQuotient(scales));
-  const double length = pathSigma.norm();
-  const double settled = std::sqrt(1 - std::pow(1 - cSigma, 2.0 * static_cast<double>(updates)));
-  const bool pathIsShort = length / settled < (1.4 + 2 / (dimension() + 1.0)) * chiN;
-  pathC *= 1 - cC;
-  if (pathIsShort) pathC += std::sqrt(cC * (2 - cC) * muEff) * step;
+  pathSigma_ = (1 - cSigma_) * pathSigma_ +
+               std::sqrt(cSigma_ * (2 - cSigma_) * muEff_) * (axes_ * white.cwiseQuotient(scales_));
+  const double length = pathSigma_.norm();
+  const double settled = std::sqrt(1 - std::pow(1 - cSigma_, 2.0 * static_cast<double>(updates_)));
+  const bool pathIsShort = length / settled < (1.4 + 2 / (dimension() + 1.0)) * chiN_;
+  pathC_ *= 1 - cC_;
+  if (pathIsShort) pathC_ += std::sqrt(cC_ * (2 - cC_) * muEff_) * step;
 
   adaptCovariance(from, order, pathIsShort);
-  sigma_ *= std::exp(std::min(1.0, cSigma / dSigma * (length / chiN - 1)));
+  sigma_ *= std::exp(std::min(1.0, cSigma_ / dSigma_ * (length / chiN_ - 1)));
   // A plateau gives no direction; widen the search (the tutorial's appendix B.2).
   const auto quarter = static_cast<std::size_t>(std::ceil(0.1 + population() / 4.0));
   if (costs[static_cast<std::size_t>(order[0])] == costs[static_cast<std::size_t>(order[quarter])])
-    sigma_ *= std::exp(0.2 + cSigma / dSigma);
+    sigma_ *= std::exp(0.2 + cSigma_ / dSigma_);
   remember(costs, order);
-  if (updates - decomposedAt >= decomposeEvery) decompose();
+  if (updates_ - decomposedAt_ >= decomposeEvery_) decompose();
 }
 
 void Cmaes::adaptCovariance(const Drawn& from, std::span<const int> order, bool pathIsShort) {
   const int n = dimension(), lambda = population();
-  const double forgotten = (pathIsShort ? 0 : c1 * cC * (2 - cC)) - c1 - cMu * weights.sum();
-  covariance.triangularView<Eigen::Lower>() *= 1 + forgotten;
-  covariance.selfadjointView<Eigen::Lower>().rankUpdate(pathC, c1);
-  Eigen::MatrixXd good(n, mu), bad(n, lambda - mu);
+  const double forgotten = (pathIsShort ? 0 : c1_ * cC_ * (2 - cC_)) - c1_ - cMu_ * weights_.sum();
+  covariance_.triangularView<Eigen::Lower>() *= 1 + forgotten;
+  covariance_.selfadjointView<Eigen::Lower>().rankUpdate(pathC_, c1_);
+  Eigen::MatrixXd good(n, mu_), bad(n, lambda - mu_);
   for (int i = 0; i < lambda; ++i) {
     const int k = order[static_cast<std::size_t>(i)];
-    if (i < mu) {
-      good.col(i) = std::sqrt(weights[i]) * from.y.col(k);
+    if (i < mu_) {
+      good.col(i) = std::sqrt(weights_[i]) * from.y.col(k);
     } else {  // z is C^(-1/2) y up to a rotation, of the covariance that it was drawn with
       const double drawn = from.z.col(k).squaredNorm();
       const double now =
-          ahead() > 1 ? (axes.transpose() * from.y.col(k)).cwiseQuotient(scales.cwiseAbs2()).squaredNorm()
+          ahead() > 1 ? (axes_.transpose() * from.y.col(k)).cwiseQuotient(scales_.cwiseAbs2()).squaredNorm()
                       : 0;
       const double size = std::max({drawn, now, 1e-300});
-      bad.col(i - mu) = std::sqrt(std::max(0.0, -weights[i]) * n / size) * from.y.col(k);
+      bad.col(i - mu_) = std::sqrt(std::max(0.0, -weights_[i]) * n / size) * from.y.col(k);
     }
   }
-  covariance.selfadjointView<Eigen::Lower>().rankUpdate(good, cMu);
-  if (options.active) covariance.selfadjointView<Eigen::Lower>().rankUpdate(bad, -cMu);
+  covariance_.selfadjointView<Eigen::Lower>().rankUpdate(good, cMu_);
+  if (options_.active) covariance_.selfadjointView<Eigen::Lower>().rankUpdate(bad, -cMu_);
 }
 
 void Cmaes::decompose() {
-  decomposedAt = updates;
-  covariance.triangularView<Eigen::StrictlyUpper>() = covariance.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
-  if (solver.info() != Eigen::Success || !covariance.allFinite()) {
-    degenerate = true;
+  decomposedAt_ = updates_;
+  covariance_.triangularView<Eigen::StrictlyUpper>() = covariance_.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance_);
+  if (solver.info() != Eigen::Success || !covariance_.allFinite()) {
+    degenerate_ = true;
     return;
   }
   const double largest = solver.eigenvalues().maxCoeff();
   // Rounding, and many negative updates between two decompositions, can push a value to nought or below.
-  degenerate = solver.eigenvalues().minCoeff() * maxCondition < largest;
-  scales = solver.eigenvalues().cwiseMax(largest / maxCondition).cwiseSqrt();
-  axes.noalias() = solver.eigenvectors() * scales.asDiagonal();
+  degenerate_ = solver.eigenvalues().minCoeff() * maxCondition < largest;
+  scales_ = solver.eigenvalues().cwiseMax(largest / maxCondition).cwiseSqrt();
+  axes_.noalias() = solver.eigenvectors() * scales_.asDiagonal();
 }
 
 void Cmaes::remember(std::span<const double> costs, std::span<const int> order) {
   const auto at = [&](std::size_t i) { return costs[static_cast<std::size_t>(order[i])]; };
-  lastSpread = at(order.size() - 1) - at(0);
-  bests.push_back(at(0));
-  medians.push_back(at(order.size() / 2));
+  lastSpread_ = at(order.size() - 1) - at(0);
+  bests_.push_back(at(0));
+  medians_.push_back(at(order.size() / 2));
   const double n = dimension(), lambda = population();
   const auto longest = static_cast<std::size_t>(
-      std::clamp(0.2 * static_cast<double>(updates), 120 + 30 * n / lambda, 20000.0));
-  while (bests.size() > longest) {
-    bests.pop_front();
-    medians.pop_front();
+      std::clamp(0.2 * static_cast<double>(updates_), 120 + 30 * n / lambda, 20000.0));
+  while (bests_.size() > longest) {
+    bests_.pop_front();
+    medians_.pop_front();
   }
 }
 
 StopReason Cmaes::converged() const {
-  if (degenerate) return StopReason::condition;
-  const bool plateau = lastSpread < stop().tolFun;  // there the search widens on purpose
-  if ((sigma_ * scales.maxCoeff() > growthLimit && !plateau) || !std::isfinite(sigma_))
+  if (degenerate_) return StopReason::condition;
+  const bool plateau = lastSpread_ < stop().tolFun;  // there the search widens on purpose
+  if ((sigma_ * scales_.maxCoeff() > growthLimit && !plateau) || !std::isfinite(sigma_))
     return StopReason::condition;
   const std::size_t length = historyLength(dimension(), population());
-  if (bests.size() >= length) {
+  if (bests_.size() >= length) {
     const auto [low, high] =
-        std::minmax_element(bests.end() - static_cast<std::ptrdiff_t>(length), bests.end());
-    if (std::max(*high - *low, lastSpread) < stop().tolFun) return StopReason::tolFun;
+        std::minmax_element(bests_.end() - static_cast<std::ptrdiff_t>(length), bests_.end());
+    if (std::max(*high - *low, lastSpread_) < stop().tolFun) return StopReason::tolFun;
   }
-  const double spread = std::max(pathC.cwiseAbs().maxCoeff(), std::sqrt(covariance.diagonal().maxCoeff()));
+  const double spread = std::max(pathC_.cwiseAbs().maxCoeff(), std::sqrt(covariance_.diagonal().maxCoeff()));
   if (sigma_ * spread < stop().tolX) return StopReason::tolX;
   const auto window = static_cast<std::size_t>(120 + 30.0 * dimension() / population());
-  if (static_cast<std::size_t>(updates) > 2 * window && bests.size() >= window) {
+  if (static_cast<std::size_t>(updates_) > 2 * window && bests_.size() >= window) {
     const auto worse = [](const std::deque<double>& values) {
       const auto part = static_cast<std::ptrdiff_t>(values.size() * 3 / 10);
       return medianOf({values.end() - part, values.end()}) >=
              medianOf({values.begin(), values.begin() + part});
     };
-    if (worse(bests) && worse(medians)) return StopReason::stagnation;
+    if (worse(bests_) && worse(medians_)) return StopReason::stagnation;
   }
   return StopReason::none;
 }
 
 template <typename Archive>
 void Cmaes::visitState(Archive&& archive) {
-  for (Eigen::VectorXd* v : {&mean, &pathSigma, &pathC, &scales}) archive.matrix(*v);
-  archive.matrix(covariance);
-  archive.matrix(axes);
+  for (Eigen::VectorXd* v : {&mean_, &pathSigma_, &pathC_, &scales_}) archive.matrix(*v);
+  archive.matrix(covariance_);
+  archive.matrix(axes_);
   archive.number(sigma_);
-  archive.number(updates);
-  archive.number(decomposedAt);
-  archive.number(lastSpread);
-  archive.list(bests);
-  archive.list(medians);
-  archive.number(degenerate);
+  archive.number(updates_);
+  archive.number(decomposedAt_);
+  archive.number(lastSpread_);
+  archive.list(bests_);
+  archive.list(medians_);
+  archive.number(degenerate_);
 }
 
 std::string Cmaes::save() const {

@@ -27,7 +27,7 @@ class Cmaes : public Optimizer {
 public:
   Cmaes(SearchSpace space, CmaesOptions options = {});
 
-  int population() const { return static_cast<int>(weights.size()); }
+  int population() const { return static_cast<int>(weights_.size()); }
   double sigma() const override { return sigma_; }
   Eigen::VectorXd favourite() const override;
   /// Standard deviation of the candidates, per coordinate (bounds aside).
@@ -54,22 +54,22 @@ private:
   template <typename Archive>
   void visitState(Archive&& archive);
 
-  CmaesOptions options;
-  BoxTransform box;
-  int mu = 0;
-  Eigen::VectorXd weights;
-  double muEff = 0, cSigma = 0, dSigma = 0, cC = 0, c1 = 0, cMu = 0, chiN = 0;
-  std::int64_t decomposeEvery = 1;
+  CmaesOptions options_;
+  BoxTransform box_;
+  int mu_ = 0;
+  Eigen::VectorXd weights_;
+  double muEff_ = 0, cSigma_ = 0, dSigma_ = 0, cC_ = 0, c1_ = 0, cMu_ = 0, chiN_ = 0;
+  std::int64_t decomposeEvery_ = 1;
 
   // In coordinates whose unit is the first sigma.
-  Eigen::VectorXd mean, pathSigma, pathC, scales;
-  Eigen::MatrixXd covariance, axes;  // axes: eigenvectors times scales
-  std::deque<Drawn> drawn_;          // generations not told yet, the oldest first
+  Eigen::VectorXd mean_, pathSigma_, pathC_, scales_;
+  Eigen::MatrixXd covariance_, axes_;  // axes: eigenvectors times scales
+  std::deque<Drawn> drawn_;            // generations not told yet, the oldest first
   double sigma_ = 1;
-  std::int64_t updates = 0, decomposedAt = 0;
-  double lastSpread = 0;
-  std::deque<double> bests, medians;
-  bool degenerate = false;
+  std::int64_t updates_ = 0, decomposedAt_ = 0;
+  double lastSpread_ = 0;
+  std::deque<double> bests_, medians_;
+  bool degenerate_ = false;
 };
 
 }  // namespace plumbline

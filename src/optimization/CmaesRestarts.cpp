@@ -25,44 +25,44 @@ CmaesOptions withoutLimits(CmaesOptions options) {
 
 }  // namespace
 
-CmaesRestarts::CmaesRestarts(SearchSpace space_, CmaesOptions options_, Kind kind_, int restarts_)
-    : Optimizer(std::move(space_), options_.stop),
-      options(withoutLimits(options_)),
-      kind(kind_),
-      restarts(restarts_),
-      current(std::make_unique<Cmaes>(space(), options)) {
-  if (restarts < 0) throw std::invalid_argument("CmaesRestarts: restarts is " + std::to_string(restarts));
-  options.population = current->population();
+CmaesRestarts::CmaesRestarts(SearchSpace given, CmaesOptions options, Kind kind, int restarts)
+    : Optimizer(std::move(given), options.stop),
+      options_(withoutLimits(options)),
+      kind_(kind),
+      restarts_(restarts),
+      current_(std::make_unique<Cmaes>(space(), options_)) {
+  if (restarts_ < 0) throw std::invalid_argument("CmaesRestarts: restarts is " + std::to_string(restarts_));
+  options_.population = current_->population();
 }
 
 void CmaesRestarts::update(std::span<const double> costs, std::span<const int>) {
-  current->tell(costs);
-  (small ? usedBySmall : usedByLarge) += static_cast<std::int64_t>(costs.size());
-  if (!current->isDone()) return;
-  if (run >= restarts)
-    finished = current->stopReason();
+  current_->tell(costs);
+  (small_ ? usedBySmall_ : usedByLarge_) += static_cast<std::int64_t>(costs.size());
+  if (!current_->isDone()) return;
+  if (run_ >= restarts_)
+    finished_ = current_->stopReason();
   else
     restart();
 }
 
 void CmaesRestarts::forget() {
-  current->tell(std::vector<double>(static_cast<std::size_t>(current->population()),
-                                    std::numeric_limits<double>::infinity()));
+  current_->tell(std::vector<double>(static_cast<std::size_t>(current_->population()),
+                                     std::numeric_limits<double>::infinity()));
 }
 
 void CmaesRestarts::restart() {
-  ++run;
-  CmaesOptions next = options;
-  next.seed = options.seed + 0x9e3779b97f4a7c15ULL * static_cast<std::uint64_t>(run);
+  ++run_;
+  CmaesOptions next = options_;
+  next.seed = options_.seed + 0x9e3779b97f4a7c15ULL * static_cast<std::uint64_t>(run_);
   Random random(next.seed ^ 0x5bf0363526f1cd1dULL);
   SearchSpace from = space();
-  small = kind == Kind::bipop && usedBySmall < usedByLarge;
-  if (!small && doublings < maxDoublings) ++doublings;
-  const double large = std::ldexp(options.population, doublings);
-  if (small) {
+  small_ = kind_ == Kind::bipop && usedBySmall_ < usedByLarge_;
+  if (!small_ && doublings_ < maxDoublings) ++doublings_;
+  const double large = std::ldexp(options_.population, doublings_);
+  if (small_) {
     const double u = random.uniform();
-    const double size = options.population * std::pow(0.5 * large / options.population, u * u);
-    next.population = std::max(options.population, static_cast<int>(size));
+    const double size = options_.population * std::pow(0.5 * large / options_.population, u * u);
+    next.population = std::max(options_.population, static_cast<int>(size));
     from.sigma *= std::pow(10, -2 * random.uniform());
   } else {
     next.population = static_cast<int>(large);
@@ -73,12 +73,12 @@ void CmaesRestarts::restart() {
       from.start[i] = from.lower[i] + u * (from.upper[i] - from.lower[i]);
     } else {
       // Nothing says how wide the place is: the same deviation again could be caught in the same minimum.
-      const double wide = std::ldexp(space().sigma[i], doublings);
+      const double wide = std::ldexp(space().sigma[i], doublings_);
       from.start[i] = std::clamp(from.start[i] + wide * g, from.lower[i], from.upper[i]);
-      if (!small) from.sigma[i] = wide;
+      if (!small_) from.sigma[i] = wide;
     }
   }
-  current = std::make_unique<Cmaes>(std::move(from), next);
+  current_ = std::make_unique<Cmaes>(std::move(from), next);
 }
 
 namespace {

@@ -18,30 +18,30 @@ public:
   /// options.population is the first run's; options.stop applies to each run, its limits to all together.
   CmaesRestarts(SearchSpace space, CmaesOptions options, Kind kind = Kind::ipop, int restarts = 9);
 
-  int restartsDone() const { return run; }
-  int population() const { return current->population(); }
-  Eigen::VectorXd favourite() const override { return current->favourite(); }
-  double sigma() const override { return current->sigma(); }
+  int restartsDone() const { return run_; }
+  int population() const { return current_->population(); }
+  Eigen::VectorXd favourite() const override { return current_->favourite(); }
+  double sigma() const override { return current_->sigma(); }
 
 protected:
-  void sample(Eigen::MatrixXd& candidates) override { candidates = current->ask(); }
+  void sample(Eigen::MatrixXd& candidates) override { candidates = current_->ask(); }
   void update(std::span<const double> costs, std::span<const int> order) override;
   /// The current run is told, too: it would draw the same again.
   void forget() override;
-  StopReason converged() const override { return finished; }
+  StopReason converged() const override { return finished_; }
 
 private:
   void restart();
 
-  CmaesOptions options;
-  Kind kind;
-  int restarts;
-  int run = 0;         ///< restarts done
-  int doublings = 0;   ///< of the population
-  bool small = false;  ///< the current run is one of BIPOP's small ones
-  std::int64_t usedBySmall = 0, usedByLarge = 0;
-  std::unique_ptr<Cmaes> current;
-  StopReason finished = StopReason::none;
+  CmaesOptions options_;
+  Kind kind_;
+  int restarts_;
+  int run_ = 0;         ///< restarts done
+  int doublings_ = 0;   ///< of the population
+  bool small_ = false;  ///< the current run is one of BIPOP's small ones
+  std::int64_t usedBySmall_ = 0, usedByLarge_ = 0;
+  std::unique_ptr<Cmaes> current_;
+  StopReason finished_ = StopReason::none;
 };
 
 }  // namespace plumbline

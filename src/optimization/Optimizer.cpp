@@ -97,7 +97,7 @@ void Optimizer::tell(std::span<const double> costs) {
                                 std::to_string(open_.front().cols()) + " candidates");
   last_ = std::move(open_.front());
   open_.pop_front();
-  if (!savesItself()) told.insert(told.end(), costs.begin(), costs.end());
+  if (!savesItself()) told_.insert(told_.end(), costs.begin(), costs.end());
   std::vector<double> clean(costs.begin(), costs.end());
   for (double& cost : clean)
     if (std::isnan(cost)) cost = std::numeric_limits<double>::infinity();
@@ -116,7 +116,7 @@ void Optimizer::tell(std::span<const double> costs) {
     update(clean, order);
   else
     forget();
-  reason = findReason();
+  reason_ = findReason();
 }
 
 StopReason Optimizer::findReason() const {
@@ -139,7 +139,7 @@ std::string Optimizer::save() const {
   const auto dimension64 = static_cast<std::uint64_t>(dimension());
   std::string state(savedMark);
   state.append(reinterpret_cast<const char*>(&dimension64), sizeof dimension64);
-  state.append(reinterpret_cast<const char*>(told.data()), told.size() * sizeof(double));
+  state.append(reinterpret_cast<const char*>(told_.data()), told_.size() * sizeof(double));
   return state;
 }
 
@@ -166,12 +166,12 @@ void Optimizer::restore(const std::string& state) {
 }
 
 void Optimizer::restoreProgress(std::int64_t evaluations, std::int64_t generations, double bestCost,
-                                const Eigen::VectorXd& best, StopReason reason_) {
+                                const Eigen::VectorXd& best, StopReason reason) {
   evaluations_ = evaluations;
   generations_ = generations;
   bestCost_ = bestCost;
   best_ = best;
-  reason = reason_;
+  reason_ = reason;
   open_.clear();
 }
 

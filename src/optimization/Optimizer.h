@@ -88,8 +88,8 @@ public:
   /// The best candidate told so far; the start and +infinity before any.
   const Eigen::VectorXd& best() const { return best_; }
   double bestCost() const { return bestCost_; }
-  bool isDone() const { return reason != StopReason::none; }
-  StopReason stopReason() const { return reason; }
+  bool isDone() const { return reason_ != StopReason::none; }
+  StopReason stopReason() const { return reason_; }
   /// Where the distribution's centre is, in the box: the better estimate where costs are noisy.
   virtual Eigen::VectorXd favourite() const { return best_; }
   /// How far the candidates spread, in units of the first sigma.
@@ -137,8 +137,8 @@ private:
   std::int64_t evaluations_ = 0, generations_ = 0;
   Eigen::VectorXd best_;
   double bestCost_ = std::numeric_limits<double>::infinity();
-  StopReason reason = StopReason::none;
-  std::vector<double> told;  ///< all costs, unless it saves itself
+  StopReason reason_ = StopReason::none;
+  std::vector<double> told_;  ///< all costs, unless it saves itself
 };
 
 /// Runs until done, one evaluation after the other; gives the best cost.

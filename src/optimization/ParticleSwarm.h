@@ -21,7 +21,7 @@ struct ParticleSwarmOptions {
 class ParticleSwarm : public Optimizer {
 public:
   ParticleSwarm(SearchSpace space, ParticleSwarmOptions options = {});
-  int population() const { return static_cast<int>(place.cols()); }
+  int population() const { return static_cast<int>(place_.cols()); }
 
 protected:
   void sample(Eigen::MatrixXd& candidates) override;
@@ -31,11 +31,11 @@ protected:
 private:
   int leaderOf(int particle) const;
 
-  ParticleSwarmOptions options;
-  Eigen::MatrixXd place, speed, ownBest;
-  std::vector<double> ownCost;
-  double bestBefore = 0;
-  int stillFor = 0;
+  ParticleSwarmOptions options_;
+  Eigen::MatrixXd place_, speed_, ownBest_;
+  std::vector<double> ownCost_;
+  double bestBefore_ = 0;
+  int stillFor_ = 0;
 };
 
 }  // namespace plumbline

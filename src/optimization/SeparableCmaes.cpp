@@ -13,8 +13,8 @@ constexpr double mostGrowth = 1e4, worstCondition = 1e14;  // as in Cmaes
 
 }  // namespace
 
-SeparableCmaes::SeparableCmaes(SearchSpace space_, const OptimizerOptions& options)
-    : Optimizer(std::move(space_), options.stop), seed_(options.seed), box_(space().lower, space().upper) {
+SeparableCmaes::SeparableCmaes(SearchSpace given, const OptimizerOptions& options)
+    : Optimizer(std::move(given), options.stop), seed_(options.seed), box_(space().lower, space().upper) {
   const double n = dimension();
   population_ =
       options.population == 0 ? 4 + static_cast<int>(std::floor(3 * std::log(n))) : options.population;

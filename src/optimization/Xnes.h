@@ -21,7 +21,7 @@ class Xnes : public Optimizer {
 public:
   Xnes(SearchSpace space, XnesOptions options = {});
 
-  int population() const { return static_cast<int>(utilities.size()); }
+  int population() const { return static_cast<int>(utilities_.size()); }
   double sigma() const override { return sigma_; }
   Eigen::VectorXd favourite() const override;
 
@@ -31,14 +31,15 @@ protected:
   StopReason converged() const override;
 
 private:
-  XnesOptions options;
-  BoxTransform box;
-  Eigen::VectorXd utilities, mean;
-  Eigen::MatrixXd shape, z;  ///< shape: candidates are mean + sigma * shape * z, in units of the first sigma
-  Eigen::MatrixXd step;      ///< shape * z of this generation
-  double sigma_ = 1, rate = 0;
-  double lastSpread = 0, bestBefore = 0;
-  int stillFor = 0;
+  XnesOptions options_;
+  BoxTransform box_;
+  Eigen::VectorXd utilities_, mean_;
+  Eigen::MatrixXd shape_,
+      z_;                 ///< shape: candidates are mean + sigma * shape * z, in units of the first sigma
+  Eigen::MatrixXd step_;  ///< shape * z of this generation
+  double sigma_ = 1, rate_ = 0;
+  double lastSpread_ = 0, bestBefore_ = 0;
+  int stillFor_ = 0;
 };
 
 }  // namespace plumbline

@@ -16,19 +16,19 @@ public:
     const Text* oldest = nullptr;
     const std::string* name = nullptr;
     for (const auto& [key, text] : board_.texts_) {
-      if (text.version <= told_[key] || (oldest && oldest->version < text.version)) continue;
+      if (text.version <= sent_[key] || (oldest && oldest->version < text.version)) continue;
       oldest = &text;
       name = &key;
     }
     if (!oldest) return Kind::nothing;
-    told_[*name] = oldest->version;
+    sent_[*name] = oldest->version;
     message += *oldest->text;
     return Kind::text;
   }
 
 private:
   BoardPages& board_;
-  std::map<std::string, std::uint64_t> told_;
+  std::map<std::string, std::uint64_t> sent_;
 };
 
 void BoardPages::put(const std::string& name, std::string text) {

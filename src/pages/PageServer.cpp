@@ -84,8 +84,8 @@ struct PageServer::Implementation {
   std::thread thread;
 };
 
-PageServer::Implementation::Implementation(const Config& config_, PageSource& source_)
-    : config(config_), source(source_) {
+PageServer::Implementation::Implementation(const Config& given, PageSource& source)
+    : config(given), source(source) {
   if (config.address == "localhost") config.address = "127.0.0.1";
   protocols[0].name = "http";
   protocols[0].callback = lws_callback_http_dummy;
@@ -214,23 +214,23 @@ int PageServer::Implementation::callback(lws* wsi, lws_callback_reasons reason, 
 }
 
 PageServer::PageServer(const Config& config, PageSource& source)
-    : implementation(std::make_unique<Implementation>(config, source)) {}
+    : implementation_(std::make_unique<Implementation>(config, source)) {}
 
 PageServer::~PageServer() { stop(); }
 
 void PageServer::start() {
-  implementation->thread = std::thread([self = implementation.get()] {
+  implementation_->thread = std::thread([self = implementation_.get()] {
     while (!self->stopping && lws_service(self->context, 0) >= 0) {
     }
   });
 }
 
 void PageServer::stop() {
-  implementation->stopping = true;
-  lws_cancel_service(implementation->context);
-  if (implementation->thread.joinable()) implementation->thread.join();
+  implementation_->stopping = true;
+  lws_cancel_service(implementation_->context);
+  if (implementation_->thread.joinable()) implementation_->thread.join();
 }
 
-int PageServer::port() const { return implementation->port; }
+int PageServer::port() const { return implementation_->port; }
 
 }  // namespace plumbline::pages

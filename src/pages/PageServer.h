@@ -32,7 +32,7 @@ public:
 
 private:
   struct Implementation;
-  std::unique_ptr<Implementation> implementation;
+  std::unique_ptr<Implementation> implementation_;
 };
 
 }  // namespace plumbline::pages

@@ -80,9 +80,9 @@ bool Recorder::drain() {
 
 void Recorder::keepBooks(bool last) {
   const std::uint64_t missing = dropped();
-  if (missing > 0 && !toldDropped_ && !failed_ && tell_) {
+  if (missing > 0 && !reportedDropped_ && !failed_ && tell_) {
     tell_("log: the buffer is full, cycles are dropped");
-    toldDropped_ = true;
+    reportedDropped_ = true;
   }
   if (last && missing > 0 && tell_) tell_("log: " + counted(missing) + " missing in " + writer_.folder());
   if (failed_ || !begun_) return;

@@ -62,7 +62,7 @@ private:
   bool begun_ = false, failed_ = false;
   std::uint64_t lost_ = 0;   ///< taken and not written
   std::uint64_t noted_ = 0;  ///< dropped cycles that the log knows of
-  bool toldDropped_ = false;
+  bool reportedDropped_ = false;
   std::atomic<std::uint64_t> cycles_{0};
   CycleView view_;
   std::thread thread_;

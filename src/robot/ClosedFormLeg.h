@@ -28,7 +28,7 @@ public:
   /// Meeting point of the hip axes in the torso frame [m].
   const Vec3& hip() const { return hip_; }
   /// Height of the ankle's pitch axis over the foot's frame when the foot is level [m].
-  double ankleHeight() const { return -rollOffset.z(); }
+  double ankleHeight() const { return -rollOffset_.z(); }
   /// Largest distance of the hip from the axis of the ankle's pitch within the knee's limits [m].
   double maxReach() const { return maxReach_; }
 
@@ -37,11 +37,12 @@ private:
   double kneeFor(double wanted, bool& reachable) const;
   void clip(LegSolution& solution) const;
 
-  Side side;
-  Vec3 hip_, kneeOffset, ankleOffset,
-      rollOffset;                               ///< origins of thigh, shank, ankle, foot in their parents [m]
-  std::array<double, 6> lower, upper;           ///< [rad]
-  double thighLength, shankLength, bendAtZero;  ///< bendAtZero: angle between thigh and shank at knee 0 [rad]
+  Side side_;
+  Vec3 hip_, kneeOffset_, ankleOffset_,
+      rollOffset_;                       ///< origins of thigh, shank, ankle, foot in their parents [m]
+  std::array<double, 6> lower_, upper_;  ///< [rad]
+  double thighLength_, shankLength_,
+      bendAtZero_;  ///< bendAtZero: angle between thigh and shank at knee 0 [rad]
   double maxReach_, minReach_;
 };
 

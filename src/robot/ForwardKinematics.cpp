@@ -19,11 +19,11 @@ Mat3 rotationAbout(const Vec3& u, double angle) {
 
 }  // namespace
 
-ForwardKinematics::ForwardKinematics(const RobotModel& model) : model_(model), totalMass(model.totalMass()) {
+ForwardKinematics::ForwardKinematics(const RobotModel& model) : model_(model), totalMass_(model.totalMass()) {
   if (model.links.size() > maxLinks)
     throw std::invalid_argument("robot " + model.name + " has " + std::to_string(model.links.size()) +
                                 " links, at most " + std::to_string(maxLinks) + " are possible");
-  T_torso_link.fill(Pose3::Identity());
+  T_torso_link_.fill(Pose3::Identity());
   update(JointArray{});
 }
 
@@ -31,15 +31,15 @@ void ForwardKinematics::update(const JointArray& angles) {
   Vec3 moment = Vec3::Zero();
   for (std::size_t i = 0; i < model_.links.size(); ++i) {
     const Link& link = model_.links[i];
-    Pose3& pose = T_torso_link[i];
+    Pose3& pose = T_torso_link_[i];
     if (link.parent >= 0) {
-      const Pose3& parent = T_torso_link[static_cast<std::size_t>(link.parent)];
+      const Pose3& parent = T_torso_link_[static_cast<std::size_t>(link.parent)];
       pose.translation().noalias() = parent.linear() * link.origin + parent.translation();
       pose.linear().noalias() = parent.linear() * rotationAbout(link.axis, angles[link.joint]);
     }
     moment += link.mass * (pose.linear() * link.com + pose.translation());
   }
-  com_ = moment / totalMass;
+  com_ = moment / totalMass_;
 }
 
 }  // namespace plumbline

@@ -17,15 +17,15 @@ public:
   void update(const JointArray& angles);
 
   /// Pose of a link's frame (on its joint) in the torso frame.
-  const Pose3& link(int index) const { return T_torso_link[static_cast<std::size_t>(index)]; }
+  const Pose3& link(int index) const { return T_torso_link_[static_cast<std::size_t>(index)]; }
   /// Centre of mass of the whole robot in the torso frame [m].
   const Vec3& com() const { return com_; }
   const RobotModel& model() const { return model_; }
 
 private:
   const RobotModel& model_;
-  double totalMass;
-  std::array<Pose3, maxLinks> T_torso_link;
+  double totalMass_;
+  std::array<Pose3, maxLinks> T_torso_link_;
   Vec3 com_ = Vec3::Zero();
 };
 

@@ -38,11 +38,11 @@ void wear(Link& link, const Mechanism::Link& own) {
 
 }  // namespace
 
-Humanoid::Humanoid(const Mechanism& mechanism) : mechanismJoints(mechanism.joints.size()) {
+Humanoid::Humanoid(const Mechanism& mechanism) : mechanismJoints_(mechanism.joints.size()) {
   const auto refuse = [&](const std::string& joint, const char* why) {
     throw std::invalid_argument("robot " + mechanism.name + ", joint " + joint + ": " + why);
   };
-  indices.fill(-1);
+  indices_.fill(-1);
   model_.name = mechanism.name;
   model_.linkOfJoint.fill(-1);
   // The model's link that each of the mechanism's belongs to, and where that link's frame is in it.
@@ -82,7 +82,7 @@ Humanoid::Humanoid(const Mechanism& mechanism) : mechanismJoints(mechanism.joint
       model_.ownJointNames.resize(maxJoints - numHumanoidJoints);
       model_.ownJointNames[at(id - numHumanoidJoints)] = joint.name;
     }
-    indices[at(id)] = static_cast<int>(j);
+    indices_[at(id)] = static_cast<int>(j);
     linkOf[at(joint.child)] = model_.linkOfJoint[at(id)] = static_cast<int>(model_.links.size());
     model_.links.push_back(link);
   }
@@ -95,7 +95,7 @@ Humanoid::Humanoid(const Mechanism& mechanism) : mechanismJoints(mechanism.joint
     link.shape = {Shape::Kind::box, foot.soleSize, translation(origin[at(foot.link)] + foot.soleCentre)};
     link.collides = true;
   }
-  const int left = indices[lHipYawPitch], right = indices[rHipYawPitch];
+  const int left = indices_[lHipYawPitch], right = indices_[rHipYawPitch];
   model_.sharedHipYawPitch =
       left >= 0 && right >= 0 &&
       (mechanism.joints[at(right)].driver == left || mechanism.joints[at(left)].driver == right);
@@ -104,14 +104,14 @@ Humanoid::Humanoid(const Mechanism& mechanism) : mechanismJoints(mechanism.joint
 JointArray Humanoid::toModel(const std::vector<double>& values) const {
   JointArray result{};
   for (std::size_t j = 0; j < maxJoints; ++j)
-    if (indices[j] >= 0) result[j] = values.at(at(indices[j]));
+    if (indices_[j] >= 0) result[j] = values.at(at(indices_[j]));
   return result;
 }
 
 std::vector<double> Humanoid::toMechanism(const JointArray& values) const {
-  std::vector<double> result(mechanismJoints, 0);
+  std::vector<double> result(mechanismJoints_, 0);
   for (std::size_t j = 0; j < maxJoints; ++j)
-    if (indices[j] >= 0) result[at(indices[j])] = values[j];
+    if (indices_[j] >= 0) result[at(indices_[j])] = values[j];
   return result;
 }
 

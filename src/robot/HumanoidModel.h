@@ -21,7 +21,7 @@ public:
   const RobotModel& model() const { return model_; }
 
   /// Index of a joint in the mechanism, -1 where the robot lacks it.
-  int mechanismJoint(JointId joint) const { return indices[static_cast<std::size_t>(joint)]; }
+  int mechanismJoint(JointId joint) const { return indices_[static_cast<std::size_t>(joint)]; }
   /// One value per joint of the mechanism as the model's, 0 where there is none, and back (joints without a
   /// number: 0).
   JointArray toModel(const std::vector<double>& values) const;
@@ -29,8 +29,8 @@ public:
 
 private:
   RobotModel model_;
-  PerJoint<int> indices{};
-  std::size_t mechanismJoints;
+  PerJoint<int> indices_{};
+  std::size_t mechanismJoints_;
 };
 
 }  // namespace plumbline

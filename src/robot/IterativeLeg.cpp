@@ -53,14 +53,14 @@ Vec3 turnBetween(const Vec3& from, const Vec3& to) {
 
 }  // namespace
 
-IterativeLeg::IterativeLeg(const RobotModel& model, Side side) : chain(model, side) {
-  const std::array<Pose3, 6> zero = chain.poses({});
+IterativeLeg::IterativeLeg(const RobotModel& model, Side side) : chain_(model, side) {
+  const std::array<Pose3, 6> zero = chain_.poses({});
   std::array<Vec3, 6> place;
   Mat3 across = Mat3::Zero();
   Vec3 sum = Vec3::Zero(), kneeAxis = Vec3::UnitY();
   double lower = 0, upper = 0;
   for (std::size_t i = 0; i < 6; ++i) {
-    const LegChain::Joint& joint = chain.joints()[i];
+    const LegChain::Joint& joint = chain_.joints()[i];
     place[joint.angle] = zero[i].translation();
     if (joint.angle <= hipPitch) {
       const Mat3 off = Mat3::Identity() - joint.axis * joint.axis.transpose();
@@ -97,9 +97,9 @@ LegSolution IterativeLeg::solve(const Target& target) const {
   double best = -1;
   bool outside = false;
   for (std::size_t start = 0; start < numStarts; ++start) {
-    LegAngles angles = startAngles(chain, start);
+    LegAngles angles = startAngles(chain_, start);
     if (target.hipYawPitch) angles[hipYawPitch] = *target.hipYawPitch;
-    chain.clip(angles, outside);
+    chain_.clip(angles, outside);
     const double error = descend(target, angles);
     if (best >= 0 && error >= best) continue;
     best = error;
@@ -128,7 +128,7 @@ IterativeLeg::Mat6 IterativeLeg::jacobian(const Target& target, const std::array
   Mat6 J;
   const Vec3 foot = poses.back().translation(), normal = poses.back().linear().col(2);
   for (std::size_t i = 0; i < 6; ++i) {
-    const LegChain::Joint& joint = chain.joints()[i];
+    const LegChain::Joint& joint = chain_.joints()[i];
     const auto column = static_cast<Eigen::Index>(joint.angle);
     const Vec3 axis = poses[i].linear() * joint.axis;
     J.block<3, 1>(0, column) = axis.cross(foot - poses[i].translation());
@@ -139,7 +139,7 @@ IterativeLeg::Mat6 IterativeLeg::jacobian(const Target& target, const std::array
 
 /// Moves the angles to where the error is smallest near them; returns what is left of it.
 double IterativeLeg::descend(const Target& target, LegAngles& angles) const {
-  std::array<Pose3, 6> poses = chain.poses(angles);
+  std::array<Pose3, 6> poses = chain_.poses(angles);
   Vec6 error = errorOf(target, poses);
   double size = error.norm(), damping = 0.1;
   for (int step = 0; step < maxSteps && size > converged; ++step) {
@@ -147,7 +147,7 @@ double IterativeLeg::descend(const Target& target, LegAngles& angles) const {
     Vec6 downhill = J.transpose() * error;
     Mat6 normal = J.transpose() * J;
     // What is given or would leave its limits stays.
-    for (const LegChain::Joint& joint : chain.joints()) {
+    for (const LegChain::Joint& joint : chain_.joints()) {
       const auto k = static_cast<Eigen::Index>(joint.angle);
       const double q = angles[joint.angle];
       const bool given = target.hipYawPitch && joint.angle == hipYawPitch;
@@ -165,8 +165,8 @@ double IterativeLeg::descend(const Target& target, LegAngles& angles) const {
       LegAngles next = angles;
       for (std::size_t k = 0; k < 6; ++k) next[k] += change[static_cast<Eigen::Index>(k)];
       bool clipped = false;
-      chain.clip(next, clipped);
-      const std::array<Pose3, 6> there = chain.poses(next);
+      chain_.clip(next, clipped);
+      const std::array<Pose3, 6> there = chain_.poses(next);
       const Vec6 left = errorOf(target, there);
       if (left.norm() < size) {
         angles = next;

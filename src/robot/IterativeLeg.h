@@ -20,7 +20,7 @@ public:
   /// what the hip makes of it.
   LegSolution solve(const Pose3& T_torso_foot, double hipYawPitch) const;
 
-  Pose3 foot(const LegAngles& angles) const { return chain.poses(angles).back(); }
+  Pose3 foot(const LegAngles& angles) const { return chain_.poses(angles).back(); }
   /// The point nearest to the three hip axes with all joints at zero, torso frame [m].
   const Vec3& hip() const { return hip_; }
   /// Height of the ankle's pitch axis over the foot's frame when all joints are at zero [m].
@@ -42,7 +42,7 @@ private:
   Mat6 jacobian(const Target& target, const std::array<Pose3, 6>& poses) const;
   double descend(const Target& target, LegAngles& angles) const;
 
-  LegChain chain;
+  LegChain chain_;
   Vec3 hip_ = Vec3::Zero();
   double ankleHeight_ = 0, maxReach_ = 0;
 };

@@ -26,13 +26,13 @@ public:
   /// Angles the joints will have when the next command takes effect [rad].
   const JointArray& predicted() const { return predicted_; }
   /// Forgets the command in flight (after a reconnect).
-  void reset() { speeds.fill(0); }
+  void reset() { speeds_.fill(0); }
 
 private:
-  JointVelocityParameters parameters;
-  JointArray lowerStop{}, upperStop{}, maxSpeed{};
-  JointArray lower{}, upper{};  ///< of the targets, inside the stops [rad]
-  JointArray speeds{}, predicted_{};
+  JointVelocityParameters parameters_;
+  JointArray lowerStop_{}, upperStop_{}, maxSpeed_{};
+  JointArray lower_{}, upper_{};  ///< of the targets, inside the stops [rad]
+  JointArray speeds_{}, predicted_{};
 };
 
 }  // namespace plumbline

@@ -16,7 +16,7 @@ std::variant<ClosedFormLeg, IterativeLeg> legOf(const RobotModel& model, Side si
 
 }  // namespace
 
-LegKinematics::LegKinematics(const RobotModel& model, Side side) : leg(legOf(model, side)) {
+LegKinematics::LegKinematics(const RobotModel& model, Side side) : leg_(legOf(model, side)) {
   const int first = firstLegJoint(side);
   const auto ankleRoll = static_cast<JointId>(first + 5), toePitch = static_cast<JointId>(first + 6);
   const Link& foot = model.linkMovedBy(ankleRoll);
@@ -34,29 +34,29 @@ LegKinematics::LegKinematics(const RobotModel& model, Side side) : leg(legOf(mod
 
 LegSolution LegKinematics::solve(const Pose3& T_torso_sole) const {
   const Pose3 T_torso_foot = T_torso_sole * T_foot_sole_.inverse();
-  return std::visit([&](const auto& form) { return form.solve(T_torso_foot); }, leg);
+  return std::visit([&](const auto& form) { return form.solve(T_torso_foot); }, leg_);
 }
 
 LegSolution LegKinematics::solve(const Pose3& T_torso_sole, double hipYawPitch) const {
   const Pose3 T_torso_foot = T_torso_sole * T_foot_sole_.inverse();
-  return std::visit([&](const auto& form) { return form.solve(T_torso_foot, hipYawPitch); }, leg);
+  return std::visit([&](const auto& form) { return form.solve(T_torso_foot, hipYawPitch); }, leg_);
 }
 
 Pose3 LegKinematics::sole(const LegAngles& angles) const {
-  return std::visit([&](const auto& form) { return form.foot(angles); }, leg) * T_foot_sole_;
+  return std::visit([&](const auto& form) { return form.foot(angles); }, leg_) * T_foot_sole_;
 }
 
 const Vec3& LegKinematics::hip() const {
-  return std::visit([](const auto& form) -> const Vec3& { return form.hip(); }, leg);
+  return std::visit([](const auto& form) -> const Vec3& { return form.hip(); }, leg_);
 }
 
 double LegKinematics::ankleHeight() const {
-  return std::visit([](const auto& form) { return form.ankleHeight(); }, leg) -
+  return std::visit([](const auto& form) { return form.ankleHeight(); }, leg_) -
          T_foot_sole_.translation().z();
 }
 
 double LegKinematics::maxReach() const {
-  return std::visit([](const auto& form) { return form.maxReach(); }, leg);
+  return std::visit([](const auto& form) { return form.maxReach(); }, leg_);
 }
 
 }  // namespace plumbline

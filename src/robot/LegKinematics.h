@@ -33,10 +33,10 @@ public:
   double ankleHeight() const;
   /// Largest distance of the hip from the axis of the ankle's pitch within the knee's limits [m].
   double maxReach() const;
-  bool closedForm() const { return std::holds_alternative<ClosedFormLeg>(leg); }
+  bool closedForm() const { return std::holds_alternative<ClosedFormLeg>(leg_); }
 
 private:
-  std::variant<ClosedFormLeg, IterativeLeg> leg;
+  std::variant<ClosedFormLeg, IterativeLeg> leg_;
   Pose3 T_foot_sole_ = Pose3::Identity();
   Vec2 soleHalfSize_;
 };

@@ -46,23 +46,23 @@ constexpr Bounds rate{"rates: control_hz", "Hz", 1e-3, 1e6, 1, 2e4};
 
 class Checker {
 public:
-  Checker(const Mechanism& m_, const std::string& file_, const MechanismWarnings& warn_)
-      : m(m_), file(file_), warn(warn_), reach(std::max(1.0, 2 * size())) {}
+  Checker(const Mechanism& m, const std::string& file, const MechanismWarnings& warn)
+      : m_(m), file_(file), warn_(warn), reach_(std::max(1.0, 2 * size())) {}
 
   void run() const {
-    check("", gravityBounds, m.gravity.norm());
-    check("", rate, m.controlHz);
-    for (std::size_t i = 0; i < m.links.size(); ++i)
-      if (i > 0 || m.links[i].mass > 0) checkLink(m.links[i]);
-    if (m.totalMass() > 0) check("", robotMass, m.totalMass());
-    for (const Mechanism::Joint& joint : m.joints) checkJoint(joint);
+    check("", gravityBounds, m_.gravity.norm());
+    check("", rate, m_.controlHz);
+    for (std::size_t i = 0; i < m_.links.size(); ++i)
+      if (i > 0 || m_.links[i].mass > 0) checkLink(m_.links[i]);
+    if (m_.totalMass() > 0) check("", robotMass, m_.totalMass());
+    for (const Mechanism::Joint& joint : m_.joints) checkJoint(joint);
   }
 
 private:
   /// From the base to the farthest joint, all links stretched out [m].
   double size() const {
-    std::vector<double> length(m.links.size(), 0);
-    for (const Mechanism::Joint& joint : m.joints)
+    std::vector<double> length(m_.links.size(), 0);
+    for (const Mechanism::Joint& joint : m_.joints)
       length[static_cast<std::size_t>(joint.child)] =
           length[static_cast<std::size_t>(joint.parent)] + joint.origin.norm();
     return *std::max_element(length.begin(), length.end());
@@ -70,10 +70,10 @@ private:
 
   static std::string prefix(const std::string& place) { return place.empty() ? "" : place + ": "; }
   [[noreturn]] void fail(const std::string& place, const std::string& what) const {
-    failMechanism(file, prefix(place) + what);
+    failMechanism(file_, prefix(place) + what);
   }
   void doubt(const std::string& place, const std::string& what) const {
-    if (warn) warn(file + ": " + prefix(place) + what);
+    if (warn_) warn_(file_ + ": " + prefix(place) + what);
   }
 
   void check(const std::string& place, const Bounds& b, double value) const {
@@ -109,14 +109,14 @@ private:
     const std::string place = "link " + link.name;
     const double com = link.com.norm();
     if (com > maxLength) fail(place, "com is " + numberText(com) + " m away, which cannot be; give it in m");
-    if (com > reach)
+    if (com > reach_)
       doubt(place, "com is " + numberText(com) + " m away, farther than the robot is long; is it in m?");
     const double radius = std::sqrt(largestMoment / link.mass);
     if (radius > maxLength)
       fail(place, "mass and inertia are those of a body of radius " + numberText(radius) +
                       " m, which cannot be; give them in kg and kg m^2");
     constexpr double smallest = 1e-4;
-    if (radius > reach || radius < smallest)
+    if (radius > reach_ || radius < smallest)
       doubt(place, "mass and inertia are those of a body of radius " + numberText(radius) +
                        " m; are they in kg and kg m^2?");
   }
@@ -155,10 +155,10 @@ private:
                        " turns; is it in rad? A joint without stops has 1000");
   }
 
-  const Mechanism& m;
-  const std::string& file;
-  const MechanismWarnings& warn;
-  const double reach;
+  const Mechanism& m_;
+  const std::string& file_;
+  const MechanismWarnings& warn_;
+  const double reach_;
 };
 
 }  // namespace

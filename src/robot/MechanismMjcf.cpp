@@ -30,12 +30,12 @@ public:
     if (!root) failMechanism(file, "no <mujoco>; give a model of MuJoCo");
     if (const XMLElement* include = root->FirstChildElement("include"))
       fail(*include, "<include> is not followed; save the whole model with MuJoCo (mj_saveLastXML)");
-    parts.name = root->Attribute("model") ? root->Attribute("model") : "robot";
-    checkName(parts.name, "model", file);
+    parts_.name = root->Attribute("model") ? root->Attribute("model") : "robot";
+    checkName(parts_.name, "model", file);
     for (const XMLElement* e = root->FirstChildElement("compiler"); e; e = e->NextSiblingElement("compiler"))
       readCompiler(*e);
     if (const XMLElement* option = root->FirstChildElement("option"))
-      parts.gravity = vector(option, "gravity", parts.gravity);
+      parts_.gravity = vector(option, "gravity", parts_.gravity);
     for (const XMLElement* e = root->FirstChildElement("default"); e; e = e->NextSiblingElement("default"))
       readDefaults(*e, "", 0);
     bool any = false;
@@ -52,7 +52,7 @@ public:
     readEqualities(*root);
     readActuators(*root);
     readSensors(*root);
-    return std::move(parts);
+    return std::move(parts_);
   }
 
 private:
@@ -79,14 +79,14 @@ private:
   void readDefaults(const XMLElement& e, const std::string& around, int depth) {
     if (depth > deepest) fail(e, "classes are nested too deeply");
     const std::string name = around.empty() ? outermost : attribute(e, "class");
-    if (!around.empty()) defaults[name] = defaults[around];
-    Defaults& mine = defaults[name];
+    if (!around.empty()) defaults_[name] = defaults_[around];
+    Defaults& mine = defaults_[name];
     for (const XMLElement* c = e.FirstChildElement(); c; c = c->NextSiblingElement()) {
       if (std::string_view(c->Name()) == "default") continue;
       for (const tinyxml2::XMLAttribute* a = c->FirstAttribute(); a; a = a->Next())
         mine[c->Name()][a->Name()] = a->Value();
     }
-    if (around.empty() && e.Attribute("class")) defaults[e.Attribute("class")] = mine;
+    if (around.empty() && e.Attribute("class")) defaults_[e.Attribute("class")] = mine;
     for (const XMLElement* c = e.FirstChildElement("default"); c; c = c->NextSiblingElement("default"))
       readDefaults(*c, name, depth + 1);
   }
@@ -95,8 +95,8 @@ private:
   void complete(XMLElement& e, const std::string& classAround) const {
     const char* own = e.Attribute("class");
     const std::string name = own ? own : classAround.empty() ? outermost : classAround;
-    const auto found = defaults.find(name);
-    if (found == defaults.end()) {
+    const auto found = defaults_.find(name);
+    if (found == defaults_.end()) {
       if (own) fail(e, "there is no class " + name.substr(0, 60));
       return;
     }
@@ -115,7 +115,7 @@ private:
     if (depth > deepest) fail(e, "bodies are nested too deeply");
     if (e.Attribute("childclass")) classAround = e.Attribute("childclass");
     Mechanism::Link link;
-    link.name = e.Attribute("name") ? e.Attribute("name") : "body" + std::to_string(parts.links.size());
+    link.name = e.Attribute("name") ? e.Attribute("name") : "body" + std::to_string(parts_.links.size());
     checkName(link.name, "body", file + ":" + std::to_string(e.GetLineNum()));
     refuseMacros(e);
     const XMLElement* hinge = nullptr;
@@ -141,9 +141,9 @@ private:
     if (parent.empty() && (hinge || !isFree)) {
       Mechanism::Link base;
       base.name = world;
-      parts.links.push_back(base);
+      parts_.links.push_back(base);
     }
-    parts.links.push_back(link);
+    parts_.links.push_back(link);
     if (!isFree) {
       MechanismParts::Joint part;
       part.parent = parent.empty() ? world : parent;
@@ -154,11 +154,11 @@ private:
       part.fixed = hinge == nullptr;
       part.joint.name = link.name + "_fixed";
       if (hinge) readJoint(*hinge, part);
-      parts.joints.push_back(part);
+      parts_.joints.push_back(part);
     }
     for (const XMLElement* s = e.FirstChildElement("site"); s; s = s->NextSiblingElement("site"))
       if (s->Attribute("name"))
-        sites[s->Attribute("name")] = {link.name, vector(s, "pos", Vec3::Zero()) - anchor, rotationOf(*s)};
+        sites_[s->Attribute("name")] = {link.name, vector(s, "pos", Vec3::Zero()) - anchor, rotationOf(*s)};
     for (const XMLElement* c = e.FirstChildElement("body"); c; c = c->NextSiblingElement("body"))
       readBody(*c, link.name, classAround, depth + 1, anchor);
   }
@@ -205,7 +205,7 @@ private:
          all = all->NextSiblingElement("equality"))
       for (const XMLElement* e = all->FirstChildElement("joint"); e; e = e->NextSiblingElement("joint")) {
         if (!e->Attribute("joint2") || e->Attribute("active", "false")) continue;
-        MechanismParts::Joint* part = parts.find(attribute(*e, "joint1"));
+        MechanismParts::Joint* part = parts_.find(attribute(*e, "joint1"));
         if (!part) fail(*e, "there is no joint " + attribute(*e, "joint1").substr(0, 60));
         std::vector<double> polynomial = numbers(*e, "polycoef", 5);
         if (polynomial.empty()) polynomial = {0, 1};
@@ -223,15 +223,15 @@ private:
          all = all->NextSiblingElement("actuator"))
       for (const XMLElement* e = all->FirstChildElement(); e; e = e->NextSiblingElement()) {
         if (!e->Attribute("joint")) continue;
-        MechanismParts::Joint* part = parts.find(e->Attribute("joint"));
+        MechanismParts::Joint* part = parts_.find(e->Attribute("joint"));
         if (!part || part->fixed)
           fail(*e, "there is no joint " + std::string(e->Attribute("joint")).substr(0, 60));
         complete(*e, "");
         readActuator(*e, part->joint);
       }
-    for (MechanismParts::Joint& part : parts.joints) {
+    for (MechanismParts::Joint& part : parts_.joints) {
       part.hasServo = !part.fixed;
-      if (const MechanismParts::Joint* driver = part.driver.empty() ? nullptr : parts.find(part.driver);
+      if (const MechanismParts::Joint* driver = part.driver.empty() ? nullptr : parts_.find(part.driver);
           driver && !(part.joint.servo.kp > 0)) {
         part.joint.servo.kp = driver->joint.servo.kp;
         part.joint.servo.kd = driver->joint.servo.kd;
@@ -264,12 +264,12 @@ private:
          all = all->NextSiblingElement("sensor"))
       for (const char* kind : {"gyro", "accelerometer"})
         if (const XMLElement* e = all->FirstChildElement(kind)) {
-          const auto site = sites.find(attribute(*e, "site"));
-          if (site == sites.end()) fail(*e, "there is no site " + attribute(*e, "site").substr(0, 60));
-          if (!parts.imuLink.empty() && parts.imuLink != site->second.link) continue;
-          parts.imuLink = site->second.link;
-          (kind[0] == 'g' ? parts.imu.gyro : parts.imu.accelerometer) = site->second.place;
-          parts.imu.rpy = rpyOfRotation(site->second.turn);
+          const auto site = sites_.find(attribute(*e, "site"));
+          if (site == sites_.end()) fail(*e, "there is no site " + attribute(*e, "site").substr(0, 60));
+          if (!parts_.imuLink.empty() && parts_.imuLink != site->second.link) continue;
+          parts_.imuLink = site->second.link;
+          (kind[0] == 'g' ? parts_.imu.gyro : parts_.imu.accelerometer) = site->second.place;
+          parts_.imu.rpy = rpyOfRotation(site->second.turn);
         }
   }
 
@@ -280,9 +280,9 @@ private:
     Vec3 place;
     Mat3 turn;
   };
-  MechanismParts parts;
-  std::map<std::string, Defaults> defaults;
-  std::map<std::string, SitePlace> sites;
+  MechanismParts parts_;
+  std::map<std::string, Defaults> defaults_;
+  std::map<std::string, SitePlace> sites_;
 };
 
 }  // namespace

@@ -13,10 +13,9 @@ namespace plumbline {
 /// One object of a robot's JSON file, with its place for error texts.
 class MechanismObject {
 public:
-  /// place: for people, `joint Knee`; path: where it stands in the file, `joints[3]`.
-  MechanismObject(const nlohmann::json& value_, std::string place_, std::string path_,
-                  const std::string& file_)
-      : value(value_), place(std::move(place_)), path(std::move(path_)), file(file_) {
+  /// at: for people, `joint Knee`; steps: where it stands in the file, `joints[3]`.
+  MechanismObject(const nlohmann::json& value, std::string at, std::string steps, const std::string& file)
+      : value(value), place(std::move(at)), path(std::move(steps)), file(file) {
     if (!value.is_object())
       failMechanism(file, (place.empty() ? "it" : place) + " is no object; write { ... }");
   }

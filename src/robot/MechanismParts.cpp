@@ -54,10 +54,10 @@ struct Body {
 
 class Assembler {
 public:
-  Assembler(const MechanismParts& parts_, const std::string& file_) : parts(parts_), file(file_) {}
+  Assembler(const MechanismParts& parts, const std::string& file) : parts_(parts), file_(file) {}
 
   Mechanism run() {
-    if (parts.links.size() > maxParts || parts.joints.size() > maxParts)
+    if (parts_.links.size() > maxParts || parts_.joints.size() > maxParts)
       fail("more than " + std::to_string(maxParts) + " links or joints");
     index();
     placeLinks();
@@ -65,68 +65,68 @@ public:
     finishDrivers();
     finishGroups();
     finishSensors();
-    result.name = parts.name;
-    result.gravity = parts.gravity;
-    result.controlHz = parts.controlHz;
-    return std::move(result);
+    result_.name = parts_.name;
+    result_.gravity = parts_.gravity;
+    result_.controlHz = parts_.controlHz;
+    return std::move(result_);
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what) const { failMechanism(file, what); }
+  [[noreturn]] void fail(const std::string& what) const { failMechanism(file_, what); }
 
   void index() {
-    for (std::size_t i = 0; i < parts.links.size(); ++i)
-      if (!linkAt.emplace(parts.links[i].name, i).second)
-        fail("link " + parts.links[i].name + " occurs twice; rename one");
+    for (std::size_t i = 0; i < parts_.links.size(); ++i)
+      if (!linkAt_.emplace(parts_.links[i].name, i).second)
+        fail("link " + parts_.links[i].name + " occurs twice; rename one");
     std::map<std::string, std::string> moverOf;
     std::map<std::string, int> names;
-    for (const auto& [joint, parent, child, driver, type, fixed, servo] : parts.joints) {
+    for (const auto& [joint, parent, child, driver, type, fixed, servo] : parts_.joints) {
       if (++names[joint.name] > 1) fail("joint " + joint.name + " occurs twice; rename one");
       for (const std::string& end : {parent, child})
-        if (!linkAt.count(end)) fail("joint " + joint.name + ": there is no link " + end);
+        if (!linkAt_.count(end)) fail("joint " + joint.name + ": there is no link " + end);
       if (const auto [it, isNew] = moverOf.emplace(child, joint.name); !isNew)
         fail("link " + child + " is the child of both " + it->second + " and " + joint.name +
              "; a robot is a tree");
     }
     std::vector<std::string> roots;
-    for (const Mechanism::Link& link : parts.links)
+    for (const Mechanism::Link& link : parts_.links)
       if (!moverOf.count(link.name)) roots.push_back(link.name);
     if (roots.empty()) fail("no link is the base: the joints form a ring");
     if (roots.size() > 1)
       fail("links " + roots[0] + " and " + roots[1] +
            " both lack a joint that holds them; join one to the rest");
-    if (!parts.base.empty() && parts.base != roots[0])
-      fail("base_link is " + parts.base + ", but the joints start at " + roots[0]);
-    bodies.push_back({});
-    bodies[0].name = roots[0];
+    if (!parts_.base.empty() && parts_.base != roots[0])
+      fail("base_link is " + parts_.base + ", but the joints start at " + roots[0]);
+    bodies_.push_back({});
+    bodies_[0].name = roots[0];
     enter(roots[0], 0, Pose3::Identity());
   }
 
   void enter(const std::string& link, int body, const Pose3& T_body_link) {
-    placed[link] = {body, T_body_link};
-    bodies[static_cast<std::size_t>(body)].add(parts.links[linkAt[link]], T_body_link);
-    if (link != bodies[static_cast<std::size_t>(body)].name)
-      result.frames.push_back({link, body, T_body_link});
+    placed_[link] = {body, T_body_link};
+    bodies_[static_cast<std::size_t>(body)].add(parts_.links[linkAt_[link]], T_body_link);
+    if (link != bodies_[static_cast<std::size_t>(body)].name)
+      result_.frames.push_back({link, body, T_body_link});
   }
 
   /// Takes the first joint of the file whose parent has its place, again and again: parents come first, the
   /// file's order stays where it can.
   void placeLinks() {
-    std::vector<bool> done(parts.joints.size());
+    std::vector<bool> done(parts_.joints.size());
     for (std::size_t placedJoints = 0; placedJoints < done.size(); ++placedJoints) {
       std::size_t next = 0;
-      while (next < done.size() && (done[next] || !placed.count(parts.joints[next].parent))) ++next;
+      while (next < done.size() && (done[next] || !placed_.count(parts_.joints[next].parent))) ++next;
       if (next == done.size()) {
         next = static_cast<std::size_t>(std::find(done.begin(), done.end(), false) - done.begin());
-        fail("joint " + parts.joints[next].joint.name + " hangs in a ring of links; a robot is a tree");
+        fail("joint " + parts_.joints[next].joint.name + " hangs in a ring of links; a robot is a tree");
       }
       done[next] = true;
-      place(parts.joints[next]);
+      place(parts_.joints[next]);
     }
   }
 
   void place(const MechanismParts::Joint& part) {
-    const auto [parentBody, T_body_parent] = placed[part.parent];
+    const auto [parentBody, T_body_parent] = placed_[part.parent];
     if (part.fixed) {
       enter(part.child, parentBody, T_body_parent * part.joint.T_parent_joint());
       return;
@@ -139,66 +139,66 @@ private:
       joint.rpy = rpyOfRotation(T_body_joint.linear());
     }
     joint.parent = parentBody;
-    joint.child = static_cast<int>(bodies.size());
-    bodies.push_back({});
-    bodies.back().name = part.child;
+    joint.child = static_cast<int>(bodies_.size());
+    bodies_.push_back({});
+    bodies_.back().name = part.child;
     enter(part.child, joint.child, Pose3::Identity());
-    result.joints.push_back(joint);
-    drivers.push_back(part.driver);
+    result_.joints.push_back(joint);
+    drivers_.push_back(part.driver);
   }
 
   void finishLinks() {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      Mechanism::Link link = bodies[i].finish();
-      link.name = bodies[i].name;
-      link.parent = i == 0 ? -1 : result.joints[i - 1].parent;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      Mechanism::Link link = bodies_[i].finish();
+      link.name = bodies_[i].name;
+      link.parent = i == 0 ? -1 : result_.joints[i - 1].parent;
       if (i > 0 && !(link.mass > 0))
         fail("link " + link.name + ": mass is " + numberText(link.mass) + "; give what moves a mass");
-      result.links.push_back(std::move(link));
+      result_.links.push_back(std::move(link));
     }
   }
 
   void finishDrivers() {
-    for (std::size_t j = 0; j < drivers.size(); ++j) {
-      if (drivers[j].empty()) continue;
-      Joint& joint = result.joints[j];
-      joint.driver = result.jointIndex(drivers[j]);
+    for (std::size_t j = 0; j < drivers_.size(); ++j) {
+      if (drivers_[j].empty()) continue;
+      Joint& joint = result_.joints[j];
+      joint.driver = result_.jointIndex(drivers_[j]);
       if (joint.driver < 0)
-        fail("joint " + joint.name + " is driven by " + drivers[j] + ", which is no joint");
+        fail("joint " + joint.name + " is driven by " + drivers_[j] + ", which is no joint");
       if (joint.driver == static_cast<int>(j)) fail("joint " + joint.name + " is driven by itself");
       const auto driver = static_cast<std::size_t>(joint.driver);
-      if (!drivers[driver].empty())
-        fail("joint " + joint.name + " is driven by " + drivers[j] + ", which has no motor of its own");
+      if (!drivers_[driver].empty())
+        fail("joint " + joint.name + " is driven by " + drivers_[j] + ", which has no motor of its own");
     }
   }
 
   /// Those that the file names, then one of each type of servo.
   void finishGroups() {
-    for (const MechanismParts::Group& group : parts.groups) {
-      if (result.jointIndex(group.name) >= 0 || result.linkIndex(group.name) >= 0 || group.name == "imu" ||
+    for (const MechanismParts::Group& group : parts_.groups) {
+      if (result_.jointIndex(group.name) >= 0 || result_.linkIndex(group.name) >= 0 || group.name == "imu" ||
           group.name == "ground")
         fail("group " + group.name + " has the name of something else; rename it");
       std::vector<int> joints;
       for (const std::string& joint : group.joints) {
-        joints.push_back(result.jointIndex(joint));
+        joints.push_back(result_.jointIndex(joint));
         if (joints.back() < 0) fail("group " + group.name + ": there is no joint " + joint);
       }
       addGroup(group.name, std::move(joints));
-      if (motorsOf(result.groups.back()) < 2)
+      if (motorsOf(result_.groups.back()) < 2)
         fail("group " + group.name + " has fewer than two motors; give it more joints");
     }
     std::map<std::string, std::vector<int>> ofType;
-    for (const MechanismParts::Joint& part : parts.joints)
-      if (!part.servoType.empty()) ofType[part.servoType].push_back(result.jointIndex(part.joint.name));
+    for (const MechanismParts::Joint& part : parts_.joints)
+      if (!part.servoType.empty()) ofType[part.servoType].push_back(result_.jointIndex(part.joint.name));
     for (auto& [type, joints] : ofType) {
-      if (std::ranges::any_of(result.groups,
+      if (std::ranges::any_of(result_.groups,
                               [&type = type](const auto& group) { return group.name == type; }))
         fail("group " + type + " has the name of a type of servo; rename it");
-      if (result.jointIndex(type) >= 0 || result.linkIndex(type) >= 0)
+      if (result_.jointIndex(type) >= 0 || result_.linkIndex(type) >= 0)
         fail("the type of servo " + type + " has the name of something else; rename it");
       addGroup(type, std::move(joints));
       // One motor needs no group; all motors of one type are "*".
-      if (motorsOf(result.groups.back()) < 2 || result.sharesServo()) result.groups.pop_back();
+      if (motorsOf(result_.groups.back()) < 2 || result_.sharesServo()) result_.groups.pop_back();
     }
   }
 
@@ -206,36 +206,36 @@ private:
     std::ranges::sort(joints);
     if (std::ranges::adjacent_find(joints) != joints.end())
       fail("group " + name + " names joint " +
-           result.joints[static_cast<std::size_t>(*std::ranges::adjacent_find(joints))].name + " twice");
-    result.groups.push_back({name, std::move(joints)});
+           result_.joints[static_cast<std::size_t>(*std::ranges::adjacent_find(joints))].name + " twice");
+    result_.groups.push_back({name, std::move(joints)});
   }
 
   std::size_t motorsOf(const Mechanism::Group& group) const {
     std::set<int> motors;
-    for (const int joint : group.joints) motors.insert(result.motorOf(joint));
+    for (const int joint : group.joints) motors.insert(result_.motorOf(joint));
     return motors.size();
   }
 
   int linkOrFail(const std::string& name, const std::string& of) const {
-    const int link = result.linkIndex(name);
+    const int link = result_.linkIndex(name);
     if (link < 0) fail(of + ": there is no link " + name);
     return link;
   }
 
-  Pose3 frameOf(const std::string& link) const { return placed.at(link).second; }
+  Pose3 frameOf(const std::string& link) const { return placed_.at(link).second; }
 
   void finishSensors() {
-    if (!parts.imuLink.empty()) {
-      result.hasImu = true;
-      result.imu = parts.imu;
-      result.imu.link = linkOrFail(parts.imuLink, "imu");
-      const Pose3 T = frameOf(parts.imuLink);
-      result.imu.gyro = T * parts.imu.gyro;
-      result.imu.accelerometer = T * parts.imu.accelerometer;
+    if (!parts_.imuLink.empty()) {
+      result_.hasImu = true;
+      result_.imu = parts_.imu;
+      result_.imu.link = linkOrFail(parts_.imuLink, "imu");
+      const Pose3 T = frameOf(parts_.imuLink);
+      result_.imu.gyro = T * parts_.imu.gyro;
+      result_.imu.accelerometer = T * parts_.imu.accelerometer;
       if (!T.linear().isIdentity(0))
-        result.imu.rpy = rpyOfRotation(T.linear() * rotationOfRpy(parts.imu.rpy));
+        result_.imu.rpy = rpyOfRotation(T.linear() * rotationOfRpy(parts_.imu.rpy));
     }
-    for (const MechanismParts::Foot& part : parts.feet) {
+    for (const MechanismParts::Foot& part : parts_.feet) {
       Mechanism::Foot foot = part.foot;
       const std::string link = part.link.empty() ? lowestLink(foot.name) : part.link;
       foot.link = linkOrFail(link, "foot " + foot.name);
@@ -248,17 +248,17 @@ private:
         coverSensors(foot);
       else
         foot.soleCentre += T.translation();
-      result.feet.push_back(std::move(foot));
+      result_.feet.push_back(std::move(foot));
     }
   }
 
   /// The lowest link with all joints at zero among those whose name begins with the foot's first letter.
   std::string lowestLink(const std::string& foot) const {
-    const std::vector<Pose3> poses = linkPoses(result, std::vector<double>(result.joints.size(), 0));
+    const std::vector<Pose3> poses = linkPoses(result_, std::vector<double>(result_.joints.size(), 0));
     int best = -1;
     double height = 0;
     for (std::size_t i = 1; i < poses.size(); ++i) {
-      if (std::tolower(static_cast<unsigned char>(result.links[i].name[0])) !=
+      if (std::tolower(static_cast<unsigned char>(result_.links[i].name[0])) !=
           std::tolower(static_cast<unsigned char>(foot[0])))
         continue;
       // Of links whose frames coincide the last carries the sole.
@@ -270,7 +270,7 @@ private:
     if (best < 0)
       fail("fsr " + foot + ": no link begins with the same letter; add feet: [{name: " + foot +
            ", link: ...}]");
-    return result.links[static_cast<std::size_t>(best)].name;
+    return result_.links[static_cast<std::size_t>(best)].name;
   }
 
   static void coverSensors(Mechanism::Foot& foot) {
@@ -282,13 +282,13 @@ private:
     foot.soleSize = Vec3(box.sizes().x(), box.sizes().y(), thickness);
   }
 
-  const MechanismParts& parts;
-  const std::string& file;
-  Mechanism result;
-  std::map<std::string, std::size_t> linkAt;
-  std::map<std::string, std::pair<int, Pose3>> placed;
-  std::vector<Body> bodies;
-  std::vector<std::string> drivers;
+  const MechanismParts& parts_;
+  const std::string& file_;
+  Mechanism result_;
+  std::map<std::string, std::size_t> linkAt_;
+  std::map<std::string, std::pair<int, Pose3>> placed_;
+  std::vector<Body> bodies_;
+  std::vector<std::string> drivers_;
 };
 
 }  // namespace

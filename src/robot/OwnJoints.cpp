@@ -22,69 +22,69 @@ double mirrorMatch(const Mechanism::Joint& one, const Mechanism::Joint& other) {
 
 class Numbers {
 public:
-  explicit Numbers(const Mechanism& mechanism_)
-      : mechanism(mechanism_), numbers(mechanism.joints.size(), noJoint) {}
+  explicit Numbers(const Mechanism& mechanism)
+      : mechanism_(mechanism), numbers_(mechanism_.joints.size(), noJoint) {}
 
   std::vector<JointId> all() {
-    for (std::size_t j = 0; j < numbers.size(); ++j) numbers[j] = humanoidJoint(mechanism.joints[j].name);
-    for (std::size_t j = 0; j < numbers.size(); ++j) {
+    for (std::size_t j = 0; j < numbers_.size(); ++j) numbers_[j] = humanoidJoint(mechanism_.joints[j].name);
+    for (std::size_t j = 0; j < numbers_.size(); ++j) {
       if (!isOwn(j)) continue;
       const std::size_t left = partnerOf(j, true), right = partnerOf(j, false);
-      if (right < numbers.size())
+      if (right < numbers_.size())
         addPair(j, right);
-      else if (left < numbers.size())
+      else if (left < numbers_.size())
         addPair(left, j);
       else
-        add(mirrorMatch(mechanism.joints[j], mechanism.joints[j]) >= 0 ? 0 : 1, j);
+        add(mirrorMatch(mechanism_.joints[j], mechanism_.joints[j]) >= 0 ? 0 : 1, j);
     }
-    return numbers;
+    return numbers_;
   }
 
 private:
   bool isOwn(std::size_t j) const {
-    const Mechanism::Joint& joint = mechanism.joints[j];
-    return numbers[j] == noJoint && joint.type == Mechanism::Joint::Type::revolute && joint.driver < 0;
+    const Mechanism::Joint& joint = mechanism_.joints[j];
+    return numbers_[j] == noJoint && joint.type == Mechanism::Joint::Type::revolute && joint.driver < 0;
   }
 
   /// Its left or right counterpart without a number; the number of joints if there is none.
   std::size_t partnerOf(std::size_t j, bool onLeft) const {
     std::size_t other = 0;
     const auto fits = [&] {
-      const std::string &a = mechanism.joints[onLeft ? other : j].name,
-                        &b = mechanism.joints[onLeft ? j : other].name;
+      const std::string &a = mechanism_.joints[onLeft ? other : j].name,
+                        &b = mechanism_.joints[onLeft ? j : other].name;
       return isOwn(other) && isLeftOf(a, b);
     };
-    while (other < numbers.size() && !fits()) ++other;
+    while (other < numbers_.size() && !fits()) ++other;
     return other;
   }
 
   void addPair(std::size_t left, std::size_t right) {
-    const Mechanism::Joint &l = mechanism.joints[left], &r = mechanism.joints[right];
+    const Mechanism::Joint &l = mechanism_.joints[left], &r = mechanism_.joints[right];
     const double match = mirrorMatch(l, r);
     if (std::abs(match) < mirrorCosine)
-      throw std::invalid_argument("robot " + mechanism.name + ", joint " + r.name +
+      throw std::invalid_argument("robot " + mechanism_.name + ", joint " + r.name +
                                   ": its axis is not the mirror image of that of " + l.name +
                                   "; turn it, or let the names differ in more than the side");
     const std::size_t range = match > 0 ? 2 : 3;
     const JointId number = add(range, left);
-    numbers[right] = static_cast<JointId>(number + ownJointRanges[range].count / 2);
+    numbers_[right] = static_cast<JointId>(number + ownJointRanges[range].count / 2);
   }
 
   JointId add(std::size_t range, std::size_t j) {
     const OwnJointRange& room = ownJointRanges[range];
     const int most = room.pair ? room.count / 2 : room.count;
-    if (used[range] == most)
+    if (used_[range] == most)
       throw std::invalid_argument(
-          "robot " + mechanism.name + ", joint " + mechanism.joints[j].name + ": a robot has at most " +
+          "robot " + mechanism_.name + ", joint " + mechanism_.joints[j].name + ": a robot has at most " +
           std::to_string(most) + (room.pair ? " pairs of" : " single") + " joints of its own that " +
           (room.signStays ? "keep" : "change") + " their sign when left and right change places");
-    numbers[j] = static_cast<JointId>(room.first + used[range]++);
-    return numbers[j];
+    numbers_[j] = static_cast<JointId>(room.first + used_[range]++);
+    return numbers_[j];
   }
 
-  const Mechanism& mechanism;
-  std::vector<JointId> numbers;
-  std::array<int, ownJointRanges.size()> used{};
+  const Mechanism& mechanism_;
+  std::vector<JointId> numbers_;
+  std::array<int, ownJointRanges.size()> used_{};
 };
 
 }  // namespace

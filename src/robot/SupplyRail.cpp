@@ -12,11 +12,11 @@ constexpr double leastLeft = 0.1;   // below, a robot switches itself off
 }  // namespace
 
 void SupplyRail::take(double torques, double h) {
-  if (most > 0) load += std::min(1.0, h / smoothing) * (torques / most - load);
+  if (most_ > 0) load_ += std::min(1.0, h / smoothing) * (torques / most_ - load_);
 }
 
 double SupplyRail::left(const JointPlant& drive) const {
-  return drive.supplySag > 0 ? std::max(leastLeft, 1 - drive.supplySag * load) : 1;
+  return drive.supplySag > 0 ? std::max(leastLeft, 1 - drive.supplySag * load_) : 1;
 }
 
 }  // namespace plumbline

@@ -11,22 +11,22 @@ class SupplyRail {
 public:
   explicit SupplyRail(const std::vector<JointPlant>& drives) {
     for (const JointPlant& drive : drives) {
-      used = used || drive.supplySag > 0;
-      most += drive.maxTorque;
+      used_ = used_ || drive.supplySag > 0;
+      most_ += drive.maxTorque;
     }
   }
 
-  bool sags() const { return used; }
-  void restart() { load = 0; }
+  bool sags() const { return used_; }
+  void restart() { load_ = 0; }
   /// What the motors gave together over a step of h [s]: the sum of the torques' sizes [N m].
   void take(double torques, double h);
   /// Share of the supply that is left for a drive.
   double left(const JointPlant& drive) const;
 
 private:
-  bool used = false;
-  double most = 0;  ///< [N m]
-  double load = 0;  ///< share of it that is drawn
+  bool used_ = false;
+  double most_ = 0;  ///< [N m]
+  double load_ = 0;  ///< share of it that is drawn
 };
 
 }  // namespace plumbline

@@ -16,7 +16,7 @@ namespace plumbline {
 /// Attributes of XML elements as numbers and names; every mistake is a MechanismError with file and line.
 class XmlElements {
 public:
-  explicit XmlElements(const std::string& file_) : file(file_) {}
+  explicit XmlElements(const std::string& file) : file(file) {}
 
 protected:
   using XMLElement = tinyxml2::XMLElement;

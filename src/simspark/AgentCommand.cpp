@@ -124,9 +124,10 @@ std::string writeAgentCommand(const AgentCommand& command) {
 std::string AgentCommandParser::parse(std::string_view text, AgentCommand& command) {
   command = AgentCommand();
   std::string problem;
-  wellFormed_ = expressions.parse(text);
-  if (!wellFormed_) problem = expressions.error() + " at byte " + std::to_string(expressions.errorPosition());
-  for (auto node = expressions.first(); node; node = node.next()) {
+  wellFormed_ = expressions_.parse(text);
+  if (!wellFormed_)
+    problem = expressions_.error() + " at byte " + std::to_string(expressions_.errorPosition());
+  for (auto node = expressions_.first(); node; node = node.next()) {
     wellFormed_ = wellFormed_ && node.isList();
     if (readOne(node, command) || !problem.empty()) continue;
     const std::string_view name = node.isList() ? node.name() : node.text();

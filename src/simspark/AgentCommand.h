@@ -52,7 +52,7 @@ public:
 
 private:
   bool wellFormed_ = true;
-  SExpressions expressions{{.depth = 8, .nodes = 4096}};
+  SExpressions expressions_{{.depth = 8, .nodes = 4096}};
 };
 
 /// What a team may be called: 1 to 20 characters 0x21..0x7E but parentheses and quotes.

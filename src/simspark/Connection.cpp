@@ -66,7 +66,7 @@ struct LookUp {
   int code = 0;
   addrinfo* found = nullptr;
 
-  LookUp(std::string host_, int port_) : host(std::move(host_)), port(std::to_string(port_)) {}
+  LookUp(std::string host, int port) : host(std::move(host)), port(std::to_string(port)) {}
   LookUp(const LookUp&) = delete;
   LookUp& operator=(const LookUp&) = delete;
   ~LookUp() {
@@ -108,20 +108,20 @@ std::string lookUp(const std::shared_ptr<LookUp>& lookUp, int stopDescriptor, Cl
 }  // namespace
 
 Connection::Connection(Connection&& other) noexcept
-    : fd(std::exchange(other.fd, -1)),
-      stopDescriptor(other.stopDescriptor),
-      reader(std::move(other.reader)),
-      outgoing(std::move(other.outgoing)),
-      lastError(std::move(other.lastError)) {}
+    : fd_(std::exchange(other.fd_, -1)),
+      stopDescriptor_(other.stopDescriptor_),
+      reader_(std::move(other.reader_)),
+      outgoing_(std::move(other.outgoing_)),
+      lastError_(std::move(other.lastError_)) {}
 
 Connection& Connection::operator=(Connection&& other) noexcept {
   if (this != &other) {
     close();
-    fd = std::exchange(other.fd, -1);
-    stopDescriptor = other.stopDescriptor;
-    reader = std::move(other.reader);
-    outgoing = std::move(other.outgoing);
-    lastError = std::move(other.lastError);
+    fd_ = std::exchange(other.fd_, -1);
+    stopDescriptor_ = other.stopDescriptor_;
+    reader_ = std::move(other.reader_);
+    outgoing_ = std::move(other.outgoing_);
+    lastError_ = std::move(other.lastError_);
   }
   return *this;
 }
@@ -131,77 +131,77 @@ std::string Connection::connect(const std::string& host, int port, double timeou
   const std::string where = "cannot connect to " + host + ":" + std::to_string(port) + ": ";
   const auto end = after(timeoutSeconds);
   const auto names = std::make_shared<LookUp>(host, port);
-  if (const std::string why = lookUp(names, stopDescriptor, end); !why.empty())
-    return lastError = where + why;
+  if (const std::string why = lookUp(names, stopDescriptor_, end); !why.empty())
+    return lastError_ = where + why;
   int problem = ECONNREFUSED;
-  for (const addrinfo* address = names->found; address && fd < 0; address = address->ai_next) {
-    fd =
+  for (const addrinfo* address = names->found; address && fd_ < 0; address = address->ai_next) {
+    fd_ =
         socket(address->ai_family, address->ai_socktype | SOCK_CLOEXEC | SOCK_NONBLOCK, address->ai_protocol);
-    problem = fd < 0 ? errno : connectWithin(fd, *address, stopDescriptor, end);
+    problem = fd_ < 0 ? errno : connectWithin(fd_, *address, stopDescriptor_, end);
     if (problem != 0) close();
     if (problem == ECANCELED) break;
   }
-  if (fd < 0) return lastError = where + std::strerror(problem);
+  if (fd_ < 0) return lastError_ = where + std::strerror(problem);
   const int on = 1;
-  setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-  lastError.clear();
+  setsockopt(fd_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+  lastError_.clear();
   return {};
 }
 
 void Connection::close() {
-  if (fd >= 0) ::close(fd);
-  fd = -1;
-  reader.reset();
+  if (fd_ >= 0) ::close(fd_);
+  fd_ = -1;
+  reader_.reset();
 }
 
 Connection::Status Connection::fail(const std::string& why) {
-  lastError = why;
-  if (fd >= 0) ::close(fd);
-  fd = -1;
+  lastError_ = why;
+  if (fd_ >= 0) ::close(fd_);
+  fd_ = -1;
   return Status::closed;
 }
 
 Connection::Status Connection::receive(std::string_view& message, double timeoutSeconds) {
   const auto end = timeoutSeconds > 0 ? after(timeoutSeconds) : Clock::time_point();
   for (;;) {
-    const auto status = reader.next(message);
+    const auto status = reader_.next(message);
     if (status == FrameReader::Status::message) return Status::message;
     if (status == FrameReader::Status::tooLong)
-      return fail("a message of " + std::to_string(reader.announced()) + " bytes was announced");
-    if (fd < 0) return fail("not connected");
-    const Ready ready = waitFor(fd, POLLIN, stopDescriptor,
+      return fail("a message of " + std::to_string(reader_.announced()) + " bytes was announced");
+    if (fd_ < 0) return fail("not connected");
+    const Ready ready = waitFor(fd_, POLLIN, stopDescriptor_,
                                 timeoutSeconds < 0   ? -1
                                 : timeoutSeconds > 0 ? millisecondsUntil(end)
                                                      : 0);
     if (ready == Ready::failed) return fail(std::strerror(errno));
     if (ready != Ready::yes) return Status::timeout;  // a signal, too: let the caller look around
     std::array<char, 1 << 16> bytes;
-    const ssize_t n = recv(fd, bytes.data(), bytes.size(), 0);
+    const ssize_t n = recv(fd_, bytes.data(), bytes.size(), 0);
     // The league's server gathers small messages until the last is acknowledged, and who only listens, as a
     // monitor does, acknowledges 40 ms late unless told each time.
     const int on = 1;
-    setsockopt(fd, IPPROTO_TCP, TCP_QUICKACK, &on, sizeof on);
+    setsockopt(fd_, IPPROTO_TCP, TCP_QUICKACK, &on, sizeof on);
     if (n == 0) return fail("the other side closed the connection");
     if (n < 0) {
       if (errno == EINTR || errno == EAGAIN) continue;
       return fail(std::strerror(errno));
     }
-    reader.feed(std::string_view(bytes.data(), static_cast<std::size_t>(n)));
+    reader_.feed(std::string_view(bytes.data(), static_cast<std::size_t>(n)));
   }
 }
 
 bool Connection::send(std::string_view text, double timeoutSeconds) {
-  if (fd < 0) return false;
-  outgoing.clear();
-  appendFrame(outgoing, text);
+  if (fd_ < 0) return false;
+  outgoing_.clear();
+  appendFrame(outgoing_, text);
   std::optional<Clock::time_point> end;  // the clock is looked at only by who has to wait
-  for (std::size_t sent = 0; sent < outgoing.size();) {
-    const ssize_t n = ::send(fd, outgoing.data() + sent, outgoing.size() - sent, MSG_NOSIGNAL);
+  for (std::size_t sent = 0; sent < outgoing_.size();) {
+    const ssize_t n = ::send(fd_, outgoing_.data() + sent, outgoing_.size() - sent, MSG_NOSIGNAL);
     if (n < 0) {
       if (errno == EINTR) continue;
       if (errno != EAGAIN) return fail(std::strerror(errno)), false;
       if (!end) end = after(timeoutSeconds);
-      const Ready ready = waitFor(fd, POLLOUT, stopDescriptor, millisecondsUntil(*end));
+      const Ready ready = waitFor(fd_, POLLOUT, stopDescriptor_, millisecondsUntil(*end));
       if (ready == Ready::timeout) return fail("the other side does not read"), false;
       if (ready == Ready::stopped) return fail("interrupted"), false;
       if (ready == Ready::failed) return fail(std::strerror(errno)), false;

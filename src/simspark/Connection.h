@@ -20,11 +20,11 @@ public:
 
   /// Empty on success, else one line why not ("cannot connect to localhost:3100: Connection refused").
   std::string connect(const std::string& host, int port, double timeoutSeconds = 5);
-  bool connected() const { return fd >= 0; }
+  bool connected() const { return fd_ >= 0; }
   /// What ends every wait, e.g. StopSignal::fileDescriptor(); -1: nothing. It is only looked at. Then connect
   /// fails, send closes the connection and receive reports a timeout.
-  void interruptBy(int descriptor) { stopDescriptor = descriptor; }
-  int descriptor() const { return fd; }  ///< to wait for together with others; -1: not connected
+  void interruptBy(int descriptor) { stopDescriptor_ = descriptor; }
+  int descriptor() const { return fd_; }  ///< to wait for together with others; -1: not connected
   void close();
 
   /// Waits for the next message; it stays valid until the next call. timeoutSeconds < 0: as long as it takes,
@@ -34,14 +34,14 @@ public:
   /// False if the connection broke; error() says why. Waits while the other side does not read; one that does
   /// not for so long is given up.
   bool send(std::string_view text, double timeoutSeconds = 10);
-  const std::string& error() const { return lastError; }
+  const std::string& error() const { return lastError_; }
 
 private:
   Status fail(const std::string& why);
 
-  int fd = -1, stopDescriptor = -1;
-  FrameReader reader{maxServerMessage};
-  std::string outgoing, lastError;
+  int fd_ = -1, stopDescriptor_ = -1;
+  FrameReader reader_{maxServerMessage};
+  std::string outgoing_, lastError_;
 };
 
 }  // namespace plumbline::simspark

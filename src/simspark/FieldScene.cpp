@@ -46,9 +46,9 @@ FieldScene::Chain FieldScene::chainOf(const std::vector<int>& nodes) {
   Chain chain;
   for (const int node : nodes) {
     const auto found =
-        std::find_if(transforms.begin(), transforms.end(), [&](const auto& t) { return t.node == node; });
-    chain.push_back(static_cast<std::size_t>(found - transforms.begin()));
-    if (found == transforms.end()) transforms.push_back({node});
+        std::find_if(transforms_.begin(), transforms_.end(), [&](const auto& t) { return t.node == node; });
+    chain.push_back(static_cast<std::size_t>(found - transforms_.begin()));
+    if (found == transforms_.end()) transforms_.push_back({node});
   }
   return chain;
 }
@@ -62,7 +62,7 @@ void FieldScene::index(std::string_view message) {
   std::vector<Open> open;
   std::vector<std::vector<int>> robotNodes;
   std::vector<int> ballNodes;
-  numNodes = 0;
+  numNodes_ = 0;
   // The transforms around here; the innermost of a body's mesh only turns the mesh.
   const auto around = [&open](bool withoutLast) {
     std::vector<int> nodes;
@@ -75,45 +75,45 @@ void FieldScene::index(std::string_view message) {
     if (message[i] == ')' && !open.empty()) open.pop_back();
     if (message[i] != '(') continue;
     const bool node = message.substr(i, nodeBegin.size()) == nodeBegin;
-    open.push_back({node, message.substr(i, 7) == "(nd TRF", node ? numNodes++ : 0});
+    open.push_back({node, message.substr(i, 7) == "(nd TRF", node ? numNodes_++ : 0});
     constexpr std::string_view load = "(load ";
     if (message.substr(i, load.size()) != load) continue;
     const std::string_view mesh = message.substr(i + load.size());
     if (mesh.starts_with(bodyMesh)) robotNodes.push_back(around(true));
     if (mesh.starts_with(ballMesh)) ballNodes = around(false);
   }
-  transforms.clear();
-  robots.clear();
-  for (const auto& nodes : robotNodes) robots.push_back(chainOf(nodes));
-  ball = chainOf(ballNodes);
+  transforms_.clear();
+  robots_.clear();
+  for (const auto& nodes : robotNodes) robots_.push_back(chainOf(nodes));
+  ball_ = chainOf(ballNodes);
   // In the order of the text; the chains follow.
-  std::vector<std::size_t> order(transforms.size()), place(transforms.size());
+  std::vector<std::size_t> order(transforms_.size()), place(transforms_.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(),
-            [this](auto a, auto b) { return transforms[a].node < transforms[b].node; });
+            [this](auto a, auto b) { return transforms_[a].node < transforms_[b].node; });
   std::vector<Transform> sorted;
   for (std::size_t i = 0; i < order.size(); ++i) {
     place[order[i]] = i;
-    sorted.push_back(transforms[order[i]]);
+    sorted.push_back(transforms_[order[i]]);
   }
-  transforms = std::move(sorted);
-  for (Chain& chain : robots)
+  transforms_ = std::move(sorted);
+  for (Chain& chain : robots_)
     for (std::size_t& i : chain) i = place[i];
-  for (std::size_t& i : ball) i = place[i];
+  for (std::size_t& i : ball_) i = place[i];
 }
 
 std::string FieldScene::readDifference(std::string_view rest) {
   int node = 0;
-  auto next = transforms.begin();
+  auto next = transforms_.begin();
   for (std::size_t i = rest.find(nodeBegin); i != std::string_view::npos;
        i = rest.find(nodeBegin, i + nodeBegin.size())) {
-    if (next != transforms.end() && next->node == node) {
+    if (next != transforms_.end() && next->node == node) {
       readTransform(rest, i + nodeBegin.size(), next->matrix);
       ++next;
     }
     ++node;
   }
-  return node == numNodes ? "" : "a difference to another scene";
+  return node == numNodes_ ? "" : "a difference to another scene";
 }
 
 std::string FieldScene::update(std::string_view message) {
@@ -123,10 +123,10 @@ std::string FieldScene::update(std::string_view message) {
   constexpr std::string_view difference = "(RDS";
   if (rest.substr(0, difference.size()) == difference) {
     if (!complete()) return "a difference before a whole scene";
-    if (std::string why = scene.update(message.substr(0, end)); !why.empty()) return why;
+    if (std::string why = scene_.update(message.substr(0, end)); !why.empty()) return why;
     return readDifference(rest);
   }
-  std::string why = scene.update(message);
+  std::string why = scene_.update(message);
   if (!why.empty() || rest.empty() || !complete()) return why;
   index(rest);
   return readDifference(rest);
@@ -134,20 +134,20 @@ std::string FieldScene::update(std::string_view message) {
 
 Matrix4d FieldScene::compose(const Chain& chain) const {
   Matrix4d product = Matrix4d::Identity();
-  for (const std::size_t i : chain) product = product * transforms[i].matrix;
+  for (const std::size_t i : chain) product = product * transforms_[i].matrix;
   return product;
 }
 
 FieldState FieldScene::state() const {
   SceneState now;  // what fieldState() needs of it, with where everything is now
-  const Scoreboard& board = scene;
+  const Scoreboard& board = scene_;
   static_cast<Scoreboard&>(now) = board;
-  now.ball = compose(ball).block<3, 1>(0, 3);
-  now.robots.resize(std::min(scene.robots.size(), robots.size()));
+  now.ball = compose(ball_).block<3, 1>(0, 3);
+  now.robots.resize(std::min(scene_.robots.size(), robots_.size()));
   for (std::size_t i = 0; i < now.robots.size(); ++i) {
-    now.robots[i].side = scene.robots[i].side;
-    now.robots[i].unum = scene.robots[i].unum;
-    now.robots[i].T_world_torso = sceneRobotPose(compose(robots[i]));
+    now.robots[i].side = scene_.robots[i].side;
+    now.robots[i].unum = scene_.robots[i].unum;
+    now.robots[i].T_world_torso = sceneRobotPose(compose(robots_[i]));
   }
   return fieldState(now);
 }

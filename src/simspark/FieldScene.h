@@ -15,7 +15,7 @@ class FieldScene {
 public:
   /// Takes in a monitor's message. Empty, or one line why it could not be read.
   std::string update(std::string_view message);
-  bool complete() const { return scene.complete(); }
+  bool complete() const { return scene_.complete(); }
   /// As fieldState() of a SceneState that got the same messages.
   FieldState state() const;
 
@@ -32,11 +32,11 @@ private:
   std::string readDifference(std::string_view rest);
   Eigen::Matrix4d compose(const Chain& chain) const;
 
-  SceneState scene;                   ///< of the last whole scene, and the state of the game
-  std::vector<Transform> transforms;  ///< sorted by node
-  std::vector<Chain> robots;          ///< as scene.robots
-  Chain ball;
-  int numNodes = 0;
+  SceneState scene_;                   ///< of the last whole scene, and the state of the game
+  std::vector<Transform> transforms_;  ///< sorted by node
+  std::vector<Chain> robots_;          ///< as scene.robots
+  Chain ball_;
+  int numNodes_ = 0;
 };
 
 }  // namespace plumbline::simspark

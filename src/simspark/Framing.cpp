@@ -13,34 +13,34 @@ void appendFrame(std::string& out, std::string_view text) {
 }
 
 void FrameReader::feed(std::string_view bytes) {
-  if (broken) return;
-  if (begin > 0) {
-    buffer.erase(0, begin);
-    begin = 0;
+  if (broken_) return;
+  if (begin_ > 0) {
+    buffer_.erase(0, begin_);
+    begin_ = 0;
   }
-  buffer += bytes;
+  buffer_ += bytes;
 }
 
 FrameReader::Status FrameReader::next(std::string_view& message) {
-  if (broken) return Status::tooLong;
-  if (buffer.size() - begin < frameHeaderSize) return Status::incomplete;
-  length = 0;
+  if (broken_) return Status::tooLong;
+  if (buffer_.size() - begin_ < frameHeaderSize) return Status::incomplete;
+  length_ = 0;
   for (std::size_t i = 0; i < frameHeaderSize; ++i)
-    length = length << 8 | static_cast<std::uint8_t>(buffer[begin + i]);
-  if (length > limit) {
-    broken = true;
+    length_ = length_ << 8 | static_cast<std::uint8_t>(buffer_[begin_ + i]);
+  if (length_ > limit_) {
+    broken_ = true;
     return Status::tooLong;
   }
-  if (buffer.size() - begin - frameHeaderSize < length) return Status::incomplete;
-  message = std::string_view(buffer).substr(begin + frameHeaderSize, length);
-  begin += frameHeaderSize + length;
+  if (buffer_.size() - begin_ - frameHeaderSize < length_) return Status::incomplete;
+  message = std::string_view(buffer_).substr(begin_ + frameHeaderSize, length_);
+  begin_ += frameHeaderSize + length_;
   return Status::message;
 }
 
 void FrameReader::reset() {
-  buffer.clear();
-  begin = 0;
-  broken = false;
+  buffer_.clear();
+  begin_ = 0;
+  broken_ = false;
 }
 
 }  // namespace plumbline::simspark

@@ -23,23 +23,23 @@ class FrameReader {
 public:
   enum class Status { message, incomplete, tooLong };
 
-  explicit FrameReader(std::size_t maxMessage) : limit(maxMessage) {}
+  explicit FrameReader(std::size_t maxMessage) : limit_(maxMessage) {}
 
   void feed(std::string_view bytes);
   /// The next whole message, valid until the next feed. A length above the limit makes the stream useless:
   /// tooLong from then on, and announced() tells the length.
   Status next(std::string_view& message);
 
-  bool empty() const { return begin == buffer.size(); }  ///< nothing half received
-  std::uint32_t announced() const { return length; }
+  bool empty() const { return begin_ == buffer_.size(); }  ///< nothing half received
+  std::uint32_t announced() const { return length_; }
   void reset();
 
 private:
-  std::size_t limit;
-  std::string buffer;
-  std::size_t begin = 0;
-  std::uint32_t length = 0;
-  bool broken = false;
+  std::size_t limit_;
+  std::string buffer_;
+  std::size_t begin_ = 0;
+  std::uint32_t length_ = 0;
+  bool broken_ = false;
 };
 
 }  // namespace plumbline::simspark

@@ -30,29 +30,30 @@ void split(std::string_view text, std::vector<std::string_view>& fields) {
 /// Where the columns are and what stands in them in the line at hand.
 class Columns {
 public:
-  Columns(TextLines& lines_, std::string_view header) : lines(lines_) {
-    split(header, values);
-    for (const std::string_view name : values) indices.emplace(name, static_cast<int>(indices.size()));
-    if (indices.size() != values.size()) lines.fail("the header names a column twice");
-    count = values.size();
+  Columns(TextLines& lines, std::string_view header) : lines_(lines) {
+    split(header, values_);
+    for (const std::string_view name : values_) indices_.emplace(name, static_cast<int>(indices_.size()));
+    if (indices_.size() != values_.size()) lines_.fail("the header names a column twice");
+    count_ = values_.size();
   }
 
   bool has(const std::string& column) const { return find(column) >= 0; }
 
   void read(std::string_view text) {
-    split(text, values);
-    if (values.size() != count)
-      lines.fail("has " + std::to_string(values.size()) + " fields, the header has " + std::to_string(count));
+    split(text, values_);
+    if (values_.size() != count_)
+      lines_.fail("has " + std::to_string(values_.size()) + " fields, the header has " +
+                  std::to_string(count_));
   }
 
   double number(const std::string& column) const {
     const int index = find(column);
-    if (index < 0) lines.fail("the header lacks column " + column);
-    const std::string_view text = values[static_cast<std::size_t>(index)];
+    if (index < 0) lines_.fail("the header lacks column " + column);
+    const std::string_view text = values_[static_cast<std::size_t>(index)];
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-      lines.fail("column " + column + " is no number: " + std::string(text));
+      lines_.fail("column " + column + " is no number: " + std::string(text));
     return value;
   }
 
@@ -62,14 +63,14 @@ public:
 
 private:
   int find(const std::string& column) const {
-    const auto it = indices.find(column);
-    return it == indices.end() ? -1 : it->second;
+    const auto it = indices_.find(column);
+    return it == indices_.end() ? -1 : it->second;
   }
 
-  TextLines& lines;
-  std::map<std::string, int> indices;
-  std::size_t count = 0;
-  std::vector<std::string_view> values;
+  TextLines& lines_;
+  std::map<std::string, int> indices_;
+  std::size_t count_ = 0;
+  std::vector<std::string_view> values_;
 };
 
 constexpr std::array xyz = {".x", ".y", ".z"};

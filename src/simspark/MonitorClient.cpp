@@ -4,26 +4,26 @@ namespace plumbline::simspark {
 
 std::string MonitorClient::connect(const std::string& host, int port, const std::string& token,
                                    double timeoutSeconds) {
-  problem.clear();
-  state = SceneState();
+  problem_.clear();
+  state_ = SceneState();
   clock_.reset();
-  if (std::string error = connection.connect(host, port, timeoutSeconds); !error.empty()) return error;
-  if (!token.empty()) connection.send("(token " + token + ")");
+  if (std::string error = connection_.connect(host, port, timeoutSeconds); !error.empty()) return error;
+  if (!token.empty()) connection_.send("(token " + token + ")");
   return {};
 }
 
 Connection::Status MonitorClient::receive(double timeoutSeconds) {
   std::string_view message;
-  const auto status = connection.receive(message, timeoutSeconds);
+  const auto status = connection_.receive(message, timeoutSeconds);
   if (status != Connection::Status::message) return status;
   if (message == "best") return status;  // the answer to (getAck)
-  if (const auto told = readClock(message)) {
-    clock_ = told;
+  if (const auto received = readClock(message)) {
+    clock_ = received;
     return status;
   }
-  problem = state.update(message);
-  if (problem.empty()) return status;
-  connection.close();
+  problem_ = state_.update(message);
+  if (problem_.empty()) return status;
+  connection_.close();
   return Connection::Status::closed;
 }
 

@@ -31,9 +31,9 @@ public:
     /// The atom a list begins with, "" if there is none: its name.
     std::string_view name() const;
     /// First child of a list, invalid if it is empty.
-    Node first() const { return Node(owner, self().child); }
-    Node next() const { return Node(owner, self().sibling); }
-    explicit operator bool() const { return index >= 0; }
+    Node first() const { return Node(owner_, self().child); }
+    Node next() const { return Node(owner_, self().sibling); }
+    explicit operator bool() const { return index_ >= 0; }
     /// The child list of that name, or invalid. An invalid node or an atom has no children.
     Node list(std::string_view listName) const;
     /// The n-th child (0: the name), or invalid.
@@ -41,32 +41,32 @@ public:
 
   private:
     friend class SExpressions;
-    Node(const SExpressions* owner_, int index_) : owner(owner_), index(index_) {}
-    const Data& self() const { return owner->nodes[static_cast<std::size_t>(index)]; }
-    const SExpressions* owner;
-    int index;
+    Node(const SExpressions* owner, int index) : owner_(owner), index_(index) {}
+    const Data& self() const { return owner_->nodes_[static_cast<std::size_t>(index_)]; }
+    const SExpressions* owner_;
+    int index_;
   };
 
   SExpressions() = default;
-  explicit SExpressions(Limits limits_) : limits(limits_) {}
+  explicit SExpressions(Limits limits) : limits_(limits) {}
 
   /// False if the text is no list of s-expressions or exceeds a limit: error() and errorPosition() say more,
   /// and what was whole before the error is kept.
   bool parse(std::string_view text);
-  const std::string& error() const { return message; }
-  std::size_t errorPosition() const { return position; }
+  const std::string& error() const { return message_; }
+  std::size_t errorPosition() const { return position_; }
 
   /// First tree of the text, invalid if there is none.
   Node first() const;
 
 private:
   bool fail(std::size_t at, const char* what);
-  Limits limits;
-  std::vector<Data> nodes;
-  std::vector<int> open;  ///< lists around the current place
-  std::vector<int> last;  ///< last child of each of them so far
-  std::string message;
-  std::size_t position = 0;
+  Limits limits_;
+  std::vector<Data> nodes_;
+  std::vector<int> open_;  ///< lists around the current place
+  std::vector<int> last_;  ///< last child of each of them so far
+  std::string message_;
+  std::size_t position_ = 0;
 };
 
 }  // namespace plumbline::simspark

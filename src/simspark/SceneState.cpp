@@ -125,13 +125,13 @@ void SceneState::gameState(Word list) {
     if (name == "team_left") teamLeft = value;
     if (name == "team_right") teamRight = value;
     if (name == "play_modes") {
-      modeNames.clear();
-      for (Word mode = part.at(1); mode; mode = mode.next()) modeNames.emplace_back(wordOf(mode));
+      modeNames_.clear();
+      for (Word mode = part.at(1); mode; mode = mode.next()) modeNames_.emplace_back(wordOf(mode));
     }
     if (name == "play_mode")
       if (const auto index = parseInteger(value);
-          index && *index >= 0 && *index < static_cast<int>(modeNames.size()))
-        playMode = modeNames[static_cast<std::size_t>(*index)];
+          index && *index >= 0 && *index < static_cast<int>(modeNames_.size()))
+        playMode = modeNames_[static_cast<std::size_t>(*index)];
   }
 }
 
@@ -162,9 +162,9 @@ void SceneState::addBodies(const Node& robotNode, std::size_t firstRobot) {
 }
 
 std::string SceneState::update(std::string_view message) {
-  if (!expressions.parse(message))
-    return expressions.error() + " at byte " + std::to_string(expressions.errorPosition());
-  const Word state = expressions.first();
+  if (!expressions_.parse(message))
+    return expressions_.error() + " at byte " + std::to_string(expressions_.errorPosition());
+  const Word state = expressions_.first();
   if (!state || !state.isList()) return "no list of game state";
   gameState(state);
   const Word header = state.next();
@@ -176,18 +176,18 @@ std::string SceneState::update(std::string_view message) {
     for (Word part = scene.first(); part; part = part.next())
       if (part.name() == "nd" && !readNode(part, read.emplace_back()))
         return "a transform without 16 numbers";
-    nodes = std::move(read);
+    nodes_ = std::move(read);
   } else if (header.name() == "RDS") {
     if (!complete()) return "a difference before a whole scene";
     std::size_t i = 0;
     for (Word part = scene.first(); part; part = part.next())
-      if (part.name() == "nd" && (i >= nodes.size() || !updateNode(part, nodes[i++])))
+      if (part.name() == "nd" && (i >= nodes_.size() || !updateNode(part, nodes_[i++])))
         return "a difference to another scene";
   } else {
     return "neither a scene nor a difference";
   }
   robots.clear();
-  for (const Node& node : nodes) {
+  for (const Node& node : nodes_) {
     const std::size_t before = robots.size();
     find(node, Matrix4d::Identity(), node.matrix);
     addBodies(node, before);

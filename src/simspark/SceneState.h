@@ -51,7 +51,7 @@ public:
   /// Empty, or one line why the message could not be read; then what it could not tell stays as it was.
   std::string update(std::string_view message);
 
-  bool complete() const { return !nodes.empty(); }  ///< a whole scene has come
+  bool complete() const { return !nodes_.empty(); }  ///< a whole scene has come
   Vec3 ball = Vec3::Zero();
   Mat3 ballAxes = Mat3::Identity();
   std::vector<SceneRobot> robots;
@@ -74,9 +74,9 @@ private:
   void find(const Node& node, const Eigen::Matrix4d& T_world_parent, const Eigen::Matrix4d& T_world_node);
   void addBodies(const Node& robotNode, std::size_t firstRobot);
 
-  SExpressions expressions;
-  std::vector<std::string> modeNames;
-  std::vector<Node> nodes;
+  SExpressions expressions_;
+  std::vector<std::string> modeNames_;
+  std::vector<Node> nodes_;
 };
 
 }  // namespace plumbline::simspark

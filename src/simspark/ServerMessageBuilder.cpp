@@ -34,17 +34,17 @@ int ServerMessageBuilder::integer(std::string_view word) {
 }
 
 void ServerMessageBuilder::closeHingeJoint() {
-  const JointId joint = jointByPerceptor(nodeName);
-  if (joint != noJoint) message.angle[joint] = simsparkName(joint).sign * fromDegrees(nodeAngle);
+  const JointId joint = jointByPerceptor(nodeName_);
+  if (joint != noJoint) message.angle[joint] = simsparkName(joint).sign * fromDegrees(nodeAngle_);
 }
 
 void ServerMessageBuilder::closeForce() {
-  auto& place = nodeName == "lf"    ? message.leftFoot
-                : nodeName == "rf"  ? message.rightFoot
-                : nodeName == "lf1" ? message.leftToe
-                                    : message.rightToe;
-  if (nodeName == "lf" || nodeName == "rf" || nodeName == "lf1" || nodeName == "rf1") place = reading;
-  reading = ForceReading();
+  auto& place = nodeName_ == "lf"    ? message.leftFoot
+                : nodeName_ == "rf"  ? message.rightFoot
+                : nodeName_ == "lf1" ? message.leftToe
+                                     : message.rightToe;
+  if (nodeName_ == "lf" || nodeName_ == "rf" || nodeName_ == "lf1" || nodeName_ == "rf1") place = reading_;
+  reading_ = ForceReading();
 }
 
 void ServerMessageBuilder::hear(std::string_view team, std::string_view time, std::string_view direction,
@@ -63,35 +63,35 @@ void ServerMessageBuilder::polar(std::string_view distance, std::string_view azi
   for (const std::string_view word : {distance, azimuth, elevation})
     if (word == "nan" || word == "-nan") return;
   const Polar place{number(distance), fromDegrees(number(azimuth)), fromDegrees(number(elevation))};
-  if (numPolars < 2) polars[static_cast<std::size_t>(numPolars)] = place;
-  ++numPolars;
+  if (numPolars_ < 2) polars_[static_cast<std::size_t>(numPolars_)] = place;
+  ++numPolars_;
 }
 
 void ServerMessageBuilder::closeObject(std::string_view objectName) {
-  if (numPolars == 1) message.see->objects.push_back({std::string(objectName), polars[0]});
-  numPolars = 0;
+  if (numPolars_ == 1) message.see->objects.push_back({std::string(objectName), polars_[0]});
+  numPolars_ = 0;
 }
 
 void ServerMessageBuilder::closePart(std::string_view part) {
-  if (numPolars == 1) player().parts.push_back({std::string(part), polars[0]});
-  numPolars = 0;
+  if (numPolars_ == 1) player().parts.push_back({std::string(part), polars_[0]});
+  numPolars_ = 0;
 }
 
 void ServerMessageBuilder::closeLine() {
-  if (numPolars == 2) message.see->lines.push_back({polars[0], polars[1]});
-  numPolars = 0;
+  if (numPolars_ == 2) message.see->lines.push_back({polars_[0], polars_[1]});
+  numPolars_ = 0;
 }
 
 void ServerMessageBuilder::openGroundTruth() {
   message.groundTruth.emplace();
-  upAxis = Vec3::UnitZ();
-  forwardAxis = Vec3::UnitX();
+  upAxis_ = Vec3::UnitZ();
+  forwardAxis_ = Vec3::UnitX();
 }
 
 void ServerMessageBuilder::closeGroundTruth() {
   // The axes come rounded: take the up axis as it is and turn forward into the plane square to it.
-  const Vec3 up = upAxis.stableNormalized();
-  const Vec3 forward = (forwardAxis - up * up.dot(forwardAxis)).stableNormalized();
+  const Vec3 up = upAxis_.stableNormalized();
+  const Vec3 forward = (forwardAxis_ - up * up.dot(forwardAxis_)).stableNormalized();
   if (up.norm() < 0.5 || forward.norm() < 0.5) return fail("the axes of mypos span no frame");
   Mat3 rotation;
   rotation << forward, up.cross(forward), up;

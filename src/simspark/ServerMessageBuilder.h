@@ -14,7 +14,7 @@ namespace plumbline::simspark {
 /// order.
 class ServerMessageBuilder {
 public:
-  explicit ServerMessageBuilder(ServerMessage& message_) : message(message_) {}
+  explicit ServerMessageBuilder(ServerMessage& message) : message(message) {}
 
   /// The word as a number; anything else is remembered as the message's error, at the word.
   double number(std::string_view word);
@@ -26,11 +26,11 @@ public:
     message.gyro = axes(fromDegrees(x), fromDegrees(y), fromDegrees(z));
   }
   void acc(double x, double y, double z) { message.acc = axes(x, y, z); }
-  void name(std::string_view word) { nodeName = word; }
-  void angle(double degrees) { nodeAngle = degrees; }
+  void name(std::string_view word) { nodeName_ = word; }
+  void angle(double degrees) { nodeAngle_ = degrees; }
   void closeHingeJoint();
-  void point(double x, double y, double z) { reading.point = axes(x, y, z); }
-  void force(double x, double y, double z) { reading.force = axes(x, y, z); }
+  void point(double x, double y, double z) { reading_.point = axes(x, y, z); }
+  void force(double x, double y, double z) { reading_.force = axes(x, y, z); }
   void closeForce();
   /// (hear team time self|direction text); older servers name no team.
   void hear(std::string_view team, std::string_view time, std::string_view direction, std::string_view text);
@@ -49,8 +49,8 @@ public:
   GroundTruth& truth() { return *message.groundTruth; }
   void openTruePlayer() { truth().players.emplace_back(); }
   GroundTruthPlayer& truePlayer() { return truth().players.back(); }
-  void up(double x, double y, double z) { upAxis = Vec3(x, y, z); }
-  void forward(double x, double y, double z) { forwardAxis = Vec3(x, y, z); }
+  void up(double x, double y, double z) { upAxis_ = Vec3(x, y, z); }
+  void forward(double x, double y, double z) { forwardAxis_ = Vec3(x, y, z); }
   void closeGroundTruth();
 
   ServerMessage& message;
@@ -63,12 +63,12 @@ private:
   void fail(std::string_view word, const char* what);
   static Vec3 axes(double x, double y, double z) { return Vec3(y, -x, z); }
 
-  std::string_view nodeName;
-  double nodeAngle = 0;
-  ForceReading reading;
-  std::array<Polar, 2> polars;
-  int numPolars = 0;
-  Vec3 upAxis = Vec3::UnitZ(), forwardAxis = Vec3::UnitX();
+  std::string_view nodeName_;
+  double nodeAngle_ = 0;
+  ForceReading reading_;
+  std::array<Polar, 2> polars_;
+  int numPolars_ = 0;
+  Vec3 upAxis_ = Vec3::UnitZ(), forwardAxis_ = Vec3::UnitX();
 };
 
 }  // namespace plumbline::simspark

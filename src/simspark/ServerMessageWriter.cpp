@@ -12,33 +12,33 @@ namespace {
 
 class Writer {
 public:
-  Writer(std::string& out_, const ServerMessage& message_, int decimals_)
-      : out(out_), message(message_), groundTruthDecimals(decimals_) {}
+  Writer(std::string& out, const ServerMessage& message, int decimals)
+      : out_(out), message_(message), groundTruthDecimals_(decimals) {}
 
   void write() {
-    out += "(time (now ";
-    appendFixed(out, message.time);
-    out += "))";
+    out_ += "(time (now ";
+    appendFixed(out_, message_.time);
+    out_ += "))";
     gameState();
-    for (const HeardMessage& heard : message.heard) hear(heard);
-    out += "(GYR (n torso) (rt";
-    vector(message.gyro * toDegrees(1));
-    out += "))(ACC (n torso) (a";
-    vector(message.acc);
-    out += "))";
-    if (message.groundTruth) groundTruth(*message.groundTruth);
+    for (const HeardMessage& heard : message_.heard) hear(heard);
+    out_ += "(GYR (n torso) (rt";
+    vector(message_.gyro * toDegrees(1));
+    out_ += "))(ACC (n torso) (a";
+    vector(message_.acc);
+    out_ += "))";
+    if (message_.groundTruth) groundTruth(*message_.groundTruth);
     joints(headYaw, headPitch);
-    if (message.see) see(*message.see);
+    if (message_.see) see(*message_.see);
     joints(rShoulderPitch, rElbowRoll);
     joints(lShoulderPitch, lElbowRoll);
-    leg(rHipYawPitch, "rf", message.rightFoot, "rf1", message.rightToe);
-    leg(lHipYawPitch, "lf", message.leftFoot, "lf1", message.leftToe);
+    leg(rHipYawPitch, "rf", message_.rightFoot, "rf1", message_.rightToe);
+    leg(lHipYawPitch, "lf", message_.leftFoot, "lf1", message_.leftToe);
   }
 
 private:
   void number(double value) {
-    out += ' ';
-    appendFixed(out, value);
+    out_ += ' ';
+    appendFixed(out_, value);
   }
 
   /// A vector of the project's axes in SimSpark's: x right, y forward, z up.
@@ -49,60 +49,60 @@ private:
   }
 
   void gameState() {
-    const GameState& state = message.gameState;
-    out += "(GS ";
+    const GameState& state = message_.gameState;
+    out_ += "(GS ";
     if (state.unum) {
-      out += "(unum ";
-      appendInteger(out, *state.unum);
-      out += ") ";
+      out_ += "(unum ";
+      appendInteger(out_, *state.unum);
+      out_ += ") ";
     }
-    if (state.side) out += "(team " + *state.side + ") ";
-    out += "(sl ";
-    appendInteger(out, state.scoreLeft);
-    out += ") (sr ";
-    appendInteger(out, state.scoreRight);
-    out += ") (t ";
-    appendFixed(out, state.time);
-    out += ") (pm ";
-    out += state.playMode;
-    out += "))";
+    if (state.side) out_ += "(team " + *state.side + ") ";
+    out_ += "(sl ";
+    appendInteger(out_, state.scoreLeft);
+    out_ += ") (sr ";
+    appendInteger(out_, state.scoreRight);
+    out_ += ") (t ";
+    appendFixed(out_, state.time);
+    out_ += ") (pm ";
+    out_ += state.playMode;
+    out_ += "))";
   }
 
   void hear(const HeardMessage& heard) {
-    out += "(hear ";
-    if (!heard.team.empty()) out += heard.team + ' ';
-    appendFixed(out, heard.time);
+    out_ += "(hear ";
+    if (!heard.team.empty()) out_ += heard.team + ' ';
+    appendFixed(out_, heard.time);
     if (heard.self)
-      out += " self";
+      out_ += " self";
     else
       number(toDegrees(heard.direction));
-    out += ' ';
-    out += heard.text;
-    out += ')';
+    out_ += ' ';
+    out_ += heard.text;
+    out_ += ')';
   }
 
   void joints(int first, int last) {
     for (int i = first; i <= last; ++i) {
-      const auto& angle = message.angle[static_cast<std::size_t>(i)];
+      const auto& angle = message_.angle[static_cast<std::size_t>(i)];
       if (!angle) continue;
       const JointName& name = simsparkName(static_cast<JointId>(i));
-      out += "(HJ (n ";
-      out += name.perceptor;
-      out += ") (ax";
+      out_ += "(HJ (n ";
+      out_ += name.perceptor;
+      out_ += ") (ax";
       number(name.sign * toDegrees(*angle));
-      out += "))";
+      out_ += "))";
     }
   }
 
   void force(const char* name, const std::optional<ForceReading>& reading) {
     if (!reading) return;
-    out += "(FRP (n ";
-    out += name;
-    out += ") (c";
+    out_ += "(FRP (n ";
+    out_ += name;
+    out_ += ") (c";
     vector(reading->point);
-    out += ") (f";
+    out_ += ") (f";
     vector(reading->force);
-    out += "))";
+    out_ += "))";
   }
 
   /// The force of a foot stands before the joint that moves it, that of a toe likewise.
@@ -116,50 +116,50 @@ private:
   }
 
   void polar(const Polar& p) {
-    out += "(pol";
+    out_ += "(pol";
     number(p.distance);
     number(toDegrees(p.azimuth));
     number(toDegrees(p.elevation));
-    out += ')';
+    out_ += ')';
   }
 
   void see(const See& seen) {
-    out += "(See";
+    out_ += "(See";
     for (const SeenObject& object : seen.objects) {
-      out += " (";
-      out += object.name;
-      out += ' ';
+      out_ += " (";
+      out_ += object.name;
+      out_ += ' ';
       polar(object.position);
-      out += ')';
+      out_ += ')';
     }
     for (const SeenPlayer& player : seen.players) {
-      out += " (P (team ";
-      out += player.team;
-      out += ") (id ";
-      appendInteger(out, player.unum);
-      out += ')';
+      out_ += " (P (team ";
+      out_ += player.team;
+      out_ += ") (id ";
+      appendInteger(out_, player.unum);
+      out_ += ')';
       for (const SeenBodyPart& part : player.parts) {
-        out += " (";
-        out += part.name;
-        out += ' ';
+        out_ += " (";
+        out_ += part.name;
+        out_ += ' ';
         polar(part.position);
-        out += ')';
+        out_ += ')';
       }
-      out += ')';
+      out_ += ')';
     }
     for (const SeenLine& line : seen.lines) {
-      out += " (L ";
+      out_ += " (L ";
       polar(line.a);
-      out += ' ';
+      out_ += ' ';
       polar(line.b);
-      out += ')';
+      out_ += ')';
     }
-    out += ')';
+    out_ += ')';
   }
 
   void truthNumber(double value) {
-    out += ' ';
-    appendFixed(out, value, groundTruthDecimals);
+    out_ += ' ';
+    appendFixed(out_, value, groundTruthDecimals_);
   }
 
   void truthVector(const Vec3& v) {
@@ -169,38 +169,38 @@ private:
   void groundTruth(const GroundTruth& truth) {
     const Vec3 position = truth.T_world_torso.translation();
     const Vec3 forward = truth.T_world_torso.linear().col(0);
-    out += "(GT (mypos (pose";
+    out_ += "(GT (mypos (pose";
     truthNumber(position.x());
     truthNumber(position.y());
     truthNumber(std::atan2(forward.y(), forward.x()));
-    out += ") (up";
+    out_ += ") (up";
     truthVector(truth.T_world_torso.linear().col(2));
-    out += ") (z";
+    out_ += ") (z";
     truthNumber(position.z());
-    out += ") (forward";
+    out_ += ") (forward";
     truthVector(forward);
-    out += ")) (B (";
-    appendFixed(out, truth.ball.x(), groundTruthDecimals);
+    out_ += ")) (B (";
+    appendFixed(out_, truth.ball.x(), groundTruthDecimals_);
     truthNumber(truth.ball.y());
     truthNumber(truth.ball.z());
-    out += "))";
+    out_ += "))";
     for (const GroundTruthPlayer& player : truth.players) {
-      out += " (P (team ";
-      out += player.team;
-      out += ") (id ";
-      appendInteger(out, player.unum);
-      out += ") (pose";
+      out_ += " (P (team ";
+      out_ += player.team;
+      out_ += ") (id ";
+      appendInteger(out_, player.unum);
+      out_ += ") (pose";
       truthNumber(player.x);
       truthNumber(player.y);
       truthNumber(player.heading);
-      out += "))";
+      out_ += "))";
     }
-    out += ')';
+    out_ += ')';
   }
 
-  std::string& out;
-  const ServerMessage& message;
-  int groundTruthDecimals;
+  std::string& out_;
+  const ServerMessage& message_;
+  int groundTruthDecimals_;
 };
 
 }  // namespace

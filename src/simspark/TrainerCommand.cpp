@@ -267,9 +267,10 @@ std::optional<SimulatorClock> readClock(std::string_view message) {
 
 std::string TrainerCommandParser::parse(std::string_view text, std::vector<TrainerCommand>& commands) {
   std::string problem;
-  wellFormed_ = expressions.parse(text);
-  if (!wellFormed_) problem = expressions.error() + " at byte " + std::to_string(expressions.errorPosition());
-  for (auto node = expressions.first(); node; node = node.next()) {
+  wellFormed_ = expressions_.parse(text);
+  if (!wellFormed_)
+    problem = expressions_.error() + " at byte " + std::to_string(expressions_.errorPosition());
+  for (auto node = expressions_.first(); node; node = node.next()) {
     wellFormed_ = wellFormed_ && node.isList();
     if (auto command = readOne(node)) {
       commands.push_back(std::move(*command));

@@ -114,7 +114,7 @@ public:
 
 private:
   bool wellFormed_ = true;
-  SExpressions expressions{{.depth = 8, .nodes = 4096}};
+  SExpressions expressions_{{.depth = 8, .nodes = 4096}};
 };
 
 }  // namespace plumbline::simspark

@@ -12,14 +12,14 @@ std::optional<simspark::ForceReading> reading(const std::optional<FootForce>& fo
 }
 }  // namespace
 
-Player::Player(PlayerId id, int type, const PlayerConfig& config_, std::uint64_t seed)
+Player::Player(PlayerId id, int type, const PlayerConfig& config, std::uint64_t seed)
     : id_(id),
       type_(type),
-      config(config_),
+      config_(config),
       model_(simsparkRobot(type)),
-      random(seed, static_cast<std::uint64_t>(id)),
-      vision(config.vision, random) {
-  for (std::size_t i = 0; i < partLinks.size(); ++i) parts[i] = model_.linkIndex(partLinks[i].second);
+      random_(seed, static_cast<std::uint64_t>(id)),
+      vision_(config_.vision, random_) {
+  for (std::size_t i = 0; i < partLinks.size(); ++i) parts_[i] = model_.linkIndex(partLinks[i].second);
 }
 
 void Player::drive(World& world, const std::array<std::optional<double>, numHumanoidJoints>& velocity) const {
@@ -29,51 +29,51 @@ void Player::drive(World& world, const std::array<std::optional<double>, numHuma
 }
 
 Pose2 Player::disturbed(const Pose2& place) {
-  const double x = place.x() + config.beamNoise * random.uniform(-1, 1);
-  const double y = place.y() + config.beamNoise * random.uniform(-1, 1);
-  return Pose2(x, y, place.heading + config.beamTurnNoise * random.uniform(-1, 1));
+  const double x = place.x() + config_.beamNoise * random_.uniform(-1, 1);
+  const double y = place.y() + config_.beamNoise * random_.uniform(-1, 1);
+  return Pose2(x, y, place.heading + config_.beamTurnNoise * random_.uniform(-1, 1));
 }
 
 VisibleWorld::Player Player::visibleParts(const World& world, std::string_view team) const {
   VisibleWorld::Player seen{team, unum, {}};
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    seen.parts.push_back({partLinks[i].first, world.linkState(robot, parts[i]).pose.translation()});
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    seen.parts.push_back({partLinks[i].first, world.linkState(robot, parts_[i]).pose.translation()});
   return seen;
 }
 
 void Player::sense(const World& world, const Game& game, double time, const VisibleWorld& visible,
                    const simspark::GroundTruth* truth) {
   // As on the league's server: the first cycle of a robot makes no message, the second one with an image.
-  if (++cycle == 1) return;
+  if (++cycle_ == 1) return;
   const RobotReadings& readings = world.readings(robot);
-  senses = simspark::ServerMessage();
-  senses.time = time;
-  senses.gameState.scoreLeft = game.score[0];
-  senses.gameState.scoreRight = game.score[1];
-  senses.gameState.time = game.time;
-  senses.gameState.playMode = simspark::playModeName(game.mode);
-  if (side != TeamSide::none && !toldPlace) {
-    toldPlace = true;
-    senses.gameState.unum = unum;
-    senses.gameState.side = simspark::sideName(side);
+  senses_ = simspark::ServerMessage();
+  senses_.time = time;
+  senses_.gameState.scoreLeft = game.score[0];
+  senses_.gameState.scoreRight = game.score[1];
+  senses_.gameState.time = game.time;
+  senses_.gameState.playMode = simspark::playModeName(game.mode);
+  if (side != TeamSide::none && !placeReported_) {
+    placeReported_ = true;
+    senses_.gameState.unum = unum;
+    senses_.gameState.side = simspark::sideName(side);
   }
-  senses.heard = hearing.collect(game.teams[Game::index(side)], game.time);
-  senses.gyro = readings.gyro;
-  senses.acc = readings.acc;
+  senses_.heard = hearing.collect(game.teams[Game::index(side)], game.time);
+  senses_.gyro = readings.gyro;
+  senses_.acc = readings.acc;
   for (std::size_t i = 0; i < numHumanoidJoints; ++i)
-    if (model_.has(static_cast<JointId>(i))) senses.angle[i] = readings.angle[i];
-  senses.leftFoot = reading(readings.leftFoot);
-  senses.rightFoot = reading(readings.rightFoot);
-  senses.leftToe = reading(readings.leftToe);
-  senses.rightToe = reading(readings.rightToe);
-  if ((cycle + 1) % config.visionInterval == 0)
-    senses.see = vision.see(world.linkState(robot, parts[0]).pose, visible);
+    if (model_.has(static_cast<JointId>(i))) senses_.angle[i] = readings.angle[i];
+  senses_.leftFoot = reading(readings.leftFoot);
+  senses_.rightFoot = reading(readings.rightFoot);
+  senses_.leftToe = reading(readings.leftToe);
+  senses_.rightToe = reading(readings.rightToe);
+  if ((cycle_ + 1) % config_.visionInterval == 0)
+    senses_.see = vision_.see(world.linkState(robot, parts_[0]).pose, visible);
   if (truth) {
-    senses.groundTruth = *truth;
-    senses.groundTruth->T_world_torso = world.torso(robot).pose;
+    senses_.groundTruth = *truth;
+    senses_.groundTruth->T_world_torso = world.torso(robot).pose;
   }
-  text.clear();
-  simspark::appendServerMessage(text, senses, config.groundTruthDecimals);
+  text_.clear();
+  simspark::appendServerMessage(text_, senses_, config_.groundTruthDecimals);
 }
 
 }  // namespace plumbline::simulation

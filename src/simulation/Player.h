@@ -50,7 +50,7 @@ public:
   /// Makes the message of this cycle. truth: of all players, if it is told.
   void sense(const World& world, const Game& game, double time, const VisibleWorld& visible,
              const simspark::GroundTruth* truth);
-  const std::string& message() const { return text; }
+  const std::string& message() const { return text_; }
 
 private:
   static constexpr std::array<std::pair<const char*, const char*>, 5> partLinks = {
@@ -61,15 +61,15 @@ private:
        {"lfoot", "lFoot"}}};
   PlayerId id_;
   int type_;
-  PlayerConfig config;
+  PlayerConfig config_;
   RobotModel model_;
-  RandomStream random;
-  Vision vision;
-  std::array<int, partLinks.size()> parts{};
-  bool toldPlace = false;  ///< number and side have been sent
-  int cycle = 0;
-  simspark::ServerMessage senses;
-  std::string text;
+  RandomStream random_;
+  Vision vision_;
+  std::array<int, partLinks.size()> parts_{};
+  bool placeReported_ = false;  ///< number and side have been sent
+  int cycle_ = 0;
+  simspark::ServerMessage senses_;
+  std::string text_;
 };
 
 }  // namespace plumbline::simulation

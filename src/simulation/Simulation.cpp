@@ -29,23 +29,23 @@ Pose2 toField(const Pose2& place, TeamSide side) {
 
 }  // namespace
 
-Simulation::Simulation(const SimulationConfig& config_) : config(config_), world_(makeWorld(config.world)) {
-  visible.marks = FieldMarks(field());
+Simulation::Simulation(const SimulationConfig& config) : config_(config), world_(makeWorld(config_.world)) {
+  visible_.marks = FieldMarks(field());
   reset();
 }
 
 void Simulation::reset() {
   world_->reset();
-  players.clear();
-  killed.clear();
+  players_.clear();
+  killed_.clear();
   game_ = Game();
-  teams = Teams(config.rules.types);
-  referee = std::make_unique<Referee>(config.rules, RandomStream(config.seed), field());
-  starts.fill(Vec2(-field().length / 2 + 2 * agentRadius, field().width / 2 - 2 * agentRadius));
-  starts[1].x() *= -1;
-  nextId = 1;
-  cycles = 0;
-  ++version;
+  teams_ = Teams(config_.rules.types);
+  referee_ = std::make_unique<Referee>(config_.rules, RandomStream(config_.seed), field());
+  starts_.fill(Vec2(-field().length / 2 + 2 * agentRadius, field().width / 2 - 2 * agentRadius));
+  starts_[1].x() *= -1;
+  nextId_ = 1;
+  cycles_ = 0;
+  ++version_;
 }
 
 std::map<PlayerId, PlayerId> Simulation::restart(std::optional<std::uint64_t> seed) {
@@ -55,12 +55,12 @@ std::map<PlayerId, PlayerId> Simulation::restart(std::optional<std::uint64_t> se
     std::string team;
   };
   std::vector<Place> places;
-  for (const auto& [id, player] : players) {
+  for (const auto& [id, player] : players_) {
     const bool inTeam = player->side != TeamSide::none;
     places.push_back(
         {id, player->type(), player->unum, inTeam ? game_.teams[Game::index(player->side)] : std::string()});
   }
-  if (seed) config.seed = *seed;
+  if (seed) config_.seed = *seed;
   reset();
   std::map<PlayerId, PlayerId> ids;
   for (const Place& place : places) {
@@ -75,19 +75,19 @@ std::map<PlayerId, PlayerId> Simulation::restart(std::optional<std::uint64_t> se
 }
 
 PlayerId Simulation::addPlayer(int type) {
-  const PlayerId id = nextId;
-  auto player = std::make_unique<Player>(id, type, config.players, config.seed);
+  const PlayerId id = nextId_;
+  auto player = std::make_unique<Player>(id, type, config_.players, config_.seed);
   player->robot = world_->addRobot(player->model(), upright(freeSpawn(), spawnHeading));
-  players.emplace(id, std::move(player));
-  ++nextId;
-  ++version;
+  players_.emplace(id, std::move(player));
+  ++nextId_;
+  ++version_;
   return id;
 }
 
 /// The league's server puts all new robots into one spot, where those that come together burst apart.
 Vec3 Simulation::freeSpawn() const {
   const auto isFree = [this](const Vec3& place) {
-    return std::none_of(players.begin(), players.end(), [&](const auto& entry) {
+    return std::none_of(players_.begin(), players_.end(), [&](const auto& entry) {
       const Vec3 way = world_->torso(entry.second->robot).pose.translation() - place;
       return way.head<2>().norm() < spawnDistance;
     });
@@ -101,20 +101,20 @@ Vec3 Simulation::freeSpawn() const {
 }
 
 void Simulation::removePlayer(PlayerId id) {
-  const auto it = players.find(id);
-  if (it == players.end()) return;
+  const auto it = players_.find(id);
+  if (it == players_.end()) return;
   world_->removeRobot(it->second->robot);
-  teams.release(it->second->side, it->second->unum, it->second->type());
-  players.erase(it);
-  ++version;
+  teams_.release(it->second->side, it->second->unum, it->second->type());
+  players_.erase(it);
+  ++version_;
 }
 
 std::string Simulation::act(PlayerId id, const AgentCommand& command) {
-  Player& player = *players.at(id);
+  Player& player = *players_.at(id);
   std::string problem;
   if (command.init) initPlayer(player, *command.init, problem);
   player.drive(*world_, command.velocity);
-  if (command.pass) referee->askForPass(game_, *world_, id);
+  if (command.pass) referee_->askForPass(game_, *world_, id);
   if (command.beam) beam(player, *command.beam);
   if (command.say) say(player, *command.say);
   return problem;
@@ -125,9 +125,9 @@ void Simulation::initPlayer(Player& player, const simspark::InitRequest& init, s
     problem = "team " + init.team + ": this robot has its number already";
     return;
   }
-  const Teams::Place place = teams.request(init.team, init.unum, player.type());
+  const Teams::Place place = teams_.request(init.team, init.unum, player.type());
   for (const TeamSide side : {TeamSide::left, TeamSide::right})
-    game_.teams[Game::index(side)] = teams.name(side);
+    game_.teams[Game::index(side)] = teams_.name(side);
   if (!place.problem.empty()) {
     problem = place.problem;
     return;
@@ -136,12 +136,12 @@ void Simulation::initPlayer(Player& player, const simspark::InitRequest& init, s
   player.unum = place.unum;
   const Pose2 start = nextStart(place.side);
   world_->moveRobot(player.robot, upright(Vec3(start.x(), start.y(), agentRadius), start.heading));
-  ++version;
+  ++version_;
 }
 
 /// Along the side of the field, a new row behind a full one.
 Pose2 Simulation::nextStart(TeamSide side) {
-  Vec2& next = starts[Game::index(side)];
+  Vec2& next = starts_[Game::index(side)];
   const Vec2 start = next;
   next.y() -= 3 * agentRadius;
   if (next.y() < -field().width / 2)
@@ -154,7 +154,7 @@ void Simulation::beam(Player& player, const Pose2& place) {
                        game_.mode == PlayMode::goalRight;
   if (!allowed || player.side == TeamSide::none) return;
   Pose2 start = player.disturbed(place);
-  if (!config.rules.moves.startAnywhere) {
+  if (!config_.rules.moves.startAnywhere) {
     start.position.x() = std::clamp(start.x(), -field().length / 2, 0.0);
     start.position.y() = std::clamp(start.y(), -field().width / 2, field().width / 2);
   }
@@ -166,7 +166,7 @@ void Simulation::say(const Player& speaker, const std::string& text) {
   if (speaker.side == TeamSide::none) return;
   const Vec3 from = world_->torso(speaker.robot).pose.translation();
   const std::string& team = game_.teams[Game::index(speaker.side)];
-  for (auto& [id, listener] : players) {
+  for (auto& [id, listener] : players_) {
     if (listener->side == TeamSide::none) continue;
     if (id == speaker.id()) {
       listener->hearing.hearSelf(text);
@@ -182,22 +182,22 @@ void Simulation::say(const Player& speaker, const std::string& text) {
 std::string Simulation::train(const simspark::TrainerCommand& command) {
   const auto remove = [this](PlayerId id) {
     removePlayer(id);
-    killed.push_back(id);
+    killed_.push_back(id);
   };
-  return Trainer({*world_, game_, *referee, players, members(), field(), remove}).carryOut(command);
+  return Trainer({*world_, game_, *referee_, players_, members(), field(), remove}).carryOut(command);
 }
 
 void Simulation::step() {
   world_->step();
-  ++cycles;
-  const Observation observation{members(), static_cast<int>(players.size()), world_->ballTouchedBy()};
-  if (referee->update(game_, *world_, observation, config.world.stepSeconds)) changeSides();
+  ++cycles_;
+  const Observation observation{members(), static_cast<int>(players_.size()), world_->ballTouchedBy()};
+  if (referee_->update(game_, *world_, observation, config_.world.stepSeconds)) changeSides();
   makeSenses();
 }
 
 std::vector<Member> Simulation::members() const {
   std::vector<Member> members;
-  for (const auto& [id, player] : players)
+  for (const auto& [id, player] : players_)
     if (player->side != TeamSide::none)
       members.push_back({id, player->side, player->unum, player->robot, &player->model(), &player->frozen,
                          player->selected});
@@ -206,32 +206,33 @@ std::vector<Member> Simulation::members() const {
 
 /// As on the league's server players are not told.
 void Simulation::changeSides() {
-  teams.swapSides();
-  for (auto& [id, player] : players) player->side = simspark::opponent(player->side);
-  ++version;
+  teams_.swapSides();
+  for (auto& [id, player] : players_) player->side = simspark::opponent(player->side);
+  ++version_;
 }
 
 bool Simulation::finished() const {
   constexpr double afterGame = 10;  ///< [s]
-  return config.rules.time.quitAfterGame && game_.mode == PlayMode::gameOver && game_.modeTime() >= afterGame;
+  return config_.rules.time.quitAfterGame && game_.mode == PlayMode::gameOver &&
+         game_.modeTime() >= afterGame;
 }
 
 void Simulation::makeSenses() {
-  visible.ball = world_->ball().pose.translation();
-  visible.players.clear();
+  visible_.ball = world_->ball().pose.translation();
+  visible_.players.clear();
   simspark::GroundTruth truth;
-  truth.ball = visible.ball;
-  for (const auto& [id, player] : players) {
+  truth.ball = visible_.ball;
+  for (const auto& [id, player] : players_) {
     if (player->side == TeamSide::none) continue;
     const std::string& team = game_.teams[Game::index(player->side)];
-    visible.players.push_back(player->visibleParts(*world_, team));
-    if (!config.players.groundTruth) continue;
+    visible_.players.push_back(player->visibleParts(*world_, team));
+    if (!config_.players.groundTruth) continue;
     const Pose3 torso = world_->torso(player->robot).pose;
     truth.players.push_back({team, player->unum, torso.translation().x(), torso.translation().y(),
                              std::atan2(torso.linear()(1, 0), torso.linear()(0, 0))});
   }
-  for (const auto& [id, player] : players)
-    player->sense(*world_, game_, time(), visible, config.players.groundTruth ? &truth : nullptr);
+  for (const auto& [id, player] : players_)
+    player->sense(*world_, game_, time(), visible_, config_.players.groundTruth ? &truth : nullptr);
 }
 
 }  // namespace plumbline::simulation

@@ -44,7 +44,7 @@ public:
   /// Returns why not, one line, or nothing.
   std::string train(const simspark::TrainerCommand& command);
   /// Players a trainer had removed since the last call; their connections are to be closed.
-  std::vector<PlayerId> takeKilled() { return std::exchange(killed, {}); }
+  std::vector<PlayerId> takeKilled() { return std::exchange(killed_, {}); }
 
   /// One cycle of physics, rules, and new senses for everybody.
   void step();
@@ -56,22 +56,22 @@ public:
   std::map<PlayerId, PlayerId> restart(std::optional<std::uint64_t> seed = {});
 
   /// Senses made by the last step, as the wire wants them (without frame); empty before the first.
-  const std::string& message(PlayerId id) const { return players.at(id)->message(); }
+  const std::string& message(PlayerId id) const { return players_.at(id)->message(); }
 
-  const FieldSize& field() const { return config.world.field; }
+  const FieldSize& field() const { return config_.world.field; }
   const Game& game() const { return game_; }
-  const Rules& rules() const { return referee->rules(); }
+  const Rules& rules() const { return referee_->rules(); }
   /// Whether the rules end the simulator a while after the game, and it is time.
   bool finished() const;
   World& world() { return *world_; }
   const World& world() const { return *world_; }
-  double time() const { return static_cast<double>(cycles) * config.world.stepSeconds; }
-  std::uint64_t cycle() const { return cycles; }
-  std::size_t numPlayers() const { return players.size(); }
+  double time() const { return static_cast<double>(cycles_) * config_.world.stepSeconds; }
+  std::uint64_t cycle() const { return cycles_; }
+  std::size_t numPlayers() const { return players_.size(); }
   /// By id, in the order in which they came.
-  const std::map<PlayerId, std::unique_ptr<Player>>& allPlayers() const { return players; }
+  const std::map<PlayerId, std::unique_ptr<Player>>& allPlayers() const { return players_; }
   /// Grows when players come, go or get a number: the monitor's scene must be sent anew.
-  std::uint64_t sceneVersion() const { return version; }
+  std::uint64_t sceneVersion() const { return version_; }
 
 private:
   void initPlayer(Player& player, const simspark::InitRequest& init, std::string& problem);
@@ -83,17 +83,17 @@ private:
   Pose2 nextStart(TeamSide side);
   Vec3 freeSpawn() const;
 
-  SimulationConfig config;
+  SimulationConfig config_;
   std::unique_ptr<World> world_;
   Game game_;
-  Teams teams;
-  std::unique_ptr<Referee> referee;
-  std::map<PlayerId, std::unique_ptr<Player>> players;
-  std::vector<PlayerId> killed;
-  PlayerId nextId = 1;
-  std::array<Vec2, 2> starts;  ///< where the next new player of a team is put
-  std::uint64_t cycles = 0, version = 1;
-  VisibleWorld visible;
+  Teams teams_;
+  std::unique_ptr<Referee> referee_;
+  std::map<PlayerId, std::unique_ptr<Player>> players_;
+  std::vector<PlayerId> killed_;
+  PlayerId nextId_ = 1;
+  std::array<Vec2, 2> starts_;  ///< where the next new player of a team is put
+  std::uint64_t cycles_ = 0, version_ = 1;
+  VisibleWorld visible_;
 };
 
 }  // namespace plumbline::simulation

@@ -8,20 +8,20 @@
 namespace plumbline::simulation {
 
 std::string Teams::typeProblem(const Team& team, int type) const {
-  if (!rules.on) return {};
+  if (!rules_.on) return {};
   const auto t = static_cast<std::size_t>(type);
   const std::string ofType = "robots of type " + std::to_string(type);
-  if (team.types[t] >= rules.maxOfOne)
-    return "there are already " + std::to_string(rules.maxOfOne) + ' ' + ofType;
+  if (team.types[t] >= rules_.maxOfOne)
+    return "there are already " + std::to_string(rules_.maxOfOne) + ' ' + ofType;
   for (std::size_t other = 0; other < team.types.size(); ++other)
-    if (other != t && team.types[t] + 1 + team.types[other] > rules.maxOfTwo)
+    if (other != t && team.types[t] + 1 + team.types[other] > rules_.maxOfTwo)
       return "robots of types " + std::to_string(type) + " and " + std::to_string(other) +
-             " would be more than " + std::to_string(rules.maxOfTwo);
+             " would be more than " + std::to_string(rules_.maxOfTwo);
   const int robots = std::accumulate(team.types.begin(), team.types.end(), 0);
   const auto differentTypes =
       static_cast<int>(std::count_if(team.types.begin(), team.types.end(), [](int n) { return n > 0; }));
-  if (maxPlayers - robots <= rules.minDifferent - differentTypes && team.types[t] > 0)
-    return "a full team needs " + std::to_string(rules.minDifferent) + " types of robots";
+  if (maxPlayers - robots <= rules_.minDifferent - differentTypes && team.types[t] > 0)
+    return "a full team needs " + std::to_string(rules_.minDifferent) + " types of robots";
   return {};
 }
 
@@ -29,7 +29,7 @@ Teams::Place Teams::request(const std::string& team, int unum, int type) {
   if (!simspark::isTeamName(team))
     return {TeamSide::none, 0, "a team's name is " + std::string(simspark::teamNameRule)};
   Team* found = nullptr;
-  for (Team& candidate : teams) {
+  for (Team& candidate : teams_) {
     if (candidate.name.empty()) candidate.name = team;
     if (candidate.name == team) {
       found = &candidate;
@@ -49,15 +49,15 @@ Teams::Place Teams::request(const std::string& team, int unum, int type) {
   if (const std::string problem = typeProblem(*found, type); !problem.empty()) return refuse(problem);
   found->unums.insert(unum);
   ++found->types[static_cast<std::size_t>(type)];
-  return {found == &teams[0] ? TeamSide::left : TeamSide::right, unum, {}};
+  return {found == &teams_[0] ? TeamSide::left : TeamSide::right, unum, {}};
 }
 
 void Teams::release(TeamSide side, int unum, int type) {
   if (side == TeamSide::none) return;
-  Team& team = teams[side == TeamSide::right ? 1 : 0];
+  Team& team = teams_[side == TeamSide::right ? 1 : 0];
   if (team.unums.erase(unum)) --team.types[static_cast<std::size_t>(type)];
 }
 
-const std::string& Teams::name(TeamSide side) const { return teams[side == TeamSide::right ? 1 : 0].name; }
+const std::string& Teams::name(TeamSide side) const { return teams_[side == TeamSide::right ? 1 : 0].name; }
 
 }  // namespace plumbline::simulation

@@ -18,7 +18,7 @@ class Teams {
 public:
   static constexpr int maxPlayers = 11;
 
-  explicit Teams(const Rules::Types& rules_ = {}) : rules(rules_) {}
+  explicit Teams(const Rules::Types& rules = {}) : rules_(rules) {}
 
   struct Place {
     TeamSide side = TeamSide::none;
@@ -33,7 +33,7 @@ public:
   /// Empty for a side nobody plays on yet.
   const std::string& name(TeamSide side) const;
   /// The teams change ends.
-  void swapSides() { std::swap(teams[0], teams[1]); }
+  void swapSides() { std::swap(teams_[0], teams_[1]); }
 
 private:
   struct Team {
@@ -42,8 +42,8 @@ private:
     std::vector<int> types = std::vector<int>(simsparkRobots().size());  ///< robots of each
   };
   std::string typeProblem(const Team& team, int type) const;
-  Rules::Types rules;
-  std::array<Team, 2> teams;
+  Rules::Types rules_;
+  std::array<Team, 2> teams_;
 };
 
 }  // namespace plumbline::simulation

@@ -17,21 +17,21 @@ std::string Trainer::carryOut(const TrainerCommand& command) {
 }
 
 Player* Trainer::find(const PlayerName& name) {
-  for (auto& [id, player] : s.players)
+  for (auto& [id, player] : s_.players)
     if (player->unum == name.unum && player->side == name.side) return player.get();
   return nullptr;
 }
 
 Player* Trainer::playerOrSelected(const std::optional<PlayerName>& name) {
   if (name) return find(*name);
-  for (auto& [id, player] : s.players)
+  for (auto& [id, player] : s_.players)
     if (player->selected) return player.get();
   return nullptr;
 }
 
 std::string Trainer::apply(const MoveAgentCommand& command) {
   if (!command.player) {
-    s.referee.clearSelected(s.game, s.world, s.members);
+    s_.referee.clearSelected(s_.game, s_.world, s_.members);
     return {};
   }
   const Player* player = find(*command.player);
@@ -39,44 +39,44 @@ std::string Trainer::apply(const MoveAgentCommand& command) {
   if (!command.position) return {};
   Pose3 pose = translation(*command.position);
   pose.linear() =
-      command.heading ? rotationZ(*command.heading).linear() : s.world.torso(player->robot).pose.linear();
-  s.world.moveRobot(player->robot, pose);
+      command.heading ? rotationZ(*command.heading).linear() : s_.world.torso(player->robot).pose.linear();
+  s_.world.moveRobot(player->robot, pose);
   return {};
 }
 
 std::string Trainer::apply(const BallCommand& command) {
-  BodyState ball = s.world.ball();
+  BodyState ball = s_.world.ball();
   if (command.position) ball.pose.translation() = *command.position;
   if (command.velocity) {
     ball.linearVelocity = *command.velocity;
     ball.angularVelocity.setZero();
   }
-  s.world.setBall(ball);
+  s_.world.setBall(ball);
   return {};
 }
 
 std::string Trainer::apply(const PlayModeCommand& command) {
-  s.game.setMode(command.mode);
+  s_.game.setMode(command.mode);
   return {};
 }
 
 std::string Trainer::apply(const KickOffCommand& command) {
-  s.referee.kickOff(s.game, s.world, command.side);
+  s_.referee.kickOff(s_.game, s_.world, command.side);
   return {};
 }
 
 std::string Trainer::apply(const DropBallCommand&) {
-  s.referee.dropBall(s.game, s.world);
+  s_.referee.dropBall(s_.game, s_.world);
   return {};
 }
 
 std::string Trainer::apply(const TimeCommand& command) {
-  s.game.time = command.time;
+  s_.game.time = command.time;
   return {};
 }
 
 std::string Trainer::apply(const ScoreCommand& command) {
-  s.game.score = {command.left, command.right};
+  s_.game.score = {command.left, command.right};
   return {};
 }
 
@@ -87,20 +87,20 @@ std::string Trainer::apply(const SelectCommand& command) {
     if (!next) return noSuchPlayer;
   } else if (!command.clear) {  // the one after the selected, the first after the last
     bool passed = false;
-    for (auto& [id, player] : s.players) {
+    for (auto& [id, player] : s_.players) {
       if (passed && !next) next = player.get();
       passed = passed || player->selected;
     }
-    if (!next && !s.players.empty()) next = s.players.begin()->second.get();
+    if (!next && !s_.players.empty()) next = s_.players.begin()->second.get();
   }
-  for (auto& [id, player] : s.players) player->selected = player.get() == next;
+  for (auto& [id, player] : s_.players) player->selected = player.get() == next;
   return {};
 }
 
 std::string Trainer::apply(const KillCommand& command) {
   const Player* player = playerOrSelected(command.player);
   if (!player) return noSuchPlayer;
-  s.remove(player->id());
+  s_.remove(player->id());
   return {};
 }
 
@@ -112,9 +112,9 @@ std::string Trainer::apply(const RepositionCommand& command) {
 }
 
 void Trainer::moveAside(Player& player) {
-  Pose3 pose = s.world.torso(player.robot).pose;
-  pose.translation() = outsidePlace(s.field, s.world.ball().pose.translation(), player.side, player.unum);
-  s.world.moveRobot(player.robot, pose);
+  Pose3 pose = s_.world.torso(player.robot).pose;
+  pose.translation() = outsidePlace(s_.field, s_.world.ball().pose.translation(), player.side, player.unum);
+  s_.world.moveRobot(player.robot, pose);
 }
 
 }  // namespace plumbline::simulation

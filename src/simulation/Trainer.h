@@ -25,7 +25,7 @@ struct TrainedGame {
 /// Carries out trainer commands in a game. Each returns why it could not, one line, or nothing.
 class Trainer {
 public:
-  explicit Trainer(TrainedGame game) : s(std::move(game)) {}
+  explicit Trainer(TrainedGame game) : s_(std::move(game)) {}
   std::string carryOut(const simspark::TrainerCommand& command);
 
 private:
@@ -52,7 +52,7 @@ private:
   /// Beside the field, where the referee puts offenders.
   void moveAside(Player& player);
 
-  TrainedGame s;
+  TrainedGame s_;
 };
 
 }  // namespace plumbline::simulation

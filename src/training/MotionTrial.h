@@ -57,8 +57,8 @@ public:
   }
 
   /// Uniform in [low, high]; the same on every machine.
-  double random(double low, double high) { return low + (high - low) * (generator() / 4294967296.0); }
-  void seed(unsigned value) { generator.seed(value); }
+  double random(double low, double high) { return low + (high - low) * (generator_() / 4294967296.0); }
+  void seed(unsigned value) { generator_.seed(value); }
 
   Vec3 up() const { return robot.torso().pose.linear().row(2).transpose(); }
   double tilt() const { return std::acos(std::clamp(up().z(), -1.0, 1.0)); }
@@ -69,12 +69,12 @@ public:
     for (double& angle : measured) angle = std::round(angle * 18000 / pi) / (18000 / pi);
     robot.act(control.update(measured, targets, dt));
     // As FallDetector and Stillness see it.
-    tiltedCycles = tilt() > 1.05 ? tiltedCycles + 1 : 0;
-    stillCycles = robot.sense().gyro.norm() < 0.3 ? stillCycles + 1 : 0;
+    tiltedCycles_ = tilt() > 1.05 ? tiltedCycles_ + 1 : 0;
+    stillCycles_ = robot.sense().gyro.norm() < 0.3 ? stillCycles_ + 1 : 0;
   }
-  bool lying() const { return tiltedCycles >= 5; }
+  bool lying() const { return tiltedCycles_ >= 5; }
   /// The torso does not turn: what a wait to settle waits for.
-  bool still() const { return stillCycles >= 3; }
+  bool still() const { return stillCycles_ >= 3; }
 
   /// Throws the robot over: it is put down tilted forward (1), backward (-1) or sideways (0), with its joints
   /// anywhere near the walk's and moving, and falls until it has lain for a moment. False if it did not fall.
@@ -166,7 +166,7 @@ public:
     control.reset();
     walk =
         walking::WalkEngine(gaits, model);  // its reset() keeps what it learnt and the foot of its first step
-    tiltedCycles = stillCycles = 0;
+    tiltedCycles_ = stillCycles_ = 0;
   }
 
 private:
@@ -181,8 +181,8 @@ private:
     return angles;
   }
 
-  std::mt19937 generator{1};
-  int tiltedCycles = 0, stillCycles = 0;
+  std::mt19937 generator_{1};
+  int tiltedCycles_ = 0, stillCycles_ = 0;
 };
 
 }  // namespace plumbline::motion

@@ -75,37 +75,38 @@ ServerAddress ServerAddress::parse(const std::string& text) {
 
 std::string ServerAddress::text() const { return fmt::format("{}:{}:{}", host, agentPort, monitorPort); }
 
-ServerWalker::ServerWalker(int type_, const WalkGaits& gaits, const ServerAddress& server)
-    : Walker(simsparkRobot(type_), gaits, cycleSeconds),
-      type(type_),
-      address(server),
-      alone(mutexOf(server.text())),
-      control(model) {
-  if (const std::string why = trainer.connect(address.host, address.monitorPort); !why.empty())
+ServerWalker::ServerWalker(int type, const WalkGaits& gaits, const ServerAddress& server)
+    : Walker(simsparkRobot(type), gaits, cycleSeconds),
+      type_(type),
+      address_(server),
+      alone_(mutexOf(server.text())),
+      control_(model) {
+  if (const std::string why = trainer_.connect(address_.host, address_.monitorPort); !why.empty())
     throw std::runtime_error(why + startFirst);
   join();
   restart();
 }
 
 void ServerWalker::join() {
-  agent.close();
-  if (const std::string why = agent.connect(address.host, address.agentPort); !why.empty())
+  agent_.close();
+  if (const std::string why = agent_.connect(address_.host, address_.agentPort); !why.empty())
     throw std::runtime_error(why + startFirst);
-  message = {};
+  message_ = {};
   simspark::AgentCommand scene, init;
-  scene.scene = simspark::SceneRequest{.type = type};
+  scene.scene = simspark::SceneRequest{.type = type_};
   exchange(scene);
   init.init = simspark::InitRequest{0, "Plumbline"};
   exchange(init);
-  for (int i = 0; i < 20 && !message.gameState.unum; ++i) exchange({});
-  if (!message.gameState.unum || !message.gameState.side) throw failure("gave the robot no number in a team");
-  if (message.time > maxTime)
+  for (int i = 0; i < 20 && !message_.gameState.unum; ++i) exchange({});
+  if (!message_.gameState.unum || !message_.gameState.side)
+    throw failure("gave the robot no number in a team");
+  if (message_.time > maxTime)
     throw failure(fmt::format(
         "has been running for {:.0f} s of its time, and its clock in single precision is too coarse "
         "by now; start it anew",
-        message.time));
-  const bool left = *message.gameState.side == "left";
-  name = {*message.gameState.unum, left ? simspark::TeamSide::left : simspark::TeamSide::right};
+        message_.time));
+  const bool left = *message_.gameState.side == "left";
+  name_ = {*message_.gameState.unum, left ? simspark::TeamSide::left : simspark::TeamSide::right};
 }
 
 void ServerWalker::push(const Vec3&) { throw std::logic_error("robots of a server cannot be pushed"); }
@@ -113,68 +114,69 @@ void ServerWalker::move(const Vec2&) { throw std::logic_error("robots of a serve
 Vec2 ServerWalker::comVelocity() { throw std::logic_error("a server does not tell the true velocity"); }
 
 std::runtime_error ServerWalker::failure(const std::string& what) const {
-  return std::runtime_error("the server at " + address.text() + ' ' + what);
+  return std::runtime_error("the server at " + address_.text() + ' ' + what);
 }
 
 void ServerWalker::exchange(simspark::AgentCommand command) {
   command.syn = true;
-  if (!agent.send(simspark::writeAgentCommand(command))) throw failure("went away: " + agent.error());
+  if (!agent_.send(simspark::writeAgentCommand(command))) throw failure("went away: " + agent_.error());
   std::string_view text;
-  const double before = message.time;
-  switch (agent.receive(text, patience)) {
+  const double before = message_.time;
+  switch (agent_.receive(text, patience)) {
     case simspark::Connection::Status::message:
       break;
     case simspark::Connection::Status::timeout:
       throw failure(fmt::format("sent nothing for {:.0f} s", patience));
     case simspark::Connection::Status::closed:
-      throw failure("went away: " + agent.error());
+      throw failure("went away: " + agent_.error());
   }
-  if (const auto error = simspark::parseServerMessage(text, message))
+  if (const auto error = simspark::parseServerMessage(text, message_))
     throw failure(fmt::format("sent what cannot be read, at byte {}: {}", error->position, error->what));
   for (std::size_t j = 0; j < numHumanoidJoints; ++j)
-    if (message.angle[j]) measured[j] = *message.angle[j];
-  if (before > 0 && message.time > before + 1.5 * cycleSeconds) ++lost;
-  if (++cycles > 100 && lost > cycles / 20)
+    if (message_.angle[j]) measured_[j] = *message_.angle[j];
+  if (before > 0 && message_.time > before + 1.5 * cycleSeconds) ++lost_;
+  if (++cycles_ > 100 && lost_ > cycles_ / 20)
     throw failure("does not wait for its agents; set $agentSyncMode = true in its spark.rb, or use --sync");
   follow();
 }
 
 void ServerWalker::follow() {
   // Scenes come every second cycle: how far they are behind must not depend on who runs when.
-  double wait = ++unseen > maxUnseen ? patience : 0;
+  double wait = ++unseen_ > maxUnseen ? patience : 0;
   for (;;) {
-    const auto status = trainer.receive(wait);
+    const auto status = trainer_.receive(wait);
     if (status == simspark::Connection::Status::closed)
-      throw failure("ended the monitor's connection: " + trainer.error());
+      throw failure("ended the monitor's connection: " + trainer_.error());
     if (status == simspark::Connection::Status::timeout) break;
     wait = 0;
-    unseen = 0;
+    unseen_ = 0;
   }
   if (wait > 0) throw failure(fmt::format("told its monitor nothing for {:.0f} s", patience));
-  if (const auto* robot = trainer.scene().robot(name.side, name.unum)) T_world_torso = robot->T_world_torso;
+  if (const auto* robot = trainer_.scene().robot(name_.side, name_.unum))
+    T_world_torso_ = robot->T_world_torso;
 }
 
 void ServerWalker::drive(const JointArray& targets) {
   simspark::AgentCommand command;
-  const JointArray& speeds = control.update(measured, targets, cycleSeconds);
+  const JointArray& speeds = control_.update(measured_, targets, cycleSeconds);
   for (std::size_t j = 0; j < numHumanoidJoints; ++j)
     if (model.has(static_cast<JointId>(j))) command.velocity[j] = speeds[j];
-  if (cycles % clockEvery == 0) trainer.send(simspark::TimeCommand{1});
+  if (cycles_ % clockEvery == 0) trainer_.send(simspark::TimeCommand{1});
   exchange(command);
-  filter.update(message.gyro, message.acc, cycleSeconds);
+  filter_.update(message_.gyro, message_.acc, cycleSeconds);
 }
 
 void ServerWalker::teleport(const Pose2& place, double height) {
-  trainer.send(simspark::MoveAgentCommand{name, Vec3(place.x(), place.y(), height), place.heading});
+  trainer_.send(simspark::MoveAgentCommand{name_, Vec3(place.x(), place.y(), height), place.heading});
 }
 
 void ServerWalker::put(const Pose2& place, const JointArray& angles) {
   // A robot that fell is replaced: there were some on the league's server that then never stood again.
   if (fallen()) join();
-  trainer.send(simspark::PlayModeCommand{simspark::PlayMode::playOn});
-  trainer.send(simspark::TimeCommand{1});
-  trainer.send(simspark::BallCommand{Vec3(14, -9.5, 0.042), Vec3::Zero()});
-  control.reset();
+  trainer_.send(simspark::PlayModeCommand{simspark::PlayMode::playOn});
+  trainer_.send(simspark::TimeCommand{1});
+  trainer_.send(simspark::BallCommand{Vec3(14, -9.5, 0.042), Vec3::Zero()});
+  control_.reset();
   // Held in the air until the joints are where they should be, then let down on its feet.
   constexpr double aloft = 1.5;
   constexpr int ready = 75, settle = 40;
@@ -183,21 +185,21 @@ void ServerWalker::put(const Pose2& place, const JointArray& angles) {
     drive(angles);
   }
   teleport(place, heightOver(model, angles));
-  filter.reset();
+  filter_.reset();
   for (int i = 0; i < settle; ++i) drive(angles);
 }
 
 WalkSensors ServerWalker::sense() {
   WalkSensors sensors;
-  sensors.angles = measured;
-  sensors.gyro = message.gyro;
-  sensors.feet = feltFeet(message, felt);
-  sensors.torsoAngles = Vec2(filter.roll(), filter.pitch());
+  sensors.angles = measured_;
+  sensors.gyro = message_.gyro;
+  sensors.feet = feltFeet(message_, felt);
+  sensors.torsoAngles = Vec2(filter_.roll(), filter_.pitch());
   return sensors;
 }
 
 void ServerWalker::act(const WalkOutput& out, const WalkSensors&) {
-  drive(lookingAround(out.angles, cycleSeconds * static_cast<double>(cycles)));
+  drive(lookingAround(out.angles, cycleSeconds * static_cast<double>(cycles_)));
 }
 
 }  // namespace plumbline::walking

@@ -35,7 +35,7 @@ public:
   void push(const Vec3& change) override;
   /// Whom a trainer moves has lost its speed.
   bool carries() const override { return false; }
-  Pose3 torso() const override { return T_world_torso; }
+  Pose3 torso() const override { return T_world_torso_; }
   /// The monitor's poses are too coarse for it: throws std::logic_error.
   Vec2 comVelocity() override;
 
@@ -57,18 +57,18 @@ private:
   void teleport(const Pose2& place, double height);
   std::runtime_error failure(const std::string& what) const;
 
-  const int type;
-  const ServerAddress address;
-  const std::unique_lock<std::mutex> alone;  ///< among those of this server
-  simspark::Connection agent;
-  simspark::MonitorClient trainer;
-  simspark::ServerMessage message;
-  simspark::PlayerName name;
-  JointVelocityControl control;
-  TorsoAngleFilter filter;
-  JointArray measured{};
-  Pose3 T_world_torso = Pose3::Identity();
-  long cycles = 0, unseen = 0, lost = 0;  ///< unseen: since the last scene
+  const int type_;
+  const ServerAddress address_;
+  const std::unique_lock<std::mutex> alone_;  ///< among those of this server
+  simspark::Connection agent_;
+  simspark::MonitorClient trainer_;
+  simspark::ServerMessage message_;
+  simspark::PlayerName name_;
+  JointVelocityControl control_;
+  TorsoAngleFilter filter_;
+  JointArray measured_{};
+  Pose3 T_world_torso_ = Pose3::Identity();
+  long cycles_ = 0, unseen_ = 0, lost_ = 0;  ///< unseen: since the last scene
 };
 
 }  // namespace plumbline::walking

@@ -39,18 +39,18 @@ public:
   explicit ServoWalker(const std::string& robot) : ServoWalker(findMechanism(robot), readServoGaits(robot)) {}
   ServoWalker(const Mechanism& robot, const WalkGaits& gaits)
       : ServoWalker(robot, gaits, simulation::RobotSimulations::make("bullet", robot)) {}
-  ServoWalker(const Mechanism& robot_, const WalkGaits& gaits,
-              std::unique_ptr<simulation::RobotSimulation> plant_)
-      : Walker(Humanoid(robot_).model(), gaits, 1 / robot_.controlHz),
-        robot(robot_),
-        mass(robot_.totalMass()),
-        driver(robot_),
-        plant_(std::move(plant_)) {
+  ServoWalker(const Mechanism& robot, const WalkGaits& gaits,
+              std::unique_ptr<simulation::RobotSimulation> plant)
+      : Walker(Humanoid(robot).model(), gaits, 1 / robot.controlHz),
+        robot_(robot),
+        mass_(robot.totalMass()),
+        driver_(robot),
+        plant_(std::move(plant)) {
     restart();
   }
 
-  void push(const Vec3& change) override { plant_->push(mass * change / cycle, cycle, 0); }
-  Pose3 torso() const override { return translation(offset.x(), offset.y(), 0) * plant_->base().pose; }
+  void push(const Vec3& change) override { plant_->push(mass_ * change / cycle, cycle, 0); }
+  Pose3 torso() const override { return translation(offset_.x(), offset_.y(), 0) * plant_->base().pose; }
   Vec2 comVelocity() override {
     return Eigen::Rotation2Dd(-pose().heading) * Vec2(plant_->comVelocity().head<2>());
   }
@@ -58,40 +58,40 @@ public:
   /// Called each cycle with what the robot feels and is told, before it moves.
   std::function<void(const ServoMeasurement&, const ServoCommand&)> observer;
   /// What the robot was told last.
-  const WalkSensors& sensors() const { return sensed; }
+  const WalkSensors& sensors() const { return sensed_; }
 
 private:
   void put(const Pose2& place, const JointArray& angles) override {
-    driver.reset();
-    plant_->restart(driver.humanoid().toMechanism(angles), place.heading);
-    offset.setZero();
+    driver_.reset();
+    plant_->restart(driver_.humanoid().toMechanism(angles), place.heading);
+    offset_.setZero();
     move(place.position);
   }
-  void move(const Vec2& place) override { offset = place - plant_->base().pose.translation().head<2>(); }
+  void move(const Vec2& place) override { offset_ = place - plant_->base().pose.translation().head<2>(); }
   WalkSensors sense() override {
-    measured = measurementOf(*plant_);
-    return sensed = driver.sense(measured);
+    measured_ = measurementOf(*plant_);
+    return sensed_ = driver_.sense(measured_);
   }
   void act(const WalkOutput& output, const WalkSensors& sensors) override {
-    ServoCommand command = driver.command(output, engine.gait(), sensors);
+    ServoCommand command = driver_.command(output, engine.gait(), sensors);
     // A simulation whose joints of one motor have a servo each wants them told alike; others do not look.
     for (std::size_t j = 0; j < command.target.size(); ++j)
-      if (const Mechanism::Joint& joint = robot.joints[j]; joint.driver >= 0)
+      if (const Mechanism::Joint& joint = robot_.joints[j]; joint.driver >= 0)
         command.target[j] = joint.driven(command.target[static_cast<std::size_t>(joint.driver)]);
-    if (observer) observer(measured, command);
+    if (observer) observer(measured_, command);
     plant_->command(command.target);
     for (std::size_t j = 0; j < command.stiffness.size(); ++j)
       plant_->setStiffness(static_cast<int>(j), command.stiffness[j]);
     plant_->step();
   }
 
-  const Mechanism robot;
-  double mass;
-  ServoDriver driver;
+  const Mechanism robot_;
+  double mass_;
+  ServoDriver driver_;
   std::unique_ptr<simulation::RobotSimulation> plant_;
-  ServoMeasurement measured;
-  WalkSensors sensed;
-  Vec2 offset = Vec2::Zero();  ///< the ground has no end
+  ServoMeasurement measured_;
+  WalkSensors sensed_;
+  Vec2 offset_ = Vec2::Zero();  ///< the ground has no end
 };
 
 }  // namespace plumbline::walking

@@ -85,29 +85,29 @@ constexpr Step recovery[] = {
 /// does not matter on which of them it is made.
 class WalkerPool {
 public:
-  WalkerPool(const TrainingSetup& setup_, const WalkGaits& gaits_) : setup(setup_), gaits(gaits_) {}
+  WalkerPool(const TrainingSetup& setup, const WalkGaits& gaits) : setup_(setup), gaits_(gaits) {}
 
   TrialResult tryOn(const WalkGaits& walk, const TrialSetup& trial) {
     std::unique_ptr<Walker> robot = take();
-    const TrialResult result = tryWalk(*robot, walk, setup.task, trial);
-    const std::lock_guard lock(mutex);
-    idle.push_back(std::move(robot));
+    const TrialResult result = tryWalk(*robot, walk, setup_.task, trial);
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(robot));
     return result;
   }
 
 private:
   std::unique_ptr<Walker> take() {
-    const std::lock_guard lock(mutex);
-    if (idle.empty()) return setup.walker(gaits);
-    std::unique_ptr<Walker> robot = std::move(idle.back());
-    idle.pop_back();
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return setup_.walker(gaits_);
+    std::unique_ptr<Walker> robot = std::move(idle_.back());
+    idle_.pop_back();
     return robot;
   }
 
-  const TrainingSetup& setup;
-  const WalkGaits& gaits;
-  std::mutex mutex;
-  std::vector<std::unique_ptr<Walker>> idle;
+  const TrainingSetup& setup_;
+  const WalkGaits& gaits_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Walker>> idle_;
 };
 
 WalkParameters& sectionOf(WalkGaits& gaits, const std::string& name) {
@@ -321,12 +321,12 @@ namespace {
 /// Lines of a YAML file, grouped as WalkParameters is.
 class GroupedLines {
 public:
-  explicit GroupedLines(std::string indent_) : indent(std::move(indent_)) {}
+  explicit GroupedLines(std::string indent) : indent_(std::move(indent)) {}
 
   void add(const std::string& path, double value) {
     const std::size_t dot = path.find('.');
-    if (path.substr(0, dot) != group) text += indent + (group = path.substr(0, dot)) + ":\n";
-    text += indent + "  " + path.substr(dot + 1) + fmt::format(": {:.5g}\n", value);
+    if (path.substr(0, dot) != group_) text += indent_ + (group_ = path.substr(0, dot)) + ":\n";
+    text += indent_ + "  " + path.substr(dot + 1) + fmt::format(": {:.5g}\n", value);
     ++count;
   }
 
@@ -334,7 +334,7 @@ public:
   std::size_t count = 0;
 
 private:
-  std::string indent, group;
+  std::string indent_, group_;
 };
 
 }  // namespace

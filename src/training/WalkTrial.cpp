@@ -34,28 +34,28 @@ WalkRequest nearly(WalkRequest full, Random& random, const WalkParameters& p) {
 
 class Try {
 public:
-  Try(Walker& robot, Random& random, double push) : robot(robot), random(random), push(push) {}
+  Try(Walker& robot, Random& random, double push) : robot_(robot), random_(random), push_(push) {}
 
   bool step(const WalkRequest& request) {
-    if (push > 0 && random.uniform() < robot.cycle) {
-      const double direction = random.uniform(-pi, pi), size = random.uniform(0, push);
-      robot.push(size * Vec3(std::cos(direction), std::sin(direction), 0));
+    if (push_ > 0 && random_.uniform() < robot_.cycle) {
+      const double direction = random_.uniform(-pi, pi), size = random_.uniform(0, push_);
+      robot_.push(size * Vec3(std::cos(direction), std::sin(direction), 0));
     }
-    return robot.step(request);
+    return robot_.step(request);
   }
   bool run(const WalkRequest& request, double seconds) {
     double t = 0;
     while (t < seconds) {
       if (!step(request)) return false;
-      t += robot.cycle;
+      t += robot_.cycle;
     }
     return true;
   }
 
 private:
-  Walker& robot;
-  Random& random;
-  double push;
+  Walker& robot_;
+  Random& random_;
+  double push_;
 };
 
 /// One try in one direction; false if it ended in a fall.
@@ -110,12 +110,12 @@ TrialResult tryMixture(Walker& robot, const WalkParameters& p, const TrialSetup&
     const WalkRequest request = anyRequest(random, p);
     const double duration = random.uniform(0.3, 2);
     time += duration;
-    Pose2 walked, told;
+    Pose2 walked, estimated;
     bool upright = true;
     for (double t = 0; upright && t < duration; t += robot.cycle) {
       upright = attempt.step(request);
       walked = walked * robot.moved;
-      told = told * robot.output.odometry;
+      estimated = estimated * robot.output.odometry;
     }
     if (request.walk && request.velocity.norm() > 0.05) {
       wanted += request.velocity.norm() * duration;
@@ -127,7 +127,7 @@ TrialResult tryMixture(Walker& robot, const WalkParameters& p, const TrialSetup&
                    .dot(request.velocity.normalized());
     }
     length += walked.position.norm();
-    miss += (told.position - walked.position).norm();
+    miss += (estimated.position - walked.position).norm();
     if (!upright) {
       ++falls;
       if (setup.stopEarly && falls >= 6 && falls > 6 * time / 60) {

@@ -30,7 +30,7 @@ public:
   void putBack(const Pose2& place = {}) {
     engine.reset();
     put(place, engine.stand().angles);
-    lastPose = pose();
+    lastPose_ = pose();
     turned_ = 0;
   }
 
@@ -41,9 +41,9 @@ public:
     output = engine.update(request, sensors);
     act(output, sensors);
     const Pose2 now = pose();
-    moved = lastPose.inverse() * now;
+    moved = lastPose_.inverse() * now;
     turned_ += moved.heading;
-    lastPose = now;
+    lastPose_ = now;
     return !fallen();
   }
   /// Many cycles; false as soon as the robot lies.
@@ -58,7 +58,7 @@ public:
   /// Goes on walking at another place, heading as before.
   void carry(const Vec2& place) {
     move(place);
-    lastPose = pose();
+    lastPose_ = pose();
   }
   /// A push on the robot within the coming cycle that changes its momentum by its mass times this
   /// [m/s, world].
@@ -84,8 +84,8 @@ public:
   Pose2 moved;  ///< in the last cycle
 
 protected:
-  Walker(const RobotModel& model_, const WalkGaits& gaits, double cycle_)
-      : model(model_), cycle(cycle_), engine(gaits, model) {}
+  Walker(const RobotModel& robot, const WalkGaits& gaits, double cycle)
+      : model(robot), cycle(cycle), engine(gaits, model) {}
 
   /// Targets with a head that looks around, as a player's does; time [s].
   static JointArray lookingAround(JointArray targets, double time) {
@@ -101,7 +101,7 @@ private:
   /// Commands what the engine says and lets a cycle pass.
   virtual void act(const WalkOutput& output, const WalkSensors& sensors) = 0;
 
-  Pose2 lastPose;
+  Pose2 lastPose_;
   double turned_ = 0;
 };
 

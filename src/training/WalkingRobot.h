@@ -42,7 +42,7 @@ public:
   explicit WalkingRobot(int type) : WalkingRobot(type, readWalkGaits(type)) {}
   /// config: of its world, effects among it.
   WalkingRobot(int type, const WalkGaits& gaits, const simulation::WorldConfig& config = {})
-      : Walker(simsparkRobot(type), gaits, 0.02), local(model, config), control(model) {
+      : Walker(simsparkRobot(type), gaits, 0.02), local(model, config), control_(model) {
     restart();
   }
 
@@ -69,10 +69,10 @@ public:
 
 private:
   void put(const Pose2& place, const JointArray& angles) override {
-    control.reset();
-    filter.reset();
+    control_.reset();
+    filter_.reset();
     local.restart(place, angles);
-    lastAngles = local.sense().angle;
+    lastAngles_ = local.sense().angle;
   }
   void move(const Vec2& place) override {
     simulation::BodyState torso = local.torso();
@@ -82,7 +82,7 @@ private:
   WalkSensors sense() override {
     WalkSensors sensors;
     const simulation::RobotReadings& sensed = local.sense();
-    lastAngles = sensed.angle;
+    lastAngles_ = sensed.angle;
     for (std::size_t j = 0; j < maxJoints; ++j)
       sensors.angles[j] = rounded(sensed.angle[j], fromDegrees(0.01));
     Vec3 acc;
@@ -91,12 +91,12 @@ private:
       acc[i] = rounded(sensed.acc[i], 0.01);
     }
     sensors.feet = feltFeet(sensed, felt);
-    filter.update(sensors.gyro, acc, sensors.dt);
-    sensors.torsoAngles = Vec2(filter.roll(), filter.pitch());
+    filter_.update(sensors.gyro, acc, sensors.dt);
+    sensors.torsoAngles = Vec2(filter_.roll(), filter_.pitch());
     return sensors;
   }
   void act(const WalkOutput& output, const WalkSensors& sensors) override {
-    local.act(control.update(sensors.angles, lookingAround(output.angles, local.time()), sensors.dt));
+    local.act(control_.update(sensors.angles, lookingAround(output.angles, local.time()), sensors.dt));
   }
   /// As the league's server prints it.
   static std::optional<FootContact> felt(const std::optional<simulation::FootForce>& force) {
@@ -108,14 +108,14 @@ private:
   }
   JointArray rates() const {
     JointArray rates{};
-    for (std::size_t j = 0; j < maxJoints; ++j) rates[j] = (local.sense().angle[j] - lastAngles[j]) / cycle;
+    for (std::size_t j = 0; j < maxJoints; ++j) rates[j] = (local.sense().angle[j] - lastAngles_[j]) / cycle;
     return rates;
   }
   static double rounded(double value, double unit) { return std::round(value / unit) * unit; }
 
-  JointVelocityControl control;
-  TorsoAngleFilter filter;
-  JointArray lastAngles{};
+  JointVelocityControl control_;
+  TorsoAngleFilter filter_;
+  JointArray lastAngles_{};
 };
 
 }  // namespace plumbline::walking

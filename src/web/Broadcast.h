@@ -27,12 +27,12 @@ public:
   /// Forgets a channel's message.
   void clear(Channel channel);
   /// Called after every publish, in the publisher's thread. Set it before anything is published.
-  void onPublish(std::function<void()> notify_) { notify = std::move(notify_); }
+  void onPublish(std::function<void()> notify) { notify_ = std::move(notify); }
 
 private:
-  mutable std::mutex mutex;
-  std::array<Latest, numChannels> messages;
-  std::function<void()> notify;
+  mutable std::mutex mutex_;
+  std::array<Latest, numChannels> messages_;
+  std::function<void()> notify_;
 };
 
 }  // namespace plumbline::web

@@ -17,8 +17,8 @@ public:
     for (std::size_t i = 0; i < numChannels; ++i) {
       const std::size_t channel = (nextChannel_ + i) % numChannels;
       const auto [latest, version] = pages_.broadcast_.latest(static_cast<Channel>(channel));
-      if (!latest || version == told_[channel]) continue;
-      told_[channel] = version;
+      if (!latest || version == sent_[channel]) continue;
+      sent_[channel] = version;
       nextChannel_ = (channel + 1) % numChannels;
       message += *latest;
       return static_cast<Channel>(channel) == Channel::frame ? Kind::binary : Kind::text;
@@ -28,7 +28,7 @@ public:
 
 private:
   BroadcastPages& pages_;
-  std::array<std::uint64_t, numChannels> told_{};
+  std::array<std::uint64_t, numChannels> sent_{};
   std::size_t nextChannel_ = 0;
 };
 

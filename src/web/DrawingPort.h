@@ -26,12 +26,12 @@ public:
 private:
   void run();
 
-  int fd = -1, port_ = 0;
-  std::mutex mutex;
-  DrawingSets sets;
-  bool changed = false;
-  std::atomic<bool> stop = false;
-  std::thread thread;
+  int fd_ = -1, port_ = 0;
+  std::mutex mutex_;
+  DrawingSets sets_;
+  bool changed_ = false;
+  std::atomic<bool> stop_ = false;
+  std::thread thread_;
 };
 
 }  // namespace plumbline::web

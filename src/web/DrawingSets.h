@@ -33,10 +33,10 @@ private:
   bool add(const Shape& shape);
   bool swap(const std::string& prefix);
 
-  std::map<std::string, Set> sets;
-  std::map<AgentName, AgentText> texts;
-  std::optional<AgentName> selected;
-  std::size_t numShapes = 0;  ///< shown and drawn, of all sets
+  std::map<std::string, Set> sets_;
+  std::map<AgentName, AgentText> texts_;
+  std::optional<AgentName> selected_;
+  std::size_t numShapes_ = 0;  ///< shown and drawn, of all sets
 };
 
 }  // namespace plumbline::web

@@ -35,12 +35,12 @@ json gameOf(const MatchRecord& record, const std::string& file) {
 
 void GoalMarks::add(const std::vector<MatchRecord>& records, const std::string& file) {
   for (const MatchRecord& record : records) {
-    if (record.channel != Channel::game || found.size() >= maxGoals) continue;
+    if (record.channel != Channel::game || found_.size() >= maxGoals) continue;
     const json game = gameOf(record, file);
     const Score now{scoreOf(game, "left"), scoreOf(game, "right")};
-    if (last && now.left > last->left) found.push_back({record.time, true});
-    if (last && now.right > last->right) found.push_back({record.time, false});
-    last = now;
+    if (last_ && now.left > last_->left) found_.push_back({record.time, true});
+    if (last_ && now.right > last_->right) found_.push_back({record.time, false});
+    last_ = now;
   }
 }
 

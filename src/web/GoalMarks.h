@@ -23,14 +23,14 @@ public:
 
   /// The records of the next chunk, in the order of the file.
   void add(const std::vector<MatchRecord>& records, const std::string& file);
-  const std::vector<Goal>& goals() const { return found; }
+  const std::vector<Goal>& goals() const { return found_; }
 
 private:
   struct Score {
     double left = 0, right = 0;
   };
-  std::optional<Score> last;
-  std::vector<Goal> found;
+  std::optional<Score> last_;
+  std::vector<Goal> found_;
 };
 
 }  // namespace plumbline::web

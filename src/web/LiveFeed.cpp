@@ -28,140 +28,140 @@ double wallClock() {
 
 }  // namespace
 
-LiveFeed::LiveFeed(const Config& config_, Broadcast& broadcast_)
-    : config(config_), broadcast(broadcast_), start(wallClock()) {
-  status.source = config.host + ':' + std::to_string(config.port);
-  if (!config.record.empty()) writer = std::make_unique<MatchWriter>(config.record);
-  status.recording = config.record;
-  if (config.drawingPort >= 0) {
+LiveFeed::LiveFeed(const Config& config, Broadcast& broadcast)
+    : config_(config), broadcast_(broadcast), start_(wallClock()) {
+  status_.source = config_.host + ':' + std::to_string(config_.port);
+  if (!config_.record.empty()) writer_ = std::make_unique<MatchWriter>(config_.record);
+  status_.recording = config_.record;
+  if (config_.drawingPort >= 0) {
     try {
-      drawings = std::make_unique<DrawingPort>(config.drawingPort);
+      drawings_ = std::make_unique<DrawingPort>(config_.drawingPort);
     } catch (const std::runtime_error& error) {
-      if (!config.drawingPortOptional)
+      if (!config_.drawingPortOptional)
         throw std::runtime_error(
             error.what() + std::string("; give --drawing-port another, 0 for a free one, or -1 for none"));
       drawingProblem_ = error.what();
     }
   }
-  publish(Channel::geometry, geometryMessage(field));
-  stopDescriptor = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-  if (stopDescriptor < 0) throw std::runtime_error("no file descriptor left");
-  monitor.interruptBy(stopDescriptor);
-  thread = std::thread([this] { run(); });
+  publish(Channel::geometry, geometryMessage(field_));
+  stopDescriptor_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  if (stopDescriptor_ < 0) throw std::runtime_error("no file descriptor left");
+  monitor_.interruptBy(stopDescriptor_);
+  thread_ = std::thread([this] { run(); });
 }
 
 LiveFeed::~LiveFeed() {
-  stop = true;
+  stop_ = true;
   const std::uint64_t one = 1;
-  [[maybe_unused]] const auto written = write(stopDescriptor, &one, sizeof one);
-  thread.join();
-  close(stopDescriptor);
-  if (!writer) return;
+  [[maybe_unused]] const auto written = write(stopDescriptor_, &one, sizeof one);
+  thread_.join();
+  close(stopDescriptor_);
+  if (!writer_) return;
   try {
-    writer->flush();
+    writer_->flush();
   } catch (const std::runtime_error& error) {
     loseRecording(error.what());
   }
 }
 
-double LiveFeed::now() const { return wallClock() - start; }
+double LiveFeed::now() const { return wallClock() - start_; }
 
 void LiveFeed::command(const PageCommand& command) {
-  const std::lock_guard lock(mutex);
-  if (commands.size() >= maxCommands) return;
-  if (const auto* trainer = std::get_if<TrainerCommand>(&command)) commands.push_back(*trainer);
+  const std::lock_guard lock(mutex_);
+  if (commands_.size() >= maxCommands) return;
+  if (const auto* trainer = std::get_if<TrainerCommand>(&command)) commands_.push_back(*trainer);
   if (std::holds_alternative<ResetGame>(command))
-    for (TrainerCommand& part : resetGame(field)) commands.push_back(std::move(part));
+    for (TrainerCommand& part : resetGame(field_)) commands_.push_back(std::move(part));
 }
 
 void LiveFeed::publish(Channel channel, std::string message) {
-  if (writer) {
+  if (writer_) {
     try {
-      writer->add(now(), channel, message);
+      writer_->add(now(), channel, message);
     } catch (const std::runtime_error& error) {
       loseRecording(error.what());
     }
   }
-  broadcast.publish(channel, std::move(message));
+  broadcast_.publish(channel, std::move(message));
 }
 
 void LiveFeed::loseRecording(const std::string& why) {
-  writer.reset();
-  status.recording.clear();
-  status.problem = why;
-  if (config.recordingLost) config.recordingLost(why);
+  writer_.reset();
+  status_.recording.clear();
+  status_.problem = why;
+  if (config_.recordingLost) config_.recordingLost(why);
 }
 
 void LiveFeed::publishGame() {
-  std::string message = gameMessage(status, monitor.scene(), monitor.clock());
-  if (message == toldGame) return;
-  toldGame = message;
+  std::string message = gameMessage(status_, monitor_.scene(), monitor_.clock());
+  if (message == sentGame_) return;
+  sentGame_ = message;
   publish(Channel::game, std::move(message));
 }
 
 /// The server's first message tells what field it is; a page draws anew what it is told anew.
 void LiveFeed::publishField() {
-  const FieldSize& told = monitor.scene().field;
-  if (told == field) return;
+  const FieldSize& received = monitor_.scene().field;
+  if (received == field_) return;
   {
-    const std::lock_guard lock(mutex);
-    field = told;
+    const std::lock_guard lock(mutex_);
+    field_ = received;
   }
-  publish(Channel::geometry, geometryMessage(told));
+  publish(Channel::geometry, geometryMessage(received));
 }
 
 void LiveFeed::sendCommands() {
   std::vector<TrainerCommand> taken;
   {
-    const std::lock_guard lock(mutex);
-    taken.swap(commands);
+    const std::lock_guard lock(mutex_);
+    taken.swap(commands_);
   }
   for (const TrainerCommand& command : taken) {
     const bool clock = std::holds_alternative<ClockCommand>(command);
-    if (!clock || monitor.clock()) monitor.send(command);
+    if (!clock || monitor_.clock()) monitor_.send(command);
   }
 }
 
 void LiveFeed::attach() {
-  if (const std::string why = monitor.connect(config.host, config.port, config.token, connectTimeout);
+  if (const std::string why = monitor_.connect(config_.host, config_.port, config_.token, connectTimeout);
       !why.empty()) {
-    status.problem = why;
+    status_.problem = why;
     publishGame();
-    for (double waited = 0; waited < reconnectPause && !stop; waited += 0.05)
+    for (double waited = 0; waited < reconnectPause && !stop_; waited += 0.05)
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     return;
   }
-  monitor.send(ViewerCommand{viewInterval});
-  monitor.send(ClockCommand{ClockCommand::Kind::tell});
+  monitor_.send(ViewerCommand{viewInterval});
+  monitor_.send(ClockCommand{ClockCommand::Kind::tell});
 }
 
 void LiveFeed::follow() {
-  auto result = monitor.receive(patience);
+  auto result = monitor_.receive(patience);
   // A server that is faster than the eye: only the last of what has come is shown.
-  for (int i = 0; i < 100 && result == Connection::Status::message && now() < lastFrame + viewInterval; ++i)
-    result = monitor.receive(patience);
+  for (int i = 0; i < 100 && result == Connection::Status::message && now() < lastFrame_ + viewInterval; ++i)
+    result = monitor_.receive(patience);
   sendCommands();
   if (result == Connection::Status::closed) {
-    status.connected = false;
-    status.problem = monitor.error().empty() ? "the simulator has gone" : monitor.error();
+    status_.connected = false;
+    status_.problem = monitor_.error().empty() ? "the simulator has gone" : monitor_.error();
     publishGame();
     return;
   }
-  if (result == Connection::Status::message && monitor.scene().complete()) {
-    lastFrame = now();
-    status.problem.clear();
+  if (result == Connection::Status::message && monitor_.scene().complete()) {
+    lastFrame_ = now();
+    status_.problem.clear();
     publishField();
-    publish(Channel::frame, frameMessage(monitor.scene()));
+    publish(Channel::frame, frameMessage(monitor_.scene()));
   }
-  status.connected = true;
-  if (monitor.scene().complete()) publishGame();
+  status_.connected = true;
+  if (monitor_.scene().complete()) publishGame();
 }
 
 void LiveFeed::run() {
-  while (!stop) {
-    if (drawings)
-      if (auto message = drawings->takeChanges()) publish(Channel::drawings, std::move(*message));
-    if (monitor.connected())
+  while (!stop_) {
+    if (drawings_)
+      if (auto message = drawings_->takeChanges()) publish(Channel::drawings, std::move(*message));
+    if (monitor_.connected())
       follow();
     else
       attach();

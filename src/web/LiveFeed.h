@@ -35,7 +35,7 @@ public:
   ~LiveFeed() override;
 
   void command(const PageCommand& command) override;
-  int drawingPort() const { return drawings ? drawings->port() : -1; }
+  int drawingPort() const { return drawings_ ? drawings_->port() : -1; }
   /// Why it goes without the agents' drawings, one line; empty: it does not, or nobody asked for them.
   const std::string& drawingProblem() const { return drawingProblem_; }
 
@@ -50,21 +50,21 @@ private:
   void loseRecording(const std::string& why);
   double now() const;
 
-  Config config;
-  Broadcast& broadcast;
-  std::unique_ptr<DrawingPort> drawings;
-  std::unique_ptr<MatchWriter> writer;
-  simspark::MonitorClient monitor;
-  GameStatus status;
-  std::string toldGame, drawingProblem_;
-  double start, lastFrame = -1;
+  Config config_;
+  Broadcast& broadcast_;
+  std::unique_ptr<DrawingPort> drawings_;
+  std::unique_ptr<MatchWriter> writer_;
+  simspark::MonitorClient monitor_;
+  GameStatus status_;
+  std::string sentGame_, drawingProblem_;
+  double start_, lastFrame_ = -1;
 
-  std::mutex mutex;  ///< of the field, where the feed's thread does not only read it, and of the commands
-  FieldSize field;
-  std::vector<simspark::TrainerCommand> commands;
-  std::atomic<bool> stop = false;
-  int stopDescriptor;  ///< readable from then on
-  std::thread thread;
+  std::mutex mutex_;  ///< of the field, where the feed's thread does not only read it, and of the commands
+  FieldSize field_;
+  std::vector<simspark::TrainerCommand> commands_;
+  std::atomic<bool> stop_ = false;
+  int stopDescriptor_;  ///< readable from then on
+  std::thread thread_;
 };
 
 }  // namespace plumbline::web

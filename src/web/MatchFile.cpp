@@ -43,14 +43,14 @@ void add(std::string& bytes, const std::string& before) {
 
 }  // namespace
 
-MatchWriter::MatchWriter(const std::string& file) : name(file) {
+MatchWriter::MatchWriter(const std::string& file) : name_(file) {
   if (std::filesystem::exists(file))
     throw std::runtime_error(file + ": there is such a file already; remove it or record to another");
-  out.open(file, std::ios::binary);
-  out.write(magic.data(), static_cast<std::streamsize>(magic.size()));
-  out.write(reinterpret_cast<const char*>(&formatVersion), sizeof formatVersion);
-  out.flush();
-  if (!out) throw std::runtime_error(file + ": cannot write it");
+  out_.open(file, std::ios::binary);
+  out_.write(magic.data(), static_cast<std::streamsize>(magic.size()));
+  out_.write(reinterpret_cast<const char*>(&formatVersion), sizeof formatVersion);
+  out_.flush();
+  if (!out_) throw std::runtime_error(file + ": cannot write it");
 }
 
 MatchWriter::~MatchWriter() {
@@ -62,100 +62,100 @@ MatchWriter::~MatchWriter() {
 
 void MatchWriter::append(double time, Channel channel, const std::string& message) {
   const bool difference =
-      channel == Channel::frame && !message.empty() && message.size() == frameBefore.size();
-  chunk += static_cast<char>(static_cast<std::uint8_t>(channel) | (difference ? differenceFlag : 0));
-  const RecordHeader header{static_cast<std::uint32_t>(std::lround((time - begin) * 1000)),
+      channel == Channel::frame && !message.empty() && message.size() == frameBefore_.size();
+  chunk_ += static_cast<char>(static_cast<std::uint8_t>(channel) | (difference ? differenceFlag : 0));
+  const RecordHeader header{static_cast<std::uint32_t>(std::lround((time - begin_) * 1000)),
                             static_cast<std::uint32_t>(message.size())};
-  chunk.append(reinterpret_cast<const char*>(&header), sizeof header);
+  chunk_.append(reinterpret_cast<const char*>(&header), sizeof header);
   if (difference) {
     std::string bytes = message;
-    subtract(bytes, frameBefore);
-    chunk += bytes;
+    subtract(bytes, frameBefore_);
+    chunk_ += bytes;
   } else {
-    chunk += message;
+    chunk_ += message;
   }
-  if (channel == Channel::frame) frameBefore = message;
+  if (channel == Channel::frame) frameBefore_ = message;
 }
 
 void MatchWriter::add(double time, Channel channel, const std::string& message) {
   if (message.size() > fullChunk) return;  // nothing that is told is so long
-  if (!chunk.empty() && (time >= begin + chunkSeconds || chunk.size() > fullChunk)) flush();
-  if (chunk.empty()) {
-    begin = time;
+  if (!chunk_.empty() && (time >= begin_ + chunkSeconds || chunk_.size() > fullChunk)) flush();
+  if (chunk_.empty()) {
+    begin_ = time;
     for (std::size_t i = 0; i < numChannels; ++i)
-      if (!last[i].empty() && static_cast<Channel>(i) != channel)
-        append(time, static_cast<Channel>(i), last[i]);
+      if (!last_[i].empty() && static_cast<Channel>(i) != channel)
+        append(time, static_cast<Channel>(i), last_[i]);
   }
   append(time, channel, message);
-  last[static_cast<std::size_t>(channel)] = message;
-  end = time;
+  last_[static_cast<std::size_t>(channel)] = message;
+  end_ = time;
 }
 
 void MatchWriter::flush() {
-  if (chunk.empty()) return;
-  uLongf packedSize = compressBound(chunk.size());
+  if (chunk_.empty()) return;
+  uLongf packedSize = compressBound(chunk_.size());
   std::string packed(packedSize, '\0');
   if (compress2(reinterpret_cast<Bytef*>(packed.data()), &packedSize,
-                reinterpret_cast<const Bytef*>(chunk.data()), chunk.size(), 3) != Z_OK)
-    throw std::runtime_error(name + ": cannot pack a chunk");
+                reinterpret_cast<const Bytef*>(chunk_.data()), chunk_.size(), 3) != Z_OK)
+    throw std::runtime_error(name_ + ": cannot pack a chunk");
   ChunkHeader header;
   header.packed = static_cast<std::uint32_t>(packedSize);
-  header.unpacked = static_cast<std::uint32_t>(chunk.size());
-  header.begin = begin;
-  header.end = end;
-  chunk.clear();
-  frameBefore.clear();
-  out.write(reinterpret_cast<const char*>(&header), sizeof header);
-  out.write(packed.data(), static_cast<std::streamsize>(packedSize));
-  out.flush();
-  if (!out) throw std::runtime_error(name + ": cannot write on; is the disk full?");
+  header.unpacked = static_cast<std::uint32_t>(chunk_.size());
+  header.begin = begin_;
+  header.end = end_;
+  chunk_.clear();
+  frameBefore_.clear();
+  out_.write(reinterpret_cast<const char*>(&header), sizeof header);
+  out_.write(packed.data(), static_cast<std::streamsize>(packedSize));
+  out_.flush();
+  if (!out_) throw std::runtime_error(name_ + ": cannot write on; is the disk full?");
 }
 
-void MatchReader::fail(const std::string& why) const { throw std::runtime_error(name + ": " + why); }
+void MatchReader::fail(const std::string& why) const { throw std::runtime_error(name_ + ": " + why); }
 
-MatchReader::MatchReader(const std::string& file) : name(file), in(file, std::ios::binary | std::ios::ate) {
-  if (!in) fail("cannot read it");
-  const std::streamoff size = in.tellg();
-  in.seekg(0);
+MatchReader::MatchReader(const std::string& file) : name_(file), in_(file, std::ios::binary | std::ios::ate) {
+  if (!in_) fail("cannot read it");
+  const std::streamoff size = in_.tellg();
+  in_.seekg(0);
   std::string begin(magic.size(), '\0');
   std::uint32_t version = 0;
-  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  in.read(reinterpret_cast<char*>(&version), sizeof version);
-  if (!in || begin != magic) fail("no match file");
+  in_.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  in_.read(reinterpret_cast<char*>(&version), sizeof version);
+  if (!in_ || begin != magic) fail("no match file");
   if (version != formatVersion)
     fail("a match file of version " + std::to_string(version) + "; this program reads " +
          std::to_string(formatVersion));
-  std::streamoff place = in.tellg();
+  std::streamoff place = in_.tellg();
   while (size - place >= static_cast<std::streamoff>(sizeof(ChunkHeader))) {
     ChunkHeader header;
-    in.seekg(place);
-    in.read(reinterpret_cast<char*>(&header), sizeof header);
+    in_.seekg(place);
+    in_.read(reinterpret_cast<char*>(&header), sizeof header);
     place += static_cast<std::streamoff>(sizeof header);
-    const double before = chunks.empty() ? 0 : chunks.back().end;
-    if (!in || header.mark != chunkMark || header.packed > maxChunk || header.unpacked > maxChunk ||
+    const double before = chunks_.empty() ? 0 : chunks_.back().end;
+    if (!in_ || header.mark != chunkMark || header.packed > maxChunk || header.unpacked > maxChunk ||
         !(header.begin >= before) || !(header.end >= header.begin) || !std::isfinite(header.end))
       fail("broken at byte " + std::to_string(place - static_cast<std::streamoff>(sizeof header)));
     if (header.packed > size - place) break;  // the recording broke off here
-    chunks.push_back({place, header.packed, header.unpacked, header.begin, header.end});
+    chunks_.push_back({place, header.packed, header.unpacked, header.begin, header.end});
     place += header.packed;
   }
-  if (chunks.empty()) fail("nothing is recorded in it");
+  if (chunks_.empty()) fail("nothing is recorded in it");
 }
 
 std::size_t MatchReader::chunkAt(double time) const {
-  const auto after = std::upper_bound(chunks.begin(), chunks.end(), time,
+  const auto after = std::upper_bound(chunks_.begin(), chunks_.end(), time,
                                       [](double t, const Chunk& chunk) { return t < chunk.begin; });
-  return after == chunks.begin() ? 0 : static_cast<std::size_t>(after - chunks.begin()) - 1;
+  return after == chunks_.begin() ? 0 : static_cast<std::size_t>(after - chunks_.begin()) - 1;
 }
 
 std::vector<MatchRecord> MatchReader::read(std::size_t index) {
-  const Chunk& chunk = chunks.at(index);
+  const Chunk& chunk = chunks_.at(index);
   std::string packed(chunk.packed, '\0'), bytes(chunk.unpacked, '\0');
-  in.clear();
-  in.seekg(chunk.place);
-  in.read(packed.data(), static_cast<std::streamsize>(packed.size()));
+  in_.clear();
+  in_.seekg(chunk.place);
+  in_.read(packed.data(), static_cast<std::streamsize>(packed.size()));
   uLongf size = bytes.size();
-  if (!in ||
+  if (!in_ ||
       uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(packed.data()),
                  packed.size()) != Z_OK ||
       size != bytes.size())

@@ -35,11 +35,11 @@ public:
 private:
   void append(double time, Channel channel, const std::string& message);
 
-  std::string name;
-  std::ofstream out;
-  std::array<std::string, numChannels> last;  ///< what a chunk begins with
-  std::string chunk, frameBefore;
-  double begin = 0, end = 0;
+  std::string name_;
+  std::ofstream out_;
+  std::array<std::string, numChannels> last_;  ///< what a chunk begins with
+  std::string chunk_, frameBefore_;
+  double begin_ = 0, end_ = 0;
 };
 
 /// Reads what MatchWriter wrote. Chunks are unpacked one at a time; a file's lengths are bounded before
@@ -49,10 +49,10 @@ public:
   /// Throws std::runtime_error, one line, if it is no match file. A chunk cut off at the end is left out.
   explicit MatchReader(const std::string& file);
 
-  double duration() const { return chunks.empty() ? 0 : chunks.back().end; }
-  std::size_t numChunks() const { return chunks.size(); }
-  double beginOf(std::size_t chunk) const { return chunks.at(chunk).begin; }
-  double endOf(std::size_t chunk) const { return chunks.at(chunk).end; }
+  double duration() const { return chunks_.empty() ? 0 : chunks_.back().end; }
+  std::size_t numChunks() const { return chunks_.size(); }
+  double beginOf(std::size_t chunk) const { return chunks_.at(chunk).begin; }
+  double endOf(std::size_t chunk) const { return chunks_.at(chunk).end; }
   /// The chunk that holds a time, the nearest if none does.
   std::size_t chunkAt(double time) const;
   /// The records of a chunk in their order; the first ones repeat what was valid before, so a chunk alone is
@@ -67,9 +67,9 @@ private:
   };
   [[noreturn]] void fail(const std::string& why) const;
 
-  std::string name;
-  std::ifstream in;
-  std::vector<Chunk> chunks;
+  std::string name_;
+  std::ifstream in_;
+  std::vector<Chunk> chunks_;
 };
 
 }  // namespace plumbline::web

@@ -16,63 +16,63 @@ namespace {
 constexpr double tick = 0.02, statusInterval = 0.2;
 }
 
-ReplayFeed::ReplayFeed(const std::string& file, Broadcast& broadcast_)
-    : name(file), broadcast(broadcast_), reader(file) {
+ReplayFeed::ReplayFeed(const std::string& file, Broadcast& broadcast)
+    : name_(file), broadcast_(broadcast), reader_(file) {
   seek(0);
-  thread = std::thread([this] { run(); });
+  thread_ = std::thread([this] { run(); });
 }
 
 ReplayFeed::~ReplayFeed() {
   {
-    const std::lock_guard lock(mutex);
-    stop = true;
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
   }
-  wake.notify_all();
-  thread.join();
+  wake_.notify_all();
+  thread_.join();
 }
 
 void ReplayFeed::command(const PageCommand& command) {
-  const std::lock_guard lock(mutex);
-  if (const auto* to = std::get_if<Seek>(&command)) wanted = std::min(to->time, reader.duration());
+  const std::lock_guard lock(mutex_);
+  if (const auto* to = std::get_if<Seek>(&command)) wanted_ = std::min(to->time, reader_.duration());
   if (const auto* play = std::get_if<PlayRecording>(&command)) {
-    playing = play->playing;
-    if (playing && time >= reader.duration() - tick) wanted = 0;
+    playing_ = play->playing;
+    if (playing_ && time_ >= reader_.duration() - tick) wanted_ = 0;
   }
-  if (const auto* to = std::get_if<RecordingRate>(&command)) rate = to->rate;
-  statusChanged = true;
-  wake.notify_all();
+  if (const auto* to = std::get_if<RecordingRate>(&command)) rate_ = to->rate;
+  statusChanged_ = true;
+  wake_.notify_all();
 }
 
 /// A recorded game is not live, wherever it was recorded.
 void ReplayFeed::publish(const MatchRecord& record) {
-  if (record.channel != Channel::game) return broadcast.publish(record.channel, record.message);
-  json game = gameOf(record, name);
+  if (record.channel != Channel::game) return broadcast_.publish(record.channel, record.message);
+  json game = gameOf(record, name_);
   if (!game.is_object()) return;
   game["live"] = false;
-  game["source"] = name;
+  game["source"] = name_;
   game["clock"] = nullptr;
   game["recording"] = "";
-  broadcast.publish(Channel::game, game.dump(-1, ' ', false, json::error_handler_t::replace));
+  broadcast_.publish(Channel::game, game.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 void ReplayFeed::load(std::size_t index) {
-  records = reader.read(index);
-  chunk = index;
-  next = 0;
+  records_ = reader_.read(index);
+  chunk_ = index;
+  next_ = 0;
 }
 
 void ReplayFeed::seek(double to) {
-  load(reader.chunkAt(to));
-  broadcast.clear(Channel::drawings);
+  load(reader_.chunkAt(to));
+  broadcast_.clear(Channel::drawings);
   std::array<const MatchRecord*, numChannels> shown{};
-  const double until = std::max(to, records.empty() ? 0.0 : records.front().time);
+  const double until = std::max(to, records_.empty() ? 0.0 : records_.front().time);
   // At least the first frame, or the field would show what was there before.
   const auto& frame = shown[static_cast<std::size_t>(Channel::frame)];
-  for (; next < records.size() && (records[next].time <= until || !frame); ++next)
-    shown[static_cast<std::size_t>(records[next].channel)] = &records[next];
+  for (; next_ < records_.size() && (records_[next_].time <= until || !frame); ++next_)
+    shown[static_cast<std::size_t>(records_[next_].channel)] = &records_[next_];
   for (const MatchRecord* record : shown)
     if (record) publish(*record);
-  time = to;
+  time_ = to;
 }
 
 void ReplayFeed::advance(double to) {
@@ -84,79 +84,79 @@ void ReplayFeed::advance(double to) {
     }
   };
   for (;;) {
-    for (; next < records.size() && records[next].time <= to; ++next)
-      shown[static_cast<std::size_t>(records[next].channel)] = &records[next];
-    if (next < records.size() || chunk + 1 >= reader.numChunks()) break;
-    if (to < reader.beginOf(chunk + 1)) break;
-    if (to > reader.endOf(chunk + 1)) return seek(to);
+    for (; next_ < records_.size() && records_[next_].time <= to; ++next_)
+      shown[static_cast<std::size_t>(records_[next_].channel)] = &records_[next_];
+    if (next_ < records_.size() || chunk_ + 1 >= reader_.numChunks()) break;
+    if (to < reader_.beginOf(chunk_ + 1)) break;
+    if (to > reader_.endOf(chunk_ + 1)) return seek(to);
     show();
-    load(chunk + 1);
+    load(chunk_ + 1);
   }
   show();
-  time = to;
+  time_ = to;
 }
 
 void ReplayFeed::findGoals() {
-  if (scanned >= reader.numChunks()) return;
-  const std::size_t before = marks.goals().size();
+  if (scanned_ >= reader_.numChunks()) return;
+  const std::size_t before = marks_.goals().size();
   try {
-    marks.add(reader.read(scanned++), name);
+    marks_.add(reader_.read(scanned_++), name_);
   } catch (const std::runtime_error&) {  // whoever goes there is told
-    scanned = reader.numChunks();
+    scanned_ = reader_.numChunks();
   }
-  if (marks.goals().size() != before) statusChanged = true;
+  if (marks_.goals().size() != before) statusChanged_ = true;
 }
 
 void ReplayFeed::publishStatus() {
   json goals = json::array();
-  for (const GoalMarks::Goal& goal : marks.goals())
+  for (const GoalMarks::Goal& goal : marks_.goals())
     goals.push_back({{"time", goal.time}, {"side", goal.left ? "left" : "right"}});
-  broadcast.publish(Channel::replay, json{{"kind", "replay"},
-                                          {"time", time},
-                                          {"duration", reader.duration()},
-                                          {"playing", playing},
-                                          {"rate", rate},
-                                          {"goals", std::move(goals)},
-                                          {"problem", problem}}
-                                         .dump());
+  broadcast_.publish(Channel::replay, json{{"kind", "replay"},
+                                           {"time", time_},
+                                           {"duration", reader_.duration()},
+                                           {"playing", playing_},
+                                           {"rate", rate_},
+                                           {"goals", std::move(goals)},
+                                           {"problem", problem_}}
+                                          .dump());
 }
 
 void ReplayFeed::run() {
   auto last = Clock::now();
   auto lastStatus = last - std::chrono::seconds(1);
-  std::unique_lock lock(mutex);
-  while (!stop) {
+  std::unique_lock lock(mutex_);
+  while (!stop_) {
     const auto now = Clock::now();
     const double elapsed = std::chrono::duration<double>(now - last).count();
     last = now;
     try {
-      if (wanted) {
-        seek(*wanted);
-        wanted.reset();
-        statusChanged = true;
-      } else if (playing) {
-        advance(std::min(time + elapsed * rate, reader.duration()));
-        if (time >= reader.duration()) {
-          playing = false;
-          statusChanged = true;
+      if (wanted_) {
+        seek(*wanted_);
+        wanted_.reset();
+        statusChanged_ = true;
+      } else if (playing_) {
+        advance(std::min(time_ + elapsed * rate_, reader_.duration()));
+        if (time_ >= reader_.duration()) {
+          playing_ = false;
+          statusChanged_ = true;
         }
       }
     } catch (const std::runtime_error& error) {  // the file is broken here
-      problem = error.what();
-      playing = false;
-      wanted.reset();
-      statusChanged = true;
+      problem_ = error.what();
+      playing_ = false;
+      wanted_.reset();
+      statusChanged_ = true;
     }
     findGoals();
-    if (statusChanged || (playing && now - lastStatus > std::chrono::duration<double>(statusInterval))) {
+    if (statusChanged_ || (playing_ && now - lastStatus > std::chrono::duration<double>(statusInterval))) {
       publishStatus();
       lastStatus = now;
-      statusChanged = false;
+      statusChanged_ = false;
     }
-    if (playing || scanned < reader.numChunks()) {
-      wake.wait_for(lock, std::chrono::duration<double>(tick));
+    if (playing_ || scanned_ < reader_.numChunks()) {
+      wake_.wait_for(lock, std::chrono::duration<double>(tick));
     } else {
-      wake.wait(lock, [&] { return stop || playing || wanted || statusChanged; });
+      wake_.wait(lock, [&] { return stop_ || playing_ || wanted_ || statusChanged_; });
       last = Clock::now();
     }
   }

@@ -22,7 +22,7 @@ public:
   ~ReplayFeed() override;
 
   void command(const PageCommand& command) override;
-  double duration() const { return reader.duration(); }
+  double duration() const { return reader_.duration(); }
 
 private:
   void run();
@@ -34,22 +34,22 @@ private:
   /// Looks through one more chunk of the file.
   void findGoals();
 
-  std::string name;
-  Broadcast& broadcast;
-  MatchReader reader;
-  std::vector<MatchRecord> records;  ///< of the chunk being shown
-  std::size_t chunk = 0, next = 0;
-  double time = 0;
-  GoalMarks marks;
-  std::size_t scanned = 0;  ///< chunks that have been looked through for goals
+  std::string name_;
+  Broadcast& broadcast_;
+  MatchReader reader_;
+  std::vector<MatchRecord> records_;  ///< of the chunk being shown
+  std::size_t chunk_ = 0, next_ = 0;
+  double time_ = 0;
+  GoalMarks marks_;
+  std::size_t scanned_ = 0;  ///< chunks that have been looked through for goals
 
-  std::mutex mutex;
-  std::condition_variable wake;
-  bool stop = false, playing = true, statusChanged = true;
-  double rate = 1;
-  std::optional<double> wanted;  ///< time asked for
-  std::string problem;
-  std::thread thread;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool stop_ = false, playing_ = true, statusChanged_ = true;
+  double rate_ = 1;
+  std::optional<double> wanted_;  ///< time asked for
+  std::string problem_;
+  std::thread thread_;
 };
 
 }  // namespace plumbline::web

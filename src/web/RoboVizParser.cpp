@@ -11,14 +11,14 @@ constexpr std::size_t floatSize = 6;
 /// Takes fields from the front of a datagram. After the first failure every field is zero.
 class Fields {
 public:
-  explicit Fields(std::string_view bytes) : rest(bytes) {}
+  explicit Fields(std::string_view bytes) : rest_(bytes) {}
 
   std::uint8_t byte() { return static_cast<std::uint8_t>(take(1).front()); }
   double number() {
     std::string_view text = take(floatSize);
     while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
     while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-    const auto value = problem.empty() ? simspark::parseNumber(text) : 0.0;
+    const auto value = problem_.empty() ? simspark::parseNumber(text) : 0.0;
     if (!value) fail("a field is no number");
     return value.value_or(0);
   }
@@ -35,10 +35,10 @@ public:
     return colour;
   }
   std::string text() {
-    const std::size_t end = rest.find('\0');
+    const std::size_t end = rest_.find('\0');
     if (end == std::string_view::npos) return fail("a text has no end"), std::string();
-    const std::string_view taken = rest.substr(0, end);
-    rest.remove_prefix(end + 1);
+    const std::string_view taken = rest_.substr(0, end);
+    rest_.remove_prefix(end + 1);
     return std::string(taken);
   }
   AgentName agent() {
@@ -46,28 +46,28 @@ public:
     return {code < 128 ? simspark::TeamSide::left : simspark::TeamSide::right, code % 128 + 1};
   }
 
-  bool empty() const { return rest.empty(); }
-  std::size_t left() const { return rest.size(); }
+  bool empty() const { return rest_.empty(); }
+  std::size_t left() const { return rest_.size(); }
   void fail(const char* why) {
-    if (problem.empty()) problem = why;
-    rest = {};
+    if (problem_.empty()) problem_ = why;
+    rest_ = {};
   }
-  const std::string& error() const { return problem; }
+  const std::string& error() const { return problem_; }
 
 private:
   std::string_view take(std::size_t size) {
     static constexpr char zeros[floatSize] = {};
-    if (rest.size() < size) {
+    if (rest_.size() < size) {
       fail("the command is cut off");
       return {zeros, size};
     }
-    const std::string_view taken = rest.substr(0, size);
-    rest.remove_prefix(size);
+    const std::string_view taken = rest_.substr(0, size);
+    rest_.remove_prefix(size);
     return taken;
   }
 
-  std::string_view rest;
-  std::string problem;
+  std::string_view rest_;
+  std::string problem_;
 };
 
 constexpr int code(int group, int kind) { return group << 8 | kind; }

@@ -6,19 +6,19 @@
 namespace plumbline::web {
 
 WebMonitor::WebMonitor(const WebMonitorConfig& config)
-    : server(pages::completed(config.server, {"--bind", "--token"}), broadcast) {
+    : server_(pages::completed(config.server, {"--bind", "--token"}), broadcast_) {
   if (config.replay.empty()) {
-    auto live = std::make_unique<LiveFeed>(config.live, broadcast);
+    auto live = std::make_unique<LiveFeed>(config.live, broadcast_);
     drawingPort_ = live->drawingPort();
     drawingProblem_ = live->drawingProblem();
-    feed = std::move(live);
+    feed_ = std::move(live);
   } else {
-    feed = std::make_unique<ReplayFeed>(config.replay, broadcast);
+    feed_ = std::make_unique<ReplayFeed>(config.replay, broadcast_);
   }
-  address_ = pages::addressOf(config.server, server.port());
-  server.start(*feed);
+  address_ = pages::addressOf(config.server, server_.port());
+  server_.start(*feed_);
 }
 
-WebMonitor::~WebMonitor() { server.stop(); }
+WebMonitor::~WebMonitor() { server_.stop(); }
 
 }  // namespace plumbline::web

@@ -25,16 +25,16 @@ public:
 
   /// "http://localhost:8080/", with the token if there is one.
   const std::string& address() const { return address_; }
-  int port() const { return server.port(); }
+  int port() const { return server_.port(); }
   /// UDP port of the agents' drawings; -1: none.
   int drawingPort() const { return drawingPort_; }
   /// Why it goes without drawings, one line; empty: it has them, or nobody asked for them.
   const std::string& drawingProblem() const { return drawingProblem_; }
 
 private:
-  Broadcast broadcast;
-  WebServer server;
-  std::unique_ptr<Feed> feed;
+  Broadcast broadcast_;
+  WebServer server_;
+  std::unique_ptr<Feed> feed_;
   std::string address_, drawingProblem_;
   int drawingPort_ = -1;
 };

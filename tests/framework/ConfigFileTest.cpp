@@ -32,18 +32,18 @@ namespace {
 /// Config files in a folder of their own. Error texts have the folder's name cut off.
 class ConfigFileTest : public testing::Test {
 protected:
-  ConfigFileTest() { std::filesystem::create_directories(folder_ + "type3"); }
-  ~ConfigFileTest() override { std::filesystem::remove_all(folder_); }
+  ConfigFileTest() { std::filesystem::create_directories(folder + "type3"); }
+  ~ConfigFileTest() override { std::filesystem::remove_all(folder); }
 
-  void write(const std::string& name, const std::string& text) { std::ofstream(folder_ + name) << text; }
+  void write(const std::string& name, const std::string& text) { std::ofstream(folder + name) << text; }
 
   std::string errorOf(const std::function<void()>& function) const {
     try {
       function();
     } catch (const ConfigurationError& error) {
       std::string text = error.what();
-      for (std::size_t at = text.find(folder_); at != std::string::npos; at = text.find(folder_)) {
-        text.erase(at, folder_.size());
+      for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder)) {
+        text.erase(at, folder.size());
       }
       return text;
     }
@@ -54,7 +54,7 @@ protected:
   std::string errorOf(const std::string& text, const std::function<void(const ConfigSection&)>& read) {
     write("A.yaml", text);
     return errorOf([&] {
-      const ConfigFile file(folder_ + "A.yaml");
+      const ConfigFile file(folder + "A.yaml");
       read(file.root());
       file.checkUnknown();
     });
@@ -64,12 +64,12 @@ protected:
   std::string errorOfAgent(const std::function<void(const Config&)>& read) {
     configReader() = read;
     return errorOf([&] {
-      Controller controller({"modules.cfg", {folder_, folder_ + "type3"}}, "ConfigReader\n");
+      Controller controller({"modules.cfg", {folder, folder + "type3"}}, "ConfigReader\n");
       controller.init();
     });
   }
 
-  const std::string folder_ = testing::TempDir() + "config" + std::to_string(getpid()) + "/";
+  const std::string folder = testing::TempDir() + "config" + std::to_string(getpid()) + "/";
 };
 
 TEST_F(ConfigFileTest, readsEveryType) {
@@ -77,7 +77,7 @@ TEST_F(ConfigFileTest, readsEveryType) {
         "flag: true\ninteger: -3\ncount: 4\nlarge: 9000000000\nreal: 2.5\nwhole: 2\nsmall: 1e-3\n"
         "text: two words\nquoted: \"5\"\nlist: [1, 2.5]\nwords:\n  - a\n  - b\nthree: [1, 2, 3]\n"
         "matrix: [[1, 2], [3, 4]]\nnested: {inner: {deep: 7}}\n");
-  const ConfigFile file(folder_ + "A.yaml");
+  const ConfigFile file(folder + "A.yaml");
   const ConfigSection& root = file.root();
   EXPECT_EQ(root.get<bool>("flag"), true);
   EXPECT_EQ(root.get<int>("integer"), -3);
@@ -231,7 +231,7 @@ TEST_F(ConfigFileTest, namesBrokenFiles) {
   EXPECT_EQ(errorOf(bomb, nothing), "A.yaml:5: more than 100000 values");
   EXPECT_EQ(errorOf(std::string("a: ") + std::string(40, '[') + std::string(40, ']') + "\n", nothing),
             "A.yaml:1: nested deeper than 32 levels");
-  EXPECT_EQ(errorOf([&] { ConfigFile file(folder_ + "nowhere.yaml"); }),
+  EXPECT_EQ(errorOf([&] { ConfigFile file(folder + "nowhere.yaml"); }),
             "nowhere.yaml: cannot be read: No such file or directory");
 }
 
@@ -239,7 +239,7 @@ TEST_F(ConfigFileTest, laterDirectoriesOverrideSingleKeys) {
   write("Walk.yaml", "speed: 1\nstep: {height: 2, length: 3}\ngains: [1, 2]\n");
   write("type3/Walk.yaml",
         "overlay: {base: Walk.yaml, values: 3}\nstep: {height: 20}\ngains: [5]\nmass: 4\n");
-  const ConfigFile file("Walk", {folder_, folder_ + "type3"});
+  const ConfigFile file("Walk", {folder, folder + "type3"});
   const ConfigSection& root = file.root();
   EXPECT_EQ(root.get<int>("speed"), 1);
   EXPECT_EQ(root.get<int>("step.height"), 20);
@@ -253,7 +253,7 @@ TEST_F(ConfigFileTest, laterDirectoriesOverrideSingleKeys) {
 TEST_F(ConfigFileTest, errorsNameTheFileOfTheValue) {
   write("Walk.yaml", "a: 1\nb: x\n");
   write("type3/Walk.yaml", "overlay: {base: Walk.yaml, values: 1}\na: y\n");
-  const ConfigFile file("Walk", {folder_, folder_ + "type3"});
+  const ConfigFile file("Walk", {folder, folder + "type3"});
   EXPECT_EQ(errorOf([&] { file.root().get<int>("a"); }),
             "type3/Walk.yaml:2: a must be an integer, not \"y\"");
   EXPECT_EQ(errorOf([&] { file.root().get<int>("b"); }), "Walk.yaml:2: b must be an integer, not \"x\"");
@@ -288,7 +288,7 @@ TEST_F(ConfigFileTest, aModuleThatReadsNothingHasNoKeys) {
   EXPECT_EQ(errorOfAgent(nothing), "no error");
   write("ConfigReader.yaml", "left: over\n");
   EXPECT_EQ(errorOfAgent(nothing), "ConfigReader.yaml:1: unknown key \"left\"");
-  std::filesystem::remove(folder_ + "ConfigReader.yaml");
+  std::filesystem::remove(folder + "ConfigReader.yaml");
   EXPECT_EQ(errorOfAgent([](const Config& config) { config.get<int>("a"); }),
             "no config file ConfigReader.yaml in , type3");
 }

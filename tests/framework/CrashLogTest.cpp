@@ -74,23 +74,23 @@ constexpr bool faultIsTheSanitizers = sanitized;
 /// The agent runs in a child process, as it is to die.
 class CrashLogTest : public testing::Test {
 protected:
-  CrashLogTest() { std::filesystem::create_directories(folder_); }
-  ~CrashLogTest() override { std::filesystem::remove_all(folder_); }
+  CrashLogTest() { std::filesystem::create_directories(folder); }
+  ~CrashLogTest() override { std::filesystem::remove_all(folder); }
 
   /// The agent's wait status.
   int run(const std::string& way, const std::string& modulesConfig) {
     wayToDie() = way;
     const pid_t child = fork();
     if (child == 0) {
-      if (stderrOfChild_ >= 0)
-        dup2(stderrOfChild_, STDERR_FILENO);
-      else if (!std::freopen((folder_ + "/stderr").c_str(), "w", stderr))
+      if (stderrOfChild >= 0)
+        dup2(stderrOfChild, STDERR_FILENO);
+      else if (!std::freopen((folder + "/stderr").c_str(), "w", stderr))
         _exit(99);
       std::signal(SIGPIPE, SIG_DFL);  // whoever runs the tests may ignore it
       int status = 98;
       {
-        const unsigned secondsToDie = stderrOfChild_ >= 0 ? 3 : 30;
-        CrashLog crashLog(folder_ + "/crash.log", secondsToDie);
+        const unsigned secondsToDie = stderrOfChild >= 0 ? 3 : 30;
+        CrashLog crashLog(folder + "/crash.log", secondsToDie);
         Controller controller = makeController(modulesConfig);
         controller.stop().catchSignals();
         status = controller.run();
@@ -105,17 +105,17 @@ protected:
   }
   std::string contents(const std::string& name) const {
     std::stringstream text;
-    text << std::ifstream(folder_ + "/" + name).rdbuf();
+    text << std::ifstream(folder + "/" + name).rdbuf();
     return text.str();
   }
   /// The second process may still be writing when the agent is gone.
   void waitForLog() const {
     for (int i = 0; i < 3000 && !hasLog(); i++) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  bool hasLog() const { return std::filesystem::exists(folder_ + "/crash.log"); }
+  bool hasLog() const { return std::filesystem::exists(folder + "/crash.log"); }
 
-  int stderrOfChild_ = -1;  ///< -1: a file
-  const std::string folder_ = testing::TempDir() + "crash" + std::to_string(getpid());
+  int stderrOfChild = -1;  ///< -1: a file
+  const std::string folder = testing::TempDir() + "crash" + std::to_string(getpid());
 };
 
 TEST_F(CrashLogTest, tellsSignalStepAndLastMessages) {
@@ -129,7 +129,7 @@ TEST_F(CrashLogTest, tellsSignalStepAndLastMessages) {
   EXPECT_NE(text.find("\nLast messages, oldest first:\n[Crasher] cycle 89\n"), std::string::npos);
   EXPECT_EQ(text.substr(text.size() - 21), "\n[Crasher] cycle 600\n");
   EXPECT_EQ(contents("stderr").substr(0, contents("stderr").find('\n')),
-            "died by SIGSEGV in Crasher:execute; see " + folder_ + "/crash.log");
+            "died by SIGSEGV in Crasher:execute; see " + folder + "/crash.log");
 }
 
 TEST_F(CrashLogTest, tellsWhichThreadDied) {
@@ -157,7 +157,7 @@ TEST_F(CrashLogTest, tellsAStackOverflowInEveryThread) {
   if (sanitized) GTEST_SKIP() << "the sanitizer keeps signal stacks of its own";
   run("recursion", "Crasher\n");
   EXPECT_NE(contents("crash.log").find("died by SIGSEGV"), std::string::npos);
-  std::filesystem::remove(folder_ + "/crash.log");
+  std::filesystem::remove(folder + "/crash.log");
   run("recursion", "[a 1]\nAlphaSource\n[b 1]\nCrasher\n");
   EXPECT_NE(contents("crash.log").find("[b] Crasher:execute <- the signal struck here"), std::string::npos);
 }
@@ -170,8 +170,8 @@ TEST_F(CrashLogTest, theAgentIsGoneThoughNobodyReadsItsLastWords) {
   }
   ASSERT_EQ(fcntl(ends[1], F_SETFL, 0), 0);  // from now on, who writes waits for ever
   for (const auto& [way, signal] : {std::pair("abort", SIGABRT), std::pair("pipe", SIGPIPE)}) {
-    std::filesystem::remove(folder_ + "/crash.log");
-    stderrOfChild_ = ends[1];
+    std::filesystem::remove(folder + "/crash.log");
+    stderrOfChild = ends[1];
     const int status = run(way, "Crasher\n");
     EXPECT_TRUE(WIFSIGNALED(status)) << way;
     EXPECT_EQ(WTERMSIG(status), signal) << way;

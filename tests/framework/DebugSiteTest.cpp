@@ -37,7 +37,7 @@ public:
 };
 
 struct Attached {
-  Attached(DebugPoints& points_, std::string id_) : points(points_), id(std::move(id_)) {
+  Attached(DebugPoints& points, std::string name) : points(points), id(std::move(name)) {
     known = points.attach(id, note);
   }
   ~Attached() { points.detach(id, note); }

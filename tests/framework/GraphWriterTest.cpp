@@ -30,10 +30,10 @@ std::string contents(const std::string& path) {
 /// A folder of its own, removed at the end.
 class GraphWriterTest : public testing::Test {
 protected:
-  GraphWriterTest() { std::filesystem::create_directories(folder_); }
-  ~GraphWriterTest() override { std::filesystem::remove_all(folder_); }
+  GraphWriterTest() { std::filesystem::create_directories(folder); }
+  ~GraphWriterTest() override { std::filesystem::remove_all(folder); }
   std::size_t files() const {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
   }
   std::string errorOf(const std::string& path) const {
     try {
@@ -43,13 +43,13 @@ protected:
     }
     return "no error";
   }
-  const std::string folder_ = testing::TempDir() + "/graph" + std::to_string(getpid());
+  const std::string folder = testing::TempDir() + "/graph" + std::to_string(getpid());
 };
 
 TEST_F(GraphWriterTest, drawsModulesRepresentationsAndThreads) {
-  writeGraph(twoThreads(), folder_ + "/graph.dot");
+  writeGraph(twoThreads(), folder + "/graph.dot");
   EXPECT_EQ(files(), 1u);
-  EXPECT_EQ(contents(folder_ + "/graph.dot"),
+  EXPECT_EQ(contents(folder + "/graph.dot"),
             R"(digraph modules {
   node [fontname="Helvetica"];
   graph [fontname="Helvetica", rankdir=LR, ranksep=0.4, nodesep=0.12];
@@ -107,23 +107,23 @@ TEST_F(GraphWriterTest, anAreaIsAFrameOfItsOwnColour) {
 
 TEST_F(GraphWriterTest, drawsPicturesThroughGraphviz) {
   if (std::system("dot -V > /dev/null 2>&1") != 0) GTEST_SKIP() << "Graphviz is not installed";
-  writeGraph(twoThreads(), folder_ + "/graph.svg");
-  EXPECT_NE(contents(folder_ + "/graph.svg").find("AlphaFromLastGamma</text>"), std::string::npos);
-  writeGraph(twoThreads(), folder_ + "/graph.png");
-  EXPECT_EQ(contents(folder_ + "/graph.png").substr(1, 3), "PNG");
+  writeGraph(twoThreads(), folder + "/graph.svg");
+  EXPECT_NE(contents(folder + "/graph.svg").find("AlphaFromLastGamma</text>"), std::string::npos);
+  writeGraph(twoThreads(), folder + "/graph.png");
+  EXPECT_EQ(contents(folder + "/graph.png").substr(1, 3), "PNG");
   EXPECT_EQ(files(), 2u);
 }
 
 TEST_F(GraphWriterTest, saysWhatCannotBeWrittenAndLeavesNothing) {
-  EXPECT_EQ(errorOf(folder_ + "/graph.txt"),
-            folder_ + "/graph.txt: a graph is written as .dot, .svg, .pdf or .png");
-  EXPECT_EQ(errorOf(folder_ + "/graph"), folder_ + "/graph: a graph is written as .dot, .svg, .pdf or .png");
-  EXPECT_EQ(errorOf(folder_ + "/missing/graph.dot"),
-            folder_ + "/missing/graph.dot: cannot be written: No such file or directory");
+  EXPECT_EQ(errorOf(folder + "/graph.txt"),
+            folder + "/graph.txt: a graph is written as .dot, .svg, .pdf or .png");
+  EXPECT_EQ(errorOf(folder + "/graph"), folder + "/graph: a graph is written as .dot, .svg, .pdf or .png");
+  EXPECT_EQ(errorOf(folder + "/missing/graph.dot"),
+            folder + "/missing/graph.dot: cannot be written: No such file or directory");
   const std::string path = std::getenv("PATH");
   setenv("PATH", "/nowhere", 1);
-  EXPECT_EQ(errorOf(folder_ + "/graph.svg"),
-            folder_ +
+  EXPECT_EQ(errorOf(folder + "/graph.svg"),
+            folder +
                 "/graph.svg: cannot be written: Graphviz's program dot is not installed; install graphviz or "
                 "write a .dot file");
   setenv("PATH", path.c_str(), 1);

@@ -27,11 +27,11 @@ class LogTest : public testing::Test {
 protected:
   LogTest() {
     LogBuffer::instance().setListener([this](std::string_view source, std::string_view message) {
-      lines_.push_back(std::string(source) + "|" + std::string(message));
+      lines.push_back(std::string(source) + "|" + std::string(message));
     });
   }
   ~LogTest() override { LogBuffer::instance().setListener(nullptr); }
-  std::vector<std::string> lines_;
+  std::vector<std::string> lines;
 };
 
 TEST_F(LogTest, aStatementIsAMessage) {
@@ -41,15 +41,15 @@ TEST_F(LogTest, aStatementIsAMessage) {
   log << "with end" << std::endl;
   log.warning() << "no ball for " << 3 << " s";
   log.error() << "broken";
-  EXPECT_EQ(lines_, (std::vector<std::string>{"Me|ball at 1.5 m, 1", "Me|1 2", "Me|with end",
-                                              "Me|warning: no ball for 3 s", "Me|error: broken"}));
+  EXPECT_EQ(lines, (std::vector<std::string>{"Me|ball at 1.5 m, 1", "Me|1 2", "Me|with end",
+                                             "Me|warning: no ball for 3 s", "Me|error: broken"}));
 }
 
 TEST_F(LogTest, formatsOfOneMessageDoNotReachTheNext) {
   Log log("Me");
   log << std::hex << std::setprecision(2) << 255 << " " << 3.14159;
   log << 255 << " " << 3.14159;
-  EXPECT_EQ(lines_, (std::vector<std::string>{"Me|ff 3.1", "Me|255 3.14159"}));
+  EXPECT_EQ(lines, (std::vector<std::string>{"Me|ff 3.1", "Me|255 3.14159"}));
 }
 
 TEST_F(LogTest, messagesMayBeLoggedWhileOneIsUnderWay) {
@@ -59,13 +59,13 @@ TEST_F(LogTest, messagesMayBeLoggedWhileOneIsUnderWay) {
     return 5;
   };
   log << "outer " << inner() << " end";
-  EXPECT_EQ(lines_, (std::vector<std::string>{"Me|inner", "Me|outer 5 end"}));
+  EXPECT_EQ(lines, (std::vector<std::string>{"Me|inner", "Me|outer 5 end"}));
 }
 
 TEST_F(LogTest, modulesLogUnderTheirName) {
   Controller controller = makeController("Talker\n");
   controller.runCycles(2);
-  EXPECT_EQ(lines_, (std::vector<std::string>{"Talker|hello", "Talker|hello"}));
+  EXPECT_EQ(lines, (std::vector<std::string>{"Talker|hello", "Talker|hello"}));
 }
 
 TEST_F(LogTest, verbosePrintsStepsAndMessages) {

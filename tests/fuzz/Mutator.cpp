@@ -62,7 +62,7 @@ void Mutator::damage(std::string& text) {
       break;
     }
     case 6: {  // a part of another input
-      const std::string& other = seeds[below(seeds.size())];
+      const std::string& other = seeds_[below(seeds_.size())];
       text.insert(at, other.substr(below(other.size() + 1), below(200)));
       break;
     }
@@ -72,7 +72,7 @@ void Mutator::damage(std::string& text) {
 }
 
 std::string Mutator::next() {
-  std::string text = seeds[below(seeds.size())];
+  std::string text = seeds_[below(seeds_.size())];
   for (std::size_t n = below(6); n > 0; --n) damage(text);
   if (text.size() > longest) text.resize(longest);
   return text;

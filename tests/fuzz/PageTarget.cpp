@@ -20,18 +20,18 @@ class Echo final : public pages::PageSource {
   public:
     bool receive(std::string_view message) override {
       require(message.size() <= longestMessage, "a message longer than is taken");
-      said = message;
+      said_ = message;
       return message != "bye";
     }
     Kind next(std::string& message) override {
-      if (said.empty()) return Kind::nothing;
-      message += said;
-      said.clear();
+      if (said_.empty()) return Kind::nothing;
+      message += said_;
+      said_.clear();
       return Kind::binary;
     }
 
   private:
-    std::string said;
+    std::string said_;
   };
 
 public:

@@ -25,33 +25,33 @@ public:
   ~PortClient() { leave(); }
   void connect(int port) {
     leave();
-    fd = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 0);
+    fd_ = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 0);
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    ::connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof address);
+    ::connect(fd_, reinterpret_cast<sockaddr*>(&address), sizeof address);
   }
   void send(std::string_view bytes) {
-    if (fd >= 0) ::send(fd, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (fd_ >= 0) ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
   }
   void read() {
     std::array<char, 1 << 14> bytes;
-    if (fd >= 0)
-      while (recv(fd, bytes.data(), bytes.size(), 0) > 0) {
+    if (fd_ >= 0)
+      while (recv(fd_, bytes.data(), bytes.size(), 0) > 0) {
       }
   }
   /// By a reset, so that no port of this machine is kept.
   void leave() {
-    if (fd < 0) return;
+    if (fd_ < 0) return;
     const linger now{1, 0};
-    setsockopt(fd, SOL_SOCKET, SO_LINGER, &now, sizeof now);
-    close(fd);
-    fd = -1;
+    setsockopt(fd_, SOL_SOCKET, SO_LINGER, &now, sizeof now);
+    close(fd_);
+    fd_ = -1;
   }
 
 private:
-  int fd = -1;
+  int fd_ = -1;
 };
 
 struct Ports {

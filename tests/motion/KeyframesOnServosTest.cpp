@@ -21,13 +21,13 @@ public:
   explicit ServoRobot(const std::string& name)
       : mechanism(readMechanism("tests/data/robots/" + name + ".json")),
         humanoid(mechanism),
-        world(mechanism) {
-    std::filesystem::create_directories(folder);
+        world_(mechanism) {
+    std::filesystem::create_directories(folder_);
   }
-  ~ServoRobot() { std::filesystem::remove_all(folder); }
+  ~ServoRobot() { std::filesystem::remove_all(folder_); }
 
   KeyframeMotion read(const std::string& text) {
-    const std::filesystem::path file = folder / "motion.yaml";
+    const std::filesystem::path file = folder_ / "motion.yaml";
     std::ofstream(file) << text;
     return readKeyframeFile(file, humanoid.model(), {});
   }
@@ -41,14 +41,14 @@ public:
     return "";
   }
 
-  JointArray angles() const { return humanoid.toModel(world.readings().position); }
-  double angle(const std::string& joint) const { return world.readings().position[at(world.joint(joint))]; }
+  JointArray angles() const { return humanoid.toModel(world_.readings().position); }
+  double angle(const std::string& joint) const { return world_.readings().position[at(world_.joint(joint))]; }
   /// The torso's height over the ground and how upright it is (1: upright).
-  double height() const { return world.base().pose.translation().z(); }
-  double upright() const { return world.base().pose.linear()(2, 2); }
+  double height() const { return world_.base().pose.translation().z(); }
+  double upright() const { return world_.base().pose.linear()(2, 2); }
 
   void stand(const KeyframeMotion& posture) {
-    world.restart(humanoid.toMechanism(posture.keyframes.front().angles));
+    world_.restart(humanoid.toMechanism(posture.keyframes.front().angles));
     hold(posture.keyframes.front().angles, 1);
   }
   void play(const KeyframeMotion& motion) {
@@ -66,13 +66,13 @@ public:
 
 private:
   void hold(const JointArray& targets, double seconds) {
-    world.command(humanoid.toMechanism(targets));
-    for (double t = 0; t < seconds - 1e-9; t += 1 / mechanism.controlHz) world.step();
+    world_.command(humanoid.toMechanism(targets));
+    for (double t = 0; t < seconds - 1e-9; t += 1 / mechanism.controlHz) world_.step();
   }
 
-  const std::filesystem::path folder =
+  const std::filesystem::path folder_ =
       std::filesystem::path(testing::TempDir()) / ("keyframes-on-servos-" + std::to_string(getpid()));
-  simulation::ServoWorld world;
+  simulation::ServoWorld world_;
 };
 
 constexpr const char* upright = R"(keyframes:

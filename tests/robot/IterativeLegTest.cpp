@@ -23,21 +23,21 @@ const RobotModel& nao() {
 
 class RandomLeg {
 public:
-  RandomLeg(const RobotModel& robot_, Side side, unsigned seed)
-      : robot(robot_), first(firstLegJoint(side)), random(seed) {}
+  RandomLeg(const RobotModel& robot, Side side, unsigned seed)
+      : robot_(robot), first_(firstLegJoint(side)), random_(seed) {}
   LegAngles angles() {
     LegAngles q;
     for (std::size_t i = 0; i < 6; ++i) {
-      const Link& link = robot.linkMovedBy(static_cast<JointId>(first + static_cast<int>(i)));
-      q[i] = std::uniform_real_distribution(link.lower, link.upper)(random);
+      const Link& link = robot_.linkMovedBy(static_cast<JointId>(first_ + static_cast<int>(i)));
+      q[i] = std::uniform_real_distribution(link.lower, link.upper)(random_);
     }
     return q;
   }
 
 private:
-  const RobotModel& robot;
-  int first;
-  std::mt19937 random;
+  const RobotModel& robot_;
+  int first_;
+  std::mt19937 random_;
 };
 
 double apart(const Pose3& a, const Pose3& b) {

@@ -44,7 +44,7 @@ public:
   }
   void step() override {}
   void reset() override { robots.clear(); }
-  const simulation::RobotReadings& readings(simulation::RobotHandle) const override { return noReadings; }
+  const simulation::RobotReadings& readings(simulation::RobotHandle) const override { return noReadings_; }
   simulation::BodyState linkState(simulation::RobotHandle robot, int link) const override {
     const Robot& r = robots.at(robot);
     ForwardKinematics kinematics(r.model);
@@ -64,7 +64,7 @@ public:
   const std::vector<simulation::RobotContact>& robotContacts() const override { return contacts; }
 
 private:
-  simulation::RobotReadings noReadings;
+  simulation::RobotReadings noReadings_;
 };
 
 }  // namespace plumbline::test

@@ -24,34 +24,34 @@ using test::TestAgent;
 /// A client that may stop at any point of its life.
 class Guest {
 public:
-  bool here() const { return connection.connected(); }
-  void come(int port, int type, std::string team_, int unum_) {
-    ASSERT_EQ(connection.connect("127.0.0.1", port), "");
-    team = std::move(team_);
-    unum = unum_;
-    messages = 0;
-    asked = false;
-    this->type = type;
+  bool here() const { return connection_.connected(); }
+  void come(int port, int type, std::string team, int unum) {
+    ASSERT_EQ(connection_.connect("127.0.0.1", port), "");
+    team_ = std::move(team);
+    unum_ = unum;
+    messages_ = 0;
+    asked_ = false;
+    this->type_ = type;
   }
   /// Takes part in a cycle: reads, if there is something to read, and answers.
   void play() {
-    if (!asked) {
-      connection.send("(scene rsg/agent/nao/nao_hetero.rsg " + std::to_string(type) + ")(syn)");
-      asked = true;
+    if (!asked_) {
+      connection_.send("(scene rsg/agent/nao/nao_hetero.rsg " + std::to_string(type_) + ")(syn)");
+      asked_ = true;
       return;
     }
     std::string_view text;
     // A new robot's first cycle has no message; everybody else's comes soon.
-    if (connection.receive(text, messages == 0 ? 0.001 : 0.02) != Connection::Status::message) return;
+    if (connection_.receive(text, messages_ == 0 ? 0.001 : 0.02) != Connection::Status::message) return;
     constexpr std::string_view clock = "(time (now ";
     if (text.starts_with(clock)) time_ = std::max(time_, std::atof(text.data() + clock.size()));
-    ++messages;
+    ++messages_;
     std::string answer =
-        messages == 1 ? "(init (unum " + std::to_string(unum) + ")(teamname " + team + "))" : "";
-    if (messages == 3)
-      answer += "(beam -" + std::to_string(1 + unum) + " " + std::to_string(unum - 6) + " 0)";
-    connection.send(answer +
-                    (messages % 20 < 10 ? "(rle4 -0.5)(lle4 0.5)(syn)" : "(rle4 0.5)(lle4 -0.5)(syn)"));
+        messages_ == 1 ? "(init (unum " + std::to_string(unum_) + ")(teamname " + team_ + "))" : "";
+    if (messages_ == 3)
+      answer += "(beam -" + std::to_string(1 + unum_) + " " + std::to_string(unum_ - 6) + " 0)";
+    connection_.send(answer +
+                     (messages_ % 20 < 10 ? "(rle4 -0.5)(lle4 0.5)(syn)" : "(rle4 0.5)(lle4 -0.5)(syn)"));
   }
   double time() const { return time_; }  ///< of the server, when it was last heard of [s]
 
@@ -62,23 +62,23 @@ public:
         break;
       case 1: {  // with what it has not read: the connection is reset
         linger hard{1, 0};
-        setsockopt(connection.descriptor(), SOL_SOCKET, SO_LINGER, &hard, sizeof hard);
+        setsockopt(connection_.descriptor(), SOL_SOCKET, SO_LINGER, &hard, sizeof hard);
         break;
       }
       case 2:  // in the middle of a message
-        EXPECT_EQ(::send(connection.descriptor(), "\0\0\0\x20(he1", 8, MSG_NOSIGNAL), 8);
+        EXPECT_EQ(::send(connection_.descriptor(), "\0\0\0\x20(he1", 8, MSG_NOSIGNAL), 8);
         break;
       default:  // with nonsense
-        connection.send("(((");
+        connection_.send("(((");
     }
-    connection.close();
+    connection_.close();
   }
 
 private:
-  Connection connection;
-  std::string team;
-  int unum = 0, type = 0, messages = 0;
-  bool asked = false;
+  Connection connection_;
+  std::string team_;
+  int unum_ = 0, type_ = 0, messages_ = 0;
+  bool asked_ = false;
   double time_ = 0;
 };
 
@@ -99,41 +99,42 @@ double residentMegabytes() {
 /// 22 clients, each here for some time and away for longer, four of them on average.
 class Guests {
 public:
-  Guests(int port_, unsigned seed) : port(port_), random(seed) {}
+  Guests(int port, unsigned seed) : port_(port), random_(seed) {}
   void cycle() {
-    for (std::size_t i = 0; i < guests.size(); ++i) {
-      Guest& guest = guests[i];
+    for (std::size_t i = 0; i < guests_.size(); ++i) {
+      Guest& guest = guests_[i];
       time = std::max(time, guest.time());
-      const auto dice = random() % 1000;
+      const auto dice = random_() % 1000;
       if (!guest.here() && dice < 2) {
-        guest.come(port, static_cast<int>(random() % 5), i < 11 ? "Red" : "Blue",
+        guest.come(port_, static_cast<int>(random_() % 5), i < 11 ? "Red" : "Blue",
                    static_cast<int>(i % 11) + 1);
         ++came;
       }
       if (guest.here()) guest.play();
-      if (guest.here() && random() % 1000 < 12) guest.vanish(random());
+      if (guest.here() && random_() % 1000 < 12) guest.vanish(random_());
     }
   }
   /// All come and stay.
   void allCome() {
-    for (std::size_t i = 0; i < guests.size(); ++i)
-      if (!guests[i].here())
-        guests[i].come(port, static_cast<int>(i % 5), i < 11 ? "Red" : "Blue", static_cast<int>(i % 11) + 1);
+    for (std::size_t i = 0; i < guests_.size(); ++i)
+      if (!guests_[i].here())
+        guests_[i].come(port_, static_cast<int>(i % 5), i < 11 ? "Red" : "Blue",
+                        static_cast<int>(i % 11) + 1);
   }
   void playOn() {
-    for (Guest& guest : guests) guest.play();
+    for (Guest& guest : guests_) guest.play();
   }
   void allGo() {
-    for (Guest& guest : guests)
+    for (Guest& guest : guests_)
       if (guest.here()) guest.vanish(0);
   }
   int came = 0;
   double time = 0;  ///< of the server [s]
 
 private:
-  int port;
-  std::mt19937 random;
-  std::array<Guest, 22> guests;
+  int port_;
+  std::mt19937 random_;
+  std::array<Guest, 22> guests_;
 };
 
 void waitUntilEmpty(simspark::MonitorClient& monitor) {

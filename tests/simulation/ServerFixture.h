@@ -19,26 +19,26 @@ class RunningServer {
 public:
   explicit RunningServer(simulation::ServerConfig config) {
     config.agents.port = config.monitors.port = 0;
-    server = std::make_unique<simulation::Server>(config, [this](const std::string& line) {
-      const std::lock_guard lock(mutex);
-      lines += line + '\n';
+    server_ = std::make_unique<simulation::Server>(config, [this](const std::string& line) {
+      const std::lock_guard lock(mutex_);
+      lines_ += line + '\n';
     });
-    thread = std::thread([this] { server->run(stop); });
+    thread_ = std::thread([this] { server_->run(stop_); });
   }
   ~RunningServer() { end(); }
 
   void end() {
-    stop = true;
-    if (thread.joinable()) thread.join();
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
   }
   /// Waits until it has ended by itself.
-  void join() { thread.join(); }
-  int agentPort() const { return server->agentPort(); }
-  int monitorPort() const { return server->monitorPort(); }
-  int fieldPort() const { return server->fieldPort(); }
+  void join() { thread_.join(); }
+  int agentPort() const { return server_->agentPort(); }
+  int monitorPort() const { return server_->monitorPort(); }
+  int fieldPort() const { return server_->fieldPort(); }
   std::string log() {
-    const std::lock_guard lock(mutex);
-    return lines;
+    const std::lock_guard lock(mutex_);
+    return lines_;
   }
   /// Whether the log gets this text within some seconds.
   bool logs(const std::string& text) {
@@ -48,14 +48,14 @@ public:
     }
     return false;
   }
-  const simulation::ServerStatistics& statistics() const { return server->statistics(); }
+  const simulation::ServerStatistics& statistics() const { return server_->statistics(); }
 
 private:
-  std::mutex mutex;
-  std::string lines;
-  std::unique_ptr<simulation::Server> server;
-  std::atomic<bool> stop = false;
-  std::thread thread;
+  std::mutex mutex_;
+  std::string lines_;
+  std::unique_ptr<simulation::Server> server_;
+  std::atomic<bool> stop_ = false;
+  std::thread thread_;
 };
 
 /// A server in step with its agents, as fast as it goes.

@@ -28,31 +28,31 @@ ServerMessage read(const std::string& text) {
 /// A client that sends bytes of our choice.
 class RawClient {
 public:
-  explicit RawClient(int port, int receiveBuffer = 0) : fd(socket(AF_INET, SOCK_STREAM, 0)) {
-    if (receiveBuffer > 0) setsockopt(fd, SOL_SOCKET, SO_RCVBUF, &receiveBuffer, sizeof receiveBuffer);
+  explicit RawClient(int port, int receiveBuffer = 0) : fd_(socket(AF_INET, SOCK_STREAM, 0)) {
+    if (receiveBuffer > 0) setsockopt(fd_, SOL_SOCKET, SO_RCVBUF, &receiveBuffer, sizeof receiveBuffer);
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    EXPECT_EQ(connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+    EXPECT_EQ(connect(fd_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
   }
-  ~RawClient() { close(fd); }
+  ~RawClient() { close(fd_); }
   void send(std::string_view bytes) {
-    EXPECT_EQ(::send(fd, bytes.data(), bytes.size(), MSG_NOSIGNAL), ssize_t(bytes.size()));
+    EXPECT_EQ(::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL), ssize_t(bytes.size()));
   }
   /// Whether the server closes the connection.
   bool isClosed() {
     char bytes[1 << 12];
     timeval patience{10, 0};
-    setsockopt(fd, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    setsockopt(fd_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
     ssize_t n = 0;
-    while ((n = recv(fd, bytes, sizeof bytes, 0)) > 0) {
+    while ((n = recv(fd_, bytes, sizeof bytes, 0)) > 0) {
     }
     return n == 0 || errno == ECONNRESET;
   }
 
 private:
-  int fd;
+  int fd_;
 };
 
 TEST(Server, anAnswerShowsInTheMessageAfterTheNext) {

@@ -129,13 +129,13 @@ TEST(Switches, actionDelayOverTheWire) {
 /// these are; by the cycle after kick-off.
 class Forearm {
 public:
-  explicit Forearm(bool freezes) : simulation(configOf(freezes)) {
-    id = simulation.addPlayer(0);
+  explicit Forearm(bool freezes) : simulation_(configOf(freezes)) {
+    id_ = simulation_.addPlayer(0);
     simspark::AgentCommand init;
     init.init = simspark::InitRequest{1, "Red"};
-    simulation.act(id, init);
-    for (int i = 0; i < 100; ++i) simulation.step();
-    simulation.train(simspark::PlayModeCommand{simspark::PlayMode::playOn});
+    simulation_.act(id_, init);
+    for (int i = 0; i < 100; ++i) simulation_.step();
+    simulation_.train(simspark::PlayModeCommand{simspark::PlayMode::playOn});
   }
 
   void push(int cycles) {
@@ -147,12 +147,12 @@ public:
       simspark::AgentCommand command;
       for (const auto& [joint, target] : targets)
         command.velocity[joint] = std::clamp(8 * (target - angle(joint)), -2.0, 2.0);
-      simulation.act(id, command);
-      simulation.step();
+      simulation_.act(id_, command);
+      simulation_.step();
     }
   }
-  double angle(JointId joint) { return simulation.world().readings(robot()).angle[joint]; }
-  RobotHandle robot() { return simulation.allPlayers().at(id)->robot; }
+  double angle(JointId joint) { return simulation_.world().readings(robot()).angle[joint]; }
+  RobotHandle robot() { return simulation_.allPlayers().at(id_)->robot; }
 
 private:
   static SimulationConfig configOf(bool freezes) {
@@ -160,8 +160,8 @@ private:
     config.rules.of<simulation::SelfCollision>().on = freezes;
     return config;
   }
-  Simulation simulation;
-  PlayerId id = 0;
+  Simulation simulation_;
+  PlayerId id_ = 0;
 };
 
 TEST(Switches, frozenLimbs) {

@@ -15,13 +15,13 @@ simspark::ForceReading reading(const simulation::FootForce& force) { return {for
 
 }  // namespace
 
-InProcessServer::InProcessServer(const Setup& setup_)
-    : setup(setup_),
-      robot_(simsparkRobot(setup.type)),
-      engine(walking::WalkParameters{}, robot_.model()),
-      control(robot_.model()),
-      vision(setup.seed) {
-  robot_.restart(setup.start, engine.stand().angles);
+InProcessServer::InProcessServer(const Setup& setup)
+    : setup_(setup),
+      robot_(simsparkRobot(setup_.type)),
+      engine_(walking::WalkParameters{}, robot_.model()),
+      control_(robot_.model()),
+      vision_(setup_.seed) {
+  robot_.restart(setup_.start, engine_.stand().angles);
   sense();
 }
 
@@ -35,9 +35,9 @@ void InProcessServer::sense() {
   message_ = {};
   message_.time = 10 + time();
   message_.gameState.playMode = "PlayOn";
-  if (cycle == 0) {
+  if (cycle_ == 0) {
     message_.gameState.unum = 1;
-    message_.gameState.side = setup.leftSide ? "left" : "right";
+    message_.gameState.side = setup_.leftSide ? "left" : "right";
   }
   message_.gyro = now.gyro;
   message_.acc = now.acc;
@@ -51,7 +51,7 @@ void InProcessServer::sense() {
   simspark::GroundTruth truth;
   truth.T_world_torso = torso();
   truth.ball = robot_.world().ball().pose.translation();
-  if (cycle % 3 == 0) message_.see = vision.see(headPose(), truth.ball);
+  if (cycle_ % 3 == 0) message_.see = vision_.see(headPose(), truth.ball);
   message_.groundTruth = truth;
 }
 
@@ -73,16 +73,16 @@ void InProcessServer::walk(Vec2 velocity, double turn) {
   sensors.angles = now.angle;
   sensors.torsoAngles = Vec2(std::atan2(R(2, 1), R(2, 2)), -std::asin(R(2, 0)));
   sensors.gyro = now.gyro;
-  const walking::WalkOutput output = engine.update({velocity, turn, true}, sensors);
+  const walking::WalkOutput output = engine_.update({velocity, turn, true}, sensors);
   JointArray targets = output.angles;
   targets[headYaw] = 1.2 * std::sin(2 * pi * time() / 3);
   targets[headPitch] = 0.25 + 0.25 * std::sin(2 * pi * time() / 5);
-  move(control.update(now.angle, targets, dt));
+  move(control_.update(now.angle, targets, dt));
 }
 
 void InProcessServer::move(const JointArray& speeds) {
   robot_.act(speeds);
-  ++cycle;
+  ++cycle_;
   sense();
 }
 
@@ -90,9 +90,9 @@ void InProcessServer::standUp() {
   const Pose3 T = torso();
   const Vec3 forward = T.linear().col(0);
   robot_.restart(Pose2(T.translation().x(), T.translation().y(), std::atan2(forward.y(), forward.x())),
-                 engine.stand().angles);
-  engine.reset();
-  control.reset();
+                 engine_.stand().angles);
+  engine_.reset();
+  control_.reset();
 }
 
 void InProcessServer::carry(const Pose2& place) {

@@ -35,20 +35,20 @@ public:
   void standUp();
 
   simulation::LocalRobot& robot() { return robot_; }
-  Pose3 torso() const { return robot_.torso().pose; }                ///< on the server's field
-  double time() const { return 0.02 * static_cast<double>(cycle); }  ///< since the start [s]
+  Pose3 torso() const { return robot_.torso().pose; }                 ///< on the server's field
+  double time() const { return 0.02 * static_cast<double>(cycle_); }  ///< since the start [s]
 
 private:
   Pose3 headPose();
   void sense();
 
-  Setup setup;
+  Setup setup_;
   simulation::LocalRobot robot_;
-  walking::WalkEngine engine;
-  JointVelocityControl control;
-  SyntheticImage vision;
+  walking::WalkEngine engine_;
+  JointVelocityControl control_;
+  SyntheticImage vision_;
   simspark::ServerMessage message_;
-  long cycle = 0;
+  long cycle_ = 0;
 };
 
 }  // namespace plumbline::test

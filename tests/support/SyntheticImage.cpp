@@ -39,8 +39,8 @@ double rounded(double value, double step) { return std::round(value / step) * st
 
 }  // namespace
 
-SyntheticImage::SyntheticImage(std::uint64_t seed) : random(seed), noisy(true) {
-  for (int i = 0; i < 3; ++i) offset_[i] = random.uniform(-0.005, 0.005);
+SyntheticImage::SyntheticImage(std::uint64_t seed) : random_(seed), noisy_(true) {
+  for (int i = 0; i < 3; ++i) offset_[i] = random_.uniform(-0.005, 0.005);
 }
 
 simspark::Polar SyntheticImage::measure(const Vec3& pointInHead) {
@@ -49,10 +49,10 @@ simspark::Polar SyntheticImage::measure(const Vec3& pointInHead) {
   polar.distance = p.norm();
   polar.azimuth = std::atan2(p.y(), p.x());
   polar.elevation = std::asin(p.z() / polar.distance);
-  if (!noisy) return polar;
-  polar.distance = rounded(polar.distance * (1 + 0.000965 * random.gaussian()), 0.01);
-  polar.azimuth = rounded(polar.azimuth + fromDegrees(0.1480) * random.gaussian(), fromDegrees(0.01));
-  polar.elevation = rounded(polar.elevation + fromDegrees(0.1225) * random.gaussian(), fromDegrees(0.01));
+  if (!noisy_) return polar;
+  polar.distance = rounded(polar.distance * (1 + 0.000965 * random_.gaussian()), 0.01);
+  polar.azimuth = rounded(polar.azimuth + fromDegrees(0.1480) * random_.gaussian(), fromDegrees(0.01));
+  polar.elevation = rounded(polar.elevation + fromDegrees(0.1225) * random_.gaussian(), fromDegrees(0.01));
   return polar;
 }
 

@@ -15,7 +15,7 @@ namespace plumbline::test {
 class SyntheticImage {
 public:
   /// Everything exact.
-  SyntheticImage() : random(1), noisy(false) {}
+  SyntheticImage() : random_(1), noisy_(false) {}
   /// With SimSpark's noise; the offset is drawn once.
   explicit SyntheticImage(std::uint64_t seed);
 
@@ -25,8 +25,8 @@ public:
 
 private:
   simspark::Polar measure(const Vec3& pointInHead);
-  Random random;
-  bool noisy;
+  Random random_;
+  bool noisy_;
   Vec3 offset_ = Vec3::Zero();
 };
 

@@ -16,12 +16,12 @@ namespace plumbline::test {
 /// One line of a recording: names of columns or their values, whichever is asked for.
 class TraceLine {
 public:
-  explicit TraceLine(bool namesOnly_) : namesOnly(namesOnly_) {}
+  explicit TraceLine(bool namesOnly) : namesOnly_(namesOnly) {}
 
   void add(const std::string& name, const char* format, double value) {
     char number[32];
     std::snprintf(number, sizeof number, format, value);
-    text += (text.empty() ? "" : ",") + (namesOnly ? name : std::string(number));
+    text += (text.empty() ? "" : ",") + (namesOnly_ ? name : std::string(number));
   }
   void vector(const std::string& name, const std::array<const char*, 3>& ends, const char* format, Vec3 v) {
     for (int i = 0; i < 3; ++i) add(name + ends[static_cast<std::size_t>(i)], format, v[i]);
@@ -45,7 +45,7 @@ public:
   std::string text;
 
 private:
-  bool namesOnly;
+  bool namesOnly_;
 };
 
 inline std::string traceLine(const simspark::TraceRow& row, const std::vector<JointId>& joints,

@@ -21,12 +21,12 @@ using nlohmann::json;
 class GameSummaryTest : public ::testing::Test {
 protected:
   GameSummaryTest() {
-    folder_ = fs::temp_directory_path() / ("summary" + std::to_string(::getpid()) +
-                                           ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-    file_ = folder_ / "match.plm";
+    folder = fs::temp_directory_path() / ("summary" + std::to_string(::getpid()) +
+                                          ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(folder);
+    file = folder / "match.plm";
   }
-  ~GameSummaryTest() override { fs::remove_all(folder_); }
+  ~GameSummaryTest() override { fs::remove_all(folder); }
 
   static std::string game(int left, const std::string& mode) {
     return json{{"kind", "game"},
@@ -50,13 +50,13 @@ protected:
     return frameMessage(scene);
   }
 
-  fs::path folder_;
-  std::string file_;
+  fs::path folder;
+  std::string file;
 };
 
 TEST_F(GameSummaryTest, placesTenTimesASecondAndEachStateOnce) {
   {
-    MatchWriter writer(file_);
+    MatchWriter writer(file);
     writer.add(0, Channel::geometry, R"({"kind":"geometry","field":{"length":30}})");
     writer.add(0, Channel::game, game(0, "PlayOn"));
     for (int i = 0; i < 100; ++i) {  // 25 a second, over two chunks
@@ -64,7 +64,7 @@ TEST_F(GameSummaryTest, placesTenTimesASecondAndEachStateOnce) {
       writer.add(0.04 * i, Channel::game, game(i < 60 ? 0 : 1, "PlayOn"));
     }
   }
-  const json tracks = json::parse(gameTracks(file_));
+  const json tracks = json::parse(gameTracks(file));
   EXPECT_EQ(tracks["recording"], "match.plm");
   EXPECT_EQ(tracks["field"]["length"], 30);
   ASSERT_EQ(tracks["states"].size(), 2u);
@@ -88,12 +88,12 @@ TEST_F(GameSummaryTest, placesTenTimesASecondAndEachStateOnce) {
 
 TEST_F(GameSummaryTest, aRecordingWithoutAGameIsRefused) {
   {
-    MatchWriter writer(file_);
+    MatchWriter writer(file);
     writer.add(0, Channel::game, game(0, "PlayOn"));
     writer.add(0, Channel::frame, std::string("\1\2 not a frame"));
   }
-  EXPECT_EQ(thrownBy([&] { gameTracks(file_); }), file_ + ": no game is in it");
-  EXPECT_NE(thrownBy([&] { gameTracks(folder_ / "none.plm"); }), "nothing thrown");
+  EXPECT_EQ(thrownBy([&] { gameTracks(file); }), file + ": no game is in it");
+  EXPECT_NE(thrownBy([&] { gameTracks(folder / "none.plm"); }), "nothing thrown");
 }
 
 TEST(SummaryPageTest, thePageHoldsWhatNoTeamsNameCanEnd) {

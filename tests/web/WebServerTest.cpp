@@ -30,31 +30,31 @@ struct TestFeed : Feed {
 
 class Client {
 public:
-  explicit Client(int port) : fd(socket(AF_INET, SOCK_STREAM, 0)) {
+  explicit Client(int port) : fd_(socket(AF_INET, SOCK_STREAM, 0)) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     const timeval patience{10, 0};
-    setsockopt(fd, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-    EXPECT_EQ(connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+    setsockopt(fd_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    EXPECT_EQ(connect(fd_, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
   }
-  ~Client() { close(fd); }
+  ~Client() { close(fd_); }
   void send(const std::string& text) {
-    EXPECT_EQ(::send(fd, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
+    EXPECT_EQ(::send(fd_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
   }
   /// Reads until so many bytes are there or the other side closes.
   std::string read(std::size_t size) {
     char buffer[1 << 16];
-    for (ssize_t n; received.size() < size && (n = recv(fd, buffer, sizeof buffer, 0)) > 0;)
-      received.append(buffer, static_cast<std::size_t>(n));
-    return std::exchange(received, {});
+    for (ssize_t n; received_.size() < size && (n = recv(fd_, buffer, sizeof buffer, 0)) > 0;)
+      received_.append(buffer, static_cast<std::size_t>(n));
+    return std::exchange(received_, {});
   }
   /// Reads the answer's headers; what comes after stays.
   std::string headers() {
     char byte;
     std::string text;
-    while (!text.ends_with("\r\n\r\n") && recv(fd, &byte, 1, 0) == 1) text += byte;
+    while (!text.ends_with("\r\n\r\n") && recv(fd_, &byte, 1, 0) == 1) text += byte;
     return text;
   }
   /// A WebSocket message of the server, short or with 16 bits of length.
@@ -85,13 +85,13 @@ private:
   std::string exactly(std::size_t size) {
     std::string text(size, '\0');
     std::size_t have = 0;
-    for (ssize_t n; have < size && (n = recv(fd, text.data() + have, size - have, 0)) > 0;)
+    for (ssize_t n; have < size && (n = recv(fd_, text.data() + have, size - have, 0)) > 0;)
       have += static_cast<std::size_t>(n);
     text.resize(have);
     return text;
   }
-  int fd;
-  std::string received;
+  int fd_;
+  std::string received_;
 };
 
 class WebServerTest : public ::testing::Test {

@@ -57,7 +57,7 @@ void Console::keepConnected() {
   if (link_.connected()) return;
   if (wasConnected_) {
     wasConnected_ = false;
-    told_ = true;
+    announced_ = true;
     print("connection lost; trying again");
     session_.lost();
   }
@@ -65,12 +65,12 @@ void Console::keepConnected() {
   nextTry_ = clockSeconds() + tryEvery;
   const std::string why = link_.connect(tryEvery);
   if (why.empty()) {
-    print((told_ ? "back at " : "connected to ") + link_.name());
+    print((announced_ ? "back at " : "connected to ") + link_.name());
     wasConnected_ = true;
     session_.resume();
     askCommands();
-  } else if (!told_) {
-    told_ = true;
+  } else if (!announced_) {
+    announced_ = true;
     print(why + "; trying again");
   }
 }

@@ -53,7 +53,7 @@ private:
   History& history_;
   const StopSignal& stop_;
   void* screen_ = nullptr;
-  bool unicode_ = false, changed_ = true, ends_ = false, wasConnected_ = false, told_ = false;
+  bool unicode_ = false, changed_ = true, ends_ = false, wasConnected_ = false, announced_ = false;
   double nextTry_ = 0;
   std::string input_, typed_;  ///< typed_: what stood there before the history was browsed
   std::size_t cursor_ = 0, place_ = 0, scroll_ = 0;

@@ -12,21 +12,21 @@ namespace {
 constexpr double patience = 3;  ///< for a connection [s]
 }  // namespace
 
-FieldSource::FieldSource(std::string host_, std::vector<int> ports_, std::string token_)
-    : host(std::move(host_)), token(std::move(token_)), ports(std::move(ports_)), port(ports.front()) {}
+FieldSource::FieldSource(std::string host, std::vector<int> ports, std::string token)
+    : host_(std::move(host)), token_(std::move(token)), ports_(std::move(ports)), port_(ports_.front()) {}
 
 std::string FieldSource::connect() {
   std::string problems;
   complete_ = false;
-  scene = simspark::FieldScene();
-  for (const int candidate : ports) {
-    std::string why = connection.connect(host, candidate, patience);
+  scene_ = simspark::FieldScene();
+  for (const int candidate : ports_) {
+    std::string why = connection_.connect(host_, candidate, patience);
     if (why.empty()) {
-      port = candidate;
+      port_ = candidate;
       problem_.clear();
-      if (!token.empty()) connection.send("(token " + token + ")");
+      if (!token_.empty()) connection_.send("(token " + token_ + ")");
       // This project's monitor port then tells no more often than it is looked at; others ignore it.
-      connection.send(simspark::writeTrainerCommand(simspark::ViewerCommand{simspark::fieldInterval}));
+      connection_.send(simspark::writeTrainerCommand(simspark::ViewerCommand{simspark::fieldInterval}));
       return {};
     }
     if (!problems.empty()) {
@@ -41,7 +41,7 @@ std::string FieldSource::connect() {
 
 void FieldSource::lose(const std::string& why) {
   problem_ = why.empty() ? "the simulator has gone" : why;
-  connection.close();
+  connection_.close();
   complete_ = false;
 }
 
@@ -51,8 +51,8 @@ bool FieldSource::take(std::string_view message) {
   if (simspark::isFieldMessage(message)) {
     why = simspark::readFieldMessage(message, state_);
   } else {
-    why = scene.update(message);
-    if (why.empty() && !scene.complete()) return false;
+    why = scene_.update(message);
+    if (why.empty() && !scene_.complete()) return false;
   }
   if (!why.empty()) {
     lose(name() + " sent no monitor's message: " + why);
@@ -64,18 +64,18 @@ bool FieldSource::take(std::string_view message) {
 
 bool FieldSource::receive(double timeoutSeconds) {
   bool fresh = false;
-  while (connection.connected()) {
+  while (connection_.connected()) {
     std::string_view message;
-    const auto status = connection.receive(message, fresh ? 0 : timeoutSeconds);
+    const auto status = connection_.receive(message, fresh ? 0 : timeoutSeconds);
     if (status == Connection::Status::timeout) break;
     if (status == Connection::Status::closed) {
-      lose(connection.error());
+      lose(connection_.error());
       break;
     }
     bytes_ += simspark::frameHeaderSize + message.size();
     fresh = take(message) || fresh;
   }
-  if (fresh && complete_ && scene.complete()) state_ = scene.state();
+  if (fresh && complete_ && scene_.complete()) state_ = scene_.state();
   return fresh && complete_;
 }
 

@@ -40,8 +40,8 @@ bool localeIsUnicode() { return std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
 Terminal::Terminal(bool asciiOnly) {
   if (!isatty(STDOUT_FILENO))
     throw std::runtime_error("standard output is no terminal; --once prints one picture as text");
-  screen = newterm(nullptr, stdout, stdin);
-  if (!screen) {
+  screen_ = newterm(nullptr, stdout, stdin);
+  if (!screen_) {
     const char* name = std::getenv("TERM");
     throw std::runtime_error("terminal '" + std::string(name ? name : "") +
                              "' is unknown: set TERM, e.g. to xterm, or use --once");
@@ -62,7 +62,7 @@ Terminal::Terminal(bool asciiOnly) {
 
 Terminal::~Terminal() {
   endwin();
-  delscreen(static_cast<SCREEN*>(screen));
+  delscreen(static_cast<SCREEN*>(screen_));
 }
 
 int Terminal::columns() const { return COLS; }

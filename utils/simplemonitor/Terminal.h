@@ -23,7 +23,7 @@ public:
   Key key();
 
 private:
-  void* screen = nullptr;
+  void* screen_ = nullptr;
   game::FieldPictureStyle style_;
 };
 

@@ -93,17 +93,17 @@ void printOnce(const Options& options, FieldSource& source, const StopSignal& st
 class Rate {
 public:
   double operator()(double now, std::size_t bytes) {
-    if (now - since >= 3) {
-      rate = since > 0 ? static_cast<double>(bytes - before) / (now - since) : 0;
-      since = now;
-      before = bytes;
+    if (now - since_ >= 3) {
+      rate_ = since_ > 0 ? static_cast<double>(bytes - before_) / (now - since_) : 0;
+      since_ = now;
+      before_ = bytes;
     }
-    return rate;
+    return rate_;
   }
 
 private:
-  double since = 0, rate = 0;
-  std::size_t before = 0;
+  double since_ = 0, rate_ = 0;
+  std::size_t before_ = 0;
 };
 
 /// Waits for keys, the stop, something new of the game, or the end of the time.

@@ -24,22 +24,22 @@ constexpr int draws = 4, sizes = 5;
 /// One case in the making.
 class CaseMaker {
 public:
-  CaseMaker(const Workshop& workshop_, const Mechanism& robot_, std::string folder_, std::string nominal_,
-            std::uint64_t seed_)
-      : workshop(workshop_),
-        robot(robot_),
-        folder(std::move(folder_)),
-        nominal(std::move(nominal_)),
-        seed(seed_) {}
+  CaseMaker(const Workshop& workshop, const Mechanism& robot, std::string folder, std::string nominal,
+            std::uint64_t seed)
+      : workshop_(workshop),
+        robot_(robot),
+        folder_(std::move(folder)),
+        nominal_(std::move(nominal)),
+        seed_(seed) {}
 
   /// One effect made as strong as it takes; its runs are left in the folder.
   bool fit(BlindEffect& effect, double most, Severity& result) const {
     for (int i = 0; i < sizes; ++i) {
-      workshop.write({effect}, seed, true, folder);
-      result = severity(folder, nominal, workshop.runs());
+      workshop_.write({effect}, seed_, true, folder_);
+      result = severity(folder_, nominal_, workshop_.runs());
       if (result.ratio >= leastRatio && result.ratio <= most) return true;
       const double wanted = std::sqrt(leastRatio * most) / std::max(0.1, result.ratio);
-      const BlindEffect next = strengthened(robot, effect, std::clamp(wanted, 0.3, 3.0));
+      const BlindEffect next = strengthened(robot_, effect, std::clamp(wanted, 0.3, 3.0));
       if (next.value == effect.value) break;
       if (i + 1 < sizes) effect = next;
     }
@@ -47,11 +47,11 @@ public:
   }
 
   void make(BlindCase& c, std::size_t turn, const DrawOptions& options) const {
-    Random random(seed);
-    c.seed = seed;
+    Random random(seed_);
+    c.seed = seed_;
     const double most = c.kind == BlindKind::hard ? mostRatioOfHard : mostRatio;
     for (int draw = 0; draw < draws; ++draw) {
-      c.effects = drawEffects(robot, c.kind, turn, options, random);
+      c.effects = drawEffects(robot_, c.kind, turn, options, random);
       bool fits = true;
       Severity weakest{1e9, ""};
       for (BlindEffect& effect : c.effects) {
@@ -59,8 +59,8 @@ public:
         fits = fit(effect, most, s) && fits;
         if (s.ratio < weakest.ratio) weakest = s;
       }
-      if (c.effects.size() != 1) workshop.write(c.effects, seed, true, folder);
-      if (c.effects.empty()) weakest = severity(folder, nominal, workshop.runs());
+      if (c.effects.size() != 1) workshop_.write(c.effects, seed_, true, folder_);
+      if (c.effects.empty()) weakest = severity(folder_, nominal_, workshop_.runs());
       c.ratio = weakest.ratio;
       c.ratioChannel = weakest.channel;
       if (fits) return;
@@ -68,10 +68,10 @@ public:
   }
 
 private:
-  const Workshop& workshop;
-  const Mechanism& robot;
-  const std::string folder, nominal;
-  const std::uint64_t seed;
+  const Workshop& workshop_;
+  const Mechanism& robot_;
+  const std::string folder_, nominal_;
+  const std::uint64_t seed_;
 };
 
 /// Numbers that say nothing, each once.

@@ -18,18 +18,18 @@ constexpr double driftTime = 15;     ///< in which a gain falls [s]
 
 }  // namespace
 
-OutsideDrives::OutsideDrives(const Mechanism& robot_, const std::vector<BlindEffect>& effects)
-    : robot(robot_), drives(robot_.joints.size()) {
+OutsideDrives::OutsideDrives(const Mechanism& robot, const std::vector<BlindEffect>& effects)
+    : robot_(robot), drives_(robot.joints.size()) {
   for (const BlindEffect& e : effects) {
     if (e.effect == "acc_bias") {
-      bias += e.value * unitVector(e.axis.at(0));
+      bias_ += e.value * unitVector(e.axis.at(0));
       continue;
     }
-    const int at = robot.jointIndex(e.at);
-    if (at < 0) throw std::runtime_error(e.effect + ": " + robot.name + " has no joint " + e.at);
-    for (int j = 0; j < robot.numJoints(); ++j) {
-      if (robot.motorOf(j) != robot.motorOf(at)) continue;
-      drives[static_cast<std::size_t>(j)].*sizeOf(e.effect) += e.value;
+    const int at = robot_.jointIndex(e.at);
+    if (at < 0) throw std::runtime_error(e.effect + ": " + robot_.name + " has no joint " + e.at);
+    for (int j = 0; j < robot_.numJoints(); ++j) {
+      if (robot_.motorOf(j) != robot_.motorOf(at)) continue;
+      drives_[static_cast<std::size_t>(j)].*sizeOf(e.effect) += e.value;
     }
   }
 }
@@ -47,17 +47,17 @@ double OutsideDrives::Drive::*OutsideDrives::sizeOf(const std::string& effect) {
 }
 
 void OutsideDrives::start(const std::vector<double>& commands) {
-  for (std::size_t j = 0; j < drives.size(); ++j)
-    drives[j].rest = drives[j].lagged = drives[j].bristleAt = commands[j];
+  for (std::size_t j = 0; j < drives_.size(); ++j)
+    drives_[j].rest = drives_[j].lagged = drives_[j].bristleAt = commands[j];
 }
 
 void OutsideDrives::act(double time, double h, simulation::RobotSimulation& world,
                         std::vector<double>& targets) {
   const std::vector<double> asked = targets;
-  for (std::size_t j = 0; j < drives.size(); ++j) {
+  for (std::size_t j = 0; j < drives_.size(); ++j) {
     const auto joint = static_cast<int>(j);
-    world.load(joint, torque(drives[j], world.readings().position[j], world.readings().velocity[j]));
-    targets[j] = told(drives[j], j, time, h, world.encoder(joint), asked);
+    world.load(joint, torque(drives_[j], world.readings().position[j], world.readings().velocity[j]));
+    targets[j] = targetFor(drives_[j], j, time, h, world.encoder(joint), asked);
   }
 }
 
@@ -74,18 +74,18 @@ double OutsideDrives::torque(Drive& drive, double q, double speed) const {
 
 /// The command as the servo would have to be told for the law that it has not: its integral, its weaker gain,
 /// its lag, its neighbour's share.
-double OutsideDrives::told(Drive& drive, std::size_t j, double time, double h, double measured,
-                           const std::vector<double>& targets) const {
+double OutsideDrives::targetFor(Drive& drive, std::size_t j, double time, double h, double measured,
+                                const std::vector<double>& targets) const {
   double target = targets[j];
   if (drive.crosstalk != 0) {
-    const int parent = robot.joints[j].parent;
+    const int parent = robot_.joints[j].parent;
     const std::size_t other =
-        parent > 0 ? static_cast<std::size_t>(parent) - 1 : std::min(j + 1, drives.size() - 1);
-    target += drive.crosstalk * (targets[other] - drives[other].rest);
+        parent > 0 ? static_cast<std::size_t>(parent) - 1 : std::min(j + 1, drives_.size() - 1);
+    target += drive.crosstalk * (targets[other] - drives_[other].rest);
   }
   if (drive.lag > 0) target = drive.lagged += (target - drive.lagged) * std::min(1.0, h / drive.lag);
   if (drive.integral > 0) {
-    const double most = robot.joints[j].maxTorque / robot.joints[j].servo.kp;  // against winding up
+    const double most = robot_.joints[j].maxTorque / robot_.joints[j].servo.kp;  // against winding up
     drive.summed = std::clamp(drive.summed + drive.integral * (target - measured) * h, -most, most);
     target += drive.summed;
   }

@@ -17,7 +17,7 @@ public:
 
   void start(const std::vector<double>& commands) override;
   void act(double time, double h, simulation::RobotSimulation& world, std::vector<double>& targets) override;
-  Vec3 accBias() const override { return bias; }
+  Vec3 accBias() const override { return bias_; }
 
 private:
   struct Drive {
@@ -28,12 +28,12 @@ private:
   /// What an effect's value is added to.
   static double Drive::*sizeOf(const std::string& effect);
   double torque(Drive& drive, double q, double speed) const;
-  double told(Drive& drive, std::size_t joint, double time, double h, double measured,
-              const std::vector<double>& targets) const;
+  double targetFor(Drive& drive, std::size_t joint, double time, double h, double measured,
+                   const std::vector<double>& targets) const;
 
-  const Mechanism& robot;
-  std::vector<Drive> drives;
-  Vec3 bias = Vec3::Zero();
+  const Mechanism& robot_;
+  std::vector<Drive> drives_;
+  Vec3 bias_ = Vec3::Zero();
 };
 
 }  // namespace plumbline::gap

@@ -26,7 +26,7 @@ bool sameCause(const NamedCause& a, const NamedCause& b) {
 bool BlindJudge::same(const BlindEffect& truth, const NamedCause& named) const {
   if (truth.effect != named.effect || truth.axis != named.axis) return false;
   return truth.at == named.at ||
-         (sitsAtJoints(truth.effect) && motorOf(robot, truth.at) == motorOf(robot, named.at));
+         (sitsAtJoints(truth.effect) && motorOf(robot_, truth.at) == motorOf(robot_, named.at));
 }
 
 bool BlindJudge::named(const BlindEffect& truth, const BlindAnswer& a) const {
@@ -38,7 +38,7 @@ bool BlindJudge::first(const BlindCase& c, const BlindAnswer& a) const {
 }
 
 bool BlindJudge::placeFirst(const BlindCase& c, const BlindAnswer& a) const {
-  return names(a) && motorOf(robot, c.effects.front().at) == motorOf(robot, a.effects.front().at);
+  return names(a) && motorOf(robot_, c.effects.front().at) == motorOf(robot_, a.effects.front().at);
 }
 
 bool BlindJudge::amongThree(const BlindCase& c, const BlindAnswer& a) const {

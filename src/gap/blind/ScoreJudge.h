@@ -7,7 +7,7 @@ namespace plumbline::gap {
 /// where id, place and axis are right, two joints of one motor being one place.
 class BlindJudge {
 public:
-  explicit BlindJudge(const Mechanism& robot_) : robot(robot_) {}
+  explicit BlindJudge(const Mechanism& robot) : robot_(robot) {}
 
   bool same(const BlindEffect& truth, const NamedCause& named) const;
   /// The effect is among those named, rivals aside.
@@ -26,7 +26,7 @@ public:
   bool right(const BlindCase& c, const BlindAnswer& a) const;
 
 private:
-  const Mechanism& robot;
+  const Mechanism& robot_;
 };
 
 }  // namespace plumbline::gap

@@ -49,30 +49,30 @@ void requireBlindEngine(const std::string& engine) {
   simulation::RobotSimulations::require(engine, {blindProgram, blindReplay});
 }
 
-Workshop::Workshop(std::string engine_, std::string robotName_, const Mechanism& robot_,
-                   std::vector<std::string> programs_, std::string program_)
-    : engine(std::move(engine_)),
-      robotName(std::move(robotName_)),
-      robot(robot_),
-      programs(std::move(programs_)),
-      program(std::move(program_)) {
-  requireBlindEngine(engine);
-  if (engine == blindProgram && access(program.c_str(), X_OK) != 0)
-    throw std::runtime_error(program +
+Workshop::Workshop(std::string engine, std::string robotName, const Mechanism& robot,
+                   std::vector<std::string> programs, std::string program)
+    : engine_(std::move(engine)),
+      robotName_(std::move(robotName)),
+      robot_(robot),
+      programs_(std::move(programs)),
+      program_(std::move(program)) {
+  requireBlindEngine(engine_);
+  if (engine_ == blindProgram && access(program_.c_str(), X_OK) != 0)
+    throw std::runtime_error(program_ +
                              " is not there: `make SimRelease-bench-mujoco` builds it, or --engine bullet "
                              "needs no other program");
 }
 
 std::vector<std::string> Workshop::runs() const {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < programs.size(); ++i) names.push_back(runName(i));
+  for (std::size_t i = 0; i < programs_.size(); ++i) names.push_back(runName(i));
   return names;
 }
 
 void Workshop::write(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
                      const std::string& folder) const {
   fs::remove_all(folder);
-  if (engine == blindProgram)
+  if (engine_ == blindProgram)
     writeByProgram(effects, seed, noise, folder);
   else
     writeHere(effects, seed, noise, folder);
@@ -80,7 +80,7 @@ void Workshop::write(const std::vector<BlindEffect>& effects, std::uint64_t seed
 
 void Workshop::writeByProgram(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
                               const std::string& folder) const {
-  json spec = {{"robot", robotName}, {"seed", seed}, {"noise", noise}, {"truth", false}};
+  json spec = {{"robot", robotName_}, {"seed", seed}, {"noise", noise}, {"truth", false}};
   spec["effects"] = json::array();
   for (const BlindEffect& e : effects) {
     json entry = {{"effect", e.effect}, {"at", e.at}, {"value", e.value}};
@@ -88,11 +88,11 @@ void Workshop::writeByProgram(const std::vector<BlindEffect>& effects, std::uint
     for (const auto& [key, value] : e.how) entry[key] = value;
     spec["effects"].push_back(entry);
   }
-  for (std::size_t i = 0; i < programs.size(); ++i)
-    spec["runs"].push_back({{"folder", runName(i)}, {"program", programs[i]}, {"seed", 0}});
+  for (std::size_t i = 0; i < programs_.size(); ++i)
+    spec["runs"].push_back({{"folder", runName(i)}, {"program", programs_[i]}, {"seed", 0}});
   const std::string file = folder + ".case.json", log = folder + ".log";
   writeFile(file, spec.dump());
-  simspark::ChildProcess child({program, file, folder}, log);
+  simspark::ChildProcess child({program_, file, folder}, log);
   while (child.running()) {
     StopSignal::throwIfCaught();  // and the child ends with its owner
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -103,7 +103,7 @@ void Workshop::writeByProgram(const std::vector<BlindEffect>& effects, std::uint
     if (!line.empty()) said = line;
   fs::remove(file);
   fs::remove(log);
-  if (child.exitStatus() != 0) throw std::runtime_error(program + " failed: " + said);
+  if (child.exitStatus() != 0) throw std::runtime_error(program_ + " failed: " + said);
 }
 
 void Workshop::writeHere(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
@@ -115,20 +115,20 @@ void Workshop::writeHere(const std::vector<BlindEffect>& effects, std::uint64_t 
   for (const BlindEffect& e : effects) {
     const Effect* effect = findEffect(e.effect);
     if (effect)
-      recording.effects.push_back(causeOf(e, *effect, robot));
-    else if (engine != blindReplay)
+      recording.effects.push_back(causeOf(e, *effect, robot_));
+    else if (engine_ != blindReplay)
       outside.push_back(e);
     else
       throw std::runtime_error("the project's replay has no effect " + e.effect);
   }
   fs::create_directories(folder);
-  for (std::size_t i = 0; i < programs.size(); ++i) {
+  for (std::size_t i = 0; i < programs_.size(); ++i) {
     recording.seed = seed * 1'000'003 + i + 1;
-    const Excitation motion = findExcitation(programs[i], robot);
-    OutsideDrives drives(robot, outside);
-    const Run run = engine == blindReplay ? recordSimulated(robot, motion, recording)
-                                          : recordInEngine(engine, robot, motion, recording,
-                                                           outside.empty() ? nullptr : &drives);
+    const Excitation motion = findExcitation(programs_[i], robot_);
+    OutsideDrives drives(robot_, outside);
+    const Run run = engine_ == blindReplay ? recordSimulated(robot_, motion, recording)
+                                           : recordInEngine(engine_, robot_, motion, recording,
+                                                            outside.empty() ? nullptr : &drives);
     writeRun(run, (fs::path(folder) / runName(i)).string(), {5, true});
   }
 }

@@ -35,10 +35,10 @@ private:
   void writeHere(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
                  const std::string& folder) const;
 
-  const std::string engine, robotName;
-  const Mechanism& robot;
-  const std::vector<std::string> programs;
-  const std::string program;
+  const std::string engine_, robotName_;
+  const Mechanism& robot_;
+  const std::vector<std::string> programs_;
+  const std::string program_;
 };
 
 }  // namespace plumbline::gap

@@ -93,14 +93,14 @@ struct Lead : Candidate {
 
 class Searcher {
 public:
-  Searcher(const Evaluator& fine_, const Evaluator& coarse_, const SearchOptions& options_)
-      : fine(fine_),
-        coarse(coarse_),
-        options(options_),
-        most(tellingTrials(fine_, 1)),
-        telling(tellingTrials(fine_, 2)),
-        heldTells(fixedBaseDecides(fine_)),
-        underLoad(fine_) {}
+  Searcher(const Evaluator& fine, const Evaluator& coarse, const SearchOptions& options)
+      : fine_(fine),
+        coarse_(coarse),
+        options_(options),
+        most_(tellingTrials(fine, 1)),
+        telling_(tellingTrials(fine, 2)),
+        heldTells_(fixedBaseDecides(fine)),
+        underLoad_(fine) {}
 
   std::vector<Candidate> run(const std::vector<Cause>& causes) {
     firstLook(withOnsets(causes));
@@ -108,19 +108,19 @@ public:
     secondLook();
     fitRoughly();
     polish();
-    const double before = fine.baseFit().fitting;
+    const double before = fine_.baseFit().fitting;
     double most = 0;
-    for (const Candidate& c : chosen) most = std::max(most, before - c.fit.fitting);
-    std::erase_if(chosen, [&](const Candidate& c) {
+    for (const Candidate& c : chosen_) most = std::max(most, before - c.fit.fitting);
+    std::erase_if(chosen_, [&](const Candidate& c) {
       const double gain = before - c.fit.fitting;
       // A limit on a DC motor, which has none, tells by being there, however little of it there is.
-      return gain <= 0 || (doesNothing(fine.mechanism(), c.cause) && gain < tellsShare * most);
+      return gain <= 0 || (doesNothing(fine_.mechanism(), c.cause) && gain < tellsShare * most);
     });
-    std::stable_sort(chosen.begin(), chosen.end(),
+    std::stable_sort(chosen_.begin(), chosen_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.fit.judging < b.fit.judging; });
     // One of each kind: its better variant.
     std::vector<Candidate> result;
-    for (Lead& candidate : chosen)
+    for (Lead& candidate : chosen_)
       if (std::ranges::none_of(result, [&](const Candidate& c) { return c.cause.sameKind(candidate.cause); }))
         result.push_back(std::move(candidate));
     return result;
@@ -128,28 +128,28 @@ public:
 
 private:
   /// Whether a cause that held runs could show is judged on standing runs too.
-  bool onFeet(const Cause& cause) const { return !heldTells || onlyUnderLoad(cause); }
-  bool onlyUnderLoad(const Cause& cause) const { return underLoad.shows(*cause.effect, cause.place); }
+  bool onFeet(const Cause& cause) const { return !heldTells_ || onlyUnderLoad(cause); }
+  bool onlyUnderLoad(const Cause& cause) const { return underLoad_.shows(*cause.effect, cause.place); }
   /// Trials to fit on: the most telling held ones, of the standing ones the first.
   TrialMask tellingOf(const Cause& cause) const {
-    TrialMask mask = showing(fine, cause, telling, onFeet(cause));
+    TrialMask mask = showing(fine_, cause, telling_, onFeet(cause));
     for (std::size_t t = 0; t < mask.size(); ++t)
-      if (fine.evidence().trials()[t].freeBase) mask[t] = mask[t] && most[t];
+      if (fine_.evidence().trials()[t].freeBase) mask[t] = mask[t] && most_[t];
     return mask;
   }
-  TrialMask everyOf(const Cause& cause) const { return showing(fine, cause, every, onFeet(cause)); }
+  TrialMask everyOf(const Cause& cause) const { return showing(fine_, cause, every_, onFeet(cause)); }
 
   /// With the values added that moments of setting in tell, after the other starts of their kinds.
   std::vector<Cause> withOnsets(const std::vector<Cause>& causes) const {
-    std::vector<std::optional<Cause>> told(causes.size());
-    parallel(causes.size(), options.jobs, [&](std::size_t i) {
+    std::vector<std::optional<Cause>> byOnset(causes.size());
+    parallel(causes.size(), options_.jobs, [&](std::size_t i) {
       const bool last = i + 1 == causes.size() || !oneStart(causes[i], causes[i + 1]);
-      if (causes[i].effect->setsIn && last) told[i] = causeByOnset(fine, causes[i]);
+      if (causes[i].effect->setsIn && last) byOnset[i] = causeByOnset(fine_, causes[i]);
     });
     std::vector<Cause> result;
     for (std::size_t i = 0; i < causes.size(); ++i) {
       result.push_back(causes[i]);
-      if (told[i]) result.push_back(*told[i]);
+      if (byOnset[i]) result.push_back(*byOnset[i]);
     }
     return result;
   }
@@ -158,33 +158,33 @@ private:
   /// start is far too strong for this joint); its other starting values where that shows any promise or says
   /// little of them.
   void firstLook(const std::vector<Cause>& causes) {
-    looked.resize(causes.size());
+    looked_.resize(causes.size());
     std::vector<double> promise(causes.size(), 0);
     std::vector<std::size_t> first, other;
     for (std::size_t i = 0; i < causes.size(); ++i)
       (i == 0 || !oneStart(causes[i], causes[i - 1]) ? first : other).push_back(i);
-    const double whole = coarse.baseFit().fitting;
+    const double whole = coarse_.baseFit().fitting;
     const auto look = [&](const std::vector<std::size_t>& which, double from, double to) {
       stage(from, to, which.size());
-      parallel(which.size(), options.jobs, [&](std::size_t n) {
+      parallel(which.size(), options_.jobs, [&](std::size_t n) {
         const std::size_t i = which[n];
-        Lead& candidate = looked[i];
+        Lead& candidate = looked_[i];
         candidate.cause = candidate.start = causes[i];
-        const TrialMask mask = showing(fine, causes[i], most, onlyUnderLoad(causes[i]));
-        Fit fit = coarse.with(causes[i], mask);
+        const TrialMask mask = showing(fine_, causes[i], most_, onlyUnderLoad(causes[i]));
+        Fit fit = coarse_.with(causes[i], mask);
         for (int again = 0; again < againLess && fit.change > overshoots * whole; ++again) {
           candidate.cause = candidate.start =
-              scaled(fine.mechanism(), candidate.cause, std::sqrt(whole / fit.change));
-          fit = coarse.with(candidate.cause, mask);
+              scaled(fine_.mechanism(), candidate.cause, std::sqrt(whole / fit.change));
+          fit = coarse_.with(candidate.cause, mask);
         }
         promise[i] = fit.change > 0 ? fit.product * fit.product / fit.change : 0;
         const double share = std::clamp(fit.bestShare(), 0.0, 5.0);
         candidate.screened = 2 * share * fit.product - share * share * fit.change;
-        const double gain = coarse.baseFit().fitting - fit.fitting;
+        const double gain = coarse_.baseFit().fitting - fit.fitting;
         if (gain > candidate.screened)
           candidate.screened = gain;
         else if (share > 0.02)
-          candidate.cause = scaled(fine.mechanism(), candidate.cause, share);
+          candidate.cause = scaled(fine_.mechanism(), candidate.cause, share);
         tell();
       });
     };
@@ -205,19 +205,19 @@ private:
   /// The best start of each kind, variant and direction. What was looked at in held runs that tell little of
   /// the whole is not to be compared with the rest yet: the best of it are taken along.
   void bestStarts() {
-    std::stable_sort(looked.begin(), looked.end(),
+    std::stable_sort(looked_.begin(), looked_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.screened > b.screened; });
     std::size_t held = 0;
-    for (const Lead& candidate : looked) {
-      if (chosen.size() >= lookTwice || candidate.screened <= 0) break;
-      const bool inHeldRuns = !heldTells && !bodyOnly(fine, candidate.cause);
+    for (const Lead& candidate : looked_) {
+      if (chosen_.size() >= lookTwice || candidate.screened <= 0) break;
+      const bool inHeldRuns = !heldTells_ && !bodyOnly(fine_, candidate.cause);
       if (inHeldRuns && held >= lookOnFeet) continue;
       const auto below = [](const Cause& cause) { return cause.value < cause.effect->nominal; };
-      const bool known = std::ranges::any_of(chosen, [&](const Candidate& c) {
+      const bool known = std::ranges::any_of(chosen_, [&](const Candidate& c) {
         return oneStart(c.cause, candidate.cause) && below(c.cause) == below(candidate.cause);
       });
       if (known) continue;
-      chosen.push_back(candidate);
+      chosen_.push_back(candidate);
       held += inHeldRuns;
     }
   }
@@ -225,50 +225,50 @@ private:
   /// What the scaled change promises need not come true where an effect is far from linear: a limit that is
   /// hardly ever reached lies somewhere between. Keeps those that are worth a fit.
   void secondLook() {
-    parallel(chosen.size(), options.jobs, [&](std::size_t i) {
-      Lead& lead = chosen[i];
+    parallel(chosen_.size(), options_.jobs, [&](std::size_t i) {
+      Lead& lead = chosen_[i];
       const TrialMask mask = tellingOf(lead.cause);
-      const double base = coarse.baseFit().fitting, promised = lead.screened;
-      const Fit fit = coarse.with(lead.cause, mask);
+      const double base = coarse_.baseFit().fitting, promised = lead.screened;
+      const Fit fit = coarse_.with(lead.cause, mask);
       lead.screened = base - fit.fitting;
       const auto look = [&](const Cause& cause) {
-        const double gain = base - coarse.with(cause, mask).fitting;
+        const double gain = base - coarse_.with(cause, mask).fitting;
         if (gain > lead.screened) lead.screened = gain, lead.cause = cause;
       };
       const double share = std::clamp(fit.bestShare(), 0.3, 3.0);
       const Cause first = lead.cause;
-      if (std::abs(share - 1) > 0.05) look(scaled(fine.mechanism(), first, share));
+      if (std::abs(share - 1) > 0.05) look(scaled(fine_.mechanism(), first, share));
       const double way = first.effect->strengthOf(first.value) / first.effect->strengthOf(lead.start.value);
       if (first.effect->linear || lead.screened >= keptPromise * promised || !(way > 0)) return;
       for (const double part : {0.25, 0.5, 0.75})
-        look(scaled(fine.mechanism(), lead.start, std::pow(way, part)));
+        look(scaled(fine_.mechanism(), lead.start, std::pow(way, part)));
     });
-    std::stable_sort(chosen.begin(), chosen.end(),
+    std::stable_sort(chosen_.begin(), chosen_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.screened > b.screened; });
-    std::erase_if(chosen, [&](const Lead& lead) { return lead.screened < options.leastGain; });
-    while (!chosen.empty() &&
-           (chosen.size() > options.refine ||
-            chosen.back().screened <= refineShare * chosen.front().screened || chosen.back().screened <= 0)) {
-      if (chosen.back().screened > 0 && chosen.size() <= leastRefined) break;
-      chosen.pop_back();
+    std::erase_if(chosen_, [&](const Lead& lead) { return lead.screened < options_.leastGain; });
+    while (!chosen_.empty() && (chosen_.size() > options_.refine ||
+                                chosen_.back().screened <= refineShare * chosen_.front().screened ||
+                                chosen_.back().screened <= 0)) {
+      if (chosen_.back().screened > 0 && chosen_.size() <= leastRefined) break;
+      chosen_.pop_back();
     }
   }
 
   /// Values with long steps on the trials that tell most; one fine look at all trials with what comes out.
   void fitRoughly() {
-    stage(0.5, 0.8, chosen.size());
-    parallel(chosen.size(), options.jobs, [&](std::size_t i) {
-      Lead& candidate = chosen[i];
+    stage(0.5, 0.8, chosen_.size());
+    parallel(chosen_.size(), options_.jobs, [&](std::size_t i) {
+      Lead& candidate = chosen_[i];
       const TrialMask mask = tellingOf(candidate.cause), all = everyOf(candidate.cause);
       const Cause first = candidate.cause;
-      const Candidate fitted = fitValue(coarse, first, mask, roughly);
+      const Candidate fitted = fitValue(coarse_, first, mask, roughly);
       candidate.cause = fitted.cause;
-      candidate.fit = fine.with(candidate.cause, all);
+      candidate.fit = fine_.with(candidate.cause, all);
       // Where the gain ends abruptly beyond the best value, coarse steps place that end elsewhere.
-      if (fine.baseFit().fitting - candidate.fit.fitting <
-          keptPromise * (coarse.baseFit().fitting - fitted.fit.fitting)) {
-        const Candidate again = fitValue(fine, first, mask, roughly);
-        Fit fit = fine.with(again.cause, all);
+      if (fine_.baseFit().fitting - candidate.fit.fitting <
+          keptPromise * (coarse_.baseFit().fitting - fitted.fit.fitting)) {
+        const Candidate again = fitValue(fine_, first, mask, roughly);
+        Fit fit = fine_.with(again.cause, all);
         if (fit.fitting < candidate.fit.fitting)
           candidate.cause = again.cause, candidate.fit = std::move(fit);
       }
@@ -279,22 +279,22 @@ private:
   /// Fine steps for those that may turn out the best. Runs on a floating base cost much: the value is
   /// fitted on those that show most, then judged on all.
   void polish() {
-    std::stable_sort(chosen.begin(), chosen.end(),
+    std::stable_sort(chosen_.begin(), chosen_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.fit.fitting < b.fit.fitting; });
-    const double base = fine.baseFit().fitting;
+    const double base = fine_.baseFit().fitting;
     std::size_t rivals = 0;
-    while (rivals < chosen.size() &&
-           base - chosen[rivals].fit.fitting >= polishShare * (base - chosen.front().fit.fitting))
+    while (rivals < chosen_.size() &&
+           base - chosen_[rivals].fit.fitting >= polishShare * (base - chosen_.front().fit.fitting))
       ++rivals;
     stage(0.8, 1, rivals);
-    parallel(rivals, options.jobs, [&](std::size_t i) {
-      Lead& candidate = chosen[i];
+    parallel(rivals, options_.jobs, [&](std::size_t i) {
+      Lead& candidate = chosen_[i];
       const TrialMask all = everyOf(candidate.cause);
       TrialMask fitted = all;
       for (std::size_t t = 0; t < fitted.size(); ++t)
-        if (fine.evidence().trials()[t].freeBase) fitted[t] = all[t] && telling[t];
-      Candidate better = fitValue(fine, candidate.cause, fitted, finely);
-      if (fitted != all) better.fit = fine.with(better.cause, all);
+        if (fine_.evidence().trials()[t].freeBase) fitted[t] = all[t] && telling_[t];
+      Candidate better = fitValue(fine_, candidate.cause, fitted, finely);
+      if (fitted != all) better.fit = fine_.with(better.cause, all);
       better.screened = candidate.screened;
       if (better.fit.fitting < candidate.fit.fitting) static_cast<Candidate&>(candidate) = std::move(better);
       tell();
@@ -302,23 +302,23 @@ private:
   }
 
   void stage(double from, double to, std::size_t count) {
-    done = 0;
-    stageFrom = from;
-    stageShare = (to - from) / static_cast<double>(std::max<std::size_t>(count, 1));
+    done_ = 0;
+    stageFrom_ = from;
+    stageShare_ = (to - from) / static_cast<double>(std::max<std::size_t>(count, 1));
   }
   void tell() {
-    const std::size_t n = ++done;
-    if (options.progress) options.progress(stageFrom + stageShare * static_cast<double>(n));
+    const std::size_t n = ++done_;
+    if (options_.progress) options_.progress(stageFrom_ + stageShare_ * static_cast<double>(n));
   }
 
-  const Evaluator &fine, &coarse;
-  const SearchOptions& options;
-  const TrialMask most, telling, every = TrialMask(telling.size(), 1);
-  const bool heldTells;
-  const UnderLoad underLoad;
-  std::vector<Lead> looked, chosen;
-  std::atomic<std::size_t> done = 0;
-  double stageFrom = 0, stageShare = 0;
+  const Evaluator &fine_, &coarse_;
+  const SearchOptions& options_;
+  const TrialMask most_, telling_, every_ = TrialMask(telling_.size(), 1);
+  const bool heldTells_;
+  const UnderLoad underLoad_;
+  std::vector<Lead> looked_, chosen_;
+  std::atomic<std::size_t> done_ = 0;
+  double stageFrom_ = 0, stageShare_ = 0;
 };
 
 }  // namespace

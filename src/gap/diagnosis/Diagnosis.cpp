@@ -38,41 +38,41 @@ constexpr double maxErrorShare = 0.95;  // of the error across settings: another
 
 class Procedure {
 public:
-  Procedure(Evaluator& fine_, Evaluator& coarse_, const DiagnosisOptions& options_)
-      : fine(fine_),
-        coarse(coarse_),
-        options(options_),
-        selection(fine_, coarse_, options_),
-        meter((fine_.setBase({}), fine_)) {}
+  Procedure(Evaluator& fine, Evaluator& coarse, const DiagnosisOptions& options)
+      : fine_(fine),
+        coarse_(coarse),
+        options_(options),
+        selection_(fine, coarse, options),
+        meter_((fine.setBase({}), fine)) {}
 
   Diagnosis run() {
-    const WorstGap worst = worstGap(fine);
-    result.worstBefore = selection.worstBefore = worst.size;
-    result.worstSignal = worst.signal;
-    result.gap.before = meter.under(fine);
+    const WorstGap worst = worstGap(fine_);
+    result_.worstBefore = selection_.worstBefore = worst.size;
+    result_.worstSignal = worst.signal;
+    result_.gap.before = meter_.under(fine_);
     double leftOnFixedBase = 0;
-    if (fine.hasFixedBase() && fine.hasFloatingBase() && fixedBaseDecides(fine))
+    if (fine_.hasFixedBase() && fine_.hasFloatingBase() && fixedBaseDecides(fine_))
       leftOnFixedBase = explainFixedBaseRuns();
-    const bool foundOnFixedBase = !selection.causes.empty();
+    const bool foundOnFixedBase = !selection_.causes.empty();
     if (leftOnFixedBase > 1) {
       // Not known to the library. What came nearest on held runs may topple the robot.
-      if (meter.under(fine) > result.gap.before) selection.clear();
-    } else if (selection.causes.empty()) {
+      if (meter_.under(fine_) > result_.gap.before) selection_.clear();
+    } else if (selection_.causes.empty()) {
       explain();
     } else {
-      selection.grow();
+      selection_.grow();
     }
     crossValidate();
-    if (result.worstBefore >= ForwardSelection::present) lookForConfigurationChanges();
-    pruneHarmful(selection, fine, meter, result.gap.before, options.jobs);
-    selection.lookForRivals();
+    if (result_.worstBefore >= ForwardSelection::present) lookForConfigurationChanges();
+    pruneHarmful(selection_, fine_, meter_, result_.gap.before, options_.jobs);
+    selection_.lookForRivals();
     nameTheMostProbable();
-    const WorstGap left = worstGap(fine);
-    result.worstAfter = left.size;
-    result.worstSignalAfter = left.signal;
-    result.gap.after = meter.under(fine);
+    const WorstGap left = worstGap(fine_);
+    result_.worstAfter = left.size;
+    result_.worstSignalAfter = left.signal;
+    result_.gap.after = meter_.under(fine_);
     judge(leftOnFixedBase, foundOnFixedBase);
-    return result;
+    return result_;
   }
 
 private:
@@ -80,37 +80,37 @@ private:
 
   /// From nothing to the set of causes that predicts best.
   void explain() {
-    const double nominal = fine.baseFit().judging;
-    selection.grow();
+    const double nominal = fine_.baseFit().judging;
+    selection_.grow();
     // With nothing but runs on the feet each look takes a minute, and a second round ten.
-    if (!fine.hasFixedBase()) return;
+    if (!fine_.hasFixedBase()) return;
     tryOtherFirstCauses(nominal);
-    if (selection.causes.size() > 1 && selection.remainder().mayRemain(farOff)) reconsider();
+    if (selection_.causes.size() > 1 && selection_.remainder().mayRemain(farOff)) reconsider();
     otherPair();
   }
 
   /// What overlaps comes out in pairs and triples that are not there. Where three causes stand for what two
   /// explain, or another two on a robot's only joint predict better, takes these.
   void otherPair() {
-    const bool one = hasOneMotor(fine.mechanism());
-    const bool explained = !selection.causes.empty() && selection.remainder().mayRemain();
-    if (selection.worstBefore < ForwardSelection::present || fine.hasFloatingBase()) return;
-    if (explained && (selection.causes.size() < 2 || losesCommands(selection.causes))) return;
-    if (!one && (selection.causes.size() < 3 || !onOneChain(fine, selection.causes))) return;
-    const Explanation old = selection.causes;
-    const double leftByOld = fine.baseFit().judging;
-    for (Evaluator* evaluator : {&fine, &coarse}) evaluator->setBase({});
-    const Explanation pair = bestPair(fine, coarse, options.jobs, [&](double share) {
-      if (options.progress) options.progress("pairs of causes", share);
+    const bool one = hasOneMotor(fine_.mechanism());
+    const bool explained = !selection_.causes.empty() && selection_.remainder().mayRemain();
+    if (selection_.worstBefore < ForwardSelection::present || fine_.hasFloatingBase()) return;
+    if (explained && (selection_.causes.size() < 2 || losesCommands(selection_.causes))) return;
+    if (!one && (selection_.causes.size() < 3 || !onOneChain(fine_, selection_.causes))) return;
+    const Explanation old = selection_.causes;
+    const double leftByOld = fine_.baseFit().judging;
+    for (Evaluator* evaluator : {&fine_, &coarse_}) evaluator->setBase({});
+    const Explanation pair = bestPair(fine_, coarse_, options_.jobs, [&](double share) {
+      if (options_.progress) options_.progress("pairs of causes", share);
     });
-    fine.setBase(pair);
-    const bool less = old.size() > 2 && !pair.empty() && selection.remainder().size() < unexplained;
-    if (less || (one && !pair.empty() && fine.baseFit().judging < leftByOld - leastGain)) {
-      selection.causes = pair;
-      selection.choices.assign(pair.size(), {});
-      selection.grow();
+    fine_.setBase(pair);
+    const bool less = old.size() > 2 && !pair.empty() && selection_.remainder().size() < unexplained;
+    if (less || (one && !pair.empty() && fine_.baseFit().judging < leftByOld - leastGain)) {
+      selection_.causes = pair;
+      selection_.choices.assign(pair.size(), {});
+      selection_.grow();
     } else {
-      fine.setBase(old);
+      fine_.setBase(old);
     }
   }
 
@@ -118,10 +118,10 @@ private:
   /// what may remain. On the feet only what is found is then looked at, and what those runs show besides.
   double explainFixedBaseRuns() {
     double remains = onFixedBaseRuns([&] { explain(); });
-    if (pruneHarmful(selection, fine, meter, result.gap.before, options.jobs))
+    if (pruneHarmful(selection_, fine_, meter_, result_.gap.before, options_.jobs))
       remains = onFixedBaseRuns([&] {
-        fine.setBase(selection.causes);
-        selection.causes = fitTogether(fine, selection.causes, options.jobs);
+        fine_.setBase(selection_.causes);
+        selection_.causes = fitTogether(fine_, selection_.causes, options_.jobs);
       });
     return remains;
   }
@@ -129,166 +129,166 @@ private:
   /// Changes the causes as if there were held runs alone; what remains of those over what may remain.
   double onFixedBaseRuns(const std::function<void()>& change) {
     leaveFloatingBaseOut(true);
-    const double whole = std::exchange(selection.worstBefore, worstGap(fine).size);
-    selection.onFixedBaseRuns = true;
+    const double whole = std::exchange(selection_.worstBefore, worstGap(fine_).size);
+    selection_.onFixedBaseRuns = true;
     change();
-    fine.setBase(selection.causes);
-    const double remains = worstGap(fine).size < unexplained ? 0 : selection.remainder().unaccounted();
-    selection.onFixedBaseRuns = false;
-    selection.worstBefore = whole;
+    fine_.setBase(selection_.causes);
+    const double remains = worstGap(fine_).size < unexplained ? 0 : selection_.remainder().unaccounted();
+    selection_.onFixedBaseRuns = false;
+    selection_.worstBefore = whole;
     leaveFloatingBaseOut(false);
-    fine.setBase(selection.causes);
+    fine_.setBase(selection_.causes);
     return remains;
   }
 
   void leaveFloatingBaseOut(bool out) {
-    for (Evaluator* evaluator : {&fine, &coarse}) evaluator->leaveFloatingBaseOut(out);
+    for (Evaluator* evaluator : {&fine_, &coarse_}) evaluator->leaveFloatingBaseOut(out);
   }
 
   /// Where much stays unexplained, the first cause may have been the wrong one: begins with others, keeps the
   /// set that predicts best.
   void tryOtherFirstCauses(double nominal) {
-    if (selection.choices.empty() || selection.remainder().mayRemain() || beginShared()) return;
+    if (selection_.choices.empty() || selection_.remainder().mayRemain() || beginShared()) return;
     // Looking again on the feet takes minutes.
-    if (fine.hasFloatingBase() && !selection.causes.empty() && selection.remainder().unaccounted() <= 1)
+    if (fine_.hasFloatingBase() && !selection_.causes.empty() && selection_.remainder().unaccounted() <= 1)
       return;
-    const Candidates firsts = selection.choices.front();
-    if (selection.causes.empty()) selection.choices.clear();
-    Explanation best = selection.causes;
-    std::vector<Candidates> bestChoices = selection.choices;
-    double bestJudging = fine.baseFit().judging;
+    const Candidates firsts = selection_.choices.front();
+    if (selection_.causes.empty()) selection_.choices.clear();
+    Explanation best = selection_.causes;
+    std::vector<Candidates> bestChoices = selection_.choices;
+    double bestJudging = fine_.baseFit().judging;
     for (std::size_t i = 1; i < std::min(firsts.size(), 1 + otherStarts); ++i) {
       if (nominal - firsts[i].fit.judging < otherStart * (nominal - firsts.front().fit.judging)) break;
-      selection.causes = {firsts[i].cause};
-      selection.choices.assign(1, {});  // what stood for choice before was judged without what comes in now
-      fine.setBase(selection.causes);
-      selection.grow(bestJudging);
-      if (fine.baseFit().judging < bestJudging - leastGain && selection.causes.size() > 1) {
-        best = selection.causes;
-        bestChoices = selection.choices;
-        bestJudging = fine.baseFit().judging;
+      selection_.causes = {firsts[i].cause};
+      selection_.choices.assign(1, {});  // what stood for choice before was judged without what comes in now
+      fine_.setBase(selection_.causes);
+      selection_.grow(bestJudging);
+      if (fine_.baseFit().judging < bestJudging - leastGain && selection_.causes.size() > 1) {
+        best = selection_.causes;
+        bestChoices = selection_.choices;
+        bestJudging = fine_.baseFit().judging;
       }
     }
-    selection.causes = std::move(best);
-    selection.choices = std::move(bestChoices);
-    fine.setBase(selection.causes);
+    selection_.causes = std::move(best);
+    selection_.choices = std::move(bestChoices);
+    fine_.setBase(selection_.causes);
   }
 
   /// Where all servos are of one type: begins with what they share, chosen together. Whether that took the
   /// place of what was found.
   bool beginShared() {
-    if (!fine.mechanism().sharesServo() || fine.hasFloatingBase()) return false;
-    const Explanation old = selection.causes;
-    fine.setBase({});
-    const Explanation set = sharedCauses(fine, options.maxCauses, options.jobs, [&](double share) {
-      if (options.progress) options.progress("what servos share", share);
+    if (!fine_.mechanism().sharesServo() || fine_.hasFloatingBase()) return false;
+    const Explanation old = selection_.causes;
+    fine_.setBase({});
+    const Explanation set = sharedCauses(fine_, options_.maxCauses, options_.jobs, [&](double share) {
+      if (options_.progress) options_.progress("what servos share", share);
     });
     if (set.empty()) {
-      fine.setBase(old);
+      fine_.setBase(old);
       return false;
     }
-    std::vector<Candidates> kept = std::exchange(selection.choices, std::vector<Candidates>(set.size()));
-    selection.causes = set;
-    fine.setBase(selection.causes);
+    std::vector<Candidates> kept = std::exchange(selection_.choices, std::vector<Candidates>(set.size()));
+    selection_.causes = set;
+    fine_.setBase(selection_.causes);
     // Lost commands are told cycle by cycle, which takes in much of whatever else is missing.
-    selection.lostCommandsLast = true;
-    selection.grow();
-    if (options.progress) options.progress("each motion from the others", 0);
-    const Explanation chosen = betterAcrossMotions(fine, selection.causes, old, options.jobs);
+    selection_.lostCommandsLast = true;
+    selection_.grow();
+    if (options_.progress) options_.progress("each motion from the others", 0);
+    const Explanation chosen = betterAcrossMotions(fine_, selection_.causes, old, options_.jobs);
     const bool better = chosen != old;
-    selection.causes = chosen;
-    fine.setBase(selection.causes);
+    selection_.causes = chosen;
+    fine_.setBase(selection_.causes);
     if (better) {
-      selection.grow();
+      selection_.grow();
     } else {
-      selection.choices = std::move(kept);
+      selection_.choices = std::move(kept);
     }
-    selection.lostCommandsLast = better;
-    if (better) selection.addLostIfNothingRemains();
+    selection_.lostCommandsLast = better;
+    if (better) selection_.addLostIfNothingRemains();
     return better;
   }
 
   /// Each cause once more with the others in place: another may do better now, or it may not be needed.
   void reconsider() {
-    for (std::size_t i = 0; i < selection.causes.size();) {
-      fine.setBase(selection.causes);
-      const double whole = fine.baseFit().judging;
-      fine.setBase(without(selection.causes, i));
-      if (fine.baseFit().judging - whole < leastGain) {
-        selection.causes = fine.base();
-        selection.choices.erase(selection.choices.begin() + static_cast<std::ptrdiff_t>(i));
+    for (std::size_t i = 0; i < selection_.causes.size();) {
+      fine_.setBase(selection_.causes);
+      const double whole = fine_.baseFit().judging;
+      fine_.setBase(without(selection_.causes, i));
+      if (fine_.baseFit().judging - whole < leastGain) {
+        selection_.causes = fine_.base();
+        selection_.choices.erase(selection_.choices.begin() + static_cast<std::ptrdiff_t>(i));
         continue;
       }
-      selection.choices[i] = selection.candidates("each cause again");
-      if (!selection.choices[i].empty() && selection.choices[i].front().fit.judging < whole - leastGain)
-        selection.causes[i] = selection.choices[i].front().cause;
+      selection_.choices[i] = selection_.candidates("each cause again");
+      if (!selection_.choices[i].empty() && selection_.choices[i].front().fit.judging < whole - leastGain)
+        selection_.causes[i] = selection_.choices[i].front().cause;
       ++i;
     }
-    fine.setBase(selection.causes);
-    selection.causes = fitTogether(fine, selection.causes, options.jobs);
+    fine_.setBase(selection_.causes);
+    selection_.causes = fitTogether(fine_, selection_.causes, options_.jobs);
   }
 
   /// Where runs were recorded under several servo settings and something remains: the set of causes that
   /// predicts each setting from the others best, if it does better than what was found.
   void crossValidate() {
-    if (selection.causes.empty() || fine.hasFloatingBase() || selection.remainder().size() < unexplained)
+    if (selection_.causes.empty() || fine_.hasFloatingBase() || selection_.remainder().size() < unexplained)
       return;
-    const GroupedCrossValidation settings(fine.mechanism(), fine.evidence(), options.jobs);
+    const GroupedCrossValidation settings(fine_.mechanism(), fine_.evidence(), options_.jobs);
     if (!settings.possible()) return;
-    const GroupedCrossValidation quick(fine.mechanism(), fine.evidence(), options.jobs, coarseSteps());
-    fine.setBase({});
-    const std::vector<Cause> starts = possibleCauses(fine);
+    const GroupedCrossValidation quick(fine_.mechanism(), fine_.evidence(), options_.jobs, coarseSteps());
+    fine_.setBase({});
+    const std::vector<Cause> starts = possibleCauses(fine_);
     const Explanation set = quick
-                                .best(starts, options.maxCauses,
+                                .best(starts, options_.maxCauses,
                                       [&](double share) {
-                                        if (options.progress) options.progress("across settings", share);
+                                        if (options_.progress) options_.progress("across settings", share);
                                       })
                                 .causes;
     const GroupedCrossValidation::Tried best = settings.of(set);
-    if (best.error < maxErrorShare * settings.of(selection.causes).error) {
-      selection.causes = best.causes;
-      selection.choices.assign(selection.causes.size(), {});
-      chosenAcrossGroups = true;
+    if (best.error < maxErrorShare * settings.of(selection_.causes).error) {
+      selection_.causes = best.causes;
+      selection_.choices.assign(selection_.causes.size(), {});
+      chosenAcrossGroups_ = true;
     }
   }
 
   /// Where something remains: what can be set in a servo need not have been in every recording.
   void lookForConfigurationChanges() {
-    fine.setBase(selection.causes);
-    if (fine.hasFloatingBase() || selection.remainder().mayRemain() || tryConfigurationOfSome()) return;
+    fine_.setBase(selection_.causes);
+    if (fine_.hasFloatingBase() || selection_.remainder().mayRemain() || tryConfigurationOfSome()) return;
     for (int pass = 0;
-         pass < configurationPasses && !selection.causes.empty() && !selection.remainder().mayRemain();
+         pass < configurationPasses && !selection_.causes.empty() && !selection_.remainder().mayRemain();
          ++pass) {
-      if (options.progress) options.progress("recordings with other settings", 0);
-      Explanation set = inactiveWhereNotSet(fine, options.jobs);
-      if (set == selection.causes) return;
-      selection.causes = std::move(set);
-      chosenAcrossGroups = false;
-      selection.choices.assign(selection.causes.size(), {});
-      fine.setBase(selection.causes);
-      selection.grow();
+      if (options_.progress) options_.progress("recordings with other settings", 0);
+      Explanation set = inactiveWhereNotSet(fine_, options_.jobs);
+      if (set == selection_.causes) return;
+      selection_.causes = std::move(set);
+      chosenAcrossGroups_ = false;
+      selection_.choices.assign(selection_.causes.size(), {});
+      fine_.setBase(selection_.causes);
+      selection_.grow();
     }
   }
 
   /// A setting that some recordings had makes whatever fits both kinds best look better than it. Whether
   /// beginning with it explains all.
   bool tryConfigurationOfSome() {
-    const Explanation old = selection.causes;
-    std::vector<Candidates> kept = selection.choices;
-    fine.setBase({});
-    selection.causes = configurationOfSome(fine, options.jobs);
-    fine.setBase(selection.causes);
-    if (!selection.causes.empty() && selection.remainder().mayRemain(farOff)) {
-      selection.choices.assign(1, {});
-      selection.grow();
-      if (selection.remainder().mayRemain()) {
-        chosenAcrossGroups = false;
+    const Explanation old = selection_.causes;
+    std::vector<Candidates> kept = selection_.choices;
+    fine_.setBase({});
+    selection_.causes = configurationOfSome(fine_, options_.jobs);
+    fine_.setBase(selection_.causes);
+    if (!selection_.causes.empty() && selection_.remainder().mayRemain(farOff)) {
+      selection_.choices.assign(1, {});
+      selection_.grow();
+      if (selection_.remainder().mayRemain()) {
+        chosenAcrossGroups_ = false;
         return true;
       }
     }
-    selection.causes = old;
-    selection.choices = std::move(kept);
-    fine.setBase(selection.causes);
+    selection_.causes = old;
+    selection_.choices = std::move(kept);
+    fine_.setBase(selection_.causes);
     return false;
   }
 
@@ -296,51 +296,52 @@ private:
   /// no more than that, the one named is the more probable one before the data. Sets of several were chosen
   /// by what they predict together.
   void nameTheMostProbable() {
-    fine.setBase(selection.causes);
-    result.left = leftPerDirection(fine);
-    if (selection.causes.size() != 1 || chosenAcrossGroups || fine.hasFloatingBase()) return;
-    Candidates& list = selection.choices.front();
-    sortByProbability(list, result.left);
+    fine_.setBase(selection_.causes);
+    result_.left = leftPerDirection(fine_);
+    if (selection_.causes.size() != 1 || chosenAcrossGroups_ || fine_.hasFloatingBase()) return;
+    Candidates& list = selection_.choices.front();
+    sortByProbability(list, result_.left);
     // Where an effect is may have been chosen otherwise (what is set in one servo is set in all).
-    if (list.empty() || list.front().cause.effect == selection.causes.front().effect) return;
-    selection.causes.front() = list.front().cause;
-    fine.setBase(selection.causes);
+    if (list.empty() || list.front().cause.effect == selection_.causes.front().effect) return;
+    selection_.causes.front() = list.front().cause;
+    fine_.setBase(selection_.causes);
   }
 
   void judge(double leftOnFixedBase, bool foundOnFixedBase) {
     // What another engine does otherwise may be left of a large gap.
-    const Remainder left = selection.remainder();
+    const Remainder left = selection_.remainder();
     double onFeet = left.unaccountedOnFloatingBase();
     if (foundOnFixedBase && leftOnFixedBase <= 1) onFeet = std::min(onFeet, maxFloatingBaseLeft);
     // What predicts a setting that it was not fitted to is not put together for the others.
-    const int together = chosenAcrossGroups ? 1 : mostAtOneJoint(selection.causes);
+    const int together = chosenAcrossGroups_ ? 1 : mostAtOneJoint(selection_.causes);
     double remains =
         std::max({left.unaccountedOnFixedBase(), onFeet, leftOnFixedBase}) * (1 + crowded * (together - 1));
-    const WorstGap sensor = worstRestOffset(fine);
+    const WorstGap sensor = worstRestOffset(fine_);
     if (sensor.size > maxRestOffset) {
-      result.sensorOff = sensor.signal;
-      result.sensorOffBy = sensor.size;
+      result_.sensorOff = sensor.signal;
+      result_.sensorOffBy = sensor.size;
     }
     remains = std::max(remains, sensor.size / maxRestOffset);
-    result.knownProbability = 1 / (1 + std::exp(6 * (remains - 1)));
-    if (selection.causes.empty()) {
-      result.verdict = result.worstBefore < unexplained ? Verdict::none : Verdict::unknown;
+    result_.knownProbability = 1 / (1 + std::exp(6 * (remains - 1)));
+    if (selection_.causes.empty()) {
+      result_.verdict = result_.worstBefore < unexplained ? Verdict::none : Verdict::unknown;
     } else {
-      result.verdict = remains > 1 ? Verdict::unknown : Verdict::effect;
+      result_.verdict = remains > 1 ? Verdict::unknown : Verdict::effect;
     }
-    for (std::size_t i = 0; i < selection.causes.size(); ++i)
-      result.findings.push_back(findingOf(i, selection.causes, selection.choices[i], fine, meter, result));
-    std::stable_sort(result.findings.begin(), result.findings.end(),
+    for (std::size_t i = 0; i < selection_.causes.size(); ++i)
+      result_.findings.push_back(
+          findingOf(i, selection_.causes, selection_.choices[i], fine_, meter_, result_));
+    std::stable_sort(result_.findings.begin(), result_.findings.end(),
                      [](const Finding& a, const Finding& b) { return a.closedLast > b.closedLast; });
-    fine.setBase(selection.causes);
+    fine_.setBase(selection_.causes);
   }
 
-  Evaluator &fine, &coarse;
-  const DiagnosisOptions& options;
-  ForwardSelection selection;
-  bool chosenAcrossGroups = false;  ///< found by what it predicts of servo settings left out
-  const GapMeter meter;
-  Diagnosis result;
+  Evaluator &fine_, &coarse_;
+  const DiagnosisOptions& options_;
+  ForwardSelection selection_;
+  bool chosenAcrossGroups_ = false;  ///< found by what it predicts of servo settings left out
+  const GapMeter meter_;
+  Diagnosis result_;
 };
 
 }  // namespace

@@ -33,31 +33,31 @@ struct DiagnosisAttempts::Attempt {
   SearchMemory memory;
 };
 
-DiagnosisAttempts::DiagnosisAttempts(const Mechanism& robot_, DiagnosisOptions options_,
-                                     std::string memoryFile_, Messages messages_)
-    : robot(robot_),
-      options(std::move(options_)),
-      memoryFile(std::move(memoryFile_)),
-      messages(std::move(messages_)) {}
+DiagnosisAttempts::DiagnosisAttempts(const Mechanism& robot, DiagnosisOptions options, std::string memoryFile,
+                                     Messages messages)
+    : robot_(robot),
+      options_(std::move(options)),
+      memoryFile_(std::move(memoryFile)),
+      messages_(std::move(messages)) {}
 
 DiagnosisAttempts::~DiagnosisAttempts() = default;
 
 Diagnosis DiagnosisAttempts::run(std::vector<Trial> trials) {
   const auto beginNoise = [this] {
-    if (options.progress) options.progress(stageOfNoise, 0);
+    if (options_.progress) options_.progress(stageOfNoise, 0);
   };
-  attempts.clear();
+  attempts_.clear();
   try {
     beginNoise();
-    Diagnosis first = attempt(evidenceOf(std::move(trials), options.jobs), memoryFile);
+    Diagnosis first = attempt(evidenceOf(std::move(trials), options_.jobs), memoryFile_);
     if (first.findings.empty()) return first;
     beginNoise();
     std::optional<Evidence> besideLosses =
-        evidenceBesideLosses(attempts.front()->evidence, first.explanation(), options.jobs);
+        evidenceBesideLosses(attempts_.front()->evidence, first.explanation(), options_.jobs);
     if (!besideLosses) return first;
-    return attempt(*std::move(besideLosses), memoryFile.empty() ? "" : memoryFile + "2");
+    return attempt(*std::move(besideLosses), memoryFile_.empty() ? "" : memoryFile_ + "2");
   } catch (const Stopped&) {
-    for (auto last = attempts.rbegin(); last != attempts.rend(); ++last)
+    for (auto last = attempts_.rbegin(); last != attempts_.rend(); ++last)
       if ((*last)->memory.size() > 0)
         throw Stopped("stopped; the same command goes on from " + (*last)->memory.file());
     throw;
@@ -65,21 +65,21 @@ Diagnosis DiagnosisAttempts::run(std::vector<Trial> trials) {
 }
 
 Diagnosis DiagnosisAttempts::attempt(Evidence evidence, const std::string& file) {
-  Attempt& now =
-      *attempts.emplace_back(std::make_unique<Attempt>(robot, std::move(evidence), file, options, messages));
-  if (now.memory.size() > 0 && messages.resumed)
-    messages.resumed("goes on from " + now.memory.file() + " (" + std::to_string(now.memory.size()) +
-                     " searches done)");
-  DiagnosisOptions withMemory = options;
+  Attempt& now = *attempts_.emplace_back(
+      std::make_unique<Attempt>(robot_, std::move(evidence), file, options_, messages_));
+  if (now.memory.size() > 0 && messages_.resumed)
+    messages_.resumed("goes on from " + now.memory.file() + " (" + std::to_string(now.memory.size()) +
+                      " searches done)");
+  DiagnosisOptions withMemory = options_;
   withMemory.memory = &now.memory;
   Evaluator coarse(now.fine.mechanism(), now.evidence, coarseSteps());
   return diagnose(now.fine, coarse, withMemory);
 }
 
-Evaluator& DiagnosisAttempts::evaluator() { return attempts.back()->fine; }
+Evaluator& DiagnosisAttempts::evaluator() { return attempts_.back()->fine; }
 
 void DiagnosisAttempts::forget() {
-  for (const auto& attempt : attempts) attempt->memory.forget();
+  for (const auto& attempt : attempts_) attempt->memory.forget();
 }
 
 }  // namespace plumbline::gap

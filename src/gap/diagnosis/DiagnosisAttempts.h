@@ -41,11 +41,11 @@ private:
   struct Attempt;
   Diagnosis attempt(Evidence evidence, const std::string& file);
 
-  const Mechanism& robot;
-  const DiagnosisOptions options;
-  const std::string memoryFile;
-  const Messages messages;
-  std::vector<std::unique_ptr<Attempt>> attempts;
+  const Mechanism& robot_;
+  const DiagnosisOptions options_;
+  const std::string memoryFile_;
+  const Messages messages_;
+  std::vector<std::unique_ptr<Attempt>> attempts_;
 };
 
 }  // namespace plumbline::gap

@@ -18,20 +18,20 @@ double doubt(double own, double weight) { return weight == own ? 0 : std::log(ow
 /// limit the squares of a block count by their logarithm.
 class Squares {
 public:
-  explicit Squares(bool freeBase_) : freeBase(freeBase_) {}
-  void add(double square) { sum += square, ++n; }
-  double mean() const { return sum / n; }
-  bool empty() const { return n == 0; }
-  double counted() const { return isFar() ? n * limit * (1 + std::log(sum / (n * limit))) : sum; }
+  explicit Squares(bool freeBase) : freeBase_(freeBase) {}
+  void add(double square) { sum_ += square, ++n_; }
+  double mean() const { return sum_ / n_; }
+  bool empty() const { return n_ == 0; }
+  double counted() const { return isFar() ? n_ * limit * (1 + std::log(sum_ / (n_ * limit))) : sum_; }
   /// Change of counted() for a change of the squares.
-  double slope() const { return isFar() ? n * limit / sum : 1; }
+  double slope() const { return isFar() ? n_ * limit / sum_ : 1; }
 
 private:
   static constexpr double limit = 25;  // noise variances, on average over the block
-  bool isFar() const { return freeBase && sum > n * limit; }
+  bool isFar() const { return freeBase_ && sum_ > n_ * limit; }
 
-  double sum = 0, n = 0;
-  bool freeBase;
+  double sum_ = 0, n_ = 0;
+  bool freeBase_;
 };
 
 /// Mean square of a walk's half-seconds without the worst sixth: a step that lands in another way in the
@@ -52,24 +52,24 @@ double meanWithoutWorst(const std::vector<Squares>& blocks) {
 /// steps of 0.2 ms).
 class MeanBesideLead {
 public:
-  MeanBesideLead(const Trial& trial_, const Signal& signal_)
-      : trial(trial_), signal(signal_), moves(signal_.kind == SignalKind::position && !trial_.freeBase) {}
+  MeanBesideLead(const Trial& trial, const Signal& signal)
+      : trial_(trial), signal_(signal), moves_(signal.kind == SignalKind::position && !trial.freeBase) {}
   void add(std::size_t k, double w, double r) {
-    const double v = moves ? rateAt(trial, signal, k) : 0;
-    rr += w * r * r, rv += w * r * v, vv += w * v * v, ++n;
+    const double v = moves_ ? rateAt(trial_, signal_, k) : 0;
+    rr_ += w * r * r, rv_ += w * r * v, vv_ += w * v * v, ++n_;
   }
   double mean() const {
-    const double lead = vv > 0 ? std::clamp(rv / vv, -most, most) : 0;
-    return n > 0 ? (rr - lead * (2 * rv - lead * vv)) / n : std::nan("");
+    const double lead = vv_ > 0 ? std::clamp(rv_ / vv_, -most, most) : 0;
+    return n_ > 0 ? (rr_ - lead * (2 * rv_ - lead * vv_)) / n_ : std::nan("");
   }
 
 private:
   static constexpr double most = 2e-4;  // [s]
 
-  const Trial& trial;
-  const Signal& signal;
-  const bool moves;
-  double rr = 0, rv = 0, vv = 0, n = 0;
+  const Trial& trial_;
+  const Signal& signal_;
+  const bool moves_;
+  double rr_ = 0, rv_ = 0, vv_ = 0, n_ = 0;
 };
 
 /// Puts the signals that were replayed in the place of those that were there.
@@ -85,36 +85,36 @@ void takeOver(Prediction&& fresh, Prediction& all) {
 
 }  // namespace
 
-Evaluator::Evaluator(const Mechanism& mechanism, const Evidence& evidence, const ReplayOptions& accuracy_)
-    : robot(mechanism), data(evidence), accuracy(accuracy_) {
-  for (const Trial& trial : data.trials()) (trial.freeBase ? standingRuns : heldRuns) = true;
-  lost.resize(data.trials().size());
+Evaluator::Evaluator(const Mechanism& mechanism, const Evidence& evidence, const ReplayOptions& accuracy)
+    : robot_(mechanism), data_(evidence), accuracy_(accuracy) {
+  for (const Trial& trial : data_.trials()) (trial.freeBase ? standingRuns_ : heldRuns_) = true;
+  lost_.resize(data_.trials().size());
   setBase({});
 }
 
 ReplayOptions Evaluator::optionsOf(std::size_t trial, const Explanation& explanation) const {
-  ReplayOptions options = accuracy;
-  if (losesCommands(explanation) && !lost[trial].empty()) options.lostCycles = &lost[trial];
+  ReplayOptions options = accuracy_;
+  if (losesCommands(explanation) && !lost_[trial].empty()) options.lostCycles = &lost_[trial];
   return options;
 }
 
 void Evaluator::setLostCycles(std::vector<std::vector<std::uint8_t>> cycles) {
-  if (cycles == lost) return;
-  lost = std::move(cycles);
-  if (!losesCommands(causes)) return;
-  predictions.clear();  // all of them, not only what other causes would change
-  setBase(Explanation(causes));
+  if (cycles == lost_) return;
+  lost_ = std::move(cycles);
+  if (!losesCommands(causes_)) return;
+  predictions_.clear();  // all of them, not only what other causes would change
+  setBase(Explanation(causes_));
 }
 
 void Evaluator::leaveFloatingBaseOut(bool out) {
-  standingOut = out;
-  predictions.clear();
+  standingOut_ = out;
+  predictions_.clear();
   setBase({});
 }
 
 std::vector<int> Evaluator::chainsThatDiffer(const Explanation& other) const {
   std::vector<int> joints;
-  for (const auto& [one, two] : {std::pair(&causes, &other), std::pair(&other, &causes)})
+  for (const auto& [one, two] : {std::pair(&causes_, &other), std::pair(&other, &causes_)})
     for (const Cause& cause : *one) {
       if (std::ranges::find(*two, cause) != two->end()) continue;
       std::vector<int> touched = jointsTouched(cause);
@@ -128,75 +128,75 @@ std::vector<int> Evaluator::chainsThatDiffer(const Explanation& other) const {
 }
 
 void Evaluator::replayBase(const Explanation& explanation) {
-  const bool partly = !predictions.empty();
+  const bool partly = !predictions_.empty();
   const std::vector<int> joints = chainsThatDiffer(explanation);
-  causes = explanation;
+  causes_ = explanation;
   if (partly && joints.empty()) return;
-  predictions.resize(data.trials().size());
-  basePlants.clear();
-  for (std::size_t t = 0; t < predictions.size(); ++t) {
-    const Trial& trial = data.trials()[t];
-    basePlants.push_back(plantOf(trial, causes));
+  predictions_.resize(data_.trials().size());
+  basePlants_.clear();
+  for (std::size_t t = 0; t < predictions_.size(); ++t) {
+    const Trial& trial = data_.trials()[t];
+    basePlants_.push_back(plantOf(trial, causes_));
     if (leftOut(t)) {
-      predictions[t].values.resize(trial.signals.size());
+      predictions_[t].values.resize(trial.signals.size());
       continue;
     }
-    ReplayOptions options = optionsOf(t, causes);
+    ReplayOptions options = optionsOf(t, causes_);
     if (partly && !trial.freeBase) options.joints = joints;
-    Prediction fresh = predictEnsemble(basePlants[t], trial, options);
+    Prediction fresh = predictEnsemble(basePlants_[t], trial, options);
     if (options.joints.empty()) {
-      predictions[t] = std::move(fresh);
+      predictions_[t] = std::move(fresh);
       continue;
     }
-    takeOver(std::move(fresh), predictions[t]);
+    takeOver(std::move(fresh), predictions_[t]);
   }
 }
 
 void Evaluator::setBase(const Explanation& explanation) {
   replayBase(explanation);
-  chis.clear();
-  baseSquares = {};
-  baseSquares.squares.assign(data.numBlocks(), 0);
-  for (std::size_t t = 0; t < predictions.size(); ++t) {
-    const Trial& trial = data.trials()[t];
-    auto& perSignal = chis.emplace_back(trial.signals.size(), std::nan(""));
+  chis_.clear();
+  baseSquares_ = {};
+  baseSquares_.squares.assign(data_.numBlocks(), 0);
+  for (std::size_t t = 0; t < predictions_.size(); ++t) {
+    const Trial& trial = data_.trials()[t];
+    auto& perSignal = chis_.emplace_back(trial.signals.size(), std::nan(""));
     for (std::size_t s = 0; s < trial.signals.size(); ++s) {
-      const auto& predicted = predictions[t].values[s];
+      const auto& predicted = predictions_[t].values[s];
       if (predicted.empty()) continue;
       MeanBesideLead mean(trial, trial.signals[s]);
-      const std::vector<double>& weights = data.weights(t, s);
-      const std::size_t first = data.block(t, 0);
-      std::vector<Squares> blocks(data.block(t, trial.cycles() - 1) - first + 1, Squares(trial.freeBase));
-      data.forEach(t, s, predictions[t], [&](std::size_t k, double w, double r) {
-        const std::size_t b = data.block(t, k);
+      const std::vector<double>& weights = data_.weights(t, s);
+      const std::size_t first = data_.block(t, 0);
+      std::vector<Squares> blocks(data_.block(t, trial.cycles() - 1) - first + 1, Squares(trial.freeBase));
+      data_.forEach(t, s, predictions_[t], [&](std::size_t k, double w, double r) {
+        const std::size_t b = data_.block(t, k);
         blocks[b - first].add(w * r * r);
-        baseSquares.squares[b] += doubt(weights[k], w);
+        baseSquares_.squares[b] += doubt(weights[k], w);
         mean.add(k, w, r);
       });
-      for (std::size_t b = 0; b < blocks.size(); ++b) baseSquares.squares[first + b] += blocks[b].counted();
+      for (std::size_t b = 0; b < blocks.size(); ++b) baseSquares_.squares[first + b] += blocks[b].counted();
       perSignal[s] = trial.restarts.empty() ? mean.mean() : meanWithoutWorst(blocks);
     }
   }
-  for (std::size_t b = 0; b < data.numBlocks(); ++b)
-    (Evidence::forFitting(b) ? baseSquares.fitting : baseSquares.judging) += baseSquares.squares[b];
+  for (std::size_t b = 0; b < data_.numBlocks(); ++b)
+    (Evidence::forFitting(b) ? baseSquares_.fitting : baseSquares_.judging) += baseSquares_.squares[b];
 }
 
 std::vector<int> Evaluator::jointsTouched(const Cause& cause) const {
   const Place& place = cause.place;
-  std::vector<int> all(robot.joints.size());
+  std::vector<int> all(robot_.joints.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
   if (place.site == Site::everywhere) return all;
   if (place.site == Site::imu || place.site == Site::foot || place.site == Site::ground) return {};
   const auto rootOf = [&](int joint) {
-    const std::vector<int> chain = robot.chain(robot.joints[static_cast<std::size_t>(joint)].child);
+    const std::vector<int> chain = robot_.chain(robot_.joints[static_cast<std::size_t>(joint)].child);
     return chain.empty() ? joint : chain.front();
   };
   std::vector<int> roots;
   if (place.site == Site::joint) {
     for (const int joint : all)
-      if (robot.motorOf(joint) == robot.motorOf(place.index)) roots.push_back(rootOf(joint));
+      if (robot_.motorOf(joint) == robot_.motorOf(place.index)) roots.push_back(rootOf(joint));
   } else {
-    const std::vector<int> chain = robot.chain(place.index);
+    const std::vector<int> chain = robot_.chain(place.index);
     if (chain.empty()) return {};
     roots.push_back(chain.front());
   }
@@ -207,19 +207,19 @@ std::vector<int> Evaluator::jointsTouched(const Cause& cause) const {
 }
 
 Prediction Evaluator::changed(std::size_t t, const Cause& cause) const {
-  const Trial& trial = data.trials()[t];
+  const Trial& trial = data_.trials()[t];
   if (!inForce(cause, trial)) return {};
-  Plant plant = basePlants[t];
+  Plant plant = basePlants_[t];
   cause.effect->apply(plant, cause.place, cause.value, cause.variant);
   if (cause.place.site == Site::imu || cause.place.site == Site::foot) {
-    return sensorChange(basePlants[t], plant, trial, predictions[t]);
+    return sensorChange(basePlants_[t], plant, trial, predictions_[t]);
   }
-  ReplayOptions options = accuracy;
+  ReplayOptions options = accuracy_;
   if (!trial.freeBase) {
     options.joints = jointsTouched(cause);
     if (options.joints.empty()) return {};
   }
-  if ((cause.effect->decoded || losesCommands(causes)) && !lost[t].empty()) options.lostCycles = &lost[t];
+  if ((cause.effect->decoded || losesCommands(causes_)) && !lost_[t].empty()) options.lostCycles = &lost_[t];
   return predictEnsemble(plant, trial, options);
 }
 
@@ -229,16 +229,16 @@ void Evaluator::addChange(const Prediction& candidate, std::size_t t, std::size_
     Squares before, after;
     double doubt = 0, product = 0, change = 0;
   };
-  const Trial& trial = data.trials()[t];
-  const std::vector<double>&weights = data.weights(t, s), &predicted = candidate.values[s],
-        &before = predictions[t].values[s];
-  const std::size_t first = data.block(t, 0);
-  std::vector<Block> blocks(data.block(t, trial.cycles() - 1) - first + 1, Block(trial.freeBase));
-  data.forEach(t, s, predictions[t], [&](std::size_t k, double known, double r) {
+  const Trial& trial = data_.trials()[t];
+  const std::vector<double>&weights = data_.weights(t, s), &predicted = candidate.values[s],
+        &before = predictions_[t].values[s];
+  const std::size_t first = data_.block(t, 0);
+  std::vector<Block> blocks(data_.block(t, trial.cycles() - 1) - first + 1, Block(trial.freeBase));
+  data_.forEach(t, s, predictions_[t], [&](std::size_t k, double known, double r) {
     // A replay that ran away counts as far off, not as lost.
     const double d = std::isfinite(predicted[k]) ? predicted[k] - before[k] : 1e3;
     const double w = weights[k] * Evidence::certainty(candidate, s, k, weights[k]);
-    Block& block = blocks[data.block(t, k) - first];
+    Block& block = blocks[data_.block(t, k) - first];
     block.before.add(known * r * r);
     block.after.add(w * (r - d) * (r - d));
     if (w != known) block.doubt += doubt(weights[k], w) - doubt(weights[k], known);
@@ -257,13 +257,13 @@ void Evaluator::addChange(const Prediction& candidate, std::size_t t, std::size_
 
 Fit Evaluator::compare(const std::vector<Prediction>& candidates) const {
   Fit fit;
-  fit.squares = baseSquares.squares;
+  fit.squares = baseSquares_.squares;
   for (std::size_t t = 0; t < candidates.size(); ++t) {
     if (candidates[t].values.empty()) continue;
-    const Trial& trial = data.trials()[t];
+    const Trial& trial = data_.trials()[t];
     for (std::size_t s = 0; s < trial.signals.size(); ++s) {
       const auto& predicted = candidates[t].values[s];
-      const auto& before = predictions[t].values[s];
+      const auto& before = predictions_[t].values[s];
       if (predicted.empty() || before.empty()) continue;
       addChange(candidates[t], t, s, fit);
     }
@@ -273,10 +273,10 @@ Fit Evaluator::compare(const std::vector<Prediction>& candidates) const {
   return fit;
 }
 
-double Evaluator::chi(std::size_t trial, std::size_t signal) const { return chis[trial][signal]; }
+double Evaluator::chi(std::size_t trial, std::size_t signal) const { return chis_[trial][signal]; }
 
 Fit Evaluator::with(const Cause& cause, const TrialMask& mask) const {
-  std::vector<Prediction> candidates(data.trials().size());
+  std::vector<Prediction> candidates(data_.trials().size());
   for (std::size_t t = 0; t < candidates.size(); ++t) {
     if (leftOut(t) || (!mask.empty() && !mask[t])) continue;
     candidates[t] = changed(t, cause);
@@ -286,10 +286,10 @@ Fit Evaluator::with(const Cause& cause, const TrialMask& mask) const {
 
 std::vector<Prediction> Evaluator::played(const Explanation& explanation) const {
   const std::vector<int> joints = chainsThatDiffer(explanation);
-  std::vector<Prediction> candidates(data.trials().size());
+  std::vector<Prediction> candidates(data_.trials().size());
   for (std::size_t t = 0; t < candidates.size() && !joints.empty(); ++t) {
     if (leftOut(t)) continue;
-    const Trial& trial = data.trials()[t];
+    const Trial& trial = data_.trials()[t];
     ReplayOptions options = optionsOf(t, explanation);
     if (!trial.freeBase) options.joints = joints;
     candidates[t] = predictEnsemble(plantOf(trial, explanation), trial, options);

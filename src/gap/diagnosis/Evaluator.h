@@ -31,9 +31,9 @@ public:
 
   /// Sets the explanation that candidates are added to, and replays what that changes.
   void setBase(const Explanation& causes);
-  const Explanation& base() const { return causes; }
-  const Fit& baseFit() const { return baseSquares; }
-  const Prediction& basePrediction(std::size_t trial) const { return predictions[trial]; }
+  const Explanation& base() const { return causes_; }
+  const Fit& baseFit() const { return baseSquares_; }
+  const Prediction& basePrediction(std::size_t trial) const { return predictions_[trial]; }
 
   /// Fit of base plus one cause; trials that are not replayed keep the base's squares. Thread-safe.
   Fit with(const Cause& cause, const TrialMask& mask = {}) const;
@@ -48,31 +48,31 @@ public:
   /// Lost cycles found under the present base, used wherever dropout is a cause: one vector per trial. A base
   /// with dropout is replayed with them at once.
   void setLostCycles(std::vector<std::vector<std::uint8_t>> cycles);
-  const std::vector<std::vector<std::uint8_t>>& lostCycles() const { return lost; }
+  const std::vector<std::vector<std::uint8_t>>& lostCycles() const { return lost_; }
 
   /// Joints that feel a cause where the base is held: its chain, all, or none.
   std::vector<int> jointsTouched(const Cause& cause) const;
   /// Leaves the runs on the feet out, as if there were none, or takes them in again. The base is nominal
   /// then.
   void leaveFloatingBaseOut(bool out);
-  bool hasFloatingBase() const { return standingRuns && !standingOut; }
-  bool hasFixedBase() const { return heldRuns; }
+  bool hasFloatingBase() const { return standingRuns_ && !standingOut_; }
+  bool hasFixedBase() const { return heldRuns_; }
   /// Mean weighted square of the residuals of a signal in a trial under the base, but for what a lead or lag
   /// of 0.2 ms explains (with a held base); 1 where only noise is left, NaN where nothing was compared.
   double chi(std::size_t trial, std::size_t signal) const;
   /// Calls use(trial, signal, chi) for every channel that was compared.
   template <class Use>
   void forEachChannel(Use&& use) const {
-    for (std::size_t t = 0; t < chis.size(); ++t)
-      for (std::size_t s = 0; s < chis[t].size(); ++s)
-        if (std::isfinite(chis[t][s])) use(data.trials()[t], data.trials()[t].signals[s], chis[t][s]);
+    for (std::size_t t = 0; t < chis_.size(); ++t)
+      for (std::size_t s = 0; s < chis_[t].size(); ++s)
+        if (std::isfinite(chis_[t][s])) use(data_.trials()[t], data_.trials()[t].signals[s], chis_[t][s]);
   }
-  const Mechanism& mechanism() const { return robot; }
-  const Evidence& evidence() const { return data; }
-  const ReplayOptions& replayOptions() const { return accuracy; }
+  const Mechanism& mechanism() const { return robot_; }
+  const Evidence& evidence() const { return data_; }
+  const ReplayOptions& replayOptions() const { return accuracy_; }
 
 private:
-  bool leftOut(std::size_t trial) const { return standingOut && data.trials()[trial].freeBase; }
+  bool leftOut(std::size_t trial) const { return standingOut_ && data_.trials()[trial].freeBase; }
   ReplayOptions optionsOf(std::size_t trial, const Explanation& explanation) const;
   void replayBase(const Explanation& explanation);
   /// Joints to replay with a held base where another explanation takes the base's place.
@@ -81,16 +81,16 @@ private:
   /// Adds what a candidate changes in one signal.
   void addChange(const Prediction& candidate, std::size_t trial, std::size_t signal, Fit& fit) const;
 
-  const Mechanism& robot;
-  const Evidence& data;
-  ReplayOptions accuracy;
-  Explanation causes;
-  std::vector<Plant> basePlants;  ///< per trial
-  std::vector<Prediction> predictions;
-  std::vector<std::vector<double>> chis;
-  Fit baseSquares;
-  std::vector<std::vector<std::uint8_t>> lost;
-  bool standingRuns = false, heldRuns = false, standingOut = false;
+  const Mechanism& robot_;
+  const Evidence& data_;
+  ReplayOptions accuracy_;
+  Explanation causes_;
+  std::vector<Plant> basePlants_;  ///< per trial
+  std::vector<Prediction> predictions_;
+  std::vector<std::vector<double>> chis_;
+  Fit baseSquares_;
+  std::vector<std::vector<std::uint8_t>> lost_;
+  bool standingRuns_ = false, heldRuns_ = false, standingOut_ = false;
 };
 
 }  // namespace plumbline::gap

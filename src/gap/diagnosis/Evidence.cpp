@@ -69,24 +69,24 @@ bool Evidence::counts(const Signal& signal) {
 Evidence::Evidence(const std::vector<Trial>& trials, NoiseFrom from)
     : Evidence(trials, estimateNoise(trials, from)) {}
 
-Evidence::Evidence(std::vector<Trial> trials, std::vector<std::vector<SignalNoise>> noises_)
-    : runs(std::move(trials)), noises(std::move(noises_)) {
-  for (std::size_t t = 0; t < runs.size(); ++t) {
-    const Trial& trial = runs[t];
-    auto& of = blockOf.emplace_back();
-    firstBlock.push_back(blocks);
+Evidence::Evidence(std::vector<Trial> trials, std::vector<std::vector<SignalNoise>> noises)
+    : runs_(std::move(trials)), noises_(std::move(noises)) {
+  for (std::size_t t = 0; t < runs_.size(); ++t) {
+    const Trial& trial = runs_[t];
+    auto& of = blockOf_.emplace_back();
+    firstBlock_.push_back(blocks_);
     std::size_t last = 0;
     for (const double time : trial.time) {
       last = static_cast<std::size_t>((time - trial.time[0]) / blockSeconds);
       of.push_back(last);
     }
-    blocks += last + 1 + (last % 2 == 0);  // each run begins with a block for fitting
-    auto& perSignal = weight.emplace_back();
+    blocks_ += last + 1 + (last % 2 == 0);  // each run begins with a block for fitting
+    auto& perSignal = weight_.emplace_back();
     for (std::size_t s = 0; s < trial.signals.size(); ++s) {
       const Signal& signal = trial.signals[s];
       auto& w = perSignal.emplace_back(trial.cycles(), 0.0);
       if (!counts(signal)) continue;
-      const double sigma = noises[t][s].sigma,
+      const double sigma = noises_[t][s].sigma,
                    spread = std::hypot(engineSpread(trial, signal), steppingSpread(trial, signal));
       for (std::size_t k = 0; k < trial.cycles(); ++k) {
         if (!std::isfinite(signal.values[k]) || trial.time[k] - trial.time[0] < startSeconds) continue;

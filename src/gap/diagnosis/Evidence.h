@@ -21,31 +21,31 @@ public:
   template <class Factor>
   Evidence weightedBy(Factor&& factor) const {
     Evidence other = *this;
-    for (std::size_t t = 0; t < runs.size(); ++t)
-      for (std::size_t s = 0; s < weight[t].size(); ++s)
-        for (double& w : other.weight[t][s]) w *= factor(t, s);
+    for (std::size_t t = 0; t < runs_.size(); ++t)
+      for (std::size_t s = 0; s < weight_[t].size(); ++s)
+        for (double& w : other.weight_[t][s]) w *= factor(t, s);
     return other;
   }
 
-  const std::vector<Trial>& trials() const { return runs; }
+  const std::vector<Trial>& trials() const { return runs_; }
   /// 1 / variance per sample; 0 where a sample does not count (lost, start of a run, not predicted).
   const std::vector<double>& weights(std::size_t trial, std::size_t signal) const {
-    return weight[trial][signal];
+    return weight_[trial][signal];
   }
-  const SignalNoise& noise(std::size_t trial, std::size_t signal) const { return noises[trial][signal]; }
+  const SignalNoise& noise(std::size_t trial, std::size_t signal) const { return noises_[trial][signal]; }
 
-  std::size_t numBlocks() const { return blocks; }
+  std::size_t numBlocks() const { return blocks_; }
   std::size_t block(std::size_t trial, std::size_t cycle) const {
-    return firstBlock[trial] + blockOf[trial][cycle];
+    return firstBlock_[trial] + blockOf_[trial][cycle];
   }
   static bool forFitting(std::size_t block) { return block % 2 == 0; }
   /// Calls use(cycle, weight, residual) for every sample of a channel that counts and was predicted; the
   /// weight is less where the prediction is in doubt.
   template <class Use>
   void forEach(std::size_t trial, std::size_t signal, const Prediction& prediction, Use&& use) const {
-    const auto& w = weight[trial][signal];
+    const auto& w = weight_[trial][signal];
     const auto& predicted = prediction.values[signal];
-    const auto& measured = runs[trial].signals[signal].values;
+    const auto& measured = runs_[trial].signals[signal].values;
     for (std::size_t k = 0; k < predicted.size(); ++k)
       if (w[k] > 0 && std::isfinite(predicted[k]))
         use(k, w[k] * certainty(prediction, signal, k, w[k]), measured[k] - predicted[k]);
@@ -64,12 +64,12 @@ public:
   static bool counts(const Signal& signal);
 
 private:
-  std::vector<Trial> runs;
-  std::vector<std::vector<SignalNoise>> noises;
-  std::vector<std::vector<std::vector<double>>> weight;
-  std::vector<std::vector<std::size_t>> blockOf;
-  std::vector<std::size_t> firstBlock;
-  std::size_t blocks = 0;
+  std::vector<Trial> runs_;
+  std::vector<std::vector<SignalNoise>> noises_;
+  std::vector<std::vector<std::vector<double>>> weight_;
+  std::vector<std::vector<std::size_t>> blockOf_;
+  std::vector<std::size_t> firstBlock_;
+  std::size_t blocks_ = 0;
 };
 
 }  // namespace plumbline::gap

@@ -24,16 +24,16 @@ constexpr double asWell = 1.05;   // times the squares for judging: no worse
 }  // namespace
 
 void ForwardSelection::grow(double most) {
-  while (causes.size() < options.maxCauses &&
-         (causes.empty() ? worstGap(fine).size >= present : remainder().size() >= unexplained)) {
-    if (causes.size() > 1 && fine.baseFit().judging > most) break;
+  while (causes.size() < options_.maxCauses &&
+         (causes.empty() ? worstGap(fine_).size >= present : remainder().size() >= unexplained)) {
+    if (causes.size() > 1 && fine_.baseFit().judging > most) break;
     std::vector<Candidate> list = candidates(causes.empty() ? "first cause" : "further cause",
                                              !causes.empty() && remainder().onlyOfSensors());
     if (!accept(list)) {
       if (choices.empty()) choices.push_back(std::move(list));
       break;
     }
-    causes = fine.base();
+    causes = fine_.base();
     settleLosses();
     // What was set in one servo may have been taken for set in all: its rivals are looked for at the end.
     const auto same = [&](const Candidate& c) { return c.cause.sameKind(causes.back()); };
@@ -46,20 +46,20 @@ void ForwardSelection::grow(double most) {
 /// the most probable of those that earn their place.
 bool ForwardSelection::accept(const std::vector<Candidate>& list) {
   if (list.empty()) return false;
-  const AcceptanceTest before(fine);
+  const AcceptanceTest before(fine_);
   const double part = leastPart();
   // Where little is left, a cause that is less probable than all others together is a guess.
   if (part > 0 && probabilities(list).front() < minProbability) return false;
-  const Explanation old = fine.base();
+  const Explanation old = fine_.base();
   const double front = list.front().fit.judging, least = front + maxGainLost * (before.judging() - front);
   Explanation best;
   double bestJudging = INFINITY, bestPriced = INFINITY;
   for (std::size_t i = 0; i < std::min(old.empty() ? 1 : mostTried, list.size()); ++i) {
     if (list[i].fit.judging > least) break;
     setBaseTo(old, list[i].cause);
-    const double judging = fine.baseFit().judging, priced = withPrior(list[i].cause, judging);
-    if (priced < bestPriced && before.passes(fine, part)) {
-      best = fine.base();
+    const double judging = fine_.baseFit().judging, priced = withPrior(list[i].cause, judging);
+    if (priced < bestPriced && before.passes(fine_, part)) {
+      best = fine_.base();
       bestJudging = judging;
       bestPriced = priced;
     }
@@ -68,11 +68,11 @@ bool ForwardSelection::accept(const std::vector<Candidate>& list) {
     Cause all = best.back();
     all.place = {Site::everywhere, -1, "*"};
     const auto isIt = [&](const Cause& cause) { return cause.sameKind(all); };
-    fine.setBase(best);
+    fine_.setBase(best);
     if (std::ranges::none_of(old, isIt)) setBaseTo(old, all);
-    if (fine.baseFit().judging < asWell * bestJudging && before.passes(fine, part)) best = fine.base();
+    if (fine_.baseFit().judging < asWell * bestJudging && before.passes(fine_, part)) best = fine_.base();
   }
-  fine.setBase(best.empty() ? old : best);
+  fine_.setBase(best.empty() ? old : best);
   return !best.empty();
 }
 
@@ -80,11 +80,11 @@ bool ForwardSelection::accept(const std::vector<Candidate>& list) {
 void ForwardSelection::setBaseTo(const Explanation& old, const Cause& cause) {
   Explanation tried = old;
   tried.push_back(cause);
-  fine.setBase(old);
+  fine_.setBase(old);
   const Explanation together =
-      ofSensor(cause) ? tried : fitTogether(proposals.quickOn(old), tried, options.jobs);
-  const bool better = together == tried || fine.of(together).fitting < fine.of(tried).fitting;
-  fine.setBase(better ? together : tried);
+      ofSensor(cause) ? tried : fitTogether(proposals_.quickOn(old), tried, options_.jobs);
+  const bool better = together == tried || fine_.of(together).fitting < fine_.of(tried).fitting;
+  fine_.setBase(better ? together : tried);
 }
 
 /// Which commands were lost was decoded before what else is there was known, and that fitted to what was
@@ -99,26 +99,26 @@ void ForwardSelection::settleLosses() {
 /// Decodes lost commands beside the other causes, these so many times as strong, and fits those to that;
 /// keeps it if it predicts better.
 bool ForwardSelection::decodeBeside(double strength) {
-  const double before = fine.baseFit().judging;
-  const auto cyclesBefore = fine.lostCycles();
+  const double before = fine_.baseFit().judging;
+  const auto cyclesBefore = fine_.lostCycles();
   Explanation others, tried = causes;
   for (Cause& cause : tried) {
     if (cause.effect->decoded) continue;
-    cause = scaled(fine.mechanism(), cause, strength);
+    cause = scaled(fine_.mechanism(), cause, strength);
     others.push_back(cause);
   }
-  const LostCycles again = findLostCycles(fine.evidence(), others, options.jobs);
-  proposals.useLostCycles(again.cycles);
+  const LostCycles again = findLostCycles(fine_.evidence(), others, options_.jobs);
+  proposals_.useLostCycles(again.cycles);
   for (Cause& cause : tried)
     if (cause.effect->decoded) cause.value = again.share;
-  fine.setBase(tried);
-  fine.setBase(fitTogether(fine, tried, options.jobs));
-  const bool better = fine.baseFit().judging < before - leastGain;
+  fine_.setBase(tried);
+  fine_.setBase(fitTogether(fine_, tried, options_.jobs));
+  const bool better = fine_.baseFit().judging < before - leastGain;
   if (better) {
-    causes = fine.base();
+    causes = fine_.base();
   } else {
-    proposals.useLostCycles(cyclesBefore);
-    fine.setBase(causes);
+    proposals_.useLostCycles(cyclesBefore);
+    fine_.setBase(causes);
   }
   return better;
 }
@@ -128,52 +128,52 @@ bool ForwardSelection::decodeBeside(double strength) {
 bool ForwardSelection::isOneServosSetting(const Cause& cause) const {
   const Effect& effect = *cause.effect;
   return effect.setting && effect.ofServo && cause.place.site == Site::joint &&
-         fine.mechanism().sharesServo();
+         fine_.mechanism().sharesServo();
 }
 
 /// The share of what is unexplained that a further cause has to explain: where little is left of a large
 /// gap, that may be what the effects found do otherwise in reality, and only what explains most of it
 /// counts.
 double ForwardSelection::leastPart() const {
-  return !fine.base().empty() && remainder().little() ? minShareOfRest : 0;
+  return !fine_.base().empty() && remainder().little() ? minShareOfRest : 0;
 }
 
 void ForwardSelection::addLostIfNothingRemains() {
   std::vector<Candidate> lost;
-  if (causes.size() < options.maxCauses && !remainder().mayRemain()) proposals.addLostCommands(lost);
+  if (causes.size() < options_.maxCauses && !remainder().mayRemain()) proposals_.addLostCommands(lost);
   if (lost.empty()) return;
   causes.push_back(lost.front().cause);
-  fine.setBase(causes);
+  fine_.setBase(causes);
   if (remainder().mayRemain()) {
     choices.push_back(std::move(lost));
     lostCommandsLast = false;
   } else {
     causes.pop_back();
-    fine.setBase(causes);
+    fine_.setBase(causes);
   }
 }
 
 std::vector<Candidate> ForwardSelection::candidates(const std::string& stage, bool onlySensors) {
-  return proposals.find({.stage = stage,
-                         .leastGain = leastPart() / 2 * std::max(0.0, excess(fine)),
-                         .onlySensors = onlySensors,
-                         .lostCommands = !lostCommandsLast,
-                         .memory = onFixedBaseRuns ? nullptr : options.memory});
+  return proposals_.find({.stage = stage,
+                          .leastGain = leastPart() / 2 * std::max(0.0, excess(fine_)),
+                          .onlySensors = onlySensors,
+                          .lostCommands = !lostCommandsLast,
+                          .memory = onFixedBaseRuns ? nullptr : options_.memory});
 }
 
 void ForwardSelection::lookForRivals() {
   for (std::size_t i = 0; i < causes.size(); ++i) {
     if (!choices[i].empty()) continue;
-    fine.setBase(without(causes, i));
+    fine_.setBase(without(causes, i));
     choices[i] = withItself(candidates("each cause again"), causes[i]);
   }
-  fine.setBase(causes);
+  fine_.setBase(causes);
 }
 
 /// What stood for choice besides a cause that was chosen otherwise; its value fitted like theirs.
 std::vector<Candidate> ForwardSelection::withItself(std::vector<Candidate> list, const Cause& cause) const {
   std::erase_if(list, [&](const Candidate& c) { return c.cause.sameKind(cause); });
-  list.push_back(fitValue(fine, cause, {}));
+  list.push_back(fitValue(fine_, cause, {}));
   sortByProbability(list);
   return list;
 }
@@ -181,7 +181,7 @@ std::vector<Candidate> ForwardSelection::withItself(std::vector<Candidate> list,
 void ForwardSelection::clear() {
   causes.clear();
   choices.clear();
-  fine.setBase({});
+  fine_.setBase({});
 }
 
 }  // namespace plumbline::gap

@@ -13,8 +13,8 @@ namespace plumbline::gap {
 class ForwardSelection {
 public:
   /// coarse: replays with longer steps, for screening.
-  ForwardSelection(Evaluator& fine_, Evaluator& coarse, const DiagnosisOptions& options_)
-      : fine(fine_), options(options_), proposals(fine_, coarse, options_) {}
+  ForwardSelection(Evaluator& fine, Evaluator& coarse, const DiagnosisOptions& options)
+      : fine_(fine), options_(options), proposals_(fine, coarse, options) {}
 
   /// Gap beyond noise of the worst channel, in units of its noise, below which nothing is looked for.
   static constexpr double present = 0.9;
@@ -34,7 +34,7 @@ public:
   std::vector<Candidate> candidates(const std::string& stage, bool onlySensors = false);
   /// What stood for choice besides causes that were chosen together.
   void lookForRivals();
-  Remainder remainder() const { return {fine, worstBefore}; }
+  Remainder remainder() const { return {fine_, worstBefore}; }
   void clear();
 
 private:
@@ -46,9 +46,9 @@ private:
   double leastPart() const;
   std::vector<Candidate> withItself(std::vector<Candidate> list, const Cause& cause) const;
 
-  Evaluator& fine;
-  const DiagnosisOptions& options;
-  Proposals proposals;
+  Evaluator& fine_;
+  const DiagnosisOptions& options_;
+  Proposals proposals_;
 };
 
 }  // namespace plumbline::gap

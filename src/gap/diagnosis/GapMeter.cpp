@@ -124,12 +124,13 @@ GapMeter::GapMeter(const Evaluator& nominal) {
   const auto& trials = nominal.evidence().trials();
   bool any = false;
   for (const double least : {shows, -HUGE_VAL}) {
-    counted.assign(trials.size(), {});
+    counted_.assign(trials.size(), {});
     for (std::size_t t = 0; t < trials.size(); ++t)
       for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
         const double chi = nominal.chi(t, s);
-        counted[t].push_back(Evidence::counts(trials[t].signals[s]) && std::isfinite(chi) && chi - 1 > least);
-        any = any || counted[t].back();
+        counted_[t].push_back(Evidence::counts(trials[t].signals[s]) && std::isfinite(chi) &&
+                              chi - 1 > least);
+        any = any || counted_[t].back();
       }
     if (any) break;
   }
@@ -138,9 +139,9 @@ GapMeter::GapMeter(const Evaluator& nominal) {
 double GapMeter::under(const Evaluator& evaluator) const {
   const Evidence& data = evaluator.evidence();
   double sum = 0, n = 0;
-  for (std::size_t t = 0; t < counted.size(); ++t)
-    for (std::size_t s = 0; s < counted[t].size(); ++s) {
-      if (!counted[t][s]) continue;
+  for (std::size_t t = 0; t < counted_.size(); ++t)
+    for (std::size_t s = 0; s < counted_[t].size(); ++s) {
+      if (!counted_[t][s]) continue;
       data.forEach(t, s, evaluator.basePrediction(t), [&](std::size_t k, double w, double r) {
         if (Evidence::forFitting(data.block(t, k))) return;
         sum += w * r * r;

@@ -39,7 +39,7 @@ public:
   double under(const Evaluator& evaluator) const;
 
 private:
-  std::vector<std::vector<bool>> counted;  ///< per trial and signal
+  std::vector<std::vector<bool>> counted_;  ///< per trial and signal
 };
 
 }  // namespace plumbline::gap

@@ -31,58 +31,58 @@ struct Slopes {
 
 class Steps {
 public:
-  Steps(const Evaluator& evaluator_, const Explanation& causes, const std::vector<std::size_t>& group_,
-        int jobs_)
-      : evaluator(evaluator_), group(group_), jobs(jobs_) {
-    at.causes = causes;
-    played = evaluator.played(causes);
-    at.fitting = evaluator.compare(played).fitting;
+  Steps(const Evaluator& evaluator, const Explanation& causes, const std::vector<std::size_t>& group,
+        int jobs)
+      : evaluator_(evaluator), group_(group), jobs_(jobs) {
+    at_.causes = causes;
+    played_ = evaluator_.played(causes);
+    at_.fitting = evaluator_.compare(played_).fitting;
   }
 
   GaussNewtonFit run() {
     double damping = damped;
     std::size_t share = 0;
-    for (int step = 0; step < steps && !at.settled; ++step) {
+    for (int step = 0; step < steps && !at_.settled; ++step) {
       if (take(slopesHere(shares[share]), damping)) continue;
       if (++share == shares.size()) break;
       damping = damped;
     }
-    return at;
+    return at_;
   }
 
 private:
   Explanation moved(const Eigen::VectorXd& x) const {
-    Explanation causes = at.causes;
-    for (std::size_t i = 0; i < group.size(); ++i)
-      causes[group[i]] =
-          scaled(evaluator.mechanism(), causes[group[i]], std::exp(x[static_cast<Eigen::Index>(i)]));
+    Explanation causes = at_.causes;
+    for (std::size_t i = 0; i < group_.size(); ++i)
+      causes[group_[i]] =
+          scaled(evaluator_.mechanism(), causes[group_[i]], std::exp(x[static_cast<Eigen::Index>(i)]));
     return causes;
   }
 
   /// What is predicted of a signal: the base's where nothing of it was replayed.
   const std::vector<double>& valuesOf(const Predictions& p, std::size_t t, std::size_t s) const {
     const bool own = s < p[t].values.size() && !p[t].values[s].empty();
-    return own ? p[t].values[s] : evaluator.basePrediction(t).values[s];
+    return own ? p[t].values[s] : evaluator_.basePrediction(t).values[s];
   }
 
   Slopes slopesHere(double share) const {
-    const auto n = static_cast<Eigen::Index>(group.size());
-    std::vector<Predictions> perturbed(group.size());
+    const auto n = static_cast<Eigen::Index>(group_.size());
+    std::vector<Predictions> perturbed(group_.size());
     Eigen::VectorXd stride(n);
     for (Eigen::Index i = 0; i < n; ++i) stride[i] = strengthens(i, share) ? share : -share;
-    parallel(group.size(), jobs, [&](std::size_t i) {
+    parallel(group_.size(), jobs_, [&](std::size_t i) {
       const auto k = static_cast<Eigen::Index>(i);
-      perturbed[i] = evaluator.played(moved(stride[k] * Eigen::VectorXd::Unit(n, k)));
+      perturbed[i] = evaluator_.played(moved(stride[k] * Eigen::VectorXd::Unit(n, k)));
     });
     Slopes slopes{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};
-    const Evidence& data = evaluator.evidence();
+    const Evidence& data = evaluator_.evidence();
     Eigen::VectorXd change(n);
     for (std::size_t t = 0; t < data.trials().size(); ++t)
       for (std::size_t s = 0; s < data.trials()[t].signals.size(); ++s) {
         // Doubt in a prediction does not weigh here; whether a step is taken is judged with it.
         Prediction here;
         here.values.resize(s + 1);
-        here.values[s] = valuesOf(played, t, s);
+        here.values[s] = valuesOf(played_, t, s);
         if (here.values[s].empty()) continue;
         std::vector<const std::vector<double>*> shifted;
         shifted.reserve(perturbed.size());
@@ -101,9 +101,9 @@ private:
   }
 
   bool strengthens(Eigen::Index i, double by) const {
-    const auto n = static_cast<Eigen::Index>(group.size());
-    const std::size_t k = group[static_cast<std::size_t>(i)];
-    return moved(by * Eigen::VectorXd::Unit(n, i))[k].value != at.causes[k].value;
+    const auto n = static_cast<Eigen::Index>(group_.size());
+    const std::size_t k = group_[static_cast<std::size_t>(i)];
+    return moved(by * Eigen::VectorXd::Unit(n, i))[k].value != at_.causes[k].value;
   }
 
   /// One step downhill, more damped until it is one; false where none is.
@@ -114,24 +114,24 @@ private:
       normal.diagonal().array() += 1e-9;
       const Eigen::VectorXd x = normal.ldlt().solve(slopes.downhill).cwiseMax(-longest).cwiseMin(longest);
       const Explanation tried = moved(x);
-      Predictions there = evaluator.played(tried);
-      const double fitting = evaluator.compare(there).fitting;
-      if (!(fitting < at.fitting)) continue;
-      at.settled = damping < 1 && at.fitting - fitting < std::max(atLeast, nothing * at.fitting);
-      at.causes = tried;
-      at.fitting = fitting;
-      played = std::move(there);
+      Predictions there = evaluator_.played(tried);
+      const double fitting = evaluator_.compare(there).fitting;
+      if (!(fitting < at_.fitting)) continue;
+      at_.settled = damping < 1 && at_.fitting - fitting < std::max(atLeast, nothing * at_.fitting);
+      at_.causes = tried;
+      at_.fitting = fitting;
+      played_ = std::move(there);
       damping = std::max(1e-6, damping / 10);
       return true;
     }
     return false;
   }
 
-  const Evaluator& evaluator;
-  const std::vector<std::size_t>& group;
-  const int jobs;
-  GaussNewtonFit at;
-  Predictions played;
+  const Evaluator& evaluator_;
+  const std::vector<std::size_t>& group_;
+  const int jobs_;
+  GaussNewtonFit at_;
+  Predictions played_;
 };
 
 }  // namespace

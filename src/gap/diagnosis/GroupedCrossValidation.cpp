@@ -43,16 +43,16 @@ bool better(const GroupedCrossValidation::Tried& a, const GroupedCrossValidation
 
 }  // namespace
 
-GroupedCrossValidation::Fold::Fold(const Mechanism& mechanism, std::vector<Trial> fitted_,
-                                   std::vector<Trial> left_, const ReplayOptions& accuracy)
-    : fitted(std::move(fitted_)),
-      left(std::move(left_)),
+GroupedCrossValidation::Fold::Fold(const Mechanism& mechanism, std::vector<Trial> fittedTrials,
+                                   std::vector<Trial> leftTrials, const ReplayOptions& accuracy)
+    : fitted(std::move(fittedTrials)),
+      left(std::move(leftTrials)),
       fit(mechanism, fitted, accuracy),
       judge(mechanism, left, accuracy) {}
 
-GroupedCrossValidation::GroupedCrossValidation(const Mechanism& mechanism, const Evidence& evidence,
-                                               int jobs_, const ReplayOptions& accuracy, Left leftOut)
-    : robot(mechanism), jobs(jobs_) {
+GroupedCrossValidation::GroupedCrossValidation(const Mechanism& mechanism, const Evidence& evidence, int jobs,
+                                               const ReplayOptions& accuracy, Left leftOut)
+    : robot_(mechanism), jobs_(jobs) {
   using Group = std::pair<std::string, std::vector<double>>;
   const auto groupOf = [leftOut](const Trial& trial) {
     return leftOut == Left::motion ? Group(trial.recordedMotion, {}) : Group("", gainsOf(trial));
@@ -68,8 +68,8 @@ GroupedCrossValidation::GroupedCrossValidation(const Mechanism& mechanism, const
   for (const Group& out : groups) {
     std::vector<Trial> fitted, left;
     for (const Trial& trial : held) (groupOf(trial) == out ? left : fitted).push_back(trial);
-    folds.push_back(std::make_unique<Fold>(mechanism, std::move(fitted), std::move(left), accuracy));
-    folds.back()->nominal = squaresLeft(*folds.back(), {});
+    folds_.push_back(std::make_unique<Fold>(mechanism, std::move(fitted), std::move(left), accuracy));
+    folds_.back()->nominal = squaresLeft(*folds_.back(), {});
   }
 }
 
@@ -81,20 +81,20 @@ double GroupedCrossValidation::squaresLeft(const Fold& fold, const Explanation& 
 GroupedCrossValidation::Tried GroupedCrossValidation::fitted(const Tried& from) const {
   Tried result = from;
   result.error = 0;
-  for (std::size_t f = 0; f < folds.size(); ++f) {
+  for (std::size_t f = 0; f < folds_.size(); ++f) {
     Explanation& causes = result.perFold[f];
-    causes = causes.size() > 1 ? fitTogether(folds[f]->fit, causes, 1)
-                               : Explanation{fitValue(folds[f]->fit, causes.front(), {}).cause};
-    if (inDoubt(robot, causes)) result.error = INFINITY;
+    causes = causes.size() > 1 ? fitTogether(folds_[f]->fit, causes, 1)
+                               : Explanation{fitValue(folds_[f]->fit, causes.front(), {}).cause};
+    if (inDoubt(robot_, causes)) result.error = INFINITY;
     result.error +=
-        std::sqrt(squaresLeft(*folds[f], causes) / folds[f]->nominal) / static_cast<double>(folds.size());
+        std::sqrt(squaresLeft(*folds_[f], causes) / folds_[f]->nominal) / static_cast<double>(folds_.size());
   }
   result.causes = result.perFold.front();
   for (std::size_t i = 0; i < result.causes.size(); ++i) {
     const Effect& effect = *result.causes[i].effect;
     double strength = 0;
     for (const Explanation& fold : result.perFold)
-      strength += effect.strengthOf(fold[i].value) / static_cast<double>(folds.size());
+      strength += effect.strengthOf(fold[i].value) / static_cast<double>(folds_.size());
     result.causes[i].value = effect.valueAt(strength);
   }
   return result;
@@ -112,7 +112,7 @@ GroupedCrossValidation::Tried GroupedCrossValidation::refined(Tried tried) const
 GroupedCrossValidation::Tried GroupedCrossValidation::of(const Explanation& causes) const {
   Tried tried;
   if (causes.empty()) return tried;
-  tried.perFold.assign(folds.size(), causes);
+  tried.perFold.assign(folds_.size(), causes);
   return refined(tried);
 }
 
@@ -120,7 +120,7 @@ GroupedCrossValidation::Tried GroupedCrossValidation::withBestVariants(Tried bes
   for (std::size_t i = 0; i < best.causes.size(); ++i) {
     std::vector<Tried> tried(static_cast<std::size_t>(best.causes[i].effect->numVariants()), best);
     if (tried.size() < 2) continue;
-    parallel(tried.size(), jobs, [&](std::size_t v) {
+    parallel(tried.size(), jobs_, [&](std::size_t v) {
       const auto variant = static_cast<int>(v);
       if (std::ranges::all_of(best.perFold,
                               [&](const Explanation& fold) { return fold[i].variant == variant; }))
@@ -137,14 +137,14 @@ GroupedCrossValidation::Tried GroupedCrossValidation::withBestVariants(Tried bes
 GroupedCrossValidation::Tried GroupedCrossValidation::withKind(const Tried& from,
                                                                const std::vector<Cause>& starts) const {
   Tried tried = from;
-  tried.perFold.resize(folds.size());
-  for (std::size_t f = 0; f < folds.size(); ++f) {
+  tried.perFold.resize(folds_.size());
+  for (std::size_t f = 0; f < folds_.size(); ++f) {
     double least = INFINITY;
     Explanation best;
     for (const Cause& start : starts) {
       Explanation causes = tried.perFold[f];
       causes.push_back(start);
-      const double fitting = folds[f]->fit.of(causes).fitting;
+      const double fitting = folds_[f]->fit.of(causes).fitting;
       if (fitting >= least) continue;
       least = fitting;
       best = std::move(causes);
@@ -162,7 +162,7 @@ GroupedCrossValidation::Tried GroupedCrossValidation::withKind(const Tried& from
 GroupedCrossValidation::Tried GroupedCrossValidation::best(
     const std::vector<Cause>& starts, std::size_t maxCauses,
     const std::function<void(double share)>& progress) const {
-  const std::vector<std::vector<Cause>> kinds = byKind(robot, starts);
+  const std::vector<std::vector<Cause>> kinds = byKind(robot_, starts);
   std::vector<Tried> sets(1);
   Tried best;
   for (std::size_t size = 1; size <= maxCauses; ++size) {
@@ -173,7 +173,7 @@ GroupedCrossValidation::Tried GroupedCrossValidation::best(
           pairs.emplace_back(&set, &kind);
     std::vector<Tried> longer(pairs.size());
     std::atomic<std::size_t> done = 0;
-    parallel(pairs.size(), jobs, [&](std::size_t i) {
+    parallel(pairs.size(), jobs_, [&](std::size_t i) {
       longer[i] = withKind(*pairs[i].first, *pairs[i].second);
       progress(
           (static_cast<double>(size - 1) + static_cast<double>(++done) / static_cast<double>(pairs.size())) /
@@ -181,7 +181,7 @@ GroupedCrossValidation::Tried GroupedCrossValidation::best(
     });
     std::ranges::stable_sort(longer, better);
     longer.resize(std::min(longer.size(), fittedAgain));
-    if (size > 1) parallel(longer.size(), jobs, [&](std::size_t i) { longer[i] = fitted(longer[i]); });
+    if (size > 1) parallel(longer.size(), jobs_, [&](std::size_t i) { longer[i] = fitted(longer[i]); });
     std::ranges::stable_sort(longer, better);
     if (longer.empty() || best.error - longer.front().error < std::max(leastShare * best.error, leastOfAll))
       break;

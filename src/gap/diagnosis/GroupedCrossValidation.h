@@ -20,7 +20,7 @@ public:
   GroupedCrossValidation(const Mechanism& mechanism, const Evidence& evidence, int jobs,
                          const ReplayOptions& accuracy = {}, Left left = Left::setting);
   /// Whether there are several groups.
-  bool possible() const { return folds.size() > 1; }
+  bool possible() const { return folds_.size() > 1; }
 
   /// A set of causes as the settings left out in turn were predicted with.
   struct Tried {
@@ -51,9 +51,9 @@ private:
   Tried refined(Tried tried) const;
   Tried withKind(const Tried& from, const std::vector<Cause>& starts) const;
 
-  const Mechanism& robot;
-  int jobs;
-  std::vector<std::unique_ptr<Fold>> folds;
+  const Mechanism& robot_;
+  int jobs_;
+  std::vector<std::unique_ptr<Fold>> folds_;
 };
 
 /// The set of two that predicts each motion better from the others: what stands for something else in all

@@ -12,7 +12,7 @@ namespace plumbline::gap {
 namespace {
 
 /// Of guesses that differ in so many cycles: a dozen of 6, most of the pairs of losses among more.
-std::size_t survivorsOf(std::size_t told) { return told * told / 3; }
+std::size_t survivorsOf(std::size_t detectionCycles) { return detectionCycles * detectionCycles / 3; }
 
 /// What may have happened up to now, and how well it explains what was measured.
 struct Guess {
@@ -30,8 +30,8 @@ struct Guess {
   }
   Guess& operator=(const Guess&) = delete;
 
-  bool agreesWith(const Guess& other, std::size_t cycle, std::size_t told) const {
-    const auto from = static_cast<std::ptrdiff_t>(cycle < told ? 0 : cycle + 1 - told);
+  bool agreesWith(const Guess& other, std::size_t cycle, std::size_t detectionCycles) const {
+    const auto from = static_cast<std::ptrdiff_t>(cycle < detectionCycles ? 0 : cycle + 1 - detectionCycles);
     return std::equal(lost.begin() + from, lost.begin() + static_cast<std::ptrdiff_t>(cycle) + 1,
                       other.lost.begin() + from);
   }
@@ -47,40 +47,44 @@ bool sameCommand(const Trial& trial, std::size_t a, std::size_t b) {
 
 class Decoder {
 public:
-  Decoder(const Evidence& evidence_, std::size_t t_, double price_, std::size_t told_)
-      : evidence(evidence_), t(t_), trial(evidence_.trials()[t_]), price(price_), told(told_) {}
+  Decoder(const Evidence& evidence, std::size_t t, double price, std::size_t detectionCycles)
+      : evidence_(evidence),
+        t_(t),
+        trial_(evidence.trials()[t]),
+        price_(price),
+        detectionCycles_(detectionCycles) {}
 
   std::vector<std::uint8_t> decode(const Plant& plant) {
-    guesses.push_back(std::make_unique<Guess>(plant, trial));
-    for (std::size_t k = 0; k < trial.cycles(); ++k) {
+    guesses_.push_back(std::make_unique<Guess>(plant, trial_));
+    for (std::size_t k = 0; k < trial_.cycles(); ++k) {
       branch(k);
-      for (const auto& guess : guesses) guess->cost += squares(guess->playback.play(k));
+      for (const auto& guess : guesses_) guess->cost += squares(guess->playback.play(k));
       select(k);
     }
-    return std::move(guesses.front()->lost);
+    return std::move(guesses_.front()->lost);
   }
 
 private:
   /// Each guess once more, with this cycle lost where that can be seen.
   void branch(std::size_t cycle) {
-    const std::size_t before = guesses.size();
+    const std::size_t before = guesses_.size();
     for (std::size_t i = 0; i < before; ++i) {
-      if (cycle > 0 && !sameCommand(trial, guesses[i]->held, cycle)) {
-        guesses.push_back(std::make_unique<Guess>(*guesses[i]));
-        guesses.back()->lost[cycle] = 1;
-        guesses.back()->cost += price;
+      if (cycle > 0 && !sameCommand(trial_, guesses_[i]->held, cycle)) {
+        guesses_.push_back(std::make_unique<Guess>(*guesses_[i]));
+        guesses_.back()->lost[cycle] = 1;
+        guesses_.back()->cost += price_;
       }
-      guesses[i]->held = cycle;
+      guesses_[i]->held = cycle;
     }
   }
 
   double squares(const std::vector<Playback::Shown>& shown) const {
     double sum = 0;
     for (const auto& [signal, cycle, value] : shown) {
-      const double w = evidence.weights(t, signal)[cycle];
+      const double w = evidence_.weights(t_, signal)[cycle];
       if (!(w > 0)) continue;
       // One that ran away is out.
-      const double r = std::isfinite(value) ? trial.signals[signal].values[cycle] - value : 1e3;
+      const double r = std::isfinite(value) ? trial_.signals[signal].values[cycle] - value : 1e3;
       sum += w * r * r;
     }
     return sum;
@@ -88,31 +92,31 @@ private:
 
   /// The best of those that agree in their last cycles; of these the best.
   void select(std::size_t cycle) {
-    std::stable_sort(guesses.begin(), guesses.end(),
+    std::stable_sort(guesses_.begin(), guesses_.end(),
                      [](const auto& a, const auto& b) { return a->cost < b->cost; });
     std::vector<std::unique_ptr<Guess>> kept;
-    for (auto& guess : guesses) {
-      if (kept.size() == survivorsOf(told)) break;
-      if (std::ranges::none_of(kept,
-                               [&](const auto& other) { return guess->agreesWith(*other, cycle, told); }))
+    for (auto& guess : guesses_) {
+      if (kept.size() == survivorsOf(detectionCycles_)) break;
+      if (std::ranges::none_of(
+              kept, [&](const auto& other) { return guess->agreesWith(*other, cycle, detectionCycles_); }))
         kept.push_back(std::move(guess));
     }
-    guesses = std::move(kept);
+    guesses_ = std::move(kept);
   }
 
-  const Evidence& evidence;
-  const std::size_t t;
-  const Trial& trial;
-  const double price;
-  const std::size_t told;
-  std::vector<std::unique_ptr<Guess>> guesses;
+  const Evidence& evidence_;
+  const std::size_t t_;
+  const Trial& trial_;
+  const double price_;
+  const std::size_t detectionCycles_;
+  std::vector<std::unique_ptr<Guess>> guesses_;
 };
 
 }  // namespace
 
 std::vector<std::uint8_t> decodeLosses(const Plant& plant, const Evidence& evidence, std::size_t trial,
-                                       double price, std::size_t told) {
-  return Decoder(evidence, trial, price, told).decode(plant);
+                                       double price, std::size_t detectionCycles) {
+  return Decoder(evidence, trial, price, detectionCycles).decode(plant);
 }
 
 }  // namespace plumbline::gap

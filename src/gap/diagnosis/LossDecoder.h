@@ -14,6 +14,6 @@ namespace plumbline::gap {
 /// of told). told: cycles after which the readings have told whether one was lost; guesses agree or differ in
 /// these. One flag per cycle; a loss that changes nothing is none.
 std::vector<std::uint8_t> decodeLosses(const Plant& plant, const Evidence& evidence, std::size_t trial,
-                                       double price, std::size_t told);
+                                       double price, std::size_t detectionCycles);
 
 }  // namespace plumbline::gap

@@ -21,96 +21,96 @@ constexpr double leastOnTime = 0.6;  // share of the losses that are one cycle l
 /// Which commands one run lost, cycle by cycle.
 class Listener {
 public:
-  Listener(const Evidence& evidence_, std::size_t t_, const Explanation& causes)
-      : evidence(evidence_),
-        t(t_),
-        trial(evidence_.trials()[t_]),
-        plant(plantOf(trial, causes)),
-        response(lossResponse(plant, evidence_, t_, cycleGain)),
-        lost(trial.cycles(), 0),
-        gains(trial.cycles(), 0),
-        seen(trial.cycles(), 0),
-        offTime(trial.cycles(), 0) {
+  Listener(const Evidence& evidence, std::size_t t, const Explanation& causes)
+      : evidence_(evidence),
+        t_(t),
+        trial_(evidence.trials()[t]),
+        plant_(plantOf(trial_, causes)),
+        response_(lossResponse(plant_, evidence, t, cycleGain)),
+        lost_(trial_.cycles(), 0),
+        gains_(trial_.cycles(), 0),
+        seen_(trial_.cycles(), 0),
+        offTime_(trial_.cycles(), 0) {
     // Where a loss takes long to show, much else can be told as losses; that repeats agree tells these apart,
     // and saves the time.
-    if (response.detectionCycles > LossResponse::minDetection && repeatsAgree(evidence.trials())) return;
-    lost = decodeLosses(plant, evidence, t, cycleGain, response.detectionCycles);
+    if (response_.detectionCycles > LossResponse::minDetection && repeatsAgree(evidence_.trials())) return;
+    lost_ = decodeLosses(plant_, evidence_, t_, cycleGain, response_.detectionCycles);
     for (int round = 0; round < rounds; ++round) {
       tryAll();
       if (!changeBest()) break;
     }
   }
 
-  std::vector<std::uint8_t> cycles() const { return lost; }
-  bool visible(std::size_t k) const { return seen[k] >= visibleChange; }
+  std::vector<std::uint8_t> cycles() const { return lost_; }
+  bool visible(std::size_t k) const { return seen_[k] >= visibleChange; }
   /// Whether a loss left the joint one cycle late, as near as the readings tell.
   bool onTime(std::size_t k) const {
-    return std::abs(offTime[k]) < aboutOne + 2 / std::sqrt(std::max(1.0, seen[k]));
+    return std::abs(offTime_[k]) < aboutOne + 2 / std::sqrt(std::max(1.0, seen_[k]));
   }
 
 private:
   Prediction played(const std::vector<std::uint8_t>& cycles) const {
     ReplayOptions options;
     options.lostCycles = &cycles;
-    return replay(plant, trial, options);
+    return replay(plant_, trial_, options);
   }
 
   /// What turning each cycle's loss over would gain, given the others.
   void tryAll() {
-    const Prediction base = played(lost);
+    const Prediction base = played(lost_);
     // What two cycles that are tried in one replay change does not mix.
-    for (std::size_t offset = 0; offset < response.settlingCycles; ++offset) {
-      std::vector<std::uint8_t> tried = lost;
-      for (std::size_t k = offset; k < tried.size(); k += response.settlingCycles) tried[k] ^= 1;
+    for (std::size_t offset = 0; offset < response_.settlingCycles; ++offset) {
+      std::vector<std::uint8_t> tried = lost_;
+      for (std::size_t k = offset; k < tried.size(); k += response_.settlingCycles) tried[k] ^= 1;
       const Prediction other = played(tried);
-      for (std::size_t k = offset; k < tried.size(); k += response.settlingCycles) weigh(k, base, other);
+      for (std::size_t k = offset; k < tried.size(); k += response_.settlingCycles) weigh(k, base, other);
     }
   }
 
   void weigh(std::size_t k, const Prediction& base, const Prediction& other) {
     double gain = 0, change = 0, along = 0;
-    for (std::size_t s = 0; s < trial.signals.size(); ++s) {
-      if (trial.signals[s].joint < 0 || base.values[s].empty()) continue;
-      const auto& weights = evidence.weights(t, s);
-      for (std::size_t i = k + 1; i < std::min(k + response.settlingCycles, trial.cycles()); ++i) {
+    for (std::size_t s = 0; s < trial_.signals.size(); ++s) {
+      if (trial_.signals[s].joint < 0 || base.values[s].empty()) continue;
+      const auto& weights = evidence_.weights(t_, s);
+      for (std::size_t i = k + 1; i < std::min(k + response_.settlingCycles, trial_.cycles()); ++i) {
         if (weights[i] <= 0 || !std::isfinite(base.values[s][i])) continue;
-        const double r = trial.signals[s].values[i] - base.values[s][i];
+        const double r = trial_.signals[s].values[i] - base.values[s][i];
         const double d = other.values[s][i] - base.values[s][i];
         gain += weights[i] * (2 * r * d - d * d);
         change += weights[i] * d * d;
         along += weights[i] * r * d;
       }
     }
-    seen[k] = change;
-    offTime[k] = change > 0 ? along / change : 0;
-    gains[k] = gain - (lost[k] ? 0 : cycleGain);
+    seen_[k] = change;
+    offTime_[k] = change > 0 ? along / change : 0;
+    gains_[k] = gain - (lost_[k] ? 0 : cycleGain);
   }
 
   /// Neighbours explain much of the same: only the best of them changes in a round.
   bool changeBest() {
     bool any = false;
-    for (std::size_t k = 0; k < gains.size(); ++k) {
-      if (gains[k] <= 0) continue;
-      const std::size_t from = k >= reach ? k - reach : 0, to = std::min(k + reach + 1, gains.size());
+    for (std::size_t k = 0; k < gains_.size(); ++k) {
+      if (gains_[k] <= 0) continue;
+      const std::size_t from = k >= reach ? k - reach : 0, to = std::min(k + reach + 1, gains_.size());
       bool best = true;
       for (std::size_t i = from; i < to; ++i)
-        best = best && (gains[i] < gains[k] || i == k || (gains[i] == gains[k] && i > k));
+        best = best && (gains_[i] < gains_[k] || i == k || (gains_[i] == gains_[k] && i > k));
       if (!best) continue;
-      lost[k] ^= 1;
+      lost_[k] ^= 1;
       any = true;
     }
     return any;
   }
 
-  const Evidence& evidence;
-  const std::size_t t;
-  const Trial& trial;
-  const Plant plant;
-  const LossResponse response;
-  std::vector<std::uint8_t> lost;
-  std::vector<double> gains, seen;
+  const Evidence& evidence_;
+  const std::size_t t_;
+  const Trial& trial_;
+  const Plant plant_;
+  const LossResponse response_;
+  std::vector<std::uint8_t> lost_;
+  std::vector<double> gains_, seen_;
   std::vector<double>
-      offTime;  ///< of a loss: cycles by which what it changes is less than the readings' want
+      offTime_;  ///< of a loss: cycles by which what it changes is less than the readings' want
 };
 
 }  // namespace

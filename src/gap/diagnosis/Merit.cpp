@@ -64,32 +64,32 @@ double leftPerDirection(const Evaluator& evaluator) {
 }
 
 AcceptanceTest::AcceptanceTest(const Evaluator& evaluator)
-    : fit(evaluator.baseFit()), worst(worstGap(evaluator)), unexplained(excess(evaluator)) {
-  worstHasCause = std::ranges::any_of(
-      evaluator.base(), [&](const Cause& cause) { return worst.signal == "pos." + cause.place.at; });
+    : fit_(evaluator.baseFit()), worst_(worstGap(evaluator)), unexplained_(excess(evaluator)) {
+  worstHasCause_ = std::ranges::any_of(
+      evaluator.base(), [&](const Cause& cause) { return worst_.signal == "pos." + cause.place.at; });
   for (std::size_t t = 0; t < evaluator.evidence().trials().size(); ++t)
-    predictions.push_back(evaluator.basePrediction(t));
+    predictions_.push_back(evaluator.basePrediction(t));
 }
 
 /// What engines do otherwise in all channels is much, together: another cause may tell in one alone. At a
 /// joint that has a cause already, what is left there may be what that does otherwise.
 bool AcceptanceTest::explainsWorst(const Evaluator& evaluator, double leastPart) const {
-  if (worstHasCause) return false;
+  if (worstHasCause_) return false;
   double left = 0;
   evaluator.forEachChannel([&](const Trial&, const Signal& signal, double chi) {
-    if (signal.name == worst.signal) left = std::max(left, chi - 1);
+    if (signal.name == worst_.signal) left = std::max(left, chi - 1);
   });
-  return left <= (1 - leastPart) * worst.size * worst.size;
+  return left <= (1 - leastPart) * worst_.size * worst_.size;
 }
 
 bool AcceptanceTest::passes(const Evaluator& evaluator, double leastPart) const {
-  const double gain = fit.judging - evaluator.baseFit().judging;
+  const double gain = fit_.judging - evaluator.baseFit().judging;
   // Real robots have more than one thing missing: the worst channel may wait for the next cause.
   const bool lowers =
-      worstGap(evaluator).size < lowerShare * worst.size + lowerWithin || gain > leastShare * unexplained;
+      worstGap(evaluator).size < lowerShare * worst_.size + lowerWithin || gain > leastShare * unexplained_;
   return lowers && gain >= leastGain &&
-         (gain >= leastPart * unexplained || explainsWorst(evaluator, leastPart)) &&
-         consistent(fit, evaluator.baseFit()) && largestChange(evaluator, predictions) >= leastVisible;
+         (gain >= leastPart * unexplained_ || explainsWorst(evaluator, leastPart)) &&
+         consistent(fit_, evaluator.baseFit()) && largestChange(evaluator, predictions_) >= leastVisible;
 }
 
 }  // namespace plumbline::gap

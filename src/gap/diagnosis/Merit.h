@@ -20,7 +20,7 @@ double leftPerDirection(const Evaluator& evaluator);
 class AcceptanceTest {
 public:
   explicit AcceptanceTest(const Evaluator& evaluator);
-  double judging() const { return fit.judging; }
+  double judging() const { return fit_.judging; }
 
   /// Whether the evaluator's present base passes. It has to lower the worst channel or a good part of the
   /// whole, on more than a few blocks, and to change a prediction by more than noise hides. leastPart: share
@@ -31,11 +31,11 @@ public:
 private:
   bool explainsWorst(const Evaluator& evaluator, double leastPart) const;
 
-  Fit fit;
-  std::vector<Prediction> predictions;
-  WorstGap worst;
-  bool worstHasCause;  ///< the worst channel is a joint's that has one
-  double unexplained = 0;
+  Fit fit_;
+  std::vector<Prediction> predictions_;
+  WorstGap worst_;
+  bool worstHasCause_;  ///< the worst channel is a joint's that has one
+  double unexplained_ = 0;
 };
 
 }  // namespace plumbline::gap

@@ -18,22 +18,22 @@ constexpr double leastOfUpper = 0.0005;  // the smallest value that is tried
 /// Cycles of one run from which on other values leave the base's.
 class Departure {
 public:
-  Departure(const Evaluator& evaluator_, const Cause& cause, std::size_t t_)
-      : evaluator(evaluator_), t(t_), trial(evaluator_.evidence().trials()[t_]) {
-    for (std::size_t s = 0; s < trial.signals.size(); ++s) {
-      const Signal& signal = trial.signals[s];
+  Departure(const Evaluator& evaluator, const Cause& cause, std::size_t t)
+      : evaluator_(evaluator), t_(t), trial_(evaluator.evidence().trials()[t]) {
+    for (std::size_t s = 0; s < trial_.signals.size(); ++s) {
+      const Signal& signal = trial_.signals[s];
       if (signal.kind == SignalKind::position &&
           (cause.place.site == Site::everywhere || signal.joint == cause.place.index))
-        signals.push_back(s);
+        signals_.push_back(s);
     }
   }
 
   /// The first of a few cycles in a row; the number of cycles where they never do.
   std::size_t of(const std::vector<std::vector<double>>& values) const {
-    std::size_t first = trial.cycles();
-    for (const std::size_t s : signals) {
-      const std::vector<double>&weights = evaluator.evidence().weights(t, s),
-            &base = evaluator.basePrediction(t).values[s];
+    std::size_t first = trial_.cycles();
+    for (const std::size_t s : signals_) {
+      const std::vector<double>&weights = evaluator_.evidence().weights(t_, s),
+            &base = evaluator_.basePrediction(t_).values[s];
       std::size_t row = 0;
       for (std::size_t k = 0; k < std::min({first, values[s].size(), base.size()}); ++k) {
         const double d = values[s][k] - base[k];
@@ -45,15 +45,15 @@ public:
   }
   std::size_t measured() const {
     std::vector<std::vector<double>> values;
-    for (const Signal& signal : trial.signals) values.push_back(signal.values);
+    for (const Signal& signal : trial_.signals) values.push_back(signal.values);
     return of(values);
   }
 
 private:
-  const Evaluator& evaluator;
-  const std::size_t t;
-  const Trial& trial;
-  std::vector<std::size_t> signals;
+  const Evaluator& evaluator_;
+  const std::size_t t_;
+  const Trial& trial_;
+  std::vector<std::size_t> signals_;
 };
 
 /// The run with a held base in which the places of a cause are off most.

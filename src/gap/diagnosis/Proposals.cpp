@@ -24,27 +24,27 @@ constexpr double coarseAdds = 0.5;    // of what is unexplained, at most, where 
 
 std::vector<Candidate> Proposals::find(const Look& look) {
   SearchOptions search_;
-  search_.jobs = options.jobs;
+  search_.jobs = options_.jobs;
   search_.leastGain = look.leastGain;
   search_.progress = [&](double share) {
-    if (options.progress) options.progress(look.stage, share);
+    if (options_.progress) options_.progress(look.stage, share);
   };
   SearchResult known;
   // A narrower search must not pass for the whole one of its base.
   SearchMemory* const memory = look.onlySensors || !look.lostCommands ? nullptr : look.memory;
-  SearchStart start{fine.base(), look.leastGain, {}};
-  if (losesCommands(fine.base())) start.lostCycles = fine.lostCycles();
+  SearchStart start{fine_.base(), look.leastGain, {}};
+  if (losesCommands(fine_.base())) start.lostCycles = fine_.lostCycles();
   if (auto remembered = memory ? memory->find(start) : std::nullopt) {
     known = std::move(*remembered);
     useLostCycles(known.lostCycles);
   } else {
-    std::vector<Cause> possible = possibleCauses(fine);
+    std::vector<Cause> possible = possibleCauses(fine_);
     if (look.onlySensors) std::erase_if(possible, [](const Cause& cause) { return !ofSensor(cause); });
-    known.candidates = search(fine, quickOn(fine.base()), possible, search_);
+    known.candidates = search(fine_, quickOn(fine_.base()), possible, search_);
     std::erase_if(known.candidates, [](const Candidate& c) { return withinEngines(c.cause); });
     priceLimitCycles(known.candidates);
     if (look.lostCommands && !look.onlySensors) addLostCommands(known.candidates);
-    known.lostCycles = fine.lostCycles();
+    known.lostCycles = fine_.lostCycles();
     // What goes on from here has what is remembered, no more.
     for (Candidate& candidate : known.candidates) {
       Fit sums;
@@ -61,35 +61,35 @@ std::vector<Candidate> Proposals::find(const Look& look) {
 /// An uncertain prediction fits more easily. So a cause that brings a limit cycle has to gain this much more
 /// than one that brings none.
 void Proposals::priceLimitCycles(std::vector<Candidate>& list) const {
-  const double before = fine.baseFit().judging;
+  const double before = fine_.baseFit().judging;
   for (Candidate& candidate : list)
-    if (anyLimitCycle(plantOf(fine.mechanism(), {candidate.cause})))
+    if (anyLimitCycle(plantOf(fine_.mechanism(), {candidate.cause})))
       candidate.fit.judging += limitCyclePrice * std::max(0.0, before - candidate.fit.judging);
 }
 
 const Evaluator& Proposals::quickOn(const Explanation& base) {
-  coarse.setBase(base);
-  const double adds = coarse.baseFit().judging - fine.baseFit().judging;
-  const bool close = coarse.baseFit().fitting <= coarseWithin * fine.baseFit().fitting &&
-                     (fine.hasFloatingBase() || adds <= coarseAdds * excess(fine));
-  return close ? coarse : fine;
+  coarse_.setBase(base);
+  const double adds = coarse_.baseFit().judging - fine_.baseFit().judging;
+  const bool close = coarse_.baseFit().fitting <= coarseWithin * fine_.baseFit().fitting &&
+                     (fine_.hasFloatingBase() || adds <= coarseAdds * excess(fine_));
+  return close ? coarse_ : fine_;
 }
 
 void Proposals::useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycles) {
-  fine.setLostCycles(cycles);
-  coarse.setLostCycles(cycles);
+  fine_.setLostCycles(cycles);
+  coarse_.setLostCycles(cycles);
 }
 
 void Proposals::addLostCommands(std::vector<Candidate>& list) {
   const auto dropout = std::ranges::find(effects(), true, &Effect::decoded);
   if (dropout == effects().end()) return;
-  if (!mostDeviates(fine) || losesCommands(fine.base())) return;
-  const LostCycles lost = findLostCycles(fine.evidence(), fine.base(), options.jobs);
+  if (!mostDeviates(fine_) || losesCommands(fine_.base())) return;
+  const LostCycles lost = findLostCycles(fine_.evidence(), fine_.base(), options_.jobs);
   if (lost.found < LostCycles::least) return;
   useLostCycles(lost.cycles);
   Candidate candidate;
   candidate.cause = {*dropout, {Site::everywhere, -1, "*"}, lost.share, 0};
-  candidate.fit = fine.with(candidate.cause);
+  candidate.fit = fine_.with(candidate.cause);
   candidate.fit.judging += lost.price;
   list.push_back(std::move(candidate));
 }

@@ -12,8 +12,8 @@ namespace plumbline::gap {
 class Proposals {
 public:
   /// coarse: with steps that do for a first look.
-  Proposals(Evaluator& fine_, Evaluator& coarse_, const DiagnosisOptions& options_)
-      : fine(fine_), coarse(coarse_), options(options_) {}
+  Proposals(Evaluator& fine, Evaluator& coarse, const DiagnosisOptions& options)
+      : fine_(fine), coarse_(coarse), options_(options) {}
 
   struct Look {
     std::string stage;               ///< as progress is told
@@ -36,8 +36,8 @@ public:
 private:
   void priceLimitCycles(std::vector<Candidate>& list) const;
 
-  Evaluator &fine, &coarse;
-  const DiagnosisOptions& options;
+  Evaluator &fine_, &coarse_;
+  const DiagnosisOptions& options_;
 };
 
 }  // namespace plumbline::gap

@@ -14,25 +14,25 @@ class Remainder {
 public:
   /// worstBefore: gap beyond noise of the worst channel without any cause, in units of its noise.
   Remainder(const Evaluator& evaluator, double worstBefore)
-      : held(gapOnFixedBase(evaluator)), onFeet(gapOnFloatingBase(evaluator)), before(worstBefore) {}
+      : held_(gapOnFixedBase(evaluator)), onFeet_(gapOnFloatingBase(evaluator)), before_(worstBefore) {}
 
   /// Over what another engine may do otherwise: above 1, the causes found are not the whole of it.
   double unaccounted() const { return std::max(unaccountedOnFixedBase(), unaccountedOnFloatingBase()); }
-  double unaccountedOnFixedBase() const { return held / std::max(remaining, remainingShare * before); }
+  double unaccountedOnFixedBase() const { return held_ / std::max(remaining, remainingShare * before_); }
   double unaccountedOnFloatingBase() const {
-    return onFeet / std::max(remainingOnFeet, remainingShareOnFeet * before);
+    return onFeet_ / std::max(remainingOnFeet, remainingShareOnFeet * before_);
   }
   /// What a further cause could be looked for in.
-  double size() const { return std::max(held, onFeet); }
+  double size() const { return std::max(held_, onFeet_); }
   /// Whether so little is left of a large gap that it may be what the effects found do otherwise in reality.
-  bool little() const { return size() < unexplainedShare / 2 * before; }
+  bool little() const { return size() < unexplainedShare / 2 * before_; }
   /// Whether it is below a multiple of what no other set of causes is tried for.
   bool mayRemain(double times = 1) const {
-    return size() < times * std::max(unexplained, unexplainedShare * before);
+    return size() < times * std::max(unexplained, unexplainedShare * before_);
   }
   /// On the feet, where replays take minutes, what contacts may do otherwise in another engine is only looked
   /// through for sensors, which need none.
-  bool onlyOfSensors() const { return held < unexplained && onFeet < remainingOnFeet; }
+  bool onlyOfSensors() const { return held_ < unexplained && onFeet_ < remainingOnFeet; }
 
 private:
   // In units of noise, and as shares of what was there.
@@ -44,7 +44,7 @@ private:
   static constexpr double remainingOnFeet = 2.5,
                           remainingShareOnFeet = 0.2;  // contacts differ more between engines
 
-  double held, onFeet, before;
+  double held_, onFeet_, before_;
 };
 
 }  // namespace plumbline::gap

@@ -33,20 +33,20 @@ std::vector<std::vector<std::uint8_t>> cyclesOf(const json& j) {
 
 }  // namespace
 
-SearchMemory::SearchMemory(std::string path_, std::string mark_, const Mechanism& mechanism, Warn warn_)
-    : path(std::move(path_)), mark(std::move(mark_)), warn(std::move(warn_)) {
-  if (!path.empty()) read(mechanism);
+SearchMemory::SearchMemory(std::string path, std::string mark, const Mechanism& mechanism, Warn warn)
+    : path_(std::move(path)), mark_(std::move(mark)), warn_(std::move(warn)) {
+  if (!path_.empty()) read(mechanism);
 }
 
 void SearchMemory::read(const Mechanism& mechanism) {
   std::error_code none;
-  const std::uintmax_t bytes = std::filesystem::file_size(path, none);
+  const std::uintmax_t bytes = std::filesystem::file_size(path_, none);
   if (none || bytes > mostBytes) return;
-  std::ifstream file(path);
+  std::ifstream file(path_);
   // A file that is damaged or of other runs is as good as none: everything in it can be found again.
   try {
-    const json j = parseJson(std::string(std::istreambuf_iterator<char>(file), {}), path);
-    if (j.at("mark") != mark) return;
+    const json j = parseJson(std::string(std::istreambuf_iterator<char>(file), {}), path_);
+    if (j.at("mark") != mark_) return;
     for (const json& stored : j.at("searches")) {
       Entry entry;
       for (const json& cause : stored.at("base")) entry.start.base.push_back(causeOf(cause, mechanism));
@@ -60,29 +60,29 @@ void SearchMemory::read(const Mechanism& mechanism) {
         entry.result.candidates.push_back(std::move(candidate));
       }
       entry.result.lostCycles = cyclesOf(stored.at("lost"));
-      entries.push_back(std::move(entry));
+      entries_.push_back(std::move(entry));
     }
-    stored = entries.size();
+    stored_ = entries_.size();
   } catch (const std::exception&) {
-    entries.clear();
+    entries_.clear();
   }
 }
 
 std::optional<SearchResult> SearchMemory::find(const SearchStart& start) const {
-  for (const Entry& entry : entries)
+  for (const Entry& entry : entries_)
     if (entry.start == start) return entry.result;
   return std::nullopt;
 }
 
 void SearchMemory::keep(const SearchStart& start, const SearchResult& result) {
-  if (path.empty()) return;
-  entries.push_back({start, result});
-  if (writable) write();
+  if (path_.empty()) return;
+  entries_.push_back({start, result});
+  if (writable_) write();
 }
 
 void SearchMemory::write() {
-  json j = {{"mark", mark}, {"searches", json::array()}};
-  for (const Entry& entry : entries) {
+  json j = {{"mark", mark_}, {"searches", json::array()}};
+  for (const Entry& entry : entries_) {
     json stored = {{"base", json::array()},
                    {"least_gain", entry.start.leastGain},
                    {"lost_before", entry.start.lostCycles},
@@ -94,20 +94,20 @@ void SearchMemory::write() {
     j["searches"].push_back(std::move(stored));
   }
   try {
-    writeFile(path, j.dump());
-    stored = entries.size();
+    writeFile(path_, j.dump());
+    stored_ = entries_.size();
   } catch (const std::runtime_error& error) {
     // Only time is lost where the diagnosis is stopped later.
-    writable = false;
-    if (warn) warn(error.what());
+    writable_ = false;
+    if (warn_) warn_(error.what());
   }
 }
 
 void SearchMemory::forget() {
   std::error_code none;
-  if (!path.empty() && std::filesystem::is_regular_file(path, none)) std::filesystem::remove(path, none);
-  entries.clear();
-  stored = 0;
+  if (!path_.empty() && std::filesystem::is_regular_file(path_, none)) std::filesystem::remove(path_, none);
+  entries_.clear();
+  stored_ = 0;
 }
 
 }  // namespace plumbline::gap

@@ -36,8 +36,8 @@ public:
   std::optional<SearchResult> find(const SearchStart& start) const;
   void keep(const SearchStart& start, const SearchResult& result);
   /// Searches that are in the file.
-  std::size_t size() const { return stored; }
-  const std::string& file() const { return path; }
+  std::size_t size() const { return stored_; }
+  const std::string& file() const { return path_; }
   /// Removes the file: the diagnosis is done.
   void forget();
 
@@ -49,11 +49,11 @@ private:
   void read(const Mechanism& mechanism);
   void write();
 
-  std::string path, mark;
-  Warn warn;
-  std::vector<Entry> entries;
-  std::size_t stored = 0;
-  bool writable = true;
+  std::string path_, mark_;
+  Warn warn_;
+  std::vector<Entry> entries_;
+  std::size_t stored_ = 0;
+  bool writable_ = true;
 };
 
 }  // namespace plumbline::gap

@@ -45,20 +45,20 @@ Evidence evenly(const Evaluator& nominal) {
 
 class Chooser {
 public:
-  Chooser(const Evaluator& nominal, int jobs_, const std::function<void(double)>& progress_)
-      : kinds(kindsPossible(nominal)),
-        evidence(evenly(nominal)),
-        fine(nominal.mechanism(), evidence),
-        coarse(nominal.mechanism(), evidence, coarseSteps()),
-        jobs(jobs_),
-        progress(progress_) {
-    fine.setBase({});
-    coarse.setBase({});
+  Chooser(const Evaluator& nominal, int jobs, const std::function<void(double)>& progress)
+      : kinds_(kindsPossible(nominal)),
+        evidence_(evenly(nominal)),
+        fine_(nominal.mechanism(), evidence_),
+        coarse_(nominal.mechanism(), evidence_, coarseSteps()),
+        jobs_(jobs),
+        progress_(progress) {
+    fine_.setBase({});
+    coarse_.setBase({});
   }
 
   Explanation run(std::size_t maxCauses) {
     if (maxCauses < 2) return {};
-    rounds = static_cast<double>(2 * maxCauses - 2);
+    rounds_ = static_cast<double>(2 * maxCauses - 2);
     const std::vector<Candidate> alone = ranked({});
     if (alone.size() < 2) return {};
 
@@ -67,12 +67,12 @@ public:
       for (std::size_t j = 0; j < i; ++j)
         if (!alone[i].cause.sameKind(alone[j].cause)) pairs.push_back({alone[j].cause, alone[i].cause});
     Set best = bestOf(std::move(pairs));
-    const double least = leastOfAll * fine.baseFit().judging;
-    if (fine.of({alone.front().cause}).judging - best.left < least) return {};
+    const double least = leastOfAll * fine_.baseFit().judging;
+    if (fine_.of({alone.front().cause}).judging - best.left < least) return {};
     while (best.causes.size() < maxCauses) {
       std::vector<Explanation> larger;
       const std::vector<Explanation> sets = inItsVariants(best);
-      parts = sets.size();
+      parts_ = sets.size();
       for (const Explanation& set : sets) {
         const std::vector<Candidate> further = ranked(set);
         for (std::size_t i = 0; i < std::min(extendedBy, further.size()); ++i) {
@@ -80,7 +80,7 @@ public:
           larger.back().push_back(further[i].cause);
         }
       }
-      parts = 1;
+      parts_ = 1;
       Set next = bestOf(std::move(larger));
       if (best.left - next.left < std::max(least, leastOfRest * best.left)) break;
       best = std::move(next);
@@ -105,9 +105,9 @@ private:
         others.back()[i].variant = v;
       }
     std::vector<double> left(others.size());
-    parallel(others.size(), jobs, [&](std::size_t i) {
-      others[i] = fitTogether(coarse, others[i], 1);
-      left[i] = fine.of(others[i]).judging;
+    parallel(others.size(), jobs_, [&](std::size_t i) {
+      others[i] = fitTogether(coarse_, others[i], 1);
+      left[i] = fine_.of(others[i]).judging;
     });
     std::vector<Explanation> sets = {set.causes};
     for (std::size_t i = 0; i < others.size(); ++i)
@@ -117,11 +117,11 @@ private:
 
   /// Every kind that the causes do not have, fitted on top of them; the one that fits best first.
   std::vector<Candidate> ranked(const Explanation& causes) {
-    coarse.setBase(causes);
-    std::vector<Candidate> list(kinds.size());
-    each(kinds.size(), [&](std::size_t i) {
-      const auto there = [&](const Cause& cause) { return cause.sameKind(kinds[i].front()); };
-      if (std::ranges::none_of(causes, there)) list[i] = fittedAlone(coarse, kinds[i]);
+    coarse_.setBase(causes);
+    std::vector<Candidate> list(kinds_.size());
+    each(kinds_.size(), [&](std::size_t i) {
+      const auto there = [&](const Cause& cause) { return cause.sameKind(kinds_[i].front()); };
+      if (std::ranges::none_of(causes, there)) list[i] = fittedAlone(coarse_, kinds_[i]);
     });
     std::erase_if(list, [](const Candidate& candidate) { return !candidate.cause.effect; });
     std::ranges::stable_sort(
@@ -133,8 +133,8 @@ private:
   Set bestOf(std::vector<Explanation> sets) {
     std::vector<double> left(sets.size());
     each(sets.size(), [&](std::size_t i) {
-      sets[i] = fitTogether(coarse, sets[i], 1);
-      left[i] = fine.of(sets[i]).judging;
+      sets[i] = fitTogether(coarse_, sets[i], 1);
+      left[i] = fine_.of(sets[i]).judging;
     });
     if (sets.empty()) return {};
     const auto best = static_cast<std::size_t>(std::ranges::min_element(left) - left.begin());
@@ -143,24 +143,24 @@ private:
 
   void each(std::size_t count, const std::function<void(std::size_t)>& work) {
     std::atomic<std::size_t> done = 0;
-    parallel(count, jobs, [&](std::size_t i) {
+    parallel(count, jobs_, [&](std::size_t i) {
       work(i);
       const double share = static_cast<double>(++done) / static_cast<double>(count);
-      const double part = static_cast<double>(partsDone) + share;
-      if (progress) progress((round + part / static_cast<double>(parts)) / rounds);
+      const double part = static_cast<double>(partsDone_) + share;
+      if (progress_) progress_((round_ + part / static_cast<double>(parts_)) / rounds_);
     });
-    if (++partsDone < parts) return;
-    partsDone = 0;
-    ++round;
+    if (++partsDone_ < parts_) return;
+    partsDone_ = 0;
+    ++round_;
   }
 
-  const std::vector<std::vector<Cause>> kinds;
-  const Evidence evidence;
-  Evaluator fine, coarse;
-  const int jobs;
-  const std::function<void(double)>& progress;
-  double round = 0, rounds = 1;
-  std::size_t parts = 1, partsDone = 0;  // of the round
+  const std::vector<std::vector<Cause>> kinds_;
+  const Evidence evidence_;
+  Evaluator fine_, coarse_;
+  const int jobs_;
+  const std::function<void(double)>& progress_;
+  double round_ = 0, rounds_ = 1;
+  std::size_t parts_ = 1, partsDone_ = 0;  // of the round
 };
 
 }  // namespace

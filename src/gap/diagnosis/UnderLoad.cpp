@@ -14,28 +14,28 @@ constexpr std::size_t mostFound = 2;  // causes: with as many found, nothing is 
 
 }  // namespace
 
-UnderLoad::UnderLoad(const Evaluator& evaluator) : robot(evaluator.mechanism()) {
+UnderLoad::UnderLoad(const Evaluator& evaluator) : robot_(evaluator.mechanism()) {
   if (!evaluator.hasFixedBase() || !evaluator.hasFloatingBase() || evaluator.base().size() >= mostFound)
     return;
   if (DeviatingJoints(evaluator).any) return;
-  excess = jointExcess(evaluator, true);
-  worst = *std::ranges::max_element(excess);
-  for (const auto& foot : robot.feet)
-    for (const int joint : robot.chain(foot.link)) legs.insert(joint);
+  excess_ = jointExcess(evaluator, true);
+  worst_ = *std::ranges::max_element(excess_);
+  for (const auto& foot : robot_.feet)
+    for (const int joint : robot_.chain(foot.link)) legs_.insert(joint);
 }
 
 bool UnderLoad::shows(const Effect& effect, const Place& place) const {
-  if (!(worst > notClean)) return false;
+  if (!(worst_ > notClean)) return false;
   if (place.site == Site::link) {
-    const std::vector<int> chain = robot.chain(place.index);
-    return !chain.empty() && legs.contains(chain.back());
+    const std::vector<int> chain = robot_.chain(place.index);
+    return !chain.empty() && legs_.contains(chain.back());
   }
-  if (place.site != Site::joint || !legs.contains(place.index)) return false;
+  if (place.site != Site::joint || !legs_.contains(place.index)) return false;
   switch (effect.screening.underLoad) {
     case Screening::UnderLoad::anyLeg:
       return true;
     case Screening::UnderLoad::weakMotor:
-      return excess[static_cast<std::size_t>(place.index)] > motorShare * worst;
+      return excess_[static_cast<std::size_t>(place.index)] > motorShare * worst_;
     case Screening::UnderLoad::no:
       break;
   }

@@ -16,10 +16,10 @@ public:
   bool shows(const Effect& effect, const Place& place) const;
 
 private:
-  const Mechanism& robot;
-  std::vector<double> excess;  ///< of the runs on the feet, see jointExcess(); empty: nothing to look for
-  double worst = 0;
-  std::set<int> legs;  ///< joints
+  const Mechanism& robot_;
+  std::vector<double> excess_;  ///< of the runs on the feet, see jointExcess(); empty: nothing to look for
+  double worst_ = 0;
+  std::set<int> legs_;  ///< joints
 };
 
 }  // namespace plumbline::gap

@@ -26,21 +26,21 @@ std::string nameOfSet(const Explanation& causes) {
 
 class Search {
 public:
-  Search(const Replayer& replayer_, const BeamOptions& options_)
-      : replayer(replayer_),
-        options(options_),
-        shares(sharesOf(replayer.groups(), replayer.residuals({}))),
-        own(options.screening ? nullptr
-                              : std::make_unique<CandidateScreening>(
-                                    replayer, shares, [this](double share) { tell(0.3 * share); })),
-        screening(options.screening ? *options.screening : *own) {}
+  Search(const Replayer& replayer, const BeamOptions& options)
+      : replayer_(replayer),
+        options_(options),
+        shares_(sharesOf(replayer_.groups(), replayer_.residuals({}))),
+        own_(options_.screening ? nullptr
+                                : std::make_unique<CandidateScreening>(
+                                      replayer_, shares_, [this](double share) { tell(0.3 * share); })),
+        screening_(options_.screening ? *options_.screening : *own_) {}
 
   BeamResult run() {
     add({});
-    for (std::size_t size = 0; size < options.mostCauses; ++size) {
-      tell(0.3 + 0.6 * static_cast<double>(size) / static_cast<double>(options.mostCauses));
+    for (std::size_t size = 0; size < options_.mostCauses; ++size) {
+      tell(0.3 + 0.6 * static_cast<double>(size) / static_cast<double>(options_.mostCauses));
       const std::string before = nameOfSet(best().causes());
-      for (const Scored& set : top(options.width)) extend(set.causes());
+      for (const Scored& set : top(options_.width)) extend(set.causes());
       if (nameOfSet(best().causes()) == before && !winsByItsOwnShares()) break;
       improve();
       renewShares();
@@ -52,7 +52,7 @@ public:
 
 private:
   void tell(double share) const {
-    if (options.progress) options.progress(share);
+    if (options_.progress) options_.progress(share);
   }
 
   /// Whether the likeliest larger set is better than the best under the shares of what the larger one leaves:
@@ -60,39 +60,39 @@ private:
   bool winsByItsOwnShares() {
     const Scored now = best();
     const Scored* larger = nullptr;
-    for (const auto& [name, set] : scored)
+    for (const auto& [name, set] : scored_)
       if (set.causes().size() > now.causes().size() && (!larger || set.score() > larger->score()))
         larger = &set;
     if (!larger) return false;
-    const auto kept = scored;
-    const Shares keptShares = shares;
+    const auto kept = scored_;
+    const Shares keptShares = shares_;
     const Explanation other = larger->causes();
-    shares = sharesOf(replayer.groups(), replayer.residuals(other));
-    scored.clear();
+    shares_ = sharesOf(replayer_.groups(), replayer_.residuals(other));
+    scored_.clear();
     add(now.causes());
     add(other);
     add({});
     if (nameOfSet(best().causes()) == nameOfSet(other)) return true;
-    scored = kept;
-    shares = keptShares;
+    scored_ = kept;
+    shares_ = keptShares;
     return false;
   }
 
   void add(const Explanation& causes, int steps = stepsInSearch) {
-    if (causes.size() > options.mostCauses) return;
+    if (causes.size() > options_.mostCauses) return;
     std::string name = nameOfSet(causes);
-    if (scored.contains(name)) return;
-    Scored set = score(replayer, shares, causes, screening.numKinds(), steps);
+    if (scored_.contains(name)) return;
+    Scored set = score(replayer_, shares_, causes, screening_.numKinds(), steps);
     // A cause that was fitted away makes the set the one without it.
     if (std::ranges::any_of(set.causes(),
-                            [&](const Cause& cause) { return doesNothing(replayer.mechanism(), cause); }))
+                            [&](const Cause& cause) { return doesNothing(replayer_.mechanism(), cause); }))
       return;
-    scored.emplace(std::move(name), std::move(set));
+    scored_.emplace(std::move(name), std::move(set));
   }
 
   std::vector<Scored> top(std::size_t most) const {
     std::vector<Scored> sets;
-    for (const auto& [name, set] : scored) sets.push_back(set);
+    for (const auto& [name, set] : scored_) sets.push_back(set);
     std::ranges::stable_sort(sets, std::ranges::greater(), &Scored::score);
     if (sets.size() > most) sets.resize(most);
     return sets;
@@ -101,14 +101,14 @@ private:
 
   /// Causes that may pay beside the base: those that gain half of their price to first order.
   std::vector<Proposal> worthTrying(const Explanation& base, std::size_t most) const {
-    std::vector<Proposal> proposals = screening.propose(replayer, base, shares, most);
-    const double price = priceOf(1, screening.numKinds());
+    std::vector<Proposal> proposals = screening_.propose(replayer_, base, shares_, most);
+    const double price = priceOf(1, screening_.numKinds());
     std::erase_if(proposals, [&](const Proposal& proposal) { return proposal.gain < price / 2; });
     return proposals;
   }
 
   void extend(const Explanation& base) {
-    for (const Proposal& proposal : worthTrying(base, options.proposals)) {
+    for (const Proposal& proposal : worthTrying(base, options_.proposals)) {
       Explanation larger = base;
       larger.push_back(proposal.cause);
       add(larger);
@@ -123,7 +123,7 @@ private:
       for (std::size_t i = 0; i < causes.size(); ++i) {
         const Explanation rest = without(causes, i);
         add(rest);
-        for (const Proposal& proposal : worthTrying(rest, options.width)) {
+        for (const Proposal& proposal : worthTrying(rest, options_.width)) {
           Explanation other = rest;
           other.push_back(proposal.cause);
           add(other);
@@ -143,7 +143,7 @@ private:
   void shared(const Explanation& causes, std::size_t i) {
     const Cause& cause = causes[i];
     if (cause.place.site != Site::joint || !cause.effect->ofServo) return;
-    for (const Place& place : placesOf(*cause.effect, replayer.mechanism())) {
+    for (const Place& place : placesOf(*cause.effect, replayer_.mechanism())) {
       if (place.site != Site::everywhere) continue;
       Explanation other;
       for (const Cause& one : causes)
@@ -156,9 +156,9 @@ private:
 
   /// Scores the best sets anew under the shares of what the best of them leaves.
   void renewShares() {
-    const std::vector<Scored> sets = top(2 * options.width);
-    shares = sharesOf(replayer.groups(), replayer.residuals(sets.front().causes()));
-    scored.clear();
+    const std::vector<Scored> sets = top(2 * options_.width);
+    shares_ = sharesOf(replayer_.groups(), replayer_.residuals(sets.front().causes()));
+    scored_.clear();
     for (const Scored& set : sets) add(set.causes());
     add({});
   }
@@ -166,19 +166,19 @@ private:
   BeamResult last() {
     constexpr std::size_t kept = 12;
     const std::vector<Scored> sets = top(kept);
-    shares = sharesOf(replayer.groups(), replayer.residuals(sets.front().causes()));
-    scored.clear();
+    shares_ = sharesOf(replayer_.groups(), replayer_.residuals(sets.front().causes()));
+    scored_.clear();
     for (const Scored& set : sets) add(set.causes(), stepsInSearch);
     add({});
-    return {top(kept + 1), {}, shares, screening.numKinds()};
+    return {top(kept + 1), {}, shares_, screening_.numKinds()};
   }
 
-  const Replayer& replayer;
-  const BeamOptions& options;
-  Shares shares;
-  const std::unique_ptr<const CandidateScreening> own;
-  const CandidateScreening& screening;
-  std::map<std::string, Scored> scored;
+  const Replayer& replayer_;
+  const BeamOptions& options_;
+  Shares shares_;
+  const std::unique_ptr<const CandidateScreening> own_;
+  const CandidateScreening& screening_;
+  std::map<std::string, Scored> scored_;
 };
 
 }  // namespace

@@ -101,13 +101,13 @@ struct CandidateScreening::Guessed {
 
 CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& shares,
                                        const std::function<void(double)>& progress)
-    : looked(someTrials(replayer.groups())) {
+    : looked_(someTrials(replayer.groups())) {
   const Groups& groups = replayer.groups();
   const Mechanism& robot = replayer.mechanism();
   // A recording that is left alone by others that are left out is cut into stretches.
   const std::size_t stretches = groups.count() <= 2 || groups.stretchesOfOne() ? 4 : 1;
   for (const Trial& trial : groups.trials())
-    every.push_back(std::max<std::size_t>(1, trial.cycles() / (stretches * mostSamples)));
+    every_.push_back(std::max<std::size_t>(1, trial.cycles() / (stretches * mostSamples)));
   const Residuals nominal = replayer.residuals({});
   // Most that a cause can gain: every cell of its chains falls to its noise.
   std::vector<double> most(groups.cells().size());
@@ -128,7 +128,7 @@ CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& s
       if (effect->decoded || !canShow(groups, robot, *effect, place)) continue;
       for (int variant = 0; variant < effect->numVariants(); ++variant) {
         possible.push_back({effect, place, 0, variant});
-        ++kinds;
+        ++kinds_;
       }
     }
   std::erase_if(possible, [&](const Cause& cause) {
@@ -143,7 +143,7 @@ CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& s
                replayer.feels(chain, cause);
       if (felt) best += most[c];
     }
-    return best <= std::log(static_cast<double>(kinds));
+    return best <= std::log(static_cast<double>(kinds_));
   });
   replayStarts(replayer, possible, progress);
 }
@@ -155,11 +155,11 @@ std::vector<CandidateScreening::Change> CandidateScreening::changesOf(const Grou
                                                                       const Residuals& with) const {
   std::vector<Change> changes;
   for (std::size_t t = 0; t < groups.trials().size(); ++t)
-    for (std::size_t s = 0; s < groups.trials()[t].signals.size() && looked[t]; ++s) {
+    for (std::size_t s = 0; s < groups.trials()[t].signals.size() && looked_[t]; ++s) {
       if (!groups.uses()[t][s].used || with[t][s] == nominal[t][s]) continue;
       const std::size_t cycles = groups.trials()[t].cycles();
-      const std::vector<double> a = thinned(*nominal[t][s], 0, cycles, every[t]),
-                                b = thinned(*with[t][s], 0, cycles, every[t]);
+      const std::vector<double> a = thinned(*nominal[t][s], 0, cycles, every_[t]),
+                                b = thinned(*with[t][s], 0, cycles, every_[t]);
       Change change{t, s, {}};
       bool any = false;
       for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
@@ -180,24 +180,24 @@ void CandidateScreening::replayStarts(const Replayer& exact, const std::vector<C
   coarse.step = coarseStep;
   coarse.gearStep = coarseGearStep;
   const Replayer replayer(robot, exact.groups(), exact.jobs(), coarse);
-  const Residuals nominal = replayer.residuals({}, looked);
+  const Residuals nominal = replayer.residuals({}, looked_);
   for (std::size_t i = 0; i < worth.size(); ++i) {
     if (progress) progress(static_cast<double>(i) / static_cast<double>(worth.size()));
     const Effect& effect = *worth[i].effect;
-    const std::size_t firstOfKind = starts.size();
+    const std::size_t firstOfKind = starts_.size();
     for (const double value : effect.starts) {
       Cause cause = worth[i];
       cause.value = value * effect.scaleAt(robot, cause.place);
       cause = withLogStrengths(robot, {cause}, logStrengths({cause})).front();
       Start start{cause, {}};
-      if (starts.size() > firstOfKind && isOpposite(starts[firstOfKind].cause, cause)) {
-        start.changes = starts[firstOfKind].changes;
+      if (starts_.size() > firstOfKind && isOpposite(starts_[firstOfKind].cause, cause)) {
+        start.changes = starts_[firstOfKind].changes;
         for (Change& change : start.changes)
           for (float& of : change.values) of = -of;
       } else {
-        start.changes = changesOf(replayer.groups(), nominal, replayer.residuals({cause}, looked));
+        start.changes = changesOf(replayer.groups(), nominal, replayer.residuals({cause}, looked_));
       }
-      if (!start.changes.empty()) starts.push_back(std::move(start));
+      if (!start.changes.empty()) starts_.push_back(std::move(start));
     }
   }
 }
@@ -267,8 +267,8 @@ std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const 
   for (const Trial& trial : groups.trials()) left.at.emplace_back(trial.signals.size());
   for (std::size_t c = 0; c < groups.cells().size(); ++c) {
     const Cell& cell = groups.cells()[c];
-    const std::size_t n = every[cell.trial];
-    if (!looked[cell.trial] || !residuals[cell.trial][cell.signal]) continue;
+    const std::size_t n = every_[cell.trial];
+    if (!looked_[cell.trial] || !residuals[cell.trial][cell.signal]) continue;
     Left::OfCell of;
     of.cell = cell;
     of.first = (cell.from + n - 1) / n;
@@ -294,7 +294,7 @@ std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const 
     Guessed guessed;
   };
   std::vector<Candidate> candidates;
-  for (const Start& start : starts) {
+  for (const Start& start : starts_) {
     if (std::ranges::any_of(base, [&](const Cause& cause) { return cause.sameKind(start.cause); })) continue;
     const Guessed guessed = guess(start, left);
     if (!(guessed.gain > 0)) continue;

@@ -24,12 +24,12 @@ public:
                      const std::function<void(double)>& progress = {});
 
   /// How many kinds are possible at all on this robot with these recordings.
-  std::size_t numKinds() const { return kinds; }
+  std::size_t numKinds() const { return kinds_; }
   /// The best start of each kind that gains, best kind first, at most so many. within: the replayer of the
   /// groups that count, all or some of those that were screened.
   std::vector<Proposal> propose(const Replayer& within, const Explanation& base, const Shares& shares,
                                 std::size_t most) const;
-  std::size_t numStarts() const { return starts.size(); }
+  std::size_t numStarts() const { return starts_.size(); }
 
 private:
   /// What a start changes in a signal of a trial, at every n-th cycle.
@@ -49,10 +49,10 @@ private:
   void replayStarts(const Replayer& exact, const std::vector<Cause>& worth,
                     const std::function<void(double)>& progress);
 
-  std::vector<char> looked;        ///< per trial
-  std::vector<std::size_t> every;  ///< per trial: cycles between those that are looked at
-  std::size_t kinds = 0;
-  std::vector<Start> starts;
+  std::vector<char> looked_;        ///< per trial
+  std::vector<std::size_t> every_;  ///< per trial: cycles between those that are looked at
+  std::size_t kinds_ = 0;
+  std::vector<Start> starts_;
 };
 
 }  // namespace plumbline::gap

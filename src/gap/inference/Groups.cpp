@@ -22,30 +22,30 @@ std::size_t firstScored(const Trial& trial) {
 }
 
 Groups::Groups(std::vector<Trial> trials)
-    : all(std::make_shared<const std::vector<Trial>>(std::move(trials))),
-      channels(std::make_shared<const std::vector<std::vector<ChannelUse>>>(channelUses(*all))) {
+    : all_(std::make_shared<const std::vector<Trial>>(std::move(trials))),
+      channels_(std::make_shared<const std::vector<std::vector<ChannelUse>>>(channelUses(*all_))) {
   std::size_t count = 0;
-  for (std::size_t t = 0; t < all->size(); ++t) {
+  for (std::size_t t = 0; t < all_->size(); ++t) {
     std::size_t recording = count;
     for (std::size_t other = 0; other < t && recording == count; ++other)
-      if ((*all)[other].recording == (*all)[t].recording || isRepeat((*all)[other], (*all)[t]))
-        recording = recordingOf[other];
+      if ((*all_)[other].recording == (*all_)[t].recording || isRepeat((*all_)[other], (*all_)[t]))
+        recording = recordingOf_[other];
     count = std::max(count, recording + 1);
-    recordingOf.push_back(recording);
+    recordingOf_.push_back(recording);
   }
-  in.assign(count, 1);
+  in_.assign(count, 1);
   number();
 }
 
 Groups Groups::without(std::size_t group) const {
   Groups other;
-  other.all = all;
-  other.channels = channels;
-  other.recordingOf = recordingOf;
-  other.in = in;
-  other.stretches = stretches;
+  other.all_ = all_;
+  other.channels_ = channels_;
+  other.recordingOf_ = recordingOf_;
+  other.in_ = in_;
+  other.stretches_ = stretches_;
   std::size_t seen = 0;
-  for (char& flag : other.in)
+  for (char& flag : other.in_)
     if (flag && seen++ == group) {
       flag = 0;
       break;
@@ -55,30 +55,30 @@ Groups Groups::without(std::size_t group) const {
 }
 
 void Groups::number() {
-  std::vector<char> trialIn(all->size(), 1);
-  if (!stretches) {
-    for (std::size_t t = 0; t < all->size(); ++t) trialIn[t] = in[recordingOf[t]];
-    if (std::ranges::count(in, 1) == 1) {
-      stretches = true;
-      in.assign(numStretches, 1);
-      for (std::size_t t = 0; t < all->size(); ++t) recordingOf[t] = trialIn[t] ? 0 : 1;
+  std::vector<char> trialIn(all_->size(), 1);
+  if (!stretches_) {
+    for (std::size_t t = 0; t < all_->size(); ++t) trialIn[t] = in_[recordingOf_[t]];
+    if (std::ranges::count(in_, 1) == 1) {
+      stretches_ = true;
+      in_.assign(numStretches, 1);
+      for (std::size_t t = 0; t < all_->size(); ++t) recordingOf_[t] = trialIn[t] ? 0 : 1;
     }
   } else {
-    for (std::size_t t = 0; t < all->size(); ++t) trialIn[t] = recordingOf[t] == 0;
+    for (std::size_t t = 0; t < all_->size(); ++t) trialIn[t] = recordingOf_[t] == 0;
   }
-  groups = 0;
-  std::vector<std::size_t> numberOf(in.size());
-  for (std::size_t i = 0; i < in.size(); ++i) numberOf[i] = in[i] ? groups++ : 0;
-  held.assign(groups, std::vector<char>(all->size(), 0));
-  for (std::size_t t = 0; t < all->size(); ++t) {
-    const Trial& trial = (*all)[t];
+  groups_ = 0;
+  std::vector<std::size_t> numberOf(in_.size());
+  for (std::size_t i = 0; i < in_.size(); ++i) numberOf[i] = in_[i] ? groups_++ : 0;
+  held_.assign(groups_, std::vector<char>(all_->size(), 0));
+  for (std::size_t t = 0; t < all_->size(); ++t) {
+    const Trial& trial = (*all_)[t];
     const std::size_t cycles = trial.cycles(), first = firstScored(trial);
-    const std::size_t parts = stretches ? numStretches : 1;
+    const std::size_t parts = stretches_ ? numStretches : 1;
     for (std::size_t s = 0; s < trial.signals.size() && trialIn[t]; ++s) {
-      const ChannelUse& use = (*channels)[t][s];
+      const ChannelUse& use = (*channels_)[t][s];
       for (std::size_t part = 0; part < parts && use.used; ++part) {
-        if (stretches && !in[part]) continue;
-        const Cell cell{numberOf[stretches ? part : recordingOf[t]],
+        if (stretches_ && !in_[part]) continue;
+        const Cell cell{numberOf[stretches_ ? part : recordingOf_[t]],
                         t,
                         s,
                         std::max(first, part * cycles / parts),
@@ -88,20 +88,20 @@ void Groups::number() {
         for (std::size_t k = cell.from; k < cell.to && !any; ++k)
           any = std::isfinite(trial.signals[s].values[k]);
         if (!any) continue;
-        scored.push_back(cell);
-        held[cell.group][t] = 1;
+        scored_.push_back(cell);
+        held_[cell.group][t] = 1;
       }
     }
   }
 }
 
 bool Groups::holds(std::size_t trial) const {
-  return std::ranges::any_of(held, [&](const std::vector<char>& of) { return of[trial] != 0; });
+  return std::ranges::any_of(held_, [&](const std::vector<char>& of) { return of[trial] != 0; });
 }
 
 std::size_t Groups::groupOf(std::size_t trial, std::size_t cycle) const {
-  if (!stretches) return recordingOf[trial];
-  return std::min(numStretches - 1, cycle * numStretches / std::max<std::size_t>(1, (*all)[trial].cycles()));
+  if (!stretches_) return recordingOf_[trial];
+  return std::min(numStretches - 1, cycle * numStretches / std::max<std::size_t>(1, (*all_)[trial].cycles()));
 }
 
 }  // namespace plumbline::gap

@@ -23,13 +23,13 @@ public:
   /// The same without one group: the others, numbered anew; one that is left alone is cut into stretches.
   Groups without(std::size_t group) const;
 
-  const std::vector<Trial>& trials() const { return *all; }
-  const std::vector<std::vector<ChannelUse>>& uses() const { return *channels; }
-  const std::vector<Cell>& cells() const { return scored; }
-  std::size_t count() const { return groups; }
-  bool stretchesOfOne() const { return stretches; }
+  const std::vector<Trial>& trials() const { return *all_; }
+  const std::vector<std::vector<ChannelUse>>& uses() const { return *channels_; }
+  const std::vector<Cell>& cells() const { return scored_; }
+  std::size_t count() const { return groups_; }
+  bool stretchesOfOne() const { return stretches_; }
   /// Whether a trial has anything in a group, or in any.
-  bool holds(std::size_t group, std::size_t trial) const { return held[group][trial] != 0; }
+  bool holds(std::size_t group, std::size_t trial) const { return held_[group][trial] != 0; }
   bool holds(std::size_t trial) const;
   /// The number of the group that a trial's cycle is in. Only of groups that none was left out of.
   std::size_t groupOf(std::size_t trial, std::size_t cycle) const;
@@ -38,14 +38,14 @@ private:
   Groups() = default;
   void number();
 
-  std::shared_ptr<const std::vector<Trial>> all;
-  std::shared_ptr<const std::vector<std::vector<ChannelUse>>> channels;
-  std::vector<std::size_t> recordingOf;  ///< per trial: recording with its repeats
-  std::vector<char> in;                  ///< per recording, or per stretch of the only one: still there
-  bool stretches = false;
-  std::size_t groups = 0;
-  std::vector<Cell> scored;
-  std::vector<std::vector<char>> held;  ///< per group and trial
+  std::shared_ptr<const std::vector<Trial>> all_;
+  std::shared_ptr<const std::vector<std::vector<ChannelUse>>> channels_;
+  std::vector<std::size_t> recordingOf_;  ///< per trial: recording with its repeats
+  std::vector<char> in_;                  ///< per recording, or per stretch of the only one: still there
+  bool stretches_ = false;
+  std::size_t groups_ = 0;
+  std::vector<Cell> scored_;
+  std::vector<std::vector<char>> held_;  ///< per group and trial
 };
 
 /// First cycle of a trial that is scored: what came before a recording still rings for 0.3 s.

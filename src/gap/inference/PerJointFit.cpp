@@ -49,50 +49,50 @@ struct Motor {
 
 class JointSteps {
 public:
-  JointSteps(const Replayer& replayer_, PerJoint start)
-      : replayer(replayer_),
-        robot(replayer_.mechanism()),
-        weights(weightsOf(replayer_)),
-        at(std::move(start)),
-        first(at.causes.size() - at.parameters) {
-    for (std::size_t i = first; i < at.causes.size(); ++i) {
-      motors[at.causes[i].place.index].causes.push_back(i);
-      units.push_back(leastStart(robot, at.causes[i]));
+  JointSteps(const Replayer& replayer, PerJoint start)
+      : replayer_(replayer),
+        robot_(replayer.mechanism()),
+        weights_(weightsOf(replayer)),
+        at_(std::move(start)),
+        first_(at_.causes.size() - at_.parameters) {
+    for (std::size_t i = first_; i < at_.causes.size(); ++i) {
+      motors_[at_.causes[i].place.index].causes.push_back(i);
+      units_.push_back(leastStart(robot_, at_.causes[i]));
     }
-    residuals = replayer.residuals(at.causes);
-    costs = costsOf(residuals);
-    at.left = total(costs);
+    residuals_ = replayer_.residuals(at_.causes);
+    costs_ = costsOf(residuals_);
+    at_.left = total(costs_);
   }
 
   PerJoint run(int steps) {
-    for (int step = 0; step < steps && at.parameters > 0; ++step) {
+    for (int step = 0; step < steps && at_.parameters > 0; ++step) {
       linearise();
       if (!advance()) break;
     }
-    return at;
+    return at_;
   }
 
 private:
   double coordinate(std::size_t i) const {
-    return at.causes[i].effect->strengthOf(at.causes[i].value) / units[i - first];
+    return at_.causes[i].effect->strengthOf(at_.causes[i].value) / units_[i - first_];
   }
 
   /// The cause at a coordinate, held within its bounds.
   Cause moved(std::size_t i, double x) const {
-    return withStrength(robot, at.causes[i], x * units[i - first]);
+    return withStrength(robot_, at_.causes[i], x * units_[i - first_]);
   }
 
   /// Per motor: its position's share of the whole.
   std::map<int, double> costsOf(const Residuals& of) const {
     std::map<int, double> sums;
-    for (const Cell& cell : replayer.groups().cells())
-      if (ofPosition(replayer, cell))
-        sums[motorOf(cell)] += weights[cell.group] * squaresOf(residualsOf(cell, of));
+    for (const Cell& cell : replayer_.groups().cells())
+      if (ofPosition(replayer_, cell))
+        sums[motorOf(cell)] += weights_[cell.group] * squaresOf(residualsOf(cell, of));
     return sums;
   }
 
   int motorOf(const Cell& cell) const {
-    return robot.motorOf(replayer.groups().trials()[cell.trial].signals[cell.signal].joint);
+    return robot_.motorOf(replayer_.groups().trials()[cell.trial].signals[cell.signal].joint);
   }
 
   static double total(const std::map<int, double>& of) {
@@ -103,31 +103,31 @@ private:
 
   void linearise() {
     std::size_t most = 0;
-    for (auto& [joint, motor] : motors) {
+    for (auto& [joint, motor] : motors_) {
       const auto n = static_cast<Eigen::Index>(motor.causes.size());
       motor.normal = Eigen::MatrixXd::Zero(n, n);
       motor.downhill = Eigen::VectorXd::Zero(n);
       most = std::max(most, motor.causes.size());
     }
     std::vector<Residuals> shifted;
-    std::vector<double> steps(at.causes.size(), 0.0);
+    std::vector<double> steps(at_.causes.size(), 0.0);
     for (std::size_t k = 0; k < most; ++k) {
-      Explanation other = at.causes;
-      for (const auto& [joint, motor] : motors) {
+      Explanation other = at_.causes;
+      for (const auto& [joint, motor] : motors_) {
         if (k >= motor.causes.size()) continue;
         const std::size_t i = motor.causes[k];
         const double x = coordinate(i);
         for (const double way : {probe, -probe}) {
           other[i] = moved(i, x + way);
-          steps[i] = other[i].effect->strengthOf(other[i].value) / units[i - first] - x;
+          steps[i] = other[i].effect->strengthOf(other[i].value) / units_[i - first_] - x;
           if (steps[i] != 0) break;
         }
       }
-      shifted.push_back(replayer.residuals(other));
+      shifted.push_back(replayer_.residuals(other));
     }
-    for (const Cell& cell : replayer.groups().cells()) {
-      const auto motor = motors.find(motorOf(cell));
-      if (!ofPosition(replayer, cell) || motor == motors.end() || !residuals[cell.trial][cell.signal])
+    for (const Cell& cell : replayer_.groups().cells()) {
+      const auto motor = motors_.find(motorOf(cell));
+      if (!ofPosition(replayer_, cell) || motor == motors_.end() || !residuals_[cell.trial][cell.signal])
         continue;
       add(cell, motor->second, shifted, steps);
     }
@@ -135,7 +135,7 @@ private:
 
   void add(const Cell& cell, Motor& motor, const std::vector<Residuals>& shifted,
            const std::vector<double>& steps) {
-    const ResidualSeries& here = *residuals[cell.trial][cell.signal];
+    const ResidualSeries& here = *residuals_[cell.trial][cell.signal];
     const auto n = static_cast<Eigen::Index>(motor.causes.size());
     Eigen::VectorXd slope(n);
     for (std::size_t c = cell.from; c < cell.to; ++c) {
@@ -145,8 +145,8 @@ private:
         const double step = steps[motor.causes[i]], there = (*shifted[i][cell.trial][cell.signal])[c];
         slope[k] = step != 0 && std::isfinite(there) ? (there - here[c]) / step : 0;
       }
-      motor.normal.noalias() += weights[cell.group] * slope * slope.transpose();
-      motor.downhill.noalias() -= weights[cell.group] * here[c] * slope;
+      motor.normal.noalias() += weights_[cell.group] * slope * slope.transpose();
+      motor.downhill.noalias() -= weights_[cell.group] * here[c] * slope;
     }
   }
 
@@ -156,7 +156,7 @@ private:
     for (std::size_t k = 0; k < motor.causes.size(); ++k) {
       const std::size_t i = motor.causes[k];
       const double push = motor.downhill[static_cast<Eigen::Index>(k)];
-      if (push != 0 && moved(i, coordinate(i) + (push > 0 ? 1e-3 : -1e-3)).value != at.causes[i].value)
+      if (push != 0 && moved(i, coordinate(i) + (push > 0 ? 1e-3 : -1e-3)).value != at_.causes[i].value)
         free.push_back(k);
     }
     const auto n = static_cast<Eigen::Index>(free.size());
@@ -182,31 +182,31 @@ private:
   /// better.
   bool advance() {
     for (int attempt = 0; attempt < 4; ++attempt) {
-      Explanation tried = at.causes;
-      for (const auto& [joint, motor] : motors) step(motor, tried);
-      const std::map<int, double> there = costsOf(replayer.residuals(tried));
+      Explanation tried = at_.causes;
+      for (const auto& [joint, motor] : motors_) step(motor, tried);
+      const std::map<int, double> there = costsOf(replayer_.residuals(tried));
       bool mixed = false;
-      for (auto& [joint, motor] : motors) {
-        if (costAt(there, joint) < costAt(costs, joint)) {
+      for (auto& [joint, motor] : motors_) {
+        if (costAt(there, joint) < costAt(costs_, joint)) {
           motor.damping = std::max(1e-6, motor.damping / 8);
           continue;
         }
         motor.damping *= 8;
         mixed = true;
-        for (const std::size_t i : motor.causes) tried[i] = at.causes[i];
+        for (const std::size_t i : motor.causes) tried[i] = at_.causes[i];
       }
-      if (tried == at.causes) continue;
-      Residuals after = replayer.residuals(tried);
+      if (tried == at_.causes) continue;
+      Residuals after = replayer_.residuals(tried);
       const std::map<int, double> costsAfter = mixed ? costsOf(after) : there;
-      if (total(costsAfter) >= at.left) {
-        for (auto& [joint, motor] : motors) motor.damping *= 8;
+      if (total(costsAfter) >= at_.left) {
+        for (auto& [joint, motor] : motors_) motor.damping *= 8;
         continue;
       }
-      const bool worth = at.left - total(costsAfter) > 1e-3 * at.left;
-      at.causes = std::move(tried);
-      at.left = total(costsAfter);
-      costs = costsAfter;
-      residuals = std::move(after);
+      const bool worth = at_.left - total(costsAfter) > 1e-3 * at_.left;
+      at_.causes = std::move(tried);
+      at_.left = total(costsAfter);
+      costs_ = costsAfter;
+      residuals_ = std::move(after);
       return worth;
     }
     return false;
@@ -217,15 +217,15 @@ private:
     return found == of.end() ? 0 : found->second;
   }
 
-  const Replayer& replayer;
-  const Mechanism& robot;
-  const std::vector<double> weights;
-  PerJoint at;
-  const std::size_t first;  ///< the first parameter's place among the causes
-  std::map<int, Motor> motors;
-  std::vector<double> units;  ///< per parameter
-  Residuals residuals;
-  std::map<int, double> costs;
+  const Replayer& replayer_;
+  const Mechanism& robot_;
+  const std::vector<double> weights_;
+  PerJoint at_;
+  const std::size_t first_;  ///< the first parameter's place among the causes
+  std::map<int, Motor> motors_;
+  std::vector<double> units_;  ///< per parameter
+  Residuals residuals_;
+  std::map<int, double> costs_;
 };
 
 }  // namespace

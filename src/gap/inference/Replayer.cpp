@@ -32,39 +32,39 @@ void takeLeadOff(const Trial& trial, const Signal& signal, std::vector<double>& 
 
 }  // namespace
 
-Replayer::Replayer(const Mechanism& robot_, const Groups& groups_, int jobs_, const ReplayOptions& options)
-    : robot(robot_), data(groups_), threads(jobs_), accuracy(options) {
+Replayer::Replayer(const Mechanism& robot, const Groups& groups, int jobs, const ReplayOptions& options)
+    : robot_(robot), data_(groups), threads_(jobs), accuracy_(options) {
   std::map<int, std::size_t> chainOfRoot;
-  for (int joint = 0; joint < robot.numJoints(); ++joint) {
-    const std::vector<int> chain = robot.chain(robot.joints[static_cast<std::size_t>(joint)].child);
+  for (int joint = 0; joint < robot_.numJoints(); ++joint) {
+    const std::vector<int> chain = robot_.chain(robot_.joints[static_cast<std::size_t>(joint)].child);
     const int root = chain.empty() ? joint : chain.front();
-    const auto [at, fresh] = chainOfRoot.try_emplace(root, chainJoints.size());
-    if (fresh) chainJoints.emplace_back();
-    chainJoints[at->second].push_back(joint);
+    const auto [at, fresh] = chainOfRoot.try_emplace(root, chainJoints_.size());
+    if (fresh) chainJoints_.emplace_back();
+    chainJoints_[at->second].push_back(joint);
   }
 }
 
-Replayer::Replayer(const Replayer& whole, const Groups& groups_)
-    : robot(whole.robot),
-      data(groups_),
-      threads(whole.threads),
-      accuracy(whole.accuracy),
-      chainJoints(whole.chainJoints),
-      memory(whole.memory) {}
+Replayer::Replayer(const Replayer& whole, const Groups& groups)
+    : robot_(whole.robot_),
+      data_(groups),
+      threads_(whole.threads_),
+      accuracy_(whole.accuracy_),
+      chainJoints_(whole.chainJoints_),
+      memory_(whole.memory_) {}
 
 bool Replayer::feels(std::size_t chain, const Cause& cause) const {
   const auto has = [&](int joint) {
-    return std::ranges::find(chainJoints[chain], joint) != chainJoints[chain].end();
+    return std::ranges::find(chainJoints_[chain], joint) != chainJoints_[chain].end();
   };
   switch (cause.place.site) {
     case Site::everywhere:
       return true;
     case Site::joint:
-      return std::ranges::any_of(chainJoints[chain], [&](int joint) {
-        return robot.motorOf(joint) == robot.motorOf(cause.place.index);
+      return std::ranges::any_of(chainJoints_[chain], [&](int joint) {
+        return robot_.motorOf(joint) == robot_.motorOf(cause.place.index);
       });
     case Site::link: {
-      const std::vector<int> carried = robot.chain(cause.place.index);
+      const std::vector<int> carried = robot_.chain(cause.place.index);
       return !carried.empty() && has(carried.front());
     }
     default:
@@ -73,22 +73,22 @@ bool Replayer::feels(std::size_t chain, const Cause& cause) const {
 }
 
 bool Replayer::hasBodySignals(std::size_t trial) const {
-  return std::ranges::any_of(data.trials()[trial].signals, [](const Signal& s) { return s.joint < 0; });
+  return std::ranges::any_of(data_.trials()[trial].signals, [](const Signal& s) { return s.joint < 0; });
 }
 
 // With a held base one more than there are: the readings of the body.
 std::size_t Replayer::chainsOf(std::size_t trial) const {
-  if (data.trials()[trial].freeBase) return 1;
-  return chainJoints.size() + (hasBodySignals(trial) ? 1 : 0);
+  if (data_.trials()[trial].freeBase) return 1;
+  return chainJoints_.size() + (hasBodySignals(trial) ? 1 : 0);
 }
 
 std::string Replayer::keyOf(std::size_t trial, std::size_t chain, const Explanation& causes) const {
   std::string key = std::to_string(trial) + ":" + std::to_string(chain);
-  const bool whole = data.trials()[trial].freeBase;
+  const bool whole = data_.trials()[trial].freeBase;
   for (const Cause& cause : causes) {
     const bool felt =
-        whole || (chain < chainJoints.size() ? feels(chain, cause) : cause.place.site == Site::imu);
-    if (!felt || !inForce(cause, data.trials()[trial])) continue;
+        whole || (chain < chainJoints_.size() ? feels(chain, cause) : cause.place.site == Site::imu);
+    if (!felt || !inForce(cause, data_.trials()[trial])) continue;
     char text[64];
     std::snprintf(text, sizeof text, "/%d/%.17g", cause.variant, cause.value);
     key += "|" + std::string(cause.effect->id) + "@" + cause.place.at + cause.place.axis + text;
@@ -97,10 +97,10 @@ std::string Replayer::keyOf(std::size_t trial, std::size_t chain, const Explanat
 }
 
 Replayer::Played Replayer::play(std::size_t t, std::size_t chain, const Explanation& causes) const {
-  const Trial& trial = data.trials()[t];
-  const bool whole = trial.freeBase, body = !whole && chain == chainJoints.size();
-  ReplayOptions options = accuracy;
-  if (!whole) options.joints = chainJoints[body ? 0 : chain];
+  const Trial& trial = data_.trials()[t];
+  const bool whole = trial.freeBase, body = !whole && chain == chainJoints_.size();
+  ReplayOptions options = accuracy_;
+  if (!whole) options.joints = chainJoints_[body ? 0 : chain];
   const Plant plant = plantOf(trial, causes);
   const Prediction prediction = replay(plant, trial, options);
   auto played = std::make_shared<std::vector<std::pair<std::size_t, Series>>>();
@@ -122,14 +122,14 @@ Replayer::Played Replayer::play(std::size_t t, std::size_t chain, const Explanat
 
 Residuals Replayer::residuals(const Explanation& causes, const std::vector<char>& wanted) const {
   std::vector<Task> tasks;
-  const std::size_t count = data.trials().size();
+  const std::size_t count = data_.trials().size();
   for (std::size_t t = 0; t < count; ++t) {
-    if (wanted.empty() ? !data.holds(t) : !wanted[t]) continue;
+    if (wanted.empty() ? !data_.holds(t) : !wanted[t]) continue;
     for (std::size_t chain = 0; chain < chainsOf(t); ++chain)
       tasks.push_back({t, chain, keyOf(t, chain, causes), {}});
   }
   std::vector<std::size_t> missing;
-  auto& [mutex, cache, recent, kept, replays] = *memory;
+  auto& [mutex, cache, recent, kept, replays] = *memory_;
   {
     const std::lock_guard lock(mutex);
     for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -142,7 +142,7 @@ Residuals Replayer::residuals(const Explanation& causes, const std::vector<char>
       recent.splice(recent.begin(), recent, at->second.second);
     }
   }
-  parallel(missing.size(), threads, [&](std::size_t i) {
+  parallel(missing.size(), threads_, [&](std::size_t i) {
     Task& task = tasks[missing[i]];
     task.played = play(task.trial, task.chain, causes);
   });
@@ -161,7 +161,7 @@ Residuals Replayer::residuals(const Explanation& causes, const std::vector<char>
     recent.pop_back();
   }
   Residuals result(count);
-  for (std::size_t t = 0; t < count; ++t) result[t].resize(data.trials()[t].signals.size());
+  for (std::size_t t = 0; t < count; ++t) result[t].resize(data_.trials()[t].signals.size());
   for (const Task& task : tasks)
     for (const auto& [s, series] : *task.played) result[task.trial][s] = series;
   return result;

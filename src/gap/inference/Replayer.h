@@ -31,14 +31,14 @@ public:
   /// wanted: one flag per trial; empty: all that are in a group. Trials not wanted stay empty.
   Residuals residuals(const Explanation& causes, const std::vector<char>& wanted = {}) const;
   /// Joints of the chains that feel a cause where the base is held.
-  const std::vector<std::vector<int>>& chains() const { return chainJoints; }
+  const std::vector<std::vector<int>>& chains() const { return chainJoints_; }
   bool feels(std::size_t chain, const Cause& cause) const;
 
-  const Mechanism& mechanism() const { return robot; }
-  const Groups& groups() const { return data; }
-  int jobs() const { return threads; }
+  const Mechanism& mechanism() const { return robot_; }
+  const Groups& groups() const { return data_; }
+  int jobs() const { return threads_; }
   /// So far, with those for other groups.
-  std::size_t numReplays() const { return memory->replays; }
+  std::size_t numReplays() const { return memory_->replays; }
 
 private:
   using Played = std::shared_ptr<const std::vector<std::pair<std::size_t, Series>>>;
@@ -52,18 +52,18 @@ private:
   bool hasBodySignals(std::size_t trial) const;
   std::size_t chainsOf(std::size_t trial) const;
 
-  const Mechanism& robot;
-  const Groups& data;
-  int threads;
-  ReplayOptions accuracy;
-  std::vector<std::vector<int>> chainJoints;
+  const Mechanism& robot_;
+  const Groups& data_;
+  int threads_;
+  ReplayOptions accuracy_;
+  std::vector<std::vector<int>> chainJoints_;
   struct Memory {
     std::mutex mutex;
     std::map<std::string, std::pair<Played, std::list<std::string>::iterator>> cache;
     std::list<std::string> recent;  ///< keys, the last used first
     std::size_t kept = 0, replays = 0;
   };
-  std::shared_ptr<Memory> memory = std::make_shared<Memory>();
+  std::shared_ptr<Memory> memory_ = std::make_shared<Memory>();
 };
 
 }  // namespace plumbline::gap

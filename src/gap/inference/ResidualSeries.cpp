@@ -8,31 +8,31 @@
 namespace plumbline::gap {
 
 std::vector<double> ResidualSeries::stretch(std::size_t from, std::size_t to) const {
-  to = std::min(to, values.size());
+  to = std::min(to, values_.size());
   if (from >= to) return {};
-  return {values.begin() + static_cast<std::ptrdiff_t>(from),
-          values.begin() + static_cast<std::ptrdiff_t>(to)};
+  return {values_.begin() + static_cast<std::ptrdiff_t>(from),
+          values_.begin() + static_cast<std::ptrdiff_t>(to)};
 }
 
 StretchFit ResidualSeries::fitOf(std::size_t from, std::size_t to, double noise) const {
-  const std::lock_guard lock(mutex);
-  for (const Kept& of : fits)
+  const std::lock_guard lock(mutex_);
+  for (const Kept& of : fits_)
     if (of.from == from && of.to == to && of.noise == noise) return of.fit;
   const Split parts = split(stretch(from, to));
   StretchFit fit;
   fit.scale = likeliestScale(parts.about, noise);
   fit.about = logDensity(parts.about, fit.scale);
   fit.mean = logDensity({parts.mean}, std::max(noise, std::abs(parts.mean)));
-  fits.push_back({from, to, noise, fit});
+  fits_.push_back({from, to, noise, fit});
   return fit;
 }
 
 double ResidualSeries::correlationOf(std::size_t from, std::size_t to) const {
-  const std::lock_guard lock(mutex);
-  for (const KeptTime& of : times)
+  const std::lock_guard lock(mutex_);
+  for (const KeptTime& of : times_)
     if (of.from == from && of.to == to) return of.time;
-  times.push_back({from, to, correlationTime(stretch(from, to))});
-  return times.back().time;
+  times_.push_back({from, to, correlationTime(stretch(from, to))});
+  return times_.back().time;
 }
 
 }  // namespace plumbline::gap

@@ -19,13 +19,13 @@ struct StretchFit {
 /// what was once worked out of a stretch is kept: most hypotheses leave most chains as they were.
 class ResidualSeries {
 public:
-  explicit ResidualSeries(std::vector<double> values_) : values(std::move(values_)) {}
+  explicit ResidualSeries(std::vector<double> values) : values_(std::move(values)) {}
 
-  double operator[](std::size_t k) const { return values[k]; }
-  std::size_t size() const { return values.size(); }
-  auto begin() const { return values.begin(); }
-  auto end() const { return values.end(); }
-  friend bool operator==(const ResidualSeries& a, const ResidualSeries& b) { return a.values == b.values; }
+  double operator[](std::size_t k) const { return values_[k]; }
+  std::size_t size() const { return values_.size(); }
+  auto begin() const { return values_.begin(); }
+  auto end() const { return values_.end(); }
+  friend bool operator==(const ResidualSeries& a, const ResidualSeries& b) { return a.values_ == b.values_; }
 
   /// Cycles [from, to), empty where the series ends before; noise: least scale.
   std::vector<double> stretch(std::size_t from, std::size_t to) const;
@@ -43,10 +43,10 @@ private:
     std::size_t from, to;
     double time;
   };
-  std::vector<double> values;
-  mutable std::mutex mutex;
-  mutable std::vector<Kept> fits;
-  mutable std::vector<KeptTime> times;
+  std::vector<double> values_;
+  mutable std::mutex mutex_;
+  mutable std::vector<Kept> fits_;
+  mutable std::vector<KeptTime> times_;
 };
 
 }  // namespace plumbline::gap

@@ -22,59 +22,59 @@ using Kind = Segment::Kind;
 
 class Reader {
 public:
-  Reader(const std::string& path, const Mechanism& robot_, std::uint64_t seed_)
-      : file(path),
-        root(file.root()),
-        robot(robot_),
-        seed(seed_),
-        folder(fs::path(path).parent_path().string()) {
-    result.name = fs::path(path).stem().string();
+  Reader(const std::string& path, const Mechanism& robot, std::uint64_t seed)
+      : file_(path),
+        root_(file_.root()),
+        robot_(robot),
+        seed_(seed),
+        folder_(fs::path(path).parent_path().string()) {
+    result_.name = fs::path(path).stem().string();
   }
 
   Excitation read() {
-    result.about = root.get<std::string>("about");
-    result.freeBase = root.choice("base", {"fixed", "free"}) == 1;
-    result.heading = root.find<double>("heading", Range{-100, 100}).value_or(0);
-    if (root.has("walk")) return readWalk();
-    posture = result.posture = postureOf(root, "posture");
-    now = root.find<double>("lead_in", Range{0, 60}).value_or(0.4);
-    for (const ConfigSection& entry : root.list("segments")) readSegment(entry);
-    result.duration = now + root.find<double>("lead_out", Range{0, 60}).value_or(0.5);
-    file.checkUnknown();
-    return std::move(result);
+    result_.about = root_.get<std::string>("about");
+    result_.freeBase = root_.choice("base", {"fixed", "free"}) == 1;
+    result_.heading = root_.find<double>("heading", Range{-100, 100}).value_or(0);
+    if (root_.has("walk")) return readWalk();
+    posture_ = result_.posture = postureOf(root_, "posture");
+    now_ = root_.find<double>("lead_in", Range{0, 60}).value_or(0.4);
+    for (const ConfigSection& entry : root_.list("segments")) readSegment(entry);
+    result_.duration = now_ + root_.find<double>("lead_out", Range{0, 60}).value_or(0.5);
+    file_.checkUnknown();
+    return std::move(result_);
   }
 
 private:
   Excitation readWalk() {
-    const ConfigSection entry = root.section("walk");
-    if (!result.freeBase) entry.fail("forward", "needs base: free; a robot that is held does not walk");
+    const ConfigSection entry = root_.section("walk");
+    if (!result_.freeBase) entry.fail("forward", "needs base: free; a robot that is held does not walk");
     WalkSegment walk;
     const Range speed{-2, 2};
     walk.velocity.x() = entry.find<double>("forward", speed).value_or(0);
     walk.velocity.y() = entry.find<double>("left", speed).value_or(0);
     walk.turn = entry.find<double>("turn", Range{-3, 3}).value_or(0);
     walk.duration = entry.get<double>("duration", Range{0.1, longest});
-    walk.standBefore = root.find<double>("lead_in", Range{0, 60}).value_or(walk.standBefore);
-    walk.standAfter = root.find<double>("lead_out", Range{0, 60}).value_or(walk.standAfter);
-    file.checkUnknown();
-    result.posture.assign(robot.joints.size(), 0);
-    result.duration = walk.standBefore + walk.duration + walk.standAfter;
-    result.walk = walk;
-    return std::move(result);
+    walk.standBefore = root_.find<double>("lead_in", Range{0, 60}).value_or(walk.standBefore);
+    walk.standAfter = root_.find<double>("lead_out", Range{0, 60}).value_or(walk.standAfter);
+    file_.checkUnknown();
+    result_.posture.assign(robot_.joints.size(), 0);
+    result_.duration = walk.standBefore + walk.duration + walk.standAfter;
+    result_.walk = walk;
+    return std::move(result_);
   }
 
   std::vector<double> postureOf(const ConfigSection& section, const char* key) {
-    std::vector<double> positions = posture.empty() ? neutralPosture(robot) : posture;
+    std::vector<double> positions = posture_.empty() ? neutralPosture(robot_) : posture_;
     for (const ConfigSection& map : isMap(section, key) ? std::vector<ConfigSection>{section.section(key)}
                                                         : std::vector<ConfigSection>{})
       for (const std::string& joint : map.keys())
         positions[jointIndex(map, joint)] = map.get<double>(joint, Range{-1e3, 1e3});
     if (!isMap(section, key)) {
       const std::string name = section.get<std::string>(key);
-      const auto known = namedPosture(name, robot, folder);
+      const auto known = namedPosture(name, robot_, folder_);
       if (!known)
         section.fail(key,
-                     "is \"" + name + "\", a posture that postures.yaml does not have for " + robot.name);
+                     "is \"" + name + "\", a posture that postures.yaml does not have for " + robot_.name);
       positions = *known;
     }
     return positions;
@@ -89,14 +89,14 @@ private:
   }
 
   std::size_t jointIndex(const ConfigSection& section, const std::string& joint) const {
-    const int index = robot.jointIndex(joint);
+    const int index = robot_.jointIndex(joint);
     if (index >= 0) return static_cast<std::size_t>(index);
-    section.fail(joint, "is no joint of " + robot.name + suggestion(joint, robot.jointNames()));
+    section.fail(joint, "is no joint of " + robot_.name + suggestion(joint, robot_.jointNames()));
   }
 
   void readSegment(const ConfigSection& entry) {
     if (entry.has("hold"))
-      now += entry.get<double>("hold", Range{0, longest});
+      now_ += entry.get<double>("hold", Range{0, longest});
     else if (entry.has("move"))
       readMove(entry);
     else if (entry.has("in_turn"))
@@ -104,21 +104,22 @@ private:
     else if (entry.has("reversals"))
       readReversals(entry);
     else {
-      const double start = entry.find<bool>("with_last").value_or(false) ? lastStart : now;
+      const double start = entry.find<bool>("with_last").value_or(false) ? lastStart_ : now_;
       Segment segment = readWave(entry);
       setJoints(entry, segment, wantedJoints(entry));
       add(segment, start);
     }
-    if (now <= longest) return;
+    if (now_ <= longest) return;
     for (const char* key : {"hold", "move", "in_turn", "reversals", "wave"})
       if (entry.has(key)) entry.fail(key, "makes the program longer than an hour");
   }
 
   void add(Segment segment, double start) {
-    segment.start = lastStart = start;
-    now = std::max(now, start + segment.duration);
-    result.segments.push_back(std::move(segment));
-    if (result.segments.size() > 20'000) throw ConfigurationError(result.name + ": more than 20000 segments");
+    segment.start = lastStart_ = start;
+    now_ = std::max(now_, start + segment.duration);
+    result_.segments.push_back(std::move(segment));
+    if (result_.segments.size() > 20'000)
+      throw ConfigurationError(result_.name + ": more than 20000 segments");
   }
 
   void readMove(const ConfigSection& entry) {
@@ -131,9 +132,9 @@ private:
 
   void moveTo(const std::vector<double>& target, Segment segment) {
     for (std::size_t j = 0; j < target.size(); ++j)
-      if (target[j] != posture[j]) segment.joints.emplace_back(static_cast<int>(j), target[j]);
-    posture = target;
-    add(segment, now);
+      if (target[j] != posture_[j]) segment.joints.emplace_back(static_cast<int>(j), target[j]);
+    posture_ = target;
+    add(segment, now_);
   }
 
   static bool isSine(const Segment& segment) {
@@ -156,7 +157,7 @@ private:
     segment.tones = entry.find<int>("tones", Range{1, 200}).value_or(12);
     segment.speed = entry.find<double>("speed", Range{0.01, 1}).value_or(0.85);
     segment.seed = static_cast<std::uint64_t>(entry.find<std::int64_t>("seed", Range{0, 1e15}).value_or(1)) +
-                   7919 * seed;
+                   7919 * seed_;
     return segment;
   }
 
@@ -179,14 +180,14 @@ private:
       }
     }
     if (names.empty() || (names.size() == 1 && names[0] == "all")) {
-      for (int j = 0; j < robot.numJoints(); ++j)
-        if (robot.joints[static_cast<std::size_t>(j)].driver < 0) wanted.emplace_back(j, 1);
+      for (int j = 0; j < robot_.numJoints(); ++j)
+        if (robot_.joints[static_cast<std::size_t>(j)].driver < 0) wanted.emplace_back(j, 1);
     } else {
       for (const std::string& joint : names) {
-        if (robot.jointIndex(joint) < 0)
-          entry.fail("joints", "names " + joint + ", which is no joint of " + robot.name +
-                                   suggestion(joint, robot.jointNames()));
-        wanted.emplace_back(robot.jointIndex(joint), 1);
+        if (robot_.jointIndex(joint) < 0)
+          entry.fail("joints", "names " + joint + ", which is no joint of " + robot_.name +
+                                   suggestion(joint, robot_.jointNames()));
+        wanted.emplace_back(robot_.jointIndex(joint), 1);
       }
     }
     return wanted;
@@ -200,11 +201,11 @@ private:
     const auto share = entry.find<double>("share", Range{0, 1});
     if (amplitude.has_value() == share.has_value())
       entry.fail("wave", "needs amplitude or share, one of them");
-    const std::vector<double> accelerations = reachableAccelerations(robot, posture);
+    const std::vector<double> accelerations = reachableAccelerations(robot_, posture_);
     const double turn = 2 * M_PI;
     for (const auto& [j, coefficient] : wanted) {
-      const Mechanism::Joint& joint = robot.joints[static_cast<std::size_t>(j)];
-      const double q = posture[static_cast<std::size_t>(j)];
+      const Mechanism::Joint& joint = robot_.joints[static_cast<std::size_t>(j)];
+      const double q = posture_[static_cast<std::size_t>(j)];
       double size = amplitude.value_or(0);
       if (share) size = *share * std::max(0.0, std::min({joint.upper - q, q - joint.lower, M_PI}));
       double speed = 0, acceleration = 0;  // of a wave of size 1
@@ -218,7 +219,7 @@ private:
                    most = accelerations[static_cast<std::size_t>(j)];
       if (speed > 0) size = std::min(size, 0.85 * joint.maxSpeed / speed / factor);
       // A standing robot's legs carry more than what hangs on them: there the program is trusted.
-      if (acceleration > 0 && !result.freeBase) size = std::min(size, most / acceleration / factor);
+      if (acceleration > 0 && !result_.freeBase) size = std::min(size, most / acceleration / factor);
       segment.joints.emplace_back(j, coefficient * size);
       if (segment.kind == Kind::fast) segment.accelerations.push_back(most);
     }
@@ -227,7 +228,7 @@ private:
   void readInTurn(const ConfigSection& entry) {
     std::vector<std::vector<int>> groups;
     if (entry.get<std::string>("in_turn") == "limbs")
-      groups = jointsInTurn(robot);
+      groups = jointsInTurn(robot_);
     else
       entry.fail("in_turn", "must be limbs");
     const std::vector<ConfigSection> waves = entry.list("do");
@@ -239,9 +240,9 @@ private:
         wanted.reserve(group.size());
         for (const int joint : group) wanted.emplace_back(joint, 1);
         setJoints(wave, segment, wanted);
-        add(segment, now);
+        add(segment, now_);
       }
-      now += pause;
+      now_ += pause;
     }
   }
 
@@ -250,43 +251,43 @@ private:
     const double spread = entry.get<double>("share", Range{0, 1});
     const auto draw =
         static_cast<std::uint64_t>(entry.find<std::int64_t>("seed", Range{0, 1e15}).value_or(1)) +
-        7919 * seed;
+        7919 * seed_;
     const double moving = entry.find<double>("move_time", Range{0, 60}).value_or(0.9);
     Segment wave;
     wave.kind = Kind::triangle;
     wave.duration = entry.find<double>("duration", Range{0.1, longest}).value_or(3.6);
     wave.cycles = entry.find<int>("cycles", Range{1, 1000}).value_or(3);
     const double amplitude = entry.get<double>("amplitude", Range{0, 10});
-    const std::vector<double> home = posture;
-    for (const std::vector<double>& loading : gravityLoadings(robot, home, spread, count, draw)) {
+    const std::vector<double> home = posture_;
+    for (const std::vector<double>& loading : gravityLoadings(robot_, home, spread, count, draw)) {
       Segment move;
       move.kind = Kind::move;
       move.duration = moving;
       moveTo(loading, move);
       Segment small = wave;
       const double sizes[] = {0.6, 1.0, 1.4};
-      for (int j = 0; j < robot.numJoints(); ++j) {
-        const Mechanism::Joint& joint = robot.joints[static_cast<std::size_t>(j)];
+      for (int j = 0; j < robot_.numJoints(); ++j) {
+        const Mechanism::Joint& joint = robot_.joints[static_cast<std::size_t>(j)];
         if (joint.driver >= 0) continue;
         const double most = std::min(0.25 * (joint.upper - joint.lower),
                                      0.2 * joint.maxSpeed * wave.duration / (4.4 * wave.cycles));
         small.joints.emplace_back(
-            j, std::min(amplitude * sizes[(static_cast<std::size_t>(j) + loadings) % 3], most));
+            j, std::min(amplitude * sizes[(static_cast<std::size_t>(j) + loadings_) % 3], most));
       }
-      ++loadings;
-      add(small, now);
+      ++loadings_;
+      add(small, now_);
     }
   }
 
-  ConfigFile file;
-  ConfigSection root;
-  const Mechanism& robot;
-  const std::uint64_t seed;
-  const std::string folder;
-  std::vector<double> posture;
-  double now = 0, lastStart = 0;
-  std::size_t loadings = 0;
-  Excitation result;
+  ConfigFile file_;
+  ConfigSection root_;
+  const Mechanism& robot_;
+  const std::uint64_t seed_;
+  const std::string folder_;
+  std::vector<double> posture_;
+  double now_ = 0, lastStart_ = 0;
+  std::size_t loadings_ = 0;
+  Excitation result_;
 };
 
 std::string number(double x) {

@@ -26,20 +26,21 @@ JointId jointOf(const std::string& name, const Mechanism& robot) {
 
 class Session {
 public:
-  Session(const Mechanism& robot_, const SimsparkRecordingOptions& options_)
-      : robot(robot_), options(options_) {
-    for (const Mechanism::Joint& joint : robot.joints) ids.push_back(jointOf(joint.name, robot));
-    angles_.resize(ids.size());
-    speeds.resize(ids.size());
-    if (const std::string why = connection.connect(options.host, options.port, options.timeout); !why.empty())
+  Session(const Mechanism& robot, const SimsparkRecordingOptions& options)
+      : robot_(robot), options_(options) {
+    for (const Mechanism::Joint& joint : robot_.joints) ids_.push_back(jointOf(joint.name, robot_));
+    angles_.resize(ids_.size());
+    speeds_.resize(ids_.size());
+    if (const std::string why = connection_.connect(options_.host, options_.port, options_.timeout);
+        !why.empty())
       throw std::runtime_error(why + "; start bin/simulator or the league's server first");
     simspark::AgentCommand scene;
-    scene.scene = simspark::SceneRequest{.type = options.type};
+    scene.scene = simspark::SceneRequest{.type = options_.type};
     scene.syn = true;
     send(scene);
     receive();
     simspark::AgentCommand init;
-    init.init = simspark::InitRequest{options.number, options.team};
+    init.init = simspark::InitRequest{options_.number, options_.team};
     init.syn = true;
     send(init);
   }
@@ -47,23 +48,24 @@ public:
   /// Waits for the next message.
   const simspark::ServerMessage& receive() {
     std::string_view text;
-    if (options.stop && options.stop()) throw std::runtime_error("stopped; nothing was written");
-    switch (connection.receive(text, options.timeout)) {
+    if (options_.stop && options_.stop()) throw std::runtime_error("stopped; nothing was written");
+    switch (connection_.receive(text, options_.timeout)) {
       case simspark::Connection::Status::message:
         break;
       case simspark::Connection::Status::timeout:
-        throw std::runtime_error("the server on port " + std::to_string(options.port) + " sent nothing for " +
-                                 std::to_string(static_cast<int>(options.timeout)) + " s");
+        throw std::runtime_error("the server on port " + std::to_string(options_.port) +
+                                 " sent nothing for " + std::to_string(static_cast<int>(options_.timeout)) +
+                                 " s");
       case simspark::Connection::Status::closed:
-        throw std::runtime_error("the server on port " + std::to_string(options.port) +
-                                 " ended the connection: " + connection.error());
+        throw std::runtime_error("the server on port " + std::to_string(options_.port) +
+                                 " ended the connection: " + connection_.error());
     }
-    if (const auto error = simspark::parseServerMessage(text, message))
+    if (const auto error = simspark::parseServerMessage(text, message_))
       throw std::runtime_error("the server sent what cannot be read, at byte " +
                                std::to_string(error->position) + ": " + error->what);
-    for (std::size_t j = 0; j < ids.size(); ++j)
-      if (const auto& angle = message.angle[ids[j]]) angles_[j] = *angle;
-    return message;
+    for (std::size_t j = 0; j < ids_.size(); ++j)
+      if (const auto& angle = message_.angle[ids_[j]]) angles_[j] = *angle;
+    return message_;
   }
 
   /// Answers the last message: every joint goes to its target as the servo law would take it there,
@@ -72,12 +74,12 @@ public:
   void drive(const std::vector<double>& targets, const std::optional<Pose2>& beam = {}) {
     simspark::AgentCommand command;
     command.beam = beam;
-    for (std::size_t j = 0; j < ids.size(); ++j) {
-      const Mechanism::Joint& joint = robot.joints[j];
+    for (std::size_t j = 0; j < ids_.size(); ++j) {
+      const Mechanism::Joint& joint = robot_.joints[j];
       const double way = 1 - std::exp(-cycle * joint.servo.kp / joint.servo.kd);  // share of it in a cycle
-      const double then = std::clamp(angles_[j] + cycle * speeds[j], joint.lower, joint.upper);
-      speeds[j] = std::clamp(way * (targets[j] - then) / cycle, -joint.maxSpeed, joint.maxSpeed);
-      command.velocity[ids[j]] = speeds[j];
+      const double then = std::clamp(angles_[j] + cycle * speeds_[j], joint.lower, joint.upper);
+      speeds_[j] = std::clamp(way * (targets[j] - then) / cycle, -joint.maxSpeed, joint.maxSpeed);
+      command.velocity[ids_[j]] = speeds_[j];
     }
     command.syn = true;
     send(command);
@@ -87,17 +89,17 @@ public:
 
 private:
   void send(const simspark::AgentCommand& command) {
-    if (!connection.send(simspark::writeAgentCommand(command)))
-      throw std::runtime_error("the server on port " + std::to_string(options.port) +
-                               " ended the connection: " + connection.error());
+    if (!connection_.send(simspark::writeAgentCommand(command)))
+      throw std::runtime_error("the server on port " + std::to_string(options_.port) +
+                               " ended the connection: " + connection_.error());
   }
 
-  const Mechanism& robot;
-  const SimsparkRecordingOptions& options;
-  std::vector<JointId> ids;
-  std::vector<double> angles_, speeds;  ///< per joint: as last heard, as last commanded
-  simspark::Connection connection;
-  simspark::ServerMessage message;
+  const Mechanism& robot_;
+  const SimsparkRecordingOptions& options_;
+  std::vector<JointId> ids_;
+  std::vector<double> angles_, speeds_;  ///< per joint: as last heard, as last commanded
+  simspark::Connection connection_;
+  simspark::ServerMessage message_;
 };
 
 /// Forces on a sole's corners with the reading's sum and point.

@@ -26,11 +26,11 @@ private:
   void planFast(double maxSpeed, double maxAcceleration);
   double fast(double t) const;
 
-  const Segment& segment;
-  std::uint64_t seed;
-  std::vector<Tone> tones;
-  double scale = 1;
-  std::vector<Leg> legs;
+  const Segment& segment_;
+  std::uint64_t seed_;
+  std::vector<Tone> tones_;
+  double scale_ = 1;
+  std::vector<Leg> legs_;
 };
 
 }  // namespace plumbline::gap

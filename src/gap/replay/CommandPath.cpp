@@ -19,25 +19,25 @@ double firstFinite(const std::vector<double>& values) {
 
 CommandPath::CommandPath(const JointPlant& plant, const Trial& trial, std::size_t joint,
                          const std::vector<std::uint8_t>* lostCycles)
-    : command(&trial.targets(joint)),
-      time(trial.time),
-      lost(lostCycles),
-      losable(!trial.command[joint].empty()),
-      shift(trial.commandAt[joint] + plant.commandDelay),
-      acceleration(plant.accelerationLimit),
-      fastest(plant.profileSpeed) {
-  if (!trial.stiffness[joint].empty()) stiffnesses = &trial.stiffness[joint];
-  if (!trial.voltage[joint].empty()) voltages = &trial.voltage[joint];
+    : command_(&trial.targets(joint)),
+      time_(trial.time),
+      lost_(lostCycles),
+      losable_(!trial.command[joint].empty()),
+      shift_(trial.commandAt[joint] + plant.commandDelay),
+      acceleration_(plant.accelerationLimit),
+      fastest_(plant.profileSpeed) {
+  if (!trial.stiffness[joint].empty()) stiffnesses_ = &trial.stiffness[joint];
+  if (!trial.voltage[joint].empty()) voltages_ = &trial.voltage[joint];
   const auto sent = [&](const auto& of) {
     return joint < of.size() && !of[joint].empty() ? &of[joint] : nullptr;
   };
-  speeds = sent(trial.commandSpeed);
-  torques = sent(trial.commandTorque);
-  straight = trial.linearCommands;
-  currentAt = time.empty() ? 0 : time.front() + shift;
-  current = profile = firstFinite(*command);
-  if (stiffnesses) stiff = firstFinite(*stiffnesses);
-  if (voltages) volts = firstFinite(*voltages);
+  speeds_ = sent(trial.commandSpeed);
+  torques_ = sent(trial.commandTorque);
+  straight_ = trial.linearCommands;
+  currentAt_ = time_.empty() ? 0 : time_.front() + shift_;
+  current_ = profile_ = firstFinite(*command_);
+  if (stiffnesses_) stiff_ = firstFinite(*stiffnesses_);
+  if (voltages_) volts_ = firstFinite(*voltages_);
 }
 
 /// What is sent with a cycle's command.
@@ -45,80 +45,80 @@ void CommandPath::take(std::size_t cycle) {
   const auto read = [cycle](const std::vector<double>* values, double& into) {
     if (values && std::isfinite((*values)[cycle])) into = (*values)[cycle];
   };
-  read(stiffnesses, stiff);
-  read(voltages, volts);
-  read(speeds, sentSpeed);
-  read(torques, sentTorque);
+  read(stiffnesses_, stiff_);
+  read(voltages_, volts_);
+  read(speeds_, sentSpeed_);
+  read(torques_, sentTorque_);
 }
 
 /// Mean of the straight lines from each command that came to the next.
 double CommandPath::line(double from, double to) {
   const auto came = [&](std::size_t cycle) {
-    return !(losable && lost && (*lost)[cycle]) && cycle < command->size() &&
-           std::isfinite((*command)[cycle]);
+    return !(losable_ && lost_ && (*lost_)[cycle]) && cycle < command_->size() &&
+           std::isfinite((*command_)[cycle]);
   };
   double sum = 0, since = from;
   while (true) {
-    std::size_t ahead = next;
-    while (ahead < time.size() && !came(ahead)) ++ahead;
-    const bool last = ahead == time.size();
-    const double reached = last ? to : std::min(to, time[ahead] + shift);
-    const double slope = last || time[ahead] + shift <= currentAt
+    std::size_t ahead = next_;
+    while (ahead < time_.size() && !came(ahead)) ++ahead;
+    const bool last = ahead == time_.size();
+    const double reached = last ? to : std::min(to, time_[ahead] + shift_);
+    const double slope = last || time_[ahead] + shift_ <= currentAt_
                              ? 0
-                             : ((*command)[ahead] - current) / (time[ahead] + shift - currentAt);
+                             : ((*command_)[ahead] - current_) / (time_[ahead] + shift_ - currentAt_);
     if (reached > since) {
-      sum += (current + slope * ((since + reached) / 2 - currentAt)) * (reached - since);
+      sum += (current_ + slope * ((since + reached) / 2 - currentAt_)) * (reached - since);
       since = reached;
     }
-    if (last || time[ahead] + shift >= to) break;
-    current = (*command)[ahead];
-    currentAt = time[ahead] + shift;
+    if (last || time_[ahead] + shift_ >= to) break;
+    current_ = (*command_)[ahead];
+    currentAt_ = time_[ahead] + shift_;
     take(ahead);
-    next = ahead + 1;
+    next_ = ahead + 1;
   }
-  return to > from ? sum / (to - from) : current;
+  return to > from ? sum / (to - from) : current_;
 }
 
 double CommandPath::target(double from, double to) {
-  if (straight) return line(from, to);
+  if (straight_) return line(from, to);
   double sum = 0, since = from;
-  while (next < time.size() && time[next] + shift < to) {
-    const double when = std::max(time[next] + shift, from);
-    if (!(losable && lost && (*lost)[next])) {
-      if (next < command->size() && std::isfinite((*command)[next])) {
-        sum += current * (when - since);
+  while (next_ < time_.size() && time_[next_] + shift_ < to) {
+    const double when = std::max(time_[next_] + shift_, from);
+    if (!(losable_ && lost_ && (*lost_)[next_])) {
+      if (next_ < command_->size() && std::isfinite((*command_)[next_])) {
+        sum += current_ * (when - since);
         since = when;
-        current = (*command)[next];
+        current_ = (*command_)[next_];
       }
-      take(next);
+      take(next_);
     }
-    ++next;
+    ++next_;
   }
-  return to > since ? (sum + current * (to - since)) / (to - from) : current;
+  return to > since ? (sum + current_ * (to - since)) / (to - from) : current_;
 }
 
 double CommandPath::profileOver(double from, double to) {
   // The fastest approach that still can stop at the target (time-optimal, bang-bang).
-  const double h = to - from, before = profile, error = target(from, to) - profile;
-  if (acceleration <= 0) {
-    const double way = std::clamp(error, -fastest * h, fastest * h);
-    profile += way;
+  const double h = to - from, before = profile_, error = target(from, to) - profile_;
+  if (acceleration_ <= 0) {
+    const double way = std::clamp(error, -fastest_ * h, fastest_ * h);
+    profile_ += way;
     // It moves for a part of the step, then it is there.
-    return profile - way / 2 * std::abs(way) / (fastest * h);
+    return profile_ - way / 2 * std::abs(way) / (fastest_ * h);
   }
-  double best = std::copysign(std::sqrt(2 * acceleration * std::abs(error)), error);
-  if (fastest > 0) best = std::clamp(best, -fastest, fastest);
-  const double limited = std::clamp(best, speed - acceleration * h, speed + acceleration * h);
-  speed =
-      std::abs(limited * h) > std::abs(error) && limited * error > 0 && std::abs(limited) <= acceleration * h
+  double best = std::copysign(std::sqrt(2 * acceleration_ * std::abs(error)), error);
+  if (fastest_ > 0) best = std::clamp(best, -fastest_, fastest_);
+  const double limited = std::clamp(best, speed_ - acceleration_ * h, speed_ + acceleration_ * h);
+  speed_ =
+      std::abs(limited * h) > std::abs(error) && limited * error > 0 && std::abs(limited) <= acceleration_ * h
           ? error / h
           : limited;
-  profile += speed * h;
-  return (before + profile) / 2;
+  profile_ += speed_ * h;
+  return (before + profile_) / 2;
 }
 
 double CommandPath::over(double from, double to) {
-  if (acceleration <= 0 && fastest <= 0) return target(from, to);
+  if (acceleration_ <= 0 && fastest_ <= 0) return target(from, to);
   const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / profileStep - 1e-9)));
   const double h = (to - from) / steps;
   double sum = 0;

@@ -20,11 +20,11 @@ public:
   /// step.
   double over(double from, double to);
   /// From now on the commands of other cycles never come; null: all do.
-  void lose(const std::vector<std::uint8_t>* lostCycles) { lost = lostCycles; }
-  double stiffness() const { return stiff; }        ///< at the end of the last interval asked for
-  double voltage() const { return volts; }          ///< measured supply then; 0: not measured
-  double speedSent() const { return sentSpeed; }    ///< beside the position, then [rad/s]
-  double torqueSent() const { return sentTorque; }  ///< likewise [N m]
+  void lose(const std::vector<std::uint8_t>* lostCycles) { lost_ = lostCycles; }
+  double stiffness() const { return stiff_; }        ///< at the end of the last interval asked for
+  double voltage() const { return volts_; }          ///< measured supply then; 0: not measured
+  double speedSent() const { return sentSpeed_; }    ///< beside the position, then [rad/s]
+  double torqueSent() const { return sentTorque_; }  ///< likewise [N m]
 
 private:
   double target(double from, double to);
@@ -32,17 +32,17 @@ private:
   void take(std::size_t cycle);
   double profileOver(double from, double to);
 
-  const std::vector<double>*command = nullptr, *stiffnesses = nullptr, *voltages = nullptr;
-  const std::vector<double>*speeds = nullptr, *torques = nullptr;
-  const std::vector<double>& time;
-  const std::vector<std::uint8_t>* lost;
-  bool losable = true;  ///< it is told commands
-  double shift = 0, acceleration = 0, fastest = 0;
-  std::size_t next = 0;
-  double current = 0, stiff = 1, volts = 0, sentSpeed = 0, sentTorque = 0;
-  bool straight = false;  ///< from command to command
-  double currentAt = 0;   ///< when the current one was sent [s]
-  double profile = 0, speed = 0;
+  const std::vector<double>*command_ = nullptr, *stiffnesses_ = nullptr, *voltages_ = nullptr;
+  const std::vector<double>*speeds_ = nullptr, *torques_ = nullptr;
+  const std::vector<double>& time_;
+  const std::vector<std::uint8_t>* lost_;
+  bool losable_ = true;  ///< it is told commands
+  double shift_ = 0, acceleration_ = 0, fastest_ = 0;
+  std::size_t next_ = 0;
+  double current_ = 0, stiff_ = 1, volts_ = 0, sentSpeed_ = 0, sentTorque_ = 0;
+  bool straight_ = false;  ///< from command to command
+  double currentAt_ = 0;   ///< when the current one was sent [s]
+  double profile_ = 0, speed_ = 0;
 };
 
 }  // namespace plumbline::gap

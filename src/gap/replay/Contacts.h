@@ -38,13 +38,13 @@ private:
     bool active = false;
     Vec3 force = Vec3::Zero();  ///< ground's axes: two along the surface, normal last
   };
-  std::vector<Corner> corners;
-  Mat3 ground = Mat3::Identity();  ///< columns: two along the surface, normal
-  double friction, stiffness, damping;
-  int dimension = 0;
-  bool touched = false;
-  double scale = 0;
-  Eigen::MatrixXd J, solved, W;
+  std::vector<Corner> corners_;
+  Mat3 ground_ = Mat3::Identity();  ///< columns: two along the surface, normal
+  double friction_, stiffness_, damping_;
+  int dimension_ = 0;
+  bool touched_ = false;
+  double scale_ = 0;
+  Eigen::MatrixXd J_, solved_, W_;
 };
 
 }  // namespace plumbline::gap

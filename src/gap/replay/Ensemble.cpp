@@ -40,18 +40,18 @@ class Roughness {
 public:
   void add(double value) {
     if (!std::isfinite(value)) {
-      last = value;
+      last_ = value;
       return;
     }
-    if (std::isfinite(last)) changes += (value - last) * (value - last);
-    squares += value * value;
-    last = value;
+    if (std::isfinite(last_)) changes_ += (value - last_) * (value - last_);
+    squares_ += value * value;
+    last_ = value;
   }
-  void pause() { last = std::nan(""); }
-  double value() const { return squares > 0 ? changes / squares : 0; }
+  void pause() { last_ = std::nan(""); }
+  double value() const { return squares_ > 0 ? changes_ / squares_ : 0; }
 
 private:
-  double last = std::nan(""), changes = 0, squares = 0;
+  double last_ = std::nan(""), changes_ = 0, squares_ = 0;
 };
 
 /// The share of a residual that may be a limit cycle: none of one that is much slower than the differences of

@@ -64,85 +64,85 @@ std::shared_ptr<const Plant> plantToPlay(const Plant& plant, const Trial& trial,
 
 }  // namespace
 
-Playback::Playback(const Plant& plant_, const Trial& trial_, const ReplayOptions& options)
-    : trial(trial_),
-      plant(plantToPlay(plant_, trial_, options)),
-      stepper(*plant, trial_, jointsToPlay(plant_, trial_, options), options.lostCycles),
-      longest(stepper.geared() ? options.gearStep : options.step),
-      settleFor(settlingTime(trial_, options)),
-      t(trial_.time[0]) {
-  const std::vector<int> joints = jointsToPlay(plant_, trial, options);
-  for (std::size_t s = 0; s < trial.signals.size(); ++s) {
-    const Signal& signal = trial.signals[s];
+Playback::Playback(const Plant& plant, const Trial& trial, const ReplayOptions& options)
+    : trial_(trial),
+      plant_(plantToPlay(plant, trial, options)),
+      stepper_(*plant_, trial, jointsToPlay(plant, trial, options), options.lostCycles),
+      longest_(stepper_.geared() ? options.gearStep : options.step),
+      settleFor_(settlingTime(trial, options)),
+      t_(trial.time[0]) {
+  const std::vector<int> joints = jointsToPlay(plant, trial_, options);
+  for (std::size_t s = 0; s < trial_.signals.size(); ++s) {
+    const Signal& signal = trial_.signals[s];
     const auto place = std::ranges::find(joints, signal.joint);
-    if (signal.joint < 0 || place == joints.end() || !asked(signal.joint, trial, options)) continue;
+    if (signal.joint < 0 || place == joints.end() || !asked(signal.joint, trial_, options)) continue;
     const auto joint = static_cast<std::size_t>(signal.joint);
     double shift = 0;
-    if (signal.kind == SignalKind::position) shift = trial.positionAt[joint];
-    if (signal.kind == SignalKind::velocity) shift = trial.velocityAt[joint];
-    readings.push_back(
+    if (signal.kind == SignalKind::position) shift = trial_.positionAt[joint];
+    if (signal.kind == SignalKind::velocity) shift = trial_.velocityAt[joint];
+    readings_.push_back(
         {s, static_cast<int>(place - joints.begin()), signal.kind, shift, signal.unsignedValue, 0});
-    lastShift = std::max(lastShift, shift);
+    lastShift_ = std::max(lastShift_, shift);
   }
 }
 
 bool Playback::reads(std::size_t signal) const {
-  return std::ranges::any_of(readings, [&](const Reading& reading) { return reading.signal == signal; });
+  return std::ranges::any_of(readings_, [&](const Reading& reading) { return reading.signal == signal; });
 }
 
 const std::vector<Playback::Shown>& Playback::settle() {
-  due.clear();
-  if (settleFor > 0) {
-    const int steps = static_cast<int>(std::ceil(settleFor / longest));
+  due_.clear();
+  if (settleFor_ > 0) {
+    const int steps = static_cast<int>(std::ceil(settleFor_ / longest_));
     for (int i = steps; i > 0; --i) {
       StopSignal::throwIfCaught();
-      stepper.step(t - i * longest, t - (i - 1) * longest);
+      stepper_.step(t_ - i * longest_, t_ - (i - 1) * longest_);
     }
   }
-  stepper.hold();
-  read(t, t);
-  return due;
+  stepper_.hold();
+  read(t_, t_);
+  return due_;
 }
 
 const std::vector<Playback::Shown>& Playback::play(std::size_t cycle) {
-  due.clear();
-  const double end = cycle + 1 < trial.cycles() ? trial.time[cycle + 1] : trial.time[cycle] + lastShift;
-  const int steps = static_cast<int>(std::ceil((end - t) / longest - 1e-9));
-  const double start = t;
+  due_.clear();
+  const double end = cycle + 1 < trial_.cycles() ? trial_.time[cycle + 1] : trial_.time[cycle] + lastShift_;
+  const int steps = static_cast<int>(std::ceil((end - t_) / longest_ - 1e-9));
+  const double start = t_;
   for (int i = 1; i <= steps; ++i) {
     StopSignal::throwIfCaught();
     const double to = i == steps ? end : start + i * (end - start) / steps;
-    stepper.step(t, to);
-    read(t, to);
-    t = to;
+    stepper_.step(t_, to);
+    read(t_, to);
+    t_ = to;
   }
-  return due;
+  return due_;
 }
 
 void Playback::read(double from, double to) {
   const double h = to - from;
-  for (Reading& reading : readings)
-    while (reading.next < trial.cycles()) {
-      const double when = trial.time[reading.next] + reading.shift;
+  for (Reading& reading : readings_)
+    while (reading.next < trial_.cycles()) {
+      const double when = trial_.time[reading.next] + reading.shift;
       if (when > to + 1e-12) break;
       const double value = valueOf(reading, h, h > 0 ? std::max(0.0, (when - from) / h) : 1);
-      due.push_back({reading.signal, reading.next++, reading.unsignedValue ? std::abs(value) : value});
+      due_.push_back({reading.signal, reading.next++, reading.unsignedValue ? std::abs(value) : value});
     }
 }
 
 double Playback::valueOf(const Reading& reading, double h, double s) const {
   switch (reading.kind) {
     case SignalKind::position:
-      return hermite(stepper.shownBefore(reading.node), stepper.rateBefore(reading.node),
-                     stepper.shown(reading.node), stepper.rate(reading.node), h, s);
+      return hermite(stepper_.shownBefore(reading.node), stepper_.rateBefore(reading.node),
+                     stepper_.shown(reading.node), stepper_.rate(reading.node), h, s);
     case SignalKind::velocity:
-      return (1 - s) * stepper.rateBefore(reading.node) + s * stepper.rate(reading.node);
+      return (1 - s) * stepper_.rateBefore(reading.node) + s * stepper_.rate(reading.node);
     case SignalKind::torque:
-      return stepper.torque(reading.node);
+      return stepper_.torque(reading.node);
     case SignalKind::current:
-      return stepper.current(reading.node);
+      return stepper_.current(reading.node);
     case SignalKind::duty:
-      return stepper.duty(reading.node);
+      return stepper_.duty(reading.node);
     default:
       return std::numeric_limits<double>::quiet_NaN();
   }

@@ -25,11 +25,11 @@ public:
   /// Plays the cycle up to the next, or to its last reading; what is read meanwhile. In ascending order.
   const std::vector<Shown>& play(std::size_t cycle);
   /// From now on the commands of other cycles never come; must outlive it. Null: all come.
-  void lose(const std::vector<std::uint8_t>* lostCycles) { stepper.lose(lostCycles); }
+  void lose(const std::vector<std::uint8_t>* lostCycles) { stepper_.lose(lostCycles); }
 
   bool reads(std::size_t signal) const;  ///< of the joints that are played
-  double time() const { return t; }
-  Stepper& body() { return stepper; }
+  double time() const { return t_; }
+  Stepper& body() { return stepper_; }
 
 private:
   /// Where a joint's readings go, and the next cycle that is due.
@@ -45,12 +45,12 @@ private:
   void read(double from, double to);
   double valueOf(const Reading& reading, double h, double s) const;
 
-  const Trial& trial;
-  std::shared_ptr<const Plant> plant;
-  Stepper stepper;
-  double longest, settleFor, t, lastShift = 0;
-  std::vector<Reading> readings;
-  std::vector<Shown> due;
+  const Trial& trial_;
+  std::shared_ptr<const Plant> plant_;
+  Stepper stepper_;
+  double longest_, settleFor_, t_, lastShift_ = 0;
+  std::vector<Reading> readings_;
+  std::vector<Shown> due_;
 };
 
 }  // namespace plumbline::gap

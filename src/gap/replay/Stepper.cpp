@@ -31,139 +31,141 @@ const std::vector<double>* positionsOf(const Trial& trial, int joint) {
 
 }  // namespace
 
-Stepper::Stepper(const Plant& plant_, const Trial& trial_, const std::vector<int>& joints,
+Stepper::Stepper(const Plant& plant, const Trial& trial, const std::vector<int>& joints,
                  const std::vector<std::uint8_t>* lostCycles)
-    : plant(plant_), trial(trial_), tree(plant_.mechanism, joints, trial_.freeBase), supply(plant_.joints) {
-  n = tree.size();
+    : plant_(plant), trial_(trial), tree_(plant.mechanism, joints, trial.freeBase), supply_(plant.joints) {
+  n_ = tree_.size();
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const auto joint = index(joints[i]);
-    const JointPlant& p = plant.joints[joint];
-    Drive drive{.path = CommandPath(p, trial, joint, lostCycles)};
+    const JointPlant& p = plant_.joints[joint];
+    Drive drive{.path = CommandPath(p, trial_, joint, lostCycles)};
     drive.joint = joints[i];
-    drive.link = drive.motor = tree.baseSize() + static_cast<int>(i);
+    drive.link = drive.motor = tree_.baseSize() + static_cast<int>(i);
     drive.armature = p.servo.armature;
     if (p.geared()) {
-      drive.motor = n++;
+      drive.motor = n_++;
       Gear gear;
       gear.drive = static_cast<int>(i);
       gear.play = p.backlash;
       gear.stiffness = p.compliance > 0 ? 1 / p.compliance : p.toothStiffness;
       gear.damping = (p.compliance > 0 ? 0.1 : p.toothDamping) *
                      std::sqrt(gear.stiffness * std::max(p.servo.armature, 1e-4));
-      gears.push_back(gear);
+      gears_.push_back(gear);
     }
     drive.sensed = p.linkEncoder ? drive.link : drive.motor;
-    if (p.rubs()) frictions.push_back({static_cast<int>(i), drive.motor, {}, 0});
-    drives.push_back(drive);
+    if (p.rubs()) frictions_.push_back({static_cast<int>(i), drive.motor, {}, 0});
+    drives_.push_back(drive);
   }
-  weight = gears.empty() && !trial.freeBase ? 0.5 : 0.55;
-  q.setZero(n);
-  v.setZero(n);
-  for (Drive& drive : drives) {
+  weight_ = gears_.empty() && !trial_.freeBase ? 0.5 : 0.55;
+  q_.setZero(n_);
+  v_.setZero(n_);
+  for (Drive& drive : drives_) {
     const auto joint = index(drive.joint);
-    double start = firstFinite(trial.targets(joint), 0);
-    const std::vector<double>* measured = trial.freeBase ? nullptr : positionsOf(trial, drive.joint);
+    double start = firstFinite(trial_.targets(joint), 0);
+    const std::vector<double>* measured = trial_.freeBase ? nullptr : positionsOf(trial_, drive.joint);
     if (measured) start = firstFinite(*measured, start);
-    q[drive.link] = q[drive.motor] = start + plant.joints[joint].offset;
+    q_[drive.link] = q_[drive.motor] = start + plant_.joints[joint].offset;
   }
-  qm = u = rhs = force = predicted = Eigen::VectorXd::Zero(n);
-  acceleration.setZero(tree.size());
-  A.setZero(n, n);
-  if (trial.freeBase) {
-    contacts = std::make_shared<Contacts>(plant, tree);
+  qm_ = u_ = rhs_ = force_ = predicted_ = Eigen::VectorXd::Zero(n_);
+  acceleration_.setZero(tree_.size());
+  A_.setZero(n_, n_);
+  if (trial_.freeBase) {
+    contacts_ = std::make_shared<Contacts>(plant_, tree_);
     placeOnGround();
   }
   hold();
 }
 
 void Stepper::lose(const std::vector<std::uint8_t>* lostCycles) {
-  for (Drive& drive : drives) drive.path.lose(lostCycles);
+  for (Drive& drive : drives_) drive.path.lose(lostCycles);
 }
 
 double Stepper::limitShare(const Drive& drive) const {
-  const double loss = plant.joints[index(drive.joint)].deratingPerJoule;
+  const double loss = plant_.joints[index(drive.joint)].deratingPerJoule;
   return loss > 0 ? std::max(0.0, 1 - loss * drive.heat) : 1;
 }
 
 DryFriction Stepper::frictionBound(const Drive& drive) const {
-  return dryFriction(plant.joints[index(drive.joint)], v[drive.motor], drive.load);
+  return dryFriction(plant_.joints[index(drive.joint)], v_[drive.motor], drive.load);
 }
 
 void Stepper::assemble(double h) {
-  const double a = weight * h;
-  const int rigid = tree.size();
-  A.setZero();
-  A.topLeftCorner(rigid, rigid) = tree.mass();
-  force.setZero();
-  force.head(rigid) = -tree.bias();
-  for (const ExternalForce& external : plant.forces) {
-    const auto& link = plant.mechanism.links[index(external.link)];
+  const double a = weight_ * h;
+  const int rigid = tree_.size();
+  A_.setZero();
+  A_.topLeftCorner(rigid, rigid) = tree_.mass();
+  force_.setZero();
+  force_.head(rigid) = -tree_.bias();
+  for (const ExternalForce& external : plant_.forces) {
+    const auto& link = plant_.mechanism.links[index(external.link)];
     // Links of chains that are not replayed here carry it themselves.
-    if (external.link != 0 && !std::ranges::any_of(drives, [&](const Drive& d) {
-          return plant.mechanism.joints[index(d.joint)].child == external.link;
+    if (external.link != 0 && !std::ranges::any_of(drives_, [&](const Drive& d) {
+          return plant_.mechanism.joints[index(d.joint)].child == external.link;
         })) {
       continue;
     }
     Eigen::VectorXd tau = Eigen::VectorXd::Zero(rigid);
-    tree.addForce(external.link, tree.origin(external.link) + tree.rotation(external.link) * link.com,
-                  external.force, tau);
-    force.head(rigid) += tau;
+    tree_.addForce(external.link, tree_.origin(external.link) + tree_.rotation(external.link) * link.com,
+                   external.force, tau);
+    force_.head(rigid) += tau;
   }
-  for (Drive& drive : drives) A(drive.motor, drive.motor) += drive.armature;
-  rhs.noalias() = A * v;
-  for (Drive& drive : drives) {
-    const JointPlant& p = plant.joints[index(drive.joint)];
+  for (Drive& drive : drives_) A_(drive.motor, drive.motor) += drive.armature;
+  rhs_.noalias() = A_ * v_;
+  for (Drive& drive : drives_) {
+    const JointPlant& p = plant_.joints[index(drive.joint)];
     const ServoLine& line = drive.line;
-    force[drive.motor] += line.torque - line.stiffness * q[drive.sensed];
+    force_[drive.motor] += line.torque - line.stiffness * q_[drive.sensed];
     if (drive.sensed == drive.motor) {
-      A(drive.motor, drive.motor) += a * a * line.stiffness + a * line.damping;
+      A_(drive.motor, drive.motor) += a * a * line.stiffness + a * line.damping;
     } else {
       // The servo feels the link across the gear: explicit, for a matrix that stays symmetric.
-      force[drive.motor] -= (line.stiffness * a + line.damping) * v[drive.sensed];
+      force_[drive.motor] -= (line.stiffness * a + line.damping) * v_[drive.sensed];
     }
-    A(drive.motor, drive.motor) += a * p.viscous;
-    force[drive.link] += p.biasForce;
-    for (const JointTorque& torque : p.torques) force[drive.link] += torque(q[drive.link], v[drive.link]);
+    A_(drive.motor, drive.motor) += a * p.viscous;
+    force_[drive.link] += p.biasForce;
+    for (const JointTorque& torque : p.torques) force_[drive.link] += torque(q_[drive.link], v_[drive.link]);
   }
-  for (const Gear& gear : gears) {
+  for (const Gear& gear : gears_) {
     if (gear.play > 0 && gear.side == 0) continue;
-    const Drive& drive = drives[index(gear.drive)];
-    const double stretch = q[drive.motor] - q[drive.link] - gear.side * gear.play / 2;
+    const Drive& drive = drives_[index(gear.drive)];
+    const double stretch = q_[drive.motor] - q_[drive.link] - gear.side * gear.play / 2;
     const double implicit = a * gear.damping + a * a * gear.stiffness;
-    force[drive.motor] -= gear.stiffness * stretch;
-    force[drive.link] += gear.stiffness * stretch;
-    A(drive.motor, drive.motor) += implicit;
-    A(drive.link, drive.link) += implicit;
-    A(drive.motor, drive.link) -= implicit;
-    A(drive.link, drive.motor) -= implicit;
+    force_[drive.motor] -= gear.stiffness * stretch;
+    force_[drive.link] += gear.stiffness * stretch;
+    A_(drive.motor, drive.motor) += implicit;
+    A_(drive.link, drive.link) += implicit;
+    A_(drive.motor, drive.link) -= implicit;
+    A_(drive.link, drive.motor) -= implicit;
   }
-  rhs += a * force;
+  rhs_ += a * force_;
 }
 
 void Stepper::solve(double h) {
-  factor.compute(A);
-  u = factor.solve(rhs);
-  Eigen::VectorXd fresh = v + (u - v) / weight;  // velocity at the end of the step
-  if (!frictions.empty() || contacts) {
+  factor_.compute(A_);
+  u_ = factor_.solve(rhs_);
+  Eigen::VectorXd fresh = v_ + (u_ - v_) / weight_;  // velocity at the end of the step
+  if (!frictions_.empty() || contacts_) {
     const Eigen::VectorXd unbound = fresh;
-    const auto rows = static_cast<Eigen::Index>(frictions.size());
-    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, rows);
-    for (Eigen::Index i = 0; i < rows; ++i) columns(frictions[static_cast<std::size_t>(i)].coordinate, i) = h;
-    factor.solveInPlace(columns);
-    Eigen::VectorXd pushed = Eigen::VectorXd::Zero(n);  // what contacts add
+    const auto rows = static_cast<Eigen::Index>(frictions_.size());
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n_, rows);
+    for (Eigen::Index i = 0; i < rows; ++i)
+      columns(frictions_[static_cast<std::size_t>(i)].coordinate, i) = h;
+    factor_.solveInPlace(columns);
+    Eigen::VectorXd pushed = Eigen::VectorXd::Zero(n_);  // what contacts add
     double hold = 0;
-    for (const Friction& friction : frictions) hold += (friction.bound.forward + friction.bound.backward) / 2;
-    if (contacts) contacts->prepare(factor, h);
-    const int rounds = rows && contacts ? mostRounds : 1;
+    for (const Friction& friction : frictions_)
+      hold += (friction.bound.forward + friction.bound.backward) / 2;
+    if (contacts_) contacts_->prepare(factor_, h);
+    const int rounds = rows && contacts_ ? mostRounds : 1;
     for (int round = 0; round < rounds; ++round) {
       fresh = unbound + pushed;
       for (Eigen::Index i = 0; i < rows; ++i)
-        fresh += columns.col(i) * frictions[static_cast<std::size_t>(i)].force;
+        fresh += columns.col(i) * frictions_[static_cast<std::size_t>(i)].force;
       double changed = 0;  // what contacts have undone of what frictions hold
       for (int sweep = 0; sweep < (rows > 1 ? frictionSweeps : 1); ++sweep) {
         double moved = 0;
         for (Eigen::Index i = 0; i < rows; ++i) {
-          Friction& friction = frictions[static_cast<std::size_t>(i)];
+          Friction& friction = frictions_[static_cast<std::size_t>(i)];
           const double w = columns(friction.coordinate, i);
           const double wanted = std::clamp(friction.force - fresh[friction.coordinate] / w,
                                            -friction.bound.forward, friction.bound.backward);
@@ -176,32 +178,32 @@ void Stepper::solve(double h) {
         if (moved < 1e-9) break;
       }
       // Else what sticks would creep.
-      if (!contacts || (round > 0 && changed <= agreed * hold)) break;
+      if (!contacts_ || (round > 0 && changed <= agreed * hold)) break;
       const Eigen::VectorXd before = fresh - pushed;
       fresh = before;
-      contacts->solve(h, fresh);
+      contacts_->solve(h, fresh);
       pushed = fresh - before;
     }
-    u = v + weight * (fresh - v);
+    u_ = v_ + weight_ * (fresh - v_);
   }
-  predicted = fresh;
+  predicted_ = fresh;
 }
 
 bool Stepper::regimesHold(double h) {
-  const double a = weight * h;
+  const double a = weight_ * h;
   bool same = true;
-  for (Drive& drive : drives) {
+  for (Drive& drive : drives_) {
     const ServoLine line = servoLine(
-        plant.joints[index(drive.joint)], drive.command, drive.path.stiffness(), drive.path.voltage(),
-        q[drive.sensed] + a * u[drive.sensed], u[drive.sensed], limitShare(drive),
-        supply.left(plant.joints[index(drive.joint)]), drive.path.speedSent(), drive.path.torqueSent());
+        plant_.joints[index(drive.joint)], drive.command, drive.path.stiffness(), drive.path.voltage(),
+        q_[drive.sensed] + a * u_[drive.sensed], u_[drive.sensed], limitShare(drive),
+        supply_.left(plant_.joints[index(drive.joint)]), drive.path.speedSent(), drive.path.torqueSent());
     if (line.regime != drive.line.regime) same = false;
     drive.line = line;
   }
-  for (Gear& gear : gears) {
+  for (Gear& gear : gears_) {
     if (gear.play <= 0) continue;
-    const Drive& drive = drives[index(gear.drive)];
-    const double stretch = q[drive.motor] - q[drive.link] + a * (u[drive.motor] - u[drive.link]);
+    const Drive& drive = drives_[index(gear.drive)];
+    const double stretch = q_[drive.motor] - q_[drive.link] + a * (u_[drive.motor] - u_[drive.link]);
     const int side = stretch > gear.play / 2 ? 1 : stretch < -gear.play / 2 ? -1 : 0;
     if (side != gear.side) same = false;
     gear.side = side;
@@ -210,122 +212,122 @@ bool Stepper::regimesHold(double h) {
 }
 
 void Stepper::step(double from, double to) {
-  const double h = to - from, a = weight * h;
-  for (Drive& drive : drives) {
+  const double h = to - from, a = weight_ * h;
+  for (Drive& drive : drives_) {
     drive.command = drive.path.over(from, to);
     drive.shownBefore = drive.shown;
     drive.rateBefore = drive.rate;
   }
-  u = v;
-  qm = q + a * v;
-  Mat3 R = T_world_base.linear();
-  Vec3 middle = T_world_base.translation();
-  if (trial.freeBase) {
-    const Vec3 turn = a * v.segment<3>(3);
+  u_ = v_;
+  qm_ = q_ + a * v_;
+  Mat3 R = T_world_base_.linear();
+  Vec3 middle = T_world_base_.translation();
+  if (trial_.freeBase) {
+    const Vec3 turn = a * v_.segment<3>(3);
     const double angle = turn.norm();
     if (angle > 1e-12) R = Eigen::AngleAxisd(angle, turn / angle) * R;
-    middle += a * v.head<3>();
+    middle += a * v_.head<3>();
   }
-  tree.update(R, qm.data() + tree.baseSize(), v.data());
-  if (contacts) contacts->update(tree, middle);
-  for (Friction& friction : frictions) friction.bound = frictionBound(drives[index(friction.drive)]);
+  tree_.update(R, qm_.data() + tree_.baseSize(), v_.data());
+  if (contacts_) contacts_->update(tree_, middle);
+  for (Friction& friction : frictions_) friction.bound = frictionBound(drives_[index(friction.drive)]);
   regimesHold(h);
   for (int round = 0; round < maxRegimes; ++round) {
     assemble(h);
     solve(h);
-    const std::vector<Gear> gearsUsed = gears;
+    const std::vector<Gear> gearsUsed = gears_;
     if (regimesHold(h)) break;
-    if (round + 1 == maxRegimes) gears = gearsUsed;
+    if (round + 1 == maxRegimes) gears_ = gearsUsed;
   }
   advance(h);
 }
 
 void Stepper::advance(double h) {
-  acceleration = (predicted - v).head(tree.size()) / h;
-  for (Drive& drive : drives) {
-    drive.torque = drive.line.at(q[drive.sensed] + weight * h * u[drive.sensed], u[drive.sensed]);
+  acceleration_ = (predicted_ - v_).head(tree_.size()) / h;
+  for (Drive& drive : drives_) {
+    drive.torque = drive.line.at(q_[drive.sensed] + weight_ * h * u_[drive.sensed], u_[drive.sensed]);
     drive.heat +=
         h * std::abs(drive.torque) *
-        (plant.joints[index(drive.joint)].heatIsWork ? std::abs(u[drive.motor]) : std::abs(drive.torque));
+        (plant_.joints[index(drive.joint)].heatIsWork ? std::abs(u_[drive.motor]) : std::abs(drive.torque));
   }
   double torques = 0;
-  for (Drive& drive : drives) {
-    const double gear = drive.torque - drive.armature * (predicted[drive.motor] - v[drive.motor]) / h;
+  for (Drive& drive : drives_) {
+    const double gear = drive.torque - drive.armature * (predicted_[drive.motor] - v_[drive.motor]) / h;
     drive.load = {drive.torque, gear, gear};
     torques += std::abs(drive.torque);
   }
-  for (const Friction& friction : frictions) drives[index(friction.drive)].load.link += friction.force;
-  supply.take(torques, h);
-  q += h * u;
-  v = predicted;
-  if (trial.freeBase) {
-    T_world_base.translation() += h * u.head<3>();
-    const Vec3 turn = h * u.segment<3>(3);
+  for (const Friction& friction : frictions_) drives_[index(friction.drive)].load.link += friction.force;
+  supply_.take(torques, h);
+  q_ += h * u_;
+  v_ = predicted_;
+  if (trial_.freeBase) {
+    T_world_base_.translation() += h * u_.head<3>();
+    const Vec3 turn = h * u_.segment<3>(3);
     const double angle = turn.norm();
     if (angle > 1e-12) {
-      Eigen::Quaterniond rotation(Eigen::AngleAxisd(angle, turn / angle) * T_world_base.linear());
-      T_world_base.linear() = rotation.normalized().toRotationMatrix();
+      Eigen::Quaterniond rotation(Eigen::AngleAxisd(angle, turn / angle) * T_world_base_.linear());
+      T_world_base_.linear() = rotation.normalized().toRotationMatrix();
     }
-    q.head<6>().setZero();
-    if (T_world_base.linear()(2, 2) < 0.5) hasFallen = true;
+    q_.head<6>().setZero();
+    if (T_world_base_.linear()(2, 2) < 0.5) hasFallen_ = true;
   }
-  for (Drive& drive : drives) {
-    drive.shown = measuredAngle(plant.joints[index(drive.joint)], q[drive.sensed]);
-    drive.rate = v[drive.sensed];
+  for (Drive& drive : drives_) {
+    drive.shown = measuredAngle(plant_.joints[index(drive.joint)], q_[drive.sensed]);
+    drive.rate = v_[drive.sensed];
   }
 }
 
 double Stepper::current(int node) const {
-  const Drive& drive = drives[index(node)];
-  const double kt = plant.joints[index(drive.joint)].servo.kt;
+  const Drive& drive = drives_[index(node)];
+  const double kt = plant_.joints[index(drive.joint)].servo.kt;
   return kt > 0 ? drive.torque / kt : unmeasured;
 }
 
 double Stepper::duty(int node) const {
-  const Drive& drive = drives[index(node)];
-  const Servo& servo = plant.joints[index(drive.joint)].servo;
+  const Drive& drive = drives_[index(node)];
+  const Servo& servo = plant_.joints[index(drive.joint)].servo;
   if (servo.model != Servo::Model::dcMotor) return unmeasured;
   const double duty = servo.kpFirmware * servo.errorGain * (drive.command - drive.shown);
   return std::clamp(duty, -servo.maxPwm, servo.maxPwm);
 }
 
 void Stepper::beginBody() {
-  bodyTime.clear();
-  gyro.clear();
-  specificForce.clear();
+  bodyTime_.clear();
+  gyro_.clear();
+  specificForce_.clear();
 }
 
 void Stepper::readBody(std::size_t cycle, double t, const std::vector<std::size_t>& signals,
                        std::vector<std::vector<double>>& values) {
-  tree.update(T_world_base.linear(), q.data() + tree.baseSize(), v.data());
-  const Mechanism::Imu& imu = plant.mechanism.imu;
-  const bool carried = imu.link == 0 || trial.freeBase;
-  const Mat3 R_world_sensor = (carried ? tree.rotation(imu.link) : Mat3(Mat3::Identity())) *
-                              rotationOfRpy(imu.rpy) * plant.imu.R_true_sensor;
-  bodyTime.push_back(t);
-  if (trial.freeBase) {
-    gyro.emplace_back(R_world_sensor.transpose() * tree.angularVelocity(imu.link));
-    const Vec3 point = tree.origin(imu.link) + tree.rotation(imu.link) * imu.accelerometer;
-    specificForce.emplace_back(R_world_sensor.transpose() *
-                               tree.specificForceAt(imu.link, point, acceleration.data()));
+  tree_.update(T_world_base_.linear(), q_.data() + tree_.baseSize(), v_.data());
+  const Mechanism::Imu& imu = plant_.mechanism.imu;
+  const bool carried = imu.link == 0 || trial_.freeBase;
+  const Mat3 R_world_sensor = (carried ? tree_.rotation(imu.link) : Mat3(Mat3::Identity())) *
+                              rotationOfRpy(imu.rpy) * plant_.imu.R_true_sensor;
+  bodyTime_.push_back(t);
+  if (trial_.freeBase) {
+    gyro_.emplace_back(R_world_sensor.transpose() * tree_.angularVelocity(imu.link));
+    const Vec3 point = tree_.origin(imu.link) + tree_.rotation(imu.link) * imu.accelerometer;
+    specificForce_.emplace_back(R_world_sensor.transpose() *
+                                tree_.specificForceAt(imu.link, point, acceleration_.data()));
   } else {
-    gyro.emplace_back(Vec3::Zero());
-    specificForce.emplace_back(-(R_world_sensor.transpose() * plant.mechanism.gravity));
+    gyro_.emplace_back(Vec3::Zero());
+    specificForce_.emplace_back(-(R_world_sensor.transpose() * plant_.mechanism.gravity));
   }
-  gyro.back() += plant.imu.gyroBias;
-  if (!trial.freeBase) return;
+  gyro_.back() += plant_.imu.gyroBias;
+  if (!trial_.freeBase) return;
 
-  const std::array<double, 7> pose = poseValues(T_world_base);
-  std::vector<std::vector<double>> feet(plant.mechanism.feet.size());
+  const std::array<double, 7> pose = poseValues(T_world_base_);
+  std::vector<std::vector<double>> feet(plant_.mechanism.feet.size());
   for (const std::size_t s : signals) {
-    const Signal& signal = trial.signals[s];
+    const Signal& signal = trial_.signals[s];
     if (signal.kind == SignalKind::truth) values[s][cycle] = pose[index(signal.axis)];
     if (signal.kind != SignalKind::force) continue;
     auto& shares = feet[index(signal.place)];
     if (shares.empty()) {
-      const Contacts::FootForce total = contacts->footForce(signal.place, tree);
-      shares = plateForces(plant.mechanism.feet[index(signal.place)], total.normal, total.centre);
-      for (double& share : shares) share *= plant.footGain[index(signal.place)];
+      const Contacts::FootForce total = contacts_->footForce(signal.place, tree_);
+      shares = plateForces(plant_.mechanism.feet[index(signal.place)], total.normal, total.centre);
+      for (double& share : shares) share *= plant_.footGain[index(signal.place)];
     }
     values[s][cycle] = shares[index(signal.axis)];
   }
@@ -334,16 +336,16 @@ void Stepper::readBody(std::size_t cycle, double t, const std::vector<std::size_
 void Stepper::endBody(const std::vector<std::size_t>& signals,
                       std::vector<std::vector<double>>& values) const {
   for (const std::size_t s : signals) {
-    const Signal& signal = trial.signals[s];
+    const Signal& signal = trial_.signals[s];
     if (signal.kind != SignalKind::gyro && signal.kind != SignalKind::accelerometer) continue;
-    const std::vector<Vec3>& series = signal.kind == SignalKind::gyro ? gyro : specificForce;
+    const std::vector<Vec3>& series = signal.kind == SignalKind::gyro ? gyro_ : specificForce_;
     std::size_t at = 0;
-    for (std::size_t k = 0; k < bodyTime.size(); ++k) {
-      const double when = bodyTime[k] - plant.imu.delay;
-      while (at + 1 < bodyTime.size() && bodyTime[at + 1] <= when) ++at;
+    for (std::size_t k = 0; k < bodyTime_.size(); ++k) {
+      const double when = bodyTime_[k] - plant_.imu.delay;
+      while (at + 1 < bodyTime_.size() && bodyTime_[at + 1] <= when) ++at;
       double value = series[at][signal.axis];
-      if (at + 1 < bodyTime.size() && when > bodyTime[at]) {
-        const double share = (when - bodyTime[at]) / (bodyTime[at + 1] - bodyTime[at]);
+      if (at + 1 < bodyTime_.size() && when > bodyTime_[at]) {
+        const double share = (when - bodyTime_[at]) / (bodyTime_[at + 1] - bodyTime_[at]);
         value += share * (series[at + 1][signal.axis] - value);
       }
       values[s][k] = value;

@@ -29,15 +29,15 @@ public:
   /// the ground and stays; place and heading stay as they are. Play in gears stays on the side it is on.
   void restart(const Restart& seen);
 
-  bool geared() const { return !gears.empty(); }
+  bool geared() const { return !gears_.empty(); }
   void step(double from, double to);
 
   /// What the encoder of the i-th chosen joint shows, and its speed; now and before the last step.
-  double shown(int node) const { return drives[index(node)].shown; }
-  double rate(int node) const { return drives[index(node)].rate; }
-  double shownBefore(int node) const { return drives[index(node)].shownBefore; }
-  double rateBefore(int node) const { return drives[index(node)].rateBefore; }
-  double torque(int node) const { return drives[index(node)].torque; }  ///< of the servo [N m]
+  double shown(int node) const { return drives_[index(node)].shown; }
+  double rate(int node) const { return drives_[index(node)].rate; }
+  double shownBefore(int node) const { return drives_[index(node)].shownBefore; }
+  double rateBefore(int node) const { return drives_[index(node)].rateBefore; }
+  double torque(int node) const { return drives_[index(node)].torque; }  ///< of the servo [N m]
   double current(int node) const;  ///< [A]; NaN where the constant is unknown
   double duty(int node) const;
   /// Makes "before" equal "now".
@@ -48,7 +48,7 @@ public:
   void readBody(std::size_t cycle, double t, const std::vector<std::size_t>& signals,
                 std::vector<std::vector<double>>& values);
   void endBody(const std::vector<std::size_t>& signals, std::vector<std::vector<double>>& values) const;
-  bool fell() const { return hasFallen; }
+  bool fell() const { return hasFallen_; }
 
 private:
   struct Drive {
@@ -84,27 +84,27 @@ private:
   void standOn(int foot);
   double heightOnGround() const;
 
-  const Plant& plant;
-  const Trial& trial;
-  TreeDynamics tree;
-  std::vector<Drive> drives;
-  std::vector<Gear> gears;
-  std::vector<Friction> frictions;
-  std::shared_ptr<Contacts> contacts;  ///< of a free base
-  SupplyRail supply;
-  double weight;  ///< of the new velocity in the one that moves (1/2: midpoint)
+  const Plant& plant_;
+  const Trial& trial_;
+  TreeDynamics tree_;
+  std::vector<Drive> drives_;
+  std::vector<Gear> gears_;
+  std::vector<Friction> frictions_;
+  std::shared_ptr<Contacts> contacts_;  ///< of a free base
+  SupplyRail supply_;
+  double weight_;  ///< of the new velocity in the one that moves (1/2: midpoint)
 
-  int n = 0;             ///< coordinates
-  Eigen::VectorXd q, v;  ///< q has 0 for the base, whose pose is T
-  Pose3 T_world_base = Pose3::Identity();
-  Eigen::VectorXd qm, u, rhs, force, predicted;
-  Eigen::MatrixXd A;
-  Eigen::LLT<Eigen::MatrixXd> factor;
-  Eigen::VectorXd acceleration;
-  bool hasFallen = false;
+  int n_ = 0;              ///< coordinates
+  Eigen::VectorXd q_, v_;  ///< q has 0 for the base, whose pose is T
+  Pose3 T_world_base_ = Pose3::Identity();
+  Eigen::VectorXd qm_, u_, rhs_, force_, predicted_;
+  Eigen::MatrixXd A_;
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+  Eigen::VectorXd acceleration_;
+  bool hasFallen_ = false;
   // Whole-robot readings, kept for a late IMU.
-  std::vector<double> bodyTime;
-  std::vector<Vec3> gyro, specificForce;
+  std::vector<double> bodyTime_;
+  std::vector<Vec3> gyro_, specificForce_;
 };
 
 }  // namespace plumbline::gap

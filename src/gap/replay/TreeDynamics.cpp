@@ -6,14 +6,14 @@
 namespace plumbline::gap {
 
 TreeDynamics::TreeDynamics(const Mechanism& mechanism, std::vector<int> joints, bool freeBase)
-    : chosen(std::move(joints)), offset(freeBase ? 6 : 0), gravity(mechanism.gravity) {
-  nodeOfLink.assign(mechanism.links.size(), -1);
-  for (const int index : chosen) {
+    : chosen_(std::move(joints)), offset_(freeBase ? 6 : 0), gravity_(mechanism.gravity) {
+  nodeOfLink_.assign(mechanism.links.size(), -1);
+  for (const int index : chosen_) {
     const auto& joint = mechanism.joints.at(static_cast<std::size_t>(index));
     const auto& link = mechanism.links.at(static_cast<std::size_t>(joint.child));
     Node node;
     node.link = joint.child;
-    node.parent = nodeOfLink[static_cast<std::size_t>(joint.parent)];
+    node.parent = nodeOfLink_[static_cast<std::size_t>(joint.parent)];
     if (node.parent < 0 && joint.parent != 0) {
       throw std::invalid_argument("joint " + joint.name + " without the joints that carry it");
     }
@@ -25,22 +25,22 @@ TreeDynamics::TreeDynamics(const Mechanism& mechanism, std::vector<int> joints, 
     node.m = link.mass;
     node.com = link.com;
     node.I = link.inertia;
-    nodeOfLink[static_cast<std::size_t>(joint.child)] = static_cast<int>(nodes.size());
-    nodes.push_back(node);
+    nodeOfLink_[static_cast<std::size_t>(joint.child)] = static_cast<int>(nodes_.size());
+    nodes_.push_back(node);
   }
   const auto& torso = mechanism.links.at(0);
-  baseMass = torso.mass;
-  baseCom = torso.com;
-  baseI = torso.inertia;
-  M.setZero(size(), size());
-  biasForce.setZero(size());
+  baseMass_ = torso.mass;
+  baseCom_ = torso.com;
+  baseI_ = torso.inertia;
+  M_.setZero(size(), size());
+  biasForce_.setZero(size());
 }
 
 const TreeDynamics::Place& TreeDynamics::place(int link) const {
-  if (link == 0) return base;
-  const int node = nodeOfLink.at(static_cast<std::size_t>(link));
+  if (link == 0) return base_;
+  const int node = nodeOfLink_.at(static_cast<std::size_t>(link));
   if (node < 0) throw std::out_of_range("a link that does not move here");
-  return nodes[static_cast<std::size_t>(node)].place;
+  return nodes_[static_cast<std::size_t>(node)].place;
 }
 
 void TreeDynamics::setInertia(Inertia& inertia, const Place& place, double m, const Vec3& com,
@@ -63,26 +63,26 @@ void TreeDynamics::setInertia(Inertia& inertia, const Place& place, double m, co
 }
 
 void TreeDynamics::update(const Mat3& R_world_base, const double* q, const double* v) {
-  base.R = R_world_base;
-  if (offset) {
-    base.u = Eigen::Map<const Vec3>(v);
-    base.w = Eigen::Map<const Vec3>(v + 3);
+  base_.R = R_world_base;
+  if (offset_) {
+    base_.u = Eigen::Map<const Vec3>(v);
+    base_.w = Eigen::Map<const Vec3>(v + 3);
     // The point of the base that is at O keeps its world velocity's derivative: classical acceleration zero.
-    base.au = -gravity - base.w.cross(base.u);
+    base_.au = -gravity_ - base_.w.cross(base_.u);
   } else {
-    base.au = -gravity;
+    base_.au = -gravity_;
   }
-  base.aw.setZero();
+  base_.aw.setZero();
 
-  const int n = static_cast<int>(nodes.size());
+  const int n = static_cast<int>(nodes_.size());
   for (int i = 0; i < n; ++i) {
-    Node& node = nodes[static_cast<std::size_t>(i)];
-    const Place& parent = node.parent < 0 ? base : nodes[static_cast<std::size_t>(node.parent)].place;
+    Node& node = nodes_[static_cast<std::size_t>(i)];
+    const Place& parent = node.parent < 0 ? base_ : nodes_[static_cast<std::size_t>(node.parent)].place;
     Place& here = node.place;
     const Mat3 R = node.turned ? Mat3(parent.R * node.R0) : parent.R;
     const Vec3 axis = R * node.axis;
     here.p = parent.p + parent.R * node.origin;
-    const double rate = v[offset + i];
+    const double rate = v[offset_ + i];
     if (node.prismatic) {
       here.R = R;
       here.p += axis * q[i];
@@ -107,60 +107,60 @@ void TreeDynamics::update(const Mat3& R_world_base, const double* q, const doubl
   }
 
   Vec3 baseForce = Vec3::Zero(), baseMoment = Vec3::Zero();
-  if (offset) {
-    setInertia(baseOwn, base, baseMass, baseCom, baseI);
-    baseComposite = baseOwn;
-    const Inertia& o = baseOwn;
-    const Vec3 pu = o.m * base.u - o.h.cross(base.w);
-    const Vec3 pn = o.I * base.w + o.h.cross(base.u);
-    baseForce = o.m * base.au + base.w.cross(pu);
-    baseMoment = o.h.cross(base.au) + base.w.cross(pn) + base.u.cross(pu);
+  if (offset_) {
+    setInertia(baseOwn_, base_, baseMass_, baseCom_, baseI_);
+    baseComposite_ = baseOwn_;
+    const Inertia& o = baseOwn_;
+    const Vec3 pu = o.m * base_.u - o.h.cross(base_.w);
+    const Vec3 pn = o.I * base_.w + o.h.cross(base_.u);
+    baseForce = o.m * base_.au + base_.w.cross(pu);
+    baseMoment = o.h.cross(base_.au) + base_.w.cross(pn) + base_.u.cross(pu);
   }
   for (int i = n - 1; i >= 0; --i) {
-    Node& node = nodes[static_cast<std::size_t>(i)];
-    biasForce[offset + i] = node.sw.dot(node.fn) + node.su.dot(node.fu);
+    Node& node = nodes_[static_cast<std::size_t>(i)];
+    biasForce_[offset_ + i] = node.sw.dot(node.fn) + node.su.dot(node.fu);
     const Inertia& c = node.composite;
     const Vec3 fu = c.m * node.su - c.h.cross(node.sw);
     const Vec3 fn = c.I * node.sw + c.h.cross(node.su);
-    M(offset + i, offset + i) = node.sw.dot(fn) + node.su.dot(fu);
-    for (int j = node.parent; j >= 0; j = nodes[static_cast<std::size_t>(j)].parent) {
-      const Node& other = nodes[static_cast<std::size_t>(j)];
-      M(offset + i, offset + j) = M(offset + j, offset + i) = other.sw.dot(fn) + other.su.dot(fu);
+    M_(offset_ + i, offset_ + i) = node.sw.dot(fn) + node.su.dot(fu);
+    for (int j = node.parent; j >= 0; j = nodes_[static_cast<std::size_t>(j)].parent) {
+      const Node& other = nodes_[static_cast<std::size_t>(j)];
+      M_(offset_ + i, offset_ + j) = M_(offset_ + j, offset_ + i) = other.sw.dot(fn) + other.su.dot(fu);
     }
-    if (offset) {
-      M.block<3, 1>(0, offset + i) = fu;
-      M.block<3, 1>(3, offset + i) = fn;
-      M.block<1, 3>(offset + i, 0) = fu.transpose();
-      M.block<1, 3>(offset + i, 3) = fn.transpose();
+    if (offset_) {
+      M_.block<3, 1>(0, offset_ + i) = fu;
+      M_.block<3, 1>(3, offset_ + i) = fn;
+      M_.block<1, 3>(offset_ + i, 0) = fu.transpose();
+      M_.block<1, 3>(offset_ + i, 3) = fn.transpose();
     }
-    Inertia* up = node.parent < 0 ? (offset ? &baseComposite : nullptr)
-                                  : &nodes[static_cast<std::size_t>(node.parent)].composite;
+    Inertia* up = node.parent < 0 ? (offset_ ? &baseComposite_ : nullptr)
+                                  : &nodes_[static_cast<std::size_t>(node.parent)].composite;
     if (up) {
       up->m += c.m;
       up->h += c.h;
       up->I += c.I;
     }
     if (node.parent >= 0) {
-      nodes[static_cast<std::size_t>(node.parent)].fu += node.fu;
-      nodes[static_cast<std::size_t>(node.parent)].fn += node.fn;
+      nodes_[static_cast<std::size_t>(node.parent)].fu += node.fu;
+      nodes_[static_cast<std::size_t>(node.parent)].fn += node.fn;
     } else {
       baseForce += node.fu;
       baseMoment += node.fn;
     }
   }
-  if (offset) {
-    const Inertia& c = baseComposite;
+  if (offset_) {
+    const Inertia& c = baseComposite_;
     const auto cross = [](const Vec3& h) {
       Mat3 m;
       m << 0, -h.z(), h.y(), h.z(), 0, -h.x(), -h.y(), h.x(), 0;
       return m;
     };
-    M.block<3, 3>(0, 0) = Mat3::Identity() * c.m;
-    M.block<3, 3>(0, 3) = -cross(c.h);
-    M.block<3, 3>(3, 0) = cross(c.h);
-    M.block<3, 3>(3, 3) = c.I;
-    biasForce.head<3>() = baseForce;
-    biasForce.segment<3>(3) = baseMoment;
+    M_.block<3, 3>(0, 0) = Mat3::Identity() * c.m;
+    M_.block<3, 3>(0, 3) = -cross(c.h);
+    M_.block<3, 3>(3, 0) = cross(c.h);
+    M_.block<3, 3>(3, 3) = c.I;
+    biasForce_.head<3>() = baseForce;
+    biasForce_.segment<3>(3) = baseMoment;
   }
 }
 
@@ -172,14 +172,14 @@ Vec3 TreeDynamics::velocityAt(int link, const Vec3& point) const {
 Vec3 TreeDynamics::specificForceAt(int link, const Vec3& point, const double* dv) const {
   const Place& here = place(link);
   Vec3 aw = here.aw, au = here.au;
-  if (offset) {
+  if (offset_) {
     au += Eigen::Map<const Vec3>(dv);
     aw += Eigen::Map<const Vec3>(dv + 3);
   }
-  for (int i = link == 0 ? -1 : nodeOfLink[static_cast<std::size_t>(link)]; i >= 0;
-       i = nodes[static_cast<std::size_t>(i)].parent) {
-    aw += nodes[static_cast<std::size_t>(i)].sw * dv[offset + i];
-    au += nodes[static_cast<std::size_t>(i)].su * dv[offset + i];
+  for (int i = link == 0 ? -1 : nodeOfLink_[static_cast<std::size_t>(link)]; i >= 0;
+       i = nodes_[static_cast<std::size_t>(i)].parent) {
+    aw += nodes_[static_cast<std::size_t>(i)].sw * dv[offset_ + i];
+    au += nodes_[static_cast<std::size_t>(i)].su * dv[offset_ + i];
   }
   // Spatial to classical acceleration of the point.
   return au + aw.cross(point) + here.w.cross(here.u + here.w.cross(point));
@@ -187,12 +187,12 @@ Vec3 TreeDynamics::specificForceAt(int link, const Vec3& point, const double* dv
 
 void TreeDynamics::addForce(int link, const Vec3& point, const Vec3& force, Eigen::VectorXd& tau) const {
   const Vec3 moment = point.cross(force);
-  for (int i = link == 0 ? -1 : nodeOfLink.at(static_cast<std::size_t>(link)); i >= 0;
-       i = nodes[static_cast<std::size_t>(i)].parent) {
-    const Node& node = nodes[static_cast<std::size_t>(i)];
-    tau[offset + i] += node.sw.dot(moment) + node.su.dot(force);
+  for (int i = link == 0 ? -1 : nodeOfLink_.at(static_cast<std::size_t>(link)); i >= 0;
+       i = nodes_[static_cast<std::size_t>(i)].parent) {
+    const Node& node = nodes_[static_cast<std::size_t>(i)];
+    tau[offset_ + i] += node.sw.dot(moment) + node.su.dot(force);
   }
-  if (offset) {
+  if (offset_) {
     tau.head<3>() += force;
     tau.segment<3>(3) += moment;
   }
@@ -200,12 +200,12 @@ void TreeDynamics::addForce(int link, const Vec3& point, const Vec3& force, Eige
 
 void TreeDynamics::jacobian(int link, const Vec3& point, Eigen::Ref<Eigen::MatrixXd> J) const {
   J.setZero();
-  for (int i = link == 0 ? -1 : nodeOfLink.at(static_cast<std::size_t>(link)); i >= 0;
-       i = nodes[static_cast<std::size_t>(i)].parent) {
-    const Node& node = nodes[static_cast<std::size_t>(i)];
-    J.col(offset + i) = node.su + node.sw.cross(point);
+  for (int i = link == 0 ? -1 : nodeOfLink_.at(static_cast<std::size_t>(link)); i >= 0;
+       i = nodes_[static_cast<std::size_t>(i)].parent) {
+    const Node& node = nodes_[static_cast<std::size_t>(i)];
+    J.col(offset_ + i) = node.su + node.sw.cross(point);
   }
-  if (offset) {
+  if (offset_) {
     J.block<3, 3>(0, 0).setIdentity();
     J(0, 4) = point.z();
     J(0, 5) = -point.y();

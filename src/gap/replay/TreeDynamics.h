@@ -19,16 +19,16 @@ public:
   /// joints: ascending indices, closed under "what carries me"; empty with a held base: nothing moves.
   TreeDynamics(const Mechanism& mechanism, std::vector<int> joints, bool freeBase);
 
-  int size() const { return offset + static_cast<int>(nodes.size()); }
-  int baseSize() const { return offset; }
-  const std::vector<int>& joints() const { return chosen; }
+  int size() const { return offset_ + static_cast<int>(nodes_.size()); }
+  int baseSize() const { return offset_; }
+  const std::vector<int>& joints() const { return chosen_; }
 
   /// Poses, mass matrix and bias. T_world_base matters for its rotation only; q: one per chosen joint [rad,
   /// m]; v: size() velocities. Forces at links (addForce) are forgotten.
   void update(const Mat3& R_world_base, const double* q, const double* v);
 
-  const Eigen::MatrixXd& mass() const { return M; }          ///< symmetric, armature not included
-  const Eigen::VectorXd& bias() const { return biasForce; }  ///< Coriolis and gravity forces, to be overcome
+  const Eigen::MatrixXd& mass() const { return M_; }          ///< symmetric, armature not included
+  const Eigen::VectorXd& bias() const { return biasForce_; }  ///< Coriolis and gravity forces, to be overcome
 
   /// Of a link (mechanism's index) among those that move, or the base: its rotation, and its origin relative
   /// to the base's origin in world axes. Links that do not move are unknown: std::out_of_range.
@@ -72,18 +72,18 @@ private:
   const Place& place(int link) const;
   static void setInertia(Inertia& inertia, const Place& place, double m, const Vec3& com, const Mat3& I);
 
-  std::vector<int> chosen;
-  int offset = 0;
-  Vec3 gravity;
-  std::vector<Node> nodes;
-  std::vector<int> nodeOfLink;
-  Place base;
-  Inertia baseOwn, baseComposite;
-  double baseMass = 0;
-  Vec3 baseCom;
-  Mat3 baseI;
-  Eigen::MatrixXd M;
-  Eigen::VectorXd biasForce;
+  std::vector<int> chosen_;
+  int offset_ = 0;
+  Vec3 gravity_;
+  std::vector<Node> nodes_;
+  std::vector<int> nodeOfLink_;
+  Place base_;
+  Inertia baseOwn_, baseComposite_;
+  double baseMass_ = 0;
+  Vec3 baseCom_;
+  Mat3 baseI_;
+  Eigen::MatrixXd M_;
+  Eigen::VectorXd biasForce_;
 };
 
 }  // namespace plumbline::gap

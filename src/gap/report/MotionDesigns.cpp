@@ -14,15 +14,15 @@ constexpr double leadIn = 0.4, leadOut = 0.5, length = 13;  // [s]
 
 class Designer {
 public:
-  Designer(const Mechanism& robot_, const std::vector<int>& joints_) : robot(robot_) {
-    for (int joint : joints_) {
-      joint = robot.motorOf(joint);
-      if (std::ranges::find(joints, joint) == joints.end()) joints.push_back(joint);
+  Designer(const Mechanism& robot, const std::vector<int>& joints) : robot_(robot) {
+    for (int joint : joints) {
+      joint = robot_.motorOf(joint);
+      if (std::ranges::find(joints_, joint) == joints_.end()) joints_.push_back(joint);
     }
-    home = namedPosture("hang", robot).value_or(neutralPosture(robot));
-    for (const int joint : joints)
-      names += (names.empty() ? "" : ", ") + robot.joints[static_cast<std::size_t>(joint)].name;
-    if (joints.size() > 4) names = std::to_string(joints.size()) + " joints";
+    home_ = namedPosture("hang", robot_).value_or(neutralPosture(robot_));
+    for (const int joint : joints_)
+      names_ += (names_.empty() ? "" : ", ") + robot_.joints[static_cast<std::size_t>(joint)].name;
+    if (joints_.size() > 4) names_ = std::to_string(joints_.size()) + " joints";
   }
 
   std::vector<Excitation> all() {
@@ -36,15 +36,15 @@ public:
       oneWave("multisine", "multisines", Segment::Kind::multisine, share, 5);
     for (const double size : {0.015, 0.05, 0.15}) reversals(size);
     poses();
-    return std::move(designs);
+    return std::move(designs_);
   }
 
 private:
   Excitation begin(const std::string& name, const std::string& what) const {
     Excitation e;
     e.name = name;
-    e.about = "next_" + name + ": " + what + " of " + names;
-    e.posture = home;
+    e.about = "next_" + name + ": " + what + " of " + names_;
+    e.posture = home_;
     e.duration = leadIn;
     return e;
   }
@@ -53,8 +53,8 @@ private:
   std::vector<std::pair<int, double>> sizes(const std::vector<double>& posture, double share, double most,
                                             double fastest) const {
     std::vector<std::pair<int, double>> result;
-    for (const int j : joints) {
-      const auto& joint = robot.joints[static_cast<std::size_t>(j)];
+    for (const int j : joints_) {
+      const auto& joint = robot_.joints[static_cast<std::size_t>(j)];
       const double q = posture[static_cast<std::size_t>(j)];
       double size = std::min(most, share * std::clamp(std::min(joint.upper - q, q - joint.lower), 0.0, M_PI));
       if (fastest > 0) size = std::min(size, 0.85 * joint.maxSpeed / fastest);
@@ -85,7 +85,7 @@ private:
     for (int i = 0; i < repeats; ++i) {
       wave.start = e.duration;
       wave.seed = static_cast<std::uint64_t>(i + 1);
-      wave.joints = sizes(home, share, 10, fastest);
+      wave.joints = sizes(home_, share, 10, fastest);
       if (i % 2)
         for (auto& [joint, amplitude] : wave.joints) amplitude = -amplitude;
       e.segments.push_back(wave);
@@ -103,7 +103,7 @@ private:
       if (to[j] == from[j]) continue;
       segment.joints.emplace_back(static_cast<int>(j), to[j]);
       segment.duration =
-          std::max(segment.duration, 1.875 * std::abs(to[j] - from[j]) / (0.5 * robot.joints[j].maxSpeed));
+          std::max(segment.duration, 1.875 * std::abs(to[j] - from[j]) / (0.5 * robot_.joints[j].maxSpeed));
     }
     e.segments.push_back(segment);
     e.duration += segment.duration;
@@ -113,8 +113,8 @@ private:
     char text[16];
     std::snprintf(text, sizeof text, "%03.0f", 1000 * size);
     Excitation e = begin(std::string("reversals") + text, "slow small reversals at four gravity loadings");
-    std::vector<double> now = home;
-    for (const std::vector<double>& loading : gravityLoadings(robot, home, 0.65, 4, 3)) {
+    std::vector<double> now = home_;
+    for (const std::vector<double>& loading : gravityLoadings(robot_, home_, 0.65, 4, 3)) {
       move(e, now, loading);
       now = loading;
       Segment wave;
@@ -131,8 +131,8 @@ private:
 
   void poses() {
     Excitation e = begin("poses", "static poses at other gravity loadings, through");
-    std::vector<double> now = home;
-    for (const std::vector<double>& loading : gravityLoadings(robot, home, 0.8, 6, 5)) {
+    std::vector<double> now = home_;
+    for (const std::vector<double>& loading : gravityLoadings(robot_, home_, 0.8, 6, 5)) {
       move(e, now, loading);
       now = loading;
       e.duration += 1.2;
@@ -142,14 +142,14 @@ private:
 
   void finish(Excitation e) {
     e.duration += leadOut;
-    designs.push_back(std::move(e));
+    designs_.push_back(std::move(e));
   }
 
-  const Mechanism& robot;
-  std::vector<int> joints;
-  std::vector<double> home;
-  std::string names;
-  std::vector<Excitation> designs;
+  const Mechanism& robot_;
+  std::vector<int> joints_;
+  std::vector<double> home_;
+  std::string names_;
+  std::vector<Excitation> designs_;
 };
 
 }  // namespace

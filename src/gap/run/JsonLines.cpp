@@ -29,19 +29,19 @@ const json* namesIn(const json& object) {
 
 class Reader {
 public:
-  explicit Reader(const std::string& path) : lines(path, maxLineLength) {}
+  explicit Reader(const std::string& path) : lines_(path, maxLineLength) {}
 
   Table read() {
-    for (std::string_view text; lines.next(text);) {
+    for (std::string_view text; lines_.next(text);) {
       StopSignal::throwIfCaught();
       if (text.find_first_not_of(" \t\r") == std::string_view::npos) continue;
       addLine(text);
     }
-    if (rows < 2)
-      throw RunError(lines.path() + ": has " + std::to_string(rows) +
+    if (rows_ < 2)
+      throw RunError(lines_.path() + ": has " + std::to_string(rows_) +
                      " lines of data; a run needs two at least");
-    for (std::vector<double>& column : table.columns) column.resize(rows, lost);
-    return std::move(table);
+    for (std::vector<double>& column : table_.columns) column.resize(rows_, lost);
+    return std::move(table_);
   }
 
 private:
@@ -50,13 +50,13 @@ private:
     try {
       object = parseJson(text);
     } catch (const JsonError& error) {
-      lines.fail(error.what());
+      lines_.fail(error.what());
     }
-    if (!object.is_object()) lines.fail("is no object; each line is one: {\"t\": 0.01, ...}");
-    ++rows;
+    if (!object.is_object()) lines_.fail("is no object; each line is one: {\"t\": 0.01, ...}");
+    ++rows_;
     addObject("", object);
-    if (rows * table.names.size() > maxCells)
-      lines.fail("more than " + std::to_string(maxCells) + " cells; cut the run into shorter ones");
+    if (rows_ * table_.names.size() > maxCells)
+      lines_.fail("more than " + std::to_string(maxCells) + " cells; cut the run into shorter ones");
   }
 
   void addObject(const std::string& head, const json& object) {
@@ -79,30 +79,30 @@ private:
       return;
     }
     std::vector<double>& column = columnOf(name);
-    if (column.size() >= rows) lines.fail("column " + name + " occurs twice");
-    column.resize(rows - 1, lost);
+    if (column.size() >= rows_) lines_.fail("column " + name + " occurs twice");
+    column.resize(rows_ - 1, lost);
     const bool number = value.is_number() && std::isfinite(value.get<double>());
     column.push_back(number ? value.get<double>() : value.is_boolean() ? value.get<bool>() : lost);
     if (value.is_string())
-      table.bad.try_emplace(name, Table::BadCell{lines.line(), shownText(value.get<std::string>())});
+      table_.bad.try_emplace(name, Table::BadCell{lines_.line(), shownText(value.get<std::string>())});
   }
 
   std::vector<double>& columnOf(const std::string& name) {
-    const auto [at, fresh] = index.try_emplace(name, table.names.size());
+    const auto [at, fresh] = index_.try_emplace(name, table_.names.size());
     if (fresh) {
-      if (!canBeName(name)) lines.fail("\"" + shownText(name) + "\" cannot be a column's name");
-      if (table.names.size() >= maxColumns)
-        lines.fail("more than " + std::to_string(maxColumns) + " columns");
-      table.names.push_back(name);
-      table.columns.emplace_back();
+      if (!canBeName(name)) lines_.fail("\"" + shownText(name) + "\" cannot be a column's name");
+      if (table_.names.size() >= maxColumns)
+        lines_.fail("more than " + std::to_string(maxColumns) + " columns");
+      table_.names.push_back(name);
+      table_.columns.emplace_back();
     }
-    return table.columns[at->second];
+    return table_.columns[at->second];
   }
 
-  TextLines lines;
-  Table table;
-  std::map<std::string, std::size_t> index;
-  std::size_t rows = 0;
+  TextLines lines_;
+  Table table_;
+  std::map<std::string, std::size_t> index_;
+  std::size_t rows_ = 0;
 };
 
 }  // namespace

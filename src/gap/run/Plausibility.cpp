@@ -21,28 +21,30 @@ constexpr std::size_t mostSamples = 6000;
 
 class Plausibility {
 public:
-  Plausibility(const Run& run_, const Mechanism& robot_, std::vector<RunWarning>& warnings_)
-      : run(run_), robot(robot_), warnings(warnings_), period(medianStep(run_.t)) {}
+  Plausibility(const Run& run, const Mechanism& robot, std::vector<RunWarning>& warnings)
+      : run_(run), robot_(robot), warnings_(warnings), period_(medianStep(run.t)) {}
 
   void all() {
-    const double ratio = run.rateHz * period;
+    const double ratio = run_.rateHz * period_;
     if (std::abs(ratio - 1) > rateWithin)
-      warn("run.json", "rate_hz " + shownNumber(run.rateHz) + " says " + shownNumber(1 / run.rateHz) +
-                           " s a line, t advances by " + shownNumber(period) + " s; t is used");
+      warn("run.json", "rate_hz " + shownNumber(run_.rateHz) + " says " + shownNumber(1 / run_.rateHz) +
+                           " s a line, t advances by " + shownNumber(period_) + " s; t is used");
     const auto isTruth = [](const auto& column) { return column.first.starts_with("truth."); };
-    if (run.groundTruth && std::ranges::none_of(run.channels, isTruth))
+    if (run_.groundTruth && std::ranges::none_of(run_.channels, isTruth))
       warn("run.json", "ground_truth is true, but there is no column truth.*");
-    for (const Mechanism::Joint& joint : robot.joints) checkServo(joint);
-    for (const auto& [joint, timing] : run.timing) checkTiming(joint, timing);
-    for (const Mechanism::Joint& joint : robot.joints) checkClocks(joint);
+    for (const Mechanism::Joint& joint : robot_.joints) checkServo(joint);
+    for (const auto& [joint, timing] : run_.timing) checkTiming(joint, timing);
+    for (const Mechanism::Joint& joint : robot_.joints) checkClocks(joint);
   }
 
 private:
-  void warn(const std::string& channel, const std::string& why) { warnings.push_back({channel, false, why}); }
+  void warn(const std::string& channel, const std::string& why) {
+    warnings_.push_back({channel, false, why});
+  }
 
   void checkServo(const Mechanism::Joint& joint) {
-    const auto found = run.servo.find(joint.name);
-    if (found == run.servo.end()) return;
+    const auto found = run_.servo.find(joint.name);
+    if (found == run_.servo.end()) return;
     const ServoOverride& given = found->second;
     const auto check = [&](const char* key, const std::optional<double>& x, double nominal) {
       if (!x) return;
@@ -51,7 +53,7 @@ private:
         warn("run.json", name + ": the motor would do nothing; leave it out where it was not set");
       else if (nominal > 0 && (*x > farFrom * nominal || *x < nominal / farFrom))
         warn("run.json",
-             name + ", " + shownNumber(*x / nominal) + " times that of " + robot.name + "; check its unit");
+             name + ", " + shownNumber(*x / nominal) + " times that of " + robot_.name + "; check its unit");
     };
     check("kp", given.kp, joint.servo.kp);
     check("max_torque", given.maxTorque, joint.maxTorque);
@@ -61,24 +63,24 @@ private:
   }
 
   void checkTiming(const std::string& joint, const JointTiming& timing) {
-    const double most = std::max(mostShift, 5 * period);
+    const double most = std::max(mostShift, 5 * period_);
     for (const auto& [key, seconds] :
          {std::pair("cmd_at_s", timing.cmdAt), std::pair("pos_at_s", timing.posAt),
           std::pair("vel_at_s", timing.velAt)})
       if (std::abs(seconds) > most)
         warn("run.json", std::string("timing.") + key + (joint == "*" ? "" : "." + joint) + " is " +
-                             shownNumber(seconds) + " s, " + shownNumber(seconds / period) +
+                             shownNumber(seconds) + " s, " + shownNumber(seconds / period_) +
                              " cycles; is it in s?");
   }
 
   /// Whether a joint moves as commanded, but at a time that no delay explains.
   void checkClocks(const Mechanism::Joint& joint) {
-    const auto* const cmd = run.find(ChannelKind::command, joint.name);
-    const auto* const pos = run.find(ChannelKind::position, joint.name);
+    const auto* const cmd = run_.find(ChannelKind::command, joint.name);
+    const auto* const pos = run_.find(ChannelKind::position, joint.name);
     if (!cmd || !pos) return;
-    const auto stride = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(coarsest / period)));
+    const auto stride = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(coarsest / period_)));
     const std::vector<double> a = speeds(*cmd, stride), b = speeds(*pos, stride);
-    const double step = period * static_cast<double>(stride);
+    const double step = period_ * static_cast<double>(stride);
     const int reach = static_cast<int>(std::min(lookedAt / step, static_cast<double>(a.size()) / 4));
     double best = 0, plausible = 0;
     int at = 0;
@@ -115,10 +117,10 @@ private:
     return n >= 50 && aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
   }
 
-  const Run& run;
-  const Mechanism& robot;
-  std::vector<RunWarning>& warnings;
-  const double period;
+  const Run& run_;
+  const Mechanism& robot_;
+  std::vector<RunWarning>& warnings_;
+  const double period_;
 };
 
 }  // namespace

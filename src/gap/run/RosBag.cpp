@@ -146,10 +146,10 @@ std::string headOf(std::string_view topic) {
 
 class Bag {
 public:
-  explicit Bag(const std::string& path_) : path(path_) {}
+  explicit Bag(const std::string& path) : path_(path) {}
 
   Table read() {
-    for (const std::string& file : filesOf(path)) {
+    for (const std::string& file : filesOf(path_)) {
       try {
         readFile(file);
       } catch (const RunError&) {
@@ -158,9 +158,10 @@ public:
         throw RunError(std::string(error.what()) + "; it is no bag of ROS 2");
       }
     }
-    if (messages.empty())
-      throw RunError(path + ": has no message of " + kinds() + (others.empty() ? "" : "; it has " + others));
-    std::ranges::stable_sort(messages, {}, &Message::time);
+    if (messages_.empty())
+      throw RunError(path_ + ": has no message of " + kinds() +
+                     (others_.empty() ? "" : "; it has " + others_));
+    std::ranges::stable_sort(messages_, {}, &Message::time);
     return tableOf(leading());
   }
 
@@ -192,12 +193,12 @@ private:
       for (const Type& known : types)
         if (typeName == known.name && list.text(3) == "cdr") type = &known;
       if (!type) {
-        if (others.size() < 500) others += (others.empty() ? "" : ", ") + name + " (" + typeName + ")";
+        if (others_.size() < 500) others_ += (others_.empty() ? "" : ", ") + name + " (" + typeName + ")";
         continue;
       }
-      const auto known = std::ranges::find(topics, name, &Topic::name);
-      topicOf[list.integer(0)] = static_cast<std::size_t>(known - topics.begin());
-      if (known == topics.end()) topics.push_back({name, type});
+      const auto known = std::ranges::find(topics_, name, &Topic::name);
+      topicOf[list.integer(0)] = static_cast<std::size_t>(known - topics_.begin());
+      if (known == topics_.end()) topics_.push_back({name, type});
     }
     record::Statement all(database, "SELECT topic_id, timestamp, data FROM messages ORDER BY id");
     while (all.step()) {
@@ -205,27 +206,27 @@ private:
       const auto topic = topicOf.find(all.integer(0));
       if (topic == topicOf.end()) continue;
       CdrInStream in(all.blob(2));
-      Message message{all.integer(1), topic->second, topics[topic->second].type->read(in)};
+      Message message{all.integer(1), topic->second, topics_[topic->second].type->read(in)};
       if (!in.ok())
-        throw RunError(file + ": a message of " + topics[topic->second].name + " is damaged: " + in.error());
-      ++topics[topic->second].count;
-      cells += message.values.size();
-      if (cells > maxCells)
-        throw RunError(path + ": more than " + std::to_string(maxCells) +
+        throw RunError(file + ": a message of " + topics_[topic->second].name + " is damaged: " + in.error());
+      ++topics_[topic->second].count;
+      cells_ += message.values.size();
+      if (cells_ > maxCells)
+        throw RunError(path_ + ": more than " + std::to_string(maxCells) +
                        " numbers; cut it into shorter bags");
-      messages.push_back(std::move(message));
+      messages_.push_back(std::move(message));
     }
   }
 
   /// The topic whose messages make the lines.
   std::size_t leading() const {
-    std::size_t best = topics.size();
-    for (std::size_t i = 0; i < topics.size(); ++i)
-      if (std::string_view(topics[i].type->name) == jointState &&
-          (best == topics.size() || topics[i].count > topics[best].count))
+    std::size_t best = topics_.size();
+    for (std::size_t i = 0; i < topics_.size(); ++i)
+      if (std::string_view(topics_[i].type->name) == jointState &&
+          (best == topics_.size() || topics_[i].count > topics_[best].count))
         best = i;
-    if (best == topics.size() || topics[best].count < 2)
-      throw RunError(path + ": has no two messages of " + jointState + "; a run needs positions");
+    if (best == topics_.size() || topics_[best].count < 2)
+      throw RunError(path_ + ": has no two messages of " + jointState + "; a run needs positions");
     return best;
   }
 
@@ -233,21 +234,21 @@ private:
     Table table;
     table.names = {"t"};
     std::map<std::string, std::size_t> index;
-    for (const Message& message : messages)
+    for (const Message& message : messages_)
       for (const auto& [name, value] : message.values) {
-        const std::string column = headOf(topics[message.topic].name) + name;
+        const std::string column = headOf(topics_[message.topic].name) + name;
         if (index.try_emplace(column, table.names.size()).second) table.names.push_back(column);
         if (table.names.size() > maxColumns)
-          throw RunError(path + ": more than " + std::to_string(maxColumns) + " columns");
+          throw RunError(path_ + ": more than " + std::to_string(maxColumns) + " columns");
       }
-    if (table.names.size() * topics[lead].count > maxCells)
-      throw RunError(path + ": more than " + std::to_string(maxCells) + " cells; cut it into shorter bags");
+    if (table.names.size() * topics_[lead].count > maxCells)
+      throw RunError(path_ + ": more than " + std::to_string(maxCells) + " cells; cut it into shorter bags");
     table.columns.resize(table.names.size());
     std::vector<double> now(table.names.size(), std::numeric_limits<double>::quiet_NaN());
     std::int64_t begin = 0;
-    for (const Message& message : messages) {
+    for (const Message& message : messages_) {
       for (const auto& [name, value] : message.values)
-        now[index.at(headOf(topics[message.topic].name) + name)] = std::isfinite(value) ? value : NAN;
+        now[index.at(headOf(topics_[message.topic].name) + name)] = std::isfinite(value) ? value : NAN;
       if (message.topic != lead) continue;
       if (table.columns[0].empty()) begin = message.time;
       now[0] = static_cast<double>(message.time - begin) / 1e9;
@@ -256,11 +257,11 @@ private:
     return table;
   }
 
-  const std::string path;
-  std::vector<Topic> topics;
-  std::vector<Message> messages;
-  std::size_t cells = 0;
-  std::string others;
+  const std::string path_;
+  std::vector<Topic> topics_;
+  std::vector<Message> messages_;
+  std::size_t cells_ = 0;
+  std::string others_;
 };
 
 }  // namespace

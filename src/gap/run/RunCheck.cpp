@@ -37,55 +37,57 @@ constexpr Bounds bounds[] = {
 
 class Checker {
 public:
-  Checker(Run& run_, const Mechanism& robot_, std::vector<RunWarning>& warnings_)
-      : run(run_), robot(robot_), warnings(warnings_), period(medianStep(run.t)) {}
+  Checker(Run& run, const Mechanism& robot, std::vector<RunWarning>& warnings)
+      : run_(run), robot_(robot), warnings_(warnings), period_(medianStep(run_.t)) {}
 
   void all() {
     checkTime();
     checkNames();
     checkBounds();
     checkJoints();
-    checkPlausibility(run, robot, warnings);
-    checkBodySensors(run, robot, warnings);
+    checkPlausibility(run_, robot_, warnings_);
+    checkBodySensors(run_, robot_, warnings_);
     checkWhatIsLeft();
   }
 
 private:
-  [[noreturn]] void refuse(const std::string& why) const { throw RunError(run.folder + ": " + why); }
-  void warn(const std::string& channel, const std::string& why) { warnings.push_back({channel, false, why}); }
+  [[noreturn]] void refuse(const std::string& why) const { throw RunError(run_.folder + ": " + why); }
+  void warn(const std::string& channel, const std::string& why) {
+    warnings_.push_back({channel, false, why});
+  }
   void leaveOut(const std::string& channel, const std::string& why) {
-    if (run.channels.erase(channel)) warnings.push_back({channel, true, why});
+    if (run_.channels.erase(channel)) warnings_.push_back({channel, true, why});
   }
 
   void checkTime() {
-    const double ratio = run.rateHz * period;
+    const double ratio = run_.rateHz * period_;
     if (ratio < 0.8 || ratio > 1.25)
-      refuse("t advances " + shownNumber(period) + " s a line, but rate_hz " + shownNumber(run.rateHz) +
-             " says " + shownNumber(1 / run.rateHz) + " s" +
+      refuse("t advances " + shownNumber(period_) + " s a line, but rate_hz " + shownNumber(run_.rateHz) +
+             " says " + shownNumber(1 / run_.rateHz) + " s" +
              (std::abs(std::log10(ratio) - 3) < 0.1 ? "; is t in ms?" : "; correct one of them"));
-    if (run.t[0] < -1e-9 || run.t[0] > std::max(1.0, 20 * period))
-      warn("t", "starts at " + shownNumber(run.t[0]) + " s instead of 0; only differences are used");
+    if (run_.t[0] < -1e-9 || run_.t[0] > std::max(1.0, 20 * period_))
+      warn("t", "starts at " + shownNumber(run_.t[0]) + " s instead of 0; only differences are used");
     double inGaps = 0;
-    for (std::size_t i = 1; i < run.size(); ++i)
-      if (run.t[i] - run.t[i - 1] > 1.8 * period) inGaps += run.t[i] - run.t[i - 1];
-    if (inGaps > 0.2 * run.duration())
-      warn("t", shownNumber(100 * inGaps / run.duration()) + " % of the time is in gaps");
-    if (run.duration() < 1)
-      warn("t", "the run is only " + shownNumber(run.duration()) + " s long; little can be learnt from it");
+    for (std::size_t i = 1; i < run_.size(); ++i)
+      if (run_.t[i] - run_.t[i - 1] > 1.8 * period_) inGaps += run_.t[i] - run_.t[i - 1];
+    if (inGaps > 0.2 * run_.duration())
+      warn("t", shownNumber(100 * inGaps / run_.duration()) + " % of the time is in gaps");
+    if (run_.duration() < 1)
+      warn("t", "the run is only " + shownNumber(run_.duration()) + " s long; little can be learnt from it");
   }
 
   void checkNames() {
-    if (run.robot != robot.name)
-      warn("run.json", "the run names robot " + run.robot + ", the model is " + robot.name);
+    if (run_.robot != robot_.name)
+      warn("run.json", "the run names robot " + run_.robot + ", the model is " + robot_.name);
     std::vector<std::string> columns;
     std::size_t ofJoints = 0, unknown = 0;
     std::string first;
-    for (const auto& [name, column] : run.channels) {
+    for (const auto& [name, column] : run_.channels) {
       const auto channel = parseChannel(name);
       if (!channel) continue;
-      const bool known = channel->ofJoint() ? robot.jointIndex(channel->place) >= 0
+      const bool known = channel->ofJoint() ? robot_.jointIndex(channel->place) >= 0
                          : channel->kind == ChannelKind::force
-                             ? robot.footIndex(channel->place.substr(0, channel->place.find('.'))) >= 0
+                             ? robot_.footIndex(channel->place.substr(0, channel->place.find('.'))) >= 0
                              : true;
       if (channel->ofJoint()) ++ofJoints;
       if (known) continue;
@@ -96,30 +98,30 @@ private:
       columns.push_back(name);
     }
     if (2 * unknown > ofJoints)
-      refuse("this is a run of another robot: " + robot.name + " has no joint " + first +
+      refuse("this is a run of another robot: " + robot_.name + " has no joint " + first +
              ", nor most of the others");
     for (const std::string& name : columns) {
       const ChannelName channel = *parseChannel(name);
-      leaveOut(name, robot.name + (channel.ofJoint()
-                                       ? " has no joint " + channel.place
-                                       : " has no foot " + channel.place.substr(0, channel.place.find('.'))));
+      leaveOut(name, robot_.name + (channel.ofJoint() ? " has no joint " + channel.place
+                                                      : " has no foot " + channel.place.substr(
+                                                                              0, channel.place.find('.'))));
     }
-    for (const auto& [joint, servo] : run.servo)
-      if (robot.jointIndex(joint) < 0)
-        warn("run.json", "servo." + joint + ": " + robot.name + " has no such joint");
-    for (const auto& [joint, timing] : run.timing)
-      if (joint != "*" && robot.jointIndex(joint) < 0)
-        warn("run.json", "timing names " + joint + ", which is no joint of " + robot.name);
+    for (const auto& [joint, servo] : run_.servo)
+      if (robot_.jointIndex(joint) < 0)
+        warn("run.json", "servo." + joint + ": " + robot_.name + " has no such joint");
+    for (const auto& [joint, timing] : run_.timing)
+      if (joint != "*" && robot_.jointIndex(joint) < 0)
+        warn("run.json", "timing names " + joint + ", which is no joint of " + robot_.name);
   }
 
   bool slides(const std::string& joint) const {
-    return robot.joints[static_cast<std::size_t>(robot.jointIndex(joint))].type ==
+    return robot_.joints[static_cast<std::size_t>(robot_.jointIndex(joint))].type ==
            Mechanism::Joint::Type::prismatic;
   }
 
   void checkBounds() {
     std::vector<std::pair<std::string, std::string>> wrong;
-    for (const auto& [name, column] : run.channels) {
+    for (const auto& [name, column] : run_.channels) {
       const ChannelName channel = *parseChannel(name);
       const auto it = std::find_if(std::begin(bounds), std::end(bounds),
                                    [&](const Bounds& b) { return b.kind == channel.kind; });
@@ -143,13 +145,13 @@ private:
   };
 
   Motion motionOf(const std::string& joint) const {
-    Motion m{run.find(ChannelKind::command, joint), run.find(ChannelKind::position, joint), {}};
-    const std::vector<double> stiffness = run.stiffnessOf(joint);
-    m.on.resize(run.size());
-    double since = run.t[0] - 1;
-    for (std::size_t i = 0; i < run.size(); ++i) {
-      if (stiffness[i] <= 0) since = run.t[i];
-      m.on[i] = stiffness[i] > 0 && run.t[i] - since >= 1;
+    Motion m{run_.find(ChannelKind::command, joint), run_.find(ChannelKind::position, joint), {}};
+    const std::vector<double> stiffness = run_.stiffnessOf(joint);
+    m.on.resize(run_.size());
+    double since = run_.t[0] - 1;
+    for (std::size_t i = 0; i < run_.size(); ++i) {
+      if (stiffness[i] <= 0) since = run_.t[i];
+      m.on[i] = stiffness[i] > 0 && run_.t[i] - since >= 1;
     }
     return m;
   }
@@ -159,10 +161,10 @@ private:
     std::vector<std::pair<std::string, std::string>> wrong;
 
     bool anyCommandMoves = false;
-    for (const Mechanism::Joint& joint : robot.joints) {
+    for (const Mechanism::Joint& joint : robot_.joints) {
       for (const ChannelKind kind : {ChannelKind::command, ChannelKind::position}) {
         const std::string name = channelName(kind, joint.name);
-        const std::vector<double>* column = run.find(name);
+        const std::vector<double>* column = run_.find(name);
         if (!column) continue;
         ++checked;
         const Extremes e = extremesOf(*column);
@@ -199,13 +201,13 @@ private:
              wrong[0].second + "); convert to rad");
     for (const auto& [name, why] : wrong) leaveOut(name, why);
 
-    for (const Mechanism::Joint& joint : robot.joints)
-      if (run.find(ChannelKind::command, joint.name)) anyCommandMoves |= checkFollowing(joint);
-    for (const Mechanism::Joint& joint : robot.joints) {
+    for (const Mechanism::Joint& joint : robot_.joints)
+      if (run_.find(ChannelKind::command, joint.name)) anyCommandMoves |= checkFollowing(joint);
+    for (const Mechanism::Joint& joint : robot_.joints) {
       checkSpeed(joint);
       if (joint.driver >= 0) continue;  // its driver's command is its own
-      const bool hasCommand = run.find(ChannelKind::command, joint.name) || sentTorque(joint),
-                 hasPosition = run.find(ChannelKind::position, joint.name);
+      const bool hasCommand = run_.find(ChannelKind::command, joint.name) || sentTorque(joint),
+                 hasPosition = run_.find(ChannelKind::position, joint.name);
       if (!hasCommand && !hasPosition)
         warn("run.csv", "has neither cmd." + joint.name + " nor pos." + joint.name + "; it is held still");
       else if (!hasCommand)
@@ -214,8 +216,8 @@ private:
         warn("cmd." + joint.name, "there is no pos." + joint.name + " to hold against it");
     }
     anyCommandMoves =
-        anyCommandMoves || std::ranges::any_of(robot.joints, [&](const auto& j) { return sentTorque(j); });
-    if (!anyCommandMoves && !run.jointsWith(ChannelKind::command).empty())
+        anyCommandMoves || std::ranges::any_of(robot_.joints, [&](const auto& j) { return sentTorque(j); });
+    if (!anyCommandMoves && !run_.jointsWith(ChannelKind::command).empty())
       warn("run.csv", "no command moves; a still robot tells little");
   }
 
@@ -224,20 +226,20 @@ private:
     for (const ChannelKind kind : {ChannelKind::commandSpeed, ChannelKind::commandTorque})
       if (joint.servo.model == Servo::Model::dcMotor)
         leaveOut(channelName(kind, joint.name), "a DC motor's law is told positions alone");
-    return run.find(ChannelKind::commandTorque, joint.name) != nullptr;
+    return run_.find(ChannelKind::commandTorque, joint.name) != nullptr;
   }
 
   /// Whether a hinge's position is beyond its limits because the joint went there: it follows its command,
   /// which is not, most of the time, and never jumps.
   bool leavesItsCommand(const Mechanism::Joint& joint) const {
-    const std::vector<double>*pos = run.find(ChannelKind::position, joint.name),
-          *cmd = run.find(ChannelKind::command, joint.name);
+    const std::vector<double>*pos = run_.find(ChannelKind::position, joint.name),
+          *cmd = run_.find(ChannelKind::command, joint.name);
     if (!cmd || joint.type == Mechanism::Joint::Type::prismatic) return false;
     const Extremes command = extremesOf(*cmd);
     if (command.low < joint.lower - beyondLimits || command.high > joint.upper + beyondLimits) return false;
     const Following like = followingOf(*cmd, *pos, followsFrom);
     return like.pairs > leastPairs && 2 * like.distance < like.size &&
-           fastest(run.t, *pos, encoderJump) < fallsAt * joint.maxSpeed;
+           fastest(run_.t, *pos, encoderJump) < fallsAt * joint.maxSpeed;
   }
 
   /// Largest distance of the position from a constant command while the motor is on, a hundredth left out.
@@ -257,25 +259,25 @@ private:
   double allowedOffset(const Mechanism::Joint& joint) const {
     const bool slider = joint.type == Mechanism::Joint::Type::prismatic;
     const double limit = std::max(slider ? 0.015 : 0.15, 2 * joint.maxTorque / joint.servo.kp);
-    if (run.freeBase) return limit;
+    if (run_.freeBase) return limit;
     return std::min(limit, (slider ? 0.005 : 0.05) + 4 * largestMoment(joint) / joint.servo.kp);
   }
 
   /// Moment about the joint of all it carries, stretched out level (a slider: its weight).
   double largestMoment(const Mechanism::Joint& joint) const {
-    std::vector<double> reach(robot.links.size(), -1);
+    std::vector<double> reach(robot_.links.size(), -1);
     reach[static_cast<std::size_t>(joint.child)] = 0;
     double moment = 0;
-    for (auto l = static_cast<std::size_t>(joint.child); l < robot.links.size(); ++l) {
+    for (auto l = static_cast<std::size_t>(joint.child); l < robot_.links.size(); ++l) {
       if (reach[l] < 0) {
-        const double before = reach[static_cast<std::size_t>(robot.links[l].parent)];
+        const double before = reach[static_cast<std::size_t>(robot_.links[l].parent)];
         if (before < 0) continue;
-        reach[l] = before + robot.joints[l - 1].origin.norm();
+        reach[l] = before + robot_.joints[l - 1].origin.norm();
       }
       const bool slider = joint.type == Mechanism::Joint::Type::prismatic;
-      moment += robot.links[l].mass * (slider ? 1 : reach[l] + robot.links[l].com.norm());
+      moment += robot_.links[l].mass * (slider ? 1 : reach[l] + robot_.links[l].com.norm());
     }
-    return moment * robot.gravity.norm();
+    return moment * robot_.gravity.norm();
   }
 
   /// A command that its joint follows a thousand times as far.
@@ -332,10 +334,10 @@ private:
 
   void checkSpeed(const Mechanism::Joint& joint) {
     const std::string name = "vel." + joint.name;
-    const std::vector<double>* velocity = run.find(name);
-    const std::vector<double>* position = run.find(ChannelKind::position, joint.name);
+    const std::vector<double>* velocity = run_.find(name);
+    const std::vector<double>* position = run_.find(ChannelKind::position, joint.name);
     if (!velocity || !position) return;
-    const SpeedLikeness like = speedLikeness(run.t, *position, *velocity, period);
+    const SpeedLikeness like = speedLikeness(run_.t, *position, *velocity, period_);
     if (like.rms < 0.1) return;
     if (std::abs(like.correlation) > 0.6 && (like.slope < 0.6 || like.slope > 1.6)) {
       const bool degrees = std::abs(like.slope / toDegrees(1) - 1) < 0.3;
@@ -343,7 +345,7 @@ private:
                          (degrees          ? "; is it in degrees?"
                           : like.slope < 0 ? "; is its sign turned round?"
                                            : "; check its unit"));
-    } else if (std::abs(like.correlation) < 0.4 && extremesOf(*velocity).low >= 0 && !run.isUnsigned(name)) {
+    } else if (std::abs(like.correlation) < 0.4 && extremesOf(*velocity).low >= 0 && !run_.isUnsigned(name)) {
       leaveOut(name, "it has no sign; say so in run.json: unsigned: [\"vel\"]");
     } else if (std::abs(like.correlation) < 0.4) {
       warn(name, "it has little to do with pos." + joint.name + " (correlation " +
@@ -352,21 +354,21 @@ private:
   }
 
   void checkWhatIsLeft() {
-    if (run.jointsWith(ChannelKind::command).empty() && run.jointsWith(ChannelKind::commandTorque).empty())
+    if (run_.jointsWith(ChannelKind::command).empty() && run_.jointsWith(ChannelKind::commandTorque).empty())
       refuse("no usable cmd column" + reasons());
-    if (run.jointsWith(ChannelKind::position).empty()) refuse("no usable pos column" + reasons());
+    if (run_.jointsWith(ChannelKind::position).empty()) refuse("no usable pos column" + reasons());
   }
 
   std::string reasons() const {
-    for (const RunWarning& warning : warnings)
+    for (const RunWarning& warning : warnings_)
       if (warning.leftOut) return " is left (" + warning.channel + ": " + warning.why + ")";
     return "; a run needs commands and positions";
   }
 
-  Run& run;
-  const Mechanism& robot;
-  std::vector<RunWarning>& warnings;
-  const double period;
+  Run& run_;
+  const Mechanism& robot_;
+  std::vector<RunWarning>& warnings_;
+  const double period_;
 };
 
 }  // namespace

@@ -29,22 +29,22 @@ std::string shown(const json& value) {
 /// run.json with errors that name file and key.
 class Meta {
 public:
-  explicit Meta(const std::string& path_) : path(path_) {
-    std::ifstream stream(path, std::ios::binary);
+  explicit Meta(const std::string& path) : path_(path) {
+    std::ifstream stream(path_, std::ios::binary);
     if (!stream) fail(std::string("cannot be read: ") + std::strerror(errno));
     std::string text(maxJsonSize + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
     if (text.size() > maxJsonSize) fail("is larger than 1 MB");
     try {
-      value = parseJson(text, path);
+      value = parseJson(text, path_);
     } catch (const JsonError& error) {
       throw RunError(error.what());
     }
     if (!value.is_object()) fail("is no object; write { ... }");
   }
 
-  [[noreturn]] void fail(const std::string& what) const { throw RunError(path + ": " + what); }
+  [[noreturn]] void fail(const std::string& what) const { throw RunError(path_ + ": " + what); }
 
   const json* find(const json& object, const char* key) const {
     const auto it = object.find(key);
@@ -89,7 +89,7 @@ private:
     return buffer;
   }
 
-  const std::string path;
+  const std::string path_;
 };
 
 void readServo(const Meta& meta, Run& run) {

@@ -83,65 +83,65 @@ Rule readRule(const ConfigSection& entry) {
 
 class Importer {
 public:
-  Importer(const std::string& mapFile, const std::string& recording_)
-      : map(mapFile), root(map.root()), recording(recording_) {}
+  Importer(const std::string& mapFile, const std::string& recording)
+      : map_(mapFile), root_(map_.root()), recording_(recording) {}
 
   ImportedRun run() {
     readHead();
-    const std::string separator = root.find<std::string>("separator").value_or(",");
+    const std::string separator = root_.find<std::string>("separator").value_or(",");
     if (separator.size() != 1 && separator != "tab")
-      root.fail("separator", "is \"" + separator + "\"; give one character or tab");
-    const auto missing = root.find<std::vector<std::string>>("missing").value_or(
+      root_.fail("separator", "is \"" + separator + "\"; give one character or tab");
+    const auto missing = root_.find<std::vector<std::string>>("missing").value_or(
         std::vector<std::string>{"nan", "NaN", "null"});
-    rules = root.list("columns");
+    rules_ = root_.list("columns");
     std::vector<Rule> parsed;
-    for (const ConfigSection& entry : rules) parsed.push_back(readRule(entry));
-    const ConfigSection time = root.section("time");
+    for (const ConfigSection& entry : rules_) parsed.push_back(readRule(entry));
+    const ConfigSection time = root_.section("time");
     const std::string timeColumn = time.get<std::string>("from");
     const double timeFactor = unitOf(time, 1) * time.find<double>("scale").value_or(1);
     if (!(timeFactor > 0)) time.fail("scale", "is not above 0");
-    map.checkUnknown();
+    map_.checkUnknown();
 
-    table = readRecording(recording, separator == "tab" ? '\t' : separator[0], missing);
+    table_ = readRecording(recording_, separator == "tab" ? '\t' : separator[0], missing);
     takeTime(time, timeColumn, timeFactor);
     for (const Rule& rule : parsed) apply(rule);
-    if (result.run.channels.empty())
-      throw RunError(recording + ": no channel came out of it; see columns in the map");
-    if (result.run.rateHz == 0) result.run.rateHz = std::round(1e4 / medianStep(result.run.t)) / 1e4;
-    for (const std::string& name : table.names)
-      if (!used.count(name)) result.unused.push_back(name);
-    return std::move(result);
+    if (result_.run.channels.empty())
+      throw RunError(recording_ + ": no channel came out of it; see columns in the map");
+    if (result_.run.rateHz == 0) result_.run.rateHz = std::round(1e4 / medianStep(result_.run.t)) / 1e4;
+    for (const std::string& name : table_.names)
+      if (!used_.count(name)) result_.unused.push_back(name);
+    return std::move(result_);
   }
 
 private:
   void readHead() {
-    Run& r = result.run;
-    r.folder = recording;
-    r.robot = root.get<std::string>("robot");
-    r.freeBase = root.choice("base", {"fixed", "free"}) == 1;
-    r.motion = root.get<std::string>("motion");
-    r.rateHz = root.find<double>("rate_hz", Range{1e-3, 20000}).value_or(0);
-    r.heading = root.find<double>("heading", Range{-100, 100});
-    if (root.has("hold")) r.linearCommands = root.choice("hold", {"zero", "linear"}) == 1;
-    r.repeatOf = root.find<std::string>("repeat_of").value_or("");
+    Run& r = result_.run;
+    r.folder = recording_;
+    r.robot = root_.get<std::string>("robot");
+    r.freeBase = root_.choice("base", {"fixed", "free"}) == 1;
+    r.motion = root_.get<std::string>("motion");
+    r.rateHz = root_.find<double>("rate_hz", Range{1e-3, 20000}).value_or(0);
+    r.heading = root_.find<double>("heading", Range{-100, 100});
+    if (root_.has("hold")) r.linearCommands = root_.choice("hold", {"zero", "linear"}) == 1;
+    r.repeatOf = root_.find<std::string>("repeat_of").value_or("");
     for (const std::string& kind :
-         root.find<std::vector<std::string>>("unsigned").value_or(std::vector<std::string>{}))
+         root_.find<std::vector<std::string>>("unsigned").value_or(std::vector<std::string>{}))
       r.unsignedKinds.insert(kind);
-    if (root.has("timing")) {
-      const ConfigSection timing = root.section("timing");
+    if (root_.has("timing")) {
+      const ConfigSection timing = root_.section("timing");
       const Range second{-1, 1};
       r.timing["*"] = {timing.find<double>("cmd_at_s", second).value_or(0),
                        timing.find<double>("pos_at_s", second).value_or(0),
                        timing.find<double>("vel_at_s", second).value_or(0)};
     }
-    if (root.has("servo")) {
-      const ConfigSection servo = root.section("servo");
+    if (root_.has("servo")) {
+      const ConfigSection servo = root_.section("servo");
       for (const std::string& joint : servo.keys()) readServo(servo.section(joint), r.servo[joint]);
     }
-    if (root.has("rename")) {
-      const ConfigSection rename = root.section("rename");
-      for (const std::string& joint : rename.keys()) recordedName[joint] = rename.get<std::string>(joint);
-      for (const auto& [joint, name] : recordedName) jointOf[name] = joint;
+    if (root_.has("rename")) {
+      const ConfigSection rename = root_.section("rename");
+      for (const std::string& joint : rename.keys()) recordedName_[joint] = rename.get<std::string>(joint);
+      for (const auto& [joint, name] : recordedName_) jointOf_[name] = joint;
     }
   }
 
@@ -157,29 +157,29 @@ private:
   }
 
   const std::vector<double>& column(const ConfigSection& entry, const std::string& name) {
-    const auto it = std::find(table.names.begin(), table.names.end(), name);
-    if (it == table.names.end())
-      entry.fail("from", "is \"" + name + "\", which " + recording + " has no column of" +
-                             suggestion(name, table.names));
-    if (const auto bad = table.bad.find(name); bad != table.bad.end())
-      throw RunError(recording + ":" + std::to_string(bad->second.line) + ": column " + name + " holds \"" +
+    const auto it = std::find(table_.names.begin(), table_.names.end(), name);
+    if (it == table_.names.end())
+      entry.fail("from", "is \"" + name + "\", which " + recording_ + " has no column of" +
+                             suggestion(name, table_.names));
+    if (const auto bad = table_.bad.find(name); bad != table_.bad.end())
+      throw RunError(recording_ + ":" + std::to_string(bad->second.line) + ": column " + name + " holds \"" +
                      bad->second.text + "\", no number; words for lost samples go under missing in the map");
-    used.insert(name);
-    return table.columns[static_cast<std::size_t>(it - table.names.begin())];
+    used_.insert(name);
+    return table_.columns[static_cast<std::size_t>(it - table_.names.begin())];
   }
 
   void takeTime(const ConfigSection& time, const std::string& name, double factor) {
     const std::vector<double>& raw = column(time, name);
     for (std::size_t i = 0; i < raw.size(); ++i)
-      if (!std::isnan(raw[i])) kept.push_back(i);
-    result.linesWithoutTime = raw.size() - kept.size();
-    if (kept.size() < 2) throw RunError(recording + ": column " + name + " holds fewer than two times");
-    for (const std::size_t i : kept) {
-      const double t = (raw[i] - raw[kept[0]]) * factor;
-      if (!result.run.t.empty() && t <= result.run.t.back())
-        throw RunError(recording + ": row " + std::to_string(i + 1) + " of data: " + name +
+      if (!std::isnan(raw[i])) kept_.push_back(i);
+    result_.linesWithoutTime = raw.size() - kept_.size();
+    if (kept_.size() < 2) throw RunError(recording_ + ": column " + name + " holds fewer than two times");
+    for (const std::size_t i : kept_) {
+      const double t = (raw[i] - raw[kept_[0]]) * factor;
+      if (!result_.run.t.empty() && t <= result_.run.t.back())
+        throw RunError(recording_ + ": row " + std::to_string(i + 1) + " of data: " + name +
                        " does not grow; sort the recording, or cut it there");
-      result.run.t.push_back(t);
+      result_.run.t.push_back(t);
     }
   }
 
@@ -191,12 +191,12 @@ private:
     }
     const std::string head = rule.from.substr(0, star), tail = rule.from.substr(star + 1);
     bool any = false;
-    for (const std::string& name : table.names) {
+    for (const std::string& name : table_.names) {
       if (name.size() < head.size() + tail.size() || name.compare(0, head.size(), head) != 0 ||
           name.compare(name.size() - tail.size(), tail.size(), tail) != 0)
         continue;
       std::string joint = name.substr(head.size(), name.size() - head.size() - tail.size());
-      if (const auto it = jointOf.find(joint); it != jointOf.end()) joint = it->second;
+      if (const auto it = jointOf_.find(joint); it != jointOf_.end()) joint = it->second;
       std::string to = rule.to;
       to.replace(to.find('*'), 1, joint);
       if (!parseChannel(to))
@@ -204,25 +204,25 @@ private:
       add(rule, to, name);
       any = true;
     }
-    if (!any) rule.entry.fail("from", "is \"" + rule.from + "\", which no column of " + recording + " fits");
+    if (!any) rule.entry.fail("from", "is \"" + rule.from + "\", which no column of " + recording_ + " fits");
   }
 
   void add(const Rule& rule, const std::string& to, const std::string& from) {
     const std::vector<double>& raw = column(rule.entry, from);
-    if (result.run.channels.count(to)) rule.entry.fail("to", "gives " + to + " a second time");
-    std::vector<double>& channel = result.run.channels[to];
-    for (const std::size_t i : kept) channel.push_back(rule.factor * raw[i] + rule.offset);
+    if (result_.run.channels.count(to)) rule.entry.fail("to", "gives " + to + " a second time");
+    std::vector<double>& channel = result_.run.channels[to];
+    for (const std::size_t i : kept_) channel.push_back(rule.factor * raw[i] + rule.offset);
   }
 
-  ConfigFile map;
-  ConfigSection root;
-  const std::string recording;
-  std::vector<ConfigSection> rules;
-  std::map<std::string, std::string> recordedName, jointOf;
-  Table table;
-  std::vector<std::size_t> kept;
-  std::set<std::string> used;
-  ImportedRun result;
+  ConfigFile map_;
+  ConfigSection root_;
+  const std::string recording_;
+  std::vector<ConfigSection> rules_;
+  std::map<std::string, std::string> recordedName_, jointOf_;
+  Table table_;
+  std::vector<std::size_t> kept_;
+  std::set<std::string> used_;
+  ImportedRun result_;
 };
 
 }  // namespace

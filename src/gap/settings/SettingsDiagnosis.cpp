@@ -40,42 +40,42 @@ std::vector<SettingValue> without(std::vector<SettingValue> values, std::size_t 
 
 class Procedure {
 public:
-  Procedure(const TraceEvidence& evidence_, const SimulatorSetup& nominal_, const SettingsOptions& options_)
-      : evidence(evidence_),
-        nominal(nominal_),
-        options(options_),
-        evaluator(evidence_, nominal_, options_.jobs) {}
+  Procedure(const TraceEvidence& evidence, const SimulatorSetup& nominal, const SettingsOptions& options)
+      : evidence_(evidence),
+        nominal_(nominal),
+        options_(options),
+        evaluator_(evidence, nominal, options.jobs) {}
 
   SettingsDiagnosis run() {
-    const SetupFit bare = evaluator.of(nominal, Part::all);
-    result.gap.before = evaluator.gap(bare.errors);
+    const SetupFit bare = evaluator_.of(nominal_, Part::all);
+    result_.gap.before = evaluator_.gap(bare.errors);
     grow();
-    if (found.size() > 1) reconsider();
-    const SetupFit end = evaluator.of(with(nominal, found), Part::all);
-    const std::vector<WindowError> own = evidence.ownErrors(with(nominal, found), options.jobs);
-    result.gap.after = evaluator.gap(end.errors);
-    result.gap.floor = evaluator.gap(own);
+    if (found_.size() > 1) reconsider();
+    const SetupFit end = evaluator_.of(with(nominal_, found_), Part::all);
+    const std::vector<WindowError> own = evidence_.ownErrors(with(nominal_, found_), options_.jobs);
+    result_.gap.after = evaluator_.gap(end.errors);
+    result_.gap.floor = evaluator_.gap(own);
     judge();
-    for (std::size_t i = 0; i < found.size(); ++i) result.findings.push_back(findingOf(i));
-    std::ranges::stable_sort(result.findings, std::ranges::greater(), &SettingFinding::closedLast);
-    result.cells = cellsOf(bare.errors, end.errors, own);
-    result.nextMotion = nextMotion();
-    result.windows = evidence.windows().size();
-    result.heldOutWindows =
-        static_cast<std::size_t>(std::ranges::count(evidence.windows(), true, &TraceWindow::heldOut));
-    return result;
+    for (std::size_t i = 0; i < found_.size(); ++i) result_.findings.push_back(findingOf(i));
+    std::ranges::stable_sort(result_.findings, std::ranges::greater(), &SettingFinding::closedLast);
+    result_.cells = cellsOf(bare.errors, end.errors, own);
+    result_.nextMotion = nextMotion();
+    result_.windows = evidence_.windows().size();
+    result_.heldOutWindows =
+        static_cast<std::size_t>(std::ranges::count(evidence_.windows(), true, &TraceWindow::heldOut));
+    return result_;
   }
 
 private:
   void tell(const std::string& stage, double share) const {
-    if (options.progress) options.progress(stage, share);
+    if (options_.progress) options_.progress(stage, share);
   }
 
   double scoreOf(const std::vector<SettingValue>& base, const SettingValue& value, Part part,
                  int type = -1) const {
     std::vector<SettingValue> all = base;
     all.push_back(value);
-    return evaluator.sum(evaluator.of(with(nominal, all), part, type));
+    return evaluator_.sum(evaluator_.of(with(nominal_, all), part, type));
   }
 
   /// Value with the lowest score on the windows for fitting, on a logarithmic scale, from a start and values
@@ -115,8 +115,8 @@ private:
 
   /// Every setting that is not in the base, best on held-out recordings first.
   std::vector<Candidate> search(const std::vector<SettingValue>& base, const std::string& stage) {
-    const SimulatorSetup start = with(nominal, base);
-    const double none = evaluator.sum(evaluator.of(start, Part::look));
+    const SimulatorSetup start = with(nominal_, base);
+    const double none = evaluator_.sum(evaluator_.of(start, Part::look));
     struct Look {
       const Setting* setting;
       std::vector<double> values;
@@ -139,7 +139,7 @@ private:
     }
     std::ranges::stable_sort(list, std::ranges::less(), &Look::score);
     if (list.size() > refined) list.resize(refined);
-    const SetupFit held = evaluator.of(start, Part::heldOut);
+    const SetupFit held = evaluator_.of(start, Part::heldOut);
     std::vector<Candidate> candidates;
     for (const Look& look : list) {
       tell(stage, 0.7 + 0.3 * static_cast<double>(candidates.size()) / static_cast<double>(list.size()));
@@ -149,10 +149,10 @@ private:
         c.value = fitted(base, c.value, look.values[1] / look.values[0]);
       std::vector<SettingValue> all = base;
       all.push_back(c.value);
-      const SetupFit fit = evaluator.of(with(nominal, all), Part::heldOut);
-      c.gains = evaluator.gains(held, fit);
+      const SetupFit fit = evaluator_.of(with(nominal_, all), Part::heldOut);
+      c.gains = evaluator_.gains(held, fit);
       for (std::size_t w = 0; w < fit.scores.size(); ++w)
-        if (evidence.windows()[w].heldOut) c.squares += std::pow(held.scores[w] - fit.scores[w], 2);
+        if (evidence_.windows()[w].heldOut) c.squares += std::pow(held.scores[w] - fit.scores[w], 2);
       c.gain = std::accumulate(c.gains.begin(), c.gains.end(), 0.0);
       candidates.push_back(std::move(c));
     }
@@ -165,13 +165,13 @@ private:
     double sizes = 0;
     for (const double gain : c.gains) sizes += std::abs(gain);
     const auto windows =
-        static_cast<double>(std::ranges::count(evidence.windows(), true, &TraceWindow::heldOut));
+        static_cast<double>(std::ranges::count(evidence_.windows(), true, &TraceWindow::heldOut));
     return c.gain >= leastZ * std::sqrt(c.squares) && c.gain >= oneWay * sizes &&
            c.gain >= leastGain * windows && c.gain >= leastShare * held;
   }
 
   double heldOutScore(const std::vector<SettingValue>& base) const {
-    return evaluator.sum(evaluator.of(with(nominal, base), Part::heldOut));
+    return evaluator_.sum(evaluator_.of(with(nominal_, base), Part::heldOut));
   }
 
   /// Each value once more about where it is.
@@ -183,47 +183,47 @@ private:
   }
 
   void grow() {
-    while (found.size() < options.maxSettings) {
-      std::vector<Candidate> list = search(found, found.empty() ? "first setting" : "further setting");
-      if (list.empty() || !earns(list.front(), heldOutScore(found))) break;
-      found.push_back(list.front().value);
-      if (found.size() > 1) refine(found);
-      choices.push_back(std::move(list));
+    while (found_.size() < options_.maxSettings) {
+      std::vector<Candidate> list = search(found_, found_.empty() ? "first setting" : "further setting");
+      if (list.empty() || !earns(list.front(), heldOutScore(found_))) break;
+      found_.push_back(list.front().value);
+      if (found_.size() > 1) refine(found_);
+      choices_.push_back(std::move(list));
     }
   }
 
   /// Each once more with the others in place: another may do better now, or none may be needed.
   void reconsider() {
-    for (std::size_t i = 0; i < found.size();) {
-      const std::vector<SettingValue> others = without(found, i);
+    for (std::size_t i = 0; i < found_.size();) {
+      const std::vector<SettingValue> others = without(found_, i);
       std::vector<Candidate> list = search(others, "each setting again");
       if (list.empty() || !earns(list.front(), heldOutScore(others))) {
-        found = others;
-        choices.erase(choices.begin() + static_cast<std::ptrdiff_t>(i));
+        found_ = others;
+        choices_.erase(choices_.begin() + static_cast<std::ptrdiff_t>(i));
         continue;
       }
-      found[i] = list.front().value;
-      choices[i] = std::move(list);
+      found_[i] = list.front().value;
+      choices_[i] = std::move(list);
       ++i;
     }
-    refine(found);
+    refine(found_);
   }
 
   void judge() {
-    const GapSize& gap = result.gap;
+    const GapSize& gap = result_.gap;
     const double allowed = std::max(1.3 * gap.floor, gap.floor + 0.2 * (gap.before - gap.floor));
-    result.knownProbability = 1 / (1 + std::exp(12 * (gap.after / allowed - 1)));
-    if (found.empty())
-      result.verdict = gap.before <= 1.3 * gap.floor ? Verdict::none : Verdict::unknown;
+    result_.knownProbability = 1 / (1 + std::exp(12 * (gap.after / allowed - 1)));
+    if (found_.empty())
+      result_.verdict = gap.before <= 1.3 * gap.floor ? Verdict::none : Verdict::unknown;
     else
-      result.verdict = gap.after <= allowed ? Verdict::effect : Verdict::unknown;
+      result_.verdict = gap.after <= allowed ? Verdict::effect : Verdict::unknown;
   }
 
   /// Share of resampled sets of held-out recordings in which each candidate gains most.
   std::vector<double> shares(const std::vector<Candidate>& list) const {
     std::vector<double> wins(list.size());
     if (list.empty()) return wins;
-    Random random(options.seed);
+    Random random(options_.seed);
     const std::size_t n = list.front().gains.size();
     for (int r = 0; r < resamples; ++r) {
       std::vector<double> sums(list.size());
@@ -236,38 +236,38 @@ private:
           1.0 / resamples;
     }
     const double most = (static_cast<double>(n) + 1) / (static_cast<double>(n) + 2);
-    for (double& share : wins) share = std::min(most, share) * result.knownProbability;
+    for (double& share : wins) share = std::min(most, share) * result_.knownProbability;
     return wins;
   }
 
   SettingFinding findingOf(std::size_t i) {
     SettingFinding finding;
-    finding.value = found[i];
-    finding.nominal = found[i].setting->get(nominal);
-    const std::vector<SettingValue> others = without(found, i);
-    const double whole = std::max(1e-9, result.gap.before - result.gap.floor);
+    finding.value = found_[i];
+    finding.nominal = found_[i].setting->get(nominal_);
+    const std::vector<SettingValue> others = without(found_, i);
+    const double whole = std::max(1e-9, result_.gap.before - result_.gap.floor);
     const auto gapOf = [&](const std::vector<SettingValue>& values) {
-      return evaluator.gap(evaluator.of(with(nominal, values), Part::heldOut).errors);
+      return evaluator_.gap(evaluator_.of(with(nominal_, values), Part::heldOut).errors);
     };
-    finding.closedAlone = std::clamp((result.gap.before - gapOf({found[i]})) / whole, 0.0, 1.0);
-    finding.closedLast = std::clamp((gapOf(others) - result.gap.after) / whole, 0.0, 1.0);
-    finding.lower = finding.upper = found[i].value;
-    if (found[i].setting->kind == Setting::Kind::positive) {
+    finding.closedAlone = std::clamp((result_.gap.before - gapOf({found_[i]})) / whole, 0.0, 1.0);
+    finding.closedLast = std::clamp((gapOf(others) - result_.gap.after) / whole, 0.0, 1.0);
+    finding.lower = finding.upper = found_[i].value;
+    if (found_[i].setting->kind == Setting::Kind::positive) {
       std::set<int> types;
-      for (std::size_t t = 0; t < evidence.traces().size(); ++t)
-        if (!evidence.heldOut(t)) types.insert(evidence.traces()[t].robotType.value_or(0));
+      for (std::size_t t = 0; t < evidence_.traces().size(); ++t)
+        if (!evidence_.heldOut(t)) types.insert(evidence_.traces()[t].robotType.value_or(0));
       for (const int type : types) {
         const double v = fitted(others, finding.value, 2, type).value;
         finding.lower = std::min(finding.lower, v);
         finding.upper = std::max(finding.upper, v);
       }
     }
-    const std::vector<double> probability = shares(choices[i]);
+    const std::vector<double> probability = shares(choices_[i]);
     for (std::size_t c = 0; c < probability.size(); ++c) {
-      if (choices[i][c].value.setting == found[i].setting)
+      if (choices_[i][c].value.setting == found_[i].setting)
         finding.probability = probability[c];
       else if (probability[c] > rivalShare)
-        finding.rivals.push_back({choices[i][c].value, probability[c]});
+        finding.rivals.push_back({choices_[i][c].value, probability[c]});
     }
     std::ranges::stable_sort(finding.rivals, std::ranges::greater(), &SettingRival::probability);
     return finding;
@@ -280,7 +280,7 @@ private:
                                    const std::vector<WindowError>& own) const {
     std::map<std::string, std::array<std::vector<WindowError>, 3>> motions;
     for (std::size_t w = 0; w < before.size(); ++w) {
-      auto& [a, b, c] = motions[motionOf(evidence.traces()[evidence.windows()[w].trace].name)];
+      auto& [a, b, c] = motions[motionOf(evidence_.traces()[evidence_.windows()[w].trace].name)];
       a.push_back(before[w]);
       b.push_back(after[w]);
       c.push_back(own[w]);
@@ -292,7 +292,7 @@ private:
                         floor = typicalError(errors[2]);
       for (std::size_t s = 0; s < numTraceSignals; ++s) {
         const auto signal = static_cast<TraceSignal>(s);
-        const double unit = evaluator.unit()[s];
+        const double unit = evaluator_.unit()[s];
         const double excess = std::max(0.0, (gap[s] * gap[s] - floor[s] * floor[s]) / (unit * unit)) *
                               static_cast<double>(errors[0].size());
         cells.push_back({nameOf(signal), motion, unitOf(signal), gap[s], floor[s], left[s], excess});
@@ -306,33 +306,33 @@ private:
 
   /// The held-out recording in which the leading explanations differ most.
   std::string nextMotion() const {
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      const auto& list = choices[i];
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      const auto& list = choices_[i];
       const auto it = std::ranges::find_if(
-          result.findings, [&](const SettingFinding& f) { return f.value.setting == found[i].setting; });
-      if (it == result.findings.end() || it->rivals.empty()) continue;
+          result_.findings, [&](const SettingFinding& f) { return f.value.setting == found_[i].setting; });
+      if (it == result_.findings.end() || it->rivals.empty()) continue;
       const Setting* rival = it->rivals.front().value.setting;
       const auto gainsOf = [&](const Setting* setting) -> const std::vector<double>& {
         return std::ranges::find_if(list, [&](const Candidate& c) { return c.value.setting == setting; })
             ->gains;
       };
-      const auto &a = gainsOf(found[i].setting), &b = gainsOf(rival);
+      const auto &a = gainsOf(found_[i].setting), &b = gainsOf(rival);
       std::size_t k = 0, most = 0;
       std::string best;
       std::size_t last = std::numeric_limits<std::size_t>::max();
-      for (const TraceWindow& window : evidence.windows()) {
+      for (const TraceWindow& window : evidence_.windows()) {
         if (!window.heldOut || window.trace == last) continue;
         last = window.trace;
         if (best.empty() || std::abs(a[k] - b[k]) > std::abs(a[most] - b[most])) {
           most = k;
-          best = motionOf(evidence.traces()[window.trace].name);
+          best = motionOf(evidence_.traces()[window.trace].name);
         }
         ++k;
       }
-      return std::string(found[i].setting->id) + " and " + std::string(rival->id) +
+      return std::string(found_[i].setting->id) + " and " + std::string(rival->id) +
              " come apart most in motions like " + best + ": record more of them, on other robot types.";
     }
-    switch (result.verdict) {
+    switch (result_.verdict) {
       case Verdict::none:
         return "Nothing is needed for these motions; impacts, falls and kicks into the joints' stops would "
                "show "
@@ -341,7 +341,7 @@ private:
         return "No setting of this simulator explains what is left; record single parts of the motion that "
                "shows "
                "most (" +
-               (result.cells.empty() ? std::string() : result.cells.front().motion) +
+               (result_.cells.empty() ? std::string() : result_.cells.front().motion) +
                ") slowly, to see whether contacts or hinges are behind it.";
       case Verdict::effect:
         break;
@@ -349,13 +349,13 @@ private:
     return "To make the values more certain: the same motions on further robot types.";
   }
 
-  const TraceEvidence& evidence;
-  const SimulatorSetup& nominal;
-  const SettingsOptions& options;
-  SettingsEvaluator evaluator;
-  SettingsDiagnosis result;
-  std::vector<SettingValue> found;
-  std::vector<std::vector<Candidate>> choices;
+  const TraceEvidence& evidence_;
+  const SimulatorSetup& nominal_;
+  const SettingsOptions& options_;
+  SettingsEvaluator evaluator_;
+  SettingsDiagnosis result_;
+  std::vector<SettingValue> found_;
+  std::vector<std::vector<Candidate>> choices_;
 };
 
 }  // namespace

@@ -8,27 +8,27 @@
 
 namespace plumbline::gap {
 
-SettingsEvaluator::SettingsEvaluator(const TraceEvidence& evidence, const SimulatorSetup& nominal, int jobs_)
-    : data(evidence), jobs(jobs_), own(typicalError(evidence.ownErrors(nominal, jobs_))) {}
+SettingsEvaluator::SettingsEvaluator(const TraceEvidence& evidence, const SimulatorSetup& nominal, int jobs)
+    : data_(evidence), jobs_(jobs), own_(typicalError(evidence.ownErrors(nominal, jobs))) {}
 
 SetupFit SettingsEvaluator::of(const SimulatorSetup& setup, Part part, int onlyType) const {
-  const std::vector<TraceWindow>& windows = data.windows();
+  const std::vector<TraceWindow>& windows = data_.windows();
   SetupFit fit;
   fit.scores.assign(windows.size(), std::numeric_limits<double>::quiet_NaN());
   fit.errors.resize(windows.size());
-  parallel(windows.size(), jobs, [&](std::size_t w) {
+  parallel(windows.size(), jobs_, [&](std::size_t w) {
     const TraceWindow& window = windows[w];
     if (part != Part::all && window.heldOut != (part == Part::heldOut)) return;
     if (part == Part::look && w % 5 != 0) return;
-    if (onlyType >= 0 && data.traces()[window.trace].robotType != onlyType) return;
+    if (onlyType >= 0 && data_.traces()[window.trace].robotType != onlyType) return;
     try {
-      fit.errors[w] = data.errorOf(window, setup);
+      fit.errors[w] = data_.errorOf(window, setup);
     } catch (const std::runtime_error&) {
       fit.errors[w].fill(std::numeric_limits<double>::infinity());
     }
     double score = 0;
     for (std::size_t s = 0; s < numTraceSignals; ++s)
-      score += 0.5 * std::log1p(fit.errors[w][s] / (own[s] * own[s]));
+      score += 0.5 * std::log1p(fit.errors[w][s] / (own_[s] * own_[s]));
     // A simulation that goes to pieces explains nothing.
     fit.scores[w] = std::isfinite(score) ? score : 1e3;
   });
@@ -46,7 +46,7 @@ std::vector<double> SettingsEvaluator::gains(const SetupFit& a, const SetupFit& 
   std::vector<double> result;
   std::size_t last = std::numeric_limits<std::size_t>::max();
   for (std::size_t w = 0; w < a.scores.size(); ++w) {
-    const TraceWindow& window = data.windows()[w];
+    const TraceWindow& window = data_.windows()[w];
     if (!window.heldOut) continue;
     if (window.trace != last) result.push_back(0);
     last = window.trace;
@@ -58,10 +58,10 @@ std::vector<double> SettingsEvaluator::gains(const SetupFit& a, const SetupFit& 
 double SettingsEvaluator::gap(const std::vector<WindowError>& errors) const {
   std::vector<WindowError> held;
   for (std::size_t w = 0; w < errors.size(); ++w)
-    if (data.windows()[w].heldOut) held.push_back(errors[w]);
+    if (data_.windows()[w].heldOut) held.push_back(errors[w]);
   const WindowError typical = typicalError(held);
   double sum = 0;
-  for (std::size_t s = 0; s < numTraceSignals; ++s) sum += typical[s] * typical[s] / (own[s] * own[s]);
+  for (std::size_t s = 0; s < numTraceSignals; ++s) sum += typical[s] * typical[s] / (own_[s] * own_[s]);
   return std::sqrt(sum / numTraceSignals);
 }
 

@@ -24,12 +24,12 @@ public:
   std::vector<double> gains(const SetupFit& a, const SetupFit& b) const;
   /// Typical error over held-out windows, root mean square over the signals in units of unit().
   double gap(const std::vector<WindowError>& errors) const;
-  const WindowError& unit() const { return own; }
+  const WindowError& unit() const { return own_; }
 
 private:
-  const TraceEvidence& data;
-  int jobs;
-  WindowError own{};
+  const TraceEvidence& data_;
+  int jobs_;
+  WindowError own_{};
 };
 
 }  // namespace plumbline::gap

@@ -113,41 +113,41 @@ const char* unitOf(TraceSignal signal) {
 }
 
 TraceEvidence::TraceEvidence(std::vector<LeagueTrace> traces, std::size_t rows, std::size_t every)
-    : recordings(std::move(traces)) {
+    : recordings_(std::move(traces)) {
   std::set<int> types;
-  for (const LeagueTrace& trace : recordings) types.insert(trace.robotType.value_or(0));
-  for (std::size_t t = 0; t < recordings.size(); ++t) {
+  for (const LeagueTrace& trace : recordings_) types.insert(trace.robotType.value_or(0));
+  for (std::size_t t = 0; t < recordings_.size(); ++t) {
     const auto rank = types.size() > 1
-                          ? std::distance(types.begin(), types.find(recordings[t].robotType.value_or(0)))
+                          ? std::distance(types.begin(), types.find(recordings_[t].robotType.value_or(0)))
                           : static_cast<std::ptrdiff_t>(t);
-    held.push_back(rank % 2 == 1);
-    for (std::size_t first = firstRow; first + rows < recordings[t].rows.size(); first += every)
-      if (moves(recordings[t], first, rows)) cut.push_back({t, first, rows, held.back()});
+    held_.push_back(rank % 2 == 1);
+    for (std::size_t first = firstRow; first + rows < recordings_[t].rows.size(); first += every)
+      if (moves(recordings_[t], first, rows)) cut_.push_back({t, first, rows, held_.back()});
   }
-  const auto countHeld = std::ranges::count(cut, true, &TraceWindow::heldOut);
-  if (countHeld < 5 || static_cast<std::size_t>(countHeld) + 5 > cut.size())
+  const auto countHeld = std::ranges::count(cut_, true, &TraceWindow::heldOut);
+  if (countHeld < 5 || static_cast<std::size_t>(countHeld) + 5 > cut_.size())
     throw ConfigurationError(
         "too few recordings in which the robot moves: some are for fitting and some of "
         "another robot type for judging; give at least two");
 }
 
 WindowError TraceEvidence::errorOf(const TraceWindow& window, const SimulatorSetup& setup) const {
-  const LeagueTrace& trace = recordings[window.trace];
+  const LeagueTrace& trace = recordings_[window.trace];
   return errorBetween(trace, window.first, play(trace, window.first, window.rows, setup));
 }
 
 std::vector<WindowError> TraceEvidence::ownErrors(const SimulatorSetup& setup, int jobs) const {
-  std::vector<LeagueTrace> own(recordings.size());
-  parallel(recordings.size(), jobs, [&](std::size_t t) {
-    const LeagueTrace& trace = recordings[t];
+  std::vector<LeagueTrace> own(recordings_.size());
+  parallel(recordings_.size(), jobs, [&](std::size_t t) {
+    const LeagueTrace& trace = recordings_[t];
     own[t] = trace;
     own[t].rows.assign(trace.rows.begin(), trace.rows.begin() + firstRow + 1);
     for (TraceRow& row : play(trace, firstRow, trace.rows.size(), setup))
       own[t].rows.push_back(asRecorded(std::move(row)));
   });
-  std::vector<WindowError> errors(cut.size());
-  parallel(cut.size(), jobs, [&](std::size_t w) {
-    const TraceWindow& window = cut[w];
+  std::vector<WindowError> errors(cut_.size());
+  parallel(cut_.size(), jobs, [&](std::size_t w) {
+    const TraceWindow& window = cut_[w];
     errors[w] = errorBetween(own[window.trace], window.first,
                              play(own[window.trace], window.first, window.rows, setup));
   });

@@ -36,9 +36,9 @@ public:
   explicit TraceEvidence(std::vector<simspark::LeagueTrace> traces, std::size_t rowsPerWindow = 5,
                          std::size_t rowsBetweenStarts = 24);
 
-  const std::vector<simspark::LeagueTrace>& traces() const { return recordings; }
-  const std::vector<TraceWindow>& windows() const { return cut; }
-  bool heldOut(std::size_t trace) const { return held[trace]; }
+  const std::vector<simspark::LeagueTrace>& traces() const { return recordings_; }
+  const std::vector<TraceWindow>& windows() const { return cut_; }
+  bool heldOut(std::size_t trace) const { return held_[trace]; }
 
   WindowError errorOf(const TraceWindow& window, const SimulatorSetup& setup) const;
 
@@ -47,9 +47,9 @@ public:
   std::vector<WindowError> ownErrors(const SimulatorSetup& setup, int jobs) const;
 
 private:
-  std::vector<simspark::LeagueTrace> recordings;
-  std::vector<TraceWindow> cut;
-  std::vector<bool> held;
+  std::vector<simspark::LeagueTrace> recordings_;
+  std::vector<TraceWindow> cut_;
+  std::vector<bool> held_;
 };
 
 /// All recordings *.csv.gz of a folder that are of a robot (the name ends in _t0 to _t4), balls rolling alone

@@ -18,64 +18,64 @@ using simspark::traceStep;
 
 class Player {
 public:
-  Player(const LeagueTrace& trace_, const SimulatorSetup& setup_, std::size_t start)
-      : trace(trace_), setup(setup_), model(robotOf(trace_)), world(simulation::makeWorld(setup_.world)) {
-    for (Link& link : model.links) {
-      link.mass *= setup.mass;
-      link.inertia *= setup.mass;
+  Player(const LeagueTrace& trace, const SimulatorSetup& setup, std::size_t start)
+      : trace_(trace), setup_(setup), model_(robotOf(trace)), world_(simulation::makeWorld(setup.world)) {
+    for (Link& link : model_.links) {
+      link.mass *= setup_.mass;
+      link.inertia *= setup_.mass;
     }
-    leftFoot = model.linkIndex("lFoot");
-    rightFoot = model.linkIndex("rFoot");
-    robot = world->addRobot(model, trace.rows[start].torso);
-    world->setState(robot, torsoAt(start), trace.rows[start].axisAngle, ratesAt(start));
+    leftFoot_ = model_.linkIndex("lFoot");
+    rightFoot_ = model_.linkIndex("rFoot");
+    robot_ = world_->addRobot(model_, trace_.rows[start].torso);
+    world_->setState(robot_, torsoAt(start), trace_.rows[start].axisAngle, ratesAt(start));
     setBall(start);
   }
 
   /// The step that makes row i.
   void advance(std::size_t i) {
     StopSignal::throwIfCaught();
-    const TraceRow& sent = trace.rows[i - 1 - static_cast<std::size_t>(setup.delay)];
-    for (const JointId joint : trace.joints)
-      if (model.has(joint)) world->setJointVelocity(robot, joint, setup.gain * sent.command[joint]);
-    for (int step = 0; step < setup.stepsPerRow; ++step) world->step();
+    const TraceRow& sent = trace_.rows[i - 1 - static_cast<std::size_t>(setup_.delay)];
+    for (const JointId joint : trace_.joints)
+      if (model_.has(joint)) world_->setJointVelocity(robot_, joint, setup_.gain * sent.command[joint]);
+    for (int step = 0; step < setup_.stepsPerRow; ++step) world_->step();
   }
 
   /// Back to where the recording is, with the posture that the simulator has.
   void putBack(std::size_t i) {
-    world->moveRobot(robot, trace.rows[i].torso);
-    world->setVelocities(robot, torsoAt(i), ratesAt(i));
+    world_->moveRobot(robot_, trace_.rows[i].torso);
+    world_->setVelocities(robot_, torsoAt(i), ratesAt(i));
     setBall(i);
   }
 
   TraceRow sense(std::size_t i) const {
-    return simulation::traceRowOf(*world, robot, leftFoot, rightFoot, trace.rows[i].command);
+    return simulation::traceRowOf(*world_, robot_, leftFoot_, rightFoot_, trace_.rows[i].command);
   }
 
 private:
   // The server integrates positions with the new velocity: differences are exact.
   simulation::BodyState torsoAt(std::size_t i) const {
-    const TraceRow &now = trace.rows[i], &before = trace.rows[i - 1];
+    const TraceRow &now = trace_.rows[i], &before = trace_.rows[i - 1];
     return {now.torso, (now.torso.translation() - before.torso.translation()) / traceStep,
             now.torso.linear() * now.gyro};
   }
 
   JointArray ratesAt(std::size_t i) const {
     JointArray rates{};
-    for (const JointId joint : trace.joints)
-      rates[joint] = (trace.rows[i].axisAngle[joint] - trace.rows[i - 1].axisAngle[joint]) / traceStep;
+    for (const JointId joint : trace_.joints)
+      rates[joint] = (trace_.rows[i].axisAngle[joint] - trace_.rows[i - 1].axisAngle[joint]) / traceStep;
     return rates;
   }
 
   void setBall(std::size_t i) {
-    world->setBall(trace.rows[i].ball, (trace.rows[i].ball - trace.rows[i - 1].ball) / traceStep);
+    world_->setBall(trace_.rows[i].ball, (trace_.rows[i].ball - trace_.rows[i - 1].ball) / traceStep);
   }
 
-  const LeagueTrace& trace;
-  const SimulatorSetup& setup;
-  RobotModel model;
-  std::unique_ptr<simulation::World> world;
-  simulation::RobotHandle robot = 0;
-  int leftFoot = -1, rightFoot = -1;
+  const LeagueTrace& trace_;
+  const SimulatorSetup& setup_;
+  RobotModel model_;
+  std::unique_ptr<simulation::World> world_;
+  simulation::RobotHandle robot_ = 0;
+  int leftFoot_ = -1, rightFoot_ = -1;
 };
 
 }  // namespace

@@ -13,47 +13,47 @@ constexpr milliseconds rewritten(100), alive(1000), elsewhere(10000);
 
 }  // namespace
 
-ProgressLine::ProgressLine(bool quiet) : shown(!quiet), inPlace(isatty(STDERR_FILENO) != 0) {
-  if (!shown) return;
-  ticker = std::jthread([this](const std::stop_token& stop) {
-    std::unique_lock lock(mutex);
+ProgressLine::ProgressLine(bool quiet) : shown_(!quiet), inPlace_(isatty(STDERR_FILENO) != 0) {
+  if (!shown_) return;
+  ticker_ = std::jthread([this](const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
-      ended.wait_for(lock, stop, inPlace ? alive : elsewhere, [] { return false; });
-      if (!stop.stop_requested() && !stage.empty()) write();
+      ended_.wait_for(lock, stop, inPlace_ ? alive : elsewhere, [] { return false; });
+      if (!stop.stop_requested() && !stage_.empty()) write();
     }
   });
 }
 
 ProgressLine::~ProgressLine() {
-  if (ticker.joinable()) {
-    ticker.request_stop();
-    ticker.join();
+  if (ticker_.joinable()) {
+    ticker_.request_stop();
+    ticker_.join();
   }
   clear();
 }
 
 void ProgressLine::clear() {
-  if (shown && inPlace) std::fprintf(stderr, "\r\033[K");
+  if (shown_ && inPlace_) std::fprintf(stderr, "\r\033[K");
 }
 
 void ProgressLine::write() {
-  last = Clock::now();
-  const double seconds = std::chrono::duration<double>(last - begin).count();
-  std::fprintf(stderr, inPlace ? "\r\033[K%s: %.0f %%, %.0f s" : "gap: %s: %.0f %%, %.0f s\n", stage.c_str(),
-               100 * done, seconds);
+  last_ = Clock::now();
+  const double seconds = std::chrono::duration<double>(last_ - begin_).count();
+  std::fprintf(stderr, inPlace_ ? "\r\033[K%s: %.0f %%, %.0f s" : "gap: %s: %.0f %%, %.0f s\n",
+               stage_.c_str(), 100 * done_, seconds);
   std::fflush(stderr);
 }
 
 void ProgressLine::tell(const std::string& what, double share) {
-  if (!shown) return;
-  const std::lock_guard lock(mutex);
-  stage = what;
-  done = share;
-  if (inPlace && Clock::now() - last >= rewritten) write();
+  if (!shown_) return;
+  const std::lock_guard lock(mutex_);
+  stage_ = what;
+  done_ = share;
+  if (inPlace_ && Clock::now() - last_ >= rewritten) write();
 }
 
 void ProgressLine::say(const std::string& text) {
-  const std::lock_guard lock(mutex);
+  const std::lock_guard lock(mutex_);
   clear();
   std::fprintf(stderr, "gap: %s\n", text.c_str());
 }

@@ -26,14 +26,14 @@ private:
   void write();  ///< with the mutex held
   void clear();
 
-  const bool shown, inPlace;
-  const Clock::time_point begin = Clock::now();
-  std::mutex mutex;
-  std::condition_variable_any ended;
-  std::string stage;
-  double done = 0;
-  Clock::time_point last = begin;
-  std::jthread ticker;
+  const bool shown_, inPlace_;
+  const Clock::time_point begin_ = Clock::now();
+  std::mutex mutex_;
+  std::condition_variable_any ended_;
+  std::string stage_;
+  double done_ = 0;
+  Clock::time_point last_ = begin_;
+  std::jthread ticker_;
 };
 
 }  // namespace plumbline::gap

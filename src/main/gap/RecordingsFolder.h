@@ -15,12 +15,12 @@ public:
   RecordingsFolder& operator=(const RecordingsFolder&) = delete;
 
   /// Where to write meanwhile; not there yet.
-  const std::string& beside() const { return part; }
+  const std::string& beside() const { return part_; }
   /// Throws std::runtime_error "PATH: cannot be written: REASON"; what was there stays then.
   void putInPlace();
 
 private:
-  std::string place, part;
+  std::string place_, part_;
 };
 
 }  // namespace plumbline::gap

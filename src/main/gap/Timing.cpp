@@ -13,7 +13,7 @@ void addTiming(CLI::App& command, std::string& file) {
 
 void Timing::write(const std::string& file) const {
   if (file.empty()) return;
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   char text[100];
   std::snprintf(text, sizeof text, "{\"seconds\": %.1f, \"cpu_seconds\": %.1f}\n", seconds,
                 static_cast<double>(std::clock()) / CLOCKS_PER_SEC);

@@ -20,7 +20,7 @@ public:
   void write(const std::string& file) const;
 
 private:
-  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace plumbline::gap

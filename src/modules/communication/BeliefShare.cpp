@@ -14,10 +14,10 @@ namespace {
 
 bool isNumber(int number) { return number >= 1 && number <= 11; }
 
-void addTold(TeamBelief& belief, int number, const Vec2& position) {
-  SaidOpponent& told = belief.opponents.emplace_back();
-  told.number = number;
-  told.position = position;
+void addOpponent(TeamBelief& belief, int number, const Vec2& position) {
+  SaidOpponent& heard = belief.opponents.emplace_back();
+  heard.number = number;
+  heard.position = position;
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ void BeliefShare::execute() {
     saidBefore_ = theSayMessage->time;
     const TeamBelief& said = theSayMessage->said;
     if (isNumber(said.number)) remember(said, saidBefore_);
-    if (!said.opponents.empty()) toldLast_ = said.opponents.back().number;
+    if (!said.opponents.empty()) lastShared_ = said.opponents.back().number;
   }
 }
 
@@ -61,7 +61,7 @@ void BeliefShare::update(TeamRobotPose* theTeamRobotPose) {
 }
 
 void BeliefShare::update(TeamBallPos* theTeamBallPos) {
-  std::vector<ToldBall> told;
+  std::vector<HeardBall> heard;
   for (const TeamReport& report : reports_) {
     const TeamBelief& belief = report.belief;
     const double passed = theFrameInfo->time - report.time;
@@ -69,10 +69,10 @@ void BeliefShare::update(TeamBallPos* theTeamBallPos) {
     if (!belief.ballKnown || !belief.localised) continue;
     const double age = belief.ballAge + passed;
     const double noise = std::hypot(poseNoise, rangeNoise * (belief.ball - belief.pose.position).norm());
-    told.push_back({rolledOn(belief.ball, belief.ballVelocity, age), belief.ballVelocity,
-                    std::hypot(noise, ballDrift * age), age});
+    heard.push_back({rolledOn(belief.ball, belief.ballVelocity, age), belief.ballVelocity,
+                     std::hypot(noise, ballDrift * age), age});
   }
-  const auto ball = combineBalls(told);
+  const auto ball = combineBalls(heard);
   theTeamBallPos->valid = ball.has_value();
   if (!ball) return;
   theTeamBallPos->field = ball->position;
@@ -108,10 +108,10 @@ void BeliefShare::update(TeamOtherRobots* theTeamOtherRobots) {
 void BeliefShare::addOpponents(TeamBelief& belief) const {
   // Round and round by number, from behind the one that was told last.
   for (int i = 1; i <= numPlayers && belief.opponents.size() < TeamBelief::maxOpponents; ++i) {
-    const int number = (toldLast_ + i - 1) % numPlayers + 1;
+    const int number = (lastShared_ + i - 1) % numPlayers + 1;
     for (const OtherRobot& robot : theLocalOtherRobots->robots)
       if (!robot.mate && robot.number == number && theFrameInfo->time - robot.lastSeen <= seenSeconds)
-        addTold(belief, number, robot.position);
+        addOpponent(belief, number, robot.position);
   }
 }
 

@@ -55,7 +55,7 @@ private:
 
   std::array<TeamReport, numPlayers + 1> reports_{};    ///< by number; the own one too
   std::array<OtherRobot, numPlayers + 1> opponents_{};  ///< by number, as told last
-  int toldLast_ = 0;                                    ///< number of the opponent that was told last
+  int lastShared_ = 0;                                  ///< number of the opponent that was told last
   double saidBefore_ = -1;                              ///< time of the own last words [s]
 };
 

@@ -10,7 +10,7 @@ class ErrorStatistics {
 public:
   static constexpr std::size_t maxSamples = 1u << 17;
 
-  ErrorStatistics() { samples.reserve(maxSamples); }
+  ErrorStatistics() { samples_.reserve(maxSamples); }
 
   void add(double error);
   std::size_t count() const { return count_; }
@@ -19,8 +19,8 @@ public:
   double largest() const { return largest_; }
 
 private:
-  std::vector<float> samples;
-  std::size_t count_ = 0, stride = 1;
+  std::vector<float> samples_;
+  std::size_t count_ = 0, stride_ = 1;
   double largest_ = 0;
 };
 

@@ -91,7 +91,7 @@ bool SimSparkConnection::connect() {
       requestStop(1, why);
       break;
     }
-    if (!waitTold_) tell("waiting for a server: " + why);
+    if (!waitReported_) tell("waiting for a server: " + why);
     pause(connectPause);
   }
   return false;
@@ -108,7 +108,7 @@ void SimSparkConnection::askForRobot() {
   attached_ = true;
   placed_ = false;
   phaseSince_ = wallClock();
-  phaseTold_ = false;
+  phaseReported_ = false;
 }
 
 void SimSparkConnection::askForPlace() {
@@ -124,7 +124,7 @@ void SimSparkConnection::answered() {
   if (phase_ == Phase::scene) {
     phase_ = Phase::place;
     phaseSince_ = wallClock();
-    phaseTold_ = false;
+    phaseReported_ = false;
     ++connections_;
     cycles_ = 0;
     placeRequests_ = 0;
@@ -138,15 +138,15 @@ void SimSparkConnection::lookForPlace(std::string_view text) {
   // The first message to a robot with a place says which; without one it stays beside the field.
   placed_ = text.find("(unum ") != std::string_view::npos;
   if (!placed_) return tellWait(wallClock() - phaseSince_);
-  if (waitTold_ || wasHere_)
+  if (waitReported_ || wasHere_)
     tell((wasHere_ ? "back on port " : "plays on port ") + std::to_string(link_->ports.agent));
-  waitTold_ = wasHere_ = false;
+  waitReported_ = wasHere_ = false;
 }
 
 void SimSparkConnection::tellWait(double seconds) {
   const std::string port = std::to_string(link_->ports.agent);
-  const bool due = !phaseTold_ && seconds > tellAfter;
-  phaseTold_ = phaseTold_ || due;
+  const bool due = !phaseReported_ && seconds > tellAfter;
+  phaseReported_ = phaseReported_ || due;
   if (phase_ == Phase::scene && due)
     tell("connected; port " + port + " gives no robot yet: its clock may stand until all agents are there");
   if (phase_ == Phase::scene) return;
@@ -165,7 +165,7 @@ void SimSparkConnection::lost() {
   const std::string why = link_->connection.error();
   log << "connection lost: " << why;
   if (!reconnect) return requestStop(1, "connection to the simulator lost: " + why);
-  if (placed_ || !waitTold_) tell("connection lost: " + why + "; trying again");
+  if (placed_ || !waitReported_) tell("connection lost: " + why + "; trying again");
   wasHere_ = wasHere_ || placed_;
   // A server that sends us away is not asked again at once.
   if (phase_ != Phase::play) pause(refusedPause);
@@ -195,7 +195,7 @@ bool SimSparkConnection::receive() {
 }
 
 void SimSparkConnection::tell(const std::string& line) {
-  waitTold_ = true;
+  waitReported_ = true;
   log << line;
   if (options_->tell) options_->tell(line);
 }

@@ -55,11 +55,11 @@ private:
   double phaseSince_ = 0,
          placeAsked_ = 0;  ///< wall clock: when to say what is waited for decides nothing else
   int placeRequests_ = 0;
-  bool attached_ = false;   ///< connected as far as was told
-  bool placed_ = false;     ///< the server has given a number
-  bool phaseTold_ = false;  ///< what this phase waits for was told
-  bool waitTold_ = false;   ///< something was told since the last message: so is that it goes on
-  bool wasHere_ = false;    ///< a server has been lost
+  bool attached_ = false;       ///< connected as far as was told
+  bool placed_ = false;         ///< the server has given a number
+  bool phaseReported_ = false;  ///< what this phase waits for was told
+  bool waitReported_ = false;   ///< something was told since the last message: so is that it goes on
+  bool wasHere_ = false;        ///< a server has been lost
   int restarts_ = 0;
   int connections_ = 0;
   unsigned cycles_ = 0;

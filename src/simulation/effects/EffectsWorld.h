@@ -27,13 +27,13 @@ public:
   void step() override;
   void reset() override;
   const RobotReadings& readings(RobotHandle robot) const override;
-  BodyState linkState(RobotHandle robot, int link) const override { return world->linkState(robot, link); }
-  BodyState torso(RobotHandle robot) const override { return world->torso(robot); }
-  BodyState ball() const override { return world->ball(); }
-  void setBall(const Vec3& position, const Vec3& velocity) override { world->setBall(position, velocity); }
-  void setBall(const BodyState& state) override { world->setBall(state); }
-  const std::vector<RobotHandle>& ballTouchedBy() const override { return world->ballTouchedBy(); }
-  const std::vector<RobotContact>& robotContacts() const override { return world->robotContacts(); }
+  BodyState linkState(RobotHandle robot, int link) const override { return world_->linkState(robot, link); }
+  BodyState torso(RobotHandle robot) const override { return world_->torso(robot); }
+  BodyState ball() const override { return world_->ball(); }
+  void setBall(const Vec3& position, const Vec3& velocity) override { world_->setBall(position, velocity); }
+  void setBall(const BodyState& state) override { world_->setBall(state); }
+  const std::vector<RobotHandle>& ballTouchedBy() const override { return world_->ballTouchedBy(); }
+  const std::vector<RobotContact>& robotContacts() const override { return world_->robotContacts(); }
 
 private:
   struct Robot {
@@ -42,12 +42,12 @@ private:
     SensorEffects sensors;
     RobotReadings readings;
   };
-  Robot& get(RobotHandle robot) { return robots.at(robot); }
+  Robot& get(RobotHandle robot) { return robots_.at(robot); }
   void read(RobotHandle handle, bool newCycle);
 
-  std::unique_ptr<World> world;
-  WorldConfig config;
-  std::map<RobotHandle, Robot> robots;
+  std::unique_ptr<World> world_;
+  WorldConfig config_;
+  std::map<RobotHandle, Robot> robots_;
 };
 
 }  // namespace plumbline::simulation

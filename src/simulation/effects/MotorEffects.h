@@ -20,16 +20,16 @@ public:
   MotorEffects(const std::vector<EffectSetting>& effects, double stepSeconds, std::uint64_t stream);
 
   /// Whether a joint's command is changed at all.
-  bool touches(JointId joint) const { return lossy() || paths[joint].used; }
+  bool touches(JointId joint) const { return lossy() || paths_[joint].used; }
   /// Command of a joint from this cycle on [rad/s].
-  void command(JointId joint, double velocity) { commanded[joint] = velocity; }
+  void command(JointId joint, double velocity) { commanded_[joint] = velocity; }
   /// Draws this cycle's luck; then velocity() gives what each joint does in it, once per joint.
   void beginCycle();
   double velocity(JointId joint);
   /// Angle of the motor less that of the link [rad].
-  double slack(JointId joint) const { return paths[joint].slack; }
+  double slack(JointId joint) const { return paths_[joint].slack; }
   /// Commands are for one cycle only where a world has it so.
-  void forgetCommands() { commanded.fill(0); }
+  void forgetCommands() { commanded_.fill(0); }
   /// At rest, nothing under way.
   void restart();
 
@@ -41,13 +41,13 @@ private:
     std::deque<double> sent;                                   ///< newest first
     double speed = 0, slack = 0;
   };
-  bool lossy() const { return dropout > 0; }
+  bool lossy() const { return dropout_ > 0; }
 
-  double step, dropout = 0;
-  RandomStream random;
-  bool lost = false;
-  JointArray commanded{}, arrived{};
-  std::array<Path, maxJoints> paths;
+  double step_, dropout_ = 0;
+  RandomStream random_;
+  bool lost_ = false;
+  JointArray commanded_{}, arrived_{};
+  std::array<Path, maxJoints> paths_;
 };
 
 }  // namespace plumbline::simulation

@@ -26,19 +26,19 @@ double reachBelow(const Shape& shape, const Mat3& rotation) {
 
 }  // namespace
 
-LocalRobot::LocalRobot(const RobotModel& model, const WorldConfig& config_)
-    : model_(model), config(config_), world_(makeWorld(config_)) {
+LocalRobot::LocalRobot(const RobotModel& model, const WorldConfig& config)
+    : model_(model), config_(config), world_(makeWorld(config)) {
   restart();
 }
 
 void LocalRobot::act(const JointArray& velocities) {
-  if (!config.actionDelay) pending = velocities;
+  if (!config_.actionDelay) pending_ = velocities;
   for (int j = 0; j < maxJoints; ++j)
     if (const auto joint = static_cast<JointId>(j); model_.has(joint))
-      world_->setJointVelocity(handle, joint, pending[static_cast<std::size_t>(j)]);
+      world_->setJointVelocity(handle_, joint, pending_[static_cast<std::size_t>(j)]);
   world_->step();
-  pending = velocities;
-  ++cycles;
+  pending_ = velocities;
+  ++cycles_;
 }
 
 void LocalRobot::restart(const Pose2& place, const JointArray& angles) {
@@ -49,10 +49,10 @@ void LocalRobot::restart(const Pose2& place, const JointArray& angles) {
 
 void LocalRobot::restart(const Pose3& T_world_torso, const JointArray& angles) {
   world_->reset();
-  handle = world_->addRobot(model_, T_world_torso);
-  world_->setPosture(handle, angles);
-  pending.fill(0);
-  cycles = 0;
+  handle_ = world_->addRobot(model_, T_world_torso);
+  world_->setPosture(handle_, angles);
+  pending_.fill(0);
+  cycles_ = 0;
 }
 
 double LocalRobot::lowestPoint() const {
@@ -60,7 +60,7 @@ double LocalRobot::lowestPoint() const {
   for (std::size_t i = 0; i < model_.links.size(); ++i) {
     const Link& link = model_.links[i];
     if (!link.collides) continue;
-    const Pose3 pose = world_->linkState(handle, static_cast<int>(i)).pose * translation(-link.com) *
+    const Pose3 pose = world_->linkState(handle_, static_cast<int>(i)).pose * translation(-link.com) *
                        link.shape.T_link_shape;
     lowest = std::min(lowest, pose.translation().z() - reachBelow(link.shape, pose.linear()));
   }

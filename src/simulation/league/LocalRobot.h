@@ -15,7 +15,7 @@ public:
   explicit LocalRobot(const RobotModel& model, const WorldConfig& config = {});
 
   /// The message of this cycle.
-  const RobotReadings& sense() const { return world_->readings(handle); }
+  const RobotReadings& sense() const { return world_->readings(handle_); }
   /// Answers it with joint velocities [rad/s] (those of joints the robot lacks are ignored) and lets a cycle
   /// pass.
   void act(const JointArray& velocities);
@@ -26,23 +26,23 @@ public:
   /// Starts anew with the torso at this pose, wherever the feet are.
   void restart(const Pose3& T_world_torso, const JointArray& angles);
 
-  BodyState torso() const { return world_->torso(handle); }
+  BodyState torso() const { return world_->torso(handle_); }
   /// Whether the torso leans by more than 60 degrees.
   bool fallen() const { return torso().pose.linear()(2, 2) < 0.5; }
-  double time() const { return cycles * config.stepSeconds; }  ///< since the restart [s]
+  double time() const { return cycles_ * config_.stepSeconds; }  ///< since the restart [s]
   const RobotModel& model() const { return model_; }
   World& world() { return *world_; }
-  RobotHandle robot() const { return handle; }
+  RobotHandle robot() const { return handle_; }
 
 private:
   double lowestPoint() const;
 
   RobotModel model_;
-  WorldConfig config;
+  WorldConfig config_;
   std::unique_ptr<World> world_;
-  RobotHandle handle = 0;
-  JointArray pending{};  ///< the answer to the message before this one; without delay: to this one
-  long cycles = 0;
+  RobotHandle handle_ = 0;
+  JointArray pending_{};  ///< the answer to the message before this one; without delay: to this one
+  long cycles_ = 0;
 };
 
 }  // namespace plumbline::simulation

@@ -25,29 +25,29 @@ std::unique_ptr<World> makeWorld(const WorldConfig& config) {
   return std::make_unique<EffectsWorld>(std::move(world), config);
 }
 
-SoccerWorld::SoccerWorld(const WorldConfig& config_) : config(config_) {
-  checkEffects(config.effects);
+SoccerWorld::SoccerWorld(const WorldConfig& config) : config_(config) {
+  checkEffects(config_.effects);
   reset();
 }
 
 void SoccerWorld::reset() {
   // A new engine is the one way to leave no trace of the past in it; it takes a tenth of a millisecond.
-  robots.clear();
-  touchedBall.clear();
-  touchedRobots.clear();
-  const PhysicsConfig settings = leaguePhysics(config);
-  gravityForce = settings.gravity;
-  physics = makePhysics(config.engine, settings);
-  physics->addGround(material::ground);
-  for (const FieldObstacle& obstacle : fieldObstacles(config.field))
-    physics->addStatic(obstacle.shape, obstacle.T_world_shape, material::obstacle);
-  ballHandle = physics->addAssembly(leagueBall(config.field), translation(0, 0, config.field.ballRadius));
+  robots_.clear();
+  touchedBall_.clear();
+  touchedRobots_.clear();
+  const PhysicsConfig settings = leaguePhysics(config_);
+  gravityForce_ = settings.gravity;
+  physics_ = makePhysics(config_.engine, settings);
+  physics_->addGround(material::ground);
+  for (const FieldObstacle& obstacle : fieldObstacles(config_.field))
+    physics_->addStatic(obstacle.shape, obstacle.T_world_shape, material::obstacle);
+  ballHandle_ = physics_->addAssembly(leagueBall(config_.field), translation(0, 0, config_.field.ballRadius));
 }
 
 RobotHandle SoccerWorld::addRobot(const RobotModel& model, const Pose3& T_world_torso) {
   const RobotHandle handle =
-      physics->addAssembly(leagueRobot(model, config), T_world_torso * translation(model.links.at(0).com));
-  Robot& robot = robots[handle];
+      physics_->addAssembly(leagueRobot(model, config_), T_world_torso * translation(model.links.at(0).com));
+  Robot& robot = robots_[handle];
   robot.model = model;
   using Sensor = std::optional<FootForce> RobotReadings::*;
   const std::pair<const char*, Sensor> sensors[] = {{"lFoot", &RobotReadings::leftFoot},
@@ -61,14 +61,14 @@ RobotHandle SoccerWorld::addRobot(const RobotModel& model, const Pose3& T_world_
 
 void SoccerWorld::removeRobot(RobotHandle robot) {
   get(robot);
-  physics->removeAssembly(robot);
-  robots.erase(robot);
-  std::erase(touchedBall, robot);
-  std::erase_if(touchedRobots, [robot](const RobotContact& c) { return c.a == robot || c.b == robot; });
+  physics_->removeAssembly(robot);
+  robots_.erase(robot);
+  std::erase(touchedBall_, robot);
+  std::erase_if(touchedRobots_, [robot](const RobotContact& c) { return c.a == robot || c.b == robot; });
 }
 
 void SoccerWorld::moveRobot(RobotHandle robot, const Pose3& T_world_torso) {
-  physics->moveRigidly(robot, T_world_torso * translation(get(robot).model.links[0].com));
+  physics_->moveRigidly(robot, T_world_torso * translation(get(robot).model.links[0].com));
 }
 
 void SoccerWorld::setPosture(RobotHandle handle, const JointArray& angles) {
@@ -78,14 +78,14 @@ void SoccerWorld::setPosture(RobotHandle handle, const JointArray& angles) {
 
 void SoccerWorld::stopMotors(RobotHandle handle) {
   for (std::size_t hinge = 0; hinge + 1 < get(handle).model.links.size(); ++hinge)
-    physics->setMotor(handle, static_cast<int>(hinge), 0);
+    physics_->setMotor(handle, static_cast<int>(hinge), 0);
 }
 
 void SoccerWorld::setState(RobotHandle handle, const BodyState& torso, const JointArray& angles,
                            const JointArray& rates) {
   Robot& robot = get(handle);
   const AssemblyState state = toAssemblyState(robot, torso, angles, rates);
-  physics->setState(handle, state);
+  physics_->setState(handle, state);
   robot.lastVelocity = state.root.linearVelocity;
   senseAngles(handle, robot);
 }
@@ -93,7 +93,7 @@ void SoccerWorld::setState(RobotHandle handle, const BodyState& torso, const Joi
 void SoccerWorld::setVelocities(RobotHandle handle, const BodyState& torso, const JointArray& rates) {
   Robot& robot = get(handle);
   const AssemblyState state = toAssemblyState(robot, torso, JointArray{}, rates);
-  physics->setVelocities(handle, state);
+  physics_->setVelocities(handle, state);
   robot.lastVelocity = state.root.linearVelocity;
 }
 
@@ -125,47 +125,47 @@ void SoccerWorld::setJointVelocity(RobotHandle handle, JointId joint, double vel
   const Link& link = robot.model.linkMovedBy(joint);
   const int hinge = hingeOf(robot.model, joint);
   // At or beyond a stop the league's server leaves the motor as it is, whichever way the command goes.
-  const double angle = physics->hingeAngle(handle, hinge);
+  const double angle = physics_->hingeAngle(handle, hinge);
   if (angle > link.lower && angle < link.upper)
-    physics->setMotor(handle, hinge, std::clamp(velocity, -link.maxSpeed, link.maxSpeed));
-  if (velocity != 0) physics->wake(handle, robot.model.linkOfJoint[joint]);
+    physics_->setMotor(handle, hinge, std::clamp(velocity, -link.maxSpeed, link.maxSpeed));
+  if (velocity != 0) physics_->wake(handle, robot.model.linkOfJoint[joint]);
 }
 
 void SoccerWorld::step() {
-  for (auto& [handle, robot] : robots) senseAcceleration(handle, robot);
-  physics->step();
-  if (!config.lastingCommands)
-    for (const auto& [handle, robot] : robots) stopMotors(handle);
-  touchedBall.clear();
-  for (auto& [handle, robot] : robots) {
+  for (auto& [handle, robot] : robots_) senseAcceleration(handle, robot);
+  physics_->step();
+  if (!config_.lastingCommands)
+    for (const auto& [handle, robot] : robots_) stopMotors(handle);
+  touchedBall_.clear();
+  for (auto& [handle, robot] : robots_) {
     senseAngles(handle, robot);
     senseFeet(handle, robot);
-    const BodyState body = physics->bodyState(handle, 0);
+    const BodyState body = physics_->bodyState(handle, 0);
     robot.readings.gyro = body.pose.linear().transpose() * body.angularVelocity;
   }
-  for (const Contact& contact : physics->contacts())
-    if (contact.assemblyA == ballHandle && contact.assemblyB >= 0 &&
-        std::find(touchedBall.begin(), touchedBall.end(), contact.assemblyB) == touchedBall.end())
-      touchedBall.push_back(contact.assemblyB);
-  touchedRobots.clear();
-  for (const Contact& contact : physics->contacts())
+  for (const Contact& contact : physics_->contacts())
+    if (contact.assemblyA == ballHandle_ && contact.assemblyB >= 0 &&
+        std::find(touchedBall_.begin(), touchedBall_.end(), contact.assemblyB) == touchedBall_.end())
+      touchedBall_.push_back(contact.assemblyB);
+  touchedRobots_.clear();
+  for (const Contact& contact : physics_->contacts())
     if (contact.assemblyA >= 0 && contact.assemblyB >= 0 && contact.assemblyA != contact.assemblyB &&
-        contact.assemblyA != ballHandle && contact.assemblyB != ballHandle)
-      touchedRobots.push_back({contact.assemblyA, contact.assemblyB, contact.point});
+        contact.assemblyA != ballHandle_ && contact.assemblyB != ballHandle_)
+      touchedRobots_.push_back({contact.assemblyA, contact.assemblyB, contact.point});
 }
 
 /// From the velocities before the step, so the reading is one cycle late.
 void SoccerWorld::senseAcceleration(RobotHandle handle, Robot& robot) const {
-  const BodyState body = physics->bodyState(handle, 0);
-  const Vec3 acceleration = (body.linearVelocity - robot.lastVelocity) / config.stepSeconds;
+  const BodyState body = physics_->bodyState(handle, 0);
+  const Vec3 acceleration = (body.linearVelocity - robot.lastVelocity) / config_.stepSeconds;
   robot.lastVelocity = body.linearVelocity;
-  robot.readings.acc = body.pose.linear().transpose() * (acceleration - gravityForce);
+  robot.readings.acc = body.pose.linear().transpose() * (acceleration - gravityForce_);
 }
 
 void SoccerWorld::senseAngles(RobotHandle handle, Robot& robot) const {
   for (int j = 0; j < maxJoints; ++j) {
     const int hinge = hingeOf(robot.model, static_cast<JointId>(j));
-    if (hinge >= 0) robot.readings.angle[static_cast<std::size_t>(j)] = physics->hingeAngle(handle, hinge);
+    if (hinge >= 0) robot.readings.angle[static_cast<std::size_t>(j)] = physics_->hingeAngle(handle, hinge);
   }
 }
 
@@ -174,12 +174,12 @@ void SoccerWorld::senseFeet(RobotHandle handle, Robot& robot) const {
     Vec3 force = Vec3::Zero(), weighted = Vec3::Zero();
     double weight = 0;
     bool touched = false;
-    for (const Contact& contact : physics->contacts()) {
+    for (const Contact& contact : physics_->contacts()) {
       // The server's sensor hears of a contact through the first of the two colliders only, which the ball
       // is.
       const bool isA = contact.assemblyA == handle && contact.bodyA == link;
       const bool isB =
-          contact.assemblyB == handle && contact.bodyB == link && contact.assemblyA != ballHandle;
+          contact.assemblyB == handle && contact.bodyB == link && contact.assemblyA != ballHandle_;
       if (!isA && !isB) continue;
       touched = true;
       force += isA ? contact.forceOnA : Vec3(-contact.forceOnA);
@@ -190,7 +190,7 @@ void SoccerWorld::senseFeet(RobotHandle handle, Robot& robot) const {
     if (!touched) {
       reading.reset();
     } else if (weight > 0) {
-      const Pose3 T_foot_world = physics->bodyState(handle, link).pose.inverse();
+      const Pose3 T_foot_world = physics_->bodyState(handle, link).pose.inverse();
       reading = FootForce{T_foot_world * Vec3(weighted / weight), T_foot_world.linear() * force};
     } else if (!reading) {
       reading.emplace();  // asleep since before it touched; otherwise a sleeper keeps its last reading
@@ -200,7 +200,7 @@ void SoccerWorld::senseFeet(RobotHandle handle, Robot& robot) const {
 
 BodyState SoccerWorld::torso(RobotHandle robot) const {
   const Vec3& com = get(robot).model.links[0].com;
-  BodyState state = physics->bodyState(robot, 0);
+  BodyState state = physics_->bodyState(robot, 0);
   const Vec3 toOrigin = state.pose.linear() * -com;
   state.pose.translation() += toOrigin;
   state.linearVelocity += state.angularVelocity.cross(toOrigin);
@@ -211,15 +211,15 @@ void SoccerWorld::setBall(const Vec3& position, const Vec3& velocity) {
   setBall({translation(position), velocity, Vec3::Zero()});
 }
 
-void SoccerWorld::setBall(const BodyState& state) { physics->setState(ballHandle, {state, {}, {}}); }
+void SoccerWorld::setBall(const BodyState& state) { physics_->setState(ballHandle_, {state, {}, {}}); }
 
 SoccerWorld::Robot& SoccerWorld::get(RobotHandle robot) {
   return const_cast<Robot&>(static_cast<const SoccerWorld*>(this)->get(robot));
 }
 
 const SoccerWorld::Robot& SoccerWorld::get(RobotHandle robot) const {
-  const auto it = robots.find(robot);
-  if (it == robots.end())
+  const auto it = robots_.find(robot);
+  if (it == robots_.end())
     throw std::out_of_range("simulation: no robot " + std::to_string(robot) + " in this world");
   return it->second;
 }

@@ -24,13 +24,13 @@ public:
   void step() override;
   void reset() override;
   const RobotReadings& readings(RobotHandle robot) const override { return get(robot).readings; }
-  BodyState linkState(RobotHandle robot, int link) const override { return physics->bodyState(robot, link); }
+  BodyState linkState(RobotHandle robot, int link) const override { return physics_->bodyState(robot, link); }
   BodyState torso(RobotHandle robot) const override;
-  BodyState ball() const override { return physics->bodyState(ballHandle, 0); }
+  BodyState ball() const override { return physics_->bodyState(ballHandle_, 0); }
   void setBall(const Vec3& position, const Vec3& velocity) override;
   void setBall(const BodyState& state) override;
-  const std::vector<RobotHandle>& ballTouchedBy() const override { return touchedBall; }
-  const std::vector<RobotContact>& robotContacts() const override { return touchedRobots; }
+  const std::vector<RobotHandle>& ballTouchedBy() const override { return touchedBall_; }
+  const std::vector<RobotContact>& robotContacts() const override { return touchedRobots_; }
 
 private:
   struct Robot {
@@ -50,14 +50,14 @@ private:
   void senseAngles(RobotHandle handle, Robot& robot) const;
   void senseFeet(RobotHandle handle, Robot& robot) const;
 
-  WorldConfig config;
-  std::unique_ptr<Physics> physics;
-  Vec3 gravityForce = Vec3::Zero();  ///< per mass, world [m/s^2]
-  int ballHandle = 0;
+  WorldConfig config_;
+  std::unique_ptr<Physics> physics_;
+  Vec3 gravityForce_ = Vec3::Zero();  ///< per mass, world [m/s^2]
+  int ballHandle_ = 0;
   std::map<RobotHandle, Robot>
-      robots;  ///< by the assembly's handle; ordered, so that nothing depends on addresses
-  std::vector<RobotHandle> touchedBall;
-  std::vector<RobotContact> touchedRobots;
+      robots_;  ///< by the assembly's handle; ordered, so that nothing depends on addresses
+  std::vector<RobotHandle> touchedBall_;
+  std::vector<RobotContact> touchedRobots_;
 };
 
 }  // namespace plumbline::simulation

@@ -38,42 +38,42 @@ MonitorScene::Matrix MonitorScene::matrixOf(const Pose3& pose, bool robotAxes) {
 }
 
 void MonitorScene::appendTransform(const Matrix& matrix) {
-  text += " (SLT";
+  text_ += " (SLT";
   for (const float value : matrix) {
-    text += ' ';
-    appendGeneral(text, value);
+    text_ += ' ';
+    appendGeneral(text_, value);
   }
-  text += ')';
+  text_ += ')';
 }
 
-void MonitorScene::appendIfMoved(const Matrix& matrix, Matrix& toldMatrix) {
+void MonitorScene::appendIfMoved(const Matrix& matrix, Matrix& sent) {
   for (std::size_t i = 0; i < matrix.size(); ++i) {
-    if (std::fabs(matrix[i] - toldMatrix[i]) <= precision) continue;
+    if (std::fabs(matrix[i] - sent[i]) <= precision) continue;
     appendTransform(matrix);
-    toldMatrix = matrix;
+    sent = matrix;
     return;
   }
 }
 
 const std::vector<BodyLook>& MonitorScene::looks(int type) {
-  auto& cached = looksOfType[type];
+  auto& cached = looksOfType_[type];
   if (cached.empty()) cached = robotLooks(type);
   return cached;
 }
 
 const std::vector<int>& MonitorScene::links(const Player& player) {
-  auto& cached = linksOfType[player.type()];
+  auto& cached = linksOfType_[player.type()];
   if (cached.empty())
     for (const BodyLook& look : looks(player.type())) cached.push_back(player.model().linkIndex(look.link));
   return cached;
 }
 
 void MonitorScene::word(std::string_view name, std::string_view value) {
-  text += '(';
-  text += name;
-  text += ' ';
-  text += value;
-  text += ')';
+  text_ += '(';
+  text_ += name;
+  text_ += ' ';
+  text_ += value;
+  text_ += ')';
 }
 
 void MonitorScene::rules(const Rules& rules, const FieldSize& field) {
@@ -104,25 +104,25 @@ void MonitorScene::rules(const Rules& rules, const FieldSize& field) {
 }
 
 void MonitorScene::gameState(const Game& game) {
-  text += "(time ";
-  appendGeneral(text, static_cast<float>(game.time));
-  text += ')';
+  text_ += "(time ";
+  appendGeneral(text_, static_cast<float>(game.time));
+  text_ += ')';
   constexpr std::array<const char*, 2> teamWords = {"team_left", "team_right"},
                                        scoreWords = {"score_left", "score_right"};
   for (std::size_t i = 0; i < 2; ++i) {
-    if (game.teams[i] == told.teams[i]) continue;
+    if (game.teams[i] == sent_.teams[i]) continue;
     word(teamWords[i], game.teams[i]);
-    told.teams[i] = game.teams[i];
+    sent_.teams[i] = game.teams[i];
   }
-  if (told.half != game.half) word("half", std::to_string(game.half));
-  told.half = game.half;
+  if (sent_.half != game.half) word("half", std::to_string(game.half));
+  sent_.half = game.half;
   for (std::size_t i = 0; i < 2; ++i) {
-    if (game.score[i] != told.score[i]) word(scoreWords[i], std::to_string(game.score[i]));
-    told.score[i] = game.score[i];
+    if (game.score[i] != sent_.score[i]) word(scoreWords[i], std::to_string(game.score[i]));
+    sent_.score[i] = game.score[i];
   }
   const int mode = static_cast<int>(game.mode);
-  if (mode != told.mode) word("play_mode", std::to_string(mode));
-  told.mode = mode;
+  if (mode != sent_.mode) word("play_mode", std::to_string(mode));
+  sent_.mode = mode;
   constexpr std::array<const char*, 2> waitWords = {"pass_mode_score_wait_left",
                                                     "pass_mode_score_wait_right"};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -131,103 +131,103 @@ void MonitorScene::gameState(const Game& game) {
     appendGeneral(seconds, static_cast<float>(game.passScoreWait[i]));
     word(waitWords[i], seconds);
   }
-  if (foulsTold < 0 || foulsTold > game.fouls.count()) foulsTold = game.fouls.count();
-  for (const Foul& foul : game.fouls.since(foulsTold))
+  if (foulsSent_ < 0 || foulsSent_ > game.fouls.count()) foulsSent_ = game.fouls.count();
+  for (const Foul& foul : game.fouls.since(foulsSent_))
     word("foul", std::to_string(foul.index) + ' ' + std::to_string(static_cast<int>(foul.kind)) +
                      (foul.side == TeamSide::right ? " 2 " : " 1 ") + std::to_string(foul.unum));
-  foulsTold = game.fouls.count();
+  foulsSent_ = game.fouls.count();
 }
 
 const std::string& MonitorScene::full(const Simulation& simulation) {
-  told = GameTold();
-  robots.clear();
-  text = "(";
+  sent_ = SentGame();
+  robots_.clear();
+  text_ = "(";
   rules(simulation.rules(), simulation.field());
-  text += "(play_modes";
+  text_ += "(play_modes";
   for (const std::string_view name : simspark::playModeNames) {
-    text += ' ';
-    text += name;
+    text_ += ' ';
+    text_ += name;
   }
-  text += ')';
+  text_ += ')';
   gameState(simulation.game());
-  text += ")(RSG 0 1)(";
-  text += fieldScene();
-  toldBall = matrixOf(simulation.world().ball().pose, false);
-  text += "(nd TRF";
-  appendTransform(toldBall);
-  text +=
+  text_ += ")(RSG 0 1)(";
+  text_ += fieldScene();
+  sentBall_ = matrixOf(simulation.world().ball().pose, false);
+  text_ += "(nd TRF";
+  appendTransform(sentBall_);
+  text_ +=
       "(nd StaticMesh (setVisible 1) (load models/soccerball.obj) (sSc 0.042 0.042 0.042)"
       "(resetMaterials soccerball_rcs-soccerball.png)))";
-  for (const auto& [id, player] : simulation.allPlayers()) appendRobot(simulation, *player, robots[id]);
-  text += ')';
-  return text;
+  for (const auto& [id, player] : simulation.allPlayers()) appendRobot(simulation, *player, robots_[id]);
+  text_ += ')';
+  return text_;
 }
 
 void MonitorScene::appendRobot(const Simulation& simulation, const Player& player, RobotView& view) {
   view.selected = player.selected;
-  text += unmoved;
+  text_ += unmoved;
   const auto& bodies = looks(player.type());
   const auto& bodyLinks = links(player);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyLook& look = bodies[i];
-    view.told.push_back(matrixOf(simulation.world().linkState(player.robot, bodyLinks[i]).pose, true));
-    text += "(nd TRF";
-    appendTransform(view.told.back());
-    if (look.turned) text += bodyMeshTurn;
+    view.sent.push_back(matrixOf(simulation.world().linkState(player.robot, bodyLinks[i]).pose, true));
+    text_ += "(nd TRF";
+    appendTransform(view.sent.back());
+    if (look.turned) text_ += bodyMeshTurn;
     if (look.mesh.empty())
-      text += "(nd SMN (setVisible 1) (load " + look.shape + ") (sSc " + look.scale + ") (sMat " +
-              look.material + "))";
+      text_ += "(nd SMN (setVisible 1) (load " + look.shape + ") (sSc " + look.scale + ") (sMat " +
+               look.material + "))";
     else
-      text += "(nd StaticMesh (setVisible 1) (load models/" + look.mesh + ") (sSc " + look.scale +
-              ")(resetMaterials " + materialNames(look.materials, player.type(), player.unum, player.side) +
-              "))";
-    if (look.turned) text += ')';
+      text_ += "(nd StaticMesh (setVisible 1) (load models/" + look.mesh + ") (sSc " + look.scale +
+               ")(resetMaterials " + materialNames(look.materials, player.type(), player.unum, player.side) +
+               "))";
+    if (look.turned) text_ += ')';
     if (look.marker) {
-      text += unmoved;
-      text += "(nd SMN (setVisible ";
-      text += player.selected ? '1' : '0';
-      text += ") (setTransparent) (load StdUnitCylinder 1 1) (sSc 0.2 0.2 0.02) (sMat matSelect)))";
+      text_ += unmoved;
+      text_ += "(nd SMN (setVisible ";
+      text_ += player.selected ? '1' : '0';
+      text_ += ") (setTransparent) (load StdUnitCylinder 1 1) (sSc 0.2 0.2 0.02) (sMat matSelect)))";
     }
-    text += ')';
+    text_ += ')';
   }
-  text += ')';
+  text_ += ')';
 }
 
 const std::string& MonitorScene::difference(const Simulation& simulation) {
-  text = "(";
+  text_ = "(";
   gameState(simulation.game());
-  text += ")(RDS 0 1)(";
-  text += fieldDifference();
-  text += "(nd";
-  appendIfMoved(matrixOf(simulation.world().ball().pose, false), toldBall);
-  text += "(nd StaticMesh))";
+  text_ += ")(RDS 0 1)(";
+  text_ += fieldDifference();
+  text_ += "(nd";
+  appendIfMoved(matrixOf(simulation.world().ball().pose, false), sentBall_);
+  text_ += "(nd StaticMesh))";
   for (const auto& [id, player] : simulation.allPlayers())
-    if (const auto view = robots.find(id); view != robots.end())
+    if (const auto view = robots_.find(id); view != robots_.end())
       appendRobotDifference(simulation, *player, view->second);
-  text += ')';
-  return text;
+  text_ += ')';
+  return text_;
 }
 
 void MonitorScene::appendRobotDifference(const Simulation& simulation, const Player& player,
                                          RobotView& view) {
-  text += "(nd";
+  text_ += "(nd";
   const auto& bodies = looks(player.type());
   const auto& bodyLinks = links(player);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyLook& look = bodies[i];
-    text += "(nd";
+    text_ += "(nd";
     appendIfMoved(matrixOf(simulation.world().linkState(player.robot, bodyLinks[i]).pose, true),
-                  view.told[i]);
-    text += look.mesh.empty() ? "(nd SMN)" : look.turned ? "(nd(nd StaticMesh))" : "(nd StaticMesh)";
+                  view.sent[i]);
+    text_ += look.mesh.empty() ? "(nd SMN)" : look.turned ? "(nd(nd StaticMesh))" : "(nd StaticMesh)";
     if (look.marker) {
-      text += "(nd(nd SMN";
-      if (player.selected != view.selected) text += player.selected ? " (setVisible 1)" : " (setVisible 0)";
-      text += "))";
+      text_ += "(nd(nd SMN";
+      if (player.selected != view.selected) text_ += player.selected ? " (setVisible 1)" : " (setVisible 0)";
+      text_ += "))";
       view.selected = player.selected;
     }
-    text += ')';
+    text_ += ')';
   }
-  text += ')';
+  text_ += ')';
 }
 
 }  // namespace plumbline::simulation

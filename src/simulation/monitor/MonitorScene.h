@@ -22,10 +22,10 @@ public:
 private:
   using Matrix = std::array<float, 16>;  ///< by columns, SimSpark's axes
   struct RobotView {
-    std::vector<Matrix> told;
+    std::vector<Matrix> sent;
     bool selected = false;
   };
-  struct GameTold {
+  struct SentGame {
     std::array<std::string, 2> teams;
     int half = 0, mode = -1;
     std::array<int, 2> score = {-1, -1};
@@ -38,19 +38,19 @@ private:
   void appendRobotDifference(const Simulation& simulation, const Player& player, RobotView& view);
   void appendTransform(const Matrix& matrix);
   /// " (SLT ...)" if the matrix moved far enough from what was told.
-  void appendIfMoved(const Matrix& matrix, Matrix& told);
+  void appendIfMoved(const Matrix& matrix, Matrix& sent);
   static Matrix matrixOf(const Pose3& pose, bool robotAxes);
 
   const std::vector<BodyLook>& looks(int type);
   const std::vector<int>& links(const Player& player);
 
-  std::string text;
-  GameTold told;
-  int foulsTold = -1;  ///< index of the last; -1: none is told from before the first message
-  Matrix toldBall{};
-  std::map<PlayerId, RobotView> robots;
-  std::map<int, std::vector<BodyLook>> looksOfType;
-  std::map<int, std::vector<int>> linksOfType;
+  std::string text_;
+  SentGame sent_;
+  int foulsSent_ = -1;  ///< index of the last; -1: none is told from before the first message
+  Matrix sentBall_{};
+  std::map<PlayerId, RobotView> robots_;
+  std::map<int, std::vector<BodyLook>> looksOfType_;
+  std::map<int, std::vector<int>> linksOfType_;
 };
 
 }  // namespace plumbline::simulation

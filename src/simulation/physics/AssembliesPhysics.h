@@ -27,7 +27,7 @@ public:
   bool asleep(int assembly) const override { return get(assembly).asleep(); }
 
 protected:
-  explicit AssembliesPhysics(const PhysicsConfig& config_) : config(config_) {}
+  explicit AssembliesPhysics(const PhysicsConfig& config) : config(config) {}
 
   /// `arguments`: what an engine's assembly is made with.
   template <class... Arguments>

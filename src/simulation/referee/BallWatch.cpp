@@ -30,16 +30,16 @@ bool insideGoal(const FieldSize& field, const Vec3& ball) {
 }  // namespace
 
 void BallWatch::update(const BodyState& ball, const std::vector<BallTouch>& touching) {
-  current = ball.pose.translation();
-  velocity = ball.linearVelocity;
-  if (onField()) valid = current;
+  current_ = ball.pose.translation();
+  velocity_ = ball.linearVelocity;
+  if (onField()) valid_ = current_;
   touching_ = touching;
   if (!touching_.empty()) lastTouch_ = touching_.front();
 }
 
 void BallWatch::placed(const Vec3& place) {
-  current = place;
-  velocity.setZero();
+  current_ = place;
+  velocity_.setZero();
 }
 
 void BallWatch::swapSides() {
@@ -48,8 +48,8 @@ void BallWatch::swapSides() {
 }
 
 bool BallWatch::onField() const {
-  return std::fabs(current.x()) < goalLineOf(field) + tolerance &&
-         std::fabs(current.y()) < field.width / 2 + field.ballRadius + tolerance;
+  return std::fabs(current_.x()) < goalLineOf(field_) + tolerance &&
+         std::fabs(current_.y()) < field_.width / 2 + field_.ballRadius + tolerance;
 }
 
 bool BallWatch::touchedBy(TeamSide side) const {
@@ -58,14 +58,14 @@ bool BallWatch::touchedBy(TeamSide side) const {
 }
 
 TeamSide BallWatch::inGoalOf() const {
-  const TeamSide side = current.x() < 0 ? TeamSide::left : TeamSide::right;
-  const double goalLine = goalLineOf(field);
-  if (insideGoal(field, current)) return side;
-  if (std::fabs(current.x()) < goalLine) return TeamSide::none;
-  if (std::fabs(current.x() - velocity.x()) > goalLine) return TeamSide::none;  // it came from elsewhere
-  const double line = std::copysign(goalLine, current.x());
-  const Vec3 crossing = current - velocity * ((current.x() - line) / velocity.x());
-  return betweenPosts(field, crossing.y(), crossing.z()) ? side : TeamSide::none;
+  const TeamSide side = current_.x() < 0 ? TeamSide::left : TeamSide::right;
+  const double goalLine = goalLineOf(field_);
+  if (insideGoal(field_, current_)) return side;
+  if (std::fabs(current_.x()) < goalLine) return TeamSide::none;
+  if (std::fabs(current_.x() - velocity_.x()) > goalLine) return TeamSide::none;  // it came from elsewhere
+  const double line = std::copysign(goalLine, current_.x());
+  const Vec3 crossing = current_ - velocity_ * ((current_.x() - line) / velocity_.x());
+  return betweenPosts(field_, crossing.y(), crossing.z()) ? side : TeamSide::none;
 }
 
 }  // namespace plumbline::simulation

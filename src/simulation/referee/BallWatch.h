@@ -18,7 +18,7 @@ struct BallTouch {
 /// What the referee knows of the ball: where it is, was last on the field, and who touched it last.
 class BallWatch {
 public:
-  explicit BallWatch(const FieldSize& field_ = {}) : field(field_) {}
+  explicit BallWatch(const FieldSize& field = {}) : field_(field) {}
 
   /// A cycle has passed; touching: those who touched the ball in it, the first first.
   void update(const BodyState& ball, const std::vector<BallTouch>& touching);
@@ -26,9 +26,9 @@ public:
   void placed(const Vec3& place);
   void swapSides();
 
-  const Vec3& position() const { return current; }
-  double speed() const { return velocity.norm(); }  ///< [m/s]
-  const Vec3& lastOnField() const { return valid; }
+  const Vec3& position() const { return current_; }
+  double speed() const { return velocity_.norm(); }  ///< [m/s]
+  const Vec3& lastOnField() const { return valid_; }
   bool onField() const;
   /// Whoever touched it last; side none: nobody yet.
   const BallTouch& lastTouch() const { return lastTouch_; }
@@ -44,8 +44,8 @@ public:
   simspark::TeamSide inGoalOf() const;
 
 private:
-  FieldSize field;
-  Vec3 current = Vec3::Zero(), velocity = Vec3::Zero(), valid = Vec3::Zero();
+  FieldSize field_;
+  Vec3 current_ = Vec3::Zero(), velocity_ = Vec3::Zero(), valid_ = Vec3::Zero();
   BallTouch lastTouch_;
   std::vector<BallTouch> touching_;
 };

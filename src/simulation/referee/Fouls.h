@@ -31,20 +31,20 @@ public:
   static constexpr std::size_t kept = 256;
 
   void add(Foul::Kind kind, simspark::TeamSide side, int unum) {
-    recent.push_back({++count_, kind, side, unum});
-    if (recent.size() > kept) recent.pop_front();
+    recent_.push_back({++count_, kind, side, unum});
+    if (recent_.size() > kept) recent_.pop_front();
   }
   int count() const { return count_; }
   /// Those with a higher index, the oldest first.
   std::deque<Foul> since(int index) const {
     std::deque<Foul> found;
-    for (const Foul& foul : recent)
+    for (const Foul& foul : recent_)
       if (foul.index > index) found.push_back(foul);
     return found;
   }
 
 private:
-  std::deque<Foul> recent;
+  std::deque<Foul> recent_;
   int count_ = 0;
 };
 

@@ -9,34 +9,34 @@
 
 namespace plumbline::simulation {
 
-Referee::Referee(const Rules& rules, const RandomStream& random_, const FieldSize& field_)
-    : rules_(rules), field(field_), random(random_) {
-  memory.ball = BallWatch(field);
-  if (rules.kickOff.byLot) memory.nextHalfKickOff = TeamSide::none;
-  for (const RuleEntry& rule : registeredRules()) inOrder.push_back(rule.make());
+Referee::Referee(const Rules& rules, const RandomStream& random, const FieldSize& field)
+    : rules_(rules), field_(field), random_(random) {
+  memory_.ball = BallWatch(field_);
+  if (rules.kickOff.byLot) memory_.nextHalfKickOff = TeamSide::none;
+  for (const RuleEntry& rule : registeredRules()) inOrder_.push_back(rule.make());
 }
 
 Match Referee::match(Game& game, World& world, double seconds) {
-  return {rules_, field, game, world, random, memory, world.robotContacts(), seconds};
+  return {rules_, field_, game, world, random_, memory_, world.robotContacts(), seconds};
 }
 
 bool Referee::update(Game& game, World& world, const Observation& observation, double seconds) {
   Match match = this->match(game, world, seconds);
   game.advance(seconds);
   meet(world, observation.members);
-  memory.agents = observation.agents;
+  memory_.agents = observation.agents;
   watchBall(match, observation);
 
-  for (const auto& rule : inOrder) rule->begin(match);
+  for (const auto& rule : inOrder_) rule->begin(match);
   match.mode = game.mode;
-  for (const auto& rule : inOrder) rule->play(match);
-  for (const auto& rule : inOrder) rule->afterPlay(match);
+  for (const auto& rule : inOrder_) rule->play(match);
+  for (const auto& rule : inOrder_) rule->afterPlay(match);
   observeVelocities(match);
   if (match.suspended)
-    for (Participant& player : memory.participants) forgive(match, player);
+    for (Participant& player : memory_.participants) forgive(match, player);
   else
     judgeFouls(match);
-  for (const auto& rule : inOrder) rule->end(match);
+  for (const auto& rule : inOrder_) rule->end(match);
   return match.changedEnds;
 }
 
@@ -45,9 +45,9 @@ void Referee::meet(World& world, const std::vector<Member>& members) {
   std::vector<Participant> present;
   present.reserve(members.size());
   for (const Member& member : members) {
-    const auto known = std::find_if(memory.participants.begin(), memory.participants.end(),
+    const auto known = std::find_if(memory_.participants.begin(), memory_.participants.end(),
                                     [&](const Participant& p) { return p.id == member.id; });
-    if (known == memory.participants.end()) {
+    if (known == memory_.participants.end()) {
       present.emplace_back(member);
     } else {
       static_cast<Member&>(*known) = member;
@@ -55,7 +55,7 @@ void Referee::meet(World& world, const std::vector<Member>& members) {
     }
     present.back().torso = world.torso(member.robot);
   }
-  memory.participants = std::move(present);
+  memory_.participants = std::move(present);
 }
 
 void Referee::watchBall(Match& match, const Observation& observation) {
@@ -63,19 +63,19 @@ void Referee::watchBall(Match& match, const Observation& observation) {
   for (const RobotHandle robot : observation.atBall)
     if (const Participant* player = match.find(robot))
       touching.push_back({player->side, player->unum, match.game.time});
-  memory.ball.update(match.world.ball(), touching);
+  memory_.ball.update(match.world.ball(), touching);
 }
 
 void Referee::judgeFouls(Match& match) {
   observeConduct(match);
   observeBallTouches(match);
-  for (const auto& rule : inOrder) rule->judgeAll(match);
+  for (const auto& rule : inOrder_) rule->judgeAll(match);
   for (const TeamSide side : {TeamSide::left, TeamSide::right})
     for (Participant* player : match.inRandomOrder(side))
-      for (const auto& rule : inOrder)
+      for (const auto& rule : inOrder_)
         if (!player->offends()) rule->judgePlayer(match, *player);
-  for (const auto& rule : inOrder) rule->judgeGroups(match);
-  for (const auto& rule : inOrder) rule->punish(match);
+  for (const auto& rule : inOrder_) rule->judgeGroups(match);
+  for (const auto& rule : inOrder_) rule->punish(match);
 }
 
 void Referee::kickOff(Game& game, World& world, TeamSide side) {
@@ -96,9 +96,9 @@ void Referee::clearSelected(Game& game, World& world, const std::vector<Member>&
 
 void Referee::askForPass(Game& game, World& world, int playerId) {
   Match match = this->match(game, world);
-  for (const Participant& player : memory.participants)
+  for (const Participant& player : memory_.participants)
     if (player.id == playerId)
-      for (const auto& rule : inOrder) rule->passAsked(match, player);
+      for (const auto& rule : inOrder_) rule->passAsked(match, player);
 }
 
 }  // namespace plumbline::simulation

@@ -41,10 +41,10 @@ private:
   void judgeFouls(Match& match);
 
   Rules rules_;
-  FieldSize field;
-  RandomStream random;
-  MatchMemory memory;
-  std::vector<std::unique_ptr<Rule>> inOrder;
+  FieldSize field_;
+  RandomStream random_;
+  MatchMemory memory_;
+  std::vector<std::unique_ptr<Rule>> inOrder_;
 };
 
 }  // namespace plumbline::simulation

@@ -12,8 +12,8 @@ bool RuleParameters::operator==(const RuleParameters& other) const {
       all.push_back(parameterValue(pointer));
     };
   };
-  list_->visit(values->owner(), collectInto(ours));
-  list_->visit(other.values->owner(), collectInto(theirs));
+  list_->visit(values_->owner(), collectInto(ours));
+  list_->visit(other.values_->owner(), collectInto(theirs));
   return ours == theirs;
 }
 

@@ -14,10 +14,10 @@ public:
   static RuleParameters of() {
     return RuleParameters(std::make_unique<Values<P>>(), P::parameterList());
   }
-  RuleParameters(const RuleParameters& other) : values(other.values->clone()), list_(other.list_) {}
+  RuleParameters(const RuleParameters& other) : values_(other.values_->clone()), list_(other.list_) {}
   RuleParameters(RuleParameters&&) = default;
   RuleParameters& operator=(RuleParameters other) {
-    std::swap(values, other.values);
+    std::swap(values_, other.values_);
     std::swap(list_, other.list_);
     return *this;
   }
@@ -25,8 +25,8 @@ public:
   /// Which they are; lists of two types differ by their addresses.
   const ParameterList& list() const { return *list_; }
   /// The struct with the values.
-  void* owner() { return values->owner(); }
-  const void* owner() const { return values->owner(); }
+  void* owner() { return values_->owner(); }
+  const void* owner() const { return values_->owner(); }
   bool operator==(const RuleParameters& other) const;
 
 private:
@@ -41,10 +41,10 @@ private:
     std::unique_ptr<AnyValues> clone() const override { return std::make_unique<Values>(*this); }
     void* owner() override { return &parameters; }
   };
-  RuleParameters(std::unique_ptr<AnyValues> values_, const ParameterList& list)
-      : values(std::move(values_)), list_(&list) {}
+  RuleParameters(std::unique_ptr<AnyValues> values, const ParameterList& list)
+      : values_(std::move(values)), list_(&list) {}
 
-  std::unique_ptr<AnyValues> values;
+  std::unique_ptr<AnyValues> values_;
   const ParameterList* list_;
 };
 

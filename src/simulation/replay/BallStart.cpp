@@ -22,21 +22,21 @@ constexpr double fastestBall = 25;  // [m/s]
 /// The fit of a ball alone on the field to some rows of a trace.
 class BallFit {
 public:
-  BallFit(const LeagueTrace& trace_, std::size_t first_, std::size_t count_, const WorldConfig& config)
-      : trace(trace_),
-        first(first_),
-        count(count_),
-        world(makeWorld(config)),
-        ballRadius(config.field.ballRadius) {}
+  BallFit(const LeagueTrace& trace, std::size_t first, std::size_t count, const WorldConfig& config)
+      : trace_(trace),
+        first_(first),
+        count_(count),
+        world_(makeWorld(config)),
+        ballRadius_(config.field.ballRadius) {}
 
   /// The best of several descents: on the ground the ball has contact from the first step or it has not,
   /// which a descent cannot change.
   Start solve() {
-    const Vec3 position = trace.rows[first].ball;
-    const Vec3 velocity = (trace.rows[first + 1].ball - position) / traceStep;
+    const Vec3 position = trace_.rows[first_].ball;
+    const Vec3 velocity = (trace_.rows[first_ + 1].ball - position) / traceStep;
     Start best;
     double bestRms = std::numeric_limits<double>::infinity();
-    for (const double height : {position.z() - velocity.z() * traceStep, position.z(), ballRadius - 1e-9}) {
+    for (const double height : {position.z() - velocity.z() * traceStep, position.z(), ballRadius_ - 1e-9}) {
       Start start;
       start << position - velocity * traceStep, velocity;
       start[2] = height;
@@ -50,7 +50,7 @@ public:
   }
 
   double rms(const Start& start) {
-    return std::sqrt(errors(start).squaredNorm() / static_cast<double>(count));
+    return std::sqrt(errors(start).squaredNorm() / static_cast<double>(count_));
   }
 
 private:
@@ -73,20 +73,20 @@ private:
   }
 
   Eigen::VectorXd errors(const Start& start) {
-    Eigen::VectorXd result(3 * count);
-    world->setBall(start.head<3>(), start.tail<3>());
-    for (std::size_t i = 0; i < count; ++i) {
-      world->step();
+    Eigen::VectorXd result(3 * count_);
+    world_->setBall(start.head<3>(), start.tail<3>());
+    for (std::size_t i = 0; i < count_; ++i) {
+      world_->step();
       result.segment<3>(static_cast<Eigen::Index>(3 * i)) =
-          world->ball().pose.translation() - trace.rows[first + i].ball;
+          world_->ball().pose.translation() - trace_.rows[first_ + i].ball;
     }
     return result;
   }
 
-  const LeagueTrace& trace;
-  std::size_t first, count;
-  std::unique_ptr<World> world;
-  double ballRadius;
+  const LeagueTrace& trace_;
+  std::size_t first_, count_;
+  std::unique_ptr<World> world_;
+  double ballRadius_;
 };
 
 }  // namespace

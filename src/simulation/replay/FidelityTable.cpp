@@ -21,12 +21,12 @@ constexpr FidelityTarget within2Percent{{}, 0.02}, within5Percent{{}, 0.05}, wit
 
 class Lines {
 public:
-  Lines(const LeagueTrace& trace_, const Rows& ours_, const LeagueSpread& spread_)
-      : trace(trace_), ours(ours_), spread(spread_), all(figures(trace_.rows, ours_)) {}
+  Lines(const LeagueTrace& trace, const Rows& ours, const LeagueSpread& spread)
+      : trace(trace), ours(ours), spread_(spread), all_(figures(trace.rows, ours)) {}
 
   /// A figure of Fidelity.h by its name there, if the trace has it.
   void figure(const std::string& name, FidelityTarget target, double scale = 1, const char* unit = nullptr) {
-    for (const TraceFigure& f : all)
+    for (const TraceFigure& f : all_)
       if (f.name == name) value(name, unit ? unit : f.unit, scale * f.league, scale * f.ours, target);
   }
   void value(const std::string& name, const std::string& unit, double league, double our,
@@ -51,11 +51,11 @@ public:
 
 private:
   std::optional<double> spreadOf(const std::string& figure) const {
-    const auto found = spread.find(figure);
-    return found == spread.end() ? std::nullopt : std::optional(found->second);
+    const auto found = spread_.find(figure);
+    return found == spread_.end() ? std::nullopt : std::optional(found->second);
   }
-  const LeagueSpread& spread;
-  std::vector<TraceFigure> all;
+  const LeagueSpread& spread_;
+  std::vector<TraceFigure> all_;
 };
 
 double worstJointAt(const TraceRow& a, const TraceRow& b) {

@@ -6,13 +6,13 @@
 
 namespace plumbline::simulation {
 
-ReplayedRobots::ReplayedRobots(const std::vector<simspark::LeagueTrace>& traces_,
-                               const std::vector<RobotModel>& models_, const std::vector<StartState>& starts_,
+ReplayedRobots::ReplayedRobots(const std::vector<simspark::LeagueTrace>& traces,
+                               const std::vector<RobotModel>& models, const std::vector<StartState>& starts,
                                const BodyState& ball, const WorldConfig& config)
-    : traces(traces_), models(models_), starts(starts_), world_(makeWorld(config)) {
-  for (std::size_t r = 0; r < traces.size(); ++r)
-    robots.push_back({world_->addRobot(models[r], starts[r].torso.pose), models[r].linkIndex("lFoot"),
-                      models[r].linkIndex("rFoot")});
+    : traces_(traces), models_(models), starts_(starts), world_(makeWorld(config)) {
+  for (std::size_t r = 0; r < traces_.size(); ++r)
+    robots_.push_back({world_->addRobot(models_[r], starts_[r].torso.pose), models_[r].linkIndex("lFoot"),
+                       models_[r].linkIndex("rFoot")});
   makeRow0();
   world_->setBall(ball);
 }
@@ -23,17 +23,17 @@ ReplayedRobots::ReplayedRobots(const std::vector<simspark::LeagueTrace>& traces_
 /// step to row 0 is made: the gaps of a robot that was put into the air close a little in it.
 void ReplayedRobots::makeRow0() {
   constexpr int stepsForGaps = 60, stepsToSleep = 15;
-  for (std::size_t r = 0; r < robots.size(); ++r) world_->setPosture(robots[r].handle, starts[r].angle);
+  for (std::size_t r = 0; r < robots_.size(); ++r) world_->setPosture(robots_[r].handle, starts_[r].angle);
   for (int i = 0; i < stepsForGaps; ++i) {
-    for (std::size_t r = 0; r < robots.size(); ++r) wake(r);
+    for (std::size_t r = 0; r < robots_.size(); ++r) wake(r);
     world_->step();
   }
-  for (std::size_t r = 0; r < robots.size(); ++r) command(r, JointArray{});
+  for (std::size_t r = 0; r < robots_.size(); ++r) command(r, JointArray{});
   for (int i = 0; i < stepsToSleep; ++i) world_->step();
-  for (std::size_t r = 0; r < robots.size(); ++r) {
-    const StartState& start = starts[r];
-    world_->moveRobot(robots[r].handle, start.torso.pose);
-    world_->setVelocities(robots[r].handle, start.torso, start.rate);
+  for (std::size_t r = 0; r < robots_.size(); ++r) {
+    const StartState& start = starts_[r];
+    world_->moveRobot(robots_[r].handle, start.torso.pose);
+    world_->setVelocities(robots_[r].handle, start.torso, start.rate);
     if (start.asleep) continue;
     wake(r);
     command(r, start.rate);
@@ -42,25 +42,25 @@ void ReplayedRobots::makeRow0() {
 }
 
 void ReplayedRobots::act(std::size_t i) {
-  for (std::size_t r = 0; r < robots.size(); ++r) {
-    command(r, i == 1 ? starts[r].rate : traces[r].rows[i - 2].command);
-    if (isPlaced(traces[r], i)) world_->moveRobot(robots[r].handle, placeBefore(traces[r], i));
+  for (std::size_t r = 0; r < robots_.size(); ++r) {
+    command(r, i == 1 ? starts_[r].rate : traces_[r].rows[i - 2].command);
+    if (isPlaced(traces_[r], i)) world_->moveRobot(robots_[r].handle, placeBefore(traces_[r], i));
   }
 }
 
 simspark::TraceRow ReplayedRobots::sense(std::size_t r, std::size_t i) const {
-  return traceRowOf(*world_, robots[r].handle, robots[r].leftFoot, robots[r].rightFoot,
-                    traces[r].rows[i].command);
+  return traceRowOf(*world_, robots_[r].handle, robots_[r].leftFoot, robots_[r].rightFoot,
+                    traces_[r].rows[i].command);
 }
 
 void ReplayedRobots::command(std::size_t r, const JointArray& speeds) {
-  for (const JointId joint : traces[r].joints)
-    if (models[r].has(joint)) world_->setJointVelocity(robots[r].handle, joint, speeds[joint]);
+  for (const JointId joint : traces_[r].joints)
+    if (models_[r].has(joint)) world_->setJointVelocity(robots_[r].handle, joint, speeds[joint]);
 }
 
 /// Only a command that is not zero wakes a robot; the next command takes its place before it has an effect.
 void ReplayedRobots::wake(std::size_t r) {
-  world_->setJointVelocity(robots[r].handle, traces[r].joints.at(0), 1e-7);
+  world_->setJointVelocity(robots_[r].handle, traces_[r].joints.at(0), 1e-7);
 }
 
 }  // namespace plumbline::simulation

@@ -29,11 +29,11 @@ private:
   void command(std::size_t r, const JointArray& speeds);
   void wake(std::size_t r);
 
-  const std::vector<simspark::LeagueTrace>& traces;
-  const std::vector<RobotModel>& models;
-  const std::vector<StartState>& starts;
+  const std::vector<simspark::LeagueTrace>& traces_;
+  const std::vector<RobotModel>& models_;
+  const std::vector<StartState>& starts_;
   std::unique_ptr<World> world_;
-  std::vector<Robot> robots;
+  std::vector<Robot> robots_;
 };
 
 }  // namespace plumbline::simulation

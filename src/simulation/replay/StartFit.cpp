@@ -53,20 +53,20 @@ Eigen::Matrix<double, 6, 1> difference(const TraceRow& league, const TraceRow& o
 
 class StartFit {
 public:
-  StartFit(const std::vector<LeagueTrace>& traces_, const std::vector<RobotModel>& models_,
-           const BodyState& ball_, const WorldConfig& config_)
-      : traces(traces_), models(models_), ball(ball_), config(config_) {
-    for (std::size_t r = 0; r < traces.size(); ++r) guesses.push_back(startState(traces[r], models[r]));
-    rows = std::min(rowsToFit, traces[0].rows.size());
+  StartFit(const std::vector<LeagueTrace>& traces, const std::vector<RobotModel>& models,
+           const BodyState& ball, const WorldConfig& config)
+      : traces_(traces), models_(models), ball_(ball), config_(config) {
+    for (std::size_t r = 0; r < traces_.size(); ++r) guesses_.push_back(startState(traces_[r], models_[r]));
+    rows_ = std::min(rowsToFit, traces_[0].rows.size());
   }
 
   std::vector<StartState> solve() {
-    std::vector<Change> best(traces.size(), Change::Zero());
+    std::vector<Change> best(traces_.size(), Change::Zero());
     std::vector<Eigen::VectorXd> error = errors(best);
     for (int iteration = 0; iteration < iterations; ++iteration) {
       const std::vector<Change> next = descend(best, error);
       const std::vector<Eigen::VectorXd> then = errors(next);
-      for (std::size_t r = 0; r < traces.size(); ++r) {
+      for (std::size_t r = 0; r < traces_.size(); ++r) {
         if (then[r].squaredNorm() >= error[r].squaredNorm()) continue;
         best[r] = next[r];
         error[r] = then[r];
@@ -78,15 +78,15 @@ public:
 private:
   /// A Gauss-Newton step of each robot; all are changed at once, as hardly any touches another one.
   std::vector<Change> descend(const std::vector<Change>& from, const std::vector<Eigen::VectorXd>& error) {
-    std::vector<Eigen::MatrixXd> slope(traces.size(), Eigen::MatrixXd(error[0].size(), 12));
+    std::vector<Eigen::MatrixXd> slope(traces_.size(), Eigen::MatrixXd(error[0].size(), 12));
     for (int k = 0; k < 12; ++k) {
       std::vector<Change> moved = from;
       for (Change& change : moved) change[k] += small[k / 3];
       const std::vector<Eigen::VectorXd> there = errors(moved);
-      for (std::size_t r = 0; r < traces.size(); ++r) slope[r].col(k) = (there[r] - error[r]) / small[k / 3];
+      for (std::size_t r = 0; r < traces_.size(); ++r) slope[r].col(k) = (there[r] - error[r]) / small[k / 3];
     }
     std::vector<Change> next = from;
-    for (std::size_t r = 0; r < traces.size(); ++r) {
+    for (std::size_t r = 0; r < traces_.size(); ++r) {
       const Eigen::Matrix<double, 12, 12> normal = slope[r].transpose() * slope[r];
       next[r] -= normal.ldlt().solve(slope[r].transpose() * error[r]);
     }
@@ -95,37 +95,37 @@ private:
 
   std::vector<StartState> starts(const std::vector<Change>& changes) const {
     std::vector<StartState> result;
-    for (std::size_t r = 0; r < traces.size(); ++r) result.push_back(changed(guesses[r], changes[r]));
+    for (std::size_t r = 0; r < traces_.size(); ++r) result.push_back(changed(guesses_[r], changes[r]));
     return result;
   }
 
   /// Of each robot: its rows' differences, and its changes in units of their doubt.
   std::vector<Eigen::VectorXd> errors(const std::vector<Change>& changes) const {
     const std::vector<StartState> from = starts(changes);
-    ReplayedRobots robots(traces, models, from, ball, config);
-    std::vector<Eigen::VectorXd> result(traces.size(),
-                                        Eigen::VectorXd(static_cast<Eigen::Index>(6 * rows + 12)));
-    for (std::size_t i = 0; i < rows; ++i) {
+    ReplayedRobots robots(traces_, models_, from, ball_, config_);
+    std::vector<Eigen::VectorXd> result(traces_.size(),
+                                        Eigen::VectorXd(static_cast<Eigen::Index>(6 * rows_ + 12)));
+    for (std::size_t i = 0; i < rows_; ++i) {
       if (i > 0) {
         robots.act(i);
         robots.world().step();
       }
-      for (std::size_t r = 0; r < traces.size(); ++r)
+      for (std::size_t r = 0; r < traces_.size(); ++r)
         result[r].segment<6>(static_cast<Eigen::Index>(6 * i)) =
-            difference(traces[r].rows[i], robots.sense(r, i));
+            difference(traces_[r].rows[i], robots.sense(r, i));
     }
-    for (std::size_t r = 0; r < traces.size(); ++r)
+    for (std::size_t r = 0; r < traces_.size(); ++r)
       for (int k = 0; k < 12; ++k)
-        result[r][static_cast<Eigen::Index>(6 * rows) + k] = changes[r][k] / doubt[k / 3];
+        result[r][static_cast<Eigen::Index>(6 * rows_) + k] = changes[r][k] / doubt[k / 3];
     return result;
   }
 
-  const std::vector<LeagueTrace>& traces;
-  const std::vector<RobotModel>& models;
-  const BodyState& ball;
-  const WorldConfig& config;
-  std::vector<StartState> guesses;
-  std::size_t rows = 0;
+  const std::vector<LeagueTrace>& traces_;
+  const std::vector<RobotModel>& models_;
+  const BodyState& ball_;
+  const WorldConfig& config_;
+  std::vector<StartState> guesses_;
+  std::size_t rows_ = 0;
 };
 
 }  // namespace

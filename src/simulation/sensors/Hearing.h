@@ -11,7 +11,7 @@ namespace plumbline::simulation {
 /// comes.
 class Hearing {
 public:
-  void hearSelf(const std::string& text) { self = text; }
+  void hearSelf(const std::string& text) { self_ = text; }
   /// direction [rad]: where the speaker is, in the field frame of the own team.
   void hear(const std::string& text, const std::string& team, double direction, bool mate);
   /// What reached the ears since the last call; to be called once a cycle.
@@ -23,8 +23,8 @@ private:
     int capacityLeft = capacity;
     std::optional<simspark::HeardMessage> message;
   };
-  std::optional<std::string> self;
-  Ear mates, opponents;
+  std::optional<std::string> self_;
+  Ear mates_, opponents_;
 };
 
 }  // namespace plumbline::simulation

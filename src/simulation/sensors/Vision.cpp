@@ -96,20 +96,20 @@ bool clipToView(Vec3& a, Vec3& b) {
   return true;
 }
 
-Vision::Vision(const VisionNoise& noise_, RandomStream& random_) : noise(noise_), random(random_) {
-  for (int i = 0; i < 3; ++i) offset[i] = random.uniform(-noise.offset, noise.offset);
+Vision::Vision(const VisionNoise& noise, RandomStream& random) : noise_(noise), random_(random) {
+  for (int i = 0; i < 3; ++i) offset_[i] = random_.uniform(-noise_.offset, noise_.offset);
 }
 
 void Vision::addNoise(Polar& polar) {
-  polar.distance *= 1 + noise.distancePercent / 100 * random.normal();
-  polar.azimuth += noise.azimuth * random.normal();
-  polar.elevation += noise.elevation * random.normal();
+  polar.distance *= 1 + noise_.distancePercent / 100 * random_.normal();
+  polar.azimuth += noise_.azimuth * random_.normal();
+  polar.elevation += noise_.elevation * random_.normal();
 }
 
 bool Vision::look(const Vec3& world, const Pose3& T_head_world, Polar& seen) {
   const Vec3 inHead = T_head_world * world;
   if (inHead.norm() <= nearest) return false;
-  seen = toPolar(inHead + offset);
+  seen = toPolar(inHead + offset_);
   if (!inCone(seen)) return false;
   addNoise(seen);
   return true;
@@ -129,7 +129,7 @@ simspark::See Vision::see(const Pose3& T_world_head, const VisibleWorld& world) 
     if (!seenPlayer.parts.empty()) image.players.push_back(std::move(seenPlayer));
   }
   for (const FieldLine& line : world.marks.lines) {
-    Vec3 a = T_head_world * line.begin + offset, b = T_head_world * line.end + offset;
+    Vec3 a = T_head_world * line.begin + offset_, b = T_head_world * line.end + offset_;
     if (!clipToView(a, b)) continue;
     simspark::SeenLine seenLine{toPolar(a), toPolar(b)};
     addNoise(seenLine.a);

@@ -48,9 +48,9 @@ private:
   bool look(const Vec3& world, const Pose3& T_head_world, simspark::Polar& seen);
   void addNoise(simspark::Polar& polar);
 
-  VisionNoise noise;
-  RandomStream& random;
-  Vec3 offset = Vec3::Zero();  ///< constant error in the head frame [m]
+  VisionNoise noise_;
+  RandomStream& random_;
+  Vec3 offset_ = Vec3::Zero();  ///< constant error in the head frame [m]
 };
 
 /// Cuts a line in head coordinates to what the camera's image holds, as the league's server does: a line with

@@ -22,18 +22,21 @@ constexpr std::string_view hetero = "rsg/agent/nao/nao_hetero.rsg", standard = "
 AgentPort::Agent::Agent(int fd, const std::string& address)
     : client(fd, address, simspark::maxAgentMessage, mostUnread) {}
 
-AgentPort::AgentPort(const Config& config_, Simulation& simulation_, LogFunction log_)
-    : config(config_), simulation(simulation_), log(std::move(log_)), listener(config.address, config.port) {}
+AgentPort::AgentPort(const Config& config, Simulation& simulation, LogFunction log)
+    : config_(config),
+      simulation_(simulation),
+      log_(std::move(log)),
+      listener_(config_.address, config_.port) {}
 
 void AgentPort::watch(std::vector<pollfd>& descriptors) {
-  descriptors.push_back({listener.descriptor(), POLLIN, 0});
-  for (const auto& agent : agents) descriptors.push_back(agent->client.watch());
-  watched = agents.size();
+  descriptors.push_back({listener_.descriptor(), POLLIN, 0});
+  for (const auto& agent : agents_) descriptors.push_back(agent->client.watch());
+  watched_ = agents_.size();
 }
 
 void AgentPort::serve(const pollfd* events) {
-  for (std::size_t i = 0; i < watched; ++i) {
-    Agent& agent = *agents[i];
+  for (std::size_t i = 0; i < watched_; ++i) {
+    Agent& agent = *agents_[i];
     if (events[1 + i].revents == 0) continue;
     agent.client.serve(events[1 + i].revents);
     receive(agent);
@@ -44,12 +47,12 @@ void AgentPort::serve(const pollfd* events) {
 void AgentPort::accept() {
   std::string address;
   for (std::size_t i = 0; i < mostAccepted; ++i) {
-    const int fd = listener.accept(address);
+    const int fd = listener_.accept(address);
     if (fd < 0) return;
-    agents.push_back(std::make_unique<Agent>(fd, address));
-    agents.back()->admitted = config.token.empty();
+    agents_.push_back(std::make_unique<Agent>(fd, address));
+    agents_.back()->admitted = config_.token.empty();
     makeRoom(
-        agents, maxAgents, "too many agents", [this](Agent& agent) { receive(agent); },
+        agents_, maxAgents, "too many agents", [this](Agent& agent) { receive(agent); },
         [](const Agent& agent) { return !agent.sceneAsked; });
   }
 }
@@ -57,7 +60,7 @@ void AgentPort::accept() {
 void AgentPort::receive(Agent& agent) {
   for (std::string_view text; agent.client.next(text);) {
     if (!agent.admitted) {
-      agent.admitted = sameSecret(text, "(token " + config.token + ")");
+      agent.admitted = sameSecret(text, "(token " + config_.token + ")");
       if (!agent.admitted) return agent.client.drop("did not name the token");
       continue;
     }
@@ -76,23 +79,23 @@ void AgentPort::receive(Agent& agent) {
 }
 
 int AgentPort::numAgents() const {
-  return static_cast<int>(std::count_if(agents.begin(), agents.end(), [](const auto& agent) {
+  return static_cast<int>(std::count_if(agents_.begin(), agents_.end(), [](const auto& agent) {
     return agent->sceneAsked && !agent->client.broken();
   }));
 }
 
 bool AgentPort::ready(const Agent& agent) const {
-  if (!config.sync || !agent.sceneAsked || agent.synced || agent.client.broken()) return true;
+  if (!config_.sync || !agent.sceneAsked || agent.synced || agent.client.broken()) return true;
   if (agent.everSynced || agent.cycles >= unsyncedCycles) return false;
   return wallClock() - agent.waitingSince > unsyncedPatience;
 }
 
 bool AgentPort::ready() const {
-  return std::all_of(agents.begin(), agents.end(), [this](const auto& agent) { return ready(*agent); });
+  return std::all_of(agents_.begin(), agents_.end(), [this](const auto& agent) { return ready(*agent); });
 }
 
 void AgentPort::carryOut() {
-  for (const auto& agent : agents) {
+  for (const auto& agent : agents_) {
     const bool mindful = !std::exchange(agent->answersPast, false);
     for (const simspark::AgentCommand& command : agent->pending)
       if (mindful && !agent->client.broken()) carryOut(*agent, command);
@@ -108,16 +111,16 @@ void AgentPort::carryOut(Agent& agent, const simspark::AgentCommand& command) {
       return agent.client.drop("asked for an unknown robot: " + command.scene->file.substr(0, 80) + ' ' +
                                std::to_string(command.scene->type) + "; there is " + std::string(hetero) +
                                " 0.." + std::to_string(numSimsparkTypes() - 1));
-    agent.player = simulation.addPlayer(command.scene->type);
+    agent.player = simulation_.addPlayer(command.scene->type);
   }
   if (!agent.player) return;  // nothing to command yet
-  const std::string problem = simulation.act(*agent.player, command);
+  const std::string problem = simulation_.act(*agent.player, command);
   if (!problem.empty()) complain(agent, problem);
-  if (command.init && problem.empty()) log(describe(agent) + " plays");
+  if (command.init && problem.empty()) log_(describe(agent) + " plays");
 }
 
 void AgentPort::restarted(const std::map<PlayerId, PlayerId>& ids) {
-  for (const auto& agent : agents) {
+  for (const auto& agent : agents_) {
     const auto id = agent->player ? ids.find(*agent->player) : ids.end();
     if (id == ids.end()) continue;
     agent->player = id->second;
@@ -126,11 +129,11 @@ void AgentPort::restarted(const std::map<PlayerId, PlayerId>& ids) {
 }
 
 void AgentPort::sendSenses() {
-  for (const auto& agent : agents) {
+  for (const auto& agent : agents_) {
     if (!agent->player || agent->client.broken()) continue;
-    const std::string& message = simulation.message(*agent->player);
+    const std::string& message = simulation_.message(*agent->player);
     ++agent->cycles;
-    agent->waitingSince = config.sync ? wallClock() : 0;
+    agent->waitingSince = config_.sync ? wallClock() : 0;
     if (message.empty())
       agent->synced = true;  // it has nothing to answer
     else
@@ -139,27 +142,27 @@ void AgentPort::sendSenses() {
 }
 
 void AgentPort::dropBroken() {
-  for (const PlayerId id : simulation.takeKilled())
-    for (const auto& agent : agents)
+  for (const PlayerId id : simulation_.takeKilled())
+    for (const auto& agent : agents_)
       if (agent->player == id) {
         agent->client.drop("removed by a trainer");
         agent->player.reset();
       }
   const double now = wallClock();
-  for (const auto& agent : agents) {
-    if (agent->client.halfSince() > 0 && now - agent->client.halfSince() > config.halfTimeout)
+  for (const auto& agent : agents_) {
+    if (agent->client.halfSince() > 0 && now - agent->client.halfSince() > config_.halfTimeout)
       agent->client.drop("sent half a message and no more");
-    if (!agent->sceneAsked && now - agent->client.since() > config.sceneTimeout)
+    if (!agent->sceneAsked && now - agent->client.since() > config_.sceneTimeout)
       agent->client.drop("asked for no robot");
-    if (config.sync && config.syncTimeout > 0 && !ready(*agent) &&
-        now - agent->waitingSince > config.syncTimeout)
+    if (config_.sync && config_.syncTimeout > 0 && !ready(*agent) &&
+        now - agent->waitingSince > config_.syncTimeout)
       agent->client.drop("kept everybody waiting: no (syn) for " +
-                         std::to_string(static_cast<int>(config.syncTimeout)) + " s");
+                         std::to_string(static_cast<int>(config_.syncTimeout)) + " s");
   }
-  std::erase_if(agents, [this](const auto& agent) {
+  std::erase_if(agents_, [this](const auto& agent) {
     if (!agent->client.broken()) return false;
-    log(describe(*agent) + ' ' + agent->client.reason());
-    if (agent->player) simulation.removePlayer(*agent->player);
+    log_(describe(*agent) + ' ' + agent->client.reason());
+    if (agent->player) simulation_.removePlayer(*agent->player);
     return true;
   });
 }
@@ -167,16 +170,16 @@ void AgentPort::dropBroken() {
 std::string AgentPort::describe(const Agent& agent) const {
   std::string text = "agent " + agent.client.address();
   if (!agent.player) return text;
-  const auto player = simulation.allPlayers().find(*agent.player);
-  if (player == simulation.allPlayers().end() || player->second->side == TeamSide::none) return text;
-  return text + " (" + simulation.game().teams[Game::index(player->second->side)] + ' ' +
+  const auto player = simulation_.allPlayers().find(*agent.player);
+  if (player == simulation_.allPlayers().end() || player->second->side == TeamSide::none) return text;
+  return text + " (" + simulation_.game().teams[Game::index(player->second->side)] + ' ' +
          std::to_string(player->second->unum) + ')';
 }
 
 void AgentPort::complain(Agent& agent, const std::string& problem) {
   if (agent.complained) return;
   agent.complained = true;
-  log(describe(agent) + ": " + problem + " (told once)");
+  log_(describe(agent) + ": " + problem + " (told once)");
 }
 
 }  // namespace plumbline::simulation

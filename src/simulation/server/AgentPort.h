@@ -31,7 +31,7 @@ public:
 
   AgentPort(const Config& config, Simulation& simulation, LogFunction log);
 
-  int port() const { return listener.port(); }
+  int port() const { return listener_.port(); }
   void watch(std::vector<pollfd>& descriptors);
   /// events: those of the descriptors watch() appended.
   void serve(const pollfd* events);
@@ -71,12 +71,12 @@ private:
   std::string describe(const Agent& agent) const;
   void complain(Agent& agent, const std::string& problem);
 
-  Config config;
-  Simulation& simulation;
-  LogFunction log;
-  Listener listener;
-  std::vector<std::unique_ptr<Agent>> agents;
-  std::size_t watched = 0;  ///< agents that watch() appended
+  Config config_;
+  Simulation& simulation_;
+  LogFunction log_;
+  Listener listener_;
+  std::vector<std::unique_ptr<Agent>> agents_;
+  std::size_t watched_ = 0;  ///< agents that watch() appended
 };
 
 }  // namespace plumbline::simulation

@@ -40,20 +40,23 @@ std::string fieldMessage(const Simulation& simulation) {
 FieldPort::Viewer::Viewer(int fd, const std::string& address)
     : client(fd, address, maxMessage, viewerMayLeave) {}
 
-FieldPort::FieldPort(const Config& config_, Simulation& simulation_, LogFunction log_)
-    : config(config_), simulation(simulation_), log(std::move(log_)), listener(config.address, config.port) {}
+FieldPort::FieldPort(const Config& config, Simulation& simulation, LogFunction log)
+    : config_(config),
+      simulation_(simulation),
+      log_(std::move(log)),
+      listener_(config_.address, config_.port) {}
 
 void FieldPort::watch(std::vector<pollfd>& descriptors) {
-  descriptors.push_back({listener.descriptor(), POLLIN, 0});
-  for (const auto& viewer : viewers) descriptors.push_back(viewer->client.watch());
-  watched = viewers.size();
+  descriptors.push_back({listener_.descriptor(), POLLIN, 0});
+  for (const auto& viewer : viewers_) descriptors.push_back(viewer->client.watch());
+  watched_ = viewers_.size();
 }
 
 void FieldPort::serve(const pollfd* events) {
-  for (std::size_t i = 0; i < watched; ++i) {
+  for (std::size_t i = 0; i < watched_; ++i) {
     if (events[1 + i].revents == 0) continue;
-    viewers[i]->client.serve(events[1 + i].revents);
-    receive(*viewers[i]);
+    viewers_[i]->client.serve(events[1 + i].revents);
+    receive(*viewers_[i]);
   }
   if (events[0].revents != 0) accept();
 }
@@ -61,12 +64,12 @@ void FieldPort::serve(const pollfd* events) {
 void FieldPort::accept() {
   std::string address;
   for (std::size_t i = 0; i < mostAccepted; ++i) {
-    const int fd = listener.accept(address);
+    const int fd = listener_.accept(address);
     if (fd < 0) return;
-    viewers.push_back(std::make_unique<Viewer>(fd, address));
-    viewers.back()->admitted = config.token.empty();
+    viewers_.push_back(std::make_unique<Viewer>(fd, address));
+    viewers_.back()->admitted = config_.token.empty();
     makeRoom(
-        viewers, maxViewers, "too many viewers", [this](Viewer& viewer) { receive(viewer); },
+        viewers_, maxViewers, "too many viewers", [this](Viewer& viewer) { receive(viewer); },
         [](const Viewer& viewer) { return !viewer.spoke; });
   }
 }
@@ -74,35 +77,35 @@ void FieldPort::accept() {
 void FieldPort::receive(Viewer& viewer) {
   for (std::string_view message; viewer.client.next(message);) {
     // It has nothing to command; that it says anything keeps its place when others want it.
-    if (!viewer.admitted) viewer.admitted = sameSecret(message, "(token " + config.token + ")");
+    if (!viewer.admitted) viewer.admitted = sameSecret(message, "(token " + config_.token + ")");
     viewer.spoke = viewer.admitted;
     if (!viewer.admitted) return viewer.client.drop("did not name the token");
   }
 }
 
 void FieldPort::tell() {
-  if (viewers.empty()) return;
+  if (viewers_.empty()) return;
   const double now = wallClock();
-  text.clear();
-  for (const auto& viewer : viewers) {
+  text_.clear();
+  for (const auto& viewer : viewers_) {
     if (!viewer->admitted || viewer->client.broken() || now < viewer->nextTime || !viewer->client.idle())
       continue;
-    if (text.empty()) text = fieldMessage(simulation);
-    if (viewer->told == text) continue;
-    viewer->client.send(text);
-    viewer->told = text;
+    if (text_.empty()) text_ = fieldMessage(simulation_);
+    if (viewer->sent == text_) continue;
+    viewer->client.send(text_);
+    viewer->sent = text_;
     viewer->nextTime = now + simspark::fieldInterval;
   }
 }
 
 void FieldPort::dropBroken() {
   const double now = wallClock();
-  for (const auto& viewer : viewers)
+  for (const auto& viewer : viewers_)
     if (!viewer->admitted && now - viewer->client.since() > silentTimeout)
       viewer->client.drop("did not name the token");
-  std::erase_if(viewers, [this](const auto& viewer) {
+  std::erase_if(viewers_, [this](const auto& viewer) {
     if (!viewer->client.broken()) return false;
-    log("viewer " + viewer->client.address() + ' ' + viewer->client.reason());
+    log_("viewer " + viewer->client.address() + ' ' + viewer->client.reason());
     return true;
   });
 }

@@ -23,7 +23,7 @@ public:
   /// Errors: std::runtime_error, one line, if the port cannot be had.
   FieldPort(const Config& config, Simulation& simulation, LogFunction log);
 
-  int port() const { return listener.port(); }
+  int port() const { return listener_.port(); }
   void watch(std::vector<pollfd>& descriptors);
   void serve(const pollfd* events);
   /// Tells those whose turn it is what changed since they were told.
@@ -36,20 +36,20 @@ private:
     FramedClient client;
     bool admitted = false, spoke = false;
     double nextTime = 0;  ///< wall clock
-    std::string told;
+    std::string sent;
   };
 
   void accept();
   void receive(Viewer& viewer);
   const std::string& message();
 
-  Config config;
-  Simulation& simulation;
-  LogFunction log;
-  Listener listener;
-  std::vector<std::unique_ptr<Viewer>> viewers;
-  std::size_t watched = 0;
-  std::string text;
+  Config config_;
+  Simulation& simulation_;
+  LogFunction log_;
+  Listener listener_;
+  std::vector<std::unique_ptr<Viewer>> viewers_;
+  std::size_t watched_ = 0;
+  std::string text_;
 };
 
 /// The state of a game as the port tells it.

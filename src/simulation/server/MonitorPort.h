@@ -35,7 +35,7 @@ public:
 
   MonitorPort(const Config& config, Simulation& simulation, LogFunction log);
 
-  int port() const { return listener.port(); }
+  int port() const { return listener_.port(); }
   void watch(std::vector<pollfd>& descriptors);
   void serve(const pollfd* events);
 
@@ -43,13 +43,13 @@ public:
   bool carryOut();
   /// Tells new monitors everything, and, if a message is due, the others what changed.
   void tell(bool regular);
-  bool due() const { return simulation.cycle() % static_cast<std::uint64_t>(config.interval) == 0; }
+  bool due() const { return simulation_.cycle() % static_cast<std::uint64_t>(config_.interval) == 0; }
   /// Whether somebody has not been told yet that robots came or left.
   bool owe() const;
   void dropBroken();
-  bool killRequested() const { return killed; }
+  bool killRequested() const { return killed_; }
   /// The last wish for everything from the start since the last call.
-  std::optional<simspark::ResetCommand> takeReset() { return std::exchange(reset, std::nullopt); }
+  std::optional<simspark::ResetCommand> takeReset() { return std::exchange(reset_, std::nullopt); }
   RunClock& clock() { return clock_; }
   const RunClock& clock() const { return clock_; }
 
@@ -63,14 +63,14 @@ private:
     bool viewStale = true;
     std::uint64_t viewVersion = 0;  ///< of the scene it was told
     bool clockAsked = false;
-    std::uint64_t clockTold = 0;
+    std::uint64_t clockSent = 0;
     std::size_t pending = 0;  ///< commands of this cycle
     bool spoke = false;       ///< said anything, so that it is no idle connection
-    bool admitted = false, told = false, acknowledge = false, complained = false;
+    bool admitted = false, informed = false, acknowledge = false, complained = false;
   };
 
   /// Those that have a scene, those that have none yet, or both.
-  enum class Recipients { told, untold, all };
+  enum class Recipients { informed, uninformed, all };
 
   void accept();
   void send(const std::string& text, Recipients recipients);
@@ -81,17 +81,17 @@ private:
   void carryOut(Monitor& monitor, const simspark::ViewerCommand& command);
   void tellViewer(Monitor& monitor, bool regular);
 
-  Config config;
-  Simulation& simulation;
-  LogFunction log;
-  Listener listener;
-  MonitorScene scene;
-  std::vector<std::unique_ptr<Monitor>> monitors;
-  std::vector<std::pair<Monitor*, simspark::TrainerCommand>> pending;
-  std::size_t watched = 0;
-  std::uint64_t toldVersion = 0;
-  bool killed = false;
-  std::optional<simspark::ResetCommand> reset;
+  Config config_;
+  Simulation& simulation_;
+  LogFunction log_;
+  Listener listener_;
+  MonitorScene scene_;
+  std::vector<std::unique_ptr<Monitor>> monitors_;
+  std::vector<std::pair<Monitor*, simspark::TrainerCommand>> pending_;
+  std::size_t watched_ = 0;
+  std::uint64_t sentVersion_ = 0;
+  bool killed_ = false;
+  std::optional<simspark::ResetCommand> reset_;
   RunClock clock_;
 };
 

@@ -23,132 +23,133 @@ double cpuSeconds() {
 
 }  // namespace
 
-Server::Server(const ServerConfig& config_, const LogFunction& log_)
-    : config(config_),
-      log(log_),
-      simulation_(config.simulation),
-      agents(config.agents, simulation_, std::ref(log)),
-      monitors(config.monitors, simulation_, std::ref(log)) {
-  if (!config.realTime) monitors.clock().speed = 0;
-  if (config.field) openField();
+Server::Server(const ServerConfig& config, const LogFunction& log)
+    : config_(config),
+      log_(log),
+      simulation_(config_.simulation),
+      agents_(config_.agents, simulation_, std::ref(log_)),
+      monitors_(config_.monitors, simulation_, std::ref(log_)) {
+  if (!config_.realTime) monitors_.clock().speed = 0;
+  if (config_.field) openField();
 }
 
 void Server::openField() {
   try {
-    field.emplace(*config.field, simulation_, std::ref(log));
+    field_.emplace(*config_.field, simulation_, std::ref(log_));
   } catch (const std::runtime_error& problem) {
-    if (!config.fieldOptional) throw;
-    log("nothing for bin/simplemonitor at its own port: " + std::string(problem.what()));
+    if (!config_.fieldOptional) throw;
+    log_("nothing for bin/simplemonitor at its own port: " + std::string(problem.what()));
   }
 }
 
 void Server::listen(int milliseconds) {
-  descriptors.clear();
-  agents.watch(descriptors);
-  const std::size_t firstMonitor = descriptors.size();
-  monitors.watch(descriptors);
-  const std::size_t firstViewer = descriptors.size();
-  if (field) field->watch(descriptors);
-  if (const double now = wallClock(); now - logLooked > 1) {
-    log.tellOverdue();
-    logLooked = now;
+  descriptors_.clear();
+  agents_.watch(descriptors_);
+  const std::size_t firstMonitor = descriptors_.size();
+  monitors_.watch(descriptors_);
+  const std::size_t firstViewer = descriptors_.size();
+  if (field_) field_->watch(descriptors_);
+  if (const double now = wallClock(); now - logLooked_ > 1) {
+    log_.tellOverdue();
+    logLooked_ = now;
   }
-  if (poll(descriptors.data(), descriptors.size(), milliseconds) <= 0) return;
-  agents.serve(descriptors.data());
-  monitors.serve(descriptors.data() + firstMonitor);
-  if (field) field->serve(descriptors.data() + firstViewer);
+  if (poll(descriptors_.data(), descriptors_.size(), milliseconds) <= 0) return;
+  agents_.serve(descriptors_.data());
+  monitors_.serve(descriptors_.data() + firstMonitor);
+  if (field_) field_->serve(descriptors_.data() + firstViewer);
 }
 
 bool Server::clockStands() const {
-  if (monitors.clock().stands()) return true;
-  if (config.waitForAgents == 0) return false;
-  return agents.numAgents() < (started ? 1 : config.waitForAgents);
+  if (monitors_.clock().stands()) return true;
+  if (config_.waitForAgents == 0) return false;
+  return agents_.numAgents() < (started_ ? 1 : config_.waitForAgents);
 }
 
 void Server::tellWait() {
-  if (monitors.clock().stands()) return;  // a trainer wants it so
+  if (monitors_.clock().stands()) return;  // a trainer wants it so
   const double now = wallClock();
-  if (!stood || waitTold == 0) {
-    waitTold = now;
-    agentsTold = -1;
+  if (!stood_ || waitReported_ == 0) {
+    waitReported_ = now;
+    agentsReported_ = -1;
   }
-  const int here = agents.numAgents();
-  if (here == agentsTold || now - waitTold < (agentsTold < 0 ? waitPatience : waitInterval)) return;
-  const int wanted = started ? 1 : config.waitForAgents;
-  log("waiting for " + std::to_string(wanted) + (wanted == 1 ? " agent" : " agents") + " on port " +
-      std::to_string(agentPort()) + ", " + std::to_string(here) + " so far; the clock stands" +
-      (config.maxSeconds ? ", and the time until the end is simulated time" : ""));
-  waitTold = now;
-  agentsTold = here;
+  const int here = agents_.numAgents();
+  if (here == agentsReported_ || now - waitReported_ < (agentsReported_ < 0 ? waitPatience : waitInterval))
+    return;
+  const int wanted = started_ ? 1 : config_.waitForAgents;
+  log_("waiting for " + std::to_string(wanted) + (wanted == 1 ? " agent" : " agents") + " on port " +
+       std::to_string(agentPort()) + ", " + std::to_string(here) + " so far; the clock stands" +
+       (config_.maxSeconds ? ", and the time until the end is simulated time" : ""));
+  waitReported_ = now;
+  agentsReported_ = here;
 }
 
 bool Server::collect() {
-  const bool idle = clockStands() || !agents.ready();
+  const bool idle = clockStands() || !agents_.ready();
   listen(idle ? patience : 0);
-  agents.dropBroken();
-  monitors.dropBroken();
+  agents_.dropBroken();
+  monitors_.dropBroken();
   if (!clockStands()) {
-    if (agents.ready()) return true;
+    if (agents_.ready()) return true;
     // Who comes while an agent is waited for sees at least where everything is.
-    monitors.tell(false);
+    monitors_.tell(false);
     tellField();
     return false;
   }
   tellWait();
   // Nothing moves, but trainers may set the scene and are shown it.
   const bool commanded = obeyTrainers();
-  agents.dropBroken();
+  agents_.dropBroken();
   // What changed since the last message, or now as a robot left, would not be seen before the clock goes on.
-  const bool stopsNow = !std::exchange(stood, true);
-  monitors.tell(commanded || stopsNow || monitors.owe());
+  const bool stopsNow = !std::exchange(stood_, true);
+  monitors_.tell(commanded || stopsNow || monitors_.owe());
   tellField();
   return false;
 }
 
 bool Server::obeyTrainers() {
-  const bool any = monitors.carryOut();
-  if (const auto reset = monitors.takeReset()) agents.restarted(simulation_.restart(reset->seed));
+  const bool any = monitors_.carryOut();
+  if (const auto reset = monitors_.takeReset()) agents_.restarted(simulation_.restart(reset->seed));
   return any;
 }
 
 void Server::cycle() {
-  started = true;
-  stood = false;
-  if (obeyTrainers()) agents.dropBroken();  // a trainer may have removed players
-  agents.carryOut();
-  const bool delay = config.simulation.world.actionDelay;
-  if (delay) agents.sendSenses();
+  started_ = true;
+  stood_ = false;
+  if (obeyTrainers()) agents_.dropBroken();  // a trainer may have removed players
+  agents_.carryOut();
+  const bool delay = config_.simulation.world.actionDelay;
+  if (delay) agents_.sendSenses();
   simulation_.step();
-  if (!delay) agents.sendSenses();
-  RunClock& clock = monitors.clock();
+  if (!delay) agents_.sendSenses();
+  RunClock& clock = monitors_.clock();
   if (clock.steps > 0) --clock.steps;
   if (clock.speed > 0) waitForClock();
-  monitors.tell(monitors.due() || clock.paused);
+  monitors_.tell(monitors_.due() || clock.paused);
   tellField();
-  agents.dropBroken();
+  agents_.dropBroken();
   ++statistics_.cycles;
 }
 
 void Server::tellField() {
-  if (!field) return;
-  field->tell();
-  field->dropBroken();
+  if (!field_) return;
+  field_->tell();
+  field_->dropBroken();
 }
 
 void Server::waitForClock() {
-  const double step = config.simulation.world.stepSeconds / monitors.clock().speed, now = wallClock();
-  nextTick += step;
-  if (nextTick < now - maxLag || nextTick > now + step) nextTick = now;
-  if (nextTick <= now) return;
-  timespec rest{0, static_cast<long>((nextTick - now) * 1e9)};
+  const double step = config_.simulation.world.stepSeconds / monitors_.clock().speed, now = wallClock();
+  nextTick_ += step;
+  if (nextTick_ < now - maxLag || nextTick_ > now + step) nextTick_ = now;
+  if (nextTick_ <= now) return;
+  timespec rest{0, static_cast<long>((nextTick_ - now) * 1e9)};
   nanosleep(&rest, nullptr);
 }
 
 void Server::run(const std::atomic<bool>& stop) {
   const double wallStart = wallClock(), cpuStart = cpuSeconds();
   const auto over = [&] {
-    return stop || monitors.killRequested() || simulation_.finished() ||
-           (config.maxSeconds && simulation_.time() >= *config.maxSeconds - 1e-9);
+    return stop || monitors_.killRequested() || simulation_.finished() ||
+           (config_.maxSeconds && simulation_.time() >= *config_.maxSeconds - 1e-9);
   };
   while (!over())
     if (collect()) cycle();

@@ -39,9 +39,9 @@ public:
   /// Opens both ports; throws std::runtime_error, one line, if one cannot be had.
   Server(const ServerConfig& config, const LogFunction& log);
 
-  int agentPort() const { return agents.port(); }
-  int monitorPort() const { return monitors.port(); }
-  int fieldPort() const { return field ? field->port() : 0; }  ///< 0: there is none
+  int agentPort() const { return agents_.port(); }
+  int monitorPort() const { return monitors_.port(); }
+  int fieldPort() const { return field_ ? field_->port() : 0; }  ///< 0: there is none
   /// Runs until stop is set (a signal handler may do it), a trainer kills the simulator, or the time is over.
   void run(const std::atomic<bool>& stop);
   const ServerStatistics& statistics() const { return statistics_; }
@@ -63,19 +63,19 @@ private:
   /// Says why nothing moves, when it has not moved for a while.
   void tellWait();
 
-  ServerConfig config;
-  LimitedLog log;
+  ServerConfig config_;
+  LimitedLog log_;
   Simulation simulation_;
-  AgentPort agents;
-  MonitorPort monitors;
-  std::optional<FieldPort> field;
-  std::vector<pollfd> descriptors;
-  bool stood = false;  ///< the clock, when it was looked at last
-  bool started = false;
-  double nextTick = 0;   ///< wall clock
-  double waitTold = 0;   ///< wall clock of the last line about waiting, or of the beginning of the wait
-  int agentsTold = -1;   ///< how many were there then; -1: nothing told of this wait
-  double logLooked = 0;  ///< wall clock
+  AgentPort agents_;
+  MonitorPort monitors_;
+  std::optional<FieldPort> field_;
+  std::vector<pollfd> descriptors_;
+  bool stood_ = false;  ///< the clock, when it was looked at last
+  bool started_ = false;
+  double nextTick_ = 0;      ///< wall clock
+  double waitReported_ = 0;  ///< wall clock of the last line about waiting, or of the beginning of the wait
+  int agentsReported_ = -1;  ///< how many were there then; -1: nothing told of this wait
+  double logLooked_ = 0;     ///< wall clock
   ServerStatistics statistics_;
 };
 

@@ -24,12 +24,12 @@ public:
   Listener& operator=(const Listener&) = delete;
 
   int port() const { return port_; }
-  int descriptor() const { return fd; }
+  int descriptor() const { return fd_; }
   /// A new client's socket, non-blocking, and its address; -1: none waits.
   int accept(std::string& address);
 
 private:
-  int fd = -1;
+  int fd_ = -1;
   int port_ = 0;
 };
 
@@ -51,26 +51,26 @@ public:
   void send(std::string_view text);
 
   void drop(const std::string& why);
-  bool idle() const { return queue.empty(); }  ///< it has taken all that was sent
+  bool idle() const { return queue_.empty(); }  ///< it has taken all that was sent
   bool broken() const { return !reason_.empty(); }
   const std::string& reason() const { return reason_; }
   const std::string& address() const { return address_; }
-  double since() const { return connectedSince; }  ///< wall clock
+  double since() const { return connectedSince_; }  ///< wall clock
   /// Since when a message has been half received; 0: none is.
-  double halfSince() const { return halfMessageSince; }
+  double halfSince() const { return halfMessageSince_; }
 
 private:
   void read();
   void flush();
 
-  int fd;
+  int fd_;
   std::string address_;
-  simspark::FrameReader reader;
-  std::size_t maxMessage, maxQueue;
-  std::string queue;
+  simspark::FrameReader reader_;
+  std::size_t maxMessage_, maxQueue_;
+  std::string queue_;
   std::string reason_;
-  double halfMessageSince = 0;
-  const double connectedSince = wallClock();
+  double halfMessageSince_ = 0;
+  const double connectedSince_ = wallClock();
 };
 
 }  // namespace plumbline::simulation

@@ -53,58 +53,59 @@ std::unique_ptr<btMultiBody> makeBody(const Mechanism& mechanism, const std::vec
 }  // namespace
 
 ServoBody::ServoBody(const Mechanism& mechanism, bool fixedBase)
-    : T_link_com(centresOf(mechanism)), body(makeBody(mechanism, T_link_com, fixedBase)), rowSet(*body) {
-  for (const Mechanism::Link& link : mechanism.links) masses.push_back(link.mass);
+    : T_link_com_(centresOf(mechanism)), body_(makeBody(mechanism, T_link_com_, fixedBase)), rowSet_(*body_) {
+  for (const Mechanism::Link& link : mechanism.links) masses_.push_back(link.mass);
   place(Pose3::Identity(), std::vector<double>(at(mechanism.numJoints()), 0));
 }
 
 void ServoBody::place(const Pose3& T_world_base, const std::vector<double>& q) {
-  body->setBaseWorldTransform(fromPose3(T_world_base * T_link_com[0]));
-  for (std::size_t i = 0; i < q.size(); ++i) body->setJointPos(static_cast<int>(i), q[i]);
-  body->clearVelocities();
-  body->clearForcesAndTorques();
+  body_->setBaseWorldTransform(fromPose3(T_world_base * T_link_com_[0]));
+  for (std::size_t i = 0; i < q.size(); ++i) body_->setJointPos(static_cast<int>(i), q[i]);
+  body_->clearVelocities();
+  body_->clearForcesAndTorques();
   refresh();
 }
 
 void ServoBody::addForce(int link, const Vec3& force, const Vec3& point) {
   const Vec3 torque = (point - comState(link).pose.translation()).cross(force);
   if (link == 0) {
-    body->addBaseForce(fromVec3(force));
-    body->addBaseTorque(fromVec3(torque));
+    body_->addBaseForce(fromVec3(force));
+    body_->addBaseTorque(fromVec3(torque));
   } else {
-    body->addLinkForce(link - 1, fromVec3(force));
-    body->addLinkTorque(link - 1, fromVec3(torque));
+    body_->addLinkForce(link - 1, fromVec3(force));
+    body_->addLinkTorque(link - 1, fromVec3(torque));
   }
 }
 
 void ServoBody::begin(const Vec3& gravity, double h) {
-  rowSet.reset();
-  for (std::size_t i = 0; i < masses.size(); ++i)
-    addForce(static_cast<int>(i), masses[i] * gravity, comStates[i].pose.translation());
-  body->computeAccelerationsArticulatedBodyAlgorithmMultiDof(h, scratchR, scratchV, scratchM, false, false,
-                                                             false);
+  rowSet_.reset();
+  for (std::size_t i = 0; i < masses_.size(); ++i)
+    addForce(static_cast<int>(i), masses_[i] * gravity, comStates_[i].pose.translation());
+  body_->computeAccelerationsArticulatedBodyAlgorithmMultiDof(h, scratchR_, scratchV_, scratchM_, false,
+                                                              false, false);
 }
 
 void ServoBody::finish(const Eigen::VectorXd& impulses, double h) {
-  rowSet.apply(impulses, *body);
-  body->stepPositionsMultiDof(h);
-  body->clearForcesAndTorques();
+  rowSet_.apply(impulses, *body_);
+  body_->stepPositionsMultiDof(h);
+  body_->clearForcesAndTorques();
   refresh();
 }
 
 void ServoBody::refresh() {
-  const int links = body->getNumLinks();
-  body->forwardKinematics(scratchQ, scratchV);
-  localVelocities.resize(2 * links + 2);
-  body->compTreeLinkVelocities(&localVelocities[0], &localVelocities[links + 1]);
-  states.resize(at(links + 1));
-  comStates.resize(at(links + 1));
+  const int links = body_->getNumLinks();
+  body_->forwardKinematics(scratchQ_, scratchV_);
+  localVelocities_.resize(2 * links + 2);
+  body_->compTreeLinkVelocities(&localVelocities_[0], &localVelocities_[links + 1]);
+  states_.resize(at(links + 1));
+  comStates_.resize(at(links + 1));
   for (int i = 0; i <= links; ++i) {
-    BodyState &com = comStates[at(i)], &frame = states[at(i)];
-    com.pose = toPose3(i == 0 ? body->getBaseWorldTransform() : body->getLink(i - 1).m_cachedWorldTransform);
-    com.angularVelocity = com.pose.linear() * toVec3(localVelocities[i]);
-    com.linearVelocity = com.pose.linear() * toVec3(localVelocities[links + 1 + i]);
-    frame.pose = com.pose * T_link_com[at(i)].inverse();
+    BodyState &com = comStates_[at(i)], &frame = states_[at(i)];
+    com.pose =
+        toPose3(i == 0 ? body_->getBaseWorldTransform() : body_->getLink(i - 1).m_cachedWorldTransform);
+    com.angularVelocity = com.pose.linear() * toVec3(localVelocities_[i]);
+    com.linearVelocity = com.pose.linear() * toVec3(localVelocities_[links + 1 + i]);
+    frame.pose = com.pose * T_link_com_[at(i)].inverse();
     frame.angularVelocity = com.angularVelocity;
     frame.linearVelocity = com.linearVelocity +
                            com.angularVelocity.cross(Vec3(frame.pose.translation() - com.pose.translation()));

@@ -16,43 +16,43 @@ public:
   ServoBody(const Mechanism& mechanism, bool fixedBase);
 
   void place(const Pose3& T_world_base, const std::vector<double>& q);
-  double position(int joint) const { return body->getJointPos(joint); }
-  double velocity(int joint) const { return body->getJointVel(joint); }
+  double position(int joint) const { return body_->getJointPos(joint); }
+  double velocity(int joint) const { return body_->getJointVel(joint); }
   /// Of a link's frame; the velocity is that of the frame's origin, world axes.
-  const BodyState& link(int index) const { return states.at(static_cast<std::size_t>(index)); }
+  const BodyState& link(int index) const { return states_.at(static_cast<std::size_t>(index)); }
 
   /// A force at a point for the step to come, world.
   void addForce(int link, const Vec3& force, const Vec3& point);
   /// A torque along a joint for the step to come.
-  void addTorque(int joint, double torque) { body->addJointTorque(joint, torque); }
+  void addTorque(int joint, double torque) { body_->addJointTorque(joint, torque); }
   /// Moves on freely under gravity and forces for h [s]; then rows are gathered.
   void begin(const Vec3& gravity, double h);
-  bullet::BulletRows& rows() { return rowSet; }
+  bullet::BulletRows& rows() { return rowSet_; }
   int addPointRow(int link, const Vec3& point, const Vec3& direction) {
-    return rowSet.addPoint(link - 1, comState(link).pose.translation(), point, direction);
+    return rowSet_.addPoint(link - 1, comState(link).pose.translation(), point, direction);
   }
   /// Row along a joint, in the coordinates of rows().
-  int addJointRow(int joint) { return rowSet.addJoint(coordinate(joint), 1); }
+  int addJointRow(int joint) { return rowSet_.addJoint(coordinate(joint), 1); }
   int addDriveRow(int joint, int driver, double ratio) {
-    return rowSet.addJointPair(coordinate(joint), coordinate(driver), ratio);
+    return rowSet_.addJointPair(coordinate(joint), coordinate(driver), ratio);
   }
   /// Takes the rows' impulses and moves on by the new velocities.
   void finish(const Eigen::VectorXd& impulses, double h);
 
 private:
-  const BodyState& comState(int link) const { return comStates[static_cast<std::size_t>(link)]; }
-  int coordinate(int joint) const { return 6 + body->getLink(joint).m_dofOffset; }
+  const BodyState& comState(int link) const { return comStates_[static_cast<std::size_t>(link)]; }
+  int coordinate(int joint) const { return 6 + body_->getLink(joint).m_dofOffset; }
   void refresh();
 
-  std::vector<double> masses;
-  std::vector<Pose3> T_link_com;  ///< centre of mass and principal axes
-  std::unique_ptr<btMultiBody> body;
-  bullet::BulletRows rowSet;
-  std::vector<BodyState> states, comStates;
-  btAlignedObjectArray<btScalar> scratchR;
-  btAlignedObjectArray<btVector3> scratchV, localVelocities;
-  btAlignedObjectArray<btMatrix3x3> scratchM;
-  btAlignedObjectArray<btQuaternion> scratchQ;
+  std::vector<double> masses_;
+  std::vector<Pose3> T_link_com_;  ///< centre of mass and principal axes
+  std::unique_ptr<btMultiBody> body_;
+  bullet::BulletRows rowSet_;
+  std::vector<BodyState> states_, comStates_;
+  btAlignedObjectArray<btScalar> scratchR_;
+  btAlignedObjectArray<btVector3> scratchV_, localVelocities_;
+  btAlignedObjectArray<btMatrix3x3> scratchM_;
+  btAlignedObjectArray<btQuaternion> scratchQ_;
 };
 
 }  // namespace plumbline::simulation

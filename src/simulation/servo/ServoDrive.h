@@ -15,8 +15,8 @@ public:
 
   /// At rest there, commanded to stay.
   void start(double q);
-  void command(double target) { wanted = target; }
-  void setStiffness(double share) { stiffness = share; }
+  void command(double target) { wanted_ = target; }
+  void setStiffness(double share) { stiffness_ = share; }
 
   struct Side {
     double position = 0, speed = 0;  ///< [rad, rad/s]
@@ -28,16 +28,16 @@ public:
   /// Ends the step: what the motor's speed became, and the torque of the dry friction at it [N m].
   void end(double speedAfter, double friction = 0);
 
-  double offset() const { return law0; }
-  double slope() const { return law1; }
-  double torque(double speedAfter) const { return law0 - law1 * speedAfter; }
-  double speedAtBegin() const { return speedBefore; }  ///< of the motor
-  double rotor() const { return plant.servo.armature; }
+  double offset() const { return law0_; }
+  double slope() const { return law1_; }
+  double torque(double speedAfter) const { return law0_ - law1_ * speedAfter; }
+  double speedAtBegin() const { return speedBefore_; }  ///< of the motor
+  double rotor() const { return plant_.servo.armature; }
   /// Most that dry friction holds in this step.
   DryFriction dryLimit() const;
   /// Share of the supply that is left in the next steps (SupplyRail).
-  void setSupply(double share) { supply = share; }
-  const JointPlant& drive() const { return plant; }
+  void setSupply(double share) { supply_ = share; }
+  const JointPlant& drive() const { return plant_; }
   /// What the encoder shows of the joint.
   double measured(const Side& motor, const Side& link) const;
 
@@ -48,17 +48,17 @@ private:
   void follow(double h);
   double limit(double sign, double speed) const;
   double fullLimit() const;
-  double topSpeed() const { return plant.maxSpeed * supply; }
+  double topSpeed() const { return plant_.maxSpeed * supply_; }
 
-  JointPlant plant;
-  bool detailed;
-  double wanted = 0, stiffness = 1, supply = 1;
-  double profile = 0, profileSpeed = 0;
-  double law0 = 0, law1 = 0, error = 0, sense = 1;  ///< of the step
-  double speedBefore = 0, step = 0, heat = 0;
-  GearLoad load;
-  bool behindGear = false;  ///< the encoder and the motor are on two sides of a gear that gives way
-  Regime regime = Regime::linear;
+  JointPlant plant_;
+  bool detailed_;
+  double wanted_ = 0, stiffness_ = 1, supply_ = 1;
+  double profile_ = 0, profileSpeed_ = 0;
+  double law0_ = 0, law1_ = 0, error_ = 0, sense_ = 1;  ///< of the step
+  double speedBefore_ = 0, step_ = 0, heat_ = 0;
+  GearLoad load_;
+  bool behindGear_ = false;  ///< the encoder and the motor are on two sides of a gear that gives way
+  Regime regime_ = Regime::linear;
 };
 
 }  // namespace plumbline::simulation

@@ -29,12 +29,12 @@ public:
   void command(const std::vector<double>& targets) override;
   void setStiffness(int joint, double stiffness) override;
   void push(const Vec3& force, double seconds, int link = 0) override;
-  void load(int joint, double torque) override { loads.at(static_cast<std::size_t>(joint)) = torque; }
+  void load(int joint, double torque) override { loads_.at(static_cast<std::size_t>(joint)) = torque; }
   void step() override;
   const ServoReadings& readings() const override { return readings_; }
   double encoder(int joint) const override;
   double encoderSpeed(int joint) const override;
-  const BodyState& link(int index) const final { return body->link(index); }
+  const BodyState& link(int index) const final { return body_->link(index); }
   const Mechanism& mechanism() const override { return mechanism_; }
 
 private:
@@ -66,31 +66,31 @@ private:
   ServoDrive::Side sideOf(int coordinate) const;
   ServoDrive::Side motorSide(int joint) const;
   ServoDrive::Side linkSide(int joint) const;
-  int motor(int joint) const { return motors[static_cast<std::size_t>(joint)]; }
+  int motor(int joint) const { return motors_[static_cast<std::size_t>(joint)]; }
   void sense();
   void senseImu();
   std::vector<double> footForces(int foot) const;
 
   Mechanism mechanism_;
-  Mechanism geared;         ///< the same with a rotor more for every gear that gives way
-  std::vector<int> motors;  ///< per joint of mechanism_ the joint of `geared` that its motor turns
-  RobotSimulationOptions config;
-  int stepsPerCycle;
-  double h;  ///< of a step [s]
-  std::unique_ptr<ServoBody> body;
-  std::vector<ServoDrive> drives;
-  SupplyRail supply;
-  std::vector<double> loads, frictions;  ///< extra torques on links; of dry friction, last step [N m]
-  std::vector<Point> points;
-  std::vector<Row> rows;
-  BoundedSystem system;
-  Eigen::VectorXd impulses;
+  Mechanism geared_;         ///< the same with a rotor more for every gear that gives way
+  std::vector<int> motors_;  ///< per joint of mechanism_ the joint of `geared` that its motor turns
+  RobotSimulationOptions config_;
+  int stepsPerCycle_;
+  double h_;  ///< of a step [s]
+  std::unique_ptr<ServoBody> body_;
+  std::vector<ServoDrive> drives_;
+  SupplyRail supply_;
+  std::vector<double> loads_, frictions_;  ///< extra torques on links; of dry friction, last step [N m]
+  std::vector<Point> points_;
+  std::vector<Row> rows_;
+  BoundedSystem system_;
+  Eigen::VectorXd impulses_;
   ServoReadings readings_;
-  std::vector<double> torqueSum;
-  Vec3 imuVelocity = Vec3::Zero();
-  Vec3 pushForce = Vec3::Zero();
-  int pushLink = 0;
-  long pushSteps = 0, cycles = 0;
+  std::vector<double> torqueSum_;
+  Vec3 imuVelocity_ = Vec3::Zero();
+  Vec3 pushForce_ = Vec3::Zero();
+  int pushLink_ = 0;
+  long pushSteps_ = 0, cycles_ = 0;
 };
 
 }  // namespace plumbline::simulation

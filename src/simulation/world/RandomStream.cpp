@@ -7,18 +7,18 @@ namespace plumbline::simulation {
 RandomStream::RandomStream(std::uint64_t seed, std::uint64_t stream) {
   std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
                          static_cast<std::uint32_t>(stream), static_cast<std::uint32_t>(stream >> 32)};
-  engine.seed(sequence);
+  engine_.seed(sequence);
 }
 
 double RandomStream::uniform(double low, double high) {
-  const double unit = static_cast<double>(engine() >> 11) * 0x1.0p-53;
+  const double unit = static_cast<double>(engine_() >> 11) * 0x1.0p-53;
   return low + (high - low) * unit;
 }
 
 double RandomStream::normal() {
-  if (haveSpare) {
-    haveSpare = false;
-    return spare;
+  if (haveSpare_) {
+    haveSpare_ = false;
+    return spare_;
   }
   double x = 0, y = 0, square = 0;
   do {
@@ -27,8 +27,8 @@ double RandomStream::normal() {
     square = x * x + y * y;
   } while (square >= 1 || square == 0);
   const double factor = std::sqrt(-2 * std::log(square) / square);
-  spare = y * factor;
-  haveSpare = true;
+  spare_ = y * factor;
+  haveSpare_ = true;
   return x * factor;
 }
 

@@ -18,9 +18,9 @@ public:
   double normal();
 
 private:
-  std::mt19937_64 engine;
-  double spare = 0;
-  bool haveSpare = false;
+  std::mt19937_64 engine_;
+  double spare_ = 0;
+  bool haveSpare_ = false;
 };
 
 }  // namespace plumbline::simulation

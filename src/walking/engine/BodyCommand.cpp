@@ -39,12 +39,12 @@ void BodyCommand::update(const WalkState& state, bool stepping, const SwingTraje
     // The body has turned about its mass, and the foot with it.
     const Vec2 turned =
         tilt.angle.cwiseProduct(Vec2(p.feedback.swingMeasuredRoll, p.feedback.swingMeasuredPitch));
-    const Vec3 place(foot.ground.x(), foot.ground.y(), foot.height - posture.comHeight());
+    const Vec3 place(foot.ground.x(), foot.ground.y(), foot.height - posture_.comHeight());
     const Vec3 meant = (rotationX(-turned.x()) * rotationY(-turned.y())).linear() * place;
     foot.ground.position = meant.head<2>();
-    foot.height = meant.z() + posture.comHeight();
+    foot.height = meant.z() + posture_.comHeight();
   }
-  posture.solve(feet, carriage(state, stepping, phase, lean, tilt, p), angles_);
+  posture_.solve(feet, carriage(state, stepping, phase, lean, tilt, p), angles_);
   for (const Side side : {Side::left, Side::right}) {
     if (stepping && side != state.supportSide()) continue;
     double* leg = &angles_[static_cast<std::size_t>(firstLegJoint(side))];
@@ -69,7 +69,7 @@ TorsoPlacement BodyCommand::carriage(const WalkState& state, bool stepping, doub
     torso.roll -= side * roll;
     // Leaning to a leg lowers its hip under the middle.
     torso.hipHeight +=
-        p.posture.constantHipHeight * std::abs(posture.leg(Side::left).hip().y()) * std::sin(roll);
+        p.posture.constantHipHeight * std::abs(posture_.leg(Side::left).hip().y()) * std::sin(roll);
   }
   return torso;
 }

@@ -9,9 +9,9 @@ namespace plumbline::walking {
 /// to hips and ankles.
 class BodyCommand {
 public:
-  explicit BodyCommand(const RobotModel& robot) : posture(robot) {}
+  explicit BodyCommand(const RobotModel& robot) : posture_(robot) {}
 
-  void reset() { posture.reset(); }
+  void reset() { posture_.reset(); }
   /// lean: the torso's planned pitch [rad]; swing, phase: of the foot in the air while one is (stepping);
   /// measured: joint angles, of which the head's move the mass.
   void update(const WalkState& state, bool stepping, const SwingTrajectory& swing, double phase, double lean,
@@ -19,15 +19,15 @@ public:
 
   const JointArray& angles() const { return angles_; }
   /// The torso's ground frame in the frame of the centre of mass.
-  Pose2 torsoOnGround() const { return Pose2(Vec2(posture.torso().translation().head<2>())); }
-  const LegKinematics& leg(Side side) const { return posture.leg(side); }
+  Pose2 torsoOnGround() const { return Pose2(Vec2(posture_.torso().translation().head<2>())); }
+  const LegKinematics& leg(Side side) const { return posture_.leg(side); }
 
 private:
   void placeArms(const WalkState& state, const WalkParameters& p);
   TorsoPlacement carriage(const WalkState& state, bool stepping, double phase, double lean,
                           const TorsoTilt& tilt, const WalkParameters& p) const;
 
-  BodyPosture posture;
+  BodyPosture posture_;
   JointArray angles_{};
 };
 

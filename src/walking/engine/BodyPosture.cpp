@@ -2,10 +2,10 @@
 
 namespace plumbline::walking {
 
-BodyPosture::BodyPosture(const RobotModel& robot_)
-    : robot(robot_),
-      kinematics(robot),
-      legs{LegKinematics(robot, Side::left), LegKinematics(robot, Side::right)} {}
+BodyPosture::BodyPosture(const RobotModel& robot)
+    : robot_(robot),
+      kinematics_(robot_),
+      legs_{LegKinematics(robot_, Side::left), LegKinematics(robot_, Side::right)} {}
 
 bool BodyPosture::solve(const std::array<FootPlacement, 2>& feet, const TorsoPlacement& torso,
                         JointArray& angles) {
@@ -13,8 +13,8 @@ bool BodyPosture::solve(const std::array<FootPlacement, 2>& feet, const TorsoPla
   // shrinks to about a third each time.
   constexpr int iterations = 4;
   constexpr double closeEnough = 1e-5;  // [m]
-  T_com_torso.linear() = (rotationY(torso.pitch) * rotationX(torso.roll)).linear();
-  const Vec3 hips = T_com_torso.linear() * ((legs[0].hip() + legs[1].hip()) / 2);
+  T_com_torso_.linear() = (rotationY(torso.pitch) * rotationX(torso.roll)).linear();
+  const Vec3 hips = T_com_torso_.linear() * ((legs_[0].hip() + legs_[1].hip()) / 2);
   std::array<Pose3, 2> soles;
   for (std::size_t i = 0; i < 2; ++i) {
     const FootPlacement& foot = feet[i];
@@ -23,24 +23,24 @@ bool BodyPosture::solve(const std::array<FootPlacement, 2>& feet, const TorsoPla
   }
   bool reachable = true;
   for (int i = 0; i < iterations; ++i) {
-    T_com_torso.translation() = Vec3(offset.x(), offset.y(), torso.hipHeight - hips.z());
+    T_com_torso_.translation() = Vec3(offset_.x(), offset_.y(), torso.hipHeight - hips.z());
     reachable = true;
     std::array<LegSolution, 2> solution;
-    for (std::size_t l = 0; l < 2; ++l) solution[l] = legs[l].solve(T_com_torso.inverse() * soles[l]);
-    if (robot.sharedHipYawPitch) {
+    for (std::size_t l = 0; l < 2; ++l) solution[l] = legs_[l].solve(T_com_torso_.inverse() * soles[l]);
+    if (robot_.sharedHipYawPitch) {
       const double shared = (solution[0].angles[0] + solution[1].angles[0]) / 2;
       for (std::size_t l = 0; l < 2; ++l)
-        solution[l] = legs[l].solve(T_com_torso.inverse() * soles[l], shared);
+        solution[l] = legs_[l].solve(T_com_torso_.inverse() * soles[l], shared);
     }
     for (const Side side : {Side::left, Side::right}) {
       const LegSolution& leg = solution[index(side)];
       reachable = reachable && leg.reachable;
       std::copy(leg.angles.begin(), leg.angles.end(), angles.begin() + firstLegJoint(side));
     }
-    kinematics.update(angles);
-    const Vec2 error = (T_com_torso * kinematics.com()).head<2>();
+    kinematics_.update(angles);
+    const Vec2 error = (T_com_torso_ * kinematics_.com()).head<2>();
     if (error.norm() < closeEnough) break;
-    offset -= error;
+    offset_ -= error;
   }
   return reachable;
 }

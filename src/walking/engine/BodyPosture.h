@@ -34,19 +34,19 @@ public:
   bool solve(const std::array<FootPlacement, 2>& feet, const TorsoPlacement& torso, JointArray& angles);
 
   /// Where solve() put the torso: its frame in that of the centre of mass (z from the ground).
-  const Pose3& torso() const { return T_com_torso; }
+  const Pose3& torso() const { return T_com_torso_; }
   /// Of the centre of mass over the ground there [m].
-  double comHeight() const { return (T_com_torso * kinematics.com()).z(); }
-  const LegKinematics& leg(Side side) const { return legs[index(side)]; }
+  double comHeight() const { return (T_com_torso_ * kinematics_.com()).z(); }
+  const LegKinematics& leg(Side side) const { return legs_[index(side)]; }
   /// Forgets the last result.
-  void reset() { offset.setZero(); }
+  void reset() { offset_.setZero(); }
 
 private:
-  RobotModel robot;
-  ForwardKinematics kinematics;
-  std::array<LegKinematics, 2> legs;
-  Vec2 offset = Vec2::Zero();  ///< of the torso's origin from the centre of mass, over the ground [m]
-  Pose3 T_com_torso = Pose3::Identity();
+  RobotModel robot_;
+  ForwardKinematics kinematics_;
+  std::array<LegKinematics, 2> legs_;
+  Vec2 offset_ = Vec2::Zero();  ///< of the torso's origin from the centre of mass, over the ground [m]
+  Pose3 T_com_torso_ = Pose3::Identity();
 };
 
 }  // namespace plumbline::walking

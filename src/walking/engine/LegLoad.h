@@ -20,11 +20,11 @@ public:
                            const std::array<double, 2>& share, const Vec2& pressure);
 
 private:
-  RobotModel robot;
-  ForwardKinematics kinematics;
-  std::array<LegKinematics, 2> legs;
-  double mass;
-  JointArray torque{};
+  RobotModel robot_;
+  ForwardKinematics kinematics_;
+  std::array<LegKinematics, 2> legs_;
+  double mass_;
+  JointArray torque_{};
 };
 
 }  // namespace plumbline::walking

@@ -12,37 +12,38 @@ constexpr double leastForce = 1;              // on a foot that touches the grou
 
 }  // namespace
 
-ServoDriver::ServoDriver(const Mechanism& mechanism_)
-    : mechanism(mechanism_), robot(mechanism), filter(accelerometerShare), load(robot.model()) {
-  if (mechanism.feet.size() != 2)
-    throw std::invalid_argument("robot " + mechanism.name + " has " + std::to_string(mechanism.feet.size()) +
-                                " feet; the walk needs two");
-  const int left = mechanism.joints[static_cast<std::size_t>(robot.mechanismJoint(lAnkleRoll))].child;
-  feet = mechanism.feet[0].link == left ? std::array<std::size_t, 2>{0, 1} : std::array<std::size_t, 2>{1, 0};
+ServoDriver::ServoDriver(const Mechanism& mechanism)
+    : mechanism_(mechanism), robot_(mechanism_), filter_(accelerometerShare), load_(robot_.model()) {
+  if (mechanism_.feet.size() != 2)
+    throw std::invalid_argument("robot " + mechanism_.name + " has " +
+                                std::to_string(mechanism_.feet.size()) + " feet; the walk needs two");
+  const int left = mechanism_.joints[static_cast<std::size_t>(robot_.mechanismJoint(lAnkleRoll))].child;
+  feet_ =
+      mechanism_.feet[0].link == left ? std::array<std::size_t, 2>{0, 1} : std::array<std::size_t, 2>{1, 0};
   reset();
 }
 
 void ServoDriver::reset() {
-  filter.reset();
-  begun = false;
-  share = {0.5, 0.5};
-  command_.target.assign(mechanism.joints.size(), 0);
-  command_.stiffness.assign(mechanism.joints.size(), 1);
+  filter_.reset();
+  begun_ = false;
+  share_ = {0.5, 0.5};
+  command_.target.assign(mechanism_.joints.size(), 0);
+  command_.stiffness.assign(mechanism_.joints.size(), 1);
 }
 
 WalkSensors ServoDriver::sense(const ServoMeasurement& measured) {
   WalkSensors sensors;
   sensors.dt = cycle();
-  sensors.angles = robot.toModel(measured.position);
-  const Mat3 R_torso_sensor = rotationOfRpy(mechanism.imu.rpy);
+  sensors.angles = robot_.toModel(measured.position);
+  const Mat3 R_torso_sensor = rotationOfRpy(mechanism_.imu.rpy);
   sensors.gyro = R_torso_sensor * measured.gyro;
-  filter.update(sensors.gyro, R_torso_sensor * measured.acc, sensors.dt);
-  sensors.torsoAngles = Vec2(filter.roll(), filter.pitch());
+  filter_.update(sensors.gyro, R_torso_sensor * measured.acc, sensors.dt);
+  sensors.torsoAngles = Vec2(filter_.roll(), filter_.pitch());
   sensors.feet.emplace();
   sensors.feet->shear = false;
   for (std::size_t i = 0; i < 2; ++i) {
-    const Mechanism::Foot& foot = mechanism.feet[feet[i]];
-    const std::vector<double>& forces = measured.footForce.at(feet[i]);
+    const Mechanism::Foot& foot = mechanism_.feet[feet_[i]];
+    const std::vector<double>& forces = measured.footForce.at(feet_[i]);
     double sum = 0;
     Vec3 centre = Vec3::Zero();
     for (std::size_t k = 0; k < foot.sensors.size(); ++k) {
@@ -50,7 +51,7 @@ WalkSensors ServoDriver::sense(const ServoMeasurement& measured) {
       centre += forces[k] * foot.sensors[k].position;
     }
     if (sum < leastForce) continue;
-    const Vec3& com = mechanism.links[static_cast<std::size_t>(foot.link)].com;
+    const Vec3& com = mechanism_.links[static_cast<std::size_t>(foot.link)].com;
     sensors.feet->foot[i] = FootContact{centre / sum - com, Vec3(0, 0, sum)};
   }
   return sensors;
@@ -62,24 +63,24 @@ const ServoCommand& ServoDriver::command(const WalkOutput& output, const WalkPar
   constexpr double shiftTime = 0.03;  // [s]
   const double left = output.support == Support::both ? 0.5 : output.support == Support::left ? 1 : 0;
   const double most = sensors.dt / shiftTime;
-  share[0] += std::clamp(left - share[0], -most, most);
-  share[1] = 1 - share[0];
-  const JointArray& torque = load.update(output.angles, sensors.torsoAngles, share, p.model.pressure());
+  share_[0] += std::clamp(left - share_[0], -most, most);
+  share_[1] = 1 - share_[0];
+  const JointArray& torque = load_.update(output.angles, sensors.torsoAngles, share_, p.model.pressure());
   for (std::size_t j = 0; j < maxJoints; ++j) {
-    const int index = robot.mechanismJoint(static_cast<JointId>(j));
+    const int index = robot_.mechanismJoint(static_cast<JointId>(j));
     if (index < 0) continue;
-    const Mechanism::Joint& joint = mechanism.joints[static_cast<std::size_t>(index)];
+    const Mechanism::Joint& joint = mechanism_.joints[static_cast<std::size_t>(index)];
     const double kp = joint.servo.kp * std::max(0.1, output.stiffness[j]);
     double target = output.set[j] ? output.angles[j] : 0;
     if (output.set[j] && kp > 0) {
-      const double rate = begun ? (output.angles[j] - last[j]) / sensors.dt : 0;
+      const double rate = begun_ ? (output.angles[j] - last_[j]) / sensors.dt : 0;
       target += p.servo.loadLead * torque[j] / kp + p.servo.rateLead * joint.servo.kd / joint.servo.kp * rate;
     }
     command_.target[static_cast<std::size_t>(index)] = std::clamp(target, joint.lower, joint.upper);
     command_.stiffness[static_cast<std::size_t>(index)] = output.stiffness[j];
   }
-  last = output.angles;
-  begun = true;
+  last_ = output.angles;
+  begun_ = true;
   return command_;
 }
 

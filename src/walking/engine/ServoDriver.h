@@ -32,8 +32,8 @@ public:
   ServoDriver(const ServoDriver&) = delete;
   ServoDriver& operator=(const ServoDriver&) = delete;
 
-  const Humanoid& humanoid() const { return robot; }
-  double cycle() const { return 1 / mechanism.controlHz; }  ///< [s]
+  const Humanoid& humanoid() const { return robot_; }
+  double cycle() const { return 1 / mechanism_.controlHz; }  ///< [s]
 
   void reset();
   WalkSensors sense(const ServoMeasurement& measured);
@@ -41,15 +41,15 @@ public:
   const ServoCommand& command(const WalkOutput& output, const WalkParameters& p, const WalkSensors& sensors);
 
 private:
-  Mechanism mechanism;
-  Humanoid robot;
-  std::array<std::size_t, 2> feet{};  ///< left, right in Mechanism::feet
-  TorsoAngleFilter filter;
-  LegLoad load;
+  Mechanism mechanism_;
+  Humanoid robot_;
+  std::array<std::size_t, 2> feet_{};  ///< left, right in Mechanism::feet
+  TorsoAngleFilter filter_;
+  LegLoad load_;
   ServoCommand command_;
-  JointArray last{};
-  std::array<double, 2> share{};  ///< of the weight, as it is thought to be when the command takes effect
-  bool begun = false;
+  JointArray last_{};
+  std::array<double, 2> share_{};  ///< of the weight, as it is thought to be when the command takes effect
+  bool begun_ = false;
 };
 
 }  // namespace plumbline::walking

@@ -120,7 +120,7 @@ public:
 
 private:
   class Implementation;
-  std::unique_ptr<Implementation> implementation;
+  std::unique_ptr<Implementation> engine_;
 };
 
 }  // namespace plumbline::walking

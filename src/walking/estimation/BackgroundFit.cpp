@@ -6,108 +6,108 @@
 
 namespace plumbline::walking {
 
-BackgroundFit::BackgroundFit(const BackgroundFitOptions& options_)
-    : options(options_), thread([this] { run(); }) {}
+BackgroundFit::BackgroundFit(const BackgroundFitOptions& options)
+    : options_(options), thread_([this] { run(); }) {}
 
 BackgroundFit::~BackgroundFit() {
   {
-    const std::lock_guard lock(mutex);
-    stop = true;
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
   }
-  changed.notify_all();
-  thread.join();
+  changed_.notify_all();
+  thread_.join();
 }
 
 void BackgroundFit::add(const ObservedStep& step) {
-  steps.push_back(step);
-  if (steps.size() > options.maxSteps) steps.pop_front();
+  steps_.push_back(step);
+  if (steps_.size() > options_.maxSteps) steps_.pop_front();
 }
 
 std::optional<ModelFitResult> BackgroundFit::pass(double dt, const ModelParameters& now,
                                                   const ModelParameters& prediction) {
-  if (probation) return judge(now, prediction);
-  if (!running) {
-    if (steps.size() < options.steps) return std::nullopt;
+  if (probation_) return judge(now, prediction);
+  if (!running_) {
+    if (steps_.size() < options_.steps) return std::nullopt;
     {
-      const std::lock_guard lock(mutex);
-      work.assign(steps.begin(), steps.end());
-      start = now;
-      startPrediction = prediction;
-      seed = options.fit.seed + fits++;
-      result.reset();
+      const std::lock_guard lock(mutex_);
+      work_.assign(steps_.begin(), steps_.end());
+      start_ = now;
+      startPrediction_ = prediction;
+      seed_ = options_.fit.seed + fits_++;
+      result_.reset();
     }
-    changed.notify_all();
-    running = true;
-    elapsed = 0;
+    changed_.notify_all();
+    running_ = true;
+    elapsed_ = 0;
   }
-  elapsed += dt;
-  if (elapsed < options.duration) return std::nullopt;
-  std::unique_lock lock(mutex);
-  if (options.wait) changed.wait(lock, [&] { return result.has_value(); });
-  if (!result) return std::nullopt;
-  running = false;
+  elapsed_ += dt;
+  if (elapsed_ < options_.duration) return std::nullopt;
+  std::unique_lock lock(mutex_);
+  if (options_.wait) changed_.wait(lock, [&] { return result_.has_value(); });
+  if (!result_) return std::nullopt;
+  running_ = false;
   // Steps walked with the old parameters tell less of the new ones.
-  steps.clear();
-  if (result->anyNew()) {
-    probation = true;
-    fallen = false;
-    errorBefore = result->heldBefore;
-    predictionErrorBefore = result->predictionHeldBefore;
-    previous = now;
-    previousPrediction = prediction;
+  steps_.clear();
+  if (result_->anyNew()) {
+    probation_ = true;
+    fallen_ = false;
+    errorBefore_ = result_->heldBefore;
+    predictionErrorBefore_ = result_->predictionHeldBefore;
+    previous_ = now;
+    previousPrediction_ = prediction;
   }
-  return std::exchange(result, std::nullopt);
+  return std::exchange(result_, std::nullopt);
 }
 
 std::optional<ModelFitResult> BackgroundFit::judge(const ModelParameters& now,
                                                    const ModelParameters& prediction) {
-  if (!fallen && steps.size() < options.probation) return std::nullopt;
-  probation = false;
-  const std::vector<ObservedStep> walked(steps.begin(), steps.end());
+  if (!fallen_ && steps_.size() < options_.probation) return std::nullopt;
+  probation_ = false;
+  const std::vector<ObservedStep> walked(steps_.begin(), steps_.end());
   const double error = predictionError(walked, now), errorPredicting = predictionError(walked, prediction);
-  const bool worse = now.values() != previous.values() && error > errorBefore,
-             predictsWorse = prediction.values() != previousPrediction.values() &&
-                             errorPredicting > predictionErrorBefore;
-  if (!fallen && !worse && !predictsWorse) return std::nullopt;
+  const bool worse = now.values() != previous_.values() && error > errorBefore_,
+             predictsWorse = prediction.values() != previousPrediction_.values() &&
+                             errorPredicting > predictionErrorBefore_;
+  if (!fallen_ && !worse && !predictsWorse) return std::nullopt;
   ModelFitResult back;
-  back.parameters = fallen || worse ? previous : now;
-  back.prediction = fallen || predictsWorse ? previousPrediction : prediction;
+  back.parameters = fallen_ || worse ? previous_ : now;
+  back.prediction = fallen_ || predictsWorse ? previousPrediction_ : prediction;
   back.accepted = back.predicts = back.rolledBack = true;
   back.heldBefore = error;
-  back.heldAfter = errorBefore;
+  back.heldAfter = errorBefore_;
   back.predictionHeldBefore = errorPredicting;
-  back.predictionHeldAfter = predictionErrorBefore;
-  steps.clear();
+  back.predictionHeldAfter = predictionErrorBefore_;
+  steps_.clear();
   return back;
 }
 
 void BackgroundFit::run() {
-  if (options.onThreadStart) options.onThreadStart();
-  std::unique_lock lock(mutex);
+  if (options_.onThreadStart) options_.onThreadStart();
+  std::unique_lock lock(mutex_);
   for (;;) {
-    changed.wait(lock, [&] { return stop || !work.empty(); });
-    if (stop) return;
-    const std::vector<ObservedStep> mine = std::exchange(work, {});
-    const ModelParameters from = start;
-    ModelFitOptions fit = options.fit;
-    fit.seed = seed;
-    fit.prediction = startPrediction;
+    changed_.wait(lock, [&] { return stop_ || !work_.empty(); });
+    if (stop_) return;
+    const std::vector<ObservedStep> mine = std::exchange(work_, {});
+    const ModelParameters from = start_;
+    ModelFitOptions fit = options_.fit;
+    fit.seed = seed_;
+    fit.prediction = startPrediction_;
     lock.unlock();
     // Pauses keep it within its share; they change when it is done, not what it finds.
     using Clock = std::chrono::steady_clock;
     auto begin = Clock::now();
     fit.goOn = [&] {
       const auto used = Clock::now() - begin;
-      std::unique_lock pause(mutex);
-      if (!options.wait && options.cpuShare < 1)
-        changed.wait_for(pause, used * (1 / std::max(0.01, options.cpuShare) - 1), [&] { return stop; });
+      std::unique_lock pause(mutex_);
+      if (!options_.wait && options_.cpuShare < 1)
+        changed_.wait_for(pause, used * (1 / std::max(0.01, options_.cpuShare) - 1), [&] { return stop_; });
       begin = Clock::now();
-      return !stop;
+      return !stop_;
     };
     ModelFitResult found = fitModel(mine, from, fit);
     lock.lock();
-    result = std::move(found);
-    changed.notify_all();
+    result_ = std::move(found);
+    changed_.notify_all();
   }
 }
 

@@ -39,33 +39,33 @@ public:
   /// any; use its two sets from now on (they are those in use where nothing better was found).
   std::optional<ModelFitResult> pass(double dt, const ModelParameters& now,
                                      const ModelParameters& prediction = {});
-  bool busy() const { return running; }
+  bool busy() const { return running_; }
   /// The robot fell while walking: a set on probation has failed.
-  void fell() { fallen = true; }
-  bool onProbation() const { return probation; }
+  void fell() { fallen_ = true; }
+  bool onProbation() const { return probation_; }
 
 private:
   std::optional<ModelFitResult> judge(const ModelParameters& now, const ModelParameters& prediction);
   void run();
 
-  const BackgroundFitOptions options;
-  std::deque<ObservedStep> steps;
-  double elapsed = 0;    ///< since the fit began [s]
-  bool running = false;  ///< of the walking thread: a fit has begun and its result was not yet handed over
-  std::uint64_t fits = 0;
-  bool probation = false, fallen = false;
+  const BackgroundFitOptions options_;
+  std::deque<ObservedStep> steps_;
+  double elapsed_ = 0;    ///< since the fit began [s]
+  bool running_ = false;  ///< of the walking thread: a fit has begun and its result was not yet handed over
+  std::uint64_t fits_ = 0;
+  bool probation_ = false, fallen_ = false;
   /// Of the set before on steps walked with it; of the prediction before.
-  double errorBefore = 0, predictionErrorBefore = 0;
-  ModelParameters previous, previousPrediction;  ///< the sets before
+  double errorBefore_ = 0, predictionErrorBefore_ = 0;
+  ModelParameters previous_, previousPrediction_;  ///< the sets before
 
-  std::mutex mutex;
-  std::condition_variable changed;
-  bool stop = false;
-  std::vector<ObservedStep> work;  ///< what the thread is to fit
-  ModelParameters start, startPrediction;
-  std::uint64_t seed = 1;
-  std::optional<ModelFitResult> result;
-  std::thread thread;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool stop_ = false;
+  std::vector<ObservedStep> work_;  ///< what the thread is to fit
+  ModelParameters start_, startPrediction_;
+  std::uint64_t seed_ = 1;
+  std::optional<ModelFitResult> result_;
+  std::thread thread_;
 };
 
 }  // namespace plumbline::walking

@@ -3,47 +3,47 @@
 namespace plumbline::walking {
 
 void ClosedLoop::reset() {
-  observer.reset();
-  underway.clear();
-  present = {};
-  support = Support::both;
+  observer_.reset();
+  underway_.clear();
+  present_ = {};
+  support_ = Support::both;
 }
 
 void ClosedLoop::pass(const WalkAction& action, double time) {
-  if (present.count == present.segment.size()) return;
-  Segment& segment = present.segment[present.count++];
+  if (present_.count == present_.segment.size()) return;
+  Segment& segment = present_.segment[present_.count++];
   segment = {};
-  segment.support = support;
+  segment.support = support_;
   segment.action = action;
   segment.time = time;
 }
 
 void ClosedLoop::land(const Pose2& T_support_swing, Support next) {
-  support = next;
-  if (present.count == 0) return;
-  Segment& segment = present.segment[present.count - 1];
+  support_ = next;
+  if (present_.count == 0) return;
+  Segment& segment = present_.segment[present_.count - 1];
   segment.lands = true;
   segment.landing = T_support_swing;
   segment.next = next;
 }
 
 void ClosedLoop::endCycle() {
-  underway.push_back(present);
-  present = {};
+  underway_.push_back(present_);
+  present_ = {};
 }
 
 std::optional<WalkState> ClosedLoop::update(const WalkSensors& sensors, const WalkModel& model,
                                             std::size_t delay, double imuAverage) {
-  while (underway.size() > std::max<std::size_t>(1, delay)) underway.pop_front();
-  if (underway.size() < std::max<std::size_t>(1, delay)) return std::nullopt;
-  const Cycle& shown = underway.front();
+  while (underway_.size() > std::max<std::size_t>(1, delay)) underway_.pop_front();
+  if (underway_.size() < std::max<std::size_t>(1, delay)) return std::nullopt;
+  const Cycle& shown = underway_.front();
   const Segment last = shown.count > 0 ? shown.segment[shown.count - 1] : Segment{};
   const Support now = last.lands ? last.next : last.support;
-  observer.update(sensors, now, last.action, model, imuAverage);
+  observer_.update(sensors, now, last.action, model, imuAverage);
 
-  WalkState state = observer.state();
-  for (std::size_t i = 1; i < underway.size(); ++i) {
-    const Cycle& cycle = underway[i];
+  WalkState state = observer_.state();
+  for (std::size_t i = 1; i < underway_.size(); ++i) {
+    const Cycle& cycle = underway_[i];
     for (std::size_t j = 0; j < cycle.count; ++j) {
       const Segment& segment = cycle.segment[j];
       state.support = segment.support;

@@ -11,7 +11,7 @@ namespace plumbline::walking {
 /// commanded since.
 class ClosedLoop {
 public:
-  explicit ClosedLoop(const RobotModel& robot) : observer(robot) {}
+  explicit ClosedLoop(const RobotModel& robot) : observer_(robot) {}
 
   void reset();
   /// The engine lets `time` of an action pass in this cycle.
@@ -28,7 +28,7 @@ public:
                                   double imuAverage);
 
   /// What the last measurement shows, as old as the delay.
-  const WalkObserver& observed() const { return observer; }
+  const WalkObserver& observed() const { return observer_; }
 
 private:
   struct Segment {
@@ -45,10 +45,10 @@ private:
     std::size_t count = 0;
   };
 
-  WalkObserver observer;
-  std::deque<Cycle> underway;
-  Cycle present;
-  Support support = Support::both;  ///< commanded now
+  WalkObserver observer_;
+  std::deque<Cycle> underway_;
+  Cycle present_;
+  Support support_ = Support::both;  ///< commanded now
 };
 
 }  // namespace plumbline::walking

@@ -6,13 +6,13 @@
 
 namespace plumbline::walking {
 
-ContactVelocity::ContactVelocity(const RobotModel& robot) : mass(robot.totalMass()) {
+ContactVelocity::ContactVelocity(const RobotModel& robot) : mass_(robot.totalMass()) {
   for (const Side side : {Side::left, Side::right}) {
     const int ankle = firstLegJoint(side) + 5;
-    parts[index(side)].link = robot.linkOfJoint[static_cast<std::size_t>(ankle)];
-    parts[2 + index(side)].link = robot.linkOfJoint[static_cast<std::size_t>(ankle + 1)];
+    parts_[index(side)].link = robot.linkOfJoint[static_cast<std::size_t>(ankle)];
+    parts_[2 + index(side)].link = robot.linkOfJoint[static_cast<std::size_t>(ankle + 1)];
   }
-  for (Part& part : parts)
+  for (Part& part : parts_)
     if (part.link >= 0) part.center = robot.links[static_cast<std::size_t>(part.link)].com;
 }
 
@@ -22,8 +22,8 @@ VelocityEvidence ContactVelocity::update(const ForwardKinematics& kinematics, co
   Vec3 force = Vec3::Zero();
   Vec2 moved = Vec2::Zero();
   double load = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    Part& part = parts[i];
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    Part& part = parts_[i];
     if (part.link < 0) continue;
     const Pose3 before = part.pose;
     const Pose3& link = kinematics.link(part.link);
@@ -39,9 +39,9 @@ VelocityEvidence ContactVelocity::update(const ForwardKinematics& kinematics, co
     load += weight;
   }
   VelocityEvidence evidence;
-  if (feet.shear) evidence.change = force.head<2>() * (dt / mass);
-  if (begun && load > 0) evidence.seen = moved / (load * dt);
-  begun = true;
+  if (feet.shear) evidence.change = force.head<2>() * (dt / mass_);
+  if (begun_ && load > 0) evidence.seen = moved / (load * dt);
+  begun_ = true;
   return evidence;
 }
 

@@ -12,7 +12,7 @@ class ContactVelocity {
 public:
   explicit ContactVelocity(const RobotModel& robot);
 
-  void reset() { begun = false; }
+  void reset() { begun_ = false; }
   /// A cycle of dt [s]: where the links are at its end, the torso's attitude without its heading, how far the
   /// heading turned in the cycle [rad].
   VelocityEvidence update(const ForwardKinematics& kinematics, const Mat3& upright, double turn,
@@ -24,9 +24,9 @@ private:
     Vec3 center;    ///< of its mass in the link's frame [m]
     Pose3 pose;     ///< about the centre of mass of the robot, upright
   };
-  std::array<Part, 4> parts;  ///< left and right foot, left and right toe
-  double mass;
-  bool begun = false;
+  std::array<Part, 4> parts_;  ///< left and right foot, left and right toe
+  double mass_;
+  bool begun_ = false;
 };
 
 }  // namespace plumbline::walking

@@ -16,24 +16,24 @@ Vec2 carrying(const WalkState& s) {
 void Disturbance::update(const WalkState& planned, const WalkState& observed, double phase, double height,
                          const WalkParameters& p, double dt) {
   const double rate = std::sqrt(9.81 / height);
-  now = {carrying(observed) - carrying(planned), observed.velocity - planned.velocity};
+  now_ = {carrying(observed) - carrying(planned), observed.velocity - planned.velocity};
   if (p.observation.biasWindow > 0) {
     const auto part = static_cast<std::size_t>(std::clamp(phase, 0.0, 0.999) * parts);
-    Difference& before = usual[static_cast<std::size_t>(planned.support)][part];
-    now.foot -= before.foot;
-    now.velocity -= before.velocity;
+    Difference& before = usual_[static_cast<std::size_t>(planned.support)][part];
+    now_.foot -= before.foot;
+    now_.velocity -= before.velocity;
     // Each part of a step comes once in two steps. A push is not to be learnt as usual.
     const bool standing = planned.support == Support::both;
     const double passed = standing ? dt : 2 * p.step.duration;
     const double learnt = std::min(1.0, passed / p.observation.biasWindow) * (1 - share_);
     constexpr double most = 0.02;  // [m]
-    before.foot += learnt * shortened(now.foot, most);
-    before.velocity += learnt * shortened(now.velocity, most * rate);
+    before.foot += learnt * shortened(now_.foot, most);
+    before.velocity += learnt * shortened(now_.velocity, most * rate);
   }
-  capture = now.velocity / rate - now.foot;
+  capture_ = now_.velocity / rate - now_.foot;
   double share = 0;
   if (p.recovery.full > p.recovery.from)
-    share = std::clamp((capture.norm() - p.recovery.from) / (p.recovery.full - p.recovery.from), 0.0, 1.0);
+    share = std::clamp((capture_.norm() - p.recovery.from) / (p.recovery.full - p.recovery.from), 0.0, 1.0);
   share_ = std::max(share, share_ - (p.recovery.fadeTime > 0 ? dt / p.recovery.fadeTime : 1));
 }
 

@@ -22,11 +22,11 @@ public:
   void begin() { share_ = 1; }
 
   /// The carrying feet are so far from where they should be, in the frame of the centre of mass [m].
-  const Vec2& foot() const { return now.foot; }
+  const Vec2& foot() const { return now_.foot; }
   /// The centre of mass is so much faster [m/s].
-  const Vec2& velocity() const { return now.velocity; }
+  const Vec2& velocity() const { return now_.velocity; }
   /// The capture point (Pratt et al. 2006) is so far from where it should be over the ground [m].
-  const Vec2& capturePoint() const { return capture; }
+  const Vec2& capturePoint() const { return capture_; }
   /// How much of the walk is recovery from a push, 0 .. 1.
   double share() const { return share_; }
 
@@ -34,10 +34,10 @@ private:
   struct Difference {
     Vec2 foot = Vec2::Zero(), velocity = Vec2::Zero();
   };
-  static constexpr std::size_t parts = 8;                ///< of a step
-  std::array<std::array<Difference, parts>, 3> usual{};  ///< of left, right and double support
-  Difference now;
-  Vec2 capture = Vec2::Zero();
+  static constexpr std::size_t parts = 8;                 ///< of a step
+  std::array<std::array<Difference, parts>, 3> usual_{};  ///< of left, right and double support
+  Difference now_;
+  Vec2 capture_ = Vec2::Zero();
   double share_ = 0;
 };
 

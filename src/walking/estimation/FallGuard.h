@@ -22,16 +22,16 @@ public:
   bool update(const Vec2& torsoAngles, const Vec2& rates, double dt, const FallGuardParameters& p) {
     const Vec2 sum = torsoAngles + p.lead * rates;
     const bool beyond = over(sum.x(), torsoAngles.x(), p.roll) || over(sum.y(), torsoAngles.y(), p.pitch);
-    lasting = beyond ? lasting + dt : 0;
-    if (beyond && lasting >= p.patience - 1e-9) falling_ = true;
-    calm = torsoAngles.norm() < 0.2 && rates.norm() < 0.3 ? calm + dt : 0;
-    if (falling_ && calm > 0.5) reset();
+    lasting_ = beyond ? lasting_ + dt : 0;
+    if (beyond && lasting_ >= p.patience - 1e-9) falling_ = true;
+    calm_ = torsoAngles.norm() < 0.2 && rates.norm() < 0.3 ? calm_ + dt : 0;
+    if (falling_ && calm_ > 0.5) reset();
     return falling_;
   }
   bool falling() const { return falling_; }
   void reset() {
     falling_ = false;
-    lasting = calm = 0;
+    lasting_ = calm_ = 0;
   }
 
 private:
@@ -40,7 +40,7 @@ private:
     return limit > 0 && std::abs(sum) > limit && sum * angle > 0;
   }
   bool falling_ = false;
-  double lasting = 0, calm = 0;
+  double lasting_ = 0, calm_ = 0;
 };
 
 }  // namespace plumbline::walking

@@ -21,8 +21,8 @@ public:
 private:
   ReferenceTrajectory walk(double speed, const ModelParameters& parameters) const;
 
-  PlainPendulum pendulum;
-  double duration = 0.2, feetDistance = 0.11, speed = 0;
+  PlainPendulum pendulum_;
+  double duration_ = 0.2, feetDistance_ = 0.11, speed_ = 0;
 };
 
 }  // namespace plumbline::walking

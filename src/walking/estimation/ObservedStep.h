@@ -39,38 +39,38 @@ class StepRecorder {
 public:
   /// The state observed in a cycle of dt [s] and the pendulum walked with.
   void add(const WalkState& observed, const PlainPendulum& pendulum, double dt) {
-    if (observed.support != current.begin.support || observed.support == Support::both) {
-      if (current.begin.support != Support::both && current.samples.size() >= minSamples) {
-        const ObservedStep::Sample& last = current.samples.back();
-        current.turnRate = normalizeAngle(current.begin.supportFoot().heading - heading) / last.time;
-        finished = current;
-        ready = true;
+    if (observed.support != current_.begin.support || observed.support == Support::both) {
+      if (current_.begin.support != Support::both && current_.samples.size() >= minSamples) {
+        const ObservedStep::Sample& last = current_.samples.back();
+        current_.turnRate = normalizeAngle(current_.begin.supportFoot().heading - heading_) / last.time;
+        finished_ = current_;
+        ready_ = true;
       }
-      current = {};
-      current.begin = observed;
-      current.pendulum = pendulum;
+      current_ = {};
+      current_.begin = observed;
+      current_.pendulum = pendulum;
       return;
     }
-    const double time = dt * static_cast<double>(current.samples.size() + 1);
-    current.samples.push_back({time, observed.supportFoot().position, observed.velocity});
-    heading = observed.supportFoot().heading;
+    const double time = dt * static_cast<double>(current_.samples.size() + 1);
+    current_.samples.push_back({time, observed.supportFoot().position, observed.velocity});
+    heading_ = observed.supportFoot().heading;
   }
   /// The step that has just ended; nullptr if none has since the last call.
   const ObservedStep* take() {
-    if (!ready) return nullptr;
-    ready = false;
-    return &finished;
+    if (!ready_) return nullptr;
+    ready_ = false;
+    return &finished_;
   }
   void reset() {
-    current = {};
-    ready = false;
+    current_ = {};
+    ready_ = false;
   }
 
 private:
   static constexpr std::size_t minSamples = 2;
-  ObservedStep current, finished;
-  double heading = 0;
-  bool ready = false;
+  ObservedStep current_, finished_;
+  double heading_ = 0;
+  bool ready_ = false;
 };
 
 }  // namespace plumbline::walking

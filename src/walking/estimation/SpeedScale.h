@@ -12,22 +12,22 @@ public:
   /// A cycle of dt [s] of a walk at a speed that is to be `aimed`, with what was observed [m/s, m/s, rad/s];
   /// average: walking time after which what was seen counts for a third [s], 0: nothing is learnt.
   void update(const Vec3& aimed, const Vec3& observed, double average, double dt) {
-    steady = (aimed - before).norm() < 1e-6 ? steady + dt : 0;
-    before = aimed;
-    if (average <= 0 || steady < settling || aimed.isZero()) return;
+    steady_ = (aimed - before_).norm() < 1e-6 ? steady_ + dt : 0;
+    before_ = aimed;
+    if (average <= 0 || steady_ < settling || aimed.isZero()) return;
     const Vec3 at = planned(aimed);
     const double kept = std::max(0.0, 1 - dt / average);
     for (int i = 0; i < 3; ++i) {
       if (at[i] == 0) continue;
-      products[i] = kept * products[i] + dt * at[i] * observed[i];
-      squares[i] = kept * squares[i] + dt * at[i] * at[i];
+      products_[i] = kept * products_[i] + dt * at[i] * observed[i];
+      squares_[i] = kept * squares_[i] + dt * at[i] * at[i];
       const double prior = knownSpeed[i] * knownSpeed[i];
-      scale[i] = std::clamp((products[i] + prior) / (squares[i] + prior), 1 / most, most);
+      scale_[i] = std::clamp((products_[i] + prior) / (squares_[i] + prior), 1 / most, most);
     }
   }
 
   /// What has to be planned for this speed.
-  Vec3 planned(const Vec3& aimed) const { return aimed.cwiseQuotient(scale); }
+  Vec3 planned(const Vec3& aimed) const { return aimed.cwiseQuotient(scale_); }
 
 private:
   static constexpr double settling = 0.6;  ///< after a change of speed: a step or two, and the delays [s]
@@ -35,8 +35,8 @@ private:
   /// As if a second had been walked at these speeds with a scale of 1 [m/s, m/s, rad/s].
   static constexpr double knownSpeed[] = {0.1, 0.1, 0.4};
 
-  Vec3 before = Vec3::Zero(), scale = Vec3::Ones(), products = Vec3::Zero(), squares = Vec3::Zero();
-  double steady = 0;  ///< for how long the speed has been the same [s]
+  Vec3 before_ = Vec3::Zero(), scale_ = Vec3::Ones(), products_ = Vec3::Zero(), squares_ = Vec3::Zero();
+  double steady_ = 0;  ///< for how long the speed has been the same [s]
 };
 
 }  // namespace plumbline::walking

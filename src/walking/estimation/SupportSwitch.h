@@ -10,18 +10,18 @@ namespace plumbline::walking {
 /// planned.
 class SupportSwitch {
 public:
-  void reset() { share = {}; }
+  void reset() { share_ = {}; }
   /// The forces measured in this cycle.
   void update(const WalkSensors& sensors) {
-    share = {};
+    share_ = {};
     if (!sensors.feet) return;
     double sum = 0;
     for (std::size_t i = 0; i < 2; ++i) {
       for (const auto& part : {sensors.feet->foot[i], sensors.feet->toe[i]})
-        if (part) share[i] += part->force.z();
-      sum += share[i];
+        if (part) share_[i] += part->force.z();
+      sum += share_[i];
     }
-    for (double& one : share) one = sum > 0 ? one / sum : 0;
+    for (double& one : share_) one = sum > 0 ? one / sum : 0;
   }
   /// The rest of a step as the contact has it: over at once with the foot where it is, not before the time
   /// `left` of this cycle is over, or as it was planned.
@@ -29,7 +29,7 @@ public:
                      const WalkParameters& p) const {
     if (!(p.contact.share > 0)) return action;
     const std::size_t swing = index(other(state.supportSide()));
-    const bool pressed = share[swing] > p.contact.share;
+    const bool pressed = share_[swing] > p.contact.share;
     if (pressed && phase >= p.contact.minPhase && phase < 1) {
       action.duration = action.turn = 0;
       action.stepTarget = state.foot[swing];
@@ -41,10 +41,10 @@ public:
     return action;
   }
   /// Share of the weight on the left and right sole; both 0 in the air.
-  const std::array<double, 2>& shares() const { return share; }
+  const std::array<double, 2>& shares() const { return share_; }
 
 private:
-  std::array<double, 2> share{};
+  std::array<double, 2> share_{};
 };
 
 }  // namespace plumbline::walking

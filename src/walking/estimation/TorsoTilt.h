@@ -18,14 +18,14 @@ struct TorsoTilt {
     const Vec2 deviation = sensors.torsoAngles - Vec2(0, lean);
     // Every walk has its own mean lean, which is no error to correct (compare section 4.2.8).
     if (p.feedback.tiltWindow > 0)
-      usual += (deviation - usual) * std::min(1.0, sensors.dt / p.feedback.tiltWindow);
+      usual_ += (deviation - usual_) * std::min(1.0, sensors.dt / p.feedback.tiltWindow);
     const Vec2 tolerance = Vec2::Constant(p.feedback.tiltTolerance);
     excess = deviation - deviation.cwiseMax(-tolerance).cwiseMin(tolerance);
-    angle = deviation - usual + p.feedback.delay * rate;
+    angle = deviation - usual_ + p.feedback.delay * rate;
   }
 
 private:
-  Vec2 usual = Vec2::Zero();  ///< running mean of the deviation [rad]
+  Vec2 usual_ = Vec2::Zero();  ///< running mean of the deviation [rad]
 };
 
 }  // namespace plumbline::walking

@@ -42,7 +42,7 @@ public:
   /// physics, which takes a cycle in one step, and it may be wrong at times (a foot that slides).
   const Vec2& update(const WalkModel& model, const WalkState& before, const WalkAction& action, double dt,
                      const VelocityEvidence& evidence);
-  const Vec2& velocity() const { return mean; }
+  const Vec2& velocity() const { return mean_; }
 
 private:
   void predict(const WalkModel& model, const WalkState& before, const WalkAction& action, double dt,
@@ -50,12 +50,12 @@ private:
   std::size_t numStrays(const VelocityEvidence& evidence) const;
   void resample(double total);
 
-  VelocityFilterParameters parameters;
-  Random random;
-  std::vector<Vec2> particles, drawn;
+  VelocityFilterParameters parameters_;
+  Random random_;
+  std::vector<Vec2> particles_, drawn_;
   std::vector<Vec2> before_;  ///< the particles at the cycle's beginning, in the frame at its end
-  std::vector<double> weights;
-  Vec2 mean = Vec2::Zero();
+  std::vector<double> weights_;
+  Vec2 mean_ = Vec2::Zero();
 };
 
 }  // namespace plumbline::walking

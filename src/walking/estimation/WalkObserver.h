@@ -21,35 +21,35 @@ public:
   void update(const WalkSensors& sensors, Support support, const WalkAction& action, const WalkModel& model,
               double average);
 
-  const WalkState& state() const { return observed; }
+  const WalkState& state() const { return observed_; }
   /// Torso against gravity, roll and pitch, without the mean difference of IMU and legs [rad].
-  const Vec2& torsoAngles() const { return angles; }
+  const Vec2& torsoAngles() const { return angles_; }
   /// Mean difference of the torso's roll and pitch by the IMU and by the supporting legs (section 4.2.8,
   /// table 4.1) [rad].
-  const Vec2& imuDifference() const { return difference; }
+  const Vec2& imuDifference() const { return difference_; }
   /// Velocity of the centre of mass by the movement of what touches the ground, or of the commanded foot,
   /// alone, last cycle [m/s].
-  const Vec2& seenVelocity() const { return seen; }
+  const Vec2& seenVelocity() const { return seen_; }
 
   /// Motion of the torso's ground frame in the last cycle: of the centre of mass by the velocity told, of the
   /// torso over it by the joints, of the heading by the gyrometer, in that frame.
-  const Pose2& torsoMotion() const { return torsoMoved; }
+  const Pose2& torsoMotion() const { return torsoMoved_; }
 
 private:
   Vec2 legAngles(Support support) const;
   double watchFeet(const WalkState& before, Support support, double dt);
 
-  RobotModel robot;
-  ForwardKinematics kinematics;
-  std::array<LegKinematics, 2> legs;
-  std::array<Pose3, 2> soles;  ///< in the torso frame
-  ContactVelocity contacts;
-  VelocityFilter filter;
-  WalkState observed;
-  Vec2 angles = Vec2::Zero(), difference = Vec2::Zero(), seen = Vec2::Zero();
-  Vec2 torsoPlace = Vec2::Zero();  ///< over the ground in the frame of the centre of mass [m]
-  Pose2 torsoMoved;
-  bool begun = false;
+  RobotModel robot_;
+  ForwardKinematics kinematics_;
+  std::array<LegKinematics, 2> legs_;
+  std::array<Pose3, 2> soles_;  ///< in the torso frame
+  ContactVelocity contacts_;
+  VelocityFilter filter_;
+  WalkState observed_;
+  Vec2 angles_ = Vec2::Zero(), difference_ = Vec2::Zero(), seen_ = Vec2::Zero();
+  Vec2 torsoPlace_ = Vec2::Zero();  ///< over the ground in the frame of the centre of mass [m]
+  Pose2 torsoMoved_;
+  bool begun_ = false;
 };
 
 }  // namespace plumbline::walking

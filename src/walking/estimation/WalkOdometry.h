@@ -13,8 +13,8 @@ namespace plumbline::walking {
 class WalkOdometry {
 public:
   void reset(const Pose2& T_com_torso) {
-    torso = T_com_torso;
-    underway.clear();
+    torso_ = T_com_torso;
+    underway_.clear();
   }
   /// A cycle of dt [s] in which the frame of the centre of mass moved by `motion`, with the torso's ground
   /// frame in it at the end; observed: the motion of the torso's ground frame in the last cycle, where it is
@@ -22,24 +22,24 @@ public:
   /// in that frame.
   Pose2 update(const Pose2& motion, const Pose2& T_com_torso, bool walking, const WalkParameters& p,
                double dt, const std::optional<Pose2>& observed = std::nullopt) {
-    Pose2 moved = torso.inverse() * motion * T_com_torso;
-    torso = T_com_torso;
+    Pose2 moved = torso_.inverse() * motion * T_com_torso;
+    torso_ = T_com_torso;
     if (walking) moved.position.x() -= p.speed.trimForward * dt;
     moved.position = moved.position.cwiseProduct(Vec2(p.odometry.scaleForward, p.odometry.scaleSideways));
     moved.heading *= p.odometry.scaleTurn;
-    underway.push_back(moved);
+    underway_.push_back(moved);
     const auto delay = static_cast<std::size_t>(std::lround(p.odometry.delay / dt));
-    Pose2 told;
-    for (; underway.size() > delay; underway.pop_front()) told = told * underway.front();
-    if (!observed) return told;
+    Pose2 planned;
+    for (; underway_.size() > delay; underway_.pop_front()) planned = planned * underway_.front();
+    if (!observed) return planned;
     const double share = p.odometry.observedShare;
-    return Pose2(Vec2(told.position + share * (observed->position - told.position)),
-                 told.heading + share * (observed->heading - told.heading));
+    return Pose2(Vec2(planned.position + share * (observed->position - planned.position)),
+                 planned.heading + share * (observed->heading - planned.heading));
   }
 
 private:
-  Pose2 torso;  ///< in the centre of mass frame, last cycle
-  std::deque<Pose2> underway;
+  Pose2 torso_;  ///< in the centre of mass frame, last cycle
+  std::deque<Pose2> underway_;
 };
 
 }  // namespace plumbline::walking

@@ -13,26 +13,26 @@ double rate(double height) {
 
 }  // namespace
 
-LinearInvertedPendulum::LinearInvertedPendulum(const Vec2& heights, const Vec2& copOffset_,
+LinearInvertedPendulum::LinearInvertedPendulum(const Vec2& heights, const Vec2& copOffset,
                                                const ModelParameters& fit)
-    : plainRate(rate(heights.x()), rate(heights.y())),
-      copOffset(copOffset_),
-      fitted{{rate(heights.x() + fit.massOffsetZx), rate(heights.y() + fit.massOffsetZy)},
-             fit.timeFactor,
-             {fit.massOffsetX, fit.massOffsetY},
-             {fit.velocityOffsetX, fit.velocityOffsetY},
-             fit.footFactor * Vec2(fit.footFactorX, fit.footFactorY)} {}
+    : plainRate_(rate(heights.x()), rate(heights.y())),
+      copOffset_(copOffset),
+      fitted_{{rate(heights.x() + fit.massOffsetZx), rate(heights.y() + fit.massOffsetZy)},
+              fit.timeFactor,
+              {fit.massOffsetX, fit.massOffsetY},
+              {fit.velocityOffsetX, fit.velocityOffsetY},
+              fit.footFactor * Vec2(fit.footFactorX, fit.footFactorY)} {}
 
 Vec2 LinearInvertedPendulum::pivot(const WalkState& state) const {
-  return state.supportFoot() * Vec2(copOffset.x(), outward(state.supportSide()) * copOffset.y());
+  return state.supportFoot() * Vec2(copOffset_.x(), outward(state.supportSide()) * copOffset_.y());
 }
 
 WalkState LinearInvertedPendulum::move(const WalkState& state, const WalkAction& action, double time) const {
   // The parameters are those of steps on one foot; what they would do to a robot that stands nobody has seen.
   if (state.support == Support::both)
     return move(state, action.centerOfPressure, action, time,
-                {plainRate, 1, Vec2::Zero(), Vec2::Zero(), Vec2::Ones()});
-  return move(state, pivot(state), action, time, fitted);
+                {plainRate_, 1, Vec2::Zero(), Vec2::Zero(), Vec2::Ones()});
+  return move(state, pivot(state), action, time, fitted_);
 }
 
 WalkState LinearInvertedPendulum::move(const WalkState& state, const Vec2& cop, const WalkAction& action,

@@ -23,7 +23,7 @@ public:
   Vec2 pivot(const WalkState& state) const;
   /// Where the foot has to press for the mass to be in balance over it: not 0 if the fitted mass is not where
   /// it is taken to be. Forward alone; to the side the steps see to it [m].
-  Vec2 balance() const { return Vec2(fitted.massOffset.x() / fitted.footFactor.x(), 0); }
+  Vec2 balance() const { return Vec2(fitted_.massOffset.x() / fitted_.footFactor.x(), 0); }
 
 private:
   struct Coefficients {
@@ -34,9 +34,9 @@ private:
   static WalkState move(const WalkState& state, const Vec2& cop, const WalkAction& action, double time,
                         const Coefficients& c);
 
-  Vec2 plainRate;  ///< without the ten parameters
-  Vec2 copOffset;
-  Coefficients fitted;
+  Vec2 plainRate_;  ///< without the ten parameters
+  Vec2 copOffset_;
+  Coefficients fitted_;
 };
 
 }  // namespace plumbline::walking

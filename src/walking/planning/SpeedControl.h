@@ -17,16 +17,16 @@ public:
   /// share of the goal that the torso's deviation leaves, 0 .. 1.
   void update(const Vec2& goal, double turn, const WalkParameters& p, double calm, double dt);
 
-  Vec2 velocity() const { return now.head<2>(); }  ///< [m/s]
-  double turn() const { return now.z(); }          ///< [rad/s]
+  Vec2 velocity() const { return now_.head<2>(); }  ///< [m/s]
+  double turn() const { return now_.z(); }          ///< [rad/s]
   /// Of the forward velocity while it comes nearer to zero, mean over about a step; else 0 [m/s^2].
-  double braking() const { return acceleration_ * now.x() < 0 ? acceleration_ : 0.0; }
-  bool sprinting() const { return sprint.active(); }
+  double braking() const { return acceleration_ * now_.x() < 0 ? acceleration_ : 0.0; }
+  bool sprinting() const { return sprint_.active(); }
 
 private:
-  Vec3 now = Vec3::Zero();  ///< forward, sideways, turn
+  Vec3 now_ = Vec3::Zero();  ///< forward, sideways, turn
   double acceleration_ = 0;
-  Sprint sprint;
+  Sprint sprint_;
 };
 
 }  // namespace plumbline::walking

@@ -20,11 +20,11 @@ double StepPlanner::remainingTime(const WalkState& state, double elapsed, double
   // The lateral velocity falls towards the swing side during the step; the time when it is that of the
   // reference.
   const double side = -outward(state.supportSide());
-  const double shortest = std::max(0.0, limits.minDuration - elapsed);
-  const double longest = std::max(shortest, limits.maxDuration - elapsed);
+  const double shortest = std::max(0.0, limits_.minDuration - elapsed);
+  const double longest = std::max(shortest, limits_.maxDuration - elapsed);
   const auto missing = [&](double time) {
     const WalkAction action{.duration = time, .turn = turnRate * time, .stepTarget = {}};
-    return side * (lateralVelocity - model.move(state, action, time).velocity.y());
+    return side * (lateralVelocity - model_.move(state, action, time).velocity.y());
   };
   double low = shortest, high = longest;
   double atLow = missing(low), atHigh = missing(high);
@@ -45,18 +45,18 @@ Pose2 StepPlanner::limitTarget(const Pose2& target, const Pose2& support, Side s
   const double side = outward(swing);
   Pose2 limited = target;
   Vec2& p = limited.position;
-  p.x() = std::clamp(p.x(), -limits.backward, limits.forward);
-  double out = std::clamp(side * p.y(), -limits.maxOutward, limits.maxOutward);
+  p.x() = std::clamp(p.x(), -limits_.backward, limits_.forward);
+  double out = std::clamp(side * p.y(), -limits_.maxOutward, limits_.maxOutward);
   // Seen along the middle direction of both feet they keep their distance.
   const double heading = (normalizeAngle(target.heading) + support.heading) / 2;
   const Vec2 across = Eigen::Rotation2Dd(heading) * Vec2(0, side);
   const double distance = across.dot(Vec2(p.x(), side * out) - support.position);
-  out += std::max(0.0, 2 * limits.minOutward - distance) / std::max(0.5, side * across.y());
+  out += std::max(0.0, 2 * limits_.minOutward - distance) / std::max(0.5, side * across.y());
   p.y() = side * out;
   // The leg is long enough.
-  const Vec2 hip(0, side * limits.hipY);
+  const Vec2 hip(0, side * limits_.hipY);
   const Vec2 fromHip = p - hip;
-  if (fromHip.norm() > limits.reach) p = hip + fromHip * (limits.reach / fromHip.norm());
+  if (fromHip.norm() > limits_.reach) p = hip + fromHip * (limits_.reach / fromHip.norm());
   if (side * limited.heading < -inwardSplay) limited.heading = -side * inwardSplay;
   return limited;
 }
@@ -71,20 +71,21 @@ WalkAction StepPlanner::step(const WalkState& state, double elapsed,
   const double nominal = std::max(0.0, planned.duration - elapsed);
   // The torso turns until the supporting foot has the heading it has at the end of the reference's step.
   const double turn = normalizeAngle(state.supportFoot().heading - end.foot[index(support)].heading);
-  const double turnRate = std::clamp(turn / std::max(nominal, 0.02), -limits.maxTurnRate, limits.maxTurnRate);
+  const double turnRate =
+      std::clamp(turn / std::max(nominal, 0.02), -limits_.maxTurnRate, limits_.maxTurnRate);
 
   WalkAction action;
   action.duration = remainingTime(state, elapsed, turnRate, nominal, end.velocity.y());
   action.turn = turnRate * action.duration;
   action.stepTarget = planned.stepTarget;
 
-  const WalkState landing = model.predict(state, action);
+  const WalkState landing = model_.predict(state, action);
   const Vec2 wanted = reference.begin[index(support)].velocity;
   const PlanarRoot root = findPlanarRoot(
       [&](const Vec2& position) {
         WalkState begin = landing;
         begin.foot[index(swing)].position = position;
-        return Vec2(model.predict(begin, next).velocity - wanted);
+        return Vec2(model_.predict(begin, next).velocity - wanted);
       },
       planned.stepTarget.position, settledVelocity, mostCorrections);
   if (root.x.allFinite()) action.stepTarget.position = root.x;
@@ -97,7 +98,7 @@ Vec2 StepPlanner::limitPressure(const WalkState& state, const Vec2& point, doubl
   const Vec2 middle = (state.foot[0].position + state.foot[1].position) / 2;
   const Eigen::Rotation2Dd turned((state.foot[0].heading + state.foot[1].heading) / 2);
   const Vec2 half = turned.inverse() * Vec2(state.foot[0].position - state.foot[1].position) / 2;
-  const Vec2 bound(limits.pressure.x() * share, (std::abs(half.y()) + limits.pressure.y()) * share);
+  const Vec2 bound(limits_.pressure.x() * share, (std::abs(half.y()) + limits_.pressure.y()) * share);
   const Vec2 local = turned.inverse() * Vec2(point - middle);
   return middle + turned * Vec2(local.cwiseMax(-bound).cwiseMin(bound));
 }
@@ -113,9 +114,9 @@ WalkAction StepPlanner::start(const WalkState& state, double duration, Side firs
   const PlanarRoot root = findPlanarRoot(
       [&](const Vec2& pressure) {
         action.centerOfPressure = pressure;
-        WalkState begin = model.predict(state, action);
+        WalkState begin = model_.predict(state, action);
         begin.support = supportOf(first);
-        return Vec2(model.predict(begin, step).velocity - wanted);
+        return Vec2(model_.predict(begin, step).velocity - wanted);
       },
       middle, settledVelocity, mostCorrections);
   action.centerOfPressure = limitPressure(state, root.x.allFinite() ? root.x : middle, 1);
@@ -126,7 +127,7 @@ Vec2 StepPlanner::calmingPressure(const WalkState& state) const {
   // After a short while the mass shall move to the middle, slower the nearer it is.
   constexpr double horizon = 0.15;   // [s]
   constexpr double convergence = 6;  // [1/s]
-  const Vec2 middle = (state.foot[0].position + state.foot[1].position) / 2 + Vec2(limits.restX, 0);
+  const Vec2 middle = (state.foot[0].position + state.foot[1].position) / 2 + Vec2(limits_.restX, 0);
   WalkState both = state;
   both.support = Support::both;
   WalkAction action;
@@ -134,8 +135,8 @@ Vec2 StepPlanner::calmingPressure(const WalkState& state) const {
   const PlanarRoot root = findPlanarRoot(
       [&](const Vec2& pressure) {
         action.centerOfPressure = pressure;
-        const WalkState end = model.predict(both, action);
-        const Vec2 middleThen = (end.foot[0].position + end.foot[1].position) / 2 + Vec2(limits.restX, 0);
+        const WalkState end = model_.predict(both, action);
+        const Vec2 middleThen = (end.foot[0].position + end.foot[1].position) / 2 + Vec2(limits_.restX, 0);
         return Vec2(end.velocity - convergence * middleThen);
       },
       middle, settledVelocity, mostCorrections);
@@ -159,7 +160,7 @@ bool StepPlanner::canHold(const WalkState& state, double margin) const {
   const PlanarRoot root = findPlanarRoot(
       [&](const Vec2& pressure) {
         action.centerOfPressure = pressure;
-        return model.predict(both, action).velocity;
+        return model_.predict(both, action).velocity;
       },
       Vec2::Zero(), settledVelocity, mostCorrections);
   return !root.x.allFinite() || (root.x - limitPressure(state, root.x, 1)).norm() <= margin;
@@ -174,7 +175,7 @@ bool StepPlanner::canStand(const WalkState& state) const {
   action.duration = cycle;
   for (int i = 0; i * cycle < patience; ++i) {
     action.centerOfPressure = limitPressure(tried, calmingPressure(tried), 0.8);
-    tried = model.predict(tried, action);
+    tried = model_.predict(tried, action);
     if (tried.velocity.norm() < calm) return true;
   }
   return false;

@@ -8,8 +8,8 @@ namespace plumbline::walking {
 /// (section 4.2.3).
 class StepPlanner {
 public:
-  StepPlanner(const WalkModel& model, const StepLimits& limits) : model(model), limits(limits) {}
-  void setLimits(const StepLimits& newLimits) { limits = newLimits; }
+  StepPlanner(const WalkModel& model, const StepLimits& limits) : model_(model), limits_(limits) {}
+  void setLimits(const StepLimits& newLimits) { limits_ = newLimits; }
 
   /// The rest of the step in progress, which has lasted `elapsed` [s]: the time from the lateral velocity at
   /// its end, the target from the state after the step that follows.
@@ -39,8 +39,8 @@ private:
   Vec2 calmingPressure(const WalkState& state) const;
   Vec2 limitPressure(const WalkState& state, const Vec2& point, double share) const;
 
-  const WalkModel& model;
-  StepLimits limits;
+  const WalkModel& model_;
+  StepLimits limits_;
 };
 
 }  // namespace plumbline::walking

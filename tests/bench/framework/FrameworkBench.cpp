@@ -38,7 +38,7 @@ class NumberedModule : public Module {
 public:
   static ModuleDescription& moduleDescription() {
     static ModuleDescription description = [] {
-      ModuleDescription d{"Module" + std::to_string(n), {}, {}};
+      ModuleDescription d{"Module" + std::to_string(n), {}, {}, {}};
       if constexpr (n >= 1) d.add(representationLoader<Numbered<n - 1>>(), ModuleInput::Kind::required, bind);
       if constexpr (n >= 10)
         d.add(representationLoader<Numbered<n - 10>>(), ModuleInput::Kind::required, bind);

@@ -53,30 +53,30 @@ Trial played(const Mechanism& robot, const Excitation& program, const Cause& tru
 class Comparison {
 public:
   Comparison(const Mechanism& robot, std::vector<Trial> trials, int jobs)
-      : groups(std::move(trials)),
-        replayer(robot, groups, jobs),
-        shares(sharesOf(groups, replayer.residuals({}))) {}
+      : groups_(std::move(trials)),
+        replayer_(robot, groups_, jobs),
+        shares_(sharesOf(groups_, replayer_.residuals({}))) {}
 
-  Fitted fitted(const Cause& start) const { return gap::fit(replayer, shares, {start}, fitSteps); }
+  Fitted fitted(const Cause& start) const { return gap::fit(replayer_, shares_, {start}, fitSteps); }
   /// Under the parts of independent residuals that the better one leaves.
   double logOdds(const Cause& a, const Cause& b) {
     const Fitted first = fitted(a), second = fitted(b);
-    shares =
-        sharesOf(groups, replayer.residuals(first.density > second.density ? first.causes : second.causes));
+    shares_ =
+        sharesOf(groups_, replayer_.residuals(first.density > second.density ? first.causes : second.causes));
     return densityOf(fitted(first.causes.front()).causes) - densityOf(fitted(second.causes.front()).causes);
   }
   double densityOf(const Explanation& causes) const {
-    const std::vector<double> each = densities(groups, replayer.residuals(causes), shares);
+    const std::vector<double> each = densities(groups_, replayer_.residuals(causes), shares_);
     return std::accumulate(each.begin(), each.end(), 0.0);
   }
   std::vector<Proposal> proposals() const {
-    return CandidateScreening(replayer, shares).propose(replayer, {}, shares, screened);
+    return CandidateScreening(replayer_, shares_).propose(replayer_, {}, shares_, screened);
   }
 
 private:
-  const Groups groups;
-  const Replayer replayer;
-  gap::Shares shares;
+  const Groups groups_;
+  const Replayer replayer_;
+  gap::Shares shares_;
 };
 
 struct Open {

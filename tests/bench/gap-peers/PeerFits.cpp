@@ -72,8 +72,8 @@ std::size_t motorsOf(const Mechanism& robot) {
 
 }  // namespace
 
-Peers::Peers(const Mechanism& robot_, std::vector<Trial> windows, int jobs)
-    : robot(robot_), groups(std::move(windows)), replayer(robot, groups, jobs) {}
+Peers::Peers(const Mechanism& robot, std::vector<Trial> windows, int jobs)
+    : robot_(robot), groups_(std::move(windows)), replayer_(robot_, groups_, jobs) {}
 
 std::vector<std::string> Peers::names() const {
   std::vector<std::string> names{"single", "mujoco-gauss-newton", "pace-cma-es", "everything-gauss-newton",
@@ -101,28 +101,28 @@ PeerFit Peers::fit(const std::string& name) const {
     result = byGaussNewton(frictionModels[model], start);
   }
   result.name = name;
-  result.closedFitting = 1 - std::sqrt(shareLeft(replayer, result.causes));
+  result.closedFitting = 1 - std::sqrt(shareLeft(replayer_, result.causes));
   result.cpuSeconds = cpuNow() - before;
   return result;
 }
 
 PeerFit Peers::byGaussNewton(const std::vector<std::string_view>& ids, const Explanation& before) const {
-  const auto starts = std::max<std::uint64_t>(2, randomStarts / motorsOf(robot));
+  const auto starts = std::max<std::uint64_t>(2, randomStarts / motorsOf(robot_));
   PerJoint best;
   best.left = HUGE_VAL;
   const bool byLoad = std::ranges::find(ids, "load_friction") != ids.end();
   for (int variant = 0; variant < (byLoad ? findEffect("load_friction")->numVariants() : 1); ++variant)
     for (std::uint64_t seed = 0; seed < starts; ++seed) {
-      const PerJoint start = perJoint(robot, seed == 0 ? before : Explanation(), ids);
-      PerJoint fitted = fitPerJoint(replayer, startOf(robot, start, variant, seed), gaussNewtonSteps);
+      const PerJoint start = perJoint(robot_, seed == 0 ? before : Explanation(), ids);
+      PerJoint fitted = fitPerJoint(replayer_, startOf(robot_, start, variant, seed), gaussNewtonSteps);
       if (fitted.left < best.left) best = std::move(fitted);
     }
   return {"", std::to_string(ids.size()) + " values per joint", best.causes, best.parameters, 0, 0};
 }
 
 PeerFit Peers::byCmaes(const std::vector<std::string_view>& ids) const {
-  const PerJoint start = perJoint(robot, {}, ids);
-  const int evaluations = evaluationsTogether / static_cast<int>(motorsOf(robot));
+  const PerJoint start = perJoint(robot_, {}, ids);
+  const int evaluations = evaluationsTogether / static_cast<int>(motorsOf(robot_));
   const auto n = static_cast<Eigen::Index>(start.parameters);
   SearchSpace space;
   space.start = Eigen::VectorXd::Zero(n);
@@ -132,8 +132,8 @@ PeerFit Peers::byCmaes(const std::vector<std::string_view>& ids) const {
   std::vector<double> units;
   for (Eigen::Index i = 0; i < n; ++i) {
     const Cause& cause = start.causes[static_cast<std::size_t>(i)];
-    const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
-    units.push_back(leastStart(robot, cause));
+    const Bounds bounds = cause.effect->boundsAt(robot_, cause.place);
+    units.push_back(leastStart(robot_, cause));
     const double a = cause.effect->strengthOf(bounds.lower) / units.back(),
                  b = cause.effect->strengthOf(bounds.upper) / units.back();
     // A value that begins at its bound may go beyond it, where it does nothing more: a search needs room.
@@ -144,7 +144,7 @@ PeerFit Peers::byCmaes(const std::vector<std::string_view>& ids) const {
     Explanation causes = start.causes;
     for (Eigen::Index i = 0; i < n; ++i) {
       Cause& cause = causes[static_cast<std::size_t>(i)];
-      cause = withStrength(robot, cause, x[i] * units[static_cast<std::size_t>(i)]);
+      cause = withStrength(robot_, cause, x[i] * units[static_cast<std::size_t>(i)]);
     }
     return causes;
   };
@@ -155,7 +155,7 @@ PeerFit Peers::byCmaes(const std::vector<std::string_view>& ids) const {
   while (!optimizer.isDone()) {
     const Eigen::MatrixXd& asked = optimizer.ask();
     std::vector<double> costs;
-    for (Eigen::Index i = 0; i < asked.cols(); ++i) costs.push_back(shareLeft(replayer, at(asked.col(i))));
+    for (Eigen::Index i = 0; i < asked.cols(); ++i) costs.push_back(shareLeft(replayer_, at(asked.col(i))));
     optimizer.tell(costs);
   }
   return {"",
@@ -167,14 +167,14 @@ PeerFit Peers::byCmaes(const std::vector<std::string_view>& ids) const {
 }
 
 PeerFit Peers::single() const {
-  const gap::Shares shares = sharesOf(groups, replayer.residuals({}));
+  const gap::Shares shares = sharesOf(groups_, replayer_.residuals({}));
   PeerFit best;
   best.what = "none";
   double least = 1;
   for (const Proposal& proposal :
-       CandidateScreening(replayer, shares).propose(replayer, {}, shares, singlesTried)) {
-    const Explanation causes = gap::fit(replayer, shares, {proposal.cause}, singleSteps).causes;
-    const double left = shareLeft(replayer, causes);
+       CandidateScreening(replayer_, shares).propose(replayer_, {}, shares, singlesTried)) {
+    const Explanation causes = gap::fit(replayer_, shares, {proposal.cause}, singleSteps).causes;
+    const double left = shareLeft(replayer_, causes);
     if (left >= least) continue;
     least = left;
     best = {"", describe(causes.front()), causes, 1, 0, 0};

@@ -34,9 +34,9 @@ private:
   PeerFit byCmaes(const Ids& ids) const;
   PeerFit single() const;
 
-  const Mechanism& robot;
-  const gap::Groups groups;
-  const gap::Replayer replayer;
+  const Mechanism& robot_;
+  const gap::Groups groups_;
+  const gap::Replayer replayer_;
 };
 
 }  // namespace plumbline::bench

@@ -58,28 +58,28 @@ std::string pageOf(const RealSplit& split, const RealResult& r) {
 }  // namespace
 
 KeptSplit::KeptSplit(const std::string& folder, const std::string& robot, const std::string& split)
-    : id(robot + "." + split), file(folder + "/" + id + ".json") {}
+    : id_(robot + "." + split), file_(folder + "/" + id_ + ".json") {}
 
-bool KeptSplit::done() const { return std::filesystem::exists(file); }
+bool KeptSplit::done() const { return std::filesystem::exists(file_); }
 
 json KeptSplit::read() const {
-  std::ifstream stream(file);
+  std::ifstream stream(file_);
   json piece = json::parse(stream, nullptr, false);
   if (!piece.is_object() || !piece.contains("page") || !piece.contains("figures"))
-    throw std::runtime_error(file + " is not what a split leaves; remove it and run again");
+    throw std::runtime_error(file_ + " is not what a split leaves; remove it and run again");
   return piece;
 }
 
 void KeptSplit::write(const RealSplit& split, const RealResult& r) const {
   const json figures = {
-      {{"name", "gap-real.closed." + id},
+      {{"name", "gap-real.closed." + id_},
        {"value", r.closed()},
        {"unit", "1"},
        {"better", "higher"},
        {"target", 0.7}},
-      {{"name", "gap-real.time." + id}, {"value", r.seconds}, {"unit", "s"}, {"better", "lower"}}};
-  writeFile(file, json{{"page", pageOf(split, r)}, {"figures", figures}}.dump(1) + "\n");
-  std::printf("%s: %.1f -> %.1f mrad, floor %.1f, closed %.0f %%, %s, %.0f s\n", id.c_str(), 1000 * r.before,
+      {{"name", "gap-real.time." + id_}, {"value", r.seconds}, {"unit", "s"}, {"better", "lower"}}};
+  writeFile(file_, json{{"page", pageOf(split, r)}, {"figures", figures}}.dump(1) + "\n");
+  std::printf("%s: %.1f -> %.1f mrad, floor %.1f, closed %.0f %%, %s, %.0f s\n", id_.c_str(), 1000 * r.before,
               1000 * r.after, 1000 * r.floor, 100 * r.closed(), nameOf(r.diagnosis.verdict), r.seconds);
   for (const gap::Finding& f : r.diagnosis.findings)
     std::printf("  %s %.2f\n", describe(f.cause).c_str(), f.probability);

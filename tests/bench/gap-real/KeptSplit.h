@@ -18,8 +18,8 @@ public:
   void write(const RealSplit& split, const RealResult& result) const;
 
 private:
-  std::string id;  ///< <robot>.<split>
-  std::string file;
+  std::string id_;  ///< <robot>.<split>
+  std::string file_;
 };
 
 }  // namespace plumbline::bench

@@ -81,11 +81,11 @@ bool walksOn(const Mechanism& robot, const BlindEffect& e) {
 
 }  // namespace
 
-TrainBench::TrainBench(const TrainSetup& setup_) : setup(setup_), mechanism(namedMechanism(robotName)) {
-  const std::string folder = setup.folder + "/nominal";
+TrainBench::TrainBench(const TrainSetup& setup) : setup_(setup), mechanism_(namedMechanism(robotName)) {
+  const std::string folder = setup_.folder + "/nominal";
   train("", folder);
-  nominalWalk = walkIn(folder);
-  onNominal = meanOf(measure(nominalWalk, {}, setup.measured)).speed;
+  nominalWalk_ = walkIn(folder);
+  onNominal_ = meanOf(measure(nominalWalk_, {}, setup_.measured)).speed;
 }
 
 void TrainBench::train(const std::string& effects, const std::string& output) const {
@@ -98,19 +98,19 @@ void TrainBench::train(const std::string& effects, const std::string& output) co
                                       "--task",
                                       "forward",
                                       "--generations",
-                                      std::to_string(setup.generations),
+                                      std::to_string(setup_.generations),
                                       "--population",
-                                      std::to_string(setup.population),
+                                      std::to_string(setup_.population),
                                       "--tries",
-                                      std::to_string(setup.tries),
+                                      std::to_string(setup_.tries),
                                       "--seconds",
-                                      std::to_string(setup.seconds),
+                                      std::to_string(setup_.seconds),
                                       "--sigma",
                                       firstSpread,
                                       "--seed",
-                                      std::to_string(setup.seed),
+                                      std::to_string(setup_.seed),
                                       "--jobs",
-                                      std::to_string(setup.jobs),
+                                      std::to_string(setup_.jobs),
                                       "--output",
                                       walk};
   if (!effects.empty()) command.insert(command.end(), {"--effects", effects});
@@ -122,11 +122,11 @@ void TrainBench::train(const std::string& effects, const std::string& output) co
 std::vector<TrialResult> TrainBench::measure(const walking::WalkGaits& walk, const Explanation& effects,
                                              std::uint64_t tries) const {
   std::vector<TrialResult> results(tries);
-  parallel(results.size(), static_cast<int>(setup.jobs), [&](std::size_t i) {
-    const auto robot = walkerWith("bullet", mechanism, walk, effects);
+  parallel(results.size(), static_cast<int>(setup_.jobs), [&](std::size_t i) {
+    const auto robot = walkerWith("bullet", mechanism_, walk, effects);
     walking::TrialSetup trial;
     // The searches' own seeds are below 100 million.
-    trial.seed = 1'000'000'000 + setup.seed * 100'000 + i;
+    trial.seed = 1'000'000'000 + setup_.seed * 100'000 + i;
     trial.tries = 1;
     trial.seconds = 6;
     results[i] = walking::tryWalk(*robot, walk, walking::Task::forward, trial);
@@ -135,31 +135,31 @@ std::vector<TrialResult> TrainBench::measure(const walking::WalkGaits& walk, con
 }
 
 BlindCase TrainBench::draw(std::size_t turn) const {
-  const std::string kept = setup.folder + "/robot" + std::to_string(turn + 1) + "/truth.json";
+  const std::string kept = setup_.folder + "/robot" + std::to_string(turn + 1) + "/truth.json";
   if (fs::exists(kept)) {
     std::ifstream file(kept);
     return parseBlindSet({std::istreambuf_iterator<char>(file), {}}).cases.front();
   }
-  Random random(setup.seed * 1000 + turn);
+  Random random(setup_.seed * 1000 + turn);
   DrawOptions options;
-  options.seed = setup.seed;
+  options.seed = setup_.seed;
   for (std::size_t at = 11 * turn;; ++at) {
     BlindCase truth;
     truth.name = "robot" + std::to_string(turn + 1);
     truth.kind = turn % 2 == 0 ? BlindKind::single : BlindKind::mixture;
-    truth.effects = drawEffects(mechanism, truth.kind, at, options, random);
-    if (!std::ranges::all_of(truth.effects, [&](const BlindEffect& e) { return walksOn(mechanism, e); }))
+    truth.effects = drawEffects(mechanism_, truth.kind, at, options, random);
+    if (!std::ranges::all_of(truth.effects, [&](const BlindEffect& e) { return walksOn(mechanism_, e); }))
       continue;
     for (int strength = 0; strength < strengths; ++strength) {
       const double lost =
-          1 - meanOf(measure(nominalWalk, causesOf(truth.effects, mechanism), drawnBy)).speed / onNominal;
+          1 - meanOf(measure(nominalWalk_, causesOf(truth.effects, mechanism_), drawnBy)).speed / onNominal_;
       if (lost > mostLoss) break;
       if (lost >= leastLoss) {
         fs::create_directories(fs::path(kept).parent_path());
-        writeFile(kept, blindSetText({robotName, "bullet", "hang", setup.seed, {truth}}));
+        writeFile(kept, blindSetText({robotName, "bullet", "hang", setup_.seed, {truth}}));
         return truth;
       }
-      for (BlindEffect& effect : truth.effects) effect = strengthened(mechanism, effect, 2);
+      for (BlindEffect& effect : truth.effects) effect = strengthened(mechanism_, effect, 2);
     }
   }
 }
@@ -167,7 +167,7 @@ BlindCase TrainBench::draw(std::size_t turn) const {
 void TrainBench::record(const std::string& folder) const {
   if (fs::exists(folder + "/runs")) return;
   runProgram({"bin/gap", "record", "--robot", robotName, "--engine", "bullet", "--program", "hang_sweep",
-              "hang_fast", "--seed", std::to_string(setup.seed), "--effects", folder + "/truth.yaml", "-o",
+              "hang_fast", "--seed", std::to_string(setup_.seed), "--effects", folder + "/truth.yaml", "-o",
               folder + "/runs"},
              folder + "/log");
 }
@@ -175,19 +175,19 @@ void TrainBench::record(const std::string& folder) const {
 TrainedRobot TrainBench::robot(std::size_t turn) const {
   TrainedRobot result;
   result.truth = draw(turn);
-  const std::string folder = setup.folder + "/robot" + std::to_string(turn + 1),
+  const std::string folder = setup_.folder + "/robot" + std::to_string(turn + 1),
                     answerFile = folder + "/answer.json";
-  const Explanation truth = causesOf(result.truth.effects, mechanism);
+  const Explanation truth = causesOf(result.truth.effects, mechanism_);
   writeFile(folder + "/truth.yaml", simulation::effectsText(settingsOf(truth), "In the robot"));
   record(folder);
   if (!fs::exists(answerFile))
     runProgram({"bin/gap", "diagnose", folder + "/runs", "--method", "sets", "--json", answerFile, "--quiet",
-                "--jobs", std::to_string(setup.jobs)},
+                "--jobs", std::to_string(setup_.jobs)},
                folder + "/log");
   const nlohmann::json answer = readAnswer(answerFile);
   result.verdict = answer["verdict"];
   Explanation found;
-  for (const Cause& cause : gap::causesOf(answer, answerFile, mechanism).causes)
+  for (const Cause& cause : gap::causesOf(answer, answerFile, mechanism_).causes)
     if (cause.effect->inWalk) found.push_back(cause);
   for (const Cause& cause : found)
     result.found.push_back({std::string(cause.effect->id),
@@ -201,13 +201,13 @@ TrainedRobot TrainBench::robot(std::size_t turn) const {
     writeFile(effects, simulation::effectsText(settingsOf(found), "Found by bin/gap diagnose"));
   }
   // Where nothing was found the search is the one without, and so is what it finds.
-  walking::WalkGaits walk = nominalWalk;
+  walking::WalkGaits walk = nominalWalk_;
   if (!found.empty()) {
     train(effects, folder + "/walk");
     walk = walkIn(folder + "/walk");
   }
-  const std::vector<TrialResult> without = measure(nominalWalk, truth, setup.measured),
-                                 with = measure(walk, truth, setup.measured);
+  const std::vector<TrialResult> without = measure(nominalWalk_, truth, setup_.measured),
+                                 with = measure(walk, truth, setup_.measured);
   for (std::size_t i = 0; i < with.size(); ++i)
     result.differences.push_back(with[i].speed - without[i].speed);
   result.without = meanOf(without);

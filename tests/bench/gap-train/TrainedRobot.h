@@ -32,7 +32,7 @@ class TrainBench {
 public:
   explicit TrainBench(const TrainSetup& setup);
   TrainedRobot robot(std::size_t turn) const;
-  double speedOnNominal() const { return onNominal; }
+  double speedOnNominal() const { return onNominal_; }
 
 private:
   /// Draws until the nominal walk loses enough.
@@ -44,10 +44,10 @@ private:
   std::vector<walking::TrialResult> measure(const walking::WalkGaits& walk, const gap::Explanation& effects,
                                             std::uint64_t tries) const;
 
-  const TrainSetup setup;
-  const Mechanism mechanism;
-  walking::WalkGaits nominalWalk;
-  double onNominal = 0;
+  const TrainSetup setup_;
+  const Mechanism mechanism_;
+  walking::WalkGaits nominalWalk_;
+  double onNominal_ = 0;
 };
 
 }  // namespace plumbline::bench

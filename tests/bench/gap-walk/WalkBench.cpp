@@ -58,26 +58,26 @@ std::string effectsText(const BlindCase& c) {
 /// One robot: its walks are recorded, then an answer is asked of a process that sees those alone.
 class Case {
 public:
-  Case(const Mechanism& robot_, std::string folder_, std::size_t turn, std::uint64_t seed)
-      : robot(robot_),
-        folder(std::move(folder_)),
-        name("case" + std::to_string(turn + 1)),
-        noise(seed * 1000 + turn),
-        at(7 * turn),
-        random(noise) {
+  Case(const Mechanism& robot, std::string folder, std::size_t turn, std::uint64_t seed)
+      : robot_(robot),
+        folder_(std::move(folder)),
+        name_("case" + std::to_string(turn + 1)),
+        noise_(seed * 1000 + turn),
+        at_(7 * turn),
+        random_(noise_) {
     if (turn % 4 == 0) return;
     truth.kind = BlindKind::single;
-    draw.seed = seed;
-    draw.battery = Battery::all;
+    draw_.seed = seed;
+    draw_.battery = Battery::all;
   }
 
   void run() {
     findWalks();
-    const std::string answer = folder + "/answers/" + truth.name + ".json";
-    diagnoseCase(folder + "/" + truth.name, answer);
+    const std::string answer = folder_ + "/answers/" + truth.name + ".json";
+    diagnoseCase(folder_ + "/" + truth.name, answer);
     if (!fs::exists(answer)) throw std::runtime_error(truth.name + " has no answer");
     cpu = secondsOf(answer).value_or(0);
-    given = readAnswers({"", "", "", 0, {truth}}, folder + "/answers").front();
+    given = readAnswers({"", "", "", 0, {truth}}, folder_ + "/answers").front();
     text = json::parse(std::ifstream(answer));
   }
 
@@ -89,7 +89,7 @@ public:
 private:
   /// The turn walks through all effects: those that a walk cannot have are passed over.
   void drawNext() {
-    do truth.effects = drawEffects(robot, BlindKind::single, at++, draw, random);
+    do truth.effects = drawEffects(robot_, BlindKind::single, at_++, draw_, random_);
     while (!findEffect(truth.effects.front().effect)->inWalk);
   }
 
@@ -98,8 +98,8 @@ private:
     for (int attempts = 0;;) {
       if (truth.kind == BlindKind::single) drawNext();
       for (int strength = 0; strength <= weaker; ++strength) {
-        if (strength > 0) truth.effects[0] = strengthened(robot, truth.effects[0], 0.5);
-        truth.name = name + "-" + std::to_string(++attempts);
+        if (strength > 0) truth.effects[0] = strengthened(robot_, truth.effects[0], 0.5);
+        truth.name = name_ + "-" + std::to_string(++attempts);
         if (!walked()) continue;
         truth.ratio = severity();
         if (truth.kind == BlindKind::none || truth.ratio >= leastRatio) return;
@@ -109,17 +109,17 @@ private:
   }
 
   bool walked() const {
-    const std::string runs = folder + "/" + truth.name, effects = runs + ".yaml";
+    const std::string runs = folder_ + "/" + truth.name, effects = runs + ".yaml";
     if (std::ranges::all_of(walks, [&](const char* walk) { return fs::exists(fs::path(runs) / walk); }))
       return true;
     fs::remove_all(runs);
-    std::vector<std::string> command = {"bin/gap", "record", "--seed",   std::to_string(noise),
+    std::vector<std::string> command = {"bin/gap", "record", "--seed",   std::to_string(noise_),
                                         "-o",      runs,     "--program"};
     command.insert(command.end(), walks.begin(), walks.end());
     // Of nothing a robot would always walk the same way: a millionth of a kilogram leads its steps elsewhere.
     BlindCase played = truth;
     if (played.effects.empty())
-      played.effects = {{"link_mass", "Head", "", 1e-9 * static_cast<double>(noise), {}}};
+      played.effects = {{"link_mass", "Head", "", 1e-9 * static_cast<double>(noise_), {}}};
     writeFile(effects, effectsText(played));
     command.insert(command.end(), {"--effects", effects});
     simspark::ChildProcess child(command, "/dev/null");
@@ -132,12 +132,12 @@ private:
     std::vector<Trial> trials;
     std::vector<RunWarning> warnings;
     for (const char* walk : walks)
-      trials.push_back(trialOf(readRun((fs::path(folder) / truth.name / walk).string(), warnings), robot));
+      trials.push_back(trialOf(readRun((fs::path(folder_) / truth.name / walk).string(), warnings), robot_));
     const Evidence evidence(trials);
     Explanation causes;
     for (const BlindEffect& e : truth.effects) {
       const Effect* effect = findEffect(e.effect);
-      causes.push_back({effect, findPlace(*effect, robot, e.at, e.axis), e.value, 0});
+      causes.push_back({effect, findPlace(*effect, robot_, e.at, e.axis), e.value, 0});
     }
     double most = 0;
     for (std::size_t t = 0; t < trials.size(); ++t)
@@ -146,12 +146,12 @@ private:
     return most;
   }
 
-  const Mechanism& robot;
-  const std::string folder, name;
-  const std::uint64_t noise;
-  std::size_t at;  ///< where the next draw begins
-  Random random;
-  DrawOptions draw;
+  const Mechanism& robot_;
+  const std::string folder_, name_;
+  const std::uint64_t noise_;
+  std::size_t at_;  ///< where the next draw begins
+  Random random_;
+  DrawOptions draw_;
 };
 
 json figure(const std::string& name, double value, const char* unit, const char* better) {

@@ -13,7 +13,7 @@ public:
   ChainReplay(const gap::Evaluator& nominal, const gap::ReplayOptions& steps);
 
   /// Of the mechanism, the one with the motor; -1 where no run has a held base.
-  int joint() const { return worst; }
+  int joint() const { return worst_; }
   /// Weighted squares of the residuals of the chain's positions and of the inertial sensors.
   struct Squares {
     double fitting = 0, judging = 0;
@@ -26,12 +26,12 @@ private:
   void findRuns();
   gap::Prediction predict(std::size_t trial, const gap::Plant& plant) const;
 
-  const gap::Evaluator& nominal;
-  const gap::Plant nominalPlant;
-  gap::ReplayOptions options;
-  int worst = -1;
-  std::vector<std::size_t> runs;
-  std::vector<gap::Prediction> before;  ///< per run: what the nominal model predicts
+  const gap::Evaluator& nominal_;
+  const gap::Plant nominalPlant_;
+  gap::ReplayOptions options_;
+  int worst_ = -1;
+  std::vector<std::size_t> runs_;
+  std::vector<gap::Prediction> before_;  ///< per run: what the nominal model predicts
 };
 
 }  // namespace plumbline::bench

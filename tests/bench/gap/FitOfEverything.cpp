@@ -45,14 +45,14 @@ Explanation everything(const Mechanism& robot, int joint, bool imuRecorded) {
 /// none.
 class Shares {
 public:
-  Shares(const Mechanism& robot_, Explanation causes_) : robot(robot_), causes(std::move(causes_)) {}
+  Shares(const Mechanism& robot, Explanation causes) : robot_(robot), causes_(std::move(causes)) {}
 
-  Eigen::Index size() const { return static_cast<Eigen::Index>(causes.size()); }
+  Eigen::Index size() const { return static_cast<Eigen::Index>(causes_.size()); }
   Cause at(Eigen::Index i, double x) const {
-    const Cause& cause = causes[static_cast<std::size_t>(i)];
-    if (boundOf(robot, cause, false) >= cause.effect->nominal) x = std::max(0.0, x);
-    if (boundOf(robot, cause, true) <= cause.effect->nominal) x = std::min(0.0, x);
-    return atShare(robot, cause, x);
+    const Cause& cause = causes_[static_cast<std::size_t>(i)];
+    if (boundOf(robot_, cause, false) >= cause.effect->nominal) x = std::max(0.0, x);
+    if (boundOf(robot_, cause, true) <= cause.effect->nominal) x = std::min(0.0, x);
+    return atShare(robot_, cause, x);
   }
   Explanation at(const Eigen::VectorXd& x) const {
     Explanation all;
@@ -64,8 +64,8 @@ public:
   }
 
 private:
-  const Mechanism& robot;
-  const Explanation causes;
+  const Mechanism& robot_;
+  const Explanation causes_;
 };
 
 }  // namespace

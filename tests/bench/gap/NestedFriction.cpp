@@ -18,21 +18,21 @@ constexpr double firstStep = 0.05;  // of the bounds
 
 class Models {
 public:
-  Models(const Mechanism& robot_, const ChainReplay& chain_, int jobs_)
-      : robot(robot_), chain(chain_), jobs(jobs_) {
+  Models(const Mechanism& robot, const ChainReplay& chain, int jobs)
+      : robot_(robot), chain_(chain), jobs_(jobs) {
     for (const char* id : {"coulomb_friction", "viscous_friction", "stribeck_friction", "load_friction"}) {
       const Effect* effect = findEffect(id);
-      const std::string& name = robot.joints[static_cast<std::size_t>(chain.joint())].name;
-      terms.push_back({effect, findPlace(*effect, robot, name, ""), 0, 0});
+      const std::string& name = robot_.joints[static_cast<std::size_t>(chain_.joint())].name;
+      terms_.push_back({effect, findPlace(*effect, robot_, name, ""), 0, 0});
     }
   }
 
   Explanation best() const {
     Eigen::VectorXd chosen(0), shares(0);
-    double least = chain.of({}).judging;
-    while (static_cast<std::size_t>(shares.size()) < terms.size()) {
+    double least = chain_.of({}).judging;
+    while (static_cast<std::size_t>(shares.size()) < terms_.size()) {
       shares = fitted(shares);
-      const double judging = chain.of(at(shares)).judging;
+      const double judging = chain_.of(at(shares)).judging;
       if (judging < least) least = judging, chosen = shares;
     }
     if (chosen.size() == 0) return {};
@@ -41,17 +41,17 @@ public:
     for (Eigen::Index i = 0; i < chosen.size(); ++i) {
       Eigen::VectorXd without = chosen;
       without[i] = 0;
-      const double judging = chain.of(at(without)).judging;
+      const double judging = chain_.of(at(without)).judging;
       if (judging > most) most = judging, telling = i;
     }
-    return {atShare(robot, terms[static_cast<std::size_t>(telling)], chosen[telling])};
+    return {atShare(robot_, terms_[static_cast<std::size_t>(telling)], chosen[telling])};
   }
 
 private:
   Explanation at(const Eigen::VectorXd& shares) const {
     Explanation causes;
     for (Eigen::Index i = 0; i < shares.size(); ++i)
-      if (shares[i] > 0) causes.push_back(atShare(robot, terms[static_cast<std::size_t>(i)], shares[i]));
+      if (shares[i] > 0) causes.push_back(atShare(robot_, terms_[static_cast<std::size_t>(i)], shares[i]));
     return causes;
   }
 
@@ -72,18 +72,18 @@ private:
     while (!optimizer.isDone()) {
       const Eigen::MatrixXd& asked = optimizer.ask();
       std::vector<double> costs(static_cast<std::size_t>(asked.cols()));
-      parallel(costs.size(), jobs, [&](std::size_t i) {
-        costs[i] = chain.of(at(asked.col(static_cast<Eigen::Index>(i)))).fitting;
+      parallel(costs.size(), jobs_, [&](std::size_t i) {
+        costs[i] = chain_.of(at(asked.col(static_cast<Eigen::Index>(i)))).fitting;
       });
       optimizer.tell(costs);
     }
-    return optimizer.bestCost() < chain.of(at(space.start)).fitting ? optimizer.best() : space.start;
+    return optimizer.bestCost() < chain_.of(at(space.start)).fitting ? optimizer.best() : space.start;
   }
 
-  const Mechanism& robot;
-  const ChainReplay& chain;
-  const int jobs;
-  Explanation terms;
+  const Mechanism& robot_;
+  const ChainReplay& chain_;
+  const int jobs_;
+  Explanation terms_;
 };
 
 }  // namespace

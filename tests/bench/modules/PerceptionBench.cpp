@@ -28,18 +28,18 @@ class Report {
 public:
   void add(const char* name, double value, const char* unit, double target) {
     std::printf("%-40s %10.4f %-4s (target <= %g)\n", name, value, unit, target);
-    text << (text.str().empty() ? "[\n" : ",\n") << "  {\"name\": \"perception." << name
-         << "\", \"value\": " << value << ", \"unit\": \"" << unit
-         << "\", \"better\": \"lower\", \"target\": " << target << "}";
+    text_ << (text_.str().empty() ? "[\n" : ",\n") << "  {\"name\": \"perception." << name
+          << "\", \"value\": " << value << ", \"unit\": \"" << unit
+          << "\", \"better\": \"lower\", \"target\": " << target << "}";
   }
   void write(const char* path) const {
     const std::string part = std::string(path) + ".new";
-    std::ofstream(part) << text.str() << "\n]\n";
+    std::ofstream(part) << text_.str() << "\n]\n";
     std::rename(part.c_str(), path);
   }
 
 private:
-  std::ostringstream text;
+  std::ostringstream text_;
 };
 
 struct Figures {

@@ -21,20 +21,21 @@ public:
            const std::string& more = "") {
     char text[64];
     std::snprintf(text, sizeof text, "%.4g", value);
-    lines += (lines.empty() ? "[\n" : ",\n") + ("  {\"name\": \"motion." + name) + "\", \"value\": " + text +
-             ", \"unit\": \"" + unit + "\", \"better\": \"" + better + "\"" + more + "}";
+    lines_ += (lines_.empty() ? "[\n" : ",\n") + ("  {\"name\": \"motion." + name) +
+              "\", \"value\": " + text + ", \"unit\": \"" + unit + "\", \"better\": \"" + better + "\"" +
+              more + "}";
     std::printf("%-44s %8s %s\n", name.c_str(), text, unit.c_str());
     std::fflush(stdout);
   }
   void write(const std::filesystem::path& path) const {
     std::filesystem::create_directories(path.parent_path());
     const std::filesystem::path beside = path.string() + ".part";
-    std::ofstream(beside) << lines << "\n]\n";
+    std::ofstream(beside) << lines_ << "\n]\n";
     std::filesystem::rename(beside, path);
   }
 
 private:
-  std::string lines;
+  std::string lines_;
 };
 
 double quantile(std::vector<double> values, double share) {

@@ -14,9 +14,9 @@ public:
   Drive(const Mechanism& robot, int joint, const std::vector<RealityEffect>& effects, double step);
 
   /// Play or a soft gear: rotor and link turn apart.
-  bool isGeared() const { return play > 0 || compliance > 0; }
-  double rotorInertia() const { return armature; }
-  double viscousFriction() const { return viscous; }
+  bool isGeared() const { return play_ > 0 || compliance_ > 0; }
+  double rotorInertia() const { return armature_; }
+  double viscousFriction() const { return viscous_; }
 
   /// Inertia of what hangs on the gear [kg m^2]: teeth on a light link are taken softer, for the step's sake.
   void carries(double inertia);
@@ -46,27 +46,27 @@ private:
   double servoTorque(double t, double set, double q, double v);
   static double fadedLimit(double limit, double maxSpeed, double v, double torque);
 
-  const Mechanism::Joint& nominal;
-  double step;
-  Servo servo;
-  double maxTorque, maxSpeed;
-  bool limitMotor = false;  ///< a DC motor has a torque limit of its own
-  double motorLimitFactor = 1;
-  double extraDamping = 0;  ///< change of kd beside the back EMF
-  bool encoderAtLink;
-  double armature = 0, viscous = 0, coulomb = 0, stribeck = 0, stribeckSpeed = 0.1, load = 0;
-  double play = 0, compliance = 0, gearStiffness = 0, gearDamping = 0, delay = 0, acceleration = 0,
-         deadBand = 0;
-  bool bandIsWhole = false, heatIsWork = false;
-  double bias = 0, derating = 0, heat = 0, offset = 0, wobble = 0, wobblePhase = 0;
-  double ripple = 0, ripplePeriods = 24, ripplePhase = 0.7;
-  double spring = 0, cable = 0, dampingOneWay = 0, drift = 0, driftTime = 15, integral = 0, lag = 0,
-         crosstalk = 0;
-  double bristle = 0;
+  const Mechanism::Joint& nominal_;
+  double step_;
+  Servo servo_;
+  double maxTorque_, maxSpeed_;
+  bool limitMotor_ = false;  ///< a DC motor has a torque limit of its own
+  double motorLimitFactor_ = 1;
+  double extraDamping_ = 0;  ///< change of kd beside the back EMF
+  bool encoderAtLink_;
+  double armature_ = 0, viscous_ = 0, coulomb_ = 0, stribeck_ = 0, stribeckSpeed_ = 0.1, load_ = 0;
+  double play_ = 0, compliance_ = 0, gearStiffness_ = 0, gearDamping_ = 0, delay_ = 0, acceleration_ = 0,
+         deadBand_ = 0;
+  bool bandIsWhole_ = false, heatIsWork_ = false;
+  double bias_ = 0, derating_ = 0, heat_ = 0, offset_ = 0, wobble_ = 0, wobblePhase_ = 0;
+  double ripple_ = 0, ripplePeriods_ = 24, ripplePhase_ = 0.7;
+  double spring_ = 0, cable_ = 0, dampingOneWay_ = 0, drift_ = 0, driftTime_ = 15, integral_ = 0, lag_ = 0,
+         crosstalk_ = 0;
+  double bristle_ = 0;
 
-  std::deque<std::pair<double, double>> pending;
-  double current = 0, profile = 0, profileSpeed = 0, lagged = 0, summed = 0, rest = 0, bristleAt = 0,
-         begun = -1;
+  std::deque<std::pair<double, double>> pending_;
+  double current_ = 0, profile_ = 0, profileSpeed_ = 0, lagged_ = 0, summed_ = 0, rest_ = 0, bristleAt_ = 0,
+         begun_ = -1;
 };
 
 }  // namespace plumbline::reality

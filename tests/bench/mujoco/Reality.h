@@ -29,9 +29,9 @@ public:
   gap::Run record(const gap::Excitation& program, std::uint64_t seed) const;
 
 private:
-  const Mechanism robot;  ///< nominal
-  const std::vector<RealityEffect> effects;
-  const RealityOptions options;
+  const Mechanism robot_;  ///< nominal
+  const std::vector<RealityEffect> effects_;
+  const RealityOptions options_;
 };
 
 }  // namespace plumbline::reality

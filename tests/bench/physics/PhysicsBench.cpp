@@ -33,9 +33,9 @@ simspark::LeagueTrace trace(const std::string& name) {
 /// Robots that walk as recorded, side by side on the field.
 class WalkingCrowd {
 public:
-  WalkingCrowd(int count, const std::string& engine) : world(makeWorld(config(engine))) {
-    for (int type = 0; type < 4; ++type) traces.push_back(trace("ut_walk_replay_t" + std::to_string(type)));
-    for (int i = 0; i < count; ++i) types.push_back(count == 1 ? 0 : i % 4);
+  WalkingCrowd(int count, const std::string& engine) : world_(makeWorld(config(engine))) {
+    for (int type = 0; type < 4; ++type) traces_.push_back(trace("ut_walk_replay_t" + std::to_string(type)));
+    for (int i = 0; i < count; ++i) types_.push_back(count == 1 ? 0 : i % 4);
   }
 
   /// Mean CPU time of a cycle, commands included [s].
@@ -46,10 +46,10 @@ public:
       restart();
       for (std::size_t row = 0; row < 500 && spent < seconds; ++row, ++cycles) {
         const double before = cpuSeconds();
-        for (std::size_t i = 0; i < types.size(); ++i)
-          for (const JointId joint : traces[types[i]].joints)
-            world->setJointVelocity(robots[i], joint, traces[types[i]].rows[row].command[joint]);
-        world->step();
+        for (std::size_t i = 0; i < types_.size(); ++i)
+          for (const JointId joint : traces_[types_[i]].joints)
+            world_->setJointVelocity(robots_[i], joint, traces_[types_[i]].rows[row].command[joint]);
+        world_->step();
         spent += cpuSeconds() - before;
       }
     }
@@ -64,22 +64,22 @@ private:
   }
 
   void restart() {
-    world->reset();
-    robots.clear();
-    for (std::size_t i = 0; i < types.size(); ++i) {
-      const simspark::TraceRow& first = traces[types[i]].rows[0];
+    world_->reset();
+    robots_.clear();
+    for (std::size_t i = 0; i < types_.size(); ++i) {
+      const simspark::TraceRow& first = traces_[types_[i]].rows[0];
       Pose3 place = first.torso;
       place.translation().head<2>() =
           Vec2(-14 + 14 * static_cast<double>(i % 2), -9.5 + 1.7 * static_cast<double>(i / 2));
-      robots.push_back(world->addRobot(simsparkRobot(static_cast<int>(types[i])), place));
-      world->setPosture(robots.back(), first.axisAngle);
+      robots_.push_back(world_->addRobot(simsparkRobot(static_cast<int>(types_[i])), place));
+      world_->setPosture(robots_.back(), first.axisAngle);
     }
   }
 
-  std::unique_ptr<World> world;
-  std::vector<simspark::LeagueTrace> traces;
-  std::vector<std::size_t> types;
-  std::vector<RobotHandle> robots;
+  std::unique_ptr<World> world_;
+  std::vector<simspark::LeagueTrace> traces_;
+  std::vector<std::size_t> types_;
+  std::vector<RobotHandle> robots_;
 };
 
 /// Robots above each other, about to fall; their handles.
@@ -168,19 +168,19 @@ public:
     std::printf("%-46s %10.4f %-4s target %g", name.c_str(), value, unit.c_str(), target);
     if (!std::isnan(peer)) std::printf(", %s %g", peerName.c_str(), peer);
     std::printf("\n");
-    json << (json.tellp() > 0 ? ",\n " : "[") << "{\"name\":\"" << name << "\",\"value\":" << value
-         << ",\"unit\":\"" << unit << "\",\"better\":\"lower\",\"target\":" << target;
-    if (!std::isnan(peer)) json << ",\"peer\":\"" << peerName << "\",\"peer_value\":" << peer;
-    json << "}";
+    json_ << (json_.tellp() > 0 ? ",\n " : "[") << "{\"name\":\"" << name << "\",\"value\":" << value
+          << ",\"unit\":\"" << unit << "\",\"better\":\"lower\",\"target\":" << target;
+    if (!std::isnan(peer)) json_ << ",\"peer\":\"" << peerName << "\",\"peer_value\":" << peer;
+    json_ << "}";
   }
   bool write(const std::string& file) const {
     std::ofstream out(file);
-    out << json.str() << "]\n";
+    out << json_.str() << "]\n";
     return out.good();
   }
 
 private:
-  std::ostringstream json;
+  std::ostringstream json_;
 };
 
 }  // namespace

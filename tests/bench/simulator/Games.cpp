@@ -18,7 +18,7 @@ namespace {
 
 using simspark::ChildProcess;
 
-const std::string folder = "build/bench/", statistics = folder + "simulator.account";
+const std::string folder = "build/bench/", accountFile = folder + "simulator.account";
 constexpr int types[] = {0, 4, 4, 1, 4, 0, 3, 1, 3, 4, 0};
 
 std::string agentStatistics(int i) { return folder + "simulator.agent" + std::to_string(i) + ".account"; }
@@ -59,7 +59,7 @@ double clockSpeed(int monitorPort) {
 Account play(int agentsPerTeam, int teams, std::vector<std::string> options) {
   for (const char* option : {"--seed", "1", "--kickoff-after", "2", "--die-with-parent", "--stats"})
     options.emplace_back(option);
-  options.push_back(statistics);
+  options.push_back(accountFile);
   simspark::SimulatorProcess simulator("bin/simulator", options, folder + "simulator.ports",
                                        folder + "simulator.out");
   std::vector<std::unique_ptr<ChildProcess>> agents;
@@ -78,7 +78,7 @@ Account play(int agentsPerTeam, int teams, std::vector<std::string> options) {
   for (auto& agent : agents) agent->stop(10);
 
   account.memory = simulator.process().usage().maxResidentMegabytes;
-  std::ifstream file(statistics);
+  std::ifstream file(accountFile);
   account.simulator = json::parse(file);
   account.agentCycles = account.simulator["cycles"];
   for (std::size_t i = 0; i < agents.size(); ++i) {

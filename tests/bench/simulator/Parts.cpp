@@ -26,7 +26,7 @@ public:
     for (int i = 0; i < 100; ++i) step();
   }
   void act() {
-    const simspark::AgentCommand command = bending(cycle++);
+    const simspark::AgentCommand command = bending(cycle_++);
     for (const PlayerId id : ids) simulation.act(id, command);
   }
   void step() {
@@ -37,7 +37,7 @@ public:
   std::vector<PlayerId> ids;
 
 private:
-  int cycle = 0;
+  int cycle_ = 0;
 };
 
 template <typename Call>

@@ -128,7 +128,7 @@ void referenceFigure(Page& page) {
 class WatchedModel : public WalkModel {
 public:
   WalkState move(const WalkState& state, const WalkAction& action, double time) const override {
-    const WalkState end = model.move(state, action, time);
+    const WalkState end = model_.move(state, action, time);
     if (time == action.duration && state.support == Support::right)
       asked.emplace_back(state.foot[1].position, end.velocity);
     return end;
@@ -136,7 +136,7 @@ public:
   mutable std::vector<std::pair<Vec2, Vec2>> asked;
 
 private:
-  LinearInvertedPendulum model{0.25};
+  LinearInvertedPendulum model_{0.25};
 };
 
 void searchFigure(Page& page) {

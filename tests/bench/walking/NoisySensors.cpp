@@ -11,39 +11,39 @@ constexpr double gyroNoise = 0.005, accNoise = 0.06, forceNoise = 0.15;         
 
 }  // namespace
 
-NoisySensors::NoisySensors(std::unique_ptr<simulation::RobotSimulation> robot_) : robot(std::move(robot_)) {
+NoisySensors::NoisySensors(std::unique_ptr<simulation::RobotSimulation> robot) : robot_(std::move(robot)) {
   sense();
 }
 
 void NoisySensors::restart(const Pose3& T_world_base, const std::vector<double>& q) {
-  robot->restart(T_world_base, q);
-  random = Random(1);
+  robot_->restart(T_world_base, q);
+  random_ = Random(1);
   sense();
 }
 
 void NoisySensors::restart(const std::vector<double>& q, double heading) {
-  robot->restart(q, heading);
-  random = Random(1);
+  robot_->restart(q, heading);
+  random_ = Random(1);
   sense();
 }
 
 void NoisySensors::step() {
-  robot->step();
+  robot_->step();
   sense();
 }
 
 void NoisySensors::sense() {
-  noisy = robot->readings();
-  angles.resize(noisy.position.size());
-  for (std::size_t j = 0; j < angles.size(); ++j)
-    angles[j] = encoderStep * std::round(robot->encoder(static_cast<int>(j)) / encoderStep) +
-                encoderNoise * random.gaussian();
+  noisy_ = robot_->readings();
+  angles_.resize(noisy_.position.size());
+  for (std::size_t j = 0; j < angles_.size(); ++j)
+    angles_[j] = encoderStep * std::round(robot_->encoder(static_cast<int>(j)) / encoderStep) +
+                 encoderNoise * random_.gaussian();
   for (int axis = 0; axis < 3; ++axis) {
-    noisy.gyro[axis] += gyroNoise * random.gaussian();
-    noisy.acc[axis] += accNoise * random.gaussian();
+    noisy_.gyro[axis] += gyroNoise * random_.gaussian();
+    noisy_.acc[axis] += accNoise * random_.gaussian();
   }
-  for (std::vector<double>& foot : noisy.footForce)
-    for (double& force : foot) force = std::max(0.0, force + forceNoise * random.gaussian());
+  for (std::vector<double>& foot : noisy_.footForce)
+    for (double& force : foot) force = std::max(0.0, force + forceNoise * random_.gaussian());
 }
 
 }  // namespace plumbline::bench

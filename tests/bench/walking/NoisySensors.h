@@ -15,24 +15,24 @@ public:
   using RobotSimulation::setStiffness;
   void restart(const Pose3& T_world_base, const std::vector<double>& q) override;
   void restart(const std::vector<double>& q, double heading) override;
-  void command(const std::vector<double>& targets) override { robot->command(targets); }
-  void setStiffness(int joint, double stiffness) override { robot->setStiffness(joint, stiffness); }
-  void push(const Vec3& force, double seconds, int link) override { robot->push(force, seconds, link); }
-  void load(int joint, double torque) override { robot->load(joint, torque); }
+  void command(const std::vector<double>& targets) override { robot_->command(targets); }
+  void setStiffness(int joint, double stiffness) override { robot_->setStiffness(joint, stiffness); }
+  void push(const Vec3& force, double seconds, int link) override { robot_->push(force, seconds, link); }
+  void load(int joint, double torque) override { robot_->load(joint, torque); }
   void step() override;
-  const simulation::ServoReadings& readings() const override { return noisy; }
-  double encoder(int joint) const override { return angles.at(static_cast<std::size_t>(joint)); }
-  double encoderSpeed(int joint) const override { return robot->encoderSpeed(joint); }
-  const simulation::BodyState& link(int index) const override { return robot->link(index); }
-  const Mechanism& mechanism() const override { return robot->mechanism(); }
+  const simulation::ServoReadings& readings() const override { return noisy_; }
+  double encoder(int joint) const override { return angles_.at(static_cast<std::size_t>(joint)); }
+  double encoderSpeed(int joint) const override { return robot_->encoderSpeed(joint); }
+  const simulation::BodyState& link(int index) const override { return robot_->link(index); }
+  const Mechanism& mechanism() const override { return robot_->mechanism(); }
 
 private:
   void sense();
 
-  const std::unique_ptr<simulation::RobotSimulation> robot;
-  simulation::ServoReadings noisy;
-  std::vector<double> angles;  ///< what the encoders show [rad]
-  Random random{1};
+  const std::unique_ptr<simulation::RobotSimulation> robot_;
+  simulation::ServoReadings noisy_;
+  std::vector<double> angles_;  ///< what the encoders show [rad]
+  Random random_{1};
 };
 
 }  // namespace plumbline::bench

@@ -32,8 +32,8 @@ bool survives(Walker& robot, const WalkRequest& request, const Vec2& momentum, d
 /// Pushes of 0.1 s on one robot, whatever it does.
 class PushTest {
 public:
-  PushTest(Walker& robot_, const WalkRequest& request_) : robot(robot_), request(request_) {
-    for (const Link& link : robot.model.links) mass += link.mass;
+  PushTest(Walker& robot, const WalkRequest& request) : robot_(robot), request_(request) {
+    for (const Link& link : robot_.model.links) mass_ += link.mass;
   }
 
   /// The largest of the steps of 0.1 N s of which at least 95 % of the tries are survived. Halving with a
@@ -62,13 +62,13 @@ private:
     Random random(17);
     int falls = 0;
     for (int i = 0; i < tries && falls <= allowed; ++i)
-      falls += survives(robot, request, momentum, mass, random) ? 0 : 1;
+      falls += survives(robot_, request_, momentum, mass_, random) ? 0 : 1;
     return falls <= allowed;
   }
 
-  Walker& robot;
-  WalkRequest request;
-  double mass = 0;
+  Walker& robot_;
+  WalkRequest request_;
+  double mass_ = 0;
 };
 
 }  // namespace

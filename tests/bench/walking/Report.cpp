@@ -39,18 +39,18 @@ void Report::figure(const std::string& name, double value, const std::string& un
                                  name, value, unit, target.higher ? "higher" : "lower");
   if (std::isfinite(target.value)) line += fmt::format(R"(, "target": {:.6g})", target.value);
   if (!peer.empty()) line += fmt::format(R"(, "peer": "{}", "peer_value": {:.6g})", peer, peerValue);
-  figures.push_back(line + "}");
+  figures_.push_back(line + "}");
 }
 
 void Report::append(const Report& part) {
-  markdown += part.markdown;
-  figures.insert(figures.end(), part.figures.begin(), part.figures.end());
+  markdown_ += part.markdown_;
+  figures_.insert(figures_.end(), part.figures_.begin(), part.figures_.end());
 }
 
-std::string Report::json() const { return fmt::format("[\n  {}\n]\n", fmt::join(figures, ",\n  ")); }
+std::string Report::json() const { return fmt::format("[\n  {}\n]\n", fmt::join(figures_, ",\n  ")); }
 
 void Report::keep(const std::string& path) const {
-  writeFile(path, nlohmann::json{{"tables", markdown}, {"figures", figures}}.dump(1) + "\n");
+  writeFile(path, nlohmann::json{{"tables", markdown_}, {"figures", figures_}}.dump(1) + "\n");
 }
 
 std::optional<Report> Report::kept(const std::string& path) {
@@ -58,24 +58,24 @@ std::optional<Report> Report::kept(const std::string& path) {
   if (!file) return {};
   const nlohmann::json json = nlohmann::json::parse(file);
   Report report;
-  report.markdown = json.at("tables");
-  report.figures = json.at("figures");
-  std::fputs(report.markdown.c_str(), stdout);
+  report.markdown_ = json.at("tables");
+  report.figures_ = json.at("figures");
+  std::fputs(report.markdown_.c_str(), stdout);
   std::fflush(stdout);
   return report;
 }
 
 void Report::tableHead(const std::vector<std::string>& cells) {
   row(cells);
-  markdown += "|";
-  for (std::size_t i = 0; i < cells.size(); ++i) markdown += "---|";
-  markdown += "\n";
+  markdown_ += "|";
+  for (std::size_t i = 0; i < cells.size(); ++i) markdown_ += "---|";
+  markdown_ += "\n";
 }
 
 void Report::row(const std::vector<std::string>& cells) {
   std::string line = "|";
   for (const std::string& cell : cells) line += " " + cell + " |";
-  markdown += line + "\n";
+  markdown_ += line + "\n";
   std::puts(line.c_str());
   std::fflush(stdout);
 }

@@ -24,15 +24,15 @@ public:
   void figure(const std::string& name, double value, const std::string& unit, const Target& target,
               const std::string& peer = "", double peerValue = 0);
   /// A heading, a paragraph or a table's row.
-  void heading(const std::string& line) { markdown += "\n## " + line + "\n\n"; }
-  void paragraph(const std::string& line) { markdown += line + "\n\n"; }
+  void heading(const std::string& line) { markdown_ += "\n## " + line + "\n\n"; }
+  void paragraph(const std::string& line) { markdown_ += line + "\n\n"; }
   void tableHead(const std::vector<std::string>& cells);
   void row(const std::vector<std::string>& cells);
 
   /// What another report has, after what this one has.
   void append(const Report& part);
 
-  const std::string& tables() const { return markdown; }
+  const std::string& tables() const { return markdown_; }
   std::string json() const;
 
   /// Puts it away in a file, beside its place first; throws std::runtime_error.
@@ -41,8 +41,8 @@ public:
   static std::optional<Report> kept(const std::string& path);
 
 private:
-  std::string markdown;
-  std::vector<std::string> figures;
+  std::string markdown_;
+  std::vector<std::string> figures_;
 };
 
 }  // namespace plumbline::bench

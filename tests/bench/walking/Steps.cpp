@@ -7,22 +7,22 @@ namespace plumbline::bench {
 using namespace walking;
 
 void StepWatch::cycle() {
-  const WalkOutput& out = robot.output;
-  if (out.support != support) {
-    if (support != Support::both && planned) {
-      const double side = support == Support::left ? 1 : -1;
-      result.figures.change += 1000 * Vec2(last.x() - planned->x(), -side * (last.y() - planned->y()));
+  const WalkOutput& out = robot_.output;
+  if (out.support != support_) {
+    if (support_ != Support::both && planned_) {
+      const double side = support_ == Support::left ? 1 : -1;
+      result_.figures.change += 1000 * Vec2(last_.x() - planned_->x(), -side * (last_.y() - planned_->y()));
     }
-    support = out.support;
-    planned.reset();
-  } else if (support != Support::both) {
-    last = out.stepTarget;
-    if (!planned) planned = last;
+    support_ = out.support;
+    planned_.reset();
+  } else if (support_ != Support::both) {
+    last_ = out.stepTarget;
+    if (!planned_) planned_ = last_;
   }
-  if (const ObservedStep* step = robot.engine.observedStep()) add(*step);
+  if (const ObservedStep* step = robot_.engine.observedStep()) add(*step);
 }
 Observed StepWatch::finish() {
-  StepFigures& f = result.figures;
+  StepFigures& f = result_.figures;
   if (f.steps > 0) {
     const double n = f.steps;
     f.position /= n;
@@ -31,25 +31,25 @@ Observed StepWatch::finish() {
     f.footMean /= n;
     f.footAbs /= n;
   }
-  return result;
+  return result_;
 }
 
 void StepWatch::add(const ObservedStep& step) {
   const Side side = step.begin.supportSide();
   const Vec2 outwards(1, outward(side));
   const auto& end = step.samples.back();
-  const WalkState predicted = step.predicted(step.pendulum.with(robot.engine.prediction()), end.time);
-  StepFigures& f = result.figures;
+  const WalkState predicted = step.predicted(step.pendulum.with(robot_.engine.prediction()), end.time);
+  StepFigures& f = result_.figures;
   f.position += 1000 * outwards.cwiseProduct(predicted.supportFoot().position - end.foot);
   f.velocity += 1000 * outwards.cwiseProduct(predicted.velocity - end.velocity);
-  const ReferenceTrajectory& reference = robot.engine.reference();
+  const ReferenceTrajectory& reference = robot_.engine.reference();
   const Vec2 planned = reference.begin[index(other(side))].foot[index(side)].position;
   const Vec2 off = 1000 * outwards.cwiseProduct(end.foot - planned);
   f.footMean += off;
   f.footAbs += off.norm();
   ++f.steps;
-  result.feet[index(side)].push_back(1000 * end.foot);
-  if (result.referenceFeet.size() < 2) result.referenceFeet.push_back(1000 * planned);
+  result_.feet[index(side)].push_back(1000 * end.foot);
+  if (result_.referenceFeet.size() < 2) result_.referenceFeet.push_back(1000 * planned);
 }
 
 std::vector<std::string> cellsOf(const StepFigures& f) {

@@ -30,7 +30,7 @@ struct Observed {
 /// Follows a robot from step to step.
 class StepWatch {
 public:
-  explicit StepWatch(walking::Walker& robot) : robot(robot) {}
+  explicit StepWatch(walking::Walker& robot) : robot_(robot) {}
 
   void cycle();
   /// The means.
@@ -39,11 +39,11 @@ public:
 private:
   void add(const walking::ObservedStep& step);
 
-  walking::Walker& robot;
-  Observed result;
-  walking::Support support = walking::Support::both;
-  std::optional<Pose2> planned;
-  Pose2 last;
+  walking::Walker& robot_;
+  Observed result_;
+  walking::Support support_ = walking::Support::both;
+  std::optional<Pose2> planned_;
+  Pose2 last_;
 };
 
 /// The cells of position, velocity and change of the target.

@@ -22,27 +22,27 @@ struct Context {
 class Detector : private Context, public FallDetector {
 public:
   Detector() {
-    theFrameInfo = &frame;
-    theUprightVec = &upright;
-    theTorsoPose = &torso;
+    theFrameInfo = &frame_;
+    theUprightVec = &upright_;
+    theTorsoPose = &torso_;
     init();
   }
   /// Tilted about the axis (1, 0: to the right; 0, 1: forward) by degrees, for so many cycles.
   void be(double aboutX, double aboutY, double degrees, int cycles, double height = 0.38) {
     const Mat3 R = Eigen::AngleAxisd(fromDegrees(degrees), Vec3(aboutX, aboutY, 0).normalized()).matrix();
-    upright.up = R.row(2);
-    torso.T_ground_torso = translation(0, 0, height);
+    upright_.up = R.row(2);
+    torso_.T_ground_torso = translation(0, 0, height);
     for (int i = 0; i < cycles; ++i) {
-      frame.time += 0.02;
+      frame_.time += 0.02;
       update(&state);
     }
   }
   FallState state;
 
 private:
-  FrameInfo frame;
-  UprightVec upright;
-  TorsoPose torso;
+  FrameInfo frame_;
+  UprightVec upright_;
+  TorsoPose torso_;
 };
 
 TEST(FallDetector, everySideOfAFall) {

@@ -21,30 +21,30 @@ using namespace test;
 class Recording {
 public:
   Recording(const std::string& name, int type)
-      : lines(samples(name)), controller(ControllerOptions{}, perceptionModules()) {
+      : lines_(samples(name)), controller_(ControllerOptions{}, perceptionModules()) {
     auto options = std::make_shared<AgentOptions>();
     options->type = type;
-    controller.objects().set(options);
-    controller.objects().set(source);
+    controller_.objects().set(options);
+    controller_.objects().set(source_);
   }
   /// Up to this message, counted from 1.
   void playTo(std::size_t message) {
-    for (; played < message; ++played) {
-      source->text = lines.at(played);
-      controller.runCycles(1);
+    for (; played_ < message; ++played_) {
+      source_->text = lines_.at(played_);
+      controller_.runCycles(1);
     }
   }
-  std::size_t size() const { return lines.size(); }
+  std::size_t size() const { return lines_.size(); }
   template <typename R>
   const R& get() const {
-    return *controller.find<R>();
+    return *controller_.find<R>();
   }
 
 private:
-  std::vector<std::string> lines;
-  std::size_t played = 0;
-  std::shared_ptr<MessageSource> source = std::make_shared<MessageSource>();
-  Controller controller;
+  std::vector<std::string> lines_;
+  std::size_t played_ = 0;
+  std::shared_ptr<MessageSource> source_ = std::make_shared<MessageSource>();
+  Controller controller_;
 };
 
 TEST(LeagueRecording, hangsWhereTheServerPutsItAndIsBeamed) {

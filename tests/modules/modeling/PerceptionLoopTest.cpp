@@ -27,20 +27,20 @@ namespace {
 class PerceptionLoop {
 public:
   explicit PerceptionLoop(const InProcessServer::Setup& setup)
-      : server(setup), controller(ControllerOptions{}, perceptionModules()) {
-    options->type = setup.type;
-    controller.objects().set(options);
-    controller.objects().set(text);
+      : server(setup), controller_(ControllerOptions{}, perceptionModules()) {
+    options_->type = setup.type;
+    controller_.objects().set(options_);
+    controller_.objects().set(text_);
   }
 
   /// The agent's cycle on the present message.
   void perceive() {
-    text->text = server.message();
-    controller.runCycles(1);
+    text_->text = server.message();
+    controller_.runCycles(1);
   }
   template <typename R>
   const R& get() const {
-    return *controller.find<R>();
+    return *controller_.find<R>();
   }
   Pose2 truth() const { return groundPose(get<GroundTruth>().T_field_torso); }
   double positionError() const { return (get<RobotPose>().pose.position - truth().position).norm(); }
@@ -55,9 +55,9 @@ public:
   InProcessServer server;
 
 private:
-  std::shared_ptr<AgentOptions> options = std::make_shared<AgentOptions>();
-  std::shared_ptr<MessageSource> text = std::make_shared<MessageSource>();
-  Controller controller;
+  std::shared_ptr<AgentOptions> options_ = std::make_shared<AgentOptions>();
+  std::shared_ptr<MessageSource> text_ = std::make_shared<MessageSource>();
+  Controller controller_;
 };
 
 TEST(PerceptionLoop, estimatesWhileWalking) {

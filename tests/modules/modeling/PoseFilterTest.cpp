@@ -14,8 +14,8 @@ namespace {
 /// A robot that wanders over the field, seen through SimSpark's noise and an odometry that is 2 % off.
 class Wanderer {
 public:
-  explicit Wanderer(bool leftSide_, std::uint64_t seed)
-      : leftSide(leftSide_), filter(FieldMap(FieldSize{}, leftSide_), {}), image(seed), random(seed + 100) {}
+  explicit Wanderer(bool leftSide, std::uint64_t seed)
+      : leftSide(leftSide), filter(FieldMap(FieldSize{}, leftSide), {}), image(seed), random(seed + 100) {}
 
   /// One cycle; maxLandmarks are left in the image.
   void step(std::size_t maxLandmarks = 8) {

@@ -18,20 +18,20 @@ template <typename M>
 class ModuleUnderTest {
 public:
   explicit ModuleUnderTest(const std::string& name, std::vector<std::string> directories = {"config"})
-      : store(std::move(directories)), context{name, "test", store, objects, stop}, scope(context) {
-    module = std::make_unique<M>();
-    configureModule(*module, M::moduleDescription(), store);
-    module->init();
+      : store_(std::move(directories)), context_{name, "test", store_, objects_, stop_}, scope_(context_) {
+    module_ = std::make_unique<M>();
+    configureModule(*module_, M::moduleDescription(), store_);
+    module_->init();
   }
-  M* operator->() { return module.get(); }
+  M* operator->() { return module_.get(); }
 
 private:
-  ConfigStore store;
-  ModuleObjects objects;
-  StopSignal stop;
-  ModuleContext context;
-  ModuleContext::Scope scope;
-  std::unique_ptr<M> module;
+  ConfigStore store_;
+  ModuleObjects objects_;
+  StopSignal stop_;
+  ModuleContext context_;
+  ModuleContext::Scope scope_;
+  std::unique_ptr<M> module_;
 };
 
 }  // namespace plumbline

@@ -7,7 +7,7 @@ namespace plumbline::test {
 MAKE_PLATFORM("scripted", ScriptedPlatform)
 
 void ScriptedPlatform::declareOptions(CLI::App& app) {
-  app.add_option("--walk-after", options->walkAfter, "seconds that the robot stands before it walks");
+  app.add_option("--walk-after", options_->walkAfter, "seconds that the robot stands before it walks");
 }
 
 std::vector<std::string> ScriptedPlatform::configFolders(const std::string& config) const {
@@ -15,7 +15,7 @@ std::vector<std::string> ScriptedPlatform::configFolders(const std::string& conf
 }
 
 void ScriptedPlatform::addObjects(ModuleObjects& objects, std::function<void(const std::string&)>) const {
-  objects.set(options);
+  objects.set(options_);
   objects.set(std::make_shared<ScriptedWorld>());
   objects.set(std::make_shared<RobotModel>(simsparkRobot(0)));
 }

@@ -23,7 +23,7 @@ public:
   std::vector<NeededModule> neededModules() const override;
 
 private:
-  const std::shared_ptr<ScriptedOptions> options = std::make_shared<ScriptedOptions>();
+  const std::shared_ptr<ScriptedOptions> options_ = std::make_shared<ScriptedOptions>();
 };
 
 }  // namespace plumbline::test

@@ -25,39 +25,39 @@ using simspark::TraceRow;
 /// A game without noise in which what was commanded and what came of it is written down.
 class Recorder {
 public:
-  explicit Recorder(const std::vector<int>& types) : simulation(silent()) {
+  explicit Recorder(const std::vector<int>& types) : simulation_(silent()) {
     for (std::size_t i = 0; i < types.size(); ++i) {
-      ids.push_back(simulation.addPlayer(types[i]));
+      ids_.push_back(simulation_.addPlayer(types[i]));
       simspark::AgentCommand command;
       command.init = simspark::InitRequest{static_cast<int>(i) + 1, "team"};
-      EXPECT_EQ(simulation.act(ids.back(), command), "");
+      EXPECT_EQ(simulation_.act(ids_.back(), command), "");
     }
-    commands.resize(types.size());
-    pending.resize(types.size());
-    inForce.resize(types.size());
-    rows.resize(types.size());
+    commands_.resize(types.size());
+    pending_.resize(types.size());
+    inForce_.resize(types.size());
+    rows_.resize(types.size());
   }
 
-  void command(std::size_t robot, JointId joint, double speed) { commands[robot].velocity[joint] = speed; }
-  void beam(std::size_t robot, const Pose2& place) { commands[robot].beam = place; }
+  void command(std::size_t robot, JointId joint, double speed) { commands_[robot].velocity[joint] = speed; }
+  void beam(std::size_t robot, const Pose2& place) { commands_[robot].beam = place; }
   /// Sends what was commanded since the last step, which acts in the step after this one, and makes a row.
   void step(bool record = true) {
-    for (std::size_t i = 0; i < ids.size(); ++i) {
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
       for (std::size_t j = 0; j < numHumanoidJoints; ++j)
-        if (commands[i].velocity[j]) inForce[i][j] = *commands[i].velocity[j];
-      if (!rows[i].empty()) rows[i].back().command = inForce[i];
-      EXPECT_EQ(simulation.act(ids[i], pending[i]), "");
+        if (commands_[i].velocity[j]) inForce_[i][j] = *commands_[i].velocity[j];
+      if (!rows_[i].empty()) rows_[i].back().command = inForce_[i];
+      EXPECT_EQ(simulation_.act(ids_[i], pending_[i]), "");
     }
-    simulation.step();
-    pending = std::exchange(commands, std::vector<simspark::AgentCommand>(ids.size()));
-    for (std::size_t i = 0; record && i < ids.size(); ++i) {
-      const Player& player = *simulation.allPlayers().at(ids[i]);
-      rows[i].push_back(traceRowOf(simulation.world(), player.robot, player.model().linkIndex("lFoot"),
-                                   player.model().linkIndex("rFoot"), inForce[i]));
+    simulation_.step();
+    pending_ = std::exchange(commands_, std::vector<simspark::AgentCommand>(ids_.size()));
+    for (std::size_t i = 0; record && i < ids_.size(); ++i) {
+      const Player& player = *simulation_.allPlayers().at(ids_[i]);
+      rows_[i].push_back(traceRowOf(simulation_.world(), player.robot, player.model().linkIndex("lFoot"),
+                                    player.model().linkIndex("rFoot"), inForce_[i]));
     }
   }
 
-  const std::vector<TraceRow>& of(std::size_t robot) const { return rows[robot]; }
+  const std::vector<TraceRow>& of(std::size_t robot) const { return rows_[robot]; }
 
 private:
   static SimulationConfig silent() {
@@ -67,11 +67,11 @@ private:
     return config;
   }
 
-  Simulation simulation;
-  std::vector<PlayerId> ids;
-  std::vector<simspark::AgentCommand> commands, pending;
-  std::vector<JointArray> inForce;
-  std::vector<std::vector<TraceRow>> rows;
+  Simulation simulation_;
+  std::vector<PlayerId> ids_;
+  std::vector<simspark::AgentCommand> commands_, pending_;
+  std::vector<JointArray> inForce_;
+  std::vector<std::vector<TraceRow>> rows_;
 };
 
 std::vector<JointId> jointsOf(const RobotModel& model) {
@@ -101,8 +101,8 @@ std::filesystem::path twoRobots(const std::string& name, bool beamed) {
   const std::filesystem::path folder = testing::TempDir() + "several_" + name;
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
-  test::writeTrace(folder / (name + "_r1t0.csv"), jointsOf(simsparkRobot(0)), game.of(0));
-  test::writeTrace(folder / (name + "_r2t0.csv"), jointsOf(simsparkRobot(0)), game.of(1));
+  plumbline::test::writeTrace(folder / (name + "_r1t0.csv"), jointsOf(simsparkRobot(0)), game.of(0));
+  plumbline::test::writeTrace(folder / (name + "_r2t0.csv"), jointsOf(simsparkRobot(0)), game.of(1));
   return folder;
 }
 

@@ -85,10 +85,10 @@ std::string encodeBelief(const TeamBelief& belief, std::string_view team, std::i
   bits.write(quantise(belief.timeToBall, 0, PlayerRole::never, timeBits), timeBits);
   writeBall(bits, belief);
   for (std::size_t i = 0; i < TeamBelief::maxOpponents; ++i) {
-    const bool told = i < belief.opponents.size();
-    bits.write(told ? static_cast<std::uint32_t>(std::clamp(belief.opponents[i].number, 0, maxNumber)) : 0,
+    const bool known = i < belief.opponents.size();
+    bits.write(known ? static_cast<std::uint32_t>(std::clamp(belief.opponents[i].number, 0, maxNumber)) : 0,
                numberBits);
-    writePoint(bits, told ? belief.opponents[i].position : Vec2(Vec2::Zero()), farXBits, farYBits);
+    writePoint(bits, known ? belief.opponents[i].position : Vec2(Vec2::Zero()), farXBits, farYBits);
   }
   const std::uint32_t check = checksum(bits, team, slot);
   bits.seek(0);

@@ -35,10 +35,10 @@ public:
   };
 
   AttitudeFilter() = default;
-  explicit AttitudeFilter(const Parameters& parameters) : parameters(parameters) {}
+  explicit AttitudeFilter(const Parameters& parameters) : parameters_(parameters) {}
 
   /// The state stays.
-  void setParameters(const Parameters& changed) { parameters = changed; }
+  void setParameters(const Parameters& changed) { parameters_ = changed; }
   /// Forgets everything: heading 0 and upright, unless the next accelerometer reading has gravity's strength.
   void reset();
 
@@ -51,14 +51,14 @@ public:
   void seeGround(const GroundPlane::Fit& ground);
 
   /// World (z up, heading counted from where the filter was reset) from torso.
-  const Mat3& rotation() const { return R_world_torso; }
+  const Mat3& rotation() const { return R_world_torso_; }
   /// R_world_torso = Rz(heading) * Ry(pitch) * Rx(roll) [rad].
   double roll() const;
   double pitch() const;
   double heading() const;
   /// Up in the torso frame, length 1.
-  Vec3 up() const { return R_world_torso.row(2); }
-  bool still() const { return stillFor >= parameters.stillCycles; }
+  Vec3 up() const { return R_world_torso_.row(2); }
+  bool still() const { return stillFor_ >= parameters_.stillCycles; }
 
 private:
   void integrate(const Vec3& gyro, double dt);
@@ -68,17 +68,17 @@ private:
 
   static constexpr double unknownTilt = 0.01;  ///< [rad^2]
 
-  Parameters parameters;
-  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
-  Mat3 R_world_torso = Mat3::Identity();
-  Vec3 lastAcc = Vec3::Zero();
-  Vec3 meanAcc = Vec3::Zero();  ///< world frame
-  bool fresh = true;  ///< before the first update, whose accelerometer is believed if it reads gravity
-  int stillFor = 0;
-  bool groundDiffers = false;         ///< the last seen ground did not fit
-  double tiltVariance = unknownTilt;  ///< of each component of the tilt [rad^2]
-  double settledFor = 0;  ///< since the estimate was started or lost, up to movingTimeConstant [s]
-  double lostFor = 0;
+  Parameters parameters_;
+  Eigen::Quaterniond q_ = Eigen::Quaterniond::Identity();
+  Mat3 R_world_torso_ = Mat3::Identity();
+  Vec3 lastAcc_ = Vec3::Zero();
+  Vec3 meanAcc_ = Vec3::Zero();  ///< world frame
+  bool fresh_ = true;  ///< before the first update, whose accelerometer is believed if it reads gravity
+  int stillFor_ = 0;
+  bool groundDiffers_ = false;         ///< the last seen ground did not fit
+  double tiltVariance_ = unknownTilt;  ///< of each component of the tilt [rad^2]
+  double settledFor_ = 0;  ///< since the estimate was started or lost, up to movingTimeConstant [s]
+  double lostFor_ = 0;
 };
 
 }  // namespace plumbline

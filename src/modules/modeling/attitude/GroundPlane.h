@@ -12,7 +12,7 @@ class GroundPlane {
 public:
   static constexpr std::size_t maxPoints = 64;
 
-  void clear() { count = 0; }
+  void clear() { count_ = 0; }
   /// A point on the ground [m] and the variance of its height [m^2]; those beyond maxPoints are left out.
   void add(const Vec3& point, double variance);
 
@@ -25,9 +25,9 @@ public:
   bool fit(const Vec3& eye, Fit& result) const;
 
 private:
-  std::array<Vec3, maxPoints> points;
-  std::array<double, maxPoints> weights;
-  std::size_t count = 0;
+  std::array<Vec3, maxPoints> points_;
+  std::array<double, maxPoints> weights_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace plumbline

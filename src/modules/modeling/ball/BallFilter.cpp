@@ -4,37 +4,37 @@
 
 namespace plumbline {
 
-void BallFilter::reset() { *this = BallFilter(parameters); }
+void BallFilter::reset() { *this = BallFilter(parameters_); }
 
 void BallFilter::start(const Vec2& position, const Mat2& covariance, const Vec2& velocity) {
   started_ = true;
-  state << position, velocity;
+  state_ << position, velocity;
   covariance_.setZero();
   covariance_.topLeftCorner<2, 2>() = covariance;
-  const double v = parameters.startSpeedDeviation;
+  const double v = parameters_.startSpeedDeviation;
   covariance_.bottomRightCorner<2, 2>() = v * v * Mat2::Identity();
-  heldBack.reset();
+  heldBack_.reset();
   atRest_ = velocity.isZero();
 }
 
 void BallFilter::predict(double dt, bool touchable, double drift) {
   if (!started_ || !(dt > 0)) return;
-  const double tau = parameters.rollingTimeConstant;
+  const double tau = parameters_.rollingTimeConstant;
   const double keep = std::exp(-dt / tau), way = tau * (1 - keep);
   Mat4 transition = Mat4::Identity();
   transition.topRightCorner<2, 2>() = way * Mat2::Identity();
   transition.bottomRightCorner<2, 2>() = keep * Mat2::Identity();
   // Most balls lie still; the noise of the estimated speed would let them roll away while unseen.
-  if (!atRest_) state.head<2>() += way * state.tail<2>();
-  state.tail<2>() *= keep;
+  if (!atRest_) state_.head<2>() += way * state_.tail<2>();
+  state_.tail<2>() *= keep;
   covariance_ = transition * covariance_ * transition.transpose();
-  const double noise = touchable ? parameters.touchedSpeedNoise : parameters.speedNoise;
+  const double noise = touchable ? parameters_.touchedSpeedNoise : parameters_.speedNoise;
   const double q = noise * noise * dt;
   covariance_.topLeftCorner<2, 2>().diagonal().array() += drift * drift + q * dt * dt / 3;
   covariance_.bottomRightCorner<2, 2>().diagonal().array() += q;
   covariance_.topRightCorner<2, 2>().diagonal().array() += q * dt / 2;
   covariance_.bottomLeftCorner<2, 2>().diagonal().array() += q * dt / 2;
-  if (heldBack) heldBack->age += dt;
+  if (heldBack_) heldBack_->age += dt;
 }
 
 bool BallFilter::update(const Vec2& position, const Mat2& covariance) {
@@ -44,25 +44,26 @@ bool BallFilter::update(const Vec2& position, const Mat2& covariance) {
     return true;
   }
   const Mat2 innovationInverse = (covariance_.topLeftCorner<2, 2>() + covariance).inverse();
-  const Vec2 innovation = position - state.head<2>();
-  if (innovation.dot(innovationInverse * innovation) > parameters.gate * parameters.gate) {
-    if (heldBack && heldBack->age > 0 && heldBack->age < parameters.agreementSeconds) {
-      const Vec2 velocity = (position - heldBack->position) / heldBack->age;
-      if (velocity.norm() < parameters.agreementSpeed) {
+  const Vec2 innovation = position - state_.head<2>();
+  if (innovation.dot(innovationInverse * innovation) > parameters_.gate * parameters_.gate) {
+    if (heldBack_ && heldBack_->age > 0 && heldBack_->age < parameters_.agreementSeconds) {
+      const Vec2 velocity = (position - heldBack_->position) / heldBack_->age;
+      if (velocity.norm() < parameters_.agreementSpeed) {
         start(position, covariance, velocity);
         return true;
       }
     }
-    heldBack = HeldBack{position, 0};
+    heldBack_ = HeldBack{position, 0};
     return false;
   }
-  heldBack.reset();
+  heldBack_.reset();
   const Eigen::Matrix<double, 4, 2> gain = covariance_.leftCols<2>() * innovationInverse;
-  state += gain * innovation;
+  state_ += gain * innovation;
   const Mat4 remaining = covariance_ - gain * covariance_.topRows<2>();
   covariance_ = 0.5 * (remaining + remaining.transpose());
   const double variance = 0.5 * (covariance_(2, 2) + covariance_(3, 3));
-  atRest_ = state.tail<2>().squaredNorm() < parameters.restDeviations * parameters.restDeviations * variance;
+  atRest_ =
+      state_.tail<2>().squaredNorm() < parameters_.restDeviations * parameters_.restDeviations * variance;
   return true;
 }
 

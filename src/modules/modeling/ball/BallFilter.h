@@ -33,10 +33,10 @@ public:
   };
 
   BallFilter() = default;
-  explicit BallFilter(const Parameters& parameters) : parameters(parameters) {}
+  explicit BallFilter(const Parameters& parameters) : parameters_(parameters) {}
 
   /// The state stays.
-  void setParameters(const Parameters& changed) { parameters = changed; }
+  void setParameters(const Parameters& changed) { parameters_ = changed; }
   void reset();
   bool started() const { return started_; }
 
@@ -47,8 +47,8 @@ public:
   /// Returns whether the percept was used.
   bool update(const Vec2& position, const Mat2& covariance);
 
-  Vec2 position() const { return state.head<2>(); }                                        ///< [m]
-  Vec2 velocity() const { return atRest() ? Vec2(Vec2::Zero()) : Vec2(state.tail<2>()); }  ///< [m/s]
+  Vec2 position() const { return state_.head<2>(); }                                        ///< [m]
+  Vec2 velocity() const { return atRest() ? Vec2(Vec2::Zero()) : Vec2(state_.tail<2>()); }  ///< [m/s]
   /// Whether, when it was last seen, the ball might as well have lain still.
   bool atRest() const { return atRest_; }
   double deviation() const;  ///< of the position, per axis [m]
@@ -63,11 +63,11 @@ private:
     double age;
   };
 
-  Parameters parameters;
+  Parameters parameters_;
   bool started_ = false, atRest_ = true;
-  Vec4 state = Vec4::Zero();  ///< x, y, vx, vy
+  Vec4 state_ = Vec4::Zero();  ///< x, y, vx, vy
   Mat4 covariance_ = Mat4::Identity();
-  std::optional<HeldBack> heldBack;
+  std::optional<HeldBack> heldBack_;
 };
 
 }  // namespace plumbline

@@ -10,13 +10,13 @@ namespace {
 constexpr double agreement = 3;  ///< [standard deviations]
 }  // namespace
 
-std::optional<ToldBall> combineBalls(const std::vector<ToldBall>& told) {
-  if (told.empty()) return std::nullopt;
-  const ToldBall& best = *std::ranges::min_element(told, {}, &ToldBall::deviation);
-  ToldBall sum;
+std::optional<HeardBall> combineBalls(const std::vector<HeardBall>& heard) {
+  if (heard.empty()) return std::nullopt;
+  const HeardBall& best = *std::ranges::min_element(heard, {}, &HeardBall::deviation);
+  HeardBall sum;
   sum.age = best.age;
   double weights = 0;
-  for (const ToldBall& ball : told) {
+  for (const HeardBall& ball : heard) {
     const double apart = (ball.position - best.position).norm();
     if (apart > agreement * std::hypot(ball.deviation, best.deviation)) continue;
     const double weight = 1 / (ball.deviation * ball.deviation);

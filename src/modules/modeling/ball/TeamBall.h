@@ -7,7 +7,7 @@
 namespace plumbline {
 
 /// A ball that somebody tells of, rolled on to now; in the team's frame [m, m/s, s].
-struct ToldBall {
+struct HeardBall {
   Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();
   double deviation = 1;  ///< per axis [m]
   double age = 0;        ///< since it was seen [s]
@@ -15,6 +15,6 @@ struct ToldBall {
 
 /// The mean weighted by certainty of those that agree with the most certain one (within three deviations);
 /// others are left out, because they tell of a ball that was elsewhere. Nothing without any.
-std::optional<ToldBall> combineBalls(const std::vector<ToldBall>& told);
+std::optional<HeardBall> combineBalls(const std::vector<HeardBall>& heard);
 
 }  // namespace plumbline

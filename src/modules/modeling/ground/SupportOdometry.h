@@ -20,9 +20,9 @@ public:
   };
 
   /// With no contact the last speed goes on for airborneSeconds, then the robot is taken to lie still [s].
-  explicit SupportOdometry(double airborneSeconds = 0.2) : airborneSeconds(airborneSeconds) {}
+  explicit SupportOdometry(double airborneSeconds = 0.2) : airborneSeconds_(airborneSeconds) {}
 
-  void setAirborneSeconds(double seconds) { airborneSeconds = seconds; }
+  void setAirborneSeconds(double seconds) { airborneSeconds_ = seconds; }
   void reset();
 
   /// One cycle; R_world_torso: z up, T_torso_link: kinematics of this cycle, contacts: during the step that
@@ -32,12 +32,12 @@ public:
                std::span<const Contact> contacts, double dt);
 
 private:
-  double airborneSeconds;
-  bool started = false;
-  Mat3 R_before = Mat3::Identity();
-  std::vector<Pose3> linksBefore;
-  double airborneFor = 0;
-  Vec2 speed = Vec2::Zero();  ///< in the world's orientation [m/s]
+  double airborneSeconds_;
+  bool started_ = false;
+  Mat3 R_before_ = Mat3::Identity();
+  std::vector<Pose3> linksBefore_;
+  double airborneFor_ = 0;
+  Vec2 speed_ = Vec2::Zero();  ///< in the world's orientation [m/s]
 };
 
 }  // namespace plumbline

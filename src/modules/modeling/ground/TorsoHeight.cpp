@@ -25,17 +25,17 @@ double reach(const Shape& shape, const Vec3& u) {
 TorsoHeight::TorsoHeight(const RobotModel& model) {
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const Link& link = model.links[i];
-    if (link.collides) all.push_back({i, link.shape});
-    if (link.name.ends_with("Foot") || link.name.ends_with("Toe")) feet.push_back({i, link.shape});
+    if (link.collides) all_.push_back({i, link.shape});
+    if (link.name.ends_with("Foot") || link.name.ends_with("Toe")) feet_.push_back({i, link.shape});
   }
 }
 
 double TorsoHeight::aboveFeet(const Vec3& up, std::span<const Pose3> T_torso_link) const {
-  return height(feet, up, T_torso_link);
+  return height(feet_, up, T_torso_link);
 }
 
 double TorsoHeight::aboveLowestPoint(const Vec3& up, std::span<const Pose3> T_torso_link) const {
-  return height(all, up, T_torso_link);
+  return height(all_, up, T_torso_link);
 }
 
 double TorsoHeight::height(const std::vector<Body>& bodies, const Vec3& up,

@@ -22,7 +22,7 @@ private:
     Shape shape;
   };
   static double height(const std::vector<Body>& bodies, const Vec3& up, std::span<const Pose3> T_torso_link);
-  std::vector<Body> feet, all;
+  std::vector<Body> feet_, all_;
 };
 
 }  // namespace plumbline

@@ -7,11 +7,12 @@ namespace {
 
 constexpr double agreement = 3;  ///< [standard deviations]
 
-OtherRobot combined(const OtherRobot& seen, const OtherRobot& told) {
-  const Vec2 apart = told.position - seen.position;
-  const Mat2 inverse = (seen.covariance + told.covariance).inverse();
-  if (apart.dot(inverse * apart) > agreement * agreement) return told.lastSeen > seen.lastSeen ? told : seen;
-  OtherRobot both = told.lastSeen > seen.lastSeen ? told : seen;
+OtherRobot combined(const OtherRobot& seen, const OtherRobot& heard) {
+  const Vec2 apart = heard.position - seen.position;
+  const Mat2 inverse = (seen.covariance + heard.covariance).inverse();
+  if (apart.dot(inverse * apart) > agreement * agreement)
+    return heard.lastSeen > seen.lastSeen ? heard : seen;
+  OtherRobot both = heard.lastSeen > seen.lastSeen ? heard : seen;
   const Mat2 gain = seen.covariance * inverse;
   both.position = seen.position + gain * apart;
   both.velocity = seen.velocity;
@@ -23,9 +24,9 @@ OtherRobot combined(const OtherRobot& seen, const OtherRobot& told) {
 }  // namespace
 
 std::vector<OtherRobot> combineRobots(const std::vector<OtherRobot>& seen,
-                                      const std::vector<OtherRobot>& told, double now, double ownSeconds) {
+                                      const std::vector<OtherRobot>& heard, double now, double ownSeconds) {
   std::vector<OtherRobot> all = seen;
-  for (const OtherRobot& robot : told) {
+  for (const OtherRobot& robot : heard) {
     const auto own = std::ranges::find_if(
         all, [&](const OtherRobot& r) { return r.mate == robot.mate && r.number == robot.number; });
     if (own == all.end())

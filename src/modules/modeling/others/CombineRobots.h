@@ -9,6 +9,6 @@ namespace plumbline {
 /// is seen; otherwise the mean of both weighted by their covariances where they agree within three
 /// deviations, else what is younger.
 std::vector<OtherRobot> combineRobots(const std::vector<OtherRobot>& seen,
-                                      const std::vector<OtherRobot>& told, double now, double ownSeconds);
+                                      const std::vector<OtherRobot>& heard, double now, double ownSeconds);
 
 }  // namespace plumbline

@@ -13,9 +13,9 @@ constexpr std::array<std::string_view, FieldMap::numLandmarks> names = {"F1L", "
 FieldMap::FieldMap(const FieldSize& size, bool leftSide) : size_(size) {
   const double x = size.length / 2, y = size.width / 2, post = size.goalWidth / 2;
   const double side = leftSide ? 1 : -1;
-  landmarks = {Vec2(-x, y),    Vec2(-x, -y),    Vec2(x, y),    Vec2(x, -y),
-               Vec2(-x, post), Vec2(-x, -post), Vec2(x, post), Vec2(x, -post)};
-  for (Vec2& landmark : landmarks) landmark *= side;
+  landmarks_ = {Vec2(-x, y),    Vec2(-x, -y),    Vec2(x, y),    Vec2(x, -y),
+                Vec2(-x, post), Vec2(-x, -post), Vec2(x, post), Vec2(x, -post)};
+  for (Vec2& landmark : landmarks_) landmark *= side;
 
   // The lines look the same after half a turn, only their order would change.
   std::size_t count = 0;

@@ -27,14 +27,14 @@ public:
 
   /// Index of F1L F2L F1R F2R G1L G2L G1R G2R (flags in the corners, goal posts), -1 for another name.
   static int landmarkIndex(std::string_view name);
-  const Vec2& landmark(int index) const { return landmarks[static_cast<std::size_t>(index)]; }
+  const Vec2& landmark(int index) const { return landmarks_[static_cast<std::size_t>(index)]; }
   /// Centre line, goal lines, side lines, penalty areas, ring of ten chords.
   const std::array<FieldSegment, numSegments>& segments() const { return segments_; }
   const FieldSize& size() const { return size_; }
 
 private:
   FieldSize size_;
-  std::array<Vec2, numLandmarks> landmarks;
+  std::array<Vec2, numLandmarks> landmarks_;
   std::array<FieldSegment, numSegments> segments_;
 };
 

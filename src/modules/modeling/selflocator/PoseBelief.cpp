@@ -102,20 +102,20 @@ struct PoseUpdate::Normal {
 
 void PoseUpdate::addLandmarks(const Pose2& pose, Normal& sum) const {
   const Mat2 back = pose.rotation().transpose();
-  for (const SeenLandmark& seen : view.landmarks)
-    sum.addPoint(back * (map.landmark(seen.index) - pose.position) - seen.point.position, seen.point);
+  for (const SeenLandmark& seen : view_.landmarks)
+    sum.addPoint(back * (map_.landmark(seen.index) - pose.position) - seen.point.position, seen.point);
 }
 
 void PoseUpdate::addLines(const PoseBelief& belief, Normal& sum, Fit& fit) const {
-  if (view.lines.empty()) return;
+  if (view_.lines.empty()) return;
   const Mat2 back = belief.pose.rotation().transpose();
   std::array<LocalSegment, FieldMap::numSegments> local;
   for (std::size_t i = 0; i < local.size(); ++i) {
-    const FieldSegment& segment = map.segments()[i];
+    const FieldSegment& segment = map_.segments()[i];
     local[i] = {back * (segment.start - belief.pose.position), back * segment.direction,
                 back * segment.normal, segment.length};
   }
-  for (const SeenFieldLine& line : view.lines) {
+  for (const SeenFieldLine& line : view_.lines) {
     const SeenEnd a = makeEnd(line.a, line.aIsEnd, belief.covariance);
     const SeenEnd b = makeEnd(line.b, line.bIsEnd, belief.covariance);
     Match best;
@@ -158,7 +158,7 @@ Fit PoseUpdate::apply(PoseBelief& belief) const {
     belief.pose = belief.pose * Pose2(move.x(), move.y(), move.z());
   };
   // Landmarks first: they cannot be mistaken, and narrow the search for the lines.
-  if (!view.landmarks.empty()) {
+  if (!view_.landmarks.empty()) {
     Normal sum;
     addLandmarks(belief.pose, sum);
     step(sum);

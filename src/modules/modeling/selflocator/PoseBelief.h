@@ -26,7 +26,7 @@ struct Fit {
 /// segments of the map that can only be meant. The error is the joint one of all innovations.
 class PoseUpdate {
 public:
-  PoseUpdate(const FieldMap& map, const FieldView& view) : map(map), view(view) {}
+  PoseUpdate(const FieldMap& map, const FieldView& view) : map_(map), view_(view) {}
 
   /// Changes the belief in place.
   Fit apply(PoseBelief& belief) const;
@@ -36,8 +36,8 @@ private:
   void addLandmarks(const Pose2& pose, Normal& sum) const;
   void addLines(const PoseBelief& belief, Normal& sum, Fit& fit) const;
 
-  const FieldMap& map;
-  const FieldView& view;
+  const FieldMap& map_;
+  const FieldView& view_;
 };
 
 }  // namespace plumbline

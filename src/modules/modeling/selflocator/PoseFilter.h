@@ -60,9 +60,9 @@ public:
   const Estimate& estimate() const { return estimate_; }
   /// Particles replaced by poses from images since the start.
   int resets() const { return resets_; }
-  std::size_t particleCount() const { return particles.size(); }
+  std::size_t particleCount() const { return particles_.size(); }
   /// What is believed; for drawings.
-  const std::vector<Particle>& believed() const { return particles; }
+  const std::vector<Particle>& believed() const { return particles_; }
 
 private:
   void start(const FieldView& view);
@@ -70,12 +70,12 @@ private:
   void resetFromImage(const FieldView& view, double share);
   void estimatePose();
 
-  const FieldMap map;
-  Parameters parameters;
-  Random random;
-  PoseProposals proposals;
-  std::vector<Particle> particles, resampled;
-  double slow = 0, fast = 0;
+  const FieldMap map_;
+  Parameters parameters_;
+  Random random_;
+  PoseProposals proposals_;
+  std::vector<Particle> particles_, resampled_;
+  double slow_ = 0, fast_ = 0;
   int resets_ = 0;
   Estimate estimate_;
 };

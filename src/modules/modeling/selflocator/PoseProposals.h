@@ -12,7 +12,7 @@ class PoseProposals {
 public:
   static constexpr std::size_t maxProposals = 4;
 
-  explicit PoseProposals(const FieldMap& map) : map(map) {}
+  explicit PoseProposals(const FieldMap& map) : map_(map) {}
 
   /// The proposals of this image, each with the covariance of the image; valid until the next call.
   const std::vector<PoseBelief>& find(const FieldView& view);
@@ -26,9 +26,9 @@ private:
   void fromLandmarkAndLine(const FieldView& view, const SeenFieldLine& line);
   void keep(const PoseUpdate& update, const Pose2& pose, std::size_t numLines);
 
-  const FieldMap& map;
-  std::vector<Scored> scored;
-  std::vector<PoseBelief> found;
+  const FieldMap& map_;
+  std::vector<Scored> scored_;
+  std::vector<PoseBelief> found_;
 };
 
 }  // namespace plumbline

@@ -32,73 +32,73 @@ std::unique_ptr<btCollisionShape> makeShape(const Shape& shape) {
 }
 
 BulletAssembly::BulletAssembly(const Assembly& assembly, const Pose3& T_world_root)
-    : spec(assembly), stepsToSleep(idleSteps) {
-  checkAssembly(spec);
-  hingeOfBody.assign(spec.bodies.size(), -1);
-  for (std::size_t i = 0; i < spec.hinges.size(); ++i)
-    hingeOfBody[at(spec.hinges[i].child)] = static_cast<int>(i);
-  motorVelocities.assign(spec.hinges.size(), 0);
-  for (const BodySpec& each : spec.bodies) principalAxes.push_back(principalAxesOf(each.inertia));
+    : spec_(assembly), stepsToSleep_(idleSteps) {
+  checkAssembly(spec_);
+  hingeOfBody_.assign(spec_.bodies.size(), -1);
+  for (std::size_t i = 0; i < spec_.hinges.size(); ++i)
+    hingeOfBody_[at(spec_.hinges[i].child)] = static_cast<int>(i);
+  motorVelocities_.assign(spec_.hinges.size(), 0);
+  for (const BodySpec& each : spec_.bodies) principalAxes_.push_back(principalAxesOf(each.inertia));
   addLinks();
-  for (std::size_t i = 0; i < spec.bodies.size(); ++i)
-    if (spec.bodies[i].shape) addCollider(static_cast<int>(i));
-  rowSet = std::make_unique<BulletRows>(*body);
+  for (std::size_t i = 0; i < spec_.bodies.size(); ++i)
+    if (spec_.bodies[i].shape) addCollider(static_cast<int>(i));
+  rowSet_ = std::make_unique<BulletRows>(*body_);
   AssemblyState start;
-  start.root.pose = T_world_root * spec.bodies[0].T_root_body;
-  start.angle.assign(spec.hinges.size(), 0);
+  start.root.pose = T_world_root * spec_.bodies[0].T_root_body;
+  start.angle.assign(spec_.hinges.size(), 0);
   start.rate = start.angle;
   setState(start);
 }
 
 void BulletAssembly::addLinks() {
   const auto diagonal = [this](std::size_t i) {
-    const Mat3& axes = principalAxes[i];
-    return fromVec3((axes.transpose() * spec.bodies[i].inertia * axes).diagonal());
+    const Mat3& axes = principalAxes_[i];
+    return fromVec3((axes.transpose() * spec_.bodies[i].inertia * axes).diagonal());
   };
   const auto linkPose = [this](int i) {
-    Pose3 pose = spec.bodies[at(i)].T_root_body;
-    pose.linear() = pose.linear() * principalAxes[at(i)];
+    Pose3 pose = spec_.bodies[at(i)].T_root_body;
+    pose.linear() = pose.linear() * principalAxes_[at(i)];
     return pose;
   };
-  const int links = static_cast<int>(spec.bodies.size()) - 1;
-  body = std::make_unique<btMultiBody>(links, spec.bodies[0].mass, diagonal(0), false, false);
+  const int links = static_cast<int>(spec_.bodies.size()) - 1;
+  body_ = std::make_unique<btMultiBody>(links, spec_.bodies[0].mass, diagonal(0), false, false);
   for (int i = 1; i <= links; ++i) {
-    const HingeSpec& hinge = spec.hinges[at(hingeOfBody[at(i)])];
+    const HingeSpec& hinge = spec_.hinges[at(hingeOfBody_[at(i)])];
     const Pose3 own = linkPose(i), parent = linkPose(hinge.parent);
-    body->setupRevolute(i - 1, spec.bodies[at(i)].mass, diagonal(at(i)), hinge.parent - 1,
-                        fromMat3(own.linear().transpose() * parent.linear()),
-                        fromVec3(own.linear().transpose() * hinge.axis),
-                        fromVec3(parent.linear().transpose() * (hinge.anchor - parent.translation())),
-                        fromVec3(own.linear().transpose() * (own.translation() - hinge.anchor)), true);
+    body_->setupRevolute(i - 1, spec_.bodies[at(i)].mass, diagonal(at(i)), hinge.parent - 1,
+                         fromMat3(own.linear().transpose() * parent.linear()),
+                         fromVec3(own.linear().transpose() * hinge.axis),
+                         fromVec3(parent.linear().transpose() * (hinge.anchor - parent.translation())),
+                         fromVec3(own.linear().transpose() * (own.translation() - hinge.anchor)), true);
   }
-  body->finalizeMultiDof();
-  body->setLinearDamping(0);
-  body->setAngularDamping(0);
-  body->setMaxCoordinateVelocity(1e6);
+  body_->finalizeMultiDof();
+  body_->setLinearDamping(0);
+  body_->setAngularDamping(0);
+  body_->setMaxCoordinateVelocity(1e6);
 }
 
 void BulletAssembly::addCollider(int index) {
-  const BodySpec& owner = spec.bodies[at(index)];
+  const BodySpec& owner = spec_.bodies[at(index)];
   Collider collider;
   collider.spec = *owner.shape;
   collider.shape = makeShape(*owner.shape);
   collider.object = std::make_unique<btCollisionObject>();
   collider.object->setCollisionShape(collider.shape.get());
-  collider.T_body_shape.linear() = principalAxes[at(index)].transpose();
+  collider.T_body_shape.linear() = principalAxes_[at(index)].transpose();
   collider.T_body_shape = collider.T_body_shape * owner.shape->T_link_shape;
   collider.index = index;
-  for (int up = index; hingeOfBody[at(up)] >= 0 && collider.neighbour < 0;) {
-    up = spec.hinges[at(hingeOfBody[at(up)])].parent;
-    if (spec.bodies[at(up)].shape) collider.neighbour = up;
+  for (int up = index; hingeOfBody_[at(up)] >= 0 && collider.neighbour < 0;) {
+    up = spec_.hinges[at(hingeOfBody_[at(up)])].parent;
+    if (spec_.bodies[at(up)].shape) collider.neighbour = up;
   }
   collider.radius = boundingRadius(*owner.shape);
   collider.material = owner.material;
-  colliderList.push_back(std::move(collider));
+  colliderList_.push_back(std::move(collider));
 }
 
 Eigen::AlignedBox3d BulletAssembly::bounds() const {
   Eigen::AlignedBox3d box;
-  for (const Collider& collider : colliderList) {
+  for (const Collider& collider : colliderList_) {
     box.extend(Vec3(collider.centre.array() - collider.radius));
     box.extend(Vec3(collider.centre.array() + collider.radius));
   }
@@ -106,19 +106,19 @@ Eigen::AlignedBox3d BulletAssembly::bounds() const {
 }
 
 BodyState BulletAssembly::bodyState(int index) const {
-  BodyState state = states.at(at(index));
-  state.pose.linear() = state.pose.linear() * principalAxes[at(index)].transpose();
+  BodyState state = states_.at(at(index));
+  state.pose.linear() = state.pose.linear() * principalAxes_[at(index)].transpose();
   return state;
 }
 
-double BulletAssembly::hingeAngle(int hinge) const { return body->getJointPos(linkOfHinge(hinge)); }
+double BulletAssembly::hingeAngle(int hinge) const { return body_->getJointPos(linkOfHinge(hinge)); }
 
 AssemblyState BulletAssembly::state() const {
   AssemblyState state;
   state.root = bodyState(0);
-  for (int i = 0; i < static_cast<int>(spec.hinges.size()); ++i) {
-    state.angle.push_back(body->getJointPos(linkOfHinge(i)));
-    state.rate.push_back(body->getJointVel(linkOfHinge(i)));
+  for (int i = 0; i < static_cast<int>(spec_.hinges.size()); ++i) {
+    state.angle.push_back(body_->getJointPos(linkOfHinge(i)));
+    state.rate.push_back(body_->getJointVel(linkOfHinge(i)));
   }
   return state;
 }
@@ -126,114 +126,114 @@ AssemblyState BulletAssembly::state() const {
 void BulletAssembly::setState(const AssemblyState& state) {
   checkSize(state);
   Pose3 pose = state.root.pose;
-  pose.linear() = pose.linear() * principalAxes[0];
-  body->setBaseWorldTransform(fromPose3(pose));
-  for (int i = 0; i < static_cast<int>(spec.hinges.size()); ++i)
-    body->setJointPos(linkOfHinge(i), state.angle[at(i)]);
+  pose.linear() = pose.linear() * principalAxes_[0];
+  body_->setBaseWorldTransform(fromPose3(pose));
+  for (int i = 0; i < static_cast<int>(spec_.hinges.size()); ++i)
+    body_->setJointPos(linkOfHinge(i), state.angle[at(i)]);
   setVelocities(state);
   wake();
 }
 
 void BulletAssembly::setVelocities(const AssemblyState& state) {
   checkSize(state);
-  body->setBaseVel(fromVec3(state.root.linearVelocity));
-  body->setBaseOmega(fromVec3(state.root.angularVelocity));
-  for (int i = 0; i < static_cast<int>(spec.hinges.size()); ++i)
-    body->setJointVel(linkOfHinge(i), state.rate[at(i)]);
+  body_->setBaseVel(fromVec3(state.root.linearVelocity));
+  body_->setBaseOmega(fromVec3(state.root.angularVelocity));
+  for (int i = 0; i < static_cast<int>(spec_.hinges.size()); ++i)
+    body_->setJointVel(linkOfHinge(i), state.rate[at(i)]);
   refresh();
 }
 
 void BulletAssembly::checkSize(const AssemblyState& state) const {
-  if (state.angle.size() != spec.hinges.size() || state.rate.size() != spec.hinges.size())
+  if (state.angle.size() != spec_.hinges.size() || state.rate.size() != spec_.hinges.size())
     throw std::invalid_argument("physics: a state needs an angle and a rate for each hinge");
 }
 
 void BulletAssembly::moveRigidly(const Pose3& T_world_root) {
   Pose3 pose = T_world_root;
-  pose.linear() = pose.linear() * principalAxes[0];
-  body->setBaseWorldTransform(fromPose3(pose));
-  body->clearVelocities();
+  pose.linear() = pose.linear() * principalAxes_[0];
+  body_->setBaseWorldTransform(fromPose3(pose));
+  body_->clearVelocities();
   refresh();
 }
 
 void BulletAssembly::wake() {
   asleep_ = false;
-  stepsToSleep = idleSteps;
+  stepsToSleep_ = idleSteps;
 }
 
 void BulletAssembly::doze(bool touching) {
-  if (asleep_ || (spec.hinges.empty() && !touching)) return;
+  if (asleep_ || (spec_.hinges.empty() && !touching)) return;
   bool idle = true;
-  for (const BodyState& each : states)
+  for (const BodyState& each : states_)
     idle = idle && each.linearVelocity.squaredNorm() <= idleSpeed * idleSpeed &&
            each.angularVelocity.squaredNorm() <= idleSpeed * idleSpeed;
-  stepsToSleep = idle ? stepsToSleep - 1 : idleSteps;
-  if (stepsToSleep > 0) return;
+  stepsToSleep_ = idle ? stepsToSleep_ - 1 : idleSteps;
+  if (stepsToSleep_ > 0) return;
   asleep_ = true;
-  body->clearVelocities();
+  body_->clearVelocities();
   refresh();
 }
 
 /// -1 at or beyond the lower stop, 1 the upper one, 0 between.
 int BulletAssembly::stopOf(int hinge) const {
   const double angle = hingeAngle(hinge);
-  const HingeSpec& limits = spec.hinges[at(hinge)];
+  const HingeSpec& limits = spec_.hinges[at(hinge)];
   return angle <= limits.lower ? -1 : angle >= limits.upper ? 1 : 0;
 }
 
 void BulletAssembly::begin(const PhysicsConfig& config) {
   asleep_ = false;
-  rowSet->reset();
-  rates.clear();
-  for (int i = 0; i < static_cast<int>(spec.hinges.size()); ++i)
-    rates.push_back(body->getJointVel(linkOfHinge(i)));
-  body->clearForcesAndTorques();
-  for (int i = 0; i < static_cast<int>(spec.bodies.size()); ++i) {
-    const BodySpec& each = spec.bodies[at(i)];
-    const BodyState& moving = states[at(i)];
+  rowSet_->reset();
+  rates_.clear();
+  for (int i = 0; i < static_cast<int>(spec_.hinges.size()); ++i)
+    rates_.push_back(body_->getJointVel(linkOfHinge(i)));
+  body_->clearForcesAndTorques();
+  for (int i = 0; i < static_cast<int>(spec_.bodies.size()); ++i) {
+    const BodySpec& each = spec_.bodies[at(i)];
+    const BodyState& moving = states_[at(i)];
     const btVector3 force =
         fromVec3(Vec3(each.mass * config.gravity - each.linearDrag * moving.linearVelocity));
     const btVector3 torque =
         fromVec3(dragTorque(each, moving.pose.linear(), moving.angularVelocity, config.stepSeconds));
     if (i == 0) {
-      body->addBaseForce(force);
-      body->addBaseTorque(torque);
+      body_->addBaseForce(force);
+      body_->addBaseTorque(torque);
     } else {
-      body->addLinkForce(i - 1, force);
-      body->addLinkTorque(i - 1, torque);
+      body_->addLinkForce(i - 1, force);
+      body_->addLinkTorque(i - 1, torque);
     }
   }
   // At a stop the league's motor is a torque: all it has towards the stop, or a little of it away from it.
-  for (int i = 0; i < static_cast<int>(spec.hinges.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(spec_.hinges.size()); ++i) {
     const int stop = stopOf(i);
     if (stop == 0) continue;
-    const HingeSpec& hinge = spec.hinges[at(i)];
-    const double speed = motorVelocities[at(i)];
+    const HingeSpec& hinge = spec_.hinges[at(i)];
+    const double speed = motorVelocities_[at(i)];
     double torque = speed > 0 || (speed == 0 && stop > 0) ? hinge.maxTorque : -hinge.maxTorque;
     if (speed * stop < 0) torque *= hinge.fudgeFactor;
-    body->addJointTorque(linkOfHinge(i), torque);
+    body_->addJointTorque(linkOfHinge(i), torque);
   }
-  body->computeAccelerationsArticulatedBodyAlgorithmMultiDof(config.stepSeconds, scratchR, scratchV, scratchM,
-                                                             false, false, false);
+  body_->computeAccelerationsArticulatedBodyAlgorithmMultiDof(config.stepSeconds, scratchR_, scratchV_,
+                                                              scratchM_, false, false, false);
 }
 
 int BulletAssembly::addPointRow(int index, const Vec3& point, const Vec3& direction) {
-  return rowSet->addPoint(index - 1, states[at(index)].pose.translation(), point, direction);
+  return rowSet_->addPoint(index - 1, states_[at(index)].pose.translation(), point, direction);
 }
 
 const std::vector<BulletAssembly::HingeRow>& BulletAssembly::addHingeRows(const PhysicsConfig& config) {
   const double h = config.stepSeconds;
-  hingeRows.clear();
-  for (int i = 0; i < static_cast<int>(spec.hinges.size()); ++i) {
-    const HingeSpec& hinge = spec.hinges[at(i)];
+  hingeRows_.clear();
+  for (int i = 0; i < static_cast<int>(spec_.hinges.size()); ++i) {
+    const HingeSpec& hinge = spec_.hinges[at(i)];
     const int stop = stopOf(i);
     if (stop == 0 && !(hinge.maxTorque > 0)) continue;
     HingeRow row;
     row.hinge = i;
     row.stop = stop != 0;
-    row.local = rowSet->addJoint(6 + body->getLink(linkOfHinge(i)).m_dofOffset, 1);
+    row.local = rowSet_->addJoint(6 + body_->getLink(linkOfHinge(i)).m_dofOffset, 1);
     if (!row.stop) {
-      row.wanted = motorVelocities[at(i)];
+      row.wanted = motorVelocities_[at(i)];
       row.compliance = hinge.cfm / h;
       row.lower = -infinity;
       row.upper = infinity;
@@ -243,35 +243,35 @@ const std::vector<BulletAssembly::HingeRow>& BulletAssembly::addHingeRows(const 
       row.compliance = hinge.stopCfm / h;
       row.lower = stop < 0 ? 0 : -infinity;
       row.upper = stop < 0 ? infinity : 0;
-      const double rebound = -hinge.stopBounce * rates[at(i)];
+      const double rebound = -hinge.stopBounce * rates_[at(i)];
       if (rebound * stop < row.wanted * stop && rebound * stop < 0) row.wanted = rebound;
     }
-    hingeRows.push_back(row);
+    hingeRows_.push_back(row);
   }
-  return hingeRows;
+  return hingeRows_;
 }
 
 void BulletAssembly::finish(const PhysicsConfig& config) {
-  body->stepPositionsMultiDof(config.stepSeconds);
+  body_->stepPositionsMultiDof(config.stepSeconds);
   refresh();
 }
 
 /// Poses and velocities of all bodies and colliders from the coordinates.
 void BulletAssembly::refresh() {
-  const int links = body->getNumLinks();
-  body->forwardKinematics(scratchQ, scratchV);
-  localVelocities.resize(2 * links + 2);
-  body->compTreeLinkVelocities(&localVelocities[0], &localVelocities[links + 1]);
-  states.resize(at(links + 1));
+  const int links = body_->getNumLinks();
+  body_->forwardKinematics(scratchQ_, scratchV_);
+  localVelocities_.resize(2 * links + 2);
+  body_->compTreeLinkVelocities(&localVelocities_[0], &localVelocities_[links + 1]);
+  states_.resize(at(links + 1));
   for (int i = 0; i <= links; ++i) {
-    BodyState& state = states[at(i)];
+    BodyState& state = states_[at(i)];
     state.pose =
-        toPose3(i == 0 ? body->getBaseWorldTransform() : body->getLink(i - 1).m_cachedWorldTransform);
-    state.angularVelocity = state.pose.linear() * toVec3(localVelocities[i]);
-    state.linearVelocity = state.pose.linear() * toVec3(localVelocities[links + 1 + i]);
+        toPose3(i == 0 ? body_->getBaseWorldTransform() : body_->getLink(i - 1).m_cachedWorldTransform);
+    state.angularVelocity = state.pose.linear() * toVec3(localVelocities_[i]);
+    state.linearVelocity = state.pose.linear() * toVec3(localVelocities_[links + 1 + i]);
   }
-  for (Collider& collider : colliderList) {
-    const Pose3 pose = states[at(collider.index)].pose * collider.T_body_shape;
+  for (Collider& collider : colliderList_) {
+    const Pose3 pose = states_[at(collider.index)].pose * collider.T_body_shape;
     collider.centre = pose.translation();
     collider.object->setWorldTransform(fromPose3(pose));
   }

@@ -30,8 +30,8 @@ public:
     Vec3 centre = Vec3::Zero();  ///< world
   };
 
-  const std::vector<Collider>& colliders() const { return colliderList; }
-  bool selfCollision() const { return spec.selfCollision; }
+  const std::vector<Collider>& colliders() const { return colliderList_; }
+  bool selfCollision() const { return spec_.selfCollision; }
   /// Box around all colliders.
   Eigen::AlignedBox3d bounds() const;
 
@@ -42,7 +42,7 @@ public:
   void moveRigidly(const Pose3& T_world_root);
   double hingeAngle(int hinge) const;
   void setMotor(int hinge, double velocity) {
-    motorVelocities.at(static_cast<std::size_t>(hinge)) = velocity;
+    motorVelocities_.at(static_cast<std::size_t>(hinge)) = velocity;
   }
 
   void wake();
@@ -52,8 +52,8 @@ public:
 
   /// Moves on freely: gravity, drag and the torque of motors at a stop. Then rows are gathered.
   void begin(const PhysicsConfig& config);
-  BulletRows& rows() { return *rowSet; }
-  const BulletRows& rows() const { return *rowSet; }
+  BulletRows& rows() { return *rowSet_; }
+  const BulletRows& rows() const { return *rowSet_; }
   /// A row for an impulse on a body at a point along a direction (world); its local index.
   int addPointRow(int body, const Vec3& point, const Vec3& direction);
   /// Rows of motors, then of stops, as they are in this step.
@@ -63,8 +63,8 @@ public:
     double wanted = 0, compliance = 0, lower = 0, upper = 0;
   };
   const std::vector<HingeRow>& addHingeRows(const PhysicsConfig& config);
-  double maxTorque(int hinge) const { return spec.hinges[static_cast<std::size_t>(hinge)].maxTorque; }
-  void applyImpulses(const Eigen::VectorXd& impulses) { rowSet->apply(impulses, *body); }
+  double maxTorque(int hinge) const { return spec_.hinges[static_cast<std::size_t>(hinge)].maxTorque; }
+  void applyImpulses(const Eigen::VectorXd& impulses) { rowSet_->apply(impulses, *body_); }
   /// Moves on by the new velocities.
   void finish(const PhysicsConfig& config);
 
@@ -72,26 +72,26 @@ private:
   void addLinks();
   void addCollider(int body);
   void checkSize(const AssemblyState& state) const;
-  int linkOfHinge(int hinge) const { return spec.hinges.at(static_cast<std::size_t>(hinge)).child - 1; }
+  int linkOfHinge(int hinge) const { return spec_.hinges.at(static_cast<std::size_t>(hinge)).child - 1; }
   int stopOf(int hinge) const;
   void refresh();
 
-  Assembly spec;
-  std::unique_ptr<btMultiBody> body;
-  std::vector<int> hingeOfBody;     ///< -1: root
-  std::vector<Mat3> principalAxes;  ///< R_body_link
-  std::vector<double> motorVelocities;
-  std::vector<Collider> colliderList;
-  std::vector<BodyState> states;  ///< of Bullet's link frames
-  std::vector<double> rates;      ///< of the hinges before the step
-  std::vector<HingeRow> hingeRows;
-  std::unique_ptr<BulletRows> rowSet;
+  Assembly spec_;
+  std::unique_ptr<btMultiBody> body_;
+  std::vector<int> hingeOfBody_;     ///< -1: root
+  std::vector<Mat3> principalAxes_;  ///< R_body_link
+  std::vector<double> motorVelocities_;
+  std::vector<Collider> colliderList_;
+  std::vector<BodyState> states_;  ///< of Bullet's link frames
+  std::vector<double> rates_;      ///< of the hinges before the step
+  std::vector<HingeRow> hingeRows_;
+  std::unique_ptr<BulletRows> rowSet_;
   bool asleep_ = false;
-  int stepsToSleep;
-  btAlignedObjectArray<btScalar> scratchR;
-  btAlignedObjectArray<btVector3> scratchV, localVelocities;
-  btAlignedObjectArray<btMatrix3x3> scratchM;
-  btAlignedObjectArray<btQuaternion> scratchQ;
+  int stepsToSleep_;
+  btAlignedObjectArray<btScalar> scratchR_;
+  btAlignedObjectArray<btVector3> scratchV_, localVelocities_;
+  btAlignedObjectArray<btMatrix3x3> scratchM_;
+  btAlignedObjectArray<btQuaternion> scratchQ_;
 };
 
 }  // namespace plumbline::simulation::bullet

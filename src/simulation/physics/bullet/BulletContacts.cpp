@@ -39,18 +39,18 @@ public:
   std::vector<Point> points;
 };
 
-BulletContacts::BulletContacts(const PhysicsConfig& config) : surfaces(config.surfaces) {
+BulletContacts::BulletContacts(const PhysicsConfig& config) : surfaces_(config.surfaces) {
   btDefaultCollisionConstructionInfo pools;  // pairs are asked for one by one
   pools.m_defaultMaxPersistentManifoldPoolSize = 8;
   pools.m_defaultMaxCollisionAlgorithmPoolSize = 8;
-  configuration = std::make_unique<btDefaultCollisionConfiguration>(pools);
-  dispatcher = std::make_unique<btCollisionDispatcher>(configuration.get());
+  configuration_ = std::make_unique<btDefaultCollisionConfiguration>(pools);
+  dispatcher_ = std::make_unique<btCollisionDispatcher>(configuration_.get());
 }
 
 void BulletContacts::addGround(Material material) {
-  if (hasGround) throw std::logic_error("physics: there is a ground already");
-  hasGround = true;
-  groundMaterial = material;
+  if (hasGround_) throw std::logic_error("physics: there is a ground already");
+  hasGround_ = true;
+  groundMaterial_ = material;
 }
 
 void BulletContacts::addStatic(const Shape& shape, const Pose3& T_world_shape, Material material) {
@@ -64,14 +64,14 @@ void BulletContacts::addStatic(const Shape& shape, const Pose3& T_world_shape, M
   added.shape->getAabb(pose, lower, upper);
   added.box = {toVec3(lower), toVec3(upper)};
   added.material = material;
-  statics.push_back(std::move(added));
+  statics_.push_back(std::move(added));
 }
 
 void BulletContacts::find(const Assemblies& assemblies) {
-  contactList.clear();
-  geometries.clear();
+  contactList_.clear();
+  geometries_.clear();
   findNear(
-      assemblies, boxes,
+      assemblies, boxes_,
       [this](int handle, const BulletAssembly& assembly, const Eigen::AlignedBox3d& box) {
         collideWithStatics(handle, assembly, box);
         if (assembly.selfCollision()) collideWithin(handle, assembly);
@@ -82,10 +82,10 @@ void BulletContacts::find(const Assemblies& assemblies) {
 
 void BulletContacts::collideWithStatics(int handle, const BulletAssembly& assembly,
                                         const Eigen::AlignedBox3d& box) {
-  if (hasGround && box.min().z() <= 0)
+  if (hasGround_ && box.min().z() <= 0)
     for (const Collider& collider : assembly.colliders())
       if (collider.centre.z() <= collider.radius) collideWithGround(handle, collider);
-  for (const Static& s : statics) {
+  for (const Static& s : statics_) {
     if (!s.box.intersects(box)) continue;
     for (const Collider& collider : assembly.colliders())
       if (s.box.intersects(sphereBox(collider.centre, collider.radius)))
@@ -118,7 +118,7 @@ void BulletContacts::collideWithGround(int handle, const Collider& collider) {
     points.resize(maxContactsPerPair);
   }
   for (const Vec3& point : points)
-    add(side(handle, collider), {-1, -1, nullptr, groundMaterial}, point, Vec3::UnitZ(), -point.z());
+    add(side(handle, collider), {-1, -1, nullptr, groundMaterial_}, point, Vec3::UnitZ(), -point.z());
 }
 
 void BulletContacts::collideAssemblies(int handleA, const BulletAssembly& a, int handleB,
@@ -145,12 +145,12 @@ void BulletContacts::collide(const Side& a, const Side& b) {
   const btCollisionObjectWrapper wrapB(nullptr, b.object->getCollisionShape(), b.object,
                                        b.object->getWorldTransform(), -1, -1);
   btCollisionAlgorithm* algorithm =
-      dispatcher->findAlgorithm(&wrapA, &wrapB, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+      dispatcher_->findAlgorithm(&wrapA, &wrapB, nullptr, BT_CONTACT_POINT_ALGORITHMS);
   if (!algorithm) return;
   Result result(&wrapA, &wrapB);
-  algorithm->processCollision(&wrapA, &wrapB, dispatchInfo, &result);
+  algorithm->processCollision(&wrapA, &wrapB, dispatchInfo_, &result);
   algorithm->~btCollisionAlgorithm();
-  dispatcher->freeCollisionAlgorithm(algorithm);
+  dispatcher_->freeCollisionAlgorithm(algorithm);
   if (result.points.size() > maxContactsPerPair) {
     std::stable_sort(result.points.begin(), result.points.end(),
                      [](const auto& p, const auto& q) { return p.depth > q.depth; });
@@ -160,9 +160,9 @@ void BulletContacts::collide(const Side& a, const Side& b) {
 }
 
 void BulletContacts::add(const Side& a, const Side& b, const Vec3& point, const Vec3& normal, double depth) {
-  contactList.push_back({a.assembly, a.index, b.assembly, b.index, point, Vec3::Zero()});
-  geometries.push_back(
-      {normal, depth, surfaces[static_cast<std::size_t>(a.material)][static_cast<std::size_t>(b.material)]});
+  contactList_.push_back({a.assembly, a.index, b.assembly, b.index, point, Vec3::Zero()});
+  geometries_.push_back(
+      {normal, depth, surfaces_[static_cast<std::size_t>(a.material)][static_cast<std::size_t>(b.material)]});
 }
 
 }  // namespace plumbline::simulation::bullet

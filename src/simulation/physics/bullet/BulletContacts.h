@@ -27,9 +27,9 @@ public:
   void addStatic(const Shape& shape, const Pose3& T_world_shape, Material material);
   void find(const Assemblies& assemblies);
 
-  const std::vector<Contact>& contacts() const { return contactList; }
-  const std::vector<ContactGeometry>& geometry() const { return geometries; }
-  void setForce(std::size_t contact, const Vec3& forceOnA) { contactList[contact].forceOnA = forceOnA; }
+  const std::vector<Contact>& contacts() const { return contactList_; }
+  const std::vector<ContactGeometry>& geometry() const { return geometries_; }
+  void setForce(std::size_t contact, const Vec3& forceOnA) { contactList_[contact].forceOnA = forceOnA; }
 
 private:
   using Collider = BulletAssembly::Collider;
@@ -57,16 +57,16 @@ private:
   void collide(const Side& a, const Side& b);
   void add(const Side& a, const Side& b, const Vec3& point, const Vec3& normal, double depth);
 
-  std::vector<std::vector<ContactSurface>> surfaces;
-  std::unique_ptr<btDefaultCollisionConfiguration> configuration;
-  std::unique_ptr<btCollisionDispatcher> dispatcher;
-  btDispatcherInfo dispatchInfo;
-  std::vector<Static> statics;
-  bool hasGround = false;
-  Material groundMaterial = 0;
-  std::vector<Eigen::AlignedBox3d> boxes;
-  std::vector<Contact> contactList;
-  std::vector<ContactGeometry> geometries;
+  std::vector<std::vector<ContactSurface>> surfaces_;
+  std::unique_ptr<btDefaultCollisionConfiguration> configuration_;
+  std::unique_ptr<btCollisionDispatcher> dispatcher_;
+  btDispatcherInfo dispatchInfo_;
+  std::vector<Static> statics_;
+  bool hasGround_ = false;
+  Material groundMaterial_ = 0;
+  std::vector<Eigen::AlignedBox3d> boxes_;
+  std::vector<Contact> contactList_;
+  std::vector<ContactGeometry> geometries_;
 };
 
 }  // namespace plumbline::simulation::bullet

@@ -10,15 +10,15 @@ namespace {
 
 class BulletPhysics : public AssembliesPhysics<BulletAssembly> {
 public:
-  explicit BulletPhysics(const PhysicsConfig& config_) : AssembliesPhysics(config_), contactFinder(config_) {}
+  explicit BulletPhysics(const PhysicsConfig& config) : AssembliesPhysics(config), contactFinder_(config) {}
 
   void addGround(Material material) override {
     check(material);
-    contactFinder.addGround(material);
+    contactFinder_.addGround(material);
   }
   void addStatic(const Shape& shape, const Pose3& T_world_shape, Material material) override {
     check(material);
-    contactFinder.addStatic(shape, T_world_shape, material);
+    contactFinder_.addStatic(shape, T_world_shape, material);
   }
 
   int addAssembly(const Assembly& assembly, const Pose3& T_world_root) override {
@@ -31,11 +31,11 @@ public:
   double hingeAngle(int assembly, int hinge) const override { return get(assembly).hingeAngle(hinge); }
 
   void step() override {
-    contactFinder.find(assemblies);
+    contactFinder_.find(assemblies);
     if (config.autoDisable) doze();
-    stepper.step(config, assemblies, contactFinder);
+    stepper_.step(config, assemblies, contactFinder_);
   }
-  const std::vector<Contact>& contacts() const override { return contactFinder.contacts(); }
+  const std::vector<Contact>& contacts() const override { return contactFinder_.contacts(); }
 
   BodyState bodyState(int assembly, int body) const override { return get(assembly).bodyState(body); }
   void wake(int assembly, int body) override {
@@ -45,8 +45,8 @@ public:
   }
 
 private:
-  BulletContacts contactFinder;
-  BulletStep stepper;
+  BulletContacts contactFinder_;
+  BulletStep stepper_;
 };
 
 }  // namespace

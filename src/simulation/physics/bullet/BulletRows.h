@@ -14,7 +14,7 @@ public:
   explicit BulletRows(const btMultiBody& body);
 
   /// Forgets which rows are held.
-  void releaseAll() { held.clear(); }
+  void releaseAll() { held_.clear(); }
   /// Forgets all rows; the velocities are those before the step.
   void reset();
   /// A row for an impulse on a link of Bullet's (-1: base) at a point along a direction (world); its local
@@ -26,7 +26,7 @@ public:
   int addJointPair(int first, int second, double ratio);
 
   /// Place of a local row in the system of its island.
-  void place(int row, Eigen::Index global) { places[static_cast<std::size_t>(row)] = global; }
+  void place(int row, Eigen::Index global) { places_[static_cast<std::size_t>(row)] = global; }
   /// A row along one joint that has no bounds and so no place: it is eliminated here, as no other body's rows
   /// reach it. Its velocity is wanted with this compliance.
   void hold(int row, double wanted, double compliance);
@@ -36,7 +36,7 @@ public:
   /// Impulses of the held rows, in the order of hold(), for the solution of the system.
   const Eigen::VectorXd& heldImpulses(const Eigen::VectorXd& solution);
   /// Velocity along a row before the step.
-  double velocityBefore(int row) const { return jacobians.col(row).dot(before); }
+  double velocityBefore(int row) const { return jacobians_.col(row).dot(before_); }
   /// Adds the solved impulses, and those of held rows as last asked for, to the multi-body's velocities.
   void apply(const Eigen::VectorXd& impulses, btMultiBody& body) const;
 
@@ -52,27 +52,28 @@ private:
   double response(int r, int s) const;
   void eliminateHeld(const Eigen::VectorXd& velocity);
 
-  const btMultiBody& body;
-  Eigen::Index size;
-  Eigen::MatrixXd jacobians, responses;  ///< a column for each row
-  Eigen::VectorXd before;
-  std::vector<Eigen::Index> places;
-  std::vector<int> coordinates;  ///< of rows along one joint, else -1
-  std::vector<double> signs;
+  const btMultiBody& body_;
+  Eigen::Index size_;
+  Eigen::MatrixXd jacobians_, responses_;  ///< a column for each row
+  Eigen::VectorXd before_;
+  std::vector<Eigen::Index> places_;
+  std::vector<int> coordinates_;  ///< of rows along one joint, else -1
+  std::vector<double> signs_;
   struct Held {
     int row;
     double wanted, compliance;
   };
-  std::vector<Held> held;
-  std::vector<int> placed;         ///< rows that are not held, while a system is made
-  Eigen::MatrixXd factor, across;  ///< L of the held rows' own matrix, and L^-1 of what they do to the placed
-  Eigen::VectorXd side, heldX;     ///< L^-1 of their right-hand side; their impulses
-  int count = 0;
-  std::vector<Basis> bases;  ///< the first of them are of this step
-  std::size_t basesUsed = 0;
-  btAlignedObjectArray<btScalar> scratchR;
-  btAlignedObjectArray<btVector3> scratchV;
-  btAlignedObjectArray<btMatrix3x3> scratchM;
+  std::vector<Held> held_;
+  std::vector<int> placed_;  ///< rows that are not held, while a system is made
+  Eigen::MatrixXd factor_,
+      across_;                    ///< L of the held rows' own matrix, and L^-1 of what they do to the placed
+  Eigen::VectorXd side_, heldX_;  ///< L^-1 of their right-hand side; their impulses
+  int count_ = 0;
+  std::vector<Basis> bases_;  ///< the first of them are of this step
+  std::size_t basesUsed_ = 0;
+  btAlignedObjectArray<btScalar> scratchR_;
+  btAlignedObjectArray<btVector3> scratchV_;
+  btAlignedObjectArray<btMatrix3x3> scratchM_;
 };
 
 }  // namespace plumbline::simulation::bullet

@@ -26,14 +26,14 @@ private:
   void fillSystem(const PhysicsConfig& config, const BulletContacts& contacts);
   bool solve(const PhysicsConfig& config, const BulletContacts& contacts);
 
-  Islands<BulletAssembly> islands;
-  std::vector<BulletAssembly*> members;     ///< of the island
-  std::vector<std::size_t> contactIndices;  ///< of the same
-  std::vector<Vec3> directions;             ///< three for each of these
-  std::vector<double> outgoing;             ///< speed of these contacts before the step
-  std::vector<HingeRow> hingeRows;
-  std::vector<FrictionLimit> frictionLimits;
-  BoundedSystem system;
+  Islands<BulletAssembly> islands_;
+  std::vector<BulletAssembly*> members_;     ///< of the island
+  std::vector<std::size_t> contactIndices_;  ///< of the same
+  std::vector<Vec3> directions_;             ///< three for each of these
+  std::vector<double> outgoing_;             ///< speed of these contacts before the step
+  std::vector<HingeRow> hingeRows_;
+  std::vector<FrictionLimit> frictionLimits_;
+  BoundedSystem system_;
 };
 
 }  // namespace plumbline::simulation::bullet

@@ -34,11 +34,11 @@ public:
   void applyDrag(double h);
   /// Box around all colliders.
   Eigen::AlignedBox3d bounds() const;
-  const std::vector<Collider>& colliders() const { return colliderList; }
-  bool selfCollision() const { return spec.selfCollision; }
+  const std::vector<Collider>& colliders() const { return colliderList_; }
+  bool selfCollision() const { return spec_.selfCollision; }
 
-  dBodyID body(int index) const { return bodies.at(static_cast<std::size_t>(index)); }
-  dJointID hinge(int index) const { return hinges.at(static_cast<std::size_t>(index)); }
+  dBodyID body(int index) const { return bodies_.at(static_cast<std::size_t>(index)); }
+  dJointID hinge(int index) const { return hinges_.at(static_cast<std::size_t>(index)); }
   AssemblyState state() const;
   void setState(const AssemblyState& state);
   void setVelocities(const AssemblyState& state);
@@ -49,7 +49,7 @@ public:
   /// ODE's auto-disabling: a body that has been slow for ten steps stops and sleeps; whatever it is joined to
   /// or touches wakes it again in the same step. A free body in the air does not sleep.
   void doze(bool touching);
-  OdeTree& tree() { return *equations; }
+  OdeTree& tree() { return *equations_; }
 
 private:
   void addBody(dWorldID world, const BodySpec& body, const Pose3& T_world_root);
@@ -57,13 +57,13 @@ private:
   void checkSize(const AssemblyState& state) const;
   int nearestColliderAbove(int body) const;
 
-  Assembly spec;
-  std::vector<dBodyID> bodies;
-  std::vector<dJointID> hinges;
-  std::vector<int> hingeOfBody;  ///< the hinge to the parent, -1: root
-  std::vector<Collider> colliderList;
-  std::vector<int> stepsToSleep;
-  std::optional<OdeTree> equations;
+  Assembly spec_;
+  std::vector<dBodyID> bodies_;
+  std::vector<dJointID> hinges_;
+  std::vector<int> hingeOfBody_;  ///< the hinge to the parent, -1: root
+  std::vector<Collider> colliderList_;
+  std::vector<int> stepsToSleep_;
+  std::optional<OdeTree> equations_;
 };
 
 }  // namespace plumbline::simulation::ode

@@ -33,24 +33,24 @@ dSurfaceParameters toOde(const ContactSurface& surface) {
 
 }  // namespace
 
-OdeContacts::OdeContacts(dWorldID world_, const PhysicsConfig& config)
-    : world(world_), group(dJointGroupCreate(0)) {
+OdeContacts::OdeContacts(dWorldID world, const PhysicsConfig& config)
+    : world_(world), group_(dJointGroupCreate(0)) {
   for (const auto& row : config.surfaces) {
-    auto& converted = surfaces.emplace_back();
+    auto& converted = surfaces_.emplace_back();
     for (const ContactSurface& surface : row) converted.push_back(toOde(surface));
   }
 }
 
 OdeContacts::~OdeContacts() {
-  dJointGroupDestroy(group);
-  for (const Static& s : statics) dGeomDestroy(s.geom);
-  if (ground) dGeomDestroy(ground);
+  dJointGroupDestroy(group_);
+  for (const Static& s : statics_) dGeomDestroy(s.geom);
+  if (ground_) dGeomDestroy(ground_);
 }
 
 void OdeContacts::addGround(Material material) {
-  if (ground) throw std::logic_error("physics: there is a ground already");
-  ground = dCreatePlane(nullptr, 0, 0, 1, 0);
-  groundMaterial = material;
+  if (ground_) throw std::logic_error("physics: there is a ground already");
+  ground_ = dCreatePlane(nullptr, 0, 0, 1, 0);
+  groundMaterial_ = material;
 }
 
 void OdeContacts::addStatic(const Shape& shape, const Pose3& T_world_shape, Material material) {
@@ -62,15 +62,15 @@ void OdeContacts::addStatic(const Shape& shape, const Pose3& T_world_shape, Mate
   dGeomSetRotation(geom, rotation);
   dReal aabb[6];
   dGeomGetAABB(geom, aabb);
-  statics.push_back({geom, {Vec3(aabb[0], aabb[2], aabb[4]), Vec3(aabb[1], aabb[3], aabb[5])}, material});
+  statics_.push_back({geom, {Vec3(aabb[0], aabb[2], aabb[4]), Vec3(aabb[1], aabb[3], aabb[5])}, material});
 }
 
 void OdeContacts::find(const Assemblies& assemblies) {
-  contactList.clear();
-  foundContacts.clear();
-  bodies.clear();
+  contactList_.clear();
+  foundContacts_.clear();
+  bodies_.clear();
   findNear(
-      assemblies, boxes,
+      assemblies, boxes_,
       [this](int handle, const OdeAssembly& assembly, const Eigen::AlignedBox3d& box) {
         collideWithStatics(handle, assembly, box);
         if (assembly.selfCollision()) collideWithin(handle, assembly);
@@ -80,21 +80,21 @@ void OdeContacts::find(const Assemblies& assemblies) {
 }
 
 void OdeContacts::makeJoints() {
-  feedback.assign(foundContacts.size(), dJointFeedback{});
-  for (std::size_t k = 0; k < foundContacts.size(); ++k) {
-    dJointID joint = dJointCreateContact(world, group, &foundContacts[k]);
-    dJointAttach(joint, bodies[k].first, bodies[k].second);
-    dJointSetFeedback(joint, &feedback[k]);
+  feedback_.assign(foundContacts_.size(), dJointFeedback{});
+  for (std::size_t k = 0; k < foundContacts_.size(); ++k) {
+    dJointID joint = dJointCreateContact(world_, group_, &foundContacts_[k]);
+    dJointAttach(joint, bodies_[k].first, bodies_[k].second);
+    dJointSetFeedback(joint, &feedback_[k]);
   }
 }
 
 void OdeContacts::collideWithStatics(int handle, const OdeAssembly& assembly,
                                      const Eigen::AlignedBox3d& box) {
-  if (ground && box.min().z() <= 0)
+  if (ground_ && box.min().z() <= 0)
     for (const auto& collider : assembly.colliders())
       if (dGeomGetPosition(collider.geom)[2] <= collider.radius)
-        collide(side(handle, collider), {-1, -1, ground, nullptr, groundMaterial});
-  for (const Static& s : statics) {
+        collide(side(handle, collider), {-1, -1, ground_, nullptr, groundMaterial_});
+  for (const Static& s : statics_) {
     if (!s.box.intersects(box)) continue;
     for (const auto& collider : assembly.colliders())
       if (s.box.intersects(sphereBox(toVec3(dGeomGetPosition(collider.geom)), collider.radius)))
@@ -133,17 +133,17 @@ void OdeContacts::collide(const Side& a, const Side& b) {
   const int count = dCollide(a.geom, b.geom, maxContactsPerPair, points, sizeof(dContactGeom));
   for (int i = 0; i < count; ++i) {
     dContact contact{};
-    contact.surface = surfaces[static_cast<std::size_t>(a.material)][static_cast<std::size_t>(b.material)];
+    contact.surface = surfaces_[static_cast<std::size_t>(a.material)][static_cast<std::size_t>(b.material)];
     contact.geom = points[i];
-    foundContacts.push_back(contact);
-    bodies.emplace_back(a.body, b.body);
-    contactList.push_back({a.assembly, a.index, b.assembly, b.index, toVec3(points[i].pos), Vec3::Zero()});
+    foundContacts_.push_back(contact);
+    bodies_.emplace_back(a.body, b.body);
+    contactList_.push_back({a.assembly, a.index, b.assembly, b.index, toVec3(points[i].pos), Vec3::Zero()});
   }
 }
 
 void OdeContacts::takeForces() {
-  for (std::size_t i = 0; i < contactList.size(); ++i) contactList[i].forceOnA = toVec3(feedback[i].f1);
-  dJointGroupEmpty(group);
+  for (std::size_t i = 0; i < contactList_.size(); ++i) contactList_[i].forceOnA = toVec3(feedback_[i].f1);
+  dJointGroupEmpty(group_);
 }
 
 }  // namespace plumbline::simulation::ode

@@ -27,10 +27,10 @@ public:
   /// After ODE's step: takes the forces and lets the joints go.
   void takeForces();
 
-  const std::vector<Contact>& contacts() const { return contactList; }
+  const std::vector<Contact>& contacts() const { return contactList_; }
   /// The same with their geometry and surface.
-  const std::vector<dContact>& found() const { return foundContacts; }
-  void setForce(std::size_t contact, const Vec3& forceOnA) { contactList[contact].forceOnA = forceOnA; }
+  const std::vector<dContact>& found() const { return foundContacts_; }
+  void setForce(std::size_t contact, const Vec3& forceOnA) { contactList_[contact].forceOnA = forceOnA; }
 
 private:
   struct Static {
@@ -55,17 +55,17 @@ private:
   void collideWithin(int handle, const OdeAssembly& assembly);
   void collide(const Side& a, const Side& b);
 
-  dWorldID world;
-  dJointGroupID group;
-  std::vector<std::vector<dSurfaceParameters>> surfaces;
-  std::vector<Static> statics;
-  dGeomID ground = nullptr;
-  Material groundMaterial = 0;
-  std::vector<dContact> foundContacts;
-  std::vector<std::pair<dBodyID, dBodyID>> bodies;
-  std::vector<dJointFeedback> feedback;
-  std::vector<Contact> contactList;
-  std::vector<Eigen::AlignedBox3d> boxes;
+  dWorldID world_;
+  dJointGroupID group_;
+  std::vector<std::vector<dSurfaceParameters>> surfaces_;
+  std::vector<Static> statics_;
+  dGeomID ground_ = nullptr;
+  Material groundMaterial_ = 0;
+  std::vector<dContact> foundContacts_;
+  std::vector<std::pair<dBodyID, dBodyID>> bodies_;
+  std::vector<dJointFeedback> feedback_;
+  std::vector<Contact> contactList_;
+  std::vector<Eigen::AlignedBox3d> boxes_;
 };
 
 }  // namespace plumbline::simulation::ode

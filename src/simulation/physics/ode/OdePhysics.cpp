@@ -42,29 +42,29 @@ struct OwnedWorld {
 
 class OdePhysics : public AssembliesPhysics<OdeAssembly> {
 public:
-  OdePhysics(const PhysicsConfig& config_, Solver solver_)
-      : AssembliesPhysics(config_), solver(solver_), contactFinder(world.id, config_) {
-    dWorldSetGravity(world.id, config.gravity.x(), config.gravity.y(), config.gravity.z());
-    dWorldSetERP(world.id, config.constraintErp);
-    dWorldSetCFM(world.id, config.constraintCfm);
-    dWorldSetContactSurfaceLayer(world.id, config.surfaceLayer);
-    dWorldSetAutoDisableFlag(world.id, config.autoDisable && solver == Solver::dense ? 1 : 0);
+  OdePhysics(const PhysicsConfig& given, Solver solver)
+      : AssembliesPhysics(given), solver_(solver), contactFinder_(world_.id, config) {
+    dWorldSetGravity(world_.id, config.gravity.x(), config.gravity.y(), config.gravity.z());
+    dWorldSetERP(world_.id, config.constraintErp);
+    dWorldSetCFM(world_.id, config.constraintCfm);
+    dWorldSetContactSurfaceLayer(world_.id, config.surfaceLayer);
+    dWorldSetAutoDisableFlag(world_.id, config.autoDisable && solver_ == Solver::dense ? 1 : 0);
   }
 
   ~OdePhysics() override { assemblies.clear(); }  // before their world goes
 
   void addGround(Material material) override {
     check(material);
-    contactFinder.addGround(material);
+    contactFinder_.addGround(material);
   }
   void addStatic(const Shape& shape, const Pose3& T_world_shape, Material material) override {
     check(material);
-    contactFinder.addStatic(shape, T_world_shape, material);
+    contactFinder_.addStatic(shape, T_world_shape, material);
   }
 
   int addAssembly(const Assembly& assembly, const Pose3& T_world_root) override {
     ensureThread();
-    return add(assembly, world.id, assembly, T_world_root);
+    return add(assembly, world_.id, assembly, T_world_root);
   }
 
   void setMotor(int assembly, int hinge, double velocity) override {
@@ -77,17 +77,17 @@ public:
   void step() override {
     ensureThread();
     for (const auto& [handle, assembly] : assemblies) assembly->applyDrag(config.stepSeconds);
-    contactFinder.find(assemblies);
-    if (solver == Solver::tree) {
+    contactFinder_.find(assemblies);
+    if (solver_ == Solver::tree) {
       if (config.autoDisable) doze();
-      treeStep.step(config, assemblies, contactFinder);
+      treeStep_.step(config, assemblies, contactFinder_);
       return;
     }
-    contactFinder.makeJoints();
-    dWorldStep(world.id, config.stepSeconds);
-    contactFinder.takeForces();
+    contactFinder_.makeJoints();
+    dWorldStep(world_.id, config.stepSeconds);
+    contactFinder_.takeForces();
   }
-  const std::vector<Contact>& contacts() const override { return contactFinder.contacts(); }
+  const std::vector<Contact>& contacts() const override { return contactFinder_.contacts(); }
 
   BodyState bodyState(int assembly, int body) const override {
     dBodyID id = get(assembly).body(body);
@@ -99,10 +99,10 @@ public:
   }
 
 private:
-  Solver solver;
-  OwnedWorld world;
-  OdeContacts contactFinder;
-  OdeTreeStep treeStep;
+  Solver solver_;
+  OwnedWorld world_;
+  OdeContacts contactFinder_;
+  OdeTreeStep treeStep_;
 };
 
 }  // namespace

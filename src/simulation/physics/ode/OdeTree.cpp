@@ -28,12 +28,12 @@ Vec3 gyroscopicTorque(const Mat3& inertia, const Vec3& angularVelocity, double h
 
 }  // namespace
 
-OdeTree::OdeTree(const Assembly& assembly, const std::vector<dBodyID>& bodies_,
-                 const std::vector<dJointID>& hinges_)
-    : bodies(bodies_), hinges(hinges_), tree_(parentsOf(assembly)) {
+OdeTree::OdeTree(const Assembly& assembly, const std::vector<dBodyID>& bodies,
+                 const std::vector<dJointID>& hinges)
+    : bodies_(bodies), hinges_(hinges), tree_(parentsOf(assembly)) {
   for (const BodySpec& body : assembly.bodies) {
-    inertias.push_back(body.inertia);
-    masses.push_back(body.mass);
+    inertias_.push_back(body.inertia);
+    masses_.push_back(body.mass);
   }
   for (const HingeSpec& hinge : assembly.hinges) {
     const Pose3 &child = assembly.bodies[at(hinge.child)].T_root_body,
@@ -44,16 +44,16 @@ OdeTree::OdeTree(const Assembly& assembly, const std::vector<dBodyID>& bodies_,
     frame.parentAnchor = parent.inverse() * hinge.anchor;
     frame.childAxis = child.linear().transpose() * hinge.axis;
     frame.parentAxis = parent.linear().transpose() * hinge.axis;
-    frames.push_back(frame);
+    frames_.push_back(frame);
   }
 }
 
 void OdeTree::begin(const PhysicsConfig& config) {
-  origin_ = toVec3(dBodyGetPosition(bodies[0]));
-  for (std::size_t i = 0; i < bodies.size(); ++i) readBody(static_cast<int>(i), config);
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    frames[i].saturated = false;
-    readHinge(frames[i], hinges[i], config);
+  origin_ = toVec3(dBodyGetPosition(bodies_[0]));
+  for (std::size_t i = 0; i < bodies_.size(); ++i) readBody(static_cast<int>(i), config);
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    frames_[i].saturated = false;
+    readHinge(frames_[i], hinges_[i], config);
   }
   solve(config);
 }
@@ -65,10 +65,10 @@ void OdeTree::solve(const PhysicsConfig& config) {
 
 void OdeTree::readBody(int i, const PhysicsConfig& config) {
   TreeSystem::Body& body = tree_.body(i);
-  dBodyID id = bodies[at(i)];
+  dBodyID id = bodies_[at(i)];
   const Mat3 rotation = toMat3(dBodyGetRotation(id));
-  body.mass = masses[at(i)];
-  body.inertia = rotation * inertias[at(i)] * rotation.transpose();
+  body.mass = masses_[at(i)];
+  body.inertia = rotation * inertias_[at(i)] * rotation.transpose();
   body.position = toVec3(dBodyGetPosition(id)) - origin_;
   body.linearVelocity = toVec3(dBodyGetLinearVel(id));
   body.angularVelocity = toVec3(dBodyGetAngularVel(id));
@@ -82,8 +82,8 @@ void OdeTree::readBody(int i, const PhysicsConfig& config) {
 void OdeTree::readHinge(HingeFrame& hinge, dJointID id, const PhysicsConfig& config) {
   const double h = config.stepSeconds;
   TreeSystem::Body &child = tree_.body(hinge.spec.child), &parent = tree_.body(hinge.spec.parent);
-  const Mat3 childRotation = toMat3(dBodyGetRotation(bodies[at(hinge.spec.child)])),
-             parentRotation = toMat3(dBodyGetRotation(bodies[at(hinge.spec.parent)]));
+  const Mat3 childRotation = toMat3(dBodyGetRotation(bodies_[at(hinge.spec.child)])),
+             parentRotation = toMat3(dBodyGetRotation(bodies_[at(hinge.spec.parent)]));
   TreeSystem::Joint& joint = tree_.joint(hinge.spec.child);
   joint.childAnchor = child.position + childRotation * hinge.childAnchor;
   joint.parentAnchor = parent.position + parentRotation * hinge.parentAnchor;
@@ -119,7 +119,7 @@ void OdeTree::push(TreeSystem::Body& child, TreeSystem::Body& parent, const Hing
 
 void OdeTree::appendRows(const PhysicsConfig& config, std::vector<OutsideRow>& rows) {
   const double h = config.stepSeconds;
-  for (const HingeFrame& hinge : frames) {
+  for (const HingeFrame& hinge : frames_) {
     if (hinge.stop == 0 && !hinge.saturated) continue;
     const TreeSystem::Body &child = tree_.body(hinge.spec.child), &parent = tree_.body(hinge.spec.parent);
     const Vec3& axis = tree_.joint(hinge.spec.child).axis;
@@ -151,7 +151,7 @@ void OdeTree::appendRows(const PhysicsConfig& config, std::vector<OutsideRow>& r
 bool OdeTree::finish(const PhysicsConfig& config) {
   tree_.resolve();
   bool ok = true;
-  for (HingeFrame& hinge : frames) {
+  for (HingeFrame& hinge : frames_) {
     TreeSystem::Joint& joint = tree_.joint(hinge.spec.child);
     if (joint.axisFree) continue;
     if (std::abs(tree_.motorImpulse(hinge.spec.child)) <= hinge.spec.maxTorque * config.stepSeconds) continue;
@@ -165,11 +165,11 @@ bool OdeTree::finish(const PhysicsConfig& config) {
 
 void OdeTree::integrate(const PhysicsConfig& config) {
   const double h = config.stepSeconds;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Vec6& spatial = tree_.velocity(static_cast<int>(i));
     const Vec3 v = velocityAt(spatial, tree_.body(static_cast<int>(i)).position);
     const Vec3 w = spatial.tail<3>();
-    dBodyID id = bodies[i];
+    dBodyID id = bodies_[i];
     dBodySetLinearVel(id, v.x(), v.y(), v.z());
     dBodySetAngularVel(id, w.x(), w.y(), w.z());
     const dReal* p = dBodyGetPosition(id);

@@ -59,11 +59,11 @@ private:
   void readHinge(HingeFrame& hinge, dJointID id, const PhysicsConfig& config);
   void push(TreeSystem::Body& child, TreeSystem::Body& parent, const HingeFrame& hinge, const Vec3& axis);
 
-  std::vector<dBodyID> bodies;
-  std::vector<dJointID> hinges;
-  std::vector<Mat3> inertias;  ///< in the bodies' frames
-  std::vector<double> masses;
-  std::vector<HingeFrame> frames;
+  std::vector<dBodyID> bodies_;
+  std::vector<dJointID> hinges_;
+  std::vector<Mat3> inertias_;  ///< in the bodies' frames
+  std::vector<double> masses_;
+  std::vector<HingeFrame> frames_;
   TreeSystem tree_;
   Vec3 origin_ = Vec3::Zero();
 };

@@ -19,41 +19,41 @@ std::pair<Vec3, Vec3> across(const Vec3& normal) {
 }  // namespace
 
 void OdeTreeStep::step(const PhysicsConfig& config, const Assemblies& assemblies, OdeContacts& contacts) {
-  islands.find(assemblies, contacts.contacts());
-  islands.forEachAwake([&](const auto& island, const auto& contactIndices_) {
-    members.clear();
-    for (OdeAssembly* assembly : island) members.push_back({assembly, {}, {}, {}});
-    contactIndices = contactIndices_;
+  islands_.find(assemblies, contacts.contacts());
+  islands_.forEachAwake([&](const auto& island, const auto& contactIndices) {
+    members_.clear();
+    for (OdeAssembly* assembly : island) members_.push_back({assembly, {}, {}, {}});
+    contactIndices_ = contactIndices;
     stepIsland(config, contacts);
   });
 }
 
 void OdeTreeStep::stepIsland(const PhysicsConfig& config, OdeContacts& contacts) {
-  for (Member& member : members) member.assembly->tree().begin(config);
+  for (Member& member : members_) member.assembly->tree().begin(config);
 
   for (bool done = false; !done;) {
-    rows.clear();
-    for (const std::size_t index : contactIndices) appendContactRows(config, contacts, index);
-    for (Member& member : members) member.assembly->tree().appendRows(config, rows);
-    if (!rows.empty()) solveRows();
+    rows_.clear();
+    for (const std::size_t index : contactIndices_) appendContactRows(config, contacts, index);
+    for (Member& member : members_) member.assembly->tree().appendRows(config, rows_);
+    if (!rows_.empty()) solveRows();
     done = true;
-    for (Member& member : members) done = member.assembly->tree().finish(config) && done;
+    for (Member& member : members_) done = member.assembly->tree().finish(config) && done;
     if (!done)
-      for (Member& member : members) member.assembly->tree().solve(config);
+      for (Member& member : members_) member.assembly->tree().solve(config);
   }
 
   const double h = config.stepSeconds;
-  for (std::size_t k = 0; k < contactIndices.size(); ++k) {
-    const dContact& contact = contacts.found()[contactIndices[k]];
+  for (std::size_t k = 0; k < contactIndices_.size(); ++k) {
+    const dContact& contact = contacts.found()[contactIndices_[k]];
     const Vec3 normal = toVec3(contact.geom.normal);
     const auto [t1, t2] = across(normal);
-    const auto x = system.solution().segment<3>(static_cast<Eigen::Index>(3 * k));
-    contacts.setForce(contactIndices[k], (x[0] * normal + x[1] * t1 + x[2] * t2) / h);
+    const auto x = system_.solution().segment<3>(static_cast<Eigen::Index>(3 * k));
+    contacts.setForce(contactIndices_[k], (x[0] * normal + x[1] * t1 + x[2] * t2) / h);
   }
-  for (Member& member : members) member.assembly->tree().integrate(config);
+  for (Member& member : members_) member.assembly->tree().integrate(config);
 }
 
-OdeTree* OdeTreeStep::treeOf(int handle) { return handle < 0 ? nullptr : &islands.assembly(handle).tree(); }
+OdeTree* OdeTreeStep::treeOf(int handle) { return handle < 0 ? nullptr : &islands_.assembly(handle).tree(); }
 
 void OdeTreeStep::appendContactRows(const PhysicsConfig& config, const OdeContacts& contacts,
                                     std::size_t index) {
@@ -63,7 +63,7 @@ void OdeTreeStep::appendContactRows(const PhysicsConfig& config, const OdeContac
   const dSurfaceParameters& surface = contact.surface;
   const Vec3 normal = toVec3(contact.geom.normal), point = toVec3(contact.geom.pos);
   const auto [t1, t2] = across(normal);
-  const int first = static_cast<int>(rows.size());
+  const int first = static_cast<int>(rows_.size());
   for (const Vec3& direction : {normal, t1, t2}) {
     OutsideRow row;
     row.sides[0].tree = treeOf(pair.assemblyA);
@@ -80,9 +80,9 @@ void OdeTreeStep::appendContactRows(const PhysicsConfig& config, const OdeContac
       row.push = first;
       row.friction = surface.mu;
     }
-    rows.push_back(row);
+    rows_.push_back(row);
   }
-  OutsideRow& push = rows[rows.size() - 3];
+  OutsideRow& push = rows_[rows_.size() - 3];
   push.compliance = surface.soft_cfm / h;
   push.lower = 0;
   push.push = -1;
@@ -102,11 +102,11 @@ void OdeTreeStep::appendContactRows(const PhysicsConfig& config, const OdeContac
 
 /// Tells each tree which rows reach it where.
 void OdeTreeStep::distributeRows() {
-  for (Member& member : members) {
+  for (Member& member : members_) {
     member.touched.clear();
     member.entries.clear();
-    for (std::size_t r = 0; r < rows.size(); ++r)
-      for (const OutsideRow::Side& side : rows[r].sides) {
+    for (std::size_t r = 0; r < rows_.size(); ++r)
+      for (const OutsideRow::Side& side : rows_[r].sides) {
         if (side.tree != &member.assembly->tree()) continue;
         const auto place = std::find(member.touched.begin(), member.touched.end(), side.body);
         const auto index = static_cast<std::size_t>(place - member.touched.begin());
@@ -123,32 +123,32 @@ void OdeTreeStep::distributeRows() {
 
 void OdeTreeStep::solveRows() {
   distributeRows();
-  const auto count = static_cast<Eigen::Index>(rows.size());
-  system.reset(count);
-  frictionLimits.clear();
+  const auto count = static_cast<Eigen::Index>(rows_.size());
+  system_.reset(count);
+  frictionLimits_.clear();
   for (Eigen::Index r = 0; r < count; ++r) {
-    const OutsideRow& row = rows[static_cast<std::size_t>(r)];
-    system.a(r, r) = row.compliance;
-    system.b[r] = row.wanted;
-    system.lower[r] = row.lower;
-    system.upper[r] = row.upper;
-    if (row.push >= 0) frictionLimits.push_back({r, row.push, row.friction});
+    const OutsideRow& row = rows_[static_cast<std::size_t>(r)];
+    system_.a(r, r) = row.compliance;
+    system_.b[r] = row.wanted;
+    system_.lower[r] = row.lower;
+    system_.upper[r] = row.upper;
+    if (row.push >= 0) frictionLimits_.push_back({r, row.push, row.friction});
   }
-  for (Member& member : members) {
+  for (Member& member : members_) {
     TreeSystem& tree = member.assembly->tree().tree();
-    answer.resize(member.touched.size());
+    answer_.resize(member.touched.size());
     for (const Member::Entry& from : member.entries) {
       const std::size_t j = from.touched;
       for (std::size_t i = 0; i < member.touched.size(); ++i)
-        answer[i] = i >= j ? Vec6(member.responses[i * (i + 1) / 2 + j] * from.direction)
-                           : Vec6(member.responses[j * (j + 1) / 2 + i].transpose() * from.direction);
+        answer_[i] = i >= j ? Vec6(member.responses[i * (i + 1) / 2 + j] * from.direction)
+                            : Vec6(member.responses[j * (j + 1) / 2 + i].transpose() * from.direction);
       for (const Member::Entry& to : member.entries)
-        if (to.row >= from.row) system.a(to.row, from.row) += to.direction.dot(answer[to.touched]);
-      system.b[from.row] -= from.direction.dot(tree.velocity(member.touched[j]));
+        if (to.row >= from.row) system_.a(to.row, from.row) += to.direction.dot(answer_[to.touched]);
+      system_.b[from.row] -= from.direction.dot(tree.velocity(member.touched[j]));
     }
   }
-  const Eigen::VectorXd& x = solveWithFriction(system, frictionLimits);
-  for (Member& member : members)
+  const Eigen::VectorXd& x = solveWithFriction(system_, frictionLimits_);
+  for (Member& member : members_)
     for (const Member::Entry& entry : member.entries)
       member.assembly->tree().tree().push(member.touched[entry.touched], x[entry.row] * entry.direction);
 }

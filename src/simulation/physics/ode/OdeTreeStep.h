@@ -36,13 +36,13 @@ private:
   void solveRows();
   OdeTree* treeOf(int handle);
 
-  Islands<OdeAssembly> islands;
-  std::vector<Member> members;
-  std::vector<std::size_t> contactIndices;  ///< of the island
-  std::vector<OutsideRow> rows;
-  std::vector<Vec6> answer;
-  std::vector<FrictionLimit> frictionLimits;
-  BoundedSystem system;
+  Islands<OdeAssembly> islands_;
+  std::vector<Member> members_;
+  std::vector<std::size_t> contactIndices_;  ///< of the island
+  std::vector<OutsideRow> rows_;
+  std::vector<Vec6> answer_;
+  std::vector<FrictionLimit> frictionLimits_;
+  BoundedSystem system_;
 };
 
 }  // namespace plumbline::simulation::ode

@@ -23,57 +23,57 @@ void BoundedSystem::reset(Eigen::Index size) {
 
 const Eigen::VectorXd& BoundedSystem::solve() {
   free_.clear();
-  bounded.clear();
+  bounded_.clear();
   for (Eigen::Index i = 0; i < b.size(); ++i)
-    (lower[i] == -infinity && upper[i] == infinity ? free_ : bounded).push_back(i);
+    (lower[i] == -infinity && upper[i] == infinity ? free_ : bounded_).push_back(i);
   const auto entry = [&](Eigen::Index i, Eigen::Index j) { return i >= j ? a(i, j) : a(j, i); };
-  const auto nf = static_cast<Eigen::Index>(free_.size()), nb = static_cast<Eigen::Index>(bounded.size());
+  const auto nf = static_cast<Eigen::Index>(free_.size()), nb = static_cast<Eigen::Index>(bounded_.size());
 
-  freeMatrix.resize(nf, nf);
-  freeSide.resize(nf);
+  freeMatrix_.resize(nf, nf);
+  freeSide_.resize(nf);
   cross_.resize(nf, nb);
-  rest.resize(nb, nb);
-  restSide.resize(nb);
-  restLower.resize(nb);
-  restUpper.resize(nb);
+  rest_.resize(nb, nb);
+  restSide_.resize(nb);
+  restLower_.resize(nb);
+  restUpper_.resize(nb);
   for (Eigen::Index j = 0; j < nf; ++j) {
     const Eigen::Index fj = free_[static_cast<std::size_t>(j)];
-    freeSide[j] = b[fj];
-    for (Eigen::Index i = j; i < nf; ++i) freeMatrix(i, j) = entry(free_[static_cast<std::size_t>(i)], fj);
+    freeSide_[j] = b[fj];
+    for (Eigen::Index i = j; i < nf; ++i) freeMatrix_(i, j) = entry(free_[static_cast<std::size_t>(i)], fj);
   }
   for (Eigen::Index j = 0; j < nb; ++j) {
-    const Eigen::Index bj = bounded[static_cast<std::size_t>(j)];
-    restSide[j] = b[bj];
-    restLower[j] = lower[bj];
-    restUpper[j] = upper[bj];
+    const Eigen::Index bj = bounded_[static_cast<std::size_t>(j)];
+    restSide_[j] = b[bj];
+    restLower_[j] = lower[bj];
+    restUpper_[j] = upper[bj];
     for (Eigen::Index i = 0; i < nf; ++i) cross_(i, j) = entry(free_[static_cast<std::size_t>(i)], bj);
-    for (Eigen::Index i = j; i < nb; ++i) rest(i, j) = entry(bounded[static_cast<std::size_t>(i)], bj);
+    for (Eigen::Index i = j; i < nb; ++i) rest_(i, j) = entry(bounded_[static_cast<std::size_t>(i)], bj);
   }
 
   // Block elimination of the free rows: L L^T = A_ff, cross = L^-1 A_fb, side = L^-1 b_f.
-  const InPlaceCholesky cholesky(freeMatrix);
+  const InPlaceCholesky cholesky(freeMatrix_);
   // Eigen is not asked about matrices without a row or column: it would form references from null pointers.
-  if (nf > 0) cholesky.matrixL().solveInPlace(freeSide);
+  if (nf > 0) cholesky.matrixL().solveInPlace(freeSide_);
   if (nf > 0 && nb > 0) {
     cholesky.matrixL().solveInPlace(cross_);
-    rest.selfadjointView<Eigen::Lower>().rankUpdate(cross_.transpose(), -1);
-    restSide.noalias() -= cross_.transpose() * freeSide;
+    rest_.selfadjointView<Eigen::Lower>().rankUpdate(cross_.transpose(), -1);
+    restSide_.noalias() -= cross_.transpose() * freeSide_;
   }
 
   pivot();
 
-  if (nf > 0 && nb > 0) freeSide.noalias() -= cross_ * restX;
-  if (nf > 0) cholesky.matrixU().solveInPlace(freeSide);
-  x.resize(b.size());
-  for (Eigen::Index i = 0; i < nf; ++i) x[free_[static_cast<std::size_t>(i)]] = freeSide[i];
-  for (Eigen::Index i = 0; i < nb; ++i) x[bounded[static_cast<std::size_t>(i)]] = restX[i];
-  return x;
+  if (nf > 0 && nb > 0) freeSide_.noalias() -= cross_ * restX_;
+  if (nf > 0) cholesky.matrixU().solveInPlace(freeSide_);
+  x_.resize(b.size());
+  for (Eigen::Index i = 0; i < nf; ++i) x_[free_[static_cast<std::size_t>(i)]] = freeSide_[i];
+  for (Eigen::Index i = 0; i < nb; ++i) x_[bounded_[static_cast<std::size_t>(i)]] = restX_[i];
+  return x_;
 }
 
 void BoundedSystem::pivot() {
-  const auto n = static_cast<std::size_t>(restSide.size());
-  bound.assign(n, 0);
-  restX.setZero(restSide.size());
+  const auto n = static_cast<std::size_t>(restSide_.size());
+  bound_.assign(n, 0);
+  restX_.setZero(restSide_.size());
   std::vector<int> wanted(n);
   int allowance = 3;
   std::size_t fewest = n + 1;
@@ -83,16 +83,17 @@ void BoundedSystem::pivot() {
     std::size_t wrong = 0, last = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const auto k = static_cast<Eigen::Index>(i);
-      wanted[i] = bound[i];
-      if (bound[i] == 0) {
-        if (restX[k] < restLower[k] - rounding) wanted[i] = -1;
-        if (restX[k] > restUpper[k] + rounding) wanted[i] = 1;
+      wanted[i] = bound_[i];
+      if (bound_[i] == 0) {
+        if (restX_[k] < restLower_[k] - rounding) wanted[i] = -1;
+        if (restX_[k] > restUpper_[k] + rounding) wanted[i] = 1;
       } else {
-        double w = -restSide[k];
-        for (Eigen::Index j = 0; j < restX.size(); ++j) w += (k >= j ? rest(k, j) : rest(j, k)) * restX[j];
-        if (w * bound[i] > rounding) wanted[i] = 0;
+        double w = -restSide_[k];
+        for (Eigen::Index j = 0; j < restX_.size(); ++j)
+          w += (k >= j ? rest_(k, j) : rest_(j, k)) * restX_[j];
+        if (w * bound_[i] > rounding) wanted[i] = 0;
       }
-      if (wanted[i] != bound[i]) {
+      if (wanted[i] != bound_[i]) {
         ++wrong;
         last = i;
       }
@@ -104,39 +105,39 @@ void BoundedSystem::pivot() {
     } else if (allowance > 0) {
       --allowance;
     } else {  // one at a time, which cannot cycle
-      bound[last] = wanted[last];
+      bound_[last] = wanted[last];
       continue;
     }
-    bound = wanted;
+    bound_ = wanted;
   }
 }
 
 void BoundedSystem::solveFree() {
-  inner.clear();
-  for (std::size_t i = 0; i < bound.size(); ++i) {
+  inner_.clear();
+  for (std::size_t i = 0; i < bound_.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
-    if (bound[i] == 0)
-      inner.push_back(k);
+    if (bound_[i] == 0)
+      inner_.push_back(k);
     else
-      restX[k] = bound[i] < 0 ? restLower[k] : restUpper[k];
+      restX_[k] = bound_[i] < 0 ? restLower_[k] : restUpper_[k];
   }
-  const auto n = static_cast<Eigen::Index>(inner.size());
-  innerMatrix.resize(n, n);
-  innerSide.resize(n);
+  const auto n = static_cast<Eigen::Index>(inner_.size());
+  innerMatrix_.resize(n, n);
+  innerSide_.resize(n);
   for (Eigen::Index j = 0; j < n; ++j) {
-    const Eigen::Index kj = inner[static_cast<std::size_t>(j)];
-    innerSide[j] = restSide[kj];
-    for (std::size_t i = 0; i < bound.size(); ++i) {
+    const Eigen::Index kj = inner_[static_cast<std::size_t>(j)];
+    innerSide_[j] = restSide_[kj];
+    for (std::size_t i = 0; i < bound_.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
-      if (bound[i] != 0) innerSide[j] -= (kj >= k ? rest(kj, k) : rest(k, kj)) * restX[k];
+      if (bound_[i] != 0) innerSide_[j] -= (kj >= k ? rest_(kj, k) : rest_(k, kj)) * restX_[k];
     }
-    for (Eigen::Index i = j; i < n; ++i) innerMatrix(i, j) = rest(inner[static_cast<std::size_t>(i)], kj);
+    for (Eigen::Index i = j; i < n; ++i) innerMatrix_(i, j) = rest_(inner_[static_cast<std::size_t>(i)], kj);
   }
   if (n == 0) return;
-  const InPlaceCholesky cholesky(innerMatrix);
-  cholesky.matrixL().solveInPlace(innerSide);
-  cholesky.matrixU().solveInPlace(innerSide);
-  for (Eigen::Index j = 0; j < n; ++j) restX[inner[static_cast<std::size_t>(j)]] = innerSide[j];
+  const InPlaceCholesky cholesky(innerMatrix_);
+  cholesky.matrixL().solveInPlace(innerSide_);
+  cholesky.matrixU().solveInPlace(innerSide_);
+  for (Eigen::Index j = 0; j < n; ++j) restX_[inner_[static_cast<std::size_t>(j)]] = innerSide_[j];
 }
 
 }  // namespace plumbline::simulation

@@ -20,16 +20,16 @@ public:
 
   /// The solution, valid until the next call.
   const Eigen::VectorXd& solve();
-  const Eigen::VectorXd& solution() const { return x; }
+  const Eigen::VectorXd& solution() const { return x_; }
 
 private:
   void pivot();
   void solveFree();
-  std::vector<Eigen::Index> free_, bounded, inner;
-  std::vector<int> bound;  ///< of the bounded rows: -1 lower, 0 between, 1 upper
-  Eigen::MatrixXd freeMatrix, cross_, rest, innerMatrix;
-  Eigen::VectorXd freeSide, restSide, restX, innerSide, x;
-  Eigen::VectorXd restLower, restUpper;
+  std::vector<Eigen::Index> free_, bounded_, inner_;
+  std::vector<int> bound_;  ///< of the bounded rows: -1 lower, 0 between, 1 upper
+  Eigen::MatrixXd freeMatrix_, cross_, rest_, innerMatrix_;
+  Eigen::VectorXd freeSide_, restSide_, restX_, innerSide_, x_;
+  Eigen::VectorXd restLower_, restUpper_;
 };
 
 }  // namespace plumbline::simulation

@@ -88,30 +88,30 @@ Mat6 inverseSpd(const Mat6& m) {
   return result;
 }
 
-TreeSystem::TreeSystem(std::vector<int> parents_) : parents(std::move(parents_)) {
-  for (std::size_t i = 0; i < parents.size(); ++i)
-    if (parents[i] >= static_cast<int>(i) || (parents[i] < 0) != (i == 0))
+TreeSystem::TreeSystem(std::vector<int> parents) : parents_(std::move(parents)) {
+  for (std::size_t i = 0; i < parents_.size(); ++i)
+    if (parents_[i] >= static_cast<int>(i) || (parents_[i] < 0) != (i == 0))
       throw std::invalid_argument("physics: a tree's bodies must come after their parents");
-  bodies.resize(parents.size());
-  joints.resize(parents.size());
-  factors.resize(parents.size());
-  inertias.resize(parents.size());
-  momenta.resize(parents.size());
-  pushes.resize(parents.size());
-  carried.resize(parents.size());
-  velocities.resize(parents.size());
-  impulses.resize(parents.size());
+  bodies_.resize(parents_.size());
+  joints_.resize(parents_.size());
+  factors_.resize(parents_.size());
+  inertias_.resize(parents_.size());
+  momenta_.resize(parents_.size());
+  pushes_.resize(parents_.size());
+  carried_.resize(parents_.size());
+  velocities_.resize(parents_.size());
+  impulses_.resize(parents_.size());
 }
 
 void TreeSystem::factor() {
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    inertias[i] = spatialInertia(bodies[i].mass, bodies[i].inertia, bodies[i].position);
-  for (std::size_t i = bodies.size(); i-- > 0;) {
-    Factor& f = factors[i];
-    f.inverseInertia = inverseSpd(inertias[i]);
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    inertias_[i] = spatialInertia(bodies_[i].mass, bodies_[i].inertia, bodies_[i].position);
+  for (std::size_t i = bodies_.size(); i-- > 0;) {
+    Factor& f = factors_[i];
+    f.inverseInertia = inverseSpd(inertias_[i]);
     f.responseKnown = false;
     if (i == 0) break;
-    const Joint& joint = joints[i];
+    const Joint& joint = joints_[i];
     f.gap = joint.parentAnchor - joint.childAnchor;
     f.stiffness = inverseSpd(f.inverseInertia + complianceAboutOrigin(joint));
     if (joint.axisFree) {
@@ -127,19 +127,19 @@ void TreeSystem::factor() {
     const Mat3 d = cross(f.gap);
     f.up.topRows<3>() = sm.topRows<3>();
     f.up.bottomRows<3>() = sm.bottomRows<3>() + d * sm.topRows<3>();
-    inertias[at(parents[i])] += carryToParent(f.stiffness, f.gap);
+    inertias_[at(parents_[i])] += carryToParent(f.stiffness, f.gap);
   }
 }
 
 void TreeSystem::solve(double h) {
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Body& b = bodies[i];
-    momenta[i] = spatialImpulse(b.position, b.mass * b.linearVelocity + h * b.force,
-                                b.inertia * b.angularVelocity + h * b.torque);
-    pushes[i].setZero();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Body& b = bodies_[i];
+    momenta_[i] = spatialImpulse(b.position, b.mass * b.linearVelocity + h * b.force,
+                                 b.inertia * b.angularVelocity + h * b.torque);
+    pushes_[i].setZero();
     if (i == 0) continue;
-    const Joint& joint = joints[i];
-    factors[i].wanted << joint.linear + joint.childAnchor.cross(joint.angular), joint.angular;
+    const Joint& joint = joints_[i];
+    factors_[i].wanted << joint.linear + joint.childAnchor.cross(joint.angular), joint.angular;
   }
   pass();
 }
@@ -147,32 +147,32 @@ void TreeSystem::solve(double h) {
 void TreeSystem::resolve() { pass(); }
 
 void TreeSystem::pass() {
-  for (std::size_t i = 0; i < bodies.size(); ++i) carried[i] = momenta[i] + pushes[i];
-  for (std::size_t i = bodies.size(); i-- > 1;) {
-    const Factor& f = factors[i];
-    velocities[i] = f.inverseInertia * carried[i];
-    carried[at(parents[i])] -= impulseToParent(f.stiffness * (f.wanted - velocities[i]), f.gap);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) carried_[i] = momenta_[i] + pushes_[i];
+  for (std::size_t i = bodies_.size(); i-- > 1;) {
+    const Factor& f = factors_[i];
+    velocities_[i] = f.inverseInertia * carried_[i];
+    carried_[at(parents_[i])] -= impulseToParent(f.stiffness * (f.wanted - velocities_[i]), f.gap);
   }
-  velocities[0] = factors[0].inverseInertia * carried[0];
-  for (std::size_t i = 1; i < bodies.size(); ++i) {
-    const Factor& f = factors[i];
-    impulses[i] =
-        f.stiffness * (f.wanted + velocityOfParent(velocities[at(parents[i])], f.gap) - velocities[i]);
-    velocities[i] += f.inverseInertia * impulses[i];
+  velocities_[0] = factors_[0].inverseInertia * carried_[0];
+  for (std::size_t i = 1; i < bodies_.size(); ++i) {
+    const Factor& f = factors_[i];
+    impulses_[i] =
+        f.stiffness * (f.wanted + velocityOfParent(velocities_[at(parents_[i])], f.gap) - velocities_[i]);
+    velocities_[i] += f.inverseInertia * impulses_[i];
   }
 }
 
 double TreeSystem::motorImpulse(int child) const {
-  return motorRow(joints[at(child)]).dot(impulses[at(child)]);
+  return motorRow(joints_[at(child)]).dot(impulses_[at(child)]);
 }
 
 const Mat6& TreeSystem::ownResponse(int body) {
-  Factor& f = factors[at(body)];
+  Factor& f = factors_[at(body)];
   if (!f.responseKnown) {
     if (body == 0)
       f.response = f.inverseInertia;
     else
-      f.response = f.own + f.up.transpose() * ownResponse(parents[at(body)]) * f.up;
+      f.response = f.own + f.up.transpose() * ownResponse(parents_[at(body)]) * f.up;
     f.responseKnown = true;
   }
   return f.response;
@@ -183,11 +183,11 @@ Mat6 TreeSystem::response(int a, int b) {
   Mat6 fromB = Mat6::Identity(), toA = Mat6::Identity();
   while (a != b) {
     if (a > b) {
-      toA = toA * factors[at(a)].up.transpose();
-      a = parents[at(a)];
+      toA = toA * factors_[at(a)].up.transpose();
+      a = parents_[at(a)];
     } else {
-      fromB = factors[at(b)].up * fromB;
-      b = parents[at(b)];
+      fromB = factors_[at(b)].up * fromB;
+      b = parents_[at(b)];
     }
   }
   return toA * ownResponse(a) * fromB;

@@ -37,20 +37,20 @@ public:
   /// parents[i] < i is the body above body i; parents[0] is -1.
   explicit TreeSystem(std::vector<int> parents);
 
-  Body& body(int i) { return bodies[at(i)]; }
-  Joint& joint(int child) { return joints[at(child)]; }
-  int parent(int i) const { return parents[at(i)]; }
+  Body& body(int i) { return bodies_[at(i)]; }
+  Joint& joint(int child) { return joints_[at(child)]; }
+  int parent(int i) const { return parents_[at(i)]; }
 
   /// Prepares everything that does not depend on velocities and forces.
   void factor();
   /// Solves for bodies, joints and forces as they are, step h [s], without impulses from outside.
   void solve(double h);
   /// Adds an impulse from outside to a body (about O), for resolve().
-  void push(int body, const Vec6& impulse) { pushes[at(body)] += impulse; }
+  void push(int body, const Vec6& impulse) { pushes_[at(body)] += impulse; }
   /// Solves again with the pushes added since solve().
   void resolve();
 
-  const Vec6& velocity(int body) const { return velocities[at(body)]; }
+  const Vec6& velocity(int body) const { return velocities_[at(body)]; }
   /// Impulse of the motor on the child about its axis [N m s].
   double motorImpulse(int child) const;
   /// Change of body a's velocity by an impulse on body b.
@@ -61,9 +61,9 @@ private:
   const Mat6& ownResponse(int body);
   void pass();
 
-  std::vector<int> parents;
-  std::vector<Body> bodies;
-  std::vector<Joint> joints;
+  std::vector<int> parents_;
+  std::vector<Body> bodies_;
+  std::vector<Joint> joints_;
   struct Factor {
     Mat6 inverseInertia;  ///< of the body with everything below it
     Mat6 stiffness;       ///< inverse of the joint's S = inverseInertia + C
@@ -74,9 +74,9 @@ private:
     Vec3 gap;     ///< parent's anchor - child's anchor
     Vec6 wanted;  ///< c, about O
   };
-  std::vector<Factor> factors;
-  std::vector<Mat6> inertias;
-  std::vector<Vec6> momenta, pushes, carried, velocities, impulses;
+  std::vector<Factor> factors_;
+  std::vector<Mat6> inertias_;
+  std::vector<Vec6> momenta_, pushes_, carried_, velocities_, impulses_;
 };
 
 }  // namespace plumbline::simulation

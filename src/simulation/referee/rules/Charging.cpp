@@ -53,26 +53,26 @@ struct Outcome {
 
 class Judge {
 public:
-  Judge(Match& match_, std::vector<Outcome>& outcomes_)
-      : match(match_), rules(match_.rules.of<Charging>()), outcomes(outcomes_) {}
+  Judge(Match& match, std::vector<Outcome>& outcomes)
+      : match_(match), rules_(match.rules.of<Charging>()), outcomes_(outcomes) {}
 
   void judge(const Collision& collision) {
     const auto& players = collision.players;
     for (const Participant* player : players)
-      if (player->notStanding != 0 || player->sinceMoved < match.cycles(1) || player->offends()) return;
-    std::array<bool, 2> atHome{isGoalieAtHome(match.field, *players[0]),
-                               isGoalieAtHome(match.field, *players[1])};
+      if (player->notStanding != 0 || player->sinceMoved < match_.cycles(1) || player->offends()) return;
+    std::array<bool, 2> atHome{isGoalieAtHome(match_.field, *players[0]),
+                               isGoalieAtHome(match_.field, *players[1])};
     std::array<bool, 2> charging = headForEachOther(collision);
     for (std::size_t i = 0; i < 2; ++i) charging[i] = charging[i] && isFast(collision, i);
 
     for (std::size_t i = 0; i < 2; ++i)
       if (charging[i]) excuse(*players[i], *players[1 - i], atHome[i]);
-    const double fromBall = (collision.point - match.ball().position().head<2>()).norm();
-    if ((charging[0] && charging[1]) || fromBall < rules.minCollisionBallDistance) charging.fill(false);
+    const double fromBall = (collision.point - match_.ball().position().head<2>()).norm();
+    if ((charging[0] && charging[1]) || fromBall < rules_.minCollisionBallDistance) charging.fill(false);
 
     for (std::size_t i = 0; i < 2; ++i)
-      if (charging[i] && !atHome[i] && players[i]->sinceCollision >= match.cycles(rules.minInterval) &&
-          players[i]->sinceBallTouch >= match.cycles(rules.immunity))
+      if (charging[i] && !atHome[i] && players[i]->sinceCollision >= match_.cycles(rules_.minInterval) &&
+          players[i]->sinceBallTouch >= match_.cycles(rules_.immunity))
         outcomeOf(*players[i]).fouled = true;
     if (!charging[0] && !charging[1])
       for (const Participant* player : players) outcomeOf(*player).sinceCollision = 0;
@@ -80,13 +80,13 @@ public:
 
 private:
   Outcome& outcomeOf(const Participant& player) {
-    return outcomes[static_cast<std::size_t>(&player - match.participants().data())];
+    return outcomes_[static_cast<std::size_t>(&player - match_.participants().data())];
   }
 
   /// Whether the way of each, seen from the ball, is a charge; away from the ball every way is.
   std::array<bool, 2> headForEachOther(const Collision& collision) {
     const auto& players = collision.players;
-    const Vec2 ball = match.ball().position().head<2>();
+    const Vec2 ball = match_.ball().position().head<2>();
     std::array<double, 2> distance{}, speed{}, toOpponent{};
     std::array<bool, 2> charging{};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -95,24 +95,24 @@ private:
       speed[i] = velocity.norm();
       const double toBall = angleBetween(velocity, ball - place);
       toOpponent[i] = angleBetween(velocity, players[1 - i]->place() - place);
-      charging[i] = toBall >= toOpponent[i] && toBall >= rules.minBallAngle && speed[i] >= rules.minSpeed;
+      charging[i] = toBall >= toOpponent[i] && toBall >= rules_.minBallAngle && speed[i] >= rules_.minSpeed;
     }
-    if (std::min(distance[0], distance[1]) >= rules.maxBallDistance) return {true, true};
+    if (std::min(distance[0], distance[1]) >= rules_.maxBallDistance) return {true, true};
     if (charging[0] || charging[1]) return charging;
     // Both go for the ball: the one that comes second must not run into the first from another direction.
-    if (std::fabs(distance[0] - distance[1]) > rules.minDistanceDifference)
+    if (std::fabs(distance[0] - distance[1]) > rules_.minDistanceDifference)
       for (std::size_t i = 0; i < 2; ++i)
         charging[i] = distance[i] > distance[1 - i] &&
-                      (std::fabs(toOpponent[0] - toOpponent[1]) > rules.minAngleDifference ||
-                       speed[1 - i] < rules.minSpeed);
+                      (std::fabs(toOpponent[0] - toOpponent[1]) > rules_.minAngleDifference ||
+                       speed[1 - i] < rules_.minSpeed);
     return charging;
   }
 
   bool isFast(const Collision& collision, std::size_t i) const {
     const Participant &player = *collision.players[i], &other = *collision.players[1 - i];
     const Vec2 towards = ((collision.point + other.place()) / 2 - player.place()).normalized();
-    return player.velocity().norm() >= rules.minSpeed &&
-           player.velocity().dot(towards) >= rules.minCollisionSpeed;
+    return player.velocity().norm() >= rules_.minSpeed &&
+           player.velocity().dot(towards) >= rules_.minCollisionSpeed;
   }
 
   /// Whoever is charged by one who may do so, or did so just now, is not to blame for what follows.
@@ -120,14 +120,14 @@ private:
     Outcome& outcome = outcomeOf(victim);
     if (chargerAtHome)
       outcome.sinceBallTouch = 0;
-    else if (charger.sinceBallTouch < match.cycles(rules.immunity))
+    else if (charger.sinceBallTouch < match_.cycles(rules_.immunity))
       outcome.sinceBallTouch = std::min(outcome.sinceBallTouch, charger.sinceBallTouch);
     outcome.sinceCollision = std::min(outcome.sinceCollision, charger.sinceCollision);
   }
 
-  Match& match;
-  const Charging::Parameters& rules;
-  std::vector<Outcome>& outcomes;
+  Match& match_;
+  const Charging::Parameters& rules_;
+  std::vector<Outcome>& outcomes_;
 };
 
 }  // namespace

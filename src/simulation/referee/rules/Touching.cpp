@@ -21,28 +21,28 @@ public:
       while (root[i] != i) i = root[i];
       return i;
     };
-    first = match.participants().data();
+    first_ = match.participants().data();
     for (const RobotContact& contact : match.contacts) {
       const Participant *a = match.find(contact.a), *b = match.find(contact.b);
       if (!a || !b) continue;
       const std::size_t ra = find(index(*a)), rb = find(index(*b));
       root[std::max(ra, rb)] = std::min(ra, rb);
     }
-    groups.resize(root.size());
+    groups_.resize(root.size());
     for (Participant& player : match.participants()) {
       const std::size_t group = find(index(player));
-      groups[group].push_back(&player);
-      groupOf.push_back(group);
+      groups_[group].push_back(&player);
+      groupOf_.push_back(group);
     }
   }
 
-  Group& of(const Participant& player) { return groups[groupOf[index(player)]]; }
+  Group& of(const Participant& player) { return groups_[groupOf_[index(player)]]; }
 
 private:
-  std::size_t index(const Participant& player) const { return static_cast<std::size_t>(&player - first); }
-  const Participant* first = nullptr;
-  std::vector<Group> groups;
-  std::vector<std::size_t> groupOf;
+  std::size_t index(const Participant& player) const { return static_cast<std::size_t>(&player - first_); }
+  const Participant* first_ = nullptr;
+  std::vector<Group> groups_;
+  std::vector<std::size_t> groupOf_;
 };
 
 void punish(Match& match, Participant& player, const Vec2& middle) {

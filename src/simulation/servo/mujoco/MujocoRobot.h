@@ -27,13 +27,13 @@ public:
   void command(const std::vector<double>& targets) override;
   void setStiffness(int joint, double stiffness) override;
   void push(const Vec3& force, double seconds, int link) override;
-  void load(int joint, double torque) override { loads.at(static_cast<std::size_t>(joint)) = torque; }
+  void load(int joint, double torque) override { loads_.at(static_cast<std::size_t>(joint)) = torque; }
   void step() override;
-  const ServoReadings& readings() const override { return sensed; }
+  const ServoReadings& readings() const override { return sensed_; }
   double encoder(int joint) const override;
   double encoderSpeed(int joint) const override;
-  const BodyState& link(int index) const override { return states.at(static_cast<std::size_t>(index)); }
-  const Mechanism& mechanism() const override { return robot; }
+  const BodyState& link(int index) const override { return states_.at(static_cast<std::size_t>(index)); }
+  const Mechanism& mechanism() const override { return robot_; }
 
 private:
   void substep();
@@ -47,21 +47,21 @@ private:
   ServoDrive::Side motorSide(std::size_t joint) const;
   ServoDrive::Side linkSide(std::size_t joint) const;
 
-  const Mechanism robot;
-  const RobotSimulationOptions options;
-  int stepsPerCycle = 1;
-  double h = 0;  ///< of a step [s]
-  std::vector<ServoDrive> drives;
-  SupplyRail supply;
-  std::vector<double> loads, stiffGear;  ///< [N m]; of a gear's flanks as the step bears them [N m/rad]
-  std::unique_ptr<World> world;
-  std::unique_ptr<SoftGround> ground;  ///< null: the engine's own contacts
-  std::vector<BodyState> states;
-  ServoReadings sensed;
-  std::vector<double> torqueSum;
-  Vec3 imuVelocity = Vec3::Zero(), pushForce = Vec3::Zero();
-  int pushLink = 0;
-  long pushSteps = 0, cycles = 0;
+  const Mechanism robot_;
+  const RobotSimulationOptions options_;
+  int stepsPerCycle_ = 1;
+  double h_ = 0;  ///< of a step [s]
+  std::vector<ServoDrive> drives_;
+  SupplyRail supply_;
+  std::vector<double> loads_, stiffGear_;  ///< [N m]; of a gear's flanks as the step bears them [N m/rad]
+  std::unique_ptr<World> world_;
+  std::unique_ptr<SoftGround> ground_;  ///< null: the engine's own contacts
+  std::vector<BodyState> states_;
+  ServoReadings sensed_;
+  std::vector<double> torqueSum_;
+  Vec3 imuVelocity_ = Vec3::Zero(), pushForce_ = Vec3::Zero();
+  int pushLink_ = 0;
+  long pushSteps_ = 0, cycles_ = 0;
 };
 
 }  // namespace plumbline::simulation::mujoco

@@ -25,43 +25,44 @@ mjModel* load(const std::string& text) {
 }  // namespace
 
 World::World(const Mechanism& robot, const std::string& text)
-    : m(load(text), mj_deleteModel), d(mj_makeData(m.get()), mj_deleteData) {
+    : m_(load(text), mj_deleteModel), d_(mj_makeData(m_.get()), mj_deleteData) {
   for (const Mechanism::Link& link : robot.links)
-    bodies.push_back(mj_name2id(m.get(), mjOBJ_BODY, link.name.c_str()));
+    bodies_.push_back(mj_name2id(m_.get(), mjOBJ_BODY, link.name.c_str()));
   for (const Mechanism::Joint& joint : robot.joints) {
-    const int id = mj_name2id(m.get(), mjOBJ_JOINT, joint.name.c_str());
-    const int rotor = mj_name2id(m.get(), mjOBJ_JOINT, (joint.name + ".rotor").c_str());
+    const int id = mj_name2id(m_.get(), mjOBJ_JOINT, joint.name.c_str());
+    const int rotor = mj_name2id(m_.get(), mjOBJ_JOINT, (joint.name + ".rotor").c_str());
     const int motor = rotor >= 0 ? rotor : id;
-    joints.push_back({m->jnt_qposadr[id], m->jnt_dofadr[id], m->jnt_qposadr[motor], m->jnt_dofadr[motor]});
+    joints_.push_back(
+        {m_->jnt_qposadr[id], m_->jnt_dofadr[id], m_->jnt_qposadr[motor], m_->jnt_dofadr[motor]});
   }
 }
 
 Pose3 World::pose(std::size_t link) const {
-  const int b = bodies[link];
+  const int b = bodies_[link];
   Pose3 T;
-  T.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(d->xmat + 9 * b);
-  T.translation() = Eigen::Map<const Vec3>(d->xpos + 3 * b);
+  T.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(d_->xmat + 9 * b);
+  T.translation() = Eigen::Map<const Vec3>(d_->xpos + 3 * b);
   T.matrix().row(3) << 0, 0, 0, 1;
   return T;
 }
 
 Vec3 World::velocity(std::size_t link, const Vec3& place) const {
   // cvel: rotation and motion of the point that is at the subtree's centre of mass.
-  const int b = bodies[link];
-  const Eigen::Map<const Vec3> turning(d->cvel + 6 * b), moving(d->cvel + 6 * b + 3);
-  const Eigen::Map<const Vec3> centre(d->subtree_com + 3 * m->body_rootid[b]);
+  const int b = bodies_[link];
+  const Eigen::Map<const Vec3> turning(d_->cvel + 6 * b), moving(d_->cvel + 6 * b + 3);
+  const Eigen::Map<const Vec3> centre(d_->subtree_com + 3 * m_->body_rootid[b]);
   return moving + turning.cross(place - centre);
 }
 
 World::FootForce World::footForce(const std::string& foot, std::size_t link) const {
   FootForce result;
-  const int geom = mj_name2id(m.get(), mjOBJ_GEOM, ("sole." + foot).c_str());
+  const int geom = mj_name2id(m_.get(), mjOBJ_GEOM, ("sole." + foot).c_str());
   const Pose3 T_link_world = pose(link).inverse();
-  for (int i = 0; i < d->ncon; ++i) {
-    const mjContact& contact = d->contact[i];
+  for (int i = 0; i < d_->ncon; ++i) {
+    const mjContact& contact = d_->contact[i];
     if (contact.geom1 != geom && contact.geom2 != geom) continue;
     mjtNum force[6];
-    mj_contactForce(m.get(), d.get(), i, force);
+    mj_contactForce(m_.get(), d_.get(), i, force);
     const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> frame(contact.frame);
     Vec3 world = frame.transpose() * Vec3(force[0], force[1], force[2]);
     if (contact.geom1 == geom) world = -world;

@@ -20,8 +20,8 @@ public:
     int position = 0, velocity = 0;            ///< of the link's joint
     int rotorPosition = 0, rotorVelocity = 0;  ///< of the rotor's; the link's where there is none
   };
-  const Address& joint(std::size_t j) const { return joints[j]; }
-  int body(std::size_t link) const { return bodies[link]; }
+  const Address& joint(std::size_t j) const { return joints_[j]; }
+  int body(std::size_t link) const { return bodies_[link]; }
   Pose3 pose(std::size_t link) const;
   /// Velocity of a place (world) that moves with a link.
   Vec3 velocity(std::size_t link, const Vec3& place) const;
@@ -33,14 +33,14 @@ public:
   /// What the engine's contacts press on a sole.
   FootForce footForce(const std::string& foot, std::size_t link) const;
 
-  mjModel* model() const { return m.get(); }
-  mjData* data() const { return d.get(); }
+  mjModel* model() const { return m_.get(); }
+  mjData* data() const { return d_.get(); }
 
 private:
-  std::unique_ptr<mjModel, void (*)(mjModel*)> m;
-  std::unique_ptr<mjData, void (*)(mjData*)> d;
-  std::vector<Address> joints;
-  std::vector<int> bodies;
+  std::unique_ptr<mjModel, void (*)(mjModel*)> m_;
+  std::unique_ptr<mjData, void (*)(mjData*)> d_;
+  std::vector<Address> joints_;
+  std::vector<int> bodies_;
 };
 
 }  // namespace plumbline::simulation::mujoco

@@ -20,14 +20,14 @@ public:
     Vec3 anchor = Vec3::Zero();  ///< where friction holds it
     bool touches = false;
   };
-  std::vector<Corner>& corners() { return list; }
+  std::vector<Corner>& corners() { return list_; }
   /// Force on a corner at a place in the world, moving so.
   void update(Corner& corner, const Vec3& place, const Vec3& speed);
 
 private:
-  std::vector<Corner> list;
-  double stiffness, damping, friction, sideStiffness, sideDamping;
-  Vec3 up;
+  std::vector<Corner> list_;
+  double stiffness_, damping_, friction_, sideStiffness_, sideDamping_;
+  Vec3 up_;
 };
 
 }  // namespace plumbline::simulation::mujoco
