@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int badInput = ConfigurationError::exitCode, interrupted = 130;
 const char* programName = "";
+volatile std::sig_atomic_t memoryWasShort = 0;
 
 /// Without an allocation: none may be left.
 void tell(const char* what) {
@@ -35,6 +37,23 @@ int fail(const std::exception& error, int status) noexcept {
   return status;
 }
 
+/// Called by operator new where malloc gives nothing.
+[[noreturn]] void noMemory() {
+  memoryWasShort = 1;
+  throw std::bad_alloc();
+}
+
+/// Ends the program if memory was short and an exception is on its way: libraries die of that otherwise.
+/// libstdc++'s directory_iterator may not throw, and nlohmann's json asserts that what is destroyed was
+/// whole.
+void endForLackOfMemory() {
+  if (memoryWasShort == 0 || std::uncaught_exceptions() == 0) return;
+  tell("out of memory");
+  _exit(badInput);
+}
+
+void aborted(int) { endForLackOfMemory(); }
+
 /// The end of what no catch reaches: a thread, a destructor.
 [[noreturn]] void terminated() {
   if (const std::exception_ptr problem = std::current_exception()) {
@@ -49,6 +68,7 @@ int fail(const std::exception& error, int status) noexcept {
       tell("ended by an unknown exception");
     }
   }
+  endForLackOfMemory();
   std::abort();  // which CrashLog sees
 }
 
@@ -57,6 +77,8 @@ int fail(const std::exception& error, int status) noexcept {
 int guardedMain(const char* program, int (*run)(int, char**), int argc, char** argv, int fault) noexcept {
   programName = program;
   std::set_terminate(terminated);
+  std::set_new_handler(noMemory);
+  std::signal(SIGABRT, aborted);  // abort() goes on to what it does without it
   int status = fault;
   try {
     status = run(argc, argv);

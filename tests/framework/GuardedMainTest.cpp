@@ -29,6 +29,31 @@ int lacksMemoryInAThread(int, char**) {
   std::thread([] { throw std::bad_alloc(); }).join();
   return 0;
 }
+/// As operator new does where malloc gives nothing; the sanitizers' ends the program instead.
+[[noreturn]] void allocateInVain() {
+  std::get_new_handler()();
+  std::abort();
+}
+void mayNotThrow() noexcept { allocateInVain(); }
+int lacksMemoryWhereNothingMayThrow(int, char**) {
+  mayNotThrow();
+  return 0;
+}
+/// As nlohmann's json does when one is destroyed that was never whole.
+struct AbortsWhenDestroyed {
+  ~AbortsWhenDestroyed() { std::abort(); }
+};
+int lacksMemoryAndAborts(int, char**) {
+  const AbortsWhenDestroyed object;
+  allocateInVain();
+}
+int abortsLater(int, char**) {
+  try {
+    allocateInVain();
+  } catch (const std::bad_alloc&) {
+  }
+  std::abort();
+}
 int breaksInAThread(int, char**) {
   std::thread([] { throw std::runtime_error("a thread's matter"); }).join();
   return 0;
@@ -58,6 +83,16 @@ TEST(GuardedMainDeathTest, saysWhatWentWrongInOneLine) {
 TEST(GuardedMainDeathTest, saysThatThereIsNoMemoryLeft) {
   expectEnd(lacksMemory, 2, "out of memory", 1);
   expectEnd(lacksMemoryInAThread, 2, "out of memory", 1);
+}
+
+TEST(GuardedMainDeathTest, lackOfMemoryIsSaidWhereItCannotBeCaught) {
+  expectEnd(lacksMemoryWhereNothingMayThrow, 2, "out of memory", 1);
+  expectEnd(lacksMemoryAndAborts, 2, "out of memory", 1);
+}
+
+TEST(GuardedMainDeathTest, whatAbortsForAnotherReasonDiesOfIt) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_EXIT(guardedMain("prog", abortsLater, 0, nullptr), testing::KilledBySignal(SIGABRT), "^$");
 }
 
 TEST(GuardedMainDeathTest, aThreadsExceptionIsNamedBeforeTheProgramDies) {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "framework/Parallel.h"
+#include "framework/PartialFolder.h"
 #include "gap/blind/Workshop.h"
 #include "gap/record/SimulatedRecording.h"
 #include "gap/run/RunFile.h"
@@ -131,49 +132,45 @@ BlindSet makeBlind(const BlindMakeOptions& given) {
   const fs::path output(options.output);
   if (fs::exists(output, error))
     throw std::runtime_error(options.output + " is there already; name a new folder with -o");
-  const fs::path part(options.output + ".part");
+  const PartialFolder beside(options.output + ".part");
+  const fs::path& part = beside.path();
   fs::remove_all(part, error);
   fs::create_directories(part, error);
   if (error) throw std::runtime_error(part.string() + " cannot be made: " + error.message());
-  try {
-    const std::string nominal = (part / "nominal").string();
-    workshop.write({}, 1, false, nominal);
-    BlindSet set;
-    set.robot = options.robot;
-    set.engine = options.engine;
-    set.battery = options.draw.battery == Battery::hang ? "hang" : "all";
-    set.seed = options.draw.seed;
-    const std::vector<BlindKind> kinds = drawKinds(options.draw);
-    const std::vector<std::string> names = opaqueNames(kinds.size(), options.draw.seed);
-    std::vector<std::size_t> turns;
-    std::map<BlindKind, std::size_t> count;
-    for (std::size_t i = 0; i < kinds.size(); ++i) {
-      BlindCase c;
-      c.name = names[i];
-      c.kind = kinds[i];
-      set.cases.push_back(std::move(c));
-      turns.push_back(count[kinds[i]]++);
-    }
-    std::mutex mutex;
-    std::size_t done = 0;
-    parallel(set.cases.size(), options.jobs, [&](std::size_t i) {
-      BlindCase& c = set.cases[i];
-      const CaseMaker maker(workshop, robot, (part / c.name).string(), nominal,
-                            options.draw.seed * 1'000'003 + i);
-      maker.make(c, turns[i], options.draw);
-      const std::lock_guard lock(mutex);
-      ++done;
-      if (options.progress) options.progress(done);
-    });
-    std::ranges::sort(set.cases, {}, &BlindCase::name);
-    writeSealed(set, part.string());
-    fs::remove_all(nominal);
-    fs::rename(part, output);
-    return set;
-  } catch (...) {
-    fs::remove_all(part, error);
-    throw;
+  const std::string nominal = (part / "nominal").string();
+  workshop.write({}, 1, false, nominal);
+  BlindSet set;
+  set.robot = options.robot;
+  set.engine = options.engine;
+  set.battery = options.draw.battery == Battery::hang ? "hang" : "all";
+  set.seed = options.draw.seed;
+  const std::vector<BlindKind> kinds = drawKinds(options.draw);
+  const std::vector<std::string> names = opaqueNames(kinds.size(), options.draw.seed);
+  std::vector<std::size_t> turns;
+  std::map<BlindKind, std::size_t> count;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    BlindCase c;
+    c.name = names[i];
+    c.kind = kinds[i];
+    set.cases.push_back(std::move(c));
+    turns.push_back(count[kinds[i]]++);
   }
+  std::mutex mutex;
+  std::size_t done = 0;
+  parallel(set.cases.size(), options.jobs, [&](std::size_t i) {
+    BlindCase& c = set.cases[i];
+    const CaseMaker maker(workshop, robot, (part / c.name).string(), nominal,
+                          options.draw.seed * 1'000'003 + i);
+    maker.make(c, turns[i], options.draw);
+    const std::lock_guard lock(mutex);
+    ++done;
+    if (options.progress) options.progress(done);
+  });
+  std::ranges::sort(set.cases, {}, &BlindCase::name);
+  writeSealed(set, part.string());
+  fs::remove_all(nominal);
+  fs::rename(part, output);
+  return set;
 }
 
 }  // namespace plumbline::gap

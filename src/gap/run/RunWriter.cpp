@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "framework/PartialFolder.h"
 #include "framework/WriteFile.h"
 #include "gap/run/RunFile.h"
 
@@ -120,7 +121,7 @@ bool writePlain(const fs::path& path, const std::string& text) {
 }  // namespace
 
 void writeRun(const Run& run, const std::string& folder, WriteRunOptions options) {
-  const std::string table = tableText(run, options.digits);
+  const std::string table = tableText(run, options.digits), meta = metaText(run);
   std::string name = folder;
   while (name.size() > 1 && name.back() == '/') name.pop_back();
   const fs::path place(name), beside(name + ".part");
@@ -128,18 +129,18 @@ void writeRun(const Run& run, const std::string& folder, WriteRunOptions options
   if (fs::exists(place, error))
     throw RunError(name + ": is there already; remove it or choose another folder");
   fs::remove_all(beside, error);
+  PartialFolder part(beside);
   fs::create_directories(beside, error);
   const bool good =
-      !error && writePlain(beside / "run.json", metaText(run)) &&
+      !error && writePlain(beside / "run.json", meta) &&
       (options.packed ? writePacked(beside / "run.csv.gz", table) : writePlain(beside / "run.csv", table)) &&
       syncToDisk((beside / "run.json").string()) &&
       syncToDisk((beside / (options.packed ? "run.csv.gz" : "run.csv")).string()) &&
       syncToDisk(beside.string());
   if (good) fs::rename(beside, place, error);
-  if (good && !error) return;
-  const std::string why = error ? error.message() : std::strerror(errno);
-  fs::remove_all(beside, error);
-  throw RunError(name + ": cannot be written: " + why);
+  if (!good || error)
+    throw RunError(name + ": cannot be written: " + (error ? error.message() : std::strerror(errno)));
+  part.keep();
 }
 
 }  // namespace plumbline::gap

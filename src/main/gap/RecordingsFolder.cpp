@@ -31,26 +31,27 @@ std::string whatIsNoRun(const fs::path& folder, int depth = 1) {
   return "";
 }
 
-}  // namespace
-
-RecordingsFolder::RecordingsFolder(const std::string& path, bool replace) : place_(path) {
-  while (place_.size() > 1 && place_.back() == '/') place_.pop_back();
-  part_ = place_ + ".part";
+/// The folder's name without a slash at its end; throws where it may not be written.
+std::string placeOf(std::string place, bool replace) {
+  while (place.size() > 1 && place.back() == '/') place.pop_back();
   std::error_code error;
-  if (fs::exists(place_, error) && !(fs::is_directory(place_, error) && fs::is_empty(place_, error))) {
-    if (!replace)
-      throw std::invalid_argument(place_ +
-                                  " is there already; --force replaces it, or name a new folder with -o");
-    const std::string other = fs::is_directory(place_) ? whatIsNoRun(place_) : place_;
-    if (!other.empty())
-      throw std::invalid_argument(other + " is no recording; --force replaces folders of recordings alone");
-  }
-  fs::remove_all(part_, error);
+  if (!fs::exists(place, error) || (fs::is_directory(place, error) && fs::is_empty(place, error)))
+    return place;
+  if (!replace)
+    throw std::invalid_argument(place +
+                                " is there already; --force replaces it, or name a new folder with -o");
+  const std::string other = fs::is_directory(place) ? whatIsNoRun(place) : place;
+  if (!other.empty())
+    throw std::invalid_argument(other + " is no recording; --force replaces folders of recordings alone");
+  return place;
 }
 
-RecordingsFolder::~RecordingsFolder() {
+}  // namespace
+
+RecordingsFolder::RecordingsFolder(const std::string& path, bool replace)
+    : place_(placeOf(path, replace)), part_(place_ + ".part") {
   std::error_code error;
-  fs::remove_all(part_, error);
+  fs::remove_all(part_.path(), error);
 }
 
 void RecordingsFolder::putInPlace() {
@@ -59,14 +60,14 @@ void RecordingsFolder::putInPlace() {
   fs::remove_all(old, ignored);
   const bool replaced = fs::exists(place_, ignored);
   // Both change places at once where the file system can: whoever is killed there leaves one or the other.
-  if (replaced && renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE) == 0) {
-    fs::remove_all(part_, ignored);
+  if (replaced && renameat2(AT_FDCWD, beside().c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE) == 0) {
+    fs::remove_all(part_.path(), ignored);
     return;
   }
   if (replaced && errno != EINVAL && errno != ENOSYS)
     throw std::runtime_error(place_ + ": cannot be written: " + std::strerror(errno));
   if (replaced) fs::rename(place_, old, error);
-  if (!error) fs::rename(part_, place_, error);
+  if (!error) fs::rename(part_.path(), place_, error);
   if (error) {
     if (replaced && !fs::exists(place_, ignored)) fs::rename(old, place_, ignored);
     throw std::runtime_error(place_ + ": cannot be written: " + error.message());

@@ -1,6 +1,10 @@
 #pragma once
 #include <ode/ode.h>
 
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
 #include "math/Types.h"
 
 namespace plumbline::simulation::ode {
@@ -9,7 +13,15 @@ namespace plumbline::simulation::ode {
 /// on. Collision needs memory of its own in every thread, whichever thread made the world.
 inline void ensureThread() {
   struct Process {
-    Process() { dInitODE2(0); }
+    Process() {
+      dSetAllocHandler([](std::size_t size) { return orBadAlloc(std::malloc(size)); });
+      dSetReallocHandler([](void* old, std::size_t, std::size_t size) {
+        return size == 0 ? std::realloc(old, size) : orBadAlloc(std::realloc(old, size));
+      });
+      dInitODE2(0);
+    }
+    /// ODE itself does not look at what it is given.
+    static void* orBadAlloc(void* memory) { return memory ? memory : throw std::bad_alloc(); }
   };
   struct Thread {
     Thread() { dAllocateODEDataForThread(dAllocateMaskAll); }

@@ -1,0 +1,44 @@
+#include "framework/PartialFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace plumbline {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path someFolder(const char* name) {
+  const fs::path folder = fs::path(testing::TempDir()) / name;
+  fs::create_directories(folder / "inner");
+  std::ofstream(folder / "inner" / "file") << "text";
+  return folder;
+}
+
+TEST(PartialFolder, goesWithWhatIsInIt) {
+  const fs::path folder = someFolder("goes.part");
+  try {
+    const PartialFolder part(folder);
+    throw std::runtime_error("in the midst of it");
+  } catch (const std::runtime_error&) {
+  }
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST(PartialFolder, staysWhenKept) {
+  const fs::path folder = someFolder("kept.part");
+  {
+    PartialFolder part(folder);
+    part.keep();
+  }
+  EXPECT_TRUE(fs::exists(folder / "inner" / "file"));
+  fs::remove_all(folder);
+}
+
+TEST(PartialFolder, oneThatIsNotThereIsNoMatter) { EXPECT_NO_THROW(PartialFolder("nowhere/at.part")); }
+
+}  // namespace
+}  // namespace plumbline
