@@ -56,39 +56,39 @@ MatchWriter::MatchWriter(const std::string& file) : name_(file) {
 MatchWriter::~MatchWriter() {
   try {
     flush();
-  } catch (const std::runtime_error&) {  // it has been said before, or nobody is left to hear it
+  } catch (const std::exception&) {  // it has been said before, or nobody is left to hear it
   }
 }
 
+// A whole record or none, also where memory ends.
 void MatchWriter::append(double time, Channel channel, const std::string& message) {
   const bool difference =
       channel == Channel::frame && !message.empty() && message.size() == frameBefore_.size();
-  chunk_ += static_cast<char>(static_cast<std::uint8_t>(channel) | (difference ? differenceFlag : 0));
   const RecordHeader header{static_cast<std::uint32_t>(std::lround((time - begin_) * 1000)),
                             static_cast<std::uint32_t>(message.size())};
-  chunk_.append(reinterpret_cast<const char*>(&header), sizeof header);
-  if (difference) {
-    std::string bytes = message;
-    subtract(bytes, frameBefore_);
-    chunk_ += bytes;
-  } else {
-    chunk_ += message;
-  }
-  if (channel == Channel::frame) frameBefore_ = message;
+  std::string record(
+      1, static_cast<char>(static_cast<std::uint8_t>(channel) | (difference ? differenceFlag : 0)));
+  record.append(reinterpret_cast<const char*>(&header), sizeof header);
+  std::string bytes = message;
+  if (difference) subtract(bytes, frameBefore_);
+  record += bytes;
+  if (channel == Channel::frame) bytes = message;
+  chunk_ += record;
+  if (channel == Channel::frame) frameBefore_.swap(bytes);
 }
 
 void MatchWriter::add(double time, Channel channel, const std::string& message) {
   if (message.size() > fullChunk) return;  // nothing that is told is so long
   if (!chunk_.empty() && (time >= begin_ + chunkSeconds || chunk_.size() > fullChunk)) flush();
   if (chunk_.empty()) {
-    begin_ = time;
+    begin_ = end_ = time;
     for (std::size_t i = 0; i < numChannels; ++i)
       if (!last_[i].empty() && static_cast<Channel>(i) != channel)
         append(time, static_cast<Channel>(i), last_[i]);
   }
   append(time, channel, message);
-  last_[static_cast<std::size_t>(channel)] = message;
   end_ = time;
+  last_[static_cast<std::size_t>(channel)] = message;
 }
 
 void MatchWriter::flush() {

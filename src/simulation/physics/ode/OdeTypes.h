@@ -1,5 +1,6 @@
 #pragma once
 #include <ode/ode.h>
+#include <pthread.h>
 
 #include <cstddef>
 #include <cstdlib>
@@ -9,26 +10,39 @@
 
 namespace plumbline::simulation::ode {
 
+/// ODE for the whole process. ODE itself does not look at whether it was given memory.
+class OdeProcess {
+public:
+  OdeProcess() {
+    dSetAllocHandler([](std::size_t size) { return orBadAlloc(std::malloc(size)); });
+    dSetReallocHandler([](void* old, std::size_t, std::size_t size) {
+      return size == 0 ? std::realloc(old, size) : orBadAlloc(std::realloc(old, size));
+    });
+    dInitODE2(0);
+    if (pthread_key_create(&key_, [](void*) { dCleanupODEAllDataForThread(); }) != 0) throw std::bad_alloc();
+  }
+
+  /// What the thread takes is given back as it ends. Not by a thread_local object's destructor: glibc ends
+  /// the program where it has no memory to note one.
+  void useThread() const {
+    if (dAllocateODEDataForThread(dAllocateMaskAll) == 0 || pthread_setspecific(key_, this) != 0)
+      throw std::bad_alloc();
+  }
+
+private:
+  static void* orBadAlloc(void* memory) { return memory ? memory : throw std::bad_alloc(); }
+
+  pthread_key_t key_ = 0;
+};
+
 /// Gets ODE ready for the calling thread; call before any other use of ODE, it is cheap from the second time
 /// on. Collision needs memory of its own in every thread, whichever thread made the world.
 inline void ensureThread() {
-  struct Process {
-    Process() {
-      dSetAllocHandler([](std::size_t size) { return orBadAlloc(std::malloc(size)); });
-      dSetReallocHandler([](void* old, std::size_t, std::size_t size) {
-        return size == 0 ? std::realloc(old, size) : orBadAlloc(std::realloc(old, size));
-      });
-      dInitODE2(0);
-    }
-    /// ODE itself does not look at what it is given.
-    static void* orBadAlloc(void* memory) { return memory ? memory : throw std::bad_alloc(); }
-  };
-  struct Thread {
-    Thread() { dAllocateODEDataForThread(dAllocateMaskAll); }
-    ~Thread() { dCleanupODEAllDataForThread(); }
-  };
-  static const Process process;
-  static thread_local const Thread thread;
+  static const OdeProcess process;
+  static thread_local bool ready = false;
+  if (ready) return;
+  process.useThread();
+  ready = true;
 }
 
 inline Vec3 toVec3(const dReal* v) { return {v[0], v[1], v[2]}; }
