@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "gap/inference/Strengths.h"
+#include "gap/inference/Visible.h"
 
 namespace plumbline::gap {
 
@@ -40,7 +42,7 @@ public:
     for (std::size_t size = 0; size < options_.mostCauses; ++size) {
       tell(0.3 + 0.6 * static_cast<double>(size) / static_cast<double>(options_.mostCauses));
       const std::string before = nameOfSet(best().causes());
-      for (const Scored& set : top(options_.width)) extend(set.causes());
+      for (const Scored& set : top(options_.width)) extend(set.causes(), options_.proposals);
       if (nameOfSet(best().causes()) == before && !winsByItsOwnShares()) break;
       improve();
       renewShares();
@@ -87,6 +89,9 @@ private:
     if (std::ranges::any_of(set.causes(),
                             [&](const Cause& cause) { return doesNothing(replayer_.mechanism(), cause); }))
       return;
+    if (!scored_.empty() && set.score() > best().score())
+      for (std::size_t i = 0; i < set.causes().size(); ++i)
+        if (!isVisible(replayer_, set.causes(), i)) return;
     scored_.emplace(std::move(name), std::move(set));
   }
 
@@ -107,11 +112,24 @@ private:
     return proposals;
   }
 
-  void extend(const Explanation& base) {
-    for (const Proposal& proposal : worthTrying(base, options_.proposals)) {
+  /// Adds causes to a set, those first that are foretold to gain most. What is foretold from the nominal
+  /// model is too little for all of them by much the same factor. A set that could not be the best with twice
+  /// what that comes to is not fitted.
+  void extend(const Explanation& base, std::size_t most) {
+    constexpr double spread = 2, atLeast = 2;
+    double factor = atLeast;
+    const auto scoreOf = [&](const Explanation& causes) -> std::optional<double> {
+      const auto known = scored_.find(nameOfSet(causes));
+      return known == scored_.end() ? std::nullopt : std::optional(known->second.score());
+    };
+    const std::optional<double> before = scoreOf(base);
+    for (const Proposal& proposal : worthTrying(base, most)) {
+      if (before && *before + spread * factor * proposal.gain < best().score()) continue;
       Explanation larger = base;
       larger.push_back(proposal.cause);
       add(larger);
+      if (const std::optional<double> after = scoreOf(larger); before && after)
+        factor = std::max(factor, (*after - *before) / proposal.gain);
     }
   }
 
@@ -123,11 +141,7 @@ private:
       for (std::size_t i = 0; i < causes.size(); ++i) {
         const Explanation rest = without(causes, i);
         add(rest);
-        for (const Proposal& proposal : worthTrying(rest, options_.width)) {
-          Explanation other = rest;
-          other.push_back(proposal.cause);
-          add(other);
-        }
+        extend(rest, options_.width);
         Explanation otherWay = causes;
         for (int variant = 0; variant < causes[i].effect->numVariants(); ++variant) {
           otherWay[i].variant = variant;
@@ -195,7 +209,8 @@ BeamResult searchSets(const Replayer& replayer, const BeamOptions& options) {
     std::vector<Explanation> starts;
     for (const Explanation& of : best.without) starts.push_back(without(of, i));
     Scored rest = settled(without(best.causes(), i), starts);
-    if (rest.score() >= best.score() || doesNothing(replayer.mechanism(), best.causes()[i])) {
+    if (rest.score() >= best.score() || doesNothing(replayer.mechanism(), best.causes()[i]) ||
+        !isVisible(replayer, best.causes(), i)) {
       best = std::move(rest);
       result.lessOne.clear();
       i = 0;

@@ -5,6 +5,7 @@
 
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/Strengths.h"
+#include "gap/inference/Visible.h"
 
 namespace plumbline::gap {
 
@@ -89,14 +90,15 @@ struct CandidateScreening::Left {
     std::vector<double> values;
     Split parts;
     std::vector<double> weights;  ///< of what varies; 0 where nothing was measured
-    double scale = 0, density = 0, meanScale = 0, squares = 0, count = 0;
+    double scale = 0, density = 0, squares = 0, count = 0;
   };
   std::vector<OfCell> cells;
   std::vector<std::vector<std::vector<std::size_t>>> at;  ///< cells per trial and signal
 };
 
 struct CandidateScreening::Guessed {
-  double gain = 0, share = 1;  ///< share: of the start's strength that gains most
+  double gain = 0, toNoise = 0;  ///< toNoise: without what falls below the noise
+  double share = 1;              ///< of the start's strength, that gains most
 };
 
 CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& shares,
@@ -202,21 +204,44 @@ void CandidateScreening::replayStarts(const Replayer& exact, const std::vector<C
   }
 }
 
-// The strength that gains most is that of one step with the weights held. Each cell's mean square then falls
-// by as much as the step explains, but not below the noise.
+namespace {
+
+/// What one cell of a start's change comes to.
+struct Sums {
+  double share, count, least, squares;  ///< of the cell; least: (noise / scale)^2
+  double product, changed;              ///< weighted sums of residual * change, change^2
+  double noise, mean, changedMean;
+  double changedBy;  ///< root mean square of the change
+
+  bool isVisible(double factor) const { return factor * changedBy > enginesDiffer * noise; }
+
+  /// Gain in log density where the change is taken off a factor times. While the scale is free, the logarithm
+  /// of the mean square counts; once it stands at the noise, the mean square itself. What falls below the
+  /// noise need not count: there a cause would only make up for how the replay is computed.
+  double gain(double factor, bool belowNoise) const {
+    const auto of = [&](double square) {
+      if (square > least) return std::log(square);
+      return std::log(least) + (belowNoise ? square / least - 1 : 0);
+    };
+    const double now = squares / count,
+                 then = std::max(0.0, now - (2 * factor * product - factor * factor * changed) / count);
+    const auto ofMean = [&](double of) { return std::log(std::max(noise, std::abs(of))); };
+    return share * count / 2 * (of(now) - of(then)) + ofMean(mean) - ofMean(mean - factor * changedMean);
+  }
+};
+
+}  // namespace
+
+// A mean that a cause takes away gains little until it is nearly gone: the factor is looked for, not stepped
+// to.
 CandidateScreening::Guessed CandidateScreening::guess(const Start& start, const Left& left) const {
-  struct Sums {
-    const Left::OfCell* of;
-    double product, squares, mean;
-  };
   std::vector<Sums> sums;
-  double product = 0, squares = 0;
   for (const Change& change : start.changes)
     for (const std::size_t c : left.at[change.trial][change.signal]) {
       const Left::OfCell& of = left.cells[c];
       if (of.count == 0) continue;
       const float* d = change.values.data() + of.first;
-      double mean = 0, p = 0, q = 0;
+      double mean = 0, p = 0, q = 0, squares = 0;
       for (std::size_t k = 0; k < of.values.size(); ++k)
         if (of.weights[k] > 0) mean += static_cast<double>(d[k]);
       mean /= of.count;
@@ -225,23 +250,29 @@ CandidateScreening::Guessed CandidateScreening::guess(const Start& start, const 
         const double about = static_cast<double>(d[k]) - mean;
         p += of.weights[k] * of.parts.about[k] * about;
         q += of.weights[k] * about * about;
+        squares += about * about;
       }
-      const double w = weightOf(of.parts.mean, of.meanScale);
-      product += of.share * p + w * of.parts.mean * mean;
-      squares += of.share * q + w * mean * mean;
-      sums.push_back({&of, p, q, mean});
+      sums.push_back({of.share, of.count, std::pow(of.cell.noise / of.scale, 2), of.squares, p, q,
+                      of.cell.noise, of.parts.mean, mean, std::sqrt(squares / of.count + mean * mean)});
     }
   Guessed guessed;
-  if (!(product > 0) || !(squares > 0)) return guessed;
-  const double share = guessed.share = std::clamp(product / squares, 1 / mostFactor, mostFactor);
-  for (const Sums& sum : sums) {
-    const Left::OfCell& of = *sum.of;
-    const double least = std::pow(of.cell.noise / of.scale, 2);
-    const double ratio =
-        std::max(least, 1 - (2 * share * sum.product - share * share * sum.squares) / of.squares);
-    guessed.gain -= of.share * of.count / 2 * std::log(ratio);
-    guessed.gain +=
-        std::log(of.meanScale / std::max(of.cell.noise, std::abs(of.parts.mean - share * sum.mean)));
+  const auto tryFactor = [&](double factor) {
+    if (std::ranges::none_of(sums, [&](const Sums& of) { return of.isVisible(factor); })) return;
+    Guessed other{0, 0, factor};
+    for (const Sums& of : sums) {
+      other.gain += of.gain(factor, true);
+      other.toNoise += of.gain(factor, false);
+    }
+    if (other.gain > guessed.gain) guessed = other;
+  };
+  constexpr int points = 6;  // to each side
+  double step = std::pow(mostFactor, 1.0 / points);
+  for (int i = -points; i <= points; ++i) tryFactor(std::pow(step, i));
+  for (int halved = 0; halved < 3 && guessed.gain > 0; ++halved) {
+    step = std::sqrt(step);
+    const double middle = guessed.share;
+    tryFactor(middle * step);
+    tryFactor(middle / step);
   }
   return guessed;
 }
@@ -277,7 +308,6 @@ std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const 
     of.parts = split(of.values);
     of.scale = likeliestScale(of.parts.about, cell.noise);
     of.density = stretchDensity(of.parts, cell.noise, of.share);
-    of.meanScale = std::max(cell.noise, std::abs(of.parts.mean));
     for (const double r : of.parts.about) {
       const double w = std::isfinite(r) ? weightOf(r, of.scale) : 0;
       of.weights.push_back(w);
@@ -310,7 +340,8 @@ std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const 
   if (candidates.size() > mostGuessed) candidates.resize(mostGuessed);
   std::vector<Proposal> proposals;
   for (const Candidate& candidate : candidates) {
-    const double gain = gainOf(*candidate.start, left, candidate.guessed.share);
+    const double gain =
+        std::min(candidate.guessed.toNoise, gainOf(*candidate.start, left, candidate.guessed.share));
     if (!(gain > 0)) continue;
     const Cause& cause = candidate.start->cause;
     const Eigen::VectorXd x = logStrengths({cause}).array() + std::log(candidate.guessed.share);

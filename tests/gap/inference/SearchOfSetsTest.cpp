@@ -79,6 +79,22 @@ TEST(CandidateScreening, aKnownCauseGainsMostAndItsStrengthIsForetold) {
   EXPECT_GT(proposals.front().gain, 10);
 }
 
+TEST(CandidateScreening, aSecondCauseIsForetoldBesideTheFirst) {
+  const Mechanism arm = twoJointArm();
+  const Cause first = causeOfArm("coulomb_friction", "elbow", 0.1);
+  const Groups groups(recordings({first, causeOfArm("bias_force", "shoulder", 0.2)}));
+  const Replayer replayer(arm, groups, 1);
+  const Shares shares = sharesOf(groups, replayer.residuals({first}));
+  const std::vector<Proposal> proposals =
+      CandidateScreening(replayer, shares).propose(replayer, {first}, shares, 5);
+  const auto right = std::ranges::find_if(proposals, [](const Proposal& proposal) {
+    return proposal.cause.effect->id == "bias_force" && proposal.cause.place.at == "shoulder";
+  });
+  ASSERT_NE(right, proposals.end());
+  EXPECT_GT(right->cause.value, 0.1);  // near enough for the fit to come to it
+  EXPECT_LT(right->cause.value, 0.4);
+}
+
 TEST(CandidateScreening, servesTheGroupsThatAreLeft) {
   // One screening of all recordings proposes for some of them: the first alone lacks the friction. Left
   // alone, that one is cut into stretches.
