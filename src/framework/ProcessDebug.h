@@ -54,10 +54,10 @@ private:
     std::size_t module;
     std::string path;
     DebugPoint point;
-    ParameterPoint(std::string id_, std::size_t module_, std::string path_)
-        : id(std::move(id_)),
-          module(module_),
-          path(std::move(path_)),
+    ParameterPoint(std::string name, std::size_t ofModule, std::string place)
+        : id(std::move(name)),
+          module(ofModule),
+          path(std::move(place)),
           point(id.c_str(), DebugKind::parameter) {}
   };
   struct ValuePoint {
@@ -65,16 +65,16 @@ private:
     DebugPoint point;
     const RepresentationLoader* loader;
     Representation* special = nullptr;  ///< provided by a special module
-    explicit ValuePoint(const RepresentationLoader& loader_)
-        : id("representation:" + loader_.name()), point(id.c_str(), DebugKind::modify), loader(&loader_) {}
+    explicit ValuePoint(const RepresentationLoader& of)
+        : id("representation:" + of.name()), point(id.c_str(), DebugKind::modify), loader(&of) {}
   };
 
   struct Command {
     std::string id, file;
     std::size_t module;
     DebugPoint point;
-    Command(const std::string& id_, std::string file_, std::size_t module_)
-        : id(id_), file(std::move(file_)), module(module_), point(id.c_str(), DebugKind::codeOnce) {}
+    Command(const std::string& name, std::string place, std::size_t ofModule)
+        : id(name), file(std::move(place)), module(ofModule), point(id.c_str(), DebugKind::codeOnce) {}
   };
 
   std::map<std::string, ParameterValue> valuesOf(std::size_t module, Module& from) const;

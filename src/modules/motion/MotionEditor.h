@@ -43,8 +43,8 @@ private:
   friend class MotionFileValue;
   friend class MotionDraftValue;
   struct Entry {
-    Entry(const std::string& name, MotionFile file_)
-        : id("motion:" + name), point(id.c_str(), DebugKind::parameter), file(std::move(file_)) {}
+    Entry(const std::string& name, MotionFile of)
+        : id("motion:" + name), point(id.c_str(), DebugKind::parameter), file(std::move(of)) {}
     std::string id;
     DebugPoint point;
     MotionFile file;

@@ -42,4 +42,12 @@ void measureWire(Figures& figures);
 /// CPU time of this process [us].
 double cpuMicroseconds();
 
+/// Its cost of one call [us].
+template <typename Call>
+double cpuPerCall(int calls, const Call& call) {
+  const double before = cpuMicroseconds();
+  for (int i = 0; i < calls; ++i) call();
+  return (cpuMicroseconds() - before) / calls;
+}
+
 }  // namespace plumbline::bench

@@ -40,13 +40,6 @@ private:
   int cycle_ = 0;
 };
 
-template <typename Call>
-double cpuPerCall(int calls, const Call& call) {
-  const double before = cpuMicroseconds();
-  for (int i = 0; i < calls; ++i) call();
-  return (cpuMicroseconds() - before) / calls;
-}
-
 /// Whole cycles, and cycles of which something is left out, in turns, so that all see the same robots.
 void measureCycle(Figures& figures, int robots) {
   Game game(robots);

@@ -10,13 +10,6 @@ namespace plumbline::bench {
 
 namespace {
 
-template <typename Call>
-double cpuPerCall(int calls, const Call& call) {
-  const double before = cpuMicroseconds();
-  for (int i = 0; i < calls; ++i) call();
-  return (cpuMicroseconds() - before) / calls;
-}
-
 std::string longest(const char* sample) {
   const auto all = test::samples(sample);
   return *std::max_element(all.begin(), all.end(),

@@ -14,7 +14,7 @@ Trial nominalRun(bool standing) {
 }
 
 /// A run whose hip is off by 0.02 rad for the last part of it.
-Trial astray(Trial trial, double share) {
+Trial displaced(Trial trial, double share) {
   const auto from = static_cast<std::size_t>((1 - share) * static_cast<double>(trial.cycles()));
   for (std::size_t k = from; k < trial.cycles(); ++k) trial.signals[0].values[k] += 0.02;
   return trial;
@@ -34,15 +34,15 @@ TEST(GapMeterTest, aLegStandsAsItIsForetold) {
 }
 
 TEST(GapMeterTest, onTheFeetAFifthMayGoAstray) {
-  const Judged little({astray(nominalRun(true), 0.1), nominalRun(false)}),
-      much({astray(nominalRun(true), 0.4), nominalRun(false)});
+  const Judged little({displaced(nominalRun(true), 0.1), nominalRun(false)}),
+      much({displaced(nominalRun(true), 0.4), nominalRun(false)});
   EXPECT_GT(worstGap(little.evaluator).size, 5);
   EXPECT_LT(gapOnFloatingBase(little.evaluator), 0.7);
   EXPECT_GT(gapOnFloatingBase(much.evaluator), 10);
 }
 
 TEST(GapMeterTest, aRobotThatHangsHasNoGapOnItsFeet) {
-  const Judged judged({astray(nominalRun(false), 0.5)});
+  const Judged judged({displaced(nominalRun(false), 0.5)});
   EXPECT_EQ(gapOnFloatingBase(judged.evaluator), 0);
   EXPECT_GT(worstGap(judged.evaluator, false).size, 9);
   EXPECT_EQ(worstGap(judged.evaluator, true).size, 0);
@@ -50,7 +50,7 @@ TEST(GapMeterTest, aRobotThatHangsHasNoGapOnItsFeet) {
 
 TEST(GapMeterTest, aJointThatSticksMayLetGoLate) {
   const Trial longRun = recorded(nominalPlant(standingLeg()), legTrial(false, 20), readingNoise, 8);
-  Judged little({astray(longRun, 0.02)}), much({astray(longRun, 0.2)});
+  Judged little({displaced(longRun, 0.02)}), much({displaced(longRun, 0.2)});
   const Effect *sticks = findEffect("coulomb_friction"), *slides = findEffect("viscous_friction");
   const auto judgedWith = [](Judged& judged, const Effect* effect) {
     Evaluator evaluator(judged.leg, judged.evidence);
@@ -65,8 +65,8 @@ TEST(GapMeterTest, aJointThatSticksMayLetGoLate) {
 }
 
 TEST(GapMeterTest, heldRunsTellWhereTheyAreOffAsWell) {
-  const Judged both({astray(nominalRun(true), 0.4), astray(nominalRun(false), 0.4)}),
-      onlyStanding({astray(nominalRun(true), 0.4), nominalRun(false)});
+  const Judged both({displaced(nominalRun(true), 0.4), displaced(nominalRun(false), 0.4)}),
+      onlyStanding({displaced(nominalRun(true), 0.4), nominalRun(false)});
   EXPECT_TRUE(fixedBaseDecides(both.evaluator));
   EXPECT_FALSE(fixedBaseDecides(onlyStanding.evaluator));
 }

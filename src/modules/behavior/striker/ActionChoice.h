@@ -25,7 +25,7 @@ struct ActionChoiceParameters {
   PARAMETER(
       double, goalWorth, 1.8, "", Range(1, 10),
       "of a goal while others play, where 1 is the value of being sure to score the next one; the more, "
-      "the sooner the striker shoots instead of waiting for a surer shot")
+      "the sooner the striker shoots instead of waiting for a safer shot")
   PARAMETER(double, timeSpread, 1, "s", Range(0.05, 10),
             "how sure it is who is first: 73 % for one who is sooner by this")
   PARAMETER(double, timePrice, 0.01, "1/s", Range(0, 1), "value that a second costs")
