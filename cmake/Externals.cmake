@@ -2,7 +2,8 @@
 # Plumbline. Debian's packages describe themselves in four ways, some wrongly, so headers and libraries are looked for.
 
 # external(NAME HEADER file LIBRARIES name... [SUFFIX folder] PACKAGE debian-package [OPTIONAL])
-# Without it, the configuration stops with the package's name; OPTIONAL ones are then no targets.
+# Without it, the configuration stops with the package's name; OPTIONAL ones are then no targets, and are looked for
+# again once packages have been installed.
 function(external name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "OPTIONAL" "HEADER;SUFFIX;PACKAGE" "LIBRARIES")
   if(TARGET external::${name})
@@ -31,6 +32,9 @@ function(external name)
     endif()
   endif()
   if(missing)
+    if(EXISTS /var/lib/dpkg/status)
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS /var/lib/dpkg/status)
+    endif()
     return()
   endif()
   add_library(external::${name} INTERFACE IMPORTED GLOBAL)
@@ -64,7 +68,7 @@ macro(find_external name)
   elseif(${name} STREQUAL fastdds)
     external(fastdds HEADER fastdds/dds/domain/DomainParticipant.hpp LIBRARIES fastrtps fastcdr PACKAGE libfastrtps-dev)
   elseif(${name} STREQUAL cyclonedds)
-    external(cyclonedds HEADER dds/dds.h LIBRARIES ddsc PACKAGE "cyclonedds-dev and cyclonedds-tools")
+    external(cyclonedds HEADER dds/dds.h LIBRARIES ddsc PACKAGE "cyclonedds-dev and cyclonedds-tools" OPTIONAL)
   elseif(${name} STREQUAL gtest)
     external(gtest HEADER gtest/gtest.h LIBRARIES gtest_main gtest PACKAGE libgtest-dev)
   elseif(${name} STREQUAL benchmark)
