@@ -66,12 +66,34 @@ double differenceOf(const Signal& a, const Signal& b) {
   return n > 0 ? std::sqrt(sum / n / 2) : 0;
 }
 
+/// What is known of a channel over all recordings.
+struct Found {
+  std::vector<double> repeats, fast, steps, rates;
+  double largest = 0;
+};
+
+/// What the rounding of the measured angle makes of a predicted duty.
+double dutyOfAngle(const Trial& trial, const Signal& duty,
+                   const std::map<std::pair<std::string, bool>, Found>& channels) {
+  const Servo& servo = trial.robot->joints[static_cast<std::size_t>(duty.joint)].servo;
+  for (const Signal& signal : trial.signals) {
+    if (signal.kind != SignalKind::position || signal.joint != duty.joint) continue;
+    const Found& found = channels.at({signal.name, trial.freeBase});
+    return servo.kpFirmware * servo.errorGain * medianOf(found.steps) / std::sqrt(12.0);
+  }
+  return 0;
+}
+
 std::string whyNot(const Trial& trial, const Signal& signal) {
   switch (signal.kind) {
     case SignalKind::velocity:
       return "it is the derivative of the position, which is used";
-    case SignalKind::duty:
-      return "the servo's law makes it of the position's error, which is used";
+    case SignalKind::duty: {
+      const auto joint = static_cast<std::size_t>(signal.joint);
+      if (trial.robot->joints[joint].servo.model != Servo::Model::dcMotor)
+        return "the robot's file gives no law of the servo's duty";
+      return "";
+    }
     case SignalKind::truth:
       return "a body's way over the ground is shown, not scored";
     case SignalKind::current: {
@@ -111,10 +133,6 @@ double smallestStep(std::vector<double> values) {
 }
 
 std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trials) {
-  struct Found {
-    std::vector<double> repeats, fast, steps, rates;
-    double largest = 0;
-  };
   std::map<std::pair<std::string, bool>, Found> channels;
   for (const Trial& trial : trials)
     for (const Signal& signal : trial.signals) {
@@ -143,8 +161,10 @@ std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trial
       use.used = use.why.empty();
       const double step = found.steps.empty() ? 0 : medianOf(found.steps);
       const double own = std::max(medianOf(found.repeats), medianOf(found.fast));
-      const double late = signal.kind == SignalKind::position ? jitter * medianOf(found.rates) : 0;
-      use.noise = std::sqrt(own * own + step * step / 12 + late * late);
+      const bool moves = signal.kind == SignalKind::position || signal.kind == SignalKind::duty;
+      const double late = moves ? jitter * medianOf(found.rates) : 0;
+      const double angle = signal.kind == SignalKind::duty ? dutyOfAngle(trial, signal, channels) : 0;
+      use.noise = std::sqrt(own * own + step * step / 12 + late * late + angle * angle);
       use.noise = std::max({use.noise, leastShare * found.largest, 1e-9});
       of.push_back(std::move(use));
     }

@@ -81,7 +81,10 @@ Playback::Playback(const Plant& plant, const Trial& trial, const ReplayOptions& 
     if (signal.kind == SignalKind::position) shift = trial_.positionAt[joint];
     if (signal.kind == SignalKind::velocity) shift = trial_.velocityAt[joint];
     readings_.push_back(
-        {s, static_cast<int>(place - joints.begin()), signal.kind, shift, signal.unsignedValue, 0});
+        {s, static_cast<int>(place - joints.begin()), signal.kind, shift, signal.unsignedValue});
+    if (signal.kind == SignalKind::duty)
+      for (const Signal& other : trial_.signals)
+        if (other.kind == SignalKind::position && other.joint == signal.joint) readings_.back().seen = &other;
     lastShift_ = std::max(lastShift_, shift);
   }
 }
@@ -142,10 +145,28 @@ double Playback::valueOf(const Reading& reading, double h, double s) const {
     case SignalKind::current:
       return stepper_.current(reading.node);
     case SignalKind::duty:
-      return stepper_.duty(reading.node);
+      return dutyIn(reading);
     default:
       return std::numeric_limits<double>::quiet_NaN();
   }
+}
+
+double Playback::dutyIn(const Reading& reading) const {
+  const std::size_t k = reading.next;
+  const auto joint = static_cast<std::size_t>(trial_.signals[reading.signal].joint);
+  if (joint < trial_.stiffness.size() && !trial_.stiffness[joint].empty() && trial_.stiffness[joint][k] <= 0)
+    return std::numeric_limits<double>::quiet_NaN();
+  double shown = stepper_.shown(reading.node);
+  if (reading.seen) {
+    // Positions are read a moment before or after the cycle's begin, duties at it.
+    const std::vector<double>& angle = reading.seen->values;
+    const double late = trial_.positionAt[joint];
+    const std::size_t other = late > 0 ? (k > 0 ? k - 1 : k) : std::min(k + 1, trial_.cycles() - 1);
+    shown = angle[k];
+    if (other != k)
+      shown += std::min(1.0, std::abs(late / (trial_.time[k] - trial_.time[other]))) * (angle[other] - angle[k]);
+  }
+  return stepper_.duty(reading.node, shown);
 }
 
 }  // namespace plumbline::gap

@@ -40,10 +40,13 @@ private:
     double shift = 0;  ///< when in the cycle [s]
     bool unsignedValue = false;
     std::size_t next = 0;
+    const Signal* seen = nullptr;  ///< of a duty: the same joint's measured position, if there is one
   };
 
   void read(double from, double to);
   double valueOf(const Reading& reading, double h, double s) const;
+  /// A duty is what the servo makes of the angle that was measured: what moves the joint has no say in it.
+  double dutyIn(const Reading& reading) const;
 
   const Trial& trial_;
   std::shared_ptr<const Plant> plant_;

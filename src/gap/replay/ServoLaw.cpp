@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plumbline::gap {
 
@@ -28,6 +29,19 @@ ServoLine limited(const ServoLine& line, double x, double w, double limit, doubl
   return held;
 }
 
+/// What a dead band leaves of an error: nothing within it; beyond it all, or what exceeds it.
+struct Banded {
+  int regime = 0;       ///< 10 within the band
+  double takenOff = 0;  ///< of the error
+};
+
+Banded banded(const JointPlant& plant, double error) {
+  if (plant.deadBand <= 0) return {};
+  if (std::abs(error) <= plant.deadBand) return {10, error};
+  if (plant.deadBandSteps) return {};
+  return {error > 0 ? 20 : 30, std::copysign(plant.deadBand, error)};
+}
+
 }  // namespace
 
 double measuredAngle(const JointPlant& plant, double angle) {
@@ -42,16 +56,8 @@ ServoLine servoLine(const JointPlant& plant, double command, double share, doubl
   if (share <= 0) return line;
   // The encoder's error changes slowly enough to be taken at the state given.
   double target = command + (x - measuredAngle(plant, x));
-  int band = 0;
-  if (plant.deadBand > 0) {
-    const double error = target - x;
-    if (std::abs(error) <= plant.deadBand) {
-      band = 10;
-    } else if (!plant.deadBandSteps) {
-      target -= std::copysign(plant.deadBand, error);
-      band = error > 0 ? 20 : 30;
-    }
-  }
+  const auto [band, takenOff] = banded(plant, target - x);
+  if (band != 10) target -= takenOff;
   const Servo& servo = plant.servo;
   if (servo.model == Servo::Model::position) {
     line.stiffness = band == 10 ? 0 : share * servo.kp;
@@ -79,6 +85,14 @@ ServoLine servoLine(const JointPlant& plant, double command, double share, doubl
   }
   line.regime += band;
   return line;
+}
+
+double dutyOf(const JointPlant& plant, double command, double shown) {
+  const Servo& servo = plant.servo;
+  if (servo.model != Servo::Model::dcMotor) return std::numeric_limits<double>::quiet_NaN();
+  const double error = command - shown;
+  const double duty = servo.kpFirmware * servo.errorGain * (error - banded(plant, error).takenOff);
+  return std::clamp(duty, -servo.maxPwm, servo.maxPwm);
 }
 
 }  // namespace plumbline::gap

@@ -283,12 +283,9 @@ double Stepper::current(int node) const {
   return kt > 0 ? drive.torque / kt : unmeasured;
 }
 
-double Stepper::duty(int node) const {
+double Stepper::duty(int node, double shown) const {
   const Drive& drive = drives_[index(node)];
-  const Servo& servo = plant_.joints[index(drive.joint)].servo;
-  if (servo.model != Servo::Model::dcMotor) return unmeasured;
-  const double duty = servo.kpFirmware * servo.errorGain * (drive.command - drive.shown);
-  return std::clamp(duty, -servo.maxPwm, servo.maxPwm);
+  return dutyOf(plant_.joints[index(drive.joint)], drive.command, shown);
 }
 
 void Stepper::beginBody() {

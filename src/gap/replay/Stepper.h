@@ -39,7 +39,8 @@ public:
   double rateBefore(int node) const { return drives_[index(node)].rateBefore; }
   double torque(int node) const { return drives_[index(node)].torque; }  ///< of the servo [N m]
   double current(int node) const;  ///< [A]; NaN where the constant is unknown
-  double duty(int node) const;
+  /// What its servo makes of the present command where the encoder shows this angle, see dutyOf().
+  double duty(int node, double shown) const;
   /// Makes "before" equal "now".
   void hold();
 
