@@ -164,7 +164,8 @@ double Playback::dutyIn(const Reading& reading) const {
     const std::size_t other = late > 0 ? (k > 0 ? k - 1 : k) : std::min(k + 1, trial_.cycles() - 1);
     shown = angle[k];
     if (other != k)
-      shown += std::min(1.0, std::abs(late / (trial_.time[k] - trial_.time[other]))) * (angle[other] - angle[k]);
+      shown +=
+          std::min(1.0, std::abs(late / (trial_.time[k] - trial_.time[other]))) * (angle[other] - angle[k]);
   }
   return stepper_.duty(reading.node, shown);
 }

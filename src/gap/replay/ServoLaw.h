@@ -25,8 +25,8 @@ double measuredAngle(const JointPlant& plant, double angle);
 ServoLine servoLine(const JointPlant& plant, double command, double share, double volts, double x, double w,
                     double limitShare, double supplyShare = 1, double speed = 0, double torque = 0);
 
-/// Share of the supply, -1..1, that a DC motor's servo puts on it for a command and the angle that its encoder
-/// shows [rad]; NaN for other servos.
+/// Share of the supply, -1..1, that a DC motor's servo puts on it for a command and the angle that its
+/// encoder shows [rad]; NaN for other servos.
 double dutyOf(const JointPlant& plant, double command, double shown);
 
 }  // namespace plumbline::gap

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "../TwoJointArm.h"
+#include "../DutyTrial.h"
 
 namespace plumbline::gap {
 
@@ -70,6 +70,15 @@ TEST(Channels, motionIsNoNoise) {
   trial.signals.push_back(signal);
   // 0.1 ms of jitter at 2.7 rad/s is 2.7e-4.
   EXPECT_NEAR(channelUses({trial})[0][0].noise, std::hypot(2e-4, 2.7e-4), 0.5e-4);
+}
+
+TEST(Channels, aDutyIsUsedWhereTheServosLawIsKnown) {
+  Trial trial = dutyTrial({}, 6, 1e-3);
+  const auto uses = channelUses({trial});
+  EXPECT_TRUE(uses[0][1].used);
+  EXPECT_GT(uses[0][1].noise, 0.5e-3) << "what the angle's noise makes of it";
+  trial.robot = std::make_shared<Mechanism>(twoJointArm());
+  EXPECT_EQ(channelUses({trial})[0][1].why, "the robot's file gives no law of the servo's duty");
 }
 
 }  // namespace plumbline::gap

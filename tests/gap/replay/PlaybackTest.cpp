@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../TwoJointArm.h"
+#include "../DutyTrial.h"
 
 namespace plumbline::gap {
 namespace {
@@ -54,6 +54,49 @@ TEST_F(PlaybackTest, jointsThatAreNotPlayedAreNotRead) {
   const Playback playback(plant, trial, options);
   EXPECT_TRUE(playback.reads(0));
   EXPECT_FALSE(playback.reads(1));
+}
+
+/// Largest difference of what is measured and what the nominal model predicts.
+double mostOff(const Trial& trial, std::size_t signal) {
+  const Prediction nominal = replay(plantOf(trial, {}), trial);
+  double most = 0;
+  for (std::size_t k = 0; k < trial.cycles(); ++k) {
+    const double off = std::abs(trial.signals[signal].values[k] - nominal.values[signal][k]);
+    if (std::isfinite(off)) most = std::max(most, off);
+  }
+  return most;
+}
+
+TEST_F(PlaybackTest, aDutyTellsOfTheServoAndNotOfWhatItMoves) {
+  const Mechanism pendulum = findMechanism("xl330_pendulum");
+  const Trial heavy = dutyTrial(
+      {causeOf(pendulum, "link_mass", "arm", 0.2), causeOf(pendulum, "coulomb_friction", "pendulum", 0.05)},
+      3, 0);
+  EXPECT_GT(mostOff(heavy, 0), 0.05) << "its position is another";
+  EXPECT_LT(mostOff(heavy, 1), 1e-9);
+  const Trial stiff = dutyTrial({causeOf(pendulum, "servo_gain", "pendulum", 1.2)}, 3, 0);
+  EXPECT_GT(mostOff(stiff, 1), 0.02);
+  const Trial late = dutyTrial({causeOf(pendulum, "command_delay", "pendulum", 0.02)}, 3, 0);
+  EXPECT_GT(mostOff(late, 1), 0.02);
+}
+
+TEST_F(PlaybackTest, aMotorThatIsOffHasNoDutyToPredict) {
+  Trial trial = dutyTrial({}, 1, 0);
+  trial.stiffness[0].assign(trial.cycles(), 1);
+  trial.stiffness[0][40] = 0;
+  const Prediction nominal = replay(plantOf(trial, {}), trial);
+  EXPECT_TRUE(std::isnan(nominal.values[1][40]));
+  EXPECT_TRUE(std::isfinite(nominal.values[1][39]));
+}
+
+TEST_F(PlaybackTest, aDutyIsReadAtAnotherMomentThanThePosition) {
+  // The position is read 2 ms before the cycle's time: the angle at that time lies between two readings.
+  Trial trial = dutyTrial({}, 3, 0);
+  const double at0 = replay(plantOf(trial, {}), trial).values[1][100];
+  trial.positionAt[0] = -0.002;
+  const std::vector<double>& angle = trial.signals[0].values;
+  const double moved = 0.2 * (angle[101] - angle[100]);
+  EXPECT_NEAR(replay(plantOf(trial, {}), trial).values[1][100], at0 - 400 * 0.00287738 * moved, 1e-9);
 }
 
 }  // namespace

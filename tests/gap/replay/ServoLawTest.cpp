@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "../TwoJointArm.h"
 #include "gap/diagnosis/Explanation.h"
 #include "gap/effects/Effects.h"
@@ -98,6 +100,20 @@ TEST(ServoLawTest, aSupplyThatSagsTakesTorqueAndSpeed) {
   EXPECT_NEAR(driven(0), 0.5 * servoLine(motor, 3, 1, 0, 0, 0, 1).at(0, 0), 1e-12);
   EXPECT_NEAR(driven(7.4), servoLine(motor, 3, 1, 7.4, 0, 0, 1).at(0, 0), 1e-12)
       << "a measured one has sagged";
+}
+
+TEST(ServoLawTest, dutyIsWhatTheFirmwareMakesOfTheError) {
+  JointPlant motor = nominalPlant(findMechanism("xl330_pendulum")).joints[0];
+  const double perAngle = 400 * 0.00287738;
+  EXPECT_NEAR(dutyOf(motor, 0.5, 0.2), perAngle * 0.3, 1e-12);
+  EXPECT_EQ(dutyOf(motor, 3, -3), 1) << "the whole supply";
+  motor.deadBand = 0.05;
+  EXPECT_EQ(dutyOf(motor, 0.24, 0.2), 0);
+  EXPECT_NEAR(dutyOf(motor, 0.5, 0.2), perAngle * 0.25, 1e-12);
+  motor.deadBandSteps = true;
+  EXPECT_NEAR(dutyOf(motor, 0.5, 0.2), perAngle * 0.3, 1e-12);
+  EXPECT_TRUE(std::isnan(dutyOf(nominalPlant(twoJointArm()).joints[0], 0.5, 0.2)))
+      << "the law of a position servo has no duty";
 }
 
 }  // namespace
