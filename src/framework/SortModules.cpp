@@ -25,7 +25,7 @@ std::vector<std::vector<Edge>> edges(const ThreadPlan& thread) {
   std::vector<std::vector<Edge>> result(thread.modules.size());
   for (std::size_t i = 0; i < thread.modules.size(); i++) {
     for (const ModuleInput& input : thread.modules[i].inputs) {
-      const auto provider = providers.find(input.representation->name());
+      const auto provider = providers.find(input.representation);
       if (input.kind == ModuleInput::Kind::used || provider == providers.end()) continue;
       result[i].push_back({provider->second, input.representation});
     }
