@@ -26,7 +26,7 @@ EffectSetting setting(const std::string& effect, const std::string& at, double v
   return s;
 }
 
-/// All that a robot with these effects reads while it swings arms and legs.
+/// All that a robot with these effects reads while it swings arms and legs, with another speed in each cycle.
 std::vector<double> readingsWith(const std::vector<EffectSetting>& effects) {
   WorldConfig config;
   config.effects = effects;
@@ -35,7 +35,7 @@ std::vector<double> readingsWith(const std::vector<EffectSetting>& effects) {
   std::vector<double> all;
   for (int cycle = 0; cycle < 80; ++cycle) {
     JointArray speeds{};
-    speeds[rElbowRoll] = speeds[lKneePitch] = speeds[headYaw] = cycle % 20 < 10 ? 7 : -7;
+    speeds[rElbowRoll] = speeds[lKneePitch] = speeds[headYaw] = 7 * std::cos(0.3 * cycle);
     robot.act(speeds);
     const RobotReadings readings = robot.sense();
     all.insert(all.end(), readings.angle.begin(), readings.angle.end());
