@@ -84,8 +84,7 @@ void sortModules(ThreadPlan& thread) {
     if (cycle.empty()) continue;
     const auto name = [&](std::size_t module) { return thread.modules[module].loader->description().name; };
     std::string text = name(i);
-    for (const Edge& edge : cycle)
-      text += " requires " + edge.representation + " of " + name(edge.from);
+    for (const Edge& edge : cycle) text += " requires " + edge.representation + " of " + name(edge.from);
     throw ConfigurationError(thread.modules[i].path + ":" + std::to_string(thread.modules[i].line) +
                              ": cycle in thread " + thread.name + ": " + text + "; one of them must be USES");
   }
