@@ -233,6 +233,7 @@ thread: packages
 
 coverage: packages
 	@scripts/coverage.sh $(AREAS)
+	@scripts/coverage.sh --report
 
 # Whether the tests notice wrong code: one changed place of src/ at a time. FOLDERS="walking gap/replay" for some, MOST, SEED,
 # OPERATORS and LONG: scripts/mutation.sh --help. Goes on where it was ended; writes doc/results/mutation.md.

@@ -68,7 +68,7 @@ endfunction()
 # Has about `size` neighbouring sources compiled in one go: what they include and instantiate alike costs once then. A
 # bundle stays within a folder or a few small ones side by side, so that a new file changes no other folder's bundles.
 function(plumbline_bundle target size sources)
-  if(size LESS 2 OR PLUMBLINE_BUNDLE LESS 2)
+  if(size LESS 2 OR PLUMBLINE_BUNDLE LESS 2 OR NOT sources)
     return()
   endif()
   set(folders "")
@@ -110,6 +110,21 @@ function(plumbline_bundle target size sources)
   target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
 endfunction()
 
+# Those of a library's sources that may be bundled: PLUMBLINE_ALONE has NAME, none of them, or NAME:LEVELS, those that
+# stand deeper than so many levels below its folder.
+function(plumbline_bundled name sources result)
+  set(${result} "${sources}" PARENT_SCOPE)
+  foreach(entry IN LISTS PLUMBLINE_ALONE)
+    if(entry STREQUAL name)
+      set(${result} "" PARENT_SCOPE)
+    elseif(entry MATCHES "^${name}:([0-9]+)$")
+      string(REPEAT "/[^/]+" ${CMAKE_MATCH_1} shallow)
+      list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}${shallow}$")
+      set(${result} "${sources}" PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
 # Has a target use the headers that are compiled once: `kind` is src or tests.
 function(plumbline_precompile target kind)
   if(PLUMBLINE_PRECOMPILE)
@@ -118,8 +133,8 @@ function(plumbline_precompile target kind)
 endfunction()
 
 # plumbline_library(NAME [REGISTERS] [USES folder...] [EXTERNALS name...]): the calling folder of src/ as the
-# library plumbline::NAME. REGISTERS: files here register what they hold, so all of them are linked, needed by name or not. Folders in PLUMBLINE_ALONE are not
-# bundled.
+# library plumbline::NAME. REGISTERS: files here register what they hold, so all of them are linked, needed by name or not. What is in
+# PLUMBLINE_ALONE is not bundled.
 function(plumbline_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "REGISTERS" "" "USES;EXTERNALS;WHERE_INSTALLED")
   if(arg_UNPARSED_ARGUMENTS)
@@ -147,9 +162,8 @@ function(plumbline_library name)
     add_library(${files} STATIC ${sources} ${generated} ${extra})
     set_target_properties(${files} PROPERTIES OUTPUT_NAME plumbline_${name})
     plumbline_precompile(${files} src)
-    if(NOT name IN_LIST PLUMBLINE_ALONE)
-      plumbline_bundle(${files} ${PLUMBLINE_BUNDLE} "${sources}")
-    endif()
+    plumbline_bundled(${name} "${sources}" bundled)
+    plumbline_bundle(${files} ${PLUMBLINE_BUNDLE} "${bundled}")
   endif()
   target_include_directories(${files} ${kind}
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated/src>

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes doc/results/reliability.md from what `make fuzz`, `make faults`, `make kills`, `make soak` and `make coverage` left
+# Writes doc/results/reliability.md from what `make fuzz`, `make faults`, `make kills` and `make soak` left
 # in build/. What was not run here keeps the section that the page has, and each section says where and when it was measured.
 #   scripts/make_reliability.sh
 # Example: make faults && scripts/make_reliability.sh
@@ -60,12 +60,7 @@ missing() {
   if compgen -G 'build/soak/*.txt' > /dev/null; then
     for file in build/soak/*.txt; do echo "\`make soak\`, $(dated "$file"), $here: $(cat "$file")." && echo; done
   else missing "Long games" "make soak"; fi
-  printf '\n## Lines that the tests run\n\n'
-  if [[ -s build/coverage/folders.txt ]]; then
-    echo "\`make coverage\`, $(dated build/coverage/folders.txt), $here:"
-    printf '\n| folder | lines run | lines |\n|---|---|---|\n'
-    awk '{ print "| `" $1 "` | " $2 " % | " $5 " |" }' build/coverage/folders.txt
-  else missing "Lines that the tests run" "make coverage"; fi
+  printf '\n## Lines that the tests run\n\n`make coverage`: [coverage.md](coverage.md).\n'
   echo
   sed -n "/${end//\//\\/}/,\$p" $page
 } > $page.new

@@ -47,7 +47,7 @@ ThreadReport reportThread(const ThreadPlan& plan, const TimingPlugin& timing) {
     for (const ModuleOutput* output : planned.outputs)
       module.provides.push_back(output->representation->name());
     for (const ModuleInput& input : planned.inputs) {
-      const std::string& name = input.representation->name();
+      const std::string& name = input.representation;
       if (plan.provider(name).empty()) continue;
       (input.kind == ModuleInput::Kind::used ? module.uses : module.reads).push_back(name);
     }

@@ -93,7 +93,7 @@ private:
         addModule(area, description.name, area.empty() ? "" : ", style=filled, fillcolor=white");
     for (const ModuleOutput* output : plan.outputs) provide(area, module, output->representation->name());
     for (const ModuleInput& input : plan.inputs) {
-      const std::string& name = input.representation->name();
+      const std::string& name = input.representation;
       if (thread_.provider(name).empty()) continue;
       lines_ += "    " + representation(name) + " -> " + module;
       if (input.kind == ModuleInput::Kind::requiredIfProvided) lines_ += " [color=gray50]";

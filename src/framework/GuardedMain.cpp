@@ -2,11 +2,14 @@
 
 #include <unistd.h>
 
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <initializer_list>
+#include <iterator>
 #include <new>
 
 #include "framework/CommandLine.h"
@@ -22,11 +25,13 @@ const char* programName = "";
 volatile std::sig_atomic_t memoryWasShort = 0;
 
 /// Without an allocation: none may be left.
-void tell(const char* what) {
-  for (const char* part : {programName, ": ", what, "\n"}) {
+void print(std::initializer_list<const char*> parts) {
+  for (const char* part : parts) {
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, part, std::strlen(part));
   }
 }
+
+void tell(const char* what) { print({programName, ": ", what, "\n"}); }
 
 int fail(const std::exception& error, int status) noexcept {
   try {
@@ -73,6 +78,19 @@ void aborted(int) { endForLackOfMemory(); }
 }
 
 }  // namespace
+
+/// What assert() calls, in place of glibc's, whose line would come before the program's own: assertions of
+/// libraries fail, too, where memory was short.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
+extern "C" [[noreturn]] void __assert_fail(const char* assertion, const char* file, unsigned line,
+                                           const char* function) noexcept {
+  endForLackOfMemory();
+  char digits[16];
+  *std::to_chars(digits, std::end(digits) - 1, line).ptr = '\0';
+  print({programName, ": ", file, ":", digits, ": ", function != nullptr ? function : "", ": assertion '",
+         assertion, "' failed\n"});
+  std::abort();
+}
 
 int guardedMain(const char* program, int (*run)(int, char**), int argc, char** argv, int fault) noexcept {
   programName = program;

@@ -18,10 +18,10 @@ namespace plumbline {
 ///     class BallLocator : public BallLocatorBase { ... };
 class Module : public PluginModuleBase {
 public:
-  Module() = default;
+  Module();
   Module(const Module&) = delete;
   Module& operator=(const Module&) = delete;
-  virtual ~Module() = default;
+  virtual ~Module();
 
   /// After the parameters were read, before init(), and each time one of them was changed while the module
   /// runs: derives what depends on them. Refuses values that do not fit together by refuse().
@@ -41,7 +41,7 @@ public:
                                                                                                   \
   public:                                                                                         \
     static ::plumbline::ModuleDescription& moduleDescription() {                                  \
-      static ::plumbline::ModuleDescription description{#Name, {}, {}, __FILE__};                 \
+      static ::plumbline::ModuleDescription description(#Name, __FILE__);                         \
       return description;                                                                         \
     }                                                                                             \
     static ::plumbline::ParameterList& parameterList() { return moduleDescription().parameters; } \
@@ -57,9 +57,8 @@ private:                                                                        
   static void plumblineBind##Name(::plumbline::Module& module, const ::plumbline::Representation* value) { \
     static_cast<ThisModuleBase&>(module).the##Name = static_cast<const Name*>(value);                      \
   }                                                                                                        \
-  inline static const bool plumblineInput##Name =                                                          \
-      moduleDescription().add(::plumbline::representationLoader<Name>(),                                   \
-                              ::plumbline::ModuleInput::Kind::inputKind, &plumblineBind##Name);            \
+  inline static const bool plumblineInput##Name = moduleDescription().add(                                 \
+      Name::representationName(), ::plumbline::ModuleInput::Kind::inputKind, &plumblineBind##Name);        \
   static void plumblineEnd##Name() {}
 
 #define REQUIRES(Name) PLUMBLINE_INPUT(Name, required)

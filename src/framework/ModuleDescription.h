@@ -12,7 +12,8 @@ class Module;
 /// What a module reads: filled in by REQUIRES, REQUIRES_IF_PROVIDED and USES.
 struct ModuleInput {
   enum class Kind { required, requiredIfProvided, used };
-  const RepresentationLoader* representation;
+  /// By name: its loader, with all that streams it, is compiled where a module provides it and nowhere else.
+  std::string representation;
   Kind kind;
   /// Sets the module's pointer `theName`; null for "not provided".
   void (*bind)(Module& module, const Representation* representation);
@@ -33,45 +34,30 @@ struct ModuleOutput {
   void (*update)(Module& module, Representation& representation);
 };
 
-/// A module's contract, known without making one.
+/// A module's contract, known without making one. Nothing here is inline: each module's source would compile
+/// it again.
 struct ModuleDescription {
+  ModuleDescription(const char* name, const char* file);
+  ~ModuleDescription();
+  ModuleDescription(const ModuleDescription&) = delete;
+  ModuleDescription& operator=(const ModuleDescription&) = delete;
+
   std::string name;
   std::vector<ModuleInput> inputs;
   std::vector<ModuleOutput> outputs;
   std::string file;  ///< its header, as the compiler was given it
-  std::vector<ModuleInputs> inputsOfKinds{};
-  ParameterList parameters{};  ///< their owner is the Module
+  std::vector<ModuleInputs> inputsOfKinds;
+  ParameterList parameters;  ///< their owner is the Module
 
   /// The folder below modules/ that it lies in ("perception"); empty elsewhere.
-  std::string area() const {
-    const std::string mark = "modules/";
-    const auto at = file.rfind(mark);
-    if (at == std::string::npos) return {};
-    const auto begin = at + mark.size(), end = file.find('/', begin);
-    return end == std::string::npos ? std::string() : file.substr(begin, end - begin);
-  }
+  std::string area() const;
 
-  bool add(const RepresentationLoader& representation, ModuleInput::Kind kind,
-           void (*bind)(Module&, const Representation*)) {
-    inputs.push_back({&representation, kind, bind});
-    return true;
-  }
-  bool add(const RepresentationLoader& representation, void (*update)(Module&, Representation&)) {
-    outputs.push_back({&representation, update});
-    return true;
-  }
-  bool addAll(const std::string& representationKind, ModuleInput::Kind kind,
-              void (*bind)(Module&, const Representation*)) {
-    inputsOfKinds.push_back({representationKind, kind, bind});
-    return true;
-  }
+  bool add(const char* representation, ModuleInput::Kind kind, void (*bind)(Module&, const Representation*));
+  bool add(const RepresentationLoader& representation, void (*update)(Module&, Representation&));
+  bool addAll(const char* representationKind, ModuleInput::Kind kind,
+              void (*bind)(Module&, const Representation*));
   /// The output of that name, or null.
-  const ModuleOutput* output(const std::string& representation) const {
-    for (const ModuleOutput& output : outputs) {
-      if (output.representation->name() == representation) return &output;
-    }
-    return nullptr;
-  }
+  const ModuleOutput* output(const std::string& representation) const;
 };
 
 }  // namespace plumbline

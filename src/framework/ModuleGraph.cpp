@@ -194,7 +194,7 @@ private:
       byLine[line] = registry_.representations().at(name);
     for (const ModuleInputs& all : description.inputsOfKinds) {
       for (const auto& [line, loader] : byLine) {
-        if (loader->kind() == all.representationKind) inputs.push_back({loader, all.kind, all.bind});
+        if (loader->kind() == all.representationKind) inputs.push_back({loader->name(), all.kind, all.bind});
       }
     }
     return inputs;
@@ -203,7 +203,7 @@ private:
   void checkInputs(const ThreadPlan& thread, const ModulePlan& module) const {
     const auto& providers = providers_[indexOf(thread.name)];
     for (const ModuleInput& input : module.inputs) {
-      const std::string& name = input.representation->name();
+      const std::string& name = input.representation;
       if (input.kind != ModuleInput::Kind::required || providers.count(name)) continue;
       fail(module, "no provider for representation " + name + " required by module " +
                        module.loader->description().name + " in thread " + thread.name + remedy(name));

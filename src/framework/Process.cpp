@@ -120,7 +120,7 @@ std::unique_ptr<Module> Process::makeModule(std::size_t index) {
 
 void Process::connectModule(Module& module, std::size_t index) {
   for (const ModuleInput& input : plan_.modules[index].inputs) {
-    input.bind(module, find(input.representation->name()));
+    input.bind(module, find(input.representation));
   }
 }
 

@@ -22,9 +22,6 @@ const std::map<std::string, const RepresentationLoader*>& Registry::representati
   // A module's description is complete only when all static objects are made: so not in add().
   if (representations_.empty()) {
     for (const auto& [name, loader] : modules_) {
-      for (const auto& input : loader->description().inputs) {
-        representations_.emplace(input.representation->name(), input.representation);
-      }
       for (const auto& output : loader->description().outputs) {
         representations_.emplace(output.representation->name(), output.representation);
       }

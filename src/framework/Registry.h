@@ -20,7 +20,7 @@ class Registry {
 public:
   static Registry& instance();
 
-  /// Adds a module and every representation it names. A second module of the same name ends the program
+  /// Adds a module and every representation it can provide. A second module of the same name ends the program
   /// start: that is a mistake of the build.
   void add(const ModuleLoader& loader);
 

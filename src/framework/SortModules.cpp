@@ -2,6 +2,7 @@
 #include <deque>
 #include <map>
 #include <set>
+#include <string>
 
 #include "framework/ConfigurationError.h"
 #include "framework/ModuleGraph.h"
@@ -12,7 +13,7 @@ namespace {
 /// An edge of the graph of modules: `from` provides what another one requires.
 struct Edge {
   std::size_t from;
-  const RepresentationLoader* representation;
+  std::string representation;
 };
 
 /// For each module, the modules of the same thread that must come before it.
@@ -25,7 +26,7 @@ std::vector<std::vector<Edge>> edges(const ThreadPlan& thread) {
   std::vector<std::vector<Edge>> result(thread.modules.size());
   for (std::size_t i = 0; i < thread.modules.size(); i++) {
     for (const ModuleInput& input : thread.modules[i].inputs) {
-      const auto provider = providers.find(input.representation->name());
+      const auto provider = providers.find(input.representation);
       if (input.kind == ModuleInput::Kind::used || provider == providers.end()) continue;
       result[i].push_back({provider->second, input.representation});
     }
@@ -83,8 +84,7 @@ void sortModules(ThreadPlan& thread) {
     if (cycle.empty()) continue;
     const auto name = [&](std::size_t module) { return thread.modules[module].loader->description().name; };
     std::string text = name(i);
-    for (const Edge& edge : cycle)
-      text += " requires " + edge.representation->name() + " of " + name(edge.from);
+    for (const Edge& edge : cycle) text += " requires " + edge.representation + " of " + name(edge.from);
     throw ConfigurationError(thread.modules[i].path + ":" + std::to_string(thread.modules[i].line) +
                              ": cycle in thread " + thread.name + ": " + text + "; one of them must be USES");
   }

@@ -28,9 +28,10 @@ struct GameOptions {
   std::vector<std::string> agentOptions, simulatorOptions;
 };
 
-/// One robot alone on the field until it scores: starts simulator and agent (programs beside this one), kicks
-/// off, prints a line per second of the game, and writes summary.json, track.svg, track.csv (robot and ball
-/// ten times a second, metres and radians) and the programs' logs to the output folder. What `make run` does.
+/// One robot alone on the field until it scores: what `make run` does. Starts simulator and agent (programs
+/// beside this one), kicks off, and prints a line per second of the game. Writes summary.json, track.svg,
+/// track.csv (robot and ball ten times a second, metres and radians) and the programs' logs to the output
+/// folder.
 class GameRun {
 public:
   explicit GameRun(GameOptions options) : options_(std::move(options)) {}

@@ -10,10 +10,10 @@ struct PlanarRoot {
   bool converged = false;
 };
 
-/// Argument where a smooth function of the plane into the plane vanishes, using only its values: a first
-/// small step along the error (factor firstStep), then Newton steps with a gradient that begins as the
-/// rotation and scaling that the first step showed (exact for f(x) = s R x + b) and learns by Broyden's
-/// rank-one update. Stops at |f| <= threshold or after maxEvaluations.
+/// Argument where a smooth function of the plane into the plane vanishes, using only its values. After a
+/// first small step along the error (factor firstStep) come Newton steps. Their gradient begins as the
+/// rotation and scaling that the first step showed (exact for f(x) = s R x + b) and learns by Broyden's rank-
+/// one update. Stops at |f| <= threshold or after maxEvaluations.
 template <class Function>
 PlanarRoot findPlanarRoot(const Function& f, const Vec2& start, double threshold, int maxEvaluations,
                           double firstStep = -1e-4) {

@@ -3,11 +3,11 @@
 
 namespace plumbline {
 
-/// Maps any number into a box, one coordinate at a time, so that a search without bounds stays inside one:
-/// the identity in the inside, a parabola in a margin at each bound, which meets the bound with slope 0 (no
-/// candidate is lost, none is piled up on the bound's outside), mirrored beyond. The margin is a tenth of
-/// the width, or (1 + |bound|) / 20 where the other bound is missing, and at most a tenth of the width. It is
-/// the method of Hansen's pycma ("BoundTransform").
+/// Maps any number into a box, one coordinate at a time, so that a search without bounds stays inside one. It
+/// is the identity in the inside and a parabola in a margin at each bound, mirrored beyond. The parabola
+/// meets the bound with slope 0: no candidate is lost, none is piled up on the bound's outside. The margin is
+/// a tenth of the width, or (1 + |bound|) / 20 where the other bound is missing, and at most a tenth of the
+/// width. It is the method of Hansen's pycma ("BoundTransform").
 class BoxTransform {
 public:
   BoxTransform(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);

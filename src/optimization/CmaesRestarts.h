@@ -6,9 +6,9 @@
 namespace plumbline {
 
 /// CMA-ES that begins anew where it has converged, until maxEvaluations, maxGenerations (of all runs
-/// together), targetCost or `restarts`. A restart begins at a random place: uniform in finite bounds, else
-/// normal around the start with a deviation that doubles with the population, as does the restart's own:
-/// where nothing bounds the place a first deviation may be too small for the minima there are. IPOP (Auger
+/// together), targetCost or `restarts`. A restart begins at a random place. That is uniform in finite bounds,
+/// else normal around the start with a deviation that doubles with the population, as does the restart's own.
+/// Where nothing bounds the place a first deviation may be too small for the minima there are. IPOP (Auger
 /// and Hansen, CEC 2005): each restart has twice the population. BIPOP (Hansen, GECCO workshop 2009): the
 /// larger ones alternate with small ones of random size and smaller sigma, whichever kind has used fewer
 /// evaluations being next.

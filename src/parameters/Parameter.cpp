@@ -49,14 +49,33 @@ bool Parameter::has(const std::string& attribute) const {
   return std::find(attributes.begin(), attributes.end(), attribute) != attributes.end();
 }
 
+ParameterList::ParameterList() = default;
+ParameterList::~ParameterList() = default;
+ParameterList::ParameterList(const ParameterList&) = default;
+ParameterList& ParameterList::operator=(const ParameterList&) = default;
+
 bool ParameterList::add(Parameter parameter, Pointer pointer) {
   entries_.push_back({std::move(parameter), pointer, nullptr, nullptr});
   return true;
 }
 
-bool ParameterList::addGroup(const std::string& name, const std::string& comment, const ParameterList& group,
+bool ParameterList::declare(const char* name, const char* unit, const Range& range, const char* comment,
+                            std::initializer_list<const char*> attributes, const ParameterPointer& value,
+                            Pointer pointer) {
+  return add({name, unit, range, comment, {attributes.begin(), attributes.end()}, {}, parameterText(value)},
+             pointer);
+}
+
+bool ParameterList::declareChoice(const char* name, const char* comment,
+                                  std::initializer_list<const char*> words, const char* value,
+                                  Pointer pointer) {
+  return add({name, "", {}, comment, {}, {words.begin(), words.end()}, value}, pointer);
+}
+
+bool ParameterList::addGroup(std::string_view name, std::string_view comment, const ParameterList& group,
                              GroupPointer groupOf) {
-  entries_.push_back({{name, "", {}, comment, {}, {}, ""}, nullptr, &group, groupOf});
+  entries_.push_back(
+      {{std::string(name), "", {}, std::string(comment), {}, {}, ""}, nullptr, &group, groupOf});
   return true;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -38,9 +40,20 @@ public:
     GroupPointer groupOf = nullptr;
   };
 
+  ParameterList();
+  ~ParameterList();
+  ParameterList(const ParameterList&);
+  ParameterList& operator=(const ParameterList&);
+
   bool add(Parameter parameter, Pointer pointer);
-  bool addGroup(const std::string& name, const std::string& comment, const ParameterList& group,
+  bool addGroup(std::string_view name, std::string_view comment, const ParameterList& group,
                 GroupPointer groupOf);
+  /// What PARAMETER and PARAMETER_CHOICE call, once for each of the hundreds that there are: the work is done
+  /// here, not where they stand.
+  bool declare(const char* name, const char* unit, const Range& range, const char* comment,
+               std::initializer_list<const char*> attributes, const ParameterPointer& value, Pointer pointer);
+  bool declareChoice(const char* name, const char* comment, std::initializer_list<const char*> words,
+                     const char* value, Pointer pointer);
 
   const std::vector<Entry>& entries() const { return entries_; }
   bool empty() const { return entries_.empty(); }
@@ -100,29 +113,29 @@ std::string parameterFault(const Parameter& parameter, const ParameterPointer& v
 
 /// PARAMETER(type, name, default, unit, range, comment, attributes...) in PARAMETERS or in a MODULE. A
 /// default with commas outside parentheses stands in parentheses.
-#define PARAMETER(Type, name_, default_, unit_, range_, comment_, ...)                               \
-public:                                                                                              \
-  Type name_ = default_;                                                                             \
-  static ::plumbline::ParameterPointer plumblinePointer_##name_(void* owner) {                       \
-    return &plumblineOwner(owner)->name_;                                                            \
-  }                                                                                                  \
-  static ::plumbline::Parameter plumblineDeclared_##name_() {                                        \
-    Type value = default_;                                                                           \
-    return {#name_, unit_, range_, comment_, {__VA_ARGS__}, {}, ::plumbline::parameterText(&value)}; \
-  }                                                                                                  \
-  inline static const bool plumblineParameter_##name_ =                                              \
-      parameterList().add(plumblineDeclared_##name_(), &plumblinePointer_##name_);                   \
-  static void plumblineEndOfParameter_##name_() {}
-
-/// A parameter of type std::string that is one of the words that follow the comment.
-#define PARAMETER_CHOICE(name_, default_, comment_, ...)                                   \
+#define PARAMETER(Type, name_, default_, unit_, range_, comment_, ...)                     \
 public:                                                                                    \
-  std::string name_ = default_;                                                            \
+  Type name_ = default_;                                                                   \
   static ::plumbline::ParameterPointer plumblinePointer_##name_(void* owner) {             \
     return &plumblineOwner(owner)->name_;                                                  \
   }                                                                                        \
-  inline static const bool plumblineParameter_##name_ = parameterList().add(               \
-      {#name_, "", {}, comment_, {}, {__VA_ARGS__}, default_}, &plumblinePointer_##name_); \
+  static bool plumblineDeclare_##name_() {                                                 \
+    Type value = default_;                                                                 \
+    return parameterList().declare(#name_, unit_, range_, comment_, {__VA_ARGS__}, &value, \
+                                   &plumblinePointer_##name_);                             \
+  }                                                                                        \
+  inline static const bool plumblineParameter_##name_ = plumblineDeclare_##name_();        \
+  static void plumblineEndOfParameter_##name_() {}
+
+/// A parameter of type std::string that is one of the words that follow the comment.
+#define PARAMETER_CHOICE(name_, default_, comment_, ...)                                                   \
+public:                                                                                                    \
+  std::string name_ = default_;                                                                            \
+  static ::plumbline::ParameterPointer plumblinePointer_##name_(void* owner) {                             \
+    return &plumblineOwner(owner)->name_;                                                                  \
+  }                                                                                                        \
+  inline static const bool plumblineParameter_##name_ =                                                    \
+      parameterList().declareChoice(#name_, comment_, {__VA_ARGS__}, default_, &plumblinePointer_##name_); \
   static void plumblineEndOfParameter_##name_() {}
 
 /// A member of a type with PARAMETERS; in a configuration file its parameters stand in a map of the member's

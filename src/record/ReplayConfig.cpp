@@ -37,7 +37,7 @@ public:
     for (const ModulePlan& module : plan.modules) {
       if (!runs(module)) continue;
       for (const ModuleInput& input : module.inputs)
-        if (input.kind == ModuleInput::Kind::required) required.insert(input.representation->name());
+        if (input.kind == ModuleInput::Kind::required) required.insert(input.representation);
     }
     std::vector<ModulesConfigLine> lines;
     for (ModulesConfigLine& line : thread.lines) {

@@ -62,8 +62,7 @@ void ReplayPlayer::plan(const ThreadPlan& plan) {
     std::size_t before = 0;
     for (std::size_t m = 0; m < plan.modules.size(); m++) {
       const ModulePlan& module = plan.modules[m];
-      const auto input = std::ranges::find(module.inputs, topic.representation,
-                                           [](const ModuleInput& in) { return in.representation->name(); });
+      const auto input = std::ranges::find(module.inputs, topic.representation, &ModuleInput::representation);
       if (input == module.inputs.end()) continue;
       if (input->kind != ModuleInput::Kind::used) break;
       if (placeOf(steps, module.loader->description().name + ":execute") > updated) break;

@@ -66,7 +66,7 @@ void Player::sense(const World& world, const Game& game, double time, const Visi
   senses_.rightFoot = reading(readings.rightFoot);
   senses_.leftToe = reading(readings.leftToe);
   senses_.rightToe = reading(readings.rightToe);
-  if ((cycle_ + 1) % config_.visionInterval == 0)
+  if ((cycle_ + 1) % static_cast<std::uint64_t>(config_.visionInterval) == 0)
     senses_.see = vision_.see(world.linkState(robot, parts_[0]).pose, visible);
   if (truth) {
     senses_.groundTruth = *truth;

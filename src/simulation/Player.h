@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <bitset>
+#include <cstdint>
 #include <string>
 
 #include "robot/RobotModel.h"
@@ -67,7 +68,7 @@ private:
   Vision vision_;
   std::array<int, partLinks.size()> parts_{};
   bool placeReported_ = false;  ///< number and side have been sent
-  int cycle_ = 0;
+  std::uint64_t cycle_ = 0;
   simspark::ServerMessage senses_;
   std::string text_;
 };

@@ -44,7 +44,7 @@ void Simulation::reset() {
   starts_.fill(Vec2(-field().length / 2 + 2 * agentRadius, field().width / 2 - 2 * agentRadius));
   starts_[1].x() *= -1;
   nextId_ = 1;
-  cycles_ = 0;
+  cycles_ = config_.firstCycle;
   ++version_;
 }
 

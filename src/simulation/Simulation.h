@@ -22,6 +22,7 @@ struct SimulationConfig {
   Rules rules;
   PlayerConfig players;
   std::uint64_t seed = 1;
+  std::uint64_t firstCycle = 0;  ///< the clock begins there: as in a simulation that has run for long
 };
 
 /// A whole game in this process: world, players, referee, senses. No sockets, no clock: the same calls give
@@ -48,7 +49,7 @@ public:
 
   /// One cycle of physics, rules, and new senses for everybody.
   void step();
-  /// As after construction: nobody there, clock at zero.
+  /// As after construction: nobody there, clock at its beginning.
   void reset();
   /// As after construction, but with a new robot for everybody who is there, in the order in which they came
   /// and with the team and number they have. A seed: instead of the one there was. Returns everybody's new id

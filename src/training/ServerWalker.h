@@ -22,8 +22,8 @@ struct ServerAddress {
   std::string text() const;
 };
 
-/// A robot of a SimSpark server that is in step with its agents ($agentSyncMode of the league's): senses and
-/// acts as a player does, is put to its places by the trainer, and its true pose is what the monitor port
+/// A robot of a SimSpark server that is in step with its agents ($agentSyncMode of the league's). It senses
+/// and acts as a player does and is put to its places by the trainer. Its true pose is what the monitor port
 /// tells: within 5 mm and 0.3 degrees, up to two cycles old. One at a time per server; another one of this
 /// process waits for it. Errors: std::runtime_error, one line, for a server that is not there, goes away,
 /// stays silent or does not wait for its agents.

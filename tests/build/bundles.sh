@@ -2,7 +2,7 @@
 # Sources compiled in one go: when they change, come and go, when their names meet, and when one is wrong.
 source "$(dirname "$0")/project.bash"
 writeSources
-sed -i 's/"PLUMBLINE_BUNDLE": "1"/"PLUMBLINE_BUNDLE": "3"/; s/"PLUMBLINE_ALONE": "modules"/"PLUMBLINE_ALONE": ""/' CMakePresets.json
+sed -i 's/"PLUMBLINE_BUNDLE": "1"/"PLUMBLINE_BUNDLE": "3"/; s/"PLUMBLINE_ALONE": "modules[^"]*"/"PLUMBLINE_ALONE": ""/' CMakePresets.json
 
 builds SimRelease
 expect "neighbours are compiled in one go" "$(compiled)" "src/main/agent 1 src/main/tool 1 src/math 1 src/modules/perception 1"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # One of each is added by files alone: a copy of the tree is built with a folder outside of it, which holds what the pages
-# of doc/how-to show, to the letter: module, representation, behaviour, skill, motion, effect, robot, physics engine,
-# optimiser, rule of the referee. Each has to be there then. ccache serves all that the tree was built from; without it this would take long.
+# of doc/how-to show, to the letter: module, representation, behaviour, skill, motion, effect (of the diagnosis and of the
+# league's simulator), robot, physics engine, optimiser, platform, rule of the referee. Each has to be there then. ccache serves all that the tree was built from; without it this would take long.
 [[ ${PLUMBLINE_SLOW-} ]] || { echo "left out: it builds a tree of its own; make check runs it"; exit 0; }
 source "$(dirname "$0")/../e2e/assert.bash"
 if ! command -v ccache > /dev/null || [[ ${CCACHE-yes} == "" ]]; then
@@ -27,7 +27,7 @@ takeBlocks() {
 }
 for page in module behaviour platform rule; do takeBlocks "doc/how-to/add-a-$page.md"; done
 for page in effect engine optimiser; do takeBlocks "doc/how-to/add-an-$page.md"; done
-expectEqual "$(cd "$ours" && find . -name '*.cpp' | wc -l)" 9 "sources in the pages"
+expectEqual "$(cd "$ours" && find . -name '*.cpp' | wc -l)" 10 "sources in the pages"
 awk '/^```text$/ { inside = 1; next } /^```$/ { inside = 0 } inside' doc/how-to/add-a-platform.md > "$scratch/still.cfg"
 awk '/^```json$/ { inside = 1; next } /^```$/ { inside = 0 } inside' doc/how-to/add-a-robot.md > "$scratch/arm.json"
 
@@ -77,6 +77,12 @@ grep -q '"verdict": "effect"' "$scratch/answer.json" || fail "the verdict: $(cat
 # The engine steps a world; the optimiser searches a walk.
 expectError 2 'simulator: unknown physics engine "foo"; there are: ode, ode-dense, bullet, ode-soft' "$bin/simulator" --engine foo
 timeout 60 "$bin/simulator" --engine ode-soft --no-realtime --wait-agents 0 --max-seconds 1 --port 0 --monitor-port 0 > "$scratch/log" 2>&1 < /dev/null || fail "simulator: $(cat "$scratch/log")"
+# The league's effect acts on its robots, and what there is names it.
+printf 'effects:\n  - {effect: gyro_gain, at: imu, value: 1.5}\n' > "$scratch/gyro.yaml"
+timeout 60 "$bin/simulator" --effects "$scratch/gyro.yaml" --no-realtime --wait-agents 0 --max-seconds 1 --port 0 --monitor-port 0 > "$scratch/log" 2>&1 < /dev/null ||
+  fail "the league's effect: $(cat "$scratch/log")"
+printf 'effects:\n  - {effect: gyro_gain, at: imu, value: 3}\n' > "$scratch/gyro.yaml"
+expectError 2 "simulator: $scratch/gyro.yaml:2: effects[0].value is 3; gyro_gain goes from 0.5 to 2" "$bin/simulator" --effects "$scratch/gyro.yaml"
 # The rule has its place, its section in a file of rules, and errors of its own.
 "$bin/simulator" --print-rules > "$scratch/rules.yaml" || fail "simulator --print-rules"
 grep -A 3 '^ballHolding:$' "$scratch/rules.yaml" | grep -q 'longest: 5  # s; that it may hold the ball' || fail "the rule: $(cat "$scratch/rules.yaml")"

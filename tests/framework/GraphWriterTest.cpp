@@ -83,9 +83,9 @@ TEST_F(GraphWriterTest, timesStandInTheModules) {
 }
 
 TEST_F(GraphWriterTest, anAreaIsTheFolderOfAModule) {
-  EXPECT_EQ((ModuleDescription{"A", {}, {}, "src/modules/perception/ball/A.h"}).area(), "perception");
-  EXPECT_EQ((ModuleDescription{"A", {}, {}, "modules/A.h"}).area(), "");
-  EXPECT_EQ((ModuleDescription{"A", {}, {}, "tests/framework/TestModules.h"}).area(), "");
+  EXPECT_EQ(ModuleDescription("A", "src/modules/perception/ball/A.h").area(), "perception");
+  EXPECT_EQ(ModuleDescription("A", "modules/A.h").area(), "");
+  EXPECT_EQ(ModuleDescription("A", "tests/framework/TestModules.h").area(), "");
 }
 
 TEST_F(GraphWriterTest, anAreaIsAFrameOfItsOwnColour) {

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cassert>
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <new>
 #include <stdexcept>
@@ -47,6 +49,17 @@ int lacksMemoryAndAborts(int, char**) {
   const AbortsWhenDestroyed object;
   allocateInVain();
 }
+struct AssertsWhenDestroyed {
+  ~AssertsWhenDestroyed() { assert(std::uncaught_exceptions() < 0); }
+};
+int lacksMemoryAndAsserts(int, char**) {
+  const AssertsWhenDestroyed object;
+  allocateInVain();
+}
+int asserts(int, char**) {
+  const AssertsWhenDestroyed object;
+  return 0;
+}
 int abortsLater(int, char**) {
   try {
     allocateInVain();
@@ -88,6 +101,17 @@ TEST(GuardedMainDeathTest, saysThatThereIsNoMemoryLeft) {
 TEST(GuardedMainDeathTest, lackOfMemoryIsSaidWhereItCannotBeCaught) {
   expectEnd(lacksMemoryWhereNothingMayThrow, 2, "out of memory", 1);
   expectEnd(lacksMemoryAndAborts, 2, "out of memory", 1);
+}
+
+TEST(GuardedMainDeathTest, anAssertionThatFailsForLackOfMemorySaysNothingOfItsOwn) {
+  expectEnd(lacksMemoryAndAsserts, 2, "out of memory", 1);
+}
+
+TEST(GuardedMainDeathTest, anAssertionIsOneLineOfTheProgram) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_EXIT(
+      guardedMain("prog", asserts, 0, nullptr), testing::KilledBySignal(SIGABRT),
+      "^prog: [^ ]*GuardedMainTest.cpp:[0-9]+: .*assertion 'std::uncaught_exceptions\\(\\) < 0' failed\n$");
 }
 
 TEST(GuardedMainDeathTest, whatAbortsForAnotherReasonDiesOfIt) {

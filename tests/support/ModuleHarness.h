@@ -12,6 +12,7 @@
 namespace plumbline::test {
 
 /// One module alone, without modules.cfg: the test fills its inputs, runs cycles and looks at its outputs.
+/// Required inputs that it does not fill must be what some module in the program provides.
 ///
 ///     ModuleHarness<BallLocator> harness;              // reads config/BallLocator.yaml
 ///     harness.input<BallPercept>().seen = true;        // an input never asked for is not provided (null)
@@ -62,9 +63,9 @@ private:
     }
     configureModule(*module_, M::moduleDescription(), config_);
     for (const ModuleInput& input : M::moduleDescription().inputs) {
-      const std::string& name = input.representation->name();
-      if (input.kind == ModuleInput::Kind::required) representation(*input.representation);
-      const auto found = representations_.find(name);
+      if (input.kind == ModuleInput::Kind::required && !representations_.contains(input.representation))
+        representation(*Registry::instance().representations().at(input.representation));
+      const auto found = representations_.find(input.representation);
       input.bind(*module_, found == representations_.end() ? nullptr : &found->second->get());
     }
     for (const ModuleInputs& all : M::moduleDescription().inputsOfKinds) {

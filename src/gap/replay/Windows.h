@@ -6,8 +6,8 @@
 namespace plumbline::gap {
 
 /// What of a long recording is replayed: windows of 5 s spread evenly over it that together are about `most`
-/// [s] long; the whole trial where it is no longer than that, or its base is free (a body's way over the
-/// ground cannot be begun from what is measured). The commands of 1.5 s before a window are played and not
+/// [s] long. It is the whole trial where that is no longer, or where its base is free: a body's way over the
+/// ground cannot be begun from what is measured. The commands of 1.5 s before a window are played and not
 /// compared: the joints forget how they began. Heat of before a window is not known in it.
 std::vector<Trial> windowsOf(Trial trial, double most);
 

@@ -2,30 +2,29 @@
 
 #include <algorithm>
 
-#include "simulation/effects/EffectTable.h"
+#include "simulation/effects/EffectPlace.h"
+#include "simulation/effects/LeagueEffect.h"
 
 namespace plumbline::simulation {
 
 RobotModel withEffects(RobotModel model, const std::vector<EffectSetting>& effects) {
-  constexpr double least = 1e-3;  // [kg]: engines divide by it
-  for (const EffectSetting& effect : effects)
-    for (Link& link : model.links) {
-      if (effect.effect == "link_mass" && isAt(effect, link))
-        link.mass = std::max(least, link.mass + effect.value);
-      if (effect.effect == "com_offset" && isAt(effect, link)) link.com[effect.axis[0] - 'x'] += effect.value;
-      if ((effect.effect == "speed_limit" || effect.effect == "supply_voltage") && isAt(effect, link.joint))
-        link.maxSpeed *= effect.value;
-    }
+  for (const auto& [effect, settings] : effectsInUse(effects)) {
+    if (!effect->body) continue;
+    for (const EffectSetting& setting : settings)
+      for (Link& link : model.links)
+        if (effect->site == LeagueEffect::Site::link ? isAt(setting, link) : isAt(setting, link.joint))
+          effect->body(link, setting);
+  }
   return model;
 }
 
 double motorTorque(double nominal, JointId joint, const std::vector<EffectSetting>& effects) {
   double torque = nominal;
-  for (const EffectSetting& effect : effects)
-    if ((effect.effect == "torque_limit" || effect.effect == "supply_voltage") && isAt(effect, joint))
-      torque *= effect.value;
-  for (const EffectSetting& effect : effects)
-    if (effect.effect == "coulomb_friction" && isAt(effect, joint)) torque -= effect.value;
+  for (const auto& [effect, settings] : effectsInUse(effects)) {
+    if (!effect->torque) continue;
+    for (const EffectSetting& setting : settingsAt(settings, joint))
+      torque = effect->torque(torque, setting.value);
+  }
   return std::max(0.0, torque);
 }
 

@@ -6,12 +6,10 @@
 
 namespace plumbline::simulation {
 
-/// The robot with link_mass, com_offset, speed_limit and supply_voltage in it. A link's added mass sits at
-/// its centre of mass; a link keeps a gram at least.
+/// The robot with what effects change of its links.
 RobotModel withEffects(RobotModel model, const std::vector<EffectSetting>& effects);
 
-/// A joint motor's torque limit [N m] with torque_limit and supply_voltage, less what coulomb_friction takes:
-/// a velocity motor feels friction as torque that it lacks.
+/// A joint motor's torque limit [N m] with what effects change of it; never below 0.
 double motorTorque(double nominal, JointId joint, const std::vector<EffectSetting>& effects);
 
 }  // namespace plumbline::simulation

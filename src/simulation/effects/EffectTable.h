@@ -1,8 +1,6 @@
 #pragma once
-#include <string>
 #include <vector>
 
-#include "robot/RobotModel.h"
 #include "simulation/world/EffectFile.h"
 
 namespace plumbline::simulation {
@@ -11,9 +9,5 @@ namespace plumbline::simulation {
 /// so what lives in a servo has no place there. Throws ConfigurationError that names file, line, and what
 /// there is: effects, places, bounds.
 void checkEffects(const std::vector<EffectSetting>& effects);
-
-/// Whether an effect is at a joint, at a link: by name, whatever the letters' case, or "*".
-bool isAt(const EffectSetting& effect, JointId joint);
-bool isAt(const EffectSetting& effect, const Link& link);
 
 }  // namespace plumbline::simulation

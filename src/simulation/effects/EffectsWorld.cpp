@@ -25,7 +25,7 @@ RobotHandle EffectsWorld::addRobot(const RobotModel& model, const Pose3& T_world
   robots_.insert_or_assign(
       handle, Robot{model,
                     MotorEffects(config_.effects, config_.stepSeconds, static_cast<std::uint64_t>(handle)),
-                    SensorEffects(config_.effects, config_.stepSeconds),
+                    SensorEffects(config_.effects, config_.stepSeconds, static_cast<std::uint64_t>(handle)),
                     {}});
   read(handle, false);
   return handle;

@@ -1,33 +1,24 @@
 #pragma once
-#include <deque>
+#include <memory>
 #include <vector>
 
-#include "simulation/world/EffectFile.h"
-#include "simulation/world/World.h"
+#include "simulation/effects/SensorEffect.h"
 
 namespace plumbline::simulation {
 
-/// What one robot's sensors make of the truth: joint_offset, encoder_nonlinearity, imu_misalignment,
-/// gyro_bias, imu_delay, fsr_gain.
+/// What one robot's sensors make of the truth: each sensor effect in its turn.
 class SensorEffects {
 public:
-  SensorEffects(const std::vector<EffectSetting>& effects, double stepSeconds);
+  /// `stream`: of the random numbers, one per robot.
+  SensorEffects(const std::vector<EffectSetting>& effects, double stepSeconds, std::uint64_t stream);
 
   /// Readings as the robot gets them. slack: per joint, what the encoder on the motor's side of a gear with
   /// play shows beyond the link's angle [rad]. newCycle: a step has passed since the last call.
   RobotReadings read(const RobotReadings& truth, const JointArray& slack, bool newCycle);
-  void restart() { history_.clear(); }
+  void restart();
 
 private:
-  struct Imu {
-    Vec3 gyro, acc;
-  };
-  double step_, delay_ = 0;
-  JointArray offset_{}, amplitude_{};
-  Mat3 R_true_sensor_ = Mat3::Identity();
-  Vec3 gyroBias_ = Vec3::Zero();
-  double footGain_[4] = {1, 1, 1, 1};  ///< left and right foot, left and right toe
-  std::deque<Imu> history_;            ///< newest first
+  std::vector<std::unique_ptr<SensorEffect>> effects_;
 };
 
 }  // namespace plumbline::simulation

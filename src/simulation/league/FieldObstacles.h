@@ -16,9 +16,9 @@ struct FieldObstacle {
   Pose3 T_world_shape;
 };
 
-/// The sides, back and top of both goals and the walls around the field: half a metre high, their inner faces
-/// 0.333 of its length, less half a metre, behind the goal lines and 0.75 of its width, less half a metre,
-/// beside the side lines (soccer.rsg; 9.49 m and 14.5 m on the league's field).
+/// The sides, back and top of both goals and the walls around the field (soccer.rsg). Walls are half a metre
+/// high. Their inner faces are 0.333 of its length, less half a metre, behind the goal lines: 9.49 m on the
+/// league's field. Beside the side lines they are 0.75 of its width, less half a metre: 14.5 m.
 std::vector<FieldObstacle> fieldObstacles(const FieldSize& field);
 
 }  // namespace plumbline::simulation

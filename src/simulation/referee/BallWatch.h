@@ -38,9 +38,10 @@ public:
   /// Those who touched it in this cycle.
   const std::vector<BallTouch>& touching() const { return touching_; }
   bool touchedBy(simspark::TeamSide side) const;
-  /// The side whose goal the ball is in, or none: as the league's server, when it reaches into the goal's
-  /// inside, the goal less a ball's radius on each side but for the height, so from its centre on the line;
-  /// or when it is behind the line and its velocity says that it came through the goal within a second.
+  /// The side whose goal the ball is in, or none; as the league's server has it. The ball is in when it
+  /// reaches into the goal's inside: the goal less a ball's radius on each side but for the height, so from
+  /// its centre on the line. It is also in when it is behind the line and its velocity says that it came
+  /// through the goal within a second.
   simspark::TeamSide inGoalOf() const;
 
 private:

@@ -7,10 +7,10 @@ namespace plumbline::simulation {
 // Where the referee puts players (rcssserver3d soccerruleaspect.cpp: GetSafeReposition, ClearPlayers,
 // RepelPlayers, RepositionOutsidePos).
 
-/// Moves a player to the place [m], or to one near it where it would stand in nobody's way: not within the
-/// agent's radius (0.4) of another robot's bounding box, not in a goal, not in its own full penalty area, and
-/// with avoidBall a metre from the ball. Tried are places in steps of the radius, away from where it is,
-/// nearest first; after `attempts` of them the first one is taken.
+/// Moves a player to the place [m], or to one near it where it would stand in nobody's way. That is not
+/// within the agent's radius (0.4) of another robot's bounding box, not in a goal, and not in its own full
+/// penalty area. With avoidBall it is a metre from the ball, too. Tried are places in steps of the radius,
+/// away from where it is, nearest first; after `attempts` of them the first one is taken.
 void moveSafely(Match& match, Participant& player, const Vec3& place, bool avoidBall = true);
 
 /// Beside the field on the side away from the ball: number n at 0.6 (7 - n) m from midfield, on the own

@@ -12,9 +12,9 @@ namespace plumbline::simulation {
 constexpr double silentTimeout = 10;       ///< who has to say something first has so long [s of wall clock]
 constexpr std::size_t mostAccepted = 256;  ///< connections taken in at once; the others wait for a cycle
 
-/// Makes room on a port where the last of `clients` has just come: with more than `most`, the one that has
-/// kept silent longest goes, so that nobody is locked out by connections that say nothing; if all have
-/// spoken, the newcomer does. receive(client) takes in what a client has sent, silent(client) tells whether
+/// Makes room on a port where the last of `clients` has just come. With more than `most`, the one that has
+/// kept silent longest goes, so that nobody is locked out by connections that say nothing. If all have
+/// spoken, the newcomer goes. receive(client) takes in what a client has sent, silent(client) tells whether
 /// it has said nothing of use yet.
 template <typename Client, typename Receive, typename Silent>
 void makeRoom(std::vector<std::unique_ptr<Client>>& clients, std::size_t most, const std::string& tooMany,

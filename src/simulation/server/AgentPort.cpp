@@ -132,7 +132,7 @@ void AgentPort::sendSenses() {
   for (const auto& agent : agents_) {
     if (!agent->player || agent->client.broken()) continue;
     const std::string& message = simulation_.message(*agent->player);
-    ++agent->cycles;
+    agent->cycles = std::min(agent->cycles + 1, unsyncedCycles);
     agent->waitingSince = config_.sync ? wallClock() : 0;
     if (message.empty())
       agent->synced = true;  // it has nothing to answer

@@ -58,7 +58,7 @@ private:
     std::optional<PlayerId> player;
     bool admitted = false, sceneAsked = false;
     bool synced = false, everSynced = false;
-    int cycles = 0;           ///< messages sent to it
+    int cycles = 0;           ///< messages sent to it, as far as they count (unsyncedCycles)
     double waitingSince = 0;  ///< wall clock of the last message to it, or of its scene
     bool complained = false;
     bool answersPast = false;  ///< its next answer is to a message from before a restart

@@ -9,9 +9,9 @@
 
 namespace plumbline::training {
 
-/// A kick in the embedded simulator: Seekircher 2015, 3.1.1. A run: the robot has walked up and stopped, or
-/// stands and sways (the seed says which and how); the ball lies within `spread` of where the kick wants it;
-/// the robot plays the motion and walks at once for two seconds while the ball comes to rest.
+/// A kick in the embedded simulator: Seekircher 2015, 3.1.1. In a run the robot has walked up and stopped, or
+/// stands and sways (the seed says which and how). The ball lies within `spread` of where the kick wants it.
+/// The robot plays the motion and walks at once for two seconds while the ball comes to rest.
 /// The cost is motion::KickWish's; the wanted direction is forward.
 /// Figures: distance (along) [m], direction (left of forward) [deg], off (its size), height [m], time [ms],
 /// contact [ms] from the begin to the ball, error, up (1: leans by less than 30 degrees in the end), top (of

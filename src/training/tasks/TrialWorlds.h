@@ -11,9 +11,9 @@ namespace plumbline::training {
 
 /// The worlds that the runs of a task take place in, and the options that say so: engine (of the physics,
 /// "ode"), effects (a file, doc/reference/effects-file.md), draws (0), firstDraw (0). Without draws there is
-/// one world, which has all the effects. With N draws there are N, and a run's seed says which: the first is
-/// the nominal one, each other one has each effect of the file with a chance of one half, always the same
-/// ones; firstDraw begins with a later draw than the nominal one, for worlds that no search has seen. What is
+/// one world, which has all the effects. With N draws there are N, and a run's seed says which. The first is
+/// the nominal one; each other one has each effect of the file with a chance of one half, always the same
+/// ones. firstDraw begins with a later draw than the nominal one, for worlds that no search has seen. What is
 /// good in all of them leans on none of them (domain randomisation: Tobin et al. 2017).
 class TrialWorlds {
 public:

@@ -6,8 +6,8 @@
 namespace plumbline::walking {
 
 /// What the ground does to the feet tells of the velocity: its forces are the mass's acceleration, and where
-/// it presses, the foot stands still - also one that rolls over its edge or is not the one meant to carry,
-/// which the movement of the commanded foot's centre cannot show.
+/// it presses, the foot stands still. That holds, too, of a foot that rolls over its edge or is not the one
+/// meant to carry. The movement of the commanded foot's centre cannot show that.
 class ContactVelocity {
 public:
   explicit ContactVelocity(const RobotModel& robot);

@@ -5,10 +5,9 @@
 
 namespace plumbline::walking {
 
-/// Knows a fall that can no longer be stopped, from the torso's angles and turn rates: a body that tips over
-/// the edge of its feet is a pendulum turned upside down, whose angle plus `lead` times its rate grows and
-/// does not come back once it is over the edge. With lead = sqrt(h/g) that sum is the pendulum's diverging
-/// part.
+/// Knows a fall that can no longer be stopped, from the torso's angles and turn rates. A body that tips over
+/// the edge of its feet is a pendulum turned upside down. Its angle plus `lead` times its rate grows and does
+/// not come back once it is over the edge. With lead = sqrt(h/g) that sum is the pendulum's diverging part.
 struct FallGuardParameters {
   double roll = 0, pitch = 0;  ///< of the sum, beyond which it is a fall [rad]; 0: never
   double lead = 0.16;          ///< [s]

@@ -5,8 +5,8 @@ namespace plumbline::walking {
 
 /// The speed that the walk aims at now: follows what is asked for within the limits of speed and
 /// acceleration. Any mixture of directions is walked within an ellipsoid of the omnidirectional limits
-/// (speed.omniForward ..); more, up to speed.maxForward .., in one direction at a time (Sprint): only when
-/// little else is asked for, has been for a while, and that direction already walks at its limit.
+/// (speed.omniForward ..). More, up to speed.maxForward .., is walked in one direction at a time (Sprint):
+/// only when little else is asked for, has been for a while, and that direction already walks at its limit.
 class SpeedControl {
 public:
   void reset() { *this = {}; }

@@ -62,7 +62,7 @@ Seam seamOfModules() {
     const std::string folder = folderOf(module);
     if (folder.empty() || isPlatform(folder)) continue;
     for (const ModuleInput& input : module.inputs) {
-      const std::string& representation = input.representation->name();
+      const std::string& representation = input.representation;
       if (provided.contains(representation)) continue;
       const bool needed = input.kind == ModuleInput::Kind::required && shared.contains(name);
       (needed ? seam.required : seam.optional).insert(representation);
