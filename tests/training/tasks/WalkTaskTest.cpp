@@ -15,7 +15,7 @@ namespace {
 
 using Options = std::map<std::string, std::string>;
 
-Eigen::VectorXd startOf(const SearchTask& task) {
+Eigen::VectorXd walkStart(const SearchTask& task) {
   Eigen::VectorXd x(static_cast<Eigen::Index>(task.parameters().size()));
   for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = task.parameters()[static_cast<std::size_t>(i)].start;
   return x;
@@ -23,7 +23,7 @@ Eigen::VectorXd startOf(const SearchTask& task) {
 
 TEST(WalkTask, theStartIsTheTypesWalk) {
   WalkTask task(TaskOptions(Options{{"type", "3"}, {"seconds", "4"}}));
-  const TaskOutcome outcome = task.run(startOf(task), 1);
+  const TaskOutcome outcome = task.run(walkStart(task), 1);
   walking::WalkingRobot robot(3);
   const walking::TrialSetup trial{.seed = 1, .tries = 1, .seconds = 4};
   const walking::TrialResult wanted =
@@ -36,7 +36,7 @@ TEST(WalkTask, theStartIsTheTypesWalk) {
 TEST(WalkTask, aRunDependsOnParametersAndSeedAlone) {
   const Options options{{"direction", "sideways"}, {"seconds", "3"}};
   WalkTask used{TaskOptions(options)}, fresh{TaskOptions(options)};
-  const Eigen::VectorXd x = startOf(used);
+  const Eigen::VectorXd x = walkStart(used);
   Eigen::VectorXd other = x;
   other[0] += used.parameters()[0].sigma;
   used.run(other, 3);
@@ -47,7 +47,7 @@ TEST(WalkTask, aRunDependsOnParametersAndSeedAlone) {
 
 TEST(WalkTask, itsFileIsTheWalkOfTheParameters) {
   WalkTask task(TaskOptions(Options{{"type", "1"}, {"direction", "turn"}}));
-  Eigen::VectorXd x = startOf(task);
+  Eigen::VectorXd x = walkStart(task);
   const TaskParameter& one = task.parameters()[0];
   EXPECT_EQ(one.name, "turn_posture_hipHeight");
   x[0] = one.start + one.sigma;
@@ -61,7 +61,7 @@ TEST(WalkTask, itsFileIsTheWalkOfTheParameters) {
   std::filesystem::remove_all(folder);
 }
 
-std::string errorOf(const Options& options) {
+std::string walkError(const Options& options) {
   try {
     WalkTask task{TaskOptions(options)};
     return "no error";
@@ -71,9 +71,9 @@ std::string errorOf(const Options& options) {
 }
 
 TEST(WalkTask, badOptionsAreTold) {
-  EXPECT_EQ(errorOf({{"direction", "up"}}),
+  EXPECT_EQ(walkError({{"direction", "up"}}),
             "option direction: \"up\" is none of forward, backward, sideways, turn, mixture, push");
-  EXPECT_EQ(errorOf({{"tipe", "3"}}), "unknown option \"tipe\"; did you mean \"type\"?");
+  EXPECT_EQ(walkError({{"tipe", "3"}}), "unknown option \"tipe\"; did you mean \"type\"?");
 }
 
 }  // namespace
