@@ -102,8 +102,11 @@ std::string motionFile(const KeyframeMotion& motion, const RobotModel& robot, co
     text += fmt::format("ball: [{:.3f}, {:.3f}]\nballReach: [{:.3f}, {:.3f}]\n", motion.ball.x(),
                         motion.ball.y(), motion.ballReach.x(), motion.ballReach.y());
   if (motion.kick)
-    text += fmt::format("kick: {{distance: {:.2f}, direction: {:.2f}, contact: {:.3f}}}\n",
-                        motion.kick->distance, toDegrees(motion.kick->direction), motion.kick->contact);
+    text += fmt::format(
+        "kick: {{distance: {:.2f}, direction: {:.2f}, contact: {:.3f}, scatter: {:.1f}, spread: {:.2f}, "
+        "rise: {:.2f}}}\n",
+        motion.kick->distance, toDegrees(motion.kick->direction), motion.kick->contact,
+        toDegrees(motion.kick->scatter), motion.kick->spread, motion.kick->rise);
   text += "keyframes:\n";
   for (const Keyframe& frame : motion.keyframes) {
     text += fmt::format("  - {{time: {:.3f}", frame.seconds);

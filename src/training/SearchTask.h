@@ -14,6 +14,9 @@ namespace plumbline::training {
 
 using TaskParameter = motion::SearchedNumber;
 
+/// The name of a figure's spread over many runs is the figure's and this.
+constexpr const char* deviationSuffix = ".deviation";
+
 /// What one run of a task gave: lower costs are better; the figures are for people.
 struct TaskOutcome {
   double cost = 0;
@@ -49,8 +52,9 @@ public:
   virtual const std::vector<TaskParameter>& parameters() const = 0;
   virtual TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) = 0;
   /// What was found as a file that the agent reads, below comment lines of `heading`; empty: there is none.
-  /// figures: means of runs of these parameters, where they were measured. A run with the parameters is a run
-  /// of the file: what it rounds is rounded in both.
+  /// figures: means of runs of these parameters, where they were measured, and standard deviations of the
+  /// runs, whose names end in deviationSuffix. A run with the parameters is a run of the file: what it rounds
+  /// is rounded in both.
   virtual std::string file(const Eigen::VectorXd& parameters, const std::string& heading,
                            const std::map<std::string, double>& figures = {}) const;
 

@@ -34,22 +34,23 @@ void readParameters(const ConfigSection& section, std::vector<TaskParameter>& pa
 
 }  // namespace
 
-Study readStudy(const std::string& path) {
+Study readStudy(const std::string& path, const StudyChanges& changes) {
   const ConfigFile file(path);
   const ConfigSection& root = file.root();
   Study study;
   study.task = root.get<std::string>("task");
+  std::map<std::string, std::string> values = changes.options;
   if (root.has("options")) {
-    std::map<std::string, std::string> values;
     const ConfigSection options = root.section("options");
-    for (const std::string& key : options.keys()) values[key] = options.get<std::string>(key);
-    study.options = TaskOptions(values);
+    for (const std::string& key : options.keys()) values.emplace(key, options.get<std::string>(key));
   }
+  study.options = TaskOptions(values);
   study.optimizer = optimizerNames()[root.has("optimizer") ? root.choice("optimizer", optimizerNames()) : 0];
   const auto count = [&](const char* key, double lowest, double highest, double otherwise) {
     return root.find<double>(key, Range{lowest, highest}).value_or(otherwise);
   };
-  study.search.seed = static_cast<std::uint64_t>(count("seed", 0, most, 1));
+  const auto seed = static_cast<std::uint64_t>(count("seed", 0, most, 1));
+  study.search.seed = changes.seed.value_or(seed);
   study.search.population = static_cast<int>(count("population", 4, 100000, 0));
   study.search.ahead = static_cast<int>(count("ahead", 1, 16, 1));
   study.averaging.first = static_cast<int>(count("runs", 1, Search::mostRuns, 1));

@@ -1,5 +1,7 @@
 #pragma once
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "optimization/Optimizers.h"
@@ -23,7 +25,13 @@ struct Study {
   Search makeSearch() const;
 };
 
+/// What a command line says in place of a study's file.
+struct StudyChanges {
+  std::map<std::string, std::string> options{};  ///< of the task
+  std::optional<std::uint64_t> seed{};
+};
+
 /// Throws ConfigurationError, one line, for a file that cannot be used.
-Study readStudy(const std::string& path);
+Study readStudy(const std::string& path, const StudyChanges& changes = {});
 
 }  // namespace plumbline::training

@@ -67,9 +67,10 @@ expectError 2 'agent: --platform simspak: there is no such platform; did you mea
 
 printf 'standUp:\n  front: standUpFron\n' > "$c/MotionSelector.yaml"
 expectError 2 "agent: $c/MotionSelector.yaml:2: standUp.front there is no motion standUpFron in motions/; did you mean \"standUpFront\"?" "${agent[@]}"
-printf 'standUp:\n  fastBack: standUpBackFaster\n' > "$c/MotionSelector.yaml"
-expectError 2 "agent: $c/MotionSelector.yaml:2: standUp.fastBack there is no motion standUpBackFaster in motions/; did you mean \"standUpBackFast\"?" "${agent[@]}"
-rm "$c/MotionSelector.yaml"
+cp config/MotionSelector.yaml "$c/"
+printf 'overlay: {base: MotionSelector.yaml, values: 1}\nstandUp:\n  fastBack: standUpBackFaster\n' > "$c/robots/type0/MotionSelector.yaml"
+expectError 2 "agent: $c/robots/type0/MotionSelector.yaml:3: standUp.fastBack there is no motion standUpBackFaster in motions/; did you mean \"standUpBackFast\"?" "${agent[@]}"
+cp config/robots/type0/MotionSelector.yaml "$c/robots/type0/"
 expectError 2 'agent: --motion wavy: there is no motion wavy in motions/; did you mean "wave"?' "$bin/agent" --motion wavy
 expectError 2 "agent: --team: a team's name is 1 to 20 printable ASCII characters without blanks, parentheses or quotes" "$bin/agent" --team "two words"
 expectError 2 "start.sh: no server at 127.0.0.1:1: start one first, or give --wait; see start.sh --help" bin/start.sh --port 1

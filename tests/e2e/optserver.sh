@@ -49,3 +49,9 @@ expectError 2 "optserver: $scratch/wrong.yaml:3: unknown key \"popluation\"; did
 sed 's/ahead: 3/ahead: 2/' "$scratch/study.yaml" > "$scratch/other.yaml"
 expectError 2 "optserver: $scratch/farmed/evaluations.jsonl:1: the results of another search (its options, task or program differ); take another folder or remove this one" \
   "$bin/optserver" "$scratch/other.yaml" --folder "$scratch/farmed" --port 0
+# Options and seed of the command line are in place of the study's, in a folder of their own.
+(cd "$scratch" && "$bin/optserver" study.yaml --option dimension=3 --seed 7 --workers 1 --port 0 > changed.out)
+changed=$scratch/study-dimension3-seed7.search
+expectEqual "$(grep -c '^x' "$changed/found.yaml")" 3 "parameters of the changed study"
+grep -q "^# Found by bin/optserver study.yaml --option dimension=3 --seed 7: " "$changed/found.yaml" || fail "the file does not say how it was found"
+expectError 2 'optserver: --option: "dimension" is not KEY=VALUE; see optserver --help' "$bin/optserver" "$scratch/study.yaml" --option dimension --port 0

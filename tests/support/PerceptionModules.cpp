@@ -58,6 +58,7 @@ Striker2 StrikerOutput
 BehaviorCombinator SkillRequest
 BehaviorCombinator BeamRequest
 SkillMoveToPos SkillMoveToPosOutput
+FootSelector ActiveFoot
 SkillGetBall SkillGetBallOutput
 SkillKick SkillKickOutput
 SkillDribble SkillDribbleOutput

@@ -2,19 +2,19 @@
 #include <poll.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <list>
 
+#include "Measuring.h"
 #include "SearchPage.h"
 #include "framework/CommandLine.h"
 #include "framework/ConfigFile.h"
 #include "framework/ConfigFolder.h"
 #include "framework/ConfigurationError.h"
 #include "framework/GuardedMain.h"
-#include "framework/Parallel.h"
 #include "framework/ProgressReport.h"
 #include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
@@ -27,7 +27,8 @@ namespace plumbline {
 namespace {
 
 struct Options {
-  std::string study, folder, motion;
+  std::string study, folder;
+  training::StudyChanges changes;
   farm::FarmOptions farm;
   int workers = 0;
   double every = 5;
@@ -36,6 +37,31 @@ struct Options {
   bool status = false, serves = false, show = false;
   pages::PageServer::Config web{.port = SearchPage::standardPort};
 };
+
+/// What is searched, as one types it.
+std::string commandOf(const Options& options) {
+  std::string text = "bin/optserver " + options.study;
+  for (const auto& [key, value] : options.changes.options) text += fmt::format(" --option {}={}", key, value);
+  if (options.changes.seed) text += fmt::format(" --seed {}", *options.changes.seed);
+  return text;
+}
+
+/// A folder of its own for each study, and for each change of it.
+std::string defaultFolder(const Options& options) {
+  std::string name = std::filesystem::path(options.study).stem().string();
+  for (const auto& [key, value] : options.changes.options) name += fmt::format("-{}{}", key, value);
+  if (options.changes.seed) name += fmt::format("-seed{}", *options.changes.seed);
+  std::ranges::replace(name, '/', '_');
+  return name + ".search";
+}
+
+/// KEY=VALUE.
+void takeOption(const std::string& text, training::StudyChanges& changes) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos)
+    throw CLI::ValidationError("--option", "\"" + text + "\" is not KEY=VALUE");
+  changes.options[text.substr(0, equals)] = text.substr(equals + 1);
+}
 
 /// Workers on this machine; one that ends before the search does is started again, at most once a second.
 class LocalWorkers {
@@ -105,57 +131,23 @@ void writeResult(const Options& options, const training::Study& study, const Sea
   const Optimizer& optimizer = search.optimizer();
   const Eigen::VectorXd found = optimizer.favourite();
   std::string text = fmt::format(
-      "# Found by bin/optserver {}: {} generations, {} runs. The middle of the last\n"
+      "# Found by {}: {} generations, {} runs. The middle of the last\n"
       "# generation; the best single cost was {:.6g}.\n",
-      options.study, optimizer.generations(), search.runs(), optimizer.bestCost());
+      commandOf(options), optimizer.generations(), search.runs(), optimizer.bestCost());
   for (std::size_t i = 0; i < study.parameters.size(); ++i)
     text += fmt::format("{}: {}\n", study.parameters[i].name, found[static_cast<Eigen::Index>(i)]);
   writeFile(options.folder + "/found.yaml", text);
   const std::string heading =
-      fmt::format("Found by bin/optserver {}: seed {}, {} generations, {} runs.", options.study,
-                  study.search.seed, optimizer.generations(), search.runs());
+      fmt::format("Found by {}: seed {}, {} generations, {} runs.", commandOf(options), study.search.seed,
+                  optimizer.generations(), search.runs());
   const std::string file = training::makeTask(study.task, study.options)->file(found, heading);
   if (!file.empty()) writeFile(options.folder + "/" + study.task + ".yaml", file);
-}
-
-/// Mean and standard error of cost and figures over so many seeds that no search has, from the one of this
-/// number on, on all cores. Returns the means.
-std::map<std::string, double> measure(const training::Study& study, const std::string& what,
-                                      const Eigen::VectorXd& values, int runs, std::uint64_t first) {
-  const std::uint64_t fresh = (std::uint64_t{1} << 40) + first;  // beyond the 32 bits of a search's seeds
-  std::vector<training::TaskOutcome> outcomes(static_cast<std::size_t>(runs));
-  const std::size_t jobs = static_cast<std::size_t>(std::min(threadsFor(0), runs));
-  parallel(jobs, static_cast<int>(jobs), [&](std::size_t job) {
-    const auto task = training::makeTask(study.task, study.options);
-    for (std::size_t i = job; i < outcomes.size(); i += jobs) {
-      StopSignal::throwIfCaught();
-      outcomes[i] = task->run(values, fresh + i);
-    }
-  });
-  std::map<std::string, std::pair<double, double>> sums;
-  for (const training::TaskOutcome& outcome : outcomes) {
-    const auto add = [&](const std::string& name, double value) {
-      sums[name].first += value / runs;
-      sums[name].second += value * value / runs;
-    };
-    add("cost", outcome.cost);
-    for (const auto& [name, value] : outcome.figures) add(name, value);
-  }
-  fmt::print("{:<8}", what);
-  for (const auto& [name, sum] : sums)
-    fmt::print("  {} {:.5g} +- {:.2g}", name, sum.first,
-               std::sqrt(std::max(0.0, sum.second - sum.first * sum.first) / runs));
-  fmt::print("\n");
-  std::fflush(stdout);
-  std::map<std::string, double> means;
-  for (const auto& [name, sum] : sums) means[name] = sum.first;
-  return means;
 }
 
 /// Before and after, over the same seeds; the task's file then has the figures. Before alone where nothing
 /// was found yet.
 int measureBoth(const Options& options) {
-  const training::Study study = training::readStudy(options.study);
+  const training::Study study = training::readStudy(options.study, options.changes);
   const std::string path = options.folder + "/found.yaml";
   const bool searched = std::filesystem::exists(path);
   Eigen::VectorXd found(static_cast<Eigen::Index>(study.parameters.size()));
@@ -176,10 +168,11 @@ int measureBoth(const Options& options) {
   }
   const std::map<std::string, double> figures =
       measure(study, "found", found, options.measured, options.firstSeed);
-  std::string heading = fmt::format(
-      "Found by bin/optserver {}: seed {}.\nMeans of {} tries with fresh seeds from {} on:", options.study,
-      study.search.seed, options.measured, options.firstSeed);
-  for (const auto& [name, value] : figures) heading += fmt::format(" {} {:.4g}", name, value);
+  std::string heading =
+      fmt::format("Found by {}: seed {}.\nMeans of {} tries with fresh seeds from {} on:", commandOf(options),
+                  study.search.seed, options.measured, options.firstSeed);
+  for (const auto& [name, value] : figures)
+    if (!name.ends_with(training::deviationSuffix)) heading += fmt::format(" {} {:.4g}", name, value);
   const std::string text = training::makeTask(study.task, study.options)->file(found, heading, figures);
   const std::string file = options.folder + "/" + study.task + ".yaml";
   if (text.empty()) return 0;
@@ -198,7 +191,7 @@ int waitForEnd(const StopSignal& stop) {
 }
 
 int serve(Options& options) {
-  const training::Study study = training::readStudy(options.study);
+  const training::Study study = training::readStudy(options.study, options.changes);
   if (options.show && !std::filesystem::exists(options.folder + "/evaluations.jsonl"))
     throw std::runtime_error(options.folder + ": no evaluations.jsonl there, so there is nothing to show");
   std::filesystem::create_directories(options.folder);
@@ -267,6 +260,16 @@ int runProgram(int argc, char** argv) {
                "optserver");
   app.add_option("STUDY", options.study,
                  "What is searched and how, as config/optimisation/standUpFront.yaml");
+  app.add_option_function<std::vector<std::string>>(
+         "--option",
+         [&options](const std::vector<std::string>& all) {
+           for (const std::string& one : all) takeOption(one, options.changes);
+         },
+         "KEY=VALUE of the task in place of the study's: --option type=3; as often as wanted")
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--seed", options.changes.seed, "Of the search, in place of the study's")
+      ->check(CLI::Range(0, 1'000'000'000));
   app.add_option("--folder", options.folder,
                  "Where results go [NAME.search]; one that is there is gone on with");
   app.add_option("--workers", options.workers, "Workers to start on this machine")
@@ -317,6 +320,7 @@ int runProgram(int argc, char** argv) {
   app.footer("Tasks:\n" + tasks +
              "Stopped or killed, it goes on where it was with the same command.\n"
              "Examples:\n  bin/optserver config/optimisation/standUpFront.yaml --workers 2\n"
+             "  bin/optserver config/optimisation/standUpFront.yaml --option type=3 --workers 2\n"
              "  bin/optserver config/optimisation/standUpFront.yaml --measure 1000\n"
              "  bin/optserver config/optimisation/standUpFront.yaml --web --show\n"
              "  bin/optserver --status\n"
@@ -330,8 +334,7 @@ int runProgram(int argc, char** argv) {
     fmt::print(stderr, "optserver: {}\n", commandLineError(app, "STUDY is missing"));
     return 2;
   }
-  if (options.folder.empty())
-    options.folder = std::filesystem::path(options.study).stem().string() + ".search";
+  if (options.folder.empty()) options.folder = defaultFolder(options);
   return options.measured > 0 ? measureBoth(options) : serve(options);
 }
 

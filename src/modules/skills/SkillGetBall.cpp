@@ -20,12 +20,6 @@ BallApproach SkillGetBall::requestedApproach() const {
   return BallApproach::none;
 }
 
-void SkillGetBall::chooseFoot() {
-  const double side = theBallPos->relative.y();
-  if (side > 0.03) foot_ = Side::left;
-  if (side < -0.03) foot_ = Side::right;
-}
-
 const Kick& SkillGetBall::chooseKick(double metres) {
   const SkillKickParameters& all = *theSkillKickParameters;
   const Kick& shorter = all.kickFor(metres - kickMargin);
@@ -66,8 +60,7 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   }
 
   output.active = theSkillRequest->skill == Skill::getBall;
-  chooseFoot();
-  const double mirror = foot_ == Side::left ? -1 : 1;
+  const double mirror = theActiveFoot->foot == Side::left ? -1 : 1;
   double heading = theSkillRequest->target.heading;
   Vec2 place(dribbleDistance, 0);
   // Where the ball will be when the robot is there, in its frame.
@@ -99,7 +92,7 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   output.motion = Motion::walk;
   output.walkVelocity = command.velocity;
   output.walkTurn = command.turn;
-  output.kickFoot = foot_;
+  output.kickFoot = theActiveFoot->foot;
   output.kickBall = theBallPos->relative;
 }
 

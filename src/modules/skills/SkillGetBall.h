@@ -7,6 +7,7 @@
 #include "representations/modeling/BallPos.h"
 #include "representations/modeling/OtherRobots.h"
 #include "representations/modeling/RobotPose.h"
+#include "representations/skills/ActiveFoot.h"
 #include "representations/skills/SafeWalkDirection.h"
 #include "representations/skills/SkillGetBallOutput.h"
 #include "representations/skills/SkillKickParameters.h"
@@ -20,6 +21,7 @@ MODULE(SkillGetBall)
   REQUIRES(RobotPose)
   REQUIRES(BallPos)
   REQUIRES(SkillKickParameters)
+  REQUIRES(ActiveFoot)
   REQUIRES_IF_PROVIDED(SafeWalkDirection)
   REQUIRES_IF_PROVIDED(OtherRobots)
   PROVIDES(SkillGetBallOutput)
@@ -55,8 +57,6 @@ public:
 
 private:
   BallApproach requestedApproach() const;
-  /// The foot on the ball's side, with some reluctance to change it.
-  void chooseFoot();
   /// The kick for a way of the ball [m], with some reluctance to change it.
   const Kick& chooseKick(double metres);
   /// Whether the robot stands exactly enough, off by `error` [m] and `heading` [rad]. Once it does, more is
@@ -67,7 +67,6 @@ private:
 
   Vec2 bias_ = Vec2::Zero();  ///< in the robot's frame [m/s]
   bool atBall_ = false, sprinting_ = false;
-  Side foot_ = Side::right;
   std::string kick_;  ///< the motion of the kick that was chosen last
 };
 

@@ -1,5 +1,6 @@
 #include "training/tasks/KickTask.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -15,7 +16,8 @@ constexpr double fade = 0.06;     // as WalkingEngine fades into the walk [s]
 constexpr double walkedUp = 0.6;  // share of the runs that begin with a walk
 constexpr int cyclesToFly = 10;   // after the motion, before the ball goes on alone
 constexpr int mostStarts = 1000;
-const FieldSize field = simulation::WorldConfig().field;  // of the trial's world
+constexpr double leastScatter = 0.01, leastSpread = 0.05;  // that a file may have [rad, m]
+const FieldSize field = simulation::WorldConfig().field;   // of the trial's world
 const double ballRadius = field.ballRadius;
 constexpr double shotFrom = 3, shotTo = 8;  // where a goal stands that one shoots at [m]
 constexpr std::size_t startsKept = 4096;
@@ -179,9 +181,15 @@ TaskOutcome KickTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed)
 std::string KickTask::file(const Eigen::VectorXd& parameters, const std::string& heading,
                            const std::map<std::string, double>& figures) const {
   motion::KeyframeMotion kick = kick_->written(parameters, dt);
-  if (!figures.empty())
-    kick.kick = KickEffect{figures.at("distance"), fromDegrees(figures.at("direction")),
-                           1e-3 * figures.at("contact")};
+  if (!figures.empty()) {
+    const auto deviation = [&](const std::string& name) { return figures.at(name + deviationSuffix); };
+    kick.kick = KickEffect{.distance = figures.at("distance"),
+                           .direction = fromDegrees(figures.at("direction")),
+                           .contact = 1e-3 * figures.at("contact"),
+                           .scatter = std::max(fromDegrees(deviation("direction")), leastScatter),
+                           .spread = std::max(deviation("distance"), leastSpread),
+                           .rise = std::max(figures.at("height"), 0.0)};
+  }
   return motion::motionFile(kick, worlds_.first().model, heading);
 }
 

@@ -11,9 +11,10 @@ namespace {
 
 constexpr std::size_t mostKept = 4096;
 constexpr int mostFalls = 1000;
+constexpr double walkSeconds = 2;
 
 int typeOf(const TaskOptions& options) {
-  options.check(withWorldOptions({"type", "direction", "weight", "motion"}));
+  options.check(withWorldOptions({"type", "direction", "weight", "motion", "still"}));
   return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
 }
 
@@ -22,6 +23,7 @@ int typeOf(const TaskOptions& options) {
 StandUpTask::StandUpTask(const TaskOptions& options)
     : direction_(options.word("direction", "front", {"front", "back"}) == "front" ? 1 : -1),
       weight_(options.number("weight", 0.08, 0, 100)),
+      still_(options.number("still", 0, 0, 1)),
       worlds_(options, typeOf(options)) {
   try {
     first_ = worlds_.first().motion(options.word("motion", direction_ > 0 ? "standUpFront" : "standUpBack"));
@@ -56,7 +58,7 @@ TaskOutcome StandUpTask::tryMotion(const motion::KeyframeMotion& motion, std::ui
   trial.play(motion);
   TaskOutcome outcome;
   const double milliseconds = 1e3 * trial.elapsed;
-  WalkOn walk(trial);
+  WalkOn walk(trial, walkSeconds, still_);
   walk.begin(trial.player.angles());
   while (!walk.isOver()) walk.step();
   outcome.cost = walk.error() + weight_ * milliseconds;
@@ -75,8 +77,8 @@ std::string StandUpTask::file(const Eigen::VectorXd& parameters, const std::stri
 }
 
 MAKE_TASK(standUp, {"standUp",
-                    "standing up from front or back: type, direction, weight, motion, engine, effects (a "
-                    "file), draws, firstDraw",
+                    "standing up from front or back: type, direction, weight, motion, still, engine, effects "
+                    "(a file), draws, firstDraw",
                     [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
                       return std::make_unique<StandUpTask>(options);
                     }});

@@ -14,7 +14,9 @@ namespace plumbline::training {
 /// cycles, plus the motion's time [ms] times `weight` (0.08).
 /// Figures: time [ms] of the motion, error (the sum), up (1 if the torso leans by less than 30 degrees in the
 /// end).
-/// Options: type 0 .., direction front or back, weight, motion (a file's name to begin with), TrialWorlds'.
+/// Options: type 0 .., direction front or back, weight, motion (a file's name to begin with), still (share of
+/// the runs in which the robot stands for as long instead of walking, 0: a motion that needs the walk's steps
+/// to stay upright falls where the robot is to stand), TrialWorlds'.
 class StandUpTask : public SearchTask {
 public:
   explicit StandUpTask(const TaskOptions& options);
@@ -36,7 +38,7 @@ private:
   const Lying& lying(std::uint64_t seed);
 
   const int direction_;  ///< 1: on the front
-  const double weight_;
+  const double weight_, still_;
   TrialWorlds worlds_;
   motion::KeyframeMotion first_;
   std::unique_ptr<motion::MotionParameters> parameters_;

@@ -58,6 +58,7 @@ struct GetBallTest : testing::Test {
     kick.kicks[0].ballPosition = {0.16, -0.05};
     kick.tolerance = {0.03, 0.03};
     kick.headingTolerance = 0.15;
+    harness.input<ActiveFoot>();
     harness.input<SkillKickOutput>();  // how a skill wants to stand at the ball, its output says
   }
   // The robot at the origin looks along x, the ball lies here, and shall go along x.
@@ -127,11 +128,13 @@ TEST_F(GetBallTest, aRequestMaySayHowExactlyTheBallHasToGo) {
   EXPECT_TRUE(turnedBy(0.3));
 }
 
-TEST_F(GetBallTest, kicksWithTheFootOnTheBallsSide) {
-  EXPECT_EQ(ballAt({0.16, 0.05}).kickFoot, Side::left);
-  EXPECT_TRUE(ballAt({0.16, 0.05}).atBall);
-  EXPECT_EQ(ballAt({0.16, 0.0}).kickFoot, Side::left);  // reluctant to change
+TEST_F(GetBallTest, kicksWithTheFootThatWasChosen) {
+  EXPECT_FALSE(ballAt({0.16, 0.05}).atBall);
   EXPECT_EQ(ballAt({0.16, -0.05}).kickFoot, Side::right);
+  harness.input<ActiveFoot>().foot = Side::left;
+  EXPECT_TRUE(ballAt({0.16, 0.05}).atBall);
+  EXPECT_EQ(ballAt({0.16, 0.05}).kickFoot, Side::left);
+  EXPECT_FALSE(ballAt({0.16, -0.05}).atBall);
 }
 
 /// Three kicks: 3, 6 and 12 m; the middle one goes 0.1 rad to the left.
@@ -184,6 +187,7 @@ TEST_F(KicksTest, standsWhereTheKickWantsTheBallAndTurnedByItsDirection) {
   harness.cycle();
   EXPECT_TRUE(harness.output<SkillGetBallOutput>().atBall);
   // With the left foot all is mirrored.
+  harness.input<ActiveFoot>().foot = Side::left;
   ball.relative = Vec2(0.20, 0.04);
   harness.cycle();
   EXPECT_FALSE(harness.output<SkillGetBallOutput>().atBall);

@@ -5,6 +5,8 @@
 namespace plumbline::training {
 namespace {
 
+using Options = std::map<std::string, std::string>;
+
 TEST(StandUpTask, aRunDependsOnParametersAndSeedAlone) {
   StandUpTask used{TaskOptions()}, fresh{TaskOptions()};
   Eigen::VectorXd x(static_cast<Eigen::Index>(used.parameters().size()));
@@ -16,6 +18,23 @@ TEST(StandUpTask, aRunDependsOnParametersAndSeedAlone) {
   EXPECT_EQ(a.figures, b.figures);
   used.run(other, 7);
   EXPECT_EQ(used.run(x, 7).cost, b.cost);
+}
+
+/// The fall and the motion are the same; what follows is another.
+TEST(StandUpTask, standsStillAfterwardsInTheShareOfRunsThatIsAskedFor) {
+  StandUpTask walks{TaskOptions()}, stands(TaskOptions(Options{{"still", "1"}})),
+      some(TaskOptions(Options{{"still", "0.5"}}));
+  int stood = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const double walked = walks.tryMotion(walks.first(), seed).cost;
+    const double still = stands.tryMotion(stands.first(), seed).cost;
+    const double either = some.tryMotion(some.first(), seed).cost;
+    EXPECT_NE(walked, still);
+    EXPECT_TRUE(either == walked || either == still);
+    stood += either == still;
+  }
+  EXPECT_GT(stood, 0);
+  EXPECT_LT(stood, 6);
 }
 
 }  // namespace

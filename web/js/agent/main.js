@@ -1,4 +1,5 @@
 // Puts the parts of the agent's page together.
+import { Coach } from './coach.js';
 import { DrawingList } from './drawlist.js';
 import { Editor } from './editor.js';
 import { Field } from './field.js';
@@ -26,6 +27,7 @@ const panels = new Panels({ place: $('panels'), link, field, about: (name) => ab
 const drawings = new DrawingList({ place: $('drawingList'), link, field, onChange: keep });
 const motions = new Motions({ place: $('motionList'), link });
 const editor = new Editor({ link, motions, onOpen: keep });
+const coach = new Coach({ link, onOpen: keep });
 motions.onEdit = (name) => editor.open(name);
 const names = new Names({ list: $('list'), filter: $('filter'), onChoose: (name, kind) => panels.choose(name, kind) });
 const graph = new Graph({
@@ -34,8 +36,10 @@ const graph = new Graph({
   onModule: (name) => { $('filter').value = name; names.draw(); },
 });
 drawings.onShown = () => moment.again();
-$('toModules').onclick = () => editor.close();
-$('toMotion').onclick = () => editor.open();
+// One view at a time.
+$('toModules').onclick = () => { coach.close(); editor.close(); };
+$('toMotion').onclick = () => { coach.close(); editor.open(); };
+$('toFormation').onclick = () => { editor.close(); coach.open(); };
 const moment = new Moment({ place: $('moment'), link });
 for (const button of document.querySelectorAll('#cameras button')) button.onclick = () => field.choose(button.dataset.look);
 
@@ -44,7 +48,7 @@ let restored = false;
 function keep() {
   if (!restored) return;
   const state = [...panels.state(), ...drawings.names().map((name) => ['draw', name]), ...[...field.places].map(([name, { frame }]) => ['place', `${name},${frame}`]),
-    ...(editor.isOpen && editor.motion ? [['edit', editor.motion.name]] : [])];
+    ...(editor.isOpen && editor.motion ? [['edit', editor.motion.name]] : []), ...(coach.isOpen ? [['formation', 'open']] : [])];
   history.replaceState(null, '', `${location.pathname}${location.search}#${state.map(([kind, value]) => `${kind}=${value}`).join('&')}`);
   names.mark(panels.names());
 }
@@ -55,6 +59,7 @@ function restore() {
     if (!value) continue;
     if (kind === 'draw') drawings.show(value, true);
     else if (kind === 'edit') editor.open(value);
+    else if (kind === 'formation') coach.open();
     else if (kind === 'place') field.follow(...value.split(','));
     else panels.restore(kind, value.split(','));
   }
@@ -85,6 +90,7 @@ async function refresh() {
   names.take(known.filter(({ kind }) => kind !== 'drawing'));
   drawings.take(known.filter(({ kind }) => kind === 'drawing'));
   editor.offer(known.filter(({ id }) => id.startsWith('motion:')).map(({ id }) => id.slice(7)));
+  coach.offer(known.some(({ id }) => id === 'formation'));
   graph.take(await link.ask('graph'));
   if (!motions.key && known.some(({ id }) => id === 'module:SpecialActions:motions'))
     motions.take((await link.ask('get module:SpecialActions:motions'))[0].value);
@@ -94,7 +100,7 @@ setInterval(() => { if (link.online && !document.hidden) refresh().catch(() => {
 
 // For tests and the console.
 window.plumbline = {
-  link, field, panels, drawings, editor, moment,
+  link, field, panels, drawings, editor, coach, moment,
   state: () => ({
     online: link.online, names: known.length, modules: graph.boxes.size, edges: graph.paths?.length ?? 0,
     panels: panels.state(), drawings: drawings.names(), shapes: field.drawings.count, ground: Boolean(field.ground),

@@ -9,7 +9,6 @@ namespace plumbline {
 namespace {
 
 constexpr std::size_t maxBalls = 50, maxPlaces = 10;
-constexpr double farthest = 100;  ///< [m]
 
 void checkRising(const ConfigSection& file, const std::string& key, const std::vector<double>& values) {
   if (values.size() < 2 || values.size() > maxBalls) file.fail(key, "must have 2 to 50 numbers");

@@ -12,6 +12,8 @@ namespace plumbline {
 /// mirrored, left and right change their names. Team's frame [m].
 class FormationTable {
 public:
+  static constexpr double farthest = 100;  ///< that a ball or place may be from the field's middle [m]
+
   FormationTable() = default;
   /// Throws ConfigurationError with file, line and key.
   explicit FormationTable(const ConfigSection& file);

@@ -1,0 +1,33 @@
+#include "modules/skills/FootSelector.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+
+MAKE_MODULE(FootSelector)
+
+void FootSelector::update(ActiveFoot* theActiveFoot) {
+  const Vec2& ball = theBallPos->field;
+  const bool plays = theSkillRequest->skill == Skill::kick || theSkillRequest->skill == Skill::dribble;
+  const Vec2 way = plays ? Vec2(theSkillRequest->target.position - ball)
+                         : Vec2(theSkillRequest->target.rotation() * Vec2::UnitX());
+  if (way.norm() < 1e-6) return;
+  const Vec2 left = Vec2(-way.y(), way.x()).normalized();
+  double side = left.dot(theRobotPose->pose.position - ball);
+  if (theOtherRobots) {
+    const OtherRobot* nearest = nullptr;
+    double least = opponentDistance;
+    for (const OtherRobot& robot : theOtherRobots->robots) {
+      const double distance = (robot.position - ball).norm();
+      if (robot.mate || robot.fallen || distance >= least) continue;
+      nearest = &robot;
+      least = distance;
+    }
+    if (nearest) side += std::copysign(screens, left.dot(nearest->position - ball));
+  }
+  if (side > stays) theActiveFoot->foot = Side::right;
+  if (side < -stays) theActiveFoot->foot = Side::left;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,33 @@
+#pragma once
+#include "framework/Module.h"
+#include "representations/behavior/SkillRequest.h"
+#include "representations/modeling/BallPos.h"
+#include "representations/modeling/OtherRobots.h"
+#include "representations/modeling/RobotPose.h"
+#include "representations/skills/ActiveFoot.h"
+
+namespace plumbline {
+
+MODULE(FootSelector)
+  REQUIRES(SkillRequest)
+  REQUIRES(RobotPose)
+  REQUIRES(BallPos)
+  REQUIRES_IF_PROVIDED(OtherRobots)
+  PROVIDES(ActiveFoot)
+  PARAMETER(double, stays, 0.03, "m", Range(0, 1),
+            "the robot has to be this far on the other side of the ball's way before the foot changes")
+  PARAMETER(double, opponentDistance, 0.8, "m", Range(0, 5),
+            "an opponent this near to the ball is screened off")
+  PARAMETER(double, screens, 0.04, "m", Range(0, 1),
+            "then the robot counts as so much nearer to the side that the opponent is on")
+END_MODULE
+
+/// Which foot plays the ball (Seekircher 2015, A.3): the one that is behind the ball sooner. A robot that
+/// stands to the left of the ball's way has the ball before its right foot. With an opponent at the ball the
+/// robot comes between the two, if it does not matter otherwise.
+class FootSelector : public FootSelectorBase {
+public:
+  void update(ActiveFoot* theActiveFoot) override;
+};
+
+}  // namespace plumbline
