@@ -25,8 +25,8 @@ report() {
   } > "$page.new" && mv "$page.new" "$page" && echo "$page"
 }
 [[ ${1-} == --report ]] && { report; exit; }
-areas=("$@")
-((${#areas[@]})) || mapfile -t areas < <(find tests -mindepth 1 -maxdepth 1 -type d ! -name bench ! -name support ! -name data \
+areas=("$@") part=$#
+((part)) || mapfile -t areas < <(find tests -mindepth 1 -maxdepth 1 -type d ! -name bench ! -name support ! -name data \
   ! -name diagnosis ! -name build ! -name e2e -printf '%f\n' | LC_ALL=C sort)
 find build/Coverage/cmake -name '*.gcda' -delete 2> /dev/null || true
 status=0
@@ -39,10 +39,10 @@ echo "${areas[*]}" > build/coverage/areas.txt
 find build/Coverage/cmake -name '*.gcno' -print0 | xargs -0 -r gcov -t -r 2> /dev/null | awk '
   /^ *-: +0:Source:/ { file = $0; sub(/.*:Source:/, "", file); wanted = file ~ /^src\//; next }
   wanted && match($0, /^ *([0-9]+\*?|#+|=+): *[0-9]+:/) {
-    split($0, f, ":"); gsub(/ /, "", f[1]); gsub(/ /, "", f[2])
-    key = file SUBSEP f[2]
+    split($0, part, ":"); gsub(/ /, "", part[1]); gsub(/ /, "", part[2])
+    key = file SUBSEP part[2]
     if (!(key in all)) all[key] = 0
-    if (f[1] ~ /^[0-9]/ && f[1] + 0 > 0) all[key] = 1
+    if (part[1] ~ /^[0-9]/ && part[1] + 0 > 0) all[key] = 1
   }
   END {
     for (key in all) {
@@ -54,5 +54,12 @@ find build/Coverage/cmake -name '*.gcno' -print0 | xargs -0 -r gcov -t -r 2> /de
     for (d in lines) printf "%-16s %5.1f %% of %6d lines\n", "src/" d, 100 * run[d] / lines[d], lines[d]
   }' | LC_ALL=C sort > build/coverage/folders.txt
 for file in lines files; do [[ ! -f build/coverage/$file.txt ]] || LC_ALL=C sort -t: -k1,1 -k2n -o build/coverage/$file.txt build/coverage/$file.txt; done
+# Of other folders only headers were met.
+if ((part)); then
+  for list in folders files; do
+    grep -E "src/($(IFS='|'; echo "${areas[*]}"))[ /]" build/coverage/$list.txt > build/coverage/$list.new || true
+    mv build/coverage/$list.new build/coverage/$list.txt
+  done
+fi
 cat build/coverage/folders.txt
 exit $status
