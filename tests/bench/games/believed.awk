@@ -31,7 +31,7 @@ function asortOf(a, m,   gap, i, j, value) {
 END {
   players = 0
   print "## What players believe of ball and others\n"
-  print "One game of 2 x 60 s, all eleven players, compared twice a second with the monitor's scene: median and 95th percentile of the error in the field's frame [m], and how many beliefs of a player at a time, by distance. The player's own place is in it. Alone: own sight, tracked; team: with mates' words.\n"
+  print "One game of 2 x 60 s. The estimates of all eleven players are compared twice a second with the monitor's scene. The table shows median and 95th percentile of the error in the field's frame [m] by distance, and the number of estimates of a player at a time. The error of the player's own pose is included. Alone: only what the player sees, tracked; team: with messages of team mates.\n"
   print "| | | nearer than 3 m | 3 to 8 m | farther | |\n|---|---|---|---|---|---|"
   for (s in scenes) ++players
   for (w = 1; w <= 3; ++w) for (b = 1; b <= 2; ++b) {

@@ -40,7 +40,7 @@ awk -F'\t' -v seed="$seed" -v json="$out.json" '
   { ++n; missed += $5; falls += $6; if ($3) { at[++scored] = $4; if ($5 == 0) ++first } }
   END {
     print "## One robot from set starts\n"
-    printf "%d starts, seeds from %d: ball 1 to 13.5 m ahead in the other half, robot 0.5 to 3 m from it in any direction, types 0 to 4 in turn, at most 60 s; shares with their 95 %% intervals (Wilson).\n\n", n, seed
+    printf "%d starts, seeds from %d: ball 1 to 13.5 m ahead in the other half, robot 0.5 to 3 m from it in any direction, types 0 to 4 in turn, at most 60 s. Shares have 95 %% intervals (Wilson).\n\n", n, seed
     print "| | |\n|---|---|"
     printf "| scored | %s |\n| scored with no ball over the line beside or over the goal | %s |\n", interval(scored, n), interval(first, n)
     printf "| balls into the goal, of all over that line | %s |\n| median time of a goal | %.1f s |\n| falls | %d |\n\n", interval(scored, scored + missed), median(), falls

@@ -37,31 +37,32 @@ RealSplit armSplit(const std::string& name, const std::vector<std::string>& fit)
 }
 
 constexpr const char* pendulumText =
-    R"(Twelve recordings of 6 s: four motions at three firmware gains. All motions at one gain test what was
-found at the other two, in turn. There is no repeat, so nothing is taken off as not closable.
+    R"(Twelve recordings of 6 s: four motions at three firmware gains. In turn, all motions at one gain test the answer
+for the other two. There is no repeat, so no part of the gap counts as not closable.
 )";
 constexpr const char* pendulumLimits =
-    R"(What these recordings cannot tell: the electrical side is known (the duty was recorded and follows the
-control law), so what is missing lies behind it, in motor, gear or load; but published constants of this
-motor differ by 40 % in its resistance and 6 % in its torque per ampere, and a wrong constant looks like
-friction that depends on speed (back-EMF) or like a gain. The mass of the arm and the zero of the angle
-are not known either: an offset, a bias of torque and a centre of mass aside are one thing on one joint.
-One unit, one load, 27 to 40 degrees: friction that depends on temperature is not apart from friction.
+    R"(These recordings leave some questions open. The electrical side is known (the duty was recorded and
+follows the control law), so the missing effects are in motor, gear or load. But published constants of this
+motor differ by 40 % in its resistance and 6 % in its torque per ampere. A wrong constant looks like friction
+that depends on speed (back-EMF) or like a gain. The mass of the arm and the zero of the angle are not known
+either. On a single joint, an offset, a bias of torque and a shifted centre of mass are the same. There is
+one unit with one load at 27 to 40 degrees, so friction that depends on temperature cannot be separated from
+other friction.
 )";
 constexpr const char* armText =
-    R"(Fourteen motions of 120 s, each recorded twice. Windows of four in session 2 are fitted, all of session 2
-of the others is the test. The floor is one session's part of the difference between the two (over the
-square root of two), which holds a new calibration of two joints, too. Tests whose repeat ran under other
-servo settings (prbs_excitation, static_holding) are shown and do not count. What the causes are, and why
+    R"(Fourteen motions of 120 s, each recorded twice. Windows of four motions in session 2 are fitted; the test
+is all of session 2 of the other motions. The floor is one session's part of the difference between the two
+sessions (divided by the square root of two), which includes a new calibration of two joints. Tests whose repeat
+ran with other servo settings (prbs_excitation, static_holding) are shown but do not count. The causes, and why
 one split closes less: [what the recordings show](../reference/real-recordings.md).
 )";
 constexpr const char* armLimits =
-    R"(What these recordings cannot tell: a servo gain lower than the published one and links heavier than their
-model look alike, as all motions stay within 0.15 rad of one pose: another load or pose is needed. Zeros
-of the angles (by hand, 0.2 rad), whether the base stands level and what is mounted on the gripper are in
-the gravity torque, which a bias of torque absorbs. The order of bus transactions leaves 40 % of 5 to 17
-ms open, which is a command_delay of some milliseconds. Signs of Rotation, Wrist_Roll and Jaw are the
-recorder's.
+    R"(These recordings leave some questions open. A servo gain below the published one and links heavier than
+their model look alike, because all motions stay within 0.15 rad of one pose; another load or pose is needed.
+The gravity torque depends on the zeros of the angles (set by hand, 0.2 rad), on whether the base is level, and
+on what is mounted on the gripper. A bias of torque absorbs these. The order of bus transactions leaves 40 % of
+5 to 17 ms open, which is a command_delay of some milliseconds. The signs of Rotation, Wrist_Roll and Jaw are
+those of the recordings.
 )";
 
 }  // namespace

@@ -145,29 +145,26 @@ std::string introduction(const TraceEvidence& evidence) {
          std::to_string(settings().size()) +
          " settings, fits each on recordings of robot types 0, 2 and 4 and judges it on types 1 and 3 (" +
          std::to_string(std::ranges::count(evidence.windows(), true, &TraceWindow::heldOut)) +
-         " windows of 0.1 s). It is told neither what was left out nor the league's values.\n\nGaps are "
-         "typical "
-         "errors on held-out windows in units of what the nominal simulator leaves of its own runs; the "
-         "tenth of "
-         "the windows with the largest errors aside, where a contact came a cycle sooner or later. \"full\": "
-         "the "
-         "simulator with everything in, on the same windows in the same units, which no diagnosis sees. Free "
+         " windows of 0.1 s). It knows neither what was left out nor the league's values.\n\nGaps are "
+         "typical errors on held-out windows, in units of the error of the nominal simulator on its own "
+         "runs. The tenth of the windows with the largest errors is left out, because there a contact came a "
+         "cycle earlier or later. \"full\": "
+         "the complete simulator, on the same windows in the same units, which no diagnosis sees. Free "
          "run: "
-         "torso off after 2 s open loop, median of held-out walks and turns, before and after, mm.\n\n"
+         "error of the torso after 2 s open loop, median of held-out walks and turns, before and after, "
+         "mm.\n\n"
          "| left out | verdict | found (league's value), probability | or | before | after | floor | full | "
          "closed "
          "| free run | s |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
 }
 
 constexpr const char* limits =
-    "\nTwo of these no setting can repair: Bullet's robots have hinges that cannot gape "
-    "(`doc/decisions/0005-bullet-in-reduced-coordinates.md`), and two steps of 10 ms are not one of 20. The "
-    "right "
-    "answer there is unknown.\n\nWhat cannot be known from these recordings: how hinges gape, which is not "
-    "recorded (each window begins with 0.3 s in which the simulator's own hinges settle); settings that only "
-    "rare "
-    "events show, as the joints' bouncing stops, which two recorded kicks touch; and whether another set of "
-    "numbers would do as well outside these motions.\n";
+    "\nIn two of these rows no setting can help: Bullet's robots have rigid hinges "
+    "(`doc/decisions/0005-bullet-in-reduced-coordinates.md`), and two steps of 10 ms differ from one of 20. "
+    "The right answer there is unknown.\n\nThese recordings leave some questions open. They do not show how "
+    "far hinges open (each window begins with 0.3 s in which the simulator's own hinges settle). Only rare "
+    "events show some settings: only two recorded kicks reach the joints' bouncing stops. And another set of "
+    "numbers might work as well outside these motions.\n";
 
 void run(const std::string& folder, const std::string& only, int jobs) {
   const TraceEvidence evidence(readTraces(folder));

@@ -85,26 +85,25 @@ void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, dou
   const auto percent = [](double x) { return std::to_string(std::lround(100 * x)) + " %"; };
   const std::string text =
       "Robots measured: " + number(robots.size()) + " (seed " + number(setup.seed) +
-      "), NAOs in Bullet that have one or two things that the model lacks, drawn as those of sealed sets and "
-      "made stronger "
-      "until the walk trained on the nominal model loses " +
+      "). They are NAOs in Bullet with one or two effects that the model lacks. The effects are drawn as for "
+      "sealed sets and made stronger until the walk trained on the nominal model loses " +
       percent(leastLoss) + " to " + percent(mostLoss) +
       " of its speed. Each is recorded hung up (`hang_sweep`, `hang_fast`, in Bullet, with sensor noise) and "
       "diagnosed by "
       "`bin/gap diagnose --method sets`, whose own dynamics are not Bullet's. `bin/optimizewalk` then "
-      "searches a walk "
-      "forward on the model with what was found (where the verdict is unknown, with the nearest "
-      "explanation), with the very "
-      "search that found the walk without: from the walk of `config/robots/nao_v5`, " +
+      "searches for a forward walk on the model with the effects found (with the nearest explanation if the "
+      "verdict is unknown). The same search found the walk without these effects: from the walk of "
+      "`config/robots/nao_v5`, " +
       number(setup.generations) + " generations of " + number(setup.population) + ", " + number(setup.tries) +
-      " tries of " + number(setup.seconds) + " s. Both walk on the robot itself, " + number(setup.measured) +
-      " tries each with seeds that no search saw.\n\n"
-      "On the nominal robot the walk trained without goes " +
+      " tries of " + number(setup.seconds) + " s. Both walks are tried on the robot itself, " +
+      number(setup.measured) +
+      " tries each with seeds that no search used.\n\n"
+      "On the nominal robot the walk trained without the effects goes " +
       centimetres(onNominal) +
       " cm/s. On the robots themselves it "
       "loses " +
       percent(mean(lostWithout)) + range(" (95 %%: %.0f to %.0f)", lostLow, lostHigh) +
-      " of that; the walks trained with what was found lose **" + percent(mean(lostWith)) + "**" +
+      " of that; the walks trained with the effects found lose **" + percent(mean(lostWith)) + "**" +
       range(" (95 %%: %.0f to %.0f)", lostWithLow, lostWithHigh) + ". Mean gain " + centimetres(mean(gain)) +
       " cm/s" + range(" (95 %% over robots: %+.1f to %+.1f)", lower, upper) + ", " +
       percent(lost > 0 ? std::accumulate(gain.begin(), gain.end(), 0.0) / lost : 0) +

@@ -196,13 +196,14 @@ void write(const std::vector<Case>& cases, const Mechanism& robot, std::uint64_t
       text, sizeof text,
       "A NAO walks in Bullet with the project's own walk, forward, sideways and turning, 12 s each; "
       "`bin/gap diagnose` sees these three runs and nothing else. %zu robots, seed %llu.\n\n"
-      "Named first: %zu of %zu (95 %%: %.2f to %.2f), among three %zu (%.2f to %.2f); false alarms: "
-      "%zu of %zu (up to %.2f); gap closed on half-seconds held out: %.2f on average; %.0f s of CPU on "
-      "average. Severity: what the effect changes in replays of these walks over the noise, in the channel "
-      "that shows it best; less than 3 is drawn again. With nothing in it a robot's head is a millionth of a "
-      "kilogram heavier, another one each, so that no two walk alike. Not blind for seed 1: what is taken "
-      "for the engines' "
-      "own (decision 6) was set on walks without any effect and on robots of that seed.\n\n"
+      "Named first: %zu of %zu (95 %%: %.2f to %.2f), among three %zu (%.2f to %.2f). False alarms: "
+      "%zu of %zu (up to %.2f). Gap closed on half-seconds held out: %.2f on average; %.0f s of CPU on "
+      "average. Severity: the change that the effect makes in replays of these walks, divided by the noise, "
+      "in the channel that shows it best; if it is less than 3, the effect is drawn again. The head of a "
+      "robot without an effect is about a millionth of a kilogram heavier, with another value for each "
+      "robot, so that "
+      "no two walk alike. Seed 1 is not blind: the difference that counts as the engines' own (decision 6) "
+      "was chosen with walks without any effect and with robots of that seed.\n\n"
       "| in the robot | severity | verdict | named | first right | gap, times the noise | CPU s |\n"
       "|---|---|---|---|---|---|---|\n",
       cases.size(), static_cast<unsigned long long>(seed), first, singles, f.lower, f.upper, three, t.lower,

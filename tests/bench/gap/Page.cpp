@@ -70,8 +70,8 @@ std::string introduction(const BenchResult& r) {
 
 std::string figures(const BenchResult& r) {
   std::string text =
-      "\nIntervals are of 95 %: Wilson's for shares, bootstrap over the cases for the rest. Figures are on "
-      "cases with a gap of 3 times the noise or more, and on those without an effect.\n\n" +
+      "\nIntervals are 95 %: Wilson's for shares, bootstrap over the cases for the rest. Figures are for "
+      "cases with a gap of 3 times the noise or more, and for cases without an effect.\n\n" +
       head({"", "value and interval", "cases", "target", "met"});
   for (const Figure& f : r.own.figures) {
     const Target* t = targetOf(f.id);
@@ -101,16 +101,15 @@ std::string severity(const BenchResult& r) {
 std::string besideOthers(const BenchResult& r) {
   if (r.ways.size() < 2) return "";
   std::string text =
-      "\n## Beside simpler ways\n\nOn the same " + std::to_string(r.ways.front().score.cases) +
-      " cases; the oracle is asked only where the library has the effect. A place alone names no effect. The "
-      "simpler ways have no verdict `unknown`; each says `none` by a rule of its own:\n\n"
+      "\n## Comparison with simpler methods\n\nOn the same " + std::to_string(r.ways.front().score.cases) +
+      " cases; the oracle is asked only where the library has the effect. A method that gives only a place "
+      "names no effect. The simpler methods have no verdict `unknown`; each has its own rule for `none`:\n\n"
       "- CMA-ES fit of everything: 450 evaluations of one value per effect at the joint with the largest "
-      "gap, "
-      "its link, the whole robot and the inertial sensor; names the largest deviation in shares of its "
-      "bounds.\n"
-      "- Nested friction models: none, Coulomb, + viscous, + Stribeck, + load at that joint; the least error "
-      "on stretches not fitted chooses, the term that is missed most names.\n"
-      "- Best single effect by BIC: the same search as the diagnosis, nothing held out.\n\n";
+      "gap, its link, the whole robot and the inertial sensor. It names the largest deviation relative to "
+      "its bounds.\n"
+      "- Nested friction models: none, Coulomb, + viscous, + Stribeck, + load at that joint; the smallest "
+      "error on stretches that were not fitted decides, and the term whose removal costs most is named.\n"
+      "- Best single effect by BIC: the same search as the diagnosis, without held-out data.\n\n";
   constexpr const char* columns[] = {"top1",          "place",      "hard",           "false_alarms",
                                      "unknown_found", "mixture_f1", "parameter_error"};
   std::vector<std::string> titles = {""};
@@ -127,15 +126,15 @@ std::string besideOthers(const BenchResult& r) {
 
 constexpr const char* limits =
     "\n## Limits\n\n"
-    "- The reality is a simulated one. Its servo, friction and gear are written apart from those that "
-    "explain, in another engine with other steps, but by the same project and after the same law.\n"
-    "- Sizes are drawn from ranges and then made so that the gap lies between 3 and 100 times the noise "
-    "(12 for pairs that look alike); where a place shows less, it is kept with its ratio and counts by "
-    "severity only. Of a mixture the ratio is the weaker effect's.\n"
-    "- An axis is part of the place. A verdict of unknown names nothing, even where its nearest "
-    "explanation is right.\n"
-    "- The gap closed is what each answer states of its own, on stretches of the runs that it did not fit.\n"
-    "- Where all runs hang, effects of ground, feet and external forces are not drawn.\n";
+    "- The reality is simulated. Its servo, friction and gear are implemented separately from those of the "
+    "diagnosis, in another engine with other time steps, but by the same project and with the same law.\n"
+    "- Sizes are drawn from ranges and then adjusted so that the gap is between 3 and 100 times the noise "
+    "(12 for pairs that look alike). If a place shows less, the case is kept with its ratio and counts only "
+    "by severity. The ratio of a mixture is that of the weaker effect.\n"
+    "- An axis is part of the place. A verdict of unknown names nothing, even if its nearest explanation is "
+    "right.\n"
+    "- The gap closed is each answer's own figure, for stretches of the runs that it did not fit.\n"
+    "- If the robot hangs in all runs, effects of ground, feet and external forces are not drawn.\n";
 
 }  // namespace
 

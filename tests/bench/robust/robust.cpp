@@ -169,10 +169,10 @@ int main() {
       fmt::format(
           "Robot type {}, from `{}`: {} generations of {} candidates with {} runs each, seeds 1 to {}, "
           "once in the nominal world\nand once over {} worlds, of which seven have effects of `{}`. Then {} "
-          "tries of each, seeds from {}\non, ball within 3 x 3 cm, walking on for 2 s: in the nominal world, "
-          "on Bullet, and on 40 drawn robots that no search had\n(draws 1000 to 1039). Falls: leans by more "
-          "than 30 degrees in the end. Cost: the search's own, lower is better;\n30 are a metre. Lost: "
-          "against the nominal world.\n\n{}\n"
+          "tries of each, seeds from {}\non, ball within 3 x 3 cm. The robot then walks for 2 s. The tries "
+          "are in the nominal world, on Bullet, and on 40 drawn robots that no search used (draws 1000 to "
+          "1039). Falls: the robot leans by more than 30 degrees at the end. Cost: the cost of the search, "
+          "lower is better; 30 are a metre. Lost: compared with the nominal world.\n\n{}\n"
           "On Bullet the kick found with draws costs {:.0f} {} in the mean, and less in {} of {} pairs; on "
           "drawn robots {:.0f} {}.\n",
           base.at("type"), base.at("motion"), generations, population, runsOfEach, seeds, drawsOfSearch,

@@ -76,9 +76,9 @@ private:
 void measurePushes(const BenchSetup& setup, Report& report) {
   report.heading("Push recovery");
   report.paragraph(fmt::format(
-      "The largest push in N s over 0.1 s, acting on the whole body, of the NAO at the torso, after "
-      "which the robot is still upright 3 s later in at least 95 % of {} tries. Walking: on the spot "
-      "and forward at 0.3 m/s, the NAO at 0.15. Open loop: the same walk with all feedback at 0.",
+      "The largest push in N s over 0.1 s after which the robot is still upright 3 s later in at least 95 % "
+      "of {} tries. The push acts on the whole body, for the NAO at the torso. Walking: on the spot and "
+      "forward at 0.3 m/s, the NAO at 0.15. Open loop: the same walk with all feedback at 0.",
       setup.tries));
   report.tableHead({"robot", "loop", "doing", directions[0], directions[1], directions[2], directions[3]});
   const std::vector<Subject> robots = embedded(subjects(setup.robots, false));

@@ -58,14 +58,12 @@ void tableOnTheSpot(const std::vector<Subject>& subjects, const BenchSetup& setu
                     Page& page) {
   report.heading("Walking on the spot (table 4.3)");
   report.paragraph(
-      "Five minutes, requested speed 0. Predicted state at the end of a step minus the observed one (mm, "
-      "mm/s; y "
-      "to the outside), change of the target within the step (mm), distance of the supporting foot from its "
-      "place in the reference: of the mean, and mean over the steps (mm). Predicts: the model was optimised "
-      "on "
-      "20 s of steps, twice, and tells the closed loop what the robot will do; plans: one that is safe to "
-      "walk "
-      "by plans the steps, too.");
+      "Five minutes, requested speed 0. The columns x to y' are the predicted state at the end of a step "
+      "minus the observed one (mm, mm/s; y to the outside). The next ones are the change of the target "
+      "within the step (mm), and the distance of the support foot from its place in the reference: of the "
+      "mean, and mean over the steps (mm). Predicts: the model was optimised on 20 s of steps, twice, and "
+      "tells the closed loop what the robot will do. Plans: a model that is safe for walking also plans the "
+      "steps.");
   report.tableHead({"robot", "model", "x", "x'", "y", "y'", "change x", "change y", "foot mean",
                     "foot mean abs", "falls"});
   measureEach(subjects.size(), setup, report, page, [&](std::size_t i, Report& part, Page& figures) {
