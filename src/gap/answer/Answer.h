@@ -8,7 +8,7 @@
 
 namespace plumbline::gap {
 
-/// What an answer says of the runs it rests on.
+/// What an answer says about the runs that it uses.
 struct RunNotes {
   std::string folder, motion;
   bool freeBase = false;
@@ -23,8 +23,8 @@ struct AnswerInput {
   std::string nextMotion;
 };
 
-/// The answer as JSON text: the contract's fields, and what a report shows beside
-/// (doc/reference/gap-answer.md). Leaves the evaluator with the explanation as its base.
+/// The answer as JSON text: the fields of doc/reference/gap-answer.md and further ones for the report. Sets
+/// the evaluator's base to the explanation.
 std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Evaluator& evaluator);
 
 /// The verdict in a sentence or two, for people.

@@ -14,7 +14,7 @@ struct NamedCause {
   double value = 0, probability = 0;
 };
 
-/// What of an answer counts.
+/// The scored part of an answer.
 struct BlindAnswer {
   std::string name;     ///< of the case
   std::string verdict;  ///< none, effect, unknown; empty: there is no answer
@@ -25,8 +25,8 @@ struct BlindAnswer {
   std::optional<double> closed;
 };
 
-/// Reads FOLDER/<case>.json for each case; one that is missing gets an empty verdict, which scores as wrong.
-/// Throws ConfigurationError for a file that is no answer, and where there is none at all.
+/// Reads FOLDER/<case>.json for each case; a missing one gets an empty verdict, which counts as wrong. Throws
+/// ConfigurationError for a file that is no answer, and if there is no answer at all.
 std::vector<BlindAnswer> readAnswers(const BlindSet& set, const std::string& folder);
 
 /// A figure with its interval of 95 %.
@@ -36,7 +36,7 @@ struct Figure {
   std::size_t count = 0;  ///< cases, or answers, that it rests on; 0: there is no value
 };
 
-/// Answers whose probability lies in a range: what they say on average, and how many of them are right.
+/// Answers whose probability lies in a range: their mean probability, and how many of them are right.
 struct CalibrationBin {
   double from = 0, to = 0;
   double stated = 0;  ///< mean of the probabilities given
@@ -54,9 +54,9 @@ struct BlindScore {
   const Figure& figure(std::string_view id) const;
 };
 
-/// Scores answers, in the set's order, as BlindJudge judges each. What is not answered is wrong; `unknown`
-/// is wrong wherever the library has the effect, even where its nearest explanation is the right one, and any
-/// other verdict is where it has not. Only effects named under the verdict `effect` count for calibration.
+/// Scores answers, in the set's order, each by BlindJudge. A missing answer is wrong. `unknown` is wrong if
+/// the library has the effect, even if its nearest explanation is right; every other verdict is wrong if it
+/// has not. Only effects named under the verdict `effect` count for calibration.
 BlindScore scoreBlind(const BlindSet& set, const std::vector<BlindAnswer>& answers, const Mechanism& robot);
 
 std::string scoreTable(const BlindScore& score);

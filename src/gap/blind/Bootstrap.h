@@ -8,8 +8,8 @@
 
 namespace plumbline::gap {
 
-/// Interval of 95 % of a statistic: percentile bootstrap (Efron 1979). The same sample draws the same; it
-/// must not be empty.
+/// Interval of 95 % of a statistic: percentile bootstrap (Efron 1979). The same sample gives the same
+/// interval; it must not be empty.
 template <class T, class Statistic>
 std::pair<double, double> bootstrapInterval(const std::vector<T>& sample, Statistic&& statistic,
                                             std::size_t times) {

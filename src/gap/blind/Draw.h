@@ -17,17 +17,17 @@ struct DrawOptions {
   bool outside = true;  ///< whether the engine has effects that the library lacks
 };
 
-/// The kinds of so many cases: a fifth none, a seventh each of mixtures, of effects outside the library and
-/// of hard ones, the rest singles. In an order that the seed draws.
+/// The kinds of the cases: a fifth none, a seventh each mixtures, effects outside the library and hard ones,
+/// the rest singles. The seed draws the order.
 std::vector<BlindKind> drawKinds(const DrawOptions& options);
 
-/// Effects for one case, sizes within the range of each effect (doc/reference/gap-blind.md). `turn` walks
-/// through the effects, so that a set has all of them before any comes again.
+/// Effects for one case, sizes within the range of each effect (doc/reference/gap-blind.md). `turn` selects
+/// the effects in turn, so that a set has every effect once before it repeats any.
 std::vector<BlindEffect> drawEffects(const Mechanism& robot, BlindKind kind, std::size_t turn,
                                      const DrawOptions& options, Random& random);
 
-/// The effect with its distance from nominal so many times as large (where the value is a limit or a factor
-/// below 1: as much stronger). Stays within the library's bounds.
+/// The effect with its distance from nominal multiplied (for limits and factors below 1: its strength). Stays
+/// within the library's bounds.
 BlindEffect strengthened(const Mechanism& robot, BlindEffect effect, double factor);
 
 /// Programs of a battery, in order; the last one repeats one before it.

@@ -17,17 +17,17 @@ struct BlindMakeOptions {
   std::function<void(std::size_t done)> progress = {};  ///< may throw to stop; called from any thread
 };
 
-/// The gap that every effect of a case is given at least, and is held below where that can be done.
+/// Least gap over noise of every effect of a case, and the largest, if it can be reached.
 constexpr double leastRatio = 3, mostRatio = 100, mostRatioOfHard = 12;
 
 /// Makes a benchmark: OUTPUT/<case>/run1.. and OUTPUT/answers.sealed. Sizes are drawn, then made larger or
-/// smaller until the gap that they cause is in range; a place where that cannot be had is drawn anew, and
-/// what is reached in the end is kept with its ratio. Same options, same bytes, whatever `jobs` is. Throws
-/// std::runtime_error, one line, nothing left behind, where the engine's program is missing or fails.
+/// smaller until their gap is in range. If that is impossible at a place, another place is drawn; the last
+/// result is kept with its ratio. The same options give the same bytes, whatever `jobs` is. Throws
+/// std::runtime_error (one line, nothing left behind) if the engine's program is missing or fails.
 BlindSet makeBlind(const BlindMakeOptions& options);
 
-/// Severity of the runs in one folder against noise-free nominal ones in another, run by run; the channel
-/// that shows it best as "run/channel".
+/// Severity of the runs in one folder compared with noise-free nominal runs in another; `channel` is the one
+/// that shows it best, as "run/channel".
 struct Severity {
   double ratio = 0;
   std::string channel;

@@ -8,11 +8,11 @@
 namespace plumbline::gap {
 
 /// Effects outside the library for a robot in an engine (doc/reference/gap-blind.md lists them), at the
-/// drives of joints, and the accelerometer's bias. Joints of one motor have them alike.
+/// drives of joints, and the accelerometer's bias. Joints with a common motor have the same effect.
 class OutsideDrives : public OutsideEffects {
 public:
-  /// The robot must outlive it. Throws std::runtime_error for an effect that is none of these, or a place
-  /// that the robot lacks.
+  /// The robot must outlive it. Throws std::runtime_error for another effect, or a place that the robot does
+  /// not have.
   OutsideDrives(const Mechanism& robot, const std::vector<BlindEffect>& effects);
 
   void start(const std::vector<double>& commands) override;
@@ -25,7 +25,7 @@ private:
     double drift = 0, integral = 0, lag = 0, crosstalk = 0;
     double rest = 0, lagged = 0, summed = 0, bristleAt = 0;
   };
-  /// What an effect's value is added to.
+  /// The member to which an effect's value is added.
   static double Drive::*sizeOf(const std::string& effect);
   double torque(Drive& drive, double q, double speed) const;
   double targetFor(Drive& drive, std::size_t joint, double time, double h, double measured,

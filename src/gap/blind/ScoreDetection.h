@@ -11,27 +11,27 @@ struct Detection {
   bool found = false;
 };
 
-/// Severity from which on a share is found, with its interval of 95 %. Outside of the severities tried
-/// nothing is known: a value at or below the least one is that one with `below` set, one above the largest is
-/// infinite (so is the interval's end).
+/// Severity from which on a share is found, with its interval of 95 %. Nothing is known outside of the
+/// severities tried. A value at or below the smallest one is the smallest one, with `below` set; a value
+/// above the largest is infinite, and so is the interval's end.
 struct DetectionLimit {
   double ratio = 0, lower = 0, upper = 0;
   bool below = false;
   std::size_t count = 0;  ///< cases it rests on; 0: there is no value
 };
 
-/// Logistic regression of `found` on the logarithm of the severity, with Firth's penalty, which stays finite
-/// where all or none are found (Firth, Biometrika 80, 1993; Heinze and Schemper, Statistics in Medicine 21,
-/// 2002), solved for the share. The interval is a bootstrap's over the cases. Where more is found of weak
-/// ones than of strong ones, severity explains nothing: infinite, or `below`, by the share that is found.
+/// Logistic regression of `found` on the logarithm of the severity, solved for the share. Firth's penalty
+/// keeps it finite if all or none are found (Firth, Biometrika 80, 1993; Heinze and Schemper, Statistics in
+/// Medicine 21, 2002). The interval is a bootstrap over the cases. If weak effects are found more often than
+/// strong ones, severity explains nothing: the result is infinite, or `below`, depending on the share found.
 DetectionLimit detectionLimit(const std::vector<Detection>& trials, double share = 0.9);
 
-/// How an effect of the library fared over a set.
+/// How often an effect of the library was found in a set.
 struct EffectScore {
   std::string effect;
   std::size_t singles = 0, found = 0;               ///< named first at its place, any severity
   std::size_t ofMixtures = 0, foundInMixtures = 0;  ///< named at its place, in any order
-  /// Of singles: the least severity from which on every case was found; none where the strongest was missed.
+  /// For singles: the smallest severity from which on every case was found; none if the strongest was missed.
   std::optional<double> allFoundFrom;
   std::optional<double> weakestFound, strongestMissed;
 };
@@ -40,7 +40,7 @@ struct EffectScore {
 std::vector<EffectScore> effectScores(const BlindSet& set, const std::vector<BlindAnswer>& answers,
                                       const Mechanism& robot);
 
-/// Singles as trials. seen: found is any verdict but `none`; else effect and place first.
+/// Singles as trials. seen: `found` means any verdict except `none`; otherwise effect and place first.
 std::vector<Detection> detectionsOf(const BlindSet& set, const std::vector<BlindAnswer>& answers,
                                     const Mechanism& robot, bool seen);
 

@@ -3,14 +3,14 @@
 
 namespace plumbline::gap {
 
-/// What is asked of one case and its answer. Only the verdict `effect` names anything; an effect is found
-/// where id, place and axis are right, two joints of one motor being one place.
+/// Judges one case and its answer. Only the verdict `effect` names something. An effect is found if id, place
+/// and axis are right; two joints of one motor are one place.
 class BlindJudge {
 public:
   explicit BlindJudge(const Mechanism& robot) : robot_(robot) {}
 
   bool same(const BlindEffect& truth, const NamedCause& named) const;
-  /// The effect is among those named, rivals aside.
+  /// The effect is among those named, not counting rivals.
   bool named(const BlindEffect& truth, const BlindAnswer& a) const;
   /// The strongest effect named is the case's first one.
   bool first(const BlindCase& c, const BlindAnswer& a) const;
@@ -18,7 +18,7 @@ public:
   /// The strongest effect named, then its rivals and the other effects by probability, each cause once: among
   /// the first three.
   bool amongThree(const BlindCase& c, const BlindAnswer& a) const;
-  /// How many of the case's effects are named, each by an effect of its own.
+  /// How many of the case's effects are named, each by a different effect of the answer.
   std::size_t both(const BlindCase& c, const BlindAnswer& a) const;
   /// 2 |both| / (|named| + |true|).
   double setF1(const BlindCase& c, const BlindAnswer& a) const;

@@ -7,25 +7,25 @@
 
 namespace plumbline::gap {
 
-/// What simulates a benchmark's reality, beside the engines for servo robots by their names
-/// (simulation/servo/RobotSimulation.h): the dynamics that explain, in finer steps; a program of its own.
+/// What simulates a benchmark's reality, besides the engines for servo robots by their names
+/// (simulation/servo/RobotSimulation.h): the diagnosis' own dynamics in finer steps, or a separate program.
 inline const std::string blindReplay = "replay", blindProgram = "program";
-/// Throws std::invalid_argument for a name of none, with what to install where it is that.
+/// Throws std::invalid_argument for an unknown name; the message says what to install if that is the reason.
 void requireBlindEngine(const std::string& engine);
 
 /// Writes the runs of one robot with effects into a folder, in one of the engines.
 class Workshop {
 public:
-  /// robotName: for a program of its own, whose file `program` is. The robot must outlive it. Throws
-  /// std::runtime_error where that program is not there.
+  /// robotName: for a separate program, whose file is `program`. The robot must outlive this object. Throws
+  /// std::runtime_error if that program is missing.
   Workshop(std::string engine, std::string robotName, const Mechanism& robot,
            std::vector<std::string> programs, std::string program);
 
   /// Folders of the runs, in order.
   std::vector<std::string> runs() const;
 
-  /// Replaces the folder by one run for each program. Throws std::runtime_error where the engine lacks an
-  /// effect or its program fails.
+  /// Replaces the folder by one run for each program. Throws std::runtime_error if the engine does not have
+  /// an effect or its program fails.
   void write(const std::vector<BlindEffect>& effects, std::uint64_t seed, bool noise,
              const std::string& folder) const;
 

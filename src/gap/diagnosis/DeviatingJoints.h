@@ -21,8 +21,8 @@ private:
   void onlyDeviating(const Evaluator& evaluator);
 };
 
-/// Whether most of the robot is off, as lost commands would leave it: its chains, or the joints of a robot
-/// that has few chains.
+/// Whether most of the robot deviates, as after lost commands: most chains, or most joints of a robot with
+/// few chains.
 bool mostDeviates(const Evaluator& evaluator);
 
 }  // namespace plumbline::gap

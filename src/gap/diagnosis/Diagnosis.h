@@ -16,7 +16,7 @@ struct Rival {
   double probability = 0;
 };
 
-/// A cause found, with how sure that is.
+/// A cause found, with its probability.
 struct Finding {
   Cause cause;
   double lower = 0, upper = 0;  ///< interval of the value, 95 %
@@ -25,7 +25,7 @@ struct Finding {
   std::vector<Rival> rivals;
 };
 
-/// Root mean squares on blocks that took no part in the fit, in units of each signal's own noise.
+/// Root mean squares on blocks that were not used for the fit, in units of each signal's own noise.
 struct GapSize {
   double before = 0, after = 0, floor = 1;
   double closed() const { return before > floor ? (before - after) / (before - floor) : 1; }
@@ -46,8 +46,8 @@ struct Diagnosis {
   double worstBefore = 0,
          worstAfter = 0;  ///< gap beyond noise, in units of noise, in the channel and run that show most
   std::string worstSignal, worstSignalAfter;
-  /// Sensor at rest whose readings are off on average by more than any cause may leave, and by how many times
-  /// its noise; empty: none.
+  /// Sensor at rest whose mean reading is off by more than any cause explains, and by how many times its
+  /// noise; empty: none.
   std::string sensorOff;
   double sensorOffBy = 0;
   double left = 0;              ///< squares beyond noise; see leftPerDirection()
@@ -55,8 +55,8 @@ struct Diagnosis {
   Explanation explanation() const;
 };
 
-/// Adds causes one at a time while each earns its place on data that it was not fitted to, then looks at each
-/// again with the others in place. Judges none, effect or unknown.
+/// Adds causes one at a time while each improves data to which it was not fitted, then fits each again
+/// together with the others. The verdict is none, effect or unknown.
 Diagnosis diagnose(Evaluator& fine, Evaluator& coarse, const DiagnosisOptions& options);
 
 }  // namespace plumbline::gap

@@ -8,28 +8,28 @@
 
 namespace plumbline::gap {
 
-/// From recordings to a diagnosis, in one attempt or two. The noise of the first is what repeated recordings
-/// differ by. Lost commands make them differ too, which may show only once other causes are known: then a
-/// second attempt uses the noise that remains beside the lost commands (evidenceBesideLosses).
+/// From recordings to a diagnosis, in one attempt or two. The noise of the first is the difference between
+/// repeated recordings. Lost commands make them differ too, which may show only when other causes are known.
+/// Then a second attempt uses the noise that remains without the lost commands (evidenceBesideLosses).
 class DiagnosisAttempts {
 public:
   using Message = std::function<void(const std::string& text)>;
-  /// What a user is told in words; an empty function is not called.
+  /// Messages to the user; an empty function is not called.
   struct Messages {
     Message resumed;  ///< searches of a run that was stopped are used
-    Message problem;  ///< searches cannot be remembered
+    Message problem;  ///< searches cannot be stored
   };
 
-  /// options.memory is not used: each attempt has a memory of its own, because searches belong to their
-  /// noise. memoryFile: of the first attempt's searches, the second's ends with "2"; empty: nothing is
-  /// remembered. The robot must outlive this object.
+  /// options.memory is not used: each attempt has its own memory, because searches depend on the noise.
+  /// memoryFile stores the first attempt's searches, the second's name ends with "2"; empty: nothing is
+  /// stored. The robot must outlive this object.
   DiagnosisAttempts(const Mechanism& robot, DiagnosisOptions options, std::string memoryFile,
                     Messages messages);
   ~DiagnosisAttempts();
   DiagnosisAttempts(const DiagnosisAttempts&) = delete;
   DiagnosisAttempts& operator=(const DiagnosisAttempts&) = delete;
 
-  /// Throws Stopped, with a message that names the file to go on from, where options.progress throws it.
+  /// Throws Stopped if options.progress throws it; the message names the file from which to continue.
   Diagnosis run(std::vector<Trial> trials);
 
   /// Of the attempt that gave the diagnosis; only after run().

@@ -8,12 +8,12 @@
 
 namespace plumbline::gap {
 
-/// How well an explanation fits, per block, against the base explanation: only what an added cause can change
-/// is replayed, the rest is the base's.
+/// How well an explanation fits, per block, compared with the base explanation. Only the part that an added
+/// cause can change is replayed; the rest is taken from the base.
 struct Fit {
-  /// Per block: squares of the residuals in units of noise variance; in runs on the feet what a block has
-  /// beyond 25 times its noise counts by its logarithm. Where a prediction is in doubt, twice the negative
-  /// logarithm of its likelihood against one without noise but the channel's own.
+  /// Per block: squares of the residuals in units of noise variance. In runs on the feet the part beyond 25
+  /// times the noise counts by its logarithm. For an uncertain prediction: twice the negative logarithm of
+  /// its likelihood, relative to a prediction with only the channel's own noise.
   std::vector<double> squares;
   double fitting = 0, judging = 0;  ///< sums over blocks for fitting and for judging
   double product = 0, change = 0;   ///< over blocks for fitting: r * d and d * d, d = change against the base
@@ -26,10 +26,10 @@ using TrialMask = std::vector<std::uint8_t>;
 
 class Evaluator {
 public:
-  /// accuracy: the steps of all replays; coarse ones do for a first look.
+  /// accuracy: the steps of all replays; coarse ones are enough for screening.
   Evaluator(const Mechanism& mechanism, const Evidence& evidence, const ReplayOptions& accuracy = {});
 
-  /// Sets the explanation that candidates are added to, and replays what that changes.
+  /// Sets the explanation to which candidates are added, and replays the part that it changes.
   void setBase(const Explanation& causes);
   const Explanation& base() const { return causes_; }
   const Fit& baseFit() const { return baseSquares_; }
@@ -50,15 +50,15 @@ public:
   void setLostCycles(std::vector<std::vector<std::uint8_t>> cycles);
   const std::vector<std::vector<std::uint8_t>>& lostCycles() const { return lost_; }
 
-  /// Joints that feel a cause where the base is held: its chain, all, or none.
+  /// Joints that a cause can move with a fixed base: its chain, all, or none.
   std::vector<int> jointsTouched(const Cause& cause) const;
-  /// Leaves the runs on the feet out, as if there were none, or takes them in again. The base is nominal
-  /// then.
+  /// Excludes the runs on the feet, or includes them again. The base is nominal afterwards.
   void leaveFloatingBaseOut(bool out);
   bool hasFloatingBase() const { return standingRuns_ && !standingOut_; }
   bool hasFixedBase() const { return heldRuns_; }
-  /// Mean weighted square of the residuals of a signal in a trial under the base, but for what a lead or lag
-  /// of 0.2 ms explains (with a held base); 1 where only noise is left, NaN where nothing was compared.
+  /// Mean weighted square of the residuals of a signal in a trial under the base; 1 if only noise is left,
+  /// NaN if nothing was compared. With a fixed base, the part that a lead or lag of 0.2 ms explains does not
+  /// count.
   double chi(std::size_t trial, std::size_t signal) const;
   /// Calls use(trial, signal, chi) for every channel that was compared.
   template <class Use>
@@ -75,7 +75,7 @@ private:
   bool leftOut(std::size_t trial) const { return standingOut_ && data_.trials()[trial].freeBase; }
   ReplayOptions optionsOf(std::size_t trial, const Explanation& explanation) const;
   void replayBase(const Explanation& explanation);
-  /// Joints to replay with a held base where another explanation takes the base's place.
+  /// Joints to replay with a fixed base if another explanation replaces the base.
   std::vector<int> chainsThatDiffer(const Explanation& other) const;
   Prediction changed(std::size_t trial, const Cause& cause) const;
   /// Adds what a candidate changes in one signal.

@@ -9,12 +9,12 @@
 
 namespace plumbline::gap {
 
-/// Runs with the weight that each sample has in the judgement, cut into blocks of about half a second. Every
-/// other block is for fitting, the rest for judging.
+/// Runs with the weight of each sample, divided into blocks of about half a second. Every other block is for
+/// fitting, the rest for judging.
 class Evidence {
 public:
   explicit Evidence(const std::vector<Trial>& trials, NoiseFrom from = NoiseFrom::repeats);
-  /// With a noise told otherwise, per trial and signal.
+  /// With another noise, per trial and signal.
   Evidence(std::vector<Trial> trials, std::vector<std::vector<SignalNoise>> noises);
 
   /// The same with every channel's weights multiplied: factor(trial, signal).
@@ -40,7 +40,7 @@ public:
   }
   static bool forFitting(std::size_t block) { return block % 2 == 0; }
   /// Calls use(cycle, weight, residual) for every sample of a channel that counts and was predicted; the
-  /// weight is less where the prediction is in doubt.
+  /// weight is smaller if the prediction is uncertain.
   template <class Use>
   void forEach(std::size_t trial, std::size_t signal, const Prediction& prediction, Use&& use) const {
     const auto& w = weight_[trial][signal];
@@ -50,15 +50,15 @@ public:
       if (w[k] > 0 && std::isfinite(predicted[k]))
         use(k, w[k] * certainty(prediction, signal, k, w[k]), measured[k] - predicted[k]);
   }
-  /// Noise variance over noise and scatter of a prediction, for a sample of this weight; 1 where none is in
-  /// doubt.
+  /// Noise variance divided by the sum of noise variance and scatter of a prediction, for a sample of this
+  /// weight; 1 if nothing is uncertain.
   static double certainty(const Prediction& prediction, std::size_t signal, std::size_t cycle,
                           double weight) {
     if (prediction.scatter.empty() || prediction.scatter[signal].empty()) return 1;
     return 1 / (1 + weight * prediction.scatter[signal][cycle]);
   }
-  /// What two predictions of a trial differ by, in the channel in which that is most: root mean square over
-  /// its noise.
+  /// Largest difference of two predictions of a trial over all channels: root mean square divided by the
+  /// channel's noise.
   double difference(std::size_t trial, const Prediction& a, const Prediction& b) const;
   /// Whether a channel of this kind takes part: positions, inertial sensors, force sensors.
   static bool counts(const Signal& signal);

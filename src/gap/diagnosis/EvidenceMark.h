@@ -5,10 +5,10 @@
 
 namespace plumbline::gap {
 
-/// A hash of all that a diagnosis' searches depend on: the robot's whole model, every number of the
-/// recordings with the noise they are judged by, the steps of the replays, the options that decide, the
-/// library of effects, and the running program's own bytes. What a member is added to does not compile until
-/// the member is in.
+/// A hash of everything on which a diagnosis' searches depend: the robot's model, all numbers of the
+/// recordings and their noise, and the steps of the replays. It also includes the options that matter, the
+/// library of effects, and the bytes of the running program. A struct that gets a new member does not compile
+/// until the hash includes it.
 std::string markOf(const Evaluator& evaluator, const DiagnosisOptions& options);
 
 }  // namespace plumbline::gap

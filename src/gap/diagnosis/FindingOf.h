@@ -7,9 +7,9 @@
 
 namespace plumbline::gap {
 
-/// What the i-th of the causes found is worth: interval, share of the gap alone and last, probability,
-/// rivals. choices: what stood for choice in its place, most probable first; result: gap and known
-/// probability of the whole. The evaluator's base is another afterwards.
+/// Assesses the i-th cause found: interval, share of the gap alone and last, probability, rivals. choices:
+/// the alternatives for it, most probable first; result: gap and known probability of the whole. Changes the
+/// evaluator's base.
 Finding findingOf(std::size_t i, const Explanation& found, const std::vector<Candidate>& choices,
                   Evaluator& fine, const GapMeter& meter, const Diagnosis& result);
 

@@ -9,30 +9,30 @@
 namespace plumbline::gap {
 
 /// Forward selection: starts at the fine evaluator's base and adds one cause at a time while each passes the
-/// acceptance test (Merit.h). Whoever changes `causes` from outside sets the evaluator's base too.
+/// acceptance test (Merit.h). Code that changes `causes` from outside must also set the evaluator's base.
 class ForwardSelection {
 public:
   /// coarse: replays with longer steps, for screening.
   ForwardSelection(Evaluator& fine, Evaluator& coarse, const DiagnosisOptions& options)
       : fine_(fine), options_(options), proposals_(fine, coarse, options) {}
 
-  /// Gap beyond noise of the worst channel, in units of its noise, below which nothing is looked for.
+  /// Gap beyond noise of the worst channel, in units of its noise, below which no cause is searched.
   static constexpr double present = 0.9;
 
   Explanation causes;
-  std::vector<std::vector<Candidate>> choices;  ///< per cause: what stood for choice, most probable first
+  std::vector<std::vector<Candidate>> choices;  ///< per cause: the alternatives, most probable first
   double worstBefore = 0;         ///< gap beyond noise of the worst channel without any cause [its noise]
-  bool onFixedBaseRuns = false;   ///< these searches are not kept for a diagnosis that goes on
-  bool lostCommandsLast = false;  ///< they are not looked for
+  bool onFixedBaseRuns = false;   ///< these searches are not stored for a continued diagnosis
+  bool lostCommandsLast = false;  ///< they are not searched
 
-  /// Adds causes until none earns its place. most: sum of squares for judging above which two causes are not
-  /// worth a third.
+  /// Adds causes until none passes the test. most: sum of squares for judging above which a third cause is
+  /// not added to two.
   void grow(double most = INFINITY);
-  /// Command dropout comes in where nothing remains then.
+  /// Adds command dropout if nothing remains with it.
   void addLostIfNothingRemains();
   /// What could be added to the base, most probable first.
   std::vector<Candidate> candidates(const std::string& stage, bool onlySensors = false);
-  /// What stood for choice besides causes that were chosen together.
+  /// Finds the alternatives to causes that were chosen together.
   void lookForRivals();
   Remainder remainder() const { return {fine_, worstBefore}; }
   void clear();

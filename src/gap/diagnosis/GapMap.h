@@ -7,7 +7,7 @@
 
 namespace plumbline::gap {
 
-/// Where a gap lies: a signal in a phase.
+/// The place of a gap: a signal in a phase.
 struct GapCell {
   std::string signal;
   Phase phase = Phase::motion;

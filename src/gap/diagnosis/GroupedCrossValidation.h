@@ -7,10 +7,10 @@
 
 namespace plumbline::gap {
 
-/// Judges sets of causes across servo settings, or across motions: fitted to the runs under all settings but
-/// one, by how well they predict the runs under that one, each in turn (cross-validation over groups). What
-/// absorbs another cause under one gain, or in one motion, does not in another; blocks of the same runs do
-/// not tell that.
+/// Judges sets of causes by cross-validation over groups of runs: servo settings or motions. A set is fitted
+/// to all groups except one and judged by its prediction for that one, each in turn. A cause that imitates
+/// another under one gain, or in one motion, does not under another; blocks of the same runs would not show
+/// that.
 class GroupedCrossValidation {
 public:
   enum class Left { setting, motion };  ///< what is left out in turn
@@ -22,20 +22,20 @@ public:
   /// Whether there are several groups.
   bool possible() const { return folds_.size() > 1; }
 
-  /// A set of causes as the settings left out in turn were predicted with.
+  /// A set of causes and its error on the groups left out.
   struct Tried {
     Explanation causes;                ///< values: means, in strength, of what was fitted
     std::vector<Explanation> perFold;  ///< what was fitted with each setting left out
-    /// Of what was left out: root of its squares over the nominal ones', mean over settings.
+    /// Error on the groups left out: root of the squares divided by the nominal ones, mean over groups.
     double error = 1;
   };
   Tried of(const Explanation& causes) const;
-  /// The set, of these kinds, that predicts best: causes are added one at a time to several sets at once
-  /// while that takes away at least a twentieth. Starts: each kind with its starting values.
+  /// The set of these kinds that predicts best. Causes are added one at a time to several sets at once while
+  /// that removes at least a twentieth of the error. Starts: each kind with its starting values.
   Tried best(const std::vector<Cause>& starts, std::size_t maxCauses,
              const std::function<void(double share)>& progress) const;
-  /// The same causes, each in the variant of its law that predicts best; another than it has comes in where
-  /// it takes away a twentieth of the error.
+  /// The same causes, each in the variant of its law that predicts best. A variant is changed only if that
+  /// removes a twentieth of the error.
   Tried withBestVariants(Tried best) const;
 
 private:
@@ -56,9 +56,10 @@ private:
   std::vector<std::unique_ptr<Fold>> folds_;
 };
 
-/// The set of two that predicts each motion better from the others: what stands for something else in all
-/// motions seen does not in one that was not. The proposed one counts in its best variants, and is returned
-/// in them, its values fitted until they stay. Where there is one motion or doubt, blocks for judging decide.
+/// Of two sets, the one that predicts each motion better from the others: a cause that imitates another in
+/// all fitted motions does not in a new one. The proposed set is judged and returned with its best variants,
+/// its values fitted until they converge. With a single motion or an unclear result, the blocks for judging
+/// decide.
 Explanation betterAcrossMotions(const Evaluator& evaluator, const Explanation& proposed,
                                 const Explanation& old, int jobs);
 

@@ -7,12 +7,12 @@
 
 namespace plumbline::gap {
 
-/// The lost cycles that explain a recording with a held base best, each at a price in squares over noise:
-/// guesses that differ in their last cycles are played side by side, and of those that agree in them the best
-/// goes on (Viterbi's algorithm with per-survivor processing: Raheli, Polydoros and Tzou, "Per-survivor
-/// processing", IEEE Trans. Communications 43, 1995; so many guesses survive a cycle as a third of the square
-/// of told). told: cycles after which the readings have told whether one was lost; guesses agree or differ in
-/// these. One flag per cycle; a loss that changes nothing is none.
+/// The lost cycles that explain a recording with a fixed base best; each loss has a price in squares over
+/// noise. Hypotheses that differ in their last cycles are replayed in parallel, and of those that agree in
+/// them only the best continues. This is Viterbi's algorithm with per-survivor processing (Raheli, Polydoros
+/// and Tzou, "Per-survivor processing", IEEE Trans. Communications 43, 1995). The number of survivors of a
+/// cycle is a third of the square of told. told: cycles until the readings show whether a command was lost;
+/// hypotheses are compared in these. Returns one flag per cycle; a loss that changes nothing does not count.
 std::vector<std::uint8_t> decodeLosses(const Plant& plant, const Evidence& evidence, std::size_t trial,
                                        double price, std::size_t detectionCycles);
 

@@ -11,7 +11,7 @@ namespace plumbline::gap {
 struct LossResponse {
   static constexpr std::size_t minDetection = 6, minSettling = 10, reach = 80;
   std::size_t detectionCycles = minDetection;  ///< until most losses changed readings by twice the price
-  std::size_t settlingCycles = minSettling;    ///< until most of what they change has come
+  std::size_t settlingCycles = minSettling;    ///< until most of their change is over
 };
 
 /// price: of a loss, in squares over noise. Losses that never change more than four times the price are not

@@ -7,14 +7,13 @@
 
 namespace plumbline::gap {
 
-/// Which cycles' commands never came, found from the data of runs with a held base: a cycle counts as lost
-/// where the readings after it fit better so, by more than chance would give. share: of the cycles in which a
-/// loss would have shown.
+/// The cycles whose commands never came, found from the data of runs with a fixed base. A cycle counts as
+/// lost if the readings after it fit better with the loss, by more than chance would give. share: of the
+/// cycles in which a loss would have shown.
 ///
-/// A command that was lost leaves the joint a whole cycle late, no more and no less: what its readings are
-/// off by is once what the loss changes. Where something else is told as losses, that lateness lies anywhere;
-/// unless most of the losses are of one cycle, none is found at all, nor where there are more than the effect
-/// can be.
+/// A lost command delays the joint by exactly one cycle, so the residual equals the change that the loss
+/// causes. If something else looks like losses, this delay has any value. So no loss is found unless most of
+/// the losses fit a delay of one cycle, nor if there are more losses than the effect allows.
 struct LostCycles {
   std::vector<std::vector<std::uint8_t>> cycles;  ///< per trial; empty where not looked at
   double share = 0;

@@ -6,19 +6,18 @@
 
 namespace plumbline::gap {
 
-/// Whether b is a recording of a's commands once more: same motion, base and heading, and the same commands.
+/// Whether b repeats a: same motion, base and heading, and the same commands.
 bool isRepeat(const Trial& a, const Trial& b);
 
-/// Step of a quantised channel, found as the grid its readings lie on in spite of noise (the characteristic
-/// function at the grid's frequency); 0 where there is none. Encoder counts per turn of 2^8 to 2^16 are
-/// tried.
+/// Step of a quantised channel: the grid on which its readings lie in spite of noise (from the characteristic
+/// function at the grid's frequency); 0 if there is none. Encoder counts per turn of 2^8 to 2^16 are tried.
 double quantum(const std::vector<double>& values);
 
 /// Standard deviation of a channel's own fast noise: from second differences, by the median, so that motion
 /// does not count.
 double fastNoise(const std::vector<double>& values);
 
-/// What one signal of one trial may differ by without any cause.
+/// How much one signal of one trial may differ without any cause.
 struct SignalNoise {
   double sigma = 0;       ///< noise and quantisation, in the signal's unit
   double own = 0;         ///< the same from the channel itself alone
@@ -27,17 +26,17 @@ struct SignalNoise {
 
 enum class NoiseFrom { repeats, itself };
 
-/// Per trial and signal: where a channel was recorded in repeats and they are to be used, what they differ by
-/// (median over the pairs), else its own fast noise; half a count of the encoder is uncertain in both.
+/// Noise per trial and signal. If there are repeats and they are to be used, it is their difference (median
+/// over the pairs), else the channel's own fast noise. Both include half a count of the encoder.
 std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& trials,
                                                     NoiseFrom from = NoiseFrom::repeats);
 
-/// Whether repeats with a held base are there and differ, in each joint's position, by hardly more than its
-/// own fast noise: nothing in them came by chance.
+/// Whether there are repeats with a fixed base, and each joint's position differs in them by hardly more than
+/// its own fast noise. Then they contain nothing random.
 bool repeatsAgree(const std::vector<Trial>& trials);
 
-/// The noise of what predictions leave, by repeats: for recordings that differ by more than noise, and by
-/// what is predicted. Signals that are not predicted count as they were read.
+/// The noise of the residuals of predictions, from repeats: for recordings that differ by more than noise in
+/// a way that can be predicted. Signals without a prediction count as they were read.
 std::vector<std::vector<SignalNoise>> estimateNoiseBeside(const std::vector<Prediction>& predictions,
                                                           const std::vector<Trial>& trials);
 

@@ -5,10 +5,10 @@
 
 namespace plumbline::gap {
 
-/// The value with which an effect that sets in at a moment (Effect::setsIn) sets in when the readings leave
-/// the base: found by bisection of that moment, in the run with a held base that shows most. Its fit has a
-/// valley too narrow to be met by chance: a motor that falls short a second too soon stays behind for good.
-/// Nothing where the readings leave the base from the start, or never, or no value sets in as soon.
+/// For an effect that begins at a moment (Effect::setsIn): the value with which it begins when the readings
+/// leave the base. Bisection finds it in the run with a fixed base that shows most. A normal fit would miss
+/// it, because its valley is too narrow: a motor that becomes too weak a second too early never catches up.
+/// Returns nothing if the readings differ from the start, or never, or if no value begins so early.
 std::optional<Cause> causeByOnset(const Evaluator& evaluator, const Cause& start);
 
 }  // namespace plumbline::gap

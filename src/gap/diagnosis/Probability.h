@@ -8,12 +8,12 @@ namespace plumbline::gap {
 /// Samples per independent one: residuals of neighbours are alike.
 constexpr double correlation = 8;
 
-/// Most probable first: by how much worse each predicts what it was not fitted to, and by its prior.
-/// left: squares beyond noise that remain in one direction of the data, whatever is chosen (see Merit.h);
-/// what one candidate explains better than another may be of these.
+/// Sorts by probability, highest first: by the prediction of data that was not fitted, and by the prior.
+/// left: squares beyond noise that remain per direction of the data, whatever is chosen (see Merit.h); a
+/// difference between two candidates may come from these.
 void sortByProbability(std::vector<Candidate>& list, double left = 0);
 
-/// A sum of squares for judging with what a cause's prior adds to it: of two causes, the lower is more
+/// A sum of squares for judging plus the term for a cause's prior: the cause with the lower sum is more
 /// probable.
 double withPrior(const Cause& cause, double judging);
 

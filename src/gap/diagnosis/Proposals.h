@@ -8,29 +8,30 @@
 
 namespace plumbline::gap {
 
-/// What could be added to the fine evaluator's base, from one look at all that is possible.
+/// Candidates for the next cause on top of the fine evaluator's base, from a screening of all possible
+/// causes.
 class Proposals {
 public:
-  /// coarse: with steps that do for a first look.
+  /// coarse: with longer steps for screening.
   Proposals(Evaluator& fine, Evaluator& coarse, const DiagnosisOptions& options)
       : fine_(fine), coarse_(coarse), options_(options) {}
 
   struct Look {
-    std::string stage;               ///< as progress is told
-    double leastGain = 0;            ///< of the sum of squares for fitting: what promises less is not fitted
-    bool onlySensors = false;        ///< not what moves the robot
-    bool lostCommands = true;        ///< cycles whose command was lost are looked for too
-    SearchMemory* memory = nullptr;  ///< of looks at everything; null: none
+    std::string stage;               ///< its name in progress messages
+    double leastGain = 0;            ///< of the sum of squares for fitting: causes that promise less are not fitted
+    bool onlySensors = false;        ///< no cause that moves the robot
+    bool lostCommands = true;        ///< also searches for lost commands
+    SearchMemory* memory = nullptr;  ///< of screenings; null: none
   };
   /// Most probable first.
   std::vector<Candidate> find(const Look& look);
-  /// Command dropout with the cycles that it is found in, where it says anything.
+  /// Adds command dropout with the lost cycles found, if there are any.
   void addLostCommands(std::vector<Candidate>& list);
-  /// What screening on top of a base uses: coarse steps, unless these change the ranking, as they do for a
-  /// motor that is just too weak for what it has to hold.
+  /// The evaluator for screening on top of a base: coarse steps, unless these change the ranking, as for a
+  /// motor that is just too weak for its load.
   const Evaluator& quickOn(const Explanation& base);
 
-  /// Whose commands count as lost from now on, per trial and cycle.
+  /// Sets the lost commands, per trial and cycle.
   void useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycles);
 
 private:

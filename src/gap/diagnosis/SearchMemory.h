@@ -8,29 +8,29 @@
 
 namespace plumbline::gap {
 
-/// What a search starts from: all that its result depends on beside the evidence and the program.
+/// Start of a search: everything on which its result depends, besides the evidence and the program.
 struct SearchStart {
   Explanation base;
   double leastGain = 0;
-  std::vector<std::vector<std::uint8_t>> lostCycles;  ///< that the base is played with; of one with dropout
+  std::vector<std::vector<std::uint8_t>> lostCycles;  ///< with which a base with dropout is replayed
   bool operator==(const SearchStart&) const = default;
 };
 
-/// What one search found: the candidates, and the lost cycles that go with them.
+/// Result of one search: the candidates and their lost cycles.
 struct SearchResult {
   std::vector<Candidate> candidates;  ///< of their fits only the sums are kept
   std::vector<std::vector<std::uint8_t>> lostCycles;
 };
 
-/// Remembers searches in a file, so that a diagnosis that was stopped goes on where it was, to the same
-/// bytes. The file belongs to what its mark stands for (EvidenceMark.h): one of other recordings, another
-/// robot, other options or another version of the program is not taken.
+/// Stores searches in a file, so that a stopped diagnosis can continue and give the same bytes. The file is
+/// used only if its mark (EvidenceMark.h) fits: not for other recordings, another robot, other options or
+/// another version of the program.
 class SearchMemory {
 public:
   using Warn = std::function<void(const std::string&)>;
 
-  /// path: read if it is there and fits, written after each search; empty: nothing is remembered. warn is
-  /// told once where the file cannot be written; the diagnosis goes on then, remembered only while it runs.
+  /// path: read if it exists and fits, written after each search; empty: no file. warn is called once if the
+  /// file cannot be written; the diagnosis then continues without it.
   SearchMemory(std::string path, std::string mark, const Mechanism& mechanism, Warn warn = {});
 
   std::optional<SearchResult> find(const SearchStart& start) const;

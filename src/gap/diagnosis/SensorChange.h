@@ -5,8 +5,8 @@
 
 namespace plumbline::gap {
 
-/// What the sensors of `after` show for the motion predicted with those of `before`: inertial sensor and foot
-/// sensors only report a motion, so nothing has to be replayed.
+/// The readings of the sensors of `after` for the motion that was predicted with those of `before`. Inertial
+/// sensor and foot sensors do not influence the motion, so nothing has to be replayed.
 Prediction sensorChange(const Plant& before, const Plant& after, const Trial& trial,
                         const Prediction& predicted);
 

@@ -6,18 +6,18 @@
 
 namespace plumbline::gap {
 
-/// What a leg shows only with the robot's weight on it: where the held runs are clean and those on the feet
-/// are not, a length, a mass, an offset or a weak motor of a leg is looked for in the latter. Of one base; a
-/// third such cause is not looked for.
+/// Causes that a leg shows only under the robot's weight. If runs with a fixed base have no gap and those on
+/// the feet have one, a length, a mass, an offset or a weak motor of a leg is searched in the latter. Belongs
+/// to one base; a third such cause is not searched.
 class UnderLoad {
 public:
   explicit UnderLoad(const Evaluator& evaluator);
-  /// Whether this effect at this place is looked for there.
+  /// Whether this effect at this place is searched.
   bool shows(const Effect& effect, const Place& place) const;
 
 private:
   const Mechanism& robot_;
-  std::vector<double> excess_;  ///< of the runs on the feet, see jointExcess(); empty: nothing to look for
+  std::vector<double> excess_;  ///< of the runs on the feet, see jointExcess(); empty: nothing to search
   double worst_ = 0;
   std::set<int> legs_;  ///< joints
 };

@@ -6,21 +6,21 @@ namespace plumbline::gap {
 /// How blind benchmarks draw an effect: where, and how large.
 struct DrawRange {
   enum class Where { nowhere, joint, jointOrAll, all, link, imu, foot, ground };
-  /// In what sizes are given: as they are, in the joint's largest torque, in its kd, per its largest torque.
+  /// Unit of the sizes: plain, the joint's largest torque, its kd, or the inverse of its largest torque.
   enum class Unit { plain, torque, damping, perTorque };
   enum class Growth {
-    distance,  ///< from nothing: twice as strong is twice the value
+    distance,  ///< from 0: twice as strong is twice the value
     factor,    ///< from 1: twice as strong is its square
     limit      ///< from infinity: twice as strong is half
   };
-  /// A way of building it that the engine takes by name; either value as likely.
+  /// A form of the effect that the engine knows by name; both values are equally likely.
   struct Choice {
     std::string_view name = {}, first = {}, second = {};
   };
 
   Where where = Where::nowhere;  ///< nowhere: it is not drawn
   double low = 0, high = 0;
-  double low2 = 0, high2 = 0;  ///< another range, as likely; none where high2 is 0
+  double low2 = 0, high2 = 0;  ///< a second range, equally likely; none if high2 is 0
   Unit unit = Unit::plain;
   Growth growth = Growth::distance;
   bool bothSigns = false;

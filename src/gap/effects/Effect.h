@@ -9,13 +9,13 @@
 
 namespace plumbline::gap {
 
-/// Where an effect can sit.
+/// Where an effect can be.
 enum class Site { joint, everywhere, link, imu, foot, ground };
 
 /// One place of one effect on one robot.
 struct Place {
   Site site = Site::joint;
-  /// Joint, link or foot of the mechanism; of Site::everywhere a group of joints, or -1 for all of them.
+  /// Joint, link or foot of the mechanism; for Site::everywhere a group of joints, or -1 for all.
   int index = -1;
   std::string at;    ///< the contract's name: a joint, a link, a foot, a group, "*", "imu", "ground"
   char axis = '\0';  ///< 'x', 'y', 'z', or 0 where the effect has no axis
@@ -28,29 +28,30 @@ struct Bounds {
   double lower, upper;
 };
 
-/// What the screening of a diagnosis has to know of an effect before it tries it.
+/// What the screening of a diagnosis must know about an effect before it tries it.
 struct Screening {
   bool inNeighbours = false;  ///< can show elsewhere in the chain more than at the joint itself
-  /// Lets a link swing behind its gear: the encoder at the motor sees less of that than the joints that carry
-  /// it.
+  /// Lets a link swing behind its gear: the encoder at the motor shows less of that than the joints that
+  /// carry it.
   bool behindGear = false;
-  /// What of it shows only on the feet: nothing; a weak motor, in the leg joint that is off most; in any leg
+  /// Whether it shows only on the feet: no; as a weak motor in the leg joint with the largest gap; in any leg
   /// joint.
   enum class UnderLoad { no, weakMotor, anyLeg };
   UnderLoad underLoad = UnderLoad::no;
 };
 
-/// The effect that it has been taken for. Hard cases of blind benchmarks are drawn from those that have one.
+/// The effect with which it is easily confused. Hard cases of blind benchmarks are drawn from effects that
+/// have one.
 struct LookAlike {
   std::string_view id = {};
-  int turn = 1000;  ///< where it stands among the hard cases; those of the same turn by their order
+  int turn = 1000;  ///< its place among the hard cases; those of the same turn are sorted by order
 };
 
-/// What a simulator may lack: one physical cause with one parameter. Each stands in a file of its own, which
-/// MAKE_EFFECT makes known.
+/// What a simulator may lack: one physical cause with one parameter. Each is in a file of its own and
+/// registered by MAKE_EFFECT.
 struct Effect {
-  std::string_view id;  ///< as in the contract
-  int order = 1000;     ///< where it stands in lists; those of the same order by their ids
+  std::string_view id;  ///< as in doc/reference/gap-answer.md
+  int order = 1000;     ///< its place in lists; those of the same order are sorted by id
   std::string_view unit;
   std::vector<Site> sites;
   bool hasAxis = false;
@@ -58,40 +59,41 @@ struct Effect {
   double lower = 0, upper = 0;  ///< of the value, in the unit; scaled per place by scale()
   /// Values that a search starts from, within the bounds; the effect is visible at these.
   std::vector<double> starts;
-  /// Whether twice the value is about twice the change: one starting value then tells of the others.
+  /// Whether twice the value is about twice the change: then one starting value is enough.
   bool linear = false;
-  /// Acts from a moment on that comes the sooner the larger the value is; that moment tells the value.
+  /// Acts from a moment on, which is earlier for a larger value; so that moment shows the value.
   bool setsIn = false;
-  /// Holds a joint until enough presses on it; when it lets go, another engine tells a moment sooner or
+  /// Holds a joint until the load is large enough; in another engine the joint moves a moment earlier or
   /// later.
   bool sticks = false;
-  /// A limit or a share of one: acts by its reciprocal, and half the value is twice the effect.
+  /// A limit or a share of one: acts by its reciprocal, so half the value is twice the effect.
   bool reciprocal = false;
-  /// Of the servo and its gear: a robot whose servos are all of one type may have it in all of them alike.
+  /// An effect of the servo and its gear: a robot whose servos are all of one type may have it equally in
+  /// all.
   bool ofServo = false;
-  /// What matters is when it happened, which is decoded from a recording; the value is then counted, not
-  /// fitted.
+  /// Its times matter and are decoded from a recording; the value is then counted, not fitted.
   bool decoded = false;
   /// Can be set in a servo: recordings of one robot may have been made with and without it.
   bool setting = false;
-  /// What engines do otherwise with the same value looks like one that is off by up to this share of nominal.
+  /// The difference between engines with the same value looks like a value that is off by up to this share of
+  /// nominal.
   double engineShare = 0;
-  /// How likely a value below nominal is before any data, where there can be one.
+  /// Prior probability of a value below nominal, if there can be one.
   double belowShare = 0.5;
-  /// Ways of building the same cause that data decide between (such as the encoder's side); empty: one.
+  /// Forms of the same cause between which the data decides (such as the encoder's side); empty: one.
   std::vector<std::string_view> variants = {};
   std::string_view sentence;   ///< for people; {at} is the place
   std::string_view exposedBy;  ///< motions that show it
   /// Factor on lower, upper and starts at a place: a joint's torque limit, say. Null: 1.
   std::function<double(const Mechanism&, const Place&)> scale = {};
-  /// Puts the effect into a plant that may hold others already.
+  /// Adds the effect to a plant that may already have others.
   std::function<void(Plant&, const Place&, double value, int variant)> apply = {};
   /// Whether the project's own walk in Bullet can be recorded with it.
   bool inWalk = false;
-  /// Where it stands among what a gap at a joint that nothing explains is suspected to be, from 1; 0: not
-  /// one.
+  /// Its rank, from 1, among the possible reasons for an unexplained gap at a joint; 0: it is not one.
   int suspect = 0;
-  /// The nominal value stands for none: nothing is measured from it, no scale shows it.
+  /// The nominal value means that the effect is absent: values are not measured from it, and scales do not
+  /// show it.
   bool nominalIsNone = false;
   LookAlike alike = {};
   /// Whether a robot can have it at one of its places. Null: yes.
@@ -102,7 +104,7 @@ struct Effect {
   int numVariants() const { return variants.empty() ? 1 : static_cast<int>(variants.size()); }
   double scaleAt(const Mechanism& mechanism, const Place& place) const {
     if (!scale) return 1;
-    // Everywhere a servo's effect has the size that it has at the first joint.
+    // At Site::everywhere a servo's effect has the size for the first joint.
     if (ofServo && place.site == Site::everywhere) {
       const int first =
           place.index < 0 ? 0 : mechanism.groups[static_cast<std::size_t>(place.index)].joints[0];
@@ -114,8 +116,8 @@ struct Effect {
     const double factor = scaleAt(mechanism, place);
     return {lower * factor, upper * factor};
   }
-  /// How strong a value is: 0 where it is nominal, twice that for about twice the effect; and the other way
-  /// round.
+  /// Strength of a value: 0 for nominal, twice the strength for about twice the effect; and the value of a
+  /// strength.
   double strengthOf(double value) const { return reciprocal ? 1 / value - 1 / nominal : value - nominal; }
   double valueAt(double strength) const {
     return reciprocal ? 1 / (strength + 1 / nominal) : strength + nominal;
@@ -126,14 +128,14 @@ struct Effect {
 /// "*". An effect at one of two joints that share a motor is at both.
 void atJoints(Plant& plant, const Place& place, const std::function<void(JointPlant&)>& change);
 
-/// Takes an effect into effects() before main. An effect that is not whole, or a second one of the same id,
-/// ends the program start: that is a mistake of the build.
+/// Adds an effect to effects() before main. An incomplete effect, or a second one with the same id, ends the
+/// program at its start: that is a mistake in the build.
 class EffectLoader {
 public:
   explicit EffectLoader(const Effect& effect);
 };
 
-/// In the effect's .cpp: makes it known to recording, diagnosis, report and benchmarks.
+/// In the effect's .cpp: registers it for recording, diagnosis, report and benchmarks.
 #define MAKE_EFFECT(name) static const ::plumbline::gap::EffectLoader name##Loader(name)
 
 /// Unit vector of an axis letter.

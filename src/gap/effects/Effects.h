@@ -6,20 +6,20 @@
 
 namespace plumbline::gap {
 
-/// The library: every effect linked into the program, the contract's in its order. Complete once main runs.
+/// The library: every effect linked into the program, sorted by Effect::order. Complete once main runs.
 const std::vector<const Effect*>& effects();
 
-/// Effect::order from which on effects are not the contract's.
+/// Effects with this order or a larger one are not in the project's original list.
 inline constexpr int beyondContract = 400;
 
-/// By id; null where the library has none of that name.
+/// The effect with an id; null if the library has none.
 const Effect* findEffect(std::string_view id);
 
-/// Whether one of its places is a joint.
+/// Whether the effect can be at a joint.
 bool sitsAtJoints(const Effect& effect);
 
-/// All places where an effect can sit on a robot, axes included. All joints of a robot with one motor are no
-/// place besides that one.
+/// All places where an effect can sit on a robot, axes included. For a robot with one motor, "all joints" is
+/// not an additional place.
 std::vector<Place> placesOf(const Effect& effect, const Mechanism& mechanism);
 
 /// The place of that name and axis ("" or "x", "y", "z"). Throws std::invalid_argument in one line that names

@@ -5,9 +5,9 @@
 
 namespace plumbline::gap {
 
-// The ranges of effects are written for a robot of a NAO's size. What follows are factors on them for others:
-// for a NAO and what is smaller 1, unless said otherwise. A start that is still far too strong for a joint is
-// weakened by the search.
+// The ranges of effects are for a robot of a NAO's size. These are factors for other robots; they are 1 for a
+// NAO and smaller robots unless stated otherwise. If a start is still far too strong for a joint, the search
+// weakens it.
 
 namespace sizes {
 
@@ -32,7 +32,7 @@ inline double scaleOfMass(const Mechanism& m, const Place&) {
   return std::max(1.0, m.totalMass() / sizes::mass);
 }
 
-/// By the longest way from one joint to the next.
+/// By the longest distance from one joint to the next.
 inline double scaleOfLength(const Mechanism& m, const Place&) {
   double longest = 0;
   for (const auto& joint : m.joints)
@@ -41,18 +41,18 @@ inline double scaleOfLength(const Mechanism& m, const Place&) {
   return std::max(1.0, longest / sizes::reach);
 }
 
-/// By the rotor's inertia, or the motor's strength where the model's rotor weighs little.
+/// By the rotor's inertia, or the motor's strength if the model's rotor is light.
 inline double scaleOfRotor(const Mechanism& m, const Place& p) {
   const auto& joint = jointOf(m, p);
   return std::max({1.0, joint.servo.armature / sizes::armature, joint.maxTorque / sizes::torque});
 }
 
-/// What a torque twists at a soft servo.
+/// By the angle that a torque causes at a soft servo.
 inline double scaleOfCompliance(const Mechanism& m, const Place& p) {
   return std::max(1.0, sizes::gain / std::max(1e-3, jointOf(m, p).servo.kp));
 }
 
-/// Per heat, which grows with the square of the torque: less than 1 for a strong motor.
+/// By heat, which grows with the square of the torque: less than 1 for a strong motor.
 inline double scalePerHeat(const Mechanism& m, const Place& p) {
   const double most = std::max(1e-3, jointOf(m, p).maxTorque);
   const double like = std::clamp(most, sizes::weakTorque, sizes::torque);

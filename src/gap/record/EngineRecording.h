@@ -8,31 +8,31 @@
 
 namespace plumbline::gap {
 
-/// What a robot in an engine has that no effect of the library says: it may change what joints are told, and
-/// push them. One per recording.
+/// Effects of a robot in an engine that the library does not have: they may change the joints' commands and
+/// put loads on joints. One object per recording.
 class OutsideEffects {
 public:
   virtual ~OutsideEffects() = default;
   /// Before the recording: the first commands of all joints [rad].
   virtual void start(const std::vector<double>& commands) = 0;
-  /// Before a slice of h [s] from this time on: may change targets [rad] and put loads on joints.
+  /// Called before a step of h [s] at this time: may change targets [rad] and put loads on joints.
   virtual void act(double time, double h, simulation::RobotSimulation& world,
                    std::vector<double>& targets) = 0;
   /// [m/s^2], the sensor's axes.
   virtual Vec3 accBias() const { return Vec3::Zero(); }
 };
 
-/// The same as recordSimulated, but the robot lives in one of the engines for servo robots
-/// (simulation/servo/RobotSimulation.h), which the diagnosis does not use to explain: hung up, or put on its
-/// feet, settled in the first posture for a second. Its drives are written apart from those that explain.
-/// Errors: ConfigurationError for two external forces, std::invalid_argument for an engine that there is not
-/// and for a program on feet that the robot lacks.
+/// The same as recordSimulated, but in one of the engines for servo robots
+/// (simulation/servo/RobotSimulation.h), which the diagnosis does not use. The robot is hung up or put on its
+/// feet, and settles in the first posture for a second. Its drives are implemented separately from those of
+/// the diagnosis. Errors: ConfigurationError for two external forces, std::invalid_argument for an unknown
+/// engine and for a program on the feet with a robot without feet.
 Run recordInEngine(const std::string& engine, const Mechanism& robot, const Excitation& program,
                    const SimulatedRecordingOptions& options = {}, OutsideEffects* outside = nullptr);
 
-/// A plant as an engine takes it: its drives and links, gravity seen from its ground, and the ground itself.
-/// A joint that shares another's motor has a servo of its own, to be told the same, as in the replay and the
-/// contract's law. step: of the physics [s].
+/// A plant for an engine: its drives and links, gravity relative to its ground, and the ground itself. A
+/// joint that shares another's motor has its own servo, which must get the same commands, as in the replay.
+/// step: of the physics [s].
 Mechanism engineMechanism(const Plant& plant, double controlHz);
 simulation::RobotSimulationOptions engineOptions(const Plant& plant, bool fixedBase, double step = 0.001);
 

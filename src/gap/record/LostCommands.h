@@ -8,7 +8,8 @@
 
 namespace plumbline::gap {
 
-/// Per cycle, whether its command gets lost on the way, each at the plant's dropout; empty where none does.
+/// Per cycle, whether its command is lost, each with the probability of the plant's dropout; empty if none
+/// is.
 inline std::vector<std::uint8_t> drawLostCycles(const Plant& plant, const Trial& trial, Random random) {
   std::vector<std::uint8_t> lost;
   if (plant.dropout > 0)

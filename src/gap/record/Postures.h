@@ -8,22 +8,22 @@
 
 namespace plumbline::gap {
 
-/// All joints at 0, or as near to it as their limits allow.
+/// All joints at 0, or as close to 0 as their limits allow.
 std::vector<double> neutralPosture(const Mechanism& robot);
 
-/// A posture by name from FOLDER/postures.yaml, or excitation/postures.yaml of the configuration where that
-/// is missing; each robot has a map of them; joints it does not name are neutral. `hang` is neutral for a
-/// robot that is not in the file. Throws ConfigurationError for a broken file.
+/// A posture by name from FOLDER/postures.yaml, or excitation/postures.yaml of the configuration if that is
+/// missing. Each robot has a map of postures; joints that a posture does not name are neutral. `hang` is
+/// neutral for a robot that is not in the file. Throws ConfigurationError for a broken file.
 std::optional<std::vector<double>> namedPosture(const std::string& name, const Mechanism& robot,
                                                 const std::string& folder = "");
 
-/// Groups of joints that can move at once without much disturbing each other: the first joint of each limb,
-/// the second of each, and so on, limbs out of step, so that no two of a limb are in one group.
+/// Groups of joints that can move at the same time without disturbing each other much: the first joint of
+/// each limb, the second of each, and so on, shifted between limbs. No two joints of a limb are in one group.
 std::vector<std::vector<int>> jointsInTurn(const Mechanism& robot);
 
 /// Postures within `share` of the way from home to the limits, at which gravity loads the joints as
-/// differently as can be found by drawing 200 of them: of both signs where a joint can have both. The same
-/// for a seed.
+/// differently as possible: the best of 200 drawn ones, with both signs if a joint can have both. The same
+/// seed gives the same postures.
 std::vector<std::vector<double>> gravityLoadings(const Mechanism& robot, const std::vector<double>& home,
                                                  double share, int count, std::uint64_t seed);
 

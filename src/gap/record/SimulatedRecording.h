@@ -19,30 +19,30 @@ struct SensorNoise {
   double force = 0.15;                                     ///< [N]; a force sensor never reads below 0
 };
 
-/// What such sensors make of a channel's true values; the same for a seed and the channel's name.
+/// Adds the sensors' noise to a channel's true values; it depends only on the seed and the channel's name.
 void addNoise(const Signal& signal, const SensorNoise& noise, std::uint64_t seed,
               std::vector<double>& values);
 
-/// What such sensors leave in doubt of one reading: standard deviation, quantisation included.
+/// Uncertainty of one reading of such sensors: standard deviation, including quantisation.
 double noiseOf(const Signal& signal, const SensorNoise& noise = {});
 
 struct SimulatedRecordingOptions {
-  Explanation effects;  ///< what this robot has and its nominal model has not
+  Explanation effects;  ///< effects that this robot has and its nominal model does not
   SensorNoise noise;
   bool noisy = true;
-  bool truth = false;      ///< truth.* columns of a free robot as well
+  bool truth = false;      ///< also record truth.* columns of a free robot
   double rateHz = 0;       ///< 0: the robot's control rate
   std::uint64_t seed = 1;  ///< of noise and lost commands
-  double step = 0.001;     ///< of the integrator, finer than the diagnosis takes [s]
+  double step = 0.001;     ///< of the integrator, finer than in the diagnosis [s]
 };
 
-/// A program played on a robot that the project's own dynamics simulate (replay/Replay.h): hung up, or put on
-/// its feet, and settled in the first posture. Channels: cmd, pos, and of a robot with an IMU gyro and acc,
-/// of a free one with force sensors fsr. The run has no folder yet. Same options, same numbers.
+/// Plays a program on a robot that the project's own dynamics simulate (replay/Replay.h), hung up or put on
+/// its feet, and settled in the first posture. Channels: cmd, pos; gyro and acc of a robot with an IMU; fsr
+/// of a free robot with force sensors. The run has no folder yet. The same options give the same numbers.
 Run recordSimulated(const Mechanism& robot, const Excitation& program,
                     const SimulatedRecordingOptions& options = {});
 
-/// What plays a trial's commands on a plant; cycles that are lost have a 1 (none where it is empty).
+/// Function that plays a trial's commands on a plant; lost cycles have a 1 (an empty list: none is lost).
 using TrialPlayer =
     std::function<Prediction(const Plant&, const Trial&, const std::vector<std::uint8_t>& lost)>;
 
@@ -50,7 +50,7 @@ using TrialPlayer =
 Run recordWith(const Mechanism& robot, const Excitation& program, const SimulatedRecordingOptions& options,
                const TrialPlayer& player);
 
-/// The run's commands with nothing measured yet: every channel that a recording of it would have is NaN.
+/// The run's commands before any measurement: every channel of the recording is NaN.
 Run blankRun(const Mechanism& robot, const Excitation& program, double rateHz, bool truth = false);
 
 }  // namespace plumbline::gap

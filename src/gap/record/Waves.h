@@ -5,13 +5,13 @@
 
 namespace plumbline::gap {
 
-/// 0 before 0, 1 after 1, between them the curve of least jerk (Flash and Hogan 1985, equation 6).
+/// 0 before 0, 1 after 1, between them the minimum-jerk curve (Flash and Hogan 1985, equation 6).
 double smoothStep(double share);
 
 /// A segment's wave for one joint: within -1..1, 0 at both ends.
 class Wave {
 public:
-  /// What the joint can do, in amplitudes per second, and per second squared.
+  /// maxSpeed, maxAcceleration: limits of the joint, in amplitudes per second and per second squared.
   Wave(const Segment& segment, int joint, double maxSpeed, double maxAcceleration);
   double operator()(double t) const;
 

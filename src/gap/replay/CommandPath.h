@@ -7,23 +7,23 @@
 
 namespace plumbline::gap {
 
-/// What one joint's servo is told over time: the trial's commands at the moments they reach it, lost cycles
-/// left out, smoothed by the servo's own profile if it keeps a speed or an acceleration limit. Asked in
+/// The commands of one joint's servo over time: the trial's commands at the times at which they arrive,
+/// without lost cycles. If the servo has a speed or acceleration limit, its profile smooths them. Query in
 /// ascending time.
 class CommandPath {
 public:
-  /// lost: per cycle, whether its command never came; null: none.
+  /// lost: per cycle, whether its command was lost; null: none.
   CommandPath(const JointPlant& plant, const Trial& trial, std::size_t joint,
               const std::vector<std::uint8_t>* lost);
 
   /// Mean command over (from, to] [rad]: a change within a step counts by its share, to second order in the
   /// step.
   double over(double from, double to);
-  /// From now on the commands of other cycles never come; null: all do.
+  /// Changes which cycles' commands are lost from now on; null: none.
   void lose(const std::vector<std::uint8_t>* lostCycles) { lost_ = lostCycles; }
-  double stiffness() const { return stiff_; }        ///< at the end of the last interval asked for
+  double stiffness() const { return stiff_; }        ///< at the end of the last queried interval
   double voltage() const { return volts_; }          ///< measured supply then; 0: not measured
-  double speedSent() const { return sentSpeed_; }    ///< beside the position, then [rad/s]
+  double speedSent() const { return sentSpeed_; }    ///< sent with the position, then [rad/s]
   double torqueSent() const { return sentTorque_; }  ///< likewise [N m]
 
 private:
@@ -36,11 +36,11 @@ private:
   const std::vector<double>*speeds_ = nullptr, *torques_ = nullptr;
   const std::vector<double>& time_;
   const std::vector<std::uint8_t>* lost_;
-  bool losable_ = true;  ///< it is told commands
+  bool losable_ = true;  ///< it gets commands
   double shift_ = 0, acceleration_ = 0, fastest_ = 0;
   std::size_t next_ = 0;
   double current_ = 0, stiff_ = 1, volts_ = 0, sentSpeed_ = 0, sentTorque_ = 0;
-  bool straight_ = false;  ///< from command to command
+  bool straight_ = false;  ///< linear from command to command
   double currentAt_ = 0;   ///< when the current one was sent [s]
   double profile_ = 0, speed_ = 0;
 };

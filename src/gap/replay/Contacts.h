@@ -8,22 +8,23 @@
 
 namespace plumbline::gap {
 
-/// The corners of the soles on the ground: unilateral springs along the normal, Coulomb friction along the
-/// surface. Impulses are found by projected Gauss-Seidel on the step's own equation, warm-started.
+/// Contacts of the corners of the soles with the ground: unilateral springs along the normal, Coulomb
+/// friction along the surface. Projected Gauss-Seidel on the step's own equation finds the impulses, with a
+/// warm start.
 class Contacts {
 public:
   Contacts(const Plant& plant, const TreeDynamics& tree);
 
   /// Depth and Jacobian of every corner for the tree's present pose. base: position of the base's origin.
   void update(const TreeDynamics& tree, const Vec3& base);
-  /// What forces at the corners do to the step's new velocity: scale * A^-1 J^T f. factor: of its matrix A.
+  /// Computes how forces at the corners change the step's new velocity: scale * A^-1 J^T f. factor: of its
+  /// matrix A.
   void prepare(const Eigen::LLT<Eigen::MatrixXd>& factor, double scale);
-  /// Finds forces so that the new velocity of a step of h seconds keeps the bounds, beginning with those of
-  /// the last time, and adds their effect to it. Prepared for the step.
+  /// Finds forces so that the new velocity of a step of h seconds obeys the bounds, starting from the forces
+  /// of the last step, and adds their effect to it. Call prepare() first.
   void solve(double h, Eigen::VectorXd& velocity);
 
-  /// Force that the ground puts on a foot along its own sole: normal force [N] and where it acts [m], in the
-  /// foot's link frame.
+  /// Force of the ground on a foot's sole: normal force [N] and its point [m], in the foot's link frame.
   struct FootForce {
     double normal = 0;
     Vec2 centre = Vec2::Zero();

@@ -8,11 +8,11 @@
 
 namespace plumbline::gap {
 
-/// A plant that plays a trial, cycle by cycle. A copy goes on by itself, as a guess about lost commands does,
-/// as long as the base is held. Plant and trial must outlive it.
+/// A plant that plays a trial, cycle by cycle. With a fixed base a copy continues independently, for another
+/// hypothesis about lost commands. Plant and trial must outlive it.
 class Playback {
 public:
-  /// What a joint's sensor shows.
+  /// Reading of a joint's sensor.
   struct Shown {
     std::size_t signal, cycle;
     double value;
@@ -20,11 +20,11 @@ public:
 
   Playback(const Plant& plant, const Trial& trial, const ReplayOptions& options);
 
-  /// Comes to rest under the first command; what is read before the first cycle is played.
+  /// Settles under the first command; returns the readings before the first cycle.
   const std::vector<Shown>& settle();
-  /// Plays the cycle up to the next, or to its last reading; what is read meanwhile. In ascending order.
+  /// Plays a cycle up to the next, or to its last reading; returns the readings. Call in ascending order.
   const std::vector<Shown>& play(std::size_t cycle);
-  /// From now on the commands of other cycles never come; must outlive it. Null: all come.
+  /// Changes which cycles' commands are lost from now on; the list must outlive this object. Null: none.
   void lose(const std::vector<std::uint8_t>* lostCycles) { stepper_.lose(lostCycles); }
 
   bool reads(std::size_t signal) const;  ///< of the joints that are played
@@ -32,7 +32,7 @@ public:
   Stepper& body() { return stepper_; }
 
 private:
-  /// Where a joint's readings go, and the next cycle that is due.
+  /// Where a joint's readings are stored, and its next cycle.
   struct Reading {
     std::size_t signal = 0;
     int node = 0;  ///< of the stepper
@@ -45,7 +45,7 @@ private:
 
   void read(double from, double to);
   double valueOf(const Reading& reading, double h, double s) const;
-  /// A duty is what the servo makes of the angle that was measured: what moves the joint has no say in it.
+  /// The duty follows from the measured angle by the servo's law; the joint's dynamics do not matter.
   double dutyIn(const Reading& reading) const;
 
   const Trial& trial_;

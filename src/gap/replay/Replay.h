@@ -8,29 +8,29 @@
 namespace plumbline::gap {
 
 struct ReplayOptions {
-  /// Joints to move, closed under what carries them; empty: all. With a held base chains do not feel each
-  /// other, so an effect at a joint needs its chain alone.
+  /// Joints to move, including those that carry them; empty: all. With a fixed base chains do not influence
+  /// each other, so an effect at a joint needs only its chain.
   std::vector<int> joints;
   double step = 0.002;      ///< longest step of the integrator [s]
-  double gearStep = 0.001;  ///< the same where a gear has play or gives way [s]
-  double settle = 1;  ///< the first command is held so long before the run begins [s]; 0: starts as measured
-  bool restarts = true;  ///< goes on from what was measured wherever the trial says; false: in one piece
-  const std::vector<std::uint8_t>* lostCycles = nullptr;  ///< per cycle: its command never came
+  double gearStep = 0.001;  ///< the same if a gear has backlash or compliance [s]
+  double settle = 1;  ///< time for which the first command is held before the run [s]; 0: starts as measured
+  bool restarts = true;  ///< restarts from the measured state where the trial says; false: in one piece
+  const std::vector<std::uint8_t>* lostCycles = nullptr;  ///< per cycle: its command was lost
 };
 
-/// What the plant would have measured: one vector per signal of the trial, NaN for what is not predicted
-/// (joints left out, truth of a held base).
+/// Predicted readings of the plant: one vector per signal of the trial, NaN if not predicted (joints left
+/// out, truth of a fixed base).
 struct Prediction {
   std::vector<std::vector<double>> values;
-  /// What cannot be predicted of them: variance per signal and cycle; empty where nothing is uncertain.
+  /// Unpredictable part: variance per signal and cycle; empty if nothing is uncertain.
   std::vector<std::vector<double>> scatter;
   bool fell = false;  ///< a free robot's torso tilted by more than 60 degrees
 };
 
 /// Plays a trial's commands on a plant. Second-order linearly implicit midpoint steps; dry friction and
 /// contacts as bounds on impulses (velocity-level complementarity), solved exactly for one joint and by
-/// projected Gauss-Seidel for more. Same inputs, same bytes. Throws Stopped (framework/StopSignal.h) once a
-/// caught signal has come.
+/// projected Gauss-Seidel for more. The same inputs give the same bytes. Throws Stopped
+/// (framework/StopSignal.h) after a caught signal.
 Prediction replay(const Plant& plant, const Trial& trial, const ReplayOptions& options = {});
 
 }  // namespace plumbline::gap

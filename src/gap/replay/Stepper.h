@@ -15,31 +15,31 @@
 
 namespace plumbline::gap {
 
-/// A plant in motion: its state and how it goes on by one step. Coordinates: the tree's (base if free, then
-/// the chosen joints), then one rotor for each joint whose gear has play or gives way. A copy with
-/// a held base goes on by itself; with a free base it would share its contacts.
+/// The state of a moving plant, and its time step. Coordinates: the tree's (base if free, then the chosen
+/// joints), then one rotor for each joint whose gear has backlash or compliance. A copy with a fixed base is
+/// independent; with a free base it would share its contacts.
 class Stepper {
 public:
   Stepper(const Plant& plant, const Trial& trial, const std::vector<int>& joints,
           const std::vector<std::uint8_t>* lostCycles);
-  /// From now on the commands of other cycles never come; must outlive it. Null: all come.
+  /// Changes which cycles' commands are lost from now on; the list must outlive this object. Null: none.
   void lose(const std::vector<std::uint8_t>* lostCycles);
 
-  /// Puts the joints where they were measured and the body so that the foot that carries most lies flat on
-  /// the ground and stays; place and heading stay as they are. Play in gears stays on the side it is on.
+  /// Sets the joints to their measured positions and the body so that the foot with the largest load is flat
+  /// on the ground; place and heading stay. Backlash in gears stays on its side.
   void restart(const Restart& seen);
 
   bool geared() const { return !gears_.empty(); }
   void step(double from, double to);
 
-  /// What the encoder of the i-th chosen joint shows, and its speed; now and before the last step.
+  /// Reading of the encoder of the i-th chosen joint, and its speed; now and before the last step.
   double shown(int node) const { return drives_[index(node)].shown; }
   double rate(int node) const { return drives_[index(node)].rate; }
   double shownBefore(int node) const { return drives_[index(node)].shownBefore; }
   double rateBefore(int node) const { return drives_[index(node)].rateBefore; }
   double torque(int node) const { return drives_[index(node)].torque; }  ///< of the servo [N m]
-  double current(int node) const;  ///< [A]; NaN where the constant is unknown
-  /// What its servo makes of the present command where the encoder shows this angle, see dutyOf().
+  double current(int node) const;  ///< [A]; NaN if the constant is unknown
+  /// Duty of its servo for the present command and this encoder angle, see dutyOf().
   double duty(int node, double shown) const;
   /// Makes "before" equal "now".
   void hold();
@@ -56,12 +56,12 @@ private:
     CommandPath path;
     int joint = 0;
     int link = 0;    ///< coordinate of the link
-    int motor = 0;   ///< coordinate of the rotor; the link's where the gear is rigid
-    int sensed = 0;  ///< coordinate that the encoder sees
+    int motor = 0;   ///< coordinate of the rotor; the link's if the gear is rigid
+    int sensed = 0;  ///< coordinate that the encoder measures
     double command = 0, armature = 0;
     ServoLine line = {};
     double torque = 0, heat = 0;
-    GearLoad load = {};  ///< what presses the gear's teeth together
+    GearLoad load = {};  ///< load that presses the gear's teeth together
     double shown = 0, rate = 0, shownBefore = 0, rateBefore = 0;
   };
   struct Gear {
@@ -93,7 +93,7 @@ private:
   std::vector<Friction> frictions_;
   std::shared_ptr<Contacts> contacts_;  ///< of a free base
   SupplyRail supply_;
-  double weight_;  ///< of the new velocity in the one that moves (1/2: midpoint)
+  double weight_;  ///< weight of the new velocity in the motion of the step (1/2: midpoint)
 
   int n_ = 0;              ///< coordinates
   Eigen::VectorXd q_, v_;  ///< q has 0 for the base, whose pose is T
@@ -103,7 +103,7 @@ private:
   Eigen::LLT<Eigen::MatrixXd> factor_;
   Eigen::VectorXd acceleration_;
   bool hasFallen_ = false;
-  // Whole-robot readings, kept for a late IMU.
+  // Whole-robot readings, stored for a delayed IMU.
   std::vector<double> bodyTime_;
   std::vector<Vec3> gyro_, specificForce_;
 };

@@ -7,28 +7,28 @@
 
 namespace plumbline::gap {
 
-/// Rigid-body dynamics M(q) dv + bias(q, v) = tau of a mechanism, or of some of its chains where the base is
-/// held: composite inertias for M, recursive Newton-Euler for the bias (Featherstone, Rigid Body Dynamics
-/// Algorithms, 2008, tables 6.2 and 5.1), everything in world axes about the base's origin.
-/// Coordinates: with a free base the first six are its linear velocity (world, of the base frame's origin)
-/// and its angular velocity (world); then one per chosen joint, in the mechanism's order.
+/// Rigid-body dynamics M(q) dv + bias(q, v) = tau of a mechanism, or of some of its chains with a fixed base.
+/// M comes from composite inertias, the bias from recursive Newton-Euler (Featherstone, Rigid Body Dynamics
+/// Algorithms, 2008, tables 6.2 and 5.1), everything in world axes about the base's origin. Coordinates: with
+/// a free base the first six are its linear velocity (world, of the base frame's origin) and its angular
+/// velocity (world); then one per chosen joint, in the mechanism's order.
 class TreeDynamics {
 public:
   using Mat6X = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-  /// joints: ascending indices, closed under "what carries me"; empty with a held base: nothing moves.
+  /// joints: ascending indices, including those that carry them; empty with a fixed base: nothing moves.
   TreeDynamics(const Mechanism& mechanism, std::vector<int> joints, bool freeBase);
 
   int size() const { return offset_ + static_cast<int>(nodes_.size()); }
   int baseSize() const { return offset_; }
   const std::vector<int>& joints() const { return chosen_; }
 
-  /// Poses, mass matrix and bias. T_world_base matters for its rotation only; q: one per chosen joint [rad,
-  /// m]; v: size() velocities. Forces at links (addForce) are forgotten.
+  /// Poses, mass matrix and bias. Only the rotation of the base matters; q: one per chosen joint [rad, m]; v:
+  /// size() velocities. Clears the forces at links (addForce).
   void update(const Mat3& R_world_base, const double* q, const double* v);
 
   const Eigen::MatrixXd& mass() const { return M_; }          ///< symmetric, armature not included
-  const Eigen::VectorXd& bias() const { return biasForce_; }  ///< Coriolis and gravity forces, to be overcome
+  const Eigen::VectorXd& bias() const { return biasForce_; }  ///< Coriolis and gravity forces
 
   /// Of a link (mechanism's index) among those that move, or the base: its rotation, and its origin relative
   /// to the base's origin in world axes. Links that do not move are unknown: std::out_of_range.
@@ -37,7 +37,7 @@ public:
   /// Velocity of a link's point given relative to the base's origin, world axes [m/s].
   Vec3 velocityAt(int link, const Vec3& point) const;
   Vec3 angularVelocity(int link) const { return place(link).w; }
-  /// Acceleration less gravity (specific force) of a link's point for the joints' accelerations dv.
+  /// Acceleration minus gravity (specific force) of a link's point for the joints' accelerations dv.
   Vec3 specificForceAt(int link, const Vec3& point, const double* dv) const;
   /// Adds J^T f of a force at a link's point (world axes, relative to the base's origin) to tau.
   void addForce(int link, const Vec3& point, const Vec3& force, Eigen::VectorXd& tau) const;
@@ -49,7 +49,7 @@ private:
     Mat3 R = Mat3::Identity();
     Vec3 p = Vec3::Zero();                      ///< of the link's origin
     Vec3 w = Vec3::Zero(), u = Vec3::Zero();    ///< velocity: angular, and linear of the point at O
-    Vec3 aw = Vec3::Zero(), au = Vec3::Zero();  ///< acceleration of the bias, gravity taken off
+    Vec3 aw = Vec3::Zero(), au = Vec3::Zero();  ///< acceleration of the bias, minus gravity
   };
   struct Inertia {  // about O, world axes
     double m = 0;

@@ -5,9 +5,9 @@
 
 namespace plumbline::gap {
 
-/// A checked run as replay and diagnosis want it: joints by index, commands without gaps, the servo settings
-/// that run.json gives put into the robot. Channels that nothing here can predict stay out. Throws RunError
-/// where no position of a commanded joint is left.
+/// A checked run in the form for replay and diagnosis: joints by index, commands without gaps, and the robot
+/// with the servo settings of run.json. Channels that the replay cannot predict are left out. Throws RunError
+/// if no position of a commanded joint is left.
 Trial trialOf(const Run& run, const Mechanism& nominal);
 
 }  // namespace plumbline::gap

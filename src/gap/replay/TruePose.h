@@ -10,7 +10,7 @@ namespace plumbline::gap {
 /// Channels of the torso's true pose in the world, in order: position [m], then rotation.
 constexpr std::array<std::string_view, 7> poseAxes{"x", "y", "z", "qw", "qx", "qy", "qz"};
 
-/// Their values; of the two quaternions of a rotation the one with qw >= 0.
+/// Their values; the quaternion has qw >= 0.
 inline std::array<double, 7> poseValues(const Pose3& T_world_torso) {
   const Vec3 p = T_world_torso.translation();
   Eigen::Quaterniond q(T_world_torso.linear());

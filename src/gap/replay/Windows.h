@@ -5,13 +5,14 @@
 
 namespace plumbline::gap {
 
-/// What of a long recording is replayed: windows of 5 s spread evenly over it that together are about `most`
-/// [s] long. It is the whole trial where that is no longer, or where its base is free: a body's way over the
-/// ground cannot be begun from what is measured. The commands of 1.5 s before a window are played and not
-/// compared: the joints forget how they began. Heat of before a window is not known in it.
+/// The parts of a long recording that are replayed: windows of 5 s spread evenly over it, together about
+/// `most` [s] long. A shorter trial is used completely, and so is one with a free base, because the
+/// measurements do not give the state from which a body's motion could start. The commands of 1.5 s before a
+/// window are played but not compared, so the initial state of the joints has no effect. Heat from before a
+/// window is unknown.
 std::vector<Trial> windowsOf(Trial trial, double most);
 
-/// The same of each of several recordings that share `most` [s].
+/// The same for several recordings that share `most` [s].
 std::vector<std::vector<Trial>> windowsOf(std::vector<Trial> trials, double most);
 
 }  // namespace plumbline::gap

@@ -4,12 +4,13 @@
 
 namespace plumbline::gap {
 
-/// Reads an answer of bin/gap diagnose and checks what the commands after it rest on: a known verdict, causes
-/// with effect, place and value. Throws ConfigurationError in one line that names file and field; files above
-/// 256 MB are refused.
+/// Reads an answer of bin/gap diagnose and checks what later commands need: a known verdict, causes with
+/// effect, place and value. Throws ConfigurationError in one line that names file and field; files above 256
+/// MB are refused.
 nlohmann::json readAnswer(const std::string& path);
 
-/// Reads what bin/gap check --json wrote, likewise: the share closed, and per run folder, before and after.
+/// Reads and checks the output of bin/gap check --json: the share closed, and per run folder, before and
+/// after.
 nlohmann::json readCheck(const std::string& path);
 
 }  // namespace plumbline::gap

@@ -8,12 +8,12 @@
 
 namespace plumbline::gap {
 
-/// What a program would tell.
+/// How well a program separates explanations.
 struct MotionScore {
   std::string name;
-  /// Root mean square over a program's samples, in units of the sensors' noise and summed over the channels,
-  /// of how one explanation's prediction differs from the nearest that another can come to it by another size
-  /// of its effect. Of more than two explanations: the smallest of the pairs that count.
+  /// Difference between the predictions of two explanations: root mean square over a program's samples, in
+  /// units of the sensors' noise, summed over the channels. One of the two gets the size of its effect that
+  /// comes closest to the other. For more than two explanations: the smallest value of the pairs that count.
   double separation = 0;
 };
 
@@ -24,9 +24,9 @@ struct NextMotion {
 };
 
 struct NextMotionOptions {
-  std::vector<int> joints;  ///< that the designed programs move; empty: those the explanations are about
-  bool fromFirst = false;   ///< the first from each of the others counts, not every pair
-  bool standing = false;    ///< standing programs of the library count as well
+  std::vector<int> joints;  ///< that the designed programs move; empty: those of the explanations
+  bool fromFirst = false;   ///< only pairs with the first explanation count, not every pair
+  bool standing = false;    ///< also use standing programs of the library
   std::function<void(double share)> progress = {};
 };
 
@@ -35,10 +35,10 @@ struct NextMotionOptions {
 NextMotion findNextMotion(const Mechanism& robot, const std::vector<Explanation>& explanations,
                           NextMotionOptions options = {});
 
-/// In a sentence: what to record so that the two come apart, and by how much.
+/// In a sentence: what to record to separate the two, and by how much.
 std::string nextMotion(const Mechanism& robot, const Cause& a, const Cause& b);
 
-/// Causes of other kinds at a joint, each of a size that shows; what a gap there could come from.
+/// Possible causes of a gap at a joint, each with a visible size.
 std::vector<Explanation> suspectsAt(const Mechanism& robot, int joint);
 
 /// Joints whose motion shows an effect at a place.

@@ -6,7 +6,7 @@
 
 namespace plumbline::gap {
 
-/// The part of checkRun that looks at gyro, acc, fsr and truth: units, gravity, weight, unit quaternions.
+/// The part of checkRun for gyro, acc, fsr and truth: units, gravity, weight, unit quaternions.
 void checkBodySensors(Run& run, const Mechanism& robot, std::vector<RunWarning>& warnings);
 
 }  // namespace plumbline::gap

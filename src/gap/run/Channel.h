@@ -5,7 +5,7 @@
 
 namespace plumbline::gap {
 
-/// What a column of a run holds, as doc/reference/gap-run-format.md names it.
+/// Kind of a column of a run, see doc/reference/gap-run-format.md.
 enum class ChannelKind {
   time,
   command,
@@ -32,7 +32,7 @@ struct ChannelName {
   bool ofJoint() const { return kind >= ChannelKind::command && kind <= ChannelKind::temperature; }
 };
 
-/// Takes `pos.LKneePitch` apart; nothing for a name the format does not have.
+/// Splits `pos.LKneePitch`; nothing for a name that the format does not have.
 std::optional<ChannelName> parseChannel(std::string_view name);
 /// The prefix of a kind: `cmd`, `pos`, ..., `t` for the time.
 const char* prefix(ChannelKind kind);

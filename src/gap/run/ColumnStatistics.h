@@ -5,7 +5,7 @@
 
 namespace plumbline::gap {
 
-// Numbers about columns with lost samples (NaN), which are passed over.
+// Statistics of columns; lost samples (NaN) are ignored.
 
 /// A number for people, four digits.
 std::string shownNumber(double x);
@@ -23,21 +23,21 @@ double medianLength(const std::vector<double>& x, const std::vector<double>& y, 
 /// Median of the sum of several columns.
 double medianSum(const std::vector<const std::vector<double>*>& columns);
 
-/// How two columns move together, their means taken off.
+/// How two columns move together, without their means.
 struct Likeness {
   std::size_t pairs = 0;
   double correlation = 0, rmsA = 0, rmsB = 0;
-  double rangeB = 0;  ///< of b, a hundredth at either end left out
+  double rangeB = 0;  ///< of b, without a hundredth at either end
 };
 Likeness likenessOf(const std::vector<double>& a, const std::vector<double>& b, const std::vector<bool>& use);
 
-/// How far b stays from a where a is beyond +-from: medians of |b - a| and of |a|.
+/// How far b is from a while a is beyond +-from: medians of |b - a| and of |a|.
 struct Following {
   std::size_t pairs = 0;
   double distance = 0, size = 0;
 };
 Following followingOf(const std::vector<double>& a, const std::vector<double>& b, double from);
-/// Largest speed between neighbours that are there, of what they differ by beyond a jump that is allowed.
+/// Largest speed between neighbouring samples, after an allowed jump is subtracted from their difference.
 double fastest(const std::vector<double>& t, const std::vector<double>& column, double jump);
 
 /// A recorded speed against the derivative of the position, at the lag (0 to 8 cycles) at which they agree

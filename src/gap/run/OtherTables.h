@@ -11,14 +11,14 @@ namespace plumbline::gap {
 Table readRecording(const std::string& path, char separator, const std::vector<std::string>& missing);
 
 /// One JSON object a line. A number in it is a column named by its path, `imu.gyro.0`; true is 1, null a lost
-/// sample. Where an object names its parts, as {"name": ["a", "b"], "position": [1, 2]}, these names stand in
-/// place of numbers: `position.a`. A key that a line lacks is a lost sample there.
+/// sample. If an object names its parts, as in {"name": ["a", "b"], "position": [1, 2]}, these names replace
+/// the numbers: `position.a`. A key that a line does not have is a lost sample there.
 Table readJsonLines(const std::string& path);
 
 /// Messages of sensor_msgs/JointState and Imu, trajectory_msgs/JointTrajectory and
-/// std_msgs/Float64MultiArray. A line for each message of the joint states that there are most of; t is when
+/// std_msgs/Float64MultiArray. One line for each message of the topic with the most joint states; t is when
 /// it was recorded [s]. Columns are TOPIC.FIELD.JOINT, slashes of the topic as dots:
-/// `joint_states.position.LKneePitch`. What other topics said last stands in each line.
+/// `joint_states.position.LKneePitch`. Each line has the last values of the other topics.
 Table readRosBag(const std::string& path);
 
 }  // namespace plumbline::gap

@@ -6,9 +6,9 @@
 
 namespace plumbline::gap {
 
-/// Warns of what can be but hardly is, and is used as it stands: gains and supplies in run.json that are 0 or
-/// far from the robot's, clocks that are far apart, a rate that the times contradict, truth that is promised
-/// and not there.
+/// Warns about values that are possible but unlikely; they are used unchanged. These are gains and supplies
+/// in run.json that are 0 or far from the robot's, clocks that are far apart, a rate that the times
+/// contradict, and missing truth columns.
 void checkPlausibility(const Run& run, const Mechanism& robot, std::vector<RunWarning>& warnings);
 
 }  // namespace plumbline::gap

@@ -17,33 +17,34 @@ public:
   explicit RunError(const std::string& what);
 };
 
-/// A channel was left out of a run, or is to be taken with care.
+/// A channel was left out of a run, or is doubtful.
 struct RunWarning {
   std::string channel;   ///< column, or "run.json"
-  bool leftOut = false;  ///< true: no longer in Run::channels
+  bool leftOut = false;  ///< true: removed from Run::channels
   std::string why;
   /// One line: `FOLDER: pos.LKneePitch is left out: ...`
   std::string line(const std::string& folder) const;
 };
 
-/// What run.json may say about a joint's servo.
+/// Servo settings of a joint in run.json.
 struct ServoOverride {
   std::optional<double> kp, kd, armature, maxTorque, maxSpeed, kpFirmware, vin;
 };
 
-/// When, relative to t [s], the cycle's command reached the servo and position and speed were taken.
+/// Times relative to t [s] at which the cycle's command reached the servo and position and speed were
+/// measured.
 struct JointTiming {
   double cmdAt = 0, posAt = 0, velAt = 0;
 };
 
 /// One recording of one motion on one robot: a table of channels by name.
 struct Run {
-  std::string folder;  ///< as it was given; stands in messages
+  std::string folder;  ///< as it was given; used in messages
   std::string robot, motion, repeatOf;
   bool freeBase = false, groundTruth = false;
   double rateHz = 0;
-  /// Between two cycles the commands went in a straight line from one to the next, as a controller that is
-  /// faster than the log makes them; else each held until the next.
+  /// Between two cycles the commands moved linearly from one to the next, as from a controller that is faster
+  /// than the log; else each was held until the next.
   bool linearCommands = false;
   std::optional<double> heading;        ///< yaw at which a free robot was put down [rad]
   std::set<std::string> unsignedKinds;  ///< channels or prefixes recorded without sign, e.g. "current"
@@ -63,15 +64,15 @@ struct Run {
   }
   JointTiming timingOf(const std::string& joint) const;
   bool isUnsigned(const std::string& channel) const;
-  /// 0..1 of a joint in a cycle, 1 where it was not recorded; a lost sample counts as the last one read.
+  /// Stiffness 0..1 of a joint per cycle, 1 if it was not recorded; a lost sample counts as the last one
+  /// read.
   std::vector<double> stiffnessOf(const std::string& joint) const;
   /// Joints that have a column of that kind, in the order of the names.
   std::vector<std::string> jointsWith(ChannelKind kind) const;
 };
 
-/// The robot with the run's servo settings in place. For a DC motor kp, kd, kpFirmware and vin are kept
-/// consistent: what run.json gives counts, the rest follows from the law in Servo. Joints the robot lacks are
-/// passed over.
+/// The robot with the run's servo settings. For a DC motor kp, kd, kpFirmware and vin are kept consistent:
+/// values of run.json count, the rest follows from the law in Servo. Unknown joints are ignored.
 Mechanism withServo(Mechanism robot, const Run& run);
 
 }  // namespace plumbline::gap

@@ -7,16 +7,16 @@
 
 namespace plumbline::gap {
 
-/// Holds a run against its robot. What no verdict may rest on is taken out of run.channels and said in
-/// `warnings`; a run that is of no use as a whole is refused: RunError. Looked for are joints the robot lacks
-/// (most of them: the wrong robot), times in another unit, commands and positions in degrees, and positions
-/// far outside their limits. Further: a command that was not recorded, a sensor that is stuck or turned
-/// round, speeds in degrees or without sign. At the inertial and force sensors: gravity missing or in g,
-/// forces in another unit, values that no sensor gives. The thresholds stand in RunCheck.cpp; all are far
-/// from what an effect of the library does.
+/// Checks a run with its robot. Channels that cannot be used are removed from run.channels, with an entry in
+/// `warnings`; a run that cannot be used at all is refused: RunError. It finds unknown joints (if most are
+/// unknown: the wrong robot), times in another unit, commands and positions in degrees, and positions far
+/// outside their limits. It also finds a command that was not recorded, a sensor that is stuck or reversed,
+/// speeds in degrees or without sign. For inertial and force sensors it finds missing gravity or gravity in
+/// g, forces in another unit, and values that no sensor gives. The thresholds are in RunCheck.cpp; they are
+/// far beyond what an effect of the library causes.
 void checkRun(Run& run, const Mechanism& robot, std::vector<RunWarning>& warnings);
 
-/// readRun and checkRun in one, with the changes put in between.
+/// readRun, then the changes, then checkRun.
 Run readCheckedRun(const std::string& folder, const Mechanism& robot, std::vector<RunWarning>& warnings,
                    const RunChanges& changes = {});
 

@@ -6,15 +6,15 @@
 
 namespace plumbline::gap {
 
-/// What became of a recording that was not made in the project's form.
+/// Result of an import from another format.
 struct ImportedRun {
   Run run;
   std::vector<std::string> unused;   ///< columns of the recording that the map does not name
   std::size_t linesWithoutTime = 0;  ///< dropped
 };
 
-/// Turns a table (csv or csv.gz), JSON lines or a bag of ROS 2 (OtherTables.h) into a run as a map says:
-/// which column becomes which channel, units, signs, names of joints, scale of time.
+/// Converts a table (csv or csv.gz), JSON lines or a bag of ROS 2 (OtherTables.h) to a run. A map says which
+/// column becomes which channel, with units, signs, names of joints and scale of time.
 /// doc/how-to/bring-in-recordings.md describes the map. Nothing is written. Throws ConfigurationError naming
 /// file, line and key of the map, RunError for the recording.
 ImportedRun importRecording(const std::string& mapFile, const std::string& recording);

@@ -5,8 +5,8 @@
 
 namespace plumbline::gap {
 
-/// The answer as JSON text in the contract's form: `effect` is the id of a setting, `at` "simulator".
-/// doc/reference/gap-settings.md describes it.
+/// The answer as JSON text in the form of doc/reference/gap-answer.md: `effect` is the id of a setting, `at`
+/// "simulator". doc/reference/gap-settings.md describes it.
 std::string settingsJson(const SettingsDiagnosis& diagnosis, const std::string& robot);
 
 /// The verdict in a sentence or two, for people.

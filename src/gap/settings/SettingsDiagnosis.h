@@ -14,11 +14,11 @@ struct SettingRival {
   double probability = 0;
 };
 
-/// A setting that the nominal simulator has wrong.
+/// A wrong setting of the nominal simulator.
 struct SettingFinding {
   SettingValue value;
   double nominal = 0;
-  double lower = 0, upper = 0;  ///< least and largest of the values that fit each robot type alone
+  double lower = 0, upper = 0;  ///< smallest and largest value of the fits to each robot type alone
   double probability = 0;
   double closedAlone = 0, closedLast = 0;  ///< share of the gap, held out
   std::vector<SettingRival> rivals;        ///< most probable first
@@ -49,13 +49,13 @@ struct SettingsOptions {
   std::function<void(const std::string& stage, double share)> progress = {};
 };
 
-/// Which settings of the nominal simulator are not as in the recordings. Every setting is tried: looked at
-/// over its range on windows for fitting, its value fitted (minimizeBrent), judged on recordings that took
-/// no part. A window counts by the logarithm of its error, as one contact more or less must not decide.
-/// Settings are added while each gains on most held-out recordings; then each is looked for again with the
-/// others in place. A probability is the share of resampled sets of held-out recordings in which the setting
-/// does best, at most (n+1)/(n+2) with n recordings (Laplace), times the probability that settings explain
-/// the gap at all.
+/// Finds the settings of the nominal simulator that do not fit the recordings. Every setting is scanned over
+/// its range on windows for fitting, its value is fitted (minimizeBrent), and it is judged on held-out
+/// recordings. A window counts by the logarithm of its error, because a single contact must not decide.
+/// Settings are added while each improves most held-out recordings; then each is searched again together with
+/// the others. A probability is the share of resampled sets of held-out recordings in which the setting does
+/// best, at most (n+1)/(n+2) with n recordings (Laplace), times the probability that settings explain the gap
+/// at all.
 SettingsDiagnosis diagnoseSettings(const TraceEvidence& evidence, const SimulatorSetup& nominal,
                                    const SettingsOptions& options);
 

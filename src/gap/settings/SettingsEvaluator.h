@@ -11,7 +11,7 @@ struct SetupFit {
   std::vector<WindowError> errors;
 };
 
-/// Scores setups in units of what the nominal setup's own windows leave.
+/// Scores setups in units of the error of the nominal setup on its own windows.
 class SettingsEvaluator {
 public:
   SettingsEvaluator(const TraceEvidence& evidence, const SimulatorSetup& nominal, int jobs);
