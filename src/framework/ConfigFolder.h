@@ -6,10 +6,10 @@ namespace plumbline {
 /// The folder of the running program's file; "." where the system does not tell.
 std::string programFolder();
 
-/// The folder of the configuration, for every program and from any folder: the one named with `--config`
-/// (useConfigFolder), else config/ in the current folder, else that of the installation the program belongs
-/// to: config/ beside its bin/, or share/plumbline/. A folder counts if platforms/ is in it. "config" if
-/// there is none, so that errors say what was looked for. The path is relative where that is short.
+/// The folder of the configuration, for every program and from any folder. It is the one of `--config`
+/// (useConfigFolder), else config/ in the current folder, else that of the program's installation: config/
+/// next to its bin/, or share/plumbline/. A folder counts if it contains platforms/. If there is none, the
+/// result is "config", so that errors name it. The path is relative if that is short.
 std::string configFolder();
 
 /// A file or folder in it.

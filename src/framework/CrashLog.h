@@ -3,9 +3,9 @@
 
 namespace plumbline {
 
-/// Looks after the agent from a second process: when the agent dies by a signal, that process writes a file
-/// with the signal's name, what each thread was doing, the calls that led there and the last log messages. An
-/// end in order, Ctrl-C and SIGTERM (see StopSignal::catchSignals) leave no file.
+/// Watches the agent from a second process. When the agent dies by a signal, that process writes a file with
+/// the signal's name, the step of each thread, the call stack and the last log messages. A normal end, Ctrl-C
+/// and SIGTERM (see StopSignal::catchSignals) leave no file.
 class CrashLog {
 public:
   /// Starts the second process. At the beginning of main, before any thread; one at a time. If that is not

@@ -34,8 +34,8 @@ public:
   std::string problemOf(const Representation& value) const;
 };
 
-/// True if the representation has a stream method of its own or of its kind, or only members that can go as a
-/// block of memory: a class that is destroyed without any work owns nothing.
+/// True if the representation has a stream method (its own or its kind's), or only members that can be copied
+/// as a block of memory: a trivially destructible class owns nothing.
 template <typename R>
 inline constexpr bool knowsHowToStream =
     !std::is_same_v<decltype(&R::stream), void (RepresentationOf<R>::*)(InStream*, OutStream*)> ||

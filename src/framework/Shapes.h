@@ -52,9 +52,14 @@ std::string colourText(const Colour& colour);
 /// As much of a text in UTF-8 as fits into so many bytes, without half a character at its end.
 std::string_view cutText(std::string_view text, std::size_t most);
 
-/// As a list without labels, which the pages draw as it stands: {"circle" colour x y radius thickness},
-/// {"line" colour x y z x y z thickness}, {"point" colour x y z size}, {"sphere" colour x y z radius},
-/// {"polygon" colour x y z x y z ...}, {"text" colour x y z text}. Lengths to a tenth of a millimetre.
+/// As a list without labels, which the pages draw directly:
+/// - {"circle" colour x y radius thickness}
+/// - {"line" colour x y z x y z thickness}
+/// - {"point" colour x y z size}
+/// - {"sphere" colour x y z radius}
+/// - {"polygon" colour x y z x y z ...}
+/// - {"text" colour x y z text}
+/// Lengths are rounded to a tenth of a millimetre.
 void writeShape(OutStream& out, const Shape& shape);
 
 }  // namespace plumbline::shapes

@@ -14,8 +14,8 @@ struct ParticleSwarmOptions {
   StopCriteria stop;
 };
 
-/// Particle swarm with constriction: Clerc and Kennedy, "The particle swarm", IEEE Transactions on
-/// Evolutionary Computation 6(1), 2002 (chi 0.72984, phi 2.05 twice), each particle drawn to its own best and
+/// Particle swarm with constriction (chi 0.72984, phi 2.05 twice): Clerc and Kennedy, "The particle swarm",
+/// IEEE Transactions on Evolutionary Computation 6(1), 2002. Each particle is drawn to its own best place and
 /// to the best of its neighbours in a ring (Bratton and Kennedy, "Defining a Standard for Particle Swarm
 /// Optimization", 2007). A particle that would leave the box stops at its wall.
 class ParticleSwarm : public Optimizer {

@@ -7,8 +7,8 @@
 
 namespace plumbline {
 
-/// CMA-ES that learns a scale per coordinate and no rotation: Ros and Hansen, "A Simple Modification in
-/// CMA-ES Achieving Linear Time and Space Complexity", PPSN 2008: the covariance is its diagonal, learnt (n +
+/// CMA-ES that learns a scale per coordinate and no rotation (Ros and Hansen, "A Simple Modification in
+/// CMA-ES Achieving Linear Time and Space Complexity", PPSN 2008). The covariance is diagonal and learnt (n +
 /// 2) / 3 times as fast. For hundreds of dimensions, where a generation of the whole matrix costs more than
 /// the evaluations, and for functions whose coordinates do not depend on each other much.
 class SeparableCmaes : public Optimizer {

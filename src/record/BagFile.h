@@ -10,8 +10,8 @@
 namespace plumbline::record {
 
 /// One file of a log while it is written: an SQLite file in the schema of rosbag2 (version 4), which ROS 2's
-/// tools read, with three tables of our own beside: the cycles, what each topic is here, and what is known of
-/// the log. A writer that is killed loses what was not committed and nothing else.
+/// tools read. It has three additional tables: the cycles, the meaning of each topic, and properties of the
+/// log. A writer that is killed loses what was not committed and nothing else.
 class BagFile {
 public:
   static constexpr std::int64_t formatVersion = 1;

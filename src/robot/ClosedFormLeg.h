@@ -5,11 +5,11 @@
 
 namespace plumbline {
 
-/// Analytic inverse kinematics of a leg whose three hip axes (yaw pitch at 45 degrees, roll, pitch) meet in
-/// one point and whose hip pitch, knee and ankle pitch move in one plane, as in SimSpark's robots and the
-/// NAO. The ankle's roll axis may lie below its pitch axis; the solution is exact all the same. Of a pose out
-/// of reach the distance of hip and ankle is clipped along their line, then each joint to its limits. Poses
-/// are the foot's: of the link that the ankle's roll moves, in the torso frame [m].
+/// Analytic inverse kinematics of a leg as in SimSpark's robots and the NAO. Its three hip axes (yaw pitch at
+/// 45 degrees, roll, pitch) meet in one point, and hip pitch, knee and ankle pitch move in one plane. The
+/// ankle's roll axis may lie below its pitch axis; the solution is exact all the same. Of a pose out of reach
+/// the distance of hip and ankle is clipped along their line, then each joint to its limits. Poses are the
+/// foot's: of the link that the ankle's roll moves, in the torso frame [m].
 class ClosedFormLeg {
 public:
   /// Whether this leg of the model is such a leg.

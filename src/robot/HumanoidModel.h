@@ -6,21 +6,20 @@
 
 namespace plumbline {
 
-/// A mechanism as the model that kinematics and walk know: its joints get their numbers (OwnJoints.h), names
-/// instead of indices stop here. What slides or follows another joint's motor without a humanoid's name
-/// (fingers) is taken as fixed at zero; its link's mass belongs to the link that carries it. A foot's link
-/// without a shape of its own has the sole's box; a leg driven at the hip by the other leg's motor makes
+/// The model of a mechanism for kinematics and walk: joints get their numbers (OwnJoints.h) instead of names.
+/// Sliding joints, and joints without a humanoid's name that follow another joint's motor (fingers), are
+/// fixed at zero; the mass of their link belongs to the link that carries it. A foot's link without a shape
+/// of its own has the sole's box; a leg driven at the hip by the other leg's motor makes
 /// RobotModel::sharedHipYawPitch true.
 class Humanoid {
 public:
-  /// Throws std::invalid_argument for a mechanism whose axes the model cannot say: a joint frame turned in
-  /// its parent, a humanoid's foot that is not moved by an ankle, more joints of its own than there is room
-  /// for.
+  /// Throws std::invalid_argument for a mechanism that the model cannot describe: a joint frame rotated in
+  /// its parent, a foot of a humanoid that no ankle moves, too many joints of its own.
   explicit Humanoid(const Mechanism& mechanism);
 
   const RobotModel& model() const { return model_; }
 
-  /// Index of a joint in the mechanism, -1 where the robot lacks it.
+  /// Index of a joint in the mechanism, -1 if the robot does not have it.
   int mechanismJoint(JointId joint) const { return indices_[static_cast<std::size_t>(joint)]; }
   /// One value per joint of the mechanism as the model's, 0 where there is none, and back (joints without a
   /// number: 0).

@@ -5,11 +5,11 @@
 
 namespace plumbline {
 
-/// Inverse kinematics of any leg of six joints, for hips whose axes do not meet: Gauss-Newton steps on the
-/// foot's pose, damped by the square of the error (Sugihara, Solvability-unconcerned inverse kinematics by
-/// the Levenberg-Marquardt method, IEEE T-RO 27(5), 2011), within the joints' limits. It begins from the same
-/// postures every time, so the same pose gives the same angles. Allocates nothing. Poses are the foot's: of
-/// the link that the ankle's roll moves, in the torso frame [m].
+/// Inverse kinematics of any leg of six joints, for hips whose axes do not meet. Uses Gauss-Newton steps on
+/// the foot's pose, damped by the square of the error, within the joints' limits (Sugihara,
+/// Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method, IEEE T-RO 27(5), 2011). It
+/// begins from the same postures every time, so the same pose gives the same angles. Allocates nothing. Poses
+/// are the foot's: of the link that the ankle's roll moves, in the torso frame [m].
 class IterativeLeg {
 public:
   /// Throws std::invalid_argument as LegChain does.

@@ -6,10 +6,10 @@
 namespace plumbline {
 
 /// Number of a joint, resolved from its name when a robot is loaded (RobotModel::joint). 0 to 23 are a
-/// humanoid's joints by the NAO's names and signs: torso frame x forward, y left, z up, right-hand rule;
-/// positive pitch turns the moving part forward and down, a bent knee is positive. SimSpark has one hip
-/// yaw-pitch per leg and, in type 4, toes. The numbers from 24 on belong to each robot's own joints
-/// (OwnJointRange). A robot lacks a joint if RobotModel::linkOfJoint is -1.
+/// humanoid's joints with the NAO's names and signs. The torso frame has x forward, y left, z up; rotations
+/// follow the right-hand rule. Positive pitch turns the moving part forward and down; a bent knee is
+/// positive. SimSpark has one hip yaw-pitch per leg and, in type 4, toes. The numbers from 24 on belong to
+/// each robot's own joints (OwnJointRange). A robot lacks a joint if RobotModel::linkOfJoint is -1.
 enum JointId : int {
   headYaw,
   headPitch,

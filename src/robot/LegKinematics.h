@@ -6,7 +6,7 @@
 
 namespace plumbline {
 
-/// Forward and inverse kinematics of a leg down to its sole: in closed form where the leg is built for it
+/// Forward and inverse kinematics of a leg down to its sole: in closed form if the leg's geometry allows it
 /// (ClosedFormLeg), else by iteration (IterativeLeg). The robot's geometry decides when the model is loaded.
 class LegKinematics {
 public:
@@ -15,8 +15,8 @@ public:
 
   /// Joint angles that bring the sole to the pose T_torso_sole.
   LegSolution solve(const Pose3& T_torso_sole) const;
-  /// The same with the hip yaw pitch given [rad] (a robot whose legs share that motor): the ankle comes where
-  /// the pose has it and the sole lies in its plane; its heading is what the hip makes of it. Throws
+  /// The same for a given hip yaw pitch [rad] (a robot whose legs share that motor). The ankle is at its
+  /// place in the pose and the sole is in the pose's plane; the heading follows from the hip. Throws
   /// std::logic_error for a leg in closed form whose ankle axes do not meet, unless its robot shares the
   /// motor.
   LegSolution solve(const Pose3& T_torso_sole, double hipYawPitch) const;

@@ -7,8 +7,8 @@
 
 namespace plumbline {
 
-/// Where the ball is and who is nearer to it, as a team sees it: a place [m, team's frame, opponents' goal at
-/// +x] and an advantage from -1 (theirs) over 0 (nobody's) to 1 (ours).
+/// The ball's place [m, team's frame, opponents' goal at +x] and which team is nearer to it: an advantage
+/// from -1 (theirs) over 0 (nobody's) to 1 (ours).
 struct BallState {
   Vec2 place = Vec2::Zero();
   double advantage = 0;
@@ -16,8 +16,8 @@ struct BallState {
   BallState mirrored() const { return {-place, -advantage}; }
 };
 
-/// Who is nearer to the ball, from the times [s] that the first of each team needs to it: 2 s and more sooner
-/// is a whole advantage.
+/// The advantage from the times [s] that the first player of each team needs to the ball: a difference of 2 s
+/// or more is the full advantage.
 double ballAdvantage(double ourSeconds, double theirSeconds);
 
 /// A regular grid over ball states: x, |y| and advantage -1, 0, 1. The left half of the field is the right

@@ -6,12 +6,12 @@
 
 namespace plumbline {
 
-/// Learns a FieldValue from what balls did in games: a Markov chain over the points of a grid with a goal at
-/// each end. A step of a fixed time is seen from both teams, so that the values of both add up to 0. Where
-/// little was seen a ball that rolls to and fro is assumed (`priorSteps` of each point, normally distributed
-/// by `priorDeviation` about a drift with the team that has it), which a goal takes in before its mouth. The
-/// values are the chain's probabilities of absorption (Kemeny and Snell, Finite Markov Chains,
-/// theorem 3.3.7), as in the analysis of people's football (Rudd 2011, "A framework for tactical analysis and
+/// Learns a FieldValue from the motion of balls in games: a Markov chain over the points of a grid with a
+/// goal at each end. A step of a fixed time is counted for both teams, so the values of both add up to 0. If
+/// there is little data, random steps are added: `priorSteps` at each point, normally distributed by
+/// `priorDeviation` about a drift with the team that has the ball. In front of a goal they end in it. The
+/// values are the chain's probabilities of absorption (Kemeny and Snell, Finite Markov Chains, theorem
+/// 3.3.7), as in the analysis of people's football (Rudd 2011, "A framework for tactical analysis and
 /// individual offensive production assessment").
 class FieldValueLearner {
 public:

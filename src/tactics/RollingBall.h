@@ -13,8 +13,8 @@ Vec2 rolledOn(const Vec2& position, const Vec2& velocity, double seconds);
 /// Where a rolling ball comes to rest; one that is slower than 0.3 m/s counts as at rest.
 Vec2 restingPlace(const Vec2& position, const Vec2& velocity);
 
-/// The first place on a rolling ball's way that a robot, walking at `speed` [m/s], reaches no later than the
-/// ball, to within a tenth of a second; where the ball rests, if it gets to none before.
+/// The first place on a rolling ball's path that a robot, walking at `speed` [m/s], reaches before the ball
+/// or together with it, to a tenth of a second. If there is none, the place where the ball stops.
 Vec2 meetingPlace(const Vec2& robot, double speed, const Vec2& position, const Vec2& velocity);
 
 }  // namespace plumbline

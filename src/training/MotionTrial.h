@@ -18,9 +18,9 @@
 
 namespace plumbline::motion {
 
-/// One robot of a league type in a world of its own with the motions and the walk of config/, moved as the
-/// agent moves it: targets through the joint control, one cycle of delay, angles as the server rounds them.
-/// For searches, tests and benchmarks of motions.
+/// One robot of a league type in its own world with the motions and the walk of config/. It is controlled as
+/// by the agent: targets through the joint control, one cycle of delay, angles rounded as by the server. For
+/// searches, tests and benchmarks of motions.
 class MotionTrial {
 public:
   static constexpr double dt = 0.02;

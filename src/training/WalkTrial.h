@@ -41,10 +41,10 @@ struct HeldSpeed {
   bool upright = true;
 };
 
-/// A request held for `seconds` after the first two, from a stand of `wait` [s] at a place `aside` [m]: the
-/// simulator knows no chance, and from the same place after the same wait a robot does the same. At the
-/// field's end it is carried back as it walks, or, where it cannot be carried, sets off anew from where there
-/// is most field ahead; its first two seconds never count.
+/// Holds a request for `seconds` after the first two, from standing for `wait` [s] at a place `aside` [m].
+/// The simulator has no randomness: from the same place after the same wait a robot does the same. At the end
+/// of the field the walking robot is moved back. If it cannot be moved, it starts again where there is most
+/// field ahead. The first two seconds never count.
 HeldSpeed holdSpeed(Walker& robot, const WalkRequest& request, double seconds, double wait, double aside);
 
 }  // namespace plumbline::walking

@@ -22,8 +22,8 @@ std::optional<std::vector<double>> namedPosture(const std::string& name, const M
 std::vector<std::vector<int>> jointsInTurn(const Mechanism& robot);
 
 /// Postures within `share` of the way from home to the limits, at which gravity loads the joints as
-/// differently as possible: the best of 200 drawn ones, with both signs if a joint can have both. The same
-/// seed gives the same postures.
+/// differently as possible. They are the best of 200 drawn ones, with both signs if a joint can have both.
+/// The same seed gives the same postures.
 std::vector<std::vector<double>> gravityLoadings(const Mechanism& robot, const std::vector<double>& home,
                                                  double share, int count, std::uint64_t seed);
 

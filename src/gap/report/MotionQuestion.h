@@ -23,7 +23,7 @@ struct MotionQuestion {
 MotionQuestion motionQuestionOf(const AnswerCauses& found, const nlohmann::json& answer,
                                 const Mechanism& robot, const std::string& file);
 
-/// The motion that separates the most probable rival from the cause it would replace, as a text; empty if no
+/// The motion that separates the most probable rival from the cause it would replace, as a text. Empty if no
 /// rival has a probability of 5 % or more, or no motion can be tried on this robot.
 std::string separatingMotion(const Mechanism& robot, const Diagnosis& diagnosis);
 

@@ -25,9 +25,10 @@ MODULE(OthersEvaluation)
   PARAMETER(double, interval, 0.5, "s", Range(0.02, 60), "of the game's clock from line to line")
 END_MODULE
 
-/// Writes what this player believes of ball and others while the clock of the game runs, to be compared with
-/// bin/watchgame --track: time, belief (alone: own sight; team: with mates' words), what (ball, mate,
-/// opponent), number, x, y, standard deviation, distance, age. Only where modules.cfg asks for it.
+/// Writes this player's estimates of the ball and other robots while the clock of the game runs, for
+/// comparison with bin/watchgame --track. Columns: time, belief (alone: own sight; team: with messages of
+/// mates), what (ball, mate, opponent), number, x, y, standard deviation, distance, age. Runs only if
+/// modules.cfg names it.
 class OthersEvaluation : public OthersEvaluationBase {
 public:
   void execute() override;

@@ -5,9 +5,9 @@
 
 namespace plumbline {
 
-/// A replay in the debug interface: `replay:cycle`, `replay:time`, `replay:speed` and `replay:paused` can be
-/// read and set, `replay:span` tells the first and the last time and how many cycles there are, `dr
-/// replay:step` and `dr replay:back` go a cycle on or back.
+/// A replay in the debug interface. `replay:cycle`, `replay:time`, `replay:speed` and `replay:paused` can be
+/// read and set. `replay:span` gives the first and the last time and the number of cycles. `dr replay:step`
+/// and `dr replay:back` go one cycle forward or back.
 class ReplayPoints {
 public:
   ReplayPoints(AgentDebug& agent, record::ReplayControl& control);
@@ -15,7 +15,7 @@ public:
   ReplayPoints(const ReplayPoints&) = delete;
   ReplayPoints& operator=(const ReplayPoints&) = delete;
 
-  /// On the thread that replays, again and again.
+  /// Call repeatedly on the thread that replays.
   void pass();
 
 private:

@@ -39,9 +39,9 @@ MODULE(MotionSelector)
   PARAMETER_GROUP(StandUpParameters, standUp, "what a robot does that lies")
 END_MODULE
 
-/// Which motion drives the joints: the requested one as soon as the one before it can be left safely. A robot
-/// that lies stands up first, whatever is requested, and tries again until it is up: the first time with a
-/// fast motion, if it is given one, then with the one that fails more seldom.
+/// Decides which motion drives the joints: the requested one as soon as the previous one can end safely. A
+/// lying robot stands up first, whatever is requested, and tries again until it is upright. The first try
+/// uses a fast motion, if there is one, the next tries one that fails less often.
 class MotionSelector : public MotionSelectorBase {
 public:
   void init() override;

@@ -33,9 +33,9 @@ MODULE(OptimizeKick)
   PARAMETER(double, rollSeconds, 15, "s", Range(1, 60), "a ball that rolls for longer rests where it is then")
 END_MODULE
 
-/// Tries the kick of the trial that is open, again and again: a trainer puts robot and ball to their places,
-/// the robot kicks and walks on, and what the ball did is measured by the simulator's ground truth. Takes the
-/// place of behaviour and skills in modules.cfg.
+/// Repeats the kick of the open trial: a trainer puts robot and ball to their places, the robot kicks and
+/// then walks. The simulator's ground truth measures the ball. In modules.cfg this module replaces behaviour
+/// and skills.
 class OptimizeKick : public OptimizeKickBase {
 public:
   void init() override;

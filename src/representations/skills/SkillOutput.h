@@ -10,9 +10,9 @@
 
 namespace plumbline {
 
-/// How a skill wants the robot to stand at the ball before it begins: not at all; with the requested heading;
-/// with its kicking foot behind the ball, facing where the ball goes; with the ball ahead, facing where the
-/// ball goes.
+/// How the robot must stand at the ball before a skill begins. none: anywhere. Otherwise with the requested
+/// heading, with its kicking foot behind the ball and facing the kick's direction, or with the ball ahead and
+/// facing its direction.
 enum class BallApproach : std::uint8_t { none, heading, kick, dribble };
 
 /// What a skill wants of the motions. A new skill is a module that provides a representation of this kind,

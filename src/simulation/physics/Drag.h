@@ -3,8 +3,8 @@
 
 namespace plumbline::simulation {
 
-/// Faster than this a light link's drag is taken at the end of the step [rad/s]: no motor of the league turns
-/// faster than 7, and in the recordings of its server no link comes to 19.
+/// Above this spin, a light link's drag uses the velocity at the end of the step [rad/s]. No motor of the
+/// league turns faster than 7, and in recordings of its server no link reaches 19.
 constexpr double fastSpin = 20;
 
 /// Torque of a body's angular drag over a step of h seconds [N m], world axes, by its rotation and its spin

@@ -13,12 +13,13 @@ namespace plumbline::simulation {
 /// away from where it is, nearest first; after `attempts` of them the first one is taken.
 void moveSafely(Match& match, Participant& player, const Vec3& place, bool avoidBall = true);
 
-/// Beside the field on the side away from the ball: number n at 0.6 (7 - n) m from midfield, on the own
-/// half's side for n < 7, half a metre beyond the line; one metre high.
+/// Place next to the field on the side away from the ball: number n at 0.6 (7 - n) m from midfield, in the
+/// own half for n < 7. It is half a metre beyond the line and one metre high.
 Vec3 outsidePlace(const FieldSize& field, const Vec3& ball, TeamSide side, int unum);
 
-/// Players of a side whose bounding box reaches into a ball of that radius around the centre are put
-/// `distance` from it, towards their own goal, or towards midfield if that is behind the goal line.
+/// Moves players of a side whose bounding box reaches into a sphere of that radius around the centre to
+/// `distance` from it. They move towards their own goal, or towards midfield if that place is behind the goal
+/// line.
 void clearCircle(Match& match, const Vec3& centre, double radius, double distance, TeamSide side);
 /// Players of a side of whom something is in the area are put `distance` before it, towards their own goal.
 void clearArea(Match& match, const Area& area, double distance, TeamSide side);

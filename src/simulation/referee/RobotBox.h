@@ -11,8 +11,8 @@ struct RobotBox {
   bool reachedBy(const Vec3& centre, double radius) const;
 };
 
-/// Around what the league's server counts as a robot: all its bodies, and a plate of 0.56 x 0.4 m about the
-/// torso's middle (measured: thresholds of a standing robot of type 0, from all sides).
+/// Bounding box of a robot as on the league's server: all its bodies, and a plate of 0.56 x 0.4 m around the
+/// torso's middle. Measured by thresholds of a standing robot of type 0, from all sides.
 RobotBox robotBox(const World& world, const Participant& player);
 /// From above, around the middles of its colliding bodies: with these alone the server judges who stands in a
 /// half or a penalty area.

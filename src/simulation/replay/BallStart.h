@@ -4,11 +4,12 @@
 
 namespace plumbline::simulation {
 
-/// Whether somebody put the ball elsewhere in the step to this row: farther than it can roll.
+/// Whether somebody moved the ball in the step to this row: farther than it can roll.
 bool ballJumps(const simspark::LeagueTrace& trace, std::size_t row);
 
-/// The state of the ball one step before this row, without spin, as a trainer sets it, that explains this row
-/// and those after it best (Gauss-Newton over up to 10 rows; over 2 if something else touches the ball).
+/// The state of the ball one step before this row that explains this row and the next ones best. It has no
+/// spin, as when a trainer sets it (Gauss-Newton over up to 10 rows; over 2 if something else touches the
+/// ball).
 BodyState ballBefore(const simspark::LeagueTrace& trace, std::size_t row, const WorldConfig& config);
 
 /// The same ball a step later, alone on the field.

@@ -7,11 +7,11 @@
 
 namespace plumbline::simulation {
 
-/// Plays a recording's commands open loop in a world of its own, from the state of the first row, and returns
-/// what this simulator makes of it: for each robot one row for each of its trace's. The velocities of the
-/// first row follow from the rows after it and from gyro and accelerometer; the ball is set anew where the
-/// recording's ball jumps, and a robot is put where a beam or a trainer put it. `models` is as long as
-/// `robots`, all traces are of one length (std::invalid_argument).
+/// Plays a recording's commands open loop in a separate world, from the state of the first row. Returns for
+/// each robot one row of this simulator for each row of its trace. The velocities of the first row follow
+/// from the rows after it and from gyro and accelerometer. The ball is set again if the recording's ball
+/// jumps, and a robot is put where a beam or a trainer put it. `models` must be as long as `robots`, and all
+/// traces must have the same length (std::invalid_argument).
 std::vector<std::vector<simspark::TraceRow>> replay(const std::vector<simspark::LeagueTrace>& robots,
                                                     const std::vector<RobotModel>& models,
                                                     const WorldConfig& config = {});

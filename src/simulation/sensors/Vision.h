@@ -36,8 +36,8 @@ struct VisibleWorld {
   std::vector<Player> players;
 };
 
-/// The restricted camera of the league's robots: it looks along x of the head, 60 degrees to each side and up
-/// and down, sees nothing nearer than 0.1 m, through everything, its own arms as well.
+/// The restricted camera of the league's robots. It looks along x of the head, 60 degrees to each side and up
+/// and down. It sees nothing nearer than 0.1 m, and sees through everything, also its own arms.
 class Vision {
 public:
   explicit Vision(const VisionNoise& noise, RandomStream& random);
@@ -53,11 +53,11 @@ private:
   Vec3 offset_ = Vec3::Zero();  ///< constant error in the head frame [m]
 };
 
-/// Cuts a line in head coordinates to what the camera's image holds, as the league's server does: a line with
-/// both ends in the cone of view stays whole; otherwise it is cut at the near plane x = 0.1 m and at the
-/// edges of the square image. False: nothing is seen of it. The server's accidents are kept: the cone is
-/// round in the corners and the image is not, so a line whose one visible end lies outside of the image
-/// vanishes; and a quarter of those that leave the image above or below vanish by rounding.
+/// Clips a line in head coordinates to the camera's image, as the league's server does. A line with both ends
+/// in the cone of view stays whole. Otherwise it is clipped at the near plane x = 0.1 m and at the edges of
+/// the square image. False: nothing is seen of it. The server's errors are reproduced. The cone is round and
+/// the image is square, so a line whose only visible end lies outside of the image disappears. By rounding, a
+/// quarter of the lines that leave the image at the top or bottom disappear too.
 bool clipToView(Vec3& a, Vec3& b);
 
 }  // namespace plumbline::simulation

@@ -5,8 +5,9 @@
 
 namespace plumbline::simulation {
 
-/// A sole's force along its normal [N], shared by the foot's sensors as a plane over them with the same
-/// centre of pressure would (in the link's frame); no sensor pulls, and together they carry all.
+/// Distributes a sole's normal force [N] over the foot's sensors. The readings are a linear function of the
+/// sensors' places with the same centre of pressure (in the link's frame). No reading is negative, and their
+/// sum is the force.
 std::vector<double> footSensorForces(const Mechanism::Foot& foot, double normal, const Vec2& centre);
 
 }  // namespace plumbline::simulation

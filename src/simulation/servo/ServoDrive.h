@@ -3,9 +3,9 @@
 
 namespace plumbline::simulation {
 
-/// One joint's servo and what its drive adds to it, as a line torque = offset - slope * v for the speed v at
-/// the end of a step, so that the step can be solved with it. It knows no dynamics: it is told where motor
-/// and link are, and what came out. Law of the servo: robot/Mechanism.h; of the rest: JointPlant.
+/// One joint's servo with its drive, as a linear law torque = offset - slope * v for the speed v at the end
+/// of a step, so that the step can be solved with it. It knows no dynamics: it is told where motor and link
+/// are, and what came out. Law of the servo: robot/Mechanism.h; of the rest: JointPlant.
 class ServoDrive {
 public:
   /// detailed: speeds by the trapezoid, for positions that are read half a step of speed earlier (leapfrog),

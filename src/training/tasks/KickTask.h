@@ -9,18 +9,18 @@
 
 namespace plumbline::training {
 
-/// A kick in the embedded simulator: Seekircher 2015, 3.1.1. In a run the robot has walked up and stopped, or
-/// stands and sways (the seed says which and how). The ball lies within `spread` of where the kick wants it.
-/// The robot plays the motion and walks at once for two seconds while the ball comes to rest.
-/// The cost is motion::KickWish's; the wanted direction is forward.
-/// Figures: distance (along) [m], direction (left of forward) [deg], off (its size), height [m], time [ms],
-/// contact [ms] from the begin to the ball, error, up (1: leans by less than 30 degrees in the end), top (of
-/// the ball between 3 and 8 m from where it lay, the highest) [m], low (1: that is below the goal's bar, and
-/// the ball came so far).
-/// Options: type 0 .., motion (a file's name to begin with), side (of the kicking foot), distance [m, 0: as
-/// far as it goes], ceiling (of top, 0: none) [m], spread [m], weight (0.08), steady (1),
-/// walk [s, 2: a shorter one makes a search faster], still (share of the runs in which the robot stands that
-/// long instead of walking, 0), and TrialWorlds'.
+/// A kick in the embedded simulator: Seekircher 2015, 3.1.1. In a run the robot has walked to the ball and
+/// stopped, or stands and sways (decided by the seed). The ball is within `spread` of the kick's ball
+/// position. The robot plays the motion and then walks for two seconds while the ball stops. The cost is
+/// motion::KickWish's; the wanted direction is forward.
+/// - Figures: distance (along) [m], direction (left of forward) [deg], off (its absolute value), height [m].
+/// Further: time [ms], contact [ms] (from the beginning to the ball), error, up (1: leans by less than 30
+/// degrees at the end). top is the ball's largest height between 3 and 8 m from its start [m]; low is 1 if
+/// top is below the goal's bar and the ball came so far.
+/// - Options: type 0 .., motion (name of the first file), side (of the kicking foot), distance [m, 0: as far
+/// as possible]. Further: ceiling (of top, 0: none) [m], spread [m], weight (0.08), steady (1), walk [s, 2: a
+/// shorter one makes a search faster]. still is the share of the runs in which the robot stands that long
+/// instead of walking (0). The options of TrialWorlds.
 class KickTask : public SearchTask {
 public:
   explicit KickTask(const TaskOptions& options);

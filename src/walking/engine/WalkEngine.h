@@ -18,11 +18,11 @@ struct WalkRequest {
   Vec2 velocity = Vec2::Zero();  ///< in the robot's frame, clipped to what the parameters allow [m/s]
   double turn = 0;               ///< [rad/s], counterclockwise
   bool walk = false;             ///< false: come to a safe stop and stand
-  /// Walk to this pose and stop there; in the robot's frame now, told anew every cycle; velocity and turn do
-  /// not matter.
+  /// Walk to this pose and stop there; in the robot's present frame, set again in every cycle; velocity and
+  /// turn are ignored.
   std::optional<Pose2> target{};
-  /// Kick with this foot in a step (section 4.4.1), at the target if there is one, as soon as it swings; once
-  /// until it is not asked for any more.
+  /// Kick with this foot in a step (section 4.4.1), at the target if there is one, as soon as it swings. One
+  /// kick per request: clear `kick` before the next.
   std::optional<Side> kick{};
 };
 
@@ -32,13 +32,13 @@ struct WalkOutput {
   Pose2 odometry;       ///< motion of the torso's ground frame since the last cycle, in that frame
   Support support = Support::both;
   Pose2 stepTarget;               ///< where the swing foot will land, in the frame of the centre of mass then
-  double stepTime = 0;            ///< left of the current step [s]
-  double phase = 0;               ///< passed share of the current step, 0 .. 1
+  double stepTime = 0;            ///< remaining time of the current step [s]
+  double phase = 0;               ///< share of the current step that is over, 0 .. 1
   bool kicking = false;           ///< the step in progress is a kick
-  bool kicked = false;            ///< the kick that is asked for is over
+  bool kicked = false;            ///< the requested kick is over
   std::size_t stepsToTarget = 0;  ///< planned
   bool standing = true;           ///< both feet on the ground and at rest: another motion may begin
-  Vec2 velocity = Vec2::Zero();   ///< walked now, mean over the step [m/s]
+  Vec2 velocity = Vec2::Zero();   ///< present speed, mean over the step [m/s]
   double turn = 0;                ///< [rad/s]
   /// Joint stiffness (section 4.2.6), 0 .. 1, for robots that have it; all 0 while falling.
   JointArray stiffness = fullStiffness();
@@ -65,8 +65,8 @@ struct WalkPlan {
   Pose2 torso;  ///< on the ground, in the frame of the walk state
 };
 
-/// The walk of chapter 4 (Seekircher 2015): every cycle the walk state is drawn to what is observed, the step
-/// in progress is planned with the pendulum model, and one cycle of it becomes joint targets. With
+/// The walk of chapter 4 (Seekircher 2015). Every cycle corrects the walk state by the observation, plans the
+/// current step with the pendulum model, and computes joint targets for one cycle. With
 /// observation.positionGain and velocityGain at 0 it is the open loop of section 4.2.4. Call update() once
 /// per control cycle.
 class WalkEngine {
@@ -81,22 +81,22 @@ public:
   WalkEngine& operator=(WalkEngine&&) noexcept;
 
   WalkOutput update(const WalkRequest& request, const WalkSensors& sensors);
-  /// Other parameters from the next cycle on, without a stop. Throws as the constructor, and changes nothing
-  /// then.
+  /// Uses other parameters from the next cycle on, without a stop. Throws like the constructor, and then
+  /// changes nothing.
   void setGaits(const WalkGaits& gaits);
-  /// Stands from now on (after another motion moved the robot). What was learnt of its speeds stays.
+  /// Stands from now on (after another motion moved the robot). Keeps what was learnt about its speeds.
   void reset();
-  /// Forgets what was learnt of the robot's speeds (SpeedScale), as for another robot.
+  /// Forgets what was learnt about the robot's speeds (SpeedScale), as for another robot.
   void forget();
   /// Targets of the stand, with set as in WalkOutput.
   WalkOutput stand() const;
   /// The walk state that is being realised; for tests and plots.
   const WalkState& state() const;
-  /// What the present cycle leads to; for drawings.
+  /// The plan of the present cycle, for drawings.
   WalkPlan plan() const;
-  /// What is observed, as old as the last measurement; its velocity is the particle filter's.
+  /// The observed state at the time of the last measurement; its velocity is the particle filter's.
   const WalkState& observed() const;
-  /// The velocity that the supporting foot's movement alone shows [m/s].
+  /// The velocity from the movement of the support foot alone [m/s].
   Vec2 seenVelocity() const;
   /// The parameters at the present speed.
   const WalkParameters& gait() const;
@@ -106,11 +106,11 @@ public:
   /// usual place [m].
   double recovering() const;
   const Vec2& capturePointError() const;
-  /// The walk that is aimed at.
+  /// The target walk.
   const ReferenceTrajectory& reference() const;
 
-  /// The ten parameters that fit the model to this robot (section 4.3.1), from the next cycle on: those that
-  /// steps are planned with, and those by which the observed state is filtered and carried over the delay.
+  /// Sets the ten parameters that fit the model to this robot (section 4.3.1), from the next cycle on: one
+  /// set for planning steps, one for filtering the observed state and predicting it over the delay.
   void setModelParameters(const ModelParameters& parameters);
   const ModelParameters& modelParameters() const;
   void setPrediction(const ModelParameters& parameters);

@@ -6,9 +6,9 @@
 
 namespace plumbline::walking {
 
-/// Observes the walk and makes up for the delay of the control loop (section 4.2.5): what is measured shows
-/// what was commanded some cycles ago, so the observed state is moved on with the model through the actions
-/// commanded since.
+/// Observes the walk and compensates the delay of the control loop (section 4.2.5). A measurement shows the
+/// effect of commands some cycles ago. So the model predicts the present state from the observation and the
+/// actions commanded since then.
 class ClosedLoop {
 public:
   explicit ClosedLoop(const RobotModel& robot) : observer_(robot) {}

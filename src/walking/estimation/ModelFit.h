@@ -20,12 +20,12 @@ struct ModelFitOptions {
   std::function<bool()> goOn{};
 };
 
-/// Two sets of the ten: `parameters` also change what is planned, and are held to what is safe for the walk
-/// (FitSafety); `prediction` only tell what the robot will do, and are held to nothing but that.
+/// Two sets of the ten: `parameters` also change the plan and must be safe for the walk (FitSafety).
+/// `prediction` only predict what the robot will do and have no other condition.
 struct ModelFitResult {
   ModelParameters parameters;    ///< those before if not accepted
   bool accepted = false;         ///< predicts the held-out steps better than those before, and the walk stays
-  bool rolledBack = false;       ///< what was taken before did not prove itself: these are the ones before it
+  bool rolledBack = false;       ///< the previous set was worse in the test: these are the ones before it
   double change = 0;             ///< of the walk (FitSafety); 1: as much as is safe
   double before = 0, after = 0;  ///< error on the steps it was fitted to
   double heldBefore = 0, heldAfter = 0;  ///< on every third step, which it was not

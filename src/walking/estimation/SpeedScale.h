@@ -9,8 +9,8 @@ namespace plumbline::walking {
 /// observed over the speed planned, forward, sideways and turning each, by least squares with forgetting.
 class SpeedScale {
 public:
-  /// A cycle of dt [s] of a walk at a speed that is to be `aimed`, with what was observed [m/s, m/s, rad/s];
-  /// average: walking time after which what was seen counts for a third [s], 0: nothing is learnt.
+  /// Adds a cycle of dt [s] of a walk at the planned speed `aimed`, with the observed speed [m/s, m/s,
+  /// rad/s]. average: walking time after which an observation counts for a third [s]; 0: learns nothing.
   void update(const Vec3& aimed, const Vec3& observed, double average, double dt) {
     steady_ = (aimed - before_).norm() < 1e-6 ? steady_ + dt : 0;
     before_ = aimed;

@@ -27,7 +27,7 @@ struct VelocityEvidence {
 };
 
 /// Particle filter (Thrun et al., "Probabilistic Robotics", table 4.3) for the velocity of the centre of mass
-/// over the ground, from the model, or the forces where they are measured, and the movement of the supporting
+/// over the ground. It uses the model, or the forces if they are measured, and the movement of the support
 /// foot in the frame of the centre of mass. Same calls, same answers; allocates nothing after the
 /// construction.
 class VelocityFilter {
@@ -38,8 +38,8 @@ public:
   void reset(const Vec2& velocity = Vec2::Zero());
   /// A cycle of dt [s]: `before` as it was observed at its start (the velocity in it is not used), the action
   /// that went on, and what was measured. Returns the velocity at the end, in the frame at the end. Without
-  /// forces what is seen is the mean over the cycle; with them the velocity at its end, as in the league's
-  /// physics, which takes a cycle in one step, and it may be wrong at times (a foot that slides).
+  /// forces the observation is the mean over the cycle. With forces it is the velocity at its end, as in the
+  /// league's physics with one step per cycle; it may sometimes be wrong (a sliding foot).
   const Vec2& update(const WalkModel& model, const WalkState& before, const WalkAction& action, double dt,
                      const VelocityEvidence& evidence);
   const Vec2& velocity() const { return mean_; }

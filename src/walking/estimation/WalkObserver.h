@@ -32,8 +32,9 @@ public:
   /// alone, last cycle [m/s].
   const Vec2& seenVelocity() const { return seen_; }
 
-  /// Motion of the torso's ground frame in the last cycle: of the centre of mass by the velocity told, of the
-  /// torso over it by the joints, of the heading by the gyrometer, in that frame.
+  /// Motion of the torso's ground frame in the last cycle, in that frame. The motion of the centre of mass
+  /// comes from the given velocity, that of the torso relative to it from the joints, the heading from the
+  /// gyrometer.
   const Pose2& torsoMotion() const { return torsoMoved_; }
 
 private:

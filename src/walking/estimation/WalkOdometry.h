@@ -16,10 +16,10 @@ public:
     torso_ = T_com_torso;
     underway_.clear();
   }
-  /// A cycle of dt [s] in which the frame of the centre of mass moved by `motion`, with the torso's ground
-  /// frame in it at the end; observed: the motion of the torso's ground frame in the last cycle, where it is
-  /// known (WalkObserver::torsoMotion). Returns the motion of the torso's ground frame that has taken effect,
-  /// in that frame.
+  /// Adds a cycle of dt [s]. The frame of the centre of mass moved by `motion`, with the torso's ground frame
+  /// in it at the end. observed: the motion of the torso's ground frame in the last cycle, if it is known
+  /// (WalkObserver::torsoMotion). Returns the motion of the torso's ground frame that has taken effect, in
+  /// that frame.
   Pose2 update(const Pose2& motion, const Pose2& T_com_torso, bool walking, const WalkParameters& p,
                double dt, const std::optional<Pose2>& observed = std::nullopt) {
     Pose2 moved = torso_.inverse() * motion * T_com_torso;

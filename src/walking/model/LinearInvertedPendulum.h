@@ -4,8 +4,8 @@
 
 namespace plumbline::walking {
 
-/// The linear inverted pendulum (Kajita et al. 2001; equations 4.1 and 4.2 of the thesis): the centre of mass
-/// keeps its height and is pushed away from the centre of pressure; in single support with the parameters of
+/// The linear inverted pendulum (Kajita et al. 2001; equations 4.1 and 4.2 of the thesis). The centre of mass
+/// keeps its height and accelerates away from the centre of pressure. Single support uses the parameters of
 /// section 4.3.1.
 class LinearInvertedPendulum : public WalkModel {
 public:

@@ -6,8 +6,8 @@
 
 namespace plumbline::walking {
 
-/// Steps that bring the robot to a pose and to rest there: each is the motion of the centre of mass in one
-/// step, in its frame at the step's beginning [m, rad].
+/// Steps to a pose, with a stop there. Each is the motion of the centre of mass in one step, in its frame at
+/// the step's beginning [m, rad].
 struct ApproachPlan {
   std::vector<Pose2> steps;
   bool complete = false;  ///< the last step ends at the target; else more steps than were allowed are needed
@@ -23,8 +23,8 @@ struct ApproachTolerance {
   double heading = 0.05;   ///< [rad]
 };
 
-/// Plans the steps to a pose, given in the robot's frame, from the speed walked now: every step as long as
-/// the limits of speed and acceleration allow, and short enough that the next ones can stop at the target.
+/// Plans the steps to a pose in the robot's frame, starting from the present speed. Every step is as long as
+/// the limits of speed and acceleration allow, and short enough that the next steps can stop at the target.
 ApproachPlan planApproach(const Pose2& target, const Vec2& velocity, double turn,
                           const WalkParameters& limits, const ApproachTolerance& tolerance = {},
                           std::size_t maxSteps = 200);

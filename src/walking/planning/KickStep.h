@@ -5,13 +5,13 @@
 
 namespace plumbline::walking {
 
-/// The swing foot's way in a step that kicks: on top of its way from lift-off to target it is drawn back and
-/// then thrown forward, along the supporting foot's x axis (section 4.4.1: a kick as a walk action).
+/// The swing foot's path in a step that kicks (section 4.4.1: a kick as a walk action). In addition to its
+/// path from lift-off to target, the foot moves back and then fast forward, along the support foot's x axis.
 struct KickStep {
   double back = 0.04;     ///< [m]
   double forward = 0.09;  ///< [m]
-  double drawn = 0.35;    ///< phase when it is farthest back
-  double thrown = 0.62;   ///< phase when it is farthest in front
+  double drawn = 0.35;    ///< phase at which it is farthest back
+  double thrown = 0.62;   ///< phase at which it is farthest in front
 
   /// Added to the swing foot's x [m]; phase 0 .. 1.
   double offset(double phase) const {

@@ -49,12 +49,12 @@ struct StrikerSituation {
   std::vector<KickEffect> kicks;
   double halfLength = 15, halfWidth = 10, goalHalfWidth = 1.05, goalHeight = 0.8, ballRadius = 0.042;
   std::vector<OtherRobot> others;
-  double freeSeconds = 0;      ///< for which opponents are kept off the ball [s]
+  double freeSeconds = 0;      ///< time in which opponents must stay away from the ball [s]
   double opponentSpeed = 0.8;  ///< of opponents on their way to the ball [m/s]
   Vec2 goal() const { return {halfLength, 0}; }
 };
 
-/// What a striker can do with the ball, and what that is worth (FieldValue).
+/// An action of a striker with the ball, and its value (FieldValue).
 struct StrikerAction {
   enum class Kind { none, kick, dribble };
   Kind kind = Kind::none;
@@ -67,16 +67,16 @@ struct StrikerAction {
   Vec2 end = Vec2::Zero();  ///< where a ball in the middle of the scatter ends [m]
 };
 
-/// The action of most value over all kicks, dribbling and directions. Of each the outcome is integrated over
-/// its scatter: the ball goes in between the posts and under the bar, off the field, to a robot in its way,
-/// or rests, and then belongs to whoever is first there. All that if the robot acts before the nearest
-/// opponent is at the ball; else it is lost here. last: the one chosen before, kept while no other is worth
-/// more by `stays`; of kind none: there was none.
+/// Returns the action with the largest value over all kicks, dribbling and directions. The value of each is
+/// integrated over its scatter. The ball goes into the goal (between the posts and under the bar), off the
+/// field, to a robot in its way, or stops and then belongs to the robot that is first there. This holds if
+/// the robot acts before the nearest opponent is at the ball; else the ball is lost here. last: the previous
+/// choice, kept unless another is worth more by `stays`; kind none: there was none.
 StrikerAction chooseAction(const StrikerSituation& situation, const StrikerAction& last,
                            const FieldValue& value, const TimeToBallParameters& time,
                            const ActionChoiceParameters& parameters);
 
-/// The same of an action in a direction: what it is worth.
+/// The value of one action in one direction.
 StrikerAction judgeAction(StrikerAction::Kind kind, double direction, double reach,
                           const StrikerSituation& situation, const FieldValue& value,
                           const TimeToBallParameters& time, const ActionChoiceParameters& parameters);

@@ -4,8 +4,9 @@
 
 namespace plumbline {
 
-/// Who speaks when, agreed without a referee: the server's clock, which all players read, is cut into slots
-/// of two cycles, because SimSpark passes on one message of a team in two cycles; they go round by number.
+/// Decides which player may speak, without communication. The server's clock, which all players know, is
+/// divided into slots of two cycles, because SimSpark transmits one message of a team in two cycles. The
+/// slots belong to the players in the order of their numbers.
 struct SaySlot {
   static constexpr double seconds = 0.04;
   static constexpr int numPlayers = 11;

@@ -5,9 +5,9 @@
 
 namespace plumbline {
 
-/// Own sight and what mates say, of each robot (team and number) one: a robot seen within `ownSeconds` as it
-/// is seen; otherwise the mean of both weighted by their covariances where they agree within three
-/// deviations, else what is younger.
+/// Combines own sight and messages of team mates to one estimate per robot (team and number). A robot seen
+/// within `ownSeconds` is taken as it is seen. Otherwise it is the mean of both, weighted by their
+/// covariances, if they agree within three deviations; else the newer one.
 std::vector<OtherRobot> combineRobots(const std::vector<OtherRobot>& seen,
                                       const std::vector<OtherRobot>& heard, double now, double ownSeconds);
 

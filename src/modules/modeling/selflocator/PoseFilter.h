@@ -9,9 +9,9 @@
 
 namespace plumbline {
 
-/// Where the robot is on the field: an augmented Monte Carlo localisation (Thrun, Burgard and Fox,
-/// "Probabilistic Robotics", table 8.3) whose particles are Gaussian beliefs that each take the image in
-/// closed form, and whose random particles are drawn from the image itself (sensor resetting).
+/// Estimates the robot's pose on the field by augmented Monte Carlo localisation (Thrun, Burgard and Fox,
+/// "Probabilistic Robotics", table 8.3). Each particle is a Gaussian belief that an image updates in closed
+/// form. Random particles are drawn from the image itself (sensor resetting).
 class PoseFilter {
 public:
   struct Parameters {

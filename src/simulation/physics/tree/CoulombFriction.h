@@ -14,9 +14,9 @@ struct FrictionLimit {
   double coefficient = 0;
 };
 
-/// Solves with Coulomb's limit as a pyramid over the push of the same solution, found by repetition from the
-/// push that there is without friction (to a thousandth, at most ten times: the problem need not have a
-/// solution). ODE's dContactApprox1 takes the push of a partial solution instead. Without limits: one
+/// Solves with Coulomb's limit as a pyramid over the normal force of the same solution. It iterates from the
+/// normal force without friction, to a thousandth and at most ten times, because the problem may have no
+/// solution. ODE's dContactApprox1 takes the push of a partial solution instead. Without limits: one
 /// solution.
 inline const Eigen::VectorXd& solveWithFriction(BoundedSystem& system,
                                                 const std::vector<FrictionLimit>& limits) {

@@ -10,9 +10,9 @@ namespace plumbline::simulation {
 /// Unknown are the bodies' velocities v after the step and the joints' impulses p:
 ///   M v = M v_before + h f + (impulses of joints and from outside),
 ///   v_child - v_parent + C p = c   at each joint, in six directions,
-/// the same linear system that ODE's dWorldStep solves densely for hinges with unlimited motors (C:
-/// constraint force mixing by h; c: correction of gaps and motor velocity). Bodies are eliminated from the
-/// leaves to the root, as in D. Baraff, Linear-time dynamics using Lagrange multipliers, SIGGRAPH 1996.
+/// This is the same linear system that ODE's dWorldStep solves densely for hinges with unlimited motors. C:
+/// constraint force mixing divided by h; c: correction of gaps and motor velocity. Bodies are eliminated from
+/// the leaves to the root, as in D. Baraff, Linear-time dynamics using Lagrange multipliers, SIGGRAPH 1996.
 class TreeSystem {
 public:
   struct Body {

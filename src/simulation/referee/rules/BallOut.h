@@ -3,9 +3,9 @@
 
 namespace plumbline::simulation {
 
-/// When the ball, as a whole, has left the field it depends on who touched it last: over the side line a
-/// kick-in for the others; behind a goal line a corner kick if its own team was last, else a goal kick. A
-/// ball that nobody has touched stays where it is. (CheckBallLeftField)
+/// When the whole ball has left the field, the last touch decides. Over the side line there is a kick-in for
+/// the other team. Behind a goal line there is a corner kick if the team of that goal touched it last, else a
+/// goal kick. A ball that nobody has touched stays where it is. (CheckBallLeftField)
 class BallOut : public Rule {
 public:
   struct Parameters {

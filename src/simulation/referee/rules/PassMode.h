@@ -6,9 +6,9 @@ namespace plumbline::simulation {
 /// A player asks for pass mode. It gets it if play is on, it is 3 s since its team's last one, and nobody of
 /// its team touches the ball. The ball must move by at most 0.05 m/s, the player be within 0.5 m of it, and
 /// no opponent within 1 m (CanActivatePassMode, StartPassMode). Pass mode lasts 4 s, or until a player
-/// touches the ball; opponents are put 1.1 m away from it (UpdatePassMode). For 10 s after it the team may
-/// not score, unless the ball has left the circle of 1 m where it lay in pass mode and two of its players
-/// have touched it since (UpdatePassModeScoringCheckValues).
+/// touches the ball; opponents are put 1.1 m away from it (UpdatePassMode). For 10 s after pass mode the team
+/// may not score. This ends when the ball has left the circle of 1 m around its place in pass mode and two of
+/// the team's players have touched it since (UpdatePassModeScoringCheckValues).
 class PassMode : public Rule {
 public:
   void passAsked(Match& match, const Participant& player) override;
