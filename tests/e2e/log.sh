@@ -33,7 +33,7 @@ expectEqual "$(head -1 ball.csv)" "time,cycle,RobotPose.position.x,RobotPose.pos
 "$bin/logtool" export $log --gap run > /dev/null
 "$bin/gap" diagnose --help > /dev/null && grep -q '"robot": "simspark_type0"' run/run.json || fail "no run"
 expectError 2 "logtool: $log has no BalPos; did you mean \"BallPos\"?" "$bin/logtool" export $log --csv - --only BalPos
-expectError 2 "agent: $log is there already: a log is never overwritten; take another name" "$bin/agent" --start-simulator --log $log
+expectError 2 "agent: $log exists already: a log is never overwritten; choose another name" "$bin/agent" --start-simulator --log $log
 expectError 2 "agent: none: there is no such log" "$bin/agent" --replay none
 
 # On, back, to a time.

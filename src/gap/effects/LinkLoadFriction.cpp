@@ -16,7 +16,7 @@ const Effect linkLoadFriction{
     .starts = {0.1, 0.35},
     .sticks = true,
     .ofServo = true,
-    .sentence = "Friction of {at} grows with what its link carries, whatever the motor gives.",
+    .sentence = "Friction of {at} grows with the torque on its link, whatever the motor does.",
     .exposedBy = "slow reversals under load, being moved by the load",
     .apply =
         [](Plant& plant, const Place& place, double value, int) {

@@ -34,13 +34,13 @@ MODULE(Formation)
   PARAMETER_GROUP(TeamPlanParameters, plan, "who does what")
   PARAMETER_GROUP(TimeToBallParameters, time, "time to the ball")
   PARAMETER(double, seenSeconds, 3, "s", Range(0.1, 60),
-            "a mate that says nothing takes part while it was seen within that time")
+            "a mate that sends no message takes part if it was seen within that time")
   PARAMETER(double, ballClearance, 1.3, "m", Range(0, 10), "supporters keep this far from the ball")
   PARAMETER(double, restartClearance, 2.3, "m", Range(0, 10), "the same at restarts of the opponent")
   PARAMETER(double, blockReach, 4, "m", Range(0, 20),
             "a supporter whose place is nearer to an opponent to be blocked than that blocks it")
   PARAMETER(double, kickReach, 0.5, "m", Range(0.1, 5),
-            "who is this near to the ball when an own restart ends has taken it")
+            "a player this near to the ball at the end of an own restart counts as its taker")
   PARAMETER(double, secondTouchWait, 4, "s", Range(0, 60),
             "longest time for which the taker of a restart waits for another one to touch the ball")
 END_MODULE

@@ -34,7 +34,7 @@ MODULE(Striker2)
   PARAMETER(double, mostTolerance, 0.35, "rad", Range(0.01, 3.2),
             "nor is it this far off, if nothing depends on it")
   PARAMETER(double, passSeconds, 4, "s", Range(0, 60), "that own pass mode keeps opponents off the ball")
-  PARAMETER_GROUP(ActionChoiceParameters, choice, "what is done with the ball where others play")
+  PARAMETER_GROUP(ActionChoiceParameters, choice, "what to do with the ball if there are other players")
   PARAMETER_GROUP(TimeToBallParameters, time, "how fast players are at the ball")
 END_MODULE
 

@@ -18,7 +18,7 @@ MODULE(BeliefCombinator)
   PROVIDES(BallPos)
   PROVIDES(OtherRobots)
   PARAMETER(double, ownBallSeconds, 0.6, "s", Range(0, 100),
-            "a ball that this robot saw no longer ago is not taken from mates")
+            "if this robot saw the ball within this time, it does not use balls of mates")
   PARAMETER(double, ownRobotSeconds, 0.3, "s", Range(0, 100), "the same of other robots")
   PARAMETER(double, freshSeconds, 0.1, "s", Range(0, 100),
             "a ball not seen for longer is kept at its place on the field")

@@ -29,7 +29,7 @@ void makeRoom(std::vector<std::unique_ptr<Client>>& clients, std::size_t most, c
     receive(*client);
     if (client->client.broken()) return;
     if (!silent(*client)) continue;
-    return client->client.drop("said nothing, and others want its place");
+    return client->client.drop("sent nothing, and other clients need its place");
   }
   clients.back()->client.drop(tooMany);
 }

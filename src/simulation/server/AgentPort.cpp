@@ -108,7 +108,7 @@ void AgentPort::carryOut(Agent& agent, const simspark::AgentCommand& command) {
   if (command.scene && !agent.player) {
     if ((command.scene->file != hetero && command.scene->file != standard) || command.scene->type < 0 ||
         command.scene->type >= numSimsparkTypes())
-      return agent.client.drop("asked for an unknown robot: " + command.scene->file.substr(0, 80) + ' ' +
+      return agent.client.drop("requested an unknown robot type: " + command.scene->file.substr(0, 80) + ' ' +
                                std::to_string(command.scene->type) + "; there is " + std::string(hetero) +
                                " 0.." + std::to_string(numSimsparkTypes() - 1));
     agent.player = simulation_.addPlayer(command.scene->type);

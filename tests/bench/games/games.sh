@@ -15,7 +15,7 @@ for value in "$games" "$half" "$seed" "$jobs"; do
 done
 [[ $players =~ ^([1-9]|1[01])$ ]] || { echo "games.sh: PLAYERS='$players' is not 1 to 11" >&2; exit 2; }
 [[ ${OTHER-} || $players == 11 ]] || { echo "games.sh: PLAYERS needs OTHER, the command that starts the other team" >&2; exit 2; }
-[[ ! ${OUT-} || ! -e $out ]] || { echo "games.sh: OUT=$out is there already" >&2; exit 2; }
+[[ ! ${OUT-} || ! -e $out ]] || { echo "games.sh: OUT=$out exists already" >&2; exit 2; }
 [[ $out == /* ]] || out=$PWD/$out
 work=$out
 rm -rf "$work"

@@ -17,7 +17,7 @@ public:
     PARAMETER(double, rollingTimeConstant, 0.92, "s", Range(0.01, 100),
               "time constant with which the speed of a rolling ball dies away")
     PARAMETER(double, speedNoise, 0.1, "m/s/sqrt(s)", Range(1e-4, 100),
-              "unforeseen change of speed of a ball that nobody touches")
+              "random change of speed of a ball that no robot touches")
     PARAMETER(double, touchedSpeedNoise, 1.5, "m/s/sqrt(s)", Range(1e-4, 100),
               "unforeseen change of speed of a ball that the robot may touch")
     PARAMETER(double, startSpeedDeviation, 1, "m/s", Range(1e-3, 100),
