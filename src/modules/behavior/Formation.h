@@ -45,9 +45,9 @@ MODULE(Formation)
             "longest time for which the taker of a restart waits for another one to touch the ball")
 END_MODULE
 
-/// Gives each player its role and place. Every player works it out for itself, from what all have said, the
-/// own words among it as mates have heard them, so that all come to the same answer (planTeam). Places are
-/// those of config/formation.yaml, in set pieces first those of config/set_pieces/.
+/// Gives each player its role and place. Every player computes all roles from the messages of all players,
+/// including its own message as mates have heard it, so all get the same result (planTeam). Places come from
+/// config/formation.yaml, in set pieces first from config/set_pieces/.
 class Formation : public FormationBase {
 public:
   void init() override;
@@ -55,8 +55,8 @@ public:
 
 private:
   std::vector<TeamMember> members(const PlayerRole& before) const;
-  /// What a player said of its time to the ball [s]. Where the ball has been kicked since, its words are old:
-  /// then the time from where it said to be to where the ball goes now.
+  /// A player's time to the ball from its message [s]. If the ball has been kicked since then, it is the time
+  /// from the player's reported place to where the ball goes now.
   double timeOf(const TeamBelief& said) const;
   Vec2 keptOff(const Vec2& place) const;
   void watchRestart(PlayerRole& role);

@@ -25,8 +25,8 @@ MODULE(PassCall)
             "touches the ball")
 END_MODULE
 
-/// Asks for pass mode (doc/reference/rules.md) where the striker is at the ball before an opponent and needs
-/// time to kick. The referee refuses while an opponent is within 1 m, so asking at once pays.
+/// Requests pass mode (doc/reference/rules.md) if the striker is at the ball before an opponent and needs
+/// time to kick. The referee refuses while an opponent is within 1 m, so the request is sent at once.
 class PassCall : public PassCallBase {
 public:
   void update(PassRequest* thePassRequest) override;

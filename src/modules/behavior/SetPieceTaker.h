@@ -30,7 +30,7 @@ MODULE(SetPieceTaker)
 END_MODULE
 
 /// The striker of a team in the set pieces of config/set_pieces/: it kicks where the way is free and a mate
-/// is near, or waits where the file says. Inactive where no file speaks of the play mode, and alone.
+/// is near, or waits where the file says. Inactive if no file has the play mode, and for a robot alone.
 class SetPieceTaker : public SetPieceTakerBase {
 public:
   void init() override;

@@ -38,9 +38,9 @@ MODULE(Striker2)
   PARAMETER_GROUP(TimeToBallParameters, time, "how fast players are at the ball")
 END_MODULE
 
-/// The player at the ball does what is worth most (ActionChoice): among others by config/field_value.yaml,
-/// alone by how soon the goal falls. It searches a lost ball and keeps its distance at the opponent's
-/// restarts.
+/// The player at the ball chooses the action of largest value (ActionChoice): with other players by
+/// config/field_value.yaml, alone by the time to the goal. It searches for a lost ball and keeps its distance
+/// at the opponent's restarts.
 class Striker2 : public Striker2Base {
 public:
   void init() override;

@@ -40,8 +40,8 @@ MODULE(BeliefShare)
             "opponents seen within that time are in the messages")
 END_MODULE
 
-/// What the players of the team tell each other: takes in what was heard, and says what there is to tell. Of
-/// the ball only the own sight is told, so that no rumour goes round.
+/// The messages between the players of the team: collects received ones and composes the own one. A player
+/// sends only a ball that it has seen itself, so that errors do not spread.
 class BeliefShare : public BeliefShareBase {
 public:
   void execute() override;
@@ -56,8 +56,8 @@ private:
   void addOpponents(TeamBelief& belief) const;
 
   std::array<TeamReport, numPlayers + 1> reports_{};    ///< by number; the own one too
-  std::array<OtherRobot, numPlayers + 1> opponents_{};  ///< by number, as told last
-  int lastShared_ = 0;                                  ///< number of the opponent that was told last
+  std::array<OtherRobot, numPlayers + 1> opponents_{};  ///< by number, from the last message
+  int lastShared_ = 0;                                  ///< number of the opponent that was sent last
   double saidBefore_ = -1;                              ///< time of the own last words [s]
 };
 

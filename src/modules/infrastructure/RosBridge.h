@@ -33,9 +33,9 @@ MODULE(RosBridge)
   PARAMETER(std::vector<std::string>, peers, {}, "", {}, "machines, IPv4, that multicast does not reach")
 END_MODULE
 
-/// What the agent knows, as messages of ROS 2: joint_states, imu, odom, ball, robot_description and tf with
-/// map -> odom -> base_footprint -> torso -> l_sole, r_sole. A line `RosBridge` in modules.cfg sends it;
-/// whoever speaks DDS reads it (ros2 topic echo, RViz, PlotJuggler, Foxglove). Nothing is ever read.
+/// Sends the agent's data as messages of ROS 2: joint_states, imu, odom, ball, robot_description and tf with
+/// map -> odom -> base_footprint -> torso -> l_sole, r_sole. A line `RosBridge` in modules.cfg switches it
+/// on; every DDS reader can receive it (ros2 topic echo, RViz, PlotJuggler, Foxglove). It only sends.
 class RosBridge : public RosBridgeBase {
 public:
   void init() override;

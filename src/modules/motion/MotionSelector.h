@@ -64,7 +64,7 @@ private:
   double again_ = 0;                           ///< what is left of standUp.againSeconds [s]
   std::string robot_;                          ///< whose motions these are
   bool fastFront_ = false, fastBack_ = false;  ///< it has them
-  std::string unknown_;                        ///< the last motion asked for that there is not
+  std::string unknown_;                        ///< the last requested motion that does not exist
 };
 
 }  // namespace plumbline

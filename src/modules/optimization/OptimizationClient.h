@@ -33,8 +33,9 @@ MODULE(OptimizationClient)
             "the same: file for the motion that was found")
 END_MODULE
 
-/// Asks an optimiser for a kick to try and tells it what the tries cost (Seekircher 2015, A.6.7): one behind
-/// TCP, or one in the agent; the interface is the same. Ends the agent when the search is over.
+/// Gets a kick to try from an optimiser and sends it the costs of the tries (Seekircher 2015, A.6.7). The
+/// optimiser is reached by TCP or runs in the agent; the interface is the same. Ends the agent when the
+/// search is over.
 class OptimizationClient : public OptimizationClientBase {
 public:
   OptimizationClient();

@@ -45,9 +45,9 @@ MODULE(PathPlanning)
             "robots this near to the ball are none for the one that goes to it")
 END_MODULE
 
-/// Finds the way round other robots, goal posts and, for whoever does not go to it, the ball, to where the
-/// requested skill leads. The thesis plans with random trees; here it is a visibility graph (PathPlanner).
-/// Of two mates the striker goes before, then the lower number; the other one waits.
+/// Finds the path to the target of the requested skill, round other robots and goal posts, and round the ball
+/// for players that do not go to it. The thesis plans with random trees; this uses a visibility graph
+/// (PathPlanner). Of two mates the striker has priority, then the lower number; the other one waits.
 class PathPlanning : public PathPlanningBase {
 public:
   void update(SafeWalkDirection* theSafeWalkDirection) override;

@@ -59,10 +59,10 @@ private:
   BallApproach requestedApproach() const;
   /// The kick for a way of the ball [m], with some reluctance to change it.
   const Kick& chooseKick(double metres);
-  /// Whether the robot stands exactly enough, off by `error` [m] and `heading` [rad]. Once it does, more is
-  /// allowed (`keeps`): a walk that is told to stop and to go on by turns never comes to rest.
+  /// Whether the robot stands exactly enough, off by `error` [m] and `heading` [rad]. After that, a larger
+  /// error is allowed (`keeps`): a walk that alternates between stopping and walking never comes to rest.
   bool exact(const Vec2& error, double heading, bool pressed) const;
-  /// The walk's own bias near the target: what the requested speed has to be raised by, learned there [m/s].
+  /// The walk's bias near the target: the learnt correction of the requested speed [m/s].
   void learnBias(const Pose2& T_robot_target);
 
   Vec2 bias_ = Vec2::Zero();  ///< in the robot's frame [m/s]

@@ -42,9 +42,9 @@ public:
 
   /// dt passes [s]; drift: deviation of the frame's motion against the ground in that time [m].
   void predict(double dt, bool touchable, double drift = 0);
-  /// The ball is seen there. The first percept starts the filter. One that does not fit is held back; if the
-  /// next one tells the same, the ball was moved, and the filter starts anew from both.
-  /// Returns whether the percept was used.
+  /// The ball is seen there. The first percept starts the filter. A percept that does not fit is not used at
+  /// first. If the next one agrees with it, the ball was moved, and the filter restarts from both. Returns
+  /// whether the percept was used.
   bool update(const Vec2& position, const Mat2& covariance);
 
   Vec2 position() const { return state_.head<2>(); }                                        ///< [m]
