@@ -1,5 +1,5 @@
-# From a simulated robot with a secret effect to a right report in three commands; then what comes after: the motion
-# to record next, the effects in a simulator again, and a browser that shows the report.
+# From a simulated robot with a secret effect to a correct report in three commands. Then the next steps: the motion to
+# record next, the effects in a simulator, and a browser that shows the report.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 for program in node chromium; do
   command -v $program > /dev/null || fail "no $program: scripts/install_packages.sh scripts/packages-test.txt installs it"

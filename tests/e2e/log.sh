@@ -1,5 +1,5 @@
-# A game is recorded, also by an agent that is killed, and any part of it runs on the recording with the same bytes;
-# bin/logtool lists, cuts, joins, compares and exports it; a replay goes on and back by the debug interface.
+# A game is recorded, also by an agent that is killed, and any part of it runs on the recording with the same bytes.
+# bin/logtool lists, cuts, joins, compares and exports it. The debug interface steps a replay forward and back.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 cd "$scratch"
 log=game

@@ -1,5 +1,6 @@
-# A search that is farmed out: killed with -9 in the midst and begun again, with workers that are killed, it finds what one
-# worker alone finds in one go; a wrong token, a wrong file and a client that talks nonsense are told in one line.
+# A distributed search that is killed with -9 and started again, with workers that are killed, has the same result as a
+# single worker without interruption. A wrong token, a wrong file and a client that sends nonsense each give an error of
+# one line.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 cat > "$scratch/study.yaml" << END
 task: function

@@ -68,9 +68,9 @@ public:
     return message_;
   }
 
-  /// Answers the last message: every joint goes to its target as the servo law would take it there,
-  /// dq/dt = kp/kd (target - q), from where it is when the answer comes into force: one cycle later, until
-  /// when it goes on at the speed of the answer before.
+  /// Answers the last message: every joint moves to its target as by the servo law, dq/dt = kp/kd (target -
+  /// q). It starts from its position when the answer takes effect, one cycle later; until then it moves at
+  /// the speed of the previous answer.
   void drive(const std::vector<double>& targets, const std::optional<Pose2>& beam = {}) {
     simspark::AgentCommand command;
     command.beam = beam;

@@ -252,9 +252,9 @@ private:
     return *at;
   }
 
-  /// How far a load can push a held joint: twice the motor's limit, and on a held robot, whose joints carry
-  /// no more than what hangs on them, four times the largest weight's moment (half the gain, as much again
-  /// from motion) and the play of a gear.
+  /// How far a load can push a joint from its command: twice the motor's limit. On a robot with a fixed base
+  /// joints carry only what hangs on them. There it is four times the moment of the largest weight (half the
+  /// gain, and as much again from motion) and the backlash of a gear.
   double allowedOffset(const Mechanism::Joint& joint) const {
     const bool slider = joint.type == Mechanism::Joint::Type::prismatic;
     const double limit = std::max(slider ? 0.015 : 0.15, 2 * joint.maxTorque / joint.servo.kp);
