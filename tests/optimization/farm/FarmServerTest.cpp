@@ -122,7 +122,7 @@ TEST(FarmServer, aBadClientIsDroppedAlone) {
               liar.next(2);
             }),
             "the optimisation server at 127.0.0.1:" + std::to_string(running.server.port()) +
-                ": answer: 7 costs for trial 2, which is not what was asked");
+                ": answer: 7 costs for trial 2; answer the trial that was sent, with one cost for each run");
   evaluate(good);
   EXPECT_TRUE(good.isOver());
 }
