@@ -13,7 +13,7 @@ struct ProcessUsage {
   double maxResidentMegabytes = 0;
 };
 
-/// A program started as a child: it is told to stop when this object ends and dies with this process
+/// A program started as a child: it gets a signal to stop when this object ends and dies with this process
 /// (PR_SET_PDEATHSIG), so nothing is left behind.
 class ChildProcess {
 public:
