@@ -15,6 +15,7 @@
 
 using plumbline::processEnds;
 using plumbline::simspark::ChildProcess;
+using plumbline::simspark::ChildSettings;
 
 namespace {
 
@@ -88,7 +89,7 @@ TEST(ChildProcess, itsEnvironmentIsWhatIsInheritedButForWhatIsSetAndDropped) {
   setenv("OTHER_TEST_DROPPED", "dropped", 1);
   const std::string print = "echo $CHILD_TEST_KEPT,$CHILD_TEST_SET,$CHILD_TEST_NEW,$OTHER_TEST_DROPPED";
   ChildProcess child({"/bin/sh", "-c", print},
-                     {.outputFile = file,
+                     ChildSettings{.outputFile = file,
                       .environment = {"CHILD_TEST_SET=new", "CHILD_TEST_NEW=a=b"},
                       .dropped = {"OTHER_TEST_"}});
   waitForEnd(child);
@@ -97,12 +98,12 @@ TEST(ChildProcess, itsEnvironmentIsWhatIsInheritedButForWhatIsSetAndDropped) {
 }
 
 TEST(ChildProcess, aNameIsLookedForOnPathOnlyWhereThatIsWanted) {
-  ChildProcess child({"true"}, {.onPath = true});
+  ChildProcess child({"true"}, ChildSettings{.onPath = true});
   waitForEnd(child);
   EXPECT_EQ(*child.exitStatus(), 0);
-  EXPECT_EQ(plumbline::thrownBy([] { ChildProcess missing({"true"}, {.onPath = false}); }),
+  EXPECT_EQ(plumbline::thrownBy([] { ChildProcess missing({"true"}, ChildSettings{.onPath = false}); }),
             "cannot start true: No such file or directory");
-  EXPECT_EQ(plumbline::thrownBy([] { ChildProcess missing({"no-such-program"}, {.onPath = true}); }),
+  EXPECT_EQ(plumbline::thrownBy([] { ChildProcess missing({"no-such-program"}, ChildSettings{.onPath = true}); }),
             "cannot start no-such-program: No such file or directory");
 }
 
@@ -126,7 +127,7 @@ TEST(ChildProcess, isTheLeaderOfAGroupThatCanBeSignalled) {
 
 TEST(ChildProcess, aWholeGroupEndsWithItsLeader) {
   const std::string file = freshFile("child_process_group.txt");
-  ChildProcess child({"/bin/sh", "-c", "sleep 100 & echo $!; exit 3"}, {.outputFile = file, .wholeGroup = true});
+  ChildProcess child({"/bin/sh", "-c", "sleep 100 & echo $!; exit 3"}, ChildSettings{.outputFile = file, .wholeGroup = true});
   const pid_t grandchild = numberIn(file);
   waitForEnd(child);
   EXPECT_EQ(*child.exitStatus(), 3);
@@ -136,7 +137,7 @@ TEST(ChildProcess, aWholeGroupEndsWithItsLeader) {
 TEST(ChildProcess, stopEndsTheWholeGroup) {
   const std::string file = freshFile("child_process_stopped_group.txt");
   ChildProcess child({"/bin/sh", "-c", "trap '' TERM; (trap '' TERM; sleep 100) & echo $!; wait"},
-                     {.outputFile = file, .wholeGroup = true});
+                     ChildSettings{.outputFile = file, .wholeGroup = true});
   const pid_t grandchild = numberIn(file);
   child.stop(0.2);
   EXPECT_EQ(*child.exitStatus(), 128 + SIGKILL);
@@ -149,7 +150,7 @@ TEST(ChildProcess, aWholeGroupEndsWithAParentThatIsKilled) {
   if (parent == 0) {
     setpgid(0, 0);
     const ChildProcess child({"/bin/sh", "-c", "sleep 100 & echo $!; wait"},
-                             {.outputFile = file, .wholeGroup = true});
+                             ChildSettings{.outputFile = file, .wholeGroup = true});
     for (;;) pause();
   }
   const pid_t grandchild = numberIn(file);
