@@ -29,6 +29,7 @@ std::pair<std::uint32_t, std::uint32_t> boundsOf(FrameKind kind) {
       return {1, creditWindow};
     case FrameKind::ended:
     case FrameKind::over:
+    case FrameKind::stop:
       return {0, maxStatus};
     default:
       return {0, 0};

@@ -18,13 +18,13 @@ enum class FrameKind : std::uint8_t {
   ended,     ///< the worker's command ended with this status
   over,      ///< the server's command ended with this status: all is over
   bye,       ///< the worker's rank has ended what it started
-  stop       ///< a rank was told to stop: all do
+  stop       ///< a rank was told to stop, or failed: all end with this status
 };
 
 struct Frame {
   FrameKind kind = FrameKind::alive;
   std::uint32_t connection = 0;  ///< numbered by the rank where it began, from 1 on; 0: of no connection
-  std::uint32_t value = 0;       ///< bytes of a credit; status of a command
+  std::uint32_t value = 0;       ///< bytes of a credit; status of a command or of all
   std::string data{};
 };
 using SendFrame = std::function<void(const Frame&)>;

@@ -12,6 +12,7 @@ namespace {
 constexpr double sayEvery = 0.2;            // that this rank is there [s]
 constexpr double longestStep = 0.1;         // what a pause of this rank's own counts as silence of others [s]
 constexpr double killAfter = 0.5;           // what does not end when it is told to [s]
+constexpr double stoppedFor = 0.05;         // at least, who was stopped [s]
 constexpr double farewell = 0.1;            // for last messages [s]
 constexpr int messagesAtOnce = 64;          // then sockets have their turn
 constexpr int spins = 20, naps = 500;       // looks without a pause, then with the shorter one
@@ -42,13 +43,13 @@ void TunnelRank::refuse(int from, const std::string& why) const {
   throw std::runtime_error(nameOf(from) + " sent " + why);
 }
 
-std::optional<int> TunnelRank::run(const StopSignal& stop) {
+RankEnd TunnelRank::run(const StopSignal& stop) {
   try {
     start();
     return loop(stop);
   } catch (...) {
     try {
-      sendAll({FrameKind::stop});
+      sendAll({FrameKind::stop, 0, failed});
       pass(farewell);
     } catch (const std::runtime_error&) {  // the first one is what is told
     }
@@ -57,27 +58,36 @@ std::optional<int> TunnelRank::run(const StopSignal& stop) {
   }
 }
 
-std::optional<int> TunnelRank::loop(const StopSignal& stop) {
+RankEnd TunnelRank::loop(const StopSignal& stop) {
   for (;;) {
     watched_.assign(1, {stop.fileDescriptor(), POLLIN, 0});
     watch(watched_);
     // MPI has nothing that poll() could wait for: the longer nothing comes, the longer the pauses.
     const int pause = idle_ < spins ? 0 : idle_ < naps ? napMilliseconds : restMilliseconds;
     const bool ready = poll(watched_.data(), watched_.size(), pause) > 0;
-    // Who is started by mpirun or srun ends with it.
-    if (stop.requested() || othersStop_ || getppid() != parent_) {
-      sendAll({FrameKind::stop});
+    if (isEnding(stop)) {
+      const int status = othersStatus_ >= 0 ? othersStatus_ : stopped;
+      sendAll({FrameKind::stop, 0, static_cast<std::uint32_t>(status)});
       pass(farewell);
       end(killAfter);
-      return std::nullopt;
+      return {status, true};
     }
     const double now = seconds();
     serve(std::span(watched_).subspan(1), now);
     const bool heard = takeMessages(now);
     idle_ = ready || heard ? 0 : idle_ + 1;
     watchOthers(now);
-    if (const int status = step(now); status >= 0) return status;
+    if (const int status = step(now); status >= 0) return {status, false};
   }
+}
+
+bool TunnelRank::isEnding(const StopSignal& stop) {
+  const double now = seconds(), before = checked_;
+  checked_ = now;
+  // To be continued without having been stopped is what mpirun's ending begins with. It gives no second more.
+  const bool announced = continued_.came() && before >= 0 && now - before < stoppedFor;
+  // Who is started by mpirun or srun ends with it.
+  return stop.requested() || othersStatus_ >= 0 || announced || getppid() != parent_;
 }
 
 bool TunnelRank::takeMessages(double now) {
@@ -91,7 +101,7 @@ bool TunnelRank::takeMessages(double now) {
       of_.at(static_cast<std::size_t>(from)).silent = 0;
       of_[static_cast<std::size_t>(from)].watched = frame.kind != FrameKind::bye;
       if (frame.kind == FrameKind::stop)
-        othersStop_ = true;
+        othersStatus_ = static_cast<int>(frame.value);
       else if (frame.kind != FrameKind::alive)
         take(from, frame, now);
     } catch (const std::logic_error& error) {

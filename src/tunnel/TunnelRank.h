@@ -1,12 +1,12 @@
 #pragma once
 #include <poll.h>
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "framework/StopSignal.h"
+#include "tunnel/ContinueSignal.h"
 #include "tunnel/RankTransport.h"
 #include "tunnel/TunnelFrame.h"
 
@@ -21,18 +21,25 @@ struct TunnelOptions {
   bool again = false;                       ///< a worker's command that fails is started again
 };
 
+/// How a rank ends.
+struct RankEnd {
+  int status = 0;
+  bool early = false;  ///< it or another one was told to stop or failed: nobody is to be waited for
+};
+
 /// What every rank of the tunnel does: waits for sockets and messages, tells the others that it is there and
 /// watches whether they are, and ends all when one has to.
 class TunnelRank {
 public:
+  static constexpr int stopped = 130, failed = 2;  ///< the status of what ended early
+
   virtual ~TunnelRank() = default;
   TunnelRank(const TunnelRank&) = delete;
   TunnelRank& operator=(const TunnelRank&) = delete;
 
-  /// Until all is over: the status that this rank ends with; nothing where it or another rank was told to stop.
-  /// What it started has ended then, also where it throws std::runtime_error: messages do not get through, a
-  /// rank has gone or sends nonsense, a command cannot start.
-  std::optional<int> run(const StopSignal& stop);
+  /// Until all is over. What it started has ended then, also where it throws std::runtime_error: messages do
+  /// not get through, a rank has gone or sends nonsense, a command cannot start.
+  RankEnd run(const StopSignal& stop);
 
 protected:
   TunnelRank(RankTransport& transport, const TunnelOptions& options);
@@ -60,7 +67,8 @@ private:
     double silent = 0;     ///< [s]
     bool watched = false;  ///< from its first message on: until then it may be starting
   };
-  std::optional<int> loop(const StopSignal& stop);
+  RankEnd loop(const StopSignal& stop);
+  bool isEnding(const StopSignal& stop);
   bool takeMessages(double now);
   void watchOthers(double now);
   void pass(double most);
@@ -68,9 +76,10 @@ private:
   RankTransport& transport_;
   std::vector<Peer> of_;  ///< by rank; those that this one talks to
   std::vector<pollfd> watched_;
-  bool othersStop_ = false;
+  int othersStatus_ = -1;  ///< of a stop that another rank asked for
   int idle_ = 0, parent_;
-  double looked_ = -1, said_ = -1;
+  ContinueSignal continued_;
+  double checked_ = -1, looked_ = -1, said_ = -1;
 };
 
 }  // namespace plumbline::tunnel

@@ -3,7 +3,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/cluster.bash"
 needs munged slurmctld slurmd sbatch srun scontrol
 search=scripts/cluster/search.sh folder=$scratch/farm
-writeStudy 0.1 70
+writeStudy 0.08 45
 startSlurm "$((20000 + RANDOM % 10000))"
 
 "$search" submit "$scratch/study.yaml" "$folder" 3 > "$scratch/submitted"
@@ -60,7 +60,7 @@ if [[ -x $bin/mpitunnel ]] && command -v mpirun > /dev/null; then
   job=$(sed 's/job \([0-9]*\);.*/\1/' "$scratch/submitted")
   waitLong hasResults "$scratch/mpi" 30
   scontrol requeue "$job"
-  waitLong hasResults "$scratch/mpi" 100
+  waitLong hasResults "$scratch/mpi" 80
   waitLong queueEmpty
   expectAsAlone "$scratch/mpi"
   expectEqual "$(restarts "$job")" 1 "how often it was queued again"

@@ -17,7 +17,7 @@ TEST(TunnelFrame, allKindsAreReadAsTheyWereWritten) {
         Frame{FrameKind::data, UINT32_MAX, 0, std::string(maxFrameData, 'x')}, Frame{FrameKind::end, 2},
         Frame{FrameKind::reset, 3}, Frame{FrameKind::credit, 4, creditWindow}, Frame{FrameKind::alive},
         Frame{FrameKind::ended, 0, 255}, Frame{FrameKind::over, 0, 0}, Frame{FrameKind::bye},
-        Frame{FrameKind::stop}}) {
+        Frame{FrameKind::stop, 0, 130}}) {
     const Frame read = decodeFrame(encodeFrame(frame));
     EXPECT_EQ(read.kind, frame.kind);
     EXPECT_EQ(read.connection, frame.connection);

@@ -2,7 +2,9 @@
 #include "tunnel/TunnelRank.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
+#include <csignal>
 #include <deque>
 #include <filesystem>
 #include <fstream>
@@ -51,7 +53,7 @@ private:
   int rank_, ranks_;
 };
 
-/// One rank in a thread of its own. What it ends with is its status, "stopped", or what it throws.
+/// One rank in a thread of its own. What it ends with is its status, "early" and a status, or what it throws.
 class RankThread {
 public:
   RankThread(Post& post, int rank, int ranks, const TunnelOptions& options)
@@ -63,8 +65,8 @@ public:
               own = std::make_unique<ServerRank>(transport_, options);
             else
               own = std::make_unique<WorkerRank>(transport_, options);
-            const std::optional<int> status = own->run(stop);
-            end = status ? std::to_string(*status) : "stopped";
+            const RankEnd how = own->run(stop);
+            end = (how.early ? "early " : "") + std::to_string(how.status);
           });
           return end.empty() ? thrown : end;
         })) {}
@@ -175,10 +177,41 @@ TEST_F(TunnelRankTest, anyRankThatIsToldToStopStopsAll) {
     for (int rank = 0; rank < 3; ++rank) ranks[rank] = std::make_unique<RankThread>(post, rank, 3, options);
     const pid_t first = worker(1).first, second = worker(2).first;
     ranks[which]->stop.request(0, "stop");
-    for (auto& [rank, thread] : ranks) EXPECT_EQ(thread->end(), "stopped") << rank;
+    for (auto& [rank, thread] : ranks) EXPECT_EQ(thread->end(), "early 130") << rank;
     EXPECT_TRUE(processEnded(first) && processEnded(second));
     post.to.clear();
   }
+}
+
+TEST_F(TunnelRankTest, whoIsContinuedWithoutHavingBeenStoppedEnds) {
+  RankThread zero(post, 0, 2, options), one(post, 1, 2, options);
+  const pid_t pid = worker(1).first;
+  raise(SIGCONT);
+  EXPECT_EQ(zero.end(), "early 130");
+  EXPECT_EQ(one.end(), "early 130");
+  EXPECT_TRUE(processEnded(pid));
+}
+
+TEST_F(TunnelRankTest, whoWasStoppedGoesOnWhenContinued) {
+  const pid_t process = fork();
+  if (process == 0) {
+    // A process of its own, which can be stopped; its status tells how its rank ended.
+    options.server = {"sleep", "100"};
+    PostTransport transport(post, 0, 2);
+    StopSignal never;
+    ServerRank rank(transport, options);
+    _exit(rank.run(never).early ? 99 : 98);
+  }
+  usleep(200000);
+  kill(process, SIGSTOP);
+  usleep(200000);
+  kill(process, SIGCONT);
+  usleep(100000);
+  EXPECT_FALSE(processEnded(process));
+  kill(process, SIGCONT);  // and this time it runs
+  int status = 0;
+  waitpid(process, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 99);
 }
 
 TEST_F(TunnelRankTest, aRankThatHasGoneEndsTheOthers) {
@@ -187,7 +220,7 @@ TEST_F(TunnelRankTest, aRankThatHasGoneEndsTheOthers) {
   const pid_t pid = worker(1).first;
   PostTransport(post, 2, 3).send(0, encodeFrame({FrameKind::alive}));  // and never again
   EXPECT_EQ(zero.end(), "rank 2 has gone: nothing came from it for 1 s");
-  EXPECT_EQ(one.end(), "stopped");
+  EXPECT_EQ(one.end(), "early 2");
   EXPECT_TRUE(processEnded(pid));
 }
 
@@ -196,7 +229,7 @@ TEST_F(TunnelRankTest, nonsenseFromARankEndsAll) {
   worker(1);
   PostTransport(post, 2, 3).send(0, "nonsense");
   EXPECT_EQ(zero.end(), "rank 2 sent frame: 8 bytes are no header");
-  EXPECT_EQ(one.end(), "stopped");
+  EXPECT_EQ(one.end(), "early 2");
 }
 
 TEST_F(TunnelRankTest, framesThatAreNotOnesToSendEndAll) {
@@ -216,8 +249,8 @@ TEST_F(TunnelRankTest, aCommandThatCannotBeStartedEndsAll) {
   wrong.worker = {"no-such-command"};
   RankThread zero(post, 0, 3, options), one(post, 1, 3, options), two(post, 2, 3, wrong);
   EXPECT_EQ(two.end(), "cannot start no-such-command: No such file or directory");
-  EXPECT_EQ(zero.end(), "stopped");
-  EXPECT_EQ(one.end(), "stopped");
+  EXPECT_EQ(zero.end(), "early 2");
+  EXPECT_EQ(one.end(), "early 2");
 }
 
 TEST_F(TunnelRankTest, oneWorkerMayFailButNotAll) {
@@ -233,8 +266,8 @@ TEST_F(TunnelRankTest, oneWorkerMayFailButNotAll) {
   EXPECT_TRUE(comes(atServer, "goes on"));
   std::ofstream(folder + "/fail2") << "";
   EXPECT_EQ(zero.end(), "the commands of all workers have failed, the last one with status 4");
-  EXPECT_EQ(one.end(), "stopped");
-  EXPECT_EQ(two.end(), "stopped");
+  EXPECT_EQ(one.end(), "early 2");
+  EXPECT_EQ(two.end(), "early 2");
 }
 
 TEST_F(TunnelRankTest, aWorkerThatFailsIsStartedAgainWhereThatIsWanted) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "MpiTransport.h"
@@ -17,8 +16,8 @@
 namespace plumbline {
 namespace {
 
-constexpr int failed = 2, stopped = 130;  // exit status
-constexpr int farewell = 5;              // [s]
+constexpr int failed = tunnel::TunnelRank::failed;
+constexpr int farewell = 5;  // [s]
 
 /// What stands behind the first and behind the second "--".
 void takeCommands(int argc, char** argv, int& ownCount, tunnel::TunnelOptions& options) {
@@ -32,7 +31,7 @@ void takeCommands(int argc, char** argv, int& ownCount, tunnel::TunnelOptions& o
   if (second != end) options.worker.assign(second + 1, end);
 }
 
-std::optional<int> runRank(MpiTransport& transport, const tunnel::TunnelOptions& options, const StopSignal& stop) {
+tunnel::RankEnd runRank(MpiTransport& transport, const tunnel::TunnelOptions& options, const StopSignal& stop) {
   std::unique_ptr<tunnel::TunnelRank> rank;
   if (transport.rank() == 0)
     rank = std::make_unique<tunnel::ServerRank>(transport, options);
@@ -87,15 +86,16 @@ int runProgram(int argc, char** argv) {
   StopSignal stop;
   stop.catchSignals();
   try {
-    if (const std::optional<int> status = runRank(transport, options, stop)) {
-      transport.leave(farewell, *status);
-      return *status;
+    const tunnel::RankEnd end = runRank(transport, options, stop);
+    if (!end.early) {
+      transport.leave(farewell, end.status);
+      return end.status;
     }
     if (transport.rank() == 0)
-      std::fprintf(stderr, "mpitunnel: %s\n", stop.requested() ? stop.reason().c_str() : "a rank was ended, and so are all");
-    // Whoever is told to end does not wait for the others.
+      std::fprintf(stderr, "mpitunnel: %s\n",
+                   stop.requested() ? stop.reason().c_str() : "a rank failed or was ended, and so all end");
     std::fflush(nullptr);
-    _exit(stopped);
+    _exit(end.status);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "mpitunnel: rank %d: %s\n", transport.rank(), error.what());
     transport.abort(failed);
