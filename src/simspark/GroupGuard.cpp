@@ -1,6 +1,7 @@
 #include "simspark/GroupGuard.h"
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,6 +18,7 @@ namespace {
 [[noreturn]] void guard(int pipeEnd, pid_t group) {
   setsid();  // whoever signals the parent's group does not mean the guard
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+  prctl(PR_SET_NAME, "group-guard");  // as ps shows it
   dup2(pipeEnd, STDIN_FILENO);
   close_range(STDIN_FILENO + 1, ~0U, 0);  // it keeps nobody's files and sockets open
   char released = 0;

@@ -1,5 +1,7 @@
 #include "tunnel/RankCommand.h"
 
+#include <csignal>
+
 namespace plumbline::tunnel {
 namespace {
 
@@ -28,6 +30,10 @@ void RankCommand::start() { child_ = std::make_unique<simspark::ChildProcess>(co
 std::optional<int> RankCommand::status() {
   if (child_) child_->running();
   return child_ ? child_->exitStatus() : std::nullopt;
+}
+
+void RankCommand::terminate() {
+  if (child_) child_->signalGroup(SIGTERM);
 }
 
 void RankCommand::stop(double patience) {

@@ -19,6 +19,8 @@ public:
   bool started() const { return child_ != nullptr; }
   /// Exit status, or 128 + signal; empty while it runs.
   std::optional<int> status();
+  /// Tells it and what it started to end, and does not wait.
+  void terminate();
   /// Ends it and what it started itself: SIGTERM, after so long [s] SIGKILL.
   void stop(double patience);
   const std::string& name() const { return command_.front(); }

@@ -15,12 +15,11 @@ public:
   ServerRank(RankTransport& transport, const TunnelOptions& options);
 
 private:
-  void start() override { command_.start(); }
   void watch(std::vector<pollfd>& watched) override;
   void serve(std::span<const pollfd> watched, double now) override;
   void take(int from, const Frame& frame, double now) override;
   int step(double now) override;
-  void end(double patience) override { command_.stop(patience); }
+  RankCommand& command() override { return command_; }
 
   struct Worker {
     explicit Worker(SendFrame send) : link(std::move(send)) {}

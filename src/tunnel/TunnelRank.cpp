@@ -44,32 +44,38 @@ void TunnelRank::refuse(int from, const std::string& why) const {
 }
 
 RankEnd TunnelRank::run(const StopSignal& stop) {
+  Watchdog watchdog(stop, options.silence);
   try {
-    start();
-    return loop(stop);
+    command().start();
+    return loop(stop, watchdog);
   } catch (...) {
-    try {
-      sendAll({FrameKind::stop, 0, failed});
-      pass(farewell);
-    } catch (const std::runtime_error&) {  // the first one is what is told
-    }
-    end(killAfter);
+    endEarly(Watchdog::failed, watchdog);
     throw;
   }
 }
 
-RankEnd TunnelRank::loop(const StopSignal& stop) {
+void TunnelRank::endEarly(int status, Watchdog& watchdog) {
+  watchdog.ending(status);
+  command().terminate();
+  try {
+    sendAll({FrameKind::stop, 0, static_cast<std::uint32_t>(status)});
+    pass(farewell);
+  } catch (const std::runtime_error&) {  // the first error is what is told
+  }
+  command().stop(killAfter);
+}
+
+RankEnd TunnelRank::loop(const StopSignal& stop, Watchdog& watchdog) {
   for (;;) {
+    watchdog.beat();
     watched_.assign(1, {stop.fileDescriptor(), POLLIN, 0});
     watch(watched_);
     // MPI has nothing that poll() could wait for: the longer nothing comes, the longer the pauses.
     const int pause = idle_ < spins ? 0 : idle_ < naps ? napMilliseconds : restMilliseconds;
     const bool ready = poll(watched_.data(), watched_.size(), pause) > 0;
     if (isEnding(stop)) {
-      const int status = othersStatus_ >= 0 ? othersStatus_ : stopped;
-      sendAll({FrameKind::stop, 0, static_cast<std::uint32_t>(status)});
-      pass(farewell);
-      end(killAfter);
+      const int status = othersStatus_ >= 0 ? othersStatus_ : Watchdog::stopped;
+      endEarly(status, watchdog);
       return {status, true};
     }
     const double now = seconds();

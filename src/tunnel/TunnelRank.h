@@ -7,8 +7,10 @@
 
 #include "framework/StopSignal.h"
 #include "tunnel/ContinueSignal.h"
+#include "tunnel/RankCommand.h"
 #include "tunnel/RankTransport.h"
 #include "tunnel/TunnelFrame.h"
+#include "tunnel/Watchdog.h"
 
 namespace plumbline::tunnel {
 
@@ -31,8 +33,6 @@ struct RankEnd {
 /// watches whether they are, and ends all when one has to.
 class TunnelRank {
 public:
-  static constexpr int stopped = 130, failed = 2;  ///< the status of what ended early
-
   virtual ~TunnelRank() = default;
   TunnelRank(const TunnelRank&) = delete;
   TunnelRank& operator=(const TunnelRank&) = delete;
@@ -44,14 +44,12 @@ public:
 protected:
   TunnelRank(RankTransport& transport, const TunnelOptions& options);
 
-  virtual void start() = 0;
   virtual void watch(std::vector<pollfd>& watched) = 0;
   virtual void serve(std::span<const pollfd> watched, double now) = 0;
   virtual void take(int from, const Frame& frame, double now) = 0;
   /// Once in a while; the status once all is over, before that -1.
   virtual int step(double now) = 0;
-  /// Ends the command in at most so long [s].
-  virtual void end(double patience) = 0;
+  virtual RankCommand& command() = 0;
 
   void send(int to, const Frame& frame);
   void sendAll(const Frame& frame);
@@ -67,7 +65,8 @@ private:
     double silent = 0;     ///< [s]
     bool watched = false;  ///< from its first message on: until then it may be starting
   };
-  RankEnd loop(const StopSignal& stop);
+  RankEnd loop(const StopSignal& stop, Watchdog& watchdog);
+  void endEarly(int status, Watchdog& watchdog);
   bool isEnding(const StopSignal& stop);
   bool takeMessages(double now);
   void watchOthers(double now);

@@ -12,12 +12,11 @@ public:
   WorkerRank(RankTransport& transport, const TunnelOptions& options);
 
 private:
-  void start() override { command_.start(); }
   void watch(std::vector<pollfd>& watched) override { link_.watch(watched); }
   void serve(std::span<const pollfd> watched, double now) override { link_.serve(watched, now); }
   void take(int from, const Frame& frame, double now) override;
   int step(double now) override;
-  void end(double patience) override { command_.stop(patience); }
+  RankCommand& command() override { return command_; }
 
   void hasEnded(int status, double now);
 

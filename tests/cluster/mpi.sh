@@ -86,6 +86,21 @@ rankOf() {
 }
 writeStudy 0.05 30
 rm -rf "$scratch/farm"
+echo "a job that is suspended goes on when it is continued"
+mpirun -n 3 "$tunnel" -- "$bin/optserver" "$scratch/study.yaml" --folder "$scratch/farm" --port {port} -- \
+  "$bin/optworker" --port {port} > "$scratch/paused.out" 2>&1 & job=$!
+waitLong hasResults "$scratch/farm" 15
+ranks=$(left mpitunnel | sed 's/ .*//')
+for ((i = 0; i < 3; ++i)); do
+  kill -STOP $ranks
+  sleep 0.3
+  kill -CONT $ranks
+  waitLong hasResults "$scratch/farm" $(($(results "$scratch/farm") + 5))
+done
+kill -0 $ranks || fail "a rank has ended: $(< "$scratch/paused.out")"
+kill -TERM "$job"
+wait "$job" || true
+waitLong noneLeft 'mpi.*|opt.*'
 # What is started by a worker's command itself has to end too.
 for victim in "KILL rank 2" "KILL rank 0" "TERM rank 1" "TERM mpirun" "INT mpirun" "KILL mpirun"; do
   read -r signal what number <<< "$victim"

@@ -16,7 +16,7 @@
 namespace plumbline {
 namespace {
 
-constexpr int failed = tunnel::TunnelRank::failed;
+constexpr int failed = tunnel::Watchdog::failed;
 constexpr int farewell = 5;  // [s]
 
 /// What stands behind the first and behind the second "--".
