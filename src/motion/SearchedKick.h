@@ -25,7 +25,7 @@ private:
   std::vector<SearchedNumber> list_;
 };
 
-/// Result of a try of a kick.
+/// What a try of a kick came to.
 struct KickTry {
   Vec2 way = Vec2::Zero();  ///< of the ball, x along the wanted direction, y to its left [m]
   double height = 0;        ///< that the ball rose [m]
@@ -37,7 +37,7 @@ struct KickTry {
   double direction() const;
 };
 
-/// Goal of a search for a kick.
+/// What a kick is wanted for.
 struct KickWish {
   double distance = 0;   ///< [m]; 0: as far as it goes
   double weight = 0.08;  ///< of a millisecond
@@ -46,8 +46,8 @@ struct KickWish {
 
   /// Formula 3.2 of Seekircher 2015 with the opposite sign and the ball's path split in two: -30 (along -
   /// aside) - 120 min(1, height) + steady error + weight milliseconds. With a distance, 30 |along - distance|
-  /// replaces -30 along, and height does not count. With a ceiling, height does not count either, and a ball
-  /// above it costs 60 + 300 (top - ceiling).
+  /// replaces -30 along, and height does not count. With a ceiling height is worth nothing either, and what
+  /// is above it costs 60 + 300 (top - ceiling).
   double cost(const KickTry& kick) const;
 };
 

@@ -330,15 +330,17 @@ private:
         ++k;
       }
       return std::string(found_[i].setting->id) + " and " + std::string(rival->id) +
-             " differ most in motions like " + best + ": record more of them, on other robot types.";
+             " come apart most in motions like " + best + ": record more of them, on other robot types.";
     }
     switch (result_.verdict) {
       case Verdict::none:
         return "Nothing is needed for these motions; impacts, falls and kicks into the joints' stops would "
-               "show more.";
+               "show "
+               "what rests here.";
       case Verdict::unknown:
-        return "No setting of this simulator explains the remaining gap; record single parts of the motion "
-               "with the largest gap (" +
+        return "No setting of this simulator explains what is left; record single parts of the motion that "
+               "shows "
+               "most (" +
                (result_.cells.empty() ? std::string() : result_.cells.front().motion) +
                ") slowly, to see whether contacts or hinges are behind it.";
       case Verdict::effect:
