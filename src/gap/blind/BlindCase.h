@@ -12,7 +12,7 @@ namespace plumbline::gap {
 struct BlindEffect {
   std::string effect, at, axis;  ///< axis empty where there is none
   double value = 0;
-  std::map<std::string, std::string> how; ///< the form, if there is more than one
+  std::map<std::string, std::string> how;  ///< the form, if there is more than one
 };
 
 /// Kind of a case. `hard`: a single effect of small size that is easily confused with another one.

@@ -17,10 +17,10 @@ public:
       : fine_(fine), coarse_(coarse), options_(options) {}
 
   struct Look {
-    std::string stage;               ///< its name in progress messages
-    double leastGain = 0;            ///< of the sum of squares for fitting: causes that promise less are not fitted
-    bool onlySensors = false;        ///< no cause that moves the robot
-    bool lostCommands = true;        ///< also searches for lost commands
+    std::string stage;         ///< its name in progress messages
+    double leastGain = 0;      ///< of the sum of squares for fitting: causes that promise less are not fitted
+    bool onlySensors = false;  ///< no cause that moves the robot
+    bool lostCommands = true;  ///< also searches for lost commands
     SearchMemory* memory = nullptr;  ///< of screenings; null: none
   };
   /// Most probable first.

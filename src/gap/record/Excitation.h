@@ -19,7 +19,8 @@ struct Segment {
     steps,      ///< jumps to +1, -1, +1/2, -1/2, 0
     sine,       ///< fromHz; the amplitude grows over the first quarter and falls over the last
     bumps,      ///< the square of such a sine while it is positive, else 0: steps of a foot
-    multisine,  ///< `tones` sines between fromHz and toHz, with different phases and frequencies for each joint
+    multisine,  ///< `tones` sines between fromHz and toHz, with different phases and frequencies for each
+                ///< joint
     fast        ///< random targets at `speed` of each joint's maximal speed, a short step after each
   };
   Kind kind = Kind::sine;
