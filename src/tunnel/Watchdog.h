@@ -14,7 +14,7 @@ namespace plumbline::tunnel {
 class Watchdog {
 public:
   /// How long ending may take [s], and the status of one that was told to stop.
-  static constexpr double patience = 0.8;
+  static constexpr double patience = 0.6;
   static constexpr int stopped = 130, failed = 2;
 
   /// A loop that is not told to stop may stand for `silence` seconds; what it waits for is not counted while

@@ -1,8 +1,11 @@
 # What the tests of make cluster share: programs that may be missing, a search and what it finds by itself, processes that have
 # to end, and a Slurm of their own that listens on loopback only.
-if ((EUID == 0)) && [[ ! ${PLUMBLINE_OWN_NETWORK-} ]] && unshare --net true 2> /dev/null; then
-  # Where that is allowed, in a network of its own: mpirun listens for its daemons at all addresses, and nobody reaches them there.
-  PLUMBLINE_OWN_NETWORK=yes exec unshare --net bash -c 'ip link set lo up && exec bash "$0"' "$0"
+# Where that is allowed, in a network of its own: mpirun listens for its daemons at all addresses, and nobody reaches them there.
+# Slurm's programs listen where the machine's name leads to; names lead nowhere without an address that is not loopback's.
+ownNetwork='ip link set lo up && ip link add nobody type dummy && ip address add 10.78.0.1/32 dev nobody &&
+  ip link set nobody up && hostname localhost'
+if ((EUID == 0)) && [[ ! ${PLUMBLINE_OWN_NETWORK-} ]] && unshare --net --uts bash -c "$ownNetwork" 2> /dev/null; then
+  PLUMBLINE_OWN_NETWORK=yes exec unshare --net --uts bash -c "$ownNetwork"' && exec bash "$0"' "$0"
 fi
 source "$(dirname "${BASH_SOURCE[0]}")/../e2e/assert.bash"
 skip() { echo "left out: $*"; exit 77; }
@@ -74,7 +77,9 @@ expectLoopback() {
 
 # A Slurm with one node, this machine, for the user who runs it.
 startSlurm() { # CPUs that it believes to have
-  local user
+  local user address
+  address=$(getent ahostsv4 "$(hostname)" || true)
+  [[ $address == 127.* ]] || skip "Slurm would listen at ${address%% *}, where this machine's name leads to"
   user=$(id -un)
   mkdir -p "$slurm"/{state,spool}
   (umask 077 && head -c 128 /dev/urandom > "$slurm/key")
