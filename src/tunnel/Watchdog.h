@@ -9,8 +9,8 @@
 
 namespace plumbline::tunnel {
 
-/// Ends this process where its loop does not: MPI waits for ever for a rank that has gone. What a ChildProcess
-/// started with its whole group ends with it.
+/// Ends this process where its loop does not: MPI waits for ever for a rank that has gone. What a
+/// ChildProcess started with its whole group ends with it.
 class Watchdog {
 public:
   /// How long ending may take [s], and the status of one that was told to stop.

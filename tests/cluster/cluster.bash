@@ -13,7 +13,7 @@ needs() { local name; for name in "$@"; do command -v "$name" > /dev/null || ski
 
 # Open MPI on this machine alone: shared memory between ranks, its own connections on loopback, more ranks than cores.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
-export OMPI_MCA_btl=self,vader OMPI_MCA_oob_tcp_if_include=lo OMPI_MCA_hwloc_base_binding_policy=none
+export OMPI_MCA_orte_tmpdir_base=$scratch OMPI_MCA_btl=self,vader OMPI_MCA_oob_tcp_if_include=lo OMPI_MCA_hwloc_base_binding_policy=none
 slurm=$scratch/slurm
 # Every process that a test starts has this, so that none can hide.
 export PLUMBLINE_TEST=$scratch
@@ -114,17 +114,18 @@ PartitionName=low Nodes=localhost Default=YES PriorityTier=1 PreemptMode=REQUEUE
 PartitionName=high Nodes=localhost PriorityTier=10 PreemptMode=OFF
 END
   export SLURM_CONF=$slurm/slurm.conf PLUMBLINE_BIND=127.0.0.1
-  munged --foreground --force --num-threads=2 --key-file="$slurm/key" --socket="$slurm/munge.socket" --seed-file="$slurm/seed" \
+  # In sessions of their own: whoever ends the test by a signal to its group does not end them before their jobs.
+  setsid munged --foreground --force --num-threads=2 --key-file="$slurm/key" --socket="$slurm/munge.socket" --seed-file="$slurm/seed" \
     --pid-file="$slurm/munged.pid" --log-file="$slurm/munged.log" > "$slurm/munged.out" 2>&1 &
   waitFor test -S "$slurm/munge.socket"
-  (cd "$slurm" && exec slurmctld -D > "$slurm/slurmctld.log" 2>&1) &
-  (cd "$slurm" && exec slurmd -D -N localhost > "$slurm/slurmd.log" 2>&1) &
+  (cd "$slurm" && exec setsid slurmctld -D > "$slurm/slurmctld.log" 2>&1) &
+  (cd "$slurm" && exec setsid slurmd -D -N localhost > "$slurm/slurmd.log" 2>&1) &
   waitLong isIdle
 }
 isIdle() { [[ $(sinfo -h -o %T) == idle ]]; }
 queueEmpty() { [[ -z $(squeue -h) ]]; }
 stopSlurm() {
-  scancel --user="$(id -un)" > /dev/null 2>&1 || true
+  timeout 5 scancel --user="$(id -un)" > /dev/null 2>&1 || true
   local i name
   for ((i = 0; i < 100; ++i)); do noneLeft 'slurmstepd|srun' && break; sleep 0.05; done
   for name in slurmd slurmctld munged; do
