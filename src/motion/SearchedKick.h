@@ -44,10 +44,10 @@ struct KickWish {
   double steady = 1;     ///< of the error
   double ceiling = 0;    ///< that the ball is to stay below where a goal may stand [m]; 0: none
 
-  /// Formula 3.2 of Seekircher 2015 with the opposite sign and the ball's path split in two: -30 (along -
-  /// aside) - 120 min(1, height) + steady error + weight milliseconds. With a distance, 30 |along - distance|
-  /// replaces -30 along, and height does not count. With a ceiling height is worth nothing either, and what
-  /// is above it costs 60 + 300 (top - ceiling).
+  /// Formula 3.2 of Seekircher 2015 with the opposite sign and the ball's path split in two:
+  ///   -30 (along - aside) - 120 min(1, height) + steady error + weight milliseconds.
+  /// With a distance, 30 |along - distance| replaces -30 along, and height does not count. With a ceiling,
+  /// height does not count either, and a top above it costs 60 + 300 (top - ceiling).
   double cost(const KickTry& kick) const;
 };
 

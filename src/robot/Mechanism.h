@@ -9,8 +9,9 @@
 
 namespace plumbline {
 
-/// What drives a joint. kp, kd are always the gains of the linear law tau = stiffness * (kp * (cmd - q) - kd
-/// * qd). With model dcMotor they are the linear equivalent of
+/// What drives a joint. kp, kd are always the gains of the linear law
+///   tau = stiffness * (kp * (cmd - q) - kd * qd).
+/// With model dcMotor they are the linear equivalent of
 ///   duty = clamp(kpFirmware * errorGain * (cmd - q), -maxPwm, maxPwm)
 ///   tau = stiffness * kt * (vin * duty - kt * qd) / R.
 /// A prismatic joint has N and m where this says N m and rad.

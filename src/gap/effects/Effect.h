@@ -50,7 +50,7 @@ struct LookAlike {
 /// What a simulator may lack: one physical cause with one parameter. Each is in a file of its own and
 /// registered by MAKE_EFFECT.
 struct Effect {
-  std::string_view id;  ///< as in doc/reference/gap-answer.md
+  std::string_view id;  ///< as in answers and files of effects
   int order = 1000;     ///< its place in lists; those of the same order are sorted by id
   std::string_view unit;
   std::vector<Site> sites;

@@ -21,8 +21,8 @@ struct AnswerRival {
 /// The causes in an answer, for one robot.
 struct AnswerCauses {
   Explanation causes;
-  std::vector<std::pair<double, double>>
-      intervals;  ///< of the values; both ends are equal if the answer has none
+  /// Of the values; both ends are equal if the answer has none.
+  std::vector<std::pair<double, double>> intervals;
   std::vector<double> probabilities;
   std::vector<AnswerRival> rivals;  ///< the most probable first
 };

@@ -20,7 +20,7 @@ namespace plumbline::training {
 /// - Options: type 0 .., motion (name of the first file), side (of the kicking foot), distance [m, 0: as far
 /// as possible]. Further: ceiling (of top, 0: none) [m], spread [m], weight (0.08), steady (1), walk [s, 2: a
 /// shorter one makes a search faster]. still is the share of the runs in which the robot stands that long
-/// instead of walking (0). The options of TrialWorlds.
+/// instead of walking (0). And the options of TrialWorlds.
 class KickTask : public SearchTask {
 public:
   explicit KickTask(const TaskOptions& options);
