@@ -70,6 +70,7 @@ cmake --preset "$target" "${options[@]}" > "$build/configure.log" 2>&1 || {
   rm -f "$build/presets"
   fail "CMake could not configure $target; see $build/configure.log"
 }
+sed -n 's/^-- \(.* is left out: .*\)/\1/p' "$build/configure.log"
 cat CMakePresets.json CMakeUserPresets.json > "$build/presets" 2> /dev/null || true
 if ((${#given[@]})); then printf '%s\0' "${given[@]}"; fi > "$build/arguments"
 if [[ $default ]]; then

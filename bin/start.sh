@@ -19,7 +19,7 @@ usage: start.sh [options] [HOST] [-- OPTIONS OF bin/agent]
   --types "T T ..."   robot types (0 to 4) of numbers 1, 2, ... [${types[*]}]
   --logs FOLDER       output of each agent; without it there is none
   --config FOLDER     configuration [config beside bin]
-  --token TOKEN       what a simulator that is open to others wants to hear first
+  --token TOKEN       token of the simulator, if its port is open to other machines
   --wait              start the agents though no server is there yet; they wait for it
 examples:
   bin/start.sh

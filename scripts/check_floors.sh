@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# Checks that includes point down the floors of src/ only (doc/architecture.md), that a platform's folders are included from
-# no other module, that no folders include each other in a circle, and that a header's name is one file's. Each offender:
-# file:line: why.
-# Example: scripts/check_floors.sh
+# Checks that includes only point down the floors of src/ (doc/architecture.md), and that no other module includes a
+# platform's folders. Also that no folders include each other in a circle, and that no two headers have the same name.
+# Each offender: file:line: why. Example: scripts/check_floors.sh
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 noArguments "$@"
@@ -16,7 +15,7 @@ status=0
 # parameters, math, robot and optimization, "motion" the framework's readers of files as well.
 awk '
   BEGIN {
-    count = split("parameters math framework field robot optimization simspark simulation representations walking motion tactics inspect dds record pages modules training gap game web main", f, " ")
+    count = split("parameters math framework field robot optimization simspark tunnel simulation representations walking motion tactics inspect dds record pages modules training gap game web main", f, " ")
     for (i = 1; i <= count; ++i) floorOf[f[i]] = i
     split("parameters math robot optimization walking", w, " ")
     for (i in w) may["walking " w[i]] = may["motion " w[i]] = 1

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Kills every writer and server as by kill -9, in the midst of a write, before a rename, or anywhere in its work, at
-# places that a seed draws: no file may be half written, what is a recording must be readable up to there, and what goes on
-# where it was must come to the same bytes as if nobody had killed it.
+# Kills every writer and server as by kill -9: within a write, before a rename, or anywhere in its work, at places that
+# a seed draws. No file may be half written, and a recording must be readable up to there. A program that continues its
+# work must give the same bytes as without the kill.
 #   scripts/kills.sh [--list] [JOB]...     jobs of tests/faults/jobs.bash [all]
 # Variables: KILLS, of each job [8]; SEED, of the places [1]; JOBS, how many jobs at once [one per core]; PLUMBLINE_BIN, where
 # the programs are [bin]. A kill takes some 0.15 s, and 1000 of each job over an hour.

@@ -62,7 +62,7 @@ done
 [[ $leftName != "$rightName" ]] || fail "both teams are called $leftName"
 ((left + right)) || fail "nobody is to play"
 [[ $record && ! $page ]] && fail "--record records what the page shows: not with --no-page"
-[[ $record && -e $record ]] && fail "$record is there already"
+[[ $record && -e $record ]] && fail "$record exists already"
 for program in simulator agent; do [[ -x $bin/$program ]] || fail "no $bin/$program: make SimRelease builds it"; done
 if [[ ! $seconds && ! $terminal ]]; then seconds=60; fi
 

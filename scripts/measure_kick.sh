@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# What a kick does in games: the whole agent goes to the ball from random places, 1.5 m away and with any heading, and plays this kick.
-# Prints distance and direction from the robot's heading when the kick began (medians), scatter and spread (half of what lies between
-# the 16th and 84th percentile), the contact's time as the file has it and the mean height of the ball. With --write they become the file's key `kick`.
+# What a kick does in games: the whole agent goes to the ball from random places, 1.5 m away and with any heading, and
+# plays this kick. Prints distance and direction from the robot's heading at the beginning of the kick (medians), and
+# scatter and spread (half of the range between the 16th and 84th percentile). Also the contact's time from the file and
+# the mean height of the ball. With --write they become the file's key `kick`.
 #   scripts/measure_kick.sh TYPE MOTION [--write]
 # Variables: TRIES [40], SEED of the first [20001], BIN, the folder of programs [bin], CONFIG [config].
 # Examples:

@@ -1,12 +1,10 @@
 #!/usr/bin/env bash
-# Makes the walks of the league's robots, config/robots/type*/walking.yaml, from what searches found,
-# config/walks/type*/walking.yaml: cuts the speeds that may be mixed and each sprint to what goes through minutes of
-# tries without a fall (doc/reference/walk.md, "Finding a walk"). Seeds are fixed: the same program writes the same
-# files. Some minutes. Over what is cut goes config/walks/type*/over: the recovery from pushes. With SEARCH=GENERATIONS
-# every sprint forward and sideways is searched on from there first, and the quicker one after cutting is taken: with 90
-# about 15 minutes per type and direction.
-# Arguments: types (0 1 2 3 4).
-# Examples:
+# Makes the walks of the league's robots, config/robots/type*/walking.yaml, from results of searches,
+# config/walks/type*/walking.yaml. Reduces the omnidirectional speeds and each sprint until minutes of tries have no
+# fall (doc/reference/walk.md, "Finding a walk"). Seeds are fixed: the same program writes the same files. Some minutes.
+# Over what is cut goes config/walks/type*/over: the recovery from pushes. With SEARCH=GENERATIONS every sprint forward
+# and sideways is searched on from there first, and the quicker one after cutting is taken: with 90 about 15 minutes per
+# type and direction. Arguments: types (0 1 2 3 4). Examples:
 #   scripts/optimise_walks.sh 3
 #   SEARCH=90 scripts/optimise_walks.sh
 set -euo pipefail

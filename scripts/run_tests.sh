@@ -3,11 +3,10 @@
 #   scripts/run_tests.sh --all              runs everything: scripts and what computes for long with SimRelease, the
 #                                           other test programs with SimSanitize
 #   scripts/run_tests.sh [TARGET] AREA...   builds and runs the tests of tests/AREA with SimRelease or TARGET
-# Logs go to build/<target>/logs/. The last line is "N passed, N failed".
-# With --all up to three tests that failed beside others run once more alone, and that second run counts: a machine that
-# is too busy for one test must not hide what all the others say. Which they were is told before the last line, and what
-# failed first stays in LOG.first; SECOND_RUN=no turns it off.
-# Examples:
+# Logs go to build/<target>/logs/. The last line is "N passed, N failed". With --all up to three tests that failed while
+# others ran are repeated alone, and the second run counts: a busy machine must not spoil the results of the other
+# tests. Which they were is told before the last line, and what failed first stays in LOG.first; SECOND_RUN=no turns it
+# off. Examples:
 #   scripts/run_tests.sh framework robot
 #   scripts/run_tests.sh SimSanitize web
 set -uo pipefail

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# An agent plays for hours, as fast as this machine goes, while all that looks into it is on: two consoles that watch, a
-# page that is read, a log, its representations shown to another agent. Prints memory and processor time per cycle at the
-# beginning and at the end, and writes them to build/bench/live_soak.json, from where `scripts/make_results.sh live` takes
-# them.
+# An agent plays for hours, as fast as possible, while everything that observes it is on: two consoles that watch, a
+# page, a log, and another agent that reads its representations. Prints memory and processor time per cycle at the
+# beginning and at the end, and writes them to build/bench/live_soak.json, from where `scripts/make_results.sh live`
+# takes them.
 #   scripts/soak_live.sh [HOURS]    simulated hours [0.1]
 # Example: scripts/soak_live.sh 5
 set -euo pipefail

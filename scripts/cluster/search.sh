@@ -46,7 +46,7 @@ server() {
     mv "$folder/address.new" "$folder/address"
   ) &
   local teller=$!
-  PLUMBLINE_TOKEN=$(< "$folder/token") srun --ntasks=1 "$root/bin/optserver" "$study" --folder "$folder" --bind 0.0.0.0 \
+  PLUMBLINE_TOKEN=$(< "$folder/token") srun --ntasks=1 "$root/bin/optserver" "$study" --folder "$folder" --bind "${PLUMBLINE_BIND-0.0.0.0}" \
     --port 0 --every 60 || status=$?
   kill "$teller" 2> /dev/null || true
   ((status)) || touch "$folder/over"

@@ -8,8 +8,8 @@
 namespace plumbline::dds {
 
 /// A Content on the wire, in CDR: `struct Sample { unsigned long long cycle; sequence<octet> bytes; }`, or
-/// the message's own CDR alone (`bare`: messages of ROS 2). What is longer than `maxBytes`, or shorter than
-/// it says, is no sample.
+/// the message's own CDR alone (`bare`: messages of ROS 2). A sample longer than `maxBytes`, or shorter than
+/// its stated length, is dropped.
 class BytesType final : public eprosima::fastdds::dds::TopicDataType {
 public:
   static constexpr std::size_t maxBytes = 32u << 20;

@@ -14,12 +14,11 @@ namespace plumbline::dds {
 /// Whom a participant sees.
 struct ParticipantOptions {
   unsigned domain = 0;  ///< 0 to 232: participants of two domains never meet
-  /// Addresses of this machine, IPv4, on which it speaks. Any other than the loopback's wants a token.
+  /// Addresses of this machine, IPv4, that it uses. Any other than the loopback's needs a token.
   std::vector<std::string> addresses = {"127.0.0.1"};
-  /// Machines, IPv4, that are asked where no multicast reaches them.
+  /// Machines, IPv4, that multicast does not reach.
   std::vector<std::string> peers;
-  /// Participants with another token neither read nor are read. It keeps strangers apart and hides nothing
-  /// from who listens on the wire.
+  /// Participants with another token neither read nor are read. It separates agents but does not encrypt.
   std::string token;
   /// Readers and writers without the token's partition as well, for programs of others (ROS 2).
   bool open = false;

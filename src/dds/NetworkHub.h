@@ -36,8 +36,8 @@ private:
   ByteWriter writer_;
 };
 
-/// A representation that another agent shows. What arrives is read and checked in the network's thread; what
-/// cannot be read, is of another shape or a value that no module may provide changes nothing.
+/// A representation that another agent sends. Samples are read and checked in the network's thread. A sample
+/// that cannot be read, has other members, or has a value that no module may provide, changes nothing.
 class ReceivedRepresentation : Arrivals {
 public:
   /// `whenArrived` is called in the network's thread with each good value.

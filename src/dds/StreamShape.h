@@ -5,8 +5,8 @@
 
 namespace plumbline::dds {
 
-/// A number that stands for the names and types of what a representation streams: two agents whose programs
-/// differ in them must not take each other's bytes for their own.
+/// A hash of the names and types of what a representation streams. Two agents whose programs differ in them
+/// must not accept each other's data.
 std::uint64_t shapeOf(Representation& value);
 
 }  // namespace plumbline::dds

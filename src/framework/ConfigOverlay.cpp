@@ -52,7 +52,7 @@ void checkDeclared(const ConfigNode& base, const ConfigNode& overlay, std::size_
   std::string said;
   readConfig(*name, {}, said);
   if (said != baseNameOf(base))
-    fail(*name, "overlay.base is " + said + ", but the file lies over " + *base.file);
+    fail(*name, "overlay.base is " + said + ", but this file overrides " + *base.file);
   unsigned number = 0;
   readConfig(*count, {}, number);
   if (number != values)
@@ -95,9 +95,10 @@ void layOver(ConfigNode& base, ConfigNode over) {
     std::vector<std::string> kept;
     collectKept(base, &over, kept);
     if (!kept.empty())
-      fail(over, "lies over " + *base.file + " and leaves " + std::to_string(kept.size()) +
-                     " of its values as they are (" + kept.front() + (kept.size() > 1 ? ", ..." : "") +
-                     "): if that is meant, begin with " + overlayLine(baseNameOf(base), countValues(over)));
+      fail(over, "overrides " + *base.file + " but not " + std::to_string(kept.size()) + " of its values (" +
+                     kept.front() + (kept.size() > 1 ? ", ..." : "") +
+                     "); give these too, or begin the file with " +
+                     overlayLine(baseNameOf(base), countValues(over)));
   }
   merge(base, over);
 }

@@ -3,10 +3,10 @@
 
 namespace plumbline {
 
-/// Lays a file of a later config directory over that of an earlier one: maps are merged key by key, anything
-/// else is replaced. A line that was lost from the later file would silently give the earlier one's value. So
-/// that file either has every value of the earlier one, or says on top what it is and how many values of its
-/// own follow:
+/// Overrides a file of an earlier config directory by that of a later one: maps are merged key by key,
+/// anything else is replaced. A line that was lost from the later file would silently give the earlier one's
+/// value. So that file either has every value of the earlier one, or names it in its first key, with the
+/// number of its own values:
 ///
 ///     overlay: {base: kick.yaml, values: 3}
 ///

@@ -26,7 +26,7 @@ struct ControllerOptions {
 
 /// An agent: the threads of one modules.cfg. In order: the constructor reads modules.cfg and sorts the graph,
 /// init() makes the modules, run() runs them until somebody requests the stop. The first two throw
-/// ConfigurationError for anything a user has to mend.
+/// ConfigurationError for errors that a user must correct.
 class Controller {
 public:
   explicit Controller(ControllerOptions options);
@@ -47,8 +47,8 @@ public:
   /// Called by run() if need be.
   void init();
   /// Runs until the stop is requested and all threads have ended their cycle. One thread runs in the
-  /// caller's. Returns the requested exit code. What a module throws ends the agent: ConfigurationError comes
-  /// out, anything else becomes exit code 1 with the reason in stop().reason().
+  /// caller's. Returns the requested exit code. An exception of a module ends the agent: a ConfigurationError
+  /// is thrown on, any other gives exit code 1 with the reason in stop().reason().
   int run();
   /// Runs that many cycles of the only thread, fewer if the stop is requested; may be called again. What a
   /// module throws comes out. For tests and tools. Returns how many were run.

@@ -28,8 +28,8 @@ protected:
   ~DebugValue() = default;
 };
 
-/// What somebody outside wants at a debug point. Called on the thread that passes the point: no call may
-/// wait or throw.
+/// A request of a client at a debug point. Called on the thread that passes the point: no call may wait or
+/// throw.
 class DebugRequest {
 public:
   virtual ~DebugRequest() = default;
@@ -53,9 +53,9 @@ enum class DebugKind : std::uint8_t { output, modify, parameter, timing, code, c
 /// "output", "modify", "parameter", "timing", "response", "response once", "drawing".
 std::string_view nameOf(DebugKind kind);
 
-/// A place that execution passes and where a value can be looked at or set, or a block of code be switched
-/// on. While nobody wants anything there, passing it costs a relaxed load. Static ones (DebugSite.h) make
-/// themselves known when they are passed first.
+/// A place in the code at which a value can be read or set, or a block of code can be switched on. Without a
+/// request, passing it costs a relaxed load. Static points (DebugSite.h) register themselves when they are
+/// first passed.
 class DebugPoint {
 public:
   constexpr DebugPoint(const char* id, DebugKind kind) : id_(id), kind_(kind) {}

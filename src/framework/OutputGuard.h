@@ -7,7 +7,7 @@
 
 namespace plumbline {
 
-/// Watches one representation behind its module's update: a value that is wrong
+/// Watches one representation after its module's update: a value that is wrong
 /// (RepresentationLoader::problemOf) never reaches another module. Costs a pass over the streamed numbers and
 /// a copy of the value.
 class OutputGuard {

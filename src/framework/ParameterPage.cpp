@@ -69,11 +69,13 @@ private:
 std::string parameterPage(const Registry& registry) {
   std::string page =
       "# Parameters of the modules\n\n"
-      "Made by `bin/agent --parameters`. `config/<Module>.yaml` holds what deviates from these values; a "
-      "group's\n"
-      "parameters stand in a map of the group's name. A value out of its range and an unknown key end the "
-      "start with\n"
-      "file and line.\n";
+      "`bin/agent --parameters` made this page. `config/<Module>.yaml` holds the values that differ from "
+      "these; "
+      "the\n"
+      "parameters of a group are in a map with the group's name. A value out of its range and an unknown key "
+      "are "
+      "errors\n"
+      "at the start, with file and line.\n";
   for (const auto& [name, loader] : registry.modules()) {
     const ParameterList& parameters = loader->description().parameters;
     if (parameters.empty()) continue;

@@ -34,7 +34,7 @@ std::unique_ptr<Platform> Platforms::make(const std::string& name) {
   if (remedy.empty()) {
     for (const std::string& other : known) remedy += (remedy.empty() ? "; there are: " : ", ") + other;
   }
-  throw ConfigurationError("--platform " + name + ": there is no such platform" + remedy);
+  throw ConfigurationError("--platform " + name + ": unknown platform" + remedy);
 }
 
 std::string chosenPlatform(int argc, const char* const* argv, const std::string& otherwise) {

@@ -12,15 +12,16 @@ class App;
 
 namespace plumbline {
 
-/// A module without which an agent is none, and what such an agent lacks ("hears nothing from the robot").
+/// A module that every agent needs, and the problem without it ("receives nothing from the robot").
 struct NeededModule {
   std::string name, otherwise;
 };
 
 /// What an agent runs on: a league's server, a robot, a simulation in the program. A platform is a folder of
-/// modules that gives the representations of doc/reference/platforms.md and takes the joints' targets, one
-/// object of this class, registered with MAKE_PLATFORM, and config/platforms/NAME/modules.cfg. Nothing else
-/// knows it. In order: declareOptions, (the command line is read), check, configFolders, addObjects.
+/// modules that provides the representations of doc/reference/platforms.md and receives the joints' targets,
+/// one object of this class, registered with MAKE_PLATFORM, and config/platforms/NAME/modules.cfg. No other
+/// code depends on it. In order: declareOptions, (the command line is read), check, configFolders,
+/// addObjects.
 class Platform {
 public:
   virtual ~Platform() = default;
@@ -31,8 +32,8 @@ public:
   virtual void check() const {}
   /// Folders whose files override those of the folder `config`: those of the robot that the options chose.
   virtual std::vector<std::string> configFolders(const std::string& config) const = 0;
-  /// Gives the modules what they want of the platform: its options, the robot's model (RobotModel). `tell`
-  /// prints a line for the user.
+  /// Gives the modules the platform's objects: its options, the robot's model (RobotModel). `tell` prints a
+  /// line for the user.
   virtual void addObjects(ModuleObjects& objects, std::function<void(const std::string&)> tell) const = 0;
   virtual std::vector<NeededModule> neededModules() const { return {}; }
   /// Example command lines for --help, a line each.
@@ -46,7 +47,7 @@ public:
   static bool add(const std::string& name, Maker maker);
   /// Sorted.
   static std::vector<std::string> names();
-  /// Throws ConfigurationError for a name of none, with the nearest or all there are.
+  /// Throws ConfigurationError for an unknown name, with the nearest one or all.
   static std::unique_ptr<Platform> make(const std::string& name);
 };
 

@@ -163,7 +163,7 @@ void Process::resetModule(std::size_t index) {
 
 void Process::reject(const Step& step, const std::string& problem) {
   log_.error() << "[" << info_.name << "] " << step.label << ": " << problem
-               << "; the last good value is kept and the module starts anew";
+               << "; the last good value is kept and the module restarts";
   if (std::find(rejected_.begin(), rejected_.end(), step.instance) == rejected_.end())
     rejected_.push_back(step.instance);
 }

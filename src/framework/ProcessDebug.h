@@ -14,7 +14,7 @@
 
 namespace plumbline {
 
-/// The debug points of one thread: `representation:NAME` behind each update, `config:MODULE.path` at the
+/// The debug points of one thread: `representation:NAME` after each update, `config:MODULE.path` at the
 /// beginning of a cycle; and its stopwatches as `timing:MODULE:step` and `timing:MODULE:name`.
 class ProcessDebug {
 public:

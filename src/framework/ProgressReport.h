@@ -7,9 +7,9 @@
 
 namespace plumbline {
 
-/// Says on standard error how far long work has come, on a terminal and without one alike: first after
-/// `first` seconds, then every `interval`: `PROGRAM: STAGE: 12 %, about 3 min left`. From a thread of its
-/// own, so that a slow step does not look like a hang. The clock decides nothing but these lines.
+/// Reports the progress of long work on standard error, with or without a terminal: first after `first`
+/// seconds, then every `interval`: `PROGRAM: STAGE: 12 %, about 3 min left`. It has its own thread, so that a
+/// slow step does not look like a hang. The clock affects only these lines.
 class ProgressReport {
 public:
   using Seconds = std::chrono::duration<double>;

@@ -9,8 +9,8 @@
 
 namespace plumbline {
 
-/// Keeps a flood of like messages out of a log: of each kind so many a second, then only their number. Memory
-/// is bounded: kinds beyond maxKinds count as one. Times are of any steady clock [s]. Not shared between
+/// Limits similar messages in a log: of each kind at most some a second, then only their number. Memory is
+/// bounded: kinds beyond maxKinds count as one. Times are of any steady clock [s]. Not shared between
 /// threads.
 class RepeatLimit {
 public:

@@ -11,8 +11,8 @@
 namespace plumbline {
 
 /// A list of numbers that its copies share, for what is large (pictures, maps): a copy costs the same
-/// whatever the length. Who changes one changes nobody else's. Copies may be read, changed and destroyed in
-/// different threads; one copy belongs to one thread at a time. Streams like a std::vector.
+/// whatever the length. A change of one copy does not change the others. Copies may be read, changed and
+/// destroyed in different threads; one copy belongs to one thread at a time. Streams like a std::vector.
 template <BlockNumber T>
 class SharedBlock {
 public:
@@ -45,9 +45,9 @@ public:
     return result;
   }
 
-  /// `size` numbers of any value, to be overwritten. Memory that this object used before is taken again once
-  /// nobody shares it: who renews a block in each cycle soon needs none from the system, which would have to
-  /// clear it first.
+  /// `size` numbers of any value, to be overwritten. Memory that this object used before is reused once
+  /// nobody shares it: a block that is renewed in each cycle soon needs no new memory, which the system would
+  /// have to clear first.
   std::span<T> renew(std::size_t size) {
     if (!shared_.alone()) {
       auto spare = std::ranges::find_if(spares_, &Counted::alone);

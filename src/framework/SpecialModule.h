@@ -10,9 +10,9 @@ namespace plumbline {
 
 struct ThreadPlan;
 
-/// A module outside the module graph that can provide any representation, in several threads: one that copies
-/// from elsewhere (another thread, a network, a log file). It works before the first and after the last
-/// module of a cycle. In modules.cfg it stands like a module. One object per thread that names it.
+/// A module outside the module graph that can provide any representation, in several threads: it copies from
+/// another thread, a network or a log file. It works before the first and after the last module of a cycle.
+/// In modules.cfg it is written like a module. One object per thread that names it.
 class SpecialModule {
 public:
   virtual ~SpecialModule() = default;
@@ -23,9 +23,9 @@ public:
   /// The whole thread, after the calls above; it stays as long as this object.
   virtual void planned(const ThreadPlan&) {}
 
-  /// cycle: the thread goes on. unseen: the same, and nobody looks into that cycle from outside. wait: no
-  /// cycle now; the values can be looked at, and it is asked again. restart: modules and representations
-  /// begin anew, as when the agent started, and it is asked again.
+  /// cycle: the thread continues. unseen: the same, but debug requests are not served in that cycle. wait: no
+  /// cycle now; values can be read, and turn() is called again. restart: modules and representations are
+  /// constructed again, as at the agent's start, and turn() is called again.
   enum class Turn { cycle, unseen, wait, restart };
   /// Before each cycle; may sleep for less than a tenth of a second.
   virtual Turn turn() { return Turn::cycle; }

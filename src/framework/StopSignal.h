@@ -6,8 +6,8 @@
 
 namespace plumbline {
 
-/// Thrown from the midst of long work that a person ended; no std::exception, so that what goes on after an
-/// error does not go on after this. Main prints what() and ends.
+/// Thrown from within long work that a person ended. It is not a std::exception, so that code which continues
+/// after an error does not continue after this. Main prints what() and ends.
 class Stopped {
 public:
   explicit Stopped(std::string text = "stopped; nothing was written") : text_(std::move(text)) {}

@@ -4,8 +4,8 @@
 
 namespace plumbline {
 
-/// Around what a module does nothing in but wait, for input or for a time: what an agent has left of its
-/// cycle is counted without it. Adds up per thread; one within another counts once.
+/// Marks code in which a module only waits, for input or for a time; busy times do not include it. Adds up
+/// per thread; one within another counts once.
 class Waiting {
 public:
   Waiting() : begin_(std::chrono::steady_clock::now()) { depth++; }

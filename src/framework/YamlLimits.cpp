@@ -29,7 +29,7 @@ public:
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto known = sizes_.find(anchor);
-    if (known == sizes_.end()) fail(mark, "an alias stands within what it stands for");
+    if (known == sizes_.end()) fail(mark, "an alias refers to a value that contains it");
     see(known->second, mark);
     into(known->second);
   }

@@ -8,8 +8,8 @@ namespace plumbline::game {
 /// folder if that is inside the project.
 std::string defaultOutput();
 
-/// Makes the folder, removes what a run before left of these files, and tries whether something can be
-/// written. Throws std::runtime_error "cannot write to FOLDER: REASON; give --output another folder".
+/// Makes the folder, removes these files of an earlier run, and tests whether it can be written. Throws
+/// std::runtime_error "cannot write to FOLDER: REASON; give --output another folder".
 void prepareOutput(const std::string& folder, const std::vector<std::string>& files);
 
 }  // namespace plumbline::game

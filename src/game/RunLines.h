@@ -10,8 +10,8 @@ struct StatusWords {
   std::string words;
 };
 
-/// The printed lines of a run. Simulator and agent are read apart, so a line waits until the agent must have
-/// said all that belongs to it: which of two programs was read first decides nothing.
+/// The printed lines of a run. The outputs of simulator and agent are read separately, so a line waits until
+/// the agent's part must be complete. The order in which the two are read has no effect.
 class RunLines {
 public:
   struct Line {

@@ -3,7 +3,7 @@
 
 namespace plumbline::game {
 
-/// What a run came to; the content of summary.json.
+/// The result of a run; the content of summary.json.
 struct Summary {
   bool goal = false;
   double goalTime = 0;  ///< game clock at the goal [s]; meaningless without one

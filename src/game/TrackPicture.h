@@ -19,7 +19,7 @@ struct TrackPoint {
 std::vector<TrackPoint> kicksOf(const std::vector<TrackPoint>& track);
 
 /// The run from above as an SVG picture: field, ways of robot and ball with the time, falls and kicks, and a
-/// legend. What was beamed or put elsewhere did not go there: its way begins anew.
+/// legend. If a robot or ball was moved by a beam or a trainer, its path is interrupted there.
 std::string trackPicture(const std::vector<TrackPoint>& track, const std::string& title,
                          const FieldSize& field = {});
 

@@ -19,9 +19,9 @@ struct DebugServerOptions {
   bool listens = true;      ///< false: no port; only join() brings clients
 };
 
-/// The debug port: lines of text over TCP, in both directions. What clients may take is bounded: a line, what
-/// waits for a client that does not read, their number. A client that goes beyond gets an error and is
-/// closed; values of a watch are left out first, and it is told how many.
+/// The debug port: lines of text over TCP, in both directions. The length of a line, the data that waits for
+/// a slow client, and the number of clients are bounded. A client beyond a limit gets an error and is closed.
+/// Values of a watch are left out first, and the client gets their number.
 class DebugServer {
 public:
   static constexpr std::size_t maxLine = std::size_t{64} << 10;
@@ -30,7 +30,7 @@ public:
   static constexpr std::size_t dropsFrom = std::size_t{256} << 10;  ///< bytes: values are left out
   static constexpr double patience = 10;  ///< with a client that takes nothing, or says no token [s]
 
-  /// Opens the port. Throws std::runtime_error, one line, if that cannot be.
+  /// Opens the port. Throws std::runtime_error, one line, if that is impossible.
   DebugServer(Inspector& inspector, const DebugServerOptions& options);
   ~DebugServer();
   DebugServer(const DebugServer&) = delete;

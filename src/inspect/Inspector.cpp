@@ -175,7 +175,7 @@ void Inspector::set(int client, const Command& command) {
   if (!target) return fail(client, command.tag, error);
   if (target->kind != DebugKind::modify && target->kind != DebugKind::parameter)
     return fail(client, command.tag,
-                target->id + " cannot be set: it is of kind " + std::string(nameOf(target->kind)));
+                target->id + " cannot be set: its kind is " + std::string(nameOf(target->kind)));
   std::string before;
   for (auto at = pending_.begin(); at != pending_.end();) {
     const auto [number, pending] = *at++;

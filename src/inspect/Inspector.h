@@ -16,8 +16,8 @@
 namespace plumbline::inspect {
 
 /// Answers commands about a running agent (doc/reference/debug-protocol.md). Its own thread calls it; the
-/// agent's threads meet it at debug points and never wait. What is set or switched on stays so when the
-/// client that did it goes.
+/// agent's threads interact with it at debug points and never wait. Values that are set and blocks that are
+/// switched on stay so after the client disconnects.
 class Inspector {
 public:
   /// Takes a line without its end; `droppable`: one of many, of which a slow client may miss some. False: it
@@ -47,7 +47,7 @@ public:
   void close(int client);
 
   void command(int client, std::string_view line);
-  /// Passes on what the agent's threads have said; to be called every few milliseconds while busy().
+  /// Sends the answers of the agent's threads; call it every few milliseconds while busy().
   void poll(Clock::time_point now = Clock::now());
   bool busy() const { return !pending_.empty(); }
 

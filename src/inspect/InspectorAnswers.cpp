@@ -203,9 +203,9 @@ void Inspector::poll(Clock::time_point now) {
   }
   for (const std::uint64_t number : late) {
     const Pending& pending = pending_.at(number);
-    fail(
-        pending.client, pending.tag,
-        pending.target.id + ": execution did not come by within 2 s; does the agent wait for its simulator?");
+    fail(pending.client, pending.tag,
+         pending.target.id +
+             ": the code did not reach this point within 2 s; does the agent wait for its simulator?");
     remove(number);
   }
   if (clients_.empty() && pending_.empty()) agent_.setWatched(false);

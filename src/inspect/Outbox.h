@@ -9,7 +9,7 @@
 
 namespace plumbline::inspect {
 
-/// What a request has to say.
+/// The answer to a request.
 struct Outcome {
   enum class Kind { value, done, error };
   std::uint64_t request = 0;
@@ -19,8 +19,8 @@ struct Outcome {
   std::size_t size() const;  ///< bytes that it holds, about
 };
 
-/// From the threads of an agent to the thread that answers: nobody waits. Bounded; what does not fit is
-/// refused.
+/// Queue from the threads of an agent to the thread that answers; no thread waits. Bounded; an entry that
+/// does not fit is refused.
 class Outbox {
 public:
   static constexpr std::size_t most = 8192;

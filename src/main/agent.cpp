@@ -77,7 +77,8 @@ void declare(CLI::App& app, Options& options, Platform& platform) {
                  "with --debug: where others may reach it; needs --debug-token")
       ->needs(debug)
       ->capture_default_str();
-  app.add_option("--debug-token", options.debug->server.token, "with --debug: what clients must say first")
+  app.add_option("--debug-token", options.debug->server.token,
+                 "with --debug: the token that clients must send first")
       ->needs(debug);
   declareLogOptions(app, options.log);
   app.add_option(
@@ -102,7 +103,7 @@ void declare(CLI::App& app, Options& options, Platform& platform) {
   app.add_flag("-v,--verbose", options.verbose, "print every step of every cycle and all log messages");
   app.add_option("--crash-log", options.crashLog, "file written if the agent dies by a signal")
       ->capture_default_str();
-  app.add_flag("--status", options.status, "print a line per second: what the robot believes and does");
+  app.add_flag("--status", options.status, "print a line per second: the robot's estimates and what it does");
   app.footer("Examples:\n" + platform.examples() +
              "  bin/agent --graph graph.svg                              draw the module graph\n"
              "  bin/agent --start-simulator --log game                   record all that modules know\n"
@@ -133,8 +134,7 @@ ModulesConfig withMotionPlayer(const std::string& path) {
       line.provider = "MotionPlayer";
       replaced = true;
     }
-  if (!replaced)
-    throw ConfigurationError(path + ": nothing provides MotionRequest, so --motion has no place");
+  if (!replaced) throw ConfigurationError(path + ": nothing provides MotionRequest, so --motion cannot work");
   return modules;
 }
 

@@ -33,7 +33,7 @@ int runProgram(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--field", options.field, "file with the sizes of the field, as config/field.yaml")
       ->check(CLI::ExistingFile);
-  app.add_flag("--realtime", options.realtime, "at the pace of the clock instead of as fast as it goes");
+  app.add_flag("--realtime", options.realtime, "in real time instead of as fast as possible");
   auto* web = app.add_flag("--web", options.web,
                            "shows it on a page, whose address is printed; `make web` builds the page");
   app.add_flag("--stay", options.stay, "keeps the page open on the last picture until Ctrl-C")->needs(web);

@@ -260,7 +260,7 @@ int runProgram(int argc, char** argv) {
             if (std::ranges::count(optimizerNames(), name) > 0) return {};
             const std::string near = suggestion(name, optimizerNames());
             return fmt::format(
-                "there is no optimiser \"{}\"{}", name,
+                "unknown optimiser \"{}\"{}", name,
                 near.empty() ? fmt::format("; there are: {}", fmt::join(optimizerNames(), ", ")) : near);
           },
           ""))
@@ -293,10 +293,10 @@ int runProgram(int argc, char** argv) {
   app.add_flag("--anew", options.anew, "begins with the same parameters in all directions");
   app.add_option("--corners-of", options.cornersOf, "begins with the directions found for another type")
       ->check(CLI::Range(0, 9));
-  CLI::Option* choose = app.add_flag(
-      "--choose", options.choose,
-      "cuts the mixture and each sprint, that of the file and that of the search, to what goes through "
-      "minutes of tries without a fall, and takes the fastest");
+  CLI::Option* choose =
+      app.add_flag("--choose", options.choose,
+                   "reduces the omnidirectional walk and each sprint (of the file and of the search) until "
+                   "minutes of tries have no fall, and chooses the fastest");
   app.add_option("--search", options.searched,
                  "with --choose: those of the tasks whose sprints are searched; the others are only cut")
       ->check(CLI::IsMember(std::vector<std::string>{taskNames.begin(), taskNames.end()}))
@@ -310,12 +310,12 @@ int runProgram(int argc, char** argv) {
   app.add_option("--jobs", jobs, "candidates tried at a time, which changes nothing else [as many as cores]")
       ->check(CLI::Range(1, 256));
   app.add_option_function<std::string>(
-      "--config", useConfigFolder, "folder of the configuration [config/ here, else the one beside bin/]");
+      "--config", useConfigFolder, "folder of the configuration [config/ here, else the one next to bin/]");
   app.add_option("--effects", options.effects,
                  "the simulated robot has these: an answer of bin/gap diagnose --json, or a file of bin/gap "
                  "apply")
       ->check(CLI::ExistingFile);
-  app.add_flag("--try", options.tryOnly, "only tells how the walk does at the tasks, and writes nothing");
+  app.add_flag("--try", options.tryOnly, "only measures the walk at the tasks, and writes nothing");
   app.add_option("--output", options.output, "file to write; default: the type's in config/");
   app.footer(
       "Stopped by Ctrl-C or a loss of power it goes on where it was: FILE.search beside the output keeps "
@@ -342,7 +342,7 @@ int runProgram(int argc, char** argv) {
   } catch (const Stopped&) {
     const bool kept = !options.checkpoint.empty();
     fmt::print(stderr, "optimizewalk: stopped; {}\n",
-               kept ? "the same command goes on from " + options.checkpoint : "nothing was written");
+               kept ? "the same command continues from " + options.checkpoint : "nothing was written");
     return 130;
   }
   return 0;

@@ -46,17 +46,17 @@ int runProgram(int argc, char** argv) {
   std::string name;
   double patience = 30;
   CLI::App app(
-      "Evaluates what an optimisation server asks for, in a simulator of its own, until the search is over.",
+      "Evaluates the candidates of an optimisation server, in its own simulator, until the search is over.",
       "optworker");
   app.add_option("--host", server.host, "Where bin/optserver runs")->capture_default_str();
   app.add_option("--port", server.port, "Its port")->check(CLI::Range(1, 65535))->capture_default_str();
-  app.add_option("--token", server.token, "What it asks for, if it does")->envname("PLUMBLINE_TOKEN");
+  app.add_option("--token", server.token, "The server's token, if it needs one")->envname("PLUMBLINE_TOKEN");
   app.add_option("--name", name, "How the server calls it [host and process]");
   app.add_option("--patience", patience, "Waits so long for a server that is not there, or went away [s]")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   app.add_option_function<std::string>(
-      "--config", useConfigFolder, "folder of the configuration [config/ here, else the one beside bin/]");
+      "--config", useConfigFolder, "folder of the configuration [config/ here, else the one next to bin/]");
   app.footer(
       "Examples:\n  bin/optworker --port 3400\n  bin/optworker --host 10.0.0.5 --token SECRET --patience "
       "600");

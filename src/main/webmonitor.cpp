@@ -27,7 +27,7 @@ int runProgram(int argc, char** argv) {
   app.add_option("--port", config.live.port, "Its monitor port")
       ->check(CLI::Range(1, 65535))
       ->capture_default_str();
-  app.add_option("--monitor-token", config.live.token, "What its monitor port asks for, if it does");
+  app.add_option("--monitor-token", config.live.token, "Token of its monitor port, if it needs one");
   app.add_option("--web-port", config.server.port, "Port of the page; 0: a free one")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();

@@ -262,8 +262,7 @@ private:
           if (other.set[j] && !set[j])
             fail(root["keyframes"][i], nameOf(static_cast<JointId>(j)),
                  "has an angle in another keyframe, but not in this one; give it one, or write rest: stays "
-                 "beside "
-                 "keyframes if joints that are left out shall stay where they are");
+                 "next to keyframes if joints that are left out shall stay where they are");
     }
   }
 

@@ -74,7 +74,7 @@ public:
     list_ = root_["keyframes"];
     if (!list_ || !list_.IsSequence() || list_.size() == 0) fail(root_, "keyframes: missing or empty");
     if (list_.Style() == YAML::EmitterStyle::Flow)
-      fail(list_, "keyframes stand in brackets; give each a line that begins with \"- \" to edit them");
+      fail(list_, "keyframes are in brackets; give each a line that begins with \"- \" to edit them");
     readBlocks();
   }
 

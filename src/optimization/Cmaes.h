@@ -14,9 +14,10 @@ struct CmaesOptions {
   std::uint64_t seed = 1;
   bool active = true;  ///< bad candidates take variance away (negative weights)
   StopCriteria stop;
-  /// Generations evaluated at a time. Beyond 1 a generation is drawn before the ones ahead of it are told.
-  /// Its step is shortened by half of the way that the mean has gone meanwhile, and the step-size path by a
-  /// quarter of it. So a step that others took already is not taken for one more in the same direction.
+  /// Generations evaluated at a time. Above 1 a generation is drawn before the costs of earlier ones are
+  /// known. Its step is shortened by half of the mean's motion meanwhile, and the step-size path by a quarter
+  /// of it. So a step that earlier generations already took does not count as another step in the same
+  /// direction.
   int ahead = 1;
 };
 

@@ -5,13 +5,13 @@
 
 namespace plumbline {
 
-/// CMA-ES that begins anew where it has converged, until maxEvaluations, maxGenerations (of all runs
-/// together), targetCost or `restarts`. A restart begins at a random place. That is uniform in finite bounds,
-/// else normal around the start with a deviation that doubles with the population, as does the restart's own.
-/// Where nothing bounds the place a first deviation may be too small for the minima there are. IPOP (Auger
-/// and Hansen, CEC 2005): each restart has twice the population. BIPOP (Hansen, GECCO workshop 2009): the
-/// larger ones alternate with small ones of random size and smaller sigma, whichever kind has used fewer
-/// evaluations being next.
+/// CMA-ES that restarts after it has converged, until maxEvaluations, maxGenerations (of all runs together),
+/// targetCost or `restarts`. A restart begins at a random place. That is uniform in finite bounds, else
+/// normal around the start with a deviation that doubles with the population, as does the restart's own.
+/// Without bounds, the first deviation may be too small for the distances between minima. IPOP (Auger and
+/// Hansen, CEC 2005): each restart has twice the population. BIPOP (Hansen, GECCO workshop 2009): the larger
+/// ones alternate with small ones of random size and smaller sigma, whichever kind has used fewer evaluations
+/// being next.
 class CmaesRestarts : public Optimizer {
 public:
   enum class Kind { ipop, bipop };
@@ -26,7 +26,7 @@ public:
 protected:
   void sample(Eigen::MatrixXd& candidates) override { candidates = current_->ask(); }
   void update(std::span<const double> costs, std::span<const int> order) override;
-  /// The current run is told, too: it would draw the same again.
+  /// Also for the current run, which would otherwise draw the same again.
   void forget() override;
   StopReason converged() const override { return finished_; }
 

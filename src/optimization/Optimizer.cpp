@@ -144,7 +144,7 @@ std::string Optimizer::save() const {
 }
 
 void Optimizer::restore(const std::string& state) {
-  if (evaluations_ > 0) throw std::logic_error("Optimizer::restore: it was told costs before");
+  if (evaluations_ > 0) throw std::logic_error("Optimizer::restore: it has already been told costs");
   std::uint64_t dimension64 = 0;
   const std::size_t header = savedMark.size() + sizeof dimension64;
   if (state.size() < header || !state.starts_with(savedMark))

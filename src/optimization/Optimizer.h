@@ -58,13 +58,13 @@ enum class StopReason {
 };
 const char* name(StopReason reason);
 
-/// A minimiser that asks for costs instead of calling a function, so that who evaluates may do so in any
-/// order, on any number of threads or machines:
+/// A minimiser that does not call the cost function, so that the caller may evaluate in any order, on any
+/// number of threads or machines:
 ///
 ///     while (!optimizer.isDone()) optimizer.tell(costsOf(optimizer.ask()));
 ///
 /// The same space, options, seed and costs give the same bytes. A cost that is not a number counts as worse
-/// than any other, so does +infinity; a generation without a single finite cost is forgotten and drawn anew.
+/// than any other, so does +infinity; a generation without a single finite cost is discarded and drawn again.
 class Optimizer {
 public:
   virtual ~Optimizer() = default;
@@ -77,8 +77,8 @@ public:
   /// Costs of ask(0), in the order of the columns. Throws std::invalid_argument for another number of costs
   /// and std::logic_error where nothing was asked.
   void tell(std::span<const double> costs);
-  /// How many generations may be evaluated at a time; each is drawn as soon as the one so many before it is
-  /// told, so that who evaluates when has no effect.
+  /// How many generations may be evaluated at a time; each is drawn as soon as the costs of the one `ahead`
+  /// before it are known, so the order of evaluation has no effect.
   int ahead() const { return ahead_; }
 
   int dimension() const { return static_cast<int>(space_.start.size()); }
@@ -90,14 +90,14 @@ public:
   double bestCost() const { return bestCost_; }
   bool isDone() const { return reason_ != StopReason::none; }
   StopReason stopReason() const { return reason_; }
-  /// Where the distribution's centre is, in the box: the better estimate where costs are noisy.
+  /// Centre of the distribution, in the box: the better estimate if costs are noisy.
   virtual Eigen::VectorXd favourite() const { return best_; }
   /// How far the candidates spread, in units of the first sigma.
   virtual double sigma() const;
 
-  /// Everything learnt, between tell() and ask(). restore() takes it into an optimiser of the same space and
-  /// options that was told nothing yet; throws std::invalid_argument for what is no such state. Unless an
-  /// optimiser has a shorter way, these are all costs it was told, which it is then told again.
+  /// Everything learnt, between tell() and ask(). restore() loads it into an optimiser of the same space and
+  /// options that has no costs yet; throws std::invalid_argument for another text. Unless an optimiser
+  /// overrides this, the state is all costs, which are then told again.
   virtual std::string save() const;
   virtual void restore(const std::string& state);
 
@@ -112,7 +112,7 @@ protected:
   /// Learns from costs without NaN (+infinity instead), at least one of them finite; `order` are the columns
   /// from best to worst, equal costs in the order of the columns.
   virtual void update(std::span<const double> costs, std::span<const int> order) = 0;
-  /// In place of update() where no cost is finite: drops what sample() kept of that generation.
+  /// Called instead of update() if no cost is finite: drops the data of that generation.
   virtual void forget() {}
   /// A reason to stop of its own, asked after each update.
   virtual StopReason converged() const { return StopReason::none; }

@@ -42,7 +42,7 @@ std::unique_ptr<Optimizer> makeOptimizer(std::string_view name, const SearchSpac
     if (kind.name == name) return kind.make(space, options);
   std::string known;
   for (const std::string& other : optimizerNames()) known += (known.empty() ? "" : ", ") + other;
-  throw std::invalid_argument("there is no optimiser \"" + std::string(name) + "\"; there are: " + known);
+  throw std::invalid_argument("unknown optimiser \"" + std::string(name) + "\"; there are: " + known);
 }
 
 }  // namespace plumbline

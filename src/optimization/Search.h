@@ -21,20 +21,20 @@ struct Trial {
   std::vector<std::uint64_t> seeds;  ///< one per run
 };
 
-/// How often a candidate is run where costs are noisy. All get `first` runs; the better half of a generation,
-/// which is what an optimiser moves to, gets as many more as make `best`. The cost is the mean.
+/// Number of runs of a candidate with noisy costs. All get `first` runs; the better half of a generation,
+/// towards which an optimiser moves, gets more, up to `best` in all. The cost is the mean.
 struct Averaging {
   int first = 1, best = 1;
   bool sameSeeds = true;  ///< for all candidates of a generation: what differs is then the candidates' own
 };
 
-/// What became of a result.
+/// What happened to a result.
 enum class Told { taken, again, unknown };
 
-/// Any optimiser, asked and told one candidate at a time in any order. Which candidate gets which number, and
-/// what is learnt, depends on the results alone and not on their order: results wait until those of the whole
-/// generation are there. A result that is not a number counts as worse than all others; one that is never
-/// told is given up by who waits for it. Both are counted.
+/// Any optimiser, asked and told one candidate at a time in any order. The candidates' numbers and what is
+/// learnt depend only on the results and not on their order: results wait until the whole generation is
+/// complete. A result that is not a number counts as worse than all others; a missing one can be given up.
+/// Both are counted.
 class Search {
 public:
   static constexpr int mostRuns = 10000;
@@ -47,7 +47,7 @@ public:
   std::optional<Trial> next();
   /// Costs of the trial's runs. Throws std::invalid_argument for another number of them.
   Told tell(std::int64_t number, std::span<const double> costs);
-  /// Nobody will ever tell it: as if all runs had been no number.
+  /// Gives a trial up, as if no run had a number.
   Told giveUp(std::int64_t number);
   /// The trial of that number while it is open.
   std::optional<Trial> find(std::int64_t number) const;

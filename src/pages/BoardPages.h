@@ -10,9 +10,8 @@
 
 namespace plumbline::pages {
 
-/// Pages that are told what stands on a board: texts by name. A page gets each text when it opens and when it
-/// has changed; one that reads slowly skips texts and holds up nobody. What pages say is not listened to.
-/// Safe between threads.
+/// Pages that show texts by name from a board. A page gets each text when it opens and when it has changed; a
+/// slow page skips texts and delays nobody. Messages from pages are ignored. Safe between threads.
 class BoardPages final : public PageSource {
 public:
   /// Replaces the text of that name.

@@ -9,8 +9,8 @@
 namespace plumbline::pages {
 
 /// Pages that speak the debug protocol (doc/reference/debug-protocol.md): a message is one line or several of
-/// it, in both directions. Each page is a client of the server as bin/rdb is, with the same bounds: a page
-/// that does not read misses values and is told how many.
+/// it, in both directions. Each page is a client of the server like bin/rdb, with the same limits: a page
+/// that does not read misses values and gets their number.
 class DebugPages final : public PageSource {
 public:
   /// The server must outlive this.

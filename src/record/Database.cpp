@@ -15,7 +15,7 @@ Database::Database(const std::string& path, Mode mode) : path_(path) {
   namespace fs = std::filesystem;
   std::error_code error;
   const bool there = fs::exists(path, error);
-  if (mode == Mode::create && there) fail("is there already");
+  if (mode == Mode::create && there) fail("exists already");
   if (mode == Mode::read && !fs::is_regular_file(path, error)) fail("is no file");
   const int flags = mode == Mode::create ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READWRITE;
   int status = sqlite3_open_v2(path.c_str(), &handle_, flags | SQLITE_OPEN_NOMUTEX, nullptr);

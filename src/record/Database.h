@@ -14,7 +14,7 @@ class Statement;
 class Database {
 public:
   enum class Mode { create, read };
-  /// create: the file must not be there. read: what a writer that was killed left unfinished is mended first.
+  /// create: the file must not exist. read: first repairs what a killed writer left unfinished.
   Database(const std::string& path, Mode mode);
   ~Database();
   Database(const Database&) = delete;
@@ -49,7 +49,7 @@ public:
     (bind(++index, values), ...);
     return *this;
   }
-  /// True: a row is there.
+  /// True if there is a row.
   bool step();
   /// All of a statement that returns no rows.
   void run() {

@@ -18,8 +18,8 @@ struct LogPart {
 /// Called now and then with how much is done, 0 to 1.
 using Progress = std::function<void(double)>;
 
-/// Writes a part of a log as a log of its own. Returns how many cycles are in it. Throws std::runtime_error,
-/// one line, and leaves nothing behind, where there are none or a name is unknown.
+/// Writes a part of a log as a log of its own. Returns its number of cycles. Throws std::runtime_error, one
+/// line, and leaves nothing behind, if there is no cycle or a name is unknown.
 std::uint64_t cutLog(const std::string& path, const std::string& target, const LogPart& part,
                      const Progress& progress = {});
 

@@ -24,7 +24,7 @@ LogWriter::LogWriter(const std::string& folder, LogWriterOptions options)
   folder_ = path.string();
   std::error_code error;
   if (fs::exists(path, error))
-    throw std::runtime_error(folder_ + " is there already: a log is never overwritten; take another name");
+    throw std::runtime_error(folder_ + " exists already: a log is never overwritten; choose another name");
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
   if (!error) fs::create_directory(path, error);
   if (error) throw std::runtime_error(folder_ + ": the log's folder cannot be made: " + error.message());

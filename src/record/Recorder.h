@@ -19,9 +19,9 @@ struct RecorderOptions {
   bool waits = false;  ///< a full buffer holds the agent up instead of dropping cycles
 };
 
-/// Records an agent into a log, in a thread of its own: the agent's threads leave what they have in buffers.
-/// What is older than half a second survives the end of the process. When nothing can be written any more,
-/// that is said once and the agent goes on without.
+/// Records an agent into a log, in a thread of its own; the agent's threads put their data into buffers. Data
+/// older than half a second survives the end of the process. If the log can no longer be written, a message
+/// says so once, and the agent continues without it.
 class Recorder {
 public:
   /// Takes a line for the user.

@@ -7,11 +7,11 @@
 
 namespace plumbline::record {
 
-/// A modules.cfg that runs on a log: what a line got from a module that does not run now, from another thread
-/// or from elsewhere, it gets from the special module `log`. Which modules run: those of `compute`, or, where
-/// that is empty, all but those in the folder of `platform`; and besides all others that provide nothing.
-/// They run in the order in which they ran when the log was written. Throws ConfigurationError for unknown
-/// names and for what neither the log has nor a module provides.
+/// Changes a modules.cfg so that it runs on a log: representations of modules that do not run, of other
+/// threads or from outside come from the special module `log`. The modules of `compute` run; if that is
+/// empty, all run except those in the folder of `platform`. Modules that provide nothing run too. The order
+/// is that of the recording. Throws ConfigurationError for unknown names and for representations that neither
+/// the log nor a module provides.
 ModulesConfig replayConfig(ModulesConfig modules, const LogReader& log,
                            const std::vector<std::string>& compute, const std::string& platform);
 

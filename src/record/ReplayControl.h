@@ -15,9 +15,9 @@ struct ReplayOptions {
   bool paused = false;  ///< begins before the first cycle, and stays at the end
 };
 
-/// Where a replay stands and where it shall go, for all threads of an agent. The player added first leads:
-/// positions are its cycles, and the others follow to its time. Going back means to begin anew and to play up
-/// to there, as fast as it goes: only so is the modules' state what it was.
+/// Position and target of a replay, for all threads of an agent. The player added first leads: positions are
+/// its cycles, and the others follow to its time. Going back means to restart and to play up to that position
+/// as fast as possible, because only this restores the modules' state.
 class ReplayControl {
 public:
   using Turn = SpecialModule::Turn;
@@ -25,7 +25,7 @@ public:
   ReplayControl(std::string path, ReplayOptions options);
 
   const std::string& path() const { return path_; }
-  /// At the end of the log it waits for what is wanted next instead of ending the agent.
+  /// At the end of the log it waits for a new target instead of ending the agent.
   bool stays() const { return stays_; }
   /// Before the first cycle; `timestamps` of its cycles, in order [ns]. Returns the player's number.
   std::size_t addPlayer(std::vector<std::int64_t> timestamps);

@@ -18,8 +18,8 @@ public:
   ClosedFormLeg(const RobotModel& model, Side side);
 
   LegSolution solve(const Pose3& T_torso_foot) const;
-  /// The same with the hip yaw pitch given [rad]: place and tilt of the foot are as wanted, its heading is
-  /// what the hip makes of it. Throws std::logic_error unless ankleMeets().
+  /// The same with the hip yaw pitch given [rad]: place and tilt of the foot are as requested, its heading
+  /// follows from the hip. Throws std::logic_error unless ankleMeets().
   LegSolution solve(const Pose3& T_torso_foot, double hipYawPitch) const;
   /// Whether the ankle's two axes meet.
   bool ankleMeets() const;

@@ -16,8 +16,8 @@ public:
   IterativeLeg(const RobotModel& model, Side side);
 
   LegSolution solve(const Pose3& T_torso_foot) const;
-  /// The same with the hip yaw pitch given [rad]: place and tilt of the foot are as wanted, its heading is
-  /// what the hip makes of it.
+  /// The same with the hip yaw pitch given [rad]: place and tilt of the foot are as requested, its heading
+  /// follows from the hip.
   LegSolution solve(const Pose3& T_torso_foot, double hipYawPitch) const;
 
   Pose3 foot(const LegAngles& angles) const { return chain_.poses(angles).back(); }

@@ -10,8 +10,8 @@ namespace plumbline {
 /// It must be smooth: a simulation takes it as it is when a step begins.
 using JointTorque = std::function<double(double angle, double speed)>;
 
-/// A joint with its drive as a simulation takes it: its servo, and what such a drive may have that the
-/// contract's nominal law lacks. What no effect touches has its nominal value.
+/// A joint with its drive for a simulation: its servo, and properties of drives that the nominal servo law
+/// does not have. Without an effect they have their nominal values.
 struct JointPlant {
   Servo servo;
   double maxTorque = 0, maxSpeed = 0;  ///< [N m, rad/s]
@@ -30,8 +30,8 @@ struct JointPlant {
   double stribeck = 0;              ///< extra at rest [N m]
   double stribeckSpeed = 0.1;       ///< at which it has fallen to 1/e [rad/s]
   double loadFriction = 0;          ///< share of the torque transmitted
-  /// What loads the gear: the motor's torque less what turns its rotor, what reaches the link behind the
-  /// friction, or the motor's torque.
+  /// The load of the gear: the motor's torque minus the part that accelerates its rotor, the torque that
+  /// reaches the link after friction, or the motor's torque.
   enum class Load { gearTorque, linkTorque, motorTorque };
   Load loadIs = Load::gearTorque;
   double linkLoadFriction = 0;       ///< share of the torque that reaches the link, beside loadFriction's

@@ -14,7 +14,7 @@ struct JointVelocityParameters {
 
 /// Turns joint targets into motor speeds for a platform whose command answers a measurement one cycle late.
 /// When a speed takes effect the joint has already moved with the speed commanded before it. So the error is
-/// taken against that prediction, and a target is reached in the second measurement after it was set.
+/// relative to that prediction, and a target is reached in the second measurement after it was set.
 class JointVelocityControl {
 public:
   explicit JointVelocityControl(const RobotModel& model, const JointVelocityParameters& parameters = {});

@@ -79,8 +79,8 @@ private:
   void check(const std::string& place, const Bounds& b, double value) const {
     const std::string text = std::string(b.what) + " is " + numberText(value);
     if (!(value >= b.possibleMin && value <= b.possibleMax))
-      fail(place, text + ", which cannot be; give it " + b.unit + ", " + numberText(b.possibleMin) + " to " +
-                      numberText(b.possibleMax));
+      fail(place, text + ", which is impossible; give it " + b.unit + ", " + numberText(b.possibleMin) +
+                      " to " + numberText(b.possibleMax));
     if (value < b.plausibleMin || value > b.plausibleMax)
       doubt(place, text + ", far from " + (value < b.plausibleMin ? "the smallest" : "the largest") +
                        " known of robots; is it in " + b.unit + "?");
@@ -108,13 +108,14 @@ private:
   void checkExtent(const Mechanism::Link& link, double largestMoment) const {
     const std::string place = "link " + link.name;
     const double com = link.com.norm();
-    if (com > maxLength) fail(place, "com is " + numberText(com) + " m away, which cannot be; give it in m");
+    if (com > maxLength)
+      fail(place, "com is " + numberText(com) + " m away, which is impossible; give it in m");
     if (com > reach_)
       doubt(place, "com is " + numberText(com) + " m away, farther than the robot is long; is it in m?");
     const double radius = std::sqrt(largestMoment / link.mass);
     if (radius > maxLength)
       fail(place, "mass and inertia are those of a body of radius " + numberText(radius) +
-                      " m, which cannot be; give them in kg and kg m^2");
+                      " m, which is impossible; give them in kg and kg m^2");
     constexpr double smallest = 1e-4;
     if (radius > reach_ || radius < smallest)
       doubt(place, "mass and inertia are those of a body of radius " + numberText(radius) +
@@ -149,7 +150,7 @@ private:
     const double size = std::abs(limit);
     if (size > Mechanism::maxTurns)
       fail(place, name + " is " + numberText(limit) +
-                      ", which cannot be; give it in rad, -1000 to 1000 for a joint without stops");
+                      ", which is impossible; give it in rad, -1000 to 1000 for a joint without stops");
     if (size > 2 * turn && size < Mechanism::maxTurns)
       doubt(place, name + " is " + numberText(limit) + ", " + numberText(std::round(10 * size / turn) / 10) +
                        " turns; is it in rad? A joint without stops has 1000");

@@ -102,7 +102,7 @@ json readServoTable(const fs::path& urdf, std::string& path) {
   json table = findServoTable(urdf, path);
   if (table.is_null())
     failMechanism(urdf.string(),
-                  "has no servo table; write one beside it: " + urdf.stem().string() + ".servo.json");
+                  "has no servo table; write one next to it: " + urdf.stem().string() + ".servo.json");
   return table;
 }
 
@@ -111,7 +111,7 @@ void checkGains(const MechanismParts& parts, const std::string& path) {
   for (const MechanismParts::Joint& part : parts.joints)
     if (!part.fixed && !(part.joint.servo.kp > 0))
       failMechanism(path, "joint " + part.joint.name +
-                              " has no position actuator; give it one, or a servo table beside the file: " +
+                              " has no position actuator; give it one, or a servo table next to the file: " +
                               fs::path(path).stem().string() + ".servo.json");
 }
 

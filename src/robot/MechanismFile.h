@@ -13,11 +13,11 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Reads a robot from a `.json` file (the form of config/robots/nao_v5.json), a `.urdf` with its servo table
-/// beside it (`<stem>.servo.json`, `<stem>.servo.yaml` or `<stem>.servo.yml`), or a `.xml` of MuJoCo, where a
-/// table may be beside it. doc/reference/robot-files.md describes all. Links joined by fixed joints become
-/// one. Throws MechanismError, also for unknown keys and for what no robot can be; what is merely implausible
-/// goes to `warn`.
+/// Reads a robot from a file. It is a `.json` file (the form of config/robots/nao_v5.json), a `.urdf` with
+/// its servo table in the same folder (`<stem>.servo.json`, `<stem>.servo.yaml` or `<stem>.servo.yml`), or a
+/// `.xml` of MuJoCo, which may have such a table. doc/reference/robot-files.md describes all. Links joined by
+/// fixed joints become one. Throws MechanismError, also for unknown keys and impossible values; unlikely
+/// values go to `warn`.
 Mechanism readMechanism(const std::string& path, const MechanismWarnings& warn = warnOnStandardError);
 
 /// The robot called `name` in a folder of robots (`<name>.json`, else `<name>.urdf`); without a folder that

@@ -209,7 +209,7 @@ void readGroups(const Object& root, MechanismParts& parts) {
     group.name = name;
     if (!list.is_array()) groups.fail("group " + name + " is no list; write [JOINT, ...]");
     for (const json& joint : list) {
-      if (!joint.is_string()) groups.fail("group " + name + " holds what is no name of a joint");
+      if (!joint.is_string()) groups.fail("group " + name + " has an entry that is not the name of a joint");
       group.joints.push_back(joint.get<std::string>());
     }
   }

@@ -63,7 +63,8 @@ private:
     if (e.Attribute("eulerseq")) eulerSequence = e.Attribute("eulerseq");
     if (eulerSequence.size() != 3 || eulerSequence.find_first_not_of("xyzXYZ") != std::string::npos)
       fail(e, "eulerseq is \"" + eulerSequence.substr(0, 20) + "\"; give three axes such as xyz");
-    if (e.Attribute("coordinate", "global")) fail(e, "global coordinates are gone from MuJoCo; save it anew");
+    if (e.Attribute("coordinate", "global"))
+      fail(e, "MuJoCo no longer supports global coordinates; save the model again");
   }
 
   /// What MuJoCo turns into bodies while it reads; bodies within would be missing without a word.

@@ -94,7 +94,7 @@ private:
     if (roots.empty()) fail("no link is the base: the joints form a ring");
     if (roots.size() > 1)
       fail("links " + roots[0] + " and " + roots[1] +
-           " both lack a joint that holds them; join one to the rest");
+           " have no joint that connects them; connect one of them to the rest");
     if (!parts_.base.empty() && parts_.base != roots[0])
       fail("base_link is " + parts_.base + ", but the joints start at " + roots[0]);
     bodies_.push_back({});
@@ -328,7 +328,7 @@ void checkName(const std::string& name, const std::string& what, const std::stri
   if (!bad) return;
   const std::string shown = name.substr(0, maxLength);
   failMechanism(file, what + " \"" + shown +
-                          "\" cannot be a name; use up to 80 characters without blanks, dots, commas, "
+                          "\" is not a valid name; use up to 80 characters without blanks, dots, commas, "
                           "slashes, quotes and stars");
 }
 

@@ -18,7 +18,7 @@ public:
 
   bool sags() const { return used_; }
   void restart() { load_ = 0; }
-  /// What the motors gave together over a step of h [s]: the sum of the torques' sizes [N m].
+  /// Load of all motors over a step of h [s]: the sum of the absolute torques [N m].
   void take(double torques, double h);
   /// Share of the supply that is left for a drive.
   double left(const JointPlant& drive) const;

@@ -1,6 +1,7 @@
 #include "simspark/ChildProcess.h"
 
 #include <fcntl.h>
+#include <linux/close_range.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -10,19 +11,44 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 #include <stdexcept>
 
 namespace plumbline::simspark {
+namespace {
 
-ChildProcess::ChildProcess(const std::vector<std::string>& argv, const std::string& outputFile) {
+/// Pointers to the texts, which stay where they are, with the null that ends them.
+std::vector<char*> pointersTo(const std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
+  for (const std::string& text : texts) pointers.push_back(const_cast<char*>(text.c_str()));
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+std::vector<std::string> environmentOf(const ChildSettings& settings) {
+  std::vector<std::string> all = settings.environment;
+  for (char** one = environ; *one != nullptr; ++one) {
+    const std::string text = *one;
+    const std::string name = text.substr(0, text.find('=') + 1);
+    const auto isBegin = [&](const std::string& begin) { return text.starts_with(begin); };
+    const auto isReplaced = [&](const std::string& other) { return other.starts_with(name); };
+    if (std::ranges::none_of(settings.dropped, isBegin) &&
+        std::ranges::none_of(settings.environment, isReplaced))
+      all.push_back(text);
+  }
+  return all;
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::vector<std::string>& argv, const ChildSettings& settings)
+    : wholeGroup_(settings.wholeGroup) {
   // A pipe that exec closes: if exec fails, the child sends its errno through it.
   int report[2];
   if (pipe2(report, O_CLOEXEC) != 0) throw std::runtime_error(std::string("pipe: ") + std::strerror(errno));
-  std::vector<char*> arguments;
-  arguments.reserve(argv.size() + 1);
-  for (const std::string& argument : argv) arguments.push_back(const_cast<char*>(argument.c_str()));
-  arguments.push_back(nullptr);
+  const std::vector<char*> arguments = pointersTo(argv);
+  const std::vector<std::string> variables = environmentOf(settings);
+  const std::vector<char*> environment = pointersTo(variables);
   const pid_t parent = getpid();
 
   pid_ = fork();
@@ -31,31 +57,53 @@ ChildProcess::ChildProcess(const std::vector<std::string>& argv, const std::stri
     if (getppid() != parent) _exit(126);  // the parent died before prctl
     setpgid(0, 0);                        // Ctrl-C goes to the parent, which then stops its children in order
     signal(SIGPIPE, SIG_DFL);
-    if (!outputFile.empty()) {
-      const int file = open(outputFile.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
+    if (!settings.outputFile.empty()) {
+      const int file = open(settings.outputFile.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
       if (file >= 0) {
         dup2(file, STDOUT_FILENO);
         dup2(file, STDERR_FILENO);
       }
     }
-    execv(arguments[0], arguments.data());
+    close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC);  // what libraries have open is not the child's
+    if (settings.onPath)
+      execvpe(arguments[0], arguments.data(), environment.data());
+    else
+      execve(arguments[0], arguments.data(), environment.data());
     const int error = errno;
     [[maybe_unused]] const auto written = write(report[1], &error, sizeof error);
     _exit(127);
   }
   close(report[1]);
-  int error = 0;
+  int error = pid_ < 0 ? errno : 0;
   const bool failed = pid_ < 0 || read(report[0], &error, sizeof error) == sizeof error;
   close(report[0]);
+  if (!failed && wholeGroup_) {
+    try {
+      guard_ = std::make_unique<GroupGuard>(pid_);
+    } catch (const std::runtime_error&) {
+      tell(SIGKILL);
+      reap(0);
+      throw;
+    }
+  }
   if (!failed) return;
   if (pid_ > 0) reap(0);
-  throw std::runtime_error("cannot start " + argv[0] + ": " + std::strerror(pid_ < 0 ? errno : error));
+  throw std::runtime_error("cannot start " + argv[0] + ": " + std::strerror(error));
 }
 
 ChildProcess::~ChildProcess() { stop(); }
 
 bool ChildProcess::reap(int options) {
   if (exitStatus_) return true;
+  if (wholeGroup_) {
+    // Until it is reaped its number, and so the group's, is nobody else's.
+    siginfo_t ended{};
+    while (waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOWAIT | options) < 0 && errno == EINTR) {
+    }
+    if (ended.si_pid == 0) return false;
+    kill(-pid_, SIGKILL);
+    guard_.reset();
+  }
   int status = 0;
   rusage used{};
   pid_t result = 0;
@@ -73,13 +121,19 @@ bool ChildProcess::reap(int options) {
 
 bool ChildProcess::running() { return !reap(WNOHANG); }
 
+void ChildProcess::signalGroup(int signal) {
+  if (running()) kill(-pid_, signal);
+}
+
+void ChildProcess::tell(int signal) { kill(wholeGroup_ ? -pid_ : pid_, signal); }
+
 void ChildProcess::stop(double patienceSeconds) {
   if (!running()) return;
-  kill(pid_, SIGTERM);
+  tell(SIGTERM);
   const int tries = static_cast<int>(patienceSeconds / 0.005);
   for (int i = 0; i < tries && running(); ++i) usleep(5000);
   if (!running()) return;
-  kill(pid_, SIGKILL);
+  tell(SIGKILL);
   reap(0);
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 #include <sys/types.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "simspark/GroupGuard.h"
 
 namespace plumbline::simspark {
 
@@ -13,13 +16,25 @@ struct ProcessUsage {
   double maxResidentMegabytes = 0;
 };
 
-/// A program started as a child: it is told to stop when this object ends and dies with this process
-/// (PR_SET_PDEATHSIG), so nothing is left behind.
+/// How a child is started.
+struct ChildSettings {
+  std::string outputFile{};                ///< where its output and errors are appended; empty: inherited
+  std::vector<std::string> environment{};  ///< NAME=VALUE, in place of or besides what is inherited
+  std::vector<std::string> dropped{};      ///< what begins with one of these is not inherited
+  bool onPath = false;                     ///< a name without '/' is looked for on PATH
+  /// What it starts itself ends with it: when it has ended, and when this process has, even by SIGKILL.
+  bool wholeGroup = false;
+};
+
+/// A program started as a child, the leader of a process group of its own: it is told to stop when this
+/// object ends and dies with this process (PR_SET_PDEATHSIG), so nothing is left behind.
 class ChildProcess {
 public:
   /// Starts argv[0] (a path) with these arguments; its standard output and error go to `outputFile`
   /// (appended), or are inherited if that is empty. Throws std::runtime_error "cannot start PATH: REASON".
-  explicit ChildProcess(const std::vector<std::string>& argv, const std::string& outputFile = "");
+  explicit ChildProcess(const std::vector<std::string>& argv, const std::string& outputFile = "")
+      : ChildProcess(argv, ChildSettings{.outputFile = outputFile}) {}
+  ChildProcess(const std::vector<std::string>& argv, const ChildSettings& settings);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -29,15 +44,20 @@ public:
   bool running();
   /// Exit status, or 128 + signal; empty while it runs.
   std::optional<int> exitStatus() const { return exitStatus_; }
-  /// SIGTERM, then SIGKILL after `patienceSeconds`; returns when it has ended.
+  /// To it and to all of its group; nothing once it has ended.
+  void signalGroup(int signal);
+  /// SIGTERM, then SIGKILL after `patienceSeconds`; to its group if that is its whole. Returns when it has ended.
   void stop(double patienceSeconds = 2.0);
   /// Of a process that has ended.
   ProcessUsage usage() const { return usage_; }
 
 private:
   bool reap(int options);
+  void tell(int signal);
 
   pid_t pid_ = -1;
+  bool wholeGroup_;
+  std::unique_ptr<GroupGuard> guard_;
   std::optional<int> exitStatus_;
   ProcessUsage usage_;
 };

@@ -8,9 +8,8 @@
 
 namespace plumbline::simspark {
 
-/// Follows a SimSpark monitor's scene for what FieldState tells, at a fraction of SceneState's cost: of a
-/// difference only the transforms above torsos and ball are read. The league's server sends 1.8 MB/s of them
-/// with 22 robots.
+/// Follows a SimSpark monitor's scene for FieldState, at a fraction of SceneState's cost: it reads only the
+/// transforms above torsos and ball. The league's server sends 1.8 MB/s of them with 22 robots.
 class FieldScene {
 public:
   /// Takes in a monitor's message. Empty, or one line why it could not be read.

@@ -26,7 +26,7 @@ std::vector<RobotModel> readAll() {
     throw ConfigurationError(errorLine(error));
   }
   if (robots.empty())
-    throw ConfigurationError(fileOf(0) + ": there is no such file; the league's robot types begin with it");
+    throw ConfigurationError(fileOf(0) + ": is missing; the league's robot types begin with this file");
   return robots;
 }
 

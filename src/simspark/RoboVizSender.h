@@ -6,7 +6,7 @@
 
 namespace plumbline::simspark {
 
-/// Sends datagrams to a viewer and never waits: what the system has no room for is lost.
+/// Sends datagrams to a viewer and never waits: if the system has no room, they are lost.
 class RoboVizSender {
 public:
   static constexpr int standardPort = 32769;

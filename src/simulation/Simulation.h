@@ -25,9 +25,9 @@ struct SimulationConfig {
   std::uint64_t firstCycle = 0;  ///< the clock begins there: as in a simulation that has run for long
 };
 
-/// A whole game in this process: world, players, referee, senses. No sockets, no clock: the same calls give
-/// the same bytes. What the server does in a cycle is: act() for every message that came, send message() of
-/// every player, step().
+/// A whole game in this process: world, players, referee, sensors. No sockets, no clock: the same calls give
+/// the same bytes. In a cycle the server calls act() for every received message, sends message() of every
+/// player, and calls step().
 class Simulation {
 public:
   explicit Simulation(const SimulationConfig& config);
@@ -49,11 +49,11 @@ public:
 
   /// One cycle of physics, rules, and new senses for everybody.
   void step();
-  /// As after construction: nobody there, clock at its beginning.
+  /// As after construction: no players, clock at its beginning.
   void reset();
-  /// As after construction, but with a new robot for everybody who is there, in the order in which they came
-  /// and with the team and number they have. A seed: instead of the one there was. Returns everybody's new id
-  /// by the old one.
+  /// As after construction, but with a new robot for every present player, in the order in which they came,
+  /// with their teams and numbers. A seed replaces the old one. Returns the new id of each player by the old
+  /// one.
   std::map<PlayerId, PlayerId> restart(std::optional<std::uint64_t> seed = {});
 
   /// Senses made by the last step, as the wire wants them (without frame); empty before the first.

@@ -7,9 +7,9 @@
 
 namespace plumbline {
 
-/// What a ball is worth to a team: the probability that the next goal is ours less that it is theirs, by
-/// where the ball is and who is nearer to it. config/field_value.yaml holds it; bin/learnvalue learns it from
-/// games (FieldValueLearner).
+/// The value of a ball for a team: the probability that the next goal is ours minus the probability that it
+/// is theirs. It depends on the ball's place and on which team is nearer to it. config/field_value.yaml holds
+/// it; bin/learnvalue learns it from games (FieldValueLearner).
 class FieldValue {
 public:
   /// A value for each point of the grid, in its order.

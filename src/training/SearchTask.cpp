@@ -39,7 +39,7 @@ std::string TaskOptions::word(const std::string& key, const std::string& otherwi
   const std::string& text = found == values_.end() ? otherwise : found->second;
   if (!words.empty() && std::ranges::count(words, text) == 0)
     throw ConfigurationError(
-        fmt::format("option {}: \"{}\" is none of {}", key, text, fmt::join(words, ", ")));
+        fmt::format("option {}: \"{}\" is not one of {}", key, text, fmt::join(words, ", ")));
   return text;
 }
 

@@ -30,19 +30,19 @@ public:
   explicit TaskOptions(std::map<std::string, std::string> values) : values_(std::move(values)) {}
   const std::map<std::string, std::string>& values() const { return values_; }
 
-  /// Throws ConfigurationError "option KEY: ..." for what is no such number or word.
+  /// Throws ConfigurationError "option KEY: ..." for another text.
   double number(const std::string& key, double otherwise, double lowest, double highest) const;
   std::string word(const std::string& key, const std::string& otherwise,
                    const std::vector<std::string>& words = {}) const;
-  /// Throws ConfigurationError naming the nearest one for an option that is none of these.
+  /// Throws ConfigurationError naming the nearest one for an unknown option.
   void check(const std::vector<std::string>& known) const;
 
 private:
   std::map<std::string, std::string> values_;
 };
 
-/// Something that a search improves: parameters in, cost of a run out. A run is decided by parameters and
-/// seed alone, whatever ran before. One thread at a time.
+/// Something that a search improves: parameters in, cost of a run out. A run depends only on parameters and
+/// seed, not on earlier runs. One thread at a time.
 class SearchTask {
 public:
   virtual ~SearchTask() = default;
@@ -51,10 +51,10 @@ public:
 
   virtual const std::vector<TaskParameter>& parameters() const = 0;
   virtual TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) = 0;
-  /// What was found as a file that the agent reads, below comment lines of `heading`; empty: there is none.
-  /// figures: means of runs of these parameters, where they were measured, and standard deviations of the
-  /// runs, whose names end in deviationSuffix. A run with the parameters is a run of the file: what it rounds
-  /// is rounded in both.
+  /// The result as a file for the agent, below comment lines of `heading`; empty: there is none. figures:
+  /// means of runs of these parameters, where they were measured, and standard deviations of the runs, whose
+  /// names end in deviationSuffix. A run with the parameters is a run of the file: what it rounds is rounded
+  /// in both.
   virtual std::string file(const Eigen::VectorXd& parameters, const std::string& heading,
                            const std::map<std::string, double>& figures = {}) const;
 

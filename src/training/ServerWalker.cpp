@@ -25,7 +25,8 @@ int portOf(const std::string& text, const std::string& whole) {
   int port = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
   if (error != std::errc() || end != text.data() + text.size() || port < 1 || port > 65535)
-    throw std::invalid_argument("'" + whole + "' is no server; say HOST:AGENTPORT:MONITORPORT or 'server'");
+    throw std::invalid_argument("'" + whole +
+                                "' is not a server; write HOST:AGENTPORT:MONITORPORT or 'server'");
   return port;
 }
 
@@ -101,17 +102,19 @@ void ServerWalker::join() {
   if (!message_.gameState.unum || !message_.gameState.side)
     throw failure("gave the robot no number in a team");
   if (message_.time > maxTime)
-    throw failure(fmt::format(
-        "has been running for {:.0f} s of its time, and its clock in single precision is too coarse "
-        "by now; start it anew",
-        message_.time));
+    throw failure(
+        fmt::format("has been running for {:.0f} s of its time, and its clock in single precision is now too "
+                    "coarse; restart it",
+                    message_.time));
   const bool left = *message_.gameState.side == "left";
   name_ = {*message_.gameState.unum, left ? simspark::TeamSide::left : simspark::TeamSide::right};
 }
 
 void ServerWalker::push(const Vec3&) { throw std::logic_error("robots of a server cannot be pushed"); }
-void ServerWalker::move(const Vec2&) { throw std::logic_error("robots of a server cannot be carried"); }
-Vec2 ServerWalker::comVelocity() { throw std::logic_error("a server does not tell the true velocity"); }
+void ServerWalker::move(const Vec2&) {
+  throw std::logic_error("robots of a server cannot be moved while they walk");
+}
+Vec2 ServerWalker::comVelocity() { throw std::logic_error("a server does not send the true velocity"); }
 
 std::runtime_error ServerWalker::failure(const std::string& what) const {
   return std::runtime_error("the server at " + address_.text() + ' ' + what);
@@ -131,7 +134,8 @@ void ServerWalker::exchange(simspark::AgentCommand command) {
       throw failure("went away: " + agent_.error());
   }
   if (const auto error = simspark::parseServerMessage(text, message_))
-    throw failure(fmt::format("sent what cannot be read, at byte {}: {}", error->position, error->what));
+    throw failure(
+        fmt::format("sent a message that cannot be read, at byte {}: {}", error->position, error->what));
   for (std::size_t j = 0; j < numHumanoidJoints; ++j)
     if (message_.angle[j]) measured_[j] = *message_.angle[j];
   if (before > 0 && message_.time > before + 1.5 * cycleSeconds) ++lost_;
@@ -151,7 +155,7 @@ void ServerWalker::follow() {
     wait = 0;
     unseen_ = 0;
   }
-  if (wait > 0) throw failure(fmt::format("told its monitor nothing for {:.0f} s", patience));
+  if (wait > 0) throw failure(fmt::format("sent its monitor nothing for {:.0f} s", patience));
   if (const auto* robot = trainer_.scene().robot(name_.side, name_.unum))
     T_world_torso_ = robot->T_world_torso;
 }

@@ -22,11 +22,11 @@ struct ServerAddress {
   std::string text() const;
 };
 
-/// A robot of a SimSpark server that is in step with its agents ($agentSyncMode of the league's). It senses
-/// and acts as a player does and is put to its places by the trainer. Its true pose is what the monitor port
-/// tells: within 5 mm and 0.3 degrees, up to two cycles old. One at a time per server; another one of this
-/// process waits for it. Errors: std::runtime_error, one line, for a server that is not there, goes away,
-/// stays silent or does not wait for its agents.
+/// A robot of a SimSpark server that waits for its agents ($agentSyncMode of the league's). It senses and
+/// acts like a player, and the trainer moves it to its places. Its true pose comes from the monitor port:
+/// exact to 5 mm and 0.3 degrees, up to two cycles old. One at a time per server; another one of this process
+/// waits for it. Errors: std::runtime_error, one line, if the server is missing, disconnects, stays silent or
+/// does not wait for its agents.
 class ServerWalker : public Walker {
 public:
   ServerWalker(int type, const WalkGaits& gaits, const ServerAddress& address);

@@ -20,7 +20,7 @@ inline WalkGaits readServoGaits(const std::string& robot) {
   return gaits;
 }
 
-/// What the walk feels of a simulated robot.
+/// The sensor data of a simulated robot for the walk.
 inline ServoMeasurement measurementOf(const simulation::RobotSimulation& robot) {
   const simulation::ServoReadings& readings = robot.readings();
   ServoMeasurement measured;
@@ -55,9 +55,9 @@ public:
     return Eigen::Rotation2Dd(-pose().heading) * Vec2(plant_->comVelocity().head<2>());
   }
   simulation::RobotSimulation& plant() { return *plant_; }
-  /// Called each cycle with what the robot feels and is told, before it moves.
+  /// Called each cycle with the robot's sensor data and commands, before it moves.
   std::function<void(const ServoMeasurement&, const ServoCommand&)> observer;
-  /// What the robot was told last.
+  /// The last commands.
   const WalkSensors& sensors() const { return sensed_; }
 
 private:

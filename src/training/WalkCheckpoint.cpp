@@ -108,7 +108,7 @@ void WalkCheckpoint::read() {
     throw ConfigurationError(file_ + " " + what + "; remove it to begin anew");
   };
   std::error_code error;
-  if (std::filesystem::file_size(file_, error) > maxFileSize || error) fail("cannot be what a search left");
+  if (std::filesystem::file_size(file_, error) > maxFileSize || error) fail("is not the state of a search");
   std::ifstream stream(file_, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   // Flat: what is nested deeper was not written here.

@@ -7,9 +7,9 @@
 
 namespace plumbline::walking {
 
-/// What a search for a walk has found so far, in a file, so that it can be stopped at any moment and goes on
-/// to the same bytes. The work is a row of stages, each of which gives a walk; those that are done are read
-/// back, bit for bit, and the one that was interrupted takes up its optimiser's state.
+/// The state of a search for a walk, in a file, so that it can be stopped at any moment and continue to the
+/// same bytes. The search is a sequence of stages, each of which gives a walk. Finished stages are read back,
+/// bit for bit, and the interrupted one restores its optimiser's state.
 ///
 ///     gaits = checkpoint.stage([&] { return train(gaits, setup, progress); });
 class WalkCheckpoint {

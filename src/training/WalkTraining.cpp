@@ -228,8 +228,7 @@ WalkGaits train(const WalkGaits& gaits, const TrainingSetup& setup,
     std::erase_if(variables, [&](const Variable& v) {
       return std::find(setup.only.begin(), setup.only.end(), v.parameter->path) == setup.only.end();
     });
-  if (variables.empty())
-    throw std::invalid_argument("none of the parameters named is searched for this task");
+  if (variables.empty()) throw std::invalid_argument("this task searches none of the named parameters");
   const auto n = static_cast<Eigen::Index>(variables.size());
   SearchSpace space = SearchSpace::around(Eigen::VectorXd::Zero(n), setup.sigma);
   space.lower.resize(n);

@@ -15,7 +15,7 @@ struct TrialResult {
   double speed =
       0;  ///< mean along the request, 0 from a fall on; turning [rad/s], mixture: share of the request
   double falls = 0;     ///< per try; mixture: per minute; push: per try, a small push counting more
-  double odometry = 0;  ///< mixture: error of the told way per metre
+  double odometry = 0;  ///< mixture: error of the odometry per metre
   double drift = 0;     ///< speed across the request, or away while turning [m/s]
 };
 
@@ -28,8 +28,8 @@ struct TrialSetup {
   bool stopEarly = true;  ///< gives up when the first tries all end in falls, counting the rest as such
 };
 
-/// Lets the robot do the task: from a stand at full speed for some seconds, then to a stop; pushed and asked
-/// for small changes at random on the way.
+/// Lets the robot do the task: from standing at full speed for some seconds, then to a stop, with random
+/// pushes and small random changes of the request.
 TrialResult tryWalk(Walker& robot, const WalkGaits& gaits, Task task, const TrialSetup& setup);
 
 /// The request for more than any walk's full speed in a direction; sign 1 or -1: left or right.

@@ -8,12 +8,12 @@
 
 namespace plumbline::web {
 
-/// What pages are told. Each message says all of its channel, so only the last one counts.
+/// Messages to pages. Each message has the whole state of its channel, so only the last one counts.
 enum class Channel : std::uint8_t { geometry, game, drawings, frame, replay };
 constexpr std::size_t numChannels = 5;
 
-/// Carries messages from whoever knows the scene to the pages. It keeps the last message of each channel and
-/// nothing else: a page that reads slowly skips messages and holds up nobody. Safe between threads.
+/// Carries messages from the feed to the pages. It keeps only the last message of each channel: a slow page
+/// skips messages and delays nobody. Safe between threads.
 class Broadcast {
 public:
   using Message = std::shared_ptr<const std::string>;

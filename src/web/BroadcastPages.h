@@ -7,7 +7,7 @@
 
 namespace plumbline::web {
 
-/// Pages that are all told what a Broadcast holds; what they ask for goes to the feed.
+/// Pages that all show the messages of a Broadcast; their requests go to the feed.
 class BroadcastPages final : public pages::PageSource {
 public:
   explicit BroadcastPages(Broadcast& broadcast) : broadcast_(broadcast) {}

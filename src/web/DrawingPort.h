@@ -9,8 +9,8 @@
 
 namespace plumbline::web {
 
-/// Receives the agents' drawings: RoboViz's datagrams on a UDP port of the loopback interface. What is no
-/// drawing is dropped.
+/// Receives the agents' drawings: RoboViz's datagrams on a UDP port of the loopback interface. Other
+/// datagrams are dropped.
 class DrawingPort {
 public:
   /// port 0: a free one. Throws std::runtime_error, one line, if it cannot be had.

@@ -16,8 +16,8 @@
 
 namespace plumbline::web {
 
-/// Follows the game on a monitor port and connects anew when it goes away; takes the agents' drawings and
-/// records what is published, if asked to.
+/// Follows the game on a monitor port and reconnects after a disconnection; receives the agents' drawings and
+/// can record what is published.
 class LiveFeed : public Feed {
 public:
   struct Config {

@@ -61,7 +61,7 @@ mkdir "$tree/config/platforms/still"
 cp "$scratch/still.cfg" "$tree/config/platforms/still/modules.cfg"
 timeout 300 "$bin/agent" --platform still --cycle 0.04 --motion wave --once --stats "$scratch/stats.json" > "$scratch/log" 2>&1 || fail "the platform: $(cat "$scratch/log")"
 (($(sed -n 's/.*"cycles": *\([0-9]*\).*/\1/p' "$scratch/stats.json") > 50)) || fail "the platform's agent: $(cat "$scratch/stats.json")"
-expectError 2 'agent: --platform stil: there is no such platform; did you mean "still"?' "$bin/agent" --platform stil
+expectError 2 'agent: --platform stil: unknown platform; did you mean "still"?' "$bin/agent" --platform stil
 
 # The effect is listed, and found in a recording of the robot that has it.
 "$bin/gap" effects --robot "$scratch/arm.json" > "$scratch/effects" || fail "gap effects"

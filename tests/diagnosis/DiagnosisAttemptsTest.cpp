@@ -80,12 +80,12 @@ TEST_F(DiagnosisAttemptsTest, whoStopsOneIsToldWhereItGoesOn) {
     }
     return std::string("not stopped");
   };
-  EXPECT_EQ(stoppedWith(), "stopped; the same command goes on from " + file);
+  EXPECT_EQ(stoppedWith(), "stopped; the same command continues from " + file);
   EXPECT_TRUE(resumed.empty());
   options.progress = {};
   EXPECT_EQ(stoppedWith(), "not stopped");
   ASSERT_EQ(resumed.size(), 1u);
-  EXPECT_EQ(resumed.front(), "goes on from " + file + " (1 searches done)");
+  EXPECT_EQ(resumed.front(), "continues from " + file + " (1 searches done)");
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ mistake $m 's/^BallLocator .*/BallLocatr LocalBallPos/' \
 m=platforms/simspark/modules.cfg
 mistake $m 's#modules/motion.cfg#modules/motions.cfg#' \
   "$c/$m:$(line $m modules/motion): include $c/modules/motions.cfg: cannot be read: No such file or directory"
-expectError 2 'agent: --platform simspak: there is no such platform; did you mean "simspark"?' "$bin/agent" --platform simspak
+expectError 2 'agent: --platform simspak: unknown platform; did you mean "simspark"?' "$bin/agent" --platform simspak
 
 printf 'standUp:\n  front: standUpFron\n' > "$c/MotionSelector.yaml"
 expectError 2 "agent: $c/MotionSelector.yaml:2: standUp.front there is no motion standUpFron in motions/; did you mean \"standUpFront\"?" "${agent[@]}"

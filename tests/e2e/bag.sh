@@ -1,5 +1,6 @@
-# A log is read by programs that share no code with it: a reader in Python that knows rosbag2's tables and CDR, and Cyclone
-# DDS with types made from the log's own definitions, which writes each message again, to the same bytes.
+# Programs that share no code with the project read a log: a reader in Python that knows rosbag2's tables and CDR, and
+# Cyclone DDS with types made from the log's own definitions. Cyclone DDS writes each message again and gets the same
+# bytes.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 for program in idlc python3 cc; do
   command -v $program > /dev/null || fail "no $program: scripts/install_packages.sh scripts/packages-test.txt installs it"

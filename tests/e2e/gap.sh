@@ -1,5 +1,5 @@
-# From a simulated robot with a secret effect to a right report in three commands; then what comes after: the motion
-# to record next, the effects in a simulator again, and a browser that shows the report.
+# From a simulated robot with a secret effect to a correct report in three commands. Then the next steps: the motion to
+# record next, the effects in a simulator, and a browser that shows the report.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 for program in node chromium; do
   command -v $program > /dev/null || fail "no $program: scripts/install_packages.sh scripts/packages-test.txt installs it"
@@ -101,22 +101,22 @@ cmp "$scratch/check/run.csv.gz" "$scratch/again/run.csv.gz" || fail "the same se
 gap record --robot $arm --program hang_sweep --force -o "$scratch/again"
 cmp -s "$scratch/check/run.csv.gz" "$scratch/again/run.csv.gz" && fail "--force replaced nothing"
 mkdir "$scratch/home" && touch "$scratch/home/thesis.tex"
-expectError 2 "gap: $scratch/home/thesis.tex is no recording; --force replaces folders of recordings alone" \
+expectError 2 "gap: $scratch/home/thesis.tex is not a recording; --force replaces only folders of recordings" \
   "$bin/gap" record --robot $arm --program hang_sweep --force -o "$scratch/home"
 
 # What cannot be is refused in one line.
 expectError 2 "gap: there is no command diagnos; did you mean \"diagnose\"?; see gap --help" "$bin/gap" diagnos runs
-expectError 2 "gap: $scratch/check is there already; --force replaces it, or name a new folder with -o" \
+expectError 2 "gap: $scratch/check exists already; --force replaces it, or name a new folder with -o" \
   "$bin/gap" record --robot $arm --program hang_sweep -o "$scratch/check"
 expectError 2 "gap: record needs --program or --battery, one of them" "$bin/gap" record --robot $arm -o "$scratch/x"
 printf 'effects:\n  - {effect: backlsh, at: Elbow, value: 0.1}\n' > "$scratch/bad.yaml"
-expectError 2 "gap: $scratch/bad.yaml:2: effects[0].effect is \"backlsh\", which is no effect of the library; did you mean \"backlash\"?" \
+expectError 2 "gap: $scratch/bad.yaml:2: effects[0].effect is \"backlsh\"; the library has no such effect; did you mean \"backlash\"?" \
   "$bin/gap" record --robot $arm --program hang_sweep --effects "$scratch/bad.yaml" -o "$scratch/x"
 printf 'effects:\n  - {effect: backlash, at: Elbow, value: 7}\n' > "$scratch/bad.yaml"
 expectError 2 "gap: $scratch/bad.yaml:2: effects[0].value is 7; backlash goes from 0 to 0.4 rad" \
   "$bin/gap" record --robot $arm --program hang_sweep --effects "$scratch/bad.yaml" -o "$scratch/x"
 echo '{"verdict": "perhaps"}' > "$scratch/bad.json"
-expectError 2 "gap: $scratch/bad.json: has the verdict 'perhaps'; there is none, effect, unknown; bin/gap diagnose RUNS --json FILE writes an answer" \
+expectError 2 "gap: $scratch/bad.json: has the verdict 'perhaps'; it must be none, effect or unknown; bin/gap diagnose RUNS --json FILE writes an answer" \
   "$bin/gap" report "$scratch/bad.json" -o "$scratch/x.html"
 expectError 2 "gap: $scratch/none.json: there is no such file" "$bin/gap" next "$scratch/none.json"
 expectError 2 "gap: $scratch: no secret there; bin/gap record --secret writes one" "$bin/gap" reveal "$scratch"

@@ -61,5 +61,5 @@ cat > "$scratch/late.yaml" << 'END'
 effects:
   - {effect: command_delay, at: "*", value: 0.01}
 END
-expectError 2 "optimizewalk: a walk takes effects of drives, links and ground; command_delay is none of them; other recordings have it" \
+expectError 2 "optimizewalk: a simulated walk can have effects of drives, links and ground only; command_delay is not one of these; record another program with it" \
   "$bin/optimizewalk" --robot nao_v5 --try --effects "$scratch/late.yaml"

@@ -1,5 +1,5 @@
-# A game is recorded, also by an agent that is killed, and any part of it runs on the recording with the same bytes;
-# bin/logtool lists, cuts, joins, compares and exports it; a replay goes on and back by the debug interface.
+# A game is recorded, also by an agent that is killed, and any part of it runs on the recording with the same bytes.
+# bin/logtool lists, cuts, joins, compares and exports it. The debug interface steps a replay forward and back.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 cd "$scratch"
 log=game
@@ -33,7 +33,7 @@ expectEqual "$(head -1 ball.csv)" "time,cycle,RobotPose.position.x,RobotPose.pos
 "$bin/logtool" export $log --gap run > /dev/null
 "$bin/gap" diagnose --help > /dev/null && grep -q '"robot": "simspark_type0"' run/run.json || fail "no run"
 expectError 2 "logtool: $log has no BalPos; did you mean \"BallPos\"?" "$bin/logtool" export $log --csv - --only BalPos
-expectError 2 "agent: $log is there already: a log is never overwritten; take another name" "$bin/agent" --start-simulator --log $log
+expectError 2 "agent: $log exists already: a log is never overwritten; choose another name" "$bin/agent" --start-simulator --log $log
 expectError 2 "agent: none: there is no such log" "$bin/agent" --replay none
 
 # On, back, to a time.

@@ -32,7 +32,7 @@ grep -q "^ball: \[" "$scratch/found.kick.yaml" || fail "what was found is no kic
 simulator=()
 status=0; agent 'host: ""' || status=$?
 expectEqual "$status" 2 "status without ground truth"
-grep -q "the simulator tells no ground truth: give it --ground-truth" "$scratch/agent.err" || fail "not told: $(< "$scratch/agent.err")"
+grep -q "the simulator sends no ground truth: start it with --ground-truth" "$scratch/agent.err" || fail "not told: $(< "$scratch/agent.err")"
 cp "$scratch/study.yaml" "$scratch/plain.yaml"
 sed -i 's/^options: {/options: {ceiling: 0.7, /' "$scratch/study.yaml"
 serve low

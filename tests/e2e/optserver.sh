@@ -1,5 +1,6 @@
-# A search that is farmed out: killed with -9 in the midst and begun again, with workers that are killed, it finds what one
-# worker alone finds in one go; a wrong token, a wrong file and a client that talks nonsense are told in one line.
+# A distributed search that is killed with -9 and started again, with workers that are killed, has the same result as a
+# single worker without interruption. A wrong token, a wrong file and a client that sends nonsense each give an error of
+# one line.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 cat > "$scratch/study.yaml" << END
 task: function
@@ -32,7 +33,7 @@ begin "$port"
 worker
 waitFor grep -q "over (maxGenerations)" "$scratch/farmed.out"
 wait "$server" || fail "the server ended with $?"
-grep -q "goes on from" "$scratch/farmed.out" || fail "it began anew"
+grep -q "continues from" "$scratch/farmed.out" || fail "it started again from the beginning"
 # The heading names the folder's own counts of runs; what is below it is what was found.
 cmp <(grep -v '^#' "$scratch/alone/found.yaml") <(grep -v '^#' "$scratch/farmed/found.yaml") ||
   fail "what was found depends on who evaluated when"
@@ -41,7 +42,7 @@ expectEqual "$(sed 1d "$scratch/farmed/evaluations.jsonl" | sed 's/.*"trial":\([
 expectError 2 "optserver: port 0.0.0.0:0 is open to others: that needs a token" \
   "$bin/optserver" "$scratch/study.yaml" --folder "$scratch/open" --port 0 --bind 0.0.0.0
 sed 's/rosenbrock/rosenbroc/' "$scratch/study.yaml" > "$scratch/wrong.yaml"
-expectError 2 "optserver: $scratch/wrong.yaml: option function: \"rosenbroc\" is none of sphere, ellipsoid, rosenbrock, rastrigin" \
+expectError 2 "optserver: $scratch/wrong.yaml: option function: \"rosenbroc\" is not one of sphere, ellipsoid, rosenbrock, rastrigin" \
   "$bin/optserver" "$scratch/wrong.yaml" --port 0
 sed 's/population/popluation/' "$scratch/study.yaml" > "$scratch/wrong.yaml"
 expectError 2 "optserver: $scratch/wrong.yaml:3: unknown key \"popluation\"; did you mean \"population\"?" \

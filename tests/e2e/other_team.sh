@@ -38,4 +38,4 @@ expectEqual "$(tail -1 "$scratch/plain/games.log" | cut -d, -f3,4,17)" "Team,Oth
 expectError 2 "games.sh: OTHER: no start script /nowhere/start.sh" "${games[@]}" OTHER=/nowhere/start.sh OUT="$scratch/no" tests/bench/games/games.sh
 expectError 2 "games.sh: PLAYERS='12' is not 1 to 11" "${games[@]}" OTHER=/nowhere PLAYERS=12 tests/bench/games/games.sh
 expectError 2 "games.sh: PLAYERS needs OTHER, the command that starts the other team" "${games[@]}" PLAYERS=4 tests/bench/games/games.sh
-expectError 2 "games.sh: OUT=$scratch/games is there already" "${games[@]}" OTHER="$scratch/plain.sh" OUT="$scratch/games" tests/bench/games/games.sh
+expectError 2 "games.sh: OUT=$scratch/games exists already" "${games[@]}" OTHER="$scratch/plain.sh" OUT="$scratch/games" tests/bench/games/games.sh

@@ -103,8 +103,8 @@ waitFor test -s "$scratch/status2"
 # Errors: one line, status 2.
 expectError 2 "simplemonitor: cannot connect to 127.0.0.1:1: Connection refused; is a simulator running there?" "$bin/simplemonitor" 127.0.0.1:1 --once
 expectError 2 "simplemonitor: --port: Value 70000 not in range 1 to 65535; see simplemonitor --help" "$bin/simplemonitor" --port 70000
-expectError 2 "simplemonitor: localhost:x: after the colon stands a port, 1 to 65535; see simplemonitor --help" "$bin/simplemonitor" localhost:x
-expectError 2 "simplemonitor: --size 20x5: COLUMNSxROWS is wanted, from 40x12 to 1000x1000; see simplemonitor --help" "$bin/simplemonitor" --once --size 20x5
+expectError 2 "simplemonitor: localhost:x: a port, 1 to 65535, must follow the colon; see simplemonitor --help" "$bin/simplemonitor" localhost:x
+expectError 2 "simplemonitor: --size 20x5: must be COLUMNSxROWS, from 40x12 to 1000x1000; see simplemonitor --help" "$bin/simplemonitor" --once --size 20x5
 expectError 2 "simplemonitor: there is no option --fast; see simplemonitor --help" "$bin/simplemonitor" --fast
 expectError 2 "simplemonitor: standard output is no terminal; --once prints one picture as text" "$bin/simplemonitor" "127.0.0.1:$field"
 "$bin/simplemonitor" --help | grep -q 'bin/simplemonitor 192.168.1.20' || fail "--help has no examples"

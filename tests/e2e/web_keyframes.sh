@@ -1,5 +1,5 @@
-# A motion is edited in a browser: sliders, time, undo; what is impossible is refused, what is saved is in the file with its
-# comments and is played, what is not saved outlives the page and the agent.
+# A motion is edited in a browser: sliders, time, undo. An impossible motion is refused. A saved motion is in the file
+# with its comments and is played. Unsaved changes survive the page and the agent.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 for program in node chromium; do
   command -v $program > /dev/null || fail "no $program: scripts/install_packages.sh scripts/packages-test.txt installs it"

@@ -15,7 +15,7 @@ generations: 8
 END
 expectError 2 'optserver: --web-address 0.0.0.0 opens the page to others: set a --web-token' \
   "$bin/optserver" "$scratch/study.yaml" --folder "$scratch/open" --port 0 --web 0 --web-address 0.0.0.0
-expectError 2 "optserver: $scratch/none: no evaluations.jsonl there, so there is nothing to show" \
+expectError 2 "optserver: $scratch/none: has no evaluations.jsonl, so there is nothing to show" \
   "$bin/optserver" "$scratch/study.yaml" --folder "$scratch/none" --web 0 --show
 [[ ! -e $scratch/none ]] || fail "to look makes a folder"
 

@@ -48,13 +48,11 @@ TEST_F(ConfigOverlay, aWholeFileNeedsToSayNothing) {
 
 TEST_F(ConfigOverlay, aFileThatLeavesValuesSaysSo) {
   EXPECT_EQ(errorOf("ballX: 1\nswing: {time: 3, gains: [3]}\n"),
-            "type3/kick.yaml:1: lies over kick.yaml and leaves 1 of its values as they are (ballY): if that "
-            "is meant, "
-            "begin with overlay: {base: kick.yaml, values: 3}");
+            "type3/kick.yaml:1: overrides kick.yaml but not 1 of its values (ballY); give these too, or "
+            "begin the file with overlay: {base: kick.yaml, values: 3}");
   EXPECT_EQ(errorOf("ballX: 1\n"),
-            "type3/kick.yaml:1: lies over kick.yaml and leaves 3 of its values as they are (ballY, ...): if "
-            "that is "
-            "meant, begin with overlay: {base: kick.yaml, values: 1}");
+            "type3/kick.yaml:1: overrides kick.yaml but not 3 of its values (ballY, ...); give these too, or "
+            "begin the file with overlay: {base: kick.yaml, values: 1}");
   EXPECT_EQ(errorOf("overlay: {base: kick.yaml, values: 2}\nballX: 1\nswing: {time: 3}\n"), "no error");
   const ConfigFile file("kick", {folder, folder + "/type3"});
   EXPECT_EQ(file.root().get<double>("ballX"), 1);
@@ -81,7 +79,7 @@ TEST_F(ConfigOverlay, theLineItselfIsChecked) {
   EXPECT_EQ(errorOf("overlay: {base: kick.yaml}\nballX: 1\n"),
             "type3/kick.yaml:1: overlay needs base and values");
   EXPECT_EQ(errorOf("overlay: {base: walk.yaml, values: 1}\nballX: 1\n"),
-            "type3/kick.yaml:1: overlay.base is walk.yaml, but the file lies over kick.yaml");
+            "type3/kick.yaml:1: overlay.base is walk.yaml, but this file overrides kick.yaml");
   EXPECT_EQ(errorOf("overlay: {base: kick.yaml, value: 1}\nballX: 1\n"),
             "type3/kick.yaml:1: unknown key \"overlay.value\"; did you mean \"values\"?");
 }

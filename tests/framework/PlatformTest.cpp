@@ -37,9 +37,8 @@ TEST(Platforms, areMadeByName) {
 }
 
 TEST(Platforms, anUnknownNameIsRefused) {
-  EXPECT_EQ(errorOf("testbensh"),
-            "--platform testbensh: there is no such platform; did you mean \"testbench\"?");
-  EXPECT_EQ(errorOf("nao"), "--platform nao: there is no such platform; there are: testbench");
+  EXPECT_EQ(errorOf("testbensh"), "--platform testbensh: unknown platform; did you mean \"testbench\"?");
+  EXPECT_EQ(errorOf("nao"), "--platform nao: unknown platform; there are: testbench");
 }
 
 TEST(Platforms, theCommandLineChoosesOneBeforeItsOptionsAreKnown) {

@@ -63,13 +63,13 @@ TEST(YamlLimits, anAliasCountsAsAllThatItStandsFor) {
 }
 
 TEST(YamlLimits, anAliasWithinItselfIsRefused) {
-  EXPECT_EQ(said("a: &a [1, *a]\n"), "a.yaml:1: an alias stands within what it stands for");
+  EXPECT_EQ(said("a: &a [1, *a]\n"), "a.yaml:1: an alias refers to a value that contains it");
 }
 
 TEST(YamlLimits, holdForFilesAndValues) {
   EXPECT_EQ(thrownBy([] { parseYaml(lists(40), "b.yaml"); }), "b.yaml:1: nested deeper than 32 levels");
   EXPECT_EQ(thrownBy([] { parseYamlValue("&a [*a]", "walk.speed"); }),
-            "walk.speed:1: an alias stands within what it stands for");
+            "walk.speed:1: an alias refers to a value that contains it");
 }
 
 /// Whatever stands in a key, the error is one line.

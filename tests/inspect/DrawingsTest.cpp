@@ -97,7 +97,7 @@ TEST_F(DrawingsTest, withoutAViewerItCanOnlyBeWatched) {
   EXPECT_EQ(ask("dr draw:DrawnModule:place"),
             Lines{"error: draw:DrawnModule:place has no viewer here; it can be watched"});
   EXPECT_EQ(ask("set draw:DrawnModule:place {}"),
-            Lines{"error: draw:DrawnModule:place cannot be set: it is of kind drawing"});
+            Lines{"error: draw:DrawnModule:place cannot be set: its kind is drawing"});
 }
 
 TEST_F(DrawingsTest, tellsModulesAndParameters) {

@@ -117,9 +117,9 @@ TEST_F(InspectorTest, saysWhatIsWrong) {
   EXPECT_EQ(ask("set a"), Lines{"error: set NAME VALUE: the value is missing"});
   EXPECT_EQ(ask("set representation:InspectedPlace {1 2"), Lines{"error: the value: a } is missing"});
   EXPECT_EQ(ask("set module:InspectedModule:x 1"),
-            Lines{"error: module:InspectedModule:x cannot be set: it is of kind output"});
+            Lines{"error: module:InspectedModule:x cannot be set: its kind is output"});
   EXPECT_EQ(ask("set timing:InspectedModule:execute 1"),
-            Lines{"error: timing:InspectedModule:execute cannot be set: it is of kind timing"});
+            Lines{"error: timing:InspectedModule:execute cannot be set: its kind is timing"});
   EXPECT_EQ(ask("dr representation:InspectedPlace"),
             Lines{"error: representation:InspectedPlace is a value, not a block of code: get "
                   "representation:InspectedPlace"});
@@ -332,10 +332,8 @@ TEST_F(InspectorTest, saysWhenNoCycleComesBy) {
   inspector->command(client, "get representation:InspectedPlace");
   lines.clear();
   inspector->poll(Inspector::Clock::now() + std::chrono::seconds(3));
-  EXPECT_EQ(
-      lines,
-      Lines{"error: representation:InspectedPlace: execution did not come by within 2 s; does the agent "
-            "wait for its simulator?"});
+  EXPECT_EQ(lines, Lines{"error: representation:InspectedPlace: the code did not reach this point within 2 "
+                         "s; does the agent wait for its simulator?"});
 }
 
 TEST_F(InspectorTest, whatAClientAsksForIsBounded) {

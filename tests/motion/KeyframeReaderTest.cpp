@@ -166,8 +166,7 @@ TEST_F(KeyframeReaderTest, aKeyframeNamesAllJointsOrTheMotionSaysThatTheRestStay
       "keyframes:\n  - {time: 1, HeadYaw: 1, HeadPitch: 2}\n  - {time: 1, HeadYaw: 3}\n";
   EXPECT_EQ(errorOf(frames),
             "m.yaml:3: HeadPitch: has an angle in another keyframe, but not in this one; give it one, or "
-            "write rest: "
-            "stays beside keyframes if joints that are left out shall stay where they are");
+            "write rest: stays next to keyframes if joints that are left out shall stay where they are");
   EXPECT_EQ(errorOf("rest: stays\n" + frames), "no error");
   EXPECT_EQ(errorOf("rest: moves\n" + frames),
             "m.yaml:1: rest: has to be stays: joints that a keyframe leaves out stay where they are");

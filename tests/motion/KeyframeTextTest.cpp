@@ -119,9 +119,8 @@ TEST(KeyframeTextTest, aLineForEachKeyCanBeEditedToo) {
 TEST(KeyframeTextTest, whatCannotBeEditedSaysWhy) {
   EXPECT_EQ(errorOf("mirror: wave\n", {{0, 1, 0, {}}}),
             "wave.yaml:1: this is the mirror image of wave; edit that one");
-  EXPECT_EQ(
-      errorOf("rest: stays\nkeyframes: [{time: 1, HeadYaw: 0}]\n", {{0, 1, 0, {}}}),
-      "wave.yaml:2: keyframes stand in brackets; give each a line that begins with \"- \" to edit them");
+  EXPECT_EQ(errorOf("rest: stays\nkeyframes: [{time: 1, HeadYaw: 0}]\n", {{0, 1, 0, {}}}),
+            "wave.yaml:2: keyframes are in brackets; give each a line that begins with \"- \" to edit them");
   EXPECT_EQ(errorOf(wave, {{7, 1, 0, {}}}), "wave.yaml: there is no keyframe 7");
 }
 

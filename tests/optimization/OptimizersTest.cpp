@@ -33,7 +33,7 @@ TEST(Optimizers, areFoundByName) {
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(
         error.what(),
-        "there is no optimiser \"cmeas\"; there are: cmaes, sep-cmaes, xnes, pso, ipop-cmaes, bipop-cmaes");
+        "unknown optimiser \"cmeas\"; there are: cmaes, sep-cmaes, xnes, pso, ipop-cmaes, bipop-cmaes");
   }
 }
 

@@ -85,7 +85,7 @@ TEST(LogTest, isNeverWrittenOverWhatIsThere) {
   writeExampleLog(scratch / "game", 1, 2);
   const std::string game = scratch / "game";
   EXPECT_EQ(thrownBy([&] { LogWriter(game + "/", {}); }),
-            game + " is there already: a log is never overwritten; take another name");
+            game + " exists already: a log is never overwritten; choose another name");
   EXPECT_EQ(thrownBy([] { LogWriter("..", {}); }), "..: a log needs a name of its own");
   { const LogWriter empty(scratch / "deep/empty", {}); }
   EXPECT_FALSE(fs::exists(scratch / "deep/empty"));

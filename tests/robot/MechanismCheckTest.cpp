@@ -100,23 +100,24 @@ TEST(MechanismCheck, principalMomentsKeepTheTriangleInequality) {
 
 TEST(MechanismCheck, numbersThatCannotBe) {
   EXPECT_EQ(errorOf([](Mechanism& m) { m.links[1].mass = 1e-300; }),
-            "arm.json: link link: mass is 1e-300, which cannot be; give it kg, 1e-15 to 1e+06");
+            "arm.json: link link: mass is 1e-300, which is impossible; give it kg, 1e-15 to 1e+06");
   EXPECT_EQ(errorOf([](Mechanism& m) { m.links[1].mass = 1e11; }),
-            "arm.json: link link: mass is 1e+11, which cannot be; give it kg, 1e-15 to 1e+06");
-  EXPECT_EQ(errorOf([](Mechanism& m) { m.links[1].inertia = 1e9 * Mat3::Identity(); }),
-            "arm.json: link link: the largest moment of inertia is 1e+09, which cannot be; give it kg m^2, "
-            "1e-15 to "
-            "1e+08");
+            "arm.json: link link: mass is 1e+11, which is impossible; give it kg, 1e-15 to 1e+06");
+  EXPECT_EQ(
+      errorOf([](Mechanism& m) { m.links[1].inertia = 1e9 * Mat3::Identity(); }),
+      "arm.json: link link: the largest moment of inertia is 1e+09, which is impossible; give it kg m^2, "
+      "1e-15 to "
+      "1e+08");
   EXPECT_EQ(errorOf([](Mechanism& m) { m.gravity = Vec3(0, 0, -1e11); }),
-            "arm.json: gravity is 1e+11, which cannot be; give it m/s^2, 0 to 100000");
+            "arm.json: gravity is 1e+11, which is impossible; give it m/s^2, 0 to 100000");
   EXPECT_EQ(errorOf([](Mechanism& m) { m.joints[0].maxTorque = 1e-300; }),
-            "arm.json: joint Hinge: max_torque is 1e-300, which cannot be; give it N m, 1e-09 to 1e+09");
+            "arm.json: joint Hinge: max_torque is 1e-300, which is impossible; give it N m, 1e-09 to 1e+09");
   EXPECT_EQ(errorOf([](Mechanism& m) { m.joints[0].upper = 5000; }),
-            "arm.json: joint Hinge: upper is 5000, which cannot be; give it in rad, -1000 to 1000 for a "
+            "arm.json: joint Hinge: upper is 5000, which is impossible; give it in rad, -1000 to 1000 for a "
             "joint without "
             "stops");
   EXPECT_EQ(errorOf([](Mechanism& m) { m.links[1].com.x() = 2000; }),
-            "arm.json: link link: com is 2000 m away, which cannot be; give it in m");
+            "arm.json: link link: com is 2000 m away, which is impossible; give it in m");
 }
 
 TEST(MechanismCheck, otherUnitsAreDoubted) {

@@ -29,10 +29,9 @@ TEST_F(MechanismJson, badJsonIsNamed) {
             "r.json: key \"name\" occurs twice in one object");
   EXPECT_EQ(errorOf("r.json", std::string(40, '[')), "r.json: is nested deeper than 16 levels");
   EXPECT_EQ(errorOf("r.json", "{}"), "r.json: name is missing; give the robot's name");
-  EXPECT_EQ(
-      errorOf("r.json", pendulum("\"p\"", "\"p.q\"")),
-      "r.json: name \"p.q\" cannot be a name; use up to 80 characters without blanks, dots, commas, slashes, "
-      "quotes and stars");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"p\"", "\"p.q\"")),
+            "r.json: name \"p.q\" is not a valid name; use up to 80 characters without blanks, dots, commas, "
+            "slashes, quotes and stars");
   EXPECT_EQ(errorOf("r.json", pendulum("\"mass\": 0.5", "\"mass\": 0")),
             "r.json: link arm: mass is 0; give a mass in kg above 0");
   EXPECT_EQ(errorOf("r.json", pendulum("\"mass\": 0.5", "\"mass\": \"heavy\"")),

@@ -149,7 +149,7 @@ TEST_F(MechanismMjcf, mistakesAreNamedWithTheirLine) {
   EXPECT_EQ(errorOf("a.xml", arm("biasprm=\"0 -12 -0.2\"", "biasprm=\"0 -1 0\"")),
             "a.xml:21: <general> is no position servo: gainprm is kp, biasprm 0 -kp -kv");
   EXPECT_EQ(errorOf("a.xml", arm("<position class=\"strong\" joint=\"shoulder\"/>", "")),
-            "a.xml: joint shoulder has no position actuator; give it one, or a servo table beside the file: "
+            "a.xml: joint shoulder has no position actuator; give it one, or a servo table next to the file: "
             "a.servo.json");
 }
 

@@ -196,7 +196,7 @@ TEST_F(MechanismUrdf, badUrdfsAreNamed) {
             "mast.servo.json: joint turn: max_torque or max_speed is not above 0, here or as effort and "
             "velocity in the URDF");
   std::filesystem::remove(folder / "mast.servo.json");
-  EXPECT_EQ(errorOf("mast.urdf"), "mast.urdf: has no servo table; write one beside it: mast.servo.json");
+  EXPECT_EQ(errorOf("mast.urdf"), "mast.urdf: has no servo table; write one next to it: mast.servo.json");
   write("mast.servo.yaml", "joints:\n  turn: {kp: 1\n");
   EXPECT_EQ(errorOf("mast.urdf").substr(0, 34), "mast.servo.yaml:3: broken YAML: en");
 }

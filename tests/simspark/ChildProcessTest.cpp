@@ -1,31 +1,54 @@
 #include "simspark/ChildProcess.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "support/Processes.h"
+#include "support/Thrown.h"
+
+using plumbline::processEnds;
 using plumbline::simspark::ChildProcess;
+using plumbline::simspark::ChildSettings;
 
 namespace {
+
+std::string contentOf(const std::string& file) {
+  std::stringstream content;
+  content << std::ifstream(file).rdbuf();
+  return content.str();
+}
+
+/// A file of this test's own, which is not there yet.
+std::string freshFile(const std::string& name) {
+  const std::string file = testing::TempDir() + name;
+  std::filesystem::remove(file);
+  return file;
+}
+
+/// The number that a child writes into a file.
+pid_t numberIn(const std::string& file) {
+  for (int i = 0; i < 1000 && contentOf(file).find('\n') == std::string::npos; ++i) usleep(5000);
+  return static_cast<pid_t>(std::stoi(contentOf(file)));
+}
 
 void waitForEnd(ChildProcess& child) {
   for (int i = 0; i < 1000 && child.running(); ++i) usleep(5000);
 }
 
 TEST(ChildProcess, reportsTheExitStatusAndWritesItsOutputToTheFile) {
-  const std::string file = testing::TempDir() + "child_process_output.txt";
-  std::filesystem::remove(file);
+  const std::string file = freshFile("child_process_output.txt");
   ChildProcess child({"/bin/sh", "-c", "echo out; echo err >&2; exit 7"}, file);
   waitForEnd(child);
   ASSERT_TRUE(child.exitStatus().has_value());
   EXPECT_EQ(*child.exitStatus(), 7);
-  std::stringstream content;
-  content << std::ifstream(file).rdbuf();
-  EXPECT_EQ(content.str(), "out\nerr\n");
+  EXPECT_EQ(contentOf(file), "out\nerr\n");
 }
 
 TEST(ChildProcess, aProgramThatIsNotThereIsAnError) {
@@ -57,6 +80,83 @@ TEST(ChildProcess, countsTheProcessorTimeOfTheChild) {
   EXPECT_EQ(*child.exitStatus(), 0);
   EXPECT_GT(child.usage().cpuSeconds, 0.005);
   EXPECT_GT(child.usage().maxResidentMegabytes, 0.3);
+}
+
+TEST(ChildProcess, itsEnvironmentIsWhatIsInheritedButForWhatIsSetAndDropped) {
+  const std::string file = freshFile("child_process_environment.txt");
+  setenv("CHILD_TEST_KEPT", "kept", 1);
+  setenv("CHILD_TEST_SET", "old", 1);
+  setenv("OTHER_TEST_DROPPED", "dropped", 1);
+  const std::string print = "echo $CHILD_TEST_KEPT,$CHILD_TEST_SET,$CHILD_TEST_NEW,$OTHER_TEST_DROPPED";
+  ChildProcess child({"/bin/sh", "-c", print},
+                     ChildSettings{.outputFile = file,
+                      .environment = {"CHILD_TEST_SET=new", "CHILD_TEST_NEW=a=b"},
+                      .dropped = {"OTHER_TEST_"}});
+  waitForEnd(child);
+  for (const char* name : {"CHILD_TEST_KEPT", "CHILD_TEST_SET", "OTHER_TEST_DROPPED"}) unsetenv(name);
+  EXPECT_EQ(contentOf(file), "kept,new,a=b,\n");
+}
+
+TEST(ChildProcess, aNameIsLookedForOnPathOnlyWhereThatIsWanted) {
+  ChildProcess child({"true"}, ChildSettings{.onPath = true});
+  waitForEnd(child);
+  EXPECT_EQ(*child.exitStatus(), 0);
+  EXPECT_EQ(plumbline::thrownBy([] { ChildProcess missing({"true"}, ChildSettings{.onPath = false}); }),
+            "cannot start true: No such file or directory");
+  EXPECT_EQ(plumbline::thrownBy([] { ChildProcess missing({"no-such-program"}, ChildSettings{.onPath = true}); }),
+            "cannot start no-such-program: No such file or directory");
+}
+
+TEST(ChildProcess, hasNothingOpenButTheThreeStandardFiles) {
+  const std::string file = freshFile("child_process_descriptors.txt");
+  const int open = dup(STDIN_FILENO);  // inherited, were it not for what is tested
+  ASSERT_GT(open, STDERR_FILENO);
+  ChildProcess child({"/bin/ls", "/proc/self/fd"}, file);  // 3: the folder itself
+  waitForEnd(child);
+  close(open);
+  EXPECT_EQ(contentOf(file), "0\n1\n2\n3\n");
+}
+
+TEST(ChildProcess, isTheLeaderOfAGroupThatCanBeSignalled) {
+  ChildProcess child({"/bin/sh", "-c", "sleep 100 & wait"});
+  EXPECT_EQ(getpgid(child.pid()), child.pid());
+  child.signalGroup(SIGTERM);
+  waitForEnd(child);
+  EXPECT_EQ(*child.exitStatus(), 128 + SIGTERM);
+}
+
+TEST(ChildProcess, aWholeGroupEndsWithItsLeader) {
+  const std::string file = freshFile("child_process_group.txt");
+  ChildProcess child({"/bin/sh", "-c", "sleep 100 & echo $!; exit 3"}, ChildSettings{.outputFile = file, .wholeGroup = true});
+  const pid_t grandchild = numberIn(file);
+  waitForEnd(child);
+  EXPECT_EQ(*child.exitStatus(), 3);
+  EXPECT_TRUE(processEnds(grandchild));
+}
+
+TEST(ChildProcess, stopEndsTheWholeGroup) {
+  const std::string file = freshFile("child_process_stopped_group.txt");
+  ChildProcess child({"/bin/sh", "-c", "trap '' TERM; (trap '' TERM; sleep 100) & echo $!; wait"},
+                     ChildSettings{.outputFile = file, .wholeGroup = true});
+  const pid_t grandchild = numberIn(file);
+  child.stop(0.2);
+  EXPECT_EQ(*child.exitStatus(), 128 + SIGKILL);
+  EXPECT_TRUE(processEnds(grandchild));
+}
+
+TEST(ChildProcess, aWholeGroupEndsWithAParentThatIsKilled) {
+  const std::string file = freshFile("child_process_orphans.txt");
+  const pid_t parent = fork();
+  if (parent == 0) {
+    setpgid(0, 0);
+    const ChildProcess child({"/bin/sh", "-c", "sleep 100 & echo $!; wait"},
+                             ChildSettings{.outputFile = file, .wholeGroup = true});
+    for (;;) pause();
+  }
+  const pid_t grandchild = numberIn(file);
+  kill(parent, SIGKILL);
+  waitpid(parent, nullptr, 0);
+  EXPECT_TRUE(processEnds(grandchild));
 }
 
 }  // namespace

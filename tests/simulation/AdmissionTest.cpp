@@ -35,7 +35,7 @@ TEST(Admission, aLatePlayerGetsInThoughIdleConnectionsFillThePort) {
   EXPECT_NE(late.play(5).find("(GS (unum 2)"), std::string::npos);
   const std::string still = early.play(5);
   EXPECT_EQ(still.find("gone"), std::string::npos) << "who plays keeps its place";
-  EXPECT_TRUE(server.logs("said nothing, and others want its place"));
+  EXPECT_TRUE(server.logs("sent nothing, and other clients need its place"));
   const std::string log = server.log();
   EXPECT_LT(std::count(log.begin(), log.end(), '\n'), 100);
 }

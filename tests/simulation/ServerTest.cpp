@@ -187,9 +187,9 @@ TEST(Server, unknownRobotsAreRefused) {
     EXPECT_EQ(connection.receive(text, 10), Connection::Status::closed) << scene;
   }
   EXPECT_TRUE(
-      server.logs("asked for an unknown robot: rsg/agent/nao/nao_hetero.rsg 5; there is "
+      server.logs("requested an unknown robot type: rsg/agent/nao/nao_hetero.rsg 5; there is "
                   "rsg/agent/nao/nao_hetero.rsg 0..4"));
-  EXPECT_TRUE(server.logs("asked for an unknown robot: rsg/agent/hoap2.rsg 0"));
+  EXPECT_TRUE(server.logs("requested an unknown robot type: rsg/agent/hoap2.rsg 0"));
 }
 
 TEST(Server, portInUseIsSaid) {

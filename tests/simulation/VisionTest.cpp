@@ -122,8 +122,8 @@ TEST(Vision, linesAreClippedToTheView) {
   EXPECT_FALSE(clipToView(a, b)) << "below the feet";
 }
 
-// On the league's server a new robot is put to one of a row of places and hangs there for a cycle: its head
-// is known to the millimetre, and what it saw can be compared point by point.
+// On the league's server a new robot is put to one of a row of places and hangs there for a cycle. So its
+// head's place is known to the millimetre, and its percepts can be compared point by point.
 class SeenByTheLeague : public testing::TestWithParam<int> {};
 
 TEST_P(SeenByTheLeague, sameListOfThingsAtTheSamePlaces) {

@@ -12,8 +12,8 @@
 
 namespace plumbline::bench {
 
-/// Has bin/gap diagnose the runs in a folder, a process of its own that sees nothing else, unless the answer
-/// is there; keeps the CPU seconds in a file beside it, unless it took more than one go.
+/// Runs bin/gap diagnose on the runs in a folder, as a process that sees nothing else, unless the answer
+/// exists. Stores the CPU seconds in a file next to it, unless the diagnosis was interrupted.
 inline void diagnoseCase(const std::string& runs, const std::string& answer) {
   namespace fs = std::filesystem;
   if (fs::exists(answer)) return;

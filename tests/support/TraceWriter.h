@@ -68,8 +68,8 @@ inline std::string traceLine(const simspark::TraceRow& row, const std::vector<Jo
   return line.text;
 }
 
-/// Writes rows as a recording of the league's server has them, plain CSV: its axes, signs, units and rounding
-/// (message values two digits behind the point, angles about the axes four, poses six digits in all).
+/// Writes rows in the form of a recording of the league's server, as plain CSV: its axes, signs, units and
+/// rounding. Message values have two decimals, angles about the axes four, poses six digits in all.
 inline void writeTrace(const std::filesystem::path& file, const std::vector<JointId>& joints,
                        const std::vector<simspark::TraceRow>& rows) {
   std::ofstream out(file);

@@ -29,7 +29,7 @@ TEST(ServerAddress, isReadOrRefused) {
   for (const char* bad : {"", "host", "host:3100", ":3100:3200", "host::3200", "host:3100:0", "host:3100:x",
                           "host:3100:3200 ", "host:70000:3200"})
     EXPECT_EQ(refusal(bad),
-              "'" + std::string(bad) + "' is no server; say HOST:AGENTPORT:MONITORPORT or 'server'");
+              "'" + std::string(bad) + "' is not a server; write HOST:AGENTPORT:MONITORPORT or 'server'");
 }
 
 TEST(ServerWalker, walksThereAsItDoesHere) {

@@ -44,7 +44,7 @@ kill -KILL $pid
 wait $pid 2> /dev/null || true
 "${swarm[@]}" --output "$scratch/again.yaml" > /dev/null
 cmp "$scratch/swarm.yaml" "$scratch/again.yaml" || fail "a swarm that was killed finds another walk"
-expectError 2 'optimizewalk: --optimizer: there is no optimiser "cmeas"; did you mean "cmaes"?; see optimizewalk --help' \
+expectError 2 'optimizewalk: --optimizer: unknown optimiser "cmeas"; did you mean "cmaes"?; see optimizewalk --help' \
   "$bin/optimizewalk" --optimizer cmeas
 echo "killed $kills times"
 

@@ -73,8 +73,8 @@ int compare(const Options& options, const Progress& progress) {
       fmt::print("{:>8} {:>9.2f}  {:40} {:>24} {:>24}  {}\n", d.cycle, d.time, d.representation + d.field,
                  d.left.substr(0, 24), d.right.substr(0, 24), d.cycles);
   }
-  if (result.onlyLeft > 0) fmt::print("{} cycles are in {} alone\n", result.onlyLeft, options.log);
-  if (result.onlyRight > 0) fmt::print("{} cycles are in {} alone\n", result.onlyRight, options.other);
+  if (result.onlyLeft > 0) fmt::print("{} cycles are only in {}\n", result.onlyLeft, options.log);
+  if (result.onlyRight > 0) fmt::print("{} cycles are only in {}\n", result.onlyRight, options.other);
   if (result.same()) fmt::print("the same in {} cycles\n", result.compared);
   return result.same() ? 0 : differ;
 }

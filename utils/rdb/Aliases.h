@@ -5,7 +5,7 @@
 
 namespace plumbline::rdb {
 
-/// Short forms of what is typed: lines `A|B` of a file. An A at the beginning of a word becomes B.
+/// Short forms for typed commands: lines `A|B` of a file. An A at the beginning of a word becomes B.
 class Aliases {
 public:
   Aliases() = default;

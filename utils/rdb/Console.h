@@ -11,7 +11,7 @@
 
 namespace plumbline::rdb {
 
-/// The console in a terminal: watched values at the top, plots, what was answered, and a line to type in.
+/// The console in a terminal: watched values at the top, plots, answers, and an input line.
 class Console {
 public:
   Console(Link& link, Session& session, History& history, const StopSignal& stop);

@@ -7,8 +7,8 @@ namespace plumbline::rdb {
 
 class Plot;
 
-/// A plot in a window of its own on the display, drawn by gnuplot in a process of its own. Nobody waits for
-/// it: a picture that it does not take in time is left out.
+/// A plot in its own window on the display, drawn by gnuplot in a separate process. Nobody waits for it: a
+/// picture that it does not accept in time is left out.
 class PlotWindow {
 public:
   /// True where there is a display (DISPLAY or WAYLAND_DISPLAY is set).

@@ -13,8 +13,8 @@ namespace plumbline::rdb {
 /// Of the command `sleep SECONDS`; throws std::runtime_error for another form.
 double sleepSeconds(const std::vector<std::string>& words);
 
-/// What is asked of an agent and what comes back: each command has a tag, by which its answer is told from
-/// others. Watched values and plots are asked for anew after the connection was lost.
+/// Commands to an agent and their answers: each command has a tag that identifies its answer. Watched values
+/// and plots are requested again after the connection was lost.
 class Session {
 public:
   struct Handler {

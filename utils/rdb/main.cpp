@@ -32,13 +32,13 @@ void declare(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option(
          "--exec", options.commands,
-         "run this command, print the answer and end; repeat for more; watches go on beside each other")
+         "run this command, print the answer and end; may be repeated; several watches run at the same time")
       ->allow_extra_args(false);
   app.add_option("--script", options.script, "run the commands of FILE and end; `sleep S` waits");
   app.add_option("--seconds", options.batch.seconds, "with --exec: a watch or plot ends after so long")
       ->check(CLI::Range(0.01, 1e6));
   app.add_option("--png", options.batch.png, "with --exec or --script: draw the plot to FILE");
-  app.add_option("--token", options.token, "what an agent beyond this machine wants to hear first");
+  app.add_option("--token", options.token, "token of the agent, if it runs on another machine");
   app.add_option("--alias", options.aliases, "file of aliases, lines A|B [config/alias.cfg]");
   app.add_option("--history", options.history, "file that keeps what was typed")->capture_default_str();
   app.footer(
@@ -65,7 +65,7 @@ int portOf(std::string& address) {
   const char *begin = address.data() + colon + 1, *end = address.data() + address.size();
   const auto read = std::from_chars(begin, end, port);
   if (read.ec != std::errc{} || read.ptr != end || port < 1 || port > 65535)
-    throw std::runtime_error(address + ": after the colon stands a port, 1 to 65535");
+    throw std::runtime_error(address + ": a port, 1 to 65535, must follow the colon");
   address.resize(colon);
   if (address.empty()) address = "127.0.0.1";
   return port;
@@ -101,7 +101,7 @@ int run(Options& options) {
 
 int runProgram(int argc, char** argv) {
   Options options;
-  CLI::App app("Looks into a running agent and changes what it computes with.", "rdb");
+  CLI::App app("Shows values of a running agent and changes them.", "rdb");
   declare(app, options);
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   std::setlocale(LC_ALL, "");

@@ -52,7 +52,7 @@ void complete(Options& options) {
       colon != std::string::npos && colon == options.host.rfind(':')) {
     const auto port = simspark::parseInteger(options.host.substr(colon + 1));
     if (!port || *port < 1 || *port > 65535)
-      throw std::runtime_error(options.host + ": after the colon stands a port, 1 to 65535");
+      throw std::runtime_error(options.host + ": a port, 1 to 65535, must follow the colon");
     if (options.port != 0) throw std::runtime_error(options.host + " and --port name two ports");
     options.port = *port;
     options.host.resize(colon);
@@ -65,7 +65,7 @@ void complete(Options& options) {
       cross == std::string::npos ? std::nullopt : simspark::parseInteger(options.size.substr(cross + 1));
   if (!columns || !rows || *columns < game::minPictureColumns || *rows < game::minPictureRows ||
       *columns > 1000 || *rows > 1000)
-    throw std::runtime_error("--size " + options.size + ": COLUMNSxROWS is wanted, from " +
+    throw std::runtime_error("--size " + options.size + ": must be COLUMNSxROWS, from " +
                              std::to_string(game::minPictureColumns) + 'x' +
                              std::to_string(game::minPictureRows) + " to 1000x1000");
   options.columns = *columns;
@@ -78,7 +78,7 @@ void printOnce(const Options& options, FieldSource& source, const StopSignal& st
     if (stop.requested()) return;
     if (!source.connected()) throw std::runtime_error(source.problem());
     if (wallClock() > end)
-      throw std::runtime_error(source.name() + " tells nothing for 10 s: does the simulation stand still?");
+      throw std::runtime_error(source.name() + " sent nothing for 10 s: is the simulation stopped?");
   }
   winsize window{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_col == 0) window = {24, 80, 0, 0};
@@ -153,12 +153,13 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("host", options.host, "Where the simulator runs: HOST or HOST:PORT")->capture_default_str();
   app.add_option("--port", options.port, "Its compact port or any SimSpark monitor port [3201, else 3200]")
       ->check(CLI::Range(1, 65535));
-  app.add_option("--token", options.token, "What the simulator asks for, if it does");
+  app.add_option("--token", options.token, "The simulator's token, if it needs one");
   app.add_flag("--once", options.once, "Print one picture as text and end");
   app.add_option("--size", options.size,
                  "With --once: size of the picture, COLUMNSxROWS [the terminal's or 80x23]");
-  app.add_flag("--ascii", options.ascii, "No characters but ASCII's, whatever the locale");
-  app.add_option("--seconds", options.seconds, "End after so long and say what came and what it cost")
+  app.add_flag("--ascii", options.ascii, "ASCII characters only, whatever the locale");
+  app.add_option("--seconds", options.seconds,
+                 "End after this time and print what was received and the time that it took")
       ->check(CLI::Range(0.1, 1e6));
   app.footer(
       "Numbers are robots with the way they look, x: fallen. Blue is the left team, red the right one.\n"

@@ -40,10 +40,11 @@ int runProgram(int argc, char** argv) {
   app.add_option("--port", options.port, "Its monitor port")
       ->check(CLI::Range(1, 65535))
       ->capture_default_str();
-  app.add_option("--players", options.players, "Kick-off waits for so many")
+  app.add_option("--players", options.players, "Number of players for which kick-off waits")
       ->check(CLI::Range(0, 22))
       ->capture_default_str();
-  app.add_option("--patience", options.patience, "So long; then it kicks off with those who are there [s]")
+  app.add_option("--patience", options.patience,
+                 "Time for which it waits; then it kicks off with the present players [s]")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--settle", options.settle, "Pause before a kick-off [s of real time]")

@@ -153,20 +153,19 @@ std::string verdictSentence(const Diagnosis& diagnosis) {
     causes += (causes.empty() ? "" : ", ") + describe(finding.cause) + sure;
   }
   if (diagnosis.verdict == Verdict::effect) {
-    std::snprintf(size, sizeof size, "; it closes %.0f %% of the gap on data that took no part in the fit.",
+    std::snprintf(size, sizeof size, "; it closes %.0f %% of the gap on data that were not used for the fit.",
                   100 * std::min(1.0, diagnosis.gap.closed()));
     return "Missing from the model: " + causes + size;
   }
   if (!diagnosis.sensorOff.empty()) {
-    std::snprintf(
-        size, sizeof size,
-        "Something is missing that no effect of the library accounts for: with the base held, %s is "
-        "off by %.2f times its noise on average.",
-        diagnosis.sensorOff.c_str(), diagnosis.sensorOffBy);
+    std::snprintf(size, sizeof size,
+                  "Something is missing that no effect of the library explains: with a fixed base, %s is "
+                  "off by %.2f times its noise on average.",
+                  diagnosis.sensorOff.c_str(), diagnosis.sensorOffBy);
   } else {
     std::snprintf(
         size, sizeof size,
-        "Something is missing that no effect of the library accounts for: %.1f times the noise remain in the "
+        "Something is missing that no effect of the library explains: %.1f times the noise remain in the "
         "worst channel, %s.",
         diagnosis.worstAfter, diagnosis.worstSignalAfter.c_str());
   }
@@ -182,7 +181,7 @@ std::string suggestion(const Diagnosis& diagnosis, const Evidence& evidence) {
         if (isRepeat(trials[a], trials[b])) return true;
     return false;
   }();
-  const std::string again = repeats ? "" : " Record one motion twice: repeats tell what is noise.";
+  const std::string again = repeats ? "" : " Record one motion twice: only repeats show what is noise.";
   if (diagnosis.verdict == Verdict::none)
     return "Nothing is needed for these motions; faster moves, higher loads and slow reversals would show "
            "smaller effects." +
@@ -191,16 +190,15 @@ std::string suggestion(const Diagnosis& diagnosis, const Evidence& evidence) {
     if (!finding.rivals.empty()) {
       const Effect &a = *finding.cause.effect, &b = *finding.rivals.front().cause.effect;
       return std::string(a.id) + " and " + std::string(b.id) + " at " + finding.cause.place.at +
-             " come apart by: " + std::string(a.exposedBy) +
+             " are separated by: " + std::string(a.exposedBy) +
              (a.exposedBy == b.exposedBy ? ", larger and at other loads"
                                          : "; and " + std::string(b.exposedBy)) +
              "." + again;
     }
   if (diagnosis.verdict == Verdict::unknown)
     return "Move only " + diagnosis.worstSignal.substr(diagnosis.worstSignal.find('.') + 1) +
-           ": slowly through its range both ways, at several loads, then the same fast; what depends on "
-           "place, speed, "
-           "load or time shows so." +
+           ": slowly through its range in both directions, at several loads, then the same fast. This shows "
+           "what depends on position, speed, load or time." +
            again;
   return "To make the value more certain: " +
          std::string(diagnosis.findings.front().cause.effect->exposedBy) + " at " +

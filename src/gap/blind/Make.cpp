@@ -131,7 +131,7 @@ BlindSet makeBlind(const BlindMakeOptions& given) {
   std::error_code error;
   const fs::path output(options.output);
   if (fs::exists(output, error))
-    throw std::runtime_error(options.output + " is there already; name a new folder with -o");
+    throw std::runtime_error(options.output + " exists already; name a new folder with -o");
   const PartialFolder beside(options.output + ".part");
   const fs::path& part = beside.path();
   fs::remove_all(part, error);

@@ -154,9 +154,9 @@ private:
     return result;
   }
 
-  /// One replay of the most telling run for each effect and place, scaled to fit best (more of them where the
-  /// start is far too strong for this joint); its other starting values where that shows any promise or says
-  /// little of them.
+  /// One replay of the most informative run for each effect and place, scaled to fit best (more if the start
+  /// is far too strong for this joint). Other starting values follow if the result is promising or says
+  /// little about them.
   void firstLook(const std::vector<Cause>& causes) {
     looked_.resize(causes.size());
     std::vector<double> promise(causes.size(), 0);

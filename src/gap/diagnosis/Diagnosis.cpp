@@ -24,8 +24,9 @@ namespace plumbline::gap {
 
 namespace {
 
-// Gap beyond noise over what may remain, of runs on a floating base, at most, where those on a fixed base are
-// explained: a joint that sticks lets go a moment too late on the feet, and the rest of the run differs.
+// Largest gap beyond noise, relative to the allowed remainder, of runs on a floating base if those on a fixed
+// base are explained. On the feet a sticking joint lets go a moment too late, and then the rest of the run
+// differs.
 constexpr double maxFloatingBaseLeft = 0.9;
 constexpr double crowded = 0.25;        // more of what remains counts for each further cause at one joint
 constexpr double maxRestOffset = 0.15;  // mean of a sensor at rest over its noise, that no cause may leave

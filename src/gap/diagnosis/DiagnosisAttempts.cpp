@@ -59,7 +59,7 @@ Diagnosis DiagnosisAttempts::run(std::vector<Trial> trials) {
   } catch (const Stopped&) {
     for (auto last = attempts_.rbegin(); last != attempts_.rend(); ++last)
       if ((*last)->memory.size() > 0)
-        throw Stopped("stopped; the same command goes on from " + (*last)->memory.file());
+        throw Stopped("stopped; the same command continues from " + (*last)->memory.file());
     throw;
   }
 }
@@ -68,7 +68,7 @@ Diagnosis DiagnosisAttempts::attempt(Evidence evidence, const std::string& file)
   Attempt& now = *attempts_.emplace_back(
       std::make_unique<Attempt>(robot_, std::move(evidence), file, options_, messages_));
   if (now.memory.size() > 0 && messages_.resumed)
-    messages_.resumed("goes on from " + now.memory.file() + " (" + std::to_string(now.memory.size()) +
+    messages_.resumed("continues from " + now.memory.file() + " (" + std::to_string(now.memory.size()) +
                       " searches done)");
   DiagnosisOptions withMemory = options_;
   withMemory.memory = &now.memory;

@@ -34,8 +34,8 @@ private:
   bool freeBase_;
 };
 
-/// Mean square of a walk's half-seconds without the worst sixth: a step that lands in another way in the
-/// replay spoils the rest of its piece, and says nothing about what is wrong in all the others.
+/// Mean square of a walk's half-seconds without the worst sixth. A step that lands differently in the replay
+/// spoils the rest of its piece, and says nothing about errors in all the others.
 double meanWithoutWorst(const std::vector<Squares>& blocks) {
   constexpr double worst = 1 / 6.0;
   std::vector<double> means;
@@ -47,8 +47,8 @@ double meanWithoutWorst(const std::vector<Squares>& blocks) {
   return std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(means.size());
 }
 
-/// Mean weighted square of a joint's residuals, but for what a constant lead or lag of up to 0.2 ms explains:
-/// the explicit steps of one engine put a motion ahead of the implicit ones of another (measured 0.14 ms for
+/// Mean weighted square of a joint's residuals, without the part that a constant lead or lag of up to 0.2 ms
+/// explains. The explicit steps of one engine are ahead of the implicit ones of another (measured 0.14 ms for
 /// steps of 0.2 ms).
 class MeanBesideLead {
 public:

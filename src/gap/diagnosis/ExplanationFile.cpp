@@ -22,7 +22,7 @@ Cause causeOf(const simulation::EffectSetting& setting, const Mechanism& robot) 
   if (!cause.effect) {
     std::vector<std::string> names;
     for (const Effect* effect : effects()) names.emplace_back(effect->id);
-    setting.fail("effect", "is \"" + setting.effect + "\", which is no effect of the library" +
+    setting.fail("effect", "is \"" + setting.effect + "\"; the library has no such effect" +
                                suggestion(setting.effect, names));
   }
   try {
@@ -43,7 +43,9 @@ Cause causeOf(const simulation::EffectSetting& setting, const Mechanism& robot) 
       std::string known;
       for (const std::string_view variant : variants)
         known += (known.empty() ? "\"" : ", \"") + std::string(variant) + "\"";
-      setting.fail("variant", "is none of " + (known.empty() ? "none: leave it out" : known));
+      setting.fail("variant", known.empty()
+                                  ? "has no meaning: " + setting.effect + " has only one form; leave it out"
+                                  : "must be one of " + known);
     }
     cause.variant = static_cast<int>(found - variants.begin());
   }

@@ -131,8 +131,8 @@ bool ForwardSelection::isOneServosSetting(const Cause& cause) const {
          fine_.mechanism().sharesServo();
 }
 
-/// The share of what is unexplained that a further cause has to explain: where little is left of a large
-/// gap, that may be what the effects found do otherwise in reality, and only what explains most of it
+/// Share of the unexplained gap that a further cause must explain. If little is left of a large gap, it may
+/// be that the effects found act slightly differently in reality. Then only a cause that explains most of it
 /// counts.
 double ForwardSelection::leastPart() const {
   return !fine_.base().empty() && remainder().little() ? minShareOfRest : 0;

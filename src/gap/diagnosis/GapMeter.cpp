@@ -14,9 +14,9 @@ namespace {
 
 constexpr double shows = 0.35;  // mean square beyond noise from which a channel counts
 constexpr double asFar = 0.1;   // of the excess on the feet: runs on a fixed base that show as much decide
-constexpr double mostBlocks = 0.8;  // on the feet: the rest may follow a foot that slipped
-// Of a joint that sticks: in one that let go too late in MuJoCo 2.8 % of the half-seconds were off, in those
-// with a cause outside the library 15 % and more.
+constexpr double mostBlocks = 0.8;  // on the feet: the rest may come after a foot that slipped
+// For a joint that sticks. If one let go too late in MuJoCo, 2.8 % of the half-seconds deviated; with a cause
+// outside the library, 15 % and more.
 constexpr double stuckBlocks = 0.03;
 
 /// Mean square over noise of each half-second in which a channel was compared, by the channel's name.

@@ -24,9 +24,9 @@ double largestChange(const Evaluator& evaluator, const std::vector<Prediction>& 
   return most;
 }
 
-/// Whether a gain on the blocks for judging is no accident of a few of them: large against its own scatter
-/// over blocks, absolutely or in shares of each block, or, where little moves in most, nearly all in one
-/// direction.
+/// Whether a gain on the blocks for judging does not come from a few of them by chance. It must be large
+/// compared with its scatter over blocks, absolutely or relative to each block. If most blocks change little,
+/// nearly all must change in one direction.
 bool consistent(const Fit& before, const Fit& after) {
   double sum = 0, squares = 0, sizes = 0, share = 0, shareSquares = 0;
   for (std::size_t b = 0; b < before.squares.size(); ++b) {

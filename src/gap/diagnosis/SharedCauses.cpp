@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t pairedFrom = 5;  // the kinds that fit best alone: all their pairs are tried
 constexpr std::size_t extendedBy = 3;  // the kinds that fit best on top of a set: each is tried in it
-// What a further cause has to explain of the nominal model's squares; from the third on also of what is left.
+// Share of the nominal model's squares that a further cause must explain; from the third on also of the
+// remaining squares.
 constexpr double leastOfAll = 0.02, leastOfRest = 0.2;
 constexpr double nearlyAsGood = 2;  // times what is left: another form of a law that is extended too
 
@@ -94,8 +95,8 @@ private:
     double left = INFINITY;  ///< squares on the blocks for judging
   };
 
-  /// The set, and with one cause in another form of its law each, values fitted anew: the form that fits best
-  /// while something is missing is the one that takes that in, and leaves nothing of it to be found.
+  /// The set, and variants of it with one cause in another form of its law, values fitted again. While a
+  /// cause is missing, the form that fits best absorbs it, so that it would not be found.
   std::vector<Explanation> inItsVariants(const Set& set) {
     std::vector<Explanation> others;
     for (std::size_t i = 0; i < set.causes.size(); ++i)

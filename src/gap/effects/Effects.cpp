@@ -34,8 +34,8 @@ EffectLoader::EffectLoader(const Effect& effect) {
                                                                 start <= effect.upper &&
                                                                 start != effect.nominal;
                                                        }),
-         effect, "needs starts within lower and upper, beside nominal");
-  demand(findEffect(effect.id) == nullptr, effect, "is there twice in this program");
+         effect, "needs starts within lower and upper, other than nominal");
+  demand(findEffect(effect.id) == nullptr, effect, "exists twice in this program");
   const auto place = [](const Effect* e) { return std::tuple(e->order, e->id); };
   std::vector<const Effect*>& all = registered();
   all.insert(std::ranges::upper_bound(all, place(&effect), {}, place), &effect);
@@ -113,7 +113,7 @@ Place findPlace(const Effect& effect, const Mechanism& mechanism, std::string_vi
   }
   throw std::invalid_argument(std::string(effect.id) + " cannot be at '" + std::string(at) +
                               (axis.empty() ? "'" : "' axis '" + std::string(axis) + "'") +
-                              "; there is: " + known);
+                              "; possible places: " + known);
 }
 
 }  // namespace plumbline::gap

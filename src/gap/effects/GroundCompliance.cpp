@@ -12,7 +12,7 @@ const Effect groundCompliance{
     .lower = 1e-06,
     .upper = 0.002,
     .starts = {3e-05, 0.0001, 0.0004},
-    .sentence = "The ground gives way under the feet.",
+    .sentence = "The ground is soft under the feet.",
     .exposedBy = "squats, weight shifts",
     .apply =
         [](Plant& plant, const Place& place, double value, int) {

@@ -13,7 +13,7 @@ const Effect jointCompliance{
     .starts = {0.005, 0.02, 0.06, 0.2},
     .ofServo = true,
     .variants = {"encoder where the model has it", "encoder on the other side of the gear"},
-    .sentence = "The gear of {at} gives way under torque.",
+    .sentence = "The gear of {at} twists under torque.",
     .exposedBy = "static poses under different loads, chirps",
     .scale = scaleOfCompliance,
     .apply =

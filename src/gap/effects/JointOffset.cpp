@@ -12,7 +12,7 @@ const Effect jointOffset{
     .upper = 0.3,
     .starts = {-0.05, 0.05},
     .linear = true,
-    .sentence = "The zero of {at} is wrong: the link stands elsewhere than the encoder says.",
+    .sentence = "The zero of {at} is wrong: the link is not where the encoder says.",
     .exposedBy = "static poses in several postures",
     .apply = [](Plant& plant, const Place& place, double value,
                 int) { atJoints(plant, place, [value](JointPlant& joint) { joint.offset += value; }); },

@@ -2,8 +2,8 @@
 
 namespace plumbline::gap {
 
-/// Dry friction in proportion to the torque on the link's side of the gear, beside that of the motor's side
-/// (load_friction): with both, driving and being driven back differ, as in model M5 of BAM (Duclusaud et al.
+/// Dry friction proportional to the torque on the link's side of the gear, in addition to that on the motor's
+/// side (load_friction). With both, driving and being driven differ, as in model M5 of BAM (Duclusaud et al.
 /// 2024). For recordings and simulations: alone it is load_friction in its second form, which a diagnosis
 /// looks for already.
 const Effect linkLoadFriction{
@@ -16,7 +16,7 @@ const Effect linkLoadFriction{
     .starts = {0.1, 0.35},
     .sticks = true,
     .ofServo = true,
-    .sentence = "Friction of {at} grows with what its link carries, whatever the motor gives.",
+    .sentence = "Friction of {at} grows with the torque on its link, whatever the motor does.",
     .exposedBy = "slow reversals under load, being moved by the load",
     .apply =
         [](Plant& plant, const Place& place, double value, int) {

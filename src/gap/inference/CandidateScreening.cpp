@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gap/inference/Likelihood.h"
+#include "gap/inference/PossibleKinds.h"
 #include "gap/inference/Strengths.h"
 #include "gap/inference/Visible.h"
 
@@ -16,31 +17,6 @@ constexpr std::size_t mostSamples = 250;                      // of a cell that 
 constexpr double coarseStep = 0.004, coarseGearStep = 0.002;  // of the replays [s], see ReplayOptions
 constexpr std::size_t mostGuessed = 24;  // kinds whose gain is worked out and not only guessed
 constexpr double mostFactor = 4;         // of a start, that its sensitivity is trusted for
-
-bool measured(const Groups& groups, SignalKind a, SignalKind b) {
-  return std::ranges::any_of(groups.cells(), [&](const Cell& cell) {
-    const SignalKind kind = groups.trials()[cell.trial].signals[cell.signal].kind;
-    return kind == a || kind == b;
-  });
-}
-
-/// Whether recordings of this kind can show an effect at that place at all.
-bool canShow(const Groups& groups, const Mechanism& robot, const Effect& effect, const Place& place) {
-  const bool free = std::ranges::any_of(groups.trials(), [](const Trial& trial) { return trial.freeBase; });
-  switch (place.site) {
-    case Site::imu:
-      return measured(groups, SignalKind::gyro, SignalKind::accelerometer);
-    case Site::foot:
-      return measured(groups, SignalKind::force, SignalKind::force);
-    case Site::ground:
-      return free;
-    case Site::link:
-      return free || !robot.chain(place.index).empty();
-    default:
-      break;
-  }
-  return !effect.canBeAt || effect.canBeAt(robot, place);
-}
 
 /// Windows and repeats of recordings, one of each after the other, until they are long enough to tell causes
 /// apart; at least one trial of each group.
@@ -124,15 +100,8 @@ CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& s
     most[c] = std::max(
         0.0, stretchDensity(fallen, cell.noise, shares[c]) - stretchDensity(now, cell.noise, shares[c]));
   }
-  std::vector<Cause> possible;
-  for (const Effect* effect : effects())
-    for (const Place& place : placesOf(*effect, robot)) {
-      if (effect->decoded || !canShow(groups, robot, *effect, place)) continue;
-      for (int variant = 0; variant < effect->numVariants(); ++variant) {
-        possible.push_back({effect, place, 0, variant});
-        ++kinds_;
-      }
-    }
+  std::vector<Cause> possible = possibleKinds(groups, robot);
+  kinds_ = possible.size();
   std::erase_if(possible, [&](const Cause& cause) {
     double best = 0;
     for (std::size_t c = 0; c < most.size(); ++c) {

@@ -9,6 +9,8 @@
 #include "gap/inference/LeaveOut.h"
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/Posterior.h"
+#include "gap/inference/WindowKinds.h"
+#include "gap/inference/WindowSearch.h"
 
 namespace plumbline::gap {
 
@@ -111,28 +113,84 @@ std::vector<std::string> unused(const Groups& groups) {
   return {lines.begin(), lines.end()};
 }
 
+/// So many kinds of causes are looked at in windows: their derivatives are taken again and again.
+constexpr std::size_t mostWindowKinds = 64;
+
+bool canUseWindows(const Groups& groups, const Mechanism& robot) {
+  return std::ranges::none_of(groups.trials(), &Trial::freeBase) &&
+         windowKinds(groups, robot).size() <= mostWindowKinds;
+}
+
+/// What a search found in all groups, what in the others without each of them, and what that closes there.
+struct Searched {
+  BeamResult found;
+  std::vector<FoundWithout> without;
+  std::vector<RecordingLeft> leftOut;
+  Claim claim;
+};
+
+using Tell = std::function<void(const char* stage, double share)>;
+
+Searched searched(const Groups& groups, BeamResult found, std::vector<FoundWithout> without, const Tell& tell) {
+  tell("recordings left out", 0);
+  Searched result{std::move(found), std::move(without), {}, {}};
+  result.leftOut = leftWithout(groups, result.without);
+  result.claim = claimOf(closedPerGroup(result.leftOut, groupsOfRecordings(groups)));
+  return result;
+}
+
+Searched searchedFree(const Replayer& replayer, std::size_t mostCauses, const Tell& tell) {
+  const Groups& groups = replayer.groups();
+  tell("each cause alone", 0);
+  const CandidateScreening screening(replayer, sharesOf(groups, replayer.residuals({})),
+                                     [&](double share) { tell("each cause alone", share); });
+  BeamOptions beam;
+  beam.mostCauses = mostCauses;
+  beam.screening = &screening;
+  beam.progress = [&](double share) { tell("sets of causes", share); };
+  BeamResult found = searchSets(replayer, beam);
+  beam.progress = [&](double share) { tell("again without each recording in turn", share); };
+  return searched(groups, std::move(found), findWithoutEach(replayer, beam), tell);
+}
+
+Searched searchedInWindows(const WindowReplayer& replayer, const Groups& groups, std::size_t mostCauses,
+                           const Tell& tell) {
+  WindowSearchOptions options;
+  options.mostCauses = mostCauses;
+  options.progress = [&](double share) { tell("sets of causes in windows", share); };
+  BeamResult found = searchInWindows(replayer, options);
+  options.progress = [&](double share) { tell("in windows without each recording in turn", share); };
+  return searched(groups, std::move(found), findWithoutEach(replayer, options), tell);
+}
+
 }  // namespace
 
 Inference infer(const Mechanism& robot, std::vector<Trial> trials, const InferenceOptions& options) {
   const Groups groups(std::move(trials));
   const Replayer replayer(robot, groups, options.jobs);
-  const auto tell = [&](const char* stage, double share) {
+  const Tell tell = [&](const char* stage, double share) {
     if (options.progress) options.progress(stage, share);
   };
-  tell("each cause alone", 0);
-  const CandidateScreening screening(replayer, sharesOf(groups, replayer.residuals({})),
-                                     [&](double share) { tell("each cause alone", share); });
-  BeamOptions beam;
-  beam.mostCauses = options.mostCauses;
-  beam.screening = &screening;
-  beam.progress = [&](double share) { tell("sets of causes", share); };
-  const BeamResult found = searchSets(replayer, beam);
+  Inference result;
+  Searched of = searchedFree(replayer, options.mostCauses, tell);
+  result.replays = replayer.numReplays();
+  if (canUseWindows(groups, robot)) {
+    const WindowReplayer windows(robot, groups, options.jobs);
+    Searched other = searchedInWindows(windows, groups, options.mostCauses, tell);
+    result.replays += windows.numReplays();
+    if (getenv("GAP_DEBUG")) {
+      fprintf(stderr, "free %.3f windows %.3f\n", of.claim.closed, other.claim.closed);
+      for (const auto& l : of.leftOut) fprintf(stderr, "F %s %.1f -> %.1f\n", l.folder.c_str(), 1e3*l.before, 1e3*l.after);
+      for (const auto& l : other.leftOut) fprintf(stderr, "W %s %.1f -> %.1f\n", l.folder.c_str(), 1e3*l.before, 1e3*l.after);
+    }
+    if (getenv("GAP_FORCE") || other.claim.closed > of.claim.closed) {
+      of = std::move(other);
+      result.inWindows = true;
+    }
+  }
+  const auto& [found, without, leftOut, claim] = of;
   const Scored& best = found.sets.front();
   const std::vector<double> p = posterior(found.sets);
-  beam.progress = [&](double share) { tell("again without each recording in turn", share); };
-  const std::vector<FoundWithout> without = findWithoutEach(replayer, beam);
-
-  Inference result;
   result.stretchesOfOne = groups.stretchesOfOne();
   result.notUsed = unused(groups);
   for (const auto& uses : groups.uses()) {
@@ -164,10 +222,9 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   const bool left = after.size > unexplained;
   diagnosis.verdict = left ? Verdict::unknown : best.causes().empty() ? Verdict::none : Verdict::effect;
   diagnosis.knownProbability = 1 / (1 + after.size * after.size);
-  tell("recordings left out", 0);
-  result.leftOut = leftWithout(groups, without);
-  for (const FoundWithout& of : without) result.foundElse.push_back(of.causes);
-  result.claim = claimOf(closedPerGroup(result.leftOut, groupsOfRecordings(groups)));
+  result.leftOut = leftOut;
+  result.claim = claim;
+  for (const FoundWithout& each : without) result.foundElse.push_back(each.causes);
   double squaresBefore = 0, squaresAfter = 0, squaresFloor = 0;
   const auto count = static_cast<double>(result.leftOut.size());
   for (const RecordingLeft& recording : result.leftOut) {
@@ -176,7 +233,6 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
     squaresFloor += recording.floor * recording.floor / count;
   }
   diagnosis.gap = {std::sqrt(squaresBefore), std::sqrt(squaresAfter), std::sqrt(squaresFloor)};
-  result.replays = replayer.numReplays();
   return result;
 }
 

@@ -7,6 +7,27 @@
 
 namespace plumbline::gap {
 
+namespace {
+
+FoundWithout foundBy(BeamResult result) {
+  FoundWithout found;
+  found.causes = result.sets.front().causes();
+  found.probabilities = posterior(result.sets);
+  found.sets = std::move(result.sets);
+  return found;
+}
+
+/// Progress of the search without the g-th of some groups.
+std::function<void(double)> progressOf(const std::function<void(double)>& whole, std::size_t g,
+                                       std::size_t count) {
+  if (!whole) return {};
+  return [&whole, g, count](double share) {
+    whole((static_cast<double>(g) + share) / static_cast<double>(count));
+  };
+}
+
+}  // namespace
+
 std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const BeamOptions& options) {
   std::vector<FoundWithout> found;
   const std::size_t count = replayer.groups().count();
@@ -15,15 +36,19 @@ std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const BeamOp
     BeamOptions settings = options;
     settings.width = 1;
     settings.proposals = 3;
-    if (options.progress)
-      settings.progress = [&](double share) {
-        options.progress((static_cast<double>(g) + share) / static_cast<double>(count));
-      };
-    BeamResult result = searchSets(Replayer(replayer, others), settings);
-    FoundWithout& of = found.emplace_back();
-    of.causes = result.sets.front().causes();
-    of.probabilities = posterior(result.sets);
-    of.sets = std::move(result.sets);
+    settings.progress = progressOf(options.progress, g, count);
+    found.push_back(foundBy(searchSets(Replayer(replayer, others), settings)));
+  }
+  return found;
+}
+
+std::vector<FoundWithout> findWithoutEach(const WindowReplayer& replayer, const WindowSearchOptions& options) {
+  std::vector<FoundWithout> found;
+  const std::size_t count = replayer.groups().count();
+  for (std::size_t g = 0; g < count; ++g) {
+    WindowSearchOptions settings = options;
+    settings.progress = progressOf(options.progress, g, count);
+    found.push_back(foundBy(searchInWindows(WindowReplayer(replayer, g), settings)));
   }
   return found;
 }

@@ -47,7 +47,7 @@ public:
 private:
   Excitation readWalk() {
     const ConfigSection entry = root_.section("walk");
-    if (!result_.freeBase) entry.fail("forward", "needs base: free; a robot that is held does not walk");
+    if (!result_.freeBase) entry.fail("forward", "needs base: free; a robot with a fixed base does not walk");
     WalkSegment walk;
     const Range speed{-2, 2};
     walk.velocity.x() = entry.find<double>("forward", speed).value_or(0);

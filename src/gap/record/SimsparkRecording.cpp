@@ -21,7 +21,7 @@ constexpr double cycle = 0.02, approach = 2.5, rest = 0.5;  // [s]
 
 JointId jointOf(const std::string& name, const Mechanism& robot) {
   if (const JointId joint = humanoidJoint(name); joint != noJoint) return joint;
-  throw std::invalid_argument(robot.name + " has a joint " + name + " that robots of SimSpark have not");
+  throw std::invalid_argument(robot.name + " has a joint " + name + " that SimSpark's robots do not have");
 }
 
 class Session {
@@ -61,16 +61,16 @@ public:
                                  " ended the connection: " + connection_.error());
     }
     if (const auto error = simspark::parseServerMessage(text, message_))
-      throw std::runtime_error("the server sent what cannot be read, at byte " +
+      throw std::runtime_error("the server sent a message that cannot be read, at byte " +
                                std::to_string(error->position) + ": " + error->what);
     for (std::size_t j = 0; j < ids_.size(); ++j)
       if (const auto& angle = message_.angle[ids_[j]]) angles_[j] = *angle;
     return message_;
   }
 
-  /// Answers the last message: every joint goes to its target as the servo law would take it there,
-  /// dq/dt = kp/kd (target - q), from where it is when the answer comes into force: one cycle later, until
-  /// when it goes on at the speed of the answer before.
+  /// Answers the last message: every joint moves to its target as by the servo law, dq/dt = kp/kd (target -
+  /// q). It starts from its position when the answer takes effect, one cycle later; until then it moves at
+  /// the speed of the previous answer.
   void drive(const std::vector<double>& targets, const std::optional<Pose2>& beam = {}) {
     simspark::AgentCommand command;
     command.beam = beam;
@@ -132,10 +132,9 @@ std::size_t cyclesBetween(double before, double now) {
 SimsparkRecording recordSimspark(const Mechanism& robot, const Excitation& program,
                                  const SimsparkRecordingOptions& options) {
   if (!program.freeBase)
-    throw std::invalid_argument(
-        program.name +
-        " is for a robot that is held; robots of SimSpark stand: take a program on the "
-        "feet, such as stand_squat");
+    throw std::invalid_argument(program.name +
+                                " is for a robot with a fixed base; SimSpark's robots stand: use a program "
+                                "on the feet, such as stand_squat");
   SimsparkRecording result;
   result.run = blankRun(robot, program, 1 / cycle);
   Run& run = result.run;

@@ -22,8 +22,9 @@ struct Cycle {
 void check(const Explanation& effects) {
   for (const Cause& cause : effects) {
     if (!cause.effect->inWalk)
-      throw ConfigurationError("a walk takes effects of drives, links and ground; " +
-                               std::string(cause.effect->id) + " is none of them; other recordings have it");
+      throw ConfigurationError("a simulated walk can have effects of drives, links and ground only; " +
+                               std::string(cause.effect->id) +
+                               " is not one of these; record another program with it");
   }
 }
 

@@ -11,6 +11,7 @@ namespace {
 
 /// What is read while a robot that was put into another state comes to rest on its feet is no prediction.
 void leaveSettlingOut(const Trial& trial, Prediction& prediction) {
+  if (!trial.freeBase) return;
   for (const Restart& restart : trial.restarts)
     for (std::size_t k = restart.cycle;
          k < trial.cycles() && trial.time[k] < trial.time[restart.cycle] + settling; ++k)

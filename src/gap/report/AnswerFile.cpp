@@ -71,7 +71,7 @@ json readAnswer(const std::string& path) {
   if (!isText(answer, "verdict")) refuse(path, "has no 'verdict'");
   const std::string verdict = answer["verdict"];
   if (verdict != "none" && verdict != "effect" && verdict != "unknown")
-    refuse(path, "has the verdict '" + verdict.substr(0, 40) + "'; there is none, effect, unknown");
+    refuse(path, "has the verdict '" + verdict.substr(0, 40) + "'; it must be none, effect or unknown");
   if (!answer.contains("effects") || !answer["effects"].is_array()) refuse(path, "has no list 'effects'");
   std::size_t i = 0;
   for (const json& cause : answer["effects"]) {

@@ -37,8 +37,8 @@ MotionQuestion motionQuestionOf(const AnswerCauses& found, const nlohmann::json&
   }
   if (found.causes.empty())
     throw ConfigurationError(file +
-                             ": the verdict is none, there is nothing to separate; faster moves and higher "
-                             "loads would show smaller effects");
+                             ": the verdict is none, so there is nothing to separate; faster moves and "
+                             "higher loads would show smaller effects");
   question.explanations = {found.causes};
   if (!found.rivals.empty()) {
     const AnswerRival& rival = found.rivals.front();

@@ -183,8 +183,8 @@ std::string nextMotion(const Mechanism& robot, const Cause& a, const Cause& b) {
   if (next.best.separation < 0.1)
     return "No motion known here separates " + pair + ": the best, " + what + ", does so by " + figure +
            " times the noise. A sensor behind the gear or a load of known mass would.";
-  return "Record " + what + " (bin/gap next writes it as a program): there " + pair + " come apart by " +
-         figure + " times the noise.";
+  return "Record " + what + " (bin/gap next writes it as a program): there " + pair + " differ by " + figure +
+         " times the noise.";
 }
 
 }  // namespace plumbline::gap

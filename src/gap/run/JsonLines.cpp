@@ -90,7 +90,7 @@ private:
   std::vector<double>& columnOf(const std::string& name) {
     const auto [at, fresh] = index_.try_emplace(name, table_.names.size());
     if (fresh) {
-      if (!canBeName(name)) lines_.fail("\"" + shownText(name) + "\" cannot be a column's name");
+      if (!canBeName(name)) lines_.fail("\"" + shownText(name) + "\" is not allowed as the name of a column");
       if (table_.names.size() >= maxColumns)
         lines_.fail("more than " + std::to_string(maxColumns) + " columns");
       table_.names.push_back(name);

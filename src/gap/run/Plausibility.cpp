@@ -50,7 +50,7 @@ private:
       if (!x) return;
       const std::string name = "servo." + joint.name + "." + key + " is " + shownNumber(*x);
       if (*x == 0 && nominal > 0)
-        warn("run.json", name + ": the motor would do nothing; leave it out where it was not set");
+        warn("run.json", name + ": the motor would do nothing; leave the key out if the value is unknown");
       else if (nominal > 0 && (*x > farFrom * nominal || *x < nominal / farFrom))
         warn("run.json",
              name + ", " + shownNumber(*x / nominal) + " times that of " + robot_.name + "; check its unit");

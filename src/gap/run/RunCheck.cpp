@@ -178,9 +178,8 @@ private:
         }
         if (kind == ChannelKind::position && leavesItsCommand(joint)) {
           warn(name, "it goes " + shownNumber(over) +
-                         " rad beyond the joint's limits, where its command never "
-                         "is; kept, as it follows that most of the time and moves no faster than a joint "
-                         "that falls");
+                         " rad beyond the joint's limits, but its command never is; kept, because the joint "
+                         "follows its command most of the time and is no faster than when it falls");
           continue;
         }
         const double most = std::max(std::abs(e.low), std::abs(e.high));
@@ -218,14 +217,14 @@ private:
     anyCommandMoves =
         anyCommandMoves || std::ranges::any_of(robot_.joints, [&](const auto& j) { return sentTorque(j); });
     if (!anyCommandMoves && !run_.jointsWith(ChannelKind::command).empty())
-      warn("run.csv", "no command moves; a still robot tells little");
+      warn("run.csv", "no command changes; a robot that does not move shows little");
   }
 
   /// Whether a joint was sent torques; speeds and torques that a DC motor's law has no use for are left out.
   bool sentTorque(const Mechanism::Joint& joint) {
     for (const ChannelKind kind : {ChannelKind::commandSpeed, ChannelKind::commandTorque})
       if (joint.servo.model == Servo::Model::dcMotor)
-        leaveOut(channelName(kind, joint.name), "a DC motor's law is told positions alone");
+        leaveOut(channelName(kind, joint.name), "a DC motor's law uses positions only");
     return run_.find(ChannelKind::commandTorque, joint.name) != nullptr;
   }
 
@@ -253,9 +252,9 @@ private:
     return *at;
   }
 
-  /// How far a load can push a held joint: twice the motor's limit, and on a held robot, whose joints carry
-  /// no more than what hangs on them, four times the largest weight's moment (half the gain, as much again
-  /// from motion) and the play of a gear.
+  /// How far a load can push a joint from its command: twice the motor's limit. On a robot with a fixed base
+  /// joints carry only what hangs on them. There it is four times the moment of the largest weight (half the
+  /// gain, and as much again from motion) and the backlash of a gear.
   double allowedOffset(const Mechanism::Joint& joint) const {
     const bool slider = joint.type == Mechanism::Joint::Type::prismatic;
     const double limit = std::max(slider ? 0.015 : 0.15, 2 * joint.maxTorque / joint.servo.kp);
@@ -346,7 +345,7 @@ private:
                           : like.slope < 0 ? "; is its sign turned round?"
                                            : "; check its unit"));
     } else if (std::abs(like.correlation) < 0.4 && extremesOf(*velocity).low >= 0 && !run_.isUnsigned(name)) {
-      leaveOut(name, "it has no sign; say so in run.json: unsigned: [\"vel\"]");
+      leaveOut(name, "it has no sign; add to run.json: unsigned: [\"vel\"]");
     } else if (std::abs(like.correlation) < 0.4) {
       warn(name, "it has little to do with pos." + joint.name + " (correlation " +
                      shownNumber(like.correlation) + ")");

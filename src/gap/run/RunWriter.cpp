@@ -126,8 +126,7 @@ void writeRun(const Run& run, const std::string& folder, WriteRunOptions options
   while (name.size() > 1 && name.back() == '/') name.pop_back();
   const fs::path place(name), beside(name + ".part");
   std::error_code error;
-  if (fs::exists(place, error))
-    throw RunError(name + ": is there already; remove it or choose another folder");
+  if (fs::exists(place, error)) throw RunError(name + ": exists already; remove it or choose another folder");
   fs::remove_all(beside, error);
   PartialFolder part(beside);
   fs::create_directories(beside, error);

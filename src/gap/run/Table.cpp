@@ -49,7 +49,7 @@ void readHeader(TextLines& lines, std::string_view text, char separator, Table& 
   for (const std::string_view cell : cells) {
     if (cell.empty()) lines.fail("column " + std::to_string(table.names.size() + 1) + " has no name");
     const std::string name(cell);
-    if (!canBeName(name)) lines.fail("\"" + shownText(name) + "\" cannot be a column's name");
+    if (!canBeName(name)) lines.fail("\"" + shownText(name) + "\" is not allowed as the name of a column");
     if (!seen.insert(name).second) lines.fail("column " + name + " occurs twice; leave one out");
     table.names.push_back(name);
   }

@@ -137,8 +137,7 @@ std::vector<std::string_view> settingsOf(const std::string& omission) {
     if (name == omission) return ids;
     known += (known.empty() ? "" : ", ") + name;
   }
-  throw ConfigurationError("--without " + omission + ": there is no such thing to leave out; there are " +
-                           known);
+  throw ConfigurationError("--without " + omission + ": unknown; choose one of " + known);
 }
 
 SimulatorSetup without(SimulatorSetup setup, const std::string& omission) {

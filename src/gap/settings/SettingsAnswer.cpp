@@ -48,12 +48,12 @@ std::string settingsSentence(const SettingsDiagnosis& diagnosis) {
   }
   if (diagnosis.verdict == Verdict::effect) {
     std::snprintf(text, sizeof text,
-                  "; it closes %.0f %% of the gap on recordings that took no part in the fit.", closed);
+                  "; it closes %.0f %% of the gap on recordings that were not used for the fit.", closed);
     return "The simulator lacks " + list + text;
   }
   std::snprintf(
       text, sizeof text,
-      "No setting of this simulator accounts for the gap: %.3g times its own spread remain where %.3g were.",
+      "No setting of this simulator explains the gap: %.3g times its own spread remain where %.3g were.",
       diagnosis.gap.after / diagnosis.gap.floor, diagnosis.gap.before / diagnosis.gap.floor);
   return text + (list.empty() ? std::string() : " What helps, and is not enough: " + list + ".");
 }

@@ -330,17 +330,15 @@ private:
         ++k;
       }
       return std::string(found_[i].setting->id) + " and " + std::string(rival->id) +
-             " come apart most in motions like " + best + ": record more of them, on other robot types.";
+             " differ most in motions like " + best + ": record more of them, on other robot types.";
     }
     switch (result_.verdict) {
       case Verdict::none:
         return "Nothing is needed for these motions; impacts, falls and kicks into the joints' stops would "
-               "show "
-               "what rests here.";
+               "show more.";
       case Verdict::unknown:
-        return "No setting of this simulator explains what is left; record single parts of the motion that "
-               "shows "
-               "most (" +
+        return "No setting of this simulator explains the remaining gap; record single parts of the motion "
+               "with the largest gap (" +
                (result_.cells.empty() ? std::string() : result_.cells.front().motion) +
                ") slowly, to see whether contacts or hinges are behind it.";
       case Verdict::effect:

@@ -82,7 +82,7 @@ private:
 
 RobotModel robotOf(const LeagueTrace& trace) {
   if (trace.robot)
-    throw std::invalid_argument(trace.name + ": is one of several robots; give recordings of a robot alone");
+    throw std::invalid_argument(trace.name + ": has several robots; give recordings of a single robot");
   if (!trace.robotType || *trace.robotType < 0 || *trace.robotType >= numSimsparkTypes())
     throw std::invalid_argument(trace.name + ": the name does not end in a robot's type, _t0 to _t" +
                                 std::to_string(numSimsparkTypes() - 1));

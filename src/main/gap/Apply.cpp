@@ -56,7 +56,7 @@ void addApply(CLI::App& app) {
   command->add_option("answer", options->answer, "The file that bin/gap diagnose --json wrote")->required();
   command->add_option("-o,--output", options->output, "File of effects, doc/reference/effects-file.md")
       ->required();
-  command->add_flag("--anyway", options->anyway, "Also where the verdict is unknown");
+  command->add_flag("--anyway", options->anyway, "Also if the verdict is unknown");
   command->footer(
       "Examples:\n  bin/gap apply answer.json -o effects.yaml\n"
       "  bin/gap record --program hang_fast --effects effects.yaml -o check");

@@ -64,8 +64,8 @@ void addBlind(CLI::App& app) {
       ->capture_default_str();
   maker
       ->add_option("--engine", making->engine,
-                   "What simulates the reality: bullet, mujoco (where it is installed), replay (the dynamics "
-                   "that explain), or program (one of its own: --engine-program)")
+                   "What simulates the reality: bullet, mujoco (if it is installed), replay (the diagnosis' "
+                   "own dynamics), or program (a separate one: --engine-program)")
       ->capture_default_str();
   maker->add_option("--battery", *battery, "Motions: hung up, or on the feet as well")
       ->check(CLI::IsMember({"hang", "all"}))
@@ -81,7 +81,7 @@ void addBlind(CLI::App& app) {
   maker->footer("Example:\n  bin/gap blind make --seed 5 --cases 27 --engine bullet -o blind");
   maker->callback([=] { make(*making, *battery); });
 
-  CLI::App* scorer = command->add_subcommand("score", "Compares answers with what is sealed");
+  CLI::App* scorer = command->add_subcommand("score", "Compares answers with the sealed effects");
   auto scoring = std::make_shared<ScoreCommand>();
   scorer->add_option("folder", scoring->folder, "What blind make wrote")->required();
   scorer

@@ -13,11 +13,12 @@ struct ChangesOption {
   std::string hold;
 
   void addTo(CLI::App& command) {
-    command.add_option("--map", map, "RECORDING=ROBOT: the robot's name of a joint that runs call otherwise");
+    command.add_option("--map", map,
+                       "RECORDING=ROBOT: a joint's name in the runs and its name in the robot's file");
     command
         .add_option("--hold", hold,
-                    "Commands between two cycles: zero, each holds until the next; linear, they go straight "
-                    "from one to the next [what the runs say, else zero]")
+                    "Commands between two cycles: zero, each is held until the next; linear, they move "
+                    "linearly to the next [as the runs say, else zero]")
         ->check(CLI::IsMember({"zero", "linear"}));
   }
   /// Throws ConfigurationError.

@@ -6,9 +6,9 @@ class App;
 
 namespace plumbline::gap {
 
-// One subcommand of bin/gap per file: adds its options to the program and does its work from a callback. What
-// goes wrong is an exception whose text is one line; main ends with 2 then. Ctrl-C and a termination are
-// thrown as Stopped (framework/StopSignal.h) from the midst of whatever takes long; main ends with 130 then.
+// One subcommand of bin/gap per file: adds its options to the program and does its work from a callback.
+// Errors are exceptions whose text is one line; main then ends with 2. Ctrl-C and SIGTERM throw Stopped
+// (framework/StopSignal.h) from within long work; main then ends with 130.
 void addDiagnose(CLI::App& app);
 void addCheck(CLI::App& app);
 void addSettings(CLI::App& app);

@@ -157,7 +157,7 @@ void diagnoseRuns(const DiagnoseOptions& options) {
 void addDiagnose(CLI::App& app) {
   auto options = std::make_shared<DiagnoseOptions>();
   CLI::App* command =
-      app.add_subcommand("diagnose", "Says where runs differ from the nominal model, and why");
+      app.add_subcommand("diagnose", "Finds where runs differ from the nominal model, and why");
   command->add_option("run", options->runs, "Run folders, or folders of run folders")->required();
   command->add_option("--robot", options->robot,
                       "URDF with its servo table, or JSON file, or a name in config/robots "
@@ -174,7 +174,7 @@ void addDiagnose(CLI::App& app) {
       ->check(CLI::IsMember({"blocks", "sets"}));
   command
       ->add_option("--seconds", options->seconds,
-                   "Of longer runs with a held base, windows that are together so long [s]; 0: all of them")
+                   "Of longer runs with a fixed base, use windows of this total length [s]; 0: everything")
       ->check(CLI::Range(0., 1e5))
       ->capture_default_str();
   options->changes.addTo(*command);

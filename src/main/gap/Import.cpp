@@ -24,7 +24,7 @@ void addImport(CLI::App& app) {
   command->add_option("--map", options->map, "YAML file: which column is which channel, units, signs")
       ->required();
   command->add_option("-o,--out", options->out, "Run folder to write")->required();
-  command->add_flag("--force", options->force, "Replaces a recording that is there already");
+  command->add_flag("--force", options->force, "Replaces an existing recording");
   command->footer(
       "Examples:\n  bin/gap import --map my_logger.yaml raw.csv -o runs/sweep\n"
       "  bin/gap import --map my_robot.yaml rosbag2_2026_03_01 -o runs/sweep");

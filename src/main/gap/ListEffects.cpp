@@ -43,7 +43,9 @@ void list(const Mechanism& robot) {
 void addEffects(CLI::App& app) {
   CLI::App* command = app.add_subcommand("effects", "Lists the effects that a diagnosis knows");
   auto robot = std::make_shared<std::string>("nao_v5");
-  command->add_option("--robot", *robot, "A name in config/robots, URDF or JSON file; says how far values go")
+  command
+      ->add_option("--robot", *robot,
+                   "A name in config/robots, URDF or JSON file; shows the ranges for this robot")
       ->capture_default_str();
   command->callback([robot] { list(namedMechanism(*robot)); });
   command->footer("Examples:\n  bin/gap effects\n  bin/gap effects --robot so101");

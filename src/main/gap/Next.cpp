@@ -29,7 +29,7 @@ void next(const NextOptions& options) {
   const std::string name =
       answer.contains("robot") && answer["robot"].is_string() ? answer["robot"].get<std::string>() : "";
   if (name.empty() && options.robot.empty())
-    throw ConfigurationError(options.answer + ": does not say which robot it is about: name it with --robot");
+    throw ConfigurationError(options.answer + ": does not name its robot: give it with --robot");
   const Mechanism robot = robotOf(options.robot, name);
   const MotionQuestion question =
       motionQuestionOf(causesOf(answer, options.answer, robot), answer, robot, options.answer);
@@ -44,12 +44,12 @@ void next(const NextOptions& options) {
     found = findNextMotion(robot, question.explanations, search);
   }
   if (!options.output.empty()) writeFile(options.output, excitationText(found.program, robot));
-  std::printf("To tell %s:\n  %-18s %6.2f times the noise: %s\n", question.text.c_str(),
+  std::printf("To separate %s:\n  %-18s %6.2f times the noise: %s\n", question.text.c_str(),
               found.best.name.c_str(), found.best.separation, found.program.about.c_str());
   for (std::size_t i = 0; i < std::min<std::size_t>(4, found.others.size()); ++i)
     std::printf("  %-18s %6.2f\n", found.others[i].name.c_str(), found.others[i].separation);
   if (found.best.separation < 0.1)
-    std::printf("No motion of these tells them apart; a sensor behind the gear or a known load may.\n");
+    std::printf("None of these motions separates them; a sensor behind the gear or a known load may.\n");
   if (!options.output.empty())
     std::printf("Written to %s; on a simulated robot: bin/gap record --program %s -o next\n",
                 options.output.c_str(), options.output.c_str());

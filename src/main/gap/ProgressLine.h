@@ -7,9 +7,9 @@
 
 namespace plumbline::gap {
 
-/// Says on standard error what is being done: in a terminal a line that is rewritten in place, elsewhere a
-/// line of its own every 10 s, "gap: STAGE: 34 %, 120 s". It goes on by itself while nothing is told, so that
-/// long work never looks dead. Thread-safe.
+/// Shows progress on standard error: in a terminal a line that is rewritten in place, elsewhere a new line
+/// every 10 s, "gap: STAGE: 34 %, 120 s". The time continues even without new progress, so that long work
+/// never seems to hang. Thread-safe.
 class ProgressLine {
 public:
   explicit ProgressLine(bool quiet);

@@ -146,7 +146,7 @@ void record(const RecordOptions& options) {
   output.putInPlace();
   std::printf("Written to %s%s\n", options.output.c_str(),
               sealed.empty() ? ""
-                             : ("; what is different about this robot is sealed in it: bin/gap reveal " +
+                             : ("; the effect of this robot is sealed in it: bin/gap reveal " +
                                 options.output + " tells")
                                    .c_str());
 }
@@ -163,8 +163,7 @@ void addRecord(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--engine", options->engine,
-                   "own: the dynamics that the diagnosis explains with; or another engine: bullet, mujoco "
-                   "(where it is installed)")
+                   "own: the diagnosis' own dynamics; or another engine: bullet, mujoco (if it is installed)")
       ->capture_default_str();
   command->add_option("--host", options->simspark.host, "Of the SimSpark server")->capture_default_str();
   command->add_option("--port", options->simspark.port, "Its port for agents")
@@ -188,14 +187,14 @@ void addRecord(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--program-seed", options->programSeed,
-                   "Moves what is random in the programs; 0: as they stand")
+                   "Changes the random parts of the programs; 0: as in their files")
       ->capture_default_str();
   command->add_flag("!--no-noise", options->noisy, "Sensors without noise");
   command->add_flag("--truth", options->truth, "truth.* columns of a robot on its feet");
   command
       ->add_option("-o,--output", options->output, "Run folder; for several runs the folder that holds them")
       ->required();
-  command->add_flag("--force", options->force, "Replaces recordings that are there already");
+  command->add_flag("--force", options->force, "Replaces existing recordings");
   command->footer(
       "Examples:\n  bin/gap record --battery hang --secret 10 -o runs\n"
       "  bin/gap record --robot so101 --program hang_sweep -o sweep --effects effects.yaml\n"

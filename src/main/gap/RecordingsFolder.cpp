@@ -38,11 +38,10 @@ std::string placeOf(std::string place, bool replace) {
   if (!fs::exists(place, error) || (fs::is_directory(place, error) && fs::is_empty(place, error)))
     return place;
   if (!replace)
-    throw std::invalid_argument(place +
-                                " is there already; --force replaces it, or name a new folder with -o");
+    throw std::invalid_argument(place + " exists already; --force replaces it, or name a new folder with -o");
   const std::string other = fs::is_directory(place) ? whatIsNoRun(place) : place;
   if (!other.empty())
-    throw std::invalid_argument(other + " is no recording; --force replaces folders of recordings alone");
+    throw std::invalid_argument(other + " is not a recording; --force replaces only folders of recordings");
   return place;
 }
 

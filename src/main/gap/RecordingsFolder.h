@@ -5,11 +5,11 @@
 
 namespace plumbline::gap {
 
-/// A folder of recordings in the making: written beside its place, put there as a whole. What is not put
-/// there goes.
+/// A folder of recordings that is being written: made next to its place, then moved there as a whole. If it
+/// is not moved, it is removed.
 class RecordingsFolder {
 public:
-  /// replace: what is there already gives way at the end, if it holds recordings and nothing else. Throws
+  /// replace: an existing folder is replaced at the end, if it holds only recordings. Throws
   /// std::invalid_argument where it is there, else, and std::runtime_error where nothing can be written.
   RecordingsFolder(const std::string& path, bool replace);
 

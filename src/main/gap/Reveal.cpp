@@ -30,7 +30,7 @@ void reveal(const std::string& folder) {
 
 void addReveal(CLI::App& app) {
   auto folder = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("reveal", "Tells the secret effect of runs recorded with --secret");
+  CLI::App* command = app.add_subcommand("reveal", "Prints the secret effect of runs recorded with --secret");
   command->add_option("folder", *folder, "The folder that bin/gap record wrote")->required();
   command->footer("Example:\n  bin/gap reveal runs");
   command->callback([folder] { reveal(*folder); });

@@ -74,7 +74,7 @@ void diagnose(const Options& options) {
 void addSettings(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
-      "settings", "Says which settings of the embedded simulator are not as on the league's server");
+      "settings", "Finds settings of the embedded simulator that differ from the league's server");
   command
       ->add_option("--traces", options->traces,
                    "Folder of recordings of the league's server, *_t0.csv.gz to *_t4.csv.gz")

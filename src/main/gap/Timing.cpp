@@ -8,7 +8,7 @@
 namespace plumbline::gap {
 
 void addTiming(CLI::App& command, std::string& file) {
-  command.add_option("--timing", file, "Write what it took here, as JSON [s]");
+  command.add_option("--timing", file, "Write the time that it took to this file, as JSON [s]");
 }
 
 void Timing::write(const std::string& file) const {

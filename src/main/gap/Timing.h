@@ -8,8 +8,8 @@ class App;
 
 namespace plumbline::gap {
 
-/// Adds --timing FILE. What a diagnosis took stands in a file of its own: the same input gives the same
-/// answer, to the byte.
+/// Adds --timing FILE. The time of a diagnosis is in a separate file, so that the same input gives the same
+/// answer, byte for byte.
 void addTiming(CLI::App& command, std::string& file);
 
 /// From when it is made.

@@ -32,7 +32,7 @@ int run(int argc, char** argv) {
   gap::addSettings(app);
   app.add_option_function<std::string>(
          "--config", useConfigFolder,
-         "Folder of the configuration [config/ here, else the one beside this program's bin/]")
+         "Folder of the configuration [config/ here, else the one next to this program's bin/]")
       ->trigger_on_parse();
   for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
     command->fallthrough();

@@ -10,8 +10,8 @@
 
 namespace plumbline {
 
-/// The page of a search: how it converges, what it has found beside where it began, who works for it, and
-/// the motion that was found. In threads of its own until it is destroyed; the search is read in show() only.
+/// The page of a search: convergence, the best parameters next to the first ones, the workers, and the best
+/// motion. In threads of its own until it is destroyed; the search is read in show() only.
 class SearchPage {
 public:
   static constexpr int standardPort = 8091;

@@ -163,7 +163,7 @@ int measureBoth(const Options& options) {
   report.tell("measuring");
   measure(study, "start", study.space().start, options.measured, options.firstSeed);
   if (!searched) {
-    fmt::print(stderr, "optserver: there is no {}: that was the start alone\n", path);
+    fmt::print(stderr, "optserver: no {} was found: these are the figures of the start only\n", path);
     return 0;
   }
   const std::map<std::string, double> figures =
@@ -193,7 +193,7 @@ int waitForEnd(const StopSignal& stop) {
 int serve(Options& options) {
   const training::Study study = training::readStudy(options.study, options.changes);
   if (options.show && !std::filesystem::exists(options.folder + "/evaluations.jsonl"))
-    throw std::runtime_error(options.folder + ": no evaluations.jsonl there, so there is nothing to show");
+    throw std::runtime_error(options.folder + ": has no evaluations.jsonl, so there is nothing to show");
   std::filesystem::create_directories(options.folder);
   Search search = study.makeSearch();
   farm::RunHistory history(search);
@@ -202,10 +202,10 @@ int serve(Options& options) {
         history.told(entry.costs);
         const Told told =
             entry.givenUp ? search.giveUp(entry.number) : search.tell(entry.number, entry.costs);
-        if (told == Told::unknown) throw std::invalid_argument("a result of a trial that there is not yet");
+        if (told == Told::unknown) throw std::invalid_argument("a result of a trial that does not exist yet");
       });
   if (journal.resumed() > 0)
-    fmt::print("optserver: goes on from {} results in {}\n", journal.resumed(), journal.path());
+    fmt::print("optserver: continues from {} results in {}\n", journal.resumed(), journal.path());
   StopSignal stop;
   stop.catchSignals();
   history.look();
@@ -243,7 +243,7 @@ int serve(Options& options) {
   if (page) page->show(search, history, &server, over);
   writeResult(options, study, search);
   if (!over) {
-    fmt::print(stderr, "optserver: stopped; the same command goes on from {}\n", journal.path());
+    fmt::print(stderr, "optserver: stopped; the same command continues from {}\n", journal.path());
     return 130;
   }
   fmt::print("optserver: over ({}); found: {}/found.yaml\n", name(search.optimizer().stopReason()),
@@ -265,13 +265,13 @@ int runProgram(int argc, char** argv) {
          [&options](const std::vector<std::string>& all) {
            for (const std::string& one : all) takeOption(one, options.changes);
          },
-         "KEY=VALUE of the task in place of the study's: --option type=3; as often as wanted")
+         "KEY=VALUE of the task, instead of the study's: --option type=3; may be repeated")
       ->take_all()
       ->allow_extra_args(false);
   app.add_option("--seed", options.changes.seed, "Of the search, in place of the study's")
       ->check(CLI::Range(0, 1'000'000'000));
   app.add_option("--folder", options.folder,
-                 "Where results go [NAME.search]; one that is there is gone on with");
+                 "Folder for results [NAME.search]; an existing search is continued");
   app.add_option("--workers", options.workers, "Workers to start on this machine")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
@@ -282,15 +282,15 @@ int runProgram(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--token", options.farm.token, "What workers have to say")->envname("PLUMBLINE_TOKEN");
   app.add_option("--patience", options.farm.dispatch.patience,
-                 "A worker that takes longer for a trial hangs, and another one gets it [s]")
+                 "If a worker takes longer for a trial, another worker gets the trial [s]")
       ->check(CLI::Range(0.1, 1e6))
       ->capture_default_str();
   app.add_option("--every", options.every, "Seconds between lines of the table")
       ->check(CLI::Range(0.1, 1e6))
       ->capture_default_str();
   app.add_option("--measure", options.measured,
-                 "Instead of searching: so many runs, of seeds that no search has, of the start and of what "
-                 "was found")
+                 "Instead of searching: number of runs, with seeds that no search uses, of the start and of "
+                 "the result")
       ->check(CLI::Range(1, 1'000'000));
   app.add_option("--first-seed", options.firstSeed,
                  "With --measure: the first of those seeds; what was chosen by some is judged by others")
@@ -309,11 +309,10 @@ int runProgram(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--web-token", options.web.token, "With --web: the page opens with ?token=TOKEN only")
       ->needs(web);
-  app.add_flag("--show", options.show, "With --web: shows the results that are there, and searches nothing")
-      ->needs(web);
-  app.add_flag("--status", options.status, "Asks the server that runs at --bind and --port how far it is");
+  app.add_flag("--show", options.show, "With --web: shows existing results, and does not search")->needs(web);
+  app.add_flag("--status", options.status, "Asks the server at --bind and --port for its progress");
   app.add_option_function<std::string>(
-      "--config", useConfigFolder, "folder of the configuration [config/ here, else the one beside bin/]");
+      "--config", useConfigFolder, "folder of the configuration [config/ here, else the one next to bin/]");
   std::string tasks;
   for (const training::TaskKind& kind : training::searchTasks())
     tasks += fmt::format("  {:<10} {}\n", kind.name, kind.what);

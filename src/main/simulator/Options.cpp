@@ -94,8 +94,8 @@ void addSwitches(CLI::App& app, WorldConfig& world, bool& frozenLimbs) {
     app.add_flag("--" + name + ",!--no-" + name, on, meaning + " [on]");
   };
   add("bouncing-stops", world.bouncingJointStops, "A joint that runs into its stop comes back as fast");
-  add("sleeping-robots", world.sleepingRobots, "What is slow for ten cycles sleeps until commanded");
-  add("frozen-limbs", frozenLimbs, "A limb that runs into its own robot stands still for a second");
+  add("sleeping-robots", world.sleepingRobots, "A body that is slow for ten cycles sleeps until commanded");
+  add("frozen-limbs", frozenLimbs, "A limb that collides with its own robot stands still for a second");
   add("action-delay", world.actionDelay, "An answer shows a message later than it could");
   add("endless-friction", world.endlessFriction, "Friction without Coulomb's limit; off: coefficient 1");
   add("lasting-commands", world.lastingCommands, "A joint's speed is kept until changed; off: for a cycle");
@@ -127,14 +127,14 @@ Options parseOptions(int argc, char** argv) {
   app.add_flag("--realtime,!--no-realtime", given.realTime,
                "50 cycles a second, or as fast as it goes [the first without --sync]");
   app.add_option("--wait-agents", given.waitForAgents,
-                 "The clock stands until so many agents are there [0 in real time, else 1]")
+                 "The clock stands until this many agents are connected [0 in real time, else 1]")
       ->check(
           number("a number of agents, 0 to 22", [](double v) { return isWhole(v) && v >= 0 && v <= 22; }));
   app.add_option("--sync-timeout", server.agents.syncTimeout,
-                 "Drop an agent silent for so many seconds; 0: never [60]")
+                 "Drop an agent that is silent for this many seconds; 0: never [60]")
       ->check(aPatience);
   app.add_option("--max-seconds", given.maxSeconds, "End after so much simulated time")->check(aDuration);
-  app.add_option("--kickoff-after", given.kickOffAfter, "Kick off without a trainer after so many seconds")
+  app.add_option("--kickoff-after", given.kickOffAfter, "Kick off without a trainer after this many seconds")
       ->check(aPatience);
   app.add_option("--rules", given.rulesFile, "Rules that differ from the league's, as in config/rules.yaml");
   app.add_flag("--print-rules", given.printRules, "Print all rules and their numbers as such a file and end");
@@ -149,14 +149,14 @@ Options parseOptions(int argc, char** argv) {
   app.add_option("--monitor-step", given.monitorStep, "Seconds between two messages to a monitor [0.04]")
       ->check(number("a time of 0.02 to 10 s", [](double v) { return v >= 0.02 && v <= 10; }));
   app.add_flag("--ground-truth", server.simulation.players.groundTruth,
-               "Tell every agent the true state as well");
+               "Send every agent the true state as well");
   app.add_option("--ground-truth-decimals", server.simulation.players.groundTruthDecimals,
                  "Digits behind the point of the true state [2]")
       ->check(number("0 to 9", [](double v) { return isWhole(v) && v >= 0 && v <= 9; }));
   app.add_option("--stats", options.statisticsFile, "Write what the run cost here at the end, as JSON");
   app.add_flag("--die-with-parent", options.dieWithParent, "End when the process that started this one ends");
   app.add_option("--replay", options.replayFile,
-                 "Repeat a recording of the league's server, say how near it comes, end");
+                 "Repeat a recording of the league's server, print how well it agrees, end");
   app.add_option("--type", given.replayType, "Robot type of the recording, if its name does not end with it")
       ->check(number("a robot type, from 0", [](double v) { return isWhole(v) && v >= 0 && v <= 9; }));
   app.add_option("--web", given.webPort,
@@ -164,7 +164,7 @@ Options parseOptions(int argc, char** argv) {
       ->expected(0, 1)
       ->check(aPort);
   app.add_option("--record", options.recordFile, "With --web: write the match to this file");
-  app.add_flag("-v,--verbose", options.verbose, "Say what the run cost at the end");
+  app.add_flag("-v,--verbose", options.verbose, "Print the time that the run took at the end");
   app.footer(
       "Examples:\n"
       "  bin/simulator --web                          a field with its page; bin/start.sh brings a team\n"

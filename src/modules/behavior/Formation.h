@@ -34,20 +34,20 @@ MODULE(Formation)
   PARAMETER_GROUP(TeamPlanParameters, plan, "who does what")
   PARAMETER_GROUP(TimeToBallParameters, time, "time to the ball")
   PARAMETER(double, seenSeconds, 3, "s", Range(0.1, 60),
-            "a mate that says nothing takes part while it was seen within that time")
+            "a mate that sends no message takes part if it was seen within that time")
   PARAMETER(double, ballClearance, 1.3, "m", Range(0, 10), "supporters keep this far from the ball")
   PARAMETER(double, restartClearance, 2.3, "m", Range(0, 10), "the same at restarts of the opponent")
   PARAMETER(double, blockReach, 4, "m", Range(0, 20),
             "a supporter whose place is nearer to an opponent to be blocked than that blocks it")
   PARAMETER(double, kickReach, 0.5, "m", Range(0.1, 5),
-            "who is this near to the ball when an own restart ends has taken it")
+            "a player this near to the ball at the end of an own restart counts as its taker")
   PARAMETER(double, secondTouchWait, 4, "s", Range(0, 60),
             "longest time for which the taker of a restart waits for another one to touch the ball")
 END_MODULE
 
-/// Gives each player its role and place. Every player works it out for itself, from what all have said, the
-/// own words among it as mates have heard them, so that all come to the same answer (planTeam). Places are
-/// those of config/formation.yaml, in set pieces first those of config/set_pieces/.
+/// Gives each player its role and place. Every player computes all roles from the messages of all players,
+/// including its own message as mates have heard it, so all get the same result (planTeam). Places come from
+/// config/formation.yaml, in set pieces first from config/set_pieces/.
 class Formation : public FormationBase {
 public:
   void init() override;
@@ -55,8 +55,8 @@ public:
 
 private:
   std::vector<TeamMember> members(const PlayerRole& before) const;
-  /// What a player said of its time to the ball [s]. Where the ball has been kicked since, its words are old:
-  /// then the time from where it said to be to where the ball goes now.
+  /// A player's time to the ball from its message [s]. If the ball has been kicked since then, it is the time
+  /// from the player's reported place to where the ball goes now.
   double timeOf(const TeamBelief& said) const;
   Vec2 keptOff(const Vec2& place) const;
   void watchRestart(PlayerRole& role);

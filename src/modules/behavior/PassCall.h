@@ -18,15 +18,15 @@ MODULE(PassCall)
   REQUIRES(BallPos)
   REQUIRES(OtherRobots)
   PROVIDES(PassRequest)
-  PARAMETER(double, reach, 0.5, "m", Range(0, 2), "who asks is this near to the ball")
+  PARAMETER(double, reach, 0.5, "m", Range(0, 2), "largest distance of the requesting player from the ball")
   PARAMETER(double, threat, 4, "m", Range(0, 20), "an opponent this near to the ball is worth asking")
   PARAMETER(double, goalDistance, 10, "m", Range(0, 40),
-            "nearer to the opponents' goal nobody asks: a goal after it counts only when a second player "
+            "no request nearer to the opponents' goal: a goal after it counts only if a second player "
             "touches the ball")
 END_MODULE
 
-/// Asks for pass mode (doc/reference/rules.md) where the striker is at the ball before an opponent and needs
-/// time to kick. The referee refuses while an opponent is within 1 m, so asking at once pays.
+/// Requests pass mode (doc/reference/rules.md) if the striker is at the ball before an opponent and needs
+/// time to kick. The referee refuses while an opponent is within 1 m, so the request is sent at once.
 class PassCall : public PassCallBase {
 public:
   void update(PassRequest* thePassRequest) override;

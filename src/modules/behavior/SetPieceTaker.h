@@ -26,11 +26,11 @@ MODULE(SetPieceTaker)
             "what a metre between the ball's end and the next mate costs, in metres of free way")
   PARAMETER(double, tolerance, 0.15, "rad", Range(0.01, 1), "a kick may go so far aside, to either side")
   PARAMETER(double, stays, 0.5, "m", Range(0, 10),
-            "by so much another kick must be better to be taken instead")
+            "another kick must be better by this to replace the last choice")
 END_MODULE
 
 /// The striker of a team in the set pieces of config/set_pieces/: it kicks where the way is free and a mate
-/// is near, or waits where the file says. Inactive where no file speaks of the play mode, and alone.
+/// is near, or waits where the file says. Inactive if no file has the play mode, and for a robot alone.
 class SetPieceTaker : public SetPieceTakerBase {
 public:
   void init() override;

@@ -34,13 +34,13 @@ MODULE(Striker2)
   PARAMETER(double, mostTolerance, 0.35, "rad", Range(0.01, 3.2),
             "nor is it this far off, if nothing depends on it")
   PARAMETER(double, passSeconds, 4, "s", Range(0, 60), "that own pass mode keeps opponents off the ball")
-  PARAMETER_GROUP(ActionChoiceParameters, choice, "what is done with the ball where others play")
+  PARAMETER_GROUP(ActionChoiceParameters, choice, "what to do with the ball if there are other players")
   PARAMETER_GROUP(TimeToBallParameters, time, "how fast players are at the ball")
 END_MODULE
 
-/// The player at the ball does what is worth most (ActionChoice): among others by config/field_value.yaml,
-/// alone by how soon the goal falls. It searches a lost ball and keeps its distance at the opponent's
-/// restarts.
+/// The player at the ball chooses the action of largest value (ActionChoice): with other players by
+/// config/field_value.yaml, alone by the time to the goal. It searches for a lost ball and keeps its distance
+/// at the opponent's restarts.
 class Striker2 : public Striker2Base {
 public:
   void init() override;

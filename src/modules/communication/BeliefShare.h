@@ -29,17 +29,19 @@ MODULE(BeliefShare)
   PROVIDES(TeamOtherRobots)
   PROVIDES(TeamComDataOut)
   PARAMETER(double, memorySeconds, 4, "s", Range(0.5, 60), "words that are older count no more")
-  PARAMETER(double, opponentSeconds, 2.5, "s", Range(0.1, 60), "the same of opponents that mates tell of")
-  PARAMETER(double, poseNoise, 0.12, "m", Range(1e-3, 5), "standard deviation of a place that a mate tells")
+  PARAMETER(double, opponentSeconds, 2.5, "s", Range(0.1, 60), "the same for opponents in messages of mates")
+  PARAMETER(double, poseNoise, 0.12, "m", Range(1e-3, 5),
+            "standard deviation of a position in a mate's message")
   PARAMETER(double, ballDrift, 0.25, "m/s", Range(0, 10), "by which a ball is less certain as time passes")
   PARAMETER(double, robotDrift, 0.4, "m/s", Range(0, 10), "the same of a robot")
   PARAMETER(double, rangeNoise, 0.02, "", Range(0, 1),
-            "standard deviation of a ball that a mate tells, share of its distance from that mate")
-  PARAMETER(double, seenSeconds, 0.5, "s", Range(0.02, 10), "opponents seen within that time are told")
+            "standard deviation of a ball in a mate's message, as a share of its distance from that mate")
+  PARAMETER(double, seenSeconds, 0.5, "s", Range(0.02, 10),
+            "opponents seen within that time are in the messages")
 END_MODULE
 
-/// What the players of the team tell each other: takes in what was heard, and says what there is to tell. Of
-/// the ball only the own sight is told, so that no rumour goes round.
+/// The messages between the players of the team: collects received ones and composes the own one. A player
+/// sends only a ball that it has seen itself, so that errors do not spread.
 class BeliefShare : public BeliefShareBase {
 public:
   void execute() override;
@@ -54,8 +56,8 @@ private:
   void addOpponents(TeamBelief& belief) const;
 
   std::array<TeamReport, numPlayers + 1> reports_{};    ///< by number; the own one too
-  std::array<OtherRobot, numPlayers + 1> opponents_{};  ///< by number, as told last
-  int lastShared_ = 0;                                  ///< number of the opponent that was told last
+  std::array<OtherRobot, numPlayers + 1> opponents_{};  ///< by number, from the last message
+  int lastShared_ = 0;                                  ///< number of the opponent that was sent last
   double saidBefore_ = -1;                              ///< time of the own last words [s]
 };
 

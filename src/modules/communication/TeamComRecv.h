@@ -16,8 +16,8 @@ MODULE(TeamComRecv)
             "slots of 0.04 s that a message may take from mouth to ear; an older one is not believed")
 END_MODULE
 
-/// Understands what mates say. Believed is what has the own team's name and a checksum that fits team and
-/// time, of another number than the own.
+/// Decodes messages of team mates. Accepts a message if its checksum fits the own team's name and the time,
+/// and its number is not the own one.
 class TeamComRecv : public TeamComRecvBase {
 public:
   void update(TeamComDataIn* theTeamComDataIn) override;

@@ -13,12 +13,13 @@ namespace plumbline {
 /// What config/log.yaml may say.
 struct LogParameters {
   PARAMETERS(LogParameters)
-  PARAMETER(int, fileMegabytes, 512, "MB", Range(1, 100000), "a log goes on in a new file from this size on")
-  PARAMETER(int, files, 0, "", Range(0, 10000), "the newest so many files are kept; 0: all")
+  PARAMETER(int, fileMegabytes, 512, "MB", Range(1, 100000),
+            "size of a file at which the log continues in a new one")
+  PARAMETER(int, files, 0, "", Range(0, 10000), "number of newest files that are kept; 0: all")
   PARAMETER(int, bufferMegabytes, 8, "MB", Range(1, 1024),
             "what waits to be written, for each thread; a cycle beyond it is dropped")
   PARAMETER(std::vector<std::string>, representations, {}, "", Range(),
-            "what is recorded; empty: all that there is")
+            "representations to record; empty: all")
 };
 
 /// What the special module `log` shall do; without such an object, nothing.

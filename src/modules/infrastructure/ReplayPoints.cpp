@@ -75,7 +75,8 @@ void ReplayPoints::pass() {
     debugging::output(span_, Span{control_.span().first, control_.span().second, control_.cycles()});
   const auto step = [this](long cycles) {
     control_.step(cycles);
-    return std::string(cycles > 0 ? "a cycle on" : "a cycle back: all begins anew and is played up to there");
+    return std::string(cycles > 0 ? "a cycle on"
+                                  : "one cycle back: everything restarts and is played up to there");
   };
   passCode(step_, [&] { return step(1); });
   passCode(back_, [&] { return step(-1); });

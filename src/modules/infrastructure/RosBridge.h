@@ -27,17 +27,15 @@ MODULE(RosBridge)
   REQUIRES_IF_PROVIDED(RobotPose)
   REQUIRES_IF_PROVIDED(BallPos)
   PARAMETER(std::string, space, "", "", {}, "in front of each topic and frame, as robot1; empty: nothing")
-  PARAMETER(int, domain, 0, "", Range(0, 232), "of DDS: ROS_DOMAIN_ID of who listens")
-  PARAMETER(
-      std::vector<std::string>, addresses, {"127.0.0.1"}, "", {},
-      "of this machine, IPv4, on which it is sent; ROS 2 knows no token: who is on such a network reads it")
-  PARAMETER(std::vector<std::string>, peers, {}, "", {},
-            "machines, IPv4, asked where no multicast reaches them")
+  PARAMETER(int, domain, 0, "", Range(0, 232), "of DDS: the listener's ROS_DOMAIN_ID")
+  PARAMETER(std::vector<std::string>, addresses, {"127.0.0.1"}, "", {},
+            "of this machine, IPv4, for sending; ROS 2 has no token: everybody on such a network can read")
+  PARAMETER(std::vector<std::string>, peers, {}, "", {}, "machines, IPv4, that multicast does not reach")
 END_MODULE
 
-/// What the agent knows, as messages of ROS 2: joint_states, imu, odom, ball, robot_description and tf with
-/// map -> odom -> base_footprint -> torso -> l_sole, r_sole. A line `RosBridge` in modules.cfg sends it;
-/// whoever speaks DDS reads it (ros2 topic echo, RViz, PlotJuggler, Foxglove). Nothing is ever read.
+/// Sends the agent's data as messages of ROS 2: joint_states, imu, odom, ball, robot_description and tf with
+/// map -> odom -> base_footprint -> torso -> l_sole, r_sole. A line `RosBridge` in modules.cfg switches it
+/// on; every DDS reader can receive it (ros2 topic echo, RViz, PlotJuggler, Foxglove). It only sends.
 class RosBridge : public RosBridgeBase {
 public:
   void init() override;

@@ -27,7 +27,7 @@ MODULE(AccEvaluator)
                    "feet: torso over the feet that carry load; walkingEngine: the way as planned", "feet",
                    "walkingEngine")
   PARAMETER(double, airborneSeconds, 0.2, "s", Range(0, 10),
-            "time for which the last speed goes on when no foot touches the ground")
+            "time for which the last speed is kept when no foot touches the ground")
 END_MODULE
 
 /// How the robot moves over the ground. The turn is the gyroscope's; the way is that of the torso over the

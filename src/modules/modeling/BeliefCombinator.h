@@ -18,7 +18,7 @@ MODULE(BeliefCombinator)
   PROVIDES(BallPos)
   PROVIDES(OtherRobots)
   PARAMETER(double, ownBallSeconds, 0.6, "s", Range(0, 100),
-            "a ball that this robot saw no longer ago is not taken from mates")
+            "if this robot saw the ball within this time, it does not use balls of mates")
   PARAMETER(double, ownRobotSeconds, 0.3, "s", Range(0, 100), "the same of other robots")
   PARAMETER(double, freshSeconds, 0.1, "s", Range(0, 100),
             "a ball not seen for longer is kept at its place on the field")
@@ -28,8 +28,8 @@ END_MODULE
 
 /// The ball to act on: what this robot tracks, placed on the field. A ball that has not been seen for a while
 /// is kept at its place on the field rather than relative to the robot, because the self-localisation does
-/// not drift and the odometry does. What mates say of the ball counts when they saw it later than this robot
-/// did; other robots are weighted by their covariances. Without mates' words: own sight alone.
+/// not drift and the odometry does. A mate's ball counts if the mate saw it later than this robot did. Other
+/// robots are weighted by their covariances. Without messages of mates, only the own sight counts.
 class BeliefCombinator : public BeliefCombinatorBase {
 public:
   void update(BallPos* theBallPos) override;

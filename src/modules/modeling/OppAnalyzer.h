@@ -17,7 +17,7 @@ MODULE(OppAnalyzer)
   PARAMETER(double, walks, 0.3, "m/s", Range(0, 3), "a slower opponent does not walk to a place")
   PARAMETER(double, seenSeconds, 0.3, "s", Range(0.01, 10), "speeds count of opponents seen within this time")
   PARAMETER(double, getUp, 4, "s", Range(0, 60), "of a fallen opponent")
-  PARAMETER(double, reach, 0.4, "m", Range(0.05, 2), "who is this near to the ball may have kicked it")
+  PARAMETER(double, reach, 0.4, "m", Range(0.05, 2), "a robot this near to the ball may have kicked it")
   PARAMETER(double, kickSpeed, 1.5, "m/s", Range(0.1, 20), "a ball that is faster was kicked")
 END_MODULE
 

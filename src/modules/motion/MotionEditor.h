@@ -17,9 +17,9 @@ END_MODULE
 
 /// The files of keyframe motions in the debug interface, for a page that edits them: `motion:NAME` is the
 /// file of a motion, and setting it or a part of it writes the file. `module:MotionEditor:draft` is what is
-/// played under the name EditedMotion::name without being written. An impossible motion is refused, and then
-/// nothing has changed. `module:MotionEditor:robot` tells the joints with their limits and the links;
-/// `module:MotionEditor:opened` which motion the command line named.
+/// played under the name EditedMotion::name without being written. An impossible motion is refused, and
+/// nothing changes. `module:MotionEditor:robot` has the joints with their limits and the links;
+/// `module:MotionEditor:opened` is the motion of the command line.
 class MotionEditor : public MotionEditorBase {
 public:
   ~MotionEditor() override;

@@ -91,7 +91,7 @@ std::string MotionFile::edited(const MotionDraft& draft, const std::string& text
   }
   if (!same)
     throw motion::KeyframeFileError(file_.string() +
-                                    ": the file has a form in which this cannot be written; edit it by hand");
+                                    ": the layout of this file does not allow this change; edit it by hand");
   if (motion) *motion = std::move(read);
   return result;
 }

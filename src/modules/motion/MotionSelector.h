@@ -24,7 +24,8 @@ struct StandUpParameters {
   PARAMETER(std::string, fastBack, "", "", Range(),
             "the first try in place of `back`, as standUpBackFast; empty: none")
   PARAMETER(double, againSeconds, 4, "s", Range(0, 60),
-            "a robot that lies again so soon after it stood up failed: the next try is no fast one")
+            "if a robot lies again within this time after standing up, that try failed, and the next one is "
+            "not fast")
   PARAMETER(double, graceSeconds, 0.5, "s", Range(0, 5),
             "time until the next try, since a stand-up ends while the torso still swings up")
 };
@@ -63,7 +64,7 @@ private:
   double again_ = 0;                           ///< what is left of standUp.againSeconds [s]
   std::string robot_;                          ///< whose motions these are
   bool fastFront_ = false, fastBack_ = false;  ///< it has them
-  std::string unknown_;                        ///< the last motion asked for that there is not
+  std::string unknown_;                        ///< the last requested motion that does not exist
 };
 
 }  // namespace plumbline

@@ -15,7 +15,7 @@ std::vector<motion::KeyframeMotion> readMotions(const Config& config, const Robo
 const motion::KeyframeMotion* findMotion(const std::vector<motion::KeyframeMotion>& motions,
                                          const std::string& name);
 
-/// Why there is none of that name, with the nearest one there is.
+/// Error text for an unknown name, with the nearest existing one.
 std::string missingMotion(const std::vector<motion::KeyframeMotion>& motions, const std::string& name);
 
 /// Counts cycles in which the torso does not turn, for motions that wait until the robot has settled.

@@ -24,7 +24,7 @@ void WalkingEngine::parametersChanged() {
 
 void WalkingEngine::init() {
   if (config.exists("WalkingEngine") && config.has("walk"))
-    config.fail("walk", "stands in walking.yaml, for all that walks");
+    config.fail("walk", "is set in walking.yaml, for all programs that walk");
   walk = readWalkGaits(config);
   used_ = walk;
   walking::BackgroundFitOptions options;

@@ -23,14 +23,14 @@ struct WalkFitParameters {
   PARAMETER(bool, enabled, false, "", Range(), "the model is fitted")
   PARAMETER(
       bool, plan, false, "", Range(),
-      "steps are planned with the fitted model as far as that is safe; otherwise it only predicts the robot")
+      "plans steps with the fitted model as far as that is safe; otherwise the model only predicts the robot")
   PARAMETER(int, steps, 60, "", Range(6, 10000), "steps observed before a fit begins")
   PARAMETER(double, seconds, 20, "s", Range(0.1, 3600),
             "walking time from the begin of a fit to the use of its result")
   PARAMETER(int, generations, 60, "", Range(1, 100000), "generations of 20 candidates")
   PARAMETER(double, cpuShare, 0.2, "", Range(0.01, 1), "largest share of one core")
   PARAMETER(bool, wait, false, "", Range(),
-            "waits for a result that is due, so that a run depends on its input alone")
+            "waits for a result that is due, so that a run depends only on its input")
 };
 
 MODULE(WalkingEngine)
@@ -42,7 +42,7 @@ MODULE(WalkingEngine)
   REQUIRES(SensorData)
   REQUIRES(TorsoAngles)
   PROVIDES(WalkingEngineOutput)
-  PARAMETER_GROUP(walking::WalkGaits, walk, "the walk; its values stand in walking.yaml")
+  PARAMETER_GROUP(walking::WalkGaits, walk, "the walk; its values are in walking.yaml")
   PARAMETER_GROUP(WalkFitParameters, fit, "fit of the model to the robot")
   PARAMETER(double, fadeSeconds, 0.06, "s", Range(0, 2),
             "time in which the motion before fades into the walk")

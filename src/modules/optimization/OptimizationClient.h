@@ -22,7 +22,7 @@ MODULE(OptimizationClient)
   PARAMETER(std::string, host, "127.0.0.1", "", Range(),
             "where bin/optserver runs with a study of the task kick; empty: the optimiser is in the agent")
   PARAMETER(int, port, 3400, "", Range(1, 65535), "its port")
-  PARAMETER(std::string, token, "", "", Range(), "what it wants to hear, if it does")
+  PARAMETER(std::string, token, "", "", Range(), "the server's token, if it needs one")
   PARAMETER(std::string, motion, "kickRight", "", Range(), "optimiser in the agent: the kick to begin with")
   PARAMETER(std::string, optimizer, "cmaes", "", Range(), "the same: one of bin/optserver's")
   PARAMETER(int, population, 12, "", Range(4, 1000), "the same: candidates of a generation")
@@ -33,8 +33,9 @@ MODULE(OptimizationClient)
             "the same: file for the motion that was found")
 END_MODULE
 
-/// Asks an optimiser for a kick to try and tells it what the tries cost (Seekircher 2015, A.6.7): one behind
-/// TCP, or one in the agent; the interface is the same. Ends the agent when the search is over.
+/// Gets a kick to try from an optimiser and sends it the costs of the tries (Seekircher 2015, A.6.7). The
+/// optimiser is reached by TCP or runs in the agent; the interface is the same. Ends the agent when the
+/// search is over.
 class OptimizationClient : public OptimizationClientBase {
 public:
   OptimizationClient();

@@ -9,14 +9,14 @@ namespace plumbline {
 struct AgentOptions {
   std::string team = "Plumbline";
   int number = 1;     ///< uniform number 1..11, or 0: the next free one
-  std::string token;  ///< what a server that is open to others wants to hear first; empty: nothing
+  std::string token;  ///< token of a server that is open to other machines; empty: none
   int type = 0;       ///< robot type, 0 to numSimsparkTypes() - 1
   std::string host = "127.0.0.1";
   int port = 3100;              ///< agent port
   int monitorPort = 3200;       ///< trainer commands go there
   bool startSimulator = false;  ///< start a simulator of its own on free ports instead of connecting to host
   std::vector<std::string> simulatorOptions;  ///< passed to that simulator
-  /// Takes a line for the user about what is waited for; may be empty.
+  /// Called with a line that says what the agent waits for; may be empty.
   std::function<void(const std::string&)> tell;
 };
 

@@ -11,14 +11,14 @@ namespace plumbline {
 
 /// A module reaches it through object<Monitor>(): commands to SimSpark's monitor port, for training and
 /// tests. Places are in the server's field frame, x towards the right goal [m, rad]. Connects when first
-/// used, and anew after the simulator was restarted. Every command returns false if it could not be sent;
+/// used, and again after the simulator was restarted. Every command returns false if it could not be sent;
 /// error() says why.
 class Monitor {
 public:
   /// The server to talk to from now on; an open connection to another one is closed.
   void setServer(const std::string& host, int port);
 
-  /// What the server wants to hear first; empty: nothing.
+  /// Token of the server; empty: none.
   void setToken(const std::string& token) { token_ = token; }
   /// Ends every wait when it becomes readable (simspark::Connection).
   void interruptBy(int stopDescriptor) { connection_.interruptBy(stopDescriptor); }

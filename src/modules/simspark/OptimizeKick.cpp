@@ -157,7 +157,7 @@ void OptimizeKick::update(MotionRequest* theMotionRequest) {
       try_.height = std::max(try_.height, theGroundTruth->ball.z() - radius);
     decide();
   } else if ((blind_ += theFrameInfo->cycleSeconds) > mostBlind) {
-    requestStop(2, "the simulator tells no ground truth: give it --ground-truth");
+    requestStop(2, "the simulator sends no ground truth: start it with --ground-truth");
   }
   if (phase_ == Phase::kicking) theMotionRequest->motion = SearchedMotionOutput::name;
   if (phase_ == Phase::walking) {

@@ -30,7 +30,8 @@ MODULE(OptimizeKick)
   PARAMETER(double, standSeconds, 0.8, "s", Range(0.1, 10), "on its feet before the ball comes")
   PARAMETER(double, walkSeconds, 2, "s", Range(0.1, 10), "walk right after the kick")
   PARAMETER(double, walkSpeed, 0.3, "m/s", Range(0, 1), "of that walk, into a random direction")
-  PARAMETER(double, rollSeconds, 15, "s", Range(1, 60), "a ball that rolls for longer rests where it is then")
+  PARAMETER(double, rollSeconds, 15, "s", Range(1, 60),
+            "a ball that rolls for longer counts as stopped where it is then")
 END_MODULE
 
 /// Repeats the kick of the open trial: a trainer puts robot and ball to their places, the robot kicks and

@@ -79,7 +79,7 @@ void Parser::execute() {
   if (restarted_) {
     cycleSeconds_ = nominalCycle;
     player_.sideKnown = false;
-    log << "the simulator started anew";
+    log << "the simulator restarted";
   }
   time_ = message_.time;
 

@@ -32,9 +32,9 @@ MODULE(Parser)
   PROVIDES(GroundTruth)
 END_MODULE
 
-/// Takes the simulator's message apart. Of a message that cannot be read to its end nothing is taken: it is
-/// logged, measured values stay as they were, and there is no image and nothing heard in that cycle. A single
-/// percept beyond what can be measured (simspark/PerceptLimits.h) is left out alone.
+/// Reads the simulator's message. If a message cannot be read to its end, nothing of it is used: it is
+/// logged, measured values stay unchanged, and there is no image and no heard message in that cycle. If a
+/// single percept is beyond its limits (simspark/PerceptLimits.h), only that one is left out.
 class Parser : public ParserBase {
 public:
   void init() override;

@@ -148,7 +148,8 @@ void SimSparkConnection::tellWait(double seconds) {
   const bool due = !phaseReported_ && seconds > tellAfter;
   phaseReported_ = phaseReported_ || due;
   if (phase_ == Phase::scene && due)
-    tell("connected; port " + port + " gives no robot yet: its clock may stand until all agents are there");
+    tell("connected; port " + port +
+         " gives no robot yet: its clock may stand until all agents are connected");
   if (phase_ == Phase::scene) return;
   const std::string number =
       options_->number > 0 ? "number " + std::to_string(options_->number) : std::string("a number");

@@ -20,10 +20,10 @@ MODULE(SimSparkConnection)
   PARAMETER(int, maxRestarts, 100, "", Range(0, 1e9), "restarts of a simulator that the agent has started")
 END_MODULE
 
-/// Receives one message of the simulator per cycle and thereby sets the agent's pace. Connects, asks for the
-/// robot and its place in the team, connects again when the simulator went away, and can start a simulator of
-/// its own on free ports and restart it when it dies. Waits as long as it takes, says for what
-/// (AgentOptions::tell), and ends at once when the agent shall.
+/// Receives one message of the simulator per cycle and so sets the agent's rate. Connects, requests the robot
+/// and its place in the team, and connects again after a disconnection. It can start its own simulator on
+/// free ports and restart it when it dies. It waits without a limit, says for what (AgentOptions::tell), and
+/// stops at once when the agent ends.
 class SimSparkConnection : public SimSparkConnectionBase {
 public:
   void init() override;

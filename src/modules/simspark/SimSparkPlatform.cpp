@@ -21,7 +21,7 @@ void SimSparkPlatform::declareOptions(CLI::App& app) {
   app.add_option("--type", agent.type, "robot type: N of config/robots/simspark_typeN.json")
       ->check(CLI::Range(0, 9))
       ->capture_default_str();
-  app.add_option("--token", agent.token, "what a simulator that is open to others wants to hear first");
+  app.add_option("--token", agent.token, "token of the simulator, if its port is open to other machines");
   app.add_option("--host", agent.host, "host of the simulator")->capture_default_str();
   app.add_option("--port", agent.port, "its agent port")->check(CLI::Range(1, 65535))->capture_default_str();
   app.add_option("--monitor-port", agent.monitorPort, "its monitor port, for trainer commands")
@@ -56,7 +56,7 @@ void SimSparkPlatform::addObjects(ModuleObjects& objects,
 }
 
 std::vector<NeededModule> SimSparkPlatform::neededModules() const {
-  return {{"SimSparkConnection", "hears nothing from the simulator"},
+  return {{"SimSparkConnection", "receives nothing from the simulator"},
           {"SimSparkSend", "sends nothing to the simulator"}};
 }
 

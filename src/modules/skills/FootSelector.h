@@ -22,9 +22,9 @@ MODULE(FootSelector)
             "then the robot counts as so much nearer to the side that the opponent is on")
 END_MODULE
 
-/// Which foot plays the ball (Seekircher 2015, A.3): the one that is behind the ball sooner. A robot that
-/// stands to the left of the ball's way has the ball before its right foot. With an opponent at the ball the
-/// robot comes between the two, if it does not matter otherwise.
+/// Chooses the foot that plays the ball (Seekircher 2015, A.3): the one that reaches the place behind the
+/// ball sooner. A robot to the left of the ball's direction has the ball in front of its right foot. If both
+/// feet are equally good and an opponent is at the ball, the robot goes between the two.
 class FootSelector : public FootSelectorBase {
 public:
   void update(ActiveFoot* theActiveFoot) override;

@@ -32,20 +32,22 @@ MODULE(PathPlanning)
   PARAMETER(double, robotRadius, 0.5, "m", Range(0.1, 3), "kept from the middle of a robot that stands")
   PARAMETER(double, fallenRadius, 0.65, "m", Range(0.1, 3), "kept from the middle of one that lies")
   PARAMETER(double, postRadius, 0.35, "m", Range(0.05, 3), "kept from a goal post")
-  PARAMETER(double, ballRadius, 0.45, "m", Range(0.05, 3), "kept from the ball by whoever does not go to it")
+  PARAMETER(double, ballRadius, 0.45, "m", Range(0.05, 3),
+            "distance from the ball of players that do not go to it")
   PARAMETER(double, ownSpeed, 0.7, "m/s", Range(0.05, 3),
             "speed with which the robot meets others at their predicted places")
   PARAMETER(double, foresight, 1, "s", Range(0, 10), "others are predicted no farther")
-  PARAMETER(double, oldestSight, 3, "s", Range(0.1, 60), "robots heard or seen earlier are no obstacles")
+  PARAMETER(double, oldestSight, 3, "s", Range(0.1, 60),
+            "robots heard of or seen before this time are not obstacles")
   PARAMETER(double, waitDistance, 0.6, "m", Range(0, 3),
             "nearer than this to a mate ahead that goes before, the robot waits")
   PARAMETER(double, destinationRadius, 0.7, "m", Range(0, 5),
             "robots this near to the ball are none for the one that goes to it")
 END_MODULE
 
-/// Finds the way round other robots, goal posts and, for whoever does not go to it, the ball, to where the
-/// requested skill leads. The thesis plans with random trees; here it is a visibility graph (PathPlanner).
-/// Of two mates the striker goes before, then the lower number; the other one waits.
+/// Finds the path to the target of the requested skill, round other robots and goal posts, and round the ball
+/// for players that do not go to it. The thesis plans with random trees; this uses a visibility graph
+/// (PathPlanner). Of two mates the striker has priority, then the lower number; the other one waits.
 class PathPlanning : public PathPlanningBase {
 public:
   void update(SafeWalkDirection* theSafeWalkDirection) override;

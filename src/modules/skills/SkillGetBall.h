@@ -28,19 +28,19 @@ MODULE(SkillGetBall)
   PARAMETER_GROUP(WalkToPoseParameters, walk, "limits and gains of walking to a pose")
   PARAMETER_GROUP(BallApproachParameters, approach, "way around the ball")
   PARAMETER(double, pressedDistance, 0.8, "m", Range(0, 5),
-            "with an opponent this near to the ball there is no time to stand exactly")
+            "if an opponent is this near to the ball, there is no time to stand exactly")
   PARAMETER(double, pressedTolerance, 1.75, "", Range(1, 10),
-            "then the tolerances of the kick are so many times larger")
+            "then the tolerances of the kick are multiplied by this")
   PARAMETER(double, detourDistance, 0.8, "m", Range(0, 10),
-            "nearer to the ball than this the robot goes straight, whoever stands there")
+            "nearer to the ball than this the robot goes straight, even if others stand there")
   PARAMETER(double, dribbleDistance, 0.2, "m", Range(0.05, 1), "the ball ahead of the robot before a dribble")
   PARAMETER(double, dribbleOn, 0.8, "m", Range(0, 5),
-            "who comes from behind to dribble goes on so far through the ball")
+            "a robot that comes from behind to dribble aims this far beyond the ball")
   PARAMETER(double, runUp, 0.6, "m", Range(0, 5), "from this far behind the ball at least")
   PARAMETER(double, keeps, 1.4, "", Range(1, 10),
-            "a robot that stands at the ball counts as there until it is off by so many tolerances")
+            "a robot at the ball counts as there until its error is this many tolerances")
   PARAMETER(double, kickMargin, 0.3, "m", Range(0, 3),
-            "a kick that was chosen stays while the ball's way is within so much of what it is for")
+            "a chosen kick stays while the ball's direction is within this of the wanted one")
   PARAMETER(double, meetingSpeed, 0.8, "m/s", Range(0.05, 3),
             "with which the robot meets a rolling ball on its way")
   PARAMETER(double, biasGain, 1.5, "1/s^2", Range(0, 10),
@@ -59,10 +59,10 @@ private:
   BallApproach requestedApproach() const;
   /// The kick for a way of the ball [m], with some reluctance to change it.
   const Kick& chooseKick(double metres);
-  /// Whether the robot stands exactly enough, off by `error` [m] and `heading` [rad]. Once it does, more is
-  /// allowed (`keeps`): a walk that is told to stop and to go on by turns never comes to rest.
+  /// Whether the robot stands exactly enough, off by `error` [m] and `heading` [rad]. After that, a larger
+  /// error is allowed (`keeps`): a walk that alternates between stopping and walking never comes to rest.
   bool exact(const Vec2& error, double heading, bool pressed) const;
-  /// The walk's own bias near the target: what the requested speed has to be raised by, learned there [m/s].
+  /// The walk's bias near the target: the learnt correction of the requested speed [m/s].
   void learnBias(const Pose2& T_robot_target);
 
   Vec2 bias_ = Vec2::Zero();  ///< in the robot's frame [m/s]

@@ -18,17 +18,16 @@ struct WalkToPoseParameters {
   PARAMETER(double, turnFirst, 0.8, "rad", Range(0.1, 3.2),
             "a target farther off than this angle is turned to before walking")
   PARAMETER(double, sprintBearing, 0, "rad", Range(0, 1),
-            "a target closer than this to straight ahead is walked to at full speed, with hardly a turn, and "
-            "others slowly until it is: the walk does not turn in a sprint; 0: both at a time")
+            "if the target is closer than this to straight ahead, the robot sprints; otherwise it walks "
+            "slowly and turns, because a sprint cannot turn; 0: turns and walks at the same time")
   PARAMETER(double, sprintHold, 0, "rad", Range(0, 1),
-            "and a sprint that has begun goes on until the target is farther from straight ahead than this: "
-            "to brake and begin again costs seconds; 0: as sprintBearing")
+            "a sprint continues until the target is farther from straight ahead than this, because braking "
+            "and starting again takes seconds; 0: as sprintBearing")
   PARAMETER(double, sprintAside, 0, "m", Range(0, 3),
-            "or if the sprint passes it no farther aside than this: near the target a sprint goes on")
+            "or if the sprint passes the target within this distance: near the target a sprint continues")
   PARAMETER(
       double, sprintDistance, 1.5, "m", Range(0, 30),
-      "nearer targets are walked to without a sprint: there is no way to win back the turn before it, nor "
-      "to stop")
+      "no sprint to nearer targets: the path is too short to gain the time of the turn before it, or to stop")
   PARAMETER(double, sprintTurn, 0.1, "rad/s", Range(0, 3), "fastest turn in a sprint")
   PARAMETER(double, curveSpeed, 0.4, "m/s", Range(0.01, 3),
             "fastest walk forward while it turns to the target")

@@ -18,21 +18,21 @@ struct DispatchOptions {
   int mostFailures = 10;  ///< workers that a trial may cost before it is given up
 };
 
-/// What became of an answer.
+/// What happened to an answer.
 enum class Taken {
   counted,
   again,     ///< another worker had answered: not counted
-  asksMore,  ///< no number: another worker is asked before it is believed
-  wrong      ///< not the worker's trial, or as many costs as it has not runs: the worker lies
+  asksMore,  ///< not a number: another worker must confirm it
+  wrong      ///< not the worker's trial, or a wrong number of costs: the worker is wrong
 };
 
 struct DispatchCounts {
   std::int64_t answers = 0, again = 0, wrong = 0, doubted = 0, lost = 0, hung = 0;
 };
 
-/// Which worker does what: hands out a search's trials, takes answers, and hands out again what a worker that
-/// went away or hangs has not answered. A trial is counted once, whoever answers. Knows no sockets and no
-/// clock: times [s] are told and must not fall.
+/// Distributes a search's trials over workers, takes answers, and hands out again the trials of a worker that
+/// disconnected or hangs. A trial is counted once, whoever answers. It has no sockets and no clock: times [s]
+/// are arguments and must not decrease.
 class Dispatcher {
 public:
   /// Told each answer that counts, before the search learns of it; given up: without costs.

@@ -42,7 +42,7 @@ bool FarmClient::take() {
   if (message.welcome) welcome_ = *message.welcome;
   if (message.trial) {
     if (message.trial->parameters.size() != welcome_.parameters)
-      throw std::runtime_error(place_ + ": a trial of another number of parameters than it said");
+      throw std::runtime_error(place_ + ": a trial has another number of parameters than announced");
     trial_ = std::move(message.trial);
   }
   return true;

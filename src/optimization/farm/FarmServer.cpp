@@ -95,7 +95,8 @@ void FarmServer::answer(Client& client, const std::string& line) {
   answerSeconds_ = now() - client.gaveAt;
   if (dispatcher_.take(client.worker, answer.number, answer.costs) == Taken::wrong)
     return refuse(client, "answer: " + std::to_string(answer.costs.size()) + " costs for trial " +
-                              std::to_string(answer.number) + ", which is not what was asked");
+                              std::to_string(answer.number) +
+                              "; answer the trial that was sent, with one cost for each run");
   client.works = false;
   ++client.answers;
   progress_.busySeconds += answerSeconds_;

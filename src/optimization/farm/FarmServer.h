@@ -38,8 +38,8 @@ struct WorkerReport {
   double seconds = 0;  ///< since it was given its trial, or since it came
 };
 
-/// Farms a search out over TCP, no worker waiting for another one. A client that breaks the protocol or lies
-/// is dropped alone; what it had goes to another.
+/// Distributes a search over TCP; no worker waits for another one. A client that breaks the protocol or sends
+/// wrong results is dropped; its trial goes to another.
 class FarmServer {
 public:
   static constexpr std::size_t maxClients = 1024;
@@ -70,7 +70,7 @@ private:
   struct Client {
     LineSocket socket;
     double since;
-    int worker = -1;  ///< -1: has not said who it is
+    int worker = -1;  ///< -1: has not identified itself yet
     std::string name{};
     double gaveAt = 0;
     std::int64_t answers = 0;

@@ -73,12 +73,12 @@ void Journal::read(const std::string& mark, const std::function<void(const Journ
       }
     } catch (const JsonError& error) {
       throw std::runtime_error(where + error.what() +
-                               "; remove the line and all below it to go on from there");
+                               "; remove the line and all below it to continue from there");
     } catch (const json::exception&) {
-      throw std::runtime_error(where + "no result; remove the line and all below it to go on from there");
+      throw std::runtime_error(where + "no result; remove the line and all below it to continue from there");
     } catch (const std::invalid_argument& error) {
       throw std::runtime_error(where + error.what() +
-                               "; remove the line and all below it to go on from there");
+                               "; remove the line and all below it to continue from there");
     }
     begun = true;
     good = file.tellg();

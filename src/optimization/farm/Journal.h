@@ -17,9 +17,9 @@ struct JournalEntry {
   std::vector<double> costs{};
 };
 
-/// Every result of a search, a line of JSON each, in a file that is a checkpoint as well: a search told the
-/// same results again, in whatever order, is where it was. A line is written before its result counts, so a
-/// killed server has lost nothing but what nobody had answered; a last line that was cut is dropped.
+/// Every result of a search, a line of JSON each, in a file that is a checkpoint as well: a search that gets
+/// the same results again, in any order, is in the same state. A line is written before its result counts, so
+/// a killed server loses only trials without an answer; an incomplete last line is dropped.
 class Journal {
 public:
   static constexpr std::size_t maxLine = std::size_t{1} << 20;
@@ -35,7 +35,7 @@ public:
   /// Without costs: given up.
   void add(const Trial& trial, std::span<const double> costs, const std::map<std::string, double>& figures,
            const std::string& worker, double seconds);
-  /// Onto the disk, for a loss of power; what is added survives a kill without it.
+  /// Syncs to the disk, for a loss of power; entries survive a kill without it.
   void sync();
   const std::string& path() const { return path_; }
   std::int64_t resumed() const { return resumed_; }  ///< entries that were there

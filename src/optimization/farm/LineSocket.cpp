@@ -133,7 +133,7 @@ void LineSocket::send(std::string_view line) {
   out_.append(line);
   out_ += '\n';
   flush();
-  if (out_.size() > maxWaiting_) fail("does not take what it is sent");
+  if (out_.size() > maxWaiting_) fail("does not accept the data sent to it");
 }
 
 void LineSocket::flush() {

@@ -71,8 +71,7 @@ Hello readHello(std::string_view line) {
   return parsed(line, "hello", [](const json& value) {
     Hello hello;
     const auto role = value.at("hello").get<std::string>();
-    if (role != "worker" && role != "status")
-      throw std::invalid_argument("hello: a client is a worker or asks for the status");
+    if (role != "worker" && role != "status") throw std::invalid_argument("hello: must be worker or status");
     if (value.at("version").get<int>() != protocolVersion)
       throw std::invalid_argument("hello: the server speaks version " + std::to_string(protocolVersion));
     hello.role = role == "worker" ? Hello::Role::worker : Hello::Role::status;

@@ -17,8 +17,8 @@ struct TeamReport : public Streamable {
   }
 };
 
-/// The last words of every mate heard lately, and the own ones, by number: what all players of a team know
-/// alike, but for words that were lost.
+/// The last message of every mate heard recently, and the own one, by number. All players of a team have the
+/// same data, except for lost messages.
 REPRESENTATION(TeamRobotPose)
 class TeamRobotPose : public TeamRobotPoseBase {
 public:

@@ -39,7 +39,7 @@ public:
   void stream(InStream* in, OutStream* out) override { STREAM(robots); }
 };
 
-/// The others to act on: own sight and what mates have said, combined.
+/// The other robots: own sight and messages of mates, combined.
 REPRESENTATION(OtherRobots)
 class OtherRobots : public OtherRobotsBase {
 public:

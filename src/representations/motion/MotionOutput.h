@@ -25,7 +25,7 @@ public:
   std::string motion;         ///< name by which MotionRequest asks for it; never changes
   JointTargets targets;       ///< in every cycle, also while it is not selected
   bool finished = true;       ///< another motion may take over now
-  bool endsByItself = false;  ///< once finished it begins anew if it is still asked for
+  bool endsByItself = false;  ///< once finished it restarts if it is still requested
   double fadeSeconds = 0;     ///< to fade into it; 0: it begins at the measured angles [s]
   void stream(InStream* in, OutStream* out) override {
     STREAM(motion);

@@ -5,9 +5,9 @@
 
 namespace plumbline::simulation {
 
-/// Refuses what the league's robots cannot have: their joints are velocity motors without a position servo,
-/// so what lives in a servo has no place there. Throws ConfigurationError that names file, line, and what
-/// there is: effects, places, bounds.
+/// Refuses effects that the league's robots cannot have: their joints are velocity motors, so they have no
+/// effects of position servos. Throws ConfigurationError that names file, line, and the possible effects,
+/// places or bounds.
 void checkEffects(const std::vector<EffectSetting>& effects);
 
 }  // namespace plumbline::simulation

@@ -9,8 +9,8 @@
 
 namespace plumbline::simulation {
 
-/// A world whose robots have effects that their models do not tell of; what is around it sees an ordinary
-/// world. Effects of the ground and of torque are in the world itself (LeaguePhysics).
+/// A world whose robots have effects that are not in their models; for its users it is an ordinary world.
+/// Effects of the ground and of torque are in the world itself (LeaguePhysics).
 class EffectsWorld : public World {
 public:
   /// Throws ConfigurationError for effects that these robots cannot have.

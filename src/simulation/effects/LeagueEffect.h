@@ -20,10 +20,9 @@ struct EffectRobot {
   std::uint64_t stream = 0;  ///< of the random numbers, one per robot
 };
 
-/// An effect that the league's robots, or the ground below them, can have. Each stands in a file of its own
-/// in each/, which MAKE_LEAGUE_EFFECT makes known; id, places and unit are those of the gap tool's contract
-/// (doc/reference/effects-file.md). What it does is in the functions at the end; those that are null change
-/// nothing.
+/// An effect that the league's robots, or the ground below them, can have. Each is in a file of its own in
+/// each/ and registered by MAKE_LEAGUE_EFFECT; id, places and unit are those of
+/// doc/reference/effects-file.md. The functions at the end define the effect; a null one changes nothing.
 struct LeagueEffect {
   enum class Site { everywhere, joint, jointOrEverywhere, link, imu, foot, ground };
 
@@ -58,7 +57,7 @@ public:
 
 /// All of them, as lists name them.
 const std::vector<const LeagueEffect*>& leagueEffects();
-/// Null: there is none of that id.
+/// Null if there is none with that id.
 const LeagueEffect* findLeagueEffect(std::string_view id);
 
 /// An effect and what of a list is its own.

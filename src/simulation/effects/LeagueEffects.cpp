@@ -28,7 +28,7 @@ LeagueEffectLoader::LeagueEffectLoader(const LeagueEffect& effect) {
            "needs an id and a range: lower must be less than upper");
   demandOf(effect, effect.body || effect.torque || effect.command || effect.sensor || effect.ground,
            "changes nothing");
-  demandOf(effect, findLeagueEffect(effect.id) == nullptr, "is there twice in this program");
+  demandOf(effect, findLeagueEffect(effect.id) == nullptr, "exists twice in this program");
   const auto place = [](const LeagueEffect* e) { return std::tuple(e->order, e->id); };
   std::vector<const LeagueEffect*>& all = registeredEffects();
   all.insert(std::ranges::upper_bound(all, place(&effect), {}, place), &effect);

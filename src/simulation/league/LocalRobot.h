@@ -20,10 +20,10 @@ public:
   /// pass.
   void act(const JointArray& velocities);
 
-  /// Starts anew: standing on the ground at a place of the field with these joint angles, torso upright, at
-  /// rest. Nothing of what was before has an effect afterwards.
+  /// Restarts: the robot stands on the ground at a place of the field with these joint angles, torso upright,
+  /// at rest. Nothing from before has an effect afterwards.
   void restart(const Pose2& place = {}, const JointArray& angles = {});
-  /// Starts anew with the torso at this pose, wherever the feet are.
+  /// Restarts with the torso at this pose, wherever the feet are.
   void restart(const Pose3& T_world_torso, const JointArray& angles);
 
   BodyState torso() const { return world_->torso(handle_); }

@@ -9,12 +9,12 @@
 
 namespace plumbline::simulation {
 
-/// What monitors are told: a whole scene, then differences to what was told last. A transform is told again
+/// The messages to monitors: a whole scene, then differences to the last message. A transform is sent again
 /// only if one of its sixteen numbers changed by more than 0.005. Nodes, order and number format are those of
 /// the league's server, which its viewers and trainers read.
 class MonitorScene {
 public:
-  /// Everything. What was told before is forgotten: the next difference is one to this.
+  /// The whole scene; the next difference is relative to it.
   const std::string& full(const Simulation& simulation);
   /// What changed since the last call of either. A scene that got or lost a robot needs full() first.
   const std::string& difference(const Simulation& simulation);

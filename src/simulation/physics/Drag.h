@@ -10,9 +10,9 @@ constexpr double fastSpin = 20;
 /// Torque of a body's angular drag over a step of h seconds [N m], world axes, by its rotation and its spin
 /// w.
 ///
-/// The league's server takes the spin of the step's beginning. Where neither motor nor stop nor contact holds
-/// a light link, as beyond its stop, that turns its spin round and makes it greater: a toe's twenty times a
-/// step. A fast one is taken from the step's end, which brakes at any step: (I + h d) w' = I w, torque = -d
+/// The league's server uses the spin at the beginning of the step. If no motor, stop or contact holds a light
+/// link, as beyond its stop, that reverses and increases its spin: a toe's by twenty times a step. For a fast
+/// link the spin at the end of the step is used, which brakes with any step: (I + h d) w' = I w, torque = -d
 /// w'.
 inline Vec3 dragTorque(const BodySpec& body, const Mat3& rotation, const Vec3& w, double h) {
   const double d = body.angularDrag;

@@ -31,7 +31,7 @@ inline Area penaltyArea(const FieldSize& field, simspark::TeamSide side) {
   return {{std::min(inner, line), -field.penaltyWidth / 2}, {std::max(inner, line), field.penaltyWidth / 2}};
 }
 
-/// With ten metres beyond the lines, so that nobody sneaks up from behind.
+/// With ten metres beyond the lines, so that no robot comes from behind.
 inline Area halfOf(const FieldSize& field, simspark::TeamSide side) {
   const double end = sign(side) * (field.length / 2 + 10);
   return {{std::min(0.0, end), -field.width / 2 - 10}, {std::max(0.0, end), field.width / 2 + 10}};

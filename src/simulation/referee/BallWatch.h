@@ -15,7 +15,8 @@ struct BallTouch {
   bool samePlayer(const BallTouch& other) const { return side == other.side && unum == other.unum; }
 };
 
-/// What the referee knows of the ball: where it is, was last on the field, and who touched it last.
+/// The referee's data about the ball: where it is, where it was last on the field, and which player touched
+/// it last.
 class BallWatch {
 public:
   explicit BallWatch(const FieldSize& field = {}) : field_(field) {}

@@ -6,7 +6,7 @@ namespace plumbline::simulation {
 // What players do, as the rules about them need it (rcssserver3d soccerruleaspect.cpp:
 // CalculateDistanceArrays, ProcessAgentState, ResetFoulCounterPlayer).
 
-/// Nothing is held against the player any more; it counts as having stood for a while.
+/// Clears all counters of the player; it counts as having stood for a while.
 void forgive(const Match& match, Participant& player);
 /// Takes note of where everybody is, how long they have lain (torso below 0.15 m), not stood (below 0.25 m,
 /// until they stood for half a second) or been away from the ball.

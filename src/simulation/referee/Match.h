@@ -36,7 +36,7 @@ struct PassRecord {
   bool clearedToScore = false;
 };
 
-/// What the referee remembers from cycle to cycle, but for the game that everyone is told.
+/// The referee's state from cycle to cycle, except the game state that is sent to everyone.
 struct MatchMemory {
   BallWatch ball;
   std::vector<Participant> participants;  ///< with a team, in the order in which they came
@@ -63,7 +63,7 @@ struct Match {
   /// Robots that touched each other in this cycle.
   const std::vector<RobotContact>& contacts;
   double step = 0.02;  ///< of a cycle [s]
-  /// In which this cycle is judged; game.mode is what comes of it.
+  /// Play mode for judging this cycle; game.mode is the result.
   PlayMode mode = PlayMode::beforeKickOff;
   bool settled = false;      ///< a rule has decided what follows from where the ball is
   bool suspended = false;    ///< players may stand anywhere: no fouls, and none is held against them
@@ -82,9 +82,9 @@ struct Match {
   /// Null if that robot or number is nobody's.
   Participant* find(RobotHandle robot);
   Participant* find(TeamSide side, int unum);
-  /// Those of a side (none: of both) in an order by lot, so that no number is preferred.
+  /// Players of a side (none: of both) in random order, so that no number is preferred.
   std::vector<Participant*> inRandomOrder(TeamSide side);
-  /// Both sides, in an order by lot.
+  /// Both sides, in random order.
   std::array<TeamSide, 2> sidesInRandomOrder();
 
   /// Lays the ball down; the next restart is there, too.

@@ -23,13 +23,13 @@ public:
   /// teams changed ends: the members' sides are to be swapped.
   bool update(Game& game, World& world, const Observation& observation, double seconds);
 
-  /// A trainer's wish. Side none: the side whose turn it is, else one by lot.
+  /// A trainer's command. Side none: the side that begins, else a random one.
   void kickOff(Game& game, World& world, TeamSide side);
-  /// A trainer's wish: play goes on where the ball is.
+  /// A trainer's command: play continues where the ball is.
   void dropBall(Game& game, World& world);
   /// A trainer's wish: selected players step back.
   void clearSelected(Game& game, World& world, const std::vector<Member>& members);
-  /// A player asks for pass mode.
+  /// A player requests pass mode.
   void askForPass(Game& game, World& world, int playerId);
 
   const Rules& rules() const { return rules_; }

@@ -16,7 +16,7 @@ public:
   };
 
   virtual ~Rule() = default;
-  /// Before the play mode is looked at: it may change the mode in which this cycle is judged.
+  /// Before the play mode is used: may change the mode for judging this cycle.
   virtual void begin(Match&) {}
   /// What the play mode (match.mode) and the ball demand.
   virtual void play(Match&) {}
@@ -30,7 +30,7 @@ public:
   /// What follows from the fouls called.
   virtual void punish(Match&) {}
   virtual void end(Match&) {}
-  /// A player asks for pass mode.
+  /// A player requests pass mode.
   virtual void passAsked(Match&, const Participant&) {}
 };
 

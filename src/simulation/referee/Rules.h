@@ -17,7 +17,8 @@ struct Rules {
     PARAMETER(double, half, 300, "s", Range(0.02, 1e6), "length of a half")
     PARAMETER(double, goalPause, 3, "s", Range::atLeast(0), "after a goal, until the kick-off")
     PARAMETER(double, kickPause, 1, "s", Range::atLeast(0), "after the ball went out, until it is laid down")
-    PARAMETER(double, dropBall, 15, "s", Range::atLeast(0), "a restart nobody takes; 0: it waits for ever")
+    PARAMETER(double, dropBall, 15, "s", Range::atLeast(0),
+              "a restart that no player takes; 0: it waits for ever")
     PARAMETER(bool, singleHalf, false, "", {}, "the game is over after the first half")
     PARAMETER(bool, changeSides, false, "", {}, "teams change ends for the second half")
     PARAMETER(bool, quitAfterGame, false, "", {}, "the simulator ends ten seconds after the game")
@@ -30,7 +31,7 @@ struct Rules {
     PARAMETERS(KickOff)
     PARAMETER(double, after, -1, "s", Range::atLeast(-1),
               "by itself so long after BeforeKickOff began; below 0: a trainer does it")
-    PARAMETER(bool, byLot, false, "", {}, "who begins the game; otherwise the left team")
+    PARAMETER(bool, byLot, false, "", {}, "the team that begins the game is random; otherwise the left team")
     PARAMETER(bool, ownHalf, true, "", {}, "players in the other half are put back")
     PARAMETER(bool, noDirectGoal, true, "", {},
               "none before another player, or the taker's team outside the ring, touched the ball")
@@ -46,7 +47,7 @@ struct Rules {
     PARAMETER(double, repel, 0.5, "m", Range::atLeast(0),
               "own players are moved so far from the ball as it is laid down")
     PARAMETER(double, goalKick, 1, "m", Range(0.05, 10), "of the ball from the goal line")
-    PARAMETER(bool, doubleTouch, true, "", {}, "who took it must not be the next at the ball")
+    PARAMETER(bool, doubleTouch, true, "", {}, "a player that took it must not be the next to touch the ball")
     PARAMETER(bool, noIndirectGoal, true, "", {},
               "nor may an indirect kick, or an own goal of a direct one, count")
     bool operator==(const Restarts&) const = default;
@@ -79,10 +80,10 @@ struct Rules {
   struct Moves {
     PARAMETERS(Moves)
     PARAMETER(double, foulHold, 0.5, "s", Range::atLeast(0),
-              "an offender hangs in the air before it is put beside the field")
+              "an offender is held in the air before it is put outside the field")
     PARAMETER(double, agentRadius, 0.4, "m", Range::atLeast(0), "kept free around a player that is moved")
     PARAMETER(int, attempts, 100, "", Range(0, 10000),
-              "places tried to put a player where nobody stands; 0: any will do")
+              "number of places tried to put a player to a free place; 0: any place")
     PARAMETER(bool, startAnywhere, false, "", {}, "beams may go into the other half")
     bool operator==(const Moves&) const = default;
   };

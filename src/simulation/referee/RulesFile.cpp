@@ -8,10 +8,9 @@ namespace plumbline::simulation {
 namespace {
 
 constexpr const char* head =
-    "# The referee's rules: bin/simulator --rules FILE. What stands here is what it does without; a file "
-    "need name\n"
-    "# only what it changes. What each rule says: doc/reference/rules.md. Written by bin/simulator "
-    "--print-rules.\n";
+    "# The referee's rules: bin/simulator --rules FILE. These are the defaults; a file need name only what "
+    "it\n"
+    "# changes. doc/reference/rules.md explains the rules. Written by bin/simulator --print-rules.\n";
 
 void appendLine(std::string& text, const Parameter& parameter, const ParameterPointer& value) {
   text += "  " + parameter.name + ": " + parameterText(value) + "  # ";

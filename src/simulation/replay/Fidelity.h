@@ -22,7 +22,7 @@ struct TraceDeviation {
   double ball = 0;                      ///< horizontally, largest [m]
   double gyroRms = 0, accRms = 0;       ///< [rad/s], [m/s^2]; without the first two rows
   double footForceRms = 0;              ///< vertical, both feet and toes summed [N]
-  int rowOff1mm = -1, rowOff1cm = -1;   ///< first row with the torso off by so much
+  int rowOff1mm = -1, rowOff1cm = -1;   ///< first row in which the torso is off by this
 };
 
 /// Figures of standing, falling, walking, turning and of the ball, as far as the trace shows them.

@@ -8,7 +8,7 @@
 
 namespace plumbline::simulation {
 
-/// What a figure of a trace must come to: within `absolute`, or within `relative` of the league's value.
+/// Target of a figure of a trace: within `absolute`, or within `relative` of the league's value.
 struct FidelityTarget {
   std::optional<double> absolute, relative;
 };
@@ -26,7 +26,7 @@ struct FidelityLine {
   bool met() const;
 };
 
-/// How far the league's server is from itself, by figure: what it did when the same commands were sent again.
+/// Difference of the league's server from itself, by figure, when the same commands are sent again.
 using LeagueSpread = std::map<std::string, double>;
 
 /// All lines of one trace; which, goes by its name (stand, crouch, swing, fallF, fallB, ut_walk, ut_turn,

@@ -14,7 +14,7 @@ std::string replayReport(const std::string& file, std::optional<int> type, const
   const auto traces = simspark::readLeagueRecording(file);
   if (type && traces.size() > 1)
     throw std::runtime_error(file + ": is of " + std::to_string(traces.size()) +
-                             " robots, whose names say their types; leave --type out");
+                             " robots, whose types are in the names; leave --type out");
   std::vector<int> types;
   std::vector<RobotModel> models;
   for (const simspark::LeagueTrace& trace : traces) {

@@ -18,9 +18,9 @@ ReplayedRobots::ReplayedRobots(const std::vector<simspark::LeagueTrace>& traces,
 }
 
 /// Load tears gaps into hinges (0.02 mm each), which decide when a foot lands. So the robots stand or lie in
-/// the first posture until the gaps are there: awake, as sleep would end that halfway, and then until the
-/// bodies count as idle, as they do after a rest on the server. Then the torsos get to their places and the
-/// step to row 0 is made: the gaps of a robot that was put into the air close a little in it.
+/// the first posture until the hinges have opened. They are awake, because sleep would end that halfway, and
+/// then rest until the bodies count as idle, as after a rest on the server. Then the torsos get to their
+/// places and the step to row 0 is made: the gaps of a robot that was put into the air close a little in it.
 void ReplayedRobots::makeRow0() {
   constexpr int stepsForGaps = 60, stepsToSleep = 15;
   for (std::size_t r = 0; r < robots_.size(); ++r) world_->setPosture(robots_[r].handle, starts_[r].angle);

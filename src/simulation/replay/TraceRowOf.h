@@ -4,7 +4,7 @@
 
 namespace plumbline::simulation {
 
-/// What a recording would say of a robot in the world now; leftFoot, rightFoot: its model's links.
+/// The row of a recording for a robot in the world now; leftFoot, rightFoot: its model's links.
 simspark::TraceRow traceRowOf(const World& world, RobotHandle robot, int leftFoot, int rightFoot,
                               const JointArray& command);
 

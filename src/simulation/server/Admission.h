@@ -9,13 +9,13 @@
 
 namespace plumbline::simulation {
 
-constexpr double silentTimeout = 10;       ///< who has to say something first has so long [s of wall clock]
+constexpr double silentTimeout = 10;       ///< time for a client's first message [s of wall clock]
 constexpr std::size_t mostAccepted = 256;  ///< connections taken in at once; the others wait for a cycle
 
-/// Makes room on a port where the last of `clients` has just come. With more than `most`, the one that has
-/// kept silent longest goes, so that nobody is locked out by connections that say nothing. If all have
-/// spoken, the newcomer goes. receive(client) takes in what a client has sent, silent(client) tells whether
-/// it has said nothing of use yet.
+/// Makes room on a port to which the last of `clients` has just connected. With more than `most`, the client
+/// that has been silent longest is dropped, so that silent connections cannot block others. If all have sent
+/// something, the newcomer is dropped. receive(client) reads what a client has sent, silent(client) says
+/// whether it has sent nothing useful yet.
 template <typename Client, typename Receive, typename Silent>
 void makeRoom(std::vector<std::unique_ptr<Client>>& clients, std::size_t most, const std::string& tooMany,
               const Receive& receive, const Silent& silent) {
@@ -29,7 +29,7 @@ void makeRoom(std::vector<std::unique_ptr<Client>>& clients, std::size_t most, c
     receive(*client);
     if (client->client.broken()) return;
     if (!silent(*client)) continue;
-    return client->client.drop("said nothing, and others want its place");
+    return client->client.drop("sent nothing, and other clients need its place");
   }
   clients.back()->client.drop(tooMany);
 }

@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t mostUnread = 1 << 20;  ///< bytes an agent may leave unread
 constexpr std::size_t maxAgents = 64;        ///< connections at once
 constexpr std::size_t maxPending = 256;      ///< messages in one cycle
-// An agent that never says (syn) is not waited for after so many messages, as on the league's server; before
-// the first of them it gets a moment, so that one that is about to say it does.
+// As on the league's server, the simulator does not wait for an agent that has never sent (syn) after this
+// many messages. Before the first message it gets a moment, in which it can send it.
 constexpr int unsyncedCycles = 5;
 constexpr double unsyncedPatience = 0.5;
 constexpr std::string_view hetero = "rsg/agent/nao/nao_hetero.rsg", standard = "rsg/agent/nao/nao.rsg";
@@ -108,7 +108,7 @@ void AgentPort::carryOut(Agent& agent, const simspark::AgentCommand& command) {
   if (command.scene && !agent.player) {
     if ((command.scene->file != hetero && command.scene->file != standard) || command.scene->type < 0 ||
         command.scene->type >= numSimsparkTypes())
-      return agent.client.drop("asked for an unknown robot: " + command.scene->file.substr(0, 80) + ' ' +
+      return agent.client.drop("requested an unknown robot type: " + command.scene->file.substr(0, 80) + ' ' +
                                std::to_string(command.scene->type) + "; there is " + std::string(hetero) +
                                " 0.." + std::to_string(numSimsparkTypes() - 1));
     agent.player = simulation_.addPlayer(command.scene->type);

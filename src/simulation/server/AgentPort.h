@@ -26,7 +26,7 @@ public:
     double syncTimeout = 60;              ///< give up on a silent agent after so many seconds; 0: never
     double halfTimeout = 10;              ///< the same on half a message
     std::string token{};                  ///< if not empty, the first message must be (token TOKEN)
-    double sceneTimeout = silentTimeout;  ///< who asks for no robot for so many seconds goes
+    double sceneTimeout = silentTimeout;  ///< an agent without a robot is dropped after this time [s]
   };
 
   AgentPort(const Config& config, Simulation& simulation, LogFunction log);
@@ -44,7 +44,7 @@ public:
   void carryOut();
   /// Sends everybody the senses of the last step.
   void sendSenses();
-  /// The simulation began anew, with other ids: what agents answer to messages from before is not minded.
+  /// The simulation restarted, with other ids: answers of agents to earlier messages are ignored.
   void restarted(const std::map<PlayerId, PlayerId>& ids);
   /// Closes connections whose clients went away, sent garbage, or kept everybody waiting.
   void dropBroken();

@@ -9,8 +9,8 @@ namespace plumbline::simulation {
 /// Receives one line about something worth knowing.
 using LogFunction = std::function<void(const std::string&)>;
 
-/// Hands lines on, but no flood of them: lines that differ only in addresses so many times a second, then
-/// their number. Bytes that a client chose are made printable.
+/// Passes on lines with a limit: lines that differ only in addresses at most some times a second, then their
+/// number. Bytes from a client are made printable.
 class LimitedLog {
 public:
   static constexpr unsigned perSecond = 30;

@@ -20,7 +20,7 @@ struct RunClock : simspark::SimulatorClock {
   bool stands() const { return paused && steps == 0; }
 };
 
-/// Monitors and trainers: they are told the scene and may command the simulation.
+/// Monitors and trainers: they get the scene and may command the simulation.
 class MonitorPort {
 public:
   struct Config {
@@ -41,7 +41,7 @@ public:
 
   /// Carries out the trainers' commands. True if there were any.
   bool carryOut();
-  /// Tells new monitors everything, and, if a message is due, the others what changed.
+  /// Sends new monitors the whole scene, and, if a message is due, the others the changes.
   void tell(bool regular);
   bool due() const { return simulation_.cycle() % static_cast<std::uint64_t>(config_.interval) == 0; }
   /// Whether somebody has not been told yet that robots came or left.

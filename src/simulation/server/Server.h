@@ -19,12 +19,13 @@ struct ServerConfig {
   std::optional<FieldPort::Config> field;  ///< where bin/simplemonitor looks; none: no such port
   bool fieldOptional = false;              ///< do without if its port is in use
   bool realTime = true;
-  /// The clock stands until so many agents have come, and after that while none is there; 0: it never stands.
+  /// The clock stands until this many agents have connected, and later while none is connected; 0: it never
+  /// stands.
   int waitForAgents = 0;
   std::optional<double> maxSeconds;  ///< of simulated time, then run() returns
 };
 
-/// What a run has cost.
+/// Time that a run took.
 struct ServerStatistics {
   std::uint64_t cycles = 0;
   double simulatedSeconds = 0, wallSeconds = 0;
@@ -60,7 +61,7 @@ private:
   void tellField();
   void waitForClock();
 
-  /// Says why nothing moves, when it has not moved for a while.
+  /// Prints why nothing moves, after some time without motion.
   void tellWait();
 
   ServerConfig config_;

@@ -17,7 +17,7 @@ struct RobotSimulationOptions {
   double groundFriction = 0.8;
   double groundStiffness = 5e5;  ///< per point of contact [N/m]
   double groundDamping = 500;    ///< per point of contact [N s/m]
-  /// What the drives of all joints have that the robot's file lacks; empty: nothing. Delays are the caller's.
+  /// Properties of all joints' drives that are not in the robot's file; empty: none. The caller adds delays.
   std::vector<JointPlant> drives = {};
 };
 
@@ -31,9 +31,9 @@ struct ServoReadings {
   std::vector<std::vector<double>> footForce;    ///< per foot and sensor, as in the Mechanism [N]
 };
 
-/// A robot with position servos, alone on flat ground or held at its base, in one of the engines: what
-/// walking, recordings and sealed benchmarks see of a simulation. Joints and links are those of the
-/// Mechanism, in its order. The same calls give the same bytes.
+/// A robot with position servos, alone on flat ground or with a fixed base, in one of the engines: the
+/// interface for walking, recordings and sealed benchmarks. Joints and links are those of the Mechanism, in
+/// its order. The same calls give the same bytes.
 class RobotSimulation {
 public:
   virtual ~RobotSimulation() = default;
@@ -42,7 +42,7 @@ public:
   RobotSimulation(RobotSimulation&&) = default;
   RobotSimulation& operator=(RobotSimulation&&) = default;
 
-  /// Starts anew: this pose of the base, joints at q and commanded there, stiffness 1, at rest. Throws
+  /// Restarts: this pose of the base, joints at q and commanded there, stiffness 1, at rest. Throws
   /// std::invalid_argument for another number of joints.
   virtual void restart(const Pose3& T_world_base, const std::vector<double>& q) = 0;
   /// The same with the base upright and the lowest sole (a free robot's lowest point) on the ground.
@@ -65,7 +65,7 @@ public:
 
   /// Positions and speeds are the links'.
   virtual const ServoReadings& readings() const = 0;
-  /// What the joint's encoder shows, with what its drive does to it, and the speed on that side of its gear.
+  /// Reading of the joint's encoder with the drive's effects, and the speed on that side of its gear.
   virtual double encoder(int joint) const = 0;
   virtual double encoderSpeed(int joint) const = 0;
   /// Of a link's frame [m, m/s], world.

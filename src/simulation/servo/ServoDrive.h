@@ -4,8 +4,9 @@
 namespace plumbline::simulation {
 
 /// One joint's servo with its drive, as a linear law torque = offset - slope * v for the speed v at the end
-/// of a step, so that the step can be solved with it. It knows no dynamics: it is told where motor and link
-/// are, and what came out. Law of the servo: robot/Mechanism.h; of the rest: JointPlant.
+/// of a step, so that the step can be solved with it. It has no dynamics: the caller gives it the positions
+/// of motor and link, and the result of the step. Law of the servo: robot/Mechanism.h; of the rest:
+/// JointPlant.
 class ServoDrive {
 public:
   /// detailed: speeds by the trapezoid, for positions that are read half a step of speed earlier (leapfrog),
@@ -38,7 +39,7 @@ public:
   /// Share of the supply that is left in the next steps (SupplyRail).
   void setSupply(double share) { supply_ = share; }
   const JointPlant& drive() const { return plant_; }
-  /// What the encoder shows of the joint.
+  /// The encoder's reading of the joint.
   double measured(const Side& motor, const Side& link) const;
 
 private:

@@ -11,12 +11,12 @@
 
 namespace plumbline::simulation {
 
-/// The engine "bullet" for robots with position servos: Bullet's multi-body dynamics
-/// under the servo law of its Mechanism (stiffness, torque limit, fading near the top speed, rotor's inertia,
-/// DC motors, joints driven by another's motor). The servo law, stops, contacts and Coulomb friction are rows
-/// of one system per step, solved exactly with the forces at the end of the step, so stiff gains stay calm.
-/// Soles are boxes; every other link touches the ground with a ball of 3 cm about its centre of mass. The
-/// same calls give the same bytes.
+/// The engine "bullet" for robots with position servos: Bullet's multi-body dynamics under the servo law of
+/// its Mechanism (stiffness, torque limit, fading near the top speed, rotor's inertia, DC motors, joints
+/// driven by another's motor). The servo law, stops, contacts and Coulomb friction are rows of one system per
+/// step, solved exactly with the forces at the end of the step, so stiff gains do not oscillate. Soles are
+/// boxes; every other link touches the ground with a ball of 3 cm about its centre of mass. The same calls
+/// give the same bytes.
 class ServoWorld : public RobotSimulation {
 public:
   /// Errors: std::invalid_argument for a step or a rate that is not above zero.

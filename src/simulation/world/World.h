@@ -57,8 +57,8 @@ struct WorldConfig {
   bool selfCollision = false;  ///< off in effect on the league's server
   LeagueNumbers numbers;
   FieldSize field;
-  /// What the robots and the ground have and their models have not (simulation/effects/); makeWorld throws
-  /// ConfigurationError for those that cannot be here.
+  /// Effects of robots and ground that are not in their models (simulation/effects/); makeWorld throws
+  /// ConfigurationError for effects that are impossible here.
   std::vector<EffectSetting> effects;
 };
 
@@ -89,7 +89,7 @@ public:
   /// Puts the torso and the joints to this state of motion [rad, rad/s]; motors go on at their speed, awake.
   virtual void setState(RobotHandle robot, const BodyState& torso, const JointArray& angles,
                         const JointArray& rates) = 0;
-  /// Sets velocities alone, those of the torso's state and of the joints; wakes nothing.
+  /// Sets only velocities, of the torso's state and of the joints; wakes nothing.
   virtual void setVelocities(RobotHandle robot, const BodyState& torso, const JointArray& rates) = 0;
   /// Hinge motor target [rad/s]; clamped to the joint's speed; persists; ignored for a cycle at a stop.
   virtual void setJointVelocity(RobotHandle robot, JointId joint, double velocity) = 0;

@@ -21,8 +21,8 @@ struct TorsoPlacement {
 
 /// Joint angles from the walk state: the torso is put where the centre of mass of the whole robot, swing leg
 /// and arms included, comes over the frame's origin. Each call begins from the result of the last; allocates
-/// nothing. Hips that share a yaw pitch motor turn by the mean of what either foot wants; the feet's
-/// headings are off by the rest.
+/// nothing. Hips that share a yaw pitch motor turn by the mean of the angles that the feet need; the feet's
+/// headings have the remaining error.
 class BodyPosture {
 public:
   explicit BodyPosture(const RobotModel& robot);

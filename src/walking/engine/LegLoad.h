@@ -4,8 +4,8 @@
 
 namespace plumbline::walking {
 
-/// What the legs' servos have to carry: the torques [N m] with which the joints hold the robot's weight when
-/// the ground's forces act on the soles. The force points from each sole's point of pressure to the centre of
+/// Load of the legs' servos: the torques [N m] with which the joints carry the robot's weight when the
+/// ground's forces act on the soles. The force points from each sole's point of pressure to the centre of
 /// mass, as in the pendulum, so the mass may be off the foot and accelerate.
 class LegLoad {
 public:

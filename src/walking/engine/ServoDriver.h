@@ -23,8 +23,8 @@ struct ServoCommand {
 };
 
 /// Between the walk and any robot with position servos, simulated or not: joint targets in, joint angles, IMU
-/// and the forces on the soles out. A servo gives way under the robot's weight by torque / kp and lags by
-/// kd / kp; its target leads by the walk's servo.loadLead and servo.rateLead of both.
+/// and the forces on the soles out. A servo deviates under the robot's weight by torque / kp and lags by kd /
+/// kp; its target compensates the shares servo.loadLead and servo.rateLead of these.
 class ServoDriver {
 public:
   /// Throws std::invalid_argument for a robot that is no humanoid (Humanoid) or has other than two feet.

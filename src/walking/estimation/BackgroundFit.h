@@ -23,9 +23,9 @@ struct BackgroundFitOptions {
 };
 
 /// Fits the model to the robot while it walks (section 4.3.2): collects steps, fits in a thread of its own,
-/// hands over the result when it is due, and begins again. A set that was taken is on probation: if it
-/// predicts the steps walked with it worse than the set before did its own, or the robot falls, the one
-/// before comes back. So it is with the set that only predicts.
+/// returns the result when it is due, and begins again. A new set is tested: if it predicts its own steps
+/// worse than the previous set predicted its steps, or the robot falls, the previous set returns. The same
+/// holds for the set that only predicts.
 class BackgroundFit {
 public:
   explicit BackgroundFit(const BackgroundFitOptions& options);

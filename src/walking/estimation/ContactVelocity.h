@@ -5,9 +5,9 @@
 
 namespace plumbline::walking {
 
-/// What the ground does to the feet tells of the velocity: its forces are the mass's acceleration, and where
-/// it presses, the foot stands still. That holds, too, of a foot that rolls over its edge or is not the one
-/// meant to carry. The movement of the commanded foot's centre cannot show that.
+/// Velocity from the ground's effect on the feet: its forces give the acceleration of the centre of mass, and
+/// at the points of contact the foot does not move. This also holds for a foot that rolls over its edge or is
+/// not the planned support foot. The movement of the commanded foot's centre cannot show that.
 class ContactVelocity {
 public:
   explicit ContactVelocity(const RobotModel& robot);

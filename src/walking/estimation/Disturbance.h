@@ -6,9 +6,9 @@
 
 namespace plumbline::walking {
 
-/// How far the robot is from where the walk has it: the observed walk state against the planned one, without
-/// what is usual in this part of a step. The model errs in every step in the same way (table 4.3), by as much
-/// as a hard push; only what is left tells of a disturbance (section 4.2.5).
+/// Difference between the observed and the planned walk state, without the usual difference in this part of a
+/// step. The model has the same error in every step (table 4.3), as large as a hard push; only the rest is a
+/// disturbance (section 4.2.5).
 class Disturbance {
 public:
   void reset() { *this = {}; }
@@ -21,11 +21,11 @@ public:
   /// and less.
   void begin() { share_ = 1; }
 
-  /// The carrying feet are so far from where they should be, in the frame of the centre of mass [m].
+  /// Position error of the support feet, in the frame of the centre of mass [m].
   const Vec2& foot() const { return now_.foot; }
-  /// The centre of mass is so much faster [m/s].
+  /// Velocity error of the centre of mass [m/s].
   const Vec2& velocity() const { return now_.velocity; }
-  /// The capture point (Pratt et al. 2006) is so far from where it should be over the ground [m].
+  /// Error of the capture point (Pratt et al. 2006) over the ground [m].
   const Vec2& capturePoint() const { return capture_; }
   /// How much of the walk is recovery from a push, 0 .. 1.
   double share() const { return share_; }

@@ -6,9 +6,9 @@
 
 namespace plumbline::walking {
 
-/// How far fitted parameters would change the walk. Steps of one kind of walking leave some of the ten
-/// parameters open; a set that predicts them well may still plan another walk at other speeds, or the same
-/// one with the feet elsewhere. A robot walks on only what it has been seen to walk.
+/// How far fitted parameters would change the walk. Steps of one kind of walking do not determine all of the
+/// ten parameters. A set that predicts them well may still plan another walk at other speeds, or the same one
+/// with the feet at other places. Only a nearly unchanged walk is safe.
 class FitSafety {
 public:
   /// The gait of these steps.

@@ -5,9 +5,9 @@
 
 namespace plumbline::walking {
 
-/// Lets the soles' force sensors say when a step ends: the swing foot carries as soon as it is pressed,
-/// before its time or, where the ground is not there yet, a little after it. contact.share 0: steps end as
-/// planned.
+/// The soles' force sensors decide when a step ends: the swing foot becomes the support foot when it is
+/// loaded, before its time or, if it has not reached the ground, a little after it. contact.share 0: steps
+/// end as planned.
 class SupportSwitch {
 public:
   void reset() { share_ = {}; }

@@ -8,15 +8,15 @@
 
 namespace plumbline::walking {
 
-/// How far the filter trusts what it is told. The noise of the model is high on purpose: a difference to the
-/// model is what the estimate is for (section 4.2.5).
+/// Noise parameters of the filter. The noise of the model is high on purpose, because the estimate shall show
+/// differences from the model (section 4.2.5).
 struct VelocityFilterParameters {
   int particles = 100;
   double modelNoise = 5;      ///< of the mass's acceleration by the model [m/s^2]
   double footNoise = 0.0005;  ///< of the supporting foot's movement in one cycle [m]
   double forceNoise = 0.01;   ///< of the change of velocity in one cycle, by the ground's forces [m/s]
   double slipNoise = 0.03;    ///< of the velocity seen in the movement of what touches the ground [m/s]
-  double pushOdds = 0.001;    ///< that what is seen and not felt is a push, not a foot that slides
+  double pushOdds = 0.001;    ///< odds that a motion without a measured force is a push, not a sliding foot
   std::uint64_t seed = 1;
 };
 

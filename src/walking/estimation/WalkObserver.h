@@ -6,10 +6,9 @@
 
 namespace plumbline::walking {
 
-/// The walk state as the sensors tell it (section 4.2.5). The feet come from the joint angles and the torso's
-/// angles, the velocity from the particle filter. That filter is told of the forces on the feet where they
-/// are felt, else of the movement of the feet that are meant to carry. What it tells is as old as the
-/// measurement.
+/// The observed walk state (section 4.2.5). The feet come from the joint angles and the torso's angles, the
+/// velocity from the particle filter. That filter uses the forces on the feet if they are measured, else the
+/// movement of the commanded support feet. The state is as old as the measurement.
 class WalkObserver {
 public:
   explicit WalkObserver(const RobotModel& robot, const VelocityFilterParameters& filter = {});

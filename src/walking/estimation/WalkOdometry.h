@@ -8,8 +8,8 @@
 
 namespace plumbline::walking {
 
-/// Odometry of what is commanded, told when it can be measured; or, where the velocity is known from the
-/// feet, of what was observed (odometry.observedShare).
+/// Odometry from the commands, at the time at which they can be measured; or, if the feet show the velocity,
+/// from the observation (odometry.observedShare).
 class WalkOdometry {
 public:
   void reset(const Pose2& T_com_torso) {

@@ -6,10 +6,10 @@ namespace plumbline::walking {
 /// Feedback from the torso's angle and turn rate; zero is the open loop.
 struct FeedbackParameters {
   PARAMETERS(FeedbackParameters)
-  PARAMETER(double, delay, 0.04, "s", Range(0, 0.1), "from a measurement to the effect of what it causes",
+  PARAMETER(double, delay, 0.04, "s", Range(0, 0.1), "from a measurement to the effect of its command",
             "blends")
   PARAMETER(double, tiltWindow, 0, "s", Range(0, 100),
-            "time over which a lasting tilt is taken as usual, 0: none is")
+            "time after which a constant tilt counts as usual, 0: never")
   PARAMETER(double, ankleRollGain, 0, "", Range(-2, 2), "torso angle to the supporting ankle", "blends",
             "feedback")
   PARAMETER(double, anklePitchGain, 0, "", Range(-2, 2), "torso angle to the supporting ankle", "blends",
@@ -19,9 +19,9 @@ struct FeedbackParameters {
   PARAMETER(double, anklePitchRate, 0, "s", Range(-0.5, 0.5), "torso turn rate to the supporting ankle",
             "blends", "feedback")
   PARAMETER(double, stepForwardGain, 0, "", Range(-2, 3),
-            "share of the tilt that step planning takes for the pendulum moving", "blends", "feedback")
+            "share of the tilt that step planning interprets as motion of the pendulum", "blends", "feedback")
   PARAMETER(double, stepSidewaysGain, 0, "", Range(-2, 3),
-            "share of the tilt that step planning takes for the pendulum moving", "blends", "feedback")
+            "share of the tilt that step planning interprets as motion of the pendulum", "blends", "feedback")
   PARAMETER(double, swingLevel, 0, "", Range(0, 1.5),
             "share of the tilt that the swing foot is turned back by", "blends", "feedback")
   PARAMETER(double, hipRollGain, 0, "", Range(-2, 2), "torso angle to the supporting hip (section 4.2.7)",
@@ -39,7 +39,7 @@ struct FeedbackParameters {
   PARAMETER(double, tiltTolerance, 0.2, "rad", Range(0, 2),
             "torso's deviation from its plan beyond which the walk slows down", "blends")
   PARAMETER(double, tiltBrake, 0, "1/rad", Range(0, 50),
-            "share of the requested speed taken off per such deviation", "blends", "feedback")
+            "share by which the requested speed is reduced per such deviation", "blends", "feedback")
   PARAMETER(double, swingMeasuredPitch, 0, "", Range(-1, 2),
             "share of the measured pitch that the swing foot is placed for", "blends", "feedback")
   PARAMETER(double, swingMeasuredRoll, 0, "", Range(-1, 2),
@@ -53,15 +53,15 @@ struct ObservationParameters {
   PARAMETERS(ObservationParameters)
   PARAMETER(double, delay, 0.04, "s", Range(0.001, 0.2), "from a command to the measurement that shows it")
   PARAMETER(double, positionGain, 0, "", Range(0, 1),
-            "share of the observed error of the feet taken over in a cycle", "blends", "feedback")
+            "share of the observed error of the feet that is corrected in a cycle", "blends", "feedback")
   PARAMETER(double, velocityGain, 0, "", Range(0, 1),
-            "share of the observed error of the velocity taken over in a cycle", "blends", "feedback")
+            "share of the observed error of the velocity that is corrected in a cycle", "blends", "feedback")
   PARAMETER(double, positionGainLateral, 1, "", Range(0, 2), "times positionGain: sideways", "blends")
   PARAMETER(double, velocityGainLateral, 1, "", Range(0, 2), "times velocityGain: sideways", "blends")
   PARAMETER(double, imuWindow, 0, "s", Range(0, 100),
             "time over which IMU and legs are compared, 0: the IMU is right")
   PARAMETER(double, biasWindow, 0, "s", Range(0, 100),
-            "time over which an error of the model is taken as usual, 0: none is")
+            "time after which a constant error of the model counts as usual, 0: never")
 };
 
 /// Recovery from a push, by how far the capture point is off its usual place (Disturbance).
@@ -84,7 +84,7 @@ struct ContactParameters {
   PARAMETER(double, minPhase, 0.7, "", Range(0.1, 1), "share of the step before which it does not end",
             "blends")
   PARAMETER(double, maxWait, 0, "s", Range(0, 0.2),
-            "a step lasts so much longer at most where the ground is not there yet", "blends")
+            "longest extension of a step if the foot has not reached the ground", "blends")
 };
 
 /// A fall that cannot be stopped any more (FallGuard).
@@ -101,7 +101,7 @@ struct OdometryParameters {
   PARAMETERS(OdometryParameters)
   PARAMETER(double, delay, 0.04, "s", Range(0, 0.2), "from a joint target to the measurement that shows it")
   PARAMETER(double, observedShare, 0, "", Range(0, 1),
-            "share of the observed motion, where the feet's forces are felt")
+            "share of the observed motion, if the feet have force sensors")
   PARAMETER(double, scaleForward, 1, "", Range(0.1, 3), "walked over planned", "blends")
   PARAMETER(double, scaleSideways, 1, "", Range(0.1, 3), "walked over planned", "blends")
   PARAMETER(double, scaleTurn, 1, "", Range(0.1, 3), "turned over planned", "blends")

@@ -38,7 +38,7 @@ struct ServoParameters {
   PARAMETER(double, kneeStiffness, 1, "", Range(0.1, 1), "stiffness of the knees", "blends")
   PARAMETER(double, ankleStiffness, 1, "", Range(0.1, 1), "stiffness of the ankles", "blends")
   PARAMETER(double, loadLead, 0, "", Range(0, 2),
-            "share of what a servo gives way under the robot's weight that targets lead by", "blends")
+            "share of a servo's deviation under the robot's weight that targets compensate", "blends")
   PARAMETER(double, rateLead, 0, "", Range(0, 2),
             "share of a servo's lag behind a moving target that targets lead by", "blends")
 };

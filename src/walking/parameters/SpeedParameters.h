@@ -38,9 +38,9 @@ struct SpeedParameters {
 /// The way to the full speed in one direction and back.
 struct SprintParameters {
   PARAMETERS(SprintParameters)
-  PARAMETER(double, patience, 0.3, "s", Range(0, 10), "time for which a sprint has to be asked for")
+  PARAMETER(double, patience, 0.3, "s", Range(0, 10), "time for which a sprint must be requested")
   PARAMETER(double, lateralShare, 0.23, "", Range(0, 0.35),
-            "share of the omnidirectional limits that is walked beside a sprint")
+            "share of the omnidirectional limits that is allowed in other directions during a sprint")
   PARAMETER(double, riseTime, 0, "s", Range(0, 10),
             "from the omnidirectional limit to full speed, 0: with the usual acceleration")
   PARAMETER(double, fallTime, 0, "s", Range(0, 10),
@@ -52,7 +52,7 @@ struct StartStopParameters {
   PARAMETERS(StartStopParameters)
   PARAMETER(double, duration, 0.14, "s", Range(0.04, 1), "shift of the weight before the first step")
   PARAMETER(double, speed, 0, "m/s", Range(0, 0.3),
-            "speed forward or backward of the first step, if so much is asked for")
+            "speed forward or backward of the first step, if the request is at least this")
   PARAMETER(double, stopVelocity, 0.05, "m/s", Range(0.001, 0.5),
             "both feet carry again only below this forward velocity")
 };

@@ -13,7 +13,7 @@ struct StepParameters {
             "blends")
   PARAMETER(double, maxBackward, 0.08, "m", Range(0.01, 0.4), "swing target behind the centre of mass",
             "blends")
-  PARAMETER(double, maxOutward, 0.14, "m", Range(0.05, 0.4), "swing target beside the centre of mass",
+  PARAMETER(double, maxOutward, 0.14, "m", Range(0.05, 0.4), "swing target sideways of the centre of mass",
             "blends")
   PARAMETER(double, minFeetDistance, 0.09, "m", Range(0.08, 0.3),
             "least distance of the soles' centres: the feet do not cross", "blends")

@@ -25,8 +25,8 @@ struct WalkParameters {
   PARAMETER_GROUP(ObservationParameters, observation, "observation of the walk state")
   PARAMETER_GROUP(RecoveryParameters, recovery, "recovery from pushes")
   PARAMETER_GROUP(ContactParameters, contact, "when a step ends by the soles' forces")
-  PARAMETER_GROUP(ServoParameters, servo, "position servos, where the platform has them")
-  PARAMETER_GROUP(FallParameters, fall, "falls that cannot be stopped any more")
+  PARAMETER_GROUP(ServoParameters, servo, "position servos, if the platform has them")
+  PARAMETER_GROUP(FallParameters, fall, "falls that can no longer be stopped")
   PARAMETER_GROUP(ArmParameters, arms, "how the arms are held")
   PARAMETER_GROUP(OdometryParameters, odometry, "the way walked")
 

@@ -5,7 +5,7 @@
 
 namespace plumbline::walking {
 
-/// How far a kick in a step (section 4.4.1) has come, from being asked for to being over.
+/// Progress of a kick in a step (section 4.4.1), from the request to its end.
 struct KickRequest {
   std::optional<Side> foot;  ///< to kick with
   bool prepared = false;     ///< this step leads to it or is it

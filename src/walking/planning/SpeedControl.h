@@ -3,10 +3,10 @@
 
 namespace plumbline::walking {
 
-/// The speed that the walk aims at now: follows what is asked for within the limits of speed and
-/// acceleration. Any mixture of directions is walked within an ellipsoid of the omnidirectional limits
-/// (speed.omniForward ..). More, up to speed.maxForward .., is walked in one direction at a time (Sprint):
-/// only when little else is asked for, has been for a while, and that direction already walks at its limit.
+/// The target speed of the walk: follows the request within the limits of speed and acceleration. Any mixture
+/// of directions is walked within an ellipsoid of the omnidirectional limits (speed.omniForward ..). More, up
+/// to speed.maxForward .., is allowed in one direction at a time (Sprint): only if the request has had little
+/// else for a while, and that direction is already at its limit.
 class SpeedControl {
 public:
   void reset() { *this = {}; }

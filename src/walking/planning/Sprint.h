@@ -23,8 +23,8 @@ struct SprintConditions {
 /// The state that follows. A cycle may pass through several: the caller goes on until it stays.
 SprintState nextSprintState(SprintState state, const SprintConditions& conditions);
 
-/// The speed to aim at for what is asked for: within the omnidirectional limits, or a sprint. Such a sprint
-/// always passes through to its full speed or back, since no walk is known to be safe between.
+/// The target speed for a request: within the omnidirectional limits, or a sprint. A sprint always continues
+/// to its full speed or back, because no walk between is known to be safe.
 class Sprint {
 public:
   /// A cycle of dt [s]. wish: asked for; now: the speed walked.

@@ -5,7 +5,7 @@
 
 namespace plumbline::walking {
 
-/// What the robot's body allows of a step; the swing foot in the frame of the centre of mass when it lands.
+/// Limits of a step by the robot's body; the swing foot in the frame of the centre of mass when it lands.
 struct StepLimits {
   double forward = 0.1, backward = 0.08;  ///< before and behind [m]
   double minOutward = 0.045;              ///< the feet do not cross: half of their smallest distance [m]

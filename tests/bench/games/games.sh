@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# The team against the players of before it, who all go to the ball (config/platforms/simspark/swarm.cfg), in whole games on the
-# embedded simulator; and how well a player knows the others, against the monitor's scene, in one more game. Settings by the
-# environment: GAMES [10], HALF seconds [300], SEED of the first game [1], JOBS at once [cores], BEFORE, the folder of an earlier
-# state that is built, to play against as well, OUT, what the results' files are called [build/bench/games]. Before the games
-# one robot tries set starts (starts.sh). Writes OUT.json and OUT.md; what the programs said stays in the new folder OUT. `make
-# bench-games` builds what it needs and writes doc/results/games.md.
+# The team against players without teamwork, which all go to the ball (config/platforms/simspark/swarm.cfg), in whole
+# games on the embedded simulator. One more game compares a player's knowledge of the others with the monitor's scene.
+# Settings by the environment: GAMES [10], HALF seconds [300], SEED of the first game [1], JOBS at once [cores], BEFORE,
+# the folder of an earlier state that is built, to play against as well, OUT, what the results' files are called
+# [build/bench/games]. Before the games one robot tries set starts (starts.sh). Writes OUT.json and OUT.md; what the
+# programs said stays in the new folder OUT. `make bench-games` builds what it needs and writes doc/results/games.md.
 # With OTHER, the command that starts a team that is not ours, nothing but games against that team, PLAYERS [11] on each
-# side: {host}, {agent}, {monitor}, {team} and {players} in it are replaced. A script without them is told the host alone.
+# side: {host}, {agent}, {monitor}, {team} and {players} in it are replaced. A script without them is told the host
+# alone.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 games=${GAMES:-10} half=${HALF:-300} seed=${SEED:-1} jobs=${JOBS:-$(nproc)} players=${PLAYERS:-11} out=${OUT:-build/bench/games}
@@ -15,7 +16,7 @@ for value in "$games" "$half" "$seed" "$jobs"; do
 done
 [[ $players =~ ^([1-9]|1[01])$ ]] || { echo "games.sh: PLAYERS='$players' is not 1 to 11" >&2; exit 2; }
 [[ ${OTHER-} || $players == 11 ]] || { echo "games.sh: PLAYERS needs OTHER, the command that starts the other team" >&2; exit 2; }
-[[ ! ${OUT-} || ! -e $out ]] || { echo "games.sh: OUT=$out is there already" >&2; exit 2; }
+[[ ! ${OUT-} || ! -e $out ]] || { echo "games.sh: OUT=$out exists already" >&2; exit 2; }
 [[ $out == /* ]] || out=$PWD/$out
 work=$out
 rm -rf "$work"

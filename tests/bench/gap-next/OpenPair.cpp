@@ -138,7 +138,7 @@ Proposed proposedFor(const Mechanism& robot, const std::string& robotFile, const
   Proposed proposed;
   proposed.motion = readExcitation(folder + "/next.yaml", robot, 0);
   proposed.name = proposed.motion.about.substr(0, proposed.motion.about.find(':'));
-  proposed.separates = said.find("No motion of these tells them apart") == std::string::npos;
+  proposed.separates = said.find("None of these motions separates them") == std::string::npos;
   return proposed;
 }
 

@@ -13,8 +13,8 @@ struct Base {
   std::vector<gap::Trial> trials;
 };
 
-/// What can be planted exactly: a cause that is taken out of the nominal model (a gain of 1.3 in reality is
-/// one divided by 1.3 in the model), or put into the data where that is the same thing. Per cause one value,
+/// Causes that can be planted exactly: by removing a cause from the nominal model (a gain of 1.3 in reality
+/// is one divided by 1.3 in the model), or by changing the data, if that is equivalent. Per cause one value,
 /// of 1 deviation from nominal in its starts; the recordings stay real.
 std::vector<gap::Cause> plantsFor(const Base& base);
 

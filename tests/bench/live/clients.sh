@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# What clients that behave badly cost an agent's cycle: build/bench/live_clients.json.
-# Two agents play beside each other for SECONDS [20] of real time, one alone and one with, at its debug port: 200 clients
-# that say nothing, one that sends lines of a megabyte, one that sends wrong values, one that watches all representations
-# in each cycle and reads nothing. Processor time of the agent's thread is compared, for both share the machine.
+# What clients that behave badly cost an agent's cycle: build/bench/live_clients.json. Two agents play at the same time
+# for SECONDS [20] of real time, one without clients and one with clients at its debug port. There are 200 silent
+# clients, one that sends lines of a megabyte, one that sends wrong values, and one that watches all representations in
+# each cycle and reads nothing. Processor time of the agent's thread is compared, for both share the machine.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 scratch=$(mktemp -d)

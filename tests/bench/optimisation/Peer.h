@@ -23,9 +23,8 @@ struct PeerRun {
   double generations = 0;
 };
 
-/// Generations go in blocks of about a fiftieth of the work, since pagmo stops at a generation that it is
-/// told and not at a cost; what is reported is the first generation with a best of at most `target`, from its
-/// log.
+/// Generations run in blocks of about a fiftieth of the work, because pagmo stops at a given generation and
+/// not at a cost. The result is the first generation with a best of at most `target`, from its log.
 PeerRun runPeer(const std::string& algorithm, Function function, int dimension, double start, int population,
                 double target, double maxEvaluations, unsigned seed, double deviation = firstDeviation);
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Kick positioning (Seekircher 2015, 3.1.2): a robot 1.5 m from the ball, in any direction of it and with any heading, goes to the
-# ball and kicks it towards a goal that is too far for a shot. How long until the ball moves, how far it goes, how far off.
-# Settings by the environment: TRIES of each type [40], SEED of the first [6001], TYPES, BIN [bin], CONFIG, the agent's
-# configuration [config], OUT [build/bench/positioning]. Writes OUT.json and OUT.md.
+# Kick positioning (Seekircher 2015, 3.1.2). A robot 1.5 m from the ball, in any direction and with any heading, goes to
+# the ball and kicks it towards a goal that is too far for a shot. How long until the ball moves, how far it goes, how
+# far off. Settings by the environment: TRIES of each type [40], SEED of the first [6001], TYPES, BIN [bin], CONFIG, the
+# agent's configuration [config], OUT [build/bench/positioning]. Writes OUT.json and OUT.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 source tests/support/set-start.bash

@@ -24,8 +24,8 @@ void measureEach(std::size_t count, const BenchSetup& setup, Report& report, Pag
 void measureEach(std::size_t count, const BenchSetup& setup, Report& report,
                  const std::function<void(std::size_t, Report&)>& measure);
 
-/// The same for what takes long: a part that this program has measured already in this setup with this walk
-/// of the robot is taken from where it is kept, so that a benchmark that was stopped goes on.
+/// The same for long measurements: a part that this program has already measured in this setup with this walk
+/// of the robot is read from its file, so that a stopped benchmark continues.
 struct LongPart {
   const Subject& robot;
   std::string what;

@@ -182,7 +182,7 @@ TEST(EffectsTest, aWrongPlaceNamesThoseThereAre) {
     findPlace(*findEffect("backlash"), arm, "wrist", "");
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "backlash cannot be at 'wrist'; there is: shoulder, elbow, *");
+    EXPECT_STREQ(error.what(), "backlash cannot be at 'wrist'; possible places: shoulder, elbow, *");
   }
   EXPECT_EQ(findEffect("gremlins"), nullptr);
 }

@@ -162,7 +162,7 @@ TEST(Excitation, walksAreFilesToo) {
   EXPECT_THROW(playExcitation(forward, nao, 100), std::invalid_argument);
   EXPECT_THROW(excitationText(forward, nao), std::invalid_argument);
   EXPECT_EQ(errorOf("about: a\nbase: fixed\nwalk: {forward: 0.1, duration: 1}\n"),
-            "3: walk.forward needs base: free; a robot that is held does not walk");
+            "3: walk.forward needs base: free; a robot with a fixed base does not walk");
   EXPECT_EQ(errorOf("about: a\nbase: free\nwalk: {foward: 0.1, duration: 1}\n"),
             "3: unknown key \"walk.foward\"; did you mean \"forward\"?");
 }

@@ -222,10 +222,9 @@ TEST(SimsparkRecording, SaysWhyItCannot) {
   EXPECT_EQ(
       thrownBy([&] { recordSimspark(robot, findExcitation("stand_squat", robot), options); }),
       "cannot connect to 127.0.0.1:1: Connection refused; start bin/simulator or the league's server first");
-  EXPECT_EQ(
-      thrownBy([&] { recordSimspark(robot, findExcitation("hang_small", robot), options); }),
-      "hang_small is for a robot that is held; robots of SimSpark stand: take a program on the feet, such as "
-      "stand_squat");
+  EXPECT_EQ(thrownBy([&] { recordSimspark(robot, findExcitation("hang_small", robot), options); }),
+            "hang_small is for a robot with a fixed base; SimSpark's robots stand: use a program on the "
+            "feet, such as stand_squat");
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ TEST(AnswerFile, RefusesWhatIsNoAnswerInOneLine) {
   EXPECT_EQ(refusal(R"({"a": 1, "a": 2})"), "key \"a\" occurs twice in one object");
   EXPECT_EQ(refusal("[]"), "is no JSON map");
   EXPECT_EQ(refusal("{}"), "has no 'verdict'");
-  EXPECT_EQ(refusal(R"({"verdict": "maybe"})"), "has the verdict 'maybe'; there is none, effect, unknown");
+  EXPECT_EQ(refusal(R"({"verdict": "maybe"})"),
+            "has the verdict 'maybe'; it must be none, effect or unknown");
   EXPECT_EQ(refusal(R"({"verdict": "none"})"), "has no list 'effects'");
   EXPECT_EQ(refusal(R"({"verdict": "effect", "effects": [3]})"), "effects[0] is no map");
   EXPECT_EQ(refusal(R"({"verdict": "effect", "effects": [{"effect": "backlash"}]})"),
@@ -103,7 +104,7 @@ TEST(AnswerFile, CausesForARobotWithTheirRivals) {
     FAIL() << "an effect that is none";
   } catch (const ConfigurationError& error) {
     EXPECT_STREQ(error.what(),
-                 "a.json: effects[0]: effect is \"backlsh\", which is no effect of the library; did you mean "
+                 "a.json: effects[0]: effect is \"backlsh\"; the library has no such effect; did you mean "
                  "\"backlash\"?");
   }
 }

@@ -67,9 +67,8 @@ TEST_F(MotionQuestionTest, anUnknownCauseIsSoughtAtTheJointThatShowsIt) {
 
 TEST_F(MotionQuestionTest, whereNoMotionHelpsItSaysWhatWould) {
   EXPECT_EQ(errorOf({}, {{"verdict", "none"}}),
-            "answer.json: the verdict is none, there is nothing to separate; faster moves and higher loads "
-            "would show "
-            "smaller effects");
+            "answer.json: the verdict is none, so there is nothing to separate; faster moves and higher "
+            "loads would show smaller effects");
   EXPECT_EQ(errorOf({}, {{"verdict", "unknown"}, {"worst", {{"signal", "gyro.x"}}}}),
             "answer.json: the verdict is unknown and no joint shows it; record the standard battery");
 }

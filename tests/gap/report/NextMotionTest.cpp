@@ -56,7 +56,7 @@ TEST(NextMotion, SaysItInASentence) {
   const std::string text = nextMotion(robot, causeAt(robot, "backlash", joint, 0.03),
                                       causeAt(robot, "viscous_friction", joint, 0.1));
   EXPECT_TRUE(text.starts_with("Record ")) << text;
-  EXPECT_NE(text.find("backlash at " + joint + " and viscous_friction at " + joint + " come apart by "),
+  EXPECT_NE(text.find("backlash at " + joint + " and viscous_friction at " + joint + " differ by "),
             std::string::npos)
       << text;
 }

@@ -122,8 +122,8 @@ TEST_F(RunCheck, aJointThatFallsBeyondItsLimitsIsKept) {
   Recording jumps = run;
   EXPECT_EQ(
       check(run),
-      "r: pos.LKneePitch: it goes 0.6452 rad beyond the joint's limits, where its command never is; kept, "
-      "as it follows that most of the time and moves no faster than a joint that falls\n");
+      "r: pos.LKneePitch: it goes 0.6452 rad beyond the joint's limits, but its command never is; kept, "
+      "because the joint follows its command most of the time and is no faster than when it falls\n");
   jumps.channels["pos.LKneePitch"].back() = -3;
   EXPECT_EQ(check(jumps),
             "r: pos.LKneePitch is left out: it reaches -3, limits are -0.09233 to 2.113 rad; are these "
@@ -207,7 +207,7 @@ TEST_F(RunCheck, speedsInDegreesOrWithoutSign) {
   for (double& x : run.channels["vel.Wrist_Pitch"]) x = -x;
   text = check(run, "so101");
   EXPECT_NE(text.find("times the speed of pos.Pitch; is it in degrees?\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("r: vel.Elbow is left out: it has no sign; say so in run.json: unsigned: [\"vel\"]\n"),
+  EXPECT_NE(text.find("r: vel.Elbow is left out: it has no sign; add to run.json: unsigned: [\"vel\"]\n"),
             std::string::npos)
       << text;
   EXPECT_NE(text.find("times the speed of pos.Wrist_Pitch; is its sign turned round?\n"), std::string::npos)
@@ -259,10 +259,10 @@ TEST_F(RunCheck, settingsThatHardlyAreAreToldAndUsed) {
   run.servo["pendulum"].kp = 0;
   run.servo["pendulum"].vin = 7400;
   run.servo["pendulum"].kpFirmware = 400;
-  EXPECT_EQ(
-      check(run, "xl330_pendulum"),
-      "r: run.json: servo.pendulum.kp is 0: the motor would do nothing; leave it out where it was not set\n"
-      "r: run.json: servo.pendulum.vin is 7400, 1000 times that of xl330_pendulum; check its unit\n");
+  EXPECT_EQ(check(run, "xl330_pendulum"),
+            "r: run.json: servo.pendulum.kp is 0: the motor would do nothing; leave the key out if the value "
+            "is unknown\n"
+            "r: run.json: servo.pendulum.vin is 7400, 1000 times that of xl330_pendulum; check its unit\n");
 }
 
 TEST_F(RunCheck, timesThatHardlyAreAreToldAndUsed) {

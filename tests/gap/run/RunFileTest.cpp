@@ -144,7 +144,7 @@ TEST_F(RunFile, whatIsWrittenIsReadAgain) {
       writeRun(run, place);
       FAIL();
     } catch (const RunError& error) {
-      EXPECT_EQ(std::string(error.what()), place + ": is there already; remove it or choose another folder");
+      EXPECT_EQ(std::string(error.what()), place + ": exists already; remove it or choose another folder");
     }
     fs::remove_all(place);
   }

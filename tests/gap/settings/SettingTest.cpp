@@ -44,7 +44,7 @@ TEST(Setting, UnknownOnesAreNamedWithThoseThereAre) {
     return "nothing thrown";
   };
   EXPECT_EQ(textOf([] { without({}, "gravity"); }),
-            "--without gravity: there is no such thing to leave out; there are drag, contact_slip, "
+            "--without gravity: unknown; choose one of drag, contact_slip, "
             "contact_softness, joint_softness, motor_torque, action_delay, bouncing_stops");
   EXPECT_EQ(textOf([] { findSetting("drga"); }), "no setting drga; did you mean \"drag\"?");
 }

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double cameraHeight = 0.54;
 
-/// A robot at a place of the field as another one at `own` with its head turned sees it; of its parts those
-/// in the view of 60 degrees to each side, with SimSpark's noise if there is a random.
+/// A robot at a place of the field as another one at `own` with its head turned sees it. Only parts within 60
+/// degrees to each side are seen, with SimSpark's noise if there is a random.
 PolarPlayer playerAt(const std::string& team, int number, const Vec2& place, const Pose2& own, double headYaw,
                      bool fallen = false, Random* random = nullptr) {
   PolarPlayer player;

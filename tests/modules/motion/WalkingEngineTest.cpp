@@ -133,7 +133,7 @@ TEST(WalkingEngineConfiguration, theWalkStandsInItsOwnFile) {
     FAIL() << "accepted";
   } catch (const ConfigurationError& error) {
     EXPECT_EQ(std::string(error.what()), (folder / "WalkingEngine.yaml").string() +
-                                             ":1: walk stands in walking.yaml, for all that walks");
+                                             ":1: walk is set in walking.yaml, for all programs that walk");
   }
 }
 

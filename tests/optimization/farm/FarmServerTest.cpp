@@ -112,8 +112,7 @@ TEST(FarmServer, aBadClientIsDroppedAlone) {
   };
   EXPECT_EQ(answerTo("GET / HTTP/1.1"), R"({"error":"hello: broken JSON"})");
   EXPECT_EQ(answerTo(R"({"hello": "worker"})"), R"({"error":"hello: a key is missing or of another type"})");
-  EXPECT_EQ(answerTo(R"({"hello": "boss", "version": 1})"),
-            R"({"error":"hello: a client is a worker or asks for the status"})");
+  EXPECT_EQ(answerTo(R"({"hello": "boss", "version": 1})"), R"({"error":"hello: must be worker or status"})");
   EXPECT_EQ(answerTo(R"({"hello": "worker", "version": 9})"),
             R"({"error":"hello: the server speaks version 1"})");
   EXPECT_EQ(errorOf([&] {
@@ -123,7 +122,7 @@ TEST(FarmServer, aBadClientIsDroppedAlone) {
               liar.next(2);
             }),
             "the optimisation server at 127.0.0.1:" + std::to_string(running.server.port()) +
-                ": answer: 7 costs for trial 2, which is not what was asked");
+                ": answer: 7 costs for trial 2; answer the trial that was sent, with one cost for each run");
   evaluate(good);
   EXPECT_TRUE(good.isOver());
 }

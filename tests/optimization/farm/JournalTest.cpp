@@ -111,7 +111,7 @@ TEST_F(JournalTest, whatCannotBeGoneOnWithIsSaid) {
                 ":1: the results of another search (its options, task or program differ); take "
                 "another folder or remove this one");
   std::ofstream(path, std::ios::app) << "{\"trial\": 1}\n";
-  EXPECT_EQ(errorOf("mark"), path + ":2: no result; remove the line and all below it to go on from there");
+  EXPECT_EQ(errorOf("mark"), path + ":2: no result; remove the line and all below it to continue from there");
   const Journal held(folder / "held.jsonl", "mark", [](const JournalEntry&) {});
   path = folder / "held.jsonl";
   EXPECT_EQ(errorOf("mark"), path + ": another server writes it; end that one or take another folder");

@@ -143,10 +143,10 @@ simspark::LeagueTrace withinRounding(simspark::LeagueTrace trace, unsigned seed)
   return trace;
 }
 
-/// Whether a joint meets its stop in this cycle or the next, and with it one of two ways of the ball that end
-/// 27 mm apart, is decided by less than a tenth of the recording's rounding. So what is asked is that the
-/// recorded end is one of those that rounding leaves open, to 0.2 mm of 6.6 m; without bouncing stops it is
-/// some 0.1 m and more from all of them.
+/// Less than a tenth of the recording's rounding decides whether a joint hits its stop in this cycle or the
+/// next. The ball then goes one of two ways that end 27 mm apart. So the test requires that the recorded end
+/// is one of those that rounding allows, to 0.2 mm of 6.6 m. Without bouncing stops it is about 0.1 m or more
+/// from all of them.
 TEST(TraceReplay, kickWithBouncingStops) {
   const auto league = simspark::readLeagueTrace("tests/data/traces/ut_kick_t3.csv.gz");
   const Vec3 end = league.rows.back().ball;

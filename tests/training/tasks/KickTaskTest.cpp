@@ -170,7 +170,7 @@ TEST(KickTask, badOptionsAreTold) {
   EXPECT_EQ(errorOf({{"motion", "wave"}}), "option motion: wave is no kick: it has no ball");
   EXPECT_EQ(errorOf({{"motion", "kick"}}), "option motion: no motion kick");
   EXPECT_EQ(errorOf({{"distanse", "3"}}), "unknown option \"distanse\"; did you mean \"distance\"?");
-  EXPECT_EQ(errorOf({{"side", "middle"}}), "option side: \"middle\" is none of right, left");
+  EXPECT_EQ(errorOf({{"side", "middle"}}), "option side: \"middle\" is not one of right, left");
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ std::string walkError(const Options& options) {
 
 TEST(WalkTask, badOptionsAreTold) {
   EXPECT_EQ(walkError({{"direction", "up"}}),
-            "option direction: \"up\" is none of forward, backward, sideways, turn, mixture, push");
+            "option direction: \"up\" is not one of forward, backward, sideways, turn, mixture, push");
   EXPECT_EQ(walkError({{"tipe", "3"}}), "unknown option \"tipe\"; did you mean \"type\"?");
 }
 

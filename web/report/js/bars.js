@@ -11,7 +11,7 @@ report.bars = (answer, section) => {
     el('div', { class: 'track' }, el('i', { class: 'before', style: { width: place(over(before, floor)) } }),
       answer.verdict === 'none' ? null : el('i', { class: 'after', style: { width: place(over(after, floor)) } }), el('div', { class: 'mark', style: { left: place(1) } })),
     el('div', { class: `number ${style}` }, answer.verdict === 'none' ? number(before) : `${number(before)} \u2192 ${number(after)}`, el('span', { class: 'dim' }, `  floor ${number(floor)} ${unit}`))];
-  section.append(el('p', { class: 'dim' }, 'Root mean square between measured and simulated, on data that took no part in the fit; the floor is what repeats and noise leave. Bars: multiples of the floor, logarithmic.'),
+  section.append(el('p', { class: 'dim' }, 'Root mean square between measured and simulated, on data that were not used for the fit; the floor is what repeats and noise leave. Bars: multiples of the floor, logarithmic.'),
     report.legend([['before: nominal', report.colour('nominal')], ...(answer.verdict === 'none' ? [] : [['after: with the causes found', report.colour('corrected')]]), ['floor', report.colour('floor')]]));
   const bars = el('div', { class: 'gaps', id: 'gaps' }, gap.floor > 0 ? row('all signals', gap, report.unitOfGap(gap), 'total') : null);
   const sorted = [...signals].sort((a, b) => over(b.before, b.floor) - over(a.before, a.floor));

@@ -17,7 +17,7 @@ report.verdict = (answer, section) => {
     el('p', { class: 'dim', id: 'caveat' }, report.caveat(answer)),
     el('div', { class: 'tiles' },
       inRadians ? tile(`${number(1000 * gap.before)} \u2192 ${number(1000 * gap.after)}\u202fmrad`, 'error of the positions before and after, on recordings left out (mm for sliding joints)')
-        : tile(`${number(gap.before)} \u2192 ${number(gap.after)}`, `gap before and after, ${unit}${gap.held_out ? '; on data that took no part in the fit' : ''}`),
+        : tile(`${number(gap.before)} \u2192 ${number(gap.after)}`, `gap before and after, ${unit}${gap.held_out ? '; on data that were not used for the fit' : ''}`),
       answer.verdict === 'none' ? tile(number(gap.floor), 'the floor: what repeats and noise leave')
         : tile(percent(gap.closed), inRadians ? 'of the error of a recording that was not seen is expected to go' : `of what can be closed is closed; floor ${number(gap.floor)}`),
       top && answer.verdict !== 'none' ? tile(top.signal, `shows most of it: ${percent(top.share)} of the gap, in ${top.phase}`) : null,

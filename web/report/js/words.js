@@ -32,7 +32,7 @@ report.caveat = (answer) => {
   if (answer.verdict === 'unknown') {
     const left = answer.worst && report.isNumber(answer.worst.after) ? ` In ${answer.worst.signal}, ${report.number(answer.worst.after, 2)} times the noise remain.` : '';
     const nearest = causes.length ? ` The nearest known explanation, ${report.describe(causes[0])}, is listed below; it is not enough, so do not build on it.` : '';
-    return `The runs have structure that no effect of the library accounts for.${left}${nearest}`;
+    return `The runs have structure that no effect of the library explains.${left}${nearest}`;
   }
   const open = causes.filter((c) => (c.confounded_with ?? []).some((r) => r.probability >= 0.1));
   if (open.length) {

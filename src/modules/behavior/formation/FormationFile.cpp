@@ -63,7 +63,7 @@ void addChanges(const YAML::Node& rows, const Table& wanted, const std::string& 
       const auto begin = static_cast<std::size_t>(cell.Mark().pos);
       if (begin > text.size() || text.compare(begin, old.size(), old) != 0)
         throw std::runtime_error(path +
-                                 ": the file has a form in which this cannot be written; edit it by hand");
+                                 ": the layout of this file does not allow this change; edit it by hand");
       changes.push_back({begin, old.size(), number(wanted[j][i])});
     }
 }

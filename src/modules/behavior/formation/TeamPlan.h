@@ -37,9 +37,9 @@ struct TeamPlanParameters {
   PARAMETER(double, supporterSpeed, 0.7, "m/s", Range(0.05, 3), "of players on their way to their places")
 };
 
-/// One striker: who is at the ball first. One goalie. The others take the first places of the table at the
-/// least total time. It depends on the arguments alone, in whatever order the members come, so players who
-/// know the same decide the same. places: of all supporters, for this ball.
+/// The striker is the player that reaches the ball first. There is one goalie. The others take the first
+/// places of the table at the least total time. The result depends only on the arguments, not on the order of
+/// members, so players with the same data decide the same. places: of all supporters, for this ball.
 TeamPlan planTeam(std::vector<TeamMember> members, const Vec2& ball, const Vec2& ownGoal,
                   const std::vector<Vec2>& places, const TimeToBallParameters& time,
                   const TeamPlanParameters& parameters);

@@ -9,7 +9,7 @@
 
 namespace plumbline {
 
-/// A place that a set piece names, by where the ball lies. Files say it for a ball on the left; for one on
+/// A place in a set piece, relative to the ball's place. Files give it for a ball on the left; for a ball on
 /// the right it is mirrored. Team's frame [m].
 struct SetPiecePlace {
   enum class Frame {

@@ -17,7 +17,7 @@ struct ActionChoiceParameters {
             "directions all round that are compared, of each action")
   PARAMETER(double, widest, 2.0, "rad", Range(0.1, 3.1), "the outermost ones, off the direction of the goal")
   PARAMETER(double, kickSeconds, 1.5, "s", Range(0, 20),
-            "to stand exactly behind the ball and kick it, once the robot is there")
+            "time to stand exactly behind the ball and kick it, once the robot is there")
   PARAMETER(double, dribbleWay, 1.5, "m", Range(0.1, 10), "how far ahead a dribble is judged")
   PARAMETER(double, dribbleSpeed, 0.5, "m/s", Range(0.05, 3), "of the ball while it is dribbled")
   PARAMETER(double, dribbleScatter, 0.1, "rad", Range(0.01, 1),
@@ -27,7 +27,7 @@ struct ActionChoiceParameters {
       "of a goal while others play, where 1 is the value of being sure to score the next one; the more, "
       "the sooner the striker shoots instead of waiting for a safer shot")
   PARAMETER(double, timeSpread, 1, "s", Range(0.05, 10),
-            "how sure it is who is first: 73 % for one who is sooner by this")
+            "uncertainty of which player is first: 73 % for the one that is sooner by this")
   PARAMETER(double, timePrice, 0.01, "1/s", Range(0, 1), "value that a second costs")
   PARAMETER(double, blockWidth, 0.35, "m", Range(0, 3),
             "a standing robot this near to the ball's way stops it")
@@ -35,9 +35,11 @@ struct ActionChoiceParameters {
             "opponents come so much nearer to the way while the ball rolls")
   PARAMETER(double, goalKickWay, 7, "m", Range(0, 30),
             "a ball over the opponents' line is theirs so far before it, after their goal kick")
-  PARAMETER(double, stays, 0.02, "", Range(0, 1), "value that another action must have more to be taken")
-  PARAMETER(double, staysAtBall, 0.1, "", Range(0, 1),
-            "the same for a robot at the ball, which has stood up for what it does; between 1 m and there")
+  PARAMETER(double, stays, 0.02, "", Range(0, 1),
+            "additional value that another action needs to replace the last choice")
+  PARAMETER(
+      double, staysAtBall, 0.1, "", Range(0, 1),
+      "the same for a robot at the ball, which has taken its position; interpolated between 1 m and the ball")
   PARAMETER(double, slack, 0.03, "", Range(0, 1),
             "value that a kick may lose by its direction, so that it is not waited for a better one")
 };

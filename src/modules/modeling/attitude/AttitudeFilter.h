@@ -47,7 +47,7 @@ public:
   void update(const Vec3& gyro, const Vec3& acc, double dt);
 
   /// The ground as the camera sees it at the same time, in the torso frame. The first one that does not fit
-  /// is left out; if the next tells the same, the robot was put down differently.
+  /// is ignored; if the next one agrees with it, the robot was put down differently.
   void seeGround(const GroundPlane::Fit& ground);
 
   /// World (z up, heading counted from where the filter was reset) from torso.

@@ -17,7 +17,7 @@ public:
     PARAMETER(double, rollingTimeConstant, 0.92, "s", Range(0.01, 100),
               "time constant with which the speed of a rolling ball dies away")
     PARAMETER(double, speedNoise, 0.1, "m/s/sqrt(s)", Range(1e-4, 100),
-              "unforeseen change of speed of a ball that nobody touches")
+              "random change of speed of a ball that no robot touches")
     PARAMETER(double, touchedSpeedNoise, 1.5, "m/s/sqrt(s)", Range(1e-4, 100),
               "unforeseen change of speed of a ball that the robot may touch")
     PARAMETER(double, startSpeedDeviation, 1, "m/s", Range(1e-3, 100),
@@ -42,9 +42,9 @@ public:
 
   /// dt passes [s]; drift: deviation of the frame's motion against the ground in that time [m].
   void predict(double dt, bool touchable, double drift = 0);
-  /// The ball is seen there. The first percept starts the filter. One that does not fit is held back; if the
-  /// next one tells the same, the ball was moved, and the filter starts anew from both.
-  /// Returns whether the percept was used.
+  /// The ball is seen there. The first percept starts the filter. A percept that does not fit is not used at
+  /// first. If the next one agrees with it, the ball was moved, and the filter restarts from both. Returns
+  /// whether the percept was used.
   bool update(const Vec2& position, const Mat2& covariance);
 
   Vec2 position() const { return state_.head<2>(); }                                        ///< [m]

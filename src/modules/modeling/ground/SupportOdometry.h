@@ -19,7 +19,7 @@ public:
     double load = 0;
   };
 
-  /// With no contact the last speed goes on for airborneSeconds, then the robot is taken to lie still [s].
+  /// Without contact the last speed is kept for airborneSeconds, then the robot counts as lying still [s].
   explicit SupportOdometry(double airborneSeconds = 0.2) : airborneSeconds_(airborneSeconds) {}
 
   void setAirborneSeconds(double seconds) { airborneSeconds_ = seconds; }

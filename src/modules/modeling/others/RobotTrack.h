@@ -18,7 +18,7 @@ public:
               "standard deviation of its velocity at first sight")
     PARAMETER(double, maxSpeed, 1.3, "m/s", Range(0.1, 10), "no robot walks faster")
     PARAMETER(double, gate, 5, "", Range(1, 100),
-              "a sight farther off, in standard deviations, starts the track anew: it was put elsewhere")
+              "an observation farther away, in standard deviations, restarts the track: the robot was moved")
   };
 
   RobotTrack(bool mate, int number) { robot_.mate = mate, robot_.number = number; }

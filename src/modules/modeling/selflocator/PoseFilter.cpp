@@ -8,9 +8,9 @@
 namespace plumbline {
 namespace {
 
-constexpr double maxMeanError = 25;  ///< per measurement; beyond, a wrong particle is just wrong
-/// Likelihoods of images that fit are rarely lower in the mean; with a reference lower than that, a filter
-/// that never fitted would think that it cannot do better.
+constexpr double maxMeanError = 25;  ///< per measurement; beyond this, all wrong particles are equally wrong
+/// The mean likelihood of fitting images is rarely lower. With a lower reference, a filter that never fitted
+/// would not notice it.
 constexpr double leastReference = 0.3;
 constexpr double uncertainFactor = 20;   ///< odometry's noise of a robot that falls or lies
 constexpr double clusterDistance = 0.4;  ///< particles nearer than this to the best make the estimate [m]

@@ -21,7 +21,8 @@ public:
     PARAMETER(double, slowRate, 0.02, "", Range(0, 1),
               "rate per image of the long-term mean of the likelihood of an image")
     PARAMETER(double, fastRate, 0.3, "", Range(0, 1),
-              "rate per image of the short-term mean; where it falls behind, particles come from the image")
+              "rate per image of the short-term mean; if it is below the long-term mean, particles are drawn "
+              "from the image")
     PARAMETER(double, stepShare, 0.05, "", Range(0, 1), "error of the odometry, share of the distance walked")
     PARAMETER(double, stepNoise, 0.0015, "m", Range(1e-6, 1), "error of the odometry in each cycle")
     PARAMETER(double, turnShare, 0.01, "", Range(0, 1), "error of the turn, share of the turn")

@@ -18,7 +18,7 @@ struct PathPlannerParameters {
   PARAMETER(double, corridor, 2, "m", Range(0.1, 30), "farther from the straight way an obstacle is left out")
   PARAMETER(double, corner, 1.15, "", Range(1.09, 3), "way points around an obstacle, share of its radius")
   PARAMETER(double, turnCost, 0.25, "m/rad", Range(0, 5),
-            "a way that sets out otherwise than the last one is so much longer")
+            "length that is added to a path that starts in another direction than the last one")
 };
 
 /// The next way point of a shortest way from start to goal around the obstacles: a search over eight points

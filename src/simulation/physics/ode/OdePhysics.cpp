@@ -16,7 +16,7 @@ static_assert(sizeof(dReal) == sizeof(double), "the league's physics needs ODE i
 
 /// What ODE would end the program for: numbers that went to infinity, mostly, after settings that cannot be.
 void failLoudly(int, const char*, va_list) {
-  throw std::runtime_error("ODE: the simulation came apart; its settings ask for what cannot be");
+  throw std::runtime_error("ODE: the simulation became unstable; check its settings");
 }
 
 /// A world of ODE that goes when its owner goes.

@@ -22,8 +22,8 @@ public:
     if (pthread_key_create(&key_, [](void*) { dCleanupODEAllDataForThread(); }) != 0) throw std::bad_alloc();
   }
 
-  /// What the thread takes is given back as it ends. Not by a thread_local object's destructor: glibc ends
-  /// the program where it has no memory to note one.
+  /// Resources of the thread are freed when it ends. This is not done by a thread_local object's destructor,
+  /// because glibc ends the program if it has no memory to register one.
   void useThread() const {
     if (dAllocateODEDataForThread(dAllocateMaskAll) == 0 || pthread_setspecific(key_, this) != 0)
       throw std::bad_alloc();

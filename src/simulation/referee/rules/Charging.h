@@ -3,11 +3,12 @@
 
 namespace plumbline::simulation {
 
-/// Charging: running into an opponent. Of two standing opponents who touch, one charges that moves at 0.4 m/s
-/// or more, and at 0.2 m/s or more towards the collision. Near the ball (1 m) it must also go rather for the
-/// opponent than for the ball (30 degrees off), or come second to the ball on another way. Nobody charges if
-/// both do, at the ball itself, as a goalie in the own area, within a second of touching the ball, or within
-/// 0.2 s of a harmless collision. Speeds are means of three cycles. (AnalyseChargingFouls)
+/// Charging: running into an opponent. If two standing opponents touch, one charges if it moves at 0.4 m/s or
+/// more, and at 0.2 m/s or more towards the collision. Near the ball (1 m) it must also move more towards the
+/// opponent than the ball (30 degrees off), or come second to the ball from another direction. There is no
+/// charge if both do it, at the ball itself, or by a goalie in its own area. Nor is there one within a second
+/// of touching the ball, or within 0.2 s of a harmless collision. Speeds are means of three cycles.
+/// (AnalyseChargingFouls)
 class Charging : public Rule {
 public:
   struct Parameters {

@@ -3,8 +3,8 @@
 
 namespace plumbline::simulation {
 
-/// What follows from the fouls called: each is reported, in every cycle until it is dealt with. An offender
-/// is held a metre above the ground for half a second, then put beside the field, unless its foul's rule has
+/// Punishes reported fouls: each is sent to monitors in every cycle until the player is moved. An offender is
+/// held a metre above the ground for half a second, then put outside the field, unless its foul's rule has
 /// moved it already. (ClearPlayersAutomatic)
 class Penalty : public Rule {
 public:

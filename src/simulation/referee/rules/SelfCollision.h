@@ -3,11 +3,11 @@
 
 namespace plumbline::simulation {
 
-/// Limbs that go through each other. When two boxes of a robot sink more than 0.04 m into each other, all
-/// joints of the arms and legs they belong to take no speed for a second. For two more seconds they cannot be
-/// frozen again; the torso has none. A box and the one it hangs on are not looked at. As on the league's
-/// server two boxes with an edge of each in the same direction never collide. Each such event is reported as
-/// a foul. (AnalyseSelfCollisionFouls, BoxCollider::CheckCollisions, UpdateSelfCollisions)
+/// Limbs that pass through each other. When two boxes of a robot overlap by more than 0.04 m, all joints of
+/// their arms and legs accept no speed for a second. For two more seconds they cannot be frozen again; the
+/// torso has none. A box and its parent are not checked. As on the league's server two boxes with an edge of
+/// each in the same direction never collide. Each such event is reported as a foul.
+/// (AnalyseSelfCollisionFouls, BoxCollider::CheckCollisions, UpdateSelfCollisions)
 class SelfCollision : public Rule {
 public:
   struct Parameters {

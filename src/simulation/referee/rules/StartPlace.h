@@ -3,8 +3,8 @@
 
 namespace plumbline::simulation {
 
-/// At a half's kick-off the ball lies, and the left team's number 1 stands, where somebody wants it, turned
-/// as it was: for set starts that are tried again and again. Off in the league.
+/// Puts the ball and number 1 of the left team to given places at a half's kick-off; the robot keeps its
+/// orientation. For fixed starts that are tried repeatedly. Off in the league.
 class StartPlace : public Rule {
 public:
   struct Parameters {

@@ -5,8 +5,8 @@
 
 namespace plumbline::simulation::mujoco {
 
-/// Ground that gives way: a spring and a damper under each corner of each sole, and friction that sticks
-/// until it slips (Cundall and Strack 1979).
+/// Soft ground: a spring and a damper under each corner of each sole, and friction that sticks until it slips
+/// (Cundall and Strack 1979).
 class SoftGround {
 public:
   /// compliance per corner [m/N]; `slope`: rotation of the ground in the world.

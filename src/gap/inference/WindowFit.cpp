@@ -1,0 +1,147 @@
+#include "gap/inference/WindowFit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "gap/inference/Visible.h"
+#include "gap/inference/WindowScale.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double shareOfStrength = 0.25;  // step of derivatives, of a strength that is at least half a unit
+constexpr double vanished = 1e-3;         // units
+constexpr double leastGained = 0.05;          // gain of log density below which a fit ends
+
+}  // namespace
+
+WindowFitter::WindowFitter(const WindowReplayer& replayer)
+    : replayer_(replayer), kinds_(windowKinds(replayer.groups(), replayer.mechanism())) {}
+
+std::vector<std::size_t> WindowFitter::all() const {
+  std::vector<std::size_t> every(kinds_.size());
+  std::iota(every.begin(), every.end(), std::size_t{0});
+  return every;
+}
+
+Explanation WindowFitter::causesOf(const WindowSet& set) const {
+  Explanation causes;
+  for (std::size_t i = 0; i < set.kinds.size(); ++i)
+    causes.push_back(
+        causeAt(replayer_.mechanism(), kinds_[set.kinds[i]], set.x[static_cast<Eigen::Index>(i)]));
+  return causes;
+}
+
+double WindowFitter::density(const WindowSet& set) const {
+  const WindowCoefficients residuals = replayer_.coefficients(causesOf(set));
+  double sum = logPrior(set.x);
+  for (std::size_t c = 0; c < residuals.size(); ++c)
+    sum += likeliestScale(residuals[c], replayer_.cells()[c].floor).density;
+  return sum;
+}
+
+bool WindowFitter::exclude(std::size_t a, std::size_t b) const {
+  const Place &one = kinds_[a].cause.place, &other = kinds_[b].cause.place;
+  if (a == b || kinds_[a].cause.effect != kinds_[b].cause.effect) return false;
+  if (one == other) return true;
+  return one.axis == other.axis && (one.site == Site::everywhere || other.site == Site::everywhere);
+}
+
+/// Large enough that what begins or ends at single steps of a replay (sticking) evens out.
+double WindowFitter::stepOf(const WindowSet& set, std::size_t kind) const {
+  const WindowKind& of = kinds_[kind];
+  if (!set.holds(kind)) return of.upper >= 1 ? 1 : of.lower <= -1 ? -1 : std::max(of.upper, -of.lower);
+  const double x = set.at(kind), step = shareOfStrength * std::max(std::abs(x), 0.5);
+  return x + step <= of.upper ? step : -step;
+}
+
+void WindowFitter::slopesOf(const WindowSet& beside, const std::vector<std::size_t>& wanted,
+                            std::vector<WindowCoefficients>& slopes) const {
+  const std::vector<WindowCell>& cells = replayer_.cells();
+  const WindowCoefficients here = replayer_.coefficients(causesOf(beside));
+  for (const std::vector<std::size_t>& colour : colours(kinds_, wanted)) {
+    WindowSet moved = beside;
+    for (const std::size_t kind : colour) {
+      if (!moved.holds(kind)) moved = with(moved, kind);
+      moved.x[std::ranges::lower_bound(moved.kinds, kind) - moved.kinds.begin()] += stepOf(beside, kind);
+    }
+    const WindowCoefficients there = replayer_.coefficients(causesOf(moved));
+    for (const std::size_t kind : colour) {
+      const std::vector<int>& joints = kinds_[kind].joints;
+      WindowCoefficients& of = slopes[kind];
+      bool visible = beside.holds(kind);
+      for (std::size_t c = 0; c < cells.size(); ++c) {
+        of.emplace_back();
+        if (!joints.empty() && std::ranges::find(joints, cells[c].joint) == joints.end()) continue;
+        const Eigen::MatrixXd change = there[c] - here[c];
+        if (change.isZero(0) || !change.allFinite()) continue;
+        const WindowCell::Part& part = cells[c].windows.front();
+        const double size = change.norm() / std::sqrt(static_cast<double>(
+                                                cells[c].windows.size() * (part.to - part.from)));
+        visible = visible || size > enginesDiffer * cells[c].noise;
+        of.back() = change / stepOf(beside, kind);
+      }
+      if (!visible) of.assign(cells.size(), {});
+    }
+  }
+}
+
+WindowLinear WindowFitter::linearise(const WindowSet& set, const std::vector<std::size_t>& wanted) const {
+  std::vector<WindowCoefficients> slopes(kinds_.size());
+  std::vector<std::size_t> plain;
+  std::vector<std::vector<std::size_t>> instead(set.kinds.size());
+  for (const std::size_t kind : wanted) {
+    std::size_t i = 0;
+    while (i < set.kinds.size() && !exclude(kind, set.kinds[i])) ++i;
+    (i < set.kinds.size() ? instead[i] : plain).push_back(kind);
+  }
+  slopesOf(set, plain, slopes);
+  for (std::size_t i = 0; i < instead.size(); ++i)
+    if (!instead[i].empty()) slopesOf(gap::without(set, set.kinds[i]), instead[i], slopes);
+  for (WindowCoefficients& of : slopes)
+    if (of.empty()) of.resize(replayer_.cells().size());
+  return WindowLinear(replayer_.cells(), replayer_.groups().count(), kinds_, set,
+                      replayer_.coefficients(causesOf(set)), std::move(slopes));
+}
+
+WindowSet WindowFitter::refine(WindowSet set, int mostSteps) const {
+  double now = density(set);
+  for (int step = 0; step < mostSteps && !set.kinds.empty(); ++step) {
+    const Eigen::VectorXd way = linearise(set, set.kinds).fit(set.kinds) - set.x;
+    double share = 1, gained = 0;
+    for (int attempt = 0; attempt < 4 && !(gained > 0); ++attempt, share /= 3) {
+      const WindowSet next{set.kinds, set.x + share * way};
+      const double there = density(next);
+      if (!(there > now)) continue;
+      gained = there - now;
+      now = there;
+      set = next;
+    }
+    if (gained < leastGained) break;
+  }
+  for (std::size_t i = set.kinds.size(); i-- > 0;)
+    if (std::abs(set.x[static_cast<Eigen::Index>(i)]) < vanished) set = gap::without(set, set.kinds[i]);
+  return set;
+}
+
+WindowSet with(const WindowSet& set, std::size_t kind) {
+  WindowSet larger{set.kinds, Eigen::VectorXd::Zero(set.x.size() + 1)};
+  const auto at = std::ranges::lower_bound(larger.kinds, kind) - larger.kinds.begin();
+  larger.kinds.insert(larger.kinds.begin() + at, kind);
+  larger.x.head(at) = set.x.head(at);
+  larger.x.tail(set.x.size() - at) = set.x.tail(set.x.size() - at);
+  return larger;
+}
+
+WindowSet without(const WindowSet& set, std::size_t kind) {
+  WindowSet smaller{set.kinds, Eigen::VectorXd::Zero(set.x.size() - 1)};
+  const auto at = std::ranges::lower_bound(smaller.kinds, kind) - smaller.kinds.begin();
+  smaller.kinds.erase(smaller.kinds.begin() + at);
+  smaller.x.head(at) = set.x.head(at);
+  smaller.x.tail(smaller.x.size() - at) = set.x.tail(smaller.x.size() - at);
+  return smaller;
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,82 @@
+#include "gap/inference/WindowKinds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gap/inference/PossibleKinds.h"
+#include "gap/inference/Strengths.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double mostUnits = 1e3;  // units
+
+/// Joints that a cause's sensitivity is read from.
+std::vector<int> jointsOf(const Mechanism& robot, const Place& place) {
+  switch (place.site) {
+    case Site::joint: {
+      std::vector<int> joints;
+      for (int joint = 0; joint < robot.numJoints(); ++joint)
+        if (robot.motorOf(joint) == robot.motorOf(place.index)) joints.push_back(joint);
+      return joints;
+    }
+    case Site::link:
+      return robot.chain(place.index);
+    default:
+      return {};
+  }
+}
+
+double middleStart(const Effect& effect, double scale) {
+  std::vector<double> strengths;
+  for (const double start : effect.starts) strengths.push_back(effect.strengthOf(start * scale));
+  std::ranges::stable_sort(strengths, {}, [](double strength) { return std::abs(strength); });
+  return strengths[strengths.size() / 2];
+}
+
+bool overlap(const WindowKind& a, const WindowKind& b) {
+  if (a.joints.empty() || b.joints.empty()) return true;
+  return std::ranges::any_of(
+      a.joints, [&](int joint) { return std::ranges::find(b.joints, joint) != b.joints.end(); });
+}
+
+}  // namespace
+
+std::vector<WindowKind> windowKinds(const Groups& groups, const Mechanism& robot) {
+  std::vector<WindowKind> kinds;
+  for (const Cause& cause : possibleKinds(groups, robot)) {
+    if (ofSensor(cause)) continue;
+    WindowKind kind{cause, middleStart(*cause.effect, cause.effect->scaleAt(robot, cause.place)), 0, 0,
+                    jointsOf(robot, cause.place)};
+    const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
+    const double one = cause.effect->strengthOf(bounds.lower) / kind.unit,
+                 other = cause.effect->strengthOf(bounds.upper) / kind.unit;
+    kind.lower = std::clamp(std::min(one, other), -mostUnits, 0.0);
+    kind.upper = std::clamp(std::max(one, other), 0.0, mostUnits);
+    kind.cause = causeAt(robot, kind, 1);
+    kinds.push_back(std::move(kind));
+  }
+  return kinds;
+}
+
+Cause causeAt(const Mechanism& robot, const WindowKind& kind, double x) {
+  return withStrength(robot, kind.cause, x * kind.unit);
+}
+
+std::vector<std::vector<std::size_t>> colours(const std::vector<WindowKind>& kinds,
+                                              const std::vector<std::size_t>& wanted) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (const std::size_t k : wanted) {
+    const auto fits = std::ranges::find_if(groups, [&](const std::vector<std::size_t>& group) {
+      return std::ranges::none_of(group, [&](std::size_t other) { return overlap(kinds[k], kinds[other]); });
+    });
+    if (fits == groups.end())
+      groups.push_back({k});
+    else
+      fits->push_back(k);
+  }
+  return groups;
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,206 @@
+#include "gap/inference/WindowLinear.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "gap/inference/Score.h"
+#include "gap/inference/WindowScale.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr double priorWidth = 3;  // units
+constexpr double mostFromMiddle = 4;    // of a strength from the middle, that its slope is trusted for [units]
+constexpr int fitRounds = 2;         // of strengths and covariances in turn
+
+/// Curvature of the prior of so many strengths.
+Eigen::MatrixXd priorOf(std::size_t count) {
+  const auto n = static_cast<Eigen::Index>(count);
+  return Eigen::MatrixXd::Identity(n, n) / (priorWidth * priorWidth);
+}
+
+}  // namespace
+
+bool WindowSet::holds(std::size_t kind) const { return std::ranges::binary_search(kinds, kind); }
+
+double WindowSet::at(std::size_t kind) const {
+  const auto found = std::ranges::lower_bound(kinds, kind);
+  return found != kinds.end() && *found == kind ? x[found - kinds.begin()] : 0;
+}
+
+double WindowScore::score() const { return std::accumulate(density.begin(), density.end(), -price); }
+
+double logPrior(const Eigen::VectorXd& x) { return -x.squaredNorm() / (2 * priorWidth * priorWidth); }
+
+/// Normal equations of one set, per group, in strengths themselves.
+struct WindowLinear::Equations {
+  std::vector<Eigen::MatrixXd> information;
+  std::vector<Eigen::VectorXd> right;
+  /// Of all groups but one.
+  std::pair<Eigen::MatrixXd, Eigen::VectorXd> sum(std::size_t leftOut) const {
+    const auto n = right.front().size();
+    std::pair<Eigen::MatrixXd, Eigen::VectorXd> all{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};
+    for (std::size_t g = 0; g < right.size(); ++g)
+      if (g != leftOut) all.first += information[g], all.second += right[g];
+    return all;
+  }
+};
+
+WindowLinear::WindowLinear(const std::vector<WindowCell>& cells, std::size_t groups,
+                           const std::vector<WindowKind>& kinds, WindowSet middle, WindowCoefficients residuals,
+                           std::vector<WindowCoefficients> slopes)
+    : cells_(cells),
+      groups_(groups),
+      kinds_(kinds),
+      middle_(std::move(middle)),
+      residuals_(std::move(residuals)),
+      slopes_(std::move(slopes)) {
+  // Residuals at strengths of zero, so that every set is read off alike.
+  for (std::size_t i = 0; i < middle_.kinds.size(); ++i)
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      if (const Eigen::MatrixXd& slope = slopes_[middle_.kinds[i]][c]; slope.size() > 0)
+        residuals_[c] -= slope * middle_.x[static_cast<Eigen::Index>(i)];
+}
+
+Eigen::MatrixXd WindowLinear::left(std::size_t cell, const std::vector<std::size_t>& kinds,
+                                   const Eigen::VectorXd& x) const {
+  Eigen::MatrixXd residuals = residuals_[cell];
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    if (const Eigen::MatrixXd& slope = slopes_[kinds[i]][cell]; slope.size() > 0)
+      residuals += slope * x[static_cast<Eigen::Index>(i)];
+  return residuals;
+}
+
+/// With the covariances that are likeliest for what these strengths leave.
+WindowLinear::Equations WindowLinear::equations(const std::vector<std::size_t>& kinds,
+                                                const Eigen::VectorXd& at) const {
+  const auto n = static_cast<Eigen::Index>(kinds.size());
+  Equations equations{std::vector<Eigen::MatrixXd>(groups_, Eigen::MatrixXd::Zero(n, n)),
+                      std::vector<Eigen::VectorXd>(groups_, Eigen::VectorXd::Zero(n))};
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    std::vector<Eigen::Index> felt;
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+      if (slopes_[kinds[i]][c].size() > 0) felt.push_back(static_cast<Eigen::Index>(i));
+    if (felt.empty()) continue;
+    const WindowScale scale = likeliestScale(left(c, kinds, at), cells_[c].floor);
+    const Eigen::LLT<Eigen::MatrixXd> factor(scale.covariance);
+    const Eigen::VectorXd roots = scale.weights.cwiseSqrt();
+    const auto whitened = [&](const Eigen::MatrixXd& columns) {
+      const Eigen::MatrixXd white = factor.matrixL().solve(columns * roots.asDiagonal());
+      return Eigen::VectorXd(white.reshaped());
+    };
+    Eigen::MatrixXd design(residuals_[c].size(), static_cast<Eigen::Index>(felt.size()));
+    for (std::size_t i = 0; i < felt.size(); ++i)
+      design.col(static_cast<Eigen::Index>(i)) =
+          whitened(slopes_[kinds[static_cast<std::size_t>(felt[i])]][c]);
+    const std::size_t g = cells_[c].group;
+    equations.information[g](felt, felt) += design.transpose() * design;
+    equations.right[g](felt) -= design.transpose() * whitened(residuals_[c]);
+  }
+  return equations;
+}
+
+/// The strengths of least squares, what would leave its bounds held there.
+Eigen::VectorXd WindowLinear::solve(const std::vector<std::size_t>& kinds, const Eigen::MatrixXd& information,
+                                    const Eigen::VectorXd& right) const {
+  const auto n = static_cast<Eigen::Index>(kinds.size());
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(n), lower(n), upper(n);
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t kind = kinds[static_cast<std::size_t>(i)];
+    lower[i] = std::max(kinds_[kind].lower, middle_.at(kind) - mostFromMiddle);
+    upper[i] = std::min(kinds_[kind].upper, middle_.at(kind) + mostFromMiddle);
+    free.push_back(i);
+  }
+  const Eigen::MatrixXd whole = information + priorOf(kinds.size());
+  while (!free.empty()) {
+    const Eigen::VectorXd rest = right(free) - whole(free, Eigen::all) * x;
+    const Eigen::VectorXd solved = whole(free, free).llt().solve(rest);
+    double worst = 0;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      const double of = solved[static_cast<Eigen::Index>(i)];
+      const double out = std::max(lower[free[i]] - of, of - upper[free[i]]);
+      if (out > worst) worst = out, at = i;
+    }
+    if (worst == 0) {
+      x(free) = solved;
+      break;
+    }
+    const Eigen::Index held = free[at];
+    x[held] = std::clamp(solved[static_cast<Eigen::Index>(at)], lower[held], upper[held]);
+    free.erase(free.begin() + static_cast<std::ptrdiff_t>(at));
+  }
+  return x;
+}
+
+Eigen::VectorXd WindowLinear::startOf(const std::vector<std::size_t>& kinds) const {
+  Eigen::VectorXd x(static_cast<Eigen::Index>(kinds.size()));
+  for (std::size_t i = 0; i < kinds.size(); ++i) x[static_cast<Eigen::Index>(i)] = middle_.at(kinds[i]);
+  return x;
+}
+
+Eigen::VectorXd WindowLinear::fit(const std::vector<std::size_t>& kinds) const {
+  Eigen::VectorXd x = startOf(kinds);
+  for (int round = 0; round < fitRounds && !kinds.empty(); ++round) {
+    const auto [information, right] = equations(kinds, x).sum(groups_);
+    x = solve(kinds, information, right);
+  }
+  return x;
+}
+
+WindowScore WindowLinear::score(const std::vector<std::size_t>& kinds) const {
+  WindowScore scored;
+  scored.set = {kinds, fit(kinds)};
+  scored.price = priceOf(kinds.size(), kinds_.size());
+  const Equations of = equations(kinds, scored.set.x);
+  scored.without.assign(groups_, scored.set.x);
+  for (std::size_t g = 0; g < groups_ && !kinds.empty(); ++g) {
+    const auto [information, right] = of.sum(g);
+    scored.without[g] = solve(kinds, information, right);
+  }
+  scored.information = of.information;
+  scored.density.assign(groups_, 0.0);
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const std::size_t g = cells_[c].group;
+    scored.density[g] += likeliestScale(left(c, kinds, scored.without[g]), cells_[c].floor).density;
+  }
+  return scored;
+}
+
+std::vector<std::size_t> WindowLinear::proposals(const WindowSet& set, std::size_t most) const {
+  std::vector<std::size_t> all(kinds_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  Eigen::VectorXd x(static_cast<Eigen::Index>(all.size()));
+  std::vector<Eigen::Index> in;
+  for (const std::size_t kind : all) {
+    x[static_cast<Eigen::Index>(kind)] = set.at(kind);
+    if (set.holds(kind)) in.push_back(static_cast<Eigen::Index>(kind));
+  }
+  const auto [information, right] = equations(all, x).sum(groups_);
+  const Eigen::VectorXd slope = right - information * x;
+  const Eigen::LLT<Eigen::MatrixXd> inSet(information(in, in) + priorOf(in.size()));
+  std::vector<std::pair<double, std::size_t>> gains;
+  for (const std::size_t kind : all) {
+    const auto k = static_cast<Eigen::Index>(kind);
+    if (set.holds(kind) || !(information(k, k) > 0)) continue;
+    double curvature = information(k, k) + 1 / (priorWidth * priorWidth);
+    if (!in.empty()) {
+      const Eigen::VectorXd with = information(in, k);
+      curvature -= with.dot(inSet.solve(with));
+    }
+    const double way = std::clamp(slope[k] / curvature, std::max(kinds_[kind].lower, -mostFromMiddle),
+                                  std::min(kinds_[kind].upper, mostFromMiddle));
+    gains.emplace_back(slope[k] * way - curvature * way * way / 2, kind);
+  }
+  std::ranges::stable_sort(gains, std::ranges::greater(), [](const auto& gain) { return gain.first; });
+  std::vector<std::size_t> best;
+  for (const auto& [gain, kind] : gains)
+    if (gain > 0 && best.size() < most) best.push_back(kind);
+  return best;
+}
+
+}  // namespace plumbline::gap

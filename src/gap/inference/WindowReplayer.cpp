@@ -1,0 +1,149 @@
+#include "gap/inference/WindowReplayer.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace plumbline::gap {
+
+namespace {
+
+const double windowSeconds = getenv("GAP_W") ? atof(getenv("GAP_W")) : 0.2;
+const std::size_t mostCoefficients = getenv("GAP_N") ? atoi(getenv("GAP_N")) : 12;
+constexpr double windowStep = 0.001, windowGearStep = 0.0005;  // of the replays [s], see ReplayOptions
+constexpr StartShift positionShift{.position = 1e-3}, speedShift{.speed = 2e-2};
+
+std::shared_ptr<const Groups> groupsFrom(const Groups& groups, const std::vector<std::vector<Window>>& windows,
+                                         const StartShift& shift) {
+  std::vector<Trial> trials;
+  for (std::size_t t = 0; t < windows.size(); ++t)
+    trials.push_back(restartedAt(windows[t], groups.trials()[t], shift));
+  return std::make_shared<Groups>(std::move(trials));
+}
+
+std::shared_ptr<const Replayer> replayerOf(const Mechanism& robot, const Groups& groups, int jobs) {
+  ReplayOptions accuracy;
+  accuracy.step = windowStep;
+  accuracy.gearStep = windowGearStep;
+  return std::make_shared<Replayer>(robot, groups, jobs, accuracy);
+}
+
+}  // namespace
+
+Eigen::VectorXd cosineCoefficients(const ResidualSeries& residuals, std::size_t from, std::size_t to,
+                                   std::size_t most) {
+  const std::size_t n = to - from, count = std::min(n, most);
+  Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count));
+  for (std::size_t j = 0; j < count; ++j) {
+    double sum = 0;
+    for (std::size_t k = 0; k < n; ++k)
+      sum += residuals[from + k] * std::cos(std::numbers::pi * static_cast<double>(j) *
+                                            (static_cast<double>(k) + 0.5) / static_cast<double>(n));
+    coefficients[static_cast<Eigen::Index>(j)] = sum * std::sqrt((j == 0 ? 1.0 : 2.0) / static_cast<double>(n));
+  }
+  return coefficients;
+}
+
+WindowReplayer::WindowReplayer(const Mechanism& robot, const Groups& groups, int jobs) {
+  auto windows = std::make_shared<std::vector<std::vector<Window>>>();
+  for (std::size_t t = 0; t < groups.trials().size(); ++t) {
+    std::vector<double> noises;
+    for (const ChannelUse& use : groups.uses()[t]) noises.push_back(use.noise);
+    windows->push_back(windowsIn(groups.trials()[t], windowSeconds, noises));
+  }
+  groups_ = groupsFrom(groups, *windows, {});
+  groupsMoved_ = groupsFrom(groups, *windows, positionShift);
+  groupsHurried_ = groupsFrom(groups, *windows, speedShift);
+  windows_ = std::move(windows);
+  plain_ = replayerOf(robot, *groups_, jobs);
+  moved_ = replayerOf(robot, *groupsMoved_, jobs);
+  hurried_ = replayerOf(robot, *groupsHurried_, jobs);
+  layOut();
+  putFloors();
+}
+
+WindowReplayer::WindowReplayer(const WindowReplayer& whole, std::size_t leftOut)
+    : windows_(whole.windows_),
+      groups_(std::make_shared<Groups>(whole.groups_->without(leftOut))),
+      groupsMoved_(std::make_shared<Groups>(whole.groupsMoved_->without(leftOut))),
+      groupsHurried_(std::make_shared<Groups>(whole.groupsHurried_->without(leftOut))),
+      plain_(std::make_shared<Replayer>(*whole.plain_, *groups_)),
+      moved_(std::make_shared<Replayer>(*whole.moved_, *groupsMoved_)),
+      hurried_(std::make_shared<Replayer>(*whole.hurried_, *groupsHurried_)) {
+  layOut();
+  putFloors();
+}
+
+std::size_t WindowReplayer::numReplays() const {
+  return plain_->numReplays() + moved_->numReplays() + hurried_->numReplays();
+}
+
+/// Puts the windows that were measured and are predicted without gaps into cells.
+void WindowReplayer::layOut() {
+  const Residuals nominal = plain_->residuals({});
+  std::map<std::pair<std::size_t, std::string>, std::size_t> known;
+  for (const Cell& cell : groups_->cells()) {
+    const Signal& signal = groups_->trials()[cell.trial].signals[cell.signal];
+    // What the body's sensors read depends on all joints at once.
+    if (signal.joint < 0) continue;
+    const auto fits = [&](const Window& window) {
+      if (window.from < cell.from || window.to > cell.to) return false;
+      if (!std::isfinite(window.starts[static_cast<std::size_t>(signal.joint)].speed)) return false;
+      const Series& residuals = nominal[cell.trial][cell.signal];
+      for (std::size_t k = window.from; k < window.to; ++k)
+        if (!residuals || !std::isfinite((*residuals)[k])) return false;
+      return true;
+    };
+    const auto [at, fresh] = known.try_emplace({cell.group, signal.name}, cells_.size());
+    if (fresh) cells_.push_back({cell.group, signal.joint, cell.noise, {}, {}});
+    for (const Window& window : (*windows_)[cell.trial])
+      if (fits(window)) cells_[at->second].windows.push_back({cell.trial, cell.signal, window.from, window.to});
+  }
+  std::erase_if(cells_, [](const WindowCell& cell) { return cell.windows.empty(); });
+}
+
+void WindowReplayer::putFloors() {
+  const WindowCoefficients here = coefficientsOf(*plain_, {}), moved = coefficientsOf(*moved_, {}),
+                           hurried = coefficientsOf(*hurried_, {});
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    WindowCell& cell = cells_[c];
+    const auto rows = here[c].rows();
+    cell.floor = cell.noise * cell.noise * Eigen::MatrixXd::Identity(rows, rows);
+    const Eigen::MatrixXd byPosition = (moved[c] - here[c]) / positionShift.position,
+                          bySpeed = (hurried[c] - here[c]) / speedShift.speed;
+    for (std::size_t w = 0; w < cell.windows.size(); ++w) {
+      const WindowCell::Part& part = cell.windows[w];
+      for (const Window& window : (*windows_)[part.trial]) {
+        if (window.from != part.from) continue;
+        Eigen::MatrixXd response(rows, 2);
+        response << byPosition.col(static_cast<Eigen::Index>(w)), bySpeed.col(static_cast<Eigen::Index>(w));
+        cell.floor += response * window.starts[static_cast<std::size_t>(cell.joint)].covariance *
+                      response.transpose() / static_cast<double>(cell.windows.size());
+      }
+    }
+  }
+}
+
+WindowCoefficients WindowReplayer::coefficientsOf(const Replayer& replayer, const Explanation& causes) const {
+  const Residuals residuals = replayer.residuals(causes);
+  WindowCoefficients result;
+  for (const WindowCell& cell : cells_) {
+    std::size_t shortest = mostCoefficients;
+    for (const WindowCell::Part& part : cell.windows) shortest = std::min(shortest, part.to - part.from);
+    Eigen::MatrixXd of = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(shortest),
+                                               static_cast<Eigen::Index>(cell.windows.size()));
+    for (std::size_t w = 0; w < cell.windows.size(); ++w) {
+      const WindowCell::Part& part = cell.windows[w];
+      if (const Series& series = residuals[part.trial][part.signal])
+        of.col(static_cast<Eigen::Index>(w)) = cosineCoefficients(*series, part.from, part.to, shortest);
+    }
+    result.push_back(std::move(of));
+  }
+  return result;
+}
+
+WindowCoefficients WindowReplayer::coefficients(const Explanation& causes) const {
+  return coefficientsOf(*plain_, causes);
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,59 @@
+#pragma once
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gap/inference/Replayer.h"
+#include "gap/inference/WindowStarts.h"
+
+namespace plumbline::gap {
+
+/// One channel in the windows of one group.
+struct WindowCell {
+  struct Part {
+    std::size_t trial, signal, from, to;  ///< cycles [from, to)
+  };
+  std::size_t group = 0;
+  int joint = -1;
+  double noise = 0;  ///< standard deviation of its residuals under a perfect model
+  std::vector<Part> windows;
+  /// Of a window's coefficients under a perfect model: noise of the readings, and what the error of the measured state does.
+  Eigen::MatrixXd floor;
+};
+
+/// Per cell: cosine coefficients of its residuals, a column per window.
+using WindowCoefficients = std::vector<Eigen::MatrixXd>;
+
+/// The first coefficients of the orthonormal cosine transform (DCT-II) of a stretch of residuals.
+Eigen::VectorXd cosineCoefficients(const ResidualSeries& residuals, std::size_t from, std::size_t to,
+                                   std::size_t most);
+
+/// Residuals of recordings that are replayed in windows from the measured state, for robots whose base is held. What a free
+/// replay adds up over seconds, a window forgets.
+class WindowReplayer {
+public:
+  /// groups: of the recordings as they are; they must outlive it.
+  WindowReplayer(const Mechanism& robot, const Groups& groups, int jobs);
+  /// The same without one group (Groups::without); shares what was replayed.
+  WindowReplayer(const WindowReplayer& whole, std::size_t leftOut);
+
+  WindowCoefficients coefficients(const Explanation& causes) const;
+  const std::vector<WindowCell>& cells() const { return cells_; }
+  const Groups& groups() const { return *groups_; }
+  const Mechanism& mechanism() const { return plain_->mechanism(); }
+  std::size_t numReplays() const;
+
+private:
+  void layOut();
+  void putFloors();
+  WindowCoefficients coefficientsOf(const Replayer& replayer, const Explanation& causes) const;
+
+  std::shared_ptr<const std::vector<std::vector<Window>>> windows_;  ///< per trial
+  std::shared_ptr<const Groups> groups_, groupsMoved_, groupsHurried_;
+  /// From the starts as measured, and with all positions or speeds of the starts shifted.
+  std::shared_ptr<const Replayer> plain_, moved_, hurried_;
+  std::vector<WindowCell> cells_;
+};
+
+}  // namespace plumbline::gap
