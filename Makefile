@@ -35,7 +35,7 @@ bin/%: force
 	@scripts/build.sh SimRelease $*
 .PHONY: force
 
-.PHONY: default all help packages run match web pictures test bench fuzz faults kills soak thread coverage mutation install deb results format format-check tidy check clean bench-live soak-live
+.PHONY: default all help packages run match web pictures test cluster bench fuzz faults kills soak thread coverage mutation install deb results format format-check tidy check clean bench-live soak-live
 default: $(defaultTarget)
 all: $(configuredTargets)
 
@@ -73,6 +73,12 @@ test: packages
 
 test-%:
 	+@scripts/run_tests.sh $*
+
+# What runs on clusters, on this machine: Open MPI, network namespaces and a Slurm of its own. NAMES="mpi slurm" for some.
+cluster: packages
+	@RUNLEVEL=1 scripts/install_packages.sh scripts/packages-cluster.txt
+	@scripts/build.sh SimRelease optserver optworker mpitunnel
+	@scripts/cluster_tests.sh $(NAMES)
 
 bench: packages
 	@scripts/install_packages.sh scripts/packages-bench.txt

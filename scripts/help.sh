@@ -10,11 +10,12 @@ make TARGET          build one target: ${2// /, }
 make TARGET-tests    build its test programs as well; TARGET-bench the benchmarks
 make all             build every configured target
 make test-AREA       build and run the tests of tests/AREA alone
+make cluster         Open MPI and Slurm on this machine: installs them, runs the tests of tests/cluster (NAMES="mpi slurm")
 make check           everything that takes long: all tests, and the thread sanitizer
 make thread          the thread sanitizer over what has threads (AREAS="..." for others)
 make coverage        which lines of src/ the tests run, a line per folder (AREAS="..." for some tests)
 make mutation        whether tests notice thresholds and operators that are changed (FOLDERS="walking", MOST=20)
-make fuzz            libFuzzer on all 44 that read from outside, 17 minutes: SECONDS=20 of each (TARGETS="..." for some)
+make fuzz            libFuzzer on all 46 that read from outside, 18 minutes: SECONDS=20 of each (TARGETS="..." for some)
 make faults, kills   calls of the system that fail, and kills, in every program (FAULTJOBS="..." for some; KILLS=8, SEED=1)
 make soak            a long game: memory and cost of simulator and agents (MINUTES=10, AGENTS=22)
 make bench           run all benchmarks into build/bench/; bench-AREA those of one area

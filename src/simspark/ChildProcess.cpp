@@ -98,7 +98,8 @@ bool ChildProcess::reap(int options) {
   if (wholeGroup_) {
     // Until it is reaped its number, and so the group's, is nobody else's.
     siginfo_t ended{};
-    while (waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOWAIT | options) < 0 && errno == EINTR) {
+    while (waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOWAIT | options) < 0 &&
+           errno == EINTR) {
     }
     if (ended.si_pid == 0) return false;
     kill(-pid_, SIGKILL);

@@ -3,8 +3,8 @@
 
 namespace plumbline::tunnel {
 
-/// SIGCONT, which goes on with a process that was stopped, and which mpirun also sends a second before it ends
-/// its ranks by SIGTERM and SIGKILL.
+/// SIGCONT, which goes on with a process that was stopped, and which mpirun also sends a second before it
+/// ends its ranks by SIGTERM and SIGKILL.
 class ContinueSignal {
 public:
   /// It is counted from here on, and wakes poll().

@@ -14,11 +14,11 @@ void replaceAll(std::string& text, const std::string& what, const std::string& b
 
 RankCommand::RankCommand(std::vector<std::string> command, int port, int rank)
     : command_(std::move(command)),
-      settings_{.environment = {"MPITUNNEL_PORT=" + std::to_string(port),
-                                "MPITUNNEL_RANK=" + std::to_string(rank)},
-                .dropped = {"OMPI_", "PMIX_", "PMI_", "ORTE_"},
-                .onPath = true,
-                .wholeGroup = true} {
+      settings_{
+          .environment = {"MPITUNNEL_PORT=" + std::to_string(port), "MPITUNNEL_RANK=" + std::to_string(rank)},
+          .dropped = {"OMPI_", "PMIX_", "PMI_", "ORTE_"},
+          .onPath = true,
+          .wholeGroup = true} {
   for (std::string& argument : command_) {
     replaceAll(argument, "{port}", std::to_string(port));
     replaceAll(argument, "{rank}", std::to_string(rank));

@@ -112,7 +112,8 @@ void RankLink::connect(Carried& carried, double now) {
 void RankLink::take(const Frame& frame, double now) {
   const auto place = connections_.find(frame.connection);
   if (frame.kind == FrameKind::open) {
-    if (port_ == 0 || listener_ >= 0) throw std::invalid_argument("a connection that begins at the wrong end");
+    if (port_ == 0 || listener_ >= 0)
+      throw std::invalid_argument("a connection that begins at the wrong end");
     if (frame.connection != last_ + 1)
       throw std::invalid_argument("connection " + std::to_string(frame.connection) + " after connection " +
                                   std::to_string(last_));

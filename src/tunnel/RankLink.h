@@ -9,8 +9,8 @@
 
 namespace plumbline::tunnel {
 
-/// One end of what two ranks carry for each other: any number of connections, up to a bound, by frames in both
-/// directions. It listens on loopback, or connects there; it knows nothing of how frames travel.
+/// One end of what two ranks carry for each other: any number of connections, up to a bound, by frames in
+/// both directions. It listens on loopback, or connects there; it knows nothing of how frames travel.
 class RankLink {
 public:
   static constexpr std::size_t maxConnections = 1024;
@@ -22,8 +22,8 @@ public:
 
   /// Connections begin at this end, at a free port of loopback, which it returns. Throws std::runtime_error.
   int listen();
-  /// Connections begin at the other end and go on to this port of loopback. Nobody may listen there yet: until
-  /// one got through, each is tried again for `patience` seconds.
+  /// Connections begin at the other end and go on to this port of loopback. Nobody may listen there yet:
+  /// until one got through, each is tried again for `patience` seconds.
   void connectTo(int port, double patience);
 
   /// Appends what to poll() for, in the order that serve() takes it back in.

@@ -3,8 +3,8 @@
 
 namespace plumbline::tunnel {
 
-/// How messages get from rank to rank: whole, and in the order in which one rank sent them to another. No call
-/// waits. Each throws std::runtime_error, one line, for what makes going on impossible.
+/// How messages get from rank to rank: whole, and in the order in which one rank sent them to another. No
+/// call waits. Each throws std::runtime_error, one line, for what makes going on impossible.
 class RankTransport {
 public:
   virtual ~RankTransport() = default;

@@ -44,8 +44,7 @@ std::string encodeFrame(const Frame& frame) {
   std::string message{'P', 'T', version, static_cast<char>(frame.kind)};
   message.reserve(frameHeader + frame.data.size());
   put(message, frame.connection);
-  put(message,
-      frame.kind == FrameKind::data ? static_cast<std::uint32_t>(frame.data.size()) : frame.value);
+  put(message, frame.kind == FrameKind::data ? static_cast<std::uint32_t>(frame.data.size()) : frame.value);
   return message += frame.data;
 }
 
@@ -64,8 +63,8 @@ Frame decodeFrame(std::string_view message) {
     refuse("of kind " + std::to_string(kind) + " for connection " + std::to_string(frame.connection));
   const auto [least, most] = boundsOf(frame.kind);
   if (frame.value < least || frame.value > most)
-    refuse("of kind " + std::to_string(kind) + " with " + std::to_string(frame.value) + ", which is not from " +
-           std::to_string(least) + " to " + std::to_string(most));
+    refuse("of kind " + std::to_string(kind) + " with " + std::to_string(frame.value) +
+           ", which is not from " + std::to_string(least) + " to " + std::to_string(most));
   const std::size_t size = frame.kind == FrameKind::data ? frame.value : 0;
   if (message.size() != frameHeader + size)
     refuse(std::to_string(message.size() - frameHeader) + " bytes after the header, which says " +

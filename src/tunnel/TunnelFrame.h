@@ -7,7 +7,8 @@
 
 namespace plumbline::tunnel {
 
-/// What a message between two ranks says. Of a connection: open to end or reset. Of the rank itself: the rest.
+/// What a message between two ranks says. Of a connection: open to end or reset. Of the rank itself: the
+/// rest.
 enum class FrameKind : std::uint8_t {
   open = 1,  ///< somebody connected to the port at this end
   data,      ///< bytes of it

@@ -9,13 +9,13 @@
 namespace plumbline::tunnel {
 namespace {
 
-constexpr double sayEvery = 0.2;            // that this rank is there [s]
-constexpr double longestStep = 0.1;         // what a pause of this rank's own counts as silence of others [s]
-constexpr double killAfter = 0.5;           // what does not end when it is told to [s]
-constexpr double stoppedFor = 0.05;         // at least, who was stopped [s]
-constexpr double farewell = 0.1;            // for last messages [s]
-constexpr int messagesAtOnce = 64;          // then sockets have their turn
-constexpr int spins = 20, naps = 500;       // looks without a pause, then with the shorter one
+constexpr double sayEvery = 0.2;       // that this rank is there [s]
+constexpr double longestStep = 0.1;    // what a pause of this rank's own counts as silence of others [s]
+constexpr double killAfter = 0.4;      // what does not end when it is told to [s]
+constexpr double stoppedFor = 0.05;    // at least, who was stopped [s]
+constexpr double farewell = 0.05;      // for last messages [s]
+constexpr int messagesAtOnce = 64;     // then sockets have their turn
+constexpr int spins = 20, naps = 500;  // looks without a pause, then with the shorter one
 constexpr int napMilliseconds = 1, restMilliseconds = 4;
 
 double seconds() {

@@ -60,7 +60,8 @@ void Watchdog::watch(const StopSignal& stop, double silence) {
     ends = status >= 0 || stop.requested() || announced || getppid() != parent ? ends + step : 0;
     if (ends > patience)
       endWithout("MPI does not let this rank go: it ends without", status >= 0 ? status : stopped);
-    if (stands > silence) endWithout("MPI has stood still for too long: a rank may have gone", failed);
+    if (stands > silence)
+      endWithout("this rank has stood still for too long: MPI may wait for one that has gone", failed);
   }
 }
 

@@ -9,12 +9,12 @@
 
 namespace plumbline::tunnel {
 
-/// Ends this process where its loop does not: MPI waits for ever for a rank that has gone. What a ChildProcess
-/// started with its whole group ends with it.
+/// Ends this process where its loop does not: MPI waits for ever for a rank that has gone. What a
+/// ChildProcess started with its whole group ends with it.
 class Watchdog {
 public:
   /// How long ending may take [s], and the status of one that was told to stop.
-  static constexpr double patience = 0.8;
+  static constexpr double patience = 0.6;
   static constexpr int stopped = 130, failed = 2;
 
   /// A loop that is not told to stop may stand for `silence` seconds; what it waits for is not counted while

@@ -1,8 +1,11 @@
 # What the tests of make cluster share: programs that may be missing, a search and what it finds by itself, processes that have
 # to end, and a Slurm of their own that listens on loopback only.
-if ((EUID == 0)) && [[ ! ${PLUMBLINE_OWN_NETWORK-} ]] && unshare --net true 2> /dev/null; then
-  # Where that is allowed, in a network of its own: mpirun listens for its daemons at all addresses, and nobody reaches them there.
-  PLUMBLINE_OWN_NETWORK=yes exec unshare --net bash -c 'ip link set lo up && exec bash "$0"' "$0"
+# Where that is allowed, in a network of its own: mpirun listens for its daemons at all addresses, and nobody reaches them there.
+# Slurm's programs listen where the machine's name leads to; names lead nowhere without an address that is not loopback's.
+ownNetwork='ip link set lo up && ip link add nobody type dummy && ip address add 10.78.0.1/32 dev nobody &&
+  ip link set nobody up && hostname localhost'
+if ((EUID == 0)) && [[ ! ${PLUMBLINE_OWN_NETWORK-} ]] && unshare --net --uts bash -c "$ownNetwork" 2> /dev/null; then
+  PLUMBLINE_OWN_NETWORK=yes exec unshare --net --uts bash -c "$ownNetwork"' && exec bash "$0"' "$0"
 fi
 source "$(dirname "${BASH_SOURCE[0]}")/../e2e/assert.bash"
 skip() { echo "left out: $*"; exit 77; }
@@ -10,7 +13,7 @@ needs() { local name; for name in "$@"; do command -v "$name" > /dev/null || ski
 
 # Open MPI on this machine alone: shared memory between ranks, its own connections on loopback, more ranks than cores.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
-export OMPI_MCA_btl=self,vader OMPI_MCA_oob_tcp_if_include=lo OMPI_MCA_hwloc_base_binding_policy=none
+export OMPI_MCA_orte_tmpdir_base=$scratch OMPI_MCA_btl=self,vader OMPI_MCA_oob_tcp_if_include=lo OMPI_MCA_hwloc_base_binding_policy=none
 slurm=$scratch/slurm
 # Every process that a test starts has this, so that none can hide.
 export PLUMBLINE_TEST=$scratch
@@ -74,7 +77,9 @@ expectLoopback() {
 
 # A Slurm with one node, this machine, for the user who runs it.
 startSlurm() { # CPUs that it believes to have
-  local user
+  local user address
+  address=$(getent ahostsv4 "$(hostname)" || true)
+  [[ $address == 127.* ]] || skip "Slurm would listen at ${address%% *}, where this machine's name leads to"
   user=$(id -un)
   mkdir -p "$slurm"/{state,spool}
   (umask 077 && head -c 128 /dev/urandom > "$slurm/key")
@@ -109,17 +114,18 @@ PartitionName=low Nodes=localhost Default=YES PriorityTier=1 PreemptMode=REQUEUE
 PartitionName=high Nodes=localhost PriorityTier=10 PreemptMode=OFF
 END
   export SLURM_CONF=$slurm/slurm.conf PLUMBLINE_BIND=127.0.0.1
-  munged --foreground --force --num-threads=2 --key-file="$slurm/key" --socket="$slurm/munge.socket" --seed-file="$slurm/seed" \
+  # In sessions of their own: whoever ends the test by a signal to its group does not end them before their jobs.
+  setsid munged --foreground --force --num-threads=2 --key-file="$slurm/key" --socket="$slurm/munge.socket" --seed-file="$slurm/seed" \
     --pid-file="$slurm/munged.pid" --log-file="$slurm/munged.log" > "$slurm/munged.out" 2>&1 &
   waitFor test -S "$slurm/munge.socket"
-  (cd "$slurm" && exec slurmctld -D > "$slurm/slurmctld.log" 2>&1) &
-  (cd "$slurm" && exec slurmd -D -N localhost > "$slurm/slurmd.log" 2>&1) &
+  (cd "$slurm" && exec setsid slurmctld -D > "$slurm/slurmctld.log" 2>&1) &
+  (cd "$slurm" && exec setsid slurmd -D -N localhost > "$slurm/slurmd.log" 2>&1) &
   waitLong isIdle
 }
 isIdle() { [[ $(sinfo -h -o %T) == idle ]]; }
 queueEmpty() { [[ -z $(squeue -h) ]]; }
 stopSlurm() {
-  scancel --user="$(id -un)" > /dev/null 2>&1 || true
+  timeout 5 scancel --user="$(id -un)" > /dev/null 2>&1 || true
   local i name
   for ((i = 0; i < 100; ++i)); do noneLeft 'slurmstepd|srun' && break; sleep 0.05; done
   for name in slurmd slurmctld munged; do

@@ -36,7 +36,8 @@ void tunnelLink(std::string_view bytes) {
   refusesInOneLine([&] {
     while (bytes.size() >= 3) {
       const auto kind = static_cast<FrameKind>(static_cast<unsigned char>(bytes[0]) % 12);
-      Frame frame{kind, static_cast<unsigned char>(bytes[1]), static_cast<unsigned char>(bytes[2]) * 1100U, {}};
+      Frame frame{
+          kind, static_cast<unsigned char>(bytes[1]), static_cast<unsigned char>(bytes[2]) * 1100U, {}};
       if (kind == FrameKind::data) frame.data.assign(frame.value % (maxFrameData + 9), 'x');
       bytes.remove_prefix(3);
       link.take(decodeFrame(encodeFrame(frame)), now);
@@ -57,8 +58,8 @@ std::vector<std::string> tunnelFrameSeeds() {
   return all;
 }
 std::vector<std::string> tunnelLinkSeeds() {
-  return {std::string("\1\1\0\2\1\2\2\1\5\3\1\0", 12), std::string("\1\1\0\1\2\0\2\2\x1d\4\1\0\2\2\3\3\2\0", 18),
-          std::string("\1\1\0\2\1\x1d\5\1\1", 9)};
+  return {std::string("\1\1\0\2\1\2\2\1\5\3\1\0", 12),
+          std::string("\1\1\0\1\2\0\2\2\x1d\4\1\0\2\2\3\3\2\0", 18), std::string("\1\1\0\2\1\x1d\5\1\1", 9)};
 }
 
 const Registered tunnelFrameTarget({"tunnelFrame", tunnelFrame, tunnelFrameSeeds, 15000});

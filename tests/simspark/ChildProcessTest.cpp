@@ -90,8 +90,8 @@ TEST(ChildProcess, itsEnvironmentIsWhatIsInheritedButForWhatIsSetAndDropped) {
   const std::string print = "echo $CHILD_TEST_KEPT,$CHILD_TEST_SET,$CHILD_TEST_NEW,$OTHER_TEST_DROPPED";
   ChildProcess child({"/bin/sh", "-c", print},
                      ChildSettings{.outputFile = file,
-                      .environment = {"CHILD_TEST_SET=new", "CHILD_TEST_NEW=a=b"},
-                      .dropped = {"OTHER_TEST_"}});
+                                   .environment = {"CHILD_TEST_SET=new", "CHILD_TEST_NEW=a=b"},
+                                   .dropped = {"OTHER_TEST_"}});
   waitForEnd(child);
   for (const char* name : {"CHILD_TEST_KEPT", "CHILD_TEST_SET", "OTHER_TEST_DROPPED"}) unsetenv(name);
   EXPECT_EQ(contentOf(file), "kept,new,a=b,\n");
@@ -103,8 +103,9 @@ TEST(ChildProcess, aNameIsLookedForOnPathOnlyWhereThatIsWanted) {
   EXPECT_EQ(*child.exitStatus(), 0);
   EXPECT_EQ(plumbline::thrownBy([] { ChildProcess missing({"true"}, ChildSettings{.onPath = false}); }),
             "cannot start true: No such file or directory");
-  EXPECT_EQ(plumbline::thrownBy([] { ChildProcess missing({"no-such-program"}, ChildSettings{.onPath = true}); }),
-            "cannot start no-such-program: No such file or directory");
+  EXPECT_EQ(
+      plumbline::thrownBy([] { ChildProcess missing({"no-such-program"}, ChildSettings{.onPath = true}); }),
+      "cannot start no-such-program: No such file or directory");
 }
 
 TEST(ChildProcess, hasNothingOpenButTheThreeStandardFiles) {
@@ -127,7 +128,8 @@ TEST(ChildProcess, isTheLeaderOfAGroupThatCanBeSignalled) {
 
 TEST(ChildProcess, aWholeGroupEndsWithItsLeader) {
   const std::string file = freshFile("child_process_group.txt");
-  ChildProcess child({"/bin/sh", "-c", "sleep 100 & echo $!; exit 3"}, ChildSettings{.outputFile = file, .wholeGroup = true});
+  ChildProcess child({"/bin/sh", "-c", "sleep 100 & echo $!; exit 3"},
+                     ChildSettings{.outputFile = file, .wholeGroup = true});
   const pid_t grandchild = numberIn(file);
   waitForEnd(child);
   EXPECT_EQ(*child.exitStatus(), 3);

@@ -247,7 +247,9 @@ TEST_F(RankLinkTest, moreThanTheWindowIsRefused) {
   const std::string most(maxFrameData, 'x');
   for (std::size_t i = 0; i < creditWindow / maxFrameData; ++i)
     servers.take({FrameKind::data, 1, 0, most}, now);
-  EXPECT_EQ(thrownBy([&] { servers.take({FrameKind::data, 1, 0, "x"}, now); }),
+  EXPECT_EQ(thrownBy([&] {
+              servers.take({FrameKind::data, 1, 0, "x"}, now);
+            }),
             "more than the 262144 bytes that connection 1 may be sent");
 }
 

@@ -42,7 +42,8 @@ TEST(TunnelFrame, whatIsNoFrameIsRefusedWithItsReason) {
   EXPECT_EQ(refused(std::string("PT\1\0", 4) + good.substr(4)), "frame: of no kind that there is, 0");
   EXPECT_EQ(refused(good + "d"), "frame: 4 bytes after the header, which says 3");
   EXPECT_EQ(refused(good.substr(0, good.size() - 1)), "frame: 2 bytes after the header, which says 3");
-  EXPECT_EQ(refused(encodeFrame({FrameKind::open, 1}) + "x"), "frame: 1 bytes after the header, which says 0");
+  EXPECT_EQ(refused(encodeFrame({FrameKind::open, 1}) + "x"),
+            "frame: 1 bytes after the header, which says 0");
 }
 
 TEST(TunnelFrame, numbersOutOfTheirBoundsAreRefused) {
@@ -56,7 +57,8 @@ TEST(TunnelFrame, numbersOutOfTheirBoundsAreRefused) {
             "frame: of kind 5 with 262145, which is not from 1 to 262144");
   EXPECT_EQ(refused(encodeFrame({FrameKind::over, 0, 256})),
             "frame: of kind 8 with 256, which is not from 0 to 255");
-  EXPECT_EQ(refused(encodeFrame({FrameKind::end, 1, 1})), "frame: of kind 3 with 1, which is not from 0 to 0");
+  EXPECT_EQ(refused(encodeFrame({FrameKind::end, 1, 1})),
+            "frame: of kind 3 with 1, which is not from 0 to 0");
 }
 
 }  // namespace

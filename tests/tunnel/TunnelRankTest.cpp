@@ -91,9 +91,10 @@ struct TunnelRankTest : testing::Test {
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     options.port = server.port;
-    options.server = shell("until [ -e " + folder + "/end ]; do sleep 0.01; done; exit $(cat " + folder + "/end)");
-    options.worker = shell("echo $$ {port} > " + folder + "/new{rank}; mv " + folder + "/new{rank} " + folder +
-                           "/worker{rank}; sleep 100");
+    options.server =
+        shell("until [ -e " + folder + "/end ]; do sleep 0.01; done; exit $(cat " + folder + "/end)");
+    options.worker = shell("echo $$ {port} > " + folder + "/new{rank}; mv " + folder + "/new{rank} " +
+                           folder + "/worker{rank}; sleep 100");
   }
   void endServer(int status) const { std::ofstream(folder + "/end") << status; }
   /// The process and the port of a worker's command.
@@ -159,8 +160,8 @@ TEST_F(TunnelRankTest, aServerThatFailsEndsAllWithItsStatusAtOnce) {
 
 TEST_F(TunnelRankTest, aWorkerMayEndByItselfOnceTheServerHas) {
   options.grace = 60;
-  options.worker = shell("echo $$ {port} > " + folder + "/worker1; until [ -e " + folder + "/end ]; do sleep 0.01; done; " +
-                         "sleep 0.3; touch " + folder + "/done");
+  options.worker = shell("echo $$ {port} > " + folder + "/worker1; until [ -e " + folder +
+                         "/end ]; do sleep 0.01; done; " + "sleep 0.3; touch " + folder + "/done");
   RankThread zero(post, 0, 2, options), one(post, 1, 2, options);
   worker(1);
   endServer(0);
@@ -236,7 +237,8 @@ TEST_F(TunnelRankTest, framesThatAreNotOnesToSendEndAll) {
   for (const auto& [frame, why] :
        {std::pair{Frame{FrameKind::over}, "rank 2 sent a frame that is not a worker's to send"},
         std::pair{Frame{FrameKind::bye}, "rank 2 sent a frame that is not a worker's to send"},
-        std::pair{Frame{FrameKind::credit, 5, 1}, "rank 2 sent a frame of connection 5, which nobody opened"}}) {
+        std::pair{Frame{FrameKind::credit, 5, 1},
+                  "rank 2 sent a frame of connection 5, which nobody opened"}}) {
     post.to.clear();
     RankThread zero(post, 0, 3, options);
     PostTransport(post, 2, 3).send(0, encodeFrame(frame));
@@ -272,8 +274,9 @@ TEST_F(TunnelRankTest, oneWorkerMayFailButNotAll) {
 
 TEST_F(TunnelRankTest, aWorkerThatFailsIsStartedAgainWhereThatIsWanted) {
   options.again = true;
-  options.worker = shell("echo x >> " + folder + "/starts; [ $(wc -l < " + folder + "/starts) -gt 1 ] || exit 1; echo " +
-                         "$$ {port} > " + folder + "/worker1; sleep 100");
+  options.worker =
+      shell("echo x >> " + folder + "/starts; [ $(wc -l < " + folder + "/starts) -gt 1 ] || exit 1; echo " +
+            "$$ {port} > " + folder + "/worker1; sleep 100");
   RankThread zero(post, 0, 2, options), one(post, 1, 2, options);
   const pid_t pid = worker(1).first;
   EXPECT_GT(pid, 0);

@@ -14,8 +14,8 @@
 
 namespace plumbline {
 
-/// MPI as what carries messages between ranks: the process is one of MPI's from here on. One at a time, used by
-/// the thread that made it. Errors are std::runtime_error, one line.
+/// MPI as what carries messages between ranks: the process is one of MPI's from here on. One at a time, used
+/// by the thread that made it. Errors are std::runtime_error, one line.
 class MpiTransport final : public tunnel::RankTransport {
 public:
   MpiTransport(int& argc, char**& argv);
@@ -28,8 +28,8 @@ public:
   bool receive(int& from, std::string& message) override;
   bool sentAll() const override { return sending_.empty(); }
 
-  /// Says farewell to the others, who do so too; waits for them at most so long [s], then the process ends with
-  /// this status.
+  /// Says farewell to the others, who do so too; waits for them at most so long [s], then the process ends
+  /// with this status.
   void leave(int patience, int status);
   /// Ends all ranks and with them this process.
   [[noreturn]] void abort(int status);

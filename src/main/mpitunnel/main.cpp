@@ -31,7 +31,8 @@ void takeCommands(int argc, char** argv, int& ownCount, tunnel::TunnelOptions& o
   if (second != end) options.worker.assign(second + 1, end);
 }
 
-tunnel::RankEnd runRank(MpiTransport& transport, const tunnel::TunnelOptions& options, const StopSignal& stop) {
+tunnel::RankEnd runRank(MpiTransport& transport, const tunnel::TunnelOptions& options,
+                        const StopSignal& stop) {
   std::unique_ptr<tunnel::TunnelRank> rank;
   if (transport.rank() == 0)
     rank = std::make_unique<tunnel::ServerRank>(transport, options);
@@ -42,12 +43,10 @@ tunnel::RankEnd runRank(MpiTransport& transport, const tunnel::TunnelOptions& op
 
 int runProgram(int argc, char** argv) {
   tunnel::TunnelOptions options;
-  CLI::App app(
-      "Carries TCP connections over MPI: a server on one node of a cluster and its clients on others, with no port "
-      "open between them. Rank 0 runs SERVER, every other rank WORKER, which finds the server at a port of its own "
-      "loopback.",
-      "mpitunnel");
-  app.add_option("--port", options.port, "The server's port on loopback; 0: a free one, which {port} tells it")
+  CLI::App app("Carries TCP connections over MPI: a server on one node of a cluster, its clients on others.",
+               "mpitunnel");
+  app.add_option("--port", options.port,
+                 "The server's port on loopback; 0: a free one, which {port} tells it")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
   app.add_option("--patience", options.patience, "Waits so long for the server to open its port [s]")
@@ -56,25 +55,30 @@ int runProgram(int argc, char** argv) {
   app.add_option("--grace", options.grace, "A worker may go on for so long once the server has ended [s]")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
-  app.add_option("--silence", options.silence, "A rank that says nothing for so long has gone, which ends all [s]")
+  app.add_option("--silence", options.silence,
+                 "A rank that says nothing for so long has gone, which ends all [s]")
       ->check(CLI::Range(1.0, 3600.0))
       ->capture_default_str();
   app.add_flag("--again", options.again, "A worker that fails is started again, once a second");
   app.footer(
       "mpirun -n RANKS bin/mpitunnel [OPTIONS] -- SERVER [ARGUMENT]... -- WORKER [ARGUMENT]...\n"
-      "In the commands {port} is the port on loopback and {rank} the number of the rank; the variables MPITUNNEL_PORT\n"
+      "Rank 0 runs SERVER, every other rank WORKER, which finds the server at a port of its own loopback.\n"
+      "In the commands {port} is the port on loopback and {rank} the number of the rank; the variables "
+      "MPITUNNEL_PORT\n"
       "and MPITUNNEL_RANK are the same. The exit status is the server's. Ctrl-C ends all that was started.\n"
       "Examples:\n"
       "  mpirun -n 4 bin/mpitunnel -- bin/optserver study.yaml --port {port} -- bin/optworker --port {port}\n"
-      "  mpirun -n 8 bin/mpitunnel --port 3400 --again -- bin/optserver study.yaml -- bin/optworker --port {port}");
+      "  mpirun -n 8 bin/mpitunnel --port 3400 --again -- bin/optserver study.yaml -- bin/optworker --port "
+      "{port}");
   int ownCount = argc;
   takeCommands(argc, argv, ownCount, options);
   if (const auto status = readCommandLine(app, ownCount, argv)) return *status;
   if (options.server.empty() || options.worker.empty()) {
-    std::fprintf(stderr, "mpitunnel: %s\n",
-                 commandLineError(app, std::string("the ") + (options.server.empty() ? "server's" : "worker's") +
-                                           " command is missing: -- SERVER -- WORKER")
-                     .c_str());
+    std::fprintf(
+        stderr, "mpitunnel: %s\n",
+        commandLineError(app, std::string("the ") + (options.server.empty() ? "server's" : "worker's") +
+                                  " command is missing: -- SERVER -- WORKER")
+            .c_str());
     return failed;
   }
   MpiTransport transport(argc, argv);
