@@ -131,7 +131,8 @@ struct Searched {
 
 using Tell = std::function<void(const char* stage, double share)>;
 
-Searched searched(const Groups& groups, BeamResult found, std::vector<FoundWithout> without, const Tell& tell) {
+Searched searched(const Groups& groups, BeamResult found, std::vector<FoundWithout> without,
+                  const Tell& tell) {
   tell("recordings left out", 0);
   Searched result{std::move(found), std::move(without), {}, {}};
   result.leftOut = leftWithout(groups, result.without);
@@ -180,8 +181,10 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
     result.replays += windows.numReplays();
     if (getenv("GAP_DEBUG")) {
       fprintf(stderr, "free %.3f windows %.3f\n", of.claim.closed, other.claim.closed);
-      for (const auto& l : of.leftOut) fprintf(stderr, "F %s %.1f -> %.1f\n", l.folder.c_str(), 1e3*l.before, 1e3*l.after);
-      for (const auto& l : other.leftOut) fprintf(stderr, "W %s %.1f -> %.1f\n", l.folder.c_str(), 1e3*l.before, 1e3*l.after);
+      for (const auto& l : of.leftOut)
+        fprintf(stderr, "F %s %.1f -> %.1f\n", l.folder.c_str(), 1e3 * l.before, 1e3 * l.after);
+      for (const auto& l : other.leftOut)
+        fprintf(stderr, "W %s %.1f -> %.1f\n", l.folder.c_str(), 1e3 * l.before, 1e3 * l.after);
     }
     if (getenv("GAP_FORCE") || other.claim.closed > of.claim.closed) {
       of = std::move(other);

@@ -42,7 +42,8 @@ std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const BeamOp
   return found;
 }
 
-std::vector<FoundWithout> findWithoutEach(const WindowReplayer& replayer, const WindowSearchOptions& options) {
+std::vector<FoundWithout> findWithoutEach(const WindowReplayer& replayer,
+                                          const WindowSearchOptions& options) {
   std::vector<FoundWithout> found;
   const std::size_t count = replayer.groups().count();
   for (std::size_t g = 0; g < count; ++g) {

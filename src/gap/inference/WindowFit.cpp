@@ -13,7 +13,7 @@ namespace {
 
 constexpr double shareOfStrength = 0.25;  // step of derivatives, of a strength that is at least half a unit
 constexpr double vanished = 1e-3;         // units
-constexpr double leastGained = 0.05;          // gain of log density below which a fit ends
+constexpr double leastGained = 0.05;      // gain of log density below which a fit ends
 
 }  // namespace
 
@@ -78,8 +78,8 @@ void WindowFitter::slopesOf(const WindowSet& beside, const std::vector<std::size
         const Eigen::MatrixXd change = there[c] - here[c];
         if (change.isZero(0) || !change.allFinite()) continue;
         const WindowCell::Part& part = cells[c].windows.front();
-        const double size = change.norm() / std::sqrt(static_cast<double>(
-                                                cells[c].windows.size() * (part.to - part.from)));
+        const double size =
+            change.norm() / std::sqrt(static_cast<double>(cells[c].windows.size() * (part.to - part.from)));
         visible = visible || size > enginesDiffer * cells[c].noise;
         of.back() = change / stepOf(beside, kind);
       }

@@ -14,7 +14,8 @@ public:
   Explanation causesOf(const WindowSet& set) const;
   /// Log density of what a set leaves in the windows, and of its strengths.
   double density(const WindowSet& set) const;
-  /// Derivatives beside a set by the strengths of some kinds; what changes no channel by half its noise is not felt.
+  /// Derivatives beside a set by the strengths of some kinds; what changes no channel by half its noise is
+  /// not felt.
   WindowLinear linearise(const WindowSet& set, const std::vector<std::size_t>& wanted) const;
   std::vector<std::size_t> all() const;
   /// Damped Gauss-Newton steps. Causes that vanish (below a thousandth of a unit) go out of the set.

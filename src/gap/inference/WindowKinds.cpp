@@ -37,8 +37,8 @@ double middleStart(const Effect& effect, double scale) {
 
 bool overlap(const WindowKind& a, const WindowKind& b) {
   if (a.joints.empty() || b.joints.empty()) return true;
-  return std::ranges::any_of(
-      a.joints, [&](int joint) { return std::ranges::find(b.joints, joint) != b.joints.end(); });
+  return std::ranges::any_of(a.joints,
+                             [&](int joint) { return std::ranges::find(b.joints, joint) != b.joints.end(); });
 }
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace plumbline::gap {
 
 /// A kind of cause with the unit that its strength is counted in.
 struct WindowKind {
-  Cause cause;      ///< at one unit
-  double unit = 0;  ///< strength (Effect::strengthOf) of the middle of its effect's starts
+  Cause cause;                  ///< at one unit
+  double unit = 0;              ///< strength (Effect::strengthOf) of the middle of its effect's starts
   double lower = 0, upper = 0;  ///< bounds of a value, in units
   /// Joints whose channels tell its sensitivity; empty: all.
   std::vector<int> joints;
@@ -22,8 +22,8 @@ std::vector<WindowKind> windowKinds(const Groups& groups, const Mechanism& robot
 /// The cause that is x units strong.
 Cause causeAt(const Mechanism& robot, const WindowKind& kind, double x);
 
-/// Kinds in as few groups as possible whose members show at different joints: each group is replayed at once (coloured
-/// differences: Curtis, Powell and Reid, "On the estimation of sparse Jacobian matrices", 1974).
+/// Kinds in as few groups as possible whose members show at different joints: each group is replayed at once
+/// (coloured differences: Curtis, Powell and Reid, "On the estimation of sparse Jacobian matrices", 1974).
 std::vector<std::vector<std::size_t>> colours(const std::vector<WindowKind>& kinds,
                                               const std::vector<std::size_t>& wanted);
 

@@ -12,9 +12,9 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double priorWidth = 3;  // units
-constexpr double mostFromMiddle = 4;    // of a strength from the middle, that its slope is trusted for [units]
-constexpr int fitRounds = 2;         // of strengths and covariances in turn
+constexpr double priorWidth = 3;      // units
+constexpr double mostFromMiddle = 4;  // of a strength from the middle, that its slope is trusted for [units]
+constexpr int fitRounds = 2;          // of strengths and covariances in turn
 
 /// Curvature of the prior of so many strengths.
 Eigen::MatrixXd priorOf(std::size_t count) {
@@ -50,8 +50,8 @@ struct WindowLinear::Equations {
 };
 
 WindowLinear::WindowLinear(const std::vector<WindowCell>& cells, std::size_t groups,
-                           const std::vector<WindowKind>& kinds, WindowSet middle, WindowCoefficients residuals,
-                           std::vector<WindowCoefficients> slopes)
+                           const std::vector<WindowKind>& kinds, WindowSet middle,
+                           WindowCoefficients residuals, std::vector<WindowCoefficients> slopes)
     : cells_(cells),
       groups_(groups),
       kinds_(kinds),

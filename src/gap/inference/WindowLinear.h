@@ -17,9 +17,9 @@ struct WindowSet {
 
 /// What a set is worth, see Scored.
 struct WindowScore {
-  WindowSet set;                        ///< with the strengths that are likeliest in all groups
+  WindowSet set;                         ///< with the strengths that are likeliest in all groups
   std::vector<Eigen::VectorXd> without;  ///< per group: strengths that are likeliest in the others
-  std::vector<double> density;          ///< per group: log density under those
+  std::vector<double> density;           ///< per group: log density under those
   double price = 0;
   std::vector<Eigen::MatrixXd> information;  ///< per group
   double score() const;
@@ -35,8 +35,8 @@ public:
   WindowLinear(const std::vector<WindowCell>& cells, std::size_t groups, const std::vector<WindowKind>& kinds,
                WindowSet middle, WindowCoefficients residuals, std::vector<WindowCoefficients> slopes);
 
-  /// Fits the strengths of these kinds (in ascending order), within their bounds and not farther than four units from the
-  /// middle, then without each group in turn, and scores what that leaves in it.
+  /// Fits the strengths of these kinds (in ascending order), within their bounds and not farther than four
+  /// units from the middle, then without each group in turn, and scores what that leaves in it.
   WindowScore score(const std::vector<std::size_t>& kinds) const;
   /// The strengths alone, fitted to all groups.
   Eigen::VectorXd fit(const std::vector<std::size_t>& kinds) const;
@@ -50,7 +50,8 @@ private:
   Eigen::VectorXd startOf(const std::vector<std::size_t>& kinds) const;
   Eigen::VectorXd solve(const std::vector<std::size_t>& kinds, const Eigen::MatrixXd& information,
                         const Eigen::VectorXd& right) const;
-  Eigen::MatrixXd left(std::size_t cell, const std::vector<std::size_t>& kinds, const Eigen::VectorXd& x) const;
+  Eigen::MatrixXd left(std::size_t cell, const std::vector<std::size_t>& kinds,
+                       const Eigen::VectorXd& x) const;
 
   const std::vector<WindowCell>& cells_;
   std::size_t groups_;

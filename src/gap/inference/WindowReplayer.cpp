@@ -13,7 +13,8 @@ const std::size_t mostCoefficients = getenv("GAP_N") ? atoi(getenv("GAP_N")) : 1
 constexpr double windowStep = 0.001, windowGearStep = 0.0005;  // of the replays [s], see ReplayOptions
 constexpr StartShift positionShift{.position = 1e-3}, speedShift{.speed = 2e-2};
 
-std::shared_ptr<const Groups> groupsFrom(const Groups& groups, const std::vector<std::vector<Window>>& windows,
+std::shared_ptr<const Groups> groupsFrom(const Groups& groups,
+                                         const std::vector<std::vector<Window>>& windows,
                                          const StartShift& shift) {
   std::vector<Trial> trials;
   for (std::size_t t = 0; t < windows.size(); ++t)
@@ -39,7 +40,8 @@ Eigen::VectorXd cosineCoefficients(const ResidualSeries& residuals, std::size_t 
     for (std::size_t k = 0; k < n; ++k)
       sum += residuals[from + k] * std::cos(std::numbers::pi * static_cast<double>(j) *
                                             (static_cast<double>(k) + 0.5) / static_cast<double>(n));
-    coefficients[static_cast<Eigen::Index>(j)] = sum * std::sqrt((j == 0 ? 1.0 : 2.0) / static_cast<double>(n));
+    coefficients[static_cast<Eigen::Index>(j)] =
+        sum * std::sqrt((j == 0 ? 1.0 : 2.0) / static_cast<double>(n));
   }
   return coefficients;
 }
@@ -97,7 +99,8 @@ void WindowReplayer::layOut() {
     const auto [at, fresh] = known.try_emplace({cell.group, signal.name}, cells_.size());
     if (fresh) cells_.push_back({cell.group, signal.joint, cell.noise, {}, {}});
     for (const Window& window : (*windows_)[cell.trial])
-      if (fits(window)) cells_[at->second].windows.push_back({cell.trial, cell.signal, window.from, window.to});
+      if (fits(window))
+        cells_[at->second].windows.push_back({cell.trial, cell.signal, window.from, window.to});
   }
   std::erase_if(cells_, [](const WindowCell& cell) { return cell.windows.empty(); });
 }

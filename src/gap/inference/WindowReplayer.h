@@ -18,7 +18,8 @@ struct WindowCell {
   int joint = -1;
   double noise = 0;  ///< standard deviation of its residuals under a perfect model
   std::vector<Part> windows;
-  /// Of a window's coefficients under a perfect model: noise of the readings, and what the error of the measured state does.
+  /// Of a window's coefficients under a perfect model: noise of the readings, and what the error of the
+  /// measured state does.
   Eigen::MatrixXd floor;
 };
 
@@ -29,8 +30,8 @@ using WindowCoefficients = std::vector<Eigen::MatrixXd>;
 Eigen::VectorXd cosineCoefficients(const ResidualSeries& residuals, std::size_t from, std::size_t to,
                                    std::size_t most);
 
-/// Residuals of recordings that are replayed in windows from the measured state, for robots whose base is held. What a free
-/// replay adds up over seconds, a window forgets.
+/// Residuals of recordings that are replayed in windows from the measured state, for robots whose base is
+/// held. What a free replay adds up over seconds, a window forgets.
 class WindowReplayer {
 public:
   /// groups: of the recordings as they are; they must outlive it.

@@ -13,7 +13,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr int mostRounds = 8;               // of derivatives taken anew
+constexpr int mostRounds = 8;  // of derivatives taken anew
 constexpr int stepsOfRound = 4, stepsAtEnd = 10;
 constexpr std::size_t proposalsPerMove = 10, setsKept = 12;
 
@@ -37,7 +37,8 @@ public:
         fprintf(stderr, "\n");
       }
       lookFrom(set);
-      if (getenv("GAP_DEBUG")) fprintf(stderr, "score %.1f best %.1f\n", score(set.kinds).score(), best.score());
+      if (getenv("GAP_DEBUG"))
+        fprintf(stderr, "score %.1f best %.1f\n", score(set.kinds).score(), best.score());
       if (score(set.kinds).score() > best.score()) best = score(set.kinds);
       if (!fresh) break;
       next = climb(set.kinds);
@@ -58,7 +59,8 @@ private:
 
   const WindowScore& score(const std::vector<std::size_t>& kinds) {
     const auto known = scored_.find(kinds);
-    return known != scored_.end() ? known->second : scored_.emplace(kinds, linear_->score(kinds)).first->second;
+    return known != scored_.end() ? known->second
+                                  : scored_.emplace(kinds, linear_->score(kinds)).first->second;
   }
 
   /// The kinds of a set with one more, if they can be together.
@@ -70,13 +72,14 @@ private:
     return kinds;
   }
 
-  /// Whether a larger set is better by more than the standard error of that, from group to group (the one-standard-error rule:
-  /// Breiman et al., Classification and Regression Trees, 1984).
+  /// Whether a larger set is better by more than the standard error of that, from group to group (the
+  /// one-standard-error rule: Breiman et al., Classification and Regression Trees, 1984).
   static bool pays(const WindowScore& larger, const WindowScore& smaller) {
     const double gain = larger.score() - smaller.score();
     const auto n = static_cast<double>(larger.density.size());
     double mean = 0, squares = 0;
-    for (std::size_t g = 0; g < larger.density.size(); ++g) mean += (larger.density[g] - smaller.density[g]) / n;
+    for (std::size_t g = 0; g < larger.density.size(); ++g)
+      mean += (larger.density[g] - smaller.density[g]) / n;
     for (std::size_t g = 0; g < larger.density.size(); ++g)
       squares += std::pow(larger.density[g] - smaller.density[g] - mean, 2);
     static const double k = getenv("GAP_SE") ? atof(getenv("GAP_SE")) : 1;
@@ -133,7 +136,8 @@ private:
     std::vector<const WindowScore*> others;
     for (const auto& [kinds, scored] : scored_)
       if (kinds != set.kinds) others.push_back(&scored);
-    std::ranges::stable_sort(others, std::ranges::greater(), [](const WindowScore* of) { return of->score(); });
+    std::ranges::stable_sort(others, std::ranges::greater(),
+                             [](const WindowScore* of) { return of->score(); });
     if (others.size() > setsKept) others.resize(setsKept);
     result.sets.push_back(asScored(score(set.kinds)));
     for (const WindowScore* other : others) result.sets.push_back(asScored(*other));

@@ -11,9 +11,9 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double besideStart = 0.03;           // [s] to either side of a start that tell its state
-constexpr std::size_t leastBeside = 3;    // readings to either side
-constexpr std::size_t leastCycles = 12;   // of a window
+constexpr double besideStart = 0.03;     // [s] to either side of a start that tell its state
+constexpr std::size_t leastBeside = 3;   // readings to either side
+constexpr std::size_t leastCycles = 12;  // of a window
 
 MeasuredState unknownState() {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -54,8 +54,8 @@ std::vector<Window> windowsIn(const Trial& trial, double seconds, const std::vec
   std::vector<Window> windows;
   const double end = trial.time.back();
   for (std::size_t from = firstScored(trial); from < trial.cycles();) {
-    auto to = static_cast<std::size_t>(
-        std::ranges::lower_bound(trial.time, trial.time[from] + seconds) - trial.time.begin());
+    auto to = static_cast<std::size_t>(std::ranges::lower_bound(trial.time, trial.time[from] + seconds) -
+                                       trial.time.begin());
     to = std::max(to, from + leastCycles);
     if (to > trial.cycles() || trial.time[from] + seconds > end + 1e-9) break;
     Window window{from, to, std::vector<MeasuredState>(trial.robot->joints.size(), unknownState())};

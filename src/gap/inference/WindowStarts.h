@@ -17,7 +17,7 @@ MeasuredState stateAt(const Trial& trial, const Signal& position, std::size_t cy
 
 /// A stretch of a trial that is replayed from the state measured at its first cycle.
 struct Window {
-  std::size_t from = 0, to = 0;          ///< cycles [from, to)
+  std::size_t from = 0, to = 0;       ///< cycles [from, to)
   std::vector<MeasuredState> starts;  ///< per joint; NaN where its position is not measured
 };
 

@@ -56,7 +56,8 @@ struct Trial {
   std::vector<std::vector<double>> voltage;               ///< empty: as the servo table says [V]
   std::vector<double> commandAt, positionAt, velocityAt;  ///< per joint, relative to the cycle's time [s]
   std::vector<Signal> signals;
-  /// Of a robot that steps (see Restarts.h) or of windows (WindowStarts.h), in ascending order; none: replayed in one piece.
+  /// Of a robot that steps (see Restarts.h) or of windows (WindowStarts.h), in ascending order; none:
+  /// replayed in one piece.
   std::vector<Restart> restarts;
   /// Of such a robot, per cycle: no foot is about to land or has just landed or lifted off; else empty.
   std::vector<std::uint8_t> betweenSteps;
