@@ -19,6 +19,14 @@ bool wouldBlock(int error) { return error == EAGAIN || error == EWOULDBLOCK; }
 
 }  // namespace
 
+bool isItsOwnPeer(int fd) {
+  sockaddr_in own{}, peer{};
+  socklen_t ownSize = sizeof own, peerSize = sizeof peer;
+  return getsockname(fd, reinterpret_cast<sockaddr*>(&own), &ownSize) == 0 &&
+         getpeername(fd, reinterpret_cast<sockaddr*>(&peer), &peerSize) == 0 &&
+         own.sin_port == peer.sin_port && own.sin_addr.s_addr == peer.sin_addr.s_addr;
+}
+
 void CarriedConnection::use(int fd, bool connecting) {
   fd_ = fd;
   connecting_ = connecting;
@@ -40,7 +48,7 @@ void CarriedConnection::serve(short revents) {
     int error = 0;
     socklen_t size = sizeof error;
     getsockopt(fd_, SOL_SOCKET, SO_ERROR, &error, &size);
-    if (error != 0) return close();
+    if (error != 0 || isItsOwnPeer(fd_)) return close();
     connecting_ = false;
   }
   if (revents & POLLOUT) flush();

@@ -6,6 +6,10 @@
 
 namespace plumbline::tunnel {
 
+/// Whether a connected socket is connected to itself, as happens on loopback where nobody listens and the
+/// kernel chose just that port for this end.
+bool isItsOwnPeer(int fd);
+
 /// One end of a TCP connection that is carried: a socket here, frames to and from the other end's. Never
 /// blocks. What waits for the socket is at most creditWindow: a sender that goes beyond breaks the protocol.
 class CarriedConnection {

@@ -13,7 +13,8 @@
 namespace plumbline::tunnel {
 namespace {
 
-constexpr double tryEvery = 0.05;  // to connect [s]
+constexpr double tryEvery = 0.05;    // to connect [s]
+constexpr double pauseAfter = 0.05;  // a connection that could not be accepted [s]
 
 /// A socket that connects to loopback, or has; -1: refused.
 int connectingSocket(int port, bool& connecting) {
@@ -25,7 +26,7 @@ int connectingSocket(int port, bool& connecting) {
   where.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   const int result = ::connect(fd, reinterpret_cast<const sockaddr*>(&where), sizeof where);
   connecting = result != 0;
-  if (result == 0 || errno == EINPROGRESS) return fd;
+  if (connecting ? errno == EINPROGRESS : !isItsOwnPeer(fd)) return fd;
   ::close(fd);
   return -1;
 }
@@ -47,11 +48,12 @@ int RankLink::listen() {
 void RankLink::connectTo(int port, double patience) {
   port_ = port;
   patience_ = patience;
+  connects_ = true;
 }
 
 void RankLink::watch(std::vector<pollfd>& watched) {
   // Who comes when there are too many waits outside until one has gone.
-  const bool accepts = listener_ >= 0 && connections_.size() < maxConnections;
+  const bool accepts = listener_ >= 0 && !pauses_ && connections_.size() < maxConnections;
   watched.push_back({accepts ? listener_ : -1, POLLIN, 0});
   watched_.clear();
   for (const auto& [id, carried] : connections_) {
@@ -73,6 +75,7 @@ std::size_t RankLink::serve(std::span<const pollfd> watched, double now) {
     if (!carried.connection.hasSocket()) connect(carried, now);
   std::erase_if(connections_, [](const auto& one) { return one.second.connection.over(); });
   if (watched[0].revents != 0 && listener_ >= 0) accept(now);
+  pauses_ = now < acceptAt_;
   const std::size_t count = watched_.size() + 1;
   watched_.clear();
   return count;
@@ -86,7 +89,12 @@ RankLink::Carried& RankLink::add(std::uint32_t id, double now) {
 void RankLink::accept(double now) {
   while (connections_.size() < maxConnections) {
     const int fd = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
-    if (fd < 0) return;
+    if (fd < 0) {
+      // Too many files are open: who waits is seen again and again, and nothing changes that soon.
+      if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM)
+        acceptAt_ = now + pauseAfter;
+      return;
+    }
     if (last_ == UINT32_MAX) {  // never in practice; a number is never used twice
       ::close(fd);
       return;
@@ -99,8 +107,10 @@ void RankLink::accept(double now) {
 
 void RankLink::connect(Carried& carried, double now) {
   if (carried.connection.over() || now < carried.tryAt) return;
-  if (carried.tried && (gotThrough_ || now - carried.since >= patience_)) return carried.connection.reset();
+  if (carried.lastTry || (carried.tried && now - carried.since >= patience_))
+    return carried.connection.reset();
   carried.tried = true;
+  carried.lastTry = gotThrough_;  // of one that waits since before, this is the first that can succeed
   carried.tryAt = now + tryEvery;
   bool connecting = false;
   if (const int fd = connectingSocket(port_, connecting); fd >= 0) {
@@ -112,8 +122,7 @@ void RankLink::connect(Carried& carried, double now) {
 void RankLink::take(const Frame& frame, double now) {
   const auto place = connections_.find(frame.connection);
   if (frame.kind == FrameKind::open) {
-    if (port_ == 0 || listener_ >= 0)
-      throw std::invalid_argument("a connection that begins at the wrong end");
+    if (!connects_) throw std::invalid_argument("a connection that begins at the wrong end");
     if (frame.connection != last_ + 1)
       throw std::invalid_argument("connection " + std::to_string(frame.connection) + " after connection " +
                                   std::to_string(last_));

@@ -45,7 +45,7 @@ private:
         : connection(id, send), since(now), tryAt(now) {}
     CarriedConnection connection;
     double since, tryAt;  ///< when connecting began, and is tried again [s]
-    bool tried = false;
+    bool tried = false, lastTry = false;
   };
   void accept(double now);
   void connect(Carried& carried, double now);
@@ -54,8 +54,11 @@ private:
   SendFrame send_;
   int listener_ = -1, port_ = 0;
   double patience_ = 0;
-  bool gotThrough_ = false;
-  std::uint32_t last_ = 0;  ///< number of the newest connection
+  bool connects_ = false;    ///< it is the end where connections go on to the server
+  bool gotThrough_ = false;  ///< to the server, once
+  double acceptAt_ = 0;      ///< not before [s]
+  bool pauses_ = false;      ///< before that
+  std::uint32_t last_ = 0;   ///< number of the newest connection
   std::map<std::uint32_t, Carried> connections_;
   std::vector<std::uint32_t> watched_;
 };

@@ -10,7 +10,7 @@
 namespace plumbline::tunnel {
 namespace {
 
-constexpr double drain = 1, lastWords = 3;  // [s]
+constexpr double drain = 1, lastWords = 3, byeWithin = 1;  // [s]
 
 /// One that nobody has now. The server opens it in a moment, and ends with its error if another was quicker.
 int freePort() {
@@ -73,7 +73,12 @@ int ServerRank::step(double now) {
     overAt_ = now;
   }
   const bool allLeft = std::ranges::all_of(workers_, [](const Worker& one) { return one.left; });
-  return allLeft || now - overAt_ > options.grace + lastWords ? status_ : -1;
+  if (byeAt_ < 0) {
+    if (!allLeft && now - overAt_ <= options.grace + lastWords) return -1;
+    sendAll({FrameKind::bye});
+    byeAt_ = now;
+  }
+  return sentAll() || now - byeAt_ > byeWithin ? status_ : -1;
 }
 
 }  // namespace plumbline::tunnel

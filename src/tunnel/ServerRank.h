@@ -34,7 +34,7 @@ private:
   RankCommand command_;
   std::list<Worker> workers_;  ///< of rank 1 on
   int status_ = -1;
-  double endedAt_ = -1, overAt_ = -1;
+  double endedAt_ = -1, overAt_ = -1, byeAt_ = -1;
 };
 
 }  // namespace plumbline::tunnel

@@ -53,8 +53,6 @@ protected:
 
   void send(int to, const Frame& frame);
   void sendAll(const Frame& frame);
-  /// Nothing more is heard from this rank, and it is no loss.
-  void hasLeft(int rank) { of_[static_cast<std::size_t>(rank)].watched = false; }
   [[noreturn]] void refuse(int from, const std::string& why) const;
   bool sentAll() const { return transport_.sentAll(); }
 

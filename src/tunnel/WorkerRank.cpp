@@ -6,7 +6,7 @@
 namespace plumbline::tunnel {
 namespace {
 
-constexpr double pauseBeforeAgain = 1, lateKillAfter = 0.5, byeWithin = 1;  // [s]
+constexpr double pauseBeforeAgain = 1, lateKillAfter = 0.5;  // [s]
 
 }  // namespace
 
@@ -18,6 +18,10 @@ WorkerRank::WorkerRank(RankTransport& transport, const TunnelOptions& given)
 
 void WorkerRank::take(int from, const Frame& frame, double now) {
   if (from == 0 && frame.connection != 0) return link_.take(frame, now);
+  if (from == 0 && frame.kind == FrameKind::bye && over_) {
+    mayLeave_ = true;
+    return;
+  }
   if (from != 0 || frame.kind != FrameKind::over)
     throw std::invalid_argument("a frame that is not its to send");
   over_ = true;
@@ -48,13 +52,14 @@ int WorkerRank::step(double now) {
     command_.start();
     return -1;
   }
-  if (saidBye_ < 0) {
+  if (!saidBye_) {
     if (!ended_ && now < endBy_) return -1;
     command_.stop(lateKillAfter);
     send(0, {FrameKind::bye});
-    saidBye_ = now;
+    saidBye_ = true;
   }
-  return sentAll() || now - saidBye_ > byeWithin ? 0 : -1;
+  // MPI's own farewell is one of all ranks: who begins it alone waits there, and cannot be told anything.
+  return mayLeave_ ? 0 : -1;
 }
 
 }  // namespace plumbline::tunnel

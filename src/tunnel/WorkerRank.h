@@ -23,8 +23,9 @@ private:
   int rank_;
   RankLink link_;
   RankCommand command_;
-  bool ended_ = false, over_ = false;
-  double againAt_ = -1, endBy_ = -1, saidBye_ = -1;
+  bool ended_ = false, over_ = false, saidBye_ = false;
+  bool mayLeave_ = false;  ///< all others have ended what they started, too
+  double againAt_ = -1, endBy_ = -1;
 };
 
 }  // namespace plumbline::tunnel

@@ -24,6 +24,8 @@ for wanted in 0 7; do
   run 3 --grace 0.1 -- sh -c "exit $wanted" -- sleep 100 || status=$?
   expectEqual "$status" "$wanted" "status"
 done
+# Longer than any rank waits for MPI's farewell: who has ended its worker waits for the others.
+run 3 --grace 7 -- sleep 0.3 -- sh -c '[ {rank} = 1 ] || sleep 100' || fail "status $? where a worker ends late: $(< "$scratch/run.err")"
 status=0
 run 3 -- sleep 100 -- no-such-command || status=$?
 expectEqual "$status" 2 "status with a command that is not there"

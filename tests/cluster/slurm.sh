@@ -26,7 +26,7 @@ expectEqual "$(< "$scratch/high.log")" high "what runs beside it"
 before=$(results "$folder")
 [[ $(stateOf "$server") == PENDING* ]] || fail "the preempted server is $(stateOf "$server")"
 waitLong hasResults "$folder" $((before + 20))
-grep -q "goes on from" "$folder/server.log" || fail "the server began anew"
+grep -q "continues from" "$folder/server.log" || fail "the server began anew"
 expectEqual "$(stateOf "$high")" "COMPLETED " "the job of a higher priority"
 
 echo "server and a worker are queued again by hand"

@@ -202,6 +202,44 @@ TEST_F(RankLinkTest, aServerThatIsNotThereYetIsWaitedForThenRefusedAtOnce) {
   EXPECT_TRUE(breaks(late));
 }
 
+TEST_F(RankLinkTest, clientsThatCameTooEarlyAllReachTheServerOnceItIsThere) {
+  int later = 0;
+  ::close(farm::listenOn("127.0.0.1", 0, later));
+  servers.connectTo(later, 100);
+  std::list<TestSocket> early;
+  for (int i = 0; i < 5; ++i) {  // each is tried again at another time
+    early.push_back(TestSocket::connected(port));
+    step();
+  }
+  for (int i = 0; i < 20; ++i) step();
+  int had = 0;
+  const int listener = farm::listenOn("127.0.0.1", later, had);
+  std::list<TestSocket> atServer;
+  EXPECT_TRUE(until([&] {
+    if (const int fd = accept4(listener, nullptr, nullptr, SOCK_NONBLOCK); fd >= 0) atServer.emplace_back(fd);
+    return atServer.size() == early.size();
+  }));
+  ::close(listener);
+}
+
+TEST_F(RankLinkTest, aSocketThatMetItselfIsNoServer) {
+  // To connect to a port where nobody listens, from just this port, succeeds.
+  const int fd = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in where{};
+  where.sin_family = AF_INET;
+  where.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  auto* general = reinterpret_cast<sockaddr*>(&where);
+  socklen_t size = sizeof where;
+  ASSERT_EQ(bind(fd, general, size), 0);
+  ASSERT_EQ(getsockname(fd, general, &size), 0);
+  ASSERT_EQ(connect(fd, general, size), 0);
+  EXPECT_TRUE(isItsOwnPeer(fd));
+  ::close(fd);
+  const int other = farm::connectTo("127.0.0.1", port);
+  EXPECT_FALSE(isItsOwnPeer(other));
+  ::close(other);
+}
+
 TEST_F(RankLinkTest, theWaitForAServerIsBounded) {
   int nobody = 0;
   ::close(farm::listenOn("127.0.0.1", 0, nobody));
@@ -230,6 +268,8 @@ TEST_F(RankLinkTest, framesThatBreakTheProtocolAreRefused) {
   };
   EXPECT_EQ(refused(servers, {FrameKind::data, 1, 0, "x"}), "a frame of connection 1, which nobody opened");
   EXPECT_EQ(refused(servers, {FrameKind::open, 2}), "connection 2 after connection 0");
+  EXPECT_EQ(refused(clients, {FrameKind::open, 1}), "a connection that begins at the wrong end");
+  clients.stopListening();
   EXPECT_EQ(refused(clients, {FrameKind::open, 1}), "a connection that begins at the wrong end");
   servers.take({FrameKind::open, 1}, now);
   EXPECT_EQ(refused(servers, {FrameKind::open, 1}), "connection 1 after connection 1");

@@ -70,6 +70,9 @@ public:
           });
           return end.empty() ? thrown : end;
         })) {}
+  bool endsWithin(double seconds) {
+    return end_.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
+  }
   std::string end() {
     if (end_.wait_for(std::chrono::seconds(20)) != std::future_status::ready) {
       ADD_FAILURE() << "rank " << transport_.rank() << " does not end";
@@ -168,6 +171,23 @@ TEST_F(TunnelRankTest, aWorkerMayEndByItselfOnceTheServerHas) {
   EXPECT_EQ(zero.end(), "0");
   EXPECT_EQ(one.end(), "0");
   EXPECT_TRUE(std::filesystem::exists(folder + "/done"));
+}
+
+TEST_F(TunnelRankTest, aRankWhoseWorkerHasEndedStaysUntilAllHave) {
+  // MPI's own farewell is one of all ranks: who says it alone waits there, and mpirun takes its patience's
+  // end for a crash.
+  options.grace = 60;
+  options.worker = shell("echo $$ {port} > " + folder + "/worker{rank}; [ {rank} = 1 ] || until [ -e " +
+                         folder + "/let ]; do sleep 0.01; done");
+  RankThread zero(post, 0, 3, options), one(post, 1, 3, options), two(post, 2, 3, options);
+  worker(1);
+  worker(2);
+  endServer(0);
+  EXPECT_FALSE(one.endsWithin(0.7));
+  std::ofstream(folder + "/let") << "";
+  EXPECT_EQ(zero.end(), "0");
+  EXPECT_EQ(one.end(), "0");
+  EXPECT_EQ(two.end(), "0");
 }
 
 TEST_F(TunnelRankTest, anyRankThatIsToldToStopStopsAll) {
