@@ -210,7 +210,7 @@ void run(Options& options, const StopSignal& stop) {
   if (options.tryOnly) return tryTasks(options, firstWalk(options));
   WalkCheckpoint checkpoint(options.output + ".search", markOf(options));
   options.checkpoint = checkpoint.file();
-  if (checkpoint.resumed()) say("goes on from " + checkpoint.file());
+  if (checkpoint.resumed()) say("continues from " + checkpoint.file());
   WalkGaits gaits = checkpoint.stage([&] { return firstWalk(options); });
   if (options.choose) {
     const auto withOver = [&](const std::string& folder) {

@@ -24,7 +24,7 @@ takeBlocks() {
 
 # A folder in which commands of the documentation find what they name, and nothing that they write is in the tree.
 makeFolder() {
-  mkdir -p "$1/build"
+  mkdir -p "$1/build" "$root/build/run" # bin/game writes there, beside the programs of the tree
   local name
   for name in bin config doc scripts src tests utils web Makefile CMakeLists.txt CMakePresets.json cmake configure.sh; do
     ln -s "$root/$name" "$1/$name"
