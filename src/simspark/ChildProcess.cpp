@@ -25,6 +25,16 @@ std::vector<char*> pointersTo(const std::vector<std::string>& texts) {
   return pointers;
 }
 
+/// What the child says of an exec that failed; false: it closed the pipe by an exec that did not. A signal
+/// meanwhile says nothing.
+bool readError(int pipe, int& error) {
+  ssize_t count = 0;
+  do {
+    count = read(pipe, &error, sizeof error);
+  } while (count < 0 && errno == EINTR);
+  return count == sizeof error;
+}
+
 std::vector<std::string> environmentOf(const ChildSettings& settings) {
   std::vector<std::string> all = settings.environment;
   for (char** one = environ; *one != nullptr; ++one) {
@@ -75,7 +85,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& argv, const ChildSett
   }
   close(report[1]);
   int error = pid_ < 0 ? errno : 0;
-  const bool failed = pid_ < 0 || read(report[0], &error, sizeof error) == sizeof error;
+  const bool failed = pid_ < 0 || readError(report[0], error);
   close(report[0]);
   if (!failed && wholeGroup_) {
     try {

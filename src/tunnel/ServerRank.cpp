@@ -30,8 +30,6 @@ ServerRank::ServerRank(RankTransport& transport, const TunnelOptions& given)
         .link.connectTo(port_, options.patience);
 }
 
-ServerRank::Worker& ServerRank::worker(int rank) { return *std::next(workers_.begin(), rank - 1); }
-
 void ServerRank::watch(std::vector<pollfd>& watched) {
   for (Worker& one : workers_) one.link.watch(watched);
 }
@@ -41,7 +39,7 @@ void ServerRank::serve(std::span<const pollfd> watched, double now) {
 }
 
 void ServerRank::take(int from, const Frame& frame, double now) {
-  Worker& one = worker(from);
+  Worker& one = workers_.at(static_cast<std::size_t>(from) - 1);
   if (frame.connection != 0)
     one.link.take(frame, now);
   else if (frame.kind == FrameKind::ended)

@@ -1,5 +1,5 @@
 #pragma once
-#include <list>
+#include <deque>
 
 #include "tunnel/RankCommand.h"
 #include "tunnel/RankLink.h"
@@ -27,12 +27,11 @@ private:
     int status = -1;  ///< of its command; -1: has none yet
     bool left = false;
   };
-  Worker& worker(int rank);
   void checkWorkers() const;
 
   int port_;
   RankCommand command_;
-  std::list<Worker> workers_;  ///< of rank 1 on
+  std::deque<Worker> workers_;  ///< of rank 1 on
   int status_ = -1;
   double endedAt_ = -1, overAt_ = -1, byeAt_ = -1;
 };

@@ -88,10 +88,12 @@ RankEnd TunnelRank::loop(const StopSignal& stop, Watchdog& watchdog) {
 }
 
 bool TunnelRank::isEnding(const StopSignal& stop) {
-  const double now = seconds(), before = checked_;
-  checked_ = now;
+  // Taken before and after: a stop between two of these lines is seen as one, too.
+  const double begin = seconds(), before = checked_;
+  const bool came = continued_.came();
+  checked_ = begin;
   // To be continued without having been stopped is what mpirun's ending begins with. It gives no second more.
-  const bool announced = continued_.came() && before >= 0 && now - before < stoppedFor;
+  const bool announced = came && before >= 0 && seconds() - before < stoppedFor;
   // Who is started by mpirun or srun ends with it.
   return stop.requested() || othersStatus_ >= 0 || announced || getppid() != parent_;
 }

@@ -1,6 +1,7 @@
 #include "simspark/ChildProcess.h"
 
 #include <gtest/gtest.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -58,6 +59,21 @@ TEST(ChildProcess, aProgramThatIsNotThereIsAnError) {
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "cannot start /no/such/program: No such file or directory");
   }
+}
+
+TEST(ChildProcess, aProgramThatIsNotThereIsAnErrorAlsoWhereSignalsInterruptTheStart) {
+  struct sigaction ignore {};
+  ignore.sa_handler = [](int) {};  // without SA_RESTART: what waits is woken
+  struct sigaction before {};
+  sigaction(SIGALRM, &ignore, &before);
+  const itimerval often{{0, 300}, {0, 300}}, never{};
+  setitimer(ITIMER_REAL, &often, nullptr);
+  int missed = 0;
+  for (int i = 0; i < 200; ++i)
+    missed += plumbline::thrownBy([] { ChildProcess child({"/no/such/program"}); }) != "nothing thrown";
+  setitimer(ITIMER_REAL, &never, nullptr);
+  sigaction(SIGALRM, &before, nullptr);
+  EXPECT_EQ(missed, 200);
 }
 
 TEST(ChildProcess, stopEndsItAndTellsTheSignal) {

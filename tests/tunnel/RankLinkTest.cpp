@@ -1,6 +1,7 @@
 #include "tunnel/RankLink.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <deque>
 #include <functional>
@@ -238,6 +239,27 @@ TEST_F(RankLinkTest, aSocketThatMetItselfIsNoServer) {
   const int other = farm::connectTo("127.0.0.1", port);
   EXPECT_FALSE(isItsOwnPeer(other));
   ::close(other);
+}
+
+TEST_F(RankLinkTest, whereNoFileCanBeOpenedItPausesAndTakesTheClientLater) {
+  TestSocket client = TestSocket::connected(port);
+  rlimit before{};
+  getrlimit(RLIMIT_NOFILE, &before);
+  const int free = dup(STDIN_FILENO);
+  ::close(free);
+  const rlimit none{static_cast<rlim_t>(free), before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+  now = 1;
+  serve(clients);
+  std::vector<pollfd> watched;
+  clients.watch(watched);
+  clients.serve(watched, now);
+  setrlimit(RLIMIT_NOFILE, &before);
+  EXPECT_EQ(watched.at(0).fd, -1);  // else poll() would return at once, again and again
+  EXPECT_EQ(clients.connections(), 0U);
+  client.send("late");
+  TestSocket atServer = accepted();
+  EXPECT_TRUE(comes(atServer, "late"));
 }
 
 TEST_F(RankLinkTest, theWaitForAServerIsBounded) {

@@ -24,7 +24,8 @@ void MpiTransport::check(int result, const char* what) {
 }
 
 MpiTransport::MpiTransport(int& argc, char**& argv) {
-  check(MPI_Init(&argc, &argv), "start");
+  int provided = 0;  // the watchdog is a thread, and never calls MPI
+  check(MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided), "start");
   check(MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN), "be asked to report errors");
   check(MPI_Comm_rank(MPI_COMM_WORLD, &rank_), "tell the rank");
   check(MPI_Comm_size(MPI_COMM_WORLD, &ranks_), "tell how many ranks there are");
