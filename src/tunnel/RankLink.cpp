@@ -110,7 +110,7 @@ void RankLink::connect(Carried& carried, double now) {
   if (carried.lastTry || (carried.tried && now - carried.since >= patience_))
     return carried.connection.reset();
   carried.tried = true;
-  carried.lastTry = gotThrough_;  // of one that waits since before, this is the first that can succeed
+  carried.lastTry = gotThrough_;  // the first that can succeed, where it waited for the server
   carried.tryAt = now + tryEvery;
   bool connecting = false;
   if (const int fd = connectingSocket(port_, connecting); fd >= 0) {

@@ -45,7 +45,8 @@ private:
         : connection(id, send), since(now), tryAt(now) {}
     CarriedConnection connection;
     double since, tryAt;  ///< when connecting began, and is tried again [s]
-    bool tried = false, lastTry = false;
+    bool tried = false;
+    bool lastTry = false;  ///< the server was there before it was tried
   };
   void accept(double now);
   void connect(Carried& carried, double now);

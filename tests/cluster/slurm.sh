@@ -35,6 +35,13 @@ scontrol requeue "${workers}_2"
 before=$(results "$folder")
 waitLong hasResults "$folder" $((before + 20))
 
+echo "Slurm ends the job of a worker"
+hasEnded() { [[ -z $(squeue -h -j "$1") ]]; }
+scancel "${workers}_3"
+waitLong hasEnded "${workers}_3"
+before=$(results "$folder")
+waitLong hasResults "$folder" $((before + 20))
+
 echo "a worker and the server are killed"
 for name in optworker optserver; do
   kill -9 "$(firstLeft "$name")"

@@ -31,7 +31,7 @@ public:
     const ssize_t count = ::send(fd_, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
     return count < 0 ? 0 : static_cast<std::size_t>(count);
   }
-  /// Takes in what has come; afterwards ended() and broken() say whether more may.
+  /// Takes in what has come; afterwards `ended` and `error` say whether more may.
   void receive() {
     char buffer[65536];
     for (;;) {
