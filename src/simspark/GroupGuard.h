@@ -18,7 +18,7 @@ public:
 
 private:
   pid_t pid_ = -1;
-  int pipe_ = -1;
+  int end_ = -1;  ///< of the two sockets between this process and the guard
 };
 
 }  // namespace plumbline::simspark

@@ -35,10 +35,27 @@ TEST(GroupGuard, thatIsNotNeededAnyLongerLeavesTheGroupAlone) {
   waitpid(group, nullptr, 0);
 }
 
-TEST(GroupGuard, killsTheGroupWhenItsParentIsKilledWithAllOfItsOwnGroup) {
+TEST(GroupGuard, thatWasKilledDoesNoHarmToItsParent) {
+  const pid_t parent = fork();
+  if (parent == 0) {
+    {
+      const GroupGuard guard(getpid());
+      kill(guard.pid(), SIGKILL);
+      while (!processEnded(guard.pid())) usleep(1000);
+    }
+    _exit(77);
+  }
+  int status = 0;
+  waitpid(parent, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 77);
+}
+
+/// Whether a group ends that a process guards which is killed with its own group at once.
+bool endsWithItsParent() {
   const pid_t group = groupOfOne();
   int ends[2];
-  ASSERT_EQ(pipe(ends), 0);
+  if (pipe(ends) != 0) return false;
   const pid_t parent = fork();
   if (parent == 0) {
     setpgid(0, 0);
@@ -47,14 +64,20 @@ TEST(GroupGuard, killsTheGroupWhenItsParentIsKilledWithAllOfItsOwnGroup) {
     for (;;) pause();
   }
   char told = 0;
-  ASSERT_EQ(read(ends[0], &told, 1), 1);
+  if (read(ends[0], &told, 1) != 1) return false;
   kill(-parent, SIGKILL);
   waitpid(parent, nullptr, 0);
-  int status = 0;
-  EXPECT_EQ(waitpid(group, &status, 0), group);
-  EXPECT_EQ(WTERMSIG(status), SIGKILL);
+  const bool ended = processEnds(group);
+  if (!ended) kill(group, SIGKILL);
+  waitpid(group, nullptr, 0);
   close(ends[0]);
   close(ends[1]);
+  return ended;
+}
+
+TEST(GroupGuard, killsTheGroupWhenItsParentIsKilledWithAllOfItsOwnGroup) {
+  // Often: a guard that is still on its way out of its parent's group would go with it.
+  for (int i = 0; i < 100; ++i) ASSERT_TRUE(endsWithItsParent()) << i;
 }
 
 }  // namespace
