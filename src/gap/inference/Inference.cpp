@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "gap/inference/Beam.h"
 #include "gap/inference/LeaveOut.h"
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/Posterior.h"
+#include "gap/inference/SetSearch.h"
 #include "gap/inference/WindowKinds.h"
-#include "gap/inference/WindowSearch.h"
+#include "gap/inference/WindowReplayer.h"
 
 namespace plumbline::gap {
 
@@ -131,16 +133,8 @@ struct Searched {
 
 using Tell = std::function<void(const char* stage, double share)>;
 
-Searched searched(const Groups& groups, BeamResult found, std::vector<FoundWithout> without,
+Searched searched(const Replayer& replayer, const WindowReplayer* windows, std::size_t mostCauses,
                   const Tell& tell) {
-  tell("recordings left out", 0);
-  Searched result{std::move(found), std::move(without), {}, {}};
-  result.leftOut = leftWithout(groups, result.without);
-  result.claim = claimOf(closedPerGroup(result.leftOut, groupsOfRecordings(groups)));
-  return result;
-}
-
-Searched searchedFree(const Replayer& replayer, std::size_t mostCauses, const Tell& tell) {
   const Groups& groups = replayer.groups();
   tell("each cause alone", 0);
   const CandidateScreening screening(replayer, sharesOf(groups, replayer.residuals({})),
@@ -149,19 +143,14 @@ Searched searchedFree(const Replayer& replayer, std::size_t mostCauses, const Te
   beam.mostCauses = mostCauses;
   beam.screening = &screening;
   beam.progress = [&](double share) { tell("sets of causes", share); };
-  BeamResult found = searchSets(replayer, beam);
+  Searched result;
+  result.found = searchBothWays(replayer, windows, beam);
   beam.progress = [&](double share) { tell("again without each recording in turn", share); };
-  return searched(groups, std::move(found), findWithoutEach(replayer, beam), tell);
-}
-
-Searched searchedInWindows(const WindowReplayer& replayer, const Groups& groups, std::size_t mostCauses,
-                           const Tell& tell) {
-  WindowSearchOptions options;
-  options.mostCauses = mostCauses;
-  options.progress = [&](double share) { tell("sets of causes in windows", share); };
-  BeamResult found = searchInWindows(replayer, options);
-  options.progress = [&](double share) { tell("in windows without each recording in turn", share); };
-  return searched(groups, std::move(found), findWithoutEach(replayer, options), tell);
+  result.without = findWithoutEach(replayer, windows, beam);
+  tell("recordings left out", 0);
+  result.leftOut = leftWithout(groups, result.without);
+  result.claim = claimOf(closedPerGroup(result.leftOut, groupsOfRecordings(groups)));
+  return result;
 }
 
 }  // namespace
@@ -173,24 +162,10 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
     if (options.progress) options.progress(stage, share);
   };
   Inference result;
-  Searched of = searchedFree(replayer, options.mostCauses, tell);
-  result.replays = replayer.numReplays();
-  if (canUseWindows(groups, robot)) {
-    const WindowReplayer windows(robot, groups, options.jobs);
-    Searched other = searchedInWindows(windows, groups, options.mostCauses, tell);
-    result.replays += windows.numReplays();
-    if (getenv("GAP_DEBUG")) {
-      fprintf(stderr, "free %.3f windows %.3f\n", of.claim.closed, other.claim.closed);
-      for (const auto& l : of.leftOut)
-        fprintf(stderr, "F %s %.1f -> %.1f\n", l.folder.c_str(), 1e3 * l.before, 1e3 * l.after);
-      for (const auto& l : other.leftOut)
-        fprintf(stderr, "W %s %.1f -> %.1f\n", l.folder.c_str(), 1e3 * l.before, 1e3 * l.after);
-    }
-    if (getenv("GAP_FORCE") || other.claim.closed > of.claim.closed) {
-      of = std::move(other);
-      result.inWindows = true;
-    }
-  }
+  std::optional<WindowReplayer> windows;
+  if (canUseWindows(groups, robot)) windows.emplace(robot, groups, options.jobs);
+  const Searched of = searched(replayer, windows ? &*windows : nullptr, options.mostCauses, tell);
+  result.replays = replayer.numReplays() + (windows ? windows->numReplays() : 0);
   const auto& [found, without, leftOut, claim] = of;
   const Scored& best = found.sets.front();
   const std::vector<double> p = posterior(found.sets);

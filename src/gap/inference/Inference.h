@@ -24,8 +24,7 @@ struct Inference {
   std::vector<RecordingLeft> leftOut;
   Claim claim;                         ///< of a recording that was not seen at all
   std::vector<Explanation> foundElse;  ///< the sets found without each group in turn
-  bool inWindows = false;  ///< the search in windows claims more than the one in free replays, and answers
-  bool stretchesOfOne = false;  ///< there was one recording: stretches of time were left out instead
+  bool stretchesOfOne = false;         ///< there was one recording: stretches of time were left out instead
   std::vector<std::vector<SignalNoise>> noises;  ///< per trial and signal
   /// Channels that were not used, with the reason: "vel.* is not used: ...".
   std::vector<std::string> notUsed;

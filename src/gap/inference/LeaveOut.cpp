@@ -1,9 +1,11 @@
 #include "gap/inference/LeaveOut.h"
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "gap/inference/Posterior.h"
+#include "gap/inference/SetSearch.h"
 
 namespace plumbline::gap {
 
@@ -28,7 +30,8 @@ std::function<void(double)> progressOf(const std::function<void(double)>& whole,
 
 }  // namespace
 
-std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const BeamOptions& options) {
+std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const WindowReplayer* windows,
+                                          const BeamOptions& options) {
   std::vector<FoundWithout> found;
   const std::size_t count = replayer.groups().count();
   for (std::size_t g = 0; g < count; ++g) {
@@ -37,19 +40,10 @@ std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const BeamOp
     settings.width = 1;
     settings.proposals = 3;
     settings.progress = progressOf(options.progress, g, count);
-    found.push_back(foundBy(searchSets(Replayer(replayer, others), settings)));
-  }
-  return found;
-}
-
-std::vector<FoundWithout> findWithoutEach(const WindowReplayer& replayer,
-                                          const WindowSearchOptions& options) {
-  std::vector<FoundWithout> found;
-  const std::size_t count = replayer.groups().count();
-  for (std::size_t g = 0; g < count; ++g) {
-    WindowSearchOptions settings = options;
-    settings.progress = progressOf(options.progress, g, count);
-    found.push_back(foundBy(searchInWindows(WindowReplayer(replayer, g), settings)));
+    std::optional<WindowReplayer> inWindows;
+    if (windows) inWindows.emplace(*windows, g);
+    found.push_back(
+        foundBy(searchBothWays(Replayer(replayer, others), inWindows ? &*inWindows : nullptr, settings)));
   }
   return found;
 }

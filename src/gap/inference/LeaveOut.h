@@ -4,7 +4,7 @@
 
 #include "gap/inference/Beam.h"
 #include "gap/inference/HoldOut.h"
-#include "gap/inference/WindowSearch.h"
+#include "gap/inference/WindowReplayer.h"
 
 namespace plumbline::gap {
 
@@ -16,9 +16,9 @@ struct FoundWithout {
   std::vector<double> probabilities;
 };
 
-/// One search per group, in the others alone: in free replays, or in windows.
-std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const BeamOptions& options);
-std::vector<FoundWithout> findWithoutEach(const WindowReplayer& replayer, const WindowSearchOptions& options);
+/// One search per group (searchBothWays), in the others alone. windows: of the same groups, or null.
+std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const WindowReplayer* windows,
+                                          const BeamOptions& options);
 
 /// Each recording replayed free with what was found without its group (or, where one recording alone is cut
 /// into stretches, each stretch).

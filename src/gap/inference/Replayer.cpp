@@ -11,12 +11,14 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double mostLead = 2e-4;             // [s]
+constexpr double mostLead = 2e-4;        // of a position [s]
+constexpr double mostDutyLead = 1.5e-3;  // a servo's control cycle, at whose begin it worked a duty out [s]
 constexpr std::size_t mostKept = 40'000'000;  // numbers in the cache
 
 /// Takes off what a constant lead of the prediction explains.
 void takeLeadOff(const Trial& trial, const Signal& signal, std::vector<double>& residual) {
-  if (signal.kind != SignalKind::position) return;
+  if (signal.kind != SignalKind::position && signal.kind != SignalKind::duty) return;
+  const double most = signal.kind == SignalKind::duty ? mostDutyLead : mostLead;
   double product = 0, squares = 0;
   std::vector<double> rates(residual.size(), 0.0);
   for (std::size_t k = firstScored(trial); k < residual.size(); ++k) {
@@ -26,7 +28,7 @@ void takeLeadOff(const Trial& trial, const Signal& signal, std::vector<double>& 
     squares += rates[k] * rates[k];
   }
   if (!(squares > 0)) return;
-  const double lead = std::clamp(product / squares, -mostLead, mostLead);
+  const double lead = std::clamp(product / squares, -most, most);
   for (std::size_t k = 0; k < residual.size(); ++k) residual[k] -= lead * rates[k];
 }
 

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double shareOfStrength = 0.25;  // step of derivatives, of a strength that is at least half a unit
 constexpr double vanished = 1e-3;         // units
-constexpr double leastGained = 0.05;      // gain of log density below which a fit ends
+constexpr double leastGained = 0.05;      // of log density, that a step is worth
+constexpr double leastStep = 0.01;        // of a sweep [units]
 
 }  // namespace
 
@@ -106,20 +107,47 @@ WindowLinear WindowFitter::linearise(const WindowSet& set, const std::vector<std
                       replayer_.coefficients(causesOf(set)), std::move(slopes));
 }
 
-WindowSet WindowFitter::refine(WindowSet set, int mostSteps) const {
-  double now = density(set);
-  for (int step = 0; step < mostSteps && !set.kinds.empty(); ++step) {
-    const Eigen::VectorXd way = linearise(set, set.kinds).fit(set.kinds) - set.x;
-    double share = 1, gained = 0;
-    for (int attempt = 0; attempt < 4 && !(gained > 0); ++attempt, share /= 3) {
-      const WindowSet next{set.kinds, set.x + share * way};
+double WindowFitter::step(WindowSet& set, double now) const {
+  const Eigen::VectorXd way = linearise(set, set.kinds).fit(set.kinds) - set.x;
+  double share = 1;
+  for (int attempt = 0; attempt < 4; ++attempt, share /= 3) {
+    WindowSet next{set.kinds, set.x + share * way};
+    const double there = density(next);
+    if (!(there > now)) continue;
+    set = std::move(next);
+    return there;
+  }
+  return now;
+}
+
+double WindowFitter::sweep(WindowSet& set, double now, Eigen::VectorXd& steps) const {
+  for (Eigen::Index i = 0; i < set.x.size(); ++i) {
+    const WindowKind& kind = kinds_[set.kinds[static_cast<std::size_t>(i)]];
+    bool better = false;
+    for (const double way : {steps[i], -steps[i]}) {
+      WindowSet next = set;
+      next.x[i] = std::clamp(set.x[i] + way, kind.lower, kind.upper);
       const double there = density(next);
       if (!(there > now)) continue;
-      gained = there - now;
+      set = std::move(next);
       now = there;
-      set = next;
+      steps[i] = way;  // the same way first when it comes to this one again
+      better = true;
+      break;
     }
-    if (gained < leastGained) break;
+    if (!better) steps[i] /= 3;
+  }
+  return now;
+}
+
+WindowSet WindowFitter::refine(WindowSet set, int mostSteps) const {
+  double now = density(set);
+  Eigen::VectorXd steps = shareOfStrength * set.x.cwiseAbs().cwiseMax(0.5);
+  for (int round = 0; round < mostSteps && !set.kinds.empty(); ++round) {
+    const double before = now;
+    now = step(set, now);
+    if (now - before < leastGained) now = sweep(set, now, steps);
+    if (now - before < leastGained && steps.cwiseAbs().maxCoeff() < leastStep) break;
   }
   for (std::size_t i = set.kinds.size(); i-- > 0;)
     if (std::abs(set.x[static_cast<Eigen::Index>(i)]) < vanished) set = gap::without(set, set.kinds[i]);

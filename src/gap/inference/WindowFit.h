@@ -18,12 +18,18 @@ public:
   /// not felt.
   WindowLinear linearise(const WindowSet& set, const std::vector<std::size_t>& wanted) const;
   std::vector<std::size_t> all() const;
-  /// Damped Gauss-Newton steps. Causes that vanish (below a thousandth of a unit) go out of the set.
+  /// Damped Gauss-Newton steps, and where they gain nothing, steps along each strength in turn (pattern
+  /// search: Hooke and Jeeves 1961), for the density is rough in some of them: a sample sees a command or the
+  /// one before it, whatever the delay's derivative says. Causes that vanish (below a thousandth of a unit)
+  /// go out of the set.
   WindowSet refine(WindowSet set, int mostSteps) const;
   /// Whether two kinds cannot be in one set: two variants of one cause, a joint's and that of all joints.
   bool exclude(std::size_t a, std::size_t b) const;
 
 private:
+  /// Both return the density where they end, and move the set there.
+  double step(WindowSet& set, double now) const;
+  double sweep(WindowSet& set, double now, Eigen::VectorXd& steps) const;
   double stepOf(const WindowSet& set, std::size_t kind) const;
   void slopesOf(const WindowSet& beside, const std::vector<std::size_t>& wanted,
                 std::vector<WindowCoefficients>& slopes) const;

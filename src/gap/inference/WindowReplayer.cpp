@@ -8,8 +8,8 @@ namespace plumbline::gap {
 
 namespace {
 
-const double windowSeconds = getenv("GAP_W") ? atof(getenv("GAP_W")) : 0.2;
-const std::size_t mostCoefficients = getenv("GAP_N") ? atoi(getenv("GAP_N")) : 12;
+constexpr double windowSeconds = 0.2;
+constexpr std::size_t mostCoefficients = 12;
 constexpr double windowStep = 0.001, windowGearStep = 0.0005;  // of the replays [s], see ReplayOptions
 constexpr StartShift positionShift{.position = 1e-3}, speedShift{.speed = 2e-2};
 

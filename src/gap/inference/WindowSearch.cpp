@@ -15,35 +15,27 @@ namespace {
 
 constexpr int mostRounds = 8;  // of derivatives taken anew
 constexpr int stepsOfRound = 4, stepsAtEnd = 10;
-constexpr std::size_t proposalsPerMove = 10, setsKept = 12;
+constexpr std::size_t proposalsPerMove = 10;
 
 class WindowSearch {
 public:
   WindowSearch(const WindowReplayer& replayer, const WindowSearchOptions& options)
-      : replayer_(replayer), options_(options), fitter_(replayer) {}
+      : options_(options), fitter_(replayer) {}
 
-  BeamResult run() {
-    linear_.emplace(fitter_.linearise({}, fitter_.all()));
-    WindowScore best = score({});
-    std::set<std::vector<std::size_t>> seen{{}};
-    WindowSet next = climb({});
+  std::vector<WindowProposal> run() {
+    lookFrom({});
+    std::set<std::vector<std::size_t>> seen;
+    std::vector<std::size_t> kinds;
     for (int round = 0; round < mostRounds; ++round) {
-      tell(0.9 * round / mostRounds);
-      const WindowSet set = fitter_.refine(next, stepsOfRound);
-      const bool fresh = seen.insert(set.kinds).second;
-      if (getenv("GAP_DEBUG")) {
-        fprintf(stderr, "round %d density %.1f:", round, fitter_.density(set));
-        for (const Cause& c : fitter_.causesOf(set)) fprintf(stderr, " %s;", describe(c).c_str());
-        fprintf(stderr, "\n");
-      }
+      tell(0.8 * round / mostRounds);
+      const WindowSet set = fitter_.refine(climb(kinds), stepsOfRound);
       lookFrom(set);
-      if (getenv("GAP_DEBUG"))
-        fprintf(stderr, "score %.1f best %.1f\n", score(set.kinds).score(), best.score());
-      if (score(set.kinds).score() > best.score()) best = score(set.kinds);
-      if (!fresh) break;
-      next = climb(set.kinds);
+      collect(set.kinds);
+      if (!seen.insert(set.kinds).second) break;
+      kinds = set.kinds;
     }
-    return answer(best.set);
+    tell(0.8);
+    return settled();
   }
 
 private:
@@ -72,82 +64,70 @@ private:
     return kinds;
   }
 
-  /// Whether a larger set is better by more than the standard error of that, from group to group (the
-  /// one-standard-error rule: Breiman et al., Classification and Regression Trees, 1984).
-  static bool pays(const WindowScore& larger, const WindowScore& smaller) {
-    const double gain = larger.score() - smaller.score();
-    const auto n = static_cast<double>(larger.density.size());
-    double mean = 0, squares = 0;
-    for (std::size_t g = 0; g < larger.density.size(); ++g)
-      mean += (larger.density[g] - smaller.density[g]) / n;
-    for (std::size_t g = 0; g < larger.density.size(); ++g)
-      squares += std::pow(larger.density[g] - smaller.density[g] - mean, 2);
-    static const double k = getenv("GAP_SE") ? atof(getenv("GAP_SE")) : 1;
-    return gain > k * std::sqrt(n * squares / (n - 1));
+  static std::vector<std::size_t> lessOne(std::vector<std::size_t> kinds, std::size_t kind) {
+    std::erase(kinds, kind);
+    return kinds;
+  }
+
+  /// The best of what a single move leads to from a set: add a cause, drop one, put another in its place.
+  std::vector<std::size_t> moved(const std::vector<std::size_t>& kinds) {
+    std::vector<std::size_t> best = kinds;
+    const auto look = [&](const std::vector<std::size_t>& other) {
+      if (score(other).score() > score(best).score()) best = other;
+    };
+    const auto lookBeside = [&](const std::vector<std::size_t>& rest) {
+      for (const std::size_t kind : linear_->proposals(score(rest).set, proposalsPerMove))
+        if (const auto larger = extended(rest, kind)) look(*larger);
+    };
+    lookBeside(kinds);
+    for (const std::size_t kind : kinds) {
+      look(lessOne(kinds, kind));
+      lookBeside(lessOne(kinds, kind));
+    }
+    return best;
   }
 
   /// The best set that single moves lead to in the linear picture.
   WindowSet climb(std::vector<std::size_t> kinds) {
     for (;;) {
-      const double before = score(kinds).score();
-      std::vector<std::size_t> best = kinds;
-      const auto look = [&](const std::vector<std::size_t>& other) {
-        if (other.size() > kinds.size() && !pays(score(other), score(kinds))) return;
-        if (score(other).score() > score(best).score()) best = other;
-      };
-      const auto lookBeside = [&](const std::vector<std::size_t>& rest) {
-        for (const std::size_t kind : linear_->proposals(score(rest).set, proposalsPerMove))
-          if (const auto larger = extended(rest, kind)) look(*larger);
-      };
-      lookBeside(kinds);
-      for (const std::size_t kind : kinds) {
-        std::vector<std::size_t> rest = kinds;
-        std::erase(rest, kind);
-        look(rest);
-        lookBeside(rest);
-      }
-      if (!(score(best).score() > before)) return score(kinds).set;
-      kinds = best;
+      std::vector<std::size_t> next = moved(kinds);
+      if (next == kinds) return score(kinds).set;
+      kinds = std::move(next);
     }
   }
 
-  BeamResult answer(WindowSet set) {
-    set = fitter_.refine(set, stepsAtEnd);
-    lookFrom(set);
-    score({});
-    // What the fit to the end made useless goes.
-    for (bool better = true; better;) {
-      better = false;
-      const std::vector<std::size_t> kinds = set.kinds;
-      for (const std::size_t kind : kinds) {
-        std::vector<std::size_t> rest = kinds;
-        std::erase(rest, kind);
-        if (!pays(score(set.kinds), score(rest))) set = score(rest).set, better = true;
-      }
+  /// Keeps, by the number of causes, the best sets on the way from this one to the empty one, where what is
+  /// missed least goes first.
+  void collect(std::vector<std::size_t> kinds) {
+    for (;;) {
+      const WindowScore& scored = score(kinds);
+      const auto [known, fresh] = bestBySize_.try_emplace(kinds.size(), scored);
+      if (!fresh && scored.score() > known->second.score()) known->second = scored;
+      if (kinds.empty()) return;
+      kinds = bestLessOne(kinds);
     }
-    climb(set.kinds);
-    if (getenv("GAP_DEBUG")) {
-      fprintf(stderr, "answer score %.1f density %.1f:", score(set.kinds).score(), fitter_.density(set));
-      for (const Cause& c : fitter_.causesOf(set)) fprintf(stderr, " %s;", describe(c).c_str());
-      fprintf(stderr, "\n");
-    }
-    BeamResult result;
-    result.kinds = fitter_.kinds().size();
-    std::vector<const WindowScore*> others;
-    for (const auto& [kinds, scored] : scored_)
-      if (kinds != set.kinds) others.push_back(&scored);
-    std::ranges::stable_sort(others, std::ranges::greater(),
-                             [](const WindowScore* of) { return of->score(); });
-    if (others.size() > setsKept) others.resize(setsKept);
-    result.sets.push_back(asScored(score(set.kinds)));
-    for (const WindowScore* other : others) result.sets.push_back(asScored(*other));
-    for (const std::size_t kind : set.kinds) {
-      std::vector<std::size_t> rest = set.kinds;
-      std::erase(rest, kind);
-      result.lessOne.push_back(asScored(score(rest)));
+  }
+
+  std::vector<std::size_t> bestLessOne(const std::vector<std::size_t>& kinds) {
+    std::vector<std::size_t> best = lessOne(kinds, kinds.front());
+    for (const std::size_t kind : kinds)
+      if (score(lessOne(kinds, kind)).score() > score(best).score()) best = lessOne(kinds, kind);
+    return best;
+  }
+
+  /// The sets that were collected, each fitted to its end and scored by derivatives beside itself.
+  std::vector<WindowProposal> settled() const {
+    std::vector<WindowProposal> proposals;
+    for (const auto& [size, scored] : bestBySize_) {
+      const WindowSet set = fitter_.refine(scored.set, stepsAtEnd);
+      const WindowLinear linear = fitter_.linearise(set, set.kinds);
+      WindowProposal& proposal = proposals.emplace_back();
+      proposal.set = asScored(linear.score(set.kinds));
+      for (const std::size_t kind : set.kinds)
+        proposal.lessOne.push_back(asScored(linear.score(lessOne(set.kinds, kind))));
     }
     tell(1);
-    return result;
+    return proposals;
   }
 
   /// With information in logarithms of strengths, as the free replays' sets have it.
@@ -164,16 +144,17 @@ private:
     return scored;
   }
 
-  const WindowReplayer& replayer_;
   const WindowSearchOptions& options_;
   const WindowFitter fitter_;
   std::optional<WindowLinear> linear_;
   std::map<std::vector<std::size_t>, WindowScore> scored_;  ///< in the present linear picture
+  std::map<std::size_t, WindowScore> bestBySize_;
 };
 
 }  // namespace
 
-BeamResult searchInWindows(const WindowReplayer& replayer, const WindowSearchOptions& options) {
+std::vector<WindowProposal> proposedByWindows(const WindowReplayer& replayer,
+                                              const WindowSearchOptions& options) {
   return WindowSearch(replayer, options).run();
 }
 

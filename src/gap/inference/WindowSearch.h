@@ -11,9 +11,18 @@ struct WindowSearchOptions {
   std::function<void(double share)> progress = {};
 };
 
-/// Searches for the set of causes with the best score in windows that are replayed from the measured state.
-/// Moves (add a cause, drop one, put another in its place) are judged by derivatives beside the set itself; a
-/// set that is better so is fitted by replays, and the derivatives are taken anew beside it.
-BeamResult searchInWindows(const WindowReplayer& replayer, const WindowSearchOptions& options);
+/// A set of causes that windows make likely, with the values that they give it, and the set without each of
+/// its causes in turn. Scores are those in windows; the values are as in Scored.
+struct WindowProposal {
+  Scored set;
+  std::vector<Scored> lessOne;
+};
+
+/// Sets of causes with the best scores in windows that are replayed from the measured state, one for each
+/// number of causes from none on. Moves (add a cause, drop one, put another in its place) are judged by
+/// derivatives beside the set itself; a set that is better so is fitted by replays, and the derivatives are
+/// taken anew beside it.
+std::vector<WindowProposal> proposedByWindows(const WindowReplayer& replayer,
+                                              const WindowSearchOptions& options);
 
 }  // namespace plumbline::gap

@@ -35,7 +35,7 @@ CommandPath::CommandPath(const JointPlant& plant, const Trial& trial, std::size_
   torques_ = sent(trial.commandTorque);
   straight_ = trial.linearCommands;
   currentAt_ = time_.empty() ? 0 : time_.front() + shift_;
-  current_ = profile_ = firstFinite(*command_);
+  current_ = profile_ = end_ = firstFinite(*command_);
   if (stiffnesses_) stiff_ = firstFinite(*stiffnesses_);
   if (voltages_) volts_ = firstFinite(*voltages_);
 }
@@ -66,6 +66,7 @@ double CommandPath::line(double from, double to) {
     const double slope = last || time_[ahead] + shift_ <= currentAt_
                              ? 0
                              : ((*command_)[ahead] - current_) / (time_[ahead] + shift_ - currentAt_);
+    end_ = current_ + slope * (reached - currentAt_);
     if (reached > since) {
       sum += (current_ + slope * ((since + reached) / 2 - currentAt_)) * (reached - since);
       since = reached;
@@ -94,6 +95,7 @@ double CommandPath::target(double from, double to) {
     }
     ++next_;
   }
+  end_ = current_;
   return to > since ? (sum + current_ * (to - since)) / (to - from) : current_;
 }
 
@@ -123,6 +125,7 @@ double CommandPath::over(double from, double to) {
   const double h = (to - from) / steps;
   double sum = 0;
   for (int i = 0; i < steps; ++i) sum += profileOver(from + i * h, i + 1 == steps ? to : from + (i + 1) * h);
+  end_ = profile_;
   return sum / steps;
 }
 

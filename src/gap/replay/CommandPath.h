@@ -19,6 +19,8 @@ public:
   /// Mean command over (from, to] [rad]: a change within a step counts by its share, to second order in the
   /// step.
   double over(double from, double to);
+  /// The command that the servo follows at the end of the last queried interval [rad].
+  double atEnd() const { return end_; }
   /// Changes which cycles' commands are lost from now on; null: none.
   void lose(const std::vector<std::uint8_t>* lostCycles) { lost_ = lostCycles; }
   double stiffness() const { return stiff_; }        ///< at the end of the last queried interval
@@ -42,7 +44,7 @@ private:
   double current_ = 0, stiff_ = 1, volts_ = 0, sentSpeed_ = 0, sentTorque_ = 0;
   bool straight_ = false;  ///< linear from command to command
   double currentAt_ = 0;   ///< when the current one was sent [s]
-  double profile_ = 0, speed_ = 0;
+  double profile_ = 0, speed_ = 0, end_ = 0;
 };
 
 }  // namespace plumbline::gap

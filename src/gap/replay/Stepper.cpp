@@ -285,7 +285,7 @@ double Stepper::current(int node) const {
 
 double Stepper::duty(int node, double shown) const {
   const Drive& drive = drives_[index(node)];
-  return dutyOf(plant_.joints[index(drive.joint)], drive.command, shown);
+  return dutyOf(plant_.joints[index(drive.joint)], drive.path.atEnd(), shown);
 }
 
 void Stepper::beginBody() {
