@@ -38,8 +38,7 @@ Explanation WindowFitter::causesOf(const WindowSet& set) const {
 double WindowFitter::density(const WindowSet& set) const {
   const WindowCoefficients residuals = replayer_.coefficients(causesOf(set));
   double sum = logPrior(set.x);
-  for (std::size_t c = 0; c < residuals.size(); ++c)
-    sum += likeliestScale(residuals[c], replayer_.cells()[c].floor).density;
+  for (std::size_t c = 0; c < residuals.size(); ++c) sum += likeliestScale(residuals[c]).density;
   return sum;
 }
 
@@ -81,7 +80,7 @@ void WindowFitter::slopesOf(const WindowSet& beside, const std::vector<std::size
         const WindowCell::Part& part = cells[c].windows.front();
         const double size =
             change.norm() / std::sqrt(static_cast<double>(cells[c].windows.size() * (part.to - part.from)));
-        visible = visible || size > enginesDiffer * cells[c].noise;
+        visible = visible || size > enginesDiffer;
         of.back() = change / stepOf(beside, kind);
       }
       if (!visible) of.assign(cells.size(), {});

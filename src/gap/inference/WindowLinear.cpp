@@ -85,7 +85,7 @@ WindowLinear::Equations WindowLinear::equations(const std::vector<std::size_t>& 
     for (std::size_t i = 0; i < kinds.size(); ++i)
       if (slopes_[kinds[i]][c].size() > 0) felt.push_back(static_cast<Eigen::Index>(i));
     if (felt.empty()) continue;
-    const WindowScale scale = likeliestScale(left(c, kinds, at), cells_[c].floor);
+    const WindowScale scale = likeliestScale(left(c, kinds, at));
     const Eigen::LLT<Eigen::MatrixXd> factor(scale.covariance);
     const Eigen::VectorXd roots = scale.weights.cwiseSqrt();
     const auto whitened = [&](const Eigen::MatrixXd& columns) {
@@ -166,7 +166,7 @@ WindowScore WindowLinear::score(const std::vector<std::size_t>& kinds) const {
   scored.density.assign(groups_, 0.0);
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const std::size_t g = cells_[c].group;
-    scored.density[g] += likeliestScale(left(c, kinds, scored.without[g]), cells_[c].floor).density;
+    scored.density[g] += likeliestScale(left(c, kinds, scored.without[g])).density;
   }
   return scored;
 }

@@ -1,5 +1,6 @@
 #include "gap/inference/WindowReplayer.h"
 
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -61,7 +62,7 @@ WindowReplayer::WindowReplayer(const Mechanism& robot, const Groups& groups, int
   moved_ = replayerOf(robot, *groupsMoved_, jobs);
   hurried_ = replayerOf(robot, *groupsHurried_, jobs);
   layOut();
-  putFloors();
+  putFactors();
 }
 
 WindowReplayer::WindowReplayer(const WindowReplayer& whole, std::size_t leftOut)
@@ -73,7 +74,7 @@ WindowReplayer::WindowReplayer(const WindowReplayer& whole, std::size_t leftOut)
       moved_(std::make_shared<Replayer>(*whole.moved_, *groupsMoved_)),
       hurried_(std::make_shared<Replayer>(*whole.hurried_, *groupsHurried_)) {
   layOut();
-  putFloors();
+  putFactors();
 }
 
 std::size_t WindowReplayer::numReplays() const {
@@ -105,29 +106,31 @@ void WindowReplayer::layOut() {
   std::erase_if(cells_, [](const WindowCell& cell) { return cell.windows.empty(); });
 }
 
-void WindowReplayer::putFloors() {
-  const WindowCoefficients here = coefficientsOf(*plain_, {}), moved = coefficientsOf(*moved_, {}),
-                           hurried = coefficientsOf(*hurried_, {});
+void WindowReplayer::putFactors() {
+  const WindowCoefficients here = plainCoefficients(*plain_, {}), moved = plainCoefficients(*moved_, {}),
+                           hurried = plainCoefficients(*hurried_, {});
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     WindowCell& cell = cells_[c];
     const auto rows = here[c].rows();
-    cell.floor = cell.noise * cell.noise * Eigen::MatrixXd::Identity(rows, rows);
     const Eigen::MatrixXd byPosition = (moved[c] - here[c]) / positionShift.position,
                           bySpeed = (hurried[c] - here[c]) / speedShift.speed;
     for (std::size_t w = 0; w < cell.windows.size(); ++w) {
       const WindowCell::Part& part = cell.windows[w];
+      Eigen::MatrixXd covariance = cell.noise * cell.noise * Eigen::MatrixXd::Identity(rows, rows);
       for (const Window& window : (*windows_)[part.trial]) {
         if (window.from != part.from) continue;
         Eigen::MatrixXd response(rows, 2);
         response << byPosition.col(static_cast<Eigen::Index>(w)), bySpeed.col(static_cast<Eigen::Index>(w));
-        cell.floor += response * window.starts[static_cast<std::size_t>(cell.joint)].covariance *
-                      response.transpose() / static_cast<double>(cell.windows.size());
+        covariance +=
+            response * window.starts[static_cast<std::size_t>(cell.joint)].covariance * response.transpose();
       }
+      cell.factors.emplace_back(covariance.llt().matrixL());
     }
   }
 }
 
-WindowCoefficients WindowReplayer::coefficientsOf(const Replayer& replayer, const Explanation& causes) const {
+WindowCoefficients WindowReplayer::plainCoefficients(const Replayer& replayer,
+                                                     const Explanation& causes) const {
   const Residuals residuals = replayer.residuals(causes);
   WindowCoefficients result;
   for (const WindowCell& cell : cells_) {
@@ -146,7 +149,12 @@ WindowCoefficients WindowReplayer::coefficientsOf(const Replayer& replayer, cons
 }
 
 WindowCoefficients WindowReplayer::coefficients(const Explanation& causes) const {
-  return coefficientsOf(*plain_, causes);
+  WindowCoefficients result = plainCoefficients(*plain_, causes);
+  for (std::size_t c = 0; c < cells_.size(); ++c)
+    for (std::size_t w = 0; w < cells_[c].windows.size(); ++w)
+      cells_[c].factors[w].triangularView<Eigen::Lower>().solveInPlace(
+          result[c].col(static_cast<Eigen::Index>(w)));
+  return result;
 }
 
 }  // namespace plumbline::gap

@@ -18,12 +18,13 @@ struct WindowCell {
   int joint = -1;
   double noise = 0;  ///< standard deviation of its residuals under a perfect model
   std::vector<Part> windows;
-  /// Of a window's coefficients under a perfect model: noise of the readings, and what the error of the
-  /// measured state does.
-  Eigen::MatrixXd floor;
+  /// Per window: lower factor of the covariance that its coefficients have under a perfect model, by noise of
+  /// the readings and by what the error of the measured state does.
+  std::vector<Eigen::MatrixXd> factors;
 };
 
-/// Per cell: cosine coefficients of its residuals, a column per window.
+/// Per cell: cosine coefficients of its residuals, a column per window. Those of a WindowReplayer are white:
+/// under a perfect model they are independent and of variance 1.
 using WindowCoefficients = std::vector<Eigen::MatrixXd>;
 
 /// The first coefficients of the orthonormal cosine transform (DCT-II) of a stretch of residuals.
@@ -47,8 +48,8 @@ public:
 
 private:
   void layOut();
-  void putFloors();
-  WindowCoefficients coefficientsOf(const Replayer& replayer, const Explanation& causes) const;
+  void putFactors();
+  WindowCoefficients plainCoefficients(const Replayer& replayer, const Explanation& causes) const;
 
   std::shared_ptr<const std::vector<std::vector<Window>>> windows_;  ///< per trial
   std::shared_ptr<const Groups> groups_, groupsMoved_, groupsHurried_;

@@ -20,6 +20,31 @@ MeasuredState unknownState() {
   return {nan, nan, Eigen::Matrix2d::Zero()};
 }
 
+/// A polynomial fitted to values by least squares.
+struct Polynomial {
+  Eigen::VectorXd x;        ///< coefficients, the constant first
+  Eigen::MatrixXd inverse;  ///< of the normal equations: their covariance at unit variance
+  double variance = 0;      ///< of what is left
+};
+
+Polynomial polynomialThrough(const std::vector<double>& times, const std::vector<double>& values,
+                             int degree) {
+  const auto n = static_cast<Eigen::Index>(times.size());
+  const Eigen::Map<const Eigen::VectorXd> t(times.data(), n), y(values.data(), n);
+  // In units of the farthest time, so that powers are alike.
+  const double unit = t.cwiseAbs().maxCoeff();
+  Eigen::MatrixXd design = Eigen::MatrixXd::Ones(n, degree + 1);
+  for (Eigen::Index i = 1; i <= degree; ++i) design.col(i) = design.col(i - 1).cwiseProduct(t / unit);
+  const Eigen::LDLT<Eigen::MatrixXd> solver(design.transpose() * design);
+  Eigen::VectorXd units(degree + 1);
+  for (Eigen::Index i = 0; i <= degree; ++i) units[i] = std::pow(unit, -static_cast<double>(i));
+  const Eigen::VectorXd x = solver.solve(design.transpose() * y);
+  const double left =
+      (y - design * x).squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, n - degree - 1));
+  const Eigen::MatrixXd inverse = solver.solve(Eigen::MatrixXd::Identity(degree + 1, degree + 1));
+  return {units.cwiseProduct(x), units.asDiagonal() * inverse * units.asDiagonal(), left};
+}
+
 }  // namespace
 
 MeasuredState stateAt(const Trial& trial, const Signal& signal, std::size_t cycle, double noise) {
@@ -28,43 +53,63 @@ MeasuredState stateAt(const Trial& trial, const Signal& signal, std::size_t cycl
   const auto each = std::max(leastBeside, static_cast<std::size_t>(besideStart / cycleSeconds));
   const std::size_t from = cycle > each ? cycle - each : 0, to = std::min(trial.cycles(), cycle + each + 1);
   const double shift = trial.positionAt[static_cast<std::size_t>(signal.joint)];
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  double squares = 0;
-  std::size_t count = 0;
+  std::vector<double> times, values;
   for (std::size_t k = from; k < to; ++k) {
     if (!std::isfinite(signal.values[k])) continue;
-    const double t = trial.time[k] + shift - trial.time[cycle];
-    const Eigen::Vector3d row(1, t, t * t);
-    normal += row * row.transpose();
-    right += signal.values[k] * row;
-    squares += signal.values[k] * signal.values[k];
-    ++count;
+    times.push_back(trial.time[k] + shift - trial.time[cycle]);
+    values.push_back(signal.values[k]);
   }
-  if (count < 2 * leastBeside) return unknownState();
-  const Eigen::LDLT<Eigen::Matrix3d> solver(normal);
-  const Eigen::Vector3d x = solver.solve(right);
-  if (!x.allFinite()) return unknownState();
-  const double left = std::max(0.0, squares - right.dot(x)) / static_cast<double>(count - 3);
-  const Eigen::Matrix3d inverse = solver.solve(Eigen::Matrix3d::Identity());
-  return {x[0], x[1], std::max(noise * noise, left) * inverse.topLeftCorner<2, 2>()};
+  if (times.size() < 2 * leastBeside) return unknownState();
+  const Polynomial square = polynomialThrough(times, values, 2), cubic = polynomialThrough(times, values, 3);
+  if (!square.x.allFinite() || !cubic.x.allFinite()) return unknownState();
+  const Eigen::Vector2d bend = cubic.x.head<2>() - square.x.head<2>();
+  return {square.x[0], square.x[1],
+          std::max(noise * noise, square.variance) * square.inverse.topLeftCorner<2, 2>() +
+              bend * bend.transpose()};
 }
+
+namespace {
+
+/// Of all joints at a cycle; NaN where a position is not measured.
+std::vector<MeasuredState> statesAt(const Trial& trial, std::size_t cycle,
+                                    const std::vector<double>& noises) {
+  std::vector<MeasuredState> states(trial.robot->joints.size(), unknownState());
+  for (std::size_t s = 0; s < trial.signals.size(); ++s)
+    if (trial.signals[s].kind == SignalKind::position)
+      states[static_cast<std::size_t>(trial.signals[s].joint)] =
+          stateAt(trial, trial.signals[s], cycle, noises[s]);
+  return states;
+}
+
+/// Sum of the variances of the speeds that are known; infinite if none is.
+double doubtOf(const std::vector<MeasuredState>& states) {
+  double sum = 0;
+  bool any = false;
+  for (const MeasuredState& state : states)
+    if (std::isfinite(state.speed)) sum += state.covariance(1, 1), any = true;
+  return any ? sum : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
 
 std::vector<Window> windowsIn(const Trial& trial, double seconds, const std::vector<double>& noises) {
   std::vector<Window> windows;
-  const double end = trial.time.back();
-  for (std::size_t from = firstScored(trial); from < trial.cycles();) {
-    auto to = static_cast<std::size_t>(std::ranges::lower_bound(trial.time, trial.time[from] + seconds) -
-                                       trial.time.begin());
-    to = std::max(to, from + leastCycles);
-    if (to > trial.cycles() || trial.time[from] + seconds > end + 1e-9) break;
-    Window window{from, to, std::vector<MeasuredState>(trial.robot->joints.size(), unknownState())};
-    for (std::size_t s = 0; s < trial.signals.size(); ++s)
-      if (trial.signals[s].kind == SignalKind::position)
-        window.starts[static_cast<std::size_t>(trial.signals[s].joint)] =
-            stateAt(trial, trial.signals[s], from, noises[s]);
+  const auto endOf = [&](std::size_t from) {
+    const auto to = static_cast<std::size_t>(
+        std::ranges::lower_bound(trial.time, trial.time[from] + seconds) - trial.time.begin());
+    return std::max(to, from + leastCycles);
+  };
+  for (std::size_t next = firstScored(trial); next < trial.cycles() && endOf(next) <= trial.cycles();) {
+    Window window{next, 0, statesAt(trial, next, noises)};
+    const std::size_t last = next + (endOf(next) - next) / 2;
+    for (std::size_t from = next + 1; from <= last && endOf(from) <= trial.cycles(); ++from) {
+      std::vector<MeasuredState> starts = statesAt(trial, from, noises);
+      if (doubtOf(starts) < doubtOf(window.starts)) window.from = from, window.starts = std::move(starts);
+    }
+    window.to = endOf(window.from);
+    if (trial.time[window.from] + seconds > trial.time.back() + 1e-9) break;
+    next = window.to;
     windows.push_back(std::move(window));
-    from = to;
   }
   return windows;
 }

@@ -6,7 +6,8 @@
 
 namespace plumbline::gap {
 
-/// A joint's state as its measured positions show it: a quadratic fitted to those within 30 ms.
+/// A joint's state as its measured positions show it: a parabola fitted to those within 30 ms. Its covariance
+/// is that of the fit and, where the joint moves otherwise than a parabola, what a cubic would change.
 struct MeasuredState {
   double position = 0, speed = 0;  ///< [rad, rad/s]; NaN beside gaps
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
@@ -21,7 +22,9 @@ struct Window {
   std::vector<MeasuredState> starts;  ///< per joint; NaN where its position is not measured
 };
 
-/// How long windows are: `seconds`, or twelve cycles of a slow log if that is more.
+/// Windows of `seconds`, or of twelve cycles of a slow log if that is more. Each begins where the speeds are
+/// known best within half a window after the one before: not where a command jumps. noises: per signal,
+/// standard deviations of its readings.
 std::vector<Window> windowsIn(const Trial& trial, double seconds, const std::vector<double>& noises);
 
 /// Of the starts, to see what their errors do: all positions and speeds off by so much [rad, rad/s].

@@ -21,4 +21,22 @@ TEST(Replayer, theDutyOfAMotorThatIsOffIsNotPredicted) {
   EXPECT_TRUE(std::isnan(duty[half + half / 2]));
 }
 
+TEST(Replayer, aDutyWorkedOutAMillisecondEarlierIsNoGap) {
+  Trial trial = dutyTrial({}, 2, 0);
+  Signal& duty = trial.signals.back();
+  const std::vector<double> exact = duty.values;
+  for (std::size_t k = 0; k < trial.cycles(); ++k)
+    duty.values[k] -= 1e-3 * rateAt(trial, trial.signals.back(), k);
+  const Mechanism pendulum = findMechanism("xl330_pendulum");
+  double shifted = 0, left = 0;
+  const Groups groups({trial});
+  const Residuals residuals = Replayer(pendulum, groups, 1).residuals({});
+  // In the sines, where nothing jumps.
+  for (std::size_t k = 35; k < 60; ++k) {
+    shifted += std::pow(duty.values[k] - exact[k], 2);
+    left += std::pow((*residuals[0].back())[k], 2);
+  }
+  EXPECT_LT(left, 0.1 * shifted);
+}
+
 }  // namespace plumbline::gap

@@ -32,6 +32,30 @@ TEST_F(CommandPathTest, aChangeWithinAStepCountsByItsShare) {
   EXPECT_DOUBLE_EQ(path.over(0.06, 0.07), 1);
 }
 
+TEST_F(CommandPathTest, atTheEndOfAStepTheLastCommandIsInForceWhateverTheStep) {
+  for (const double step : {0.02, 0.001}) {
+    CommandPath path(plant, trial, 0, nullptr);
+    path.over(0.04, 0.0505 - step);
+    path.over(0.0505 - step, 0.0505);
+    EXPECT_EQ(path.atEnd(), 1);
+  }
+}
+
+TEST_F(CommandPathTest, atTheEndOfAStepAStraightLineIsWhereItHasCome) {
+  trial.linearCommands = true;
+  CommandPath path(plant, trial, 0, nullptr);
+  path.over(0, 0.0425);
+  EXPECT_NEAR(path.atEnd(), 0.25, 1e-12);
+}
+
+TEST_F(CommandPathTest, atTheEndOfAStepAProfileIsWhereItHasCome) {
+  plant.profileSpeed = 20;  // [rad/s]
+  CommandPath path(plant, trial, 0, nullptr);
+  path.over(0, 0.05);
+  path.over(0.05, 0.06);
+  EXPECT_NEAR(path.atEnd(), 0.2, 1e-9);
+}
+
 TEST_F(CommandPathTest, aDelayShiftsIt) {
   plant.commandDelay = 0.0075;
   CommandPath path(plant, trial, 0, nullptr);

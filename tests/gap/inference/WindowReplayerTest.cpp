@@ -1,0 +1,67 @@
+#include "gap/inference/WindowReplayer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../ThreeRecordings.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+/// Root mean square of the coefficients: 1 under a perfect model.
+double sizeOf(const WindowCoefficients& of) {
+  double squares = 0, count = 0;
+  for (const Eigen::MatrixXd& columns : of)
+    squares += columns.squaredNorm(), count += static_cast<double>(columns.size());
+  return std::sqrt(squares / count);
+}
+
+}  // namespace
+
+TEST(CosineCoefficients, keepTheNormAndTheMean) {
+  std::vector<double> values;
+  double squares = 0;
+  for (int k = 0; k < 16; ++k) {
+    values.push_back(std::sin(0.7 * k) + 2);
+    squares += values.back() * values.back();
+  }
+  const ResidualSeries series(values);
+  const Eigen::VectorXd all = cosineCoefficients(series, 0, 16, 99);
+  ASSERT_EQ(all.size(), 16);
+  EXPECT_NEAR(all.squaredNorm(), squares, 1e-9);
+  const ResidualSeries constant(std::vector<double>(9, 3.0));
+  const Eigen::VectorXd few = cosineCoefficients(constant, 0, 9, 4);
+  ASSERT_EQ(few.size(), 4);
+  EXPECT_NEAR(few[0], 9, 1e-9);  // sqrt(9) times 3
+  EXPECT_NEAR(few.tail(3).norm(), 0, 1e-9);
+}
+
+TEST(WindowReplayer, theTruthLeavesWhiteCoefficientsAndAnotherModelLarger) {
+  const Mechanism arm = twoJointArm();
+  const Explanation truth{causeOf(arm, "coulomb_friction", "shoulder", 0.15)};
+  const Groups groups(recordings(truth));
+  const WindowReplayer replayer(arm, groups, 1);
+  EXPECT_EQ(replayer.groups().count(), 3U);
+  EXPECT_EQ(replayer.cells().size(), 6U);  // two positions in three groups
+  const double left = sizeOf(replayer.coefficients(truth));
+  EXPECT_LT(left, 1.3);
+  EXPECT_GT(left, 0.5);
+  EXPECT_GT(sizeOf(replayer.coefficients({})), 2 * left);
+}
+
+TEST(WindowReplayer, withoutAGroupTheOthersKeepTheirCoefficients) {
+  const Mechanism arm = twoJointArm();
+  const Groups groups(recordings({}, 2));
+  const WindowReplayer replayer(arm, groups, 1), two(replayer, 1);
+  EXPECT_EQ(two.groups().count(), 2U);
+  const Explanation causes{causeOf(arm, "servo_gain", "elbow", 0.8)};
+  const WindowCoefficients all = replayer.coefficients(causes), some = two.coefficients(causes);
+  std::vector<Eigen::MatrixXd> expected;
+  for (std::size_t c = 0; c < all.size(); ++c)
+    if (replayer.cells()[c].group != 1) expected.push_back(all[c]);
+  EXPECT_EQ(some, expected);
+}
+
+}  // namespace plumbline::gap

@@ -1,0 +1,34 @@
+#include "gap/inference/WindowSearch.h"
+
+#include <gtest/gtest.h>
+
+#include "../ThreeRecordings.h"
+
+namespace plumbline::gap {
+
+TEST(WindowSearch, proposesASetForEachNumberOfCausesWithTheValuesOfTheOtherGroups) {
+  const Mechanism arm = twoJointArm();
+  const Groups groups(recordings({causeOf(arm, "coulomb_friction", "shoulder", 0.15)}, 3));
+  const WindowReplayer replayer(arm, groups, 1);
+  std::vector<double> told;
+  WindowSearchOptions options;
+  options.mostCauses = 3;
+  options.progress = [&](double share) { told.push_back(share); };
+  const std::vector<WindowProposal> proposals = proposedByWindows(replayer, options);
+  ASSERT_GE(proposals.size(), 2U);
+  EXPECT_LE(proposals.size(), 4U);
+  EXPECT_TRUE(proposals[0].set.causes().empty());
+  const WindowProposal& one = proposals[1];
+  ASSERT_EQ(one.set.causes().size(), 1U);
+  EXPECT_EQ(one.set.causes()[0].effect->id, std::string("coulomb_friction"));
+  EXPECT_NEAR(one.set.causes()[0].value, 0.15, 0.01);
+  ASSERT_EQ(one.set.without.size(), 3U);
+  for (const Explanation& without : one.set.without) EXPECT_NEAR(without[0].value, 0.15, 0.02);
+  ASSERT_EQ(one.lessOne.size(), 1U);
+  EXPECT_TRUE(one.lessOne[0].causes().empty());
+  EXPECT_GT(one.set.score(), one.lessOne[0].score());
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.back(), 1);
+}
+
+}  // namespace plumbline::gap
