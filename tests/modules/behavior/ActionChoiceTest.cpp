@@ -286,10 +286,10 @@ TEST_P(SituationTest, isDecidedAsExpected) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Written, SituationTest,
-                         testing::Values("beforeTheEmptyGoal", "besideTheBallUnderPressure", "freeInMidfield",
-                                         "highKickBeforeTheGoal", "keeperAtThePost", "keeperInTheMiddle",
-                                         "nearTheSideLine", "onTheOwnGoalLine", "opponentAtTheBall",
-                                         "tooFarToShoot", "wrongSideUnderPressure"),
+                         testing::Values("beforeTheEmptyGoal", "freeInMidfield", "highKickBeforeTheGoal",
+                                         "keeperAtThePost", "keeperInTheMiddle", "nearTheSideLine",
+                                         "onTheOwnGoalLine", "opponentAtTheBall", "tooFarToShoot",
+                                         "wrongSideUnderPressure"),
                          [](const auto& name) { return std::string(name.param); });
 
 }  // namespace
