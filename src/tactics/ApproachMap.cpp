@@ -8,23 +8,29 @@
 namespace plumbline {
 namespace {
 
-constexpr double farTime = 60;                ///< before anything is known [s]
-constexpr double mapSettled = 0.005;          ///< change of a pass after which the map is done [s]
-constexpr int mostPasses = 60;                ///< in each of four orders
-constexpr std::array stepSeconds{0.1, 0.25};  ///< shorter and longer than a cell
+constexpr double farTime = 60;                  ///< before anything is known [s]
+constexpr double settled = 0.005;               ///< change of a pass after which the map is done [s]
+constexpr int mostPasses = 60;                  ///< in each of four orders
+constexpr std::array stepSeconds{0.1, 0.25};    ///< shorter and longer than a cell
+constexpr int corners = 8;
 
-/// Each direction alone, and mixtures whose shares sum up to 1.
+/// Walks whose shares sum up to 1: each direction alone, and mixtures of two or three.
 std::vector<Vec3> walksOf(const WalkSpeeds& s) {
+  std::vector<Vec3> walks;
   const double half = std::sqrt(0.5);  // sideways and turn share an ellipse
-  std::vector<Vec3> walks{{s.forward, 0, 0}, {-s.backward, 0, 0}};
-  for (const double share : {0.5, 0.0})
-    for (const double a : {-1.0, 1.0}) {
-      const double rest = a * (1 - share);
-      walks.emplace_back(share * s.forward, rest * s.sideways, 0);
-      walks.emplace_back(share * s.forward, 0, rest * s.turn);
-      for (const double b : {-1.0, 1.0})
-        walks.emplace_back(share * s.forward, rest * half * s.sideways, b * (1 - share) * half * s.turn);
+  for (const double share : {1.0, 0.7, 0.35, 0.0}) {
+    const double rest = 1 - share;
+    for (const double ahead : {s.forward, -s.backward}) {
+      if (share > 0 && rest <= 0) walks.emplace_back(ahead, 0, 0);
+      if (rest <= 0 || (share <= 0 && ahead < 0)) continue;
+      for (const double a : {-1.0, 1.0}) {
+        walks.emplace_back(share * ahead, a * rest * s.sideways, 0);
+        walks.emplace_back(share * ahead, 0, a * rest * s.turn);
+        for (const double b : {-1.0, 1.0})
+          walks.emplace_back(share * ahead, a * rest * half * s.sideways, b * rest * half * s.turn);
+      }
     }
+  }
   return walks;
 }
 
@@ -46,8 +52,7 @@ ApproachMap::ApproachMap(const WalkSpeeds& speeds, const Vec2& ball, const Appro
 }
 
 Pose2 ApproachMap::node(int ix, int iy, int heading) const {
-  return {(ix - parameters_.cells) * cell_, (iy - parameters_.cells) * cell_,
-          normalizeAngle(heading * turnCell_)};
+  return {(ix - parameters_.cells) * cell_, (iy - parameters_.cells) * cell_, normalizeAngle(heading * turnCell_)};
 }
 
 std::size_t ApproachMap::index(int ix, int iy, int heading) const {
@@ -56,8 +61,7 @@ std::size_t ApproachMap::index(int ix, int iy, int heading) const {
 
 bool ApproachMap::touches(const Pose2& pose) const {
   const Vec2 ball = pose.inverse() * ball_;
-  return ball.x() < parameters_.front && ball.x() > -parameters_.back &&
-         std::abs(ball.y()) < parameters_.side;
+  return ball.x() < parameters_.front && ball.x() > -parameters_.back && std::abs(ball.y()) < parameters_.side;
 }
 
 std::vector<ApproachMap::Step> ApproachMap::stepsFrom(int heading) const {
@@ -89,26 +93,23 @@ void ApproachMap::solve() {
   for (int h = 0; h < headings; ++h)
     for (int iy = 0; iy < side_; ++iy)
       for (int ix = 0; ix < side_; ++ix)
-        price[index(ix, iy, h)] = static_cast<float>(touches(node(ix, iy, h)) ? parameters_.touchPrice : 1);
+        price[index(ix, iy, h)] = static_cast<float>(this->price(node(ix, iy, h)));
 
   const auto best = [&](int ix, int iy, int h) {
     double least = farTime;
-    const double factor = price[index(ix, iy, h)];
     for (const Step& step : steps[static_cast<std::size_t>(h)]) {
-      const int x = ix + step.low[0], y = iy + step.low[1];
-      const int x0 = std::clamp(x, 0, side_ - 1), x1 = std::clamp(x + 1, 0, side_ - 1);
-      const int y0 = std::clamp(y, 0, side_ - 1) * side_, y1 = std::clamp(y + 1, 0, side_ - 1) * side_;
-      const int h0 = (h + step.low[2] + headings) % headings, h1 = (h0 + 1) % headings;
-      const auto layer = [&](int turned) {
-        const float* at = &seconds_[static_cast<std::size_t>(turned * side_ * side_)];
-        const double low = at[y0 + x0] + step.share.x() * (at[y0 + x1] - at[y0 + x0]);
-        const double high = at[y1 + x0] + step.share.x() * (at[y1 + x1] - at[y1 + x0]);
-        return low + step.share.y() * (high - low);
-      };
-      double time = step.seconds * factor;
-      if (time >= least) continue;
-      const double now = layer(h0);
-      time += step.share.z() > 0 ? now + step.share.z() * (layer(h1) - now) : now;
+      double time = step.seconds * price[index(ix, iy, h)];
+      for (int corner = 0; corner < corners && time < least; ++corner) {
+        const int dx = corner & 1, dy = corner >> 1 & 1, dh = corner >> 2;
+        const double weight = (dx ? step.share.x() : 1 - step.share.x()) *
+                              (dy ? step.share.y() : 1 - step.share.y()) *
+                              (dh ? step.share.z() : 1 - step.share.z());
+        if (weight <= 0) continue;
+        const int x = std::clamp(ix + step.low[0] + dx, 0, side_ - 1);
+        const int y = std::clamp(iy + step.low[1] + dy, 0, side_ - 1);
+        const int turned = (h + step.low[2] + dh + headings) % headings;
+        time += weight * seconds_[index(x, y, turned)];
+      }
       least = std::min(least, time);
     }
     return least;
@@ -127,7 +128,7 @@ void ApproachMap::solve() {
           change = std::max(change, seconds_[here] - now);
           seconds_[here] = now;
         }
-    if (pass >= 3 && change < mapSettled) break;
+    if (pass >= 3 && change < settled) break;
   }
 }
 
@@ -138,13 +139,10 @@ double ApproachMap::inside(const Pose2& pose) const {
   double h = normalizeAngle(pose.heading) / turnCell_;
   if (h < 0) h += parameters_.headings;
   const int ix = std::min(static_cast<int>(x), side_ - 2), iy = std::min(static_cast<int>(y), side_ - 2);
-  const int ih = std::min(static_cast<int>(h), parameters_.headings - 1),
-            next = (ih + 1) % parameters_.headings;
+  const int ih = std::min(static_cast<int>(h), parameters_.headings - 1), next = (ih + 1) % parameters_.headings;
   const double fx = x - ix, fy = y - iy, fh = h - ih;
   const auto layer = [&](int heading) {
-    const auto at = [&](int dx, int dy) {
-      return static_cast<double>(seconds_[index(ix + dx, iy + dy, heading)]);
-    };
+    const auto at = [&](int dx, int dy) { return static_cast<double>(seconds_[index(ix + dx, iy + dy, heading)]); };
     return std::lerp(std::lerp(at(0, 0), at(1, 0), fx), std::lerp(at(0, 1), at(1, 1), fx), fy);
   };
   return std::lerp(layer(ih), layer(next), fh);

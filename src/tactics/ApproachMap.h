@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -37,7 +38,9 @@ public:
   bool covers(const Vec2& position) const { return position.cwiseAbs().maxCoeff() <= parameters_.reach; }
   /// Whether a robot at that pose touches the ball.
   bool touches(const Pose2& pose) const;
-  const Vec2& ball() const { return ball_; }
+  /// How many times as long as it is a walk counts at that pose.
+  double price(const Pose2& pose) const { return touches(pose) ? parameters_.touchPrice : 1; }
+  const WalkSpeeds& speeds() const { return speeds_; }
 
 private:
   struct Step;

@@ -7,24 +7,13 @@
 
 #include "framework/DrawingSite.h"
 #include "modules/behavior/RestartModes.h"
-#include "modules/motion/WalkConfig.h"
 #include "tactics/RollingBall.h"
-#include "walking/planning/SpeedLimits.h"
 
 namespace plumbline {
 
 MAKE_MODULE(Striker2)
 
-namespace {
-const Vec2 ballAtFoot(0.17, -0.05);  ///< where kicks with the right foot have the ball, about [m]
-}
-
-void Striker2::init() {
-  value_.emplace(config.file("field_value"));
-  const walking::WalkParameters walk = readWalkGaits(config).base;
-  const Vec3 ahead = walking::omniLimits(1, walk), back = walking::omniLimits(-1, walk);
-  approach_.emplace(WalkSpeeds{ahead.x(), back.x(), ahead.y(), turnShare * ahead.z()}, ballAtFoot, approach);
-}
+void Striker2::init() { value_.emplace(config.file("field_value")); }
 
 void Striker2::draw(const StrikerSituation& situation) const {
   DEBUG_DRAWING("draw:Striker2:action", {
@@ -60,7 +49,6 @@ StrikerSituation Striker2::situation() const {
   if (theOtherRobots) situation.others = theOtherRobots->robots;
   if (theGameState->playMode == PlayMode::passOwn)
     situation.freeSeconds = std::max(0.0, passSeconds - (theGameState->time - passSince_));
-  situation.approach = &*approach_;
   situation.opponentSpeed = theOppInfo ? theOppInfo->walkSpeed : time.walkSpeed;
   return situation;
 }

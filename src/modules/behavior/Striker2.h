@@ -34,15 +34,12 @@ MODULE(Striker2)
   PARAMETER(double, mostTolerance, 0.35, "rad", Range(0.01, 3.2),
             "nor is it this far off, if nothing depends on it")
   PARAMETER(double, passSeconds, 4, "s", Range(0, 60), "that own pass mode keeps opponents off the ball")
-  PARAMETER(double, turnShare, 0.85, "", Range(0.1, 2), "of a planned turn that the walk makes")
-  PARAMETER_GROUP(ApproachMapParameters, approach, "time to the places at the ball")
   PARAMETER_GROUP(ActionChoiceParameters, choice, "what to do with the ball if there are other players")
   PARAMETER_GROUP(TimeToBallParameters, time, "how fast players are at the ball")
 END_MODULE
 
 /// The player at the ball chooses the action of largest value (ActionChoice): with other players by
-/// config/field_value.yaml, alone by the time to the goal. How long an action takes it knows from the walk's
-/// own speeds (ApproachMap). It searches for a lost ball and keeps its distance
+/// config/field_value.yaml, alone by the time to the goal. It searches for a lost ball and keeps its distance
 /// at the opponent's restarts.
 class Striker2 : public Striker2Base {
 public:
@@ -55,7 +52,6 @@ private:
   void draw(const StrikerSituation& situation) const;
 
   std::optional<FieldValue> value_;
-  std::optional<ApproachMap> approach_;
   double passSince_ = 0;  ///< begin of own pass mode, game clock [s]
   StrikerAction action_;  ///< the one chosen last
 };

@@ -215,37 +215,6 @@ TEST_F(ActionChoiceTest, theFallenDoNotPress) {
   EXPECT_GT(all.nearestOpponent(situation.ball), 14);
 }
 
-/// A robot that walks as those of the league.
-const ApproachMap& leagueApproach() {
-  static const ApproachMap map({.forward = 0.62, .backward = 0.37, .sideways = 0.34, .turn = 1.8},
-                               {0.17, -0.05}, {});
-  return map;
-}
-
-TEST_F(ActionChoiceTest, theWayToThePlaceBehindTheBallIsTimed) {
-  parameters.timePrice = 0.01;
-  situation.approach = &leagueApproach();
-  situation.robot = Pose2(-0.17, 0.05, 0);  // there for a kick straight ahead with the right foot
-  EXPECT_NEAR(leagueApproach().seconds(Pose2()), 0, 1e-6);
-  const double there = judge(Kind::kick, 0).value;
-  situation.robot = Pose2(-0.17, 0.05, 2);  // it has to turn
-  const double turned = judge(Kind::kick, 0).value;
-  EXPECT_NEAR(there - turned, 0.01 * leagueApproach().seconds(Pose2(0, 0, 2)), 1e-3);
-  situation.robot = Pose2(-0.17, -0.05, 0);  // there with the left foot
-  EXPECT_NEAR(judge(Kind::kick, 0).value, there, 1e-9);
-}
-
-TEST_F(ActionChoiceTest, underPressureTheBallGoesWhereTheRobotCanPlayItSoonest) {
-  situation.approach = &leagueApproach();
-  parameters.timePrice = 0.01;
-  add(false, {0.5, 0.4});
-  // Beside the ball and facing it: across at once is better than round it.
-  situation.robot = Pose2(0, 0.3, -pi / 2);
-  EXPECT_LT(choose().direction, -0.8);
-  situation.robot = Pose2(-0.3, 0, 0);
-  EXPECT_NEAR(choose().direction, 0, 0.5);
-}
-
 /// A file with positions and the decision that people expect (tests/data/situations).
 class SituationTest : public testing::TestWithParam<const char*> {};
 
@@ -267,7 +236,6 @@ TEST_P(SituationTest, isDecidedAsExpected) {
                                .scatter = fromDegrees(kick.get<double>("scatter")),
                                .spread = kick.get<double>("spread"),
                                .rise = kick.get<double>("rise")});
-  situation.approach = &leagueApproach();
   const ConfigSection expected = root.section("expected");
   const std::size_t action = expected.choice("action", {"any", "kick", "dribble"});
   const Vec2 direction = expected.get<Vec2>("direction", {-pi, pi});

@@ -95,8 +95,7 @@ public:
   StrikerAction action(int i) const {
     const double direction = fan_.direction(i);
     const Vec2 to(std::cos(direction), std::sin(direction));
-    double seconds = situation_.approach ? approachSeconds(direction)
-                                         : toBall_ + 0.5 * time_.wrongSide * (1 - ahead_.dot(to));
+    double seconds = toBall_ + 0.5 * time_.wrongSide * (1 - ahead_.dot(to));
     seconds += play_.dribbled ? fan_.way(i) / parameters_.dribbleSpeed / 2  // it can be lost half-way
                               : parameters_.kickSeconds;
     const double first = 1 / (1 + std::exp((seconds - courses_.opponentSeconds()) / parameters_.timeSpread));
@@ -125,19 +124,6 @@ public:
   }
 
 private:
-  /// Until the robot stands behind the ball, with the better foot [s].
-  double approachSeconds(double direction) const {
-    const Vec2 ball = situation_.approach->ball();
-    const auto with = [&](double mirror) {
-      const double heading = direction - mirror * play_.kick.direction;
-      const Vec2 offset(ball.x(), play_.dribbled ? 0 : mirror * ball.y());
-      const Pose2 place(Vec2(situation_.ball - Eigen::Rotation2Dd(heading) * offset), heading);
-      const Pose2 robot = place.inverse() * situation_.robot;
-      return situation_.approach->seconds(Pose2(robot.x(), mirror * robot.y(), mirror * robot.heading));
-    };
-    return std::min(with(1), with(-1));
-  }
-
   const BallCourses& courses_;
   const StrikerSituation& situation_;
   BallPlay play_;

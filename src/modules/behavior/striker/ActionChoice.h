@@ -7,7 +7,6 @@
 #include "parameters/Parameter.h"
 #include "representations/modeling/OtherRobots.h"
 #include "robot/KickEffect.h"
-#include "tactics/ApproachMap.h"
 #include "tactics/FieldValue.h"
 
 namespace plumbline {
@@ -18,7 +17,7 @@ struct ActionChoiceParameters {
             "directions all round that are compared, of each action")
   PARAMETER(double, widest, 2.0, "rad", Range(0.1, 3.1), "the outermost ones, off the direction of the goal")
   PARAMETER(double, kickSeconds, 1.5, "s", Range(0, 20),
-            "time to stop, stand exactly behind the ball and kick it, once the robot is there")
+            "time to stand exactly behind the ball and kick it, once the robot is there")
   PARAMETER(double, dribbleWay, 1.5, "m", Range(0.1, 10), "how far ahead a dribble is judged")
   PARAMETER(double, dribbleSpeed, 0.5, "m/s", Range(0.05, 3), "of the ball while it is dribbled")
   PARAMETER(double, dribbleScatter, 0.1, "rad", Range(0.01, 1),
@@ -52,9 +51,8 @@ struct StrikerSituation {
   std::vector<KickEffect> kicks;
   double halfLength = 15, halfWidth = 10, goalHalfWidth = 1.05, goalHeight = 0.8, ballRadius = 0.042;
   std::vector<OtherRobot> others;
-  double freeSeconds = 0;                 ///< time in which opponents must stay away from the ball [s]
-  const ApproachMap* approach = nullptr;  ///< times to the place at the ball; null: by TimeToBallParameters
-  double opponentSpeed = 0.8;             ///< of opponents on their way to the ball [m/s]
+  double freeSeconds = 0;      ///< time in which opponents must stay away from the ball [s]
+  double opponentSpeed = 0.8;  ///< of opponents on their way to the ball [m/s]
   Vec2 goal() const { return {halfLength, 0}; }
 };
 
