@@ -25,7 +25,7 @@ private:
   std::vector<SearchedNumber> list_;
 };
 
-/// What a try of a kick came to.
+/// Result of a try of a kick.
 struct KickTry {
   Vec2 way = Vec2::Zero();  ///< of the ball, x along the wanted direction, y to its left [m]
   double height = 0;        ///< that the ball rose [m]
@@ -37,7 +37,7 @@ struct KickTry {
   double direction() const;
 };
 
-/// What a kick is wanted for.
+/// Goal of a search for a kick.
 struct KickWish {
   double distance = 0;   ///< [m]; 0: as far as it goes
   double weight = 0.08;  ///< of a millisecond

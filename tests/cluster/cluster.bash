@@ -67,6 +67,20 @@ waitLong() {
   local end=$((SECONDS + 60))
   until "$@" > /dev/null 2>&1; do ((SECONDS < end)) || { tellMore; fail "waited in vain for: $*"; }; sleep 0.05; done
 }
+# Kills a process ($2) of a job of mpirun ($job) by a signal ($1): the job fails, and within a second nothing of it runs whose
+# name matches $3; $4: what the process is.
+expectAllEnd() {
+  local began took status=0
+  began=$(milliseconds)
+  kill -"$1" "$2"
+  waitLong noneLeft "$3"
+  took=$(($(milliseconds) - began))
+  wait "$job" || status=$?
+  ((status)) || fail "$4: mpirun ended with 0"
+  echo "  $1 to $4: $took ms until nothing ran, status $status"
+  ((took < 1000)) || fail "$4: something ran for $took ms"
+  waitLong noneLeft 'mpirun|orted'
+}
 milliseconds() { echo $(($(date +%s%N) / 1000000)); }
 # Whether a process ($1) listens on loopback only; $2: what it is.
 expectLoopback() {

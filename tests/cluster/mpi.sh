@@ -114,16 +114,7 @@ for victim in "KILL rank 2" "KILL rank 0" "TERM rank 1" "TERM mpirun" "INT mpiru
   pid=$main
   [[ $what == mpirun ]] || pid=$(rankOf "$number" "$main")
   [[ $pid ]] || fail "there is no $what $number"
-  began=$(milliseconds)
-  kill -"$signal" "$pid"
-  waitLong noneLeft 'mpitunnel|optserver|optworker|sleep|sh'
-  took=$(($(milliseconds) - began))
-  status=0
-  wait "$job" || status=$?
-  ((status)) || fail "$victim: mpirun ended with 0"
-  echo "$signal to $what $number: $took ms until nothing ran, status $status"
-  ((took < 1000)) || fail "$victim: something ran for $took ms"
-  waitLong noneLeft 'mpirun|orted'
+  expectAllEnd "$signal" "$pid" 'mpitunnel|optserver|optworker|sleep|sh' "$what $number"
 done
 echo "and the search goes on to the same end"
 scripts/cluster/mpi.sh run "$scratch/study.yaml" "$scratch/farm" -n 3 > "$scratch/farm.out" 2>&1 || fail "status $?: $(tail -5 "$scratch/farm.out")"

@@ -123,52 +123,30 @@ bool canUseWindows(const Groups& groups, const Mechanism& robot) {
          windowKinds(groups, robot).size() <= mostWindowKinds;
 }
 
-/// What a search found in all groups, what in the others without each of them, and what that closes there.
-struct Searched {
-  BeamResult found;
-  std::vector<FoundWithout> without;
-  std::vector<RecordingLeft> leftOut;
-  Claim claim;
-};
-
-using Tell = std::function<void(const char* stage, double share)>;
-
-Searched searched(const Replayer& replayer, const WindowReplayer* windows, std::size_t mostCauses,
-                  const Tell& tell) {
-  const Groups& groups = replayer.groups();
-  tell("each cause alone", 0);
-  const CandidateScreening screening(replayer, sharesOf(groups, replayer.residuals({})),
-                                     [&](double share) { tell("each cause alone", share); });
-  BeamOptions beam;
-  beam.mostCauses = mostCauses;
-  beam.screening = &screening;
-  beam.progress = [&](double share) { tell("sets of causes", share); };
-  Searched result;
-  result.found = searchBothWays(replayer, windows, beam);
-  beam.progress = [&](double share) { tell("again without each recording in turn", share); };
-  result.without = findWithoutEach(replayer, windows, beam);
-  tell("recordings left out", 0);
-  result.leftOut = leftWithout(groups, result.without);
-  result.claim = claimOf(closedPerGroup(result.leftOut, groupsOfRecordings(groups)));
-  return result;
-}
-
 }  // namespace
 
 Inference infer(const Mechanism& robot, std::vector<Trial> trials, const InferenceOptions& options) {
   const Groups groups(std::move(trials));
   const Replayer replayer(robot, groups, options.jobs);
-  const Tell tell = [&](const char* stage, double share) {
+  const auto tell = [&](const char* stage, double share) {
     if (options.progress) options.progress(stage, share);
   };
-  Inference result;
   std::optional<WindowReplayer> windows;
   if (canUseWindows(groups, robot)) windows.emplace(robot, groups, options.jobs);
-  const Searched of = searched(replayer, windows ? &*windows : nullptr, options.mostCauses, tell);
-  result.replays = replayer.numReplays() + (windows ? windows->numReplays() : 0);
-  const auto& [found, without, leftOut, claim] = of;
+  tell("each cause alone", 0);
+  const CandidateScreening screening(replayer, sharesOf(groups, replayer.residuals({})),
+                                     [&](double share) { tell("each cause alone", share); });
+  BeamOptions beam;
+  beam.mostCauses = options.mostCauses;
+  beam.screening = &screening;
+  beam.progress = [&](double share) { tell("sets of causes", share); };
+  const BeamResult found = searchBothWays(replayer, windows ? &*windows : nullptr, beam);
   const Scored& best = found.sets.front();
   const std::vector<double> p = posterior(found.sets);
+  beam.progress = [&](double share) { tell("again without each recording in turn", share); };
+  const std::vector<FoundWithout> without = findWithoutEach(replayer, windows ? &*windows : nullptr, beam);
+
+  Inference result;
   result.stretchesOfOne = groups.stretchesOfOne();
   result.notUsed = unused(groups);
   for (const auto& uses : groups.uses()) {
@@ -200,9 +178,10 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   const bool left = after.size > unexplained;
   diagnosis.verdict = left ? Verdict::unknown : best.causes().empty() ? Verdict::none : Verdict::effect;
   diagnosis.knownProbability = 1 / (1 + after.size * after.size);
-  result.leftOut = leftOut;
-  result.claim = claim;
-  for (const FoundWithout& each : without) result.foundElse.push_back(each.causes);
+  tell("recordings left out", 0);
+  result.leftOut = leftWithout(groups, without);
+  for (const FoundWithout& of : without) result.foundElse.push_back(of.causes);
+  result.claim = claimOf(closedPerGroup(result.leftOut, groupsOfRecordings(groups)));
   double squaresBefore = 0, squaresAfter = 0, squaresFloor = 0;
   const auto count = static_cast<double>(result.leftOut.size());
   for (const RecordingLeft& recording : result.leftOut) {
@@ -211,6 +190,7 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
     squaresFloor += recording.floor * recording.floor / count;
   }
   diagnosis.gap = {std::sqrt(squaresBefore), std::sqrt(squaresAfter), std::sqrt(squaresFloor)};
+  result.replays = replayer.numReplays() + (windows ? windows->numReplays() : 0);
   return result;
 }
 

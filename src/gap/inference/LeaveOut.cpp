@@ -9,27 +9,6 @@
 
 namespace plumbline::gap {
 
-namespace {
-
-FoundWithout foundBy(BeamResult result) {
-  FoundWithout found;
-  found.causes = result.sets.front().causes();
-  found.probabilities = posterior(result.sets);
-  found.sets = std::move(result.sets);
-  return found;
-}
-
-/// Progress of the search without the g-th of some groups.
-std::function<void(double)> progressOf(const std::function<void(double)>& whole, std::size_t g,
-                                       std::size_t count) {
-  if (!whole) return {};
-  return [&whole, g, count](double share) {
-    whole((static_cast<double>(g) + share) / static_cast<double>(count));
-  };
-}
-
-}  // namespace
-
 std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const WindowReplayer* windows,
                                           const BeamOptions& options) {
   std::vector<FoundWithout> found;
@@ -39,11 +18,18 @@ std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const Window
     BeamOptions settings = options;
     settings.width = 1;
     settings.proposals = 3;
-    settings.progress = progressOf(options.progress, g, count);
+    if (options.progress)
+      settings.progress = [&](double share) {
+        options.progress((static_cast<double>(g) + share) / static_cast<double>(count));
+      };
     std::optional<WindowReplayer> inWindows;
     if (windows) inWindows.emplace(*windows, g);
-    found.push_back(
-        foundBy(searchBothWays(Replayer(replayer, others), inWindows ? &*inWindows : nullptr, settings)));
+    BeamResult result =
+        searchBothWays(Replayer(replayer, others), inWindows ? &*inWindows : nullptr, settings);
+    FoundWithout& of = found.emplace_back();
+    of.causes = result.sets.front().causes();
+    of.probabilities = posterior(result.sets);
+    of.sets = std::move(result.sets);
   }
   return found;
 }

@@ -113,7 +113,7 @@ Replayer::Played Replayer::play(std::size_t t, std::size_t chain, const Explanat
     for (std::size_t k = 0; k < residual.size(); ++k) {
       const double predicted = prediction.values[s][k];
       const double r = signal.values[k] - predicted;
-      // What ran away is far off, not missing; the duty of a motor that is off is not predicted.
+      // What ran away is far off, not missing. The duty of a motor that is off is not predicted.
       const bool missing = std::isnan(signal.values[k]) || signal.kind == SignalKind::duty;
       residual[k] = missing || std::isfinite(r) ? r : 1e6;
     }

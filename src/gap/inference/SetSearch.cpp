@@ -9,7 +9,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr int mostJudgements = 4;       // rounds of shares and best set in turn
+constexpr int mostJudgements = 4;       // changes of the best set and its shares
 constexpr std::size_t mostJudged = 13;  // sets that are kept
 
 bool sameKinds(const Explanation& a, const Explanation& b) {
@@ -75,17 +75,21 @@ BeamResult searchBothWays(const Replayer& replayer, const WindowReplayer* window
     proposal.set.price = priceOf(proposal.set.causes().size(), found.kinds);
     answers.push_back(std::move(proposal));
   }
-  // Shares are those of what the best set leaves.
+  const auto judgeAll = [&] {
+    for (WindowProposal& answer : answers) answer.set = judged(replayer, found.shares, answer.set);
+  };
+  judgeAll();
   std::size_t best = 0;
   for (int round = 0; round < mostJudgements; ++round) {
-    for (WindowProposal& answer : answers) answer.set = judged(replayer, found.shares, answer.set);
     const std::size_t now = bestOf(answers);
     if (now == best) break;
     best = now;
+    // Shares are those of what the best set leaves.
     found.shares = sharesOf(replayer.groups(), replayer.residuals(answers[best].set.causes()));
+    judgeAll();
   }
   std::vector<Scored> others;
-  for (const WindowProposal& answer : answers) others.push_back(judged(replayer, found.shares, answer.set));
+  for (const WindowProposal& answer : answers) others.push_back(answer.set);
   for (std::size_t i = 1; i < found.sets.size(); ++i)
     others.push_back(judged(replayer, found.shares, found.sets[i]));
   found.lessOne.clear();

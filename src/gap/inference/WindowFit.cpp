@@ -57,10 +57,10 @@ double WindowFitter::stepOf(const WindowSet& set, std::size_t kind) const {
   return x + step <= of.upper ? step : -step;
 }
 
-void WindowFitter::slopesOf(const WindowSet& beside, const std::vector<std::size_t>& wanted,
+void WindowFitter::slopesOf(const WindowSet& beside, const WindowCoefficients& here,
+                            const std::vector<std::size_t>& wanted,
                             std::vector<WindowCoefficients>& slopes) const {
   const std::vector<WindowCell>& cells = replayer_.cells();
-  const WindowCoefficients here = replayer_.coefficients(causesOf(beside));
   for (const std::vector<std::size_t>& colour : colours(kinds_, wanted)) {
     WindowSet moved = beside;
     for (const std::size_t kind : colour) {
@@ -97,13 +97,17 @@ WindowLinear WindowFitter::linearise(const WindowSet& set, const std::vector<std
     while (i < set.kinds.size() && !exclude(kind, set.kinds[i])) ++i;
     (i < set.kinds.size() ? instead[i] : plain).push_back(kind);
   }
-  slopesOf(set, plain, slopes);
+  WindowCoefficients here = replayer_.coefficients(causesOf(set));
+  slopesOf(set, here, plain, slopes);
   for (std::size_t i = 0; i < instead.size(); ++i)
-    if (!instead[i].empty()) slopesOf(gap::without(set, set.kinds[i]), instead[i], slopes);
+    if (!instead[i].empty()) {
+      const WindowSet rest = gap::without(set, set.kinds[i]);
+      slopesOf(rest, replayer_.coefficients(causesOf(rest)), instead[i], slopes);
+    }
   for (WindowCoefficients& of : slopes)
     if (of.empty()) of.resize(replayer_.cells().size());
-  return WindowLinear(replayer_.cells(), replayer_.groups().count(), kinds_, set,
-                      replayer_.coefficients(causesOf(set)), std::move(slopes));
+  return WindowLinear(replayer_.cells(), replayer_.groups().count(), kinds_, set, std::move(here),
+                      std::move(slopes));
 }
 
 double WindowFitter::step(WindowSet& set, double now) const {

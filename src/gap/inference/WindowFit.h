@@ -14,8 +14,8 @@ public:
   Explanation causesOf(const WindowSet& set) const;
   /// Log density of what a set leaves in the windows, and of its strengths.
   double density(const WindowSet& set) const;
-  /// Derivatives beside a set by the strengths of some kinds; what changes no channel by half its noise is
-  /// not felt.
+  /// Derivatives beside a set by the strengths of some kinds; what changes no channel by half of what a
+  /// perfect model leaves in it is not felt.
   WindowLinear linearise(const WindowSet& set, const std::vector<std::size_t>& wanted) const;
   std::vector<std::size_t> all() const;
   /// Damped Gauss-Newton steps, and where they gain nothing, steps along each strength in turn (pattern
@@ -31,8 +31,8 @@ private:
   double step(WindowSet& set, double now) const;
   double sweep(WindowSet& set, double now, Eigen::VectorXd& steps) const;
   double stepOf(const WindowSet& set, std::size_t kind) const;
-  void slopesOf(const WindowSet& beside, const std::vector<std::size_t>& wanted,
-                std::vector<WindowCoefficients>& slopes) const;
+  void slopesOf(const WindowSet& beside, const WindowCoefficients& here,
+                const std::vector<std::size_t>& wanted, std::vector<WindowCoefficients>& slopes) const;
 
   const WindowReplayer& replayer_;
   std::vector<WindowKind> kinds_;

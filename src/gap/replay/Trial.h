@@ -9,7 +9,7 @@
 
 namespace plumbline::gap {
 
-/// What a channel measures; joint or place and axis say which one.
+/// Kind of a measured channel; joint or place and axis say which one.
 enum class SignalKind { position, velocity, torque, current, duty, gyro, accelerometer, force, truth };
 
 /// A measured channel of a trial: one value per cycle, NaN where lost.
@@ -23,54 +23,54 @@ struct Signal {
   std::vector<double> values;
 };
 
-/// The robot as it was measured in a cycle, for a replay to go on from.
+/// The measured state of the robot in a cycle, from which a replay restarts.
 struct Restart {
   std::size_t cycle = 0;
   std::vector<double> position, speed;  ///< per joint, as its encoder shows [rad, rad/s]; NaN: as replayed
-  std::vector<double> load;             ///< per foot: its share of what all feet carry
+  std::vector<double> load;             ///< per foot: its share of the load of all feet
 };
 
-/// A run made ready for replay on one mechanism: times, what was commanded, what was measured.
+/// A run prepared for replay on one mechanism: times, commands, measurements.
 struct Trial {
   std::string name;       ///< for people: the run's folder, and which part of it
-  std::string recording;  ///< the run's folder, which windows of one recording share
-  std::string motion;     ///< free text; runs of the same text are repeats of each other
-  /// Of the whole recording, which windows of it share; empty: not known.
+  std::string recording;  ///< the run's folder; the same for all windows of one recording
+  std::string motion;     ///< free text; runs with the same text are repeats of each other
+  /// Motion of the whole recording, the same for all its windows; empty: unknown.
   std::string recordedMotion;
-  /// The robot as this run drove it: the nominal one, but for gains that the run knows.
+  /// The nominal robot with the servo gains of this run.
   std::shared_ptr<const Mechanism> robot;
   bool freeBase = false;
   double heading = 0;        ///< [rad]
   std::vector<double> time;  ///< per cycle [s], strictly rising
   /// Per joint, per cycle: the command that is valid from that cycle on [rad]; empty where never commanded.
   std::vector<std::vector<double>> command;
-  /// Per joint, per cycle: where a joint that was never commanded is moved to, by its own servo [rad]: along
-  /// its measured positions (as a person or another program moved it), else it is held at 0, or at its limit
-  /// nearest to that. No command that could be lost. Empty where commanded; empty altogether: all are.
+  /// Per joint, per cycle: target of the servo of a joint that was never commanded [rad]. It is the measured
+  /// position (a person or another program moved the joint), else 0 or the limit nearest to 0. It cannot be
+  /// lost like a command. Empty for a commanded joint; the whole list is empty if all are.
   std::vector<std::vector<double>> followed;
-  /// Per joint, per cycle: speed and torque sent beside the position, or instead of it [rad/s, N m]; empty
-  /// where never sent, empty altogether: nowhere.
+  /// Per joint, per cycle: speed and torque sent with the position, or instead of it [rad/s, N m]; empty for
+  /// a joint without; the whole list is empty if no joint has them.
   std::vector<std::vector<double>> commandSpeed, commandTorque;
   bool linearCommands = false;                            ///< see Run::linearCommands
   std::vector<std::vector<double>> stiffness;             ///< empty: 1 throughout
   std::vector<std::vector<double>> voltage;               ///< empty: as the servo table says [V]
   std::vector<double> commandAt, positionAt, velocityAt;  ///< per joint, relative to the cycle's time [s]
   std::vector<Signal> signals;
-  /// Of a robot that steps (see Restarts.h) or of windows (WindowStarts.h), in ascending order; none:
-  /// replayed in one piece.
+  /// Restarts of a walking robot (see Restarts.h) or of windows (inference/WindowStarts.h), in ascending
+  /// order; none: replayed in one piece.
   std::vector<Restart> restarts;
-  /// Of such a robot, per cycle: no foot is about to land or has just landed or lifted off; else empty.
+  /// Per cycle of a walking robot: no foot is about to land or has just landed or lifted off; else empty.
   std::vector<std::uint8_t> betweenSteps;
 
   std::size_t cycles() const { return time.size(); }
-  /// What a joint's servo is told, per cycle: its commands, or what it follows without any.
+  /// Target of a joint's servo, per cycle: its commands, or what it follows without commands.
   const std::vector<double>& targets(std::size_t joint) const {
     return command[joint].empty() && joint < followed.size() ? followed[joint] : command[joint];
   }
 };
 
-/// Slope of a measured signal at a cycle, by central difference [its unit per second]; 0 at the ends and
-/// beside gaps.
+/// Slope of a measured signal at a cycle, by central difference [its unit per second]; 0 at the ends and next
+/// to gaps.
 inline double rateAt(const Trial& trial, const Signal& signal, std::size_t cycle) {
   if (cycle == 0 || cycle + 1 >= trial.cycles()) return 0;
   const double rate =
