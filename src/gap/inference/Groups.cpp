@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gap/diagnosis/Noise.h"
+#include "gap/replay/CurrentSide.h"
 
 namespace plumbline::gap {
 
@@ -14,6 +15,11 @@ constexpr double startSeconds = 0.3;
 constexpr double engines =
     0.5;  // of a channel's noise: what two engines differ by with one and the same model
 
+std::vector<Trial> withCurrentSides(std::vector<Trial> trials) {
+  findCurrentSide(trials);
+  return trials;
+}
+
 }  // namespace
 
 std::size_t firstScored(const Trial& trial) {
@@ -22,7 +28,7 @@ std::size_t firstScored(const Trial& trial) {
 }
 
 Groups::Groups(std::vector<Trial> trials)
-    : all_(std::make_shared<const std::vector<Trial>>(std::move(trials))),
+    : all_(std::make_shared<const std::vector<Trial>>(withCurrentSides(std::move(trials)))),
       channels_(std::make_shared<const std::vector<std::vector<ChannelUse>>>(channelUses(*all_))) {
   std::size_t count = 0;
   for (std::size_t t = 0; t < all_->size(); ++t) {

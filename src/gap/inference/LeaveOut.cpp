@@ -9,7 +9,7 @@
 
 namespace plumbline::gap {
 
-std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const WindowReplayer* windows,
+std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, WindowReplayer* windows,
                                           const BeamOptions& options) {
   std::vector<FoundWithout> found;
   const std::size_t count = replayer.groups().count();

@@ -17,7 +17,7 @@ struct FoundWithout {
 };
 
 /// One search per group (searchBothWays), in the others alone. windows: of the same groups, or null.
-std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const WindowReplayer* windows,
+std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, WindowReplayer* windows,
                                           const BeamOptions& options);
 
 /// Each recording replayed free with what was found without its group (or, where one recording alone is cut

@@ -56,7 +56,7 @@ Scored judged(const Replayer& replayer, const Shares& shares, Scored set) {
   return set;
 }
 
-BeamResult searchBothWays(const Replayer& replayer, const WindowReplayer* windows,
+BeamResult searchBothWays(const Replayer& replayer, WindowReplayer* windows,
                           const BeamOptions& options) {
   const auto part = [&](double from, double to) -> std::function<void(double)> {
     if (!options.progress) return {};

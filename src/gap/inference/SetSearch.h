@@ -8,7 +8,7 @@ namespace plumbline::gap {
 /// if windows are given, by what windows propose (proposedByWindows). One score judges all sets, with the
 /// values that each way found: the density of free replays of the groups left out. windows: of the same
 /// groups; null: free replays alone.
-BeamResult searchBothWays(const Replayer& replayer, const WindowReplayer* windows,
+BeamResult searchBothWays(const Replayer& replayer, WindowReplayer* windows,
                           const BeamOptions& options);
 
 /// The set, scored anew under these shares with the values that it has without each group.

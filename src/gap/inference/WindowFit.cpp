@@ -18,8 +18,8 @@ constexpr double leastStep = 0.01;        // of a sweep [units]
 
 }  // namespace
 
-WindowFitter::WindowFitter(const WindowReplayer& replayer)
-    : replayer_(replayer), kinds_(windowKinds(replayer.groups(), replayer.mechanism())) {}
+WindowFitter::WindowFitter(const CoefficientReplayer& replayer)
+    : replayer_(replayer), kinds_(replayer.kinds()) {}
 
 std::vector<std::size_t> WindowFitter::all() const {
   std::vector<std::size_t> every(kinds_.size());
@@ -38,7 +38,7 @@ Explanation WindowFitter::causesOf(const WindowSet& set) const {
 double WindowFitter::density(const WindowSet& set) const {
   const WindowCoefficients residuals = replayer_.coefficients(causesOf(set));
   double sum = logPrior(set.x);
-  for (std::size_t c = 0; c < residuals.size(); ++c) sum += likeliestScale(residuals[c]).density;
+  for (std::size_t c = 0; c < residuals.size(); ++c) sum += replayer_.cells()[c].share * likeliestScale(residuals[c]).density;
   return sum;
 }
 
@@ -46,7 +46,11 @@ bool WindowFitter::exclude(std::size_t a, std::size_t b) const {
   const Place &one = kinds_[a].cause.place, &other = kinds_[b].cause.place;
   if (a == b || kinds_[a].cause.effect != kinds_[b].cause.effect) return false;
   if (one == other) return true;
-  return one.axis == other.axis && (one.site == Site::everywhere || other.site == Site::everywhere);
+  // On many joints the one is what they share, and the other what one has more.
+  int motors = 0;
+  for (int joint = 0; joint < replayer_.mechanism().numJoints(); ++joint)
+    motors += replayer_.mechanism().motorOf(joint) == joint;
+  return motors <= 1 && one.axis == other.axis && (one.site == Site::everywhere || other.site == Site::everywhere);
 }
 
 /// Large enough that what begins or ends at single steps of a replay (sticking) evens out.
@@ -79,7 +83,7 @@ void WindowFitter::slopesOf(const WindowSet& beside, const WindowCoefficients& h
         if (change.isZero(0) || !change.allFinite()) continue;
         const WindowCell::Part& part = cells[c].windows.front();
         const double size =
-            change.norm() / std::sqrt(static_cast<double>(cells[c].windows.size() * (part.to - part.from)));
+            change.norm() / std::sqrt(static_cast<double>(change.cols()) * static_cast<double>(part.to - part.from));
         visible = visible || size > enginesDiffer;
         of.back() = change / stepOf(beside, kind);
       }

@@ -8,7 +8,7 @@ namespace plumbline::gap {
 /// Sets of causes fitted to windows by replays.
 class WindowFitter {
 public:
-  explicit WindowFitter(const WindowReplayer& replayer);
+  explicit WindowFitter(const CoefficientReplayer& replayer);
 
   const std::vector<WindowKind>& kinds() const { return kinds_; }
   Explanation causesOf(const WindowSet& set) const;
@@ -34,7 +34,7 @@ private:
   void slopesOf(const WindowSet& beside, const WindowCoefficients& here,
                 const std::vector<std::size_t>& wanted, std::vector<WindowCoefficients>& slopes) const;
 
-  const WindowReplayer& replayer_;
+  const CoefficientReplayer& replayer_;
   std::vector<WindowKind> kinds_;
 };
 

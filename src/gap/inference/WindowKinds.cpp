@@ -23,6 +23,9 @@ std::vector<int> jointsOf(const Mechanism& robot, const Place& place) {
     }
     case Site::link:
       return robot.chain(place.index);
+    case Site::imu:
+    case Site::foot:
+      return {-1};
     default:
       return {};
   }
@@ -43,10 +46,9 @@ bool overlap(const WindowKind& a, const WindowKind& b) {
 
 }  // namespace
 
-std::vector<WindowKind> windowKinds(const Groups& groups, const Mechanism& robot) {
+std::vector<WindowKind> causeKinds(const Groups& groups, const Mechanism& robot) {
   std::vector<WindowKind> kinds;
   for (const Cause& cause : possibleKinds(groups, robot)) {
-    if (ofSensor(cause)) continue;
     WindowKind kind{cause, middleStart(*cause.effect, cause.effect->scaleAt(robot, cause.place)), 0, 0,
                     jointsOf(robot, cause.place)};
     const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
@@ -57,6 +59,12 @@ std::vector<WindowKind> windowKinds(const Groups& groups, const Mechanism& robot
     kind.cause = causeAt(robot, kind, 1);
     kinds.push_back(std::move(kind));
   }
+  return kinds;
+}
+
+std::vector<WindowKind> windowKinds(const Groups& groups, const Mechanism& robot) {
+  std::vector<WindowKind> kinds = causeKinds(groups, robot);
+  std::erase_if(kinds, [](const WindowKind& kind) { return ofSensor(kind.cause); });
   return kinds;
 }
 

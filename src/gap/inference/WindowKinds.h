@@ -16,7 +16,9 @@ struct WindowKind {
   std::vector<int> joints;
 };
 
-/// Those that windows can show: all that are possible but for what sensors of the body do.
+/// All that are possible; those of the body's sensors have the joint -1.
+std::vector<WindowKind> causeKinds(const Groups& groups, const Mechanism& robot);
+/// Those that windows can show: all but for what sensors of the body do.
 std::vector<WindowKind> windowKinds(const Groups& groups, const Mechanism& robot);
 
 /// The cause that is x units strong.

@@ -87,7 +87,7 @@ WindowLinear::Equations WindowLinear::equations(const std::vector<std::size_t>& 
     if (felt.empty()) continue;
     const WindowScale scale = likeliestScale(left(c, kinds, at));
     const Eigen::LLT<Eigen::MatrixXd> factor(scale.covariance);
-    const Eigen::VectorXd roots = scale.weights.cwiseSqrt();
+    const Eigen::VectorXd roots = (cells_[c].share * scale.weights).cwiseSqrt();
     const auto whitened = [&](const Eigen::MatrixXd& columns) {
       const Eigen::MatrixXd white = factor.matrixL().solve(columns * roots.asDiagonal());
       return Eigen::VectorXd(white.reshaped());
@@ -166,31 +166,50 @@ WindowScore WindowLinear::score(const std::vector<std::size_t>& kinds) const {
   scored.density.assign(groups_, 0.0);
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const std::size_t g = cells_[c].group;
-    scored.density[g] += likeliestScale(left(c, kinds, scored.without[g])).density;
+    scored.density[g] += cells_[c].share * likeliestScale(left(c, kinds, scored.without[g])).density;
   }
   return scored;
 }
 
 std::vector<std::size_t> WindowLinear::proposals(const WindowSet& set, std::size_t most) const {
-  std::vector<std::size_t> all(kinds_.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  Eigen::VectorXd x(static_cast<Eigen::Index>(all.size()));
-  std::vector<Eigen::Index> in;
-  for (const std::size_t kind : all) {
-    x[static_cast<Eigen::Index>(kind)] = set.at(kind);
-    if (set.holds(kind)) in.push_back(static_cast<Eigen::Index>(kind));
+  const auto count = static_cast<Eigen::Index>(kinds_.size()), inSet = set.x.size();
+  // Curvature of the log density by each kind and its slope at the set, and what it shares with those in it.
+  Eigen::VectorXd curvatures = Eigen::VectorXd::Zero(count), slope = Eigen::VectorXd::Zero(count);
+  Eigen::MatrixXd shared = Eigen::MatrixXd::Zero(inSet, count), within = priorOf(set.kinds.size());
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const Eigen::MatrixXd residuals = left(c, set.kinds, set.x);
+    const WindowScale scale = likeliestScale(residuals);
+    const Eigen::LLT<Eigen::MatrixXd> factor(scale.covariance);
+    const Eigen::VectorXd weights = cells_[c].share * scale.weights;
+    const auto weighed = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
+      return factor.solve(columns) * weights.asDiagonal();
+    };
+    const Eigen::MatrixXd pull = weighed(residuals);
+    std::vector<Eigen::MatrixXd> of;
+    for (const std::size_t kind : set.kinds)
+      of.push_back(slopes_[kind][c].size() > 0 ? weighed(slopes_[kind][c]) : Eigen::MatrixXd());
+    const auto product = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return a.cwiseProduct(b).sum(); };
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const Eigen::MatrixXd& way = slopes_[static_cast<std::size_t>(k)][c];
+      if (way.size() == 0) continue;
+      slope[k] -= product(pull, way);
+      curvatures[k] += product(weighed(way), way);
+      for (Eigen::Index i = 0; i < inSet; ++i)
+        if (const Eigen::MatrixXd& other = of[static_cast<std::size_t>(i)]; other.size() > 0)
+          shared(i, k) += product(other, way);
+    }
   }
-  const auto [information, right] = equations(all, x).sum(groups_);
-  const Eigen::VectorXd slope = right - information * x;
-  const Eigen::LLT<Eigen::MatrixXd> inSet(information(in, in) + priorOf(in.size()));
+  for (Eigen::Index i = 0; i < inSet; ++i)
+    within.col(i) += shared.col(static_cast<Eigen::Index>(set.kinds[static_cast<std::size_t>(i)]));
+  const Eigen::LLT<Eigen::MatrixXd> inside(within);
   std::vector<std::pair<double, std::size_t>> gains;
-  for (const std::size_t kind : all) {
-    const auto k = static_cast<Eigen::Index>(kind);
-    if (set.holds(kind) || !(information(k, k) > 0)) continue;
-    double curvature = information(k, k) + 1 / (priorWidth * priorWidth);
-    if (!in.empty()) {
-      const Eigen::VectorXd with = information(in, k);
-      curvature -= with.dot(inSet.solve(with));
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto kind = static_cast<std::size_t>(k);
+    if (set.holds(kind) || !(curvatures[k] > 0)) continue;
+    double curvature = curvatures[k] + 1 / (priorWidth * priorWidth);
+    if (inSet > 0) {
+      const Eigen::VectorXd with = shared.col(k);
+      curvature -= with.dot(inside.solve(with));
     }
     const double way = std::clamp(slope[k] / curvature, std::max(kinds_[kind].lower, -mostFromMiddle),
                                   std::min(kinds_[kind].upper, mostFromMiddle));

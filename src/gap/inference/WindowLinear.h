@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "gap/inference/WindowKinds.h"
-#include "gap/inference/WindowReplayer.h"
+#include "gap/inference/CoefficientReplayer.h"
 
 namespace plumbline::gap {
 

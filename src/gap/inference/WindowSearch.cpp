@@ -13,21 +13,20 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr int mostRounds = 8;  // of derivatives taken anew
 constexpr int stepsOfRound = 4, stepsAtEnd = 10;
-constexpr std::size_t proposalsPerMove = 10;
+constexpr std::size_t proposalsPerMove = 10, proposalsPerSwap = 10;
 
 class WindowSearch {
 public:
-  WindowSearch(const WindowReplayer& replayer, const WindowSearchOptions& options)
-      : options_(options), fitter_(replayer) {}
+  WindowSearch(CoefficientReplayer& replayer, const WindowSearchOptions& options)
+      : options_(options), replayer_(replayer), fitter_(replayer) {}
 
   std::vector<WindowProposal> run() {
     lookFrom({});
     std::set<std::vector<std::size_t>> seen;
     std::vector<std::size_t> kinds;
-    for (int round = 0; round < mostRounds; ++round) {
-      tell(0.8 * round / mostRounds);
+    for (int round = 0; round < options_.rounds; ++round) {
+      tell(0.8 * round / options_.rounds);
       const WindowSet set = fitter_.refine(climb(kinds), stepsOfRound);
       lookFrom(set);
       collect(set.kinds);
@@ -45,6 +44,7 @@ private:
 
   /// Takes the linear picture anew beside a set.
   void lookFrom(const WindowSet& set) {
+    weighedAnew_ = replayer_.weighBeside(fitter_.causesOf(set));
     linear_.emplace(fitter_.linearise(set, fitter_.all()));
     scored_.clear();
   }
@@ -75,14 +75,14 @@ private:
     const auto look = [&](const std::vector<std::size_t>& other) {
       if (score(other).score() > score(best).score()) best = other;
     };
-    const auto lookBeside = [&](const std::vector<std::size_t>& rest) {
-      for (const std::size_t kind : linear_->proposals(score(rest).set, proposalsPerMove))
+    const auto lookBeside = [&](const std::vector<std::size_t>& rest, std::size_t most) {
+      for (const std::size_t kind : linear_->proposals(score(rest).set, most))
         if (const auto larger = extended(rest, kind)) look(*larger);
     };
-    lookBeside(kinds);
+    lookBeside(kinds, proposalsPerMove);
     for (const std::size_t kind : kinds) {
       look(lessOne(kinds, kind));
-      lookBeside(lessOne(kinds, kind));
+      lookBeside(lessOne(kinds, kind), proposalsPerSwap);
     }
     return best;
   }
@@ -102,7 +102,7 @@ private:
     for (;;) {
       const WindowScore& scored = score(kinds);
       const auto [known, fresh] = bestBySize_.try_emplace(kinds.size(), scored);
-      if (!fresh && scored.score() > known->second.score()) known->second = scored;
+      if (!fresh && (weighedAnew_ || scored.score() > known->second.score())) known->second = scored;
       if (kinds.empty()) return;
       kinds = bestLessOne(kinds);
     }
@@ -115,10 +115,20 @@ private:
     return best;
   }
 
-  /// The sets that were collected, each fitted to its end and scored by derivatives beside itself.
+  /// The best of those that were collected, by their number of causes.
+  std::vector<WindowScore> worthSettling() const {
+    std::vector<WindowScore> sets;
+    for (const auto& [size, scored] : bestBySize_) sets.push_back(scored);
+    std::ranges::stable_sort(sets, std::ranges::greater(), &WindowScore::score);
+    if (sets.size() > options_.mostSettled) sets.resize(options_.mostSettled);
+    std::ranges::stable_sort(sets, {}, [](const WindowScore& of) { return of.set.kinds.size(); });
+    return sets;
+  }
+
+  /// These, each fitted to its end and scored by derivatives beside itself.
   std::vector<WindowProposal> settled() const {
     std::vector<WindowProposal> proposals;
-    for (const auto& [size, scored] : bestBySize_) {
+    for (const WindowScore& scored : worthSettling()) {
       const WindowSet set = fitter_.refine(scored.set, stepsAtEnd);
       const WindowLinear linear = fitter_.linearise(set, set.kinds);
       WindowProposal& proposal = proposals.emplace_back();
@@ -145,6 +155,8 @@ private:
   }
 
   const WindowSearchOptions& options_;
+  CoefficientReplayer& replayer_;
+  bool weighedAnew_ = false;  ///< scores of one round are not those of another
   const WindowFitter fitter_;
   std::optional<WindowLinear> linear_;
   std::map<std::vector<std::size_t>, WindowScore> scored_;  ///< in the present linear picture
@@ -153,7 +165,7 @@ private:
 
 }  // namespace
 
-std::vector<WindowProposal> proposedByWindows(const WindowReplayer& replayer,
+std::vector<WindowProposal> proposedByWindows(CoefficientReplayer& replayer,
                                               const WindowSearchOptions& options) {
   return WindowSearch(replayer, options).run();
 }

@@ -2,12 +2,14 @@
 #include <functional>
 
 #include "gap/inference/Beam.h"
-#include "gap/inference/WindowReplayer.h"
+#include "gap/inference/CoefficientReplayer.h"
 
 namespace plumbline::gap {
 
 struct WindowSearchOptions {
   std::size_t mostCauses = 8;
+  int rounds = 8;                 ///< of derivatives taken anew, at most
+  std::size_t mostSettled = 100;  ///< sets that are fitted to their end, those with the best scores
   std::function<void(double share)> progress = {};
 };
 
@@ -22,7 +24,7 @@ struct WindowProposal {
 /// number of causes from none on. Moves (add a cause, drop one, put another in its place) are judged by
 /// derivatives beside the set itself; a set that is better so is fitted by replays, and the derivatives are
 /// taken anew beside it.
-std::vector<WindowProposal> proposedByWindows(const WindowReplayer& replayer,
+std::vector<WindowProposal> proposedByWindows(CoefficientReplayer& replayer,
                                               const WindowSearchOptions& options);
 
 }  // namespace plumbline::gap

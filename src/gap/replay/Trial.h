@@ -12,6 +12,11 @@ namespace plumbline::gap {
 /// Kind of a measured channel; joint or place and axis say which one.
 enum class SignalKind { position, velocity, torque, current, duty, gyro, accelerometer, force, truth };
 
+/// Whether it is what a motor gives: its duty, torque or current.
+constexpr bool isEffort(SignalKind kind) {
+  return kind == SignalKind::torque || kind == SignalKind::current || kind == SignalKind::duty;
+}
+
 /// A measured channel of a trial: one value per cycle, NaN where lost.
 struct Signal {
   std::string name;  ///< the contract's: pos.LKneePitch
@@ -20,6 +25,7 @@ struct Signal {
   int place = -1;  ///< foot for force
   int axis = 0;    ///< 0..2 of gyro, accelerometer; corner of force; 0..6 of truth (x y z qw qx qy qz)
   bool unsignedValue = false;
+  bool ofSupply = false;  ///< of a current: the supply's and not the motor's, see CurrentSide.h
   std::vector<double> values;
 };
 
