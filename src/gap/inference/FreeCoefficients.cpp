@@ -11,10 +11,12 @@ constexpr std::size_t mostColumns = 250;  // of a cell that are looked at
 
 }  // namespace
 
-FreeCoefficients::FreeCoefficients(const Replayer& replayer) : replayer_(replayer) {
-  const Residuals nominal = replayer.residuals({});
+FreeCoefficients::FreeCoefficients(const Replayer& replayer)
+    : replayer_(replayer), looked_(enoughTrials(replayer.groups())) {
+  const Residuals nominal = replayer.residuals({}, looked_);
   for (std::size_t c = 0; c < groups().cells().size(); ++c) {
     const Cell& of = groups().cells()[c];
+    if (!looked_[of.trial]) continue;
     const std::vector<double> residuals = residualsOf(of, nominal);
     WindowCell cell;
     cell.group = of.group;
@@ -35,7 +37,7 @@ FreeCoefficients::FreeCoefficients(const Replayer& replayer) : replayer_(replaye
 }
 
 WindowCoefficients FreeCoefficients::coefficients(const Explanation& causes) const {
-  const Residuals residuals = replayer_.residuals(causes);
+  const Residuals residuals = replayer_.residuals(causes, looked_);
   WindowCoefficients result;
   for (std::size_t i = 1; i < cells_.size(); i += 2) {
     const WindowCell& cell = cells_[i];
@@ -54,7 +56,7 @@ WindowCoefficients FreeCoefficients::coefficients(const Explanation& causes) con
 std::vector<WindowKind> FreeCoefficients::kinds() const { return causeKinds(groups(), mechanism()); }
 
 bool FreeCoefficients::weighBeside(const Explanation& causes) {
-  const Shares shares = sharesOf(groups(), replayer_.residuals(causes));
+  const Shares shares = sharesOf(groups(), replayer_.residuals(causes, looked_));
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const Cell& of = groups().cells()[sources_[i]];
     cells_[2 * i + 1].share = shares[sources_[i]] * static_cast<double>(of.to - of.from) /

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "gap/inference/FreeCoefficients.h"
+#include "gap/inference/PossibleKinds.h"
 #include "gap/inference/Visible.h"
 #include "gap/inference/WindowSearch.h"
 
@@ -11,6 +13,8 @@ namespace {
 
 constexpr int mostJudgements = 4;       // changes of the best set and its shares
 constexpr std::size_t mostJudged = 13;  // sets that are kept
+constexpr int rounds = 8, quickRounds = 4;                // of derivatives taken anew
+constexpr std::size_t settled = 6, quickSettled = 3;      // sets that are fitted to their end
 
 bool sameKinds(const Explanation& a, const Explanation& b) {
   return a.size() == b.size() && std::ranges::all_of(a, [&](const Cause& cause) {
@@ -42,6 +46,65 @@ std::vector<Scored> inOrder(std::vector<Scored> sets) {
   return kept;
 }
 
+/// The answers in the order of one score, under the shares of what the best of them leaves.
+class Judgement {
+public:
+  Judgement(const Replayer& replayer, std::vector<WindowProposal> answers, Shares shares)
+      : replayer_(replayer), answers_(std::move(answers)), shares_(std::move(shares)) {
+    judgeAll();
+    for (int round = 0; round < mostJudgements; ++round) {
+      const std::size_t now = bestOf(answers_);
+      if (round > 0 && now == best_) break;
+      best_ = now;
+      if (round == 0 && now == 0) break;
+      shares_ = sharesOf(replayer_.groups(), replayer_.residuals(answers_[best_].set.causes()));
+      judgeAll();
+    }
+  }
+
+  /// With sets that were looked at beside.
+  BeamResult result(const std::vector<Scored>& beside, std::size_t kinds) const {
+    BeamResult result;
+    result.shares = shares_;
+    result.kinds = kinds;
+    std::vector<Scored> others;
+    for (const WindowProposal& answer : answers_) others.push_back(answer.set);
+    for (const Scored& set : beside) others.push_back(judged(replayer_, shares_, set));
+    for (const Scored& rest : answers_[best_].lessOne) {
+      result.lessOne.push_back(judged(replayer_, shares_, rest));
+      others.push_back(result.lessOne.back());
+    }
+    const Scored answer = others[best_];
+    std::erase_if(others, [&](const Scored& set) { return sameKinds(set.causes(), answer.causes()); });
+    result.sets = inOrder(std::move(others));
+    result.sets.insert(result.sets.begin(), answer);
+    return result;
+  }
+
+private:
+  void judgeAll() {
+    for (WindowProposal& answer : answers_) answer.set = judged(replayer_, shares_, answer.set);
+  }
+
+  const Replayer& replayer_;
+  std::vector<WindowProposal> answers_;
+  Shares shares_;
+  std::size_t best_ = 0;
+};
+
+/// Proposals whose causes can all be seen, at the price of so many kinds.
+std::vector<WindowProposal> visible(const Replayer& replayer, std::vector<WindowProposal> proposals,
+                                    std::size_t kinds) {
+  std::vector<WindowProposal> kept;
+  for (WindowProposal& proposal : proposals) {
+    if (!allVisible(replayer, proposal.set.causes())) continue;
+    for (Scored& rest : proposal.lessOne) rest.price = priceOf(rest.causes().size(), kinds);
+    proposal.set.price = priceOf(proposal.set.causes().size(), kinds);
+    kept.push_back(std::move(proposal));
+  }
+  return kept;
+}
+
 }  // namespace
 
 Scored judged(const Replayer& replayer, const Shares& shares, Scored set) {
@@ -56,50 +119,51 @@ Scored judged(const Replayer& replayer, const Shares& shares, Scored set) {
   return set;
 }
 
-BeamResult searchBothWays(const Replayer& replayer, WindowReplayer* windows,
-                          const BeamOptions& options) {
-  const auto part = [&](double from, double to) -> std::function<void(double)> {
-    if (!options.progress) return {};
-    return [&, from, to](double share) { options.progress(from + (to - from) * share); };
-  };
-  BeamOptions beam = options;
-  beam.progress = part(0, windows ? 0.5 : 1);
-  BeamResult found = searchSets(replayer, beam);
-  if (!windows) return found;
+namespace {
 
+using Progress = std::function<void(double)>;
+
+Progress partOf(const Progress& whole, double from, double to) {
+  if (!whole) return {};
+  return [&whole, from, to](double share) { whole(from + (to - from) * share); };
+}
+
+BeamResult searchInWindowsToo(const SearchTools& tools, const BeamOptions& options) {
+  BeamOptions beam = options;
+  beam.progress = partOf(options.progress, 0, 0.5);
+  const BeamResult found = searchSets(tools.replayer, beam);
   std::vector<WindowProposal> answers{{found.sets.front(), found.lessOne}};
+  WindowSearchOptions search;
+  search.mostCauses = options.mostCauses;
+  search.progress = partOf(options.progress, 0.5, 1);
   for (WindowProposal& proposal :
-       proposedByWindows(*windows, {.mostCauses = options.mostCauses, .progress = part(0.5, 1)})) {
-    if (!allVisible(replayer, proposal.set.causes())) continue;
-    for (Scored& rest : proposal.lessOne) rest.price = priceOf(rest.causes().size(), found.kinds);
-    proposal.set.price = priceOf(proposal.set.causes().size(), found.kinds);
+       visible(tools.replayer, proposedByWindows(*tools.windows, search), found.kinds))
     answers.push_back(std::move(proposal));
-  }
-  const auto judgeAll = [&] {
-    for (WindowProposal& answer : answers) answer.set = judged(replayer, found.shares, answer.set);
-  };
-  judgeAll();
-  std::size_t best = 0;
-  for (int round = 0; round < mostJudgements; ++round) {
-    const std::size_t now = bestOf(answers);
-    if (now == best) break;
-    best = now;
-    // Shares are those of what the best set leaves.
-    found.shares = sharesOf(replayer.groups(), replayer.residuals(answers[best].set.causes()));
-    judgeAll();
-  }
-  std::vector<Scored> others;
-  for (const WindowProposal& answer : answers) others.push_back(answer.set);
-  for (std::size_t i = 1; i < found.sets.size(); ++i)
-    others.push_back(judged(replayer, found.shares, found.sets[i]));
-  found.lessOne.clear();
-  for (const Scored& rest : answers[best].lessOne)
-    found.lessOne.push_back(judged(replayer, found.shares, rest)), others.push_back(found.lessOne.back());
-  const Scored answer = others[best];
-  std::erase_if(others, [&](const Scored& set) { return sameKinds(set.causes(), answer.causes()); });
-  found.sets = inOrder(std::move(others));
-  found.sets.insert(found.sets.begin(), answer);
-  return found;
+  return Judgement(tools.replayer, std::move(answers), found.shares)
+      .result({found.sets.begin() + 1, found.sets.end()}, found.kinds);
+}
+
+BeamResult searchByDerivatives(const SearchTools& tools, const BeamOptions& options) {
+  FreeCoefficients coefficients(*tools.coarse);
+  WindowSearchOptions search;
+  search.mostCauses = options.mostCauses;
+  search.rounds = options.quick ? quickRounds : rounds;
+  search.mostSettled = options.quick ? quickSettled : settled;
+  search.progress = options.progress;
+  const std::size_t kinds = possibleKinds(tools.replayer.groups(), tools.replayer.mechanism()).size();
+  const Shares shares = sharesOf(tools.replayer.groups(), tools.replayer.residuals({}));
+  std::vector<WindowProposal> answers{{score(tools.replayer, shares, {}, kinds, 0), {}}};
+  for (WindowProposal& proposal :
+       visible(tools.replayer, proposedByWindows(coefficients, search), kinds))
+    answers.push_back(std::move(proposal));
+  return Judgement(tools.replayer, std::move(answers), shares).result({}, kinds);
+}
+
+}  // namespace
+
+BeamResult searchForSets(const SearchTools& tools, const BeamOptions& options) {
+  if (tools.windows) return searchInWindowsToo(tools, options);
+  return tools.coarse ? searchByDerivatives(tools, options) : searchSets(tools.replayer, options);
 }
 
 }  // namespace plumbline::gap

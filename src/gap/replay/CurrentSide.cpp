@@ -9,16 +9,20 @@ namespace plumbline::gap {
 
 namespace {
 
-/// Squared correlation of two series where both are measured; 0 where one does not vary.
-double agreement(const std::vector<double>& a, const std::vector<double>& b) {
-  double n = 0, sumA = 0, sumB = 0, aa = 0, bb = 0, ab = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    if (!std::isfinite(a[k]) || !std::isfinite(b[k])) continue;
-    ++n, sumA += a[k], sumB += b[k], aa += a[k] * a[k], bb += b[k] * b[k], ab += a[k] * b[k];
+constexpr double leastScale = 1.0 / 3, mostScale = 3;  // of a reported current, that a servo may be off by
+
+/// Log likelihood of readings of a predicted series, at the likeliest scale and noise.
+double likelihood(const std::vector<double>& readings, const std::vector<double>& predicted) {
+  double n = 0, squares = 0, product = 0, ofPredicted = 0;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const double reading = std::abs(readings[k]), p = predicted[k];
+    if (!std::isfinite(reading) || !std::isfinite(p)) continue;
+    ++n, squares += reading * reading, product += reading * p, ofPredicted += p * p;
   }
-  if (n < 3) return 0;
-  const double varA = aa - sumA * sumA / n, varB = bb - sumB * sumB / n, both = ab - sumA * sumB / n;
-  return varA > 1e-12 * aa && varB > 1e-12 * bb ? both * both / (varA * varB) : 0;
+  if (!(squares > 0) || !(ofPredicted > 0)) return 0;
+  const double scale = std::clamp(product / ofPredicted, leastScale, mostScale);
+  const double left = squares - 2 * scale * product + scale * scale * ofPredicted;
+  return -n / 2 * std::log(std::max(left / squares, 1e-9));
 }
 
 const Signal* positionOf(const Trial& trial, int joint) {
@@ -34,7 +38,7 @@ bool mayBeOfSupply(const Trial& trial, const Signal& signal) {
   return servo.kt > 0 && servo.R > 0 && servo.vin > 0;
 }
 
-/// Sums of squared correlations over a trial's joints.
+/// Log likelihoods of the two.
 struct Sides {
   double motor = 0, supply = 0;
 };
@@ -54,8 +58,8 @@ void compare(const Trial& trial, const Signal& signal, Sides& sides) {
     motor.push_back(std::abs(amperes));
     supply.push_back(std::abs(amperes * dutyThatDraws(plant, amperes, rate, volts)));
   }
-  sides.motor += agreement(signal.values, motor);
-  sides.supply += agreement(signal.values, supply);
+  sides.motor += likelihood(signal.values, motor);
+  sides.supply += likelihood(signal.values, supply);
 }
 
 }  // namespace
