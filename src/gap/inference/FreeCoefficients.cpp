@@ -18,33 +18,33 @@ FreeCoefficients::FreeCoefficients(const Replayer& replayer)
     const Cell& of = groups().cells()[c];
     if (!looked_[of.trial]) continue;
     const std::vector<double> residuals = residualsOf(of, nominal);
-    WindowCell cell;
+    CoefficientCell cell;
     cell.group = of.group;
     cell.joint = groups().trials()[of.trial].signals[of.signal].joint;
     cell.noise = of.noise;
     const std::size_t every = 1 + (of.to - of.from - 1) / mostColumns;
     for (std::size_t k = 0; k < residuals.size(); ++k)
       if (std::isfinite(residuals[k]) && (of.from + k) % every == 0)
-        cell.windows.push_back({of.trial, of.signal, of.from + k, of.from + k + 1});
-    if (cell.windows.empty()) continue;
+        cell.columns.push_back({of.trial, of.signal, of.from + k, of.from + k + 1});
+    if (cell.columns.empty()) continue;
     sources_.push_back(c);
-    WindowCell mean = cell;
-    mean.windows.resize(1);
+    CoefficientCell mean = cell;
+    mean.columns.resize(1);
     cells_.push_back(std::move(mean));
     cells_.push_back(std::move(cell));
   }
   weighBeside({});
 }
 
-WindowCoefficients FreeCoefficients::coefficients(const Explanation& causes) const {
+Coefficients FreeCoefficients::coefficients(const Explanation& causes) const {
   const Residuals residuals = replayer_.residuals(causes, looked_);
-  WindowCoefficients result;
+  Coefficients result;
   for (std::size_t i = 1; i < cells_.size(); i += 2) {
-    const WindowCell& cell = cells_[i];
-    const Series& series = residuals[cell.windows.front().trial][cell.windows.front().signal];
-    Eigen::MatrixXd values = Eigen::MatrixXd::Zero(1, static_cast<Eigen::Index>(cell.windows.size()));
-    for (std::size_t k = 0; k < cell.windows.size() && series; ++k)
-      if (const double r = (*series)[cell.windows[k].from]; std::isfinite(r))
+    const CoefficientCell& cell = cells_[i];
+    const Series& series = residuals[cell.columns.front().trial][cell.columns.front().signal];
+    Eigen::MatrixXd values = Eigen::MatrixXd::Zero(1, static_cast<Eigen::Index>(cell.columns.size()));
+    for (std::size_t k = 0; k < cell.columns.size() && series; ++k)
+      if (const double r = (*series)[cell.columns[k].from]; std::isfinite(r))
         values(0, static_cast<Eigen::Index>(k)) = r / cell.noise;
     const double mean = values.mean();
     result.emplace_back(Eigen::MatrixXd::Constant(1, 1, mean));
@@ -53,14 +53,14 @@ WindowCoefficients FreeCoefficients::coefficients(const Explanation& causes) con
   return result;
 }
 
-std::vector<WindowKind> FreeCoefficients::kinds() const { return causeKinds(groups(), mechanism()); }
+std::vector<CauseKind> FreeCoefficients::kinds() const { return causeKinds(groups(), mechanism()); }
 
 bool FreeCoefficients::weighBeside(const Explanation& causes) {
   const Shares shares = sharesOf(groups(), replayer_.residuals(causes, looked_));
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const Cell& of = groups().cells()[sources_[i]];
     cells_[2 * i + 1].share = shares[sources_[i]] * static_cast<double>(of.to - of.from) /
-                              static_cast<double>(cells_[2 * i + 1].windows.size());
+                              static_cast<double>(cells_[2 * i + 1].columns.size());
   }
   return true;
 }

@@ -12,17 +12,17 @@ public:
   /// replayer must outlive it.
   explicit FreeCoefficients(const Replayer& replayer);
 
-  WindowCoefficients coefficients(const Explanation& causes) const override;
-  const std::vector<WindowCell>& cells() const override { return cells_; }
+  Coefficients coefficients(const Explanation& causes) const override;
+  const std::vector<CoefficientCell>& cells() const override { return cells_; }
   const Groups& groups() const override { return replayer_.groups(); }
   const Mechanism& mechanism() const override { return replayer_.mechanism(); }
-  std::vector<WindowKind> kinds() const override;
+  std::vector<CauseKind> kinds() const override;
   bool weighBeside(const Explanation& causes) override;
 
 private:
   const Replayer& replayer_;
   const std::vector<char> looked_;    ///< per trial
-  std::vector<WindowCell> cells_;      ///< two for each of sources_: mean, and what varies
+  std::vector<CoefficientCell> cells_;      ///< two for each of sources_: mean, and what varies
   std::vector<std::size_t> sources_;  ///< places in groups().cells()
 };
 

@@ -11,7 +11,7 @@
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/Posterior.h"
 #include "gap/inference/SetSearch.h"
-#include "gap/inference/WindowKinds.h"
+#include "gap/inference/CauseKinds.h"
 #include "gap/inference/WindowReplayer.h"
 
 namespace plumbline::gap {
@@ -116,12 +116,12 @@ std::vector<std::string> unused(const Groups& groups) {
 }
 
 /// So many kinds of causes are looked at in windows, and fitted set by set.
-constexpr std::size_t mostWindowKinds = 64;
+constexpr std::size_t fewKinds = 64;
 constexpr std::size_t mostOfManyKinds = 12;  // causes in a set
 constexpr double coarseStep = 0.004, coarseGearStep = 0.002;  // of a search's replays [s], see ReplayOptions
 
 bool hasFewKinds(const Groups& groups, const Mechanism& robot) {
-  return windowKinds(groups, robot).size() <= mostWindowKinds;
+  return windowKinds(groups, robot).size() <= fewKinds;
 }
 
 }  // namespace

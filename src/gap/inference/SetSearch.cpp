@@ -5,7 +5,7 @@
 #include "gap/inference/FreeCoefficients.h"
 #include "gap/inference/PossibleKinds.h"
 #include "gap/inference/Visible.h"
-#include "gap/inference/WindowSearch.h"
+#include "gap/inference/LinearSearch.h"
 
 namespace plumbline::gap {
 
@@ -13,8 +13,8 @@ namespace {
 
 constexpr int mostJudgements = 4;       // changes of the best set and its shares
 constexpr std::size_t mostJudged = 13;  // sets that are kept
-constexpr int rounds = 8, quickRounds = 4;                // of derivatives taken anew
-constexpr std::size_t settled = 6, quickSettled = 3;      // sets that are fitted to their end
+constexpr int rounds = 6, quickRounds = 4;            // of derivatives taken anew
+constexpr std::size_t settled = 5, quickSettled = 3;  // sets that are fitted to their end
 
 bool sameKinds(const Explanation& a, const Explanation& b) {
   return a.size() == b.size() && std::ranges::all_of(a, [&](const Cause& cause) {
@@ -28,9 +28,9 @@ bool allVisible(const Replayer& replayer, const Explanation& causes) {
   return true;
 }
 
-std::size_t bestOf(const std::vector<WindowProposal>& answers) {
+std::size_t bestOf(const std::vector<SetProposal>& answers) {
   return static_cast<std::size_t>(
-      std::ranges::max_element(answers, {}, [](const WindowProposal& of) { return of.set.score(); }) -
+      std::ranges::max_element(answers, {}, [](const SetProposal& of) { return of.set.score(); }) -
       answers.begin());
 }
 
@@ -49,7 +49,7 @@ std::vector<Scored> inOrder(std::vector<Scored> sets) {
 /// The answers in the order of one score, under the shares of what the best of them leaves.
 class Judgement {
 public:
-  Judgement(const Replayer& replayer, std::vector<WindowProposal> answers, Shares shares)
+  Judgement(const Replayer& replayer, std::vector<SetProposal> answers, Shares shares)
       : replayer_(replayer), answers_(std::move(answers)), shares_(std::move(shares)) {
     judgeAll();
     for (int round = 0; round < mostJudgements; ++round) {
@@ -68,7 +68,7 @@ public:
     result.shares = shares_;
     result.kinds = kinds;
     std::vector<Scored> others;
-    for (const WindowProposal& answer : answers_) others.push_back(answer.set);
+    for (const SetProposal& answer : answers_) others.push_back(answer.set);
     for (const Scored& set : beside) others.push_back(judged(replayer_, shares_, set));
     for (const Scored& rest : answers_[best_].lessOne) {
       result.lessOne.push_back(judged(replayer_, shares_, rest));
@@ -83,20 +83,20 @@ public:
 
 private:
   void judgeAll() {
-    for (WindowProposal& answer : answers_) answer.set = judged(replayer_, shares_, answer.set);
+    for (SetProposal& answer : answers_) answer.set = judged(replayer_, shares_, answer.set);
   }
 
   const Replayer& replayer_;
-  std::vector<WindowProposal> answers_;
+  std::vector<SetProposal> answers_;
   Shares shares_;
   std::size_t best_ = 0;
 };
 
 /// Proposals whose causes can all be seen, at the price of so many kinds.
-std::vector<WindowProposal> visible(const Replayer& replayer, std::vector<WindowProposal> proposals,
+std::vector<SetProposal> visible(const Replayer& replayer, std::vector<SetProposal> proposals,
                                     std::size_t kinds) {
-  std::vector<WindowProposal> kept;
-  for (WindowProposal& proposal : proposals) {
+  std::vector<SetProposal> kept;
+  for (SetProposal& proposal : proposals) {
     if (!allVisible(replayer, proposal.set.causes())) continue;
     for (Scored& rest : proposal.lessOne) rest.price = priceOf(rest.causes().size(), kinds);
     proposal.set.price = priceOf(proposal.set.causes().size(), kinds);
@@ -132,29 +132,29 @@ BeamResult searchInWindowsToo(const SearchTools& tools, const BeamOptions& optio
   BeamOptions beam = options;
   beam.progress = partOf(options.progress, 0, 0.5);
   const BeamResult found = searchSets(tools.replayer, beam);
-  std::vector<WindowProposal> answers{{found.sets.front(), found.lessOne}};
-  WindowSearchOptions search;
+  std::vector<SetProposal> answers{{found.sets.front(), found.lessOne}};
+  LinearSearchOptions search;
   search.mostCauses = options.mostCauses;
   search.progress = partOf(options.progress, 0.5, 1);
-  for (WindowProposal& proposal :
-       visible(tools.replayer, proposedByWindows(*tools.windows, search), found.kinds))
+  for (SetProposal& proposal :
+       visible(tools.replayer, proposedSets(*tools.windows, search), found.kinds))
     answers.push_back(std::move(proposal));
   return Judgement(tools.replayer, std::move(answers), found.shares)
       .result({found.sets.begin() + 1, found.sets.end()}, found.kinds);
 }
 
 BeamResult searchByDerivatives(const SearchTools& tools, const BeamOptions& options) {
-  FreeCoefficients coefficients(*tools.coarse);
-  WindowSearchOptions search;
+  FreeCoefficients coefficients(options.quick ? *tools.coarse : tools.replayer);
+  LinearSearchOptions search;
   search.mostCauses = options.mostCauses;
   search.rounds = options.quick ? quickRounds : rounds;
   search.mostSettled = options.quick ? quickSettled : settled;
   search.progress = options.progress;
   const std::size_t kinds = possibleKinds(tools.replayer.groups(), tools.replayer.mechanism()).size();
   const Shares shares = sharesOf(tools.replayer.groups(), tools.replayer.residuals({}));
-  std::vector<WindowProposal> answers{{score(tools.replayer, shares, {}, kinds, 0), {}}};
-  for (WindowProposal& proposal :
-       visible(tools.replayer, proposedByWindows(coefficients, search), kinds))
+  std::vector<SetProposal> answers{{score(tools.replayer, shares, {}, kinds, 0), {}}};
+  for (SetProposal& proposal :
+       visible(tools.replayer, proposedSets(coefficients, search), kinds))
     answers.push_back(std::move(proposal));
   return Judgement(tools.replayer, std::move(answers), shares).result({}, kinds);
 }

@@ -8,7 +8,7 @@ namespace plumbline::gap {
 struct SearchTools {
   const Replayer& replayer;            ///< that sets are judged by
   WindowReplayer* windows = nullptr;   ///< of a robot with few kinds of causes
-  const Replayer* coarse = nullptr;    ///< with long steps, of a robot with many kinds of causes
+  const Replayer* coarse = nullptr;    ///< of a robot with many kinds of causes: with long steps, for quick searches
 };
 
 /// Searches for the set of causes with the best score (doc/decisions/0013). Few kinds are searched in two ways, by

@@ -23,23 +23,26 @@ public:
   /// The same without one group (Groups::without); shares what was replayed.
   WindowReplayer(const WindowReplayer& whole, std::size_t leftOut);
 
-  WindowCoefficients coefficients(const Explanation& causes) const override;
-  const std::vector<WindowCell>& cells() const override { return cells_; }
+  Coefficients coefficients(const Explanation& causes) const override;
+  const std::vector<CoefficientCell>& cells() const override { return cells_; }
   const Groups& groups() const override { return *groups_; }
   const Mechanism& mechanism() const override { return plain_->mechanism(); }
-  std::vector<WindowKind> kinds() const override { return windowKinds(groups(), mechanism()); }
+  std::vector<CauseKind> kinds() const override { return windowKinds(groups(), mechanism()); }
   std::size_t numReplays() const;
 
 private:
   void layOut();
   void putFactors();
-  WindowCoefficients plainCoefficients(const Replayer& replayer, const Explanation& causes) const;
+  Coefficients plainCoefficients(const Replayer& replayer, const Explanation& causes) const;
 
   std::shared_ptr<const std::vector<std::vector<Window>>> windows_;  ///< per trial
   std::shared_ptr<const Groups> groups_, groupsMoved_, groupsHurried_;
   /// From the starts as measured, and with all positions or speeds of the starts shifted.
   std::shared_ptr<const Replayer> plain_, moved_, hurried_;
-  std::vector<WindowCell> cells_;
+  std::vector<CoefficientCell> cells_;
+  /// Per cell and window: lower factor of the covariance that its coefficients have under a perfect model, by
+  /// noise of the readings and by what the error of the measured state does.
+  std::vector<std::vector<Eigen::MatrixXd>> factors_;
 };
 
 }  // namespace plumbline::gap

@@ -25,8 +25,8 @@ struct Signal {
   int place = -1;  ///< foot for force
   int axis = 0;    ///< 0..2 of gyro, accelerometer; corner of force; 0..6 of truth (x y z qw qx qy qz)
   bool unsignedValue = false;
-  bool ofSupply = false;  ///< of a current: the supply's and not the motor's, see CurrentSide.h
   std::vector<double> values;
+  bool ofSupply = false;  ///< of a current: the supply's and not the motor's, see CurrentSide.h
 };
 
 /// The measured state of the robot in a cycle, from which a replay restarts.

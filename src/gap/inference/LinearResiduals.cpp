@@ -1,4 +1,4 @@
-#include "gap/inference/WindowLinear.h"
+#include "gap/inference/LinearResiduals.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "gap/inference/Score.h"
-#include "gap/inference/WindowScale.h"
+#include "gap/inference/CellScale.h"
 
 namespace plumbline::gap {
 
@@ -24,19 +24,19 @@ Eigen::MatrixXd priorOf(std::size_t count) {
 
 }  // namespace
 
-bool WindowSet::holds(std::size_t kind) const { return std::ranges::binary_search(kinds, kind); }
+bool StrengthSet::holds(std::size_t kind) const { return std::ranges::binary_search(kinds, kind); }
 
-double WindowSet::at(std::size_t kind) const {
+double StrengthSet::at(std::size_t kind) const {
   const auto found = std::ranges::lower_bound(kinds, kind);
   return found != kinds.end() && *found == kind ? x[found - kinds.begin()] : 0;
 }
 
-double WindowScore::score() const { return std::accumulate(density.begin(), density.end(), -price); }
+double SetScore::score() const { return std::accumulate(density.begin(), density.end(), -price); }
 
 double logPrior(const Eigen::VectorXd& x) { return -x.squaredNorm() / (2 * priorWidth * priorWidth); }
 
 /// Normal equations of one set, per group, in strengths themselves.
-struct WindowLinear::Equations {
+struct LinearResiduals::Equations {
   std::vector<Eigen::MatrixXd> information;
   std::vector<Eigen::VectorXd> right;
   /// Of all groups but one.
@@ -49,9 +49,9 @@ struct WindowLinear::Equations {
   }
 };
 
-WindowLinear::WindowLinear(const std::vector<WindowCell>& cells, std::size_t groups,
-                           const std::vector<WindowKind>& kinds, WindowSet middle,
-                           WindowCoefficients residuals, std::vector<WindowCoefficients> slopes)
+LinearResiduals::LinearResiduals(const std::vector<CoefficientCell>& cells, std::size_t groups,
+                           const std::vector<CauseKind>& kinds, StrengthSet middle,
+                           Coefficients residuals, std::vector<Coefficients> slopes)
     : cells_(cells),
       groups_(groups),
       kinds_(kinds),
@@ -65,7 +65,7 @@ WindowLinear::WindowLinear(const std::vector<WindowCell>& cells, std::size_t gro
         residuals_[c] -= slope * middle_.x[static_cast<Eigen::Index>(i)];
 }
 
-Eigen::MatrixXd WindowLinear::left(std::size_t cell, const std::vector<std::size_t>& kinds,
+Eigen::MatrixXd LinearResiduals::left(std::size_t cell, const std::vector<std::size_t>& kinds,
                                    const Eigen::VectorXd& x) const {
   Eigen::MatrixXd residuals = residuals_[cell];
   for (std::size_t i = 0; i < kinds.size(); ++i)
@@ -75,7 +75,7 @@ Eigen::MatrixXd WindowLinear::left(std::size_t cell, const std::vector<std::size
 }
 
 /// With the covariances that are likeliest for what these strengths leave.
-WindowLinear::Equations WindowLinear::equations(const std::vector<std::size_t>& kinds,
+LinearResiduals::Equations LinearResiduals::equations(const std::vector<std::size_t>& kinds,
                                                 const Eigen::VectorXd& at) const {
   const auto n = static_cast<Eigen::Index>(kinds.size());
   Equations equations{std::vector<Eigen::MatrixXd>(groups_, Eigen::MatrixXd::Zero(n, n)),
@@ -85,7 +85,7 @@ WindowLinear::Equations WindowLinear::equations(const std::vector<std::size_t>& 
     for (std::size_t i = 0; i < kinds.size(); ++i)
       if (slopes_[kinds[i]][c].size() > 0) felt.push_back(static_cast<Eigen::Index>(i));
     if (felt.empty()) continue;
-    const WindowScale scale = likeliestScale(left(c, kinds, at));
+    const CellScale scale = likeliestScale(left(c, kinds, at));
     const Eigen::LLT<Eigen::MatrixXd> factor(scale.covariance);
     const Eigen::VectorXd roots = (cells_[c].share * scale.weights).cwiseSqrt();
     const auto whitened = [&](const Eigen::MatrixXd& columns) {
@@ -104,7 +104,7 @@ WindowLinear::Equations WindowLinear::equations(const std::vector<std::size_t>& 
 }
 
 /// The strengths of least squares, what would leave its bounds held there.
-Eigen::VectorXd WindowLinear::solve(const std::vector<std::size_t>& kinds, const Eigen::MatrixXd& information,
+Eigen::VectorXd LinearResiduals::solve(const std::vector<std::size_t>& kinds, const Eigen::MatrixXd& information,
                                     const Eigen::VectorXd& right) const {
   const auto n = static_cast<Eigen::Index>(kinds.size());
   Eigen::VectorXd x = Eigen::VectorXd::Zero(n), lower(n), upper(n);
@@ -137,13 +137,13 @@ Eigen::VectorXd WindowLinear::solve(const std::vector<std::size_t>& kinds, const
   return x;
 }
 
-Eigen::VectorXd WindowLinear::startOf(const std::vector<std::size_t>& kinds) const {
+Eigen::VectorXd LinearResiduals::startOf(const std::vector<std::size_t>& kinds) const {
   Eigen::VectorXd x(static_cast<Eigen::Index>(kinds.size()));
   for (std::size_t i = 0; i < kinds.size(); ++i) x[static_cast<Eigen::Index>(i)] = middle_.at(kinds[i]);
   return x;
 }
 
-Eigen::VectorXd WindowLinear::fit(const std::vector<std::size_t>& kinds) const {
+Eigen::VectorXd LinearResiduals::fit(const std::vector<std::size_t>& kinds) const {
   Eigen::VectorXd x = startOf(kinds);
   for (int round = 0; round < fitRounds && !kinds.empty(); ++round) {
     const auto [information, right] = equations(kinds, x).sum(groups_);
@@ -152,8 +152,8 @@ Eigen::VectorXd WindowLinear::fit(const std::vector<std::size_t>& kinds) const {
   return x;
 }
 
-WindowScore WindowLinear::score(const std::vector<std::size_t>& kinds) const {
-  WindowScore scored;
+SetScore LinearResiduals::score(const std::vector<std::size_t>& kinds) const {
+  SetScore scored;
   scored.set = {kinds, fit(kinds)};
   scored.price = priceOf(kinds.size(), kinds_.size());
   const Equations of = equations(kinds, scored.set.x);
@@ -171,14 +171,14 @@ WindowScore WindowLinear::score(const std::vector<std::size_t>& kinds) const {
   return scored;
 }
 
-std::vector<std::size_t> WindowLinear::proposals(const WindowSet& set, std::size_t most) const {
+std::vector<std::size_t> LinearResiduals::proposals(const StrengthSet& set, std::size_t most) const {
   const auto count = static_cast<Eigen::Index>(kinds_.size()), inSet = set.x.size();
   // Curvature of the log density by each kind and its slope at the set, and what it shares with those in it.
   Eigen::VectorXd curvatures = Eigen::VectorXd::Zero(count), slope = Eigen::VectorXd::Zero(count);
   Eigen::MatrixXd shared = Eigen::MatrixXd::Zero(inSet, count), within = priorOf(set.kinds.size());
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const Eigen::MatrixXd residuals = left(c, set.kinds, set.x);
-    const WindowScale scale = likeliestScale(residuals);
+    const CellScale scale = likeliestScale(residuals);
     const Eigen::LLT<Eigen::MatrixXd> factor(scale.covariance);
     const Eigen::VectorXd weights = cells_[c].share * scale.weights;
     const auto weighed = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
