@@ -50,7 +50,7 @@ std::vector<CauseKind> causeKinds(const Groups& groups, const Mechanism& robot) 
   std::vector<CauseKind> kinds;
   for (const Cause& cause : possibleKinds(groups, robot)) {
     CauseKind kind{cause, middleStart(*cause.effect, cause.effect->scaleAt(robot, cause.place)), 0, 0,
-                    jointsOf(robot, cause.place)};
+                   jointsOf(robot, cause.place)};
     const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
     const double one = cause.effect->strengthOf(bounds.lower) / kind.unit,
                  other = cause.effect->strengthOf(bounds.upper) / kind.unit;

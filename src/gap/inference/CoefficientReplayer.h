@@ -18,8 +18,8 @@ struct CoefficientCell {
   double share = 1;           ///< of an independent one, that a column counts for
 };
 
-/// Per cell: coefficients of its residuals, a column per stretch; white under a perfect model: independent and
-/// of variance 1.
+/// Per cell: coefficients of its residuals, a column per stretch; white under a perfect model: independent
+/// and of variance 1.
 using Coefficients = std::vector<Eigen::MatrixXd>;
 
 /// A pure function from a hypothesis to coefficients that a score is made of.

@@ -21,12 +21,14 @@ Shares sharesOf(const Groups& groups, const Residuals& residuals) {
     const Series& series = residuals[cell.trial][cell.signal];
     shares.push_back(series ? 1 / series->correlationOf(cell.from, cell.to) : 1);
     const Signal& signal = groups.trials()[cell.trial].signals[cell.signal];
-    if (signal.kind == SignalKind::position) ofPositions[{cell.trial, signal.joint, cell.from}] = shares.back();
+    if (signal.kind == SignalKind::position)
+      ofPositions[{cell.trial, signal.joint, cell.from}] = shares.back();
   }
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const Signal& signal = groups.trials()[cells[c].trial].signals[cells[c].signal];
     if (!isEffort(signal.kind)) continue;
-    if (const auto at = ofPositions.find({cells[c].trial, signal.joint, cells[c].from}); at != ofPositions.end())
+    if (const auto at = ofPositions.find({cells[c].trial, signal.joint, cells[c].from});
+        at != ofPositions.end())
       shares[c] = std::min(shares[c], at->second);
   }
   return shares;

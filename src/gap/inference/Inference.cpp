@@ -7,11 +7,11 @@
 #include <set>
 
 #include "gap/inference/Beam.h"
+#include "gap/inference/CauseKinds.h"
 #include "gap/inference/LeaveOut.h"
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/Posterior.h"
 #include "gap/inference/SetSearch.h"
-#include "gap/inference/CauseKinds.h"
 #include "gap/inference/WindowReplayer.h"
 
 namespace plumbline::gap {
@@ -117,7 +117,7 @@ std::vector<std::string> unused(const Groups& groups) {
 
 /// So many kinds of causes are looked at in windows, and fitted set by set.
 constexpr std::size_t fewKinds = 64;
-constexpr std::size_t mostOfManyKinds = 12;  // causes in a set
+constexpr std::size_t mostOfManyKinds = 12;                   // causes in a set
 constexpr double coarseStep = 0.004, coarseGearStep = 0.002;  // of a search's replays [s], see ReplayOptions
 
 bool hasFewKinds(const Groups& groups, const Mechanism& robot) {
@@ -140,20 +140,18 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   longSteps.gearStep = coarseGearStep;
   const Replayer coarse(robot, groups, options.jobs, longSteps);
   const SearchTools tools{replayer, windows ? &*windows : nullptr, held && !few ? &coarse : nullptr};
-  std::optional<CandidateScreening> screening;
+  tell("each cause alone", 0);
+  const CandidateScreening screening(replayer, sharesOf(groups, replayer.residuals({})),
+                                     [&](double share) { tell("each cause alone", share); });
   BeamOptions beam;
-  if (!tools.coarse) {
-    tell("each cause alone", 0);
-    screening.emplace(replayer, sharesOf(groups, replayer.residuals({})),
-                      [&](double share) { tell("each cause alone", share); });
-    beam.screening = &*screening;
-  }
+  beam.screening = &screening;
   if (!few) beam.mostCauses = mostOfManyKinds;
   if (options.mostCauses > 0) beam.mostCauses = options.mostCauses;
   beam.progress = [&](double share) { tell("sets of causes", share); };
   const BeamResult found = searchForSets(tools, beam);
   const Scored& best = found.sets.front();
   const std::vector<double> p = posterior(found.sets);
+  beam.expectMany = tools.coarse && found.sets.front().causes().size() > mostSetBySet;
   beam.progress = [&](double share) { tell("again without each recording in turn", share); };
   const std::vector<FoundWithout> without = findWithoutEach(tools, beam);
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "gap/inference/Score.h"
 #include "gap/inference/CellScale.h"
+#include "gap/inference/Score.h"
 
 namespace plumbline::gap {
 
@@ -50,8 +50,8 @@ struct LinearResiduals::Equations {
 };
 
 LinearResiduals::LinearResiduals(const std::vector<CoefficientCell>& cells, std::size_t groups,
-                           const std::vector<CauseKind>& kinds, StrengthSet middle,
-                           Coefficients residuals, std::vector<Coefficients> slopes)
+                                 const std::vector<CauseKind>& kinds, StrengthSet middle,
+                                 Coefficients residuals, std::vector<Coefficients> slopes)
     : cells_(cells),
       groups_(groups),
       kinds_(kinds),
@@ -66,7 +66,7 @@ LinearResiduals::LinearResiduals(const std::vector<CoefficientCell>& cells, std:
 }
 
 Eigen::MatrixXd LinearResiduals::left(std::size_t cell, const std::vector<std::size_t>& kinds,
-                                   const Eigen::VectorXd& x) const {
+                                      const Eigen::VectorXd& x) const {
   Eigen::MatrixXd residuals = residuals_[cell];
   for (std::size_t i = 0; i < kinds.size(); ++i)
     if (const Eigen::MatrixXd& slope = slopes_[kinds[i]][cell]; slope.size() > 0)
@@ -76,7 +76,7 @@ Eigen::MatrixXd LinearResiduals::left(std::size_t cell, const std::vector<std::s
 
 /// With the covariances that are likeliest for what these strengths leave.
 LinearResiduals::Equations LinearResiduals::equations(const std::vector<std::size_t>& kinds,
-                                                const Eigen::VectorXd& at) const {
+                                                      const Eigen::VectorXd& at) const {
   const auto n = static_cast<Eigen::Index>(kinds.size());
   Equations equations{std::vector<Eigen::MatrixXd>(groups_, Eigen::MatrixXd::Zero(n, n)),
                       std::vector<Eigen::VectorXd>(groups_, Eigen::VectorXd::Zero(n))};
@@ -104,8 +104,9 @@ LinearResiduals::Equations LinearResiduals::equations(const std::vector<std::siz
 }
 
 /// The strengths of least squares, what would leave its bounds held there.
-Eigen::VectorXd LinearResiduals::solve(const std::vector<std::size_t>& kinds, const Eigen::MatrixXd& information,
-                                    const Eigen::VectorXd& right) const {
+Eigen::VectorXd LinearResiduals::solve(const std::vector<std::size_t>& kinds,
+                                       const Eigen::MatrixXd& information,
+                                       const Eigen::VectorXd& right) const {
   const auto n = static_cast<Eigen::Index>(kinds.size());
   Eigen::VectorXd x = Eigen::VectorXd::Zero(n), lower(n), upper(n);
   std::vector<Eigen::Index> free;
@@ -188,7 +189,9 @@ std::vector<std::size_t> LinearResiduals::proposals(const StrengthSet& set, std:
     std::vector<Eigen::MatrixXd> of;
     for (const std::size_t kind : set.kinds)
       of.push_back(slopes_[kind][c].size() > 0 ? weighed(slopes_[kind][c]) : Eigen::MatrixXd());
-    const auto product = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return a.cwiseProduct(b).sum(); };
+    const auto product = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+      return a.cwiseProduct(b).sum();
+    };
     for (Eigen::Index k = 0; k < count; ++k) {
       const Eigen::MatrixXd& way = slopes_[static_cast<std::size_t>(k)][c];
       if (way.size() == 0) continue;

@@ -17,7 +17,7 @@ struct StrengthSet {
 
 /// What a set is worth, see Scored.
 struct SetScore {
-  StrengthSet set;                         ///< with the strengths that are likeliest in all groups
+  StrengthSet set;                       ///< with the strengths that are likeliest in all groups
   std::vector<Eigen::VectorXd> without;  ///< per group: strengths that are likeliest in the others
   std::vector<double> density;           ///< per group: log density under those
   double price = 0;
@@ -32,8 +32,9 @@ double logPrior(const Eigen::VectorXd& x);
 class LinearResiduals {
 public:
   /// slopes: per kind and cell, derivatives of the coefficients by its strength; empty where it is not felt.
-  LinearResiduals(const std::vector<CoefficientCell>& cells, std::size_t groups, const std::vector<CauseKind>& kinds,
-               StrengthSet middle, Coefficients residuals, std::vector<Coefficients> slopes);
+  LinearResiduals(const std::vector<CoefficientCell>& cells, std::size_t groups,
+                  const std::vector<CauseKind>& kinds, StrengthSet middle, Coefficients residuals,
+                  std::vector<Coefficients> slopes);
 
   /// Fits the strengths of these kinds (in ascending order), within their bounds and not farther than four
   /// units from the middle, then without each group in turn, and scores what that leaves in it.

@@ -165,8 +165,7 @@ private:
 
 }  // namespace
 
-std::vector<SetProposal> proposedSets(CoefficientReplayer& replayer,
-                                              const LinearSearchOptions& options) {
+std::vector<SetProposal> proposedSets(CoefficientReplayer& replayer, const LinearSearchOptions& options) {
   return LinearSearch(replayer, options).run();
 }
 

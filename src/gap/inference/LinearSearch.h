@@ -24,7 +24,6 @@ struct SetProposal {
 /// number of causes from none on. Moves (add a cause, drop one, put another in its place) are judged by
 /// derivatives beside the set itself; a set that is better so is fitted by replays, and the derivatives are
 /// taken anew beside it.
-std::vector<SetProposal> proposedSets(CoefficientReplayer& replayer,
-                                              const LinearSearchOptions& options);
+std::vector<SetProposal> proposedSets(CoefficientReplayer& replayer, const LinearSearchOptions& options);
 
 }  // namespace plumbline::gap

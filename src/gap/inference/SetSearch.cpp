@@ -3,16 +3,16 @@
 #include <algorithm>
 
 #include "gap/inference/FreeCoefficients.h"
+#include "gap/inference/LinearSearch.h"
 #include "gap/inference/PossibleKinds.h"
 #include "gap/inference/Visible.h"
-#include "gap/inference/LinearSearch.h"
 
 namespace plumbline::gap {
 
 namespace {
 
-constexpr int mostJudgements = 4;       // changes of the best set and its shares
-constexpr std::size_t mostJudged = 13;  // sets that are kept
+constexpr int mostJudgements = 4;                     // changes of the best set and its shares
+constexpr std::size_t mostJudged = 13;                // sets that are kept
 constexpr int rounds = 6, quickRounds = 4;            // of derivatives taken anew
 constexpr std::size_t settled = 5, quickSettled = 3;  // sets that are fitted to their end
 
@@ -94,7 +94,7 @@ private:
 
 /// Proposals whose causes can all be seen, at the price of so many kinds.
 std::vector<SetProposal> visible(const Replayer& replayer, std::vector<SetProposal> proposals,
-                                    std::size_t kinds) {
+                                 std::size_t kinds) {
   std::vector<SetProposal> kept;
   for (SetProposal& proposal : proposals) {
     if (!allVisible(replayer, proposal.set.causes())) continue;
@@ -136,27 +136,38 @@ BeamResult searchInWindowsToo(const SearchTools& tools, const BeamOptions& optio
   LinearSearchOptions search;
   search.mostCauses = options.mostCauses;
   search.progress = partOf(options.progress, 0.5, 1);
-  for (SetProposal& proposal :
-       visible(tools.replayer, proposedSets(*tools.windows, search), found.kinds))
+  for (SetProposal& proposal : visible(tools.replayer, proposedSets(*tools.windows, search), found.kinds))
     answers.push_back(std::move(proposal));
   return Judgement(tools.replayer, std::move(answers), found.shares)
       .result({found.sets.begin() + 1, found.sets.end()}, found.kinds);
 }
 
+/// Few causes are fitted set by set. Where that ends with as many as it may, derivatives propose larger sets.
 BeamResult searchByDerivatives(const SearchTools& tools, const BeamOptions& options) {
-  FreeCoefficients coefficients(options.quick ? *tools.coarse : tools.replayer);
+  const Replayer& replayer = tools.replayer;
+  // Under the shares of what a small set leaves, that set would look better than it is beside large ones.
+  const Shares shares = sharesOf(replayer.groups(), replayer.residuals({}));
+  BeamResult few;
+  few.kinds = possibleKinds(replayer.groups(), replayer.mechanism()).size();
+  if (!options.expectMany) {
+    BeamOptions beam = options;
+    beam.mostCauses = std::min(options.mostCauses, mostSetBySet);
+    beam.progress = partOf(options.progress, 0, 0.3);
+    few = searchSets(replayer, beam);
+    const std::size_t size = few.sets.front().causes().size();
+    if (size < mostSetBySet || size == options.mostCauses) return few;
+  }
+  // That set ended where it had to, and is no rival of the larger ones.
+  std::vector<SetProposal> answers{{score(replayer, shares, {}, few.kinds, 0), {}}};
+  FreeCoefficients coefficients(options.quick ? *tools.coarse : replayer);
   LinearSearchOptions search;
   search.mostCauses = options.mostCauses;
   search.rounds = options.quick ? quickRounds : rounds;
   search.mostSettled = options.quick ? quickSettled : settled;
-  search.progress = options.progress;
-  const std::size_t kinds = possibleKinds(tools.replayer.groups(), tools.replayer.mechanism()).size();
-  const Shares shares = sharesOf(tools.replayer.groups(), tools.replayer.residuals({}));
-  std::vector<SetProposal> answers{{score(tools.replayer, shares, {}, kinds, 0), {}}};
-  for (SetProposal& proposal :
-       visible(tools.replayer, proposedSets(coefficients, search), kinds))
+  search.progress = partOf(options.progress, options.expectMany ? 0 : 0.3, 1);
+  for (SetProposal& proposal : visible(replayer, proposedSets(coefficients, search), few.kinds))
     answers.push_back(std::move(proposal));
-  return Judgement(tools.replayer, std::move(answers), shares).result({}, kinds);
+  return Judgement(replayer, std::move(answers), shares).result(few.sets, few.kinds);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "gap/inference/Visible.h"
 #include "gap/inference/CellScale.h"
+#include "gap/inference/Visible.h"
 
 namespace plumbline::gap {
 
@@ -38,7 +38,8 @@ Explanation StrengthFitter::causesOf(const StrengthSet& set) const {
 double StrengthFitter::density(const StrengthSet& set) const {
   const Coefficients residuals = replayer_.coefficients(causesOf(set));
   double sum = logPrior(set.x);
-  for (std::size_t c = 0; c < residuals.size(); ++c) sum += replayer_.cells()[c].share * likeliestScale(residuals[c]).density;
+  for (std::size_t c = 0; c < residuals.size(); ++c)
+    sum += replayer_.cells()[c].share * likeliestScale(residuals[c]).density;
   return sum;
 }
 
@@ -56,8 +57,8 @@ double StrengthFitter::stepOf(const StrengthSet& set, std::size_t kind) const {
 }
 
 void StrengthFitter::slopesOf(const StrengthSet& beside, const Coefficients& here,
-                            const std::vector<std::size_t>& wanted,
-                            std::vector<Coefficients>& slopes) const {
+                              const std::vector<std::size_t>& wanted,
+                              std::vector<Coefficients>& slopes) const {
   const std::vector<CoefficientCell>& cells = replayer_.cells();
   for (const std::vector<std::size_t>& colour : colours(kinds_, wanted)) {
     StrengthSet moved = beside;
@@ -76,8 +77,8 @@ void StrengthFitter::slopesOf(const StrengthSet& beside, const Coefficients& her
         const Eigen::MatrixXd change = there[c] - here[c];
         if (change.isZero(0) || !change.allFinite()) continue;
         const CoefficientCell::Part& part = cells[c].columns.front();
-        const double size =
-            change.norm() / std::sqrt(static_cast<double>(change.cols()) * static_cast<double>(part.to - part.from));
+        const double size = change.norm() / std::sqrt(static_cast<double>(change.cols()) *
+                                                      static_cast<double>(part.to - part.from));
         visible = visible || size > enginesDiffer;
         of.back() = change / stepOf(beside, kind);
       }
@@ -86,7 +87,8 @@ void StrengthFitter::slopesOf(const StrengthSet& beside, const Coefficients& her
   }
 }
 
-LinearResiduals StrengthFitter::linearise(const StrengthSet& set, const std::vector<std::size_t>& wanted) const {
+LinearResiduals StrengthFitter::linearise(const StrengthSet& set,
+                                          const std::vector<std::size_t>& wanted) const {
   std::vector<Coefficients> slopes(kinds_.size());
   std::vector<std::size_t> plain;
   std::vector<std::vector<std::size_t>> instead(set.kinds.size());
@@ -105,7 +107,7 @@ LinearResiduals StrengthFitter::linearise(const StrengthSet& set, const std::vec
   for (Coefficients& of : slopes)
     if (of.empty()) of.resize(replayer_.cells().size());
   return LinearResiduals(replayer_.cells(), replayer_.groups().count(), kinds_, set, std::move(here),
-                      std::move(slopes));
+                         std::move(slopes));
 }
 
 double StrengthFitter::step(StrengthSet& set, double now) const {

@@ -31,8 +31,8 @@ private:
   double step(StrengthSet& set, double now) const;
   double sweep(StrengthSet& set, double now, Eigen::VectorXd& steps) const;
   double stepOf(const StrengthSet& set, std::size_t kind) const;
-  void slopesOf(const StrengthSet& beside, const Coefficients& here,
-                const std::vector<std::size_t>& wanted, std::vector<Coefficients>& slopes) const;
+  void slopesOf(const StrengthSet& beside, const Coefficients& here, const std::vector<std::size_t>& wanted,
+                std::vector<Coefficients>& slopes) const;
 
   const CoefficientReplayer& replayer_;
   std::vector<CauseKind> kinds_;

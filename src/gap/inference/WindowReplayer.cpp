@@ -108,7 +108,7 @@ void WindowReplayer::layOut() {
 
 void WindowReplayer::putFactors() {
   const Coefficients here = plainCoefficients(*plain_, {}), moved = plainCoefficients(*moved_, {}),
-                           hurried = plainCoefficients(*hurried_, {});
+                     hurried = plainCoefficients(*hurried_, {});
   factors_.resize(cells_.size());
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const CoefficientCell& cell = cells_[c];
@@ -130,8 +130,7 @@ void WindowReplayer::putFactors() {
   }
 }
 
-Coefficients WindowReplayer::plainCoefficients(const Replayer& replayer,
-                                                     const Explanation& causes) const {
+Coefficients WindowReplayer::plainCoefficients(const Replayer& replayer, const Explanation& causes) const {
   const Residuals residuals = replayer.residuals(causes);
   Coefficients result;
   for (const CoefficientCell& cell : cells_) {
@@ -153,8 +152,7 @@ Coefficients WindowReplayer::coefficients(const Explanation& causes) const {
   Coefficients result = plainCoefficients(*plain_, causes);
   for (std::size_t c = 0; c < cells_.size(); ++c)
     for (std::size_t w = 0; w < cells_[c].columns.size(); ++w)
-      factors_[c][w].triangularView<Eigen::Lower>().solveInPlace(
-          result[c].col(static_cast<Eigen::Index>(w)));
+      factors_[c][w].triangularView<Eigen::Lower>().solveInPlace(result[c].col(static_cast<Eigen::Index>(w)));
   return result;
 }
 

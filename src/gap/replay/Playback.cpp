@@ -80,8 +80,8 @@ Playback::Playback(const Plant& plant, const Trial& trial, const ReplayOptions& 
     double shift = 0;
     if (signal.kind == SignalKind::position) shift = trial_.positionAt[joint];
     if (signal.kind == SignalKind::velocity) shift = trial_.velocityAt[joint];
-    readings_.push_back(
-        {s, static_cast<int>(place - joints.begin()), signal.kind, shift, signal.unsignedValue, signal.ofSupply});
+    readings_.push_back({s, static_cast<int>(place - joints.begin()), signal.kind, shift,
+                         signal.unsignedValue, signal.ofSupply});
     if (isEffort(signal.kind))
       for (const Signal& other : trial_.signals)
         if (other.kind == SignalKind::position && other.joint == signal.joint) readings_.back().seen = &other;

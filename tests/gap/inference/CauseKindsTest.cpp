@@ -64,10 +64,10 @@ TEST(CauseKinds, allKindsHoldThoseOfTheBodysSensorsWhereTheseAreMeasured) {
 TEST(CauseKinds, causesOfTwoJointsShareAColourAndThoseOfOneDoNot) {
   const Mechanism arm = twoJointArm();
   const std::vector<CauseKind> kinds{{causeOf(arm, "coulomb_friction", "shoulder", 0.1), 1, 0, 9, {0}},
-                                      {causeOf(arm, "coulomb_friction", "elbow", 0.1), 1, 0, 9, {1}},
-                                      {causeOf(arm, "viscous_friction", "elbow", 0.1), 1, 0, 9, {1}},
-                                      {causeOf(arm, "link_mass", "lower", 0.1), 1, 0, 9, {0, 1}},
-                                      {causeOf(arm, "viscous_friction", "shoulder", 0.1), 1, 0, 9, {0}}};
+                                     {causeOf(arm, "coulomb_friction", "elbow", 0.1), 1, 0, 9, {1}},
+                                     {causeOf(arm, "viscous_friction", "elbow", 0.1), 1, 0, 9, {1}},
+                                     {causeOf(arm, "link_mass", "lower", 0.1), 1, 0, 9, {0, 1}},
+                                     {causeOf(arm, "viscous_friction", "shoulder", 0.1), 1, 0, 9, {0}}};
   const std::vector<std::vector<std::size_t>> expected{{0, 1}, {2, 4}, {3}};
   EXPECT_EQ(colours(kinds, {0, 1, 2, 3, 4}), expected);
 }
