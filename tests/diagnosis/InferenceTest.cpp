@@ -15,7 +15,7 @@ TEST(LeaveOut, theSetIsChosenWithoutTheGroup) {
   trials[1] = recordings({causeOfArm("coulomb_friction", "elbow", 0.2)})[1];
   const Groups groups(trials);
   const Replayer replayer(arm, groups, 2);
-  const std::vector<FoundWithout> found = findWithoutEach(replayer, nullptr, {});
+  const std::vector<FoundWithout> found = findWithoutEach({replayer}, {});
   ASSERT_EQ(found.size(), 3);
   EXPECT_TRUE(found[1].causes.empty());
   EXPECT_NEAR(leftWithout(groups, found)[1].closed(), 0, 1e-9);

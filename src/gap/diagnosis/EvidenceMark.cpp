@@ -91,8 +91,8 @@ public:
   }
 
   void add(const Signal& signal) {
-    const auto& [name, kind, joint, place, axis, unsignedValue, values] = signal;
-    all(name, kind, joint, place, axis, unsignedValue, values);
+    const auto& [name, kind, joint, place, axis, unsignedValue, values, ofSupply] = signal;
+    all(name, kind, joint, place, axis, unsignedValue, values, ofSupply);
   }
   void add(const Restart& restart) {
     const auto& [cycle, position, speed, load] = restart;

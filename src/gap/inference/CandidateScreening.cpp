@@ -12,33 +12,10 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double enoughSeconds = 30;                          // of recordings, for screening
 constexpr std::size_t mostSamples = 250;                      // of a cell that are looked at
 constexpr double coarseStep = 0.004, coarseGearStep = 0.002;  // of the replays [s], see ReplayOptions
 constexpr std::size_t mostGuessed = 24;  // kinds whose gain is worked out and not only guessed
 constexpr double mostFactor = 4;         // of a start, that its sensitivity is trusted for
-
-/// Windows and repeats of recordings, one of each after the other, until they are long enough to tell causes
-/// apart; at least one trial of each group.
-std::vector<char> someTrials(const Groups& groups) {
-  const std::vector<Trial>& trials = groups.trials();
-  std::vector<char> taken(trials.size(), 0);
-  std::vector<std::size_t> windows(groups.count(), 0);
-  std::vector<std::pair<std::size_t, std::size_t>> order;  // how many of its group came before, trial
-  for (std::size_t t = 0; t < trials.size(); ++t) {
-    std::size_t group = 0;
-    while (group < groups.count() && !groups.holds(group, t)) ++group;
-    if (group < groups.count()) order.emplace_back(windows[group]++, t);
-  }
-  std::ranges::sort(order);
-  double seconds = 0;
-  for (const auto& [window, t] : order) {
-    if (window > 0 && seconds > enoughSeconds) break;
-    taken[t] = 1;
-    seconds += trials[t].time.back() - trials[t].time.front();
-  }
-  return taken;
-}
 
 /// Every n-th value of a stretch; the n-th of the whole series, wherever the stretch begins.
 std::vector<double> thinned(const ResidualSeries& values, std::size_t from, std::size_t to,
@@ -79,7 +56,7 @@ struct CandidateScreening::Guessed {
 
 CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& shares,
                                        const std::function<void(double)>& progress)
-    : looked_(someTrials(replayer.groups())) {
+    : looked_(enoughTrials(replayer.groups())) {
   const Groups& groups = replayer.groups();
   const Mechanism& robot = replayer.mechanism();
   // A recording that is left alone by others that are left out is cut into stretches.

@@ -72,14 +72,30 @@ struct Found {
   double largest = 0;
 };
 
-/// What the rounding of the measured angle makes of a predicted duty.
-double dutyOfAngle(const Trial& trial, const Signal& duty,
-                   const std::map<std::pair<std::string, bool>, Found>& channels) {
-  const Servo& servo = trial.robot->joints[static_cast<std::size_t>(duty.joint)].servo;
+/// Of a motor that draws this current from its supply.
+double rmsDuty(const Signal& supplyCurrent, const Servo& servo) {
+  double sum = 0, n = 0;
+  for (const double value : supplyCurrent.values)
+    if (std::isfinite(value)) sum += std::abs(value), ++n;
+  return n > 0 && servo.vin > 0 ? std::sqrt(sum / n * servo.R / servo.vin) : 0;
+}
+
+/// What the readings' noise of the measured angle makes of a predicted duty, torque or current.
+double effortOfAngle(const Trial& trial, const Signal& effort,
+                     const std::map<std::pair<std::string, bool>, Found>& channels) {
+  const Servo& servo = trial.robot->joints[static_cast<std::size_t>(effort.joint)].servo;
   for (const Signal& signal : trial.signals) {
-    if (signal.kind != SignalKind::position || signal.joint != duty.joint) continue;
+    if (signal.kind != SignalKind::position || signal.joint != effort.joint) continue;
     const Found& found = channels.at({signal.name, trial.freeBase});
-    return servo.kpFirmware * servo.errorGain * medianOf(found.steps) / std::sqrt(12.0);
+    const double rounded = medianOf(found.steps) / std::sqrt(12.0);
+    if (effort.kind == SignalKind::duty) return servo.kpFirmware * servo.errorGain * rounded;
+    const double angle = std::hypot(rounded, medianOf(found.fast));
+    const double cycle = (trial.time.back() - trial.time.front()) / static_cast<double>(trial.cycles() - 1);
+    // The speed is a central difference.
+    const double torque = angle * std::hypot(servo.kp, servo.kd / (std::numbers::sqrt2 * cycle));
+    if (effort.kind == SignalKind::torque) return torque;
+    // The supply's current is the duty times the motor's, and so falls with its square.
+    return torque / servo.kt * (effort.ofSupply ? 2 * rmsDuty(effort, servo) : 1);
   }
   return 0;
 }
@@ -161,9 +177,10 @@ std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trial
       use.used = use.why.empty();
       const double step = found.steps.empty() ? 0 : medianOf(found.steps);
       const double own = std::max(medianOf(found.repeats), medianOf(found.fast));
-      const bool moves = signal.kind == SignalKind::position || signal.kind == SignalKind::duty;
+      const bool effort = isEffort(signal.kind);
+      const bool moves = signal.kind == SignalKind::position || effort;
       const double late = moves ? jitter * medianOf(found.rates) : 0;
-      const double angle = signal.kind == SignalKind::duty ? dutyOfAngle(trial, signal, channels) : 0;
+      const double angle = effort && use.used ? effortOfAngle(trial, signal, channels) : 0;
       use.noise = std::sqrt(own * own + step * step / 12 + late * late + angle * angle);
       use.noise = std::max({use.noise, leastShare * found.largest, 1e-9});
       of.push_back(std::move(use));

@@ -1,5 +1,9 @@
 #include "gap/inference/Density.h"
 
+#include <algorithm>
+#include <map>
+#include <tuple>
+
 namespace plumbline::gap {
 
 std::vector<double> residualsOf(const Cell& cell, const Residuals& residuals) {
@@ -9,10 +13,23 @@ std::vector<double> residualsOf(const Cell& cell, const Residuals& residuals) {
 }
 
 Shares sharesOf(const Groups& groups, const Residuals& residuals) {
+  const std::vector<Cell>& cells = groups.cells();
   Shares shares;
-  for (const Cell& cell : groups.cells()) {
+  // Per trial, joint and first cycle: the position's share.
+  std::map<std::tuple<std::size_t, int, std::size_t>, double> ofPositions;
+  for (const Cell& cell : cells) {
     const Series& series = residuals[cell.trial][cell.signal];
     shares.push_back(series ? 1 / series->correlationOf(cell.from, cell.to) : 1);
+    const Signal& signal = groups.trials()[cell.trial].signals[cell.signal];
+    if (signal.kind == SignalKind::position)
+      ofPositions[{cell.trial, signal.joint, cell.from}] = shares.back();
+  }
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const Signal& signal = groups.trials()[cells[c].trial].signals[cells[c].signal];
+    if (!isEffort(signal.kind)) continue;
+    if (const auto at = ofPositions.find({cells[c].trial, signal.joint, cells[c].from});
+        at != ofPositions.end())
+      shares[c] = std::min(shares[c], at->second);
   }
   return shares;
 }

@@ -8,7 +8,8 @@ namespace plumbline::gap {
 /// Per cell: what one residual says, in parts of an independent one (1 / correlationTime).
 using Shares = std::vector<double>;
 
-/// Shares from what a hypothesis leaves.
+/// Shares from what a hypothesis leaves. What is wrong with a joint's model is one process, however many
+/// sensors see it: its efforts have no more independent samples than its position.
 Shares sharesOf(const Groups& groups, const Residuals& residuals);
 
 /// A cell's residuals; empty where it was not predicted.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gap/diagnosis/Noise.h"
+#include "gap/replay/CurrentSide.h"
 
 namespace plumbline::gap {
 
@@ -11,8 +12,14 @@ namespace {
 
 constexpr std::size_t numStretches = 4;
 constexpr double startSeconds = 0.3;
+constexpr double enoughSeconds = 30;  // of recordings, to tell causes apart
 constexpr double engines =
     0.5;  // of a channel's noise: what two engines differ by with one and the same model
+
+std::vector<Trial> withCurrentSides(std::vector<Trial> trials) {
+  findCurrentSide(trials);
+  return trials;
+}
 
 }  // namespace
 
@@ -22,7 +29,7 @@ std::size_t firstScored(const Trial& trial) {
 }
 
 Groups::Groups(std::vector<Trial> trials)
-    : all_(std::make_shared<const std::vector<Trial>>(std::move(trials))),
+    : all_(std::make_shared<const std::vector<Trial>>(withCurrentSides(std::move(trials)))),
       channels_(std::make_shared<const std::vector<std::vector<ChannelUse>>>(channelUses(*all_))) {
   std::size_t count = 0;
   for (std::size_t t = 0; t < all_->size(); ++t) {
@@ -93,6 +100,26 @@ void Groups::number() {
       }
     }
   }
+}
+
+std::vector<char> enoughTrials(const Groups& groups) {
+  const std::vector<Trial>& trials = groups.trials();
+  std::vector<char> taken(trials.size(), 0);
+  std::vector<std::size_t> windows(groups.count(), 0);
+  std::vector<std::pair<std::size_t, std::size_t>> order;  // how many of its group came before, trial
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    std::size_t group = 0;
+    while (group < groups.count() && !groups.holds(group, t)) ++group;
+    if (group < groups.count()) order.emplace_back(windows[group]++, t);
+  }
+  std::ranges::sort(order);
+  double seconds = 0;
+  for (const auto& [window, t] : order) {
+    if (window > 0 && seconds > enoughSeconds) break;
+    taken[t] = 1;
+    seconds += trials[t].time.back() - trials[t].time.front();
+  }
+  return taken;
 }
 
 bool Groups::holds(std::size_t trial) const {

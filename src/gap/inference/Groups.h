@@ -48,6 +48,10 @@ private:
   std::vector<std::vector<char>> held_;  ///< per group and trial
 };
 
+/// Flags of trials that are enough for a search: windows and repeats of recordings, one of each after the
+/// other, until they are 30 s long; at least one trial of each group.
+std::vector<char> enoughTrials(const Groups& groups);
+
 /// First cycle of a trial that is scored: what came before a recording still rings for 0.3 s.
 std::size_t firstScored(const Trial& trial);
 

@@ -7,11 +7,11 @@
 #include <set>
 
 #include "gap/inference/Beam.h"
+#include "gap/inference/CauseKinds.h"
 #include "gap/inference/LeaveOut.h"
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/Posterior.h"
 #include "gap/inference/SetSearch.h"
-#include "gap/inference/WindowKinds.h"
 #include "gap/inference/WindowReplayer.h"
 
 namespace plumbline::gap {
@@ -115,12 +115,13 @@ std::vector<std::string> unused(const Groups& groups) {
   return {lines.begin(), lines.end()};
 }
 
-/// So many kinds of causes are looked at in windows: their derivatives are taken again and again.
-constexpr std::size_t mostWindowKinds = 64;
+/// So many kinds of causes are looked at in windows, and fitted set by set.
+constexpr std::size_t fewKinds = 64;
+constexpr std::size_t mostOfManyKinds = 12;                   // causes in a set
+constexpr double coarseStep = 0.004, coarseGearStep = 0.002;  // of a search's replays [s], see ReplayOptions
 
-bool canUseWindows(const Groups& groups, const Mechanism& robot) {
-  return std::ranges::none_of(groups.trials(), &Trial::freeBase) &&
-         windowKinds(groups, robot).size() <= mostWindowKinds;
+bool hasFewKinds(const Groups& groups, const Mechanism& robot) {
+  return windowKinds(groups, robot).size() <= fewKinds;
 }
 
 }  // namespace
@@ -131,20 +132,28 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   const auto tell = [&](const char* stage, double share) {
     if (options.progress) options.progress(stage, share);
   };
+  const bool held = std::ranges::none_of(groups.trials(), &Trial::freeBase), few = hasFewKinds(groups, robot);
   std::optional<WindowReplayer> windows;
-  if (canUseWindows(groups, robot)) windows.emplace(robot, groups, options.jobs);
+  if (held && few) windows.emplace(robot, groups, options.jobs);
+  ReplayOptions longSteps;
+  longSteps.step = coarseStep;
+  longSteps.gearStep = coarseGearStep;
+  const Replayer coarse(robot, groups, options.jobs, longSteps);
+  const SearchTools tools{replayer, windows ? &*windows : nullptr, held && !few ? &coarse : nullptr};
   tell("each cause alone", 0);
   const CandidateScreening screening(replayer, sharesOf(groups, replayer.residuals({})),
                                      [&](double share) { tell("each cause alone", share); });
   BeamOptions beam;
-  beam.mostCauses = options.mostCauses;
   beam.screening = &screening;
+  if (!few) beam.mostCauses = mostOfManyKinds;
+  if (options.mostCauses > 0) beam.mostCauses = options.mostCauses;
   beam.progress = [&](double share) { tell("sets of causes", share); };
-  const BeamResult found = searchBothWays(replayer, windows ? &*windows : nullptr, beam);
+  const BeamResult found = searchForSets(tools, beam);
   const Scored& best = found.sets.front();
   const std::vector<double> p = posterior(found.sets);
+  beam.expectMany = tools.coarse && found.sets.front().causes().size() > mostSetBySet;
   beam.progress = [&](double share) { tell("again without each recording in turn", share); };
-  const std::vector<FoundWithout> without = findWithoutEach(replayer, windows ? &*windows : nullptr, beam);
+  const std::vector<FoundWithout> without = findWithoutEach(tools, beam);
 
   Inference result;
   result.stretchesOfOne = groups.stretchesOfOne();
@@ -190,7 +199,7 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
     squaresFloor += recording.floor * recording.floor / count;
   }
   diagnosis.gap = {std::sqrt(squaresBefore), std::sqrt(squaresAfter), std::sqrt(squaresFloor)};
-  result.replays = replayer.numReplays() + (windows ? windows->numReplays() : 0);
+  result.replays = replayer.numReplays() + coarse.numReplays() + (windows ? windows->numReplays() : 0);
   return result;
 }
 

@@ -13,7 +13,7 @@ namespace plumbline::gap {
 
 struct InferenceOptions {
   int jobs = 1;
-  std::size_t mostCauses = 8;
+  std::size_t mostCauses = 0;  ///< in a set; 0: 8, or 12 of a robot with many kinds of causes
   std::function<void(const std::string& stage, double share)> progress = {};
 };
 

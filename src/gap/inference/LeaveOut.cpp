@@ -5,27 +5,29 @@
 #include <string>
 
 #include "gap/inference/Posterior.h"
-#include "gap/inference/SetSearch.h"
 
 namespace plumbline::gap {
 
-std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const WindowReplayer* windows,
-                                          const BeamOptions& options) {
+std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const BeamOptions& options) {
   std::vector<FoundWithout> found;
-  const std::size_t count = replayer.groups().count();
+  const std::size_t count = tools.replayer.groups().count();
   for (std::size_t g = 0; g < count; ++g) {
-    const Groups others = replayer.groups().without(g);
+    const Groups others = tools.replayer.groups().without(g);
     BeamOptions settings = options;
+    settings.quick = true;
     settings.width = 1;
     settings.proposals = 3;
     if (options.progress)
       settings.progress = [&](double share) {
         options.progress((static_cast<double>(g) + share) / static_cast<double>(count));
       };
-    std::optional<WindowReplayer> inWindows;
-    if (windows) inWindows.emplace(*windows, g);
+    const Replayer replayer(tools.replayer, others);
+    std::optional<WindowReplayer> windows;
+    if (tools.windows) windows.emplace(*tools.windows, g);
+    std::optional<Replayer> coarse;
+    if (tools.coarse) coarse.emplace(*tools.coarse, others);
     BeamResult result =
-        searchBothWays(Replayer(replayer, others), inWindows ? &*inWindows : nullptr, settings);
+        searchForSets({replayer, windows ? &*windows : nullptr, coarse ? &*coarse : nullptr}, settings);
     FoundWithout& of = found.emplace_back();
     of.causes = result.sets.front().causes();
     of.probabilities = posterior(result.sets);

@@ -2,9 +2,8 @@
 #include <functional>
 #include <vector>
 
-#include "gap/inference/Beam.h"
 #include "gap/inference/HoldOut.h"
-#include "gap/inference/WindowReplayer.h"
+#include "gap/inference/SetSearch.h"
 
 namespace plumbline::gap {
 
@@ -16,9 +15,8 @@ struct FoundWithout {
   std::vector<double> probabilities;
 };
 
-/// One search per group (searchBothWays), in the others alone. windows: of the same groups, or null.
-std::vector<FoundWithout> findWithoutEach(const Replayer& replayer, const WindowReplayer* windows,
-                                          const BeamOptions& options);
+/// One search per group (searchForSets), in the others alone. The tools are those of all groups.
+std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const BeamOptions& options);
 
 /// Each recording replayed free with what was found without its group (or, where one recording alone is cut
 /// into stretches, each stretch).

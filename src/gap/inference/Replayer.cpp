@@ -113,8 +113,9 @@ Replayer::Played Replayer::play(std::size_t t, std::size_t chain, const Explanat
     for (std::size_t k = 0; k < residual.size(); ++k) {
       const double predicted = prediction.values[s][k];
       const double r = signal.values[k] - predicted;
-      // What ran away is far off, not missing. The duty of a motor that is off is not predicted.
-      const bool missing = std::isnan(signal.values[k]) || signal.kind == SignalKind::duty;
+      // What ran away is far off, not missing. The duty of a motor that is off is not predicted, nor an
+      // effort beside a gap in the measured angle.
+      const bool missing = std::isnan(signal.values[k]) || isEffort(signal.kind);
       residual[k] = missing || std::isfinite(r) ? r : 1e6;
     }
     takeLeadOff(trial, signal, residual);

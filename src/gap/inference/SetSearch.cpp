@@ -2,15 +2,19 @@
 
 #include <algorithm>
 
+#include "gap/inference/FreeCoefficients.h"
+#include "gap/inference/LinearSearch.h"
+#include "gap/inference/PossibleKinds.h"
 #include "gap/inference/Visible.h"
-#include "gap/inference/WindowSearch.h"
 
 namespace plumbline::gap {
 
 namespace {
 
-constexpr int mostJudgements = 4;       // changes of the best set and its shares
-constexpr std::size_t mostJudged = 13;  // sets that are kept
+constexpr int mostJudgements = 4;                     // changes of the best set and its shares
+constexpr std::size_t mostJudged = 13;                // sets that are kept
+constexpr int rounds = 6, quickRounds = 4;            // of derivatives taken anew
+constexpr std::size_t settled = 5, quickSettled = 3;  // sets that are fitted to their end
 
 bool sameKinds(const Explanation& a, const Explanation& b) {
   return a.size() == b.size() && std::ranges::all_of(a, [&](const Cause& cause) {
@@ -24,9 +28,9 @@ bool allVisible(const Replayer& replayer, const Explanation& causes) {
   return true;
 }
 
-std::size_t bestOf(const std::vector<WindowProposal>& answers) {
+std::size_t bestOf(const std::vector<SetProposal>& answers) {
   return static_cast<std::size_t>(
-      std::ranges::max_element(answers, {}, [](const WindowProposal& of) { return of.set.score(); }) -
+      std::ranges::max_element(answers, {}, [](const SetProposal& of) { return of.set.score(); }) -
       answers.begin());
 }
 
@@ -39,6 +43,65 @@ std::vector<Scored> inOrder(std::vector<Scored> sets) {
           return sameKinds(known.causes(), set.causes());
         }))
       kept.push_back(std::move(set));
+  return kept;
+}
+
+/// The answers in the order of one score, under the shares of what the best of them leaves.
+class Judgement {
+public:
+  Judgement(const Replayer& replayer, std::vector<SetProposal> answers, Shares shares)
+      : replayer_(replayer), answers_(std::move(answers)), shares_(std::move(shares)) {
+    judgeAll();
+    for (int round = 0; round < mostJudgements; ++round) {
+      const std::size_t now = bestOf(answers_);
+      if (round > 0 && now == best_) break;
+      best_ = now;
+      if (round == 0 && now == 0) break;
+      shares_ = sharesOf(replayer_.groups(), replayer_.residuals(answers_[best_].set.causes()));
+      judgeAll();
+    }
+  }
+
+  /// With sets that were looked at beside.
+  BeamResult result(const std::vector<Scored>& beside, std::size_t kinds) const {
+    BeamResult result;
+    result.shares = shares_;
+    result.kinds = kinds;
+    std::vector<Scored> others;
+    for (const SetProposal& answer : answers_) others.push_back(answer.set);
+    for (const Scored& set : beside) others.push_back(judged(replayer_, shares_, set));
+    for (const Scored& rest : answers_[best_].lessOne) {
+      result.lessOne.push_back(judged(replayer_, shares_, rest));
+      others.push_back(result.lessOne.back());
+    }
+    const Scored answer = others[best_];
+    std::erase_if(others, [&](const Scored& set) { return sameKinds(set.causes(), answer.causes()); });
+    result.sets = inOrder(std::move(others));
+    result.sets.insert(result.sets.begin(), answer);
+    return result;
+  }
+
+private:
+  void judgeAll() {
+    for (SetProposal& answer : answers_) answer.set = judged(replayer_, shares_, answer.set);
+  }
+
+  const Replayer& replayer_;
+  std::vector<SetProposal> answers_;
+  Shares shares_;
+  std::size_t best_ = 0;
+};
+
+/// Proposals whose causes can all be seen, at the price of so many kinds.
+std::vector<SetProposal> visible(const Replayer& replayer, std::vector<SetProposal> proposals,
+                                 std::size_t kinds) {
+  std::vector<SetProposal> kept;
+  for (SetProposal& proposal : proposals) {
+    if (!allVisible(replayer, proposal.set.causes())) continue;
+    for (Scored& rest : proposal.lessOne) rest.price = priceOf(rest.causes().size(), kinds);
+    proposal.set.price = priceOf(proposal.set.causes().size(), kinds);
+    kept.push_back(std::move(proposal));
+  }
   return kept;
 }
 
@@ -56,50 +119,62 @@ Scored judged(const Replayer& replayer, const Shares& shares, Scored set) {
   return set;
 }
 
-BeamResult searchBothWays(const Replayer& replayer, const WindowReplayer* windows,
-                          const BeamOptions& options) {
-  const auto part = [&](double from, double to) -> std::function<void(double)> {
-    if (!options.progress) return {};
-    return [&, from, to](double share) { options.progress(from + (to - from) * share); };
-  };
-  BeamOptions beam = options;
-  beam.progress = part(0, windows ? 0.5 : 1);
-  BeamResult found = searchSets(replayer, beam);
-  if (!windows) return found;
+namespace {
 
-  std::vector<WindowProposal> answers{{found.sets.front(), found.lessOne}};
-  for (WindowProposal& proposal :
-       proposedByWindows(*windows, {.mostCauses = options.mostCauses, .progress = part(0.5, 1)})) {
-    if (!allVisible(replayer, proposal.set.causes())) continue;
-    for (Scored& rest : proposal.lessOne) rest.price = priceOf(rest.causes().size(), found.kinds);
-    proposal.set.price = priceOf(proposal.set.causes().size(), found.kinds);
+using Progress = std::function<void(double)>;
+
+Progress partOf(const Progress& whole, double from, double to) {
+  if (!whole) return {};
+  return [&whole, from, to](double share) { whole(from + (to - from) * share); };
+}
+
+BeamResult searchInWindowsToo(const SearchTools& tools, const BeamOptions& options) {
+  BeamOptions beam = options;
+  beam.progress = partOf(options.progress, 0, 0.5);
+  const BeamResult found = searchSets(tools.replayer, beam);
+  std::vector<SetProposal> answers{{found.sets.front(), found.lessOne}};
+  LinearSearchOptions search;
+  search.mostCauses = options.mostCauses;
+  search.progress = partOf(options.progress, 0.5, 1);
+  for (SetProposal& proposal : visible(tools.replayer, proposedSets(*tools.windows, search), found.kinds))
     answers.push_back(std::move(proposal));
+  return Judgement(tools.replayer, std::move(answers), found.shares)
+      .result({found.sets.begin() + 1, found.sets.end()}, found.kinds);
+}
+
+/// Few causes are fitted set by set. Where that ends with as many as it may, derivatives propose larger sets.
+BeamResult searchByDerivatives(const SearchTools& tools, const BeamOptions& options) {
+  const Replayer& replayer = tools.replayer;
+  // Under the shares of what a small set leaves, that set would look better than it is beside large ones.
+  const Shares shares = sharesOf(replayer.groups(), replayer.residuals({}));
+  BeamResult few;
+  few.kinds = possibleKinds(replayer.groups(), replayer.mechanism()).size();
+  if (!options.expectMany) {
+    BeamOptions beam = options;
+    beam.mostCauses = std::min(options.mostCauses, mostSetBySet);
+    beam.progress = partOf(options.progress, 0, 0.3);
+    few = searchSets(replayer, beam);
+    const std::size_t size = few.sets.front().causes().size();
+    if (size < mostSetBySet || size == options.mostCauses) return few;
   }
-  const auto judgeAll = [&] {
-    for (WindowProposal& answer : answers) answer.set = judged(replayer, found.shares, answer.set);
-  };
-  judgeAll();
-  std::size_t best = 0;
-  for (int round = 0; round < mostJudgements; ++round) {
-    const std::size_t now = bestOf(answers);
-    if (now == best) break;
-    best = now;
-    // Shares are those of what the best set leaves.
-    found.shares = sharesOf(replayer.groups(), replayer.residuals(answers[best].set.causes()));
-    judgeAll();
-  }
-  std::vector<Scored> others;
-  for (const WindowProposal& answer : answers) others.push_back(answer.set);
-  for (std::size_t i = 1; i < found.sets.size(); ++i)
-    others.push_back(judged(replayer, found.shares, found.sets[i]));
-  found.lessOne.clear();
-  for (const Scored& rest : answers[best].lessOne)
-    found.lessOne.push_back(judged(replayer, found.shares, rest)), others.push_back(found.lessOne.back());
-  const Scored answer = others[best];
-  std::erase_if(others, [&](const Scored& set) { return sameKinds(set.causes(), answer.causes()); });
-  found.sets = inOrder(std::move(others));
-  found.sets.insert(found.sets.begin(), answer);
-  return found;
+  // That set ended where it had to, and is no rival of the larger ones.
+  std::vector<SetProposal> answers{{score(replayer, shares, {}, few.kinds, 0), {}}};
+  FreeCoefficients coefficients(options.quick ? *tools.coarse : replayer);
+  LinearSearchOptions search;
+  search.mostCauses = options.mostCauses;
+  search.rounds = options.quick ? quickRounds : rounds;
+  search.mostSettled = options.quick ? quickSettled : settled;
+  search.progress = partOf(options.progress, options.expectMany ? 0 : 0.3, 1);
+  for (SetProposal& proposal : visible(replayer, proposedSets(coefficients, search), few.kinds))
+    answers.push_back(std::move(proposal));
+  return Judgement(replayer, std::move(answers), shares).result(few.sets, few.kinds);
+}
+
+}  // namespace
+
+BeamResult searchForSets(const SearchTools& tools, const BeamOptions& options) {
+  if (tools.windows) return searchInWindowsToo(tools, options);
+  return tools.coarse ? searchByDerivatives(tools, options) : searchSets(tools.replayer, options);
 }
 
 }  // namespace plumbline::gap

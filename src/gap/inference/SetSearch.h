@@ -4,12 +4,22 @@
 
 namespace plumbline::gap {
 
-/// Searches for the set of causes with the best score in two ways: by fits to free replays (searchSets), and,
-/// if windows are given, by what windows propose (proposedByWindows). One score judges all sets, with the
-/// values that each way found: the density of free replays of the groups left out. windows: of the same
-/// groups; null: free replays alone.
-BeamResult searchBothWays(const Replayer& replayer, const WindowReplayer* windows,
-                          const BeamOptions& options);
+/// What sets of causes are searched with, all for the same groups.
+struct SearchTools {
+  const Replayer& replayer;           ///< that sets are judged by
+  WindowReplayer* windows = nullptr;  ///< of a robot with few kinds of causes
+  const Replayer* coarse =
+      nullptr;  ///< of a robot with many kinds of causes: with long steps, for quick searches
+};
+
+/// Causes of a robot with many kinds of causes that are fitted set by set.
+inline constexpr std::size_t mostSetBySet = 3;
+
+/// Searches for the set of causes with the best score (doc/decisions/0013). Few kinds are searched in two
+/// ways, by fits to free replays (searchSets) and by what windows propose. Of many kinds, sets are proposed
+/// by derivatives of free replays. With neither tool free replays alone are fitted. One score judges all
+/// sets: the density of free replays of the groups left out.
+BeamResult searchForSets(const SearchTools& tools, const BeamOptions& options);
 
 /// The set, scored anew under these shares with the values that it has without each group.
 Scored judged(const Replayer& replayer, const Shares& shares, Scored set);

@@ -98,24 +98,25 @@ void WindowReplayer::layOut() {
       return true;
     };
     const auto [at, fresh] = known.try_emplace({cell.group, signal.name}, cells_.size());
-    if (fresh) cells_.push_back({cell.group, signal.joint, cell.noise, {}, {}});
+    if (fresh) cells_.push_back({cell.group, signal.joint, cell.noise, {}, 1});
     for (const Window& window : (*windows_)[cell.trial])
       if (fits(window))
-        cells_[at->second].windows.push_back({cell.trial, cell.signal, window.from, window.to});
+        cells_[at->second].columns.push_back({cell.trial, cell.signal, window.from, window.to});
   }
-  std::erase_if(cells_, [](const WindowCell& cell) { return cell.windows.empty(); });
+  std::erase_if(cells_, [](const CoefficientCell& cell) { return cell.columns.empty(); });
 }
 
 void WindowReplayer::putFactors() {
-  const WindowCoefficients here = plainCoefficients(*plain_, {}), moved = plainCoefficients(*moved_, {}),
-                           hurried = plainCoefficients(*hurried_, {});
+  const Coefficients here = plainCoefficients(*plain_, {}), moved = plainCoefficients(*moved_, {}),
+                     hurried = plainCoefficients(*hurried_, {});
+  factors_.resize(cells_.size());
   for (std::size_t c = 0; c < cells_.size(); ++c) {
-    WindowCell& cell = cells_[c];
+    const CoefficientCell& cell = cells_[c];
     const auto rows = here[c].rows();
     const Eigen::MatrixXd byPosition = (moved[c] - here[c]) / positionShift.position,
                           bySpeed = (hurried[c] - here[c]) / speedShift.speed;
-    for (std::size_t w = 0; w < cell.windows.size(); ++w) {
-      const WindowCell::Part& part = cell.windows[w];
+    for (std::size_t w = 0; w < cell.columns.size(); ++w) {
+      const CoefficientCell::Part& part = cell.columns[w];
       Eigen::MatrixXd covariance = cell.noise * cell.noise * Eigen::MatrixXd::Identity(rows, rows);
       for (const Window& window : (*windows_)[part.trial]) {
         if (window.from != part.from) continue;
@@ -124,22 +125,21 @@ void WindowReplayer::putFactors() {
         covariance +=
             response * window.starts[static_cast<std::size_t>(cell.joint)].covariance * response.transpose();
       }
-      cell.factors.emplace_back(covariance.llt().matrixL());
+      factors_[c].emplace_back(covariance.llt().matrixL());
     }
   }
 }
 
-WindowCoefficients WindowReplayer::plainCoefficients(const Replayer& replayer,
-                                                     const Explanation& causes) const {
+Coefficients WindowReplayer::plainCoefficients(const Replayer& replayer, const Explanation& causes) const {
   const Residuals residuals = replayer.residuals(causes);
-  WindowCoefficients result;
-  for (const WindowCell& cell : cells_) {
+  Coefficients result;
+  for (const CoefficientCell& cell : cells_) {
     std::size_t shortest = mostCoefficients;
-    for (const WindowCell::Part& part : cell.windows) shortest = std::min(shortest, part.to - part.from);
+    for (const CoefficientCell::Part& part : cell.columns) shortest = std::min(shortest, part.to - part.from);
     Eigen::MatrixXd of = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(shortest),
-                                               static_cast<Eigen::Index>(cell.windows.size()));
-    for (std::size_t w = 0; w < cell.windows.size(); ++w) {
-      const WindowCell::Part& part = cell.windows[w];
+                                               static_cast<Eigen::Index>(cell.columns.size()));
+    for (std::size_t w = 0; w < cell.columns.size(); ++w) {
+      const CoefficientCell::Part& part = cell.columns[w];
       if (const Series& series = residuals[part.trial][part.signal])
         of.col(static_cast<Eigen::Index>(w)) = cosineCoefficients(*series, part.from, part.to, shortest);
     }
@@ -148,12 +148,11 @@ WindowCoefficients WindowReplayer::plainCoefficients(const Replayer& replayer,
   return result;
 }
 
-WindowCoefficients WindowReplayer::coefficients(const Explanation& causes) const {
-  WindowCoefficients result = plainCoefficients(*plain_, causes);
+Coefficients WindowReplayer::coefficients(const Explanation& causes) const {
+  Coefficients result = plainCoefficients(*plain_, causes);
   for (std::size_t c = 0; c < cells_.size(); ++c)
-    for (std::size_t w = 0; w < cells_[c].windows.size(); ++w)
-      cells_[c].factors[w].triangularView<Eigen::Lower>().solveInPlace(
-          result[c].col(static_cast<Eigen::Index>(w)));
+    for (std::size_t w = 0; w < cells_[c].columns.size(); ++w)
+      factors_[c][w].triangularView<Eigen::Lower>().solveInPlace(result[c].col(static_cast<Eigen::Index>(w)));
   return result;
 }
 

@@ -4,28 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "gap/inference/CoefficientReplayer.h"
 #include "gap/inference/Replayer.h"
 #include "gap/inference/WindowStarts.h"
 
 namespace plumbline::gap {
-
-/// One channel in the windows of one group.
-struct WindowCell {
-  struct Part {
-    std::size_t trial, signal, from, to;  ///< cycles [from, to)
-  };
-  std::size_t group = 0;
-  int joint = -1;
-  double noise = 0;  ///< standard deviation of its residuals under a perfect model
-  std::vector<Part> windows;
-  /// Per window: lower factor of the covariance that its coefficients have under a perfect model, by noise of
-  /// the readings and by what the error of the measured state does.
-  std::vector<Eigen::MatrixXd> factors;
-};
-
-/// Per cell: cosine coefficients of its residuals, a column per window. Those of a WindowReplayer are white:
-/// under a perfect model they are independent and of variance 1.
-using WindowCoefficients = std::vector<Eigen::MatrixXd>;
 
 /// The first coefficients of the orthonormal cosine transform (DCT-II) of a stretch of residuals.
 Eigen::VectorXd cosineCoefficients(const ResidualSeries& residuals, std::size_t from, std::size_t to,
@@ -33,29 +16,33 @@ Eigen::VectorXd cosineCoefficients(const ResidualSeries& residuals, std::size_t 
 
 /// Residuals of recordings that are replayed in windows from the measured state, for robots whose base is
 /// held. What a free replay adds up over seconds, a window forgets.
-class WindowReplayer {
+class WindowReplayer : public CoefficientReplayer {
 public:
   /// groups: of the recordings as they are; they must outlive it.
   WindowReplayer(const Mechanism& robot, const Groups& groups, int jobs);
   /// The same without one group (Groups::without); shares what was replayed.
   WindowReplayer(const WindowReplayer& whole, std::size_t leftOut);
 
-  WindowCoefficients coefficients(const Explanation& causes) const;
-  const std::vector<WindowCell>& cells() const { return cells_; }
-  const Groups& groups() const { return *groups_; }
-  const Mechanism& mechanism() const { return plain_->mechanism(); }
+  Coefficients coefficients(const Explanation& causes) const override;
+  const std::vector<CoefficientCell>& cells() const override { return cells_; }
+  const Groups& groups() const override { return *groups_; }
+  const Mechanism& mechanism() const override { return plain_->mechanism(); }
+  std::vector<CauseKind> kinds() const override { return windowKinds(groups(), mechanism()); }
   std::size_t numReplays() const;
 
 private:
   void layOut();
   void putFactors();
-  WindowCoefficients plainCoefficients(const Replayer& replayer, const Explanation& causes) const;
+  Coefficients plainCoefficients(const Replayer& replayer, const Explanation& causes) const;
 
   std::shared_ptr<const std::vector<std::vector<Window>>> windows_;  ///< per trial
   std::shared_ptr<const Groups> groups_, groupsMoved_, groupsHurried_;
   /// From the starts as measured, and with all positions or speeds of the starts shifted.
   std::shared_ptr<const Replayer> plain_, moved_, hurried_;
-  std::vector<WindowCell> cells_;
+  std::vector<CoefficientCell> cells_;
+  /// Per cell and window: lower factor of the covariance that its coefficients have under a perfect model, by
+  /// noise of the readings and by what the error of the measured state does.
+  std::vector<std::vector<Eigen::MatrixXd>> factors_;
 };
 
 }  // namespace plumbline::gap

@@ -80,9 +80,9 @@ Playback::Playback(const Plant& plant, const Trial& trial, const ReplayOptions& 
     double shift = 0;
     if (signal.kind == SignalKind::position) shift = trial_.positionAt[joint];
     if (signal.kind == SignalKind::velocity) shift = trial_.velocityAt[joint];
-    readings_.push_back(
-        {s, static_cast<int>(place - joints.begin()), signal.kind, shift, signal.unsignedValue});
-    if (signal.kind == SignalKind::duty)
+    readings_.push_back({s, static_cast<int>(place - joints.begin()), signal.kind, shift,
+                         signal.unsignedValue, signal.ofSupply});
+    if (isEffort(signal.kind))
       for (const Signal& other : trial_.signals)
         if (other.kind == SignalKind::position && other.joint == signal.joint) readings_.back().seen = &other;
     lastShift_ = std::max(lastShift_, shift);
@@ -141,9 +141,9 @@ double Playback::valueOf(const Reading& reading, double h, double s) const {
     case SignalKind::velocity:
       return (1 - s) * stepper_.rateBefore(reading.node) + s * stepper_.rate(reading.node);
     case SignalKind::torque:
-      return stepper_.torque(reading.node);
+      return torqueIn(reading);
     case SignalKind::current:
-      return stepper_.current(reading.node);
+      return currentIn(reading);
     case SignalKind::duty:
       return dutyIn(reading);
     default:
@@ -151,23 +151,38 @@ double Playback::valueOf(const Reading& reading, double h, double s) const {
   }
 }
 
+Playback::Seen Playback::seenAt(const Reading& reading) const {
+  if (!reading.seen) return {stepper_.shown(reading.node), stepper_.rate(reading.node)};
+  // Positions are read a moment before or after the cycle's begin, efforts at it.
+  const std::size_t k = reading.next;
+  const auto joint = static_cast<std::size_t>(trial_.signals[reading.signal].joint);
+  const std::vector<double>& angle = reading.seen->values;
+  const double late = trial_.positionAt[joint];
+  const std::size_t other = late > 0 ? (k > 0 ? k - 1 : k) : std::min(k + 1, trial_.cycles() - 1);
+  Seen seen{angle[k], rateAt(trial_, *reading.seen, k)};
+  if (other != k)
+    seen.shown +=
+        std::min(1.0, std::abs(late / (trial_.time[k] - trial_.time[other]))) * (angle[other] - angle[k]);
+  return seen;
+}
+
 double Playback::dutyIn(const Reading& reading) const {
   const std::size_t k = reading.next;
   const auto joint = static_cast<std::size_t>(trial_.signals[reading.signal].joint);
   if (joint < trial_.stiffness.size() && !trial_.stiffness[joint].empty() && trial_.stiffness[joint][k] <= 0)
     return std::numeric_limits<double>::quiet_NaN();
-  double shown = stepper_.shown(reading.node);
-  if (reading.seen) {
-    // Positions are read a moment before or after the cycle's begin, duties at it.
-    const std::vector<double>& angle = reading.seen->values;
-    const double late = trial_.positionAt[joint];
-    const std::size_t other = late > 0 ? (k > 0 ? k - 1 : k) : std::min(k + 1, trial_.cycles() - 1);
-    shown = angle[k];
-    if (other != k)
-      shown +=
-          std::min(1.0, std::abs(late / (trial_.time[k] - trial_.time[other]))) * (angle[other] - angle[k]);
-  }
-  return stepper_.duty(reading.node, shown);
+  return stepper_.duty(reading.node, seenAt(reading).shown);
+}
+
+double Playback::torqueIn(const Reading& reading) const {
+  if (!reading.seen) return stepper_.torque(reading.node);
+  const Seen seen = seenAt(reading);
+  return stepper_.torqueAt(reading.node, seen.shown, seen.rate);
+}
+
+double Playback::currentIn(const Reading& reading) const {
+  const double motor = torqueIn(reading) / stepper_.torqueConstant(reading.node);
+  return reading.ofSupply ? stepper_.supplyCurrent(reading.node, motor, seenAt(reading).rate) : motor;
 }
 
 }  // namespace plumbline::gap

@@ -38,15 +38,23 @@ private:
     int node = 0;  ///< of the stepper
     SignalKind kind = SignalKind::position;
     double shift = 0;  ///< when in the cycle [s]
-    bool unsignedValue = false;
+    bool unsignedValue = false, ofSupply = false;
     std::size_t next = 0;
-    const Signal* seen = nullptr;  ///< of a duty: the same joint's measured position, if there is one
+    const Signal* seen = nullptr;  ///< of an effort: the same joint's measured position, if there is one
+  };
+  /// What the encoder shows at an effort's reading [rad, rad/s].
+  struct Seen {
+    double shown, rate;
   };
 
   void read(double from, double to);
   double valueOf(const Reading& reading, double h, double s) const;
-  /// The duty follows from the measured angle by the servo's law; the joint's dynamics do not matter.
+  /// Duty, torque and current follow from the measured angle by the servo's law: given the positions, the
+  /// joint's dynamics do not matter.
   double dutyIn(const Reading& reading) const;
+  double torqueIn(const Reading& reading) const;
+  double currentIn(const Reading& reading) const;
+  Seen seenAt(const Reading& reading) const;
 
   const Trial& trial_;
   std::shared_ptr<const Plant> plant_;

@@ -87,6 +87,12 @@ ServoLine servoLine(const JointPlant& plant, double command, double share, doubl
   return line;
 }
 
+double dutyThatDraws(const JointPlant& plant, double current, double speed, double volts) {
+  const Servo& servo = plant.servo;
+  if (!(servo.kt > 0 && servo.R > 0 && servo.vin > 0)) return std::numeric_limits<double>::quiet_NaN();
+  return (current * servo.R + servo.kt * speed) / ((volts > 0 ? volts : servo.vin) * plant.supplyFactor);
+}
+
 double dutyOf(const JointPlant& plant, double command, double shown) {
   const Servo& servo = plant.servo;
   if (servo.model != Servo::Model::dcMotor) return std::numeric_limits<double>::quiet_NaN();

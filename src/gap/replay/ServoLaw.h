@@ -25,6 +25,10 @@ double measuredAngle(const JointPlant& plant, double angle);
 ServoLine servoLine(const JointPlant& plant, double command, double share, double volts, double x, double w,
                     double limitShare, double supplyShare = 1, double speed = 0, double torque = 0);
 
+/// Share of the supply that a motor with this current [A] and speed [rad/s] has on it; NaN where the robot's
+/// file does not give its constants. volts: measured supply, 0: as in the table.
+double dutyThatDraws(const JointPlant& plant, double current, double speed, double volts);
+
 /// Duty of a DC motor's servo, -1..1, for a command and the encoder's angle [rad]; NaN for other servos.
 double dutyOf(const JointPlant& plant, double command, double shown);
 

@@ -277,10 +277,25 @@ void Stepper::advance(double h) {
   }
 }
 
-double Stepper::current(int node) const {
+double Stepper::torqueConstant(int node) const {
+  const double kt = plant_.joints[index(drives_[index(node)].joint)].servo.kt;
+  return kt > 0 ? kt : unmeasured;
+}
+
+double Stepper::supplyCurrent(int node, double current, double rate) const {
   const Drive& drive = drives_[index(node)];
-  const double kt = plant_.joints[index(drive.joint)].servo.kt;
-  return kt > 0 ? drive.torque / kt : unmeasured;
+  const JointPlant& plant = plant_.joints[index(drive.joint)];
+  return current * dutyThatDraws(plant, current, rate, drive.path.voltage());
+}
+
+double Stepper::torqueAt(int node, double shown, double rate) const {
+  const Drive& drive = drives_[index(node)];
+  const JointPlant& plant = plant_.joints[index(drive.joint)];
+  // The encoder's error changes slowly enough to be taken at the reading.
+  const double angle = 2 * shown - measuredAngle(plant, shown);
+  return servoLine(plant, drive.path.atEnd(), drive.path.stiffness(), drive.path.voltage(), angle, rate,
+                   limitShare(drive), supply_.left(plant), drive.path.speedSent(), drive.path.torqueSent())
+      .at(angle, rate);
 }
 
 double Stepper::duty(int node, double shown) const {

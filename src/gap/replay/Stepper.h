@@ -38,7 +38,11 @@ public:
   double shownBefore(int node) const { return drives_[index(node)].shownBefore; }
   double rateBefore(int node) const { return drives_[index(node)].rateBefore; }
   double torque(int node) const { return drives_[index(node)].torque; }  ///< of the servo [N m]
-  double current(int node) const;  ///< [A]; NaN if the constant is unknown
+  double torqueConstant(int node) const;  ///< of its motor [N m/A]; NaN if it is unknown
+  /// What its motor draws from the supply: its current [A] times its duty, at this speed [rad/s].
+  double supplyCurrent(int node, double current, double rate) const;
+  /// Torque of its servo for the present command, this encoder angle and speed [N m].
+  double torqueAt(int node, double shown, double rate) const;
   /// Duty of its servo for the present command and this encoder angle, see dutyOf().
   double duty(int node, double shown) const;
   /// Makes "before" equal "now".

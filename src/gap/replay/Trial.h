@@ -12,6 +12,11 @@ namespace plumbline::gap {
 /// Kind of a measured channel; joint or place and axis say which one.
 enum class SignalKind { position, velocity, torque, current, duty, gyro, accelerometer, force, truth };
 
+/// Whether it is what a motor gives: its duty, torque or current.
+constexpr bool isEffort(SignalKind kind) {
+  return kind == SignalKind::torque || kind == SignalKind::current || kind == SignalKind::duty;
+}
+
 /// A measured channel of a trial: one value per cycle, NaN where lost.
 struct Signal {
   std::string name;  ///< the contract's: pos.LKneePitch
@@ -21,6 +26,7 @@ struct Signal {
   int axis = 0;    ///< 0..2 of gyro, accelerometer; corner of force; 0..6 of truth (x y z qw qx qy qz)
   bool unsignedValue = false;
   std::vector<double> values;
+  bool ofSupply = false;  ///< of a current: the supply's and not the motor's, see CurrentSide.h
 };
 
 /// The measured state of the robot in a cycle, from which a replay restarts.

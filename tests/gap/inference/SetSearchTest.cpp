@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "../ThreeRecordings.h"
 
 namespace plumbline::gap {
@@ -31,17 +33,48 @@ TEST(SetSearch, withWindowsTheAnswerIsNoWorseByTheOneScore) {
   const Mechanism arm = twoJointArm();
   const Groups groups(recordings({causeOf(arm, "coulomb_friction", "shoulder", 0.15)}, 2));
   const Replayer replayer(arm, groups, 1);
-  const WindowReplayer windows(arm, groups, 1);
+  WindowReplayer windows(arm, groups, 1);
   BeamOptions options;
   options.mostCauses = 2;
-  const BeamResult free = searchBothWays(replayer, nullptr, options),
-                   both = searchBothWays(replayer, &windows, options);
+  const BeamResult free = searchForSets({replayer}, options),
+                   both = searchForSets({replayer, &windows}, options);
   const Scored before = judged(replayer, both.shares, free.sets.front());
   EXPECT_GE(both.sets.front().score(), before.score());
   ASSERT_EQ(both.sets.front().causes().size(), 1U);
   EXPECT_EQ(both.sets.front().causes()[0].effect->id, std::string("coulomb_friction"));
   ASSERT_EQ(both.lessOne.size(), 1U);
   EXPECT_TRUE(both.lessOne[0].causes().empty());
+}
+
+TEST(SetSearch, ofManyKindsDerivativesProposeAndTheOneScoreChooses) {
+  const Mechanism arm = twoJointArm();
+  const Explanation truth{causeOf(arm, "coulomb_friction", "shoulder", 0.15),
+                          causeOf(arm, "servo_gain", "elbow", 0.7)};
+  const Groups groups(recordings(truth, 3));
+  const Replayer replayer(arm, groups, 1);
+  for (const bool quick : {false, true}) {
+    BeamOptions options;
+    options.mostCauses = 3;
+    options.quick = quick;
+    const BeamResult found = searchForSets({replayer, nullptr, &replayer}, options);
+    const Explanation& causes = found.sets.front().causes();
+    ASSERT_EQ(causes.size(), 2U);
+    for (const Cause& cause : truth) {
+      const auto same = std::ranges::find_if(causes, [&](const Cause& c) { return c.sameKind(cause); });
+      ASSERT_NE(same, causes.end()) << describe(cause);
+      EXPECT_NEAR(same->value, cause.value, 0.05 * cause.value);
+    }
+    EXPECT_EQ(found.lessOne.size(), 2U);
+    for (const Scored& rest : found.lessOne) EXPECT_LT(rest.score(), found.sets.front().score());
+    EXPECT_EQ(found.sets.front().without.size(), 3U);
+  }
+}
+
+TEST(SetSearch, whereNothingIsMissingTheEmptySetIsTheAnswer) {
+  const Mechanism arm = twoJointArm();
+  const Groups groups(recordings({}, 2));
+  const Replayer replayer(arm, groups, 1);
+  EXPECT_TRUE(searchForSets({replayer, nullptr, &replayer}, {}).sets.front().causes().empty());
 }
 
 }  // namespace plumbline::gap

@@ -11,7 +11,7 @@ namespace plumbline::gap {
 namespace {
 
 /// Root mean square of the coefficients: 1 under a perfect model.
-double sizeOf(const WindowCoefficients& of) {
+double sizeOf(const Coefficients& of) {
   double squares = 0, count = 0;
   for (const Eigen::MatrixXd& columns : of)
     squares += columns.squaredNorm(), count += static_cast<double>(columns.size());
@@ -57,7 +57,7 @@ TEST(WindowReplayer, withoutAGroupTheOthersKeepTheirCoefficients) {
   const WindowReplayer replayer(arm, groups, 1), two(replayer, 1);
   EXPECT_EQ(two.groups().count(), 2U);
   const Explanation causes{causeOf(arm, "servo_gain", "elbow", 0.8)};
-  const WindowCoefficients all = replayer.coefficients(causes), some = two.coefficients(causes);
+  const Coefficients all = replayer.coefficients(causes), some = two.coefficients(causes);
   std::vector<Eigen::MatrixXd> expected;
   for (std::size_t c = 0; c < all.size(); ++c)
     if (replayer.cells()[c].group != 1) expected.push_back(all[c]);

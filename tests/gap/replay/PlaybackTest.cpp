@@ -80,6 +80,31 @@ TEST_F(PlaybackTest, aDutyTellsOfTheServoAndNotOfWhatItMoves) {
   EXPECT_GT(mostOff(late, 1), 0.02);
 }
 
+TEST_F(PlaybackTest, torqueAndCurrentFollowFromTheMeasuredAngleToo) {
+  const Mechanism pendulum = findMechanism("xl330_pendulum");
+  const auto efforts = [&](const Explanation& reality) {
+    Trial trial = dutyTrial(reality, 3, 0);
+    for (const SignalKind kind : {SignalKind::torque, SignalKind::current}) {
+      Signal effort;
+      effort.name = kind == SignalKind::torque ? "torque.pendulum" : "current.pendulum";
+      effort.kind = kind;
+      effort.joint = 0;
+      effort.values.assign(trial.cycles(), 0);
+      trial.signals.push_back(effort);
+    }
+    const Prediction shown = replay(plantOf(trial, reality), trial);
+    for (const std::size_t s : {2, 3}) trial.signals[s].values = shown.values[s];
+    return trial;
+  };
+  const Trial heavy = efforts({causeOf(pendulum, "link_mass", "arm", 0.2)});
+  EXPECT_GT(mostOff(heavy, 0), 0.02) << "its position is another";
+  for (const std::size_t s : {2, 3}) EXPECT_LT(mostOff(heavy, s), 1e-9);
+  const double kt = pendulum.joints[0].servo.kt;
+  EXPECT_NEAR(heavy.signals[3].values[50], heavy.signals[2].values[50] / kt, 1e-12);
+  const Trial stiff = efforts({causeOf(pendulum, "servo_gain", "pendulum", 1.2)});
+  for (const std::size_t s : {2, 3}) EXPECT_GT(mostOff(stiff, s), 0.01);
+}
+
 TEST_F(PlaybackTest, aMotorThatIsOffHasNoDutyToPredict) {
   Trial trial = dutyTrial({}, 1, 0);
   trial.stiffness[0].assign(trial.cycles(), 1);

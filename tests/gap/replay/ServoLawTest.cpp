@@ -102,6 +102,16 @@ TEST(ServoLawTest, aSupplyThatSagsTakesTorqueAndSpeed) {
       << "a measured one has sagged";
 }
 
+TEST(ServoLawTest, aCurrentAndASpeedTakeTheirShareOfTheSupply) {
+  JointPlant motor = nominalPlant(twoJointArm()).joints[0];
+  EXPECT_TRUE(std::isnan(dutyThatDraws(motor, 1, 0, 0))) << "its constants are not known";
+  motor.servo.kt = 0.5;
+  motor.servo.R = 2;
+  motor.servo.vin = 10;
+  EXPECT_NEAR(dutyThatDraws(motor, 3, 4, 0), (3 * 2 + 0.5 * 4) / 10, 1e-12);
+  EXPECT_NEAR(dutyThatDraws(motor, 3, 4, 8), 1, 1e-12);
+}
+
 TEST(ServoLawTest, dutyIsWhatTheFirmwareMakesOfTheError) {
   JointPlant motor = nominalPlant(findMechanism("xl330_pendulum")).joints[0];
   const double perAngle = 400 * 0.00287738;

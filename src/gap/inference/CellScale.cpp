@@ -1,4 +1,4 @@
-#include "gap/inference/WindowScale.h"
+#include "gap/inference/CellScale.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -19,9 +19,9 @@ Eigen::MatrixXd raisedToOne(const Eigen::MatrixXd& moment) {
          solver.eigenvectors().transpose();
 }
 
-WindowScale likeliestScale(const Eigen::MatrixXd& columns) {
+CellScale likeliestScale(const Eigen::MatrixXd& columns) {
   const auto n = static_cast<double>(columns.rows()), count = static_cast<double>(columns.cols());
-  WindowScale scale{{}, Eigen::VectorXd::Ones(columns.cols()), 0};
+  CellScale scale{{}, Eigen::VectorXd::Ones(columns.cols()), 0};
   for (int round = 0; round < scaleRounds; ++round) {
     scale.covariance = raisedToOne(columns * scale.weights.asDiagonal() * columns.transpose() / count);
     const Eigen::LLT<Eigen::MatrixXd> factor(scale.covariance);

@@ -1,4 +1,4 @@
-#include "gap/inference/WindowKinds.h"
+#include "gap/inference/CauseKinds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +23,9 @@ std::vector<int> jointsOf(const Mechanism& robot, const Place& place) {
     }
     case Site::link:
       return robot.chain(place.index);
+    case Site::imu:
+    case Site::foot:
+      return {-1};
     default:
       return {};
   }
@@ -35,7 +38,7 @@ double middleStart(const Effect& effect, double scale) {
   return strengths[strengths.size() / 2];
 }
 
-bool overlap(const WindowKind& a, const WindowKind& b) {
+bool overlap(const CauseKind& a, const CauseKind& b) {
   if (a.joints.empty() || b.joints.empty()) return true;
   return std::ranges::any_of(a.joints,
                              [&](int joint) { return std::ranges::find(b.joints, joint) != b.joints.end(); });
@@ -43,12 +46,11 @@ bool overlap(const WindowKind& a, const WindowKind& b) {
 
 }  // namespace
 
-std::vector<WindowKind> windowKinds(const Groups& groups, const Mechanism& robot) {
-  std::vector<WindowKind> kinds;
+std::vector<CauseKind> causeKinds(const Groups& groups, const Mechanism& robot) {
+  std::vector<CauseKind> kinds;
   for (const Cause& cause : possibleKinds(groups, robot)) {
-    if (ofSensor(cause)) continue;
-    WindowKind kind{cause, middleStart(*cause.effect, cause.effect->scaleAt(robot, cause.place)), 0, 0,
-                    jointsOf(robot, cause.place)};
+    CauseKind kind{cause, middleStart(*cause.effect, cause.effect->scaleAt(robot, cause.place)), 0, 0,
+                   jointsOf(robot, cause.place)};
     const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
     const double one = cause.effect->strengthOf(bounds.lower) / kind.unit,
                  other = cause.effect->strengthOf(bounds.upper) / kind.unit;
@@ -60,11 +62,17 @@ std::vector<WindowKind> windowKinds(const Groups& groups, const Mechanism& robot
   return kinds;
 }
 
-Cause causeAt(const Mechanism& robot, const WindowKind& kind, double x) {
+std::vector<CauseKind> windowKinds(const Groups& groups, const Mechanism& robot) {
+  std::vector<CauseKind> kinds = causeKinds(groups, robot);
+  std::erase_if(kinds, [](const CauseKind& kind) { return ofSensor(kind.cause); });
+  return kinds;
+}
+
+Cause causeAt(const Mechanism& robot, const CauseKind& kind, double x) {
   return withStrength(robot, kind.cause, x * kind.unit);
 }
 
-std::vector<std::vector<std::size_t>> colours(const std::vector<WindowKind>& kinds,
+std::vector<std::vector<std::size_t>> colours(const std::vector<CauseKind>& kinds,
                                               const std::vector<std::size_t>& wanted) {
   std::vector<std::vector<std::size_t>> groups;
   for (const std::size_t k : wanted) {

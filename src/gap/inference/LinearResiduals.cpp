@@ -1,12 +1,12 @@
-#include "gap/inference/WindowLinear.h"
+#include "gap/inference/LinearResiduals.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "gap/inference/CellScale.h"
 #include "gap/inference/Score.h"
-#include "gap/inference/WindowScale.h"
 
 namespace plumbline::gap {
 
@@ -24,19 +24,19 @@ Eigen::MatrixXd priorOf(std::size_t count) {
 
 }  // namespace
 
-bool WindowSet::holds(std::size_t kind) const { return std::ranges::binary_search(kinds, kind); }
+bool StrengthSet::holds(std::size_t kind) const { return std::ranges::binary_search(kinds, kind); }
 
-double WindowSet::at(std::size_t kind) const {
+double StrengthSet::at(std::size_t kind) const {
   const auto found = std::ranges::lower_bound(kinds, kind);
   return found != kinds.end() && *found == kind ? x[found - kinds.begin()] : 0;
 }
 
-double WindowScore::score() const { return std::accumulate(density.begin(), density.end(), -price); }
+double SetScore::score() const { return std::accumulate(density.begin(), density.end(), -price); }
 
 double logPrior(const Eigen::VectorXd& x) { return -x.squaredNorm() / (2 * priorWidth * priorWidth); }
 
 /// Normal equations of one set, per group, in strengths themselves.
-struct WindowLinear::Equations {
+struct LinearResiduals::Equations {
   std::vector<Eigen::MatrixXd> information;
   std::vector<Eigen::VectorXd> right;
   /// Of all groups but one.
@@ -49,9 +49,9 @@ struct WindowLinear::Equations {
   }
 };
 
-WindowLinear::WindowLinear(const std::vector<WindowCell>& cells, std::size_t groups,
-                           const std::vector<WindowKind>& kinds, WindowSet middle,
-                           WindowCoefficients residuals, std::vector<WindowCoefficients> slopes)
+LinearResiduals::LinearResiduals(const std::vector<CoefficientCell>& cells, std::size_t groups,
+                                 const std::vector<CauseKind>& kinds, StrengthSet middle,
+                                 Coefficients residuals, std::vector<Coefficients> slopes)
     : cells_(cells),
       groups_(groups),
       kinds_(kinds),
@@ -65,8 +65,8 @@ WindowLinear::WindowLinear(const std::vector<WindowCell>& cells, std::size_t gro
         residuals_[c] -= slope * middle_.x[static_cast<Eigen::Index>(i)];
 }
 
-Eigen::MatrixXd WindowLinear::left(std::size_t cell, const std::vector<std::size_t>& kinds,
-                                   const Eigen::VectorXd& x) const {
+Eigen::MatrixXd LinearResiduals::left(std::size_t cell, const std::vector<std::size_t>& kinds,
+                                      const Eigen::VectorXd& x) const {
   Eigen::MatrixXd residuals = residuals_[cell];
   for (std::size_t i = 0; i < kinds.size(); ++i)
     if (const Eigen::MatrixXd& slope = slopes_[kinds[i]][cell]; slope.size() > 0)
@@ -75,8 +75,8 @@ Eigen::MatrixXd WindowLinear::left(std::size_t cell, const std::vector<std::size
 }
 
 /// With the covariances that are likeliest for what these strengths leave.
-WindowLinear::Equations WindowLinear::equations(const std::vector<std::size_t>& kinds,
-                                                const Eigen::VectorXd& at) const {
+LinearResiduals::Equations LinearResiduals::equations(const std::vector<std::size_t>& kinds,
+                                                      const Eigen::VectorXd& at) const {
   const auto n = static_cast<Eigen::Index>(kinds.size());
   Equations equations{std::vector<Eigen::MatrixXd>(groups_, Eigen::MatrixXd::Zero(n, n)),
                       std::vector<Eigen::VectorXd>(groups_, Eigen::VectorXd::Zero(n))};
@@ -85,9 +85,9 @@ WindowLinear::Equations WindowLinear::equations(const std::vector<std::size_t>& 
     for (std::size_t i = 0; i < kinds.size(); ++i)
       if (slopes_[kinds[i]][c].size() > 0) felt.push_back(static_cast<Eigen::Index>(i));
     if (felt.empty()) continue;
-    const WindowScale scale = likeliestScale(left(c, kinds, at));
+    const CellScale scale = likeliestScale(left(c, kinds, at));
     const Eigen::LLT<Eigen::MatrixXd> factor(scale.covariance);
-    const Eigen::VectorXd roots = scale.weights.cwiseSqrt();
+    const Eigen::VectorXd roots = (cells_[c].share * scale.weights).cwiseSqrt();
     const auto whitened = [&](const Eigen::MatrixXd& columns) {
       const Eigen::MatrixXd white = factor.matrixL().solve(columns * roots.asDiagonal());
       return Eigen::VectorXd(white.reshaped());
@@ -104,8 +104,9 @@ WindowLinear::Equations WindowLinear::equations(const std::vector<std::size_t>& 
 }
 
 /// The strengths of least squares, what would leave its bounds held there.
-Eigen::VectorXd WindowLinear::solve(const std::vector<std::size_t>& kinds, const Eigen::MatrixXd& information,
-                                    const Eigen::VectorXd& right) const {
+Eigen::VectorXd LinearResiduals::solve(const std::vector<std::size_t>& kinds,
+                                       const Eigen::MatrixXd& information,
+                                       const Eigen::VectorXd& right) const {
   const auto n = static_cast<Eigen::Index>(kinds.size());
   Eigen::VectorXd x = Eigen::VectorXd::Zero(n), lower(n), upper(n);
   std::vector<Eigen::Index> free;
@@ -137,13 +138,13 @@ Eigen::VectorXd WindowLinear::solve(const std::vector<std::size_t>& kinds, const
   return x;
 }
 
-Eigen::VectorXd WindowLinear::startOf(const std::vector<std::size_t>& kinds) const {
+Eigen::VectorXd LinearResiduals::startOf(const std::vector<std::size_t>& kinds) const {
   Eigen::VectorXd x(static_cast<Eigen::Index>(kinds.size()));
   for (std::size_t i = 0; i < kinds.size(); ++i) x[static_cast<Eigen::Index>(i)] = middle_.at(kinds[i]);
   return x;
 }
 
-Eigen::VectorXd WindowLinear::fit(const std::vector<std::size_t>& kinds) const {
+Eigen::VectorXd LinearResiduals::fit(const std::vector<std::size_t>& kinds) const {
   Eigen::VectorXd x = startOf(kinds);
   for (int round = 0; round < fitRounds && !kinds.empty(); ++round) {
     const auto [information, right] = equations(kinds, x).sum(groups_);
@@ -152,8 +153,8 @@ Eigen::VectorXd WindowLinear::fit(const std::vector<std::size_t>& kinds) const {
   return x;
 }
 
-WindowScore WindowLinear::score(const std::vector<std::size_t>& kinds) const {
-  WindowScore scored;
+SetScore LinearResiduals::score(const std::vector<std::size_t>& kinds) const {
+  SetScore scored;
   scored.set = {kinds, fit(kinds)};
   scored.price = priceOf(kinds.size(), kinds_.size());
   const Equations of = equations(kinds, scored.set.x);
@@ -166,31 +167,52 @@ WindowScore WindowLinear::score(const std::vector<std::size_t>& kinds) const {
   scored.density.assign(groups_, 0.0);
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const std::size_t g = cells_[c].group;
-    scored.density[g] += likeliestScale(left(c, kinds, scored.without[g])).density;
+    scored.density[g] += cells_[c].share * likeliestScale(left(c, kinds, scored.without[g])).density;
   }
   return scored;
 }
 
-std::vector<std::size_t> WindowLinear::proposals(const WindowSet& set, std::size_t most) const {
-  std::vector<std::size_t> all(kinds_.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  Eigen::VectorXd x(static_cast<Eigen::Index>(all.size()));
-  std::vector<Eigen::Index> in;
-  for (const std::size_t kind : all) {
-    x[static_cast<Eigen::Index>(kind)] = set.at(kind);
-    if (set.holds(kind)) in.push_back(static_cast<Eigen::Index>(kind));
+std::vector<std::size_t> LinearResiduals::proposals(const StrengthSet& set, std::size_t most) const {
+  const auto count = static_cast<Eigen::Index>(kinds_.size()), inSet = set.x.size();
+  // Curvature of the log density by each kind and its slope at the set, and what it shares with those in it.
+  Eigen::VectorXd curvatures = Eigen::VectorXd::Zero(count), slope = Eigen::VectorXd::Zero(count);
+  Eigen::MatrixXd shared = Eigen::MatrixXd::Zero(inSet, count), within = priorOf(set.kinds.size());
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const Eigen::MatrixXd residuals = left(c, set.kinds, set.x);
+    const CellScale scale = likeliestScale(residuals);
+    const Eigen::LLT<Eigen::MatrixXd> factor(scale.covariance);
+    const Eigen::VectorXd weights = cells_[c].share * scale.weights;
+    const auto weighed = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
+      return factor.solve(columns) * weights.asDiagonal();
+    };
+    const Eigen::MatrixXd pull = weighed(residuals);
+    std::vector<Eigen::MatrixXd> of;
+    for (const std::size_t kind : set.kinds)
+      of.push_back(slopes_[kind][c].size() > 0 ? weighed(slopes_[kind][c]) : Eigen::MatrixXd());
+    const auto product = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+      return a.cwiseProduct(b).sum();
+    };
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const Eigen::MatrixXd& way = slopes_[static_cast<std::size_t>(k)][c];
+      if (way.size() == 0) continue;
+      slope[k] -= product(pull, way);
+      curvatures[k] += product(weighed(way), way);
+      for (Eigen::Index i = 0; i < inSet; ++i)
+        if (const Eigen::MatrixXd& other = of[static_cast<std::size_t>(i)]; other.size() > 0)
+          shared(i, k) += product(other, way);
+    }
   }
-  const auto [information, right] = equations(all, x).sum(groups_);
-  const Eigen::VectorXd slope = right - information * x;
-  const Eigen::LLT<Eigen::MatrixXd> inSet(information(in, in) + priorOf(in.size()));
+  for (Eigen::Index i = 0; i < inSet; ++i)
+    within.col(i) += shared.col(static_cast<Eigen::Index>(set.kinds[static_cast<std::size_t>(i)]));
+  const Eigen::LLT<Eigen::MatrixXd> inside(within);
   std::vector<std::pair<double, std::size_t>> gains;
-  for (const std::size_t kind : all) {
-    const auto k = static_cast<Eigen::Index>(kind);
-    if (set.holds(kind) || !(information(k, k) > 0)) continue;
-    double curvature = information(k, k) + 1 / (priorWidth * priorWidth);
-    if (!in.empty()) {
-      const Eigen::VectorXd with = information(in, k);
-      curvature -= with.dot(inSet.solve(with));
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto kind = static_cast<std::size_t>(k);
+    if (set.holds(kind) || !(curvatures[k] > 0)) continue;
+    double curvature = curvatures[k] + 1 / (priorWidth * priorWidth);
+    if (inSet > 0) {
+      const Eigen::VectorXd with = shared.col(k);
+      curvature -= with.dot(inside.solve(with));
     }
     const double way = std::clamp(slope[k] / curvature, std::max(kinds_[kind].lower, -mostFromMiddle),
                                   std::min(kinds_[kind].upper, mostFromMiddle));

@@ -1,4 +1,4 @@
-#include "gap/inference/WindowSearch.h"
+#include "gap/inference/LinearSearch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,28 +7,27 @@
 #include <set>
 
 #include "gap/inference/Score.h"
-#include "gap/inference/WindowFit.h"
+#include "gap/inference/StrengthFit.h"
 
 namespace plumbline::gap {
 
 namespace {
 
-constexpr int mostRounds = 8;  // of derivatives taken anew
 constexpr int stepsOfRound = 4, stepsAtEnd = 10;
-constexpr std::size_t proposalsPerMove = 10;
+constexpr std::size_t proposalsPerMove = 10, proposalsPerSwap = 10;
 
-class WindowSearch {
+class LinearSearch {
 public:
-  WindowSearch(const WindowReplayer& replayer, const WindowSearchOptions& options)
-      : options_(options), fitter_(replayer) {}
+  LinearSearch(CoefficientReplayer& replayer, const LinearSearchOptions& options)
+      : options_(options), replayer_(replayer), fitter_(replayer) {}
 
-  std::vector<WindowProposal> run() {
+  std::vector<SetProposal> run() {
     lookFrom({});
     std::set<std::vector<std::size_t>> seen;
     std::vector<std::size_t> kinds;
-    for (int round = 0; round < mostRounds; ++round) {
-      tell(0.8 * round / mostRounds);
-      const WindowSet set = fitter_.refine(climb(kinds), stepsOfRound);
+    for (int round = 0; round < options_.rounds; ++round) {
+      tell(0.8 * round / options_.rounds);
+      const StrengthSet set = fitter_.refine(climb(kinds), stepsOfRound);
       lookFrom(set);
       collect(set.kinds);
       if (!seen.insert(set.kinds).second) break;
@@ -44,12 +43,13 @@ private:
   }
 
   /// Takes the linear picture anew beside a set.
-  void lookFrom(const WindowSet& set) {
+  void lookFrom(const StrengthSet& set) {
+    weighedAnew_ = replayer_.weighBeside(fitter_.causesOf(set));
     linear_.emplace(fitter_.linearise(set, fitter_.all()));
     scored_.clear();
   }
 
-  const WindowScore& score(const std::vector<std::size_t>& kinds) {
+  const SetScore& score(const std::vector<std::size_t>& kinds) {
     const auto known = scored_.find(kinds);
     return known != scored_.end() ? known->second
                                   : scored_.emplace(kinds, linear_->score(kinds)).first->second;
@@ -75,20 +75,20 @@ private:
     const auto look = [&](const std::vector<std::size_t>& other) {
       if (score(other).score() > score(best).score()) best = other;
     };
-    const auto lookBeside = [&](const std::vector<std::size_t>& rest) {
-      for (const std::size_t kind : linear_->proposals(score(rest).set, proposalsPerMove))
+    const auto lookBeside = [&](const std::vector<std::size_t>& rest, std::size_t most) {
+      for (const std::size_t kind : linear_->proposals(score(rest).set, most))
         if (const auto larger = extended(rest, kind)) look(*larger);
     };
-    lookBeside(kinds);
+    lookBeside(kinds, proposalsPerMove);
     for (const std::size_t kind : kinds) {
       look(lessOne(kinds, kind));
-      lookBeside(lessOne(kinds, kind));
+      lookBeside(lessOne(kinds, kind), proposalsPerSwap);
     }
     return best;
   }
 
   /// The best set that single moves lead to in the linear picture.
-  WindowSet climb(std::vector<std::size_t> kinds) {
+  StrengthSet climb(std::vector<std::size_t> kinds) {
     for (;;) {
       std::vector<std::size_t> next = moved(kinds);
       if (next == kinds) return score(kinds).set;
@@ -100,9 +100,9 @@ private:
   /// missed least goes first.
   void collect(std::vector<std::size_t> kinds) {
     for (;;) {
-      const WindowScore& scored = score(kinds);
+      const SetScore& scored = score(kinds);
       const auto [known, fresh] = bestBySize_.try_emplace(kinds.size(), scored);
-      if (!fresh && scored.score() > known->second.score()) known->second = scored;
+      if (!fresh && (weighedAnew_ || scored.score() > known->second.score())) known->second = scored;
       if (kinds.empty()) return;
       kinds = bestLessOne(kinds);
     }
@@ -115,13 +115,23 @@ private:
     return best;
   }
 
-  /// The sets that were collected, each fitted to its end and scored by derivatives beside itself.
-  std::vector<WindowProposal> settled() const {
-    std::vector<WindowProposal> proposals;
-    for (const auto& [size, scored] : bestBySize_) {
-      const WindowSet set = fitter_.refine(scored.set, stepsAtEnd);
-      const WindowLinear linear = fitter_.linearise(set, set.kinds);
-      WindowProposal& proposal = proposals.emplace_back();
+  /// The best of those that were collected, by their number of causes.
+  std::vector<SetScore> worthSettling() const {
+    std::vector<SetScore> sets;
+    for (const auto& [size, scored] : bestBySize_) sets.push_back(scored);
+    std::ranges::stable_sort(sets, std::ranges::greater(), &SetScore::score);
+    if (sets.size() > options_.mostSettled) sets.resize(options_.mostSettled);
+    std::ranges::stable_sort(sets, {}, [](const SetScore& of) { return of.set.kinds.size(); });
+    return sets;
+  }
+
+  /// These, each fitted to its end and scored by derivatives beside itself.
+  std::vector<SetProposal> settled() const {
+    std::vector<SetProposal> proposals;
+    for (const SetScore& scored : worthSettling()) {
+      const StrengthSet set = fitter_.refine(scored.set, stepsAtEnd);
+      const LinearResiduals linear = fitter_.linearise(set, set.kinds);
+      SetProposal& proposal = proposals.emplace_back();
       proposal.set = asScored(linear.score(set.kinds));
       for (const std::size_t kind : set.kinds)
         proposal.lessOne.push_back(asScored(linear.score(lessOne(set.kinds, kind))));
@@ -131,7 +141,7 @@ private:
   }
 
   /// With information in logarithms of strengths, as the free replays' sets have it.
-  Scored asScored(const WindowScore& of) const {
+  Scored asScored(const SetScore& of) const {
     Scored scored;
     scored.fitted.causes = fitter_.causesOf(of.set);
     for (const Eigen::MatrixXd& information : of.information) {
@@ -144,18 +154,19 @@ private:
     return scored;
   }
 
-  const WindowSearchOptions& options_;
-  const WindowFitter fitter_;
-  std::optional<WindowLinear> linear_;
-  std::map<std::vector<std::size_t>, WindowScore> scored_;  ///< in the present linear picture
-  std::map<std::size_t, WindowScore> bestBySize_;
+  const LinearSearchOptions& options_;
+  CoefficientReplayer& replayer_;
+  bool weighedAnew_ = false;  ///< scores of one round are not those of another
+  const StrengthFitter fitter_;
+  std::optional<LinearResiduals> linear_;
+  std::map<std::vector<std::size_t>, SetScore> scored_;  ///< in the present linear picture
+  std::map<std::size_t, SetScore> bestBySize_;
 };
 
 }  // namespace
 
-std::vector<WindowProposal> proposedByWindows(const WindowReplayer& replayer,
-                                              const WindowSearchOptions& options) {
-  return WindowSearch(replayer, options).run();
+std::vector<SetProposal> proposedSets(CoefficientReplayer& replayer, const LinearSearchOptions& options) {
+  return LinearSearch(replayer, options).run();
 }
 
 }  // namespace plumbline::gap

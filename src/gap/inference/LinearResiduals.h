@@ -2,13 +2,13 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "gap/inference/WindowKinds.h"
-#include "gap/inference/WindowReplayer.h"
+#include "gap/inference/CauseKinds.h"
+#include "gap/inference/CoefficientReplayer.h"
 
 namespace plumbline::gap {
 
 /// A set of kinds with strengths [units], in ascending order of kinds.
-struct WindowSet {
+struct StrengthSet {
   std::vector<std::size_t> kinds;
   Eigen::VectorXd x;
   bool holds(std::size_t kind) const;
@@ -16,8 +16,8 @@ struct WindowSet {
 };
 
 /// What a set is worth, see Scored.
-struct WindowScore {
-  WindowSet set;                         ///< with the strengths that are likeliest in all groups
+struct SetScore {
+  StrengthSet set;                       ///< with the strengths that are likeliest in all groups
   std::vector<Eigen::VectorXd> without;  ///< per group: strengths that are likeliest in the others
   std::vector<double> density;           ///< per group: log density under those
   double price = 0;
@@ -29,20 +29,21 @@ struct WindowScore {
 double logPrior(const Eigen::VectorXd& x);
 
 /// Residuals of all windows as a linear function of all strengths about one set's (Gauss-Newton's picture).
-class WindowLinear {
+class LinearResiduals {
 public:
   /// slopes: per kind and cell, derivatives of the coefficients by its strength; empty where it is not felt.
-  WindowLinear(const std::vector<WindowCell>& cells, std::size_t groups, const std::vector<WindowKind>& kinds,
-               WindowSet middle, WindowCoefficients residuals, std::vector<WindowCoefficients> slopes);
+  LinearResiduals(const std::vector<CoefficientCell>& cells, std::size_t groups,
+                  const std::vector<CauseKind>& kinds, StrengthSet middle, Coefficients residuals,
+                  std::vector<Coefficients> slopes);
 
   /// Fits the strengths of these kinds (in ascending order), within their bounds and not farther than four
   /// units from the middle, then without each group in turn, and scores what that leaves in it.
-  WindowScore score(const std::vector<std::size_t>& kinds) const;
+  SetScore score(const std::vector<std::size_t>& kinds) const;
   /// The strengths alone, fitted to all groups.
   Eigen::VectorXd fit(const std::vector<std::size_t>& kinds) const;
   /// Kinds that would gain beside a set, the best first, by the curvature and slope of the log density at it.
-  std::vector<std::size_t> proposals(const WindowSet& set, std::size_t most) const;
-  const WindowSet& middle() const { return middle_; }
+  std::vector<std::size_t> proposals(const StrengthSet& set, std::size_t most) const;
+  const StrengthSet& middle() const { return middle_; }
 
 private:
   struct Equations;
@@ -53,12 +54,12 @@ private:
   Eigen::MatrixXd left(std::size_t cell, const std::vector<std::size_t>& kinds,
                        const Eigen::VectorXd& x) const;
 
-  const std::vector<WindowCell>& cells_;
+  const std::vector<CoefficientCell>& cells_;
   std::size_t groups_;
-  const std::vector<WindowKind>& kinds_;
-  WindowSet middle_;
-  WindowCoefficients residuals_;
-  std::vector<WindowCoefficients> slopes_;
+  const std::vector<CauseKind>& kinds_;
+  StrengthSet middle_;
+  Coefficients residuals_;
+  std::vector<Coefficients> slopes_;
 };
 
 }  // namespace plumbline::gap

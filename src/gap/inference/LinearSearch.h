@@ -2,18 +2,20 @@
 #include <functional>
 
 #include "gap/inference/Beam.h"
-#include "gap/inference/WindowReplayer.h"
+#include "gap/inference/CoefficientReplayer.h"
 
 namespace plumbline::gap {
 
-struct WindowSearchOptions {
+struct LinearSearchOptions {
   std::size_t mostCauses = 8;
+  int rounds = 8;                 ///< of derivatives taken anew, at most
+  std::size_t mostSettled = 100;  ///< sets that are fitted to their end, those with the best scores
   std::function<void(double share)> progress = {};
 };
 
 /// A set of causes that windows make likely, with the values that they give it, and the set without each of
 /// its causes in turn. Scores are those in windows; the values are as in Scored.
-struct WindowProposal {
+struct SetProposal {
   Scored set;
   std::vector<Scored> lessOne;
 };
@@ -22,7 +24,6 @@ struct WindowProposal {
 /// number of causes from none on. Moves (add a cause, drop one, put another in its place) are judged by
 /// derivatives beside the set itself; a set that is better so is fitted by replays, and the derivatives are
 /// taken anew beside it.
-std::vector<WindowProposal> proposedByWindows(const WindowReplayer& replayer,
-                                              const WindowSearchOptions& options);
+std::vector<SetProposal> proposedSets(CoefficientReplayer& replayer, const LinearSearchOptions& options);
 
 }  // namespace plumbline::gap

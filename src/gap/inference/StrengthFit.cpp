@@ -1,11 +1,11 @@
-#include "gap/inference/WindowFit.h"
+#include "gap/inference/StrengthFit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "gap/inference/CellScale.h"
 #include "gap/inference/Visible.h"
-#include "gap/inference/WindowScale.h"
 
 namespace plumbline::gap {
 
@@ -18,16 +18,16 @@ constexpr double leastStep = 0.01;        // of a sweep [units]
 
 }  // namespace
 
-WindowFitter::WindowFitter(const WindowReplayer& replayer)
-    : replayer_(replayer), kinds_(windowKinds(replayer.groups(), replayer.mechanism())) {}
+StrengthFitter::StrengthFitter(const CoefficientReplayer& replayer)
+    : replayer_(replayer), kinds_(replayer.kinds()) {}
 
-std::vector<std::size_t> WindowFitter::all() const {
+std::vector<std::size_t> StrengthFitter::all() const {
   std::vector<std::size_t> every(kinds_.size());
   std::iota(every.begin(), every.end(), std::size_t{0});
   return every;
 }
 
-Explanation WindowFitter::causesOf(const WindowSet& set) const {
+Explanation StrengthFitter::causesOf(const StrengthSet& set) const {
   Explanation causes;
   for (std::size_t i = 0; i < set.kinds.size(); ++i)
     causes.push_back(
@@ -35,51 +35,50 @@ Explanation WindowFitter::causesOf(const WindowSet& set) const {
   return causes;
 }
 
-double WindowFitter::density(const WindowSet& set) const {
-  const WindowCoefficients residuals = replayer_.coefficients(causesOf(set));
+double StrengthFitter::density(const StrengthSet& set) const {
+  const Coefficients residuals = replayer_.coefficients(causesOf(set));
   double sum = logPrior(set.x);
-  for (std::size_t c = 0; c < residuals.size(); ++c) sum += likeliestScale(residuals[c]).density;
+  for (std::size_t c = 0; c < residuals.size(); ++c)
+    sum += replayer_.cells()[c].share * likeliestScale(residuals[c]).density;
   return sum;
 }
 
-bool WindowFitter::exclude(std::size_t a, std::size_t b) const {
-  const Place &one = kinds_[a].cause.place, &other = kinds_[b].cause.place;
-  if (a == b || kinds_[a].cause.effect != kinds_[b].cause.effect) return false;
-  if (one == other) return true;
-  return one.axis == other.axis && (one.site == Site::everywhere || other.site == Site::everywhere);
+bool StrengthFitter::exclude(std::size_t a, std::size_t b) const {
+  const Cause &one = kinds_[a].cause, &other = kinds_[b].cause;
+  return a != b && one.effect == other.effect && one.place == other.place;
 }
 
 /// Large enough that what begins or ends at single steps of a replay (sticking) evens out.
-double WindowFitter::stepOf(const WindowSet& set, std::size_t kind) const {
-  const WindowKind& of = kinds_[kind];
+double StrengthFitter::stepOf(const StrengthSet& set, std::size_t kind) const {
+  const CauseKind& of = kinds_[kind];
   if (!set.holds(kind)) return of.upper >= 1 ? 1 : of.lower <= -1 ? -1 : std::max(of.upper, -of.lower);
   const double x = set.at(kind), step = shareOfStrength * std::max(std::abs(x), 0.5);
   return x + step <= of.upper ? step : -step;
 }
 
-void WindowFitter::slopesOf(const WindowSet& beside, const WindowCoefficients& here,
-                            const std::vector<std::size_t>& wanted,
-                            std::vector<WindowCoefficients>& slopes) const {
-  const std::vector<WindowCell>& cells = replayer_.cells();
+void StrengthFitter::slopesOf(const StrengthSet& beside, const Coefficients& here,
+                              const std::vector<std::size_t>& wanted,
+                              std::vector<Coefficients>& slopes) const {
+  const std::vector<CoefficientCell>& cells = replayer_.cells();
   for (const std::vector<std::size_t>& colour : colours(kinds_, wanted)) {
-    WindowSet moved = beside;
+    StrengthSet moved = beside;
     for (const std::size_t kind : colour) {
       if (!moved.holds(kind)) moved = with(moved, kind);
       moved.x[std::ranges::lower_bound(moved.kinds, kind) - moved.kinds.begin()] += stepOf(beside, kind);
     }
-    const WindowCoefficients there = replayer_.coefficients(causesOf(moved));
+    const Coefficients there = replayer_.coefficients(causesOf(moved));
     for (const std::size_t kind : colour) {
       const std::vector<int>& joints = kinds_[kind].joints;
-      WindowCoefficients& of = slopes[kind];
+      Coefficients& of = slopes[kind];
       bool visible = beside.holds(kind);
       for (std::size_t c = 0; c < cells.size(); ++c) {
         of.emplace_back();
         if (!joints.empty() && std::ranges::find(joints, cells[c].joint) == joints.end()) continue;
         const Eigen::MatrixXd change = there[c] - here[c];
         if (change.isZero(0) || !change.allFinite()) continue;
-        const WindowCell::Part& part = cells[c].windows.front();
-        const double size =
-            change.norm() / std::sqrt(static_cast<double>(cells[c].windows.size() * (part.to - part.from)));
+        const CoefficientCell::Part& part = cells[c].columns.front();
+        const double size = change.norm() / std::sqrt(static_cast<double>(change.cols()) *
+                                                      static_cast<double>(part.to - part.from));
         visible = visible || size > enginesDiffer;
         of.back() = change / stepOf(beside, kind);
       }
@@ -88,8 +87,9 @@ void WindowFitter::slopesOf(const WindowSet& beside, const WindowCoefficients& h
   }
 }
 
-WindowLinear WindowFitter::linearise(const WindowSet& set, const std::vector<std::size_t>& wanted) const {
-  std::vector<WindowCoefficients> slopes(kinds_.size());
+LinearResiduals StrengthFitter::linearise(const StrengthSet& set,
+                                          const std::vector<std::size_t>& wanted) const {
+  std::vector<Coefficients> slopes(kinds_.size());
   std::vector<std::size_t> plain;
   std::vector<std::vector<std::size_t>> instead(set.kinds.size());
   for (const std::size_t kind : wanted) {
@@ -97,24 +97,24 @@ WindowLinear WindowFitter::linearise(const WindowSet& set, const std::vector<std
     while (i < set.kinds.size() && !exclude(kind, set.kinds[i])) ++i;
     (i < set.kinds.size() ? instead[i] : plain).push_back(kind);
   }
-  WindowCoefficients here = replayer_.coefficients(causesOf(set));
+  Coefficients here = replayer_.coefficients(causesOf(set));
   slopesOf(set, here, plain, slopes);
   for (std::size_t i = 0; i < instead.size(); ++i)
     if (!instead[i].empty()) {
-      const WindowSet rest = gap::without(set, set.kinds[i]);
+      const StrengthSet rest = gap::without(set, set.kinds[i]);
       slopesOf(rest, replayer_.coefficients(causesOf(rest)), instead[i], slopes);
     }
-  for (WindowCoefficients& of : slopes)
+  for (Coefficients& of : slopes)
     if (of.empty()) of.resize(replayer_.cells().size());
-  return WindowLinear(replayer_.cells(), replayer_.groups().count(), kinds_, set, std::move(here),
-                      std::move(slopes));
+  return LinearResiduals(replayer_.cells(), replayer_.groups().count(), kinds_, set, std::move(here),
+                         std::move(slopes));
 }
 
-double WindowFitter::step(WindowSet& set, double now) const {
+double StrengthFitter::step(StrengthSet& set, double now) const {
   const Eigen::VectorXd way = linearise(set, set.kinds).fit(set.kinds) - set.x;
   double share = 1;
   for (int attempt = 0; attempt < 4; ++attempt, share /= 3) {
-    WindowSet next{set.kinds, set.x + share * way};
+    StrengthSet next{set.kinds, set.x + share * way};
     const double there = density(next);
     if (!(there > now)) continue;
     set = std::move(next);
@@ -123,12 +123,12 @@ double WindowFitter::step(WindowSet& set, double now) const {
   return now;
 }
 
-double WindowFitter::sweep(WindowSet& set, double now, Eigen::VectorXd& steps) const {
+double StrengthFitter::sweep(StrengthSet& set, double now, Eigen::VectorXd& steps) const {
   for (Eigen::Index i = 0; i < set.x.size(); ++i) {
-    const WindowKind& kind = kinds_[set.kinds[static_cast<std::size_t>(i)]];
+    const CauseKind& kind = kinds_[set.kinds[static_cast<std::size_t>(i)]];
     bool better = false;
     for (const double way : {steps[i], -steps[i]}) {
-      WindowSet next = set;
+      StrengthSet next = set;
       next.x[i] = std::clamp(set.x[i] + way, kind.lower, kind.upper);
       const double there = density(next);
       if (!(there > now)) continue;
@@ -143,7 +143,7 @@ double WindowFitter::sweep(WindowSet& set, double now, Eigen::VectorXd& steps) c
   return now;
 }
 
-WindowSet WindowFitter::refine(WindowSet set, int mostSteps) const {
+StrengthSet StrengthFitter::refine(StrengthSet set, int mostSteps) const {
   double now = density(set);
   Eigen::VectorXd steps = shareOfStrength * set.x.cwiseAbs().cwiseMax(0.5);
   for (int round = 0; round < mostSteps && !set.kinds.empty(); ++round) {
@@ -157,8 +157,8 @@ WindowSet WindowFitter::refine(WindowSet set, int mostSteps) const {
   return set;
 }
 
-WindowSet with(const WindowSet& set, std::size_t kind) {
-  WindowSet larger{set.kinds, Eigen::VectorXd::Zero(set.x.size() + 1)};
+StrengthSet with(const StrengthSet& set, std::size_t kind) {
+  StrengthSet larger{set.kinds, Eigen::VectorXd::Zero(set.x.size() + 1)};
   const auto at = std::ranges::lower_bound(larger.kinds, kind) - larger.kinds.begin();
   larger.kinds.insert(larger.kinds.begin() + at, kind);
   larger.x.head(at) = set.x.head(at);
@@ -166,8 +166,8 @@ WindowSet with(const WindowSet& set, std::size_t kind) {
   return larger;
 }
 
-WindowSet without(const WindowSet& set, std::size_t kind) {
-  WindowSet smaller{set.kinds, Eigen::VectorXd::Zero(set.x.size() - 1)};
+StrengthSet without(const StrengthSet& set, std::size_t kind) {
+  StrengthSet smaller{set.kinds, Eigen::VectorXd::Zero(set.x.size() - 1)};
   const auto at = std::ranges::lower_bound(smaller.kinds, kind) - smaller.kinds.begin();
   smaller.kinds.erase(smaller.kinds.begin() + at);
   smaller.x.head(at) = set.x.head(at);

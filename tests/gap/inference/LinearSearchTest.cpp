@@ -1,24 +1,25 @@
-#include "gap/inference/WindowSearch.h"
+#include "gap/inference/LinearSearch.h"
 
 #include <gtest/gtest.h>
 
 #include "../ThreeRecordings.h"
+#include "gap/inference/WindowReplayer.h"
 
 namespace plumbline::gap {
 
-TEST(WindowSearch, proposesASetForEachNumberOfCausesWithTheValuesOfTheOtherGroups) {
+TEST(LinearSearch, proposesASetForEachNumberOfCausesWithTheValuesOfTheOtherGroups) {
   const Mechanism arm = twoJointArm();
   const Groups groups(recordings({causeOf(arm, "coulomb_friction", "shoulder", 0.15)}, 3));
-  const WindowReplayer replayer(arm, groups, 1);
+  WindowReplayer replayer(arm, groups, 1);
   std::vector<double> told;
-  WindowSearchOptions options;
+  LinearSearchOptions options;
   options.mostCauses = 3;
   options.progress = [&](double share) { told.push_back(share); };
-  const std::vector<WindowProposal> proposals = proposedByWindows(replayer, options);
+  const std::vector<SetProposal> proposals = proposedSets(replayer, options);
   ASSERT_GE(proposals.size(), 2U);
   EXPECT_LE(proposals.size(), 4U);
   EXPECT_TRUE(proposals[0].set.causes().empty());
-  const WindowProposal& one = proposals[1];
+  const SetProposal& one = proposals[1];
   ASSERT_EQ(one.set.causes().size(), 1U);
   EXPECT_EQ(one.set.causes()[0].effect->id, std::string("coulomb_friction"));
   EXPECT_NEAR(one.set.causes()[0].value, 0.15, 0.01);

@@ -8,7 +8,7 @@
 namespace plumbline::gap {
 
 /// A kind of cause with the unit that its strength is counted in.
-struct WindowKind {
+struct CauseKind {
   Cause cause;                  ///< at one unit
   double unit = 0;              ///< strength (Effect::strengthOf) of the middle of its effect's starts
   double lower = 0, upper = 0;  ///< bounds of a value, in units
@@ -16,15 +16,17 @@ struct WindowKind {
   std::vector<int> joints;
 };
 
-/// Those that windows can show: all that are possible but for what sensors of the body do.
-std::vector<WindowKind> windowKinds(const Groups& groups, const Mechanism& robot);
+/// All that are possible; those of the body's sensors have the joint -1.
+std::vector<CauseKind> causeKinds(const Groups& groups, const Mechanism& robot);
+/// Those that windows can show: all but for what sensors of the body do.
+std::vector<CauseKind> windowKinds(const Groups& groups, const Mechanism& robot);
 
 /// The cause that is x units strong.
-Cause causeAt(const Mechanism& robot, const WindowKind& kind, double x);
+Cause causeAt(const Mechanism& robot, const CauseKind& kind, double x);
 
 /// Kinds in as few groups as possible whose members show at different joints: each group is replayed at once
 /// (coloured differences: Curtis, Powell and Reid, "On the estimation of sparse Jacobian matrices", 1974).
-std::vector<std::vector<std::size_t>> colours(const std::vector<WindowKind>& kinds,
+std::vector<std::vector<std::size_t>> colours(const std::vector<CauseKind>& kinds,
                                               const std::vector<std::size_t>& wanted);
 
 }  // namespace plumbline::gap

@@ -5,7 +5,7 @@ namespace plumbline::gap {
 
 /// What the residuals of a cell are drawn from: a multivariate Student-t density with four degrees of
 /// freedom.
-struct WindowScale {
+struct CellScale {
   Eigen::MatrixXd covariance;  ///< the likeliest that is nowhere below 1, that of a perfect model
   Eigen::VectorXd weights;     ///< per window: what it counts for, (4 + n) / (4 + r' inv(covariance) r)
   double density = 0;          ///< sum of the windows' log densities, up to a constant
@@ -13,7 +13,7 @@ struct WindowScale {
 
 /// columns: a window's white coefficients each. What the likeliest covariance is above 1 is the model's
 /// discrepancy (Kennedy and O'Hagan 2001). By iteratively reweighted moments.
-WindowScale likeliestScale(const Eigen::MatrixXd& columns);
+CellScale likeliestScale(const Eigen::MatrixXd& columns);
 
 /// The covariance of normal vectors with this second moment that is likeliest and nowhere below 1: its
 /// eigenvalues are raised to 1.
