@@ -18,10 +18,8 @@ constexpr double impactJump = 0.3;    // of the weight, within a cycle
 std::vector<Phase> jointPhases(const Trial& trial, const Signal& signal) {
   const auto& joint = trial.robot->joints[static_cast<std::size_t>(signal.joint)];
   const auto& command = trial.targets(static_cast<std::size_t>(signal.joint));
-  const Signal* position = &signal;
-  for (const Signal& other : trial.signals)
-    if (other.kind == SignalKind::position && other.joint == signal.joint) position = &other;
-  const auto& values = position->values;
+  const Signal* const position = positionOf(trial, signal.joint);
+  const auto& values = position ? position->values : signal.values;
   std::vector<Phase> phases(trial.cycles(), Phase::motion);
   std::vector<double> reversals;
   double direction = 0;

@@ -9,8 +9,6 @@ namespace plumbline::gap {
 
 struct BeamOptions {
   std::size_t mostCauses = 8;
-  bool quick = false;         ///< a search that is one of many
-  bool expectMany = false;    ///< more causes than are fitted set by set
   std::size_t width = 2;      ///< sets that are extended
   std::size_t proposals = 5;  ///< causes that each is extended by
   std::function<void(double share)> progress = {};

@@ -12,10 +12,9 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr std::size_t mostSamples = 250;                      // of a cell that are looked at
-constexpr double coarseStep = 0.004, coarseGearStep = 0.002;  // of the replays [s], see ReplayOptions
-constexpr std::size_t mostGuessed = 24;  // kinds whose gain is worked out and not only guessed
-constexpr double mostFactor = 4;         // of a start, that its sensitivity is trusted for
+constexpr std::size_t mostSamples = 250;  // of a cell that are looked at
+constexpr std::size_t mostGuessed = 24;   // kinds whose gain is worked out and not only guessed
+constexpr double mostFactor = 4;          // of a start, that its sensitivity is trusted for
 
 /// Every n-th value of a stretch; the n-th of the whole series, wherever the stretch begins.
 std::vector<double> thinned(const ResidualSeries& values, std::size_t from, std::size_t to,
@@ -122,12 +121,8 @@ std::vector<CandidateScreening::Change> CandidateScreening::changesOf(const Grou
 
 void CandidateScreening::replayStarts(const Replayer& exact, const std::vector<Cause>& worth,
                                       const std::function<void(double)>& progress) {
-  // Differences of two replays hardly depend on the step.
   const Mechanism& robot = exact.mechanism();
-  ReplayOptions coarse;
-  coarse.step = coarseStep;
-  coarse.gearStep = coarseGearStep;
-  const Replayer replayer(robot, exact.groups(), exact.jobs(), coarse);
+  const Replayer replayer(robot, exact.groups(), exact.jobs(), withLongSteps());
   const Residuals nominal = replayer.residuals({}, looked_);
   for (std::size_t i = 0; i < worth.size(); ++i) {
     if (progress) progress(static_cast<double>(i) / static_cast<double>(worth.size()));

@@ -7,11 +7,11 @@ namespace plumbline::gap {
 /// freedom.
 struct CellScale {
   Eigen::MatrixXd covariance;  ///< the likeliest that is nowhere below 1, that of a perfect model
-  Eigen::VectorXd weights;     ///< per window: what it counts for, (4 + n) / (4 + r' inv(covariance) r)
-  double density = 0;          ///< sum of the windows' log densities, up to a constant
+  Eigen::VectorXd weights;     ///< per column: what it counts for, (4 + n) / (4 + r' inv(covariance) r)
+  double density = 0;          ///< sum of the columns' log densities, up to a constant
 };
 
-/// columns: a window's white coefficients each. What the likeliest covariance is above 1 is the model's
+/// columns: white coefficients of a stretch each. What the likeliest covariance is above 1 is the model's
 /// discrepancy (Kennedy and O'Hagan 2001). By iteratively reweighted moments.
 CellScale likeliestScale(const Eigen::MatrixXd& columns);
 

@@ -72,7 +72,8 @@ struct Found {
   double largest = 0;
 };
 
-/// Of a motor that draws this current from its supply.
+/// Root mean square of the duty (share of the supply, 0..1) of a motor at rest that draws this current from
+/// its supply.
 double rmsDuty(const Signal& supplyCurrent, const Servo& servo) {
   double sum = 0, n = 0;
   for (const double value : supplyCurrent.values)
@@ -80,24 +81,22 @@ double rmsDuty(const Signal& supplyCurrent, const Servo& servo) {
   return n > 0 && servo.vin > 0 ? std::sqrt(sum / n * servo.R / servo.vin) : 0;
 }
 
-/// What the readings' noise of the measured angle makes of a predicted duty, torque or current.
+/// What the readings' noise of the measured angle makes of a predicted duty, torque [N m] or current [A].
 double effortOfAngle(const Trial& trial, const Signal& effort,
                      const std::map<std::pair<std::string, bool>, Found>& channels) {
+  const Signal* const position = positionOf(trial, effort.joint);
+  if (!position) return 0;
   const Servo& servo = trial.robot->joints[static_cast<std::size_t>(effort.joint)].servo;
-  for (const Signal& signal : trial.signals) {
-    if (signal.kind != SignalKind::position || signal.joint != effort.joint) continue;
-    const Found& found = channels.at({signal.name, trial.freeBase});
-    const double rounded = medianOf(found.steps) / std::sqrt(12.0);
-    if (effort.kind == SignalKind::duty) return servo.kpFirmware * servo.errorGain * rounded;
-    const double angle = std::hypot(rounded, medianOf(found.fast));
-    const double cycle = (trial.time.back() - trial.time.front()) / static_cast<double>(trial.cycles() - 1);
-    // The speed is a central difference.
-    const double torque = angle * std::hypot(servo.kp, servo.kd / (std::numbers::sqrt2 * cycle));
-    if (effort.kind == SignalKind::torque) return torque;
-    // The supply's current is the duty times the motor's, and so falls with its square.
-    return torque / servo.kt * (effort.ofSupply ? 2 * rmsDuty(effort, servo) : 1);
-  }
-  return 0;
+  const Found& found = channels.at({position->name, trial.freeBase});
+  const double rounded = medianOf(found.steps) / std::sqrt(12.0);
+  if (effort.kind == SignalKind::duty) return servo.kpFirmware * servo.errorGain * rounded;
+  const double angle = std::hypot(rounded, medianOf(found.fast));
+  const double cycle = (trial.time.back() - trial.time.front()) / static_cast<double>(trial.cycles() - 1);
+  // The speed is a central difference.
+  const double torque = angle * std::hypot(servo.kp, servo.kd / (std::numbers::sqrt2 * cycle));
+  if (effort.kind == SignalKind::torque) return torque;
+  // The supply's current is the duty times the motor's, and so grows with its square.
+  return torque / servo.kt * (effort.ofSupply ? 2 * rmsDuty(effort, servo) : 1);
 }
 
 std::string whyNot(const Trial& trial, const Signal& signal) {

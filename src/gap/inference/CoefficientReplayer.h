@@ -22,7 +22,8 @@ struct CoefficientCell {
 /// and of variance 1.
 using Coefficients = std::vector<Eigen::MatrixXd>;
 
-/// A pure function from a hypothesis to coefficients that a score is made of.
+/// Replays a hypothesis (causes with their values) and makes coefficients of what it leaves. The same causes
+/// give the same coefficients.
 class CoefficientReplayer {
 public:
   virtual ~CoefficientReplayer() = default;

@@ -1,6 +1,5 @@
 #include "gap/inference/FreeCoefficients.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace plumbline::gap {

@@ -117,8 +117,7 @@ std::vector<std::string> unused(const Groups& groups) {
 
 /// So many kinds of causes are looked at in windows, and fitted set by set.
 constexpr std::size_t fewKinds = 64;
-constexpr std::size_t mostOfManyKinds = 12;                   // causes in a set
-constexpr double coarseStep = 0.004, coarseGearStep = 0.002;  // of a search's replays [s], see ReplayOptions
+constexpr std::size_t mostOfManyKinds = 12;  // causes in a set of a robot with more
 
 bool hasFewKinds(const Groups& groups, const Mechanism& robot) {
   return windowKinds(groups, robot).size() <= fewKinds;
@@ -134,26 +133,24 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   };
   const bool held = std::ranges::none_of(groups.trials(), &Trial::freeBase), few = hasFewKinds(groups, robot);
   std::optional<WindowReplayer> windows;
+  std::optional<Replayer> coarse;
   if (held && few) windows.emplace(robot, groups, options.jobs);
-  ReplayOptions longSteps;
-  longSteps.step = coarseStep;
-  longSteps.gearStep = coarseGearStep;
-  const Replayer coarse(robot, groups, options.jobs, longSteps);
-  const SearchTools tools{replayer, windows ? &*windows : nullptr, held && !few ? &coarse : nullptr};
+  if (held && !few) coarse.emplace(robot, groups, options.jobs, withLongSteps());
+  const SearchTools tools{replayer, windows ? &*windows : nullptr, coarse ? &*coarse : nullptr};
   tell("each cause alone", 0);
   const CandidateScreening screening(replayer, sharesOf(groups, replayer.residuals({})),
                                      [&](double share) { tell("each cause alone", share); });
-  BeamOptions beam;
-  beam.screening = &screening;
-  if (!few) beam.mostCauses = mostOfManyKinds;
-  if (options.mostCauses > 0) beam.mostCauses = options.mostCauses;
-  beam.progress = [&](double share) { tell("sets of causes", share); };
-  const BeamResult found = searchForSets(tools, beam);
+  SetSearchOptions search;
+  search.screening = &screening;
+  if (!few) search.mostCauses = mostOfManyKinds;
+  if (options.mostCauses > 0) search.mostCauses = options.mostCauses;
+  search.progress = [&](double share) { tell("sets of causes", share); };
+  const BeamResult found = searchForSets(tools, search);
   const Scored& best = found.sets.front();
   const std::vector<double> p = posterior(found.sets);
-  beam.expectMany = tools.coarse && found.sets.front().causes().size() > mostSetBySet;
-  beam.progress = [&](double share) { tell("again without each recording in turn", share); };
-  const std::vector<FoundWithout> without = findWithoutEach(tools, beam);
+  search.expectMany = coarse && best.causes().size() > mostSetBySet;
+  search.progress = [&](double share) { tell("again without each recording in turn", share); };
+  const std::vector<FoundWithout> without = findWithoutEach(tools, search);
 
   Inference result;
   result.stretchesOfOne = groups.stretchesOfOne();
@@ -199,7 +196,8 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
     squaresFloor += recording.floor * recording.floor / count;
   }
   diagnosis.gap = {std::sqrt(squaresBefore), std::sqrt(squaresAfter), std::sqrt(squaresFloor)};
-  result.replays = replayer.numReplays() + coarse.numReplays() + (windows ? windows->numReplays() : 0);
+  result.replays =
+      replayer.numReplays() + (coarse ? coarse->numReplays() : 0) + (windows ? windows->numReplays() : 0);
   return result;
 }
 

@@ -8,12 +8,12 @@
 
 namespace plumbline::gap {
 
-std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const BeamOptions& options) {
+std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const SetSearchOptions& options) {
   std::vector<FoundWithout> found;
   const std::size_t count = tools.replayer.groups().count();
   for (std::size_t g = 0; g < count; ++g) {
     const Groups others = tools.replayer.groups().without(g);
-    BeamOptions settings = options;
+    SetSearchOptions settings = options;
     settings.quick = true;
     settings.width = 1;
     settings.proposals = 3;

@@ -16,7 +16,7 @@ struct FoundWithout {
 };
 
 /// One search per group (searchForSets), in the others alone. The tools are those of all groups.
-std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const BeamOptions& options);
+std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const SetSearchOptions& options);
 
 /// Each recording replayed free with what was found without its group (or, where one recording alone is cut
 /// into stretches, each stretch).

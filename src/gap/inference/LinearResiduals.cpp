@@ -174,7 +174,8 @@ SetScore LinearResiduals::score(const std::vector<std::size_t>& kinds) const {
 
 std::vector<std::size_t> LinearResiduals::proposals(const StrengthSet& set, std::size_t most) const {
   const auto count = static_cast<Eigen::Index>(kinds_.size()), inSet = set.x.size();
-  // Curvature of the log density by each kind and its slope at the set, and what it shares with those in it.
+  // Curvature of the log density by each kind and its slope at the set, and what it shares with those in it:
+  // the equations() of all kinds together would grow with their square.
   Eigen::VectorXd curvatures = Eigen::VectorXd::Zero(count), slope = Eigen::VectorXd::Zero(count);
   Eigen::MatrixXd shared = Eigen::MatrixXd::Zero(inSet, count), within = priorOf(set.kinds.size());
   for (std::size_t c = 0; c < cells_.size(); ++c) {

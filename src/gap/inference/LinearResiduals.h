@@ -28,7 +28,7 @@ struct SetScore {
 /// Logarithm of the prior density of strengths: normal, three units wide.
 double logPrior(const Eigen::VectorXd& x);
 
-/// Residuals of all windows as a linear function of all strengths about one set's (Gauss-Newton's picture).
+/// Residuals of all cells as a linear function of all strengths about one set's (Gauss-Newton's picture).
 class LinearResiduals {
 public:
   /// slopes: per kind and cell, derivatives of the coefficients by its strength; empty where it is not felt.

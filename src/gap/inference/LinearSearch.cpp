@@ -14,7 +14,7 @@ namespace plumbline::gap {
 namespace {
 
 constexpr int stepsOfRound = 4, stepsAtEnd = 10;
-constexpr std::size_t proposalsPerMove = 10, proposalsPerSwap = 10;
+constexpr std::size_t proposalsPerMove = 10;
 
 class LinearSearch {
 public:
@@ -75,14 +75,14 @@ private:
     const auto look = [&](const std::vector<std::size_t>& other) {
       if (score(other).score() > score(best).score()) best = other;
     };
-    const auto lookBeside = [&](const std::vector<std::size_t>& rest, std::size_t most) {
-      for (const std::size_t kind : linear_->proposals(score(rest).set, most))
+    const auto lookBeside = [&](const std::vector<std::size_t>& rest) {
+      for (const std::size_t kind : linear_->proposals(score(rest).set, proposalsPerMove))
         if (const auto larger = extended(rest, kind)) look(*larger);
     };
-    lookBeside(kinds, proposalsPerMove);
+    lookBeside(kinds);
     for (const std::size_t kind : kinds) {
       look(lessOne(kinds, kind));
-      lookBeside(lessOne(kinds, kind), proposalsPerSwap);
+      lookBeside(lessOne(kinds, kind));
     }
     return best;
   }

@@ -13,17 +13,16 @@ struct LinearSearchOptions {
   std::function<void(double share)> progress = {};
 };
 
-/// A set of causes that windows make likely, with the values that they give it, and the set without each of
-/// its causes in turn. Scores are those in windows; the values are as in Scored.
+/// A set of causes that coefficients make likely, with the values that they give it, and the set without each
+/// of its causes in turn. Scores are those of the coefficients; the values are as in Scored.
 struct SetProposal {
   Scored set;
   std::vector<Scored> lessOne;
 };
 
-/// Sets of causes with the best scores in windows that are replayed from the measured state, one for each
-/// number of causes from none on. Moves (add a cause, drop one, put another in its place) are judged by
-/// derivatives beside the set itself; a set that is better so is fitted by replays, and the derivatives are
-/// taken anew beside it.
+/// Sets of causes with the best scores by a replayer's coefficients, one for each number of causes from none
+/// on. Moves (add a cause, drop one, put another in its place) are judged by derivatives beside the set
+/// itself; a set that is better so is fitted by replays, and the derivatives are taken anew beside it.
 std::vector<SetProposal> proposedSets(CoefficientReplayer& replayer, const LinearSearchOptions& options);
 
 }  // namespace plumbline::gap

@@ -46,7 +46,8 @@ std::vector<Scored> inOrder(std::vector<Scored> sets) {
   return kept;
 }
 
-/// The answers in the order of one score, under the shares of what the best of them leaves.
+/// Chooses among answers by the one score, under the shares of what the best of them leaves; the first is
+/// taken to be the best whose shares are given.
 class Judgement {
 public:
   Judgement(const Replayer& replayer, std::vector<SetProposal> answers, Shares shares)
@@ -54,9 +55,8 @@ public:
     judgeAll();
     for (int round = 0; round < mostJudgements; ++round) {
       const std::size_t now = bestOf(answers_);
-      if (round > 0 && now == best_) break;
+      if (now == best_) break;
       best_ = now;
-      if (round == 0 && now == 0) break;
       shares_ = sharesOf(replayer_.groups(), replayer_.residuals(answers_[best_].set.causes()));
       judgeAll();
     }
@@ -92,17 +92,63 @@ private:
   std::size_t best_ = 0;
 };
 
-/// Proposals whose causes can all be seen, at the price of so many kinds.
-std::vector<SetProposal> visible(const Replayer& replayer, std::vector<SetProposal> proposals,
-                                 std::size_t kinds) {
-  std::vector<SetProposal> kept;
+/// Adds proposals whose causes can all be seen, at the price of so many kinds.
+void addVisible(const Replayer& replayer, std::vector<SetProposal> proposals, std::size_t kinds,
+                std::vector<SetProposal>& answers) {
   for (SetProposal& proposal : proposals) {
     if (!allVisible(replayer, proposal.set.causes())) continue;
     for (Scored& rest : proposal.lessOne) rest.price = priceOf(rest.causes().size(), kinds);
     proposal.set.price = priceOf(proposal.set.causes().size(), kinds);
-    kept.push_back(std::move(proposal));
+    answers.push_back(std::move(proposal));
   }
-  return kept;
+}
+
+using Progress = std::function<void(double)>;
+
+Progress partOf(const Progress& whole, double from, double to) {
+  if (!whole) return {};
+  return [&whole, from, to](double share) { whole(from + (to - from) * share); };
+}
+
+BeamResult searchInWindowsToo(const SearchTools& tools, const SetSearchOptions& options) {
+  BeamOptions beam = options;
+  beam.progress = partOf(options.progress, 0, 0.5);
+  const BeamResult found = searchSets(tools.replayer, beam);
+  std::vector<SetProposal> answers{{found.sets.front(), found.lessOne}};
+  LinearSearchOptions search;
+  search.mostCauses = options.mostCauses;
+  search.progress = partOf(options.progress, 0.5, 1);
+  addVisible(tools.replayer, proposedSets(*tools.windows, search), found.kinds, answers);
+  return Judgement(tools.replayer, std::move(answers), found.shares)
+      .result({found.sets.begin() + 1, found.sets.end()}, found.kinds);
+}
+
+/// Few causes are fitted set by set. Where that ends with as many as it may, derivatives propose larger sets.
+BeamResult searchByDerivatives(const SearchTools& tools, const SetSearchOptions& options) {
+  const Replayer& replayer = tools.replayer;
+  std::vector<Scored> few;
+  if (!options.expectMany) {
+    BeamOptions beam = options;
+    beam.mostCauses = std::min(options.mostCauses, mostSetBySet);
+    beam.progress = partOf(options.progress, 0, 0.3);
+    BeamResult found = searchSets(replayer, beam);
+    const std::size_t size = found.sets.front().causes().size();
+    if (size < mostSetBySet || size == options.mostCauses) return found;
+    few = std::move(found.sets);
+  }
+  FreeCoefficients coefficients(options.quick ? *tools.coarse : replayer);
+  LinearSearchOptions search;
+  search.mostCauses = options.mostCauses;
+  search.rounds = options.quick ? quickRounds : rounds;
+  search.mostSettled = options.quick ? quickSettled : settled;
+  search.progress = partOf(options.progress, options.expectMany ? 0 : 0.3, 1);
+  // Under the shares of what a small set leaves, that set would look better than it is beside large ones; and
+  // the best of the few ended where it had to, and is no rival of them.
+  const Shares shares = sharesOf(replayer.groups(), replayer.residuals({}));
+  const std::size_t kinds = possibleKinds(replayer.groups(), replayer.mechanism()).size();
+  std::vector<SetProposal> answers{{score(replayer, shares, {}, kinds, 0), {}}};
+  addVisible(replayer, proposedSets(coefficients, search), kinds, answers);
+  return Judgement(replayer, std::move(answers), shares).result(few, kinds);
 }
 
 }  // namespace
@@ -119,60 +165,7 @@ Scored judged(const Replayer& replayer, const Shares& shares, Scored set) {
   return set;
 }
 
-namespace {
-
-using Progress = std::function<void(double)>;
-
-Progress partOf(const Progress& whole, double from, double to) {
-  if (!whole) return {};
-  return [&whole, from, to](double share) { whole(from + (to - from) * share); };
-}
-
-BeamResult searchInWindowsToo(const SearchTools& tools, const BeamOptions& options) {
-  BeamOptions beam = options;
-  beam.progress = partOf(options.progress, 0, 0.5);
-  const BeamResult found = searchSets(tools.replayer, beam);
-  std::vector<SetProposal> answers{{found.sets.front(), found.lessOne}};
-  LinearSearchOptions search;
-  search.mostCauses = options.mostCauses;
-  search.progress = partOf(options.progress, 0.5, 1);
-  for (SetProposal& proposal : visible(tools.replayer, proposedSets(*tools.windows, search), found.kinds))
-    answers.push_back(std::move(proposal));
-  return Judgement(tools.replayer, std::move(answers), found.shares)
-      .result({found.sets.begin() + 1, found.sets.end()}, found.kinds);
-}
-
-/// Few causes are fitted set by set. Where that ends with as many as it may, derivatives propose larger sets.
-BeamResult searchByDerivatives(const SearchTools& tools, const BeamOptions& options) {
-  const Replayer& replayer = tools.replayer;
-  // Under the shares of what a small set leaves, that set would look better than it is beside large ones.
-  const Shares shares = sharesOf(replayer.groups(), replayer.residuals({}));
-  BeamResult few;
-  few.kinds = possibleKinds(replayer.groups(), replayer.mechanism()).size();
-  if (!options.expectMany) {
-    BeamOptions beam = options;
-    beam.mostCauses = std::min(options.mostCauses, mostSetBySet);
-    beam.progress = partOf(options.progress, 0, 0.3);
-    few = searchSets(replayer, beam);
-    const std::size_t size = few.sets.front().causes().size();
-    if (size < mostSetBySet || size == options.mostCauses) return few;
-  }
-  // That set ended where it had to, and is no rival of the larger ones.
-  std::vector<SetProposal> answers{{score(replayer, shares, {}, few.kinds, 0), {}}};
-  FreeCoefficients coefficients(options.quick ? *tools.coarse : replayer);
-  LinearSearchOptions search;
-  search.mostCauses = options.mostCauses;
-  search.rounds = options.quick ? quickRounds : rounds;
-  search.mostSettled = options.quick ? quickSettled : settled;
-  search.progress = partOf(options.progress, options.expectMany ? 0 : 0.3, 1);
-  for (SetProposal& proposal : visible(replayer, proposedSets(coefficients, search), few.kinds))
-    answers.push_back(std::move(proposal));
-  return Judgement(replayer, std::move(answers), shares).result(few.sets, few.kinds);
-}
-
-}  // namespace
-
-BeamResult searchForSets(const SearchTools& tools, const BeamOptions& options) {
+BeamResult searchForSets(const SearchTools& tools, const SetSearchOptions& options) {
   if (tools.windows) return searchInWindowsToo(tools, options);
   return tools.coarse ? searchByDerivatives(tools, options) : searchSets(tools.replayer, options);
 }

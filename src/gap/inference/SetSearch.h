@@ -8,18 +8,23 @@ namespace plumbline::gap {
 struct SearchTools {
   const Replayer& replayer;           ///< that sets are judged by
   WindowReplayer* windows = nullptr;  ///< of a robot with few kinds of causes
-  const Replayer* coarse =
-      nullptr;  ///< of a robot with many kinds of causes: with long steps, for quick searches
+  /// Of a robot with many kinds of causes: with long steps (withLongSteps), for quick searches.
+  const Replayer* coarse = nullptr;
 };
 
 /// Causes of a robot with many kinds of causes that are fitted set by set.
 inline constexpr std::size_t mostSetBySet = 3;
 
+struct SetSearchOptions : BeamOptions {
+  bool quick = false;       ///< a search that is one of many
+  bool expectMany = false;  ///< more causes than mostSetBySet: derivatives propose sets at once
+};
+
 /// Searches for the set of causes with the best score (doc/decisions/0013). Few kinds are searched in two
 /// ways, by fits to free replays (searchSets) and by what windows propose. Of many kinds, sets are proposed
 /// by derivatives of free replays. With neither tool free replays alone are fitted. One score judges all
 /// sets: the density of free replays of the groups left out.
-BeamResult searchForSets(const SearchTools& tools, const BeamOptions& options);
+BeamResult searchForSets(const SearchTools& tools, const SetSearchOptions& options);
 
 /// The set, scored anew under these shares with the values that it has without each group.
 Scored judged(const Replayer& replayer, const Shares& shares, Scored set);

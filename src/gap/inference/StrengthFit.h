@@ -5,14 +5,14 @@
 
 namespace plumbline::gap {
 
-/// Sets of causes fitted to windows by replays.
+/// Sets of causes fitted to coefficients by replays.
 class StrengthFitter {
 public:
   explicit StrengthFitter(const CoefficientReplayer& replayer);
 
   const std::vector<CauseKind>& kinds() const { return kinds_; }
   Explanation causesOf(const StrengthSet& set) const;
-  /// Log density of what a set leaves in the windows, and of its strengths.
+  /// Log density of what a set leaves in the cells, and of its strengths.
   double density(const StrengthSet& set) const;
   /// Derivatives beside a set by the strengths of some kinds; what changes no channel by half of what a
   /// perfect model leaves in it is not felt.

@@ -25,20 +25,13 @@ double likelihood(const std::vector<double>& readings, const std::vector<double>
   return -n / 2 * std::log(std::max(left / squares, 1e-9));
 }
 
-const Signal* positionOf(const Trial& trial, int joint) {
-  const auto at = std::ranges::find_if(trial.signals, [&](const Signal& signal) {
-    return signal.kind == SignalKind::position && signal.joint == joint;
-  });
-  return at == trial.signals.end() ? nullptr : &*at;
-}
-
 bool mayBeOfSupply(const Trial& trial, const Signal& signal) {
   if (signal.kind != SignalKind::current || !signal.unsignedValue) return false;
   const Servo& servo = trial.robot->joints[static_cast<std::size_t>(signal.joint)].servo;
   return servo.kt > 0 && servo.R > 0 && servo.vin > 0;
 }
 
-/// Log likelihoods of the two.
+/// Log likelihoods of the two currents.
 struct Sides {
   double motor = 0, supply = 0;
 };

@@ -82,9 +82,7 @@ Playback::Playback(const Plant& plant, const Trial& trial, const ReplayOptions& 
     if (signal.kind == SignalKind::velocity) shift = trial_.velocityAt[joint];
     readings_.push_back({s, static_cast<int>(place - joints.begin()), signal.kind, shift,
                          signal.unsignedValue, signal.ofSupply});
-    if (isEffort(signal.kind))
-      for (const Signal& other : trial_.signals)
-        if (other.kind == SignalKind::position && other.joint == signal.joint) readings_.back().seen = &other;
+    if (isEffort(signal.kind)) readings_.back().seen = positionOf(trial_, signal.joint);
     lastShift_ = std::max(lastShift_, shift);
   }
 }
@@ -141,7 +139,7 @@ double Playback::valueOf(const Reading& reading, double h, double s) const {
     case SignalKind::velocity:
       return (1 - s) * stepper_.rateBefore(reading.node) + s * stepper_.rate(reading.node);
     case SignalKind::torque:
-      return torqueIn(reading);
+      return torqueIn(reading, seenAt(reading));
     case SignalKind::current:
       return currentIn(reading);
     case SignalKind::duty:
@@ -174,15 +172,15 @@ double Playback::dutyIn(const Reading& reading) const {
   return stepper_.duty(reading.node, seenAt(reading).shown);
 }
 
-double Playback::torqueIn(const Reading& reading) const {
-  if (!reading.seen) return stepper_.torque(reading.node);
-  const Seen seen = seenAt(reading);
-  return stepper_.torqueAt(reading.node, seen.shown, seen.rate);
+double Playback::torqueIn(const Reading& reading, const Seen& seen) const {
+  return reading.seen ? stepper_.torqueAt(reading.node, seen.shown, seen.rate)
+                      : stepper_.torque(reading.node);
 }
 
 double Playback::currentIn(const Reading& reading) const {
-  const double motor = torqueIn(reading) / stepper_.torqueConstant(reading.node);
-  return reading.ofSupply ? stepper_.supplyCurrent(reading.node, motor, seenAt(reading).rate) : motor;
+  const Seen seen = seenAt(reading);
+  const double motor = torqueIn(reading, seen) / stepper_.torqueConstant(reading.node);
+  return reading.ofSupply ? stepper_.supplyCurrent(reading.node, motor, seen.rate) : motor;
 }
 
 }  // namespace plumbline::gap

@@ -52,7 +52,7 @@ private:
   /// Duty, torque and current follow from the measured angle by the servo's law: given the positions, the
   /// joint's dynamics do not matter.
   double dutyIn(const Reading& reading) const;
-  double torqueIn(const Reading& reading) const;
+  double torqueIn(const Reading& reading, const Seen& seen) const;
   double currentIn(const Reading& reading) const;
   Seen seenAt(const Reading& reading) const;
 

@@ -18,6 +18,14 @@ struct ReplayOptions {
   const std::vector<std::uint8_t>* lostCycles = nullptr;  ///< per cycle: its command was lost
 };
 
+/// For differences of replays, which hardly depend on the step: twice the usual ones.
+inline ReplayOptions withLongSteps() {
+  ReplayOptions options;
+  options.step *= 2;
+  options.gearStep *= 2;
+  return options;
+}
+
 /// Predicted readings of the plant: one vector per signal of the trial, NaN if not predicted (joints left
 /// out, truth of a fixed base).
 struct Prediction {

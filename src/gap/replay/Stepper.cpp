@@ -23,12 +23,6 @@ double firstFinite(const std::vector<double>& values, double otherwise) {
   return otherwise;
 }
 
-const std::vector<double>* positionsOf(const Trial& trial, int joint) {
-  for (const Signal& signal : trial.signals)
-    if (signal.kind == SignalKind::position && signal.joint == joint) return &signal.values;
-  return nullptr;
-}
-
 }  // namespace
 
 Stepper::Stepper(const Plant& plant, const Trial& trial, const std::vector<int>& joints,
@@ -62,8 +56,8 @@ Stepper::Stepper(const Plant& plant, const Trial& trial, const std::vector<int>&
   for (Drive& drive : drives_) {
     const auto joint = index(drive.joint);
     double start = firstFinite(trial_.targets(joint), 0);
-    const std::vector<double>* measured = trial_.freeBase ? nullptr : positionsOf(trial_, drive.joint);
-    if (measured) start = firstFinite(*measured, start);
+    const Signal* measured = trial_.freeBase ? nullptr : positionOf(trial_, drive.joint);
+    if (measured) start = firstFinite(measured->values, start);
     q_[drive.link] = q_[drive.motor] = start + plant_.joints[joint].offset;
   }
   qm_ = u_ = rhs_ = force_ = predicted_ = Eigen::VectorXd::Zero(n_);

@@ -75,6 +75,13 @@ struct Trial {
   }
 };
 
+/// A joint's measured position; null where it is not measured.
+inline const Signal* positionOf(const Trial& trial, int joint) {
+  for (const Signal& signal : trial.signals)
+    if (signal.kind == SignalKind::position && signal.joint == joint) return &signal;
+  return nullptr;
+}
+
 /// Slope of a measured signal at a cycle, by central difference [its unit per second]; 0 at the ends and next
 /// to gaps.
 inline double rateAt(const Trial& trial, const Signal& signal, std::size_t cycle) {

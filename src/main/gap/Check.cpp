@@ -7,6 +7,7 @@
 #include "framework/Parallel.h"
 #include "framework/WriteFile.h"
 #include "gap/inference/LeftJson.h"
+#include "gap/replay/CurrentSide.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/report/AnswerCauses.h"
 #include "gap/report/AnswerFile.h"
@@ -52,6 +53,7 @@ std::vector<Trial> trialsIn(const CheckOptions& options, Mechanism& robot) {
     }
   }
   if (trials.empty()) throw RunError(refused);
+  findCurrentSide(trials);
   return trials;
 }
 

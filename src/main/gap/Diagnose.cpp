@@ -164,7 +164,10 @@ void addDiagnose(CLI::App& app) {
                       "[the robot that the runs name]");
   command->add_option("--json", options->json, "Write the answer here; - for standard output");
   command->add_option("--jobs", options->jobs, "Threads [as many as cores]")->check(CLI::Range(1, 256));
-  command->add_option("--max-causes", options->maxCauses, "Most causes in one answer [sets: 8, blocks: 3]")
+  command
+      ->add_option(
+          "--max-causes", options->maxCauses,
+          "Most causes in one answer [sets: 8, or 12 of a robot with many kinds of causes; blocks: 3]")
       ->check(CLI::Range(1, 12));
   command
       ->add_option(

@@ -34,7 +34,7 @@ TEST(SetSearch, withWindowsTheAnswerIsNoWorseByTheOneScore) {
   const Groups groups(recordings({causeOf(arm, "coulomb_friction", "shoulder", 0.15)}, 2));
   const Replayer replayer(arm, groups, 1);
   WindowReplayer windows(arm, groups, 1);
-  BeamOptions options;
+  SetSearchOptions options;
   options.mostCauses = 2;
   const BeamResult free = searchForSets({replayer}, options),
                    both = searchForSets({replayer, &windows}, options);
@@ -53,7 +53,7 @@ TEST(SetSearch, ofManyKindsDerivativesProposeAndTheOneScoreChooses) {
   const Groups groups(recordings(truth, 3));
   const Replayer replayer(arm, groups, 1);
   for (const bool quick : {false, true}) {
-    BeamOptions options;
+    SetSearchOptions options;
     options.mostCauses = 3;
     options.quick = quick;
     const BeamResult found = searchForSets({replayer, nullptr, &replayer}, options);

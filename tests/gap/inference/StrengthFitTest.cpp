@@ -84,7 +84,7 @@ TEST_F(StrengthFitTest, whatIsNotFeltHasNoSlope) {
   for (const std::size_t proposed : linear.proposals({}, 9)) EXPECT_EQ(proposed, friction);
 }
 
-TEST(WindowSets, aKindIsAddedInOrderAndTakenOut) {
+TEST(StrengthSets, aKindIsAddedInOrderAndTakenOut) {
   const StrengthSet set{{1, 4}, Eigen::Vector2d(0.5, 2)};
   const StrengthSet three = with(set, 2);
   EXPECT_EQ(three.kinds, (std::vector<std::size_t>{1, 2, 4}));
