@@ -1,10 +1,10 @@
 // What a diagnosis is worth to the next walk: NAOs in Bullet that have one or two things that the model lacks
 // are recorded hung up, diagnosed by bin/gap, and walked with a walk that bin/optimizewalk trained on a model
-// with what was found, beside the walk that the same search found on the nominal model. Environment: ROBOTS
-// [10], SEED [1], JOBS; GENERATIONS [25], POPULATION [12], TRIES [6], SECONDS [6] of each search, MEASURED
-// [24] tries of each walk in the end. What is done is kept in build/bench/gap-train-SEED/: a bench that was
-// stopped goes on; remove the folder after a change of diagnosis or walk. Writes build/bench/gap-train.json
-// and .md.
+// with what was found, beside the walk that the same search found on the nominal model. Both begin with a
+// walk searched on the nominal model before. Environment: ROBOTS [10], SEED [1], JOBS; GENERATIONS [25],
+// POPULATION [12], TRIES [6], SECONDS [6] of each search, MEASURED [100] tries of each walk in the end. What
+// is done is kept in build/bench/gap-train-SEED/: a bench that was stopped goes on; remove the folder after a
+// change of diagnosis or walk. Writes build/bench/gap-train.json and .md.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -92,8 +92,9 @@ void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, dou
       "diagnosed by "
       "`bin/gap diagnose --method sets`, whose own dynamics are not Bullet's. `bin/optimizewalk` then "
       "searches for a forward walk on the model with the effects found (with the nearest explanation if the "
-      "verdict is unknown). The same search found the walk without these effects: from the walk of "
-      "`config/robots/nao_v5`, " +
+      "verdict is unknown). The walk without is searched as long on the model without these effects. Both "
+      "searches begin with the same walk, which one search before them found on the nominal model from the "
+      "walk of `config/robots/nao_v5`. Each search: " +
       number(setup.generations) + " generations of " + number(setup.population) + ", " + number(setup.tries) +
       " tries of " + number(setup.seconds) + " s. Both walks are tried on the robot itself, " +
       number(setup.measured) +
@@ -138,7 +139,7 @@ int main() try {
   setup.population = environment("POPULATION", 12);
   setup.tries = environment("TRIES", 6);
   setup.seconds = environment("SECONDS", 6);
-  setup.measured = std::clamp<std::uint64_t>(environment("MEASURED", 24), 4, 10000);
+  setup.measured = std::clamp<std::uint64_t>(environment("MEASURED", 100), 4, 10000);
   setup.folder = "build/bench/gap-train-" + std::to_string(setup.seed);
   fs::create_directories(setup.folder);
   const TrainBench bench(setup);

@@ -82,13 +82,15 @@ bool walksOn(const Mechanism& robot, const BlindEffect& e) {
 }  // namespace
 
 TrainBench::TrainBench(const TrainSetup& setup) : setup_(setup), mechanism_(namedMechanism(robotName)) {
+  start_ = setup_.folder + "/start";
+  train({}, start_);
   const std::string folder = setup_.folder + "/nominal";
-  train("", folder);
+  train({.from = start_}, folder);
   nominalWalk_ = walkIn(folder);
   onNominal_ = meanOf(measure(nominalWalk_, {}, setup_.measured)).speed;
 }
 
-void TrainBench::train(const std::string& effects, const std::string& output) const {
+void TrainBench::train(const TrainStart& start, const std::string& output) const {
   const std::string walk = output + "/walking.yaml";
   if (fs::exists(walk) && !fs::exists(walk + ".search")) return;
   fs::create_directories(output);
@@ -113,7 +115,8 @@ void TrainBench::train(const std::string& effects, const std::string& output) co
                                       std::to_string(setup_.jobs),
                                       "--output",
                                       walk};
-  if (!effects.empty()) command.insert(command.end(), {"--effects", effects});
+  if (!start.effects.empty()) command.insert(command.end(), {"--effects", start.effects});
+  if (!start.from.empty()) command.insert(command.end(), {"--from", start.from});
   command.emplace_back("--only");
   command.insert(command.end(), searched.begin(), searched.end());
   runProgram(command, output + "/log");
@@ -203,7 +206,7 @@ TrainedRobot TrainBench::robot(std::size_t turn) const {
   // Where nothing was found the search is the one without, and so is what it finds.
   walking::WalkGaits walk = nominalWalk_;
   if (!found.empty()) {
-    train(effects, folder + "/walk");
+    train({effects, start_}, folder + "/walk");
     walk = walkIn(folder + "/walk");
   }
   const std::vector<TrialResult> without = measure(nominalWalk_, truth, setup_.measured),

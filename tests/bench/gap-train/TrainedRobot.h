@@ -14,8 +14,14 @@ namespace plumbline::bench {
 inline constexpr double leastLoss = 0.1, mostLoss = 0.9;
 
 struct TrainSetup {
-  std::uint64_t seed = 1, jobs = 1, generations = 25, population = 12, tries = 6, seconds = 6, measured = 24;
+  std::uint64_t seed = 1, jobs = 1, generations = 25, population = 12, tries = 6, seconds = 6, measured = 100;
   std::string folder;
+};
+
+/// What a search begins with.
+struct TrainStart {
+  std::string effects;  ///< file of what the model has; empty: nothing
+  std::string from;     ///< folder of a walking.yaml; empty: the robot's own walk
 };
 
 /// One robot from its recording to its two walks.
@@ -27,7 +33,8 @@ struct TrainedRobot {
   std::vector<double> differences;      ///< of speed, per try [m/s]
 };
 
-/// What all robots share: the walk that the search finds on the nominal model.
+/// What all robots share: a walk searched on the nominal model. Searched once more on that model it is the
+/// walk without; searched as long on the model with what was found it is a robot's walk with.
 class TrainBench {
 public:
   explicit TrainBench(const TrainSetup& setup);
@@ -38,14 +45,15 @@ private:
   /// Draws until the nominal walk loses enough.
   gap::BlindCase draw(std::size_t turn) const;
   void record(const std::string& folder) const;
-  /// Searches a walk on the model with these effects; does nothing where that was done.
-  void train(const std::string& effects, const std::string& output) const;
+  /// Searches a walk; does nothing where that was done.
+  void train(const TrainStart& start, const std::string& output) const;
   /// Each try on the true robot: its mean speed [m/s], 0 from a fall on, and falls.
   std::vector<walking::TrialResult> measure(const walking::WalkGaits& walk, const gap::Explanation& effects,
                                             std::uint64_t tries) const;
 
   const TrainSetup setup_;
   const Mechanism mechanism_;
+  std::string start_;  ///< folder of the walk that the second searches begin with
   walking::WalkGaits nominalWalk_;
   double onNominal_ = 0;
 };
