@@ -83,9 +83,9 @@ bool walksOn(const Mechanism& robot, const BlindEffect& e) {
 
 TrainBench::TrainBench(const TrainSetup& setup) : setup_(setup), mechanism_(namedMechanism(robotName)) {
   start_ = setup_.folder + "/start";
-  train({}, start_);
+  train({"", ""}, start_);
   const std::string folder = setup_.folder + "/nominal";
-  train({.from = start_}, folder);
+  train({"", start_}, folder);
   nominalWalk_ = walkIn(folder);
   onNominal_ = meanOf(measure(nominalWalk_, {}, setup_.measured)).speed;
 }
