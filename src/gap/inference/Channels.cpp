@@ -70,7 +70,26 @@ double differenceOf(const Signal& a, const Signal& b) {
 struct Found {
   std::vector<double> repeats, fast, steps, rates;
   double largest = 0;
+  SignalKind kind = SignalKind::position;
+  double step = 0;  ///< of its readings' grid; 0: there is none
 };
+
+/// Per channel, by name and kind of base.
+using Channels = std::map<std::pair<std::string, bool>, Found>;
+
+/// A channel that hardly moves does not show its grid, and a perfect model would seem to be right to many
+/// more digits than it is read to. It is taken to have the grid of the channels of its kind.
+void findSteps(Channels& channels) {
+  std::map<std::pair<SignalKind, bool>, std::vector<double>> ofKind;
+  for (auto& [name, found] : channels) {
+    found.step = medianOf(found.steps);
+    if (found.step > 0) ofKind[{found.kind, name.second}].push_back(found.step);
+  }
+  for (auto& [name, found] : channels)
+    if (found.steps.empty())
+      if (const double step = medianOf(ofKind[{found.kind, name.second}]); medianOf(found.fast) < step)
+        found.step = step;
+}
 
 /// Root mean square of the duty (share of the supply, 0..1) of a motor at rest that draws this current from
 /// its supply.
@@ -82,13 +101,12 @@ double rmsDuty(const Signal& supplyCurrent, const Servo& servo) {
 }
 
 /// What the readings' noise of the measured angle makes of a predicted duty, torque [N m] or current [A].
-double effortOfAngle(const Trial& trial, const Signal& effort,
-                     const std::map<std::pair<std::string, bool>, Found>& channels) {
+double effortOfAngle(const Trial& trial, const Signal& effort, const Channels& channels) {
   const Signal* const position = positionOf(trial, effort.joint);
   if (!position) return 0;
   const Servo& servo = trial.robot->joints[static_cast<std::size_t>(effort.joint)].servo;
   const Found& found = channels.at({position->name, trial.freeBase});
-  const double rounded = medianOf(found.steps) / std::sqrt(12.0);
+  const double rounded = found.step / std::sqrt(12.0);
   if (effort.kind == SignalKind::duty) return servo.kpFirmware * servo.errorGain * rounded;
   const double angle = std::hypot(rounded, medianOf(found.fast));
   const double cycle = (trial.time.back() - trial.time.front()) / static_cast<double>(trial.cycles() - 1);
@@ -148,10 +166,11 @@ double smallestStep(std::vector<double> values) {
 }
 
 std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trials) {
-  std::map<std::pair<std::string, bool>, Found> channels;
+  Channels channels;
   for (const Trial& trial : trials)
     for (const Signal& signal : trial.signals) {
       Found& found = channels[{signal.name, trial.freeBase}];
+      found.kind = signal.kind;
       found.fast.push_back(fastPart(signal.values));
       if (const double step = smallestStep(signal.values); step > 0) found.steps.push_back(step);
       found.rates.push_back(rmsRate(trial, signal));
@@ -166,6 +185,7 @@ std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trial
           if (first.name == second.name)
             channels[{first.name, trials[a].freeBase}].repeats.push_back(differenceOf(first, second));
     }
+  findSteps(channels);
   std::vector<std::vector<ChannelUse>> uses;
   for (const Trial& trial : trials) {
     auto& of = uses.emplace_back();
@@ -174,13 +194,12 @@ std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trial
       ChannelUse use;
       use.why = whyNot(trial, signal);
       use.used = use.why.empty();
-      const double step = found.steps.empty() ? 0 : medianOf(found.steps);
       const double own = std::max(medianOf(found.repeats), medianOf(found.fast));
       const bool effort = isEffort(signal.kind);
       const bool moves = signal.kind == SignalKind::position || effort;
       const double late = moves ? jitter * medianOf(found.rates) : 0;
       const double angle = effort && use.used ? effortOfAngle(trial, signal, channels) : 0;
-      use.noise = std::sqrt(own * own + step * step / 12 + late * late + angle * angle);
+      use.noise = std::sqrt(own * own + found.step * found.step / 12 + late * late + angle * angle);
       use.noise = std::max({use.noise, leastShare * found.largest, 1e-9});
       of.push_back(std::move(use));
     }

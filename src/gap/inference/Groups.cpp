@@ -11,7 +11,6 @@ namespace plumbline::gap {
 namespace {
 
 constexpr std::size_t numStretches = 4;
-constexpr double startSeconds = 0.3;
 constexpr double enoughSeconds = 30;  // of recordings, to tell causes apart
 constexpr double engines =
     0.5;  // of a channel's noise: what two engines differ by with one and the same model
@@ -22,11 +21,6 @@ std::vector<Trial> withCurrentSides(std::vector<Trial> trials) {
 }
 
 }  // namespace
-
-std::size_t firstScored(const Trial& trial) {
-  return static_cast<std::size_t>(std::ranges::lower_bound(trial.time, trial.time.front() + startSeconds) -
-                                  trial.time.begin());
-}
 
 Groups::Groups(std::vector<Trial> trials)
     : all_(std::make_shared<const std::vector<Trial>>(withCurrentSides(std::move(trials)))),
@@ -41,6 +35,9 @@ Groups::Groups(std::vector<Trial> trials)
     recordingOf_.push_back(recording);
   }
   in_.assign(count, 1);
+  std::vector<std::vector<std::size_t>> bounds;
+  for (const Trial& trial : *all_) bounds.push_back(stretchesOf(trial, numStretches));
+  bounds_ = std::make_shared<const std::vector<std::vector<std::size_t>>>(std::move(bounds));
   number();
 }
 
@@ -48,6 +45,7 @@ Groups Groups::without(std::size_t group) const {
   Groups other;
   other.all_ = all_;
   other.channels_ = channels_;
+  other.bounds_ = bounds_;
   other.recordingOf_ = recordingOf_;
   other.in_ = in_;
   other.stretches_ = stretches_;
@@ -79,7 +77,7 @@ void Groups::number() {
   held_.assign(groups_, std::vector<char>(all_->size(), 0));
   for (std::size_t t = 0; t < all_->size(); ++t) {
     const Trial& trial = (*all_)[t];
-    const std::size_t cycles = trial.cycles(), first = firstScored(trial);
+    const std::vector<std::size_t>& bounds = (*bounds_)[t];
     const std::size_t parts = stretches_ ? numStretches : 1;
     for (std::size_t s = 0; s < trial.signals.size() && trialIn[t]; ++s) {
       const ChannelUse& use = (*channels_)[t][s];
@@ -88,8 +86,8 @@ void Groups::number() {
         const Cell cell{numberOf[stretches_ ? part : recordingOf_[t]],
                         t,
                         s,
-                        std::max(first, part * cycles / parts),
-                        (part + 1) * cycles / parts,
+                        bounds[part],
+                        stretches_ ? bounds[part + 1] : bounds.back(),
                         use.noise * std::hypot(1, engines)};
         bool any = false;
         for (std::size_t k = cell.from; k < cell.to && !any; ++k)
@@ -128,7 +126,9 @@ bool Groups::holds(std::size_t trial) const {
 
 std::size_t Groups::groupOf(std::size_t trial, std::size_t cycle) const {
   if (!stretches_) return recordingOf_[trial];
-  return std::min(numStretches - 1, cycle * numStretches / std::max<std::size_t>(1, (*all_)[trial].cycles()));
+  const std::vector<std::size_t>& bounds = (*bounds_)[trial];
+  const auto next = std::upper_bound(bounds.begin() + 1, bounds.end() - 1, cycle);
+  return static_cast<std::size_t>(next - bounds.begin()) - 1;
 }
 
 }  // namespace plumbline::gap

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "gap/inference/Channels.h"
+#include "gap/inference/Stretches.h"
 #include "gap/replay/Trial.h"
 
 namespace plumbline::gap {
@@ -15,7 +16,8 @@ struct Cell {
 };
 
 /// Recordings in groups of which each is left out by itself: windows and repeats of one recording are one
-/// group. Where that makes one group alone, four stretches of time stand for groups, and the answer says so.
+/// group. Where that makes one group alone, four stretches (stretchesOf) stand for groups, and the answer
+/// says so.
 class Groups {
 public:
   explicit Groups(std::vector<Trial> trials);
@@ -40,6 +42,7 @@ private:
 
   std::shared_ptr<const std::vector<Trial>> all_;
   std::shared_ptr<const std::vector<std::vector<ChannelUse>>> channels_;
+  std::shared_ptr<const std::vector<std::vector<std::size_t>>> bounds_;  ///< per trial: of its stretches
   std::vector<std::size_t> recordingOf_;  ///< per trial: recording with its repeats
   std::vector<char> in_;                  ///< per recording, or per stretch of the only one: still there
   bool stretches_ = false;
@@ -51,8 +54,5 @@ private:
 /// Flags of trials that are enough for a search: windows and repeats of recordings, one of each after the
 /// other, until they are 30 s long; at least one trial of each group.
 std::vector<char> enoughTrials(const Groups& groups);
-
-/// First cycle of a trial that is scored: what came before a recording still rings for 0.3 s.
-std::size_t firstScored(const Trial& trial);
 
 }  // namespace plumbline::gap

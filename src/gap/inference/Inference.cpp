@@ -175,7 +175,10 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
     if (const std::string only = onlySupport(groups, best, found.lessOne[i]); !only.empty())
       result.onlyIn.push_back(describe(best.causes()[i]) + " is supported by " + only + " alone");
   }
-  std::ranges::stable_sort(diagnosis.findings, std::ranges::greater(), &Finding::closedLast);
+  // The surest first; of causes as sure to a per cent, what closes most.
+  std::ranges::stable_sort(diagnosis.findings, std::ranges::greater(), [](const Finding& finding) {
+    return std::pair(std::lround(100 * finding.probability), finding.closedLast);
+  });
   const Worst before = worstOf(replayer, {}), after = worstOf(replayer, best.causes());
   diagnosis.worstBefore = before.size;
   diagnosis.worstSignal = before.signal;

@@ -55,6 +55,22 @@ TEST(Channels, noiseOfARecordingIsFoundAndSpeedIsNotUsed) {
   EXPECT_EQ(uses[0][2].why, "it is the derivative of the position, which is used");
 }
 
+TEST(Channels, aJointThatRestsIsReadOnTheGridOfTheOthers) {
+  const double step = 2 * M_PI / 4096;
+  const Mechanism arm = twoJointArm();
+  Trial trial = armTrial(arm, 6);
+  for (std::size_t k = 0; k < trial.cycles(); ++k) {
+    const double angle = 0.4 * std::sin(0.05 * static_cast<double>(k));
+    trial.signals[0].values[k] = step * std::round(angle / step);
+    trial.signals[1].values[k] = 100 * step;
+  }
+  const auto uses = channelUses({trial});
+  EXPECT_NEAR(uses[0][1].noise, step / std::sqrt(12), 0.05 * step);
+  // Without a grid anywhere nothing is known of its readings.
+  for (double& value : trial.signals[0].values) value += 1e-3 * std::sin(value * 1e7);
+  EXPECT_LT(channelUses({trial})[0][1].noise, 1e-6);
+}
+
 TEST(Channels, motionIsNoNoise) {
   // 0.3 rad at 2 Hz, read at 100 Hz: second differences alone would give 1e-3 of noise.
   Trial trial;
