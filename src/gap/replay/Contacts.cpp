@@ -52,7 +52,7 @@ void Contacts::update(const TreeDynamics& tree, const Vec3& base) {
   }
 }
 
-void Contacts::prepare(const Eigen::LLT<Eigen::MatrixXd>& factor, double scale) {
+void Contacts::prepare(const SmallFactor& factor, double scale) {
   if (!touched_) return;
   scale_ = scale;
   solved_.setZero(factor.rows(), J_.rows());

@@ -1,9 +1,9 @@
 #pragma once
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <vector>
 
 #include "gap/replay/Plant.h"
+#include "gap/replay/SmallFactor.h"
 #include "gap/replay/TreeDynamics.h"
 
 namespace plumbline::gap {
@@ -19,7 +19,7 @@ public:
   void update(const TreeDynamics& tree, const Vec3& base);
   /// Computes how forces at the corners change the step's new velocity: scale * A^-1 J^T f. factor: of its
   /// matrix A.
-  void prepare(const Eigen::LLT<Eigen::MatrixXd>& factor, double scale);
+  void prepare(const SmallFactor& factor, double scale);
   /// Finds forces so that the new velocity of a step of h seconds obeys the bounds, starting from the forces
   /// of the last step, and adds their effect to it. Call prepare() first.
   void solve(double h, Eigen::VectorXd& velocity);
@@ -45,7 +45,8 @@ private:
   int dimension_ = 0;
   bool touched_ = false;
   double scale_ = 0;
-  Eigen::MatrixXd J_, solved_, W_;
+  Eigen::MatrixXd J_, W_;
+  SmallFactor::Rows solved_;
 };
 
 }  // namespace plumbline::gap

@@ -1,6 +1,5 @@
 #include "gap/replay/Stepper.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -136,35 +135,37 @@ void Stepper::assemble(double h) {
 
 void Stepper::solve(double h) {
   factor_.compute(A_);
-  u_ = factor_.solve(rhs_);
-  Eigen::VectorXd fresh = v_ + (u_ - v_) / weight_;  // velocity at the end of the step
+  const auto rows = static_cast<Eigen::Index>(frictions_.size());
+  solved_.setZero(n_, rows + 1);
+  for (Eigen::Index i = 0; i < rows; ++i) solved_(frictions_[static_cast<std::size_t>(i)].coordinate, i) = h;
+  solved_.col(rows) = rhs_;
+  factor_.solveInPlace(solved_);
+  u_ = solved_.col(rows);
+  Eigen::VectorXd& fresh = predicted_;  // velocity at the end of the step
+  fresh = v_ + (u_ - v_) / weight_;
   if (!frictions_.empty() || contacts_) {
-    const Eigen::VectorXd unbound = fresh;
-    const auto rows = static_cast<Eigen::Index>(frictions_.size());
-    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n_, rows);
-    for (Eigen::Index i = 0; i < rows; ++i)
-      columns(frictions_[static_cast<std::size_t>(i)].coordinate, i) = h;
-    factor_.solveInPlace(columns);
-    Eigen::VectorXd pushed = Eigen::VectorXd::Zero(n_);  // what contacts add
+    unbound_ = fresh;
+    columns_ = solved_.leftCols(rows);
+    pushed_.setZero(n_);
     double hold = 0;
     for (const Friction& friction : frictions_)
       hold += (friction.bound.forward + friction.bound.backward) / 2;
     if (contacts_) contacts_->prepare(factor_, h);
     const int rounds = rows && contacts_ ? mostRounds : 1;
     for (int round = 0; round < rounds; ++round) {
-      fresh = unbound + pushed;
+      fresh = unbound_ + pushed_;
       for (Eigen::Index i = 0; i < rows; ++i)
-        fresh += columns.col(i) * frictions_[static_cast<std::size_t>(i)].force;
+        fresh += columns_.col(i) * frictions_[static_cast<std::size_t>(i)].force;
       double changed = 0;  // what contacts have undone of what frictions hold
       for (int sweep = 0; sweep < (rows > 1 ? frictionSweeps : 1); ++sweep) {
         double moved = 0;
         for (Eigen::Index i = 0; i < rows; ++i) {
           Friction& friction = frictions_[static_cast<std::size_t>(i)];
-          const double w = columns(friction.coordinate, i);
+          const double w = columns_(friction.coordinate, i);
           const double wanted = std::clamp(friction.force - fresh[friction.coordinate] / w,
                                            -friction.bound.forward, friction.bound.backward);
           const double delta = wanted - friction.force;
-          fresh += columns.col(i) * delta;
+          fresh += columns_.col(i) * delta;
           friction.force = wanted;
           moved += std::abs(delta);
         }
@@ -173,14 +174,13 @@ void Stepper::solve(double h) {
       }
       // Else what sticks would creep.
       if (!contacts_ || (round > 0 && changed <= agreed * hold)) break;
-      const Eigen::VectorXd before = fresh - pushed;
+      const Eigen::VectorXd before = fresh - pushed_;
       fresh = before;
       contacts_->solve(h, fresh);
-      pushed = fresh - before;
+      pushed_ = fresh - before;
     }
     u_ = v_ + weight_ * (fresh - v_);
   }
-  predicted_ = fresh;
 }
 
 bool Stepper::regimesHold(double h) {

@@ -1,5 +1,4 @@
 #pragma once
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <memory>
 #include <vector>
@@ -8,6 +7,7 @@
 #include "gap/replay/Contacts.h"
 #include "gap/replay/Plant.h"
 #include "gap/replay/ServoLaw.h"
+#include "gap/replay/SmallFactor.h"
 #include "gap/replay/TreeDynamics.h"
 #include "gap/replay/Trial.h"
 #include "robot/DryFriction.h"
@@ -104,7 +104,12 @@ private:
   Pose3 T_world_base_ = Pose3::Identity();
   Eigen::VectorXd qm_, u_, rhs_, force_, predicted_;
   Eigen::MatrixXd A_;
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  SmallFactor factor_;
+  // Of solve(), kept for their memory: velocity without frictions and contacts, what contacts add, what
+  // each friction does; and both solved at once.
+  Eigen::VectorXd unbound_, pushed_;
+  Eigen::MatrixXd columns_;
+  SmallFactor::Rows solved_;
   Eigen::VectorXd acceleration_;
   bool hasFallen_ = false;
   // Whole-robot readings, stored for a delayed IMU.
