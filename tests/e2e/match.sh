@@ -12,6 +12,8 @@ mkdir "$scratch/tmp"
 TMPDIR=$scratch/tmp timeout 120 "$match" --left 2 --right 1 --seconds 3 --no-page --seed 1 > "$scratch/out" 2> "$scratch/err" ||
   fail "a short match: status $?, $(cat "$scratch/err")"
 head -1 "$scratch/out" | grep -qx 'Plumbline (2) against Line (1), 3 s' || fail "it says: $(head -1 "$scratch/out")"
+grep -qx '0:00.* Plumbline 0 : 0 Line KickOff_Left half 1 robots 3' "$scratch/out" || fail "no play-by-play: $(cat "$scratch/out")"
+tail -1 "$scratch/out" | grep -qx 'at the end: Plumbline [0-9]* : [0-9]* Line' || fail "no score: $(tail -1 "$scratch/out")"
 [[ -z $(ls -A "$scratch/tmp") ]] || fail "left behind: $(ls "$scratch/tmp")"
 
 # Ctrl-C, in the middle of the start and in the game.

@@ -32,7 +32,7 @@ int runProgram(int argc, char** argv) {
   game::GameWatchOptions options;
   game::GameLogEntry entry;
   std::string log, trackFile;
-  bool quiet = false, noKickOff = false;
+  bool quiet = false, events = false, noKickOff = false;
   CLI::App app(
       "Sees a game through by the monitor port: kicks off both halves, counts goals, falls and kicks.",
       "watchgame");
@@ -67,7 +67,9 @@ int runProgram(int argc, char** argv) {
   app.add_option("--half-time", entry.halfTime, "Length of a half, for the log [s]")->capture_default_str();
   app.add_option("--left", entry.nameLeft, "Name of the left team, for the log [the one it has given]");
   app.add_option("--right", entry.nameRight, "Name of the right team, for the log");
-  app.add_flag("--quiet", quiet, "No line per second");
+  auto* const quietly = app.add_flag("--quiet", quiet, "No line per second");
+  app.add_flag("--events", events, "Instead of a line per second one where score or play mode has changed")
+      ->excludes(quietly);
   app.footer(
       "Exit status: 0 the game is over, 1 it came to no end (the log says why), 2 bad options, 130 after "
       "Ctrl-C.\n"
@@ -78,16 +80,23 @@ int runProgram(int argc, char** argv) {
   stop.catchSignals();
   entry.date = now();
   std::optional<game::GameTrack> track;
-  if (!trackFile.empty()) {
-    track.emplace(trackFile);
-    options.everyScene = [&track](const simspark::SceneState& scene) { track->observe(scene); };
-  }
-  const auto result = game::watchGame(options, stop, [&](const simspark::SceneState& scene) {
-    if (quiet) return;
-    fmt::print("{} {} {} : {} {} {} half {} robots {}\n", game::clockText(scene.time), scene.teamLeft,
-               scene.scoreLeft, scene.scoreRight, scene.teamRight, scene.playMode, scene.half,
-               scene.robots.size());
+  if (!trackFile.empty()) track.emplace(trackFile);
+  std::string told;
+  const auto tellState = [&](const simspark::SceneState& scene) {
+    const std::string state =
+        fmt::format("{} {} : {} {} {} half {}", scene.teamLeft, scene.scoreLeft, scene.scoreRight,
+                    scene.teamRight, scene.playMode, scene.half);
+    if (events && state == told) return;
+    told = state;
+    fmt::print("{} {} robots {}\n", game::clockText(scene.time), state, scene.robots.size());
     std::fflush(stdout);
+  };
+  options.everyScene = [&](const simspark::SceneState& scene) {
+    if (track) track->observe(scene);
+    if (events) tellState(scene);
+  };
+  const auto result = game::watchGame(options, stop, [&](const simspark::SceneState& scene) {
+    if (!quiet && !events) tellState(scene);
   });
   const std::string line = game::gameLogLine(entry, result);
   if (!log.empty() && result.end != game::GameEnd::interrupted) game::appendGameLog(log, line);
