@@ -10,6 +10,7 @@
 
 #include "framework/LogBuffer.h"
 #include "framework/RepeatLimit.h"
+#include "framework/SteadyClock.h"
 
 namespace plumbline {
 namespace {
@@ -91,8 +92,7 @@ LogLine Log::limited(std::string_view start, const char* file, int line) {
   // The clock decides what is written, never what is done.
   static std::mutex mutex;
   static RepeatLimit limit(perSecond, 1024);
-  const double now =
-      std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  const double now = steadySeconds();
   const std::string kind = source_ + ' ' + file + ':' + std::to_string(line);
   const std::lock_guard lock(mutex);
   return LogLine(*this, start, limit.admit(kind, now));

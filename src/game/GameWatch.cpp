@@ -1,8 +1,8 @@
 #include "game/GameWatch.h"
 
-#include <chrono>
 #include <tuple>
 
+#include "framework/SteadyClock.h"
 #include "framework/StopSignal.h"
 #include "simspark/MonitorClient.h"
 
@@ -11,10 +11,6 @@ namespace plumbline::game {
 using namespace simspark;
 
 namespace {
-
-double wallClock() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// Notices that nothing happens any more.
 class Pulse {
@@ -30,13 +26,13 @@ public:
 
 private:
   std::tuple<double, std::string, std::size_t, int> last_{-1, "", 0, 0};
-  double lastChange_ = wallClock();
+  double lastChange_ = steadySeconds();
 };
 
 /// Kicks off when everybody is there, or nobody more is waited for.
 class Starter {
 public:
-  explicit Starter(const GameWatchOptions& options) : options_(options), begin_(wallClock()) {}
+  explicit Starter(const GameWatchOptions& options) : options_(options), begin_(steadySeconds()) {}
 
   enum class Verdict { wait, noPlayers, kickOff };
   Verdict look(const SceneState& scene, double now) {
@@ -82,12 +78,12 @@ const char* gameEndText(GameEnd end) {
 
 GameResult watchGame(const GameWatchOptions& options, const StopSignal& stop,
                      const std::function<void(const SceneState&)>& progress) {
-  const double begin = wallClock();
+  const double begin = steadySeconds();
   GameResult result;
   const auto end = [&](GameEnd how, std::string problem) {
     result.end = how;
     result.problem = std::move(problem);
-    result.wallSeconds = wallClock() - begin;
+    result.wallSeconds = steadySeconds() - begin;
     return result;
   };
   MonitorClient monitor;
@@ -98,7 +94,7 @@ GameResult watchGame(const GameWatchOptions& options, const StopSignal& stop,
   double nextProgress = 0;
   while (!stop.requested()) {
     const auto status = monitor.receive(0.5);
-    const double now = wallClock();
+    const double now = steadySeconds();
     if (status == Connection::Status::closed && !stop.requested())
       return end(GameEnd::serverGone, monitor.error().empty() ? "the server has gone" : monitor.error());
     if (stop.requested()) break;

@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <charconv>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +11,7 @@
 #include <stdexcept>
 
 #include "framework/ConfigurationError.h"
+#include "framework/SteadyClock.h"
 #include "framework/WriteFile.h"
 
 namespace plumbline::walking {
@@ -20,11 +20,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::uintmax_t maxFileSize = 64 << 20;
-
-/// The clock only decides how often the file is written.
-double wallClock() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::string hexOf(std::uint64_t bits) {
   char text[20];
@@ -136,7 +131,7 @@ void WalkCheckpoint::write() {
   for (const WalkGaits& walk : done_) state["done"].push_back(exactText(walk));
   state["search"] = hexOf(search_);
   writeFile(file_, state.dump(1) + "\n");
-  written_ = wallClock();
+  written_ = steadySeconds();
 }
 
 WalkGaits WalkCheckpoint::stage(const std::function<WalkGaits()>& work) {
@@ -151,7 +146,7 @@ WalkGaits WalkCheckpoint::stage(const std::function<WalkGaits()>& work) {
 
 void WalkCheckpoint::storeSearch(const std::string& state) {
   search_ = state;
-  if (wallClock() - written_ >= 1) write();
+  if (steadySeconds() - written_ >= 1) write();
 }
 
 void WalkCheckpoint::forget() { std::remove(file_.c_str()); }

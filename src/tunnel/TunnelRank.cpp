@@ -1,9 +1,9 @@
 #include "tunnel/TunnelRank.h"
+#include "framework/SteadyClock.h"
 
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
 namespace plumbline::tunnel {
@@ -17,10 +17,6 @@ constexpr double farewell = 0.05;      // for last messages [s]
 constexpr int messagesAtOnce = 64;     // then sockets have their turn
 constexpr int spins = 20, naps = 500;  // looks without a pause, then with the shorter one
 constexpr int napMilliseconds = 1, restMilliseconds = 4;
-
-double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::string nameOf(int rank) { return "rank " + std::to_string(rank); }
 
@@ -78,7 +74,7 @@ RankEnd TunnelRank::loop(const StopSignal& stop, Watchdog& watchdog) {
       endEarly(status, watchdog);
       return {status, true};
     }
-    const double now = seconds();
+    const double now = steadySeconds();
     serve(std::span(watched_).subspan(1), now);
     const bool heard = takeMessages(now);
     idle_ = ready || heard ? 0 : idle_ + 1;
@@ -89,11 +85,11 @@ RankEnd TunnelRank::loop(const StopSignal& stop, Watchdog& watchdog) {
 
 bool TunnelRank::isEnding(const StopSignal& stop) {
   // Taken before and after: a stop between two of these lines is seen as one, too.
-  const double begin = seconds(), before = checked_;
+  const double begin = steadySeconds(), before = checked_;
   const bool came = continued_.came();
   checked_ = begin;
   // To be continued without having been stopped is what mpirun's ending begins with. It gives no second more.
-  const bool announced = came && before >= 0 && seconds() - before < stoppedFor;
+  const bool announced = came && before >= 0 && steadySeconds() - before < stoppedFor;
   // Who is started by mpirun or srun ends with it.
   return stop.requested() || othersStatus_ >= 0 || announced || getppid() != parent_;
 }
@@ -139,7 +135,7 @@ void TunnelRank::watchOthers(double now) {
 void TunnelRank::pass(double most) {
   int from = 0;
   std::string message;
-  for (const double until = seconds() + most; !transport_.sentAll() && seconds() < until;)
+  for (const double until = steadySeconds() + most; !transport_.sentAll() && steadySeconds() < until;)
     if (!transport_.receive(from, message)) usleep(1000);
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "framework/SteadyClock.h"
 #include "web/Frame.h"
 #include "web/Geometry.h"
 
@@ -22,14 +23,10 @@ constexpr double patience = 0.02;      ///< longest time a command waits [s]
 constexpr double connectTimeout = 1, reconnectPause = 0.5;
 constexpr std::size_t maxCommands = 1000;
 
-double wallClock() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 }  // namespace
 
 LiveFeed::LiveFeed(const Config& config, Broadcast& broadcast)
-    : config_(config), broadcast_(broadcast), start_(wallClock()) {
+    : config_(config), broadcast_(broadcast), start_(steadySeconds()) {
   status_.source = config_.host + ':' + std::to_string(config_.port);
   if (!config_.record.empty()) writer_ = std::make_unique<MatchWriter>(config_.record);
   status_.recording = config_.record;
@@ -64,7 +61,7 @@ LiveFeed::~LiveFeed() {
   }
 }
 
-double LiveFeed::now() const { return wallClock() - start_; }
+double LiveFeed::now() const { return steadySeconds() - start_; }
 
 void LiveFeed::command(const PageCommand& command) {
   const std::lock_guard lock(mutex_);

@@ -1,6 +1,6 @@
 #include "Batch.h"
+#include "framework/SteadyClock.h"
 
-#include <chrono>
 #include <clocale>
 #include <cstdio>
 #include <fstream>
@@ -12,10 +12,6 @@
 
 namespace plumbline::rdb {
 namespace {
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 constexpr double forEver = 1e18, step = 0.2;
 
@@ -36,13 +32,14 @@ void Batch::receive(double seconds) {
 }
 
 void Batch::receiveFor(double seconds) {
-  for (const double end = now() + seconds; now() < end && !stop_.requested();)
-    receive(std::min(step, std::max(0.001, end - now())));
+  for (const double end = steadySeconds() + seconds; steadySeconds() < end && !stop_.requested();)
+    receive(std::min(step, std::max(0.001, end - steadySeconds())));
 }
 
 void Batch::follow() {
-  const double end = options_.seconds > 0 ? now() + options_.seconds : forEver;
-  while (lasting_ > 0 && !stop_.requested() && now() < end) receive(std::min(step, end - now()));
+  const double end = options_.seconds > 0 ? steadySeconds() + options_.seconds : forEver;
+  while (lasting_ > 0 && !stop_.requested() && steadySeconds() < end)
+    receive(std::min(step, end - steadySeconds()));
 }
 
 void Batch::run(const std::string& typed, const std::string& place) {
@@ -86,8 +83,8 @@ void Batch::run(const std::string& typed, const std::string& place) {
                         else if (lasts)
                           --lasting_;
                       }});
-  const double end = lasts && options_.seconds > 0 ? now() + options_.seconds : forEver;
-  while (!done && !stop_.requested() && now() < end && !(lasts && answered)) receive(step);
+  const double end = lasts && options_.seconds > 0 ? steadySeconds() + options_.seconds : forEver;
+  while (!done && !stop_.requested() && steadySeconds() < end && !(lasts && answered)) receive(step);
   *state = false;
   if (lasts && !done) ++lasting_;
   if (!failed.empty()) throw std::runtime_error(place + failed);
@@ -106,14 +103,14 @@ void Batch::runFile(const std::string& path) {
 
 void Batch::showPlots() {
   if (session_.plots().empty()) return;
-  const double end = options_.seconds > 0 ? now() + options_.seconds : forEver;
+  const double end = options_.seconds > 0 ? steadySeconds() + options_.seconds : forEver;
   const auto full = [&] {
     for (const auto& [name, plot] : session_.plots()) {
       if (!plot.full()) return false;
     }
     return true;
   };
-  while (!full() && error_.empty() && !stop_.requested() && now() < end) receive(step);
+  while (!full() && error_.empty() && !stop_.requested() && steadySeconds() < end) receive(step);
   if (!error_.empty()) throw std::runtime_error(error_);
   const bool unicode = std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
   for (const auto& [name, plot] : session_.plots()) {

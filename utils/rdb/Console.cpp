@@ -11,7 +11,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "Clock.h"
+#include "framework/SteadyClock.h"
 
 namespace plumbline::rdb {
 namespace {
@@ -61,8 +61,8 @@ void Console::keepConnected() {
     print("connection lost; trying again");
     session_.lost();
   }
-  if (clockSeconds() < nextTry_) return;
-  nextTry_ = clockSeconds() + tryEvery;
+  if (steadySeconds() < nextTry_) return;
+  nextTry_ = steadySeconds() + tryEvery;
   const std::string why = link_.connect(tryEvery);
   if (why.empty()) {
     print((announced_ ? "back at " : "connected to ") + link_.name());
@@ -95,9 +95,9 @@ void Console::run() {
     session_.receive(0);
     goOn();
     showWindows();
-    if (changed_ && clockSeconds() - drawn >= drawEvery) {
+    if (changed_ && steadySeconds() - drawn >= drawEvery) {
       draw();
-      drawn = clockSeconds();
+      drawn = steadySeconds();
       changed_ = false;
     }
     pollfd descriptors[] = {
@@ -261,7 +261,7 @@ void Console::begin(const std::string& script) {
 
 void Console::goOn() {
   // One command after the other: an order given at once could overtake what a cycle has to answer.
-  while (!script_.empty() && asked_ == 0 && clockSeconds() >= scriptWaits_) {
+  while (!script_.empty() && asked_ == 0 && steadySeconds() >= scriptWaits_) {
     const std::string line = script_.front();
     script_.pop_front();
     print("> " + line);
@@ -272,7 +272,7 @@ void Console::goOn() {
       continue;
     }
     try {
-      scriptWaits_ = clockSeconds() + sleepSeconds(words);
+      scriptWaits_ = steadySeconds() + sleepSeconds(words);
     } catch (const std::runtime_error& error) {
       script_.clear();
       return print(std::string("error: ") + error.what());

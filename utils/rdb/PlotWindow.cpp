@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "Clock.h"
 #include "Plot.h"
+#include "framework/SteadyClock.h"
 
 namespace plumbline::rdb {
 namespace {
@@ -75,8 +75,8 @@ void PlotWindow::show(const Plot& plot) {
                : code == noTerminal ? "gnuplot can open no window here: install gnuplot-qt"
                                     : "the window is closed");
   }
-  if (unsent_.empty() && clockSeconds() >= next_) {
-    next_ = clockSeconds() + plot.interval();
+  if (unsent_.empty() && steadySeconds() >= next_) {
+    next_ = steadySeconds() + plot.interval();
     unsent_ = plot.script(title_);
   }
   send();

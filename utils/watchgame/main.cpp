@@ -83,9 +83,8 @@ int runProgram(int argc, char** argv) {
   if (!trackFile.empty()) track.emplace(trackFile);
   std::string told;
   const auto tellState = [&](const simspark::SceneState& scene) {
-    const std::string state =
-        fmt::format("{} {} : {} {} {} half {}", scene.teamLeft, scene.scoreLeft, scene.scoreRight,
-                    scene.teamRight, scene.playMode, scene.half);
+    const std::string state = fmt::format("{} {} : {} {} {} half {}", scene.teamLeft, scene.scoreLeft,
+                                          scene.scoreRight, scene.teamRight, scene.playMode, scene.half);
     if (events && state == told) return;
     told = state;
     fmt::print("{} {} robots {}\n", game::clockText(scene.time), state, scene.robots.size());

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "MotionFilm.h"
+#include "framework/SteadyClock.h"
 #include "pages/PagePlace.h"
 #include "web/Geometry.h"
 
@@ -14,10 +15,6 @@ namespace {
 using nlohmann::json;
 
 constexpr double pace = 1, filmPace = 15;  // [s]
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
@@ -73,8 +70,8 @@ std::string SearchPage::address() const { return addressOf(config_, server_.port
 void SearchPage::show(const Search& search, const farm::RunHistory& history, const farm::FarmServer* server,
                       bool last) {
   film(search, last);
-  if (!last && now() < next_) return;
-  next_ = now() + pace;
+  if (!last && steadySeconds() < next_) return;
+  next_ = steadySeconds() + pace;
   const Optimizer& optimizer = search.optimizer();
   json status = {{"kind", "status"},
                  {"generation", optimizer.generations()},
@@ -119,10 +116,10 @@ void SearchPage::film(const Search& search, bool last) {
     if (const std::string film = filming_.get(); !film.empty()) board_.put("film", film);
   }
   const std::int64_t generation = search.optimizer().generations();
-  if (generation == filmed_ || (!last && now() < nextFilm_)) return;
+  if (generation == filmed_ || (!last && steadySeconds() < nextFilm_)) return;
   const bool first = filmed_ < 0;
   filmed_ = generation;
-  nextFilm_ = now() + filmPace;
+  nextFilm_ = steadySeconds() + filmPace;
   filming_ =
       std::async(std::launch::async, [this, first, study = study_, found = search.optimizer().favourite(),
                                       name = "generation " + std::to_string(generation)] {

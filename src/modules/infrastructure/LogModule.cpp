@@ -3,13 +3,13 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
 #include "framework/ConfigurationError.h"
 #include "framework/ModuleGraph.h"
 #include "framework/PluginModuleBase.h"
+#include "framework/SteadyClock.h"
 
 namespace plumbline {
 
@@ -18,10 +18,6 @@ MAKE_SPECIAL_MODULE(log, LogModule)
 namespace {
 
 constexpr double nominalCycle = 0.02;  ///< between two runs of a platform's clock [s]
-
-double steadySeconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 }  // namespace
 

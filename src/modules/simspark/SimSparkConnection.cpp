@@ -3,11 +3,11 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 #include <stdexcept>
 
 #include "framework/ConfigFolder.h"
+#include "framework/SteadyClock.h"
 #include "framework/Waiting.h"
 #include "modules/simspark/Monitor.h"
 
@@ -26,10 +26,6 @@ constexpr double connectPause = 0.1, refusedPause = 1;  // [s]
 constexpr double tellAfter = 2;                         ///< a wait is worth a word [s]
 constexpr double placeInterval = 5;                     ///< between two requests for a place [s]
 constexpr int maxPlaceRequests = 200;
-
-double wallClock() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 }  // namespace
 
@@ -74,7 +70,7 @@ bool SimSparkConnection::startSimulator() {
 
 bool SimSparkConnection::connect() {
   const Waiting waiting;
-  const double start = wallClock();
+  const double start = steadySeconds();
   std::string host = options_->startSimulator ? "127.0.0.1" : options_->host;
   link_->ports = {options_->port, options_->monitorPort};
   while (!stopRequested()) {
@@ -87,7 +83,7 @@ bool SimSparkConnection::connect() {
       return true;
     }
     if (stopRequested()) break;
-    if (connectSeconds > 0 && wallClock() - start > connectSeconds) {
+    if (connectSeconds > 0 && steadySeconds() - start > connectSeconds) {
       requestStop(1, why);
       break;
     }
@@ -107,7 +103,7 @@ void SimSparkConnection::askForRobot() {
   phase_ = Phase::scene;
   attached_ = true;
   placed_ = false;
-  phaseSince_ = wallClock();
+  phaseSince_ = steadySeconds();
   phaseReported_ = false;
 }
 
@@ -117,13 +113,13 @@ void SimSparkConnection::askForPlace() {
   init.syn = true;
   link_->send(init);
   ++placeRequests_;
-  placeAsked_ = wallClock();
+  placeAsked_ = steadySeconds();
 }
 
 void SimSparkConnection::answered() {
   if (phase_ == Phase::scene) {
     phase_ = Phase::place;
-    phaseSince_ = wallClock();
+    phaseSince_ = steadySeconds();
     phaseReported_ = false;
     ++connections_;
     cycles_ = 0;
@@ -137,7 +133,7 @@ void SimSparkConnection::answered() {
 void SimSparkConnection::lookForPlace(std::string_view text) {
   // The first message to a robot with a place says which; without one it stays beside the field.
   placed_ = text.find("(unum ") != std::string_view::npos;
-  if (!placed_) return tellWait(wallClock() - phaseSince_);
+  if (!placed_) return tellWait(steadySeconds() - phaseSince_);
   if (waitReported_ || wasHere_)
     tell((wasHere_ ? "back on port " : "plays on port ") + std::to_string(link_->ports.agent));
   waitReported_ = wasHere_ = false;
@@ -157,7 +153,7 @@ void SimSparkConnection::tellWait(double seconds) {
     tell("port " + port + " gives no place in team " + options_->team + " yet: " + number +
          " may be taken, the team full, or the clock stands");
   // Whoever has the number may go. Few enough requests not to be taken for a flood when the clock goes on.
-  if (wallClock() - placeAsked_ > placeInterval && placeRequests_ < maxPlaceRequests) askForPlace();
+  if (steadySeconds() - placeAsked_ > placeInterval && placeRequests_ < maxPlaceRequests) askForPlace();
 }
 
 void SimSparkConnection::lost() {
@@ -185,7 +181,7 @@ bool SimSparkConnection::receive() {
         ++cycles_;
         return true;
       case simspark::Connection::Status::timeout:
-        if (!placed_) tellWait(wallClock() - phaseSince_);
+        if (!placed_) tellWait(steadySeconds() - phaseSince_);
         break;
       case simspark::Connection::Status::closed:
         lost();

@@ -71,7 +71,7 @@ void AgentPort::receive(Agent& agent) {
     if (agent.pending.size() >= maxPending) return agent.client.drop("sent too many messages in a cycle");
     if (command.scene && !agent.sceneAsked) {
       agent.sceneAsked = true;
-      agent.waitingSince = wallClock();
+      agent.waitingSince = steadySeconds();
     }
     if (command.syn) agent.synced = agent.everSynced = true;
     agent.pending.push_back(std::move(command));
@@ -87,7 +87,7 @@ int AgentPort::numAgents() const {
 bool AgentPort::ready(const Agent& agent) const {
   if (!config_.sync || !agent.sceneAsked || agent.synced || agent.client.broken()) return true;
   if (agent.everSynced || agent.cycles >= unsyncedCycles) return false;
-  return wallClock() - agent.waitingSince > unsyncedPatience;
+  return steadySeconds() - agent.waitingSince > unsyncedPatience;
 }
 
 bool AgentPort::ready() const {
@@ -133,7 +133,7 @@ void AgentPort::sendSenses() {
     if (!agent->player || agent->client.broken()) continue;
     const std::string& message = simulation_.message(*agent->player);
     agent->cycles = std::min(agent->cycles + 1, unsyncedCycles);
-    agent->waitingSince = config_.sync ? wallClock() : 0;
+    agent->waitingSince = config_.sync ? steadySeconds() : 0;
     if (message.empty())
       agent->synced = true;  // it has nothing to answer
     else
@@ -148,7 +148,7 @@ void AgentPort::dropBroken() {
         agent->client.drop("removed by a trainer");
         agent->player.reset();
       }
-  const double now = wallClock();
+  const double now = steadySeconds();
   for (const auto& agent : agents_) {
     if (agent->client.halfSince() > 0 && now - agent->client.halfSince() > config_.halfTimeout)
       agent->client.drop("sent half a message and no more");

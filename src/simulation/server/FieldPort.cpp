@@ -85,7 +85,7 @@ void FieldPort::receive(Viewer& viewer) {
 
 void FieldPort::tell() {
   if (viewers_.empty()) return;
-  const double now = wallClock();
+  const double now = steadySeconds();
   text_.clear();
   for (const auto& viewer : viewers_) {
     if (!viewer->admitted || viewer->client.broken() || now < viewer->nextTime || !viewer->client.idle())
@@ -99,7 +99,7 @@ void FieldPort::tell() {
 }
 
 void FieldPort::dropBroken() {
-  const double now = wallClock();
+  const double now = steadySeconds();
   for (const auto& viewer : viewers_)
     if (!viewer->admitted && now - viewer->client.since() > silentTimeout)
       viewer->client.drop("did not name the token");

@@ -128,7 +128,7 @@ void MonitorPort::carryOut(Monitor& monitor, const simspark::ViewerCommand& comm
 void MonitorPort::tellViewer(Monitor& monitor, bool regular) {
   monitor.viewStale = monitor.viewStale || regular;
   if (!monitor.viewStale || !monitor.client.idle()) return;
-  const double now = wallClock();
+  const double now = steadySeconds();
   if (now < monitor.nextView) return;
   const bool whole = monitor.viewVersion != simulation_.sceneVersion();
   monitor.client.send(whole ? monitor.view->full(simulation_) : monitor.view->difference(simulation_));
@@ -179,7 +179,7 @@ bool MonitorPort::owe() const {
 }
 
 void MonitorPort::dropBroken() {
-  const double now = wallClock();
+  const double now = steadySeconds();
   for (const auto& monitor : monitors_) {
     if (monitor->client.halfSince() > 0 && now - monitor->client.halfSince() > config_.halfTimeout)
       monitor->client.drop("sent half a message and no more");

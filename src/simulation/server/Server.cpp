@@ -49,7 +49,7 @@ void Server::listen(int milliseconds) {
   monitors_.watch(descriptors_);
   const std::size_t firstViewer = descriptors_.size();
   if (field_) field_->watch(descriptors_);
-  if (const double now = wallClock(); now - logLooked_ > 1) {
+  if (const double now = steadySeconds(); now - logLooked_ > 1) {
     log_.tellOverdue();
     logLooked_ = now;
   }
@@ -67,7 +67,7 @@ bool Server::clockStands() const {
 
 void Server::tellWait() {
   if (monitors_.clock().stands()) return;  // a trainer wants it so
-  const double now = wallClock();
+  const double now = steadySeconds();
   if (!stood_ || waitReported_ == 0) {
     waitReported_ = now;
     agentsReported_ = -1;
@@ -137,7 +137,7 @@ void Server::tellField() {
 }
 
 void Server::waitForClock() {
-  const double step = config_.simulation.world.stepSeconds / monitors_.clock().speed, now = wallClock();
+  const double step = config_.simulation.world.stepSeconds / monitors_.clock().speed, now = steadySeconds();
   nextTick_ += step;
   if (nextTick_ < now - maxLag || nextTick_ > now + step) nextTick_ = now;
   if (nextTick_ <= now) return;
@@ -146,14 +146,14 @@ void Server::waitForClock() {
 }
 
 void Server::run(const std::atomic<bool>& stop) {
-  const double wallStart = wallClock(), cpuStart = cpuSeconds();
+  const double wallStart = steadySeconds(), cpuStart = cpuSeconds();
   const auto over = [&] {
     return stop || monitors_.killRequested() || simulation_.finished() ||
            (config_.maxSeconds && simulation_.time() >= *config_.maxSeconds - 1e-9);
   };
   while (!over())
     if (collect()) cycle();
-  statistics_.wallSeconds += wallClock() - wallStart;
+  statistics_.wallSeconds += steadySeconds() - wallStart;
   statistics_.cpuSeconds += cpuSeconds() - cpuStart;
   statistics_.simulatedSeconds = simulation_.time();
 }

@@ -1,4 +1,5 @@
 #include "simulation/server/Sockets.h"
+#include "framework/SteadyClock.h"
 
 #include <netdb.h>
 #include <netinet/in.h>
@@ -29,10 +30,6 @@ std::string addressText(const sockaddr* address, socklen_t size) {
 }
 
 }  // namespace
-
-double wallClock() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 Listener::Listener(const std::string& address, int port) {
   addrinfo hints{};
@@ -130,7 +127,7 @@ bool FramedClient::next(std::string_view& message) {
   if (reader_.empty())
     halfMessageSince_ = 0;
   else if (halfMessageSince_ == 0)
-    halfMessageSince_ = wallClock();
+    halfMessageSince_ = steadySeconds();
   return false;
 }
 

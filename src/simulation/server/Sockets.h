@@ -6,13 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "framework/SteadyClock.h"
 #include "simspark/Framing.h"
 
 namespace plumbline::simulation {
-
-/// Seconds of the machine's steady clock; decides when to give up on a silent client, never what happens in
-/// the game.
-double wallClock();
 
 /// A listening TCP socket.
 class Listener {
@@ -70,7 +67,7 @@ private:
   std::string queue_;
   std::string reason_;
   double halfMessageSince_ = 0;
-  const double connectedSince_ = wallClock();
+  const double connectedSince_ = steadySeconds();
 };
 
 }  // namespace plumbline::simulation

@@ -5,18 +5,13 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <chrono>
 #include <csignal>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include "framework/SteadyClock.h"
 
 namespace plumbline::bench {
-
-/// Seconds of a clock that all processes of a machine share.
-inline double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// What two processes of a measurement share.
 struct Shared {

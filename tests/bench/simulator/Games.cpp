@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "Figures.h"
+#include "framework/SteadyClock.h"
 #include "simspark/ChildProcess.h"
 #include "simspark/Connection.h"
 #include "simspark/SimulatorProcess.h"
@@ -31,10 +32,6 @@ struct Account {
   double memory = 0;       ///< [MB]
 };
 
-double wallSeconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 /// How fast the game clock goes from its first second to the simulator's end, as a monitor sees it.
 double clockSpeed(int monitorPort) {
   simspark::Connection monitor;
@@ -46,7 +43,7 @@ double clockSpeed(int monitorPort) {
     const auto at = text.substr(0, 600).find("(time ");
     if (at == std::string_view::npos) continue;
     game = std::strtod(std::string(text.substr(at + 6, 12)).c_str(), nullptr);
-    wall = wallSeconds();
+    wall = steadySeconds();
     if (game < 1 || firstWall > 0) continue;
     firstWall = wall;
     firstGame = game;
