@@ -15,7 +15,9 @@ double normalShare(double x) { return std::erfc(-x / std::sqrt(2.0)) / 2; }
 
 }  // namespace
 
-Claim claimOf(const std::vector<double>& closedPerGroup) {
+double logLeft(double closed) { return std::log(std::max(leastLeft, 1 - closed)); }
+
+Claim claimOf(const std::vector<double>& closedPerGroup, double bias) {
   if (closedPerGroup.empty()) return {};
   // A grid over the spread; given that, all is normal.
   constexpr int points = 60;
@@ -26,7 +28,7 @@ Claim claimOf(const std::vector<double>& closedPerGroup) {
   std::vector<Point> grid;
   const auto n = static_cast<double>(closedPerGroup.size());
   std::vector<double> left;
-  for (const double closed : closedPerGroup) left.push_back(std::log(std::max(leastLeft, 1 - closed)));
+  for (const double closed : closedPerGroup) left.push_back(logLeft(closed) + bias);
   double sum = 0, best = -HUGE_VAL;
   for (const double x : left) sum += x;
   for (int i = 0; i < points; ++i) {

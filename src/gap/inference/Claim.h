@@ -15,7 +15,12 @@ struct Claim {
 /// al., Bayesian Data Analysis, chapter 5). The mean is 0 (nothing closed) give or take 1 before any data,
 /// the spread half-normal of 0.5. Few groups are thus drawn to 0 and leave a wide interval; none claim
 /// nothing.
-Claim claimOf(const std::vector<double>& closedPerGroup);
+/// bias: what is added to the logarithms because searches without a group have fewer recordings
+/// (leaveOutBias).
+Claim claimOf(const std::vector<double>& closedPerGroup, double bias = 0);
+
+/// Logarithm of the share that is left; less than 2 % is noise.
+double logLeft(double closed);
 
 /// The mean of what was closed, above the floor, in the recordings of each group; groups that show no gap are
 /// left out.

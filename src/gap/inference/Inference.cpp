@@ -9,6 +9,7 @@
 #include "gap/inference/Beam.h"
 #include "gap/inference/CauseKinds.h"
 #include "gap/inference/LeaveOut.h"
+#include "gap/inference/LeaveOutBias.h"
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/Posterior.h"
 #include "gap/inference/SetSearch.h"
@@ -190,7 +191,8 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   tell("recordings left out", 0);
   result.leftOut = leftWithout(groups, without);
   for (const FoundWithout& of : without) result.foundElse.push_back(of.causes);
-  result.claim = claimOf(closedPerGroup(result.leftOut, groupsOfRecordings(groups)));
+  result.claim = claimOf(closedPerGroup(result.leftOut, groupsOfRecordings(groups)),
+                         leaveOutBias(groups, best.causes(), without));
   double squaresBefore = 0, squaresAfter = 0, squaresFloor = 0;
   const auto count = static_cast<double>(result.leftOut.size());
   for (const RecordingLeft& recording : result.leftOut) {

@@ -36,24 +36,40 @@ std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const SetSea
   return found;
 }
 
-std::vector<RecordingLeft> leftWithout(const Groups& groups, const std::vector<FoundWithout>& found) {
+namespace {
+
+/// causesOf: of a trial, the values for each stretch of it.
+template <class CausesOf>
+std::vector<RecordingLeft> leftOf(const Groups& groups, CausesOf causesOf) {
   std::map<std::string, std::vector<RecordingLeft>> parts;
   std::vector<std::string> order;
   for (std::size_t t = 0; t < groups.trials().size(); ++t) {
     const Trial& trial = groups.trials()[t];
-    std::vector<From> causes;
-    for (std::size_t k = 0; k < trial.cycles(); ++k) {
-      const std::size_t group = groups.groupOf(t, k);
-      if (k == 0 || group != groups.groupOf(t, k - 1)) causes.push_back({k, found[group].causes});
-    }
     if (!parts.contains(trial.recording)) order.push_back(trial.recording);
-    parts[trial.recording].push_back(leftIn(trial, causes));
+    parts[trial.recording].push_back(leftIn(trial, causesOf(t)));
   }
   std::vector<RecordingLeft> left;
   for (const std::string& folder : order) left.push_back(together(parts[folder]));
   putFloors(groups.trials(), left);
   putNoise(groups.trials(), left);
   return left;
+}
+
+}  // namespace
+
+std::vector<RecordingLeft> leftWithout(const Groups& groups, const std::vector<FoundWithout>& found) {
+  return leftOf(groups, [&](std::size_t t) {
+    std::vector<From> causes;
+    for (std::size_t k = 0; k < groups.trials()[t].cycles(); ++k) {
+      const std::size_t group = groups.groupOf(t, k);
+      if (k == 0 || group != groups.groupOf(t, k - 1)) causes.push_back({k, found[group].causes});
+    }
+    return causes;
+  });
+}
+
+std::vector<RecordingLeft> leftWith(const Groups& groups, const Explanation& causes) {
+  return leftOf(groups, [&](std::size_t) { return std::vector<From>{{0, causes}}; });
 }
 
 std::vector<std::size_t> groupsOfRecordings(const Groups& groups) {

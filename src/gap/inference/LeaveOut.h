@@ -22,6 +22,9 @@ std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const SetSea
 /// into stretches, each stretch).
 std::vector<RecordingLeft> leftWithout(const Groups& groups, const std::vector<FoundWithout>& found);
 
+/// Each recording replayed free with the same causes, in the order of leftWithout.
+std::vector<RecordingLeft> leftWith(const Groups& groups, const Explanation& causes);
+
 /// Per recording, in the order of leftWithout: its group.
 std::vector<std::size_t> groupsOfRecordings(const Groups& groups);
 
