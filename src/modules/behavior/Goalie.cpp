@@ -43,19 +43,6 @@ bool Goalie::shotCrossing(Vec2& place) const {
   return true;
 }
 
-std::optional<Goalie::Passing> Goalie::outOfSteps() const {
-  const Vec2 &ball = theBallPos->relative, &velocity = theBallPos->relativeVelocity;
-  if (ball.x() <= 0 || velocity.x() > -shotSpeed) return std::nullopt;
-  const double share = ball.x() / -velocity.x() / ballRollingSeconds;  // of the way that it rolls in all
-  if (share >= 1) return std::nullopt;
-  const Passing passing{ball.y() + velocity.y() * ball.x() / -velocity.x(),
-                        -ballRollingSeconds * std::log(1 - share)};
-  const double bySteps = standReach + stepSpeed * std::max(0.0, passing.seconds - stepDelay);
-  const double aside = std::abs(passing.aside);
-  if (aside <= bySteps || aside > diveReach) return std::nullopt;
-  return passing;
-}
-
 void Goalie::update(GoalieOutput* theGoalieOutput) {
   BehaviorOutput& output = *theGoalieOutput;
   output.clear();
@@ -74,13 +61,6 @@ void Goalie::update(GoalieOutput* theGoalieOutput) {
   }
   Vec2 place = lost ? Vec2(-theFieldDimensions->length / 2 + nearOut, 0) : onAngle();
   const bool shot = !lost && shotCrossing(place);
-  if (const std::optional<Passing> passing = shot ? outOfSteps() : std::nullopt) {
-    // From a stand a dive begins at once; from a walk it would wait for the feet.
-    const bool now = passing->seconds >= diveLatest && passing->seconds <= diveSoonest;
-    output.skill = now ? Skill::dive : Skill::stand;
-    output.target = Pose2(robot * Vec2(0, passing->aside), robot.heading);
-    return;
-  }
   const double distance = (place - robot.position).norm();
   standing_ = !shot && distance < (standing_ ? leaves : tolerance);
   const Vec2 toBall = theBallPos->field - place;

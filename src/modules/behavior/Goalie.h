@@ -1,6 +1,4 @@
 #pragma once
-#include <optional>
-
 #include "framework/Module.h"
 #include "representations/behavior/GoalieOutput.h"
 #include "representations/behavior/PlayerRole.h"
@@ -25,20 +23,11 @@ MODULE(Goalie)
   PARAMETER(double, tolerance, 0.15, "m", Range(0.01, 2), "nearer to its place the goalie stands")
   PARAMETER(double, leaves, 0.3, "m", Range(0.01, 2), "farther from its place it walks there again")
   PARAMETER(double, shotSpeed, 0.8, "m/s", Range(0.1, 20), "a ball rolling faster at the goal is a shot")
-  PARAMETER(double, standReach, 0.12, "m", Range(0, 1), "a ball that passes nearer is stopped standing")
-  PARAMETER(double, stepDelay, 0.35, "s", Range(0, 2), "until the first step to the side")
-  PARAMETER(double, stepSpeed, 0.25, "m/s", Range(0, 3), "to the side, from rest, to a ball on its way")
-  PARAMETER(double, diveReach, 0.7, "m", Range(0, 2),
-            "a ball that passes farther away is out of reach; 0: no dives")
-  PARAMETER(double, diveLatest, 0.2, "s", Range(0, 2),
-            "a ball that passes sooner is past before the keeper lies")
-  PARAMETER(double, diveSoonest, 0.6, "s", Range(0, 2), "a ball that passes later is waited for")
   PARAMETER(double, ballMaxAge, 4, "s", Range(0.1, 60), "a ball not seen for longer is searched")
 END_MODULE
 
 /// Stands on the line that halves the angle of the goal as the ball sees it, farther out the farther the
-/// ball; steps into the way of a shot, and dives where a step comes too late. Balls near the goal it clears
-/// as the striker, when Formation says so.
+/// ball; steps into the way of a shot. Balls near the goal it clears as the striker, when Formation says so.
 class Goalie : public GoalieBase {
 public:
   void update(GoalieOutput* theGoalieOutput) override;
@@ -46,11 +35,6 @@ public:
 private:
   Vec2 onAngle() const;
   bool shotCrossing(Vec2& place) const;
-  struct Passing {
-    double aside, seconds;  ///< to the keeper's left [m], from now on
-  };
-  /// Where a shot passes that only a dive reaches.
-  std::optional<Passing> outOfSteps() const;
 
   bool standing_ = false;
 };

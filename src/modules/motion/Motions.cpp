@@ -32,17 +32,6 @@ const motion::KeyframeMotion* findMotion(const std::vector<motion::KeyframeMotio
   return found == motions.end() ? nullptr : &*found;
 }
 
-std::optional<motion::KeyframeMotion> motionOfSide(const std::vector<motion::KeyframeMotion>& motions,
-                                                   const std::string& name) {
-  if (const motion::KeyframeMotion* motion = findMotion(motions, name)) return *motion;
-  const std::string left = "Left";
-  if (!name.ends_with(left)) return std::nullopt;
-  const motion::KeyframeMotion* right =
-      findMotion(motions, name.substr(0, name.size() - left.size()) + "Right");
-  if (!right) return std::nullopt;
-  return mirrored(*right);
-}
-
 std::string missingMotion(const std::vector<motion::KeyframeMotion>& motions, const std::string& name) {
   std::vector<std::string> names;
   for (const motion::KeyframeMotion& motion : motions) names.push_back(motion.name);

@@ -1,6 +1,4 @@
 #pragma once
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "framework/Config.h"
@@ -14,9 +12,6 @@ namespace plumbline {
 std::vector<motion::KeyframeMotion> readMotions(const Config& config, const RobotModel& robot);
 
 /// The motion of that name, or null.
-/// The motion of that name; where only NAMERight is there, NAMELeft is its mirror image.
-std::optional<motion::KeyframeMotion> motionOfSide(const std::vector<motion::KeyframeMotion>& motions,
-                                                   const std::string& name);
 const motion::KeyframeMotion* findMotion(const std::vector<motion::KeyframeMotion>& motions,
                                          const std::string& name);
 

@@ -26,9 +26,9 @@ std::vector<std::string> namesOf(const std::vector<motion::KeyframeMotion>& moti
 void SpecialActions::start() {
   const std::string& name = theMotionSelection->specialAction;
   if (edited_ && name == EditedMotion::name) return player_.start(edited_->draft(), theJointData->angles);
-  const std::optional<motion::KeyframeMotion> motion = motionOfSide(motions_, name);
+  const motion::KeyframeMotion* motion = findMotion(motions_, name);
   if (!motion) log.error() << "there is no motion \"" << name << "\" in motions/";
-  player_.start(motion.value_or(motion::KeyframeMotion{}), theJointData->angles);
+  player_.start(motion ? *motion : motion::KeyframeMotion{}, theJointData->angles);
 }
 
 void SpecialActions::update(SpecialActionsOutput* theSpecialActionsOutput) {

@@ -11,7 +11,6 @@ struct Skill {
   static constexpr const char* getBall = "getBall";
   static constexpr const char* kick = "kick";
   static constexpr const char* dribble = "dribble";
-  static constexpr const char* dive = "dive";
 };
 
 }  // namespace plumbline

@@ -13,7 +13,7 @@ class SkillRequest : public SkillRequestBase {
 public:
   std::string skill = Skill::none;  ///< name of a SkillOutput
   Pose2 target;  ///< moveToPos: where to be; getBall: heading to have at the ball; kick, dribble: where the
-                 ///< ball goes; dive: where the ball passes
+                 ///< ball goes
   double tolerance =
       0;  ///< kick: the ball may go so far off the target's direction; 0: the skill's own [rad]
   bool lookForBall = true;
