@@ -30,6 +30,12 @@ TEST(Claim, groupsThatDisagreeLeaveAWiderIntervalAndALowerClaim) {
   EXPECT_GT(apart.upper - apart.lower, alike.upper - alike.lower);
 }
 
+TEST(Claim, aBiasIsAddedToTheLogarithmsOfWhatIsLeft) {
+  const Claim plain = claimOf({0.7, 0.7}), corrected = claimOf({0.4, 0.4}, std::log(0.5));
+  EXPECT_NEAR(corrected.closed, plain.closed, 1e-12);
+  EXPECT_NEAR(corrected.lower, plain.lower, 1e-12);
+}
+
 TEST(Claim, whatClosesNothingClaimsAboutNothing) { EXPECT_NEAR(claimOf({0, 0, 0, 0}).closed, 0, 0.15); }
 
 TEST(Claim, anExplanationThatMakesThingsWorseIsSaidTo) {
