@@ -37,4 +37,7 @@ struct Inference {
 
 Inference infer(const Mechanism& robot, std::vector<Trial> trials, const InferenceOptions& options);
 
+/// Puts the surest first; of causes as sure to a per cent, what closes most.
+void sortBySureness(std::vector<Finding>& findings);
+
 }  // namespace plumbline::gap

@@ -10,6 +10,19 @@
 
 namespace plumbline::gap {
 
+TEST(Inference, theSurestCauseStandsFirstAndOfThoseAsSureWhatClosesMost) {
+  std::vector<Finding> findings(3);
+  const double probability[] = {0.351, 0.9, 0.349}, closedLast[] = {0.1, 0.05, 0.4};
+  for (std::size_t i = 0; i < 3; ++i) {
+    findings[i].probability = probability[i];
+    findings[i].closedLast = closedLast[i];
+  }
+  sortBySureness(findings);
+  EXPECT_EQ(findings[0].closedLast, 0.05);
+  EXPECT_EQ(findings[1].closedLast, 0.4);
+  EXPECT_EQ(findings[2].closedLast, 0.1);
+}
+
 TEST(Inference, nothingIsFoundWhereNothingIs) {
   const Inference found = infer(twoJointArm(), recordings({}), {});
   EXPECT_EQ(found.diagnosis.verdict, Verdict::none);
