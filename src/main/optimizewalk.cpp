@@ -185,9 +185,8 @@ void makeRobots(Options& options, const StopSignal& stop) {
     const Mechanism mechanism = findMechanism(options.robot);
     const gap::Explanation causes = gap::causesOf(effects, mechanism);
     setup.walker = [mechanism, causes, interrupt](const WalkGaits& walk) {
-      std::unique_ptr<ServoWalker> robot = causes.empty()
-                                               ? std::make_unique<ServoWalker>(mechanism, walk)
-                                               : gap::walkerWith("bullet", mechanism, walk, causes);
+      // Without effects, too: ground and drives are those of the diagnosis, so that effects alone differ.
+      std::unique_ptr<ServoWalker> robot = gap::walkerWith("bullet", mechanism, walk, causes);
       robot->interrupt = interrupt;
       return robot;
     };
