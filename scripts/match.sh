@@ -110,17 +110,15 @@ start() { # team, number
 echo "$leftName ($left) against $rightName ($right)${seconds:+, $seconds s}"
 for ((number = 1; number <= left; ++number)); do start "$leftName" $number; done
 for ((number = 1; number <= right; ++number)); do start "$rightName" $number; done
-"$bin/watchgame" --no-kickoff --events --port "$monitorPort" --players $((left + right)) --hang 1000000 \
-  > >(grep --line-buffered ' half ' | tee "$scratch/score") 2> /dev/null < /dev/null &
-children+=($!)
+# Tells the play. It ends with the server, which it would call an error; a paused game may stand for ever.
+"$bin/watchgame" --no-kickoff --events --port "$monitorPort" --players $((left + right)) --hang 1000000 2> /dev/null < /dev/null &
+watcher=$!
+children+=("$watcher")
 echo "all robots are on their way to the field; kick-off $kickOff s after the last has come${terminal:+; Ctrl-C ends}"
 
 status=0
 wait $simulator || status=$?
 ((status == 0)) || trouble
-# The watcher ends with the server; its last line about the play has the score.
-wait "${children[-1]}" 2> /dev/null
-score=$(sed -n 's/^[0-9:.]* \(.* [0-9]* : [0-9]* [^ ]*\) .*half.*/\1/p' "$scratch/score" | tail -n 1)
-[[ $score ]] && echo "at the end: $score"
+wait "$watcher"
 if [[ $record ]]; then echo "bin/webmonitor --replay $record shows it again"; fi
 exit 0

@@ -1,7 +1,6 @@
 #include "framework/Log.h"
 
 #include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <mutex>

@@ -146,6 +146,7 @@ WalkGaits WalkCheckpoint::stage(const std::function<WalkGaits()>& work) {
 
 void WalkCheckpoint::storeSearch(const std::string& state) {
   search_ = state;
+  // The clock only decides how often the file is written.
   if (steadySeconds() - written_ >= 1) write();
 }
 

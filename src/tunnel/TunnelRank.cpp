@@ -1,10 +1,11 @@
 #include "tunnel/TunnelRank.h"
-#include "framework/SteadyClock.h"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <stdexcept>
+
+#include "framework/SteadyClock.h"
 
 namespace plumbline::tunnel {
 namespace {

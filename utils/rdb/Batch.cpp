@@ -1,5 +1,4 @@
 #include "Batch.h"
-#include "framework/SteadyClock.h"
 
 #include <clocale>
 #include <cstdio>
@@ -9,6 +8,8 @@
 #include <langinfo.h>
 
 #include <cstring>
+
+#include "framework/SteadyClock.h"
 
 namespace plumbline::rdb {
 namespace {

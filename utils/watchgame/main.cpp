@@ -68,7 +68,9 @@ int runProgram(int argc, char** argv) {
   app.add_option("--left", entry.nameLeft, "Name of the left team, for the log [the one it has given]");
   app.add_option("--right", entry.nameRight, "Name of the right team, for the log");
   auto* const quietly = app.add_flag("--quiet", quiet, "No line per second");
-  app.add_flag("--events", events, "Instead of a line per second one where score or play mode has changed")
+  app.add_flag(
+         "--events", events,
+         "Instead of a line per second one where score or play mode has changed, and the score at the end")
       ->excludes(quietly);
   app.footer(
       "Exit status: 0 the game is over, 1 it came to no end (the log says why), 2 bad options, 130 after "
@@ -81,8 +83,8 @@ int runProgram(int argc, char** argv) {
   entry.date = now();
   std::optional<game::GameTrack> track;
   if (!trackFile.empty()) track.emplace(trackFile);
-  std::string told;
-  const auto tellState = [&](const simspark::SceneState& scene) {
+  std::string told;  // score, play mode and half of the last line
+  const auto tell = [&](const simspark::SceneState& scene) {
     const std::string state = fmt::format("{} {} : {} {} {} half {}", scene.teamLeft, scene.scoreLeft,
                                           scene.scoreRight, scene.teamRight, scene.playMode, scene.half);
     if (events && state == told) return;
@@ -92,14 +94,18 @@ int runProgram(int argc, char** argv) {
   };
   options.everyScene = [&](const simspark::SceneState& scene) {
     if (track) track->observe(scene);
-    if (events) tellState(scene);
+    if (events) tell(scene);
   };
   const auto result = game::watchGame(options, stop, [&](const simspark::SceneState& scene) {
-    if (!quiet && !events) tellState(scene);
+    if (!quiet && !events) tell(scene);
   });
   const std::string line = game::gameLogLine(entry, result);
   if (!log.empty() && result.end != game::GameEnd::interrupted) game::appendGameLog(log, line);
-  fmt::print("{}\n", line);
+  if (!events)
+    fmt::print("{}\n", line);
+  else if (result.end != game::GameEnd::interrupted && !told.empty())
+    fmt::print("at the end: {} {} : {} {}\n", result.teamLeft, result.scoreLeft, result.scoreRight,
+               result.teamRight);
   if (result.end == game::GameEnd::over) return 0;
   fmt::print(stderr, "watchgame: {}\n", result.problem);
   return result.end == game::GameEnd::interrupted ? 130 : 1;

@@ -5,7 +5,6 @@
 
 #include "gap/diagnosis/Noise.h"
 #include "gap/inference/Channels.h"
-#include "gap/replay/Replay.h"
 
 namespace plumbline::gap {
 
@@ -43,9 +42,12 @@ void sumUp(RecordingLeft& left) {
 }  // namespace
 
 RecordingLeft leftIn(const Trial& trial, const std::vector<From>& causes) {
+  return leftIn(trial, replay(plantOf(trial, {}), trial), causes);
+}
+
+RecordingLeft leftIn(const Trial& trial, const Prediction& nominal, const std::vector<From>& causes) {
   RecordingLeft left;
   left.folder = trial.recording;
-  const Prediction nominal = replay(plantOf(trial, {}), trial);
   left.fellBefore = nominal.fell;
   std::vector<Prediction> corrected;
   for (const From& from : causes) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gap/diagnosis/Explanation.h"
+#include "gap/replay/Replay.h"
 #include "gap/replay/Trial.h"
 
 namespace plumbline::gap {
@@ -50,6 +51,8 @@ struct From {
 /// Replays a recording free from its first sample, with the nominal model and with causes (others may hold
 /// for other stretches of it), and compares.
 RecordingLeft leftIn(const Trial& trial, const std::vector<From>& causes);
+/// The same with the nominal model's replay, which was made before.
+RecordingLeft leftIn(const Trial& trial, const Prediction& nominal, const std::vector<From>& causes);
 
 /// Sums stretches or windows of one recording up.
 RecordingLeft together(const std::vector<RecordingLeft>& parts);

@@ -126,7 +126,7 @@ bool hasFewKinds(const Groups& groups, const Mechanism& robot) {
 
 }  // namespace
 
-void sortBySureness(std::vector<Finding>& findings) {
+void sortByProbability(std::vector<Finding>& findings) {
   std::ranges::stable_sort(findings, std::ranges::greater(), [](const Finding& finding) {
     return std::pair(std::lround(100 * finding.probability), finding.closedLast);
   });
@@ -182,7 +182,7 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
     if (const std::string only = onlySupport(groups, best, found.lessOne[i]); !only.empty())
       result.onlyIn.push_back(describe(best.causes()[i]) + " is supported by " + only + " alone");
   }
-  sortBySureness(diagnosis.findings);
+  sortByProbability(diagnosis.findings);
   const Worst before = worstOf(replayer, {}), after = worstOf(replayer, best.causes());
   diagnosis.worstBefore = before.size;
   diagnosis.worstSignal = before.signal;

@@ -37,7 +37,7 @@ struct Inference {
 
 Inference infer(const Mechanism& robot, std::vector<Trial> trials, const InferenceOptions& options);
 
-/// Puts the surest first; of causes as sure to a per cent, what closes most.
-void sortBySureness(std::vector<Finding>& findings);
+/// The most probable first; of causes as probable to a per cent, the one that closes most.
+void sortByProbability(std::vector<Finding>& findings);
 
 }  // namespace plumbline::gap

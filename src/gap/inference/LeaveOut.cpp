@@ -38,15 +38,13 @@ std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const SetSea
 
 namespace {
 
-/// causesOf: of a trial, the values for each stretch of it.
-template <class CausesOf>
-std::vector<RecordingLeft> leftOf(const Groups& groups, CausesOf causesOf) {
+/// From what is left in each trial.
+std::vector<RecordingLeft> perRecording(const Groups& groups, const std::vector<RecordingLeft>& perTrial) {
   std::map<std::string, std::vector<RecordingLeft>> parts;
   std::vector<std::string> order;
-  for (std::size_t t = 0; t < groups.trials().size(); ++t) {
-    const Trial& trial = groups.trials()[t];
-    if (!parts.contains(trial.recording)) order.push_back(trial.recording);
-    parts[trial.recording].push_back(leftIn(trial, causesOf(t)));
+  for (const RecordingLeft& part : perTrial) {
+    if (!parts.contains(part.folder)) order.push_back(part.folder);
+    parts[part.folder].push_back(part);
   }
   std::vector<RecordingLeft> left;
   for (const std::string& folder : order) left.push_back(together(parts[folder]));
@@ -58,18 +56,30 @@ std::vector<RecordingLeft> leftOf(const Groups& groups, CausesOf causesOf) {
 }  // namespace
 
 std::vector<RecordingLeft> leftWithout(const Groups& groups, const std::vector<FoundWithout>& found) {
-  return leftOf(groups, [&](std::size_t t) {
+  std::vector<RecordingLeft> perTrial;
+  for (std::size_t t = 0; t < groups.trials().size(); ++t) {
+    const Trial& trial = groups.trials()[t];
     std::vector<From> causes;
-    for (std::size_t k = 0; k < groups.trials()[t].cycles(); ++k) {
+    for (std::size_t k = 0; k < trial.cycles(); ++k) {
       const std::size_t group = groups.groupOf(t, k);
       if (k == 0 || group != groups.groupOf(t, k - 1)) causes.push_back({k, found[group].causes});
     }
-    return causes;
-  });
+    perTrial.push_back(leftIn(trial, causes));
+  }
+  return perRecording(groups, perTrial);
 }
 
-std::vector<RecordingLeft> leftWith(const Groups& groups, const Explanation& causes) {
-  return leftOf(groups, [&](std::size_t) { return std::vector<From>{{0, causes}}; });
+std::vector<std::vector<RecordingLeft>> leftWithEach(const Groups& groups,
+                                                     const std::vector<Explanation>& sets) {
+  std::vector<std::vector<RecordingLeft>> perTrial(sets.size());
+  for (const Trial& trial : groups.trials()) {
+    const Prediction nominal = replay(plantOf(trial, {}), trial);
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      perTrial[i].push_back(leftIn(trial, nominal, {{0, sets[i]}}));
+  }
+  std::vector<std::vector<RecordingLeft>> left;
+  for (const std::vector<RecordingLeft>& of : perTrial) left.push_back(perRecording(groups, of));
+  return left;
 }
 
 std::vector<std::size_t> groupsOfRecordings(const Groups& groups) {

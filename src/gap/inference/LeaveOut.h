@@ -22,8 +22,9 @@ std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const SetSea
 /// into stretches, each stretch).
 std::vector<RecordingLeft> leftWithout(const Groups& groups, const std::vector<FoundWithout>& found);
 
-/// Each recording replayed free with the same causes, in the order of leftWithout.
-std::vector<RecordingLeft> leftWith(const Groups& groups, const Explanation& causes);
+/// For each set of causes: all recordings replayed free with it, in the order of leftWithout.
+std::vector<std::vector<RecordingLeft>> leftWithEach(const Groups& groups,
+                                                     const std::vector<Explanation>& sets);
 
 /// Per recording, in the order of leftWithout: its group.
 std::vector<std::size_t> groupsOfRecordings(const Groups& groups);

@@ -1,14 +1,16 @@
 #include "gap/inference/Stretches.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace plumbline::gap {
 
 namespace {
 
 constexpr double startSeconds = 0.3;
-constexpr double rounding = 1e-9;
+constexpr double rounding = 1e-9;  // of shares that are added up
 
+/// Adds the way from each value to the next.
 void addTravel(const std::vector<double>& angles, std::vector<double>& travel) {
   for (std::size_t k = 1; k < std::min(angles.size(), travel.size()); ++k)
     if (const double way = std::abs(angles[k] - angles[k - 1]); std::isfinite(way)) travel[k] += way;

@@ -5,7 +5,7 @@
 
 namespace plumbline::gap {
 
-/// First cycle of a trial that is scored: what came before a recording still rings for 0.3 s.
+/// First cycle of a trial that is scored: what came before the recording still rings for 0.3 s.
 std::size_t firstScored(const Trial& trial);
 
 /// Cuts the scored cycles of a trial into so many stretches, each of which holds as much of the trial's time

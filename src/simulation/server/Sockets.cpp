@@ -1,5 +1,4 @@
 #include "simulation/server/Sockets.h"
-#include "framework/SteadyClock.h"
 
 #include <netdb.h>
 #include <netinet/in.h>

@@ -1,7 +1,6 @@
 #pragma once
 #include <poll.h>
 
-#include <chrono>
 #include <string>
 #include <string_view>
 #include <vector>

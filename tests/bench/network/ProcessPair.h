@@ -9,6 +9,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+
 #include "framework/SteadyClock.h"
 
 namespace plumbline::bench {

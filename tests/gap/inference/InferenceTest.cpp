@@ -17,7 +17,7 @@ TEST(Inference, theSurestCauseStandsFirstAndOfThoseAsSureWhatClosesMost) {
     findings[i].probability = probability[i];
     findings[i].closedLast = closedLast[i];
   }
-  sortBySureness(findings);
+  sortByProbability(findings);
   EXPECT_EQ(findings[0].closedLast, 0.05);
   EXPECT_EQ(findings[1].closedLast, 0.4);
   EXPECT_EQ(findings[2].closedLast, 0.1);
