@@ -43,13 +43,14 @@ public:
       tell(0.3 + 0.6 * static_cast<double>(size) / static_cast<double>(options_.mostCauses));
       const std::string before = nameOfSet(best().causes());
       for (const Scored& set : top(options_.width)) extend(set.causes(), options_.proposals);
-      if (nameOfSet(best().causes()) == before && !winsByItsOwnShares()) break;
+      if (nameOfSet(best().causes()) == before) break;
       improve();
-      renewShares();
+      shares_ = sharesOf(replayer_.groups(), replayer_.residuals(best().causes()));
     }
     improve();
     tell(0.9);
-    return last();
+    constexpr std::size_t kept = 13;
+    return {top(kept), {}, screening_.numKinds()};
   }
 
 private:
@@ -57,34 +58,11 @@ private:
     if (options_.progress) options_.progress(share);
   }
 
-  /// Whether the likeliest larger set is better than the best under the shares of what the larger one leaves:
-  /// what is left slow counts for little until what made it slow is known.
-  bool winsByItsOwnShares() {
-    const Scored now = best();
-    const Scored* larger = nullptr;
-    for (const auto& [name, set] : scored_)
-      if (set.causes().size() > now.causes().size() && (!larger || set.score() > larger->score()))
-        larger = &set;
-    if (!larger) return false;
-    const auto kept = scored_;
-    const Shares keptShares = shares_;
-    const Explanation other = larger->causes();
-    shares_ = sharesOf(replayer_.groups(), replayer_.residuals(other));
-    scored_.clear();
-    add(now.causes());
-    add(other);
-    add({});
-    if (nameOfSet(best().causes()) == nameOfSet(other)) return true;
-    scored_ = kept;
-    shares_ = keptShares;
-    return false;
-  }
-
-  void add(const Explanation& causes, int steps = stepsInSearch) {
+  void add(const Explanation& causes) {
     if (causes.size() > options_.mostCauses) return;
     std::string name = nameOfSet(causes);
     if (scored_.contains(name)) return;
-    Scored set = score(replayer_, shares_, causes, screening_.numKinds(), steps);
+    Scored set = score(replayer_, shares_, causes, screening_.numKinds(), stepsInSearch);
     // A cause that was fitted away makes the set the one without it.
     if (std::ranges::any_of(set.causes(),
                             [&](const Cause& cause) { return doesNothing(replayer_.mechanism(), cause); }))
@@ -168,25 +146,6 @@ private:
     }
   }
 
-  /// Scores the best sets anew under the shares of what the best of them leaves.
-  void renewShares() {
-    const std::vector<Scored> sets = top(2 * options_.width);
-    shares_ = sharesOf(replayer_.groups(), replayer_.residuals(sets.front().causes()));
-    scored_.clear();
-    for (const Scored& set : sets) add(set.causes());
-    add({});
-  }
-
-  BeamResult last() {
-    constexpr std::size_t kept = 12;
-    const std::vector<Scored> sets = top(kept);
-    shares_ = sharesOf(replayer_.groups(), replayer_.residuals(sets.front().causes()));
-    scored_.clear();
-    for (const Scored& set : sets) add(set.causes(), stepsInSearch);
-    add({});
-    return {top(kept + 1), {}, shares_, screening_.numKinds()};
-  }
-
   const Replayer& replayer_;
   const BeamOptions& options_;
   Shares shares_;
@@ -201,8 +160,9 @@ BeamResult searchSets(const Replayer& replayer, const BeamOptions& options) {
   BeamResult result = Search(replayer, options).run();
   // What is answered is fitted to the end, and each group is left out by a fit of its own; so is what it is
   // without one of its causes, for one that the fit to the end made useless must go.
+  const Shares shares = sharesOf(replayer.groups(), replayer.residuals(result.sets.front().causes()));
   const auto settled = [&](const Explanation& causes, const std::vector<Explanation>& starts) {
-    return score(replayer, result.shares, causes, result.kinds, stepsAtLast, LeaveOut::refit, starts);
+    return score(replayer, shares, causes, result.kinds, stepsAtLast, LeaveOut::refit, starts);
   };
   Scored best = settled(result.sets.front().causes(), {});
   for (std::size_t i = 0; i < best.causes().size();) {

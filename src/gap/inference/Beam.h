@@ -16,17 +16,16 @@ struct BeamOptions {
   const CandidateScreening* screening = nullptr;
 };
 
-/// What a search came to: sets scored under the same shares, the best first.
+/// What a search came to: sets, the best first.
 struct BeamResult {
   std::vector<Scored> sets;
   std::vector<Scored> lessOne;  ///< the best without each of its causes in turn
-  Shares shares;
   std::size_t kinds = 0;
 };
 
 /// Searches for the set of causes with the best score. Moves: add a cause, drop one, put another in its
-/// place, build it another way (variant), have all joints share it. Shares are those of what the best set so
-/// far leaves, and all that is compared is scored under the same.
+/// place, build it another way (variant), have all joints share it. Fits are made under the shares of what
+/// the best set so far leaves.
 BeamResult searchSets(const Replayer& replayer, const BeamOptions& options);
 
 }  // namespace plumbline::gap

@@ -98,7 +98,7 @@ std::string onlySupport(const Groups& groups, const Scored& best, const Scored& 
   if (groups.stretchesOfOne()) return "";
   std::vector<std::size_t> gaining;
   for (std::size_t g = 0; g < groups.count(); ++g)
-    if (best.density[g] > lessOne.density[g]) gaining.push_back(g);
+    if (best.gain[g] > lessOne.gain[g]) gaining.push_back(g);
   if (gaining.size() != 1) return "";
   for (std::size_t t = 0; t < groups.trials().size(); ++t)
     if (groups.groupOf(t, 0) == gaining.front()) return groups.trials()[t].recording;

@@ -149,7 +149,7 @@ private:
       scored.fitted.gradient.emplace_back(Eigen::VectorXd::Zero(of.set.x.size()));
     }
     for (const Eigen::VectorXd& x : of.without) scored.without.push_back(fitter_.causesOf({of.set.kinds, x}));
-    scored.density = of.density;
+    scored.gain = of.density;
     scored.price = of.price;
     return scored;
   }

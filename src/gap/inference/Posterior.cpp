@@ -14,7 +14,7 @@ std::vector<double> posterior(const std::vector<Scored>& sets, std::uint64_t see
   std::vector<double> sum(sets.size(), 0.0);
   if (sets.empty()) return sum;
   Random random(seed);
-  const std::size_t groups = sets.front().density.size();
+  const std::size_t groups = sets.front().gain.size();
   std::vector<double> weight(groups), score(sets.size());
   for (int draw = 0; draw < draws; ++draw) {
     double total = 0;
@@ -22,7 +22,7 @@ std::vector<double> posterior(const std::vector<Scored>& sets, std::uint64_t see
     for (double& w : weight) w *= static_cast<double>(groups) / total;
     for (std::size_t i = 0; i < sets.size(); ++i) {
       score[i] = -sets[i].price;
-      for (std::size_t g = 0; g < groups; ++g) score[i] += weight[g] * sets[i].density[g];
+      for (std::size_t g = 0; g < groups; ++g) score[i] += weight[g] * sets[i].gain[g];
     }
     const double best = *std::ranges::max_element(score);
     double all = 0;

@@ -37,7 +37,7 @@ double densityOn(const Replayer& replayer, const Shares& shares, const Explanati
 
 }  // namespace
 
-double Scored::score() const { return std::accumulate(density.begin(), density.end(), -price); }
+double Scored::score() const { return std::accumulate(gain.begin(), gain.end(), -price); }
 
 double priceOf(std::size_t causes, std::size_t kinds) {
   return static_cast<double>(causes) * std::log(static_cast<double>(std::max<std::size_t>(kinds, 2)));
@@ -50,8 +50,7 @@ Scored score(const Replayer& replayer, const Shares& shares, const Explanation& 
   scored.fitted = fit(replayer, shares, start, mostSteps);
   scored.price = priceOf(start.size(), kinds);
   for (std::size_t g = 0; g < groups.count(); ++g) {
-    std::vector<char> left(groups.count(), 0), others(groups.count(), 1);
-    left[g] = 1;
+    std::vector<char> others(groups.count(), 1);
     others[g] = 0;
     Explanation causes = scored.causes();
     if (!causes.empty() && how == LeaveOut::refit) {
@@ -62,11 +61,27 @@ Scored score(const Replayer& replayer, const Shares& shares, const Explanation& 
     } else if (!causes.empty()) {
       causes = steppedWithout(replayer, scored.fitted, g);
     }
-    const Residuals residuals = replayer.residuals(causes, trialsOf(groups, left));
-    scored.density.push_back(densities(groups, residuals, shares, left)[g]);
     scored.without.push_back(std::move(causes));
   }
+  scored.gain = gainsOf(replayer, scored.causes(), scored.without);
   return scored;
+}
+
+std::vector<double> gainsOf(const Replayer& replayer, const Explanation& fitted,
+                            const std::vector<Explanation>& without) {
+  const Groups& groups = replayer.groups();
+  std::vector<double> gains(groups.count(), 0.0);
+  if (fitted.empty()) return gains;
+  const Shares shares = sharesOf(groups, replayer.residuals(fitted));
+  for (std::size_t g = 0; g < groups.count(); ++g) {
+    std::vector<char> left(groups.count(), 0);
+    left[g] = 1;
+    const auto densityUnder = [&](const Explanation& causes) {
+      return densities(groups, replayer.residuals(causes, trialsOf(groups, left)), shares, left)[g];
+    };
+    gains[g] = densityUnder(without[g]) - densityUnder({});
+  }
+  return gains;
 }
 
 }  // namespace plumbline::gap

@@ -9,11 +9,11 @@ namespace plumbline::gap {
 struct Scored {
   Fitted fitted;                     ///< to all groups
   std::vector<Explanation> without;  ///< per group: as fitted to the others
-  std::vector<double> density;       ///< per group: log density under the values fitted to the others
+  std::vector<double> gain;          ///< per group: of log density over the nominal model, by these values
   double price = 0;                  ///< minus the logarithm of the set's prior probability
 
   const Explanation& causes() const { return fitted.causes; }
-  double score() const;  ///< sum of density, less price
+  double score() const;  ///< sum of gain, less price
 };
 
 /// Minus the log prior of so many causes out of so many kinds that are possible, all alike.
@@ -22,9 +22,16 @@ double priceOf(std::size_t causes, std::size_t kinds);
 /// How the values without a group are found: by one Newton step from the fit to all, or fitted anew.
 enum class LeaveOut { newtonStep, refit };
 
-/// Fits the set to all groups, then leaves each group out in turn and replays it, free from its beginning,
-/// with the values of the others. starts: per group, other values that its refit may begin with; empty: none.
+/// Fits the set to all groups under these shares, then leaves each group out in turn and replays it, free
+/// from its beginning, with the values of the others (gainsOf). starts: per group, other values that its
+/// refit may begin with; empty: none.
 Scored score(const Replayer& replayer, const Shares& shares, const Explanation& start, std::size_t kinds,
              int mostSteps, LeaveOut how = LeaveOut::newtonStep, const std::vector<Explanation>& starts = {});
+
+/// What a set gains over the nominal model in each group, with the values that it has without the group.
+/// Both count by the shares of what the set leaves with its values of all groups, so that a set has one score
+/// whatever it is compared with.
+std::vector<double> gainsOf(const Replayer& replayer, const Explanation& fitted,
+                            const std::vector<Explanation>& without);
 
 }  // namespace plumbline::gap

@@ -11,7 +11,6 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr int mostJudgements = 4;                     // changes of the best set and its shares
 constexpr std::size_t mostJudged = 13;                // sets that are kept
 constexpr int rounds = 6, quickRounds = 4;            // of derivatives taken anew
 constexpr std::size_t settled = 5, quickSettled = 3;  // sets that are fitted to their end
@@ -28,12 +27,6 @@ bool allVisible(const Replayer& replayer, const Explanation& causes) {
   return true;
 }
 
-std::size_t bestOf(const std::vector<SetProposal>& answers) {
-  return static_cast<std::size_t>(
-      std::ranges::max_element(answers, {}, [](const SetProposal& of) { return of.set.score(); }) -
-      answers.begin());
-}
-
 /// Sets in descending order of score; of those with the same causes the best alone.
 std::vector<Scored> inOrder(std::vector<Scored> sets) {
   std::ranges::stable_sort(sets, std::ranges::greater(), &Scored::score);
@@ -46,59 +39,33 @@ std::vector<Scored> inOrder(std::vector<Scored> sets) {
   return kept;
 }
 
-/// Chooses among answers by the one score, under the shares of what the best of them leaves; the first is
-/// taken to be the best whose shares are given.
-class Judgement {
-public:
-  Judgement(const Replayer& replayer, std::vector<SetProposal> answers, Shares shares)
-      : replayer_(replayer), answers_(std::move(answers)), shares_(std::move(shares)) {
-    judgeAll();
-    for (int round = 0; round < mostJudgements; ++round) {
-      const std::size_t now = bestOf(answers_);
-      if (now == best_) break;
-      best_ = now;
-      shares_ = sharesOf(replayer_.groups(), replayer_.residuals(answers_[best_].set.causes()));
-      judgeAll();
-    }
-  }
+/// The best of the answers by the one score, with the others, the sets looked at beside, and the answer
+/// without each of its causes.
+BeamResult chosen(std::vector<SetProposal> answers, const std::vector<Scored>& beside, std::size_t kinds) {
+  const auto best =
+      std::ranges::max_element(answers, {}, [](const SetProposal& of) { return of.set.score(); });
+  const Scored answer = best->set;
+  BeamResult result{{}, best->lessOne, kinds};
+  std::vector<Scored> others = beside;
+  for (const SetProposal& of : answers) others.push_back(of.set);
+  others.insert(others.end(), result.lessOne.begin(), result.lessOne.end());
+  std::erase_if(others, [&](const Scored& set) { return sameKinds(set.causes(), answer.causes()); });
+  result.sets = inOrder(std::move(others));
+  result.sets.insert(result.sets.begin(), answer);
+  return result;
+}
 
-  /// With sets that were looked at beside.
-  BeamResult result(const std::vector<Scored>& beside, std::size_t kinds) const {
-    BeamResult result;
-    result.shares = shares_;
-    result.kinds = kinds;
-    std::vector<Scored> others;
-    for (const SetProposal& answer : answers_) others.push_back(answer.set);
-    for (const Scored& set : beside) others.push_back(judged(replayer_, shares_, set));
-    for (const Scored& rest : answers_[best_].lessOne) {
-      result.lessOne.push_back(judged(replayer_, shares_, rest));
-      others.push_back(result.lessOne.back());
-    }
-    const Scored answer = others[best_];
-    std::erase_if(others, [&](const Scored& set) { return sameKinds(set.causes(), answer.causes()); });
-    result.sets = inOrder(std::move(others));
-    result.sets.insert(result.sets.begin(), answer);
-    return result;
-  }
-
-private:
-  void judgeAll() {
-    for (SetProposal& answer : answers_) answer.set = judged(replayer_, shares_, answer.set);
-  }
-
-  const Replayer& replayer_;
-  std::vector<SetProposal> answers_;
-  Shares shares_;
-  std::size_t best_ = 0;
-};
-
-/// Adds proposals whose causes can all be seen, at the price of so many kinds.
+/// Adds proposals whose causes can all be seen, scored by free replays and the price of so many kinds.
 void addVisible(const Replayer& replayer, std::vector<SetProposal> proposals, std::size_t kinds,
                 std::vector<SetProposal>& answers) {
   for (SetProposal& proposal : proposals) {
     if (!allVisible(replayer, proposal.set.causes())) continue;
-    for (Scored& rest : proposal.lessOne) rest.price = priceOf(rest.causes().size(), kinds);
-    proposal.set.price = priceOf(proposal.set.causes().size(), kinds);
+    const auto judge = [&](Scored& set) {
+      set.gain = gainsOf(replayer, set.causes(), set.without);
+      set.price = priceOf(set.causes().size(), kinds);
+    };
+    judge(proposal.set);
+    for (Scored& rest : proposal.lessOne) judge(rest);
     answers.push_back(std::move(proposal));
   }
 }
@@ -119,8 +86,7 @@ BeamResult searchInWindowsToo(const SearchTools& tools, const SetSearchOptions& 
   search.mostCauses = options.mostCauses;
   search.progress = partOf(options.progress, 0.5, 1);
   addVisible(tools.replayer, proposedSets(*tools.windows, search), found.kinds, answers);
-  return Judgement(tools.replayer, std::move(answers), found.shares)
-      .result({found.sets.begin() + 1, found.sets.end()}, found.kinds);
+  return chosen(std::move(answers), {found.sets.begin() + 1, found.sets.end()}, found.kinds);
 }
 
 /// Few causes are fitted set by set. Where that ends with as many as it may, derivatives propose larger sets.
@@ -142,28 +108,15 @@ BeamResult searchByDerivatives(const SearchTools& tools, const SetSearchOptions&
   search.rounds = options.quick ? quickRounds : rounds;
   search.mostSettled = options.quick ? quickSettled : settled;
   search.progress = partOf(options.progress, options.expectMany ? 0 : 0.3, 1);
-  // Under the shares of what a small set leaves, that set would look better than it is beside large ones; and
-  // the best of the few ended where it had to, and is no rival of them.
-  const Shares shares = sharesOf(replayer.groups(), replayer.residuals({}));
+  const Shares nominal = sharesOf(replayer.groups(), replayer.residuals({}));
+  // The best of the few ended where it had to, and is no rival of large sets.
   const std::size_t kinds = possibleKinds(replayer.groups(), replayer.mechanism()).size();
-  std::vector<SetProposal> answers{{score(replayer, shares, {}, kinds, 0), {}}};
+  std::vector<SetProposal> answers{{score(replayer, nominal, {}, kinds, 0), {}}};
   addVisible(replayer, proposedSets(coefficients, search), kinds, answers);
-  return Judgement(replayer, std::move(answers), shares).result(few, kinds);
+  return chosen(std::move(answers), few, kinds);
 }
 
 }  // namespace
-
-Scored judged(const Replayer& replayer, const Shares& shares, Scored set) {
-  const Groups& groups = replayer.groups();
-  set.density.clear();
-  for (std::size_t g = 0; g < groups.count(); ++g) {
-    std::vector<char> left(groups.count(), 0);
-    left[g] = 1;
-    const Residuals residuals = replayer.residuals(set.without[g], trialsOf(groups, left));
-    set.density.push_back(densities(groups, residuals, shares, left)[g]);
-  }
-  return set;
-}
 
 BeamResult searchForSets(const SearchTools& tools, const SetSearchOptions& options) {
   if (tools.windows) return searchInWindowsToo(tools, options);

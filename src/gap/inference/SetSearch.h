@@ -23,10 +23,7 @@ struct SetSearchOptions : BeamOptions {
 /// Searches for the set of causes with the best score (doc/decisions/0013). Few kinds are searched in two
 /// ways, by fits to free replays (searchSets) and by what windows propose. Of many kinds, sets are proposed
 /// by derivatives of free replays. With neither tool free replays alone are fitted. One score judges all
-/// sets: the density of free replays of the groups left out.
+/// sets: what free replays gain in the groups left out.
 BeamResult searchForSets(const SearchTools& tools, const SetSearchOptions& options);
-
-/// The set, scored anew under these shares with the values that it has without each group.
-Scored judged(const Replayer& replayer, const Shares& shares, Scored set);
 
 }  // namespace plumbline::gap

@@ -169,15 +169,33 @@ TEST(Score, aCauseThatIsNotThereCostsItsPrice) {
   EXPECT_GT(none.score(), one.score());
 }
 
+TEST(Score, aSetGainsOverTheNominalModelByItsValuesWithoutEachGroup) {
+  // Both count by the independent samples in what the set leaves, whatever else was looked at.
+  const Mechanism arm = twoJointArm();
+  const Cause truth = causeOfArm("coulomb_friction", "shoulder", 0.15),
+              off = causeOfArm("coulomb_friction", "shoulder", 0.4);
+  const Groups groups(recordings({truth}));
+  const Replayer replayer(arm, groups, 1);
+  const Shares shares = sharesOf(groups, replayer.residuals({truth}));
+  const std::vector<double> nominal = densities(groups, replayer.residuals({}), shares),
+                            right = densities(groups, replayer.residuals({truth}), shares),
+                            gains = gainsOf(replayer, {truth}, {{truth}, {off}, {truth}});
+  ASSERT_EQ(gains.size(), 3U);
+  EXPECT_NEAR(gains[0], right[0] - nominal[0], 1e-9);
+  EXPECT_NEAR(gains[2], right[2] - nominal[2], 1e-9);
+  EXPECT_LT(gains[1], right[1] - nominal[1]);
+  EXPECT_EQ(gainsOf(replayer, {}, {{}, {}, {}}), std::vector<double>(3, 0.0));
+}
+
 TEST(Posterior, equalScoresShareAndGroupsThatDisagreeLeaveDoubt) {
   Scored a, b;
-  a.density = b.density = {-10, -10, -10};
+  a.gain = b.gain = {-10, -10, -10};
   EXPECT_NEAR(posterior({a, b})[0], 0.5, 1e-9);
-  b.density = {-30, 8, -8};  // -30 in all, as a; which of them wins depends on how groups count
+  b.gain = {-30, 8, -8};  // -30 in all, as a; which of them wins depends on how groups count
   const double p = posterior({a, b})[0];
   EXPECT_GT(p, 0.2);
   EXPECT_LT(p, 0.8);
-  b.density = {-20, -20, -20};
+  b.gain = {-20, -20, -20};
   EXPECT_GT(posterior({a, b})[0], 0.99);
 }
 
