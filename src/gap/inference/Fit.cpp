@@ -55,7 +55,7 @@ void linearise(const Replayer& replayer, const Shares& shares, const std::vector
         felt.push_back(i);
     if (felt.empty()) continue;
     const Split parts = split(residualsOf(cell, at));
-    const double scale = here->fitOf(cell.from, cell.to, cell.noise).scale;
+    const StretchFit stretch = here->fitOf(cell.from, cell.to, cell.noise);
     const auto samples = static_cast<Eigen::Index>(parts.about.size()),
                width = static_cast<Eigen::Index>(felt.size());
     // Derivatives of the residuals, a column per sample, and of their mean.
@@ -82,9 +82,9 @@ void linearise(const Replayer& replayer, const Shares& shares, const std::vector
     for (Eigen::Index k = 0; k < samples; ++k)
       if (const double r = parts.about[static_cast<std::size_t>(k)]; std::isfinite(r)) {
         about = slopes.col(k) - meanSlope;
-        add(shares[c] * weightOf(r, scale), r, about);
+        add(shares[c] * weightOf(r, stretch.scale), r, about);
       }
-    add(weightOf(parts.mean, std::max(cell.noise, std::abs(parts.mean))), parts.mean, meanSlope);
+    add(weightOf(parts.mean, stretch.meanScale(shares[c])), parts.mean, meanSlope);
     fitted.gradient[cell.group](felt) += gradient;
     fitted.information[cell.group](felt, felt) += information;
   }

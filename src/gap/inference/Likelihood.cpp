@@ -46,9 +46,16 @@ Split split(const std::vector<double>& residuals) {
   return parts;
 }
 
+double scaleOfMean(double mean, double noise, double variation, double independent) {
+  return std::max({noise, std::abs(mean), variation / std::sqrt(std::max(1.0, independent))});
+}
+
 double stretchDensity(const Split& residuals, double noise, double share) {
-  return share * logDensity(residuals.about, likeliestScale(residuals.about, noise)) +
-         logDensity({residuals.mean}, std::max(noise, std::abs(residuals.mean)));
+  const double variation = likeliestScale(residuals.about, noise);
+  const auto samples = std::ranges::count_if(residuals.about, [](double r) { return std::isfinite(r); });
+  return share * logDensity(residuals.about, variation) +
+         logDensity({residuals.mean},
+                    scaleOfMean(residuals.mean, noise, variation, share * static_cast<double>(samples)));
 }
 
 double correlationTime(const std::vector<double>& residuals) {

@@ -31,6 +31,10 @@ Split split(const std::vector<double>& residuals);
 /// likeliest, not below the noise; the variation counts by its share (1 / correlationTime).
 double stretchDensity(const Split& residuals, double noise, double share);
 
+/// Scale of a stretch's mean: the likeliest of one value, not below the noise, nor below what the mean of so
+/// many independent samples of this variation comes to. A mean nearer to zero than that is chance.
+double scaleOfMean(double mean, double noise, double variation, double independent);
+
 /// How many successive residuals say as much as one that is independent: 1 + 2 * sum of autocorrelations, by
 /// the initial positive sequence (Geyer, "Practical Markov chain Monte Carlo", Stat. Science 7, 1992); at
 /// least 1.

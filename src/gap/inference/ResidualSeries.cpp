@@ -7,6 +7,12 @@
 
 namespace plumbline::gap {
 
+double StretchFit::meanScale(double share) const { return scaleOfMean(mean, noise, scale, share * samples); }
+
+double StretchFit::density(double share) const {
+  return share * about + logDensity({mean}, meanScale(share));
+}
+
 std::vector<double> ResidualSeries::stretch(std::size_t from, std::size_t to) const {
   to = std::min(to, values_.size());
   if (from >= to) return {};
@@ -22,7 +28,10 @@ StretchFit ResidualSeries::fitOf(std::size_t from, std::size_t to, double noise)
   StretchFit fit;
   fit.scale = likeliestScale(parts.about, noise);
   fit.about = logDensity(parts.about, fit.scale);
-  fit.mean = logDensity({parts.mean}, std::max(noise, std::abs(parts.mean)));
+  fit.mean = parts.mean;
+  fit.noise = noise;
+  fit.samples =
+      static_cast<double>(std::ranges::count_if(parts.about, [](double r) { return std::isfinite(r); }));
   fits_.push_back({from, to, noise, fit});
   return fit;
 }

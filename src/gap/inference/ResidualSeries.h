@@ -10,9 +10,12 @@ namespace plumbline::gap {
 struct StretchFit {
   double scale = 0;  ///< of what varies about the mean: the likeliest one, not below the noise
   double about = 0;  ///< log density of what varies, each sample counted in full
-  double mean = 0;   ///< log density of the mean
+  double mean = 0, noise = 0;
+  double samples = 0;  ///< that are finite
 
-  double density(double share) const { return share * about + mean; }
+  /// As stretchDensity().
+  double density(double share) const;
+  double meanScale(double share) const;
 };
 
 /// Residuals of one channel of one trial, per cycle; NaN where nothing was measured. They never change, and

@@ -72,7 +72,9 @@ std::vector<double> gainsOf(const Replayer& replayer, const Explanation& fitted,
   const Groups& groups = replayer.groups();
   std::vector<double> gains(groups.count(), 0.0);
   if (fitted.empty()) return gains;
-  const Shares shares = sharesOf(groups, replayer.residuals(fitted));
+  Shares shares = sharesOf(groups, replayer.residuals(fitted));
+  const Shares nominal = sharesOf(groups, replayer.residuals({}));
+  for (std::size_t c = 0; c < shares.size(); ++c) shares[c] = std::min(shares[c], nominal[c]);
   for (std::size_t g = 0; g < groups.count(); ++g) {
     std::vector<char> left(groups.count(), 0);
     left[g] = 1;

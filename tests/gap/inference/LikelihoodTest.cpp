@@ -44,6 +44,23 @@ TEST(Likelihood, scaleStaysAtTheNoiseWhereNothingElseIsLeft) {
   EXPECT_EQ(likeliestScale(gaussians(500, 0.5), 1), 1);
 }
 
+TEST(Likelihood, aMeanNearZeroByChanceSaysNoMoreThanItsVariationAllows) {
+  // Four independent samples of 0.1: their mean is known to 0.05, however near to zero it comes.
+  EXPECT_DOUBLE_EQ(scaleOfMean(0.001, 1e-4, 0.1, 4), 0.05);
+  EXPECT_DOUBLE_EQ(scaleOfMean(-0.2, 1e-4, 0.1, 4), 0.2);
+  EXPECT_DOUBLE_EQ(scaleOfMean(0.001, 0.07, 0.1, 4), 0.07);
+  EXPECT_DOUBLE_EQ(scaleOfMean(0, 0, 0.1, 0.3), 0.1) << "there is one sample at least";
+  std::vector<double> values = gaussians(400, 0.1);
+  const double share = 0.01;  // four independent ones
+  Split parts = split(values);
+  parts.mean = 0.01;
+  const double near = stretchDensity(parts, 1e-6, share);
+  parts.mean = 0.001;
+  EXPECT_NEAR(stretchDensity(parts, 1e-6, share), near, 0.1);
+  parts.mean = 0.5;
+  EXPECT_LT(stretchDensity(parts, 1e-6, share), near - 2);
+}
+
 TEST(Likelihood, outliersHardlyMoveTheScale) {
   std::vector<double> values = gaussians(500, 1);
   const double clean = likeliestScale(values, 0);
