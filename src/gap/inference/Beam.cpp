@@ -39,22 +39,8 @@ public:
 
   BeamResult run() {
     add({});
-    grow(0.3, 0.7);
-    for (const Explanation& start : options_.starts) add(start);
-    if (!options_.starts.empty()) grow(0.7, 0.9);
-    constexpr std::size_t kept = 13;
-    return {top(kept), {}, screening_.numKinds()};
-  }
-
-private:
-  void tell(double share) const {
-    if (options_.progress) options_.progress(share);
-  }
-
-  /// Extends and improves the best sets until the best has not grown.
-  void grow(double from, double to) {
     for (std::size_t size = 0; size < options_.mostCauses; ++size) {
-      tell(from + (to - from) * static_cast<double>(size) / static_cast<double>(options_.mostCauses));
+      tell(0.3 + 0.6 * static_cast<double>(size) / static_cast<double>(options_.mostCauses));
       const std::string before = nameOfSet(best().causes());
       for (const Scored& set : top(options_.width)) extend(set.causes(), options_.proposals);
       if (nameOfSet(best().causes()) == before) break;
@@ -62,7 +48,14 @@ private:
       shares_ = sharesOf(replayer_.groups(), replayer_.residuals(best().causes()));
     }
     improve();
-    tell(to);
+    tell(0.9);
+    constexpr std::size_t kept = 13;
+    return {top(kept), {}, screening_.numKinds()};
+  }
+
+private:
+  void tell(double share) const {
+    if (options_.progress) options_.progress(share);
   }
 
   void add(const Explanation& causes) {

@@ -12,7 +12,6 @@ struct BeamOptions {
   std::size_t width = 2;      ///< sets that are extended
   std::size_t proposals = 5;  ///< causes that each is extended by
   std::function<void(double share)> progress = {};
-  std::vector<Explanation> starts = {};  ///< sets, with values, that are searched around as well
   /// Of these groups, or of more; null: the search makes its own.
   const CandidateScreening* screening = nullptr;
 };

@@ -11,7 +11,6 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr std::size_t refined = 2;                    // sets of windows that free replays search around
 constexpr std::size_t mostJudged = 13;                // sets that are kept
 constexpr int rounds = 6, quickRounds = 4;            // of derivatives taken anew
 constexpr std::size_t settled = 5, quickSettled = 3;  // sets that are fitted to their end
@@ -78,23 +77,16 @@ Progress partOf(const Progress& whole, double from, double to) {
   return [&whole, from, to](double share) { whole(from + (to - from) * share); };
 }
 
-/// Windows propose sets with their values; free replays search by themselves and around the best of these.
 BeamResult searchInWindowsToo(const SearchTools& tools, const SetSearchOptions& options) {
+  BeamOptions beam = options;
+  beam.progress = partOf(options.progress, 0, 0.5);
+  const BeamResult found = searchSets(tools.replayer, beam);
+  std::vector<SetProposal> answers{{found.sets.front(), found.lessOne}};
   LinearSearchOptions search;
   search.mostCauses = options.mostCauses;
-  search.progress = partOf(options.progress, 0, 0.4);
-  const std::size_t kinds = possibleKinds(tools.replayer.groups(), tools.replayer.mechanism()).size();
-  std::vector<SetProposal> answers;
-  addVisible(tools.replayer, proposedSets(*tools.windows, search), kinds, answers);
-  std::ranges::stable_sort(answers, std::ranges::greater(),
-                           [](const SetProposal& of) { return of.set.score(); });
-  BeamOptions beam = options;
-  for (std::size_t i = 0; i < std::min(answers.size(), refined); ++i)
-    beam.starts.push_back(answers[i].set.causes());
-  beam.progress = partOf(options.progress, 0.4, 1);
-  const BeamResult found = searchSets(tools.replayer, beam);
-  answers.insert(answers.begin(), {found.sets.front(), found.lessOne});
-  return chosen(std::move(answers), {found.sets.begin() + 1, found.sets.end()}, kinds);
+  search.progress = partOf(options.progress, 0.5, 1);
+  addVisible(tools.replayer, proposedSets(*tools.windows, search), found.kinds, answers);
+  return chosen(std::move(answers), {found.sets.begin() + 1, found.sets.end()}, found.kinds);
 }
 
 /// Few causes are fitted set by set. Where that ends with as many as it may, derivatives propose larger sets.
