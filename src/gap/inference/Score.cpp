@@ -74,7 +74,7 @@ std::vector<double> gainsOf(const Replayer& replayer, const Explanation& fitted,
   if (fitted.empty()) return gains;
   Shares shares = sharesOf(groups, replayer.residuals(fitted));
   const Shares nominal = sharesOf(groups, replayer.residuals({}));
-  for (std::size_t c = 0; c < shares.size(); ++c) shares[c] = std::min(shares[c], nominal[c]);
+  for (std::size_t c = 0; c < shares.size(); ++c) shares[c] = 2 / (1 / shares[c] + 1 / nominal[c]);
   for (std::size_t g = 0; g < groups.count(); ++g) {
     std::vector<char> left(groups.count(), 0);
     left[g] = 1;

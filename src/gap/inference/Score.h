@@ -29,8 +29,9 @@ Scored score(const Replayer& replayer, const Shares& shares, const Explanation& 
              int mostSteps, LeaveOut how = LeaveOut::newtonStep, const std::vector<Explanation>& starts = {});
 
 /// What a set gains over the nominal model in each group, with the values that it has without the group.
-/// Both count by the shares of what either leaves, of each cell the lesser (the set with its values of all
-/// groups). So a set has one score, whatever it is compared with.
+/// Both count with the mean of the two correlation times of what they leave (the set with its values of all
+/// groups): the difference of two log scales has the variances of both. So a set has one score, whatever it
+/// is compared with.
 std::vector<double> gainsOf(const Replayer& replayer, const Explanation& fitted,
                             const std::vector<Explanation>& without);
 

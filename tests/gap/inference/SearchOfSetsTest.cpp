@@ -170,8 +170,7 @@ TEST(Score, aCauseThatIsNotThereCostsItsPrice) {
 }
 
 TEST(Score, aSetGainsOverTheNominalModelByItsValuesWithoutEachGroup) {
-  // Both count by the independent samples in what either leaves, whatever else was looked at: the nominal
-  // model leaves a slow residual with few.
+  // Both count by the mean of the correlation times of what they leave, whatever else was looked at.
   const Mechanism arm = twoJointArm();
   const Cause truth = causeOfArm("coulomb_friction", "shoulder", 0.15),
               off = causeOfArm("coulomb_friction", "shoulder", 0.4);
@@ -179,7 +178,7 @@ TEST(Score, aSetGainsOverTheNominalModelByItsValuesWithoutEachGroup) {
   const Replayer replayer(arm, groups, 1);
   const Shares slow = sharesOf(groups, replayer.residuals({}));
   Shares shares = sharesOf(groups, replayer.residuals({truth}));
-  for (std::size_t c = 0; c < shares.size(); ++c) shares[c] = std::min(shares[c], slow[c]);
+  for (std::size_t c = 0; c < shares.size(); ++c) shares[c] = 2 / (1 / shares[c] + 1 / slow[c]);
   const std::vector<double> nominal = densities(groups, replayer.residuals({}), shares),
                             right = densities(groups, replayer.residuals({truth}), shares),
                             gains = gainsOf(replayer, {truth}, {{truth}, {off}, {truth}});
