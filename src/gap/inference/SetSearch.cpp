@@ -21,9 +21,10 @@ bool sameKinds(const Explanation& a, const Explanation& b) {
          });
 }
 
+/// A cause at its bound can do nothing and still be seen, by the finer steps that its kind is replayed with.
 bool allVisible(const Replayer& replayer, const Explanation& causes) {
   for (std::size_t i = 0; i < causes.size(); ++i)
-    if (!isVisible(replayer, causes, i)) return false;
+    if (doesNothing(replayer.mechanism(), causes[i]) || !isVisible(replayer, causes, i)) return false;
   return true;
 }
 

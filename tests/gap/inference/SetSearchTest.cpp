@@ -22,6 +22,8 @@ TEST(SetSearch, withWindowsTheAnswerIsNoWorseByTheOneScore) {
   EXPECT_EQ(both.sets.front().causes()[0].effect->id, std::string("coulomb_friction"));
   ASSERT_EQ(both.lessOne.size(), 1U);
   EXPECT_TRUE(both.lessOne[0].causes().empty());
+  for (const Scored& set : both.sets)
+    for (const Cause& cause : set.causes()) EXPECT_FALSE(doesNothing(arm, cause)) << describe(cause);
 }
 
 TEST(SetSearch, ofManyKindsDerivativesProposeAndTheOneScoreChooses) {
