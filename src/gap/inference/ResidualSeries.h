@@ -10,12 +10,13 @@ namespace plumbline::gap {
 struct StretchFit {
   double scale = 0;  ///< of what varies about the mean: the likeliest one, not below the noise
   double about = 0;  ///< log density of what varies, each sample counted in full
-  double mean = 0, noise = 0;
+  double mean = 0;
+  double noise = 0;    ///< least scale of mean and variation
   double samples = 0;  ///< that are finite
 
-  /// As stretchDensity().
+  /// As stretchDensity(); share: what a sample counts for.
   double density(double share) const;
-  double meanScale(double share) const;
+  double meanScale(double share) const;  ///< as scaleOfMean()
 };
 
 /// Residuals of one channel of one trial, per cycle; NaN where nothing was measured. They never change, and

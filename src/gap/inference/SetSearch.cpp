@@ -42,7 +42,8 @@ std::vector<Scored> inOrder(std::vector<Scored> sets) {
 
 /// The best of the answers by the one score, with the others, the sets looked at beside, and the answer
 /// without each of its causes.
-BeamResult chosen(std::vector<SetProposal> answers, const std::vector<Scored>& beside, std::size_t kinds) {
+BeamResult chosen(const std::vector<SetProposal>& answers, const std::vector<Scored>& beside,
+                  std::size_t kinds) {
   const auto best =
       std::ranges::max_element(answers, {}, [](const SetProposal& of) { return of.set.score(); });
   const Scored answer = best->set;
@@ -79,7 +80,7 @@ Progress partOf(const Progress& whole, double from, double to) {
 }
 
 BeamResult searchInWindowsToo(const SearchTools& tools, const SetSearchOptions& options) {
-  BeamOptions beam = options;
+  BeamOptions beam = static_cast<const BeamOptions&>(options);
   beam.progress = partOf(options.progress, 0, 0.5);
   const BeamResult found = searchSets(tools.replayer, beam);
   std::vector<SetProposal> answers{{found.sets.front(), found.lessOne}};
@@ -87,7 +88,7 @@ BeamResult searchInWindowsToo(const SearchTools& tools, const SetSearchOptions& 
   search.mostCauses = options.mostCauses;
   search.progress = partOf(options.progress, 0.5, 1);
   addVisible(tools.replayer, proposedSets(*tools.windows, search), found.kinds, answers);
-  return chosen(std::move(answers), {found.sets.begin() + 1, found.sets.end()}, found.kinds);
+  return chosen(answers, {found.sets.begin() + 1, found.sets.end()}, found.kinds);
 }
 
 /// Few causes are fitted set by set. Where that ends with as many as it may, derivatives propose larger sets.
@@ -95,7 +96,7 @@ BeamResult searchByDerivatives(const SearchTools& tools, const SetSearchOptions&
   const Replayer& replayer = tools.replayer;
   std::vector<Scored> few;
   if (!options.expectMany) {
-    BeamOptions beam = options;
+    BeamOptions beam = static_cast<const BeamOptions&>(options);
     beam.mostCauses = std::min(options.mostCauses, mostSetBySet);
     beam.progress = partOf(options.progress, 0, 0.3);
     BeamResult found = searchSets(replayer, beam);
@@ -114,7 +115,7 @@ BeamResult searchByDerivatives(const SearchTools& tools, const SetSearchOptions&
   const std::size_t kinds = possibleKinds(replayer.groups(), replayer.mechanism()).size();
   std::vector<SetProposal> answers{{score(replayer, nominal, {}, kinds, 0), {}}};
   addVisible(replayer, proposedSets(coefficients, search), kinds, answers);
-  return chosen(std::move(answers), few, kinds);
+  return chosen(answers, few, kinds);
 }
 
 }  // namespace
