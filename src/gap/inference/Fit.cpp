@@ -92,7 +92,7 @@ void linearise(const Replayer& replayer, const Shares& shares, const std::vector
 
 }  // namespace
 
-Fitted fit(const Replayer& replayer, const Shares& shares, Explanation start, int mostSteps,
+Fitted fit(const Replayer& replayer, const Shares& shares, const Explanation& start, int mostSteps,
            const std::vector<char>& wantedGroups) {
   const Groups& groups = replayer.groups();
   const std::vector<char> trials = trialsOf(groups, wantedGroups);
