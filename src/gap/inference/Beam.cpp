@@ -49,7 +49,7 @@ public:
     }
     improve();
     tell(0.9);
-    constexpr std::size_t kept = 13;
+    constexpr std::size_t kept = 13;  // sets that probabilities are shared among
     return {top(kept), {}, screening_.numKinds()};
   }
 

@@ -50,12 +50,21 @@ double scaleOfMean(double mean, double noise, double variation, double independe
   return std::max({noise, std::abs(mean), variation / std::sqrt(std::max(1.0, independent))});
 }
 
-double stretchDensity(const Split& residuals, double noise, double share) {
-  const double variation = likeliestScale(residuals.about, noise);
-  const auto samples = std::ranges::count_if(residuals.about, [](double r) { return std::isfinite(r); });
-  return share * logDensity(residuals.about, variation) +
-         logDensity({residuals.mean},
-                    scaleOfMean(residuals.mean, noise, variation, share * static_cast<double>(samples)));
+double StretchFit::meanScale(double share) const { return scaleOfMean(mean, noise, scale, share * samples); }
+
+double StretchFit::density(double share) const {
+  return share * about + logDensity({mean}, meanScale(share));
+}
+
+StretchFit fitStretch(const Split& residuals, double noise) {
+  StretchFit fit;
+  fit.scale = likeliestScale(residuals.about, noise);
+  fit.about = logDensity(residuals.about, fit.scale);
+  fit.mean = residuals.mean;
+  fit.noise = noise;
+  fit.samples =
+      static_cast<double>(std::ranges::count_if(residuals.about, [](double r) { return std::isfinite(r); }));
+  return fit;
 }
 
 double correlationTime(const std::vector<double>& residuals) {

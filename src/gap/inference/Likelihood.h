@@ -27,13 +27,29 @@ struct Split {
 };
 Split split(const std::vector<double>& residuals);
 
-/// Logarithm of the density of a stretch of residuals: mean and variation each with the scale that is
-/// likeliest, not below the noise; the variation counts by its share (1 / correlationTime).
-double stretchDensity(const Split& residuals, double noise, double share);
-
 /// Scale of a stretch's mean: the likeliest of one value, not below the noise, nor below what the mean of so
 /// many independent samples of this variation comes to. A mean nearer to zero than that is chance.
 double scaleOfMean(double mean, double noise, double variation, double independent);
+
+/// What a stretch of residuals says, but for how much its samples count. share: what a sample counts for, in
+/// parts of an independent one (1 / correlationTime).
+struct StretchFit {
+  double scale = 0;  ///< of what varies about the mean: the likeliest one, not below the noise
+  double about = 0;  ///< log density of what varies, each sample counted in full
+  double mean = 0;
+  double noise = 0;    ///< least scale of mean and variation
+  double samples = 0;  ///< that are finite
+
+  /// Logarithm of the density: mean and variation each at its scale, the variation by its share.
+  double density(double share) const;
+  double meanScale(double share) const;  ///< scaleOfMean()
+};
+StretchFit fitStretch(const Split& residuals, double noise);
+
+/// Density of a stretch that is fitted for this alone.
+inline double stretchDensity(const Split& residuals, double noise, double share) {
+  return fitStretch(residuals, noise).density(share);
+}
 
 /// How many successive residuals say as much as one that is independent: 1 + 2 * sum of autocorrelations, by
 /// the initial positive sequence (Geyer, "Practical Markov chain Monte Carlo", Stat. Science 7, 1992); at

@@ -149,7 +149,7 @@ private:
       scored.fitted.gradient.emplace_back(Eigen::VectorXd::Zero(of.set.x.size()));
     }
     for (const Eigen::VectorXd& x : of.without) scored.without.push_back(fitter_.causesOf({of.set.kinds, x}));
-    scored.gain = of.density;
+    scored.gain = of.density;  // what the nominal model has is the same for all sets of one picture
     scored.price = of.price;
     return scored;
   }

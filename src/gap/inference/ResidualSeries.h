@@ -4,20 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "gap/inference/Likelihood.h"
+
 namespace plumbline::gap {
-
-/// What a stretch of residuals says, but for how much its samples count.
-struct StretchFit {
-  double scale = 0;  ///< of what varies about the mean: the likeliest one, not below the noise
-  double about = 0;  ///< log density of what varies, each sample counted in full
-  double mean = 0;
-  double noise = 0;    ///< least scale of mean and variation
-  double samples = 0;  ///< that are finite
-
-  /// As stretchDensity(); share: what a sample counts for.
-  double density(double share) const;
-  double meanScale(double share) const;  ///< as scaleOfMean()
-};
 
 /// Residuals of one channel of one trial, per cycle; NaN where nothing was measured. They never change, and
 /// what was once worked out of a stretch is kept: most hypotheses leave most chains as they were.
@@ -33,6 +22,7 @@ public:
 
   /// Cycles [from, to), empty where the series ends before; noise: least scale.
   std::vector<double> stretch(std::size_t from, std::size_t to) const;
+  /// fitStretch() of the stretch.
   StretchFit fitOf(std::size_t from, std::size_t to, double noise) const;
   /// correlationTime() of the stretch.
   double correlationOf(std::size_t from, std::size_t to) const;
@@ -40,7 +30,6 @@ public:
 private:
   struct Kept {
     std::size_t from, to;
-    double noise;
     StretchFit fit;
   };
   struct KeptTime {

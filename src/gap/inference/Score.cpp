@@ -73,15 +73,14 @@ std::vector<double> gainsOf(const Replayer& replayer, const Explanation& fitted,
   std::vector<double> gains(groups.count(), 0.0);
   if (fitted.empty()) return gains;
   Shares shares = sharesOf(groups, replayer.residuals(fitted));
-  const Shares nominal = sharesOf(groups, replayer.residuals({}));
-  for (std::size_t c = 0; c < shares.size(); ++c) shares[c] = 2 / (1 / shares[c] + 1 / nominal[c]);
+  const Residuals nominal = replayer.residuals({});
+  const Shares ofNominal = sharesOf(groups, nominal);
+  for (std::size_t c = 0; c < shares.size(); ++c) shares[c] = 2 / (1 / shares[c] + 1 / ofNominal[c]);
+  const std::vector<double> none = densities(groups, nominal, shares);
   for (std::size_t g = 0; g < groups.count(); ++g) {
     std::vector<char> left(groups.count(), 0);
     left[g] = 1;
-    const auto densityUnder = [&](const Explanation& causes) {
-      return densities(groups, replayer.residuals(causes, trialsOf(groups, left)), shares, left)[g];
-    };
-    gains[g] = densityUnder(without[g]) - densityUnder({});
+    gains[g] = densityOn(replayer, shares, without[g], left) - none[g];
   }
   return gains;
 }
