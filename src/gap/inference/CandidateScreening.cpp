@@ -63,18 +63,17 @@ CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& s
   for (const Trial& trial : groups.trials())
     every_.push_back(std::max<std::size_t>(1, trial.cycles() / (stretches * mostSamples)));
   const Residuals nominal = replayer.residuals({});
-  // Most that a cause can gain: every cell of its chains falls to its noise.
+  // Most that a cause can gain: nothing is left in the cells of its chains that show anything above their noise.
   std::vector<double> most(groups.cells().size());
   for (std::size_t c = 0; c < most.size(); ++c) {
     const Cell& cell = groups.cells()[c];
-    const std::vector<double> r = residualsOf(cell, nominal);
-    const Split now = split(r);
-    Split fallen = now;
-    const double share = std::min(1.0, cell.noise / likeliestScale(now.about, cell.noise));
-    for (double& of : fallen.about) of *= share;
-    fallen.mean = std::clamp(now.mean, -cell.noise, cell.noise);
+    const Split now = split(residualsOf(cell, nominal));
+    if (std::abs(now.mean) <= cell.noise && likeliestScale(now.about, cell.noise) <= cell.noise) continue;
+    Split nothing = now;
+    for (double& of : nothing.about) of *= 0;  // what was not measured stays so
+    nothing.mean = 0;
     most[c] = std::max(
-        0.0, stretchDensity(fallen, cell.noise, shares[c]) - stretchDensity(now, cell.noise, shares[c]));
+        0.0, stretchDensity(nothing, cell.noise, shares[c]) - stretchDensity(now, cell.noise, shares[c]));
   }
   std::vector<Cause> possible = possibleKinds(groups, robot);
   kinds_ = possible.size();

@@ -131,6 +131,34 @@ TEST(CandidateScreening, anEffectInProportionIsForetoldWhicheverWayItGoes) {
   }
 }
 
+TEST(CandidateScreening, aTorqueThatShowsInTheMeanAloneIsProposed) {
+  // The mean falls by less than the price of a cause (two recordings, four times the noise); what varies is
+  // below the noise already, and less is left of it with the torque.
+  const Mechanism arm = twoJointArm();
+  const Cause truth = causeOfArm("bias_force", "elbow", 0.02);
+  std::vector<Trial> trials = recordings({});
+  trials.pop_back();
+  for (Trial& trial : trials) trial = recorded(plantOf(arm, {truth}), trial, 0, 1);
+  const Groups groups(trials);
+  const Replayer replayer(arm, groups, 1);
+  const Shares shares = sharesOf(groups, replayer.residuals({}));
+  const CandidateScreening screening(replayer, shares);
+  const std::vector<Proposal> proposals = screening.propose(replayer, {}, shares, 8);
+  const auto found = std::ranges::find_if(proposals, [](const Proposal& proposal) {
+    return proposal.cause.effect->id == "bias_force" && proposal.cause.place.at == "elbow";
+  });
+  ASSERT_NE(found, proposals.end());
+  EXPECT_NEAR(found->cause.value, 0.02, 0.005);
+  EXPECT_GT(score(replayer, shares, {truth}, screening.numKinds(), 6).score(), 0);
+}
+
+TEST(CandidateScreening, whereNothingIsAboveTheNoiseNothingIsReplayed) {
+  const Groups groups(recordings({}));
+  const Mechanism arm = twoJointArm();
+  const Replayer replayer(arm, groups, 1);
+  EXPECT_EQ(CandidateScreening(replayer, sharesOf(groups, replayer.residuals({}))).numStarts(), 0U);
+}
+
 TEST(Fit, findsBothValues) {
   const Mechanism arm = twoJointArm();
   const Groups groups(

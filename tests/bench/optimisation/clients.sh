@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# Table 3.6 of the thesis (Seekircher 2015): the same 990 evaluations by more and more real workers, whose evaluations sleep, and
+# how much sooner they are done; table 3.7: the share of that time for which the server computes (updates of the optimiser,
+# messages, files). Then real simulators, as many as there are cores: build/bench/optimisation_clients.json. SECONDS of an
+# evaluation: SLEEP [0.1].
+set -euo pipefail
+sleep=${SLEEP-0.1} ticks=$(getconf CLK_TCK)
+scratch=$(mktemp -d) server="" each="" share=""
+trap '[[ -z $server ]] || kill "$server" 2> /dev/null || true; rm -rf "$scratch"' EXIT
+lines=()
+figure() { lines+=("{\"name\": \"optimisation.clients.$1\", \"value\": $2, \"unit\": \"$3\", \"better\": \"$4\"${5-}}"); }
+
+# Processor seconds that the server has used; nothing where it has ended.
+computed() { awk -v t="$ticks" '{ sub(/.*\) /, ""); print ($12 + $13) / t }' "/proc/$server/stat" 2> /dev/null; }
+
+# Plays the study $1 with $2 workers. From the moment at which all are there: seconds per evaluation that was left ($each), and
+# the share of them for which the server computed ($share) [%].
+play() {
+  local folder=$scratch/$1-$2 before begin end first last now
+  bin/optserver "$scratch/$1.yaml" --folder "$folder" --workers "$2" --port 0 --every 1000 > "$folder.out" 2>&1 &
+  server=$!
+  until [[ -s $folder/port ]]; do sleep 0.02; done
+  until bin/optserver --status --port "$(< "$folder/port")" 2> /dev/null | grep -q "\"workers\":$2[,}]"; do
+    kill -0 "$server" || { echo "clients.sh: the search ended before all workers were there" >&2; exit 1; }
+    sleep 0.05
+  done
+  first=$(computed) last=$first begin=$(date +%s.%N) before=$(wc -l < "$folder/evaluations.jsonl")
+  while now=$(computed) && [[ $now ]]; do last=$now; sleep 0.05; done
+  wait "$server" || { echo "clients.sh: the server ended with $?" >&2; cat "$folder.out" >&2; exit 1; }
+  server="" end=$(date +%s.%N)
+  read -r each share < <(awk -v b="$begin" -v e="$end" -v n="$(($(wc -l < "$folder/evaluations.jsonl") - before))" \
+    -v c="$last" -v f="$first" 'BEGIN { printf "%.6f %.4f\n", (e - b) / n, 100 * (c - f) / (e - b) }')
+}
+
+declare -A thesis=([pso30]=26.398 [cmaes30]=26.269 [xnes30]=4.332 [pso20]=14.157 [cmaes20]=14.486 [xnes20]=3.779
+  [pso10]=8.790 [cmaes10]=8.306 [xnes10]=3.396) phase=([pso20]=0.1538 [cmaes20]=1.3799 [xnes20]=71.2221)
+# A search of the thesis's leg motion has 96 parameters. "ahead": with three generations of ten at a time, which 20 workers share
+# better than one of 30.
+for optimizer in pso cmaes xnes ahead; do
+  population=30 ahead=1
+  [[ $optimizer != ahead ]] || population=10 ahead=3
+  cat > "$scratch/$optimizer.yaml" << END
+task: function
+options: {function: sphere, dimension: 96, sleep: $sleep, spread: 0.02}
+optimizer: ${optimizer/#ahead/cmaes}
+population: $population
+ahead: $ahead
+runs: 1
+sameSeeds: false
+evaluations: 990
+END
+  one=""
+  for clients in 1 10 20 30; do
+    play "$optimizer" "$clients"
+    [[ $one ]] || one=$each
+    speedup=$(awk -v a="$one" -v b="$each" 'BEGIN { printf "%.3f", a / b }')
+    echo "$optimizer, $clients workers: $speedup times as fast as one, the server computes $share % of the time"
+    key=$optimizer$clients
+    ((clients == 1)) || figure "$optimizer.speed_up_of_$clients" "$speedup" "" higher \
+      "${thesis[$key]:+, \"peer\": \"thesis, table 3.6\", \"peer_value\": ${thesis[$key]-}}"
+    figure "$optimizer.server_computes_with_$clients" "$share" % lower \
+      "${phase[$key]:+, \"peer\": \"thesis, table 3.7, updates alone\", \"peer_value\": ${phase[$key]-}}"
+  done
+done
+
+cat > "$scratch/real.yaml" << END
+task: standUp
+options: {type: 0, direction: front}
+optimizer: cmaes
+population: 30
+runs: 2
+evaluations: 600
+END
+one=""
+for ((clients = 1; clients <= $(nproc); clients *= 2)); do
+  play real "$clients"
+  [[ $one ]] || one=$each
+  speedup=$(awk -v a="$one" -v b="$each" 'BEGIN { printf "%.3f", a / b }')
+  echo "stand-up in real simulators, $clients workers: $speedup times as fast as one, the server computes $share % of the time"
+  ((clients == 1)) || figure "stand_up.speed_up_of_$clients" "$speedup" "" higher
+  figure "stand_up.server_computes_with_$clients" "$share" % lower
+done
+mkdir -p build/bench
+(IFS=,; printf '[%s]\n' "${lines[*]}") | sed 's/},{/},\n {/g' > build/bench/optimisation_clients.json.new
+mv build/bench/optimisation_clients.json.new build/bench/optimisation_clients.json
