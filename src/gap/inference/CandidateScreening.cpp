@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t mostSamples = 250;  // of a cell that are looked at
 constexpr std::size_t mostGuessed = 24;   // kinds whose gain is worked out and not only guessed
-constexpr double mostFactor = 4;          // of a start, that its sensitivity is trusted for
+constexpr double mostFactor = 4;          // of a start, up and down, that its sensitivity is trusted for
+constexpr double leastOfLinear = 0.02;    // of the start of an effect whose change is in proportion to it
 
 /// Every n-th value of a stretch; the n-th of the whole series, wherever the stretch begins.
 std::vector<double> thinned(const ResidualSeries& values, std::size_t from, std::size_t to,
@@ -49,8 +50,10 @@ struct CandidateScreening::Left {
 };
 
 struct CandidateScreening::Guessed {
-  double gain = 0, toNoise = 0;  ///< toNoise: without what falls below the noise
-  double share = 1;              ///< of the start's strength, that gains most
+  /// toNoise: without what falls below the noise. A cause that explains nothing above it would only make up
+  /// for how the replay is computed.
+  double gain = 0, toNoise = 0;
+  double share = 1;  ///< of the start's strength, that gains most
 };
 
 CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& shares,
@@ -63,7 +66,8 @@ CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& s
   for (const Trial& trial : groups.trials())
     every_.push_back(std::max<std::size_t>(1, trial.cycles() / (stretches * mostSamples)));
   const Residuals nominal = replayer.residuals({});
-  // Most that a cause can gain: nothing is left in the cells of its chains that show anything above their noise.
+  // Most that a cause can gain: nothing is left in the cells of its chains that show anything above their
+  // noise.
   std::vector<double> most(groups.cells().size());
   for (std::size_t c = 0; c < most.size(); ++c) {
     const Cell& cell = groups.cells()[c];
@@ -157,7 +161,7 @@ struct Sums {
 
   /// Gain in log density where the change is taken off a factor times. While the scale is free, the logarithm
   /// of the mean square counts; once it stands at the noise, the mean square itself. What falls below the
-  /// noise need not count: there a cause would only make up for how the replay is computed.
+  /// noise need not count.
   double gain(double factor, bool belowNoise) const {
     const auto of = [&](double square) {
       if (square > least) return std::log(square);
@@ -207,7 +211,8 @@ CandidateScreening::Guessed CandidateScreening::guess(const Start& start, const 
   };
   constexpr int points = 6;  // to each side
   double step = std::pow(mostFactor, 1.0 / points);
-  for (int i = -points; i <= points; ++i) tryFactor(std::pow(step, i));
+  const double leastFactor = start.cause.effect->linear ? leastOfLinear : 1 / mostFactor;
+  for (double factor = mostFactor; factor > leastFactor / std::sqrt(step); factor /= step) tryFactor(factor);
   for (int halved = 0; halved < 3 && guessed.gain > 0; ++halved) {
     step = std::sqrt(step);
     const double middle = guessed.share;
@@ -267,7 +272,7 @@ std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const 
   for (const Start& start : starts_) {
     if (std::ranges::any_of(base, [&](const Cause& cause) { return cause.sameKind(start.cause); })) continue;
     const Guessed guessed = guess(start, left);
-    if (!(guessed.gain > 0)) continue;
+    if (!(guessed.gain > 0 && guessed.toNoise > 0)) continue;
     const bool same = !candidates.empty() && candidates.back().start->cause.sameKind(start.cause) &&
                       candidates.back().start->cause.variant == start.cause.variant;
     if (!same)
@@ -280,8 +285,7 @@ std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const 
   if (candidates.size() > mostGuessed) candidates.resize(mostGuessed);
   std::vector<Proposal> proposals;
   for (const Candidate& candidate : candidates) {
-    const double gain =
-        std::min(candidate.guessed.toNoise, gainOf(*candidate.start, left, candidate.guessed.share));
+    const double gain = gainOf(*candidate.start, left, candidate.guessed.share);
     if (!(gain > 0)) continue;
     const Cause& cause = candidate.start->cause;
     const Eigen::VectorXd x = logStrengths({cause}).array() + std::log(candidate.guessed.share);
