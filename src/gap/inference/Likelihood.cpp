@@ -88,4 +88,9 @@ double correlationTime(const std::vector<double>& residuals) {
   return std::max(1.0, 1 + 2 * sum);
 }
 
+double timeOfScale(double correlationTime, double scale, double noise) {
+  const double known = noise / scale;
+  return 1 + (correlationTime - 1) * std::max(0.0, 1 - known * known);
+}
+
 }  // namespace plumbline::gap

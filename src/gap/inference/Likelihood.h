@@ -56,4 +56,8 @@ inline double stretchDensity(const Split& residuals, double noise, double share)
 /// least 1.
 double correlationTime(const std::vector<double>& residuals);
 
+/// The correlation time by which a likeliest scale is uncertain. The noise is known and white: what is beyond
+/// it has to be estimated, and counts by its share of the variance. At the noise: 1.
+double timeOfScale(double correlationTime, double scale, double noise);
+
 }  // namespace plumbline::gap

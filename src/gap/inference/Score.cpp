@@ -72,15 +72,21 @@ std::vector<double> gainsOf(const Replayer& replayer, const Explanation& fitted,
   const Groups& groups = replayer.groups();
   std::vector<double> gains(groups.count(), 0.0);
   if (fitted.empty()) return gains;
-  Shares shares = sharesOf(groups, replayer.residuals(fitted));
-  const Residuals nominal = replayer.residuals({});
+  const Residuals left = replayer.residuals(fitted), nominal = replayer.residuals({});
+  Shares shares = sharesOf(groups, left);
   const Shares ofNominal = sharesOf(groups, nominal);
-  for (std::size_t c = 0; c < shares.size(); ++c) shares[c] = 2 / (1 / shares[c] + 1 / ofNominal[c]);
+  for (std::size_t c = 0; c < shares.size(); ++c) {
+    const Cell& cell = groups.cells()[c];
+    const Series& series = left[cell.trial][cell.signal];
+    double time = 1 / shares[c];
+    if (series) time = timeOfScale(time, series->fitOf(cell.from, cell.to, cell.noise).scale, cell.noise);
+    shares[c] = 2 / (time + 1 / ofNominal[c]);
+  }
   const std::vector<double> none = densities(groups, nominal, shares);
   for (std::size_t g = 0; g < groups.count(); ++g) {
-    std::vector<char> left(groups.count(), 0);
-    left[g] = 1;
-    gains[g] = densityOn(replayer, shares, without[g], left) - none[g];
+    std::vector<char> wanted(groups.count(), 0);
+    wanted[g] = 1;
+    gains[g] = densityOn(replayer, shares, without[g], wanted) - none[g];
   }
   return gains;
 }

@@ -30,8 +30,8 @@ Scored score(const Replayer& replayer, const Shares& shares, const Explanation& 
 
 /// What a set gains over the nominal model in each group, with the values that it has without the group.
 /// Both count with the mean of the two correlation times of what they leave (the set with its values of all
-/// groups): the difference of two log scales has the variances of both. So a set has one score, whatever it
-/// is compared with.
+/// groups): the difference of two log scales has the variances of both. A scale at the noise is known, and
+/// has none. So a set has one score, whatever it is compared with.
 std::vector<double> gainsOf(const Replayer& replayer, const Explanation& fitted,
                             const std::vector<Explanation>& without);
 

@@ -28,7 +28,7 @@ namespace {
 constexpr const char* robotName = "nao_v5";
 constexpr const char* firstSpread = "0.35";  // of a search that begins with a walk that is good already
 constexpr int strengths = 4;                 // each twice the one before
-constexpr std::uint64_t drawnBy = 8;         // tries of the walk that decide whether a robot is taken
+constexpr std::uint64_t drawnBy = 40;        // tries of the walk that decide whether a robot is taken
 
 /// What the short searches look for: the parameters that speed depends on most.
 const std::vector<std::string> searched{

@@ -94,4 +94,10 @@ TEST(Likelihood, correlationTimeOfAnAutoregressiveSeriesIsItsFormula) {
   EXPECT_NEAR(correlationTime(values), 9, 1.5);
 }
 
+TEST(Likelihood, aScaleAtTheNoiseIsKnownAndBeyondItCountsByItsShareOfTheVariance) {
+  EXPECT_DOUBLE_EQ(timeOfScale(9, 0.1, 0.1), 1);
+  EXPECT_DOUBLE_EQ(timeOfScale(9, 0.2, 0.1), 7);  // three quarters of the variance are beyond the noise
+  EXPECT_NEAR(timeOfScale(9, 10, 0.1), 9, 1e-3);
+}
+
 }  // namespace plumbline::gap

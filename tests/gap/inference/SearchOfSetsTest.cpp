@@ -198,7 +198,8 @@ TEST(Score, aCauseThatIsNotThereCostsItsPrice) {
 }
 
 TEST(Score, aSetGainsOverTheNominalModelByItsValuesWithoutEachGroup) {
-  // Both count by the mean of the correlation times of what they leave, whatever else was looked at.
+  // Both count by the mean of the correlation times of what they leave, whatever else was looked at. The
+  // truth leaves noise, whose scale is known.
   const Mechanism arm = twoJointArm();
   const Cause truth = causeOfArm("coulomb_friction", "shoulder", 0.15),
               off = causeOfArm("coulomb_friction", "shoulder", 0.4);
@@ -206,7 +207,12 @@ TEST(Score, aSetGainsOverTheNominalModelByItsValuesWithoutEachGroup) {
   const Replayer replayer(arm, groups, 1);
   const Shares slow = sharesOf(groups, replayer.residuals({}));
   Shares shares = sharesOf(groups, replayer.residuals({truth}));
-  for (std::size_t c = 0; c < shares.size(); ++c) shares[c] = 2 / (1 / shares[c] + 1 / slow[c]);
+  const Residuals left = replayer.residuals({truth});
+  for (std::size_t c = 0; c < shares.size(); ++c) {
+    const Cell& cell = groups.cells()[c];
+    const double scale = likeliestScale(split(residualsOf(cell, left)).about, cell.noise);
+    shares[c] = 2 / (timeOfScale(1 / shares[c], scale, cell.noise) + 1 / slow[c]);
+  }
   const std::vector<double> nominal = densities(groups, replayer.residuals({}), shares),
                             right = densities(groups, replayer.residuals({truth}), shares),
                             gains = gainsOf(replayer, {truth}, {{truth}, {off}, {truth}});
