@@ -8,6 +8,7 @@
 
 #include "gap/inference/Beam.h"
 #include "gap/inference/CauseKinds.h"
+#include "gap/inference/Interval.h"
 #include "gap/inference/LeaveOut.h"
 #include "gap/inference/LeaveOutBias.h"
 #include "gap/inference/Likelihood.h"
@@ -168,12 +169,12 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   }
   Diagnosis& diagnosis = result.diagnosis;
   const double nominal = positionsLeft(replayer, {}), all = positionsLeft(replayer, best.causes());
+  const std::vector<Bounds> intervals = intervalsOf(replayer, best);
   for (std::size_t i = 0; i < best.causes().size(); ++i) {
     Finding finding;
     finding.cause = best.causes()[i];
-    const Bounds interval = intervalOf(best, i, robot);
-    finding.lower = interval.lower;
-    finding.upper = interval.upper;
+    finding.lower = intervals[i].lower;
+    finding.upper = intervals[i].upper;
     finding.probability = probabilityIn(finding.cause, found.sets, p, without);
     finding.closedAlone = 1 - positionsLeft(replayer, {finding.cause}) / nominal;
     finding.closedLast = (positionsLeft(replayer, gap::without(best.causes(), i)) - all) / nominal;

@@ -14,8 +14,4 @@ std::vector<double> posterior(const std::vector<Scored>& sets, std::uint64_t see
 /// Sum over the sets that hold a cause of the same effect and place.
 double probabilityOf(const Cause& cause, const std::vector<Scored>& sets, const std::vector<double>& p);
 
-/// 95 % interval of the i-th cause's value: the wider of the curvature's and what leaving groups out makes of
-/// it (jackknife).
-Bounds intervalOf(const Scored& scored, std::size_t i, const Mechanism& robot);
-
 }  // namespace plumbline::gap

@@ -142,7 +142,8 @@ void run() {
        << " cases each of " << given("GAINS", "kp100 kp200 kp800")
        << "; `--method sets`. The rules stand in tests/bench/gap-planted/PlantedBench.cpp. Ratio: what the "
           "plant changes over\n"
-          "what the answer without it leaves, root mean square of the positions. As: with its 95 % interval.\n\n"
+          "what the answer without it leaves, root mean square of the positions. As: with its 95 % "
+          "interval.\n\n"
           "| recordings | planted | ratio | named | first | p | as | wrong findings (p) "
           "|\n|---|---|---|---|---|---|---|---|\n";
   Sum all, below, twice, four;
