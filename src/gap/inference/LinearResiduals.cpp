@@ -22,6 +22,10 @@ Eigen::MatrixXd priorOf(std::size_t count) {
   return Eigen::MatrixXd::Identity(n, n) / (priorWidth * priorWidth);
 }
 
+double halfLogDeterminant(const Eigen::MatrixXd& precision) {
+  return Eigen::LLT<Eigen::MatrixXd>(precision).matrixLLT().diagonal().array().log().sum();
+}
+
 }  // namespace
 
 bool StrengthSet::holds(std::size_t kind) const { return std::ranges::binary_search(kinds, kind); }
@@ -165,9 +169,24 @@ SetScore LinearResiduals::score(const std::vector<std::size_t>& kinds) const {
   }
   scored.information = of.information;
   scored.density.assign(groups_, 0.0);
+  // As gainsOf() has it, up to what the nominal model has.
+  std::vector<double> compromise(groups_, 0.0), asOthers(groups_, 0.0);
   for (std::size_t c = 0; c < cells_.size(); ++c) {
-    const std::size_t g = cells_[c].group;
-    scored.density[g] += cells_[c].share * likeliestScale(left(c, kinds, scored.without[g])).density;
+    const std::size_t own = cells_[c].group;
+    const double all = cells_[c].share * likeliestScale(left(c, kinds, scored.set.x)).density;
+    scored.density[own] += all;
+    for (std::size_t g = 0; g < groups_ && !kinds.empty(); ++g) {
+      const double there = cells_[c].share * likeliestScale(left(c, kinds, scored.without[g])).density;
+      if (g == own)
+        asOthers[g] += there;
+      else
+        compromise[g] += there - all;
+    }
+  }
+  for (std::size_t g = 0; g < groups_ && !kinds.empty(); ++g) {
+    const Eigen::MatrixXd others = of.sum(g).first + priorOf(kinds.size());
+    scored.density[g] = std::max(scored.density[g] - std::max(0.0, compromise[g]), asOthers[g]) +
+                        halfLogDeterminant(others) - halfLogDeterminant(others + of.information[g]);
   }
   return scored;
 }

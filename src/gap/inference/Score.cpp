@@ -10,7 +10,8 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double farthest = 1;  // step of a value when a group is left out, in the logarithm of its strength
+constexpr double farthest = 1;    // step of a value when a group is left out, in the logarithm of its strength
+constexpr double priorWidth = 2;  // of a value before any data, in the same
 
 /// Values that the other groups are likeliest under, by one Newton step.
 Explanation steppedWithout(const Replayer& replayer, const Fitted& fitted, std::size_t left) {
@@ -25,6 +26,33 @@ Explanation steppedWithout(const Replayer& replayer, const Fitted& fitted, std::
   Eigen::VectorXd way = information.llt().solve(gradient);
   way = way.cwiseMax(-farthest).cwiseMin(farthest);
   return withLogStrengths(replayer.mechanism(), fitted.causes, logStrengths(fitted.causes) + way);
+}
+
+/// Logarithm of how well the other groups know the values, over how well all do: half the difference of the
+/// log determinants of their precisions.
+double logKnownWithout(const Fitted& fitted, std::size_t left) {
+  const auto n = static_cast<Eigen::Index>(fitted.causes.size());
+  Eigen::MatrixXd others = Eigen::MatrixXd::Identity(n, n) / (priorWidth * priorWidth);
+  for (std::size_t g = 0; g < fitted.information.size(); ++g)
+    if (g != left) others += fitted.information[g];
+  const auto halfLogDeterminant = [](const Eigen::MatrixXd& precision) {
+    return Eigen::LLT<Eigen::MatrixXd>(precision).matrixLLT().diagonal().array().log().sum();
+  };
+  return halfLogDeterminant(others) - halfLogDeterminant(others + fitted.information[left]);
+}
+
+/// Shares that a set and the nominal model are compared with: the mean of the two correlation times.
+Shares sharesOfGain(const Groups& groups, const Residuals& left, const Residuals& nominal) {
+  Shares shares = sharesOf(groups, left);
+  const Shares ofNominal = sharesOf(groups, nominal);
+  for (std::size_t c = 0; c < shares.size(); ++c) {
+    const Cell& cell = groups.cells()[c];
+    const Series& series = left[cell.trial][cell.signal];
+    double time = 1 / shares[c];
+    if (series) time = timeOfScale(time, series->fitOf(cell.from, cell.to, cell.noise).scale, cell.noise);
+    shares[c] = 2 / (time + 1 / ofNominal[c]);
+  }
+  return shares;
 }
 
 double densityOn(const Replayer& replayer, const Shares& shares, const Explanation& causes,
@@ -63,30 +91,28 @@ Scored score(const Replayer& replayer, const Shares& shares, const Explanation& 
     }
     scored.without.push_back(std::move(causes));
   }
-  scored.gain = gainsOf(replayer, scored.causes(), scored.without);
+  scored.gain = gainsOf(replayer, scored.fitted, scored.without);
   return scored;
 }
 
-std::vector<double> gainsOf(const Replayer& replayer, const Explanation& fitted,
+std::vector<double> gainsOf(const Replayer& replayer, const Fitted& fitted,
                             const std::vector<Explanation>& without) {
   const Groups& groups = replayer.groups();
   std::vector<double> gains(groups.count(), 0.0);
-  if (fitted.empty()) return gains;
-  const Residuals left = replayer.residuals(fitted), nominal = replayer.residuals({});
-  Shares shares = sharesOf(groups, left);
-  const Shares ofNominal = sharesOf(groups, nominal);
-  for (std::size_t c = 0; c < shares.size(); ++c) {
-    const Cell& cell = groups.cells()[c];
-    const Series& series = left[cell.trial][cell.signal];
-    double time = 1 / shares[c];
-    if (series) time = timeOfScale(time, series->fitOf(cell.from, cell.to, cell.noise).scale, cell.noise);
-    shares[c] = 2 / (time + 1 / ofNominal[c]);
-  }
-  const std::vector<double> none = densities(groups, nominal, shares);
+  if (fitted.causes.empty()) return gains;
+  const Residuals left = replayer.residuals(fitted.causes), nominal = replayer.residuals({});
+  const Shares shares = sharesOfGain(groups, left, nominal);
+  const std::vector<double> with = densities(groups, left, shares), none = densities(groups, nominal, shares);
+  const double all = std::accumulate(with.begin(), with.end(), 0.0);
   for (std::size_t g = 0; g < groups.count(); ++g) {
-    std::vector<char> wanted(groups.count(), 0);
-    wanted[g] = 1;
-    gains[g] = densityOn(replayer, shares, without[g], wanted) - none[g];
+    std::vector<char> others(groups.count(), 1);
+    others[g] = 0;
+    const double compromise = densityOn(replayer, shares, without[g], others) - (all - with[g]);
+    std::vector<char> own(groups.count(), 0);
+    own[g] = 1;
+    const double asOthers = densityOn(replayer, shares, without[g], own);
+    gains[g] =
+        std::max(with[g] - std::max(0.0, compromise), asOthers) - none[g] + logKnownWithout(fitted, g);
   }
   return gains;
 }

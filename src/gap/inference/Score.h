@@ -28,11 +28,14 @@ enum class LeaveOut { newtonStep, refit };
 Scored score(const Replayer& replayer, const Shares& shares, const Explanation& start, std::size_t kinds,
              int mostSteps, LeaveOut how = LeaveOut::newtonStep, const std::vector<Explanation>& starts = {});
 
-/// What a set gains over the nominal model in each group, with the values that it has without the group.
-/// Both count with the mean of the two correlation times of what they leave (the set with its values of all
-/// groups): the difference of two log scales has the variances of both. A scale at the noise is known, and
-/// has none. So a set has one score, whatever it is compared with.
-std::vector<double> gainsOf(const Replayer& replayer, const Explanation& fitted,
+/// What a set gains over the nominal model in each group g, by the log predictive density of the group under
+/// the posterior that the others give the values (Laplace's approximation: Tierney and Kadane 1986):
+///   l_g(all) - [l_-g(without g) - l_-g(all)] + 1/2 log |I_-g + P| - 1/2 log |I + P|
+/// l: log density at the values fitted to all, or without g; I: information; P: the prior's. What the others
+/// leave open costs little, what they contradict costs what it says. Both models count with the mean of the
+/// two correlation times of what they leave: the difference of two log scales has the variances of both. A
+/// scale at the noise is known, and has none. So a set has one score, whatever it is compared with.
+std::vector<double> gainsOf(const Replayer& replayer, const Fitted& fitted,
                             const std::vector<Explanation>& without);
 
 }  // namespace plumbline::gap

@@ -63,7 +63,7 @@ void addVisible(const Replayer& replayer, std::vector<SetProposal> proposals, st
   for (SetProposal& proposal : proposals) {
     if (!allVisible(replayer, proposal.set.causes())) continue;
     const auto judge = [&](Scored& set) {
-      set.gain = gainsOf(replayer, set.causes(), set.without);
+      set.gain = gainsOf(replayer, set.fitted, set.without);
       set.price = priceOf(set.causes().size(), kinds);
     };
     judge(proposal.set);

@@ -67,6 +67,12 @@ const Finding* find(const Inference& inference, const Cause& cause, bool oneMoto
   return nullptr;
 }
 
+std::string format(const char* form, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, form, value);
+  return text;
+}
+
 struct Verdict {
   bool named = false, first = false, covered = false, valueRight = false;
   double probability = 0;
@@ -93,7 +99,8 @@ Verdict judge(const Base& base, const Base& with, const Cause& plant, const Infe
       verdict.named = true;
       verdict.first = !earlier;
       verdict.probability = finding.probability;
-      verdict.as = describe(finding.cause);
+      verdict.as =
+          describe(finding.cause) + format(" [%.3g, ", finding.lower) + format("%.3g]", finding.upper);
       if (own) {
         verdict.valueRight = std::abs(moved - wanted) <= 0.15 * std::abs(wanted);
         const double shift = old ? sizeOf(old->cause, old->cause.value) : 0;
@@ -122,12 +129,6 @@ Base baseOf(const std::string& robot, const std::vector<std::string>& folders) {
   return base;
 }
 
-std::string format(const char* form, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, form, value);
-  return text;
-}
-
 void run() {
   const std::string data = given("DATA", "../shared/gap/real");
   const int seed = numberOf("SEED", "1"), cases = numberOf("CASES", "5");
@@ -141,7 +142,7 @@ void run() {
        << " cases each of " << given("GAINS", "kp100 kp200 kp800")
        << "; `--method sets`. The rules stand in tests/bench/gap-planted/PlantedBench.cpp. Ratio: what the "
           "plant changes over\n"
-          "what the answer without it leaves, root mean square of the positions.\n\n"
+          "what the answer without it leaves, root mean square of the positions. As: with its 95 % interval.\n\n"
           "| recordings | planted | ratio | named | first | p | as | wrong findings (p) "
           "|\n|---|---|---|---|---|---|---|---|\n";
   Sum all, below, twice, four;
