@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 
 #include "gap/inference/CellScale.h"
@@ -13,6 +14,7 @@ namespace plumbline::gap {
 namespace {
 
 constexpr double priorWidth = 3;      // units
+const double motionSpread = std::getenv("TAU") ? std::atof(std::getenv("TAU")) : 0.1;
 constexpr double mostFromMiddle = 4;  // of a strength from the middle, that its slope is trusted for [units]
 constexpr int fitRounds = 2;          // of strengths and covariances in turn
 
@@ -170,23 +172,31 @@ SetScore LinearResiduals::score(const std::vector<std::size_t>& kinds) const {
   scored.information = of.information;
   scored.density.assign(groups_, 0.0);
   // As gainsOf() has it, up to what the nominal model has.
-  std::vector<double> compromise(groups_, 0.0), asOthers(groups_, 0.0);
-  for (std::size_t c = 0; c < cells_.size(); ++c) {
-    const std::size_t own = cells_[c].group;
-    const double all = cells_[c].share * likeliestScale(left(c, kinds, scored.set.x)).density;
-    scored.density[own] += all;
-    for (std::size_t g = 0; g < groups_ && !kinds.empty(); ++g) {
-      const double there = cells_[c].share * likeliestScale(left(c, kinds, scored.without[g])).density;
-      if (g == own)
-        asOthers[g] += there;
-      else
-        compromise[g] += there - all;
+  const auto densityAt = [&](std::size_t g, const Eigen::VectorXd& x) {
+    double sum = 0;
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      if (cells_[c].group == g) sum += cells_[c].share * likeliestScale(left(c, kinds, x)).density;
+    return sum;
+  };
+  for (std::size_t g = 0; g < groups_; ++g) {
+    if (kinds.empty()) {
+      scored.density[g] = densityAt(g, scored.set.x);
+      continue;
     }
-  }
-  for (std::size_t g = 0; g < groups_ && !kinds.empty(); ++g) {
-    const Eigen::MatrixXd others = of.sum(g).first + priorOf(kinds.size());
-    scored.density[g] = std::max(scored.density[g] - std::max(0.0, compromise[g]), asOthers[g]) +
-                        halfLogDeterminant(others) - halfLogDeterminant(others + of.information[g]);
+    const auto n = scored.set.x.size();
+    const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(n, n);
+    const double between = motionSpread * motionSpread * static_cast<double>(groups_) /
+                           std::max(1.0, static_cast<double>(groups_) - 1);
+    Eigen::MatrixXd spread = (of.sum(g).first + priorOf(kinds.size())).llt().solve(unit);
+    spread.diagonal() += between * scored.set.x.cwiseAbs2();
+    spread.diagonal().array() += 1e-12;
+    const Eigen::MatrixXd precision = spread.llt().solve(unit), both = of.information[g] + precision;
+    const Eigen::VectorXd& others = scored.without[g];
+    const Eigen::VectorXd own = both.llt().solve(of.right[g] + precision * others);
+    double best = -HUGE_VAL;
+    for (const Eigen::VectorXd& x : {others, scored.set.x, own})
+      best = std::max(best, densityAt(g, x) - (x - others).dot(precision * (x - others)) / 2);
+    scored.density[g] = best - halfLogDeterminant(both) + halfLogDeterminant(precision);
   }
   return scored;
 }

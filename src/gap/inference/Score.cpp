@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 
 #include "gap/inference/Strengths.h"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double farthest = 1;    // step of a value when a group is left out, in the logarithm of its strength
 constexpr double priorWidth = 2;  // of a value before any data, in the same
+const double motionSpread = std::getenv("TAU") ? std::atof(std::getenv("TAU")) : 0.1;
 
 /// Values that the other groups are likeliest under, by one Newton step.
 Explanation steppedWithout(const Replayer& replayer, const Fitted& fitted, std::size_t left) {
@@ -28,18 +30,46 @@ Explanation steppedWithout(const Replayer& replayer, const Fitted& fitted, std::
   return withLogStrengths(replayer.mechanism(), fitted.causes, logStrengths(fitted.causes) + way);
 }
 
-/// Logarithm of how well the other groups know the values, over how well all do: half the difference of the
-/// log determinants of their precisions.
-double logKnownWithout(const Fitted& fitted, std::size_t left) {
-  const auto n = static_cast<Eigen::Index>(fitted.causes.size());
-  Eigen::MatrixXd others = Eigen::MatrixXd::Identity(n, n) / (priorWidth * priorWidth);
-  for (std::size_t g = 0; g < fitted.information.size(); ++g)
-    if (g != left) others += fitted.information[g];
-  const auto halfLogDeterminant = [](const Eigen::MatrixXd& precision) {
-    return Eigen::LLT<Eigen::MatrixXd>(precision).matrixLLT().diagonal().array().log().sum();
-  };
-  return halfLogDeterminant(others) - halfLogDeterminant(others + fitted.information[left]);
-}
+/// What the other groups say of a group's values, in logarithms of strengths: normal about theirs.
+class ValuesOfGroup {
+public:
+  ValuesOfGroup(const Fitted& fitted, const Eigen::VectorXd& others, std::size_t group)
+      : others_(others), information_(fitted.information[group]), gradient_(fitted.gradient[group]) {
+    const auto n = others.size();
+    const auto count = static_cast<double>(fitted.information.size());
+    const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(n, n);
+    Eigen::MatrixXd known = unit / (priorWidth * priorWidth);
+    for (std::size_t g = 0; g < fitted.information.size(); ++g)
+      if (g != group) known += fitted.information[g];
+    const Eigen::MatrixXd spread =
+        known.llt().solve(unit) + motionSpread * motionSpread * count / std::max(1.0, count - 1) * unit;
+    precision_ = spread.llt().solve(unit);
+    spread_ = spread;
+  }
+
+  /// Posterior mode, by one Newton step from where the information was taken.
+  Eigen::VectorXd likeliest(const Eigen::VectorXd& from) const {
+    const Eigen::VectorXd way =
+        (information_ + precision_).llt().solve(gradient_ + precision_ * (others_ - from));
+    return from + way.cwiseMax(-farthest).cwiseMin(farthest);
+  }
+  /// Up to the constant that halfLogVolume() holds.
+  double logDensity(const Eigen::VectorXd& x) const {
+    return -(x - others_).dot(precision_ * (x - others_)) / 2;
+  }
+  /// Half the log determinant of the posterior's precision over the prior's.
+  double halfLogVolume() const {
+    const auto halfLog = [](const Eigen::MatrixXd& of) {
+      return Eigen::LLT<Eigen::MatrixXd>(of).matrixLLT().diagonal().array().log().sum();
+    };
+    return halfLog(information_ + precision_) - halfLog(precision_);
+  }
+
+private:
+  Eigen::VectorXd others_;
+  Eigen::MatrixXd information_, precision_, spread_;
+  Eigen::VectorXd gradient_;
+};
 
 /// Shares that a set and the nominal model are compared with: the mean of the two correlation times.
 Shares sharesOfGain(const Groups& groups, const Residuals& left, const Residuals& nominal) {
@@ -102,17 +132,19 @@ std::vector<double> gainsOf(const Replayer& replayer, const Fitted& fitted,
   if (fitted.causes.empty()) return gains;
   const Residuals left = replayer.residuals(fitted.causes), nominal = replayer.residuals({});
   const Shares shares = sharesOfGain(groups, left, nominal);
-  const std::vector<double> with = densities(groups, left, shares), none = densities(groups, nominal, shares);
-  const double all = std::accumulate(with.begin(), with.end(), 0.0);
+  const std::vector<double> none = densities(groups, nominal, shares);
+  const Eigen::VectorXd all = logStrengths(fitted.causes);
   for (std::size_t g = 0; g < groups.count(); ++g) {
-    std::vector<char> others(groups.count(), 1);
-    others[g] = 0;
-    const double compromise = densityOn(replayer, shares, without[g], others) - (all - with[g]);
-    std::vector<char> own(groups.count(), 0);
-    own[g] = 1;
-    const double asOthers = densityOn(replayer, shares, without[g], own);
-    gains[g] =
-        std::max(with[g] - std::max(0.0, compromise), asOthers) - none[g] + logKnownWithout(fitted, g);
+    std::vector<char> wanted(groups.count(), 0);
+    wanted[g] = 1;
+    const Eigen::VectorXd others = logStrengths(without[g]);
+    const ValuesOfGroup prior(fitted, others, g);
+    double best = -HUGE_VAL;
+    for (const Eigen::VectorXd& x : {others, all, prior.likeliest(all)}) {
+      const Explanation causes = withLogStrengths(replayer.mechanism(), fitted.causes, x);
+      best = std::max(best, densityOn(replayer, shares, causes, wanted) + prior.logDensity(x));
+    }
+    gains[g] = best - prior.halfLogVolume() - none[g];
   }
   return gains;
 }
