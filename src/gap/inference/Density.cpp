@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 namespace plumbline::gap {
@@ -48,6 +49,14 @@ std::vector<double> densities(const Groups& groups, const Residuals& residuals, 
       sums[cell.group] += densityOf(cell, residuals, shares[c]);
   }
   return sums;
+}
+
+double densityOn(const Replayer& replayer, const Shares& shares, const Explanation& causes,
+                 const std::vector<char>& wantedGroups) {
+  const Groups& groups = replayer.groups();
+  const std::vector<double> of =
+      densities(groups, replayer.residuals(causes, trialsOf(groups, wantedGroups)), shares, wantedGroups);
+  return std::accumulate(of.begin(), of.end(), 0.0);
 }
 
 std::vector<char> trialsOf(const Groups& groups, const std::vector<char>& wantedGroups) {

@@ -22,6 +22,10 @@ double densityOf(const Cell& cell, const Residuals& residuals, double share);
 std::vector<double> densities(const Groups& groups, const Residuals& residuals, const Shares& shares,
                               const std::vector<char>& wantedGroups = {});
 
+/// Sum of densities() of what a hypothesis leaves in the wanted groups.
+double densityOn(const Replayer& replayer, const Shares& shares, const Explanation& causes,
+                 const std::vector<char>& wantedGroups = {});
+
 /// Flags of the trials that hold anything of the wanted groups.
 std::vector<char> trialsOf(const Groups& groups, const std::vector<char>& wantedGroups);
 

@@ -16,19 +16,6 @@ struct Fitted {
   std::vector<Eigen::VectorXd> gradient;
 };
 
-/// What a cell says about the values at which it was replayed, in logarithms of strengths: information of
-/// what varies about its mean, and of the mean. Rows and columns of causes that change nothing in it are 0.
-struct CellInformation {
-  std::size_t cell = 0;
-  Eigen::MatrixXd about, mean;
-  Eigen::VectorXd gradient;  ///< of the log density
-};
-
-/// Of each cell of the wanted groups that any cause changes, by differences about these values.
-std::vector<CellInformation> informationOf(const Replayer& replayer, const Shares& shares,
-                                           const Explanation& causes,
-                                           const std::vector<char>& wantedGroups = {});
-
 /// Damped Gauss-Newton steps in the logarithms of the strengths from where they are (Marquardt 1963), each
 /// residual weighted by the Student-t density at its cell's scale (iteratively reweighted least squares).
 /// wantedGroups: those fitted; empty: all.

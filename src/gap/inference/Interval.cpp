@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <string>
 
+#include "gap/inference/CellInformation.h"
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/Strengths.h"
 
@@ -14,7 +14,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double deviations = 1.96;
+constexpr double deviations = 1.96;        // to each side of a normal value, that 95 % lie within
 constexpr double mostDeviation = 2;        // of a value, in the logarithm of its strength
 constexpr double correlationSpread = 0.3;  // of a channel's discrepancy with what a cause changes there
 
@@ -37,11 +37,15 @@ double pullOf(const StretchFit& stretch, double share, const CellInformation& of
   return std::sqrt(discrepancy * stretch.samples * share * std::max(0.0, way.dot(of.about * way)));
 }
 
-/// The log density near the fit, other values following.
+/// The profile of the log density near the fit: one value is set, the others follow.
 class Profile {
 public:
   Profile(const Replayer& replayer, const Explanation& causes, const Shares& shares)
-      : replayer_(replayer), causes_(causes), shares_(shares), x_(logStrengths(causes)), most_(density(x_)) {}
+      : replayer_(replayer),
+        causes_(causes),
+        shares_(shares),
+        x_(logStrengths(causes)),
+        atFit_(density(x_)) {}
 
   /// How far the i-th value goes along `way`, which has it at +1 or -1, until the log density has fallen by
   /// what a 95 % interval takes (Wilks), at most `most`. first: where to look first. A density need not be
@@ -50,7 +54,7 @@ public:
     double inside = 0, outside = most;
     double next = std::clamp(first, least, most);
     for (int look = 0; look < mostLooks && outside > settled * inside; ++look) {
-      (most_ - density(x_ + next * way) < fall ? inside : outside) = next;
+      (atFit_ - density(x_ + next * way) < fall ? inside : outside) = next;
       if (inside >= most) break;
       next = outside < most ? (inside > 0 ? std::sqrt(inside * outside) : outside / 4)
                             : std::min(most, 3 * inside);
@@ -60,20 +64,19 @@ public:
 
 private:
   static constexpr double fall = deviations * deviations / 2;
-  static constexpr double least = 1e-4, settled = 1.2;
-  static constexpr int mostLooks = 10;
+  static constexpr double least = 1e-4;   // first look, in the logarithm of a strength
+  static constexpr double settled = 1.2;  // ratio of what is outside to what is inside, that is near enough
+  static constexpr int mostLooks = 10;    // each replays everything
 
   double density(const Eigen::VectorXd& x) const {
-    const Explanation there = withLogStrengths(replayer_.mechanism(), causes_, x);
-    const std::vector<double> of = densities(replayer_.groups(), replayer_.residuals(there), shares_);
-    return std::accumulate(of.begin(), of.end(), 0.0);
+    return densityOn(replayer_, shares_, withLogStrengths(replayer_.mechanism(), causes_, x));
   }
 
   const Replayer& replayer_;
   const Explanation& causes_;
   const Shares& shares_;
   Eigen::VectorXd x_;
-  double most_;
+  double atFit_;
 };
 
 }  // namespace
@@ -85,7 +88,7 @@ std::vector<Bounds> intervalsOf(const Replayer& replayer, const Scored& scored) 
   if (n == 0) return {};
   const Residuals left = replayer.residuals(causes);
   const Shares shares = sharesOf(groups, left);
-  const std::vector<CellInformation> cells = informationOf(replayer, shares, causes);
+  const std::vector<CellInformation> cells = informationOf(replayer, shares, causes, left);
   Eigen::MatrixXd information = 1e-6 * Eigen::MatrixXd::Identity(n, n);
   for (const CellInformation& of : cells) information += of.about + of.mean;
   const Eigen::MatrixXd covariance = information.llt().solve(Eigen::MatrixXd::Identity(n, n));

@@ -27,14 +27,6 @@ Explanation steppedWithout(const Replayer& replayer, const Fitted& fitted, std::
   return withLogStrengths(replayer.mechanism(), fitted.causes, logStrengths(fitted.causes) + way);
 }
 
-double densityOn(const Replayer& replayer, const Shares& shares, const Explanation& causes,
-                 const std::vector<char>& wanted) {
-  const Groups& groups = replayer.groups();
-  const std::vector<double> of =
-      densities(groups, replayer.residuals(causes, trialsOf(groups, wanted)), shares, wanted);
-  return std::accumulate(of.begin(), of.end(), 0.0);
-}
-
 }  // namespace
 
 double Scored::score() const { return std::accumulate(gain.begin(), gain.end(), -price); }

@@ -134,6 +134,7 @@ void run() {
   const int seed = numberOf("SEED", "1"), cases = numberOf("CASES", "5");
   if (!std::filesystem::is_directory(data + "/xl330_pendulum"))
     throw std::runtime_error(data + " has no xl330_pendulum: make bench-gap-planted DATA=FOLDER");
+  std::filesystem::create_directories("build/bench");  // before the work, not after it
   gap::InferenceOptions options;
   options.jobs = std::max(1, numberOf("JOBS", "1"));
   Random random(static_cast<std::uint64_t>(seed));
