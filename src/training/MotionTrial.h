@@ -141,6 +141,7 @@ public:
     const Vec3 u = up();
     sensors.torsoAngles = Vec2(std::atan2(u.y(), u.z()), std::atan2(-u.x(), u.z()));
     sensors.gyro = robot.sense().gyro;
+    sensors.feet = walking::feltFeet(robot.sense(), felt);
     return walk.update({velocity, turn, go}, sensors);
   }
   /// The stand-up action the selector would choose for how the robot lies now.
@@ -170,6 +171,10 @@ public:
   }
 
 private:
+  static std::optional<walking::FootContact> felt(const std::optional<simulation::FootForce>& force) {
+    if (!force) return std::nullopt;
+    return walking::FootContact{force->point, force->force};
+  }
   JointArray jitter(double size) {
     JointArray angles = stand;
     for (int j = lShoulderPitch; j < maxJoints; ++j) {

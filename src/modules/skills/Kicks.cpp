@@ -10,9 +10,6 @@ namespace plumbline {
 MAKE_MODULE(Kicks)
 
 void Kicks::init() {
-  const ConfigSection& kick = config.file("kick");
-  kicks_.tolerance = {kick.get<double>("toleranceX", {0.001, 1}), kick.get<double>("toleranceY", {0.001, 1})};
-  kicks_.headingTolerance = kick.get<double>("headingTolerance", {0.001, 3.2});
   // Where main knows the robot, a broken file is told before anything else starts.
   if (const RobotModel* robot = findObject<RobotModel>()) read(*robot);
 }

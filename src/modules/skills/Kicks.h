@@ -12,7 +12,7 @@ MODULE(Kicks)
   PROVIDES(SkillKickParameters)
 END_MODULE
 
-/// The kicks that a robot has: the motions of motions/ whose files say `kick`, and config/kick.yaml.
+/// The kicks that a robot has: the motions of motions/ whose files say `kick`.
 class Kicks : public KicksBase {
 public:
   void init() override;

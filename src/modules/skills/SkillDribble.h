@@ -1,6 +1,6 @@
 #pragma once
 #include "framework/Module.h"
-#include "modules/skills/WalkToPose.h"
+#include "tactics/approach/WalkToPose.h"
 #include "representations/behavior/SkillRequest.h"
 #include "representations/modeling/BallPos.h"
 #include "representations/modeling/RobotPose.h"

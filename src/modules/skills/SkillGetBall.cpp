@@ -30,24 +30,6 @@ const Kick& SkillGetBall::chooseKick(double metres) {
   return chosen;
 }
 
-void SkillGetBall::learnBias(const Pose2& T_robot_target) {
-  if (T_robot_target.position.norm() > biasDistance || std::abs(T_robot_target.heading) > 0.5) {
-    bias_ = Vec2::Zero();
-    return;
-  }
-  bias_ += biasGain * theFrameInfo->cycleSeconds * T_robot_target.position;
-  if (const double size = bias_.norm(); size > maxBias) bias_ *= maxBias / size;
-}
-
-bool SkillGetBall::exact(const Vec2& error, double heading, bool pressed) const {
-  const double hurry = pressed ? pressedTolerance : 1, stays = atBall_ ? keeps : 1;
-  const Vec2 tolerance = hurry * stays * theSkillKickParameters->tolerance;
-  const double most = theSkillRequest->tolerance > 0 ? theSkillRequest->tolerance
-                                                     : hurry * theSkillKickParameters->headingTolerance;
-  return std::abs(error.x()) < tolerance.x() && std::abs(error.y()) < tolerance.y() &&
-         std::abs(heading) < stays * most;
-}
-
 void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   SkillGetBallOutput& output = *theSkillGetBallOutput;
   output.clear();
@@ -55,7 +37,7 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   output.pressed = theOtherRobots && theOtherRobots->nearestOpponent(theBallPos->field) < pressedDistance;
   const BallApproach wanted = requestedApproach();
   if (wanted == BallApproach::none) {
-    atBall_ = sprinting_ = false;
+    positioning_.leave();
     return;
   }
 
@@ -75,20 +57,17 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
     if (wanted == BallApproach::kick) heading -= mirror * kick.direction;
     output.kick = kick.motion;
   }
-  heading = normalizeAngle(heading - theRobotPose->pose.heading);
-  Pose2 way = approachBall(ball, heading, place, approach);
-  const bool fromBehind = std::abs(way.heading - heading) < 1e-9 && ball.norm() > runUp;
-  if (wanted == BallApproach::dribble && fromBehind)
-    way.position += dribbleOn * Vec2(std::cos(heading), std::sin(heading));
+  BallPositioning::Wish wish{.ball = ball,
+                             .heading = normalizeAngle(heading - theRobotPose->pose.heading),
+                             .place = place,
+                             .hurry = output.pressed ? pressedTolerance : 1};
+  if (theSkillRequest->tolerance > 0) wish.headingTolerance = theSkillRequest->tolerance;
+  if (wanted == BallApproach::dribble && ball.norm() > runUp) wish.beyond = dribbleOn;
   const bool detour = theSafeWalkDirection && theSafeWalkDirection->detour && ball.norm() > detourDistance;
-  WalkCommand command =
-      detour ? walkPast(theSafeWalkDirection->wayPoint, walk, sprinting_) : walkToPose(way, walk, sprinting_);
-  sprinting_ = command.sprint;
-  // A walk that drifts would come to rest short of the ball for ever (Seekircher 2015, 4.3).
-  if (!atBall_) learnBias(way);
-  command.velocity = limitVelocity(command.velocity + bias_, walk);
-
-  atBall_ = output.atBall = exact(theBallPos->relative - place, heading, output.pressed);
+  if (detour) wish.detour = theSafeWalkDirection->wayPoint;
+  const WalkCommand command =
+      positioning_.update(wish, theBallPos->relative, positioning, theFrameInfo->cycleSeconds);
+  output.atBall = positioning_.atBall();
   output.motion = Motion::walk;
   output.walkVelocity = command.velocity;
   output.walkTurn = command.turn;

@@ -24,13 +24,11 @@ struct Kick : public Streamable, public KickEffect {
   }
 };
 
-/// The robot's kicks and how exactly it has to stand for them, from config/kick.yaml and the motions.
+/// The robot's kicks.
 REPRESENTATION(SkillKickParameters)
 class SkillKickParameters : public SkillKickParametersBase {
 public:
   std::vector<Kick> kicks = {Kick()};  ///< at least one, the shortest first
-  Vec2 tolerance = Vec2(0.03, 0.03);   ///< [m]
-  double headingTolerance = 0.15;      ///< [rad]
 
   /// The shortest kick that carries so far [m], else the longest.
   const Kick& kickFor(double metres) const {
@@ -42,8 +40,6 @@ public:
   double reach() const { return kicks.back().distance; }
   void stream(InStream* in, OutStream* out) override {
     STREAM(kicks);
-    STREAM(tolerance);
-    STREAM(headingTolerance);
   }
 };
 

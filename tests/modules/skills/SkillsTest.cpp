@@ -56,8 +56,6 @@ struct GetBallTest : testing::Test {
     kick.kicks = {Kick()};
     kick.kicks[0].motion = "kickRight";
     kick.kicks[0].ballPosition = {0.16, -0.05};
-    kick.tolerance = {0.03, 0.03};
-    kick.headingTolerance = 0.15;
     harness.input<ActiveFoot>();
     harness.input<SkillKickOutput>();  // how a skill wants to stand at the ball, its output says
   }

@@ -1,4 +1,4 @@
-#include "modules/skills/WalkToPose.h"
+#include "tactics/approach/WalkToPose.h"
 
 #include <algorithm>
 #include <cmath>

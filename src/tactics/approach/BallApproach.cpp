@@ -1,4 +1,4 @@
-#include "modules/skills/BallApproach.h"
+#include "tactics/approach/BallApproach.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,38 @@
+#include "tactics/approach/BallPositioning.h"
+
+#include <cmath>
+
+namespace plumbline {
+
+void BallPositioning::learnBias(const Pose2& T_robot_target, const BallPositioningParameters& p, double dt) {
+  if (T_robot_target.position.norm() > p.biasDistance || std::abs(T_robot_target.heading) > 0.5) {
+    bias_ = Vec2::Zero();
+    return;
+  }
+  bias_ += p.biasGain * dt * T_robot_target.position;
+  if (const double size = bias_.norm(); size > p.maxBias) bias_ *= p.maxBias / size;
+}
+
+bool BallPositioning::exact(const Wish& wish, const Vec2& error, const BallPositioningParameters& p) const {
+  const double stays = atBall_ ? p.keeps : 1;
+  const double most = stays * wish.headingTolerance.value_or(wish.hurry * p.toleranceHeading);
+  return std::abs(error.x()) < stays * wish.hurry * p.toleranceForward &&
+         std::abs(error.y()) < stays * wish.hurry * p.toleranceSideways && std::abs(wish.heading) < most;
+}
+
+WalkCommand BallPositioning::update(const Wish& wish, const Vec2& ball, const BallPositioningParameters& p,
+                                    double dt) {
+  Pose2 way = approachBall(wish.ball, wish.heading, wish.place, p.approach);
+  const bool lastPart = std::abs(way.heading - wish.heading) < 1e-9;
+  if (lastPart) way.position += wish.beyond * Vec2(std::cos(wish.heading), std::sin(wish.heading));
+  WalkCommand command =
+      wish.detour ? walkPast(*wish.detour, p.walk, sprinting_) : walkToPose(way, p.walk, sprinting_);
+  sprinting_ = command.sprint;
+  // A walk that drifts would come to rest short of the ball for ever (Seekircher 2015, 4.3).
+  if (!atBall_) learnBias(way, p, dt);
+  command.velocity = limitVelocity(command.velocity + bias_, p.walk);
+  atBall_ = exact(wish, ball - wish.place, p);
+  return command;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,193 @@
+#include "training/tasks/PositioningTask.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "framework/ConfigOverlay.h"
+#include "framework/ConfigurationError.h"
+#include "framework/ModuleParameters.h"
+#include "math/Angle.h"
+
+namespace plumbline::training {
+namespace {
+
+constexpr double cycle = motion::MotionTrial::dt;
+constexpr double mostSeconds = 20;       ///< for the way to the ball
+constexpr double moving = 0.3;           ///< speed of a ball that was kicked or pushed away [m/s]
+constexpr double offset = 0.005;         ///< of the camera, in every image of a run, as the league's [m]
+constexpr double changesFoot = 0.03;     ///< FootSelector's `stays` [m]
+constexpr int cyclesToFly = 10;          ///< after the kick, before the ball goes on alone
+const double ballRadius = simulation::WorldConfig().field.ballRadius;
+
+/// What is searched, and the standard deviation of the first candidates.
+struct Searched {
+  const char* path;
+  double sigma;
+};
+constexpr Searched searched[] = {
+    {"walk.maxForward", 0.1},        {"walk.maxBackward", 0.05},     {"walk.maxSideways", 0.05},
+    {"walk.maxTurn", 0.3},           {"walk.positionGain", 0.4},     {"walk.headingGain", 0.6},
+    {"walk.nearDistance", 0.1},      {"walk.turnFirst", 0.15},       {"walk.sprintDistance", 0.3},
+    {"walk.curveSpeed", 0.08},       {"approach.avoidRadius", 0.04}, {"approach.stepAngle", 0.2},
+    {"approach.behindAngle", 0.15},  {"toleranceForward", 0.005},    {"toleranceSideways", 0.005},
+    {"toleranceHeading", 0.03},      {"keeps", 0.15},                {"biasGain", 0.4},
+    {"biasDistance", 0.03},          {"maxBias", 0.03}};
+
+int typeOf(const TaskOptions& options) {
+  options.check(withWorldOptions({"type", "motion", "start", "metre", "fall"}));
+  return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
+}
+
+Pose2 onGround(const Pose3& torso) {
+  return Pose2(Vec2(torso.translation().head<2>()), std::atan2(torso.linear()(1, 0), torso.linear()(0, 0)));
+}
+
+/// "walk_maxForward": without dots, which in a file would be maps within maps.
+std::string nameOf(std::string path) {
+  std::ranges::replace(path, '.', '_');
+  return path;
+}
+
+}  // namespace
+
+PositioningTask::PositioningTask(const TaskOptions& options)
+    : worlds_(options, typeOf(options)),
+      ball_(worlds_.engine()),
+      start_(options.number("start", 1.5, 0.3, 10)),
+      metre_(options.number("metre", 0.5, 0, 10)),
+      fall_(options.number("fall", 5, 0, 100)) {
+  const motion::MotionTrial& trial = worlds_.first();
+  const std::string name = options.word("motion", "");
+  for (const motion::KeyframeMotion& motion : trial.motions) {
+    if (!motion.kick || (!name.empty() && motion.name != name)) continue;
+    if (!kick_.kick || motion.kick->distance > kick_.kick->distance) kick_ = motion;
+  }
+  if (!kick_.kick) throw ConfigurationError("option motion: no kick " + name);
+  if (kick_.ball.y() > 0) kick_ = motion::mirrored(kick_);
+  const ConfigFile file("SkillGetBall", motion::MotionTrial::directories(typeOf(options)));
+  readParameters(file.root().section("positioning"), BallPositioningParameters::parameterList(), &first_);
+  BallPositioningParameters::parameterList().visit(
+      &first_, [&](const std::string& path, const Parameter& parameter, const ParameterPointer& value) {
+        for (const Searched& one : searched) {
+          if (path != one.path) continue;
+          paths_.push_back(path);
+          parameters_.push_back({nameOf(path), *std::get<double*>(value), parameter.range.min,
+                                 parameter.range.max, one.sigma});
+        }
+      });
+}
+
+BallPositioningParameters PositioningTask::with(const Eigen::VectorXd& parameters) const {
+  BallPositioningParameters result = first_;
+  BallPositioningParameters::parameterList().visit(
+      &result, [&](const std::string& path, const Parameter&, const ParameterPointer& value) {
+        const auto found = std::ranges::find(paths_, path);
+        if (found != paths_.end()) *std::get<double*>(value) = parameters[found - paths_.begin()];
+      });
+  return result;
+}
+
+/// The way to the ball and the kick, cycle by cycle, as the agent's modules do it.
+struct PositioningTask::Walk {
+  motion::MotionTrial& trial;
+  const motion::KeyframeMotion& kick;
+  const BallPositioningParameters& p;
+  Vec2 offset;
+  BallPositioning positioning{};
+  bool right = true;
+  double seconds = 0;
+  bool fell = false;
+
+  Pose2 robot() const { return onGround(trial.robot.torso().pose); }
+  Vec2 ball() const { return trial.robot.world().ball().pose.translation().head<2>(); }
+  Vec2 seen() const { return robot().inverse() * ball() + offset; }
+  bool kicked() const { return trial.robot.world().ball().linearVelocity.head<2>().norm() > moving; }
+
+  void chooseFoot() {
+    const double left = (robot().position - ball()).y();  // the ball is to go along x
+    if (std::abs(left) > changesFoot) right = left > 0;
+  }
+  /// A cycle of the walk; true once the robot stands and kicks.
+  bool step() {
+    chooseFoot();
+    const double mirror = right ? 1 : -1;
+    const BallPositioning::Wish wish{
+        .ball = seen(),
+        .heading = normalizeAngle(-mirror * kick.kick->direction - robot().heading),
+        .place = Vec2(kick.ball.x(), mirror * kick.ball.y())};
+    const WalkCommand command = positioning.update(wish, wish.ball, p, cycle);
+    const bool there = positioning.atBall();
+    const bool stands = trial.walkStep(command.velocity, command.turn, !there);
+    seconds += cycle;
+    fell = fell || trial.lying();
+    return there && stands;
+  }
+  void play() {
+    const motion::KeyframeMotion motion =
+        motion::shiftedToBall(right ? kick : motion::mirrored(kick), seen());
+    trial.player.start(motion, trial.robot.sense().angle);
+    bool still = false;
+    for (bool gone = false; !trial.player.finished();) {
+      trial.player.step(cycle, still);
+      trial.step(trial.player.angles());
+      still = trial.still();
+      gone = gone || kicked();
+      if (!gone) seconds += cycle;
+    }
+  }
+};
+
+TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed) {
+  motion::MotionTrial& trial = worlds_.of(seed);
+  trial.seed(static_cast<unsigned>(seed * 2654435761U));
+  const double way = trial.random(-pi, pi), heading = trial.random(-pi, pi);
+  const Vec2 place(-6, 0);
+  trial.robot.restart(Pose2(Vec2(place + start_ * Vec2(std::cos(way), std::sin(way))), heading), trial.stand);
+  trial.restarted();
+  trial.robot.world().setBall(Vec3(place.x(), place.y(), ballRadius), Vec3::Zero());
+  const BallPositioningParameters p = with(parameters);
+  const double x = trial.random(-offset, offset), y = trial.random(-offset, offset);
+  Walk walk{.trial = trial, .kick = kick_, .p = p, .offset = Vec2(x, y)};
+
+  bool ready = false;
+  while (!ready && !walk.fell && walk.seconds < mostSeconds) ready = walk.step();
+  const Vec2 from = walk.ball();
+  Vec2 gone = Vec2::Zero();
+  if (ready) {
+    walk.play();
+    trial.beginWalk();
+    for (int i = 0; i < cyclesToFly; ++i) trial.walkStep(Vec2::Zero(), 0, false);
+    gone = ball_.roll(trial.robot.world().ball()).place - from;
+  }
+  const double time = ready ? walk.seconds : mostSeconds;
+  TaskOutcome outcome;
+  outcome.cost = time + (walk.fell ? fall_ : 0) +
+                 metre_ * (std::max(0.0, kick_.kick->distance - gone.x()) + std::abs(gone.y()));
+  outcome.figures = {{"time", time},
+                     {"distance", gone.x()},
+                     {"aside", std::abs(gone.y())},
+                     {"pushed", (from - place).norm()},
+                     {"kicked", ready ? 1.0 : 0.0},
+                     {"fell", walk.fell ? 1.0 : 0.0}};
+  return outcome;
+}
+
+std::string PositioningTask::file(const Eigen::VectorXd& parameters, const std::string& heading,
+                                  const std::map<std::string, double>&) const {
+  std::string text;
+  for (std::size_t i = 0; i < paths_.size(); ++i)
+    text += fmt::format("  {}: {:.4g}\n", paths_[i], parameters[static_cast<Eigen::Index>(i)]);
+  return heading + text;
+}
+
+MAKE_TASK(positioning, {"positioning",
+                        "the way to the ball and the kick: type, motion, start, metre, fall, engine, effects, "
+                        "draws, firstDraw",
+                        [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
+                          return std::make_unique<PositioningTask>(options);
+                        }});
+
+}  // namespace plumbline::training

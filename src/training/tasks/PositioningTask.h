@@ -1,0 +1,45 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robot/KickEffect.h"
+#include "tactics/approach/BallPositioning.h"
+#include "training/SearchTask.h"
+#include "training/tasks/BallRoll.h"
+#include "training/tasks/TrialWorlds.h"
+
+namespace plumbline::training {
+
+/// Kick positioning (Seekircher 2015, 3.1.2): the robot stands 1.5 m from the ball in any direction with any
+/// heading, walks there and kicks. Searched are numbers of BallPositioningParameters; the file is the type's
+/// SkillGetBall.yaml.
+///
+/// Formula 3.3 with the opposite sign, in seconds: the cost of a run is the time to the kick, `metre` seconds
+/// for each metre that the ball comes less far along the wanted direction than the kick carries or goes aside,
+/// and `fall` seconds for a fall. Figures: time to the kick [s], distance along and aside [m], kicked, fell.
+/// Options: type (0), motion (the farthest kick), distance of the start (1.5) [m], metre (0.5), fall (5),
+/// and those of TrialWorlds.
+class PositioningTask : public SearchTask {
+public:
+  explicit PositioningTask(const TaskOptions& options);
+
+  const std::vector<TaskParameter>& parameters() const override { return parameters_; }
+  TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) override;
+  std::string file(const Eigen::VectorXd& parameters, const std::string& heading,
+                   const std::map<std::string, double>& figures) const override;
+
+private:
+  struct Walk;
+  BallPositioningParameters with(const Eigen::VectorXd& parameters) const;
+
+  TrialWorlds worlds_;
+  BallRoll ball_;
+  motion::KeyframeMotion kick_;  ///< with the right foot
+  double start_, metre_, fall_;
+  BallPositioningParameters first_;
+  std::vector<std::string> paths_;  ///< of the parameters that are searched
+  std::vector<TaskParameter> parameters_;
+};
+
+}  // namespace plumbline::training
