@@ -6,7 +6,7 @@
 namespace plumbline {
 
 namespace {
-constexpr double turnEffort = 0.8;  ///< share of the curve's speed that the fastest turn takes away
+constexpr double ahead = 0.2;  ///< a target within this angle is straight ahead [rad]
 }  // namespace
 
 Vec2 limitVelocity(const Vec2& velocity, const WalkToPoseParameters& parameters) {
@@ -28,6 +28,8 @@ WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& 
   }
   const double bearing = std::atan2(T_robot_target.y(), T_robot_target.x());
   command.turn = limitTurn(parameters.headingGain * bearing);
+  const double curve =
+      parameters.curveSpeed * (1 - parameters.turnEffort * std::abs(command.turn) / parameters.maxTurn);
   if (std::abs(bearing) < parameters.turnFirst) {
     // Slower while still turning: a fast walk in a tight curve swings out and loses time.
     double speed = parameters.maxForward * std::pow(std::cos(bearing), 3);
@@ -40,11 +42,14 @@ WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& 
         command.turn = std::clamp(command.turn, -parameters.sprintTurn, parameters.sprintTurn);
         speed = parameters.maxForward;  // less of it would end the sprint
       } else {                          // what is left of the walk's effort turns
-        speed = std::min(
-            speed, parameters.curveSpeed * (1 - turnEffort * std::abs(command.turn) / parameters.maxTurn));
+        speed = std::min(speed, curve);
       }
     }
     command.velocity = limitVelocity({std::min(speed, parameters.positionGain * distance), 0}, parameters);
+  }
+  if (parameters.turnWalking > 0 && !command.sprint && std::abs(bearing) > ahead) {
+    const double speed = parameters.turnWalking * std::min(parameters.positionGain * distance, curve);
+    command.velocity = limitVelocity(speed / distance * T_robot_target.position, parameters);
   }
   return command;
 }

@@ -31,6 +31,10 @@ struct WalkToPoseParameters {
   PARAMETER(double, sprintTurn, 0.1, "rad/s", Range(0, 3), "fastest turn in a sprint")
   PARAMETER(double, curveSpeed, 0.4, "m/s", Range(0.01, 3),
             "fastest walk forward while it turns to the target")
+  PARAMETER(double, turnEffort, 0.8, "", Range(0, 1), "share of that speed which the fastest turn takes away")
+  PARAMETER(double, turnWalking, 0, "", Range(0, 3),
+            "with this share of that speed it walks to the target while it still turns to it, whatever "
+            "direction that is of its body; 0: forward only, and only within turnFirst")
 };
 
 /// A walk request in the robot's frame [m/s, rad/s].

@@ -19,8 +19,8 @@ constexpr double mostSeconds = 20;       ///< for the way to the ball
 constexpr double moving = 0.3;           ///< speed of a ball that was kicked or pushed away [m/s]
 constexpr double offset = 0.005;         ///< of the camera, in every image of a run, as the league's [m]
 constexpr double changesFoot = 0.03;     ///< FootSelector's `stays` [m]
-constexpr int cyclesToFly = 10;          ///< after the kick, before the ball goes on alone
-const double ballRadius = simulation::WorldConfig().field.ballRadius;
+constexpr int cyclesAfter = 10;          ///< after the kick, before the ball goes on alone
+
 
 /// What is searched, and the standard deviation of the first candidates.
 struct Searched {
@@ -31,7 +31,7 @@ constexpr Searched searched[] = {
     {"walk.maxForward", 0.1},        {"walk.maxBackward", 0.05},     {"walk.maxSideways", 0.05},
     {"walk.maxTurn", 0.3},           {"walk.positionGain", 0.4},     {"walk.headingGain", 0.6},
     {"walk.nearDistance", 0.1},      {"walk.turnFirst", 0.15},       {"walk.sprintDistance", 0.3},
-    {"walk.curveSpeed", 0.08},       {"approach.avoidRadius", 0.04}, {"approach.stepAngle", 0.2},
+    {"walk.curveSpeed", 0.08}, {"walk.turnEffort", 0.1}, {"walk.turnWalking", 0.3},       {"approach.avoidRadius", 0.04}, {"approach.stepAngle", 0.2},
     {"approach.behindAngle", 0.15},  {"toleranceForward", 0.005},    {"toleranceSideways", 0.005},
     {"toleranceHeading", 0.03},      {"keeps", 0.15},                {"biasGain", 0.4},
     {"biasDistance", 0.03},          {"maxBias", 0.03}};
@@ -41,7 +41,7 @@ int typeOf(const TaskOptions& options) {
   return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
 }
 
-Pose2 onGround(const Pose3& torso) {
+Pose2 groundPlace(const Pose3& torso) {
   return Pose2(Vec2(torso.translation().head<2>()), std::atan2(torso.linear()(1, 0), torso.linear()(0, 0)));
 }
 
@@ -100,8 +100,9 @@ struct PositioningTask::Walk {
   bool right = true;
   double seconds = 0;
   bool fell = false;
+  double lost = 0, ex = 0, ey = 0, eh = 0, stopping = 0; bool was = false; double faces = -1, one = -1, half = -1, near = -1, almost = -1, first = -1;
 
-  Pose2 robot() const { return onGround(trial.robot.torso().pose); }
+  Pose2 robot() const { return groundPlace(trial.robot.torso().pose); }
   Vec2 ball() const { return trial.robot.world().ball().pose.translation().head<2>(); }
   Vec2 seen() const { return robot().inverse() * ball() + offset; }
   bool kicked() const { return trial.robot.world().ball().linearVelocity.head<2>().norm() > moving; }
@@ -120,7 +121,22 @@ struct PositioningTask::Walk {
         .place = Vec2(kick.ball.x(), mirror * kick.ball.y())};
     const WalkCommand command = positioning.update(wish, wish.ball, p, cycle);
     const bool there = positioning.atBall();
-    const bool stands = trial.walkStep(command.velocity, command.turn, !there);
+    auto output = trial.walkOutput(command.velocity, command.turn, !there);
+    {
+      const double e = (wish.ball - Eigen::Rotation2Dd(wish.heading) * wish.place).norm(), h = std::abs(wish.heading);
+      if (faces < 0 && std::abs(std::atan2(wish.ball.y(), wish.ball.x())) < 0.3) faces = seconds;
+      if (one < 0 && wish.ball.norm() < 1) one = seconds;
+      if (half < 0 && wish.ball.norm() < 0.5) half = seconds;
+      if (near < 0 && e < 0.15 && h < 0.6) near = seconds;
+      if (almost < 0 && e < 0.04 && h < 0.2) almost = seconds;
+      if (first < 0 && there) first = seconds;
+      if (was && !there) ++lost;
+      if (there && !was) stopping = seconds;
+      was = there;
+      ex = wish.ball.x() - wish.place.x(); ey = wish.ball.y() - wish.place.y(); eh = wish.heading;
+    }
+    trial.step(output.angles);
+    const bool stands = output.standing;
     seconds += cycle;
     fell = fell || trial.lying();
     return there && stands;
@@ -147,7 +163,7 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
   const Vec2 place(-6, 0);
   trial.robot.restart(Pose2(Vec2(place + start_ * Vec2(std::cos(way), std::sin(way))), heading), trial.stand);
   trial.restarted();
-  trial.robot.world().setBall(Vec3(place.x(), place.y(), ballRadius), Vec3::Zero());
+  trial.robot.world().setBall(Vec3(place.x(), place.y(), 0.042), Vec3::Zero());
   const BallPositioningParameters p = with(parameters);
   const double x = trial.random(-offset, offset), y = trial.random(-offset, offset);
   Walk walk{.trial = trial, .kick = kick_, .p = p, .offset = Vec2(x, y)};
@@ -155,11 +171,12 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
   bool ready = false;
   while (!ready && !walk.fell && walk.seconds < mostSeconds) ready = walk.step();
   const Vec2 from = walk.ball();
+  const double seenStop = walk.seconds;
   Vec2 gone = Vec2::Zero();
   if (ready) {
     walk.play();
     trial.beginWalk();
-    for (int i = 0; i < cyclesToFly; ++i) trial.walkStep(Vec2::Zero(), 0, false);
+    for (int i = 0; i < cyclesAfter; ++i) trial.walkStep(Vec2::Zero(), 0, false);
     gone = ball_.roll(trial.robot.world().ball()).place - from;
   }
   const double time = ready ? walk.seconds : mostSeconds;
@@ -171,6 +188,7 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
                      {"aside", std::abs(gone.y())},
                      {"pushed", (from - place).norm()},
                      {"kicked", ready ? 1.0 : 0.0},
+                     {"faces", walk.faces}, {"one", walk.one}, {"half", walk.half},{"near", walk.near},{"almost", walk.almost},{"ofirst", walk.first},{"lost", walk.lost},{"stop", seenStop - walk.stopping},{"ex", std::abs(walk.ex)},{"ey", std::abs(walk.ey)},{"eh", std::abs(walk.eh)},{"mx", walk.ex},{"my", walk.right ? walk.ey : -walk.ey},{"mh", walk.right ? walk.eh : -walk.eh},
                      {"fell", walk.fell ? 1.0 : 0.0}};
   return outcome;
 }

@@ -16,6 +16,8 @@ StepLimits stepLimits(const WalkParameters& p, const LegKinematics& leg) {
   const double drop = p.posture.hipHeight - leg.ankleHeight();
   limits.reach = 0.95 * std::sqrt(std::max(0.0, leg.maxReach() * leg.maxReach() - drop * drop));
   limits.restX = p.model.copForward;
+  limits.calmRate = p.startStop.calmRate;
+  limits.calmTime = p.startStop.calmTime;
   limits.minDuration = p.step.minDuration;
   limits.maxDuration = p.step.maxDuration;
   return limits;

@@ -14,6 +14,8 @@ struct StepLimits {
   double minDuration = 0.12, maxDuration = 0.3;  ///< of a whole step [s]
   double maxTurnRate = 2.5;                      ///< of the torso over the supporting foot [rad/s]
   double restX = 0;                  ///< centre of mass before the soles' centres when standing [m]
+  double calmRate = 6;               ///< of its way to there, on both feet [1/s]
+  double calmTime = 0.15;            ///< in which it takes up that velocity [s]
   Vec2 pressure = Vec2(0.05, 0.02);  ///< centre of pressure at most this far from a sole's centre [m]
 };
 

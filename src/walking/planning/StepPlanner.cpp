@@ -125,19 +125,17 @@ WalkAction StepPlanner::start(const WalkState& state, double duration, Side firs
 
 Vec2 StepPlanner::calmingPressure(const WalkState& state) const {
   // After a short while the mass shall move to the middle, slower the nearer it is.
-  constexpr double horizon = 0.15;   // [s]
-  constexpr double convergence = 6;  // [1/s]
   const Vec2 middle = (state.foot[0].position + state.foot[1].position) / 2 + Vec2(limits_.restX, 0);
   WalkState both = state;
   both.support = Support::both;
   WalkAction action;
-  action.duration = horizon;
+  action.duration = limits_.calmTime;
   const PlanarRoot root = findPlanarRoot(
       [&](const Vec2& pressure) {
         action.centerOfPressure = pressure;
         const WalkState end = model_.predict(both, action);
         const Vec2 middleThen = (end.foot[0].position + end.foot[1].position) / 2 + Vec2(limits_.restX, 0);
-        return Vec2(end.velocity - convergence * middleThen);
+        return Vec2(end.velocity - limits_.calmRate * middleThen);
       },
       middle, settledVelocity, mostCorrections);
   return root.x.allFinite() ? root.x : middle;
