@@ -32,15 +32,15 @@ public:
     double heading = 0;         ///< of the robot when it plays the ball, relative to its present one
     Vec2 place = Vec2::Zero();  ///< where the ball has to lie then, in the frame that the robot has then
     double beyond = 0;  ///< a robot behind the ball, on its line, aims this far beyond the place, to dribble
-    std::optional<Vec2> detour{};        ///< a way point that comes first
-    double hurry = 1;                     ///< tolerances are multiplied by this
+    std::optional<Vec2> detour{};              ///< a way point that comes first
+    double hurry = 1;                          ///< tolerances are multiplied by this
     std::optional<double> headingTolerance{};  ///< instead of the parameter's
   };
 
   /// A cycle of dt [s]. ball: as seen, whether it is where the robot wants it.
   WalkCommand update(const Wish& wish, const Vec2& ball, const BallPositioningParameters& p, double dt);
-  /// The robot stands exactly enough. From then on a larger error is allowed (`keeps`): a walk that alternates
-  /// between stopping and walking never comes to rest.
+  /// The robot stands exactly enough. From then on a larger error is allowed (`keeps`): a walk that
+  /// alternates between stopping and walking never comes to rest.
   bool atBall() const { return atBall_; }
   /// No ball is wanted in this cycle. What was learned of the walk's drift stays.
   void leave() { atBall_ = sprinting_ = false; }

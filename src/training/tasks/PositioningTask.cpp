@@ -14,29 +14,44 @@
 namespace plumbline::training {
 namespace {
 
-constexpr double cycle = motion::MotionTrial::dt;
-constexpr double mostSeconds = 20;       ///< for the way to the ball
-constexpr double moving = 0.3;           ///< speed of a ball that was kicked or pushed away [m/s]
-constexpr double offset = 0.005;         ///< of the camera, in every image of a run, as the league's [m]
-constexpr double changesFoot = 0.03;     ///< FootSelector's `stays` [m]
-constexpr int cyclesAfter = 10;          ///< after the kick, before the ball goes on alone
+using motion::MotionTrial;
 
+constexpr double mostSeconds = 20;      // for the way to the ball
+constexpr double kickedSpeed = 0.3;     // of a ball that was kicked [m/s]
+constexpr double cameraOffset = 0.005;  // at most, in every image of a run, as the league's [m]
+constexpr double changesFoot = 0.03;    // FootSelector's `stays` [m]
+constexpr int cyclesAfter = 10;         // after the kick, before the ball goes on alone
+const Vec2 ballPlace(-6, 0);            // nothing stands in the way of a ball that is kicked from here [m]
 
 /// What is searched, and the standard deviation of the first candidates.
 struct Searched {
   const char* path;
   double sigma;
 };
-constexpr Searched searched[] = {
-    {"walk.maxForward", 0.1},        {"walk.maxBackward", 0.05},     {"walk.maxSideways", 0.05},
-    {"walk.maxTurn", 0.3},           {"walk.positionGain", 0.4},     {"walk.headingGain", 0.6},
-    {"walk.nearDistance", 0.1},      {"walk.turnFirst", 0.15},       {"walk.sprintDistance", 0.3},
-    {"walk.curveSpeed", 0.08}, {"walk.turnEffort", 0.1}, {"walk.turnWalking", 0.3},       {"approach.avoidRadius", 0.04}, {"approach.stepAngle", 0.2},
-    {"approach.behindAngle", 0.15},  {"toleranceForward", 0.005},    {"toleranceSideways", 0.005},
-    {"toleranceHeading", 0.03},      {"keeps", 0.15},                {"biasGain", 0.4},
-    {"biasDistance", 0.03},          {"maxBias", 0.03}};
+constexpr Searched searchedNumbers[] = {{"walk.maxForward", 0.1},
+                                        {"walk.maxBackward", 0.05},
+                                        {"walk.maxSideways", 0.05},
+                                        {"walk.maxTurn", 0.3},
+                                        {"walk.positionGain", 0.4},
+                                        {"walk.headingGain", 0.6},
+                                        {"walk.nearDistance", 0.1},
+                                        {"walk.turnFirst", 0.15},
+                                        {"walk.sprintDistance", 0.3},
+                                        {"walk.curveSpeed", 0.08},
+                                        {"walk.turnEffort", 0.1},
+                                        {"walk.turnWalking", 0.3},
+                                        {"approach.avoidRadius", 0.04},
+                                        {"approach.stepAngle", 0.2},
+                                        {"approach.behindAngle", 0.15},
+                                        {"toleranceForward", 0.005},
+                                        {"toleranceSideways", 0.005},
+                                        {"toleranceHeading", 0.03},
+                                        {"keeps", 0.15},
+                                        {"biasGain", 0.4},
+                                        {"biasDistance", 0.03},
+                                        {"maxBias", 0.03}};
 
-int typeOf(const TaskOptions& options) {
+int robotType(const TaskOptions& options) {
   options.check(withWorldOptions({"type", "motion", "start", "metre", "fall"}));
   return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
 }
@@ -51,15 +66,17 @@ std::string nameOf(std::string path) {
   return path;
 }
 
+std::string printed(double value) { return fmt::format("{:.4g}", value); }
+
 }  // namespace
 
 PositioningTask::PositioningTask(const TaskOptions& options)
-    : worlds_(options, typeOf(options)),
+    : worlds_(options, robotType(options)),
       ball_(worlds_.engine()),
       start_(options.number("start", 1.5, 0.3, 10)),
       metre_(options.number("metre", 0.5, 0, 10)),
       fall_(options.number("fall", 5, 0, 100)) {
-  const motion::MotionTrial& trial = worlds_.first();
+  const MotionTrial& trial = worlds_.first();
   const std::string name = options.word("motion", "");
   for (const motion::KeyframeMotion& motion : trial.motions) {
     if (!motion.kick || (!name.empty() && motion.name != name)) continue;
@@ -67,15 +84,15 @@ PositioningTask::PositioningTask(const TaskOptions& options)
   }
   if (!kick_.kick) throw ConfigurationError("option motion: no kick " + name);
   if (kick_.ball.y() > 0) kick_ = motion::mirrored(kick_);
-  const ConfigFile file("SkillGetBall", motion::MotionTrial::directories(typeOf(options)));
+  const ConfigFile file("SkillGetBall", MotionTrial::directories(robotType(options)));
   readParameters(file.root().section("positioning"), BallPositioningParameters::parameterList(), &first_);
   BallPositioningParameters::parameterList().visit(
       &first_, [&](const std::string& path, const Parameter& parameter, const ParameterPointer& value) {
-        for (const Searched& one : searched) {
+        for (const Searched& one : searchedNumbers) {
           if (path != one.path) continue;
           paths_.push_back(path);
-          parameters_.push_back({nameOf(path), *std::get<double*>(value), parameter.range.min,
-                                 parameter.range.max, one.sigma});
+          parameters_.push_back(
+              {nameOf(path), *std::get<double*>(value), parameter.range.min, parameter.range.max, one.sigma});
         }
       });
 }
@@ -85,14 +102,15 @@ BallPositioningParameters PositioningTask::with(const Eigen::VectorXd& parameter
   BallPositioningParameters::parameterList().visit(
       &result, [&](const std::string& path, const Parameter&, const ParameterPointer& value) {
         const auto found = std::ranges::find(paths_, path);
-        if (found != paths_.end()) *std::get<double*>(value) = parameters[found - paths_.begin()];
+        if (found != paths_.end())
+          *std::get<double*>(value) = std::stod(printed(parameters[found - paths_.begin()]));
       });
   return result;
 }
 
 /// The way to the ball and the kick, cycle by cycle, as the agent's modules do it.
 struct PositioningTask::Walk {
-  motion::MotionTrial& trial;
+  MotionTrial& trial;
   const motion::KeyframeMotion& kick;
   const BallPositioningParameters& p;
   Vec2 offset;
@@ -100,12 +118,14 @@ struct PositioningTask::Walk {
   bool right = true;
   double seconds = 0;
   bool fell = false;
-  double lost = 0, ex = 0, ey = 0, eh = 0, stopping = 0; bool was = false; double faces = -1, one = -1, half = -1, near = -1, almost = -1, first = -1;
+  double first = -1;  ///< time at which the ball first lay right [s]
+  bool was = false;
+  int lost = 0;  ///< times that it then did no more before the robot stood
 
   Pose2 robot() const { return groundPlace(trial.robot.torso().pose); }
   Vec2 ball() const { return trial.robot.world().ball().pose.translation().head<2>(); }
   Vec2 seen() const { return robot().inverse() * ball() + offset; }
-  bool kicked() const { return trial.robot.world().ball().linearVelocity.head<2>().norm() > moving; }
+  bool kicked() const { return trial.robot.world().ball().linearVelocity.head<2>().norm() > kickedSpeed; }
 
   void chooseFoot() {
     const double left = (robot().position - ball()).y();  // the ball is to go along x
@@ -119,25 +139,13 @@ struct PositioningTask::Walk {
         .ball = seen(),
         .heading = normalizeAngle(-mirror * kick.kick->direction - robot().heading),
         .place = Vec2(kick.ball.x(), mirror * kick.ball.y())};
-    const WalkCommand command = positioning.update(wish, wish.ball, p, cycle);
+    const WalkCommand command = positioning.update(wish, wish.ball, p, MotionTrial::dt);
     const bool there = positioning.atBall();
-    auto output = trial.walkOutput(command.velocity, command.turn, !there);
-    {
-      const double e = (wish.ball - Eigen::Rotation2Dd(wish.heading) * wish.place).norm(), h = std::abs(wish.heading);
-      if (faces < 0 && std::abs(std::atan2(wish.ball.y(), wish.ball.x())) < 0.3) faces = seconds;
-      if (one < 0 && wish.ball.norm() < 1) one = seconds;
-      if (half < 0 && wish.ball.norm() < 0.5) half = seconds;
-      if (near < 0 && e < 0.15 && h < 0.6) near = seconds;
-      if (almost < 0 && e < 0.04 && h < 0.2) almost = seconds;
-      if (first < 0 && there) first = seconds;
-      if (was && !there) ++lost;
-      if (there && !was) stopping = seconds;
-      was = there;
-      ex = wish.ball.x() - wish.place.x(); ey = wish.ball.y() - wish.place.y(); eh = wish.heading;
-    }
-    trial.step(output.angles);
-    const bool stands = output.standing;
-    seconds += cycle;
+    const bool stands = trial.walkStep(command.velocity, command.turn, !there);
+    if (there && first < 0) first = seconds;
+    if (was && !there) ++lost;
+    was = there;
+    seconds += MotionTrial::dt;
     fell = fell || trial.lying();
     return there && stands;
   }
@@ -147,31 +155,31 @@ struct PositioningTask::Walk {
     trial.player.start(motion, trial.robot.sense().angle);
     bool still = false;
     for (bool gone = false; !trial.player.finished();) {
-      trial.player.step(cycle, still);
+      trial.player.step(MotionTrial::dt, still);
       trial.step(trial.player.angles());
       still = trial.still();
       gone = gone || kicked();
-      if (!gone) seconds += cycle;
+      if (!gone) seconds += MotionTrial::dt;
     }
   }
 };
 
 TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed) {
-  motion::MotionTrial& trial = worlds_.of(seed);
+  MotionTrial& trial = worlds_.of(seed);
   trial.seed(static_cast<unsigned>(seed * 2654435761U));
   const double way = trial.random(-pi, pi), heading = trial.random(-pi, pi);
-  const Vec2 place(-6, 0);
-  trial.robot.restart(Pose2(Vec2(place + start_ * Vec2(std::cos(way), std::sin(way))), heading), trial.stand);
+  trial.robot.restart(Pose2(Vec2(ballPlace + start_ * Vec2(std::cos(way), std::sin(way))), heading),
+                      trial.stand);
   trial.restarted();
-  trial.robot.world().setBall(Vec3(place.x(), place.y(), 0.042), Vec3::Zero());
+  trial.robot.world().setBall(Vec3(ballPlace.x(), ballPlace.y(), simulation::WorldConfig().field.ballRadius),
+                              Vec3::Zero());
   const BallPositioningParameters p = with(parameters);
-  const double x = trial.random(-offset, offset), y = trial.random(-offset, offset);
+  const double x = trial.random(-cameraOffset, cameraOffset), y = trial.random(-cameraOffset, cameraOffset);
   Walk walk{.trial = trial, .kick = kick_, .p = p, .offset = Vec2(x, y)};
 
   bool ready = false;
   while (!ready && !walk.fell && walk.seconds < mostSeconds) ready = walk.step();
   const Vec2 from = walk.ball();
-  const double seenStop = walk.seconds;
   Vec2 gone = Vec2::Zero();
   if (ready) {
     walk.play();
@@ -186,26 +194,37 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
   outcome.figures = {{"time", time},
                      {"distance", gone.x()},
                      {"aside", std::abs(gone.y())},
-                     {"pushed", (from - place).norm()},
+                     {"pushed", (from - ballPlace).norm()},
                      {"kicked", ready ? 1.0 : 0.0},
-                     {"faces", walk.faces}, {"one", walk.one}, {"half", walk.half},{"near", walk.near},{"almost", walk.almost},{"ofirst", walk.first},{"lost", walk.lost},{"stop", seenStop - walk.stopping},{"ex", std::abs(walk.ex)},{"ey", std::abs(walk.ey)},{"eh", std::abs(walk.eh)},{"mx", walk.ex},{"my", walk.right ? walk.ey : -walk.ey},{"mh", walk.right ? walk.eh : -walk.eh},
+                     {"there", walk.first},
+                     {"lost", static_cast<double>(walk.lost)},
                      {"fell", walk.fell ? 1.0 : 0.0}};
   return outcome;
 }
 
 std::string PositioningTask::file(const Eigen::VectorXd& parameters, const std::string& heading,
                                   const std::map<std::string, double>&) const {
-  std::string text;
-  for (std::size_t i = 0; i < paths_.size(); ++i)
-    text += fmt::format("  {}: {:.4g}\n", paths_[i], parameters[static_cast<Eigen::Index>(i)]);
-  return heading + text;
+  std::string comments = "# ";
+  for (const char c : heading) comments += c == '\n' ? std::string("\n# ") : std::string(1, c);
+  std::string text = comments + "\n" + overlayLine("SkillGetBall.yaml", paths_.size()) + "\npositioning:\n",
+              group;
+  for (std::size_t i = 0; i < paths_.size(); ++i) {
+    const std::size_t dot = paths_[i].find('.');
+    const std::string in = dot == std::string::npos ? "" : paths_[i].substr(0, dot);
+    if (in != group && !in.empty()) text += "  " + in + ":\n";
+    group = in;
+    text += (in.empty() ? "  " : "    ") + paths_[i].substr(in.empty() ? 0 : dot + 1) + ": " +
+            printed(parameters[static_cast<Eigen::Index>(i)]) + "\n";
+  }
+  return text;
 }
 
-MAKE_TASK(positioning, {"positioning",
-                        "the way to the ball and the kick: type, motion, start, metre, fall, engine, effects, "
-                        "draws, firstDraw",
-                        [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
-                          return std::make_unique<PositioningTask>(options);
-                        }});
+MAKE_TASK(positioning,
+          {"positioning",
+           "the way to the ball and the kick: type, motion, start, metre, fall, engine, effects, "
+           "draws, firstDraw",
+           [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
+             return std::make_unique<PositioningTask>(options);
+           }});
 
 }  // namespace plumbline::training
