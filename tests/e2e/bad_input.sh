@@ -88,10 +88,10 @@ printf '# Striker.\n  kickAllowed: true\nballMaxAge: 3\n' > "$c/Striker2.yaml"
 expectError 2 "agent: $c/Striker2.yaml:3: is indented less than the first key in line 2; all keys of a map begin in the same column" "${agent[@]}"
 rm "$c/Striker2.yaml"
 # A type's file that lost a line.
-printf 'overlay: {base: kick.yaml, values: 2}\ntoleranceX: 0.03\n' > "$c/robots/type4/kick.yaml"
-expectError 2 "agent: $c/robots/type4/kick.yaml:1: overlay.values is 2, but there are 1 in the file: was a line lost or added? If not, write 1" \
+printf 'overlay: {base: SkillDribble.yaml, values: 2}\nwalk: {maxTurn: 2}\n' > "$c/robots/type4/SkillDribble.yaml"
+expectError 2 "agent: $c/robots/type4/SkillDribble.yaml:1: overlay.values is 2, but there are 1 in the file: was a line lost or added? If not, write 1" \
   "${agent[@]}" --type 4
-rm "$c/robots/type4/kick.yaml"
+rm "$c/robots/type4/SkillDribble.yaml"
 
 # Robots.
 sed 's/"max_speed"/"max_sped"/' config/robots/xl330_pendulum.json > "$scratch/arm.json"

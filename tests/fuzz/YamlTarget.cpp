@@ -57,7 +57,7 @@ std::vector<std::string> yamlFileSeeds() {
       "number: !!float 3\nword: |\n  two\n  lines\n? [a]\n: b\n",
       "---\nnumber: 1\n---\nnumber: 2\n",
       contentOf("config/walking.yaml"),
-      contentOf("config/field.yaml") + "\n---8<---\n" + contentOf("config/kick.yaml"),
+      contentOf("config/field.yaml") + "\n---8<---\n" + contentOf("config/SkillGetBall.yaml"),
       std::string(60, '[')};
 }
 std::vector<std::string> yamlValueSeeds() {

@@ -82,7 +82,7 @@ PositioningTask::PositioningTask(const TaskOptions& options)
     if (!motion.kick || (!name.empty() && motion.name != name)) continue;
     if (!kick_.kick || motion.kick->distance > kick_.kick->distance) kick_ = motion;
   }
-  if (!kick_.kick) throw ConfigurationError("option motion: no kick " + name);
+  if (!kick_.kick) throw ConfigurationError("option motion: " + name + " is no kick of this robot");
   if (kick_.ball.y() > 0) kick_ = motion::mirrored(kick_);
   const ConfigFile file("SkillGetBall", MotionTrial::directories(robotType(options)));
   readParameters(file.root().section("positioning"), BallPositioningParameters::parameterList(), &first_);

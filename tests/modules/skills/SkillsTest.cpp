@@ -59,12 +59,22 @@ struct GetBallTest : testing::Test {
     harness.input<ActiveFoot>();
     harness.input<SkillKickOutput>();  // how a skill wants to stand at the ball, its output says
   }
+  /// How exactly it has to stand, instead of what the configuration says; after the inputs were named.
+  void setTolerances(double heading = 0.15) {
+    BallPositioningParameters& p = harness.module().positioning;
+    p.toleranceForward = p.toleranceSideways = 0.03;
+    p.toleranceHeading = heading;
+    p.keeps = 1.4;
+    p.biasGain = 1.5;
+    p.biasDistance = p.maxBias = 0.15;
+  }
   // The robot at the origin looks along x, the ball lies here, and shall go along x.
   const SkillGetBallOutput& ballAt(const Vec2& ball, const char* skill = Skill::kick) {
     request(harness.input<SkillRequest>(), skill, Pose2(10, ball.y(), 0));
     harness.input<RobotPose>().pose = Pose2();
     harness.input<BallPos>().relative = ball;
     harness.input<BallPos>().field = ball;
+    setTolerances();
     harness.cycle();
     return harness.output<SkillGetBallOutput>();
   }
@@ -177,7 +187,7 @@ TEST_F(KicksTest, standsWhereTheKickWantsTheBallAndTurnedByItsDirection) {
   harness.input<SkillRequest>().target = Pose2(5, -0.04, 0);
   BallPos& ball = harness.input<BallPos>();
   ball.relative = ball.field = Vec2(0.20, -0.04);
-  harness.input<SkillKickParameters>().headingTolerance = 0.01;
+  setTolerances(0.01);
   harness.cycle();
   EXPECT_FALSE(harness.output<SkillGetBallOutput>().atBall) << "it would kick 0.1 rad to the left";
   // The robot turned to the right by as much, the ball at the same place relative to it.

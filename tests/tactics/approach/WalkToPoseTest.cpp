@@ -31,6 +31,20 @@ TEST(WalkToPose, turnsFirstToATargetBehind) {
   EXPECT_NEAR(command.turn, 1.5, 1e-12);
 }
 
+TEST(WalkToPose, mayWalkToATargetThatItStillTurnsTo) {
+  WalkToPoseParameters turning = parameters;
+  turning.turnWalking = 0.5;
+  turning.curveSpeed = 0.4;
+  turning.turnEffort = 0.75;
+  // A quarter of the curve's speed is left, half of it walks to the left, where the target is.
+  const WalkCommand command = walkToPose(Pose2(0, 3), turning);
+  EXPECT_NEAR(command.turn, 1.5, 1e-12);
+  EXPECT_NEAR(command.velocity.x(), 0, 1e-12);
+  EXPECT_NEAR(command.velocity.y(), 0.05, 1e-12);
+  EXPECT_EQ(walkToPose(Pose2(3, 0), turning).velocity, walkToPose(Pose2(3, 0), parameters).velocity)
+      << "straight ahead";
+}
+
 TEST(WalkToPose, walksFastAheadAndTakesTheFinalHeadingNearTheTarget) {
   EXPECT_NEAR(walkToPose(Pose2(3, 0, 2.0), parameters).velocity.x(), 0.5, 1e-12);
   EXPECT_EQ(walkToPose(Pose2(3, 0, 2.0), parameters).turn, 0);

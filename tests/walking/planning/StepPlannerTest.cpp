@@ -156,5 +156,24 @@ TEST_F(StepPlannerTest, standBringsTheMassToRestInTheMiddle) {
   EXPECT_FALSE(planner.canStand(state));
 }
 
+TEST_F(StepPlannerTest, standsSoonerWhenTheMassMovesFasterToTheMiddle) {
+  const auto secondsToTheMiddle = [this] {
+    WalkState state = standing();
+    state.velocity = Vec2(0, 0.15);
+    int cycles = 0;
+    for (; cycles < 100; ++cycles) {
+      const Vec2 middle = (state.foot[0].position + state.foot[1].position) / 2;
+      if (cycles > 0 && state.velocity.norm() < 0.02 && middle.norm() < 0.005) break;
+      state = model().predict(state, planner.stand(state, 0.02));
+    }
+    return 0.02 * cycles;
+  };
+  const double slow = secondsToTheMiddle();
+  limits.calmRate = 20;
+  limits.calmTime = 0.1;
+  planner.setLimits(limits);
+  EXPECT_LT(secondsToTheMiddle(), 0.7 * slow);
+}
+
 }  // namespace
 }  // namespace plumbline::walking

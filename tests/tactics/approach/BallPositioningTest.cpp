@@ -1,0 +1,87 @@
+#include "tactics/approach/BallPositioning.h"
+
+#include <gtest/gtest.h>
+
+using namespace plumbline;
+
+namespace {
+
+struct BallPositioningTest : testing::Test {
+  BallPositioningTest() {
+    p.toleranceForward = 0.03;
+    p.toleranceSideways = 0.02;
+    p.toleranceHeading = 0.15;
+    p.keeps = 1.5;
+  }
+  /// The robot is to have the ball at (0.2, 0) and looks where it is to look, off by `heading`.
+  WalkCommand see(const Vec2& ball, double heading = 0) {
+    wish.ball = ball;
+    wish.heading = heading;
+    return positioning.update(wish, ball, p, 0.02);
+  }
+  bool atBall(const Vec2& ball, double heading = 0) {
+    see(ball, heading);
+    return positioning.atBall();
+  }
+
+  BallPositioningParameters p;
+  BallPositioning::Wish wish{.place = Vec2(0.2, 0)};
+  BallPositioning positioning;
+};
+
+TEST_F(BallPositioningTest, isAtTheBallWithinItsTolerancesAndStaysThereALittleLonger) {
+  EXPECT_FALSE(atBall({0.24, 0}));
+  EXPECT_FALSE(atBall({0.2, 0.025}));
+  EXPECT_FALSE(atBall({0.2, 0}, 0.2));
+  EXPECT_TRUE(atBall({0.22, 0.015}, 0.1));
+  EXPECT_TRUE(atBall({0.24, 0.025}, 0.2)) << "within 1.5 tolerances";
+  EXPECT_FALSE(atBall({0.25, 0}));
+  EXPECT_FALSE(atBall({0.24, 0})) << "not there any more";
+}
+
+TEST_F(BallPositioningTest, aHurryMakesTheTolerancesLarger) {
+  wish.hurry = 2;
+  EXPECT_TRUE(atBall({0.25, 0.035}, 0.25));
+  positioning.leave();
+  wish.headingTolerance = 0.05;
+  EXPECT_FALSE(atBall({0.25, 0.035}, 0.06)) << "what was asked for the heading is not enlarged";
+}
+
+TEST_F(BallPositioningTest, aRobotThatLeftTheBallHasToStandExactlyAgain) {
+  EXPECT_TRUE(atBall({0.2, 0}));
+  positioning.leave();
+  EXPECT_FALSE(atBall({0.24, 0}));
+}
+
+TEST_F(BallPositioningTest, whatIsSeenDecidesAndWhereTheBallWillBeIsWalkedTo) {
+  wish.ball = Vec2(1, 0);
+  const WalkCommand command = positioning.update(wish, Vec2(0.2, 0), p, 0.02);
+  EXPECT_TRUE(positioning.atBall());
+  EXPECT_GT(command.velocity.x(), 0.3);
+}
+
+TEST_F(BallPositioningTest, learnsADriftNearTheBallAndForgetsItFarAway) {
+  p.biasGain = 1;
+  p.maxBias = 0.05;
+  p.walk.positionGain = 2;
+  const double first = see({0.25, 0}).velocity.x();
+  EXPECT_NEAR(first, 0.1 + 0.02 * 0.05, 1e-9);
+  double last = 0;
+  for (int i = 0; i < 200; ++i) last = see({0.25, 0}).velocity.x();
+  EXPECT_NEAR(last, 0.15, 1e-9) << "the largest drift";
+  see({1, 0});
+  EXPECT_NEAR(see({0.25, 0}).velocity.x(), first, 1e-9);
+}
+
+TEST_F(BallPositioningTest, aDribblerBehindTheBallAimsBeyondIt) {
+  const double without = see({0.3, 0}).velocity.x();
+  wish.beyond = 0.2;
+  EXPECT_GT(see({0.3, 0}).velocity.x(), without + 0.1);
+}
+
+TEST_F(BallPositioningTest, aDetourComesFirst) {
+  wish.detour = Vec2(0, 2);
+  EXPECT_GT(see({3, 0}).turn, 0.5);
+}
+
+}  // namespace
