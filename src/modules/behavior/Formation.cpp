@@ -147,6 +147,7 @@ void Formation::update(PlayerRole* thePlayerRole) {
             : PlayerRole::never;
   const std::vector<TeamMember> team = members(role);
   role.members = static_cast<int>(team.size());
+  role.keeper = thePlayerInfo->number == plan.goalieNumber;
 
   const std::vector<Vec2> all = places();
   const Vec2 ownGoal(-theFieldDimensions->length / 2, 0);

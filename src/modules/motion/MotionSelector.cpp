@@ -112,7 +112,8 @@ void MotionSelector::update(MotionSelection* theMotionSelection) {
       const bool same =
           wanted == selection.motion &&
           (wanted != Motion::specialAction || selection.specialAction == theMotionRequest->specialAction);
-      if (safe && (!same || (next && next->endsByItself)))
+      const bool leaves = safe || (theMotionRequest->atOnce && selection.motion == Motion::walk);
+      if (leaves && (!same || (next && next->endsByItself)))
         start(selection, wanted, theMotionRequest->specialAction);
     }
   }

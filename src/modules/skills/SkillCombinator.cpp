@@ -10,12 +10,14 @@ void SkillCombinator::update(MotionRequest* theMotionRequest) {
   theMotionRequest->motion = Motion::stand;
   theMotionRequest->walkVelocity = Vec2::Zero();
   theMotionRequest->walkTurn = 0;
+  theMotionRequest->atOnce = false;
   for (const SkillOutput* output : allSkillOutputs) {
     if (!output->active) continue;
     theMotionRequest->motion = output->motion;
     theMotionRequest->walkVelocity = output->walkVelocity;
     theMotionRequest->walkTurn = output->walkTurn;
     theMotionRequest->specialAction = output->specialAction;
+    theMotionRequest->atOnce = output->atOnce;
     theMotionRequest->kick = output->kick;
     theMotionRequest->kickFoot = output->kickFoot;
     theMotionRequest->kickBall = output->kickBall;

@@ -1,11 +1,11 @@
 #pragma once
 #include "framework/Module.h"
-#include "tactics/approach/WalkToPose.h"
 #include "representations/behavior/SkillRequest.h"
 #include "representations/modeling/BallPos.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/skills/SkillDribbleOutput.h"
 #include "representations/skills/SkillGetBallOutput.h"
+#include "tactics/approach/WalkToPose.h"
 
 namespace plumbline {
 

@@ -1,10 +1,10 @@
 #pragma once
 #include "framework/Module.h"
-#include "tactics/approach/WalkToPose.h"
 #include "representations/behavior/SkillRequest.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/skills/SafeWalkDirection.h"
 #include "representations/skills/SkillMoveToPosOutput.h"
+#include "tactics/approach/WalkToPose.h"
 
 namespace plumbline {
 

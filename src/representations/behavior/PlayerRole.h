@@ -13,6 +13,7 @@ public:
   static constexpr double never = 16;
 
   int role = none;            ///< supporter + i: at the i-th place of config/formation.yaml
+  bool keeper = false;        ///< may use its hands: it keeps the goal also while it goes to the ball
   Pose2 place;                ///< where a supporter shall be, team's frame [m, rad]
   int strikerNumber = 0;      ///< who goes to the ball, 0: nobody known
   double timeToBall = never;  ///< of this player [s]
@@ -21,6 +22,7 @@ public:
   bool supports() const { return role >= supporter; }
   void stream(InStream* in, OutStream* out) override {
     STREAM(role);
+    STREAM(keeper);
     STREAM("placePosition", place.position);
     STREAM("placeHeading", place.heading);
     STREAM(strikerNumber);

@@ -11,6 +11,7 @@ struct Skill {
   static constexpr const char* getBall = "getBall";
   static constexpr const char* kick = "kick";
   static constexpr const char* dribble = "dribble";
+  static constexpr const char* dive = "dive";
 };
 
 }  // namespace plumbline

@@ -16,6 +16,7 @@ public:
   Vec2 walkVelocity = Vec2::Zero();    ///< in the robot's frame [m/s]
   double walkTurn = 0;                 ///< [rad/s]
   std::string specialAction;           ///< name of a keyframe file without its ending
+  bool atOnce = false;                 ///< the motion does not wait until a walk stands
   std::string kick;                    ///< the same of a motion that is a kick; empty: the shortest
   Side kickFoot = Side::right;
   Vec2 kickBall = Vec2::Zero();  ///< the ball relative to the robot at the moment of the request [m]
@@ -24,6 +25,7 @@ public:
     STREAM(walkVelocity);
     STREAM(walkTurn);
     STREAM(specialAction);
+    STREAM(atOnce);
     STREAM(kick);
     STREAM(kickFoot);
     STREAM(kickBall);

@@ -38,9 +38,7 @@ public:
   }
   /// How far the longest kick carries [m].
   double reach() const { return kicks.back().distance; }
-  void stream(InStream* in, OutStream* out) override {
-    STREAM(kicks);
-  }
+  void stream(InStream* in, OutStream* out) override { STREAM(kicks); }
 };
 
 }  // namespace plumbline

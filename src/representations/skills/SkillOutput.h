@@ -36,6 +36,7 @@ public:
   Vec2 walkVelocity = Vec2::Zero();  ///< [m/s]
   double walkTurn = 0;               ///< [rad/s]
   std::string specialAction;         ///< where motion is Motion::specialAction
+  bool atOnce = false;               ///< the motion does not wait until a walk stands
   std::string kick;                  ///< where motion is Motion::kick
   Side kickFoot = Side::right;
   Vec2 kickBall = Vec2::Zero();  ///< the ball relative to the robot [m]
@@ -48,6 +49,7 @@ public:
     walkVelocity = other.walkVelocity;
     walkTurn = other.walkTurn;
     specialAction = other.specialAction;
+    atOnce = other.atOnce;
     kick = other.kick;
     kickFoot = other.kickFoot;
     kickBall = other.kickBall;
@@ -61,6 +63,7 @@ public:
     STREAM(walkVelocity);
     STREAM(walkTurn);
     STREAM(specialAction);
+    STREAM(atOnce);
     STREAM(kick);
     STREAM(kickFoot);
     STREAM(kickBall);
@@ -78,6 +81,7 @@ private:
     walkVelocity = Vec2::Zero();
     walkTurn = 0;
     specialAction.clear();
+    atOnce = false;
     kick.clear();
     kickFoot = Side::right;
     kickBall = Vec2::Zero();

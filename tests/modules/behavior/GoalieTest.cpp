@@ -11,11 +11,13 @@ namespace {
 
 struct GoalieTest : testing::Test {
   GoalieTest() {
+    harness.input<FrameInfo>().cycleSeconds = 0.02;
     harness.input<GameState>().playMode = PlayMode::playOn;
     harness.input<FieldDimensions>();
     harness.input<RobotPose>().valid = true;
     harness.input<RobotPose>().pose = Pose2(-10, 8, 0);
     harness.input<PlayerRole>().role = PlayerRole::goalie;
+    harness.input<PlayerRole>().keeper = true;
     harness.input<BallPos>().valid = true;
     harness.input<BallPos>().age = 0;
   }
@@ -53,6 +55,52 @@ TEST_F(GoalieTest, neverStandsBehindTheLineOrBesideTheGoal) {
       EXPECT_GE(place.x(), -14.75 - 1e-9);
       EXPECT_LE(std::abs(place.y()), 1.05 + 1e-9);
     }
+}
+
+/// Shots from 4 m ahead of a keeper who stands on the line and looks at the middle of the field.
+struct KeeperShotTest : GoalieTest {
+  KeeperShotTest() { harness.input<RobotPose>().pose = Pose2(-14.5, 0, 0); }
+  const BehaviorOutput& shot(double aside, double speed) { return surely({-10.5, aside}, {-speed, 0}); }
+  /// Seen for long enough.
+  const BehaviorOutput& surely(const Vec2& ball, const Vec2& velocity) {
+    for (int i = 0; i < 5; ++i) with(ball, velocity);
+    return with(ball, velocity);
+  }
+};
+
+TEST_F(KeeperShotTest, divesForAShotThatItCannotStepTo) {
+  EXPECT_EQ(shot(0.5, 8).skill, Skill::dive);
+  EXPECT_NEAR(shot(0.5, 8).target.x(), -14.5, 1e-9);
+  EXPECT_NEAR(shot(0.5, 8).target.y(), 0.5, 1e-9);
+  EXPECT_EQ(shot(-0.5, 8).skill, Skill::dive);
+  EXPECT_NEAR(surely({-10.5, 0.5}, {-8, -2}).target.y(), -0.5, 1e-9) << "where it passes";
+}
+
+TEST_F(KeeperShotTest, divesOnceItIsSureOfTheSide) {
+  for (int i = 0; i < 5; ++i) EXPECT_NE(with({-10.5, 0.5}, {-8, 0}).skill, Skill::dive) << i;
+  for (int i = 0; i < 5; ++i) EXPECT_NE(with({-10.5, -0.5}, {-8, 0}).skill, Skill::dive) << i;
+  EXPECT_EQ(with({-10.5, -0.5}, {-8, 0}).skill, Skill::dive);
+}
+
+TEST_F(KeeperShotTest, alsoDivesWhileItIsTheStriker) {
+  harness.input<PlayerRole>().role = PlayerRole::striker;
+  EXPECT_EQ(shot(0.5, 8).skill, Skill::dive);
+  EXPECT_TRUE(shot(0.5, 8).active);
+  EXPECT_FALSE(shot(0.05, 8).active);
+  harness.input<PlayerRole>().keeper = false;
+  EXPECT_FALSE(shot(0.5, 8).active) << "no keeper";
+}
+
+TEST_F(KeeperShotTest, staysOnItsFeetForOtherShots) {
+  EXPECT_NE(shot(0.05, 8).skill, Skill::dive) << "at its feet";
+  EXPECT_NE(shot(1.02, 8).skill, Skill::dive) << "out of reach";
+  EXPECT_NE(shot(0.15, 5).skill, Skill::dive) << "1.9 s: there is time for a step";
+  EXPECT_NE(shot(0.5, 4.2).skill, Skill::dive) << "not yet";
+  EXPECT_NE(shot(0.5, 3).skill, Skill::dive) << "does not come so far";
+  EXPECT_NE(shot(0.5, -8).skill, Skill::dive) << "goes away";
+  EXPECT_NE(surely({-10.5, 0.5}, {-8, -6}).skill, Skill::dive) << "beside the goal";
+  harness.module().dives = false;
+  EXPECT_NE(shot(0.5, 8).skill, Skill::dive);
 }
 
 TEST_F(GoalieTest, stepsIntoTheWayOfAShot) {

@@ -82,6 +82,29 @@ TEST_F(MotionSelectorTest, fadesIntoTheWalkAndLeavesItOnlyStanding) {
   EXPECT_DOUBLE_EQ(ratio(Motion::kick), 1) << "a kick begins at the measured angles";
 }
 
+TEST_F(MotionSelectorTest, aMotionThatIsWantedAtOnceWaitsForNoWalkButForAKick) {
+  stand.finished = true;
+  cycle();
+  request.motion = Motion::walk;
+  cycle();
+  walk.finished = kick.finished = false;
+  request.motion = Motion::specialAction;
+  request.specialAction = "diveLeft";
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::walk);
+  request.atOnce = true;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::specialAction);
+  EXPECT_EQ(selection.specialAction, "diveLeft");
+  special.finished = true;
+  request.motion = Motion::kick;
+  cycle();
+  ASSERT_EQ(selection.motion, Motion::kick);
+  request.motion = Motion::specialAction;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::kick);
+}
+
 TEST_F(MotionSelectorTest, aKickIsFinishedBeforeAnythingElse) {
   request.motion = Motion::kick;
   cycle();

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "modules/skills/SkillCombinator.h"
+#include "modules/skills/SkillDive.h"
 #include "modules/skills/SkillDribble.h"
 #include "modules/skills/SkillGetBall.h"
 #include "modules/skills/SkillKick.h"
@@ -39,6 +40,24 @@ TEST(SkillMoveToPos, walksThereAndStands) {
   harness.cycle();
   EXPECT_EQ(output.motion, Motion::walk);
   EXPECT_LT(output.walkVelocity.x(), 0);
+}
+
+TEST(SkillDive, goesToTheSideOfItsTarget) {
+  test::ModuleHarness<SkillDive> harness;
+  harness.input<RobotPose>().pose = Pose2(-14, 0, 1.5);
+  request(harness.input<SkillRequest>(), Skill::dive, Pose2(-14.5, 0.1, 0));
+  harness.cycle();
+  const SkillOutput& output = harness.output<SkillDiveOutput>();
+  EXPECT_TRUE(output.active);
+  EXPECT_EQ(output.motion, Motion::specialAction);
+  EXPECT_EQ(output.specialAction, "diveLeft");
+  EXPECT_TRUE(output.atOnce);
+  request(harness.input<SkillRequest>(), Skill::dive, Pose2(-13.5, 0.1, 0));
+  harness.cycle();
+  EXPECT_EQ(output.specialAction, "diveRight");
+  harness.input<SkillRequest>().skill = Skill::moveToPos;
+  harness.cycle();
+  EXPECT_FALSE(output.active);
 }
 
 TEST(SkillMoveToPos, isInactiveForOtherSkills) {

@@ -26,6 +26,18 @@ TEST_F(StartPlaceTest, theBallLiesThereAtTheKickOff) {
   EXPECT_EQ(place(second).x(), -3);
 }
 
+TEST_F(StartPlaceTest, theBallMayBeShotFromThere) {
+  rules.of<StartPlace>().on = true;
+  rules.of<StartPlace>().x = -10;
+  rules.of<StartPlace>().speedX = -8;
+  rules.of<StartPlace>().speedZ = 2;
+  rules.kickOff.after = 2;
+  add(left, 1, -3, 0);
+  pass(3);
+  EXPECT_EQ(world.ballState.linearVelocity, Vec3(-8, 0, 2));
+  EXPECT_EQ(ball(), Vec3(-10, 0, 0.042));
+}
+
 TEST_F(StartPlaceTest, inTheLeagueItLiesInTheMiddle) {
   rules.of<StartPlace>().x = 9;
   rules.kickOff.after = 2;
