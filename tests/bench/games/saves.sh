@@ -66,7 +66,7 @@ awk -v shots="$shots" -v seed="$seed" -v json="$out.json" '
       t = type[i]
       printf "| %s | %s | %s |\n", t, share(t SUBSEP "true"), share(t SUBSEP "false")
       printf "%s\n  {\"name\": \"games.saves.type%s\", \"value\": %.4g, \"unit\": \"%%\", \"better\": \"higher\"},\n  {\"name\": \"games.saves.type%s.without_dives\", \"value\": %.4g, \"unit\": \"%%\", \"better\": \"higher\"}",
-        i > 1 ? "," : "", t, 100 * kept[t, "true"] / n[t, "true"], t, 100 * kept[t, "false"] / n[t, "false"] > json
+        (i > 1 ? "," : ""), t, 100 * kept[t, "true"] / n[t, "true"], t, 100 * kept[t, "false"] / n[t, "false"] > json
     }
     print "\n]" > json
   }' "$work/shots" > "$out.md"
