@@ -3,8 +3,7 @@
 # games on the embedded simulator. One more game compares a player's knowledge of the others with the monitor's scene.
 # Settings by the environment: GAMES [10], HALF seconds [300], SEED of the first game [1], JOBS at once [cores], BEFORE,
 # the folder of an earlier state that is built, to play against as well, OUT, what the results' files are called
-# [build/bench/games]. Before the games one robot tries set starts (starts.sh)
-# and a keeper stops shots (saves.sh). Writes OUT.json and OUT.md; what the
+# [build/bench/games]. Before the games one robot tries set starts (starts.sh). Writes OUT.json and OUT.md; what the
 # programs said stays in the new folder OUT. `make bench-games` builds what it needs and writes doc/results/games.md.
 # With OTHER, the command that starts a team that is not ours, nothing but games against that team, PLAYERS [11] on each
 # side: {host}, {agent}, {monitor}, {team} and {players} in it are replaced. A script without them is told the host
@@ -53,7 +52,6 @@ cp config/platforms/simspark/modules.cfg "$work/config/platforms/simspark/module
 echo "OthersEvaluation" >> "$work/config/platforms/simspark/modules.cfg"
 
 OUT=build/bench/starts tests/bench/games/starts.sh
-OUT=build/bench/saves tests/bench/games/saves.sh
 echo "$games games of 2 x $half s, seeds from $seed, $jobs at once"
 echo "Swarm bin/start.sh -- --modules $PWD/config/platforms/simspark/swarm.cfg" > "$work/opponents"
 if [[ ${BEFORE-} ]]; then
@@ -66,8 +64,8 @@ scripts/autoplay/startGame.sh --half-time 60 --seed "$seed" --names Team,Swarm -
   "bin/start.sh --config $work/config" "bin/start.sh -- --modules $PWD/config/platforms/simspark/swarm.cfg"
 awk -v half="$half" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
 awk -f tests/bench/games/believed.awk "$work/believed/track.csv" "$work"/others/left-*.csv >> "$out.md"
-{ cat build/bench/starts.md && printf '\n## Shots at the keeper\n\n' && cat build/bench/saves.md && echo && cat "$out.md"; } > "$work/games.md"
+{ cat build/bench/starts.md && cat "$out.md"; } > "$work/games.md"
 mv "$work/games.md" "$out.md"
-{ sed '$d' "$out.json" | sed '$s/$/,/' && sed '1d;$d' build/bench/starts.json | sed '$s/$/,/' && sed 1d build/bench/saves.json; } > "$work/games.json"
+{ sed '$d' "$out.json" | sed '$s/$/,/' && sed 1d build/bench/starts.json; } > "$work/games.json"
 mv "$work/games.json" "$out.json"
 cat "$out.md"

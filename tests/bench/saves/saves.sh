@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Shots at a keeper: of how many does it keep the ball out, with dives and without? Number 1 stands in the middle of its goal, the
 # ball is shot from 2.5 to 5.5 m away at any place between the posts, half of the shots along the ground. Settings by the
-# environment: SHOTS [100], SEED of the first [701], TYPES of the keeper [0 4], BIN [bin], CONFIG [config], OUT
+# environment: SHOTS [100], SEED of the first [3001], TYPES of the keeper [0 4], BIN [bin], CONFIG [config], OUT
 # [build/bench/saves]. Writes OUT.json and OUT.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
-shots=${SHOTS:-100} seed=${SEED:-701} types=${TYPES:-0 4} bin=$(realpath "${BIN:-bin}") config=${CONFIG:-config} out=${OUT:-build/bench/saves}
+shots=${SHOTS:-100} seed=${SEED:-3001} types=${TYPES:-0 4} bin=$(realpath "${BIN:-bin}") config=${CONFIG:-config} out=${OUT:-build/bench/saves}
 for value in "$shots" "$seed"; do
   [[ $value =~ ^[1-9][0-9]{0,5}$ ]] || { echo "saves.sh: '$value' is no whole number from 1 to 999999" >&2; exit 2; }
 done
@@ -65,7 +65,7 @@ awk -v shots="$shots" -v seed="$seed" -v json="$out.json" '
     for (i = 1; i <= types; ++i) {
       t = type[i]
       printf "| %s | %s | %s |\n", t, share(t SUBSEP "true"), share(t SUBSEP "false")
-      printf "%s\n  {\"name\": \"games.saves.type%s\", \"value\": %.4g, \"unit\": \"%%\", \"better\": \"higher\"},\n  {\"name\": \"games.saves.type%s.without_dives\", \"value\": %.4g, \"unit\": \"%%\", \"better\": \"higher\"}",
+      printf "%s\n  {\"name\": \"saves.type%s\", \"value\": %.4g, \"unit\": \"%%\", \"better\": \"higher\"},\n  {\"name\": \"saves.type%s.without_dives\", \"value\": %.4g, \"unit\": \"%%\", \"better\": \"higher\"}",
         (i > 1 ? "," : ""), t, 100 * kept[t, "true"] / n[t, "true"], t, 100 * kept[t, "false"] / n[t, "false"] > json
     }
     print "\n]" > json
