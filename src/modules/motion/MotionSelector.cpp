@@ -38,7 +38,8 @@ const MotionOutput* MotionSelector::output(const std::string& motion) const {
 }
 
 const std::string& MotionSelector::standUpAction() const {
-  const bool first = again_ <= 0;
+  // The other one from time to time: the same one may fail for ever in the same way.
+  const bool first = failed_ % 2 == 0;
   switch (theFallState->posture) {
     case Posture::onFront:
       return first && fastFront_ ? standUp.fastFront : standUp.front;
@@ -87,6 +88,7 @@ void MotionSelector::update(MotionSelection* theMotionSelection) {
   if (theFrameInfo->restarted) {
     standingUp_ = false;
     grace_ = again_ = 0;
+    failed_ = 0;
     start(selection, Motion::stand, "");
   }
   const MotionOutput* current = output(selection.motion);
@@ -101,6 +103,7 @@ void MotionSelector::update(MotionSelection* theMotionSelection) {
     }
     standingUp_ = theFallState->lying() && grace_ <= 0;
     if (standingUp_) {
+      failed_ = again_ > 0 ? failed_ + 1 : 0;
       start(selection, Motion::specialAction, standUpAction());
     } else {
       const MotionOutput* next = output(theMotionRequest->motion);

@@ -25,7 +25,7 @@ struct StandUpParameters {
             "the first try in place of `back`, as standUpBackFast; empty: none")
   PARAMETER(double, againSeconds, 4, "s", Range(0, 60),
             "if a robot lies again within this time after standing up, that try failed, and the next one is "
-            "not fast")
+            "the other motion")
   PARAMETER(double, graceSeconds, 0.5, "s", Range(0, 5),
             "time until the next try, since a stand-up ends while the torso still swings up")
 };
@@ -42,7 +42,7 @@ END_MODULE
 
 /// Decides which motion drives the joints: the requested one as soon as the previous one can end safely. A
 /// lying robot stands up first, whatever is requested, and tries again until it is upright. The first try
-/// uses a fast motion, if there is one, the next tries one that fails less often.
+/// uses a fast motion, if there is one, the next one that fails less often, and so on in turn.
 class MotionSelector : public MotionSelectorBase {
 public:
   void init() override;
@@ -62,6 +62,7 @@ private:
   bool standingUp_ = false;
   double grace_ = 0;                           ///< what is left of standUp.graceSeconds [s]
   double again_ = 0;                           ///< what is left of standUp.againSeconds [s]
+  int failed_ = 0;                             ///< stand-ups in a row that did not keep it on its feet
   std::string robot_;                          ///< whose motions these are
   bool fastFront_ = false, fastBack_ = false;  ///< it has them
   std::string unknown_;                        ///< the last requested motion that does not exist

@@ -181,6 +181,9 @@ TEST_F(MotionSelectorTest, triesTheFastStandUpFirstAndTheOtherOneAfterIt) {
   EXPECT_EQ(selection.specialAction, "") << "over, and it waits";
   for (int i = 0; i < 30 && selection.specialAction.empty(); ++i) cycle();
   EXPECT_EQ(selection.specialAction, "standUpBack") << "it lies still, so that one has failed";
+  for (int i = 0; i < 50 * 10 && selection.specialAction == "standUpBack"; ++i) cycle();
+  for (int i = 0; i < 50 * 10 && selection.specialAction.empty(); ++i) cycle();
+  EXPECT_EQ(selection.specialAction, "standUpBackFast") << "that one, too: not the same for ever";
   fall.posture = Posture::upright;
   for (int i = 0; i < 50 * 5; ++i) cycle();
   fall.posture = Posture::onBack;
