@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/CommentLines.h"
 #include "math/Angle.h"
 #include "motion/KeyframeReader.h"
 
@@ -91,12 +92,7 @@ KeyframeMotion MotionParameters::written(const Eigen::VectorXd& values, double c
 }
 
 std::string motionFile(const KeyframeMotion& motion, const RobotModel& robot, const std::string& heading) {
-  std::string text;
-  for (std::size_t at = 0; at < heading.size();) {
-    const std::size_t end = std::min(heading.find('\n', at), heading.size());
-    text += "# " + heading.substr(at, end - at) + "\n";
-    at = end + 1;
-  }
+  std::string text = commentLines(heading);
   text += "# Angles in degrees, times in seconds; doc/how-to/add-a-motion.md.\n";
   if (motion.ball != Vec2::Zero() || motion.kick)
     text += fmt::format("ball: [{:.3f}, {:.3f}]\nballReach: [{:.3f}, {:.3f}]\n", motion.ball.x(),

@@ -14,6 +14,7 @@
 #include "framework/NearestName.h"
 #include "framework/Parallel.h"
 #include "optimization/Optimizers.h"
+#include "training/GroupedLines.h"
 
 namespace plumbline::walking {
 namespace {
@@ -315,30 +316,8 @@ WalkGaits withCornersOf(const WalkGaits& gaits, const WalkGaits& other) {
   return result;
 }
 
-namespace {
-
-/// Lines of a YAML file, grouped as WalkParameters is.
-class GroupedLines {
-public:
-  explicit GroupedLines(std::string indent) : indent_(std::move(indent)) {}
-
-  void add(const std::string& path, double value) {
-    const std::size_t dot = path.find('.');
-    if (path.substr(0, dot) != group_) text += indent_ + (group_ = path.substr(0, dot)) + ":\n";
-    text += indent_ + "  " + path.substr(dot + 1) + fmt::format(": {:.5g}\n", value);
-    ++count;
-  }
-
-  std::string text;
-  std::size_t count = 0;
-
-private:
-  std::string indent_, group_;
-};
-
-}  // namespace
-
 std::string walkFile(const WalkGaits& gaits, const WalkParameters& common, const std::string& heading) {
+  using training::GroupedLines;
   GroupedLines base("");
   for (const WalkParameter& one : walkParameters())
     if (one.of(gaits.base) != one.of(common)) base.add(one.path, one.of(gaits.base));

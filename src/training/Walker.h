@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 
+#include "math/GroundPose.h"
 #include "math/Pose2.h"
 #include "walking/engine/WalkEngine.h"
 
@@ -66,10 +67,7 @@ public:
 
   virtual Pose3 torso() const = 0;
   /// Place of the torso over the ground.
-  Pose2 pose() const {
-    const Pose3 T = torso();
-    return Pose2(Vec2(T.translation().head<2>()), std::atan2(T.linear()(1, 0), T.linear()(0, 0)));
-  }
+  Pose2 pose() const { return groundPose(torso()); }
   /// Whether the torso leans by more than 60 degrees.
   bool fallen() const { return torso().linear()(2, 2) < 0.5; }
   /// True velocity of the centre of mass over the ground, in the torso's heading [m/s].

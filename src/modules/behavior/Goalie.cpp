@@ -43,15 +43,15 @@ bool Goalie::shotCrossing(Vec2& place) const {
   return true;
 }
 
-std::optional<Vec2> Goalie::diveFor() const {
+std::optional<double> Goalie::diveAside() const {
   const Vec2 &ball = theBallPos->relative, &velocity = theBallPos->relativeVelocity;
   const double run = -velocity.x() * ballRollingSeconds;  // as far as it rolls towards the robot
   if (!dives || velocity.x() > -shotSpeed || ball.x() <= 0 || run <= ball.x()) return std::nullopt;
   const double seconds = -ballRollingSeconds * std::log1p(-ball.x() / run);
   const double aside = ball.y() + velocity.y() * ball.x() / -velocity.x();
-  const double stepped = standing + stepSpeed * std::max(0.0, seconds - stepDelay);
+  const double stepped = standingReach + stepSpeed * std::max(0.0, seconds - stepDelay);
   if (seconds > diveSeconds || std::abs(aside) < stepped || std::abs(aside) > diveReach) return std::nullopt;
-  return Vec2(0, aside);
+  return aside;
 }
 
 void Goalie::update(GoalieOutput* theGoalieOutput) {
@@ -59,34 +59,38 @@ void Goalie::update(GoalieOutput* theGoalieOutput) {
   output.clear();
   const bool plays =
       theGameState->playMode != PlayMode::gameOver && theGameState->playMode != PlayMode::unknown;
+  const bool keeps = plays && thePlayerRole->role == PlayerRole::goalie;
+  if (!keeps && !(plays && thePlayerRole->keeper)) {
+    standing_ = false;
+    sure_ = 0;
+    return;
+  }
+  const Pose2& robot = theRobotPose->pose;
   const bool lost = !theBallPos->valid || theBallPos->age > ballMaxAge;
+  Vec2 place = lost ? Vec2(-theFieldDimensions->length / 2 + nearOut, 0) : onAngle();
+  const bool shot = theRobotPose->valid && !lost && shotCrossing(place);
   // Near its goal it may be the striker, and go to a ball that it then has to stop.
-  Vec2 crossing = onAngle();
-  const bool stops = plays && thePlayerRole->keeper && theRobotPose->valid && !lost && shotCrossing(crossing);
-  const std::optional<Vec2> there = stops ? diveFor() : std::nullopt;
-  const double side = there ? std::copysign(1.0, there->y()) : 0;
+  const std::optional<double> aside = shot && thePlayerRole->keeper ? diveAside() : std::nullopt;
+  const double side = aside ? std::copysign(1.0, *aside) : 0;
   if (side * sure_ <= 0) sure_ = 0;
   sure_ += side * theFrameInfo->cycleSeconds;
-  if (there && std::abs(sure_) > sureSeconds) {
+  if (aside && std::abs(sure_) > sureSeconds) {
     output.active = true;
     output.skill = Skill::dive;
-    output.target = Pose2(theRobotPose->pose * *there, theRobotPose->pose.heading);
+    output.target = Pose2(robot * Vec2(0, *aside), robot.heading);
     standing_ = false;
     return;
   }
-  output.active = plays && thePlayerRole->role == PlayerRole::goalie;
-  if (!output.active) {
+  output.active = keeps;
+  if (!keeps) {
     standing_ = false;
     return;
   }
   output.skill = Skill::moveToPos;
-  const Pose2& robot = theRobotPose->pose;
   if (!theRobotPose->valid) {
     output.target = Pose2(robot.position, normalizeAngle(robot.heading + 1.0));
     return;
   }
-  Vec2 place = lost ? Vec2(-theFieldDimensions->length / 2 + nearOut, 0) : onAngle();
-  const bool shot = !lost && shotCrossing(place);
   const double distance = (place - robot.position).norm();
   standing_ = !shot && distance < (standing_ ? leaves : tolerance);
   const Vec2 toBall = theBallPos->field - place;

@@ -28,7 +28,7 @@ MODULE(Goalie)
   PARAMETER(double, leaves, 0.3, "m", Range(0.01, 2), "farther from its place it walks there again")
   PARAMETER(double, shotSpeed, 0.8, "m/s", Range(0.1, 20), "a ball rolling faster at the goal is a shot")
   PARAMETER(bool, dives, true, "", Range(), "throws itself in the way of shots that it cannot step to")
-  PARAMETER(double, standing, 0.2, "m", Range(0, 1),
+  PARAMETER(double, standingReach, 0.2, "m", Range(0, 1),
             "a shot that passes it at this distance it stops as it stands")
   PARAMETER(double, diveReach, 0.9, "m", Range(0, 2),
             "to shots that pass it farther away than this it does not dive")
@@ -52,12 +52,11 @@ public:
 private:
   Vec2 onAngle() const;
   bool shotCrossing(Vec2& place) const;
-  /// Where a shot at the goal will pass the robot, if that is where only a dive reaches it [m, robot's
-  /// frame].
-  std::optional<Vec2> diveFor() const;
+  /// How far to the robot's left the ball will pass it, if only a dive reaches it there [m].
+  std::optional<double> diveAside() const;
 
   bool standing_ = false;
-  double sure_ = 0;  ///< time for which a dive was wanted to a side [s], with its sign: left
+  double sure_ = 0;  ///< for how long a dive to the left (+) or to the right (-) was wanted [s]
 };
 
 }  // namespace plumbline

@@ -1,6 +1,6 @@
 #include "modules/evaluation/GroundtruthModule.h"
 
-#include "modules/evaluation/GroundPose.h"
+#include "math/GroundPose.h"
 
 namespace plumbline {
 

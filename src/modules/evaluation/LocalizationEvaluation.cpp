@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "modules/evaluation/GroundPose.h"
+#include "math/GroundPose.h"
 
 namespace plumbline {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "math/Angle.h"
-#include "modules/evaluation/GroundPose.h"
+#include "math/GroundPose.h"
 
 namespace plumbline {
 

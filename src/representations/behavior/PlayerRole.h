@@ -13,7 +13,7 @@ public:
   static constexpr double never = 16;
 
   int role = none;            ///< supporter + i: at the i-th place of config/formation.yaml
-  bool keeper = false;        ///< may use its hands: it keeps the goal also while it goes to the ball
+  bool keeper = false;        ///< the team's goalie, also while its role is the striker's
   Pose2 place;                ///< where a supporter shall be, team's frame [m, rad]
   int strikerNumber = 0;      ///< who goes to the ball, 0: nobody known
   double timeToBall = never;  ///< of this player [s]

@@ -34,8 +34,8 @@ std::array<TeamSide, 2> Match::sidesInRandomOrder() {
   return {TeamSide::right, TeamSide::left};
 }
 
-void Match::placeBall(const Vec3& position) {
-  world.setBall(position, Vec3::Zero());
+void Match::placeBall(const Vec3& position, const Vec3& velocity) {
+  world.setBall(position, velocity);
   ball().placed(position);
   memory.kickPosition = Vec3(position.x(), position.y(), field.ballRadius);
 }

@@ -87,8 +87,8 @@ struct Match {
   /// Both sides, in random order.
   std::array<TeamSide, 2> sidesInRandomOrder();
 
-  /// Lays the ball down; the next restart is there, too.
-  void placeBall(const Vec3& position);
+  /// Lays the ball down, or shoots it from there [m/s]; the next restart is there, too.
+  void placeBall(const Vec3& position, const Vec3& velocity = Vec3::Zero());
   /// Puts a player's torso there, turned as it is, at rest, whoever else is there.
   void move(Participant& player, const Vec3& place);
 };

@@ -37,7 +37,7 @@ public:
     std::optional<double> headingTolerance{};  ///< instead of the parameter's
   };
 
-  /// A cycle of dt [s]. ball: as seen, whether it is where the robot wants it.
+  /// A cycle of dt [s]. ball: where it is now [m]; decides atBall().
   WalkCommand update(const Wish& wish, const Vec2& ball, const BallPositioningParameters& p, double dt);
   /// The robot stands exactly enough. From then on a larger error is allowed (`keeps`): a walk that
   /// alternates between stopping and walking never comes to rest.

@@ -6,7 +6,7 @@
 namespace plumbline {
 
 namespace {
-constexpr double ahead = 0.2;  ///< a target within this angle is straight ahead [rad]
+constexpr double straightAhead = 0.2;  ///< a target within this angle is straight ahead [rad]
 }  // namespace
 
 Vec2 limitVelocity(const Vec2& velocity, const WalkToPoseParameters& parameters) {
@@ -47,7 +47,7 @@ WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& 
     }
     command.velocity = limitVelocity({std::min(speed, parameters.positionGain * distance), 0}, parameters);
   }
-  if (parameters.turnWalking > 0 && !command.sprint && std::abs(bearing) > ahead) {
+  if (parameters.turnWalking > 0 && !command.sprint && std::abs(bearing) > straightAhead) {
     const double speed = parameters.turnWalking * std::min(parameters.positionGain * distance, curve);
     command.velocity = limitVelocity(speed / distance * T_robot_target.position, parameters);
   }

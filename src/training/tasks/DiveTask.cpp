@@ -10,24 +10,23 @@
 namespace plumbline::training {
 namespace {
 
-constexpr double leastShot = 2, mostShot = 5;  // distance of the shot [m]
-constexpr double leastArrival = 1,
-                 mostArrival = 3;  // speed with which a ball without obstacles would arrive [m/s]
-constexpr double sliding = 1.4;    // a ball that slides before it rolls loses 2/7 of its speed
-constexpr double mostRise = 2.5;   // upward speed of a shot [m/s]
-constexpr double behind = 0.25;    // a ball so far behind the robot is a goal [m]
-constexpr double mostWatched = 3;  // [s]
-const Vec2 keeperPlace(-5, 0);     // nothing else stands near
-
-int diverType(const TaskOptions& options) {
-  options.check(withWorldOptions({"type", "motion", "reaction", "from", "to"}));
-  return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
-}
+constexpr double leastShot = 2, mostShot = 5;        // distance of the shot [m]
+constexpr double leastArrival = 1, mostArrival = 3;  // speed of a ball that nothing stops, at the robot [m/s]
+constexpr double sliding = 1.4;     // a ball that slides before it rolls loses 2/7 of its speed
+constexpr double mostAcross = 0.3;  // metres that a shot goes aside in each metre that it comes nearer
+constexpr double mostRise = 2.5;    // upward speed of a shot [m/s]
+constexpr double crossing = 0.05;   // a ball so near before the robot crosses [m]
+constexpr double behind = 0.25;     // a ball so far behind the robot is a goal [m]
+constexpr double mostWatched = 3;   // [s]
+constexpr double halfTorso = 0.2;   // its length, of a robot that lies on its side [m]
+constexpr double hint = 0.1;        // cost of a body that covers nothing of the way
+constexpr int cyclesBefore = 10;    // of standing, before the shot
+const Vec2 keeperPlace(-5, 0);      // nothing else stands near
 
 }  // namespace
 
 DiveTask::DiveTask(const TaskOptions& options)
-    : worlds_(options, diverType(options)),
+    : worlds_(options, robotTypeOf(options, {"motion", "reaction", "from", "to"})),
       reaction_(options.number("reaction", 0.16, 0, 2)),
       from_(options.number("from", 0.2, -1, 2)),
       to_(options.number("to", 0.9, -1, 2)) {
@@ -47,12 +46,12 @@ TaskOutcome DiveTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed)
   trial.seed(static_cast<unsigned>(seed * 2654435761U));
   trial.robot.restart(Pose2(keeperPlace, 0), trial.stand);
   trial.restarted();
-  for (int i = 0; i < 10; ++i) trial.step(trial.stand);
+  for (int i = 0; i < cyclesBefore; ++i) trial.step(trial.stand);
 
   simulation::World& world = trial.robot.world();
   const double aside = trial.random(from_, to_), distance = trial.random(leastShot, mostShot);
   const double speed = sliding * (trial.random(leastArrival, mostArrival) + distance / ballRollingSeconds);
-  const double across = trial.random(-0.3, 0.3),
+  const double across = trial.random(-mostAcross, mostAcross),
                rise = trial.random(0, 1) < 0.5 ? 0 : trial.random(0, mostRise);
   const double radius = simulation::WorldConfig().field.ballRadius;
   const Vec2 from = keeperPlace + Vec2(distance, aside + distance * across);
@@ -71,16 +70,16 @@ TaskOutcome DiveTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed)
       still = trial.still();
     }
     const Vec3 ball = world.ball().pose.translation();
-    if (!crossed && ball.x() < keeperPlace.x() + 0.05) {
+    if (!crossed && ball.x() < keeperPlace.x() + crossing) {
       crossed = true;
       const Pose3 torso = trial.robot.torso().pose;
-      cover = std::clamp(torso.translation().y() - keeperPlace.y() + 0.2 * std::abs(torso.linear()(1, 2)),
-                         0.0, aside);
+      cover = std::clamp(
+          torso.translation().y() - keeperPlace.y() + halfTorso * std::abs(torso.linear()(1, 2)), 0.0, aside);
     }
     goal = ball.x() < keeperPlace.x() - behind;
   }
   TaskOutcome outcome;
-  outcome.cost = (goal ? 1 : 0) - 0.1 * cover / std::max(aside, 0.1);
+  outcome.cost = (goal ? 1 : 0) - hint * cover / std::max(aside, 0.1);
   outcome.figures = {{"saved", goal ? 0.0 : 1.0}, {"cover", cover}};
   return outcome;
 }

@@ -6,6 +6,7 @@
 
 #include "framework/ConfigurationError.h"
 #include "math/Angle.h"
+#include "math/GroundPose.h"
 #include "training/tasks/WalkOn.h"
 
 namespace plumbline::training {
@@ -24,16 +25,6 @@ constexpr std::size_t startsKept = 4096;
 
 /// Nothing stands in the way of a ball that is kicked forward from here [m].
 const Pose2 begin(Vec2(-10, 5), 0);
-
-int kickType(const TaskOptions& options) {
-  options.check(withWorldOptions(
-      {"type", "motion", "side", "distance", "ceiling", "spread", "weight", "steady", "walk", "still"}));
-  return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
-}
-
-Pose2 onGround(const Pose3& torso) {
-  return Pose2(Vec2(torso.translation().head<2>()), std::atan2(torso.linear()(1, 0), torso.linear()(0, 0)));
-}
 
 /// Walks somewhere near forward and stops, as before a kick in a game. False: fell or does not stop.
 bool walkUp(motion::MotionTrial& trial) {
@@ -82,7 +73,8 @@ KickTask::KickTask(const TaskOptions& options)
     : spread_(options.number("spread", 0.01, 0, 0.1)),
       walk_(options.number("walk", 2, 0.2, 10)),
       still_(options.number("still", 0, 0, 1)),
-      worlds_(options, kickType(options)),
+      worlds_(options, robotTypeOf(options, {"motion", "side", "distance", "ceiling", "spread", "weight",
+                                             "steady", "walk", "still"})),
       ball_(worlds_.engine()) {
   wish_.distance = options.number("distance", wish_.distance, 0, 30);
   wish_.ceiling = options.number("ceiling", wish_.ceiling, 0, 5);
@@ -125,7 +117,7 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
   trial.restarted();
   trial.seed(static_cast<unsigned>(seed * 2246822519U + 1));
   const double x = trial.random(-spread_, spread_), y = trial.random(-spread_, spread_);
-  const Pose2 ground = onGround(from.torso.pose);
+  const Pose2 ground = groundPose(from.torso.pose);
   const Vec2 place = ground * Vec2(kick.ball + Vec2(x, y));
   world.setBall(Vec3(place.x(), place.y(), ballRadius), Vec3::Zero());
   WalkOn walk(trial, walk_, still_);

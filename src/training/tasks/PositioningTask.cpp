@@ -6,10 +6,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "framework/CommentLines.h"
 #include "framework/ConfigOverlay.h"
 #include "framework/ConfigurationError.h"
 #include "framework/ModuleParameters.h"
 #include "math/Angle.h"
+#include "math/GroundPose.h"
+#include "training/GroupedLines.h"
 
 namespace plumbline::training {
 namespace {
@@ -51,27 +54,21 @@ constexpr Searched searchedNumbers[] = {{"walk.maxForward", 0.1},
                                         {"biasDistance", 0.03},
                                         {"maxBias", 0.03}};
 
-int robotType(const TaskOptions& options) {
-  options.check(withWorldOptions({"type", "motion", "start", "metre", "fall"}));
-  return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
-}
-
-Pose2 groundPlace(const Pose3& torso) {
-  return Pose2(Vec2(torso.translation().head<2>()), std::atan2(torso.linear()(1, 0), torso.linear()(0, 0)));
-}
-
 /// "walk_maxForward": without dots, which in a file would be maps within maps.
 std::string nameOf(std::string path) {
   std::ranges::replace(path, '.', '_');
   return path;
 }
 
-std::string printed(double value) { return fmt::format("{:.4g}", value); }
+constexpr int digits = 4;  // that the file has
+
+double rounded(double value) { return std::stod(fmt::format("{:.{}g}", value, digits)); }
 
 }  // namespace
 
 PositioningTask::PositioningTask(const TaskOptions& options)
-    : worlds_(options, robotType(options)),
+    : type_(robotTypeOf(options, {"motion", "start", "metre", "fall"})),
+      worlds_(options, type_),
       ball_(worlds_.engine()),
       start_(options.number("start", 1.5, 0.3, 10)),
       metre_(options.number("metre", 0.5, 0, 10)),
@@ -84,7 +81,7 @@ PositioningTask::PositioningTask(const TaskOptions& options)
   }
   if (!kick_.kick) throw ConfigurationError("option motion: " + name + " is no kick of this robot");
   if (kick_.ball.y() > 0) kick_ = motion::mirrored(kick_);
-  const ConfigFile file("SkillGetBall", MotionTrial::directories(robotType(options)));
+  const ConfigFile file("SkillGetBall", MotionTrial::directories(type_));
   readParameters(file.root().section("positioning"), BallPositioningParameters::parameterList(), &first_);
   BallPositioningParameters::parameterList().visit(
       &first_, [&](const std::string& path, const Parameter& parameter, const ParameterPointer& value) {
@@ -102,8 +99,7 @@ BallPositioningParameters PositioningTask::with(const Eigen::VectorXd& parameter
   BallPositioningParameters::parameterList().visit(
       &result, [&](const std::string& path, const Parameter&, const ParameterPointer& value) {
         const auto found = std::ranges::find(paths_, path);
-        if (found != paths_.end())
-          *std::get<double*>(value) = std::stod(printed(parameters[found - paths_.begin()]));
+        if (found != paths_.end()) *std::get<double*>(value) = rounded(parameters[found - paths_.begin()]);
       });
   return result;
 }
@@ -113,16 +109,15 @@ struct PositioningTask::Walk {
   MotionTrial& trial;
   const motion::KeyframeMotion& kick;
   const BallPositioningParameters& p;
-  Vec2 offset;
+  Vec2 offset;  ///< of the ball that is seen, robot's frame [m]
   BallPositioning positioning{};
   bool right = true;
-  double seconds = 0;
+  double seconds = 0;  ///< until the ball is kicked [s]
   bool fell = false;
-  double first = -1;  ///< time at which the ball first lay right [s]
-  bool was = false;
-  int lost = 0;  ///< times that it then did no more before the robot stood
+  double there = -1;  ///< time at which the ball first lay right [s]; -1: never
+  int lost = 0;       ///< times that it then did no more before the robot stood
 
-  Pose2 robot() const { return groundPlace(trial.robot.torso().pose); }
+  Pose2 robot() const { return groundPose(trial.robot.torso().pose); }
   Vec2 ball() const { return trial.robot.world().ball().pose.translation().head<2>(); }
   Vec2 seen() const { return robot().inverse() * ball() + offset; }
   bool kicked() const { return trial.robot.world().ball().linearVelocity.head<2>().norm() > kickedSpeed; }
@@ -139,15 +134,15 @@ struct PositioningTask::Walk {
         .ball = seen(),
         .heading = normalizeAngle(-mirror * kick.kick->direction - robot().heading),
         .place = Vec2(kick.ball.x(), mirror * kick.ball.y())};
+    const bool was = positioning.atBall();
     const WalkCommand command = positioning.update(wish, wish.ball, p, MotionTrial::dt);
-    const bool there = positioning.atBall();
-    const bool stands = trial.walkStep(command.velocity, command.turn, !there);
-    if (there && first < 0) first = seconds;
-    if (was && !there) ++lost;
-    was = there;
+    const bool is = positioning.atBall();
+    const bool stands = trial.walkStep(command.velocity, command.turn, !is);
+    if (is && there < 0) there = seconds;
+    if (was && !is) ++lost;
     seconds += MotionTrial::dt;
     fell = fell || trial.lying();
-    return there && stands;
+    return is && stands;
   }
   void play() {
     const motion::KeyframeMotion motion =
@@ -196,7 +191,7 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
                      {"aside", std::abs(gone.y())},
                      {"pushed", (from - ballPlace).norm()},
                      {"kicked", ready ? 1.0 : 0.0},
-                     {"there", walk.first},
+                     {"there", walk.there},
                      {"lost", static_cast<double>(walk.lost)},
                      {"fell", walk.fell ? 1.0 : 0.0}};
   return outcome;
@@ -204,19 +199,11 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
 
 std::string PositioningTask::file(const Eigen::VectorXd& parameters, const std::string& heading,
                                   const std::map<std::string, double>&) const {
-  std::string comments = "# ";
-  for (const char c : heading) comments += c == '\n' ? std::string("\n# ") : std::string(1, c);
-  std::string text = comments + "\n" + overlayLine("SkillGetBall.yaml", paths_.size()) + "\npositioning:\n",
-              group;
-  for (std::size_t i = 0; i < paths_.size(); ++i) {
-    const std::size_t dot = paths_[i].find('.');
-    const std::string in = dot == std::string::npos ? "" : paths_[i].substr(0, dot);
-    if (in != group && !in.empty()) text += "  " + in + ":\n";
-    group = in;
-    text += (in.empty() ? "  " : "    ") + paths_[i].substr(in.empty() ? 0 : dot + 1) + ": " +
-            printed(parameters[static_cast<Eigen::Index>(i)]) + "\n";
-  }
-  return text;
+  GroupedLines lines("  ", digits);
+  for (std::size_t i = 0; i < paths_.size(); ++i)
+    lines.add(paths_[i], parameters[static_cast<Eigen::Index>(i)]);
+  return commentLines(heading) + overlayLine("SkillGetBall.yaml", lines.count) + "\npositioning:\n" +
+         lines.text;
 }
 
 MAKE_TASK(positioning,

@@ -33,10 +33,11 @@ private:
   struct Walk;
   BallPositioningParameters with(const Eigen::VectorXd& parameters) const;
 
+  int type_;  ///< of the robot
   TrialWorlds worlds_;
   BallRoll ball_;
   motion::KeyframeMotion kick_;  ///< with the right foot
-  double start_, metre_, fall_;
+  double start_, metre_, fall_;  ///< options [m, s, s]
   BallPositioningParameters first_;
   std::vector<std::string> paths_;  ///< of the parameters that are searched
   std::vector<TaskParameter> parameters_;

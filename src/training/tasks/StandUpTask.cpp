@@ -13,18 +13,13 @@ constexpr std::size_t mostKept = 4096;
 constexpr int mostFalls = 1000;
 constexpr double walkSeconds = 2;
 
-int typeOf(const TaskOptions& options) {
-  options.check(withWorldOptions({"type", "direction", "weight", "motion", "still"}));
-  return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
-}
-
 }  // namespace
 
 StandUpTask::StandUpTask(const TaskOptions& options)
     : direction_(options.word("direction", "front", {"front", "back"}) == "front" ? 1 : -1),
       weight_(options.number("weight", 0.08, 0, 100)),
       still_(options.number("still", 0, 0, 1)),
-      worlds_(options, typeOf(options)) {
+      worlds_(options, robotTypeOf(options, {"direction", "weight", "motion", "still"})) {
   try {
     first_ = worlds_.first().motion(options.word("motion", direction_ > 0 ? "standUpFront" : "standUpBack"));
   } catch (const std::out_of_range& error) {

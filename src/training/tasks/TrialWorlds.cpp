@@ -42,9 +42,11 @@ TrialWorlds::TrialWorlds(const TaskOptions& options, int type) : engine_(options
   }
 }
 
-std::vector<std::string> withWorldOptions(std::vector<std::string> own) {
+int robotTypeOf(const TaskOptions& options, std::vector<std::string> own) {
+  own.insert(own.begin(), "type");
   own.insert(own.end(), TrialWorlds::options.begin(), TrialWorlds::options.end());
-  return own;
+  options.check(own);
+  return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
 }
 
 }  // namespace plumbline::training

@@ -33,7 +33,8 @@ private:
   std::vector<std::unique_ptr<motion::MotionTrial>> all_;
 };
 
-/// `own` and the names of TrialWorlds::options: what a task of motions takes.
-std::vector<std::string> withWorldOptions(std::vector<std::string> own);
+/// The robot type (option type) of a task of motions that takes `own` options besides it and those of
+/// TrialWorlds; throws ConfigurationError for any other.
+int robotTypeOf(const TaskOptions& options, std::vector<std::string> own);
 
 }  // namespace plumbline::training

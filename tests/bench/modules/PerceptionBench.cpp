@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "framework/Controller.h"
+#include "math/GroundPose.h"
 #include "modules/evaluation/ErrorStatistics.h"
-#include "modules/evaluation/GroundPose.h"
 #include "modules/simspark/AgentOptions.h"
 #include "representations/infrastructure/GroundTruth.h"
 #include "representations/modeling/BallPos.h"

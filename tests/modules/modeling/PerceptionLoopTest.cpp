@@ -4,8 +4,8 @@
 
 #include "framework/Controller.h"
 #include "framework/Module.h"
+#include "math/GroundPose.h"
 #include "modules/evaluation/ErrorStatistics.h"
-#include "modules/evaluation/GroundPose.h"
 #include "modules/simspark/AgentOptions.h"
 #include "representations/infrastructure/GroundTruth.h"
 #include "representations/infrastructure/ServerMessageText.h"

@@ -78,7 +78,8 @@ struct GetBallTest : testing::Test {
     harness.input<ActiveFoot>();
     harness.input<SkillKickOutput>();  // how a skill wants to stand at the ball, its output says
   }
-  /// How exactly it has to stand, instead of what the configuration says; after the inputs were named.
+  /// How exactly it has to stand and how it learns a drift, instead of what the configuration says; after the
+  /// inputs were named.
   void setTolerances(double heading = 0.15) {
     BallPositioningParameters& p = harness.module().positioning;
     p.toleranceForward = p.toleranceSideways = 0.03;

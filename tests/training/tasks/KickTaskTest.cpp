@@ -10,17 +10,12 @@
 
 #include "framework/ConfigurationError.h"
 #include "motion/KeyframeReader.h"
+#include "support/SearchTasks.h"
 
 namespace plumbline::training {
 namespace {
 
 using Options = std::map<std::string, std::string>;
-
-Eigen::VectorXd startOf(const SearchTask& task) {
-  Eigen::VectorXd x(static_cast<Eigen::Index>(task.parameters().size()));
-  for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = task.parameters()[static_cast<std::size_t>(i)].start;
-  return x;
-}
 
 struct TemporaryFolder {
   TemporaryFolder() : path(testing::TempDir() + "kick" + std::to_string(getpid())) {
@@ -29,18 +24,6 @@ struct TemporaryFolder {
   ~TemporaryFolder() { std::filesystem::remove_all(path); }
   std::string path;
 };
-
-double figure(const TaskOutcome& outcome, const std::string& name) {
-  for (const auto& [key, value] : outcome.figures)
-    if (key == name) return value;
-  ADD_FAILURE() << "no figure " << name;
-  return 0;
-}
-
-void expectSame(const TaskOutcome& a, const TaskOutcome& b) {
-  EXPECT_EQ(a.cost, b.cost);
-  EXPECT_EQ(a.figures, b.figures);
-}
 
 TEST(KickTask, theQuickKickCarriesTheBallForward) {
   KickTask task{TaskOptions()};

@@ -4,28 +4,16 @@
 
 #include <string>
 
-#include "framework/ConfigurationError.h"
+#include "support/SearchTasks.h"
+#include "support/Thrown.h"
 
 namespace plumbline::training {
 namespace {
-
-Eigen::VectorXd valuesOf(const SearchTask& task) {
-  Eigen::VectorXd x(static_cast<Eigen::Index>(task.parameters().size()));
-  for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = task.parameters()[static_cast<std::size_t>(i)].start;
-  return x;
-}
 
 Eigen::Index indexOf(const SearchTask& task, const std::string& name) {
   for (std::size_t i = 0; i < task.parameters().size(); ++i)
     if (task.parameters()[i].name == name) return static_cast<Eigen::Index>(i);
   ADD_FAILURE() << "no parameter " << name;
-  return 0;
-}
-
-double figureOf(const TaskOutcome& outcome, const std::string& name) {
-  for (const auto& [key, value] : outcome.figures)
-    if (key == name) return value;
-  ADD_FAILURE() << "no figure " << name;
   return 0;
 }
 
@@ -35,15 +23,15 @@ TaskOptions type(const char* number) {
 
 TEST(PositioningTask, theRobotGoesToTheBallAndKicksItFar) {
   PositioningTask task(type("4"));
-  const Eigen::VectorXd start = valuesOf(task);
+  const Eigen::VectorXd start = startOf(task);
   double time = 0, distance = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const TaskOutcome outcome = task.run(start, seed);
-    EXPECT_EQ(figureOf(outcome, "kicked"), 1) << seed;
-    EXPECT_EQ(figureOf(outcome, "fell"), 0) << seed;
-    EXPECT_GE(figureOf(outcome, "time"), figureOf(outcome, "there"));
-    time += figureOf(outcome, "time") / 5;
-    distance += figureOf(outcome, "distance") / 5;
+    EXPECT_EQ(figure(outcome, "kicked"), 1) << seed;
+    EXPECT_EQ(figure(outcome, "fell"), 0) << seed;
+    EXPECT_GE(figure(outcome, "time"), figure(outcome, "there"));
+    time += figure(outcome, "time") / 5;
+    distance += figure(outcome, "distance") / 5;
   }
   EXPECT_GT(time, 2);
   EXPECT_LT(time, 8);
@@ -52,28 +40,27 @@ TEST(PositioningTask, theRobotGoesToTheBallAndKicksItFar) {
 
 TEST(PositioningTask, aRunDependsOnParametersAndSeedAlone) {
   PositioningTask used(type("4")), fresh(type("4"));
-  const Eigen::VectorXd start = valuesOf(used);
+  const Eigen::VectorXd start = startOf(used);
   used.run(start, 8);
-  const TaskOutcome a = used.run(start, 9), b = fresh.run(start, 9);
-  EXPECT_EQ(a.cost, b.cost);
-  EXPECT_EQ(a.figures, b.figures);
+  const TaskOutcome a = used.run(start, 9);
+  expectSame(a, fresh.run(start, 9));
   EXPECT_NE(a.cost, used.run(start, 10).cost);
 }
 
 TEST(PositioningTask, whoNeverStandsExactlyEnoughNeverKicks) {
   PositioningTask task(type("4"));
-  Eigen::VectorXd parameters = valuesOf(task);
+  Eigen::VectorXd parameters = startOf(task);
   parameters[indexOf(task, "toleranceForward")] = parameters[indexOf(task, "toleranceSideways")] = 0.001;
   parameters[indexOf(task, "toleranceHeading")] = 0.001;
   const TaskOutcome outcome = task.run(parameters, 1);
-  EXPECT_EQ(figureOf(outcome, "kicked"), 0);
-  EXPECT_EQ(figureOf(outcome, "time"), 20);
+  EXPECT_EQ(figure(outcome, "kicked"), 0);
+  EXPECT_EQ(figure(outcome, "time"), 20);
   EXPECT_GT(outcome.cost, 25) << "half a second for each metre of the kick";
 }
 
 TEST(PositioningTask, theFileHasWhatWasSearchedAndIsReadAsAnOverlay) {
   PositioningTask task(type("4"));
-  Eigen::VectorXd parameters = valuesOf(task);
+  Eigen::VectorXd parameters = startOf(task);
   parameters[indexOf(task, "walk_maxTurn")] = 2.123456;
   const std::string file = task.file(parameters, "Found.\nBy a test.", {});
   EXPECT_EQ(file.substr(0, 21), "# Found.\n# By a test.");
@@ -88,18 +75,12 @@ TEST(PositioningTask, theFileHasWhatWasSearchedAndIsReadAsAnOverlay) {
   EXPECT_EQ(task.run(parameters, 3).cost, task.run(rounded, 3).cost);
 }
 
-std::string refusalOf(std::map<std::string, std::string> options) {
-  try {
-    PositioningTask task{TaskOptions(std::move(options))};
-  } catch (const ConfigurationError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST(PositioningTask, tellsOptionsThatItCannotUse) {
-  EXPECT_EQ(refusalOf({{"motion", "wave"}}), "option motion: wave is no kick of this robot");
-  EXPECT_EQ(refusalOf({{"start", "0.1"}}), "option start: \"0.1\" is no number from 0.3 to 10");
+  const auto with = [](const char* key, const char* value) {
+    return thrownBy([&] { PositioningTask task{TaskOptions({{key, value}})}; });
+  };
+  EXPECT_EQ(with("motion", "wave"), "option motion: wave is no kick of this robot");
+  EXPECT_EQ(with("start", "0.1"), "option start: \"0.1\" is no number from 0.3 to 10");
 }
 
 }  // namespace

@@ -9,10 +9,8 @@ void StartPlace::play(Match& match) {
   const bool begins = match.mode == PlayMode::beforeKickOff &&
                       sideOf(match.game.mode, PlayMode::kickOffLeft) != TeamSide::none;
   if (!rules.on || !begins) return;
-  const Vec3 place(rules.x, rules.y, match.field.ballRadius),
-      velocity(rules.speedX, rules.speedY, rules.speedZ);
-  match.placeBall(place);
-  if (velocity.norm() > 0) match.world.setBall(place, velocity);
+  match.placeBall(Vec3(rules.x, rules.y, match.field.ballRadius),
+                  Vec3(rules.speedX, rules.speedY, rules.speedZ));
   if (Participant* first = match.find(TeamSide::left, 1))
     match.move(*first, Vec3(rules.robotX, rules.robotY, first->torso.pose.translation().z()));
 }
