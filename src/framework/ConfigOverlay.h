@@ -8,7 +8,7 @@ namespace plumbline {
 /// value. So that file either has every value of the earlier one, or names it in its first key, with the
 /// number of its own values:
 ///
-///     overlay: {base: kick.yaml, values: 3}
+///     overlay: {base: SkillGetBall.yaml, values: 3}
 ///
 /// Throws ConfigurationError naming file and line for anything else, also where the number is wrong.
 void layOver(ConfigNode& base, ConfigNode over);

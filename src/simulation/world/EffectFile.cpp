@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "framework/CommentLines.h"
 #include "framework/ConfigFile.h"
 #include "framework/ConfigurationError.h"
 #include "framework/Json.h"
@@ -108,9 +109,7 @@ std::vector<EffectSetting> readEffects(const std::string& path) {
 }
 
 std::string effectsText(const std::vector<EffectSetting>& effects, const std::string& comment) {
-  std::string text;
-  std::istringstream lines(comment);
-  for (std::string line; std::getline(lines, line);) text += "# " + line + "\n";
+  std::string text = commentLines(comment);
   text += effects.empty() ? "effects: []\n" : "effects:\n";
   for (const EffectSetting& effect : effects) {
     char value[32];

@@ -32,9 +32,7 @@ for ((i = 0; i < tries; ++i)); do
     END { printf "%d\t%s\t%d\t%.2f\t%d\t%d\n", type, ball, mode == "Goal_Left", time, missed, falls }' "$work/run/track.csv" >> "$work/tries.tsv"
   if ((i % 10 == 9)); then echo "$((i + 1)) of $tries starts"; fi
 done
-awk -F'\t' -v seed="$seed" -v json="$out.json" '
-  function interval(k, n,   p, z, c, h) { p = k / n; z = 1.96; c = (p + z * z / 2 / n) / (1 + z * z / n)
-    h = z / (1 + z * z / n) * sqrt(p * (1 - p) / n + z * z / 4 / n / n); return sprintf("%.0f %% (%.0f to %.0f)", 100 * p, 100 * (c - h), 100 * (c + h)) }
+awk -F'\t' -v seed="$seed" -v json="$out.json" "$(< tests/support/interval.awk)"'
   function median(   i, j, v) { for (i = 2; i <= scored; ++i) { v = at[i]; for (j = i; j > 1 && at[j - 1] > v; --j) at[j] = at[j - 1]; at[j] = v }
     return scored ? at[int((scored + 1) / 2)] : 60 }
   { ++n; missed += $5; falls += $6; if ($3) { at[++scored] = $4; if ($5 == 0) ++first } }

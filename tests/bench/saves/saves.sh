@@ -14,7 +14,7 @@ work=$(mktemp -d)
 finish() { kill $(jobs -p) 2> /dev/null || true; wait 2> /dev/null || true; rm -rf "$work"; }
 trap finish EXIT
 
-play() { # seed, type, dives: writes where the ball came to, its x, to $work/end
+play() { # seed, type, dives: prints the x to which the ball came [m]
   read -r x y vx vy vz < <(awk -v seed="$1" 'BEGIN {
     srand(seed); for (k = 0; k < 5; ++k) rand()
     d = 2.5 + 3 * rand(); y = 2 * rand() - 1; aim = 1.9 * rand() - 0.95
@@ -26,7 +26,7 @@ play() { # seed, type, dives: writes where the ball came to, its x, to $work/end
   rm -rf "$work/config" "$work/ports.json" "$work/track.csv"
   cp -r "$config" "$work/config"
   printf 'dives: %s\n' "$3" > "$work/config/Goalie.yaml"
-  "$bin/simulator" --port 0 --monitor-port 0 --ports-file "$work/ports.json" --wait-agents 2 --kickoff-after 3 --max-seconds 6 \
+  timeout 60 "$bin/simulator" --port 0 --monitor-port 0 --ports-file "$work/ports.json" --wait-agents 2 --kickoff-after 3 --max-seconds 6 \
     --sync --seed "$1" --rules "$work/rules.yaml" --die-with-parent > "$work/simulator.log" 2>&1 &
   local simulator=$! agent monitor rest number
   until [[ -s $work/ports.json ]]; do kill -0 $simulator || { tail -1 "$work/simulator.log" >&2; exit 1; }; sleep 0.02; done
@@ -46,17 +46,15 @@ play() { # seed, type, dives: writes where the ball came to, its x, to $work/end
 for type in $types; do
   for dives in true false; do
     for ((i = 0; i < shots; ++i)); do
-      echo "$type $dives $(play $((seed + i)) "$type" $dives)" >> "$work/shots"
+      x=$(play $((seed + i)) "$type" $dives)
+      [[ $x ]] || { echo "saves.sh: the shot of seed $((seed + i)) at type $type was not played: $(tail -1 "$work/simulator.log")" >&2; exit 1; }
+      echo "$type $dives $x" >> "$work/shots"
       if ((i % 20 == 19)); then echo "type $type, dives $dives: $((i + 1)) of $shots shots"; fi
     done
   done
 done
-awk -v shots="$shots" -v seed="$seed" -v json="$out.json" '
+awk -v shots="$shots" -v seed="$seed" -v json="$out.json" "$(< tests/support/interval.awk)"'
   { ++n[$1, $2]; kept[$1, $2] += $3 > -15; if (!($1 in seen)) { seen[$1]; type[++types] = $1 } }
-  function share(k,   p, z, middle, half) {  # Wilson
-    p = kept[k] / n[k]; z = 1.96 ^ 2 / n[k]; middle = (p + z / 2) / (1 + z); half = sqrt(z * (p * (1 - p) + z / 4)) / (1 + z)
-    return sprintf("%.0f %% (%.0f to %.0f)", 100 * p, 100 * (middle - half), 100 * (middle + half))
-  }
   END {
     printf "%d shots at a keeper of each type, seeds from %d: 2.5 to 5.5 m away, at any place between the posts, half of them along the\n", shots, seed
     print "ground. Shares of balls that it keeps out, with 95 % intervals (Wilson).\n"
@@ -64,7 +62,7 @@ awk -v shots="$shots" -v seed="$seed" -v json="$out.json" '
     printf "[" > json
     for (i = 1; i <= types; ++i) {
       t = type[i]
-      printf "| %s | %s | %s |\n", t, share(t SUBSEP "true"), share(t SUBSEP "false")
+      printf "| %s | %s | %s |\n", t, interval(kept[t, "true"], n[t, "true"]), interval(kept[t, "false"], n[t, "false"])
       printf "%s\n  {\"name\": \"saves.type%s\", \"value\": %.4g, \"unit\": \"%%\", \"better\": \"higher\"},\n  {\"name\": \"saves.type%s.without_dives\", \"value\": %.4g, \"unit\": \"%%\", \"better\": \"higher\"}",
         (i > 1 ? "," : ""), t, 100 * kept[t, "true"] / n[t, "true"], t, 100 * kept[t, "false"] / n[t, "false"] > json
     }
