@@ -77,7 +77,9 @@ TEST(PositioningTask, theFileHasWhatWasSearchedAndIsReadAsAnOverlay) {
 
 TEST(PositioningTask, tellsOptionsThatItCannotUse) {
   const auto with = [](const char* key, const char* value) {
-    return thrownBy([&] { PositioningTask task{TaskOptions({{key, value}})}; });
+    return thrownBy([&] {
+      PositioningTask task{TaskOptions(std::map<std::string, std::string>{{key, value}})};
+    });
   };
   EXPECT_EQ(with("motion", "wave"), "option motion: wave is no kick of this robot");
   EXPECT_EQ(with("start", "0.1"), "option start: \"0.1\" is no number from 0.3 to 10");
