@@ -24,6 +24,7 @@ usage: start.sh [options] [HOST] [-- OPTIONS OF bin/agent]
 examples:
   bin/start.sh
   bin/start.sh 192.168.1.20 --team Red --players 3 --logs build/logs
+  bin/start.sh -- --log build/game/player{number}     # {number} in these options is the player's
 END
 }
 fail() { echo "start.sh: $*; see start.sh --help" >&2; exit 2; }
@@ -76,7 +77,7 @@ for ((number = 1; number <= players; ++number)); do
   [[ $config ]] && options+=(--config "$config")
   if [[ $logs ]]; then output=$logs/agent$number.log options+=(--crash-log "$logs/crash$number.log"); else output=/dev/null; fi
   # Not hung up with this shell, and not ended by its Ctrl-C.
-  setsid "$bin/agent" "${options[@]}" "$@" > "$output" 2>&1 < /dev/null &
+  setsid "$bin/agent" "${options[@]}" "${@//\{number\}/$number}" > "$output" 2>&1 < /dev/null &
   disown
   # One after the other, so that the server gives them their places in this order.
   sleep "${PLUMBLINE_START_PAUSE:-0.1}"
