@@ -73,7 +73,9 @@ nothingLeft "an interruption"
 "$bin/simulator" --port 0 --monitor-port 0 --ports-file "$scratch/ports.json" > "$scratch/simulator.log" 2>&1 &
 waitFor test -s "$scratch/ports.json"
 read -r agentPort monitorPort _ < <(tr -cs '0-9\n' ' ' < "$scratch/ports.json")
-for team in One Two; do "$scratch/bin/start.sh" -p "$agentPort" -m "$monitorPort" -t $team -n 2 --config "$PWD/config"; done
+for team in One Two; do
+  "$scratch/bin/start.sh" -p "$agentPort" -m "$monitorPort" -t $team -n 2 --config "$PWD/config" -- --stats "$scratch/$team{number}.json"
+done
 waitFor grep -q 'Two 2) plays' "$scratch/simulator.log"
 count() { pgrep -fa "team $1 " | grep -o "number [0-9]*" | sort -u | wc -l; } # an agent is more than one process
 expectEqual "$(count One) $(count Two)" "2 2" "agents"
@@ -81,6 +83,7 @@ expectEqual "$(count One) $(count Two)" "2 2" "agents"
 expectEqual "$(count One) $(count Two)" "0 2" "agents after kill.sh One"
 "$scratch/bin/kill.sh"
 expectEqual "$(count One) $(count Two)" "0 0" "agents after kill.sh"
+expectEqual "$(cd "$scratch" && echo One[0-9].json Two[0-9].json)" "One1.json One2.json Two1.json Two2.json" "files by the players' numbers"
 
 # The averages, against numbers worked out by hand.
 cat > "$scratch/known.log" << 'END'

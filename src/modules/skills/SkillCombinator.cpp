@@ -6,6 +6,15 @@ namespace plumbline {
 
 MAKE_MODULE(SkillCombinator)
 
+Vec2 SkillCombinator::withoutCharging(const Vec2& velocity) {
+  if (!theRobotPose || !theBallPos || !theOtherRobots || !theRobotPose->valid) return velocity;
+  const Pose2 toRobot = theRobotPose->pose.inverse();
+  std::vector<Vec2> opponents;
+  for (const OtherRobot& robot : theOtherRobots->robots)
+    if (!robot.mate && !robot.fallen) opponents.push_back(toRobot * robot.position);
+  return guard_.allowed(velocity, theBallPos->relative, opponents, charge, theFrameInfo->cycleSeconds);
+}
+
 void SkillCombinator::update(MotionRequest* theMotionRequest) {
   theMotionRequest->motion = Motion::stand;
   theMotionRequest->walkVelocity = Vec2::Zero();
@@ -23,6 +32,7 @@ void SkillCombinator::update(MotionRequest* theMotionRequest) {
     theMotionRequest->kickBall = output->kickBall;
     break;
   }
+  theMotionRequest->walkVelocity = withoutCharging(theMotionRequest->walkVelocity);
   DEBUG_DRAWING("draw:SkillCombinator:request", {
     const MotionRequest& request = *theMotionRequest;
     drawing.in(DrawingFrame::robot);

@@ -26,6 +26,16 @@ void SkillDribble::update(SkillDribbleOutput* theSkillDribbleOutput) {
   const double most = pushing_ ? stopLateral : pressed ? pressedLateral : startLateral;
   const double off = pushing_ ? stopHeading : pressed ? pressedHeading : startHeading;
   pushing_ = ball.x() > 0 && ball.x() < reach && lateral < most && heading < off;
+  if (!pushing_ && pressed && ball.x() > 0 && ball.x() < reach) {
+    // A duel: straight to the ball in any direction of the body, while it turns.
+    const double off = std::min(1.0, lateral / stopLateral);
+    const Vec2 aim(ball.x() + std::lerp(through, -behind, off), ball.y());
+    const Vec2 way = Eigen::Rotation2Dd(direction) * aim;
+    output.motion = Motion::walk;
+    output.walkVelocity = limitVelocity(walk.maxForward / std::max(way.norm(), 1e-3) * way, walk);
+    output.walkTurn = std::clamp(walk.headingGain * direction, -walk.maxTurn, walk.maxTurn);
+    return;
+  }
   if (!pushing_) return;
   output.motion = Motion::walk;
   output.walkVelocity = limitVelocity(

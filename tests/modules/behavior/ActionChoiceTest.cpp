@@ -100,7 +100,17 @@ TEST_F(ActionChoiceTest, theBallRollsAsFarAsTheFirstInItsWay) {
   add(false, {2, 0.2});
   EXPECT_NEAR(judge(Kind::kick, 0).end.x(), 2, 1e-12);
   situation.others.back().fallen = true;
+  EXPECT_NEAR(judge(Kind::kick, 0).end.x(), 2, 1e-12) << "not over who lies";
+  situation.kicks[0].rise = 0.3;
   EXPECT_NEAR(judge(Kind::kick, 0).end.x(), 4, 1e-12);
+}
+
+TEST_F(ActionChoiceTest, withAnOpponentAtTheBallItIsPushedAtOnce) {
+  situation.robot = Pose2(-0.2, 0, 0);
+  add(false, {0.5, 0.3});
+  EXPECT_EQ(choose().kind, Kind::dribble);
+  situation.others.back().position = {2.5, 0.3};
+  EXPECT_EQ(choose().kind, Kind::kick);
 }
 
 TEST_F(ActionChoiceTest, anOpponentBesideTheWayStepsIntoIt) {

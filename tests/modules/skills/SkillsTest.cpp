@@ -312,7 +312,19 @@ TEST_F(DribbleTest, pushesAtOnceWhereAnOpponentIsNear) {
   EXPECT_FALSE(pushes({0.2, 0.1})) << "nobody is near";
   harness.input<SkillGetBallOutput>().pressed = true;
   EXPECT_TRUE(pushes({0.2, 0.1}));
-  EXPECT_FALSE(pushes({0.2, 0.2})) << "beside the robot";
+}
+
+TEST_F(DribbleTest, goesStraightToTheBallInADuel) {
+  harness.input<SkillGetBallOutput>().pressed = true;
+  // The ball lies 0.2 m to the left and shall go straight on: sideways, to a place 0.13 m behind it.
+  const SkillOutput& output = ballAt({0.2, 0.2});
+  EXPECT_GT(output.walkVelocity.y(), 0.2);
+  EXPECT_NEAR(output.walkVelocity.x() / output.walkVelocity.y(), 0.07 / 0.2, 1e-9);
+  EXPECT_EQ(output.walkTurn, 0);
+  // To the left: it turns on the way.
+  EXPECT_GT(ballAt({0.4, 0}, 1.0).walkTurn, 0.5);
+  EXPECT_FALSE(pushes({-0.2, 0.1})) << "the ball is behind it";
+  EXPECT_FALSE(pushes({1.5, 0.3})) << "far away";
 }
 
 /// A skill that no file of the project names.
@@ -349,6 +361,26 @@ TEST(SkillCombinator, takesTheActiveSkillOrStands) {
   harness.cycle();
   EXPECT_EQ(harness.output<MotionRequest>().motion, Motion::stand);
   EXPECT_EQ(harness.output<MotionRequest>().walkVelocity.norm(), 0);
+}
+
+TEST(SkillCombinator, walksIntoNoOpponentThatHasTheBall) {
+  test::ModuleHarness<SkillCombinator> harness;
+  SkillOutput& dribble = harness.input<SkillDribbleOutput>();
+  dribble.active = true;
+  dribble.motion = Motion::walk;
+  dribble.walkVelocity = {1, 0};
+  harness.input<RobotPose>() = {};
+  harness.input<RobotPose>().pose = Pose2(2, 3, pi / 2);
+  harness.input<RobotPose>().valid = true;
+  harness.input<BallPos>().relative = {0.8, 0};
+  OtherRobot opponent;
+  opponent.position = {2, 3.5};
+  harness.input<OtherRobots>().robots = {opponent};
+  harness.cycle();
+  EXPECT_NEAR(harness.output<MotionRequest>().walkVelocity.x(), 0.4, 1e-9);
+  harness.input<OtherRobots>().robots[0].fallen = true;
+  harness.cycle();
+  EXPECT_EQ(harness.output<MotionRequest>().walkVelocity.x(), 1);
 }
 
 }  // namespace

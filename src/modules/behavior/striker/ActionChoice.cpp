@@ -95,9 +95,9 @@ public:
   StrikerAction action(int i) const {
     const double direction = fan_.direction(i);
     const Vec2 to(std::cos(direction), std::sin(direction));
-    double seconds = toBall_ + 0.5 * time_.wrongSide * (1 - ahead_.dot(to));
-    seconds += play_.dribbled ? fan_.way(i) / parameters_.dribbleSpeed / 2  // it can be lost half-way
-                              : parameters_.kickSeconds;
+    const double round = std::acos(std::clamp(ahead_.dot(to), -1.0, 1.0)) / pi;
+    double seconds = toBall_ + round * parameters_.roundSeconds;
+    seconds += play_.dribbled ? parameters_.pushSeconds : parameters_.kickSeconds;
     const double first = 1 / (1 + std::exp((seconds - courses_.opponentSeconds()) / parameters_.timeSpread));
     StrikerAction action;
     action.kind = play_.dribbled ? StrikerAction::Kind::dribble : StrikerAction::Kind::kick;

@@ -18,6 +18,10 @@ struct ActionChoiceParameters {
   PARAMETER(double, widest, 2.0, "rad", Range(0.1, 3.1), "the outermost ones, off the direction of the goal")
   PARAMETER(double, kickSeconds, 1.5, "s", Range(0, 20),
             "time to stand exactly behind the ball and kick it, once the robot is there")
+  PARAMETER(double, pushSeconds, 0.3, "s", Range(0, 20),
+            "until a dribbled ball moves, once the robot is there")
+  PARAMETER(double, roundSeconds, 3.5, "s", Range(0, 20),
+            "to get round the ball, for a robot on the wrong side of it; less for smaller angles, in proportion")
   PARAMETER(double, dribbleWay, 1.5, "m", Range(0.1, 10), "how far ahead a dribble is judged")
   PARAMETER(double, dribbleSpeed, 0.5, "m/s", Range(0.05, 3), "of the ball while it is dribbled")
   PARAMETER(double, dribbleScatter, 0.1, "rad", Range(0.01, 1),
@@ -26,11 +30,13 @@ struct ActionChoiceParameters {
       double, goalWorth, 1.8, "", Range(1, 10),
       "of a goal while others play, where 1 is the value of being sure to score the next one; the more, "
       "the sooner the striker shoots instead of waiting for a safer shot")
-  PARAMETER(double, timeSpread, 1, "s", Range(0.05, 10),
+  PARAMETER(double, timeSpread, 0.5, "s", Range(0.05, 10),
             "uncertainty of which player is first: 73 % for the one that is sooner by this")
   PARAMETER(double, timePrice, 0.01, "1/s", Range(0, 1), "value that a second costs")
   PARAMETER(double, blockWidth, 0.35, "m", Range(0, 3),
             "a standing robot this near to the ball's way stops it")
+  PARAMETER(double, pushThrough, 0.4, "", Range(0, 1),
+            "share of its way beyond a robot that a dribble still makes")
   PARAMETER(double, blockSpeed, 0.25, "m/s", Range(0, 3),
             "opponents come so much nearer to the way while the ball rolls")
   PARAMETER(double, goalKickWay, 7, "m", Range(0, 30),

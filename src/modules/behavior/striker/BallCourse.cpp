@@ -16,6 +16,7 @@ constexpr double aloneRestart = 15;   ///< until a ball that went out is laid do
 constexpr double longestStep = 2;     ///< for which an opponent comes nearer to the ball's way [s]
 constexpr double shortest = 0.05;     ///< way of a ball [m]
 constexpr double flies = 0.6;         ///< share of its way over which a kick flies
+constexpr double overLying = 0.2;     ///< a kick that rises so high goes over a robot that lies [m]
 constexpr double riseSpread = 0.35;   ///< standard deviation of a kick's height, share of it
 
 /// The share of a normal distribution below `deviations`.
@@ -91,15 +92,15 @@ double BallCourses::underBar(double share, double rise) const {
   return height > 1e-6 ? below((most - height) / (riseSpread * height)) : 1;
 }
 
-double BallCourses::freeWay(const Vec2& direction, double reach) const {
+double BallCourses::freeWay(const Vec2& direction, double reach, bool high) const {
   double way = reach;
   for (const OtherRobot& robot : situation_.others) {
-    if (robot.fallen) continue;
+    if (robot.fallen && high) continue;
     const Vec2 to = robot.position - situation_.ball;
     const double along = to.dot(direction);
     if (along <= 0 || along >= way) continue;
     const double aside = std::abs(to.x() * direction.y() - to.y() * direction.x());
-    const double most = robot.mate ? 0 : parameters_.blockSpeed;  // a step aside, for each second
+    const double most = robot.mate || robot.fallen ? 0 : parameters_.blockSpeed;  // a step aside, for each second
     if (aside > parameters_.blockWidth + most * longestStep) continue;
     if (aside < parameters_.blockWidth + most * std::min(rollingSeconds(along, reach), longestStep))
       way = along;
@@ -117,7 +118,8 @@ BallCourse BallCourses::course(double direction, const BallPlay& play) const {
                          : (std::copysign(situation_.halfWidth, to.y()) - situation_.ball.y()) / to.y();
   const double line = std::max(0.0, std::min(toX, toY));
   const double reach = std::max(play.kick.distance, shortest);
-  const double clear = freeWay(to, reach + 2 * play.kick.spread);
+  double clear = freeWay(to, reach + 2 * play.kick.spread, play.kick.rise > overLying);
+  if (play.dribbled && clear < reach) clear += parameters_.pushThrough * (reach - clear);
   BallCourse course;
   // What is not over the line rests before it, or at a robot.
   const double over = line <= clear ? below((reach - line) / std::max(play.kick.spread, 1e-3)) : 0.0;

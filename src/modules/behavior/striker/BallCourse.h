@@ -40,8 +40,8 @@ private:
   /// When the first opponent can play the ball [s].
   double opponentAtBall() const;
   double firstArrival(bool mates, const Vec2& place) const;
-  /// How far the ball gets before a robot in its way.
-  double freeWay(const Vec2& direction, double reach) const;
+  /// How far the ball gets before a robot in its way; a high one goes over who lies.
+  double freeWay(const Vec2& direction, double reach, bool high) const;
 
   const StrikerSituation& situation_;
   const FieldValue& value_;
