@@ -5,10 +5,13 @@
 #include <limits>
 
 #include "simulation/league/MakeWorld.h"
+#include "simulation/referee/rules/SelfCollision.h"
 
 namespace plumbline::simulation {
 
 namespace {
+
+const SelfCollision::Parameters rules;  ///< the league's
 
 /// How far a shape reaches below its centre when its frame is turned so [m].
 double reachBelow(const Shape& shape, const Mat3& rotation) {
@@ -35,10 +38,18 @@ void LocalRobot::act(const JointArray& velocities) {
   if (!config_.actionDelay) pending_ = velocities;
   for (int j = 0; j < maxJoints; ++j)
     if (const auto joint = static_cast<JointId>(j); model_.has(joint))
-      world_->setJointVelocity(handle_, joint, pending_[static_cast<std::size_t>(j)]);
+      world_->setJointVelocity(handle_, joint, limbs_.joints()[joint] ? 0 : pending_[joint]);
   world_->step();
   pending_ = velocities;
   ++cycles_;
+  const FreezeTimes times{rules.frozen, rules.thaw};
+  for (const LimbCollision& collision : limbCollisions(*world_, handle_, model_, rules.tolerance))
+    for (const Limb& limb : {collision.a, collision.b}) limbs_.freeze(limb, time(), times);
+  limbs_.thaw(time(), times);
+}
+
+bool LocalRobot::overlaps() const {
+  return !limbCollisions(*world_, handle_, model_, rules.tolerance).empty();
 }
 
 void LocalRobot::restart(const Pose2& place, const JointArray& angles) {
@@ -52,6 +63,7 @@ void LocalRobot::restart(const Pose3& T_world_torso, const JointArray& angles) {
   handle_ = world_->addRobot(model_, T_world_torso);
   world_->setPosture(handle_, angles);
   pending_.fill(0);
+  limbs_ = {};
   cycles_ = 0;
 }
 

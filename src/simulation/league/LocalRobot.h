@@ -3,13 +3,15 @@
 
 #include "math/Pose2.h"
 #include "robot/RobotModel.h"
+#include "simulation/referee/LimbCollision.h"
 #include "simulation/world/World.h"
 
 namespace plumbline::simulation {
 
 /// One robot alone in a world of its own, in this process, with the league server's delay: what is answered
-/// to one message shows in the joint angles of the message after the next. For learning and closed-loop
-/// tests; an object is used by one thread at a time.
+/// to one message shows in the joint angles of the message after the next, and limbs that pass through each
+/// other freeze (rule selfCollision). For learning and closed-loop tests; an object is used by one thread at a
+/// time.
 class LocalRobot {
 public:
   explicit LocalRobot(const RobotModel& model, const WorldConfig& config = {});
@@ -33,6 +35,10 @@ public:
   const RobotModel& model() const { return model_; }
   World& world() { return *world_; }
   RobotHandle robot() const { return handle_; }
+  /// Whether limbs pass through each other now.
+  bool overlaps() const;
+  /// Joints that take no speed now.
+  const JointSet& frozen() const { return limbs_.joints(); }
 
 private:
   double lowestPoint() const;
@@ -42,6 +48,7 @@ private:
   std::unique_ptr<World> world_;
   RobotHandle handle_ = 0;
   JointArray pending_{};  ///< the answer to the message before this one; without delay: to this one
+  FrozenLimbs limbs_;
   long cycles_ = 0;
 };
 

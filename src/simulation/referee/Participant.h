@@ -1,15 +1,13 @@
 #pragma once
 #include <array>
-#include <bitset>
 
 #include "robot/RobotModel.h"
 #include "simspark/TeamSide.h"
 #include "simulation/referee/Fouls.h"
+#include "simulation/referee/LimbCollision.h"
 #include "simulation/world/World.h"
 
 namespace plumbline::simulation {
-
-using JointSet = std::bitset<maxJoints>;
 
 /// Who is on the field. `frozen` are the joints that take no speed; the referee sets them.
 struct Member {
@@ -26,7 +24,6 @@ struct Member {
 /// counted in cycles.
 struct Participant : Member {
   explicit Participant(const Member& member) : Member(member) {
-    lastFrozen.fill(never);
     velocities.fill(Vec3::Zero());
   }
 
@@ -48,9 +45,8 @@ struct Participant : Member {
   Foul::Kind foul = Foul::Kind::none;
   int foulCycles = 0;
   bool movedForFoul = false;  ///< its rule has put it where it may be
-  /// Game times [s].
-  JointArray lastFrozen;
-  double lastSelfCollision = never;
+  FrozenLimbs limbs;
+  double lastSelfCollision = never;  ///< game time [s]
 
   int lastGroupSize = 1;  ///< of those who touched each other, in the cycle before
 

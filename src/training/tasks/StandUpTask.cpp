@@ -38,6 +38,8 @@ const StandUpTask::Lying& StandUpTask::lying(std::uint64_t seed) {
     if (!trial.fall(direction_)) continue;
     const Vec3 up = trial.up();
     if (std::abs(up.x()) < std::abs(up.y()) || (up.x() < 0) != (direction_ > 0)) continue;
+    // The joints were put anywhere. Limbs that overlap from there would freeze now, as no fall does.
+    if (trial.robot.overlaps() || trial.robot.frozen().any()) continue;
     return fallen_[seed] = {trial.robot.torso().pose, trial.robot.sense().angle};
   }
   throw std::runtime_error("the robot does not fall");

@@ -53,6 +53,31 @@ TEST(LocalRobot, fallsAndIsSetUpAgain) {
   EXPECT_EQ(robot.time(), 0);
 }
 
+TEST(LocalRobot, limbsThatPassThroughEachOtherFreeze) {
+  LocalRobot robot(simsparkRobot(0));
+  EXPECT_FALSE(robot.overlaps());
+  // The lower arm through the torso: the elbow bent inwards.
+  JointArray angles{};
+  angles[lShoulderRoll] = fromDegrees(-1);
+  angles[lShoulderPitch] = fromDegrees(70);
+  angles[lElbowYaw] = fromDegrees(40);
+  angles[lElbowRoll] = fromDegrees(-60);
+  robot.restart(Pose2(), angles);
+  EXPECT_TRUE(robot.overlaps());
+  EXPECT_TRUE(robot.frozen().none());
+  JointArray speeds{};
+  speeds[lElbowRoll] = speeds[rElbowRoll] = 0.2;
+  robot.act(speeds);
+  EXPECT_EQ(robot.frozen().count(), 4u) << "the arm";
+  for (int i = 0; i < 50; ++i) robot.act(speeds);
+  EXPECT_NEAR(robot.sense().angle[lElbowRoll], angles[lElbowRoll], 0.01) << "a second long";
+  EXPECT_GT(robot.sense().angle[rElbowRoll], 0.15);
+  for (int i = 0; i < 50; ++i) robot.act(speeds);
+  EXPECT_GT(robot.sense().angle[lElbowRoll], angles[lElbowRoll] + 0.15);
+  robot.restart();
+  EXPECT_TRUE(robot.frozen().none());
+}
+
 TEST(LocalRobot, startsLying) {
   LocalRobot robot(simsparkRobot(0));
   robot.restart(translation(0, 0, 0.1) * rotationY(pi / 2), {});

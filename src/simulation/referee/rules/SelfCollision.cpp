@@ -1,107 +1,25 @@
 #include "simulation/referee/rules/SelfCollision.h"
 
-#include <cmath>
-#include <string_view>
-
 namespace plumbline::simulation {
 
 namespace {
 
-struct Box {
-  Mat3 axes;
-  Vec3 centre, half;
-  double radius;
-  int link;
-};
-
-bool separates(const Box& a, const Box& b, const Vec3& way, const Vec3& plane, double tolerance) {
-  const double reach = (a.axes.transpose() * plane).cwiseAbs().dot(a.half) +
-                       (b.axes.transpose() * plane).cwiseAbs().dot(b.half);
-  return std::fabs(way.dot(plane)) + tolerance > reach;
-}
-
-/// The separating axis test with a tolerance; planes along two edges are not of unit length, as on the
-/// server.
-bool collide(const Box& a, const Box& b, double tolerance) {
-  const Vec3 way = b.centre - a.centre;
-  if (way.norm() > a.radius + b.radius) return false;
-  for (int i = 0; i < 3; ++i)
-    if (separates(a, b, way, a.axes.col(i), tolerance) || separates(a, b, way, b.axes.col(i), tolerance))
-      return false;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      if (separates(a, b, way, a.axes.col(i).cross(b.axes.col(j)), tolerance)) return false;
-  return true;
-}
-
-std::vector<Box> boxesOf(const Match& match, const Participant& player) {
-  std::vector<Box> boxes;
-  boxes.reserve(16);
-  const auto& links = player.model->links;
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const Link& link = links[i];
-    if (!link.collides || link.shape.kind != Shape::Kind::box) continue;
-    const Pose3 pose = match.world.linkState(player.robot, static_cast<int>(i)).pose *
-                       translation(Vec3(-link.com)) * link.shape.T_link_shape;
-    const Vec3 half = link.shape.size / 2;
-    boxes.push_back({pose.linear(), pose.translation(), half, half.norm(), static_cast<int>(i)});
-  }
-  return boxes;
-}
-
-/// The next link towards the torso that collides, or -1: the one it hangs on.
-int hangsOn(const RobotModel& model, int link) {
-  do link = model.links[static_cast<std::size_t>(link)].parent;
-  while (link >= 0 && !model.links[static_cast<std::size_t>(link)].collides);
-  return link;
-}
-
-/// An arm's boxes are looked at with each other and with the torso; a leg's not with the one they hang on.
-bool exempt(const RobotModel& model, int a, int b) {
-  const auto& name = model.links[static_cast<std::size_t>(b)].name;
-  const bool arm = std::string_view(name).ends_with("Arm");
-  return !arm && hangsOn(model, b) == a;
-}
-
-struct Limb {
-  int first, last;  ///< joints
-};
-constexpr Limb limbs[] = {{lShoulderPitch, lElbowRoll},
-                          {rShoulderPitch, rElbowRoll},
-                          {lHipYawPitch, lToePitch},
-                          {rHipYawPitch, rToePitch}};
-
-/// All joints of the arm or leg a link belongs to; none: the torso.
-Limb limbOf(const RobotModel& model, int link) {
-  const int joint = model.links[static_cast<std::size_t>(link)].joint;
-  for (const Limb& limb : limbs)
-    if (joint >= limb.first && joint <= limb.last) return limb;
-  return {0, -1};
-}
+FreezeTimes timesOf(const SelfCollision::Parameters& rules) { return {rules.frozen, rules.thaw}; }
 
 /// True if a joint of the limb is frozen that was free.
 bool freeze(Match& match, Participant& player, const Limb& limb) {
-  const SelfCollision::Parameters& rules = match.rules.of<SelfCollision>();
-  bool any = false;
-  for (int joint = limb.first; joint <= limb.last; ++joint) {
-    double& last = player.lastFrozen[static_cast<std::size_t>(joint)];
-    if (match.game.time - last <= rules.frozen + rules.thaw) continue;
-    last = match.game.time;
-    player.frozen->set(static_cast<std::size_t>(joint));
-    any = true;
-  }
-  return any;
+  return player.limbs.freeze(limb, match.game.time, timesOf(match.rules.of<SelfCollision>()));
 }
 
-void freezeOrCall(Match& match, Participant& player, const Box& a, const Box& b) {
+void freezeOrCall(Match& match, Participant& player, const LimbCollision& collision) {
   const SelfCollision::Parameters& rules = match.rules.of<SelfCollision>();
   if (rules.putOutside) {
     if (match.game.time - player.lastSelfCollision <= rules.cooldown) return;
     player.lastSelfCollision = match.game.time;
     return player.commit(Foul::Kind::selfCollision);
   }
-  const bool one = freeze(match, player, limbOf(*player.model, a.link));
-  const bool other = freeze(match, player, limbOf(*player.model, b.link));
+  const bool one = freeze(match, player, collision.a);
+  const bool other = freeze(match, player, collision.b);
   if (one || other) match.game.fouls.add(Foul::Kind::selfCollision, player.side, player.unum);
 }
 
@@ -113,24 +31,18 @@ void SelfCollision::judgeAll(Match& match) {
   const Parameters& rules = match.rules.of<SelfCollision>();
   if (!rules.on) return;
   for (Participant& player : match.participants()) {
-    const std::vector<Box> boxes = boxesOf(match, player);
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-      for (std::size_t j = i + 1; j < boxes.size(); ++j)
-        if (collide(boxes[i], boxes[j], rules.tolerance) &&
-            !exempt(*player.model, boxes[i].link, boxes[j].link))
-          freezeOrCall(match, player, boxes[i], boxes[j]);
+    for (const LimbCollision& collision :
+         limbCollisions(match.world, player.robot, *player.model, rules.tolerance))
+      freezeOrCall(match, player, collision);
+    *player.frozen = player.limbs.joints();
   }
 }
 
 void SelfCollision::end(Match& match) {
   const Parameters& rules = match.rules.of<SelfCollision>();
-  const bool all = match.suspended;
   for (Participant& player : match.participants()) {
-    for (std::size_t joint = 0; joint < maxJoints; ++joint) {
-      const double since = match.game.time - player.lastFrozen[joint];
-      if (all || since >= rules.frozen) player.frozen->reset(joint);
-      if (all || since >= rules.frozen + rules.thaw) player.lastFrozen[joint] = Participant::never;
-    }
+    player.limbs.thaw(match.game.time, timesOf(rules), match.suspended);
+    *player.frozen = player.limbs.joints();
   }
 }
 

@@ -1,0 +1,112 @@
+#include "simulation/referee/LimbCollision.h"
+
+#include <cmath>
+#include <string_view>
+
+namespace plumbline::simulation {
+
+namespace {
+
+struct Box {
+  Mat3 axes;
+  Vec3 centre, half;
+  double radius;
+  int link;
+};
+
+bool separates(const Box& a, const Box& b, const Vec3& way, const Vec3& plane, double tolerance) {
+  const double reach = (a.axes.transpose() * plane).cwiseAbs().dot(a.half) +
+                       (b.axes.transpose() * plane).cwiseAbs().dot(b.half);
+  return std::fabs(way.dot(plane)) + tolerance > reach;
+}
+
+/// The separating axis test with a tolerance; planes along two edges are not of unit length, as on the
+/// server.
+bool collide(const Box& a, const Box& b, double tolerance) {
+  const Vec3 way = b.centre - a.centre;
+  if (way.norm() > a.radius + b.radius) return false;
+  for (int i = 0; i < 3; ++i)
+    if (separates(a, b, way, a.axes.col(i), tolerance) || separates(a, b, way, b.axes.col(i), tolerance))
+      return false;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (separates(a, b, way, a.axes.col(i).cross(b.axes.col(j)), tolerance)) return false;
+  return true;
+}
+
+std::vector<Box> boxesOf(const World& world, RobotHandle robot, const RobotModel& model) {
+  std::vector<Box> boxes;
+  boxes.reserve(16);
+  const auto& links = model.links;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const Link& link = links[i];
+    if (!link.collides || link.shape.kind != Shape::Kind::box) continue;
+    const Pose3 pose = world.linkState(robot, static_cast<int>(i)).pose *
+                       translation(Vec3(-link.com)) * link.shape.T_link_shape;
+    const Vec3 half = link.shape.size / 2;
+    boxes.push_back({pose.linear(), pose.translation(), half, half.norm(), static_cast<int>(i)});
+  }
+  return boxes;
+}
+
+/// The next link towards the torso that collides, or -1: the one it hangs on.
+int hangsOn(const RobotModel& model, int link) {
+  do link = model.links[static_cast<std::size_t>(link)].parent;
+  while (link >= 0 && !model.links[static_cast<std::size_t>(link)].collides);
+  return link;
+}
+
+/// An arm's boxes are looked at with each other and with the torso; a leg's not with the one they hang on.
+bool exempt(const RobotModel& model, int a, int b) {
+  const auto& name = model.links[static_cast<std::size_t>(b)].name;
+  const bool arm = std::string_view(name).ends_with("Arm");
+  return !arm && hangsOn(model, b) == a;
+}
+
+constexpr Limb limbs[] = {{lShoulderPitch, lElbowRoll},
+                          {rShoulderPitch, rElbowRoll},
+                          {lHipYawPitch, lToePitch},
+                          {rHipYawPitch, rToePitch}};
+
+/// All joints of the arm or leg a link belongs to; none: the torso.
+Limb limbOf(const RobotModel& model, int link) {
+  const int joint = model.links[static_cast<std::size_t>(link)].joint;
+  for (const Limb& limb : limbs)
+    if (joint >= limb.first && joint <= limb.last) return limb;
+  return {0, -1};
+}
+
+}  // namespace
+
+std::vector<LimbCollision> limbCollisions(const World& world, RobotHandle robot, const RobotModel& model,
+                                          double tolerance) {
+  std::vector<LimbCollision> found;
+  const std::vector<Box> boxes = boxesOf(world, robot, model);
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (std::size_t j = i + 1; j < boxes.size(); ++j)
+      if (collide(boxes[i], boxes[j], tolerance) && !exempt(model, boxes[i].link, boxes[j].link))
+        found.push_back({limbOf(model, boxes[i].link), limbOf(model, boxes[j].link)});
+  return found;
+}
+
+bool FrozenLimbs::freeze(const Limb& limb, double time, const FreezeTimes& times) {
+  bool any = false;
+  for (int joint = limb.first; joint <= limb.last; ++joint) {
+    double& last = last_[static_cast<std::size_t>(joint)];
+    if (time - last <= times.frozen + times.thaw) continue;
+    last = time;
+    joints_.set(static_cast<std::size_t>(joint));
+    any = true;
+  }
+  return any;
+}
+
+void FrozenLimbs::thaw(double time, const FreezeTimes& times, bool all) {
+  for (std::size_t joint = 0; joint < maxJoints; ++joint) {
+    const double since = time - last_[joint];
+    if (all || since >= times.frozen) joints_.reset(joint);
+    if (all || since >= times.frozen + times.thaw) last_[joint] = never;
+  }
+}
+
+}  // namespace plumbline::simulation
