@@ -11,7 +11,8 @@ namespace plumbline {
 struct ChargeGuardParameters {
   PARAMETERS(ChargeGuardParameters)
   PARAMETER(double, contact, 0.3, "m", Range(0, 2), "distance of two robots' middles when they touch")
-  PARAMETER(double, seconds, 0.5, "s", Range(0.02, 5), "in which it could touch at the speed that it is allowed")
+  PARAMETER(double, seconds, 0.5, "s", Range(0.02, 5),
+            "in which it could touch at the speed that it is allowed")
   PARAMETER(double, leastSpeed, 0.1, "m/s", Range(0, 1), "towards an opponent that is always allowed")
   PARAMETER(double, nearer, 0.05, "m", Range(0, 1), "an opponent nearer to the ball by this has it")
   PARAMETER(double, touch, 0.16, "m", Range(0, 1), "a ball this near to the robot is being touched")

@@ -28,7 +28,8 @@ MODULE(SkillDribble)
   PARAMETER(double, reach, 0.8, "m", Range(0.1, 5), "a ball farther ahead is walked to again")
   PARAMETER(double, behind, 0.13, "m", Range(0, 1),
             "in a duel a ball off the line by stopLateral is met from a place this far behind it")
-  PARAMETER(double, through, 0.5, "m", Range(0, 3), "a ball on the line is walked through to this far beyond it")
+  PARAMETER(double, through, 0.5, "m", Range(0, 3),
+            "a ball on the line is walked through to this far beyond it")
 END_MODULE
 
 /// Pushes the ball to a point on the field by walking through it; gets behind it first, less exactly where an

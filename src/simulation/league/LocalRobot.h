@@ -10,8 +10,8 @@ namespace plumbline::simulation {
 
 /// One robot alone in a world of its own, in this process, with the league server's delay: what is answered
 /// to one message shows in the joint angles of the message after the next, and limbs that pass through each
-/// other freeze (rule selfCollision). For learning and closed-loop tests; an object is used by one thread at a
-/// time.
+/// other freeze (rule selfCollision). For learning and closed-loop tests; an object is used by one thread at
+/// a time.
 class LocalRobot {
 public:
   explicit LocalRobot(const RobotModel& model, const WorldConfig& config = {});

@@ -41,8 +41,8 @@ std::vector<Box> boxesOf(const World& world, RobotHandle robot, const RobotModel
   for (std::size_t i = 0; i < links.size(); ++i) {
     const Link& link = links[i];
     if (!link.collides || link.shape.kind != Shape::Kind::box) continue;
-    const Pose3 pose = world.linkState(robot, static_cast<int>(i)).pose *
-                       translation(Vec3(-link.com)) * link.shape.T_link_shape;
+    const Pose3 pose = world.linkState(robot, static_cast<int>(i)).pose * translation(Vec3(-link.com)) *
+                       link.shape.T_link_shape;
     const Vec3 half = link.shape.size / 2;
     boxes.push_back({pose.linear(), pose.translation(), half, half.norm(), static_cast<int>(i)});
   }

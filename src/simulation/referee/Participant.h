@@ -23,9 +23,7 @@ struct Member {
 /// A player as the referee knows it: how it stands in this cycle, and what is held against it. Durations are
 /// counted in cycles.
 struct Participant : Member {
-  explicit Participant(const Member& member) : Member(member) {
-    velocities.fill(Vec3::Zero());
-  }
+  explicit Participant(const Member& member) : Member(member) { velocities.fill(Vec3::Zero()); }
 
   static constexpr double never = -1000;   ///< a game time long ago [s]
   static constexpr int longAgo = 1 << 20;  ///< so many cycles

@@ -109,7 +109,7 @@ TEST_F(ActionChoiceTest, withAnOpponentAtTheBallItIsPushedAtOnce) {
   situation.robot = Pose2(-0.2, 0, 0);
   add(false, {0.5, 0.3});
   EXPECT_EQ(choose().kind, Kind::dribble);
-  situation.others.back().position = {2.5, 0.3};
+  situation.others.back().position = {0.5, 3};
   EXPECT_EQ(choose().kind, Kind::kick);
 }
 

@@ -261,6 +261,10 @@ TEST(SkillKick, kicksOnceItIsAtTheBall) {
   EXPECT_EQ(output.motion, Motion::kick);
   EXPECT_EQ(output.kickFoot, Side::left);
   EXPECT_EQ(output.kick, "kickRight");
+  EXPECT_FALSE(output.atOnce) << "from a walk that has come to rest";
+  getBall.pressed = true;
+  harness.cycle();
+  EXPECT_TRUE(output.atOnce) << "not in a duel";
   harness.input<SkillRequest>().skill = Skill::dribble;
   harness.cycle();
   EXPECT_FALSE(output.active);

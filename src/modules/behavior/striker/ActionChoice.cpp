@@ -107,7 +107,7 @@ public:
     action.end = situation_.ball + fan_.way(i) * to;
     // Until the robot is at the ball again, if it did not go in.
     const double after =
-        (1 - action.goal) * fan_.way(i) / (play_.dribbled ? 2 * parameters_.dribbleSpeed : time_.walkSpeed);
+        (1 - action.goal) * fan_.way(i) / (play_.dribbled ? parameters_.dribbleSpeed : time_.walkSpeed);
     action.value =
         first * fan_.value(i) + (1 - first) * courses_.lost() - courses_.timePrice() * (seconds + after);
     return action;

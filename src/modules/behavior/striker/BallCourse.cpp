@@ -100,7 +100,8 @@ double BallCourses::freeWay(const Vec2& direction, double reach, bool high) cons
     const double along = to.dot(direction);
     if (along <= 0 || along >= way) continue;
     const double aside = std::abs(to.x() * direction.y() - to.y() * direction.x());
-    const double most = robot.mate || robot.fallen ? 0 : parameters_.blockSpeed;  // a step aside, for each second
+    const double most =
+        robot.mate || robot.fallen ? 0 : parameters_.blockSpeed;  // a step aside, for each second
     if (aside > parameters_.blockWidth + most * longestStep) continue;
     if (aside < parameters_.blockWidth + most * std::min(rollingSeconds(along, reach), longestStep))
       way = along;
