@@ -9,13 +9,14 @@
 namespace plumbline::training {
 
 /// Standing up from front or back in the embedded simulator: Seekircher 2015, 3.1.1. In a run the robot lies
-/// as it fell (the seed says how), plays the motion, and then walks into some direction for two seconds. The
-/// cost is formula 3.1 with the opposite sign: angles between torso and upright [rad], summed over the walk's
-/// cycles, plus the motion's time [ms] times `weight` (0.08). Figures: time [ms] of the motion, error (the
-/// sum), up (1 if the torso leans by less than 30 degrees in the end). Options: type 0 .., direction front or
-/// back, weight, motion (name of the first file), still, and those of TrialWorlds. still (0) is the share of
-/// the runs in which the robot stands for that time instead of walking. With 0, a found motion may need the
-/// walk's steps to stay upright, and falls if the robot has to stand.
+/// as it fell (the seed says how; not with limbs that overlap, which would freeze), plays the motion, and
+/// then walks into some direction for two seconds. The cost is formula 3.1 with the opposite sign: angles
+/// between torso and upright [rad], summed over the walk's cycles, plus the motion's time [ms] times `weight`
+/// (0.08). Figures: time [ms] of the motion, error (the sum), up (1 if the torso leans by less than 30
+/// degrees in the end). Options: type 0 .., direction front or back, weight, motion (name of the first file),
+/// still, and those of TrialWorlds. still (0) is the share of the runs in which the robot stands for that
+/// time instead of walking. With 0, a found motion may need the walk's steps to stay upright, and falls if
+/// the robot has to stand.
 class StandUpTask : public SearchTask {
 public:
   explicit StandUpTask(const TaskOptions& options);
