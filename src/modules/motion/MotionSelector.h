@@ -42,7 +42,7 @@ END_MODULE
 
 /// Decides which motion drives the joints: the requested one as soon as the previous one can end safely. A
 /// lying robot stands up first, whatever is requested, and tries again until it is upright. The first try
-/// uses a fast motion, if there is one, the next one that fails less often, and so on in turn.
+/// uses a fast motion, if there is one, the next one the other motion, and so on in turn.
 class MotionSelector : public MotionSelectorBase {
 public:
   void init() override;

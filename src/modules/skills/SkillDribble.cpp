@@ -25,21 +25,18 @@ void SkillDribble::update(SkillDribbleOutput* theSkillDribbleOutput) {
   const bool pressed = theSkillGetBallOutput->pressed;
   const double most = pushing_ ? stopLateral : pressed ? pressedLateral : startLateral;
   const double off = pushing_ ? stopHeading : pressed ? pressedHeading : startHeading;
-  pushing_ = ball.x() > 0 && ball.x() < reach && lateral < most && heading < off;
-  if (!pushing_ && pressed && ball.x() > 0 && ball.x() < reach) {
-    // A duel: straight to the ball in any direction of the body, while it turns.
-    const double off = std::min(1.0, lateral / stopLateral);
-    const Vec2 aim(ball.x() + std::lerp(through, -behind, off), ball.y());
-    const Vec2 way = Eigen::Rotation2Dd(direction) * aim;
-    output.motion = Motion::walk;
-    output.walkVelocity = limitVelocity(walk.maxForward / std::max(way.norm(), 1e-3) * way, walk);
-    output.walkTurn = std::clamp(walk.headingGain * direction, -walk.maxTurn, walk.maxTurn);
-    return;
+  const bool ahead = ball.x() > 0 && ball.x() < reach;
+  pushing_ = ahead && lateral < most && heading < off;
+  const bool duel = !pushing_ && pressed && ahead;
+  if (!pushing_ && !duel) return;
+  Vec2 velocity(walk.maxForward * std::max(0.3, std::cos(direction)), lateralGain * theBallPos->relative.y());
+  if (duel) {  // in any direction of the body, while it turns
+    const double beyond = std::lerp(duelThrough, -duelBehind, std::min(1.0, lateral / stopLateral));
+    const Vec2 way = Eigen::Rotation2Dd(direction) * Vec2(ball.x() + beyond, ball.y());
+    velocity = walk.maxForward / std::max(way.norm(), 1e-3) * way;
   }
-  if (!pushing_) return;
   output.motion = Motion::walk;
-  output.walkVelocity = limitVelocity(
-      {walk.maxForward * std::max(0.3, std::cos(direction)), lateralGain * theBallPos->relative.y()}, walk);
+  output.walkVelocity = limitVelocity(velocity, walk);
   output.walkTurn = std::clamp(walk.headingGain * direction, -walk.maxTurn, walk.maxTurn);
 }
 

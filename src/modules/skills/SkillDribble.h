@@ -26,14 +26,14 @@ MODULE(SkillDribble)
             "startLateral with an opponent near the ball (SkillGetBall.pressedDistance)")
   PARAMETER(double, pressedHeading, 0.6, "rad", Range(0, 3.2), "startHeading then")
   PARAMETER(double, reach, 0.8, "m", Range(0.1, 5), "a ball farther ahead is walked to again")
-  PARAMETER(double, behind, 0.13, "m", Range(0, 1),
+  PARAMETER(double, duelBehind, 0.13, "m", Range(0, 1),
             "in a duel a ball off the line by stopLateral is met from a place this far behind it")
-  PARAMETER(double, through, 0.5, "m", Range(0, 3),
-            "a ball on the line is walked through to this far beyond it")
+  PARAMETER(double, duelThrough, 0.5, "m", Range(0, 3),
+            "in a duel a ball on the line is walked through to this far beyond it")
 END_MODULE
 
-/// Pushes the ball to a point on the field by walking through it; gets behind it first, less exactly where an
-/// opponent is near: who waits for a better place loses the ball.
+/// Pushes the ball to a point on the field by walking through it; gets behind it first. In a duel, with an
+/// opponent near the ball, it goes straight to the ball instead.
 class SkillDribble : public SkillDribbleBase {
 public:
   void update(SkillDribbleOutput* theSkillDribbleOutput) override;

@@ -11,7 +11,7 @@ namespace plumbline::simulation {
 
 namespace {
 
-const SelfCollision::Parameters rules;  ///< the league's
+const SelfCollision::Parameters league;  ///< as the league has the rule
 
 /// How far a shape reaches below its centre when its frame is turned so [m].
 double reachBelow(const Shape& shape, const Mat3& rotation) {
@@ -42,14 +42,13 @@ void LocalRobot::act(const JointArray& velocities) {
   world_->step();
   pending_ = velocities;
   ++cycles_;
-  const FreezeTimes times{rules.frozen, rules.thaw};
-  for (const LimbCollision& collision : limbCollisions(*world_, handle_, model_, rules.tolerance))
-    for (const Limb& limb : {collision.a, collision.b}) limbs_.freeze(limb, time(), times);
-  limbs_.thaw(time(), times);
+  for (const LimbCollision& collision : limbCollisions(*world_, handle_, model_, league.tolerance))
+    for (const Limb& limb : {collision.a, collision.b}) limbs_.freeze(limb, time(), league.times());
+  limbs_.thaw(time(), league.times());
 }
 
 bool LocalRobot::overlaps() const {
-  return !limbCollisions(*world_, handle_, model_, rules.tolerance).empty();
+  return !limbCollisions(*world_, handle_, model_, league.tolerance).empty();
 }
 
 void LocalRobot::restart(const Pose2& place, const JointArray& angles) {

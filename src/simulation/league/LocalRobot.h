@@ -3,7 +3,7 @@
 
 #include "math/Pose2.h"
 #include "robot/RobotModel.h"
-#include "simulation/referee/LimbCollision.h"
+#include "simulation/referee/FrozenLimbs.h"
 #include "simulation/world/World.h"
 
 namespace plumbline::simulation {

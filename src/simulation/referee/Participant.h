@@ -4,7 +4,7 @@
 #include "robot/RobotModel.h"
 #include "simspark/TeamSide.h"
 #include "simulation/referee/Fouls.h"
-#include "simulation/referee/LimbCollision.h"
+#include "simulation/referee/FrozenLimbs.h"
 #include "simulation/world/World.h"
 
 namespace plumbline::simulation {

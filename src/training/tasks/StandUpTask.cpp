@@ -38,7 +38,7 @@ const StandUpTask::Lying& StandUpTask::lying(std::uint64_t seed) {
     if (!trial.fall(direction_)) continue;
     const Vec3 up = trial.up();
     if (std::abs(up.x()) < std::abs(up.y()) || (up.x() < 0) != (direction_ > 0)) continue;
-    // The joints were put anywhere. Limbs that overlap from there would freeze now, as no fall does.
+    // Its joints were put anywhere: limbs that overlap from there would freeze when the motion begins.
     if (trial.robot.overlaps() || trial.robot.frozen().any()) continue;
     return fallen_[seed] = {trial.robot.torso().pose, trial.robot.sense().angle};
   }

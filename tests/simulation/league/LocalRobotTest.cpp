@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../ArmIntoTorso.h"
 #include "math/Angle.h"
 #include "simspark/LeagueRobots.h"
 
@@ -56,12 +57,7 @@ TEST(LocalRobot, fallsAndIsSetUpAgain) {
 TEST(LocalRobot, limbsThatPassThroughEachOtherFreeze) {
   LocalRobot robot(simsparkRobot(0));
   EXPECT_FALSE(robot.overlaps());
-  // The lower arm through the torso: the elbow bent inwards.
-  JointArray angles{};
-  angles[lShoulderRoll] = fromDegrees(-1);
-  angles[lShoulderPitch] = fromDegrees(70);
-  angles[lElbowYaw] = fromDegrees(40);
-  angles[lElbowRoll] = fromDegrees(-60);
+  const JointArray angles = test::armIntoTorso();
   robot.restart(Pose2(), angles);
   EXPECT_TRUE(robot.overlaps());
   EXPECT_TRUE(robot.frozen().none());

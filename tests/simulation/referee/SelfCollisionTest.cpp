@@ -1,4 +1,5 @@
 #include "RefereeFixture.h"
+#include "../ArmIntoTorso.h"
 #include "simulation/referee/rules/SelfCollision.h"
 
 namespace plumbline::simulation {
@@ -10,15 +11,7 @@ class SelfCollision : public test::RefereeTest {
 protected:
   Man& player = add(left, 3, 0, 0);
   SelfCollision() { ball(-8, 5); }
-  /// The lower arm through the torso: the elbow bent inwards.
-  void armIntoTorso() {
-    JointArray angles{};
-    angles[lShoulderRoll] = fromDegrees(-1);
-    angles[lShoulderPitch] = fromDegrees(70);
-    angles[lElbowYaw] = fromDegrees(40);
-    angles[lElbowRoll] = fromDegrees(-60);
-    world.setPosture(player.robot, angles);
-  }
+  void armIntoTorso() { world.setPosture(player.robot, test::armIntoTorso()); }
   void straight() { world.setPosture(player.robot, JointArray{}); }
   bool armFrozen() const {
     for (int joint = lShoulderPitch; joint <= lElbowRoll; ++joint)

@@ -4,13 +4,6 @@ namespace plumbline::simulation {
 
 namespace {
 
-FreezeTimes timesOf(const SelfCollision::Parameters& rules) { return {rules.frozen, rules.thaw}; }
-
-/// True if a joint of the limb is frozen that was free.
-bool freeze(Match& match, Participant& player, const Limb& limb) {
-  return player.limbs.freeze(limb, match.game.time, timesOf(match.rules.of<SelfCollision>()));
-}
-
 void freezeOrCall(Match& match, Participant& player, const LimbCollision& collision) {
   const SelfCollision::Parameters& rules = match.rules.of<SelfCollision>();
   if (rules.putOutside) {
@@ -18,8 +11,8 @@ void freezeOrCall(Match& match, Participant& player, const LimbCollision& collis
     player.lastSelfCollision = match.game.time;
     return player.commit(Foul::Kind::selfCollision);
   }
-  const bool one = freeze(match, player, collision.a);
-  const bool other = freeze(match, player, collision.b);
+  const bool one = player.limbs.freeze(collision.a, match.game.time, rules.times());
+  const bool other = player.limbs.freeze(collision.b, match.game.time, rules.times());
   if (one || other) match.game.fouls.add(Foul::Kind::selfCollision, player.side, player.unum);
 }
 
@@ -41,7 +34,7 @@ void SelfCollision::judgeAll(Match& match) {
 void SelfCollision::end(Match& match) {
   const Parameters& rules = match.rules.of<SelfCollision>();
   for (Participant& player : match.participants()) {
-    player.limbs.thaw(match.game.time, timesOf(rules), match.suspended);
+    player.limbs.thaw(match.game.time, rules.times(), match.suspended);
     *player.frozen = player.limbs.joints();
   }
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "simulation/referee/FrozenLimbs.h"
 #include "simulation/referee/Rule.h"
 
 namespace plumbline::simulation {
@@ -18,6 +19,7 @@ public:
     PARAMETER(double, thaw, 2, "s", Range::atLeast(0), "and cannot be frozen again")
     PARAMETER(bool, putOutside, false, "", {}, "instead of freezing")
     PARAMETER(double, cooldown, 10, "s", Range::atLeast(0), "between two such")
+    FreezeTimes times() const { return {frozen, thaw}; }
   };
   void judgeAll(Match& match) override;
   /// Thaws joints whose time is over; all while play is suspended.
