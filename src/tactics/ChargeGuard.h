@@ -15,7 +15,8 @@ struct ChargeGuardParameters {
   PARAMETER(double, nearerBy, 0.05, "m", Range(0, 1), "an opponent nearer to the ball by this has it")
   PARAMETER(double, touchDistance, 0.16, "m", Range(0, 1), "a ball this near to the robot is being touched")
   PARAMETER(double, immunity, 0.7, "s", Range(0, 10), "after a touch everything is allowed")
-  PARAMETER(double, widestAngle, 1.2, "rad", Range(0, 3.2), "opponents farther off the way than this do not matter")
+  PARAMETER(double, widestAngle, 1.2, "rad", Range(0, 3.2),
+            "opponents farther off the way than this do not matter")
 };
 
 /// Keeps a robot from charging: by the league's rules it must not run into an opponent that is nearer to the

@@ -1,5 +1,5 @@
-#include "RefereeFixture.h"
 #include "../ArmIntoTorso.h"
+#include "RefereeFixture.h"
 #include "simulation/referee/rules/SelfCollision.h"
 
 namespace plumbline::simulation {
