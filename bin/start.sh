@@ -70,6 +70,16 @@ if [[ ! $wait ]] && ! timeout 3 bash -c 'exec 3<> "/dev/tcp/$0/$1"' "$host" "$po
 fi
 [[ $logs ]] && mkdir -p "$logs"
 
+# Whether a process has its connection to the server.
+isConnected() { # PID
+  local inode sockets
+  sockets=$(readlink "/proc/$1"/fd/* 2> /dev/null || true)
+  for inode in $(awk -v port="$(printf ':%04X' "$port")" 'substr($3, length($3) - 4) == port && $4 == "01" { print $10 }' /proc/net/tcp*); do
+    [[ $sockets != *"socket:[$inode]"* ]] || return 0
+  done
+  return 1
+}
+
 export PLUMBLINE_TEAM=$team PLUMBLINE_START=$bin # by which kill.sh knows its own
 for ((number = 1; number <= players; ++number)); do
   options=(--team "$team" --number "$number" --type "${types[number - 1]}" --host "$host" --port "$port" --monitor-port "$monitor")
@@ -78,7 +88,12 @@ for ((number = 1; number <= players; ++number)); do
   if [[ $logs ]]; then output=$logs/agent$number.log options+=(--crash-log "$logs/crash$number.log"); else output=/dev/null; fi
   # Not hung up with this shell, and not ended by its Ctrl-C.
   setsid "$bin/agent" "${options[@]}" "${@//\{number\}/$number}" > "$output" 2>&1 < /dev/null &
+  agent=$!
   disown
-  # One after the other, so that the server gives them their places in this order.
-  sleep "${PLUMBLINE_START_PAUSE:-0.1}"
+  # One after the other: the server gives places in the order of connecting, so a seed repeats a game.
+  for ((look = 0; look < 100; ++look)); do
+    { [[ $wait ]] || isConnected $agent || ! kill -0 $agent 2> /dev/null; } && break
+    sleep 0.02
+  done
+  if [[ $wait ]]; then sleep 0.1; fi
 done

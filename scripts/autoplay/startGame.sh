@@ -148,14 +148,18 @@ echo "$self: $server, seed $seed, agent port $agentPort, monitor port $monitorPo
   --end-server --track "$folder/track.csv" "${watchOptions[@]}" > "$folder/game.log" 2>&1 < /dev/null &
 watcher=$!
 
-# The team that comes first is the left one.
+# The team that comes first is the left one. Its players connect before those of the other team, so that the server has all
+# in one order and a seed repeats the game. A smaller team has come if nobody follows for two seconds.
 startTeam 0
-for ((i = 0; i < 100 * 2; ++i)); do
-  (($(tcpPort "$agentPort" 01) > 0)) && break
+connected=0
+for ((i = 0, quiet = 0; i < 200; ++i, ++quiet)); do
+  now=$(tcpPort "$agentPort" 01)
+  ((now == connected)) || quiet=0
+  connected=$now
+  ((connected >= players / 2 || (connected > 0 && quiet >= 40))) && break
   kill -0 $watcher 2> /dev/null || break
   sleep 0.05
 done
-sleep 0.5
 startTeam 1
 
 if [[ $verbose ]]; then

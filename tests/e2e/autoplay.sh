@@ -1,7 +1,7 @@
 # Games without a person: tiny ones from kick-off to their end, one that hangs, one whose server dies, several at once,
 # an interruption that leaves nothing behind, and the averages.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
-export PLUMBLINE_BIN=$bin PLUMBLINE_START_PAUSE=0.05
+export PLUMBLINE_BIN=$bin
 auto=scripts/autoplay
 log=$scratch/games.log
 # The team's scripts start the agent beside them.
@@ -15,20 +15,21 @@ column() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == n
 
 # A whole game, and the same again by its seed. What happened in it comes from the scene.
 for run in 1 2; do
-  "$auto/startGame.sh" --half-time 15 --players 2 --seed 5 --names Red,Blue --log "$log" --output "$scratch/game$run" \
-    "$start 1" "$start 1" > "$scratch/out" 2>&1 || fail "game $run: $(cat "$scratch/out")"
+  "$auto/startGame.sh" --half-time 15 --players 6 --seed 5 --names Red,Blue --log "$log" --output "$scratch/game$run" \
+    "$start 3" "$start 3" > "$scratch/out" 2>&1 || fail "game $run: $(cat "$scratch/out")"
   nothingLeft "a game"
 done
 expectEqual "$(head -1 "$log")" \
   "date,server,left,right,seed,half_time_s,score_left,score_right,falls_left,falls_right,kicks_left,kicks_right,players_left,players_right,game_s,wall_s,end" "header"
 expectEqual "$(wc -l < "$log")" 3 "lines of games.log"
-for pair in server=simulator left=Red right=Blue seed=5 half_time_s=15 players_left=1 players_right=1 end=over; do
+for pair in server=simulator left=Red right=Blue seed=5 half_time_s=15 players_left=3 players_right=3 end=over; do
   expectEqual "$(column "$log" "${pair%%=*}")" "${pair#*=}" "column ${pair%%=*}"
 done
 awk "BEGIN { exit !($(column "$log" game_s) >= 30 && $(column "$log" game_s) < 31) }" || fail "length of the game: $(column "$log" game_s) s"
 happened=$(($(column "$log" falls_left) + $(column "$log" falls_right) + $(column "$log" kicks_left) + $(column "$log" kicks_right) + $(column "$log" score_left) + $(column "$log" score_right)))
-((happened > 0)) || fail "neither a kick nor a fall in 30 s of two robots at the ball"
+((happened > 0)) || fail "neither a kick nor a fall in 30 s of two teams of three"
 expectEqual "$(sed -n 2p "$log" | cut -d, -f5-15)" "$(sed -n 3p "$log" | cut -d, -f5-15)" "the same seed again"
+cmp "$scratch/game1/track.csv" "$scratch/game2/track.csv" || fail "the same seed plays another game"
 
 # Several at once, against a list, on both sides; a start script that knows nothing but the host.
 rm "$log"

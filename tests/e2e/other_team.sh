@@ -2,7 +2,7 @@
 # Games against a team that is known by its start command only (OTHER of `make bench-games`): here our own agent, started as
 # a stranger is, with host, port, name and number of players. The table and the figures name both teams.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
-export PLUMBLINE_BIN=$bin PLUMBLINE_START_PAUSE=0.05
+export PLUMBLINE_BIN=$bin
 games=(env HALF=3 SEED=7 JOBS=1)
 cat > "$scratch/start.sh" << END
 #!/usr/bin/env bash
