@@ -136,6 +136,14 @@ bench-walk-server:
 	  --robots $(subst $() $(),$(comma),$(addsuffix @$(SERVER),$(serverRobots)))
 	@scripts/make_results.sh walking-server
 
+# Stand-ups and kicks there, beside the same tries on the embedded simulator: SERVER, TRIES, SEED, TYPES="0 4". Writes
+# doc/results/motion-server.md.
+bench-motion-server:
+	@scripts/install_packages.sh scripts/packages-bench.txt
+	@scripts/build.sh SimRelease bench-motion-server
+	@SERVER=$(SERVER) scripts/run_bench.sh motion-server || { cat build/bench/motion-server.log >&2; exit 2; }
+	@scripts/make_results.sh motion-server
+
 # The whole table, line by line, is what one wants to see of this one.
 bench-fidelity:
 	@$(MAKE) SimRelease SimRelease-bench-fidelity

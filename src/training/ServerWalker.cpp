@@ -1,113 +1,20 @@
 #include "training/ServerWalker.h"
 
-#include <fmt/format.h>
-
-#include <charconv>
-#include <map>
-#include <memory>
 #include <stdexcept>
 
-#include "math/Angle.h"
-#include "robot/LegKinematics.h"
 #include "simspark/LeagueRobots.h"
-#include "simspark/ServerMessageParser.h"
+#include "training/FeltFeet.h"
 
 namespace plumbline::walking {
 namespace {
 
-constexpr double cycleSeconds = 0.02, patience = 10;  // [s]
-constexpr const char* startFirst = "; start bin/simulator --sync or the league's server first";
-constexpr long maxUnseen = 4;      // cycles without a scene before one is waited for
-constexpr double maxTime = 65536;  // s: from there on the league's clock tells 0.01 s no more
-constexpr long clockEvery = 5000;  // cycles: the game never gets to the end of a half
-
-int portOf(const std::string& text, const std::string& whole) {
-  int port = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
-  if (error != std::errc() || end != text.data() + text.size() || port < 1 || port > 65535)
-    throw std::invalid_argument("'" + whole +
-                                "' is not a server; write HOST:AGENTPORT:MONITORPORT or 'server'");
-  return port;
-}
-
-/// One robot at a time: those that are in step with each other on one field would be in each other's way.
-std::mutex& mutexOf(const std::string& server) {
-  static std::mutex guard;
-  static std::map<std::string, std::unique_ptr<std::mutex>> all;
-  const std::lock_guard lock(guard);
-  std::unique_ptr<std::mutex>& mutex = all[server];
-  if (!mutex) mutex = std::make_unique<std::mutex>();
-  return *mutex;
-}
-
-/// Height of an upright torso over its soles' lowest corner [m].
-double heightOver(const RobotModel& model, const JointArray& angles) {
-  double lowest = 0;
-  for (const Side side : {Side::left, Side::right}) {
-    const LegKinematics leg(model, side);
-    const std::size_t first = side == Side::left ? lHipYawPitch : rHipYawPitch;
-    LegAngles joints{};
-    for (std::size_t j = 0; j < joints.size(); ++j) joints[j] = angles[first + j];
-    const Pose3 sole = leg.sole(joints);
-    for (const double x : {-1, 1})
-      for (const double y : {-1, 1}) {
-        const Vec2 corner = leg.soleHalfSize().cwiseProduct(Vec2(x, y));
-        lowest = std::min(lowest, (sole * Vec3(corner.x(), corner.y(), 0)).z());
-      }
-  }
-  return -lowest;
-}
-
-std::optional<FootContact> felt(const std::optional<simspark::ForceReading>& reading) {
-  if (!reading) return std::nullopt;
-  return FootContact{reading->point, reading->force};
-}
+constexpr double cycleSeconds = training::ServerRobot::cycleSeconds;
 
 }  // namespace
 
-ServerAddress ServerAddress::parse(const std::string& text) {
-  if (text == "server") return {};
-  const std::size_t second = text.rfind(':'),
-                    first = second == std::string::npos || second == 0 ? second : text.rfind(':', second - 1);
-  if (first == std::string::npos || first == 0 || first == second) portOf("", text);
-  return {text.substr(0, first), portOf(text.substr(first + 1, second - first - 1), text),
-          portOf(text.substr(second + 1), text)};
-}
-
-std::string ServerAddress::text() const { return fmt::format("{}:{}:{}", host, agentPort, monitorPort); }
-
-ServerWalker::ServerWalker(int type, const WalkGaits& gaits, const ServerAddress& server)
-    : Walker(simsparkRobot(type), gaits, cycleSeconds),
-      type_(type),
-      address_(server),
-      alone_(mutexOf(server.text())),
-      control_(model) {
-  if (const std::string why = trainer_.connect(address_.host, address_.monitorPort); !why.empty())
-    throw std::runtime_error(why + startFirst);
-  join();
+ServerWalker::ServerWalker(int type, const WalkGaits& gaits, const training::ServerAddress& address)
+    : Walker(simsparkRobot(type), gaits, cycleSeconds), robot_(type, address) {
   restart();
-}
-
-void ServerWalker::join() {
-  agent_.close();
-  if (const std::string why = agent_.connect(address_.host, address_.agentPort); !why.empty())
-    throw std::runtime_error(why + startFirst);
-  message_ = {};
-  simspark::AgentCommand scene, init;
-  scene.scene = simspark::SceneRequest{.type = type_};
-  exchange(scene);
-  init.init = simspark::InitRequest{0, "Plumbline"};
-  exchange(init);
-  for (int i = 0; i < 20 && !message_.gameState.unum; ++i) exchange({});
-  if (!message_.gameState.unum || !message_.gameState.side)
-    throw failure("gave the robot no number in a team");
-  if (message_.time > maxTime)
-    throw failure(
-        fmt::format("has been running for {:.0f} s of its time, and its clock in single precision is now too "
-                    "coarse; restart it",
-                    message_.time));
-  const bool left = *message_.gameState.side == "left";
-  name_ = {*message_.gameState.unum, left ? simspark::TeamSide::left : simspark::TeamSide::right};
 }
 
 void ServerWalker::push(const Vec3&) { throw std::logic_error("robots of a server cannot be pushed"); }
@@ -116,94 +23,17 @@ void ServerWalker::move(const Vec2&) {
 }
 Vec2 ServerWalker::comVelocity() { throw std::logic_error("a server does not send the true velocity"); }
 
-std::runtime_error ServerWalker::failure(const std::string& what) const {
-  return std::runtime_error("the server at " + address_.text() + ' ' + what);
-}
-
-void ServerWalker::exchange(simspark::AgentCommand command) {
-  command.syn = true;
-  if (!agent_.send(simspark::writeAgentCommand(command))) throw failure("went away: " + agent_.error());
-  std::string_view text;
-  const double before = message_.time;
-  switch (agent_.receive(text, patience)) {
-    case simspark::Connection::Status::message:
-      break;
-    case simspark::Connection::Status::timeout:
-      throw failure(fmt::format("sent nothing for {:.0f} s", patience));
-    case simspark::Connection::Status::closed:
-      throw failure("went away: " + agent_.error());
-  }
-  if (const auto error = simspark::parseServerMessage(text, message_))
-    throw failure(
-        fmt::format("sent a message that cannot be read, at byte {}: {}", error->position, error->what));
-  for (std::size_t j = 0; j < numHumanoidJoints; ++j)
-    if (message_.angle[j]) measured_[j] = *message_.angle[j];
-  if (before > 0 && message_.time > before + 1.5 * cycleSeconds) ++lost_;
-  if (++cycles_ > 100 && lost_ > cycles_ / 20)
-    throw failure("does not wait for its agents; set $agentSyncMode = true in its spark.rb, or use --sync");
-  follow();
-}
-
-void ServerWalker::follow() {
-  // Scenes come every second cycle: how far they are behind must not depend on who runs when.
-  double wait = ++unseen_ > maxUnseen ? patience : 0;
-  for (;;) {
-    const auto status = trainer_.receive(wait);
-    if (status == simspark::Connection::Status::closed)
-      throw failure("ended the monitor's connection: " + trainer_.error());
-    if (status == simspark::Connection::Status::timeout) break;
-    wait = 0;
-    unseen_ = 0;
-  }
-  if (wait > 0) throw failure(fmt::format("sent its monitor nothing for {:.0f} s", patience));
-  if (const auto* robot = trainer_.scene().robot(name_.side, name_.unum))
-    T_world_torso_ = robot->T_world_torso;
-}
-
-void ServerWalker::drive(const JointArray& targets) {
-  simspark::AgentCommand command;
-  const JointArray& speeds = control_.update(measured_, targets, cycleSeconds);
-  for (std::size_t j = 0; j < numHumanoidJoints; ++j)
-    if (model.has(static_cast<JointId>(j))) command.velocity[j] = speeds[j];
-  if (cycles_ % clockEvery == 0) trainer_.send(simspark::TimeCommand{1});
-  exchange(command);
-  filter_.update(message_.gyro, message_.acc, cycleSeconds);
-}
-
-void ServerWalker::teleport(const Pose2& place, double height) {
-  trainer_.send(simspark::MoveAgentCommand{name_, Vec3(place.x(), place.y(), height), place.heading});
-}
-
-void ServerWalker::put(const Pose2& place, const JointArray& angles) {
-  // A robot that fell is replaced: there were some on the league's server that then never stood again.
-  if (fallen()) join();
-  trainer_.send(simspark::PlayModeCommand{simspark::PlayMode::playOn});
-  trainer_.send(simspark::TimeCommand{1});
-  trainer_.send(simspark::BallCommand{Vec3(14, -9.5, 0.042), Vec3::Zero()});
-  control_.reset();
-  // Held in the air until the joints are where they should be, then let down on its feet.
-  constexpr double aloft = 1.5;
-  constexpr int ready = 75, settle = 40;
-  for (int i = 0; i < ready; ++i) {
-    if (i % 10 == 0) teleport(place, aloft);
-    drive(angles);
-  }
-  teleport(place, heightOver(model, angles));
-  filter_.reset();
-  for (int i = 0; i < settle; ++i) drive(angles);
-}
-
 WalkSensors ServerWalker::sense() {
   WalkSensors sensors;
-  sensors.angles = measured_;
-  sensors.gyro = message_.gyro;
-  sensors.feet = feltFeet(message_, felt);
-  sensors.torsoAngles = Vec2(filter_.roll(), filter_.pitch());
+  sensors.angles = robot_.readings().angle;
+  sensors.gyro = robot_.readings().gyro;
+  sensors.feet = training::feltFeet(robot_.readings());
+  sensors.torsoAngles = Vec2(robot_.attitude().roll(), robot_.attitude().pitch());
   return sensors;
 }
 
 void ServerWalker::act(const WalkOutput& out, const WalkSensors&) {
-  drive(lookingAround(out.angles, cycleSeconds * static_cast<double>(cycles_)));
+  robot_.drive(lookingAround(out.angles, cycleSeconds * static_cast<double>(robot_.cycles())));
 }
 
 }  // namespace plumbline::walking

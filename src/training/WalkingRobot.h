@@ -9,6 +9,7 @@
 #include "robot/JointVelocityControl.h"
 #include "simspark/LeagueRobots.h"
 #include "simulation/league/LocalRobot.h"
+#include "training/FeltFeet.h"
 #include "training/Walker.h"
 
 namespace plumbline::walking {
@@ -90,7 +91,7 @@ private:
       sensors.gyro[i] = rounded(sensed.gyro[i], fromDegrees(0.01));
       acc[i] = rounded(sensed.acc[i], 0.01);
     }
-    sensors.feet = feltFeet(sensed, felt);
+    sensors.feet = training::feltFeet(sensed);
     filter_.update(sensors.gyro, acc, sensors.dt);
     sensors.torsoAngles = Vec2(filter_.roll(), filter_.pitch());
     return sensors;
@@ -99,13 +100,6 @@ private:
     local.act(control_.update(sensors.angles, lookingAround(output.angles, local.time()), sensors.dt));
   }
   /// As the league's server prints it.
-  static std::optional<FootContact> felt(const std::optional<simulation::FootForce>& force) {
-    if (!force) return std::nullopt;
-    const auto printed = [](const Vec3& v) {
-      return Vec3(v.unaryExpr([](double x) { return rounded(x, 0.01); }));
-    };
-    return FootContact{printed(force->point), printed(force->force)};
-  }
   JointArray rates() const {
     JointArray rates{};
     for (std::size_t j = 0; j < maxJoints; ++j) rates[j] = (local.sense().angle[j] - lastAngles_[j]) / cycle;

@@ -5,6 +5,7 @@
 
 #include "motion/KeyframeReader.h"
 #include "robot/ForwardKinematics.h"
+#include "simspark/LeagueRobots.h"
 #include "simspark/SceneState.h"
 #include "training/MotionTrial.h"
 

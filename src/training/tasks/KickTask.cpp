@@ -7,15 +7,15 @@
 #include "framework/ConfigurationError.h"
 #include "math/Angle.h"
 #include "math/GroundPose.h"
+#include "training/tasks/BeforeKick.h"
 #include "training/tasks/WalkOn.h"
 
 namespace plumbline::training {
 namespace {
 
 constexpr double dt = motion::MotionTrial::dt;
-constexpr double fade = 0.06;     // as WalkingEngine fades into the walk [s]
-constexpr double walkedUp = 0.6;  // share of the runs that begin with a walk
-constexpr int cyclesToFly = 10;   // after the motion, before the ball goes on alone
+constexpr double fade = 0.06;    // as WalkingEngine fades into the walk [s]
+constexpr int cyclesToFly = 10;  // after the motion, before the ball goes on alone
 constexpr int mostStarts = 1000;
 constexpr double leastScatter = 0.01, leastSpread = 0.05;  // that a file may have [rad, m]
 const FieldSize field = simulation::WorldConfig().field;   // of the trial's world
@@ -25,33 +25,6 @@ constexpr std::size_t startsKept = 4096;
 
 /// Nothing stands in the way of a ball that is kicked forward from here [m].
 const Pose2 begin(Vec2(-10, 5), 0);
-
-/// Walks somewhere near forward and stops, as before a kick in a game. False: fell or does not stop.
-bool walkUp(motion::MotionTrial& trial) {
-  trial.robot.restart(begin, trial.stand);
-  trial.restarted();
-  const Vec2 velocity(trial.random(-0.05, 0.35), trial.random(-0.1, 0.1));
-  const double turn = trial.random(-0.4, 0.4), seconds = trial.random(0.8, 1.6);
-  for (double t = 0; t < seconds; t += dt) trial.walkStep((1 - 0.7 * t / seconds) * velocity, turn);
-  for (int i = 0; i < 100; ++i)
-    if (trial.walkStep(Vec2::Zero(), 0, false)) return !trial.lying() && trial.tilt() < 0.5;
-  return false;
-}
-
-/// Stands and comes to rest from a lean of up to two degrees.
-bool sway(motion::MotionTrial& trial) {
-  trial.robot.restart(begin, trial.stand);
-  trial.restarted();
-  JointArray leaning = trial.stand;
-  const double roll = trial.random(-0.035, 0.035), pitch = trial.random(-0.035, 0.035);
-  for (const JointId joint : {lHipRoll, rHipRoll}) leaning[joint] += roll;
-  for (const JointId joint : {lAnkleRoll, rAnkleRoll}) leaning[joint] -= roll;
-  for (const JointId joint : {lAnklePitch, rAnklePitch}) leaning[joint] += pitch;
-  const int rest = 3 + static_cast<int>(trial.random(0, 8));
-  for (int i = 0; i < 5; ++i) trial.step(leaning);
-  for (int i = 0; i < rest; ++i) trial.step(trial.stand);
-  return trial.tilt() < 0.5;
-}
 
 /// The highest that the ball's top comes where a goal may stand.
 struct Flight {
@@ -95,7 +68,9 @@ const KickTask::Start& KickTask::start(std::uint64_t seed) {
   motion::MotionTrial& trial = worlds_.of(seed);
   for (int i = 0; i < mostStarts; ++i) {
     trial.seed(static_cast<unsigned>(seed * 2654435761U + static_cast<unsigned>(i)));
-    if (!(trial.random(0, 1) < walkedUp ? walkUp(trial) : sway(trial))) continue;
+    trial.robot.restart(begin, trial.stand);
+    trial.restarted();
+    if (!comesToKick(trial)) continue;
     Start start;
     const JointArray before = trial.robot.sense().angle;
     trial.step(trial.stand);

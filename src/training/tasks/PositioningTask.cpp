@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "framework/CommentLines.h"
+#include "framework/ConfigFile.h"
 #include "framework/ConfigOverlay.h"
 #include "framework/ConfigurationError.h"
 #include "framework/ModuleParameters.h"

@@ -4,6 +4,7 @@
 
 #include "framework/ConfigurationError.h"
 #include "math/Random.h"
+#include "simspark/LeagueRobots.h"
 
 namespace plumbline::training {
 namespace {

@@ -13,11 +13,12 @@ constexpr double leaning = 30 * pi / 180;          // [rad], of the thesis's mea
 
 }  // namespace
 
-WalkOn::WalkOn(motion::MotionTrial& trial, double seconds, double still) : trial_(trial), seconds_(seconds) {
-  const double way = trial.random(-pi, pi);
-  turn_ = trial.random(-walkTurn, walkTurn);
+WalkOn::WalkOn(motion::MotionDriver& driver, double seconds, double still)
+    : driver_(driver), seconds_(seconds) {
+  const double way = driver.random(-pi, pi);
+  turn_ = driver.random(-walkTurn, walkTurn);
   velocity_ = walkSpeed * Vec2(std::cos(way), std::sin(way));
-  stands_ = still > 0 && trial.random(0, 1) < still;
+  stands_ = still > 0 && driver.random(0, 1) < still;
 }
 
 void WalkOn::begin(const JointArray& from, double fadeSeconds) {
@@ -25,21 +26,21 @@ void WalkOn::begin(const JointArray& from, double fadeSeconds) {
   fade_ = stands_ ? fadeToStand : fadeSeconds;
   error_ = 0;
   cycles_ = 0;
-  trial_.beginWalk();
+  driver_.beginWalk();
 }
 
-bool WalkOn::isOver() const { return cycles_ * motion::MotionTrial::dt >= seconds_; }
+bool WalkOn::isOver() const { return cycles_ * motion::MotionDriver::dt >= seconds_; }
 
-bool WalkOn::upright() const { return trial_.tilt() < leaning; }
+bool WalkOn::upright() const { return driver_.tilt() < leaning; }
 
 void WalkOn::step() {
-  JointArray targets = stands_ ? trial_.stand : trial_.walkOutput(velocity_, turn_).angles;
-  const double time = ++cycles_ * motion::MotionTrial::dt;
+  JointArray targets = stands_ ? driver_.stand : driver_.walkOutput(velocity_, turn_).angles;
+  const double time = ++cycles_ * motion::MotionDriver::dt;
   if (time < fade_)
     for (std::size_t j = 0; j < maxJoints; ++j)
       targets[j] = from_[j] + time / fade_ * (targets[j] - from_[j]);
-  trial_.step(targets);
-  error_ += trial_.tilt();
+  driver_.step(targets);
+  error_ += driver_.tilt();
 }
 
 }  // namespace plumbline::training

@@ -1,5 +1,5 @@
 #pragma once
-#include "training/MotionTrial.h"
+#include "training/MotionDriver.h"
 
 namespace plumbline::training {
 
@@ -7,8 +7,8 @@ namespace plumbline::training {
 /// with a random turn (Seekircher 2015, 3.1.1). Or it stands still instead, in a share of the runs.
 class WalkOn {
 public:
-  /// Draws direction, turn and, where `still` is above 0, whether it stands from the trial's generator.
-  explicit WalkOn(motion::MotionTrial& trial, double seconds = 2, double still = 0);
+  /// Draws direction, turn and, where `still` is above 0, whether it stands from the driver's generator.
+  explicit WalkOn(motion::MotionDriver& driver, double seconds = 2, double still = 0);
   /// Begins at these targets and fades into the walk's [s]; 0: at once. Into the stand it fades as
   /// StandMotion does.
   void begin(const JointArray& from, double fadeSeconds = 0);
@@ -21,7 +21,7 @@ public:
   bool upright() const;
 
 private:
-  motion::MotionTrial& trial_;
+  motion::MotionDriver& driver_;
   double seconds_;
   Vec2 velocity_;
   double turn_;

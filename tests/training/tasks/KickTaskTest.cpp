@@ -10,6 +10,7 @@
 
 #include "framework/ConfigurationError.h"
 #include "motion/KeyframeReader.h"
+#include "simspark/LeagueRobots.h"
 #include "support/SearchTasks.h"
 
 namespace plumbline::training {

@@ -1,0 +1,129 @@
+#include "training/MotionDriver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "framework/ConfigFile.h"
+#include "framework/ConfigFolder.h"
+#include "math/Angle.h"
+#include "motion/KeyframeReader.h"
+#include "simspark/LeagueRobots.h"
+#include "training/FeltFeet.h"
+
+namespace plumbline::motion {
+namespace {
+
+// As FallDetector and Stillness see it.
+constexpr double lyingTilt = 1.05;  // [rad]
+constexpr double stillTurn = 0.3;   // [rad/s]
+constexpr double standFade = 0.14;  // StandMotion's [s]
+
+}  // namespace
+
+MotionDriver::MotionDriver(int type)
+    : model(simsparkRobot(type)),
+      gaits(readWalkGaits(type)),
+      walk(gaits, model),
+      stand(walk.stand().angles),
+      motions(readMotions(motionDirectories(type), model)) {}
+
+std::vector<std::string> MotionDriver::directories(int type) {
+  return {configFolder(), configPath("robots/type" + std::to_string(type))};
+}
+
+std::vector<std::filesystem::path> MotionDriver::motionDirectories(int type) {
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& directory : directories(type)) paths.emplace_back(directory + "/motions");
+  return paths;
+}
+
+walking::WalkGaits MotionDriver::readWalkGaits(int type) {
+  return walking::readWalkGaits(ConfigFile("walking", directories(type)).root());
+}
+
+const KeyframeMotion& MotionDriver::motion(const std::string& name) const {
+  for (const KeyframeMotion& motion : motions)
+    if (motion.name == name) return motion;
+  throw std::out_of_range("no motion " + name);
+}
+
+double MotionDriver::tilt() const { return std::acos(std::clamp(up().z(), -1.0, 1.0)); }
+
+void MotionDriver::step(const JointArray& targets) {
+  move(targets);
+  tiltedCycles_ = tilt() > lyingTilt ? tiltedCycles_ + 1 : 0;
+  stillCycles_ = readings().gyro.norm() < stillTurn ? stillCycles_ + 1 : 0;
+}
+
+bool MotionDriver::play(const KeyframeMotion& motion, bool stopAtFall) {
+  player.start(motion, readings().angle);
+  while (!player.finished()) {
+    player.step(dt, still());
+    step(player.angles());
+    elapsed += dt;
+    if (stopAtFall && lying()) return false;
+  }
+  return true;
+}
+
+void MotionDriver::standStill(double seconds) {
+  const JointArray from = player.angles();
+  for (double t = dt; t < seconds + dt / 2; t += dt) {
+    const double share = std::min(1.0, t / standFade);
+    JointArray targets = stand;
+    for (std::size_t j = 0; j < maxJoints; ++j) targets[j] = (1 - share) * from[j] + share * stand[j];
+    step(targets);
+    elapsed += dt;
+  }
+}
+
+bool MotionDriver::walkFor(double seconds, const Vec2& velocity, double turn) {
+  beginWalk();
+  for (double t = 0; t < seconds; t += dt) {
+    walkStep(velocity, turn);
+    if (lying()) return false;
+  }
+  return true;
+}
+
+bool MotionDriver::walkStep(const Vec2& velocity, double turn, bool go) {
+  const walking::WalkOutput output = walkOutput(velocity, turn, go);
+  step(output.angles);
+  return output.standing;
+}
+
+walking::WalkOutput MotionDriver::walkOutput(const Vec2& velocity, double turn, bool go) {
+  walking::WalkSensors sensors;
+  sensors.angles = readings().angle;
+  const Vec3 u = feltUp();
+  sensors.torsoAngles = Vec2(std::atan2(u.y(), u.z()), std::atan2(-u.x(), u.z()));
+  sensors.gyro = readings().gyro;
+  sensors.feet = training::feltFeet(readings());
+  return walk.update({velocity, turn, go}, sensors);
+}
+
+const KeyframeMotion& MotionDriver::standUpMotion() const {
+  const Vec3 u = up();
+  if (std::abs(u.x()) < std::abs(u.y())) return motion("rollOver");
+  return motion(u.x() < 0 ? "standUpFront" : "standUpBack");
+}
+
+void MotionDriver::forget() {
+  walk =
+      walking::WalkEngine(gaits, model);  // its reset() keeps what it learnt and the foot of its first step
+  tiltedCycles_ = stillCycles_ = 0;
+}
+
+JointArray MotionDriver::jitter(double size) {
+  JointArray angles = stand;
+  for (int j = lShoulderPitch; j < maxJoints; ++j) {
+    const auto joint = static_cast<JointId>(j);
+    if (!model.has(joint)) continue;
+    const Link& link = model.linkMovedBy(joint);
+    angles[joint] = std::clamp(angles[joint] + random(-size, size), link.lower + 0.02, link.upper - 0.02);
+  }
+  return angles;
+}
+
+}  // namespace plumbline::motion

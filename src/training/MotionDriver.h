@@ -1,0 +1,86 @@
+#pragma once
+#include <filesystem>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "motion/KeyframePlayer.h"
+#include "robot/RobotModel.h"
+#include "simulation/world/World.h"
+#include "walking/engine/WalkEngine.h"
+
+namespace plumbline::motion {
+
+/// Moves a robot of a league type by the motions and the walk of config/, as the agent does, a cycle at a
+/// time. In which world the robot is, a derived class knows.
+class MotionDriver {
+public:
+  static constexpr double dt = 0.02;  ///< cycle [s]
+
+  virtual ~MotionDriver() = default;
+  MotionDriver(const MotionDriver&) = delete;
+  MotionDriver& operator=(const MotionDriver&) = delete;
+
+  static std::vector<std::string> directories(int type);
+  static std::vector<std::filesystem::path> motionDirectories(int type);
+  static walking::WalkGaits readWalkGaits(int type);
+
+  /// Throws std::out_of_range for a name that is not there.
+  const KeyframeMotion& motion(const std::string& name) const;
+
+  /// Uniform in [low, high]; the same on every machine.
+  double random(double low, double high) { return low + (high - low) * (generator_() / 4294967296.0); }
+  void seed(unsigned value) { generator_.seed(value); }
+
+  virtual const simulation::RobotReadings& readings() const = 0;  ///< of this cycle
+  virtual Pose3 torsoPose() const = 0;                            ///< the true one
+  /// The world's vertical in the torso frame, unit.
+  Vec3 up() const { return torsoPose().linear().row(2).transpose(); }
+  double tilt() const;  ///< of the torso [rad]
+  double height() const { return torsoPose().translation().z(); }
+
+  /// One cycle in which the joints go to these targets [rad].
+  void step(const JointArray& targets);
+  bool lying() const { return tiltedCycles_ >= 5; }
+  /// The torso does not turn: what a wait to settle waits for.
+  bool still() const { return stillCycles_ >= 3; }
+
+  /// Plays the motion; false if the robot lay down meanwhile and stopAtFall is set.
+  bool play(const KeyframeMotion& motion, bool stopAtFall = false);
+  /// Fades from the last motion into the stand and holds it.
+  void standStill(double seconds);
+  /// Walks; false as soon as the robot lies.
+  bool walkFor(double seconds, const Vec2& velocity, double turn);
+  void beginWalk() { walk.reset(); }
+  /// One cycle of the walk, whether it stands or lies; go: false comes to a stop. True once it stands.
+  bool walkStep(const Vec2& velocity, double turn, bool go = true);
+  /// What the walk wants in this cycle; the caller moves the robot.
+  walking::WalkOutput walkOutput(const Vec2& velocity, double turn, bool go = true);
+  /// The stand-up action the selector would choose for how the robot lies now.
+  const KeyframeMotion& standUpMotion() const;
+
+  RobotModel model;
+  walking::WalkGaits gaits;
+  walking::WalkEngine walk;
+  JointArray stand;
+  std::vector<KeyframeMotion> motions;
+  KeyframePlayer player;
+  double elapsed = 0;  ///< in motions since it was set to 0 [s]
+
+protected:
+  explicit MotionDriver(int type);
+
+  virtual void move(const JointArray& targets) = 0;
+  /// The vertical as the walk is told it.
+  virtual Vec3 feltUp() const { return up(); }
+  /// After the robot was put somewhere: nothing of what was before has an effect from now on.
+  void forget();
+  /// The stand with each joint anywhere within `size` of it [rad], inside the stops.
+  JointArray jitter(double size);
+
+private:
+  std::mt19937 generator_{1};
+  int tiltedCycles_ = 0, stillCycles_ = 0;
+};
+
+}  // namespace plumbline::motion

@@ -1,0 +1,177 @@
+// Stand-ups and kicks of the league's types by the protocol of the thesis (Seekircher 2015, 3.1.1), on a
+// SimSpark server that waits for its agents, beside the same tries on the embedded one. Writes
+// build/bench/motion-server.json and .md. Environment:
+//   SERVER  HOST:AGENTPORT:MONITORPORT, or server for this machine's usual ports; none: the embedded one
+//   alone;
+//           without it nothing is measured
+//   TRIES   of each motion [100]
+//   SEED    of the first try [1]
+//   TYPES   [0 1 2 3 4]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+#include "ServerTries.h"
+#include "framework/WriteFile.h"
+#include "gap/blind/BlindScore.h"
+#include "simulation/ServerFixture.h"
+
+namespace plumbline::bench {
+namespace {
+
+using nlohmann::json;
+
+std::string given(const char* name, const char* otherwise) {
+  const char* value = std::getenv(name);
+  return value && *value ? value : otherwise;
+}
+
+int numberOf(const char* name, const char* otherwise) {
+  const std::string text = given(name, otherwise);
+  if (text.empty() || text.size() > 6 || text.find_first_not_of("0123456789") != std::string::npos)
+    throw std::runtime_error(std::string(name) + "=" + text + " is no number");
+  return std::stoi(text);
+}
+
+double meanOf(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double deviationOf(const std::vector<double>& values) {
+  double sum = 0;
+  const double mean = meanOf(values);
+  for (const double value : values) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+bool has(const motion::ServerTrial& trial, const std::string& motion) {
+  return std::ranges::any_of(trial.motions, [&](const auto& of) { return of.name == motion; });
+}
+
+/// The tables of one server's tries.
+class Tables {
+public:
+  Tables(int tries, unsigned seed) : tries_(tries), seed_(seed) {}
+
+  void add(const std::string& server, const training::ServerAddress& address, int type) {
+    motion::ServerTrial trial(type, address);
+    for (const auto& [motion, direction] : {std::pair{"standUpFront", 1},
+                                            {"standUpFrontFast", 1},
+                                            {"standUpBack", -1},
+                                            {"standUpBackFast", -1}})
+      if (has(trial, motion)) standUp(server, trial, type, motion, direction);
+    for (const char* motion : {"kickShot", "kickLong"})
+      if (has(trial, motion)) kick(server, trial, type, motion);
+  }
+
+  void write() const {
+    std::filesystem::create_directories("build/bench");
+    writeFile("build/bench/motion-server.json", figures_.dump(1) + "\n");
+    writeFile(
+        "build/bench/motion-server.md",
+        fmt::format(
+            "{} tries each, seeds from {} on, by agents on a SimSpark server that waits for them (SERVER), "
+            "and "
+            "on the embedded simulator through its ports. Upright: after two seconds of walking right after "
+            "the motion, within 30 degrees, with its 95 % interval (Wilson). A monitor tells poses up to two "
+            "cycles late, so the same seeds do not repeat every try.\n\n",
+            tries_, seed_) +
+            "### Standing up\n\nThe robot is dropped with its joints anywhere near the walk's, leans at its "
+            "ankles and falls.\n\n| type | motion | server | time [ms] | upright [%] | "
+            "|\n|---|---|---|---|---|---|\n" +
+            stands_ +
+            "\n### Kicks\n\nThe ball lies within 1 cm of where the kick wants it. After ±: standard "
+            "deviation. "
+            "The height is that of the ball's centre.\n\n| type | motion | server | distance [m] | direction "
+            "[deg] | height [m] | "
+            "upright [%] | |\n|---|---|---|---|---|---|---|---|\n" +
+            kicks_ + "\n");
+  }
+
+private:
+  void standUp(const std::string& server, motion::ServerTrial& trial, int type, const std::string& motion,
+               int direction) {
+    const StandUpTries of =
+        tryStandUp(trial, motion, direction, tries_, seed_, progress(server, type, motion));
+    stands_ += fmt::format("| {} | {} | {} | {:.0f} | {} |\n", type, motion, server, meanOf(of.milliseconds),
+                           upright(server, type, motion, of.up));
+    figure(server, type, motion, "time", meanOf(of.milliseconds), "ms", "lower");
+  }
+
+  void kick(const std::string& server, motion::ServerTrial& trial, int type, const std::string& motion) {
+    const KickTries of = tryKick(trial, motion, tries_, seed_, progress(server, type, motion));
+    kicks_ += fmt::format("| {} | {} | {} | {:.2f} ± {:.2f} | {:.1f} ± {:.1f} | {:.2f} | {} |\n", type,
+                          motion, server, meanOf(of.distance), deviationOf(of.distance), meanOf(of.direction),
+                          deviationOf(of.direction), meanOf(of.height), upright(server, type, motion, of.up));
+    figure(server, type, motion, "distance", meanOf(of.distance), "m", "higher");
+  }
+
+  std::string upright(const std::string& server, int type, const std::string& motion,
+                      const std::vector<bool>& up) {
+    const auto yes = static_cast<std::size_t>(std::ranges::count(up, true));
+    const gap::Figure of = gap::share("", "", yes, up.size());
+    const double share = 100.0 * static_cast<double>(yes) / static_cast<double>(up.size());
+    figure(server, type, motion, "upright", share, "%", "higher");
+    return fmt::format("{:.1f} | {:.0f} to {:.0f}", share, 100 * of.lower, 100 * of.upper);
+  }
+
+  void figure(const std::string& server, int type, const std::string& motion, const char* what, double value,
+              const char* unit, const char* better) {
+    figures_.push_back({{"name", fmt::format("motion-server.type{}.{}.{}.{}", type, motion, server, what)},
+                        {"value", value},
+                        {"unit", unit},
+                        {"better", better}});
+  }
+
+  Told progress(const std::string& server, int type, const std::string& motion) const {
+    return [this, server, type, motion, done = 0]() mutable {
+      if (++done % 50 == 0 || done == tries_) {
+        std::printf("type %d %s on %s: %d of %d\n", type, motion.c_str(), server.c_str(), done, tries_);
+        std::fflush(stdout);
+      }
+    };
+  }
+
+  const int tries_;
+  const unsigned seed_;
+  std::string stands_, kicks_;
+  json figures_ = json::array();
+};
+
+int run() {
+  const int tries = numberOf("TRIES", "100");
+  const std::string server = given("SERVER", "");
+  if (server.empty()) {
+    std::puts("no SERVER is given: nothing is measured");
+    return 0;
+  }
+  Tables tables(tries, static_cast<unsigned>(numberOf("SEED", "1")));
+  std::istringstream types(given("TYPES", "0 1 2 3 4"));
+  test::RunningServer embedded(test::inStep());
+  for (int type = 0; types >> type;) {
+    tables.add("embedded", {"127.0.0.1", embedded.agentPort(), embedded.monitorPort()}, type);
+    if (server != "none") tables.add("server", training::ServerAddress::parse(server), type);
+  }
+  tables.write();
+  return 0;
+}
+
+}  // namespace
+}  // namespace plumbline::bench
+
+int main() {
+  try {
+    return plumbline::bench::run();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "motion-server: %s\n", error.what());
+    return 2;
+  }
+}
