@@ -90,10 +90,11 @@ for ((number = 1; number <= players; ++number)); do
   setsid "$bin/agent" "${options[@]}" "${@//\{number\}/$number}" > "$output" 2>&1 < /dev/null &
   agent=$!
   disown
-  # One after the other: the server gives places in the order of connecting, so a seed repeats a game.
+  # One after the other: the server gives places in the order of connecting, so a seed repeats a game. And on the league's
+  # server robots that come at once lie on top of each other.
   for ((look = 0; look < 100; ++look)); do
     { [[ $wait ]] || isConnected $agent || ! kill -0 $agent 2> /dev/null; } && break
     sleep 0.02
   done
-  if [[ $wait ]]; then sleep 0.1; fi
+  sleep 0.1
 done

@@ -14,10 +14,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 
 #include "ServerTries.h"
 #include "framework/WriteFile.h"
@@ -28,6 +30,26 @@ namespace plumbline::bench {
 namespace {
 
 using nlohmann::json;
+
+const char* const head =
+    "{} tries each, seeds from {} on: server is a SimSpark server that waits for its agents (SERVER), "
+    "embedded "
+    "this project's simulator through its ports. Upright: after two seconds of walking right after the "
+    "motion, "
+    "within 30 degrees, with its 95 % interval (Wilson). A monitor tells poses up to two cycles late, so a "
+    "seed "
+    "does not repeat every try.\n\n";
+const char* const standHead =
+    "### Standing up\n\n"
+    "The robot is dropped with its joints anywhere near the walk's, leans at its ankles and falls.\n\n"
+    "| type | motion | server | time [ms] | upright [%] | |\n|---|---|---|---|---|---|\n";
+const char* const kickHead =
+    "\n### Kicks\n\n"
+    "The ball lies within 1 cm of where the kick wants it. After ±: standard deviation. The height is that "
+    "of "
+    "the ball's centre.\n\n"
+    "| type | motion | server | distance [m] | direction [deg] | height [m] | upright [%] | |\n"
+    "|---|---|---|---|---|---|---|---|\n";
 
 std::string given(const char* name, const char* otherwise) {
   const char* value = std::getenv(name);
@@ -56,11 +78,12 @@ bool has(const motion::ServerTrial& trial, const std::string& motion) {
   return std::ranges::any_of(trial.motions, [&](const auto& of) { return of.name == motion; });
 }
 
-/// The tables of one server's tries.
+/// The tables of all tries, by type, motion and server.
 class Tables {
 public:
   Tables(int tries, unsigned seed) : tries_(tries), seed_(seed) {}
 
+  /// All motions of a type; what is measured is written after each of them.
   void add(const std::string& server, const training::ServerAddress& address, int type) {
     motion::ServerTrial trial(type, address);
     for (const auto& [motion, direction] : {std::pair{"standUpFront", 1},
@@ -72,46 +95,41 @@ public:
       if (has(trial, motion)) kick(server, trial, type, motion);
   }
 
+private:
+  using Rows = std::map<std::tuple<int, std::string, std::string>, std::string>;
+
+  static std::string textOf(const Rows& rows) {
+    std::string text;
+    for (const auto& [key, row] : rows) text += row;
+    return text;
+  }
+
   void write() const {
     std::filesystem::create_directories("build/bench");
     writeFile("build/bench/motion-server.json", figures_.dump(1) + "\n");
-    writeFile(
-        "build/bench/motion-server.md",
-        fmt::format(
-            "{} tries each, seeds from {} on, by agents on a SimSpark server that waits for them (SERVER), "
-            "and "
-            "on the embedded simulator through its ports. Upright: after two seconds of walking right after "
-            "the motion, within 30 degrees, with its 95 % interval (Wilson). A monitor tells poses up to two "
-            "cycles late, so the same seeds do not repeat every try.\n\n",
-            tries_, seed_) +
-            "### Standing up\n\nThe robot is dropped with its joints anywhere near the walk's, leans at its "
-            "ankles and falls.\n\n| type | motion | server | time [ms] | upright [%] | "
-            "|\n|---|---|---|---|---|---|\n" +
-            stands_ +
-            "\n### Kicks\n\nThe ball lies within 1 cm of where the kick wants it. After ±: standard "
-            "deviation. "
-            "The height is that of the ball's centre.\n\n| type | motion | server | distance [m] | direction "
-            "[deg] | height [m] | "
-            "upright [%] | |\n|---|---|---|---|---|---|---|---|\n" +
-            kicks_ + "\n");
+    writeFile("build/bench/motion-server.md", fmt::format(fmt::runtime(head), tries_, seed_) + standHead +
+                                                  textOf(stands_) + kickHead + textOf(kicks_) + "\n");
   }
 
-private:
   void standUp(const std::string& server, motion::ServerTrial& trial, int type, const std::string& motion,
                int direction) {
     const StandUpTries of =
         tryStandUp(trial, motion, direction, tries_, seed_, progress(server, type, motion));
-    stands_ += fmt::format("| {} | {} | {} | {:.0f} | {} |\n", type, motion, server, meanOf(of.milliseconds),
-                           upright(server, type, motion, of.up));
+    stands_[{type, motion, server}] =
+        fmt::format("| {} | {} | {} | {:.0f} | {} |\n", type, motion, server, meanOf(of.milliseconds),
+                    upright(server, type, motion, of.up));
     figure(server, type, motion, "time", meanOf(of.milliseconds), "ms", "lower");
+    write();
   }
 
   void kick(const std::string& server, motion::ServerTrial& trial, int type, const std::string& motion) {
     const KickTries of = tryKick(trial, motion, tries_, seed_, progress(server, type, motion));
-    kicks_ += fmt::format("| {} | {} | {} | {:.2f} ± {:.2f} | {:.1f} ± {:.1f} | {:.2f} | {} |\n", type,
-                          motion, server, meanOf(of.distance), deviationOf(of.distance), meanOf(of.direction),
-                          deviationOf(of.direction), meanOf(of.height), upright(server, type, motion, of.up));
+    kicks_[{type, motion, server}] =
+        fmt::format("| {} | {} | {} | {:.2f} ± {:.2f} | {:.1f} ± {:.1f} | {:.2f} | {} |\n", type, motion,
+                    server, meanOf(of.distance), deviationOf(of.distance), meanOf(of.direction),
+                    deviationOf(of.direction), meanOf(of.height), upright(server, type, motion, of.up));
     figure(server, type, motion, "distance", meanOf(of.distance), "m", "higher");
+    write();
   }
 
   std::string upright(const std::string& server, int type, const std::string& motion,
@@ -142,7 +160,7 @@ private:
 
   const int tries_;
   const unsigned seed_;
-  std::string stands_, kicks_;
+  Rows stands_, kicks_;
   json figures_ = json::array();
 };
 
@@ -154,13 +172,15 @@ int run() {
     return 0;
   }
   Tables tables(tries, static_cast<unsigned>(numberOf("SEED", "1")));
-  std::istringstream types(given("TYPES", "0 1 2 3 4"));
+  const std::string types = given("TYPES", "0 1 2 3 4");
+  const auto measure = [&](const std::string& name, const training::ServerAddress& address) {
+    std::istringstream each(types);
+    for (int type = 0; each >> type;) tables.add(name, address, type);
+  };
+  // First the league's: without agents its clock would run on as fast as it can.
+  if (server != "none") measure("server", training::ServerAddress::parse(server));
   test::RunningServer embedded(test::inStep());
-  for (int type = 0; types >> type;) {
-    tables.add("embedded", {"127.0.0.1", embedded.agentPort(), embedded.monitorPort()}, type);
-    if (server != "none") tables.add("server", training::ServerAddress::parse(server), type);
-  }
-  tables.write();
+  measure("embedded", {"127.0.0.1", embedded.agentPort(), embedded.monitorPort()});
   return 0;
 }
 
