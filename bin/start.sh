@@ -91,10 +91,10 @@ for ((number = 1; number <= players; ++number)); do
   agent=$!
   disown
   # One after the other: the server gives places in the order of connecting, so a seed repeats a game. And on the league's
-  # server robots that come at once lie on top of each other.
+  # server robots that come at once lie on top of each other, and then it hardly goes on.
   for ((look = 0; look < 100; ++look)); do
     { [[ $wait ]] || isConnected $agent || ! kill -0 $agent 2> /dev/null; } && break
     sleep 0.02
   done
-  sleep 0.1
+  sleep "${PLUMBLINE_START_PAUSE:-0.1}"
 done

@@ -137,7 +137,7 @@ startTeam() { # $1: 0 left, 1 right
 
 case $server in
   simulator) startSimulator ;;
-  rcssserver3d) startRcssserver3d ;;
+  rcssserver3d) startRcssserver3d; export PLUMBLINE_START_PAUSE=0.5 ;;
   *'{'*) startOther "$server"; server=other ;;
   *) fail "no server '$server': simulator, rcssserver3d or a command with {agent} and {monitor}" ;;
 esac

@@ -51,7 +51,7 @@ TEST_F(GroupedCrossValidationTest, motionsAreGroupsToo) {
   const GroupedCrossValidation motions(arm, Evidence(trials), 1, {}, motion);
   ASSERT_TRUE(motions.possible());
   const GroupedCrossValidation::Tried tried = motions.of(truth);
-  EXPECT_EQ(tried.perFold.size(), 2u) << "two windows of one recording are left out together";
+  EXPECT_EQ(tried.perFold.size(), 2u) << "two segments of one recording are left out together";
   EXPECT_LT(tried.error, 0.1);
   EXPECT_GT(motions.of({truth[0]}).error, 3 * tried.error);
   trials.erase(trials.begin());

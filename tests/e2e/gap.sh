@@ -25,11 +25,11 @@ expectEqual "$answer" "effect $secret true true" "the answer"
 timeout 100 node tests/e2e/gap/report.mjs "$scratch/report.html" "friction" build/e2e/gap-report.png ||
   fail "the report in the browser; see above"
 
-# Of long runs windows are looked at; they stand in the report like runs.
-gap diagnose "$scratch/runs" --robot $arm --seconds 12 --json "$scratch/windows.json"
-grep -q 'windows of these long runs' "$scratch/err" || fail "nothing is said of windows: $(cat "$scratch/err")"
-answer=$(node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1])); console.log(a.effects[0]?.effect, a.effects[0]?.at, a.runs.length === a.map.time.length, a.runs.every((r) => / \([0-9]+ s\)$/.test(r.motion)))' "$scratch/windows.json")
-expectEqual "$answer" "$secret true true" "the answer from windows"
+# Of long runs segments are looked at; they stand in the report like runs.
+gap diagnose "$scratch/runs" --robot $arm --seconds 12 --json "$scratch/segments.json"
+grep -q 'segments of these long runs' "$scratch/err" || fail "nothing is said of segments: $(cat "$scratch/err")"
+answer=$(node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1])); console.log(a.effects[0]?.effect, a.effects[0]?.at, a.runs.length === a.map.time.length, a.runs.every((r) => / \([0-9]+ s\)$/.test(r.motion)))' "$scratch/segments.json")
+expectEqual "$answer" "$secret true true" "the answer from segments"
 
 # Lost commands, which are decoded by blocks, that show only beside what else is found: repeats differ by more than noise until both are known.
 cat > "$scratch/three.yaml" << 'E'

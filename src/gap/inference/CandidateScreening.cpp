@@ -12,10 +12,9 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr std::size_t mostSamples = 250;  // of a cell that are looked at
-constexpr std::size_t mostGuessed = 24;   // kinds whose gain is worked out and not only guessed
-constexpr double mostFactor = 4;          // of a start, up and down, that its sensitivity is trusted for
-constexpr double leastOfLinear = 0.02;    // of the start of an effect whose change is in proportion to it
+constexpr std::size_t mostGuessed = 24;  // kinds whose gain is worked out and not only guessed
+constexpr double mostFactor = 4;         // of a start, up and down, that its sensitivity is trusted for
+constexpr double leastOfLinear = 0.02;   // of the start of an effect whose change is in proportion to it
 
 /// Every n-th value of a stretch; the n-th of the whole series, wherever the stretch begins.
 std::vector<double> thinned(const ResidualSeries& values, std::size_t from, std::size_t to,
@@ -64,7 +63,7 @@ CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& s
   // A recording that is left alone by others that are left out is cut into stretches.
   const std::size_t stretches = groups.count() <= 2 || groups.stretchesOfOne() ? 4 : 1;
   for (const Trial& trial : groups.trials())
-    every_.push_back(std::max<std::size_t>(1, trial.cycles() / (stretches * mostSamples)));
+    every_.push_back(std::max<std::size_t>(1, trial.cycles() / (stretches * enoughSamples)));
   const Residuals nominal = replayer.residuals({});
   // Most that a cause can gain: nothing is left in the cells of its chains that show anything above their
   // noise.

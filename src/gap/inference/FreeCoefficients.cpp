@@ -4,12 +4,6 @@
 
 namespace plumbline::gap {
 
-namespace {
-
-constexpr std::size_t mostColumns = 250;  // of a cell that are looked at
-
-}  // namespace
-
 FreeCoefficients::FreeCoefficients(const Replayer& replayer)
     : replayer_(replayer), looked_(enoughTrials(replayer.groups())) {
   const Residuals nominal = replayer.residuals({}, looked_);
@@ -21,7 +15,7 @@ FreeCoefficients::FreeCoefficients(const Replayer& replayer)
     cell.group = of.group;
     cell.joint = groups().trials()[of.trial].signals[of.signal].joint;
     cell.noise = of.noise;
-    const std::size_t every = 1 + (of.to - of.from - 1) / mostColumns;
+    const std::size_t every = 1 + (of.to - of.from - 1) / enoughSamples;
     for (std::size_t k = 0; k < residuals.size(); ++k)
       if (std::isfinite(residuals[k]) && (of.from + k) % every == 0)
         cell.columns.push_back({of.trial, of.signal, of.from + k, of.from + k + 1});

@@ -103,17 +103,17 @@ void Groups::number() {
 std::vector<char> enoughTrials(const Groups& groups) {
   const std::vector<Trial>& trials = groups.trials();
   std::vector<char> taken(trials.size(), 0);
-  std::vector<std::size_t> windows(groups.count(), 0);
+  std::vector<std::size_t> segments(groups.count(), 0);
   std::vector<std::pair<std::size_t, std::size_t>> order;  // how many of its group came before, trial
   for (std::size_t t = 0; t < trials.size(); ++t) {
     std::size_t group = 0;
     while (group < groups.count() && !groups.holds(group, t)) ++group;
-    if (group < groups.count()) order.emplace_back(windows[group]++, t);
+    if (group < groups.count()) order.emplace_back(segments[group]++, t);
   }
   std::ranges::sort(order);
   double seconds = 0;
-  for (const auto& [window, t] : order) {
-    if (window > 0 && seconds > enoughSeconds) break;
+  for (const auto& [segment, t] : order) {
+    if (segment > 0 && seconds > enoughSeconds) break;
     taken[t] = 1;
     seconds += trials[t].time.back() - trials[t].time.front();
   }

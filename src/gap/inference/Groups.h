@@ -15,7 +15,7 @@ struct Cell {
   double noise = 0;              ///< least scale of its residuals
 };
 
-/// Recordings in groups of which each is left out by itself: windows and repeats of one recording are one
+/// Recordings in groups of which each is left out by itself: segments and repeats of one recording are one
 /// group. Where that makes one group alone, four stretches (stretchesOf) stand for groups, and the answer
 /// says so.
 class Groups {
@@ -51,7 +51,10 @@ private:
   std::vector<std::vector<char>> held_;  ///< per group and trial
 };
 
-/// Flags of trials that are enough for a search: windows and repeats of recordings, one of each after the
+/// Samples of a cell that are enough for a search.
+inline constexpr std::size_t enoughSamples = 250;
+
+/// Flags of trials that are enough for a search: segments and repeats of recordings, one of each after the
 /// other, until they are 30 s long; at least one trial of each group.
 std::vector<char> enoughTrials(const Groups& groups);
 

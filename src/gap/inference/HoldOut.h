@@ -54,7 +54,7 @@ RecordingLeft leftIn(const Trial& trial, const std::vector<From>& causes);
 /// The same with the nominal model's replay, which was made before.
 RecordingLeft leftIn(const Trial& trial, const Prediction& nominal, const std::vector<From>& causes);
 
-/// Sums stretches or windows of one recording up.
+/// Sums stretches or segments of one recording up.
 RecordingLeft together(const std::vector<RecordingLeft>& parts);
 
 /// Puts the floor in where recordings are repeats of each other.

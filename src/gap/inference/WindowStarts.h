@@ -17,7 +17,7 @@ struct MeasuredState {
 MeasuredState stateAt(const Trial& trial, const Signal& position, std::size_t cycle, double noise);
 
 /// A stretch of a trial that is replayed from the state measured at its first cycle, as in multiple shooting
-/// (not one of the 5 s of replay/Windows.h).
+/// (not a segment of 5 s: replay/Segments.h).
 struct Window {
   std::size_t from = 0, to = 0;       ///< cycles [from, to)
   std::vector<MeasuredState> starts;  ///< per joint; NaN where its position is not measured

@@ -39,9 +39,9 @@ struct Restart {
 /// A run prepared for replay on one mechanism: times, commands, measurements.
 struct Trial {
   std::string name;       ///< for people: the run's folder, and which part of it
-  std::string recording;  ///< the run's folder; the same for all windows of one recording
+  std::string recording;  ///< the run's folder; the same for all segments of one recording
   std::string motion;     ///< free text; runs with the same text are repeats of each other
-  /// Motion of the whole recording, the same for all its windows; empty: unknown.
+  /// Motion of the whole recording, the same for all its segments; empty: unknown.
   std::string recordedMotion;
   /// The nominal robot with the servo gains of this run.
   std::shared_ptr<const Mechanism> robot;

@@ -10,8 +10,8 @@
 #include "framework/WriteFile.h"
 #include "gap/answer/Answer.h"
 #include "gap/diagnosis/DiagnosisAttempts.h"
+#include "gap/replay/Segments.h"
 #include "gap/replay/TrialOf.h"
-#include "gap/replay/Windows.h"
 #include "gap/report/MotionQuestion.h"
 #include "gap/run/RunCheck.h"
 #include "gap/run/RunFile.h"
@@ -36,21 +36,21 @@ struct DiagnoseOptions {
   bool quiet = false;
 };
 
-/// Puts windows in the place of long recordings, in the notes for the answer too; how many windows.
+/// Puts segments in the place of long recordings, in the notes for the answer too; how many segments.
 std::size_t cutLongRuns(std::vector<Trial>& trials, std::vector<RunNotes>& notes, double seconds) {
-  std::vector<std::vector<Trial>> windows = windowsOf(std::move(trials), seconds);
+  std::vector<std::vector<Trial>> segments = segmentsOf(std::move(trials), seconds);
   std::vector<RunNotes> cut;
   std::size_t count = 0;
   trials.clear();
-  for (std::size_t i = 0; i < windows.size(); ++i)
-    for (Trial& window : windows[i]) {
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    for (Trial& segment : segments[i]) {
       RunNotes& of = cut.emplace_back(notes[i]);
-      if (window.motion != of.motion) {
-        of.motion = window.motion;
-        of.duration = window.time.back() - window.time.front();
+      if (segment.motion != of.motion) {
+        of.motion = segment.motion;
+        of.duration = segment.time.back() - segment.time.front();
         ++count;
       }
-      trials.push_back(std::move(window));
+      trials.push_back(std::move(segment));
     }
   notes = std::move(cut);
   return count;
@@ -103,9 +103,9 @@ void diagnoseRuns(const DiagnoseOptions& options) {
     input.runs.push_back(std::move(notes));
   }
   if (trials.empty()) throw RunError(refused);
-  const std::size_t windows = options.seconds > 0 ? cutLongRuns(trials, input.runs, options.seconds) : 0;
-  if (windows > 0 && !options.quiet)
-    std::fprintf(stderr, "gap: looks at %zu windows of these long runs (--seconds)\n", windows);
+  const std::size_t segments = options.seconds > 0 ? cutLongRuns(trials, input.runs, options.seconds) : 0;
+  if (segments > 0 && !options.quiet)
+    std::fprintf(stderr, "gap: looks at %zu segments of these long runs (--seconds)\n", segments);
 
   const int jobs = threadsFor(options.jobs);
   // Robots on their feet are still diagnosed by blocks: sets replays them in one piece.
@@ -177,7 +177,7 @@ void addDiagnose(CLI::App& app) {
       ->check(CLI::IsMember({"blocks", "sets"}));
   command
       ->add_option("--seconds", options->seconds,
-                   "Of longer runs with a fixed base, use windows of this total length [s]; 0: everything")
+                   "Of longer runs with a fixed base, use segments of this total length [s]; 0: everything")
       ->check(CLI::Range(0., 1e5))
       ->capture_default_str();
   options->changes.addTo(*command);

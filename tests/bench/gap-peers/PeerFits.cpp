@@ -72,8 +72,8 @@ std::size_t motorsOf(const Mechanism& robot) {
 
 }  // namespace
 
-Peers::Peers(const Mechanism& robot, std::vector<Trial> windows, int jobs)
-    : robot_(robot), groups_(std::move(windows)), replayer_(robot_, groups_, jobs) {}
+Peers::Peers(const Mechanism& robot, std::vector<Trial> segments, int jobs)
+    : robot_(robot), groups_(std::move(segments)), replayer_(robot_, groups_, jobs) {}
 
 std::vector<std::string> Peers::names() const {
   std::vector<std::string> names{"single", "mujoco-gauss-newton", "pace-cma-es", "everything-gauss-newton",

@@ -16,11 +16,11 @@ struct PeerFit {
   double cpuSeconds = 0;
 };
 
-/// Other ways of fitting, to the positions of the same windows of the same recordings. Each joint has its own
-/// values.
+/// Other ways of fitting, to the positions of the same segments of the same recordings. Each joint has its
+/// own values.
 class Peers {
 public:
-  Peers(const Mechanism& robot, std::vector<gap::Trial> windows, int jobs);
+  Peers(const Mechanism& robot, std::vector<gap::Trial> segments, int jobs);
 
   /// "single", "mujoco-gauss-newton", "pace-cma-es", "everything-gauss-newton", "everything-cma-es", "bam-m1"
   /// to "bam-m6".

@@ -13,8 +13,8 @@
 #include "PeerFits.h"
 #include "framework/WriteFile.h"
 #include "gap/inference/HoldOut.h"
+#include "gap/replay/Segments.h"
 #include "gap/replay/TrialOf.h"
-#include "gap/replay/Windows.h"
 #include "gap/run/RunCheck.h"
 #include "gap/run/RunFile.h"
 #include "robot/MechanismFile.h"
@@ -30,7 +30,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double windowSeconds = 20;  // as peers.sh asks of bin/gap diagnose
+constexpr double segmentSeconds = 20;  // as peers.sh asks of bin/gap diagnose
 
 struct PeerSplit {
   std::string name, robot;
@@ -101,11 +101,11 @@ int main() try {
     if (one && *one && split.name != one) continue;
     const Mechanism robot = namedMechanism(split.robot);
     const std::string folder = data + "/" + split.robot;
-    std::vector<Trial> windows;
-    for (std::vector<Trial>& of : windowsOf(trialsIn(folder, split.fit, robot), windowSeconds))
-      for (Trial& window : of) windows.push_back(std::move(window));
+    std::vector<Trial> segments;
+    for (std::vector<Trial>& of : segmentsOf(trialsIn(folder, split.fit, robot), segmentSeconds))
+      for (Trial& segment : of) segments.push_back(std::move(segment));
     const std::vector<Trial> tests = trialsIn(folder, split.test, robot);
-    const Peers peers(robot, std::move(windows), jobs);
+    const Peers peers(robot, std::move(segments), jobs);
     for (const std::string& name : peers.names()) {
       const std::string piece = kept + "/" + split.name + ".peer-" + name + ".json";
       if (fs::exists(piece)) continue;

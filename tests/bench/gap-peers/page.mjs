@@ -30,7 +30,7 @@ for (const file of fs.readdirSync(kept).filter((f) => /\.peer-.*\.json$/.test(f)
   rowsOf(piece.split).push({ peer: piece.peer, method: `${label} (${piece.what})`, parameters: piece.parameters, closed: piece.closed, fitted: piece.fitted_closed, runs: runsOf(piece.runs), cpu: piece.cpu_seconds, attributable: piece.peer === 'single' ? 'one' : 'no' });
   figures.push({ name: `gap-peers.closed.${piece.split}.${piece.peer}`, value: piece.closed, unit: '1', better: 'higher' });
 }
-let page = `Every way saw the recordings for fitting alone (windows of 20 s of long ones), then recordings of other motions were
+let page = `Every way saw the recordings for fitting alone (segments of 20 s of long ones), then recordings of other motions were
 replayed free from their first sample. Closed: 1 - after/before, root mean squares of the positions, the mean over the recordings.
 Nothing that was left is taken as a floor: there is no repeat. Everything per joint: rotor inertia, five frictions and damping,
 gain, torque limit, zero, bias and delay. MuJoCo's system identification fits rotor inertia, damping, dry friction and gain of a

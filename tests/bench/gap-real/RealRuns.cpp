@@ -7,8 +7,8 @@
 #include <string>
 
 #include "gap/diagnosis/CauseSearch.h"
+#include "gap/replay/Segments.h"
 #include "gap/replay/TrialOf.h"
-#include "gap/replay/Windows.h"
 #include "gap/run/RunCheck.h"
 #include "robot/MechanismFile.h"
 
@@ -88,7 +88,7 @@ RealResult runSplit(const RealSplit& split, const std::string& robotName, const 
   const Mechanism robot = findMechanism(robotName);
   std::vector<Trial> fit, test;
   for (const std::string& run : split.fit)
-    for (Trial& part : windowsOf(trialAt(folder + "/" + run, robot), split.fitSeconds))
+    for (Trial& part : segmentsOf(trialAt(folder + "/" + run, robot), split.fitSeconds))
       fit.push_back(std::move(part));
   for (const std::string& run : split.test) test.push_back(trialAt(folder + "/" + run, robot));
 

@@ -13,7 +13,7 @@ struct RealSplit {
   std::string name, what;  ///< id for figures; in words
   std::vector<std::string> fit, test;
   std::map<std::string, std::string> repeats;  ///< of test recordings: the same motion once more
-  double fitSeconds = 1e9;                     ///< of each recording for fitting, in windows [s]
+  double fitSeconds = 1e9;                     ///< of each recording for fitting, in segments [s]
 };
 
 /// A test recording: root mean square of measured minus simulated position over all joints [rad].

@@ -24,7 +24,7 @@ RealSplit armSplit(const std::string& name, const std::vector<std::string>& fit)
       "actuator_bandwidth", "backlash_detection", "chirp_sweep",         "coupled_joints", "custom_motion",
       "end_effector",       "frequency_sweep",    "friction_gravity",    "multisine",      "prbs_excitation",
       "static_holding",     "step_response",      "trapezoidal_profile", "velocity_ramp"};
-  RealSplit split{name, "fit on four windows of 5 s of each of", fit, {}, {}, 20};
+  RealSplit split{name, "fit on four segments of 5 s of each of", fit, {}, {}, 20};
   for (const std::string& motion : fit) split.what += " " + motion;
   for (const std::string& motion : all) {
     if (std::ranges::find(fit, motion) != fit.end()) continue;
@@ -50,7 +50,7 @@ one unit with one load at 27 to 40 degrees, so friction that depends on temperat
 other friction.
 )";
 constexpr const char* armText =
-    R"(Fourteen motions of 120 s, each recorded twice. Windows of four motions in session 2 are fitted; the test
+    R"(Fourteen motions of 120 s, each recorded twice. Segments of four motions in session 2 are fitted; the test
 is all of session 2 of the other motions. The floor is one session's part of the difference between the two
 sessions (divided by the square root of two), which includes a new calibration of two joints. Tests whose repeat
 ran with other servo settings (prbs_excitation, static_holding) are shown but do not count. The causes, and why

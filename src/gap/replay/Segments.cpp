@@ -1,4 +1,4 @@
-#include "gap/replay/Windows.h"
+#include "gap/replay/Segments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double window = 5, leadIn = 1.5;  // [s]
+constexpr double segment = 5, leadIn = 1.5;  // [s]
 
 double lengthOf(const Trial& trial) { return trial.time.back() - trial.time.front(); }
 
@@ -37,41 +37,41 @@ Trial cut(const Trial& trial, std::size_t from, std::size_t compared, std::size_
 
 }  // namespace
 
-std::vector<Trial> windowsOf(Trial trial, double most) {
-  std::vector<Trial> windows;
-  if (trial.freeBase || trial.cycles() < 2 || lengthOf(trial) <= std::max(most, window)) {
-    windows.push_back(std::move(trial));
-    return windows;
+std::vector<Trial> segmentsOf(Trial trial, double most) {
+  std::vector<Trial> segments;
+  if (trial.freeBase || trial.cycles() < 2 || lengthOf(trial) <= std::max(most, segment)) {
+    segments.push_back(std::move(trial));
+    return segments;
   }
   const double begin = trial.time.front(), length = lengthOf(trial);
   // As many as are asked for and do not overlap.
   const auto count =
-      static_cast<int>(std::max(1.0, std::min(std::round(most / window), std::floor(length / window))));
+      static_cast<int>(std::max(1.0, std::min(std::round(most / segment), std::floor(length / segment))));
   for (int i = 0; i < count; ++i) {
     // Each in the middle of its part of the recording.
-    const double from = (i + 0.5) * length / count - window / 2;
+    const double from = (i + 0.5) * length / count - segment / 2;
     const double lead = std::max(0.0, from - leadIn);
-    Trial& part = windows.emplace_back(cut(trial, cycleAt(trial, begin + lead), cycleAt(trial, begin + from),
-                                           cycleAt(trial, begin + from + window)));
-    // Repeats of the recording are repeats of each window, and no window is one of another.
+    Trial& part = segments.emplace_back(cut(trial, cycleAt(trial, begin + lead), cycleAt(trial, begin + from),
+                                            cycleAt(trial, begin + from + segment)));
+    // Repeats of the recording are repeats of each segment, and no segment is one of another.
     const std::string where = " (" + std::to_string(std::lround(from)) + " s)";
     part.name += where;
     part.motion += where;
   }
-  return windows;
+  return segments;
 }
 
-std::vector<std::vector<Trial>> windowsOf(std::vector<Trial> trials, double most) {
+std::vector<std::vector<Trial>> segmentsOf(std::vector<Trial> trials, double most) {
   double all = 0;
   for (const Trial& trial : trials)
     if (!trial.freeBase && trial.cycles() > 1) all += lengthOf(trial);
-  std::vector<std::vector<Trial>> windows;
+  std::vector<std::vector<Trial>> segments;
   for (Trial& trial : trials) {
     const bool whole = all <= most || trial.cycles() < 2;
     const double share = whole ? all : most * lengthOf(trial) / all;
-    windows.push_back(windowsOf(std::move(trial), share));
+    segments.push_back(segmentsOf(std::move(trial), share));
   }
-  return windows;
+  return segments;
 }
 
 }  // namespace plumbline::gap
