@@ -69,8 +69,9 @@ bool MotionDriver::play(const KeyframeMotion& motion, bool stopAtFall) {
 
 void MotionDriver::standStill(double seconds) {
   const JointArray from = player.angles();
-  for (double t = dt; t < seconds + dt / 2; t += dt) {
-    const double share = std::min(1.0, t / standFade);
+  const long cycles = std::lround(seconds / dt);
+  for (long i = 1; i <= cycles; ++i) {
+    const double share = std::min(1.0, static_cast<double>(i) * dt / standFade);
     JointArray targets = stand;
     for (std::size_t j = 0; j < maxJoints; ++j) targets[j] = (1 - share) * from[j] + share * stand[j];
     step(targets);
@@ -80,7 +81,7 @@ void MotionDriver::standStill(double seconds) {
 
 bool MotionDriver::walkFor(double seconds, const Vec2& velocity, double turn) {
   beginWalk();
-  for (double t = 0; t < seconds; t += dt) {
+  for (long i = std::lround(seconds / dt); i > 0; --i) {
     walkStep(velocity, turn);
     if (lying()) return false;
   }
