@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
-#include "framework/ConfigFile.h"
 #include "framework/ConfigFolder.h"
 #include "math/Angle.h"
 #include "motion/KeyframeReader.h"
 #include "simspark/LeagueRobots.h"
 #include "training/FeltFeet.h"
+#include "training/WalkingRobot.h"
 
 namespace plumbline::motion {
 namespace {
@@ -19,11 +20,18 @@ constexpr double lyingTilt = 1.05;  // [rad]
 constexpr double stillTurn = 0.3;   // [rad/s]
 constexpr double standFade = 0.14;  // StandMotion's [s]
 
+std::vector<std::filesystem::path> motionDirectories(int type) {
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& directory : MotionDriver::directories(type))
+    paths.emplace_back(directory + "/motions");
+  return paths;
+}
+
 }  // namespace
 
 MotionDriver::MotionDriver(int type)
     : model(simsparkRobot(type)),
-      gaits(readWalkGaits(type)),
+      gaits(walking::readWalkGaits(type)),
       walk(gaits, model),
       stand(walk.stand().angles),
       motions(readMotions(motionDirectories(type), model)) {}
@@ -32,15 +40,11 @@ std::vector<std::string> MotionDriver::directories(int type) {
   return {configFolder(), configPath("robots/type" + std::to_string(type))};
 }
 
-std::vector<std::filesystem::path> MotionDriver::motionDirectories(int type) {
-  std::vector<std::filesystem::path> paths;
-  for (const std::string& directory : directories(type)) paths.emplace_back(directory + "/motions");
-  return paths;
+void MotionDriver::seedStart(std::uint64_t run, int draw) {
+  seed(static_cast<unsigned>(run * 2654435761U + static_cast<unsigned>(draw)));
 }
 
-walking::WalkGaits MotionDriver::readWalkGaits(int type) {
-  return walking::readWalkGaits(ConfigFile("walking", directories(type)).root());
-}
+void MotionDriver::seedRun(std::uint64_t run) { seed(static_cast<unsigned>(run * 2246822519U + 1)); }
 
 const KeyframeMotion& MotionDriver::motion(const std::string& name) const {
   for (const KeyframeMotion& motion : motions)

@@ -1,5 +1,5 @@
 #pragma once
-#include <filesystem>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
@@ -21,9 +21,8 @@ public:
   MotionDriver(const MotionDriver&) = delete;
   MotionDriver& operator=(const MotionDriver&) = delete;
 
+  /// Where a type's configuration is: config/ and the type's own folder.
   static std::vector<std::string> directories(int type);
-  static std::vector<std::filesystem::path> motionDirectories(int type);
-  static walking::WalkGaits readWalkGaits(int type);
 
   /// Throws std::out_of_range for a name that is not there.
   const KeyframeMotion& motion(const std::string& name) const;
@@ -31,6 +30,10 @@ public:
   /// Uniform in [low, high]; the same on every machine.
   double random(double low, double high) { return low + (high - low) * (generator_() / 4294967296.0); }
   void seed(unsigned value) { generator_.seed(value); }
+  /// Begins the numbers that draw the start of the run with this seed; draw: how many were not as wanted.
+  void seedStart(std::uint64_t run, int draw = 0);
+  /// Begins those of the run itself.
+  void seedRun(std::uint64_t run);
 
   virtual const simulation::RobotReadings& readings() const = 0;  ///< of this cycle
   virtual Pose3 torsoPose() const = 0;                            ///< the true one

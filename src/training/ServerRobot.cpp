@@ -7,7 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "math/Angle.h"
+#include "field/FieldSize.h"
 #include "robot/LegKinematics.h"
 #include "simspark/LeagueRobots.h"
 #include "simspark/ServerMessageParser.h"
@@ -20,6 +20,7 @@ constexpr const char* startFirst = "; start bin/simulator --sync or the league's
 constexpr long maxUnseen = 4;      // cycles without a scene before one is waited for
 constexpr double maxTime = 65536;  // s: from there on the league's clock tells 0.01 s no more
 constexpr double fallen = 0.5;     // cosine of a torso's lean
+const Vec2 outOfTheWay(14, -9.5);  // of a robot that walks [m, field]
 constexpr long clockEvery = 5000;  // cycles: the game never gets to the end of a half
 
 int portOf(const std::string& text, const std::string& whole) {
@@ -174,23 +175,6 @@ void ServerRobot::teleport(const Pose2& place, double height) {
   trainer_.send(simspark::MoveAgentCommand{name_, Vec3(place.x(), place.y(), height), place.heading});
 }
 
-void ServerRobot::hold(const Pose2& place, const JointArray& angles) {
-  if (T_world_torso_.linear()(2, 2) < fallen) join();
-  // A pause frees joints that the referee has frozen. Else they would stay so until the clock, which is set
-  // back, has come to where it was.
-  trainer_.send(simspark::PlayModeCommand{simspark::PlayMode::beforeKickOff});
-  trainer_.send(simspark::TimeCommand{1});
-  putBall(Vec2(14, -9.5));
-  control_.reset();
-  constexpr double aloft = 1.5;
-  constexpr int ready = 75, pause = 10;
-  for (int i = 0; i < ready; ++i) {
-    if (i == pause) trainer_.send(simspark::PlayModeCommand{simspark::PlayMode::playOn});
-    if (i % 10 == 0) teleport(place, aloft);
-    drive(angles);
-  }
-}
-
 void ServerRobot::put(const Pose2& place, const JointArray& angles) {
   constexpr int settle = 40;
   drop(place, angles, 0);
@@ -198,7 +182,21 @@ void ServerRobot::put(const Pose2& place, const JointArray& angles) {
 }
 
 void ServerRobot::drop(const Pose2& place, const JointArray& angles, double height) {
-  hold(place, angles);
+  if (T_world_torso_.linear()(2, 2) < fallen) join();
+  // A pause frees joints that the referee has frozen. Else they would stay so until the clock, which is set
+  // back, has come to where it was.
+  trainer_.send(simspark::PlayModeCommand{simspark::PlayMode::beforeKickOff});
+  trainer_.send(simspark::TimeCommand{1});
+  putBall(outOfTheWay);
+  control_.reset();
+  // Held in the air until the joints are where they should be.
+  constexpr double aloft = 1.5;
+  constexpr int ready = 75, pause = 10;
+  for (int i = 0; i < ready; ++i) {
+    if (i == pause) trainer_.send(simspark::PlayModeCommand{simspark::PlayMode::playOn});
+    if (i % 10 == 0) teleport(place, aloft);
+    drive(angles);
+  }
   teleport(place, heightOver(model_, angles) + height);
   attitude_.reset();
 }

@@ -35,7 +35,6 @@ public:
 
   ServerRobot(int type, const ServerAddress& address);
 
-  const RobotModel& model() const { return model_; }
   const simulation::RobotReadings& readings() const { return readings_; }
   const Pose3& torso() const { return T_world_torso_; }
   const Vec3& ball() const { return trainer_.scene().ball; }  ///< centre [m, field]
@@ -49,8 +48,10 @@ public:
   /// Play goes on, and the robot stands at rest with these joint angles. A robot that fell is replaced by a
   /// new one, for there were some on the league's server that then never stood again.
   void put(const Pose2& place, const JointArray& angles);
-  /// The same, but let go so high above its soles [m] with the joints it has got, at no rest.
+  /// The same, but the robot is let go upright, its soles so high over the ground [m], and has no time to
+  /// come to rest.
   void drop(const Pose2& place, const JointArray& angles, double height);
+  /// The ball lies at rest there [m, field].
   void putBall(const Vec2& place);
 
 private:
@@ -62,8 +63,6 @@ private:
   void follow();
   /// Puts it upright with its torso so high over a place [m].
   void teleport(const Pose2& place, double height);
-  /// Held in the air until the joints are where they should be.
-  void hold(const Pose2& place, const JointArray& angles);
   std::runtime_error failure(const std::string& what) const;
 
   const int type_;

@@ -19,4 +19,10 @@ inline std::uint64_t environment(const char* name, std::uint64_t otherwise) {
   return value;
 }
 
+/// A text of the environment, or another where it is not set.
+inline std::string environmentText(const char* name, const char* otherwise) {
+  const char* text = std::getenv(name);
+  return text && *text ? text : otherwise;
+}
+
 }  // namespace plumbline::bench

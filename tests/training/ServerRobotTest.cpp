@@ -8,7 +8,7 @@
 #include "simspark/LeagueRobots.h"
 #include "simulation/ArmIntoTorso.h"
 #include "simulation/ServerFixture.h"
-#include "training/MotionDriver.h"
+#include "training/WalkingRobot.h"
 
 namespace plumbline::training {
 namespace {
@@ -34,7 +34,7 @@ TEST(ServerAddress, isReadOrRefused) {
 
 JointArray standOf(int type) {
   const RobotModel model = simsparkRobot(type);
-  return walking::WalkEngine(motion::MotionDriver::readWalkGaits(type), model).stand().angles;
+  return walking::WalkEngine(walking::readWalkGaits(type), model).stand().angles;
 }
 
 TEST(ServerRobot, standsWhereItIsPutAndSensesIt) {

@@ -11,10 +11,10 @@ constexpr double fallsOver = 0.5;  // tilt of the torso from which it does not c
 bool walkUp(motion::MotionDriver& robot) {
   const Vec2 velocity(robot.random(-0.05, 0.35), robot.random(-0.1, 0.1));
   const double turn = robot.random(-0.4, 0.4), seconds = robot.random(0.8, 1.6);
-  double walked = 0;
-  while (walked < seconds) {
-    robot.walkStep((1 - 0.7 * walked / seconds) * velocity, turn);
-    walked += motion::MotionDriver::dt;
+  double time = 0;
+  while (time < seconds) {
+    robot.walkStep((1 - 0.7 * time / seconds) * velocity, turn);
+    time += motion::MotionDriver::dt;
   }
   for (int i = 0; i < mostCyclesToStop; ++i)
     if (robot.walkStep(Vec2::Zero(), 0, false)) return !robot.lying() && robot.tilt() < fallsOver;

@@ -43,7 +43,7 @@ TaskOutcome DiveTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed)
   using motion::MotionTrial;
   const motion::KeyframeMotion dive = parameters_->written(parameters, MotionTrial::dt);
   MotionTrial& trial = worlds_.of(seed);
-  trial.seed(static_cast<unsigned>(seed * 2654435761U));
+  trial.seedStart(seed);
   trial.robot.restart(Pose2(keeperPlace, 0), trial.stand);
   trial.restarted();
   for (int i = 0; i < cyclesBefore; ++i) trial.step(trial.stand);

@@ -14,7 +14,6 @@ namespace plumbline::training {
 namespace {
 
 constexpr double dt = motion::MotionTrial::dt;
-constexpr double fade = 0.06;    // as WalkingEngine fades into the walk [s]
 constexpr int cyclesToFly = 10;  // after the motion, before the ball goes on alone
 constexpr int mostStarts = 1000;
 constexpr double leastScatter = 0.01, leastSpread = 0.05;  // that a file may have [rad, m]
@@ -22,9 +21,6 @@ const FieldSize field = simulation::WorldConfig().field;   // of the trial's wor
 const double ballRadius = field.ballRadius;
 constexpr double shotFrom = 3, shotTo = 8;  // where a goal stands that one shoots at [m]
 constexpr std::size_t startsKept = 4096;
-
-/// Nothing stands in the way of a ball that is kicked forward from here [m].
-const Pose2 begin(Vec2(-10, 5), 0);
 
 /// The highest that the ball's top comes where a goal may stand.
 struct Flight {
@@ -67,8 +63,8 @@ const KickTask::Start& KickTask::start(std::uint64_t seed) {
   if (started_.size() >= startsKept) started_.clear();
   motion::MotionTrial& trial = worlds_.of(seed);
   for (int i = 0; i < mostStarts; ++i) {
-    trial.seed(static_cast<unsigned>(seed * 2654435761U + static_cast<unsigned>(i)));
-    trial.robot.restart(begin, trial.stand);
+    trial.seedStart(seed, i);
+    trial.robot.restart(kickPlace, trial.stand);
     trial.restarted();
     if (!comesToKick(trial)) continue;
     Start start;
@@ -90,7 +86,7 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
   simulation::World& world = robot.world();
   world.setState(robot.robot(), from.torso, from.angles, from.rates);
   trial.restarted();
-  trial.seed(static_cast<unsigned>(seed * 2246822519U + 1));
+  trial.seedRun(seed);
   const double x = trial.random(-spread_, spread_), y = trial.random(-spread_, spread_);
   const Pose2 ground = groundPose(from.torso.pose);
   const Vec2 place = ground * Vec2(kick.ball + Vec2(x, y));
@@ -114,7 +110,7 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
     still = trial.still();
   }
   const double milliseconds = 1e3 * cycles * dt;
-  walk.begin(trial.player.angles(), fade);
+  walk.begin(trial.player.angles(), WalkOn::afterKick);
   for (int i = 0; i < cyclesToFly; ++i, ++cycles) {
     walk.step();
     watchBall();

@@ -162,7 +162,7 @@ struct PositioningTask::Walk {
 
 TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed) {
   MotionTrial& trial = worlds_.of(seed);
-  trial.seed(static_cast<unsigned>(seed * 2654435761U));
+  trial.seedStart(seed);
   const double way = trial.random(-pi, pi), heading = trial.random(-pi, pi);
   trial.robot.restart(Pose2(Vec2(ballPlace + start_ * Vec2(std::cos(way), std::sin(way))), heading),
                       trial.stand);

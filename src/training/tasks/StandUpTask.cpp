@@ -34,7 +34,7 @@ const StandUpTask::Lying& StandUpTask::lying(std::uint64_t seed) {
   motion::MotionTrial& trial = worlds_.of(seed);
   for (int i = 0; i < mostFalls; ++i) {
     // A fall that ends on a side, or on the feet, is another motion's.
-    trial.seed(static_cast<unsigned>(seed * 2654435761U + static_cast<unsigned>(i)));
+    trial.seedStart(seed, i);
     if (!trial.fall(direction_)) continue;
     const Vec3 up = trial.up();
     if (std::abs(up.x()) < std::abs(up.y()) || (up.x() < 0) != (direction_ > 0)) continue;
@@ -50,7 +50,7 @@ TaskOutcome StandUpTask::tryMotion(const motion::KeyframeMotion& motion, std::ui
   motion::MotionTrial& trial = worlds_.of(seed);
   trial.robot.restart(start.T_world_torso, start.angles);
   trial.restarted();
-  trial.seed(static_cast<unsigned>(seed * 2246822519U + 1));
+  trial.seedRun(seed);
   trial.elapsed = 0;
   trial.play(motion);
   TaskOutcome outcome;

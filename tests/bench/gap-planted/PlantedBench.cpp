@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -27,6 +26,7 @@
 #include "gap/run/RunCheck.h"
 #include "math/Random.h"
 #include "robot/MechanismFile.h"
+#include "support/Environment.h"
 
 namespace plumbline::bench {
 namespace {
@@ -39,18 +39,6 @@ using nlohmann::json;
 constexpr double within = 0.25;  // of the planted strength
 constexpr double same = 0.1;     // of the change: what a cause in another name may leave
 constexpr double cancels = -0.5;
-
-std::string given(const char* name, const char* otherwise) {
-  const char* value = std::getenv(name);
-  return value && *value ? value : otherwise;
-}
-
-int numberOf(const char* name, const char* otherwise) {
-  const std::string text = given(name, otherwise);
-  if (text.empty() || text.size() > 6 || text.find_first_not_of("0123456789") != std::string::npos)
-    throw std::runtime_error(std::string(name) + "=" + text + " is no number");
-  return std::stoi(text);
-}
 
 /// Ratios add as logarithms.
 double sizeOf(const Cause& cause, double value) {
@@ -130,17 +118,18 @@ Base baseOf(const std::string& robot, const std::vector<std::string>& folders) {
 }
 
 void run() {
-  const std::string data = given("DATA", "../shared/gap/real");
-  const int seed = numberOf("SEED", "1"), cases = numberOf("CASES", "5");
+  const std::string data = environmentText("DATA", "../shared/gap/real");
+  const auto seed = static_cast<int>(environment("SEED", 1)),
+             cases = static_cast<int>(environment("CASES", 5));
   if (!std::filesystem::is_directory(data + "/xl330_pendulum"))
     throw std::runtime_error(data + " has no xl330_pendulum: make bench-gap-planted DATA=FOLDER");
   std::filesystem::create_directories("build/bench");  // before the work, not after it
   gap::InferenceOptions options;
-  options.jobs = std::max(1, numberOf("JOBS", "1"));
+  options.jobs = std::max(1, static_cast<int>(environment("JOBS", 1)));
   Random random(static_cast<std::uint64_t>(seed));
   std::ostringstream page;
-  page << "Seed " << seed << ", motions " << given("MOTIONS", "sin_sin up_and_down") << ", " << cases
-       << " cases each of " << given("GAINS", "kp100 kp200 kp800")
+  page << "Seed " << seed << ", motions " << environmentText("MOTIONS", "sin_sin up_and_down") << ", "
+       << cases << " cases each of " << environmentText("GAINS", "kp100 kp200 kp800")
        << "; `--method sets`. The rules stand in tests/bench/gap-planted/PlantedBench.cpp. Ratio: what the "
           "plant changes over\n"
           "what the answer without it leaves, root mean square of the positions. As: with its 95 % "
@@ -150,10 +139,10 @@ void run() {
   Sum all, below, twice, four;
   int sure = 0, wrongHalf = 0, wrongSure = 0, covered = 0, valued = 0, own = 0, answers = 0;
   double probability = 0;
-  std::istringstream gains(given("GAINS", "kp100 kp200 kp800"));
+  std::istringstream gains(environmentText("GAINS", "kp100 kp200 kp800"));
   for (std::string gain; gains >> gain;) {
     std::vector<std::string> folders;
-    std::istringstream motions(given("MOTIONS", "sin_sin up_and_down"));
+    std::istringstream motions(environmentText("MOTIONS", "sin_sin up_and_down"));
     for (std::string motion; motions >> motion;)
       folders.push_back(data + "/xl330_pendulum/" + gain + "_" + motion);
     const Base base = baseOf("xl330_pendulum", folders);

@@ -15,15 +15,9 @@ namespace {
 constexpr double dt = motion::MotionDriver::dt;
 constexpr int mostDraws = 50;       // until a start is as wanted
 constexpr double spread = 0.01;     // of the ball's place [m]
-constexpr double fade = 0.06;       // as WalkingEngine fades into the walk [s]
 constexpr double mostRolling = 20;  // [s]
 constexpr double restSpeed = 0.02;  // [m/s]
 constexpr int look = 10;            // cycles between two looks at whether the ball rests
-/// Nothing stands in the way of a ball that is kicked forward from here.
-const Pose2 begin(Vec2(-10, 5), 0);
-
-unsigned startSeed(unsigned seed, int draw) { return seed * 2654435761U + static_cast<unsigned>(draw); }
-unsigned trySeed(unsigned seed) { return seed * 2246822519U + 1; }
 
 bool walksOn(motion::ServerTrial& trial, double fadeSeconds, const std::function<void()>& each) {
   training::WalkOn walk(trial);
@@ -38,19 +32,17 @@ bool walksOn(motion::ServerTrial& trial, double fadeSeconds, const std::function
 }  // namespace
 
 StandUpTries tryStandUp(motion::ServerTrial& trial, const std::string& name, int direction, int tries,
-                        unsigned firstSeed, const Told& told) {
+                        std::uint64_t firstSeed, const Told& told) {
   const motion::KeyframeMotion motion = trial.motion(name);
   StandUpTries result;
   for (int i = 0; i < tries; ++i) {
-    const unsigned seed = firstSeed + static_cast<unsigned>(i);
-    int draw = 0;
-    for (;; ++draw) {
+    const std::uint64_t seed = firstSeed + static_cast<std::uint64_t>(i);
+    for (int draw = 0;; ++draw) {
       if (draw == mostDraws) throw std::runtime_error("the robot does not fall as wanted");
-      trial.seed(startSeed(seed, draw));
+      trial.seedStart(seed, draw);
       if (trial.fall(direction)) break;
     }
-    result.fellOtherwise += draw;
-    trial.seed(trySeed(seed));
+    trial.seedRun(seed);
     trial.elapsed = 0;
     trial.play(motion);
     result.milliseconds.push_back(1e3 * trial.elapsed);
@@ -60,22 +52,22 @@ StandUpTries tryStandUp(motion::ServerTrial& trial, const std::string& name, int
   return result;
 }
 
-KickTries tryKick(motion::ServerTrial& trial, const std::string& name, int tries, unsigned firstSeed,
+KickTries tryKick(motion::ServerTrial& trial, const std::string& name, int tries, std::uint64_t firstSeed,
                   const Told& told) {
   const motion::KeyframeMotion kick = trial.motion(name);
   KickTries result;
   for (int i = 0; i < tries; ++i) {
-    const unsigned seed = firstSeed + static_cast<unsigned>(i);
+    const std::uint64_t seed = firstSeed + static_cast<std::uint64_t>(i);
     for (int draw = 0;; ++draw) {
       if (draw == mostDraws) throw std::runtime_error("the robot does not come to rest before the ball");
-      trial.standAt(begin);
-      trial.seed(startSeed(seed, draw));
+      trial.standAt(training::kickPlace);
+      trial.seedStart(seed, draw);
       if (training::comesToKick(trial)) break;
     }
     // Its place is known a few cycles later, and the ball is there as late.
     constexpr int late = 4;
     for (int cycle = 0; cycle < late; ++cycle) trial.step(trial.stand);
-    trial.seed(trySeed(seed));
+    trial.seedRun(seed);
     const double x = trial.random(-spread, spread), y = trial.random(-spread, spread);
     const Pose2 ground = groundPose(trial.torsoPose());
     const Vec2 place = ground * Vec2(kick.ball + Vec2(x, y));
@@ -95,7 +87,7 @@ KickTries tryKick(motion::ServerTrial& trial, const std::string& name, int tries
       trial.step(trial.player.angles());
       watchBall();
     }
-    result.up.push_back(walksOn(trial, fade, watchBall));
+    result.up.push_back(walksOn(trial, training::WalkOn::afterKick, watchBall));
     Vec3 before = ball;
     for (int cycle = 1; cycle * dt < mostRolling && trial.robot.playsOn(); ++cycle) {
       trial.walkStep(Vec2::Zero(), 0, false);

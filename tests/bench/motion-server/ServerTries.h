@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -11,7 +12,6 @@ namespace plumbline::bench {
 struct StandUpTries {
   std::vector<bool> up;              ///< leans by less than 30 degrees after two seconds of walking
   std::vector<double> milliseconds;  ///< of the motion
-  int fellOtherwise = 0;             ///< falls that did not end as wanted, and were drawn again
 };
 struct KickTries {
   std::vector<bool> up;
@@ -24,9 +24,9 @@ using Told = std::function<void()>;
 /// Falls forward or backward, plays the motion and walks on (Seekircher 2015, 3.1.1). direction: 1 forward,
 /// -1 backward.
 StandUpTries tryStandUp(motion::ServerTrial& trial, const std::string& motion, int direction, int tries,
-                        unsigned firstSeed, const Told& told);
+                        std::uint64_t firstSeed, const Told& told);
 /// Comes to rest before a ball that lies within 1 cm of where the kick wants it, kicks, and walks on.
-KickTries tryKick(motion::ServerTrial& trial, const std::string& motion, int tries, unsigned firstSeed,
+KickTries tryKick(motion::ServerTrial& trial, const std::string& motion, int tries, std::uint64_t firstSeed,
                   const Told& told);
 
 }  // namespace plumbline::bench

@@ -2,8 +2,8 @@
 // SimSpark server that waits for its agents, beside the same tries on the embedded one. Writes
 // build/bench/motion-server.json and .md. Environment:
 //   SERVER  HOST:AGENTPORT:MONITORPORT, or server for this machine's usual ports; none: the embedded one
-//   alone;
-//           without it nothing is measured
+//   alone.
+//           Without it nothing is measured.
 //   TRIES   of each motion [100]
 //   SEED    of the first try [1]
 //   TYPES   [0 1 2 3 4]
@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -25,6 +24,8 @@
 #include "framework/WriteFile.h"
 #include "gap/blind/BlindScore.h"
 #include "simulation/ServerFixture.h"
+#include "support/Environment.h"
+#include "support/FigureJson.h"
 
 namespace plumbline::bench {
 namespace {
@@ -32,36 +33,21 @@ namespace {
 using nlohmann::json;
 
 const char* const head =
-    "{} tries each, seeds from {} on: server is a SimSpark server that waits for its agents (SERVER), "
-    "embedded "
-    "this project's simulator through its ports. Upright: after two seconds of walking right after the "
-    "motion, "
-    "within 30 degrees, with its 95 % interval (Wilson). A monitor tells poses up to two cycles late, so a "
-    "seed "
-    "does not repeat every try.\n\n";
+    "{} tries each, seeds from {} on, by agents on a SimSpark server that waits for them (SERVER), "
+    "and on the embedded simulator through its ports. Upright: after two seconds of walking right after "
+    "the motion, within 30 degrees, with its 95 % interval (Wilson). A monitor tells poses up to two "
+    "cycles late, so the same seeds do not repeat every try.\n\n";
 const char* const standHead =
     "### Standing up\n\n"
     "The robot is dropped with its joints anywhere near the walk's, leans at its ankles and falls.\n\n"
     "| type | motion | server | time [ms] | upright [%] | |\n|---|---|---|---|---|---|\n";
 const char* const kickHead =
     "\n### Kicks\n\n"
-    "The ball lies within 1 cm of where the kick wants it. After ±: standard deviation. The height is that "
-    "of "
-    "the ball's centre.\n\n"
+    "The ball lies within 1 cm of where the kick wants it. After ±: standard deviation. "
+    "The height is that of the ball's centre.\n\n"
     "| type | motion | server | distance [m] | direction [deg] | height [m] | upright [%] | |\n"
     "|---|---|---|---|---|---|---|---|\n";
-
-std::string given(const char* name, const char* otherwise) {
-  const char* value = std::getenv(name);
-  return value && *value ? value : otherwise;
-}
-
-int numberOf(const char* name, const char* otherwise) {
-  const std::string text = given(name, otherwise);
-  if (text.empty() || text.size() > 6 || text.find_first_not_of("0123456789") != std::string::npos)
-    throw std::runtime_error(std::string(name) + "=" + text + " is no number");
-  return std::stoi(text);
-}
+constexpr int tellEvery = 10;  // tries
 
 double meanOf(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -81,7 +67,7 @@ bool has(const motion::ServerTrial& trial, const std::string& motion) {
 /// The tables of all tries, by type, motion and server.
 class Tables {
 public:
-  Tables(int tries, unsigned seed) : tries_(tries), seed_(seed) {}
+  Tables(int tries, std::uint64_t seed) : tries_(tries), seed_(seed) {}
 
   /// All motions of a type; what is measured is written after each of them.
   void add(const std::string& server, const training::ServerAddress& address, int type) {
@@ -143,15 +129,13 @@ private:
 
   void figure(const std::string& server, int type, const std::string& motion, const char* what, double value,
               const char* unit, const char* better) {
-    figures_.push_back({{"name", fmt::format("motion-server.type{}.{}.{}.{}", type, motion, server, what)},
-                        {"value", value},
-                        {"unit", unit},
-                        {"better", better}});
+    figures_.push_back(figureJson(fmt::format("motion-server.type{}.{}.{}.{}", type, motion, server, what),
+                                  value, unit, better));
   }
 
   Told progress(const std::string& server, int type, const std::string& motion) const {
     return [this, server, type, motion, done = 0]() mutable {
-      if (++done % 50 == 0 || done == tries_) {
+      if (++done % tellEvery == 0 || done == tries_) {
         std::printf("type %d %s on %s: %d of %d\n", type, motion.c_str(), server.c_str(), done, tries_);
         std::fflush(stdout);
       }
@@ -159,20 +143,21 @@ private:
   }
 
   const int tries_;
-  const unsigned seed_;
+  const std::uint64_t seed_;
   Rows stands_, kicks_;
   json figures_ = json::array();
 };
 
 int run() {
-  const int tries = numberOf("TRIES", "100");
-  const std::string server = given("SERVER", "");
+  const std::string server = environmentText("SERVER", "");
   if (server.empty()) {
     std::puts("no SERVER is given: nothing is measured");
     return 0;
   }
-  Tables tables(tries, static_cast<unsigned>(numberOf("SEED", "1")));
-  const std::string types = given("TYPES", "0 1 2 3 4");
+  const std::string types = environmentText("TYPES", "0 1 2 3 4");
+  if (types.find_first_not_of("01234 ") != std::string::npos)
+    throw std::runtime_error("TYPES=" + types + " are no robot types; write some of 0 1 2 3 4");
+  Tables tables(static_cast<int>(environment("TRIES", 100)), environment("SEED", 1));
   const auto measure = [&](const std::string& name, const training::ServerAddress& address) {
     std::istringstream each(types);
     for (int type = 0; each >> type;) tables.add(name, address, type);

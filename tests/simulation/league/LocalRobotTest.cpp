@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "../ArmIntoTorso.h"
 #include "math/Angle.h"
 #include "simspark/LeagueRobots.h"
+#include "simulation/ArmIntoTorso.h"
 
 namespace plumbline::simulation {
 namespace {

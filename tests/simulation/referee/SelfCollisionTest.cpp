@@ -1,5 +1,5 @@
-#include "../ArmIntoTorso.h"
 #include "RefereeFixture.h"
+#include "simulation/ArmIntoTorso.h"
 #include "simulation/referee/rules/SelfCollision.h"
 
 namespace plumbline::simulation {
