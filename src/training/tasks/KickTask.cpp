@@ -42,8 +42,9 @@ KickTask::KickTask(const TaskOptions& options)
     : spread_(options.number("spread", 0.01, 0, 0.1)),
       walk_(options.number("walk", 2, 0.2, 10)),
       still_(options.number("still", 0, 0, 1)),
-      worlds_(options, robotTypeOf(options, {"motion", "side", "distance", "ceiling", "spread", "weight",
-                                             "steady", "walk", "still"})),
+      direction_(fromDegrees(options.number("direction", 0, -180, 180))),
+      worlds_(options, robotTypeOf(options, {"motion", "side", "direction", "distance", "ceiling", "spread",
+                                             "weight", "steady", "walk", "still"})),
       ball_(worlds_.engine()) {
   wish_.distance = options.number("distance", wish_.distance, 0, 30);
   wish_.ceiling = options.number("ceiling", wish_.ceiling, 0, 5);
@@ -120,17 +121,17 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
 
   const BallRoll::Rest rest = ball_.roll(flying, [&](const Vec3& ball) { flight.see(ball); });
   motion::KickTry result;
-  result.way = Eigen::Rotation2Dd(-ground.heading) * (rest.place - place);
+  result.way = Eigen::Rotation2Dd(-ground.heading - direction_) * (rest.place - place);
   result.height = std::max(height, rest.height) - ballRadius;
   result.top = flight.top;
   result.milliseconds = milliseconds;
   result.error = walk.error();
-  const double direction = toDegrees(result.direction());
+  const double off = toDegrees(result.direction());
   TaskOutcome outcome;
   outcome.cost = wish_.cost(result);
   outcome.figures = {
-      {"distance", result.way.x()}, {"direction", direction},
-      {"off", std::abs(direction)}, {"height", result.height},
+      {"distance", result.way.x()}, {"direction", toDegrees(direction_) + off},
+      {"off", std::abs(off)},       {"height", result.height},
       {"time", milliseconds},       {"contact", 1e3 * dt * (contact < 0 ? cycles : contact)},
       {"error", walk.error()},      {"up", walk.upright() ? 1.0 : 0.0},
       {"top", flight.top},          {"low", flight.came && flight.top < field.goalHeight ? 1.0 : 0.0}};
@@ -156,12 +157,13 @@ std::string KickTask::file(const Eigen::VectorXd& parameters, const std::string&
   return motion::motionFile(kick, worlds_.first().model, heading);
 }
 
-MAKE_TASK(kick,
-          {"kick",
-           "a kick: type, motion, side, distance, ceiling, spread, weight, steady, walk, still, engine, "
-           "effects, draws, firstDraw",
-           [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
-             return std::make_unique<KickTask>(options);
-           }});
+MAKE_TASK(
+    kick,
+    {"kick",
+     "a kick: type, motion, side, direction, distance, ceiling, spread, weight, steady, walk, still, engine, "
+     "effects, draws, firstDraw",
+     [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
+       return std::make_unique<KickTask>(options);
+     }});
 
 }  // namespace plumbline::training

@@ -12,15 +12,16 @@ namespace plumbline::training {
 /// A kick in the embedded simulator: Seekircher 2015, 3.1.1. In a run the robot has walked to the ball and
 /// stopped, or stands and sways (decided by the seed). The ball is within `spread` of the kick's ball
 /// position. The robot plays the motion and then walks for two seconds while the ball stops. The cost is
-/// motion::KickWish's; the wanted direction is forward.
-/// - Figures: distance (along) [m], direction (left of forward) [deg], off (its absolute value), height [m].
+/// motion::KickWish's, in the wanted direction.
+/// - Figures: distance (along the wanted direction) [m], direction (left of forward) [deg], off (from the
+/// wanted direction, without its sign), height [m].
 /// Further: time [ms], contact [ms] (from the beginning to the ball), error, up (1: leans by less than 30
 /// degrees at the end). top is the ball's largest height between 3 and 8 m from its start [m]; low is 1 if
 /// top is below the goal's bar and the ball came so far.
-/// - Options: type 0 .., motion (name of the first file), side (of the kicking foot), distance [m, 0: as far
-/// as possible]. Further: ceiling (of top, 0: none) [m], spread [m], weight (0.08), steady (1), walk [s, 2: a
-/// shorter one makes a search faster]. still is the share of the runs in which the robot stands that long
-/// instead of walking (0). And the options of TrialWorlds.
+/// - Options: type 0 .., motion (name of the first file), side (of the kicking foot), direction (wanted, left
+/// of forward) [deg, 0], distance [m, 0: as far as possible]. Further: ceiling (of top, 0: none) [m], spread
+/// [m], weight (0.08), steady (1), walk [s, 2: a shorter one makes a search faster]. still is the share of
+/// the runs in which the robot stands that long instead of walking (0). And the options of TrialWorlds.
 class KickTask : public SearchTask {
 public:
   explicit KickTask(const TaskOptions& options);
@@ -42,7 +43,7 @@ private:
   };
   const Start& start(std::uint64_t seed);
 
-  const double spread_, walk_, still_;
+  const double spread_, walk_, still_, direction_;
   motion::KickWish wish_;
   TrialWorlds worlds_;
   BallRoll ball_;

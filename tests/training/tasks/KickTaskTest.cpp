@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "framework/ConfigurationError.h"
+#include "math/Angle.h"
 #include "motion/KeyframeReader.h"
 #include "simspark/LeagueRobots.h"
 #include "support/SearchTasks.h"
@@ -38,6 +39,20 @@ TEST(KickTask, theQuickKickCarriesTheBallForward) {
   }
   EXPECT_GT(distance, 1);
   EXPECT_LT(distance, 5);
+}
+
+TEST(KickTask, aKickIsJudgedInTheWantedDirection) {
+  // The same kick asked to go ahead and to the left: what was aside is along, and the direction stays.
+  KickTask ahead{TaskOptions()}, left{TaskOptions(Options{{"direction", "90"}})};
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const TaskOutcome first = ahead.run(startOf(ahead), seed), other = left.run(startOf(left), seed);
+    const double direction = figure(first, "direction");
+    EXPECT_NEAR(figure(other, "direction"), direction, 1e-9);
+    EXPECT_NEAR(figure(other, "off"), 90 - direction, 1e-9);
+    EXPECT_NEAR(figure(other, "distance"), figure(first, "distance") * std::tan(fromDegrees(direction)),
+                1e-9);
+    EXPECT_GT(other.cost, first.cost);
+  }
 }
 
 TEST(KickTask, aRunDependsOnParametersAndSeedAlone) {
