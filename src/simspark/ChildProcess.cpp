@@ -35,6 +35,17 @@ bool readError(int pipe, int& error) {
   return count == sizeof error;
 }
 
+/// Waits for the parent's word; false if the parent died before it.
+bool mayStart(const int pipe[2]) {
+  close(pipe[1]);
+  char word = 0;
+  ssize_t count = 0;
+  do {
+    count = read(pipe[0], &word, 1);
+  } while (count < 0 && errno == EINTR);
+  return count == 1;
+}
+
 std::vector<std::string> environmentOf(const ChildSettings& settings) {
   std::vector<std::string> all = settings.environment;
   for (char** one = environ; *one != nullptr; ++one) {
@@ -56,6 +67,14 @@ ChildProcess::ChildProcess(const std::vector<std::string>& argv, const ChildSett
   // A pipe that exec closes: if exec fails, the child sends its errno through it.
   int report[2];
   if (pipe2(report, O_CLOEXEC) != 0) throw std::runtime_error(std::string("pipe: ") + std::strerror(errno));
+  // A child whose group is guarded starts when the guard is there: nothing that it starts is left behind.
+  int start[2] = {-1, -1};
+  if (wholeGroup_ && pipe2(start, O_CLOEXEC) != 0) {
+    const int error = errno;
+    close(report[0]);
+    close(report[1]);
+    throw std::runtime_error(std::string("pipe: ") + std::strerror(error));
+  }
   const std::vector<char*> arguments = pointersTo(argv);
   const std::vector<std::string> variables = environmentOf(settings);
   const std::vector<char*> environment = pointersTo(variables);
@@ -66,6 +85,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& argv, const ChildSett
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(126);  // the parent died before prctl
     setpgid(0, 0);                        // Ctrl-C goes to the parent, which then stops its children in order
+    if (settings.wholeGroup && !mayStart(start)) _exit(126);
     signal(SIGPIPE, SIG_DFL);
     if (!settings.outputFile.empty()) {
       const int file = open(settings.outputFile.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
@@ -83,19 +103,28 @@ ChildProcess::ChildProcess(const std::vector<std::string>& argv, const ChildSett
     [[maybe_unused]] const auto written = write(report[1], &error, sizeof error);
     _exit(127);
   }
-  close(report[1]);
   int error = pid_ < 0 ? errno : 0;
-  const bool failed = pid_ < 0 || readError(report[0], error);
-  close(report[0]);
-  if (!failed && wholeGroup_) {
+  close(report[1]);
+  if (wholeGroup_) {
+    const auto closeStart = [&] {
+      for (const int end : start) close(end);
+    };
     try {
-      guard_ = std::make_unique<GroupGuard>(pid_);
+      if (pid_ > 0) guard_ = std::make_unique<GroupGuard>(pid_);
     } catch (const std::runtime_error&) {
-      tell(SIGKILL);
+      closeStart();
+      close(report[0]);
+      kill(pid_, SIGKILL);
       reap(0);
       throw;
     }
+    const char word = 1;
+    // This process can read it, too: no SIGPIPE if the child was killed.
+    [[maybe_unused]] const auto written = write(start[1], &word, 1);
+    closeStart();
   }
+  const bool failed = pid_ < 0 || readError(report[0], error);
+  close(report[0]);
   if (!failed) return;
   if (pid_ > 0) reap(0);
   throw std::runtime_error("cannot start " + argv[0] + ": " + std::strerror(error));
