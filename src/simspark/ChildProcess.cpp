@@ -4,6 +4,7 @@
 #include <linux/close_range.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,26 +26,17 @@ std::vector<char*> pointersTo(const std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// What the child says of an exec that failed; false: it closed the pipe by an exec that did not. A signal
-/// meanwhile says nothing.
-bool readError(int pipe, int& error) {
+/// Waits for a number from the other end; false if that closes without one. A signal meanwhile says nothing.
+bool receiveNumber(int socket, int& number) {
   ssize_t count = 0;
   do {
-    count = read(pipe, &error, sizeof error);
+    count = read(socket, &number, sizeof number);
   } while (count < 0 && errno == EINTR);
-  return count == sizeof error;
+  return count == sizeof number;
 }
 
-/// Waits for the parent's word; false if the parent died before it.
-bool mayStart(const int pipe[2]) {
-  close(pipe[1]);
-  char word = 0;
-  ssize_t count = 0;
-  do {
-    count = read(pipe[0], &word, 1);
-  } while (count < 0 && errno == EINTR);
-  return count == 1;
-}
+/// What the other end does not wait for any more is lost.
+void sendNumber(int socket, int number) { ::send(socket, &number, sizeof number, MSG_NOSIGNAL); }
 
 std::vector<std::string> environmentOf(const ChildSettings& settings) {
   std::vector<std::string> all = settings.environment;
@@ -64,17 +56,11 @@ std::vector<std::string> environmentOf(const ChildSettings& settings) {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& argv, const ChildSettings& settings)
     : wholeGroup_(settings.wholeGroup) {
-  // A pipe that exec closes: if exec fails, the child sends its errno through it.
-  int report[2];
-  if (pipe2(report, O_CLOEXEC) != 0) throw std::runtime_error(std::string("pipe: ") + std::strerror(errno));
-  // A child whose group is guarded starts when the guard is there: nothing that it starts is left behind.
-  int start[2] = {-1, -1};
-  if (wholeGroup_ && pipe2(start, O_CLOEXEC) != 0) {
-    const int error = errno;
-    close(report[0]);
-    close(report[1]);
-    throw std::runtime_error(std::string("pipe: ") + std::strerror(error));
-  }
+  // The parent's and the child's end, which exec closes. A child whose group is guarded waits until the guard
+  // is there, so that nothing it starts is left behind; if exec fails, it sends its errno.
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    throw std::runtime_error(std::string("socketpair: ") + std::strerror(errno));
   const std::vector<char*> arguments = pointersTo(argv);
   const std::vector<std::string> variables = environmentOf(settings);
   const std::vector<char*> environment = pointersTo(variables);
@@ -85,7 +71,9 @@ ChildProcess::ChildProcess(const std::vector<std::string>& argv, const ChildSett
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(126);  // the parent died before prctl
     setpgid(0, 0);                        // Ctrl-C goes to the parent, which then stops its children in order
-    if (settings.wholeGroup && !mayStart(start)) _exit(126);
+    close(ends[0]);
+    int guarded = 0;
+    if (settings.wholeGroup && !receiveNumber(ends[1], guarded)) _exit(126);  // the parent died before that
     signal(SIGPIPE, SIG_DFL);
     if (!settings.outputFile.empty()) {
       const int file = open(settings.outputFile.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
@@ -99,32 +87,24 @@ ChildProcess::ChildProcess(const std::vector<std::string>& argv, const ChildSett
       execvpe(arguments[0], arguments.data(), environment.data());
     else
       execve(arguments[0], arguments.data(), environment.data());
-    const int error = errno;
-    [[maybe_unused]] const auto written = write(report[1], &error, sizeof error);
+    sendNumber(ends[1], errno);
     _exit(127);
   }
   int error = pid_ < 0 ? errno : 0;
-  close(report[1]);
-  if (wholeGroup_) {
-    const auto closeStart = [&] {
-      for (const int end : start) close(end);
-    };
+  close(ends[1]);
+  if (pid_ > 0 && wholeGroup_) {
     try {
-      if (pid_ > 0) guard_ = std::make_unique<GroupGuard>(pid_);
+      guard_ = std::make_unique<GroupGuard>(pid_);
     } catch (const std::runtime_error&) {
-      closeStart();
-      close(report[0]);
+      close(ends[0]);
       kill(pid_, SIGKILL);
       reap(0);
       throw;
     }
-    const char word = 1;
-    // This process can read it, too: no SIGPIPE if the child was killed.
-    [[maybe_unused]] const auto written = write(start[1], &word, 1);
-    closeStart();
+    sendNumber(ends[0], 1);
   }
-  const bool failed = pid_ < 0 || readError(report[0], error);
-  close(report[0]);
+  const bool failed = pid_ < 0 || receiveNumber(ends[0], error);
+  close(ends[0]);
   if (!failed) return;
   if (pid_ > 0) reap(0);
   throw std::runtime_error("cannot start " + argv[0] + ": " + std::strerror(error));

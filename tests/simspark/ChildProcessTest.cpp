@@ -179,4 +179,21 @@ TEST(ChildProcess, aWholeGroupEndsWithAParentThatIsKilled) {
   EXPECT_TRUE(processEnds(grandchild));
 }
 
+TEST(ChildProcess, aWholeGroupEndsWithAParentThatIsKilledWhileItStartsIt) {
+  // The child kills its parent as soon as it has a child of its own.
+  for (int i = 0; i < 10; ++i) {
+    const std::string file = freshFile("child_process_early_orphans.txt");
+    const pid_t parent = fork();
+    if (parent == 0) {
+      setpgid(0, 0);
+      const ChildProcess child({"/bin/sh", "-c", "sleep 100 & echo $!; kill -KILL $PPID; wait"},
+                               ChildSettings{.outputFile = file, .wholeGroup = true});
+      for (;;) pause();
+    }
+    const pid_t grandchild = numberIn(file);
+    waitpid(parent, nullptr, 0);
+    ASSERT_TRUE(processEnds(grandchild)) << "try " << i;
+  }
+}
+
 }  // namespace

@@ -148,7 +148,7 @@ std::string KickTask::file(const Eigen::VectorXd& parameters, const std::string&
   if (!figures.empty()) {
     const auto deviation = [&](const std::string& name) { return figures.at(name + deviationSuffix); };
     kick.kick = KickEffect{.distance = figures.at("distance"),
-                           .direction = fromDegrees(figures.at("direction")),
+                           .direction = normalizeAngle(fromDegrees(figures.at("direction"))),
                            .contact = 1e-3 * figures.at("contact"),
                            .scatter = std::max(fromDegrees(deviation("direction")), leastScatter),
                            .spread = std::max(deviation("distance"), leastSpread),

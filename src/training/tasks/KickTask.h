@@ -43,7 +43,8 @@ private:
   };
   const Start& start(std::uint64_t seed);
 
-  const double spread_, walk_, still_, direction_;
+  const double spread_, walk_, still_;
+  const double direction_;  ///< wanted, left of forward [rad]
   motion::KickWish wish_;
   TrialWorlds worlds_;
   BallRoll ball_;

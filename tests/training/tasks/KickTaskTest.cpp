@@ -100,6 +100,18 @@ TEST(KickTask, aRunIsARunOfTheFile) {
   EXPECT_DOUBLE_EQ(kick->rise, 0.75);
 }
 
+TEST(KickTask, aKickThatGoesPastBackwardHasADirectionThatAFileMayHave) {
+  const KickTask task{TaskOptions()};
+  const std::string file = task.file(startOf(task), "",
+                                     {{"distance", 2},
+                                      {"direction", 190},
+                                      {"contact", 240},
+                                      {"height", 0},
+                                      {"direction.deviation", 4.5},
+                                      {"distance.deviation", 1}});
+  EXPECT_NE(file.find("direction: -170"), std::string::npos) << file;
+}
+
 TEST(KickTask, aWantedDistanceIsBetterThanAFartherKick) {
   KickTask farthest(TaskOptions(Options{{"steady", "0"}, {"weight", "0"}}));
   KickTask wanted(TaskOptions(Options{{"steady", "0"}, {"weight", "0"}, {"distance", "1"}}));
