@@ -16,7 +16,7 @@ root=$PWD
 jobs=${JOBS:-$(nproc)}
 cpuSeconds=${TEST_CPU_SECONDS:-600} # of one program or script: what it computes, however busy the machine is
 timeout=${TEST_TIMEOUT:-3600} # seconds until one that waits for ever is stopped
-testsPerPart=100
+testsPerPart=100 longPerPart=20
 longAreas=(diagnosis fidelity) # seconds per test, five times as many under the sanitizers, which see the same code in shorter ones
 passed=0 failed=0 programAreas=() # empty: all
 failures=() unsteady=()
@@ -48,12 +48,13 @@ trap 'rm -rf "$scratch"' EXIT
 
 logOf() { echo "build/$1/logs/${2//[\/ ]/-}.log"; } # $1 target, $2 name
 
-# Into how many parts a test program ($1) goes, so that the longest do not keep one core busy at the end. One that
+# Into how many parts a test program goes, so that the longest do not keep one core busy at the end. One that
 # can't tell its tests is run as a whole, and fails there.
-partsOf() {
-  local tests
+partsOf() { # $1 program, $2 area
+  local tests most=$testsPerPart
+  [[ " ${longAreas[*]} " == *" $2 "* ]] && most=$longPerPart
   tests=$("${steady[@]}" timeout 60 "$1" --gtest_list_tests 2> /dev/null < /dev/null | grep -c '^  ')
-  echo $(((tests > 0 ? tests + testsPerPart - 1 : testsPerPart) / testsPerPart))
+  echo $(((tests > 0 ? tests + most - 1 : most) / most))
 }
 
 # Runs one test program or script in the background slot; leaves its result beside the log.
@@ -98,7 +99,7 @@ runTarget() { # $1 target, $2... areas
   for area in "$@"; do
     path=build/$target/tests/$area
     if [[ (${#programAreas[@]} == 0 || " ${programAreas[*]} " == *" $area "*) && -x $path && -f $path ]]; then
-      n=$(partsOf "$path")
+      n=$(partsOf "$path" "$area")
       for ((p = 0; p < n; ++p)); do
         names+=("$area$( ((n > 1)) && echo " $((p + 1)) of $n")") kinds+=(program) paths+=("$path") part+=($p) parts+=($n)
       done
@@ -191,8 +192,10 @@ if [[ ${1-} == --all ]]; then
   programAreas=("${longAreas[@]}")
   buildTests SimRelease all "${longAreas[@]/#/test-}" && runTarget SimRelease "${areas[@]}"
   programAreas=() goals=() short=()
+  # make check has the time to see the long ones there, too.
+  [[ ${PLUMBLINE_SLOW-} ]] && cpuSeconds=${TEST_CPU_SECONDS:-3600}
   for area in "${areas[@]}"; do
-    [[ " ${longAreas[*]} " == *" $area "* ]] && continue
+    [[ ! ${PLUMBLINE_SLOW-} && " ${longAreas[*]} " == *" $area "* ]] && continue
     short+=("$area")
     # The test programs alone: what scripts start is the release's.
     [[ $(find "tests/$area" -name '*.cpp' -print -quit) ]] && goals+=("test-$area")

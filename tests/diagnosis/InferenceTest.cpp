@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gap/DutyTrial.h"
 #include "gap/ThreeRecordings.h"
 #include "gap/inference/LeaveOut.h"
 
@@ -50,6 +51,20 @@ TEST(Inference, sameAnswerWithAnyNumberOfThreads) {
   ASSERT_EQ(a.diagnosis.findings.size(), b.diagnosis.findings.size());
   for (std::size_t i = 0; i < a.diagnosis.findings.size(); ++i)
     EXPECT_EQ(a.diagnosis.findings[i].probability, b.diagnosis.findings[i].probability);
+}
+
+TEST(Inference, aGainIsToldFromAFrictionByTheDuty) {
+  const Mechanism pendulum = findMechanism("xl330_pendulum");
+  const Explanation reality{causeOf(pendulum, "servo_gain", "pendulum", 0.8),
+                            causeOf(pendulum, "coulomb_friction", "pendulum", 0.05)};
+  const Inference found =
+      infer(pendulum, {dutyTrial(reality, 6, 5e-4, 3), dutyTrial(reality, 6, 5e-4, 4, 0.3)}, {});
+  const auto& findings = found.diagnosis.findings;
+  const auto gain = std::ranges::find_if(
+      findings, [](const Finding& finding) { return finding.cause.effect->id == "servo_gain"; });
+  ASSERT_NE(gain, findings.end());
+  EXPECT_NEAR(gain->cause.value, 0.8, 0.005);
+  EXPECT_GT(gain->probability, 0.9);
 }
 
 }  // namespace plumbline::gap

@@ -31,43 +31,7 @@ grep -q 'segments of these long runs' "$scratch/err" || fail "nothing is said of
 answer=$(node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1])); console.log(a.effects[0]?.effect, a.effects[0]?.at, a.runs.length === a.map.time.length, a.runs.every((r) => / \([0-9]+ s\)$/.test(r.motion)))' "$scratch/segments.json")
 expectEqual "$answer" "$secret true true" "the answer from segments"
 
-# Lost commands, which are decoded by blocks, that show only beside what else is found: repeats differ by more than noise until both are known.
-cat > "$scratch/three.yaml" << 'E'
-effects:
-  - {effect: viscous_friction, at: Elbow, value: 0.3}
-  - {effect: viscous_friction, at: Shoulder, value: 0.3}
-  - {effect: command_dropout, at: "*", value: 0.08}
-E
-for seed in 2 3; do
-  gap record --robot $arm --program hang_multisine --effects "$scratch/three.yaml" --seed $seed -o "$scratch/lost$seed"
-done
-gap diagnose "$scratch/lost2" "$scratch/lost3" --method blocks --robot $arm --json "$scratch/lost.json"
-answer=$(node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1])); console.log(a.verdict, a.effects.map((e) => e.effect + " " + e.at + " " + e.value.toFixed(e.at === "*" ? 1 : 2)).sort().join(", "))' "$scratch/lost.json")
-expectEqual "$answer" "effect command_dropout * 0.1, viscous_friction Elbow 0.30, viscous_friction Shoulder 0.30" "the answer with lost commands"
-[[ ! -e $scratch/lost.json.searches && ! -e $scratch/lost.json.searches2 ]] || fail "the diagnosis left its memory behind"
-
-# The same again, to the byte, and what it took in a file of its own.
-gap diagnose "$scratch/lost2" "$scratch/lost3" --method blocks --robot $arm --json "$scratch/again.json" --timing "$scratch/took.json" --jobs 1
-cmp "$scratch/lost.json" "$scratch/again.json" || fail "the same recordings give another answer"
-grep -q '^{"seconds": [0-9.]*, "cpu_seconds": [0-9.]*}$' "$scratch/took.json" || fail "timing: $(cat "$scratch/took.json")"
-
-# A joint that was not logged: neither its commands nor its positions; another without commands alone.
-for kept in 'Shoulder' 'Shoulder pos.Elbow'; do
-  mkdir "$scratch/part"
-  for seed in 2 3; do
-    mkdir "$scratch/part/$seed"
-    cp "$scratch/lost$seed/run.json" "$scratch/part/$seed"
-    zcat "$scratch/lost$seed/run.csv.gz" | awk -F, -v kept="$kept" 'NR == 1 { n = split(kept, k, " ")
-        for (i = 1; i <= NF; ++i) { use[i] = $i == "t"; for (j in k) if (index($i, k[j])) use[i] = 1 } }
-      { line = ""; for (i = 1; i <= NF; ++i) if (use[i]) line = line (line == "" ? "" : ",") $i; print line }' > "$scratch/part/$seed/run.csv"
-  done
-  gap diagnose "$scratch/part" --method blocks --robot $arm --json "$scratch/part.json"
-  answer=$(node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1])); console.log(a.effects.some((e) => e.effect === "command_dropout"))' "$scratch/part.json")
-  expectEqual "$answer" "true" "lost commands in an arm of which $kept was logged"
-  rm -r "$scratch/part"
-done
-
-# Stopped at once, nothing half-written; standard output that is full; a memory that cannot be written.
+# Stopped at once, nothing half-written; standard output that is full.
 status=0
 timeout -s INT --preserve-status 1 "$bin/gap" diagnose "$scratch/runs" --robot $arm --jobs 1 --json "$scratch/stopped.json" 2> "$scratch/err" ||
   status=$?
@@ -80,11 +44,6 @@ for command in "effects --robot $arm" "reveal $scratch/runs" "--help" "apply $sc
   expectEqual $status 2 "the status of gap $command on a full disk"
   grep -q '^gap: cannot write to standard output' "$scratch/err" || fail "gap $command on a full disk: $(cat "$scratch/err")"
 done
-mkdir "$scratch/memory" "$scratch/memory/a.json.searches"
-gap diagnose "$scratch/lost2" --method blocks --robot $arm --json "$scratch/memory/a.json"
-grep -q '^gap: cannot write .*/a.json.searches: Is a directory; a diagnosis that is stopped from now on repeats what follows$' "$scratch/err" ||
-  fail "a memory that cannot be written: $(cat "$scratch/err")"
-[[ -s $scratch/memory/a.json ]] || fail "no answer where the memory cannot be written"
 
 # What was found goes into a simulator, and a robot with it is explained.
 gap apply "$scratch/answer.json" -o "$scratch/effects.yaml"

@@ -17,27 +17,5 @@ TEST(RepeatNoiseTest, whatRepeatsDifferBy) {
   }
 }
 
-TEST(RepeatNoiseTest, lostCommandsAreNoNoise) {
-  const std::vector<Trial> trials = recordedTwice(nominalPlant(twoJointArm()), noise, 0.1);
-  const Evidence evidence = evidenceOf(trials, 1), byRepeats(trials);
-  for (std::size_t s = 0; s < 2; ++s) {
-    EXPECT_GT(byRepeats.noise(0, s).sigma, 5 * noise);
-    // Losses too small to be told stay in it.
-    EXPECT_LT(evidence.noise(0, s).sigma, 1.8 * noise);
-    EXPECT_GE(evidence.noise(0, s).sigma, 0.9 * noise);
-  }
-}
-
-TEST(RepeatNoiseTest, whatElseRepeatsDifferByStays) {
-  // A robot that is warmer the second time: no commands were lost.
-  Plant warm = nominalPlant(twoJointArm());
-  std::vector<Trial> trials = recordedTwice(warm, noise, 0);
-  warm.joints[0].viscous += 0.3;
-  warm.joints[1].viscous += 0.3;
-  trials[1] = recordedTwice(warm, noise, 0)[1];
-  const Evidence evidence = evidenceOf(trials, 1), byRepeats(trials);
-  for (std::size_t s = 0; s < 2; ++s) EXPECT_EQ(evidence.noise(0, s).sigma, byRepeats.noise(0, s).sigma);
-}
-
 }  // namespace
 }  // namespace plumbline::gap

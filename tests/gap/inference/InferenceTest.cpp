@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "../DutyTrial.h"
 #include "../ThreeRecordings.h"
 
 namespace plumbline::gap {
@@ -37,20 +36,6 @@ TEST(Inference, ofShortRecordingsTheSameWithAnyNumberOfThreads) {
   EXPECT_EQ(a.leftOut.size(), 3U);
   EXPECT_EQ(a.diagnosis.explanation(), b.diagnosis.explanation());
   EXPECT_EQ(a.claim.closed, b.claim.closed);
-}
-
-TEST(Inference, aGainIsToldFromAFrictionByTheDuty) {
-  const Mechanism pendulum = findMechanism("xl330_pendulum");
-  const Explanation reality{causeOf(pendulum, "servo_gain", "pendulum", 0.8),
-                            causeOf(pendulum, "coulomb_friction", "pendulum", 0.05)};
-  const Inference found =
-      infer(pendulum, {dutyTrial(reality, 6, 5e-4, 3), dutyTrial(reality, 6, 5e-4, 4, 0.3)}, {});
-  const auto& findings = found.diagnosis.findings;
-  const auto gain = std::ranges::find_if(
-      findings, [](const Finding& finding) { return finding.cause.effect->id == "servo_gain"; });
-  ASSERT_NE(gain, findings.end());
-  EXPECT_NEAR(gain->cause.value, 0.8, 0.005);
-  EXPECT_GT(gain->probability, 0.9);
 }
 
 }  // namespace plumbline::gap

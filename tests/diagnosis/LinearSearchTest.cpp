@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../ThreeRecordings.h"
+#include "gap/ThreeRecordings.h"
 #include "gap/inference/WindowReplayer.h"
 
 namespace plumbline::gap {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "../TwoJointArm.h"
+#include "gap/TwoJointArm.h"
 #include "gap/diagnosis/PossibleCauses.h"
 
 namespace plumbline::gap {
