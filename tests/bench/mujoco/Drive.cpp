@@ -36,6 +36,17 @@ Drive::Drive(const Mechanism& robot, int joint, const std::vector<RealityEffect>
     if (id == "viscous_friction") viscous_ += x;
     if (id == "stribeck_friction") stribeck_ += x, stribeckSpeed_ = e.number("speed", 0.1);
     if (id == "load_friction") load_ += x;
+    if (id == "load_stribeck_friction") loadAtRest_ += x, restSpeed_ = e.number("speed", 0.1);
+    if (id == "quadratic_load_friction") loadSquaredAtRest_ += x;
+    if (id == "asymmetric_friction") {
+      // One way f, the other b f: a dry friction of their mean, and half of their difference against that
+      // way.
+      const double back = e.number("back", 0);
+      coulomb_ += (1 + back) / 2 * std::abs(x);
+      oneWay_ += (1 - back) / 2 * x;
+    }
+    if (id == "profile_speed") profileFastest_ = x;
+    if (id == "supply_sag") sag_ += x;
     if (id == "backlash") play_ += x;
     if (id == "joint_compliance") compliance_ += x;
     if (id == "backlash" || id == "joint_compliance") {
@@ -85,11 +96,15 @@ double Drive::setPoint(double t, double neighbour) {
   }
   double set = current_ + crosstalk_ * neighbour;
   if (lag_ > 0) set = lagged_ += (set - lagged_) * std::min(1.0, step_ / lag_);
-  if (acceleration_ > 0) {
+  if (acceleration_ == 0 && profileFastest_ > 0) {
+    const double most = profileFastest_ * step_;
+    set = profile_ += std::clamp(set - profile_, -most, most);
+  } else if (acceleration_ > 0) {
     // A trapezoid: as fast as can still be braked, and as the motor may turn.
     const double way = set - profile_;
-    const double wanted =
-        sign(way) * std::min(nominal_.maxSpeed, std::sqrt(2 * acceleration_ * std::abs(way)));
+    const double fastest =
+        profileFastest_ > 0 ? std::min(profileFastest_, nominal_.maxSpeed) : nominal_.maxSpeed;
+    const double wanted = sign(way) * std::min(fastest, std::sqrt(2 * acceleration_ * std::abs(way)));
     const double most = acceleration_ * step_;
     profileSpeed_ += std::clamp(wanted - profileSpeed_, -most, most);
     if (std::abs(way) < most * step_ && std::abs(profileSpeed_) <= 2 * most)
@@ -121,16 +136,16 @@ double Drive::servoTorque(double t, double set, double q, double v) {
   }
   double gain = 1;
   if (drift_ != 0) gain = 1 - drift_ * std::min(1.0, std::max(0.0, t) / driftTime_);
-  const double limit = maxTorque_ * std::max(0.0, 1 - derating_ * heat_);
+  const double limit = maxTorque_ * supply_ * std::max(0.0, 1 - derating_ * heat_);
   double torque = 0;
   if (servo_.model == Servo::Model::dcMotor) {
     const double duty =
         std::clamp(gain * servo_.kpFirmware * servo_.errorGain * error, -servo_.maxPwm, servo_.maxPwm);
-    torque = servo_.kt * (servo_.vin * duty - servo_.kt * v) / servo_.R - extraDamping_ * v;
+    torque = servo_.kt * (supply_ * servo_.vin * duty - servo_.kt * v) / servo_.R - extraDamping_ * v;
     if (limitMotor_ || derating_ > 0) torque = std::clamp(torque, -limit, limit);
   } else {
     torque = gain * servo_.kp * error - servo_.kd * v;
-    const double most = fadedLimit(limit, maxSpeed_, v, torque);
+    const double most = fadedLimit(limit, supply_ * maxSpeed_, v, torque);
     torque = std::clamp(torque, -most, most);
   }
   heat_ += (heatIsWork_ ? std::abs(torque * v) : torque * torque) * step_;
@@ -138,11 +153,12 @@ double Drive::servoTorque(double t, double set, double q, double v) {
 }
 
 Drive::Torques Drive::update(double t, double qRotor, double vRotor, double qLink, double vLink,
-                             double transmitted, double neighbour) {
+                             double transmitted, double rubbed, double neighbour) {
   Torques result;
   const double vSensed = encoderAtLink_ ? vLink : vRotor;
   result.motor = servoTorque(t, setPoint(t, neighbour), encoder(qRotor, qLink), vSensed);
   if (ripple_ != 0) result.motor += ripple_ * std::sin(ripplePeriods_ * qRotor + ripplePhase_);
+  result.motor -= oneWay_;
   if (dampingOneWay_ != 0 && vRotor > 0) result.motor -= dampingOneWay_ * vRotor;
   if (bristle_ > 0) {
     // Dahl's model: the force builds up over a way of 0.02 rad.
@@ -164,7 +180,12 @@ Drive::Torques Drive::update(double t, double qRotor, double vRotor, double qLin
     if (play_ == 0) result.gear = gearStiffness_ * apart + gearDamping_ * (vRotor - vLink);
   }
   const double s = vRotor / stribeckSpeed_;
-  result.friction = coulomb_ + stribeck_ * std::exp(-s * s) + load_ * std::abs(transmitted);
+  // What reaches the link is what friction leaves; where both pull one way, nothing is pressed together.
+  const double r = vRotor / restSpeed_, reaches = transmitted + rubbed;
+  const double least = result.motor * reaches > 0 ? std::min(std::abs(result.motor), std::abs(reaches)) : 0;
+  result.friction =
+      coulomb_ + stribeck_ * std::exp(-s * s) + load_ * std::abs(transmitted) +
+      (loadAtRest_ * std::abs(transmitted) + loadSquaredAtRest_ * least * least) * std::exp(-r * r);
   begun_ = t;
   return result;
 }

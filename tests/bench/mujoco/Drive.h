@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <deque>
 #include <vector>
 
@@ -17,6 +18,10 @@ public:
   bool isGeared() const { return play_ > 0 || compliance_ > 0; }
   double rotorInertia() const { return armature_; }
   double viscousFriction() const { return viscous_; }
+  double maxTorque() const { return nominal_.maxTorque; }
+
+  /// Of the supply's voltage, while the motors draw this share of what all of them can [0..1].
+  void drawn(double share) { supply_ = std::max(0.1, 1 - sag_ * share); }
 
   /// Inertia of what hangs on the gear [kg m^2]: teeth on a light link are taken softer, for the step's sake.
   void carries(double inertia);
@@ -33,10 +38,10 @@ public:
     double friction = 0;  ///< largest dry friction at the rotor
   };
   /// `rotor`, `link`: position and speed of either side; equal where not geared. `transmitted`: the torque
-  /// that went through the gear in the last step. `neighbour`: speed of another joint's command, for
-  /// crosstalk.
+  /// that went through the gear in the last step. `rubbed`: what dry friction did to the rotor then.
+  /// `neighbour`: speed of another joint's command, for crosstalk.
   Torques update(double t, double qRotor, double vRotor, double qLink, double vLink, double transmitted,
-                 double neighbour);
+                 double rubbed, double neighbour);
 
   /// What the encoder shows, noise aside.
   double encoder(double qRotor, double qLink) const;
@@ -55,6 +60,8 @@ private:
   double extraDamping_ = 0;  ///< change of kd beside the back EMF
   bool encoderAtLink_;
   double armature_ = 0, viscous_ = 0, coulomb_ = 0, stribeck_ = 0, stribeckSpeed_ = 0.1, load_ = 0;
+  double loadAtRest_ = 0, restSpeed_ = 0.1, loadSquaredAtRest_ = 0, oneWay_ = 0;
+  double profileFastest_ = 0, sag_ = 0, supply_ = 1;
   double play_ = 0, compliance_ = 0, gearStiffness_ = 0, gearDamping_ = 0, delay_ = 0, acceleration_ = 0,
          deadBand_ = 0;
   bool bandIsWhole_ = false, heatIsWork_ = false;

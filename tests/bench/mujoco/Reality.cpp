@@ -100,8 +100,8 @@ private:
       model.armature.push_back(drives_[j].rotorInertia());
       model.damping.push_back(drives_[j].viscousFriction());
       model.rubs.push_back(std::any_of(effects_.begin(), effects_.end(), [&](const RealityEffect& e) {
-        const bool dry =
-            e.effect == "coulomb_friction" || e.effect == "stribeck_friction" || e.effect == "load_friction";
+        const bool dry = e.effect != "viscous_friction" && e.effect != "bristle_friction" &&
+                         e.effect.ends_with("_friction");
         const std::vector<int> at = jointsOf(e, nominal_);
         return dry && std::find(at.begin(), at.end(), static_cast<int>(j)) != at.end();
       }));
@@ -156,11 +156,14 @@ private:
     mjModel* m = world_->model();
     mjData* d = world_->data();
     std::fill(d->qfrc_applied, d->qfrc_applied + m->nv, 0.0);
+    double drawn = 0, most = 0;
     for (std::size_t j = 0; j < drives_.size(); ++j) {
       const World::Address& a = world_->joint(j);
       const Drive::Torques torque =
           drives_[j].update(t, d->qpos[a.rotorPosition], d->qvel[a.rotorVelocity], d->qpos[a.position],
-                            d->qvel[a.velocity], transmitted_[j], neighbourOf(j));
+                            d->qvel[a.velocity], transmitted_[j], rubbedAt(a.rotorVelocity), neighbourOf(j));
+      drawn += std::abs(torque.motor);
+      most += drives_[j].maxTorque();
       d->qfrc_applied[a.rotorVelocity] += torque.motor;
       d->qfrc_applied[a.velocity] += torque.link;
       if (drives_[j].isGeared()) {
@@ -172,6 +175,9 @@ private:
       }
       if (rubs_[j]) m->dof_frictionloss[a.rotorVelocity] = std::max(1e-9, torque.friction);
     }
+    // The line's capacitors follow within 10 ms.
+    drawn_ += std::min(1.0, options_.step / 0.01) * (drawn / most - drawn_);
+    for (Drive& drive : drives_) drive.drawn(drawn_);
     if (ground_) {
       for (SoftGround::Corner& corner : ground_->corners()) {
         const auto link = static_cast<std::size_t>(corner.link);
@@ -193,6 +199,14 @@ private:
       const double late = valueOf(effects_, "imu_delay", 0);
       while (imu_.size() > 1 && imu_[1].first <= t - late + 1e-9) imu_.pop_front();
     }
+  }
+
+  /// What dry friction did at a degree of freedom in the last step [N m].
+  double rubbedAt(int dof) {
+    const mjData* d = world_->data();
+    for (int row = 0; row < d->nefc; ++row)
+      if (d->efc_type[row] == mjCNSTR_FRICTION_DOF && d->efc_id[row] == dof) return d->efc_force[row];
+    return 0;
   }
 
   /// How far the command of the joint before (or after, at the base) is from its start.
@@ -335,6 +349,7 @@ private:
   long perCycle_ = 1;
   double rate_ = 100;
   std::vector<double> transmitted_;
+  double drawn_ = 0;  ///< share of the largest torques of all motors
   std::deque<std::pair<double, std::pair<Vec3, Vec3>>> imu_;
   std::size_t sent_ = 0;
   gap::Run run_;

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
+#include "gap/effects/Effects.h"
 #include "gap/run/RunFile.h"
 
 namespace plumbline::gap {
@@ -42,6 +44,18 @@ TEST(BlindMake, NamesOfEngines) {
     ADD_FAILURE() << "there is no such engine";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "there is no engine bulet; did you mean \"bullet\"?");
+  }
+}
+
+// The program is no part of the tests (it needs MuJoCo), and refuses what it does not know in the middle of a
+// set.
+TEST(BlindMake, TheProgramKnowsEveryEffectThatIsDrawn) {
+  std::ifstream file("tests/bench/mujoco/RealityEffect.cpp");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_FALSE(text.empty());
+  for (const Effect* effect : effects()) {
+    if (effect->drawing.where == DrawRange::Where::nowhere) continue;
+    EXPECT_NE(text.find("{\"" + std::string(effect->id) + "\","), std::string::npos) << effect->id;
   }
 }
 
