@@ -7,7 +7,7 @@
 #   --report       writes doc/results/mutation.md from what was tried
 #   --survivors    tries again what has survived, after tests were mended
 # Variables: SEED, of the choice and the order [1]; OPERATORS [200]; MOST, how many are tried in this run [all]; LONG=yes
-# runs tests/diagnosis as well, minutes each, where src/gap/diagnosis is changed.
+# runs tests/diagnosis as well, minutes each, where src/gap is changed.
 # It works in a copy of the tree, build/mutation/tree. What was tried stands in build/mutation/results.txt: a run that was
 # ended goes on there. A test program may compute three times as long as it does without a change.
 # Example: MOST=20 scripts/mutation.sh walking
@@ -131,7 +131,7 @@ prepare() {
 try() { # kind file line column from to
   local area=${2#src/} areas name
   area=${area%%/*} areas=("$area")
-  [[ ${LONG-} == yes && $2 == src/gap/diagnosis/* ]] && areas+=(diagnosis)
+  [[ ${LONG-} == yes && $2 == src/gap/* ]] && areas+=(diagnosis)
   for area in "${areas[@]}"; do prepare "$area"; done
   awk -v row="$3" -v at="$4" -v from="$5" -v to="$6" 'FNR == row {
     if (substr($0, at, length(from)) != from) exit 1
