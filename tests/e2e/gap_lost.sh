@@ -37,9 +37,9 @@ grep -q '^{"seconds": [0-9.]*, "cpu_seconds": [0-9.]*}$' "$scratch/took.json" ||
 for kept in 'Shoulder' 'Shoulder pos.Elbow'; do
   mkdir "$scratch/part"
   cp "$scratch/lost2/run.json" "$scratch/part"
-  zcat "$scratch/lost2/run.csv.gz" | head -801 | awk -F, -v kept="$kept" 'NR == 1 { n = split(kept, k, " ")
+  zcat "$scratch/lost2/run.csv.gz" | awk -F, -v kept="$kept" 'NR == 1 { n = split(kept, k, " ")
       for (i = 1; i <= NF; ++i) { use[i] = $i == "t"; for (j in k) if (index($i, k[j])) use[i] = 1 } }
-    { line = ""; for (i = 1; i <= NF; ++i) if (use[i]) line = line (line == "" ? "" : ",") $i; print line }' > "$scratch/part/run.csv"
+    NR <= 801 { line = ""; for (i = 1; i <= NF; ++i) if (use[i]) line = line (line == "" ? "" : ",") $i; print line }' > "$scratch/part/run.csv"
   diagnose "$scratch/part" --json "$scratch/part.json"
   [[ $(effectsIn "$scratch/part.json") == *command_dropout* ]] ||
     fail "no lost commands in an arm of which $kept was logged: $(effectsIn "$scratch/part.json")"

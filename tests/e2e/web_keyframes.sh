@@ -4,7 +4,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 for program in node chromium; do
   command -v $program > /dev/null || fail "no $program: scripts/install_packages.sh scripts/packages-test.txt installs it"
 done
-node --test tests/e2e/web/keyframes.test.mjs > "$scratch/parts.log" 2>&1 || fail "$(tail -30 "$scratch/parts.log")"
+node --test tests/e2e/web/{keyframes,trial}.test.mjs > "$scratch/parts.log" 2>&1 || fail "$(tail -30 "$scratch/parts.log")"
 scripts/build_page.sh || fail "the page could not be built"
 mkdir -p build/e2e
 cp -r config "$scratch/config"

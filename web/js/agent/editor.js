@@ -226,7 +226,7 @@ export class Editor {
   }
 
   async save() {
-    const { motion } = this;
+    const { motion } = this, { orders } = this.trial;
     if (!motion.changed) return;
     try {
       await this.link.ask(`set motion:${motion.name} ${motion.fileText(this.path)}`);
@@ -240,7 +240,7 @@ export class Editor {
       return this.status();
     }
     this.drafts.drop(motion.name);
-    const { orders } = this.trial, file = await this.file(motion.name);
+    const file = await this.file(motion.name);
     motion.take(file);
     motion.keyframes.forEach((keyframe, i) => { keyframe.from = i; });
     motion.past = [];
@@ -249,7 +249,7 @@ export class Editor {
     this.conflict = false;
     this.listNames();
     this.show();
-    if (orders === this.trial.orders) await this.play(0);
+    if (orders === this.trial.orders) await this.play(0); // nothing else was wanted since the click
   }
 
   discard() {

@@ -6,7 +6,7 @@ const axes = [['forward', 'walkVelocity.x', 0.5, 'm/s'], ['left', 'walkVelocity.
 
 export class Motions {
   constructor({ place, link }) {
-    Object.assign(this, { place, link });
+    Object.assign(this, { place, link, orders: 0 });
     this.state = make('span', { className: 'key', textContent: 'the behaviour decides' });
   }
 
@@ -47,14 +47,20 @@ export class Motions {
     this.busy = false;
   }
 
+  // What is asked last counts: of what is under way, no further part is sent.
   async ask(parts, name) {
+    const order = ++this.orders;
     try {
-      for (const [part, value] of parts) await this.link.ask(`set ${request}.${part} ${value}`);
-      this.state.textContent = `requested: ${name}`;
+      for (const [part, value] of parts) {
+        if (order !== this.orders) return;
+        await this.link.ask(`set ${request}.${part} ${value}`);
+      }
+      if (order === this.orders) this.state.textContent = `requested: ${name}`;
     } catch (error) { complain(error); }
   }
 
   async handBack() {
+    ++this.orders;
     await this.link.ask(`unset ${request}`).catch(complain);
     this.state.textContent = 'the behaviour decides';
   }
