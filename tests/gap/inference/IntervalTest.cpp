@@ -51,26 +51,6 @@ TEST(Interval, holdsTheTruthWhereTheModelLacksSomething) {
   }
 }
 
-TEST(Interval, goesAsFarAsNothingChanges) {
-  // A servo's duty tells which command was in force when it was read, once a cycle of 10 ms: all delays
-  // within the cycle are alike. The angle, which would tell more, is hardly known.
-  const Mechanism pendulum = findMechanism("xl330_pendulum");
-  const Cause delay = causeOf(pendulum, "command_delay", "pendulum", 0.024);
-  std::vector<Trial> trials{dutyTrial({delay}, 4, 0, 3), dutyTrial({delay}, 4, 0, 4, 0.3)};
-  for (Trial& trial : trials)
-    std::erase_if(trial.signals, [](const Signal& signal) {
-      return signal.kind != SignalKind::duty && signal.kind != SignalKind::position;
-    });
-  const Groups groups(trials);
-  const Replayer replayer(pendulum, groups, 1);
-  const Scored scored = score(replayer, sharesOf(groups, replayer.residuals({delay})), {delay}, 20, 12);
-  const Bounds interval = intervalsOf(replayer, scored).front();
-  EXPECT_LE(interval.lower, 0.0225);
-  EXPECT_GE(interval.upper, 0.0275);
-  EXPECT_GT(interval.lower, 0.018);
-  EXPECT_LT(interval.upper, 0.032);
-}
-
 TEST(Interval, thereIsNoneWithoutCauses) {
   const Mechanism arm = twoJointArm();
   const Groups groups(recordings({}));
