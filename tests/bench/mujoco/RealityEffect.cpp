@@ -6,6 +6,28 @@
 
 namespace plumbline::reality {
 
+namespace {
+
+/// Where a link ends: at its farthest joint, or twice as far out as its centre of mass.
+Vec3 endOf(const Mechanism& robot, int link) {
+  Vec3 end = Vec3::Zero();
+  for (const Mechanism::Joint& joint : robot.joints)
+    if (joint.parent == link && joint.origin.norm() > end.norm()) end = joint.origin;
+  return end.norm() > 0 ? end : Vec3(2 * robot.links[static_cast<std::size_t>(link)].com);
+}
+
+/// A point of that mass fixed to a link. The inertia of two points about their common centre of mass is that
+/// of their reduced mass at their distance.
+void attach(Mechanism::Link& link, double mass, const Vec3& place) {
+  const Vec3 way = place - link.com;
+  const double reduced = 1 / (1 / link.mass + 1 / mass);
+  link.inertia += reduced * (way.dot(way) * Mat3::Identity() - way * way.transpose());
+  link.com = (link.mass * link.com + mass * place) / (link.mass + mass);
+  link.mass += mass;
+}
+
+}  // namespace
+
 const std::vector<EffectKind>& effectKinds() {
   static const std::vector<EffectKind> kinds = {
       {"command_delay", "everywhere joint", false, true, "s"},
@@ -96,24 +118,6 @@ std::vector<int> jointsOf(const RealityEffect& effect, const Mechanism& robot) {
   return joints;
 }
 
-/// Where a link ends: at its farthest joint, or twice as far out as its centre of mass.
-static Vec3 endOf(const Mechanism& robot, int link) {
-  Vec3 end = Vec3::Zero();
-  for (const Mechanism::Joint& joint : robot.joints)
-    if (joint.parent == link && joint.origin.norm() > end.norm()) end = joint.origin;
-  return end.norm() > 0 ? end : Vec3(2 * robot.links[static_cast<std::size_t>(link)].com);
-}
-
-/// A point of that mass fixed to a link. The inertia of two points about their common centre of mass is that
-/// of their reduced mass at their distance.
-static void fix(Mechanism::Link& link, double mass, const Vec3& place) {
-  const Vec3 way = place - link.com;
-  const double reduced = 1 / (1 / link.mass + 1 / mass);
-  link.inertia += reduced * (way.dot(way) * Mat3::Identity() - way * way.transpose());
-  link.com = (link.mass * link.com + mass * place) / (link.mass + mass);
-  link.mass += mass;
-}
-
 Mechanism changedBody(Mechanism robot, const std::vector<RealityEffect>& effects) {
   for (const RealityEffect& e : effects) {
     const int index = robot.linkIndex(e.at);
@@ -124,7 +128,7 @@ Mechanism changedBody(Mechanism robot, const std::vector<RealityEffect>& effects
       link.mass += e.value;
       if (!(link.mass > 0)) throw std::runtime_error("link_mass: " + e.at + " would weigh nothing");
     }
-    if (e.effect == "payload") fix(link, e.value, e.number("place", 1) * endOf(robot, index));
+    if (e.effect == "payload") attach(link, e.value, e.number("place", 1) * endOf(robot, index));
     if (e.effect == "com_offset") link.com += e.value * axisVector(e.axis);
     if (e.effect == "link_length") {
       for (Mechanism::Joint& joint : robot.joints)
