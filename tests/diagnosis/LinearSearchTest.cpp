@@ -1,3 +1,4 @@
+// Takes long; tests/gap/inference/SetSearchTest.cpp has a short search of the same kind.
 #include "gap/inference/LinearSearch.h"
 
 #include <gtest/gtest.h>

@@ -12,14 +12,6 @@
 namespace plumbline::gap {
 namespace {
 
-/// A recording of the arm that lost these cycles' commands.
-Evidence recordedWithout(const std::vector<std::uint8_t>& lost) {
-  const Mechanism arm = twoJointArm();
-  ReplayOptions options;
-  options.lostCycles = &lost;
-  return Evidence{{recorded(nominalPlant(arm), armTrial(arm, 6), 5e-4, 7, options)}};
-}
-
 /// That share of 600 cycles, at random.
 std::vector<std::uint8_t> someLost(double share, std::uint64_t seed) {
   Random random(seed);

@@ -53,15 +53,15 @@ protected:
     ASSERT_GE(searches, 2u);
     // Killed at those searches in turn, and gone on with every time.
     std::filesystem::remove(path);
-    for (std::size_t n = 1; n <= searches; n += step) {
+    std::size_t kills = 0;
+    for (std::size_t n = 1; n <= searches; n += step, ++kills) {
       try {
         answer(evidence, n);
       } catch (const Killed&) {
       }
       EXPECT_EQ(SearchMemory(path, markOf(Evaluator(arm, evidence), {}), arm).size(), n);
     }
-    EXPECT_TRUE(answer(evidence, 0) == whole)
-        << "killed at " << searches / step << " of " << searches << " searches";
+    EXPECT_TRUE(answer(evidence, 0) == whole) << "killed at " << kills << " of " << searches << " searches";
   }
 
   const Mechanism arm = twoJointArm();

@@ -36,3 +36,5 @@ waitFor() {
   for ((i = 0; i < 600; ++i)); do "$@" > /dev/null 2>&1 && return 0; sleep 0.05; done
   fail "waited in vain for: $*"
 }
+# bin/gap, with what it says in $scratch/out and err. The limit is of what it computes: a busy machine is no failure.
+gap() { (ulimit -S -t 240; exec "$bin/gap" "$@") > "$scratch/out" 2> "$scratch/err" || fail "gap $*: $(cat "$scratch/err")"; }

@@ -2,8 +2,6 @@
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 command -v node > /dev/null || fail "no node: scripts/install_packages.sh scripts/packages-test.txt installs it"
 arm=tests/e2e/gap/arm.json
-# Limits are of what it computes: a busy machine is no failure.
-gap() { (ulimit -S -t 240; exec "$bin/gap" "$@") > "$scratch/out" 2> "$scratch/err" || fail "gap $*: $(cat "$scratch/err")"; }
 diagnose() { gap diagnose --method blocks --robot $arm "$@"; }
 effectsIn() {
   node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1])); console.log(a.verdict, a.effects.map((e) => e.effect + " " + e.at + " " + e.value.toFixed(e.at === "*" ? 1 : 2)).sort().join(", "))' "$1"

@@ -2,7 +2,6 @@
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 command -v node > /dev/null || fail "no node: scripts/install_packages.sh scripts/packages-test.txt installs it"
 arm=tests/e2e/gap/arm.json
-gap() { timeout 300 "$bin/gap" "$@" > "$scratch/out" 2> "$scratch/err" || fail "gap $*: $(cat "$scratch/err")"; }
 ask() { node -e "const a = JSON.parse(require('fs').readFileSync(process.argv[1])); console.log($2)" "$1"; }
 
 printf 'effects:\n  - {effect: coulomb_friction, at: Elbow, value: 0.15}\n' > "$scratch/friction.yaml"
@@ -40,7 +39,7 @@ expectEqual "$(ask "$scratch/clean.json" 'a.verdict, a.effects.length')" "none 0
 
 # Stopped within a second, and nothing is written.
 status=0
-timeout -s INT --preserve-status 0.3 "$bin/gap" diagnose "$scratch/seen" --robot $arm --jobs 1 \
+timeout --foreground -s INT --preserve-status 0.3 "$bin/gap" diagnose "$scratch/seen" --robot $arm --jobs 1 \
   --json "$scratch/stopped.json" 2> "$scratch/err" || status=$?
 expectEqual $status 130 "the status of a diagnosis that was stopped"
 expectEqual "$(cat "$scratch/err")" "gap: stopped; nothing was written" "what a stopped diagnosis says"

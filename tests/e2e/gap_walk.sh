@@ -1,7 +1,6 @@
 # A NAO walks in Bullet and is recorded: the run is the contract's, the robot got ahead, the same seed gives the same
 # bytes and another one other noise.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
-gap() { timeout 120 "$bin/gap" "$@" > "$scratch/out" 2> "$scratch/err" || fail "gap $*: $(cat "$scratch/err")"; }
 walk=(record --robot nao_v5 --program walk_forward --truth)
 gap "${walk[@]}" -o "$scratch/run"
 gap "${walk[@]}" -o "$scratch/again"

@@ -1,8 +1,17 @@
 #pragma once
+#include "TwoJointArm.h"
 #include "gap/diagnosis/Evidence.h"
 #include "gap/replay/Replay.h"
 
 namespace plumbline::gap {
+
+/// A recording of the arm that lost these cycles' commands.
+inline Evidence recordedWithout(const std::vector<std::uint8_t>& lost) {
+  const Mechanism arm = twoJointArm();
+  ReplayOptions options;
+  options.lostCycles = &lost;
+  return Evidence{{recorded(nominalPlant(arm), armTrial(arm, 6), 5e-4, 7, options)}};
+}
 
 /// Squares over noise that the lost cycles leave.
 inline double squaresWith(const Evidence& evidence, const std::vector<std::uint8_t>& lost) {

@@ -8,6 +8,7 @@ namespace {
 
 // A gear whose teeth touch: stiff against everything else, soft enough for the step.
 constexpr double toothStiffness = 3000;  // N m/rad
+constexpr double restSpeed = 0.1;        // at which what load adds at rest has fallen to 1/e [rad/s]
 
 double sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
@@ -36,15 +37,10 @@ Drive::Drive(const Mechanism& robot, int joint, const std::vector<RealityEffect>
     if (id == "viscous_friction") viscous_ += x;
     if (id == "stribeck_friction") stribeck_ += x, stribeckSpeed_ = e.number("speed", 0.1);
     if (id == "load_friction") load_ += x;
-    if (id == "load_stribeck_friction") loadAtRest_ += x, restSpeed_ = e.number("speed", 0.1);
+    if (id == "load_stribeck_friction") loadAtRest_ += x;
     if (id == "quadratic_load_friction") loadSquaredAtRest_ += x;
-    if (id == "asymmetric_friction") {
-      // One way f, the other b f: a dry friction of their mean, and half of their difference against that
-      // way.
-      const double back = e.number("back", 0);
-      coulomb_ += (1 + back) / 2 * std::abs(x);
-      oneWay_ += (1 - back) / 2 * x;
-    }
+    // Friction one way alone: half of it both ways, and half of it as a torque against that way.
+    if (id == "asymmetric_friction") coulomb_ += std::abs(x) / 2, oneWay_ += x / 2;
     if (id == "profile_speed") profileFastest_ = x;
     if (id == "supply_sag") sag_ += x;
     if (id == "backlash") play_ += x;
@@ -181,7 +177,7 @@ Drive::Torques Drive::update(double t, double qRotor, double vRotor, double qLin
   }
   const double s = vRotor / stribeckSpeed_;
   // What reaches the link is what friction leaves; where both pull one way, nothing is pressed together.
-  const double r = vRotor / restSpeed_, reaches = transmitted + rubbed;
+  const double r = vRotor / restSpeed, reaches = transmitted + rubbed;
   const double least = result.motor * reaches > 0 ? std::min(std::abs(result.motor), std::abs(reaches)) : 0;
   result.friction =
       coulomb_ + stribeck_ * std::exp(-s * s) + load_ * std::abs(transmitted) +

@@ -19,9 +19,12 @@ public:
   double rotorInertia() const { return armature_; }
   double viscousFriction() const { return viscous_; }
   double maxTorque() const { return nominal_.maxTorque; }
+  bool hasDryFriction() const {
+    return coulomb_ > 0 || stribeck_ > 0 || load_ > 0 || loadAtRest_ > 0 || loadSquaredAtRest_ > 0;
+  }
 
-  /// Of the supply's voltage, while the motors draw this share of what all of them can [0..1].
-  void drawn(double share) { supply_ = std::max(0.1, 1 - sag_ * share); }
+  /// The supply sags under its load: the share of their largest torques that all motors together give [0..1].
+  void supplyLoad(double share) { supply_ = std::max(0.1, 1 - sag_ * share); }
 
   /// Inertia of what hangs on the gear [kg m^2]: teeth on a light link are taken softer, for the step's sake.
   void carries(double inertia);
@@ -60,8 +63,10 @@ private:
   double extraDamping_ = 0;  ///< change of kd beside the back EMF
   bool encoderAtLink_;
   double armature_ = 0, viscous_ = 0, coulomb_ = 0, stribeck_ = 0, stribeckSpeed_ = 0.1, load_ = 0;
-  double loadAtRest_ = 0, restSpeed_ = 0.1, loadSquaredAtRest_ = 0, oneWay_ = 0;
-  double profileFastest_ = 0, sag_ = 0, supply_ = 1;
+  double loadAtRest_ = 0, loadSquaredAtRest_ = 0;  ///< of the load and of its square [1, 1/(N m)]
+  double oneWay_ = 0;                              ///< against positive motion, whichever way it turns [N m]
+  double profileFastest_ = 0;                      ///< of the servo's own goal [rad/s]; 0: no limit
+  double sag_ = 0, supply_ = 1;                    ///< at full load; share of the voltage that is left
   double play_ = 0, compliance_ = 0, gearStiffness_ = 0, gearDamping_ = 0, delay_ = 0, acceleration_ = 0,
          deadBand_ = 0;
   bool bandIsWhole_ = false, heatIsWork_ = false;

@@ -99,14 +99,8 @@ private:
       model.geared.push_back(drives_[j].isGeared());
       model.armature.push_back(drives_[j].rotorInertia());
       model.damping.push_back(drives_[j].viscousFriction());
-      model.rubs.push_back(std::any_of(effects_.begin(), effects_.end(), [&](const RealityEffect& e) {
-        const bool dry = e.effect != "viscous_friction" && e.effect != "bristle_friction" &&
-                         e.effect.ends_with("_friction");
-        const std::vector<int> at = jointsOf(e, nominal_);
-        return dry && std::find(at.begin(), at.end(), static_cast<int>(j)) != at.end();
-      }));
+      model.rubs.push_back(drives_[j].hasDryFriction());
     }
-    rubs_ = model.rubs;
     world_ = std::make_unique<World>(robot_, modelText(robot_, model));
     if (soft)
       ground_ = std::make_unique<SoftGround>(robot_, valueOf(effects_, "ground_compliance", 0),
@@ -156,13 +150,14 @@ private:
     mjModel* m = world_->model();
     mjData* d = world_->data();
     std::fill(d->qfrc_applied, d->qfrc_applied + m->nv, 0.0);
-    double drawn = 0, most = 0;
+    double torques = 0, most = 0;
     for (std::size_t j = 0; j < drives_.size(); ++j) {
       const World::Address& a = world_->joint(j);
+      const double rubbed = drives_[j].hasDryFriction() ? rubbedAt(a.rotorVelocity) : 0;
       const Drive::Torques torque =
           drives_[j].update(t, d->qpos[a.rotorPosition], d->qvel[a.rotorVelocity], d->qpos[a.position],
-                            d->qvel[a.velocity], transmitted_[j], rubbedAt(a.rotorVelocity), neighbourOf(j));
-      drawn += std::abs(torque.motor);
+                            d->qvel[a.velocity], transmitted_[j], rubbed, neighbourOf(j));
+      torques += std::abs(torque.motor);
       most += drives_[j].maxTorque();
       d->qfrc_applied[a.rotorVelocity] += torque.motor;
       d->qfrc_applied[a.velocity] += torque.link;
@@ -173,11 +168,11 @@ private:
       } else {
         transmitted_[j] = torque.motor - drives_[j].rotorInertia() * d->qacc[a.velocity];
       }
-      if (rubs_[j]) m->dof_frictionloss[a.rotorVelocity] = std::max(1e-9, torque.friction);
+      if (drives_[j].hasDryFriction()) m->dof_frictionloss[a.rotorVelocity] = std::max(1e-9, torque.friction);
     }
     // The line's capacitors follow within 10 ms.
-    drawn_ += std::min(1.0, options_.step / 0.01) * (drawn / most - drawn_);
-    for (Drive& drive : drives_) drive.drawn(drawn_);
+    supplyLoad_ += std::min(1.0, options_.step / 0.01) * (torques / most - supplyLoad_);
+    for (Drive& drive : drives_) drive.supplyLoad(supplyLoad_);
     if (ground_) {
       for (SoftGround::Corner& corner : ground_->corners()) {
         const auto link = static_cast<std::size_t>(corner.link);
@@ -342,14 +337,13 @@ private:
   Random random_, dropRandom_;
   const Mat3 R_ground_;
   std::vector<Drive> drives_;
-  std::vector<bool> rubs_;
   std::unique_ptr<World> world_;
   std::unique_ptr<SoftGround> ground_;
   gap::CommandTable table_;
   long perCycle_ = 1;
   double rate_ = 100;
   std::vector<double> transmitted_;
-  double drawn_ = 0;  ///< share of the largest torques of all motors
+  double supplyLoad_ = 0;  ///< share of the largest torques of all motors
   std::deque<std::pair<double, std::pair<Vec3, Vec3>>> imu_;
   std::size_t sent_ = 0;
   gap::Run run_;

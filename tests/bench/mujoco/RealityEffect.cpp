@@ -128,7 +128,7 @@ Mechanism changedBody(Mechanism robot, const std::vector<RealityEffect>& effects
       link.mass += e.value;
       if (!(link.mass > 0)) throw std::runtime_error("link_mass: " + e.at + " would weigh nothing");
     }
-    if (e.effect == "payload") attach(link, e.value, e.number("place", 1) * endOf(robot, index));
+    if (e.effect == "payload") attach(link, e.value, endOf(robot, index));
     if (e.effect == "com_offset") link.com += e.value * axisVector(e.axis);
     if (e.effect == "link_length") {
       for (Mechanism::Joint& joint : robot.joints)

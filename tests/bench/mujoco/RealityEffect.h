@@ -15,9 +15,7 @@ struct RealityEffect {
   std::string axis;  ///< "x", "y", "z" or empty
   double value = 0;
   /// Where the effect can be built in more than one way, which: side motor|link; heat torque|work; band
-  /// excess|whole; load spread|point; com along|stays; speed (of Stribeck's fall); periods (of a ripple);
-  /// place (of a payload, share of the way to the link's end); back (of an asymmetric friction, share that is
-  /// there the other way).
+  /// excess|whole; load spread|point; com along|stays; speed (of Stribeck's fall); periods (of a ripple).
   std::map<std::string, std::string> how;
 
   std::string choice(const std::string& key, const std::string& otherwise) const {

@@ -10,14 +10,6 @@
 namespace plumbline::gap {
 namespace {
 
-/// A recording of the arm that lost these cycles' commands.
-Evidence recordedWithout(const std::vector<std::uint8_t>& lost) {
-  const Mechanism arm = twoJointArm();
-  ReplayOptions options;
-  options.lostCycles = &lost;
-  return Evidence{{recorded(nominalPlant(arm), armTrial(arm, 6), 5e-4, 7, options)}};
-}
-
 TEST(LostCyclesTest, noneWhereNoneIsLost) {
   const LostCycles found = findLostCycles(recordedWithout(std::vector<std::uint8_t>(600, 0)), {}, 1);
   EXPECT_EQ(found.found, 0u);

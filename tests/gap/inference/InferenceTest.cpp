@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "../ThreeRecordings.h"
 
 namespace plumbline::gap {

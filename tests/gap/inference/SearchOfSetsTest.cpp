@@ -1,7 +1,7 @@
 // What the method finds in recordings of the two-joint arm whose truth is known.
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
 
 #include "../ThreeRecordings.h"
 #include "gap/inference/Beam.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "gap/Pendulum.h"
+#include "../Pendulum.h"
 #include "gap/diagnosis/CauseSearch.h"
 
 namespace plumbline::gap {

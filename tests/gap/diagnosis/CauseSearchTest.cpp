@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "gap/TwoJointArm.h"
+#include "../TwoJointArm.h"
 #include "gap/diagnosis/PossibleCauses.h"
 
 namespace plumbline::gap {
