@@ -192,10 +192,12 @@ if [[ ${1-} == --all ]]; then
   programAreas=("${longAreas[@]}")
   buildTests SimRelease all "${longAreas[@]/#/test-}" && runTarget SimRelease "${areas[@]}"
   programAreas=() goals=() short=()
-  # make check has the time to see the long ones there, too.
-  [[ ${PLUMBLINE_SLOW-} ]] && cpuSeconds=${TEST_CPU_SECONDS:-3600}
+  # make check has the time to see the long ones there, too, but as short as in make test.
+  slow=${PLUMBLINE_SLOW-}
+  unset PLUMBLINE_SLOW
+  [[ $slow ]] && cpuSeconds=${TEST_CPU_SECONDS:-3600}
   for area in "${areas[@]}"; do
-    [[ ! ${PLUMBLINE_SLOW-} && " ${longAreas[*]} " == *" $area "* ]] && continue
+    [[ ! $slow && " ${longAreas[*]} " == *" $area "* ]] && continue
     short+=("$area")
     # The test programs alone: what scripts start is the release's.
     [[ $(find "tests/$area" -name '*.cpp' -print -quit) ]] && goals+=("test-$area")
