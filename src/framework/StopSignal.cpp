@@ -3,6 +3,7 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <stdexcept>
@@ -10,7 +11,15 @@
 namespace plumbline {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+/// `timeout` sends its signal to its child and to the child's group, a shell on Ctrl-C to a whole pipeline:
+/// one wish of a person that arrives more than once.
+constexpr auto oneWish = std::chrono::milliseconds(300);
+
 std::atomic<StopSignal*> signalTarget{nullptr};
+std::atomic<Clock::rep> caughtAt{0};
+static_assert(std::atomic<Clock::rep>::is_always_lock_free, "a signal handler stores it");
 
 }  // namespace
 
@@ -60,9 +69,15 @@ std::string StopSignal::reason() const {
 }
 
 void StopSignal::handle(int signal) {
-  // Only what is allowed in a signal handler: atomics and write.
+  // Only what is allowed in a signal handler: atomics, the steady clock and write.
   StopSignal* target = signalTarget.load();
-  if (!target || caughtSignal.exchange(signal) != 0) {
+  const Clock::rep now = Clock::now().time_since_epoch().count();
+  int none = 0;
+  if (target && caughtSignal.compare_exchange_strong(none, signal)) {
+    caughtAt = now;
+  } else if (target && Clock::duration(now - caughtAt) < oneWish) {
+    return;
+  } else {
     std::signal(signal, SIG_DFL);
     raise(signal);
     return;

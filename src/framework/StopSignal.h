@@ -33,8 +33,8 @@ public:
   int exitCode() const;
   std::string reason() const;
 
-  /// Ctrl-C, SIGTERM and SIGHUP request the stop (exit code 0) of this signal until it is destroyed; a second
-  /// one ends the process at once.
+  /// Ctrl-C, SIGTERM and SIGHUP request the stop (exit code 0) of this signal until it is destroyed. A second
+  /// one ends the process at once, unless it comes within 0.3 s: then it is the same wish once more.
   void catchSignals();
   /// Throws Stopped once a signal that is caught has come: for the innermost loops of long work. Costs a
   /// read.

@@ -29,10 +29,9 @@ grep -q 'segments of these long runs' "$scratch/err" || fail "nothing is said of
 answer=$(node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1])); console.log(a.effects[0]?.effect, a.effects[0]?.at, a.runs.length === a.map.time.length, a.runs.every((r) => / \([0-9]+ s\)$/.test(r.motion)))' "$scratch/segments.json")
 expectEqual "$answer" "$secret true true" "the answer from segments"
 
-# Stopped at once (by one signal: timeout would send two, and the second ends it without a word), nothing half-written; standard
-# output that is full.
+# Stopped at once (timeout sends two signals), nothing half-written; standard output that is full.
 status=0
-timeout --foreground -s INT --preserve-status 1 "$bin/gap" diagnose "$scratch/runs" --robot $arm --jobs 1 --json "$scratch/stopped.json" 2> "$scratch/err" ||
+timeout -s INT --preserve-status 1 "$bin/gap" diagnose "$scratch/runs" --robot $arm --jobs 1 --json "$scratch/stopped.json" 2> "$scratch/err" ||
   status=$?
 expectEqual $status 130 "the status of a diagnosis that was stopped"
 grep -q '^gap: stopped; ' "$scratch/err" || fail "stopped: $(cat "$scratch/err")"
@@ -93,3 +92,6 @@ case=$(find "$scratch/blind" -mindepth 1 -maxdepth 1 -type d | sort | head -1)
 gap diagnose "$case" --robot $arm --json "$scratch/answers/$(basename "$case").json"
 gap blind score "$scratch/blind" "$scratch/answers"
 grep -q '^3 cases' "$scratch/out" || fail "no score: $(cat "$scratch/out")"
+gap blind score "$scratch/blind" "$scratch/answers" --cases all
+expectEqual "$(grep -c '^case ' "$scratch/out")" 3 "the cases in the list"
+expectEqual "$(grep -c '^  said:   no answer$' "$scratch/out")" 2 "the cases without an answer"

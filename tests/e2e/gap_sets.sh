@@ -39,7 +39,7 @@ expectEqual "$(ask "$scratch/clean.json" 'a.verdict, a.effects.length')" "none 0
 
 # Stopped within a second, and nothing is written.
 status=0
-timeout --foreground -s INT --preserve-status 0.3 "$bin/gap" diagnose "$scratch/seen" --robot $arm --jobs 1 \
+timeout -s INT --preserve-status 0.3 "$bin/gap" diagnose "$scratch/seen" --robot $arm --jobs 1 \
   --json "$scratch/stopped.json" 2> "$scratch/err" || status=$?
 expectEqual $status 130 "the status of a diagnosis that was stopped"
 expectEqual "$(cat "$scratch/err")" "gap: stopped; nothing was written" "what a stopped diagnosis says"

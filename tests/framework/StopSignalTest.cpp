@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 
+#include <chrono>
 #include <csignal>
 #include <thread>
 
@@ -71,9 +72,21 @@ TEST(StopSignalTest, aSecondSignalEndsTheProcess) {
         StopSignal stop;
         stop.catchSignals();
         raise(SIGINT);
+        std::this_thread::sleep_for(std::chrono::milliseconds(400));
         raise(SIGINT);
       },
       testing::KilledBySignal(SIGINT), "");
+}
+
+// Such as `timeout` sends: to the child and to its group.
+TEST(StopSignalTest, aSignalThatComesTwiceAtOnceIsOneRequest) {
+  StopSignal stop;
+  stop.catchSignals();
+  raise(SIGINT);
+  raise(SIGINT);
+  raise(SIGTERM);
+  EXPECT_TRUE(stop.requested());
+  EXPECT_EQ(stop.reason(), "interrupted (SIGINT)");
 }
 
 TEST(StopSignalTest, afterItsEndSignalsDoWhatTheyDid) {

@@ -6,6 +6,7 @@
 
 #include "framework/Parallel.h"
 #include "gap/blind/BlindScore.h"
+#include "gap/blind/CaseText.h"
 #include "gap/blind/Make.h"
 #include "main/gap/Commands.h"
 #include "main/gap/ProgressLine.h"
@@ -17,6 +18,7 @@ namespace {
 
 struct ScoreCommand {
   std::string folder, answers;
+  std::string cases;  ///< wrong, all; empty: figures alone
   bool json = false;
 };
 
@@ -43,6 +45,8 @@ void score(const ScoreCommand& options) {
   const std::vector<BlindAnswer> answers = readAnswers(set, options.answers);
   const BlindScore result = scoreBlind(set, answers, robot);
   std::fputs((options.json ? scoreJson(result) + "\n" : scoreTable(result)).c_str(), stdout);
+  if (!options.cases.empty())
+    std::fputs(("\n" + caseList(set, answers, robot, options.cases == "all")).c_str(), stdout);
 }
 
 }  // namespace
@@ -88,8 +92,14 @@ void addBlind(CLI::App& app) {
       ->add_option("answers", scoring->answers,
                    "Folder with one <case>.json per case, as bin/gap diagnose FOLDER/<case> --json writes it")
       ->required();
-  scorer->add_flag("--json", scoring->json, "The figures as JSON");
-  scorer->footer("Example:\n  bin/gap blind score blind answers");
+  CLI::Option* cases =
+      scorer
+          ->add_option("--cases", scoring->cases,
+                       "Prints what cases hid and what was said of them: of wrong answers, or all")
+          ->check(CLI::IsMember({"wrong", "all"}));
+  scorer->add_flag("--json", scoring->json, "The figures as JSON")->excludes(cases);
+  scorer->footer(
+      "Examples:\n  bin/gap blind score blind answers\n  bin/gap blind score blind answers --cases wrong");
   scorer->callback([=] { score(*scoring); });
 }
 

@@ -11,7 +11,6 @@
 #include "OpenPair.h"
 #include "framework/WriteFile.h"
 #include "gap/blind/ScoreJudge.h"
-#include "support/CaseText.h"
 #include "support/Environment.h"
 #include "support/FigureJson.h"
 

@@ -18,7 +18,7 @@
 #include "TrainedRobot.h"
 #include "framework/WriteFile.h"
 #include "gap/blind/Bootstrap.h"
-#include "support/CaseText.h"
+#include "gap/blind/CaseText.h"
 #include "support/Environment.h"
 #include "support/FigureJson.h"
 

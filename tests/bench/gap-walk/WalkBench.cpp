@@ -16,6 +16,7 @@
 
 #include "framework/Parallel.h"
 #include "framework/WriteFile.h"
+#include "gap/blind/CaseText.h"
 #include "gap/blind/Draw.h"
 #include "gap/blind/Make.h"
 #include "gap/blind/ScoreJudge.h"
@@ -28,7 +29,6 @@
 #include "gap/run/RunFile.h"
 #include "robot/MechanismFile.h"
 #include "simspark/ChildProcess.h"
-#include "support/CaseText.h"
 #include "support/Diagnoses.h"
 #include "support/Environment.h"
 #include "support/FigureJson.h"

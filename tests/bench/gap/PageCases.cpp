@@ -1,33 +1,10 @@
-#include <cstdio>
-
 #include "Page.h"
+#include "gap/blind/CaseText.h"
 #include "gap/blind/ScoreJudge.h"
-#include "support/CaseText.h"
 
 namespace plumbline::bench {
 
 using namespace gap;
-
-namespace {
-
-void add(std::string& list, const std::string& item) { list += (list.empty() ? "" : ", ") + item; }
-
-std::string said(const BlindAnswer& a, bool withRivals) {
-  if (a.verdict.empty()) return "no answer";
-  std::string text;
-  for (const BlindAnswer::Named& e : a.effects) {
-    add(text, nameOfOne(e.effect, e.at, e.axis, e.value) + " (" + number(e.probability));
-    if (withRivals)
-      for (const NamedCause& rival : e.rivals)
-        text += "; or " + rival.effect + " at " + rival.at + (rival.axis.empty() ? "" : " " + rival.axis) +
-                " " + number(rival.probability);
-    text += ")";
-  }
-  if (a.verdict == "effect") return text;
-  return text.empty() || !withRivals ? a.verdict : a.verdict + ", nearest " + text;
-}
-
-}  // namespace
 
 std::string casesSection(const BenchResult& r) {
   const BlindJudge judge(r.robot);
