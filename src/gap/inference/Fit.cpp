@@ -13,71 +13,126 @@ namespace plumbline::gap {
 namespace {
 
 constexpr double farthest = 1;    // step of a value, in the logarithm of its strength
-constexpr double settled = 0.05;  // gain of log density below which a fit ends
+constexpr double settled = 0.05;  // gain of log density below which derivatives lead nowhere
+/// Steps of a sweep, in the logarithm of a strength: the first, and the one below which it ends.
+constexpr double firstSweep = 0.7, leastSweep = 0.05;
 
 double sumOf(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// Derivatives of all groups at the present values.
-void linearise(const Replayer& replayer, const Shares& shares, const std::vector<char>& wantedGroups,
-               const Residuals& at, Fitted& fitted) {
-  const Groups& groups = replayer.groups();
-  const auto n = static_cast<Eigen::Index>(fitted.causes.size());
-  fitted.information.assign(groups.count(), Eigen::MatrixXd::Zero(n, n));
-  fitted.gradient.assign(groups.count(), Eigen::VectorXd::Zero(n));
-  for (const CellInformation& of : informationOf(replayer, shares, fitted.causes, at, wantedGroups)) {
-    const std::size_t group = groups.cells()[of.cell].group;
-    fitted.information[group] += of.about + of.mean;
-    fitted.gradient[group] += of.gradient;
+class DensityClimb {
+public:
+  DensityClimb(const Replayer& replayer, const Shares& shares, const Explanation& start,
+               const std::vector<char>& wanted)
+      : replayer_(replayer), shares_(shares), wanted_(wanted), trials_(trialsOf(replayer.groups(), wanted)) {
+    fitted_.causes = withLogStrengths(replayer_.mechanism(), start, logStrengths(start));
+    here_ = replayer_.residuals(fitted_.causes, trials_);
+    fitted_.density = densityOf(here_);
+    for (const Cause& cause : fitted_.causes) sweeps_.push_back(cause.effect->sticks ? firstSweep : 0);
+    linearise();
   }
-}
+
+  Fitted run(int mostSteps) {
+    if (!fitted_.causes.empty())
+      for (int step = 0; step < mostSteps; ++step) {
+        const double before = fitted_.density;
+        stepByDerivatives();
+        if (fitted_.density - before < settled && !sweep()) break;
+        linearise();
+      }
+    return std::move(fitted_);
+  }
+
+private:
+  double densityOf(const Residuals& residuals) const {
+    return sumOf(densities(replayer_.groups(), residuals, shares_, wanted_));
+  }
+
+  /// Takes other strengths if they are likelier.
+  bool moved(const Eigen::VectorXd& x) {
+    Explanation next = withLogStrengths(replayer_.mechanism(), fitted_.causes, x);
+    if (next == fitted_.causes) return false;
+    Residuals there = replayer_.residuals(next, trials_);
+    const double density = densityOf(there);
+    if (density <= fitted_.density) return false;
+    fitted_.causes = std::move(next);
+    fitted_.density = density;
+    here_ = std::move(there);
+    return true;
+  }
+
+  /// Derivatives of all groups at the present values.
+  void linearise() {
+    const Groups& groups = replayer_.groups();
+    const auto n = static_cast<Eigen::Index>(fitted_.causes.size());
+    fitted_.information.assign(groups.count(), Eigen::MatrixXd::Zero(n, n));
+    fitted_.gradient.assign(groups.count(), Eigen::VectorXd::Zero(n));
+    for (const CellInformation& of : informationOf(replayer_, shares_, fitted_.causes, here_, wanted_)) {
+      const std::size_t group = groups.cells()[of.cell].group;
+      fitted_.information[group] += of.about + of.mean;
+      fitted_.gradient[group] += of.gradient;
+    }
+  }
+
+  /// A damped Gauss-Newton step.
+  void stepByDerivatives() {
+    const auto n = static_cast<Eigen::Index>(fitted_.causes.size());
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(n, n);
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n);
+    for (std::size_t g = 0; g < replayer_.groups().count(); ++g) {
+      information += fitted_.information[g];
+      gradient += fitted_.gradient[g];
+    }
+    const Eigen::VectorXd x = logStrengths(fitted_.causes);
+    for (int attempt = 0; attempt < 4; ++attempt, damping_ *= 8) {
+      Eigen::MatrixXd damped = information;
+      // What nothing depends on stays.
+      damped.diagonal() += damping_ * information.diagonal() + Eigen::VectorXd::Constant(n, 1e-6);
+      Eigen::VectorXd way = damped.llt().solve(gradient);
+      // Each for itself: a strength that hardly matters must not hold up the others.
+      way = way.cwiseMax(-farthest).cwiseMin(farthest);
+      if (!moved(x + way)) continue;
+      damping_ = std::max(1e-6, damping_ / 5);
+      return;
+    }
+  }
+
+  /// Where a joint sticks and slips the density is rough, and derivatives say nothing of where it rises. So
+  /// strengths of such causes are tried on both sides, ever nearer, until one is likelier.
+  bool sweep() {
+    for (;;) {
+      double largest = 0;
+      for (std::size_t i = 0; i < sweeps_.size(); ++i) {
+        if (std::abs(sweeps_[i]) < leastSweep) continue;
+        for (const double way : {sweeps_[i], -sweeps_[i]}) {
+          const double before = fitted_.density;
+          Eigen::VectorXd x = logStrengths(fitted_.causes);
+          x[static_cast<Eigen::Index>(i)] += way;
+          if (!moved(x) || fitted_.density - before < settled) continue;
+          sweeps_[i] = way;  // the same way first when it comes to this one again
+          return true;
+        }
+        sweeps_[i] /= 3;
+        largest = std::max(largest, std::abs(sweeps_[i]));
+      }
+      if (largest < leastSweep) return false;
+    }
+  }
+
+  const Replayer& replayer_;
+  const Shares& shares_;
+  const std::vector<char>& wanted_;
+  const std::vector<char> trials_;
+  Fitted fitted_;
+  Residuals here_;              ///< of the present values
+  std::vector<double> sweeps_;  ///< per cause: the next step of a sweep; 0: derivatives are enough
+  double damping_ = 1e-2;
+};
 
 }  // namespace
 
 Fitted fit(const Replayer& replayer, const Shares& shares, const Explanation& start, int mostSteps,
            const std::vector<char>& wantedGroups) {
-  const Groups& groups = replayer.groups();
-  const std::vector<char> trials = trialsOf(groups, wantedGroups);
-  Fitted fitted;
-  fitted.causes = withLogStrengths(replayer.mechanism(), start, logStrengths(start));
-  Residuals here = replayer.residuals(fitted.causes, trials);
-  fitted.density = sumOf(densities(groups, here, shares, wantedGroups));
-  const auto n = static_cast<Eigen::Index>(fitted.causes.size());
-  linearise(replayer, shares, wantedGroups, here, fitted);
-  double damping = 1e-2;
-  for (int step = 0; n > 0 && step < mostSteps; ++step) {
-    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(n, n);
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n);
-    for (std::size_t g = 0; g < groups.count(); ++g) {
-      information += fitted.information[g];
-      gradient += fitted.gradient[g];
-    }
-    const Eigen::VectorXd x = logStrengths(fitted.causes);
-    bool better = false;
-    double gained = 0;
-    for (int attempt = 0; attempt < 4 && !better; ++attempt, damping *= 8) {
-      Eigen::MatrixXd damped = information;
-      // What nothing depends on stays.
-      damped.diagonal() += damping * information.diagonal() + Eigen::VectorXd::Constant(n, 1e-6);
-      Eigen::VectorXd way = damped.llt().solve(gradient);
-      // Each for itself: a strength that hardly matters must not hold up the others.
-      way = way.cwiseMax(-farthest).cwiseMin(farthest);
-      Explanation next = withLogStrengths(replayer.mechanism(), fitted.causes, x + way);
-      if (next == fitted.causes) break;
-      Residuals there = replayer.residuals(next, trials);
-      const double density = sumOf(densities(groups, there, shares, wantedGroups));
-      if (density <= fitted.density) continue;
-      gained = density - fitted.density;
-      fitted.causes = std::move(next);
-      fitted.density = density;
-      here = std::move(there);
-      better = true;
-    }
-    if (!better) break;
-    damping = std::max(1e-6, damping / 40);
-    linearise(replayer, shares, wantedGroups, here, fitted);
-    if (gained < settled) break;
-  }
-  return fitted;
+  return DensityClimb(replayer, shares, start, wantedGroups).run(mostSteps);
 }
 
 }  // namespace plumbline::gap
