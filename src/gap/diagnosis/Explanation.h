@@ -18,6 +18,7 @@ struct Cause {
 
   bool operator==(const Cause&) const = default;
   bool sameKind(const Cause& other) const { return effect == other.effect && place == other.place; }
+  bool sameForm(const Cause& other) const { return sameKind(other) && variant == other.variant; }
 };
 
 /// For people: "backlash at LKneePitch = 0.031 rad".

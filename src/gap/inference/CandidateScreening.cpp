@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/PossibleKinds.h"
@@ -13,7 +14,9 @@ namespace plumbline::gap {
 namespace {
 
 constexpr std::size_t mostGuessed = 24;  // kinds whose gain is worked out and not only guessed
+constexpr std::size_t mostClimbed = 36;  // kinds that stick of which further strengths are replayed
 constexpr double mostFactor = 4;         // of a start, up and down, that its sensitivity is trusted for
+constexpr double mostOfSticking = 1.4;   // the same, where a joint sticks
 constexpr double leastOfLinear = 0.02;   // of the start of an effect whose change is in proportion to it
 
 /// Every n-th value of a stretch; the n-th of the whole series, wherever the stretch begins.
@@ -94,7 +97,10 @@ CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& s
     }
     return best <= std::log(static_cast<double>(kinds_));
   });
-  replayStarts(replayer, possible, progress);
+  const Replayer coarse(robot, groups, replayer.jobs(), withLongSteps());
+  const Residuals left = coarse.residuals({}, looked_);
+  replayStarts(coarse, left, possible, progress);
+  replayFurtherStrengths(coarse, left, shares);
 }
 
 /// What one replay leaves less than another, thinned, in the signals that are used; none where they are
@@ -121,11 +127,10 @@ std::vector<CandidateScreening::Change> CandidateScreening::changesOf(const Grou
   return changes;
 }
 
-void CandidateScreening::replayStarts(const Replayer& exact, const std::vector<Cause>& worth,
+void CandidateScreening::replayStarts(const Replayer& replayer, const Residuals& nominal,
+                                      const std::vector<Cause>& worth,
                                       const std::function<void(double)>& progress) {
-  const Mechanism& robot = exact.mechanism();
-  const Replayer replayer(robot, exact.groups(), exact.jobs(), withLongSteps());
-  const Residuals nominal = replayer.residuals({}, looked_);
+  const Mechanism& robot = replayer.mechanism();
   for (std::size_t i = 0; i < worth.size(); ++i) {
     if (progress) progress(static_cast<double>(i) / static_cast<double>(worth.size()));
     const Effect& effect = *worth[i].effect;
@@ -209,9 +214,10 @@ CandidateScreening::Guessed CandidateScreening::guess(const Start& start, const 
     if (other.gain > guessed.gain) guessed = other;
   };
   constexpr int points = 6;  // to each side
-  double step = std::pow(mostFactor, 1.0 / points);
-  const double leastFactor = start.cause.effect->linear ? leastOfLinear : 1 / mostFactor;
-  for (double factor = mostFactor; factor > leastFactor / std::sqrt(step); factor /= step) tryFactor(factor);
+  const double most = start.cause.effect->sticks ? mostOfSticking : mostFactor;
+  double step = std::pow(most, 1.0 / points);
+  const double leastFactor = start.cause.effect->linear ? leastOfLinear : 1 / most;
+  for (double factor = most; factor > leastFactor / std::sqrt(step); factor /= step) tryFactor(factor);
   for (int halved = 0; halved < 3 && guessed.gain > 0; ++halved) {
     step = std::sqrt(step);
     const double middle = guessed.share;
@@ -234,8 +240,8 @@ double CandidateScreening::gainOf(const Start& start, const Left& left, double s
   return gain;
 }
 
-std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const Explanation& base,
-                                                  const Shares& shares, std::size_t most) const {
+CandidateScreening::Left CandidateScreening::leftBy(const Replayer& within, const Explanation& base,
+                                                    const Shares& shares) const {
   const Groups& groups = within.groups();
   const Residuals residuals = within.residuals(base);
   Left left;
@@ -261,6 +267,57 @@ std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const 
     left.at[cell.trial][cell.signal].push_back(left.cells.size());
     left.cells.push_back(std::move(of));
   }
+  return left;
+}
+
+// Larger strengths, then smaller ones, each half or double the one before, while they gain.
+void CandidateScreening::replayFurtherStrengths(const Replayer& replayer, const Residuals& nominal,
+                                                const Shares& shares) {
+  const Left left = leftBy(replayer, {}, shares);
+  struct Rated {
+    std::size_t start;
+    double gain;
+  };
+  std::vector<Rated> best;  // of each kind that sticks
+  for (std::size_t i = 0; i < starts_.size(); ++i) {
+    if (!starts_[i].cause.effect->sticks) continue;
+    const Rated rated{i, guess(starts_[i], left).gain};
+    const bool same = !best.empty() && starts_[best.back().start].cause.sameForm(starts_[i].cause);
+    if (!same)
+      best.push_back(rated);
+    else if (rated.gain > best.back().gain)
+      best.back() = rated;
+  }
+  std::erase_if(best, [](const Rated& of) { return !(of.gain > 0); });
+  std::ranges::stable_sort(best, std::ranges::greater(), &Rated::gain);
+  if (best.size() > mostClimbed) best.resize(mostClimbed);
+  std::map<std::size_t, std::vector<Start>> further;  // by the start that they began at
+  for (const auto& [from, gain] : best)
+    for (const double way : {std::log(2.0), -std::log(2.0)}) {
+      Cause cause = starts_[from].cause;
+      for (double before = gain;;) {
+        const Cause next =
+            withLogStrengths(replayer.mechanism(), {cause}, logStrengths({cause}).array() + way).front();
+        if (next == cause) break;
+        Start start{next, changesOf(replayer.groups(), nominal, replayer.residuals({next}, looked_))};
+        const double now = guess(start, left).gain;
+        if (!(now > before)) break;
+        further[from].push_back(std::move(start));
+        before = now;
+        cause = next;
+      }
+    }
+  std::vector<Start> all;
+  for (std::size_t i = 0; i < starts_.size(); ++i) {
+    all.push_back(std::move(starts_[i]));
+    for (Start& start : further[i]) all.push_back(std::move(start));
+  }
+  starts_ = std::move(all);
+}
+
+std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const Explanation& base,
+                                                  const Shares& shares, std::size_t most) const {
+  const Left left = leftBy(within, base, shares);
   // The best start of each kind (its starts follow each other) by its guess; of the best of these the gain
   // itself.
   struct Candidate {
@@ -272,8 +329,7 @@ std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const 
     if (std::ranges::any_of(base, [&](const Cause& cause) { return cause.sameKind(start.cause); })) continue;
     const Guessed guessed = guess(start, left);
     if (!(guessed.gain > 0 && guessed.toNoise > 0)) continue;
-    const bool same = !candidates.empty() && candidates.back().start->cause.sameKind(start.cause) &&
-                      candidates.back().start->cause.variant == start.cause.variant;
+    const bool same = !candidates.empty() && candidates.back().start->cause.sameForm(start.cause);
     if (!same)
       candidates.push_back({&start, guessed});
     else if (guessed.gain > candidates.back().guessed.gain)

@@ -46,8 +46,10 @@ private:
   Guessed guess(const Start& start, const Left& left) const;
   double gainOf(const Start& start, const Left& left, double share) const;
   std::vector<Change> changesOf(const Groups& groups, const Residuals& nominal, const Residuals& with) const;
-  void replayStarts(const Replayer& exact, const std::vector<Cause>& worth,
+  Left leftBy(const Replayer& within, const Explanation& base, const Shares& shares) const;
+  void replayStarts(const Replayer& replayer, const Residuals& nominal, const std::vector<Cause>& worth,
                     const std::function<void(double)>& progress);
+  void replayFurtherStrengths(const Replayer& replayer, const Residuals& nominal, const Shares& shares);
 
   std::vector<char> looked_;        ///< per trial
   std::vector<std::size_t> every_;  ///< per trial: cycles between those that are looked at

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double farthest = 1;    // step of a value, in the logarithm of its strength
 constexpr double settled = 0.05;  // gain of log density below which derivatives lead nowhere
-/// Steps of a sweep, in the logarithm of a strength: the first, and the one below which it ends.
-constexpr double firstSweep = 0.7, leastSweep = 0.05;
+/// Strides of a sweep, in the logarithm of a strength: the first, and the least.
+constexpr double firstSweep = 0.7, leastSweep = 0.07;
 
 double sumOf(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
@@ -27,18 +27,18 @@ public:
     fitted_.causes = withLogStrengths(replayer_.mechanism(), start, logStrengths(start));
     here_ = replayer_.residuals(fitted_.causes, trials_);
     fitted_.density = densityOf(here_);
-    for (const Cause& cause : fitted_.causes) sweeps_.push_back(cause.effect->sticks ? firstSweep : 0);
     linearise();
   }
 
   Fitted run(int mostSteps) {
-    if (!fitted_.causes.empty())
-      for (int step = 0; step < mostSteps; ++step) {
-        const double before = fitted_.density;
-        stepByDerivatives();
-        if (fitted_.density - before < settled && !sweep()) break;
-        linearise();
-      }
+    if (fitted_.causes.empty()) return std::move(fitted_);
+    if (mostSteps > 0 && sweep(firstSweep)) linearise();
+    for (int step = 0; step < mostSteps; ++step) {
+      const double before = fitted_.density;
+      stepByDerivatives();
+      if (fitted_.density - before < settled && !sweep(leastSweep)) break;
+      linearise();
+    }
     return std::move(fitted_);
   }
 
@@ -98,24 +98,20 @@ private:
 
   /// Where a joint sticks and slips the density is rough, and derivatives say nothing of where it rises. So
   /// strengths of such causes are tried on both sides, ever nearer, until one is likelier.
-  bool sweep() {
-    for (;;) {
-      double largest = 0;
-      for (std::size_t i = 0; i < sweeps_.size(); ++i) {
-        if (std::abs(sweeps_[i]) < leastSweep) continue;
-        for (const double way : {sweeps_[i], -sweeps_[i]}) {
-          const double before = fitted_.density;
-          Eigen::VectorXd x = logStrengths(fitted_.causes);
-          x[static_cast<Eigen::Index>(i)] += way;
-          if (!moved(x) || fitted_.density - before < settled) continue;
-          sweeps_[i] = way;  // the same way first when it comes to this one again
-          return true;
-        }
-        sweeps_[i] /= 3;
-        largest = std::max(largest, std::abs(sweeps_[i]));
-      }
-      if (largest < leastSweep) return false;
-    }
+  bool sweep(double nearest) {
+    for (double way = firstSweep; way >= nearest; way /= 3)
+      for (std::size_t i = 0; i < fitted_.causes.size(); ++i)
+        if (fitted_.causes[i].effect->sticks && (strides(i, way) || strides(i, -way))) return true;
+    return false;
+  }
+
+  /// Strides of one strength, as long as each is likelier.
+  bool strides(std::size_t i, double way) {
+    const double before = fitted_.density;
+    Eigen::VectorXd x = logStrengths(fitted_.causes);
+    do x[static_cast<Eigen::Index>(i)] += way;
+    while (moved(x));
+    return fitted_.density - before >= settled;
   }
 
   const Replayer& replayer_;
@@ -123,8 +119,7 @@ private:
   const std::vector<char>& wanted_;
   const std::vector<char> trials_;
   Fitted fitted_;
-  Residuals here_;              ///< of the present values
-  std::vector<double> sweeps_;  ///< per cause: the next step of a sweep; 0: derivatives are enough
+  Residuals here_;  ///< of the present values
   double damping_ = 1e-2;
 };
 
