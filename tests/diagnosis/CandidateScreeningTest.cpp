@@ -26,6 +26,20 @@ TEST(CandidateScreening, aSecondCauseIsForetoldBesideTheFirst) {
   EXPECT_LT(right->cause.value, 0.4);
 }
 
+TEST(CandidateScreening, ofAJointThatSticksFurtherStrengthsAreReplayed) {
+  // The starts are 0.1 and 0.4, and what 0.4 changes says little of what 0.85 does.
+  const Mechanism arm = twoJointArm();
+  const Groups groups(recordings({causeOfArm("load_stribeck_friction", "elbow", 0.85)}));
+  const Replayer replayer(arm, groups, 1);
+  const Shares shares = sharesOf(groups, replayer.residuals({}));
+  const std::vector<Proposal> proposals =
+      CandidateScreening(replayer, shares).propose(replayer, {}, shares, 1);
+  ASSERT_EQ(proposals.size(), 1U);
+  EXPECT_EQ(proposals[0].cause.effect->id, "load_stribeck_friction");
+  EXPECT_EQ(proposals[0].cause.place.at, "elbow");
+  EXPECT_GT(proposals[0].cause.value, 0.6);
+}
+
 TEST(CandidateScreening, servesTheGroupsThatAreLeft) {
   // One screening of all recordings proposes for some of them: the first alone lacks the friction. Left
   // alone, that one is cut into stretches.

@@ -99,6 +99,19 @@ TEST(Fit, findsBothValues) {
   EXPECT_NEAR(fitted.causes[1].value, 0.7, 0.01);
 }
 
+TEST(Fit, aJointThatSticksIsFittedWhereDerivativesLeadNowhere) {
+  // By Gauss-Newton steps alone the first ends at 0.171, the second at 0.35.
+  const Mechanism arm = twoJointArm();
+  const auto fitted = [&](const char* effect, double truth, double from) {
+    const Groups groups(recordings({causeOfArm(effect, "elbow", truth)}));
+    const Replayer replayer(arm, groups, 1);
+    const Shares shares = sharesOf(groups, replayer.residuals({}));
+    return fit(replayer, shares, {causeOfArm(effect, "elbow", from)}, 4).causes[0].value;
+  };
+  EXPECT_NEAR(fitted("load_stribeck_friction", 0.7, 0.175), 0.7, 0.01);
+  EXPECT_NEAR(fitted("stribeck_friction", 0.6, 0.06), 0.6, 0.005);
+}
+
 TEST(Score, aGroupLeftOutIsNotFitted) {
   // The third recording has another friction; what is fitted without it is that of the others.
   const Mechanism arm = twoJointArm();
