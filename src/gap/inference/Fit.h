@@ -18,6 +18,7 @@ struct Fitted {
 
 /// Damped Gauss-Newton steps in the logarithms of the strengths from where they are (Marquardt 1963), each
 /// residual weighted by the Student-t density at its cell's scale (iteratively reweighted least squares).
+/// Strengths of causes that stick are also tried on both sides, since derivatives there lead nowhere.
 /// wantedGroups: those fitted; empty: all.
 Fitted fit(const Replayer& replayer, const Shares& shares, const Explanation& start, int mostSteps,
            const std::vector<char>& wantedGroups = {});
