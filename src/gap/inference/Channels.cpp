@@ -194,13 +194,16 @@ std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trial
       ChannelUse use;
       use.why = whyNot(trial, signal);
       use.used = use.why.empty();
-      const double own = std::max(medianOf(found.repeats), medianOf(found.fast));
       const bool effort = isEffort(signal.kind);
       const bool moves = signal.kind == SignalKind::position || effort;
       const double late = moves ? jitter * medianOf(found.rates) : 0;
       const double angle = effort && use.used ? effortOfAngle(trial, signal, channels) : 0;
-      use.noise = std::sqrt(own * own + found.step * found.step / 12 + late * late + angle * angle);
-      use.noise = std::max({use.noise, leastShare * found.largest, 1e-9});
+      const auto noiseWith = [&](double own) {
+        const double all = std::sqrt(own * own + found.step * found.step / 12 + late * late + angle * angle);
+        return std::max({all, leastShare * found.largest, 1e-9});
+      };
+      use.readings = noiseWith(medianOf(found.fast));
+      use.noise = std::max(use.readings, noiseWith(medianOf(found.repeats)));
       of.push_back(std::move(use));
     }
   }

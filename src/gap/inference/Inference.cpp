@@ -21,7 +21,6 @@ namespace plumbline::gap {
 namespace {
 
 constexpr double leastRival = 0.01;  // probability of what is named beside
-constexpr double unexplained = 1;    // discrepancy over noise beyond which the library lacks something
 
 /// Pooled root mean square of the positions [rad, or m].
 double positionsLeft(const Replayer& replayer, const Explanation& causes) {
@@ -57,6 +56,19 @@ Worst worstOf(const Replayer& replayer, const Explanation& causes) {
   for (const auto& [name, of] : sums)
     if (const double size = std::sqrt(std::max(0.0, of.first / of.second)); size > worst.size)
       worst = {size, name};
+  return worst;
+}
+
+/// What repeats differ by, in the same terms.
+Worst worstOfRepeats(const Groups& groups) {
+  Worst worst;
+  for (std::size_t t = 0; t < groups.trials().size(); ++t)
+    for (std::size_t s = 0; s < groups.uses()[t].size(); ++s) {
+      const ChannelUse& use = groups.uses()[t][s];
+      const double over = use.used ? use.noise / use.readings : 1;
+      if (const double size = std::sqrt(over * over - 1); size > worst.size)
+        worst = {size, groups.trials()[t].signals[s].name};
+    }
   return worst;
 }
 
@@ -189,7 +201,10 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   diagnosis.worstSignal = before.signal;
   diagnosis.worstAfter = after.size;
   diagnosis.worstSignalAfter = after.signal;
-  const bool left = after.size > unexplained;
+  const Worst repeats = worstOfRepeats(groups);
+  result.repeatsDiffer = repeats.size;
+  result.repeatsSignal = repeats.signal;
+  const bool left = after.size > unexplained || (best.causes().empty() && repeats.size > unexplained);
   diagnosis.verdict = left ? Verdict::unknown : best.causes().empty() ? Verdict::none : Verdict::effect;
   diagnosis.knownProbability = 1 / (1 + after.size * after.size);
   tell("recordings left out", 0);

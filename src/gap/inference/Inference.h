@@ -11,6 +11,9 @@
 
 namespace plumbline::gap {
 
+/// What is left beyond the noise, over the noise, from which on the library lacks something.
+inline constexpr double unexplained = 1;
+
 struct InferenceOptions {
   int jobs = 1;
   std::size_t mostCauses = 0;  ///< in a set; 0: 8, or 12 of a robot with many kinds of causes
@@ -30,8 +33,15 @@ struct Inference {
   std::vector<std::string> notUsed;
   /// Of causes that gain in one recording alone: "... is supported by RECORDING alone".
   std::vector<std::string> onlyIn;
+  /// What repeats of a motion differ by beyond the readings' noise, over that noise, in the signal where it
+  /// is largest.
+  double repeatsDiffer = 0;
+  std::string repeatsSignal;
   std::size_t replays = 0;
 
+  /// A remark where repeats differ by more than that noise; else empty. Without any cause the verdict is then
+  /// unknown, not none.
+  std::string runToRun() const;
   std::string sentence() const;  ///< the verdict for people
 };
 

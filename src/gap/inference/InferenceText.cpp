@@ -6,8 +6,27 @@
 
 namespace plumbline::gap {
 
+std::string Inference::runToRun() const {
+  if (repeatsDiffer <= unexplained) return "";
+  char text[256];
+  std::snprintf(
+      text, sizeof text,
+      "Something changes from run to run: repeats of one motion differ by %.1f times the readings' noise "
+      "in %s. What is missing within that is not seen; --method blocks looks for lost commands.",
+      repeatsDiffer, repeatsSignal.c_str());
+  return text;
+}
+
 std::string Inference::sentence() const {
   char text[256];
+  if (diagnosis.findings.empty() && diagnosis.worstAfter <= unexplained && repeatsDiffer > unexplained) {
+    std::snprintf(
+        text, sizeof text,
+        "The nominal model explains these runs only as far as repeats of one motion agree, and those "
+        "differ by %.1f times the readings' noise in %s.",
+        repeatsDiffer, repeatsSignal.c_str());
+    return text;
+  }
   if (diagnosis.verdict == Verdict::none) {
     std::snprintf(text, sizeof text,
                   "The nominal model explains these runs down to their noise (worst channel %.1f times the "

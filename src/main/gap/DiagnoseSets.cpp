@@ -46,6 +46,7 @@ nlohmann::json answerOf(const Inference& inference, const Further& further, cons
   gap["further"] = furtherJson(further);
   for (const std::string& line : inference.notUsed) answer["remarks"].push_back(line);
   for (const std::string& line : inference.onlyIn) answer["remarks"].push_back(line);
+  if (const std::string line = inference.runToRun(); !line.empty()) answer["remarks"].push_back(line);
   answer["replays"] = inference.replays;
   return answer;
 }
@@ -64,6 +65,7 @@ void print(const Inference& inference, const Further& further, const AnswerInput
   if (inference.diagnosis.verdict != Verdict::none)
     std::printf("Left out of search and fit, each in turn:\n%s", leftTable(inference.leftOut).c_str());
   for (const std::string& line : inference.notUsed) std::printf("%s\n", line.c_str());
+  if (const std::string line = inference.runToRun(); !line.empty()) std::printf("%s\n", line.c_str());
   std::printf("Next: %s\n", input.nextMotion.c_str());
 }
 
