@@ -55,6 +55,17 @@ TEST(Channels, noiseOfARecordingIsFoundAndSpeedIsNotUsed) {
   EXPECT_EQ(uses[0][2].why, "it is the derivative of the position, which is used");
 }
 
+TEST(Channels, whatRepeatsDifferByIsNoiseAndToldFromThatOfTheReadings) {
+  const Mechanism arm = twoJointArm();
+  Trial first = recorded(nominalPlant(arm), armTrial(arm, 6), 1e-3, 7), again = first;
+  again.recording = "again";
+  for (double& value : again.signals[0].values) value += 0.02;
+  const auto uses = channelUses({first, again});
+  EXPECT_NEAR(uses[0][0].noise, 0.02 / std::sqrt(2), 5e-4);
+  EXPECT_NEAR(uses[0][0].readings, 1e-3, 2e-4);
+  EXPECT_EQ(uses[0][1].noise, uses[0][1].readings);
+}
+
 TEST(Channels, aJointThatRestsIsReadOnTheGridOfTheOthers) {
   const double step = 2 * M_PI / 4096;
   const Mechanism arm = twoJointArm();

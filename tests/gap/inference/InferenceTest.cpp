@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "../ThreeRecordings.h"
 
 namespace plumbline::gap {
@@ -24,6 +26,40 @@ TEST(Inference, nothingIsFoundWhereNothingIs) {
   const Inference found = infer(twoJointArm(), recordings({}), {});
   EXPECT_EQ(found.diagnosis.verdict, Verdict::none);
   EXPECT_TRUE(found.diagnosis.findings.empty());
+}
+
+TEST(Inference, whereRepeatsDifferTheVerdictIsNotNone) {
+  // Two recordings of one motion in which different commands were lost: the shoulder was elsewhere by up to
+  // 20 mrad, and no model of the robot can say where.
+  std::vector<Trial> trials = recordings({});
+  trials.push_back(trials[0]);
+  trials[3].recording = trials[3].name = "again";
+  for (std::size_t k = 0; k < trials[3].cycles(); ++k) {
+    trials[0].signals[0].values[k] += 0.01 * std::sin(0.11 * static_cast<double>(k));
+    trials[3].signals[0].values[k] -= 0.01 * std::sin(0.11 * static_cast<double>(k));
+  }
+  const Inference found = infer(twoJointArm(), trials, {});
+  EXPECT_TRUE(found.diagnosis.findings.empty());
+  EXPECT_EQ(found.diagnosis.verdict, Verdict::unknown);
+  EXPECT_EQ(found.repeatsSignal, "pos.shoulder");
+  EXPECT_GT(found.repeatsDiffer, 5);
+}
+
+TEST(Inference, saysWhatChangesFromRunToRun) {
+  Inference found;
+  found.diagnosis.verdict = Verdict::unknown;
+  found.repeatsDiffer = 16.6;
+  found.repeatsSignal = "pos.elbow";
+  EXPECT_EQ(
+      found.sentence(),
+      "The nominal model explains these runs only as far as repeats of one motion agree, and those differ by "
+      "16.6 times the readings' noise in pos.elbow.");
+  EXPECT_EQ(
+      found.runToRun(),
+      "Something changes from run to run: repeats of one motion differ by 16.6 times the readings' noise in "
+      "pos.elbow. What is missing within that is not seen; --method blocks looks for lost commands.");
+  found.repeatsDiffer = 0.9;
+  EXPECT_EQ(found.runToRun(), "");
 }
 
 TEST(Inference, ofShortRecordingsTheSameWithAnyNumberOfThreads) {
