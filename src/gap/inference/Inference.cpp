@@ -204,9 +204,11 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   const Worst repeats = worstOfRepeats(groups);
   result.repeatsDiffer = repeats.size;
   result.repeatsSignal = repeats.signal;
-  const bool left = after.size > unexplained || (best.causes().empty() && repeats.size > unexplained);
-  diagnosis.verdict = left ? Verdict::unknown : best.causes().empty() ? Verdict::none : Verdict::effect;
-  diagnosis.knownProbability = 1 / (1 + after.size * after.size);
+  const double beyond = best.causes().empty() ? std::max(after.size, repeats.size) : after.size;
+  diagnosis.verdict = beyond > unexplained    ? Verdict::unknown
+                      : best.causes().empty() ? Verdict::none
+                                              : Verdict::effect;
+  diagnosis.knownProbability = 1 / (1 + beyond * beyond);
   tell("recordings left out", 0);
   result.leftOut = leftWithout(groups, without);
   for (const FoundWithout& of : without) result.foundElse.push_back(of.causes);
