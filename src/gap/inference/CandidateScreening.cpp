@@ -217,7 +217,9 @@ CandidateScreening::Guessed CandidateScreening::guess(const Start& start, const 
   const double most = start.cause.effect->sticks ? mostOfSticking : mostFactor;
   double step = std::pow(most, 1.0 / points);
   const double leastFactor = start.cause.effect->linear ? leastOfLinear : 1 / most;
-  for (double factor = most; factor > leastFactor / std::sqrt(step); factor /= step) tryFactor(factor);
+  const double factors = std::log(most / leastFactor) / std::log(step) + 0.5;
+  double factor = most;
+  for (int k = 0; k < factors; ++k, factor /= step) tryFactor(factor);
   for (int halved = 0; halved < 3 && guessed.gain > 0; ++halved) {
     step = std::sqrt(step);
     const double middle = guessed.share;

@@ -2,8 +2,10 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "gap/inference/CellInformation.h"
 #include "gap/inference/Strengths.h"
@@ -14,8 +16,8 @@ namespace {
 
 constexpr double farthest = 1;    // step of a value, in the logarithm of its strength
 constexpr double settled = 0.05;  // gain of log density below which derivatives lead nowhere
-/// Strides of a sweep, in the logarithm of a strength: the first, and the least.
-constexpr double firstSweep = 0.7, leastSweep = 0.07;
+/// Strides of a sweep, in the logarithm of a strength.
+constexpr std::array sweepStrides = {0.7, 0.233, 0.078};
 
 double sumOf(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
@@ -32,11 +34,11 @@ public:
 
   Fitted run(int mostSteps) {
     if (fitted_.causes.empty()) return std::move(fitted_);
-    if (mostSteps > 0 && sweep(firstSweep)) linearise();
+    if (mostSteps > 0 && sweep(1)) linearise();
     for (int step = 0; step < mostSteps; ++step) {
       const double before = fitted_.density;
       stepByDerivatives();
-      if (fitted_.density - before < settled && !sweep(leastSweep)) break;
+      if (fitted_.density - before < settled && !sweep(sweepStrides.size())) break;
       linearise();
     }
     return std::move(fitted_);
@@ -98,15 +100,15 @@ private:
 
   /// Where a joint sticks and slips the density is rough, and derivatives say nothing of where it rises. So
   /// strengths of such causes are tried on both sides, ever nearer, until one is likelier.
-  bool sweep(double nearest) {
-    for (double way = firstSweep; way >= nearest; way /= 3)
+  bool sweep(std::size_t strides) {
+    for (const double way : std::span(sweepStrides).first(strides))
       for (std::size_t i = 0; i < fitted_.causes.size(); ++i)
-        if (fitted_.causes[i].effect->sticks && (strides(i, way) || strides(i, -way))) return true;
+        if (fitted_.causes[i].effect->sticks && (stride(i, way) || stride(i, -way))) return true;
     return false;
   }
 
   /// Strides of one strength, as long as each is likelier.
-  bool strides(std::size_t i, double way) {
+  bool stride(std::size_t i, double way) {
     const double before = fitted_.density;
     Eigen::VectorXd x = logStrengths(fitted_.causes);
     do x[static_cast<Eigen::Index>(i)] += way;
