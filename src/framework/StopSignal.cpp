@@ -13,8 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// `timeout` sends its signal to its child and to the child's group, a shell on Ctrl-C to a whole pipeline:
-/// one wish of a person that arrives more than once.
+/// `timeout` sends its signal to its child and to the child's group, so that one wish arrives twice.
 constexpr auto oneWish = std::chrono::milliseconds(300);
 
 std::atomic<StopSignal*> signalTarget{nullptr};
@@ -72,16 +71,16 @@ void StopSignal::handle(int signal) {
   // Only what is allowed in a signal handler: atomics, the steady clock and write.
   StopSignal* target = signalTarget.load();
   const Clock::rep now = Clock::now().time_since_epoch().count();
+  // First the time: another thread may get the second signal meanwhile.
+  if (caughtSignal.load() == 0) caughtAt = now;
   int none = 0;
-  if (target && caughtSignal.compare_exchange_strong(none, signal)) {
-    caughtAt = now;
-  } else if (target && Clock::duration(now - caughtAt) < oneWish) {
-    return;
-  } else {
+  const bool first = caughtSignal.compare_exchange_strong(none, signal);
+  if (!target || (!first && Clock::duration(now - caughtAt) >= oneWish)) {
     std::signal(signal, SIG_DFL);
     raise(signal);
     return;
   }
+  if (!first) return;
   target->requested_.store(true);
   const std::uint64_t one = 1;
   [[maybe_unused]] const auto written = write(target->descriptor_, &one, sizeof(one));

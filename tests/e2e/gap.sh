@@ -92,6 +92,6 @@ case=$(find "$scratch/blind" -mindepth 1 -maxdepth 1 -type d | sort | head -1)
 gap diagnose "$case" --robot $arm --json "$scratch/answers/$(basename "$case").json"
 gap blind score "$scratch/blind" "$scratch/answers"
 grep -q '^3 cases' "$scratch/out" || fail "no score: $(cat "$scratch/out")"
-gap blind score "$scratch/blind" "$scratch/answers" --cases all
+gap blind score "$scratch/blind" "$scratch/answers" --list all
 expectEqual "$(grep -c '^case ' "$scratch/out")" 3 "the cases in the list"
 expectEqual "$(grep -c '^  said:   no answer$' "$scratch/out")" 2 "the cases without an answer"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/PossibleKinds.h"
@@ -242,10 +241,8 @@ double CandidateScreening::gainOf(const Start& start, const Left& left, double s
   return gain;
 }
 
-CandidateScreening::Left CandidateScreening::leftBy(const Replayer& within, const Explanation& base,
+CandidateScreening::Left CandidateScreening::leftOf(const Groups& groups, const Residuals& residuals,
                                                     const Shares& shares) const {
-  const Groups& groups = within.groups();
-  const Residuals residuals = within.residuals(base);
   Left left;
   for (const Trial& trial : groups.trials()) left.at.emplace_back(trial.signals.size());
   for (std::size_t c = 0; c < groups.cells().size(); ++c) {
@@ -275,7 +272,7 @@ CandidateScreening::Left CandidateScreening::leftBy(const Replayer& within, cons
 // Larger strengths, then smaller ones, each half or double the one before, while they gain.
 void CandidateScreening::replayFurtherStrengths(const Replayer& replayer, const Residuals& nominal,
                                                 const Shares& shares) {
-  const Left left = leftBy(replayer, {}, shares);
+  const Left left = leftOf(replayer.groups(), nominal, shares);
   struct Rated {
     std::size_t start;
     double gain;
@@ -293,7 +290,7 @@ void CandidateScreening::replayFurtherStrengths(const Replayer& replayer, const 
   std::erase_if(best, [](const Rated& of) { return !(of.gain > 0); });
   std::ranges::stable_sort(best, std::ranges::greater(), &Rated::gain);
   if (best.size() > mostClimbed) best.resize(mostClimbed);
-  std::map<std::size_t, std::vector<Start>> further;  // by the start that they began at
+  std::vector<std::vector<Start>> further(starts_.size());  // by the start that they began at
   for (const auto& [from, gain] : best)
     for (const double way : {std::log(2.0), -std::log(2.0)}) {
       Cause cause = starts_[from].cause;
@@ -319,7 +316,7 @@ void CandidateScreening::replayFurtherStrengths(const Replayer& replayer, const 
 
 std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const Explanation& base,
                                                   const Shares& shares, std::size_t most) const {
-  const Left left = leftBy(within, base, shares);
+  const Left left = leftOf(within.groups(), within.residuals(base), shares);
   // The best start of each kind (its starts follow each other) by its guess; of the best of these the gain
   // itself.
   struct Candidate {

@@ -46,7 +46,7 @@ private:
   Guessed guess(const Start& start, const Left& left) const;
   double gainOf(const Start& start, const Left& left, double share) const;
   std::vector<Change> changesOf(const Groups& groups, const Residuals& nominal, const Residuals& with) const;
-  Left leftBy(const Replayer& within, const Explanation& base, const Shares& shares) const;
+  Left leftOf(const Groups& groups, const Residuals& residuals, const Shares& shares) const;
   void replayStarts(const Replayer& replayer, const Residuals& nominal, const std::vector<Cause>& worth,
                     const std::function<void(double)>& progress);
   void replayFurtherStrengths(const Replayer& replayer, const Residuals& nominal, const Shares& shares);

@@ -202,8 +202,8 @@ std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trial
         const double all = std::sqrt(own * own + found.step * found.step / 12 + late * late + angle * angle);
         return std::max({all, leastShare * found.largest, 1e-9});
       };
-      use.readings = noiseWith(medianOf(found.fast));
-      use.noise = std::max(use.readings, noiseWith(medianOf(found.repeats)));
+      use.readingNoise = noiseWith(medianOf(found.fast));
+      use.noise = std::max(use.readingNoise, noiseWith(medianOf(found.repeats)));
       of.push_back(std::move(use));
     }
   }

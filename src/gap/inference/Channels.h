@@ -13,9 +13,9 @@ double smallestStep(std::vector<double> values);
 /// What a channel is worth as evidence.
 struct ChannelUse {
   bool used = false;
-  double noise = 0;     ///< standard deviation of readings about what a perfect model predicts [its unit]
-  double readings = 0;  ///< the same without what repeats differ by beyond it
-  std::string why;      ///< why it is not used
+  double noise = 0;         ///< standard deviation of readings about what a perfect model predicts [its unit]
+  double readingNoise = 0;  ///< the same without what repeats differ by beyond it [its unit]
+  std::string why;          ///< why it is not used
 };
 
 /// Per trial and signal. Noise is what repeats differ by, where there are some, else the channel's fast part

@@ -65,7 +65,7 @@ Worst worstOfRepeats(const Groups& groups) {
   for (std::size_t t = 0; t < groups.trials().size(); ++t)
     for (std::size_t s = 0; s < groups.uses()[t].size(); ++s) {
       const ChannelUse& use = groups.uses()[t][s];
-      const double over = use.used ? use.noise / use.readings : 1;
+      const double over = use.used ? use.noise / use.readingNoise : 1;
       if (const double size = std::sqrt(over * over - 1); size > worst.size)
         worst = {size, groups.trials()[t].signals[s].name};
     }
@@ -205,9 +205,9 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   result.repeatsDiffer = repeats.size;
   result.repeatsSignal = repeats.signal;
   const double beyond = best.causes().empty() ? std::max(after.size, repeats.size) : after.size;
-  diagnosis.verdict = beyond > unexplained    ? Verdict::unknown
-                      : best.causes().empty() ? Verdict::none
-                                              : Verdict::effect;
+  diagnosis.verdict = beyond > leastUnexplained ? Verdict::unknown
+                      : best.causes().empty()   ? Verdict::none
+                                                : Verdict::effect;
   diagnosis.knownProbability = 1 / (1 + beyond * beyond);
   tell("recordings left out", 0);
   result.leftOut = leftWithout(groups, without);

@@ -12,7 +12,7 @@
 namespace plumbline::gap {
 
 /// What is left beyond the noise, over the noise, from which on the library lacks something.
-inline constexpr double unexplained = 1;
+inline constexpr double leastUnexplained = 1;
 
 struct InferenceOptions {
   int jobs = 1;

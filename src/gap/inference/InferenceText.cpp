@@ -6,27 +6,27 @@
 
 namespace plumbline::gap {
 
+namespace {
+
+std::string howRepeatsDiffer(const Inference& of) {
+  char text[128];
+  std::snprintf(text, sizeof text, "differ by %.1f times the readings' noise in ", of.repeatsDiffer);
+  return text + of.repeatsSignal;
+}
+
+}  // namespace
+
 std::string Inference::runToRun() const {
-  if (repeatsDiffer <= unexplained) return "";
-  char text[256];
-  std::snprintf(
-      text, sizeof text,
-      "Something changes from run to run: repeats of one motion differ by %.1f times the readings' noise "
-      "in %s. What is missing within that is not seen; --method blocks looks for lost commands.",
-      repeatsDiffer, repeatsSignal.c_str());
-  return text;
+  if (repeatsDiffer <= leastUnexplained) return "";
+  return "Something changes from run to run: repeats of one motion " + howRepeatsDiffer(*this) +
+         ". What is missing within that is not seen; --method blocks looks for lost commands.";
 }
 
 std::string Inference::sentence() const {
+  if (diagnosis.verdict == Verdict::unknown && diagnosis.worstAfter <= leastUnexplained)
+    return "The nominal model explains these runs only as far as repeats of one motion agree, and those " +
+           howRepeatsDiffer(*this) + ".";
   char text[256];
-  if (diagnosis.findings.empty() && diagnosis.worstAfter <= unexplained && repeatsDiffer > unexplained) {
-    std::snprintf(
-        text, sizeof text,
-        "The nominal model explains these runs only as far as repeats of one motion agree, and those "
-        "differ by %.1f times the readings' noise in %s.",
-        repeatsDiffer, repeatsSignal.c_str());
-    return text;
-  }
   if (diagnosis.verdict == Verdict::none) {
     std::snprintf(text, sizeof text,
                   "The nominal model explains these runs down to their noise (worst channel %.1f times the "

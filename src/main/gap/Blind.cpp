@@ -18,7 +18,7 @@ namespace {
 
 struct ScoreCommand {
   std::string folder, answers;
-  std::string cases;  ///< wrong, all; empty: figures alone
+  std::string list;  ///< wrong, all; empty: figures alone
   bool json = false;
 };
 
@@ -45,8 +45,8 @@ void score(const ScoreCommand& options) {
   const std::vector<BlindAnswer> answers = readAnswers(set, options.answers);
   const BlindScore result = scoreBlind(set, answers, robot);
   std::fputs((options.json ? scoreJson(result) + "\n" : scoreTable(result)).c_str(), stdout);
-  if (!options.cases.empty())
-    std::fputs(("\n" + caseList(set, answers, robot, options.cases == "all")).c_str(), stdout);
+  if (!options.list.empty())
+    std::fputs(("\n" + caseList(set, answers, robot, options.list == "all")).c_str(), stdout);
 }
 
 }  // namespace
@@ -92,14 +92,14 @@ void addBlind(CLI::App& app) {
       ->add_option("answers", scoring->answers,
                    "Folder with one <case>.json per case, as bin/gap diagnose FOLDER/<case> --json writes it")
       ->required();
-  CLI::Option* cases =
+  CLI::Option* list =
       scorer
-          ->add_option("--cases", scoring->cases,
-                       "Prints what cases hid and what was said of them: of wrong answers, or all")
+          ->add_option("--list", scoring->list,
+                       "Prints what cases hid and what was said of them: those answered wrongly, or all")
           ->check(CLI::IsMember({"wrong", "all"}));
-  scorer->add_flag("--json", scoring->json, "The figures as JSON")->excludes(cases);
+  scorer->add_flag("--json", scoring->json, "The figures as JSON")->excludes(list);
   scorer->footer(
-      "Examples:\n  bin/gap blind score blind answers\n  bin/gap blind score blind answers --cases wrong");
+      "Examples:\n  bin/gap blind score blind answers\n  bin/gap blind score blind answers --list wrong");
   scorer->callback([=] { score(*scoring); });
 }
 

@@ -62,8 +62,8 @@ TEST(Channels, whatRepeatsDifferByIsNoiseAndToldFromThatOfTheReadings) {
   for (double& value : again.signals[0].values) value += 0.02;
   const auto uses = channelUses({first, again});
   EXPECT_NEAR(uses[0][0].noise, 0.02 / std::sqrt(2), 5e-4);
-  EXPECT_NEAR(uses[0][0].readings, 1e-3, 2e-4);
-  EXPECT_EQ(uses[0][1].noise, uses[0][1].readings);
+  EXPECT_NEAR(uses[0][0].readingNoise, 1e-3, 2e-4);
+  EXPECT_EQ(uses[0][1].noise, uses[0][1].readingNoise);
 }
 
 TEST(Channels, aJointThatRestsIsReadOnTheGridOfTheOthers) {
