@@ -26,16 +26,6 @@ json number(double value, int digits = 6) {
   return std::isfinite(value) ? json(rounded(value, digits)) : json(nullptr);
 }
 
-json causeJson(const Cause& cause) {
-  json j;
-  j["effect"] = cause.effect->id;
-  j["at"] = cause.place.at;
-  j["axis"] = cause.place.axis ? json(std::string(1, cause.place.axis)) : json(nullptr);
-  j["value"] = number(cause.value);
-  j["unit"] = cause.effect->unit;
-  return j;
-}
-
 std::string sentenceOf(const Cause& cause) {
   std::string text(cause.effect->sentence);
   const std::string place = cause.place.at == "*" ? "every joint" : cause.place.at;
@@ -53,9 +43,6 @@ json findingJson(const Finding& finding) {
   j["closed_last"] = number(finding.closedLast, 4);
   j["sentence"] = sentenceOf(finding.cause);
   if (!finding.cause.inactiveIn.empty()) j["not_in"] = finding.cause.inactiveIn;
-  const auto& variants = finding.cause.effect->variants;
-  j["variant"] =
-      variants.empty() ? json(nullptr) : json(variants[static_cast<std::size_t>(finding.cause.variant)]);
   j["confounded_with"] = json::array();
   for (const Rival& rival : finding.rivals) {
     json other = causeJson(rival.cause);
@@ -136,6 +123,18 @@ json overlays(const Evaluator& evaluator, const std::vector<Prediction>& nominal
 }
 
 }  // namespace
+
+nlohmann::json causeJson(const Cause& cause) {
+  json j;
+  j["effect"] = cause.effect->id;
+  j["at"] = cause.place.at;
+  j["axis"] = cause.place.axis ? json(std::string(1, cause.place.axis)) : json(nullptr);
+  j["value"] = number(cause.value);
+  j["unit"] = cause.effect->unit;
+  const auto& variants = cause.effect->variants;
+  j["variant"] = variants.empty() ? json(nullptr) : json(variants[static_cast<std::size_t>(cause.variant)]);
+  return j;
+}
 
 std::string verdictSentence(const Diagnosis& diagnosis) {
   char size[160];

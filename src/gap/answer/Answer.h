@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct AnswerInput {
   std::vector<RunNotes> runs;
   std::string nextMotion;
 };
+
+/// A cause with its value, as answers list it.
+nlohmann::json causeJson(const Cause& cause);
 
 /// The answer as JSON text: the fields of doc/reference/gap-answer.md and further ones for the report. Sets
 /// the evaluator's base to the explanation.

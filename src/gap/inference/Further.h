@@ -2,28 +2,29 @@
 #include <string>
 #include <vector>
 
+#include "gap/inference/Claim.h"
 #include "gap/inference/HoldOut.h"
 
 namespace plumbline::gap {
 
-/// What a fit of all frictions in every joint closes beside the causes that were named. It says how much of
-/// the gap a model could still take in, not where it comes from: so many values fit what others than friction
-/// do.
+/// What all values of all joints close that are fitted at once (actuatorEffects), instead of the causes
+/// named. It is a model to train with, and says how much of the gap a model could still take in, not where it
+/// comes from: so many values fit what others than they do.
 struct Further {
   std::size_t parameters = 0;
   double closed = 0;  ///< of recordings left out: mean share that it closes more; negative: less
   std::vector<RecordingLeft> leftOut;
+  Claim claim;        ///< of a recording that was not seen
+  Explanation model;  ///< fitted to all; without values that do nothing
 
-  /// "A further 12 % closes by fitting all frictions per joint (24 values); not attributable." Empty where it
-  /// is not more than two in a hundred.
+  /// "A further 12 % closes by fitting 66 values of all joints at once; not attributable." Empty where it is
+  /// not more than two in a hundred.
   std::string sentence() const;
 };
 
-/// Each group is left out in turn; the frictions are fitted to the others, beside the causes found without
-/// it. foundElse: those, per group. leftOut: what they left. Only for robots whose base is held: empty
-/// otherwise.
+/// Each group is left out in turn; the values are fitted to the others (fitPerJoint), from nominal. leftOut:
+/// what the causes named left of recordings left out. Only for robots whose base is held: empty otherwise.
 Further furtherOf(const Mechanism& robot, const std::vector<Trial>& trials,
-                  const std::vector<Explanation>& foundElse, const std::vector<RecordingLeft>& leftOut,
-                  int jobs);
+                  const std::vector<RecordingLeft>& leftOut, int jobs);
 
 }  // namespace plumbline::gap

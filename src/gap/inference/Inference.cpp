@@ -211,7 +211,6 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   diagnosis.knownProbability = 1 / (1 + beyond * beyond);
   tell("recordings left out", 0);
   result.leftOut = leftWithout(groups, without);
-  for (const FoundWithout& of : without) result.foundElse.push_back(of.causes);
   result.claim = claimOf(closedPerGroup(result.leftOut, groupsOfRecordings(groups)),
                          leaveOutBias(groups, best.causes(), without));
   double squaresBefore = 0, squaresAfter = 0, squaresFloor = 0;

@@ -25,9 +25,8 @@ struct Inference {
   Diagnosis diagnosis;  ///< its gap: positions of the recordings left out, pooled [rad, or m]
   /// What is left in each recording by the set that was searched for, and fitted, in the others alone.
   std::vector<RecordingLeft> leftOut;
-  Claim claim;                         ///< of a recording that was not seen at all
-  std::vector<Explanation> foundElse;  ///< the sets found without each group in turn
-  bool stretchesOfOne = false;         ///< there was one recording: stretches of time were left out instead
+  Claim claim;                  ///< of a recording that was not seen at all
+  bool stretchesOfOne = false;  ///< there was one recording: stretches of time were left out instead
   std::vector<std::vector<SignalNoise>> noises;  ///< per trial and signal
   /// Channels that were not used, with the reason: "vel.* is not used: ...".
   std::vector<std::string> notUsed;

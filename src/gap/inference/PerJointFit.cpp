@@ -49,10 +49,11 @@ struct Motor {
 
 class JointSteps {
 public:
-  JointSteps(const Replayer& replayer, PerJoint start)
+  JointSteps(const Replayer& replayer, PerJoint start, const Shrinkage& prior)
       : replayer_(replayer),
         robot_(replayer.mechanism()),
         weights_(weightsOf(replayer)),
+        prior_(prior),
         at_(std::move(start)),
         first_(at_.causes.size() - at_.parameters) {
     for (std::size_t i = first_; i < at_.causes.size(); ++i) {
@@ -60,15 +61,16 @@ public:
       units_.push_back(leastStart(robot_, at_.causes[i]));
     }
     residuals_ = replayer_.residuals(at_.causes);
-    costs_ = costsOf(residuals_);
-    at_.left = total(costs_);
   }
 
   PerJoint run(int steps) {
     for (int step = 0; step < steps && at_.parameters > 0; ++step) {
+      putCommon();
+      costs_ = costsOf(residuals_, at_.causes);
       linearise();
       if (!advance()) break;
     }
+    at_.left = total(squaresPerMotor(residuals_));
     return at_;
   }
 
@@ -82,12 +84,38 @@ private:
     return withStrength(robot_, at_.causes[i], x * units_[i - first_]);
   }
 
+  /// The value that an effect's parameters in all motors have in common, the likeliest one for what they are.
+  void putCommon() {
+    std::map<const Effect*, std::pair<double, double>> sums;
+    for (std::size_t i = first_; i < at_.causes.size(); ++i) {
+      auto& [sum, n] = sums[at_.causes[i].effect];
+      sum += prior_.own * coordinate(i);
+      n += prior_.own;
+    }
+    for (const auto& [effect, of] : sums)
+      common_[effect] = of.second > 0 ? of.first / (of.second + prior_.common) : 0;
+  }
+
+  /// How far a parameter is from the common value, in the unit of its coordinate.
+  double apart(const Explanation& causes, std::size_t i) const {
+    return causes[i].effect->strengthOf(causes[i].value) / units_[i - first_] - common_.at(causes[i].effect);
+  }
+
   /// Per motor: its position's share of the whole.
-  std::map<int, double> costsOf(const Residuals& of) const {
+  std::map<int, double> squaresPerMotor(const Residuals& of) const {
     std::map<int, double> sums;
     for (const Cell& cell : replayer_.groups().cells())
       if (ofPosition(replayer_, cell))
         sums[motorOf(cell)] += weights_[cell.group] * squaresOf(residualsOf(cell, of));
+    return sums;
+  }
+
+  /// The same with what the prior counts the motor's values by.
+  std::map<int, double> costsOf(const Residuals& of, const Explanation& causes) const {
+    std::map<int, double> sums = squaresPerMotor(of);
+    for (const auto& [joint, motor] : motors_)
+      for (const std::size_t i : motor.causes)
+        sums[joint] += prior_.own * apart(causes, i) * apart(causes, i);
     return sums;
   }
 
@@ -131,6 +159,12 @@ private:
         continue;
       add(cell, motor->second, shifted, steps);
     }
+    for (auto& [joint, motor] : motors_)
+      for (std::size_t k = 0; k < motor.causes.size(); ++k) {
+        const auto row = static_cast<Eigen::Index>(k);
+        motor.normal(row, row) += prior_.own;
+        motor.downhill[row] -= prior_.own * apart(at_.causes, motor.causes[k]);
+      }
   }
 
   void add(const Cell& cell, Motor& motor, const std::vector<Residuals>& shifted,
@@ -184,7 +218,7 @@ private:
     for (int attempt = 0; attempt < 4; ++attempt) {
       Explanation tried = at_.causes;
       for (const auto& [joint, motor] : motors_) step(motor, tried);
-      const std::map<int, double> there = costsOf(replayer_.residuals(tried));
+      const std::map<int, double> there = costsOf(replayer_.residuals(tried), tried);
       bool mixed = false;
       for (auto& [joint, motor] : motors_) {
         if (costAt(there, joint) < costAt(costs_, joint)) {
@@ -197,17 +231,15 @@ private:
       }
       if (tried == at_.causes) continue;
       Residuals after = replayer_.residuals(tried);
-      const std::map<int, double> costsAfter = mixed ? costsOf(after) : there;
-      if (total(costsAfter) >= at_.left) {
+      const std::map<int, double> costsAfter = mixed ? costsOf(after, tried) : there;
+      const double before = total(costs_), left = total(costsAfter);
+      if (left >= before) {
         for (auto& [joint, motor] : motors_) motor.damping *= 8;
         continue;
       }
-      const bool worth = at_.left - total(costsAfter) > 1e-3 * at_.left;
       at_.causes = std::move(tried);
-      at_.left = total(costsAfter);
-      costs_ = costsAfter;
       residuals_ = std::move(after);
-      return worth;
+      return before - left > 1e-3 * before;
     }
     return false;
   }
@@ -220,19 +252,23 @@ private:
   const Replayer& replayer_;
   const Mechanism& robot_;
   const std::vector<double> weights_;
+  const Shrinkage prior_;
   PerJoint at_;
   const std::size_t first_;  ///< the first parameter's place among the causes
   std::map<int, Motor> motors_;
   std::vector<double> units_;  ///< per parameter
   Residuals residuals_;
   std::map<int, double> costs_;
+  std::map<const Effect*, double> common_;
 };
 
 }  // namespace
 
-std::span<const std::string_view> frictions() {
-  static constexpr std::array<std::string_view, 4> ids{"coulomb_friction", "viscous_friction",
-                                                       "stribeck_friction", "load_friction"};
+std::span<const std::string_view> actuatorEffects() {
+  static constexpr std::array<std::string_view, 11> ids{
+      "rotor_inertia", "viscous_friction", "coulomb_friction", "stribeck_friction",
+      "load_friction", "servo_gain",       "servo_damping",    "torque_limit",
+      "joint_offset",  "bias_force",       "command_delay"};
   return ids;
 }
 
@@ -276,8 +312,8 @@ double shareLeft(const Replayer& replayer, const Explanation& causes) {
   return sum;
 }
 
-PerJoint fitPerJoint(const Replayer& replayer, PerJoint start, int steps) {
-  return JointSteps(replayer, std::move(start)).run(steps);
+PerJoint fitPerJoint(const Replayer& replayer, PerJoint start, int steps, const Shrinkage& prior) {
+  return JointSteps(replayer, std::move(start), prior).run(steps);
 }
 
 }  // namespace plumbline::gap

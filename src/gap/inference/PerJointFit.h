@@ -13,8 +13,16 @@ struct PerJoint {
   double left = 1;             ///< squares of positions over the nominal model's, mean over recordings
 };
 
-/// The frictions that every joint may have: dry, viscous, at rest, by load.
-std::span<const std::string_view> frictions();
+/// What system identification fits in every joint: rotor inertia, frictions, gains and limit of the servo,
+/// zero, a constant torque, a delay.
+std::span<const std::string_view> actuatorEffects();
+
+/// Precisions of a normal prior on values per joint, in units of the least strength that a search starts from
+/// and per share of the squares that the nominal model leaves: of a joint about the value that all joints
+/// have in common, and of that about nominal. Nothing: none.
+struct Shrinkage {
+  double own = 0, common = 0;
+};
 
 /// One of each effect at every joint with a motor, beside a base of other causes. What the base has of these
 /// effects is where a joint's value starts; elsewhere it starts at nominal. Throws std::invalid_argument for
@@ -27,7 +35,9 @@ double shareLeft(const Replayer& replayer, const Explanation& causes);
 
 /// Fits all values per joint to the positions by damped Gauss-Newton steps (Marquardt 1963), the base's
 /// values held. A joint's derivatives are those of its own position: one replay per effect moves that effect
-/// in all joints, and what joints do to each other is left to the next step.
-PerJoint fitPerJoint(const Replayer& replayer, PerJoint start, int steps);
+/// in all joints, and what joints do to each other is left to the next step. With a prior, what all joints
+/// have in common is estimated with them (a hierarchical model: Gelman et al., Bayesian Data Analysis,
+/// chapter 5), its value anew before each step.
+PerJoint fitPerJoint(const Replayer& replayer, PerJoint start, int steps, const Shrinkage& prior = {});
 
 }  // namespace plumbline::gap

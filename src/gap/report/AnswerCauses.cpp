@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "framework/ConfigurationError.h"
 #include "gap/diagnosis/ExplanationFile.h"
 
 namespace plumbline::gap {
@@ -36,6 +37,27 @@ std::vector<simulation::EffectSetting> settingsOf(const json& answer, const std:
   std::vector<simulation::EffectSetting> settings;
   for (const json& cause : answer["effects"])
     settings.push_back(settingOf(cause, path + ": effects[" + std::to_string(settings.size()) + "]"));
+  return settings;
+}
+
+std::vector<simulation::EffectSetting> furtherSettingsOf(const json& answer, const std::string& path) {
+  const json none = json::array();
+  const auto at = [&](const json& map, const char* key) -> const json& {
+    return map.is_object() && map.contains(key) ? map[key] : none;
+  };
+  const json& model = at(at(at(answer, "gap"), "further"), "model");
+  if (!model.is_array() || model.empty())
+    throw ConfigurationError(path +
+                             ": has no values of all joints (gap.further.model); answers with the verdict "
+                             "unknown about robots whose base is held have them");
+  std::vector<simulation::EffectSetting> settings;
+  for (const json& cause : model) {
+    const std::string name = path + ": gap.further.model[" + std::to_string(settings.size()) + "]";
+    if (!cause.is_object() || textOf(cause, "effect").empty() || textOf(cause, "at").empty() ||
+        !cause.contains("value") || !cause["value"].is_number())
+      throw ConfigurationError(name + ": lacks 'effect', 'at' or a number 'value'");
+    settings.push_back(settingOf(cause, name));
+  }
   return settings;
 }
 

@@ -11,6 +11,11 @@ namespace plumbline::gap {
 /// The effects that an answer (as readAnswer checked it) found, as settings of a simulator.
 std::vector<simulation::EffectSetting> settingsOf(const nlohmann::json& answer, const std::string& path);
 
+/// The values of all joints that an answer fitted at once (gap.further). Throws ConfigurationError where
+/// there are none, or one lacks effect, place or value.
+std::vector<simulation::EffectSetting> furtherSettingsOf(const nlohmann::json& answer,
+                                                         const std::string& path);
+
 /// Another cause that an answer names as an alternative to one of its effects.
 struct AnswerRival {
   std::size_t effect = 0;  ///< index of the effect it would replace

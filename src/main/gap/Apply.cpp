@@ -17,25 +17,33 @@ namespace {
 
 struct ApplyOptions {
   std::string answer, output;
-  bool anyway = false;
+  bool anyway = false, further = false;
 };
 
 void apply(const ApplyOptions& options) {
   const nlohmann::json answer = readAnswer(options.answer);
   const std::string verdict = answer["verdict"];
-  if (verdict == "unknown" && !options.anyway)
+  if (verdict == "unknown" && !options.anyway && !options.further)
     throw ConfigurationError(
         options.answer +
-        ": the verdict is unknown, its effects are not the cause; --anyway writes the nearest");
+        ": the verdict is unknown, its effects are not the cause; --anyway writes the nearest, --further the "
+        "values of all joints");
   std::vector<simulation::EffectSetting> effects;
-  if (verdict != "none") effects = settingsOf(answer, options.answer);
-  std::string comment = "What bin/gap diagnose found missing";
+  if (options.further)
+    effects = furtherSettingsOf(answer, options.answer);
+  else if (verdict != "none")
+    effects = settingsOf(answer, options.answer);
+  std::string comment =
+      options.further
+          ? "All values of all joints that bin/gap diagnose fitted at once, which says not what is missing"
+          : "What bin/gap diagnose found missing";
   if (answer.contains("robot") && answer["robot"].is_string())
     comment += " from the model of " + answer["robot"].get<std::string>();
   comment +=
       "; verdict: " + verdict + ".\nUse: bin/simulator --effects FILE, bin/gap record --effects FILE\n";
   for (const nlohmann::json& effect : answer["effects"])
-    if (verdict != "none" && effect.contains("probability") && effect["probability"].is_number()) {
+    if (!options.further && verdict != "none" && effect.contains("probability") &&
+        effect["probability"].is_number()) {
       char sure[32];
       std::snprintf(sure, sizeof sure, "%.0f", 100 * effect["probability"].get<double>());
       comment += effect["effect"].get<std::string>() + ": probability " + sure + " %\n";
@@ -57,6 +65,8 @@ void addApply(CLI::App& app) {
   command->add_option("-o,--output", options->output, "File of effects, doc/reference/effects-file.md")
       ->required();
   command->add_flag("--anyway", options->anyway, "Also if the verdict is unknown");
+  command->add_flag("--further", options->further,
+                    "The values of all joints that were fitted at once (gap.further), to train with");
   command->footer(
       "Examples:\n  bin/gap apply answer.json -o effects.yaml\n"
       "  bin/gap record --program hang_fast --effects effects.yaml -o check");

@@ -6,6 +6,7 @@
 
 #include "framework/Parallel.h"
 #include "framework/WriteFile.h"
+#include "gap/diagnosis/ExplanationFile.h"
 #include "gap/inference/LeftJson.h"
 #include "gap/replay/CurrentSide.h"
 #include "gap/replay/TrialOf.h"
@@ -25,6 +26,7 @@ struct CheckOptions {
   std::string answer, robot, json;
   std::vector<std::string> runs;
   int jobs = 0;
+  bool further = false;
   ChangesOption changes;
 };
 
@@ -57,11 +59,26 @@ std::vector<Trial> trialsIn(const CheckOptions& options, Mechanism& robot) {
   return trials;
 }
 
+/// What an answer claims to close, and its interval; null where it claims nothing.
+struct Claimed {
+  nlohmann::json closed, interval;
+};
+Claimed claimedIn(const nlohmann::json& answer, bool further) {
+  const nlohmann::json none;
+  const auto at = [&](const nlohmann::json& map, const char* key) -> const nlohmann::json& {
+    return map.is_object() && map.contains(key) ? map[key] : none;
+  };
+  const nlohmann::json& gap = at(answer, "gap");
+  if (further) return {at(at(gap, "further"), "claimed"), at(at(gap, "further"), "claimed_interval")};
+  return {at(gap, "closed"), at(gap, "closed_interval")};
+}
+
 void check(const CheckOptions& options) {
   const nlohmann::json answer = readAnswer(options.answer);
   Mechanism robot;
   const std::vector<Trial> trials = trialsIn(options, robot);
-  const Explanation causes = causesOf(answer, options.answer, robot).causes;
+  const Explanation causes = options.further ? causesOf(furtherSettingsOf(answer, options.answer), robot)
+                                             : causesOf(answer, options.answer, robot).causes;
   std::vector<RecordingLeft> left(trials.size());
   parallel(trials.size(), threadsFor(options.jobs), [&](std::size_t i) {
     left[i] = leftIn(trials[i], {{0, causes}});
@@ -71,10 +88,9 @@ void check(const CheckOptions& options) {
   nlohmann::json result = checkJson(left);
   const std::string verdict = answer["verdict"];
   result["verdict"] = verdict;
-  const bool claims = answer.contains("gap") && answer["gap"].contains("closed");
-  result["claimed"] = claims ? answer["gap"]["closed"] : nlohmann::json(nullptr);
-  const nlohmann::json interval =
-      claims ? answer["gap"].value("closed_interval", nlohmann::json()) : nlohmann::json();
+  const Claimed claimed = claimedIn(answer, options.further);
+  result["claimed"] = claimed.closed;
+  const nlohmann::json& interval = claimed.interval;
   const bool ranges =
       interval.is_array() && interval.size() == 2 && interval[0].is_number() && interval[1].is_number();
   if (ranges) result["claimed_interval"] = interval;
@@ -83,11 +99,14 @@ void check(const CheckOptions& options) {
     std::printf("%s\n", result.dump(1).c_str());
     return;
   }
-  if (verdict == "unknown") std::printf("The verdict is unknown; its nearest explanation is checked.\n");
+  if (options.further)
+    std::printf("The values of all joints are checked, not the causes named.\n");
+  else if (verdict == "unknown")
+    std::printf("The verdict is unknown; its nearest explanation is checked.\n");
   std::printf("%s", leftTable(left).c_str());
   std::printf("Closed on average %.0f %%", 100 * meanClosedToNoise(left));
-  if (claims && answer["gap"]["closed"].is_number())
-    std::printf("; the answer claims %.0f %%", 100 * answer["gap"]["closed"].get<double>());
+  if (claimed.closed.is_number())
+    std::printf("; the answer claims %.0f %%", 100 * claimed.closed.get<double>());
   if (ranges)
     std::printf(" (90 %%: %.0f to %.0f %%)", 100 * interval[0].get<double>(),
                 100 * interval[1].get<double>());
@@ -107,8 +126,12 @@ void addCheck(CLI::App& app) {
                       "[the robot that the runs name]");
   command->add_option("--json", options->json, "Write the figures here; - for standard output");
   command->add_option("--jobs", options->jobs, "Threads [as many as cores]")->check(CLI::Range(1, 256));
+  command->add_flag("--further", options->further,
+                    "The values of all joints (gap.further) instead of the causes named");
   options->changes.addTo(*command);
-  command->footer("Example:\n  bin/gap check answer.json other_runs --json check.json");
+  command->footer(
+      "Examples:\n  bin/gap check answer.json other_runs --json check.json\n"
+      "  bin/gap check answer.json other_runs --further");
   command->callback([options] { check(*options); });
 }
 

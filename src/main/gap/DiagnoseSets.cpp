@@ -9,7 +9,6 @@
 #include "gap/inference/Further.h"
 #include "gap/inference/Inference.h"
 #include "gap/inference/LeftJson.h"
-#include "gap/inference/PerJointFit.h"
 #include "gap/report/MotionQuestion.h"
 #include "main/gap/ProgressLine.h"
 
@@ -19,13 +18,17 @@ namespace {
 
 nlohmann::json furtherJson(const Further& further) {
   if (further.parameters == 0) return nullptr;
-  nlohmann::json ids = nlohmann::json::array();
-  for (const std::string_view id : frictions()) ids.push_back(id);
-  nlohmann::json runs = nlohmann::json::array();
+  nlohmann::json runs = nlohmann::json::array(), model = nlohmann::json::array();
   for (const RecordingLeft& left : further.leftOut) runs.push_back(leftJson(left));
-  return {{"closed", further.closed}, {"parameters", further.parameters},
-          {"effects", ids},           {"sentence", further.sentence()},
-          {"attributable", false},    {"runs", runs}};
+  for (const Cause& cause : further.model) model.push_back(causeJson(cause));
+  return {{"closed", further.closed},
+          {"parameters", further.parameters},
+          {"sentence", further.sentence()},
+          {"attributable", false},
+          {"claimed", further.claim.closed},
+          {"claimed_interval", {further.claim.lower, further.claim.upper}},
+          {"model", model},
+          {"runs", runs}};
 }
 
 nlohmann::json answerOf(const Inference& inference, const Further& further, const AnswerInput& input,
@@ -85,8 +88,8 @@ void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, Answe
     inference = infer(request.robot, trials, options);
     // Where the causes named explain all there is, nothing further is to be had.
     if (inference.diagnosis.verdict == Verdict::unknown) {
-      line.tell("all frictions per joint", 0);
-      further = furtherOf(request.robot, trials, inference.foundElse, inference.leftOut, request.jobs);
+      line.tell("all values of all joints", 0);
+      further = furtherOf(request.robot, trials, inference.leftOut, request.jobs);
     }
   }
   const Evidence evidence(std::move(trials), inference.noises);
