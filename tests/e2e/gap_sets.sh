@@ -22,6 +22,29 @@ grep -q '^Closed on average [0-9]* %; the answer claims [0-9]* % (90 %: -\?[0-9]
 expectEqual "$(ask "$scratch/check.json" 'a.runs.length, a.verdict, a.closed > a.claimed_interval[0], a.closed > 0.6, a.runs[0].signals["pos.Elbow"].unit')" \
   "1 effect true true rad" "the check"
 
+# Where more is missing than is named, all values of all joints are fitted beside, to be checked and applied by themselves.
+printf '  - {effect: viscous_friction, at: Shoulder, value: 0.3}\n' | cat "$scratch/friction.yaml" - > "$scratch/two.yaml"
+for program in hang_sweep hang_small; do
+  gap record --robot $arm --program $program --effects "$scratch/two.yaml" --seed 2 -o "$scratch/two/$program"
+done
+gap record --robot $arm --program hang_multisine --effects "$scratch/two.yaml" --seed 3 -o "$scratch/two_unseen"
+gap diagnose "$scratch/two" --robot $arm --max-causes 1 --jobs 1 --json "$scratch/two.json"
+grep -q '^A further [0-9]* % closes by fitting [0-9]* values of all joints at once; not attributable\.$' "$scratch/out" ||
+  fail "nothing further: $(cat "$scratch/out")"
+gap check "$scratch/two.json" "$scratch/two_unseen" --robot $arm --json "$scratch/named.json"
+gap check "$scratch/two.json" "$scratch/two_unseen" --robot $arm --further --json "$scratch/further.json"
+grep -q '^The values of all joints are checked, not the causes named\.$' "$scratch/out" || fail "check: $(cat "$scratch/out")"
+closed() { ask "$1" 'a.closed'; }
+expectEqual "$(node -e "console.log($(closed "$scratch/further.json") > $(closed "$scratch/named.json"))")" true "all values close more"
+expectEqual "$(ask "$scratch/two.json" 'a.verdict, a.gap.further.attributable, a.gap.further.claimed')" \
+  "unknown false $(ask "$scratch/further.json" 'a.claimed')" "what is further"
+expectError 2 "gap: $scratch/two.json: the verdict is unknown, its effects are not the cause; --anyway writes the nearest, --further the values of all joints" \
+  "$bin/gap" apply "$scratch/two.json" -o "$scratch/none.yaml"
+gap apply "$scratch/two.json" --further -o "$scratch/model.yaml"
+gap record --robot $arm --program hang_multisine --effects "$scratch/model.yaml" --seed 3 -o "$scratch/model"
+expectError 2 "gap: $scratch/answer.json: has no values of all joints (gap.further.model); answers with the verdict unknown about robots whose base is held have them" \
+  "$bin/gap" check "$scratch/answer.json" "$scratch/unseen" --robot $arm --further
+
 # The report shows both, recording by recording, when it is given the check.
 if [[ -s build/report/page.html ]]; then
   gap report "$scratch/answer.json" --check "$scratch/check.json" --robot $arm -o "$scratch/report.html"

@@ -4,7 +4,7 @@
 # build/bench/gap-peers.json and .md.
 # The recordings are not part of the project. Environment:
 #   DATA     their folder [../shared/gap/real]
-#   SPLIT    one split alone: xl330.kp100, xl330.kp200, xl330.kp800, so101
+#   SPLIT    one split alone (splits.txt): xl330.kp100, say
 #   METHODS  of bin/gap diagnose [sets]; blocks is the other
 # A piece that is in build/gap-peers is taken as it is, so a run that was stopped goes on.
 set -euo pipefail
@@ -22,6 +22,9 @@ while IFS='|' read -r name robot fit tests; do
         --timing "$piece.timing.json" < /dev/null
       # shellcheck disable=SC2046
       bin/gap check "$piece.json" $(printf "$data/$robot/%s " $tests) --robot "$robot" --json "$piece.check.json" < /dev/null
+      # shellcheck disable=SC2046
+      ! grep -q '"model"' "$piece.json" || bin/gap check "$piece.json" $(printf "$data/$robot/%s " $tests) --robot "$robot" --further \
+        --json "$piece.further.json" < /dev/null
     fi
     [[ ! -s $piece.check.json ]] || done+=("$piece")
   done

@@ -109,6 +109,36 @@ TEST(AnswerFile, CausesForARobotWithTheirRivals) {
   }
 }
 
+TEST(AnswerFile, ReadsTheValuesOfAllJoints) {
+  json answer = {{"verdict", "unknown"}, {"gap", {{"further", nullptr}}}};
+  const auto refused = [&] {
+    try {
+      furtherSettingsOf(answer, "a.json");
+    } catch (const ConfigurationError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string none =
+      "a.json: has no values of all joints (gap.further.model); answers with the verdict unknown about "
+      "robots "
+      "whose base is held have them";
+  EXPECT_EQ(refused(), none);
+  answer["gap"] = 3;
+  EXPECT_EQ(refused(), none);
+  const json friction = {{"effect", "load_friction"},
+                         {"at", "elbow"},
+                         {"value", 0.3},
+                         {"variant", "load as what reaches the link"}};
+  answer["gap"] = {{"further", {{"model", {friction, {{"effect", "backlash"}, {"at", "elbow"}}}}}}};
+  EXPECT_EQ(refused(), "a.json: gap.further.model[1]: lacks 'effect', 'at' or a number 'value'");
+  answer["gap"]["further"]["model"].erase(1);
+  const std::vector<simulation::EffectSetting> settings = furtherSettingsOf(answer, "a.json");
+  ASSERT_EQ(settings.size(), 1U);
+  EXPECT_EQ(settings[0].value, 0.3);
+  EXPECT_EQ(settings[0].variant, "load as what reaches the link");
+}
+
 TEST(ReportPage, HoldsTheAnswerAndNothingThatEndsItsScript) {
   const json answer = {{"verdict", "none"}, {"effects", json::array()}, {"robot", "</script><b>"}};
   const std::string page = reportPage("<script>/*ANSWER*/</script>", answer, twoJointArm());
