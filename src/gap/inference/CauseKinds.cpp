@@ -68,6 +68,11 @@ std::vector<CauseKind> windowKinds(const Groups& groups, const Mechanism& robot)
   return kinds;
 }
 
+bool hasFewKinds(const Groups& groups, const Mechanism& robot) {
+  constexpr std::size_t few = 64;
+  return windowKinds(groups, robot).size() <= few;
+}
+
 Cause causeAt(const Mechanism& robot, const CauseKind& kind, double x) {
   return withStrength(robot, kind.cause, x * kind.unit);
 }

@@ -20,6 +20,9 @@ struct CauseKind {
 std::vector<CauseKind> causeKinds(const Groups& groups, const Mechanism& robot);
 /// Those that windows can show: all but for what sensors of the body do.
 std::vector<CauseKind> windowKinds(const Groups& groups, const Mechanism& robot);
+/// Whether those are few: then they are looked at in windows and fitted set by set; else quick replays have
+/// long steps (withLongSteps).
+bool hasFewKinds(const Groups& groups, const Mechanism& robot);
 
 /// The cause that is x units strong.
 Cause causeAt(const Mechanism& robot, const CauseKind& kind, double x);

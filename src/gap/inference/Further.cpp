@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "gap/inference/CauseKinds.h"
 #include "gap/inference/LeaveOut.h"
 #include "gap/inference/LeaveOutBias.h"
 #include "gap/inference/PerJointFit.h"
@@ -11,7 +12,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr int fitSteps = 4;
+constexpr int fitSteps = 8;
 constexpr double worthSaying = 0.02;
 /// Values are some three starts of a search from what all joints have in common, and those some five from
 /// nominal; recordings count as some ten independent samples each, of which a tenth of the squares is left.
@@ -37,13 +38,17 @@ std::string Further::sentence() const {
 }
 
 Further furtherOf(const Mechanism& robot, const std::vector<Trial>& trials,
-                  const std::vector<RecordingLeft>& leftOut, int jobs) {
+                  const std::vector<RecordingLeft>& leftOut, int jobs,
+                  const std::function<void(double)>& progress) {
   Further further;
   const Groups groups(trials);
   if (std::ranges::any_of(trials, &Trial::freeBase)) return further;
-  const Replayer replayer(robot, groups, jobs);
+  const Replayer replayer(robot, groups, jobs,
+                          hasFewKinds(groups, robot) ? ReplayOptions() : withLongSteps());
   const PerJoint start = nominal(robot);
+  double fits = 0;
   const auto fitTo = [&](const Groups& some) {
+    if (progress) progress(fits++ / static_cast<double>(groups.count() + 1));
     return fitPerJoint(Replayer(replayer, some), start, fitSteps, prior).causes;
   };
   std::vector<FoundWithout> found(groups.count());

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,9 @@ struct Further {
 
 /// Each group is left out in turn; the values are fitted to the others (fitPerJoint), from nominal. leftOut:
 /// what the causes named left of recordings left out. Only for robots whose base is held: empty otherwise.
+/// progress: share done.
 Further furtherOf(const Mechanism& robot, const std::vector<Trial>& trials,
-                  const std::vector<RecordingLeft>& leftOut, int jobs);
+                  const std::vector<RecordingLeft>& leftOut, int jobs,
+                  const std::function<void(double)>& progress = {});
 
 }  // namespace plumbline::gap

@@ -129,13 +129,7 @@ std::vector<std::string> unused(const Groups& groups) {
   return {lines.begin(), lines.end()};
 }
 
-/// So many kinds of causes are looked at in windows, and fitted set by set.
-constexpr std::size_t fewKinds = 64;
 constexpr std::size_t mostOfManyKinds = 12;  // causes in a set of a robot with more
-
-bool hasFewKinds(const Groups& groups, const Mechanism& robot) {
-  return windowKinds(groups, robot).size() <= fewKinds;
-}
 
 }  // namespace
 

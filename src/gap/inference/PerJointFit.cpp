@@ -58,6 +58,7 @@ public:
         first_(at_.causes.size() - at_.parameters) {
     for (std::size_t i = first_; i < at_.causes.size(); ++i) {
       motors_[at_.causes[i].place.index].causes.push_back(i);
+      alike_[at_.causes[i].effect->id].push_back(i);
       units_.push_back(leastStart(robot_, at_.causes[i]));
     }
     residuals_ = replayer_.residuals(at_.causes);
@@ -65,7 +66,6 @@ public:
 
   PerJoint run(int steps) {
     for (int step = 0; step < steps && at_.parameters > 0; ++step) {
-      putCommon();
       costs_ = costsOf(residuals_, at_.causes);
       linearise();
       if (!advance()) break;
@@ -84,21 +84,40 @@ private:
     return withStrength(robot_, at_.causes[i], x * units_[i - first_]);
   }
 
-  /// The value that an effect's parameters in all motors have in common, the likeliest one for what they are.
-  void putCommon() {
-    std::map<const Effect*, std::pair<double, double>> sums;
-    for (std::size_t i = first_; i < at_.causes.size(); ++i) {
-      auto& [sum, n] = sums[at_.causes[i].effect];
-      sum += prior_.own * coordinate(i);
-      n += prior_.own;
-    }
-    for (const auto& [effect, of] : sums)
-      common_[effect] = of.second > 0 ? of.first / (of.second + prior_.common) : 0;
+  /// What the prior counts the values of an effect in all motors by, the common value being the likeliest:
+  /// own * sum of x^2 - shared(n) * (sum of x)^2.
+  double shared(std::size_t motors) const {
+    const double own = prior_.own;
+    return own > 0 ? own * own / (own * static_cast<double>(motors) + prior_.common) : 0;
   }
 
-  /// How far a parameter is from the common value, in the unit of its coordinate.
-  double apart(const Explanation& causes, std::size_t i) const {
-    return causes[i].effect->strengthOf(causes[i].value) / units_[i - first_] - common_.at(causes[i].effect);
+  /// The effect's parameters in the other motors, their sum.
+  double others(std::size_t i) const {
+    double sum = 0;
+    for (const std::size_t k : alike_.at(at_.causes[i].effect->id))
+      if (k != i) sum += coordinate(k);
+    return sum;
+  }
+
+  /// By how much the prior counts one value more than nominal, those of the other motors held.
+  double priced(const Explanation& causes, std::size_t i) const {
+    const double x = causes[i].effect->strengthOf(causes[i].value) / units_[i - first_];
+    const double c = shared(alike_.at(causes[i].effect->id).size());
+    return (prior_.own - c) * x * x - 2 * c * x * others(i);
+  }
+
+  double pricedTogether(const Explanation& causes) const {
+    double all = 0;
+    for (const auto& [id, parameters] : alike_) {
+      double sum = 0;
+      for (const std::size_t i : parameters) {
+        const double x = causes[i].effect->strengthOf(causes[i].value) / units_[i - first_];
+        sum += x;
+        all += prior_.own * x * x;
+      }
+      all -= shared(parameters.size()) * sum * sum;
+    }
+    return all;
   }
 
   /// Per motor: its position's share of the whole.
@@ -114,8 +133,7 @@ private:
   std::map<int, double> costsOf(const Residuals& of, const Explanation& causes) const {
     std::map<int, double> sums = squaresPerMotor(of);
     for (const auto& [joint, motor] : motors_)
-      for (const std::size_t i : motor.causes)
-        sums[joint] += prior_.own * apart(causes, i) * apart(causes, i);
+      for (const std::size_t i : motor.causes) sums[joint] += priced(causes, i);
     return sums;
   }
 
@@ -162,8 +180,10 @@ private:
     for (auto& [joint, motor] : motors_)
       for (std::size_t k = 0; k < motor.causes.size(); ++k) {
         const auto row = static_cast<Eigen::Index>(k);
-        motor.normal(row, row) += prior_.own;
-        motor.downhill[row] -= prior_.own * apart(at_.causes, motor.causes[k]);
+        const std::size_t i = motor.causes[k];
+        const double c = shared(alike_.at(at_.causes[i].effect->id).size());
+        motor.normal(row, row) += prior_.own - c;
+        motor.downhill[row] -= (prior_.own - c) * coordinate(i) - c * others(i);
       }
   }
 
@@ -219,20 +239,18 @@ private:
       Explanation tried = at_.causes;
       for (const auto& [joint, motor] : motors_) step(motor, tried);
       const std::map<int, double> there = costsOf(replayer_.residuals(tried), tried);
-      bool mixed = false;
       for (auto& [joint, motor] : motors_) {
         if (costAt(there, joint) < costAt(costs_, joint)) {
           motor.damping = std::max(1e-6, motor.damping / 8);
           continue;
         }
         motor.damping *= 8;
-        mixed = true;
         for (const std::size_t i : motor.causes) tried[i] = at_.causes[i];
       }
       if (tried == at_.causes) continue;
       Residuals after = replayer_.residuals(tried);
-      const std::map<int, double> costsAfter = mixed ? costsOf(after, tried) : there;
-      const double before = total(costs_), left = total(costsAfter);
+      const double before = total(squaresPerMotor(residuals_)) + pricedTogether(at_.causes);
+      const double left = total(squaresPerMotor(after)) + pricedTogether(tried);
       if (left >= before) {
         for (auto& [joint, motor] : motors_) motor.damping *= 8;
         continue;
@@ -259,7 +277,7 @@ private:
   std::vector<double> units_;  ///< per parameter
   Residuals residuals_;
   std::map<int, double> costs_;
-  std::map<const Effect*, double> common_;
+  std::map<std::string_view, std::vector<std::size_t>> alike_;  ///< per effect: its parameters
 };
 
 }  // namespace

@@ -36,8 +36,8 @@ double shareLeft(const Replayer& replayer, const Explanation& causes);
 /// Fits all values per joint to the positions by damped Gauss-Newton steps (Marquardt 1963), the base's
 /// values held. A joint's derivatives are those of its own position: one replay per effect moves that effect
 /// in all joints, and what joints do to each other is left to the next step. With a prior, what all joints
-/// have in common is estimated with them (a hierarchical model: Gelman et al., Bayesian Data Analysis,
-/// chapter 5), its value anew before each step.
+/// have in common is the likeliest for them (a hierarchical model: Gelman et al., Bayesian Data Analysis,
+/// chapter 5).
 PerJoint fitPerJoint(const Replayer& replayer, PerJoint start, int steps, const Shrinkage& prior = {});
 
 }  // namespace plumbline::gap

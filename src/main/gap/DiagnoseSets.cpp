@@ -91,8 +91,8 @@ void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, Answe
     inference = infer(request.robot, trials, options);
     // Where the causes named explain all there is, nothing further is to be had.
     if (inference.diagnosis.verdict == Verdict::unknown) {
-      line.tell("all values of all joints", 0);
-      further = furtherOf(request.robot, trials, inference.leftOut, request.jobs);
+      further = furtherOf(request.robot, trials, inference.leftOut, request.jobs,
+                          [&line](double share) { line.tell("all values of all joints", share); });
     }
   }
   const Evidence evidence(std::move(trials), inference.noises);
