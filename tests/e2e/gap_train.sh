@@ -55,7 +55,7 @@ grep -q "over (maxGenerations)" "$scratch/out" || fail "the study did not end: $
 
 # What cannot be is refused in one line, and nothing is written.
 sed 's/"verdict": "effect"/"verdict": "unknown"/' "$scratch/answer.json" > "$scratch/unknown.json"
-expectError 2 "optimizewalk: $scratch/unknown.json: the verdict is unknown, its effects are not the cause; bin/gap apply --anyway writes the nearest" \
+expectError 2 "optimizewalk: $scratch/unknown.json: the verdict is unknown, its effects are not the cause; bin/gap apply writes the nearest with --anyway, the values of all joints with --further" \
   "$bin/optimizewalk" --robot nao_v5 --try --effects "$scratch/unknown.json"
 cat > "$scratch/late.yaml" << 'END'
 effects:

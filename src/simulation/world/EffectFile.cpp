@@ -50,7 +50,9 @@ std::vector<EffectSetting> effectsOfAnswer(const std::string& text, const std::s
   };
   const std::string verdict = textOf(answer, "verdict");
   if (verdict == "unknown")
-    fail("the verdict is unknown, its effects are not the cause; bin/gap apply --anyway writes the nearest");
+    fail(
+        "the verdict is unknown, its effects are not the cause; bin/gap apply writes the nearest with "
+        "--anyway, the values of all joints with --further");
   if (verdict != "effect" && verdict != "none")
     fail("is no answer of bin/gap diagnose: its verdict is neither none, effect nor unknown");
   std::vector<EffectSetting> effects;

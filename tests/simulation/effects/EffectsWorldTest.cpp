@@ -79,8 +79,8 @@ TEST(EffectFile, anAnswersEffectsAreReadAsTheyStand) {
   EXPECT_TRUE(list.empty());
   EXPECT_EQ(
       answerRefusal(R"({"verdict": "unknown", "effects": []})"),
-      "effects_answer.json: the verdict is unknown, its effects are not the cause; bin/gap apply --anyway "
-      "writes the nearest");
+      "effects_answer.json: the verdict is unknown, its effects are not the cause; bin/gap apply writes the "
+      "nearest with --anyway, the values of all joints with --further");
   EXPECT_EQ(answerRefusal("{\"a\": 1}"),
             "effects_answer.json: is no answer of bin/gap diagnose: its verdict is neither none, effect nor "
             "unknown");
