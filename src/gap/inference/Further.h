@@ -8,15 +8,15 @@
 
 namespace plumbline::gap {
 
-/// What all values of all joints close that are fitted at once (actuatorEffects), instead of the causes
-/// named. It is a model to train with, and says how much of the gap a model could still take in, not where it
-/// comes from: so many values fit what others than they do.
+/// One value of each actuator effect (actuatorEffects) in every joint, all fitted at once, instead of the
+/// causes named. It says how much of the gap a model could still take in, not where it comes from: so many
+/// values also fit what they do not cause.
 struct Further {
   std::size_t parameters = 0;
   double closed = 0;  ///< of recordings left out: mean share that it closes more; negative: less
-  std::vector<RecordingLeft> leftOut;
-  Claim claim;        ///< of a recording that was not seen
-  Explanation model;  ///< fitted to all; without values that do nothing
+  std::vector<RecordingLeft> leftOut;  ///< what it leaves of each, without its group
+  Claim claim;                         ///< of a recording that was not seen
+  Explanation model;                   ///< fitted to all; without values that do nothing
 
   /// "A further 12 % closes by fitting 66 values of all joints at once; not attributable." Empty where it is
   /// not more than two in a hundred.

@@ -62,60 +62,62 @@ public:
       units_.push_back(leastStart(robot_, at_.causes[i]));
     }
     residuals_ = replayer_.residuals(at_.causes);
+    squares_ = squaresPerMotor(residuals_);
   }
 
   PerJoint run(int steps) {
     for (int step = 0; step < steps && at_.parameters > 0; ++step) {
-      costs_ = costsOf(residuals_, at_.causes);
       linearise();
       if (!advance()) break;
     }
-    at_.left = total(squaresPerMotor(residuals_));
+    at_.left = total(squares_);
     return at_;
   }
 
 private:
-  double coordinate(std::size_t i) const {
-    return at_.causes[i].effect->strengthOf(at_.causes[i].value) / units_[i - first_];
-  }
-
-  /// The cause at a coordinate, held within its bounds.
+  /// The present cause moved to a coordinate, held within its bounds.
   Cause moved(std::size_t i, double x) const {
     return withStrength(robot_, at_.causes[i], x * units_[i - first_]);
   }
 
-  /// What the prior counts the values of an effect in all motors by, the common value being the likeliest:
-  /// own * sum of x^2 - shared(n) * (sum of x)^2.
-  double shared(std::size_t motors) const {
+  double coordinate(const Explanation& causes, std::size_t i) const {
+    return causes[i].effect->strengthOf(causes[i].value) / units_[i - first_];
+  }
+
+  /// The prior's penalty with the likeliest common value is own * sum of x^2 - sharedPrecision * (sum of
+  /// x)^2, both over one effect's values in all motors.
+  double sharedPrecision(std::size_t motors) const {
     const double own = prior_.own;
     return own > 0 ? own * own / (own * static_cast<double>(motors) + prior_.common) : 0;
   }
+  double sharedPrecisionOf(std::size_t i) const {
+    return sharedPrecision(alike_.at(at_.causes[i].effect->id).size());
+  }
 
-  /// The effect's parameters in the other motors, their sum.
+  /// The sum of the effect's present values in the other motors.
   double others(std::size_t i) const {
     double sum = 0;
     for (const std::size_t k : alike_.at(at_.causes[i].effect->id))
-      if (k != i) sum += coordinate(k);
+      if (k != i) sum += coordinate(at_.causes, k);
     return sum;
   }
 
-  /// By how much the prior counts one value more than nominal, those of the other motors held.
-  double priced(const Explanation& causes, std::size_t i) const {
-    const double x = causes[i].effect->strengthOf(causes[i].value) / units_[i - first_];
-    const double c = shared(alike_.at(causes[i].effect->id).size());
+  /// The part of the penalty that depends on one value, those of the other motors as they are.
+  double penaltyOf(const Explanation& causes, std::size_t i) const {
+    const double x = coordinate(causes, i), c = sharedPrecisionOf(i);
     return (prior_.own - c) * x * x - 2 * c * x * others(i);
   }
 
-  double pricedTogether(const Explanation& causes) const {
+  double penalty(const Explanation& causes) const {
     double all = 0;
     for (const auto& [id, parameters] : alike_) {
       double sum = 0;
       for (const std::size_t i : parameters) {
-        const double x = causes[i].effect->strengthOf(causes[i].value) / units_[i - first_];
+        const double x = coordinate(causes, i);
         sum += x;
         all += prior_.own * x * x;
       }
-      all -= shared(parameters.size()) * sum * sum;
+      all -= sharedPrecision(parameters.size()) * sum * sum;
     }
     return all;
   }
@@ -129,12 +131,11 @@ private:
     return sums;
   }
 
-  /// The same with what the prior counts the motor's values by.
-  std::map<int, double> costsOf(const Residuals& of, const Explanation& causes) const {
-    std::map<int, double> sums = squaresPerMotor(of);
+  /// Per motor: its squares and the penalty of its values.
+  std::map<int, double> costsOf(std::map<int, double> squares, const Explanation& causes) const {
     for (const auto& [joint, motor] : motors_)
-      for (const std::size_t i : motor.causes) sums[joint] += priced(causes, i);
-    return sums;
+      for (const std::size_t i : motor.causes) squares[joint] += penaltyOf(causes, i);
+    return squares;
   }
 
   int motorOf(const Cell& cell) const {
@@ -162,10 +163,10 @@ private:
       for (const auto& [joint, motor] : motors_) {
         if (k >= motor.causes.size()) continue;
         const std::size_t i = motor.causes[k];
-        const double x = coordinate(i);
+        const double x = coordinate(at_.causes, i);
         for (const double way : {probe, -probe}) {
           other[i] = moved(i, x + way);
-          steps[i] = other[i].effect->strengthOf(other[i].value) / units_[i - first_] - x;
+          steps[i] = coordinate(other, i) - x;
           if (steps[i] != 0) break;
         }
       }
@@ -181,9 +182,9 @@ private:
       for (std::size_t k = 0; k < motor.causes.size(); ++k) {
         const auto row = static_cast<Eigen::Index>(k);
         const std::size_t i = motor.causes[k];
-        const double c = shared(alike_.at(at_.causes[i].effect->id).size());
+        const double c = sharedPrecisionOf(i);
         motor.normal(row, row) += prior_.own - c;
-        motor.downhill[row] -= (prior_.own - c) * coordinate(i) - c * others(i);
+        motor.downhill[row] -= (prior_.own - c) * coordinate(at_.causes, i) - c * others(i);
       }
   }
 
@@ -210,7 +211,8 @@ private:
     for (std::size_t k = 0; k < motor.causes.size(); ++k) {
       const std::size_t i = motor.causes[k];
       const double push = motor.downhill[static_cast<Eigen::Index>(k)];
-      if (push != 0 && moved(i, coordinate(i) + (push > 0 ? 1e-3 : -1e-3)).value != at_.causes[i].value)
+      if (push != 0 &&
+          moved(i, coordinate(at_.causes, i) + (push > 0 ? 1e-3 : -1e-3)).value != at_.causes[i].value)
         free.push_back(k);
     }
     const auto n = static_cast<Eigen::Index>(free.size());
@@ -228,19 +230,21 @@ private:
     const Eigen::VectorXd way = normal.ldlt().solve(downhill).cwiseMax(-longest).cwiseMin(longest);
     for (Eigen::Index a = 0; a < n; ++a) {
       const std::size_t i = motor.causes[free[static_cast<std::size_t>(a)]];
-      causes[i] = moved(i, coordinate(i) + way[a]);
+      causes[i] = moved(i, coordinate(at_.causes, i) + way[a]);
     }
   }
 
   /// A step of all motors; those whose own position got worse go back and are damped. False where none is
   /// better.
   bool advance() {
+    const std::map<int, double> costs = costsOf(squares_, at_.causes);
+    const double before = total(squares_) + penalty(at_.causes);
     for (int attempt = 0; attempt < 4; ++attempt) {
       Explanation tried = at_.causes;
       for (const auto& [joint, motor] : motors_) step(motor, tried);
-      const std::map<int, double> there = costsOf(replayer_.residuals(tried), tried);
+      const std::map<int, double> there = costsOf(squaresPerMotor(replayer_.residuals(tried)), tried);
       for (auto& [joint, motor] : motors_) {
-        if (costAt(there, joint) < costAt(costs_, joint)) {
+        if (costAt(there, joint) < costAt(costs, joint)) {
           motor.damping = std::max(1e-6, motor.damping / 8);
           continue;
         }
@@ -249,14 +253,15 @@ private:
       }
       if (tried == at_.causes) continue;
       Residuals after = replayer_.residuals(tried);
-      const double before = total(squaresPerMotor(residuals_)) + pricedTogether(at_.causes);
-      const double left = total(squaresPerMotor(after)) + pricedTogether(tried);
+      std::map<int, double> squares = squaresPerMotor(after);
+      const double left = total(squares) + penalty(tried);
       if (left >= before) {
         for (auto& [joint, motor] : motors_) motor.damping *= 8;
         continue;
       }
       at_.causes = std::move(tried);
       residuals_ = std::move(after);
+      squares_ = std::move(squares);
       return before - left > 1e-3 * before;
     }
     return false;
@@ -274,9 +279,9 @@ private:
   PerJoint at_;
   const std::size_t first_;  ///< the first parameter's place among the causes
   std::map<int, Motor> motors_;
-  std::vector<double> units_;  ///< per parameter
-  Residuals residuals_;
-  std::map<int, double> costs_;
+  std::vector<double> units_;                                   ///< per parameter
+  Residuals residuals_;                                         ///< of the present values
+  std::map<int, double> squares_;                               ///< of these, per motor
   std::map<std::string_view, std::vector<std::size_t>> alike_;  ///< per effect: its parameters
 };
 

@@ -13,13 +13,13 @@ struct PerJoint {
   double left = 1;             ///< squares of positions over the nominal model's, mean over recordings
 };
 
-/// What system identification fits in every joint: rotor inertia, frictions, gains and limit of the servo,
-/// zero, a constant torque, a delay.
+/// What system identification fits in every joint: rotor inertia, viscous and dry friction, friction at rest
+/// and by load, gain, damping and torque limit of the servo, zero, constant torque, delay.
 std::span<const std::string_view> actuatorEffects();
 
-/// Precisions of a normal prior on values per joint, in units of the least strength that a search starts from
-/// and per share of the squares that the nominal model leaves: of a joint about the value that all joints
-/// have in common, and of that about nominal. Nothing: none.
+/// Normal prior on values per joint, in units of the least strength that a search starts from: what a squared
+/// distance costs, as a share of the squares that the nominal model leaves. own: of a joint from the value
+/// that all joints have in common; common: of that from nominal. 0: no prior.
 struct Shrinkage {
   double own = 0, common = 0;
 };

@@ -31,34 +31,34 @@ simulation::EffectSetting settingOf(const json& cause, const std::string& origin
   return setting;
 }
 
-}  // namespace
-
-std::vector<simulation::EffectSetting> settingsOf(const json& answer, const std::string& path) {
+std::vector<simulation::EffectSetting> settingsIn(const json& causes, const std::string& name) {
   std::vector<simulation::EffectSetting> settings;
-  for (const json& cause : answer["effects"])
-    settings.push_back(settingOf(cause, path + ": effects[" + std::to_string(settings.size()) + "]"));
+  for (const json& cause : causes)
+    settings.push_back(settingOf(cause, name + "[" + std::to_string(settings.size()) + "]"));
   return settings;
 }
 
+}  // namespace
+
+std::vector<simulation::EffectSetting> settingsOf(const json& answer, const std::string& path) {
+  return settingsIn(answer["effects"], path + ": effects");
+}
+
 std::vector<simulation::EffectSetting> furtherSettingsOf(const json& answer, const std::string& path) {
-  const json none = json::array();
-  const auto at = [&](const json& map, const char* key) -> const json& {
-    return map.is_object() && map.contains(key) ? map[key] : none;
-  };
-  const json& model = at(at(at(answer, "gap"), "further"), "model");
+  const json::json_pointer place("/gap/further/model");
+  const json model = answer.contains(place) ? answer.at(place) : json();
   if (!model.is_array() || model.empty())
     throw ConfigurationError(path +
                              ": has no values of all joints (gap.further.model); answers with the verdict "
                              "unknown about robots whose base is held have them");
-  std::vector<simulation::EffectSetting> settings;
-  for (const json& cause : model) {
-    const std::string name = path + ": gap.further.model[" + std::to_string(settings.size()) + "]";
-    if (!cause.is_object() || textOf(cause, "effect").empty() || textOf(cause, "at").empty() ||
-        !cause.contains("value") || !cause["value"].is_number())
-      throw ConfigurationError(name + ": lacks 'effect', 'at' or a number 'value'");
-    settings.push_back(settingOf(cause, name));
-  }
-  return settings;
+  const std::string name = path + ": gap.further.model";
+  for (std::size_t i = 0; i < model.size(); ++i)
+    if (const json& cause = model[i]; !cause.is_object() || textOf(cause, "effect").empty() ||
+                                      textOf(cause, "at").empty() || !cause.contains("value") ||
+                                      !cause["value"].is_number())
+      throw ConfigurationError(name + "[" + std::to_string(i) +
+                               "]: lacks 'effect', 'at' or a number 'value'");
+  return settingsIn(model, name);
 }
 
 AnswerCauses causesOf(const json& answer, const std::string& path, const Mechanism& robot) {

@@ -35,12 +35,14 @@ void apply(const ApplyOptions& options) {
     effects = settingsOf(answer, options.answer);
   std::string comment =
       options.further
-          ? "All values of all joints that bin/gap diagnose fitted at once, which says not what is missing"
+          ? "Values of all joints that bin/gap diagnose fitted at once; they do not say what is missing"
           : "What bin/gap diagnose found missing";
   if (answer.contains("robot") && answer["robot"].is_string())
     comment += " from the model of " + answer["robot"].get<std::string>();
-  comment +=
-      "; verdict: " + verdict + ".\nUse: bin/simulator --effects FILE, bin/gap record --effects FILE\n";
+  comment += "; verdict: " + verdict + ".\nUse: " +
+             (options.further ? "bin/optimizewalk --effects FILE (without command_delay)"
+                              : "bin/simulator --effects FILE") +
+             ", bin/gap record --effects FILE\n";
   for (const nlohmann::json& effect : answer["effects"])
     if (!options.further && verdict != "none" && effect.contains("probability") &&
         effect["probability"].is_number()) {
@@ -66,7 +68,7 @@ void addApply(CLI::App& app) {
       ->required();
   command->add_flag("--anyway", options->anyway, "Also if the verdict is unknown");
   command->add_flag("--further", options->further,
-                    "The values of all joints that were fitted at once (gap.further), to train with");
+                    "The values of all joints that were fitted at once (gap.further)");
   command->footer(
       "Examples:\n  bin/gap apply answer.json -o effects.yaml\n"
       "  bin/gap record --program hang_fast --effects effects.yaml -o check");

@@ -64,13 +64,12 @@ struct Claimed {
   nlohmann::json closed, interval;
 };
 Claimed claimedIn(const nlohmann::json& answer, bool further) {
-  const nlohmann::json none;
-  const auto at = [&](const nlohmann::json& map, const char* key) -> const nlohmann::json& {
-    return map.is_object() && map.contains(key) ? map[key] : none;
+  const auto at = [&](const std::string& path) {
+    const nlohmann::json::json_pointer place(path);
+    return answer.contains(place) ? answer.at(place) : nlohmann::json();
   };
-  const nlohmann::json& gap = at(answer, "gap");
-  if (further) return {at(at(gap, "further"), "claimed"), at(at(gap, "further"), "claimed_interval")};
-  return {at(gap, "closed"), at(gap, "closed_interval")};
+  if (further) return {at("/gap/further/claimed"), at("/gap/further/claimed_interval")};
+  return {at("/gap/closed"), at("/gap/closed_interval")};
 }
 
 void check(const CheckOptions& options) {

@@ -20,10 +20,7 @@ nlohmann::json furtherJson(const Further& further) {
   if (further.parameters == 0) return nullptr;
   nlohmann::json runs = nlohmann::json::array(), model = nlohmann::json::array();
   for (const RecordingLeft& left : further.leftOut) runs.push_back(leftJson(left));
-  for (const Cause& cause : further.model) {
-    model.push_back(causeJson(cause));
-    model.back()["value"] = cause.value;  // rounded, a value at its bound could be beyond it
-  }
+  for (const Cause& cause : further.model) model.push_back(causeJson(cause));
   return {{"closed", further.closed},
           {"parameters", further.parameters},
           {"sentence", further.sentence()},

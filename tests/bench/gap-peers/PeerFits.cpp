@@ -22,9 +22,7 @@ using Ids = std::vector<std::string_view>;
 
 /// What MuJoCo's system identification and PACE fit, and the frictions, gains and limits beside: of every
 /// joint.
-const Ids everything{"rotor_inertia", "viscous_friction", "coulomb_friction", "stribeck_friction",
-                     "load_friction", "servo_gain",       "servo_damping",    "torque_limit",
-                     "joint_offset",  "bias_force",       "command_delay"};
+const Ids everything(actuatorEffects().begin(), actuatorEffects().end());
 
 /// Duclusaud et al., "Extended Friction Models for the Physics Simulation of Servo Actuators", 2024, table 1;
 /// with the rotor's inertia, which their fits have too.

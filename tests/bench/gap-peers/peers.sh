@@ -11,6 +11,8 @@ set -euo pipefail
 data=${DATA:-../shared/gap/real} kept=build/gap-peers
 [[ -d $data ]] || { echo "bench gap-peers: $data is not there: make bench-gap-peers DATA=FOLDER" >&2; exit 2; }
 mkdir -p "$kept" build/bench
+# shellcheck disable=SC2046
+check() { bin/gap check "$piece.json" $(printf "$data/$robot/%s " $tests) --robot "$robot" "$@" < /dev/null; }
 done=()
 while IFS='|' read -r name robot fit tests; do
   [[ $name && $name != \#* ]] || continue
@@ -20,11 +22,8 @@ while IFS='|' read -r name robot fit tests; do
       # shellcheck disable=SC2046  # one word per recording
       bin/gap diagnose $(printf "$data/$robot/%s " $fit) --method "$method" --robot "$robot" --seconds 20 --json "$piece.json" \
         --timing "$piece.timing.json" < /dev/null
-      # shellcheck disable=SC2046
-      bin/gap check "$piece.json" $(printf "$data/$robot/%s " $tests) --robot "$robot" --json "$piece.check.json" < /dev/null
-      # shellcheck disable=SC2046
-      ! grep -q '"model"' "$piece.json" || bin/gap check "$piece.json" $(printf "$data/$robot/%s " $tests) --robot "$robot" --further \
-        --json "$piece.further.json" < /dev/null
+      ! grep -q '"model"' "$piece.json" || check --further --json "$piece.further.json"
+      check --json "$piece.check.json"
     fi
     [[ ! -s $piece.check.json ]] || done+=("$piece")
   done
