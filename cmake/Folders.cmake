@@ -110,17 +110,12 @@ function(plumbline_bundle target size sources)
   target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
 endfunction()
 
-# Those of a library's sources that may be bundled: PLUMBLINE_ALONE has NAME, none of them, or NAME:LEVELS, those that
-# stand deeper than so many levels below its folder.
-function(plumbline_bundled name sources result)
-  set(${result} "${sources}" PARENT_SCOPE)
-  foreach(entry IN LISTS PLUMBLINE_ALONE)
-    if(entry STREQUAL name)
-      set(${result} "" PARENT_SCOPE)
-    elseif(entry MATCHES "^${name}:([0-9]+)$")
-      string(REPEAT "/[^/]+" ${CMAKE_MATCH_1} shallow)
-      list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}${shallow}$")
-      set(${result} "${sources}" PARENT_SCOPE)
+# How many sources of a library make a bundle: PLUMBLINE_BUNDLES_OF has NAME:SIZE where it is another number than usual.
+function(plumbline_bundle_size name result)
+  set(${result} ${PLUMBLINE_BUNDLE} PARENT_SCOPE)
+  foreach(entry IN LISTS PLUMBLINE_BUNDLES_OF)
+    if(entry MATCHES "^${name}:([0-9]+)$")
+      set(${result} ${CMAKE_MATCH_1} PARENT_SCOPE)
     endif()
   endforeach()
 endfunction()
@@ -133,8 +128,7 @@ function(plumbline_precompile target kind)
 endfunction()
 
 # plumbline_library(NAME [REGISTERS] [USES folder...] [EXTERNALS name...]): the calling folder of src/ as the
-# library plumbline::NAME. REGISTERS: files here register what they hold, so all of them are linked, needed by name or not. What is in
-# PLUMBLINE_ALONE is not bundled.
+# library plumbline::NAME. REGISTERS: files here register what they hold, so all of them are linked, needed by name or not.
 function(plumbline_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "REGISTERS" "" "USES;EXTERNALS;WHERE_INSTALLED")
   if(arg_UNPARSED_ARGUMENTS)
@@ -162,8 +156,8 @@ function(plumbline_library name)
     add_library(${files} STATIC ${sources} ${generated} ${extra})
     set_target_properties(${files} PROPERTIES OUTPUT_NAME plumbline_${name})
     plumbline_precompile(${files} src)
-    plumbline_bundled(${name} "${sources}" bundled)
-    plumbline_bundle(${files} ${PLUMBLINE_BUNDLE} "${bundled}")
+    plumbline_bundle_size(${name} size)
+    plumbline_bundle(${files} ${size} "${sources}")
   endif()
   target_include_directories(${files} ${kind}
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated/src>

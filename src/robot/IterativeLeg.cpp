@@ -1,8 +1,10 @@
 #include "robot/IterativeLeg.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include "math/SolvePositive.h"
+#include "math/TurnBetween.h"
 
 namespace plumbline {
 namespace {
@@ -44,13 +46,6 @@ LegAngles startAngles(const LegChain& chain, std::size_t start) {
   return q;
 }
 
-/// The shortest turn from one unit vector to another, as a rotation vector [rad].
-Vec3 turnBetween(const Vec3& from, const Vec3& to) {
-  const Vec3 across = from.cross(to);
-  const double sine = across.norm(), angle = std::atan2(sine, from.dot(to));
-  return sine > 0 ? Vec3(across * (angle / sine)) : Vec3(angle * from.unitOrthogonal());
-}
-
 }  // namespace
 
 IterativeLeg::IterativeLeg(const RobotModel& model, Side side) : chain_(model, side) {
@@ -73,7 +68,9 @@ IterativeLeg::IterativeLeg(const RobotModel& model, Side side) : chain_(model, s
       upper = joint.upper;
     }
   }
-  hip_ = across.colPivHouseholderQr().solve(sum);
+  // What axes that are all parallel leave open is zero.
+  hip_ = sum;
+  solvePositive<3>(across + 1e-12 * Mat3::Identity(), hip_);
   ankleHeight_ = (place[anklePitch] - zero.back().translation()).z();
   // The shank turns about the knee: its square distance from the hip is a constant and one cosine.
   const Vec3 thigh = place[kneePitch] - hip_, shank = place[anklePitch] - place[kneePitch];
@@ -160,7 +157,11 @@ double IterativeLeg::descend(const Target& target, LegAngles& angles) const {
     const double before = size;
     while (size == before && damping < mostDamping) {
       const Mat6 damped = normal + (damping * size * size + leastDamping) * Mat6::Identity();
-      Vec6 change = damped.ldlt().solve(downhill);
+      Vec6 change = downhill;
+      if (!solvePositive(damped, change)) {
+        damping *= 10;
+        continue;
+      }
       change *= std::min(1.0, stepLimit / std::max(stepLimit, change.cwiseAbs().maxCoeff()));
       LegAngles next = angles;
       for (std::size_t k = 0; k < 6; ++k) next[k] += change[static_cast<Eigen::Index>(k)];

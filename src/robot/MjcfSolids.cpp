@@ -1,6 +1,18 @@
 #include "robot/MjcfSolids.h"
 
+#include "math/TurnBetween.h"
+
 namespace plumbline {
+
+namespace {
+
+/// The shortest rotation that takes z to a direction of any length.
+Mat3 fromZ(const Vec3& direction) {
+  const Vec3 turn = turnBetween(Vec3::UnitZ(), direction.normalized());
+  return turn.isZero(0) ? Mat3(Mat3::Identity()) : Mat3(rotation(turn.normalized(), turn.norm()).linear());
+}
+
+}  // namespace
 
 Mat3 MjcfSolids::rotationOf(const XMLElement& e) const {
   if (e.Attribute("quat")) {
@@ -42,7 +54,7 @@ Mat3 MjcfSolids::rotationOf(const XMLElement& e) const {
   if (e.Attribute("zaxis")) {
     const Vec3 z = vector(&e, "zaxis", Vec3::UnitZ());
     if (!(z.norm() > 1e-6)) fail(e, "zaxis is zero");
-    return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), z).toRotationMatrix();
+    return fromZ(z);
   }
   return Mat3::Identity();
 }
@@ -79,7 +91,7 @@ MjcfLump MjcfSolids::lumpOf(const XMLElement& e) const {
     const Vec3 a(ends[0], ends[1], ends[2]), b(ends[3], ends[4], ends[5]);
     place = (a + b) / 2;
     if (!((b - a).norm() > 1e-9)) fail(e, "fromto has no length");
-    turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), b - a).toRotationMatrix();
+    turn = fromZ(b - a);
     size.resize(1);
     size.push_back((b - a).norm() / 2);
     if (type == "box" || type == "ellipsoid") size = {size[0], size[0], size[1]};

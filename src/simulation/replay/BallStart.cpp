@@ -1,11 +1,11 @@
 #include "simulation/replay/BallStart.h"
 
-#include "simulation/league/MakeWorld.h"
-
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "math/SolvePositive.h"
+#include "simulation/league/MakeWorld.h"
 
 namespace plumbline::simulation {
 
@@ -67,7 +67,8 @@ private:
       }
       Eigen::Matrix<double, 6, 6> normal = slope.transpose() * slope;
       normal.diagonal().array() += 1e-12;
-      start -= normal.inverse() * (slope.transpose() * error);
+      Start step = slope.transpose() * error;
+      if (solvePositive(normal, step)) start -= step;
     }
     return start;
   }

@@ -1,9 +1,9 @@
 #include "simulation/replay/StartFit.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "math/SolvePositive.h"
 #include "simulation/replay/ReplayedRobots.h"
 
 namespace plumbline::simulation {
@@ -87,8 +87,10 @@ private:
     }
     std::vector<Change> next = from;
     for (std::size_t r = 0; r < traces_.size(); ++r) {
-      const Eigen::Matrix<double, 12, 12> normal = slope[r].transpose() * slope[r];
-      next[r] -= normal.ldlt().solve(slope[r].transpose() * error[r]);
+      Eigen::Matrix<double, 12, 12> normal = slope[r].transpose() * slope[r];
+      normal.diagonal().array() += 1e-12;  // what the trace does not show stays
+      Change step = slope[r].transpose() * error[r];
+      if (solvePositive(normal, step)) next[r] -= step;
     }
     return next;
   }
