@@ -1,10 +1,10 @@
 // What a diagnosis is worth to the next walk: NAOs in Bullet that have one or two things that the model lacks
-// are recorded hung up, diagnosed by bin/gap, and walked with a walk that bin/optimizewalk trained on a model
-// with what was found, beside the walk that the same search found on the nominal model. Both begin with a
-// walk searched on the nominal model before. Environment: ROBOTS [10], SEED [1], JOBS; GENERATIONS [25],
-// POPULATION [12], TRIES [6], SECONDS [6] of each search, MEASURED [100] tries of each walk in the end. What
-// is done is kept in build/bench/gap-train-SEED/: a bench that was stopped goes on; remove the folder after a
-// change of diagnosis or walk. Writes build/bench/gap-train.json and .md.
+// are recorded hung up and on their feet, diagnosed by bin/gap, and walked with a walk that bin/optimizewalk
+// trained on a model with what was found, beside the walk that the same search found on the nominal model.
+// Both begin with a walk searched on the nominal model before. Environment: ROBOTS [10], SEED [1], JOBS;
+// GENERATIONS [25], POPULATION [12], TRIES [6], SECONDS [6] of each search, MEASURED [100] tries of each walk
+// in the end. What is done is kept in build/bench/gap-train-SEED/: a bench that was stopped goes on; remove
+// the folder after a change of diagnosis or walk. Writes build/bench/gap-train.json and .md.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -86,11 +86,11 @@ void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, dou
   const std::string text =
       "Robots measured: " + number(robots.size()) + " (seed " + number(setup.seed) +
       "). They are NAOs in Bullet with one or two effects that the model lacks. The effects are drawn as for "
-      "sealed sets and made stronger until the walk trained on the nominal model loses " +
-      percent(leastLoss) + " to " + percent(mostLoss) +
-      " of its speed. Each is recorded hung up (`hang_sweep`, `hang_fast`, in Bullet, with sensor noise) and "
+      "sealed sets and made stronger until the walk trained on the nominal model surely (95 %) loses " +
+      percent(leastLoss) + " of its speed, but not " + percent(mostLoss) +
+      ". Each is recorded hung up and on its feet (`--battery all`, in Bullet, with sensor noise) and "
       "diagnosed by "
-      "`bin/gap diagnose --method sets`, whose own dynamics are not Bullet's. `bin/optimizewalk` then "
+      "`bin/gap diagnose`, whose own dynamics are not Bullet's. `bin/optimizewalk` then "
       "searches for a forward walk on the model with the effects found (with the nearest explanation if the "
       "verdict is unknown). The walk without is searched as long on the model without these effects. Both "
       "searches begin with the same walk, which one search before them found on the nominal model from the "

@@ -10,7 +10,8 @@
 
 namespace plumbline::bench {
 
-/// Robots are drawn until the walk trained without loses a share of its speed between these.
+/// Robots are drawn until the walk trained without loses a share of its speed between these: the least surely
+/// (95 %).
 inline constexpr double leastLoss = 0.1, mostLoss = 0.9;
 
 struct TrainSetup {
