@@ -1,5 +1,5 @@
 # From the lines of tracks.awk: a table in Markdown, and the figures as the project's JSON. Variables: half, json, and for
-# games against a team that is not ours players, of each side.
+# games against a team that is not ours players, of each side, and other, what that team is called.
 BEGIN {
   FS = "\t"
   split("goals for|goals against|falls|kicks|players within 1.5 m of the ball|mates nearer than 0.4 m, seen twice a second, per player and minute|ball in the other half, mean [m]|shots|possession [%]", title, "|")
@@ -23,7 +23,7 @@ function half95(team, i,   v) {
 }
 END {
   if (!teams) { print "no game came to its end" > "/dev/stderr"; exit 1 }
-  print players ? "## The team against another one\n" : "## The team against the players of before it\n"
+  print players ? "## The team against " (other != "" ? other : "another one") "\n" : "## The team against the players of before it\n"
   printf "%sames of 2 x %s s, %s on the embedded simulator, sides changed from game to game, seeds %s to %s; means of a game with their 95 %% intervals.", \
     (players ? "G" : "Whole g"), half, (players ? players " against " players : "eleven against eleven"), first, last
   print (players ? "" : " Swarm: every player for itself, all to the ball (`config/platforms/simspark/swarm.cfg`).") "\n"
@@ -36,14 +36,17 @@ END {
     print ""
   }
   print ""
+  key = other; gsub(/[^A-Za-z0-9]+/, "_", key)
+  key = key == "" ? "" : tolower(key) "_" players "."
   text = "["
   for (t = 1; t <= teams; ++t) {
     team = order[t]
     for (i = 1; i <= measures; ++i)
-      text = text sprintf("%s\n  {\"name\": \"games.%s.%s\", \"value\": %.4g, \"unit\": \"%s\", \"better\": \"%s\"}", \
-        (text == "[" ? "" : ","), tolower(team), name[i], sum[team, i] / n[team], unit[i], better[i])
+      text = text sprintf("%s\n  {\"name\": \"games.%s%s.%s\", \"value\": %.4g, \"unit\": \"%s\", \"better\": \"%s\"}", \
+        (text == "[" ? "" : ","), key, tolower(team), name[i], sum[team, i] / n[team], unit[i], better[i])
   }
   won_ = won["Team"] / n["Team"]
-  text = text sprintf(",\n  {\"name\": \"games.team.won_of_%d\", \"value\": %.4g, \"unit\": \"\", \"better\": \"higher\", \"target\": 0.95}", n["Team"], won_)
+  text = text sprintf(",\n  {\"name\": \"games.%steam.won_of_%d\", \"value\": %.4g, \"unit\": \"\", \"better\": \"higher\"%s}", \
+    key, n["Team"], won_, (players ? "" : ", \"target\": 0.95"))
   print text "\n]" > json
 }
