@@ -142,7 +142,7 @@ rm -r elsewhere doc
 # Help does nothing but print; a wrong word is named.
 for script in scripts/*.sh; do
   [[ $script == scripts/run.sh ]] && continue # hands it on to bin/game
-  text=$(timeout 10 bash "$script" --help 2>&1)
+  text=$(timeout 100 bash "$script" --help 2>&1)
   expect "$script --help: status" $? 0
   contains "$script --help" "$text" "Example"
 done

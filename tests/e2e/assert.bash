@@ -26,14 +26,14 @@ expectEqual() { [[ $1 == "$2" ]] || fail "$3: expected '$2', got '$1'"; }
 expectError() { # status, line, command...
   local status=$1 line=$2 got=0 text
   shift 2
-  text=$(timeout 20 "$@" 2>&1 > /dev/null < /dev/null) || got=$?
+  text=$(timeout 60 "$@" 2>&1 > /dev/null < /dev/null) || got=$?
   expectEqual "$got" "$status" "status of '$*'"
   expectEqual "$text" "$line" "message of '$*'"
 }
-# Waits up to half a minute for a command to succeed.
+# Waits up to two minutes for a command to succeed.
 waitFor() {
   local i
-  for ((i = 0; i < 600; ++i)); do "$@" > /dev/null 2>&1 && return 0; sleep 0.05; done
+  for ((i = 0; i < 2400; ++i)); do "$@" > /dev/null 2>&1 && return 0; sleep 0.05; done
   fail "waited in vain for: $*"
 }
 # bin/gap, with what it says in $scratch/out and err. The limit is of what it computes: a busy machine is no failure.

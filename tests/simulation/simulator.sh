@@ -18,7 +18,7 @@ free=(--port 0 --monitor-port 0)
 refuses() { # wanted line, arguments...
   local wanted=$1 output status
   shift
-  output=$(timeout 20 "$simulator" "$@" 2>&1 > "$work/out")
+  output=$(timeout 60 "$simulator" "$@" 2>&1 > "$work/out")
   status=$?
   expect "text of: $*" "$output" "simulator: $wanted"
   expect "status of: $*" "$status" 2
@@ -61,18 +61,18 @@ start() {
   "$simulator" "${free[@]}" --ports-file "$work/ports" "$@" > "$work/out" 2> "$work/err" &
   pid=$!
   started+=("$pid")
-  for ((i = 0; i < 1000; i++)); do [[ -s $work/ports ]] && break; sleep 0.01; done
+  for ((i = 0; i < 6000; i++)); do [[ -s $work/ports ]] && break; sleep 0.01; done
   agent=$(sed -n 's/.*"agent": \([0-9]*\).*/\1/p' "$work/ports")
   monitor=$(sed -n 's/.*"monitor": \([0-9]*\).*/\1/p' "$work/ports")
 }
-# Waits for a process for at most ten seconds; leaves its status in $status.
+# Waits for a process for at most a minute; leaves its status in $status.
 finish() {
   local waited
-  for ((waited = 0; waited < 1000; waited++)); do
+  for ((waited = 0; waited < 6000; waited++)); do
     kill -0 "$1" 2> /dev/null || break
     sleep 0.01
   done
-  ((waited < 1000)) || echo "FAIL process $1 does not end"
+  ((waited < 6000)) || echo "FAIL process $1 does not end"
   wait "$1"
   status=$?
 }
@@ -80,7 +80,7 @@ finish() {
 talk() { # port, bytes
   exec 3<> "/dev/tcp/127.0.0.1/$1" || return
   [[ -n $2 ]] && printf "$2" >&3
-  timeout 5 head -c "${3:-24}" <&3 | tail -c +5
+  timeout 60 head -c "${3:-24}" <&3 | tail -c +5
   exec 3>&-
 }
 

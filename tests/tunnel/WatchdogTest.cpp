@@ -44,42 +44,44 @@ void beatFor(Watchdog& watchdog, int milliseconds) {
   }
 }
 
+constexpr double farOff = 60;  // [s]: a busy machine is no failure
+
 TEST(Watchdog, leavesALoopAloneThatGoesOn) {
   const Ended end = processWith(0.3, [](Watchdog& watchdog, StopSignal&) { beatFor(watchdog, 600); });
   EXPECT_EQ(end.status, 77);
 }
 
 TEST(Watchdog, endsALoopThatStandsForTooLong) {
-  const Ended end = processWith(0.3, [](Watchdog&, StopSignal&) { sleep(60); });
+  const Ended end = processWith(0.3, [](Watchdog&, StopSignal&) { sleep(600); });
   EXPECT_EQ(end.status, 2);
-  EXPECT_LT(end.seconds, 5);
+  EXPECT_LT(end.seconds, farOff);
 }
 
-TEST(Watchdog, endsALoopThatDoesNotEndWhenItIsTold) {
-  const Ended end = processWith(60, [](Watchdog& watchdog, StopSignal& stop) {
+TEST(Watchdog, endsALoopThatDoesNotEndOnASignal) {
+  const Ended end = processWith(600, [](Watchdog& watchdog, StopSignal& stop) {
     stop.request(0, "stop");
-    beatFor(watchdog, 60000);
+    beatFor(watchdog, 600000);
   });
   EXPECT_EQ(end.status, 130);
   EXPECT_GT(end.seconds, 0.5);
-  EXPECT_LT(end.seconds, 5);
+  EXPECT_LT(end.seconds, farOff);
 }
 
-TEST(Watchdog, endsWithTheStatusThatItIsTold) {
-  const Ended end = processWith(60, [](Watchdog& watchdog, StopSignal&) {
+TEST(Watchdog, endsWithTheStatusThatIsGiven) {
+  const Ended end = processWith(600, [](Watchdog& watchdog, StopSignal&) {
     watchdog.ending(5);
-    sleep(60);
+    sleep(600);
   });
   EXPECT_EQ(end.status, 5);
 }
 
 TEST(Watchdog, endsALoopThatStandsWhenMpirunBeginsToEndIt) {
-  const Ended end = processWith(60, [](Watchdog&, StopSignal&) {
+  const Ended end = processWith(600, [](Watchdog&, StopSignal&) {
     raise(SIGCONT);
     for (;;) sleep(60);
   });
   EXPECT_EQ(end.status, 130);
-  EXPECT_LT(end.seconds, 5);
+  EXPECT_LT(end.seconds, farOff);
 }
 
 TEST(Watchdog, doesNotCountTheTimeInWhichTheProcessIsStopped) {
