@@ -19,7 +19,7 @@ constexpr std::array forms{
     CommandForm{"unwatch", "unwatch [NAME]", Argument::watched, Verb::unwatch},
     CommandForm{"set", "set NAME VALUE", Argument::settable, Verb::set, true},
     CommandForm{"setOnce", "setOnce NAME VALUE", Argument::settable, Verb::setOnce, true},
-    CommandForm{"unset", "unset NAME", Argument::held, Verb::unset, true},
+    CommandForm{"unset", "unset NAME", Argument::pending, Verb::unset, true},
     CommandForm{"dr", "dr NAME [once | off]", Argument::block, Verb::run, true},
     CommandForm{"list", "list [PREFIX]", Argument::name, Verb::list},
     CommandForm{"complete", "complete [COMMAND] [PREFIX]", Argument::name, Verb::complete},

@@ -46,7 +46,7 @@ enum class Argument {
   nothing,
   value,           ///< what can be read
   settable,        ///< a value or parameter that can be set
-  held,            ///< one that is set
+  pending,         ///< one that is set
   watched,         ///< what this client watches
   block,           ///< a block of code or a drawing
   module,          ///< of reset

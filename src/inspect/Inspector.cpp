@@ -12,7 +12,7 @@ using Verb = Command::Verb;
 
 constexpr std::size_t maxNameLength = 300;
 
-bool isHeld(const std::string& part, const std::string& wanted) { return wanted.empty() || part == wanted; }
+bool matches(const std::string& part, const std::string& wanted) { return wanted.empty() || part == wanted; }
 
 }  // namespace
 
@@ -126,10 +126,10 @@ void Inspector::command(int client, std::string_view text) {
 void Inspector::start(Pending pending,
                       const std::function<std::shared_ptr<DebugRequest>(std::uint64_t)>& make) {
   Client& client = clients_[pending.client];
-  const auto held = static_cast<std::size_t>(std::ranges::count_if(pending_, [](const auto& entry) {
+  const auto set = static_cast<std::size_t>(std::ranges::count_if(pending_, [](const auto& entry) {
     return entry.second.use == Use::set || entry.second.use == Use::run;
   }));
-  if (client.open >= maxPerClient || held >= maxHeld)
+  if (client.open >= maxPerClient || set >= maxSet)
     return fail(pending.client, pending.tag, "too many requests at once");
   ++client.open;
   const std::uint64_t number = ++nextRequest_;
@@ -203,7 +203,7 @@ void Inspector::unset(int client, const Command& command) {
     const auto number = at->first;
     const Pending& pending = (at++)->second;
     if (pending.use != Use::set || pending.target.id != target->id ||
-        !isHeld(pending.target.part, target->part))
+        !matches(pending.target.part, target->part))
       continue;
     any = true;
     if (!pending.answered)

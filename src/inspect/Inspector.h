@@ -29,7 +29,7 @@ public:
   using Clock = std::chrono::steady_clock;
 
   static constexpr std::size_t maxPerClient = 256;  ///< open requests
-  static constexpr std::size_t maxHeld = 1024;      ///< values set and blocks switched on
+  static constexpr std::size_t maxSet = 1024;       ///< values set and blocks switched on
   static constexpr std::size_t maxCompletions = 200;
   static constexpr double patience = 2;      ///< for a cycle to come by [s]
   static constexpr double slowPause = 0.25;  ///< a watch rests so long when its client reads too slowly [s]

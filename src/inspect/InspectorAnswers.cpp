@@ -72,15 +72,15 @@ void Inspector::list(int client, const Command& command) {
   for (const DebugPoints::Info& info : all()) {
     if (!info.id.starts_with(command.name)) continue;
     const std::string kind(nameOf(info.kind));
-    bool held = false;
+    bool isSet = false;
     for (const auto& [number, pending] : pending_)
-      held = held || ((pending.use == Use::set || pending.use == Use::run) && pending.target.id == info.id);
+      isSet = isSet || ((pending.use == Use::set || pending.use == Use::run) && pending.target.id == info.id);
     if (json) {
-      line(client, command.tag, jsonText({{"id", info.id}, {"kind", kind}, {"held", held}}));
+      line(client, command.tag, jsonText({{"id", info.id}, {"kind", kind}, {"held", isSet}}));
     } else {
       const bool code =
           info.kind == DebugKind::code || info.kind == DebugKind::codeOnce || info.kind == DebugKind::drawing;
-      line(client, command.tag, info.id + "  " + kind + (held ? code ? ", on" : ", set" : ""));
+      line(client, command.tag, info.id + "  " + kind + (isSet ? code ? ", on" : ", set" : ""));
     }
   }
   succeed(client, command.tag);

@@ -53,7 +53,7 @@ std::vector<std::string> Inspector::candidates(int client, Argument argument) co
     }
   }
   for (const auto& [number, pending] : pending_) {
-    if ((argument == Argument::held && pending.use == Use::set) ||
+    if ((argument == Argument::pending && pending.use == Use::set) ||
         (argument == Argument::watched && pending.use == Use::watch && pending.client == client))
       found.insert(pending.target.name);
   }

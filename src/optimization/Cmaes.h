@@ -65,7 +65,7 @@ private:
   // In coordinates whose unit is the first sigma.
   Eigen::VectorXd mean_, pathSigma_, pathC_, scales_;
   Eigen::MatrixXd covariance_, axes_;  // axes: eigenvectors times scales
-  std::deque<Drawn> drawn_;            // generations not told yet, the oldest first
+  std::deque<Drawn> drawn_;            // generations not evaluated yet, the oldest first
   double sigma_ = 1;
   std::int64_t updates_ = 0, decomposedAt_ = 0;
   double lastSpread_ = 0;

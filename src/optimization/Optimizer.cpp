@@ -97,7 +97,7 @@ void Optimizer::tell(std::span<const double> costs) {
                                 std::to_string(open_.front().cols()) + " candidates");
   last_ = std::move(open_.front());
   open_.pop_front();
-  if (!savesItself()) told_.insert(told_.end(), costs.begin(), costs.end());
+  if (!savesItself()) costs_.insert(costs_.end(), costs.begin(), costs.end());
   std::vector<double> clean(costs.begin(), costs.end());
   for (double& cost : clean)
     if (std::isnan(cost)) cost = std::numeric_limits<double>::infinity();
@@ -139,7 +139,7 @@ std::string Optimizer::save() const {
   const auto dimension64 = static_cast<std::uint64_t>(dimension());
   std::string state(savedMark);
   state.append(reinterpret_cast<const char*>(&dimension64), sizeof dimension64);
-  state.append(reinterpret_cast<const char*>(told_.data()), told_.size() * sizeof(double));
+  state.append(reinterpret_cast<const char*>(costs_.data()), costs_.size() * sizeof(double));
   return state;
 }
 

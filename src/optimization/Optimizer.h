@@ -71,8 +71,9 @@ public:
   Optimizer(const Optimizer&) = delete;
   Optimizer& operator=(const Optimizer&) = delete;
 
-  /// The candidates of the generation that is told next, one per column, all inside the box; the same until
-  /// tell(). With k > 0, below ahead(): those of the k-th generation after it, to be evaluated meanwhile.
+  /// The candidates of the generation whose costs come next, one per column, all inside the box; the same
+  /// until tell(). With k > 0, below ahead(): those of the k-th generation after it, to be evaluated
+  /// meanwhile.
   const Eigen::MatrixXd& ask(int k = 0);
   /// Costs of ask(0), in the order of the columns. Throws std::invalid_argument for another number of costs
   /// and std::logic_error where nothing was asked.
@@ -85,7 +86,7 @@ public:
   const SearchSpace& space() const { return space_; }
   std::int64_t evaluations() const { return evaluations_; }
   std::int64_t generations() const { return generations_; }
-  /// The best candidate told so far; the start and +infinity before any.
+  /// The best candidate evaluated so far; the start and +infinity before any.
   const Eigen::VectorXd& best() const { return best_; }
   double bestCost() const { return bestCost_; }
   bool isDone() const { return reason_ != StopReason::none; }
@@ -97,7 +98,7 @@ public:
 
   /// Everything learnt, between tell() and ask(). restore() loads it into an optimiser of the same space and
   /// options that has no costs yet; throws std::invalid_argument for another text. Unless an optimiser
-  /// overrides this, the state is all costs, which are then told again.
+  /// overrides this, the state is all costs, which tell() then gets again.
   virtual std::string save() const;
   virtual void restore(const std::string& state);
 
@@ -120,7 +121,7 @@ protected:
   virtual bool savesItself() const { return false; }
 
   const StopCriteria& stop() const { return stop_; }
-  /// Generations drawn, told or not.
+  /// Generations drawn, evaluated or not.
   std::int64_t drawn() const { return generations_ + static_cast<std::int64_t>(open_.size()); }
   /// Puts back what was counted, for subclasses that restore a saved state.
   void restoreProgress(std::int64_t evaluations, std::int64_t generations, double bestCost,
@@ -132,13 +133,13 @@ private:
   SearchSpace space_;
   StopCriteria stop_;
   int ahead_;
-  std::deque<Eigen::MatrixXd> open_;  ///< generations drawn and not told, the oldest first
-  Eigen::MatrixXd last_;              ///< the one told last
+  std::deque<Eigen::MatrixXd> open_;  ///< generations drawn and not evaluated, the oldest first
+  Eigen::MatrixXd last_;              ///< the one evaluated last
   std::int64_t evaluations_ = 0, generations_ = 0;
   Eigen::VectorXd best_;
   double bestCost_ = std::numeric_limits<double>::infinity();
   StopReason reason_ = StopReason::none;
-  std::vector<double> told_;  ///< all costs, unless it saves itself
+  std::vector<double> costs_;  ///< all costs, unless it saves itself
 };
 
 /// Runs until done, one evaluation after the other; gives the best cost.

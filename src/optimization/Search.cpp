@@ -87,50 +87,50 @@ std::optional<Trial> Search::find(std::int64_t number) const {
   const std::optional<Place> place = placeOf(number);
   if (isDone() || !place) return std::nullopt;
   const Candidate& candidate = generations_[place->generation].candidates[place->candidate];
-  if (candidate.told[place->round]) return std::nullopt;
+  if (candidate.evaluated[place->round]) return std::nullopt;
   return trialAt(*place);
 }
 
-Told Search::take(std::int64_t number, std::span<const double> costs) {
+ResultStatus Search::take(std::int64_t number, std::span<const double> costs) {
   const std::optional<Place> place = placeOf(number);
   if (!place || isDone()) {
     const bool was = number >= 0 && number / 2 / mostCandidates < firstGeneration_;
-    return was || isDone() ? Told::again : Told::unknown;
+    return was || isDone() ? ResultStatus::again : ResultStatus::unknown;
   }
   Generation& generation = generations_[place->generation];
   Candidate& candidate = generation.candidates[place->candidate];
-  if (candidate.told[place->round]) return Told::again;
+  if (candidate.evaluated[place->round]) return ResultStatus::again;
   if (costs.size() != static_cast<std::size_t>(runsOf(place->round)))
     throw std::invalid_argument(std::to_string(costs.size()) + " costs for " +
                                 std::to_string(runsOf(place->round)) + " runs");
-  candidate.asked[place->round] = candidate.told[place->round] = true;
+  candidate.asked[place->round] = candidate.evaluated[place->round] = true;
   for (const double cost : costs) candidate.sum += std::isnan(cost) || cost == -HUGE_VAL ? HUGE_VAL : cost;
   candidate.runs += static_cast<int>(costs.size());
   ++trials_;
   runs_ += static_cast<std::int64_t>(costs.size());
   if (!generation.second) beginSecond(generation);
   advance();
-  return Told::taken;
+  return ResultStatus::taken;
 }
 
-Told Search::tell(std::int64_t number, std::span<const double> costs) {
-  const Told told = take(number, costs);
-  if (told == Told::taken)
+ResultStatus Search::tell(std::int64_t number, std::span<const double> costs) {
+  const ResultStatus status = take(number, costs);
+  if (status == ResultStatus::taken)
     notNumbers_ += std::ranges::count_if(costs, [](double cost) { return std::isnan(cost); });
-  return told;
+  return status;
 }
 
-Told Search::giveUp(std::int64_t number) {
+ResultStatus Search::giveUp(std::int64_t number) {
   const std::vector<double> none(static_cast<std::size_t>(runsOf(static_cast<int>(number & 1))), HUGE_VAL);
-  const Told told = take(number, none);
-  if (told == Told::taken) ++givenUp_;
-  return told;
+  const ResultStatus status = take(number, none);
+  if (status == ResultStatus::taken) ++givenUp_;
+  return status;
 }
 
 void Search::beginSecond(Generation& generation) const {
   std::vector<Candidate>& all = generation.candidates;
   if (averaging_.best == averaging_.first ||
-      !std::ranges::all_of(all, [](const Candidate& c) { return c.told[0]; }))
+      !std::ranges::all_of(all, [](const Candidate& c) { return c.evaluated[0]; }))
     return;
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -141,8 +141,9 @@ void Search::beginSecond(Generation& generation) const {
 }
 
 bool Search::complete(const Generation& generation) const {
-  return std::ranges::all_of(generation.candidates,
-                             [](const Candidate& c) { return c.told[0] && (!c.wanted || c.told[1]); });
+  return std::ranges::all_of(generation.candidates, [](const Candidate& c) {
+    return c.evaluated[0] && (!c.wanted || c.evaluated[1]);
+  });
 }
 
 void Search::advance() {

@@ -29,11 +29,11 @@ struct Averaging {
 };
 
 /// What happened to a result.
-enum class Told { taken, again, unknown };
+enum class ResultStatus { taken, again, unknown };
 
-/// Any optimiser, asked and told one candidate at a time in any order. The candidates' numbers and what is
-/// learnt depend only on the results and not on their order: results wait until the whole generation is
-/// complete. A result that is not a number counts as worse than all others; a missing one can be given up.
+/// Any optimiser, with ask and tell for one candidate at a time in any order. The candidates' numbers and
+/// what is learnt depend only on the results and not on their order: results wait until the whole generation
+/// is complete. A result that is not a number counts as worse than all others; a missing one can be given up.
 /// Both are counted.
 class Search {
 public:
@@ -46,9 +46,9 @@ public:
   /// the search is over.
   std::optional<Trial> next();
   /// Costs of the trial's runs. Throws std::invalid_argument for another number of them.
-  Told tell(std::int64_t number, std::span<const double> costs);
+  ResultStatus tell(std::int64_t number, std::span<const double> costs);
   /// Gives a trial up, as if no run had a number.
-  Told giveUp(std::int64_t number);
+  ResultStatus giveUp(std::int64_t number);
   /// The trial of that number while it is open.
   std::optional<Trial> find(std::int64_t number) const;
 
@@ -56,14 +56,14 @@ public:
   const Optimizer& optimizer() const { return *optimizer_; }
   std::int64_t notNumbers() const { return notNumbers_; }  ///< runs
   std::int64_t givenUp() const { return givenUp_; }        ///< trials
-  std::int64_t trials() const { return trials_; }          ///< told
-  std::int64_t runs() const { return runs_; }              ///< told
+  std::int64_t trials() const { return trials_; }          ///< evaluated
+  std::int64_t runs() const { return runs_; }              ///< evaluated
 
 private:
   struct Candidate {
     double sum = 0;
     int runs = 0;
-    bool asked[2] = {}, told[2] = {}, wanted = false;  ///< wanted: in the second round
+    bool asked[2] = {}, evaluated[2] = {}, wanted = false;  ///< wanted: in the second round
   };
   struct Generation {
     std::vector<Candidate> candidates;
@@ -80,7 +80,7 @@ private:
   int runsOf(int round) const;
   void beginSecond(Generation& generation) const;
   bool complete(const Generation& generation) const;
-  Told take(std::int64_t number, std::span<const double> costs);
+  ResultStatus take(std::int64_t number, std::span<const double> costs);
   void advance();
 
   std::unique_ptr<Optimizer> optimizer_;

@@ -10,7 +10,7 @@
 
 namespace plumbline::gap {
 
-TEST(CandidateScreening, aSecondCauseIsForetoldBesideTheFirst) {
+TEST(CandidateScreening, aSecondCauseIsPredictedBesideTheFirst) {
   const Mechanism arm = twoJointArm();
   const Cause first = causeOfArm("coulomb_friction", "elbow", 0.1);
   const Groups groups(recordings({first, causeOfArm("bias_force", "shoulder", 0.2)}));
@@ -59,7 +59,7 @@ TEST(CandidateScreening, servesTheGroupsThatAreLeft) {
   EXPECT_LT(gainIn(none), 5);
 }
 
-TEST(CandidateScreening, anEffectInProportionIsForetoldWhicheverWayItGoes) {
+TEST(CandidateScreening, anEffectInProportionIsPredictedWhicheverWayItGoes) {
   // One of its two starts is played.
   const Mechanism arm = twoJointArm();
   for (const double torque : {-0.15, 0.15}) {

@@ -64,7 +64,7 @@ TEST_F(DiagnosisAttemptsTest, theSecondFindsLostCommandsBesideWhatTheFirstFound)
   EXPECT_FALSE(fs::exists(file + "2"));
 }
 
-TEST_F(DiagnosisAttemptsTest, whoStopsOneIsToldWhereItGoesOn) {
+TEST_F(DiagnosisAttemptsTest, whoStopsOneLearnsWhereItGoesOn) {
   const std::vector<Trial> trials = trialsWith(0);
   std::vector<std::string> resumed;
   DiagnosisOptions options;

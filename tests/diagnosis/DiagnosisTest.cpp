@@ -167,7 +167,7 @@ TEST(DiagnosisTest, whatTheLibraryDoesNotHaveIsUnknown) {
   EXPECT_LT(diagnosis.knownProbability, 0.2);
 }
 
-/// Two recordings of the arm on a base that is held and carries an accelerometer, which reads `acceleration`
+/// Two recordings of the arm on a base that is fixed and carries an accelerometer, which reads `acceleration`
 /// on average, with noise of 0.06 m/s^2.
 Diagnosis withAccelerometer(const Vec3& acceleration) {
   static Mechanism arm = twoJointArm();

@@ -25,18 +25,18 @@ Finding lostCommands(double rate, std::uint64_t seed) {
 }
 
 TEST(FindingOfTest, theIntervalOfARateHoldsTheRateNotTheShareThatHappenedToBeLost) {
-  int held = 0, of = 0;
+  int covered = 0, of = 0;
   double width = 0;
   for (const double rate : {0.04, 0.08, 0.15})
     for (std::uint64_t seed = 1; seed <= 14; ++seed, ++of) {
       const Finding finding = lostCommands(rate, seed);
-      held += finding.lower <= rate && rate <= finding.upper;
+      covered += finding.lower <= rate && rate <= finding.upper;
       width += (finding.upper - finding.lower) / rate;
       EXPECT_LE(finding.lower, finding.cause.value);
       EXPECT_GE(finding.upper, finding.cause.value);
     }
   // 95 % would be 40; in 4 s some losses are not found at all, of which the interval knows nothing.
-  EXPECT_GE(held, 34) << "of " << of;
+  EXPECT_GE(covered, 34) << "of " << of;
   EXPECT_LT(width / of, 1.5) << "an interval that holds everything says nothing";
 }
 

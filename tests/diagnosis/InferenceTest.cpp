@@ -53,7 +53,7 @@ TEST(Inference, sameAnswerWithAnyNumberOfThreads) {
     EXPECT_EQ(a.diagnosis.findings[i].probability, b.diagnosis.findings[i].probability);
 }
 
-TEST(Inference, aGainIsToldFromAFrictionByTheDuty) {
+TEST(Inference, aGainIsSeparatedFromAFrictionByTheDuty) {
   const Mechanism pendulum = findMechanism("xl330_pendulum");
   const Explanation reality{causeOf(pendulum, "servo_gain", "pendulum", 0.8),
                             causeOf(pendulum, "coulomb_friction", "pendulum", 0.05)};

@@ -12,10 +12,10 @@ TEST(LinearSearch, proposesASetForEachNumberOfCausesWithTheValuesOfTheOtherGroup
   const Mechanism arm = twoJointArm();
   const Groups groups(recordings({causeOf(arm, "coulomb_friction", "shoulder", 0.15)}, 3));
   WindowReplayer replayer(arm, groups, 1);
-  std::vector<double> told;
+  std::vector<double> shares;
   LinearSearchOptions options;
   options.mostCauses = 3;
-  options.progress = [&](double share) { told.push_back(share); };
+  options.progress = [&](double share) { shares.push_back(share); };
   const std::vector<SetProposal> proposals = proposedSets(replayer, options);
   ASSERT_GE(proposals.size(), 2U);
   EXPECT_LE(proposals.size(), 4U);
@@ -29,8 +29,8 @@ TEST(LinearSearch, proposesASetForEachNumberOfCausesWithTheValuesOfTheOtherGroup
   ASSERT_EQ(one.lessOne.size(), 1U);
   EXPECT_TRUE(one.lessOne[0].causes().empty());
   EXPECT_GT(one.set.score(), one.lessOne[0].score());
-  ASSERT_FALSE(told.empty());
-  EXPECT_EQ(told.back(), 1);
+  ASSERT_FALSE(shares.empty());
+  EXPECT_EQ(shares.back(), 1);
 }
 
 }  // namespace plumbline::gap

@@ -43,13 +43,13 @@ protected:
 };
 
 TEST_F(SharedCausesTest, twoAreFoundWithTheirValues) {
-  std::vector<double> told;
-  const Explanation set = found(softAndDry, 3, [&](double share) { told.push_back(share); });
+  std::vector<double> shares;
+  const Explanation set = found(softAndDry, 3, [&](double share) { shares.push_back(share); });
   EXPECT_NEAR(valueOf(set, "servo_gain"), 0.8, 0.05);
   EXPECT_NEAR(valueOf(set, "coulomb_friction"), 0.2, 0.06);
-  ASSERT_FALSE(told.empty());
-  EXPECT_TRUE(std::ranges::is_sorted(told));
-  EXPECT_DOUBLE_EQ(told.back(), 1);
+  ASSERT_FALSE(shares.empty());
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_DOUBLE_EQ(shares.back(), 1);
 }
 
 TEST_F(SharedCausesTest, oneAloneIsNoSet) {

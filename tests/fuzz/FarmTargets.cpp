@@ -21,9 +21,9 @@ void farmMessage(std::string_view bytes) {
     require(farm::readAnswer(farm::text(answer)).number == answer.number, "an answer to another trial");
   });
   refusesInOneLine([&] {
-    const farm::ToWorker told = farm::readToWorker(bytes);
-    if (told.trial) farm::readToWorker(farm::text(*told.trial));
-    if (told.welcome) farm::readToWorker(farm::text(*told.welcome));
+    const farm::ToWorker message = farm::readToWorker(bytes);
+    if (message.trial) farm::readToWorker(farm::text(*message.trial));
+    if (message.welcome) farm::readToWorker(farm::text(*message.welcome));
   });
 }
 

@@ -57,7 +57,7 @@ private:
 struct Ports {
   SimulationConfig config;
   Simulation simulation{config};
-  LimitedLog log{[](const std::string& line) { told(line); }};  // as the server's
+  LimitedLog log{[](const std::string& line) { logged(line); }};  // as the server's
   AgentPort agents{{.port = 0, .sync = true, .syncTimeout = 0.0},
                    simulation,
                    [this](const std::string& line) { log(line); }};
@@ -69,7 +69,7 @@ struct Ports {
     any.port = 0;
     return any;
   }
-  static void told(const std::string& line) {
+  static void logged(const std::string& line) {
     for (const char c : line)
       require(static_cast<unsigned char>(c) >= ' ', "a log line with control characters");
   }

@@ -37,8 +37,8 @@ void replayFeed(std::string_view bytes) {
     for (const double time : {feed.duration(), -1.0, 1e300, 0.5 * feed.duration()}) feed.command(Seek{time});
     feed.command(RecordingRate{1e9});
     feed.command(PlayRecording{false});
-    const auto told = broadcast.latest(Channel::replay);
-    if (told.message) require(nlohmann::json::accept(*told.message), "a page is told what is no JSON");
+    const auto latest = broadcast.latest(Channel::replay);
+    if (latest.message) require(nlohmann::json::accept(*latest.message), "a page is told what is no JSON");
   });
 }
 

@@ -27,7 +27,6 @@ struct Table {
   simspark::AgentCommandParser agentParser;
   simspark::TrainerCommandParser trainerParser;
   MonitorScene scene;
-  std::uint64_t toldVersion = 0;
 
   void agent(std::size_t who, std::string_view text) {
     simspark::AgentCommand command;

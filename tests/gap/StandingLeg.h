@@ -21,10 +21,10 @@ inline Mechanism standingLeg() {
 }
 
 /// armTrial() of small motions, hung up or on the foot.
-inline Trial legTrial(bool standing, double seconds = 6) {
-  Trial trial = armTrial(standingLeg(), seconds, standing ? 0.05 : 0.4);
-  trial.freeBase = standing;
-  if (standing) trial.motion = "on the foot";
+inline Trial legTrial(bool floatingBase, double seconds = 6) {
+  Trial trial = armTrial(standingLeg(), seconds, floatingBase ? 0.05 : 0.4);
+  trial.freeBase = floatingBase;
+  if (floatingBase) trial.motion = "on the foot";
   return trial;
 }
 

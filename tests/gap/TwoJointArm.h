@@ -13,7 +13,7 @@
 namespace plumbline::gap {
 
 /// A pendulum of two links under gravity, 0.2 m each, point-like masses at their ends: small enough to work
-/// out by hand. Joints "shoulder" and "elbow" about y, base held.
+/// out by hand. Joints "shoulder" and "elbow" about y, base fixed.
 inline Mechanism twoJointArm() {
   Mechanism arm;
   arm.name = "two_joint_arm";

@@ -125,9 +125,9 @@ TEST_F(DebugServerTest, bytesThatAreNoTextAreAnError) {
 
 TEST_F(DebugServerTest, aClientThatReadsNothingMissesValuesAndHoldsNobodyUp) {
   start();
-  bool told = false;
+  bool reported = false;
   // A busy machine needs longer until more is waiting than is kept.
-  for (int halfSeconds = 1; halfSeconds <= 32 && !told; halfSeconds *= 2) {
+  for (int halfSeconds = 1; halfSeconds <= 32 && !reported; halfSeconds *= 2) {
     Peer lazy(server->port(), 4096);
     for (int i = 0; i < 50; i++) lazy.say("watch server:value\n");
     std::this_thread::sleep_for(std::chrono::milliseconds(500 * halfSeconds));
@@ -135,9 +135,9 @@ TEST_F(DebugServerTest, aClientThatReadsNothingMissesValuesAndHoldsNobodyUp) {
     lazy.say("unwatch\n");
     for (std::string line = lazy.line(); line != "ok" && line != "closed" && line != "silence";
          line = lazy.line())
-      told = told || line.ends_with(" lines were left out: the client reads too slowly");
+      reported = reported || line.ends_with(" lines were left out: the client reads too slowly");
   }
-  EXPECT_TRUE(told);
+  EXPECT_TRUE(reported);
 }
 
 TEST_F(DebugServerTest, twoHundredSilentClientsHinderNobody) {

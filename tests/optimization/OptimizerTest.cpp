@@ -40,7 +40,7 @@ TEST(Optimizer, badSpacesAreNamed) {
   EXPECT_EQ(errorOf({}), "search space: no coordinates");
 }
 
-TEST(Optimizer, askGivesTheSameUntilTold) {
+TEST(Optimizer, askGivesTheSameUntilTell) {
   Cmaes cmaes(SearchSpace::around(VectorXd::Constant(3, 1), 0.5));
   const Eigen::MatrixXd first = cmaes.ask();
   EXPECT_EQ(cmaes.ask(), first);

@@ -44,7 +44,7 @@ protected:
   }
 };
 
-TEST_P(EachOptimizer, takesWhatItIsToldAndFindsTheLeast) {
+TEST_P(EachOptimizer, takesTheCostsAndFindsTheLeast) {
   const std::unique_ptr<Optimizer> optimizer = make();
   EXPECT_EQ(optimizer->ask().cols(), 12);
   optimizer->tell(costsOf(optimizer->ask()));

@@ -37,7 +37,7 @@ void runShuffled(Search& search, std::uint64_t seed) {
   while (!search.isDone()) {
     while (const auto trial = search.next()) open.push_back(*trial);
     const std::size_t i = random.next() % open.size();
-    ASSERT_EQ(search.tell(open[i].number, costsOf(open[i])), Told::taken);
+    ASSERT_EQ(search.tell(open[i].number, costsOf(open[i])), ResultStatus::taken);
     open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
   }
 }
@@ -57,11 +57,11 @@ TEST(Search, aResultCountsOnce) {
   Search search = searchBy("cmaes");
   const Trial trial = *search.next();
   const double cost = 1;
-  EXPECT_EQ(search.tell(trial.number, {&cost, 1}), Told::taken);
-  EXPECT_EQ(search.tell(trial.number, {&cost, 1}), Told::again);
-  EXPECT_EQ(search.giveUp(trial.number), Told::again);
-  EXPECT_EQ(search.tell(1'000'000'000'000, {&cost, 1}), Told::unknown);
-  EXPECT_EQ(search.tell(-4, {&cost, 1}), Told::unknown);
+  EXPECT_EQ(search.tell(trial.number, {&cost, 1}), ResultStatus::taken);
+  EXPECT_EQ(search.tell(trial.number, {&cost, 1}), ResultStatus::again);
+  EXPECT_EQ(search.giveUp(trial.number), ResultStatus::again);
+  EXPECT_EQ(search.tell(1'000'000'000'000, {&cost, 1}), ResultStatus::unknown);
+  EXPECT_EQ(search.tell(-4, {&cost, 1}), ResultStatus::unknown);
   EXPECT_FALSE(search.find(trial.number));
   EXPECT_EQ(search.trials(), 1);
 }

@@ -25,7 +25,7 @@ TEST(BoardPagesTest, aPageGetsWhatStandsThereAndThenWhatChanges) {
   EXPECT_EQ(next(*board.open()), "second");
 }
 
-TEST(BoardPagesTest, newsAreTold) {
+TEST(BoardPagesTest, newsAreSent) {
   BoardPages board;
   int news = 0;
   board.onNews([&] { ++news; });

@@ -11,13 +11,13 @@ namespace {
 struct RecorderTest : testing::Test {
   Scratch scratch;
   Counter counter;
-  std::vector<std::string> told;
+  std::vector<std::string> lines;
 
   RecordedThread thread() {
     return {"main", {}, {{"Counter", "Count", schemaOf(representationLoader<Counter>())}}};
   }
   void run(RecorderOptions options, int cycles, const std::string& folder) {
-    Recorder recorder(folder, options, [this](const std::string& line) { told.push_back(line); });
+    Recorder recorder(folder, options, [this](const std::string& line) { lines.push_back(line); });
     ThreadRecorder& part = recorder.addThread(thread(), {&counter});
     for (int i = 1; i <= cycles; i++) {
       counter.value = i;
@@ -32,7 +32,7 @@ TEST_F(RecorderTest, writesAllThatIsThereBeforeItEnds) {
   const LogReader log(scratch / "game");
   EXPECT_EQ(log.thread("").cycles.size(), 5000u);
   EXPECT_EQ(log.dropped(), 0u);
-  EXPECT_TRUE(told.empty());
+  EXPECT_TRUE(lines.empty());
 }
 
 TEST_F(RecorderTest, aFullBufferDropsCyclesWhichAreCountedAndSaid) {
@@ -43,8 +43,8 @@ TEST_F(RecorderTest, aFullBufferDropsCyclesWhichAreCountedAndSaid) {
   const auto& cycles = log.thread("").cycles;
   EXPECT_GT(log.dropped(), 0u);
   EXPECT_EQ(cycles.size() + log.dropped(), 20000u);
-  ASSERT_FALSE(told.empty());
-  EXPECT_EQ(told.back(),
+  ASSERT_FALSE(lines.empty());
+  EXPECT_EQ(lines.back(),
             "log: " + std::to_string(log.dropped()) + " cycles are missing in " + (scratch / "game"));
 }
 
@@ -57,15 +57,15 @@ TEST_F(RecorderTest, aRecorderThatWaitsDropsNone) {
 }
 
 TEST_F(RecorderTest, whatCannotBeWrittenIsSaidOnceAndTheAgentGoesOn) {
-  Recorder recorder(scratch / "game", {}, [this](const std::string& line) { told.push_back(line); });
+  Recorder recorder(scratch / "game", {}, [this](const std::string& line) { lines.push_back(line); });
   ThreadRecorder& part = recorder.addThread(thread(), {&counter});
   std::filesystem::remove_all(scratch / "game");
   for (int i = 1; i <= 100; i++) part.record(i);
   recorder.finish();
-  ASSERT_EQ(told.size(), 2u);
-  EXPECT_EQ(told[0], "log: " + (scratch / "game/game_0.db3") +
-                         ": unable to open database file; nothing more is recorded");
-  EXPECT_EQ(told[1], "log: 100 cycles are missing in " + (scratch / "game"));
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0], "log: " + (scratch / "game/game_0.db3") +
+                          ": unable to open database file; nothing more is recorded");
+  EXPECT_EQ(lines[1], "log: 100 cycles are missing in " + (scratch / "game"));
 }
 
 TEST_F(RecorderTest, leavesNothingWhereNothingCame) {

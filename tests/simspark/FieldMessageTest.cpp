@@ -109,7 +109,7 @@ TEST(FieldMessage, errorsAndNothingChanged) {
   EXPECT_EQ(problem("(field 1)(later 1 2)"), "") << "lists of later versions are skipped";
 }
 
-TEST(FieldMessage, isTold) {
+TEST(FieldMessage, isSent) {
   EXPECT_TRUE(isFieldMessage("(field 1)(t 0)"));
   EXPECT_FALSE(isFieldMessage(test::samples("monitor_first3")[1]));
 }

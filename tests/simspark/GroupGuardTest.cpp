@@ -60,11 +60,11 @@ bool endsWithItsParent() {
   if (parent == 0) {
     setpgid(0, 0);
     const GroupGuard guard(group);
-    [[maybe_unused]] const auto told = write(ends[1], "x", 1);
+    [[maybe_unused]] const auto written = write(ends[1], "x", 1);
     for (;;) pause();
   }
-  char told = 0;
-  if (read(ends[0], &told, 1) != 1) return false;
+  char byte = 0;
+  if (read(ends[0], &byte, 1) != 1) return false;
   kill(-parent, SIGKILL);
   waitpid(parent, nullptr, 0);
   const bool ended = processEnds(group);

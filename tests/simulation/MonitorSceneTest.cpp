@@ -78,7 +78,7 @@ TEST_F(TwoRobots, differenceHasTheSameNodes) {
   EXPECT_EQ(nodes(scene.difference(simulation)), nodes(recorded));
 }
 
-TEST_F(TwoRobots, aTransformIsToldWhenItHasMovedFarEnough) {
+TEST_F(TwoRobots, aTransformIsSentWhenItHasMovedFarEnough) {
   scene.full(simulation);
   EXPECT_EQ(count(scene.difference(simulation), "SLT"), 0);
   simulation.train(simspark::BallCommand{Vec3(0.0049, 0, 0.042), Vec3(0, 0, 0)});
@@ -128,19 +128,19 @@ TEST_F(TwoRobots, theSelectedRobotIsMarked) {
 }
 
 /// Goals, walls, flags, rules and what monitors are told follow the sizes of the field.
-TEST(MonitorScene, aSmallFieldIsToldAsItIs) {
+TEST(MonitorScene, aSmallFieldIsSentAsItIs) {
   SimulationConfig config;
   config.world.field.length = 9;
   config.world.field.width = 6;
   config.world.field.centreCircleRadius = 0.75;
   const Simulation small(config);
   MonitorScene scene;
-  const std::string told = scene.full(small);
-  EXPECT_TRUE(told.starts_with("((FieldLength 9)(FieldWidth 6)(FieldHeight 40)(GoalWidth 2.1)"))
-      << told.substr(0, 99);
-  EXPECT_NE(told.find("(PassModeDuration 4)(CentreCircleRadius 0.75)("), std::string::npos);
+  const std::string message = scene.full(small);
+  EXPECT_TRUE(message.starts_with("((FieldLength 9)(FieldWidth 6)(FieldHeight 40)(GoalWidth 2.1)"))
+      << message.substr(0, 99);
+  EXPECT_NE(message.find("(PassModeDuration 4)(CentreCircleRadius 0.75)("), std::string::npos);
   simspark::SceneState state;
-  ASSERT_EQ(state.update(told), "");
+  ASSERT_EQ(state.update(message), "");
   EXPECT_EQ(state.field, config.world.field);
 }
 

@@ -105,7 +105,7 @@ protected:
   PlayerId id = 0;
 };
 
-TEST_F(Playing, placeIsToldOnce) {
+TEST_F(Playing, placeIsSentOnce) {
   Simulation fresh(config());
   const PlayerId player = fresh.addPlayer(1);
   fresh.step();
@@ -134,7 +134,7 @@ TEST_F(Playing, aSpeedPersistsUntilChangedAndTurnsExactly) {
   EXPECT_NEAR(*sensed(simulation, id).angle[headYaw], 0.2, 2e-3);
 }
 
-TEST_F(Playing, beamGoesWhereItIsToldWithinTheNoise) {
+TEST_F(Playing, beamGoesWhereItIsSentWithinTheNoise) {
   AgentCommand command;
   double spread = 0, turn = 0;
   for (int i = 0; i < 200; ++i) {
@@ -269,15 +269,15 @@ TEST_F(Playing, groundTruthIsTheTruth) {
   SimulationConfig c = config();
   c.players.groundTruth = true;
   c.players.groundTruthDecimals = 6;
-  Simulation told(c);
-  const PlayerId player = told.addPlayer(0);
-  told.act(player, init("Red", 7));
-  for (int i = 0; i < 10; ++i) told.step();
-  const auto truth = sensed(told, player).groundTruth;
+  Simulation open(c);
+  const PlayerId player = open.addPlayer(0);
+  open.act(player, init("Red", 7));
+  for (int i = 0; i < 10; ++i) open.step();
+  const auto truth = sensed(open, player).groundTruth;
   ASSERT_TRUE(truth);
-  const BodyState body = told.world().torso(told.allPlayers().at(player)->robot);
+  const BodyState body = open.world().torso(open.allPlayers().at(player)->robot);
   EXPECT_TRUE(truth->T_world_torso.isApprox(body.pose, 1e-5));
-  EXPECT_LT((truth->ball - told.world().ball().pose.translation()).norm(), 1e-5);
+  EXPECT_LT((truth->ball - open.world().ball().pose.translation()).norm(), 1e-5);
   ASSERT_EQ(truth->players.size(), 1u);
   EXPECT_EQ(truth->players[0].unum, 7);
   EXPECT_FALSE(sensed(simulation, id).groundTruth) << "only if asked for";

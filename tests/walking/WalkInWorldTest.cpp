@@ -64,13 +64,13 @@ TEST_P(WalkInWorld, startsAndStopsAgainAndAgain) {
 
 TEST_P(WalkInWorld, odometryFitsTheWay) {
   robot.run(walk(0.3, 0, 0), 1);
-  Pose2 told, way;
+  Pose2 odometry, way;
   for (int i = 0; i < 200; ++i) {
     robot.step(walk(0.3, 0, 0));
-    told = told * robot.output.odometry;
+    odometry = odometry * robot.output.odometry;
     way = way * robot.moved;
   }
-  EXPECT_NEAR(told.x() / way.x(), 1, 0.06);
+  EXPECT_NEAR(odometry.x() / way.x(), 1, 0.06);
 }
 
 TEST_P(WalkInWorld, whatWasObservedTellsTheWayBetterThanWhatWasPlanned) {
@@ -83,13 +83,13 @@ TEST_P(WalkInWorld, whatWasObservedTellsTheWayBetterThanWhatWasPlanned) {
     for (const WalkRequest& request :
          {walk(0.4, 0, 0), walk(0, 0.2, 1), walk(-0.2, 0, 0), walk(0.3, -0.1, -1)})
       for (int part = 0; part < 3; ++part) {
-        Pose2 told, way;
+        Pose2 odometry, way;
         for (int i = 0; i < 40; ++i) {
           robot.step(request);
-          told = told * robot.output.odometry;
+          odometry = odometry * robot.output.odometry;
           way = way * robot.moved;
         }
-        miss += (told.position - way.position).norm();
+        miss += (odometry.position - way.position).norm();
         length += way.position.norm();
       }
     return miss / length;

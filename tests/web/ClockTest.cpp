@@ -64,7 +64,7 @@ protected:
   simspark::MonitorClient monitor;
 };
 
-TEST_F(Clock, isToldToWhoAsks) {
+TEST_F(Clock, isSentToWhoAsks) {
   ASSERT_EQ(monitor.receive(5), Connection::Status::message);
   EXPECT_EQ(monitor.clock(), std::nullopt) << "nobody asked";
   send(Kind::tell);
@@ -100,7 +100,7 @@ TEST_F(Clock, standsAndSteps) {
   EXPECT_GE(monitor.scene().time, time + 1);
 }
 
-TEST_F(Clock, aViewerIsToldNoMoreThanItWants) {
+TEST_F(Clock, aViewerGetsNoMoreThanItWants) {
   simspark::MonitorClient viewer;
   ASSERT_EQ(viewer.connect("127.0.0.1", server.monitorPort()), "");
   viewer.send(simspark::ViewerCommand{10});

@@ -32,7 +32,7 @@ protected:
                 {"right", {{"name", "R"}, {"score", right}}}}
         .dump();
   }
-  json told(Channel channel) const {
+  json latest(Channel channel) const {
     const Broadcast::Message message = broadcast.latest(channel).message;
     return message ? json::parse(*message) : json::object();
   }
@@ -49,9 +49,9 @@ TEST_F(ReplayFeedTest, aRecordedGameIsNotLive) {
     writer.add(0, Channel::frame, std::string(100, 'f'));
   }
   const ReplayFeed feed(file, broadcast);
-  EXPECT_EQ(told(Channel::game)["live"], false);
-  EXPECT_EQ(told(Channel::game)["source"], file);
-  EXPECT_EQ(told(Channel::game)["right"]["score"], 2);
+  EXPECT_EQ(latest(Channel::game)["live"], false);
+  EXPECT_EQ(latest(Channel::game)["source"], file);
+  EXPECT_EQ(latest(Channel::game)["right"]["score"], 2);
 }
 
 TEST_F(ReplayFeedTest, refusesAGameNestedWithoutEnd) {
@@ -76,9 +76,9 @@ TEST_F(ReplayFeedTest, saysWhereInTheFileTheGameIsBroken) {
   ReplayFeed feed(file, broadcast);
   feed.command(Seek{7});
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (told(Channel::replay).value("problem", "").empty() && std::chrono::steady_clock::now() < end)
+  while (latest(Channel::replay).value("problem", "").empty() && std::chrono::steady_clock::now() < end)
     usleep(10000);
-  EXPECT_EQ(told(Channel::replay)["problem"],
+  EXPECT_EQ(latest(Channel::replay)["problem"],
             file + ": the game's state at 6.00 s is nested deeper than 16 levels");
 }
 
@@ -95,7 +95,7 @@ TEST_F(ReplayFeedTest, marksTheGoals) {
   }
   ReplayFeed feed(file, broadcast);
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  const auto goals = [&] { return told(Channel::replay).value("goals", json::array()); };
+  const auto goals = [&] { return latest(Channel::replay).value("goals", json::array()); };
   while (goals().size() < 2 && std::chrono::steady_clock::now() < end) usleep(10000);
   EXPECT_EQ(goals(), json::parse(R"([{"time": 3.0, "side": "left"}, {"time": 8.0, "side": "right"}])"));
 }

@@ -83,12 +83,12 @@ int runProgram(int argc, char** argv) {
   entry.date = now();
   std::optional<game::GameTrack> track;
   if (!trackFile.empty()) track.emplace(trackFile);
-  std::string told;  // score, play mode and half of the last line
+  std::string shown;  // score, play mode and half of the last line
   const auto tell = [&](const simspark::SceneState& scene) {
     const std::string state = fmt::format("{} {} : {} {} {} half {}", scene.teamLeft, scene.scoreLeft,
                                           scene.scoreRight, scene.teamRight, scene.playMode, scene.half);
-    if (events && state == told) return;
-    told = state;
+    if (events && state == shown) return;
+    shown = state;
     fmt::print("{} {} robots {}\n", game::clockText(scene.time), state, scene.robots.size());
     std::fflush(stdout);
   };
@@ -103,7 +103,7 @@ int runProgram(int argc, char** argv) {
   if (!log.empty() && result.end != game::GameEnd::interrupted) game::appendGameLog(log, line);
   if (!events)
     fmt::print("{}\n", line);
-  else if (result.end != game::GameEnd::interrupted && !told.empty())
+  else if (result.end != game::GameEnd::interrupted && !shown.empty())
     fmt::print("at the end: {} {} : {} {}\n", result.teamLeft, result.scoreLeft, result.scoreRight,
                result.teamRight);
   if (result.end == game::GameEnd::over) return 0;

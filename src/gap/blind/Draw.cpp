@@ -134,7 +134,7 @@ std::vector<BlindEffect> drawEffects(const Mechanism& robot, BlindKind kind, std
                                      const DrawOptions& options, Random& random) {
   std::vector<Range> list;
   const auto fits = [&](const DrawRange& r) {
-    return (!r.standing || options.battery == Battery::all) && !placesFor(robot, r.where).empty() &&
+    return (!r.floatingBase || options.battery == Battery::all) && !placesFor(robot, r.where).empty() &&
            (r.where != Where::imu || robot.hasImu);
   };
   if (kind == BlindKind::outside) {

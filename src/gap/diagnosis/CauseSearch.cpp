@@ -46,10 +46,10 @@ double excessForFitting(const Evaluator& evaluator, std::size_t t) {
 TrialMask tellingTrials(const Evaluator& evaluator, std::size_t count) {
   const auto& trials = evaluator.evidence().trials();
   TrialMask mask(trials.size(), 0);
-  for (const bool standing : {false, true}) {
+  for (const bool floatingBase : {false, true}) {
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t t = 0; t < trials.size(); ++t) {
-      if (trials[t].freeBase != standing) continue;
+      if (trials[t].freeBase != floatingBase) continue;
       order.emplace_back(-excessForFitting(evaluator, t), t);
     }
     std::ranges::sort(order);
@@ -73,12 +73,14 @@ bool bodyOnly(const Evaluator& evaluator, const Cause& cause) {
          (site == Site::link && evaluator.jointsTouched(cause).empty());
 }
 
-/// What a held run can show, it shows for a hundredth of a standing run's price; standing: those too.
-TrialMask showing(const Evaluator& evaluator, const Cause& cause, TrialMask mask, bool standing) {
+/// What a run with a fixed base can show, it shows for a hundredth of the price of one on the feet;
+/// floatingBase: those too.
+TrialMask showing(const Evaluator& evaluator, const Cause& cause, TrialMask mask, bool floatingBase) {
   const auto& trials = evaluator.evidence().trials();
-  const bool body = bodyOnly(evaluator, cause), held = !body && !standing && evaluator.hasFixedBase();
+  const bool body = bodyOnly(evaluator, cause),
+             fixedOnly = !body && !floatingBase && evaluator.hasFixedBase();
   for (std::size_t t = 0; t < trials.size(); ++t) {
-    if (trials[t].freeBase && held) mask[t] = 0;
+    if (trials[t].freeBase && fixedOnly) mask[t] = 0;
     if (!trials[t].freeBase && body && cause.place.site != Site::imu) mask[t] = 0;
   }
   return mask;
@@ -99,7 +101,7 @@ public:
         options_(options),
         most_(tellingTrials(fine, 1)),
         telling_(tellingTrials(fine, 2)),
-        heldTells_(fixedBaseDecides(fine)),
+        fixedBaseTells_(fixedBaseDecides(fine)),
         underLoad_(fine) {}
 
   std::vector<Candidate> run(const std::vector<Cause>& causes) {
@@ -127,10 +129,10 @@ public:
   }
 
 private:
-  /// Whether a cause that held runs could show is judged on standing runs too.
-  bool onFeet(const Cause& cause) const { return !heldTells_ || onlyUnderLoad(cause); }
+  /// Whether a cause that runs with a fixed base could show is judged on those with a floating base too.
+  bool onFeet(const Cause& cause) const { return !fixedBaseTells_ || onlyUnderLoad(cause); }
   bool onlyUnderLoad(const Cause& cause) const { return underLoad_.shows(*cause.effect, cause.place); }
-  /// Trials to fit on: the most telling held ones, of the standing ones the first.
+  /// Trials to fit on: the most telling ones with a fixed base, of those with a floating base the first.
   TrialMask tellingOf(const Cause& cause) const {
     TrialMask mask = showing(fine_, cause, telling_, onFeet(cause));
     for (std::size_t t = 0; t < mask.size(); ++t)
@@ -202,23 +204,23 @@ private:
     look(hopeful, 0.3, 0.5);
   }
 
-  /// The best start of each kind, variant and direction. What was looked at in held runs that tell little of
-  /// the whole is not to be compared with the rest yet: the best of it are taken along.
+  /// The best start of each kind, variant and direction. What was looked at in runs with a fixed base
+  /// that tell little of the whole is not to be compared with the rest yet: the best of it are taken along.
   void bestStarts() {
     std::stable_sort(looked_.begin(), looked_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.screened > b.screened; });
-    std::size_t held = 0;
+    std::size_t onlyFixedBase = 0;
     for (const Lead& candidate : looked_) {
       if (chosen_.size() >= lookTwice || candidate.screened <= 0) break;
-      const bool inHeldRuns = !heldTells_ && !bodyOnly(fine_, candidate.cause);
-      if (inHeldRuns && held >= lookOnFeet) continue;
+      const bool onFixedBase = !fixedBaseTells_ && !bodyOnly(fine_, candidate.cause);
+      if (onFixedBase && onlyFixedBase >= lookOnFeet) continue;
       const auto below = [](const Cause& cause) { return cause.value < cause.effect->nominal; };
       const bool known = std::ranges::any_of(chosen_, [&](const Candidate& c) {
         return oneStart(c.cause, candidate.cause) && below(c.cause) == below(candidate.cause);
       });
       if (known) continue;
       chosen_.push_back(candidate);
-      held += inHeldRuns;
+      onlyFixedBase += onFixedBase;
     }
   }
 
@@ -314,7 +316,7 @@ private:
   const Evaluator &fine_, &coarse_;
   const SearchOptions& options_;
   const TrialMask most_, telling_, every_ = TrialMask(telling_.size(), 1);
-  const bool heldTells_;
+  const bool fixedBaseTells_;
   const UnderLoad underLoad_;
   std::vector<Lead> looked_, chosen_;
   std::atomic<std::size_t> done_ = 0;

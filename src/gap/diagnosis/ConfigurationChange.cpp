@@ -18,7 +18,7 @@ constexpr double worthIt = 0.05;   // of all squares, for each recording, with v
 constexpr std::size_t fittedStarts = 6;
 constexpr double needless = 0.02;  // more squares without it: a cause that is not needed
 
-/// Squares on the blocks for judging of each recording with a held base.
+/// Squares on the blocks for judging of each recording with a fixed base.
 std::map<std::string, double> squaresByRecording(const Evidence& data, const Fit& fit) {
   std::map<std::string, double> sums;
   for (std::size_t t = 0; t < data.trials().size(); ++t) {

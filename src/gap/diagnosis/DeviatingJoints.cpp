@@ -32,7 +32,7 @@ std::vector<bool> restlessJoints(const Evaluator& evaluator) {
   return restless;
 }
 
-/// Joints without a position in some run with a held base: what is wrong there shows in their neighbours.
+/// Joints without a position in some run with a fixed base: what is wrong there shows in their neighbours.
 std::vector<bool> unseenJoints(const Evaluator& evaluator) {
   std::vector<bool> unseen(evaluator.mechanism().joints.size(), false);
   for (const Trial& trial : evaluator.evidence().trials()) {
@@ -61,10 +61,10 @@ bool allStep(const Evidence& data) {
 
 }  // namespace
 
-std::vector<double> jointExcess(const Evaluator& evaluator, bool standing) {
+std::vector<double> jointExcess(const Evaluator& evaluator, bool floatingBase) {
   std::vector<double> excess(evaluator.mechanism().joints.size(), 0);
   evaluator.forEachChannel([&](const Trial& trial, const Signal& signal, double chi) {
-    if (trial.freeBase != standing || signal.kind != SignalKind::position) return;
+    if (trial.freeBase != floatingBase || signal.kind != SignalKind::position) return;
     double& most = excess[static_cast<std::size_t>(signal.joint)];
     most = std::max(most, chi - 1);
   });

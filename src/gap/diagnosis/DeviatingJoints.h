@@ -5,9 +5,9 @@
 
 namespace plumbline::gap {
 
-/// The worst mean square beyond noise of each joint's positions under the base, in runs on the feet
-/// (standing) or with a held base. In units of noise variance, one per joint; 0 where nothing was compared.
-std::vector<double> jointExcess(const Evaluator& evaluator, bool standing);
+/// The worst mean square beyond noise of each joint's positions under the base, in runs with a floating
+/// base or with a fixed one. In units of noise variance, one per joint; 0 where nothing was compared.
+std::vector<double> jointExcess(const Evaluator& evaluator, bool floatingBase);
 
 /// Joints that deviate in recordings with a fixed base: by themselves (or because repeats differ), or in a
 /// chain of which a joint deviates. Without such recordings: all of them.

@@ -56,7 +56,7 @@ public:
       leftOnFixedBase = explainFixedBaseRuns();
     const bool foundOnFixedBase = !selection_.causes.empty();
     if (leftOnFixedBase > 1) {
-      // Not known to the library. What came nearest on held runs may topple the robot.
+      // Not known to the library. What came nearest on a fixed base may topple the robot.
       if (meter_.under(fine_) > result_.gap.before) selection_.clear();
     } else if (selection_.causes.empty()) {
       explain();
@@ -115,8 +115,9 @@ private:
     }
   }
 
-  /// Where held runs show what is wrong, they tell it for a hundredth of the price; what remains of them over
-  /// what may remain. On the feet only what is found is then looked at, and what those runs show besides.
+  /// Where runs with a fixed base show what is wrong, they show it for a hundredth of the price; what remains
+  /// of them over what may remain. On the feet only what is found is then looked at, and what those runs show
+  /// besides.
   double explainFixedBaseRuns() {
     double remains = onFixedBaseRuns([&] { explain(); });
     if (pruneHarmful(selection_, fine_, meter_, result_.gap.before, options_.jobs))
@@ -127,7 +128,8 @@ private:
     return remains;
   }
 
-  /// Changes the causes as if there were held runs alone; what remains of those over what may remain.
+  /// Changes the causes as if there were runs with a fixed base alone; what remains of those over what may
+  /// remain.
   double onFixedBaseRuns(const std::function<void()>& change) {
     leaveFloatingBaseOut(true);
     const double whole = std::exchange(selection_.worstBefore, worstGap(fine_).size);

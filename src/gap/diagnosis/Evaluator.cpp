@@ -87,7 +87,7 @@ void takeOver(Prediction&& fresh, Prediction& all) {
 
 Evaluator::Evaluator(const Mechanism& mechanism, const Evidence& evidence, const ReplayOptions& accuracy)
     : robot_(mechanism), data_(evidence), accuracy_(accuracy) {
-  for (const Trial& trial : data_.trials()) (trial.freeBase ? standingRuns_ : heldRuns_) = true;
+  for (const Trial& trial : data_.trials()) (trial.freeBase ? floatingBaseRuns_ : fixedBaseRuns_) = true;
   lost_.resize(data_.trials().size());
   setBase({});
 }
@@ -107,7 +107,7 @@ void Evaluator::setLostCycles(std::vector<std::vector<std::uint8_t>> cycles) {
 }
 
 void Evaluator::leaveFloatingBaseOut(bool out) {
-  standingOut_ = out;
+  floatingBaseLeftOut_ = out;
   predictions_.clear();
   setBase({});
 }

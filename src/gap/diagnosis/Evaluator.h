@@ -39,7 +39,7 @@ public:
   Fit with(const Cause& cause, const TrialMask& mask = {}) const;
   /// Fit of another explanation. Thread-safe.
   Fit of(const Explanation& causes) const { return compare(played(causes)); }
-  /// What another explanation predicts, one per trial: with a held base only the signals of the joints that
+  /// What another explanation predicts, one per trial: with a fixed base only the signals of the joints that
   /// differ from the base's, nothing where none do. Thread-safe.
   std::vector<Prediction> played(const Explanation& causes) const;
   /// Fit of predictions, each with the base's where it has none of its own. Thread-safe.
@@ -54,8 +54,8 @@ public:
   std::vector<int> jointsTouched(const Cause& cause) const;
   /// Excludes the runs on the feet, or includes them again. The base is nominal afterwards.
   void leaveFloatingBaseOut(bool out);
-  bool hasFloatingBase() const { return standingRuns_ && !standingOut_; }
-  bool hasFixedBase() const { return heldRuns_; }
+  bool hasFloatingBase() const { return floatingBaseRuns_ && !floatingBaseLeftOut_; }
+  bool hasFixedBase() const { return fixedBaseRuns_; }
   /// Mean weighted square of the residuals of a signal in a trial under the base; 1 if only noise is left,
   /// NaN if nothing was compared. With a fixed base, the part that a lead or lag of 0.2 ms explains does not
   /// count.
@@ -72,7 +72,7 @@ public:
   const ReplayOptions& replayOptions() const { return accuracy_; }
 
 private:
-  bool leftOut(std::size_t trial) const { return standingOut_ && data_.trials()[trial].freeBase; }
+  bool leftOut(std::size_t trial) const { return floatingBaseLeftOut_ && data_.trials()[trial].freeBase; }
   ReplayOptions optionsOf(std::size_t trial, const Explanation& explanation) const;
   void replayBase(const Explanation& explanation);
   /// Joints to replay with a fixed base if another explanation replaces the base.
@@ -90,7 +90,7 @@ private:
   std::vector<std::vector<double>> chis_;
   Fit baseSquares_;
   std::vector<std::vector<std::uint8_t>> lost_;
-  bool standingRuns_ = false, heldRuns_ = false, standingOut_ = false;
+  bool floatingBaseRuns_ = false, fixedBaseRuns_ = false, floatingBaseLeftOut_ = false;
 };
 
 }  // namespace plumbline::gap

@@ -20,7 +20,7 @@ constexpr double mostBlocks = 0.8;  // on the feet: the rest may come after a fo
 constexpr double stuckBlocks = 0.03;
 
 /// Mean square over noise of each half-second in which a channel was compared, by the channel's name.
-std::map<std::string, std::vector<double>> squaresByBlock(const Evaluator& evaluator, bool standing) {
+std::map<std::string, std::vector<double>> squaresByBlock(const Evaluator& evaluator, bool floatingBase) {
   struct Sum {
     double squares = 0, n = 0;
   };
@@ -28,7 +28,7 @@ std::map<std::string, std::vector<double>> squaresByBlock(const Evaluator& evalu
   const Evidence& data = evaluator.evidence();
   for (std::size_t t = 0; t < data.trials().size(); ++t) {
     const Trial& trial = data.trials()[t];
-    for (std::size_t s = 0; s < trial.signals.size() && trial.freeBase == standing; ++s) {
+    for (std::size_t s = 0; s < trial.signals.size() && trial.freeBase == floatingBase; ++s) {
       if (!Evidence::counts(trial.signals[s])) continue;
       auto& blocks = sums[trial.signals[s].name];
       data.forEach(t, s, evaluator.basePrediction(t), [&](std::size_t k, double w, double r) {
@@ -46,10 +46,10 @@ std::map<std::string, std::vector<double>> squaresByBlock(const Evaluator& evalu
 
 }  // namespace
 
-WorstGap worstGap(const Evaluator& evaluator, std::optional<bool> standing) {
+WorstGap worstGap(const Evaluator& evaluator, std::optional<bool> floatingBase) {
   WorstGap worst;
   evaluator.forEachChannel([&](const Trial& trial, const Signal& signal, double chi) {
-    if ((standing && trial.freeBase != *standing) || !Evidence::counts(signal)) return;
+    if ((floatingBase && trial.freeBase != *floatingBase) || !Evidence::counts(signal)) return;
     const double size = std::sqrt(std::max(0.0, chi - 1));
     if (size > worst.size) worst = {size, signal.name};
   });
@@ -90,9 +90,9 @@ double gapOnFixedBase(const Evaluator& evaluator) {
 }
 
 bool fixedBaseDecides(const Evaluator& evaluator) {
-  const double held = std::ranges::max(jointExcess(evaluator, false)),
-               standing = std::ranges::max(jointExcess(evaluator, true));
-  return held >= asFar * standing;
+  const double fixed = std::ranges::max(jointExcess(evaluator, false)),
+               floating = std::ranges::max(jointExcess(evaluator, true));
+  return fixed >= asFar * floating;
 }
 
 WorstGap worstRestOffset(const Evaluator& evaluator) {

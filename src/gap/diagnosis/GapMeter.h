@@ -7,13 +7,13 @@
 
 namespace plumbline::gap {
 
-/// The gap beyond noise in units of noise, of the worst channel in any run: name and size. standing: only
+/// The gap beyond noise in units of noise, of the worst channel in any run: name and size. floatingBase: only
 /// runs on a floating base (true), or only on a fixed base (false).
 struct WorstGap {
   double size = 0;
   std::string signal;
 };
-WorstGap worstGap(const Evaluator& evaluator, std::optional<bool> standing = {});
+WorstGap worstGap(const Evaluator& evaluator, std::optional<bool> floatingBase = {});
 
 /// The gap beyond noise of the worst channel in runs on the feet, in units of noise: the value below which
 /// four fifths of the half-seconds stay. A foot that slips a moment too late changes the rest of its run. 0

@@ -58,16 +58,16 @@ GroupedCrossValidation::GroupedCrossValidation(const Mechanism& mechanism, const
     return leftOut == Left::motion ? Group(trial.recordedMotion, {}) : Group("", gainsOf(trial));
   };
   std::vector<Group> groups;
-  std::vector<Trial> held;
+  std::vector<Trial> trials;
   for (const Trial& trial : evidence.trials()) {
     if (trial.freeBase) continue;
-    held.push_back(trial);
+    trials.push_back(trial);
     if (std::ranges::find(groups, groupOf(trial)) == groups.end()) groups.push_back(groupOf(trial));
   }
   if (groups.size() < 2) return;
   for (const Group& out : groups) {
     std::vector<Trial> fitted, left;
-    for (const Trial& trial : held) (groupOf(trial) == out ? left : fitted).push_back(trial);
+    for (const Trial& trial : trials) (groupOf(trial) == out ? left : fitted).push_back(trial);
     folds_.push_back(std::make_unique<Fold>(mechanism, std::move(fitted), std::move(left), accuracy));
     folds_.back()->nominal = squaresLeft(*folds_.back(), {});
   }

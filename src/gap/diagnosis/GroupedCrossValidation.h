@@ -15,7 +15,7 @@ class GroupedCrossValidation {
 public:
   enum class Left { setting, motion };  ///< what is left out in turn
 
-  /// Groups the runs with a held base by the gains they were recorded with, or by their motion (segments of
+  /// Groups the runs with a fixed base by the gains they were recorded with, or by their motion (segments of
   /// one recording go together). accuracy: the steps of all replays.
   GroupedCrossValidation(const Mechanism& mechanism, const Evidence& evidence, int jobs,
                          const ReplayOptions& accuracy = {}, Left left = Left::setting);

@@ -18,14 +18,15 @@ std::size_t survivorsOf(std::size_t detectionCycles) { return detectionCycles * 
 struct Guess {
   Playback playback;
   std::vector<std::uint8_t> lost;
-  std::size_t held = 0;  ///< the last cycle whose command came
+  std::size_t arrived = 0;  ///< the last cycle whose command came
   double cost = 0;
 
   Guess(const Plant& plant, const Trial& trial) : playback(plant, trial, {}), lost(trial.cycles(), 0) {
     playback.settle();
     playback.lose(&lost);
   }
-  Guess(const Guess& other) : playback(other.playback), lost(other.lost), held(other.held), cost(other.cost) {
+  Guess(const Guess& other)
+      : playback(other.playback), lost(other.lost), arrived(other.arrived), cost(other.cost) {
     playback.lose(&lost);
   }
   Guess& operator=(const Guess&) = delete;
@@ -69,12 +70,12 @@ private:
   void branch(std::size_t cycle) {
     const std::size_t before = guesses_.size();
     for (std::size_t i = 0; i < before; ++i) {
-      if (cycle > 0 && !sameCommand(trial_, guesses_[i]->held, cycle)) {
+      if (cycle > 0 && !sameCommand(trial_, guesses_[i]->arrived, cycle)) {
         guesses_.push_back(std::make_unique<Guess>(*guesses_[i]));
         guesses_.back()->lost[cycle] = 1;
         guesses_.back()->cost += price_;
       }
-      guesses_[i]->held = cycle;
+      guesses_[i]->arrived = cycle;
     }
   }
 

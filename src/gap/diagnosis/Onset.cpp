@@ -56,7 +56,7 @@ private:
   std::vector<std::size_t> signals_;
 };
 
-/// The run with a held base in which the places of a cause are off most.
+/// The run with a fixed base in which the places of a cause are off most.
 std::optional<std::size_t> runThatShowsMost(const Evaluator& evaluator, const Cause& cause) {
   std::optional<std::size_t> most;
   double worst = 0;

@@ -15,17 +15,19 @@ class Remainder {
 public:
   /// worstBefore: gap beyond noise of the worst channel without any cause, in units of its noise.
   Remainder(const Evaluator& evaluator, double worstBefore)
-      : held_(gapOnFixedBase(evaluator)), onFeet_(gapOnFloatingBase(evaluator)), before_(worstBefore) {}
+      : fixedBase_(gapOnFixedBase(evaluator)),
+        floatingBase_(gapOnFloatingBase(evaluator)),
+        before_(worstBefore) {}
 
   /// Remaining gap divided by the difference that another engine may cause: above 1, the causes found are not
   /// everything.
   double unaccounted() const { return std::max(unaccountedOnFixedBase(), unaccountedOnFloatingBase()); }
-  double unaccountedOnFixedBase() const { return held_ / std::max(remaining, remainingShare * before_); }
+  double unaccountedOnFixedBase() const { return fixedBase_ / std::max(remaining, remainingShare * before_); }
   double unaccountedOnFloatingBase() const {
-    return onFeet_ / std::max(remainingOnFeet, remainingShareOnFeet * before_);
+    return floatingBase_ / std::max(remainingOnFeet, remainingShareOnFeet * before_);
   }
   /// The remaining gap in which a further cause could be searched.
-  double size() const { return std::max(held_, onFeet_); }
+  double size() const { return std::max(fixedBase_, floatingBase_); }
   /// Whether so little is left of a large gap that the found effects may simply act slightly differently in
   /// reality.
   bool little() const { return size() < unexplainedShare / 2 * before_; }
@@ -35,7 +37,7 @@ public:
   }
   /// On the feet, where replays take minutes, a remainder that other contacts could cause is only searched
   /// for sensors, which need no replay.
-  bool onlyOfSensors() const { return held_ < unexplained && onFeet_ < remainingOnFeet; }
+  bool onlyOfSensors() const { return fixedBase_ < unexplained && floatingBase_ < remainingOnFeet; }
 
 private:
   // In units of noise, and as shares of the original gap.
@@ -46,7 +48,7 @@ private:
   static constexpr double remainingOnFeet = 2.5,
                           remainingShareOnFeet = 0.2;  // contacts differ more between engines
 
-  double held_, onFeet_, before_;
+  double fixedBase_, floatingBase_, before_;
 };
 
 }  // namespace plumbline::gap

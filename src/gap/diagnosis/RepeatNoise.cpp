@@ -14,7 +14,7 @@ constexpr double explained = 0.5;  // of the squares of what they differ by
 constexpr int rounds = 2;          // losses jerk at a channel's own noise: it is lower once they are known
 
 /// Whether what was taken for noise is clearly more than in another evidence of the same runs, in half of the
-/// joints that were repeated with the base held.
+/// joints that were repeated with the base fixed.
 bool isNoisier(const Evidence& byRepeats, const Evidence& other) {
   std::size_t joints = 0, differ = 0;
   for (std::size_t t = 0; t < byRepeats.trials().size(); ++t) {

@@ -25,7 +25,7 @@ struct DrawRange {
   Growth growth = Growth::distance;
   bool bothSigns = false;
   std::string_view axes = {};
-  bool standing = false;  ///< only seen on the feet
+  bool floatingBase = false;  ///< only seen with one
   Choice choice = {};
 };
 

@@ -25,7 +25,7 @@ const Effect externalForce{
                 .high = 6,
                 .bothSigns = true,
                 .axes = "xyz",
-                .standing = true},
+                .floatingBase = true},
 };
 MAKE_EFFECT(externalForce);
 

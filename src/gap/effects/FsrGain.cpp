@@ -23,7 +23,7 @@ const Effect fsrGain{
                 .low2 = 1.1,
                 .high2 = 1.3,
                 .growth = DrawRange::Growth::factor,
-                .standing = true},
+                .floatingBase = true},
 };
 MAKE_EFFECT(fsrGain);
 

@@ -20,7 +20,7 @@ const Effect groundCompliance{
           (void)place;
         },
     .inWalk = true,
-    .drawing = {.where = DrawRange::Where::ground, .low = 3e-5, .high = 3e-4, .standing = true},
+    .drawing = {.where = DrawRange::Where::ground, .low = 3e-5, .high = 3e-4, .floatingBase = true},
 };
 MAKE_EFFECT(groundCompliance);
 

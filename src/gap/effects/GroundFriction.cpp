@@ -25,7 +25,7 @@ const Effect groundFriction{
                 .low = 0.1,
                 .high = 0.3,
                 .growth = DrawRange::Growth::factor,
-                .standing = true},
+                .floatingBase = true},
 };
 MAKE_EFFECT(groundFriction);
 

@@ -27,7 +27,7 @@ const Effect groundSlope{
                 .high = 0.08,
                 .bothSigns = true,
                 .axes = "xy",
-                .standing = true},
+                .floatingBase = true},
 };
 MAKE_EFFECT(groundSlope);
 

@@ -19,7 +19,7 @@ const Effect imuDelay{
           plant.imu.delay += value;
           (void)place;
         },
-    .drawing = {.where = DrawRange::Where::imu, .low = 0.01, .high = 0.04, .standing = true},
+    .drawing = {.where = DrawRange::Where::imu, .low = 0.01, .high = 0.04, .floatingBase = true},
 };
 MAKE_EFFECT(imuDelay);
 

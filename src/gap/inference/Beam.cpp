@@ -90,7 +90,7 @@ private:
     return proposals;
   }
 
-  /// Adds causes to a set, those first that are foretold to gain most. What is foretold from the nominal
+  /// Adds causes to a set, those first whose predicted gain is largest. What is predicted from the nominal
   /// model is too little for all of them by much the same factor. A set that could not be the best with twice
   /// what that comes to is not fitted.
   void extend(const Explanation& base, std::size_t most) {
@@ -158,8 +158,8 @@ private:
 
 BeamResult searchSets(const Replayer& replayer, const BeamOptions& options) {
   BeamResult result = Search(replayer, options).run();
-  // What is answered is fitted to the end, and each group is left out by a fit of its own; so is what it is
-  // without one of its causes, for one that the fit to the end made useless must go.
+  // What is answered is fitted to the end, and each group is left out by a fit of its own. The same is done
+  // without each of its causes, for one that the fit to the end made useless must go.
   const Shares shares = sharesOf(replayer.groups(), replayer.residuals(result.sets.front().causes()));
   const auto settled = [&](const Explanation& causes, const std::vector<Explanation>& starts) {
     return score(replayer, shares, causes, result.kinds, stepsAtLast, LeaveOut::refit, starts);

@@ -24,7 +24,7 @@ struct Further {
 };
 
 /// Each group is left out in turn; the values are fitted to the others (fitPerJoint), from nominal. leftOut:
-/// what the causes named left of recordings left out. Only for robots whose base is held: empty otherwise.
+/// what the causes named left of recordings left out. Only for robots whose base is fixed: empty otherwise.
 /// progress: share done.
 Further furtherOf(const Mechanism& robot, const std::vector<Trial>& trials,
                   const std::vector<RecordingLeft>& leftOut, int jobs,

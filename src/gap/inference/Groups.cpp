@@ -74,7 +74,7 @@ void Groups::number() {
   groups_ = 0;
   std::vector<std::size_t> numberOf(in_.size());
   for (std::size_t i = 0; i < in_.size(); ++i) numberOf[i] = in_[i] ? groups_++ : 0;
-  held_.assign(groups_, std::vector<char>(all_->size(), 0));
+  members_.assign(groups_, std::vector<char>(all_->size(), 0));
   for (std::size_t t = 0; t < all_->size(); ++t) {
     const Trial& trial = (*all_)[t];
     const std::vector<std::size_t>& bounds = (*bounds_)[t];
@@ -94,7 +94,7 @@ void Groups::number() {
           any = std::isfinite(trial.signals[s].values[k]);
         if (!any) continue;
         scored_.push_back(cell);
-        held_[cell.group][t] = 1;
+        members_[cell.group][t] = 1;
       }
     }
   }
@@ -121,7 +121,7 @@ std::vector<char> enoughTrials(const Groups& groups) {
 }
 
 bool Groups::holds(std::size_t trial) const {
-  return std::ranges::any_of(held_, [&](const std::vector<char>& of) { return of[trial] != 0; });
+  return std::ranges::any_of(members_, [&](const std::vector<char>& of) { return of[trial] != 0; });
 }
 
 std::size_t Groups::groupOf(std::size_t trial, std::size_t cycle) const {

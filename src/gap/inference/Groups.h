@@ -31,7 +31,7 @@ public:
   std::size_t count() const { return groups_; }
   bool stretchesOfOne() const { return stretches_; }
   /// Whether a trial has anything in a group, or in any.
-  bool holds(std::size_t group, std::size_t trial) const { return held_[group][trial] != 0; }
+  bool holds(std::size_t group, std::size_t trial) const { return members_[group][trial] != 0; }
   bool holds(std::size_t trial) const;
   /// The number of the group that a trial's cycle is in. Only of groups that none was left out of.
   std::size_t groupOf(std::size_t trial, std::size_t cycle) const;
@@ -48,7 +48,7 @@ private:
   bool stretches_ = false;
   std::size_t groups_ = 0;
   std::vector<Cell> scored_;
-  std::vector<std::vector<char>> held_;  ///< per group and trial
+  std::vector<std::vector<char>> members_;  ///< per group and trial
 };
 
 /// Samples of a cell that are enough for a search.

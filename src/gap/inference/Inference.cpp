@@ -96,9 +96,9 @@ std::vector<Rival> rivalsOf(const std::vector<Scored>& sets, const std::vector<d
   return rivals;
 }
 
-/// Mean over the search in all groups and those without one: what a few recordings alone make likely is not
-/// sure (a posterior averaged over data sets: Huggins and Miller, "Reproducible model selection using bagged
-/// posteriors", Bayesian Analysis 18, 2023).
+/// Mean over the search in all groups and those without one. What a few recordings alone make likely is not
+/// sure. This is a posterior averaged over data sets (Huggins and Miller, "Reproducible model selection using
+/// bagged posteriors", Bayesian Analysis 18, 2023).
 double probabilityIn(const Cause& cause, const std::vector<Scored>& sets, const std::vector<double>& p,
                      const std::vector<FoundWithout>& without) {
   double sum = probabilityOf(cause, sets, p);
@@ -145,11 +145,12 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   const auto tell = [&](const char* stage, double share) {
     if (options.progress) options.progress(stage, share);
   };
-  const bool held = std::ranges::none_of(groups.trials(), &Trial::freeBase), few = hasFewKinds(groups, robot);
+  const bool fixedBase = std::ranges::none_of(groups.trials(), &Trial::freeBase),
+             few = hasFewKinds(groups, robot);
   std::optional<WindowReplayer> windows;
   std::optional<Replayer> coarse;
-  if (held && few) windows.emplace(robot, groups, options.jobs);
-  if (held && !few) coarse.emplace(robot, groups, options.jobs, withLongSteps());
+  if (fixedBase && few) windows.emplace(robot, groups, options.jobs);
+  if (fixedBase && !few) coarse.emplace(robot, groups, options.jobs, withLongSteps());
   const SearchTools tools{replayer, windows ? &*windows : nullptr, coarse ? &*coarse : nullptr};
   tell("each cause alone", 0);
   const CandidateScreening screening(replayer, sharesOf(groups, replayer.residuals({})),

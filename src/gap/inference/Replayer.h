@@ -18,7 +18,7 @@ using Series = std::shared_ptr<const ResidualSeries>;
 /// Per trial and signal.
 using Residuals = std::vector<std::vector<Series>>;
 
-/// A pure function from a hypothesis (causes with their values) to residuals. Chains of a held base do not
+/// A pure function from a hypothesis (causes with their values) to residuals. Chains of a fixed base do not
 /// feel each other: each is replayed by itself, and once for all hypotheses that are alike in what it feels.
 /// A constant lead of a channel within 0.2 ms, as two integrators differ by, is taken off.
 class Replayer {
@@ -30,7 +30,7 @@ public:
 
   /// wanted: one flag per trial; empty: all that are in a group. Trials not wanted stay empty.
   Residuals residuals(const Explanation& causes, const std::vector<char>& wanted = {}) const;
-  /// Joints of the chains that feel a cause where the base is held.
+  /// Joints of the chains that feel a cause where the base is fixed.
   const std::vector<std::vector<int>>& chains() const { return chainJoints_; }
   bool feels(std::size_t chain, const Cause& cause) const;
 

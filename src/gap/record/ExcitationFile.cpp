@@ -365,7 +365,7 @@ std::string excitationText(const Excitation& excitation, const Mechanism& robot)
 std::vector<std::string> hangingBattery() {
   return {"hang_sweep", "hang_multisine", "hang_small", "hang_fast"};
 }
-std::vector<std::string> standingBattery() {
+std::vector<std::string> floatingBaseBattery() {
   return {"stand_squat", "stand_sway", "stand_lean", "stand_turn180"};
 }
 

@@ -21,6 +21,6 @@ std::string excitationText(const Excitation& excitation, const Mechanism& robot)
 
 /// Names of the standard programs: for a robot that is hung up, and the further ones for a robot on its feet.
 std::vector<std::string> hangingBattery();
-std::vector<std::string> standingBattery();
+std::vector<std::string> floatingBaseBattery();
 
 }  // namespace plumbline::gap

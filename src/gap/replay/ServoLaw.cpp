@@ -17,16 +17,16 @@ ServoLine limited(const ServoLine& line, double x, double w, double limit, doubl
   double allowed = limit;
   if (maxSpeed > 0 && speed > fadeFrom) allowed *= std::max(0.0, (maxSpeed - speed) / (fadeShare * maxSpeed));
   if (std::abs(torque) <= allowed) return line;
-  ServoLine held;
+  ServoLine limitedLine;
   if (maxSpeed > 0 && speed > fadeFrom && speed < maxSpeed) {
-    held.damping = limit / (fadeShare * maxSpeed);
-    held.torque = sign * held.damping * maxSpeed;
-    held.regime = sign > 0 ? 3 : 4;
+    limitedLine.damping = limit / (fadeShare * maxSpeed);
+    limitedLine.torque = sign * limitedLine.damping * maxSpeed;
+    limitedLine.regime = sign > 0 ? 3 : 4;
   } else {
-    held.torque = sign * allowed;
-    held.regime = allowed > 0 ? (sign > 0 ? 1 : 2) : 5;
+    limitedLine.torque = sign * allowed;
+    limitedLine.regime = allowed > 0 ? (sign > 0 ? 1 : 2) : 5;
   }
-  return held;
+  return limitedLine;
 }
 
 /// What a dead band leaves of an error: nothing within it; beyond it all, or what exceeds it.

@@ -119,7 +119,7 @@ NextMotion findNextMotion(const Mechanism& robot, const std::vector<Explanation>
                           NextMotionOptions options) {
   if (explanations.size() < 2) throw std::invalid_argument("there must be two explanations to separate");
   std::set<int> shown;
-  bool body = options.standing;
+  bool body = options.floatingBase;
   for (const Explanation& explanation : explanations)
     for (const Cause& cause : explanation) {
       if (isBodys(cause.place)) {
@@ -153,7 +153,7 @@ NextMotion findNextMotion(const Mechanism& robot, const std::vector<Explanation>
       }
   };
   take(hangingBattery());
-  if (body && !robot.feet.empty()) take(standingBattery());
+  if (body && !robot.feet.empty()) take(floatingBaseBattery());
   NextMotion result;
   std::size_t best = 0, done = 0;
   std::vector<MotionScore> scores;

@@ -24,9 +24,9 @@ struct NextMotion {
 };
 
 struct NextMotionOptions {
-  std::vector<int> joints;  ///< that the designed programs move; empty: those of the explanations
-  bool fromFirst = false;   ///< only pairs with the first explanation count, not every pair
-  bool standing = false;    ///< also use standing programs of the library
+  std::vector<int> joints;    ///< that the designed programs move; empty: those of the explanations
+  bool fromFirst = false;     ///< only pairs with the first explanation count, not every pair
+  bool floatingBase = false;  ///< also use programs of the library for one
   std::function<void(double share)> progress = {};
 };
 

@@ -98,7 +98,7 @@ std::string settingsJson(const SettingsDiagnosis& diagnosis, const std::string& 
   j["known_probability"] = number(diagnosis.knownProbability);
   j["next_motion"] = diagnosis.nextMotion;
   j["windows"] = diagnosis.windows;
-  j["held_out_windows"] = diagnosis.heldOutWindows;
+  j["held_out_windows"] = diagnosis.leftOutWindows;
   return j.dump(1);
 }
 

@@ -19,9 +19,9 @@ using Part = SettingsEvaluator::Part;
 
 constexpr int looks = 9;             // values over a setting's range that are looked at
 constexpr std::size_t refined = 4;   // settings whose value is fitted
-constexpr double leastZ = 3;         // of the gain over held-out windows
-constexpr double oneWay = 0.5;       // of the gains' absolute values over held-out recordings
-constexpr double leastGain = 0.02;   // mean gain per held-out window [nat]
+constexpr double leastZ = 3;         // of the gain over left-out windows
+constexpr double oneWay = 0.5;       // of the gains' absolute values over left-out recordings
+constexpr double leastGain = 0.02;   // mean gain per left-out window [nat]
 constexpr double leastShare = 0.02;  // of what the score has to lose
 constexpr double rivalShare = 0.01;
 constexpr int resamples = 2000;
@@ -29,8 +29,8 @@ constexpr int resamples = 2000;
 /// A setting with its fitted value on top of a base.
 struct Candidate {
   SettingValue value;
-  std::vector<double> gains;     ///< per held-out recording
-  double gain = 0, squares = 0;  ///< sums of gains and of their squares over held-out windows
+  std::vector<double> gains;     ///< per left-out recording
+  double gain = 0, squares = 0;  ///< sums of gains and of their squares over left-out windows
 };
 
 std::vector<SettingValue> without(std::vector<SettingValue> values, std::size_t i) {
@@ -61,8 +61,8 @@ public:
     result_.cells = cellsOf(bare.errors, end.errors, own);
     result_.nextMotion = nextMotion();
     result_.windows = evidence_.windows().size();
-    result_.heldOutWindows =
-        static_cast<std::size_t>(std::ranges::count(evidence_.windows(), true, &TraceWindow::heldOut));
+    result_.leftOutWindows =
+        static_cast<std::size_t>(std::ranges::count(evidence_.windows(), true, &TraceWindow::leftOut));
     return result_;
   }
 
@@ -113,7 +113,7 @@ private:
     return values;
   }
 
-  /// Every setting that is not in the base, best on held-out recordings first.
+  /// Every setting that is not in the base, best on left-out recordings first.
   std::vector<Candidate> search(const std::vector<SettingValue>& base, const std::string& stage) {
     const SimulatorSetup start = with(nominal_, base);
     const double none = evaluator_.sum(evaluator_.of(start, Part::look));
@@ -139,7 +139,7 @@ private:
     }
     std::ranges::stable_sort(list, std::ranges::less(), &Look::score);
     if (list.size() > refined) list.resize(refined);
-    const SetupFit held = evaluator_.of(start, Part::heldOut);
+    const SetupFit left = evaluator_.of(start, Part::leftOut);
     std::vector<Candidate> candidates;
     for (const Look& look : list) {
       tell(stage, 0.7 + 0.3 * static_cast<double>(candidates.size()) / static_cast<double>(list.size()));
@@ -149,10 +149,10 @@ private:
         c.value = fitted(base, c.value, look.values[1] / look.values[0]);
       std::vector<SettingValue> all = base;
       all.push_back(c.value);
-      const SetupFit fit = evaluator_.of(with(nominal_, all), Part::heldOut);
-      c.gains = evaluator_.gains(held, fit);
+      const SetupFit fit = evaluator_.of(with(nominal_, all), Part::leftOut);
+      c.gains = evaluator_.gains(left, fit);
       for (std::size_t w = 0; w < fit.scores.size(); ++w)
-        if (evidence_.windows()[w].heldOut) c.squares += std::pow(held.scores[w] - fit.scores[w], 2);
+        if (evidence_.windows()[w].leftOut) c.squares += std::pow(left.scores[w] - fit.scores[w], 2);
       c.gain = std::accumulate(c.gains.begin(), c.gains.end(), 0.0);
       candidates.push_back(std::move(c));
     }
@@ -161,17 +161,17 @@ private:
   }
 
   /// Large against its scatter over windows, mostly one way over recordings, and worth a word.
-  bool earns(const Candidate& c, double held) const {
+  bool earns(const Candidate& c, double score) const {
     double sizes = 0;
     for (const double gain : c.gains) sizes += std::abs(gain);
     const auto windows =
-        static_cast<double>(std::ranges::count(evidence_.windows(), true, &TraceWindow::heldOut));
+        static_cast<double>(std::ranges::count(evidence_.windows(), true, &TraceWindow::leftOut));
     return c.gain >= leastZ * std::sqrt(c.squares) && c.gain >= oneWay * sizes &&
-           c.gain >= leastGain * windows && c.gain >= leastShare * held;
+           c.gain >= leastGain * windows && c.gain >= leastShare * score;
   }
 
-  double heldOutScore(const std::vector<SettingValue>& base) const {
-    return evaluator_.sum(evaluator_.of(with(nominal_, base), Part::heldOut));
+  double leftOutScore(const std::vector<SettingValue>& base) const {
+    return evaluator_.sum(evaluator_.of(with(nominal_, base), Part::leftOut));
   }
 
   /// Each value once more about where it is.
@@ -185,7 +185,7 @@ private:
   void grow() {
     while (found_.size() < options_.maxSettings) {
       std::vector<Candidate> list = search(found_, found_.empty() ? "first setting" : "further setting");
-      if (list.empty() || !earns(list.front(), heldOutScore(found_))) break;
+      if (list.empty() || !earns(list.front(), leftOutScore(found_))) break;
       found_.push_back(list.front().value);
       if (found_.size() > 1) refine(found_);
       choices_.push_back(std::move(list));
@@ -197,7 +197,7 @@ private:
     for (std::size_t i = 0; i < found_.size();) {
       const std::vector<SettingValue> others = without(found_, i);
       std::vector<Candidate> list = search(others, "each setting again");
-      if (list.empty() || !earns(list.front(), heldOutScore(others))) {
+      if (list.empty() || !earns(list.front(), leftOutScore(others))) {
         found_ = others;
         choices_.erase(choices_.begin() + static_cast<std::ptrdiff_t>(i));
         continue;
@@ -219,7 +219,7 @@ private:
       result_.verdict = gap.after <= allowed ? Verdict::effect : Verdict::unknown;
   }
 
-  /// Share of resampled sets of held-out recordings in which each candidate gains most.
+  /// Share of resampled sets of left-out recordings in which each candidate gains most.
   std::vector<double> shares(const std::vector<Candidate>& list) const {
     std::vector<double> wins(list.size());
     if (list.empty()) return wins;
@@ -247,7 +247,7 @@ private:
     const std::vector<SettingValue> others = without(found_, i);
     const double whole = std::max(1e-9, result_.gap.before - result_.gap.floor);
     const auto gapOf = [&](const std::vector<SettingValue>& values) {
-      return evaluator_.gap(evaluator_.of(with(nominal_, values), Part::heldOut).errors);
+      return evaluator_.gap(evaluator_.of(with(nominal_, values), Part::leftOut).errors);
     };
     finding.closedAlone = std::clamp((result_.gap.before - gapOf({found_[i]})) / whole, 0.0, 1.0);
     finding.closedLast = std::clamp((gapOf(others) - result_.gap.after) / whole, 0.0, 1.0);
@@ -255,7 +255,7 @@ private:
     if (found_[i].setting->kind == Setting::Kind::positive) {
       std::set<int> types;
       for (std::size_t t = 0; t < evidence_.traces().size(); ++t)
-        if (!evidence_.heldOut(t)) types.insert(evidence_.traces()[t].robotType.value_or(0));
+        if (!evidence_.leftOut(t)) types.insert(evidence_.traces()[t].robotType.value_or(0));
       for (const int type : types) {
         const double v = fitted(others, finding.value, 2, type).value;
         finding.lower = std::min(finding.lower, v);
@@ -304,7 +304,7 @@ private:
     return cells;
   }
 
-  /// The held-out recording in which the leading explanations differ most.
+  /// The left-out recording in which the leading explanations differ most.
   std::string nextMotion() const {
     for (std::size_t i = 0; i < found_.size(); ++i) {
       const auto& list = choices_[i];
@@ -321,7 +321,7 @@ private:
       std::string best;
       std::size_t last = std::numeric_limits<std::size_t>::max();
       for (const TraceWindow& window : evidence_.windows()) {
-        if (!window.heldOut || window.trace == last) continue;
+        if (!window.leftOut || window.trace == last) continue;
         last = window.trace;
         if (best.empty() || std::abs(a[k] - b[k]) > std::abs(a[most] - b[most])) {
           most = k;

@@ -20,7 +20,7 @@ struct SettingFinding {
   double nominal = 0;
   double lower = 0, upper = 0;  ///< smallest and largest value of the fits to each robot type alone
   double probability = 0;
-  double closedAlone = 0, closedLast = 0;  ///< share of the gap, held out
+  double closedAlone = 0, closedLast = 0;  ///< share of the gap in what is left out
   std::vector<SettingRival> rivals;        ///< most probable first
 };
 
@@ -34,12 +34,12 @@ struct SettingCell {
 struct SettingsDiagnosis {
   Verdict verdict = Verdict::none;
   std::vector<SettingFinding> findings;
-  GapSize gap;  ///< typical error on held-out windows, root mean square over signals in units of what the
+  GapSize gap;  ///< typical error on left-out windows, root mean square over signals in units of what the
                 ///< method itself leaves
   double knownProbability = 1;
   std::vector<SettingCell> cells;  ///< largest share first
   std::string nextMotion;
-  std::size_t windows = 0, heldOutWindows = 0;
+  std::size_t windows = 0, leftOutWindows = 0;
 };
 
 struct SettingsOptions {
@@ -50,10 +50,10 @@ struct SettingsOptions {
 };
 
 /// Finds the settings of the nominal simulator that do not fit the recordings. Every setting is scanned over
-/// its range on windows for fitting, its value is fitted (minimizeBrent), and it is judged on held-out
+/// its range on windows for fitting, its value is fitted (minimizeBrent), and it is judged on left-out
 /// recordings. A window counts by the logarithm of its error, because a single contact must not decide.
-/// Settings are added while each improves most held-out recordings; then each is searched again together with
-/// the others. A probability is the share of resampled sets of held-out recordings in which the setting does
+/// Settings are added while each improves most left-out recordings; then each is searched again together with
+/// the others. A probability is the share of resampled sets of left-out recordings in which the setting does
 /// best, at most (n+1)/(n+2) with n recordings (Laplace), times the probability that settings explain the gap
 /// at all.
 SettingsDiagnosis diagnoseSettings(const TraceEvidence& evidence, const SimulatorSetup& nominal,

@@ -18,7 +18,7 @@ SetupFit SettingsEvaluator::of(const SimulatorSetup& setup, Part part, int onlyT
   fit.errors.resize(windows.size());
   parallel(windows.size(), jobs_, [&](std::size_t w) {
     const TraceWindow& window = windows[w];
-    if (part != Part::all && window.heldOut != (part == Part::heldOut)) return;
+    if (part != Part::all && window.leftOut != (part == Part::leftOut)) return;
     if (part == Part::look && w % 5 != 0) return;
     if (onlyType >= 0 && data_.traces()[window.trace].robotType != onlyType) return;
     try {
@@ -47,7 +47,7 @@ std::vector<double> SettingsEvaluator::gains(const SetupFit& a, const SetupFit& 
   std::size_t last = std::numeric_limits<std::size_t>::max();
   for (std::size_t w = 0; w < a.scores.size(); ++w) {
     const TraceWindow& window = data_.windows()[w];
-    if (!window.heldOut) continue;
+    if (!window.leftOut) continue;
     if (window.trace != last) result.push_back(0);
     last = window.trace;
     result.back() += a.scores[w] - b.scores[w];
@@ -56,10 +56,10 @@ std::vector<double> SettingsEvaluator::gains(const SetupFit& a, const SetupFit& 
 }
 
 double SettingsEvaluator::gap(const std::vector<WindowError>& errors) const {
-  std::vector<WindowError> held;
+  std::vector<WindowError> left;
   for (std::size_t w = 0; w < errors.size(); ++w)
-    if (data_.windows()[w].heldOut) held.push_back(errors[w]);
-  const WindowError typical = typicalError(held);
+    if (data_.windows()[w].leftOut) left.push_back(errors[w]);
+  const WindowError typical = typicalError(left);
   double sum = 0;
   for (std::size_t s = 0; s < numTraceSignals; ++s) sum += typical[s] * typical[s] / (own_[s] * own_[s]);
   return std::sqrt(sum / numTraceSignals);

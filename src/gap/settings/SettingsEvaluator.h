@@ -16,13 +16,13 @@ class SettingsEvaluator {
 public:
   SettingsEvaluator(const TraceEvidence& evidence, const SimulatorSetup& nominal, int jobs);
 
-  enum class Part { look, fitting, heldOut, all };  ///< look: every fifth window for fitting
+  enum class Part { look, fitting, leftOut, all };  ///< look: every fifth window for fitting
   SetupFit of(const SimulatorSetup& setup, Part part, int onlyType = -1) const;
   /// Sum over the windows that were replayed.
   double sum(const SetupFit& fit) const;
-  /// Gain of b over a per held-out recording that has windows.
+  /// Gain of b over a per left-out recording that has windows.
   std::vector<double> gains(const SetupFit& a, const SetupFit& b) const;
-  /// Typical error over held-out windows, root mean square over the signals in units of unit().
+  /// Typical error over left-out windows, root mean square over the signals in units of unit().
   double gap(const std::vector<WindowError>& errors) const;
   const WindowError& unit() const { return own_; }
 

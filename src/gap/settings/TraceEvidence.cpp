@@ -120,12 +120,12 @@ TraceEvidence::TraceEvidence(std::vector<LeagueTrace> traces, std::size_t rows, 
     const auto rank = types.size() > 1
                           ? std::distance(types.begin(), types.find(recordings_[t].robotType.value_or(0)))
                           : static_cast<std::ptrdiff_t>(t);
-    held_.push_back(rank % 2 == 1);
+    leftOut_.push_back(rank % 2 == 1);
     for (std::size_t first = firstRow; first + rows < recordings_[t].rows.size(); first += every)
-      if (moves(recordings_[t], first, rows)) cut_.push_back({t, first, rows, held_.back()});
+      if (moves(recordings_[t], first, rows)) cut_.push_back({t, first, rows, leftOut_.back()});
   }
-  const auto countHeld = std::ranges::count(cut_, true, &TraceWindow::heldOut);
-  if (countHeld < 5 || static_cast<std::size_t>(countHeld) + 5 > cut_.size())
+  const auto countLeftOut = std::ranges::count(cut_, true, &TraceWindow::leftOut);
+  if (countLeftOut < 5 || static_cast<std::size_t>(countLeftOut) + 5 > cut_.size())
     throw ConfigurationError(
         "too few recordings in which the robot moves: some are for fitting and some of "
         "another robot type for judging; give at least two");

@@ -18,7 +18,7 @@ const char* unitOf(TraceSignal signal);
 /// not hide the effect of a wrong setting.
 struct TraceWindow {
   std::size_t trace = 0, first = 0, rows = 0;
-  bool heldOut = false;
+  bool leftOut = false;
 };
 
 /// Error of a replay of a window, per signal: mean square over rows and components [SI units squared].
@@ -29,16 +29,16 @@ using WindowError = std::array<double, numTraceSignals>;
 WindowError typicalError(const std::vector<WindowError>& errors);
 
 /// Recordings divided into windows; windows without motion are left out. All recordings of every second robot
-/// type are held out (every second recording if there is only one type).
+/// type are left out (every second recording if there is only one type).
 class TraceEvidence {
 public:
-  /// Error: ConfigurationError if nothing can be fitted or nothing held out.
+  /// Error: ConfigurationError if nothing can be fitted or nothing left out.
   explicit TraceEvidence(std::vector<simspark::LeagueTrace> traces, std::size_t rowsPerWindow = 5,
                          std::size_t rowsBetweenStarts = 24);
 
   const std::vector<simspark::LeagueTrace>& traces() const { return recordings_; }
   const std::vector<TraceWindow>& windows() const { return cut_; }
-  bool heldOut(std::size_t trace) const { return held_[trace]; }
+  bool leftOut(std::size_t trace) const { return leftOut_[trace]; }
 
   WindowError errorOf(const TraceWindow& window, const SimulatorSetup& setup) const;
 
@@ -49,7 +49,7 @@ public:
 private:
   std::vector<simspark::LeagueTrace> recordings_;
   std::vector<TraceWindow> cut_;
-  std::vector<bool> held_;
+  std::vector<bool> leftOut_;
 };
 
 /// All recordings *.csv.gz of a moving robot in a folder (the name ends in _t0 to _t4), without those of a

@@ -64,8 +64,8 @@ std::vector<Item> itemsOf(const RecordOptions& options, const Mechanism& robot) 
     add(hangingBattery().front(), true);
   }
   if (options.battery == "stand" || options.battery == "all") {
-    for (const std::string& program : standingBattery()) add(program, false);
-    add(standingBattery().front(), true);
+    for (const std::string& program : floatingBaseBattery()) add(program, false);
+    add(floatingBaseBattery().front(), true);
   }
   return items;
 }

@@ -65,7 +65,7 @@ void diagnose(const Options& options) {
   }
   std::printf(
       "Gap on %zu held-out windows, in units of the nominal's own: %.2f before, %.2f after, floor %.2f.\n",
-      diagnosis.heldOutWindows, diagnosis.gap.before, diagnosis.gap.after, diagnosis.gap.floor);
+      diagnosis.leftOutWindows, diagnosis.gap.before, diagnosis.gap.after, diagnosis.gap.floor);
   std::printf("Next: %s\n", diagnosis.nextMotion.c_str());
 }
 

@@ -199,10 +199,11 @@ int serve(Options& options) {
   farm::RunHistory history(search);
   farm::Journal journal(
       options.folder + "/evaluations.jsonl", study.mark(), [&](const farm::JournalEntry& entry) {
-        history.told(entry.costs);
-        const Told told =
+        history.addResult(entry.costs);
+        const ResultStatus status =
             entry.givenUp ? search.giveUp(entry.number) : search.tell(entry.number, entry.costs);
-        if (told == Told::unknown) throw std::invalid_argument("a result of a trial that does not exist yet");
+        if (status == ResultStatus::unknown)
+          throw std::invalid_argument("a result of a trial that does not exist yet");
       });
   if (journal.resumed() > 0)
     fmt::print("optserver: continues from {} results in {}\n", journal.resumed(), journal.path());
@@ -226,7 +227,7 @@ int serve(Options& options) {
   writeFile(options.folder + "/port", std::to_string(server.port()) + "\n");
   LocalWorkers workers(options.workers, server.port(), options.farm.token, options.folder + "/workers.log");
   Table table(study, options.every);
-  server.onResult([&](std::span<const double> costs) { history.told(costs); });
+  server.onResult([&](std::span<const double> costs) { history.addResult(costs); });
   std::int64_t written = search.optimizer().generations();
   const bool over = search.isDone() || server.serve(stop.fileDescriptor(), [&] {
     if (!search.isDone()) workers.keep(server.progress().seconds);

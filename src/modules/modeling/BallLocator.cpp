@@ -29,8 +29,8 @@ bool BallLocator::shouldBeInView() const {
 
 void BallLocator::see(LocalBallPos& ball) {
   if (theBallPercept->seen) {
-    // Where a lost ball lay means nothing: one that the filter held back would be believed there again, and
-    // the robot would turn away from the ball that it sees.
+    // Where a lost ball lay means nothing: one that the filter had not confirmed would be believed there
+    // again, and the robot would turn away from the ball that it sees.
     if (!valid_) filter_.reset();
     const Mat2 turn = theOdometry->total.rotation();
     const Mat2 covariance = turn * perceptCovariance(theBallPercept->position) * turn.transpose();

@@ -58,10 +58,10 @@ void WalkingEngine::fitModel() {
   const auto fate = [&result](bool taken) {
     return result->rolledBack ? ", rolled back" : taken ? ", taken" : ", not taken";
   };
-  log << "walk model: error on held-out steps, predicting " << result->predictionHeldBefore << " -> "
-      << result->predictionHeldAfter << fate(result->predicts);
+  log << "walk model: error on held-out steps, predicting " << result->predictionLeftOutBefore << " -> "
+      << result->predictionLeftOutAfter << fate(result->predicts);
   if (fit.plan)
-    log << "; planning " << result->heldBefore << " -> " << result->heldAfter << fate(result->accepted);
+    log << "; planning " << result->leftOutBefore << " -> " << result->leftOutAfter << fate(result->accepted);
 }
 
 void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {

@@ -35,7 +35,7 @@ struct DispatchCounts {
 /// are arguments and must not decrease.
 class Dispatcher {
 public:
-  /// Told each answer that counts, before the search learns of it; given up: without costs.
+  /// Called with each answer that counts, before the search gets it; given up: without costs.
   using Record = std::function<void(const Trial& trial, std::span<const double> costs, int worker)>;
 
   Dispatcher(Search& search, const DispatchOptions& options, Record record = {});

@@ -26,7 +26,7 @@ struct FarmOptions {
 struct FarmProgress {
   std::int64_t trials = 0, runs = 0, dropped = 0;
   double seconds = 0, busySeconds = 0;      ///< busy: of all workers together
-  std::map<std::string, double> figures{};  ///< of the trial that cost least in the last told ones
+  std::map<std::string, double> figures{};  ///< of the trial that cost least in the last results
   double lastCost = 0;                      ///< mean of the last hundred or so, slowly forgotten
 };
 

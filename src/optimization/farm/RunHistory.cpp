@@ -5,7 +5,7 @@
 
 namespace plumbline::farm {
 
-void RunHistory::told(std::span<const double> costs) {
+void RunHistory::addResult(std::span<const double> costs) {
   look();
   for (const double cost : costs) {
     if (!std::isfinite(cost)) continue;

@@ -21,9 +21,9 @@ public:
 
   explicit RunHistory(const Search& search) : search_(search) {}
 
-  /// Before the search is told the result; without costs: it was given up.
-  void told(std::span<const double> costs);
-  /// The search was told what it has now.
+  /// Before the search takes the result; without costs: it was given up.
+  void addResult(std::span<const double> costs);
+  /// After the search took its results.
   void look();
   const std::vector<Point>& points() const { return points_; }
 

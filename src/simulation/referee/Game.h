@@ -17,7 +17,7 @@ using simspark::TeamSide;
 struct Game {
   PlayMode mode = PlayMode::beforeKickOff;
   double time = 0;            ///< game clock [s]; stands before kick-off and after the end
-  double standingTime = 0;    ///< since the last change to a mode in which the clock stands [s]
+  double stoppedTime = 0;     ///< since the last change to a mode in which the clock is stopped [s]
   double lastModeChange = 0;  ///< game time of it [s]
   int half = 1;
   std::array<int, 2> score{};          ///< left, right
@@ -28,11 +28,11 @@ struct Game {
 
   static std::size_t index(TeamSide side) { return side == TeamSide::right ? 1 : 0; }
 
-  bool clockStands() const { return mode == PlayMode::beforeKickOff || mode == PlayMode::gameOver; }
+  bool clockIsStopped() const { return mode == PlayMode::beforeKickOff || mode == PlayMode::gameOver; }
   /// Time in this mode [s].
-  double modeTime() const { return clockStands() ? standingTime : time - lastModeChange; }
+  double modeTime() const { return clockIsStopped() ? stoppedTime : time - lastModeChange; }
   void setMode(PlayMode next);
-  void advance(double seconds) { (clockStands() ? standingTime : time) += seconds; }
+  void advance(double seconds) { (clockIsStopped() ? stoppedTime : time) += seconds; }
   /// The teams change ends, with their goals.
   void swapSides() {
     std::swap(teams[0], teams[1]);
@@ -56,7 +56,7 @@ inline void Game::setMode(PlayMode next) {
   if (next == mode) return;
   mode = next;
   lastModeChange = time;
-  standingTime = 0;
+  stoppedTime = 0;
 }
 
 }  // namespace plumbline::simulation

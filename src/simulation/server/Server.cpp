@@ -59,7 +59,7 @@ void Server::listen(int milliseconds) {
   if (field_) field_->serve(descriptors_.data() + firstViewer);
 }
 
-bool Server::clockStands() const {
+bool Server::clockIsStopped() const {
   if (monitors_.clock().stands()) return true;
   if (config_.waitForAgents == 0) return false;
   return agents_.numAgents() < (started_ ? 1 : config_.waitForAgents);
@@ -84,11 +84,11 @@ void Server::tellWait() {
 }
 
 bool Server::collect() {
-  const bool idle = clockStands() || !agents_.ready();
+  const bool idle = clockIsStopped() || !agents_.ready();
   listen(idle ? patience : 0);
   agents_.dropBroken();
   monitors_.dropBroken();
-  if (!clockStands()) {
+  if (!clockIsStopped()) {
     if (agents_.ready()) return true;
     // Who comes while an agent is waited for sees at least where everything is.
     monitors_.tell(false);

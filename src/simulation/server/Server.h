@@ -53,7 +53,7 @@ private:
   void listen(int milliseconds);
   /// Reads until everybody who has to be waited for is ready; false if it should be tried again.
   bool collect();
-  bool clockStands() const;
+  bool clockIsStopped() const;
   /// Carries out what trainers want; true if they wanted anything.
   bool obeyTrainers();
   void cycle();

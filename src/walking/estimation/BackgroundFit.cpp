@@ -51,8 +51,8 @@ std::optional<ModelFitResult> BackgroundFit::pass(double dt, const ModelParamete
   if (result_->anyNew()) {
     probation_ = true;
     fallen_ = false;
-    errorBefore_ = result_->heldBefore;
-    predictionErrorBefore_ = result_->predictionHeldBefore;
+    errorBefore_ = result_->leftOutBefore;
+    predictionErrorBefore_ = result_->predictionLeftOutBefore;
     previous_ = now;
     previousPrediction_ = prediction;
   }
@@ -73,10 +73,10 @@ std::optional<ModelFitResult> BackgroundFit::judge(const ModelParameters& now,
   back.parameters = fallen_ || worse ? previous_ : now;
   back.prediction = fallen_ || predictsWorse ? previousPrediction_ : prediction;
   back.accepted = back.predicts = back.rolledBack = true;
-  back.heldBefore = error;
-  back.heldAfter = errorBefore_;
-  back.predictionHeldBefore = errorPredicting;
-  back.predictionHeldAfter = predictionErrorBefore_;
+  back.leftOutBefore = error;
+  back.leftOutAfter = errorBefore_;
+  back.predictionLeftOutBefore = errorPredicting;
+  back.predictionLeftOutAfter = predictionErrorBefore_;
   steps_.clear();
   return back;
 }

@@ -82,18 +82,19 @@ double predictionError(std::span<const ObservedStep> steps, const ModelParameter
 
 ModelFitResult fitModel(std::span<const ObservedStep> steps, const ModelParameters& before,
                         const ModelFitOptions& options) {
-  std::vector<ObservedStep> fitted, held;
+  std::vector<ObservedStep> fitted, leftOut;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (steps[i].samples.empty()) continue;
-    (i % 3 == 2 ? held : fitted).push_back(steps[i]);
+    (i % 3 == 2 ? leftOut : fitted).push_back(steps[i]);
   }
   ModelFitResult result;
   result.parameters = before;
   result.prediction = options.prediction;
   result.before = result.after = predictionError(fitted, before);
-  result.heldBefore = result.heldAfter = predictionError(held, before);
-  result.predictionHeldBefore = result.predictionHeldAfter = predictionError(held, options.prediction);
-  if (fitted.empty() || held.empty()) return result;
+  result.leftOutBefore = result.leftOutAfter = predictionError(leftOut, before);
+  result.predictionLeftOutBefore = result.predictionLeftOutAfter =
+      predictionError(leftOut, options.prediction);
+  if (fitted.empty() || leftOut.empty()) return result;
 
   // What the steps do not tell stays as it was: a little is paid for every change.
   constexpr double weight = 0.03, weightOfChange = 0.05, weightOfDanger = 10;
@@ -106,8 +107,8 @@ ModelFitResult fitModel(std::span<const ObservedStep> steps, const ModelParamete
   const auto predicting =
       search(spaceFrom(options.prediction, anywhere), options, result.bestPrediction, costOf);
   if (!predicting) return result;
-  result.predictionHeldAfter = predictionError(held, *predicting);
-  result.predicts = result.predictionHeldAfter < result.predictionHeldBefore;
+  result.predictionLeftOutAfter = predictionError(leftOut, *predicting);
+  result.predicts = result.predictionLeftOutAfter < result.predictionLeftOutBefore;
   if (result.predicts) result.prediction = *predicting;
   if (!options.plan) return result;
 
@@ -118,10 +119,10 @@ ModelFitResult fitModel(std::span<const ObservedStep> steps, const ModelParamete
   });
   if (!planned) return result;
   result.after = predictionError(fitted, *planned);
-  result.heldAfter = predictionError(held, *planned);
+  result.leftOutAfter = predictionError(leftOut, *planned);
   result.change = safety.change(*planned);
   result.accepted =
-      result.heldAfter < result.heldBefore && result.after < result.before && result.change <= 1;
+      result.leftOutAfter < result.leftOutBefore && result.after < result.before && result.change <= 1;
   if (result.accepted) result.parameters = *planned;
   return result;
 }

@@ -24,14 +24,14 @@ struct ModelFitOptions {
 /// `prediction` only predict what the robot will do and have no other condition.
 struct ModelFitResult {
   ModelParameters parameters;    ///< those before if not accepted
-  bool accepted = false;         ///< predicts the held-out steps better than those before, and the walk stays
+  bool accepted = false;         ///< predicts the left-out steps better than those before, and the walk stays
   bool rolledBack = false;       ///< the previous set was worse in the test: these are the ones before it
   double change = 0;             ///< of the walk (FitSafety); 1: as much as is safe
   double before = 0, after = 0;  ///< error on the steps it was fitted to
-  double heldBefore = 0, heldAfter = 0;  ///< on every third step, which it was not
-  ModelParameters prediction;            ///< those in use if they predict the held-out steps as well
-  bool predicts = false;                 ///< they are new
-  double predictionHeldBefore = 0, predictionHeldAfter = 0;
+  double leftOutBefore = 0, leftOutAfter = 0;  ///< on every third step, which it was not
+  ModelParameters prediction;                  ///< those in use if they predict the left-out steps as well
+  bool predicts = false;                       ///< they are new
+  double predictionLeftOutBefore = 0, predictionLeftOutAfter = 0;
   std::vector<double> best;            ///< least error of `parameters` after each generation
   std::vector<double> bestPrediction;  ///< and of `prediction` (figure 4.13)
 

@@ -76,15 +76,15 @@ void writePage(const std::vector<RealRobot>& robots) {
   std::string page = head;
   json figures = json::array();
   for (const RealRobot& robot : robots) {
-    std::string told;
+    std::string pages;
     for (const RealSplit& split : robot.splits) {
       const KeptSplit kept(splitsFolder, robot.id, split.name);
       if (!kept.done()) continue;
       const json one = kept.read();
-      told += one["page"].get<std::string>();
+      pages += one["page"].get<std::string>();
       figures.insert(figures.end(), one["figures"].begin(), one["figures"].end());
     }
-    if (!told.empty()) page += "\n## " + robot.title + "\n\n" + robot.about + told + "\n" + robot.limits;
+    if (!pages.empty()) page += "\n## " + robot.title + "\n\n" + robot.about + pages + "\n" + robot.limits;
   }
   writeFile("build/bench/gap-real.md", page);
   writeFile("build/bench/gap-real.json", figures.dump(1) + "\n");

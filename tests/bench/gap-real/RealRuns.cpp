@@ -100,9 +100,9 @@ RealResult runSplit(const RealSplit& split, const std::string& robotName, const 
   DiagnosisOptions options;
   options.jobs = jobs;
   options.maxCauses = maxCauses;
-  options.progress = [told = std::string(), begin](const std::string& stage, double) mutable {
-    if (stage == told) return;
-    told = stage;
+  options.progress = [last = std::string(), begin](const std::string& stage, double) mutable {
+    if (stage == last) return;
+    last = stage;
     std::printf("  %6.0f s  %s\n", since(begin), stage.c_str());
     std::fflush(stdout);
   };

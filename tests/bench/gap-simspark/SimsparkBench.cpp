@@ -54,12 +54,12 @@ SimulatorSetup nominalOf(const Scenario& scenario) {
   return setup;
 }
 
-/// Torso off the recording 2 s after a free run's start, median over the held-out walks and turns [m].
+/// Torso off the recording 2 s after a free run's start, median over the left-out walks and turns [m].
 double freeRun(const TraceEvidence& evidence, const SimulatorSetup& setup) {
   std::vector<double> off;
   for (std::size_t t = 0; t < evidence.traces().size(); ++t) {
     const simspark::LeagueTrace& trace = evidence.traces()[t];
-    if (!evidence.heldOut(t) || (!trace.name.starts_with("ut_walk") && !trace.name.starts_with("ut_turn")))
+    if (!evidence.leftOut(t) || (!trace.name.starts_with("ut_walk") && !trace.name.starts_with("ut_turn")))
       continue;
     try {
       const auto rows = play(trace, firstRow, 100, setup);
@@ -115,7 +115,7 @@ json measure(const Scenario& scenario, const TraceEvidence& evidence, int jobs) 
           {"before", d.gap.before},
           {"after", d.gap.after},
           {"floor", d.gap.floor},
-          {"full", evaluator.gap(evaluator.of(SimulatorSetup{}, SettingsEvaluator::Part::heldOut).errors)},
+          {"full", evaluator.gap(evaluator.of(SimulatorSetup{}, SettingsEvaluator::Part::leftOut).errors)},
           {"closed", std::min(1.0, d.gap.closed())},
           {"free_before", 1000 * freeRun(evidence, nominal)},
           {"free_after", 1000 * freeRun(evidence, with(nominal, values))},
@@ -144,7 +144,7 @@ std::string introduction(const TraceEvidence& evidence) {
          "tries " +
          std::to_string(settings().size()) +
          " settings, fits each on recordings of robot types 0, 2 and 4 and judges it on types 1 and 3 (" +
-         std::to_string(std::ranges::count(evidence.windows(), true, &TraceWindow::heldOut)) +
+         std::to_string(std::ranges::count(evidence.windows(), true, &TraceWindow::leftOut)) +
          " windows of 0.1 s). It knows neither what was left out nor the league's values.\n\nGaps are "
          "typical errors on held-out windows, in units of the error of the nominal simulator on its own "
          "runs. The tenth of the windows with the largest errors is left out, because there a contact came a "

@@ -12,7 +12,7 @@ public:
   /// nominal: an evaluator whose base is empty; it and its evidence must outlive this.
   ChainReplay(const gap::Evaluator& nominal, const gap::ReplayOptions& steps);
 
-  /// Of the mechanism, the one with the motor; -1 where no run has a held base.
+  /// Of the mechanism, the one with the motor; -1 where no run has a fixed base.
   int joint() const { return worst_; }
   /// Weighted squares of the residuals of the chain's positions and of the inertial sensors.
   struct Squares {

@@ -32,7 +32,7 @@ bool walksOn(motion::ServerTrial& trial, double fadeSeconds, const std::function
 }  // namespace
 
 StandUpTries tryStandUp(motion::ServerTrial& trial, const std::string& name, int direction, int tries,
-                        std::uint64_t firstSeed, const Told& told) {
+                        std::uint64_t firstSeed, const Progress& progress) {
   const motion::KeyframeMotion motion = trial.motion(name);
   StandUpTries result;
   for (int i = 0; i < tries; ++i) {
@@ -47,13 +47,13 @@ StandUpTries tryStandUp(motion::ServerTrial& trial, const std::string& name, int
     trial.play(motion);
     result.milliseconds.push_back(1e3 * trial.elapsed);
     result.up.push_back(walksOn(trial, 0, [] {}));
-    told();
+    progress();
   }
   return result;
 }
 
 KickTries tryKick(motion::ServerTrial& trial, const std::string& name, int tries, std::uint64_t firstSeed,
-                  const Told& told) {
+                  const Progress& progress) {
   const motion::KeyframeMotion kick = trial.motion(name);
   KickTries result;
   for (int i = 0; i < tries; ++i) {
@@ -100,7 +100,7 @@ KickTries tryKick(motion::ServerTrial& trial, const std::string& name, int tries
     result.distance.push_back(way.x());
     result.direction.push_back(toDegrees(std::atan2(way.y(), way.x())));
     result.height.push_back(height);
-    told();
+    progress();
   }
   return result;
 }

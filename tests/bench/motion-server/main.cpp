@@ -133,7 +133,7 @@ private:
                                   value, unit, better));
   }
 
-  Told progress(const std::string& server, int type, const std::string& motion) const {
+  Progress progress(const std::string& server, int type, const std::string& motion) const {
     return [this, server, type, motion, done = 0]() mutable {
       if (++done % tellEvery == 0 || done == tries_) {
         std::printf("type %d %s on %s: %d of %d\n", type, motion.c_str(), server.c_str(), done, tries_);

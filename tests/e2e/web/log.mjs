@@ -11,7 +11,7 @@ const click = (id) => run(`document.getElementById("${id}").click()`);
 const type = (id, text, event) => run(`(() => { const input = document.getElementById("${id}"); input.value = ${text}; input.dispatchEvent(new Event("${event}")); })()`);
 const cycle = () => value('replay:cycle');
 // The text of the panel, which only watches.
-const told = () => run(`(() => { const row = [...document.querySelectorAll('.panel.text .row')].find((r) => r.firstChild?.textContent === 'time'); return Number(row?.querySelector('.leaf')?.textContent); })()`);
+const shownTime = () => run(`(() => { const row = [...document.querySelectorAll('.panel.text .row')].find((r) => r.firstChild?.textContent === 'time'); return Number(row?.querySelector('.leaf')?.textContent); })()`);
 const near = (a, b) => Math.abs(a - b) < 0.011;
 
 try {
@@ -22,7 +22,7 @@ try {
 
   await type('momentTime', 4, 'change');
   await until('it goes to a time', async () => near(await value('replay:time'), 4) && near(await value('representation:FrameInfo.time'), 4));
-  await until('the values follow', async () => near(await told(), 4));
+  await until('the values follow', async () => near(await shownTime(), 4));
   await until('and the field', () => run('plumbline.state().shapes > 20'));
   await until('the plot has the log\'s time', () => run('near = plumbline.panels.open.find((p) => p.kind === "plot").panel.points.some(([t]) => Math.abs(t - plumbline.link.moment) < 1e-6)'));
 
@@ -32,7 +32,7 @@ try {
   const before = await drawn();
   await click('momentStep');
   await until('a cycle on', async () => (await cycle()) === there + 1);
-  await until('the values are a cycle on', async () => near(await told(), 4.02));
+  await until('the values are a cycle on', async () => near(await shownTime(), 4.02));
   await run('plumbline.moment.turn');
   await click('momentBack');
   await until('a cycle back', async () => (await cycle()) === there);
@@ -42,7 +42,7 @@ try {
 
   await type('momentSlider', 2, 'input');
   await type('momentSlider', 2, 'change');
-  await until('the slider goes to a time', async () => near(await told(), 2));
+  await until('the slider goes to a time', async () => near(await shownTime(), 2));
   await until('what came behind is not in the plot any more', () => run('plumbline.panels.open.find((p) => p.kind === "plot").panel.points.every(([t]) => t < 2.1)'));
 
   await run('plumbline.moment.turn');

@@ -25,11 +25,11 @@ async function main(browser, trainer) {
   const names = (await state()).robots.map((r) => `${r.side} ${r.unum}`);
   check(new Set(names).size === 22, 'each robot once');
   check(new Set((await state()).robots.map((r) => r.type)).size === 5, 'all types');
-  const told = await trainer.torsos();
-  check(told.length === 22, 'the monitor port tells of 22 robots');
+  const sent = await trainer.torsos();
+  check(sent.length === 22, 'the monitor port tells of 22 robots');
   await until('they stand where the monitor port says', async () => {
     const shown = (await state()).robots;
-    return told.every((t) => shown.some((s) => s.side === t.side && s.unum === t.unum && s.type === t.type && near(s.position, t.position, 0.02)));
+    return sent.every((t) => shown.some((s) => s.side === t.side && s.unum === t.unum && s.type === t.type && near(s.position, t.position, 0.02)));
   });
   await browser.screenshot(picture);
 

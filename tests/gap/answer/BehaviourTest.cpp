@@ -62,7 +62,7 @@ TEST(BehaviourTest, saysWhatTheRunDid) {
   EXPECT_DOUBLE_EQ(list[5].nominal, 1);
 }
 
-TEST(BehaviourTest, aHeldRunHasNone) {
+TEST(BehaviourTest, aRunWithAFixedBaseHasNone) {
   const Mechanism arm = twoJointArm();
   const Evidence evidence({recorded(nominalPlant(arm), armTrial(arm, 2), 5e-4, 1)});
   const Evaluator evaluator(arm, evidence);

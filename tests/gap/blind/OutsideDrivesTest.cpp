@@ -11,7 +11,7 @@
 namespace plumbline::gap {
 namespace {
 
-simulation::ServoWorld held(const Mechanism& arm, const std::vector<double>& q) {
+simulation::ServoWorld onFixedBase(const Mechanism& arm, const std::vector<double>& q) {
   simulation::RobotSimulationOptions config;
   config.fixedBase = true;
   config.stepSeconds = 0.0005;
@@ -24,10 +24,10 @@ simulation::ServoWorld held(const Mechanism& arm, const std::vector<double>& q) 
 }
 
 /// What joints at q are told that were asked to be at `asked`, in the first slice or after so many seconds.
-std::vector<double> told(const BlindEffect& effect, const std::vector<double>& q,
-                         const std::vector<double>& asked, double time = 0, int slices = 1) {
+std::vector<double> commanded(const BlindEffect& effect, const std::vector<double>& q,
+                              const std::vector<double>& asked, double time = 0, int slices = 1) {
   const Mechanism arm = twoJointArm();
-  simulation::ServoWorld world = held(arm, q);
+  simulation::ServoWorld world = onFixedBase(arm, q);
   OutsideDrives drives(arm, {effect});
   drives.start({0.1, 0.1});
   std::vector<double> targets;
@@ -39,25 +39,26 @@ std::vector<double> told(const BlindEffect& effect, const std::vector<double>& q
 }
 
 TEST(OutsideDrives, aGainThatFallsALagAnIntegralAndANeighbour) {
-  EXPECT_EQ(told({"acc_bias", "imu", "x", 1, {}}, {0.1, 0.1}, {0.3, 0.2}), (std::vector{0.3, 0.2}));
-  EXPECT_NEAR(told({"gain_drift", "elbow", "", 0.5, {}}, {0.1, 0.1}, {0.3, 0.2}, 15)[1], 0.15, 1e-12);
-  EXPECT_NEAR(told({"gain_drift", "elbow", "", 0.5, {}}, {0.1, 0.1}, {0.3, 0.2}, 7.5)[1], 0.175, 1e-12);
+  EXPECT_EQ(commanded({"acc_bias", "imu", "x", 1, {}}, {0.1, 0.1}, {0.3, 0.2}), (std::vector{0.3, 0.2}));
+  EXPECT_NEAR(commanded({"gain_drift", "elbow", "", 0.5, {}}, {0.1, 0.1}, {0.3, 0.2}, 15)[1], 0.15, 1e-12);
+  EXPECT_NEAR(commanded({"gain_drift", "elbow", "", 0.5, {}}, {0.1, 0.1}, {0.3, 0.2}, 7.5)[1], 0.175, 1e-12);
   // 1 - (1 - h / T)^n of the way.
-  EXPECT_NEAR(told({"command_lag", "elbow", "", 0.02, {}}, {0.1, 0.1}, {0.3, 0.2}, 0, 20)[1],
+  EXPECT_NEAR(commanded({"command_lag", "elbow", "", 0.02, {}}, {0.1, 0.1}, {0.3, 0.2}, 0, 20)[1],
               0.1 + 0.1 * (1 - std::pow(0.95, 20)), 1e-12);
-  EXPECT_NEAR(told({"servo_integral", "elbow", "", 2, {}}, {0.1, 0.1}, {0.3, 0.2}, 0, 50)[1],
+  EXPECT_NEAR(commanded({"servo_integral", "elbow", "", 2, {}}, {0.1, 0.1}, {0.3, 0.2}, 0, 50)[1],
               0.2 + 2 * 0.1 * 0.05, 1e-12);
-  EXPECT_NEAR(told({"servo_integral", "elbow", "", 2, {}}, {0.1, 0.1}, {0.3, 5.1}, 0, 5000)[1],
+  EXPECT_NEAR(commanded({"servo_integral", "elbow", "", 2, {}}, {0.1, 0.1}, {0.3, 5.1}, 0, 5000)[1],
               5.1 + 3 / 20.0, 1e-12)
       << "no more than the servo's torque";
-  EXPECT_NEAR(told({"crosstalk", "elbow", "", 0.2, {}}, {0.1, 0.1}, {0.3, 0.2})[1], 0.2 + 0.2 * 0.2, 1e-12);
-  EXPECT_EQ(told({"crosstalk", "elbow", "", 0.2, {}}, {0.1, 0.1}, {0.3, 0.2})[0], 0.3);
+  EXPECT_NEAR(commanded({"crosstalk", "elbow", "", 0.2, {}}, {0.1, 0.1}, {0.3, 0.2})[1], 0.2 + 0.2 * 0.2,
+              1e-12);
+  EXPECT_EQ(commanded({"crosstalk", "elbow", "", 0.2, {}}, {0.1, 0.1}, {0.3, 0.2})[0], 0.3);
 }
 
 /// Where the elbow comes to rest, told to go there from where it hangs straight down within 2 s.
 double rest(const BlindEffect& effect, double target) {
   const Mechanism arm = twoJointArm();
-  simulation::ServoWorld world = held(arm, {0, 0});
+  simulation::ServoWorld world = onFixedBase(arm, {0, 0});
   OutsideDrives drives(arm, {effect});
   drives.start({0, 0});
   for (int i = 0; i < 8000; ++i) {
@@ -86,7 +87,7 @@ TEST(OutsideDrives, springsPullAndRipplesShift) {
 TEST(OutsideDrives, dampingInOneDirectionSlowsThatOne) {
   const Mechanism arm = twoJointArm();
   const auto after = [&arm](double value, double target) {
-    simulation::ServoWorld world = held(arm, {0, 0});
+    simulation::ServoWorld world = onFixedBase(arm, {0, 0});
     OutsideDrives drives(arm, {{"asymmetric_damping", "elbow", "", value, {}}});
     drives.start({0, 0});
     for (int i = 0; i < 100; ++i) {

@@ -26,7 +26,7 @@ TEST_F(EvaluatorTest, aBaseThatChangedIsAsOneThatBeganSo) {
   EXPECT_GT(direct.baseFit().judging, 1000);
 }
 
-TEST_F(EvaluatorTest, aBaseWithDropoutHasItsPredictionsWhateverCyclesItIsTold) {
+TEST_F(EvaluatorTest, aBaseWithDropoutHasItsPredictionsWhateverCyclesAreGiven) {
   Evaluator evaluator(arm, evidence), other(arm, evidence);
   std::vector<std::vector<std::uint8_t>> lost = {std::vector<std::uint8_t>(300, 0)};
   for (std::size_t k = 20; k < 300; k += 20) lost[0][k] = 1;
@@ -130,8 +130,8 @@ TEST_F(EvaluatorTest, aBaseInDoubtCostsWhatItCostsAsACandidate) {
 /// A leg that hangs and stands, its hip off by `offset` in both.
 std::vector<Trial> legRuns(double offset) {
   std::vector<Trial> trials;
-  for (const bool standing : {false, true}) {
-    trials.push_back(recorded(nominalPlant(standingLeg()), legTrial(standing), 5e-4, 3));
+  for (const bool floatingBase : {false, true}) {
+    trials.push_back(recorded(nominalPlant(standingLeg()), legTrial(floatingBase), 5e-4, 3));
     for (double& value : trials.back().signals[0].values) value += offset;
   }
   return trials;
@@ -168,14 +168,14 @@ TEST(EvaluatorOnFeetTest, aCandidateCostsThereWhatItCostsAsABase) {
 
 TEST(EvaluatorOnFeetTest, runsOnTheFeetMayBeLeftOut) {
   const Mechanism leg = standingLeg();
-  const Evidence evidence(legRuns(0.02)), held(std::vector<Trial>{legRuns(0.02)[0]});
+  const Evidence evidence(legRuns(0.02)), fixedBase(std::vector<Trial>{legRuns(0.02)[0]});
   Evaluator evaluator(leg, evidence);
   const double whole = evaluator.baseFit().judging;
   EXPECT_TRUE(evaluator.hasFloatingBase());
   evaluator.leaveFloatingBaseOut(true);
   EXPECT_FALSE(evaluator.hasFloatingBase());
   EXPECT_TRUE(std::isnan(evaluator.chi(1, 0)));
-  EXPECT_DOUBLE_EQ(evaluator.baseFit().judging, Evaluator(leg, held).baseFit().judging);
+  EXPECT_DOUBLE_EQ(evaluator.baseFit().judging, Evaluator(leg, fixedBase).baseFit().judging);
   evaluator.leaveFloatingBaseOut(false);
   EXPECT_EQ(evaluator.baseFit().judging, whole);
   EXPECT_GT(evaluator.chi(1, 0), 100);

@@ -27,17 +27,17 @@ TEST(EvidenceTest, ofARobotThatStepsTheBodyCountsBetweenStepsAndAShareOfEverySwi
   for (std::size_t k = 0; k < trial.cycles(); ++k) gyro.values.push_back(k % 4 < 2 ? 0.6 : -0.6);
   trial.signals.push_back(gyro);
   const auto noise = estimateNoise({trial});
-  const Evidence standing({trial}, noise);
+  const Evidence onFeet({trial}, noise);
   trial.restarts.push_back({2, {0, 0}, {0, 0}, {1}});
   trial.betweenSteps.assign(trial.cycles(), 1);
   trial.betweenSteps[60] = 0;
   const Evidence stepping({trial}, noise);
   const std::size_t last = trial.signals.size() - 1;
   EXPECT_EQ(stepping.weights(0, last)[60], 0);
-  EXPECT_GT(standing.weights(0, last)[60], 0);
+  EXPECT_GT(onFeet.weights(0, last)[60], 0);
   EXPECT_GT(stepping.weights(0, 0)[60], 0) << "joints always count";
   // 12 % of 0.6 rad/s.
-  EXPECT_NEAR(1 / stepping.weights(0, last)[61] - 1 / standing.weights(0, last)[61], 0.072 * 0.072, 1e-9);
+  EXPECT_NEAR(1 / stepping.weights(0, last)[61] - 1 / onFeet.weights(0, last)[61], 0.072 * 0.072, 1e-9);
 }
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double readingNoise = 5e-4;
 
-Trial nominalRun(bool standing) {
-  return recorded(nominalPlant(standingLeg()), legTrial(standing), readingNoise, standing ? 7 : 8);
+Trial nominalRun(bool floatingBase) {
+  return recorded(nominalPlant(standingLeg()), legTrial(floatingBase), readingNoise, floatingBase ? 7 : 8);
 }
 
 /// A run whose hip is off by 0.02 rad for the last part of it.
@@ -27,7 +27,7 @@ struct Judged {
   const Evaluator evaluator;
 };
 
-TEST(GapMeterTest, aLegStandsAsItIsForetold) {
+TEST(GapMeterTest, aLegStandsAsItIsPredicted) {
   const Judged judged({nominalRun(true), nominalRun(false)});
   EXPECT_LT(worstGap(judged.evaluator).size, 0.5);
   EXPECT_LT(gapOnFloatingBase(judged.evaluator), 0.7);
@@ -64,11 +64,11 @@ TEST(GapMeterTest, aJointThatSticksMayLetGoLate) {
   EXPECT_GT(judgedWith(much, sticks), 3);
 }
 
-TEST(GapMeterTest, heldRunsTellWhereTheyAreOffAsWell) {
+TEST(GapMeterTest, runsWithAFixedBaseTellWhereTheyAreOffAsWell) {
   const Judged both({displaced(nominalRun(true), 0.4), displaced(nominalRun(false), 0.4)}),
-      onlyStanding({displaced(nominalRun(true), 0.4), nominalRun(false)});
+      onlyFloatingBase({displaced(nominalRun(true), 0.4), nominalRun(false)});
   EXPECT_TRUE(fixedBaseDecides(both.evaluator));
-  EXPECT_FALSE(fixedBaseDecides(onlyStanding.evaluator));
+  EXPECT_FALSE(fixedBaseDecides(onlyFloatingBase.evaluator));
 }
 
 }  // namespace

@@ -92,8 +92,8 @@ TEST(PossibleCausesOfJoints, aJointThatWasNotSeenIsLookedAtWhereItsNeighbourIsOf
 bool lookedForOnFeet(double offset, const char* id, const char* place) {
   const Mechanism leg = standingLeg();
   std::vector<Trial> trials;
-  for (const bool standing : {false, true})
-    trials.push_back(recorded(nominalPlant(leg), legTrial(standing), 5e-4, 3));
+  for (const bool floatingBase : {false, true})
+    trials.push_back(recorded(nominalPlant(leg), legTrial(floatingBase), 5e-4, 3));
   for (double& value : trials[1].signals[0].values) value += offset;
   const Evidence evidence(trials);
   const Evaluator evaluator(leg, evidence);
@@ -110,7 +110,7 @@ TEST(PossibleCausesOnFeetTest, aLegThatIsCleanWhereItHangsMayBeOffUnderLoad) {
   EXPECT_TRUE(lookedForOnFeet(0.02, "joint_offset", "knee"));
   EXPECT_TRUE(lookedForOnFeet(0.02, "torque_limit", "hip"));
   EXPECT_FALSE(lookedForOnFeet(0.02, "torque_limit", "knee")) << "the knee is where it should be";
-  EXPECT_FALSE(lookedForOnFeet(0.02, "viscous_friction", "hip")) << "held runs show that better";
+  EXPECT_FALSE(lookedForOnFeet(0.02, "viscous_friction", "hip")) << "runs with a fixed base show that better";
   EXPECT_FALSE(lookedForOnFeet(0, "link_length", "lower"));
 }
 

@@ -12,10 +12,10 @@ namespace {
 
 /// A leg whose knee reads an angle too much where it hangs, and another one on its foot [rad].
 struct Leg {
-  Leg(double hanging, double standing) {
+  Leg(double hanging, double floating) {
     for (const bool feet : {false, true}) {
       trials.push_back(recorded(nominalPlant(leg), legTrial(feet), 5e-4, 3));
-      for (double& value : trials.back().signals[0].values) value += feet ? standing : hanging;
+      for (double& value : trials.back().signals[0].values) value += feet ? floating : hanging;
     }
   }
   Mechanism leg = standingLeg();
@@ -24,7 +24,7 @@ struct Leg {
 
 /// What the nominal model leaves of such a leg.
 struct Left {
-  Left(double hanging, double standing) : off(hanging, standing) {}
+  Left(double hanging, double floating) : off(hanging, floating) {}
   Remainder of(double worstBefore) const { return {evaluator, worstBefore}; }
   Leg off;
   const Evidence evidence{off.trials};
@@ -63,11 +63,11 @@ TEST(RemainderTest, ofALargeGapAPartMayStay) {
 }
 
 TEST(RemainderTest, onTheFeetOnlySensorsAreLookedAtWithinWhatContactsDo) {
-  const Left clean(0, 0), hanging(0.02, 0), standing(0, 0.02);
+  const Left clean(0, 0), hanging(0.02, 0), floating(0, 0.02);
   EXPECT_TRUE(clean.of(10).onlyOfSensors());
   EXPECT_FALSE(hanging.of(0).onlyOfSensors());
-  EXPECT_FALSE(standing.of(0).onlyOfSensors());
-  EXPECT_GT(standing.of(0).unaccountedOnFloatingBase(), 1);
+  EXPECT_FALSE(floating.of(0).onlyOfSensors());
+  EXPECT_GT(floating.of(0).unaccountedOnFloatingBase(), 1);
 }
 
 }  // namespace

@@ -45,13 +45,14 @@ TEST_F(SearchMemoryTest, ASearchIsFoundByAllItStartedFrom) {
   EXPECT_FALSE(again.find(other));
 }
 
-TEST_F(SearchMemoryTest, aFileThatCannotBeWrittenIsToldOnceAndStopsNothing) {
-  std::vector<std::string> told;
+TEST_F(SearchMemoryTest, aFileThatCannotBeWrittenIsReportedOnceAndStopsNothing) {
+  std::vector<std::string> problems;
   SearchMemory memory("/proc/none/searches", "mark", arm,
-                      [&](const std::string& problem) { told.push_back(problem); });
+                      [&](const std::string& problem) { problems.push_back(problem); });
   memory.keep({}, {});
   memory.keep({}, {});
-  EXPECT_EQ(told, std::vector<std::string>{"cannot write /proc/none/searches: No such file or directory"});
+  EXPECT_EQ(problems,
+            std::vector<std::string>{"cannot write /proc/none/searches: No such file or directory"});
   EXPECT_EQ(memory.size(), 0u);
 }
 

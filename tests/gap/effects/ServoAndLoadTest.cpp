@@ -55,7 +55,7 @@ TEST(ServoAndLoadTest, aSaggingSupplyHasTheTorqueThatItsOwnLoadLeaves) {
   EXPECT_NEAR((stiff.values[1][80] - stiff.values[1][60]) / 0.2, 0.5 / inertia, 0.02);
 }
 
-TEST(ServoAndLoadTest, chainsOfAHeldBaseFeelEachOtherThroughTheSupply) {
+TEST(ServoAndLoadTest, chainsOfAFixedBaseFeelEachOtherThroughTheSupply) {
   // Two arms on one base.
   Mechanism robot = twoJointArm();
   robot.joints[1].parent = 0;

@@ -55,7 +55,7 @@ TEST(Channels, noiseOfARecordingIsFoundAndSpeedIsNotUsed) {
   EXPECT_EQ(uses[0][2].why, "it is the derivative of the position, which is used");
 }
 
-TEST(Channels, whatRepeatsDifferByIsNoiseAndToldFromThatOfTheReadings) {
+TEST(Channels, whatRepeatsDifferByIsNoiseAndSeparateFromThatOfTheReadings) {
   const Mechanism arm = twoJointArm();
   Trial first = recorded(nominalPlant(arm), armTrial(arm, 6), 1e-3, 7), again = first;
   again.recording = "again";

@@ -64,7 +64,7 @@ TEST(Replayer, sameHypothesisSameResidualsWhateverCameBetween) {
     }
 }
 
-TEST(CandidateScreening, aKnownCauseGainsMostAndItsStrengthIsForetold) {
+TEST(CandidateScreening, aKnownCauseGainsMostAndItsStrengthIsPredicted) {
   const Mechanism arm = twoJointArm();
   const Groups groups(recordings({causeOfArm("viscous_friction", "shoulder", 0.15)}));
   const Replayer replayer(arm, groups, 1);

@@ -41,7 +41,7 @@ std::string errorOf(const std::string& text) {
 TEST(Excitation, everyStandardProgramMovesWithinLimitsAndSpeed) {
   const Mechanism nao = findMechanism("nao_v5");
   std::vector<std::string> names = hangingBattery();
-  for (const std::string& name : standingBattery()) names.push_back(name);
+  for (const std::string& name : floatingBaseBattery()) names.push_back(name);
   names.insert(names.end(), {"hang_static", "hang_chirp"});
   for (const std::string& name : names) {
     SCOPED_TRACE(name);

@@ -63,7 +63,7 @@ TEST(Simspark, cyclesAreCountedThoughTheClockIsCoarse) {
   EXPECT_EQ(cyclesBetween(5, 4), 0u) << "back in time";
 }
 
-TEST(EngineRecording, AgreesWithTheOwnDynamicsOnAHeldArm) {
+TEST(EngineRecording, AgreesWithTheOwnDynamicsOnAFixedArm) {
   const auto [own, bullet] = swings();
   for (const char* joint : {"shoulder", "elbow"}) {
     const std::string channel = channelName(ChannelKind::position, joint);

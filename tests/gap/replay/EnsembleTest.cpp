@@ -19,12 +19,12 @@ Plant armWithPlay(double play, bool linkEncoder) {
 
 double sumOf(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-TEST(EnsembleTest, whatDoesNotHuntIsForetoldAsItIsReplayed) {
+TEST(EnsembleTest, whatDoesNotHuntIsPredictedAsItIsReplayed) {
   const Trial trial = armTrial(twoJointArm(), 3);
   const Plant plant = armWithPlay(0.03, false);
-  const Prediction one = replay(plant, trial), foretold = predictEnsemble(plant, trial, {});
-  EXPECT_EQ(one.values, foretold.values);
-  EXPECT_TRUE(foretold.scatter.empty());
+  const Prediction one = replay(plant, trial), predicted = predictEnsemble(plant, trial, {});
+  EXPECT_EQ(one.values, predicted.values);
+  EXPECT_TRUE(predicted.scatter.empty());
 }
 
 TEST(EnsembleTest, huntingThatNobodySeesIsInDoubt) {
@@ -73,11 +73,11 @@ TEST(EnsembleTest, whatHuntingCannotReachIsNoDoubt) {
   const Plant plant = armWithPlay(0.04, true);
   Trial trial = recorded(plant, armTrial(twoJointArm(), 4), 5e-4, 5);
   const auto doubtIn = [&](double from, double to) {
-    const Prediction foretold = predictEnsemble(plant, trial, {});
+    const Prediction predicted = predictEnsemble(plant, trial, {});
     double sum = 0;
     for (std::size_t k = 0; k < trial.cycles(); ++k)
       if (trial.time[k] - trial.time[0] >= from && trial.time[k] - trial.time[0] < to)
-        sum += foretold.scatter[1][k];
+        sum += predicted.scatter[1][k];
     return sum;
   };
   const double before = doubtIn(0.5, 1.5), later = doubtIn(2.3, 2.7);

@@ -125,7 +125,7 @@ TEST(ReplayTest, complianceStretchesByTorque) {
   EXPECT_GT(motor.values[1].back(), link.values[1].back());
 }
 
-TEST(ReplayTest, chainsOfAHeldBaseDoNotFeelEachOther) {
+TEST(ReplayTest, chainsOfAFixedBaseDoNotFeelEachOther) {
   const Mechanism nao = [] {
     Mechanism two = twoJointArm();
     Mechanism::Joint other = two.joints[0];

@@ -61,10 +61,10 @@ TEST(RestartsTest, saysWhereNoFootLandsOrLiftsOff) {
 }
 
 TEST(RestartsTest, noneWhereNothingSteps) {
-  Trial held = walked(4), standing = walked(2.1), blind = walked(4);
-  held.freeBase = false;
+  Trial fixed = walked(4), floating = walked(2.1), blind = walked(4);
+  fixed.freeBase = false;
   std::erase_if(blind.signals, [](const Signal& signal) { return signal.kind == SignalKind::force; });
-  for (Trial* trial : {&held, &standing, &blind}) {
+  for (Trial* trial : {&fixed, &floating, &blind}) {
     cutIntoSteps(*trial);
     EXPECT_TRUE(trial->restarts.empty());
     EXPECT_TRUE(trial->betweenSteps.empty());

@@ -254,7 +254,7 @@ TEST_F(RunCheck, commandsInThousandsAreLeftOut) {
   EXPECT_NE(said.find(" times as far; was it divided by a thousand?"), std::string::npos) << said;
 }
 
-TEST_F(RunCheck, settingsThatHardlyAreAreToldAndUsed) {
+TEST_F(RunCheck, settingsThatHardlyAreAreReportedAndUsed) {
   Recording run = load("xl330_kp200_sin_sin");
   run.servo["pendulum"].kp = 0;
   run.servo["pendulum"].vin = 7400;
@@ -265,7 +265,7 @@ TEST_F(RunCheck, settingsThatHardlyAreAreToldAndUsed) {
             "r: run.json: servo.pendulum.vin is 7400, 1000 times that of xl330_pendulum; check its unit\n");
 }
 
-TEST_F(RunCheck, timesThatHardlyAreAreToldAndUsed) {
+TEST_F(RunCheck, timesThatHardlyAreAreReportedAndUsed) {
   Recording run = load("xl330_kp200_sin_sin");
   run.timing["*"] = {1, 0, 0};
   EXPECT_TRUE(check(run, "xl330_pendulum")
@@ -279,7 +279,7 @@ TEST_F(RunCheck, timesThatHardlyAreAreToldAndUsed) {
             "r: run.json: ground_truth is true, but there is no column truth.*\n");
 }
 
-TEST_F(RunCheck, clocksThatAreApartAreTold) {
+TEST_F(RunCheck, clocksThatAreApartAreReported) {
   for (const int lines : {-90, 90}) {
     Recording run = load("so101_multisine");
     for (auto& [name, column] : run.channels)

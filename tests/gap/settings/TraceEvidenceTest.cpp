@@ -14,7 +14,7 @@ TEST(TraceEvidence, HoldsOutWholeRobotTypesAndLeavesIdleWindowsOut) {
   const TraceEvidence evidence(someTraces(), 5, 16);
   for (const TraceWindow& window : evidence.windows()) {
     const int type = *evidence.traces()[window.trace].robotType;
-    EXPECT_EQ(window.heldOut, type == 1 || type == 3);
+    EXPECT_EQ(window.leftOut, type == 1 || type == 3);
     // The crouch begins with a small drop and then rests until row 50.
     if (evidence.traces()[window.trace].name.starts_with("crouch")) {
       EXPECT_TRUE(window.first < 10 || window.first > 44) << window.first;

@@ -48,7 +48,7 @@ TEST_F(Striker2Test, saysHowExactlyAKickHasToGo) {
   EXPECT_GE(decide().tolerance, 0.12);
 }
 
-TEST_F(Striker2Test, onlyDribblesIfToldSo) {
+TEST_F(Striker2Test, onlyDribblesIfSet) {
   harness.module().kickAllowed = false;
   EXPECT_EQ(decide().skill, Skill::dribble);
   EXPECT_EQ(decide().tolerance, 0);

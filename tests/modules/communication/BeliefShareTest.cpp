@@ -66,7 +66,7 @@ TEST_F(BeliefShareTest, tellsTwoOpponentsAtATimeAndInTimeAllOfThem) {
     robot.number = number;
     robot.lastSeen = 19.9;
   }
-  const auto told = [&] {
+  const auto sent = [&] {
     harness.cycle();
     const TeamBelief& belief = harness.output<TeamComDataOut>().belief;
     SayMessage& said = harness.input<SayMessage>();
@@ -77,9 +77,9 @@ TEST_F(BeliefShareTest, tellsTwoOpponentsAtATimeAndInTimeAllOfThem) {
     harness.input<FrameInfo>().time += 0.02;
     return numbers;
   };
-  EXPECT_EQ(told(), (std::vector<int>{2, 5}));
-  EXPECT_EQ(told(), (std::vector<int>{9, 2}));
-  EXPECT_EQ(told(), (std::vector<int>{5, 9}));
+  EXPECT_EQ(sent(), (std::vector<int>{2, 5}));
+  EXPECT_EQ(sent(), (std::vector<int>{9, 2}));
+  EXPECT_EQ(sent(), (std::vector<int>{5, 9}));
 }
 
 TEST_F(BeliefShareTest, combinesTheBallsOfMatesAndForgetsThem) {

@@ -89,14 +89,14 @@ struct LogModuleTest : testing::Test {
   fs::path folder = fs::temp_directory_path() / ("logmodule-" + std::to_string(getpid()));
   std::string game = (folder / "game").string(), again = (folder / "again").string();
   ControllerOptions setup{"modules.cfg", {"nowhere"}};
-  std::vector<std::string> told;
+  std::vector<std::string> lines;
 
   LogModuleTest() { fs::create_directories(folder); }
   ~LogModuleTest() override { fs::remove_all(folder); }
 
   std::shared_ptr<LogOptions> optionsOf(const AgentLogOptions& options, const Controller& controller) {
     return makeLog(options, controller, setup.configDirectories,
-                   [this](const std::string& line) { told.push_back(line); });
+                   [this](const std::string& line) { lines.push_back(line); });
   }
   void record(int cycles) {
     Controller controller(setup, cfg);

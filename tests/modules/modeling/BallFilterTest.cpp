@@ -70,7 +70,7 @@ TEST(BallFilter, aRestingBallGetsSharperThanOnePercept) {
   EXPECT_LT(std::sqrt(squares / count / 2), 0.01);
 }
 
-TEST(BallFilter, oneWildPerceptIsHeldBack) {
+TEST(BallFilter, oneWildPerceptWaitsForASecond) {
   BallFilter filter;
   for (int i = 0; i < 60; ++i) {
     filter.predict(period, false);

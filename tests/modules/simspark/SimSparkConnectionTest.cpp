@@ -86,16 +86,16 @@ TEST(SimSparkConnection, namesTheTokenFirstAndSaysWhatItLost) {
   });
   auto options = optionsFor(server);
   options->token = "secret";
-  std::vector<std::string> told;
-  options->tell = [&](const std::string& line) { told.push_back(line); };
+  std::vector<std::string> lines;
+  options->tell = [&](const std::string& line) { lines.push_back(line); };
   test::ModuleHarness<SimSparkConnection> harness;
   harness.objects().set(options);
   harness.cycle(2);
   side.join();
   EXPECT_EQ(heard, std::vector<std::string>(2, "(token secret)"));
-  ASSERT_EQ(told.size(), 2u);
-  EXPECT_EQ(told[0], "connection lost: the other side closed the connection; trying again");
-  EXPECT_EQ(told[1], "back on port " + std::to_string(server.port()));
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0], "connection lost: the other side closed the connection; trying again");
+  EXPECT_EQ(lines[1], "back on port " + std::to_string(server.port()));
 }
 
 TEST(SimSparkConnection, waitingForTheServerEndsWithTheAgent) {

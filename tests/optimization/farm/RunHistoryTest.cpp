@@ -25,7 +25,7 @@ TEST(RunHistoryTest, hasAPointForEachGeneration) {
     const Trial trial = *search.next();
     const double cost = sphere(trial);
     if (i < 8) sum += cost;
-    history.told(std::vector<double>{cost});
+    history.addResult(std::vector<double>{cost});
     search.tell(trial.number, std::vector<double>{cost});
   }
   history.look();
@@ -43,7 +43,7 @@ TEST(RunHistoryTest, whatIsNoNumberIsNotInTheMean) {
   for (int i = 0; i < 8; ++i) {
     const Trial trial = *search.next();
     const std::vector<double> costs{i < 4 ? std::nan("") : 2.0};
-    history.told(costs);
+    history.addResult(costs);
     search.tell(trial.number, costs);
   }
   history.look();
@@ -59,7 +59,7 @@ TEST(RunHistoryTest, aLongSearchKeepsItsLastPointAndABoundedNumber) {
   while (generations < 2100 && !search.isDone()) {
     const Trial trial = *search.next();
     cost *= 0.9999;
-    history.told(std::vector<double>{cost + sphere(trial)});
+    history.addResult(std::vector<double>{cost + sphere(trial)});
     search.tell(trial.number, std::vector<double>{cost + sphere(trial)});
     generations = search.optimizer().generations();
   }

@@ -150,8 +150,8 @@ TEST(MotorEffects, aProfileKeepsItsSpeed) {
   MotorEffects motors(effects("  - {effect: profile_speed, at: LKneePitch, value: 1.5}\n"), 0.02, 1);
   EXPECT_TRUE(motors.touches(lKneePitch));
   EXPECT_FALSE(motors.touches(rKneePitch));
-  for (const auto& [told, done] : {std::pair{4.0, 1.5}, {-4.0, -1.5}, {0.7, 0.7}}) {
-    motors.command(lKneePitch, told);
+  for (const auto& [asked, done] : {std::pair{4.0, 1.5}, {-4.0, -1.5}, {0.7, 0.7}}) {
+    motors.command(lKneePitch, asked);
     motors.beginCycle();
     EXPECT_EQ(motors.velocity(lKneePitch), done);
   }
@@ -193,7 +193,7 @@ TEST(MotorEffects, PlayIsCrossedBeforeTheLinkMoves) {
 
 TEST(MotorEffects, LostCyclesHoldTheLastSpeed) {
   MotorEffects motors(effects("  - {effect: command_dropout, at: \"*\", value: 0.3}\n"), 0.02, 1);
-  int held = 0;
+  int kept = 0;
   double last = 0;
   constexpr int cycles = 2000;
   for (int i = 1; i <= cycles; ++i) {
@@ -202,11 +202,11 @@ TEST(MotorEffects, LostCyclesHoldTheLastSpeed) {
     const double speed = motors.velocity(headYaw);
     if (speed != i) {
       EXPECT_EQ(speed, last);
-      ++held;
+      ++kept;
     }
     last = speed;
   }
-  EXPECT_NEAR(held, 0.3 * cycles, 4 * std::sqrt(0.3 * 0.7 * cycles));
+  EXPECT_NEAR(kept, 0.3 * cycles, 4 * std::sqrt(0.3 * 0.7 * cycles));
 }
 
 TEST(MotorEffects, AccelerationAndGain) {

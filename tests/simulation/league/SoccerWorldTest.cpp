@@ -242,13 +242,13 @@ TEST(SoccerWorld, sameCallsSameBytes) {
 
 TEST(SoccerWorld, worldsInThreadsDoNotDisturbEachOther) {
   const std::string alone = story(*makeWorld());
-  std::string told[3];
+  std::string stories[3];
   const auto movedWorld = makeWorld();  // made here, used there
-  std::thread threads[3] = {std::thread([&] { told[0] = story(*makeWorld()); }),
-                            std::thread([&] { told[1] = story(*makeWorld()); }),
-                            std::thread([&] { told[2] = story(*movedWorld); })};
+  std::thread threads[3] = {std::thread([&] { stories[0] = story(*makeWorld()); }),
+                            std::thread([&] { stories[1] = story(*makeWorld()); }),
+                            std::thread([&] { stories[2] = story(*movedWorld); })};
   for (std::thread& thread : threads) thread.join();
-  for (const std::string& each : told) EXPECT_EQ(each, alone);
+  for (const std::string& each : stories) EXPECT_EQ(each, alone);
 }
 
 TEST(SoccerWorld, aRemovedRobotLeavesNothingBehind) {

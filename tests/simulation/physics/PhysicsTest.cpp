@@ -80,7 +80,7 @@ TEST_P(Engine, aBoxRestsOnTheGroundAndItsContactsCarryIt) {
   EXPECT_NEAR(force.head<2>().norm(), 0, 0.02);
 }
 
-TEST_P(Engine, sleepsAtRestAndWakesWhenTold) {
+TEST_P(Engine, sleepsAtRestAndWakesOnRequest) {
   engine->addGround(0);
   const int box1 = engine->addAssembly({{box(2, {0.2, 0.2, 0.1})}, {}, false}, translation(0, 0, 0.05));
   steps(60);
@@ -93,7 +93,7 @@ TEST_P(Engine, sleepsAtRestAndWakesWhenTold) {
   EXPECT_LT(engine->bodyState(box1, 0).pose.translation().z(), 0.9);
 }
 
-TEST_P(Engine, doesNotSleepIfToldSo) {
+TEST_P(Engine, doesNotSleepIfSet) {
   PhysicsConfig awake = config();
   awake.autoDisable = false;
   const auto physics = makePhysics(GetParam(), awake);
@@ -236,7 +236,7 @@ TEST_P(Engine, bouncesByTheMaterials) {
   EXPECT_LT(highestDull, 0.12);
 }
 
-TEST_P(Engine, frictionHasALimitOnlyIfToldSo) {
+TEST_P(Engine, frictionHasALimitOnlyIfSet) {
   for (const double coefficient : {std::numeric_limits<double>::infinity(), 0.3}) {
     PhysicsConfig rough = config();
     for (auto& row : rough.surfaces)

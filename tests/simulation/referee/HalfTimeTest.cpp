@@ -45,7 +45,7 @@ TEST_F(HalfTime, aGameMayHaveOneHalf) {
   EXPECT_EQ(game.half, 1);
 }
 
-TEST_F(HalfTime, teamsChangeEndsIfTold) {
+TEST_F(HalfTime, teamsChangeEndsIfSet) {
   rules.time.changeSides = true;
   game.teams = {"A", "B"};
   game.score = {3, 1};

@@ -24,7 +24,7 @@ TEST_F(KickOff, beforeItEverybodyStandsInTheOwnHalf) {
   EXPECT_LT((place(guest) - Vec3(2.5, -2, standing)).norm(), 1e-9);
 }
 
-TEST_F(KickOff, playersMayBeginAnywhereIfTold) {
+TEST_F(KickOff, playersMayBeginAnywhereIfSet) {
   rules.moves.startAnywhere = true;
   auto& stray = add(left, 2, 1, 3);
   cycle();
@@ -62,7 +62,7 @@ TEST_F(KickOff, playIsOnWhenTheBallIsTouched) {
   EXPECT_EQ(game.mode, PlayMode::playOn);
 }
 
-TEST_F(KickOff, goesByItselfIfTold) {
+TEST_F(KickOff, goesByItselfIfSet) {
   rules.kickOff.after = 2;
   add(left, 2, -3, 0);
   pass(1.98);

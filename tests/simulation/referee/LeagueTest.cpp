@@ -127,7 +127,7 @@ TEST_P(Charge, fallingIntoAnOpponentIsOneOnlyWhileStanding) {
 
 INSTANTIATE_TEST_SUITE_P(AtGaps, Charge, testing::Values(Fall{0.46, true, 0}, Fall{0.55, false, 0.346}));
 
-TEST_F(League, monitorsAreToldFoulsAndTheRulesThatHold) {
+TEST_F(League, monitorsGetFoulsAndTheRulesThatHold) {
   config.rules.time.half = 60;
   config.rules.restarts.distance = 1.5;
   for (int unum = 1; unum <= 4; ++unum) join("Red", unum);
@@ -148,7 +148,7 @@ TEST_F(League, monitorsAreToldFoulsAndTheRulesThatHold) {
   EXPECT_EQ(late.full(simulation()).find("(foul"), std::string::npos) << "not those from before";
 }
 
-TEST_F(League, monitorsAreToldHowLongAGoalAfterPassModeDoesNotCount) {
+TEST_F(League, monitorsLearnHowLongAGoalAfterPassModeDoesNotCount) {
   const PlayerId passer = join("Red", 7);
   step(60);
   playOn(Vec3(0, 0, 0.042));

@@ -63,9 +63,9 @@ TEST_P(AnyEngine, aNaoStandsAndFeelsItsWeight) {
 }
 
 TEST_P(AnyEngine, commandsPushesAndStiffnessAct) {
-  RobotSimulationOptions held;
-  held.fixedBase = true;
-  const auto robot = make(nao, held);
+  RobotSimulationOptions options;
+  options.fixedBase = true;
+  const auto robot = make(nao, options);
   const auto head = static_cast<std::size_t>(nao.jointIndex("HeadYaw"));
   robot->restart(translation(0, 0, 2), straight);
   std::vector<double> targets = straight;
@@ -73,7 +73,7 @@ TEST_P(AnyEngine, commandsPushesAndStiffnessAct) {
   robot->command(targets);
   for (int i = 0; i < 100; ++i) robot->step();
   EXPECT_NEAR(robot->encoder(static_cast<int>(head)), 0.5, 0.02);
-  EXPECT_NEAR(robot->base().pose.translation().z(), 2, 1e-9) << "its base is held";
+  EXPECT_NEAR(robot->base().pose.translation().z(), 2, 1e-9) << "its base is fixed";
   robot->setStiffness(0);
   robot->load(static_cast<int>(head), 0.2);
   for (int i = 0; i < 10; ++i) robot->step();

@@ -55,7 +55,7 @@ Mechanism pendulum() {
 }
 constexpr double rodInertia = 0.2 * 0.4 * 0.4 / 3;  ///< about the hinge
 
-ServoWorld held(const Mechanism& robot, double step = 0.002) {
+ServoWorld onFixedBase(const Mechanism& robot, double step = 0.002) {
   RobotSimulationOptions config;
   config.fixedBase = true;
   config.stepSeconds = step;
@@ -144,7 +144,7 @@ TEST(ServoWorld, theSameCallsGiveTheSameBytes) {
 
 TEST(ServoWorld, anUndrivenRodSwingsAsAPendulum) {
   Mechanism robot = pendulum();
-  ServoWorld world = held(robot, 1e-4);
+  ServoWorld world = onFixedBase(robot, 1e-4);
   world.restart(Pose3::Identity(), {0.02});
   world.setStiffness(0);
   for (int i = 0; i < 1000; ++i) world.step();
@@ -157,7 +157,7 @@ TEST(ServoWorld, armatureAddsToTheJointsInertia) {
   robot.gravity.setZero();
   robot.joints[0].servo.kp = 1;
   robot.joints[0].servo.armature = 0.05;
-  ServoWorld world = held(robot, 1e-4);
+  ServoWorld world = onFixedBase(robot, 1e-4);
   world.restart(Pose3::Identity(), {0.1});
   world.command({0});
   for (int i = 0; i < 100; ++i) world.step();
@@ -172,7 +172,7 @@ TEST(ServoWorld, torqueHasItsLimitAndFadesNearTheTopSpeed) {
   robot.joints[0].maxTorque = 0.05;
   robot.joints[0].maxSpeed = 2;
   robot.joints[0].servo.kp = 1000;
-  ServoWorld world = held(robot);
+  ServoWorld world = onFixedBase(robot);
   world.restart(Pose3::Identity(), {0});
   world.command({500});
   world.step();
@@ -202,7 +202,7 @@ TEST(ServoWorld, aDcMotorTurnsAsFastAsItsVoltageLets) {
   servo.kp = servo.kt * servo.vin * servo.errorGain * servo.kpFirmware / servo.R;
   servo.kd = servo.kt * servo.kt / servo.R;
   robot.joints[0].maxTorque = 10;
-  ServoWorld world = held(robot);
+  ServoWorld world = onFixedBase(robot);
   world.restart(Pose3::Identity(), {0});
   world.command({900});
   for (int i = 0; i < 300; ++i) world.step();
@@ -213,7 +213,7 @@ TEST(ServoWorld, aDrivenJointFollowsItsDriver) {
   const Mechanism robot = nao();
   const int driven = robot.jointIndex("RHipYawPitch"), driver = robot.jointIndex("LHipYawPitch");
   ASSERT_EQ(robot.joints[at(driven)].driver, driver);
-  ServoWorld world = held(robot);
+  ServoWorld world = onFixedBase(robot);
   std::vector<double> q(at(robot.numJoints()), 0);
   world.restart(translation(0, 0, 1), q);
   q[at(driver)] = -0.5;
@@ -229,7 +229,7 @@ TEST(ServoWorld, commandsShowInTheNextCycle) {
   Mechanism robot = pendulum();
   robot.joints[0].servo.kp = 50;
   robot.joints[0].servo.kd = 1;
-  ServoWorld world = held(robot);
+  ServoWorld world = onFixedBase(robot);
   world.restart(Pose3::Identity(), {0});
   world.command({0.3});
   EXPECT_EQ(world.readings().position[0], 0) << "what is read at the start of the cycle";
@@ -242,14 +242,14 @@ TEST(ServoWorld, stopsHoldAndAnyRobotRuns) {
   robot.joints[0].upper = 0.2;
   robot.joints[0].servo.kp = 50;
   robot.joints[0].servo.kd = 1;
-  ServoWorld world = held(robot);
+  ServoWorld world = onFixedBase(robot);
   world.restart(Pose3::Identity(), {0});
   world.command({1});
   for (int i = 0; i < 100; ++i) world.step();
   EXPECT_NEAR(world.readings().position[0], 0.2, 0.01);
   for (const char* name : {"so101", "xl330_pendulum"}) {
     const Mechanism other = findMechanism(name);
-    ServoWorld bench = held(other);
+    ServoWorld bench = onFixedBase(other);
     std::vector<double> q(at(other.numJoints()), 0.1);
     bench.restart(translation(0, 0, 1), std::vector<double>(q.size(), 0));
     for (int i = 0; i < 300; ++i) {
@@ -283,7 +283,7 @@ TEST(ServoWorld, refusesWhatMakesNoSense) {
   RobotSimulationOptions config;
   config.stepSeconds = 0;
   EXPECT_THROW(ServoWorld(robot, config), std::invalid_argument);
-  ServoWorld world = held(robot);
+  ServoWorld world = onFixedBase(robot);
   try {
     world.command({1, 2});
     FAIL();

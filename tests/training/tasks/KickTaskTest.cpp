@@ -177,7 +177,7 @@ std::string errorOf(const Options& options) {
   }
 }
 
-TEST(KickTask, badOptionsAreTold) {
+TEST(KickTask, badOptionsAreReported) {
   EXPECT_EQ(errorOf({{"motion", "wave"}}), "option motion: wave is no kick: it has no ball");
   EXPECT_EQ(errorOf({{"motion", "kick"}}), "option motion: no motion kick");
   EXPECT_EQ(errorOf({{"distanse", "3"}}), "unknown option \"distanse\"; did you mean \"distance\"?");

@@ -82,7 +82,7 @@ std::string mistakeIn(const Options& options) {
   }
 }
 
-TEST(TrialWorlds, badOptionsAreTold) {
+TEST(TrialWorlds, badOptionsAreReported) {
   EXPECT_EQ(mistakeIn({{"draws", "4"}}),
             "option draws: of what? give the file of effects too (option effects)");
   EXPECT_EQ(mistakeIn({{"draws", "many"}}), "option draws: \"many\" is no number from 0 to 64");

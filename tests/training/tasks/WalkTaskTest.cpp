@@ -70,7 +70,7 @@ std::string walkError(const Options& options) {
   }
 }
 
-TEST(WalkTask, badOptionsAreTold) {
+TEST(WalkTask, badOptionsAreReported) {
   EXPECT_EQ(walkError({{"direction", "up"}}),
             "option direction: \"up\" is not one of forward, backward, sideways, turn, mixture, push");
   EXPECT_EQ(walkError({{"tipe", "3"}}), "unknown option \"tipe\"; did you mean \"type\"?");

@@ -60,7 +60,7 @@ TEST(ModelFit, removesABias) {
   // Steps of another day: at least nine tenths of the squared error are gone.
   const auto others = stepsOf(biased(), 30, 0.0005, 99);
   EXPECT_LT(predictionError(others, result.parameters), 0.1 * predictionError(others, {}));
-  EXPECT_LT(result.heldAfter, 0.1 * result.heldBefore);
+  EXPECT_LT(result.leftOutAfter, 0.1 * result.leftOutBefore);
 }
 
 TEST(ModelFit, whatOnlyPredictsIsNotHeldToTheWalk) {
@@ -100,17 +100,17 @@ TEST(ModelFit, doesNoHarmWhereThereIsNone) {
   }
 }
 
-TEST(ModelFit, neverTakesWhatPredictsHeldOutStepsWorse) {
+TEST(ModelFit, neverTakesWhatPredictsLeftOutStepsWorse) {
   // Every third step, which is held out, is of another robot.
   auto steps = stepsOf(biased(), 30, 0);
   const auto plain = stepsOf({}, 30, 0);
   for (std::size_t i = 2; i < steps.size(); i += 3) steps[i] = plain[i];
   const ModelFitResult result = fitModel(steps, {});
   EXPECT_LT(result.after, result.before);
-  EXPECT_GT(result.heldAfter, result.heldBefore);
+  EXPECT_GT(result.leftOutAfter, result.leftOutBefore);
   EXPECT_FALSE(result.accepted);
   EXPECT_EQ(result.parameters.values(), ModelParameters{}.values());
-  EXPECT_GT(result.predictionHeldAfter, result.predictionHeldBefore);
+  EXPECT_GT(result.predictionLeftOutAfter, result.predictionLeftOutBefore);
   EXPECT_FALSE(result.predicts);
   EXPECT_EQ(result.prediction.values(), ModelParameters{}.values());
 }

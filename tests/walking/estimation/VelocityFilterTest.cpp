@@ -41,7 +41,7 @@ struct Watched {
   }
 };
 
-TEST(VelocityFilter, findsAVelocityItWasNotToldOf) {
+TEST(VelocityFilter, findsAVelocityItDidNotGet) {
   Watched watched(Vec2(0.4, 0.1));
   for (int i = 0; i < 8; ++i) watched.cycle();
   EXPECT_NEAR((watched.filter.velocity() - watched.truth.velocity).norm(), 0, 0.03);
@@ -57,7 +57,7 @@ TEST(VelocityFilter, aPushIsSeenWithinThreeCycles) {
 }
 
 /// A robot that stands with this velocity [m/s]: no force changes it, and this is seen of it.
-Vec2 told(VelocityFilter& filter, const Vec2& seen) {
+Vec2 update(VelocityFilter& filter, const Vec2& seen) {
   static const LinearInvertedPendulum model(0.25);
   WalkAction action;
   action.duration = step;
@@ -66,18 +66,18 @@ Vec2 told(VelocityFilter& filter, const Vec2& seen) {
 
 TEST(VelocityFilter, aPushThatTheFeetDoNotFeelIsBelievedWhenItLasts) {
   VelocityFilter filter;
-  for (int i = 0; i < 5; ++i) told(filter, Vec2(0, 0));
+  for (int i = 0; i < 5; ++i) update(filter, Vec2(0, 0));
   // 0.1 m/s in each cycle for 0.1 s: seen, not felt.
-  for (int i = 1; i <= 5; ++i) told(filter, Vec2(0.1 * i, 0));
-  for (int i = 0; i < 2; ++i) told(filter, Vec2(0.5, 0));
-  EXPECT_NEAR(told(filter, Vec2(0.5, 0)).x(), 0.5, 0.03);
+  for (int i = 1; i <= 5; ++i) update(filter, Vec2(0.1 * i, 0));
+  for (int i = 0; i < 2; ++i) update(filter, Vec2(0.5, 0));
+  EXPECT_NEAR(update(filter, Vec2(0.5, 0)).x(), 0.5, 0.03);
 }
 
 TEST(VelocityFilter, aFootThatSlidesForACycleIsNoPush) {
   VelocityFilter filter;
-  for (int i = 0; i < 5; ++i) told(filter, Vec2(0.2, 0));
-  EXPECT_NEAR(told(filter, Vec2(0.4, 0.1)).x(), 0.2, 0.03);
-  EXPECT_NEAR(told(filter, Vec2(0.2, 0)).x(), 0.2, 0.03);
+  for (int i = 0; i < 5; ++i) update(filter, Vec2(0.2, 0));
+  EXPECT_NEAR(update(filter, Vec2(0.4, 0.1)).x(), 0.2, 0.03);
+  EXPECT_NEAR(update(filter, Vec2(0.2, 0)).x(), 0.2, 0.03);
 }
 
 TEST(VelocityFilter, knowsMoreThanTheFootShows) {

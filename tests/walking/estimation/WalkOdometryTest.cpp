@@ -23,15 +23,15 @@ TEST(WalkOdometry, takesOverWhatWasObservedByItsShare) {
   WalkOdometry odometry;
   odometry.reset({});
   const Pose2 planned(0.01, 0.002, 0.1), observed(0.006, -0.002, 0.2);
-  const auto told = [&](double share) {
+  const auto moved = [&](double share) {
     p.odometry.observedShare = share;
     return odometry.update(planned, {}, false, p, 0.02, observed);
   };
-  EXPECT_NEAR(told(0).x(), 0.01, 1e-12);
-  EXPECT_NEAR(told(0.5).x(), 0.008, 1e-12);
-  EXPECT_NEAR(told(0.5).y(), 0, 1e-12);
-  EXPECT_NEAR(told(0.5).heading, 0.15, 1e-12);
-  EXPECT_NEAR(told(1).y(), -0.002, 1e-12);
+  EXPECT_NEAR(moved(0).x(), 0.01, 1e-12);
+  EXPECT_NEAR(moved(0.5).x(), 0.008, 1e-12);
+  EXPECT_NEAR(moved(0.5).y(), 0, 1e-12);
+  EXPECT_NEAR(moved(0.5).heading, 0.15, 1e-12);
+  EXPECT_NEAR(moved(1).y(), -0.002, 1e-12);
 }
 
 }  // namespace

@@ -202,8 +202,8 @@ export class Editor {
     $('editorSave').disabled = !changed || this.conflict || !this.link.online;
     $('editorDiscard').disabled = !changed;
     $('editorKeep').hidden = !this.conflict;
-    const told = this.conflict ? `${this.notice || 'Not saved.'} Somebody else has changed the file: discard what is here, or keep it and save it over theirs.` : this.notice;
-    $('editorState').textContent = this.refused || told || (changed ? 'not saved yet' : `as in ${this.path}`);
+    const note = this.conflict ? `${this.notice || 'Not saved.'} Somebody else has changed the file: discard what is here, or keep it and save it over theirs.` : this.notice;
+    $('editorState').textContent = this.refused || note || (changed ? 'not saved yet' : `as in ${this.path}`);
     $('editorState').className = this.refused ? 'error' : changed ? 'unsaved' : '';
     document.title = `${changed ? '• ' : ''}${this.motion.name}: Plumbline`;
   }

@@ -3,7 +3,7 @@ import uPlot from '../../uplot/uPlot.esm.js';
 
 const axis = { stroke: '#a9b6c0', grid: { stroke: '#26323c' }, ticks: { stroke: '#26323c' }, font: '11px system-ui' };
 const short = (u, values) => values.map((v) => (v === null ? '' : Math.abs(v) >= 1e5 || (v !== 0 && Math.abs(v) < 1e-3) ? v.toExponential(0) : String(Number(v.toPrecision(6)))));
-const told = (u, value) => (value === null || value === undefined ? '-' : Number(value).toPrecision(5));
+const valueText = (u, value) => (value === null || value === undefined ? '-' : Number(value).toPrecision(5));
 
 export class Curves {
   constructor({ costs, sigma, logarithmic }) {
@@ -31,7 +31,7 @@ export class Curves {
     const chart = (place, distribution, series, label) => new uPlot({
       ...this.size(place), cursor: { drag: { x: true, y: false } }, scales: { x: { time: false }, y: { distr: distribution } },
       axes: [{ ...axis, size: 30, values: short }, { ...axis, size: 66, values: short, label, labelSize: 18, labelFont: '11px system-ui' }],
-      series: [{ label: 'evaluations', value: told }, ...series.map((s) => ({ width: 1.6, points: { show: false }, value: told, ...s }))],
+      series: [{ label: 'evaluations', value: valueText }, ...series.map((s) => ({ width: 1.6, points: { show: false }, value: valueText, ...s }))],
     }, [[], ...series.map(() => [])], place);
     const log = this.positive && this.logarithmic.checked ? 3 : 1;
     this.charts = [

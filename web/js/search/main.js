@@ -17,9 +17,9 @@ const state = { study: null, status: null };
 const take = {
   study(message) {
     state.study = message;
-    const told = Object.entries(message.options).map(([key, value]) => `${key} ${value}`).join(', ');
+    const options = Object.entries(message.options).map(([key, value]) => `${key} ${value}`).join(', ');
     $('what').textContent = message.task;
-    $('options').textContent = `${told ? `${told}; ` : ''}${message.optimizer}, seed ${message.seed}; ${message.file}, results in ${message.folder}`;
+    $('options').textContent = `${options ? `${options}; ` : ''}${message.optimizer}, seed ${message.seed}; ${message.file}, results in ${message.folder}`;
     document.title = `${message.task}: Plumbline`;
     numbers.limits(message);
     parameters.study(message.parameters);

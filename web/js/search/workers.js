@@ -12,9 +12,9 @@ export class Workers {
     this.place.replaceChildren(...(of.length ? [head] : []), ...of.map(({ name, busy, answers, seconds }) => make('tr', {},
       make('td', { textContent: name }), make('td', { className: !busy ? 'idle' : seconds > late ? 'late' : 'busy', textContent: busy ? 'evaluates' : 'waits' }),
       make('td', { textContent: answers }), make('td', { textContent: busy ? duration(seconds) : '' }))));
-    const told = [[counts.wrong, 'answers refused'], [dropped, 'clients dropped'], [lost, 'trials lost with a worker'], [hung, 'workers hung'],
+    const problems = [[counts.wrong, 'answers refused'], [dropped, 'clients dropped'], [lost, 'trials lost with a worker'], [hung, 'workers hung'],
       [again, 'answered twice'], [counts.doubted, 'answers doubted'], [notNumbers, 'costs that are no number'], [givenUp, 'trials given up']];
-    const wrong = told.filter(([n]) => n > 0).map(([n, what]) => `${n} ${what}`).join(', ');
+    const wrong = problems.filter(([n]) => n > 0).map(([n, what]) => `${n} ${what}`).join(', ');
     this.trouble.textContent = live ? (of.length ? wrong || 'Nothing was refused or lost.' : `No worker is there: start bin/optworker. ${wrong}`) : wrong || 'The search does not run; this is what is in its folder.';
   }
 }

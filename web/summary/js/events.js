@@ -36,17 +36,17 @@ function goals(game) {
 function falls(game) {
   return game.robots.flatMap((robot, who) => {
     const found = [];
-    let since = null, told = false;
+    let since = null, reported = false;
     game.times.forEach((t, i) => {
       const clock = game.clock[i], place = robotAt(robot, i);
       if (!place || place.up) {
         since = null;
-        told = false;
+        reported = false;
       } else {
         since ??= { t, clock };
-        if (!told && clock - since.clock >= fallSeconds) {
+        if (!reported && clock - since.clock >= fallSeconds) {
           found.push({ kind: 'fall', side: robot.side, who, t: since.t, x: place.x, y: place.y });
-          told = true;
+          reported = true;
         }
       }
     });

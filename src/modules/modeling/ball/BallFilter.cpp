@@ -13,7 +13,7 @@ void BallFilter::start(const Vec2& position, const Mat2& covariance, const Vec2&
   covariance_.topLeftCorner<2, 2>() = covariance;
   const double v = parameters_.startSpeedDeviation;
   covariance_.bottomRightCorner<2, 2>() = v * v * Mat2::Identity();
-  heldBack_.reset();
+  unconfirmed_.reset();
   atRest_ = velocity.isZero();
 }
 
@@ -34,7 +34,7 @@ void BallFilter::predict(double dt, bool touchable, double drift) {
   covariance_.bottomRightCorner<2, 2>().diagonal().array() += q;
   covariance_.topRightCorner<2, 2>().diagonal().array() += q * dt / 2;
   covariance_.bottomLeftCorner<2, 2>().diagonal().array() += q * dt / 2;
-  if (heldBack_) heldBack_->age += dt;
+  if (unconfirmed_) unconfirmed_->age += dt;
 }
 
 bool BallFilter::update(const Vec2& position, const Mat2& covariance) {
@@ -46,17 +46,17 @@ bool BallFilter::update(const Vec2& position, const Mat2& covariance) {
   const Mat2 innovationInverse = (covariance_.topLeftCorner<2, 2>() + covariance).inverse();
   const Vec2 innovation = position - state_.head<2>();
   if (innovation.dot(innovationInverse * innovation) > parameters_.gate * parameters_.gate) {
-    if (heldBack_ && heldBack_->age > 0 && heldBack_->age < parameters_.agreementSeconds) {
-      const Vec2 velocity = (position - heldBack_->position) / heldBack_->age;
+    if (unconfirmed_ && unconfirmed_->age > 0 && unconfirmed_->age < parameters_.agreementSeconds) {
+      const Vec2 velocity = (position - unconfirmed_->position) / unconfirmed_->age;
       if (velocity.norm() < parameters_.agreementSpeed) {
         start(position, covariance, velocity);
         return true;
       }
     }
-    heldBack_ = HeldBack{position, 0};
+    unconfirmed_ = Unconfirmed{position, 0};
     return false;
   }
-  heldBack_.reset();
+  unconfirmed_.reset();
   const Eigen::Matrix<double, 4, 2> gain = covariance_.leftCols<2>() * innovationInverse;
   state_ += gain * innovation;
   const Mat4 remaining = covariance_ - gain * covariance_.topRows<2>();

@@ -58,7 +58,7 @@ private:
   using Mat4 = Eigen::Matrix4d;
   void start(const Vec2& position, const Mat2& covariance, const Vec2& velocity);
 
-  struct HeldBack {
+  struct Unconfirmed {
     Vec2 position;
     double age;
   };
@@ -67,7 +67,7 @@ private:
   bool started_ = false, atRest_ = true;
   Vec4 state_ = Vec4::Zero();  ///< x, y, vx, vy
   Mat4 covariance_ = Mat4::Identity();
-  std::optional<HeldBack> heldBack_;
+  std::optional<Unconfirmed> unconfirmed_;
 };
 
 }  // namespace plumbline
