@@ -227,7 +227,7 @@ results: bench
 	@scripts/make_results.sh
 
 check:
-	@scripts/check_floors.sh && scripts/check_sizes.sh
+	@scripts/check_floors.sh && scripts/check_sizes.sh && scripts/check_sentences.sh
 	@scripts/install_packages.sh scripts/packages.txt scripts/packages-test.txt
 	@scripts/build_page.sh
 	@PLUMBLINE_SLOW=1 scripts/run_tests.sh --all

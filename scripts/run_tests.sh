@@ -186,6 +186,7 @@ if [[ ${1-} == --all ]]; then
   [[ ${SECOND_RUN-} == no ]] || secondRuns=3
   check floors scripts/check_floors.sh
   check sizes scripts/check_sizes.sh
+  check sentences scripts/check_sentences.sh
   mapfile -t areas < <(areasOf)
   # The programs as they are used play their scripts; test programs run under the sanitizers, which see more. To build
   # them a second time would cost a third of the whole: scripts/run_tests.sh SimRelease AREA... does it.

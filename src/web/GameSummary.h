@@ -5,9 +5,9 @@ namespace plumbline::web {
 
 /// A recorded game as JSON for the page of its summary: sizes of the field, teams, and changes of score and
 /// play mode {"t":,"game":,"half":,"mode":,"left":,"right":}. Positions are given ten times a second of the
-/// game: "times" [s of the recording], "clock" [s of the game], "ball" [x, y, z, ...] and "robots"
-/// [{"side":,"unum":,"track":[x, y, up, ...]}], in centimetres. up is 1 if the torso is upright; null while a
-/// robot is absent. Throws std::runtime_error, one line, for another file.
+/// game, in centimetres: "times" [s of the recording], "clock" [s of the game], "ball" [x, y, z, ...] and
+/// "robots" [{"side":,"unum":,"track":[x, y, up, ...]}]. up is 1 if the torso is upright; null while a robot
+/// is absent. Throws std::runtime_error, one line, for another file.
 std::string gameTracks(const std::string& recording);
 
 /// The page of a recorded game, complete in itself: `replay` is where bin/webmonitor --replay shows it.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The scripts behind make: checks of floors and sizes, the test runner, the packages.
+# The scripts behind make: checks of floors, sizes and sentences, the test runner, the packages.
 source "$(dirname "$0")/project.bash"
 writeSources
 
@@ -61,6 +61,35 @@ text=$(scripts/check_sizes.sh)
 expect "601 lines: status" $? 1
 expect "601 lines" "$text" "src/math/Long.h: 601 lines, more than 600: split it"
 rm src/math/Long.h
+
+# Sentences.
+words() { seq -s ' ' "$1" | tr -d '\n'; }
+mkdir -p doc/results
+scripts/check_sentences.sh || fail "a tree without pages refused"
+{
+  printf '# %s\n\n' "$(words 40)"
+  printf '%s.\n' "$(words 35)"
+  printf '%s\n%s. Short (%s). `%s` [a](%s).\n\n' "$(words 20)" "$(words 15)" "$(words 20)" "$(words 50)" "$(words 40)"
+  printf -- '- %s\n- %s:\n\n| %s |\n\n' "$(words 20)" "$(words 20)" "$(words 40)"
+  printf '    %s\n\n```\n%s\n```\n' "$(words 40)" "$(words 40)"
+} > doc/good.md
+printf '%s.\n' "$(words 40)" > doc/results/measured.md
+{
+  printf '/// %s\n/// %s.\nint one();  ///< %s\nint two();  ///< %s\n' "$(words 20)" "$(words 15)" "$(words 20)" "$(words 20)"
+  printf 'const char* const url = "http://%s";\n/* %s. */\n\n// %s\n\n// %s\n' "$(words 40)" "$(words 30)" "$(words 20)" "$(words 20)"
+} > src/math/Good.h
+scripts/check_sentences.sh || fail "short sentences refused"
+printf 'One. %s\n%s, e.g. this.\n\n- Short.\n- In a list:\n  %s.\n' "$(words 20)" "$(words 20)" "$(words 36)" > doc/long.md
+printf '// One. Two\n// %s.\nint one();  ///< %s\n            ///< %s\n/* %s\n * %s */\n' \
+  "$(words 35)" "$(words 20)" "$(words 20)" "$(words 20)" "$(words 17)" > src/math/Long.h
+text=$(scripts/check_sentences.sh)
+expect "sentences: status" $? 1
+expect "sentences" "$text" 'doc/long.md:1: 42 words in a sentence, more than 35: split it
+doc/long.md:5: 39 words in a sentence, more than 35: split it
+src/math/Long.h:1: 36 words in a sentence, more than 35: split it
+src/math/Long.h:3: 40 words in a sentence, more than 35: split it
+src/math/Long.h:5: 37 words in a sentence, more than 35: split it'
+rm -r doc src/math/Good.h src/math/Long.h
 
 # The test runner adds up test cases and scripts, and says what failed.
 printf '#!/usr/bin/env bash\ntrue\n' > tests/math/good.sh
@@ -153,6 +182,8 @@ for script in build_page.sh format.sh; do
 done
 text=$(bash scripts/check_sizes.sh --foo 2>&1)
 expect "check_sizes.sh --foo" "$text" "check_sizes.sh: unexpected argument '--foo'; see check_sizes.sh --help"
+text=$(bash scripts/check_sentences.sh --foo 2>&1)
+expect "check_sentences.sh --foo" "$text" "check_sentences.sh: unexpected argument '--foo'; see check_sentences.sh --help"
 text=$(bash scripts/optimise_walks.sh 7 2>&1)
 expect "optimise_walks.sh 7" "$text" "optimise_walks.sh: no robot type '7'; see optimise_walks.sh --help"
 echo "no-such-package-of-any-kind  # made up" > list.txt

@@ -6,9 +6,10 @@
 
 namespace plumbline::gap {
 
-/// What a cell says about the values at which it was replayed, in logarithms of strengths: information of
-/// what varies about its mean, and of the mean (minus the second derivatives of the log density, as Gauss and
-/// Newton have them), and the gradient of both. Rows and columns of causes that change nothing in it are 0.
+/// What a cell says about the values at which it was replayed, in logarithms of strengths. It is the
+/// information of what varies about its mean, that of the mean, and the gradient of both. Information is
+/// minus the second derivatives of the log density, as Gauss and Newton have them. Rows and columns of causes
+/// that change nothing in it are 0.
 struct CellInformation {
   std::size_t cell = 0;
   Eigen::MatrixXd about, mean;

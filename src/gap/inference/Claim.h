@@ -10,11 +10,12 @@ struct Claim {
   double closed = 0, lower = 0, upper = 0;
 };
 
-/// From what was closed in recordings left out, one value per group of them: logarithms of the share that is
-/// left are normal about a mean, with a spread from motion to motion, both unknown (random effects, Gelman et
-/// al., Bayesian Data Analysis, chapter 5). The mean is 0 (nothing closed) give or take 1 before any data,
-/// the spread half-normal of 0.5. Few groups are thus drawn to 0 and leave a wide interval; none claim
-/// nothing.
+/// From what was closed in recordings left out, one value per group of them. Logarithms of the share that is
+/// left are normal about a mean, with a spread from motion to motion. Both are unknown (random effects,
+/// Gelman et al., Bayesian Data Analysis, chapter 5). The mean is 0 (nothing closed) give or take 1 before
+/// any data, the spread half-normal of 0.5. Few groups are thus drawn to 0 and leave a wide interval; none
+/// claim nothing.
+///
 /// bias: what is added to the logarithms because searches without a group have fewer recordings
 /// (leaveOutBias).
 Claim claimOf(const std::vector<double>& closedPerGroup, double bias = 0);

@@ -22,7 +22,7 @@ struct SetProposal {
 
 /// Sets of causes with the best scores by a replayer's coefficients, one for each number of causes from none
 /// on. Moves (add a cause, drop one, put another in its place) are judged by derivatives beside the set
-/// itself; a set that is better so is fitted by replays, and the derivatives are taken anew beside it.
+/// itself. A set that is better so is fitted by replays, and the derivatives are taken anew beside it.
 std::vector<SetProposal> proposedSets(CoefficientReplayer& replayer, const LinearSearchOptions& options);
 
 }  // namespace plumbline::gap

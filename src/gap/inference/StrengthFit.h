@@ -18,9 +18,9 @@ public:
   /// perfect model leaves in it is not felt.
   LinearResiduals linearise(const StrengthSet& set, const std::vector<std::size_t>& wanted) const;
   std::vector<std::size_t> all() const;
-  /// Damped Gauss-Newton steps, and where they gain nothing, steps along each strength in turn (pattern
-  /// search: Hooke and Jeeves 1961), for the density is rough in some of them: a sample sees a command or the
-  /// one before it, whatever the delay's derivative says. Causes that vanish (below a thousandth of a unit)
+  /// Damped Gauss-Newton steps. Where they gain nothing, steps along each strength in turn (pattern search:
+  /// Hooke and Jeeves 1961), for the density is rough in some of them. A sample sees a command or the one
+  /// before it, whatever the delay's derivative says. Causes that vanish (below a thousandth of a unit)
   /// go out of the set.
   StrengthSet refine(StrengthSet set, int mostSteps) const;
   /// Whether two kinds cannot be in one set: two variants of one cause.

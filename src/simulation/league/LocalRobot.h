@@ -8,9 +8,9 @@
 
 namespace plumbline::simulation {
 
-/// One robot alone in a world of its own, in this process, with the league server's delay: what is answered
-/// to one message shows in the joint angles of the message after the next, and limbs that pass through each
-/// other freeze (rule selfCollision). For learning and closed-loop tests; an object is used by one thread at
+/// One robot alone in a world of its own, in this process, with the league server's delay. What is answered
+/// to one message shows in the joint angles of the message after the next. Limbs that pass through each other
+/// freeze (rule selfCollision). For learning and closed-loop tests; an object is used by one thread at
 /// a time.
 class LocalRobot {
 public:

@@ -15,11 +15,11 @@ namespace plumbline::training {
 /// heading, walks there and kicks. Searched are numbers of BallPositioningParameters; the file is the type's
 /// SkillGetBall.yaml.
 ///
-/// Formula 3.3 with the opposite sign, in seconds: the cost of a run is the time to the kick, `metre` seconds
-/// for each metre that the ball comes less far along the wanted direction than the kick carries or goes
-/// aside, and `fall` seconds for a fall. Figures: time to the kick [s], distance along and aside [m], kicked,
-/// fell. Options: type (0), motion (the farthest kick), distance of the start (1.5) [m], metre (0.5), fall
-/// (5), and those of TrialWorlds.
+/// The cost of a run is formula 3.3 with the opposite sign, in seconds. It is the time to the kick and
+/// `fall` seconds for a fall. To that come `metre` seconds for each metre that the ball comes less far along
+/// the wanted direction than the kick carries, or goes aside. Figures: time to the kick [s], distance along
+/// and aside [m], kicked, fell. Options: type (0), motion (the farthest kick), distance of the start (1.5)
+/// [m], metre (0.5), fall (5), and those of TrialWorlds.
 class PositioningTask : public SearchTask {
 public:
   explicit PositioningTask(const TaskOptions& options);

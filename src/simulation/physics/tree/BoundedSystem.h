@@ -4,8 +4,8 @@
 
 namespace plumbline::simulation {
 
-/// A linear complementarity problem with bounds: find x with w = A x - b so that for each i
-/// lower <= x <= upper, with w >= 0 if x is at its lower bound, w <= 0 at its upper, w = 0 between. A is
+/// A linear complementarity problem with bounds: find x so that lower <= x <= upper for each i. With
+/// w = A x - b, w >= 0 if x is at its lower bound, w <= 0 at its upper, w = 0 between. A is
 /// symmetric and positive definite, so there is one solution.
 ///
 /// Rows without bounds are eliminated first; among the others the set of those at a bound is found by block
