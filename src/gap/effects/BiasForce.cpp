@@ -25,6 +25,7 @@ const Effect biasForce{
                 .high = 0.12,
                 .unit = DrawRange::Unit::torque,
                 .bothSigns = true},
+    .perJointFit = {.rank = 100},
 };
 MAKE_EFFECT(biasForce);
 

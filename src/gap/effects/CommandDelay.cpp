@@ -18,6 +18,7 @@ const Effect commandDelay{
                 int) { atJoints(plant, place, [value](JointPlant& joint) { joint.commandDelay += value; }); },
     .suspect = 7,
     .drawing = {.where = DrawRange::Where::jointOrAll, .low = 0.003, .high = 0.02},
+    .perJointFit = {.rank = 110},
 };
 MAKE_EFFECT(commandDelay);
 

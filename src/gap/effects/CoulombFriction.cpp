@@ -23,6 +23,7 @@ const Effect coulombFriction{
     .suspect = 2,
     .alike = {"stribeck_friction", 1},
     .drawing = {.where = DrawRange::Where::joint, .low = 0.03, .high = 0.12, .unit = DrawRange::Unit::torque},
+    .perJointFit = {.rank = 30},
 };
 MAKE_EFFECT(coulombFriction);
 

@@ -47,6 +47,13 @@ struct LookAlike {
   int turn = 1000;  ///< its place among the hard cases; those of the same turn are sorted by order
 };
 
+/// Its part in the fit of all joints at once (gap/inference/PerJointFit.h), in which every joint has a value
+/// of it.
+struct PerJointPart {
+  int rank = 0;     ///< from 1, in which it is fitted; those of the same rank by order; 0: it has no part
+  int variant = 0;  ///< which of its forms all joints have
+};
+
 /// What a simulator may lack: one physical cause with one parameter. Each is in a file of its own and
 /// registered by MAKE_EFFECT.
 struct Effect {
@@ -100,6 +107,7 @@ struct Effect {
   std::function<bool(const Mechanism&, const Place&)> canBeAt = {};
   Screening screening = {};
   DrawRange drawing = {};
+  PerJointPart perJointFit = {};  ///< only for effects of joints
 
   int numVariants() const { return variants.empty() ? 1 : static_cast<int>(variants.size()); }
   double scaleAt(const Mechanism& mechanism, const Place& place) const {

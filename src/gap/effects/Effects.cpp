@@ -35,6 +35,10 @@ EffectLoader::EffectLoader(const Effect& effect) {
                                                                 start != effect.nominal;
                                                        }),
          effect, "needs starts within lower and upper, other than nominal");
+  demand(effect.perJointFit.rank == 0 || sitsAtJoints(effect), effect,
+         "needs Site::joint among its sites for a part in the fit of all joints");
+  demand(effect.perJointFit.variant >= 0 && effect.perJointFit.variant < effect.numVariants(), effect,
+         "has no variant of the number that perJointFit names");
   demand(findEffect(effect.id) == nullptr, effect, "exists twice in this program");
   const auto place = [](const Effect* e) { return std::tuple(e->order, e->id); };
   std::vector<const Effect*>& all = registered();
@@ -47,6 +51,13 @@ const Effect* findEffect(std::string_view id) {
   for (const Effect* effect : effects())
     if (effect->id == id) return effect;
   return nullptr;
+}
+
+std::vector<const Effect*> actuatorEffects() {
+  std::vector<const Effect*> list = effects();
+  std::erase_if(list, [](const Effect* effect) { return effect->perJointFit.rank == 0; });
+  std::ranges::stable_sort(list, {}, [](const Effect* effect) { return effect->perJointFit.rank; });
+  return list;
 }
 
 bool sitsAtJoints(const Effect& effect) {

@@ -9,6 +9,9 @@ namespace plumbline::gap {
 /// The library: every effect linked into the program, sorted by Effect::order. Complete once main runs.
 const std::vector<const Effect*>& effects();
 
+/// What system identification fits in every joint (Effect::perJointFit), in the order of the fit.
+std::vector<const Effect*> actuatorEffects();
+
 /// Effects with this order or a larger one are not in the project's original list.
 inline constexpr int beyondContract = 400;
 

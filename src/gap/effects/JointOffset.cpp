@@ -20,6 +20,7 @@ const Effect jointOffset{
     .alike = {"bias_force", 13},
     .screening = {.inNeighbours = true, .underLoad = Screening::UnderLoad::anyLeg},
     .drawing = {.where = DrawRange::Where::joint, .low = 0.04, .high = 0.15, .bothSigns = true},
+    .perJointFit = {.rank = 90},
 };
 MAKE_EFFECT(jointOffset);
 

@@ -28,6 +28,8 @@ const Effect loadFriction{
     .alike = {"rotor_inertia", 15},
     .screening = {.underLoad = Screening::UnderLoad::weakMotor},
     .drawing = {.where = DrawRange::Where::joint, .low = 0.15, .high = 0.4},
+    // Friction grows with what the gear transmits to the link, as in Duclusaud et al. 2024.
+    .perJointFit = {.rank = 50, .variant = static_cast<int>(JointPlant::Load::linkTorque)},
 };
 MAKE_EFFECT(loadFriction);
 

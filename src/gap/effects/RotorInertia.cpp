@@ -28,6 +28,7 @@ const Effect rotorInertia{
     .suspect = 6,
     .alike = {"load_friction", 16},
     .drawing = {.where = DrawRange::Where::joint, .low = 0.006, .high = 0.03},
+    .perJointFit = {.rank = 10},
 };
 MAKE_EFFECT(rotorInertia);
 

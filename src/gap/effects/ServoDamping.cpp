@@ -32,6 +32,7 @@ const Effect servoDamping{
                 .low2 = 1.4,
                 .high2 = 2.5,
                 .growth = DrawRange::Growth::factor},
+    .perJointFit = {.rank = 70},
 };
 MAKE_EFFECT(servoDamping);
 

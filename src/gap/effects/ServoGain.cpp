@@ -32,6 +32,7 @@ const Effect servoGain{
                 .low2 = 1.2,
                 .high2 = 1.5,
                 .growth = DrawRange::Growth::factor},
+    .perJointFit = {.rank = 60},
 };
 MAKE_EFFECT(servoGain);
 

@@ -32,6 +32,7 @@ const Effect stribeckFriction{
     .inWalk = true,
     .alike = {"coulomb_friction", 2},
     .drawing = {.where = DrawRange::Where::joint, .low = 0.05, .high = 0.15, .unit = DrawRange::Unit::torque},
+    .perJointFit = {.rank = 40},
 };
 MAKE_EFFECT(stribeckFriction);
 

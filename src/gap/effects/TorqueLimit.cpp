@@ -25,6 +25,7 @@ const Effect torqueLimit{
                 .low = 0.1,
                 .high = 0.3,
                 .growth = DrawRange::Growth::factor},
+    .perJointFit = {.rank = 80},
 };
 MAKE_EFFECT(torqueLimit);
 

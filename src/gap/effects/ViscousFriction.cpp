@@ -27,6 +27,7 @@ const Effect viscousFriction{
     .suspect = 3,
     .alike = {"servo_damping", 5},
     .drawing = {.where = DrawRange::Where::joint, .low = 0.3, .high = 1, .unit = DrawRange::Unit::damping},
+    .perJointFit = {.rank = 20},
 };
 MAKE_EFFECT(viscousFriction);
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "gap/effects/Effects.h"
 #include "gap/inference/CauseKinds.h"
 #include "gap/inference/LeaveOut.h"
 #include "gap/inference/LeaveOutBias.h"
 #include "gap/inference/PerJointFit.h"
-#include "robot/JointPlant.h"
 
 namespace plumbline::gap {
 
@@ -19,11 +19,9 @@ constexpr double worthSaying = 0.02;
 /// the least starts of a search: decision 17.
 constexpr Shrinkage prior{.own = 3e-3, .common = 1e-3};
 
-/// Friction grows with what the gear transmits to the link, as in Duclusaud et al. 2024.
 PerJoint nominalStart(const Mechanism& robot) {
   PerJoint start = perJoint(robot, {}, actuatorEffects());
-  for (Cause& cause : start.causes)
-    if (cause.effect->id == "load_friction") cause.variant = static_cast<int>(JointPlant::Load::linkTorque);
+  for (Cause& cause : start.causes) cause.variant = cause.effect->perJointFit.variant;
   return start;
 }
 

@@ -2,11 +2,11 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
+#include "gap/effects/Effects.h"
 #include "gap/inference/Density.h"
 #include "gap/inference/Strengths.h"
 
@@ -287,27 +287,16 @@ private:
 
 }  // namespace
 
-std::span<const std::string_view> actuatorEffects() {
-  static constexpr std::array<std::string_view, 11> ids{
-      "rotor_inertia", "viscous_friction", "coulomb_friction", "stribeck_friction",
-      "load_friction", "servo_gain",       "servo_damping",    "torque_limit",
-      "joint_offset",  "bias_force",       "command_delay"};
-  return ids;
-}
-
-PerJoint perJoint(const Mechanism& robot, const Explanation& base, std::span<const std::string_view> ids) {
+PerJoint perJoint(const Mechanism& robot, const Explanation& base, std::span<const Effect* const> effects) {
   const auto ofThese = [&](const Cause& cause) {
-    return std::ranges::find(ids, cause.effect->id) != ids.end();
+    return std::ranges::find(effects, cause.effect) != effects.end();
   };
   PerJoint result;
   for (const Cause& cause : base)
     if (!ofThese(cause)) result.causes.push_back(cause);
   for (int joint = 0; joint < robot.numJoints(); ++joint) {
     if (robot.motorOf(joint) != joint) continue;
-    for (const std::string_view id : ids) {
-      const Effect* effect = findEffect(id);
-      if (!effect || !sitsAtJoints(*effect))
-        throw std::invalid_argument(std::string(id) + " is no effect of joints");
+    for (const Effect* effect : effects) {
       Cause cause{effect,
                   {Site::joint, joint, robot.joints[static_cast<std::size_t>(joint)].name},
                   effect->nominal,
@@ -324,6 +313,16 @@ PerJoint perJoint(const Mechanism& robot, const Explanation& base, std::span<con
     }
   }
   return result;
+}
+
+PerJoint perJoint(const Mechanism& robot, const Explanation& base, std::span<const std::string_view> ids) {
+  std::vector<const Effect*> list;
+  for (const std::string_view id : ids) {
+    list.push_back(findEffect(id));
+    if (!list.back() || !sitsAtJoints(*list.back()))
+      throw std::invalid_argument(std::string(id) + " is no effect of joints");
+  }
+  return perJoint(robot, base, list);
 }
 
 double shareLeft(const Replayer& replayer, const Explanation& causes) {

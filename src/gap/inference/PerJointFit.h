@@ -13,10 +13,6 @@ struct PerJoint {
   double left = 1;             ///< squares of positions over the nominal model's, mean over recordings
 };
 
-/// What system identification fits in every joint: rotor inertia, viscous and dry friction, friction at rest
-/// and by load, gain, damping and torque limit of the servo, zero, constant torque, delay.
-std::span<const std::string_view> actuatorEffects();
-
 /// Normal prior on values per joint, in units of the least strength that a search starts from: what a squared
 /// distance costs, as a share of the squares that the nominal model leaves. own: of a joint from the value
 /// that all joints have in common; common: of that from nominal. 0: no prior.
@@ -27,7 +23,8 @@ struct Shrinkage {
 /// One of each effect at every joint with a motor, beside a base of other causes. What the base has of these
 /// effects is where a joint's value starts; elsewhere it starts at nominal. Throws std::invalid_argument for
 /// an effect that is not of joints.
-PerJoint perJoint(const Mechanism& robot, const Explanation& base, std::span<const std::string_view> effects);
+PerJoint perJoint(const Mechanism& robot, const Explanation& base, std::span<const Effect* const> effects);
+PerJoint perJoint(const Mechanism& robot, const Explanation& base, std::span<const std::string_view> ids);
 
 /// Squares of what free replays leave of the positions over those that the nominal model leaves, the mean
 /// over the recordings of a replayer's groups.

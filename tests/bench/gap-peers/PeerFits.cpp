@@ -6,6 +6,7 @@
 #include <ctime>
 #include <stdexcept>
 
+#include "gap/effects/Effects.h"
 #include "gap/inference/CandidateScreening.h"
 #include "gap/inference/Fit.h"
 #include "gap/inference/Strengths.h"
@@ -22,7 +23,11 @@ using Ids = std::vector<std::string_view>;
 
 /// What MuJoCo's system identification and PACE fit, and the frictions, gains and limits beside: of every
 /// joint.
-const Ids everything(actuatorEffects().begin(), actuatorEffects().end());
+Ids everything() {
+  Ids ids;
+  for (const Effect* effect : actuatorEffects()) ids.push_back(effect->id);
+  return ids;
+}
 
 /// Duclusaud et al., "Extended Friction Models for the Physics Simulation of Servo Actuators", 2024, table 1;
 /// with the rotor's inertia, which their fits have too.
@@ -87,9 +92,9 @@ PeerFit Peers::fit(const std::string& name) const {
   if (name == "single") {
     result = single();
   } else if (name == "everything-cma-es" || name == "pace-cma-es") {
-    result = byCmaes(name == "pace-cma-es" ? pace : everything);
+    result = byCmaes(name == "pace-cma-es" ? pace : everything());
   } else if (name == "everything-gauss-newton" || name == "mujoco-gauss-newton") {
-    result = byGaussNewton(name == "mujoco-gauss-newton" ? mujoco : everything, {});
+    result = byGaussNewton(name == "mujoco-gauss-newton" ? mujoco : everything(), {});
   } else {
     const auto model = static_cast<std::size_t>(name.back() - '1');
     // Each model begins where a smaller one came out, too: M3 has no friction at rest, so M4 goes on from M2.

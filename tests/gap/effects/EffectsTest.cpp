@@ -43,6 +43,16 @@ TEST(EffectsTest, eachCanBePutSomewhereAndChangesThePlant) {
   }
 }
 
+TEST(EffectsTest, whatIsFittedInAllJointsKeepsItsOrder) {
+  const std::vector<std::string_view> expected{"rotor_inertia",     "viscous_friction", "coulomb_friction",
+                                               "stribeck_friction", "load_friction",    "servo_gain",
+                                               "servo_damping",     "torque_limit",     "joint_offset",
+                                               "bias_force",        "command_delay"};
+  std::vector<std::string_view> ids;
+  for (const Effect* effect : actuatorEffects()) ids.push_back(effect->id);
+  EXPECT_EQ(ids, expected);
+}
+
 TEST(EffectsTest, lookAlikesAreInTheLibraryAndMutual) {
   int pairs = 0;
   for (const Effect* effect : effects()) {
