@@ -1,11 +1,11 @@
 #include "gap/blind/Draw.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string_view>
 
+#include "gap/blind/OutsideDrives.h"
 #include "gap/effects/Effects.h"
 
 namespace plumbline::gap {
@@ -19,19 +19,6 @@ using Unit = DrawRange::Unit;
 struct Range {
   std::string_view id;
   DrawRange drawing;
-};
-
-constexpr std::array outsideRanges = {
-    Range{"gear_ripple", {.where = Where::joint, .low = .08, .high = .2, .unit = Unit::torque}},
-    Range{"joint_spring", {.where = Where::joint, .low = .1, .high = .4, .unit = Unit::torque}},
-    Range{"cable_spring", {.where = Where::joint, .low = .15, .high = .5, .unit = Unit::torque}},
-    Range{"asymmetric_damping", {.where = Where::joint, .low = .5, .high = 1.5, .unit = Unit::damping}},
-    Range{"gain_drift", {.where = Where::joint, .low = .3, .high = .6}},
-    Range{"servo_integral", {.where = Where::joint, .low = 1, .high = 4}},
-    Range{"command_lag", {.where = Where::joint, .low = .02, .high = .06}},
-    Range{"crosstalk", {.where = Where::joint, .low = .05, .high = .2}},
-    Range{"bristle_friction", {.where = Where::joint, .low = .05, .high = .15, .unit = Unit::torque}},
-    Range{"acc_bias", {.where = Where::imu, .low = .4, .high = 1.2, .bothSigns = true, .axes = "xyz"}},
 };
 
 /// What the library has to be drawn, in its order.
@@ -64,9 +51,8 @@ auto pick(const List& list, Random& random) {
 const DrawRange* drawingOf(std::string_view id) {
   if (const Effect* effect = findEffect(id))
     return effect->drawing.where == Where::nowhere ? nullptr : &effect->drawing;
-  for (const Range& outside : outsideRanges)
-    if (outside.id == id) return &outside.drawing;
-  return nullptr;
+  const OutsideEffect* outside = findOutsideEffect(id);
+  return outside ? &outside->drawing : nullptr;
 }
 
 std::vector<std::string> placesFor(const Mechanism& robot, Where where) {
@@ -138,8 +124,8 @@ std::vector<BlindEffect> drawEffects(const Mechanism& robot, BlindKind kind, std
            (r.where != Where::imu || robot.hasImu);
   };
   if (kind == BlindKind::outside) {
-    for (const Range& r : outsideRanges)
-      if (!findEffect(r.id) && fits(r.drawing)) list.push_back(r);
+    for (const OutsideEffect& effect : outsideEffects())
+      if (!findEffect(effect.id) && fits(effect.drawing)) list.push_back({effect.id, effect.drawing});
   } else {
     for (const Range& r : kind == BlindKind::hard ? hardRanges() : libraryRanges())
       if (fits(r.drawing)) list.push_back(r);

@@ -1,8 +1,8 @@
 #include "gap/blind/OutsideDrives.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 
 #include "gap/effects/Effect.h"
@@ -16,12 +16,46 @@ constexpr double phase = 0.7;        ///< of the ripple [rad]
 constexpr double bristleWay = 0.02;  ///< over which a bristle's force builds up [rad]
 constexpr double driftTime = 15;     ///< in which a gain falls [s]
 
+using Drive = OutsideDrive;
+using Where = DrawRange::Where;
+using Unit = DrawRange::Unit;
+
+constexpr std::array outsideLibrary{
+    OutsideEffect{
+        "gear_ripple", {.where = Where::joint, .low = .08, .high = .2, .unit = Unit::torque}, &Drive::ripple},
+    OutsideEffect{
+        "joint_spring", {.where = Where::joint, .low = .1, .high = .4, .unit = Unit::torque}, &Drive::spring},
+    OutsideEffect{
+        "cable_spring", {.where = Where::joint, .low = .15, .high = .5, .unit = Unit::torque}, &Drive::cable},
+    OutsideEffect{"asymmetric_damping",
+                  {.where = Where::joint, .low = .5, .high = 1.5, .unit = Unit::damping},
+                  &Drive::dampingOneWay},
+    OutsideEffect{"gain_drift", {.where = Where::joint, .low = .3, .high = .6}, &Drive::drift},
+    OutsideEffect{"servo_integral", {.where = Where::joint, .low = 1, .high = 4}, &Drive::integral},
+    OutsideEffect{"command_lag", {.where = Where::joint, .low = .02, .high = .06}, &Drive::lag},
+    OutsideEffect{"crosstalk", {.where = Where::joint, .low = .05, .high = .2}, &Drive::crosstalk},
+    OutsideEffect{"bristle_friction",
+                  {.where = Where::joint, .low = .05, .high = .15, .unit = Unit::torque},
+                  &Drive::bristle},
+    OutsideEffect{"acc_bias",
+                  {.where = Where::imu, .low = .4, .high = 1.2, .bothSigns = true, .axes = "xyz"}},
+};
+
 }  // namespace
+
+std::span<const OutsideEffect> outsideEffects() { return outsideLibrary; }
+
+const OutsideEffect* findOutsideEffect(std::string_view id) {
+  const auto* const it = std::ranges::find(outsideLibrary, id, &OutsideEffect::id);
+  return it == outsideLibrary.end() ? nullptr : it;
+}
 
 OutsideDrives::OutsideDrives(const Mechanism& robot, const std::vector<BlindEffect>& effects)
     : robot_(robot), drives_(robot.joints.size()) {
   for (const BlindEffect& e : effects) {
-    if (e.effect == "acc_bias") {
+    const OutsideEffect* effect = findOutsideEffect(e.effect);
+    if (!effect) throw std::runtime_error("no engine of this program has the effect " + e.effect);
+    if (!effect->size) {
       bias_ += e.value * unitVector(e.axis.at(0));
       continue;
     }
@@ -29,21 +63,9 @@ OutsideDrives::OutsideDrives(const Mechanism& robot, const std::vector<BlindEffe
     if (at < 0) throw std::runtime_error(e.effect + ": " + robot_.name + " has no joint " + e.at);
     for (int j = 0; j < robot_.numJoints(); ++j) {
       if (robot_.motorOf(j) != robot_.motorOf(at)) continue;
-      drives_[static_cast<std::size_t>(j)].*sizeOf(e.effect) += e.value;
+      drives_[static_cast<std::size_t>(j)].*effect->size += e.value;
     }
   }
-}
-
-double OutsideDrives::Drive::*OutsideDrives::sizeOf(const std::string& effect) {
-  static const std::map<std::string, double Drive::*> sizes = {
-      {"gear_ripple", &Drive::ripple},       {"joint_spring", &Drive::spring},
-      {"cable_spring", &Drive::cable},       {"asymmetric_damping", &Drive::dampingOneWay},
-      {"bristle_friction", &Drive::bristle}, {"gain_drift", &Drive::drift},
-      {"servo_integral", &Drive::integral},  {"command_lag", &Drive::lag},
-      {"crosstalk", &Drive::crosstalk}};
-  const auto it = sizes.find(effect);
-  if (it == sizes.end()) throw std::runtime_error("no engine of this program has the effect " + effect);
-  return it->second;
 }
 
 void OutsideDrives::start(const std::vector<double>& commands) {
