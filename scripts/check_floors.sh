@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Checks that includes only point down the floors of src/ (doc/architecture.md), and that no other module includes a
-# platform's folders. Also that no folders include each other in a circle, and that no two headers have the same name.
+# platform's folders. Also that USES of each src/*/CMakeLists.txt is what its sources include from, that no folders include
+# each other in a circle, and that no two headers have the same name.
 # Each offender: file:line: why. Example: scripts/check_floors.sh
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
@@ -52,6 +53,53 @@ awk -v platforms="$platforms" '
     }
   }
   END { exit bad }' $files < /dev/null || status=1
+
+# What a folder includes from is in USES of its CMakeLists.txt, or in USES of what that uses; each of USES is included from.
+libraries=$(grep -ls 'plumbline_library(' src/*/CMakeLists.txt | LC_ALL=C sort || true)
+awk '
+  FNR == 1 { split(FILENAME, path, "/"); here = path[2]; listing = inUses = 0 }
+  FILENAME ~ /\/CMakeLists[.]txt$/ {
+    sub(/#.*/, "")
+    if (sub(/.*plumbline_library\(/, "")) { listing = 1; isLibrary[here] = 1 }
+    if (!listing) next
+    ends = sub(/\).*/, "")
+    n = split($0, word, /[ \t]+/)
+    for (i = 1; i <= n; ++i) {
+      if (word[i] ~ /^[A-Z_]+$/) inUses = word[i] == "USES"
+      else if (inUses && word[i] != "") { uses[here] = uses[here] " " word[i]; where[here, word[i]] = FILENAME ":" FNR }
+    }
+    if (ends) listing = inUses = 0
+    next
+  }
+  function reach(from, to,   i, n, u) {
+    if (from == to) return 1
+    if (from in seen) return 0
+    seen[from] = 1
+    n = split(uses[from], u, " ")
+    for (i = 1; i <= n; ++i) if (reach(u[i], to)) return 1
+    return 0
+  }
+  here in isLibrary && /^[ \t]*#[ \t]*include[ \t]*"/ {
+    there = $0
+    sub(/^[^"]*"/, "", there); sub(/".*/, "", there)
+    target = there
+    if (!sub(/\/.*/, "", there) || !(there in isLibrary)) next
+    included[here, there] = 1
+    if (!((here, there) in can)) { split("", seen); can[here, there] = reach(here, there) }
+    if (!can[here, there]) {
+      print FILENAME ":" FNR ": src/" here " does not use \"" target "\": add " there " to USES in src/" here "/CMakeLists.txt"
+      bad = 1
+    }
+  }
+  END {
+    for (pair in where) {
+      split(pair, p, SUBSEP)
+      if (pair in included) continue
+      print where[pair] ": src/" p[1] " includes nothing from src/" p[2] ": take " p[2] " out of USES"
+      bad = 1
+    }
+    exit bad
+  }' $libraries $files < /dev/null | LC_ALL=C sort || status=1
 
 # Folders that include each other, also round about: take away, again and again, each folder that includes none of the
 # others; what stays is in a circle or includes one.

@@ -30,6 +30,21 @@ expect "platforms" "$text" 'src/modules/motion/Walk.cpp:2: only modules of the p
 src/modules/nao/Nao.cpp:1: only modules of the platform simspark include "modules/simspark/Link.h"'
 rm -r src/modules/{simspark,motion,nao} src/simspark
 
+# USES is what a folder includes from: directly, or by way of what it uses.
+mkdir -p src/{robot,record}
+printf 'plumbline_library(robot\n  USES math # numbers\n  EXTERNALS yaml)\n' > src/robot/CMakeLists.txt
+printf 'plumbline_library(record REGISTERS USES robot EXTERNALS fmt)\n' > src/record/CMakeLists.txt
+printf '#include "math/One.h"\n' > src/robot/Joint.h
+printf '#include "robot/Joint.h"\n#include "math/Two.h"\n' > src/record/Log.cpp
+text=$(scripts/check_floors.sh) || fail "USES that fit refused: $text"
+printf 'plumbline_library(robot EXTERNALS yaml)\n' > src/robot/CMakeLists.txt
+printf 'plumbline_library(record\n  USES robot\n    modules)\n' > src/record/CMakeLists.txt
+text=$(scripts/check_floors.sh)
+expect "USES: status" $? 1
+expect "USES" "$text" 'src/record/CMakeLists.txt:3: src/record includes nothing from src/modules: take modules out of USES
+src/robot/Joint.h:1: src/robot does not use "math/One.h": add math to USES in src/robot/CMakeLists.txt'
+rm -r src/robot src/record
+
 # Circles of folders.
 mkdir -p src/math/a src/math/b
 printf '#include "math/b/B.h"\n' > src/math/a/A.h
