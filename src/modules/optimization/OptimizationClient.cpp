@@ -11,6 +11,7 @@
 #include "motion/SearchedKick.h"
 #include "optimization/Optimizers.h"
 #include "optimization/farm/FarmClient.h"
+#include "robot/RobotTypes.h"
 
 namespace plumbline {
 
@@ -57,7 +58,10 @@ void OptimizationClient::connect() {
     if (options.contains(key))
       throw ConfigurationError(std::string("the server's kick has the option ") + key +
                                "; an agent cannot try that, bin/optworker can");
-  const std::string robot = "simspark_type" + word(options, "type", "0");
+  const RobotTypes* types = findObject<RobotTypes>();
+  if (!types)
+    throw ConfigurationError("the server's kick is for a robot type; robots of this platform have no types");
+  const std::string robot = types->nameOf(static_cast<int>(number(options, "type", 0)));
   if (robot != theRobotDescription->name)
     throw ConfigurationError("the server's kick is for " + robot + ", this robot is " +
                              theRobotDescription->name + ": give bin/agent --type");

@@ -5,6 +5,7 @@
 
 #include "framework/ConfigurationError.h"
 #include "robot/RobotModel.h"
+#include "robot/RobotTypes.h"
 #include "simspark/AgentCommand.h"
 #include "simspark/LeagueRobots.h"
 
@@ -53,6 +54,7 @@ void SimSparkPlatform::addObjects(ModuleObjects& objects,
   options_->tell = std::move(tell);
   objects.set(options_);
   objects.set(std::make_shared<RobotModel>(simsparkRobot(options_->type)));
+  objects.set(std::make_shared<RobotTypes>(RobotTypes{simsparkRobotName}));
 }
 
 std::vector<NeededModule> SimSparkPlatform::neededModules() const {

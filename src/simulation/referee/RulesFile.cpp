@@ -8,9 +8,10 @@ namespace plumbline::simulation {
 namespace {
 
 constexpr const char* head =
-    "# The referee's rules: bin/simulator --rules FILE. These are the defaults; a file need name only what "
-    "it\n"
-    "# changes. doc/reference/rules.md explains the rules. Written by bin/simulator --print-rules.\n";
+    "# The referee's rules: bin/simulator --rules FILE. A file need name only what it changes.\n"
+    "# This one has all rules with their defaults, as the list from which to copy; a test compares it with "
+    "the\n"
+    "# code. doc/reference/rules.md explains the rules. Written by bin/simulator --print-rules.\n";
 
 void appendLine(std::string& text, const Parameter& parameter, const ParameterPointer& value) {
   text += "  " + parameter.name + ": " + parameterText(value) + "  # ";

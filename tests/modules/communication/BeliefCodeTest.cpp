@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "field/FieldFile.h"
 #include "math/Random.h"
 
 using namespace plumbline;
@@ -68,6 +69,12 @@ TEST(BeliefCodeTest, aBallAtRestStaysAtRest) {
   const auto heard = decodeBelief(encodeBelief(belief, "A", 1), "A", 1);
   ASSERT_TRUE(heard);
   EXPECT_EQ(heard->ballVelocity, Vec2(0, 0));
+}
+
+TEST(BeliefCodeTest, whatCanBeToldIsMoreThanTheField) {
+  const FieldSize field = readFieldFile("config/field.yaml");
+  EXPECT_GE(toldHalfLength, field.length / 2 + 0.5);
+  EXPECT_GE(toldHalfWidth, field.width / 2 + 0.5);
 }
 
 TEST(BeliefCodeTest, anotherTeamAnotherTimeOrAChangedLetterIsNotBelieved) {
