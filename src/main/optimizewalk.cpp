@@ -207,6 +207,9 @@ void run(Options& options, const StopSignal& stop) {
     writeFile(options.output, walkFile(walk, common, heading));
   };
   if (options.tryOnly) return tryTasks(options, firstWalk(options));
+  // A robot that never walked has no folder yet.
+  if (std::filesystem::path(options.output).parent_path() == folderOf(options))
+    std::filesystem::create_directories(folderOf(options));
   WalkCheckpoint checkpoint(options.output + ".search", markOf(options));
   options.checkpoint = checkpoint.file();
   if (checkpoint.resumed()) say("continues from " + checkpoint.file());

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # One of each is added by files alone: a copy of the tree is built with a folder outside of it, which holds what the pages
 # of doc/how-to show, to the letter: module, representation, behaviour, skill, motion, effect (of the diagnosis and of the
-# league's simulator), robot, physics engine, optimiser, platform, rule of the referee. Each has to be there then. ccache serves all that the tree was built from; without it this would take long.
+# league's simulator), robot, physics engine, engine for servo robots, optimiser, platform, rule of the referee; and a robot that
+# walks. Each has to be there then. ccache serves all that the tree was built from; without it this would take long.
 [[ ${PLUMBLINE_SLOW-} ]] || { echo "left out: it builds a tree of its own; make check runs it"; exit 0; }
 source "$(dirname "$0")/../e2e/assert.bash"
 if ! command -v ccache > /dev/null || [[ ${CCACHE-yes} == "" ]]; then
@@ -27,7 +28,7 @@ takeBlocks() {
 }
 for page in module behaviour platform rule; do takeBlocks "doc/how-to/add-a-$page.md"; done
 for page in effect engine optimiser; do takeBlocks "doc/how-to/add-an-$page.md"; done
-expectEqual "$(cd "$ours" && find . -name '*.cpp' | wc -l)" 10 "sources in the pages"
+expectEqual "$(cd "$ours" && find . -name '*.cpp' | wc -l)" 11 "sources in the pages"
 awk '/^```text$/ { inside = 1; next } /^```$/ { inside = 0 } inside' doc/how-to/add-a-platform.md > "$scratch/still.cfg"
 awk '/^```json$/ { inside = 1; next } /^```$/ { inside = 0 } inside' doc/how-to/add-a-robot.md > "$scratch/arm.json"
 
@@ -73,6 +74,22 @@ grep -q '"effect": "gear_ripple"' "$scratch/answer.json" || fail "the effect is 
 grep -q '"verdict": "effect"' "$scratch/answer.json" || fail "the verdict: $(cat "$scratch/answer.json")"
 # In Bullet too, which takes the same torque.
 "$bin/gap" record --robot "$scratch/arm.json" --program hang_sweep --engine bullet --effects "$scratch/ripple.yaml" -o "$scratch/bullet" > "$scratch/log" 2>&1 || fail "record in Bullet: $(cat "$scratch/log")"
+
+# A robot with legs is a file in config/robots/; it gets a walk, and walks with it in the engine for servo robots.
+robots=$tree/config/robots
+sed 's/"name": "nao_v5"/"name": "walker"/; /^  "Head": {/,/}/ s/"mass": [0-9.]*/"mass": 0.5/' "$robots/nao_v5.json" > "$robots/walker.json"
+cmp -s "$robots/walker.json" "$robots/nao_v5.json" && fail "the robot is not another one"
+timeout 300 "$bin/optimizewalk" --robot walker --task forward --generations 2 --population 4 --tries 1 --seconds 2 > "$scratch/log" 2>&1 ||
+  fail "optimizewalk of a new robot: $(cat "$scratch/log")"
+[[ -s $robots/walker/walking.yaml ]] || fail "the robot has no walk"
+printf 'about: a second\nbase: free\nlead_in: 1\nwalk: {forward: 0.1, duration: 1}\nlead_out: 1\n' > "$scratch/second.yaml"
+expectError 2 'gap: there is no engine bullet-fin; did you mean "bullet-fine"?' \
+  "$bin/gap" record --robot walker --program "$scratch/second.yaml" --engine bullet-fin -o "$scratch/walk"
+for engine in bullet bullet-fine; do
+  timeout 300 "$bin/gap" record --robot walker --program "$scratch/second.yaml" --engine $engine -o "$scratch/walk-$engine" > "$scratch/log" 2>&1 ||
+    fail "a walk in $engine: $(cat "$scratch/log")"
+done
+cmp -s "$scratch"/walk-{bullet,bullet-fine}/run.csv.gz && fail "the engine's own steps do not show"
 
 # The engine steps a world; the optimiser searches a walk.
 expectError 2 'simulator: unknown physics engine "foo"; there are: ode, ode-dense, bullet, ode-soft' "$bin/simulator" --engine foo
