@@ -73,8 +73,8 @@ TEST(BeliefCodeTest, aBallAtRestStaysAtRest) {
 
 TEST(BeliefCodeTest, whatCanBeToldIsMoreThanTheField) {
   const FieldSize field = readFieldFile("config/field.yaml");
-  EXPECT_GE(toldHalfLength, field.length / 2 + 0.5);
-  EXPECT_GE(toldHalfWidth, field.width / 2 + 0.5);
+  EXPECT_GE(messageHalfLength, field.length / 2 + 0.5);
+  EXPECT_GE(messageHalfWidth, field.width / 2 + 0.5);
 }
 
 TEST(BeliefCodeTest, anotherTeamAnotherTimeOrAChangedLetterIsNotBelieved) {

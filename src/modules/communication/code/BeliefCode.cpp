@@ -12,7 +12,7 @@ namespace {
 
 constexpr int checkBits = 16, numberBits = 4, roleBits = 4;
 constexpr int maxNumber = 11;
-constexpr double halfX = toldHalfLength, halfY = toldHalfWidth;
+constexpr double halfX = messageHalfLength, halfY = messageHalfWidth;
 constexpr int xBits = 9, yBits = 8, headingBits = 5;
 constexpr int ballXBits = 9, ballYBits = 9, speedBits = 4;
 constexpr double maxSpeed = 8;  ///< [m/s]

@@ -11,7 +11,7 @@ namespace plumbline {
 /// Half the length and width of where a message can say that something is [m]; beyond them it says the edge.
 /// They belong to the message, whose receivers must read the numbers that the sender wrote, so they are no
 /// parameters. The field and a little around it must lie within; a test compares config/field.yaml.
-inline constexpr double toldHalfLength = 16, toldHalfWidth = 11;
+inline constexpr double messageHalfLength = 16, messageHalfWidth = 11;
 
 /// A belief as a text of 20 letters and back (doc/reference/team-messages.md has the table of bits). Largest
 /// errors: own position 3.2 cm along the field, 4.3 cm across, heading 5.7 degrees; ball 3.2 and 2.2 cm, its
