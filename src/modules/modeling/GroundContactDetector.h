@@ -20,8 +20,6 @@ class GroundContactDetector : public GroundContactDetectorBase {
 public:
   void parametersChanged() override;
   void update(GroundContactState* theGroundContactState) override;
-
-private:
 };
 
 }  // namespace plumbline

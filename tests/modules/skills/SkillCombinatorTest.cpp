@@ -1,0 +1,57 @@
+#include "modules/skills/SkillCombinator.h"
+
+#include <gtest/gtest.h>
+
+#include "representations/skills/SkillDribbleOutput.h"
+#include "representations/skills/SkillGetBallOutput.h"
+#include "representations/skills/SkillKickOutput.h"
+#include "representations/skills/SkillMoveToPosOutput.h"
+#include "support/ModuleHarness.h"
+
+using namespace plumbline;
+
+namespace {
+
+TEST(SkillCombinator, takesTheActiveSkillOrStands) {
+  test::ModuleHarness<SkillCombinator> harness;
+  harness.input<SkillMoveToPosOutput>();
+  harness.input<SkillGetBallOutput>();
+  harness.input<SkillKickOutput>();
+  SkillOutput& dribble = harness.input<SkillDribbleOutput>();
+  harness.cycle();
+  EXPECT_EQ(harness.output<MotionRequest>().motion, Motion::stand);
+  dribble.active = true;
+  dribble.motion = Motion::walk;
+  dribble.walkVelocity = {0.3, 0.1};
+  dribble.walkTurn = -0.2;
+  harness.cycle();
+  EXPECT_EQ(harness.output<MotionRequest>().motion, Motion::walk);
+  EXPECT_EQ(harness.output<MotionRequest>().walkVelocity.x(), 0.3);
+  EXPECT_EQ(harness.output<MotionRequest>().walkTurn, -0.2);
+  dribble.active = false;
+  harness.cycle();
+  EXPECT_EQ(harness.output<MotionRequest>().motion, Motion::stand);
+  EXPECT_EQ(harness.output<MotionRequest>().walkVelocity.norm(), 0);
+}
+
+TEST(SkillCombinator, walksIntoNoOpponentThatHasTheBall) {
+  test::ModuleHarness<SkillCombinator> harness;
+  SkillOutput& dribble = harness.input<SkillDribbleOutput>();
+  dribble.active = true;
+  dribble.motion = Motion::walk;
+  dribble.walkVelocity = {1, 0};
+  harness.input<RobotPose>() = {};
+  harness.input<RobotPose>().pose = Pose2(2, 3, pi / 2);
+  harness.input<RobotPose>().valid = true;
+  harness.input<BallPos>().relative = {0.8, 0};
+  OtherRobot opponent;
+  opponent.position = {2, 3.5};
+  harness.input<OtherRobots>().robots = {opponent};
+  harness.cycle();
+  EXPECT_NEAR(harness.output<MotionRequest>().walkVelocity.x(), 0.4, 1e-9);
+  harness.input<OtherRobots>().robots[0].fallen = true;
+  harness.cycle();
+  EXPECT_EQ(harness.output<MotionRequest>().walkVelocity.x(), 1);
+}
+
+}  // namespace
