@@ -1,6 +1,5 @@
 #include "modules/watcher/WallClock.h"
 
-#include <algorithm>
 #include <thread>
 
 namespace plumbline {
@@ -10,7 +9,8 @@ MAKE_MODULE(WallClock)
 void WallClock::execute() {
   std::this_thread::sleep_until(next_);
   const auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / rate));
-  next_ = std::max(next_ + period, Clock::now());
+  const Clock::time_point now = Clock::now();
+  next_ = (next_ + period > now ? next_ : now) + period;
 }
 
 void WallClock::update(FrameInfo* theFrameInfo) {

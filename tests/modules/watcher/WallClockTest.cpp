@@ -1,0 +1,43 @@
+#include "modules/watcher/WallClock.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "support/ModuleHarness.h"
+
+namespace plumbline {
+namespace {
+
+class WallClockTest : public testing::Test {
+protected:
+  const FrameInfo& cycle() {
+    harness.cycle();
+    return frame;
+  }
+  test::ModuleHarness<WallClock> harness;
+  const FrameInfo& frame = harness.output<FrameInfo>();
+};
+
+TEST_F(WallClockTest, keepsTheRate) {
+  harness.module().rate = 100;
+  EXPECT_EQ(cycle().cycleSeconds, 0.01) << "of the first cycle, which has none before it";
+  EXPECT_EQ(frame.cycle, 1u);
+  const double first = frame.time;
+  for (int i = 0; i < 10; ++i) EXPECT_GT(cycle().cycleSeconds, 0);
+  EXPECT_GE(frame.time - first, 0.0999);
+  EXPECT_EQ(frame.cycle, 11u);
+}
+
+TEST_F(WallClockTest, aCycleThatComesLateIsNotMadeUpFor) {
+  harness.module().rate = 100;
+  cycle();
+  std::this_thread::sleep_for(std::chrono::milliseconds(55));
+  EXPECT_GT(cycle().cycleSeconds, 0.05);
+  const double late = frame.time;
+  EXPECT_GE(cycle().cycleSeconds, 0.0099) << "no cycle at once behind it";
+  EXPECT_GE(cycle().time - late, 0.0199);
+}
+
+}  // namespace
+}  // namespace plumbline
