@@ -10,10 +10,12 @@ void GroundtruthModule::execute() {
   if (!theGroundTruth->valid) {
     if (!warned_) log.warning() << "no ground truth: start the simulator with its ground truth option";
     warned_ = true;
+    seen_ = false;
     return;
   }
   robot_ = groundPose(theGroundTruth->T_field_torso);
   const Vec2 ball = theGroundTruth->ball.head<2>();
+  if (theFrameInfo->restarted) seen_ = false;
   ballVelocity_ = seen_ ? Vec2((ball - ballBefore_) / theFrameInfo->cycleSeconds) : Vec2(Vec2::Zero());
   ballBefore_ = ball;
   seen_ = true;
