@@ -5,8 +5,6 @@
 #include <thread>
 
 #include "modules/simspark/FakeServer.h"
-#include "modules/simspark/SimSparkSend.h"
-#include "simspark/LeagueRobots.h"
 #include "support/ModuleHarness.h"
 
 using namespace plumbline;
@@ -105,34 +103,6 @@ TEST(SimSparkConnection, waitingForTheServerEndsWithTheAgent) {
   harness.stop().request(0, "test");
   harness.cycle();
   EXPECT_EQ(harness.output<ServerMessageText>().text, "");
-}
-
-TEST(SimSparkSend, sendsSpeedsOfTheJointsThatTheRobotHasAndTheBeam) {
-  test::FakeServer server;
-  auto link = std::make_shared<SimSparkLink>();
-  ASSERT_EQ(link->connection.connect("127.0.0.1", server.port()), "");
-  server.accept();
-  test::ModuleHarness<SimSparkSend> harness;
-  harness.objects().set(link);
-  harness.input<SimSparkInfo>();
-  harness.input<RobotDescription>().model = simsparkRobot(0);
-  JointRequestWithSpeeds& request = harness.input<JointRequestWithSpeeds>();
-  request.speeds[headYaw] = 0.5;
-  request.speeds[lKneePitch] = 1.25;
-  harness.input<BeamRequest>();
-  harness.cycle();
-  const std::string plain = server.receive();
-  EXPECT_NE(plain.find("(he1 0.5"), std::string::npos) << plain;
-  EXPECT_NE(plain.find("(lle4 -1.25"), std::string::npos) << plain;
-  EXPECT_EQ(plain.find("lle7"), std::string::npos) << plain;
-  EXPECT_EQ(plain.find("(beam"), std::string::npos) << plain;
-  EXPECT_TRUE(plain.ends_with("(syn)")) << plain;
-
-  harness.input<BeamRequest>().active = true;
-  harness.input<BeamRequest>().pose = Pose2(-0.5, 1, fromDegrees(90));
-  harness.cycle();
-  const std::string beam = server.receive();
-  EXPECT_NE(beam.find("(beam -0.50000 1.00000 90.00000)"), std::string::npos) << beam;
 }
 
 }  // namespace

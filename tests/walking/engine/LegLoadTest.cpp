@@ -1,0 +1,70 @@
+#include "walking/engine/LegLoad.h"
+
+#include <gtest/gtest.h>
+
+#include "simspark/LeagueRobots.h"
+#include "walking/engine/BodyPosture.h"
+
+namespace plumbline::walking {
+namespace {
+
+/// A robot that stands with bent knees; statics by hand.
+class LegLoadTest : public testing::Test {
+protected:
+  LegLoadTest() {
+    std::array<FootPlacement, 2> feet;
+    feet[0].ground = Pose2(0, 0.055);
+    feet[1].ground = Pose2(0, -0.055);
+    BodyPosture posture(robot);
+    for (int i = 0; i < 5; ++i) posture.solve(feet, {.hipHeight = 0.22}, standing);
+  }
+  RobotModel robot = simsparkRobot(0);
+  LegLoad load{robot};
+  JointArray standing{};
+  const double weight = robot.totalMass() * 9.81;
+};
+
+TEST_F(LegLoadTest, bothLegsShareTheWeight) {
+  const JointArray& torque = load.update(standing, Vec2::Zero(), {0.5, 0.5}, Vec2::Zero());
+  for (const int i : {2, 3, 4})
+    EXPECT_NEAR(torque[static_cast<std::size_t>(lHipYawPitch + i)],
+                torque[static_cast<std::size_t>(rHipYawPitch + i)], 1e-6);
+  EXPECT_NEAR(torque[lHipRoll], -torque[rHipRoll], 1e-6);
+  // The thigh leans back: the knee is before the line of the force, by its sine.
+  EXPECT_GT(std::abs(torque[lKneePitch]), 0.5);
+}
+
+TEST_F(LegLoadTest, theLegThatCarriesAloneHasTwiceTheLoadAndTheOtherHangs) {
+  const double half = load.update(standing, Vec2::Zero(), {0.5, 0.5}, Vec2::Zero())[lKneePitch];
+  const JointArray& torque = load.update(standing, Vec2::Zero(), {1, 0}, Vec2::Zero());
+  EXPECT_GT(torque[lKneePitch] / half, 1.7);
+  EXPECT_LT(torque[rKneePitch] * half, 0) << "it holds the shank up";
+  EXPECT_LT(std::abs(torque[rKneePitch]), 0.3);
+}
+
+TEST_F(LegLoadTest, thePointOfPressureMovesTheAnklesTorque) {
+  const double middle = load.update(standing, Vec2::Zero(), {0.5, 0.5}, Vec2::Zero())[lAnklePitch];
+  const double forward = load.update(standing, Vec2::Zero(), {0.5, 0.5}, Vec2(0.02, 0))[lAnklePitch];
+  // 2 cm under half of the weight; the force leans back to the mass and takes some of it off.
+  EXPECT_NEAR(std::abs(forward - middle), 0.02 * 0.5 * weight, 0.25 * 0.02 * 0.5 * weight);
+}
+
+TEST_F(LegLoadTest, armsAreHeldAgainstGravity) {
+  JointArray ahead = standing;
+  ahead[lShoulderPitch] = 0;
+  ahead[rShoulderPitch] = pi / 2;
+  const JointArray& torque = load.update(ahead, Vec2::Zero(), {0.5, 0.5}, Vec2::Zero());
+  EXPECT_GT(std::abs(torque[lShoulderPitch]), 0.1) << "stretched out ahead";
+  EXPECT_LT(std::abs(torque[rShoulderPitch]), 0.1 * std::abs(torque[lShoulderPitch])) << "it hangs down";
+  EXPECT_NEAR(torque[headYaw], 0, 1e-9);
+}
+
+TEST_F(LegLoadTest, aMassThatIsNotAboveItsFeetIsNotPushed) {
+  // Head down the soles are above the mass: nothing pushes, what hangs is still held.
+  const JointArray& torque = load.update(standing, Vec2(pi, 0), {0.5, 0.5}, Vec2::Zero());
+  for (const double value : torque) EXPECT_TRUE(std::isfinite(value));
+  EXPECT_LT(std::abs(torque[lKneePitch]), 0.5);
+}
+
+}  // namespace
+}  // namespace plumbline::walking
