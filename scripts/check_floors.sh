@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Checks that includes only point down the floors of src/ (doc/architecture.md), and that no other module includes a
 # platform's folders. Also that USES of each src/*/CMakeLists.txt is what its sources include from, that no folders include
-# each other in a circle, and that no two headers have the same name.
+# each other in a circle, that no two headers have the same name, and that each module src/modules/AREA/NAME.h has its test
+# tests/modules/AREA/NAMETest.cpp.
 # Each offender: file:line: why. Example: scripts/check_floors.sh
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
@@ -138,4 +139,10 @@ find "${headers[@]}" -type f -name '*.h' | LC_ALL=C sort | awk '
   name in first { print $0 ":1: " first[name] " has this name too"; bad = 1; next }
   { first[name] = $0 }
   END { exit bad }' || status=1
+
+# What a reader looks for beside a module's name.
+while IFS= read -r header; do
+  test=tests/${header#src/}
+  [[ -e ${test%.h}Test.cpp ]] || { echo "$header:1: this module has no test ${test%.h}Test.cpp"; status=1; }
+done < <(grep -rl --include='*.h' '^MODULE(' src/modules 2> /dev/null | LC_ALL=C sort || true)
 exit $status

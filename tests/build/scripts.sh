@@ -67,6 +67,63 @@ expect "names: status" $? 1
 expect "names" "$text" 'src/math/other/One.h:1: src/math/One.h has this name too'
 rm -r src/math/other
 
+# Modules and their tests.
+mkdir -p tests/modules/perception
+cat > src/modules/perception/Seer.h << 'H'
+#pragma once
+MODULE(Seer)
+  REQUIRES(Picture)
+  REQUIRES_ALL(Eye)
+  USES(Glance)
+  REQUIRES_IF_PROVIDED(Lamp)
+  PROVIDES(Sight)
+  PARAMETER(double, focus, 0.5, "m", Range(0, 1), "of the eye")
+END_MODULE
+H
+text=$(scripts/check_floors.sh)
+expect "modules: status" $? 1
+expect "modules" "$text" 'src/modules/perception/Seer.h:1: this module has no test tests/modules/perception/SeerTest.cpp'
+printf '#include "modules/perception/Seer.h"\n' > tests/modules/perception/SeerTest.cpp
+scripts/check_floors.sh || fail "a module with its test refused"
+
+# Where something is.
+mkdir -p config/{modules,motions,robots/type0} doc/reference tests/e2e src/representations/perception
+printf 'far: 2\n' | tee config/Seer.yaml > config/robots/type0/Seer.yaml
+printf 'Seer Sight\n' > config/modules/perception.cfg
+printf '## Seer\n\n| `focus` | double | 0.5 | m | 0 … 1 | of the eye |\n' > doc/reference/parameters.md
+printf 'The Seer sees.\n' > doc/reference/seeing.md
+printf 'bin/agent --modules Seer\n' > tests/e2e/see.sh
+printf 'REPRESENTATION(Sight)\n' > src/representations/perception/Sight.h
+printf 'keyframes:\n' > config/motions/blink.yaml
+printf 'MAKE_OPTIMIZER(climb,\n               {"hill-climb", 5,\n' > src/math/Climb.cpp
+text=$(scripts/where.sh Seer)
+expect "where: status" $? 0
+expect "where: a module" "$text" 'module Seer
+  source      src/modules/perception/Seer.h and .cpp
+  requires    Picture, all Eye, Glance (of the cycle before), Lamp (if provided)
+  provides    Sight
+  parameters  focus=0.5 m
+  data        config/Seer.yaml, config/robots/type0/Seer.yaml
+  runs by     config/modules/perception.cfg
+  tests       tests/modules/perception/SeerTest.cpp
+  end-to-end  tests/e2e/see.sh
+  page        doc/reference/seeing.md'
+rm -r doc
+contains "where: parameters of the header" "$(scripts/where.sh Seer)" "  parameters  focus=0.5"
+expect "where: a representation" "$(scripts/where.sh sight)" 'representation Sight
+  source      src/representations/perception/Sight.h
+  provided by Seer'
+contains "where: a keyframe motion" "$(scripts/where.sh blink)" "  data        config/motions/blink.yaml"
+contains "where: what registers itself" "$(scripts/where.sh hill-climb)" "optimiser hill-climb
+  source      src/math/Climb.cpp"
+text=$(scripts/where.sh Seher 2>&1)
+expect "where: no such name: status" $? 2
+expect "where: no such name" "$text" 'where.sh: nothing is called "Seher"; did you mean Seer?'
+expect "where: nothing near" "$(scripts/where.sh Quaternion 2>&1)" 'where.sh: nothing is called "Quaternion"'
+expect "where: no name" "$(scripts/where.sh 2>&1)" 'where.sh: give a NAME; see where.sh --help'
+expect "where: an option" "$(scripts/where.sh --foo 2>&1)" 'where.sh: no option --foo; see where.sh --help'
+rm -r src/modules/perception/Seer.h tests/modules tests/e2e config/{Seer.yaml,modules,motions,robots} src/representations src/math/Climb.cpp
+
 # Sizes.
 scripts/check_sizes.sh > /dev/null || fail "short files refused"
 yes '//' | head -450 > src/math/Long.h
