@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "inspect/Inspector.h"
 #include "support/ModuleHarness.h"
 #include "support/ScratchFolder.h"

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "support/ModuleHarness.h"
 #include "support/Robots.h"
 #include "support/ScratchFolder.h"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "support/ModuleHarness.h"
 #include "support/ScratchFolder.h"
 #include "support/Thrown.h"

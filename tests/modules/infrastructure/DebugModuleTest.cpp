@@ -4,6 +4,9 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <memory>
+
 #include "support/ModuleHarness.h"
 #include "support/Thrown.h"
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "math/Angle.h"
 #include "robot/MechanismFile.h"
 #include "support/ModuleHarness.h"
 #include "support/Thrown.h"

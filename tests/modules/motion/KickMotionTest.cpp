@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "simspark/LeagueRobots.h"
 #include "support/LogLines.h"
 #include "support/ModuleHarness.h"

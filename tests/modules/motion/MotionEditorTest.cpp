@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "inspect/Inspector.h"
 #include "modules/motion/MotionToPlay.h"
 #include "simspark/LeagueRobots.h"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "math/Angle.h"
 #include "support/ModuleHarness.h"
 

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+
 #include "math/Angle.h"
 #include "modules/simspark/FakeServer.h"
 #include "modules/simspark/Monitor.h"

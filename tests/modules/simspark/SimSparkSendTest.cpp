@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "modules/simspark/FakeServer.h"
 #include "simspark/LeagueRobots.h"
 #include "support/ModuleHarness.h"

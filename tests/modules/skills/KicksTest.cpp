@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
+#include "math/Angle.h"
 #include "simspark/LeagueRobots.h"
 #include "support/ModuleHarness.h"
 #include "support/ScratchFolder.h"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "modules/skills/SkillWish.h"
 
 using namespace plumbline;

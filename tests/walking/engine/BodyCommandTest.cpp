@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "robot/ForwardKinematics.h"
 #include "simspark/LeagueRobots.h"
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "simspark/LeagueRobots.h"
 
 namespace plumbline::walking {
