@@ -36,18 +36,18 @@ everything() {
       kind["PHYSICS"] = "physics engine"; kind["ROBOT_SIMULATION"] = "engine for servo robots"; kind["PLATFORM"] = "platform"
       kind["RULE"] = "rule"; kind["TASK"] = "task"; kind["SPECIAL_MODULE"] = "module"
     }
-    function tell() { if (what) print kind[what] "\t" told "\t" file; what = "" }
-    FNR == 1 { tell(); id = "" }
+    function put() { if (what) print kind[what] "\t" named "\t" file; what = "" }
+    FNR == 1 { put(); id = "" }
     /\.id = "/ { split($0, part, "\""); id = part[2] }
     /^MAKE_[A-Z_]+\(/ {
-      tell(); what = $0; sub(/^MAKE_/, "", what); sub(/\(.*/, "", what)
+      put(); what = $0; sub(/^MAKE_/, "", what); sub(/\(.*/, "", what)
       if (!(what in kind)) { what = ""; next }
-      told = $0; sub(/^[^(]*\(/, "", told); sub(/[,) ].*/, "", told); gsub(/"/, "", told); file = FILENAME; lines = 0
-      if (what ~ /EFFECT/) { told = id; tell() }
+      named = $0; sub(/^[^(]*\(/, "", named); sub(/[,) ].*/, "", named); gsub(/"/, "", named); file = FILENAME; lines = 0
+      if (what ~ /EFFECT/) { named = id; put() }
     }
-    what && index($0, "\"") { split($0, part, "\""); told = part[2]; tell() }
-    what && ++lines > 3 { tell() }
-    END { tell() }' "${files[@]}"
+    what && index($0, "\"") { split($0, part, "\""); named = part[2]; put() }
+    what && ++lines > 3 { put() }
+    END { put() }' "${files[@]}"
   for file in config/motions/*.yaml config/robots/*/motions/*.yaml config/excitation/*.yaml config/robots/*.json; do
     [[ -e $file ]] || continue
     base=${file##*/}
