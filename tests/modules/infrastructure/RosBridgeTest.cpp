@@ -32,14 +32,5 @@ TEST(RosBridgeParameters, domainAndAddressesAreChecked) {
   EXPECT_NE(error.find("here"), std::string::npos) << error;
 }
 
-TEST(RosBridgeParameters, nothingIsSentBeforeTheFirstCycleOfThePlatform) {
-  test::ModuleHarness<RosBridge> harness;
-  harness.module().domain = 99;
-  harness.input<FrameInfo>().cycle = 0;
-  harness.cycle();  // without any data, and without an error
-  harness.input<FrameInfo>().cycle = 1;
-  harness.cycle();
-}
-
 }  // namespace
 }  // namespace plumbline
