@@ -130,16 +130,16 @@ tests() { # pattern of what tests name it by; its own test; folder of tests [tes
     --exclude-dir=data --exclude-dir=build | sort)
   own=${2:+$(grep -E "^($2)$" <<< "$all")}
   row tests "$(grep -E '^tests/(.*/)?[^/]*Test\.cpp$' <<< "$all" | grep -vE '^tests/(e2e|bench)/' |
-    awk -v own="$own" '$0 == own { print; next } { rest[++n] = $0 } END { for (i = 1; i <= n; ++i) print rest[i] }' | list 6)"
+    awk -v own="$own" '$0 == own { print; next } { rest[++n] = $0 } END { for (i = 1; i <= n; ++i) print rest[i] }' | list 9)"
   # Situations and other data that its own tests read.
   [[ ! $own ]] || row '' "$(grep -hoE '"tests/data/[a-z/]+' $own | tr -d '"' | sed 's#/$##' | sort -u | list 4)"
   row end-to-end "$(grep -E '^tests/e2e/' <<< "$all" | list 6)"
   row benchmarks "$(grep -E '^tests/bench/' <<< "$all" | list 3)"
 }
-pages() { # pattern; the page of its kind
+pages() { # pattern; the page of its kind; module: without those that name modules as examples
   local all
   all=$({ grep -rcE "$1" doc/reference doc/how-to doc/tutorials --include='*.md' 2> /dev/null |
-    grep -vE '(parameters|glossary)\.md:|:0$' | sort -t : -k2,2nr -k1,1 | cut -d : -f 1 | head -3; [[ ! -e $2 ]] || echo "$2"; } | awk '!seen[$0]++' | list 4)
+    grep -vE "(parameters|glossary${3:+|framework|modules-cfg|platforms|add-[a-z-]*})\\.md:|:0\$" | sort -t : -k2,2nr -k1,1 | cut -d : -f 1 | head -3; [[ ! -e $2 ]] || echo "$2"; } | awk '!seen[$0]++' | list 4)
   row page "$all"
 }
 source_() { # files
@@ -147,31 +147,53 @@ source_() { # files
   for file; do text+="${text:+, }$file"; [[ $file != *.h || ! -e ${file%.h}.cpp ]] || text+=" and .cpp"; done
   row source "$text"
 }
-data() { row data "$(printf '%s\n' "$@" | awk 'NF && !seen[$0]++' | list 8)"; }
+data() { # files; "none" is an answer, too
+  local text
+  text=$(printf '%s\n' "$@" | awk 'NF && !seen[$0]++' | list 9)
+  row data "${text:-none}"
+}
+# The comment above a module's declaration: what it does.
+purpose() {
+  awk '/^ *\/\/\/ / { sub(/^ *\/\/\/ */, ""); text = text (text == "" ? "" : " ") $0; next }
+    /^MODULE\(|^class / { if (text != "") { print text; exit } }
+    { text = "" }' "$1"
+}
+# Headers of a module's own parts: what it includes from a folder beside it, or from a library that is not common to all.
+parts() {
+  cat "$@" 2> /dev/null | sed -nE 's/^#include "([^"]*)".*/\1/p' |
+    grep -vE "^(representations|framework|math|field|parameters|robot|motion)/|^modules/[^/]*/[^/]*$" |
+    while read -r header; do [[ -e src/$header && " $* " != *" src/$header "* ]] && echo "src/$header"; done | awk '!seen[$0]++'
+}
 
 about() { # kind, name, files
   local kind=$1 name=$2 file=$3
   shift 2
-  local all=("$@") word="([\"'/=]|--[a-z-]+ )$name\b" stem files text
+  local all=("$@") word="([\"'/=]|--[a-z-]+ )$name\b" stem files text piece pieces=()
   case $kind in
     module)
       if [[ $file == *.cpp ]]; then source_ "$file"; row line "[$name] in modules.cfg: doc/reference/modules-cfg.md"; stem=$(basename "$file" .cpp)
       else
+        row does "$(purpose "$file")"
         source_ "$file"
         stem=$name
+        mapfile -t pieces < <(parts "$file" "${file%.h}.cpp")
+        row parts "$(printf '%s\n' "${pieces[@]}" | awk NF | list 8)"
         row requires "$(inputs "$file")"
         row provides "$(outputs "$file")"
       fi
       text=$(parametersOf "$stem")
-      row parameters "${text:-$(declared "$file")}"
+      text=${text:-$(declared "$file")}
+      row parameters "${text:-none}"
       # Its own file, others that it reads, and where modules.cfg names it.
       mapfile -t files < <(find config -name "$stem.yaml" | sort
         grep -hoE 'config\.file\("[a-z_]+"\)|readWalkGaits\(config|readMotions\(config' "${file%.*}.cpp" 2> /dev/null |
-          sed -E 's/.*"(.*)".*/config\/\1.yaml/; s/readWalk.*/config\/walking.yaml/; s/readMotions.*/config\/motions\//')
+          sed -E 's/.*"(.*)".*/\1.yaml/; s/readWalk.*/walking.yaml/; s/readMotions.*/motions/' | while read -r read; do find config -name "$read"; done | sort)
       data "${files[@]}"
       row "runs by" "$(grep -rlE "^ *$name( |\$)" config --include='*.cfg' | sort | list 6)"
       tests "\b$stem\b" "tests/$(dirname "${file#src/}")/${stem}Test.cpp"
-      pages "\b$stem\b" doc/how-to/add-a-module.md
+      row "  of parts" "$(for piece in "${pieces[@]}"; do piece=tests/${piece#src/} && [[ -e ${piece%.h}Test.cpp ]] && echo "${piece%.h}Test.cpp"; done | list 8)"
+      text=$(pages "\b$stem\b" "" module)
+      echo "${text:-  page        none: what it does stands above; doc/how-to/add-a-module.md says how one is made}"
       ;;
     representation)
       source_ "$file"

@@ -88,6 +88,9 @@ scripts/check_floors.sh || fail "a module with its test refused"
 
 # Where something is.
 mkdir -p config/{modules,motions,robots/type0} doc/reference tests/e2e src/representations/perception
+mkdir -p {src,tests}/modules/perception/eye
+sed -i '/^MODULE/i #include "modules/perception/eye/Lens.h"\n\n/// Sees what\n/// is far.' src/modules/perception/Seer.h
+touch src/modules/perception/eye/Lens.h tests/modules/perception/eye/LensTest.cpp
 printf 'far: 2\n' | tee config/Seer.yaml > config/robots/type0/Seer.yaml
 printf 'Seer Sight\n' > config/modules/perception.cfg
 printf '## Seer\n\n| `focus` | double | 0.5 | m | 0 … 1 | of the eye |\n' > doc/reference/parameters.md
@@ -99,7 +102,9 @@ printf 'MAKE_OPTIMIZER(climb,\n               {"hill-climb", 5,\n' > src/math/Cl
 text=$(scripts/where.sh Seer)
 expect "where: status" $? 0
 expect "where: a module" "$text" 'module Seer
+  does        Sees what is far.
   source      src/modules/perception/Seer.h and .cpp
+  parts       src/modules/perception/eye/Lens.h
   requires    Picture, all Eye, Glance (of the cycle before), Lamp (if provided)
   provides    Sight
   parameters  focus=0.5 m
@@ -107,7 +112,12 @@ expect "where: a module" "$text" 'module Seer
   runs by     config/modules/perception.cfg
   tests       tests/modules/perception/SeerTest.cpp
   end-to-end  tests/e2e/see.sh
+    of parts  tests/modules/perception/eye/LensTest.cpp
   page        doc/reference/seeing.md'
+rm doc/reference/seeing.md config/Seer.yaml config/robots/type0/Seer.yaml
+contains "where: what there is not" "$(scripts/where.sh Seer)" "  data        none
+"
+contains "where: no page" "$(scripts/where.sh Seer)" "  page        none: what it does stands above; doc/how-to/add-a-module.md says how one is made"
 rm -r doc
 contains "where: parameters of the header" "$(scripts/where.sh Seer)" "  parameters  focus=0.5"
 expect "where: a representation" "$(scripts/where.sh sight)" 'representation Sight
@@ -122,7 +132,7 @@ expect "where: no such name" "$text" 'where.sh: nothing is called "Seher"; did y
 expect "where: nothing near" "$(scripts/where.sh Quaternion 2>&1)" 'where.sh: nothing is called "Quaternion"'
 expect "where: no name" "$(scripts/where.sh 2>&1)" 'where.sh: give a NAME; see where.sh --help'
 expect "where: an option" "$(scripts/where.sh --foo 2>&1)" 'where.sh: no option --foo; see where.sh --help'
-rm -r src/modules/perception/Seer.h tests/modules tests/e2e config/{Seer.yaml,modules,motions,robots} src/representations src/math/Climb.cpp
+rm -r src/modules/perception/{Seer.h,eye} tests/modules tests/e2e config/{modules,motions,robots} src/representations src/math/Climb.cpp
 
 # Sizes.
 scripts/check_sizes.sh > /dev/null || fail "short files refused"
