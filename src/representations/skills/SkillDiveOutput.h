@@ -3,7 +3,7 @@
 
 namespace plumbline {
 
-/// A goalkeeper's dive.
+/// A goalie's dive.
 REPRESENTATION_OF(SkillDiveOutput, SkillOutput)
 class SkillDiveOutput : public SkillDiveOutputBase {
 public:

@@ -91,7 +91,7 @@ std::string DiveTask::file(const Eigen::VectorXd& parameters, const std::string&
 }
 
 MAKE_TASK(dive, {"dive",
-                 "a goalkeeper's dive to the left: type, motion, reaction, from, to, engine, effects, draws, "
+                 "a goalie's dive to the left: type, motion, reaction, from, to, engine, effects, draws, "
                  "firstDraw",
                  [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
                    return std::make_unique<DiveTask>(options);

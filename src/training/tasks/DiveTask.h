@@ -9,7 +9,7 @@
 
 namespace plumbline::training {
 
-/// A goalkeeper's dive to the left. In a run the robot stands before its goal; a ball is shot at the line
+/// A goalie's dive to the left. In a run the robot stands before its goal; a ball is shot at the line
 /// that it stands on, so far to the left that a standing robot hardly stops it. The robot sees the shot after
 /// `reaction` seconds and plays the motion. The cost is 1 for a goal and 0 for a save, less a tenth of the
 /// share of the way to the ball's crossing that the body covers when the ball crosses. So a motion that saves
