@@ -198,14 +198,14 @@ bench-robust bench-positioning bench-saves bench-clients: bench-%:
 
 # The team against the players of before it, in whole games on the embedded simulator: GAMES, HALF (seconds), SEED, JOBS at once.
 # Writes doc/results/games.md. With OTHER="COMMAND", and PLAYERS of each side, only games against that team; prints their
-# table, or writes it into doc/results/games-peers.md if NAME says what the team is called.
+# table, or writes it into doc/results/games-peers.md if OTHER_NAME says what the team is called.
 bench-games: export OTHER := $(OTHER)
-bench-games: export NAME := $(NAME)
+bench-games: export OTHER_NAME := $(OTHER_NAME)
 bench-games:
 	@scripts/install_packages.sh scripts/packages-bench.txt
 	@scripts/build.sh SimRelease agent game simulator watchgame
 	@$(foreach v,GAMES HALF SEED BEFORE PLAYERS,$(if $($v),$v=$($v))) $(if $(OTHER),tests/bench/games/games.sh,scripts/run_bench.sh games)
-	@$(if $(OTHER),$(if $(NAME),scripts/make_results.sh games-peers),scripts/make_results.sh games)
+	@$(if $(OTHER),$(if $(OTHER_NAME),scripts/make_results.sh games-peers),scripts/make_results.sh games)
 
 fuzz:
 	@scripts/install_packages.sh scripts/packages.txt scripts/packages-fuzz.txt

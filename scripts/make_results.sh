@@ -18,9 +18,9 @@ for area in "${areas[@]}"; do
   {
     echo "# Measured: $area"
     echo
-    command=${area/#games-*/games} folder=${area/#walking-*/walking}
-    echo "Written by \`make results\` (\`make bench-${command/#walking/walk}\` measures) on $(date -u +%Y-%m-%d), $(nproc) cores of ${machine:-an unknown CPU}, $(c++ --version | sed -n 1p)."
-    echo "Seeds and numbers of runs are part of each figure's name or fixed in \`tests/bench/${folder/#games-*/games}/\`."
+    bench=${area/#games-*/games}
+    echo "Written by \`make results\` (\`make bench-${bench/#walking/walk}\` measures) on $(date -u +%Y-%m-%d), $(nproc) cores of ${machine:-an unknown CPU}, $(c++ --version | sed -n 1p)."
+    echo "Seeds and numbers of runs are part of each figure's name or fixed in \`tests/bench/${bench/#walking-*/walking}/\`."
     echo
     # Tables that the benchmark wrote itself come before the bare figures.
     if [[ -s build/bench/$area.md ]]; then

@@ -101,7 +101,7 @@ echo "${#todo[@]} changes to try"
 refresh
 # The folders that are changed are compiled source by source, so that one change costs one source.
 alone=$(printf '%s\n' "${todo[@]}" | cut -f2 | cut -d/ -f2 | LC_ALL=C sort -u | sed 's/$/:1/' | paste -sd';')
-(cd "$tree" && ./configure.sh --target SimRelease "-DPLUMBLINE_BUNDLES_OF=$alone") > "$out/log" 2>&1 || fail "configure: see $out/log"
+(cd "$tree" && ./configure.sh --target SimRelease "-DPLUMBLINE_BUNDLES_OF=modules:4;$alone") > "$out/log" 2>&1 || fail "configure: see $out/log"
 
 build() { (cd "$tree" && scripts/build.sh SimRelease "$@") > "$out/log" 2>&1; }
 declare -A limit=()

@@ -68,7 +68,7 @@ IterativeLeg::IterativeLeg(const RobotModel& model, Side side) : chain_(model, s
       upper = joint.upper;
     }
   }
-  // What axes that are all parallel leave open is zero.
+  // Hip axes that are all parallel leave the place along them open: there it is zero.
   hip_ = sum;
   solvePositive<3>(across + 1e-12 * Mat3::Identity(), hip_);
   ankleHeight_ = (place[anklePitch] - zero.back().translation()).z();

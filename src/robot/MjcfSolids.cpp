@@ -9,7 +9,7 @@ namespace {
 /// The shortest rotation that takes z to a direction of any length.
 Mat3 fromZ(const Vec3& direction) {
   const Vec3 turn = turnBetween(Vec3::UnitZ(), direction.normalized());
-  return turn.isZero(0) ? Mat3(Mat3::Identity()) : Mat3(rotation(turn.normalized(), turn.norm()).linear());
+  return rotation(turn.normalized(), turn.norm()).linear();
 }
 
 }  // namespace

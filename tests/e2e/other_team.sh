@@ -31,13 +31,13 @@ grep -c ',over$' "$scratch/games/games.log" | grep -qx 2 || fail "games.log: $(c
 # A start script that knows nothing but the host is called in its folder; ours reads the port from the environment.
 printf '#!/bin/sh\nexec "%s/agent" --team Plain --number 2 --host "$1" --config "%s" > /dev/null 2>&1\n' "$bin" "$PWD/config" > "$scratch/plain.sh"
 chmod +x "$scratch/plain.sh"
-"${games[@]}" GAMES=1 PLAYERS=1 OUT="$scratch/plain" NAME="A plain team" OTHER="$scratch/plain.sh" tests/bench/games/games.sh > "$scratch/out" 2>&1 || fail "a plain script: $(cat "$scratch/out")"
+"${games[@]}" GAMES=1 PLAYERS=1 OUT="$scratch/plain" OTHER_NAME="A plain team" OTHER="$scratch/plain.sh" tests/bench/games/games.sh > "$scratch/out" 2>&1 || fail "a plain script: $(cat "$scratch/out")"
 expectEqual "$(tail -1 "$scratch/plain/games.log" | cut -d, -f3,4,17)" "Team,Other,over" "a game against a plain script"
 
 # Named teams are together in one page.
 cp "$scratch/games-peers/A-plain-team-1.md" "$scratch/games-peers/Another-1.md"
 cp "$scratch/games-peers/A-plain-team-1.json" "$scratch/games-peers/Another-1.json"
-"${games[@]}" GAMES=1 PLAYERS=1 OUT="$scratch/plain2" NAME="A plain team" OTHER="$scratch/plain.sh" tests/bench/games/games.sh > "$scratch/out" 2>&1 || fail "again: $(cat "$scratch/out")"
+"${games[@]}" GAMES=1 PLAYERS=1 OUT="$scratch/plain2" OTHER_NAME="A plain team" OTHER="$scratch/plain.sh" tests/bench/games/games.sh > "$scratch/out" 2>&1 || fail "again: $(cat "$scratch/out")"
 expectEqual "$(grep -c '^## The team against A plain team$' "$scratch/games-peers.md")" 2 "teams of the page"
 expectEqual "$(grep -c '"games.a_plain_team_1.team.goals", ' "$scratch/games-peers.json")" 2 "figures of the page"
 expectEqual "$(grep -c '},$' "$scratch/games-peers.json")" "$(($(grep -c '{' "$scratch/games-peers.json") - 1))" "commas between figures"

@@ -1,14 +1,10 @@
 #include "record/ExampleLog.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 
 #include "record/CdrStream.h"
 
 namespace plumbline::record {
-
-std::string Scratch::unique() { return std::to_string(getpid()); }
 
 RecordedThread exampleThread() {
   return {"main",

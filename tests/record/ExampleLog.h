@@ -1,5 +1,4 @@
 #pragma once
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -41,25 +40,6 @@ public:
 };
 
 namespace record {
-
-/// A folder that goes at the end.
-class Scratch {
-public:
-  Scratch()
-      : path_(std::filesystem::temp_directory_path() /
-              ("record-" + std::to_string(counter_++) + '-' + unique())) {
-    std::filesystem::create_directories(path_);
-  }
-  ~Scratch() { std::filesystem::remove_all(path_); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
-private:
-  static std::string unique();
-  static inline int counter_ = 0;
-  std::filesystem::path path_;
-};
 
 /// The one thread of the logs below: Counter and Shapes.
 RecordedThread exampleThread();

@@ -6,6 +6,7 @@
 #include "record/ExampleLog.h"
 #include "record/LogReader.h"
 #include "record/LogWalk.h"
+#include "support/ScratchFolder.h"
 #include "support/Thrown.h"
 
 namespace plumbline::record {
@@ -27,7 +28,7 @@ std::vector<std::uint64_t> numbersOf(const std::string& path) {
 }
 
 TEST(LogTest, holdsEveryCycleThoughOnlyChangesAreWritten) {
-  Scratch scratch;
+  test::ScratchFolder scratch;
   writeExampleLog(scratch / "game", 1, 600);
   const auto numbers = numbersOf(scratch / "game");
   ASSERT_EQ(numbers.size(), 600u);
@@ -50,7 +51,7 @@ TEST(LogTest, holdsEveryCycleThoughOnlyChangesAreWritten) {
 }
 
 TEST(LogTest, goesOnInANewFileAndForgetsTheOldest) {
-  Scratch scratch;
+  test::ScratchFolder scratch;
   writeExampleLog(scratch / "all", 1, 3000, {100'000, 0});
   EXPECT_GT(LogReader(scratch / "all").files().size(), 3u);
   EXPECT_EQ(numbersOf(scratch / "all").size(), 3000u);
@@ -62,14 +63,14 @@ TEST(LogTest, goesOnInANewFileAndForgetsTheOldest) {
 }
 
 TEST(LogTest, whatIsMissingIsKnown) {
-  Scratch scratch;
+  test::ScratchFolder scratch;
   writeExampleLog(scratch / "game", 1, 20, {}, {7, 8});
   EXPECT_EQ(LogReader(scratch / "game").thread("main").missing(), 2u);
   EXPECT_EQ(numbersOf(scratch / "game").size(), 18u);
 }
 
 TEST(LogTest, whatWasCommittedIsReadWhileItIsWritten) {
-  Scratch scratch;
+  test::ScratchFolder scratch;
   LogWriter writer(scratch / "game", {});
   writer.begin({exampleThread()});
   const auto messages = exampleMessages(1);
@@ -81,7 +82,7 @@ TEST(LogTest, whatWasCommittedIsReadWhileItIsWritten) {
 }
 
 TEST(LogTest, isNeverWrittenOverWhatIsThere) {
-  Scratch scratch;
+  test::ScratchFolder scratch;
   writeExampleLog(scratch / "game", 1, 2);
   const std::string game = scratch / "game";
   EXPECT_EQ(thrownBy([&] { LogWriter(game + "/", {}); }),
@@ -92,7 +93,7 @@ TEST(LogTest, isNeverWrittenOverWhatIsThere) {
 }
 
 TEST(LogTest, whatIsNoLogIsSaid) {
-  Scratch scratch;
+  test::ScratchFolder scratch;
   const std::string path = scratch / "x";
   EXPECT_EQ(thrownBy([&] { LogReader log(path); }), path + ": there is no such log");
   fs::create_directory(path);
@@ -105,7 +106,7 @@ TEST(LogTest, whatIsNoLogIsSaid) {
 }
 
 TEST(LogTest, brokenFilesEndInAnErrorOrInLessAndInNothingWorse) {
-  Scratch scratch;
+  test::ScratchFolder scratch;
   writeExampleLog(scratch / "game", 1, 50);
   std::ifstream file(scratch / "game/game_0.db3", std::ios::binary);
   std::stringstream whole;
@@ -130,7 +131,7 @@ TEST(LogTest, brokenFilesEndInAnErrorOrInLessAndInNothingWorse) {
 }
 
 TEST(LogTest, metadataNamesWhatRosToolsWant) {
-  Scratch scratch;
+  test::ScratchFolder scratch;
   writeExampleLog(scratch / "game", 1, 9);
   std::ifstream file(scratch / "game/metadata.yaml");
   std::stringstream text;

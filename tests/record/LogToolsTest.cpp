@@ -7,13 +7,14 @@
 #include "record/LogCopy.h"
 #include "record/LogReader.h"
 #include "record/LogTable.h"
+#include "support/ScratchFolder.h"
 #include "support/Thrown.h"
 
 namespace plumbline::record {
 namespace {
 
 struct LogToolsTest : testing::Test {
-  Scratch scratch;
+  test::ScratchFolder scratch;
   std::string game = scratch / "game";
   LogToolsTest() { writeExampleLog(game, 1, 300); }
 };

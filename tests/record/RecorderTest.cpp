@@ -4,12 +4,13 @@
 
 #include "record/ExampleLog.h"
 #include "record/LogReader.h"
+#include "support/ScratchFolder.h"
 
 namespace plumbline::record {
 namespace {
 
 struct RecorderTest : testing::Test {
-  Scratch scratch;
+  test::ScratchFolder scratch;
   Counter counter;
   std::vector<std::string> lines;
 

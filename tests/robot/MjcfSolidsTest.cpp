@@ -87,5 +87,18 @@ TEST_F(MjcfSolids, fromPointToPointIsTheSameSolidTurned) {
   EXPECT_NEAR(link.inertia(2, 2), wanted.across, 1e-5 * wanted.across);
 }
 
+/// By its axis, of any length; along z and against it nothing is turned away.
+TEST_F(MjcfSolids, anAxisTurnsTheSolid) {
+  const Moments wanted = revolved([](double) { return 0.1; }, 0.2);
+  const auto withAxis = [this](const std::string& axis) {
+    return linkOf(
+        write("solid.xml", body("<geom type=\"cylinder\" size=\"0.1 0.2\" zaxis=\"" + axis + "\"/>")));
+  };
+  EXPECT_NEAR(withAxis("0 3 0").inertia(1, 1), wanted.about, 1e-5 * wanted.about);
+  EXPECT_NEAR(withAxis("0 3 0").inertia(2, 2), wanted.across, 1e-5 * wanted.across);
+  expectMoments(withAxis("0 0 2"), wanted);
+  expectMoments(withAxis("0 0 -2"), wanted);
+}
+
 }  // namespace
 }  // namespace plumbline

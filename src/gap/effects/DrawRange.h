@@ -25,7 +25,7 @@ struct DrawRange {
   Growth growth = Growth::distance;
   bool bothSigns = false;
   std::string_view axes = {};
-  bool floatingBase = false;  ///< only seen with one
+  bool floatingBase = false;  ///< only a robot on its feet shows it
   Choice choice = {};
 };
 

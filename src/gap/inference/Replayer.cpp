@@ -78,7 +78,7 @@ bool Replayer::hasBodySignals(std::size_t trial) const {
   return std::ranges::any_of(data_.trials()[trial].signals, [](const Signal& s) { return s.joint < 0; });
 }
 
-// with a fixed base one more than there are: the readings of the body.
+// With a fixed base one more than there are: the readings of the body.
 std::size_t Replayer::chainsOf(std::size_t trial) const {
   if (data_.trials()[trial].freeBase) return 1;
   return chainJoints_.size() + (hasBodySignals(trial) ? 1 : 0);

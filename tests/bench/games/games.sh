@@ -7,7 +7,7 @@
 # programs said stays in the new folder OUT. `make bench-games` builds what it needs and writes doc/results/games.md.
 # With OTHER, the command that starts a team that is not ours, nothing but games against that team, PLAYERS [11] on each
 # side: {host}, {agent}, {monitor}, {team} and {players} in it are replaced. A script without them is told the host
-# alone. With NAME as well, what that team is called, the table goes into games-peers/ beside OUT and with those of
+# alone. With OTHER_NAME as well, what that team is called, the table goes into games-peers/ beside OUT and with those of
 # other teams into games-peers.md there, of which make_results.sh makes doc/results/games-peers.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
@@ -41,11 +41,11 @@ if [[ ${OTHER-} ]]; then
   echo "$games games of 2 x $half s against OTHER, $players on each side, seeds from $seed, $jobs at once"
   echo "Other $other" > "$work/opponents"
   play "bin/start.sh --players $players"
-  awk -v half="$half" -v players="$players" -v other="${NAME-}" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
+  awk -v half="$half" -v players="$players" -v other="${OTHER_NAME-}" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
   cat "$out.md"
-  [[ ${NAME-} ]] || exit 0
+  [[ ${OTHER_NAME-} ]] || exit 0
   peers=${out%/*}/games-peers
-  piece=$peers/$(tr -cs 'A-Za-z0-9\n' - <<< "$NAME")-$players
+  piece=$peers/$(tr -cs 'A-Za-z0-9\n' - <<< "$OTHER_NAME")-$players
   mkdir -p "$peers"
   mv "$out.md" "$piece.md"
   mv "$out.json" "$piece.json"

@@ -36,12 +36,6 @@ std::string centimetres(double speed) {
   return text;
 }
 
-double mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value / static_cast<double>(values.size());
-  return sum;
-}
-
 json figure(const std::string& name, double value, const char* unit, const char* better) {
   return figureJson("gap-train." + name, value, unit, better);
 }

@@ -19,6 +19,8 @@ struct TrainSetup {
   std::string folder;
 };
 
+double mean(const std::vector<double>& values);
+
 /// What a search begins with.
 struct TrainStart {
   std::string effects;  ///< file of what the model has; empty: nothing
@@ -48,15 +50,17 @@ private:
   void record(const std::string& folder) const;
   /// Searches a walk; does nothing where that was done.
   void train(const TrainStart& start, const std::string& output) const;
-  /// Each try on the true robot: its mean speed [m/s], 0 from a fall on, and falls.
+  /// Each try on the true robot, numbered from `first` (its seed): its mean speed [m/s], 0 from a fall on,
+  /// and falls.
   std::vector<walking::TrialResult> measure(const walking::WalkGaits& walk, const gap::Explanation& effects,
-                                            std::uint64_t tries) const;
+                                            std::uint64_t tries, std::uint64_t first = 0) const;
 
   const TrainSetup setup_;
   const Mechanism mechanism_;
   std::string start_;  ///< folder of the walk that the second searches begin with
   walking::WalkGaits nominalWalk_;
   double onNominal_ = 0;
+  std::vector<walking::TrialResult> drawnOnNominal_;  ///< tries that robots to be drawn are compared with
 };
 
 }  // namespace plumbline::bench

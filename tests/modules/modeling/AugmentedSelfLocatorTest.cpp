@@ -19,11 +19,6 @@ protected:
     harness.input<TorsoPose>().T_ground_torso = translation(0, 0, 0.4);
     harness.input<FKModel>().T_torso_head = translation(0, 0, 0.14);
   }
-  static PolarPoint polar(const simspark::Polar& p) {
-    PolarPoint point;
-    point.distance = p.distance, point.azimuth = p.azimuth, point.elevation = p.elevation;
-    return point;
-  }
   /// So many images from this place of the server's field.
   const RobotPose& lookFrom(const Pose2& place, int images) {
     for (int i = 0; i < images; ++i) {
@@ -33,12 +28,12 @@ protected:
       landmarks.clear();
       for (const simspark::SeenObject& object : see.objects) {
         landmarks.emplace_back().name = object.name;
-        landmarks.back().position = polar(object.position);
+        landmarks.back().position = test::polarPoint(object.position);
       }
       lines.clear();
       for (const simspark::SeenLine& line : see.lines) {
-        lines.emplace_back().a = polar(line.a);
-        lines.back().b = polar(line.b);
+        lines.emplace_back().a = test::polarPoint(line.a);
+        lines.back().b = test::polarPoint(line.b);
       }
       image.newImage = true;
       harness.cycle();

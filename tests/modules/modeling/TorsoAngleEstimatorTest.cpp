@@ -22,8 +22,8 @@ protected:
     for (const auto& line :
          test::SyntheticImage().see(test::onField(Pose2(-5, 0, 0)) * T_ground_head).lines) {
       PolarLine seen;
-      seen.a.distance = line.a.distance, seen.a.azimuth = line.a.azimuth, seen.a.elevation = line.a.elevation;
-      seen.b.distance = line.b.distance, seen.b.azimuth = line.b.azimuth, seen.b.elevation = line.b.elevation;
+      seen.a = test::polarPoint(line.a);
+      seen.b = test::polarPoint(line.b);
       harness.input<PolarLinePercept>().lines.push_back(seen);
     }
   }

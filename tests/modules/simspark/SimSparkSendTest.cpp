@@ -12,13 +12,19 @@ using namespace plumbline;
 
 namespace {
 
-TEST(SimSparkSend, sendsSpeedsOfTheJointsThatTheRobotHasAndTheBeam) {
+/// A server that reads what is sent.
+struct SimSparkSendTest : testing::Test {
+  void SetUp() override {
+    ASSERT_EQ(link->connection.connect("127.0.0.1", server.port()), "");
+    server.accept();
+    harness.objects().set(link);
+  }
   test::FakeServer server;
-  auto link = std::make_shared<SimSparkLink>();
-  ASSERT_EQ(link->connection.connect("127.0.0.1", server.port()), "");
-  server.accept();
+  std::shared_ptr<SimSparkLink> link = std::make_shared<SimSparkLink>();
   test::ModuleHarness<SimSparkSend> harness;
-  harness.objects().set(link);
+};
+
+TEST_F(SimSparkSendTest, sendsSpeedsOfTheJointsThatTheRobotHasAndTheBeam) {
   harness.input<SimSparkInfo>();
   harness.input<RobotDescription>().model = simsparkRobot(0);
   JointRequestWithSpeeds& request = harness.input<JointRequestWithSpeeds>();
@@ -40,13 +46,7 @@ TEST(SimSparkSend, sendsSpeedsOfTheJointsThatTheRobotHasAndTheBeam) {
   EXPECT_NE(beam.find("(beam -0.50000 1.00000 90.00000)"), std::string::npos) << beam;
 }
 
-TEST(SimSparkSend, saysWordsAndCallsForAPass) {
-  test::FakeServer server;
-  auto link = std::make_shared<SimSparkLink>();
-  ASSERT_EQ(link->connection.connect("127.0.0.1", server.port()), "");
-  server.accept();
-  test::ModuleHarness<SimSparkSend> harness;
-  harness.objects().set(link);
+TEST_F(SimSparkSendTest, saysWordsAndCallsForAPass) {
   SayMessage& say = harness.input<SayMessage>();
   PassRequest& pass = harness.input<PassRequest>();
   harness.cycle();

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "simspark/LeagueRobots.h"
-#include "walking/engine/BodyPosture.h"
+#include "walking/StandingAngles.h"
 
 namespace plumbline::walking {
 namespace {
@@ -13,16 +13,9 @@ namespace {
 /// A robot that stands with bent knees; statics by hand.
 class LegLoadTest : public testing::Test {
 protected:
-  LegLoadTest() {
-    std::array<FootPlacement, 2> feet;
-    feet[0].ground = Pose2(0, 0.055);
-    feet[1].ground = Pose2(0, -0.055);
-    BodyPosture posture(robot);
-    for (int i = 0; i < 5; ++i) posture.solve(feet, {.hipHeight = 0.22}, standing);
-  }
   RobotModel robot = simsparkRobot(0);
   LegLoad load{robot};
-  JointArray standing{};
+  const JointArray standing = standingAngles(robot, 0.22);
   const double weight = robot.totalMass() * 9.81;
 };
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "simspark/LeagueRobots.h"
-#include "walking/engine/BodyPosture.h"
+#include "walking/StandingAngles.h"
 #include "walking/model/LinearInvertedPendulum.h"
 
 namespace plumbline::walking {
@@ -12,13 +12,7 @@ namespace {
 /// A robot that stands still by its sensors, while actions are under way that these do not show yet.
 class ClosedLoopTest : public testing::Test {
 protected:
-  ClosedLoopTest() {
-    std::array<FootPlacement, 2> feet;
-    feet[0].ground = Pose2(0, 0.055);
-    feet[1].ground = Pose2(0, -0.055);
-    BodyPosture posture(robot);
-    for (int i = 0; i < 5; ++i) posture.solve(feet, {.hipHeight = 0.2}, sensors.angles);
-  }
+  ClosedLoopTest() { sensors.angles = standingAngles(robot, 0.2); }
   /// A cycle in which the mass is pushed from behind: the pressure is behind it.
   void push() {
     WalkAction action;

@@ -12,7 +12,6 @@ namespace {
 
 constexpr int checkBits = 16, numberBits = 4, roleBits = 4;
 constexpr int maxNumber = 11;
-constexpr double halfX = messageHalfLength, halfY = messageHalfWidth;
 constexpr int xBits = 9, yBits = 8, headingBits = 5;
 constexpr int ballXBits = 9, ballYBits = 9, speedBits = 4;
 constexpr double maxSpeed = 8;  ///< [m/s]
@@ -41,13 +40,13 @@ std::uint32_t checksum(SayBits bits, std::string_view team, std::int64_t slot) {
 }
 
 void writePoint(SayBits& bits, const Vec2& p, int forX, int forY) {
-  bits.write(quantise(p.x(), -halfX, halfX, forX), forX);
-  bits.write(quantise(p.y(), -halfY, halfY, forY), forY);
+  bits.write(quantise(p.x(), -messageHalfLength, messageHalfLength, forX), forX);
+  bits.write(quantise(p.y(), -messageHalfWidth, messageHalfWidth, forY), forY);
 }
 
 Vec2 readPoint(SayBits& bits, int forX, int forY) {
-  const double x = unquantise(bits.read(forX), -halfX, halfX, forX);
-  const double y = unquantise(bits.read(forY), -halfY, halfY, forY);
+  const double x = unquantise(bits.read(forX), -messageHalfLength, messageHalfLength, forX);
+  const double y = unquantise(bits.read(forY), -messageHalfWidth, messageHalfWidth, forY);
   return {x, y};
 }
 
