@@ -12,8 +12,11 @@ namespace {
 
 constexpr double farthest = 1;  // step of a value when a group is left out, in the logarithm of its strength
 
-/// Values that the other groups are likeliest under, by one Newton step.
-Explanation steppedWithout(const Replayer& replayer, const Fitted& fitted, std::size_t left) {
+/// Values that the other groups are likeliest under, by one Newton step. Where a joint sticks and slips,
+/// derivatives may lead far astray: the step is halved, at most twice, until it is likelier there, or not
+/// taken.
+Explanation steppedWithout(const Replayer& replayer, const Shares& shares, const Fitted& fitted,
+                           std::size_t left) {
   const auto n = static_cast<Eigen::Index>(fitted.causes.size());
   Eigen::MatrixXd information = 1e-6 * Eigen::MatrixXd::Identity(n, n);
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n);
@@ -24,7 +27,15 @@ Explanation steppedWithout(const Replayer& replayer, const Fitted& fitted, std::
   }
   Eigen::VectorXd way = information.llt().solve(gradient);
   way = way.cwiseMax(-farthest).cwiseMin(farthest);
-  return withLogStrengths(replayer.mechanism(), fitted.causes, logStrengths(fitted.causes) + way);
+  std::vector<char> others(replayer.groups().count(), 1);
+  others[left] = 0;
+  const double here = densityOn(replayer, shares, fitted.causes, others);
+  const Eigen::VectorXd x = logStrengths(fitted.causes);
+  for (const double part : {1.0, 0.5, 0.25}) {
+    Explanation stepped = withLogStrengths(replayer.mechanism(), fitted.causes, x + part * way);
+    if (densityOn(replayer, shares, stepped, others) >= here) return stepped;
+  }
+  return fitted.causes;
 }
 
 }  // namespace
@@ -51,7 +62,7 @@ Scored score(const Replayer& replayer, const Shares& shares, const Explanation& 
         causes = starts[g];
       causes = fit(replayer, shares, causes, mostSteps, others).causes;
     } else if (!causes.empty()) {
-      causes = steppedWithout(replayer, scored.fitted, g);
+      causes = steppedWithout(replayer, shares, scored.fitted, g);
     }
     scored.without.push_back(std::move(causes));
   }

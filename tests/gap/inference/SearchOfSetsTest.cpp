@@ -126,6 +126,28 @@ TEST(Score, aGroupLeftOutIsNotFitted) {
   EXPECT_GT(scored.without[0][0].value, 0.1);
 }
 
+TEST(Score, valuesWithoutAGroupAreAtLeastAsLikelyOnTheOthersAsThoseOfAll) {
+  // Where a joint sticks, a whole Newton step from there would lead to values that are far less likely.
+  const Mechanism arm = twoJointArm();
+  const Groups groups(recordings(
+      {causeOfArm("load_friction", "elbow", 0.3), causeOfArm("load_stribeck_friction", "elbow", 0.4)}));
+  const Replayer replayer(arm, groups, 1);
+  const Shares shares = sharesOf(groups, replayer.residuals({}));
+  for (const double start : {0.1, 0.2, 0.3, 0.4, 0.5}) {
+    const Scored scored = score(
+        replayer, shares,
+        {causeOfArm("load_friction", "elbow", start), causeOfArm("load_stribeck_friction", "elbow", 0.2)}, 50,
+        0);
+    for (std::size_t g = 0; g < groups.count(); ++g) {
+      std::vector<char> others(groups.count(), 1);
+      others[g] = 0;
+      EXPECT_GE(densityOn(replayer, shares, scored.without[g], others),
+                densityOn(replayer, shares, scored.causes(), others))
+          << start << ' ' << g;
+    }
+  }
+}
+
 TEST(Score, aCauseThatIsNotThereCostsItsPrice) {
   EXPECT_NEAR(priceOf(2, 100), 2 * std::log(100.0), 1e-12);
   const Mechanism arm = twoJointArm();
