@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Tells where something is: its source, what it requires and provides, its parameters, data, tests and page.
 #   scripts/where.sh NAME    a module, representation, motion, skill, effect, optimiser, engine, robot, platform, rule,
-#                            task of a search or excitation program
+#                            task of a search, excitation program, or else a class of a library
 # A name that there is not: status 2, and the nearest names.
 # Example: scripts/where.sh SkillGetBall
 set -uo pipefail
@@ -58,11 +58,18 @@ everything() {
     esac
   done
 }
+# A list from standard input in one line, by commas; of more than $1 the first ones.
+list() {
+  awk -v most="$1" '{ if (NR <= most) text = text (NR > 1 ? ", " : "") $0 }
+    END { if (NR > most) text = text " and " (NR - most) " more"; if (NR) print text }'
+}
 index=$(everything)
 found=$(awk -F '\t' -v name="$name" '$2 == name' <<< "$index")
 [[ $found ]] || found=$(awk -F '\t' -v name="$name" 'tolower($2) == tolower(name)' <<< "$index")
+# Else what a library's header is named after, with or without the case.
+[[ $found ]] || found=$(find src -iname "$name.h" | sort | sed -E 's#(.*/([^/]*)\.h)#class\t\2\t\1#')
 if [[ ! $found ]]; then
-  near=$(cut -f 2 <<< "$index" | sort -u | awk -v name="$name" '
+  near=$({ cut -f 2 <<< "$index"; find src -name '*.h' | sed 's#.*/##; s#\.h$##'; } | sort -u | awk -v name="$name" '
     function distance(a, b,   i, j, d, c) {
       for (j = 0; j <= length(b); ++j) d[0, j] = j
       for (i = 1; i <= length(a); ++i) {
@@ -80,19 +87,20 @@ if [[ ! $found ]]; then
       d = distance(tolower(name), tolower($0))
       if (length(name) > 3 && index(tolower($0), tolower(name))) d = 1
       if (d <= (length(name) < 3 ? 1 : length(name) / 3)) print d "\t" $0
-    }' | sort -n -k1,1 -k2 | cut -f 2 | head -3 | paste -sd ' ' | sed 's/ /, /g')
-  echo "where.sh: nothing is called \"$name\"${near:+; did you mean $near?}" >&2
+    }' | sort -n -k1,1 -k2 | cut -f 2 | list 5)
+  # Names that share a word with it.
+  [[ $near ]] || near=$(sed -E 's/([a-z0-9])([A-Z])/\1 \2/g; s/[_-]/ /g' <<< "$name" | tr ' ' '\n' | grep -E '.{3}' | while read -r word; do
+    { cut -f 2 <<< "$index"; find src -name '*.h' | sed 's#.*/##; s#\.h$##'; } | grep -i -F "$word" | sort -u
+  done | sort | uniq -c | sort -k1,1nr -k2 | awk 'NR == 1 { most = $1 } $1 == most { print $2 }' | list 5)
+  text="see the map in doc/architecture.md"
+  [[ ! $near ]] || text="did you mean $near?"
+  echo "where.sh: nothing is called \"$name\"; $text" >&2
   exit 2
 fi
 
 row() { # label, text: wrapped
   [[ ${2-} ]] || return 0
   fold -s -w 105 <<< "$2" | awk -v label="$1" '{ sub(/ +$/, ""); printf "  %-11s %s\n", NR == 1 ? label : "", $0 }'
-}
-# A list from standard input in one line, by commas; of more than $1 the first ones.
-list() {
-  awk -v most="$1" '{ if (NR <= most) text = text (NR > 1 ? ", " : "") $0 }
-    END { if (NR > most) text = text " and " (NR - most) " more"; if (NR) print text }'
 }
 inputs() { # header: what the module requires
   sed -nE '/^MODULE\(/,/^END_MODULE/ {
@@ -116,7 +124,7 @@ parametersOf() { # section of doc/reference/parameters.md; many by group
       if (!n) exit
       if (n <= 45) { print text; exit }
       for (i = 1; i <= groups; ++i) many = many (i > 1 ? ", " : "") of[order[i]] " " order[i]
-      print n ": " many "; doc/reference/parameters.md"
+      print n ": " many "; doc/reference/parameters.md#" tolower(substr(wanted, 4))
     }' doc/reference/parameters.md
 }
 declared() { # sources: the macros in them
@@ -124,22 +132,37 @@ declared() { # sources: the macros in them
 }
 ofFile() { sed -nE 's/^ *\.(unit|lower|upper) = "?([^",]*)"?,.*/\1 \2/p' "$1" | list 9; } # an effect's value
 
-tests() { # pattern of what tests name it by; its own test; folder of tests [tests]
-  local all own
-  all=$(grep -rlE "$1" "${3-tests}" --include='*.cpp' --include='*.h' --include='*.sh' --include='*.bash' --include='*.mjs' \
-    --exclude-dir=data --exclude-dir=build | sort)
-  own=${2:+$(grep -E "^($2)$" <<< "$all")}
-  row tests "$(grep -E '^tests/(.*/)?[^/]*Test\.cpp$' <<< "$all" | grep -vE '^tests/(e2e|bench)/' |
-    awk -v own="$own" '$0 == own { print; next } { rest[++n] = $0 } END { for (i = 1; i <= n; ++i) print rest[i] }' | list 9)"
+# Files that name something: pattern; folder of tests.
+naming() {
+  grep -rlE "$1" "$2" --include='*.cpp' --include='*.h' --include='*.sh' --include='*.bash' --include='*.mjs' --exclude-dir=data \
+    --exclude-dir=build | sort
+}
+# Unit tests of parts: those beside them and those that include them; without the one given.
+testsOfParts() {
+  local piece test
+  for piece in ${pieces[@]+"${pieces[@]}"}; do
+    test=tests/${piece#src/} test=${test%.h}Test.cpp
+    [[ ! -e $test ]] || echo "$test"
+    grep -rlF "#include \"${piece#src/}\"" tests --include='*Test.cpp' | sort
+  done | grep -vxF "${1:-none}" | awk '!seen[$0]++'
+}
+tests() { # pattern of what tests name it by; its own test; folder of tests [tests]; pattern of a line that its unit tests have
+  local all own unit
+  all=$(naming "$1" "${3:-tests}")
+  own=${2:+$(grep -xE "$2" <<< "$all")}
+  unit=$(grep -E '^tests/(.*/)?[^/]*Test\.cpp$' <<< "$all" | grep -vE '^tests/(e2e|bench)/')
+  [[ ! ${4-} || ! $unit ]] || unit=$(xargs grep -lE "$4" <<< "$unit")
+  row tests "$(printf '%s\n' "$own" "$unit" | awk 'NF && !seen[$0]++' | list 9)"
   # Situations and other data that its own tests read.
   [[ ! $own ]] || row '' "$(grep -hoE '"tests/data/[a-z/]+' $own | tr -d '"' | sed 's#/$##' | sort -u | list 4)"
+  row "  of parts" "$(testsOfParts "$own" | grep -vxF "${unit:-none}" | list 9)"
   row end-to-end "$(grep -E '^tests/e2e/' <<< "$all" | list 6)"
   row benchmarks "$(grep -E '^tests/bench/' <<< "$all" | list 3)"
 }
 pages() { # pattern; the page of its kind; module: without those that name modules as examples
   local all
   all=$({ grep -rcE "$1" doc/reference doc/how-to doc/tutorials --include='*.md' 2> /dev/null |
-    grep -vE "(parameters|glossary${3:+|framework|modules-cfg|platforms|add-[a-z-]*})\\.md:|:0\$" | sort -t : -k2,2nr -k1,1 | cut -d : -f 1 | head -3; [[ ! -e $2 ]] || echo "$2"; } | awk '!seen[$0]++' | list 4)
+    grep -vE "(parameters|glossary${3:+|framework|modules-cfg|platforms|find-a-fault|debug-a-running-agent|log-and-replay|add-[a-z-]*})\\.md:|:0\$" | sort -t : -k2,2nr -k1,1 | cut -d : -f 1 | head -3; [[ ! -e $2 ]] || echo "$2"; } | awk '!seen[$0]++' | list 4)
   row page "$all"
 }
 source_() { # files
@@ -152,17 +175,26 @@ data() { # files; "none" is an answer, too
   text=$(printf '%s\n' "$@" | awk 'NF && !seen[$0]++' | list 9)
   row data "${text:-none}"
 }
-# The comment above a module's declaration: what it does.
-purpose() {
-  awk '/^ *\/\/\/ / { sub(/^ *\/\/\/ */, ""); text = text (text == "" ? "" : " ") $0; next }
-    /^MODULE\(|^class / { if (text != "") { print text; exit } }
+# The comment above a module's declaration, or that of a class: what it does.
+purpose() { # header; class
+  awk -v wanted="${2+^(class|struct|enum class) $2( |\$)}" '/^ *\/\/\/ / { sub(/^ *\/\/\/ */, ""); text = text (text == "" ? "" : " ") $0; next }
+    (wanted == "" && /^(MODULE\(|class )/) || (wanted != "" && $0 ~ wanted) { if (text != "") { print text; exit } }
     { text = "" }' "$1"
 }
-# Headers of a module's own parts: what it includes from a folder beside it, or from a library that is not common to all.
+# Headers of a module's own parts: what it includes that is no module and is not common to all, from its area or a library.
 parts() {
-  cat "$@" 2> /dev/null | sed -nE 's/^#include "([^"]*)".*/\1/p' |
-    grep -vE "^(representations|framework|math|field|parameters|robot|motion)/|^modules/[^/]*/[^/]*$" |
-    while read -r header; do [[ -e src/$header && " $* " != *" src/$header "* ]] && echo "src/$header"; done | awk '!seen[$0]++'
+  cat "$@" 2> /dev/null | sed -nE 's/^#include "([^"]*)".*/\1/p' | grep -vE "^(representations|framework|math|field|parameters|robot|motion)/" |
+    while read -r header; do
+      [[ -e src/$header && " $* " != *" src/$header "* ]] && ! grep -qE '^MODULE\(|OutputBase\(' "src/$header" && echo "src/$header"
+    done | awk '!seen[$0]++'
+}
+# Files of the configuration that sources read.
+reads() {
+  grep -hoE 'config\.file\("[a-z_]+(/"|"\))|readWalkGaits\(config|readMotions\(config' "$@" 2> /dev/null |
+    sed -E 's/.*"(.*)".*/\1/; s/readWalk.*/walking/; s/readMotions.*/motions\//' | sort -u | while read -r read; do
+      if [[ $read == */ ]]; then find config -type d -path "*/${read%/}" | sed 's#$#/#'
+      else find config -maxdepth 3 -name "$read.yaml" | grep -vE '^config/(walks|optimisation)/'; fi
+    done | sort
 }
 
 about() { # kind, name, files
@@ -184,14 +216,11 @@ about() { # kind, name, files
       text=$(parametersOf "$stem")
       text=${text:-$(declared "$file")}
       row parameters "${text:-none}"
-      # Its own file, others that it reads, and where modules.cfg names it.
-      mapfile -t files < <(find config -name "$stem.yaml" | sort
-        grep -hoE 'config\.file\("[a-z_]+"\)|readWalkGaits\(config|readMotions\(config' "${file%.*}.cpp" 2> /dev/null |
-          sed -E 's/.*"(.*)".*/\1.yaml/; s/readWalk.*/walking.yaml/; s/readMotions.*/motions/' | while read -r read; do find config -name "$read"; done | sort)
+      # Its own file, and what it and its parts read.
+      mapfile -t files < <(find config -name "$stem.yaml" | sort; reads "${file%.*}.cpp" "${pieces[@]/%.h/.cpp}")
       data "${files[@]}"
       row "runs by" "$(grep -rlE "^ *$name( |\$)" config --include='*.cfg' | sort | list 6)"
-      tests "\b$stem\b" "tests/$(dirname "${file#src/}")/${stem}Test.cpp"
-      row "  of parts" "$(for piece in "${pieces[@]}"; do piece=tests/${piece#src/} && [[ -e ${piece%.h}Test.cpp ]] && echo "${piece%.h}Test.cpp"; done | list 8)"
+      tests "\b$stem\b" "tests/$(dirname "${file#src/}")/${stem}Test.cpp" '' "^#include \".*/$stem\.h\"|ModuleHarness<(.*::)?$stem>"
       text=$(pages "\b$stem\b" "" module)
       echo "${text:-  page        none: what it does stands above; doc/how-to/add-a-module.md says how one is made}"
       ;;
@@ -200,7 +229,16 @@ about() { # kind, name, files
       row "provided by" "$(with PROVIDES "$name")"
       row "required by" "$(with '(REQUIRES|USES|REQUIRES_IF_PROVIDED)' "$name")"
       tests "\b$name\b" ''
-      pages "\b$name\b" doc/how-to/add-a-module.md
+      text=$(grep -rlE "^ *PROVIDES\($name\)" src/modules --include='*.h' | sed 's#.*/##; s#\.h$##' | paste -sd '|')
+      pages "\b($name${text:+|$text})\b" doc/how-to/add-a-module.md
+      ;;
+    class)
+      row does "$(purpose "$file" "$exact")"
+      source_ "$file"
+      row "included by" "$(grep -rlF "#include \"${file#src/}\"" src | grep -vxF "${file%.h}.cpp" | sort | list 9)"
+      row parameters "$(declared "$file")"
+      tests "#include \"${file#src/}\"" "$(sed 's#^src/#tests/#; s#\.h$#Test.cpp#' <<< "$file")"
+      pages "\b$name\b" ""
       ;;
     motion | skill)
       stem=$(sed -nE 's/.*[ (](\w+)OutputBase\(.*/\1Output/p' "$file" | head -1)
@@ -211,10 +249,20 @@ about() { # kind, name, files
     "keyframe motion" | "excitation program")
       text=doc/how-to/add-a-motion.md stem="src/motion/, src/modules/motion/"
       [[ $kind == key* ]] || text=doc/reference/excitation-programs.md stem=src/gap/record/
-      data "${all[@]}"
+      mapfile -t files < <(ls "config/optimisation/$name.yaml" 2> /dev/null)
+      data "${all[@]}" "${files[@]}"
       row source "$stem"
+      if [[ $kind == key* ]]; then
+        stem=SpecialActions
+        ! grep -qE '^(kick|ball):' "$file" || stem=KickMotion
+        row "played by" "$stem (scripts/where.sh $stem)"
+        row parameters "none: its times, angles and keys stand in its files ($text)"
+      fi
+      # A name of two words is no common word.
+      [[ ! $name =~ [a-z][A-Z] ]] || word="\\b$name\\b"
       tests "$word" ''
       pages "\b$name\b" "$text"
+      row results "$(grep -rlE "\b$name\b" doc/results 2> /dev/null | grep -v diary | sort | list 4)"
       ;;
     robot)
       mapfile -t files < <(find "config/robots/${name#simspark_}" -type f 2> /dev/null | sort)

@@ -90,7 +90,13 @@ scripts/check_floors.sh || fail "a module with its test refused"
 mkdir -p config/{modules,motions,robots/type0} doc/reference tests/e2e src/representations/perception
 mkdir -p {src,tests}/modules/perception/eye
 sed -i '/^MODULE/i #include "modules/perception/eye/Lens.h"\n\n/// Sees what\n/// is far.' src/modules/perception/Seer.h
-touch src/modules/perception/eye/Lens.h tests/modules/perception/eye/LensTest.cpp
+printf '/// Bends light.\nclass Lens {};\n' > src/modules/perception/eye/Lens.h
+printf '#include "modules/perception/eye/Lens.h"\n' |
+  tee tests/modules/perception/eye/LensTest.cpp > tests/modules/perception/ViewTest.cpp
+printf '// As Seer does.\n' > tests/modules/perception/OtherTest.cpp
+printf 'config.file("worlds/" + name); config.file("glasses")\n' > src/modules/perception/Seer.cpp
+mkdir -p config/worlds config/walks/type0
+touch config/glasses.yaml config/walks/type0/glasses.yaml
 printf 'far: 2\n' | tee config/Seer.yaml > config/robots/type0/Seer.yaml
 printf 'Seer Sight\n' > config/modules/perception.cfg
 printf '## Seer\n\n| `focus` | double | 0.5 | m | 0 … 1 | of the eye |\n' > doc/reference/parameters.md
@@ -108,13 +114,13 @@ expect "where: a module" "$text" 'module Seer
   requires    Picture, all Eye, Glance (of the cycle before), Lamp (if provided)
   provides    Sight
   parameters  focus=0.5 m
-  data        config/Seer.yaml, config/robots/type0/Seer.yaml
+  data        config/Seer.yaml, config/robots/type0/Seer.yaml, config/glasses.yaml, config/worlds/
   runs by     config/modules/perception.cfg
   tests       tests/modules/perception/SeerTest.cpp
+    of parts  tests/modules/perception/eye/LensTest.cpp, tests/modules/perception/ViewTest.cpp
   end-to-end  tests/e2e/see.sh
-    of parts  tests/modules/perception/eye/LensTest.cpp
   page        doc/reference/seeing.md'
-rm doc/reference/seeing.md config/Seer.yaml config/robots/type0/Seer.yaml
+rm -r doc/reference/seeing.md config/Seer.yaml config/robots/type0/Seer.yaml config/{glasses.yaml,worlds,walks}
 contains "where: what there is not" "$(scripts/where.sh Seer)" "  data        none
 "
 contains "where: no page" "$(scripts/where.sh Seer)" "  page        none: what it does stands above; doc/how-to/add-a-module.md says how one is made"
@@ -129,10 +135,16 @@ contains "where: what registers itself" "$(scripts/where.sh hill-climb)" "optimi
 text=$(scripts/where.sh Seher 2>&1)
 expect "where: no such name: status" $? 2
 expect "where: no such name" "$text" 'where.sh: nothing is called "Seher"; did you mean Seer?'
-expect "where: nothing near" "$(scripts/where.sh Quaternion 2>&1)" 'where.sh: nothing is called "Quaternion"'
+expect "where: nothing near" "$(scripts/where.sh Quaternion 2>&1)" 'where.sh: nothing is called "Quaternion"; see the map in doc/architecture.md'
+expect "where: a word in common" "$(scripts/where.sh HillStart 2>&1)" 'where.sh: nothing is called "HillStart"; did you mean hill-climb?'
+expect "where: a class of a library" "$(scripts/where.sh lens)" 'class Lens
+  does        Bends light.
+  source      src/modules/perception/eye/Lens.h
+  included by src/modules/perception/Seer.h
+  tests       tests/modules/perception/eye/LensTest.cpp, tests/modules/perception/ViewTest.cpp'
 expect "where: no name" "$(scripts/where.sh 2>&1)" 'where.sh: give a NAME; see where.sh --help'
 expect "where: an option" "$(scripts/where.sh --foo 2>&1)" 'where.sh: no option --foo; see where.sh --help'
-rm -r src/modules/perception/{Seer.h,eye} tests/modules tests/e2e config/{modules,motions,robots} src/representations src/math/Climb.cpp
+rm -r src/modules/perception/{Seer.h,Seer.cpp,eye} tests/modules tests/e2e config/{modules,motions,robots} src/representations src/math/Climb.cpp
 
 # Sizes.
 scripts/check_sizes.sh > /dev/null || fail "short files refused"
