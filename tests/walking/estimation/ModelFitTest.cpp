@@ -87,6 +87,18 @@ TEST(ModelFit, whatOnlyPredictsIsNotHeldToTheWalk) {
   EXPECT_EQ(again.prediction.values(), result.prediction.values());
 }
 
+TEST(ModelFit, anOffsetOfTheMassStaysWithinFourCentimetres) {
+  // The robot's is farther out to either side than any that is looked for.
+  for (const double side : {-1, 1}) {
+    ModelParameters truth, near;
+    truth.massOffsetY = 0.08 * side;
+    near.massOffsetY = 0.035 * side;
+    const ModelFitResult result = fitModel(stepsOf(truth, 30, 0), {}, {.prediction = near, .plan = false});
+    ASSERT_TRUE(result.predicts);
+    EXPECT_NEAR(result.prediction.massOffsetY, 0.04 * side, 0.001);
+  }
+}
+
 TEST(ModelFit, doesNoHarmWhereThereIsNone) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const auto steps = stepsOf({}, 30, 0.002, seed);
