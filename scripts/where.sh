@@ -87,11 +87,12 @@ if [[ ! $found ]]; then
       d = distance(tolower(name), tolower($0))
       if (length(name) > 3 && index(tolower($0), tolower(name))) d = 1
       if (d <= (length(name) < 3 ? 1 : length(name) / 3)) print d "\t" $0
-    }' | sort -n -k1,1 -k2 | cut -f 2 | list 5)
+    }' | sort -n -k1,1 -k2 | cut -f 2)
   # Names that share a word with it.
-  [[ $near ]] || near=$(sed -E 's/([a-z0-9])([A-Z])/\1 \2/g; s/[_-]/ /g' <<< "$name" | tr ' ' '\n' | grep -E '.{3}' | while read -r word; do
+  words=$(sed -E 's/([a-z0-9])([A-Z])/\1 \2/g; s/[_-]/ /g' <<< "$name" | tr ' ' '\n' | grep -E '.{3}' | while read -r word; do
     { cut -f 2 <<< "$index"; find src -name '*.h' | sed 's#.*/##; s#\.h$##'; } | grep -i -F "$word" | sort -u
-  done | sort | uniq -c | sort -k1,1nr -k2 | awk 'NR == 1 { most = $1 } $1 == most { print $2 }' | list 5)
+  done | sort | uniq -c | sort -k1,1nr -k2 | awk 'NR == 1 { most = $1 } $1 == most { print $2 }')
+  near=$(printf '%s\n' "$near" "$words" | awk 'NF && !seen[$0]++' | list 7)
   text="see the map in doc/architecture.md"
   [[ ! $near ]] || text="did you mean $near?"
   echo "where.sh: nothing is called \"$name\"; $text" >&2
@@ -139,19 +140,26 @@ naming() {
 }
 # Unit tests of parts: those beside them and those that include them; without the one given.
 testsOfParts() {
-  local piece test
+  local piece test base
   for piece in ${pieces[@]+"${pieces[@]}"}; do
     test=tests/${piece#src/} test=${test%.h}Test.cpp
     [[ ! -e $test ]] || echo "$test"
-    grep -rlF "#include \"${piece#src/}\"" tests --include='*Test.cpp' | sort
+    # What is common to many is tested in its own folder.
+    base=tests/$(cut -d/ -f2 <<< "$piece")
+    [[ ! -d $base ]] || grep -rlF "#include \"${piece#src/}\"" "$base" --include='*Test.cpp' | sort
   done | grep -vxF "${1:-none}" | awk '!seen[$0]++'
 }
-tests() { # pattern of what tests name it by; its own test; folder of tests [tests]; pattern of a line that its unit tests have
+# Pattern of what tests name it by; its own test; folder of tests [tests]; pattern of a line that its unit tests have; folder of
+# those that come first.
+tests() {
   local all own unit
   all=$(naming "$1" "${3:-tests}")
   own=${2:+$(grep -xE "$2" <<< "$all")}
   unit=$(grep -E '^tests/(.*/)?[^/]*Test\.cpp$' <<< "$all" | grep -vE '^tests/(e2e|bench)/')
   [[ ! ${4-} || ! $unit ]] || unit=$(xargs grep -lE "$4" <<< "$unit")
+  # Those of the source's folder first, then by how often they name it.
+  unit=$({ grep -E "^${5:-none}/" <<< "$unit"
+    xargs -r grep -HcE "$1" <<< "$unit" | sort -t : -k2,2nr -k1,1 | cut -d : -f 1; } | awk 'NF && !seen[$0]++')
   row tests "$(printf '%s\n' "$own" "$unit" | awk 'NF && !seen[$0]++' | list 9)"
   # Situations and other data that its own tests read.
   [[ ! $own ]] || row '' "$(grep -hoE '"tests/data/[a-z/]+' $own | tr -d '"' | sed 's#/$##' | sort -u | list 4)"
@@ -177,7 +185,7 @@ data() { # files; "none" is an answer, too
 }
 # The comment above a module's declaration, or that of a class: what it does.
 purpose() { # header; class
-  awk -v wanted="${2+^(class|struct|enum class) $2( |\$)}" '/^ *\/\/\/ / { sub(/^ *\/\/\/ */, ""); text = text (text == "" ? "" : " ") $0; next }
+  awk -v wanted="${2+^(class|struct|enum class) $2( |\$)}" '/^ *\/\/\/( |$)/ { if (!/^ *\/\/\/  /) { sub(/^ *\/\/\/ */, ""); text = text (text == "" || $0 == "" ? "" : " ") $0 }; next }
     (wanted == "" && /^(MODULE\(|class )/) || (wanted != "" && $0 ~ wanted) { if (text != "") { print text; exit } }
     { text = "" }' "$1"
 }
@@ -276,7 +284,7 @@ about() { # kind, name, files
       row value "$(ofFile "$file")"
       text=tests
       [[ $kind == effect ]] || text=tests/simulation
-      tests "\"$name\"|\b$(basename "$file" .cpp | sed 's/^./\L&/')\b" '' "$text"
+      tests "\"$name\"|\b$(basename "$file" .cpp | sed 's/^./\L&/')\b" '' "$text" '' "tests/$(dirname "${file#src/}")"
       pages "\b$name\b" doc/how-to/add-an-effect.md
       ;;
     *)

@@ -14,7 +14,8 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double farthest = 1;    // step of a value, in the logarithm of its strength
+constexpr double farthest = 1;  // step of a value, in the logarithm of its strength
+constexpr double firstDamping = 1e-2;
 constexpr double settled = 0.05;  // gain of log density below which derivatives lead nowhere
 /// Strides of a sweep, in the logarithm of a strength: 2, 1.26 and 1.08 times.
 constexpr std::array sweepStrides = {0.7, 0.233, 0.078};
@@ -38,7 +39,9 @@ public:
       const double before = fitted_.density;
       linearise();
       stepByDerivatives();
-      if (fitted_.density - before < settled && !sweep(sweepStrides.size())) break;
+      if (fitted_.density - before >= settled) continue;
+      if (!sweep(sweepStrides.size())) break;
+      damping_ = firstDamping;  // failed steps said nothing of the place that the sweep led to
     }
     linearise();
     return std::move(fitted_);
@@ -126,7 +129,7 @@ private:
   Fitted fitted_;
   Residuals here_;           ///< of the present values
   bool linearised_ = false;  ///< the derivatives are those of the present values
-  double damping_ = 1e-2;
+  double damping_ = firstDamping;
 };
 
 }  // namespace
