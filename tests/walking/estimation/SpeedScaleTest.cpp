@@ -25,6 +25,19 @@ TEST(SpeedScaleTest, theRobotComesToWalkAsItIsToWalk) {
   EXPECT_NEAR(scale.planned(Vec3(-0.1, 0, 0)).x(), -0.1 / 1.1, 0.001);
 }
 
+TEST(SpeedScaleTest, aSecondAtALowSpeedCountsAboutHalf) {
+  // 0.1 m/s and 0.4 rad/s, a fifth faster than planned: after a second (and what does not count) nearly half
+  // of that is believed, since slower is planned meanwhile.
+  const auto believed = [](const Vec3& aimed, int axis) {
+    SpeedScale scale;
+    walk(scale, aimed, Vec3::Constant(1.2), 1.6, 1e9);
+    return aimed[axis] / scale.planned(aimed)[axis];
+  };
+  EXPECT_NEAR(believed(Vec3(0.1, 0, 0), 0), 1.095, 0.003);
+  EXPECT_NEAR(believed(Vec3(0, -0.1, 0), 1), 1.095, 0.003);
+  EXPECT_NEAR(believed(Vec3(0, 0, 0.4), 2), 1.095, 0.003);
+}
+
 TEST(SpeedScaleTest, nothingIsLearntWhileTheSpeedChangesOrWhereItIsNotAskedFor) {
   SpeedScale scale;
   for (int i = 0; i < 100; ++i) walk(scale, Vec3(0.2 + 0.001 * i, 0, 0), Vec3(1.2, 1, 1), 0.5);
