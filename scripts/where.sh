@@ -64,12 +64,17 @@ list() {
     END { if (NR > most) text = text " and " (NR - most) " more"; if (NR) print text }'
 }
 index=$(everything)
-found=$(awk -F '\t' -v name="$name" '$2 == name' <<< "$index")
-[[ $found ]] || found=$(awk -F '\t' -v name="$name" 'tolower($2) == tolower(name)' <<< "$index")
-# Else what a library's header is named after, with or without the case.
-[[ $found ]] || found=$(find src -iname "$name.h" | sort | sed -E 's#(.*/([^/]*)\.h)#class\t\2\t\1#')
+# What headers are named after.
+classes() { find src -name '*.h' | sort | sed -E 's#(.*/([^/]*)\.h)#class\t\2\t\1#'; }
+# The lines that have the name, or else that have it in another case.
+named() {
+  awk -F '\t' -v name="$name" '$2 == name' <<< "$1" | grep . || awk -F '\t' -v name="$name" 'tolower($2) == tolower(name)' <<< "$1"
+}
+found=$(named "$index")
+[[ $found ]] || found=$(named "$(classes)")
 if [[ ! $found ]]; then
-  near=$({ cut -f 2 <<< "$index"; find src -name '*.h' | sed 's#.*/##; s#\.h$##'; } | sort -u | awk -v name="$name" '
+  names=$({ echo "$index"; classes; } | cut -f 2 | sort -u)
+  near=$(awk -v name="$name" '
     function distance(a, b,   i, j, d, c) {
       for (j = 0; j <= length(b); ++j) d[0, j] = j
       for (i = 1; i <= length(a); ++i) {
@@ -87,15 +92,14 @@ if [[ ! $found ]]; then
       d = distance(tolower(name), tolower($0))
       if (length(name) > 3 && index(tolower($0), tolower(name))) d = 1
       if (d <= (length(name) < 3 ? 1 : length(name) / 3)) print d "\t" $0
-    }' | sort -n -k1,1 -k2 | cut -f 2)
+    }' <<< "$names" | sort -n -k1,1 -k2 | cut -f 2)
   # Names that share a word with it.
   words=$(sed -E 's/([a-z0-9])([A-Z])/\1 \2/g; s/[_-]/ /g' <<< "$name" | tr ' ' '\n' | grep -E '.{3}' | while read -r word; do
-    { cut -f 2 <<< "$index"; find src -name '*.h' | sed 's#.*/##; s#\.h$##'; } | grep -i -F "$word" | sort -u
+    grep -iF -- "$word" <<< "$names"
   done | sort | uniq -c | sort -k1,1nr -k2 | awk 'NR == 1 { most = $1 } $1 == most { print $2 }')
   near=$(printf '%s\n' "$near" "$words" | awk 'NF && !seen[$0]++' | list 7)
-  text="see the map in doc/architecture.md"
-  [[ ! $near ]] || text="did you mean $near?"
-  echo "where.sh: nothing is called \"$name\"; $text" >&2
+  [[ ! $near ]] || near="did you mean $near?"
+  echo "where.sh: nothing is called \"$name\"; ${near:-see the map in doc/architecture.md}" >&2
   exit 2
 fi
 
@@ -138,21 +142,21 @@ naming() {
   grep -rlE "$1" "$2" --include='*.cpp' --include='*.h' --include='*.sh' --include='*.bash' --include='*.mjs' --exclude-dir=data \
     --exclude-dir=build | sort
 }
-# Unit tests of parts: those beside them and those that include them; without the one given.
+# Unit tests of parts (headers): those beside them and those that include them.
 testsOfParts() {
   local piece test base
-  for piece in ${pieces[@]+"${pieces[@]}"}; do
+  for piece; do
     test=tests/${piece#src/} test=${test%.h}Test.cpp
     [[ ! -e $test ]] || echo "$test"
     # What is common to many is tested in its own folder.
     base=tests/$(cut -d/ -f2 <<< "$piece")
     [[ ! -d $base ]] || grep -rlF "#include \"${piece#src/}\"" "$base" --include='*Test.cpp' | sort
-  done | grep -vxF "${1:-none}" | awk '!seen[$0]++'
+  done | awk '!seen[$0]++'
 }
 # Pattern of what tests name it by; its own test; folder of tests [tests]; pattern of a line that its unit tests have; folder of
-# those that come first.
+# those that come first; its parts.
 tests() {
-  local all own unit
+  local all own unit parts=("${@:6}")
   all=$(naming "$1" "${3:-tests}")
   own=${2:+$(grep -xE "$2" <<< "$all")}
   unit=$(grep -E '^tests/(.*/)?[^/]*Test\.cpp$' <<< "$all" | grep -vE '^tests/(e2e|bench)/')
@@ -160,17 +164,18 @@ tests() {
   # Those of the source's folder first, then by how often they name it.
   unit=$({ grep -E "^${5:-none}/" <<< "$unit"
     xargs -r grep -HcE "$1" <<< "$unit" | sort -t : -k2,2nr -k1,1 | cut -d : -f 1; } | awk 'NF && !seen[$0]++')
-  row tests "$(printf '%s\n' "$own" "$unit" | awk 'NF && !seen[$0]++' | list 9)"
+  unit=$(printf '%s\n' "$own" "$unit" | awk 'NF && !seen[$0]++')
+  row tests "$(list 9 <<< "$unit")"
   # Situations and other data that its own tests read.
   [[ ! $own ]] || row '' "$(grep -hoE '"tests/data/[a-z/]+' $own | tr -d '"' | sed 's#/$##' | sort -u | list 4)"
-  row "  of parts" "$(testsOfParts "$own" | grep -vxF "${unit:-none}" | list 9)"
+  row "  of parts" "$(testsOfParts "${parts[@]}" | grep -vxF "${unit:-none}" | list 9)"
   row end-to-end "$(grep -E '^tests/e2e/' <<< "$all" | list 6)"
   row benchmarks "$(grep -E '^tests/bench/' <<< "$all" | list 3)"
 }
 pages() { # pattern; the page of its kind; module: without those that name modules as examples
-  local all
+  local all examples="framework|modules-cfg|platforms|find-a-fault|debug-a-running-agent|log-and-replay|add-[a-z-]*"
   all=$({ grep -rcE "$1" doc/reference doc/how-to doc/tutorials --include='*.md' 2> /dev/null |
-    grep -vE "(parameters|glossary${3:+|framework|modules-cfg|platforms|find-a-fault|debug-a-running-agent|log-and-replay|add-[a-z-]*})\\.md:|:0\$" | sort -t : -k2,2nr -k1,1 | cut -d : -f 1 | head -3; [[ ! -e $2 ]] || echo "$2"; } | awk '!seen[$0]++' | list 4)
+    grep -vE "(parameters|glossary${3:+|$examples})\\.md:|:0\$" | sort -t : -k2,2nr -k1,1 | cut -d : -f 1 | head -3; [[ ! -e $2 ]] || echo "$2"; } | awk '!seen[$0]++' | list 4)
   row page "$all"
 }
 source_() { # files
@@ -185,8 +190,10 @@ data() { # files; "none" is an answer, too
 }
 # The comment above a module's declaration, or that of a class: what it does.
 purpose() { # header; class
-  awk -v wanted="${2+^(class|struct|enum class) $2( |\$)}" '/^ *\/\/\/( |$)/ { if (!/^ *\/\/\/  /) { sub(/^ *\/\/\/ */, ""); text = text (text == "" || $0 == "" ? "" : " ") $0 }; next }
-    (wanted == "" && /^(MODULE\(|class )/) || (wanted != "" && $0 ~ wanted) { if (text != "") { print text; exit } }
+  awk -v wanted="${2+^(class|struct|enum class) $2( |\$)}" '
+    /^ *\/\/\/  / { next }  # an example
+    /^ *\/\/\/( |$)/ { sub(/^ *\/\/\/ */, ""); text = text (text == "" || $0 == "" ? "" : " ") $0; next }
+    (wanted == "" ? /^(MODULE\(|class )/ : $0 ~ wanted) && text != "" { print text; exit }
     { text = "" }' "$1"
 }
 # Headers of a module's own parts: what it includes that is no module and is not common to all, from its area or a library.
@@ -228,7 +235,7 @@ about() { # kind, name, files
       mapfile -t files < <(find config -name "$stem.yaml" | sort; reads "${file%.*}.cpp" "${pieces[@]/%.h/.cpp}")
       data "${files[@]}"
       row "runs by" "$(grep -rlE "^ *$name( |\$)" config --include='*.cfg' | sort | list 6)"
-      tests "\b$stem\b" "tests/$(dirname "${file#src/}")/${stem}Test.cpp" '' "^#include \".*/$stem\.h\"|ModuleHarness<(.*::)?$stem>"
+      tests "\b$stem\b" "tests/$(dirname "${file#src/}")/${stem}Test.cpp" '' "^#include \".*/$stem\.h\"|ModuleHarness<(.*::)?$stem>" '' "${pieces[@]}"
       text=$(pages "\b$stem\b" "" module)
       echo "${text:-  page        none: what it does stands above; doc/how-to/add-a-module.md says how one is made}"
       ;;
@@ -257,7 +264,8 @@ about() { # kind, name, files
     "keyframe motion" | "excitation program")
       text=doc/how-to/add-a-motion.md stem="src/motion/, src/modules/motion/"
       [[ $kind == key* ]] || text=doc/reference/excitation-programs.md stem=src/gap/record/
-      mapfile -t files < <(ls "config/optimisation/$name.yaml" 2> /dev/null)
+      files=("config/optimisation/$name.yaml")
+      [[ -e ${files[0]} ]] || files=()
       data "${all[@]}" "${files[@]}"
       row source "$stem"
       if [[ $kind == key* ]]; then

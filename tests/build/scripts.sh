@@ -136,6 +136,7 @@ text=$(scripts/where.sh Seher 2>&1)
 expect "where: no such name: status" $? 2
 expect "where: no such name" "$text" 'where.sh: nothing is called "Seher"; did you mean Seer?'
 expect "where: nothing near" "$(scripts/where.sh Quaternion 2>&1)" 'where.sh: nothing is called "Quaternion"; see the map in doc/architecture.md'
+expect "where: a name is no pattern" "$(scripts/where.sh '*' 2>&1)" 'where.sh: nothing is called "*"; see the map in doc/architecture.md'
 expect "where: a word in common" "$(scripts/where.sh HillStart 2>&1)" 'where.sh: nothing is called "HillStart"; did you mean hill-climb?'
 expect "where: a class of a library" "$(scripts/where.sh lens)" 'class Lens
   does        Bends light.

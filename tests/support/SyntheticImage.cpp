@@ -82,14 +82,6 @@ Pose3 headOverGround(double headYaw, double headPitch, double height) {
 
 Pose3 onField(const Pose2& place) { return translation(place.x(), place.y(), 0) * rotationZ(place.heading); }
 
-PolarPoint polarPoint(const simspark::Polar& polar) {
-  PolarPoint point;
-  point.distance = polar.distance;
-  point.azimuth = polar.azimuth;
-  point.elevation = polar.elevation;
-  return point;
-}
-
 FieldView fieldView(const simspark::See& see, const Pose3& T_ground_head, const VisionNoise& noise) {
   FieldView view;
   const auto project = [&](const simspark::Polar& p) {

@@ -6,7 +6,6 @@
 #include "math/Random.h"
 #include "math/Types.h"
 #include "modules/modeling/selflocator/FieldView.h"
-#include "representations/perception/PolarPercepts.h"
 #include "simspark/ServerMessage.h"
 
 namespace plumbline::test {
@@ -34,9 +33,6 @@ private:
 /// Head pose of a robot that stands at a place of the field with this head yaw, and the same from the robot.
 Pose3 headOverGround(double headYaw = 0, double headPitch = 0, double height = 0.54);
 Pose3 onField(const Pose2& place);
-
-/// A seen point as modules get it.
-PolarPoint polarPoint(const simspark::Polar& polar);
 
 /// The same image as the self-localisation takes it.
 FieldView fieldView(const simspark::See& see, const Pose3& T_ground_head, const VisionNoise& noise = {});

@@ -14,9 +14,9 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double farthest = 1;  // step of a value, in the logarithm of its strength
-constexpr double firstDamping = 1e-2;
-constexpr double settled = 0.05;  // gain of log density below which derivatives lead nowhere
+constexpr double farthest = 1;         // step of a value, in the logarithm of its strength
+constexpr double firstDamping = 1e-2;  // of a step: share of the information that is added to it
+constexpr double settled = 0.05;       // gain of log density below which derivatives lead nowhere
 /// Strides of a sweep, in the logarithm of a strength: 2, 1.26 and 1.08 times.
 constexpr std::array sweepStrides = {0.7, 0.233, 0.078};
 

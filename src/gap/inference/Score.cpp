@@ -12,28 +12,26 @@ namespace {
 
 constexpr double farthest = 1;  // step of a value when a group is left out, in the logarithm of its strength
 
-/// Values that the other groups are likeliest under, by one Newton step. Where a joint sticks and slips,
-/// derivatives may lead far astray: the step is halved, at most twice, until it is likelier there, or not
-/// taken.
-Explanation steppedWithout(const Replayer& replayer, const Shares& shares, const Fitted& fitted,
-                           std::size_t left) {
+/// Values that these groups are likeliest under, by one Newton step from those of all. Where a joint sticks
+/// and slips, derivatives may lead far astray: a step to where these groups are less likely is halved, at
+/// most twice, and else not taken.
+Explanation stepTowards(const Replayer& replayer, const Shares& shares, const Fitted& fitted,
+                        const std::vector<char>& groups) {
   const auto n = static_cast<Eigen::Index>(fitted.causes.size());
   Eigen::MatrixXd information = 1e-6 * Eigen::MatrixXd::Identity(n, n);
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n);
   for (std::size_t g = 0; g < fitted.information.size(); ++g) {
-    if (g == left) continue;
+    if (!groups[g]) continue;
     information += fitted.information[g];
     gradient += fitted.gradient[g];
   }
   Eigen::VectorXd way = information.llt().solve(gradient);
   way = way.cwiseMax(-farthest).cwiseMin(farthest);
-  std::vector<char> others(replayer.groups().count(), 1);
-  others[left] = 0;
-  const double here = densityOn(replayer, shares, fitted.causes, others);
+  const double here = densityOn(replayer, shares, fitted.causes, groups);
   const Eigen::VectorXd x = logStrengths(fitted.causes);
   for (const double part : {1.0, 0.5, 0.25}) {
     Explanation stepped = withLogStrengths(replayer.mechanism(), fitted.causes, x + part * way);
-    if (densityOn(replayer, shares, stepped, others) >= here) return stepped;
+    if (densityOn(replayer, shares, stepped, groups) >= here) return stepped;
   }
   return fitted.causes;
 }
@@ -62,7 +60,7 @@ Scored score(const Replayer& replayer, const Shares& shares, const Explanation& 
         causes = starts[g];
       causes = fit(replayer, shares, causes, mostSteps, others).causes;
     } else if (!causes.empty()) {
-      causes = steppedWithout(replayer, shares, scored.fitted, g);
+      causes = stepTowards(replayer, shares, scored.fitted, others);
     }
     scored.without.push_back(std::move(causes));
   }

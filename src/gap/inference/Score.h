@@ -19,7 +19,8 @@ struct Scored {
 /// Minus the log prior of so many causes out of so many kinds that are possible, all alike.
 double priceOf(std::size_t causes, std::size_t kinds);
 
-/// How the values without a group are found: by one Newton step from the fit to all, or fitted anew.
+/// How the values without a group are found: by one Newton step from the fit to all (halved, or not taken,
+/// where the other groups would be less likely), or fitted anew.
 enum class LeaveOut { newtonStep, refit };
 
 /// Fits the set to all groups under these shares, then leaves each group out in turn and replays it, free

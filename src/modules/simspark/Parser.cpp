@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "math/Angle.h"
+#include "modules/simspark/PolarPointOf.h"
 #include "simspark/LeagueRobots.h"
 #include "simspark/PerceptLimits.h"
 #include "simspark/ServerMessageParser.h"
@@ -18,14 +19,6 @@ namespace {
 constexpr double nominalCycle = 0.02;   ///< of SimSpark [s]
 constexpr double longestCycle = 0.5;    ///< a later message is of a new start [s]
 constexpr double shortestCycle = 1e-3;  ///< what comes sooner says nothing of the cycle's length [s]
-
-PolarPoint pointOf(const simspark::Polar& polar) {
-  PolarPoint point;
-  point.distance = polar.distance;
-  point.azimuth = polar.azimuth;
-  point.elevation = polar.elevation;
-  return point;
-}
 
 FootForceData forceOf(const std::optional<simspark::ForceReading>& reading) {
   FootForceData data;
@@ -133,7 +126,7 @@ void Parser::update(PolarBallPercept* thePolarBallPercept) {
   for (const simspark::SeenObject& object : message_.see->objects) {
     if (object.name != "B") continue;
     thePolarBallPercept->seen = true;
-    thePolarBallPercept->position = pointOf(object.position);
+    thePolarBallPercept->position = polarPointOf(object.position);
   }
 }
 
@@ -144,7 +137,7 @@ void Parser::update(PolarLandmarkPercept* thePolarLandmarkPercept) {
     if (object.name == "B") continue;
     PolarLandmark& landmark = thePolarLandmarkPercept->landmarks.emplace_back();
     landmark.name = object.name;
-    landmark.position = pointOf(object.position);
+    landmark.position = polarPointOf(object.position);
   }
 }
 
@@ -153,8 +146,8 @@ void Parser::update(PolarLinePercept* thePolarLinePercept) {
   if (!readable_ || !message_.see) return;
   for (const simspark::SeenLine& seen : message_.see->lines) {
     PolarLine& line = thePolarLinePercept->lines.emplace_back();
-    line.a = pointOf(seen.a);
-    line.b = pointOf(seen.b);
+    line.a = polarPointOf(seen.a);
+    line.b = polarPointOf(seen.b);
   }
 }
 
@@ -168,7 +161,7 @@ void Parser::update(PolarPlayerPercept* thePolarPlayerPercept) {
     for (const simspark::SeenBodyPart& part : seen.parts) {
       PolarBodyPart& bodyPart = player.parts.emplace_back();
       bodyPart.name = part.name;
-      bodyPart.position = pointOf(part.position);
+      bodyPart.position = polarPointOf(part.position);
     }
   }
 }

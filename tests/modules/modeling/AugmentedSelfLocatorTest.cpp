@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "modules/simspark/PolarPointOf.h"
 #include "support/ModuleHarness.h"
 #include "support/ScratchFolder.h"
 #include "support/SyntheticImage.h"
@@ -28,12 +29,12 @@ protected:
       landmarks.clear();
       for (const simspark::SeenObject& object : see.objects) {
         landmarks.emplace_back().name = object.name;
-        landmarks.back().position = test::polarPoint(object.position);
+        landmarks.back().position = polarPointOf(object.position);
       }
       lines.clear();
       for (const simspark::SeenLine& line : see.lines) {
-        lines.emplace_back().a = test::polarPoint(line.a);
-        lines.back().b = test::polarPoint(line.b);
+        lines.emplace_back().a = polarPointOf(line.a);
+        lines.back().b = polarPointOf(line.b);
       }
       image.newImage = true;
       harness.cycle();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "modules/simspark/PolarPointOf.h"
 #include "support/ModuleHarness.h"
 #include "support/SyntheticImage.h"
 
@@ -22,8 +23,8 @@ protected:
     for (const auto& line :
          test::SyntheticImage().see(test::onField(Pose2(-5, 0, 0)) * T_ground_head).lines) {
       PolarLine seen;
-      seen.a = test::polarPoint(line.a);
-      seen.b = test::polarPoint(line.b);
+      seen.a = polarPointOf(line.a);
+      seen.b = polarPointOf(line.b);
       harness.input<PolarLinePercept>().lines.push_back(seen);
     }
   }
