@@ -1,15 +1,13 @@
 #!/usr/bin/env bash
-# Before the compiler of each source. A bundle, a source that includes others, may fail because names in them meet:
-# then its halves are compiled, and so on, and their objects joined. So an error in a source is told as if there were
-# no bundles, and no name has to be unlike another file's.
+# Before the compiler of each source. A bundle is a source that includes others.
+# - It may fail because names in them meet: then its halves are compiled, and so on, and their objects joined. So an error in
+#   a source is told as if there were no bundles, and no name has to be unlike another file's.
+# - Where one of its sources alone was edited since it was built, that one and the others are compiled beside each other and
+#   joined. While the same one is edited, nothing else is compiled again.
 #   compile_bundle.sh COMPILER OPTION... -MD -MT X -MF DEPENDENCIES -o OBJECT -c SOURCE
 set -euo pipefail
 bundle=${*: -1}
 [[ $bundle == */Unity/unity_*.cxx ]] || exec "$@"
-if said=$("$@" 2>&1); then
-  [[ ! $said ]] || printf '%s\n' "$said"
-  exit 0
-fi
 command=("${@:1:$#-1}")
 for ((i = 0; i < ${#command[@]}; ++i)); do
   case ${command[i]} in
@@ -17,12 +15,70 @@ for ((i = 0; i < ${#command[@]}; ++i)); do
     -MF) dependenciesAt=$((i + 1)) dependencies=${command[i + 1]} ;;
   esac
 done
+mapfile -t sources < <(sed -n 's/^#include "\(.*\)"$/\1/p' "$bundle")
+edited=${object%.o}.edited # the parts of a bundle of which one source is edited
+
+# $1: object, $2: source; dependencies go beside the object.
+compileTo() {
+  local of=("${command[@]}")
+  of[at]=$1 of[dependenciesAt]=${1%.o}.d
+  "${of[@]}" "$2" 2>&1
+}
+
+# Joins objects, and says what they depend on. What was put together here is gone by the next build.
+join() {
+  if (($# == 1)); then mv -f "$1" "$object"; else ld -r -o "$object" "$@"; fi
+  sed 's#\([^ \\]\|\\.\)*\.part\.cxx##' "${@/%.o/.d}" > "$dependencies"
+}
+
+# Whether what the others were compiled from is as it was: the command, the sources and all that they include.
+othersAreCurrent() {
+  [[ -f $edited/others.o ]] && cmp -s "$edited/made.of" <(madeOf "$1") || return 1
+  local path
+  while read -r path; do
+    path=${path//$'\a'/ } # a space within a path
+    [[ $path == "" || $path == *: || $path == *.part.cxx ]] || [[ -f $path && ! $path -nt $edited/others.o ]] || return 1
+  done < <(sed -e 's/\\$//' -e 's/\\ /\a/g' "$edited/others.d" | tr ' ' '\n')
+}
+madeOf() { printf '%s\n' "${command[@]}" "${sources[@]}" "edited: $1"; }
+
+# $1: the source that was edited; returns 1 if the bundle has to be compiled as a whole.
+compileEdited() {
+  local one=$1 said=""
+  if ! othersAreCurrent "$one"; then
+    rm -rf "$edited"
+    mkdir "$edited"
+    printf '%s\n' "${sources[@]}" | grep -vxF "$one" | sed 's/.*/#include "&"/' > "$edited/others.part.cxx"
+    compileTo "$edited/others.o" "$edited/others.part.cxx" > "$edited/log" &
+  fi
+  said=$(compileTo "$edited/one.o" "$one") || {
+    printf '%s\n' "$said"
+    wait
+    rm -rf "$edited"
+    exit 1
+  }
+  wait -n || { (($? == 127)) || return 1; }
+  said+=$(cat "$edited/log" 2> /dev/null)
+  [[ ! $said ]] || printf '%s\n' "$said"
+  madeOf "$one" > "$edited/made.of"
+  join "$edited/others.o" "$edited/one.o"
+}
+
+if [[ -f $object ]] && ((${#sources[@]} > 1)); then
+  newer=()
+  for path in "${sources[@]}"; do [[ ! $path -nt $object ]] || newer+=("$path"); done
+  if ((${#newer[@]} == 1)) && compileEdited "${newer[0]}"; then exit; fi
+fi
+rm -rf "$edited"
+if said=$("$@" 2>&1); then
+  [[ ! $said ]] || printf '%s\n' "$said"
+  exit 0
+fi
 parts=() # objects that succeeded, each with its dependencies beside it
 
 compile() { # $1: what; prints what the compiler says
   local part=${object%.o}.${#parts[@]}.part.o
-  command[at]=$part command[dependenciesAt]=${part%.o}.d
-  "${command[@]}" "$1" 2>&1 || return 1
+  compileTo "$part" "$1" || return 1
   parts+=("$part")
 }
 
@@ -37,9 +93,6 @@ compileHalves() { # $1: the first of the sources, $2: how many, which do not go 
 }
 
 trap 'rm -f "${parts[@]}" "${parts[@]/%.o/.d}" "${bundle%.cxx}".part.*' EXIT
-mapfile -t sources < <(sed -n 's/^#include "\(.*\)"$/\1/p' "$bundle")
 compileHalves 0 ${#sources[@]} || exit
 echo "${bundle##*/}: in halves, as: $(grep -m 1 error <<< "$said")" >&2
-if ((${#parts[@]} == 1)); then mv -f "${parts[0]}" "$object"; else ld -r -o "$object" "${parts[@]}"; fi
-# What was put together here is gone by the next build.
-sed 's#\([^ \\]\|\\.\)*\.part\.cxx##' "${parts[@]/%.o/.d}" > "$dependencies"
+join "${parts[@]}"

@@ -22,6 +22,42 @@ builds SimRelease
 expect "changed source" "$(compiled)" "src/math 1"
 expect "its value" "$(bin/tool)" "two 4"
 
+# One source is edited: it is compiled, and the others once beside it.
+edit() { sed -i "s/return [0-9]*;/return $1;/" src/math/One.cpp; }
+parts() { stat -c '%n %y' "$(find build/SimRelease/cmake/src/math -name '*.edited')"/*.o; }
+edit 4
+builds SimRelease
+before=$(parts)
+expect "edited" "$(bin/tool)" "two 8"
+edit 5
+builds SimRelease
+expect "edited again" "$(bin/tool)" "two 10"
+expect "its others are as they were" "$(grep others <<< "$before")" "$(parts | grep others)"
+[[ $(grep one.o <<< "$before") != "$(parts | grep one.o)" ]] || fail "it was not compiled"
+printf '// changed\n' >> src/math/Two.h
+edit 6
+builds SimRelease
+[[ $(grep others <<< "$before") != "$(parts | grep others)" ]] || fail "a header of the others was overlooked"
+expect "edited with a header" "$(bin/tool)" "two 12"
+sed -i 's/one() + one()/one() + one() + 1/' src/math/Two.cpp
+builds SimRelease
+expect "another one is edited" "$(bin/tool)" "two 13"
+sed -i 's/ + 1//' src/math/Two.cpp
+edit 2
+builds SimRelease
+expect "two at once: the bundle" "$(bin/tool)" "two 4"
+expect "no parts are left" "$(find build/SimRelease/cmake/src/math -name '*.edited')" ""
+sed -i 's/return 2/return two/' src/math/One.cpp
+build SimRelease
+expect "a wrong edit fails" "$status" 2
+contains "and says where" "$log" "src/math/One.cpp:2:"
+edit() { sed -i "s/return [0-9a-z]*;/return $1;/" src/math/One.cpp; }
+edit 2
+builds SimRelease
+expect "and is mended" "$(bin/tool)" "two 4"
+builds SimRelease
+expect "nothing changed after an edit" "$log" "Nothing to be done for SimRelease."
+
 # Names that meet: the halves, and their dependencies are known all the same.
 printf '#include "math/One.h"\nnamespace { int helper() { return 1; } }\nint one() { return helper(); }\n' > src/math/One.cpp
 printf '#include "math/One.h"\n#include "math/Two.h"\nnamespace { int helper() { return 2; } }\nint two() { return one() * helper(); }\n' > src/math/Two.cpp
