@@ -289,6 +289,8 @@ about() { # kind, name, files
       ;;
     effect*)
       source_ "${all[@]}"
+      row does "$(sed -nE '/\.sentence = /,/",/p' "$file" | tr -d '\n' | sed -E 's/^[^"]*"//; s/" *"//g; s/",.*//')"
+      row at "$(sed -nE 's/^ *\.sites = \{(.*)\},.*/\1/p' "$file" | sed 's/Site:://g')"
       row value "$(ofFile "$file")"
       text=tests
       [[ $kind == effect ]] || text=tests/simulation

@@ -130,6 +130,14 @@ expect "where: a representation" "$(scripts/where.sh sight)" 'representation Sig
   source      src/representations/perception/Sight.h
   provided by Seer'
 contains "where: a keyframe motion" "$(scripts/where.sh blink)" "  data        config/motions/blink.yaml"
+mkdir -p src/gap/effects
+printf 'const Effect wobble{\n    .id = "wobble",\n    .unit = "rad",\n    .sites = {Site::link, Site::joint},\n    .lower = 0,\n    .sentence = "The link of {at} wobbles, "\n                "and more than the model.",\n};\nMAKE_EFFECT(wobble);\n' > src/gap/effects/Wobble.cpp
+contains "where: an effect" "$(scripts/where.sh wobble)" 'effect wobble
+  source      src/gap/effects/Wobble.cpp
+  does        The link of {at} wobbles, and more than the model.
+  at          link, joint
+  value       unit rad, lower 0'
+rm -r src/gap
 contains "where: what registers itself" "$(scripts/where.sh hill-climb)" "optimiser hill-climb
   source      src/math/Climb.cpp"
 text=$(scripts/where.sh Seher 2>&1)

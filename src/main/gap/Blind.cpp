@@ -1,9 +1,11 @@
 // bin/gap blind: benchmarks whose answers are sealed, and how well answers do on them.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 
+#include "framework/ConfigFolder.h"
 #include "framework/Parallel.h"
 #include "gap/blind/BlindScore.h"
 #include "gap/blind/CaseText.h"
@@ -25,6 +27,10 @@ struct ScoreCommand {
 void make(BlindMakeOptions options, const std::string& battery) {
   options.draw.battery = battery == "all" ? Battery::all : Battery::hang;
   options.jobs = threadsFor(options.jobs);
+  // The tree's own program, from whatever folder.
+  const std::filesystem::path beside = std::filesystem::path(programFolder()) / ".." / options.program;
+  if (!std::filesystem::exists(options.program) && std::filesystem::exists(beside))
+    options.program = beside.lexically_normal().string();
   ProgressLine line(false);
   line.tell("cases", 0);
   options.progress = [&](std::size_t done) {
