@@ -42,6 +42,16 @@ expectEqual "$(grep -c '^## The team against A plain team$' "$scratch/games-peer
 expectEqual "$(grep -c '"games.a_plain_team_1.team.goals", ' "$scratch/games-peers.json")" 2 "figures of the page"
 expectEqual "$(grep -c '},$' "$scratch/games-peers.json")" "$(($(grep -c '{' "$scratch/games-peers.json") - 1))" "commas between figures"
 
+# A signal ends the games, and nothing is left.
+env HALF=300 SEED=7 JOBS=1 GAMES=1 PLAYERS=1 OUT="$scratch/ended" OTHER="$scratch/plain.sh" tests/bench/games/games.sh > "$scratch/out" 2>&1 &
+games=$!
+waitFor grep -qs "(Plain 2) plays" "$scratch/ended/played/1/server.log"
+kill -TERM $games
+status=0
+wait $games || status=$?
+expectEqual "$status" 143 "status of games that were ended"
+! pgrep -f "$scratch/ended" > /dev/null || fail "left: $(pgrep -af "$scratch/ended")"
+
 # What is wrong is told before anything starts.
 expectError 2 "games.sh: OTHER: no start script /nowhere/start.sh" "${games[@]}" OTHER=/nowhere/start.sh OUT="$scratch/no" tests/bench/games/games.sh
 expectError 2 "games.sh: PLAYERS='12' is not 1 to 11" "${games[@]}" OTHER=/nowhere PLAYERS=12 tests/bench/games/games.sh

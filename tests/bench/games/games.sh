@@ -23,10 +23,23 @@ work=$out
 rm -rf "$work"
 mkdir -p "$work"
 
+# What runs games ends them and leaves nothing behind if it is told to end, so a signal goes on to it.
+running=""
+passOn() { # $1: status
+  trap '' INT TERM HUP
+  if [[ $running ]]; then kill "$running" 2> /dev/null && wait "$running" || true; fi
+  exit "$1"
+}
+trap 'passOn 130' INT
+trap 'passOn 143' TERM HUP
+
 # Games against the teams of $work/opponents as lines of games.tsv.
 play() { # $1: how our team is started
   scripts/autoplay/runOppList.sh --games "$games" --half-time "$half" --seed "$seed" --jobs "$jobs" --name Team --log "$work/games.log" \
-    --players $((2 * players)) --output "$work/played" "$1" "$work/opponents"
+    --players $((2 * players)) --output "$work/played" "$1" "$work/opponents" &
+  running=$!
+  wait "$running"
+  running=""
   awk -v played="$work/played" -f tests/bench/games/tracks.awk "$work/games.log" > "$work/games.tsv"
 }
 

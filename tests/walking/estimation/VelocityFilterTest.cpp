@@ -111,6 +111,18 @@ TEST(VelocityFilter, trustsTheFootAsMuchInHalfTheCycle) {
   EXPECT_NEAR(rms[1] / rms[0], 1, 0.25);
 }
 
+TEST(VelocityFilter, whatItIsToldIsKnownToATenthOfAMetreASecond) {
+  // A foot that shows the velocity as well as that, with a deviation of 0.1 m/s: halfway between the two.
+  VelocityFilter filter({.particles = 20000, .modelNoise = 0, .footNoise = 0.002});
+  WalkState still;
+  still.support = Support::left;
+  WalkAction action;
+  action.duration = step;
+  const LinearInvertedPendulum model(0.25);
+  EXPECT_NEAR(filter.update(model, still, action, step, {.change = {}, .seen = Vec2(0.1, 0)}).x(), 0.05,
+              0.004);
+}
+
 TEST(VelocityFilter, whatNoParticleExplainsBeginsAnew) {
   Watched watched(Vec2(0.2, 0));
   WalkAction action;
