@@ -23,6 +23,7 @@ struct Finding {
   double probability = 0;
   double closedAlone = 0, closedLast = 0;  ///< share of the gap: with this one only; by adding it last
   std::vector<Rival> rivals;
+  double evidence = 0;  ///< method sets: what the score of the causes loses without this one [nat]
 };
 
 /// Root mean squares on blocks that were not used for the fit, in units of each signal's own noise.

@@ -133,10 +133,8 @@ constexpr std::size_t mostOfManyKinds = 12;  // causes in a set of a robot with 
 
 }  // namespace
 
-void sortByProbability(std::vector<Finding>& findings) {
-  std::ranges::stable_sort(findings, std::ranges::greater(), [](const Finding& finding) {
-    return std::pair(std::lround(100 * finding.probability), finding.closedLast);
-  });
+void sortByEvidence(std::vector<Finding>& findings) {
+  std::ranges::stable_sort(findings, std::ranges::greater(), &Finding::evidence);
 }
 
 Inference infer(const Mechanism& robot, std::vector<Trial> trials, const InferenceOptions& options) {
@@ -185,12 +183,13 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
     finding.probability = probabilityIn(finding.cause, found.sets, p, without);
     finding.closedAlone = 1 - positionsLeft(replayer, {finding.cause}) / nominal;
     finding.closedLast = (positionsLeft(replayer, gap::without(best.causes(), i)) - all) / nominal;
+    finding.evidence = best.score() - found.lessOne[i].score();
     finding.rivals = rivalsOf(found.sets, p, i);
     diagnosis.findings.push_back(std::move(finding));
     if (const std::string only = onlySupport(groups, best, found.lessOne[i]); !only.empty())
       result.onlyIn.push_back(describe(best.causes()[i]) + " is supported by " + only + " alone");
   }
-  sortByProbability(diagnosis.findings);
+  sortByEvidence(diagnosis.findings);
   const Worst before = worstOf(replayer, {}), after = worstOf(replayer, best.causes());
   diagnosis.worstBefore = before.size;
   diagnosis.worstSignal = before.signal;

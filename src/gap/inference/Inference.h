@@ -46,7 +46,7 @@ struct Inference {
 
 Inference infer(const Mechanism& robot, std::vector<Trial> trials, const InferenceOptions& options);
 
-/// The most probable first; of causes as probable to a per cent, the one that closes most.
-void sortByProbability(std::vector<Finding>& findings);
+/// The one first without which the score of the causes loses most.
+void sortByEvidence(std::vector<Finding>& findings);
 
 }  // namespace plumbline::gap

@@ -9,17 +9,15 @@
 
 namespace plumbline::gap {
 
-TEST(Inference, theSurestCauseStandsFirstAndOfThoseAsSureWhatClosesMost) {
+TEST(Inference, theCauseWithTheMostEvidenceStandsFirst) {
   std::vector<Finding> findings(3);
-  const double probability[] = {0.351, 0.9, 0.349}, closedLast[] = {0.1, 0.05, 0.4};
-  for (std::size_t i = 0; i < 3; ++i) {
-    findings[i].probability = probability[i];
-    findings[i].closedLast = closedLast[i];
-  }
-  sortByProbability(findings);
-  EXPECT_EQ(findings[0].closedLast, 0.05);
-  EXPECT_EQ(findings[1].closedLast, 0.4);
-  EXPECT_EQ(findings[2].closedLast, 0.1);
+  const double evidence[] = {12, 300, 40};
+  for (std::size_t i = 0; i < 3; ++i) findings[i].evidence = evidence[i];
+  findings[0].probability = 1;
+  sortByEvidence(findings);
+  EXPECT_EQ(findings[0].evidence, 300);
+  EXPECT_EQ(findings[1].evidence, 40);
+  EXPECT_EQ(findings[2].evidence, 12);
 }
 
 TEST(Inference, nothingIsFoundWhereNothingIs) {
