@@ -27,7 +27,7 @@ compileTo() {
 
 # Joins objects, and says what they depend on. What was put together here is gone by the next build.
 join() {
-  if (($# == 1)); then mv -f "$1" "$object"; else ld -r -o "$object" "$@"; fi
+  if (($# == 1)); then mv -f "$1" "$object"; else ld -r -o "$object" "$@" || return; fi
   sed 's#\([^ \\]\|\\.\)*\.part\.cxx##' "${@/%.o/.d}" > "$dependencies"
 }
 
@@ -49,7 +49,7 @@ compileEdited() {
     rm -rf "$edited"
     mkdir "$edited"
     printf '%s\n' "${sources[@]}" | grep -vxF "$one" | sed 's/.*/#include "&"/' > "$edited/others.part.cxx"
-    compileTo "$edited/others.o" "$edited/others.part.cxx" > "$edited/log" &
+    (trap - INT; compileTo "$edited/others.o" "$edited/others.part.cxx" > "$edited/log") & # Ctrl-C ends it, too
   fi
   said=$(compileTo "$edited/one.o" "$one") || {
     printf '%s\n' "$said"
