@@ -44,11 +44,11 @@ expectEqual "$(grep -c '},$' "$scratch/games-peers.json")" "$(($(grep -c '{' "$s
 
 # A signal ends the games, and nothing is left.
 env HALF=300 SEED=7 JOBS=1 GAMES=1 PLAYERS=1 OUT="$scratch/ended" OTHER="$scratch/plain.sh" tests/bench/games/games.sh > "$scratch/out" 2>&1 &
-games=$!
+ended=$!
 waitFor grep -qs "(Plain 2) plays" "$scratch/ended/played/1/server.log"
-kill -TERM $games
+kill -TERM $ended
 status=0
-wait $games || status=$?
+wait $ended || status=$?
 expectEqual "$status" 143 "status of games that were ended"
 ! pgrep -f "$scratch/ended" > /dev/null || fail "left: $(pgrep -af "$scratch/ended")"
 
