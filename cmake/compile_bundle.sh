@@ -9,10 +9,12 @@ set -euo pipefail
 bundle=${*: -1}
 [[ $bundle == */Unity/unity_*.cxx ]] || exec "$@"
 command=("${@:1:$#-1}")
+precompiled=() # headers, which no dependency file names
 for ((i = 0; i < ${#command[@]}; ++i)); do
   case ${command[i]} in
     -o) at=$((i + 1)) object=${command[i + 1]} ;;
     -MF) dependenciesAt=$((i + 1)) dependencies=${command[i + 1]} ;;
+    -include) precompiled+=("${command[i + 1]}.gch") ;;
   esac
 done
 mapfile -t sources < <(sed -n 's/^#include "\(.*\)"$/\1/p' "$bundle")
@@ -38,7 +40,7 @@ othersAreCurrent() {
   while read -r path; do
     path=${path//$'\a'/ } # a space within a path
     [[ $path == "" || $path == *: || $path == *.part.cxx ]] || [[ -f $path && ! $path -nt $edited/others.o ]] || return 1
-  done < <(sed -e 's/\\$//' -e 's/\\ /\a/g' "$edited/others.d" | tr ' ' '\n')
+  done < <(printf '%s\n' "${precompiled[@]// /$'\a'}"; sed -e 's/\\$//' -e 's/\\ /\a/g' "$edited/others.d" | tr ' ' '\n')
 }
 madeOf() { printf '%s\n' "${command[@]}" "${sources[@]}" "edited: $1"; }
 

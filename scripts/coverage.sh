@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the test programs with every line counted, and says what part of each folder of src/ they run; files and lines
 # that none runs are in build/coverage/. `make coverage` calls it.
-#   scripts/coverage.sh [AREA]...     areas of tests/ [all but build]
+#   scripts/coverage.sh [AREA]...     areas of tests/ [all but diagnosis and build]
 #   scripts/coverage.sh --report      writes doc/results/coverage.md from what was measured last
 # Example: scripts/coverage.sh framework robot
 set -euo pipefail
@@ -27,7 +27,7 @@ report() {
 [[ ${1-} == --report ]] && { report; exit; }
 areas=("$@") part=$#
 ((part)) || mapfile -t areas < <(find tests -mindepth 1 -maxdepth 1 -type d ! -name bench ! -name support ! -name data \
-  ! -name build ! -name e2e -printf '%f\n' | LC_ALL=C sort)
+  ! -name diagnosis ! -name build ! -name e2e -printf '%f\n' | LC_ALL=C sort)
 find build/Coverage/cmake -name '*.gcda' -delete 2> /dev/null || true
 status=0
 scripts/run_tests.sh Coverage "${areas[@]}" || status=$?

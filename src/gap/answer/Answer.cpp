@@ -41,6 +41,7 @@ json findingJson(const Finding& finding) {
   j["gap_closed"] = number(finding.closedAlone, 4);
   j["closed_alone"] = number(finding.closedAlone, 4);
   j["closed_last"] = number(finding.closedLast, 4);
+  if (finding.evidence) j["evidence"] = number(*finding.evidence, 4);
   j["sentence"] = sentenceOf(finding.cause);
   if (!finding.cause.inactiveIn.empty()) j["not_in"] = finding.cause.inactiveIn;
   j["confounded_with"] = json::array();

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct Finding {
   double probability = 0;
   double closedAlone = 0, closedLast = 0;  ///< share of the gap: with this one only; by adding it last
   std::vector<Rival> rivals;
-  double evidence = 0;  ///< method sets: what the score of the causes loses without this one [nat]
+  /// Of method sets: what the score of the set loses without this cause [nat].
+  std::optional<double> evidence = {};
 };
 
 /// Root mean squares on blocks that were not used for the fit, in units of each signal's own noise.

@@ -27,10 +27,11 @@ struct ScoreCommand {
 void make(BlindMakeOptions options, const std::string& battery) {
   options.draw.battery = battery == "all" ? Battery::all : Battery::hang;
   options.jobs = threadsFor(options.jobs);
-  // The tree's own program, from whatever folder.
-  const std::filesystem::path beside = std::filesystem::path(programFolder()) / ".." / options.program;
-  if (!std::filesystem::exists(options.program) && std::filesystem::exists(beside))
-    options.program = beside.lexically_normal().string();
+  // The tree's own program is found from any folder.
+  if (options.program == BlindMakeOptions().program && !std::filesystem::exists(options.program))
+    if (const auto beside = std::filesystem::path(programFolder()) / ".." / options.program;
+        std::filesystem::exists(beside))
+      options.program = beside.lexically_normal().string();
   ProgressLine line(false);
   line.tell("cases", 0);
   options.progress = [&](std::size_t done) {

@@ -1,6 +1,5 @@
 #include "main/gap/DiagnoseSets.h"
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -39,8 +38,6 @@ nlohmann::json answerOf(const Inference& inference, const Further& further, cons
   answer["method"] = "sets";
   const std::string more = further.sentence();
   answer["sentence"] = inference.sentence() + (more.empty() ? "" : " " + more);
-  for (std::size_t i = 0; i < inference.diagnosis.findings.size(); ++i)
-    answer["effects"][i]["evidence"] = std::round(10 * inference.diagnosis.findings[i].evidence) / 10;
   nlohmann::json& gap = answer["gap"];
   gap["closed"] = inference.claim.closed;
   gap["closed_interval"] = {inference.claim.lower, inference.claim.upper};

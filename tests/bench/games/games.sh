@@ -23,8 +23,15 @@ work=$out
 rm -rf "$work"
 mkdir -p "$work"
 
-# What runs games ends them and leaves nothing behind if it is told to end, so a signal goes on to it.
+# The scripts of scripts/autoplay end their games and leave nothing behind if they are told to end, so a signal goes on to
+# the one that runs.
 running=""
+autoplay() { # script, its arguments
+  scripts/autoplay/"$@" &
+  running=$!
+  wait "$running"
+  running=""
+}
 passOn() { # $1: status
   trap '' INT TERM HUP
   if [[ $running ]]; then kill "$running" 2> /dev/null && wait "$running" || true; fi
@@ -35,11 +42,8 @@ trap 'passOn 143' TERM HUP
 
 # Games against the teams of $work/opponents as lines of games.tsv.
 play() { # $1: how our team is started
-  scripts/autoplay/runOppList.sh --games "$games" --half-time "$half" --seed "$seed" --jobs "$jobs" --name Team --log "$work/games.log" \
-    --players $((2 * players)) --output "$work/played" "$1" "$work/opponents" &
-  running=$!
-  wait "$running"
-  running=""
+  autoplay runOppList.sh --games "$games" --half-time "$half" --seed "$seed" --jobs "$jobs" --name Team --log "$work/games.log" \
+    --players $((2 * players)) --output "$work/played" "$1" "$work/opponents"
   awk -v played="$work/played" -f tests/bench/games/tracks.awk "$work/games.log" > "$work/games.tsv"
 }
 
@@ -82,7 +86,7 @@ if [[ ${BEFORE-} ]]; then
   echo "Before $before/bin/start.sh --config $before/config --port {agent} --monitor {monitor} {host}" >> "$work/opponents"
 fi
 play bin/start.sh
-scripts/autoplay/startGame.sh --half-time 60 --seed "$seed" --names Team,Swarm --log "$work/others.log" --output "$work/believed" \
+autoplay startGame.sh --half-time 60 --seed "$seed" --names Team,Swarm --log "$work/others.log" --output "$work/believed" \
   "bin/start.sh --config $work/config" "bin/start.sh -- --modules $PWD/config/platforms/simspark/swarm.cfg"
 awk -v half="$half" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
 awk -f tests/bench/games/believed.awk "$work/believed/track.csv" "$work"/others/left-*.csv >> "$out.md"

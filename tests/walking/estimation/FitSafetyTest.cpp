@@ -8,7 +8,7 @@
 namespace plumbline::walking {
 namespace {
 
-constexpr double seconds = 0.2, halfDistance = 0.05;
+constexpr double seconds = 0.2, halfDistance = 0.05;  // of a step; of a foot from the middle [m]
 
 /// Steps of 0.2 s with the feet 0.1 m apart, at a speed [m/s] where they begin.
 std::vector<ObservedStep> stepsAt(double speed) {
@@ -47,10 +47,10 @@ TEST(FitSafety, fiveCentimetresASecondAreAsMuchAsIsSafe) {
   }
 }
 
-TEST(FitSafety, whatWalksNowhereIsNotSafe) {
-  ModelParameters impossible;
-  impossible.timeFactor = std::nan("");
-  EXPECT_GT(FitSafety(stepsAt(0.2)).change(impossible), 1);
+TEST(FitSafety, parametersThatAreNoNumbersAreNotSafe) {
+  ModelParameters noNumber;
+  noNumber.timeFactor = std::nan("");
+  EXPECT_GT(FitSafety(stepsAt(0.2)).change(noNumber), 1);
 }
 
 }  // namespace

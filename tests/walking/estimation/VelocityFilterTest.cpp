@@ -111,7 +111,7 @@ TEST(VelocityFilter, trustsTheFootAsMuchInHalfTheCycle) {
   EXPECT_NEAR(rms[1] / rms[0], 1, 0.25);
 }
 
-TEST(VelocityFilter, whatItIsToldIsKnownToATenthOfAMetreASecond) {
+TEST(VelocityFilter, aVelocityThatIsSetIsKnownToATenthOfAMetreASecond) {
   // A foot that shows the velocity as well as that, with a deviation of 0.1 m/s: halfway between the two.
   VelocityFilter filter({.particles = 20000, .modelNoise = 0, .footNoise = 0.002});
   WalkState still;
