@@ -29,6 +29,7 @@ for program in hang_sweep hang_small; do
 done
 gap record --robot $arm --program hang_multisine --effects "$scratch/two.yaml" --seed 3 -o "$scratch/two_unseen"
 gap diagnose "$scratch/two" --robot $arm --max-causes 1 --jobs 1 --json "$scratch/two.json"
+cp "$scratch/out" "$scratch/diagnosed"
 grep -q '^A further [0-9]* % closes by fitting [0-9]* values of all joints at once; not attributable\.$' "$scratch/out" ||
   fail "nothing further: $(cat "$scratch/out")"
 gap check "$scratch/two.json" "$scratch/two_unseen" --robot $arm --json "$scratch/named.json"
@@ -41,6 +42,12 @@ expectEqual "$(ask "$scratch/two.json" 'a.verdict, a.gap.further.attributable, a
 expectError 2 "gap: $scratch/two.json: the verdict is unknown, its effects are not the cause; --anyway writes the nearest, --further the values of all joints" \
   "$bin/gap" apply "$scratch/two.json" -o "$scratch/none.yaml"
 gap apply "$scratch/two.json" --further -o "$scratch/model.yaml"
+# The kind found has a value in each joint, and those are what is applied.
+expectEqual "$(ask "$scratch/two.json" 'new Set(a.gap.model.map((c) => c.effect)).size, a.gap.model.length > a.effects.length')" "1 true" \
+  "values in each joint"
+grep -q '^  [a-z_]* in [0-9] joints: [-0-9.e]* to [-0-9.e]* ' "$scratch/diagnosed" || fail "no values in each joint: $(cat "$scratch/diagnosed")"
+gap apply "$scratch/two.json" --anyway -o "$scratch/nearest.yaml"
+expectEqual "$(grep -c '^ *- ' "$scratch/nearest.yaml")" "$(ask "$scratch/two.json" 'a.gap.model.length')" "what is applied"
 gap record --robot $arm --program hang_multisine --effects "$scratch/model.yaml" --seed 3 -o "$scratch/model"
 expectError 2 "gap: $scratch/answer.json: has no values of all joints (gap.further.model); answers with the verdict unknown about robots whose base is held have them" \
   "$bin/gap" check "$scratch/answer.json" "$scratch/unseen" --robot $arm --further

@@ -18,4 +18,10 @@ wait $agent || fail "status $? after Ctrl-C"
 if kill -0 "$second" 2> /dev/null; then fail "the simulator outlived its agent"; fi
 [[ -s $scratch/stats.json ]] || fail "no statistics"
 rm -f "$scratch/stats.json" "$scratch/out"
+
+# A simulator that ends as it was asked to ends the agent, too.
+"$bin/agent" --start-simulator --simulator-option=--sync --simulator-option=--max-seconds=3 2> "$scratch/out" ||
+  fail "status $? when the simulator had ended: $(tail -1 "$scratch/out")"
+grep -q 'the simulator has ended$' "$scratch/out" || fail "what the agent says: $(tail -1 "$scratch/out")"
+rm -f "$scratch/out"
 expectEqual "$(ls -A "$scratch")" "" "left behind"

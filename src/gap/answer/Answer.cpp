@@ -212,7 +212,7 @@ std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Eva
     nominal.push_back(evaluator.basePrediction(t));
   const std::vector<GapCell> cells = gapCells(evaluator);
   const std::vector<GapTrack> before = gapTracks(evaluator);
-  evaluator.setBase(diagnosis.explanation());
+  evaluator.setBase(diagnosis.replayed());
   const std::vector<GapTrack> after = gapTracks(evaluator);
 
   json j;
@@ -248,6 +248,7 @@ std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Eva
               {"closed", number(std::min(1.0, diagnosis.gap.closed()), 4)},
               {"held_out", true},
               {"unit", "noise of each signal"}};
+  for (const Cause& cause : diagnosis.jointValues) j["gap"]["model"].push_back(causeJson(cause));
   j["worst"] = {{"before", number(diagnosis.worstBefore, 4)},
                 {"after", number(diagnosis.worstAfter, 4)},
                 {"signal", diagnosis.worstSignal},

@@ -55,7 +55,11 @@ struct Diagnosis {
   double sensorOffBy = 0;
   double left = 0;              ///< squares beyond noise; see leftPerDirection()
   double knownProbability = 1;  ///< that the library's effects account for the data
-  Explanation explanation() const;
+  /// Where kinds of causes differ from joint to joint: the causes found with their values in each joint.
+  Explanation jointValues;
+  Explanation explanation() const;  ///< the causes found
+  /// What the gap is closed with: the values in each joint if there are any, else the causes found.
+  Explanation replayed() const { return jointValues.empty() ? explanation() : jointValues; }
 };
 
 /// Adds causes one at a time while each improves data to which it was not fitted, then fits each again

@@ -19,9 +19,18 @@ constexpr double worthSaying = 0.02;
 /// the least starts of a search: decision 17.
 constexpr Shrinkage prior{.own = 3e-3, .common = 1e-3};
 
-PerJoint nominalStart(const Mechanism& robot) {
-  PerJoint start = perJoint(robot, {}, actuatorEffects());
-  for (Cause& cause : start.causes) cause.variant = cause.effect->perJointFit.variant;
+/// What identification fits in every joint, and the kinds named; values begin at those named.
+PerJoint startAt(const Mechanism& robot, const Explanation& named) {
+  std::vector<const Effect*> kinds = actuatorEffects();
+  const auto isNamed = [&](const Effect* effect) {
+    return std::ranges::find(named, effect, &Cause::effect) != named.end();
+  };
+  for (const Cause& cause : named)
+    if (sitsAtJoints(*cause.effect) && std::ranges::find(kinds, cause.effect) == kinds.end())
+      kinds.push_back(cause.effect);
+  PerJoint start = perJoint(robot, named, kinds);
+  for (Cause& cause : start.causes)
+    if (!isNamed(cause.effect)) cause.variant = cause.effect->perJointFit.variant;
   return start;
 }
 
@@ -36,26 +45,27 @@ std::string Further::sentence() const {
   return text;
 }
 
-Further furtherOf(const Mechanism& robot, const std::vector<Trial>& trials,
-                  const std::vector<RecordingLeft>& leftOut, int jobs,
-                  const std::function<void(double)>& progress) {
+Further furtherOf(const Mechanism& robot, const std::vector<Trial>& trials, const Explanation& named,
+                  const std::vector<Explanation>& namedWithout, const std::vector<RecordingLeft>& leftOut,
+                  int jobs, const std::function<void(double)>& progress) {
   Further further;
   const Groups groups(trials);
   if (std::ranges::any_of(trials, &Trial::freeBase)) return further;
   const Replayer replayer(robot, groups, jobs,
                           hasFewKinds(groups, robot) ? ReplayOptions() : withLongSteps());
-  const PerJoint start = nominalStart(robot);
   double fits = 0;
-  const auto fitTo = [&](const Groups& some) {
+  const auto fitTo = [&](const Groups& some, const PerJoint& start) {
     if (progress) progress(fits++ / static_cast<double>(groups.count() + 1));
     return fitPerJoint(Replayer(replayer, some), start, fitSteps, prior).causes;
   };
   std::vector<FoundWithout> found(groups.count());
-  for (std::size_t g = 0; g < groups.count(); ++g) found[g].causes = fitTo(groups.without(g));
+  for (std::size_t g = 0; g < groups.count(); ++g)
+    found[g].causes = fitTo(groups.without(g), startAt(robot, namedWithout.at(g)));
+  const PerJoint start = startAt(robot, named);
   further.parameters = start.parameters;
   further.leftOut = leftWithout(groups, found);
   further.closed = meanClosed(further.leftOut) - meanClosed(leftOut);
-  further.model = fitTo(groups);
+  further.model = fitTo(groups, start);
   further.claim = claimOf(closedPerGroup(further.leftOut, groupsOfRecordings(groups)),
                           leaveOutBias(groups, further.model, found));
   std::erase_if(further.model, [&](const Cause& cause) { return doesNothing(robot, cause); });

@@ -9,6 +9,7 @@
 #include "gap/inference/Beam.h"
 #include "gap/inference/CauseKinds.h"
 #include "gap/inference/Interval.h"
+#include "gap/inference/JointValues.h"
 #include "gap/inference/LeaveOut.h"
 #include "gap/inference/LeaveOutBias.h"
 #include "gap/inference/Likelihood.h"
@@ -163,7 +164,7 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   const std::vector<double> p = posterior(found.sets);
   search.expectMany = coarse && best.causes().size() > mostSetBySet;
   search.progress = [&](double share) { tell("again without each recording in turn", share); };
-  const std::vector<FoundWithout> without = findWithoutEach(tools, search);
+  std::vector<FoundWithout> without = findWithoutEach(tools, search);
 
   Inference result;
   result.stretchesOfOne = groups.stretchesOfOne();
@@ -203,10 +204,22 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
                       : best.causes().empty()   ? Verdict::none
                                                 : Verdict::effect;
   diagnosis.knownProbability = 1 / (1 + beyond * beyond);
+  for (const FoundWithout& of : without) result.foundWithout.push_back(of.causes);
+  // What explains all there is has the right values.
+  if (diagnosis.verdict == Verdict::unknown && fixedBase && differsByJoint(robot, best.causes())) {
+    const Replayer& quick = coarse ? *coarse : replayer;
+    for (std::size_t g = 0; g < without.size(); ++g) {
+      tell("values in each joint", static_cast<double>(g) / static_cast<double>(without.size() + 1));
+      const Groups others = groups.without(g);
+      without[g].causes = withJointValues(Replayer(quick, others), without[g].causes);
+    }
+    diagnosis.jointValues = withJointValues(quick, best.causes());
+  }
   tell("recordings left out", 0);
   result.leftOut = leftWithout(groups, without);
-  result.claim = claimOf(closedPerGroup(result.leftOut, groupsOfRecordings(groups)),
-                         leaveOutBias(groups, best.causes(), without));
+  result.claim = claimOf(
+      closedPerGroup(result.leftOut, groupsOfRecordings(groups)),
+      leaveOutBias(groups, diagnosis.jointValues.empty() ? best.causes() : diagnosis.jointValues, without));
   double squaresBefore = 0, squaresAfter = 0, squaresFloor = 0;
   const auto count = static_cast<double>(result.leftOut.size());
   for (const RecordingLeft& recording : result.leftOut) {

@@ -23,7 +23,8 @@ struct InferenceOptions {
 /// What the method of doc/decisions/0007 says of some recordings.
 struct Inference {
   Diagnosis diagnosis;  ///< its gap: positions of the recordings left out, pooled [rad, or m]
-  /// What is left in each recording by the set that was searched for, and fitted, in the others alone.
+  std::vector<Explanation> foundWithout;  ///< per group: the set that was searched for in the others alone
+  /// What is left in each recording by that set, with its values in each joint if the answer has such.
   std::vector<RecordingLeft> leftOut;
   Claim claim;                  ///< of a recording that was not seen at all
   bool stretchesOfOne = false;  ///< there was one recording: stretches of time were left out instead

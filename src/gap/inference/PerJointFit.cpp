@@ -285,6 +285,14 @@ private:
   std::map<std::string_view, std::vector<std::size_t>> alike_;  ///< per effect: its parameters
 };
 
+/// Whether a cause at a place is in a joint's motor.
+bool covers(const Mechanism& robot, const Place& place, int joint) {
+  if (place.site == Site::joint) return place.index == joint;
+  if (place.index < 0) return true;
+  const auto& members = robot.groups[static_cast<std::size_t>(place.index)].joints;
+  return std::ranges::find(members, joint) != members.end();
+}
+
 }  // namespace
 
 PerJoint perJoint(const Mechanism& robot, const Explanation& base, std::span<const Effect* const> effects) {
@@ -302,11 +310,10 @@ PerJoint perJoint(const Mechanism& robot, const Explanation& base, std::span<con
                   effect->nominal,
                   0};
       for (const Cause& known : base) {
-        const bool everywhere = known.place.site == Site::everywhere && known.place.index < 0;
-        if (known.effect != effect || (!everywhere && known.place.index != joint)) continue;
+        if (known.effect != effect || !covers(robot, known.place, joint)) continue;
         cause.value = known.value;
         cause.variant = known.variant;
-        if (!everywhere) break;
+        if (known.place.site == Site::joint) break;
       }
       result.causes.push_back(cause);
       ++result.parameters;

@@ -38,20 +38,14 @@ std::vector<simulation::EffectSetting> settingsIn(const json& causes, const std:
   return settings;
 }
 
-}  // namespace
-
-std::vector<simulation::EffectSetting> settingsOf(const json& answer, const std::string& path) {
-  return settingsIn(answer["effects"], path + ": effects");
+/// The list of causes at a place of an answer; empty where there is none.
+json modelAt(const json& answer, const char* place) {
+  const json::json_pointer pointer(place);
+  const json model = answer.contains(pointer) ? answer.at(pointer) : json();
+  return model.is_array() ? model : json::array();
 }
 
-std::vector<simulation::EffectSetting> furtherSettingsOf(const json& answer, const std::string& path) {
-  const json::json_pointer place("/gap/further/model");
-  const json model = answer.contains(place) ? answer.at(place) : json();
-  if (!model.is_array() || model.empty())
-    throw ConfigurationError(path +
-                             ": has no values of all joints (gap.further.model); answers with the verdict "
-                             "unknown about robots whose base is held have them");
-  const std::string name = path + ": gap.further.model";
+std::vector<simulation::EffectSetting> modelSettings(const json& model, const std::string& name) {
   for (std::size_t i = 0; i < model.size(); ++i)
     if (const json& cause = model[i]; !cause.is_object() || textOf(cause, "effect").empty() ||
                                       textOf(cause, "at").empty() || !cause.contains("value") ||
@@ -59,6 +53,26 @@ std::vector<simulation::EffectSetting> furtherSettingsOf(const json& answer, con
       throw ConfigurationError(name + "[" + std::to_string(i) +
                                "]: lacks 'effect', 'at' or a number 'value'");
   return settingsIn(model, name);
+}
+
+}  // namespace
+
+std::vector<simulation::EffectSetting> settingsOf(const json& answer, const std::string& path) {
+  return settingsIn(answer["effects"], path + ": effects");
+}
+
+std::vector<simulation::EffectSetting> furtherSettingsOf(const json& answer, const std::string& path) {
+  const json model = modelAt(answer, "/gap/further/model");
+  if (model.empty())
+    throw ConfigurationError(path +
+                             ": has no values of all joints (gap.further.model); answers with the verdict "
+                             "unknown about robots whose base is held have them");
+  return modelSettings(model, path + ": gap.further.model");
+}
+
+std::vector<simulation::EffectSetting> replayedSettingsOf(const json& answer, const std::string& path) {
+  const json model = modelAt(answer, "/gap/model");
+  return model.empty() ? settingsOf(answer, path) : modelSettings(model, path + ": gap.model");
 }
 
 AnswerCauses causesOf(const json& answer, const std::string& path, const Mechanism& robot) {

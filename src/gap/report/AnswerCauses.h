@@ -11,6 +11,11 @@ namespace plumbline::gap {
 /// The effects that an answer (as readAnswer checked it) found, as settings of a simulator.
 std::vector<simulation::EffectSetting> settingsOf(const nlohmann::json& answer, const std::string& path);
 
+/// What the answer replays to close the gap: its causes with their values in each joint (gap.model) if it has
+/// such, else its effects. Throws ConfigurationError where one lacks effect, place or value.
+std::vector<simulation::EffectSetting> replayedSettingsOf(const nlohmann::json& answer,
+                                                          const std::string& path);
+
 /// The values of all joints that an answer fitted at once (gap.further). Throws ConfigurationError where
 /// there are none, or one lacks effect, place or value.
 std::vector<simulation::EffectSetting> furtherSettingsOf(const nlohmann::json& answer,

@@ -32,7 +32,7 @@ void apply(const ApplyOptions& options) {
   if (options.further)
     effects = furtherSettingsOf(answer, options.answer);
   else if (verdict != "none")
-    effects = settingsOf(answer, options.answer);
+    effects = replayedSettingsOf(answer, options.answer);
   std::string comment =
       options.further
           ? "Values of all joints that bin/gap diagnose fitted at once; they do not say what is missing"

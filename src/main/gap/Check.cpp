@@ -76,8 +76,9 @@ void check(const CheckOptions& options) {
   const nlohmann::json answer = readAnswer(options.answer);
   Mechanism robot;
   const std::vector<Trial> trials = trialsIn(options, robot);
-  const Explanation causes = options.further ? causesOf(furtherSettingsOf(answer, options.answer), robot)
-                                             : causesOf(answer, options.answer, robot).causes;
+  const Explanation causes = causesOf(options.further ? furtherSettingsOf(answer, options.answer)
+                                                      : replayedSettingsOf(answer, options.answer),
+                                      robot);
   std::vector<RecordingLeft> left(trials.size());
   parallel(trials.size(), threadsFor(options.jobs), [&](std::size_t i) {
     left[i] = leftIn(trials[i], {{0, causes}});

@@ -8,6 +8,7 @@
 #include "framework/WriteFile.h"
 #include "gap/inference/Further.h"
 #include "gap/inference/Inference.h"
+#include "gap/inference/JointValues.h"
 #include "gap/inference/LeftJson.h"
 #include "gap/report/MotionQuestion.h"
 #include "main/gap/ProgressLine.h"
@@ -58,12 +59,13 @@ void print(const Inference& inference, const Further& further, const AnswerInput
   std::printf("%s\n", inference.sentence().c_str());
   if (const std::string more = further.sentence(); !more.empty()) std::printf("%s\n", more.c_str());
   for (const Finding& finding : inference.diagnosis.findings) {
-    std::printf("  %-48s %5.1f %%  [%.3g, %.3g]  closes %.0f %% alone, %.0f %% last\n",
+    std::printf("  %-48s %5.1f %%  [%.3g, %.3g]  evidence %.0f, closes %.0f %% alone, %.0f %% last\n",
                 describe(finding.cause).c_str(), 100 * finding.probability, finding.lower, finding.upper,
-                100 * finding.closedAlone, 100 * finding.closedLast);
+                finding.evidence.value_or(0), 100 * finding.closedAlone, 100 * finding.closedLast);
     for (const Rival& rival : finding.rivals)
       std::printf("    or %-45s %5.1f %%\n", describe(rival.cause).c_str(), 100 * rival.probability);
   }
+  std::printf("%s", jointValuesText(inference.diagnosis.jointValues).c_str());
   for (const std::string& line : inference.onlyIn) std::printf("  %s\n", line.c_str());
   if (inference.diagnosis.verdict != Verdict::none)
     std::printf("Left out of search and fit, each in turn:\n%s", leftTable(inference.leftOut).c_str());
@@ -88,7 +90,8 @@ void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, Answe
     inference = infer(request.robot, trials, options);
     // Where the causes named explain all there is, nothing further is to be had.
     if (inference.diagnosis.verdict == Verdict::unknown) {
-      further = furtherOf(request.robot, trials, inference.leftOut, request.jobs,
+      further = furtherOf(request.robot, trials, inference.diagnosis.explanation(), inference.foundWithout,
+                          inference.leftOut, request.jobs,
                           [&line](double share) { line.tell("all values of all joints", share); });
     }
   }

@@ -40,7 +40,15 @@ void SimSparkConnection::init() {
 }
 
 bool SimSparkConnection::startSimulator() {
-  if (link_->simulator && !link_->simulator->process().running()) link_->simulator.reset();
+  if (link_->simulator && !link_->simulator->process().running()) {
+    // It was asked to (--max-seconds): no accident to recover from.
+    if (link_->simulator->process().exitStatus() == 0) {
+      tell("the simulator has ended");
+      requestStop(0, "the simulator has ended");
+      return false;
+    }
+    link_->simulator.reset();
+  }
   if (!link_->simulator) {
     if (connections_ > 0 && restarts_++ >= maxRestarts) {
       requestStop(1, "the simulator died " + std::to_string(restarts_) +

@@ -9,6 +9,8 @@ const rowsOf = (split) => splits.get(split) ?? splits.set(split, []).get(split);
 const labels = { 'mujoco-gauss-newton': 'what MuJoCo\u2019s sysid fits, Gauss-Newton', 'pace-cma-es': 'what PACE fits, CMA-ES', 'everything-gauss-newton': 'everything per joint, Gauss-Newton', 'everything-cma-es': 'everything per joint, CMA-ES', single: 'best single effect' };
 const runsOf = (runs) => runs.map((r) => `${path.basename(r.folder)} ${percent(r.closed)}`).join(', ');
 
+const kindsOf = (model) => new Set(model.map((c) => c.effect)).size;
+
 let claims = '';
 for (const piece of pieces) {
   const name = path.basename(piece), method = name.slice(name.lastIndexOf('.') + 1), split = name.slice(0, -method.length - 1);
@@ -18,9 +20,9 @@ for (const piece of pieces) {
   const further = fs.existsSync(`${piece}.further.json`) ? { ...answer.gap.further, check: read(`${piece}.further.json`) } : null;
   claims += `| ${split} | ${method} | ${causes || 'none'} | ${percent(check.claimed)} | ${range} | ${percent(check.closed)} | ` +
     `${further ? `${further.parameters} | ${percent(further.check.claimed)} | ${percent(further.check.closed)}` : '| |'} |\n`;
-  rowsOf(split).push({ ours: true, method: `**bin/gap, ${method}**`, parameters: answer.effects.length, closed: check.closed, runs: runsOf(check.runs), cpu: timing.cpu_seconds, attributable: 'yes' });
+  rowsOf(split).push({ ours: true, method: answer.gap.model ? `**bin/gap, ${method}: ${kindsOf(answer.gap.model)} kinds of causes, each in every joint**` : `**bin/gap, ${method}**`, parameters: (answer.gap.model ?? answer.effects).length, closed: check.closed, runs: runsOf(check.runs), cpu: timing.cpu_seconds, attributable: 'yes' });
   if (further) {
-    rowsOf(split).push({ ours: false, further: true, method: `**bin/gap, ${method}, all values of all joints (\`--further\`)**`, parameters: further.parameters, closed: further.check.closed, runs: runsOf(further.check.runs), cpu: NaN, attributable: 'no' });
+    rowsOf(split).push({ ours: false, further: true, method: `**bin/gap, ${method}, all values of all joints beside (\`--further\`)**`, parameters: further.parameters, closed: further.check.closed, runs: runsOf(further.check.runs), cpu: NaN, attributable: 'no' });
     figures.push({ name: `gap-peers.closed.${split}.${method}-further`, value: further.check.closed, unit: '1', better: 'higher' },
       { name: `gap-peers.claim-off.${split}.${method}-further`, value: Math.abs(further.check.claimed - further.check.closed), unit: '1', better: 'lower', target: 0.1 });
   }
@@ -41,7 +43,8 @@ Nothing that was left is taken as a floor: there is no repeat. Everything per jo
 gain, torque limit, zero, bias and delay. MuJoCo's system identification fits rotor inertia, damping, dry friction and gain of a
 position actuator; PACE fits rotor inertia, damping, dry friction, zero and delay. BAM's models are those of Duclusaud et al.
 2024, with the rotor's inertia. Gauss-Newton begins at the nominal model and at values drawn at random, with each form of load
-friction, and the best on the recordings fitted is taken. CMA-ES has seed 7.
+friction, and the best on the recordings fitted is taken. CMA-ES has seed 7. Of a robot with several motors bin/gap finds kinds
+of causes and gives each a value in every joint; its values are counted without those that do nothing.
 `;
 for (const [split, rows] of splits) {
   const peers = rows.filter((r) => r.peer), best = peers.reduce((a, b) => (b.closed > (a?.closed ?? -Infinity) ? b : a), null);
@@ -59,8 +62,8 @@ for (const [split, rows] of splits) {
 const absent = fs.readFileSync('tests/bench/gap-peers/splits.txt', 'utf8').split('\n').filter((l) => l && l[0] !== '#').map((l) => l.split('|')[0]).filter((n) => !splits.has(n));
 if (absent.length) page += `\nNot measured this time: ${absent.join(', ')}.\n`;
 page += `\n## What the answers claim\n\nClaimed: what the answer says of a recording that it did not see (by \`blocks\`: of half-seconds of the same
-recordings). Further: values of all joints that are fitted at once instead (\`gap.further\`), what is claimed of them and what they
-close; they say not what is missing.\n
+recordings). Further: values of all joints that are fitted at once beside the kinds named (\`gap.further\`), what is claimed of them and what they
+close; they do not say what is missing.\n
 | split | method | causes | claimed | 90 % of it | measured | further: values | claimed | measured |\n|---|---|---|---|---|---|---|---|---|\n${claims}`;
 fs.writeFileSync('build/bench/gap-peers.md', page);
 fs.writeFileSync('build/bench/gap-peers.json', JSON.stringify(figures, null, 1) + '\n');

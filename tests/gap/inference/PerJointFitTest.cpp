@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "../TwoJointArm.h"
+#include "../ThreeMotions.h"
 #include "gap/inference/Further.h"
 
 namespace plumbline::gap {
@@ -13,18 +13,6 @@ namespace plumbline::gap {
 namespace {
 
 constexpr double readingNoise = 5e-4;
-
-/// Three recordings of different motions with the causes in.
-std::vector<Trial> threeMotions(const Explanation& causes) {
-  const Mechanism arm = twoJointArm();
-  std::vector<Trial> trials;
-  for (const double size : {0.5, 0.35, 0.2}) {
-    Trial trial = armTrial(arm, 4, size);
-    trial.recording = trial.name = "run" + std::to_string(trials.size());
-    trials.push_back(recorded(plantOf(arm, causes), trial, readingNoise, 3 + trials.size()));
-  }
-  return trials;
-}
 
 const Explanation& frictionOfBoth() {
   static const Explanation causes{causeOfArm("coulomb_friction", "shoulder", 0.12),
@@ -110,12 +98,13 @@ TEST(Further, saysHowMuchMoreAllValuesClose) {
     for (const Trial& trial : trials) left.push_back(leftIn(trial, {{0, causes}}));
     return left;
   };
-  const Further further = furtherOf(arm, trials, leftBy({}), 1);
+  const std::vector<Explanation> nothing(trials.size());
+  const Further further = furtherOf(arm, trials, {}, nothing, leftBy({}), 1);
   EXPECT_EQ(further.parameters, 22);
   EXPECT_EQ(further.leftOut.size(), 3);
   EXPECT_GT(further.closed, 0.85);
   EXPECT_GT(further.claim.closed, 0.7);
-  EXPECT_LT(furtherOf(arm, trials, leftBy(frictionOfBoth()), 1).closed, 0.02);
+  EXPECT_LT(furtherOf(arm, trials, {}, nothing, leftBy(frictionOfBoth()), 1).closed, 0.02);
   // What it fitted to all closes as much of another motion.
   Trial other = armTrial(arm, 4, 0.3);
   other = recorded(plantOf(arm, frictionOfBoth()), other, readingNoise, 9);
@@ -136,7 +125,7 @@ TEST(Further, isSaidWhereItIsWorthIt) {
 TEST(Further, ofARobotOnItsFeetNothingIsSaid) {
   std::vector<Trial> trials = threeMotions({});
   trials[1].freeBase = true;
-  EXPECT_EQ(furtherOf(twoJointArm(), trials, {}, 1).parameters, 0);
+  EXPECT_EQ(furtherOf(twoJointArm(), trials, {}, {}, {}, 1).parameters, 0);
 }
 
 }  // namespace plumbline::gap

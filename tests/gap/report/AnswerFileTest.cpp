@@ -138,6 +138,25 @@ TEST(AnswerFile, ReadsTheValuesOfAllJoints) {
   EXPECT_EQ(settings[0].variant, "load as what reaches the link");
 }
 
+TEST(AnswerFile, ReplaysTheValuesInEachJointWhereThereAreSome) {
+  const json friction = {{"effect", "coulomb_friction"}, {"at", "*"}, {"value", 0.1}};
+  json answer = {{"verdict", "unknown"}, {"effects", {friction}}, {"gap", json::object()}};
+  EXPECT_EQ(replayedSettingsOf(answer, "a.json").at(0).at, "*");
+  answer["gap"]["model"] = {{{"effect", "coulomb_friction"}, {"at", "shoulder"}, {"value", 0.15}},
+                            {{"effect", "coulomb_friction"}, {"at", "elbow"}, {"value", 0.05}}};
+  const std::vector<simulation::EffectSetting> settings = replayedSettingsOf(answer, "a.json");
+  ASSERT_EQ(settings.size(), 2U);
+  EXPECT_EQ(settings[1].at, "elbow");
+  EXPECT_EQ(settings[1].value, 0.05);
+  answer["gap"]["model"][1].erase("value");
+  try {
+    replayedSettingsOf(answer, "a.json");
+    FAIL() << "a cause without a value";
+  } catch (const ConfigurationError& error) {
+    EXPECT_STREQ(error.what(), "a.json: gap.model[1]: lacks 'effect', 'at' or a number 'value'");
+  }
+}
+
 TEST(ReportPage, HoldsTheAnswerAndNothingThatEndsItsScript) {
   const json answer = {{"verdict", "none"}, {"effects", json::array()}, {"robot", "</script><b>"}};
   const std::string page = reportPage("<script>/*ANSWER*/</script>", answer, twoJointArm());
