@@ -27,9 +27,12 @@ WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& 
     return command;
   }
   const double bearing = std::atan2(T_robot_target.y(), T_robot_target.x());
-  command.turn = limitTurn(parameters.headingGain * bearing);
+  const bool aligns = parameters.sprintBearing > 0 && distance > parameters.sprintDistance;
+  command.turn = limitTurn(
+      bearing * (aligns && parameters.alignGain > 0 ? parameters.alignGain : parameters.headingGain));
+  const double effort = 1 - parameters.turnEffort * std::abs(command.turn) / parameters.maxTurn;
   const double curve =
-      parameters.curveSpeed * (1 - parameters.turnEffort * std::abs(command.turn) / parameters.maxTurn);
+      effort * (aligns ? std::min(parameters.curveSpeed, parameters.alignSpeed) : parameters.curveSpeed);
   if (std::abs(bearing) < parameters.turnFirst) {
     // Slower while still turning: a fast walk in a tight curve swings out and loses time.
     double speed = parameters.maxForward * std::pow(std::cos(bearing), 3);

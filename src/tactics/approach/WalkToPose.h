@@ -31,6 +31,11 @@ struct WalkToPoseParameters {
   PARAMETER(double, sprintTurn, 0.1, "rad/s", Range(0, 3), "fastest turn in a sprint")
   PARAMETER(double, curveSpeed, 0.4, "m/s", Range(0.01, 3),
             "fastest walk forward while it turns to the target")
+  PARAMETER(
+      double, alignSpeed, 3, "m/s", Range(0, 3),
+      "fastest walk forward while it turns to a target far enough for a sprint: a fast walk hardly turns")
+  PARAMETER(double, alignGain, 0, "1/s", Range(0, 40),
+            "turn per radian to go, in place of headingGain, before a sprint; 0: headingGain")
   PARAMETER(double, turnEffort, 0.8, "", Range(0, 1), "share of that speed which the fastest turn takes away")
   PARAMETER(double, turnWalking, 0, "", Range(0, 3),
             "with this share of that speed it walks to the target while it still turns to it, whatever "

@@ -21,6 +21,7 @@ namespace {
 using motion::MotionTrial;
 
 constexpr double mostSeconds = 20;      // for the way to the ball
+constexpr double mostPerMetre = 2;      // and so many more for each metre of it beyond `start` [s]
 constexpr double kickedSpeed = 0.3;     // of a ball that was kicked [m/s]
 constexpr double cameraOffset = 0.005;  // at most, in every image of a run, as the league's [m]
 constexpr double changesFoot = 0.03;    // FootSelector's `stays` [m]
@@ -40,7 +41,13 @@ constexpr Searched searchedNumbers[] = {{"walk.maxForward", 0.1},
                                         {"walk.headingGain", 0.6},
                                         {"walk.nearDistance", 0.1},
                                         {"walk.turnFirst", 0.15},
+                                        {"walk.sprintBearing", 0.06},
+                                        {"walk.sprintHold", 0.1},
+                                        {"walk.sprintAside", 0.1},
                                         {"walk.sprintDistance", 0.3},
+                                        {"walk.sprintTurn", 0.1},
+                                        {"walk.alignSpeed", 0.15},
+                                        {"walk.alignGain", 3},
                                         {"walk.curveSpeed", 0.08},
                                         {"walk.turnEffort", 0.1},
                                         {"walk.turnWalking", 0.3},
@@ -68,10 +75,11 @@ double rounded(double value) { return std::stod(fmt::format("{:.{}g}", value, di
 }  // namespace
 
 PositioningTask::PositioningTask(const TaskOptions& options)
-    : type_(robotTypeOf(options, {"motion", "start", "metre", "fall"})),
+    : type_(robotTypeOf(options, {"motion", "start", "farthest", "metre", "fall"})),
       worlds_(options, type_),
       ball_(worlds_.engine()),
       start_(options.number("start", 1.5, 0.3, 10)),
+      farthest_(std::max(start_, options.number("farthest", start_, 0.3, 10))),
       metre_(options.number("metre", 0.5, 0, 10)),
       fall_(options.number("fall", 5, 0, 100)) {
   const MotionTrial& trial = worlds_.first();
@@ -164,7 +172,9 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
   MotionTrial& trial = worlds_.of(seed);
   trial.seedStart(seed);
   const double way = trial.random(-pi, pi), heading = trial.random(-pi, pi);
-  trial.robot.restart(Pose2(Vec2(ballPlace + start_ * Vec2(std::cos(way), std::sin(way))), heading),
+  const double metres = farthest_ > start_ ? trial.random(start_, farthest_) : start_;
+  const double limit = mostSeconds + mostPerMetre * (metres - start_);
+  trial.robot.restart(Pose2(Vec2(ballPlace + metres * Vec2(std::cos(way), std::sin(way))), heading),
                       trial.stand);
   trial.restarted();
   trial.robot.world().setBall(Vec3(ballPlace.x(), ballPlace.y(), simulation::WorldConfig().field.ballRadius),
@@ -174,7 +184,7 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
   Walk walk{.trial = trial, .kick = kick_, .p = p, .offset = Vec2(x, y)};
 
   bool ready = false;
-  while (!ready && !walk.fell && walk.seconds < mostSeconds) ready = walk.step();
+  while (!ready && !walk.fell && walk.seconds < limit) ready = walk.step();
   const Vec2 from = walk.ball();
   Vec2 gone = Vec2::Zero();
   if (ready) {
@@ -183,7 +193,7 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
     for (int i = 0; i < cyclesAfter; ++i) trial.walkStep(Vec2::Zero(), 0, false);
     gone = ball_.roll(trial.robot.world().ball()).place - from;
   }
-  const double time = ready ? walk.seconds : mostSeconds;
+  const double time = ready ? walk.seconds : limit;
   TaskOutcome outcome;
   outcome.cost = time + (walk.fell ? fall_ : 0) +
                  metre_ * (std::max(0.0, kick_.kick->distance - gone.x()) + std::abs(gone.y()));
@@ -209,8 +219,8 @@ std::string PositioningTask::file(const Eigen::VectorXd& parameters, const std::
 
 MAKE_TASK(positioning,
           {"positioning",
-           "the way to the ball and the kick: type, motion, start, metre, fall, engine, effects, "
-           "draws, firstDraw",
+           "the way to the ball and the kick: type, motion, start, farthest, metre, fall, engine, "
+           "effects, draws, firstDraw",
            [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
              return std::make_unique<PositioningTask>(options);
            }});

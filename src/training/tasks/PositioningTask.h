@@ -19,7 +19,7 @@ namespace plumbline::training {
 /// `fall` seconds for a fall. To that come `metre` seconds for each metre that the ball comes less far along
 /// the wanted direction than the kick carries, or goes aside. Figures: time to the kick [s], distance along
 /// and aside [m], kicked, fell. Options: type (0), motion (the farthest kick), distance of the start (1.5)
-/// [m], metre (0.5), fall (5), and those of TrialWorlds.
+/// [m], farthest (as start; starts are drawn up to it) [m], metre (0.5), fall (5), and those of TrialWorlds.
 class PositioningTask : public SearchTask {
 public:
   explicit PositioningTask(const TaskOptions& options);
@@ -36,8 +36,8 @@ private:
   int type_;  ///< of the robot
   TrialWorlds worlds_;
   BallRoll ball_;
-  motion::KeyframeMotion kick_;  ///< with the right foot
-  double start_, metre_, fall_;  ///< options [m, s, s]
+  motion::KeyframeMotion kick_;             ///< with the right foot
+  double start_, farthest_, metre_, fall_;  ///< options [m, m, s, s]
   BallPositioningParameters first_;
   std::vector<std::string> paths_;  ///< of the parameters that are searched
   std::vector<TaskParameter> parameters_;

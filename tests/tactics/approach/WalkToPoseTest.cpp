@@ -81,6 +81,21 @@ TEST(WalkToPose, turnsToATargetAsideBeforeItSprints) {
   EXPECT_NEAR(aside.velocity.x(), 0.6 * (1 - 0.8 * std::atan(0.25)), 1e-12);
 }
 
+/// A fast walk hardly turns: a robot that should sprint turns first.
+TEST(WalkToPose, turnsHardAndGoesSlowlyBeforeASprint) {
+  WalkToPoseParameters aligning = sprinter();
+  aligning.alignSpeed = 0.2;
+  aligning.alignGain = 6;
+  aligning.turnEffort = 0;
+  const Pose2 aside(4, 1);
+  EXPECT_NEAR(walkToPose(aside, aligning).turn, 6 * std::atan(0.25), 1e-12);
+  EXPECT_NEAR(walkToPose(aside, aligning).velocity.x(), 0.2, 1e-12);
+  const Pose2 nearer(1.1, 0.275);  // too near for a sprint
+  EXPECT_NEAR(walkToPose(nearer, aligning).turn, 2 * std::atan(0.25), 1e-12);
+  EXPECT_GT(walkToPose(nearer, aligning).velocity.x(), 0.5);
+  EXPECT_TRUE(walkToPose(Pose2(4, 0.1), aligning).sprint);
+}
+
 TEST(WalkToPose, goesOnSprintingWhereItPassesNearEnough) {
   // 0.25 m aside at 1.5 m are 0.165 rad, more than sprintBearing.
   EXPECT_GT(walkToPose(Pose2(1.5, 0.25), sprinter()).velocity.x(), 0.9);

@@ -47,6 +47,17 @@ TEST(PositioningTask, aRunDependsOnParametersAndSeedAlone) {
   EXPECT_NE(a.cost, used.run(start, 10).cost);
 }
 
+TEST(PositioningTask, startsAreDrawnUpToTheFarthest) {
+  PositioningTask near(type("3")),
+      far(TaskOptions(std::map<std::string, std::string>{{"type", "3"}, {"start", "7"}, {"farthest", "9"}}));
+  const Eigen::VectorXd start = startOf(near);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    // At 0.5 m/s at least, on more than 5 m more.
+    EXPECT_GT(figure(far.run(start, seed), "time"), figure(near.run(start, seed), "time") + 2) << seed;
+    EXPECT_LT(figure(far.run(start, seed), "time"), 24) << seed;
+  }
+}
+
 TEST(PositioningTask, whoNeverStandsExactlyEnoughNeverKicks) {
   PositioningTask task(type("4"));
   Eigen::VectorXd parameters = startOf(task);

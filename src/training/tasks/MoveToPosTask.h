@@ -1,0 +1,37 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tactics/approach/WalkToPose.h"
+#include "training/MotionTrial.h"
+#include "training/SearchTask.h"
+
+namespace plumbline::training {
+
+/// Walking to a place without the ball: the robot stands anywhere up to `farthest` from it, with any heading,
+/// walks there and stops. Distances are drawn evenly in their logarithm. Searched are numbers of
+/// WalkToPoseParameters; the file is SkillMoveToPos.yaml.
+///
+/// The cost of a run is the time until the robot has been there for 0.3 s, within 8 cm and 0.2 rad, and
+/// `fall` seconds for a fall. Options: type (all: types 0 to 4 by turns, or one of them), nearest (0.4),
+/// farthest (10) [m], fall (8) [s].
+class MoveToPosTask : public SearchTask {
+public:
+  explicit MoveToPosTask(const TaskOptions& options);
+
+  const std::vector<TaskParameter>& parameters() const override { return parameters_; }
+  TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) override;
+  std::string file(const Eigen::VectorXd& parameters, const std::string& heading,
+                   const std::map<std::string, double>& figures) const override;
+
+private:
+  WalkToPoseParameters with(const Eigen::VectorXd& parameters) const;
+
+  double nearest_, farthest_, fall_;
+  std::vector<std::unique_ptr<motion::MotionTrial>> robots_;  ///< one of each type
+  WalkToPoseParameters first_;
+  std::vector<TaskParameter> parameters_;
+};
+
+}  // namespace plumbline::training
