@@ -46,16 +46,16 @@ Explanation withJointValues(const Replayer& replayer, const Explanation& causes)
 }
 
 std::string jointValuesText(const Explanation& model) {
-  std::map<const Effect*, std::vector<double>> values;
+  std::map<const Effect*, std::vector<double>> perKind;
   std::vector<const Effect*> kinds;
   for (const Cause& cause : model) {
     if (cause.place.site != Site::joint) continue;
-    if (!values.contains(cause.effect)) kinds.push_back(cause.effect);
-    values[cause.effect].push_back(cause.value);
+    if (!perKind.contains(cause.effect)) kinds.push_back(cause.effect);
+    perKind[cause.effect].push_back(cause.value);
   }
   std::string text;
   for (const Effect* kind : kinds) {
-    const std::vector<double>& of = values[kind];
+    const std::vector<double>& of = perKind[kind];
     const auto [least, most] = std::ranges::minmax(of);
     char values[80];
     if (of.size() == 1)
