@@ -22,15 +22,12 @@ constexpr Shrinkage prior{.own = 3e-3, .common = 1e-3};
 /// What identification fits in every joint, and the kinds named; values begin at those named.
 PerJoint startAt(const Mechanism& robot, const Explanation& named) {
   std::vector<const Effect*> kinds = actuatorEffects();
-  const auto isNamed = [&](const Effect* effect) {
-    return std::ranges::find(named, effect, &Cause::effect) != named.end();
-  };
-  for (const Cause& cause : named)
-    if (sitsAtJoints(*cause.effect) && std::ranges::find(kinds, cause.effect) == kinds.end())
-      kinds.push_back(cause.effect);
+  for (const Effect* kind : kindsAtJoints(named))
+    if (std::ranges::find(kinds, kind) == kinds.end()) kinds.push_back(kind);
   PerJoint start = perJoint(robot, named, kinds);
   for (Cause& cause : start.causes)
-    if (!isNamed(cause.effect)) cause.variant = cause.effect->perJointFit.variant;
+    if (std::ranges::find(named, cause.effect, &Cause::effect) == named.end())
+      cause.variant = cause.effect->perJointFit.variant;
   return start;
 }
 

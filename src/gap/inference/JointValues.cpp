@@ -15,14 +15,6 @@ constexpr int rounds = 2, stepsOfRound = 6;
 /// deviations of 3.2 and 5.8 of the least starts of a search: decision 17.
 constexpr Shrinkage prior{.own = 1e-2, .common = 3e-3};
 
-std::vector<const Effect*> kindsAtJoints(const Explanation& causes) {
-  std::vector<const Effect*> kinds;
-  for (const Cause& cause : causes)
-    if (sitsAtJoints(*cause.effect) && std::ranges::find(kinds, cause.effect) == kinds.end())
-      kinds.push_back(cause.effect);
-  return kinds;
-}
-
 }  // namespace
 
 bool differsByJoint(const Mechanism& robot, const Explanation& causes) {

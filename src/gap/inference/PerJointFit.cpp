@@ -295,6 +295,14 @@ bool covers(const Mechanism& robot, const Place& place, int joint) {
 
 }  // namespace
 
+std::vector<const Effect*> kindsAtJoints(const Explanation& causes) {
+  std::vector<const Effect*> kinds;
+  for (const Cause& cause : causes)
+    if (sitsAtJoints(*cause.effect) && std::ranges::find(kinds, cause.effect) == kinds.end())
+      kinds.push_back(cause.effect);
+  return kinds;
+}
+
 PerJoint perJoint(const Mechanism& robot, const Explanation& base, std::span<const Effect* const> effects) {
   const auto ofThese = [&](const Cause& cause) {
     return std::ranges::find(effects, cause.effect) != effects.end();

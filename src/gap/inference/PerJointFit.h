@@ -20,6 +20,9 @@ struct Shrinkage {
   double own = 0, common = 0;
 };
 
+/// The effects of causes that sit at joints, each once.
+std::vector<const Effect*> kindsAtJoints(const Explanation& causes);
+
 /// One of each effect at every joint with a motor, beside a base of other causes. What the base has of these
 /// effects is where a joint's value starts; elsewhere it starts at nominal. Throws std::invalid_argument for
 /// an effect that is not of joints.

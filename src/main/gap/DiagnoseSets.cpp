@@ -61,7 +61,7 @@ void print(const Inference& inference, const Further& further, const AnswerInput
   for (const Finding& finding : inference.diagnosis.findings) {
     std::printf("  %-48s %5.1f %%  [%.3g, %.3g]  evidence %.0f, closes %.0f %% alone, %.0f %% last\n",
                 describe(finding.cause).c_str(), 100 * finding.probability, finding.lower, finding.upper,
-                finding.evidence.value_or(0), 100 * finding.closedAlone, 100 * finding.closedLast);
+                *finding.evidence, 100 * finding.closedAlone, 100 * finding.closedLast);
     for (const Rival& rival : finding.rivals)
       std::printf("    or %-45s %5.1f %%\n", describe(rival.cause).c_str(), 100 * rival.probability);
   }

@@ -43,8 +43,9 @@ bool SimSparkConnection::startSimulator() {
   if (link_->simulator && !link_->simulator->process().running()) {
     // It was asked to (--max-seconds): no accident to recover from.
     if (link_->simulator->process().exitStatus() == 0) {
-      tell("the simulator has ended");
-      requestStop(0, "the simulator has ended");
+      const std::string reason = "the simulator has ended";
+      tell(reason);
+      requestStop(0, reason);
       return false;
     }
     link_->simulator.reset();

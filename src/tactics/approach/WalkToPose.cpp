@@ -27,12 +27,12 @@ WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& 
     return command;
   }
   const double bearing = std::atan2(T_robot_target.y(), T_robot_target.x());
-  const bool aligns = parameters.sprintBearing > 0 && distance > parameters.sprintDistance;
-  command.turn = limitTurn(
-      bearing * (aligns && parameters.alignGain > 0 ? parameters.alignGain : parameters.headingGain));
-  const double effort = 1 - parameters.turnEffort * std::abs(command.turn) / parameters.maxTurn;
-  const double curve =
-      effort * (aligns ? std::min(parameters.curveSpeed, parameters.alignSpeed) : parameters.curveSpeed);
+  double gain = parameters.headingGain, ahead = parameters.curveSpeed;
+  const bool far = parameters.sprintBearing > 0 && distance > parameters.sprintDistance;
+  if (far && parameters.alignGain > 0) gain = parameters.alignGain;
+  if (far) ahead = std::min(ahead, parameters.alignSpeed);
+  command.turn = limitTurn(gain * bearing);
+  const double curve = ahead * (1 - parameters.turnEffort * std::abs(command.turn) / parameters.maxTurn);
   if (std::abs(bearing) < parameters.turnFirst) {
     // Slower while still turning: a fast walk in a tight curve swings out and loses time.
     double speed = parameters.maxForward * std::pow(std::cos(bearing), 3);
@@ -40,7 +40,7 @@ WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& 
       const double straight =
           std::max(parameters.sprintBearing, std::asin(std::min(1.0, parameters.sprintAside / distance)));
       const double most = sprinting ? std::max(straight, parameters.sprintHold) : straight;
-      command.sprint = distance > parameters.sprintDistance && std::abs(bearing) < most;
+      command.sprint = far && std::abs(bearing) < most;
       if (command.sprint) {
         command.turn = std::clamp(command.turn, -parameters.sprintTurn, parameters.sprintTurn);
         speed = parameters.maxForward;  // less of it would end the sprint

@@ -33,9 +33,11 @@ struct WalkToPoseParameters {
             "fastest walk forward while it turns to the target")
   PARAMETER(
       double, alignSpeed, 3, "m/s", Range(0, 3),
-      "fastest walk forward while it turns to a target far enough for a sprint: a fast walk hardly turns")
-  PARAMETER(double, alignGain, 0, "1/s", Range(0, 40),
-            "turn per radian to go, in place of headingGain, before a sprint; 0: headingGain")
+      "fastest walk forward while it turns to a target far enough for a sprint, because a fast walk hardly "
+      "turns; never more than curveSpeed")
+  PARAMETER(
+      double, alignGain, 0, "1/s", Range(0, 40),
+      "turn per radian to go, in place of headingGain, to a target far enough for a sprint; 0: headingGain")
   PARAMETER(double, turnEffort, 0.8, "", Range(0, 1), "share of that speed which the fastest turn takes away")
   PARAMETER(double, turnWalking, 0, "", Range(0, 3),
             "with this share of that speed it walks to the target while it still turns to it, whatever "

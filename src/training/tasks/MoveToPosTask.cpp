@@ -1,74 +1,45 @@
 #include "training/tasks/MoveToPosTask.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "framework/CommentLines.h"
 #include "framework/ConfigFile.h"
-#include "framework/ConfigOverlay.h"
-#include "framework/ModuleParameters.h"
 #include "math/Angle.h"
 #include "math/GroundPose.h"
-#include "training/GroupedLines.h"
 
 namespace plumbline::training {
 namespace {
 
 using motion::MotionTrial;
 
-constexpr int types = 5;
-constexpr double mostSeconds = 40;
-constexpr double near = 0.08, turned = 0.2;  // within which the robot is there [m, rad]
-constexpr int cyclesThere = 15;
-constexpr int digits = 4;  // that the file has
-const Vec3 farBall(-13, -9, 0.042);
+constexpr int types = 5;           // of robots, from 0
+constexpr double longestWay = 40;  // for it [s]
+constexpr double near = 0.08;      // within this the robot is there [m]
+constexpr double turned = 0.2;     // and with its heading within this [rad]
+constexpr int cyclesThere = 15;    // 0.3 s
+const Vec3 farBall(-13, -9, simulation::WorldConfig().field.ballRadius);  // nobody walks into it [m]
 
-/// What is searched, and the standard deviation of the first candidates.
-struct Searched {
-  const char* name;
-  double sigma;
-};
-constexpr Searched searchedNumbers[] = {
+/// What is searched.
+constexpr SearchedPath walkNumbers[] = {
     {"maxForward", 0.1},     {"maxBackward", 0.1},    {"maxSideways", 0.08}, {"maxTurn", 0.3},
     {"positionGain", 0.3},   {"headingGain", 0.5},    {"nearDistance", 0.1}, {"turnFirst", 0.15},
     {"sprintDistance", 0.3}, {"sprintBearing", 0.05}, {"sprintHold", 0.1},   {"sprintAside", 0.1},
     {"sprintTurn", 0.1},     {"alignSpeed", 0.15},    {"alignGain", 3},      {"curveSpeed", 0.1},
     {"turnEffort", 0.12},    {"turnWalking", 0.25}};
 
-double rounded(double value) { return std::stod(fmt::format("{:.{}g}", value, digits)); }
-
 }  // namespace
 
 MoveToPosTask::MoveToPosTask(const TaskOptions& options)
     : nearest_(options.number("nearest", 0.4, 0.1, 10)),
       farthest_(std::max(nearest_, options.number("farthest", 10, 0.1, 12))),
-      fall_(options.number("fall", 8, 0, 100)) {
+      fall_(options.number("fall", 8, 0, 100)),
+      searched_(ConfigFile("SkillMoveToPos", MotionTrial::directories(0)).root().section("walk"),
+                walkNumbers) {
   options.check({"type", "nearest", "farthest", "fall"});
   const std::string type = options.word("type", "all", {"all", "0", "1", "2", "3", "4"});
   for (int i = 0; i < types; ++i)
     if (type == "all" || type == std::to_string(i)) robots_.push_back(std::make_unique<MotionTrial>(i));
-  const ConfigFile file("SkillMoveToPos", MotionTrial::directories(0));
-  readParameters(file.root().section("walk"), WalkToPoseParameters::parameterList(), &first_);
-  WalkToPoseParameters::parameterList().visit(
-      &first_, [&](const std::string& path, const Parameter& parameter, const ParameterPointer& value) {
-        const auto* one = std::ranges::find(searchedNumbers, path, &Searched::name);
-        if (one != std::end(searchedNumbers))
-          parameters_.push_back(
-              {path, *std::get<double*>(value), parameter.range.min, parameter.range.max, one->sigma});
-      });
-}
-
-WalkToPoseParameters MoveToPosTask::with(const Eigen::VectorXd& parameters) const {
-  WalkToPoseParameters result = first_;
-  WalkToPoseParameters::parameterList().visit(
-      &result, [&](const std::string& path, const Parameter&, const ParameterPointer& value) {
-        const auto found = std::ranges::find(parameters_, path, &TaskParameter::name);
-        if (found != parameters_.end())
-          *std::get<double*>(value) = rounded(parameters[found - parameters_.begin()]);
-      });
-  return result;
 }
 
 TaskOutcome MoveToPosTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed) {
@@ -80,10 +51,10 @@ TaskOutcome MoveToPosTask::run(const Eigen::VectorXd& parameters, std::uint64_t 
   trial.restarted();
   trial.robot.world().setBall(farBall, Vec3::Zero());
 
-  const WalkToPoseParameters p = with(parameters);
+  const WalkToPoseParameters p = searched_.with(parameters);
   double seconds = 0;
   bool fell = false, sprinting = false;
-  for (int there = 0; there <= cyclesThere && !fell && seconds < mostSeconds; seconds += MotionTrial::dt) {
+  for (int there = 0; there <= cyclesThere && !fell && seconds < longestWay; seconds += MotionTrial::dt) {
     const Pose2 target = groundPose(trial.robot.torso().pose).inverse();
     const bool arrived = target.position.norm() < near && std::abs(target.heading) < turned;
     const WalkCommand command = arrived ? WalkCommand() : walkToPose(target, p, sprinting);
@@ -100,10 +71,7 @@ TaskOutcome MoveToPosTask::run(const Eigen::VectorXd& parameters, std::uint64_t 
 
 std::string MoveToPosTask::file(const Eigen::VectorXd& parameters, const std::string& heading,
                                 const std::map<std::string, double>&) const {
-  GroupedLines lines("", digits);
-  for (std::size_t i = 0; i < parameters_.size(); ++i)
-    lines.add("walk." + parameters_[i].name, parameters[static_cast<Eigen::Index>(i)]);
-  return commentLines(heading) + lines.text;
+  return commentLines(heading) + "walk:\n" + searched_.lines(parameters).text;
 }
 
 MAKE_TASK(moveToPos,

@@ -6,6 +6,7 @@
 #include "tactics/approach/WalkToPose.h"
 #include "training/MotionTrial.h"
 #include "training/SearchTask.h"
+#include "training/SearchedGroup.h"
 
 namespace plumbline::training {
 
@@ -20,18 +21,15 @@ class MoveToPosTask : public SearchTask {
 public:
   explicit MoveToPosTask(const TaskOptions& options);
 
-  const std::vector<TaskParameter>& parameters() const override { return parameters_; }
+  const std::vector<TaskParameter>& parameters() const override { return searched_.parameters(); }
   TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) override;
   std::string file(const Eigen::VectorXd& parameters, const std::string& heading,
                    const std::map<std::string, double>& figures) const override;
 
 private:
-  WalkToPoseParameters with(const Eigen::VectorXd& parameters) const;
-
-  double nearest_, farthest_, fall_;
+  double nearest_, farthest_, fall_;  ///< options [m, m, s]
+  SearchedGroup<WalkToPoseParameters> searched_;
   std::vector<std::unique_ptr<motion::MotionTrial>> robots_;  ///< one of each type
-  WalkToPoseParameters first_;
-  std::vector<TaskParameter> parameters_;
 };
 
 }  // namespace plumbline::training

@@ -10,10 +10,8 @@
 #include "framework/ConfigFile.h"
 #include "framework/ConfigOverlay.h"
 #include "framework/ConfigurationError.h"
-#include "framework/ModuleParameters.h"
 #include "math/Angle.h"
 #include "math/GroundPose.h"
-#include "training/GroupedLines.h"
 
 namespace plumbline::training {
 namespace {
@@ -28,49 +26,35 @@ constexpr double changesFoot = 0.03;    // FootSelector's `stays` [m]
 constexpr int cyclesAfter = 10;         // after the kick, before the ball goes on alone
 const Vec2 ballPlace(-6, 0);            // nothing stands in the way of a ball that is kicked from here [m]
 
-/// What is searched, and the standard deviation of the first candidates.
-struct Searched {
-  const char* path;
-  double sigma;
-};
-constexpr Searched searchedNumbers[] = {{"walk.maxForward", 0.1},
-                                        {"walk.maxBackward", 0.05},
-                                        {"walk.maxSideways", 0.05},
-                                        {"walk.maxTurn", 0.3},
-                                        {"walk.positionGain", 0.4},
-                                        {"walk.headingGain", 0.6},
-                                        {"walk.nearDistance", 0.1},
-                                        {"walk.turnFirst", 0.15},
-                                        {"walk.sprintBearing", 0.06},
-                                        {"walk.sprintHold", 0.1},
-                                        {"walk.sprintAside", 0.1},
-                                        {"walk.sprintDistance", 0.3},
-                                        {"walk.sprintTurn", 0.1},
-                                        {"walk.alignSpeed", 0.15},
-                                        {"walk.alignGain", 3},
-                                        {"walk.curveSpeed", 0.08},
-                                        {"walk.turnEffort", 0.1},
-                                        {"walk.turnWalking", 0.3},
-                                        {"approach.avoidRadius", 0.04},
-                                        {"approach.stepAngle", 0.2},
-                                        {"approach.behindAngle", 0.15},
-                                        {"toleranceForward", 0.005},
-                                        {"toleranceSideways", 0.005},
-                                        {"toleranceHeading", 0.03},
-                                        {"keeps", 0.15},
-                                        {"biasGain", 0.4},
-                                        {"biasDistance", 0.03},
-                                        {"maxBias", 0.03}};
-
-/// "walk_maxForward": without dots, which in a file would be maps within maps.
-std::string nameOf(std::string path) {
-  std::ranges::replace(path, '.', '_');
-  return path;
-}
-
-constexpr int digits = 4;  // that the file has
-
-double rounded(double value) { return std::stod(fmt::format("{:.{}g}", value, digits)); }
+/// What is searched.
+constexpr SearchedPath searchedNumbers[] = {{"walk.maxForward", 0.1},
+                                            {"walk.maxBackward", 0.05},
+                                            {"walk.maxSideways", 0.05},
+                                            {"walk.maxTurn", 0.3},
+                                            {"walk.positionGain", 0.4},
+                                            {"walk.headingGain", 0.6},
+                                            {"walk.nearDistance", 0.1},
+                                            {"walk.turnFirst", 0.15},
+                                            {"walk.sprintBearing", 0.06},
+                                            {"walk.sprintHold", 0.1},
+                                            {"walk.sprintAside", 0.1},
+                                            {"walk.sprintDistance", 0.3},
+                                            {"walk.sprintTurn", 0.1},
+                                            {"walk.alignSpeed", 0.15},
+                                            {"walk.alignGain", 3},
+                                            {"walk.curveSpeed", 0.08},
+                                            {"walk.turnEffort", 0.1},
+                                            {"walk.turnWalking", 0.3},
+                                            {"approach.avoidRadius", 0.04},
+                                            {"approach.stepAngle", 0.2},
+                                            {"approach.behindAngle", 0.15},
+                                            {"toleranceForward", 0.005},
+                                            {"toleranceSideways", 0.005},
+                                            {"toleranceHeading", 0.03},
+                                            {"keeps", 0.15},
+                                            {"biasGain", 0.4},
+                                            {"biasDistance", 0.03},
+                                            {"maxBias", 0.03}};
 
 }  // namespace
 
@@ -81,7 +65,9 @@ PositioningTask::PositioningTask(const TaskOptions& options)
       start_(options.number("start", 1.5, 0.3, 10)),
       farthest_(std::max(start_, options.number("farthest", start_, 0.3, 10))),
       metre_(options.number("metre", 0.5, 0, 10)),
-      fall_(options.number("fall", 5, 0, 100)) {
+      fall_(options.number("fall", 5, 0, 100)),
+      searched_(ConfigFile("SkillGetBall", MotionTrial::directories(type_)).root().section("positioning"),
+                searchedNumbers) {
   const MotionTrial& trial = worlds_.first();
   const std::string name = options.word("motion", "");
   for (const motion::KeyframeMotion& motion : trial.motions) {
@@ -90,27 +76,6 @@ PositioningTask::PositioningTask(const TaskOptions& options)
   }
   if (!kick_.kick) throw ConfigurationError("option motion: " + name + " is no kick of this robot");
   if (kick_.ball.y() > 0) kick_ = motion::mirrored(kick_);
-  const ConfigFile file("SkillGetBall", MotionTrial::directories(type_));
-  readParameters(file.root().section("positioning"), BallPositioningParameters::parameterList(), &first_);
-  BallPositioningParameters::parameterList().visit(
-      &first_, [&](const std::string& path, const Parameter& parameter, const ParameterPointer& value) {
-        for (const Searched& one : searchedNumbers) {
-          if (path != one.path) continue;
-          paths_.push_back(path);
-          parameters_.push_back(
-              {nameOf(path), *std::get<double*>(value), parameter.range.min, parameter.range.max, one.sigma});
-        }
-      });
-}
-
-BallPositioningParameters PositioningTask::with(const Eigen::VectorXd& parameters) const {
-  BallPositioningParameters result = first_;
-  BallPositioningParameters::parameterList().visit(
-      &result, [&](const std::string& path, const Parameter&, const ParameterPointer& value) {
-        const auto found = std::ranges::find(paths_, path);
-        if (found != paths_.end()) *std::get<double*>(value) = rounded(parameters[found - paths_.begin()]);
-      });
-  return result;
 }
 
 /// The way to the ball and the kick, cycle by cycle, as the agent's modules do it.
@@ -179,7 +144,7 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
   trial.restarted();
   trial.robot.world().setBall(Vec3(ballPlace.x(), ballPlace.y(), simulation::WorldConfig().field.ballRadius),
                               Vec3::Zero());
-  const BallPositioningParameters p = with(parameters);
+  const BallPositioningParameters p = searched_.with(parameters);
   const double x = trial.random(-cameraOffset, cameraOffset), y = trial.random(-cameraOffset, cameraOffset);
   Walk walk{.trial = trial, .kick = kick_, .p = p, .offset = Vec2(x, y)};
 
@@ -210,9 +175,7 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
 
 std::string PositioningTask::file(const Eigen::VectorXd& parameters, const std::string& heading,
                                   const std::map<std::string, double>&) const {
-  GroupedLines lines("  ", digits);
-  for (std::size_t i = 0; i < paths_.size(); ++i)
-    lines.add(paths_[i], parameters[static_cast<Eigen::Index>(i)]);
+  const GroupedLines lines = searched_.lines(parameters);
   return commentLines(heading) + overlayLine("SkillGetBall.yaml", lines.count) + "\npositioning:\n" +
          lines.text;
 }

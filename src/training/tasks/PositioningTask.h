@@ -6,6 +6,7 @@
 #include "robot/KickEffect.h"
 #include "tactics/approach/BallPositioning.h"
 #include "training/SearchTask.h"
+#include "training/SearchedGroup.h"
 #include "training/tasks/BallRoll.h"
 #include "training/tasks/TrialWorlds.h"
 
@@ -24,23 +25,20 @@ class PositioningTask : public SearchTask {
 public:
   explicit PositioningTask(const TaskOptions& options);
 
-  const std::vector<TaskParameter>& parameters() const override { return parameters_; }
+  const std::vector<TaskParameter>& parameters() const override { return searched_.parameters(); }
   TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) override;
   std::string file(const Eigen::VectorXd& parameters, const std::string& heading,
                    const std::map<std::string, double>& figures) const override;
 
 private:
   struct Walk;
-  BallPositioningParameters with(const Eigen::VectorXd& parameters) const;
 
   int type_;  ///< of the robot
   TrialWorlds worlds_;
   BallRoll ball_;
   motion::KeyframeMotion kick_;             ///< with the right foot
   double start_, farthest_, metre_, fall_;  ///< options [m, m, s, s]
-  BallPositioningParameters first_;
-  std::vector<std::string> paths_;  ///< of the parameters that are searched
-  std::vector<TaskParameter> parameters_;
+  SearchedGroup<BallPositioningParameters> searched_;
 };
 
 }  // namespace plumbline::training

@@ -9,8 +9,6 @@ const rowsOf = (split) => splits.get(split) ?? splits.set(split, []).get(split);
 const labels = { 'mujoco-gauss-newton': 'what MuJoCo\u2019s sysid fits, Gauss-Newton', 'pace-cma-es': 'what PACE fits, CMA-ES', 'everything-gauss-newton': 'everything per joint, Gauss-Newton', 'everything-cma-es': 'everything per joint, CMA-ES', single: 'best single effect' };
 const runsOf = (runs) => runs.map((r) => `${path.basename(r.folder)} ${percent(r.closed)}`).join(', ');
 
-const kindsOf = (model) => new Set(model.map((c) => c.effect)).size;
-
 let claims = '';
 for (const piece of pieces) {
   const name = path.basename(piece), method = name.slice(name.lastIndexOf('.') + 1), split = name.slice(0, -method.length - 1);
@@ -20,9 +18,10 @@ for (const piece of pieces) {
   const further = fs.existsSync(`${piece}.further.json`) ? { ...answer.gap.further, check: read(`${piece}.further.json`) } : null;
   claims += `| ${split} | ${method} | ${causes || 'none'} | ${percent(check.claimed)} | ${range} | ${percent(check.closed)} | ` +
     `${further ? `${further.parameters} | ${percent(further.check.claimed)} | ${percent(further.check.closed)}` : '| |'} |\n`;
-  rowsOf(split).push({ ours: true, method: answer.gap.model ? `**bin/gap, ${method}: ${kindsOf(answer.gap.model)} kinds of causes, each in every joint**` : `**bin/gap, ${method}**`, parameters: (answer.gap.model ?? answer.effects).length, closed: check.closed, runs: runsOf(check.runs), cpu: timing.cpu_seconds, attributable: 'yes' });
+  const { model } = answer.gap, kinds = model ? `: ${new Set(model.map((c) => c.effect)).size} kinds of causes, each in every joint` : '';
+  rowsOf(split).push({ ours: true, method: `**bin/gap, ${method}${kinds}**`, parameters: (model ?? answer.effects).length, closed: check.closed, runs: runsOf(check.runs), cpu: timing.cpu_seconds, attributable: 'yes' });
   if (further) {
-    rowsOf(split).push({ ours: false, further: true, method: `**bin/gap, ${method}, all values of all joints beside (\`--further\`)**`, parameters: further.parameters, closed: further.check.closed, runs: runsOf(further.check.runs), cpu: NaN, attributable: 'no' });
+    rowsOf(split).push({ ours: false, further: true, method: `**bin/gap, ${method}, all values of all joints beside the kinds (\`--further\`)**`, parameters: further.parameters, closed: further.check.closed, runs: runsOf(further.check.runs), cpu: NaN, attributable: 'no' });
     figures.push({ name: `gap-peers.closed.${split}.${method}-further`, value: further.check.closed, unit: '1', better: 'higher' },
       { name: `gap-peers.claim-off.${split}.${method}-further`, value: Math.abs(further.check.claimed - further.check.closed), unit: '1', better: 'lower', target: 0.1 });
   }

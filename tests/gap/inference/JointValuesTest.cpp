@@ -6,17 +6,6 @@
 
 namespace plumbline::gap {
 
-namespace {
-
-/// Of the joint that is given, of the first cause that is there; not a number where there is none.
-double valueAt(const Explanation& causes, const char* id, const char* at) {
-  for (const Cause& cause : causes)
-    if (cause.effect->id == id && cause.place.at == at) return cause.value;
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
-}  // namespace
-
 TEST(JointValues, aValueForAllJointsBecomesOneInEach) {
   const Mechanism arm = twoJointArm();
   const Groups groups(threeMotions(
@@ -25,8 +14,8 @@ TEST(JointValues, aValueForAllJointsBecomesOneInEach) {
   const Explanation shared{{findEffect("coulomb_friction"), {Site::everywhere, -1, "*"}, 0.1, 0}};
   const Explanation model = withJointValues(replayer, shared);
   ASSERT_EQ(model.size(), 2U);
-  EXPECT_NEAR(valueAt(model, "coulomb_friction", "shoulder"), 0.15, 0.008);
-  EXPECT_NEAR(valueAt(model, "coulomb_friction", "elbow"), 0.05, 0.004);
+  EXPECT_NEAR(causeIn(model, "coulomb_friction", "shoulder").value, 0.15, 0.008);
+  EXPECT_NEAR(causeIn(model, "coulomb_friction", "elbow").value, 0.05, 0.004);
   EXPECT_LT(shareLeft(replayer, model), 0.1 * shareLeft(replayer, shared));
 }
 
@@ -36,8 +25,8 @@ TEST(JointValues, aKindFoundInOneJointIsLookedForInTheOthers) {
                           causeOfArm("viscous_friction", "elbow", 0.05)};
   const Groups groups(threeMotions(truth));
   const Explanation model = withJointValues(Replayer(arm, groups, 1), {truth[0]});
-  EXPECT_NEAR(valueAt(model, "viscous_friction", "shoulder"), 0.2, 0.01);
-  EXPECT_NEAR(valueAt(model, "viscous_friction", "elbow"), 0.05, 0.005);
+  EXPECT_NEAR(causeIn(model, "viscous_friction", "shoulder").value, 0.2, 0.01);
+  EXPECT_NEAR(causeIn(model, "viscous_friction", "elbow").value, 0.05, 0.005);
 }
 
 TEST(JointValues, whatDoesNotSitAtJointsStaysAsItIs) {
@@ -66,16 +55,6 @@ TEST(JointValues, areSaidInALineForEachKind) {
                  causeOfArm("coulomb_friction", "elbow", 0.05), causeOfArm("servo_gain", "elbow", 0.9)}),
             "  coulomb_friction in 2 joints: 0.05 to 0.15 N m\n  servo_gain in 1 joint: 0.9\n");
   EXPECT_EQ(jointValuesText({}), "");
-}
-
-TEST(JointValues, aCauseOfAGroupBeginsInItsJoints) {
-  Mechanism arm = twoJointArm();
-  arm.groups.push_back({"outer", {1}});
-  const Explanation ofGroup{{findEffect("coulomb_friction"), {Site::everywhere, 0, "outer"}, 0.08, 0}};
-  static constexpr std::string_view ids[] = {"coulomb_friction"};
-  const PerJoint start = perJoint(arm, ofGroup, ids);
-  EXPECT_EQ(valueAt(start.causes, "coulomb_friction", "shoulder"), 0);
-  EXPECT_EQ(valueAt(start.causes, "coulomb_friction", "elbow"), 0.08);
 }
 
 }  // namespace plumbline::gap

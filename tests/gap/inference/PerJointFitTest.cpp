@@ -12,19 +12,11 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double readingNoise = 5e-4;
-
 const Explanation& frictionOfBoth() {
   static const Explanation causes{causeOfArm("coulomb_friction", "shoulder", 0.12),
                                   causeOfArm("viscous_friction", "shoulder", 0.1),
                                   causeOfArm("coulomb_friction", "elbow", 0.06)};
   return causes;
-}
-
-const Cause& causeIn(const Explanation& causes, const char* id, const char* at) {
-  for (const Cause& cause : causes)
-    if (cause.effect->id == id && cause.place.at == at) return cause;
-  throw std::out_of_range(id);
 }
 
 }  // namespace
@@ -58,6 +50,16 @@ TEST(PerJointFit, whatTheBaseHasOfTheseEffectsIsWhereTheyStartAndTheRestIsHeld) 
   const Groups groups(threeMotions(base));
   const PerJoint fitted = fitPerJoint(Replayer(arm, groups, 1), start, 2);
   EXPECT_EQ(fitted.causes.front(), base.front());
+}
+
+TEST(PerJointFit, aCauseOfAGroupBeginsInItsJoints) {
+  Mechanism arm = twoJointArm();
+  arm.groups.push_back({"outer", {1}});
+  const Explanation ofGroup{{findEffect("coulomb_friction"), {Site::everywhere, 0, "outer"}, 0.08, 0}};
+  static constexpr std::string_view ids[] = {"coulomb_friction"};
+  const PerJoint start = perJoint(arm, ofGroup, ids);
+  EXPECT_EQ(causeIn(start.causes, "coulomb_friction", "shoulder").value, 0);
+  EXPECT_EQ(causeIn(start.causes, "coulomb_friction", "elbow").value, 0.08);
 }
 
 TEST(PerJointFit, whatIsNotOfJointsIsRefused) {

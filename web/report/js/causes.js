@@ -34,20 +34,19 @@ report.causes = (answer, section) => {
 /** What each kind of cause is worth in each joint, where that differs: a line per joint, bars of one scale per kind. */
 report.perJoint = (answer, section) => {
   const { el, number } = report;
-  const known = new Set((answer.effects ?? []).filter((c) => c.at === '*').map((c) => c.effect));
-  const model = (answer.gap?.model ?? []).filter((c) => report.isNumber(c.value) && !c.axis);
-  const kinds = [...new Set(model.map((c) => c.effect))].filter((kind) => known.has(kind) || model.filter((c) => c.effect === kind).length > 1);
-  const joints = [...new Set(model.filter((c) => kinds.includes(c.effect)).map((c) => c.at))];
-  if (!kinds.length || joints.length < 2) return;
-  const unit = (kind) => model.find((c) => c.effect === kind).unit;
-  const most = (kind) => Math.max(...model.filter((c) => c.effect === kind).map((c) => Math.abs(c.value))) || 1;
-  const cell = (kind, joint) => {
-    const cause = model.find((c) => c.effect === kind && c.at === joint);
-    return el('td', { class: 'number' }, cause ? [number(cause.value), el('div', { class: 'bar' }, el('i', { style: { width: `${(100 * Math.abs(cause.value)) / most(kind)}%` } }))] : '');
-  };
+  const names = new Set((answer.figure?.joints ?? []).map((j) => j.name));
+  const model = (answer.gap?.model ?? []).filter((c) => report.isNumber(c.value) && names.has(c.at));
+  const joints = [...new Set(model.map((c) => c.at))];
+  if (joints.length < 2) return;
+  const kinds = [...new Set(model.map((c) => c.effect))].map((effect) => {
+    const causes = model.filter((c) => c.effect === effect), unit = report.unit(causes[0].unit);
+    return { name: unit ? `${effect} [${unit}]` : effect, most: Math.max(...causes.map((c) => Math.abs(c.value))) || 1, of: (joint) => causes.find((c) => c.at === joint)?.value };
+  });
+  const cell = ({ most, of }, joint) => (of(joint) === undefined ? el('td', {})
+    : el('td', { class: 'number' }, number(of(joint)), el('div', { class: 'bar' }, el('i', { style: { width: `${(100 * Math.abs(of(joint))) / most}%` } }))));
   section.append(el('h3', { style: { marginTop: '18px' } }, 'Values in each joint'),
     el('p', { class: 'dim small' }, 'Each kind of cause with its value in every joint. The gap is closed with these, not with one value for all.'),
-    el('table', { id: 'per-joint' }, el('tr', {}, el('th', {}, 'joint'), kinds.map((kind) => el('th', { class: 'number' }, `${kind}${unit(kind) && unit(kind) !== '1' ? ` [${unit(kind)}]` : ''}`))),
+    el('table', { id: 'per-joint' }, el('tr', {}, el('th', {}, 'joint'), kinds.map(({ name }) => el('th', { class: 'number' }, name))),
       joints.map((joint) => el('tr', {}, el('td', {}, joint), kinds.map((kind) => cell(kind, joint))))));
 };
 

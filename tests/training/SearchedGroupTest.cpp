@@ -1,0 +1,27 @@
+#include "training/SearchedGroup.h"
+
+#include <gtest/gtest.h>
+
+#include "framework/ConfigFile.h"
+#include "tactics/approach/BallPositioning.h"
+
+namespace plumbline::training {
+namespace {
+
+TEST(SearchedGroup, namesNumbersWithoutDotsAndWritesThemByGroups) {
+  static constexpr SearchedPath numbers[] = {{"keeps", 0.2}, {"walk.maxTurn", 0.3}};
+  const ConfigFile file("SkillGetBall", {"config"});
+  const SearchedGroup<BallPositioningParameters> searched(file.root().section("positioning"), numbers);
+  ASSERT_EQ(searched.parameters().size(), 2U);
+  EXPECT_EQ(searched.parameters()[0].name, "walk_maxTurn") << "in the group's order";
+  EXPECT_EQ(searched.parameters()[1].name, "keeps");
+  const BallPositioningParameters changed = searched.with(Eigen::Vector2d(2.123456, 1.5));
+  EXPECT_DOUBLE_EQ(changed.walk.maxTurn, 2.123);
+  EXPECT_DOUBLE_EQ(changed.keeps, 1.5);
+  const GroupedLines lines = searched.lines(Eigen::Vector2d(2.123456, 1.5));
+  EXPECT_EQ(lines.text, "  walk:\n    maxTurn: 2.123\n  keeps: 1.5\n");
+  EXPECT_EQ(lines.count, 2U);
+}
+
+}  // namespace
+}  // namespace plumbline::training
