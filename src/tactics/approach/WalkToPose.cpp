@@ -42,7 +42,8 @@ WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& 
       const double most = sprinting ? std::max(straight, parameters.sprintHold) : straight;
       command.sprint = far && std::abs(bearing) < most;
       if (command.sprint) {
-        command.turn = std::clamp(command.turn, -parameters.sprintTurn, parameters.sprintTurn);
+        command.turn =
+            std::clamp(parameters.sprintGain * bearing, -parameters.sprintTurn, parameters.sprintTurn);
         speed = parameters.maxForward;  // less of it would end the sprint
       } else {                          // what is left of the walk's effort turns
         speed = std::min(speed, curve);

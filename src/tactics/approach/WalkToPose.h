@@ -19,7 +19,7 @@ struct WalkToPoseParameters {
             "a target farther off than this angle is turned to before walking")
   PARAMETER(double, sprintBearing, 0, "rad", Range(0, 1),
             "if the target is closer than this to straight ahead, the robot sprints; otherwise it walks "
-            "slowly and turns, because a sprint cannot turn; 0: turns and walks at the same time")
+            "slowly and turns, because a sprint turns slowly; 0: turns and walks at the same time")
   PARAMETER(double, sprintHold, 0, "rad", Range(0, 1),
             "a sprint continues until the target is farther from straight ahead than this, because braking "
             "and starting again takes seconds; 0: as sprintBearing")
@@ -29,6 +29,7 @@ struct WalkToPoseParameters {
       double, sprintDistance, 1.5, "m", Range(0, 30),
       "no sprint to nearer targets: the path is too short to gain the time of the turn before it, or to stop")
   PARAMETER(double, sprintTurn, 0.1, "rad/s", Range(0, 3), "fastest turn in a sprint")
+  PARAMETER(double, sprintGain, 1, "1/s", Range(0, 40), "turn per radian to go in a sprint")
   PARAMETER(double, curveSpeed, 0.4, "m/s", Range(0.01, 3),
             "fastest walk forward while it turns to the target")
   PARAMETER(
