@@ -41,9 +41,6 @@ struct SprintParameters {
   PARAMETER(double, patience, 0.3, "s", Range(0, 10), "time for which a sprint must be requested")
   PARAMETER(double, lateralShare, 0.23, "", Range(0, 0.35),
             "share of the omnidirectional limits that is allowed in other directions during a sprint")
-  PARAMETER(double, turnShare, 0, "", Range(0, 1),
-            "share of the omnidirectional turn that a sprint forward turns with at full speed, at least "
-            "lateralShare")
   PARAMETER(double, riseTime, 0, "s", Range(0, 10),
             "from the omnidirectional limit to full speed, 0: with the usual acceleration")
   PARAMETER(double, fallTime, 0, "s", Range(0, 10),

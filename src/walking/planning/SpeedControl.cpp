@@ -30,7 +30,7 @@ void SpeedControl::update(const Vec2& goal, double turn, const WalkParameters& p
   // The robot brakes before it turns: what forward speed leaves of the effort limits the rest.
   const Vec3 omni = omniLimits(now_.x(), p);
   const double used = std::abs(now_.x()) / omni.x();
-  const double rest = std::max(axis == 0 ? sprint_.turnShare(now_, p) : 0.0, 1 - used);
+  const double rest = std::max(axis == 0 ? p.sprint.lateralShare : 0.0, 1 - used);
   const double side = std::hypot(now_.y() / omni.y(), now_.z() / omni.z());
   if (side > rest && axis <= 0) {
     now_.y() *= rest / side;

@@ -6,7 +6,6 @@ namespace plumbline::walking {
 namespace {
 
 constexpr double nearlyFull = 0.9;  ///< share of the full speed that is meant to be a sprint
-constexpr double atFull = 0.99;     ///< share of the full speed from which on a sprint may turn
 constexpr double straight = 0.2;    ///< share of the omnidirectional limits that may be asked for beside it
 
 /// The axis that a wish means to sprint along, -1: none.
@@ -20,12 +19,10 @@ int sprintAxis(const Vec3& wish, const WalkParameters& p) {
   return -1;
 }
 
-/// The speed with a share of the omnidirectional limits at most beside the axis, that of turning apart.
-Vec3 straightened(Vec3 speed, const Vec3& omni, int axis, double share, double turnShare) {
-  for (int i = 0; i < 3; ++i) {
-    const double most = (i == 2 ? turnShare : share) * omni[i];
-    if (i != axis) speed[i] = std::clamp(speed[i], -most, most);
-  }
+/// The speed with a share of the omnidirectional limits at most beside the axis.
+Vec3 straightened(Vec3 speed, const Vec3& omni, int axis, double share) {
+  for (int i = 0; i < 3; ++i)
+    if (i != axis) speed[i] = std::clamp(speed[i], -share * omni[i], share * omni[i]);
   return speed;
 }
 
@@ -70,7 +67,7 @@ Vec3 Sprint::slower(const Vec3& wish, const Vec3& now, const WalkParameters& p, 
   }
   const Vec3 mixed = withinEllipsoid(wish, omni);
   if (state_ == SprintState::none) return mixed;
-  Vec3 go = straightened(mixed, omni, could, p.sprint.lateralShare, p.sprint.lateralShare);
+  Vec3 go = straightened(mixed, omni, could, p.sprint.lateralShare);
   go[could] = sign * omni[could];
   return go;
 }
@@ -80,8 +77,8 @@ Vec3 Sprint::along(const Vec3& wish, const Vec3& now, const WalkParameters& p, d
   const Vec3 omni = omniLimits(axis_ == 0 ? full_ : wish.x(), p);
   Vec3 go = wish / std::max(1.0, std::abs(wish[axis_] / full_));
   SprintConditions conditions;
-  conditions.asked = !(sign * wish[axis_] < nearlyFull * std::abs(full_) ||
-                       besideAxis(go, omniToGoOn(omni, p), axis_) > straight + 1e-9);
+  conditions.asked =
+      !(sign * wish[axis_] < nearlyFull * std::abs(full_) || besideAxis(go, omni, axis_) > straight);
   conditions.slow = sign * now[axis_] <= omni[axis_];
   conditions.settled = settled_ >= p.sprint.settleTime - 1e-9;
   for (SprintState before = SprintState::none; before != state_ && state_ != SprintState::none;) {
@@ -93,19 +90,10 @@ Vec3 Sprint::along(const Vec3& wish, const Vec3& now, const WalkParameters& p, d
     return withinEllipsoid(wish, omniLimits(wish.x(), p));
   }
   if (state_ == SprintState::settling && conditions.slow) settled_ += dt;
-  go = straightened(go, omni, axis_, p.sprint.lateralShare, turnShare(now, p));
+  go = straightened(go, omni, axis_, p.sprint.lateralShare);
   const bool running = state_ == SprintState::running;
   go[axis_] = running ? full_ : sign * std::clamp(sign * go[axis_], 0.0, omni[axis_]);
   return go;
-}
-
-Vec3 Sprint::omniToGoOn(const Vec3& omni, const WalkParameters& p) const {
-  return forward() ? Vec3(omni.x(), omni.y(), omni.z() * std::max(1.0, p.sprint.turnShare / straight)) : omni;
-}
-
-double Sprint::turnShare(const Vec3& now, const WalkParameters& p) const {
-  const bool full = forward() && state_ == SprintState::running && now.x() >= atFull * full_;
-  return full ? std::max(p.sprint.turnShare, p.sprint.lateralShare) : p.sprint.lateralShare;
 }
 
 double Sprint::acceleration(double usual, const Vec3& now, const WalkParameters& p) const {

@@ -34,18 +34,12 @@ public:
   bool active() const { return axis_ >= 0; }
   /// In which it goes: 0 forward, 1 sideways, 2 turning; -1: no sprint.
   int axis() const { return axis_; }
-  /// Share of the omnidirectional limit of turning that it may turn with now: sprint.turnShare at full speed
-  /// forward, else sprint.lateralShare.
-  double turnShare(const Vec3& now, const WalkParameters& p) const;
   /// Acceleration along the axis: between the omnidirectional limit and full speed a sprint's own.
   double acceleration(double usual, const Vec3& now, const WalkParameters& p) const;
 
 private:
   Vec3 slower(const Vec3& wish, const Vec3& now, const WalkParameters& p, double dt);
   Vec3 along(const Vec3& wish, const Vec3& now, const WalkParameters& p, double dt);
-  bool forward() const { return axis_ == 0 && full_ > 0; }
-  /// The limits by which a wish is judged that is to go on with the sprint: one forward may ask for its turn.
-  Vec3 omniToGoOn(const Vec3& omni, const WalkParameters& p) const;
 
   SprintState state_ = SprintState::none;
   int axis_ = -1;

@@ -36,8 +36,6 @@ void measureLong(std::size_t count, const BenchSetup& setup, Report& report,
 
 /// How fast and how safely every robot walks.
 void measureSpeeds(const BenchSetup& setup, Report& report);
-/// How fast every robot turns while it sprints.
-void measureCurves(const BenchSetup& setup, Report& report);
 /// The thesis's tables 4.1 and 4.3 to 4.5, before and after the model's optimisation;
 /// figures 4.13, 4.14, 4.18 and 4.24.
 void measureThesisTables(const BenchSetup& setup, Report& report, Page& page);

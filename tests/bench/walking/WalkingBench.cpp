@@ -9,8 +9,8 @@
 // SEEDS (10): of each measurement; MINUTES (10): of random requests per robot and seed; TRIES (100): of a
 // push. Robots: type0 .. type4, type0_plain, type3_plain, nao-bullet, nao-mujoco, and type0@server or
 // type0@HOST:AGENTPORT:MONITORPORT on a SimSpark server that is in step with its agents. Sections: speeds,
-// curves, thesis, pushes, estimate. Jobs: threads, as many as cores without it; the cost of a cycle is
-// measured on one. Name: of the files written, walking without it.
+// thesis, pushes, estimate. Jobs: threads, as many as cores without it; the cost of a cycle is measured on
+// one. Name: of the files written, walking without it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ std::vector<std::string> split(const std::string& list) {
 
 struct Arguments {
   BenchSetup setup;
-  std::vector<std::string> sections{"speeds", "curves", "thesis", "pushes", "estimate"};
+  std::vector<std::string> sections{"speeds", "thesis", "pushes", "estimate"};
   std::string name = "walking";
 
   bool has(const char* section) const { return std::ranges::find(sections, section) != sections.end(); }
@@ -78,7 +78,7 @@ Arguments read(int argc, char** argv) {
         for (const std::string& name : list)
           if (!Arguments().has(name.c_str()))
             throw std::invalid_argument("no section '" + name +
-                                        "'; there is speeds, curves, thesis, pushes, estimate");
+                                        "'; there is speeds, thesis, pushes, estimate");
         arguments.sections = list;
       } else {
         throw std::invalid_argument("no option '" + word +
@@ -142,7 +142,6 @@ int main(int argc, char** argv) {
       if (!page.figures.empty()) plumbline::writeFile(files + ".html", page.html());
     };
     if (arguments.has("speeds")) measureSpeeds(setup, report), write();
-    if (arguments.has("curves")) measureCurves(setup, report), write();
     if (arguments.has("thesis")) measureThesisTables(setup, report, page), write();
     if (arguments.has("pushes")) measurePushes(setup, report), write();
     if (arguments.has("estimate")) measureEstimate(setup, report, page), write();

@@ -115,38 +115,6 @@ TEST_F(SpeedControlTest, littleElseIsWalkedBesideASprint) {
   EXPECT_FALSE(speed.sprinting());
 }
 
-TEST_F(SpeedControlTest, aSprintTurnsMoreOnceItIsAtFullSpeed) {
-  p.sprint.lateralShare = 0.05;
-  p.sprint.turnShare = 0.3;
-  p.sprint.riseTime = p.sprint.fallTime = 1;
-  ask(9, 0, 0, 1);
-  ASSERT_TRUE(speed.sprinting());
-  ask(1, 0, 0.39, 0.1);
-  ASSERT_LT(speed.velocity().x(), 0.9);
-  EXPECT_NEAR(speed.turn(), 0.05 * 2, 1e-9) << "not while it becomes faster";
-  ask(1, 0, 0.59, 2);
-  EXPECT_NEAR(speed.velocity().x(), 1.0, 1e-9);
-  EXPECT_NEAR(speed.turn(), 0.59, 1e-9);
-  ask(1, 0, 0.61, 0.1);
-  EXPECT_NEAR(speed.turn(), 0.05 * 2, 1e-9) << "more ends the sprint, and it brakes straight";
-  EXPECT_LT(speed.velocity().x(), 1.0);
-  ask(1, 0, 0.61, 3);
-  EXPECT_FALSE(speed.sprinting());
-}
-
-TEST_F(SpeedControlTest, aSprintBackwardDoesNot) {
-  p.speed.omniBackward = 0.3;
-  p.sprint.lateralShare = 0.05;
-  p.sprint.turnShare = 0.3;
-  ask(-9, 0, 0, 2);
-  ASSERT_TRUE(speed.sprinting());
-  ask(-0.4, 0, 0.39, 0.2);
-  EXPECT_TRUE(speed.sprinting());
-  EXPECT_NEAR(speed.turn(), 0.05 * 2, 1e-9);
-  ask(-0.4, 0, 0.45, 3);
-  EXPECT_FALSE(speed.sprinting());
-}
-
 TEST_F(SpeedControlTest, withoutSpeedsForMixturesFullSpeedIsWhatMayBeMixed) {
   ask(-9, 0, 0, 2);
   EXPECT_FALSE(speed.sprinting());
