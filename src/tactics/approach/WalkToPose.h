@@ -19,7 +19,7 @@ struct WalkToPoseParameters {
             "a target farther off than this angle is turned to before walking")
   PARAMETER(double, sprintBearing, 0, "rad", Range(0, 1),
             "if the target is closer than this to straight ahead, the robot sprints; otherwise it walks "
-            "slowly and turns, because a sprint turns slowly; 0: turns and walks at the same time")
+            "slowly and turns, because a sprint hardly turns; 0: turns and walks at the same time")
   PARAMETER(double, sprintHold, 0, "rad", Range(0, 1),
             "a sprint continues until the target is farther from straight ahead than this, because braking "
             "and starting again takes seconds; 0: as sprintBearing")
@@ -28,7 +28,8 @@ struct WalkToPoseParameters {
   PARAMETER(
       double, sprintDistance, 1.5, "m", Range(0, 30),
       "no sprint to nearer targets: the path is too short to gain the time of the turn before it, or to stop")
-  PARAMETER(double, sprintTurn, 0.1, "rad/s", Range(0, 3), "fastest turn in a sprint")
+  PARAMETER(double, sprintTurn, 0.1, "rad/s", Range(0, 3),
+            "fastest turn that is asked for in a sprint; the walk turns less (its sprint.lateralShare)")
   PARAMETER(double, sprintGain, 1, "1/s", Range(0, 40), "turn per radian to go in a sprint")
   PARAMETER(double, curveSpeed, 0.4, "m/s", Range(0.01, 3),
             "fastest walk forward while it turns to the target")
@@ -38,7 +39,8 @@ struct WalkToPoseParameters {
       "turns; never more than curveSpeed")
   PARAMETER(
       double, alignGain, 0, "1/s", Range(0, 40),
-      "turn per radian to go, in place of headingGain, to a target far enough for a sprint; 0: headingGain")
+      "turn per radian to go, in place of headingGain, before a sprint to a target far enough for one; 0: "
+      "headingGain")
   PARAMETER(double, turnEffort, 0.8, "", Range(0, 1), "share of that speed which the fastest turn takes away")
   PARAMETER(double, turnWalking, 0, "", Range(0, 3),
             "with this share of that speed it walks to the target while it still turns to it, whatever "
