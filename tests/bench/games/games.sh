@@ -8,15 +8,18 @@
 # With OTHER, the command that starts a team that is not ours, nothing but games against that team, PLAYERS [11] on each
 # side: {host}, {agent}, {monitor}, {team} and {players} in it are replaced. A script without them is told the host
 # alone. With OTHER_NAME as well, what that team is called, the table goes into games-peers/ beside OUT and with those of
-# other teams into games-peers.md there, of which make_results.sh makes doc/results/games-peers.md.
+# other teams into games-peers.md there, of which make_results.sh makes doc/results/games-peers.md. SERVER=rcssserver3d plays
+# them on the league's server, as scripts/autoplay/startGame.sh finds it, instead of the embedded simulator.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
-games=${GAMES:-10} half=${HALF:-300} seed=${SEED:-1} jobs=${JOBS:-$(nproc)} players=${PLAYERS:-11} out=${OUT:-build/bench/games}
+games=${GAMES:-10} half=${HALF:-300} seed=${SEED:-1} jobs=${JOBS:-$(nproc)} players=${PLAYERS:-11} server=${SERVER:-simulator} out=${OUT:-build/bench/games}
 for value in "$games" "$half" "$seed" "$jobs"; do
   [[ $value =~ ^[1-9][0-9]{0,5}$ ]] || { echo "games.sh: '$value' is no whole number from 1 to 999999" >&2; exit 2; }
 done
 [[ $players =~ ^([1-9]|1[01])$ ]] || { echo "games.sh: PLAYERS='$players' is not 1 to 11" >&2; exit 2; }
 [[ ${OTHER-} || $players == 11 ]] || { echo "games.sh: PLAYERS needs OTHER, the command that starts the other team" >&2; exit 2; }
+[[ $server == simulator || $server == rcssserver3d ]] || { echo "games.sh: SERVER='$server' is neither simulator nor rcssserver3d" >&2; exit 2; }
+[[ ${OTHER-} || $server == simulator ]] || { echo "games.sh: SERVER needs OTHER, the command that starts the other team" >&2; exit 2; }
 [[ ! ${OUT-} || ! -e $out ]] || { echo "games.sh: OUT=$out exists already" >&2; exit 2; }
 [[ $out == /* ]] || out=$PWD/$out
 work=$out
@@ -43,7 +46,7 @@ trap 'passOn 143' TERM HUP
 # Games against the teams of $work/opponents as lines of games.tsv.
 play() { # $1: how our team is started
   autoplay runOppList.sh --games "$games" --half-time "$half" --seed "$seed" --jobs "$jobs" --name Team --log "$work/games.log" \
-    --players $((2 * players)) --output "$work/played" "$1" "$work/opponents"
+    --players $((2 * players)) --server "$server" --output "$work/played" "$1" "$work/opponents"
   awk -v played="$work/played" -f tests/bench/games/tracks.awk "$work/games.log" > "$work/games.tsv"
 }
 
@@ -55,14 +58,15 @@ if [[ ${OTHER-} ]]; then
     [[ -x $first && -f $first ]] || { echo "games.sh: OTHER: no start script $first" >&2; exit 2; }
     other=$(realpath "$first")${other#"$first"}
   fi
-  echo "$games games of 2 x $half s against OTHER, $players on each side, seeds from $seed, $jobs at once"
+  echo "$games games of 2 x $half s against OTHER, $players on each side, seeds from $seed, $jobs at once, server $server"
   echo "Other $other" > "$work/opponents"
   play "bin/start.sh --players $players"
-  awk -v half="$half" -v players="$players" -v other="${OTHER_NAME-}" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
+  awk -v half="$half" -v players="$players" -v other="${OTHER_NAME-}" -v server="$server" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
   cat "$out.md"
   [[ ${OTHER_NAME-} ]] || exit 0
   peers=${out%/*}/games-peers
   piece=$peers/$(tr -cs 'A-Za-z0-9\n' - <<< "$OTHER_NAME")-$players
+  [[ $server == simulator ]] || piece+=-$server
   mkdir -p "$peers"
   mv "$out.md" "$piece.md"
   mv "$out.json" "$piece.json"

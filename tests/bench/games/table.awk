@@ -1,5 +1,5 @@
 # From the lines of tracks.awk: a table in Markdown, and the figures as the project's JSON. Variables: half, json, and for
-# games against a team that is not ours players, of each side, and other, what that team is called.
+# games against a team that is not ours players, of each side, other, what that team is called, and server.
 BEGIN {
   FS = "\t"
   split("goals for|goals against|falls|kicks|players within 1.5 m of the ball|mates nearer than 0.4 m, seen twice a second, per player and minute|ball in the other half, mean [m]|shots|possession [%]", title, "|")
@@ -23,9 +23,10 @@ function half95(team, i,   v) {
 }
 END {
   if (!teams) { print "no game came to its end" > "/dev/stderr"; exit 1 }
-  print players ? "## The team against " (other != "" ? other : "another one") "\n" : "## The team against the players of before it\n"
-  printf "%sames of 2 x %s s, %s on the embedded simulator, sides changed from game to game, seeds %s to %s; means of a game with their 95 %% intervals.", \
-    (players ? "G" : "Whole g"), half, (players ? players " against " players : "eleven against eleven"), first, last
+  league = server == "rcssserver3d"
+  print players ? "## The team against " (other != "" ? other : "another one") (league ? ", on the league's server" : "") "\n" : "## The team against the players of before it\n"
+  printf "%sames of 2 x %s s, %s on %s, sides changed from game to game, seeds %s to %s; means of a game with their 95 %% intervals.", \
+    (players ? "G" : "Whole g"), half, (players ? players " against " players : "eleven against eleven"), (league ? "the league's server (rcssserver3d)" : "the embedded simulator"), first, last
   print (players ? "" : " Swarm: every player for itself, all to the ball (`config/platforms/simspark/swarm.cfg`).") "\n"
   printf "| |"; for (t = 1; t <= teams; ++t) printf " %s |", order[t]; print ""
   printf "|---|"; for (t = 1; t <= teams; ++t) printf "---|"; print ""
@@ -37,7 +38,7 @@ END {
   }
   print ""
   key = other; gsub(/[^A-Za-z0-9]+/, "_", key)
-  key = key == "" ? "" : tolower(key) "_" players "."
+  key = key == "" ? "" : tolower(key) "_" players (league ? "_" server : "") "."
   text = "["
   for (t = 1; t <= teams; ++t) {
     team = order[t]

@@ -28,7 +28,7 @@ TEST(SkillKick, kicksOnceItIsAtTheBall) {
   EXPECT_FALSE(output.atOnce) << "from a walk that has come to rest";
   getBall.pressed = true;
   harness.cycle();
-  EXPECT_TRUE(output.atOnce) << "not in a duel";
+  EXPECT_FALSE(output.atOnce) << "in a duel too";
   harness.input<SkillRequest>().skill = Skill::dribble;
   harness.cycle();
   EXPECT_FALSE(output.active);
