@@ -57,3 +57,5 @@ expectError 2 "games.sh: OTHER: no start script /nowhere/start.sh" "${games[@]}"
 expectError 2 "games.sh: PLAYERS='12' is not 1 to 11" "${games[@]}" OTHER=/nowhere PLAYERS=12 tests/bench/games/games.sh
 expectError 2 "games.sh: PLAYERS needs OTHER, the command that starts the other team" "${games[@]}" PLAYERS=4 tests/bench/games/games.sh
 expectError 2 "games.sh: OUT=$scratch/games exists already" "${games[@]}" OTHER="$scratch/plain.sh" OUT="$scratch/games" tests/bench/games/games.sh
+expectError 2 "games.sh: SERVER='league' is neither simulator nor rcssserver3d" "${games[@]}" OTHER=/nowhere SERVER=league tests/bench/games/games.sh
+expectError 2 "games.sh: SERVER needs OTHER, the command that starts the other team" "${games[@]}" SERVER=rcssserver3d tests/bench/games/games.sh
