@@ -34,6 +34,15 @@ chmod +x "$scratch/plain.sh"
 "${games[@]}" GAMES=1 PLAYERS=1 OUT="$scratch/plain" OTHER_NAME="A plain team" OTHER="$scratch/plain.sh" tests/bench/games/games.sh > "$scratch/out" 2>&1 || fail "a plain script: $(cat "$scratch/out")"
 expectEqual "$(tail -1 "$scratch/plain/games.log" | cut -d, -f3,4,17)" "Team,Other,over" "a game against a plain script"
 
+# On the league's server: it is looked for, and the table and the figures name it.
+env HALF=3 GAMES=1 PLAYERS=1 SERVER=rcssserver3d RCSSSERVER3D=no-such-server OUT="$scratch/league" OTHER="$scratch/plain.sh" tests/bench/games/games.sh > "$scratch/out" 2>&1 \
+  && fail "a game without a server: $(cat "$scratch/out")"
+grep -q 'startGame.sh: no no-such-server in PATH: install rcssserver3d or set RCSSSERVER3D to it$' "$scratch/out" || fail "without a server: $(cat "$scratch/out")"
+awk -v half=3 -v players=1 -v other="A team" -v server=rcssserver3d -v json="$scratch/league.json" -f tests/bench/games/table.awk "$scratch/games/games.tsv" > "$scratch/league.md"
+grep -q "^## The team against A team, on the league's server$" "$scratch/league.md" || fail "heading: $(cat "$scratch/league.md")"
+grep -q "^Games of 2 x 3 s, 1 against 1 on the league's server (rcssserver3d), sides changed" "$scratch/league.md" || fail "table: $(cat "$scratch/league.md")"
+grep -q '"games.a_team_1_rcssserver3d.team.goals", ' "$scratch/league.json" || fail "figures: $(cat "$scratch/league.json")"
+
 # Named teams are together in one page.
 cp "$scratch/games-peers/A-plain-team-1.md" "$scratch/games-peers/Another-1.md"
 cp "$scratch/games-peers/A-plain-team-1.json" "$scratch/games-peers/Another-1.json"
