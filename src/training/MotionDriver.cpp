@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "framework/ConfigFile.h"
 #include "framework/ConfigFolder.h"
+#include "framework/ModuleParameters.h"
 #include "math/Angle.h"
 #include "motion/KeyframeReader.h"
 #include "simspark/LeagueRobots.h"
@@ -16,15 +18,24 @@ namespace plumbline::motion {
 namespace {
 
 // As FallDetector and Stillness see it.
-constexpr double lyingTilt = 1.05;  // [rad]
-constexpr double stillTurn = 0.3;   // [rad/s]
-constexpr double standFade = 0.14;  // StandMotion's [s]
+constexpr double lyingTilt = 1.05, uprightTilt = 0.45;  // [rad]
+constexpr double stillTurn = 0.3;                       // [rad/s]
+constexpr double standFade = 0.14;                      // StandMotion's [s]
 
 std::vector<std::filesystem::path> motionDirectories(int type) {
   std::vector<std::filesystem::path> paths;
   for (const std::string& directory : MotionDriver::directories(type))
     paths.emplace_back(directory + "/motions");
   return paths;
+}
+
+StandUpParameters readStandUp(int type) {
+  const ConfigFile file("MotionSelector", MotionDriver::directories(type));
+  StandUpParameters parameters;
+  if (file.root().has("standUp"))
+    readParameters(file.root().section("standUp"), StandUpParameters::parameterList(), &parameters);
+  file.checkUnknown();
+  return parameters;
 }
 
 }  // namespace
@@ -34,7 +45,10 @@ MotionDriver::MotionDriver(int type)
       gaits(walking::readWalkGaits(type)),
       walk(gaits, model),
       stand(walk.stand().angles),
-      motions(readMotions(motionDirectories(type), model)) {}
+      motions(readMotions(motionDirectories(type), model)),
+      standUp(readStandUp(type)) {
+  standUpChoice.learn(standUp, motions);
+}
 
 std::vector<std::string> MotionDriver::directories(int type) {
   return {configFolder(), configPath("robots/type" + std::to_string(type))};
@@ -71,7 +85,8 @@ bool MotionDriver::play(const KeyframeMotion& motion, bool stopAtFall) {
   return true;
 }
 
-void MotionDriver::standStill(double seconds) {
+double MotionDriver::standStill(double seconds) {
+  long tilted = 0;
   const JointArray from = player.angles();
   const long cycles = std::lround(seconds / dt);
   for (long i = 1; i <= cycles; ++i) {
@@ -80,7 +95,9 @@ void MotionDriver::standStill(double seconds) {
     for (std::size_t j = 0; j < maxJoints; ++j) targets[j] = (1 - share) * from[j] + share * stand[j];
     step(targets);
     elapsed += dt;
+    if (tilt() > uprightTilt) tilted = i;
   }
+  return static_cast<double>(tilted) * dt;
 }
 
 bool MotionDriver::walkFor(double seconds, const Vec2& velocity, double turn) {
@@ -108,10 +125,8 @@ walking::WalkOutput MotionDriver::walkOutput(const Vec2& velocity, double turn, 
   return walk.update({velocity, turn, go}, sensors);
 }
 
-const KeyframeMotion& MotionDriver::standUpMotion() const {
-  const Vec3 u = up();
-  if (std::abs(u.x()) < std::abs(u.y())) return motion("rollOver");
-  return motion(u.x() < 0 ? "standUpFront" : "standUpBack");
+const KeyframeMotion& MotionDriver::nextStandUp(bool again) {
+  return motion(standUpChoice.next(standUp, lyingOn(up()), again));
 }
 
 void MotionDriver::forget() {

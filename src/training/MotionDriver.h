@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "motion/KeyframePlayer.h"
+#include "motion/StandUpChoice.h"
 #include "robot/RobotModel.h"
 #include "simulation/world/World.h"
 #include "walking/engine/WalkEngine.h"
@@ -50,8 +51,9 @@ public:
 
   /// Plays the motion; false if the robot lay down meanwhile and stopAtFall is set.
   bool play(const KeyframeMotion& motion, bool stopAtFall = false);
-  /// Fades from the last motion into the stand and holds it.
-  void standStill(double seconds);
+  /// Fades from the last motion into the stand and holds it. How long until the torso was upright for good
+  /// [s]; `seconds` if it was not.
+  double standStill(double seconds);
   /// Walks; false as soon as the robot lies.
   bool walkFor(double seconds, const Vec2& velocity, double turn);
   void beginWalk() { walk.reset(); }
@@ -59,14 +61,17 @@ public:
   bool walkStep(const Vec2& velocity, double turn, bool go = true);
   /// What the walk wants in this cycle; the caller moves the robot.
   walking::WalkOutput walkOutput(const Vec2& velocity, double turn, bool go = true);
-  /// The stand-up action the selector would choose for how the robot lies now.
-  const KeyframeMotion& standUpMotion() const;
+  /// The motion that the agent's MotionSelector would choose for how the robot lies now; again: the last one
+  /// did not keep it on its feet.
+  const KeyframeMotion& nextStandUp(bool again = false);
 
   RobotModel model;
   walking::WalkGaits gaits;
   walking::WalkEngine walk;
   JointArray stand;
   std::vector<KeyframeMotion> motions;
+  StandUpParameters standUp;  ///< as config/MotionSelector.yaml and the type's own file have them
+  StandUpChoice standUpChoice;
   KeyframePlayer player;
   double elapsed = 0;  ///< in motions since it was set to 0 [s]
 

@@ -6,6 +6,12 @@
 
 namespace plumbline::motion {
 
+namespace {
+
+constexpr double fastest = 0.6;  // of a robot that is pushed [m/s]
+
+}  // namespace
+
 MotionTrial::MotionTrial(int type, const simulation::WorldConfig& config)
     : MotionDriver(type), robot(model, config), control(model) {
   robot.restart(Pose2(), stand);
@@ -13,9 +19,11 @@ MotionTrial::MotionTrial(int type, const simulation::WorldConfig& config)
 }
 
 void MotionTrial::move(const JointArray& targets) {
-  JointArray measured = robot.sense().angle;
+  const JointArray before = robot.sense().angle;
+  JointArray measured = before;
   for (double& angle : measured) angle = std::round(angle * 18000 / pi) / (18000 / pi);
   robot.act(control.update(measured, targets, dt));
+  for (std::size_t j = 0; j < maxJoints; ++j) rates_[j] = (robot.sense().angle[j] - before[j]) / dt;
 }
 
 bool MotionTrial::fall(int direction) {
@@ -35,7 +43,38 @@ bool MotionTrial::fall(int direction) {
   return lying();
 }
 
+bool MotionTrial::stumble(int direction) {
+  robot.restart(Pose2(), stand);
+  restarted();
+  const double way = random(-pi, pi), speed = random(0, fastest), turn = random(-0.5, 0.5);
+  const Vec2 velocity = speed * Vec2(std::cos(way), std::sin(way));
+  for (int i = static_cast<int>(random(30, 80)); i > 0; --i) walkStep(velocity, turn);
+  if (lying()) return true;
+  const double aside = random(0, 1) < 0.5 ? -pi / 2 : pi / 2;
+  const double along = (direction > 0 ? 0 : direction < 0 ? pi : aside) + random(-0.6, 0.6);
+  const double push = random(0.6, 1.6);
+  simulation::BodyState torso = robot.torso();
+  const Vec3 ahead = torso.pose.linear() * Vec3(std::cos(along), std::sin(along), 0);
+  torso.linearVelocity += push * ahead;
+  torso.angularVelocity += push / standingHeight * Vec3::UnitZ().cross(ahead);
+  robot.world().setVelocities(robot.robot(), torso, rates_);
+  for (int i = 0; i < 150 && !lying(); ++i) walkStep(velocity, turn);
+  return lying();
+}
+
+void MotionTrial::State::atRest() {
+  torso.linearVelocity = torso.angularVelocity = Vec3::Zero();
+  rates.fill(0);
+}
+
+void MotionTrial::begin(const State& state) {
+  robot.restart(state.torso.pose, state.angles);
+  robot.world().setVelocities(robot.robot(), state.torso, state.rates);
+  restarted();
+}
+
 void MotionTrial::restarted() {
+  rates_.fill(0);
   control.reset();
   forget();
 }

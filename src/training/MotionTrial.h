@@ -18,9 +18,22 @@ public:
   /// Throws the robot over: it is put down tilted forward (1), backward (-1) or sideways (0), with its joints
   /// anywhere near the walk's and moving, and falls until it has lain for a moment. False if it did not fall.
   bool fall(int direction);
+  /// Pushes the robot forward (1), backward (-1) or sideways (0) while it walks; it walks on until it has
+  /// lain for a moment, as in play. False if it did not fall.
+  bool stumble(int direction);
 
   /// After the robot was put somewhere: nothing of what was before has an effect from now on.
   void restarted();
+
+  /// A moment that a run can begin with.
+  struct State {
+    simulation::BodyState torso;
+    JointArray angles{}, rates{};  ///< [rad, rad/s]
+    void atRest();
+  };
+  State state() const { return {robot.torso(), robot.sense().angle, rates_}; }
+  /// Puts the robot into a state; nothing of what was before has an effect from now on.
+  void begin(const State& state);
 
   simulation::LocalRobot robot;
   JointVelocityControl control;
@@ -28,6 +41,8 @@ public:
 
 private:
   void move(const JointArray& targets) override;
+
+  JointArray rates_{};  ///< of the last cycle [rad/s]
 };
 
 }  // namespace plumbline::motion

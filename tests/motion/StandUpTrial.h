@@ -9,25 +9,32 @@ namespace plumbline::motion {
 
 struct StandUpResult {
   bool up = false;
-  int tries = 0;
-  double seconds = 0;   ///< from lying to up for good, repeats included
+  int tries = 0;        ///< without those that roll it off its side
+  double seconds = 0;   ///< from lying to up for good, repeats and what is between them included
   bool walked = false;  ///< walked on at once for two seconds
 };
 
-/// Falls and stands up, repeating it for up to maxSeconds; then walks in some direction. Nothing if the robot
-/// did not fall.
+/// How a trial's robot comes to lie: MotionTrial::fall or stumble.
+enum class Falls { dropped, pushed };
+
+/// Falls and stands up as the agent does, repeating it for up to maxSeconds; then walks in some direction.
+/// Nothing if the robot did not fall.
 inline std::optional<StandUpResult> standUpTrial(MotionTrial& trial, int direction, unsigned seed,
-                                                 double maxSeconds = 12) {
+                                                 Falls falls = Falls::dropped, double maxSeconds = 12) {
   trial.seed(seed);
-  if (!trial.fall(direction)) return std::nullopt;
+  if (!(falls == Falls::pushed ? trial.stumble(direction) : trial.fall(direction))) return std::nullopt;
   StandUpResult result;
   trial.elapsed = 0;
+  trial.standUpChoice.forget();
+  bool again = false;
   while (!result.up && trial.elapsed < maxSeconds) {
+    trial.play(trial.nextStandUp(again));
+    again = true;
+    if (trial.standUpChoice.rolled()) continue;
     ++result.tries;
-    trial.play(trial.standUpMotion());
-    if (trial.lying()) continue;
     result.seconds = trial.elapsed;
-    trial.standStill(0.5);  // falling over again belongs to the try
+    // The torso may still swing up, and falling over again belongs to the try.
+    result.seconds += trial.standStill(trial.standUp.graceSeconds);
     result.up = trial.tilt() < 0.45 && trial.height() > 0.85 * trial.standingHeight;
   }
   if (!result.up) return result;

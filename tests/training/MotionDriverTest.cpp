@@ -74,11 +74,12 @@ TEST(MotionDriver, theWalkLeansAgainstTheLeanThatItFeels) {
 TEST(MotionDriver, choosesTheStandUpByHowItLies) {
   Puppet robot(0);
   robot.torso = rotationY(1.5);
-  EXPECT_EQ(robot.standUpMotion().name, "standUpFront");
+  EXPECT_EQ(robot.nextStandUp().name, "standUpFrontFast");
+  EXPECT_EQ(robot.nextStandUp(true).name, "standUpFront") << "the other one";
   robot.torso = rotationY(-1.5);
-  EXPECT_EQ(robot.standUpMotion().name, "standUpBack");
+  EXPECT_EQ(robot.nextStandUp().name, "standUpBackFast");
   robot.torso = rotationX(1.5);
-  EXPECT_EQ(robot.standUpMotion().name, "rollOver");
+  EXPECT_EQ(robot.nextStandUp().name, "rollOver");
 }
 
 TEST(MotionDriver, namesAMotionThatIsMissing) {

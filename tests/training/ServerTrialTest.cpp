@@ -21,7 +21,7 @@ TEST(ServerTrial, fallsAndStandsUpThereAsHere) {
       if (!trial.fall(direction)) continue;
       ++falls;
       EXPECT_TRUE(trial.lying());
-      EXPECT_EQ(trial.standUpMotion().name, motion);
+      EXPECT_EQ(trial.nextStandUp().name, motion + "Fast");
       trial.play(trial.motion(motion));
       training::WalkOn walk(trial);
       walk.begin(trial.player.angles());

@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "motion/KeyframePlayer.h"
 #include "motion/KeyframeReader.h"
+#include "motion/StandUpChoice.h"
 #include "robot/ForwardKinematics.h"
 #include "simspark/LeagueRobots.h"
 #include "simspark/SceneState.h"
@@ -48,10 +51,33 @@ private:
   nlohmann::json frames_ = nlohmann::json::array();
 };
 
-/// 1: onto the front, -1: onto the back, 0: the task does not begin with a fall.
-int directionOf(const training::Study& study) {
-  if (study.task != "standUp") return 0;
-  return study.options.word("direction", "front") == "front" ? 1 : -1;
+struct Fall {
+  int direction;  ///< as MotionTrial::fall has it
+  motion::LyingOn lying;
+};
+
+/// How the task begins, if it begins with a fall.
+std::optional<Fall> fallOf(const training::Study& study) {
+  if (study.task != "standUp") return std::nullopt;
+  const std::string direction = study.options.word("direction", "front");
+  if (direction == "front") return Fall{1, motion::LyingOn::front};
+  if (direction == "back") return Fall{-1, motion::LyingOn::back};
+  return Fall{0, motion::LyingOn::side};
+}
+
+/// Plays a motion before the camera; its time [s].
+double play(const motion::KeyframeMotion& motion, motion::MotionTrial& trial, Camera& camera) {
+  motion::KeyframePlayer player;
+  player.start(motion, trial.robot.sense().angle);
+  int still = 0;
+  double played = 0;
+  for (; !player.finished() && played < longest; played += motion::MotionTrial::dt) {
+    still = trial.robot.sense().gyro.norm() < 0.3 ? still + 1 : 0;
+    player.step(motion::MotionTrial::dt, still >= 3);
+    trial.step(player.angles());
+    camera.look();
+  }
+  return played;
 }
 
 }  // namespace
@@ -65,24 +91,14 @@ std::string motionFilm(const training::Study& study, const Eigen::VectorXd& para
   const motion::KeyframeMotion motion = motion::readKeyframeText(text, "found.yaml", trial.model, {});
   Camera camera(trial, type);
   trial.seed(seed);
-  if (const int direction = directionOf(study); direction != 0) {
-    for (int i = 0; i < falls; ++i) {
-      const bool lies = trial.fall(direction);
-      const Vec3 up = trial.up();
-      if (lies && std::abs(up.x()) > std::abs(up.y()) && (up.x() < 0) == (direction > 0)) break;
-    }
-  }
+  const std::optional<Fall> fall = fallOf(study);
+  for (int i = 0; fall && i < falls; ++i)
+    if (trial.fall(fall->direction) && motion::lyingOn(trial.up()) == fall->lying) break;
   camera.look();
-  motion::KeyframePlayer player;
-  player.start(motion, trial.robot.sense().angle);
-  int still = 0;
-  double played = 0;
-  for (; !player.finished() && played < longest; played += motion::MotionTrial::dt) {
-    still = trial.robot.sense().gyro.norm() < 0.3 ? still + 1 : 0;
-    player.step(motion::MotionTrial::dt, still >= 3);
-    trial.step(player.angles());
-    camera.look();
-  }
+  double played = play(motion, trial, camera);
+  // A motion for the side is half of the way.
+  if (fall && fall->lying == motion::LyingOn::side && trial.lying())
+    played += play(trial.nextStandUp(), trial, camera);
   trial.beginWalk();
   for (double t = 0; t < walkSeconds; t += motion::MotionTrial::dt) {
     trial.walkStep(Vec2(walkSpeed, 0), 0);

@@ -27,8 +27,7 @@ void MotionSelector::init() {
 void MotionSelector::learnMotions(const std::string& robot,
                                   const std::vector<motion::KeyframeMotion>& motions) {
   robot_ = robot;
-  fastFront_ = findMotion(motions, standUp.fastFront);
-  fastBack_ = findMotion(motions, standUp.fastBack);
+  choice_.learn(standUp, motions);
 }
 
 const MotionOutput* MotionSelector::output(const std::string& motion) const {
@@ -37,17 +36,15 @@ const MotionOutput* MotionSelector::output(const std::string& motion) const {
   return nullptr;
 }
 
-const std::string& MotionSelector::standUpAction() const {
-  // The other one from time to time: the same one may fail for ever in the same way.
-  const bool first = failed_ % 2 == 0;
+motion::LyingOn MotionSelector::lyingOn() const {
   switch (theFallState->posture) {
     case Posture::onFront:
-      return first && fastFront_ ? standUp.fastFront : standUp.front;
+      return motion::LyingOn::front;
     case Posture::onLeft:
     case Posture::onRight:
-      return standUp.side;
+      return motion::LyingOn::side;
     default:
-      return first && fastBack_ ? standUp.fastBack : standUp.back;
+      return motion::LyingOn::back;
   }
 }
 
@@ -88,7 +85,7 @@ void MotionSelector::update(MotionSelection* theMotionSelection) {
   if (theFrameInfo->restarted) {
     standingUp_ = false;
     grace_ = again_ = 0;
-    failed_ = 0;
+    choice_.forget();
     start(selection, Motion::stand, "");
   }
   const MotionOutput* current = output(selection.motion);
@@ -97,14 +94,14 @@ void MotionSelector::update(MotionSelection* theMotionSelection) {
   again_ = std::max(0.0, again_ - theFrameInfo->cycleSeconds);
   if (!standingUp_ || safe) {
     // A stand-up ends while the torso still swings up; to begin it anew then would throw the robot over.
+    // After a roll nothing swings.
     if (standingUp_) {
-      grace_ = standUp.graceSeconds;
+      grace_ = choice_.rolled() ? 0 : standUp.graceSeconds;
       again_ = standUp.againSeconds;
     }
     standingUp_ = theFallState->lying() && grace_ <= 0;
     if (standingUp_) {
-      failed_ = again_ > 0 ? failed_ + 1 : 0;
-      start(selection, Motion::specialAction, standUpAction());
+      start(selection, Motion::specialAction, choice_.next(standUp, lyingOn(), again_ > 0));
     } else {
       const MotionOutput* next = output(theMotionRequest->motion);
       if (!next && unknown_ != theMotionRequest->motion)

@@ -12,20 +12,40 @@ namespace {
 constexpr std::size_t mostKept = 4096;
 constexpr int mostFalls = 1000;
 constexpr double walkSeconds = 2;
+constexpr int mostRolls = 3;
+constexpr double uprightTilt = 0.45;  // as FallDetector sees it [rad]
+
+int directionOf(const std::string& name) { return name == "front" ? 1 : name == "back" ? -1 : 0; }
 
 }  // namespace
 
 StandUpTask::StandUpTask(const TaskOptions& options)
-    : direction_(options.word("direction", "front", {"front", "back"}) == "front" ? 1 : -1),
+    : direction_(directionOf(options.word("direction", "front", {"front", "back", "side"}))),
       weight_(options.number("weight", 0.08, 0, 100)),
       still_(options.number("still", 0, 0, 1)),
-      worlds_(options, robotTypeOf(options, {"direction", "weight", "motion", "still"})) {
+      moving_(options.word("start", "rest", {"rest", "fall"}) == "fall"),
+      worlds_(options, robotTypeOf(options, {"direction", "weight", "motion", "start", "still"})) {
+  const std::string usual = direction_ > 0 ? "standUpFront" : direction_ < 0 ? "standUpBack" : "rollOver";
   try {
-    first_ = worlds_.first().motion(options.word("motion", direction_ > 0 ? "standUpFront" : "standUpBack"));
+    first_ = worlds_.first().motion(options.word("motion", usual));
   } catch (const std::out_of_range& error) {
     throw ConfigurationError(std::string("option motion: ") + error.what());
   }
   parameters_ = std::make_unique<motion::MotionParameters>(first_, worlds_.first().model);
+}
+
+bool StandUpTask::fits(const motion::MotionTrial& trial) const {
+  const motion::LyingOn wanted = direction_ > 0   ? motion::LyingOn::front
+                                 : direction_ < 0 ? motion::LyingOn::back
+                                                  : motion::LyingOn::side;
+  // A fall that ends otherwise, or on the feet, is another motion's. Limbs that overlap would freeze when the
+  // motion begins.
+  return motion::lyingOn(trial.up()) == wanted && !trial.robot.overlaps() && !trial.robot.frozen().any();
+}
+
+bool StandUpTask::falls(motion::MotionTrial& trial, std::uint64_t seed) const {
+  if (moving_ && seed / worlds_.count() % 2 == 1) return trial.stumble(direction_);
+  return trial.fall(direction_);
 }
 
 const StandUpTask::Lying& StandUpTask::lying(std::uint64_t seed) {
@@ -33,26 +53,35 @@ const StandUpTask::Lying& StandUpTask::lying(std::uint64_t seed) {
   if (fallen_.size() >= mostKept) fallen_.clear();
   motion::MotionTrial& trial = worlds_.of(seed);
   for (int i = 0; i < mostFalls; ++i) {
-    // A fall that ends on a side, or on the feet, is another motion's.
     trial.seedStart(seed, i);
-    if (!trial.fall(direction_)) continue;
-    const Vec3 up = trial.up();
-    if (std::abs(up.x()) < std::abs(up.y()) || (up.x() < 0) != (direction_ > 0)) continue;
-    // Its joints were put anywhere: limbs that overlap from there would freeze when the motion begins.
-    if (trial.robot.overlaps() || trial.robot.frozen().any()) continue;
-    return fallen_[seed] = {trial.robot.torso().pose, trial.robot.sense().angle};
+    if (!falls(trial, seed) || !fits(trial)) continue;
+    Lying& lying = fallen_[seed] = trial.state();
+    if (!moving_) lying.atRest();
+    return lying;
   }
   throw std::runtime_error("the robot does not fall");
 }
 
+namespace {
+
+/// As the agent: it rolls again where it still lies on a side.
+void standUpAfterRoll(motion::MotionTrial& trial, const motion::KeyframeMotion& roll) {
+  trial.standUpChoice.forget();
+  for (int i = 1; i < mostRolls && motion::lyingOn(trial.up()) == motion::LyingOn::side; ++i)
+    trial.play(roll);
+  if (trial.tilt() > uprightTilt) trial.play(trial.nextStandUp());
+}
+
+}  // namespace
+
 TaskOutcome StandUpTask::tryMotion(const motion::KeyframeMotion& motion, std::uint64_t seed) {
   const Lying start = lying(seed);
   motion::MotionTrial& trial = worlds_.of(seed);
-  trial.robot.restart(start.T_world_torso, start.angles);
-  trial.restarted();
+  trial.begin(start);
   trial.seedRun(seed);
   trial.elapsed = 0;
   trial.play(motion);
+  if (direction_ == 0) standUpAfterRoll(trial, motion);
   TaskOutcome outcome;
   const double milliseconds = 1e3 * trial.elapsed;
   WalkOn walk(trial, walkSeconds, still_);
@@ -73,11 +102,13 @@ std::string StandUpTask::file(const Eigen::VectorXd& parameters, const std::stri
                             heading);
 }
 
-MAKE_TASK(standUp, {"standUp",
-                    "standing up from front or back: type, direction, weight, motion, still, engine, effects "
-                    "(a file), draws, firstDraw",
-                    [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
-                      return std::make_unique<StandUpTask>(options);
-                    }});
+MAKE_TASK(
+    standUp,
+    {"standUp",
+     "standing up from front, back or side: type, direction, weight, motion, start, still, engine, effects "
+     "(a file), draws, firstDraw",
+     [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
+       return std::make_unique<StandUpTask>(options);
+     }});
 
 }  // namespace plumbline::training

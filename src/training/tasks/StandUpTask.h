@@ -8,15 +8,17 @@
 
 namespace plumbline::training {
 
-/// Standing up from front or back in the embedded simulator: Seekircher 2015, 3.1.1. In a run the robot lies
-/// as it fell (the seed says how; not with limbs that overlap, which would freeze), plays the motion, and
-/// then walks into some direction for two seconds. The cost is formula 3.1 with the opposite sign: angles
-/// between torso and upright [rad], summed over the walk's cycles, plus the motion's time [ms] times `weight`
-/// (0.08). Figures: time [ms] of the motion, error (the sum), up (1 if the torso leans by less than 30
-/// degrees in the end). Options: type 0 .., direction front or back, weight, motion (name of the first file),
-/// still, and those of TrialWorlds. still (0) is the share of the runs in which the robot stands for that
-/// time instead of walking. With 0, a found motion may need the walk's steps to stay upright, and falls if
-/// the robot has to stand.
+/// Standing up in the embedded simulator: Seekircher 2015, 3.1.1. In a run the robot lies as it fell (the
+/// seed says how; not with limbs that overlap, which would freeze), plays the motion, and then walks into
+/// some direction for two seconds. The cost is formula 3.1 with the opposite sign: angles between torso and
+/// upright [rad], summed over the walk's cycles, plus the motion's time [ms] times `weight` (0.08). Figures:
+/// time [ms] of the motion, error (the sum), up (1 if the torso leans by less than 30 degrees in the end).
+/// Options: type 0 .., direction front, back or side, weight, motion (name of the first file), start, still,
+/// and those of TrialWorlds. direction: from the side the motion rolls it, and then it stands up as the agent
+/// does; the time is of both. start: with rest it lies still, as in the thesis. With fall the motion begins
+/// as in play, where the robot still moves; half of the falls are those of a robot that is pushed while it
+/// walks. still (0): the share of the runs in which the robot stands for that time instead of walking. With
+/// 0, a found motion may need the walk's steps to stay upright, and falls if the robot has to stand.
 class StandUpTask : public SearchTask {
 public:
   explicit StandUpTask(const TaskOptions& options);
@@ -31,14 +33,15 @@ public:
   const motion::KeyframeMotion& first() const { return first_; }
 
 private:
-  struct Lying {
-    Pose3 T_world_torso;
-    JointArray angles;
-  };
+  using Lying = motion::MotionTrial::State;
   const Lying& lying(std::uint64_t seed);
+  /// The robot lies as this task wants it.
+  bool fits(const motion::MotionTrial& trial) const;
+  bool falls(motion::MotionTrial& trial, std::uint64_t seed) const;
 
-  const int direction_;  ///< 1: on the front
+  const int direction_;  ///< 1: on the front, -1: on the back, 0: on a side
   const double weight_, still_;
+  const bool moving_;  ///< a run begins with the motion of the fall
   TrialWorlds worlds_;
   motion::KeyframeMotion first_;
   std::unique_ptr<motion::MotionParameters> parameters_;

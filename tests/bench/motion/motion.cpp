@@ -78,6 +78,26 @@ void standUp(Report& report, MotionTrial& trial, const std::string& type, int di
   report.add(name + "_walked_on", walked * percent, "%", "higher", ", \"target\": 95");
 }
 
+/// Robots that are pushed while they walk, to the front, back and sides in turn: from lying to standing.
+void standUpInPlay(Report& report, MotionTrial& trial, const std::string& type, int wanted) {
+  const std::string name = "stand_up_in_play_type" + type;
+  std::vector<double> seconds;
+  int count = 0, first = 0;
+  double sum = 0;
+  for (unsigned seed = 1; count < wanted && seed < 10 * static_cast<unsigned>(wanted); ++seed) {
+    const auto result = standUpTrial(trial, static_cast<int>(seed % 3) - 1, seed, Falls::pushed);
+    if (!result) continue;
+    ++count;
+    first += result->up && result->tries == 1;
+    seconds.push_back(result->up ? result->seconds : 12);
+    sum += seconds.back();
+  }
+  report.add(name + "_time_median", quantile(seconds, 0.5), "s", "lower", ", \"target\": 1");
+  report.add(name + "_time_mean", sum / count, "s", "lower", ", \"target\": 1");
+  report.add(name + "_time_p95", quantile(seconds, 0.95), "s", "lower");
+  report.add(name + "_first_try", first * 100.0 / count, "%", "higher", ", \"target\": 95");
+}
+
 /// motion: with the right foot, as all of motions/; the quick one has no word of its own in the figures.
 void kick(Report& report, MotionTrial& trial, const std::string& motion, const std::string& type, Side foot,
           int count, double peerValue) {
@@ -118,6 +138,7 @@ int main(int argc, char** argv) {
     standUp(report, trial, name, 1, count);
     standUp(report, trial, name, -1, count);
     standUp(report, trial, name, 0, count);
+    standUpInPlay(report, trial, name, 5 * count);
     for (const auto& motion : trial.motions)
       if (motion.kick)
         for (const Side foot : {Side::right, Side::left})

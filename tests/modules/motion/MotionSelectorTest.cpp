@@ -197,6 +197,25 @@ TEST_F(MotionSelectorTest, triesTheFastStandUpFirstAndTheOtherOneAfterIt) {
   EXPECT_EQ(selection.specialAction, "standUpFront") << "it has no faster one";
 }
 
+/// Type 0 has fast stand-ups.
+TEST_F(MotionSelectorTest, standsUpAtOnceAfterARollOffItsSide) {
+  selector->standUp.fastBack = "standUpBackFast";
+  robot.model = simsparkRobot(0);
+  robot.name = robot.model.name;
+  cycle();
+  fall.posture = Posture::onLeft;
+  cycle();
+  EXPECT_EQ(selection.specialAction, "rollOver");
+  special.finished = false;
+  cycle();
+  special.finished = true;
+  fall.posture = Posture::onBack;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::specialAction);
+  EXPECT_EQ(selection.specialAction, "standUpBackFast");
+  EXPECT_TRUE(selection.started);
+}
+
 TEST_F(MotionSelectorTest, aRequestedActionRunsAndARestartForgetsEverything) {
   request.motion = Motion::specialAction;
   request.specialAction = "wave";

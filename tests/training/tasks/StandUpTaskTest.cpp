@@ -37,5 +37,30 @@ TEST(StandUpTask, standsStillAfterwardsInTheShareOfRunsThatIsAskedFor) {
   EXPECT_LT(stood, 6);
 }
 
+/// As in play the motion begins while the robot still moves, and the run is the same again.
+TEST(StandUpTask, beginsWithTheMotionOfTheFallWhereThatIsAskedFor) {
+  StandUpTask rests{TaskOptions()}, moves(TaskOptions(Options{{"start", "fall"}})),
+      again(TaskOptions(Options{{"start", "fall"}}));
+  for (std::uint64_t seed = 2; seed <= 3; ++seed) {  // dropped, pushed while it walks
+    const double rested = rests.tryMotion(rests.first(), seed).cost;
+    const double moved = moves.tryMotion(moves.first(), seed).cost;
+    EXPECT_NE(rested, moved);
+    EXPECT_EQ(moved, again.tryMotion(again.first(), seed).cost);
+  }
+}
+
+TEST(StandUpTask, fromTheSideItRollsAndStandsUpAndTheTimeIsOfBoth) {
+  StandUpTask task(TaskOptions(Options{{"direction", "side"}, {"start", "fall"}}));
+  EXPECT_EQ(task.first().name, "rollOver");
+  double up = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const auto outcome = task.tryMotion(task.first(), seed);
+    std::map<std::string, double> figures(outcome.figures.begin(), outcome.figures.end());
+    up += figures["up"];
+    EXPECT_GT(figures["time"], 1e3 * task.first().seconds() + 400) << seed;
+  }
+  EXPECT_GE(up, 8);
+}
+
 }  // namespace
 }  // namespace plumbline::training

@@ -1,0 +1,40 @@
+#include "motion/StandUpChoice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::motion {
+
+LyingOn lyingOn(const Vec3& up) {
+  if (std::abs(up.x()) < std::abs(up.y())) return LyingOn::side;
+  return up.x() < 0 ? LyingOn::front : LyingOn::back;
+}
+
+void StandUpChoice::learn(const StandUpParameters& parameters, const std::vector<KeyframeMotion>& motions) {
+  const auto has = [&](const std::string& name) {
+    return std::any_of(motions.begin(), motions.end(),
+                       [&](const KeyframeMotion& motion) { return motion.name == name; });
+  };
+  fastFront_ = has(parameters.fastFront);
+  fastBack_ = has(parameters.fastBack);
+}
+
+const std::string& StandUpChoice::next(const StandUpParameters& parameters, LyingOn how, bool again) {
+  // What follows a roll is the same try as the roll.
+  if (!again)
+    failed_ = 0;
+  else if (!rolled_)
+    ++failed_;
+  rolled_ = how == LyingOn::side;
+  if (rolled_) return parameters.side;
+  const bool first = failed_ % 2 == 0;
+  if (how == LyingOn::front) return first && fastFront_ ? parameters.fastFront : parameters.front;
+  return first && fastBack_ ? parameters.fastBack : parameters.back;
+}
+
+void StandUpChoice::forget() {
+  rolled_ = false;
+  failed_ = 0;
+}
+
+}  // namespace plumbline::motion

@@ -1,0 +1,53 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "motion/Keyframes.h"
+#include "parameters/Parameter.h"
+
+namespace plumbline::motion {
+
+struct StandUpParameters {
+  PARAMETERS(StandUpParameters)
+  PARAMETER(std::string, front, "standUpFront", "", Range(),
+            "motion of motions/ for a robot that lies on its front")
+  PARAMETER(std::string, back, "standUpBack", "", Range(), "for one on its back")
+  PARAMETER(std::string, side, "rollOver", "", Range(),
+            "for one on its side: rolls it onto its back or front, from where it stands up")
+  PARAMETER(std::string, fastFront, "", "", Range(),
+            "the first try in place of `front`, as standUpFrontFast; empty: none")
+  PARAMETER(std::string, fastBack, "", "", Range(),
+            "the first try in place of `back`, as standUpBackFast; empty: none")
+  PARAMETER(double, againSeconds, 4, "s", Range(0, 60),
+            "if a robot lies again within this time after standing up, that try failed, and the next one is "
+            "the other motion")
+  PARAMETER(double, graceSeconds, 0.5, "s", Range(0, 5),
+            "time until the next try, since a stand-up ends while the torso still swings up; none after a "
+            "motion for the side")
+};
+
+enum class LyingOn { front, back, side };
+
+/// How a robot lies, by the world's vertical in the torso frame (unit).
+LyingOn lyingOn(const Vec3& up);
+
+/// Which motion a lying robot plays next: the fast one first, then in turn the other one and the fast one, as
+/// the same motion may fail for ever in the same way. A motion for the side is no try.
+class StandUpChoice {
+public:
+  /// The fast motions are chosen only if they are among `motions`.
+  void learn(const StandUpParameters& parameters, const std::vector<KeyframeMotion>& motions);
+
+  /// The robot begins to stand up; again: it lies again soon after the last try.
+  const std::string& next(const StandUpParameters& parameters, LyingOn how, bool again);
+  /// What next() chose last was a motion for the side: the robot still lies after it.
+  bool rolled() const { return rolled_; }
+  void forget();
+
+private:
+  bool fastFront_ = false, fastBack_ = false;
+  bool rolled_ = false;
+  int failed_ = 0;  ///< stand-ups in a row that did not keep it on its feet
+};
+
+}  // namespace plumbline::motion

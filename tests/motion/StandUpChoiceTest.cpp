@@ -1,0 +1,65 @@
+#include "motion/StandUpChoice.h"
+
+#include <gtest/gtest.h>
+
+namespace plumbline::motion {
+namespace {
+
+class StandUpChoiceTest : public testing::Test {
+protected:
+  StandUpChoiceTest() {
+    parameters.fastFront = "jumpFront";
+    parameters.fastBack = "jumpBack";
+    KeyframeMotion front, back;
+    front.name = "jumpFront";
+    back.name = "jumpBack";
+    choice.learn(parameters, {front, back});
+  }
+  std::string next(LyingOn how, bool again) { return choice.next(parameters, how, again); }
+
+  StandUpParameters parameters;
+  StandUpChoice choice;
+};
+
+TEST_F(StandUpChoiceTest, takesTheFastOneAndTheOtherOneInTurn) {
+  EXPECT_EQ(next(LyingOn::front, false), "jumpFront");
+  EXPECT_EQ(next(LyingOn::front, true), "standUpFront");
+  EXPECT_EQ(next(LyingOn::back, true), "jumpBack");
+  EXPECT_EQ(next(LyingOn::back, true), "standUpBack");
+  EXPECT_EQ(next(LyingOn::back, false), "jumpBack") << "another fall";
+}
+
+TEST_F(StandUpChoiceTest, aRollIsNoTryThatFailed) {
+  EXPECT_EQ(next(LyingOn::side, false), "rollOver");
+  EXPECT_TRUE(choice.rolled());
+  EXPECT_EQ(next(LyingOn::side, true), "rollOver") << "it did not roll far enough";
+  EXPECT_EQ(next(LyingOn::back, true), "jumpBack");
+  EXPECT_FALSE(choice.rolled());
+  EXPECT_EQ(next(LyingOn::side, true), "rollOver") << "the try ended on the side";
+  EXPECT_EQ(next(LyingOn::back, true), "standUpBack");
+}
+
+TEST_F(StandUpChoiceTest, whereARobotHasNoFastMotionTheSlowOneIsTheFirst) {
+  choice.learn(parameters, {});
+  EXPECT_EQ(next(LyingOn::front, false), "standUpFront");
+  EXPECT_EQ(next(LyingOn::back, false), "standUpBack");
+}
+
+TEST_F(StandUpChoiceTest, forgetsItsTries) {
+  next(LyingOn::back, false);
+  next(LyingOn::back, true);
+  choice.forget();
+  EXPECT_EQ(next(LyingOn::back, true), "standUpBack") << "the try before failed";
+  choice.forget();
+  EXPECT_EQ(next(LyingOn::back, false), "jumpBack");
+}
+
+TEST(LyingOn, theSideThatIsDown) {
+  EXPECT_EQ(lyingOn(Vec3(-1, 0, 0)), LyingOn::front);
+  EXPECT_EQ(lyingOn(Vec3(1, 0, 0)), LyingOn::back);
+  EXPECT_EQ(lyingOn(Vec3(0.6, -0.8, 0)), LyingOn::side);
+  EXPECT_EQ(lyingOn(Vec3(0.6, 0.8, 0)), LyingOn::side);
+}
+
+}  // namespace
+}  // namespace plumbline::motion
