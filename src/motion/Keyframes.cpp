@@ -10,6 +10,12 @@ double KeyframeMotion::seconds() const {
   return sum;
 }
 
+const KeyframeMotion* findMotion(const std::vector<KeyframeMotion>& motions, const std::string& name) {
+  const auto found = std::find_if(motions.begin(), motions.end(),
+                                  [&](const KeyframeMotion& motion) { return motion.name == name; });
+  return found == motions.end() ? nullptr : &*found;
+}
+
 JointId mirrored(JointId joint) {
   const auto exchanged = [joint](int left, int right) {
     const int count = right - left;

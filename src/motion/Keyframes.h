@@ -37,6 +37,9 @@ struct KeyframeMotion {
   double seconds() const;
 };
 
+/// The motion of that name, or null.
+const KeyframeMotion* findMotion(const std::vector<KeyframeMotion>& motions, const std::string& name);
+
 /// The same joint of the other side; joints in the middle (head, waist) stay.
 JointId mirrored(JointId joint);
 /// +1 if a mirrored posture has the same sign in the mirrored joint, else -1 (yaw and roll).

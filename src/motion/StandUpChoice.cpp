@@ -1,6 +1,5 @@
 #include "motion/StandUpChoice.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace plumbline::motion {
@@ -11,12 +10,8 @@ LyingOn lyingOn(const Vec3& up) {
 }
 
 void StandUpChoice::learn(const StandUpParameters& parameters, const std::vector<KeyframeMotion>& motions) {
-  const auto has = [&](const std::string& name) {
-    return std::any_of(motions.begin(), motions.end(),
-                       [&](const KeyframeMotion& motion) { return motion.name == name; });
-  };
-  fastFront_ = has(parameters.fastFront);
-  fastBack_ = has(parameters.fastBack);
+  fastFront_ = findMotion(motions, parameters.fastFront);
+  fastBack_ = findMotion(motions, parameters.fastBack);
 }
 
 const std::string& StandUpChoice::next(const StandUpParameters& parameters, LyingOn how, bool again) {

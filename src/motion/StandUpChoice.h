@@ -7,6 +7,7 @@
 
 namespace plumbline::motion {
 
+/// Which motions bring a lying robot onto its feet, and when it tries again.
 struct StandUpParameters {
   PARAMETERS(StandUpParameters)
   PARAMETER(std::string, front, "standUpFront", "", Range(),
@@ -28,7 +29,7 @@ struct StandUpParameters {
 
 enum class LyingOn { front, back, side };
 
-/// How a robot lies, by the world's vertical in the torso frame (unit).
+/// What a lying robot lies on, by the world's vertical in the torso frame (unit): as FallDetector has it.
 LyingOn lyingOn(const Vec3& up);
 
 /// Which motion a lying robot plays next: the fast one first, then in turn the other one and the fast one, as
@@ -38,14 +39,15 @@ public:
   /// The fast motions are chosen only if they are among `motions`.
   void learn(const StandUpParameters& parameters, const std::vector<KeyframeMotion>& motions);
 
-  /// The robot begins to stand up; again: it lies again soon after the last try.
+  /// The next motion's name. again: the robot lies again soon after the last one.
   const std::string& next(const StandUpParameters& parameters, LyingOn how, bool again);
-  /// What next() chose last was a motion for the side: the robot still lies after it.
+  /// What next() chose last was a motion for the side: the robot is to lie after it, and stands up at once.
   bool rolled() const { return rolled_; }
+  /// Forgets the tries before, not the motions.
   void forget();
 
 private:
-  bool fastFront_ = false, fastBack_ = false;
+  bool fastFront_ = false, fastBack_ = false;  ///< the robot has them
   bool rolled_ = false;
   int failed_ = 0;  ///< stand-ups in a row that did not keep it on its feet
 };

@@ -18,9 +18,9 @@ namespace plumbline::motion {
 namespace {
 
 // As FallDetector and Stillness see it.
-constexpr double lyingTilt = 1.05, uprightTilt = 0.45;  // [rad]
-constexpr double stillTurn = 0.3;                       // [rad/s]
-constexpr double standFade = 0.14;                      // StandMotion's [s]
+constexpr double lyingTilt = 1.05;  // [rad]
+constexpr double stillTurn = 0.3;   // [rad/s]
+constexpr double standFade = 0.14;  // StandMotion's [s]
 
 std::vector<std::filesystem::path> motionDirectories(int type) {
   std::vector<std::filesystem::path> paths;
@@ -61,8 +61,7 @@ void MotionDriver::seedStart(std::uint64_t run, int draw) {
 void MotionDriver::seedRun(std::uint64_t run) { seed(static_cast<unsigned>(run * 2246822519U + 1)); }
 
 const KeyframeMotion& MotionDriver::motion(const std::string& name) const {
-  for (const KeyframeMotion& motion : motions)
-    if (motion.name == name) return motion;
+  if (const KeyframeMotion* found = findMotion(motions, name)) return *found;
   throw std::out_of_range("no motion " + name);
 }
 
@@ -95,7 +94,7 @@ double MotionDriver::standStill(double seconds) {
     for (std::size_t j = 0; j < maxJoints; ++j) targets[j] = (1 - share) * from[j] + share * stand[j];
     step(targets);
     elapsed += dt;
-    if (tilt() > uprightTilt) tilted = i;
+    if (!upright()) tilted = i;
   }
   return static_cast<double>(tilted) * dt;
 }

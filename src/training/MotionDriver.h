@@ -16,7 +16,8 @@ namespace plumbline::motion {
 /// time. In which world the robot is, a derived class knows.
 class MotionDriver {
 public:
-  static constexpr double dt = 0.02;  ///< cycle [s]
+  static constexpr double dt = 0.02;           ///< cycle [s]
+  static constexpr double uprightTilt = 0.45;  ///< FallDetector's [rad]
 
   virtual ~MotionDriver() = default;
   MotionDriver(const MotionDriver&) = delete;
@@ -41,6 +42,7 @@ public:
   /// The world's vertical in the torso frame, unit.
   Vec3 up() const { return torsoPose().linear().row(2).transpose(); }
   double tilt() const;  ///< of the torso [rad]
+  bool upright() const { return tilt() < uprightTilt; }
   double height() const { return torsoPose().translation().z(); }
 
   /// One cycle in which the joints go to these targets [rad].
@@ -51,8 +53,8 @@ public:
 
   /// Plays the motion; false if the robot lay down meanwhile and stopAtFall is set.
   bool play(const KeyframeMotion& motion, bool stopAtFall = false);
-  /// Fades from the last motion into the stand and holds it. How long until the torso was upright for good
-  /// [s]; `seconds` if it was not.
+  /// Fades from the last motion into the stand and holds it for `seconds` [s]. How long until the torso was
+  /// upright for good [s]; `seconds` if it was not.
   double standStill(double seconds);
   /// Walks; false as soon as the robot lies.
   bool walkFor(double seconds, const Vec2& velocity, double turn);
@@ -70,8 +72,8 @@ public:
   walking::WalkEngine walk;
   JointArray stand;
   std::vector<KeyframeMotion> motions;
-  StandUpParameters standUp;  ///< as config/MotionSelector.yaml and the type's own file have them
-  StandUpChoice standUpChoice;
+  StandUpParameters standUp;    ///< as config/MotionSelector.yaml and the type's own file have them
+  StandUpChoice standUpChoice;  ///< of the motions in `standUp`
   KeyframePlayer player;
   double elapsed = 0;  ///< in motions since it was set to 0 [s]
 

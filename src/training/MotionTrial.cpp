@@ -5,25 +5,34 @@
 #include "math/Angle.h"
 
 namespace plumbline::motion {
-
 namespace {
 
-constexpr double fastest = 0.6;  // of a robot that is pushed [m/s]
+// Of a robot that is pushed.
+constexpr double fastest = 0.6, fastestTurn = 0.5;          // [m/s, rad/s]
+constexpr double leastPush = 0.6, mostPush = 1.6;           // change of its speed [m/s]
+constexpr double pushAside = 0.6;                           // of the push's direction [rad]
+constexpr int leastSteps = 30, mostSteps = 80, wait = 150;  // before and after it [cycles]
 
 }  // namespace
 
 MotionTrial::MotionTrial(int type, const simulation::WorldConfig& config)
     : MotionDriver(type), robot(model, config), control(model) {
   robot.restart(Pose2(), stand);
+  lastAngles_ = robot.sense().angle;
   standingHeight = height();
 }
 
 void MotionTrial::move(const JointArray& targets) {
-  const JointArray before = robot.sense().angle;
-  JointArray measured = before;
+  lastAngles_ = robot.sense().angle;
+  JointArray measured = lastAngles_;
   for (double& angle : measured) angle = std::round(angle * 18000 / pi) / (18000 / pi);
   robot.act(control.update(measured, targets, dt));
-  for (std::size_t j = 0; j < maxJoints; ++j) rates_[j] = (robot.sense().angle[j] - before[j]) / dt;
+}
+
+JointArray MotionTrial::rates() const {
+  JointArray rates{};
+  for (std::size_t j = 0; j < maxJoints; ++j) rates[j] = (robot.sense().angle[j] - lastAngles_[j]) / dt;
+  return rates;
 }
 
 bool MotionTrial::fall(int direction) {
@@ -46,23 +55,23 @@ bool MotionTrial::fall(int direction) {
 bool MotionTrial::stumble(int direction) {
   robot.restart(Pose2(), stand);
   restarted();
-  const double way = random(-pi, pi), speed = random(0, fastest), turn = random(-0.5, 0.5);
+  const double way = random(-pi, pi), speed = random(0, fastest), turn = random(-fastestTurn, fastestTurn);
   const Vec2 velocity = speed * Vec2(std::cos(way), std::sin(way));
-  for (int i = static_cast<int>(random(30, 80)); i > 0; --i) walkStep(velocity, turn);
+  for (int i = static_cast<int>(random(leastSteps, mostSteps)); i > 0; --i) walkStep(velocity, turn);
   if (lying()) return true;
   const double aside = random(0, 1) < 0.5 ? -pi / 2 : pi / 2;
-  const double along = (direction > 0 ? 0 : direction < 0 ? pi : aside) + random(-0.6, 0.6);
-  const double push = random(0.6, 1.6);
+  const double along = (direction > 0 ? 0 : direction < 0 ? pi : aside) + random(-pushAside, pushAside);
+  const double push = random(leastPush, mostPush);
   simulation::BodyState torso = robot.torso();
   const Vec3 ahead = torso.pose.linear() * Vec3(std::cos(along), std::sin(along), 0);
   torso.linearVelocity += push * ahead;
-  torso.angularVelocity += push / standingHeight * Vec3::UnitZ().cross(ahead);
-  robot.world().setVelocities(robot.robot(), torso, rates_);
-  for (int i = 0; i < 150 && !lying(); ++i) walkStep(velocity, turn);
+  torso.angularVelocity += push / standingHeight * Vec3::UnitZ().cross(ahead);  // it tips over its feet
+  robot.world().setVelocities(robot.robot(), torso, rates());
+  for (int i = 0; i < wait && !lying(); ++i) walkStep(velocity, turn);
   return lying();
 }
 
-void MotionTrial::State::atRest() {
+void MotionTrial::State::stop() {
   torso.linearVelocity = torso.angularVelocity = Vec3::Zero();
   rates.fill(0);
 }
@@ -74,7 +83,7 @@ void MotionTrial::begin(const State& state) {
 }
 
 void MotionTrial::restarted() {
-  rates_.fill(0);
+  lastAngles_ = robot.sense().angle;
   control.reset();
   forget();
 }

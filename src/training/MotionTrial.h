@@ -29,9 +29,9 @@ public:
   struct State {
     simulation::BodyState torso;
     JointArray angles{}, rates{};  ///< [rad, rad/s]
-    void atRest();
+    void stop();                   ///< sets all velocities to 0
   };
-  State state() const { return {robot.torso(), robot.sense().angle, rates_}; }
+  State state() const { return {robot.torso(), robot.sense().angle, rates()}; }
   /// Puts the robot into a state; nothing of what was before has an effect from now on.
   void begin(const State& state);
 
@@ -41,8 +41,9 @@ public:
 
 private:
   void move(const JointArray& targets) override;
+  JointArray rates() const;  ///< over the last cycle [rad/s]
 
-  JointArray rates_{};  ///< of the last cycle [rad/s]
+  JointArray lastAngles_{};  ///< before the last cycle [rad]
 };
 
 }  // namespace plumbline::motion

@@ -7,6 +7,8 @@
 
 namespace plumbline::motion {
 
+constexpr double longestStandUp = 12;  ///< repeats included [s]
+
 struct StandUpResult {
   bool up = false;
   int tries = 0;        ///< without those that roll it off its side
@@ -17,17 +19,17 @@ struct StandUpResult {
 /// How a trial's robot comes to lie: MotionTrial::fall or stumble.
 enum class Falls { dropped, pushed };
 
-/// Falls and stands up as the agent does, repeating it for up to maxSeconds; then walks in some direction.
-/// Nothing if the robot did not fall.
+/// Falls and stands up as the agent does, repeating it for up to longestStandUp; then walks in some
+/// direction. Nothing if the robot did not fall.
 inline std::optional<StandUpResult> standUpTrial(MotionTrial& trial, int direction, unsigned seed,
-                                                 Falls falls = Falls::dropped, double maxSeconds = 12) {
+                                                 Falls falls = Falls::dropped) {
   trial.seed(seed);
   if (!(falls == Falls::pushed ? trial.stumble(direction) : trial.fall(direction))) return std::nullopt;
   StandUpResult result;
   trial.elapsed = 0;
   trial.standUpChoice.forget();
   bool again = false;
-  while (!result.up && trial.elapsed < maxSeconds) {
+  while (!result.up && trial.elapsed < longestStandUp) {
     trial.play(trial.nextStandUp(again));
     again = true;
     if (trial.standUpChoice.rolled()) continue;
@@ -35,7 +37,7 @@ inline std::optional<StandUpResult> standUpTrial(MotionTrial& trial, int directi
     result.seconds = trial.elapsed;
     // The torso may still swing up, and falling over again belongs to the try.
     result.seconds += trial.standStill(trial.standUp.graceSeconds);
-    result.up = trial.tilt() < 0.45 && trial.height() > 0.85 * trial.standingHeight;
+    result.up = trial.upright() && trial.height() > 0.85 * trial.standingHeight;
   }
   if (!result.up) return result;
   const double angle = trial.random(-pi, pi);

@@ -30,7 +30,7 @@ TEST(MotionTrial, aStateCanBeBegunWithAgain) {
     for (int i = 0; i < 10; ++i) one->step(one->stand);
   }
   EXPECT_EQ(trial.torsoPose().matrix(), other.torsoPose().matrix());
-  state.atRest();
+  state.stop();
   other.begin(state);
   EXPECT_EQ(other.robot.torso().linearVelocity, Vec3::Zero());
   EXPECT_EQ(other.robot.torso().angularVelocity, Vec3::Zero());

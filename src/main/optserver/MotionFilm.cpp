@@ -6,11 +6,11 @@
 
 #include "motion/KeyframePlayer.h"
 #include "motion/KeyframeReader.h"
-#include "motion/StandUpChoice.h"
 #include "robot/ForwardKinematics.h"
 #include "simspark/LeagueRobots.h"
 #include "simspark/SceneState.h"
 #include "training/MotionTrial.h"
+#include "training/tasks/StandUpTask.h"
 
 namespace plumbline {
 namespace {
@@ -51,29 +51,19 @@ private:
   nlohmann::json frames_ = nlohmann::json::array();
 };
 
-struct Fall {
-  int direction;  ///< as MotionTrial::fall has it
-  motion::LyingOn lying;
-};
-
-/// How the task begins, if it begins with a fall.
-std::optional<Fall> fallOf(const training::Study& study) {
+/// How the task begins, as MotionTrial::fall has it, if it begins with a fall.
+std::optional<int> fallOf(const training::Study& study) {
   if (study.task != "standUp") return std::nullopt;
-  const std::string direction = study.options.word("direction", "front");
-  if (direction == "front") return Fall{1, motion::LyingOn::front};
-  if (direction == "back") return Fall{-1, motion::LyingOn::back};
-  return Fall{0, motion::LyingOn::side};
+  return training::fallDirection(study.options);
 }
 
 /// Plays a motion before the camera; its time [s].
 double play(const motion::KeyframeMotion& motion, motion::MotionTrial& trial, Camera& camera) {
   motion::KeyframePlayer player;
   player.start(motion, trial.robot.sense().angle);
-  int still = 0;
   double played = 0;
   for (; !player.finished() && played < longest; played += motion::MotionTrial::dt) {
-    still = trial.robot.sense().gyro.norm() < 0.3 ? still + 1 : 0;
-    player.step(motion::MotionTrial::dt, still >= 3);
+    player.step(motion::MotionTrial::dt, trial.still());
     trial.step(player.angles());
     camera.look();
   }
@@ -91,14 +81,13 @@ std::string motionFilm(const training::Study& study, const Eigen::VectorXd& para
   const motion::KeyframeMotion motion = motion::readKeyframeText(text, "found.yaml", trial.model, {});
   Camera camera(trial, type);
   trial.seed(seed);
-  const std::optional<Fall> fall = fallOf(study);
-  for (int i = 0; fall && i < falls; ++i)
-    if (trial.fall(fall->direction) && motion::lyingOn(trial.up()) == fall->lying) break;
+  const std::optional<int> direction = fallOf(study);
+  for (int i = 0; direction && i < falls; ++i)
+    if (trial.fall(*direction) && training::liesAs(trial, *direction)) break;
   camera.look();
   double played = play(motion, trial, camera);
   // A motion for the side is half of the way.
-  if (fall && fall->lying == motion::LyingOn::side && trial.lying())
-    played += play(trial.nextStandUp(), trial, camera);
+  if (direction == 0 && !trial.upright()) played += play(trial.nextStandUp(), trial, camera);
   trial.beginWalk();
   for (double t = 0; t < walkSeconds; t += motion::MotionTrial::dt) {
     trial.walkStep(Vec2(walkSpeed, 0), 0);

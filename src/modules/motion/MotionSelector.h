@@ -35,6 +35,7 @@ public:
 private:
   /// The motion's output, null if there is no such motion.
   const MotionOutput* output(const std::string& motion) const;
+  /// A robot that sits stands up as from its back.
   motion::LyingOn lyingOn() const;
   void learnMotions(const std::string& robot, const std::vector<motion::KeyframeMotion>& motions);
   void start(MotionSelection& selection, const std::string& motion, const std::string& specialAction);

@@ -1,6 +1,5 @@
 #include "modules/motion/Motions.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "framework/ConfigurationError.h"
@@ -23,13 +22,6 @@ std::vector<motion::KeyframeMotion> readMotions(const Config& config, const Robo
   } catch (const motion::KeyframeFileError& error) {
     throw ConfigurationError(error.what());
   }
-}
-
-const motion::KeyframeMotion* findMotion(const std::vector<motion::KeyframeMotion>& motions,
-                                         const std::string& name) {
-  const auto found =
-      std::find_if(motions.begin(), motions.end(), [&](const auto& motion) { return motion.name == name; });
-  return found == motions.end() ? nullptr : &*found;
 }
 
 std::string missingMotion(const std::vector<motion::KeyframeMotion>& motions, const std::string& name) {

@@ -11,10 +11,6 @@ namespace plumbline {
 /// overrides single motions. Throws ConfigurationError for a file that cannot be used.
 std::vector<motion::KeyframeMotion> readMotions(const Config& config, const RobotModel& robot);
 
-/// The motion of that name, or null.
-const motion::KeyframeMotion* findMotion(const std::vector<motion::KeyframeMotion>& motions,
-                                         const std::string& name);
-
 /// Error text for an unknown name, with the nearest existing one.
 std::string missingMotion(const std::vector<motion::KeyframeMotion>& motions, const std::string& name);
 

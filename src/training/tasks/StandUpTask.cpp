@@ -13,14 +13,31 @@ constexpr std::size_t mostKept = 4096;
 constexpr int mostFalls = 1000;
 constexpr double walkSeconds = 2;
 constexpr int mostRolls = 3;
-constexpr double uprightTilt = 0.45;  // as FallDetector sees it [rad]
 
-int directionOf(const std::string& name) { return name == "front" ? 1 : name == "back" ? -1 : 0; }
+/// As the agent: it rolls again where it still lies on a side.
+void standUpAfterRoll(motion::MotionTrial& trial, const motion::KeyframeMotion& roll) {
+  trial.standUpChoice.forget();
+  for (int i = 1; i < mostRolls && motion::lyingOn(trial.up()) == motion::LyingOn::side; ++i)
+    trial.play(roll);
+  if (!trial.upright()) trial.play(trial.nextStandUp());
+}
 
 }  // namespace
 
+int fallDirection(const TaskOptions& options) {
+  const std::string name = options.word("direction", "front", {"front", "back", "side"});
+  return name == "front" ? 1 : name == "back" ? -1 : 0;
+}
+
+bool liesAs(const motion::MotionTrial& trial, int direction) {
+  const motion::LyingOn wanted = direction > 0   ? motion::LyingOn::front
+                                 : direction < 0 ? motion::LyingOn::back
+                                                 : motion::LyingOn::side;
+  return motion::lyingOn(trial.up()) == wanted;
+}
+
 StandUpTask::StandUpTask(const TaskOptions& options)
-    : direction_(directionOf(options.word("direction", "front", {"front", "back", "side"}))),
+    : direction_(fallDirection(options)),
       weight_(options.number("weight", 0.08, 0, 100)),
       still_(options.number("still", 0, 0, 1)),
       moving_(options.word("start", "rest", {"rest", "fall"}) == "fall"),
@@ -35,15 +52,13 @@ StandUpTask::StandUpTask(const TaskOptions& options)
 }
 
 bool StandUpTask::fits(const motion::MotionTrial& trial) const {
-  const motion::LyingOn wanted = direction_ > 0   ? motion::LyingOn::front
-                                 : direction_ < 0 ? motion::LyingOn::back
-                                                  : motion::LyingOn::side;
   // A fall that ends otherwise, or on the feet, is another motion's. Limbs that overlap would freeze when the
   // motion begins.
-  return motion::lyingOn(trial.up()) == wanted && !trial.robot.overlaps() && !trial.robot.frozen().any();
+  return liesAs(trial, direction_) && !trial.robot.overlaps() && !trial.robot.frozen().any();
 }
 
 bool StandUpTask::falls(motion::MotionTrial& trial, std::uint64_t seed) const {
+  // seed % count says which world, so the quotient says which fall: both happen in all worlds.
   if (moving_ && seed / worlds_.count() % 2 == 1) return trial.stumble(direction_);
   return trial.fall(direction_);
 }
@@ -56,23 +71,11 @@ const StandUpTask::Lying& StandUpTask::lying(std::uint64_t seed) {
     trial.seedStart(seed, i);
     if (!falls(trial, seed) || !fits(trial)) continue;
     Lying& lying = fallen_[seed] = trial.state();
-    if (!moving_) lying.atRest();
+    if (!moving_) lying.stop();
     return lying;
   }
   throw std::runtime_error("the robot does not fall");
 }
-
-namespace {
-
-/// As the agent: it rolls again where it still lies on a side.
-void standUpAfterRoll(motion::MotionTrial& trial, const motion::KeyframeMotion& roll) {
-  trial.standUpChoice.forget();
-  for (int i = 1; i < mostRolls && motion::lyingOn(trial.up()) == motion::LyingOn::side; ++i)
-    trial.play(roll);
-  if (trial.tilt() > uprightTilt) trial.play(trial.nextStandUp());
-}
-
-}  // namespace
 
 TaskOutcome StandUpTask::tryMotion(const motion::KeyframeMotion& motion, std::uint64_t seed) {
   const Lying start = lying(seed);

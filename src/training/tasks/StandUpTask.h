@@ -8,17 +8,29 @@
 
 namespace plumbline::training {
 
+/// The option direction of a stand-up as MotionTrial::fall has it: front (1), back (-1) or side (0).
+int fallDirection(const TaskOptions& options);
+
+/// The robot lies on its front (1), back (-1) or a side (0).
+bool liesAs(const motion::MotionTrial& trial, int direction);
+
 /// Standing up in the embedded simulator: Seekircher 2015, 3.1.1. In a run the robot lies as it fell (the
 /// seed says how; not with limbs that overlap, which would freeze), plays the motion, and then walks into
 /// some direction for two seconds. The cost is formula 3.1 with the opposite sign: angles between torso and
 /// upright [rad], summed over the walk's cycles, plus the motion's time [ms] times `weight` (0.08). Figures:
 /// time [ms] of the motion, error (the sum), up (1 if the torso leans by less than 30 degrees in the end).
+///
 /// Options: type 0 .., direction front, back or side, weight, motion (name of the first file), start, still,
-/// and those of TrialWorlds. direction: from the side the motion rolls it, and then it stands up as the agent
-/// does; the time is of both. start: with rest it lies still, as in the thesis. With fall the motion begins
-/// as in play, where the robot still moves; half of the falls are those of a robot that is pushed while it
-/// walks. still (0): the share of the runs in which the robot stands for that time instead of walking. With
-/// 0, a found motion may need the walk's steps to stay upright, and falls if the robot has to stand.
+/// and those of TrialWorlds.
+///
+/// direction: from the side the motion rolls the robot, three times at most while it stays on its side, and
+/// then it stands up as the agent does; the time is of all.
+///
+/// start: with rest it lies still, as in the thesis. With fall the motion begins as in play, where the robot
+/// still moves; half of the falls are those of a robot that is pushed while it walks.
+///
+/// still (0): the share of the runs in which the robot stands for that time instead of walking. With 0, a
+/// found motion may need the walk's steps to stay upright, and falls if the robot has to stand.
 class StandUpTask : public SearchTask {
 public:
   explicit StandUpTask(const TaskOptions& options);
