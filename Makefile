@@ -186,12 +186,14 @@ bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 	@scripts/make_results.sh $*
 
 # A kick searched with and without drawn robots, tried on another engine and on others (TYPE, MOTION, SEEDS, GENERATIONS,
-# MEASURED); kick positioning from random places (TRIES, SEED, TYPES); shots at a keeper (SHOTS, SEED, TYPES);
+# MEASURED); kick positioning from random places (TRIES, SEED, TYPES); shots at a keeper (SHOTS, SEED, TYPES); three against
+# three before a goal (TRIES, SEED, BEFORE=FOLDER of an earlier state);
 # searches by 1 to 30 workers (SLEEP). All write their page in doc/results/.
 benchBuilds-robust := bench-robust
 benchBuilds-clients := optserver optworker
 benchBuilds-saves := agent simulator watchgame
-bench-robust bench-positioning bench-saves bench-clients: bench-%:
+benchBuilds-duels := agent simulator bench-duels
+bench-robust bench-positioning bench-saves bench-duels bench-clients: bench-%:
 	@scripts/build.sh SimRelease $(or $(benchBuilds-$*),agent game simulator)
 	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }
 	@scripts/make_results.sh $*

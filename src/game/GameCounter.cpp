@@ -17,6 +17,7 @@ void GameCounter::observe(const SceneState& scene) {
   const bool running = lastTime_ && scene.time > *lastTime_ && scene.playMode != "BeforeKickOff" &&
                        scene.playMode != "GameOver";
   countFalls(scene, running);
+  countFouls(scene);
   if (running) {
     countKicks(scene);
   } else if (!lastTime_ || scene.time != *lastTime_ || scene.ball.head<2>() != lastBall_) {
@@ -40,6 +41,20 @@ void GameCounter::countFalls(const SceneState& scene, bool running) {
     }
   }
   for (std::size_t i = 0; i < here.size(); ++i) players_[i] = std::max(players_[i], here[i]);
+}
+
+void GameCounter::countFouls(const SceneState& scene) {
+  std::set<Offence> offences;
+  for (const simspark::SceneFoul& foul : scene.fouls) {
+    const Offence offence{foul.side, foul.unum, foul.kind};
+    if (offences.insert(offence).second && !lastOffences_.contains(offence))
+      ++fouls_[index(foul.side)][static_cast<std::size_t>(foul.kind)];
+  }
+  lastOffences_ = std::move(offences);
+  if (scene.playMode == lastMode_) return;
+  lastMode_ = scene.playMode;
+  if (lastMode_.ends_with("free_kick_left")) ++freeKicksAgainst_[index(TeamSide::right)];
+  if (lastMode_.ends_with("free_kick_right")) ++freeKicksAgainst_[index(TeamSide::left)];
 }
 
 void GameCounter::countKicks(const SceneState& scene) {

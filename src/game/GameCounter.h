@@ -2,14 +2,17 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include "simspark/SceneState.h"
 
 namespace plumbline::game {
 
-/// Counts what happens in a game from the scenes a monitor gets: falls and kicks of each team. Positions
-/// there are exact to 5 mm, so what is counted is what was to be seen, on any server.
+/// Counts what happens in a game from the scenes a monitor gets: falls, kicks and fouls of each team.
+/// Positions there are exact to 5 mm, so what is counted is what was to be seen, on any server.
 class GameCounter {
 public:
   /// The next scene, in their order.
@@ -22,6 +25,13 @@ public:
   /// nearest to it, which is within `kickReach`. What a robot does within `kickPause` is one kick. Touches in
   /// walking are slower.
   int kicks(simspark::TeamSide side) const { return kicks_[index(side)]; }
+  /// What the referee has called a team for. The server tells it in every cycle until the player is put
+  /// elsewhere; that is one foul.
+  int fouls(simspark::TeamSide side, simspark::FoulKind kind) const {
+    return fouls_[index(side)][static_cast<std::size_t>(kind)];
+  }
+  /// Free kicks that the other team got, because a player touched the ball twice at an own restart.
+  int freeKicksAgainst(simspark::TeamSide side) const { return freeKicksAgainst_[index(side)]; }
   /// Most players of a team that were there at once.
   int players(simspark::TeamSide side) const { return players_[index(side)]; }
 
@@ -34,12 +44,17 @@ private:
   static std::size_t index(simspark::TeamSide side) { return side == simspark::TeamSide::right ? 1 : 0; }
   void countFalls(const simspark::SceneState& scene, bool running);
   void countKicks(const simspark::SceneState& scene);
+  void countFouls(const simspark::SceneState& scene);
 
+  using Offence = std::tuple<simspark::TeamSide, int, simspark::FoulKind>;  ///< whose, which
   struct Stance {
     bool stood = false, fallen = false;
   };
   std::map<std::pair<simspark::TeamSide, int>, Stance> stances_;
-  std::array<int, 2> falls_{}, kicks_{}, players_{};
+  std::array<int, 2> falls_{}, kicks_{}, players_{}, freeKicksAgainst_{};
+  std::array<std::array<int, static_cast<std::size_t>(simspark::FoulKind::none)>, 2> fouls_{};
+  std::set<Offence> lastOffences_;  ///< of the scene before
+  std::string lastMode_;
   std::optional<double> lastTime_;
   Vec2 lastBall_ = Vec2::Zero();
   std::optional<Vec2> lastVelocity_;

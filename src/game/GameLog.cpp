@@ -15,9 +15,10 @@ namespace plumbline::game {
 using simspark::TeamSide;
 
 const char* const gameLogHeader =
-    "date,server,left,right,seed,half_time_s,score_left,score_right,falls_left,falls_right,kicks_left,kicks_"
-    "right,"
-    "players_left,players_right,game_s,wall_s,end";
+    "date,server,left,right,seed,half_time_s,score_left,score_right,falls_left,falls_right,kicks_left,"
+    "kicks_right,players_left,players_right,game_s,wall_s,end,touching_left,touching_right,charging_left,"
+    "charging_right,illegal_defence_left,illegal_defence_right,free_kicks_against_left,"
+    "free_kicks_against_right";
 
 namespace {
 
@@ -33,12 +34,17 @@ std::string field(std::string text) {
 std::string gameLogLine(const GameLogEntry& entry, const GameResult& result) {
   const GameCounter& counts = result.counts;
   const auto left = TeamSide::left, right = TeamSide::right;
-  return fmt::format("{},{},{},{},{},{:g},{},{},{},{},{},{},{},{},{:.2f},{:.1f},{}", field(entry.date),
-                     field(entry.server), field(entry.nameLeft.empty() ? result.teamLeft : entry.nameLeft),
-                     field(entry.nameRight.empty() ? result.teamRight : entry.nameRight), field(entry.seed),
-                     entry.halfTime, result.scoreLeft, result.scoreRight, counts.falls(left),
-                     counts.falls(right), counts.kicks(left), counts.kicks(right), counts.players(left),
-                     counts.players(right), result.gameSeconds, result.wallSeconds, gameEndText(result.end));
+  std::string line =
+      fmt::format("{},{},{},{},{},{:g},{},{},{},{},{},{},{},{},{:.2f},{:.1f},{}", field(entry.date),
+                  field(entry.server), field(entry.nameLeft.empty() ? result.teamLeft : entry.nameLeft),
+                  field(entry.nameRight.empty() ? result.teamRight : entry.nameRight), field(entry.seed),
+                  entry.halfTime, result.scoreLeft, result.scoreRight, counts.falls(left),
+                  counts.falls(right), counts.kicks(left), counts.kicks(right), counts.players(left),
+                  counts.players(right), result.gameSeconds, result.wallSeconds, gameEndText(result.end));
+  for (const auto kind :
+       {simspark::FoulKind::touching, simspark::FoulKind::charging, simspark::FoulKind::illegalDefence})
+    line += fmt::format(",{},{}", counts.fouls(left, kind), counts.fouls(right, kind));
+  return line + fmt::format(",{},{}", counts.freeKicksAgainst(left), counts.freeKicksAgainst(right));
 }
 
 void appendGameLog(const std::string& file, const std::string& line) {

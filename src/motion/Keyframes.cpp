@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "framework/NearestName.h"
+
 namespace plumbline::motion {
 
 double KeyframeMotion::seconds() const {
@@ -14,6 +16,12 @@ const KeyframeMotion* findMotion(const std::vector<KeyframeMotion>& motions, con
   const auto found = std::find_if(motions.begin(), motions.end(),
                                   [&](const KeyframeMotion& motion) { return motion.name == name; });
   return found == motions.end() ? nullptr : &*found;
+}
+
+std::string missingMotion(const std::vector<KeyframeMotion>& motions, const std::string& name) {
+  std::vector<std::string> names;
+  for (const KeyframeMotion& motion : motions) names.push_back(motion.name);
+  return "there is no motion " + name + " in motions/" + suggestion(name, names);
 }
 
 JointId mirrored(JointId joint) {

@@ -39,6 +39,8 @@ struct KeyframeMotion {
 
 /// The motion of that name, or null.
 const KeyframeMotion* findMotion(const std::vector<KeyframeMotion>& motions, const std::string& name);
+/// Error text for an unknown name, with the nearest existing one.
+std::string missingMotion(const std::vector<KeyframeMotion>& motions, const std::string& name);
 
 /// The same joint of the other side; joints in the middle (head, waist) stay.
 JointId mirrored(JointId joint);

@@ -1,8 +1,25 @@
 #include "motion/StandUpChoice.h"
 
 #include <cmath>
+#include <utility>
 
 namespace plumbline::motion {
+
+std::optional<MissingStandUp> missingStandUp(const StandUpParameters& parameters,
+                                             const std::vector<KeyframeMotion>& motions) {
+  const auto missing = [&](const char* parameter, const std::string& name) -> std::optional<MissingStandUp> {
+    if (findMotion(motions, name)) return std::nullopt;
+    return MissingStandUp{parameter, missingMotion(motions, name)};
+  };
+  for (const auto& [parameter, name] :
+       {std::pair{"front", &parameters.front}, {"back", &parameters.back}, {"side", &parameters.side}})
+    if (const auto found = missing(parameter, *name)) return found;
+  for (const auto& [parameter, name] :
+       {std::pair{"fastFront", &parameters.fastFront}, {"fastBack", &parameters.fastBack}})
+    if (!name->empty())
+      if (const auto found = missing(parameter, *name)) return found;
+  return std::nullopt;
+}
 
 LyingOn lyingOn(const Vec3& up) {
   if (std::abs(up.x()) < std::abs(up.y())) return LyingOn::side;

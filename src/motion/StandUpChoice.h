@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,13 @@ struct StandUpParameters {
             "time until the next try, since a stand-up ends while the torso still swings up; none after a "
             "motion for the side")
 };
+
+/// The first parameter that names a motion which is not among `motions`, and an error text.
+struct MissingStandUp {
+  std::string parameter, problem;
+};
+std::optional<MissingStandUp> missingStandUp(const StandUpParameters& parameters,
+                                             const std::vector<KeyframeMotion>& motions);
 
 enum class LyingOn { front, back, side };
 

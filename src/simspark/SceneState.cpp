@@ -115,10 +115,13 @@ bool SceneState::updateNode(Word list, Node& node) {
 }
 
 void SceneState::gameState(Word list) {
+  fouls.clear();
   for (Word part = list.first(); part; part = part.next()) {
     const std::string_view name = part.name(), value = wordOf(part.at(1));
     readFieldWord(name, value, field);
     if (name == "time") time = parseNumber(value).value_or(time);
+    if (name == "foul")
+      if (const auto foul = readFoul(part)) fouls.push_back(*foul);
     if (name == "half") half = parseInteger(value).value_or(half);
     if (name == "score_left") scoreLeft = parseInteger(value).value_or(scoreLeft);
     if (name == "score_right") scoreRight = parseInteger(value).value_or(scoreRight);

@@ -9,6 +9,7 @@
 #include "math/Types.h"
 #include "simspark/PlayMode.h"
 #include "simspark/SExpression.h"
+#include "simspark/SceneFoul.h"
 #include "simspark/TeamSide.h"
 
 namespace plumbline::simspark {
@@ -55,6 +56,7 @@ public:
   Vec3 ball = Vec3::Zero();
   Mat3 ballAxes = Mat3::Identity();
   std::vector<SceneRobot> robots;
+  std::vector<SceneFoul> fouls;  ///< those that the last message told
 
   const SceneRobot* robot(TeamSide side, int unum) const;
 

@@ -7,6 +7,7 @@
 
 #include "framework/ConfigFile.h"
 #include "framework/ConfigFolder.h"
+#include "framework/ConfigurationError.h"
 #include "framework/ModuleParameters.h"
 #include "math/Angle.h"
 #include "motion/KeyframeReader.h"
@@ -29,12 +30,16 @@ std::vector<std::filesystem::path> motionDirectories(int type) {
   return paths;
 }
 
-StandUpParameters readStandUp(int type) {
+StandUpParameters readStandUp(int type, const std::vector<KeyframeMotion>& motions) {
   const ConfigFile file("MotionSelector", MotionDriver::directories(type));
   StandUpParameters parameters;
-  if (file.root().has("standUp"))
-    readParameters(file.root().section("standUp"), StandUpParameters::parameterList(), &parameters);
+  const bool has = file.root().has("standUp");
+  if (has) readParameters(file.root().section("standUp"), StandUpParameters::parameterList(), &parameters);
   file.checkUnknown();
+  if (const auto missing = missingStandUp(parameters, motions)) {
+    if (has) file.root().section("standUp").fail(missing->parameter, missing->problem);
+    throw ConfigurationError("MotionSelector.standUp." + missing->parameter + ": " + missing->problem);
+  }
   return parameters;
 }
 
@@ -46,7 +51,7 @@ MotionDriver::MotionDriver(int type)
       walk(gaits, model),
       stand(walk.stand().angles),
       motions(readMotions(motionDirectories(type), model)),
-      standUp(readStandUp(type)) {
+      standUp(readStandUp(type, motions)) {
   standUpChoice.learn(standUp, motions);
 }
 

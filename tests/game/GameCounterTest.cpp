@@ -118,6 +118,34 @@ TEST_F(Game, aClockThatStandsIsNoTime) {
   EXPECT_EQ(counter.kicks(TeamSide::left), 0);
 }
 
+TEST_F(Game, foulsAreCountedByTeamAndKind) {
+  using simspark::FoulKind;
+  scene.fouls = {{1, FoulKind::charging, TeamSide::left, 1}, {2, FoulKind::touching, TeamSide::right, 1}};
+  step();
+  // Told again while the player is held; another player's is another foul.
+  scene.fouls = {{3, FoulKind::charging, TeamSide::left, 1}, {4, FoulKind::charging, TeamSide::left, 1}};
+  step();
+  scene.fouls = {{5, FoulKind::charging, TeamSide::left, 2}};
+  step();
+  scene.fouls.clear();
+  step();
+  scene.fouls = {{6, FoulKind::charging, TeamSide::left, 1}};
+  step();
+  EXPECT_EQ(counter.fouls(TeamSide::left, FoulKind::charging), 3);
+  EXPECT_EQ(counter.fouls(TeamSide::right, FoulKind::touching), 1);
+  EXPECT_EQ(counter.fouls(TeamSide::right, FoulKind::charging), 0);
+}
+
+TEST_F(Game, aFreeKickIsAgainstTheOtherTeam) {
+  for (const char* mode :
+       {"PlayOn", "free_kick_right", "free_kick_right", "PlayOn", "direct_free_kick_right"}) {
+    scene.playMode = mode;
+    step();
+  }
+  EXPECT_EQ(counter.freeKicksAgainst(TeamSide::left), 2);
+  EXPECT_EQ(counter.freeKicksAgainst(TeamSide::right), 0);
+}
+
 TEST(GameLog, aLine) {
   GameResult result;
   result.teamLeft = "Red,\"one\"";
@@ -126,13 +154,16 @@ TEST(GameLog, aLine) {
   result.wallSeconds = 81.26;
   GameLogEntry entry{
       .date = "2015-07-01T10:00:00+0200", .server = "simulator", .seed = "7", .nameRight = "Blue"};
-  EXPECT_EQ(gameLogLine(entry, result),
-            "2015-07-01T10:00:00+0200,simulator,Red__one_,Blue,7,300,2,0,0,0,0,0,0,0,600.02,81.3,over");
-  result.end = GameEnd::serverGone;
-  entry.halfTime = 12.5;
   EXPECT_EQ(
       gameLogLine(entry, result),
-      "2015-07-01T10:00:00+0200,simulator,Red__one_,Blue,7,12.5,2,0,0,0,0,0,0,0,600.02,81.3,server gone");
+      "2015-07-01T10:00:00+0200,simulator,Red__one_,Blue,7,300,2,0,0,0,0,0,0,0,600.02,81.3,over,0,0,0,0,0,"
+      "0,0,0");
+  result.end = GameEnd::serverGone;
+  entry.halfTime = 12.5;
+  EXPECT_EQ(gameLogLine(entry, result),
+            "2015-07-01T10:00:00+0200,simulator,Red__one_,Blue,7,12.5,2,0,0,0,0,0,0,0,600.02,81.3,server "
+            "gone,0,0,0,0,"
+            "0,0,0,0");
 }
 
 TEST(GameLog, manyWritersOneHeader) {

@@ -61,5 +61,26 @@ TEST(LyingOn, theSideThatIsDown) {
   EXPECT_EQ(lyingOn(Vec3(0.6, 0.8, 0)), LyingOn::side);
 }
 
+TEST(MissingStandUp, namesTheFirstMotionThatIsNotThere) {
+  StandUpParameters parameters;
+  std::vector<KeyframeMotion> motions;
+  for (const char* name : {"standUpFront", "standUpBack", "rollOver", "standUpBackFast"}) {
+    KeyframeMotion motion;
+    motion.name = name;
+    motions.push_back(motion);
+  }
+  EXPECT_FALSE(missingStandUp(parameters, motions)) << "no fast motion is asked for";
+  parameters.fastBack = "standUpBackFast";
+  EXPECT_FALSE(missingStandUp(parameters, motions));
+  parameters.fastFront = "standUpBackFats";
+  const auto missing = missingStandUp(parameters, motions);
+  ASSERT_TRUE(missing);
+  EXPECT_EQ(missing->parameter, "fastFront");
+  EXPECT_EQ(missing->problem,
+            "there is no motion standUpBackFats in motions/; did you mean \"standUpBackFast\"?");
+  motions.erase(motions.begin());
+  EXPECT_EQ(missingStandUp(parameters, motions)->parameter, "front");
+}
+
 }  // namespace
 }  // namespace plumbline::motion

@@ -46,6 +46,21 @@ TEST(SceneState, takesTheFieldFromWhatTheServerTells) {
   EXPECT_EQ(state.field.penaltyDepth, 1.2);
 }
 
+TEST(SceneState, tellsTheFoulsOfTheLastMessage) {
+  SceneState scene;
+  EXPECT_EQ(scene.update("((foul 3 6 2 5)(foul 4 1 1 11)(time 7))"), "");
+  ASSERT_EQ(scene.fouls.size(), 2U);
+  EXPECT_EQ(scene.fouls[0].index, 3);
+  EXPECT_EQ(scene.fouls[0].kind, FoulKind::charging);
+  EXPECT_EQ(scene.fouls[0].side, TeamSide::right);
+  EXPECT_EQ(scene.fouls[0].unum, 5);
+  EXPECT_EQ(scene.fouls[1].kind, FoulKind::touching);
+  EXPECT_EQ(scene.fouls[1].side, TeamSide::left);
+  EXPECT_EQ(scene.update("((foul 5 8 1 1)(foul 5 -1 1 1)(foul 5 6 3 1)(foul 5 6 1)(foul x 6 1 1)(foul))"),
+            "");
+  EXPECT_TRUE(scene.fouls.empty()) << "no such kind, no such side, too few numbers, no number";
+}
+
 TEST(SceneState, aMovedTransformIsTakenOver) {
   SceneState state;
   ASSERT_EQ(state.update("((play_modes A B)(play_mode 1)(time 1))(RSG 0 1)((nd Light)(nd TRF (SLT 1 0 0 0 0 "

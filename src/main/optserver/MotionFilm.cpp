@@ -51,10 +51,16 @@ private:
   nlohmann::json frames_ = nlohmann::json::array();
 };
 
-/// How the task begins, as MotionTrial::fall has it, if it begins with a fall.
-std::optional<int> fallOf(const training::Study& study) {
+/// Lets the robot fall as the task does: in play it is pushed while it walks. Nothing for other tasks.
+std::optional<int> fallAs(const training::Study& study, motion::MotionTrial& trial) {
   if (study.task != "standUp") return std::nullopt;
-  return training::fallDirection(study.options);
+  const int direction = training::fallDirection(study.options);
+  const bool inPlay = study.options.word("start", "rest", {"rest", "fall"}) == "fall";
+  for (int i = 0; i < falls; ++i) {
+    const bool lies = inPlay ? trial.stumble(direction) : trial.fall(direction);
+    if (lies && training::liesAs(trial, direction)) break;
+  }
+  return direction;
 }
 
 /// Plays a motion before the camera; its time [s].
@@ -81,9 +87,7 @@ std::string motionFilm(const training::Study& study, const Eigen::VectorXd& para
   const motion::KeyframeMotion motion = motion::readKeyframeText(text, "found.yaml", trial.model, {});
   Camera camera(trial, type);
   trial.seed(seed);
-  const std::optional<int> direction = fallOf(study);
-  for (int i = 0; direction && i < falls; ++i)
-    if (trial.fall(*direction) && training::liesAs(trial, *direction)) break;
+  const std::optional<int> direction = fallAs(study, trial);
   camera.look();
   double played = play(motion, trial, camera);
   // A motion for the side is half of the way.

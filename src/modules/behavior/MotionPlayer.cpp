@@ -17,7 +17,8 @@ void MotionPlayer::init() {
   if (!robot) return;
   const auto motions = readMotions(config, *robot);
   if (!findMotion(motions, wanted_->name))
-    throw ConfigurationError("--motion " + wanted_->name + ": " + missingMotion(motions, wanted_->name));
+    throw ConfigurationError("--motion " + wanted_->name + ": " +
+                             motion::missingMotion(motions, wanted_->name));
 }
 
 bool MotionPlayer::justFinished() const {

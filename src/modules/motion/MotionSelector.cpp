@@ -14,13 +14,8 @@ void MotionSelector::init() {
   const RobotModel* robot = findObject<RobotModel>();
   if (!robot) return;
   const auto motions = readMotions(config, *robot);
-  for (const auto& [key, name] : {std::pair{"standUp.front", &standUp.front},
-                                  {"standUp.back", &standUp.back},
-                                  {"standUp.side", &standUp.side}})
-    if (!findMotion(motions, *name)) config.refuse(key, missingMotion(motions, *name));
-  for (const auto& [key, name] :
-       {std::pair{"standUp.fastFront", &standUp.fastFront}, {"standUp.fastBack", &standUp.fastBack}})
-    if (!name->empty() && !findMotion(motions, *name)) config.refuse(key, missingMotion(motions, *name));
+  if (const auto missing = motion::missingStandUp(standUp, motions))
+    config.refuse("standUp." + missing->parameter, missing->problem);
   learnMotions(robot->name, motions);
 }
 

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "framework/ConfigurationError.h"
-#include "framework/NearestName.h"
 #include "motion/KeyframeReader.h"
 
 namespace plumbline {
@@ -22,12 +21,6 @@ std::vector<motion::KeyframeMotion> readMotions(const Config& config, const Robo
   } catch (const motion::KeyframeFileError& error) {
     throw ConfigurationError(error.what());
   }
-}
-
-std::string missingMotion(const std::vector<motion::KeyframeMotion>& motions, const std::string& name) {
-  std::vector<std::string> names;
-  for (const motion::KeyframeMotion& motion : motions) names.push_back(motion.name);
-  return "there is no motion " + name + " in motions/" + suggestion(name, names);
 }
 
 bool Stillness::update(const Vec3& gyro) {

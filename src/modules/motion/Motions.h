@@ -11,9 +11,6 @@ namespace plumbline {
 /// overrides single motions. Throws ConfigurationError for a file that cannot be used.
 std::vector<motion::KeyframeMotion> readMotions(const Config& config, const RobotModel& robot);
 
-/// Error text for an unknown name, with the nearest existing one.
-std::string missingMotion(const std::vector<motion::KeyframeMotion>& motions, const std::string& name);
-
 /// Counts cycles in which the torso does not turn, for motions that wait until the robot has settled.
 class Stillness {
 public:

@@ -78,7 +78,7 @@ void OptimizationClient::connect() {
 void OptimizationClient::begin() {
   const auto motions = readMotions(config, theRobotDescription->model);
   const motion::KeyframeMotion* first = findMotion(motions, motion);
-  if (!first) config.refuse("motion", missingMotion(motions, motion));
+  if (!first) config.refuse("motion", motion::missingMotion(motions, motion));
   motion::SearchedKick kick(*first, theRobotDescription->model, Side::right);
   const SearchSpace space = SearchSpace::of(kick.list());
   OptimizerOptions options;

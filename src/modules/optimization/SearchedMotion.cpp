@@ -14,7 +14,7 @@ void SearchedMotion::take() {
   if (begun != begun_) {
     const auto motions = readMotions(config, theRobotDescription->model);
     const motion::KeyframeMotion* first = findMotion(motions, trial.motion);
-    if (!first) return requestStop(2, missingMotion(motions, trial.motion));
+    if (!first) return requestStop(2, motion::missingMotion(motions, trial.motion));
     try {
       kick_.emplace(*first, theRobotDescription->model, trial.foot);
     } catch (const std::invalid_argument& error) {

@@ -29,7 +29,7 @@ MODULE(PathPlanning)
   REQUIRES(OtherRobots)
   PROVIDES(SafeWalkDirection)
   PARAMETER_GROUP(PathPlannerParameters, planner, "the search for the way")
-  PARAMETER(double, robotRadius, 0.5, "m", Range(0.1, 3), "kept from the middle of a robot that stands")
+  PARAMETER(double, robotRadius, 0.42, "m", Range(0.1, 3), "kept from the middle of a robot that stands")
   PARAMETER(double, fallenRadius, 0.65, "m", Range(0.1, 3), "kept from the middle of one that lies")
   PARAMETER(double, postRadius, 0.35, "m", Range(0.05, 3), "kept from a goal post")
   PARAMETER(double, ballRadius, 0.45, "m", Range(0.05, 3),

@@ -2,9 +2,9 @@
 # games against a team that is not ours players, of each side, other, what that team is called, and server.
 BEGIN {
   FS = "\t"
-  split("goals for|goals against|falls|kicks|players within 1.5 m of the ball|mates nearer than 0.4 m, seen twice a second, per player and minute|ball in the other half, mean [m]|shots|possession [%]", title, "|")
-  measures = split("goals goals_against falls kicks near_ball mates_close ball_ahead shots possession", name, " ")
-  split("higher lower lower higher lower lower higher higher higher", better, " ")
+  split("goals for|goals against|falls|kicks|players within 1.5 m of the ball|mates nearer than 0.4 m, seen twice a second, per player and minute|ball in the other half, mean [m]|shots|possession [%]|fouls: touching|charging|illegal defence|free kicks against", title, "|")
+  measures = split("goals goals_against falls kicks near_ball mates_close ball_ahead shots possession touching charging illegal_defence free_kicks_against", name, " ")
+  split("higher lower lower higher lower lower higher higher higher lower lower lower lower", better, " ")
   unit[6] = "1/min"; unit[7] = "m"; unit[9] = "%"
 }
 {
@@ -13,8 +13,9 @@ BEGIN {
   ++n[team]
   for (i = 1; i <= measures; ++i) { sum[team, i] += $(i + 1); squares[team, i] += $(i + 1) ^ 2 }
   if ($2 > $3) ++won[team]; else if ($2 < $3) ++lost[team]; else ++drawn[team]
-  if (!first || $11 < first) first = $11
-  if ($11 > last) last = $11
+  seed = $(measures + 2)
+  if (!first || seed < first) first = seed
+  if (seed > last) last = seed
 }
 function half95(team, i,   v) {
   if (n[team] < 2) return 0

@@ -1,6 +1,6 @@
 # Reads games.log; of each game that is over a line for each team: name, goals for, against, falls, kicks, robots within 1.5 m of
 # the ball, pairs of mates nearer than 0.4 m per robot and minute, how far the ball is in the other half [m], shots, possession
-# [%], seed. A shot: within half a second a ball at a robot goes at least 1 m, and on towards the goal of the other team, 0.5 m
+# [%], fouls: touching, charging, illegal defence, free kicks against; seed. A shot: within half a second a ball at a robot goes at least 1 m, and on towards the goal of the other team, 0.5 m
 # beside it at most. Possession: of the scenes with a robot within 1 m of the ball, those where the nearest one is of the team.
 # The tracks are played/N/track.csv in the order of the seeds. Variables: played.
 BEGIN { FS = ","; OFS = "\t" }
@@ -61,7 +61,9 @@ function report(side, other, sign,   minutes) {
   minutes = robots[side] * 0.5 / 60
   print v[column[side]], v[column["score_" side]], v[column["score_" other]], v[column["falls_" side]], v[column["kicks_" side]], \
     near[side] / scenes, close_[side] / minutes, sign * sumX / scenes, shots[side] + 0, \
-    100 * first_[side] / (first_["left"] + first_["right"] + 1e-9), v[column["seed"]]
+    100 * first_[side] / (first_["left"] + first_["right"] + 1e-9), \
+    v[column["touching_" side]], v[column["charging_" side]], v[column["illegal_defence_" side]], v[column["free_kicks_against_" side]], \
+    v[column["seed"]]
 }
 END {
   for (s = first; s <= last; ++s) {

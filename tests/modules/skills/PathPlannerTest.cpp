@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "math/Angle.h"
 #include "math/Random.h"
 
@@ -66,6 +68,24 @@ TEST(PathPlannerTest, amongManyItNeverRunsIntoOneThatItLooksAt) {
     EXPECT_GT(nearest, 0.95) << run;
     EXPECT_LT(length, 13) << run;
   }
+}
+
+TEST(PathPlannerTest, inACrowdFewWayPointsLieAtTheRobotsFeet) {
+  Random random(5);
+  int detours = 0, near = 0;
+  for (int run = 0; run < 4000; ++run) {
+    std::vector<Obstacle> crowd;
+    for (int i = 0; i < 3; ++i) crowd.push_back({{random.uniform(-0.7, 1.5), random.uniform(-1, 1)}, 0.42});
+    if (std::ranges::any_of(crowd, [](const Obstacle& other) { return other.centre.norm() < 0.25; }))
+      continue;
+    const Vec2 goal(random.uniform(1.5, 3), random.uniform(-0.5, 0.5));
+    const Vec2 wayPoint = nextWayPoint({0, 0}, goal, crowd, Vec2::Zero(), {});
+    if (wayPoint == goal) continue;
+    ++detours;
+    if (wayPoint.norm() < 0.2) ++near;
+  }
+  EXPECT_GT(detours, 1500);
+  EXPECT_LT(near, 0.08 * detours);
 }
 
 TEST(PathPlannerTest, theSameSituationGivesTheSameWay) {

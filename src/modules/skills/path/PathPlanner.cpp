@@ -10,7 +10,8 @@ namespace plumbline {
 namespace {
 
 constexpr int cornersOfObstacle = 8;
-constexpr double slack = 0.02;  ///< by which a circle is drawn back from a start or goal within it [m]
+constexpr double sightStep = 0.05;  ///< [m]
+constexpr double slack = 0.005;     ///< by which a circle is drawn back from a start or goal within it [m]
 
 bool isFree(const Vec2& a, const Vec2& b, const std::vector<Obstacle>& obstacles) {
   return std::ranges::none_of(obstacles, [&](const Obstacle& obstacle) {
@@ -46,6 +47,74 @@ std::vector<Vec2> cornersOf(const std::vector<Obstacle>& obstacles, double corne
   return corners;
 }
 
+/// The corners of a shortest path that ends at the goal; empty if there is none.
+std::vector<Vec2> shortestPath(const Vec2& start, const Vec2& goal, const std::vector<Obstacle>& obstacles,
+                               const Vec2& last, const PathPlannerParameters& parameters) {
+  std::vector<Vec2> nodes = cornersOf(obstacles, parameters.corner);
+  nodes.push_back(goal);
+  const std::size_t count = nodes.size(), end = count - 1;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  std::vector<double> cost(count, infinite);
+  std::vector<std::size_t> before(count, count);  // count: the start
+  std::vector<bool> done(count, false);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!isFree(start, nodes[i], obstacles)) continue;
+    const Vec2 way = nodes[i] - start;
+    cost[i] = way.norm();
+    if (!last.isZero() && cost[i] > 1e-6)
+      cost[i] +=
+          parameters.turnCost * std::acos(std::clamp(way.dot(last) / (cost[i] * last.norm()), -1.0, 1.0));
+  }
+  while (!done[end]) {
+    std::size_t here = count;
+    for (std::size_t i = 0; i < count; ++i)
+      if (!done[i] && cost[i] < infinite && (here == count || cost[i] < cost[here])) here = i;
+    if (here == count) return {};
+    done[here] = true;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double length = (nodes[i] - nodes[here]).norm();
+      if (done[i] || cost[here] + length >= cost[i] || !isFree(nodes[here], nodes[i], obstacles)) continue;
+      cost[i] = cost[here] + length;
+      before[i] = here;
+    }
+  }
+  std::vector<Vec2> path;
+  for (std::size_t i = end; i < count; i = before[i]) path.push_back(nodes[i]);
+  std::ranges::reverse(path);
+  return path;
+}
+
+/// Circles midway to the corners around them, but none that holds start or goal.
+std::vector<Obstacle> widened(std::vector<Obstacle> obstacles, const Vec2& start, const Vec2& goal,
+                              double corner) {
+  for (Obstacle& obstacle : obstacles) {
+    obstacle.radius *= 0.5 * (1 + corner);
+    for (const Vec2& end : {start, goal})
+      obstacle.radius = std::min(obstacle.radius, (end - obstacle.centre).norm() - 1e-9);
+  }
+  return obstacles;
+}
+
+/// The farthest point of a path within `lookAhead` to which the straight way is free; at least the path's
+/// first corner.
+Vec2 farthestInSight(const Vec2& start, const std::vector<Vec2>& path, const std::vector<Obstacle>& obstacles,
+                     double lookAhead) {
+  Vec2 best = path.front(), from = best;
+  double left = lookAhead - (best - start).norm();
+  for (std::size_t i = 1; i < path.size() && left > 0; ++i) {
+    const Vec2 way = path[i] - from;
+    const double length = way.norm();
+    for (double along = sightStep; along <= std::min(left, length); along += sightStep) {
+      const Vec2 point = from + along / length * way;
+      if (!isFree(start, point, obstacles)) return best;
+      best = point;
+    }
+    from = path[i];
+    left -= length;
+  }
+  return best;
+}
+
 }  // namespace
 
 double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
@@ -55,41 +124,15 @@ double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
   return (a + share * way - point).norm();
 }
 
-Vec2 nextWayPoint(const Vec2& start, const Vec2& goal, std::vector<Obstacle> obstacles, const Vec2& last,
-                  const PathPlannerParameters& parameters) {
-  keepRelevant(obstacles, start, goal, parameters);
-  if (isFree(start, goal, obstacles)) return goal;
-
-  std::vector<Vec2> nodes = cornersOf(obstacles, parameters.corner);
-  nodes.push_back(goal);
-  const std::size_t count = nodes.size(), end = count - 1;
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  std::vector<double> cost(count, infinite);
-  std::vector<std::size_t> first(count, end);
-  std::vector<bool> done(count, false);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!isFree(start, nodes[i], obstacles)) continue;
-    const Vec2 way = nodes[i] - start;
-    cost[i] = way.norm();
-    if (!last.isZero() && cost[i] > 1e-6)
-      cost[i] +=
-          parameters.turnCost * std::acos(std::clamp(way.dot(last) / (cost[i] * last.norm()), -1.0, 1.0));
-    first[i] = i;
-  }
-  for (;;) {
-    std::size_t here = count;
-    for (std::size_t i = 0; i < count; ++i)
-      if (!done[i] && cost[i] < infinite && (here == count || cost[i] < cost[here])) here = i;
-    if (here == count) return goal;
-    if (here == end) return nodes[first[end]];
-    done[here] = true;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double length = (nodes[i] - nodes[here]).norm();
-      if (done[i] || cost[here] + length >= cost[i] || !isFree(nodes[here], nodes[i], obstacles)) continue;
-      cost[i] = cost[here] + length;
-      first[i] = first[here];
-    }
-  }
+Vec2 nextWayPoint(const Vec2& start, const Vec2& goal, const std::vector<Obstacle>& obstacles,
+                  const Vec2& last, const PathPlannerParameters& parameters) {
+  std::vector<Obstacle> relevant = obstacles;
+  keepRelevant(relevant, start, goal, parameters);
+  if (isFree(start, goal, relevant)) return goal;
+  const std::vector<Vec2> path = shortestPath(start, goal, relevant, last, parameters);
+  if (path.empty()) return goal;
+  return farthestInSight(start, path, widened(obstacles, start, goal, parameters.corner),
+                         parameters.lookAhead);
 }
 
 }  // namespace plumbline

@@ -16,18 +16,23 @@ struct PathPlannerParameters {
   PARAMETERS(PathPlannerParameters)
   PARAMETER(int, maxObstacles, 6, "", Range(1, 30), "the nearest ones to the way that are looked at")
   PARAMETER(double, corridor, 2, "m", Range(0.1, 30), "farther from the straight way an obstacle is left out")
-  PARAMETER(double, corner, 1.15, "", Range(1.09, 3), "way points around an obstacle, share of its radius")
+  PARAMETER(double, corner, 1.3, "", Range(1.09, 3), "way points around an obstacle, share of its radius")
   PARAMETER(double, turnCost, 0.25, "m/rad", Range(0, 5),
             "length that is added to a path that starts in another direction than the last one")
+  PARAMETER(
+      double, lookAhead, 0.5, "m", Range(0, 5),
+      "the way point lies so far along the path if the robot can go straight there, because towards one "
+      "at its feet it turns on the spot")
 };
 
 /// The next way point of a shortest way from start to goal around the obstacles: a search over eight points
 /// around each obstacle and the straight lines between them (a visibility graph with Dijkstra's algorithm).
 /// Unlike a random tree it is the same every time, near to the shortest, and done in some ten microseconds.
-/// Of a circle that holds start or goal only the part that does not counts. last: direction of the last way,
+/// Of a circle that holds start or goal only the part that does not counts. Behind the first corner it lies
+/// as far along the path as can be walked straight. last: direction of the last way,
 /// zero if there was none. The goal itself if the straight way is free, or if there is no way at all.
-Vec2 nextWayPoint(const Vec2& start, const Vec2& goal, std::vector<Obstacle> obstacles, const Vec2& last,
-                  const PathPlannerParameters& parameters);
+Vec2 nextWayPoint(const Vec2& start, const Vec2& goal, const std::vector<Obstacle>& obstacles,
+                  const Vec2& last, const PathPlannerParameters& parameters);
 
 /// Distance of a point and the segment from a to b [m].
 double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b);

@@ -1,0 +1,59 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "simspark/ChildProcess.h"
+#include "simspark/MonitorClient.h"
+#include "simspark/SimulatorProcess.h"
+
+namespace plumbline::bench {
+
+/// The two teams of a duel and where their programs are.
+struct DuelOptions {
+  std::string programs;  ///< folder of simulator and agents
+  std::string config;    ///< folder of the attackers' configuration
+  std::string others;    ///< modules.cfg of the defenders
+  std::string scratch;   ///< folder for ports and logs
+};
+
+enum class DuelEnd { goal, ownGoal, overTheirLine, overASide, ownHalf, timeUp };
+constexpr std::array<const char*, 6> duelEndNames = {
+    "goal", "own goal", "over their line", "over a side line", "in the own half", "time up"};
+
+/// What became of a duel.
+struct DuelResult {
+  DuelEnd end = DuelEnd::timeUp;
+  double seconds = 0;  ///< until then
+  double ours = 0;     ///< share of the time in which the robot nearest to the ball is an attacker
+  int falls = 0, charging = 0, touching = 0;  ///< of the attackers
+};
+
+/// Two teams of three on a simulator of their own. One, the left team, has the ball before the other's goal.
+class Duel {
+public:
+  static constexpr double longest = 20;  ///< [s]
+
+  /// Starts simulator and agents. Throws std::runtime_error, one line.
+  Duel(const DuelOptions& options, std::uint64_t seed);
+  ~Duel();
+  /// Places by lot: the ball 1 to 6 m before the goal, a robot of each team at it, the others near; plays on
+  /// until a goal, until the ball leaves the other half, or the time is up.
+  DuelResult play(std::uint64_t seed);
+
+private:
+  void startAgents();
+  void nextScene();
+  /// Until the scene shows a play mode that was asked for.
+  void awaitMode(simspark::PlayMode mode);
+  void place(std::uint64_t seed);
+
+  DuelOptions options_;
+  simspark::SimulatorProcess simulator_;
+  simspark::MonitorClient trainer_;
+  std::vector<std::unique_ptr<simspark::ChildProcess>> agents_;
+};
+
+}  // namespace plumbline::bench

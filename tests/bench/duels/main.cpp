@@ -1,0 +1,160 @@
+// How often three robots score that have the ball before the goal of three others, which all go to the ball
+// (config/platforms/simspark/swarm.cfg). Writes build/bench/duels.json and .md. Environment:
+//   TRIES   duels of each team [200]
+//   SEED    of the first one's places [1]
+//   JOBS    simulators at once [one per core]
+//   BEFORE  folder of an earlier state that is built: its agents attack in the same duels, too
+//   OTHERS  modules.cfg of the defenders [config/platforms/simspark/swarm.cfg]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "Duel.h"
+#include "framework/WriteFile.h"
+#include "gap/blind/BlindScore.h"
+#include "support/Environment.h"
+#include "support/FigureJson.h"
+
+namespace plumbline::bench {
+namespace {
+
+using nlohmann::json;
+
+const char* const folder = "build/bench";
+constexpr int tellEvery = 20;  // duels
+
+/// Plays all duels of a team, several at a time.
+std::vector<DuelResult> duelsOf(const std::string& name, const DuelOptions& options, int tries, int jobs,
+                                std::uint64_t seed) {
+  std::vector<DuelResult> results(static_cast<std::size_t>(tries));
+  std::atomic<int> done{0};
+  std::mutex mutex;
+  std::string problem;
+  const auto work = [&](int job) {
+    try {
+      DuelOptions own = options;
+      own.scratch += fmt::format("/{}{}", name, job);
+      std::filesystem::create_directories(own.scratch);
+      Duel duel(own, seed + static_cast<std::uint64_t>(job));
+      for (int i = job; i < tries; i += jobs) {
+        results[static_cast<std::size_t>(i)] = duel.play(seed + static_cast<std::uint64_t>(i));
+        const int now = ++done;
+        const std::lock_guard lock(mutex);
+        if (!problem.empty()) return;
+        if (now % tellEvery == 0 || now == tries) fmt::print("{}: {} of {} duels\n", name, now, tries);
+        std::fflush(stdout);
+      }
+    } catch (const std::exception& error) {
+      const std::lock_guard lock(mutex);
+      problem = error.what();
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int job = 0; job < jobs; ++job) threads.emplace_back(work, job);
+  for (std::thread& thread : threads) thread.join();
+  if (!problem.empty()) throw std::runtime_error(problem);
+  return results;
+}
+
+/// A column of the table and the figures of a team.
+class Column {
+public:
+  Column(const std::string& name, const std::vector<DuelResult>& results, json& figures) : name_(name) {
+    for (std::size_t end = 0; end < duelEndNames.size(); ++end)
+      share(duelEndNames[end], results,
+            [&](const DuelResult& result) { return result.end == static_cast<DuelEnd>(end); });
+    const auto count = static_cast<double>(results.size());
+    const auto mean = [&](auto DuelResult::*what) {
+      double sum = 0;
+      for (const DuelResult& result : results) sum += result.*what;
+      return sum / count;
+    };
+    const double ours = 100 * mean(&DuelResult::ours), falls = mean(&DuelResult::falls);
+    rows_.emplace_back("an attacker nearest to the ball [% of the time]", fmt::format("{:.0f}", ours));
+    rows_.emplace_back("falls of attackers a duel", fmt::format("{:.2f}", falls));
+    rows_.emplace_back("fouls of attackers a duel: charging",
+                       fmt::format("{:.2f}", mean(&DuelResult::charging)));
+    rows_.emplace_back("touching", fmt::format("{:.2f}", mean(&DuelResult::touching)));
+    const auto goals = std::ranges::count(results, DuelEnd::goal, &DuelResult::end);
+    figures.push_back(figureJson(fmt::format("duels.{}.goals", name),
+                                 100.0 * static_cast<double>(goals) / count, "%", "higher"));
+    figures.push_back(figureJson(fmt::format("duels.{}.nearest", name), ours, "%", "higher"));
+    figures.push_back(figureJson(fmt::format("duels.{}.falls", name), falls, "1", "lower"));
+  }
+
+  const std::string& name() const { return name_; }
+  const std::vector<std::pair<std::string, std::string>>& rows() const { return rows_; }
+
+private:
+  template <class Test>
+  void share(const char* what, const std::vector<DuelResult>& results, Test test) {
+    const auto yes = static_cast<std::size_t>(std::ranges::count_if(results, test));
+    const gap::Figure of = gap::share("", "", yes, results.size());
+    rows_.emplace_back(fmt::format("{} [%]", what), fmt::format("{:.1f} ({:.0f} to {:.0f})", 100 * of.value,
+                                                                100 * of.lower, 100 * of.upper));
+  }
+
+  std::string name_;
+  std::vector<std::pair<std::string, std::string>> rows_;
+};
+
+std::string table(const std::vector<Column>& columns, int tries, std::uint64_t seed) {
+  std::string text = fmt::format(
+      "{} duels of three against three, at most {:.0f} s each, places by lot with seeds from {}: the ball "
+      "lies 1 to 6 m before the goal, "
+      "a robot of each team stands at it, two more of each are near. The defenders all go to the ball. "
+      "Shares have 95 % intervals (Wilson). "
+      "The places come from the seed; a trainer's messages reach the simulator at any cycle, so the same "
+      "seeds do not repeat a duel.\n\n|",
+      tries, Duel::longest, seed);
+  for (const Column& column : columns) text += " | " + column.name();
+  text += " |\n|---|";
+  for (std::size_t i = 0; i < columns.size(); ++i) text += "---|";
+  for (std::size_t row = 0; row < columns.front().rows().size(); ++row) {
+    text += "\n| " + columns.front().rows()[row].first + " |";
+    for (const Column& column : columns) text += " " + column.rows()[row].second + " |";
+  }
+  return text + "\n\n";
+}
+
+void run() {
+  const auto tries = static_cast<int>(environment("TRIES", 200));
+  const auto jobs = static_cast<int>(environment("JOBS", std::max(1U, std::thread::hardware_concurrency())));
+  const std::uint64_t seed = environment("SEED", 1);
+  if (tries < 1 || jobs < 1 || jobs > 64) throw std::runtime_error("TRIES is 1 or more, JOBS is 1 to 64");
+  const std::string others = environmentText("OTHERS", "config/platforms/simspark/swarm.cfg");
+  const std::string before = environmentText("BEFORE", "");
+  json figures = json::array();
+  std::vector<Column> columns;
+  const auto add = [&](const std::string& name, const std::string& root) {
+    const DuelOptions options{root + "/bin", root + "/config", others, fmt::format("{}/duels", folder)};
+    columns.emplace_back(name, duelsOf(name, options, tries, jobs, seed), figures);
+  };
+  std::filesystem::remove_all(fmt::format("{}/duels", folder));
+  add("now", ".");
+  if (!before.empty()) add("before", before);
+  const std::string text = table(columns, tries, seed);
+  writeFile(fmt::format("{}/duels.json", folder), figures.dump(1) + "\n");
+  writeFile(fmt::format("{}/duels.md", folder), text);
+  fmt::print("{}", text);
+}
+
+}  // namespace
+}  // namespace plumbline::bench
+
+int main() {
+  try {
+    plumbline::bench::run();
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "duels: %s\n", error.what());
+    return 2;
+  }
+}
