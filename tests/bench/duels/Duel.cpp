@@ -136,7 +136,7 @@ Duel::~Duel() {
 void Duel::startAgents() {
   for (const bool attacks : {true, false})
     for (std::size_t i = 0; i < types.size(); ++i) {
-      std::vector<std::string> arguments = {options_.programs + "/agent",
+      std::vector<std::string> arguments = {(attacks ? options_.attackers : options_.programs) + "/agent",
                                             "--team",
                                             attacks ? "Attack" : "Defence",
                                             "--number",
@@ -149,7 +149,6 @@ void Duel::startAgents() {
                                             std::to_string(simulator_.ports().monitor),
                                             "--crash-log",
                                             options_.scratch + "/crash.log"};
-      if (attacks) arguments.insert(arguments.end(), {"--config", options_.config});
       if (!attacks) arguments.insert(arguments.end(), {"--modules", options_.others});
       agents_.push_back(std::make_unique<ChildProcess>(
           arguments, fmt::format("{}/agent{}.log", options_.scratch, agents_.size())));

@@ -13,10 +13,10 @@ namespace plumbline::bench {
 
 /// The two teams of a duel and where their programs are.
 struct DuelOptions {
-  std::string programs;  ///< folder of simulator and agents
-  std::string config;    ///< folder of the attackers' configuration
-  std::string others;    ///< modules.cfg of the defenders
-  std::string scratch;   ///< folder for ports and logs
+  std::string programs;   ///< folder of simulator and defenders
+  std::string attackers;  ///< folder of the attackers' program, whose configuration is beside it
+  std::string others;     ///< modules.cfg of the defenders
+  std::string scratch;    ///< folder for ports and logs
 };
 
 enum class DuelEnd { goal, ownGoal, overTheirLine, overASide, ownHalf, timeUp };

@@ -3,7 +3,7 @@
 //   TRIES   duels of each team [200]
 //   SEED    of the first one's places [1]
 //   JOBS    simulators at once [one per core]
-//   BEFORE  folder of an earlier state that is built: its agents attack in the same duels, too
+//   BEFORE  folder of an earlier state that is built: its players attack the same defenders, too
 //   OTHERS  modules.cfg of the defenders [config/platforms/simspark/swarm.cfg]
 #include <fmt/format.h>
 
@@ -134,7 +134,7 @@ void run() {
   json figures = json::array();
   std::vector<Column> columns;
   const auto add = [&](const std::string& name, const std::string& root) {
-    const DuelOptions options{root + "/bin", root + "/config", others, fmt::format("{}/duels", folder)};
+    const DuelOptions options{"bin", root + "/bin", others, fmt::format("{}/duels", folder)};
     columns.emplace_back(name, duelsOf(name, options, tries, jobs, seed), figures);
   };
   std::filesystem::remove_all(fmt::format("{}/duels", folder));

@@ -28,9 +28,9 @@ struct PathPlannerParameters {
 /// The next way point of a shortest way from start to goal around the obstacles: a search over eight points
 /// around each obstacle and the straight lines between them (a visibility graph with Dijkstra's algorithm).
 /// Unlike a random tree it is the same every time, near to the shortest, and done in some ten microseconds.
-/// Of a circle that holds start or goal only the part that does not counts. Behind the first corner it lies
-/// as far along the path as can be walked straight. last: direction of the last way,
-/// zero if there was none. The goal itself if the straight way is free, or if there is no way at all.
+/// Of a circle that holds start or goal only the part that does not counts. The way point is the first corner
+/// or the farthest point of the path within `lookAhead` that can be reached straight. last: direction of the
+/// last way, zero if there was none. The goal itself if the straight way is free, or if there is none at all.
 Vec2 nextWayPoint(const Vec2& start, const Vec2& goal, const std::vector<Obstacle>& obstacles,
                   const Vec2& last, const PathPlannerParameters& parameters);
 
