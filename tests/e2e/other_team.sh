@@ -20,13 +20,13 @@ expectEqual "$host $team $players" "127.0.0.1 Other 1" "what the other team was 
 [[ $port =~ ^[0-9]+$ ]] || fail "its port: '$port'"
 grep -q '^Games of 2 x 3 s, 1 against 1 on the embedded simulator, .*, seeds 7 to 8; ' "$scratch/games.md" || fail "table: $(cat "$scratch/games.md")"
 grep -q '^| | Team | Other |$' "$scratch/games.md" || fail "columns: $(cat "$scratch/games.md")"
-for row in "goals for" shots "possession \[%\]" falls; do
+for row in "goals for" shots "possession \[%\]" falls "fouls: touching" charging "free kicks against"; do
   grep -q "^| $row | [0-9.]* ± [0-9.]* | [0-9.]* ± [0-9.]* |$" "$scratch/games.md" || fail "row $row: $(cat "$scratch/games.md")"
 done
 for figure in team.goals team.shots other.possession other.falls; do
   grep -q "\"games.$figure\", \"value\": [0-9.]*, " "$scratch/games.json" || fail "figure $figure: $(cat "$scratch/games.json")"
 done
-grep -c ',over$' "$scratch/games/games.log" | grep -qx 2 || fail "games.log: $(cat "$scratch/games/games.log")"
+cut -d, -f17 "$scratch/games/games.log" | grep -cx over | grep -qx 2 || fail "games.log: $(cat "$scratch/games/games.log")"
 
 # A start script that knows nothing but the host is called in its folder; ours reads the port from the environment.
 printf '#!/bin/sh\nexec "%s/agent" --team Plain --number 2 --host "$1" --config "%s" > /dev/null 2>&1\n' "$bin" "$PWD/config" > "$scratch/plain.sh"
