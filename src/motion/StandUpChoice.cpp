@@ -13,11 +13,11 @@ std::optional<MissingStandUp> missingStandUp(const StandUpParameters& parameters
   };
   for (const auto& [parameter, name] :
        {std::pair{"front", &parameters.front}, {"back", &parameters.back}, {"side", &parameters.side}})
-    if (const auto found = missing(parameter, *name)) return found;
+    if (auto found = missing(parameter, *name)) return found;
   for (const auto& [parameter, name] :
        {std::pair{"fastFront", &parameters.fastFront}, {"fastBack", &parameters.fastBack}})
     if (!name->empty())
-      if (const auto found = missing(parameter, *name)) return found;
+      if (auto found = missing(parameter, *name)) return found;
   return std::nullopt;
 }
 

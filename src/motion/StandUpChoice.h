@@ -16,9 +16,9 @@ struct StandUpParameters {
   PARAMETER(std::string, back, "standUpBack", "", Range(), "for one on its back")
   PARAMETER(std::string, side, "rollOver", "", Range(),
             "for one on its side: rolls it onto its back or front, from where it stands up")
-  PARAMETER(std::string, fastFront, "", "", Range(),
+  PARAMETER(std::string, fastFront, std::string(), "", Range(),
             "the first try in place of `front`, as standUpFrontFast; empty: none")
-  PARAMETER(std::string, fastBack, "", "", Range(),
+  PARAMETER(std::string, fastBack, std::string(), "", Range(),
             "the first try in place of `back`, as standUpBackFast; empty: none")
   PARAMETER(double, againSeconds, 4, "s", Range(0, 60),
             "if a robot lies again within this time after standing up, that try failed, and the next one is "

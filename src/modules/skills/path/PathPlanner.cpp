@@ -104,8 +104,9 @@ Vec2 farthestInSight(const Vec2& start, const std::vector<Vec2>& path, const std
   for (std::size_t i = 1; i < path.size() && left > 0; ++i) {
     const Vec2 way = path[i] - from;
     const double length = way.norm();
-    for (double along = sightStep; along <= std::min(left, length); along += sightStep) {
-      const Vec2 point = from + along / length * way;
+    const int steps = static_cast<int>(std::min(left, length) / sightStep);
+    for (int step = 1; step <= steps; ++step) {
+      const Vec2 point = from + step * sightStep / length * way;
       if (!isFree(start, point, obstacles)) return best;
       best = point;
     }
