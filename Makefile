@@ -187,8 +187,8 @@ bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 
 # A kick searched with and without drawn robots, tried on another engine and on others (TYPE, MOTION, SEEDS, GENERATIONS,
 # MEASURED); kick positioning from random places (TRIES, SEED, TYPES); shots at a keeper (SHOTS, SEED, TYPES); three against
-# three before a goal (TRIES, SEED, BEFORE=FOLDER of an earlier state);
-# searches by 1 to 30 workers (SLEEP). All write their page in doc/results/.
+# three before a goal (TRIES, SEED, BEFORE=FOLDER of an earlier state); searches by 1 to 30 workers (SLEEP). All write their
+# page in doc/results/.
 benchBuilds-robust := bench-robust
 benchBuilds-clients := optserver optworker
 benchBuilds-saves := agent simulator watchgame

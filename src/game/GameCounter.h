@@ -25,8 +25,8 @@ public:
   /// nearest to it, which is within `kickReach`. What a robot does within `kickPause` is one kick. Touches in
   /// walking are slower.
   int kicks(simspark::TeamSide side) const { return kicks_[index(side)]; }
-  /// What the referee has called a team for. The server tells it in every cycle until the player is put
-  /// elsewhere; that is one foul.
+  /// Fouls that the referee called. The server tells one in every cycle until the player is put elsewhere;
+  /// here it counts once.
   int fouls(simspark::TeamSide side, simspark::FoulKind kind) const {
     return fouls_[index(side)][static_cast<std::size_t>(kind)];
   }
@@ -46,7 +46,7 @@ private:
   void countKicks(const simspark::SceneState& scene);
   void countFouls(const simspark::SceneState& scene);
 
-  using Offence = std::tuple<simspark::TeamSide, int, simspark::FoulKind>;  ///< whose, which
+  using Offence = std::tuple<simspark::TeamSide, int, simspark::FoulKind>;  ///< the int: uniform number
   struct Stance {
     bool stood = false, fallen = false;
   };
@@ -54,7 +54,7 @@ private:
   std::array<int, 2> falls_{}, kicks_{}, players_{}, freeKicksAgainst_{};
   std::array<std::array<int, static_cast<std::size_t>(simspark::FoulKind::none)>, 2> fouls_{};
   std::set<Offence> lastOffences_;  ///< of the scene before
-  std::string lastMode_;
+  std::string lastMode_;            ///< play mode, likewise
   std::optional<double> lastTime_;
   Vec2 lastBall_ = Vec2::Zero();
   std::optional<Vec2> lastVelocity_;

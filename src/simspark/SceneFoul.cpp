@@ -10,7 +10,7 @@ std::optional<SceneFoul> readFoul(SExpressions::Node list) {
   std::array<int, 4> numbers{};
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const SExpressions::Node word = list.at(i + 1);
-    const auto number = word && !word.isList() ? parseInteger(word.text()) : std::nullopt;
+    const auto number = word ? parseInteger(word.text()) : std::nullopt;
     if (!number) return std::nullopt;
     numbers[i] = *number;
   }

@@ -27,7 +27,7 @@ struct SceneFoul {
   int unum = 0;
 };
 
-/// From such a list; empty if a number is missing or none that a foul has.
+/// From a list (foul ...). Nothing if a number is missing, or is none that a foul has.
 std::optional<SceneFoul> readFoul(SExpressions::Node list);
 
 }  // namespace plumbline::simspark

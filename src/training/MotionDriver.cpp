@@ -33,12 +33,13 @@ std::vector<std::filesystem::path> motionDirectories(int type) {
 StandUpParameters readStandUp(int type, const std::vector<KeyframeMotion>& motions) {
   const ConfigFile file("MotionSelector", MotionDriver::directories(type));
   StandUpParameters parameters;
-  const bool has = file.root().has("standUp");
-  if (has) readParameters(file.root().section("standUp"), StandUpParameters::parameterList(), &parameters);
+  std::optional<ConfigSection> section;
+  if (file.root().has("standUp")) section = file.root().section("standUp");
+  if (section) readParameters(*section, StandUpParameters::parameterList(), &parameters);
   file.checkUnknown();
   if (const auto missing = missingStandUp(parameters, motions)) {
-    if (has) file.root().section("standUp").fail(missing->parameter, missing->problem);
-    throw ConfigurationError("MotionSelector.standUp." + missing->parameter + ": " + missing->problem);
+    if (section && section->has(missing->parameter)) section->fail(missing->parameter, missing->problem);
+    throw ConfigurationError("MotionSelector.standUp." + missing->parameter + " " + missing->problem);
   }
   return parameters;
 }

@@ -51,11 +51,12 @@ private:
   nlohmann::json frames_ = nlohmann::json::array();
 };
 
-/// Lets the robot fall as the task does: in play it is pushed while it walks. Nothing for other tasks.
-std::optional<int> fallAs(const training::Study& study, motion::MotionTrial& trial) {
+/// Lets the robot of a stand-up fall, and tells the direction; in play it is pushed while it walks. Nothing
+/// for other tasks.
+std::optional<int> fallOf(const training::Study& study, motion::MotionTrial& trial) {
   if (study.task != "standUp") return std::nullopt;
   const int direction = training::fallDirection(study.options);
-  const bool inPlay = study.options.word("start", "rest", {"rest", "fall"}) == "fall";
+  const bool inPlay = training::fallsInPlay(study.options);
   for (int i = 0; i < falls; ++i) {
     const bool lies = inPlay ? trial.stumble(direction) : trial.fall(direction);
     if (lies && training::liesAs(trial, direction)) break;
@@ -87,7 +88,7 @@ std::string motionFilm(const training::Study& study, const Eigen::VectorXd& para
   const motion::KeyframeMotion motion = motion::readKeyframeText(text, "found.yaml", trial.model, {});
   Camera camera(trial, type);
   trial.seed(seed);
-  const std::optional<int> direction = fallAs(study, trial);
+  const std::optional<int> direction = fallOf(study, trial);
   camera.look();
   double played = play(motion, trial, camera);
   // A motion for the side is half of the way.

@@ -29,6 +29,10 @@ int fallDirection(const TaskOptions& options) {
   return name == "front" ? 1 : name == "back" ? -1 : 0;
 }
 
+bool fallsInPlay(const TaskOptions& options) {
+  return options.word("start", "rest", {"rest", "fall"}) == "fall";
+}
+
 bool liesAs(const motion::MotionTrial& trial, int direction) {
   const motion::LyingOn wanted = direction > 0   ? motion::LyingOn::front
                                  : direction < 0 ? motion::LyingOn::back
@@ -40,7 +44,7 @@ StandUpTask::StandUpTask(const TaskOptions& options)
     : direction_(fallDirection(options)),
       weight_(options.number("weight", 0.08, 0, 100)),
       still_(options.number("still", 0, 0, 1)),
-      moving_(options.word("start", "rest", {"rest", "fall"}) == "fall"),
+      moving_(fallsInPlay(options)),
       worlds_(options, robotTypeOf(options, {"direction", "weight", "motion", "start", "still"})) {
   const std::string usual = direction_ > 0 ? "standUpFront" : direction_ < 0 ? "standUpBack" : "rollOver";
   try {

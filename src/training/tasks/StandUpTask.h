@@ -11,6 +11,9 @@ namespace plumbline::training {
 /// The option direction of a stand-up as MotionTrial::fall has it: front (1), back (-1) or side (0).
 int fallDirection(const TaskOptions& options);
 
+/// The option start of a stand-up is fall: the motion begins as in play.
+bool fallsInPlay(const TaskOptions& options);
+
 /// The robot lies on its front (1), back (-1) or a side (0).
 bool liesAs(const motion::MotionTrial& trial, int direction);
 

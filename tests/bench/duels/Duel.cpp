@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
+#include "field/FieldSize.h"
 #include "game/GameCounter.h"
 #include "math/Angle.h"
 #include "math/Random.h"
@@ -19,11 +21,14 @@ using namespace simspark;
 
 constexpr std::array types = {4, 3, 2};  // of a team's robots, numbers 2 to 4: there is no goalie
 constexpr int firstNumber = 2;
+constexpr const char* attack = "Attack";  // the left team's name
 constexpr double sceneSeconds = 0.1;
 constexpr int restScenes = 20;                           // after the robots have beamed to their places
 constexpr std::chrono::milliseconds betweenAgents{200};  // left are those who come first
 constexpr double patience = 60;                          // for a scene [s of real time]
-constexpr double halfLength = 15;                        // of the league's field [m]
+constexpr int mostScenes = 600;                          // until one is as wanted
+constexpr const char* endlessHalf = "1000000";           // [s]
+const double halfLength = FieldSize().length / 2;        // [m]
 constexpr double nearest = 1, farthest = 6, aside = 4;   // the ball's place before the goal [m]
 constexpr double robotHeight = 0.4;                      // of a torso that is put upright [m]
 constexpr double apart = 0.4;                            // of robots that are put [m]
@@ -84,10 +89,10 @@ public:
       }
     }
     ++scenes_;
-    if (first && first->side == TeamSide::left) ++ours_;
+    if (first && first->side == TeamSide::left) ++nearest_;
   }
   void tell(DuelResult& result) const {
-    result.ours = scenes_ > 0 ? static_cast<double>(ours_) / scenes_ : 0;
+    result.nearest = scenes_ > 0 ? static_cast<double>(nearest_) / scenes_ : 0;
     result.falls = counter_.falls(TeamSide::left);
     result.charging = counter_.fouls(TeamSide::left, FoulKind::charging);
     result.touching = counter_.fouls(TeamSide::left, FoulKind::touching);
@@ -95,7 +100,7 @@ public:
 
 private:
   game::GameCounter counter_;
-  int scenes_ = 0, ours_ = 0;
+  int scenes_ = 0, nearest_ = 0;  ///< all, and those in which an attacker is nearest to the ball
 };
 
 std::vector<std::string> simulatorOptions(std::uint64_t seed) {
@@ -107,7 +112,7 @@ std::vector<std::string> simulatorOptions(std::uint64_t seed) {
           "--monitor-step",
           fmt::format("{}", sceneSeconds),
           "--half-time",
-          "1000000",
+          endlessHalf,
           "--die-with-parent"};
 }
 
@@ -124,7 +129,9 @@ Duel::Duel(const DuelOptions& options, std::uint64_t seed)
   if (const std::string why = trainer_.connect("127.0.0.1", simulator_.ports().monitor); !why.empty())
     throw std::runtime_error(why);
   startAgents();
-  while (trainer_.scene().robots.size() < agents_.size()) nextScene();
+  await("shows all robots", [&](const SceneState& scene) { return scene.robots.size() == agents_.size(); });
+  if (trainer_.scene().teamLeft != attack)
+    throw std::runtime_error("the defenders came first, and play on the attackers' side");
 }
 
 Duel::~Duel() {
@@ -138,7 +145,7 @@ void Duel::startAgents() {
     for (std::size_t i = 0; i < types.size(); ++i) {
       std::vector<std::string> arguments = {(attacks ? options_.attackers : options_.programs) + "/agent",
                                             "--team",
-                                            attacks ? "Attack" : "Defence",
+                                            attacks ? attack : "Defence",
                                             "--number",
                                             std::to_string(firstNumber + i),
                                             "--type",
@@ -149,7 +156,7 @@ void Duel::startAgents() {
                                             std::to_string(simulator_.ports().monitor),
                                             "--crash-log",
                                             options_.scratch + "/crash.log"};
-      if (!attacks) arguments.insert(arguments.end(), {"--modules", options_.others});
+      if (!attacks) arguments.insert(arguments.end(), {"--modules", options_.defence});
       agents_.push_back(std::make_unique<ChildProcess>(
           arguments, fmt::format("{}/agent{}.log", options_.scratch, agents_.size())));
       std::this_thread::sleep_for(betweenAgents);
@@ -167,9 +174,24 @@ void Duel::nextScene() {
   }
 }
 
-void Duel::awaitMode(PlayMode mode) {
+void Duel::await(const char* what, const std::function<bool(const SceneState&)>& isSo) {
+  for (int i = 0; i < mostScenes; ++i) {
+    if (isSo(trainer_.scene())) return;
+    nextScene();
+  }
+  throw std::runtime_error(fmt::format("no scene {}; see {}", what, options_.scratch));
+}
+
+void Duel::setMode(PlayMode mode) {
   trainer_.send(PlayModeCommand{mode});
-  while (trainer_.scene().playMode != playModeName(mode)) nextScene();
+  await("has the play mode",
+        [mode](const SceneState& scene) { return scene.playMode == playModeName(mode); });
+}
+
+void Duel::checkAgents() {
+  for (std::size_t i = 0; i < agents_.size(); ++i)
+    if (!agents_[i]->running())
+      throw std::runtime_error(fmt::format("an agent ended; see {}/agent{}.log", options_.scratch, i));
 }
 
 void Duel::place(std::uint64_t seed) {
@@ -190,10 +212,11 @@ void Duel::place(std::uint64_t seed) {
 }
 
 DuelResult Duel::play(std::uint64_t seed) {
-  awaitMode(PlayMode::beforeKickOff);
+  checkAgents();
+  setMode(PlayMode::beforeKickOff);
   for (int i = 0; i < restScenes; ++i) nextScene();
   place(seed);
-  awaitMode(PlayMode::playOn);
+  setMode(PlayMode::playOn);
   const SceneState& scene = trainer_.scene();
   const double begin = scene.time;
   const int left = scene.scoreLeft, right = scene.scoreRight;
@@ -215,7 +238,7 @@ DuelResult Duel::play(std::uint64_t seed) {
     watch.observe(scene);
     ended = end();
   }
-  DuelResult result{.end = *ended, .seconds = scene.time - begin};
+  DuelResult result{.end = *ended};
   watch.tell(result);
   return result;
 }

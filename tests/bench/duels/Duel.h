@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ namespace plumbline::bench {
 struct DuelOptions {
   std::string programs;   ///< folder of simulator and defenders
   std::string attackers;  ///< folder of the attackers' program, whose configuration is beside it
-  std::string others;     ///< modules.cfg of the defenders
+  std::string defence;    ///< modules.cfg of the defenders
   std::string scratch;    ///< folder for ports and logs
 };
 
@@ -26,8 +27,7 @@ constexpr std::array<const char*, 6> duelEndNames = {
 /// What became of a duel.
 struct DuelResult {
   DuelEnd end = DuelEnd::timeUp;
-  double seconds = 0;  ///< until then
-  double ours = 0;     ///< share of the time in which the robot nearest to the ball is an attacker
+  double nearest = 0;  ///< share of the time in which the robot nearest to the ball is an attacker
   int falls = 0, charging = 0, touching = 0;  ///< of the attackers
 };
 
@@ -40,14 +40,18 @@ public:
   Duel(const DuelOptions& options, std::uint64_t seed);
   ~Duel();
   /// Places by lot: the ball 1 to 6 m before the goal, a robot of each team at it, the others near; plays on
-  /// until a goal, until the ball leaves the other half, or the time is up.
+  /// until a goal, until the ball leaves the other half, or the time is up. Throws std::runtime_error, one
+  /// line, if a program has ended.
   DuelResult play(std::uint64_t seed);
 
 private:
   void startAgents();
   void nextScene();
-  /// Until the scene shows a play mode that was asked for.
-  void awaitMode(simspark::PlayMode mode);
+  /// Until a scene is as wanted. Throws std::runtime_error after too many others.
+  void await(const char* what, const std::function<bool(const simspark::SceneState&)>& isSo);
+  /// Asks for a play mode, and waits until the scene shows it.
+  void setMode(simspark::PlayMode mode);
+  void checkAgents();
   void place(std::uint64_t seed);
 
   DuelOptions options_;

@@ -76,16 +76,18 @@ public:
       for (const DuelResult& result : results) sum += result.*what;
       return sum / count;
     };
-    const double ours = 100 * mean(&DuelResult::ours), falls = mean(&DuelResult::falls);
-    rows_.emplace_back("an attacker nearest to the ball [% of the time]", fmt::format("{:.0f}", ours));
-    rows_.emplace_back("falls of attackers a duel", fmt::format("{:.2f}", falls));
-    rows_.emplace_back("fouls of attackers a duel: charging",
-                       fmt::format("{:.2f}", mean(&DuelResult::charging)));
-    rows_.emplace_back("touching", fmt::format("{:.2f}", mean(&DuelResult::touching)));
+    const double nearest = 100 * mean(&DuelResult::nearest), falls = mean(&DuelResult::falls);
+    const auto row = [&](const char* what, const char* format, double value) {
+      rows_.emplace_back(what, fmt::format(fmt::runtime(format), value));
+    };
+    row("an attacker nearest to the ball [% of the time]", "{:.0f}", nearest);
+    row("falls of attackers a duel", "{:.2f}", falls);
+    row("fouls of attackers a duel: charging", "{:.2f}", mean(&DuelResult::charging));
+    row("touching", "{:.2f}", mean(&DuelResult::touching));
     const auto goals = std::ranges::count(results, DuelEnd::goal, &DuelResult::end);
     figures.push_back(figureJson(fmt::format("duels.{}.goals", name),
                                  100.0 * static_cast<double>(goals) / count, "%", "higher"));
-    figures.push_back(figureJson(fmt::format("duels.{}.nearest", name), ours, "%", "higher"));
+    figures.push_back(figureJson(fmt::format("duels.{}.nearest", name), nearest, "%", "higher"));
     figures.push_back(figureJson(fmt::format("duels.{}.falls", name), falls, "1", "lower"));
   }
 
@@ -105,15 +107,15 @@ private:
   std::vector<std::pair<std::string, std::string>> rows_;
 };
 
+const char* const head =
+    "{} duels of three against three, at most {:.0f} s each, places by lot with seeds from {}. The ball lies "
+    "1 "
+    "to 6 m before the goal, a robot of each team stands at it, and two more of each are near. The defenders "
+    "all go to the ball. Shares have 95 % intervals (Wilson). The places come from the seed. A trainer's "
+    "messages reach the simulator at any cycle, so the same seeds do not repeat a duel.\n\n|";
+
 std::string table(const std::vector<Column>& columns, int tries, std::uint64_t seed) {
-  std::string text = fmt::format(
-      "{} duels of three against three, at most {:.0f} s each, places by lot with seeds from {}: the ball "
-      "lies 1 to 6 m before the goal, "
-      "a robot of each team stands at it, two more of each are near. The defenders all go to the ball. "
-      "Shares have 95 % intervals (Wilson). "
-      "The places come from the seed; a trainer's messages reach the simulator at any cycle, so the same "
-      "seeds do not repeat a duel.\n\n|",
-      tries, Duel::longest, seed);
+  std::string text = fmt::format(fmt::runtime(head), tries, Duel::longest, seed);
   for (const Column& column : columns) text += " | " + column.name();
   text += " |\n|---|";
   for (std::size_t i = 0; i < columns.size(); ++i) text += "---|";
@@ -129,12 +131,14 @@ void run() {
   const auto jobs = static_cast<int>(environment("JOBS", std::max(1U, std::thread::hardware_concurrency())));
   const std::uint64_t seed = environment("SEED", 1);
   if (tries < 1 || jobs < 1 || jobs > 64) throw std::runtime_error("TRIES is 1 or more, JOBS is 1 to 64");
-  const std::string others = environmentText("OTHERS", "config/platforms/simspark/swarm.cfg");
+  const std::string defence = environmentText("OTHERS", "config/platforms/simspark/swarm.cfg");
   const std::string before = environmentText("BEFORE", "");
+  if (!before.empty() && !std::filesystem::exists(before + "/bin/agent"))
+    throw std::runtime_error("BEFORE=" + before + " has no bin/agent: build it there");
   json figures = json::array();
   std::vector<Column> columns;
   const auto add = [&](const std::string& name, const std::string& root) {
-    const DuelOptions options{"bin", root + "/bin", others, fmt::format("{}/duels", folder)};
+    const DuelOptions options{"bin", root + "/bin", defence, fmt::format("{}/duels", folder)};
     columns.emplace_back(name, duelsOf(name, options, tries, jobs, seed), figures);
   };
   std::filesystem::remove_all(fmt::format("{}/duels", folder));

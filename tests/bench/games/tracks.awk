@@ -1,8 +1,8 @@
 # Reads games.log; of each game that is over a line for each team: name, goals for, against, falls, kicks, robots within 1.5 m of
 # the ball, pairs of mates nearer than 0.4 m per robot and minute, how far the ball is in the other half [m], shots, possession
-# [%], fouls: touching, charging, illegal defence, free kicks against; seed. A shot: within half a second a ball at a robot goes at least 1 m, and on towards the goal of the other team, 0.5 m
-# beside it at most. Possession: of the scenes with a robot within 1 m of the ball, those where the nearest one is of the team.
-# The tracks are played/N/track.csv in the order of the seeds. Variables: played.
+# [%], touching, charging, illegal defence, free kicks against, seed. A shot: within half a second a ball at a robot goes at least
+# 1 m, and on towards the goal of the other team, 0.5 m beside it at most. Possession: of the scenes with a robot within 1 m of the
+# ball, those where the nearest one is of the team. The tracks are played/N/track.csv in the order of the seeds. Variables: played.
 BEGIN { FS = ","; OFS = "\t" }
 $1 == "date" { for (i = 1; i <= NF; ++i) column[$i] = i; next }
 $column["end"] != "over" { next }

@@ -10,7 +10,8 @@ namespace plumbline {
 namespace {
 
 constexpr int cornersOfObstacle = 8;
-constexpr double sightStep = 0.05;  ///< [m]
+constexpr double sightStep = 0.05;  ///< between the points of a path that are looked at [m]
+constexpr double touch = 1e-9;      ///< by which a circle that start or goal lies on is none they lie in [m]
 constexpr double slack = 0.005;     ///< by which a circle is drawn back from a start or goal within it [m]
 
 bool isFree(const Vec2& a, const Vec2& b, const std::vector<Obstacle>& obstacles) {
@@ -84,13 +85,14 @@ std::vector<Vec2> shortestPath(const Vec2& start, const Vec2& goal, const std::v
   return path;
 }
 
-/// Circles midway to the corners around them, but none that holds start or goal.
+/// The obstacles with half of the distance that corners keep from them, so that who walks straight to a point
+/// of the path keeps some, too; no circle holds start or goal.
 std::vector<Obstacle> widened(std::vector<Obstacle> obstacles, const Vec2& start, const Vec2& goal,
                               double corner) {
   for (Obstacle& obstacle : obstacles) {
     obstacle.radius *= 0.5 * (1 + corner);
     for (const Vec2& end : {start, goal})
-      obstacle.radius = std::min(obstacle.radius, (end - obstacle.centre).norm() - 1e-9);
+      obstacle.radius = std::min(obstacle.radius, (end - obstacle.centre).norm() - touch);
   }
   return obstacles;
 }
