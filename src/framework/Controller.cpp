@@ -120,6 +120,7 @@ std::size_t Controller::runCycles(std::size_t count) {
   processes_.front()->start();
   std::size_t done = 0;
   for (; done < count && !stop_.requested(); done++) processes_.front()->cycle();
+  processes_.front()->updateTiming();
   return done;
 }
 

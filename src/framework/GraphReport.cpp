@@ -9,16 +9,16 @@ namespace plumbline {
 namespace {
 
 void addTimes(const TimingPlugin& timing, ModuleReport& module) {
-  double total = 0, waited = 0;
+  double time = 0, waited = 0;
   for (const TimingPlugin::Entry& entry : timing.steps()) {
     if (entry.module != module.name) continue;
-    total += 1e6 * entry.stopwatch->mean() * static_cast<double>(entry.stopwatch->count());
+    time += 1e6 * entry.stopwatch->mean();
     module.overruns += entry.overruns.load(std::memory_order_relaxed);
     waited += 1e-3 * static_cast<double>(entry.waited.load(std::memory_order_relaxed));
   }
   const double cycles = std::max(1.0, static_cast<double>(timing.cycle().count()));
   module.wait = waited / cycles;
-  module.time = std::max(0.0, total - waited) / cycles;
+  module.time = std::max(0.0, time - module.wait);
 }
 
 }  // namespace

@@ -8,15 +8,18 @@ OutputGuard::OutputGuard(const RepresentationLoader& loader, Representation& val
 }
 
 std::string OutputGuard::check() {
+  if (known_ && loader_->sameBytes(*value_, lastGood_->get())) return {};
   std::string problem;
   if (!streamsFiniteNumbers(*value_, numbers_))
     problem = numberProblem(*value_);
   else
     problem = loader_->ownProblem(*value_);
-  if (!problem.empty())
+  if (!problem.empty()) {
     loader_->copy(lastGood_->get(), *value_);
-  else if (numbers_ || loader_->hasOwnCheck())
+  } else if (numbers_ || loader_->hasOwnCheck()) {
     loader_->copy(*value_, lastGood_->get());
+    known_ = true;
+  }
   return problem;
 }
 

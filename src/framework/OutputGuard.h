@@ -9,7 +9,7 @@ namespace plumbline {
 
 /// Watches one representation after its module's update: a value that is wrong
 /// (RepresentationLoader::problemOf) never reaches another module. Costs a pass over the streamed numbers and
-/// a copy of the value.
+/// a copy of the value, or a comparison where it stayed as it was.
 class OutputGuard {
 public:
   /// Both must live as long as this. Until the first good value the last good one is that of now.
@@ -22,6 +22,7 @@ private:
   const RepresentationLoader* loader_;
   Representation* value_;
   std::unique_ptr<RepresentationHolder> lastGood_;
+  bool known_ = false;    ///< lastGood_ was looked at
   bool numbers_ = false;  ///< some were streamed so far; what streams none needs no copies
 };
 

@@ -230,6 +230,7 @@ void Process::finish() {
   running_ = false;
   for (auto& plugin : plugins_) plugin->threadStopped();
   plugins_.clear();
+  timing_->threadStopped();
   record_->removeThread(crashThread_);
   CrashRecord::enterThread(-1);
 }

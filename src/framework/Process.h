@@ -47,6 +47,8 @@ public:
   /// A representation provided in this thread, or null.
   Representation* find(const std::string& representation) const;
   const TimingPlugin& timing() const { return *timing_; }
+  /// Brings timing() up to date; on the thread, between its cycles. finish() does it, too.
+  void updateTiming() { timing_->flush(); }
   const ThreadInfo& info() const { return info_; }
   /// Has the modules' own stopwatches known; on the thread, or when it has ended.
   void addStopwatches() { debug_->addStopwatches(); }

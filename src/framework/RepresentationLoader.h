@@ -1,4 +1,5 @@
 #pragma once
+#include <cstring>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -25,6 +26,8 @@ public:
   virtual std::unique_ptr<RepresentationHolder> create() const = 0;
   /// `to` = `from`; both must be of the loader's type.
   virtual void copy(const Representation& from, Representation& to) const = 0;
+  /// True if both are equal in each byte and own no memory beyond them. False says nothing.
+  virtual bool sameBytes(const Representation& a, const Representation& b) const = 0;
   /// "", or in one line what the representation's own check says: `std::string problem() const`, where it has
   /// one.
   virtual std::string ownProblem(const Representation& value) const = 0;
@@ -64,6 +67,13 @@ public:
   void copy(const Representation& from, Representation& to) const override {
     static_cast<R&>(to) = static_cast<const R&>(from);
   }
+  bool sameBytes(const Representation& a, const Representation& b) const override {
+    if constexpr (std::is_trivially_destructible_v<R>) {
+      return std::memcmp(membersOf(a), membersOf(b), sizeof(R) - sizeof(Representation)) == 0;
+    } else {
+      return false;
+    }
+  }
   bool hasOwnCheck() const override {
     return requires(const R& r) { std::string(r.problem()); };
   }
@@ -76,6 +86,9 @@ public:
   }
 
 private:
+  static const char* membersOf(const Representation& value) {
+    return reinterpret_cast<const char*>(static_cast<const R*>(&value)) + sizeof(Representation);
+  }
   static std::string kindOf() {
     if constexpr (requires { R::kindName(); }) {
       return R::kindName();

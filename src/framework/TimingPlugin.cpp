@@ -17,7 +17,8 @@ std::uint64_t nanosecondsOf(Plugin::Clock::time_point time) {
 
 }  // namespace
 
-TimingPlugin::TimingPlugin(const ThreadInfo& thread) : thread_(thread.name), rate_(thread.rate) {
+TimingPlugin::TimingPlugin(const ThreadInfo& thread)
+    : thread_(thread.name), rate_(thread.rate), times_(thread.steps.size()) {
   for (const Step& step : thread.steps) {
     Entry& entry = steps_.emplace_back();
     entry.name = step.label;
@@ -31,6 +32,24 @@ void TimingPlugin::threadStarted(const ThreadInfo&) {
   Waiting::take();
 }
 
+void TimingPlugin::addWait(std::size_t step, std::uint64_t waited) {
+  std::atomic<std::uint64_t>& all = steps_[step].waited;
+  all.store(all.load(std::memory_order_relaxed) + waited, std::memory_order_relaxed);
+  waits_.emplace_back(step, waited);
+  waited_ += waited;
+}
+
+std::size_t TimingPlugin::longest() const {
+  std::vector<std::uint64_t> worked(steps_.size());
+  for (std::size_t i = 0; i < worked.size(); i++) worked[i] = times_.of(i);
+  for (const auto& [step, waited] : waits_) worked[step] -= waited;
+  return static_cast<std::size_t>(std::ranges::max_element(worked) - worked.begin());
+}
+
+void TimingPlugin::flush() {
+  times_.empty([this](std::size_t step, std::uint64_t taken) { steps_[step].stopwatch->add(taken); });
+}
+
 void TimingPlugin::cycleFinished(const Duration& duration) {
   const std::uint64_t taken = nanoseconds(duration);
   cycle_->add(taken);
@@ -41,10 +60,10 @@ void TimingPlugin::cycleFinished(const Duration& duration) {
   last_.store(nanosecondsOf(duration.end), std::memory_order_relaxed);
   if (rate_ > 0 && 1e-9 * static_cast<double>(busy) * rate_ > 1) {
     overruns_.fetch_add(1, std::memory_order_relaxed);
-    const auto longest = std::max_element(steps_.begin(), steps_.end(),
-                                          [](const Entry& a, const Entry& b) { return a.worked < b.worked; });
-    if (longest != steps_.end()) longest->overruns.fetch_add(1, std::memory_order_relaxed);
+    if (!steps_.empty()) steps_[longest()].overruns.fetch_add(1, std::memory_order_relaxed);
   }
+  waits_.clear();
+  if (times_.next(duration.end)) flush();
   const std::uint64_t now = threadCpu();
   cpu_->add(now - cpuBefore_);
   cpuBefore_ = now;

@@ -8,12 +8,14 @@
 #include <utility>
 
 #include "framework/Plugin.h"
+#include "framework/StepTimes.h"
 #include "framework/Stopwatch.h"
 #include "framework/Waiting.h"
 
 namespace plumbline {
 
-/// Stopwatches around every step and cycle of a thread; read by anybody at any time.
+/// Stopwatches around every step and cycle of a thread; read by anybody at any time. Those of steps are up to
+/// half a second or 64 cycles behind, except in the first 64 cycles and after flush().
 class TimingPlugin final : public Plugin {
 public:
   struct Entry {
@@ -21,15 +23,17 @@ public:
     std::string module;
     std::shared_ptr<Stopwatch> stopwatch;
     std::atomic<std::uint64_t> overruns{0};  ///< cycles that ran over and in which this took longest
-    std::uint64_t worked = 0;                ///< in this cycle, without waiting [ns]
     std::atomic<std::uint64_t> waited{0};    ///< since the start [ns]
   };
 
   explicit TimingPlugin(const ThreadInfo& thread);
   void threadStarted(const ThreadInfo&) override;
+  void threadStopped() override { flush(); }
   void afterExecute(const Step& step, const Duration& duration) override { add(step, duration); }
   void afterUpdate(const Step& step, const Duration& duration) override { add(step, duration); }
   void cycleFinished(const Duration& duration) override;
+  /// Brings the stopwatches of the steps up to date; on the thread itself, between its cycles.
+  void flush();
 
   const std::string& thread() const { return thread_; }
   const std::deque<Entry>& steps() const { return steps_; }
@@ -52,15 +56,14 @@ public:
 
 private:
   void add(const Step& step, const Duration& duration) {
-    Entry& entry = steps_[step.index];
     const std::uint64_t taken = nanoseconds(duration);
-    entry.stopwatch->add(taken);
-    const std::uint64_t waited = std::min(Waiting::take(), taken);
-    entry.worked = taken - waited;
-    waited_ += waited;
-    if (waited > 0)
-      entry.waited.store(entry.waited.load(std::memory_order_relaxed) + waited, std::memory_order_relaxed);
+    times_.put(step.index, taken);
+    if (const std::uint64_t waited = std::min(Waiting::take(), taken); waited > 0)
+      addWait(step.index, waited);
   }
+  void addWait(std::size_t step, std::uint64_t waited);
+  /// The step that worked longest in this cycle.
+  std::size_t longest() const;
   static std::uint64_t nanoseconds(const Duration& duration) {
     return static_cast<std::uint64_t>(std::chrono::nanoseconds(duration.end - duration.begin).count());
   }
@@ -68,6 +71,8 @@ private:
   std::string thread_;
   double rate_;
   std::deque<Entry> steps_;
+  StepTimes times_;
+  std::vector<std::pair<std::size_t, std::uint64_t>> waits_;  ///< in this cycle: step, and how long [ns]
   std::shared_ptr<Stopwatch> cycle_ = std::make_shared<Stopwatch>(), cpu_ = std::make_shared<Stopwatch>(),
                              busy_ = std::make_shared<Stopwatch>();
   std::atomic<std::uint64_t> overruns_{0}, first_{0}, last_{0};

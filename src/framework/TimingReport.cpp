@@ -74,12 +74,9 @@ std::string timingReport(const TimingPlugin& timing, const AgentStopwatches& sto
 
 std::map<std::string, double> moduleTimes(const Process& process) {
   const TimingPlugin& timing = process.timing();
-  const double cycles = std::max(1.0, static_cast<double>(timing.cycle().count()));
   std::map<std::string, double> times;
-  for (const Step& step : process.info().steps) {
-    const Stopwatch& watch = *timing.steps()[step.index].stopwatch;
-    times[step.module] += 1e6 * watch.mean() * static_cast<double>(watch.count()) / cycles;
-  }
+  for (const Step& step : process.info().steps)
+    times[step.module] += 1e6 * timing.steps()[step.index].stopwatch->mean();
   return times;
 }
 

@@ -12,12 +12,23 @@ constexpr double landmarkWorth = 1.0;
 constexpr double turnCost = 0.4;     // landmarks a turn of 1 rad has to bring
 constexpr double offBallCost = 0.8;  // landmarks 1 rad away from the ball has to bring
 
-/// Landmarks within the cone for that yaw; those at its edge count less, so that the view is stable.
-double landmarksInView(double yaw, const Pose2& robot, const std::vector<Vec2>& landmarks, double halfView) {
-  double sum = 0;
+/// Where the robot sees them, left of its front [rad].
+std::vector<double> bearings(const Pose2& robot, const std::vector<Vec2>& landmarks) {
+  const Pose2 toRobot = robot.inverse();
+  std::vector<double> angles;
+  angles.reserve(landmarks.size());
   for (const Vec2& landmark : landmarks) {
-    const Vec2 seen = robot.inverse() * landmark;
-    const double off = std::abs(normalizeAngle(std::atan2(seen.y(), seen.x()) - yaw));
+    const Vec2 seen = toRobot * landmark;
+    angles.push_back(std::atan2(seen.y(), seen.x()));
+  }
+  return angles;
+}
+
+/// Landmarks within the cone for that yaw; those at its edge count less, so that the view is stable.
+double landmarksInView(double yaw, const std::vector<double>& bearings, double halfView) {
+  double sum = 0;
+  for (const double bearing : bearings) {
+    const double off = std::abs(normalizeAngle(bearing - yaw));
     sum += std::clamp((halfView - off) / 0.15, 0.0, 1.0);
   }
   return sum;
@@ -35,6 +46,7 @@ HeadAngles lookAtBall(const Vec2& ball, const std::optional<Pose2>& robot, const
   const double direct = std::clamp(bearing, -p.maxYaw, p.maxYaw);
   head.yaw = direct;
   if (!robot) return head;
+  const std::vector<double> seen = bearings(*robot, landmarks);
   double best = -1e9;
   const double freedom = p.halfView - p.ballMargin;
   const double farthest = std::max(freedom, std::abs(bearing - direct));
@@ -42,7 +54,7 @@ HeadAngles lookAtBall(const Vec2& ball, const std::optional<Pose2>& robot, const
   for (int i = -steps; i <= steps; ++i) {
     const double yaw = std::clamp(direct + i * yawStep, -p.maxYaw, p.maxYaw);
     if (std::abs(bearing - yaw) > farthest) continue;
-    const double worth = landmarkWorth * landmarksInView(yaw, *robot, landmarks, p.halfView) -
+    const double worth = landmarkWorth * landmarksInView(yaw, seen, p.halfView) -
                          turnCost * std::abs(yaw - current) - offBallCost * std::abs(yaw - direct);
     if (worth > best) {
       best = worth;

@@ -40,6 +40,7 @@ private:
   Status fail(const std::string& why);
 
   int fd_ = -1, stopDescriptor_ = -1;
+  bool answers_ = false;  ///< something was sent since the last bytes came
   FrameReader reader_{maxServerMessage};
   std::string outgoing_, lastError_;
 };

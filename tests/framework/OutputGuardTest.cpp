@@ -100,6 +100,18 @@ TEST(OutputGuard, holdsAModuleToTheRepresentationsOwnCheck) {
   EXPECT_EQ(seen.sum, 99) << "the last good value";
 }
 
+TEST(OutputGuard, aValueThatStaysIsWrongUntilItChanges) {
+  DriftSeen seen;
+  seen.sum = 200;
+  OutputGuard guard(representationLoader<DriftSeen>(), seen);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(guard.check(), "sum: must be below 100");
+  seen.sum = 5;
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(guard.check(), "");
+  seen.sum = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(guard.check(), "sum: must be finite, not nan");
+  EXPECT_EQ(seen.sum, 5);
+}
+
 TEST(OutputGuard, looksAtEveryStreamedNumber) {
   Drift drift;
   bool numbers = false;

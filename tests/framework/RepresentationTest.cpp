@@ -20,6 +20,13 @@ public:
   double values[2] = {1, 2};
 };
 
+/// Without bytes between its members.
+REPRESENTATION(PackedData)
+class PackedData : public PackedDataBase {
+public:
+  double values[2] = {1, 2};
+};
+
 REPRESENTATION(OwningData)
 class OwningData : public OwningDataBase {
 public:
@@ -50,6 +57,18 @@ namespace {
 static_assert(knowsHowToStream<PlainData> && knowsHowToStream<OwningData> && knowsHowToStream<EmptyData>);
 static_assert(knowsHowToStream<MatrixData>);
 static_assert(!knowsHowToStream<ForgetfulData>);
+
+TEST(RepresentationTest, theLoaderComparesBytesOfWhatOwnsNoMemory) {
+  PackedData one, other;
+  const RepresentationLoader& plain = representationLoader<PackedData>();
+  EXPECT_TRUE(plain.sameBytes(one, other));
+  other.values[1] = 2.5;
+  EXPECT_FALSE(plain.sameBytes(one, other));
+  plain.copy(one, other);
+  EXPECT_TRUE(plain.sameBytes(one, other));
+  const OwningData words, same;
+  EXPECT_FALSE(representationLoader<OwningData>().sameBytes(words, same)) << "it says nothing of those";
+}
 
 TEST(RepresentationTest, eigenAndOptionalMembersGoAsABlock) {
   MatrixData data, back;
