@@ -133,7 +133,7 @@ data() { # files; "none" is an answer, too
 namedIn() { row "named in" "$(grep -rlE "$1" config --include='*.yaml' | grep -vxF "$(printf '%s\n' "${@:2}")" | sort | list 9)"; }
 # The comment above a module's or a representation's declaration, or that of a class, else the header's first: what it does.
 purpose() { # header; class
-  awk -v wanted="${2+^(class|struct|enum class) $2( |\$)}" '
+  awk -v wanted="${2+^(class|struct|enum class) $2( |\$)|^REPRESENTATION(_OF)?[(]$2[,)]}" '
     /^ *\/\/\/  / { next }  # an example
     /^ *\/\/\/( |$)/ { sub(/^ *\/\/\/ */, ""); text = text (text == "" || $0 == "" ? "" : " ") $0; next }
     (wanted == "" ? /^(MODULE\(|REPRESENTATION|class )/ : $0 ~ wanted) && text != "" { found = 1; print text; exit }
@@ -184,6 +184,8 @@ aboutModule() { # file
   word="\b$stem\b" own="tests/$(dirname "${file#src/}")/${stem}Test.cpp"
   # A unit test runs it by its header or by a line of a modules.cfg.
   uses="^#include \".*/$stem\.h\"|\b$stem\.yaml\b|ModuleHarness<(.*::)?$stem>|(^|R\"\()$stem [A-Z][A-Za-z]+\$|\"$stem( [A-Z][A-Za-z]+)?\\\\n"
+  # Play modes are called so, too.
+  ! grep -rqsF "\"$stem\"" src/simspark || inScripts="[:/]$stem\b|\b$stem(\.yaml|:| [A-Z])"
   tests
   text=$(pages "$word$([[ $name == "$stem" ]] || echo "|\`$name[ \`]")" "")
   echo "${text:-  page        none: what it does stands above; doc/how-to/add-a-module.md says how one is made}"
@@ -219,7 +221,7 @@ aboutEffect() { # file
   else row does "$(awk '/^ *\/\/\/ / { sub(/^ *\/\/\/ */, ""); text = text " " $0; next } /LeagueEffect / { print substr(text, 2); exit } { text = "" }' "$file")"; fi
   row at "${site:-joint}"
   row parameters "$(awk -F ' = |, *$' -v unit="${unit#1}" '/^ *\.(nominal|lower|upper) = / { sub(/^ *\./, "", $1); of[$1] = $2 }
-    END { print "its value, " (of["lower"] == "" ? 0 : of["lower"]) "…" of["upper"] (unit == "" ? "" : " " unit) "; " (of["nominal"] == "" ? 0 : of["nominal"]) ": none" }' "$file")"
+    END { print "its value, " (of["lower"] == "" ? 0 : of["lower"]) "…" of["upper"] (unit == "" ? "" : " " unit) (of["nominal"] == "" && of["lower"] > 0 ? "" : "; " of["nominal"] + 0 ": none") }' "$file")"
   row forms "$(sed -nE 's/^ *\.variants = \{(.*)\},.*/\1/p' "$file" | tr -d '"')"
   row data "none"
   under=tests
@@ -278,13 +280,13 @@ aboutRegistered() { # file
 }
 
 about() { # kind, name, files
-  local kind=$1 name=$2 file=$3 all=("${@:3}") word own='' uses='' first='' under='' stem text page files pieces=() agents=()
+  local kind=$1 name=$2 file=$3 all=("${@:3}") word own='' uses='' inScripts='' first='' under='' stem text page files pieces=() agents=()
   case $kind in
     module) aboutModule "$file" ;;
     representation)
-      row does "$(purpose "$file")"
+      row does "$(purpose "$file" "$name")"
       source_ "$file"
-      row fields "$(sed -nE 's/^ *STREAM\(("?)([A-Za-z0-9_]+).*/\2/p' "$file" | list 30)"
+      row fields "$(sed -nE "/^REPRESENTATION(_OF)?\\($name[,)]/,/^};/p" "$file" | grep -oE '\bSTREAM\("?\w+' | sed -E 's/.*\("?//' | list 30)"
       row "provided by" "$(with PROVIDES "$name")"
       row "required by" "$(with '(REQUIRES|REQUIRES_IF_PROVIDED)' "$name")"
       row "used by" "$(with USES "$name")"

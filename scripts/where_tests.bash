@@ -61,7 +61,7 @@ withAgents() {
     platform=$(basename "$(dirname "$file")")
     if [[ $file != */modules.cfg ]]; then naming "\b$(basename "$file")\b" tests
     elif [[ $platform != "$usual" ]]; then naming "--platform[= ]$platform\b" tests
-    else naming '/game"? |/agent"? .*(--(port|start-simulator|replay|host|config)|"\$@")|scripts/match\.sh|start\.sh' tests/e2e; fi
+    else naming '/game"? |/agent"? .*(--(port|start-simulator|replay|host|config)|"\$@")|scripts/match\.sh|start\.sh|set-start\.bash' tests/e2e tests/bench; fi
   done | grep '\.sh$' | sort -u
 }
 # Tests over all of a kind.
@@ -92,11 +92,12 @@ overAll() { # kind, name, file
 }
 
 # Prints the rows of tests. From its caller it has: kind and name; word, the pattern by which tests name it; own, its own test;
-# uses, a pattern that the lines of unit tests must have (else word); under, the folder of tests; first, the folder of those that
+# uses, a pattern that the lines of unit tests must have (else word); inScripts, one for scripts (else word); under, the folder of tests; first, the folder of those that
 # come first; pieces, its parts; agents, the files of config/ that run it.
 tests() {
   local all unit shared every programs runs benches mine
   all=$(naming "$word" "${under:-tests}")
+  [[ ! ${inScripts-} ]] || all=$(grep -E '\.(cpp|h)$' <<< "$all"; naming "$inScripts" "${under:-tests}" | grep -vE '\.(cpp|h)$')
   mine=$(grep -xF "${own:-none}" <<< "$all")
   unit=$(unitTests <<< "$all")
   [[ ! ${uses-} || ! $unit ]] || unit=$(xargs grep -lE "$uses" <<< "$unit")

@@ -110,7 +110,7 @@ printf 'Registry::instance().modules()\n' > tests/modules/EachTest.cpp
 printf 'constexpr const char* defaultPlatform = "rig";\n' >> src/main/agent.cpp
 printf '"$bin/agent" --port 1\n' | tee tests/e2e/play.sh > tests/e2e/plod.sh
 printf '"$bin/agent" --speed\n' > tests/e2e/wrong.sh
-printf 'REPRESENTATION(Sight)\n  STREAM(far);\n' > src/representations/perception/Sight.h
+printf '/// Hears.\nREPRESENTATION(Sound)\n  STREAM(loud);\n};\n/// Is seen.\nREPRESENTATION(Sight)\n  void stream() { STREAM(far); }\n};\n' > src/representations/perception/Sight.h
 printf 'keyframes:\n' > config/motions/blink.yaml
 printf 'mirror: blink\n' > config/motions/blinkLeft.yaml
 printf 'struct ClimbOptions {\n  int steps = 3;  ///< at a time\n};\n/// Goes up.\nclass Climb {};\n' > src/math/Climb.h
@@ -141,6 +141,7 @@ contains "where: no page" "$(scripts/where.sh Seer)" "  page        none: what i
 rm -r doc
 contains "where: parameters of the header" "$(scripts/where.sh Seer)" "  parameters  focus=0.5 m (0…1)"
 contains "where: a representation" "$(scripts/where.sh sight)" 'representation Sight
+  does        Is seen.
   source      src/representations/perception/Sight.h
   fields      far
   provided by Seer'
