@@ -30,7 +30,7 @@ everything() {
       print (FILENAME ~ /\/skills\// ? "skill" : "motion") "\t" word "\t" FILENAME
     }' "${files[@]}"
   # What registers itself from a source: MAKE_X(Identifier, ..."name"), effects with .id = "name".
-  mapfile -t files < <(grep -rlE '^MAKE_(EFFECT|LEAGUE_EFFECT|OPTIMIZER|PHYSICS|ROBOT_SIMULATION|PLATFORM|RULE|TASK|SPECIAL_MODULE)\(' src --include='*.cpp')
+  mapfile -t files < <(grep -rlE '^MAKE_[A-Z_]+\(' src --include='*.cpp')
   ((${#files[@]} == 0)) || awk -f scripts/where_names.awk "${files[@]}"
   for file in config/motions/*.yaml config/robots/*/motions/*.yaml config/excitation/*.yaml config/robots/*.json; do
     [[ -e $file ]] || continue
@@ -101,23 +101,25 @@ parametersOf() { # section of doc/reference/parameters.md; many by group
       print n ": " many "; each with unit and range: " page
     }' doc/reference/parameters.md
 }
-declared() { awk -f scripts/where_parameters.awk "$@" 2> /dev/null | list 30; } # sources
-# What can be set in sources, or else in the headers of their folder, or the one above, that they include.
+declared() { awk -f scripts/where_parameters.awk "$@" 2> /dev/null | once | list 30; } # sources
+# What can be set in sources, or else in headers that they include: of the folder above, or else of theirs.
 options() {
   local text headers folder
   text=$(declared "$@")
   folder=$(dirname "${1#src/}")
-  mapfile -t headers < <(cat "$@" | sed -nE "s#^\#include \"(($folder|${folder%/*})/[^/\"]*)\"#src/\1#p" | sort -u)
-  [[ $text ]] || ((${#headers[@]} == 0)) || text=$(declared "${headers[@]}")
+  for folder in "${folder%/*}" "$folder"; do
+    mapfile -t headers < <(cat "$@" | sed -nE "s#^\#include \"($folder/[^/\"]*)\"#src/\1#p" | sort -u)
+    [[ $text ]] || ((${#headers[@]} == 0)) || text=$(declared "${headers[@]}")
+  done
   row parameters "${text:-none}"
 }
 pages() { # pattern; the page of its kind. Those that name modules as examples come last.
   local all examples='(framework|modules-cfg|find-a-fault|debug-a-running-agent|log-and-replay|add-a-module)\.md:'
   all=$(grep -rcE "$1" doc/reference doc/how-to doc/tutorials doc/decisions --include='*.md' 2> /dev/null |
     grep -vE "(parameters|glossary)\\.md:|:0\$" | sort -t : -k2,2nr -k1,1)
-  all=$({ grep -vE "$examples" <<< "$all"; [[ ! -e $2 ]] || echo "$2"; grep -E "$examples" <<< "$all"; } | cut -d : -f 1 | once | list 12)
-  row page "$all"
-  row results "$(grep -rlE "$1" doc/results 2> /dev/null | grep -v diary | sort | list 6)"
+  all=$(grep -vE "$examples" <<< "$all"; [[ ! -e $2 ]] || echo "$2"; grep -E "$examples" <<< "$all")
+  row page "$(cut -d : -f 1 <<< "$all" | once | list 12)"
+  row results "$(grep -rlE "$1" doc/results 2> /dev/null | grep -vE "/(gap-diary|coverage|mutation)\." | sort | list 6)"
 }
 source_() { # files
   local file text=
@@ -143,15 +145,17 @@ purpose() { # header; class
 }
 # Headers of a module's own parts: what it includes that is no module and is not common to all, from its area or a library.
 parts() {
-  cat "$@" 2> /dev/null | sed -nE 's/^#include "([^"]*)".*/\1/p' | grep -vE "^(representations|framework|math|field|parameters|robot)/" |
+  sed -nE 's/^#include "([^"]*)".*/\1/p' "$@" 2> /dev/null | grep -vE "^(representations|framework|math|field|parameters|robot)/" |
     while read -r header; do
       [[ -e src/$header && " $* " != *" src/$header "* ]] && ! grep -qE '^MODULE\(|OutputBase\(' "src/$header" && echo "src/$header"
     done | once
 }
 # Files of the configuration that sources read: by name, or in each folder of it.
 reads() {
-  grep -hoE 'config\.file\("[a-z_]+(/"|"\))|readWalkGaits\(config|readMotions\(config|findMechanism\(|directory\) / "[a-z_.]+"' "$@" 2> /dev/null |
-    sed -E 's/.*"(.*)".*/\1/; s/readWalk.*/walking/; s/readMotions.*/motions\//; s/findMech.*/robots\//; s/\.yaml$//' | sort -u | while read -r read; do
+  local calls='config\.file\("[a-z_]+(/"|"\))|readWalkGaits\(config|readMotions\(config|findMechanism\(|directory\) / "[a-z_.]+"' read
+  grep -hoE "$calls" "$@" 2> /dev/null |
+    sed -E 's/.*"(.*)".*/\1/; s/readWalk.*/walking/; s/readMotions.*/motions\//; s/findMech.*/robots\//; s/\.yaml$//' | sort -u |
+    while read -r read; do
       if [[ -d config/${read%/} ]]; then find config -type d -path "*/${read%/}" | sed 's#$#/#'
       else find config -maxdepth 3 -name "$read.yaml" | grep -vE '^config/(walks|optimisation)/'; fi
     done | sort -u
@@ -173,7 +177,7 @@ aboutModule() { # file
     row provides "$(outputs "$file")"
   fi
   text=$(parametersOf "$stem")
-  text=${text:-$(declared "$file")}
+  text=${text:-$(declared -v macros=1 "$file")}
   # Its own file, and what it and its parts read.
   mapfile -t files < <(find config -name "$stem.yaml" | sort; reads "${file%.*}.cpp" "${pieces[@]/%.h/.cpp}")
   [[ $text || ${files[0]-} != */$stem.yaml ]] || text="the keys of ${files[0]}"
@@ -183,7 +187,8 @@ aboutModule() { # file
   row "runs by" "$(printf '%s\n' "${agents[@]}" | list 6)"
   word="\b$stem\b" own="tests/$(dirname "${file#src/}")/${stem}Test.cpp"
   # A unit test runs it by its header or by a line of a modules.cfg.
-  uses="^#include \".*/$stem\.h\"|\b$stem\.yaml\b|ModuleHarness<(.*::)?$stem>|(^|R\"\()$stem [A-Z][A-Za-z]+\$|\"$stem( [A-Z][A-Za-z]+)?\\\\n"
+  uses="^#include \".*/$stem\.h\"|\b$stem\.yaml\b|ModuleHarness<(.*::)?$stem>"
+  uses+="|(^|R\"\()$stem [A-Z][A-Za-z]+\$|\"$stem( [A-Z][A-Za-z]+)?\\\\n"
   # Play modes are called so, too.
   ! grep -rqsF "\"$stem\"" src/simspark || inScripts="[:/]$stem\b|\b$stem(\.yaml|:| [A-Z])"
   tests
@@ -196,7 +201,8 @@ aboutRobot() { # file
   mapfile -t files < <(echo "$file"; find config -type f -path "*/$folder/*" 2> /dev/null | sort)
   data "${files[@]}"
   traces=$(find tests/data -name "*_$folder.*" -o -name "*_${folder/type/t}.*" 2> /dev/null | sort)
-  row recordings "$({ echo "$traces"; grep -rlE "\"robot\": *\"$name\"" tests/data --include=run.json 2> /dev/null | xargs -r dirname; } | awk NF | together | list 8)"
+  row recordings "$({ echo "$traces"; grep -rslE "\"robot\": *\"$name\"" tests/data --include=run.json | xargs -r dirname; } |
+    awk NF | together | list 8)"
   row source "src/robot/$([[ $name == "$folder" ]] || echo ", src/simspark/LeagueRobots.h and .cpp")"
   row parameters "none: links, joints, limits and servos stand in its file (doc/reference/robot-files.md)"
   namedIn "\b$name\b" "${files[@]}"
@@ -212,25 +218,18 @@ aboutRobot() { # file
 }
 
 aboutEffect() { # file
-  local file=$1 word first under unit site pieces=()
+  local file=$1 word first under unit label text pieces=()
   source_ "$file"
-  site=$(sed -nE 's/^ *\.sites? = \{?(.*)\}?,.*/\1/p' "$file" | sed 's/[A-Za-z]*:://g; s/}//')
-  unit=$(grep -rlF ".id = \"$name\"" src/gap/effects | xargs -r sed -nE 's/^ *\.unit = "(.*)",.*/\1/p' | head -1)
-  if [[ $kind == effect ]]; then
-    row does "$(sed -nE '/\.sentence = /,/",/p' "$file" | tr -d '\n' | sed -E 's/^[^"]*"//; s/" *"//g; s/",.*//; s/\{at\}/[its place]/g')"
-  else row does "$(awk '/^ *\/\/\/ / { sub(/^ *\/\/\/ */, ""); text = text " " $0; next } /LeagueEffect / { print substr(text, 2); exit } { text = "" }' "$file")"; fi
-  row at "${site:-joint}"
-  row parameters "$(awk -F ' = |, *$' -v unit="${unit#1}" '/^ *\.(nominal|lower|upper) = / { sub(/^ *\./, "", $1); of[$1] = $2 }
-    END { print "its value, " (of["lower"] == "" ? 0 : of["lower"]) "…" of["upper"] (unit == "" ? "" : " " unit) (of["nominal"] == "" && of["lower"] > 0 ? "" : "; " of["nominal"] + 0 ": none") }' "$file")"
-  row forms "$(sed -nE 's/^ *\.variants = \{(.*)\},.*/\1/p' "$file" | tr -d '"')"
-  row data "none"
-  under=tests
+  # An effect of the league has the unit of that of the diagnosis.
+  unit=$(grep -rslF ".id = \"$name\"" src/gap/effects | xargs -r sed -nE 's/^ *\.unit = "(.*)",.*/\1/p' | head -1)
+  while IFS=$'\t' read -r label text; do row "$label" "$text"; done < <(awk -v unit="$unit" -f scripts/where_effect.awk "$file")
+  row data none
+  namedIn "\b$name\b"
+  under=tests first="tests/$(dirname "${file#src/}")"
   [[ $kind == effect ]] || under=tests/simulation
   # A name of two words is no common word.
   word="\"$name\"|\b$(basename "$file" .cpp | sed 's/^./\L&/')\b"
   [[ $name != *_* ]] || word="\b$name\b|$word"
-  namedIn "\b$name\b"
-  first="tests/$(dirname "${file#src/}")"
   tests
   pages "\b$name\b" doc/how-to/add-an-effect.md
 }
@@ -247,7 +246,8 @@ aboutRegistered() { # file
     platform)
       row modules "$(grep -rlE '^MODULE\(' "$(dirname "$file")" --include='*.h' | sed 's#.*/##; s#\.h$##' | sort | list 20)"
       row parameters "none: options stand in bin/agent --platform $name --help"
-      data config/platforms/"$name"/*
+      agents=(config/platforms/"$name"/*)
+      data "${agents[@]}"
       word="\"$name\"|--platform $name\b|#include \"$(dirname "${file#src/}")/"
       ;;
     rule)
@@ -280,13 +280,15 @@ aboutRegistered() { # file
 }
 
 about() { # kind, name, files
-  local kind=$1 name=$2 file=$3 all=("${@:3}") word own='' uses='' inScripts='' first='' under='' stem text page files pieces=() agents=()
+  local kind=$1 name=$2 file=$3 all=("${@:3}") stem text page files
+  local word own='' uses='' inScripts='' first='' under='' pieces=() agents=() # what tests() takes
   case $kind in
     module) aboutModule "$file" ;;
     representation)
       row does "$(purpose "$file" "$name")"
       source_ "$file"
-      row fields "$(sed -nE "/^REPRESENTATION(_OF)?\\($name[,)]/,/^};/p" "$file" | grep -oE '\bSTREAM\("?\w+' | sed -E 's/.*\("?//' | list 30)"
+      row fields "$(sed -nE "/^REPRESENTATION(_OF)?\\($name[,)]/,/^};/p" "$file" | grep -oE '\bSTREAM\("?\w+' |
+        sed -E 's/.*\("?//' | list 30)"
       row "provided by" "$(with PROVIDES "$name")"
       row "required by" "$(with '(REQUIRES|REQUIRES_IF_PROVIDED)' "$name")"
       row "used by" "$(with USES "$name")"
@@ -305,7 +307,8 @@ about() { # kind, name, files
       row parameters "$(declared "$file")"
       word="#include \"${file#src/}\"" own=$(sed 's#^src/#tests/#; s#\.h$#Test.cpp#' <<< "$file")
       tests
-      pages "\b$name\b" ""
+      text=$(pages "\b$name\b" "")
+      echo "${text:-  page        none: what it does stands above}"
       ;;
     motion | skill)
       stem=$(sed -nE 's/.*[ (](\w+)OutputBase\(.*/\1Output/p' "$file" | head -1)
@@ -313,7 +316,7 @@ about() { # kind, name, files
       source_ "$file"
       text=$(with PROVIDES "$stem")
       row "provided by" "$(sed -E 's#(\w+)#\1 (its parameters and data: scripts/where.sh \1)#g' <<< "$text")"
-      row tests "$(tr -d ' ' <<< "$text" | tr , '\n' | while read -r stem; do [[ ! $stem ]] || find tests -name "${stem}Test.cpp"; done | list 9)"
+      row tests "$(for stem in ${text//,/}; do find tests -name "${stem}Test.cpp"; done | list 9)"
       pages "([\`\"]|$kind )$name\b" doc/how-to/add-a-behaviour.md
       ;;
     "keyframe motion" | "excitation program")
@@ -323,13 +326,13 @@ about() { # kind, name, files
       # A name of two words is no common word.
       word="([\"'/=\`]|--[a-z-]+ )$name\b"
       [[ ! $name =~ [a-z][A-Z]|_ ]] || word="\\b$name\\b"
-      namedIn "\b$name\b" "${all[@]}" "${files[@]}"
+      if [[ $kind == key* ]]; then namedIn "[:[,] *$name\b" "${all[@]}" "${files[@]}"; else namedIn "\b$name\b" "${all[@]}"; fi
       if [[ $kind == key* ]]; then
         page=doc/how-to/add-a-motion.md stem=SpecialActions
         ! grep -qE '^(kick|ball):' "$file" || stem=KickMotion
         row source "src/motion/, src/modules/motion/"
         row mirrors "$(sed -nE 's/^mirror: *([A-Za-z0-9_]+).*/\1 (scripts\/where.sh \1)/p' "$file")"
-        row "chosen by" "$(grep -rlE "\"$name\"" src --include='*.h' --include='*.cpp' | sort | list 6)"
+        row "chosen by" "$(grep -rslF "\"$name\"" src/motion src/modules src/training | sort | list 6)"
         row "played by" "$stem (scripts/where.sh $stem)"
         row parameters "none: its times, angles and keys stand in its files ($page)"
       else

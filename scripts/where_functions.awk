@@ -7,7 +7,10 @@ END {
   for (i = 1; i <= n; ++i) if (has(text[order[i]], name)) names[order[i]]
   for (more = 1; more;) {
     more = 0
-    for (i = 1; i <= n; ++i) if (!(order[i] in names)) for (other in names) if (has(text[order[i]], other)) { names[order[i]]; more = 1; break }
+    for (i = 1; i <= n; ++i)
+      if (!(order[i] in names))
+        for (other in names)
+          if (has(text[order[i]], other)) { names[order[i]]; more = 1; break }
   }
   for (i = 1; i <= n; ++i) if (order[i] in names) print order[i]
 }

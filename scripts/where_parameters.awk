@@ -1,5 +1,6 @@
 # The parameters that sources declare, for scripts/where.sh: name=default unit (range) of each PARAMETER(type, name, default,
-# "unit", range, "what it does"), the type of a PARAMETER_GROUP, and the members of structs that are called ...Options or ...Config.
+# "unit", range, "what it does"), the type of a PARAMETER_GROUP, and, but for -v macros=1, the members of structs
+# that are called ...Options or ...Config.
 function trim(text) { gsub(/^[ \t]+|[ \t]+$/, "", text); return text }
 # Splits what stands between the macro's brackets at commas that are in no brackets and no text.
 function split_(text,   i, c, depth, quoted, n) {
@@ -43,7 +44,7 @@ macro != "" {
 }
 /^struct [A-Za-z]*(Options|Config) \{/ { options = 1; next }
 /^}/ { options = 0 }
-options && /^  [^ \/].* = .*;/ {
+options && !macros && /^  [^ \/].* = .*;/ {
   comment = ""
   if (match($0, /\/\/\/< */)) comment = trim(substr($0, RSTART + RLENGTH))
   line = $0; sub(/;.*/, "", line); value = line; sub(/^[^=]*= */, "", value); sub(/ *=.*/, "", line); sub(/.*[ >]/, "", line)

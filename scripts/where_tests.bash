@@ -2,8 +2,8 @@
 
 # Tests and what they share that have a pattern; folders or options of grep. The test of where.sh names things as samples.
 naming() {
-  grep -rslE "${@:2}" -e "$1" --include='*.cpp' --include='*.h' --include='*.sh' --include='*.bash' --include='*.mjs' --exclude-dir=data \
-    --exclude=scripts.sh | sort
+  grep -rslE "${@:2}" -e "$1" --include='*.cpp' --include='*.h' --include='*.sh' --include='*.bash' --include='*.mjs' \
+    --exclude-dir=data --exclude=scripts.sh | sort
 }
 unitTests() { grep -E '^tests/(.*/)?[^/]*(Test|Targets?)\.cpp$' | grep -vE '^tests/(e2e|bench)/'; } # of a list
 once() { awk 'NF && !seen[$0]++'; }
@@ -31,11 +31,12 @@ testsOfParts() {
 }
 # Unit tests that exercise something by what tests share: a header that has a pattern, or functions of a source that name it.
 throughFixtures() { # pattern, name
-  local fixture functions user
+  local fixture header functions user
   naming "$1" tests | grep -vE '(Test|Targets?)\.cpp$|\.(sh|bash|mjs)$|^tests/(bench|e2e)/' | while read -r fixture; do
     functions='' user=
     [[ $fixture == *.h ]] || functions=$(awk -v name="$2" -f scripts/where_functions.awk "$fixture" | paste -sd '|')
-    grep -rlE "^#include \"(.*/)?$(basename "${fixture%.*}").h\"" tests --include='*Test.cpp' --include='*Target*.cpp' | while read -r user; do
+    header=$(basename "${fixture%.*}").h
+    grep -rlE "^#include \"(.*/)?$header\"" tests --include='*Test.cpp' --include='*Target*.cpp' | while read -r user; do
       [[ ! $functions ]] || grep -qE "\b($functions)\(" "$user" && echo "$user"
     done
   done
@@ -51,6 +52,7 @@ besideConfigurations() { # module
 # game on it; with another file, those that name it.
 withAgents() {
   local file platform usual
+  local plays='/game"? |/agent"? .*(--(port|start-simulator|replay|host|config)|"\$@")|scripts/match\.sh|start\.sh|set-start\.bash'
   usual=$(sed -nE 's/.* defaultPlatform = "(.*)";/\1/p' src/main/agent.cpp 2> /dev/null)
   for file; do
     case $file in
@@ -61,7 +63,7 @@ withAgents() {
     platform=$(basename "$(dirname "$file")")
     if [[ $file != */modules.cfg ]]; then naming "\b$(basename "$file")\b" tests
     elif [[ $platform != "$usual" ]]; then naming "--platform[= ]$platform\b" tests
-    else naming '/game"? |/agent"? .*(--(port|start-simulator|replay|host|config)|"\$@")|scripts/match\.sh|start\.sh|set-start\.bash' tests/e2e tests/bench; fi
+    else naming "$plays" tests/e2e tests/bench; fi
   done | grep '\.sh$' | sort -u
 }
 # Tests over all of a kind.
@@ -73,9 +75,9 @@ overAll() { # kind, name, file
       [[ $3 != config/motions/* ]] || naming 'contentsOf\("config/motions"' tests
       # Kicks are played one after the other, and those that stand a robot up as it falls.
       ! grep -qE '^(kick|ball):' $3 || naming '\.motions\)' tests
-      ! { cat config/MotionSelector.yaml config/robots/*/MotionSelector.yaml
-        sed -n '/^## MotionSelector/,/^## [^M]/p' doc/reference/parameters.md; } 2> /dev/null | grep -qE "\b$2\b" ||
-        naming '\bnextStandUp\(|\bstandUpTrial\(' tests
+      # MotionSelector's parameters name them.
+      ! grep -qsE "\b$2\b" <(sed -n '/^## MotionSelector/,/^## [^M]/p' doc/reference/parameters.md 2> /dev/null) config/MotionSelector.yaml \
+        config/robots/*/MotionSelector.yaml || naming '\bnextStandUp\(|\bstandUpTrial\(' tests
       ;;
     "excitation program") naming '\b(hanging|floatingBase)Battery\(|contentsOf\("config/excitation"' tests ;;
     effect) naming '\beffects\(\)' tests && naming '\bgap"? diagnose ' tests/e2e ;;
@@ -91,9 +93,11 @@ overAll() { # kind, name, file
   esac | grep -vE '\.h$|\.bash$' | sort -u
 }
 
-# Prints the rows of tests. From its caller it has: kind and name; word, the pattern by which tests name it; own, its own test;
-# uses, a pattern that the lines of unit tests must have (else word); inScripts, one for scripts (else word); under, the folder of tests; first, the folder of those that
-# come first; pieces, its parts; agents, the files of config/ that run it.
+# Prints the rows of tests. From its caller it has:
+# - kind, name and file; word, the pattern by which tests name it
+# - own, its own test; first, the folder of tests that come first; under, the folder of all [tests]
+# - uses, a pattern that the lines of unit tests must have; inScripts, one for scripts [both: word]
+# - pieces, its parts; agents, the files of config/ that run it
 tests() {
   local all unit shared every programs runs benches mine
   all=$(naming "$word" "${under:-tests}")
@@ -109,7 +113,8 @@ tests() {
   # Situations and other data that its own test reads.
   [[ ! $mine ]] || row '' "$(grep -hoE '"tests/data/[a-z/]+' "$mine" | tr -d '"' | sed 's#/$##' | sort -u | list 4)"
   row "  of parts" "$(testsOfParts "${pieces[@]}" | grep -vxF "${unit:-none}" | list 12)"
-  shared=$({ throughFixtures "${uses:-$word}" "$name"; [[ $kind != module ]] || besideConfigurations "$name"; } | sort -u | grep -vxF "${unit:-none}")
+  shared=$({ throughFixtures "${uses:-$word}" "$name"; [[ $kind != module ]] || besideConfigurations "$name"; } | sort -u |
+    grep -vxF "${unit:-none}")
   row "  fixtures" "$(together <<< "$shared" | list 12)"
   every=$(overAll "$kind" "$name" "$file")
   row "  over all" "$(grep -E '(Test|Targets?)\.cpp$' <<< "$every" | grep -vxF "$unit"$'\n'"${shared:-none}" | together | list 30)"

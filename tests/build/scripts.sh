@@ -197,7 +197,10 @@ expect "where: a class of a library" "$(scripts/where.sh lens)" 'class Lens
   does        Bends light.
   source      src/modules/perception/eye/Lens.h
   included by src/modules/perception/Seer.h
-  tests       tests/modules/perception/eye/LensTest.cpp, tests/modules/perception/ViewTest.cpp'
+  tests       tests/modules/perception/eye/LensTest.cpp, tests/modules/perception/ViewTest.cpp
+  page        none: what it does stands above'
+for name in Seer Sight blink wobble hill-climb type3 lens; do scripts/where.sh $name; done > /dev/null 2> where.err
+expect "where: nothing on standard error" "$(grep -v wobble where.err)" ""
 expect "where: no name" "$(scripts/where.sh 2>&1)" 'where.sh: give a NAME; see where.sh --help'
 expect "where: an option" "$(scripts/where.sh --foo 2>&1)" 'where.sh: no option --foo; see where.sh --help'
 rm -r src/modules/perception/{Seer.h,Seer.cpp,eye} tests/{modules,e2e,support,data} tests/math/{AllEffects,Second,Third,Types}Test.cpp config/{modules,motions,robots,platforms} \
