@@ -104,13 +104,17 @@ parametersOf() { # section of doc/reference/parameters.md; many by group
 declared() { awk -f scripts/where_parameters.awk "$@" 2> /dev/null | once | list 30; } # sources
 # What can be set in sources, or else in headers that they include: of the folder above, or else of theirs.
 options() {
-  local text headers folder
+  local text headers folder sections
   text=$(declared "$@")
   folder=$(dirname "${1#src/}")
   for folder in "${folder%/*}" "$folder"; do
     mapfile -t headers < <(cat "$@" | sed -nE "s#^\#include \"($folder/[^/\"]*)\"#src/\1#p" | sort -u)
     [[ $text ]] || ((${#headers[@]} == 0)) || text=$(declared "${headers[@]}")
   done
+  # Of a rule also those that many rules have.
+  sections=$(sed -nE 's/^  PARAMETER_GROUP\([A-Za-z]*, ([a-zA-Z]*),.*/\1/p' src/simulation/referee/Rules.h 2> /dev/null | paste -sd '|')
+  [[ $kind != rule || ! $sections ]] || sections=$(grep -ohE "\brules\.($sections)\b" "$@" | sed 's/rules\.//' | sort -u | list 9)
+  [[ $kind != rule || ! $sections ]] || text+="${text:+, }what it uses of $sections in src/simulation/referee/Rules.h"
   row parameters "${text:-none}"
 }
 pages() { # pattern; the page of its kind. Those that name modules as examples come last.
@@ -242,6 +246,7 @@ aboutRegistered() { # file
   row does "$(purpose "$main" "$stem")"
   source_ "$main"
   word="([\"'/=]|, |--[a-z-]+ |for [a-z]+ in .* |for [a-z]+ in )$name\b|\b$name[\"'\`]|\b$stem\b"
+  [[ ! $name =~ [a-z][A-Z] ]] || word="\b$name\b|\b$stem\b" # two words are no common word
   case $kind in
     platform)
       row modules "$(grep -rlE '^MODULE\(' "$(dirname "$file")" --include='*.h' | sed 's#.*/##; s#\.h$##' | sort | list 20)"
@@ -251,7 +256,7 @@ aboutRegistered() { # file
       word="\"$name\"|--platform $name\b|#include \"$(dirname "${file#src/}")/"
       ;;
     rule)
-      options "$main" "$file"
+      options "$file" "$main"
       data config/rules.yaml
       text="($name|$stem)"
       ;;
