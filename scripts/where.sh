@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# Tells where something is: its source, what it requires and provides, its parameters, data, tests and page.
+# Tells where something is: its source, what it requires and provides, its parameters, data, tests, page and results.
 #   scripts/where.sh NAME    a module, representation, motion, skill, effect, optimiser, engine, robot, platform, rule,
 #                            task of a search, excitation program, or else a class of a library
+# Tests that name it come first. Below them stand those that reach it otherwise: through its parts, through fixtures that name it,
+# over all of its kind, and in agents that run it.
 # A name that there is not: status 2, and the nearest names.
 # Example: scripts/where.sh SkillGetBall
 set -uo pipefail
@@ -19,7 +21,7 @@ export LC_ALL=C
 everything() {
   local files file base
   grep -rE '^(MODULE|REPRESENTATION|REPRESENTATION_OF)\(' src --include='*.h' |
-    sed -E 's/^([^:]*):(MODULE|REPRESENTATION)(_OF)?\(([A-Za-z0-9_]+).*/\2\t\4\t\1/; s/^MODULE/module/; s/^REPR[A-Z]*/representation/'
+    sed -E 's/^([^:]*):(MODULE|REPRESENTATION)(_OF)?\(([A-Za-z0-9_]+).*/\2\t\4\t\1/; s/^(MODULE|REPRESENTATION)/\L&/'
   # Words by which motions and skills are asked for: Base(Motion::walk), Base("bow"), or Base(name) with the constant above it.
   mapfile -t files < <(grep -rlE 'OutputBase\((Motion|Skill)?(::|"|name)' src --include='*.h')
   ((${#files[@]} == 0)) || awk '
@@ -101,7 +103,7 @@ parametersOf() { # section of doc/reference/parameters.md; many by group
       print n ": " many "; each with unit and range: " page
     }' doc/reference/parameters.md
 }
-declared() { awk -f scripts/where_parameters.awk "$@" 2> /dev/null | once | list 30; } # sources
+declared() { awk -f scripts/where_parameters.awk "$@" 2> /dev/null | awk -F = '!seen[$1]++' | list 30; } # sources
 # What can be set in sources, or else in headers that they include: of the folder above, or else of theirs.
 options() {
   local text headers folder sections
@@ -112,7 +114,8 @@ options() {
     [[ $text ]] || ((${#headers[@]} == 0)) || text=$(declared "${headers[@]}")
   done
   # Of a rule also those that many rules have.
-  sections=$(sed -nE 's/^  PARAMETER_GROUP\([A-Za-z]*, ([a-zA-Z]*),.*/\1/p' src/simulation/referee/Rules.h 2> /dev/null | paste -sd '|')
+  sections=$(sed -nE 's/^  PARAMETER_GROUP\([A-Za-z]*, ([a-zA-Z]*),.*/\1/p' src/simulation/referee/Rules.h 2> /dev/null |
+    paste -sd '|')
   [[ $kind != rule || ! $sections ]] || sections=$(grep -ohE "\brules\.($sections)\b" "$@" | sed 's/rules\.//' | sort -u | list 9)
   [[ $kind != rule || ! $sections ]] || text+="${text:+, }what it uses of $sections in src/simulation/referee/Rules.h"
   row parameters "${text:-none}"
@@ -156,7 +159,8 @@ parts() {
 }
 # Files of the configuration that sources read: by name, or in each folder of it.
 reads() {
-  local calls='config\.file\("[a-z_]+(/"|"\))|readWalkGaits\(config|readMotions\(config|findMechanism\(|directory\) / "[a-z_.]+"' read
+  local read calls='config\.file\("[a-z_]+(/"|"\))|readWalkGaits\(config|readMotions\(config|findMechanism\('
+  calls+='|directory\) / "[a-z_.]+"'
   grep -hoE "$calls" "$@" 2> /dev/null |
     sed -E 's/.*"(.*)".*/\1/; s/readWalk.*/walking/; s/readMotions.*/motions\//; s/findMech.*/robots\//; s/\.yaml$//' | sort -u |
     while read -r read; do
@@ -193,8 +197,10 @@ aboutModule() { # file
   # A unit test runs it by its header or by a line of a modules.cfg.
   uses="^#include \".*/$stem\.h\"|\b$stem\.yaml\b|ModuleHarness<(.*::)?$stem>"
   uses+="|(^|R\"\()$stem [A-Z][A-Za-z]+\$|\"$stem( [A-Z][A-Za-z]+)?\\\\n"
-  # Play modes are called so, too.
-  ! grep -rqsF "\"$stem\"" src/simspark || inScripts="[:/]$stem\b|\b$stem(\.yaml|:| [A-Z])"
+  # A play mode is called so, too, or it is a common word: then only where it stands as code does.
+  if [[ $stem =~ ^[A-Z][a-z]+$ ]] || grep -rqsF "\"$stem\"" src/simspark; then
+    inScripts="([:/]|--[a-z-]+[= ])$stem\b|\b$stem(\.yaml|:| [A-Z])" word="[\`:/\"]$stem\b|$inScripts"
+  fi
   tests
   text=$(pages "$word$([[ $name == "$stem" ]] || echo "|\`$name[ \`]")" "")
   echo "${text:-  page        none: what it does stands above; doc/how-to/add-a-module.md says how one is made}"
@@ -222,11 +228,12 @@ aboutRobot() { # file
 }
 
 aboutEffect() { # file
-  local file=$1 word first under unit label text pieces=()
+  local file=$1 word first under given=() label text pieces=()
   source_ "$file"
-  # An effect of the league has the unit of that of the diagnosis.
-  unit=$(grep -rslF ".id = \"$name\"" src/gap/effects | xargs -r sed -nE 's/^ *\.unit = "(.*)",.*/\1/p' | head -1)
-  while IFS=$'\t' read -r label text; do row "$label" "$text"; done < <(awk -v unit="$unit" -f scripts/where_effect.awk "$file")
+  # An effect of the league has unit and nominal value of that of the diagnosis.
+  mapfile -t given < <(grep -rslF ".id = \"$name\"" src/gap/effects |
+    xargs -r sed -nE 's/^ *\.(unit|nominal) = "?([^"]*)"?,.*/-v\n\1=\2/p')
+  while IFS=$'\t' read -r label text; do row "$label" "$text"; done < <(awk "${given[@]}" -f scripts/where_effect.awk "$file")
   row data none
   namedIn "\b$name\b"
   under=tests first="tests/$(dirname "${file#src/}")"

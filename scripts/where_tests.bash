@@ -76,8 +76,8 @@ overAll() { # kind, name, file
       # Kicks are played one after the other, and those that stand a robot up as it falls.
       ! grep -qE '^(kick|ball):' $3 || naming '\.motions\)' tests
       # MotionSelector's parameters name them.
-      ! grep -qsE "\b$2\b" <(sed -n '/^## MotionSelector/,/^## [^M]/p' doc/reference/parameters.md 2> /dev/null) config/MotionSelector.yaml \
-        config/robots/*/MotionSelector.yaml || naming '\bnextStandUp\(|\bstandUpTrial\(' tests
+      ! grep -qsE "\b$2\b" <(sed -n '/^## MotionSelector/,/^## [^M]/p' doc/reference/parameters.md 2> /dev/null) \
+        config/MotionSelector.yaml config/robots/*/MotionSelector.yaml || naming '\bnextStandUp\(|\bstandUpTrial\(' tests
       ;;
     "excitation program") naming '\b(hanging|floatingBase)Battery\(|contentsOf\("config/excitation"' tests ;;
     effect) naming '\beffects\(\)' tests && naming '\bgap"? diagnose ' tests/e2e ;;
@@ -88,7 +88,8 @@ overAll() { # kind, name, file
     rule) naming 'contentOf\("config/rules.yaml"|readRules\("config' tests ;;
     robot)
       naming 'directory_iterator\("config/robots"' tests
-      [[ $type == "$2" ]] || naming "\b(numSimsparkTypes|simsparkRobots)\(\)|\btype < 5|Range\(0, 5\)|for type in .*($type|\\$)" tests
+      [[ $type == "$2" ]] ||
+        naming "\b(numSimsparkTypes|simsparkRobots)\(\)|\btype < 5|Range\(0, 5\)|for type in .*($type|\\$)" tests
       ;;
   esac | grep -vE '\.h$|\.bash$' | sort -u
 }
@@ -96,12 +97,12 @@ overAll() { # kind, name, file
 # Prints the rows of tests. From its caller it has:
 # - kind, name and file; word, the pattern by which tests name it
 # - own, its own test; first, the folder of tests that come first; under, the folder of all [tests]
-# - uses, a pattern that the lines of unit tests must have; inScripts, one for scripts [both: word]
+# - uses, a pattern that the lines of unit tests must have; inScripts, one for all others [both: word]
 # - pieces, its parts; agents, the files of config/ that run it
 tests() {
   local all unit shared every programs runs benches mine
   all=$(naming "$word" "${under:-tests}")
-  [[ ! ${inScripts-} ]] || all=$(grep -E '\.(cpp|h)$' <<< "$all"; naming "$inScripts" "${under:-tests}" | grep -vE '\.(cpp|h)$')
+  [[ ! ${inScripts-} ]] || all=$(naming "$inScripts|${uses:-$word}" "${under:-tests}")
   mine=$(grep -xF "${own:-none}" <<< "$all")
   unit=$(unitTests <<< "$all")
   [[ ! ${uses-} || ! $unit ]] || unit=$(xargs grep -lE "$uses" <<< "$unit")

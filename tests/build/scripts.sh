@@ -101,7 +101,8 @@ printf 'far: 2\n' | tee config/Seer.yaml > config/robots/type3/Seer.yaml
 printf 'Seer Sight\n' > config/modules/perception.cfg
 printf 'include ../../modules/perception.cfg\n' > config/platforms/rig/modules.cfg
 printf '## Seer\n\n| `focus` | double | 0.5 | m | 0 … 1 | of the eye |\n' > doc/reference/parameters.md
-printf 'The Seer sees.\n' | tee doc/reference/{seeing,framework}.md doc/decisions/0001-eyes.md > doc/results/seen.md
+printf 'The `Seer` sees.\n' | tee doc/reference/{seeing,framework}.md doc/decisions/0001-eyes.md > doc/results/seen.md
+printf 'A Seer of old.\n' > doc/reference/legends.md # a common word is no module
 printf 'bin/agent --modules Seer\n' > tests/e2e/see.sh
 # Tests that run it with others: by a fixture, as one of all, in agents of its platform.
 printf 'std::string look() {\n  return R"(Seer Sight\n)";\n}\nstd::string lookAround() {\n  return look() + "";\n}\nint blind() {\n}\n' > tests/support/Eyes.cpp
@@ -134,7 +135,7 @@ expect "where: a module" "$text" 'module Seer
     in agents tests/e2e/*.sh: play plod
   page        doc/decisions/0001-eyes.md, doc/reference/seeing.md, doc/reference/framework.md
   results     doc/results/seen.md'
-rm -r doc/{reference/{seeing,framework},decisions/*,results/*}.md config/Seer.yaml config/robots/type3/Seer.yaml config/{glasses,night}.yaml config/{worlds,walks}
+rm -r doc/{reference/{seeing,framework,legends},decisions/*,results/*}.md config/Seer.yaml config/robots/type3/Seer.yaml config/{glasses,night}.yaml config/{worlds,walks}
 contains "where: what there is not" "$(scripts/where.sh Seer)" "  data        none
 "
 contains "where: no page" "$(scripts/where.sh Seer)" "  page        none: what it does stands above; doc/how-to/add-a-module.md says how one is made"
