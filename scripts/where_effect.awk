@@ -15,6 +15,7 @@ END {
   if ("sentence" in of) { does = of["sentence"]; gsub(/"|, *$/, "", does); gsub(/[{]at[}]/, "[its place]", does) }
   print "does\t" does
   place = list(("sites" in of) ? of["sites"] : of["site"])
+  sub(/OrEverywhere/, ", everywhere", place)
   print "at\t" (place == "" ? "joint" : place)
   if ("unit" in of) unit = list(of["unit"])
   lower = list(of["lower"]); own = list(of["nominal"])

@@ -98,9 +98,9 @@ overAll() { # kind, name, file
 # - kind, name and file; word, the pattern by which tests name it
 # - own, its own test; first, the folder of tests that come first; under, the folder of all [tests]
 # - uses, a pattern that the lines of unit tests must have; inScripts, one for all others [both: word]
-# - pieces, its parts; agents, the files of config/ that run it
+# - pieces, its parts, or of a keyframe motion who chooses it; agents, the files of config/ that run it
 tests() {
-  local all unit shared every programs runs benches mine
+  local label='  of parts' all unit shared every programs runs benches mine
   all=$(naming "$word" "${under:-tests}")
   [[ ! ${inScripts-} ]] || all=$(naming "$inScripts|${uses:-$word}" "${under:-tests}")
   mine=$(grep -xF "${own:-none}" <<< "$all")
@@ -113,7 +113,8 @@ tests() {
   row tests "$( (($(wc -l <<< "$unit") <= 12)) && list 12 <<< "$unit" || together <<< "$unit" | list 30)"
   # Situations and other data that its own test reads.
   [[ ! $mine ]] || row '' "$(grep -hoE '"tests/data/[a-z/]+' "$mine" | tr -d '"' | sed 's#/$##' | sort -u | list 4)"
-  row "  of parts" "$(testsOfParts "${pieces[@]}" | grep -vxF "${unit:-none}" | list 12)"
+  [[ $kind == key* ]] && label="  of users" # who chooses it
+  row "$label" "$(testsOfParts "${pieces[@]}" | grep -vxF "${unit:-none}" | list 12)"
   shared=$({ throughFixtures "${uses:-$word}" "$name"; [[ $kind != module ]] || besideConfigurations "$name"; } | sort -u |
     grep -vxF "${unit:-none}")
   row "  fixtures" "$(together <<< "$shared" | list 12)"

@@ -150,6 +150,12 @@ printf 'motion: blink\n' > config/Eyes.yaml
 text=$(scripts/where.sh blink)
 contains "where: a keyframe motion" "$text" "  data        config/motions/blink.yaml
   named in    config/Eyes.yaml"
+mkdir src/motion
+printf 'name = "blink";\n' > src/motion/Chooser.cpp
+mkdir tests/motion
+touch tests/motion/ChooserTest.cpp
+contains "where: who chooses it" "$(scripts/where.sh blink)" "    of users  tests/motion/ChooserTest.cpp"
+rm -r {src,tests}/motion
 contains "where: its mirror image" "$(scripts/where.sh blinkLeft)" "  mirrors     blink (scripts/where.sh blink)"
 mkdir -p src/{gap,simulation}/effects
 printf 'const Effect wobble{\n    .id = "wobble",\n    .unit = "rad",\n    .sites = {Site::link, Site::joint},\n    .lower = 0,\n    .upper = 2,\n    .sentence = "The link of {at} wobbles, "\n                "and more than the model.",\n};\nMAKE_EFFECT(wobble);\n' > src/gap/effects/Wobble.cpp
