@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
-# Tells where something is: its source, what it requires and provides, its parameters, data, tests and page.
+# Tells where something is: its source, what it requires and provides, its parameters, data, tests, page and results.
 #   scripts/where.sh NAME    a module, representation, motion, skill, effect, optimiser, engine, robot, platform, rule,
 #                            task of a search, excitation program, or else a class of a library
+# Tests that name it come first. Below them stand those that reach it otherwise: through its parts, through fixtures that name it,
+# over all of its kind, and in agents that run it.
 # A name that there is not: status 2, and the nearest names.
 # Example: scripts/where.sh SkillGetBall
 set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
+source "$(dirname "${BASH_SOURCE[0]}")/where_tests.bash"
 [[ ${1-} != -* ]] || { echo "where.sh: no option $1; see where.sh --help" >&2; exit 2; }
 [[ ${1-} ]] || { echo "where.sh: give a NAME; see where.sh --help" >&2; exit 2; }
 name=$1
@@ -18,7 +21,7 @@ export LC_ALL=C
 everything() {
   local files file base
   grep -rE '^(MODULE|REPRESENTATION|REPRESENTATION_OF)\(' src --include='*.h' |
-    sed -E 's/^([^:]*):(MODULE|REPRESENTATION)(_OF)?\(([A-Za-z0-9_]+).*/\2\t\4\t\1/; s/^MODULE/module/; s/^REPR[A-Z]*/representation/'
+    sed -E 's/^([^:]*):(MODULE|REPRESENTATION)(_OF)?\(([A-Za-z0-9_]+).*/\2\t\4\t\1/; s/^(MODULE|REPRESENTATION)/\L&/'
   # Words by which motions and skills are asked for: Base(Motion::walk), Base("bow"), or Base(name) with the constant above it.
   mapfile -t files < <(grep -rlE 'OutputBase\((Motion|Skill)?(::|"|name)' src --include='*.h')
   ((${#files[@]} == 0)) || awk '
@@ -29,25 +32,8 @@ everything() {
       print (FILENAME ~ /\/skills\// ? "skill" : "motion") "\t" word "\t" FILENAME
     }' "${files[@]}"
   # What registers itself from a source: MAKE_X(Identifier, ..."name"), effects with .id = "name".
-  mapfile -t files < <(grep -rlE '^MAKE_(EFFECT|LEAGUE_EFFECT|OPTIMIZER|PHYSICS|ROBOT_SIMULATION|PLATFORM|RULE|TASK|SPECIAL_MODULE)\(' src --include='*.cpp')
-  ((${#files[@]} == 0)) || awk '
-    BEGIN {
-      kind["EFFECT"] = "effect"; kind["LEAGUE_EFFECT"] = "effect of the league"; kind["OPTIMIZER"] = "optimiser"
-      kind["PHYSICS"] = "physics engine"; kind["ROBOT_SIMULATION"] = "engine for servo robots"; kind["PLATFORM"] = "platform"
-      kind["RULE"] = "rule"; kind["TASK"] = "task"; kind["SPECIAL_MODULE"] = "module"
-    }
-    function put() { if (what) print kind[what] "\t" named "\t" file; what = "" }
-    FNR == 1 { put(); id = "" }
-    /\.id = "/ { split($0, part, "\""); id = part[2] }
-    /^MAKE_[A-Z_]+\(/ {
-      put(); what = $0; sub(/^MAKE_/, "", what); sub(/\(.*/, "", what)
-      if (!(what in kind)) { what = ""; next }
-      named = $0; sub(/^[^(]*\(/, "", named); sub(/[,) ].*/, "", named); gsub(/"/, "", named); file = FILENAME; lines = 0
-      if (what ~ /EFFECT/) { named = id; put() }
-    }
-    what && index($0, "\"") { split($0, part, "\""); named = part[2]; put() }
-    what && ++lines > 3 { put() }
-    END { put() }' "${files[@]}"
+  mapfile -t files < <(grep -rlE '^MAKE_[A-Z_]+\(' src --include='*.cpp')
+  ((${#files[@]} == 0)) || awk -f scripts/where_names.awk "${files[@]}"
   for file in config/motions/*.yaml config/robots/*/motions/*.yaml config/excitation/*.yaml config/robots/*.json; do
     [[ -e $file ]] || continue
     base=${file##*/}
@@ -71,28 +57,11 @@ named() {
   awk -F '\t' -v name="$name" '$2 == name' <<< "$1" | grep . || awk -F '\t' -v name="$name" 'tolower($2) == tolower(name)' <<< "$1"
 }
 found=$(named "$index")
+[[ $found || $name != type[0-9]* ]] || { name=simspark_$name; found=$(named "$index"); } # a league's robot by its folder
 [[ $found ]] || found=$(named "$(classes)")
 if [[ ! $found ]]; then
   names=$({ echo "$index"; classes; } | cut -f 2 | sort -u)
-  near=$(awk -v name="$name" '
-    function distance(a, b,   i, j, d, c) {
-      for (j = 0; j <= length(b); ++j) d[0, j] = j
-      for (i = 1; i <= length(a); ++i) {
-        d[i, 0] = i
-        for (j = 1; j <= length(b); ++j) {
-          c = d[i - 1, j - 1] + (substr(a, i, 1) != substr(b, j, 1))
-          if (d[i - 1, j] + 1 < c) c = d[i - 1, j] + 1
-          if (d[i, j - 1] + 1 < c) c = d[i, j - 1] + 1
-          d[i, j] = c
-        }
-      }
-      return d[length(a), length(b)]
-    }
-    {
-      d = distance(tolower(name), tolower($0))
-      if (length(name) > 3 && index(tolower($0), tolower(name))) d = 1
-      if (d <= (length(name) < 3 ? 1 : length(name) / 3)) print d "\t" $0
-    }' <<< "$names" | sort -n -k1,1 -k2 | cut -f 2)
+  near=$(awk -v name="$name" -f scripts/where_near.awk <<< "$names")
   # Names that share a word with it.
   words=$(sed -E 's/([a-z0-9])([A-Z])/\1 \2/g; s/[_-]/ /g' <<< "$name" | tr ' ' '\n' | grep -E '.{3}' | while read -r word; do
     grep -iF -- "$word" <<< "$names"
@@ -113,7 +82,7 @@ inputs() { # header: what the module requires
     s/^ *USES\((.*)\).*/\1 (of the cycle before)/p; s/^ *USES_ALL\((.*)\).*/all \1 (of the cycle before)/p }' "$1" | list 99
 }
 outputs() { sed -nE 's/^ *PROVIDES\((.*)\).*/\1/p' "$1" | list 99; }
-with() { grep -rlE "^ *$1\($2\)" src/modules --include='*.h' | sed 's#.*/##; s#\.h$##' | sort | list 8; } # macro, name
+with() { grep -rlE "^ *$1\($2\)" src/modules --include='*.h' | sed 's#.*/##; s#\.h$##' | sort | list 12; } # macro, name
 parametersOf() { # section of doc/reference/parameters.md; many by group
   [[ -e doc/reference/parameters.md ]] || return 0
   awk -F ' *[|] *' -v wanted="## $1" '
@@ -123,60 +92,41 @@ parametersOf() { # section of doc/reference/parameters.md; many by group
       if (!sub(/\..*/, "", group)) group = "on its own"
       if (!(group in of)) order[++groups] = group
       ++of[group]
-      text = text (n++ ? ", " : "") path "=" ($4 == "" ? "\"\"" : $4) ($5 == "" ? "" : " " $5)
+      text = text (n++ ? ", " : "") path "=" ($4 == "" ? "\"\"" : $4) ($5 == "" ? "" : " " $5) ($6 == "" ? "" : " (" $6 ")")
     }
     END {
       if (!n) exit
-      if (n <= 45) { print text; exit }
+      page = "doc/reference/parameters.md#" tolower(substr(wanted, 4))
+      gsub(/ … /, "…", text)
+      if (n <= 45) { print text "; what each does: " page; exit }
       for (i = 1; i <= groups; ++i) many = many (i > 1 ? ", " : "") of[order[i]] " " order[i]
-      print n ": " many "; doc/reference/parameters.md#" tolower(substr(wanted, 4))
+      print n ": " many "; each with unit and range: " page
     }' doc/reference/parameters.md
 }
-declared() { # sources: the macros in them
-  sed -nE 's/^ *PARAMETER\([^,]*, *([A-Za-z0-9_]+), *([^,]*),.*/\1=\2/p' "$@" 2> /dev/null | list 30
+declared() { awk -f scripts/where_parameters.awk "$@" 2> /dev/null | awk -F = '!seen[$1]++' | list 30; } # sources
+# What can be set in sources, or else in headers that they include: of the folder above, or else of theirs.
+options() {
+  local text headers folder sections
+  text=$(declared "$@")
+  folder=$(dirname "${1#src/}")
+  for folder in "${folder%/*}" "$folder"; do
+    mapfile -t headers < <(cat "$@" | sed -nE "s#^\#include \"($folder/[^/\"]*)\"#src/\1#p" | sort -u)
+    [[ $text ]] || ((${#headers[@]} == 0)) || text=$(declared "${headers[@]}")
+  done
+  # Of a rule also those that many rules have.
+  sections=$(sed -nE 's/^  PARAMETER_GROUP\([A-Za-z]*, ([a-zA-Z]*),.*/\1/p' src/simulation/referee/Rules.h 2> /dev/null |
+    paste -sd '|')
+  [[ $kind != rule || ! $sections ]] || sections=$(grep -ohE "\brules\.($sections)\b" "$@" | sed 's/rules\.//' | sort -u | list 9)
+  [[ $kind != rule || ! $sections ]] || text+="${text:+, }what it uses of $sections in src/simulation/referee/Rules.h"
+  row parameters "${text:-none}"
 }
-ofFile() { sed -nE 's/^ *\.(unit|lower|upper) = "?([^",]*)"?,.*/\1 \2/p' "$1" | list 9; } # an effect's value
-
-# Files that name something: pattern; folder of tests.
-naming() {
-  grep -rlE "$1" "$2" --include='*.cpp' --include='*.h' --include='*.sh' --include='*.bash' --include='*.mjs' --exclude-dir=data \
-    --exclude-dir=build | sort
-}
-# Unit tests of parts (headers): those beside them and those that include them.
-testsOfParts() {
-  local piece test base
-  for piece; do
-    test=tests/${piece#src/} test=${test%.h}Test.cpp
-    [[ ! -e $test ]] || echo "$test"
-    # What is common to many is tested in its own folder.
-    base=tests/$(cut -d/ -f2 <<< "$piece")
-    [[ ! -d $base ]] || grep -rlF "#include \"${piece#src/}\"" "$base" --include='*Test.cpp' | sort
-  done | awk '!seen[$0]++'
-}
-# Pattern of what tests name it by; its own test; folder of tests [tests]; pattern of a line that its unit tests have; folder of
-# those that come first; its parts.
-tests() {
-  local all own unit parts=("${@:6}")
-  all=$(naming "$1" "${3:-tests}")
-  own=${2:+$(grep -xE "$2" <<< "$all")}
-  unit=$(grep -E '^tests/(.*/)?[^/]*Test\.cpp$' <<< "$all" | grep -vE '^tests/(e2e|bench)/')
-  [[ ! ${4-} || ! $unit ]] || unit=$(xargs grep -lE "$4" <<< "$unit")
-  # Those of the source's folder first, then by how often they name it.
-  unit=$({ grep -E "^${5:-none}/" <<< "$unit"
-    xargs -r grep -HcE "$1" <<< "$unit" | sort -t : -k2,2nr -k1,1 | cut -d : -f 1; } | awk 'NF && !seen[$0]++')
-  unit=$(printf '%s\n' "$own" "$unit" | awk 'NF && !seen[$0]++')
-  row tests "$(list 9 <<< "$unit")"
-  # Situations and other data that its own tests read.
-  [[ ! $own ]] || row '' "$(grep -hoE '"tests/data/[a-z/]+' $own | tr -d '"' | sed 's#/$##' | sort -u | list 4)"
-  row "  of parts" "$(testsOfParts "${parts[@]}" | grep -vxF "${unit:-none}" | list 9)"
-  row end-to-end "$(grep -E '^tests/e2e/' <<< "$all" | list 6)"
-  row benchmarks "$(grep -E '^tests/bench/' <<< "$all" | list 3)"
-}
-pages() { # pattern; the page of its kind; module: without those that name modules as examples
-  local all examples="framework|modules-cfg|platforms|find-a-fault|debug-a-running-agent|log-and-replay|add-[a-z-]*"
-  all=$({ grep -rcE "$1" doc/reference doc/how-to doc/tutorials --include='*.md' 2> /dev/null |
-    grep -vE "(parameters|glossary${3:+|$examples})\\.md:|:0\$" | sort -t : -k2,2nr -k1,1 | cut -d : -f 1 | head -3; [[ ! -e $2 ]] || echo "$2"; } | awk '!seen[$0]++' | list 4)
-  row page "$all"
+pages() { # pattern; the page of its kind. Those that name modules as examples come last.
+  local all examples='(framework|modules-cfg|find-a-fault|debug-a-running-agent|log-and-replay|add-a-module)\.md:'
+  all=$(grep -rcE "$1" doc/reference doc/how-to doc/tutorials doc/decisions --include='*.md' 2> /dev/null |
+    grep -vE "(parameters|glossary)\\.md:|:0\$" | sort -t : -k2,2nr -k1,1)
+  all=$(grep -vE "$examples" <<< "$all"; [[ ! -e $2 ]] || echo "$2"; grep -E "$examples" <<< "$all")
+  row page "$(cut -d : -f 1 <<< "$all" | once | list 12)"
+  row results "$(grep -rlE "$1" doc/results 2> /dev/null | grep -vE "/(gap-diary|coverage|mutation)\." | sort | list 6)"
 }
 source_() { # files
   local file text=
@@ -185,133 +135,232 @@ source_() { # files
 }
 data() { # files; "none" is an answer, too
   local text
-  text=$(printf '%s\n' "$@" | awk 'NF && !seen[$0]++' | list 9)
+  text=$(printf '%s\n' "$@" | once | list 20)
   row data "${text:-none}"
 }
-# The comment above a module's declaration, or that of a class: what it does.
+# Files of the configuration that name something but for its own: pattern, its own files.
+namedIn() { row "named in" "$(grep -rlE "$1" config --include='*.yaml' | grep -vxF "$(printf '%s\n' "${@:2}")" | sort | list 9)"; }
+# The comment above a module's or a representation's declaration, or that of a class, else the header's first: what it does.
 purpose() { # header; class
-  awk -v wanted="${2+^(class|struct|enum class) $2( |\$)}" '
+  awk -v wanted="${2+^(class|struct|enum class) $2( |\$)|^REPRESENTATION(_OF)?[(]$2[,)]}" '
     /^ *\/\/\/  / { next }  # an example
     /^ *\/\/\/( |$)/ { sub(/^ *\/\/\/ */, ""); text = text (text == "" || $0 == "" ? "" : " ") $0; next }
-    (wanted == "" ? /^(MODULE\(|class )/ : $0 ~ wanted) && text != "" { print text; exit }
-    { text = "" }' "$1"
+    (wanted == "" ? /^(MODULE\(|REPRESENTATION|class )/ : $0 ~ wanted) && text != "" { found = 1; print text; exit }
+    text != "" && first == "" && !/^ *[^ ]* *= / { first = text }
+    { text = "" }
+    END { if (!found && wanted != "" && first != "") print first }' "$1"
 }
 # Headers of a module's own parts: what it includes that is no module and is not common to all, from its area or a library.
 parts() {
-  cat "$@" 2> /dev/null | sed -nE 's/^#include "([^"]*)".*/\1/p' | grep -vE "^(representations|framework|math|field|parameters|robot|motion)/" |
+  sed -nE 's/^#include "([^"]*)".*/\1/p' "$@" 2> /dev/null | grep -vE "^(representations|framework|math|field|parameters|robot)/" |
     while read -r header; do
       [[ -e src/$header && " $* " != *" src/$header "* ]] && ! grep -qE '^MODULE\(|OutputBase\(' "src/$header" && echo "src/$header"
-    done | awk '!seen[$0]++'
+    done | once
 }
-# Files of the configuration that sources read.
+# Files of the configuration that sources read: by name, or in each folder of it.
 reads() {
-  grep -hoE 'config\.file\("[a-z_]+(/"|"\))|readWalkGaits\(config|readMotions\(config' "$@" 2> /dev/null |
-    sed -E 's/.*"(.*)".*/\1/; s/readWalk.*/walking/; s/readMotions.*/motions\//' | sort -u | while read -r read; do
-      if [[ $read == */ ]]; then find config -type d -path "*/${read%/}" | sed 's#$#/#'
+  local read calls='config\.file\("[a-z_]+(/"|"\))|readWalkGaits\(config|readMotions\(config|findMechanism\('
+  calls+='|directory\) / "[a-z_.]+"'
+  grep -hoE "$calls" "$@" 2> /dev/null |
+    sed -E 's/.*"(.*)".*/\1/; s/readWalk.*/walking/; s/readMotions.*/motions\//; s/findMech.*/robots\//; s/\.yaml$//' | sort -u |
+    while read -r read; do
+      if [[ -d config/${read%/} ]]; then find config -type d -path "*/${read%/}" | sed 's#$#/#'
       else find config -maxdepth 3 -name "$read.yaml" | grep -vE '^config/(walks|optimisation)/'; fi
-    done | sort
+    done | sort -u
+}
+
+aboutModule() { # file
+  local file=$1 own uses text files agents pieces=() stem=$name
+  if [[ $file == *.cpp ]]; then
+    stem=$(basename "$file" .cpp)
+    [[ ! -e ${file%.cpp}.h ]] || row does "$(purpose "${file%.cpp}.h" "$stem")"
+    source_ "$file"
+    row line "[$name] in modules.cfg: doc/reference/modules-cfg.md"
+  else
+    row does "$(purpose "$file")"
+    source_ "$file"
+    mapfile -t pieces < <(parts "$file" "${file%.h}.cpp")
+    row parts "$(printf '%s\n' "${pieces[@]}" | awk NF | list 9)"
+    row requires "$(inputs "$file")"
+    row provides "$(outputs "$file")"
+  fi
+  text=$(parametersOf "$stem")
+  text=${text:-$(declared -v macros=1 "$file")}
+  # Its own file, and what it and its parts read.
+  mapfile -t files < <(find config -name "$stem.yaml" | sort; reads "${file%.*}.cpp" "${pieces[@]/%.h/.cpp}")
+  [[ $text || ${files[0]-} != */$stem.yaml ]] || text="the keys of ${files[0]}"
+  row parameters "${text:-none}"
+  data "${files[@]}"
+  mapfile -t agents < <(grep -rlE "^ *$name( |\$)" config --include='*.cfg' | sort)
+  row "runs by" "$(printf '%s\n' "${agents[@]}" | list 6)"
+  word="\b$stem\b" own="tests/$(dirname "${file#src/}")/${stem}Test.cpp"
+  # A unit test runs it by its header or by a line of a modules.cfg.
+  uses="^#include \".*/$stem\.h\"|\b$stem\.yaml\b|ModuleHarness<(.*::)?$stem>"
+  uses+="|(^|R\"\()$stem [A-Z][A-Za-z]+\$|\"$stem( [A-Z][A-Za-z]+)?\\\\n"
+  # A play mode is called so, too, or it is a common word: then only where it stands as code does.
+  if [[ $stem =~ ^[A-Z][a-z]+$ ]] || grep -rqsF "\"$stem\"" src/simspark; then
+    inScripts="([:/]|--[a-z-]+[= ])$stem\b|\b$stem(\.yaml|:| [A-Z])" word="[\`:/\"]$stem\b|$inScripts"
+  fi
+  tests
+  text=$(pages "$word$([[ $name == "$stem" ]] || echo "|\`$name[ \`]")" "")
+  echo "${text:-  page        none: what it does stands above; doc/how-to/add-a-module.md says how one is made}"
+}
+
+aboutRobot() { # file
+  local file=$1 folder=${name#simspark_} files type word pieces=() traces
+  mapfile -t files < <(echo "$file"; find config -type f -path "*/$folder/*" 2> /dev/null | sort)
+  data "${files[@]}"
+  traces=$(find tests/data -name "*_$folder.*" -o -name "*_${folder/type/t}.*" 2> /dev/null | sort)
+  row recordings "$({ echo "$traces"; grep -rslE "\"robot\": *\"$name\"" tests/data --include=run.json | xargs -r dirname; } |
+    awk NF | together | list 8)"
+  row source "src/robot/$([[ $name == "$folder" ]] || echo ", src/simspark/LeagueRobots.h and .cpp")"
+  row parameters "none: links, joints, limits and servos stand in its file (doc/reference/robot-files.md)"
+  namedIn "\b$name\b" "${files[@]}"
+  word="\b$name\b"
+  if [[ $name != "$folder" ]]; then
+    type=${folder#type}
+    word+="|robots/$folder\b|(simsparkRobot|leagueRobot)\($type\)|Trial [a-z]+[({]$type[)}]|--type $type\b"
+    traces=$(sed -E 's#.*/##; s#\..*##' <<< "$traces" | once | paste -sd '|')
+    [[ ! $traces ]] || word+="|\b($traces)\b"
+  fi
+  tests
+  pages "\b($name|$folder)\b" doc/reference/robot-files.md
+}
+
+aboutEffect() { # file
+  local file=$1 word first under given=() label text pieces=()
+  source_ "$file"
+  # An effect of the league has unit and nominal value of that of the diagnosis.
+  mapfile -t given < <(grep -rslF ".id = \"$name\"" src/gap/effects |
+    xargs -r sed -nE 's/^ *\.(unit|nominal) = "?([^"]*)"?,.*/-v\n\1=\2/p')
+  while IFS=$'\t' read -r label text; do row "$label" "$text"; done < <(awk "${given[@]}" -f scripts/where_effect.awk "$file")
+  row data none
+  namedIn "\b$name\b"
+  under=tests first="tests/$(dirname "${file#src/}")"
+  [[ $kind == effect ]] || under=tests/simulation
+  # A name of two words is no common word.
+  word="\"$name\"|\b$(basename "$file" .cpp | sed 's/^./\L&/')\b"
+  [[ $name != *_* ]] || word="\b$name\b|$word"
+  tests
+  pages "\b$name\b" doc/how-to/add-an-effect.md
+}
+
+# What registers itself besides: optimisers, engines, platforms, rules, tasks.
+aboutRegistered() { # file
+  local file=$1 stem own word text=$name files pieces=() main=$1
+  stem=$(basename "$file" .cpp) own="tests/$(dirname "${file#src/}")/${stem}Test.cpp"
+  [[ ! -e ${file%.cpp}.h ]] || main=${file%.cpp}.h
+  row does "$(purpose "$main" "$stem")"
+  source_ "$main"
+  word="([\"'/=]|, |--[a-z-]+ |for [a-z]+ in .* |for [a-z]+ in )$name\b|\b$name[\"'\`]|\b$stem\b"
+  [[ ! $name =~ [a-z][A-Z] ]] || word="\b$name\b|\b$stem\b" # two words are no common word
+  case $kind in
+    platform)
+      row modules "$(grep -rlE '^MODULE\(' "$(dirname "$file")" --include='*.h' | sed 's#.*/##; s#\.h$##' | sort | list 20)"
+      row parameters "none: options stand in bin/agent --platform $name --help"
+      agents=(config/platforms/"$name"/*)
+      data "${agents[@]}"
+      word="\"$name\"|--platform $name\b|#include \"$(dirname "${file#src/}")/"
+      ;;
+    rule)
+      options "$file" "$main"
+      data config/rules.yaml
+      text="($name|$stem)"
+      ;;
+    task)
+      row parameters "its options stand in the comment above and in bin/optserver --help"
+      mapfile -t files < <(find config/optimisation -name "$name.yaml")
+      data "${files[@]}"
+      namedIn "^task: $name\b" "${files[@]}"
+      word="task: *$name\b|--task $name\b|\b$stem\b" text="(task: $name|$stem)"
+      ;;
+    *)
+      options "$main" "$file"
+      row data none
+      [[ $kind != optimiser ]] || namedIn "^optimizer: $name\b"
+      [[ $kind != *engine* ]] || namedIn "engine: $name\b"
+      ;;
+  esac
+  tests
+  case $kind in
+    optimiser) pages "\b$text\b" doc/how-to/add-an-optimiser.md ;;
+    *engine*) pages "\b(${text}|${text^})\b" doc/how-to/add-an-engine.md ;;
+    platform) pages "\b$text\b" doc/how-to/add-a-platform.md ;;
+    rule) pages "\b$text\b" doc/reference/rules.md ;;
+    *) pages "\b$text\b" doc/how-to/optimise-a-motion.md ;;
+  esac
 }
 
 about() { # kind, name, files
-  local kind=$1 name=$2 file=$3
-  shift 2
-  local all=("$@") word="([\"'/=]|--[a-z-]+ )$name\b" stem files text piece pieces=()
+  local kind=$1 name=$2 file=$3 all=("${@:3}") stem text page files
+  local word own='' uses='' inScripts='' first='' under='' pieces=() agents=() # what tests() takes
   case $kind in
-    module)
-      if [[ $file == *.cpp ]]; then source_ "$file"; row line "[$name] in modules.cfg: doc/reference/modules-cfg.md"; stem=$(basename "$file" .cpp)
-      else
-        row does "$(purpose "$file")"
-        source_ "$file"
-        stem=$name
-        mapfile -t pieces < <(parts "$file" "${file%.h}.cpp")
-        row parts "$(printf '%s\n' "${pieces[@]}" | awk NF | list 8)"
-        row requires "$(inputs "$file")"
-        row provides "$(outputs "$file")"
-      fi
-      text=$(parametersOf "$stem")
-      text=${text:-$(declared "$file")}
-      row parameters "${text:-none}"
-      # Its own file, and what it and its parts read.
-      mapfile -t files < <(find config -name "$stem.yaml" | sort; reads "${file%.*}.cpp" "${pieces[@]/%.h/.cpp}")
-      data "${files[@]}"
-      row "runs by" "$(grep -rlE "^ *$name( |\$)" config --include='*.cfg' | sort | list 6)"
-      tests "\b$stem\b" "tests/$(dirname "${file#src/}")/${stem}Test.cpp" '' "^#include \".*/$stem\.h\"|ModuleHarness<(.*::)?$stem>" '' "${pieces[@]}"
-      text=$(pages "\b$stem\b" "" module)
-      echo "${text:-  page        none: what it does stands above; doc/how-to/add-a-module.md says how one is made}"
-      ;;
+    module) aboutModule "$file" ;;
     representation)
+      row does "$(purpose "$file" "$name")"
       source_ "$file"
+      row fields "$(sed -nE "/^REPRESENTATION(_OF)?\\($name[,)]/,/^};/p" "$file" | grep -oE '\bSTREAM\("?\w+' |
+        sed -E 's/.*\("?//' | list 30)"
       row "provided by" "$(with PROVIDES "$name")"
-      row "required by" "$(with '(REQUIRES|USES|REQUIRES_IF_PROVIDED)' "$name")"
-      tests "\b$name\b" ''
+      row "required by" "$(with '(REQUIRES|REQUIRES_IF_PROVIDED)' "$name")"
+      row "used by" "$(with USES "$name")"
+      text=$(sed -nE 's/^REPRESENTATION_OF\(\w+, *(\w+)\).*/\1/p' "$file")
+      namedIn "\b$name\b"
+      row "of a kind" "${text:+$text, all of which are required by $(with '(REQUIRES_ALL|USES_ALL)' "$text")}"
+      word="\b$name\b"
+      tests
       text=$(grep -rlE "^ *PROVIDES\($name\)" src/modules --include='*.h' | sed 's#.*/##; s#\.h$##' | paste -sd '|')
       pages "\b($name${text:+|$text})\b" doc/how-to/add-a-module.md
       ;;
     class)
-      row does "$(purpose "$file" "$exact")"
+      row does "$(purpose "$file" "$name")"
       source_ "$file"
       row "included by" "$(grep -rlF "#include \"${file#src/}\"" src | grep -vxF "${file%.h}.cpp" | sort | list 9)"
       row parameters "$(declared "$file")"
-      tests "#include \"${file#src/}\"" "$(sed 's#^src/#tests/#; s#\.h$#Test.cpp#' <<< "$file")"
-      pages "\b$name\b" ""
+      word="#include \"${file#src/}\"" own=$(sed 's#^src/#tests/#; s#\.h$#Test.cpp#' <<< "$file")
+      tests
+      text=$(pages "\b$name\b" "")
+      echo "${text:-  page        none: what it does stands above}"
       ;;
     motion | skill)
       stem=$(sed -nE 's/.*[ (](\w+)OutputBase\(.*/\1Output/p' "$file" | head -1)
+      row does "$(purpose "$file")"
       source_ "$file"
-      row "provided by" "$(with PROVIDES "$stem" | sed -E 's#(\w+)#\1 (scripts/where.sh \1)#g')"
-      pages "\b$name\b" doc/how-to/add-a-behaviour.md
+      text=$(with PROVIDES "$stem")
+      row "provided by" "$(sed -E 's#(\w+)#\1 (its parameters and data: scripts/where.sh \1)#g' <<< "$text")"
+      row tests "$(for stem in ${text//,/}; do find tests -name "${stem}Test.cpp"; done | list 9)"
+      pages "([\`\"]|$kind )$name\b" doc/how-to/add-a-behaviour.md
       ;;
     "keyframe motion" | "excitation program")
-      text=doc/how-to/add-a-motion.md stem="src/motion/, src/modules/motion/"
-      [[ $kind == key* ]] || text=doc/reference/excitation-programs.md stem=src/gap/record/
       files=("config/optimisation/$name.yaml")
       [[ -e ${files[0]} ]] || files=()
       data "${all[@]}" "${files[@]}"
-      row source "$stem"
-      if [[ $kind == key* ]]; then
-        stem=SpecialActions
-        ! grep -qE '^(kick|ball):' "$file" || stem=KickMotion
-        row "played by" "$stem (scripts/where.sh $stem)"
-        row parameters "none: its times, angles and keys stand in its files ($text)"
-      fi
       # A name of two words is no common word.
-      [[ ! $name =~ [a-z][A-Z] ]] || word="\\b$name\\b"
-      tests "$word" ''
-      pages "\b$name\b" "$text"
-      row results "$(grep -rlE "\b$name\b" doc/results 2> /dev/null | grep -v diary | sort | list 4)"
+      word="([\"'/=\`]|--[a-z-]+ )$name\b"
+      [[ ! $name =~ [a-z][A-Z]|_ ]] || word="\\b$name\\b"
+      if [[ $kind == key* ]]; then namedIn "[:[,] *$name\b" "${all[@]}" "${files[@]}"; else namedIn "\b$name\b" "${all[@]}"; fi
+      if [[ $kind == key* ]]; then
+        page=doc/how-to/add-a-motion.md stem=SpecialActions
+        ! grep -qE '^(kick|ball):' "$file" || stem=KickMotion
+        row source "src/motion/, src/modules/motion/"
+        row mirrors "$(sed -nE 's/^mirror: *([A-Za-z0-9_]+).*/\1 (scripts\/where.sh \1)/p' "$file")"
+        mapfile -t pieces < <(grep -rslF "\"$name\"" src/motion src/modules src/training | sort)
+        row "chosen by" "$(printf '%s\n' "${pieces[@]}" | list 6)"
+        pieces=("${pieces[@]/%.cpp/.h}")
+        row "played by" "$stem (scripts/where.sh $stem)"
+        row parameters "none: its times, angles and keys stand in its files ($page)"
+      else
+        page=doc/reference/excitation-programs.md
+        row source src/gap/record/
+        row "chosen by" "$(grep -rlE "\"$name\"" src --include='*.h' --include='*.cpp' | sort | list 6)"
+        row parameters "none: all stands in its file ($page)"
+      fi
+      tests
+      pages "$word" "$page"
       ;;
-    robot)
-      mapfile -t files < <(find "config/robots/${name#simspark_}" -type f 2> /dev/null | sort)
-      data "${all[@]}" "${files[@]}"
-      row source "src/robot/"
-      tests "$word" ''
-      pages "\b$name\b" doc/reference/robot-files.md
-      ;;
-    effect*)
-      source_ "${all[@]}"
-      row does "$(sed -nE '/\.sentence = /,/",/p' "$file" | tr -d '\n' | sed -E 's/^[^"]*"//; s/" *"//g; s/",.*//')"
-      row at "$(sed -nE 's/^ *\.sites = \{(.*)\},.*/\1/p' "$file" | sed 's/Site:://g')"
-      row value "$(ofFile "$file")"
-      text=tests
-      [[ $kind == effect ]] || text=tests/simulation
-      tests "\"$name\"|\b$(basename "$file" .cpp | sed 's/^./\L&/')\b" '' "$text" '' "tests/$(dirname "${file#src/}")"
-      pages "\b$name\b" doc/how-to/add-an-effect.md
-      ;;
-    *)
-      files=("${all[@]}")
-      [[ ! -e ${file%.cpp}.h ]] || files=("${file%.cpp}.h")
-      source_ "${files[@]}"
-      row parameters "$(declared "${files[@]}" "$file" | head -1)"
-      [[ $kind != platform ]] || { data "config/platforms/$name/modules.cfg"; word="\"$name\"|--platform $name"; }
-      tests "$word|\b$(basename "$file" .cpp)\b" "tests/$(dirname "${file#src/}")/$(basename "$file" .cpp)Test.cpp"
-      case $kind in
-        optimiser) pages "\b$name\b" doc/how-to/add-an-optimiser.md ;;
-        *engine*) pages "\b$name\b" doc/how-to/add-an-engine.md ;;
-        platform) pages "\b$name\b" doc/how-to/add-a-platform.md ;;
-        rule) pages "\b$name\b" doc/reference/rules.md ;;
-        *) pages "\b$name\b" doc/how-to/optimise-a-motion.md ;;
-      esac
-      ;;
+    robot) aboutRobot "$file" ;;
+    effect*) aboutEffect "$file" ;;
+    *) aboutRegistered "$file" ;;
   esac
 }
 

@@ -87,23 +87,34 @@ printf '#include "modules/perception/Seer.h"\n' > tests/modules/perception/SeerT
 scripts/check_floors.sh || fail "a module with its test refused"
 
 # Where something is.
-mkdir -p config/{modules,motions,robots/type0} doc/reference tests/e2e src/representations/perception
+mkdir -p config/{modules,motions,robots/type3/motions,platforms/rig} doc/{reference,decisions,results} tests/{e2e,support,data/samples} src/representations/perception
 mkdir -p {src,tests}/modules/perception/eye
 sed -i '/^MODULE/i #include "modules/perception/eye/Lens.h"\n\n/// Sees what\n/// is far.' src/modules/perception/Seer.h
 printf '/// Bends light.\nclass Lens {};\n' > src/modules/perception/eye/Lens.h
 printf '#include "modules/perception/eye/Lens.h"\n' |
   tee tests/modules/perception/eye/LensTest.cpp > tests/modules/perception/ViewTest.cpp
 printf '// As Seer does.\n' > tests/modules/perception/OtherTest.cpp
-printf 'config.file("worlds/" + name); config.file("glasses")\n' > src/modules/perception/Seer.cpp
-mkdir -p config/worlds config/walks/type0
-touch config/glasses.yaml config/walks/type0/glasses.yaml
-printf 'far: 2\n' | tee config/Seer.yaml > config/robots/type0/Seer.yaml
+printf 'config.file("worlds/" + name); config.file("glasses"); path(directory) / "night.yaml";\n' > src/modules/perception/Seer.cpp
+mkdir -p config/worlds config/walks/type3
+touch config/{glasses,night}.yaml config/walks/type3/glasses.yaml
+printf 'far: 2\n' | tee config/Seer.yaml > config/robots/type3/Seer.yaml
 printf 'Seer Sight\n' > config/modules/perception.cfg
+printf 'include ../../modules/perception.cfg\n' > config/platforms/rig/modules.cfg
 printf '## Seer\n\n| `focus` | double | 0.5 | m | 0 … 1 | of the eye |\n' > doc/reference/parameters.md
-printf 'The Seer sees.\n' > doc/reference/seeing.md
+printf 'The `Seer` sees.\n' | tee doc/reference/{seeing,framework}.md doc/decisions/0001-eyes.md > doc/results/seen.md
+printf 'A Seer of old.\n' > doc/reference/legends.md # a common word is no module
 printf 'bin/agent --modules Seer\n' > tests/e2e/see.sh
-printf 'REPRESENTATION(Sight)\n' > src/representations/perception/Sight.h
+# Tests that run it with others: by a fixture, as one of all, in agents of its platform.
+printf 'std::string look() {\n  return R"(Seer Sight\n)";\n}\nstd::string lookAround() {\n  return look() + "";\n}\nint blind() {\n}\n' > tests/support/Eyes.cpp
+for call in lookAround blind; do printf '#include "support/Eyes.h"\n%s();\n' $call > tests/modules/perception/${call^}Test.cpp; done
+printf 'Registry::instance().modules()\n' > tests/modules/EachTest.cpp
+printf 'constexpr const char* defaultPlatform = "rig";\n' >> src/main/agent.cpp
+printf '"$bin/agent" --port 1\n' | tee tests/e2e/play.sh > tests/e2e/plod.sh
+printf '"$bin/agent" --speed\n' > tests/e2e/wrong.sh
+printf '/// Hears.\nREPRESENTATION(Sound)\n  STREAM(loud);\n};\n/// Is seen.\nREPRESENTATION(Sight)\n  void stream() { STREAM(far); }\n};\n' > src/representations/perception/Sight.h
 printf 'keyframes:\n' > config/motions/blink.yaml
+printf 'mirror: blink\n' > config/motions/blinkLeft.yaml
+printf 'struct ClimbOptions {\n  int steps = 3;  ///< at a time\n};\n/// Goes up.\nclass Climb {};\n' > src/math/Climb.h
 printf 'MAKE_OPTIMIZER(climb,\n               {"hill-climb", 5,\n' > src/math/Climb.cpp
 text=$(scripts/where.sh Seer)
 expect "where: status" $? 0
@@ -113,33 +124,76 @@ expect "where: a module" "$text" 'module Seer
   parts       src/modules/perception/eye/Lens.h
   requires    Picture, all Eye, Glance (of the cycle before), Lamp (if provided)
   provides    Sight
-  parameters  focus=0.5 m
-  data        config/Seer.yaml, config/robots/type0/Seer.yaml, config/glasses.yaml, config/worlds/
+  parameters  focus=0.5 m (0…1); what each does: doc/reference/parameters.md#seer
+  data        config/Seer.yaml, config/robots/type3/Seer.yaml, config/glasses.yaml, config/night.yaml, config/worlds/
   runs by     config/modules/perception.cfg
   tests       tests/modules/perception/SeerTest.cpp
     of parts  tests/modules/perception/eye/LensTest.cpp, tests/modules/perception/ViewTest.cpp
+    fixtures  tests/modules/perception/LookAroundTest.cpp
+    over all  tests/modules/EachTest.cpp
   end-to-end  tests/e2e/see.sh
-  page        doc/reference/seeing.md'
-rm -r doc/reference/seeing.md config/Seer.yaml config/robots/type0/Seer.yaml config/{glasses.yaml,worlds,walks}
+    in agents tests/e2e/*.sh: play plod
+  page        doc/decisions/0001-eyes.md, doc/reference/seeing.md, doc/reference/framework.md
+  results     doc/results/seen.md'
+rm -r doc/{reference/{seeing,framework,legends},decisions/*,results/*}.md config/Seer.yaml config/robots/type3/Seer.yaml config/{glasses,night}.yaml config/{worlds,walks}
 contains "where: what there is not" "$(scripts/where.sh Seer)" "  data        none
 "
 contains "where: no page" "$(scripts/where.sh Seer)" "  page        none: what it does stands above; doc/how-to/add-a-module.md says how one is made"
 rm -r doc
-contains "where: parameters of the header" "$(scripts/where.sh Seer)" "  parameters  focus=0.5"
-expect "where: a representation" "$(scripts/where.sh sight)" 'representation Sight
+contains "where: parameters of the header" "$(scripts/where.sh Seer)" "  parameters  focus=0.5 m (0…1)"
+contains "where: a representation" "$(scripts/where.sh sight)" 'representation Sight
+  does        Is seen.
   source      src/representations/perception/Sight.h
+  fields      far
   provided by Seer'
-contains "where: a keyframe motion" "$(scripts/where.sh blink)" "  data        config/motions/blink.yaml"
-mkdir -p src/gap/effects
-printf 'const Effect wobble{\n    .id = "wobble",\n    .unit = "rad",\n    .sites = {Site::link, Site::joint},\n    .lower = 0,\n    .sentence = "The link of {at} wobbles, "\n                "and more than the model.",\n};\nMAKE_EFFECT(wobble);\n' > src/gap/effects/Wobble.cpp
-contains "where: an effect" "$(scripts/where.sh wobble)" 'effect wobble
+printf 'motion: blink\n' > config/Eyes.yaml
+text=$(scripts/where.sh blink)
+contains "where: a keyframe motion" "$text" "  data        config/motions/blink.yaml
+  named in    config/Eyes.yaml"
+mkdir src/motion
+printf 'name = "blink";\n' > src/motion/Chooser.cpp
+mkdir tests/motion
+touch tests/motion/ChooserTest.cpp
+contains "where: who chooses it" "$(scripts/where.sh blink)" "    of users  tests/motion/ChooserTest.cpp"
+rm -r {src,tests}/motion
+contains "where: its mirror image" "$(scripts/where.sh blinkLeft)" "  mirrors     blink (scripts/where.sh blink)"
+mkdir -p src/{gap,simulation}/effects
+printf 'const Effect wobble{\n    .id = "wobble",\n    .unit = "rad",\n    .sites = {Site::link, Site::joint},\n    .lower = 0,\n    .upper = 2,\n    .sentence = "The link of {at} wobbles, "\n                "and more than the model.",\n};\nMAKE_EFFECT(wobble);\n' > src/gap/effects/Wobble.cpp
+printf '/// Wobbles.\nconst LeagueEffect wobble{\n    .id = "wobble",\n    .upper = 3,\n};\nMAKE_LEAGUE_EFFECT(wobble);\n' > src/simulation/effects/Wobble.cpp
+printf 'for (const Effect* effect : effects())\n' > tests/math/AllEffectsTest.cpp
+text=$(scripts/where.sh wobble)
+contains "where: an effect" "$text" 'effect wobble
   source      src/gap/effects/Wobble.cpp
-  does        The link of {at} wobbles, and more than the model.
+  does        The link of [its place] wobbles, and more than the model.
   at          link, joint
-  value       unit rad, lower 0'
-rm -r src/gap
+  parameters  its value, 0…2 rad; 0: none
+  data        none
+    over all  tests/math/AllEffectsTest.cpp'
+contains "where: an effect of the league" "$text" 'effect of the league wobble
+  source      src/simulation/effects/Wobble.cpp
+  does        Wobbles.
+  at          joint
+  parameters  its value, 0…3 rad; 0: none'
+rm -r src/{gap,simulation}
 contains "where: what registers itself" "$(scripts/where.sh hill-climb)" "optimiser hill-climb
-  source      src/math/Climb.cpp"
+  does        Goes up.
+  source      src/math/Climb.h and .cpp
+  parameters  steps=3 (at a time)"
+# A robot of the league: its own files, recordings of it, tests that try it and those that try all types.
+touch config/robots/simspark_type3.json config/robots/type3/motions/blink.yaml tests/data/samples/agent_type3.txt
+printf 'test(simsparkRobot(3));\n' > tests/math/ThirdTest.cpp
+printf 'test(simsparkRobot(2));\n' > tests/math/SecondTest.cpp
+printf 'type < numSimsparkTypes()\n' > tests/math/TypesTest.cpp
+printf 'for type in 0 3; do\n' > tests/e2e/types.sh
+printf 'for type in 0 1; do\n' > tests/e2e/twins.sh
+expect "where: a robot by its folder" "$(scripts/where.sh type3)" 'robot simspark_type3
+  data        config/robots/simspark_type3.json, config/robots/type3/motions/blink.yaml
+  recordings  tests/data/samples/agent_type3.txt
+  source      src/robot/, src/simspark/LeagueRobots.h and .cpp
+  parameters  none: links, joints, limits and servos stand in its file (doc/reference/robot-files.md)
+  tests       tests/math/ThirdTest.cpp
+    over all  tests/math/TypesTest.cpp
+  end-to-end  tests/e2e/types.sh'
 text=$(scripts/where.sh Seher 2>&1)
 expect "where: no such name: status" $? 2
 expect "where: no such name" "$text" 'where.sh: nothing is called "Seher"; did you mean Seer?'
@@ -150,10 +204,22 @@ expect "where: a class of a library" "$(scripts/where.sh lens)" 'class Lens
   does        Bends light.
   source      src/modules/perception/eye/Lens.h
   included by src/modules/perception/Seer.h
-  tests       tests/modules/perception/eye/LensTest.cpp, tests/modules/perception/ViewTest.cpp'
+  tests       tests/modules/perception/eye/LensTest.cpp, tests/modules/perception/ViewTest.cpp
+  page        none: what it does stands above'
+for name in Seer Sight blink wobble hill-climb type3 lens; do scripts/where.sh $name; done > /dev/null 2> where.err
+expect "where: nothing on standard error" "$(grep -v wobble where.err)" ""
 expect "where: no name" "$(scripts/where.sh 2>&1)" 'where.sh: give a NAME; see where.sh --help'
 expect "where: an option" "$(scripts/where.sh --foo 2>&1)" 'where.sh: no option --foo; see where.sh --help'
-rm -r src/modules/perception/{Seer.h,Seer.cpp,eye} tests/modules tests/e2e config/{modules,motions,robots} src/representations src/math/Climb.cpp
+rm -r src/modules/perception/{Seer.h,Seer.cpp,eye} tests/{modules,e2e,support,data} tests/math/{AllEffects,Second,Third,Types}Test.cpp config/{modules,motions,robots,platforms} \
+  config/Eyes.yaml src/representations src/math/Climb.{h,cpp}
+writeSources
+
+# A macro of several lines, limits on one side, choices, groups.
+printf '  PARAMETER(std::vector<double>, x, (std::vector<double>{1, 2}), "m",\n            Range::atLeast(0), "places, in order")\n  PARAMETER_CHOICE(foot, "left",\n                   "which", "left", "right")\n  PARAMETER_GROUP(LegParameters, leg, "of a leg")\n' > Feet.h
+expect "where: parameters" "$(awk -f scripts/where_parameters.awk Feet.h)" 'x=(std::vector<double>{1, 2}) m (0…)
+foot=left (left, right)
+leg (those of LegParameters)'
+rm Feet.h
 
 # Sizes.
 scripts/check_sizes.sh > /dev/null || fail "short files refused"
