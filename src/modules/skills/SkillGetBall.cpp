@@ -61,8 +61,6 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
                              .heading = normalizeAngle(heading - theRobotPose->pose.heading),
                              .place = place,
                              .hurry = output.pressed ? pressedTolerance : 1};
-  if (theWalkingEngineOutput)
-    wish.speed = Pose2(theWalkingEngineOutput->velocity, theWalkingEngineOutput->turn);
   if (theSkillRequest->tolerance > 0) wish.headingTolerance = theSkillRequest->tolerance;
   if (wanted == BallApproach::dribble && ball.norm() > runUp) wish.beyond = dribbleOn;
   const bool detour = theSafeWalkDirection && theSafeWalkDirection->detour && ball.norm() > detourDistance;

@@ -22,16 +22,11 @@ bool BallPositioning::exact(const Wish& wish, const Vec2& error, const BallPosit
 
 WalkCommand BallPositioning::update(const Wish& wish, const Vec2& ball, const BallPositioningParameters& p,
                                     double dt) {
-  // Where the robot will be, in its present frame.
-  const double turned = p.lead * wish.speed.heading;
-  const Pose2 later(p.lead * (Eigen::Rotation2Dd(turned / 2) * wish.speed.position), turned);
-  const Pose2 toLater = later.inverse();
-  const double heading = normalizeAngle(wish.heading - turned);
-  Pose2 way = approachBall(toLater * wish.ball, heading, wish.place, p.approach);
-  const bool lastPart = std::abs(way.heading - heading) < 1e-9;
-  if (lastPart) way.position += wish.beyond * Vec2(std::cos(heading), std::sin(heading));
-  WalkCommand command = wish.detour ? walkPast(toLater * *wish.detour, p.walk, sprinting_)
-                                    : walkToPose(way, p.walk, sprinting_);
+  Pose2 way = approachBall(wish.ball, wish.heading, wish.place, p.approach);
+  const bool lastPart = std::abs(way.heading - wish.heading) < 1e-9;
+  if (lastPart) way.position += wish.beyond * Vec2(std::cos(wish.heading), std::sin(wish.heading));
+  WalkCommand command =
+      wish.detour ? walkPast(*wish.detour, p.walk, sprinting_) : walkToPose(way, p.walk, sprinting_);
   sprinting_ = command.sprint;
   // A walk that drifts would come to rest short of the ball for ever (Seekircher 2015, 4.3).
   if (!atBall_) learnBias(way, p, dt);

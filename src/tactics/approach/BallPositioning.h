@@ -11,9 +11,6 @@ struct BallPositioningParameters {
   PARAMETERS(BallPositioningParameters)
   PARAMETER_GROUP(WalkToPoseParameters, walk, "limits and gains of walking to a pose")
   PARAMETER_GROUP(BallApproachParameters, approach, "way around the ball")
-  PARAMETER(double, lead, 0, "s", Range(0, 1),
-            "the walk is asked for what is right so much later, where its present speed will have brought "
-            "the robot")
   PARAMETER(double, toleranceForward, 0.02, "m", Range(0.001, 1), "of the ball's place ahead of the robot")
   PARAMETER(double, toleranceSideways, 0.02, "m", Range(0.001, 1), "of the ball's place to the side")
   PARAMETER(double, toleranceHeading, 0.15, "rad", Range(0.001, 3.2),
@@ -35,7 +32,6 @@ public:
     double heading = 0;         ///< of the robot when it plays the ball, relative to its present one
     Vec2 place = Vec2::Zero();  ///< where the ball has to lie then, in the frame that the robot has then
     double beyond = 0;  ///< a robot behind the ball, on its line, aims this far beyond the place, to dribble
-    Pose2 speed{};      ///< of the walk now: position [m/s], heading [rad/s]
     std::optional<Vec2> detour{};              ///< a way point that comes first
     double hurry = 1;                          ///< tolerances are multiplied by this
     std::optional<double> headingTolerance{};  ///< instead of the parameter's

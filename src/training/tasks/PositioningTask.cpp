@@ -49,7 +49,6 @@ constexpr SearchedPath searchedNumbers[] = {{"walk.maxForward", 0.1},
                                             {"approach.avoidRadius", 0.04},
                                             {"approach.stepAngle", 0.2},
                                             {"approach.behindAngle", 0.15},
-                                            {"lead", 0.05},
                                             {"toleranceForward", 0.005},
                                             {"toleranceSideways", 0.005},
                                             {"toleranceHeading", 0.03},
@@ -87,7 +86,6 @@ struct PositioningTask::Walk {
   const BallPositioningParameters& p;
   Vec2 offset;  ///< of the ball that is seen, robot's frame [m]
   BallPositioning positioning{};
-  Pose2 speed{};  ///< of the walk [m/s, rad/s]
   bool right = true;
   double seconds = 0;  ///< until the ball is kicked [s]
   bool fell = false;
@@ -110,15 +108,11 @@ struct PositioningTask::Walk {
     const BallPositioning::Wish wish{
         .ball = seen(),
         .heading = normalizeAngle(-mirror * kick.kick->direction - robot().heading),
-        .place = Vec2(kick.ball.x(), mirror * kick.ball.y()),
-        .speed = speed};
+        .place = Vec2(kick.ball.x(), mirror * kick.ball.y())};
     const bool was = positioning.atBall();
     const WalkCommand command = positioning.update(wish, wish.ball, p, MotionTrial::dt);
     const bool is = positioning.atBall();
-    const walking::WalkOutput output = trial.walkOutput(command.velocity, command.turn, !is);
-    trial.step(output.angles);
-    speed = Pose2(output.velocity, output.turn);
-    const bool stands = output.standing;
+    const bool stands = trial.walkStep(command.velocity, command.turn, !is);
     if (is && there < 0) there = seconds;
     if (was && !is) ++lost;
     seconds += MotionTrial::dt;

@@ -60,18 +60,6 @@ TEST_F(BallPositioningTest, whatIsSeenDecidesAndWhereTheBallWillBeIsWalkedTo) {
   EXPECT_GT(command.velocity.x(), 0.3);
 }
 
-TEST_F(BallPositioningTest, aWalkThatIsUnderWayIsAskedForWhatIsRightWhereItWillBe) {
-  p.walk.positionGain = 2;
-  p.lead = 0.25;
-  EXPECT_NEAR(see({0.3, 0}).velocity.x(), 0.2, 0.01) << "it stands";
-  wish.speed = Pose2(Vec2(0.4, 0), 0);
-  EXPECT_NEAR(see({0.3, 0}).velocity.x(), 0, 0.01) << "it comes to rest there by itself";
-  EXPECT_LT(see({0.25, 0}).velocity.x(), -0.05) << "it is too fast";
-  wish.speed = Pose2(Vec2::Zero(), 1);
-  EXPECT_NEAR(see({0.2, 0}, 0.25).turn, 0, 0.05);
-  EXPECT_FALSE(positioning.atBall()) << "how it stands now decides";
-}
-
 TEST_F(BallPositioningTest, learnsADriftNearTheBallAndForgetsItFarAway) {
   p.biasGain = 1;
   p.maxBias = 0.05;
