@@ -64,11 +64,12 @@ HeadAngles lookAtBall(const Vec2& ball, const std::optional<Pose2>& robot, const
   return head;
 }
 
-HeadAngles scan(double seconds, double firstSide, const GazeParameters& p) {
-  // A triangle wave that begins in the middle.
-  const double phase = std::fmod(seconds / p.scanSeconds + 0.25, 1.0);
-  const double wave = phase < 0.5 ? 4 * phase - 1 : 3 - 4 * phase;
-  return {firstSide * p.scanYaw * wave, 0.1};
+HeadAngles scan(double seconds, double from, double firstSide, const GazeParameters& p) {
+  // A triangle wave; `way` is what the head would have gone from the far side without turning back.
+  const double start = std::clamp(firstSide * from, -p.scanYaw, p.scanYaw) + p.scanYaw;
+  const double way = std::fmod(start + 4 * p.scanYaw * seconds / p.scanSeconds, 4 * p.scanYaw);
+  const double wave = way < 2 * p.scanYaw ? way - p.scanYaw : 3 * p.scanYaw - way;
+  return {firstSide * wave, 0.1};
 }
 
 }  // namespace plumbline::motion

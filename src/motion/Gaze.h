@@ -24,8 +24,8 @@ struct GazeParameters {
             "half the opening of the view of the camera, both axes")
   PARAMETER(double, ballMargin, 0.2, "rad", Range(0, 1), "the ball is kept this far inside of the view")
   PARAMETER(double, cameraHeight, 0.5, "m", Range(0.1, 2), "of the camera above the ground")
-  PARAMETER(double, scanYaw, 1.6, "rad", Range(0, 2.09), "turning point of the scan for a lost ball")
-  PARAMETER(double, scanSeconds, 2.4, "s", Range(0.5, 60), "of the scan from side to side and back")
+  PARAMETER(double, scanYaw, 2.05, "rad", Range(0.1, 2.09), "turning point of the scan for a lost ball")
+  PARAMETER(double, scanSeconds, 1.4, "s", Range(0.5, 60), "of the scan from side to side and back")
 };
 
 /// Where to look for the ball to stay in view and, within that freedom, for as many landmarks as possible to
@@ -34,7 +34,8 @@ struct GazeParameters {
 HeadAngles lookAtBall(const Vec2& ball, const std::optional<Pose2>& robot, const std::vector<Vec2>& landmarks,
                       double current, const GazeParameters& parameters);
 
-/// The scan for a lost ball, seconds after its begin; first towards that side (+1 left, -1 right).
-HeadAngles scan(double seconds, double firstSide, const GazeParameters& parameters);
+/// The scan for a lost ball, seconds after it began at the yaw `from` [rad]; first towards that side (+1
+/// left, -1 right), then from side to side.
+HeadAngles scan(double seconds, double from, double firstSide, const GazeParameters& parameters);
 
 }  // namespace plumbline::motion

@@ -45,11 +45,22 @@ TEST(GazeTest, turnsTowardsLandmarksWithinTheFreedom) {
 
 TEST(GazeTest, scanCoversBothSidesAndBeginsOnTheGivenOne) {
   const GazeParameters p;
-  EXPECT_NEAR(scan(0, 1, p).yaw, 0, 1e-12);
-  EXPECT_NEAR(scan(p.scanSeconds / 4, 1, p).yaw, p.scanYaw, 1e-9);
-  EXPECT_NEAR(scan(p.scanSeconds / 4, -1, p).yaw, -p.scanYaw, 1e-9);
-  EXPECT_NEAR(scan(p.scanSeconds * 3 / 4, 1, p).yaw, -p.scanYaw, 1e-9);
-  EXPECT_NEAR(scan(p.scanSeconds * 2, 1, p).yaw, 0, 1e-9);
+  EXPECT_NEAR(scan(0, 0, 1, p).yaw, 0, 1e-12);
+  EXPECT_NEAR(scan(p.scanSeconds / 4, 0, 1, p).yaw, p.scanYaw, 1e-9);
+  EXPECT_NEAR(scan(p.scanSeconds / 4, 0, -1, p).yaw, -p.scanYaw, 1e-9);
+  EXPECT_NEAR(scan(p.scanSeconds * 3 / 4, 0, 1, p).yaw, -p.scanYaw, 1e-9);
+  EXPECT_NEAR(scan(p.scanSeconds * 2, 0, 1, p).yaw, 0, 1e-9);
+}
+
+TEST(GazeTest, scanGoesOnFromWhereTheHeadIs) {
+  GazeParameters p;
+  p.scanYaw = 2;
+  p.scanSeconds = 4;  // 2 rad/s
+  EXPECT_NEAR(scan(0, 1.5, -1, p).yaw, 1.5, 1e-12);
+  EXPECT_NEAR(scan(1, 1.5, -1, p).yaw, -0.5, 1e-9);
+  EXPECT_NEAR(scan(2, 1.5, -1, p).yaw, -1.5, 1e-9) << "it turned back at -2";
+  EXPECT_NEAR(scan(0.5, 1.5, 1, p).yaw, 1.5, 1e-9) << "it turned back at 2";
+  EXPECT_NEAR(scan(0, 3, -1, p).yaw, 2, 1e-12) << "beyond its turning point it begins there";
 }
 
 }  // namespace

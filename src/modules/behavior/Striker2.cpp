@@ -86,9 +86,11 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
 
   const Pose2& robot = theRobotPose->pose;
   if (!theRobotPose->valid || !theBallPos->valid || theBallPos->age > ballMaxAge) {
-    // Turn on the spot: what is lost comes into view, landmarks too.
+    // What is lost comes into view, landmarks too.
     output.skill = Skill::moveToPos;
-    output.target = Pose2(robot.position, normalizeAngle(robot.heading + 1.0));
+    output.target =
+        Pose2(robot.position,
+              normalizeAngle(robot.heading + search_.turn(theBallPos->relative, theFrameInfo->time)));
     return;
   }
   if (isOpponentRestart(theGameState->playMode)) {

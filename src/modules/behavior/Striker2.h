@@ -6,16 +6,19 @@
 #include "representations/behavior/PlayerRole.h"
 #include "representations/behavior/StrikerOutput.h"
 #include "representations/infrastructure/FieldDimensions.h"
+#include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GameState.h"
 #include "representations/modeling/BallPos.h"
 #include "representations/modeling/OppInfo.h"
 #include "representations/modeling/OtherRobots.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/skills/SkillKickParameters.h"
+#include "tactics/BallSearch.h"
 
 namespace plumbline {
 
 MODULE(Striker2)
+  REQUIRES(FrameInfo)
   REQUIRES(GameState)
   REQUIRES(RobotPose)
   REQUIRES(BallPos)
@@ -52,6 +55,7 @@ private:
   void draw(const StrikerSituation& situation) const;
 
   std::optional<FieldValue> value_;
+  BallSearch search_;
   double passSince_ = 0;  ///< begin of own pass mode, game clock [s]
   StrikerAction action_;  ///< the one chosen last
 };

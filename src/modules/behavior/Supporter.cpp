@@ -21,7 +21,9 @@ void Supporter::update(SupporterOutput* theSupporterOutput) {
   output.skill = Skill::moveToPos;
   const Pose2& robot = theRobotPose->pose;
   if (!theRobotPose->valid || !theBallPos->valid || theBallPos->age > ballMaxAge) {
-    output.target = Pose2(robot.position, normalizeAngle(robot.heading + 1.0));
+    output.target =
+        Pose2(robot.position,
+              normalizeAngle(robot.heading + search_.turn(theBallPos->relative, theFrameInfo->time)));
     return;
   }
   const Vec2 toBall = theBallPos->field - robot.position;

@@ -2,13 +2,16 @@
 #include "framework/Module.h"
 #include "representations/behavior/PlayerRole.h"
 #include "representations/behavior/SupporterOutput.h"
+#include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GameState.h"
 #include "representations/modeling/BallPos.h"
 #include "representations/modeling/RobotPose.h"
+#include "tactics/BallSearch.h"
 
 namespace plumbline {
 
 MODULE(Supporter)
+  REQUIRES(FrameInfo)
   REQUIRES(GameState)
   REQUIRES(RobotPose)
   REQUIRES(BallPos)
@@ -27,6 +30,7 @@ public:
   void update(SupporterOutput* theSupporterOutput) override;
 
 private:
+  BallSearch search_;
   bool standing_ = false;
 };
 

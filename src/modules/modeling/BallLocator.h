@@ -31,7 +31,7 @@ MODULE(BallLocator)
   PARAMETER(double, forgetSeconds, 10, "s", Range(0, 1e4), "time after which an unseen ball is lost")
   PARAMETER(double, viewAngle, 0.9, "rad", Range(0, 1.5),
             "the ball would be seen within this angle of the axis of the head")
-  PARAMETER(int, missedImages, 10, "", Range(1, 10000),
+  PARAMETER(int, missedImages, 4, "", Range(1, 10000),
             "number of images without a ball that should be in view after which it is lost")
 END_MODULE
 

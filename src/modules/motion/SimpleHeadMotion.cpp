@@ -20,13 +20,16 @@ void SimpleHeadMotion::update(HeadMotionRequest* theHeadMotionRequest) {
   motion::HeadAngles head;
   if (ballKnown) {
     scanStart_ = -1;
-    scanSide_ = theBallPos->relative.y() >= 0 ? 1 : -1;
     std::optional<Pose2> robot;
     if (localised) robot = theRobotPose->pose;
     head = lookAtBall(theBallPos->relative, robot, landmarks(), theHeadMotionRequest->yaw, gaze);
   } else {
-    if (scanStart_ < 0) scanStart_ = theFrameInfo->time;
-    head = scan(theFrameInfo->time - scanStart_, scanSide_, gaze);
+    if (scanStart_ < 0) {
+      scanStart_ = theFrameInfo->time;
+      scanFrom_ = theHeadMotionRequest->yaw;
+      scanSide_ = BallSearch::sideAwayFrom(theBallPos ? theBallPos->relative : Vec2(Vec2::Zero()));
+    }
+    head = scan(theFrameInfo->time - scanStart_, scanFrom_, scanSide_, gaze);
   }
   theHeadMotionRequest->yaw = head.yaw;
   theHeadMotionRequest->pitch = head.pitch;

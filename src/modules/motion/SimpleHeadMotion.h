@@ -8,6 +8,7 @@
 #include "representations/modeling/BallPos.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/motion/HeadMotionRequest.h"
+#include "tactics/BallSearch.h"
 
 namespace plumbline {
 
@@ -31,7 +32,8 @@ private:
   std::vector<Vec2> landmarks() const;
 
   double scanStart_ = -1;  ///< time when the scan began, negative while there is none [s]
-  double scanSide_ = 1;
+  double scanFrom_ = 0;    ///< yaw of the head then [rad]
+  double scanSide_ = 1;    ///< to which it turns first
 };
 
 }  // namespace plumbline

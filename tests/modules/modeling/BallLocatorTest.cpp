@@ -38,7 +38,7 @@ struct Watcher {
 TEST(BallLocator, aBallThatIsNotWhereItShouldBeSeenIsLost) {
   Watcher robot;
   EXPECT_TRUE(robot.see(Vec2(3, 0)).valid);
-  EXPECT_TRUE(robot.miss(9).valid);
+  EXPECT_TRUE(robot.miss(3).valid);
   EXPECT_FALSE(robot.miss(1).valid);
 }
 
