@@ -2,7 +2,6 @@
 // games.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <exception>
 #include <string>
 #include <vector>
@@ -25,18 +24,17 @@ int runProgram(int argc, char** argv) {
   std::vector<std::string> tracks;
   std::string output = "config/field_value.yaml";
   FieldValueLearner::Options options;
-  CLI::App app(
+  CommandLine app(
       "Learns the value of the field from games: config/field_value.yaml, by which a striker decides.",
       "learnvalue");
-  app.add_option("tracks", tracks,
-                 "track.csv of games between equal teams (scripts/autoplay, bin/watchgame --track)")
-      ->required()
-      ->check(CLI::ExistingFile);
-  app.add_option("-o,--output", output, "The file to write")->capture_default_str();
-  app.add_option("--prior", options.priorSteps,
-                 "Steps of a ball that rolls to and fro, assumed at each point")
-      ->check(CLI::Range(1e-3, 1e6))
-      ->capture_default_str();
+  app.option("tracks", tracks,
+             "track.csv of games between equal teams (scripts/autoplay, bin/watchgame --track)")
+      .required()
+      .existingFile();
+  app.option("-o,--output", output, "The file to write").showDefault();
+  app.option("--prior", options.priorSteps, "Steps of a ball that rolls to and fro, assumed at each point")
+      .range(1e-3, 1e6)
+      .showDefault();
   app.footer("Example:\n  bin/learnvalue build/games/*/*/track.csv -o config/field_value.yaml");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   try {

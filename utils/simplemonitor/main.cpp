@@ -4,7 +4,6 @@
 #include <time.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cerrno>
 #include <clocale>
@@ -149,18 +148,18 @@ void show(const Options& options, FieldSource& source, const StopSignal& stop) {
   }
 }
 
-void declare(CLI::App& app, Options& options) {
-  app.add_option("host", options.host, "Where the simulator runs: HOST or HOST:PORT")->capture_default_str();
-  app.add_option("--port", options.port, "Its compact port or any SimSpark monitor port [3201, else 3200]")
-      ->check(CLI::Range(1, 65535));
-  app.add_option("--token", options.token, "The simulator's token, if it needs one");
-  app.add_flag("--once", options.once, "Print one picture as text and end");
-  app.add_option("--size", options.size,
-                 "With --once: size of the picture, COLUMNSxROWS [the terminal's or 80x23]");
-  app.add_flag("--ascii", options.ascii, "ASCII characters only, whatever the locale");
-  app.add_option("--seconds", options.seconds,
-                 "End after this time and print what was received and the time that it took")
-      ->check(CLI::Range(0.1, 1e6));
+void declare(CommandLine& app, Options& options) {
+  app.option("host", options.host, "Where the simulator runs: HOST or HOST:PORT").showDefault();
+  app.option("--port", options.port, "Its compact port or any SimSpark monitor port [3201, else 3200]")
+      .range(1, 65535);
+  app.option("--token", options.token, "The simulator's token, if it needs one");
+  app.flag("--once", options.once, "Print one picture as text and end");
+  app.option("--size", options.size,
+             "With --once: size of the picture, COLUMNSxROWS [the terminal's or 80x23]");
+  app.flag("--ascii", options.ascii, "ASCII characters only, whatever the locale");
+  app.option("--seconds", options.seconds,
+             "End after this time and print what was received and the time that it took")
+      .range(0.1, 1e6);
   app.footer(
       "Numbers are robots with the way they look, x: fallen. Blue is the left team, red the right one.\n"
       "Keys: q ends, Ctrl-L draws anew.\n"
@@ -174,7 +173,7 @@ void declare(CLI::App& app, Options& options) {
 
 int runProgram(int argc, char** argv) {
   Options options;
-  CLI::App app("The field of a running simulation in a terminal.", "simplemonitor");
+  CommandLine app("The field of a running simulation in a terminal.", "simplemonitor");
   declare(app, options);
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   try {

@@ -2,7 +2,6 @@
 // it.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <ctime>
 #include <optional>
@@ -33,45 +32,41 @@ int runProgram(int argc, char** argv) {
   game::GameLogEntry entry;
   std::string log, trackFile;
   bool quiet = false, events = false, noKickOff = false;
-  CLI::App app(
+  CommandLine app(
       "Sees a game through by the monitor port: kicks off both halves, counts goals, falls and kicks.",
       "watchgame");
-  app.add_option("--host", options.host, "Where the server runs")->capture_default_str();
-  app.add_option("--port", options.port, "Its monitor port")
-      ->check(CLI::Range(1, 65535))
-      ->capture_default_str();
-  app.add_option("--players", options.players, "Number of players for which kick-off waits")
-      ->check(CLI::Range(0, 22))
-      ->capture_default_str();
-  app.add_option("--patience", options.patience,
-                 "Time for which it waits; then it kicks off with the present players [s]")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  app.add_option("--settle", options.settle, "Pause before a kick-off [s of real time]")
-      ->check(CLI::Range(0.0, 1e4))
-      ->capture_default_str();
-  app.add_option("--hang", options.hang, "Give up when nothing has changed for so long [s of real time]")
-      ->check(CLI::Range(0.1, 1e6))
-      ->capture_default_str();
-  app.add_option("--limit", options.limit, "Give up after so long in all [s of real time]")
-      ->check(CLI::Range(0.1, 1e9));
-  app.add_flag("--no-kickoff", noKickOff, "The server kicks off by itself");
-  app.add_flag("--end-server", options.endServer, "Tell the server to end after the game");
-  app.add_option("--end-time", options.endTime,
-                 "The game is over at this time of its clock [when the server says so]")
-      ->check(CLI::Range(0.1, 1e6));
-  app.add_option("--log", log, "Append a line about the game to this file");
-  app.add_option("--track", trackFile, "Write where everybody is, twice a second of the game, to this file");
-  app.add_option("--server", entry.server, "Name of the server, for the log");
-  app.add_option("--seed", entry.seed, "Its seed, for the log");
-  app.add_option("--half-time", entry.halfTime, "Length of a half, for the log [s]")->capture_default_str();
-  app.add_option("--left", entry.nameLeft, "Name of the left team, for the log [the one it has given]");
-  app.add_option("--right", entry.nameRight, "Name of the right team, for the log");
-  auto* const quietly = app.add_flag("--quiet", quiet, "No line per second");
-  app.add_flag(
-         "--events", events,
-         "Instead of a line per second one where score or play mode has changed, and the score at the end")
-      ->excludes(quietly);
+  app.option("--host", options.host, "Where the server runs").showDefault();
+  app.option("--port", options.port, "Its monitor port").range(1, 65535).showDefault();
+  app.option("--players", options.players, "Number of players for which kick-off waits")
+      .range(0, 22)
+      .showDefault();
+  app.option("--patience", options.patience,
+             "Time for which it waits; then it kicks off with the present players [s]")
+      .range(0.0, 1e6)
+      .showDefault();
+  app.option("--settle", options.settle, "Pause before a kick-off [s of real time]")
+      .range(0.0, 1e4)
+      .showDefault();
+  app.option("--hang", options.hang, "Give up when nothing has changed for so long [s of real time]")
+      .range(0.1, 1e6)
+      .showDefault();
+  app.option("--limit", options.limit, "Give up after so long in all [s of real time]").range(0.1, 1e9);
+  app.flag("--no-kickoff", noKickOff, "The server kicks off by itself");
+  app.flag("--end-server", options.endServer, "Tell the server to end after the game");
+  app.option("--end-time", options.endTime,
+             "The game is over at this time of its clock [when the server says so]")
+      .range(0.1, 1e6);
+  app.option("--log", log, "Append a line about the game to this file");
+  app.option("--track", trackFile, "Write where everybody is, twice a second of the game, to this file");
+  app.option("--server", entry.server, "Name of the server, for the log");
+  app.option("--seed", entry.seed, "Its seed, for the log");
+  app.option("--half-time", entry.halfTime, "Length of a half, for the log [s]").showDefault();
+  app.option("--left", entry.nameLeft, "Name of the left team, for the log [the one it has given]");
+  app.option("--right", entry.nameRight, "Name of the right team, for the log");
+  const CommandOption quietly = app.flag("--quiet", quiet, "No line per second");
+  app.flag("--events", events,
+           "Instead of a line per second one where score or play mode has changed, and the score at the end")
+      .excludes(quietly);
   app.footer(
       "Exit status: 0 the game is over, 1 it came to no end (the log says why), 2 bad options, 130 after "
       "Ctrl-C.\n"
