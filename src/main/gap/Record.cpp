@@ -19,8 +19,8 @@
 #include "main/gap/Commands.h"
 #include "main/gap/RecordingsFolder.h"
 #include "main/gap/RobotOption.h"
+#include "servo/RobotSimulation.h"
 #include "simspark/LeagueRobots.h"
-#include "simulation/servo/RobotSimulation.h"
 
 namespace plumbline::gap {
 

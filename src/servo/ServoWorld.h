@@ -4,10 +4,10 @@
 
 #include "robot/Mechanism.h"
 #include "robot/SupplyRail.h"
+#include "servo/RobotSimulation.h"
+#include "servo/ServoBody.h"
+#include "servo/ServoDrive.h"
 #include "simulation/physics/tree/BoundedSystem.h"
-#include "simulation/servo/RobotSimulation.h"
-#include "simulation/servo/ServoBody.h"
-#include "simulation/servo/ServoDrive.h"
 
 namespace plumbline::simulation {
 

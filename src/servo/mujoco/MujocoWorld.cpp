@@ -1,4 +1,4 @@
-#include "simulation/servo/mujoco/MujocoWorld.h"
+#include "servo/mujoco/MujocoWorld.h"
 
 #include <cstring>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 // What a ServoWorld's sensors read.
 #include "math/Index.h"
-#include "simulation/servo/FootSensors.h"
-#include "simulation/servo/ServoWorld.h"
+#include "servo/FootSensors.h"
+#include "servo/ServoWorld.h"
 
 namespace plumbline::simulation {
 

@@ -1,4 +1,4 @@
-#include "simulation/servo/mujoco/MujocoRobot.h"
+#include "servo/mujoco/MujocoRobot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "math/Index.h"
-#include "simulation/servo/FootSensors.h"
-#include "simulation/servo/mujoco/MujocoModel.h"
+#include "servo/FootSensors.h"
+#include "servo/mujoco/MujocoModel.h"
 
 namespace plumbline::simulation::mujoco {
 

@@ -1,4 +1,4 @@
-#include "simulation/servo/mujoco/SoftGround.h"
+#include "servo/mujoco/SoftGround.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "simulation/servo/ServoBody.h"
+#include "servo/ServoBody.h"
 
 #include "math/Index.h"
 #include "simulation/physics/bullet/PrincipalAxes.h"

@@ -1,4 +1,4 @@
-#include "simulation/servo/mujoco/MujocoModel.h"
+#include "servo/mujoco/MujocoModel.h"
 
 #include <cstdio>
 

@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "robot/SupplyRail.h"
-#include "simulation/servo/RobotSimulation.h"
-#include "simulation/servo/ServoDrive.h"
-#include "simulation/servo/mujoco/MujocoWorld.h"
-#include "simulation/servo/mujoco/SoftGround.h"
+#include "servo/RobotSimulation.h"
+#include "servo/ServoDrive.h"
+#include "servo/mujoco/MujocoWorld.h"
+#include "servo/mujoco/SoftGround.h"
 
 namespace plumbline::simulation::mujoco {
 

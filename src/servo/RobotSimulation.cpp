@@ -1,4 +1,4 @@
-#include "simulation/servo/RobotSimulation.h"
+#include "servo/RobotSimulation.h"
 
 #include <algorithm>
 #include <map>

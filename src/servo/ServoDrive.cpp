@@ -1,4 +1,4 @@
-#include "simulation/servo/ServoDrive.h"
+#include "servo/ServoDrive.h"
 
 #include <algorithm>
 #include <cmath>

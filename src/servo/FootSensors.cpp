@@ -1,4 +1,4 @@
-#include "simulation/servo/FootSensors.h"
+#include "servo/FootSensors.h"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "simulation/servo/ServoWorld.h"
+#include "servo/ServoWorld.h"
 
 #include <gtest/gtest.h>
 
