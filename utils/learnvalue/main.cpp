@@ -8,7 +8,7 @@
 
 #include "framework/CommandLine.h"
 #include "framework/WriteFile.h"
-#include "game/LearnFromTrack.h"
+#include "watch/LearnFromTrack.h"
 
 namespace {
 
@@ -39,7 +39,7 @@ int runProgram(int argc, char** argv) {
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   try {
     FieldValueLearner learner(standardGrid(), options);
-    for (const std::string& track : tracks) game::learnFromTrack(game::readTrack(track), learner);
+    for (const std::string& track : tracks) watch::learnFromTrack(watch::readTrack(track), learner);
     if (learner.steps() == 0)
       throw std::runtime_error("no ball in play in " + fmt::format("{} tracks", tracks.size()));
     const std::string head = fmt::format(
@@ -48,7 +48,7 @@ int runProgram(int argc, char** argv) {
         "# (x towards the opponents' goal; y aside, both sides alike; metres) and who is nearer to it\n"
         "# (src/tactics/FieldValue.h). Learnt by bin/learnvalue from {} games: {} steps of {:g} s, {} of\n"
         "# them into a goal.\n",
-        tracks.size(), learner.steps(), game::learningStep, learner.goals());
+        tracks.size(), learner.steps(), watch::learningStep, learner.goals());
     writeFile(output, head + learner.learn().yaml());
     fmt::print("{} games, {} steps, {} of them into a goal: {}\n", tracks.size(), learner.steps(),
                learner.goals(), output);

@@ -62,11 +62,11 @@ void complete(Options& options) {
   const auto columns = simspark::parseInteger(options.size.substr(0, cross));
   const auto rows =
       cross == std::string::npos ? std::nullopt : simspark::parseInteger(options.size.substr(cross + 1));
-  if (!columns || !rows || *columns < game::minPictureColumns || *rows < game::minPictureRows ||
+  if (!columns || !rows || *columns < watch::minPictureColumns || *rows < watch::minPictureRows ||
       *columns > 1000 || *rows > 1000)
     throw std::runtime_error("--size " + options.size + ": must be COLUMNSxROWS, from " +
-                             std::to_string(game::minPictureColumns) + 'x' +
-                             std::to_string(game::minPictureRows) + " to 1000x1000");
+                             std::to_string(watch::minPictureColumns) + 'x' +
+                             std::to_string(watch::minPictureRows) + " to 1000x1000");
   options.columns = *columns;
   options.rows = *rows;
 }
@@ -83,8 +83,8 @@ void printOnce(const Options& options, FieldSource& source, const StopSignal& st
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_col == 0) window = {24, 80, 0, 0};
   const int columns = options.columns ? options.columns : window.ws_col;
   const int rows = options.rows ? options.rows : window.ws_row - 1;
-  const game::FieldPictureStyle style{!options.ascii && simplemonitor::localeIsUnicode(), false};
-  const auto picture = game::fieldPicture(source.state(), columns, rows, style, source.name());
+  const watch::FieldPictureStyle style{!options.ascii && simplemonitor::localeIsUnicode(), false};
+  const auto picture = watch::fieldPicture(source.state(), columns, rows, style, source.name());
   for (int row = 0; row < picture.rows(); ++row) std::puts(picture.row(row).c_str());
 }
 
@@ -139,8 +139,8 @@ void show(const Options& options, FieldSource& source, const StopSignal& stop) {
       }() + " kB/s   q: quit";
       const std::string problem = source.connected() ? (source.complete() ? "" : "waiting for the game")
                                                      : source.problem() + "; trying again";
-      terminal.show(game::fieldPicture(source.state(), terminal.columns(), terminal.rows(), terminal.style(),
-                                       footer, problem));
+      terminal.show(watch::fieldPicture(source.state(), terminal.columns(), terminal.rows(), terminal.style(),
+                                        footer, problem));
       changed = false;
       nextPicture = now + 0.9 * interval;
     }

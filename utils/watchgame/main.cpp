@@ -9,9 +9,9 @@
 #include "framework/CommandLine.h"
 #include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
-#include "game/FieldPicture.h"
-#include "game/GameTrack.h"
-#include "game/GameWatch.h"
+#include "watch/FieldPicture.h"
+#include "watch/GameTrack.h"
+#include "watch/GameWatch.h"
 
 namespace {
 
@@ -28,8 +28,8 @@ std::string now() {
 }
 
 int runProgram(int argc, char** argv) {
-  game::GameWatchOptions options;
-  game::GameLogEntry entry;
+  watch::GameWatchOptions options;
+  watch::GameLogEntry entry;
   std::string log, trackFile;
   bool quiet = false, events = false, noKickOff = false;
   CommandLine app(
@@ -76,7 +76,7 @@ int runProgram(int argc, char** argv) {
   StopSignal stop;
   stop.catchSignals();
   entry.date = now();
-  std::optional<game::GameTrack> track;
+  std::optional<watch::GameTrack> track;
   if (!trackFile.empty()) track.emplace(trackFile);
   std::string shown;  // score, play mode and half of the last line
   const auto tell = [&](const simspark::SceneState& scene) {
@@ -84,26 +84,26 @@ int runProgram(int argc, char** argv) {
                                           scene.scoreRight, scene.teamRight, scene.playMode, scene.half);
     if (events && state == shown) return;
     shown = state;
-    fmt::print("{} {} robots {}\n", game::clockText(scene.time), state, scene.robots.size());
+    fmt::print("{} {} robots {}\n", watch::clockText(scene.time), state, scene.robots.size());
     std::fflush(stdout);
   };
   options.everyScene = [&](const simspark::SceneState& scene) {
     if (track) track->observe(scene);
     if (events) tell(scene);
   };
-  const auto result = game::watchGame(options, stop, [&](const simspark::SceneState& scene) {
+  const auto result = watch::watchGame(options, stop, [&](const simspark::SceneState& scene) {
     if (!quiet && !events) tell(scene);
   });
-  const std::string line = game::gameLogLine(entry, result);
-  if (!log.empty() && result.end != game::GameEnd::interrupted) game::appendGameLog(log, line);
+  const std::string line = watch::gameLogLine(entry, result);
+  if (!log.empty() && result.end != watch::GameEnd::interrupted) watch::appendGameLog(log, line);
   if (!events)
     fmt::print("{}\n", line);
-  else if (result.end != game::GameEnd::interrupted && !shown.empty())
+  else if (result.end != watch::GameEnd::interrupted && !shown.empty())
     fmt::print("at the end: {} {} : {} {}\n", result.teamLeft, result.scoreLeft, result.scoreRight,
                result.teamRight);
-  if (result.end == game::GameEnd::over) return 0;
+  if (result.end == watch::GameEnd::over) return 0;
   fmt::print(stderr, "watchgame: {}\n", result.problem);
-  return result.end == game::GameEnd::interrupted ? 130 : 1;
+  return result.end == watch::GameEnd::interrupted ? 130 : 1;
 }
 
 }  // namespace

@@ -8,9 +8,9 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "game/GameWatch.h"
+#include "watch/GameWatch.h"
 
-namespace plumbline::game {
+namespace plumbline::watch {
 
 using simspark::TeamSide;
 
@@ -63,4 +63,4 @@ void appendGameLog(const std::string& file, const std::string& line) {
   if (!good) fail();
 }
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

@@ -1,4 +1,4 @@
-#include "game/TrackReader.h"
+#include "watch/TrackReader.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace plumbline::game {
+namespace plumbline::watch {
 namespace {
 
 constexpr std::size_t columns = 7;
@@ -79,4 +79,4 @@ std::vector<TrackMoment> readTrack(const std::string& file) {
   return moments;
 }
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

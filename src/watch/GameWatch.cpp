@@ -1,4 +1,4 @@
-#include "game/GameWatch.h"
+#include "watch/GameWatch.h"
 
 #include <tuple>
 
@@ -6,7 +6,7 @@
 #include "framework/StopSignal.h"
 #include "simspark/MonitorClient.h"
 
-namespace plumbline::game {
+namespace plumbline::watch {
 
 using namespace simspark;
 
@@ -137,4 +137,4 @@ GameResult watchGame(const GameWatchOptions& options, const StopSignal& stop,
   return end(GameEnd::interrupted, "interrupted");
 }
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

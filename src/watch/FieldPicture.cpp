@@ -1,4 +1,4 @@
-#include "game/FieldPicture.h"
+#include "watch/FieldPicture.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "field/FieldMarks.h"
-#include "game/DotCanvas.h"
+#include "watch/DotCanvas.h"
 
-namespace plumbline::game {
+namespace plumbline::watch {
 
 using simspark::FieldRobot;
 using simspark::FieldState;
@@ -200,4 +200,4 @@ TextPicture fieldPicture(const FieldState& state, int columns, int rows, const F
   return picture;
 }
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

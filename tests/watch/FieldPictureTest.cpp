@@ -1,12 +1,12 @@
-#include "game/FieldPicture.h"
+#include "watch/FieldPicture.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "game/DotCanvas.h"
+#include "watch/DotCanvas.h"
 
-namespace plumbline::game {
+namespace plumbline::watch {
 namespace {
 
 using simspark::FieldState;
@@ -126,4 +126,4 @@ TEST(ClockText, minutesSecondsTenths) {
 }
 
 }  // namespace
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

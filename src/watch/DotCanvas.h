@@ -4,7 +4,7 @@
 
 #include "math/Types.h"
 
-namespace plumbline::game {
+namespace plumbline::watch {
 
 /// Dots on a grid of characters, two by four in each, as Braille has them.
 class DotCanvas {
@@ -25,4 +25,4 @@ private:
   std::vector<std::uint8_t> cells_;  ///< a bit per dot, row by row: bit 2 y + x
 };
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

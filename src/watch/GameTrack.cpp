@@ -1,4 +1,4 @@
-#include "game/GameTrack.h"
+#include "watch/GameTrack.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace plumbline::game {
+namespace plumbline::watch {
 
 using simspark::SceneRobot;
 using simspark::TeamSide;
@@ -43,4 +43,4 @@ void GameTrack::observe(const simspark::SceneState& scene) {
   check(out_, file_);
 }
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

@@ -4,7 +4,7 @@
 
 #include "simspark/FieldMessage.h"
 
-namespace plumbline::game {
+namespace plumbline::watch {
 
 /// What a character of a picture belongs to; a terminal gives it a colour.
 enum class Ink { plain, line, left, right, nobody, ball, problem };
@@ -54,4 +54,4 @@ TextPicture fieldPicture(const simspark::FieldState& state, int columns, int row
 /// 83.4 s: "1:23.4".
 std::string clockText(double seconds);
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

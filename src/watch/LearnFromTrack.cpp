@@ -1,10 +1,10 @@
-#include "game/LearnFromTrack.h"
+#include "watch/LearnFromTrack.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-namespace plumbline::game {
+namespace plumbline::watch {
 namespace {
 
 constexpr double walkSpeed = 0.8, getUp = 4, farTime = 30;  ///< as TimeToBall's [m/s, s]
@@ -69,4 +69,4 @@ std::size_t learnFromTrack(const std::vector<TrackMoment>& moments, FieldValueLe
   return counted;
 }
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

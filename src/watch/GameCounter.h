@@ -9,7 +9,7 @@
 
 #include "simspark/SceneState.h"
 
-namespace plumbline::game {
+namespace plumbline::watch {
 
 /// Counts what happens in a game from the scenes a monitor gets: falls, kicks and fouls of each team.
 /// Positions there are exact to 5 mm, so what is counted is what was to be seen, on any server.
@@ -61,4 +61,4 @@ private:
   double lastKick_ = -1e9;
 };
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

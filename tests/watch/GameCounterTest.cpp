@@ -1,4 +1,4 @@
-#include "game/GameCounter.h"
+#include "watch/GameCounter.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <fstream>
 #include <thread>
 
-#include "game/GameWatch.h"
+#include "watch/GameWatch.h"
 
-namespace plumbline::game {
+namespace plumbline::watch {
 namespace {
 
 using simspark::SceneRobot;
@@ -195,4 +195,4 @@ TEST(GameLog, manyWritersOneHeader) {
 }
 
 }  // namespace
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

@@ -1,9 +1,9 @@
-#include "game/GameCounter.h"
+#include "watch/GameCounter.h"
 
 #include <algorithm>
 #include <limits>
 
-namespace plumbline::game {
+namespace plumbline::watch {
 
 using simspark::SceneRobot;
 using simspark::SceneState;
@@ -78,4 +78,4 @@ void GameCounter::countKicks(const SceneState& scene) {
   ++kicks_[index(kicker->side)];
 }
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

@@ -1,9 +1,9 @@
-#include "game/LearnFromTrack.h"
+#include "watch/LearnFromTrack.h"
 
 #include <gtest/gtest.h>
 
 using namespace plumbline;
-using namespace plumbline::game;
+using namespace plumbline::watch;
 
 namespace {
 

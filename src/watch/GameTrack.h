@@ -4,7 +4,7 @@
 
 #include "simspark/SceneState.h"
 
-namespace plumbline::game {
+namespace plumbline::watch {
 
 /// Where everybody was in a game, as a CSV file: a line for the ball and one for each player, every
 /// `interval` of the game's clock while it runs. Columns: time [s], side (ball, left, right), number, x, y
@@ -24,4 +24,4 @@ private:
   double next_ = 0, before_ = 0;  ///< [s]
 };
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

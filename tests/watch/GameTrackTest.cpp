@@ -1,10 +1,10 @@
-#include "game/GameTrack.h"
+#include "watch/GameTrack.h"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-namespace plumbline::game {
+namespace plumbline::watch {
 namespace {
 
 std::string contentOf(const std::string& file) {
@@ -47,4 +47,4 @@ TEST(GameTrackTest, aFileThatCannotBeWrittenIsAnError) {
 }
 
 }  // namespace
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

@@ -1,10 +1,10 @@
-#include "game/DotCanvas.h"
+#include "watch/DotCanvas.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-namespace plumbline::game {
+namespace plumbline::watch {
 
 namespace {
 constexpr int dotsAcross = 2, dotsDown = 4;
@@ -55,4 +55,4 @@ char32_t DotCanvas::ascii(int column, int row) const {
   return upright && level ? U'+' : upright ? U'|' : level ? U'-' : U'.';
 }
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "game/TrackReader.h"
 #include "tactics/FieldValueLearner.h"
+#include "watch/TrackReader.h"
 
-namespace plumbline::game {
+namespace plumbline::watch {
 
 constexpr double learningStep = 3;  ///< of the game's clock, for learnFromTrack [s]
 
@@ -13,4 +13,4 @@ constexpr double learningStep = 3;  ///< of the game's clock, for learnFromTrack
 /// ball belongs to the team that restarts. Returns the number of steps and goals that were added.
 std::size_t learnFromTrack(const std::vector<TrackMoment>& moments, FieldValueLearner& learner);
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

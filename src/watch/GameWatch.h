@@ -2,13 +2,13 @@
 #include <functional>
 #include <string>
 
-#include "game/GameCounter.h"
+#include "watch/GameCounter.h"
 
 namespace plumbline {
 class StopSignal;
 }
 
-namespace plumbline::game {
+namespace plumbline::watch {
 
 /// How a game ended. Anything but `over` is no result.
 enum class GameEnd { over, interrupted, noPlayers, hangs, overLimit, serverGone };
@@ -57,4 +57,4 @@ std::string gameLogLine(const GameLogEntry& entry, const GameResult& result);
 /// std::runtime_error, one line.
 void appendGameLog(const std::string& file, const std::string& line);
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch

@@ -4,7 +4,7 @@
 
 #include "math/Types.h"
 
-namespace plumbline::game {
+namespace plumbline::watch {
 
 /// A player in a track.
 struct TrackPlayer {
@@ -26,4 +26,4 @@ struct TrackMoment {
 /// is wrong".
 std::vector<TrackMoment> readTrack(const std::string& file);
 
-}  // namespace plumbline::game
+}  // namespace plumbline::watch
