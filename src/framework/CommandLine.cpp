@@ -120,6 +120,8 @@ template CommandOption CommandLine::option(const std::string&, std::string&, con
 template CommandOption CommandLine::option(const std::string&, int&, const std::string&);
 template CommandOption CommandLine::option(const std::string&, unsigned&, const std::string&);
 template CommandOption CommandLine::option(const std::string&, std::uint64_t&, const std::string&);
+template CommandOption CommandLine::option(const std::string&, std::optional<std::uint64_t>&,
+                                           const std::string&);
 template CommandOption CommandLine::option(const std::string&, double&, const std::string&);
 template CommandOption CommandLine::option(const std::string&, std::vector<std::string>&, const std::string&);
 
