@@ -33,6 +33,13 @@ void prepare(CLI::App& app, const std::shared_ptr<CLI::FormatterBase>& formatter
   for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) prepare(*command, formatter);
 }
 
+void share(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
+    command->fallthrough();
+    share(*command);
+  }
+}
+
 /// The subcommand that the line got to.
 const CLI::App& reached(const CLI::App& app) {
   const auto commands = app.get_subcommands();
@@ -79,13 +86,8 @@ std::string mismatchText(const CLI::App& app, const std::string& what) {
   return single ? name + " takes one value, once" : what;
 }
 
-}  // namespace
-
-std::string versionText() { return "Plumbline " PLUMBLINE_VERSION; }
-
-std::string commandLineError(const CLI::App& app, const std::string& what) {
-  const std::string program = app.get_name();
-  std::string command = program;
+std::string errorText(const CLI::App& app, const std::string& what) {
+  std::string command = app.get_name();
   for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
     at = at->get_subcommands().back();
     command += " " + at->get_name();
@@ -93,7 +95,72 @@ std::string commandLineError(const CLI::App& app, const std::string& what) {
   return singleLine(what) + "; see " + command + " --help";
 }
 
-std::optional<int> readCommandLine(CLI::App& app, int argc, const char* const* argv) {
+/// Calls what an option calls; CLI11 reads on for its own errors only.
+template <typename Text>
+std::function<void(const Text&)> taking(const std::string& names, std::function<void(const Text&)> take) {
+  return [names, take = std::move(take)](const Text& text) {
+    try {
+      take(text);
+    } catch (const OptionError& error) {
+      throw CLI::ValidationError(names, error.what());
+    }
+  };
+}
+
+}  // namespace
+
+CommandLine::CommandLine(const std::string& what, const std::string& name)
+    : app_(std::make_shared<CLI::App>(what, name)) {}
+
+template <typename T>
+CommandOption CommandLine::option(const std::string& names, T& value, const std::string& what) {
+  return CommandOption(*app_->add_option(names, value, what));
+}
+template CommandOption CommandLine::option(const std::string&, std::string&, const std::string&);
+template CommandOption CommandLine::option(const std::string&, int&, const std::string&);
+template CommandOption CommandLine::option(const std::string&, unsigned&, const std::string&);
+template CommandOption CommandLine::option(const std::string&, std::uint64_t&, const std::string&);
+template CommandOption CommandLine::option(const std::string&, std::optional<std::uint64_t>&,
+                                           const std::string&);
+template CommandOption CommandLine::option(const std::string&, double&, const std::string&);
+template CommandOption CommandLine::option(const std::string&, std::vector<std::string>&, const std::string&);
+
+CommandOption CommandLine::flag(const std::string& names, bool& value, const std::string& what) {
+  return CommandOption(*app_->add_flag(names, value, what));
+}
+
+CommandOption CommandLine::action(const std::string& names, std::function<void(const std::string&)> take,
+                                  const std::string& what) {
+  return CommandOption(*app_->add_option_function<std::string>(names, taking(names, std::move(take)), what));
+}
+
+CommandOption CommandLine::actionOnAll(const std::string& names,
+                                       std::function<void(const std::vector<std::string>&)> take,
+                                       const std::string& what) {
+  return CommandOption(
+      *app_->add_option_function<std::vector<std::string>>(names, taking(names, std::move(take)), what)
+           ->take_all());
+}
+
+bool CommandLine::given(const std::string& name) const { return app_->get_option(name)->count() > 0; }
+
+CommandLine CommandLine::command(const std::string& name, const std::string& what) {
+  return CommandLine(app_->get_subcommand_ptr(app_->add_subcommand(name, what)));
+}
+
+void CommandLine::whenChosen(std::function<void()> run) { app_->callback(std::move(run)); }
+void CommandLine::requireCommand() { app_->require_subcommand(1); }
+void CommandLine::shareOptions() { share(*app_); }
+void CommandLine::footer(const std::string& text) { app_->footer(text); }
+
+std::string versionText() { return "Plumbline " PLUMBLINE_VERSION; }
+
+std::string commandLineError(const CommandLine& line, const std::string& what) {
+  return errorText(*line.app_, what);
+}
+
+std::optional<int> readCommandLine(CommandLine& line, int argc, const char* const* argv) {
+  CLI::App& app = *line.app_;
   if (app.get_name().empty() && argc > 0) {
     const std::string path = argv[0];
     app.name(path.substr(path.rfind('/') + 1));
@@ -113,7 +180,7 @@ std::optional<int> readCommandLine(CLI::App& app, int argc, const char* const* a
       what = strayText(app, stray);
     else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
       what = mismatchText(app, what);
-    std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), commandLineError(app, what).c_str());
+    std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), errorText(app, what).c_str());
     return ConfigurationError::exitCode;
   }
 }

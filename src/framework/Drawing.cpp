@@ -102,6 +102,8 @@ void Drawing::text(const Place& place, std::string_view text, const shapes::Colo
   add(shapes::Annotation{placed(place), std::string(shapes::cutText(text, maxText))}, colour);
 }
 
+Vec3 Drawing::placed(const Place& place) const { return T_field_own_ * place.at; }
+
 std::size_t Drawing::size() const {
   std::size_t bytes = sizeof(*this);
   for (const shapes::Shape& shape : shapes_) {

@@ -63,7 +63,7 @@ public:
   std::size_t size() const;
 
 private:
-  Vec3 placed(const Place& place) const { return T_field_own_ * place.at; }
+  Vec3 placed(const Place& place) const;
   void add(shapes::Form form, const shapes::Colour& colour);
 
   Pose3 T_field_own_ = Pose3::Identity();

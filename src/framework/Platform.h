@@ -4,11 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "framework/CommandLine.h"
 #include "framework/ModuleObjects.h"
-
-namespace CLI {
-class App;
-}
 
 namespace plumbline {
 
@@ -27,7 +24,7 @@ public:
   virtual ~Platform() = default;
 
   /// Adds the platform's own options of bin/agent; their values stay in this object.
-  virtual void declareOptions(CLI::App& app) = 0;
+  virtual void declareOptions(CommandLine& app) = 0;
   /// Throws ConfigurationError for options that cannot be.
   virtual void check() const {}
   /// Folders whose files override those of the folder `config`: those of the robot that the options chose.

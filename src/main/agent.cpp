@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -45,65 +44,61 @@ struct Options {
   bool motionOnce = false, status = false, timing = false, verbose = false, parameters = false;
 };
 
-void declare(CLI::App& app, Options& options, Platform& platform) {
+void declare(CommandLine& app, Options& options, Platform& platform) {
   std::string names;
   for (const std::string& name : Platforms::names()) names += (names.empty() ? "" : ", ") + name;
-  app.add_option("--platform", options.platform,
-                 "what the agent runs on, of: " + names + "; each has options of its own, see --help with it")
-      ->capture_default_str();
+  app.option("--platform", options.platform,
+             "what the agent runs on, of: " + names + "; each has options of its own, see --help with it")
+      .showDefault();
   platform.declareOptions(app);
-  auto* motion = app.add_option("--motion", options.motion,
-                                "play this motion of config/motions again and again instead of soccer");
-  app.add_flag("--once", options.motionOnce, "with --motion: once, then end")->needs(motion);
-  app.add_option("--config", options.config, "folder of the configuration")->capture_default_str();
-  app.add_option("--modules", options.modules,
-                 "modules.cfg; default: platforms/NAME/modules.cfg in the configuration's folder");
-  app.add_option("--field", options.field,
-                 "file with the sizes of the field; default: field.yaml in the configuration's folder");
-  app.add_option(
-      "--graph", options.graph,
-      "draw the module graph to FILE (.svg, .pdf, .png or .dot) and end; with --timing at the end of "
-      "the run, with what each module cost");
-  app.add_flag("--parameters", options.parameters, "print a page of all parameters of all modules and end");
-  app.add_option("--stats", options.stats, "write cycles and CPU per cycle to FILE as JSON at the end");
-  app.add_flag("--timing", options.timing, "print a table of the time each module took at the end");
-  auto* debug = app.add_option("--debug", options.debug->server.port,
-                               "open the debug port for bin/rdb; 0: a free one, which is printed")
-                    ->expected(0, 1)
-                    ->default_str(std::to_string(inspect::DebugServerOptions::standardPort))
-                    ->check(CLI::Range(0, 65535));
-  debug->each([&options](const std::string&) { options.debugs = true; });
-  app.add_option("--debug-address", options.debug->server.address,
-                 "with --debug: where others may reach it; needs --debug-token")
-      ->needs(debug)
-      ->capture_default_str();
-  app.add_option("--debug-token", options.debug->server.token,
-                 "with --debug: the token that clients must send first")
-      ->needs(debug);
+  const CommandOption motion = app.option(
+      "--motion", options.motion, "play this motion of config/motions again and again instead of soccer");
+  app.flag("--once", options.motionOnce, "with --motion: once, then end").needs(motion);
+  app.option("--config", options.config, "folder of the configuration").showDefault();
+  app.option("--modules", options.modules,
+             "modules.cfg; default: platforms/NAME/modules.cfg in the configuration's folder");
+  app.option("--field", options.field,
+             "file with the sizes of the field; default: field.yaml in the configuration's folder");
+  app.option("--graph", options.graph,
+             "draw the module graph to FILE (.svg, .pdf, .png or .dot) and end; with --timing at the end of "
+             "the run, with what each module cost");
+  app.flag("--parameters", options.parameters, "print a page of all parameters of all modules and end");
+  app.option("--stats", options.stats, "write cycles and CPU per cycle to FILE as JSON at the end");
+  app.flag("--timing", options.timing, "print a table of the time each module took at the end");
+  const CommandOption debug = app.option("--debug", options.debug->server.port,
+                                         "open the debug port for bin/rdb; 0: a free one, which is printed")
+                                  .valueOptional()
+                                  .showDefault(std::to_string(inspect::DebugServerOptions::standardPort))
+                                  .range(0, 65535);
+  debug.notes(options.debugs);
+  app.option("--debug-address", options.debug->server.address,
+             "with --debug: where others may reach it; needs --debug-token")
+      .needs(debug)
+      .showDefault();
+  app.option("--debug-token", options.debug->server.token,
+             "with --debug: the token that clients must send first")
+      .needs(debug);
   declareLogOptions(app, options.log);
-  app.add_option(
-         "--drawing-port", options.debug->viewer.port,
-         "UDP port of the viewer (RoboViz, bin/webmonitor) in which drawings that are switched on appear")
-      ->check(CLI::Range(1, 65535))
-      ->capture_default_str();
-  app.add_option("--drawing-address", options.debug->viewer.address, "where that viewer runs")
-      ->capture_default_str();
-  auto* web = app.add_option("--web", options.web.port,
-                             "serve a page to look into the agent; 0: a free port, which is printed")
-                  ->expected(0, 1)
-                  ->default_str(std::to_string(pages::AgentPage::standardPort))
-                  ->check(CLI::Range(0, 65535));
-  web->each([&options](const std::string&) { options.serves = true; });
-  app.add_option("--web-address", options.web.address,
-                 "with --web: where others may reach it; needs --web-token")
-      ->needs(web)
-      ->capture_default_str();
-  app.add_option("--web-token", options.web.token, "with --web: the page opens with ?token=TOKEN only")
-      ->needs(web);
-  app.add_flag("-v,--verbose", options.verbose, "print every step of every cycle and all log messages");
-  app.add_option("--crash-log", options.crashLog, "file written if the agent dies by a signal")
-      ->capture_default_str();
-  app.add_flag("--status", options.status, "print a line per second: the robot's estimates and what it does");
+  app.option("--drawing-port", options.debug->viewer.port,
+             "UDP port of the viewer (RoboViz, bin/webmonitor) in which drawings that are switched on appear")
+      .range(1, 65535)
+      .showDefault();
+  app.option("--drawing-address", options.debug->viewer.address, "where that viewer runs").showDefault();
+  const CommandOption web =
+      app.option("--web", options.web.port,
+                 "serve a page to look into the agent; 0: a free port, which is printed")
+          .valueOptional()
+          .showDefault(std::to_string(pages::AgentPage::standardPort))
+          .range(0, 65535);
+  web.notes(options.serves);
+  app.option("--web-address", options.web.address, "with --web: where others may reach it; needs --web-token")
+      .needs(web)
+      .showDefault();
+  app.option("--web-token", options.web.token, "with --web: the page opens with ?token=TOKEN only")
+      .needs(web);
+  app.flag("-v,--verbose", options.verbose, "print every step of every cycle and all log messages");
+  app.option("--crash-log", options.crashLog, "file written if the agent dies by a signal").showDefault();
+  app.flag("--status", options.status, "print a line per second: the robot's estimates and what it does");
   app.footer("Examples:\n" + platform.examples() +
              "  bin/agent --graph graph.svg                              draw the module graph\n"
              "  bin/agent --start-simulator --log game                   record all that modules know\n"
@@ -230,7 +225,7 @@ int runProgram(int argc, char** argv) {
   Options options;
   options.config = configFolder();
   const auto platform = Platforms::make(chosenPlatform(argc, argv, defaultPlatform));
-  CLI::App app("A humanoid robot that plays soccer, on one of the platforms; simspark is the 3D league.");
+  CommandLine app("A humanoid robot that plays soccer, on one of the platforms; simspark is the 3D league.");
   declare(app, options, *platform);
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   return runAgent(options, *platform);

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "framework/CommandLine.h"
@@ -18,40 +17,33 @@ namespace {
 int runProgram(int argc, char** argv) {
   using namespace plumbline;
   game::GameOptions options;
-  CLI::App app("One robot, a ball and a goal: starts the embedded simulator and an agent and watches them.");
-  app.add_option("--type", options.type, "robot type: N of config/robots/simspark_typeN.json")
-      ->check(CLI::Range(0, 9))
-      ->capture_default_str();
-  app.add_option("--seed", options.seed, "the same seed repeats the run, from 1")
-      ->check(CLI::Range(1u, 4000000000u))
-      ->capture_default_str();
-  app.add_option("--limit", options.limit, "simulated seconds it may take")
-      ->check(CLI::Range(1.0, 36000.0))
-      ->capture_default_str();
-  app.add_option("--engine", options.engine, "physics of the embedded simulator")
-      ->check(CLI::IsMember(simulation::physicsEngines()))
-      ->capture_default_str();
-  app.add_option("--field", options.field, "file with the sizes of the field, as config/field.yaml")
-      ->check(CLI::ExistingFile);
-  app.add_flag("--realtime", options.realtime, "in real time instead of as fast as possible");
-  auto* web = app.add_flag("--web", options.web,
-                           "shows it on a page, whose address is printed; `make web` builds the page");
-  app.add_flag("--stay", options.stay, "keeps the page open on the last picture until Ctrl-C")->needs(web);
+  CommandLine app(
+      "One robot, a ball and a goal: starts the embedded simulator and an agent and watches them.");
+  app.option("--type", options.type, "robot type: N of config/robots/simspark_typeN.json")
+      .range(0, 9)
+      .showDefault();
+  app.option("--seed", options.seed, "the same seed repeats the run, from 1")
+      .range(1u, 4000000000u)
+      .showDefault();
+  app.option("--limit", options.limit, "simulated seconds it may take").range(1.0, 36000.0).showDefault();
+  app.option("--engine", options.engine, "physics of the embedded simulator")
+      .oneOf(simulation::physicsEngines())
+      .showDefault();
+  app.option("--field", options.field, "file with the sizes of the field, as config/field.yaml")
+      .existingFile();
+  app.flag("--realtime", options.realtime, "in real time instead of as fast as possible");
+  const CommandOption web = app.flag(
+      "--web", options.web, "shows it on a page, whose address is printed; `make web` builds the page");
+  app.flag("--stay", options.stay, "keeps the page open on the last picture until Ctrl-C").needs(web);
   options.output = game::defaultOutput();
-  app.add_option("--output", options.output, "folder for summary.json, track.svg and the logs")
-      ->capture_default_str();
-  app.add_option("--host", options.host, "play on a server that runs already, e.g. the league's");
-  app.add_option("--port", options.port, "its agent port")
-      ->check(CLI::Range(1, 65535))
-      ->capture_default_str();
-  app.add_option("--monitor-port", options.monitorPort, "its monitor port")
-      ->check(CLI::Range(1, 65535))
-      ->capture_default_str();
-  app.add_option("--agent-option", options.agentOptions, "passed to bin/agent; repeat for more")
-      ->allow_extra_args(false);
-  app.add_option("--simulator-option", options.simulatorOptions,
-                 "passed to bin/simulator, e.g. --simulator-option=--no-bouncing-stops; repeat for more")
-      ->allow_extra_args(false);
+  app.option("--output", options.output, "folder for summary.json, track.svg and the logs").showDefault();
+  app.option("--host", options.host, "play on a server that runs already, e.g. the league's");
+  app.option("--port", options.port, "its agent port").range(1, 65535).showDefault();
+  app.option("--monitor-port", options.monitorPort, "its monitor port").range(1, 65535).showDefault();
+  app.option("--agent-option", options.agentOptions, "passed to bin/agent; repeat for more").oneValueEach();
+  app.option("--simulator-option", options.simulatorOptions,
+             "passed to bin/simulator, e.g. --simulator-option=--no-bouncing-stops; repeat for more")
+      .oneValueEach();
   app.footer(
       "Exit status: 0 after a goal, 1 without one, 2 for bad options and what else keeps it from playing, "
       "130 after\n"

@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 #include <zlib.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -242,83 +241,70 @@ int runProgram(int argc, char** argv) {
   Options options;
   TrainingSetup& setup = options.setup;
   int jobs = 0;
-  CLI::App app(
+  CommandLine app(
       "Finds the walk of a robot type in the simulator: parameters at full speed in each "
       "direction, then "
       "speeds and feedback for any mixture, and the recovery from pushes.");
-  app.add_option("--type", options.type, "robot type: N of config/robots/simspark_typeN.json")
-      ->check(CLI::Range(0, 9))
-      ->capture_default_str();
-  app.add_option("--robot", options.robot,
-                 "instead of a type: a robot with position servos, by the name of its file in config/robots");
-  app.add_option("--task", options.tasks,
-                 "what is searched for, in this order: forward, backward, sideways, turn, mixture, push")
-      ->check(CLI::IsMember(std::vector<std::string>{taskNames.begin(), taskNames.end()}))
-      ->capture_default_str();
-  app.add_option("--optimizer", setup.optimizer,
-                 fmt::format("what searches: {}", fmt::join(optimizerNames(), ", ")))
-      ->check(CLI::Validator(
-          [](std::string& name) -> std::string {
-            if (std::ranges::count(optimizerNames(), name) > 0) return {};
-            const std::string near = suggestion(name, optimizerNames());
-            return fmt::format(
-                "unknown optimiser \"{}\"{}", name,
-                near.empty() ? fmt::format("; there are: {}", fmt::join(optimizerNames(), ", ")) : near);
-          },
-          ""))
-      ->capture_default_str();
-  app.add_option("--generations", setup.generations, "of each search")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  app.add_option("--population", setup.population, "candidates of a generation")
-      ->check(CLI::Range(4, 10000))
-      ->capture_default_str();
-  app.add_option("--tries", setup.trial.tries, "of each candidate")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  app.add_option("--seconds", setup.trial.seconds, "of one try")
-      ->check(CLI::Range(2.0, 600.0))
-      ->capture_default_str();
-  app.add_option("--push", setup.trial.push,
-                 "greatest change of velocity by a push, one a second, for the task push one a try [m/s]")
-      ->check(CLI::Range(0.0, 3.0))
-      ->capture_default_str();
-  app.add_option("--sigma", setup.sigma,
-                 "how far from the start the first generation lies, in sensible steps")
-      ->check(CLI::Range(0.01, 10.0))
-      ->capture_default_str();
-  app.add_option("--only", setup.only,
-                 "paths of the parameters that are searched, as step.duration; default: all of the task's");
-  app.add_option("--seed", setup.seed, "the same seed repeats the search")->capture_default_str();
-  app.add_option("--from", options.from,
-                 "folder of the walking.yaml to begin with; default: the type's in config/");
-  app.add_flag("--anew", options.anew, "begins with the same parameters in all directions");
-  app.add_option("--corners-of", options.cornersOf, "begins with the directions found for another type")
-      ->check(CLI::Range(0, 9));
-  CLI::Option* choose =
-      app.add_flag("--choose", options.choose,
-                   "reduces the omnidirectional walk and each sprint (of the file and of the search) until "
-                   "minutes of tries have no fall, and chooses the fastest");
-  app.add_option("--search", options.searched,
-                 "with --choose: those of the tasks whose sprints are searched; the others are only cut")
-      ->check(CLI::IsMember(std::vector<std::string>{taskNames.begin(), taskNames.end()}))
-      ->needs(choose);
-  app.add_option("--choice-seed", options.choice.seed, "of those tries")
-      ->needs(choose)
-      ->capture_default_str();
-  app.add_option("--over", options.over, "folder of a walking.yaml that is put over what was chosen")
-      ->check(CLI::ExistingDirectory)
-      ->needs(choose);
-  app.add_option("--jobs", jobs, "candidates tried at a time, which changes nothing else [as many as cores]")
-      ->check(CLI::Range(1, 256));
-  app.add_option_function<std::string>(
-      "--config", useConfigFolder, "folder of the configuration [config/ here, else the one next to bin/]");
-  app.add_option("--effects", options.effects,
-                 "the simulated robot has these: an answer of bin/gap diagnose --json, or a file of bin/gap "
-                 "apply")
-      ->check(CLI::ExistingFile);
-  app.add_flag("--try", options.tryOnly, "only measures the walk at the tasks, and writes nothing");
-  app.add_option("--output", options.output, "file to write; default: the type's in config/");
+  app.option("--type", options.type, "robot type: N of config/robots/simspark_typeN.json")
+      .range(0, 9)
+      .showDefault();
+  app.option("--robot", options.robot,
+             "instead of a type: a robot with position servos, by the name of its file in config/robots");
+  app.option("--task", options.tasks,
+             "what is searched for, in this order: forward, backward, sideways, turn, mixture, push")
+      .oneOf(std::vector<std::string>{taskNames.begin(), taskNames.end()})
+      .showDefault();
+  app.option("--optimizer", setup.optimizer,
+             fmt::format("what searches: {}", fmt::join(optimizerNames(), ", ")))
+      .check([](const std::string& name) -> std::string {
+        if (std::ranges::count(optimizerNames(), name) > 0) return {};
+        const std::string near = suggestion(name, optimizerNames());
+        return fmt::format(
+            "unknown optimiser \"{}\"{}", name,
+            near.empty() ? fmt::format("; there are: {}", fmt::join(optimizerNames(), ", ")) : near);
+      })
+      .showDefault();
+  app.option("--generations", setup.generations, "of each search").range(1, 100000).showDefault();
+  app.option("--population", setup.population, "candidates of a generation").range(4, 10000).showDefault();
+  app.option("--tries", setup.trial.tries, "of each candidate").range(1, 1000).showDefault();
+  app.option("--seconds", setup.trial.seconds, "of one try").range(2.0, 600.0).showDefault();
+  app.option("--push", setup.trial.push,
+             "greatest change of velocity by a push, one a second, for the task push one a try [m/s]")
+      .range(0.0, 3.0)
+      .showDefault();
+  app.option("--sigma", setup.sigma, "how far from the start the first generation lies, in sensible steps")
+      .range(0.01, 10.0)
+      .showDefault();
+  app.option("--only", setup.only,
+             "paths of the parameters that are searched, as step.duration; default: all of the task's");
+  app.option("--seed", setup.seed, "the same seed repeats the search").showDefault();
+  app.option("--from", options.from,
+             "folder of the walking.yaml to begin with; default: the type's in config/");
+  app.flag("--anew", options.anew, "begins with the same parameters in all directions");
+  app.option("--corners-of", options.cornersOf, "begins with the directions found for another type")
+      .range(0, 9);
+  const CommandOption choose =
+      app.flag("--choose", options.choose,
+               "reduces the omnidirectional walk and each sprint (of the file and of the search) until "
+               "minutes of tries have no fall, and chooses the fastest");
+  app.option("--search", options.searched,
+             "with --choose: those of the tasks whose sprints are searched; the others are only cut")
+      .oneOf(std::vector<std::string>{taskNames.begin(), taskNames.end()})
+      .needs(choose);
+  app.option("--choice-seed", options.choice.seed, "of those tries").needs(choose).showDefault();
+  app.option("--over", options.over, "folder of a walking.yaml that is put over what was chosen")
+      .existingFolder()
+      .needs(choose);
+  app.option("--jobs", jobs, "candidates tried at a time, which changes nothing else [as many as cores]")
+      .range(1, 256);
+  app.action("--config", useConfigFolder,
+             "folder of the configuration [config/ here, else the one next to bin/]");
+  app.option("--effects", options.effects,
+             "the simulated robot has these: an answer of bin/gap diagnose --json, or a file of bin/gap "
+             "apply")
+      .existingFile();
+  app.flag("--try", options.tryOnly, "only measures the walk at the tasks, and writes nothing");
+  app.option("--output", options.output, "file to write; default: the type's in config/");
   app.footer(
       "Stopped by Ctrl-C or a loss of power it goes on where it was: FILE.search beside the output keeps "
       "what was found,\n"

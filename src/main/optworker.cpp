@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <ctime>
 #include <new>
@@ -45,18 +44,18 @@ int runProgram(int argc, char** argv) {
   farm::ServerAddress server;
   std::string name;
   double patience = 30;
-  CLI::App app(
+  CommandLine app(
       "Evaluates the candidates of an optimisation server, in its own simulator, until the search is over.",
       "optworker");
-  app.add_option("--host", server.host, "Where bin/optserver runs")->capture_default_str();
-  app.add_option("--port", server.port, "Its port")->check(CLI::Range(1, 65535))->capture_default_str();
-  app.add_option("--token", server.token, "The server's token, if it needs one")->envname("PLUMBLINE_TOKEN");
-  app.add_option("--name", name, "How the server calls it [host and process]");
-  app.add_option("--patience", patience, "Waits so long for a server that is not there, or went away [s]")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  app.add_option_function<std::string>(
-      "--config", useConfigFolder, "folder of the configuration [config/ here, else the one next to bin/]");
+  app.option("--host", server.host, "Where bin/optserver runs").showDefault();
+  app.option("--port", server.port, "Its port").range(1, 65535).showDefault();
+  app.option("--token", server.token, "The server's token, if it needs one").orVariable("PLUMBLINE_TOKEN");
+  app.option("--name", name, "How the server calls it [host and process]");
+  app.option("--patience", patience, "Waits so long for a server that is not there, or went away [s]")
+      .range(0.0, 1e6)
+      .showDefault();
+  app.action("--config", useConfigFolder,
+             "folder of the configuration [config/ here, else the one next to bin/]");
   app.footer(
       "Examples:\n  bin/optworker --port 3400\n  bin/optworker --host 10.0.0.5 --token SECRET --patience "
       "600");

@@ -1,7 +1,6 @@
 // bin/webmonitor: a page that shows the game on a monitor port, or a recorded one, in three dimensions.
 #include <poll.h>
 
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <cstdio>
 #include <exception>
@@ -22,45 +21,43 @@ int runProgram(int argc, char** argv) {
   using namespace plumbline;
   constexpr int badInput = 2;
   web::WebMonitorConfig config;
-  CLI::App app("Shows a game of SimSpark in the browser; attaches to any monitor port.", "webmonitor");
-  app.add_option("--host", config.live.host, "Where the simulator runs")->capture_default_str();
-  app.add_option("--port", config.live.port, "Its monitor port")
-      ->check(CLI::Range(1, 65535))
-      ->capture_default_str();
-  app.add_option("--monitor-token", config.live.token, "Token of its monitor port, if it needs one");
-  app.add_option("--web-port", config.server.port, "Port of the page; 0: a free one")
-      ->check(CLI::Range(0, 65535))
-      ->capture_default_str();
-  app.add_option("--bind", config.server.address, "Address of the page; any but loopback needs --token")
-      ->capture_default_str();
-  app.add_option("--token", config.server.token, "The page opens with ?token=TOKEN only");
-  const auto* drawingPort = app.add_option("--drawing-port", config.live.drawingPort,
-                                           "UDP port of the agents' drawings; 0: a free one, -1: none")
-                                ->check(CLI::Range(-1, 65535))
-                                ->capture_default_str();
-  auto* record = app.add_option("--record", config.live.record, "Write the match to this file");
-  app.add_option("--replay", config.replay, "Show this match file instead of a running game")
-      ->excludes(record);
-  app.add_option("--page", config.server.folder, "Folder of the page [where `make web` puts it]");
+  CommandLine app("Shows a game of SimSpark in the browser; attaches to any monitor port.", "webmonitor");
+  app.option("--host", config.live.host, "Where the simulator runs").showDefault();
+  app.option("--port", config.live.port, "Its monitor port").range(1, 65535).showDefault();
+  app.option("--monitor-token", config.live.token, "Token of its monitor port, if it needs one");
+  app.option("--web-port", config.server.port, "Port of the page; 0: a free one")
+      .range(0, 65535)
+      .showDefault();
+  app.option("--bind", config.server.address, "Address of the page; any but loopback needs --token")
+      .showDefault();
+  app.option("--token", config.server.token, "The page opens with ?token=TOKEN only");
+  const CommandOption drawingPort = app.option("--drawing-port", config.live.drawingPort,
+                                               "UDP port of the agents' drawings; 0: a free one, -1: none")
+                                        .range(-1, 65535)
+                                        .showDefault();
+  const CommandOption record = app.option("--record", config.live.record, "Write the match to this file");
+  app.option("--replay", config.replay, "Show this match file instead of a running game").excludes(record);
+  app.option("--page", config.server.folder, "Folder of the page [where `make web` puts it]");
   std::string summary, output, replayAddress = "http://localhost:8080/";
-  auto* sums = app.add_option("--summary", summary,
-                              "Instead of showing a game: write a page about this match file, complete in "
-                              "itself: score, ways, shots, passes, falls")
-                   ->excludes(record);
-  app.add_option("-o,--output", output, "With --summary: the page's file [the match file's name with .html]")
-      ->needs(sums);
-  app.add_option("--replay-at", replayAddress,
-                 "With --summary: where bin/webmonitor --replay shows the match, for the page's links")
-      ->needs(sums)
-      ->capture_default_str();
+  const CommandOption sums =
+      app.option("--summary", summary,
+                 "Instead of showing a game: write a page about this match file, complete in "
+                 "itself: score, ways, shots, passes, falls")
+          .excludes(record);
+  app.option("-o,--output", output, "With --summary: the page's file [the match file's name with .html]")
+      .needs(sums);
+  app.option("--replay-at", replayAddress,
+             "With --summary: where bin/webmonitor --replay shows the match, for the page's links")
+      .needs(sums)
+      .showDefault();
   app.footer(
       "Examples:\n  bin/webmonitor --port 3200\n  bin/webmonitor --replay match.plm\n"
       "  bin/webmonitor --summary match.plm -o match.html");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
-  config.live.drawingPortOptional = drawingPort->count() == 0;
+  config.live.drawingPortOptional = !drawingPort.given();
   StopSignal stop;
   stop.catchSignals();
-  if (sums->count() > 0) {
+  if (sums.given()) {
     if (output.empty()) output = std::filesystem::path(summary).replace_extension(".html").string();
     const std::string page = web::builtSummaryPage();
     writeFile(output, web::summaryPage(page, web::gameTracks(summary), replayAddress));

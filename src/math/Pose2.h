@@ -16,17 +16,13 @@ struct Pose2 {
 
   double x() const { return position.x(); }
   double y() const { return position.y(); }
-  Mat2 rotation() const { return Eigen::Rotation2Dd(heading).toRotationMatrix(); }
+  Mat2 rotation() const;
 
   /// T_a_c from T_a_b (this) and T_b_c.
-  Pose2 operator*(const Pose2& other) const {
-    return Pose2(position + rotation() * other.position, normalizeAngle(heading + other.heading));
-  }
+  Pose2 operator*(const Pose2& other) const;
   /// A point of b in coordinates of a.
-  Vec2 operator*(const Vec2& point) const { return position + rotation() * point; }
-  Pose2 inverse() const {
-    return Pose2(Vec2(-(rotation().transpose() * position)), normalizeAngle(-heading));
-  }
+  Vec2 operator*(const Vec2& point) const;
+  Pose2 inverse() const;
 };
 
 }  // namespace plumbline

@@ -5,7 +5,7 @@
 #include "framework/ConfigFile.h"
 #include "framework/ConfigFolder.h"
 #include "robot/MechanismFile.h"
-#include "simulation/servo/RobotSimulation.h"
+#include "servo/RobotSimulation.h"
 #include "training/Walker.h"
 #include "walking/engine/ServoDriver.h"
 

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
-
 namespace plumbline {
 namespace {
 
@@ -13,7 +11,7 @@ struct TypedLine {
   std::string out, err;
 };
 
-TypedLine read(CLI::App& app, std::vector<const char*> words) {
+TypedLine read(CommandLine& app, std::vector<const char*> words) {
   words.insert(words.begin(), "bin/prog");
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
@@ -25,25 +23,25 @@ TypedLine read(CLI::App& app, std::vector<const char*> words) {
 }
 
 struct Program {
-  CLI::App app{"What it does."};
+  CommandLine app{"What it does."};
   int jobs = 0;
   bool bouncing = true;
   Program() {
-    app.add_option("--jobs", jobs, "Threads")->check(CLI::Range(1, 4));
-    app.add_flag("--bouncing-stops,!--no-bouncing-stops", bouncing, "Stops bounce");
+    app.option("--jobs", jobs, "Threads").range(1, 4);
+    app.flag("--bouncing-stops,!--no-bouncing-stops", bouncing, "Stops bounce");
   }
 };
 
 struct Commands {
-  CLI::App app{"What it does."};
+  CommandLine app{"What it does."};
   std::string runs;
   int jobs = 0;
   Commands() {
-    app.require_subcommand(1);
-    CLI::App* diagnose = app.add_subcommand("diagnose", "Diagnoses");
-    diagnose->add_option("runs", runs, "Runs")->required();
-    diagnose->add_option("--jobs", jobs, "Threads");
-    app.add_subcommand("record", "Records");
+    app.requireCommand();
+    CommandLine diagnose = app.command("diagnose", "Diagnoses");
+    diagnose.option("runs", runs, "Runs").required();
+    diagnose.option("--jobs", jobs, "Threads");
+    app.command("record", "Records");
   }
 };
 

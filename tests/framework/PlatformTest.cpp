@@ -9,7 +9,7 @@ namespace {
 
 class TestPlatform : public Platform {
 public:
-  void declareOptions(CLI::App&) override {}
+  void declareOptions(CommandLine&) override {}
   std::vector<std::string> configFolders(const std::string& config) const override {
     return {config + "/robots/test"};
   }

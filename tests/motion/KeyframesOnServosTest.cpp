@@ -10,7 +10,7 @@
 #include "motion/KeyframeReader.h"
 #include "robot/HumanoidModel.h"
 #include "robot/MechanismFile.h"
-#include "simulation/servo/ServoWorld.h"
+#include "servo/ServoWorld.h"
 
 namespace plumbline::motion {
 namespace {

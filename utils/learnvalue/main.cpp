@@ -2,14 +2,13 @@
 // games.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <exception>
 #include <string>
 #include <vector>
 
 #include "framework/CommandLine.h"
 #include "framework/WriteFile.h"
-#include "game/LearnFromTrack.h"
+#include "watch/LearnFromTrack.h"
 
 namespace {
 
@@ -25,23 +24,22 @@ int runProgram(int argc, char** argv) {
   std::vector<std::string> tracks;
   std::string output = "config/field_value.yaml";
   FieldValueLearner::Options options;
-  CLI::App app(
+  CommandLine app(
       "Learns the value of the field from games: config/field_value.yaml, by which a striker decides.",
       "learnvalue");
-  app.add_option("tracks", tracks,
-                 "track.csv of games between equal teams (scripts/autoplay, bin/watchgame --track)")
-      ->required()
-      ->check(CLI::ExistingFile);
-  app.add_option("-o,--output", output, "The file to write")->capture_default_str();
-  app.add_option("--prior", options.priorSteps,
-                 "Steps of a ball that rolls to and fro, assumed at each point")
-      ->check(CLI::Range(1e-3, 1e6))
-      ->capture_default_str();
+  app.option("tracks", tracks,
+             "track.csv of games between equal teams (scripts/autoplay, bin/watchgame --track)")
+      .required()
+      .existingFile();
+  app.option("-o,--output", output, "The file to write").showDefault();
+  app.option("--prior", options.priorSteps, "Steps of a ball that rolls to and fro, assumed at each point")
+      .range(1e-3, 1e6)
+      .showDefault();
   app.footer("Example:\n  bin/learnvalue build/games/*/*/track.csv -o config/field_value.yaml");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   try {
     FieldValueLearner learner(standardGrid(), options);
-    for (const std::string& track : tracks) game::learnFromTrack(game::readTrack(track), learner);
+    for (const std::string& track : tracks) watch::learnFromTrack(watch::readTrack(track), learner);
     if (learner.steps() == 0)
       throw std::runtime_error("no ball in play in " + fmt::format("{} tracks", tracks.size()));
     const std::string head = fmt::format(
@@ -50,7 +48,7 @@ int runProgram(int argc, char** argv) {
         "# (x towards the opponents' goal; y aside, both sides alike; metres) and who is nearer to it\n"
         "# (src/tactics/FieldValue.h). Learnt by bin/learnvalue from {} games: {} steps of {:g} s, {} of\n"
         "# them into a goal.\n",
-        tracks.size(), learner.steps(), game::learningStep, learner.goals());
+        tracks.size(), learner.steps(), watch::learningStep, learner.goals());
     writeFile(output, head + learner.learn().yaml());
     fmt::print("{} games, {} steps, {} of them into a goal: {}\n", tracks.size(), learner.steps(),
                learner.goals(), output);

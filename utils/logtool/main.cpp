@@ -1,7 +1,6 @@
 // bin/logtool: what is in logs of agents, parts of them, what two differ in, and their values as tables.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -35,15 +34,14 @@ struct Options {
   double tolerance = 0;
 };
 
-void addPart(CLI::App& command, Options& options) {
-  command.add_option("--from", options.part.from, "from this time of the log on [s]")
-      ->check(CLI::NonNegativeNumber);
-  command.add_option("--to", options.part.to, "up to this time [s]")->check(CLI::NonNegativeNumber);
-  command.add_option("--cycles", options.cycles, "only cycles FIRST:LAST, by their numbers");
+void addPart(CommandLine& command, Options& options) {
+  command.option("--from", options.part.from, "from this time of the log on [s]").notNegative();
+  command.option("--to", options.part.to, "up to this time [s]").notNegative();
+  command.option("--cycles", options.cycles, "only cycles FIRST:LAST, by their numbers");
 }
 
-void addOnly(CLI::App& command, Options& options, const std::string& what) {
-  command.add_option("--only", options.part.only, what)->delimiter(',');
+void addOnly(CommandLine& command, Options& options, const std::string& what) {
+  command.option("--only", options.part.only, what).byCommas();
 }
 
 void readCycles(Options& options) {
@@ -117,42 +115,41 @@ int join(const Options& options, const Progress& progress) {
 using Command = std::function<int(const Options&, const Progress&)>;
 
 /// The subcommands; `chosen` becomes the one of the command line.
-void declare(CLI::App& app, Options& options, Command& chosen) {
-  app.require_subcommand(1);
-  auto* lists = app.add_subcommand("list", "Threads, cycles and representations of a log");
-  lists->add_option("log", options.log, "folder or .db3 file")->required();
-  lists->callback([&] { chosen = [](const Options& o, const Progress&) { return list(o); }; });
+void declare(CommandLine& app, Options& options, Command& chosen) {
+  app.requireCommand();
+  CommandLine lists = app.command("list", "Threads, cycles and representations of a log");
+  lists.option("log", options.log, "folder or .db3 file").required();
+  lists.whenChosen([&] { chosen = [](const Options& o, const Progress&) { return list(o); }; });
 
-  auto* cuts = app.add_subcommand("cut", "A part of a log as a new one");
-  cuts->add_option("log", options.log, "folder or .db3 file")->required();
-  cuts->add_option("target", options.target, "new folder")->required();
-  addPart(*cuts, options);
-  addOnly(*cuts, options, "these representations, by commas");
-  cuts->callback([&] { chosen = cut; });
+  CommandLine cuts = app.command("cut", "A part of a log as a new one");
+  cuts.option("log", options.log, "folder or .db3 file").required();
+  cuts.option("target", options.target, "new folder").required();
+  addPart(cuts, options);
+  addOnly(cuts, options, "these representations, by commas");
+  cuts.whenChosen([&] { chosen = cut; });
 
-  auto* joins = app.add_subcommand("join", "Logs one behind the other as a new one");
-  joins->add_option("target", options.target, "new folder")->required();
-  joins->add_option("logs", options.logs, "folders or .db3 files")->required();
-  joins->callback([&] { chosen = join; });
+  CommandLine joins = app.command("join", "Logs one behind the other as a new one");
+  joins.option("target", options.target, "new folder").required();
+  joins.option("logs", options.logs, "folders or .db3 files").required();
+  joins.whenChosen([&] { chosen = join; });
 
-  auto* compares =
-      app.add_subcommand("compare", "Where two logs differ first, by representation, field and cycle");
-  compares->add_option("left", options.log, "a log")->required();
-  compares->add_option("right", options.other, "another one")->required();
-  addOnly(*compares, options, "these representations, by commas");
-  compares->add_option("--tolerance", options.tolerance, "numbers may differ by so much")
-      ->check(CLI::NonNegativeNumber);
-  compares->callback([&] { chosen = compare; });
+  CommandLine compares =
+      app.command("compare", "Where two logs differ first, by representation, field and cycle");
+  compares.option("left", options.log, "a log").required();
+  compares.option("right", options.other, "another one").required();
+  addOnly(compares, options, "these representations, by commas");
+  compares.option("--tolerance", options.tolerance, "numbers may differ by so much").notNegative();
+  compares.whenChosen([&] { chosen = compare; });
 
-  auto* exports = app.add_subcommand("export", "Values as a table, or as a run of bin/gap");
-  exports->add_option("log", options.log, "a log")->required();
-  exports->add_option("--csv", options.csv, "write a table to FILE; -: to standard output");
-  exports->add_option("--gap", options.gap, "write a run (run.json, run.csv.gz) into this new folder");
-  exports->add_option("--motion", options.motion, "with --gap: what was played");
-  exports->add_option("--thread", options.thread, "where the log has several");
-  addPart(*exports, options);
-  addOnly(*exports, options, "with --csv: representations or parts of them, as BallPos.relative,RobotPose");
-  exports->callback([&] { chosen = exportLog; });
+  CommandLine exports = app.command("export", "Values as a table, or as a run of bin/gap");
+  exports.option("log", options.log, "a log").required();
+  exports.option("--csv", options.csv, "write a table to FILE; -: to standard output");
+  exports.option("--gap", options.gap, "write a run (run.json, run.csv.gz) into this new folder");
+  exports.option("--motion", options.motion, "with --gap: what was played");
+  exports.option("--thread", options.thread, "where the log has several");
+  addPart(exports, options);
+  addOnly(exports, options, "with --csv: representations or parts of them, as BallPos.relative,RobotPose");
+  exports.whenChosen([&] { chosen = exportLog; });
 
   app.footer(
       "Exit status: 0; 1 if compare finds a difference; 2 for bad input; 130 after Ctrl-C.\n"
@@ -168,8 +165,9 @@ void declare(CLI::App& app, Options& options, Command& chosen) {
 int runProgram(int argc, char** argv) {
   Options options;
   Command chosen;
-  CLI::App app("Logs that agents have recorded (bin/agent --log): folders that ROS 2's tools read as well.",
-               "logtool");
+  CommandLine app(
+      "Logs that agents have recorded (bin/agent --log): folders that ROS 2's tools read as well.",
+      "logtool");
   declare(app, options, chosen);
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   readCycles(options);

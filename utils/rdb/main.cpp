@@ -1,5 +1,4 @@
 // bin/rdb: the debugger of a running agent (thesis A.6.1).
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <clocale>
 #include <cstdio>
@@ -27,20 +26,19 @@ struct Options {
   Batch::Options batch;
 };
 
-void declare(CLI::App& app, Options& options) {
-  app.add_option("address", options.address, "where the agent's debug port is: HOST or HOST:PORT")
-      ->capture_default_str();
-  app.add_option(
+void declare(CommandLine& app, Options& options) {
+  app.option("address", options.address, "where the agent's debug port is: HOST or HOST:PORT").showDefault();
+  app.option(
          "--exec", options.commands,
          "run this command, print the answer and end; may be repeated; several watches run at the same time")
-      ->allow_extra_args(false);
-  app.add_option("--script", options.script, "run the commands of FILE and end; `sleep S` waits");
-  app.add_option("--seconds", options.batch.seconds, "with --exec: a watch or plot ends after so long")
-      ->check(CLI::Range(0.01, 1e6));
-  app.add_option("--png", options.batch.png, "with --exec or --script: draw the plot to FILE");
-  app.add_option("--token", options.token, "token of the agent, if it runs on another machine");
-  app.add_option("--alias", options.aliases, "file of aliases, lines A|B [config/alias.cfg]");
-  app.add_option("--history", options.history, "file that keeps what was typed")->capture_default_str();
+      .oneValueEach();
+  app.option("--script", options.script, "run the commands of FILE and end; `sleep S` waits");
+  app.option("--seconds", options.batch.seconds, "with --exec: a watch or plot ends after so long")
+      .range(0.01, 1e6);
+  app.option("--png", options.batch.png, "with --exec or --script: draw the plot to FILE");
+  app.option("--token", options.token, "token of the agent, if it runs on another machine");
+  app.option("--alias", options.aliases, "file of aliases, lines A|B [config/alias.cfg]");
+  app.option("--history", options.history, "file that keeps what was typed").showDefault();
   app.footer(
       "Commands are the agent's (`help` lists them) and: plot VALUE [WINDOW [COUNT [SECONDS]]],\n"
       "plot off [WINDOW], png WINDOW FILE, run FILE, quit.\n"
@@ -101,7 +99,7 @@ int run(Options& options) {
 
 int runProgram(int argc, char** argv) {
   Options options;
-  CLI::App app("Shows values of a running agent and changes them.", "rdb");
+  CommandLine app("Shows values of a running agent and changes them.", "rdb");
   declare(app, options);
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   std::setlocale(LC_ALL, "");

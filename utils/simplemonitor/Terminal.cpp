@@ -11,7 +11,7 @@
 
 namespace plumbline::simplemonitor {
 
-using game::Ink;
+using watch::Ink;
 
 namespace {
 
@@ -68,7 +68,7 @@ Terminal::~Terminal() {
 int Terminal::columns() const { return COLS; }
 int Terminal::rows() const { return LINES; }
 
-void Terminal::show(const game::TextPicture& picture) {
+void Terminal::show(const watch::TextPicture& picture) {
   erase();
   for (int row = 0; row < picture.rows(); ++row) {
     int column = 0;

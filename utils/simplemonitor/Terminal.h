@@ -1,5 +1,5 @@
 #pragma once
-#include "game/FieldPicture.h"
+#include "watch/FieldPicture.h"
 
 namespace plumbline::simplemonitor {
 
@@ -15,8 +15,8 @@ public:
 
   int columns() const;
   int rows() const;
-  const game::FieldPictureStyle& style() const { return style_; }
-  void show(const game::TextPicture& picture);
+  const watch::FieldPictureStyle& style() const { return style_; }
+  void show(const watch::TextPicture& picture);
 
   enum class Key { none, quit, resized, redraw };
   /// What was pressed since the last call.
@@ -24,7 +24,7 @@ public:
 
 private:
   void* screen_ = nullptr;
-  game::FieldPictureStyle style_;
+  watch::FieldPictureStyle style_;
 };
 
 /// Whether the locale, which must have been set, writes UTF-8.

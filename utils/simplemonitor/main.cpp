@@ -4,7 +4,6 @@
 #include <time.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cerrno>
 #include <clocale>
@@ -63,11 +62,11 @@ void complete(Options& options) {
   const auto columns = simspark::parseInteger(options.size.substr(0, cross));
   const auto rows =
       cross == std::string::npos ? std::nullopt : simspark::parseInteger(options.size.substr(cross + 1));
-  if (!columns || !rows || *columns < game::minPictureColumns || *rows < game::minPictureRows ||
+  if (!columns || !rows || *columns < watch::minPictureColumns || *rows < watch::minPictureRows ||
       *columns > 1000 || *rows > 1000)
     throw std::runtime_error("--size " + options.size + ": must be COLUMNSxROWS, from " +
-                             std::to_string(game::minPictureColumns) + 'x' +
-                             std::to_string(game::minPictureRows) + " to 1000x1000");
+                             std::to_string(watch::minPictureColumns) + 'x' +
+                             std::to_string(watch::minPictureRows) + " to 1000x1000");
   options.columns = *columns;
   options.rows = *rows;
 }
@@ -84,8 +83,8 @@ void printOnce(const Options& options, FieldSource& source, const StopSignal& st
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_col == 0) window = {24, 80, 0, 0};
   const int columns = options.columns ? options.columns : window.ws_col;
   const int rows = options.rows ? options.rows : window.ws_row - 1;
-  const game::FieldPictureStyle style{!options.ascii && simplemonitor::localeIsUnicode(), false};
-  const auto picture = game::fieldPicture(source.state(), columns, rows, style, source.name());
+  const watch::FieldPictureStyle style{!options.ascii && simplemonitor::localeIsUnicode(), false};
+  const auto picture = watch::fieldPicture(source.state(), columns, rows, style, source.name());
   for (int row = 0; row < picture.rows(); ++row) std::puts(picture.row(row).c_str());
 }
 
@@ -140,8 +139,8 @@ void show(const Options& options, FieldSource& source, const StopSignal& stop) {
       }() + " kB/s   q: quit";
       const std::string problem = source.connected() ? (source.complete() ? "" : "waiting for the game")
                                                      : source.problem() + "; trying again";
-      terminal.show(game::fieldPicture(source.state(), terminal.columns(), terminal.rows(), terminal.style(),
-                                       footer, problem));
+      terminal.show(watch::fieldPicture(source.state(), terminal.columns(), terminal.rows(), terminal.style(),
+                                        footer, problem));
       changed = false;
       nextPicture = now + 0.9 * interval;
     }
@@ -149,18 +148,18 @@ void show(const Options& options, FieldSource& source, const StopSignal& stop) {
   }
 }
 
-void declare(CLI::App& app, Options& options) {
-  app.add_option("host", options.host, "Where the simulator runs: HOST or HOST:PORT")->capture_default_str();
-  app.add_option("--port", options.port, "Its compact port or any SimSpark monitor port [3201, else 3200]")
-      ->check(CLI::Range(1, 65535));
-  app.add_option("--token", options.token, "The simulator's token, if it needs one");
-  app.add_flag("--once", options.once, "Print one picture as text and end");
-  app.add_option("--size", options.size,
-                 "With --once: size of the picture, COLUMNSxROWS [the terminal's or 80x23]");
-  app.add_flag("--ascii", options.ascii, "ASCII characters only, whatever the locale");
-  app.add_option("--seconds", options.seconds,
-                 "End after this time and print what was received and the time that it took")
-      ->check(CLI::Range(0.1, 1e6));
+void declare(CommandLine& app, Options& options) {
+  app.option("host", options.host, "Where the simulator runs: HOST or HOST:PORT").showDefault();
+  app.option("--port", options.port, "Its compact port or any SimSpark monitor port [3201, else 3200]")
+      .range(1, 65535);
+  app.option("--token", options.token, "The simulator's token, if it needs one");
+  app.flag("--once", options.once, "Print one picture as text and end");
+  app.option("--size", options.size,
+             "With --once: size of the picture, COLUMNSxROWS [the terminal's or 80x23]");
+  app.flag("--ascii", options.ascii, "ASCII characters only, whatever the locale");
+  app.option("--seconds", options.seconds,
+             "End after this time and print what was received and the time that it took")
+      .range(0.1, 1e6);
   app.footer(
       "Numbers are robots with the way they look, x: fallen. Blue is the left team, red the right one.\n"
       "Keys: q ends, Ctrl-L draws anew.\n"
@@ -174,7 +173,7 @@ void declare(CLI::App& app, Options& options) {
 
 int runProgram(int argc, char** argv) {
   Options options;
-  CLI::App app("The field of a running simulation in a terminal.", "simplemonitor");
+  CommandLine app("The field of a running simulation in a terminal.", "simplemonitor");
   declare(app, options);
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   try {

@@ -2,7 +2,6 @@
 // it.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <ctime>
 #include <optional>
@@ -10,9 +9,9 @@
 #include "framework/CommandLine.h"
 #include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
-#include "game/FieldPicture.h"
-#include "game/GameTrack.h"
-#include "game/GameWatch.h"
+#include "watch/FieldPicture.h"
+#include "watch/GameTrack.h"
+#include "watch/GameWatch.h"
 
 namespace {
 
@@ -29,49 +28,45 @@ std::string now() {
 }
 
 int runProgram(int argc, char** argv) {
-  game::GameWatchOptions options;
-  game::GameLogEntry entry;
+  watch::GameWatchOptions options;
+  watch::GameLogEntry entry;
   std::string log, trackFile;
   bool quiet = false, events = false, noKickOff = false;
-  CLI::App app(
+  CommandLine app(
       "Sees a game through by the monitor port: kicks off both halves, counts goals, falls and kicks.",
       "watchgame");
-  app.add_option("--host", options.host, "Where the server runs")->capture_default_str();
-  app.add_option("--port", options.port, "Its monitor port")
-      ->check(CLI::Range(1, 65535))
-      ->capture_default_str();
-  app.add_option("--players", options.players, "Number of players for which kick-off waits")
-      ->check(CLI::Range(0, 22))
-      ->capture_default_str();
-  app.add_option("--patience", options.patience,
-                 "Time for which it waits; then it kicks off with the present players [s]")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  app.add_option("--settle", options.settle, "Pause before a kick-off [s of real time]")
-      ->check(CLI::Range(0.0, 1e4))
-      ->capture_default_str();
-  app.add_option("--hang", options.hang, "Give up when nothing has changed for so long [s of real time]")
-      ->check(CLI::Range(0.1, 1e6))
-      ->capture_default_str();
-  app.add_option("--limit", options.limit, "Give up after so long in all [s of real time]")
-      ->check(CLI::Range(0.1, 1e9));
-  app.add_flag("--no-kickoff", noKickOff, "The server kicks off by itself");
-  app.add_flag("--end-server", options.endServer, "Tell the server to end after the game");
-  app.add_option("--end-time", options.endTime,
-                 "The game is over at this time of its clock [when the server says so]")
-      ->check(CLI::Range(0.1, 1e6));
-  app.add_option("--log", log, "Append a line about the game to this file");
-  app.add_option("--track", trackFile, "Write where everybody is, twice a second of the game, to this file");
-  app.add_option("--server", entry.server, "Name of the server, for the log");
-  app.add_option("--seed", entry.seed, "Its seed, for the log");
-  app.add_option("--half-time", entry.halfTime, "Length of a half, for the log [s]")->capture_default_str();
-  app.add_option("--left", entry.nameLeft, "Name of the left team, for the log [the one it has given]");
-  app.add_option("--right", entry.nameRight, "Name of the right team, for the log");
-  auto* const quietly = app.add_flag("--quiet", quiet, "No line per second");
-  app.add_flag(
-         "--events", events,
-         "Instead of a line per second one where score or play mode has changed, and the score at the end")
-      ->excludes(quietly);
+  app.option("--host", options.host, "Where the server runs").showDefault();
+  app.option("--port", options.port, "Its monitor port").range(1, 65535).showDefault();
+  app.option("--players", options.players, "Number of players for which kick-off waits")
+      .range(0, 22)
+      .showDefault();
+  app.option("--patience", options.patience,
+             "Time for which it waits; then it kicks off with the present players [s]")
+      .range(0.0, 1e6)
+      .showDefault();
+  app.option("--settle", options.settle, "Pause before a kick-off [s of real time]")
+      .range(0.0, 1e4)
+      .showDefault();
+  app.option("--hang", options.hang, "Give up when nothing has changed for so long [s of real time]")
+      .range(0.1, 1e6)
+      .showDefault();
+  app.option("--limit", options.limit, "Give up after so long in all [s of real time]").range(0.1, 1e9);
+  app.flag("--no-kickoff", noKickOff, "The server kicks off by itself");
+  app.flag("--end-server", options.endServer, "Tell the server to end after the game");
+  app.option("--end-time", options.endTime,
+             "The game is over at this time of its clock [when the server says so]")
+      .range(0.1, 1e6);
+  app.option("--log", log, "Append a line about the game to this file");
+  app.option("--track", trackFile, "Write where everybody is, twice a second of the game, to this file");
+  app.option("--server", entry.server, "Name of the server, for the log");
+  app.option("--seed", entry.seed, "Its seed, for the log");
+  app.option("--half-time", entry.halfTime, "Length of a half, for the log [s]").showDefault();
+  app.option("--left", entry.nameLeft, "Name of the left team, for the log [the one it has given]");
+  app.option("--right", entry.nameRight, "Name of the right team, for the log");
+  const CommandOption quietly = app.flag("--quiet", quiet, "No line per second");
+  app.flag("--events", events,
+           "Instead of a line per second one where score or play mode has changed, and the score at the end")
+      .excludes(quietly);
   app.footer(
       "Exit status: 0 the game is over, 1 it came to no end (the log says why), 2 bad options, 130 after "
       "Ctrl-C.\n"
@@ -81,7 +76,7 @@ int runProgram(int argc, char** argv) {
   StopSignal stop;
   stop.catchSignals();
   entry.date = now();
-  std::optional<game::GameTrack> track;
+  std::optional<watch::GameTrack> track;
   if (!trackFile.empty()) track.emplace(trackFile);
   std::string shown;  // score, play mode and half of the last line
   const auto tell = [&](const simspark::SceneState& scene) {
@@ -89,26 +84,26 @@ int runProgram(int argc, char** argv) {
                                           scene.scoreRight, scene.teamRight, scene.playMode, scene.half);
     if (events && state == shown) return;
     shown = state;
-    fmt::print("{} {} robots {}\n", game::clockText(scene.time), state, scene.robots.size());
+    fmt::print("{} {} robots {}\n", watch::clockText(scene.time), state, scene.robots.size());
     std::fflush(stdout);
   };
   options.everyScene = [&](const simspark::SceneState& scene) {
     if (track) track->observe(scene);
     if (events) tell(scene);
   };
-  const auto result = game::watchGame(options, stop, [&](const simspark::SceneState& scene) {
+  const auto result = watch::watchGame(options, stop, [&](const simspark::SceneState& scene) {
     if (!quiet && !events) tell(scene);
   });
-  const std::string line = game::gameLogLine(entry, result);
-  if (!log.empty() && result.end != game::GameEnd::interrupted) game::appendGameLog(log, line);
+  const std::string line = watch::gameLogLine(entry, result);
+  if (!log.empty() && result.end != watch::GameEnd::interrupted) watch::appendGameLog(log, line);
   if (!events)
     fmt::print("{}\n", line);
-  else if (result.end != game::GameEnd::interrupted && !shown.empty())
+  else if (result.end != watch::GameEnd::interrupted && !shown.empty())
     fmt::print("at the end: {} {} : {} {}\n", result.teamLeft, result.scoreLeft, result.scoreRight,
                result.teamRight);
-  if (result.end == game::GameEnd::over) return 0;
+  if (result.end == watch::GameEnd::over) return 0;
   fmt::print(stderr, "watchgame: {}\n", result.problem);
-  return result.end == game::GameEnd::interrupted ? 130 : 1;
+  return result.end == watch::GameEnd::interrupted ? 130 : 1;
 }
 
 }  // namespace

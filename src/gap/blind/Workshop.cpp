@@ -17,8 +17,8 @@
 #include "gap/record/ExcitationFile.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/run/RunFile.h"
+#include "servo/RobotSimulation.h"
 #include "simspark/ChildProcess.h"
-#include "simulation/servo/RobotSimulation.h"
 
 namespace plumbline::gap {
 

@@ -8,7 +8,7 @@
 namespace plumbline::gap {
 
 /// What simulates a benchmark's reality, besides the engines for servo robots by their names
-/// (simulation/servo/RobotSimulation.h): the diagnosis' own dynamics in finer steps, or a separate program.
+/// (servo/RobotSimulation.h): the diagnosis' own dynamics in finer steps, or a separate program.
 inline const std::string blindReplay = "replay", blindProgram = "program";
 /// Throws std::invalid_argument for an unknown name; the message says what to install if that is the reason.
 void requireBlindEngine(const std::string& engine);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "gap/record/SimulatedRecording.h"
-#include "simulation/servo/RobotSimulation.h"
+#include "servo/RobotSimulation.h"
 
 namespace plumbline::gap {
 
@@ -23,7 +23,7 @@ public:
 };
 
 /// The same as recordSimulated, but in one of the engines for servo robots
-/// (simulation/servo/RobotSimulation.h), which the diagnosis does not use. The robot is hung up or put on its
+/// (servo/RobotSimulation.h), which the diagnosis does not use. The robot is hung up or put on its
 /// feet, and settles in the first posture for a second. Its drives are implemented separately from those of
 /// the diagnosis. Errors: ConfigurationError for two external forces, std::invalid_argument for an unknown
 /// engine and for a program on the feet with a robot without feet.

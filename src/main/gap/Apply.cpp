@@ -1,5 +1,4 @@
 // bin/gap apply: the effects that an answer found, as a configuration of the simulators.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -60,19 +59,18 @@ void apply(const ApplyOptions& options) {
 
 }  // namespace
 
-void addApply(CLI::App& app) {
+void addApply(CommandLine& app) {
   auto options = std::make_shared<ApplyOptions>();
-  CLI::App* command = app.add_subcommand("apply", "Writes the effects found as a simulator's configuration");
-  command->add_option("answer", options->answer, "The file that bin/gap diagnose --json wrote")->required();
-  command->add_option("-o,--output", options->output, "File of effects, doc/reference/effects-file.md")
-      ->required();
-  command->add_flag("--anyway", options->anyway, "Also if the verdict is unknown");
-  command->add_flag("--further", options->further,
-                    "The values of all joints that were fitted at once (gap.further)");
-  command->footer(
+  CommandLine command = app.command("apply", "Writes the effects found as a simulator's configuration");
+  command.option("answer", options->answer, "The file that bin/gap diagnose --json wrote").required();
+  command.option("-o,--output", options->output, "File of effects, doc/reference/effects-file.md").required();
+  command.flag("--anyway", options->anyway, "Also if the verdict is unknown");
+  command.flag("--further", options->further,
+               "The values of all joints that were fitted at once (gap.further)");
+  command.footer(
       "Examples:\n  bin/gap apply answer.json -o effects.yaml\n"
       "  bin/gap record --program hang_fast --effects effects.yaml -o check");
-  command->callback([options] { apply(*options); });
+  command.whenChosen([options] { apply(*options); });
 }
 
 }  // namespace plumbline::gap

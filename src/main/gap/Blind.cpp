@@ -1,5 +1,4 @@
 // bin/gap blind: benchmarks whose answers are sealed, and how well answers do on them.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -58,56 +57,50 @@ void score(const ScoreCommand& options) {
 
 }  // namespace
 
-void addBlind(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("blind", "Makes sealed benchmarks and scores answers to them");
-  command->require_subcommand(1);
-  command->footer(
+void addBlind(CommandLine& app) {
+  CommandLine command = app.command("blind", "Makes sealed benchmarks and scores answers to them");
+  command.requireCommand();
+  command.footer(
       "Examples:\n  bin/gap blind make --seed 5 --cases 27 --engine bullet -o blind\n"
       "  bin/gap blind score blind answers");
 
-  CLI::App* maker = command->add_subcommand("make", "Writes cases whose answers are sealed apart");
+  CommandLine maker = command.command("make", "Writes cases whose answers are sealed apart");
   auto making = std::make_shared<BlindMakeOptions>();
   auto battery = std::make_shared<std::string>("hang");
-  maker->add_option("--seed", making->draw.seed, "Draws effects, places, sizes and noise")
-      ->capture_default_str();
-  maker->add_option("--cases", making->draw.cases, "How many")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
+  maker.option("--seed", making->draw.seed, "Draws effects, places, sizes and noise").showDefault();
+  maker.option("--cases", making->draw.cases, "How many").range(1, 10000).showDefault();
   maker
-      ->add_option("--engine", making->engine,
-                   "What simulates the reality: bullet, mujoco (if it is installed), replay (the diagnosis' "
-                   "own dynamics), or program (a separate one: --engine-program)")
-      ->capture_default_str();
-  maker->add_option("--battery", *battery, "Motions: hung up, or on the feet as well")
-      ->check(CLI::IsMember({"hang", "all"}))
-      ->capture_default_str();
-  maker->add_option("--engine-program", making->program, "The program of engine program")
-      ->capture_default_str();
-  maker->add_option("--robot", making->robot, "Name in config/robots, or a URDF or JSON file")
-      ->capture_default_str();
-  maker->add_option("--jobs", making->jobs, "Cases made at a time [as many as cores]")
-      ->check(CLI::Range(1, 256));
+      .option("--engine", making->engine,
+              "What simulates the reality: bullet, mujoco (if it is installed), replay (the diagnosis' "
+              "own dynamics), or program (a separate one: --engine-program)")
+      .showDefault();
+  maker.option("--battery", *battery, "Motions: hung up, or on the feet as well")
+      .oneOf({"hang", "all"})
+      .showDefault();
+  maker.option("--engine-program", making->program, "The program of engine program").showDefault();
+  maker.option("--robot", making->robot, "Name in config/robots, or a URDF or JSON file").showDefault();
+  maker.option("--jobs", making->jobs, "Cases made at a time [as many as cores]").range(1, 256);
   making->jobs = 0;
-  maker->add_option("-o,--output", making->output, "A new folder")->required();
-  maker->footer("Example:\n  bin/gap blind make --seed 5 --cases 27 --engine bullet -o blind");
-  maker->callback([=] { make(*making, *battery); });
+  maker.option("-o,--output", making->output, "A new folder").required();
+  maker.footer("Example:\n  bin/gap blind make --seed 5 --cases 27 --engine bullet -o blind");
+  maker.whenChosen([=] { make(*making, *battery); });
 
-  CLI::App* scorer = command->add_subcommand("score", "Compares answers with the sealed effects");
+  CommandLine scorer = command.command("score", "Compares answers with the sealed effects");
   auto scoring = std::make_shared<ScoreCommand>();
-  scorer->add_option("folder", scoring->folder, "What blind make wrote")->required();
+  scorer.option("folder", scoring->folder, "What blind make wrote").required();
   scorer
-      ->add_option("answers", scoring->answers,
-                   "Folder with one <case>.json per case, as bin/gap diagnose FOLDER/<case> --json writes it")
-      ->required();
-  CLI::Option* list =
+      .option("answers", scoring->answers,
+              "Folder with one <case>.json per case, as bin/gap diagnose FOLDER/<case> --json writes it")
+      .required();
+  const CommandOption list =
       scorer
-          ->add_option("--list", scoring->list,
-                       "Prints what cases hid and what was said of them: those answered wrongly, or all")
-          ->check(CLI::IsMember({"wrong", "all"}));
-  scorer->add_flag("--json", scoring->json, "The figures as JSON")->excludes(list);
-  scorer->footer(
+          .option("--list", scoring->list,
+                  "Prints what cases hid and what was said of them: those answered wrongly, or all")
+          .oneOf({"wrong", "all"});
+  scorer.flag("--json", scoring->json, "The figures as JSON").excludes(list);
+  scorer.footer(
       "Examples:\n  bin/gap blind score blind answers\n  bin/gap blind score blind answers --list wrong");
-  scorer->callback([=] { score(*scoring); });
+  scorer.whenChosen([=] { score(*scoring); });
 }
 
 }  // namespace plumbline::gap

@@ -1,8 +1,8 @@
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "framework/CommandLine.h"
 #include "gap/run/RunChanges.h"
 
 namespace plumbline::gap {
@@ -12,14 +12,14 @@ struct ChangesOption {
   std::vector<std::string> map;
   std::string hold;
 
-  void addTo(CLI::App& command) {
-    command.add_option("--map", map,
-                       "RECORDING=ROBOT: a joint's name in the runs and its name in the robot's file");
+  void addTo(CommandLine& command) {
+    command.option("--map", map,
+                   "RECORDING=ROBOT: a joint's name in the runs and its name in the robot's file");
     command
-        .add_option("--hold", hold,
-                    "Commands between two cycles: zero, each is held until the next; linear, they move "
-                    "linearly to the next [as the runs say, else zero]")
-        ->check(CLI::IsMember({"zero", "linear"}));
+        .option("--hold", hold,
+                "Commands between two cycles: zero, each is held until the next; linear, they move "
+                "linearly to the next [as the runs say, else zero]")
+        .oneOf({"zero", "linear"});
   }
   /// Throws ConfigurationError.
   RunChanges changes() const {

@@ -1,5 +1,4 @@
 // bin/gap check: what an answer closes of the gap in recordings that it never saw.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -115,24 +114,24 @@ void check(const CheckOptions& options) {
 
 }  // namespace
 
-void addCheck(CLI::App& app) {
+void addCheck(CommandLine& app) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = app.add_subcommand(
-      "check", "Replays other recordings with the nominal model and with what an answer found");
-  command->add_option("answer", options->answer, "The file that bin/gap diagnose --json wrote")->required();
-  command->add_option("run", options->runs, "Run folders, or folders of run folders")->required();
-  command->add_option("--robot", options->robot,
-                      "URDF with its servo table, or JSON file, or a name in config/robots "
-                      "[the robot that the runs name]");
-  command->add_option("--json", options->json, "Write the figures here; - for standard output");
-  command->add_option("--jobs", options->jobs, "Threads [as many as cores]")->check(CLI::Range(1, 256));
-  command->add_flag("--further", options->further,
-                    "The values of all joints (gap.further) instead of the causes named");
-  options->changes.addTo(*command);
-  command->footer(
+  CommandLine command =
+      app.command("check", "Replays other recordings with the nominal model and with what an answer found");
+  command.option("answer", options->answer, "The file that bin/gap diagnose --json wrote").required();
+  command.option("run", options->runs, "Run folders, or folders of run folders").required();
+  command.option("--robot", options->robot,
+                 "URDF with its servo table, or JSON file, or a name in config/robots "
+                 "[the robot that the runs name]");
+  command.option("--json", options->json, "Write the figures here; - for standard output");
+  command.option("--jobs", options->jobs, "Threads [as many as cores]").range(1, 256);
+  command.flag("--further", options->further,
+               "The values of all joints (gap.further) instead of the causes named");
+  options->changes.addTo(command);
+  command.footer(
       "Examples:\n  bin/gap check answer.json other_runs --json check.json\n"
       "  bin/gap check answer.json other_runs --further");
-  command->callback([options] { check(*options); });
+  command.whenChosen([options] { check(*options); });
 }
 
 }  // namespace plumbline::gap

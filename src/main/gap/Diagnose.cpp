@@ -1,5 +1,4 @@
 // bin/gap diagnose: from runs to an answer.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -154,39 +153,36 @@ void diagnoseRuns(const DiagnoseOptions& options) {
 
 }  // namespace
 
-void addDiagnose(CLI::App& app) {
+void addDiagnose(CommandLine& app) {
   auto options = std::make_shared<DiagnoseOptions>();
-  CLI::App* command =
-      app.add_subcommand("diagnose", "Finds where runs differ from the nominal model, and why");
-  command->add_option("run", options->runs, "Run folders, or folders of run folders")->required();
-  command->add_option("--robot", options->robot,
-                      "URDF with its servo table, or JSON file, or a name in config/robots "
-                      "[the robot that the runs name]");
-  command->add_option("--json", options->json, "Write the answer here; - for standard output");
-  command->add_option("--jobs", options->jobs, "Threads [as many as cores]")->check(CLI::Range(1, 256));
+  CommandLine command = app.command("diagnose", "Finds where runs differ from the nominal model, and why");
+  command.option("run", options->runs, "Run folders, or folders of run folders").required();
+  command.option("--robot", options->robot,
+                 "URDF with its servo table, or JSON file, or a name in config/robots "
+                 "[the robot that the runs name]");
+  command.option("--json", options->json, "Write the answer here; - for standard output");
+  command.option("--jobs", options->jobs, "Threads [as many as cores]").range(1, 256);
   command
-      ->add_option(
-          "--max-causes", options->maxCauses,
-          "Most causes in one answer [sets: 8, or 12 of a robot with many kinds of causes; blocks: 3]")
-      ->check(CLI::Range(1, 12));
+      .option("--max-causes", options->maxCauses,
+              "Most causes in one answer [sets: 8, or 12 of a robot with many kinds of causes; blocks: 3]")
+      .range(1, 12);
   command
-      ->add_option(
-          "--method", options->method,
-          "sets: sets of causes, judged on recordings left out; blocks: causes one at a time, judged on "
-          "half-seconds left out, lost commands among them [sets; blocks for a robot on its feet]")
-      ->check(CLI::IsMember({"blocks", "sets"}));
+      .option("--method", options->method,
+              "sets: sets of causes, judged on recordings left out; blocks: causes one at a time, judged on "
+              "half-seconds left out, lost commands among them [sets; blocks for a robot on its feet]")
+      .oneOf({"blocks", "sets"});
   command
-      ->add_option("--seconds", options->seconds,
-                   "Of longer runs with a fixed base, use segments of this total length [s]; 0: everything")
-      ->check(CLI::Range(0., 1e5))
-      ->capture_default_str();
-  options->changes.addTo(*command);
-  addTiming(*command, options->timing);
-  command->add_flag("--quiet", options->quiet, "No progress");
-  command->footer(
+      .option("--seconds", options->seconds,
+              "Of longer runs with a fixed base, use segments of this total length [s]; 0: everything")
+      .range(0., 1e5)
+      .showDefault();
+  options->changes.addTo(command);
+  addTiming(command, options->timing);
+  command.flag("--quiet", options->quiet, "No progress");
+  command.footer(
       "Examples:\n  bin/gap diagnose runs --json answer.json\n"
       "  bin/gap diagnose sweep1 sweep2 --robot my_arm.urdf --jobs 4");
-  command->callback([options] { diagnoseRuns(*options); });
+  command.whenChosen([options] { diagnoseRuns(*options); });
 }
 
 }  // namespace plumbline::gap

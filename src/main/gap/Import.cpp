@@ -1,5 +1,4 @@
 // bin/gap import: brings a recording of another form into a run folder.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
@@ -10,25 +9,24 @@
 
 namespace plumbline::gap {
 
-void addImport(CLI::App& app) {
+void addImport(CommandLine& app) {
   struct Options {
     std::string map, recording, out;
     bool force = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("import", "Turns a table of another recorder into a run");
+  CommandLine command = app.command("import", "Turns a table of another recorder into a run");
   command
-      ->add_option("recording", options->recording,
-                   "csv or csv.gz; JSON lines (.jsonl, .ndjson); a bag of ROS 2 (its folder, or .db3)")
-      ->required();
-  command->add_option("--map", options->map, "YAML file: which column is which channel, units, signs")
-      ->required();
-  command->add_option("-o,--out", options->out, "Run folder to write")->required();
-  command->add_flag("--force", options->force, "Replaces an existing recording");
-  command->footer(
+      .option("recording", options->recording,
+              "csv or csv.gz; JSON lines (.jsonl, .ndjson); a bag of ROS 2 (its folder, or .db3)")
+      .required();
+  command.option("--map", options->map, "YAML file: which column is which channel, units, signs").required();
+  command.option("-o,--out", options->out, "Run folder to write").required();
+  command.flag("--force", options->force, "Replaces an existing recording");
+  command.footer(
       "Examples:\n  bin/gap import --map my_logger.yaml raw.csv -o runs/sweep\n"
       "  bin/gap import --map my_robot.yaml rosbag2_2026_03_01 -o runs/sweep");
-  command->callback([options] {
+  command.whenChosen([options] {
     RecordingsFolder out(options->out, options->force);
     const ImportedRun imported = importRecording(options->map, options->recording);
     writeRun(imported.run, out.beside());

@@ -1,5 +1,4 @@
 // bin/gap effects: the library, for people.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -40,15 +39,15 @@ void list(const Mechanism& robot) {
 
 }  // namespace
 
-void addEffects(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("effects", "Lists the effects that a diagnosis knows");
+void addEffects(CommandLine& app) {
+  CommandLine command = app.command("effects", "Lists the effects that a diagnosis knows");
   auto robot = std::make_shared<std::string>("nao_v5");
   command
-      ->add_option("--robot", *robot,
-                   "A name in config/robots, URDF or JSON file; shows the ranges for this robot")
-      ->capture_default_str();
-  command->callback([robot] { list(namedMechanism(*robot)); });
-  command->footer("Examples:\n  bin/gap effects\n  bin/gap effects --robot so101");
+      .option("--robot", *robot,
+              "A name in config/robots, URDF or JSON file; shows the ranges for this robot")
+      .showDefault();
+  command.whenChosen([robot] { list(namedMechanism(*robot)); });
+  command.footer("Examples:\n  bin/gap effects\n  bin/gap effects --robot so101");
 }
 
 }  // namespace plumbline::gap

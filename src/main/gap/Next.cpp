@@ -1,5 +1,4 @@
 // bin/gap next: designs the motion that separates what an answer leaves open.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -57,15 +56,14 @@ void next(const NextOptions& options) {
 
 }  // namespace
 
-void addNext(CLI::App& app) {
+void addNext(CommandLine& app) {
   auto options = std::make_shared<NextOptions>();
-  CLI::App* command =
-      app.add_subcommand("next", "Designs the motion that separates what an answer leaves open");
-  command->add_option("answer", options->answer, "The file that bin/gap diagnose --json wrote")->required();
-  command->add_option("-o,--output", options->output, "Write the excitation program here");
-  command->add_option("--robot", options->robot, "URDF or JSON file, or a name [the answer's robot]");
-  command->footer("Example:\n  bin/gap next answer.json -o next.yaml");
-  command->callback([options] { next(*options); });
+  CommandLine command = app.command("next", "Designs the motion that separates what an answer leaves open");
+  command.option("answer", options->answer, "The file that bin/gap diagnose --json wrote").required();
+  command.option("-o,--output", options->output, "Write the excitation program here");
+  command.option("--robot", options->robot, "URDF or JSON file, or a name [the answer's robot]");
+  command.footer("Example:\n  bin/gap next answer.json -o next.yaml");
+  command.whenChosen([options] { next(*options); });
 }
 
 }  // namespace plumbline::gap

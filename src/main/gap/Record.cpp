@@ -1,6 +1,5 @@
 // bin/gap record: plays excitation programs on a simulated robot, or on one of a SimSpark server, and writes
 // runs.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -20,8 +19,8 @@
 #include "main/gap/Commands.h"
 #include "main/gap/RecordingsFolder.h"
 #include "main/gap/RobotOption.h"
+#include "servo/RobotSimulation.h"
 #include "simspark/LeagueRobots.h"
-#include "simulation/servo/RobotSimulation.h"
 
 namespace plumbline::gap {
 
@@ -153,59 +152,52 @@ void record(const RecordOptions& options) {
 
 }  // namespace
 
-void addRecord(CLI::App& app) {
+void addRecord(CommandLine& app) {
   auto options = std::make_shared<RecordOptions>();
-  CLI::App* command = app.add_subcommand("record", "Plays excitation programs on a robot and writes runs");
+  CommandLine command = app.command("record", "Plays excitation programs on a robot and writes runs");
   command
-      ->add_option("--robot", options->robot,
-                   "Simulated here: a name in config/robots, URDF or JSON file; simspark: a robot of a "
-                   "SimSpark server")
-      ->capture_default_str();
+      .option("--robot", options->robot,
+              "Simulated here: a name in config/robots, URDF or JSON file; simspark: a robot of a "
+              "SimSpark server")
+      .showDefault();
   command
-      ->add_option("--engine", options->engine,
-                   "own: the diagnosis' own dynamics; or another engine: bullet, mujoco (if it is installed)")
-      ->capture_default_str();
-  command->add_option("--host", options->simspark.host, "Of the SimSpark server")->capture_default_str();
-  command->add_option("--port", options->simspark.port, "Its port for agents")
-      ->check(CLI::Range(1, 65535))
-      ->capture_default_str();
-  command->add_option("--type", options->simspark.type, "Of the SimSpark robot")
-      ->check(CLI::Range(0, 9))
-      ->capture_default_str();
-  command->add_option(
+      .option("--engine", options->engine,
+              "own: the diagnosis' own dynamics; or another engine: bullet, mujoco (if it is installed)")
+      .showDefault();
+  command.option("--host", options->simspark.host, "Of the SimSpark server").showDefault();
+  command.option("--port", options->simspark.port, "Its port for agents").range(1, 65535).showDefault();
+  command.option("--type", options->simspark.type, "Of the SimSpark robot").range(0, 9).showDefault();
+  command.option(
       "--program", options->programs,
       "Programs: names in config/excitation, or files; several make several runs. Walks are walked in "
       "Bullet, or in --engine");
-  command->add_option("--battery", options->battery, "A standard set of programs, with a repeat")
-      ->check(CLI::IsMember({"hang", "stand", "all"}));
-  command->add_option("--effects", options->effects,
-                      "The robot has these effects: doc/reference/effects-file.md");
-  auto* secret = command->add_option("--secret", options->secret,
-                                     "The robot has one effect that this seed draws, sealed in SECRET");
-  secret->excludes("--effects");
-  command->add_option("--seed", options->seed, "Of the sensors' noise; same seed, same bytes")
-      ->capture_default_str();
+  command.option("--battery", options->battery, "A standard set of programs, with a repeat")
+      .oneOf({"hang", "stand", "all"});
+  command.option("--effects", options->effects, "The robot has these effects: doc/reference/effects-file.md");
+  const CommandOption secret = command.option(
+      "--secret", options->secret, "The robot has one effect that this seed draws, sealed in SECRET");
+  secret.excludes("--effects");
+  command.option("--seed", options->seed, "Of the sensors' noise; same seed, same bytes").showDefault();
   command
-      ->add_option("--program-seed", options->programSeed,
-                   "Changes the random parts of the programs; 0: as in their files")
-      ->capture_default_str();
-  command->add_flag("!--no-noise", options->noisy, "Sensors without noise");
-  command->add_flag("--truth", options->truth, "truth.* columns of a robot on its feet");
-  command
-      ->add_option("-o,--output", options->output, "Run folder; for several runs the folder that holds them")
-      ->required();
-  command->add_flag("--force", options->force, "Replaces existing recordings");
-  command->footer(
+      .option("--program-seed", options->programSeed,
+              "Changes the random parts of the programs; 0: as in their files")
+      .showDefault();
+  command.flag("!--no-noise", options->noisy, "Sensors without noise");
+  command.flag("--truth", options->truth, "truth.* columns of a robot on its feet");
+  command.option("-o,--output", options->output, "Run folder; for several runs the folder that holds them")
+      .required();
+  command.flag("--force", options->force, "Replaces existing recordings");
+  command.footer(
       "Examples:\n  bin/gap record --battery hang --secret 10 -o runs\n"
       "  bin/gap record --robot so101 --program hang_sweep -o sweep --effects effects.yaml\n"
       "  bin/gap record --battery stand --engine bullet -o standing\n"
       "  bin/simulator --sync & bin/gap record --robot simspark --type 1 --program stand_squat -o squat");
-  command->callback([options, secret] {
+  command.whenChosen([options, secret] {
     options->simspark.stop = [] {
       StopSignal::throwIfCaught();
       return false;
     };
-    options->hasSecret = secret->count() > 0;
+    options->hasSecret = secret.given();
     record(*options);
   });
 }

@@ -1,5 +1,4 @@
 // bin/gap report: an answer as a page for people.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -41,20 +40,20 @@ void report(const ReportOptions& options) {
 
 }  // namespace
 
-void addReport(CLI::App& app) {
+void addReport(CommandLine& app) {
   auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand("report", "Makes a page for people from an answer");
-  command->add_option("answer", options->answer, "The file that bin/gap diagnose --json wrote")->required();
-  command->add_option("-o,--output", options->output, "The page, one HTML file")->capture_default_str();
-  command->add_option("--robot", options->robot, "URDF or JSON file, for the figure [the answer's robot]");
-  command->add_option(
+  CommandLine command = app.command("report", "Makes a page for people from an answer");
+  command.option("answer", options->answer, "The file that bin/gap diagnose --json wrote").required();
+  command.option("-o,--output", options->output, "The page, one HTML file").showDefault();
+  command.option("--robot", options->robot, "URDF or JSON file, for the figure [the answer's robot]");
+  command.option(
       "--check", options->check,
       "Shows what the answer closed of other recordings: the file that bin/gap check --json wrote");
-  command->footer(
+  command.footer(
       "Examples:\n  bin/gap report answer.json -o report.html\n"
       "  bin/gap check answer.json other_runs --json check.json && bin/gap report answer.json --check "
       "check.json");
-  command->callback([options] { report(*options); });
+  command.whenChosen([options] { report(*options); });
 }
 
 }  // namespace plumbline::gap

@@ -1,5 +1,4 @@
 // bin/gap reveal: opens the secret that bin/gap record --secret sealed.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -28,12 +27,12 @@ void reveal(const std::string& folder) {
 
 }  // namespace
 
-void addReveal(CLI::App& app) {
+void addReveal(CommandLine& app) {
   auto folder = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("reveal", "Prints the secret effect of runs recorded with --secret");
-  command->add_option("folder", *folder, "The folder that bin/gap record wrote")->required();
-  command->footer("Example:\n  bin/gap reveal runs");
-  command->callback([folder] { reveal(*folder); });
+  CommandLine command = app.command("reveal", "Prints the secret effect of runs recorded with --secret");
+  command.option("folder", *folder, "The folder that bin/gap record wrote").required();
+  command.footer("Example:\n  bin/gap reveal runs");
+  command.whenChosen([folder] { reveal(*folder); });
 }
 
 }  // namespace plumbline::gap

@@ -1,5 +1,4 @@
 // bin/gap settings: which settings of the embedded simulator are not as on the league's server.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -71,30 +70,30 @@ void diagnose(const Options& options) {
 
 }  // namespace
 
-void addSettings(CLI::App& app) {
+void addSettings(CommandLine& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
+  CommandLine command = app.command(
       "settings", "Finds settings of the embedded simulator that differ from the league's server");
   command
-      ->add_option("--traces", options->traces,
-                   "Folder of recordings of the league's server, *_t0.csv.gz to *_t4.csv.gz")
-      ->capture_default_str();
+      .option("--traces", options->traces,
+              "Folder of recordings of the league's server, *_t0.csv.gz to *_t4.csv.gz")
+      .showDefault();
   std::string names;
   for (const std::string& name : omissions()) names += (names.empty() ? "" : ", ") + name;
-  command->add_option("--without", options->without,
-                      "Leave this out of the simulator first, to see whether it is found: " + names);
-  command->add_option("--engine", options->engine, "Physics of the simulator")
-      ->check(CLI::IsMember(simulation::physicsEngines()))
-      ->capture_default_str();
-  command->add_option("--json", options->json, "Write the answer here; - for standard output");
-  addTiming(*command, options->timing);
-  command->add_option("--jobs", options->jobs, "Threads [as many as cores]")->check(CLI::Range(1, 256));
-  command->add_flag("--quiet", options->quiet, "No progress");
-  command->footer(
+  command.option("--without", options->without,
+                 "Leave this out of the simulator first, to see whether it is found: " + names);
+  command.option("--engine", options->engine, "Physics of the simulator")
+      .oneOf(simulation::physicsEngines())
+      .showDefault();
+  command.option("--json", options->json, "Write the answer here; - for standard output");
+  addTiming(command, options->timing);
+  command.option("--jobs", options->jobs, "Threads [as many as cores]").range(1, 256);
+  command.flag("--quiet", options->quiet, "No progress");
+  command.footer(
       "Examples:\n  bin/gap settings --without drag\n"
       "  bin/gap settings --engine bullet --json answer.json\n"
       "  bin/gap settings --traces my_recordings --without action_delay --without drag");
-  command->callback([options] { diagnose(*options); });
+  command.whenChosen([options] { diagnose(*options); });
 }
 
 }  // namespace plumbline::gap

@@ -1,14 +1,13 @@
 #include "main/gap/Timing.h"
 
-#include <CLI/CLI.hpp>
 #include <ctime>
 
 #include "framework/WriteFile.h"
 
 namespace plumbline::gap {
 
-void addTiming(CLI::App& command, std::string& file) {
-  command.add_option("--timing", file, "Write the time that it took to this file, as JSON [s]");
+void addTiming(CommandLine& command, std::string& file) {
+  command.option("--timing", file, "Write the time that it took to this file, as JSON [s]");
 }
 
 void Timing::write(const std::string& file) const {

@@ -2,15 +2,13 @@
 #include <chrono>
 #include <string>
 
-namespace CLI {
-class App;
-}
+#include "framework/CommandLine.h"
 
 namespace plumbline::gap {
 
 /// Adds --timing FILE. The time of a diagnosis is in a separate file, so that the same input gives the same
 /// answer, byte for byte.
-void addTiming(CLI::App& command, std::string& file);
+void addTiming(CommandLine& command, std::string& file);
 
 /// From when it is made.
 class Timing {

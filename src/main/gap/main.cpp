@@ -1,5 +1,4 @@
 // bin/gap: the sim-to-real diagnosis. Each subcommand stands in a file of its own.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
@@ -13,12 +12,12 @@ namespace {
 
 int run(int argc, char** argv) {
   using namespace plumbline;
-  CLI::App app(
+  CommandLine app(
       "Finds what a simulator lacks: where it differs from a real robot, which unmodelled effect is the "
       "cause, "
       "and how far the gap shrinks once that effect is in.",
       "gap");
-  app.require_subcommand(1);
+  app.requireCommand();
   gap::addRecord(app);
   gap::addDiagnose(app);
   gap::addCheck(app);
@@ -30,14 +29,10 @@ int run(int argc, char** argv) {
   gap::addImport(app);
   gap::addEffects(app);
   gap::addSettings(app);
-  app.add_option_function<std::string>(
-         "--config", useConfigFolder,
-         "Folder of the configuration [config/ here, else the one next to this program's bin/]")
-      ->trigger_on_parse();
-  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
-    command->fallthrough();
-    for (CLI::App* part : command->get_subcommands([](CLI::App*) { return true; })) part->fallthrough();
-  }
+  app.action("--config", useConfigFolder,
+             "Folder of the configuration [config/ here, else the one next to this program's bin/]")
+      .atOnce();
+  app.shareOptions();
   app.footer(
       "Examples:\n  bin/gap record --battery hang --secret 10 -o runs\n"
       "  bin/gap diagnose runs --json answer.json\n  bin/gap report answer.json\n"

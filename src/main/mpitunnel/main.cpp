@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -43,23 +42,23 @@ tunnel::RankEnd runRank(MpiTransport& transport, const tunnel::TunnelOptions& op
 
 int runProgram(int argc, char** argv) {
   tunnel::TunnelOptions options;
-  CLI::App app("Carries TCP connections over MPI: a server on one node of a cluster, its clients on others.",
-               "mpitunnel");
-  app.add_option("--port", options.port,
-                 "The server's port on loopback; 0: a free one, which {port} tells it")
-      ->check(CLI::Range(0, 65535))
-      ->capture_default_str();
-  app.add_option("--patience", options.patience, "Waits so long for the server to open its port [s]")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  app.add_option("--grace", options.grace, "A worker may go on for so long once the server has ended [s]")
-      ->check(CLI::Range(0.0, 3600.0))
-      ->capture_default_str();
-  app.add_option("--silence", options.silence,
-                 "A rank that says nothing for so long has gone, which ends all [s]")
-      ->check(CLI::Range(1.0, 3600.0))
-      ->capture_default_str();
-  app.add_flag("--again", options.again, "A worker that fails is started again, once a second");
+  CommandLine app(
+      "Carries TCP connections over MPI: a server on one node of a cluster, its clients on others.",
+      "mpitunnel");
+  app.option("--port", options.port, "The server's port on loopback; 0: a free one, which {port} tells it")
+      .range(0, 65535)
+      .showDefault();
+  app.option("--patience", options.patience, "Waits so long for the server to open its port [s]")
+      .range(0.0, 1e6)
+      .showDefault();
+  app.option("--grace", options.grace, "A worker may go on for so long once the server has ended [s]")
+      .range(0.0, 3600.0)
+      .showDefault();
+  app.option("--silence", options.silence,
+             "A rank that says nothing for so long has gone, which ends all [s]")
+      .range(1.0, 3600.0)
+      .showDefault();
+  app.flag("--again", options.again, "A worker that fails is started again, once a second");
   app.footer(
       "mpirun -n RANKS bin/mpitunnel [OPTIONS] -- SERVER [ARGUMENT]... -- WORKER [ARGUMENT]...\n"
       "Rank 0 runs SERVER, every other rank WORKER, which finds the server at a port of its own loopback.\n"

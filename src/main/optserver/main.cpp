@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <poll.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -58,8 +57,7 @@ std::string defaultFolder(const Options& options) {
 /// KEY=VALUE.
 void takeOption(const std::string& text, training::StudyChanges& changes) {
   const std::size_t equals = text.find('=');
-  if (equals == 0 || equals == std::string::npos)
-    throw CLI::ValidationError("--option", "\"" + text + "\" is not KEY=VALUE");
+  if (equals == 0 || equals == std::string::npos) throw OptionError("\"" + text + "\" is not KEY=VALUE");
   changes.options[text.substr(0, equals)] = text.substr(equals + 1);
 }
 
@@ -257,63 +255,53 @@ int serve(Options& options) {
 int runProgram(int argc, char** argv) {
   Options options;
   options.farm.port = farm::ServerAddress::standardPort;
-  CLI::App app("Farms an optimisation out: workers (bin/optworker) take parameters and bring costs.",
-               "optserver");
-  app.add_option("STUDY", options.study,
-                 "What is searched and how, as config/optimisation/standUpFront.yaml");
-  app.add_option_function<std::vector<std::string>>(
+  CommandLine app("Farms an optimisation out: workers (bin/optworker) take parameters and bring costs.",
+                  "optserver");
+  app.option("STUDY", options.study, "What is searched and how, as config/optimisation/standUpFront.yaml");
+  app.actionOnAll(
          "--option",
          [&options](const std::vector<std::string>& all) {
            for (const std::string& one : all) takeOption(one, options.changes);
          },
          "KEY=VALUE of the task, instead of the study's: --option type=3; may be repeated")
-      ->take_all()
-      ->allow_extra_args(false);
-  app.add_option("--seed", options.changes.seed, "Of the search, in place of the study's")
-      ->check(CLI::Range(0, 1'000'000'000));
-  app.add_option("--folder", options.folder,
-                 "Folder for results [NAME.search]; an existing search is continued");
-  app.add_option("--workers", options.workers, "Workers to start on this machine")
-      ->check(CLI::Range(0, 256))
-      ->capture_default_str();
-  app.add_option("--port", options.farm.port, "Port for workers; 0: a free one")
-      ->check(CLI::Range(0, 65535))
-      ->capture_default_str();
-  app.add_option("--bind", options.farm.address, "Its address; any but loopback needs --token")
-      ->capture_default_str();
-  app.add_option("--token", options.farm.token, "What workers have to say")->envname("PLUMBLINE_TOKEN");
-  app.add_option("--patience", options.farm.dispatch.patience,
-                 "If a worker takes longer for a trial, another worker gets the trial [s]")
-      ->check(CLI::Range(0.1, 1e6))
-      ->capture_default_str();
-  app.add_option("--every", options.every, "Seconds between lines of the table")
-      ->check(CLI::Range(0.1, 1e6))
-      ->capture_default_str();
-  app.add_option("--measure", options.measured,
-                 "Instead of searching: number of runs, with seeds that no search uses, of the start and of "
-                 "the result")
-      ->check(CLI::Range(1, 1'000'000));
-  app.add_option("--first-seed", options.firstSeed,
-                 "With --measure: the first of those seeds; what was chosen by some is judged by others")
-      ->check(CLI::Range(0, 1'000'000'000))
-      ->needs("--measure")
-      ->capture_default_str();
-  auto* web =
-      app.add_option("--web", options.web.port, "Serve a page of the run; 0: a free port, which is printed")
-          ->expected(0, 1)
-          ->default_str(std::to_string(SearchPage::standardPort))
-          ->check(CLI::Range(0, 65535));
-  web->each([&options](const std::string&) { options.serves = true; });
-  app.add_option("--web-address", options.web.address,
-                 "With --web: where others may reach it; needs --web-token")
-      ->needs(web)
-      ->capture_default_str();
-  app.add_option("--web-token", options.web.token, "With --web: the page opens with ?token=TOKEN only")
-      ->needs(web);
-  app.add_flag("--show", options.show, "With --web: shows existing results, and does not search")->needs(web);
-  app.add_flag("--status", options.status, "Asks the server at --bind and --port for its progress");
-  app.add_option_function<std::string>(
-      "--config", useConfigFolder, "folder of the configuration [config/ here, else the one next to bin/]");
+
+      .oneValueEach();
+  app.option("--seed", options.changes.seed, "Of the search, in place of the study's")
+      .range(0, 1'000'000'000);
+  app.option("--folder", options.folder, "Folder for results [NAME.search]; an existing search is continued");
+  app.option("--workers", options.workers, "Workers to start on this machine").range(0, 256).showDefault();
+  app.option("--port", options.farm.port, "Port for workers; 0: a free one").range(0, 65535).showDefault();
+  app.option("--bind", options.farm.address, "Its address; any but loopback needs --token").showDefault();
+  app.option("--token", options.farm.token, "What workers have to say").orVariable("PLUMBLINE_TOKEN");
+  app.option("--patience", options.farm.dispatch.patience,
+             "If a worker takes longer for a trial, another worker gets the trial [s]")
+      .range(0.1, 1e6)
+      .showDefault();
+  app.option("--every", options.every, "Seconds between lines of the table").range(0.1, 1e6).showDefault();
+  app.option("--measure", options.measured,
+             "Instead of searching: number of runs, with seeds that no search uses, of the start and of "
+             "the result")
+      .range(1, 1'000'000);
+  app.option("--first-seed", options.firstSeed,
+             "With --measure: the first of those seeds; what was chosen by some is judged by others")
+      .range(0, 1'000'000'000)
+      .needs("--measure")
+      .showDefault();
+  const CommandOption web =
+      app.option("--web", options.web.port, "Serve a page of the run; 0: a free port, which is printed")
+          .valueOptional()
+          .showDefault(std::to_string(SearchPage::standardPort))
+          .range(0, 65535);
+  web.notes(options.serves);
+  app.option("--web-address", options.web.address, "With --web: where others may reach it; needs --web-token")
+      .needs(web)
+      .showDefault();
+  app.option("--web-token", options.web.token, "With --web: the page opens with ?token=TOKEN only")
+      .needs(web);
+  app.flag("--show", options.show, "With --web: shows existing results, and does not search").needs(web);
+  app.flag("--status", options.status, "Asks the server at --bind and --port for its progress");
+  app.action("--config", useConfigFolder,
+             "folder of the configuration [config/ here, else the one next to bin/]");
   std::string tasks;
   for (const training::TaskKind& kind : training::searchTasks())
     tasks += fmt::format("  {:<10} {}\n", kind.name, kind.what);

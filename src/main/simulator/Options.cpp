@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -23,21 +22,19 @@ namespace plumbline::simulation {
 namespace {
 
 /// Accepts a number for which `good` holds; says what is wanted otherwise.
-CLI::Validator number(const std::string& wanted, bool (*good)(double)) {
-  return CLI::Validator(
-      [wanted, good](const std::string& text) {
-        const auto value = simspark::parseNumber(text);
-        return value && good(*value) ? std::string() : "'" + text + "' is not " + wanted;
-      },
-      "");
+OptionCheck number(const std::string& wanted, bool (*good)(double)) {
+  return [wanted, good](const std::string& text) {
+    const auto value = simspark::parseNumber(text);
+    return value && good(*value) ? std::string() : "'" + text + "' is not " + wanted;
+  };
 }
 
 bool isWhole(double value) { return value == std::floor(value); }
 
-const CLI::Validator aPort =
+const OptionCheck aPort =
     number("a port, 0 to 65535", [](double v) { return isWhole(v) && v >= 0 && v <= 65535; });
-const CLI::Validator aDuration = number("a time above 0 s", [](double v) { return v > 0; });
-const CLI::Validator aPatience = number("a time of 0 s or more", [](double v) { return v >= 0; });
+const OptionCheck aDuration = number("a time above 0 s", [](double v) { return v > 0; });
+const OptionCheck aPatience = number("a time of 0 s or more", [](double v) { return v >= 0; });
 
 /// What the options say before they are put together.
 struct Given {
@@ -48,12 +45,12 @@ struct Given {
   int waitForAgents = 0, replayType = 0, webPort = -1, fieldPort = 0;
 };
 
-void complete(Options& options, const Given& given, const CLI::App& app) {
+void complete(Options& options, const Given& given, const CommandLine& app) {
   ServerConfig& server = options.server;
   const bool open = !isLoopbackAddress(given.bind);
   if (open && given.token.empty())
     throw std::runtime_error("--bind " + given.bind + " opens the ports to others: set a --token");
-  const auto set = [&app](const char* name) { return app.get_option(name)->count() > 0; };
+  const auto set = [&app](const char* name) { return app.given(name); };
   server.agents.address = server.monitors.address = given.bind;
   server.monitors.token = given.token;
   // On this machine teams that cannot send one play, as on the league's server.
@@ -89,9 +86,9 @@ void complete(Options& options, const Given& given, const CLI::App& app) {
 }
 
 /// The league's accidents; each name is that of what is switched off.
-void addSwitches(CLI::App& app, WorldConfig& world, bool& frozenLimbs) {
+void addSwitches(CommandLine& app, WorldConfig& world, bool& frozenLimbs) {
   const auto add = [&app](const std::string& name, bool& on, const std::string& meaning) {
-    app.add_flag("--" + name + ",!--no-" + name, on, meaning + " [on]");
+    app.flag("--" + name + ",!--no-" + name, on, meaning + " [on]");
   };
   add("bouncing-stops", world.bouncingJointStops, "A joint that runs into its stop comes back as fast");
   add("sleeping-robots", world.sleepingRobots, "A body that is slow for ten cycles sleeps until commanded");
@@ -107,64 +104,64 @@ Options parseOptions(int argc, char** argv) {
   Options options;
   Given given;
   ServerConfig& server = options.server;
-  CLI::App app("Embedded simulator: SimSpark's protocol on an agent port and a monitor port.", "simulator");
-  app.add_option("--port", server.agents.port, "Agent port; 0: a free one [3100]")->check(aPort);
-  app.add_option("--monitor-port", server.monitors.port, "Monitor port; 0: a free one [3200]")->check(aPort);
-  app.add_option("--field-port", given.fieldPort,
-                 "Port of bin/simplemonitor; 0: a free one [the monitor port + 1; none if that is 0]")
-      ->check(aPort);
-  app.add_option("--bind", given.bind, "Address to listen on [127.0.0.1]; any but loopback needs --token");
-  app.add_option("--token", given.token,
-                 "Monitors must first send (token TOKEN); agents, too, if --bind is not loopback");
-  app.add_flag("--agents-without-token", given.openAgents,
-               "With --bind: agents need no token, for teams that cannot send one");
-  app.add_option("--ports-file", options.portsFile,
-                 "Write {\"agent\": PORT, \"monitor\": PORT} here once both are open");
-  app.add_option("--seed", given.seed, "Same seed, same bytes; 0: one by chance, which is printed [0]")
-      ->check(
+  CommandLine app("Embedded simulator: SimSpark's protocol on an agent port and a monitor port.",
+                  "simulator");
+  app.option("--port", server.agents.port, "Agent port; 0: a free one [3100]").check(aPort);
+  app.option("--monitor-port", server.monitors.port, "Monitor port; 0: a free one [3200]").check(aPort);
+  app.option("--field-port", given.fieldPort,
+             "Port of bin/simplemonitor; 0: a free one [the monitor port + 1; none if that is 0]")
+      .check(aPort);
+  app.option("--bind", given.bind, "Address to listen on [127.0.0.1]; any but loopback needs --token");
+  app.option("--token", given.token,
+             "Monitors must first send (token TOKEN); agents, too, if --bind is not loopback");
+  app.flag("--agents-without-token", given.openAgents,
+           "With --bind: agents need no token, for teams that cannot send one");
+  app.option("--ports-file", options.portsFile,
+             "Write {\"agent\": PORT, \"monitor\": PORT} here once both are open");
+  app.option("--seed", given.seed, "Same seed, same bytes; 0: one by chance, which is printed [0]")
+      .check(
           number("a whole number, 0 to 2^53", [](double v) { return isWhole(v) && v >= 0 && v <= 0x1p53; }));
-  app.add_flag("--sync", server.agents.sync, "Wait for (syn) of every agent in each cycle");
-  app.add_flag("--realtime,!--no-realtime", given.realTime,
-               "50 cycles a second, or as fast as it goes [the first without --sync]");
-  app.add_option("--wait-agents", given.waitForAgents,
-                 "The clock stands until this many agents are connected [0 in real time, else 1]")
-      ->check(
-          number("a number of agents, 0 to 22", [](double v) { return isWhole(v) && v >= 0 && v <= 22; }));
-  app.add_option("--sync-timeout", server.agents.syncTimeout,
-                 "Drop an agent that is silent for this many seconds; 0: never [60]")
-      ->check(aPatience);
-  app.add_option("--max-seconds", given.maxSeconds, "End after so much simulated time")->check(aDuration);
-  app.add_option("--kickoff-after", given.kickOffAfter, "Kick off without a trainer after this many seconds")
-      ->check(aPatience);
-  app.add_option("--rules", given.rulesFile, "Rules that differ from the league's, as in config/rules.yaml");
-  app.add_flag("--print-rules", given.printRules, "Print all rules and their numbers as such a file and end");
-  app.add_option("--field", given.fieldFile,
-                 "Sizes of the field that differ from the league's, as in config/field.yaml");
-  app.add_option("--effects", given.effectsFile,
-                 "Robots and ground have these effects, as bin/gap apply writes them");
-  app.add_option("--half-time", given.halfTime, "Length of a half in seconds [300]")->check(aDuration);
-  app.add_option("--engine", server.simulation.world.engine,
-                 fmt::format("Physics engine: {} [ode]", fmt::join(simulation::physicsEngines(), ", ")));
+  app.flag("--sync", server.agents.sync, "Wait for (syn) of every agent in each cycle");
+  app.flag("--realtime,!--no-realtime", given.realTime,
+           "50 cycles a second, or as fast as it goes [the first without --sync]");
+  app.option("--wait-agents", given.waitForAgents,
+             "The clock stands until this many agents are connected [0 in real time, else 1]")
+      .check(number("a number of agents, 0 to 22", [](double v) { return isWhole(v) && v >= 0 && v <= 22; }));
+  app.option("--sync-timeout", server.agents.syncTimeout,
+             "Drop an agent that is silent for this many seconds; 0: never [60]")
+      .check(aPatience);
+  app.option("--max-seconds", given.maxSeconds, "End after so much simulated time").check(aDuration);
+  app.option("--kickoff-after", given.kickOffAfter, "Kick off without a trainer after this many seconds")
+      .check(aPatience);
+  app.option("--rules", given.rulesFile, "Rules that differ from the league's, as in config/rules.yaml");
+  app.flag("--print-rules", given.printRules, "Print all rules and their numbers as such a file and end");
+  app.option("--field", given.fieldFile,
+             "Sizes of the field that differ from the league's, as in config/field.yaml");
+  app.option("--effects", given.effectsFile,
+             "Robots and ground have these effects, as bin/gap apply writes them");
+  app.option("--half-time", given.halfTime, "Length of a half in seconds [300]").check(aDuration);
+  app.option("--engine", server.simulation.world.engine,
+             fmt::format("Physics engine: {} [ode]", fmt::join(simulation::physicsEngines(), ", ")));
   addSwitches(app, server.simulation.world, given.frozenLimbs);
-  app.add_option("--monitor-step", given.monitorStep, "Seconds between two messages to a monitor [0.04]")
-      ->check(number("a time of 0.02 to 10 s", [](double v) { return v >= 0.02 && v <= 10; }));
-  app.add_flag("--ground-truth", server.simulation.players.groundTruth,
-               "Send every agent the true state as well");
-  app.add_option("--ground-truth-decimals", server.simulation.players.groundTruthDecimals,
-                 "Digits behind the point of the true state [2]")
-      ->check(number("0 to 9", [](double v) { return isWhole(v) && v >= 0 && v <= 9; }));
-  app.add_option("--stats", options.statisticsFile, "Write what the run cost here at the end, as JSON");
-  app.add_flag("--die-with-parent", options.dieWithParent, "End when the process that started this one ends");
-  app.add_option("--replay", options.replayFile,
-                 "Repeat a recording of the league's server, print how well it agrees, end");
-  app.add_option("--type", given.replayType, "Robot type of the recording, if its name does not end with it")
-      ->check(number("a robot type, from 0", [](double v) { return isWhole(v) && v >= 0 && v <= 9; }));
-  app.add_option("--web", given.webPort,
-                 "Show the game on a page, on this port; 0: a free one [8080, or a free one if it is in use]")
-      ->expected(0, 1)
-      ->check(aPort);
-  app.add_option("--record", options.recordFile, "With --web: write the match to this file");
-  app.add_flag("-v,--verbose", options.verbose, "Print the time that the run took at the end");
+  app.option("--monitor-step", given.monitorStep, "Seconds between two messages to a monitor [0.04]")
+      .check(number("a time of 0.02 to 10 s", [](double v) { return v >= 0.02 && v <= 10; }));
+  app.flag("--ground-truth", server.simulation.players.groundTruth,
+           "Send every agent the true state as well");
+  app.option("--ground-truth-decimals", server.simulation.players.groundTruthDecimals,
+             "Digits behind the point of the true state [2]")
+      .check(number("0 to 9", [](double v) { return isWhole(v) && v >= 0 && v <= 9; }));
+  app.option("--stats", options.statisticsFile, "Write what the run cost here at the end, as JSON");
+  app.flag("--die-with-parent", options.dieWithParent, "End when the process that started this one ends");
+  app.option("--replay", options.replayFile,
+             "Repeat a recording of the league's server, print how well it agrees, end");
+  app.option("--type", given.replayType, "Robot type of the recording, if its name does not end with it")
+      .check(number("a robot type, from 0", [](double v) { return isWhole(v) && v >= 0 && v <= 9; }));
+  app.option("--web", given.webPort,
+             "Show the game on a page, on this port; 0: a free one [8080, or a free one if it is in use]")
+      .valueOptional()
+      .check(aPort);
+  app.option("--record", options.recordFile, "With --web: write the match to this file");
+  app.flag("-v,--verbose", options.verbose, "Print the time that the run took at the end");
   app.footer(
       "Examples:\n"
       "  bin/simulator --web                          a field with its page; bin/start.sh brings a team\n"

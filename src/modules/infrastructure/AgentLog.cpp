@@ -1,10 +1,10 @@
 #include "modules/infrastructure/AgentLog.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
+#include "framework/CommandLine.h"
 #include "framework/ConfigFile.h"
 #include "framework/ConfigurationError.h"
 #include "framework/Controller.h"
@@ -45,30 +45,30 @@ void checkNames(const std::vector<std::string>& names, const Controller& control
 
 }  // namespace
 
-void declareLogOptions(CLI::App& app, AgentLogOptions& options) {
-  auto* log = app.add_option("--log", options.folder,
-                             "record into this new folder, a bag for ROS 2's tools and bin/logtool");
-  app.add_option("--log-only", options.only, "with --log: these representations, by commas; default: all")
-      ->delimiter(',')
-      ->needs(log);
-  app.add_flag("--log-wait", options.waits,
-               "with --log: hold the agent up rather than drop a cycle, for a simulator that waits")
-      ->needs(log);
-  auto* replay = app.add_option("--replay", options.replay, "run on this log instead of the platform");
-  app.add_option(
-         "--compute", options.compute,
-         "with --replay: the modules that run, by commas; the log has what the others provided; default: "
-         "all but the platform's")
-      ->delimiter(',')
-      ->needs(replay);
-  app.add_option("--replay-speed", options.replayed.speed,
-                 "with --replay: 1 is the pace of the recording, 0 as fast as it goes")
-      ->check(CLI::Range(0.0, 1000.0))
-      ->needs(replay)
-      ->capture_default_str();
-  app.add_flag("--paused", options.replayed.paused,
-               "with --replay: begin paused and stay at the end; bin/rdb moves it, see `list replay:`")
-      ->needs(replay);
+void declareLogOptions(CommandLine& app, AgentLogOptions& options) {
+  const CommandOption log = app.option(
+      "--log", options.folder, "record into this new folder, a bag for ROS 2's tools and bin/logtool");
+  app.option("--log-only", options.only, "with --log: these representations, by commas; default: all")
+      .byCommas()
+      .needs(log);
+  app.flag("--log-wait", options.waits,
+           "with --log: hold the agent up rather than drop a cycle, for a simulator that waits")
+      .needs(log);
+  const CommandOption replay =
+      app.option("--replay", options.replay, "run on this log instead of the platform");
+  app.option("--compute", options.compute,
+             "with --replay: the modules that run, by commas; the log has what the others provided; default: "
+             "all but the platform's")
+      .byCommas()
+      .needs(replay);
+  app.option("--replay-speed", options.replayed.speed,
+             "with --replay: 1 is the pace of the recording, 0 as fast as it goes")
+      .range(0.0, 1000.0)
+      .needs(replay)
+      .showDefault();
+  app.flag("--paused", options.replayed.paused,
+           "with --replay: begin paused and stay at the end; bin/rdb moves it, see `list replay:`")
+      .needs(replay);
 }
 
 ModulesConfig modulesOnLog(ModulesConfig modules, const AgentLogOptions& options,

@@ -7,12 +7,9 @@
 #include "framework/ModulesConfig.h"
 #include "modules/infrastructure/LogOptions.h"
 
-namespace CLI {
-class App;
-}
-
 namespace plumbline {
 
+class CommandLine;
 class Controller;
 
 /// What bin/agent's command line says of logs.
@@ -26,7 +23,7 @@ struct AgentLogOptions {
   bool replays() const { return !replay.empty(); }
 };
 
-void declareLogOptions(CLI::App& app, AgentLogOptions& options);
+void declareLogOptions(CommandLine& app, AgentLogOptions& options);
 
 /// The modules.cfg with the log in the place of the modules that do not run (record/ReplayConfig.h). Throws
 /// ConfigurationError.

@@ -1,6 +1,5 @@
 #include "modules/simspark/SimSparkPlatform.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "framework/ConfigurationError.h"
@@ -13,26 +12,25 @@ namespace plumbline {
 
 MAKE_PLATFORM("simspark", SimSparkPlatform)
 
-void SimSparkPlatform::declareOptions(CLI::App& app) {
+void SimSparkPlatform::declareOptions(CommandLine& app) {
   AgentOptions& agent = *options_;
-  app.add_option("--team", agent.team, "team name")->capture_default_str();
-  app.add_option("--number", agent.number, "uniform number 1..11, 0: the next free one")
-      ->check(CLI::Range(0, 11))
-      ->capture_default_str();
-  app.add_option("--type", agent.type, "robot type: N of config/robots/simspark_typeN.json")
-      ->check(CLI::Range(0, 9))
-      ->capture_default_str();
-  app.add_option("--token", agent.token, "token of the simulator, if its port is open to other machines");
-  app.add_option("--host", agent.host, "host of the simulator")->capture_default_str();
-  app.add_option("--port", agent.port, "its agent port")->check(CLI::Range(1, 65535))->capture_default_str();
-  app.add_option("--monitor-port", agent.monitorPort, "its monitor port, for trainer commands")
-      ->check(CLI::Range(1, 65535))
-      ->capture_default_str();
-  app.add_flag("--start-simulator", agent.startSimulator,
-               "start a simulator on free ports and restart it when it dies");
-  app.add_option("--simulator-option", agent.simulatorOptions,
-                 "an option for that simulator; repeat for more")
-      ->allow_extra_args(false);
+  app.option("--team", agent.team, "team name").showDefault();
+  app.option("--number", agent.number, "uniform number 1..11, 0: the next free one")
+      .range(0, 11)
+      .showDefault();
+  app.option("--type", agent.type, "robot type: N of config/robots/simspark_typeN.json")
+      .range(0, 9)
+      .showDefault();
+  app.option("--token", agent.token, "token of the simulator, if its port is open to other machines");
+  app.option("--host", agent.host, "host of the simulator").showDefault();
+  app.option("--port", agent.port, "its agent port").range(1, 65535).showDefault();
+  app.option("--monitor-port", agent.monitorPort, "its monitor port, for trainer commands")
+      .range(1, 65535)
+      .showDefault();
+  app.flag("--start-simulator", agent.startSimulator,
+           "start a simulator on free ports and restart it when it dies");
+  app.option("--simulator-option", agent.simulatorOptions, "an option for that simulator; repeat for more")
+      .oneValueEach();
 }
 
 void SimSparkPlatform::check() const {

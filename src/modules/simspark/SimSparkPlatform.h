@@ -9,7 +9,7 @@ namespace plumbline {
 /// A robot of the 3D league on a SimSpark server, the league's or bin/simulator.
 class SimSparkPlatform : public Platform {
 public:
-  void declareOptions(CLI::App& app) override;
+  void declareOptions(CommandLine& app) override;
   void check() const override;
   std::vector<std::string> configFolders(const std::string& config) const override;
   void addObjects(ModuleObjects& objects, std::function<void(const std::string&)> tell) const override;

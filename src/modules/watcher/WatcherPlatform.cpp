@@ -7,7 +7,7 @@ namespace {
 /// want one are not for it.
 class WatcherPlatform : public Platform {
 public:
-  void declareOptions(CLI::App&) override {}
+  void declareOptions(CommandLine&) override {}
   std::vector<std::string> configFolders(const std::string&) const override { return {}; }
   void addObjects(ModuleObjects&, std::function<void(const std::string&)>) const override {}
   std::vector<NeededModule> neededModules() const override {

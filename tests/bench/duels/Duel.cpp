@@ -10,9 +10,9 @@
 #include <thread>
 
 #include "field/FieldSize.h"
-#include "game/GameCounter.h"
 #include "math/Angle.h"
 #include "math/Random.h"
+#include "watch/GameCounter.h"
 
 namespace plumbline::bench {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "Drive.h"
 #include "math/Random.h"
+#include "servo/mujoco/MujocoModel.h"
+#include "servo/mujoco/MujocoWorld.h"
+#include "servo/mujoco/SoftGround.h"
 #include "simulation/league/MakeWorld.h"
-#include "simulation/servo/mujoco/MujocoModel.h"
-#include "simulation/servo/mujoco/MujocoWorld.h"
-#include "simulation/servo/mujoco/SoftGround.h"
 
 namespace plumbline::reality {
 namespace {

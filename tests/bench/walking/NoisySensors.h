@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "math/Random.h"
-#include "simulation/servo/RobotSimulation.h"
+#include "servo/RobotSimulation.h"
 
 namespace plumbline::bench {
 

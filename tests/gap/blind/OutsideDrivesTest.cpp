@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gap/TwoJointArm.h"
-#include "simulation/servo/ServoWorld.h"
+#include "servo/ServoWorld.h"
 
 namespace plumbline::gap {
 namespace {

@@ -1,13 +1,11 @@
 #include "ScriptedPlatform.h"
 
-#include <CLI/CLI.hpp>
-
 namespace plumbline::test {
 
 MAKE_PLATFORM("scripted", ScriptedPlatform)
 
-void ScriptedPlatform::declareOptions(CLI::App& app) {
-  app.add_option("--walk-after", options_->walkAfter, "seconds that the robot stands before it walks");
+void ScriptedPlatform::declareOptions(CommandLine& app) {
+  app.option("--walk-after", options_->walkAfter, "seconds that the robot stands before it walks");
 }
 
 std::vector<std::string> ScriptedPlatform::configFolders(const std::string& config) const {

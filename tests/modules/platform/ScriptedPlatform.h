@@ -17,7 +17,7 @@ struct ScriptedOptions {
 /// A second platform, made of the files of this folder alone: a robot that follows a script.
 class ScriptedPlatform : public Platform {
 public:
-  void declareOptions(CLI::App& app) override;
+  void declareOptions(CommandLine& app) override;
   std::vector<std::string> configFolders(const std::string& config) const override;
   void addObjects(ModuleObjects& objects, std::function<void(const std::string&)> tell) const override;
   std::vector<NeededModule> neededModules() const override;

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
@@ -18,9 +17,10 @@ namespace {
 class ScriptedAgent : public testing::Test {
 protected:
   ScriptedAgent() {
-    CLI::App app;
-    platform->declareOptions(app);
-    app.parse("--walk-after 2", false);
+    CommandLine line("An agent.");
+    platform->declareOptions(line);
+    const char* words[] = {"agent", "--walk-after", "2"};
+    readCommandLine(line, 3, words);
     ControllerOptions setup;
     setup.modulesConfig = "tests/modules/platform/config/platforms/scripted/modules.cfg";
     setup.configDirectories = {"config", platform->configFolders("config").front()};

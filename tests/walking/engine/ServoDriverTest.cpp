@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "robot/MechanismFile.h"
-#include "simulation/servo/ServoWorld.h"
+#include "servo/ServoWorld.h"
 
 namespace plumbline::walking {
 namespace {
