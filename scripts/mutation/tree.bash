@@ -39,6 +39,7 @@ refresh() {
   find configure.sh CMakeLists.txt CMakePresets.json cmake scripts src utils config tests -type f ! -path 'tests/data/*' |
     while read -r file; do place "$file"; done
   for area in "${testAreas[@]}"; do
+    [[ -d src/$area || $area == diagnosis ]] || continue
     mkdir -p "$tree/tests/$area/recorder"
     file=$tree/tests/$area/recorder/Recorder.cpp
     sed "s#\"Switches.h\"#\"$root/scripts/mutation/Switches.h\"#" scripts/mutation/Recorder.cpp | cmp -s - "$file" ||
