@@ -11,7 +11,7 @@ namespace plumbline::gap {
 namespace {
 
 /// Never the same again within a run.
-double wandering(double t) { return 0.3 * std::sin(2.1 * t + 0.15 * t * t) + 0.2 * std::sin(3.7 * t + 0.4); }
+double wandering(double t) { return 0.15 * std::sin(6 * t + 0.3 * t * t) + 0.1 * std::sin(7.7 * t + 0.4); }
 
 Run moving() {
   return pendulumRun(
@@ -24,7 +24,7 @@ Run later(double seconds, double rate = 100) {
 }
 
 TEST(Plausibility, aRateThatIsSixPerCentOffIsReported) {
-  Run run = moving();
+  gap::Run run = moving();
   EXPECT_EQ(saidOf(run), "");
   run.rateHz = 104;
   EXPECT_EQ(saidOf(run), "");
@@ -34,7 +34,7 @@ TEST(Plausibility, aRateThatIsSixPerCentOffIsReported) {
 }
 
 TEST(Plausibility, aGainSixtyTimesTheRobotsOwnIsReported) {
-  Run run = moving();
+  gap::Run run = moving();
   run.servo["pendulum"].kp = 0.9586 * 40;
   EXPECT_EQ(saidOf(run), "");
   run.servo["pendulum"].kp = 0.9586 / 40;
@@ -45,7 +45,7 @@ TEST(Plausibility, aGainSixtyTimesTheRobotsOwnIsReported) {
 }
 
 TEST(Plausibility, timesThatAreFartherFromTheCycleThanAnyBusAreReported) {
-  Run run = moving();
+  gap::Run run = moving();
   run.timing["pendulum"].posAt = -0.24;
   EXPECT_EQ(saidOf(run), "");
   run.timing["pendulum"].posAt = -0.3;
