@@ -182,6 +182,8 @@ TEST(Excitation, badProgramsAreNamed) {
             "5: unknown key");
   EXPECT_EQ(errorOf(head + "  - {hold: 3000}\n  - {hold: 3000}\n"),
             "6: segments[1].hold makes the program longer than an hour");
+  EXPECT_EQ(errorOf(head + "  - {hold: 1800}\n  - {hold: 1900}\n"),
+            "6: segments[1].hold makes the program longer than an hour");
   EXPECT_EQ(errorOf("about: a\nbase: fixed\nposture: sit\nsegments: []\n"),
             "3: posture is \"sit\", a posture that postures.yaml does not have for nao_v5");
   try {

@@ -119,7 +119,7 @@ TEST(RunBounds, lostSamplesAreReportedWhereTheyAreMoreThanHalf) {
 
 TEST(RunBounds, aShortRunIsReported) {
   gap::Run run = pendulumRun([](double t) { return 0.4 * std::sin(6 * t); },
-                        [](double t) { return 0.4 * std::sin(6 * t - 0.1); }, 100, 0.9);
+                             [](double t) { return 0.4 * std::sin(6 * t - 0.1); }, 100, 0.9);
   EXPECT_EQ(saidOf(run), "r: t: the run is only 0.89 s long; little can be learnt from it\n");
 }
 

@@ -23,9 +23,10 @@ Run following(double commanded, double moved, double share) {
 
 TEST(RunFollowing, aCommandIsInDegreesWhereItsJointMovesAlikeAndSoMuchLess) {
   const std::string inDegrees = "; is it in degrees?)";
-  EXPECT_EQ(saidOf(following(1.5, 1.5 / degree, 0.65)),
-            "refused: r: no usable cmd column is left (cmd.pendulum: it moves 57.3 times as far as pos.pendulum; "
-            "is it in degrees?)");
+  EXPECT_EQ(
+      saidOf(following(1.5, 1.5 / degree, 0.65)),
+      "refused: r: no usable cmd column is left (cmd.pendulum: it moves 57.3 times as far as pos.pendulum; "
+      "is it in degrees?)");
   EXPECT_NE(saidOf(following(1.5, 1.25 * 1.5 / degree, 1)).find(inDegrees), std::string::npos);
   EXPECT_EQ(saidOf(following(1.5, 1.35 * 1.5 / degree, 1)), "");
   EXPECT_EQ(saidOf(following(1.5, 1.5 / degree, 0.5)),
@@ -33,9 +34,10 @@ TEST(RunFollowing, aCommandIsInDegreesWhereItsJointMovesAlikeAndSoMuchLess) {
 }
 
 TEST(RunFollowing, aPositionIsInDegreesWhereItMovesAsCommandedAndSoMuchMore) {
-  EXPECT_EQ(saidOf(following(0.038, 0.038 * degree, 0.7)),
-            "refused: r: no usable pos column is left (pos.pendulum: it moves 57.3 times as far as cmd.pendulum; "
-            "is it in degrees?)");
+  EXPECT_EQ(
+      saidOf(following(0.038, 0.038 * degree, 0.7)),
+      "refused: r: no usable pos column is left (pos.pendulum: it moves 57.3 times as far as cmd.pendulum; "
+      "is it in degrees?)");
   EXPECT_EQ(saidOf(following(0.04, 1.35 * 0.04 * degree, 1)),
             "r: pos.pendulum: it moves 77.35 times as far as cmd.pendulum; check its unit\n");
   EXPECT_EQ(saidOf(following(0.038, 0.038 * degree, 0.5)),
@@ -46,7 +48,7 @@ TEST(RunFollowing, aCommandWasDividedByAThousandWhereItsJointFollowsAThousandTim
   EXPECT_EQ(
       saidOf(following(0.002, 2, 0.7)),
       "refused: r: no usable cmd column is left (cmd.pendulum: pos.pendulum moves 1000 times as far; was it "
-"divided by a thousand?)");
+      "divided by a thousand?)");
   EXPECT_EQ(saidOf(following(0.002, 2, 0.5)), "");
   EXPECT_EQ(saidOf(following(0.002, 2.7, 1)), "");
 }
@@ -54,8 +56,9 @@ TEST(RunFollowing, aCommandWasDividedByAThousandWhereItsJointFollowsAThousandTim
 TEST(RunFollowing, aJointThatMovesAgainstItsCommandIsLeftOut) {
   EXPECT_EQ(saidOf(following(0.5, 0.5, -0.75)), "");
   EXPECT_EQ(saidOf(following(0.5, 0.5, -0.85)),
-            "refused: r: no usable pos column is left (pos.pendulum: it moves against cmd.pendulum; is its sign turned "
-"round?)");
+            "refused: r: no usable pos column is left (pos.pendulum: it moves against cmd.pendulum; is its "
+            "sign turned "
+            "round?)");
 }
 
 TEST(RunFollowing, aCommandThatHardlyMovesIsHeldAgainstNothing) {
@@ -78,7 +81,8 @@ TEST(RunFollowing, howFarAJointMayBeBeyondItsLimits) {
 
 /// A joint that follows, whose recorded speed is so many times its speed, in part.
 std::string withSpeed(double times, double share, double swing = 0.5, bool hasSign = true) {
-  gap::Run run = pendulumRun([=](double t) { return swing * one(t); }, [=](double t) { return swing * one(t); });
+  gap::Run run =
+      pendulumRun([=](double t) { return swing * one(t); }, [=](double t) { return swing * one(t); });
   const double most = swing * 2 * std::numbers::pi * 0.5;
   for (const double t : run.t) {
     const double speed = std::cos(2 * std::numbers::pi * 0.5 * t),
