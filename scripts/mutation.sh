@@ -7,7 +7,8 @@
 #   --report       writes doc/results/mutation.md from what was tried
 #   --survivors    tries again what has survived, after tests were mended
 # Variables: SEED, of the choice and the order [1]; OPERATORS [200]; MOST, how many are tried in this run [all]; LONG=yes
-# runs tests/diagnosis as well, minutes each, where src/gap is changed; JOBS for builds [one per core].
+# runs tests/diagnosis as well, minutes each, where src/gap is changed; QUICK=yes leaves out what has to be compiled by
+# itself; JOBS for builds [one per core].
 # It works in a copy of the tree, build/mutation/tree, where all changes stand at once behind switches; what cannot is
 # compiled by itself. What was tried stands in build/mutation/results.txt: a run that was ended goes on there. Tests may
 # compute three times as long as they do without a change.
@@ -78,8 +79,8 @@ refresh
 # Those of an area, $1, with number and state before them: switched ones first, then others, file by file.
 inOrder() {
   printf '%s\n' "${todo[@]}" | grep "${tab}src/$1/" |
-    awk -F'\t' -v OFS='\t' 'NR == FNR { line = $0; sub(/^[^\t]*\t[^\t]*\t/, "", line); of[line] = $1 "\t" $2; state[line] = $2; next }
-      $0 in of { print (state[$0] == "own" ? $2 : ""), of[$0], $0 }' "$plan" - | LC_ALL=C sort -s -t"$tab" -k1,1 | cut -f2-
+    awk -F'\t' -v OFS='\t' -v quick="${QUICK-}" 'NR == FNR { line = $0; sub(/^[^\t]*\t[^\t]*\t/, "", line); of[line] = $1 "\t" $2; state[line] = $2; next }
+      $0 in of && !(quick && state[$0] == "own") { print (state[$0] == "own" ? $2 : ""), of[$0], $0 }' "$plan" - | LC_ALL=C sort -s -t"$tab" -k1,1 | cut -f2-
 }
 
 tried=0

@@ -69,6 +69,21 @@ TEST(Excitation, everyStandardProgramMovesWithinLimitsAndSpeed) {
   }
 }
 
+TEST(Excitation, commandsKeepAHundredthOfARadianFromTheStops) {
+  const Mechanism nao = findMechanism("nao_v5");
+  Excitation program = findExcitation("hang_static", nao);
+  for (Segment& segment : program.segments)
+    for (auto& [joint, amplitude] : segment.joints) amplitude = 9;
+  const CommandTable table = playExcitation(program, nao, 100);
+  for (std::size_t j = 0; j < nao.joints.size(); ++j) {
+    const Mechanism::Joint& joint = nao.joints[j];
+    const double margin = std::min(0.0099, 0.0099 * (joint.upper - joint.lower));
+    const auto [low, high] = std::ranges::minmax(table.commands[j]);
+    EXPECT_GE(low, joint.lower + margin) << joint.name;
+    EXPECT_LE(high, joint.upper - margin) << joint.name;
+  }
+}
+
 TEST(Excitation, otherRobotsPlayTheHangingPrograms) {
   for (const char* name : {"so101", "xl330_pendulum"}) {
     const Mechanism robot = findMechanism(name);

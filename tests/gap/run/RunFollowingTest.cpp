@@ -79,6 +79,21 @@ TEST(RunFollowing, howFarAJointMayBeBeyondItsLimits) {
       << farther;
 }
 
+TEST(RunFollowing, aJointThatJumpsBeyondItsLimitsDidNotFallThere) {
+  // It follows its command, and is 0.4 rad beyond the limit in two samples; the rig's motor turns 19.45
+  // rad/s.
+  const auto jumping = [](double way) {
+    gap::Run run = pendulumRun([](double t) { return 2.9 * one(t); }, [](double t) { return 2.9 * one(t); });
+    std::vector<double>& pos = run.channels["pos.pendulum"];
+    pos[51] = 3.55, pos[50] = pos[52] = 3.55 - way;
+    pos[49] = pos[53] = 3.55 - 1.9 * way;
+    return saidOf(run);
+  };
+  EXPECT_NE(jumping(0.55).find("kept, because the joint follows its command"), std::string::npos);
+  EXPECT_NE(jumping(0.75).find("no usable pos column is left (pos.pendulum: it reaches 3.55"),
+            std::string::npos);
+}
+
 /// A joint that follows, whose recorded speed is so many times its speed, in part.
 std::string withSpeed(double times, double share, double swing = 0.5, bool hasSign = true) {
   gap::Run run =
