@@ -21,7 +21,7 @@ report() {
     echo "\`make mutation\` (\`scripts/mutation.sh\`) changes one place of the code at a time, a threshold by 30 % or an operator, and"
     echo "runs the tests of its folder that reach the place. A change survives when no test fails. Not every survivor is a gap: some"
     echo "changes have no effect that anybody could see, and some thresholds may well be others. \"Not reached\" is what no test of the"
-    echo "folder runs at all."
+    echo "folder runs at all. \`LONG=yes\` also runs \`tests/diagnosis\`, minutes each, for changes of \`src/gap\`; the table is without."
     echo
     echo "Seed $seed, $(date -u -r "$results" +%Y-%m-%d), $(nproc) cores of ${machine:-an unknown CPU}: $(wc -l < "$results") of $(mutants | wc -l) changes were tried."
     echo

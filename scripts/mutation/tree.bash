@@ -48,6 +48,7 @@ refresh() {
   (cd "$tree" && find src tests -type f ! -path 'tests/data/*' ! -path 'tests/*/recorder/*') |
     while read -r file; do [[ -e $file ]] || rm "$tree/$file"; done
   ln -sfn "$PWD/tests/data" "$tree/tests/data"
+  ln -sfn "$PWD/doc" "$tree/doc"
 }
 
 build() { (cd "$tree" && scripts/build.sh SimRelease "$@") > "$out/log" 2>&1 9>&-; }
