@@ -1,4 +1,4 @@
-# Lists what scripts/mutation.sh may change in the sources that it reads, a line each with tabs between:
+# Lists what scripts/mutation.sh may change in the sources that it reads (after code.awk), a line each with tabs between:
 # kind, file, line, column (from 1), what stands there, what is put there.
 #   threshold  numbers of constexpr declarations, and numbers with a point that something is compared with, 30 % off;
 #              up or down as a hash of the place says. Only in files that match `thresholds`.

@@ -103,6 +103,26 @@ expectEqual "$(with src/gap/Main.cpp:7:6 | cut -d' ' -f3)" "$(awk -F'\t' '$7 == 
 expectEqual "$(with 'src/tool/Sum.cpp:5:std::max(' | cut -d' ' -f4)" "10" "the least for the most"
 expectEqual "$(with 'src/tool/Sum.cpp:5: * ' | cut -d' ' -f4)" "9" "/ for *"
 expectEqual "$(with 'src/tool/Sum.cpp:6: - ' | cut -d' ' -f4)" "23" "+ for -"
+
+# Which tests a change is tried with: those that reach it, named ones first, slow ones last; all where that is not known.
+cd "$scratch" || exit 1
+printf '%s\t' @start 0 9 > record; echo >> record
+for test in "Arm.bends 5 1 2" "Leg.walks 300 1" "Leg.stands 7 1" "Head.turns 3 2"; do tr ' ' '\t' <<< "$test" >> record; done
+chosen() { awk -v number="$1" -v name=Arm -v own="${2-}" -v near="${3-}" -f "$root/scripts/mutation/select.awk" record | tr '\t\n' ' ;'; }
+expectEqual "$(chosen 1)" "5 Arm.bends;7 Leg.stands;300 Leg.walks;" "tests that reach a place"
+expectEqual "$(chosen 3)" "" "tests of a place that none reaches"
+expectEqual "$(chosen 9 | tr ';' '\n' | wc -l)" 3 "tests of a place that is reached before the first"
+expectEqual "$(chosen 4 yes "2 3" | cut -d';' -f1,2)" "5 Arm.bends;3 Head.turns" "tests of what is compiled by itself"
+# What the compiler says is taken out of the plan.
+printf '%s\n' "1 plain" "2 plain" "3 plain" "4 plain" | tr ' ' '\t' > plan
+printf '%s\n' "src/a.cpp:1 constant 1" "src/a.cpp:1 place 1" "src/a.cpp:5 use 1" "src/a.cpp:7 place 2" "src/b.h:2 constant 3" "src/c.cpp:4 place 4" | tr ' ' '\t' > reached
+dropped() { printf '%s\n' "$@" | awk -f "$root/scripts/mutation/drop.awk" plan reached - | LC_ALL=C sort | paste -sd';'; }
+expectEqual "$(dropped "src/a.cpp:5:3: error: x")" "keep src/a.cpp:5" "a use that does not compile"
+expectEqual "$(dropped "src/a.cpp:7:3: error: x" "src/a.cpp:1:1: note: y")" "own 2" "a place that does not compile"
+expectEqual "$(dropped "src/a.cpp:1:3: error: x")" "member 1" "a constant that is none of a class"
+expectEqual "$(dropped "src/d.cpp:9:1: error: x" "src/c.cpp:4:1: note: y")" "own 4" "a reason in a note"
+expectEqual "$(dropped "src/b.h:8:1: error: the value of 'n' is not usable in a constant expression" \
+  "src/b.h:2:1: note: 'n' was not initialized with a constant expression" "src/c.cpp:4:1: error: z")" "own 3;own 4" "a number that has to be known"
 cd "$root" || exit 1
 expectError 2 "mutation.sh: no folder src/walkin" scripts/mutation.sh walkin
 [[ $(SEED=3 OPERATORS=5 scripts/mutation.sh --list optimization) == "$(SEED=3 OPERATORS=5 scripts/mutation.sh --list optimization)" ]] || fail "the same seed chooses others"
