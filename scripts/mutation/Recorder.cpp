@@ -1,6 +1,6 @@
-// Goes into each test program of the copy of the tree that scripts/mutation.sh builds: notes which switched places a test
-// reaches. PLUMBLINE_RECORD names the file: a line for what ran before the first test, then one for each test with its
-// milliseconds and the numbers of the changes, tabs between.
+// Goes into each test program of the copy of the tree that scripts/mutation.sh builds: notes which switched
+// places a test reaches. PLUMBLINE_RECORD names the file: a line for what ran before the first test, then one
+// for each test with its milliseconds and the numbers of the changes, tabs between.
 #include "Switches.h"
 
 #include <gtest/gtest.h>
@@ -10,13 +10,14 @@
 
 namespace {
 class Recorder : public testing::EmptyTestEventListener {
- public:
+public:
   explicit Recorder(const char* path) : path_(path) {}
 
- private:
+private:
   void OnTestProgramStart(const testing::UnitTest&) override { note("@start", 0); }
   void OnTestEnd(const testing::TestInfo& test) override {
-    note(std::string(test.test_suite_name()) + "." + test.name(), static_cast<long>(test.result()->elapsed_time()));
+    note(std::string(test.test_suite_name()) + "." + test.name(),
+         static_cast<long>(test.result()->elapsed_time()));
   }
 
   void note(const std::string& name, long milliseconds) {
@@ -33,7 +34,8 @@ class Recorder : public testing::EmptyTestEventListener {
 };
 
 const bool listens = [] {
-  if (const char* path = std::getenv("PLUMBLINE_RECORD")) testing::UnitTest::GetInstance()->listeners().Append(new Recorder(path));
+  if (const char* path = std::getenv("PLUMBLINE_RECORD"))
+    testing::UnitTest::GetInstance()->listeners().Append(new Recorder(path));
   return true;
 }();
 }  // namespace

@@ -14,11 +14,12 @@
 #pragma GCC diagnostic ignored "-Wparentheses"
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 
-/// Changes of the code behind switches, in the copy of the tree that scripts/mutation.sh builds: PLUMBLINE_MUTANT in the
-/// environment is the number of the one change that a run of the tests has. None without it.
+/// Changes of the code behind switches, in the copy of the tree that scripts/mutation.sh builds:
+/// PLUMBLINE_MUTANT in the environment is the number of the one change that a run of the tests has. None
+/// without it.
 namespace mutation {
 inline constexpr int mostChanges = 20000;
-inline bool ran[mostChanges];  ///< by number: whether the place was reached, for Recorder.cpp
+inline bool ran[mostChanges];              ///< by number: whether the place was reached, for Recorder.cpp
 inline constexpr int doesNotCompile = 97;  ///< how a program ends where the other operator would not
 
 inline int chosen() {
@@ -47,8 +48,8 @@ T mutated(int number, T was, T other) {
   return switched(number, was, other);
 }
 
-/// An operator: `a < b` becomes `a < mutation::infix<7, std::less<>, std::less_equal<>> > b`, which computes as before
-/// where the two operators bind alike.
+/// An operator: `a < b` becomes `a < mutation::infix<7, std::less<>, std::less_equal<>> > b`, which computes
+/// as before where the two operators bind alike.
 template <int number, typename Was, typename Other>
 struct Infix {};
 template <int number, typename Was, typename Other>
@@ -69,7 +70,7 @@ struct Half {
     }
   }
 
- private:
+private:
   template <typename Value, typename Right>
   Value value(const Right& right) const {
     if (chosen() == number) {
@@ -80,14 +81,14 @@ struct Half {
   }
 };
 
-#define MUTATION_INFIX(BEFORE, AFTER)                                                      \
-  template <typename Left, int number, typename Was, typename Other>                       \
+#define MUTATION_INFIX(BEFORE, AFTER)                                                           \
+  template <typename Left, int number, typename Was, typename Other>                            \
   Half<Left, number, Was, Other> operator BEFORE(const Left& left, Infix<number, Was, Other>) { \
-    return {left};                                                                         \
-  }                                                                                        \
-  template <typename Left, int number, typename Was, typename Other, typename Right>       \
-  auto operator AFTER(Half<Left, number, Was, Other> half, const Right& right) {           \
-    return half.with(right);                                                               \
+    return {left};                                                                              \
+  }                                                                                             \
+  template <typename Left, int number, typename Was, typename Other, typename Right>            \
+  auto operator AFTER(Half<Left, number, Was, Other> half, const Right& right) {                \
+    return half.with(right);                                                                    \
   }
 MUTATION_INFIX(<, >)
 MUTATION_INFIX(==, ==)
