@@ -259,9 +259,9 @@ coverage: packages
 	@scripts/coverage.sh --report
 
 # Whether the tests notice wrong code: one changed place of src/ at a time. FOLDERS="walking gap/replay" for some, MOST, SEED,
-# OPERATORS and LONG: scripts/mutation.sh --help. Goes on where it was ended; writes doc/results/mutation.md.
+# OPERATORS, LONG and QUICK: scripts/mutation.sh --help. Goes on where it was ended; writes doc/results/mutation.md.
 mutation: packages
-	@$(foreach v,MOST SEED OPERATORS LONG,$(if $($v),$v=$($v))) scripts/mutation.sh $(FOLDERS)
+	@$(foreach v,MOST SEED OPERATORS LONG QUICK,$(if $($v),$v=$($v))) scripts/mutation.sh $(FOLDERS)
 	@$(foreach v,SEED OPERATORS,$(if $($v),$v=$($v))) scripts/mutation.sh --report
 
 format:

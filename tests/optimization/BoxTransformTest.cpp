@@ -29,7 +29,11 @@ TEST(BoxTransform, continuousAndTurnedRound) {
   const BoxTransform box = make(-2, 6);
   for (double x = -3; x < 7; x += 1e-3)
     EXPECT_LT(std::abs(box.toBox(0, x + 1e-3) - box.toBox(0, x)), 1.001e-3) << x;
-  for (double y = -2; y <= 6; y += 0.01) EXPECT_NEAR(box.toBox(0, box.fromBox(0, y)), y, 1e-12);
+  for (double y = -2; y <= 6; y += 0.01) {
+    EXPECT_NEAR(box.toBox(0, box.fromBox(0, y)), y, 1e-12);
+    EXPECT_GE(box.fromBox(0, y), -2.15 - 1e-12) << "the nearest of all that come to it";
+    EXPECT_LE(box.fromBox(0, y), 6.35 + 1e-12);
+  }
 }
 
 TEST(BoxTransform, oneBoundOrNone) {

@@ -77,5 +77,13 @@ TEST(AgentCommand, sayable) {
     EXPECT_FALSE(isSayable(text)) << text;
 }
 
+TEST(AgentCommand, namesOfTeams) {
+  EXPECT_TRUE(isTeamName("Plumbline_2"));
+  EXPECT_TRUE(isTeamName(std::string(20, 'a')));
+  EXPECT_FALSE(isTeamName(std::string(21, 'a')));
+  for (const char* text : {"", "a b", "a(", ")", "\"", "a\"b", "\x7f", "\xc3\xa4", "\n"})
+    EXPECT_FALSE(isTeamName(text)) << text;
+}
+
 }  // namespace
 }  // namespace plumbline::simspark

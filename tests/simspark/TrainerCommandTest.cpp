@@ -72,5 +72,16 @@ TEST(TrainerCommand, badOnesAreSkippedAndNamed) {
   EXPECT_TRUE(commandsIn("(time 1", "a parenthesis is not closed at byte 7").empty());
 }
 
+TEST(TrainerCommand, aViewerIsSentToEveryMillisecondToEveryMinute) {
+  for (const char* interval : {"0.001", "0.04", "60"}) {
+    const auto commands = commandsIn("(viewer " + std::string(interval) + ")");
+    ASSERT_EQ(commands.size(), 1U) << interval;
+    EXPECT_EQ(std::get<ViewerCommand>(commands[0]).interval, std::stod(interval));
+  }
+  for (const char* interval : {"0", "0.0009", "60.1", "-1", "soon"})
+    EXPECT_TRUE(commandsIn("(viewer " + std::string(interval) + ")", "cannot use (viewer ...)").empty())
+        << interval;
+}
+
 }  // namespace
 }  // namespace plumbline::simspark

@@ -251,10 +251,8 @@ std::vector<std::string> findRuns(const std::string& path) {
   for (auto it = fs::recursive_directory_iterator(path, error); it != fs::recursive_directory_iterator();
        it.increment(error)) {
     if (error) break;
-    if (it.depth() > maxFolderDepth)
-      it.pop();
-    else if (it->is_directory(error) && isRun(it->path()))
-      runs.push_back(it->path().string());
+    if (it.depth() == maxFolderDepth) it.disable_recursion_pending();
+    if (it->is_directory(error) && isRun(it->path())) runs.push_back(it->path().string());
   }
   if (runs.empty()) throw RunError(path + ": holds no run; a run is a folder with run.json and run.csv");
   std::sort(runs.begin(), runs.end());

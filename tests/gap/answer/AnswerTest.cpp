@@ -31,5 +31,18 @@ TEST(AnswerTest, theRecordingsThatRanWithoutACauseAreNamed) {
   EXPECT_FALSE(effects[1].contains("not_in"));
 }
 
+TEST(AnswerTest, aDrawnSignalHasFifteenHundredPointsAtMost) {
+  const Mechanism arm = twoJointArm();
+  for (const double seconds : {14.0, 17.0}) {
+    const Evidence evidence({recorded(nominalPlant(arm), armTrial(arm, seconds), 5e-4, 3)});
+    Evaluator evaluator(arm, evidence);
+    const auto answer = nlohmann::json::parse(answerJson({"two_joint_arm", {{}}, ""}, {}, evaluator));
+    ASSERT_EQ(answer["overlays"].size(), 2U);
+    for (const auto& overlay : answer["overlays"])
+      for (const char* key : {"t", "measured", "nominal", "corrected"})
+        EXPECT_EQ(overlay[key].size(), seconds < 15 ? 1400U : 850U) << key;
+  }
+}
+
 }  // namespace
 }  // namespace plumbline::gap

@@ -11,7 +11,7 @@ namespace {
 
 /// A body on its feet, seen for 4 s: it turns, tilts, bears on two feet and goes; what it did stands in the
 /// signals.
-Trial seen(const Mechanism& robot) {
+Trial seen(const Mechanism& robot, double tilt = 0.1, double speed = 0.1) {
   Trial trial = armTrial(robot, 4);
   trial.name = "runs/walk";
   trial.freeBase = true;
@@ -23,23 +23,28 @@ Trial seen(const Mechanism& robot) {
   };
   add(SignalKind::gyro, -1, 0, [](double t) { return 0.5 + 0.2 * std::sin(2 * M_PI * t); });
   add(SignalKind::gyro, -1, 1, [](double) { return 0.1; });
-  add(SignalKind::accelerometer, -1, 0, [](double) { return 9.81 * std::sin(0.1); });
+  add(SignalKind::accelerometer, -1, 0, [=](double) { return 9.81 * std::sin(tilt); });
   add(SignalKind::accelerometer, -1, 1, [](double) { return 0.0; });
-  add(SignalKind::accelerometer, -1, 2, [](double) { return 9.81 * std::cos(0.1); });
+  add(SignalKind::accelerometer, -1, 2, [=](double) { return 9.81 * std::cos(tilt); });
   add(SignalKind::force, 0, 0, [](double) { return 30.0; });
   add(SignalKind::force, 1, 0, [](double) { return 10.0; });
-  add(SignalKind::truth, -1, 0, [](double t) { return 0.1 * t; });
+  add(SignalKind::truth, -1, 0, [=](double t) { return speed * t; });
   add(SignalKind::truth, -1, 1, [](double) { return 2.0; });
   return trial;
 }
 
-TEST(BehaviourTest, saysWhatTheRunDid) {
+Mechanism onTwoFeet() {
   Mechanism robot = twoJointArm();
   robot.feet.push_back({});
   robot.feet.back().name = "LFoot";
   robot.feet.back().link = 2;
   robot.feet.back().sensors.emplace_back();
   robot.feet.push_back(robot.feet.back());
+  return robot;
+}
+
+TEST(BehaviourTest, saysWhatTheRunDid) {
+  const Mechanism robot = onTwoFeet();
   const Trial trial = seen(robot);
   const Evidence evidence({trial});
   const Evaluator evaluator(robot, evidence);
@@ -60,6 +65,34 @@ TEST(BehaviourTest, saysWhatTheRunDid) {
   }
   EXPECT_DOUBLE_EQ(list[0].nominal, list[0].measured);
   EXPECT_DOUBLE_EQ(list[5].nominal, 1);
+}
+
+/// What a robot did, by its name; NaN where nothing is said of it.
+double measured(const std::string& what, const Trial& trial, const Mechanism& robot) {
+  const Evidence evidence({trial});
+  const Evaluator evaluator(robot, evidence);
+  Prediction nominal;
+  for (const Signal& signal : trial.signals) nominal.values.push_back(signal.values);
+  for (const Behaviour& line : behaviours(evaluator, {nominal}))
+    if (line.what == what + ", walk") return line.measured;
+  return std::nan("");
+}
+
+TEST(BehaviourTest, aRobotFellThatTiltsByMoreThanARadian) {
+  const Mechanism robot = onTwoFeet();
+  for (const double tilt : {0.3, 0.9, 1.1, 1.5}) {
+    const Trial trial = seen(robot, tilt);
+    EXPECT_NEAR(measured("largest tilt", trial, robot), tilt, 1e-6);
+    EXPECT_EQ(measured("fell", trial, robot), tilt > 1 ? 1 : 0) << tilt;
+  }
+}
+
+TEST(BehaviourTest, aSpeedIsSaidOfARobotThatWentThirtyCentimetres) {
+  const Mechanism robot = onTwoFeet();
+  EXPECT_NEAR(measured("mean speed", seen(robot, 0.1, 0.085), robot), 0.085, 1e-3);
+  const Trial trial = seen(robot, 0.1, 0.07);
+  EXPECT_NEAR(measured("way gone", trial, robot), 0.28, 0.01);
+  EXPECT_TRUE(std::isnan(measured("mean speed", trial, robot)));
 }
 
 TEST(BehaviourTest, aRunWithAFixedBaseHasNone) {

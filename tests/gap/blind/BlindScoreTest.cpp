@@ -55,6 +55,21 @@ TEST(BlindScore, CountsByHand) {
   EXPECT_EQ(score.missing, 0U);
 }
 
+TEST(BlindScore, CasesCountByHowMuchTheyShow) {
+  BlindSet set;
+  for (const double ratio : {2.9, 3.1, 3.8, 4.0, 4.9, 5.1, 9.0, 11.0, 19.0, 21.0, 49.0, 51.0})
+    set.cases.push_back(caseOf(BlindKind::single, {{"backlash", "Knee", "", 1, {}}}, ratio));
+  const BlindScore score =
+      scoreBlind(set, std::vector<BlindAnswer>(set.cases.size(), answer("none")), twoHips());
+  const std::pair<const char*, std::size_t> wanted[] = {{"0 to 3", 1},   {"3 to 5", 4},   {"5 to 10", 2},
+                                                        {"10 to 20", 2}, {"20 to 50", 2}, {"50 and more", 1}};
+  ASSERT_EQ(score.bySeverity.size(), std::size(wanted));
+  for (std::size_t i = 0; i < std::size(wanted); ++i) {
+    EXPECT_EQ(score.bySeverity[i].what, wanted[i].first);
+    EXPECT_EQ(score.bySeverity[i].count, wanted[i].second) << wanted[i].first;
+  }
+}
+
 TEST(BlindScore, NoAnswerIsAWrongAnswer) {
   BlindSet set;
   set.cases = {caseOf(BlindKind::none, {}, 0), caseOf(BlindKind::single, {{"backlash", "Knee", "", 1, {}}})};
@@ -143,6 +158,11 @@ TEST(BlindScore, WilsonsInterval) {
 }
 
 TEST(BlindScore, CalibrationByBins) {
+  const std::vector<CalibrationBin> bins = calibrationBins({{0.21, true}, {0.29, false}, {0.31, true}});
+  ASSERT_EQ(bins.size(), 10U);
+  EXPECT_EQ(bins[2].right.count, 2U);
+  EXPECT_DOUBLE_EQ(bins[2].stated, 0.25);
+  EXPECT_EQ(bins[3].right.count, 1U);
   // Two in one bin with mean 0.95 and one of them right: |0.95 - 0.5|; one at 0.15, wrong.
   EXPECT_NEAR(calibrationError({{0.93, true}, {0.97, false}, {0.15, false}}), (0.9 + 0.15) / 3, 1e-12);
   EXPECT_DOUBLE_EQ(calibrationError({{1, true}, {0, false}}), 0);

@@ -69,6 +69,21 @@ TEST(Excitation, everyStandardProgramMovesWithinLimitsAndSpeed) {
   }
 }
 
+TEST(Excitation, commandsKeepAHundredthOfARadianFromTheStops) {
+  const Mechanism nao = findMechanism("nao_v5");
+  Excitation program = findExcitation("hang_static", nao);
+  for (Segment& segment : program.segments)
+    for (auto& [joint, amplitude] : segment.joints) amplitude = 9;
+  const CommandTable table = playExcitation(program, nao, 100);
+  for (std::size_t j = 0; j < nao.joints.size(); ++j) {
+    const Mechanism::Joint& joint = nao.joints[j];
+    const double margin = std::min(0.0099, 0.0099 * (joint.upper - joint.lower));
+    const auto [low, high] = std::ranges::minmax(table.commands[j]);
+    EXPECT_GE(low, joint.lower + margin) << joint.name;
+    EXPECT_LE(high, joint.upper - margin) << joint.name;
+  }
+}
+
 TEST(Excitation, otherRobotsPlayTheHangingPrograms) {
   for (const char* name : {"so101", "xl330_pendulum"}) {
     const Mechanism robot = findMechanism(name);
@@ -181,6 +196,8 @@ TEST(Excitation, badProgramsAreNamed) {
   EXPECT_EQ(errorOf(head + "  - {wave: sine, duration: 1, amplitude: 1, hertz: 1}\n").substr(0, 14),
             "5: unknown key");
   EXPECT_EQ(errorOf(head + "  - {hold: 3000}\n  - {hold: 3000}\n"),
+            "6: segments[1].hold makes the program longer than an hour");
+  EXPECT_EQ(errorOf(head + "  - {hold: 1800}\n  - {hold: 1900}\n"),
             "6: segments[1].hold makes the program longer than an hour");
   EXPECT_EQ(errorOf("about: a\nbase: fixed\nposture: sit\nsegments: []\n"),
             "3: posture is \"sit\", a posture that postures.yaml does not have for nao_v5");

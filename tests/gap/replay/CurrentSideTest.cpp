@@ -30,7 +30,7 @@ Trial withCurrent(bool ofSupply, double scale) {
 }  // namespace
 
 TEST(CurrentSide, isFoundWhateverTheScale) {
-  for (const double scale : {0.6, 1.0, 1.7}) {
+  for (const double scale : {0.4, 0.6, 1.0, 1.7, 2.6}) {
     std::vector<Trial> trials{withCurrent(true, scale), withCurrent(true, scale)};
     findCurrentSide(trials);
     for (const Trial& trial : trials) EXPECT_TRUE(trial.signals.back().ofSupply) << scale;

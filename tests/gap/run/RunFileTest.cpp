@@ -197,6 +197,14 @@ TEST_F(RunFile, badRunJsonIsNamed) {
   EXPECT_EQ(outcome(), "run.json: cannot be read: No such file or directory");
 }
 
+TEST_F(RunFile, runJsonIsAMegabyteAtMost) {
+  const auto noted = [](std::size_t length) {
+    return replaced(meta, "\"base\"", "\"note\": \"" + std::string(length, 'x') + "\", \"base\"");
+  };
+  EXPECT_EQ(outcome(noted(10), table), outcome(noted(900'000), table));
+  EXPECT_EQ(outcome(noted(1'100'000), table), "run.json: is larger than 1 MB");
+}
+
 TEST_F(RunFile, badTablesAreNamed) {
   EXPECT_EQ(outcome(meta, ""), "run.csv: is empty; the first line names the columns");
   EXPECT_EQ(outcome(meta, "t,pos.a\n0,1\n"), "run.csv: has 1 lines of data; a run needs two at least");

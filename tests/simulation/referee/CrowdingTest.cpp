@@ -29,6 +29,17 @@ TEST_F(Crowding, theSecondAndTheThirdHaveToGoIfTheRuleIsOn) {
   EXPECT_EQ(called, (std::map<int, int>{{3, 1}, {4, 1}}));
 }
 
+TEST_F(Crowding, isSeenWhereverTheBallIs) {
+  rules.of<simulation::Crowding>().on = true;
+  for (const Man* man : {&first, &second, &third, &opponent})
+    put(*man, place(*man).x() + 4, place(*man).y() - 3);
+  ball(4, -3);
+  playOn();
+  std::map<int, int> called;
+  for (const Foul& foul : game.fouls.since(0)) ++called[foul.unum];
+  EXPECT_EQ(called, (std::map<int, int>{{3, 1}, {4, 1}}));
+}
+
 TEST_F(Crowding, withoutAnOpponentNearItIsAllowed) {
   rules.of<simulation::Crowding>().on = true;
   put(opponent, 0, -0.9);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "robot/ForwardKinematics.h"
 #include "simspark/LeagueRobots.h"
 #include "walking/StandingAngles.h"
 
@@ -52,6 +53,24 @@ TEST_F(LegLoadTest, armsAreHeldAgainstGravity) {
   EXPECT_GT(std::abs(torque[lShoulderPitch]), 0.1) << "stretched out ahead";
   EXPECT_LT(std::abs(torque[rShoulderPitch]), 0.1 * std::abs(torque[lShoulderPitch])) << "it hangs down";
   EXPECT_NEAR(torque[headYaw], 0, 1e-9);
+}
+
+TEST_F(LegLoadTest, aShoulderHoldsTheWeightOfItsArmTimesHowFarItReaches) {
+  JointArray ahead = standing;
+  ahead[lShoulderPitch] = 0;
+  ForwardKinematics kinematics(robot);
+  kinematics.update(ahead);
+  const int shoulder = robot.linkOfJoint[lShoulderPitch];
+  const Vec3 joint = kinematics.link(shoulder).translation();
+  double moment = 0;
+  for (int i = 0; i < static_cast<int>(robot.links.size()); ++i) {
+    int above = i;
+    while (above > 0 && above != shoulder) above = robot.links[static_cast<std::size_t>(above)].parent;
+    const Link& link = robot.links[static_cast<std::size_t>(i)];
+    if (above == shoulder) moment += link.mass * 9.81 * (kinematics.link(i) * link.com - joint).x();
+  }
+  EXPECT_NEAR(std::abs(load.update(ahead, Vec2::Zero(), {0.5, 0.5}, Vec2::Zero())[lShoulderPitch]), moment,
+              1e-3 * moment);
 }
 
 TEST_F(LegLoadTest, aMassThatIsNotAboveItsFeetIsNotPushed) {

@@ -292,6 +292,23 @@ TEST(WalkEngine, walksToATargetAndStopsThere) {
   EXPECT_NEAR(loop.odometry.heading, 0.5, 0.1);
 }
 
+TEST(WalkEngine, aTargetTwoCentimetresAwayIsReachedAlready) {
+  const auto steps = [](const Pose2& target) {
+    OpenLoop loop;
+    loop.run({}, 0.2);
+    WalkRequest request;
+    request.walk = true;
+    request.target = target;
+    loop.run(request, period);
+    return loop.output.stepsToTarget;
+  };
+  EXPECT_EQ(steps(Pose2(0.022, 0, 0)), 0U);
+  EXPECT_EQ(steps(Pose2(0, -0.022, 0)), 0U);
+  EXPECT_EQ(steps(Pose2(0, 0, 0.07)), 0U);
+  EXPECT_GT(steps(Pose2(0.04, 0, 0)), 0U);
+  EXPECT_GT(steps(Pose2(0, 0, 0.12)), 0U);
+}
+
 TEST(WalkEngine, kicksWithAStep) {
   OpenLoop loop;
   WalkRequest request = walk(0, 0, 0);

@@ -56,5 +56,19 @@ TEST(FallGuard, endsWhenUprightAndAtRestForHalfASecond) {
   EXPECT_FALSE(guard.falling());
 }
 
+TEST(FallGuard, doesNotEndWhileTheRobotLeansOrTurns) {
+  const auto ends = [](const Vec2& angles, const Vec2& rates) {
+    FallGuard guard;
+    for (int i = 0; i < 5; ++i) guard.update(Vec2(0, 0.8), Vec2::Zero(), cycle, limits);
+    for (int i = 0; i < 100; ++i) guard.update(angles, rates, cycle, limits);
+    return !guard.falling();
+  };
+  EXPECT_TRUE(ends(Vec2(0, 0.18), Vec2::Zero()));
+  EXPECT_FALSE(ends(Vec2(0, -0.23), Vec2::Zero()));
+  EXPECT_FALSE(ends(Vec2(0.17, 0.17), Vec2::Zero()));
+  EXPECT_TRUE(ends(Vec2::Zero(), Vec2(0.27, 0)));
+  EXPECT_FALSE(ends(Vec2::Zero(), Vec2(-0.35, 0)));
+}
+
 }  // namespace
 }  // namespace plumbline::walking

@@ -34,6 +34,15 @@ TEST(LinearInvertedPendulum, isEquations41And42) {
   EXPECT_NEAR(end.velocity.y(), -0.05 * k * std::sinh(k * 0.2) + 0.1 * std::cosh(k * 0.2), 1e-12);
 }
 
+TEST(LinearInvertedPendulum, aMassNearTheGroundFallsAsOneTwoCentimetresUp) {
+  const auto end = [](double height) {
+    return LinearInvertedPendulum(height).move(onLeft(Pose2(0.01, 0.02), Vec2(0.2, 0.1)), lasting(0.3), 0.1);
+  };
+  for (const double height : {-0.1, 0.0, 0.01, 0.0199})
+    EXPECT_EQ(end(height).velocity, end(0.02).velocity) << height;
+  EXPECT_NE(end(0.021).velocity, end(0.02).velocity);
+}
+
 TEST(LinearInvertedPendulum, agreesWithIntegration) {
   const LinearInvertedPendulum model(pendulumHeight, Vec2(0.01, -0.005));
   const WalkState begin = onLeft(Pose2(-0.02, 0.06, 0.1), Vec2(0.4, 0.15));

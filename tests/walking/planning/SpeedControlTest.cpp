@@ -98,6 +98,12 @@ TEST_F(SpeedControlTest, brakingIsTheMeanDecelerationTowardsZero) {
   EXPECT_GT(speed.braking(), 0.7) << "of a walk backward it is positive";
 }
 
+TEST_F(SpeedControlTest, aTenthOfASecondAfterItsBeginningTwoThirdsOfABrakingAreSeen) {
+  ask(0.5, 0, 0, 2);
+  ask(0, 0, 0, 0.1);
+  EXPECT_NEAR(speed.braking(), -0.65, 0.06);
+}
+
 TEST_F(SpeedControlTest, littleElseIsWalkedBesideASprint) {
   ask(9, 0, 0, 2);
   ask(1, 0.03, 0.3, 1);

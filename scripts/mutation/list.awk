@@ -1,27 +1,8 @@
-# Lists what scripts/mutation.sh may change in the sources that it reads, a line each with tabs between:
+# Lists what scripts/mutation.sh may change in the sources that it reads (after code.awk), a line each with tabs between:
 # kind, file, line, column (from 1), what stands there, what is put there.
 #   threshold  numbers of constexpr declarations, and numbers with a point that something is compared with, 30 % off;
 #              up or down as a hash of the place says. Only in files that match `thresholds`.
 #   operator   comparison, logic, sum, product, true and false, min and max. In all other files.
-function blank(text,   spaces) { spaces = sprintf("%" length(text) "s", ""); return spaces }
-# The line with its comments and texts as spaces, so that columns stay.
-function codeOf(line,   code, at, c, quote) {
-  code = ""
-  for (at = 1; at <= length(line); ++at) {
-    c = substr(line, at, 1)
-    if (quote != "") {
-      if (c == "\\") { code = code "  "; ++at; continue }
-      if (c == quote) quote = ""
-      code = code " "
-    } else if (comment) {
-      if (substr(line, at, 2) == "*/") { comment = 0; code = code "  "; ++at } else code = code " "
-    } else if (substr(line, at, 2) == "/*") { comment = 1; code = code "  "; ++at
-    } else if (substr(line, at, 2) == "//") { code = code blank(substr(line, at)); break
-    } else if (c == "\"" || (c == "'" && substr(line, at - 1, 1) !~ /[0-9]/)) { quote = c; code = code " "
-    } else code = code c
-  }
-  return code
-}
 function say(kind, at, from, to) { if (from != to) printf "%s\t%s\t%d\t%d\t%s\t%s\n", kind, FILENAME, FNR, at, from, to }
 function hash(text,   i, h) { # of a place: neighbours go different ways
   h = 17
