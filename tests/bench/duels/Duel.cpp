@@ -99,7 +99,7 @@ public:
   }
 
 private:
-  game::GameCounter counter_;
+  watch::GameCounter counter_;
   int scenes_ = 0, nearest_ = 0;  ///< all, and those in which an attacker is nearest to the ball
 };
 
