@@ -23,6 +23,7 @@
 #include "ProcessPair.h"
 #include "dds/NetworkHub.h"
 #include "framework/SharedBlock.h"
+#include "framework/SteadyClock.h"
 #include "framework/WriteFile.h"
 
 namespace plumbline {
@@ -61,7 +62,7 @@ struct Sender {
   /// A new picture, as raw Fast DDS gets one.
   void make(int number) { std::ranges::fill(value.bytes.renew(size), static_cast<std::uint8_t>(number)); }
   void send() {
-    value.made = seconds();
+    value.made = steadySeconds();
     shown.publish();
     thread.wake();
   }
@@ -78,10 +79,10 @@ void receive(Shared& shared) {
   TimedBytes value;
   Log log("bench");
   // Noted in the network's thread, as below; the agent's takes the newest in each of its cycles.
-  dds::ReceivedRepresentation received(participant, options(), representationLoader<TimedBytes>(), value,
-                                       [&](const Representation& arrived) {
-                                         shared.add(seconds() - static_cast<const TimedBytes&>(arrived).made);
-                                       });
+  dds::ReceivedRepresentation received(
+      participant, options(), representationLoader<TimedBytes>(), value, [&](const Representation& arrived) {
+        shared.add(steadySeconds() - static_cast<const TimedBytes&>(arrived).made);
+      });
   for (;;) {
     received.receive(log);
     std::this_thread::sleep_for(20ms);
@@ -99,7 +100,7 @@ void receiveRaw(Shared& shared) {
              ReturnCode_t::RETCODE_OK) {
         double made = 0;
         std::memcpy(&made, content.bytes.data(), sizeof made);
-        shared.add(seconds() - made);
+        shared.add(steadySeconds() - made);
       }
     }
     Shared& shared;
@@ -147,10 +148,10 @@ std::vector<double> measure(std::size_t size, int samples, std::chrono::microsec
   Sender sender(size);
   for (int i = 0; i < samples; ++i) {
     sender.make(i);
-    const double before = seconds(), cpuBefore = threadSeconds();
+    const double before = steadySeconds(), cpuBefore = threadSeconds();
     sender.send();
     cost.cpu.push_back(threadSeconds() - cpuBefore);
-    cost.wall.push_back(seconds() - before);
+    cost.wall.push_back(steadySeconds() - before);
     std::this_thread::sleep_for(pause);
   }
   std::this_thread::sleep_for(200ms);
@@ -171,7 +172,7 @@ std::vector<double> measureRaw(std::size_t size, int samples, std::chrono::micro
   dds::Sample sample{0, std::string(size, 7)};
   for (int i = 0; i < samples; ++i) {
     std::ranges::fill(sample.bytes, static_cast<char>(i));
-    const double made = seconds();
+    const double made = steadySeconds();
     std::memcpy(sample.bytes.data(), &made, sizeof made);
     writer.write(sample);
     std::this_thread::sleep_for(pause);
@@ -189,14 +190,14 @@ std::vector<double> returns(int times) {
   for (int i = 0; i < times; ++i) {
     reader->kill();
     const int before = shared->count = 0;
-    const double start = seconds();
+    const double start = steadySeconds();
     reader = std::make_unique<Child>("receive", shared.descriptor());
-    while (shared->count == before && seconds() - start < 10) {
+    while (shared->count == before && steadySeconds() - start < 10) {
       sender.make(i);
       sender.send();
       std::this_thread::sleep_for(5ms);
     }
-    result.push_back(shared->count > before ? seconds() - start : -1);
+    result.push_back(shared->count > before ? steadySeconds() - start : -1);
     std::fprintf(stderr, "\rreader killed and back %d of %d", i + 1, times);
   }
   std::fprintf(stderr, "\n");
