@@ -8,7 +8,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 command -v clang-format > /dev/null || scripts/install_packages.sh scripts/packages-developer.txt
 folders=()
-for folder in src tests utils; do [[ -d $folder ]] && folders+=("$folder"); done
+for folder in src tests utils scripts; do [[ -d $folder ]] && folders+=("$folder"); done
 mode=(-i)
 case ${1-} in
   --check) mode=(--dry-run -Werror -ferror-limit=1) ;;

@@ -3,6 +3,9 @@
 #include <CLI/CLI.hpp>
 
 namespace plumbline {
+namespace {
+constexpr int largestPort = 65535;
+}
 
 const CommandOption& CommandOption::required() const {
   option_->required();
@@ -94,6 +97,9 @@ const CommandOption& CommandOption::notNegative() const {
   option_->check(CLI::NonNegativeNumber);
   return *this;
 }
+
+const CommandOption& CommandOption::port() const { return range(1, largestPort); }
+const CommandOption& CommandOption::portOrFree() const { return range(0, largestPort); }
 
 const CommandOption& CommandOption::oneOf(const std::vector<std::string>& words) const {
   option_->check(CLI::IsMember(words));

@@ -51,6 +51,9 @@ public:
   const CommandOption& range(unsigned least, unsigned most) const;
   const CommandOption& range(double least, double most) const;
   const CommandOption& notNegative() const;
+  /// A TCP or UDP port, from 1; portOrFree(): 0, too, which stands for a free one.
+  const CommandOption& port() const;
+  const CommandOption& portOrFree() const;
   const CommandOption& oneOf(const std::vector<std::string>& words) const;
   const CommandOption& existingFile() const;
   const CommandOption& existingFolder() const;

@@ -8,7 +8,7 @@ OutputGuard::OutputGuard(const RepresentationLoader& loader, Representation& val
 }
 
 std::string OutputGuard::check() {
-  if (known_ && loader_->sameBytes(*value_, lastGood_->get())) return {};
+  if (found_ && loader_->sameBytes(*value_, lastGood_->get())) return {};
   std::string problem;
   if (!streamsFiniteNumbers(*value_, numbers_))
     problem = numberProblem(*value_);
@@ -18,7 +18,7 @@ std::string OutputGuard::check() {
     loader_->copy(lastGood_->get(), *value_);
   } else if (numbers_ || loader_->hasOwnCheck()) {
     loader_->copy(*value_, lastGood_->get());
-    known_ = true;
+    found_ = true;
   }
   return problem;
 }

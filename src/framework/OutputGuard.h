@@ -22,7 +22,7 @@ private:
   const RepresentationLoader* loader_;
   Representation* value_;
   std::unique_ptr<RepresentationHolder> lastGood_;
-  bool known_ = false;    ///< lastGood_ was looked at
+  bool found_ = false;    ///< a good value: lastGood_ is no longer what was there at the start
   bool numbers_ = false;  ///< some were streamed so far; what streams none needs no copies
 };
 

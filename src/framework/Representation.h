@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <type_traits>
 
 #include "framework/Streamable.h"
@@ -14,6 +15,14 @@ protected:
   ~Representation() = default;
 };
 
+/// The bytes of the members of a representation that owns no memory beyond them.
+template <typename R>
+auto memberBytes(R& value) {
+  using Byte = std::conditional_t<std::is_const_v<R>, const char, char>;
+  return std::span<Byte>(reinterpret_cast<Byte*>(&value) + sizeof(Representation),
+                         sizeof(R) - sizeof(Representation));
+}
+
 /// What REPRESENTATION(R) puts below class R. Without a stream method of its own, R is streamed as the block
 /// of memory its members fill; the loader refuses that for members that own memory.
 template <typename R>
@@ -22,10 +31,9 @@ public:
   void stream(InStream* in, OutStream* out) override {
     // A class whose members are destroyed without any work holds no string, vector or other owner.
     if constexpr (std::is_trivially_destructible_v<R>) {
-      char* members = reinterpret_cast<char*>(static_cast<R*>(this)) + sizeof(Representation);
-      constexpr std::size_t size = sizeof(R) - sizeof(Representation);
-      if (out) out->writeRaw(members, size);
-      if (in) in->readRaw(members, size);
+      const std::span<char> members = memberBytes(static_cast<R&>(*this));
+      if (out) out->writeRaw(members.data(), members.size());
+      if (in) in->readRaw(members.data(), members.size());
     }
   }
 

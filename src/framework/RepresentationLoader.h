@@ -1,5 +1,5 @@
 #pragma once
-#include <cstring>
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -69,7 +69,7 @@ public:
   }
   bool sameBytes(const Representation& a, const Representation& b) const override {
     if constexpr (std::is_trivially_destructible_v<R>) {
-      return std::memcmp(membersOf(a), membersOf(b), sizeof(R) - sizeof(Representation)) == 0;
+      return std::ranges::equal(memberBytes(static_cast<const R&>(a)), memberBytes(static_cast<const R&>(b)));
     } else {
       return false;
     }
@@ -86,9 +86,6 @@ public:
   }
 
 private:
-  static const char* membersOf(const Representation& value) {
-    return reinterpret_cast<const char*>(static_cast<const R*>(&value)) + sizeof(Representation);
-  }
   static std::string kindOf() {
     if constexpr (requires { R::kindName(); }) {
       return R::kindName();

@@ -69,7 +69,7 @@ void declare(CommandLine& app, Options& options, Platform& platform) {
                                          "open the debug port for bin/rdb; 0: a free one, which is printed")
                                   .valueOptional()
                                   .showDefault(std::to_string(inspect::DebugServerOptions::standardPort))
-                                  .range(0, 65535);
+                                  .portOrFree();
   debug.notes(options.debugs);
   app.option("--debug-address", options.debug->server.address,
              "with --debug: where others may reach it; needs --debug-token")
@@ -81,7 +81,7 @@ void declare(CommandLine& app, Options& options, Platform& platform) {
   declareLogOptions(app, options.log);
   app.option("--drawing-port", options.debug->viewer.port,
              "UDP port of the viewer (RoboViz, bin/webmonitor) in which drawings that are switched on appear")
-      .range(1, 65535)
+      .port()
       .showDefault();
   app.option("--drawing-address", options.debug->viewer.address, "where that viewer runs").showDefault();
   const CommandOption web =
@@ -89,7 +89,7 @@ void declare(CommandLine& app, Options& options, Platform& platform) {
                  "serve a page to look into the agent; 0: a free port, which is printed")
           .valueOptional()
           .showDefault(std::to_string(pages::AgentPage::standardPort))
-          .range(0, 65535);
+          .portOrFree();
   web.notes(options.serves);
   app.option("--web-address", options.web.address, "with --web: where others may reach it; needs --web-token")
       .needs(web)

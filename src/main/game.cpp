@@ -38,8 +38,8 @@ int runProgram(int argc, char** argv) {
   options.output = game::defaultOutput();
   app.option("--output", options.output, "folder for summary.json, track.svg and the logs").showDefault();
   app.option("--host", options.host, "play on a server that runs already, e.g. the league's");
-  app.option("--port", options.port, "its agent port").range(1, 65535).showDefault();
-  app.option("--monitor-port", options.monitorPort, "its monitor port").range(1, 65535).showDefault();
+  app.option("--port", options.port, "its agent port").port().showDefault();
+  app.option("--monitor-port", options.monitorPort, "its monitor port").port().showDefault();
   app.option("--agent-option", options.agentOptions, "passed to bin/agent; repeat for more").oneValueEach();
   app.option("--simulator-option", options.simulatorOptions,
              "passed to bin/simulator, e.g. --simulator-option=--no-bouncing-stops; repeat for more")

@@ -48,7 +48,7 @@ int runProgram(int argc, char** argv) {
       "Evaluates the candidates of an optimisation server, in its own simulator, until the search is over.",
       "optworker");
   app.option("--host", server.host, "Where bin/optserver runs").showDefault();
-  app.option("--port", server.port, "Its port").range(1, 65535).showDefault();
+  app.option("--port", server.port, "Its port").port().showDefault();
   app.option("--token", server.token, "The server's token, if it needs one").orVariable("PLUMBLINE_TOKEN");
   app.option("--name", name, "How the server calls it [host and process]");
   app.option("--patience", patience, "Waits so long for a server that is not there, or went away [s]")

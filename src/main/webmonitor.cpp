@@ -23,11 +23,9 @@ int runProgram(int argc, char** argv) {
   web::WebMonitorConfig config;
   CommandLine app("Shows a game of SimSpark in the browser; attaches to any monitor port.", "webmonitor");
   app.option("--host", config.live.host, "Where the simulator runs").showDefault();
-  app.option("--port", config.live.port, "Its monitor port").range(1, 65535).showDefault();
+  app.option("--port", config.live.port, "Its monitor port").port().showDefault();
   app.option("--monitor-token", config.live.token, "Token of its monitor port, if it needs one");
-  app.option("--web-port", config.server.port, "Port of the page; 0: a free one")
-      .range(0, 65535)
-      .showDefault();
+  app.option("--web-port", config.server.port, "Port of the page; 0: a free one").portOrFree().showDefault();
   app.option("--bind", config.server.address, "Address of the page; any but loopback needs --token")
       .showDefault();
   app.option("--token", config.server.token, "The page opens with ?token=TOKEN only");

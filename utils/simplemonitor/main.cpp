@@ -151,7 +151,7 @@ void show(const Options& options, FieldSource& source, const StopSignal& stop) {
 void declare(CommandLine& app, Options& options) {
   app.option("host", options.host, "Where the simulator runs: HOST or HOST:PORT").showDefault();
   app.option("--port", options.port, "Its compact port or any SimSpark monitor port [3201, else 3200]")
-      .range(1, 65535);
+      .port();
   app.option("--token", options.token, "The simulator's token, if it needs one");
   app.flag("--once", options.once, "Print one picture as text and end");
   app.option("--size", options.size,

@@ -36,7 +36,7 @@ int runProgram(int argc, char** argv) {
       "Sees a game through by the monitor port: kicks off both halves, counts goals, falls and kicks.",
       "watchgame");
   app.option("--host", options.host, "Where the server runs").showDefault();
-  app.option("--port", options.port, "Its monitor port").range(1, 65535).showDefault();
+  app.option("--port", options.port, "Its monitor port").port().showDefault();
   app.option("--players", options.players, "Number of players for which kick-off waits")
       .range(0, 22)
       .showDefault();

@@ -165,7 +165,7 @@ void addRecord(CommandLine& app) {
               "own: the diagnosis' own dynamics; or another engine: bullet, mujoco (if it is installed)")
       .showDefault();
   command.option("--host", options->simspark.host, "Of the SimSpark server").showDefault();
-  command.option("--port", options->simspark.port, "Its port for agents").range(1, 65535).showDefault();
+  command.option("--port", options->simspark.port, "Its port for agents").port().showDefault();
   command.option("--type", options->simspark.type, "Of the SimSpark robot").range(0, 9).showDefault();
   command.option(
       "--program", options->programs,

@@ -46,7 +46,7 @@ int runProgram(int argc, char** argv) {
       "Carries TCP connections over MPI: a server on one node of a cluster, its clients on others.",
       "mpitunnel");
   app.option("--port", options.port, "The server's port on loopback; 0: a free one, which {port} tells it")
-      .range(0, 65535)
+      .portOrFree()
       .showDefault();
   app.option("--patience", options.patience, "Waits so long for the server to open its port [s]")
       .range(0.0, 1e6)

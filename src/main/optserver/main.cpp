@@ -270,7 +270,7 @@ int runProgram(int argc, char** argv) {
       .range(0, 1'000'000'000);
   app.option("--folder", options.folder, "Folder for results [NAME.search]; an existing search is continued");
   app.option("--workers", options.workers, "Workers to start on this machine").range(0, 256).showDefault();
-  app.option("--port", options.farm.port, "Port for workers; 0: a free one").range(0, 65535).showDefault();
+  app.option("--port", options.farm.port, "Port for workers; 0: a free one").portOrFree().showDefault();
   app.option("--bind", options.farm.address, "Its address; any but loopback needs --token").showDefault();
   app.option("--token", options.farm.token, "What workers have to say").orVariable("PLUMBLINE_TOKEN");
   app.option("--patience", options.farm.dispatch.patience,
@@ -291,7 +291,7 @@ int runProgram(int argc, char** argv) {
       app.option("--web", options.web.port, "Serve a page of the run; 0: a free port, which is printed")
           .valueOptional()
           .showDefault(std::to_string(SearchPage::standardPort))
-          .range(0, 65535);
+          .portOrFree();
   web.notes(options.serves);
   app.option("--web-address", options.web.address, "With --web: where others may reach it; needs --web-token")
       .needs(web)

@@ -23,9 +23,9 @@ void SimSparkPlatform::declareOptions(CommandLine& app) {
       .showDefault();
   app.option("--token", agent.token, "token of the simulator, if its port is open to other machines");
   app.option("--host", agent.host, "host of the simulator").showDefault();
-  app.option("--port", agent.port, "its agent port").range(1, 65535).showDefault();
+  app.option("--port", agent.port, "its agent port").port().showDefault();
   app.option("--monitor-port", agent.monitorPort, "its monitor port, for trainer commands")
-      .range(1, 65535)
+      .port()
       .showDefault();
   app.flag("--start-simulator", agent.startSimulator,
            "start a simulator on free ports and restart it when it dies");

@@ -2,15 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "PendulumRun.h"
 #include "gap/run/RunFile.h"
 
 namespace plumbline::gap {
 namespace {
-
-constexpr double degree = 180 / std::numbers::pi;
 
 /// What is said of a NAO that sways, with columns times a factor.
 std::string said(const std::string& columns, double factor) {

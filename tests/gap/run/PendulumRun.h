@@ -1,5 +1,8 @@
 #pragma once
+#include <gtest/gtest.h>
+
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -7,6 +10,8 @@
 #include "robot/MechanismFile.h"
 
 namespace plumbline::gap {
+
+inline constexpr double degree = 180 / std::numbers::pi;  ///< of a radian
 
 /// A run of the rig with one joint: its command and what was measured, as functions of the time [s].
 inline Run pendulumRun(const std::function<double(double)>& command,
@@ -26,8 +31,8 @@ inline Run pendulumRun(const std::function<double(double)>& command,
   return run;
 }
 
-/// All that checkRun says, one line each; "refused: ..." where it throws.
-inline std::string saidOf(Run run, const std::string& robot = "xl330_pendulum") {
+/// All that checkRun says of a run, which it may change, one line each; "refused: ..." where it throws.
+inline std::string checked(Run& run, const std::string& robot) {
   std::vector<RunWarning> warnings;
   run.folder = "r";
   std::string text;
@@ -36,8 +41,14 @@ inline std::string saidOf(Run run, const std::string& robot = "xl330_pendulum") 
   } catch (const RunError& error) {
     return std::string("refused: ") + error.what();
   }
-  for (const RunWarning& warning : warnings) text += warning.line("r") + "\n";
+  for (const RunWarning& warning : warnings) {
+    text += warning.line("r") + "\n";
+    EXPECT_TRUE(!warning.leftOut || !run.find(warning.channel)) << warning.channel;
+  }
   return text;
+}
+inline std::string saidOf(Run run, const std::string& robot = "xl330_pendulum") {
+  return checked(run, robot);
 }
 
 }  // namespace plumbline::gap

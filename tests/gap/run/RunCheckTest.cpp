@@ -3,17 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "PendulumRun.h"
 #include "gap/run/RunFile.h"
-#include "robot/MechanismFile.h"
 
 namespace plumbline::gap {
 namespace {
 
 using Recording = Run;  // gtest has a Run of its own in test classes
-
-constexpr double degree = 180 / std::numbers::pi;
 
 class RunCheck : public testing::Test {
 protected:
@@ -22,21 +19,8 @@ protected:
     return readRun("tests/data/gap/" + name, warnings);
   }
 
-  /// All that checkRun says, one line each; "refused: ..." where it throws.
   static std::string check(Recording& run, const std::string& robot = "nao_v5") {
-    std::vector<RunWarning> warnings;
-    run.folder = "r";
-    std::string text;
-    try {
-      checkRun(run, findMechanism(robot), warnings);
-    } catch (const RunError& error) {
-      return std::string("refused: ") + error.what();
-    }
-    for (const RunWarning& warning : warnings) {
-      text += warning.line("r") + "\n";
-      EXPECT_TRUE(!warning.leftOut || !run.find(warning.channel)) << warning.channel;
-    }
-    return text;
+    return checked(run, robot);
   }
 
   static void scale(Recording& run, const std::string& start, double factor) {

@@ -8,8 +8,6 @@
 namespace plumbline::gap {
 namespace {
 
-constexpr double degree = 180 / std::numbers::pi;
-
 // Two motions that have nothing in common, over whole numbers of their periods.
 double one(double t) { return std::sin(2 * std::numbers::pi * 0.5 * t); }
 double another(double t) { return std::sin(2 * std::numbers::pi * 0.9 * t); }
