@@ -15,7 +15,7 @@ awk '
   /^ *"command":/ {
     command = text($0)
     sub(/ -o [^ ]* -c /, " -c ", command)
-    gsub(/-include [^ ]*cmake_pch\.hxx|-Winvalid-pch|-fpch-preprocess/, "", command)
+    gsub(/-include [^ ]*cmake_pch\.hxx|-Winvalid-pch|-fpch-preprocess|--param=ggc[^ ]*/, "", command)
     gsub(/[^ "]*\/cmake\/compile_bundle\.sh |[^ "]*\/ccache /, "", command)
   }
   /^ *"file":/ {

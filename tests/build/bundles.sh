@@ -12,6 +12,7 @@ builds SimRelease
 expect "nothing changed" "$log" "Nothing to be done for SimRelease."
 contains "editors see each source" "$(cat compile_commands.json)" '/src/math/One.cpp"'
 lacks "editors see each source alone" "$(cat compile_commands.json)" Unity
+lacks "editors and clang-tidy, which are not GCC, are spared its collector" "$(cat compile_commands.json)" ggc-
 
 # A source or a header: its bundle alone.
 printf '// changed\n' >> src/math/One.h
